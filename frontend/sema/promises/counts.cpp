@@ -71,11 +71,11 @@ void writeCount(const PromisedPlace& place, ast::CountBound bound, uint32_t time
   } else {
     const ExprId late = pattern.late(within);
     const ExprId begins = pattern.sight.begins(place);
-    m.when(bounded ? begins : m.both(m.negation(late), begins), [&] { visits.count(); });
     const std::string words =
         fmt::format("{} had been visited fewer than {} times", place.words, times);
-    m.violation(m.both(late, m.negation(visits.atLeast(times))),
+    m.violation(m.both(late, m.negation(visits.atLeast(times))),  // this tick comes too late
                 fmt::format("{} had passed, and {}", within.words, words));
+    m.when(begins, [&] { visits.count(); });
     m.violation(m.both(pattern.over, m.negation(visits.atLeast(times))),
                 pattern.ended + ", and " + words);
   }

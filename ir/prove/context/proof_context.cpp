@@ -24,6 +24,20 @@ std::vector<Interval> intervalsUntil(const Mission& mission, double latest) {
   });
 }
 
+/// Variables that keep when something happened, such as `set leak_at = missiontime`.
+std::vector<bool> missionTimesOf(const Mission& mission) {
+  const auto expression = [&](size_t index, const GreatestFixpoint& judged) {
+    const Expr& e = mission.exprs[index];
+    return e.op == Op::MissionTime || (e.op == Op::Constant && e.number == 0) ||
+           (e.op == Op::Variable && judged.variables[e.variable.index]);
+  };
+  const auto begins = [](const Variable& variable, bool initial) {
+    return variable.kind != VariableKind::Parameter &&  // which may be set to another time
+           (variable.kind == VariableKind::Argument || (variable.initial.valid() && initial));
+  };
+  return greatestFixpoint(mission, {expression, begins, /*lost_by_set=*/true}).expressions;
+}
+
 }  // namespace
 
 ProofContext::ProofContext(const Mission& asked, const platforms::Platform& vehicle)
@@ -35,6 +49,7 @@ ProofContext::ProofContext(const Mission& asked, const platforms::Platform& vehi
       intervals(intervalsUntil(asked, latest)),
       known(neverUnknown(asked, intervals)),
       whole(wholeExpressions(asked, intervals)),
+      mission_times(missionTimesOf(asked)),
       set_since(setSinceWatched(asked)),
       depth(depthSensor(asked, vehicle)),
       tick_gap_s(std::max(vehicle.world.tick_gap_s, asked.resume_within_s)),

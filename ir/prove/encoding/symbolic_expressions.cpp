@@ -127,14 +127,16 @@ NumberTerm SymbolicState::binary(const Expr& e, const Interval& interval) {
 }
 
 NumberTerm SymbolicState::sum(const Expr& e, const Interval& interval) {
-  if (mayOverflow(interval)) {
-    return anything(e, interval);
-  }
   const NumberTerm& a = operand(e, 0);
   const NumberTerm& b = operand(e, 1);
-  const auto isClock = [&](ExprId id) { return groupOf(mission_[id].op) == OpGroup::Clock; };
+  const auto isClock = [&](ExprId id) {
+    return groupOf(mission_[id].op) == OpGroup::Clock || proof_context_.mission_times[id.index];
+  };
   if (e.op == Op::Subtract && isClock(e.operands[0]) && isClock(e.operands[1])) {
     return {a.value - b.value, a.known && b.known, 0};  // exact: docs/verification.md, Numbers
+  }
+  if (mayOverflow(interval)) {
+    return anything(e, interval);
   }
   return {e.op == Op::Add ? a.value + b.value : a.value - b.value, a.known && b.known,
           a.slack + b.slack + roundingOf(interval)};

@@ -4,16 +4,13 @@
 #include "analysis/closed_loop.h"
 
 #include "flights/flight_setup.h"
-#include "flights/heard_ticks.h"
 #include "flights/in_process_sbc.h"
 #include "flights/launch_choice.h"
+#include "flights/requirement_watch.h"
 #include "flights/scenario_choice.h"
-#include "ir/prove/context/proof_context.h"
-#include "ir/prove/context/requirement_monitor.h"
 #include "simulator/simulator.h"
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -23,26 +20,6 @@ namespace {
 using support::Result;
 
 constexpr uint64_t kSeeds = 3;  ///< of each scenario
-
-/// The true depth (m) at vehicle times that do not fall; NaN beyond the trace.
-class TrueDepth {
- public:
-  explicit TrueDepth(const support::Trace& trace)
-      : trace_(trace), column_(trace.column("true_depth")) {}
-
-  double at(double time) {
-    while (row_ < trace_.rowCount() && trace_.at(row_, 0) < time) {
-      ++row_;
-    }
-    const bool there = column_ >= 0 && row_ < trace_.rowCount();
-    return there ? trace_.at(row_, column_) : std::numeric_limits<double>::quiet_NaN();
-  }
-
- private:
-  const support::Trace& trace_;
-  int column_;
-  size_t row_ = 0;
-};
 
 /// The scenarios that come with glidercc, the default one first.
 std::vector<std::string> worlds() {
@@ -56,8 +33,7 @@ class Search {
   Search(const compiler::Optimised& flown, const ir::prove::RequirementVerdict& verdict,
          std::shared_ptr<const codegen::LoadedMission> loaded)
       : flown_(flown),
-        m_(flown.checked->mission()),
-        requirement_(m_.requirements[verdict.requirement]),
+        requirement_(verdict.requirement),
         parameters_(verdict.run->parameters),
         loaded_(std::move(loaded)) {}
 
@@ -93,53 +69,29 @@ class Search {
     flights::describeMission(setup, flown_);
     auto sbc = std::make_unique<flights::InProcessSbc>(
         loaded_, parameters_, std::make_shared<flights::Card>(), !setup.scenario.faults.empty());
-    flights::HeardTicks heard(m_);
-    sbc->watch([&](const GliderContext& context, double now) { heard.look(context, now); });
+    flights::RequirementWatch watch(flown_);
+    sbc->watch(watch.watcher(parameters_));
     setup.sbc = std::move(sbc);
     const auto trace = simulator::simulate(std::move(setup));
     if (!trace) {
       return std::unexpected(trace.error());
     }
-    return judge(heard.ticks(), *trace);
-  }
-
-  [[nodiscard]] std::optional<double> judge(const std::vector<flights::HeardTick>& ticks,
-                                            const support::Trace& trace) const {
-    ir::Interpreter interpreter(m_, flown_.checked->facts.stack_depth);
-    const auto& platform = flown_.platform();
-    ir::RequirementMonitor monitor(m_, requirement_, platform.world.surface_depth_m,
-                                   ir::prove::depthSensor(m_, platform));
-    TrueDepth depth(trace);
-    for (size_t i = 0; i < ticks.size() && !monitor.when(); ++i) {
-      const flights::HeardTick& tick = ticks[i];
-      const auto result = i == 0 ? interpreter.start(tick.frame, parameters_)
-                                 : interpreter.tick(tick.mission_time, tick.frame);
-      monitor.tick(interpreter, tick.mission_time, result, depth.at(tick.vehicle_time));
-    }
-    return monitor.when();
+    const auto found = watch.violation(requirement_, *trace);
+    return found ? std::optional(found->mission_time) : std::nullopt;
   }
 
   const compiler::Optimised& flown_;
-  const ir::Mission& m_;  ///< with its requirements
-  const ir::Requirement& requirement_;
+  size_t requirement_;  ///< its number
   std::vector<double> parameters_;
   std::shared_ptr<const codegen::LoadedMission> loaded_;
 };
-
-bool needsC(const ir::Mission& mission) {
-  return !mission.functions.empty() ||
-         std::ranges::any_of(mission.sensors,
-                             [](const ir::Sensor& s) { return !s.symbol.empty(); }) ||
-         std::ranges::any_of(mission.behaviours,
-                             [](const ir::Behaviour& b) { return !b.symbol.empty(); });
-}
 
 }  // namespace
 
 Result<ClosedLoop> searchClosedLoop(const compiler::Optimised& mission,
                                     const ir::prove::RequirementVerdict& verdict) {
   const bool flies = simulator::checkPlatform(mission.platform()).has_value();
-  if (!verdict.run || needsC(mission.checked->mission()) || !flies) {
+  if (!verdict.run || !flights::RequirementWatch::canWatch(mission) || !flies) {
     return ClosedLoop{};  // the proof stands without a flight
   }
   auto loaded = flights::loadHere(mission, {});

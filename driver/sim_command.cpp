@@ -43,16 +43,27 @@ void showProgress(simulator::SimulationSetup& setup, ProgressLine& line) {
   };
 }
 
-/// What went wrong in a flight: events of the vehicle, and sensors that it did not carry.
-std::vector<support::Diagnostic> judge(const support::Trace& trace,
-                                       const compiler::Optimised* mission,
+/// What flies: the mission of the language (null: none), and who watches it in this process (null:
+/// nobody).
+struct Flown {
+  const compiler::Optimised* mission = nullptr;
+  const flights::RequirementWatch* watch = nullptr;
+};
+
+/// What went wrong in a flight: events of the vehicle, sensors that it did not carry, requirements
+/// that it violated.
+std::vector<support::Diagnostic> judge(const support::Trace& trace, const Flown& flown,
                                        const simulator::Scenario& scenario) {
   support::DiagnosticEngine diagnostics;
-  if (mission != nullptr) {
-    flights::reportMissingSensors(*mission, scenario, diagnostics);
+  if (flown.mission != nullptr) {
+    flights::reportMissingSensors(*flown.mission, scenario, diagnostics);
+  }
+  if (flown.watch != nullptr) {
+    flights::reportViolations(*flown.watch, trace, diagnostics);
   }
   report::reportFlight(trace, diagnostics);
-  reportDiagnostics(diagnostics, {});
+  reportDiagnostics(diagnostics,
+                    flown.mission != nullptr ? flown.mission->sources() : support::SourceManager());
   return diagnostics.sorted();
 }
 
@@ -78,8 +89,8 @@ support::Result<void> writeAll(const support::Trace& trace, const SimOptions& op
 }
 
 /// Flies and writes; the flight has been set up.
-int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options,
-                 const compiler::Optimised* mission, FlightFolder& folder) {
+int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options, const Flown& flown,
+                 FlightFolder& folder) {
   const simulator::Scenario scenario = setup.scenario;
   ProgressLine line;
   showProgress(setup, line);
@@ -90,12 +101,12 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options,
   if (!trace) {
     return reportFailure(trace.error());
   }
-  const double flown = trace->rowCount() == 0 ? 0 : trace->at(trace->rowCount() - 1, 0);
+  const double end = trace->rowCount() == 0 ? 0 : trace->at(trace->rowCount() - 1, 0);
   const auto printed = printOut(
       report::summarize(*trace) +
-      fmt::format("\nflown {:.0f} s in {:.4f} s; report: {}\n", flown, took.count(),
+      fmt::format("\nflown {:.0f} s in {:.4f} s; report: {}\n", end, took.count(),
                   (std::filesystem::path(outputFolder(options)) / "report.html").string()));
-  const auto reported = judge(*trace, mission, scenario);
+  const auto reported = judge(*trace, flown, scenario);
   if (auto written = writeAll(*trace, options, reported, folder); !written) {
     return reportFailure(written.error());
   }
@@ -141,7 +152,12 @@ int sim(const SimOptions& options) {
   if (!folder) {
     return reportFailure(folder.error());
   }
-  auto start = chooseSbc(options, mission.get(), !scenario->faults.empty(), folder->staging());
+  std::optional<flights::RequirementWatch> watch;
+  if (mission != nullptr && isInProcess(options) && flights::RequirementWatch::canWatch(*mission)) {
+    watch.emplace(*mission);
+  }
+  auto start = chooseSbc(options, mission.get(), !scenario->faults.empty(), folder->staging(),
+                         watch ? &*watch : nullptr);
   if (!start) {
     return reportFailure(start.error());
   }
@@ -163,7 +179,8 @@ int sim(const SimOptions& options) {
   } else if (isVehiclesOwn(options)) {
     setup.mission_name = std::filesystem::path(options.mission).filename().string();
   }
-  return flyAndReport(std::move(setup), options, mission.get(), *folder);
+  return flyAndReport(std::move(setup), options, {mission.get(), watch ? &*watch : nullptr},
+                      *folder);
 }
 
 /// The error if `text` is not a valid time of the flight, s.

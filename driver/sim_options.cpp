@@ -42,7 +42,8 @@ std::string outputFolder(const SimOptions& options) {
 
 support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
                                                const compiler::Optimised* mission, bool keeps_time,
-                                               const std::filesystem::path& folder) {
+                                               const std::filesystem::path& folder,
+                                               flights::RequirementWatch* watch) {
   const bool other_sbc = !options.program.empty() || !options.serial.empty();
   if (options.without_sbc || (isVehiclesOwn(options) && !other_sbc)) {
     return simulator::StartSbc();
@@ -54,7 +55,7 @@ support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
     return flights::sbcProgram(options.program);
   }
   if (isInProcess(options)) {
-    return flights::sbcInProcess(*mission, options.launch, options.user_code, keeps_time);
+    return flights::sbcInProcess(*mission, options.launch, options.user_code, keeps_time, watch);
   }
   return flights::sbcOnBoard(*mission, options.launch, options.user_code, options.board,
                              stemOf(options), folder);

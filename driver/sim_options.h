@@ -5,6 +5,7 @@
 
 #include "compiler/compilation.h"
 #include "flights/launch_choice.h"
+#include "flights/requirement_watch.h"
 #include "report/picture/picture.h"
 #include "simulator/simulator.h"
 #include "support/result.h"
@@ -47,9 +48,11 @@ bool isVehiclesOwn(const SimOptions& options);
 bool isInProcess(const SimOptions& options);
 
 /// Returns what starts the SBC, empty for none; `keeps_time`: as for a flight with faults. A
-/// board's binary is built into `folder`.
+/// board's binary is built into `folder`. `watch` (null: none) watches a mission in this process,
+/// and outlives the flight.
 support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
                                                const compiler::Optimised* mission, bool keeps_time,
-                                               const std::filesystem::path& folder);
+                                               const std::filesystem::path& folder,
+                                               flights::RequirementWatch* watch);
 
 }  // namespace glider::driver

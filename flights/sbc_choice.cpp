@@ -18,8 +18,16 @@ using simulator::SerialSbcPort;
 using simulator::StartSbc;
 using support::Result;
 
-Result<NewFlight> flightsInProcess(const compiler::Optimised& mission, const LaunchChoice& launch,
-                                   const std::vector<std::string>& user_code, bool keeps_time) {
+namespace {
+
+/// A mission that is loaded here, with the pilot's values of its parameters.
+struct Loaded {
+  std::shared_ptr<const codegen::LoadedMission> mission;
+  std::vector<double> parameters;
+};
+
+Result<Loaded> load(const compiler::Optimised& mission, const LaunchChoice& launch,
+                    const std::vector<std::string>& user_code) {
   auto loaded = loadHere(mission, user_code);
   if (!loaded) {
     return std::unexpected(loaded.error());
@@ -28,25 +36,43 @@ Result<NewFlight> flightsInProcess(const compiler::Optimised& mission, const Lau
   if (!parameters) {
     return std::unexpected(parameters.error());
   }
-  auto shared = std::make_shared<const codegen::LoadedMission>(std::move(*loaded));
-  return [shared, values = std::move(*parameters), keeps_time]() -> StartSbc {
-    return startInProcess(shared, values, keeps_time);
+  return Loaded{std::make_shared<const codegen::LoadedMission>(std::move(*loaded)),
+                std::move(*parameters)};
+}
+
+}  // namespace
+
+Result<NewFlight> flightsInProcess(const compiler::Optimised& mission, const LaunchChoice& launch,
+                                   const std::vector<std::string>& user_code, bool keeps_time) {
+  auto loaded = load(mission, launch, user_code);
+  if (!loaded) {
+    return std::unexpected(loaded.error());
+  }
+  return [loaded = std::move(*loaded), keeps_time]() -> StartSbc {
+    return startInProcess(loaded.mission, loaded.parameters, keeps_time);
   };
 }
 
 StartSbc startInProcess(std::shared_ptr<const codegen::LoadedMission> mission,
-                        std::vector<double> parameters, bool keeps_time) {
-  return [mission = std::move(mission), parameters = std::move(parameters), keeps_time,
-          card = std::make_shared<Card>()] {
-    return Result<std::unique_ptr<SbcPort>>(
-        std::make_unique<InProcessSbc>(mission, parameters, card, keeps_time));
+                        std::vector<double> parameters, bool keeps_time, RequirementWatch* watch) {
+  return [mission = std::move(mission), parameters = std::move(parameters), keeps_time, watch,
+          card = std::make_shared<Card>()]() -> Result<std::unique_ptr<SbcPort>> {
+    auto sbc = std::make_unique<InProcessSbc>(mission, parameters, card, keeps_time);
+    if (watch != nullptr) {
+      sbc->watch(watch->watcher(parameters));
+    }
+    return sbc;
   };
 }
 
 Result<StartSbc> sbcInProcess(const compiler::Optimised& mission, const LaunchChoice& launch,
-                              const std::vector<std::string>& user_code, bool keeps_time) {
-  const auto flights = flightsInProcess(mission, launch, user_code, keeps_time);
-  return flights ? Result<StartSbc>((*flights)()) : std::unexpected(flights.error());
+                              const std::vector<std::string>& user_code, bool keeps_time,
+                              RequirementWatch* watch) {
+  auto loaded = load(mission, launch, user_code);
+  if (!loaded) {
+    return std::unexpected(loaded.error());
+  }
+  return startInProcess(loaded->mission, loaded->parameters, keeps_time, watch);
 }
 
 namespace {

@@ -5,6 +5,7 @@
 
 #include "compiler/compilation.h"
 #include "flights/launch_choice.h"
+#include "flights/requirement_watch.h"
 #include "simulator/ports/sbc_port.h"
 #include "support/result.h"
 
@@ -28,15 +29,16 @@ support::Result<NewFlight> flightsInProcess(const compiler::Optimised& mission,
 
 // Each returns what starts the SBC of one flight, again each time that its power returns.
 
-/// As flightsInProcess, for one flight.
+/// As flightsInProcess, for one flight. `watch` (null: none) watches it and outlives it.
 support::Result<simulator::StartSbc> sbcInProcess(const compiler::Optimised& mission,
                                                   const LaunchChoice& launch,
                                                   const std::vector<std::string>& user_code,
-                                                  bool keeps_time);
+                                                  bool keeps_time, RequirementWatch* watch);
 
 /// For a mission that is already loaded.
 simulator::StartSbc startInProcess(std::shared_ptr<const codegen::LoadedMission> mission,
-                                   std::vector<double> parameters, bool keeps_time);
+                                   std::vector<double> parameters, bool keeps_time,
+                                   RequirementWatch* watch = nullptr);
 
 /// Builds the mission's binary for `board` at `binary`; returns the command that runs it here,
 /// without its arguments.

@@ -59,14 +59,15 @@ std::optional<PromiseTime> promisedTime(const ast::Expr& expr, std::string_view 
 }
 
 std::optional<std::vector<PromisedPlace>> PromiseLowering::places(
-    const std::vector<ast::Expr>& exprs) {
+    const std::vector<ast::Expr>& exprs, ast::Manner manner) {
   std::vector<PromisedPlace> places;
   bool right = true;
   for (const ast::Expr& expr : exprs) {
     auto place = lowerPlace(expr, scope_);
     right = right && place;
     const bool again =
-        place && std::ranges::find(places, place->words, &PromisedPlace::words) != places.end();
+        place && manner != ast::Manner::Sequence &&
+        std::ranges::find(places, place->words, &PromisedPlace::words) != places.end();
     if (again) {
       scope_.report(DiagnosticId::placeRepeated, expr.where, scope_.text(expr.where));
       right = false;
@@ -97,14 +98,14 @@ bool PromiseLowering::finish(const std::function<void(Pattern&)>& write) {
 }
 
 bool PromiseLowering::lower(const ast::VisitPromise& promise) {
-  const auto where = places(promise.places);
+  const auto where = places(promise.places, promise.manner);
   const auto within = promisedTime(promise.within, "within", scope_);
   return where && within &&
          finish([&](Pattern& pattern) { writeVisit(*where, promise.manner, *within, pattern); });
 }
 
 bool PromiseLowering::lower(const ast::PatrolPromise& promise) {
-  const auto where = places(promise.places);
+  const auto where = places(promise.places, promise.manner);
   const auto every = promisedTime(promise.every, "every", scope_);
   return where && every &&
          finish([&](Pattern& pattern) { writePatrol(*where, promise.manner, *every, pattern); });

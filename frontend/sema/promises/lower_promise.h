@@ -37,7 +37,9 @@ class PromiseLowering {
   bool lower(const ast::HoldPromise& promise);
 
  private:
-  std::optional<std::vector<PromisedPlace>> places(const std::vector<ast::Expr>& exprs);
+  /// Only a sequence may name a place twice.
+  std::optional<std::vector<PromisedPlace>> places(const std::vector<ast::Expr>& exprs,
+                                                   ast::Manner manner);
   bool finish(const std::function<void(Pattern&)>& write);
   /// The requirement that this is never true.
   bool neverTrue(ir::ExprId condition);

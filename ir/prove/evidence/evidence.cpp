@@ -36,7 +36,9 @@ Evidence Evidences::searched(const Requirement& requirement, Invariants found) {
   }
   Evidence evidence{Method::Invariant, found};
   addLearnt(requirement, evidence.invariants);
-  learnt_.emplace_back(requirement.kind, std::move(found));
+  if (!requirement.monitor.step.valid()) {  // whose variables only its own certificate has
+    learnt_.emplace_back(requirement.kind, std::move(found));
+  }
   return evidence;
 }
 

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "compiler/compilation.h"
+#include "flights/heard_ticks.h"
+#include "flights/in_process_sbc.h"
+#include "support/trace/trace.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glider::flights {
+
+/// A requirement that a flight violates.
+struct FlownViolation {
+  size_t requirement = 0;
+  double mission_time = 0;  ///< s
+  double vehicle_time = 0;  ///< s
+  std::string state;        ///< current then
+  std::string words;        ///< how; empty: the requirement says it
+};
+
+/// Watches an SBC in this process, and checks the requirements of its mission afterwards: the
+/// interpreter repeats the flight tick by tick, under the monitors that define the requirements.
+class RequirementWatch {
+ public:
+  /// `mission` is what flies; it must outlive this.
+  explicit RequirementWatch(const compiler::Optimised& mission);
+
+  /// Whether the interpreter can repeat the mission (no C), and a flight can violate it.
+  [[nodiscard]] static bool canWatch(const compiler::Optimised& mission);
+
+  /// What the SBC calls after each poll; to be asked for each time that it starts. A flight is
+  /// watched until the SBC starts again, because its card may not have kept the last ticks.
+  InProcessSbc::Watcher watcher(const std::vector<double>& parameters);
+
+  /// The first violation of each requirement; `trace` is that of the flight.
+  [[nodiscard]] std::vector<FlownViolation> violations(const support::Trace& trace) const;
+  [[nodiscard]] const ir::Requirement& requirement(size_t number) const {
+    return m_.requirements.at(number);
+  }
+  /// The same for one requirement.
+  [[nodiscard]] std::optional<FlownViolation> violation(size_t requirement,
+                                                        const support::Trace& trace) const;
+
+ private:
+  const compiler::Optimised& flown_;
+  const ir::Mission& m_;  ///< with its requirements
+  HeardTicks heard_;
+  std::vector<double> parameters_;
+  size_t starts_ = 0;
+};
+
+/// Reports each requirement that the flight of `trace` violates.
+void reportViolations(const RequirementWatch& watch, const support::Trace& trace,
+                      support::DiagnosticEngine& diagnostics);
+
+}  // namespace glider::flights

@@ -468,7 +468,7 @@ void FlightController::judgeEnd(const Situation& s) {
     end_ = "the mission has ended normally";
     const Behaviour& quitter = *layers_->quitter();
     why_ended_ =
-        fmt::format("{} has ended it, which began by {}", quitter.label(), quitter.whyStarted());
+        fmt::format("{} has ended it; it started by {}", quitter.label(), quitter.whyStarted());
   } else if (s.time_s - submerged_s_ >= kSettledAtSurface && abort_ != Abort::None) {
     end_ = fmt::format("aborted ({}) and at the surface", abortName(abort_));
   } else if (s.time_s - submerged_s_ >= kSettledAtSurface && layers_->nothingLeftToFly(sbc_gone_)) {

@@ -47,11 +47,15 @@ void LayeredControl::tell(Layer& layer, double time_s, Journal& journal) {
   const bool quiet = name == "abend" || name == "hookbeh" || name == "sample";
   const Behaviour::State now = layer.behaviour->state();
   if (now != layer.told && !quiet) {
-    const char* what = now == Behaviour::State::Active     ? "started"
-                       : now == Behaviour::State::Complete ? "completed"
-                                                           : "done, waits for its next start";
-    journal.add(time_s, "behaviour", layer.behaviour->label() + " " + what,
-                now == Behaviour::State::Active ? layer.behaviour->whyStarted() : "");
+    const auto add = [&](const char* what, const std::string& why) {
+      journal.add(time_s, "behaviour", layer.behaviour->label() + " " + what, why);
+    };
+    if (layer.told == Behaviour::State::Waiting) {  // also if it is complete in its first cycle
+      add("started", layer.behaviour->whyStarted());
+    }
+    if (now != Behaviour::State::Active) {
+      add(now == Behaviour::State::Complete ? "completed" : "done, waits for its next start", "");
+    }
   }
   layer.told = now;
 }

@@ -28,7 +28,7 @@ double secondsOf(double stamp) {
   return static_cast<double>(duration_cast<seconds>(at.time_since_epoch()).count());
 }
 
-/// The slots without a command: "heading and pitch".
+/// The slots without a command: "heading or pitch".
 std::string idleSlots(const Commands& below) {
   std::vector<std::string> slots;
   if (!below.heading) {
@@ -40,7 +40,7 @@ std::string idleSlots(const Commands& below) {
   if (!below.pump_cc) {
     slots.emplace_back("pump");
   }
-  return fmt::format("{}", fmt::join(slots, " and "));
+  return fmt::format("{}", fmt::join(slots, " or "));
 }
 
 }  // namespace
@@ -108,10 +108,13 @@ std::string When::meaning(const Commands& below) const {
     case 0:
       return "at once";
     case 1:
-    case 2:
-    case 3:
-    case 4:
       return fmt::format("no behaviour below commands {}", idleSlots(below));
+    case 2:
+      return "no behaviour below commands pitch";
+    case 3:
+      return "no behaviour below commands heading";
+    case 4:
+      return "no behaviour below commands pump";
     case 6:
       return fmt::format("{} s after it ended", secs);
     case 7:

@@ -147,7 +147,7 @@ Result<Trace> flightTrace(const Merged& merged, const std::vector<double>& more_
     return support::fail(DiagnosticId::noDepthLogged, "they do not contain the vehicle's depth");
   }
   std::string note;
-  for (auto more : {quantities(merged, times), positions(merged, times),
+  for (auto more : {quantities(merged, times, gaps), positions(merged, times),
                     currents(merged, depth, times, note)}) {
     std::ranges::move(more, std::back_inserter(columns));
   }

@@ -138,7 +138,8 @@ TEST_F(MiCommand, ErrorsInItAreThoseOfTheMission) {
 TEST_F(MiCommand, AFlightIntoTheBottomDidNotGoWell) {
   (void)folder_.write("deep.mi",
                       "behavior: abend\n b_arg: overtime(s) 900\n b_arg: samedepth_for(s) -1\n"
-                      "behavior: set_heading\nbehavior: yo\n b_arg: d_target_depth(m) 100\n");
+                      "behavior: set_heading\n b_arg: heading_value(X) 1\nbehavior: yo\n b_arg: "
+                      "d_target_depth(m) 100\n");
   const Outcome flown = glidercc("sim deep.mi -o deep");
   EXPECT_EQ(flown.status, 1) << flown.out;
   EXPECT_THAT(flown.err, HasSubstr("[GL9376 bottom-touched]"));

@@ -221,7 +221,8 @@ TEST(Picture, ALogHasOneGreyForWhatIsNotKnown) {
     const std::string sample = "<rect class=\"swatch\"";
     size_t count = 0;
     for (size_t at = svg.find(sample); at != std::string::npos; at = svg.find(sample, at + 1)) {
-      count += svg.substr(at, svg.find("/>", at) - at).find("#98a2ac") != std::string::npos ? 1 : 0;
+      const bool grey = svg.substr(at, svg.find("/>", at) - at).find("#98a2ac") < svg.size();
+      count += grey ? 1U : 0U;
     }
     return count;
   };
@@ -233,7 +234,6 @@ TEST(Picture, ALogHasOneGreyForWhatIsNotKnown) {
   }
   EXPECT_EQ(greys(trace), 1U);
   EXPECT_THAT(drawPicture(trace, {"temp"}), HasSubstr(">not known</text>"));
-  EXPECT_THAT(drawPicture(trace, {"temp"}), Not(HasSubstr(">state not known</text>\n<rect")));
   trace.log.reset();
   EXPECT_EQ(greys(trace), 2U) << "layered control, and what is not known";
 }

@@ -391,10 +391,10 @@ TEST(StartWhen, EachCodeIsSaidInWords) {
       " b_arg: when_utc_timestamp(X) 0902030405\n b_arg: when_num_inflections(X) 3\n";
   const std::pair<int, const char*> kTexts[] = {
       {0, "0: at once"},
-      {1, "1: no behaviour below commands heading and pump"},
-      {2, "2: no behaviour below commands heading and pitch and pump"},
-      {3, "3: no behaviour below commands heading and pump"},
-      {4, "4: no behaviour below commands heading and pump"},
+      {1, "1: no behaviour below commands heading or pump"},
+      {2, "2: no behaviour below commands pitch"},
+      {3, "3: no behaviour below commands heading"},
+      {4, "4: no behaviour below commands pump"},
       {6, "6: 90 s after it ended"},
       {7, "7: the waypoint is nearer than 15 m"},
       {8, "8: a waypoint is reached"},

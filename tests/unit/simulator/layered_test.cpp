@@ -114,16 +114,15 @@ TEST(Layered, EventsSayWhichBehaviourStartedAndWhy) {
   EXPECT_EQ(first->what, "surface_2 started");
   EXPECT_EQ(first->why, "start_when 12: not at the surface for 150 s");
   EXPECT_EQ(findStart(trace, "yo")->what, "yo_5 started");
-  EXPECT_EQ(findStart(trace, "yo")->why,
-            "start_when 2: no behaviour below commands heading and pitch and pump");
+  EXPECT_EQ(findStart(trace, "yo")->why, "start_when 2: no behaviour below commands pitch");
   EXPECT_NE(findEvent(trace, "yo_5: dive_to over, half cycle 1"), nullptr);
   EXPECT_EQ(findEvent(trace, "surface_2 done, waits for its next start")->why, "");
   const auto* last = findEvent(trace, "surface_3 started");
   ASSERT_NE(last, nullptr) << eventText(trace);
-  EXPECT_EQ(last->why, "start_when 1: no behaviour below commands pitch and pump");
+  EXPECT_EQ(last->why, "start_when 1: no behaviour below commands pitch or pump");
   EXPECT_EQ(findEvent(trace, "ended normally")->why,
-            "surface_3 has ended it, which began by start_when 1: no behaviour below commands "
-            "pitch and pump");
+            "surface_3 has ended it; it started by start_when 1: no behaviour below commands "
+            "pitch or pump");
 }
 
 /// With a surface for an idle stack, a mission that lacks a heading is over when it begins.
@@ -132,26 +131,29 @@ TEST(Layered, AMissionWithoutAHeadingSaysWhyItEnds) {
   const auto* end = findEvent(trace, "ended normally");
   ASSERT_NE(end, nullptr) << eventText(trace);
   EXPECT_EQ(end->time_s, 0);
+  EXPECT_NE(findEvent(trace, "surface_1 started"), nullptr) << "though it ends in the same cycle";
   EXPECT_EQ(end->why,
-            "surface_1 has ended it, which began by start_when 1: no behaviour below commands "
+            "surface_1 has ended it; it started by start_when 1: no behaviour below commands "
             "heading");
 }
 
 TEST(Layered, TheBottomIsAnEventOnceForEachContact) {
-  SimulationSetup shallow = setupWith(kSurface + kHeading + kYo);
-  shallow.scenario.ocean.bottom.depth_m = 14;
-  shallow.duration_s = 1500;
-  const support::Trace trace = fly(shallow);
+  const auto flown = [](double water_depth_m) {
+    SimulationSetup setup =
+        setupWith(kSurface + kHeading + kYo + " b_arg: d_target_altitude(m) -1\n");
+    setup.scenario.ocean.bottom.depth_m = water_depth_m;
+    setup.duration_s = 1500;
+    return fly(std::move(setup));
+  };
+  const support::Trace trace = flown(14);
   const auto* touch = findEvent(trace, "on the bottom");
   ASSERT_NE(touch, nullptr) << eventText(trace);
   EXPECT_EQ(touch->kind, "bottom");
-  EXPECT_EQ(touch->why, "14.0 m deep");
   EXPECT_NEAR(valueAt(trace, "true_depth", touch->time_s), 14, 1.5);
   // The yo is to dive to 20 m and stays there.
   EXPECT_EQ(std::ranges::count(trace.events, "bottom", &support::TraceEvent::kind), 1)
       << eventText(trace);
-  shallow.scenario.ocean.bottom.depth_m = 60;
-  EXPECT_EQ(findEvent(fly(shallow), "on the bottom"), nullptr);
+  EXPECT_EQ(findEvent(flown(60), "on the bottom"), nullptr);
 }
 
 TEST(BottomContact, BeginsAtTheBottomAndEndsAMetreAboveIt) {

@@ -4,6 +4,7 @@
 #include "compiler/compilation.h"
 
 #include "compiler/share.h"
+#include "compiler/vehicles_own.h"
 #include "frontend/frontend.h"
 #include "frontend/import/imports.h"
 #include "ir/opt/drop_requirements.h"
@@ -163,6 +164,9 @@ std::filesystem::path platformFile(const std::string& name) {
 }
 
 Result<Compilation> compileMission(const std::filesystem::path& path) {
+  if (auto kind = requireKind(path, MissionKind::Language); !kind) {
+    return std::unexpected(kind.error());
+  }
   auto text = support::readFile(path);
   if (!text) {
     return std::unexpected(text.error());

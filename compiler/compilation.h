@@ -78,7 +78,7 @@ struct Compilation {
 
 /// Reads, parses, analyses and verifies the file at `path`; a file ending in `.ir` is read as the
 /// IR's text form. The mission's errors are in Compilation::diagnostics; only a file that cannot be
-/// read and bad platform data are a Failure.
+/// read, one of the vehicle's own (GL9368) and bad platform data are a Failure.
 support::Result<Compilation> compileMission(const std::filesystem::path& path);
 
 /// The same for `text`, used instead of the file at `path`; it is file 0 of the sources.

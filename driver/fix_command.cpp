@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "compiler/compilation.h"
+#include "compiler/vehicles_own.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/output/line_diff.h"
@@ -52,6 +53,9 @@ Result<void> put(const std::string& path, const std::string& before, const Fixin
 }
 
 int fix(const std::string& path, bool dry_run) {
+  if (auto kind = compiler::requireKind(path, compiler::MissionKind::Language); !kind) {
+    return reportFailure(kind.error());
+  }
   const auto text = support::readFile(path);
   if (!text) {
     return reportFailure(text.error());

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "compiler/vehicles_own.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/output/line_diff.h"
@@ -43,6 +44,9 @@ support::Result<void> put(const FmtOptions& options, const std::string& path,
 }
 
 int format(const FmtOptions& options, const std::string& path) {
+  if (const auto kind = compiler::requireKind(path, compiler::MissionKind::Language); !kind) {
+    return reportFailure(kind.error());
+  }
   auto text = path == "-" ? support::readFile("/dev/stdin") : support::readFile(path);
   if (!text) {
     return reportFailure(text.error());

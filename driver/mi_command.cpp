@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "compiler/vehicles_own.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/output/line_diff.h"
@@ -18,6 +19,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace glider::driver {
@@ -42,26 +44,68 @@ std::string fileName(const support::SourceManager& sources, const slocum::Settin
   return std::filesystem::path(sources.name(setting.value_range.file)).filename().string();
 }
 
-/// The behaviours, the highest priority first, with the values in force and the file that gives
-/// each.
-std::string listing(const slocum::MissionFile& mission, const support::SourceManager& sources) {
-  std::string out;
-  for (const slocum::Setting& sensor : mission.sensors) {
-    out += fmt::format("sensor {:<31} {:>14}\n", sensor.name, numberText(sensor.value));
+/// Values in columns as wide as the longest of each needs.
+class Listing {
+ public:
+  Listing(const slocum::MissionFile& mission, const support::SourceManager& sources)
+      : mission_(mission), sources_(sources) {
+    for (const slocum::Setting& sensor : mission.sensors) {
+      measure(sensor, kSensor.size());
+    }
+    for (const slocum::BehaviourBlock& block : mission.behaviours) {
+      for (const slocum::Setting& argument : block.arguments) {
+        measure(argument, kIndent.size());
+      }
+    }
   }
-  for (const slocum::BehaviourBlock& block : mission.behaviours) {
-    out += fmt::format("{}{}\n", out.empty() ? "" : "\n", block.name);
+
+  /// The settings, then the behaviours, the highest priority first, with the values in force and
+  /// the file that gives each.
+  std::string write() {
+    for (const slocum::Setting& sensor : mission_.sensors) {
+      line(kSensor, sensor);
+    }
+    if (const size_t count = mission_.vehicle_sensors.size(); count > 0) {
+      out_ += fmt::format("below these the {} setting{} of {}\n", count, count == 1 ? "" : "s",
+                          fileName(sources_, mission_.vehicle_sensors.front()));
+    }
+    for (const slocum::BehaviourBlock& block : mission_.behaviours) {
+      behaviour(block);
+    }
+    return std::move(out_);
+  }
+
+ private:
+  static constexpr std::string_view kSensor = "sensor ", kIndent = "  ";
+
+  void measure(const slocum::Setting& setting, size_t indent) {
+    name_ = std::max(name_, indent + setting.name.size());
+    value_ = std::max(value_, numberText(setting.value).size());
+    unit_ = std::max(unit_, setting.unit.size());
+  }
+
+  void line(std::string_view indent, const slocum::Setting& setting) {
+    out_ += fmt::format("{:{}}  {:>{}} {:{}}  {}\n", std::string(indent) + setting.name, name_,
+                        numberText(setting.value), value_, setting.unit, unit_,
+                        fileName(sources_, setting));
+  }
+
+  void behaviour(const slocum::BehaviourBlock& block) {
+    out_ += fmt::format("{}{}\n", out_.empty() ? "" : "\n", block.name);
     for (const slocum::Setting& argument : block.arguments) {
-      out += fmt::format("  {:<36} {:>14} {:<8} {}\n", argument.name, numberText(argument.value),
-                         argument.unit, fileName(sources, argument));
+      line(kIndent, argument);
     }
     for (const slocum::Waypoint& waypoint : block.waypoints) {
-      out += fmt::format("  waypoint {:>12.4f} {:>11.4f}\n", waypoint.longitude_ddmm,
-                         waypoint.latitude_ddmm);
+      out_ += fmt::format("  waypoint {:>12.4f} {:>11.4f}\n", waypoint.longitude_ddmm,
+                          waypoint.latitude_ddmm);
     }
   }
-  return out;
-}
+
+  const slocum::MissionFile& mission_;
+  const support::SourceManager& sources_;
+  size_t name_ = 0, value_ = 0, unit_ = 0;  ///< widths of the columns
+  std::string out_;
+};
 
 /// Applies the edits from the last in a file to the first, so that places stay valid.
 NewTexts edited(const slocum::MissionFile& mission, const std::vector<slocum::Edit>& edits,
@@ -112,6 +156,10 @@ int show(const MiOptions& options) {
   for (const std::string& text : options.edits) {
     edits.push_back(*slocum::readEdit(text));
   }
+  if (const auto kind = compiler::requireKind(options.file, compiler::MissionKind::Vehicles);
+      !kind) {
+    return reportFailure(kind.error());
+  }
   support::SourceManager sources;
   support::DiagnosticEngine diagnostics;
   const auto mission = slocum::loadMission(options.file, sources, diagnostics, checkNames);
@@ -119,7 +167,7 @@ int show(const MiOptions& options) {
   if (!mission) {
     return diagnostics.hasErrors() ? kMissionHasErrors : reportFailure(mission.error());
   }
-  const auto done = edits.empty() ? printOut(listing(*mission, sources))
+  const auto done = edits.empty() ? printOut(Listing(*mission, sources).write())
                                   : put(options, sources, edited(*mission, edits, sources));
   return done ? kFine : reportFailure(done.error());
 }

@@ -3,10 +3,9 @@
 
 #include "driver/sim_options.h"
 
+#include "compiler/vehicles_own.h"
 #include "flights/sbc_choice.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 namespace glider::driver {
@@ -25,10 +24,7 @@ std::string stemOf(const SimOptions& options) {
 }  // namespace
 
 bool isVehiclesOwn(const SimOptions& options) {
-  std::string extension = std::filesystem::path(options.mission).extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return std::tolower(c); });
-  return extension == ".mi";
+  return compiler::kindOf(options.mission) == compiler::MissionKind::Vehicles;
 }
 
 bool isInProcess(const SimOptions& options) {

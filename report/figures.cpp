@@ -33,35 +33,51 @@ Range rangeOf(const Trace& trace, int column) {
   return range;
 }
 
-/// `leg`: a column that changes where a GPS fix moved the position, which is no distance; or -1.
+/// A track without the steps by which GPS fixes have moved it: they are no distance, and the ends
+/// of what remains can be compared.
+class Way {
+ public:
+  /// `leg` changes where a fix has moved the position.
+  void add(double x, double y, double leg) {
+    if (!begun_ || leg != leg_) {
+      closeLeg();
+      leg_x_ = x, leg_y_ = y, leg_ = leg;
+      begun_ = true;
+    } else {
+      sum_ += std::hypot(x - x_, y - y_);
+    }
+    x_ = x, y_ = y;
+  }
+  void measure(FlightFigures& figures) {
+    if (begun_) {
+      closeLeg();
+      figures.distance_m = sum_;
+      figures.made_good_m = std::hypot(way_x_, way_y_);
+    }
+  }
+
+ private:
+  void closeLeg() {
+    way_x_ += x_ - leg_x_;
+    way_y_ += y_ - leg_y_;
+  }
+
+  bool begun_ = false;
+  double leg_ = 0, leg_x_ = 0, leg_y_ = 0;  ///< where the leg begins
+  double x_ = 0, y_ = 0;                    ///< the last position
+  double way_x_ = 0, way_y_ = 0, sum_ = 0;  ///< of the legs before; along the track
+};
+
+/// `leg`: a column that changes where a GPS fix moved the position; or -1.
 void measureTrack(const Trace& trace, int east, int north, int leg, FlightFigures& figures) {
-  double first_x = kNaN;
-  double first_y = kNaN;
-  double last_x = kNaN;
-  double last_y = kNaN;
-  double last_leg = 0;
-  double sum = 0;
+  Way way;
   for (size_t row = 0; row < trace.rowCount(); ++row) {
-    const double x = trace.at(row, east);
-    const double y = trace.at(row, north);
-    if (!std::isfinite(x) || !std::isfinite(y)) {
-      continue;
+    const double x = trace.at(row, east), y = trace.at(row, north);
+    if (std::isfinite(x) && std::isfinite(y)) {
+      way.add(x, y, leg < 0 ? 0 : trace.at(row, leg));
     }
-    const double this_leg = leg < 0 ? 0 : trace.at(row, leg);
-    if (std::isnan(first_x)) {
-      first_x = x;
-      first_y = y;
-    } else if (this_leg == last_leg) {
-      sum += std::hypot(x - last_x, y - last_y);
-    }
-    last_x = x;
-    last_y = y;
-    last_leg = this_leg;
   }
-  if (!std::isnan(first_x)) {
-    figures.distance_m = sum;
-    figures.made_good_m = std::hypot(last_x - first_x, last_y - first_y);
-  }
+  way.measure(figures);
 }
 
 void measureTrack(const Trace& trace, FlightFigures& figures) {
@@ -97,8 +113,8 @@ void measureStates(const Trace& trace, int time, FlightFigures& figures) {
   for (size_t row = 0; row < trace.rowCount(); ++row) {
     const double id = state < 0 ? kNaN : trace.at(row, state);
     const bool last = row + 1 == trace.rowCount();
-    const double held = last ? 0.0 : trace.at(row + 1, time) - trace.at(row, time);
-    const double held_s = std::isnan(held) ? 0.0 : held;
+    const double now = trace.at(row, time), next = last ? now : trace.at(row + 1, time);
+    const double held_s = std::isnan(next - now) || trace.isGap(now, next) ? 0.0 : next - now;
     if (!std::isnan(id)) {
       StateFigures& entry = by_id[id];
       entry.visits += id == before ? 0 : 1;
@@ -115,6 +131,15 @@ void measureStates(const Trace& trace, int time, FlightFigures& figures) {
     entry.name = stateName(trace, id);
     figures.states.push_back(std::move(entry));
   }
+}
+
+double lengthOfGaps(const Trace& trace) {
+  double sum_s = 0;
+  for (const support::TraceGap& gap :
+       trace.log ? trace.log->gaps : std::vector<support::TraceGap>()) {
+    sum_s += gap.to_s - gap.from_s;
+  }
+  return sum_s;
 }
 
 const char* trackSourceName(TrackSource source) {
@@ -188,6 +213,7 @@ FlightFigures flightFigures(const Trace& trace) {
   const Range temperatures = rangeOf(trace, trace.column("sci_water_temp"));
   figures.coldest_degC = temperatures.least;
   figures.warmest_degC = temperatures.greatest;
+  figures.gaps_s = lengthOfGaps(trace);
   measureTrack(trace, figures);
   measureStates(trace, time, figures);
   for (const support::TraceEvent& event : trace.events) {
@@ -205,6 +231,7 @@ std::string figuresToJson(const FlightFigures& figures) {
   }
   const json out = {{"rows", figures.rows},
                     {"duration", figures.duration_s},
+                    {"gaps", figures.gaps_s},
                     {"shallowest", figures.shallowest_m},
                     {"deepest", figures.deepest_m},
                     {"yos", figures.yos},

@@ -28,11 +28,12 @@ enum class TrackSource : unsigned char { None, True, DeadReckoned };
 struct FlightFigures {
   size_t rows = 0;
   double duration_s = 0;
+  double gaps_s = 0;  ///< the part of it in which a log has no records
   double shallowest_m = 0;
   double deepest_m = 0;
   size_t yos = 0;          ///< dives of at least kYoDepth followed by a climb of at least kYoDepth
   double distance_m = 0;   ///< over ground, along the track
-  double made_good_m = 0;  ///< straight from the first position to the last
+  double made_good_m = 0;  ///< straight from the first position to the last, by the same positions
   TrackSource track = TrackSource::None;
   double coldest_degC = 0;
   double warmest_degC = 0;
@@ -47,7 +48,9 @@ struct FlightFigures {
 /// a surface wave.
 inline constexpr double kYoDepth = 2.0;
 
-/// The figures of `trace`. A row is valid until the next row's time; the last one has no duration.
+/// The figures of `trace`. A row is valid until the next row's time; the last one has no duration,
+/// and neither has one at the begin of a gap or in it. By dead reckoning, steps by which a GPS fix
+/// moved the position belong to no length.
 FlightFigures flightFigures(const support::Trace& trace);
 /// The same as a JSON object; NaN is null.
 std::string figuresToJson(const FlightFigures& figures);

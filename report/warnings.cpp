@@ -39,6 +39,10 @@ bool isAbort(const TraceEvent& event) {
   return event.kind == "abort";
 }
 
+bool isBottom(const TraceEvent& event) {
+  return event.kind == "bottom";
+}
+
 /// Whether hookbeh climbs because of its own limits, against the mission.
 bool isIntervention(const TraceEvent& event) {
   return event.kind == "hook" && event.what.starts_with(kByHookbeh);
@@ -159,6 +163,10 @@ void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics) {
     const std::string why = told.first->why.empty() ? "" : ", " + plain(told.first->why);
     diagnostics.report(DiagnosticId::flightAborted, {}, told.at,
                        plain(told.first->what) + why + told.more);
+  }
+  if (const Told told = tell(trace, isBottom); told.first != nullptr) {
+    diagnostics.report(DiagnosticId::bottomTouched, {}, told.at,
+                       plain(told.first->why) + told.more);
   }
   if (const Told told = tell(trace, isRefusal); told.first != nullptr) {
     diagnostics.report(DiagnosticId::commandRefused, {}, told.at,

@@ -23,8 +23,8 @@ bool wasNeverInControl(const support::Trace& trace);
 bool spokeTheProtocol(const support::Trace& trace);
 
 /// Reports what went wrong in a flight: the vehicle aborted (GL9370), a command was refused
-/// (GL9371), the mission was never in control (GL9372), hookbeh intervened (GL9375). Of several of
-/// a kind only the first is reported, with their number.
+/// (GL9371), the mission was never in control (GL9372), hookbeh intervened (GL9375), the vehicle
+/// touched the bottom (GL9376). Of several of a kind only the first is reported, with their number.
 void reportFlight(const support::Trace& trace, support::DiagnosticEngine& diagnostics);
 
 /// What else the reader must know before any figure of the flight: the mission was another one, or

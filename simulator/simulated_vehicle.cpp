@@ -142,6 +142,8 @@ void SimulatedVehicle::step(double now) {
   link_.pump(now);
   vehicle_.feedSbc(link_.alive());
   vehicle_.step(world_.ocean(), now);
+  bottom_.look(now + Vehicle::kStep, vehicle_.depth(),
+               world_.ocean().waterDepth(vehicle_.x(), vehicle_.y()), journal_);
 }
 
 /// Returns true when the flight is over.
@@ -169,7 +171,7 @@ bool SimulatedVehicle::controlCycle(double now, int64_t number) {
   // surface.
   const bool over = !flight_.end().empty() && vehicle_.depth() < kAfloat;
   if (over) {
-    journal_.add(now, "log", flight_.end());
+    journal_.add(now, "log", flight_.end(), flight_.whyEnded());
   }
   const bool seen_enough = setup_.observer != nullptr && !setup_.observer->cycle(view(now, over));
   return over || seen_enough;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "simulator/bottom_contact.h"
 #include "simulator/mission_story.h"
 #include "simulator/recorder.h"
 #include "simulator/science/sbc_link.h"
@@ -68,6 +69,7 @@ class SimulatedVehicle {
   SbcLink link_;
   MissionStory story_;
   Recorder recorder_;
+  BottomContact bottom_;
   double cycle_s_ = 0;
   bool science_down_ = false;
   const FlightRestart* flight_down_ = nullptr;

@@ -162,6 +162,9 @@ support::Result<AgainstLogs> runAgainstLogs(const compiler::Checked& checked,
     }
   }
   Followed followed = followMission(checked, log, parameters);
+  for (size_t i = 0; i < out.cases.size(); ++i) {
+    out.cases[i].followed_true_ticks = followed.true_ticks[i];
+  }
   out.trace = traceOf(checked, log, followed);
   out.followed = std::move(followed.steps);
   return out;

@@ -31,6 +31,7 @@ class Follower {
 
   Followed run() {
     out_.states.assign(log_.ticks.size(), Followed::kNoState);
+    out_.true_ticks.assign(watched_.size(), 0);
     for (uint32_t tick = firstDive(); tick < log_.ticks.size(); ++tick) {
       if (running_ && isAfterGap(tick)) {
         interrupt(tick);
@@ -97,6 +98,7 @@ class Follower {
       const bool true_now =
           current(watched_[i]) && running_->truthOf(guardOf(i)) == ir::Truth::True;
       once_[i].look(true_now);
+      out_.true_ticks[i] += true_now ? 1 : 0;
       values_[i] = true_now ? valuesOf(watched_[i].reads, *running_) : Values();
     }
     const ir::TickResult result = running_->decide();

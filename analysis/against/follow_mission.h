@@ -19,6 +19,7 @@ struct Followed {
   std::vector<uint32_t>
       states;  ///< the current state at each tick; kNoState: the mission does not run
   static constexpr uint32_t kNoState = UINT32_MAX;
+  std::vector<uint32_t> true_ticks;  ///< of each of watchedCases(), while its state is current
 };
 
 /// Starts the mission at the first tick below the surface, takes every transition that fires, and

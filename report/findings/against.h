@@ -55,6 +55,7 @@ struct LoggedCase {
   std::string transition;  ///< "goto track", "exit"
   uint32_t known_ticks = 0;
   uint32_t true_ticks = 0;
+  uint32_t followed_true_ticks = 0;  ///< while it is tried, when the mission follows the files
   std::vector<LoggedFiring> firings;
   std::vector<Flicker> flickers;
   std::vector<std::string> unknown_because;  ///< if it was never known, one for each reason

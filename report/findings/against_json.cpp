@@ -68,6 +68,7 @@ ordered_json caseJson(const LoggedCase& of, const SourceManager& sources) {
   one["transition"] = of.transition;
   one["known_ticks"] = of.known_ticks;
   one["true_ticks"] = of.true_ticks;
+  one["followed_true_ticks"] = of.followed_true_ticks;
   one["firings"] = ordered_json::array();
   for (const LoggedFiring& firing : of.firings) {
     one["firings"].push_back(firingJson(firing));

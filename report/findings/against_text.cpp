@@ -146,6 +146,7 @@ class Text {
     if (one.known_ticks == 0 && one.firings.empty()) {
       line("      never known{}{}", one.unknown_because.empty() ? "" : ": ",
            fmt::join(one.unknown_because, "; "));
+      whenFollowed(one);
       return;
     }
     const std::string known = fmt::format("known on {} of ticks", share(one.known_ticks, a_.ticks));
@@ -156,6 +157,7 @@ class Text {
                            "      does not fire: true on {} of ticks, on each of which an earlier "
                            "case fires; {}",
                            share(one.true_ticks, a_.ticks), known));
+      whenFollowed(one);
       return;
     }
     line("      fires {}, true on {} of ticks, {}", times(one.firings.size()),
@@ -165,6 +167,14 @@ class Text {
       firing("last ", one.firings.back());
     }
     flickers(one);
+  }
+
+  /// A guard may depend on what is set when the mission enters its state.
+  void whenFollowed(const LoggedCase& one) {
+    if (one.true_ticks == 0 && one.followed_true_ticks > 0) {
+      line("      but true on {} of what the mission would have done, below",
+           counted(one.followed_true_ticks, "tick"));
+    }
   }
 
   static std::string times(size_t count) {

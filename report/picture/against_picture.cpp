@@ -40,9 +40,10 @@ std::string shortened(std::string text) {
 
 std::string countText(const LoggedCase& one) {
   const size_t count = one.firings.size();
-  return count > 0             ? fmt::format("{} ×", count)
-         : one.known_ticks > 0 ? "never true"
-                               : "never known";
+  return count > 0                     ? fmt::format("{} ×", count)
+         : one.followed_true_ticks > 0 ? "only after a transition"
+         : one.known_ticks > 0         ? "never true"
+                                       : "never known";
 }
 
 class Page {

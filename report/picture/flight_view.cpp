@@ -47,16 +47,21 @@ std::vector<double> pilotsOf(const Trace& trace) {
 
 std::vector<Span> spansOf(const Trace& trace) {
   std::vector<Span> spans;
-  const auto pilots = pilotsOf(trace);
+  const auto pilots = pilotsOf(trace), times = valuesOf(trace, "time");
+  const auto gapAfter = [&](size_t row) {
+    return row + 1 < times.size() && trace.isGap(times[row], times[row + 1]);
+  };
   for (size_t row = 0; row < pilots.size(); ++row) {
-    const double pilot = pilots[row];
-    if (spans.empty() || spans.back().pilot != pilot) {
-      spans.push_back({row, row, pilot});
-      if (spans.size() > 1) {
-        spans[spans.size() - 2].end = row;
-      }
+    const bool cut = row > 0 && gapAfter(row - 1);
+    if (cut && gapAfter(row)) {
+      continue;  // in the middle of a gap
     }
-    spans.back().end = row;
+    if (!spans.empty() && !cut) {
+      spans.back().end = row;
+    }
+    if (spans.empty() || cut || spans.back().pilot != pilots[row]) {
+      spans.push_back({row, row, pilots[row]});
+    }
   }
   return spans;
 }

@@ -17,7 +17,7 @@ namespace glider::report::picture {
 inline constexpr double kLayered = -1, kStateless = -2;
 
 /// A stretch of rows in which one state controls the vehicle, or no state. `end` is the first row
-/// of the next stretch, or the last row of all.
+/// of the next stretch, or the last row of all or before a gap of the log.
 struct Span {
   size_t begin = 0, end = 0;
   double pilot = kLayered;  ///< number of a state, kLayered or kStateless
@@ -32,7 +32,7 @@ bool isKnown(const support::Trace& trace, std::string_view name);
 bool hasPilots(const support::Trace& trace);
 /// What controls the vehicle, one for each row.
 std::vector<double> pilotsOf(const support::Trace& trace);
-/// The stretches in order, without a gap.
+/// The stretches in order. One ends where the next begins, unless a gap of the log is between them.
 std::vector<Span> spansOf(const support::Trace& trace);
 /// The name in a picture of what controls the vehicle.
 std::string pilotName(const support::Trace& trace, double pilot);

@@ -62,6 +62,17 @@ std::vector<LegendEntry> pilotEntries(const Trace& trace) {
   return entries;
 }
 
+/// Names the grey of the track where the quantity is unknown. In a log the grey of an unknown state
+/// means the same.
+void nameUnknown(const Trace& trace, std::vector<LegendEntry>& legend) {
+  const auto grey = std::ranges::find(legend, kGrey, &LegendEntry::colour);
+  if (trace.log && grey != legend.end()) {
+    grey->text = "not known";
+  } else {
+    legend.push_back({"swatch", std::string(kGrey), "not known"});
+  }
+}
+
 }  // namespace
 
 std::string drawPicture(const Trace& trace, const PictureStyle& style) {
@@ -78,7 +89,7 @@ std::string drawPicture(const Trace& trace, const PictureStyle& style) {
   if (colouring.quantity()) {
     drawScale(body, colouring, box);
     if (colouring.hasUnknown()) {
-      legend.push_back({"swatch", std::string(kGrey), "not known"});
+      nameUnknown(trace, legend);
     }
   }
   if (map) {

@@ -41,7 +41,8 @@ class Map {
                : isKnown(trace, "m_x_lmc") ? trackOf(trace, "m_x_lmc", "m_y_lmc")
                                            : trackOf(trace, "dr_x", "dr_y")),
         legs_(valuesOf(trace, "dr_leg")),
-        fixes_(trackOf(trace, "gps_x", "gps_y")) {
+        fixes_(trackOf(trace, "gps_x", "gps_y")),
+        beside_(trackOf(trace, "sim_x", "sim_y")) {
     Track both = truth_;  // and everything else on the map
     if (isKnown(trace, "true_x")) {
       reckoned_ = trackOf(trace, "m_x_lmc", "m_y_lmc");
@@ -50,6 +51,8 @@ class Map {
     }
     both.east.insert(both.east.end(), fixes_.east.begin(), fixes_.east.end());
     both.north.insert(both.north.end(), fixes_.north.begin(), fixes_.north.end());
+    both.east.insert(both.east.end(), beside_.east.begin(), beside_.east.end());
+    both.north.insert(both.north.end(), beside_.north.begin(), beside_.north.end());
     for (const Dot& dot : waypoints_) {
       both.east.push_back(dot.x);
       both.north.push_back(dot.y);
@@ -65,6 +68,8 @@ class Map {
     axes();
     addPath(svg_, "reckoned", {lineOf(reckoned_, 0, reckoned_.east.size())});
     flown();
+    // The depth chart's legend names it.
+    addPath(svg_, "beside", {lineOf(beside_, 0, beside_.east.size())});
     const bool has_fixes = drawFixes();
     addFrame(svg_, box_);
     ends();
@@ -196,6 +201,7 @@ class Map {
   Track truth_, reckoned_;
   std::vector<double> legs_;  ///< of a log, see report/README.md
   Track fixes_;
+  Track beside_;  ///< of the simulated flight
   std::vector<Dot> waypoints_ = waypointsOf(trace_);
   double metres_ = 1;
   Dot middle_;

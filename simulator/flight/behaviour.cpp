@@ -21,9 +21,14 @@
 
 namespace glider::simulator {
 
+std::string Behaviour::label() const {
+  return place_ == 0 ? name_ : name_ + "_" + std::to_string(place_);
+}
+
 void Behaviour::run(const Situation& situation, Commands& commands) {
   if (state_ == State::Waiting && starts(situation, commands)) {
     state_ = State::Active;
+    why_started_ = whyStarts(commands);
     begin(situation);
   }
   if (state_ == State::Active && fly(situation, commands) == Outcome::Done) {

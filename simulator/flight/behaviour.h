@@ -33,6 +33,13 @@ class Behaviour {
   void noteMasked(uint8_t masked) { masked_ = masked; }
 
   [[nodiscard]] const std::string& name() const { return name_; }
+  /// Its name with its place in the mission file, as the vehicle writes it: "surface_2"; its name
+  /// alone if it has no place.
+  [[nodiscard]] std::string label() const;
+  /// `place`: counted from 1.
+  void setPlace(int place) { place_ = place; }
+  /// Why it started last: its start code and what that means; "" for one without such a code.
+  [[nodiscard]] const std::string& whyStarted() const { return why_started_; }
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] uint8_t masked() const { return masked_; }
   /// True if another behaviour's pitch or pump was flown in the previous cycle.
@@ -51,6 +58,8 @@ class Behaviour {
 
  protected:
   [[nodiscard]] virtual bool starts(const Situation& situation, const Commands& below) const = 0;
+  /// Why it starts; called when it does.
+  [[nodiscard]] virtual std::string whyStarts(const Commands& /*below*/) const { return ""; }
   virtual void begin(const Situation& /*situation*/) {}
   /// Issues its commands. A behaviour that is done and should not fly in this cycle commands
   /// nothing.
@@ -61,6 +70,8 @@ class Behaviour {
 
  private:
   std::string name_;
+  std::string why_started_;
+  int place_ = 0;  ///< 0: none
   State state_ = State::Waiting;
   uint8_t masked_ = 0;
 };

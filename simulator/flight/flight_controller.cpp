@@ -148,6 +148,18 @@ void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehic
   locate(now_s, declination, vehicle);
 }
 
+/// Stores the fix. False if a fault keeps it from the sensors: the vehicle then has no fix.
+bool FlightController::isReported(const Gps::Fix& fix) {
+  const GeoPosition at = frame_.position(fix.x, fix.y);
+  const auto arrives = [&](Sensor sensor, double degrees) {
+    array_.set(sensor, toDdmm(degrees));
+    return array_.fresh(sensor) || !array_.has(sensor);
+  };
+  const bool latitude = arrives(Sensor::m_gps_lat, at.latitude_deg);
+  const bool longitude = arrives(Sensor::m_gps_lon, at.longitude_deg);
+  return latitude && longitude;
+}
+
 /// Dead reckoning, and a GPS fix if there is one.
 void FlightController::locate(double now_s, double declination, const Vehicle& vehicle) {
   SensorArray& a = array_;
@@ -156,7 +168,7 @@ void FlightController::locate(double now_s, double declination, const Vehicle& v
   navigator_.reckon(depth_rate_, a.get(Sensor::m_pitch), a.get(Sensor::m_heading) - variation(),
                     at_surface, cycles_ == 0 ? 0 : cycle_s_, current);
   auto fix = gps_.fix(vehicle.x(), vehicle.y(), vehicle.depth(), now_s);
-  if (fix && !gps_device_.due(variables_, now_s)) {
+  if (fix && !(gps_device_.due(variables_, now_s) && isReported(*fix))) {
     fix.reset();
   }
   has_fix_ = fix.has_value();
@@ -169,8 +181,6 @@ void FlightController::locate(double now_s, double declination, const Vehicle& v
   a.set(Sensor::m_lon, toDdmm(position.longitude_deg));
   a.set(Sensor::m_speed, navigator_.speed());
   if (fix) {
-    a.set(Sensor::m_gps_lat, a.get(Sensor::m_lat));
-    a.set(Sensor::m_gps_lon, a.get(Sensor::m_lon));
     a.set(Sensor::m_gps_mag_var, Gps::variation(declination));
   }
   noteLocalPosition();
@@ -456,6 +466,9 @@ void FlightController::control(const Commands& commands, const Situation& s, Veh
 void FlightController::judgeEnd(const Situation& s) {
   if (layers_->quit()) {
     end_ = "the mission has ended normally";
+    const Behaviour& quitter = *layers_->quitter();
+    why_ended_ =
+        fmt::format("{} has ended it; it started by {}", quitter.label(), quitter.whyStarted());
   } else if (s.time_s - submerged_s_ >= kSettledAtSurface && abort_ != Abort::None) {
     end_ = fmt::format("aborted ({}) and at the surface", abortName(abort_));
   } else if (s.time_s - submerged_s_ >= kSettledAtSurface && layers_->nothingLeftToFly(sbc_gone_)) {

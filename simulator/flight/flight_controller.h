@@ -75,6 +75,8 @@ class FlightController {
   [[nodiscard]] double waypointLongitude() const { return waypoint_longitude_ddmm_; }
   /// Why the mission is over; empty while it is not.
   [[nodiscard]] const std::string& end() const { return end_; }
+  /// Which behaviour ended it; may be empty.
+  [[nodiscard]] const std::string& whyEnded() const { return why_ended_; }
   /// The SBC's mission has changed state: of the range that the previous state commanded, only the
   /// command in force is still valid.
   void noteTransition();
@@ -96,6 +98,7 @@ class FlightController {
  private:
   void readSensors(double now_s, const Ocean& ocean, const Vehicle& vehicle);
   void locate(double now_s, double declination, const Vehicle& vehicle);
+  [[nodiscard]] bool isReported(const Gps::Fix& fix);
   void noteLocalPosition();
   [[nodiscard]] Planar currentUsed() const;
   void noteCurrent(double now_s, bool at_surface, const std::optional<Gps::Fix>& fix, Planar used);
@@ -159,7 +162,7 @@ class FlightController {
   double waypoint_longitude_ddmm_ = std::numeric_limits<double>::quiet_NaN();
   int layer_ = kNoLayer;
   bool sbc_gone_ = false;
-  std::string end_;
+  std::string end_, why_ended_;
 };
 
 }  // namespace glider::simulator

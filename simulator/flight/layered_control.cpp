@@ -5,10 +5,24 @@
 
 #include "simulator/flight/behaviours/source.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <ranges>
 
 namespace glider::simulator {
+namespace {
+
+/// What is missing when slots are idle.
+std::string whyIdle(Abort abort) {
+  const char* slot = abort == Abort::HeadingIdle ? " for the heading"
+                     : abort == Abort::PitchIdle ? " for the pitch"
+                     : abort == Abort::PumpIdle  ? " for the pump"
+                                                 : "";
+  return fmt::format("no behaviour gives a command{}", slot);
+}
+
+}  // namespace
 
 LayeredControl::LayeredControl(const slocum::MissionFile& mission, const hooks::Hull& hull,
                                const MissionVariables& variables, Code15 code_15) {
@@ -21,6 +35,7 @@ LayeredControl::LayeredControl(const slocum::MissionFile& mission, const hooks::
     if (auto* hookbeh = dynamic_cast<HookbehAdapter*>(behaviour.get())) {
       hookbeh_ = hookbeh;
     }
+    behaviour->setPlace(static_cast<int>(i) + 1);
     layers_.push_back({std::move(behaviour), static_cast<int>(i)});
   }
 }
@@ -32,10 +47,15 @@ void LayeredControl::tell(Layer& layer, double time_s, Journal& journal) {
   const bool quiet = name == "abend" || name == "hookbeh" || name == "sample";
   const Behaviour::State now = layer.behaviour->state();
   if (now != layer.told && !quiet) {
-    const char* what = now == Behaviour::State::Active     ? "started"
-                       : now == Behaviour::State::Complete ? "completed"
-                                                           : "done, waits for its next start";
-    journal.add(time_s, "behaviour", name + " " + what);
+    const auto add = [&](const char* what, const std::string& why) {
+      journal.add(time_s, "behaviour", layer.behaviour->label() + " " + what, why);
+    };
+    if (layer.told == Behaviour::State::Waiting) {  // also if it is complete in its first cycle
+      add("started", layer.behaviour->whyStarted());
+    }
+    if (now != Behaviour::State::Active) {
+      add(now == Behaviour::State::Complete ? "completed" : "done, waits for its next start", "");
+    }
   }
   layer.told = now;
 }
@@ -55,14 +75,15 @@ LayeredControl::Decision LayeredControl::cycle(const Situation& situation, Journ
   }
   if (decision.abort == Abort::None && !quit()) {
     decision.abort = decision.commands.idleAbort();
-    decision.why = "no behaviour gives a command";
+    decision.why = whyIdle(decision.abort);
   }
   return decision;
 }
 
-bool LayeredControl::quit() const {
-  return std::ranges::any_of(layers_,
-                             [](const Layer& layer) { return layer.behaviour->endsMission(); });
+const Behaviour* LayeredControl::quitter() const {
+  const auto found = std::ranges::find_if(
+      layers_, [](const Layer& layer) { return layer.behaviour->endsMission(); });
+  return found == layers_.end() ? nullptr : found->behaviour.get();
 }
 
 bool LayeredControl::nothingLeftToFly(bool sbc_gone) const {

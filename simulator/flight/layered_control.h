@@ -29,8 +29,9 @@ class LayeredControl {
   };
   Decision cycle(const Situation& situation, Journal& journal);
 
-  /// True when a behaviour has ended the mission.
-  [[nodiscard]] bool quit() const;
+  /// The behaviour that has ended the mission; null if none has.
+  [[nodiscard]] const Behaviour* quitter() const;
+  [[nodiscard]] bool quit() const { return quitter() != nullptr; }
   /// True when no behaviour that flies can ever fly again; `sbc_gone` means that the SBC cannot
   /// take control again either.
   [[nodiscard]] bool nothingLeftToFly(bool sbc_gone) const;

@@ -27,6 +27,8 @@ class SensorArray {
     return id < values_.size() ? values_[id] : std::numeric_limits<double>::quiet_NaN();
   }
   [[nodiscard]] double get(Sensor sensor) const { return get(numbers_[sensor]); }
+  /// Whether the vehicle has the sensor.
+  [[nodiscard]] bool has(Sensor sensor) const { return numbers_[sensor] < values_.size(); }
   /// Set since beginCycle.
   [[nodiscard]] bool fresh(uint16_t id) const { return id < fresh_.size() && fresh_[id] != 0; }
   [[nodiscard]] bool fresh(Sensor sensor) const { return fresh(numbers_[sensor]); }

@@ -254,19 +254,31 @@ void warnOfPrimaryWaypoint(const slocum::BehaviourBlock& block, DiagnosticEngine
   }
 }
 
-/// An autoexec.mi has hundreds of settings: one warning is for all that have no effect.
+/// An autoexec.mi may have hundreds of settings: one warning names those that have no effect.
 void warnOfVehicleSettings(const std::vector<slocum::Setting>& settings,
                            DiagnosticEngine& diagnostics) {
-  const auto unread = [](const slocum::Setting& setting) { return !isRead(setting.name); };
-  const auto first = std::ranges::find_if(settings, unread);
-  if (first == settings.end()) {
+  constexpr size_t kMostNamed = 12;
+  std::vector<const slocum::Setting*> unread;
+  for (const slocum::Setting& setting : settings) {
+    if (!isRead(setting.name)) {
+      unread.push_back(&setting);
+    }
+  }
+  if (unread.empty()) {
     return;
   }
-  const auto others = std::ranges::count_if(settings, unread) - 1;
+  const slocum::Setting& first = *unread.front();
   auto warning =
-      diagnostics.report(DiagnosticId::sensorWithoutEffect, first->name_range, first->name);
-  if (others > 0) {
-    warning.note(first->name_range, fmt::format("and {} more of this file have no effect", others));
+      diagnostics.report(DiagnosticId::sensorWithoutEffect, first.name_range, first.name);
+  std::string others;
+  for (size_t i = 1; i < std::min(unread.size(), kMostNamed); ++i) {
+    others += fmt::format("{}`{}`", i == 1 ? "" : ", ", unread[i]->name);
+  }
+  if (unread.size() > kMostNamed) {
+    others += fmt::format(" and {} more", unread.size() - kMostNamed);
+  }
+  if (!others.empty()) {
+    warning.note(first.name_range, fmt::format("nor have, of this file: {}", others));
   }
 }
 

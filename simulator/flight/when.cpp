@@ -3,8 +3,12 @@
 
 #include "simulator/flight/when.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <chrono>
 #include <cmath>
+#include <vector>
 
 namespace glider::simulator {
 namespace {
@@ -22,6 +26,21 @@ double secondsOf(double stamp) {
   }
   const auto at = sys_days(date) + hours(part(100)) + minutes(part(1));
   return static_cast<double>(duration_cast<seconds>(at.time_since_epoch()).count());
+}
+
+/// The slots without a command: "heading or pitch".
+std::string idleSlots(const Commands& below) {
+  std::vector<std::string> slots;
+  if (!below.heading) {
+    slots.emplace_back("heading");
+  }
+  if (!below.pitch) {
+    slots.emplace_back("pitch");
+  }
+  if (!below.pump_cc) {
+    slots.emplace_back("pump");
+  }
+  return fmt::format("{}", fmt::join(slots, " or "));
 }
 
 }  // namespace
@@ -80,6 +99,57 @@ bool When::met(const Situation& s, const Commands& below) const {
     default:
       return false;  // 5: never
   }
+}
+
+/// What the code means, with its numbers.
+std::string When::meaning(const Commands& below) const {
+  const double secs = numbers_.secs(), distance = numbers_.distance_m();
+  switch (code_) {
+    case 0:
+      return "at once";
+    case 1:
+      return fmt::format("no behaviour below commands {}", idleSlots(below));
+    case 2:
+      return "no behaviour below commands pitch";
+    case 3:
+      return "no behaviour below commands heading";
+    case 4:
+      return "no behaviour below commands pump";
+    case 6:
+      return fmt::format("{} s after it ended", secs);
+    case 7:
+      return fmt::format("the waypoint is nearer than {} m", distance);
+    case 8:
+      return "a waypoint is reached";
+    case 9:
+      return fmt::format("every {} s", secs);
+    case 10:
+      return fmt::format("every {} s, when no behaviour below commands the pump", secs);
+    case 11:
+      return "the science computer asks for it";
+    case 12:
+      return fmt::format("not at the surface for {} s", secs);
+    case 13:
+      return fmt::format("at {:010.0f} UTC (yymmddhhmm)", numbers_.utc_stamp);
+    case 14:
+      return "the vehicle hovers";
+    case 15:
+      return code_15_ == Code15::MissionMode
+                 ? fmt::format("u_mission_mode has a bit of {}", secs)
+                 : fmt::format("the waypoint is further away than {} m", distance);
+    case 16:
+      return fmt::format("more than {} inflections", numbers_.inflections);
+    case 17:
+      return fmt::format("the primary waypoint is nearer than {} m", distance);
+    case 18:
+      return fmt::format("the primary waypoint is further away than {} m", distance);
+    default:
+      return "never";
+  }
+}
+
+std::string When::text(const Commands& below) const {
+  return fmt::format("{}: {}", code_, meaning(below));
 }
 
 }  // namespace glider::simulator

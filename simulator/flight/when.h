@@ -7,6 +7,8 @@
 #include "simulator/flight/mission_variables.h"
 #include "simulator/flight/situation.h"
 
+#include <string>
+
 namespace glider::simulator {
 
 /// What code 15 of start_when and stop_when means: it differs between releases of the vehicle.
@@ -30,12 +32,16 @@ class When {
 
   /// True when the condition holds, given what lower behaviours have commanded in this cycle.
   [[nodiscard]] bool met(const Situation& situation, const Commands& below) const;
+  /// The code and what it means: "12: the vehicle has not surfaced for 1200 s"; `below` names the
+  /// slots that are idle.
+  [[nodiscard]] std::string text(const Commands& below) const;
   void noteStart(double time_s) { started_s_ = time_s; }
   void noteEnd(double time_s) { ended_s_ = time_s; }
   /// Counts from now on.
   void restart(double time_s) { started_s_ = ended_s_ = time_s; }
 
  private:
+  [[nodiscard]] std::string meaning(const Commands& below) const;
   [[nodiscard]] bool isMode(const Situation& situation) const;
   [[nodiscard]] bool isTime(const Situation& situation) const;
 

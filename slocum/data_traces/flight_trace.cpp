@@ -37,8 +37,8 @@ void addTimes(const std::vector<double>& more, std::vector<double>& times) {
   times.erase(std::ranges::unique(times).begin(), times.end());
 }
 
-/// The times of the rows, ascending, since 1970.
-std::vector<double> rowTimes(const Merged& merged, const std::vector<double>& more_times_s) {
+/// The times of the rows that are records, ascending, since 1970.
+std::vector<double> recordTimes(const Merged& merged) {
   std::vector<double> flight, science;
   for (const MergedRow& row : merged.rows) {
     if (row.time > kYear2000 && row.time < kYear2100) {
@@ -47,29 +47,41 @@ std::vector<double> rowTimes(const Merged& merged, const std::vector<double>& mo
     }
   }
   addTimes(science, flight);
-  if (!flight.empty()) {
-    std::vector<double> during = more_times_s;
-    std::erase_if(during, [&](double t) { return t < flight.front() || t > flight.back(); });
-    addTimes(during, flight);
-  }
   return flight;
 }
 
-/// Adds a time in the middle of each gap in which nothing was recorded, where all is unknown; says
-/// which times those are.
-std::vector<bool> addGaps(std::vector<double>& times) {
-  std::vector<double> out;
-  std::vector<bool> in_gap;
-  for (const double time : times) {
-    if (!out.empty() && time - out.back() > kLongestGap) {
-      out.push_back((out.back() + time) / 2);
-      in_gap.push_back(true);
+/// The gaps between records, since the first of them.
+std::vector<support::TraceGap> gapsBetween(const std::vector<double>& times) {
+  std::vector<support::TraceGap> gaps;
+  for (size_t i = 1; i < times.size(); ++i) {
+    if (times[i] - times[i - 1] > kLongestGap) {
+      gaps.push_back({times[i - 1] - times[0], times[i] - times[0]});
     }
-    out.push_back(time);
-    in_gap.push_back(false);
   }
-  times = std::move(out);
-  return in_gap;
+  return gaps;
+}
+
+/// Adds to `times` those of `more_times_s` during them, and a time in the middle of each gap: no
+/// line may cross it.
+void addBetween(const std::vector<double>& more_times_s, const std::vector<support::TraceGap>& gaps,
+                std::vector<double>& times) {
+  const double first = times.front(), last = times.back();
+  std::vector<double> during = more_times_s;
+  std::erase_if(during, [&](double t) { return t < first || t > last; });
+  addTimes(during, times);
+  std::vector<double> middles;
+  for (const support::TraceGap& gap : gaps) {
+    middles.push_back(first + (gap.from_s + gap.to_s) / 2);
+  }
+  addTimes(middles, times);
+}
+
+/// Whether a time since the first record lies between two records with a gap between them.
+bool isInGap(const Trace& trace, double time_s) {
+  const auto isAround = [&](const support::TraceGap& gap) {
+    return gap.from_s < time_s && time_s < gap.to_s;
+  };
+  return trace.isGap(time_s, time_s) && std::ranges::any_of(trace.log->gaps, isAround);
 }
 
 /// The names of the missions, each once: "SPIRAL.MI, NSB3.MI".
@@ -88,16 +100,18 @@ std::string missionsOf(const std::vector<LogFile>& files) {
   return names.size() > kMost ? text + " and others" : text;
 }
 
-void addRows(const std::vector<double>& times, const std::vector<bool>& in_gap,
-             const std::vector<FlightColumn>& columns, Trace& trace) {
+void addRows(const std::vector<double>& times, const std::vector<FlightColumn>& columns,
+             Trace& trace) {
   trace.columns = {{"time", "s"}};
   for (const FlightColumn& column : columns) {
     trace.columns.push_back(column.column);
   }
   for (size_t i = 0; i < times.size(); ++i) {
-    trace.rows.push_back(times[i] - times[0]);
+    const double time = times[i] - times[0];
+    const bool in_gap = isInGap(trace, time);
+    trace.rows.push_back(time);
     for (const FlightColumn& column : columns) {
-      trace.rows.push_back(in_gap[i] ? kUnknown : column.values[i]);
+      trace.rows.push_back(in_gap ? kUnknown : column.values[i]);
     }
   }
 }
@@ -114,28 +128,33 @@ std::vector<std::string> flightTraceSensors() {
 
 Result<Trace> flightTrace(const Merged& merged, const std::vector<double>& more_times_s) {
   const Samples depth = depthOf(merged);
-  std::vector<double> times = rowTimes(merged, more_times_s);
+  std::vector<double> times = recordTimes(merged);
   if (times.empty()) {
     return support::fail(DiagnosticId::noDepthLogged, "no record has a valid time");
   }
-  const std::vector<bool> in_gap = addGaps(times);
+  const std::vector<support::TraceGap> gaps = gapsBetween(times);
+  addBetween(more_times_s, gaps, times);
   Trace trace;
   trace.mission = missionsOf(merged.files);
   trace.state_names = {"surface", "dive", "climb", "hover"};
-  trace.log = {.vehicle = merged.files[0].vehicle, .utc_s = times[0], .beside = "", .notes = {}};
+  trace.log = {.vehicle = merged.files[0].vehicle,
+               .utc_s = times[0],
+               .beside = "",
+               .notes = {},
+               .gaps = gaps};
   std::vector<FlightColumn> columns = {{{"m_depth", "m"}, resampled(depth, times, Between::Line)}};
   if (std::ranges::all_of(columns[0].values, [](double value) { return std::isnan(value); })) {
     return support::fail(DiagnosticId::noDepthLogged, "they do not contain the vehicle's depth");
   }
   std::string note;
-  for (auto more : {quantities(merged, times), positions(merged, times),
+  for (auto more : {quantities(merged, times, gaps), positions(merged, times),
                     currents(merged, depth, times, note)}) {
     std::ranges::move(more, std::back_inserter(columns));
   }
   std::erase_if(columns, [](const FlightColumn& column) {
     return std::ranges::all_of(column.values, [](double value) { return std::isnan(value); });
   });
-  addRows(times, in_gap, columns, trace);
+  addRows(times, columns, trace);
   if (!note.empty()) {
     trace.log->notes.push_back(note);
   }

@@ -119,8 +119,24 @@ void addPower(const Merged& merged, const std::vector<double>& times_s,
   columns.push_back(std::move(energy));
 }
 
-/// What the vehicle does: 0 at the surface, 1 dives, 2 climbs, 3 hovers.
-FlightColumn states(const Merged& merged, const std::vector<double>& times_s) {
+/// Makes `values` at `times_s` unknown from the end of each gap to the next sample.
+void forgetInGaps(const Samples& samples, const std::vector<double>& times_s,
+                  const std::vector<support::TraceGap>& gaps, std::vector<double>& values) {
+  for (size_t i = 0; i < times_s.size(); ++i) {
+    const auto after =
+        std::ranges::upper_bound(gaps, times_s[i] - times_s[0], {}, &support::TraceGap::to_s);
+    const size_t count = samples.countUntil(times_s[i]);
+    if (after != gaps.begin() && count > 0 &&
+        samples.times_s[count - 1] - times_s[0] < std::prev(after)->to_s) {
+      values[i] = kUnknown;
+    }
+  }
+}
+
+/// What the vehicle does: 0 at the surface, 1 dives, 2 climbs, 3 hovers. What it did before a gap
+/// it need not do after it: the files there may not have the sensor.
+FlightColumn states(const Merged& merged, const std::vector<double>& times_s,
+                    const std::vector<support::TraceGap>& gaps) {
   Samples samples = samplesOf(merged, "m_depth_state");
   if (samples.empty()) {
     samples = samplesOf(merged, "cc_final_depth_state_mode");
@@ -128,7 +144,9 @@ FlightColumn states(const Merged& merged, const std::vector<double>& times_s) {
   for (double& value : samples.values) {
     value = value >= 0 && value <= 3 ? value : kUnknown;
   }
-  return {{"state", "id"}, resampled(samples, times_s, Between::Hold, kForever)};
+  auto values = resampled(samples, times_s, Between::Hold, kForever);
+  forgetInGaps(samples, times_s, gaps, values);
+  return {{"state", "id"}, std::move(values)};
 }
 
 }  // namespace
@@ -142,8 +160,9 @@ std::vector<std::string> quantitySensors() {
   return names;
 }
 
-std::vector<FlightColumn> quantities(const Merged& merged, const std::vector<double>& times_s) {
-  std::vector<FlightColumn> columns = {states(merged, times_s)};
+std::vector<FlightColumn> quantities(const Merged& merged, const std::vector<double>& times_s,
+                                     const std::vector<support::TraceGap>& gaps) {
+  std::vector<FlightColumn> columns = {states(merged, times_s, gaps)};
   for (const Source& source : kSources) {
     const Samples samples = samplesOf(merged, source.sensor);
     if (!samples.empty() && find(columns, source.column) == nullptr) {

@@ -21,7 +21,8 @@ struct FlightColumn {
 std::vector<std::string> quantitySensors();
 
 /// What the vehicle and its instruments measured and what it was commanded, at `times_s`; all but
-/// depth and position.
-std::vector<FlightColumn> quantities(const Merged& merged, const std::vector<double>& times_s);
+/// depth and position. `gaps`: without records, since the first of `times_s`.
+std::vector<FlightColumn> quantities(const Merged& merged, const std::vector<double>& times_s,
+                                     const std::vector<support::TraceGap>& gaps);
 
 }  // namespace glider::slocum

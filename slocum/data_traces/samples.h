@@ -29,7 +29,10 @@ Samples samplesOf(const Merged& merged, std::string_view name);
 
 /// Two records of a vehicle that follow each other are closer than this, s.
 inline constexpr double kNear = 10;
-/// Longer than this, s, nothing is known about a quantity that changes continuously.
+/// Longer than this, s, nothing is known about a quantity that changes continuously, and without a
+/// record nothing about the vehicle. It is five times the interval of records in the sparsest logs
+/// of real vehicles (64 s in comet's .sbd): one that is missing, or the change of segments at the
+/// surface (up to 250 s there), is no gap.
 inline constexpr double kLongestGap = 300;
 
 /// What a quantity is between two samples.

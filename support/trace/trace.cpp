@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -18,6 +19,14 @@ using nlohmann::json;
 int Trace::column(std::string_view name) const {
   auto found = std::ranges::find(columns, name, &TraceColumn::name);
   return found == columns.end() ? -1 : static_cast<int>(found - columns.begin());
+}
+
+bool Trace::isGap(double from_s, double to_s) const {
+  if (!log) {
+    return false;
+  }
+  const auto after = std::ranges::upper_bound(log->gaps, from_s, {}, &TraceGap::from_s);
+  return after != log->gaps.begin() && to_s <= std::prev(after)->to_s;
 }
 
 std::string traceToCsv(const Trace& trace) {
@@ -41,6 +50,14 @@ std::string traceToCsv(const Trace& trace) {
 }
 
 namespace {
+
+json gapsToJson(const std::vector<TraceGap>& gaps) {
+  json out = json::array();
+  for (const TraceGap& gap : gaps) {
+    out.push_back({gap.from_s, gap.to_s});
+  }
+  return out;
+}
 
 json eventsToJson(const std::vector<TraceEvent>& events) {
   json out = json::array();
@@ -75,8 +92,10 @@ std::string traceToJson(const Trace& trace) {
                      {"depths", trace.field.depths_m},
                      {"values", trace.field.values}}}};
   if (trace.log) {
-    document["log"] = {
-        {"vehicle", trace.log->vehicle}, {"utc", trace.log->utc_s}, {"beside", trace.log->beside}};
+    document["log"] = {{"vehicle", trace.log->vehicle},
+                       {"utc", trace.log->utc_s},
+                       {"beside", trace.log->beside},
+                       {"gaps", gapsToJson(trace.log->gaps)}};
   }
   if (trace.requirement) {
     document["settings"] = trace.settings;

@@ -27,7 +27,7 @@ struct TraceEvent {
   double mission_time_s = std::numeric_limits<double>::quiet_NaN();  ///< the SBC's missiontime; NaN
                                                                      ///< when it was not in control
   std::string kind;  ///< "transition", "control", "hook", "steering", "behaviour", "abort",
-                     ///< "link", "log"
+                     ///< "bottom", "link", "log"
   std::string what;  ///< one line: "s1 → s2 (call)"
   std::string why;   ///< one line: the guard and the values that fired it; "" if there is none
 };
@@ -40,12 +40,19 @@ struct TraceField {
   std::vector<double> values;  ///< times × depths, depth fastest
 };
 
+/// A stretch of time in which a log has no records.
+struct TraceGap {
+  double from_s = 0;  ///< the last row before it
+  double to_s = 0;    ///< the first row after it
+};
+
 /// What only a flight that a real vehicle has logged has.
 struct VehicleLog {
-  std::string vehicle;             ///< its name
-  double utc_s = 0;                ///< UTC of time 0 by the vehicle's clock, s since 1970
-  std::string beside;              ///< the simulated flight that is drawn beside it; "": none
-  std::vector<std::string> notes;  ///< what the reader must know, one sentence each
+  std::string vehicle;              ///< its name
+  double utc_s = 0;                 ///< UTC of time 0 by the vehicle's clock, s since 1970
+  std::string beside;               ///< the simulated flight that is drawn beside it; "": none
+  std::vector<std::string> notes;   ///< what the reader must know, one sentence each
+  std::vector<TraceGap> gaps = {};  ///< by time; nothing is known of the vehicle in them
 };
 
 /// One flight: the only trace format of verifier, simulator and report.
@@ -73,6 +80,9 @@ struct Trace {
   [[nodiscard]] double at(size_t row, int column) const {
     return rows[row * columns.size() + static_cast<size_t>(column)];
   }
+  /// Whether the time from `from_s` to `to_s`, of two rows that follow each other, is within a gap
+  /// of the log.
+  [[nodiscard]] bool isGap(double from_s, double to_s) const;
 };
 
 /// The rows as CSV: a header `name (unit)`, shortest round-trip decimals, an empty cell for NaN.

@@ -111,6 +111,7 @@ TEST_F(Against, WritesJson) {
   EXPECT_EQ(deep.at("line"), 8);
   EXPECT_EQ(deep.at("transition"), "exit");
   EXPECT_EQ(deep.at("true_ticks"), 1);
+  EXPECT_EQ(deep.at("followed_true_ticks"), 1);
   EXPECT_EQ(deep.at("firings").at(0).at("depth_m"), 12);
   EXPECT_EQ(deep.at("firings").at(0).at("time_s"), 1719946539);
   EXPECT_EQ(deep.at("firings").at(0).at("values").at(0).at("unit"), "m");

@@ -64,11 +64,88 @@ TEST_F(MiCommand, ReadsAutoexecAndDoesNotSayWhatTheSimulatorLacks) {
 TEST_F(MiCommand, ListsTheValuesInForceAndWhereTheyAreFrom) {
   const Outcome shown = glidercc("mi survey.mi");
   EXPECT_EQ(shown.status, 0) << shown.err;
-  EXPECT_THAT(shown.out, HasSubstr("overtime                                       7200 sec"));
+  EXPECT_THAT(shown.out, testing::ContainsRegex("overtime +7200 sec +survey.mi\n"));
   EXPECT_THAT(shown.out, testing::ContainsRegex("c_target_depth +3 m +yo07.ma"));
   EXPECT_THAT(shown.out, testing::ContainsRegex("d_target_depth +u_mission_param_a m +yo07.ma"));
   EXPECT_THAT(shown.err, HasSubstr("[GL5115 argument-file-missing]"));
   EXPECT_THAT(shown.err, HasSubstr("cannot find `sample03.ma`"));
+}
+
+TEST_F(MiCommand, ColumnsAreAsWideAsTheirLongestNameNeeds) {
+  (void)folder_.write(
+      "long.mi",
+      "sensor: u_a(X) 1\nbehavior: goto_wpt\n b_arg: wpt_x(lon) -7350.123456\n"
+      "behavior: sensors_in\n b_arg: c_science_all_on_enabled_for_this_test(sec) 4\n"
+      " b_arg: u_battery_time(some_long_unit) 1000001\n");
+  (void)folder_.write("autoexec.mi", "sensor: f_one(m) 98\nsensor: f_two(m) 98\n");
+  const Outcome shown = glidercc("mi long.mi");
+  EXPECT_EQ(
+      shown.out,
+      "sensor u_a                                                 1 X               long.mi\n"
+      "below these the 2 settings of autoexec.mi\n"
+      "\n"
+      "goto_wpt\n"
+      "  wpt_x                                         -7350.123456 lon             long.mi\n"
+      "\n"
+      "sensors_in\n"
+      "  c_science_all_on_enabled_for_this_test                   4 sec             long.mi\n"
+      "  u_battery_time                           u_mission_param_b some_long_unit  long.mi\n")
+      << shown.err;
+}
+
+TEST_F(MiCommand, SaysWhatAFileOfAnotherKindIsAndWhichCommandReadsIt) {
+  (void)folder_.write("fine.mission", "mission fine\n");
+  struct Row {
+    std::string line, what, hint;
+  };
+  const std::string vehicles = "is a mission of the vehicle's own, not one in the mission language";
+  const std::string arguments = "is an argument file of the vehicle's own missions, not a mission";
+  for (const Row& row :
+       {Row{"check survey.mi", "`survey.mi` " + vehicles,
+            "`glidercc mi survey.mi` reads it, and `glidercc sim survey.mi` flies it"},
+        Row{"build survey.mi", vehicles, "glidercc mi"}, Row{"fmt survey.mi", vehicles, ""},
+        Row{"fix survey.mi", vehicles, ""}, Row{"graph survey.mi", vehicles, ""},
+        Row{"check yo07.ma", "`yo07.ma` " + arguments, "`glidercc mi MISSION.mi` shows its values"},
+        Row{"sim yo07.ma", arguments, ""}, Row{"mi yo07.ma", arguments, ""},
+        Row{"fmt yo07.ma", arguments, ""},
+        Row{"mi fine.mission", "is a mission in the mission language",
+            "`glidercc check fine.mission` checks it"}}) {
+    const Outcome refused = glidercc(row.line);
+    EXPECT_EQ(refused.status, 2) << row.line;
+    EXPECT_THAT(refused.err, HasSubstr("[GL9368 not-this-language]")) << row.line;
+    EXPECT_THAT(refused.err, HasSubstr(row.what)) << row.line;
+    EXPECT_THAT(refused.err, HasSubstr(row.hint)) << row.line;
+    EXPECT_EQ(refused.err.find("[GL", refused.err.find("[GL") + 1), std::string::npos)
+        << "no other error: " << refused.err;
+  }
+  // Names are often in capitals.
+  (void)folder_.write("SURVEY.MI", kMission);
+  EXPECT_EQ(glidercc("mi SURVEY.MI").status, 0);
+  EXPECT_THAT(glidercc("check SURVEY.MI").err, HasSubstr("[GL9368 "));
+  EXPECT_EQ(text("survey.mi"), kMission);
+  EXPECT_THAT(glidercc("mi survey.mi").err, Not(HasSubstr("GL9368")));  // accepts: GL9368
+}
+
+TEST_F(MiCommand, ErrorsInItAreThoseOfTheMission) {
+  (void)folder_.write("bad.mi", "behavior: yo\n b_arg: d_target_dept(m) 20\n");
+  const Outcome bad = glidercc("sim bad.mi");
+  EXPECT_EQ(bad.status, 2);
+  EXPECT_THAT(bad.err, HasSubstr("the mission `bad.mi` has errors: 1"));
+  EXPECT_THAT(bad.err, Not(HasSubstr("skeleton mission")));
+}
+
+/// The water of the default scenario is about 80 m deep.
+TEST_F(MiCommand, AFlightIntoTheBottomDidNotGoWell) {
+  (void)folder_.write("deep.mi",
+                      "behavior: abend\n b_arg: overtime(s) 900\n b_arg: samedepth_for(s) -1\n"
+                      "behavior: set_heading\n b_arg: heading_value(X) 1\nbehavior: yo\n b_arg: "
+                      "d_target_depth(m) 100\n");
+  const Outcome flown = glidercc("sim deep.mi -o deep");
+  EXPECT_EQ(flown.status, 1) << flown.out;
+  EXPECT_THAT(flown.err, HasSubstr("[GL9376 bottom-touched]"));
+  EXPECT_THAT(text("deep/flight.json"), HasSubstr("GL9376"));
+  EXPECT_THAT(text("deep/flight.json"), HasSubstr("\"wentWell\": false"));
+  EXPECT_THAT(text("deep/events.csv"), HasSubstr("\"bottom\""));
 }
 
 TEST_F(MiCommand, ChangesOneNumberAndNoOtherByte) {
@@ -132,8 +209,9 @@ TEST_F(MiCommand, SimFliesItWithoutAnSbc) {
   const Outcome flown = glidercc("sim survey.mi -o flight");
   EXPECT_EQ(flown.status, 0) << flown.out << flown.err;
   EXPECT_THAT(flown.out, HasSubstr("survey.mi"));
-  EXPECT_THAT(flown.out, HasSubstr("yo: dive_to over, half cycle 1"));
+  EXPECT_THAT(flown.out, HasSubstr("yo_5: dive_to over, half cycle 1"));
   EXPECT_THAT(flown.out, Not(HasSubstr("abort")));
+  EXPECT_THAT(flown.err, Not(HasSubstr("GL9376")));  // accepts: GL9376
   EXPECT_THAT(text("flight/flight.json"), HasSubstr("survey.mi"));
   const Outcome bad = glidercc("sim nothing.mi");
   EXPECT_EQ(bad.status, 2);

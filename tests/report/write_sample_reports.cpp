@@ -8,8 +8,11 @@
 #include "report/summary.h"
 #include "tests/report/sample_trace.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -19,6 +22,19 @@ glider::support::Trace oneRow() {
   glider::support::Trace trace = glider::report::sampleTrace();
   trace.rows.resize(trace.columns.size());
   trace.events.resize(1);
+  return trace;
+}
+
+/// The log of a vehicle without the records of its second quarter.
+glider::support::Trace logWithGap() {
+  glider::support::Trace trace = glider::report::logTrace();
+  const size_t from = trace.rowCount() / 4, to = trace.rowCount() / 2, width = trace.columns.size();
+  trace.log->gaps = {{trace.at(from, 0), trace.at(to, 0)}};
+  const auto row = [&](size_t number) {
+    return trace.rows.begin() + static_cast<std::ptrdiff_t>(number * width);
+  };
+  trace.rows.erase(row(from + 2), row(to));
+  std::fill(row(from + 1) + 1, row(from + 2), std::numeric_limits<double>::quiet_NaN());
   return trace;
 }
 
@@ -40,6 +56,7 @@ int main(int argc, char** argv) {
       {"empty", {}},
       {"long", longTrace(100'000)},
       {"log", logTrace()},
+      {"log_gap", logWithGap()},
   };
   for (const auto& [name, trace] : samples) {
     const auto path = folder / (std::string(name) + ".html");

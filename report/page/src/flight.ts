@@ -20,6 +20,8 @@ export interface Field { unit: string; times: number[]; depths: number[]; values
 export interface Figures {
   rows: number;
   duration: number | null;
+  /** The part of it in which a log has no records. */
+  gaps: number;
   shallowest: number | null;
   deepest: number | null;
   yos: number;
@@ -43,6 +45,8 @@ export interface VehicleLog {
   utc: number;
   /** The simulated flight that is drawn beside it; "": none. */
   beside: string;
+  /** Where it has no records, from and to, by time. */
+  gaps: [number, number][];
 }
 
 interface TraceJson {
@@ -62,7 +66,7 @@ export type Values = (number | null)[];
 
 export type Pilot = number | "sbc" | "layered";
 
-/** A stretch of time in which something stayed the same. `to` is where the next one begins. */
+/** A stretch of time in which something stayed the same. `to` is where the next one begins, or a gap of the log. */
 export interface Span<T> { from: number; to: number; value: T }
 
 export class Flight {
@@ -151,14 +155,22 @@ export class Flight {
     return pilot === "sbc" ? "SBC" : this.stateNames[pilot] ?? `state ${pilot}`;
   }
 
-  /** Runs of rows for which `of` gives the same. */
+  /** Whether nothing was recorded from this row to the next. */
+  private gapAfter(row: number): boolean {
+    const [from, to] = [this.times[row], this.times[row + 1]];
+    return to !== undefined && (this.log?.gaps ?? []).some((gap) => gap[0] <= from && to <= gap[1]);
+  }
+
+  /** Runs of rows for which `of` gives the same; none where nothing was recorded. */
   spans<T>(of: (row: number) => T): Span<T>[] {
     const out: Span<T>[] = [];
     this.times.forEach((time, row) => {
+      const cut = row > 0 && this.gapAfter(row - 1);
+      if (cut && this.gapAfter(row)) return;
       const value = of(row);
       const open = out[out.length - 1];
-      if (open) open.to = time;
-      if (!open || open.value !== value) out.push({ from: time, to: time, value });
+      if (open && !cut) open.to = time;
+      if (!open || cut || open.value !== value) out.push({ from: time, to: time, value });
     });
     return out;
   }

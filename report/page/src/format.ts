@@ -61,10 +61,18 @@ export function shownFactor(unit: string): number { return unit === "rad" ? 180 
 const digitsOf = new Map([["m", 1], ["rad", 1], ["degC", 2], ["s", 0], ["V", 2], ["cc", 0], ["m/s", 3], ["A", 3], ["W", 2], ["Wh", 1], ["%", 1], ["in", 2], ["inHg", 2], ["bar", 2],
   ["dbar", 2], ["S/m", 3]]);
 
+/** Units of instruments that measure over several powers of ten: three significant digits. */
+const significant = new Set(["ug/l", "ntu", "uM"]);
+
+function threeDigits(value: number): string {
+  const digits = value === 0 ? 0 : Math.min(Math.max(2 - Math.floor(Math.log10(Math.abs(value))), 0), 6);
+  return fixed(value, digits);
+}
+
 /** A value of a column as text with its shown unit. */
 export function quantity(value: number, unit: string): string {
   const digits = digitsOf.get(unit);
-  const number = digits === undefined ? String(Number(value.toPrecision(6))).replace("-", "−")
+  const number = significant.has(unit) ? threeDigits(value) : digits === undefined ? String(Number(value.toPrecision(6))).replace("-", "−")
     : fixed(value * shownFactor(unit), digits);
   const shown = shownUnit(unit);
   return shown === "" ? number : shown === "°" ? `${number}°` : `${number} ${shown}`;

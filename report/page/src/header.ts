@@ -19,6 +19,7 @@ const ways = new Map(Object.entries({
 function figuresOf(f: Figures): [string, string][] {
   const out: [string, string][] = [];
   if (f.duration !== null) out.push(["duration", clock(f.duration)]);
+  if (f.duration !== null && f.gaps > 0) out.push(["with records", clock(f.duration - f.gaps)]);
   if (f.deepest !== null) out.push(["deepest", `${fixed(f.deepest, 1)} m`]);
   if (f.deepest !== null && f.shallowest !== null) out.push(["depth range", `${fixed(f.shallowest, 1)}–${fixed(f.deepest, 1)} m`]);
   out.push(["yos", String(f.yos)]);

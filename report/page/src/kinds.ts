@@ -22,6 +22,7 @@ const kinds = new Map<string, Kind>(Object.entries({
   hook: { colour: "kind-hook", glyph: "◆", marked: false, flagged: false },
   behaviour: { colour: "kind-behaviour", glyph: "●", marked: false, flagged: false },
   abort: { colour: "kind-abort", glyph: "✖", marked: true, flagged: true },
+  bottom: { colour: "kind-abort", glyph: "⊥", marked: true, flagged: true },
   surface: { colour: "kind-control", glyph: "▲", marked: true, flagged: false },
   dive: { colour: "kind-control", glyph: "▼", marked: true, flagged: false },
   guard: { colour: "kind-hook", glyph: "∿", marked: true, flagged: false },

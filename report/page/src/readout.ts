@@ -22,6 +22,7 @@ const groups: [string, Record<string, string>][] = [
     sci_water_temp: "temperature", sci_water_cond: "conductivity", sci_water_pressure: "pressure", isotherm_depth: "marked isotherm",
     sci_flbbcd_chlor_units: "chlorophyll", sci_flntu_chlor_units: "chlorophyll", sci_flntu_turb_units: "turbidity",
     sci_flbbcd_bb_units: "backscatter", sci_flbbcd_cdom_units: "CDOM", sci_oxy4_oxygen: "oxygen", sci_oxy4_saturation: "oxygen saturation",
+    m_water_vx: "estimated current towards east", m_water_vy: "estimated current towards north",
     current_x: "current towards east", current_y: "current towards north",
   }],
   ["Vehicle", {

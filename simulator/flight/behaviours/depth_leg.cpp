@@ -55,7 +55,7 @@ bool DepthLeg::stuck(const Situation& s) {
     return true;
   }
   if (stalled_for_s_() >= 0 && s.time_s - deepest_s_ >= stalled_for_s_()) {
-    why_ = fmt::format("no way made at {:.1f} m for {} s", s.depth_m, stalled_for_s_());
+    why_ = fmt::format("stalled at {:.1f} m for {} s", s.depth_m, stalled_for_s_());
     return true;
   }
   return false;

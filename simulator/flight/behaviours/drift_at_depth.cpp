@@ -54,7 +54,7 @@ Behaviour::Outcome DriftAtDepth::fly(const Situation& s, Commands& commands) {
   if (!hovers_ && within(s)) {
     hovers_ = true;
     hovering_since_s_ = corrected_s_ = s.time_s;
-    news_.push_back(fmt::format("drift_at_depth: hovering at {:.1f} m", s.depth_m));
+    news_.push_back(fmt::format("{}: hovering at {:.1f} m", label(), s.depth_m));
   }
   if (!hovers_) {
     (s.depth_m < target_m_() ? dive_ : climb_).command(commands);

@@ -76,7 +76,7 @@ Behaviour::Outcome GotoList::fly(const Situation& s, Commands& commands) {
   if (!std::exchange(fresh_, false) && stop_.met(s, commands)) {
     commands.hit_waypoint = true;
     last_reached_ = static_cast<int>(current_);
-    news_.push_back(fmt::format("goto_list: waypoint {} reached", current_));
+    news_.push_back(fmt::format("{}: waypoint {} reached", label(), current_));
     if (wanted_ >= 0 && ++reached_ >= wanted_) {
       return Outcome::Done;
     }

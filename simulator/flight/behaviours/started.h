@@ -20,6 +20,9 @@ class StartedBehaviour : public Behaviour {
   [[nodiscard]] bool starts(const Situation& s, const Commands& below) const override {
     return start_.met(s, below);
   }
+  [[nodiscard]] std::string whyStarts(const Commands& below) const override {
+    return "start_when " + start_.text(below);
+  }
   void begin(const Situation& s) override { start_.noteStart(s.time_s); }
   [[nodiscard]] bool resumes() const override { return resumes_; }
   void ended(const Situation& s) override { start_.noteEnd(s.time_s); }

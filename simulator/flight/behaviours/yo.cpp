@@ -31,8 +31,9 @@ Behaviour::Outcome Yo::fly(const Situation& situation, Commands& commands) {
   // the targets contradict each other, and then the second one flies for one cycle.
   for (int legs = 0; legs < 2 && leg_->over(situation, overridden()); ++legs) {
     ++half_cycles_;
-    news_.emplace_back(fmt::format("yo: {} over, half cycle {}", leg_->name(), half_cycles_),
-                       leg_->why());
+    news_.emplace_back(
+        fmt::format("{}: {} over, half cycle {}", label(), leg_->name(), half_cycles_),
+        leg_->why());
     if (half_cycles_to_do_() >= 0 && half_cycles_ >= half_cycles_to_do_()) {
       return Outcome::Done;
     }

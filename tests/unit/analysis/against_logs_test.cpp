@@ -359,6 +359,34 @@ TEST(AgainstLogs, ReportsGaps) {
   EXPECT_EQ(against.longest_gap_s, 301);
 }
 
+/// What the mission sets when it leaves a state is not set for a guard that is tried alone.
+TEST(AgainstLogs, AGuardThatIsOnlyTrueAfterATransitionIsNotCalledNeverTrue) {
+  LogBench bench;
+  bench.dive({3, 5, 11, 12, 13, 14, 15, 3});
+  const std::string mission =
+      "var ready : number = 0 in 0 .. 1\n"
+      "state a\nbegin\n  flightprofile yo(3 m, 20 m, 26 deg, 26 deg)\n  sensors depth\n  events\n"
+      "    case depth > 10 m do set ready = 1 end goto b\nend\n"
+      "state b\nbegin\n  flightprofile yo(3 m, 20 m, 26 deg, 26 deg)\n  sensors depth\n  events\n"
+      "    case ready == 1 && depth > 12.5 m goto c\n    case depth > 100 m goto c\nend\n"
+      "state c\nbegin\n  flightprofile surfaced\n  sensors depth\n  events\n"
+      "    case depth < 4 m exit\nend\n";
+  const AgainstLogs against = bench.run(mission);
+  ASSERT_EQ(kindsOf(against).size(), 4U);
+  EXPECT_EQ(kindsOf(against)[2], "goto b>c");
+  const LoggedCase& late = against.cases.at(1);
+  EXPECT_EQ(late.true_ticks, 0U);
+  EXPECT_EQ(late.followed_true_ticks, 1U) << "it leaves";
+  EXPECT_EQ(against.cases.at(0).followed_true_ticks, 1U);
+  EXPECT_EQ(against.cases.at(2).followed_true_ticks, 0U);
+  const std::string text = bench.textOf(against);
+  EXPECT_THAT(text,
+              HasSubstr("      never true, known on 100 % of ticks\n"
+                        "      but true on 1 tick of what the mission would have done, below\n"
+                        "    line"));
+  EXPECT_EQ(text.find("but true"), text.rfind("but true"));
+}
+
 TEST(AgainstLogs, TheTextSaysWhatAPilotNeeds) {
   LogBench bench;
   bench.dive({1, 5, 11, 12, 13, 8, 11, 3});

@@ -27,6 +27,21 @@ TEST(Figures, CountsVisitsAndTimeOfEachState) {
   EXPECT_DOUBLE_EQ(figures.duration_s, 30);
 }
 
+TEST(Figures, AGapOfALogIsTimeInNoState) {
+  auto trace = smallTrace({{"time", "s"}, {"state", "id"}},
+                          {{0, 0}, {4, 1}, {8, kUnknown}, {2000, kUnknown}, {4000, 0}, {4010, 0}});
+  trace.state_names = {"surface", "dive"};
+  trace.log.emplace().gaps = {{8, 4000}};
+  const FlightFigures figures = flightFigures(trace);
+  ASSERT_EQ(figures.states.size(), 2U);
+  EXPECT_DOUBLE_EQ(figures.states[0].time_s, 14);
+  EXPECT_DOUBLE_EQ(figures.states[1].time_s, 4);
+  EXPECT_DOUBLE_EQ(figures.layered_s, 0) << "not one whose state is unknown either";
+  EXPECT_DOUBLE_EQ(figures.gaps_s, 3992);
+  EXPECT_DOUBLE_EQ(figures.duration_s, 4010);
+  EXPECT_EQ(nlohmann::json::parse(figuresToJson(figures)).at("gaps"), 3992);
+}
+
 TEST(Figures, AMissionWithoutStatesIsNotLayeredControl) {
   const auto trace =
       smallTrace({{"time", "s"}, {"hook_active", ""}}, {{0, 0}, {4, 1}, {12, 0}, {14, 0}});
@@ -87,7 +102,7 @@ TEST(Figures, AFixThatMovesThePositionOfALogIsNoDistance) {
                                 {{0, 0, 0, 0}, {4, 3, 4, 0}, {8, 503, 4, 1}, {12, 503, 5, 1}});
   const FlightFigures figures = flightFigures(trace);
   EXPECT_DOUBLE_EQ(figures.distance_m, 6);
-  EXPECT_NEAR(figures.made_good_m, 503.02, 0.01);
+  EXPECT_DOUBLE_EQ(figures.made_good_m, std::hypot(3, 5)) << "3, 4 before the fix, 0, 1 after it";
   EXPECT_EQ(figures.track, TrackSource::DeadReckoned);
 }
 

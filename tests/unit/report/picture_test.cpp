@@ -197,6 +197,47 @@ TEST(Picture, NoLineIsDrawnOverAGapOfALog) {
   EXPECT_EQ(strokes(drawPicture(trace)), 2);
 }
 
+TEST(Picture, TheBandOfStatesIsInterruptedByAGapOfALog) {
+  auto trace =
+      smallTrace({{"time", "s"}, {"m_depth", "m"}, {"state", "id"}},
+                 {{0, 1, 0}, {100, 1, 0}, {550, kUnknown, kUnknown}, {1000, 1, 0}, {1100, 2, 1}});
+  trace.state_names = {"surface", "dive"};
+  trace.log.emplace();
+  EXPECT_EQ(picture::spansOf(trace).size(), 4U);
+  EXPECT_THAT(drawPicture(trace), HasSubstr("state not known"));
+  trace.log->gaps = {{100, 1000}};
+  const auto spans = picture::spansOf(trace);
+  ASSERT_EQ(spans.size(), 3U);
+  EXPECT_EQ(spans[0].end, 1U);
+  EXPECT_EQ(spans[1].begin, 3U);
+  EXPECT_EQ(spans[1].end, 4U);
+  EXPECT_EQ(spans[2].pilot, 1);
+  EXPECT_THAT(drawPicture(trace), Not(HasSubstr("state not known")));
+}
+
+TEST(Picture, ALogHasOneGreyForWhatIsNotKnown) {
+  const auto greys = [](const support::Trace& trace) {
+    const std::string svg = drawPicture(trace, {"temp"});
+    const std::string sample = "<rect class=\"swatch\"";
+    size_t count = 0;
+    for (size_t at = svg.find(sample); at != std::string::npos; at = svg.find(sample, at + 1)) {
+      const bool grey = svg.substr(at, svg.find("/>", at) - at).find("#98a2ac") < svg.size();
+      count += grey ? 1U : 0U;
+    }
+    return count;
+  };
+  support::Trace trace = logTrace();
+  for (size_t row = 0; row < trace.rowCount() / 2; ++row) {
+    for (const char* name : {"state", "sci_water_temp"}) {
+      trace.rows[row * trace.columns.size() + static_cast<size_t>(trace.column(name))] = kUnknown;
+    }
+  }
+  EXPECT_EQ(greys(trace), 1U);
+  EXPECT_THAT(drawPicture(trace, {"temp"}), HasSubstr(">not known</text>"));
+  trace.log.reset();
+  EXPECT_EQ(greys(trace), 2U) << "layered control, and what is not known";
+}
+
 TEST(Picture, ChlorophyllOfAnyInstrumentColoursTheTrack) {
   const auto trace =
       smallTrace({{"time", "s"}, {"m_depth", "m"}, {"sci_flntu_chlor_units", "ug/l"}},
@@ -252,6 +293,7 @@ TEST(PictureMap, OfALogHasItsFixesAndNoLineToThem) {
     ++fixes;
   }
   EXPECT_EQ(fixes, 2U);
+  EXPECT_THAT(svg, HasSubstr("<path class=\"beside\" d=\"M")) << "the simulated track";
   const auto strokes = [](const std::string& text) { return std::ranges::count(text, 'M'); };
   SvgText whole;
   trace.columns[static_cast<size_t>(trace.column("dr_leg"))].name = "m_vacuum";

@@ -192,6 +192,15 @@ TEST(Warnings, AMissionThatHadNotEnded) {
             Lines{"the mission had not ended when the simulated time was up; never visited: s2"});
 }
 
+TEST(Warnings, TheBottomIsReportedWithTheFirstContact) {
+  auto trace = flight(1);
+  trace.events.push_back({50, kUnknown, "bottom", "on the bottom", "14.0 m deep"});
+  EXPECT_EQ(reported(trace), Lines{"GL9376 the vehicle touched the bottom at 50 s: 14.0 m deep"});
+  trace.events.push_back({90, kUnknown, "bottom", "on the bottom", "15.0 m deep"});
+  EXPECT_EQ(reported(trace),
+            Lines{"GL9376 the vehicle touched the bottom at 50 s: 14.0 m deep; 2 times in total"});
+}
+
 TEST(Warnings, OfALogHaveItsNotesAndTimesOfUtc) {
   auto trace = flight(1);
   trace.way = "";

@@ -385,5 +385,51 @@ TEST(Abend, NoticesADepthThatDoesNotChange) {
       << "at the surface it may stay";
 }
 
+TEST(StartWhen, EachCodeIsSaidInWords) {
+  const std::string numbers =
+      " b_arg: when_secs(s) 90\n b_arg: when_wpt_dist(m) 15\n"
+      " b_arg: when_utc_timestamp(X) 0902030405\n b_arg: when_num_inflections(X) 3\n";
+  const std::pair<int, const char*> kTexts[] = {
+      {0, "0: at once"},
+      {1, "1: no behaviour below commands heading or pump"},
+      {2, "2: no behaviour below commands pitch"},
+      {3, "3: no behaviour below commands heading"},
+      {4, "4: no behaviour below commands pump"},
+      {6, "6: 90 s after it ended"},
+      {7, "7: the waypoint is nearer than 15 m"},
+      {8, "8: a waypoint is reached"},
+      {9, "9: every 90 s"},
+      {10, "10: every 90 s, when no behaviour below commands the pump"},
+      {11, "11: the science computer asks for it"},
+      {12, "12: not at the surface for 90 s"},
+      {13, "13: at 0902030405 UTC (yymmddhhmm)"},
+      {14, "14: the vehicle hovers"},
+      {15, "15: the waypoint is further away than 15 m"},
+      {16, "16: more than 3 inflections"},
+      {17, "17: the primary waypoint is nearer than 15 m"},
+      {18, "18: the primary waypoint is further away than 15 m"}};
+  for (const auto& [code, text] : kTexts) {
+    BehaviourBench bench("behavior: surface\n b_arg: start_when(enum) " + std::to_string(code) +
+                         "\n" + numbers);
+    Commands below;
+    below.hit_waypoint = below.hovering = true;
+    if (code != 2) {
+      below.point({});
+    }
+    const bool near = code == 7 || code == 17;
+    bench.run({.time_s = 100,
+               .waypoint_distance_m = near ? 10.0 : 20.0,
+               .primary_distance_m = near ? 10.0 : 20.0,
+               .silent_s = 91,
+               .utc_s = 1233633850 + 100,
+               .inflections = 4,
+               .science_wants_surface = true},
+              below);
+    EXPECT_EQ(bench.state(), State::Active) << code;
+    EXPECT_EQ(bench.behaviour->whyStarted(), std::string("start_when ") + text);
+    EXPECT_EQ(bench.behaviour->label(), "surface") << "it has no place";
+  }
+}
+
 }  // namespace
 }  // namespace glider::simulator

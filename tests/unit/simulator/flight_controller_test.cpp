@@ -307,6 +307,39 @@ TEST(FlightController, WithoutGpsThereIsNoFix) {
       << "it holds the pump out for 100 s, and nop_cmds leaves it there";
 }
 
+TEST(FlightController, AFaultThatKeepsAFixFromTheSensorsLeavesTheVehicleWithoutOne) {
+  const auto times = [](std::vector<uint16_t> missing) {
+    Controller c(
+        "behavior: prepare_to_dive\n b_arg: wait_time(s) 100\nbehavior: nop_cmds\n"
+        " b_arg: nop_heading(bool) 1\n b_arg: nop_pitch(bool) 1\n"
+        " b_arg: nop_bpump(bool) 1\n",
+        100);
+    std::vector<SensorFault> faults;
+    for (const uint16_t id : missing) {
+      SensorFault fault;
+      fault.id = id;
+      fault.kind = SensorFault::Kind::Missing;
+      faults.push_back(fault);
+    }
+    SensorDamage damage(faults, 1);
+    c.controller.damageBy(&damage);
+    double held = -1;
+    c.fly(120, [&] {
+      damage.setNow(c.now);
+      held = c.read(GLIDER_C_BALLAST_PUMPED) > 200 ? c.now : held;
+    });
+    return std::pair(held, std::isnan(c.read(GLIDER_M_GPS_MAG_VAR)));
+  };
+  EXPECT_EQ(times({}), std::pair(-1.0, false)) << "it has its fix at once";
+  for (const std::vector<uint16_t>& missing :
+       {std::vector<uint16_t>{GLIDER_M_GPS_LAT, GLIDER_M_GPS_LON},
+        {GLIDER_M_GPS_LAT},
+        {GLIDER_M_GPS_LON}}) {
+    EXPECT_EQ(times(missing).first, 116) << "nop_cmds leaves the pump where it is";
+    EXPECT_TRUE(times(missing).second);
+  }
+}
+
 /// LMC: the origin is where the mission starts, and y points to magnetic north.
 TEST(FlightController, LocalCoordinatesAreMagnetic) {
   Controller c(kSurface + kYo, 100);

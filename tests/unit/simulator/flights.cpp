@@ -66,6 +66,15 @@ const support::TraceEvent* findEvent(const support::Trace& trace, const std::str
   return nullptr;
 }
 
+const support::TraceEvent* findStart(const support::Trace& trace, const std::string& name) {
+  for (const support::TraceEvent& event : trace.events) {
+    if (event.what.starts_with(name + "_") && event.what.ends_with(" started")) {
+      return &event;
+    }
+  }
+  return nullptr;
+}
+
 std::string eventText(const support::Trace& trace) {
   std::string out;
   for (const support::TraceEvent& e : trace.events) {

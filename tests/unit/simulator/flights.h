@@ -18,6 +18,9 @@ SimulationSetup setupWith(const std::string& mission);
 support::Trace fly(SimulationSetup setup);
 /// The first event whose `what` contains `text`; null if there is none.
 const support::TraceEvent* findEvent(const support::Trace& trace, const std::string& text);
+/// The first start of a behaviour called `name`, at any place of the mission; null if there
+/// is none.
+const support::TraceEvent* findStart(const support::Trace& trace, const std::string& name);
 /// All events, a line each, for a failed test.
 std::string eventText(const support::Trace& trace);
 /// The newest value of `column` at time `time_s`.

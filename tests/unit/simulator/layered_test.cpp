@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "simulator/bottom_contact.h"
 #include "tests/unit/simulator/flights.h"
 
 #include <fmt/format.h>
@@ -26,7 +27,7 @@ TEST(Layered, FliesThreeYosAndSurfaces) {
   const auto* over = findEvent(trace, "climb_to over, half cycle 6");
   ASSERT_NE(over, nullptr) << events;
   EXPECT_EQ(findEvent(trace, "half cycle 7"), nullptr);
-  const auto* surface = findEvent(trace, "surface started");
+  const auto* surface = findStart(trace, "surface");
   ASSERT_NE(surface, nullptr) << events;
   EXPECT_EQ(surface->time_s, over->time_s) << "in the same cycle, or the stack would be idle";
   ASSERT_NE(findEvent(trace, "the mission has ended normally"), nullptr) << events;
@@ -83,6 +84,96 @@ TEST(Layered, IdleStackAborts) {
   ASSERT_NE(findEvent(no_heading, "MS_ABORT_HEADING_IS_IDLE"), nullptr) << eventText(no_heading);
   const support::Trace no_pitch = fly(setupWith(kHeading));
   ASSERT_NE(findEvent(no_pitch, "MS_ABORT_PITCH_IS_IDLE"), nullptr) << eventText(no_pitch);
+}
+
+TEST(Layered, AnIdleStackSaysWhichCommandIsMissing) {
+  const support::Trace no_heading = fly(setupWith(kYo));
+  EXPECT_EQ(findEvent(no_heading, "MS_ABORT_HEADING")->why,
+            "no behaviour gives a command for the heading");
+  const support::Trace no_pitch = fly(setupWith(kHeading));
+  EXPECT_EQ(findEvent(no_pitch, "MS_ABORT_PITCH")->why,
+            "no behaviour gives a command for the pitch");
+  const support::Trace no_pump =
+      fly(setupWith("behavior: nop_cmds\n b_arg: nop_heading(bool) 1\n b_arg: nop_pitch(bool) 1\n"
+                    " b_arg: nop_bpump(bool) 0\n"));
+  ASSERT_NE(findEvent(no_pump, "MS_ABORT_BPUMP"), nullptr) << eventText(no_pump);
+  EXPECT_EQ(findEvent(no_pump, "MS_ABORT_BPUMP")->why, "no behaviour gives a command for the pump");
+  const support::Trace nothing = fly(setupWith("behavior: abend\n"));
+  EXPECT_EQ(findEvent(nothing, "MS_ABORT_STACK")->why, "no behaviour gives a command");
+}
+
+/// As the vehicle does: by its name and its place in the mission, counted from 1.
+TEST(Layered, EventsSayWhichBehaviourStartedAndWhy) {
+  const std::string silent =
+      "behavior: surface\n b_arg: start_when(enum) 12\n b_arg: when_secs(s) 150\n b_arg: "
+      "end_action(enum) 1\n b_arg: keystroke_wait_time(s) 8\n";
+  const support::Trace trace =
+      fly(setupWith("behavior: abend\n" + silent + kSurface + kHeading + kYo));
+  const auto* first = findStart(trace, "surface");
+  ASSERT_NE(first, nullptr) << eventText(trace);
+  EXPECT_EQ(first->what, "surface_2 started");
+  EXPECT_EQ(first->why, "start_when 12: not at the surface for 150 s");
+  EXPECT_EQ(findStart(trace, "yo")->what, "yo_5 started");
+  EXPECT_EQ(findStart(trace, "yo")->why, "start_when 2: no behaviour below commands pitch");
+  EXPECT_NE(findEvent(trace, "yo_5: dive_to over, half cycle 1"), nullptr);
+  EXPECT_EQ(findEvent(trace, "surface_2 done, waits for its next start")->why, "");
+  const auto* last = findEvent(trace, "surface_3 started");
+  ASSERT_NE(last, nullptr) << eventText(trace);
+  EXPECT_EQ(last->why, "start_when 1: no behaviour below commands pitch or pump");
+  EXPECT_EQ(findEvent(trace, "ended normally")->why,
+            "surface_3 has ended it; it started by start_when 1: no behaviour below commands "
+            "pitch or pump");
+}
+
+/// With a surface for an idle stack, a mission that lacks a heading is over when it begins.
+TEST(Layered, AMissionWithoutAHeadingSaysWhyItEnds) {
+  const support::Trace trace = fly(setupWith(kSurface + kYo));
+  const auto* end = findEvent(trace, "ended normally");
+  ASSERT_NE(end, nullptr) << eventText(trace);
+  EXPECT_EQ(end->time_s, 0);
+  EXPECT_NE(findEvent(trace, "surface_1 started"), nullptr) << "though it ends in the same cycle";
+  EXPECT_EQ(end->why,
+            "surface_1 has ended it; it started by start_when 1: no behaviour below commands "
+            "heading");
+}
+
+TEST(Layered, TheBottomIsAnEventOnceForEachContact) {
+  const auto flown = [](double water_depth_m) {
+    SimulationSetup setup =
+        setupWith(kSurface + kHeading + kYo + " b_arg: d_target_altitude(m) -1\n");
+    setup.scenario.ocean.bottom.depth_m = water_depth_m;
+    setup.duration_s = 1500;
+    return fly(std::move(setup));
+  };
+  const support::Trace trace = flown(14);
+  const auto* touch = findEvent(trace, "on the bottom");
+  ASSERT_NE(touch, nullptr) << eventText(trace);
+  EXPECT_EQ(touch->kind, "bottom");
+  EXPECT_NEAR(valueAt(trace, "true_depth", touch->time_s), 14, 1.5);
+  // The yo is to dive to 20 m and stays there.
+  EXPECT_EQ(std::ranges::count(trace.events, "bottom", &support::TraceEvent::kind), 1)
+      << eventText(trace);
+  EXPECT_EQ(findEvent(flown(60), "on the bottom"), nullptr);
+}
+
+TEST(BottomContact, BeginsAtTheBottomAndEndsAMetreAboveIt) {
+  BottomContact contact;
+  Journal journal;
+  const auto after = [&](double depth_m) {
+    contact.look(8, depth_m, 20, journal);
+    return journal.events().size();
+  };
+  EXPECT_EQ(after(19.9), 0U);
+  EXPECT_EQ(after(19.96), 1U);
+  EXPECT_EQ(after(19.5), 1U);
+  EXPECT_EQ(after(20), 1U) << "it slides";
+  EXPECT_EQ(after(18.9), 1U);
+  EXPECT_EQ(after(20), 2U);
+  EXPECT_EQ(journal.events()[0].time_s, 8);
+  BottomContact aground;
+  Journal none;
+  aground.look(0, 0.9, 0.9, none);
+  EXPECT_TRUE(none.events().empty()) << "it has not dived";
 }
 
 TEST(Layered, AbortBringsTheVehicleUp) {
@@ -203,7 +294,7 @@ TEST(Layered, SurfacesWithoutCommunication) {
       "behavior: surface\n b_arg: start_when(enum) 12\n b_arg: when_secs(s) 150\n b_arg: "
       "end_action(enum) 0\n";
   const support::Trace trace = fly(setupWith(silent + kHeading + kYo));
-  const auto* started = findEvent(trace, "surface started");
+  const auto* started = findStart(trace, "surface");
   ASSERT_NE(started, nullptr) << eventText(trace);
   EXPECT_NEAR(started->time_s, 160, 30);
   EXPECT_NE(findEvent(trace, "ended normally"), nullptr);

@@ -333,7 +333,7 @@ TEST(Sampling, ThePrimaryWaypointIsAsFarAsIsPut) {
       kYo);
   setup.scenario.puts.push_back({100, "m_dist_to_primary_wpt", 400});
   const support::Trace trace = fly(std::move(setup));
-  const auto* started = findEvent(trace, "surface started");
+  const auto* started = findStart(trace, "surface");
   ASSERT_NE(started, nullptr) << eventText(trace);
   EXPECT_EQ(started->time_s, 100);
 }

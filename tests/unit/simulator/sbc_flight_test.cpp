@@ -156,7 +156,7 @@ TEST(SbcFlight, Figure5IsLayeredBeforeAndAfter) {
   EXPECT_LE(back->time_s, 1476);
   int half_cycles_meanwhile = 0;
   for (const auto& event : trace.events) {
-    half_cycles_meanwhile += event.what.starts_with("yo: ") && event.time_s > takes->time_s &&
+    half_cycles_meanwhile += event.what.starts_with("yo_") && event.time_s > takes->time_s &&
                              event.time_s < back->time_s;
   }
   EXPECT_EQ(half_cycles_meanwhile, 0) << "an overridden yo counts nothing that it has not reached\n"
@@ -175,7 +175,7 @@ TEST(SbcFlight, ASurfacingForWantOfContactMasksHookbehAndThenItsMissionGoesOn) {
   }
   const support::Trace trace = fly(std::move(setup));
   const std::string events = eventText(trace);
-  const auto* up = findEvent(trace, "surface started");
+  const auto* up = findStart(trace, "surface");
   ASSERT_NE(up, nullptr) << events;
   const auto* masked = findEvent(trace, "another behaviour masks pitch and pump");
   ASSERT_NE(masked, nullptr) << events;

@@ -498,11 +498,19 @@ TEST(Autoexec, SettingsWithoutEffectAreNamedOnce) {
                "sensor: f_three(X) 1\n");
   EXPECT_EQ(folder.load().second, "GL5111 ");
   EXPECT_NE(folder.rendered.find("setting `f_one` has no effect"), std::string::npos);
-  EXPECT_NE(folder.rendered.find("and 2 more of this file have no effect"), std::string::npos)
+  EXPECT_NE(folder.rendered.find("nor have, of this file: `f_two`, `f_three`\n"), std::string::npos)
+      << folder.rendered;
+  std::string many;
+  for (int i = 1; i <= 14; ++i) {
+    many += "sensor: f_" + std::to_string(i) + "(X) 1\n";
+  }
+  folder.write("missions/autoexec.mi", many);
+  EXPECT_EQ(folder.load().second, "GL5111 ");
+  EXPECT_NE(folder.rendered.find("`f_11`, `f_12` and 2 more\n"), std::string::npos)
       << folder.rendered;
   folder.write("missions/autoexec.mi", "sensor: f_one(X) 1\n");
   EXPECT_EQ(folder.load().second, "GL5111 ");
-  EXPECT_EQ(folder.rendered.find("more"), std::string::npos) << folder.rendered;
+  EXPECT_EQ(folder.rendered.find("nor have"), std::string::npos) << folder.rendered;
   EXPECT_EQ(folder.load("missions/autoexec.mi").second, "GL5108 GL5111 ")
       << "it is read once also as the mission";
   folder.write("missions/autoexec.mi", "sensor: f_one 1\n");

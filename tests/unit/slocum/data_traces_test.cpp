@@ -125,7 +125,29 @@ TEST(FlightTrace, NothingIsKnownInALongGap) {
   ASSERT_TRUE(trace);
   EXPECT_EQ(column(*trace, "time"), (Values{0, 300, 451, 602}));
   EXPECT_EQ(column(*trace, "m_depth"), (Values{1, 2, kNone, 4}));
-  EXPECT_EQ(column(*trace, "state"), (Values{1, 1, kNone, 1}));
+  EXPECT_EQ(column(*trace, "state"), (Values{1, 1, kNone, kNone})) << "not known after it either";
+  ASSERT_EQ(trace->log->gaps.size(), 1U) << "300 s is none";
+  EXPECT_EQ(trace->log->gaps[0].from_s, 300);
+  EXPECT_EQ(trace->log->gaps[0].to_s, 602);
+  EXPECT_TRUE(trace->isGap(300, 451));
+  EXPECT_TRUE(trace->isGap(451, 602));
+  EXPECT_FALSE(trace->isGap(0, 300));
+  EXPECT_FALSE(trace->isGap(0, 451));
+  EXPECT_FALSE(trace->isGap(602, 610));
+}
+
+TEST(FlightTrace, RowsThatAreAskedForDoNotFillAGap) {
+  const auto trace = traceOf({draftOf("dbd", {kDepth, {"m_depth_state", "enum", 1, true}},
+                                      {{0, {{"m_depth", 1}, {"m_depth_state", 1}}},
+                                       {400, {{"m_depth", 2}}},
+                                       {800, {{"m_depth", 4}, {"m_depth_state", 2}}}})},
+                             {kStart + 100, kStart + 300});
+  ASSERT_TRUE(trace);
+  EXPECT_EQ(column(*trace, "time"), (Values{0, 100, 200, 300, 400, 600, 800}));
+  EXPECT_EQ(column(*trace, "state"), (Values{1, kNone, kNone, kNone, kNone, kNone, 2}));
+  ASSERT_EQ(trace->log->gaps.size(), 2U);
+  EXPECT_TRUE(trace->isGap(200, 300));
+  EXPECT_FALSE(trace->isGap(300, 600)) << "there is a record between them";
 }
 
 TEST(FlightTrace, BatteryChangesSlowly) {

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The vehicle's own missions in the guide: a block ```mi NAME is written to that file, and a block
+// ```console is what commands (lines that begin with `$ `) print beside these files.
+
+#include "tests/support/command.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+#include <string_view>
+
+namespace glider::tests {
+namespace {
+
+class Guide {
+ public:
+  /// Does what the blocks of `page` say; returns the number of commands.
+  int follow(const std::filesystem::path& page) {
+    std::ifstream in(page);
+    std::string line, file, text;
+    bool in_file = false, in_console = false;
+    while (std::getline(in, line)) {
+      if (line.starts_with("```") && (in_file || in_console)) {
+        in_file ? (void)folder_.write(file, text) : compare();
+        in_file = in_console = false;
+      } else if (in_file) {
+        text += line + "\n";
+      } else if (in_console) {
+        console(line);
+      } else if (line.starts_with("```mi ")) {
+        in_file = true;
+        file = line.substr(std::string_view("```mi ").size());
+        text.clear();
+      } else {
+        in_console = line == "```console";
+      }
+    }
+    return commands_;
+  }
+
+ private:
+  void console(const std::string& line) {
+    if (!line.starts_with("$ ")) {
+      expected_ += line + "\n";
+      return;
+    }
+    compare();
+    command_ = line.substr(2);
+  }
+
+  void compare() {
+    if (!command_.empty()) {
+      constexpr std::string_view kName = "glidercc";
+      ASSERT_TRUE(command_.starts_with(kName)) << command_;
+      const Outcome outcome = runShell("cd " + folder_.path().string() + " && $GLIDERCC" +
+                                       command_.substr(kName.size()));
+      EXPECT_EQ(outcome.status, 0) << command_;
+      EXPECT_EQ(outcome.out, expected_) << command_;
+      EXPECT_EQ(outcome.err, "") << command_;
+      ++commands_;
+    }
+    command_.clear();
+    expected_.clear();
+  }
+
+  const TemporaryFolder folder_;
+  std::string command_, expected_;
+  int commands_ = 0;
+};
+
+TEST(Documents, CommandsForTheVehiclesOwnMissionsPrintWhatTheGuideShows) {
+  EXPECT_GE(Guide().follow(std::filesystem::path(GLIDER_SOURCE_DIR) / "docs/guide.md"), 2);
+}
+
+}  // namespace
+}  // namespace glider::tests

@@ -9,8 +9,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -24,10 +26,10 @@ namespace {
 constexpr std::string_view kMark = "# glidercc campaign ";
 constexpr std::string_view kColumns =
     "flight,mission,fault,when,sbc,seed,outcome,releases,instructions,end (s),deepest (m),"
-    "violation (s),violation\n";
+    "violation (s),violation,requirements violated\n";
 // Columns that do not follow from the number of a flight.
 constexpr size_t kOutcome = 6, kReleases = 7, kInstructions = 8, kEnd = 9, kDeepest = 10,
-                 kViolationTime = 11, kViolation = 12, kCount = 13;
+                 kViolationTime = 11, kViolation = 12, kRequirements = 13, kCount = 14;
 
 /// The fields of a line, without their quotes.
 std::vector<std::string> fieldsOf(std::string_view line) {
@@ -64,6 +66,26 @@ bool parseOutcome(const std::vector<std::string>& fields, Verdict& verdict) {
   return false;
 }
 
+/// "1;3", the requirements from 1.
+std::string requirementsText(const Verdict& verdict) {
+  std::string text;
+  for (const size_t number : verdict.requirements) {
+    text += fmt::format("{}{}", text.empty() ? "" : ";", number + 1);
+  }
+  return text;
+}
+
+/// Those of `plan`; whether they are so many, csvRow decides.
+void parseRequirements(const std::string& field, Verdict& verdict) {
+  std::istringstream in(field);
+  for (std::string text; std::getline(in, text, ';');) {
+    size_t number = 0;
+    if (parse(text, number) && number > 0) {
+      verdict.requirements.push_back(number - 1);
+    }
+  }
+}
+
 /// False for a line that is not the row of a flight of `plan`. Sets `number` and `verdict`.
 bool parseRow(const CampaignPlan& plan, std::string_view line, uint64_t& number, Verdict& verdict) {
   const std::vector<std::string> fields = fieldsOf(line);
@@ -74,6 +96,11 @@ bool parseRow(const CampaignPlan& plan, std::string_view line, uint64_t& number,
     return false;
   }
   verdict.violation = fields[kViolation];
+  parseRequirements(fields[kRequirements], verdict);
+  const size_t required = plan.missions[flightOf(plan, number).mission].requirements.size();
+  if (std::ranges::any_of(verdict.requirements, [&](size_t one) { return one >= required; })) {
+    return false;
+  }
   const bool violated = verdict.outcome == Verdict::Outcome::Violation;
   if (violated && !parse(fields[kViolationTime], verdict.violation_s)) {
     return false;
@@ -95,13 +122,13 @@ std::string csvHead(const std::string& identity) {
 
 std::string csvRow(const CampaignPlan& plan, const CampaignFlight& flight, const Verdict& verdict) {
   const bool violated = verdict.outcome == Verdict::Outcome::Violation;
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", flight.number,
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", flight.number,
                      support::csvQuoted(plan.missions[flight.mission].file),
                      simulator::nameOf(flight.kind), simulator::nameOf(flight.manner),
                      flight.board ? plan.boards[*flight.board] : "in process", flight.seed,
                      outcomeName(verdict), verdict.releases, verdict.instructions, verdict.end_s,
                      verdict.deepest_m, violated ? fmt::to_string(verdict.violation_s) : "",
-                     support::csvQuoted(verdict.violation));
+                     support::csvQuoted(verdict.violation), requirementsText(verdict));
 }
 
 std::string campaignCsv(const CampaignPlan& plan, const CampaignResult& result,

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace glider::campaign {
 
@@ -95,6 +96,32 @@ std::string campaignTable(const CampaignPlan& plan, const CampaignResult& result
     out += row(plan.boards[board], programs[board + 1]);
   }
   return out;
+}
+
+std::string requirementLines(const CampaignPlan& plan, const CampaignResult& result) {
+  std::string out;
+  for (size_t mission = 0; mission < plan.missions.size(); ++mission) {
+    const CampaignMission& flown = plan.missions[mission];
+    for (size_t i = 0; i < flown.requirements.size(); ++i) {
+      uint64_t flights = 0;
+      uint64_t violated = 0;
+      std::optional<uint64_t> first;
+      eachFlown(plan, result, [&](const CampaignFlight& flight, const Verdict& verdict) {
+        if (flight.mission != mission || flight.board) {
+          return;
+        }
+        ++flights;
+        if (std::ranges::find(verdict.requirements, i) != verdict.requirements.end()) {
+          ++violated;
+          first = first.value_or(flight.number);
+        }
+      });
+      out += fmt::format("{}: `{}`: violated in {} of {} flights{}\n", flown.file,
+                         flown.requirements[i], violated, flights,
+                         first ? fmt::format(", first in flight {}", *first) : "");
+    }
+  }
+  return out.empty() ? out : "\nrequirements, with these faults\n" + out;
 }
 
 std::string violationLines(const CampaignPlan& plan, const CampaignResult& result,

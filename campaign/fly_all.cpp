@@ -157,8 +157,13 @@ simulator::DrawnFaults faultsOf(const CampaignPlan& plan, const CampaignFlight& 
 support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& flight,
                                 support::Trace* trace, const std::function<bool()>& stop) {
   const CampaignMission& mission = plan.missions[flight.mission];
-  simulator::StartSbc start =
-      flight.board ? mission.on_board[*flight.board]() : mission.new_flight();
+  std::optional<flights::RequirementWatch> watch;
+  if (!flight.board && mission.new_watched_flight) {
+    watch.emplace(*mission.compiled);
+  }
+  simulator::StartSbc start = flight.board ? mission.on_board[*flight.board]()
+                              : watch      ? mission.new_watched_flight(&*watch)
+                                           : mission.new_flight();
   auto sbc = start();
   if (!sbc) {
     return std::unexpected(sbc.error());
@@ -187,10 +192,16 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
   if (!flown) {
     return std::unexpected(flown.error());
   }
+  Verdict verdict = judge.verdict();
+  if (watch) {
+    for (const flights::FlownViolation& violation : watch->violations(*flown)) {
+      verdict.requirements.push_back(violation.requirement);
+    }
+  }
   if (trace != nullptr) {
     *trace = std::move(*flown);
   }
-  return judge.verdict();
+  return verdict;
 }
 
 support::Result<void> measureMissions(CampaignPlan& plan) {

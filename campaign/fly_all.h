@@ -9,6 +9,7 @@
 #include "simulator/simulator.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,10 +19,13 @@ namespace glider::campaign {
 /// A mission of a campaign, ready to be started any number of times.
 struct CampaignMission {
   std::string file;
-  std::string program;                 ///< a digest of what is compiled from it, including imports
-  platforms::Platform platform;        ///< the one that it names
+  std::string program;           ///< a digest of what is compiled from it, and of its requirements
+  platforms::Platform platform;  ///< the one that it names
   simulator::VehicleSettings vehicle;  ///< the platform's, with the changes of the scenario
   flights::NewFlight new_flight;
+  flights::NewWatchedFlight new_watched_flight;  ///< if its requirements are checked; may be empty
+  std::shared_ptr<const compiler::Optimised> compiled;  ///< the same
+  std::vector<std::string> requirements;     ///< as written, with their lines; of those checked
   std::vector<flights::NewFlight> on_board;  ///< one for each of the plan's boards
   simulator::FlightTimes times = {};         ///< of its flight without faults
   double mean_W = 0;                         ///< of its batteries in that flight

@@ -16,6 +16,7 @@
 #include "flights/scenario_choice.h"
 #include "ir/text/print.h"
 #include "support/files.h"
+#include "support/one_line.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -56,11 +57,20 @@ int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPla
     }
     campaign::CampaignMission mission;
     mission.file = file;
-    mission.program = codegen::digestOf(ir::print(compiled->mission));
+    mission.program =
+        codegen::digestOf(ir::print(compiled->mission) + ir::print(compiled->checked->mission()));
     mission.platform = platform;
     mission.vehicle = scenario->vehicle;
     plan.scenario = std::move(*scenario);
-    mission.new_flight = std::move(*start);
+    mission.new_flight = [flight = *start] { return flight(nullptr); };
+    if (flights::RequirementWatch::canWatch(*compiled)) {
+      mission.new_watched_flight = std::move(*start);
+      mission.compiled = compiled;
+      for (const ir::Requirement& requirement : compiled->checked->mission().requirements) {
+        mission.requirements.push_back(
+            support::onOneLine(compiled->sources().text(requirement.range)));
+      }
+    }
     for (const std::string& board : plan.boards) {
       mission.on_board.push_back(
           campaign::flightsOnBoard(compiled, options.launch, options.user_code, board));
@@ -151,7 +161,7 @@ int tellResult(const campaign::CampaignPlan& plan, const campaign::CampaignOptio
             : "; to continue, give the same options and --resume " + campaign::shellWord(file));
   }
   const auto printed =
-      printOut(campaign::campaignTable(plan, result) +
+      printOut(campaign::campaignTable(plan, result) + campaign::requirementLines(plan, result) +
                campaign::violationLines(plan, result, campaign::commandOf(options)) + last);
   // A pipe already has the rows, in the order in which the flights ended.
   const auto written =

@@ -79,7 +79,7 @@ int replay(const support::Trace& trace, const compiler::Optimised& mission,
   }
   const auto start = isInProcess(options)
                          ? flights::startInProcess(loaded->mission, loaded->parameters, false)
-                         : chooseSbc(options, &mission, false, folder->staging());
+                         : chooseSbc(options, &mission, false, folder->staging(), nullptr);
   if (!start) {
     return reportFailure(start.error());
   }

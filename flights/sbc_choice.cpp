@@ -18,16 +18,10 @@ using simulator::SerialSbcPort;
 using simulator::StartSbc;
 using support::Result;
 
-namespace {
-
-/// A mission that is loaded here, with the pilot's values of its parameters.
-struct Loaded {
-  std::shared_ptr<const codegen::LoadedMission> mission;
-  std::vector<double> parameters;
-};
-
-Result<Loaded> load(const compiler::Optimised& mission, const LaunchChoice& launch,
-                    const std::vector<std::string>& user_code) {
+Result<NewWatchedFlight> flightsInProcess(const compiler::Optimised& mission,
+                                          const LaunchChoice& launch,
+                                          const std::vector<std::string>& user_code,
+                                          bool keeps_time) {
   auto loaded = loadHere(mission, user_code);
   if (!loaded) {
     return std::unexpected(loaded.error());
@@ -36,20 +30,9 @@ Result<Loaded> load(const compiler::Optimised& mission, const LaunchChoice& laun
   if (!parameters) {
     return std::unexpected(parameters.error());
   }
-  return Loaded{std::make_shared<const codegen::LoadedMission>(std::move(*loaded)),
-                std::move(*parameters)};
-}
-
-}  // namespace
-
-Result<NewFlight> flightsInProcess(const compiler::Optimised& mission, const LaunchChoice& launch,
-                                   const std::vector<std::string>& user_code, bool keeps_time) {
-  auto loaded = load(mission, launch, user_code);
-  if (!loaded) {
-    return std::unexpected(loaded.error());
-  }
-  return [loaded = std::move(*loaded), keeps_time]() -> StartSbc {
-    return startInProcess(loaded.mission, loaded.parameters, keeps_time);
+  auto shared = std::make_shared<const codegen::LoadedMission>(std::move(*loaded));
+  return [shared, values = std::move(*parameters), keeps_time](RequirementWatch* watch) {
+    return startInProcess(shared, values, keeps_time, watch);
   };
 }
 
@@ -68,11 +51,8 @@ StartSbc startInProcess(std::shared_ptr<const codegen::LoadedMission> mission,
 Result<StartSbc> sbcInProcess(const compiler::Optimised& mission, const LaunchChoice& launch,
                               const std::vector<std::string>& user_code, bool keeps_time,
                               RequirementWatch* watch) {
-  auto loaded = load(mission, launch, user_code);
-  if (!loaded) {
-    return std::unexpected(loaded.error());
-  }
-  return startInProcess(loaded->mission, loaded->parameters, keeps_time, watch);
+  const auto flights = flightsInProcess(mission, launch, user_code, keeps_time);
+  return flights ? Result<StartSbc>((*flights)(watch)) : std::unexpected(flights.error());
 }
 
 namespace {

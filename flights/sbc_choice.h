@@ -20,12 +20,15 @@ namespace glider::flights {
 /// Returns, for each flight, what starts its SBC with a card of its own.
 using NewFlight = std::function<simulator::StartSbc()>;
 
+/// The same; `watch` (null: none) watches the flight and outlives it.
+using NewWatchedFlight = std::function<simulator::StartSbc(RequirementWatch* watch)>;
+
 /// Compiles the mission for this process and loads it; `user_code` is what --link names.
 /// `keeps_time`: see InProcessSbc.
-support::Result<NewFlight> flightsInProcess(const compiler::Optimised& mission,
-                                            const LaunchChoice& launch,
-                                            const std::vector<std::string>& user_code,
-                                            bool keeps_time);
+support::Result<NewWatchedFlight> flightsInProcess(const compiler::Optimised& mission,
+                                                   const LaunchChoice& launch,
+                                                   const std::vector<std::string>& user_code,
+                                                   bool keeps_time);
 
 // Each returns what starts the SBC of one flight, again each time that its power returns.
 

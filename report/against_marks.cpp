@@ -14,6 +14,9 @@ std::string stepText(const FollowedStep& step) {
   if (step.kind == "start") {
     return fmt::format("the mission would have started in {}", step.to);
   }
+  if (step.kind == "violation") {
+    return fmt::format("violates `{}`{}{}", step.guard, step.words.empty() ? "" : ": ", step.words);
+  }
   if (step.kind == "gap") {
     return fmt::format("the log has a gap: the mission would have ended in {}", step.from);
   }
@@ -23,7 +26,9 @@ std::string stepText(const FollowedStep& step) {
 
 std::string whyText(const FollowedStep& step) {
   const std::string values = loggedValues(step.at, step.values);
-  return step.guard.empty() ? values : fmt::format("{} ({})", step.guard, values);
+  return step.kind == "violation" ? values
+         : step.guard.empty()     ? values
+                                  : fmt::format("{} ({})", step.guard, values);
 }
 
 std::string flickerText(const LoggedCase& of, const Flicker& flicker) {

@@ -4,6 +4,8 @@
 #include "analysis/against/follow_mission.h"
 
 #include "analysis/against/held_guards.h"
+#include "ir/prove/context/proof_context.h"
+#include "ir/prove/context/requirement_monitor.h"
 #include "support/one_line.h"
 
 #include <algorithm>
@@ -27,7 +29,8 @@ class Follower {
         surface_m_(checked.platform().world.surface_depth_m),
         watched_(watchedCases(checked)),
         once_(watched_.size()),
-        values_(watched_.size()) {}
+        values_(watched_.size()),
+        depth_(ir::prove::depthSensor(m_, checked.platform())) {}
 
   Followed run() {
     out_.states.assign(log_.ticks.size(), Followed::kNoState);
@@ -79,6 +82,11 @@ class Follower {
     was_up_ = blind_ = false;
     out_.states[tick] = state_.index;
     out_.steps.push_back({momentOf(log_, tick), "start", "", m_[state_].name, false, {}, "", {}});
+    requirements_.clear();
+    for (const ir::Requirement& requirement : m_.requirements) {
+      requirements_.emplace_back(m_, requirement, surface_m_, depth_);
+    }
+    watchRequirements(tick, begun);
   }
 
   /// Whether so much time has passed that the mission would not continue after a power cut.
@@ -111,6 +119,7 @@ class Follower {
         once_[i].fire();
       }
     }
+    watchRequirements(tick, result);
     if (result.finished) {
       running_.reset();
       was_up_ = isUp(tick);
@@ -143,6 +152,29 @@ class Follower {
     out_.steps.push_back(std::move(step));
   }
 
+  /// Each requirement that has not been violated yet, since the mission started. The depth of the
+  /// log counts as the true one.
+  void watchRequirements(uint32_t tick, const ir::TickResult& result) {
+    for (size_t i = 0; i < requirements_.size(); ++i) {
+      const ir::Requirement& requirement = m_.requirements[i];
+      if (requirement.kind == ir::RequirementKind::Reach || requirements_[i].when()) {
+        continue;
+      }
+      const LogTick& now = log_.ticks[tick];
+      requirements_[i].tick(*running_, now.time_s - origin_s_, result, now.depth_m);
+      if (requirements_[i].when()) {
+        FollowedStep step;
+        step.at = momentOf(log_, tick);
+        step.kind = "violation";
+        step.from = m_[result.state].name;
+        step.range = requirement.range;
+        step.guard = support::onOneLine(checked_.sources().text(requirement.range));
+        step.words = requirements_[i].words();
+        out_.steps.push_back(std::move(step));
+      }
+    }
+  }
+
   static std::string kindOf(ir::Transition transition) {
     switch (transition) {
       case ir::Transition::Goto:
@@ -171,6 +203,8 @@ class Follower {
   std::vector<FiringOnce> once_;
   std::vector<Values> values_;
   std::optional<ir::Interpreter> running_;
+  std::optional<ir::SensorId> depth_;  ///< the vehicle's own
+  std::vector<ir::RequirementMonitor> requirements_;
   double origin_s_ = 0;  ///< mission time 0 of the current start, in the log
   ir::StateId state_{0};
   bool was_up_ = true;

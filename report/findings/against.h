@@ -76,14 +76,16 @@ struct LoggedSensor {
 /// What the mission does when it follows the data files.
 struct FollowedStep {
   LoggedMoment at;
-  std::string kind;  ///< "start", "goto", "call", "return", "exit", "stay" or "gap": no records
-                     ///< for longer than the outage after which the mission continues
+  std::string kind;  ///< "start", "goto", "call", "return", "exit", "stay", "gap": no records for
+                     ///< longer than the outage after which the mission continues; "violation":
+                     ///< of a requirement, which is `guard`
   std::string from;  ///< state; empty for "start"
   std::string to;    ///< state; empty for "exit" and "gap"
   bool always = false;
   support::SourceRange range;  ///< of the case; none for "start" and "gap"
   std::string guard;
   std::vector<LoggedValue> values;
+  std::string words = {};  ///< of a violation: how; may be empty
 };
 
 /// A mission and the data files of one vehicle.

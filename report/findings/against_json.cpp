@@ -107,6 +107,9 @@ ordered_json stepJson(const FollowedStep& step, const SourceManager& sources) {
     one["guard"] = step.guard;
   }
   one["values"] = valuesJson(step.values);
+  if (!step.words.empty()) {
+    one["how"] = step.words;
+  }
   return one;
 }
 

@@ -265,6 +265,11 @@ class Text {
            momentText(step.at), step.from);
       return;
     }
+    if (step.kind == "violation") {
+      line("  {}  {}: violates `{}` ({}){}{}", momentText(step.at), step.from, step.guard,
+           placeOf(step), step.words.empty() ? "" : ": ", step.words);
+      return;
+    }
     const std::string what = step.kind == "stay" ? step.from + " (stay)"
                              : step.kind == "exit"
                                  ? step.from + " → exit"

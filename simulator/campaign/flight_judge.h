@@ -18,6 +18,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace glider::simulator {
 
@@ -38,6 +39,9 @@ struct Verdict {
   double take_s = 0;     ///< when control was first taken; 0: never
   double release_s = 0;  ///< when it was released; 0: never
   double mean_W = 0;     ///< from the batteries
+  /// The numbers (from 0) of the mission's requirements that the flight violated, in order. Faults
+  /// may cause that, so it is not a violation of a promise.
+  std::vector<size_t> requirements = {};
 };
 
 /// Checks a flight by what the SBC sends, what hookbeh does and the true position of the vehicle,

@@ -32,7 +32,7 @@ inline constexpr double kNear = 10;
 /// Longer than this, s, nothing is known about a quantity that changes continuously, and without a
 /// record nothing about the vehicle. It is five times the interval of records in the sparsest logs
 /// of real vehicles (64 s in comet's .sbd): one that is missing, or the change of segments at the
-/// surface (up to 250 s there), is no gap.
+/// surface (up to 250 s there), does not count.
 inline constexpr double kLongestGap = 300;
 
 /// What a quantity is between two samples.

@@ -74,22 +74,22 @@ TEST_F(MiCommand, ListsTheValuesInForceAndWhereTheyAreFrom) {
 TEST_F(MiCommand, ColumnsAreAsWideAsTheirLongestNameNeeds) {
   (void)folder_.write(
       "long.mi",
-      "sensor: u_a(X) 1\nbehavior: goto_wpt\n b_arg: wpt_x(lon) -7350.123456\n"
+      "sensor: u_a(X) 1\nbehavior: set_heading\n b_arg: heading_value(X) -7350.123456\n"
       "behavior: sensors_in\n b_arg: c_science_all_on_enabled_for_this_test(sec) 4\n"
       " b_arg: u_battery_time(some_long_unit) 1000001\n");
   (void)folder_.write("autoexec.mi", "sensor: f_one(m) 98\nsensor: f_two(m) 98\n");
   const Outcome shown = glidercc("mi long.mi");
   EXPECT_EQ(
       shown.out,
-      "sensor u_a                                                 1 X               long.mi\n"
+      "sensor u_a                                                1 X               long.mi\n"
       "below these the 2 settings of autoexec.mi\n"
       "\n"
-      "goto_wpt\n"
-      "  wpt_x                                         -7350.123456 lon             long.mi\n"
+      "set_heading\n"
+      "  heading_value                                -7350.123456 X               long.mi\n"
       "\n"
       "sensors_in\n"
-      "  c_science_all_on_enabled_for_this_test                   4 sec             long.mi\n"
-      "  u_battery_time                           u_mission_param_b some_long_unit  long.mi\n")
+      "  c_science_all_on_enabled_for_this_test                  4 sec             long.mi\n"
+      "  u_battery_time                          u_mission_param_b some_long_unit  long.mi\n")
       << shown.err;
 }
 
@@ -139,7 +139,7 @@ TEST_F(MiCommand, AFlightIntoTheBottomDidNotGoWell) {
   (void)folder_.write("deep.mi",
                       "behavior: abend\n b_arg: overtime(s) 900\n b_arg: samedepth_for(s) -1\n"
                       "behavior: set_heading\n b_arg: heading_value(X) 1\nbehavior: yo\n b_arg: "
-                      "d_target_depth(m) 100\n");
+                      "d_target_depth(m) 100\n b_arg: d_target_altitude(m) -1\n");
   const Outcome flown = glidercc("sim deep.mi -o deep");
   EXPECT_EQ(flown.status, 1) << flown.out;
   EXPECT_THAT(flown.err, HasSubstr("[GL9376 bottom-touched]"));

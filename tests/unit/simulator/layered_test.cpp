@@ -150,8 +150,8 @@ TEST(Layered, TheBottomIsAnEventOnceForEachContact) {
   ASSERT_NE(touch, nullptr) << eventText(trace);
   EXPECT_EQ(touch->kind, "bottom");
   EXPECT_NEAR(valueAt(trace, "true_depth", touch->time_s), 14, 1.5);
-  // The yo is to dive to 20 m and stays there.
-  EXPECT_EQ(std::ranges::count(trace.events, "bottom", &support::TraceEvent::kind), 1)
+  // Both dives are to 20 m, and hover on the bottom for 180 s.
+  EXPECT_EQ(std::ranges::count(trace.events, "bottom", &support::TraceEvent::kind), 2)
       << eventText(trace);
   EXPECT_EQ(findEvent(flown(60), "on the bottom"), nullptr);
 }

@@ -3,11 +3,8 @@
 
 #include "analysis/closed_loop.h"
 
-#include "flights/flight_setup.h"
-#include "flights/heard_ticks.h"
-#include "flights/in_process_sbc.h"
+#include "analysis/heard_flight.h"
 #include "flights/launch_choice.h"
-#include "flights/scenario_choice.h"
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/context/requirement_monitor.h"
 #include "simulator/simulator.h"
@@ -44,13 +41,6 @@ class TrueDepth {
   size_t row_ = 0;
 };
 
-/// The scenarios that come with glidercc, the default one first.
-std::vector<std::string> worlds() {
-  std::vector<std::string> names = flights::scenarioNames();
-  std::ranges::stable_partition(names, [](const std::string& name) { return name == "default"; });
-  return names;
-}
-
 class Search {
  public:
   Search(const compiler::Optimised& flown, const ir::prove::RequirementVerdict& verdict,
@@ -64,7 +54,7 @@ class Search {
   Result<ClosedLoop> run() {
     ClosedLoop result;
     for (uint64_t seed = 1; seed <= kSeeds; ++seed) {
-      for (const std::string& scenario : worlds()) {
+      for (const std::string& scenario : scenariosInOrder()) {
         const auto when = fly(scenario, seed);
         if (!when) {
           return std::unexpected(when.error());
@@ -82,25 +72,11 @@ class Search {
  private:
   /// The time at which the flight violates the requirement; empty: it does not.
   Result<std::optional<double>> fly(const std::string& scenario, uint64_t seed) const {
-    auto world = flights::chooseScenario(scenario, flown_.platform());
-    if (!world) {
-      return std::unexpected(world.error());
+    const auto flight = flyHeard(flown_, loaded_, parameters_, scenario, seed);
+    if (!flight) {
+      return std::unexpected(flight.error());
     }
-    simulator::SimulationSetup setup;
-    setup.platform = flown_.platform();
-    setup.scenario = std::move(*world);
-    setup.seed = seed;
-    flights::describeMission(setup, flown_);
-    auto sbc = std::make_unique<flights::InProcessSbc>(
-        loaded_, parameters_, std::make_shared<flights::Card>(), !setup.scenario.faults.empty());
-    flights::HeardTicks heard(m_);
-    sbc->watch([&](const GliderContext& context, double now) { heard.look(context, now); });
-    setup.sbc = std::move(sbc);
-    const auto trace = simulator::simulate(std::move(setup));
-    if (!trace) {
-      return std::unexpected(trace.error());
-    }
-    return judge(heard.ticks(), *trace);
+    return judge(flight->ticks, flight->trace);
   }
 
   [[nodiscard]] std::optional<double> judge(const std::vector<flights::HeardTick>& ticks,
@@ -126,20 +102,12 @@ class Search {
   std::shared_ptr<const codegen::LoadedMission> loaded_;
 };
 
-bool needsC(const ir::Mission& mission) {
-  return !mission.functions.empty() ||
-         std::ranges::any_of(mission.sensors,
-                             [](const ir::Sensor& s) { return !s.symbol.empty(); }) ||
-         std::ranges::any_of(mission.behaviours,
-                             [](const ir::Behaviour& b) { return !b.symbol.empty(); });
-}
-
 }  // namespace
 
 Result<ClosedLoop> searchClosedLoop(const compiler::Optimised& mission,
                                     const ir::prove::RequirementVerdict& verdict) {
   const bool flies = simulator::checkPlatform(mission.platform()).has_value();
-  if (!verdict.run || needsC(mission.checked->mission()) || !flies) {
+  if (!verdict.run || needsCodeInC(mission.checked->mission()) || !flies) {
     return ClosedLoop{};  // the proof stands without a flight
   }
   auto loaded = flights::loadHere(mission, {});

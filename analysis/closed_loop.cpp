@@ -3,11 +3,9 @@
 
 #include "analysis/closed_loop.h"
 
-#include "flights/flight_setup.h"
-#include "flights/in_process_sbc.h"
+#include "analysis/heard_flight.h"
 #include "flights/launch_choice.h"
 #include "flights/requirement_watch.h"
-#include "flights/scenario_choice.h"
 #include "simulator/simulator.h"
 
 #include <algorithm>
@@ -21,13 +19,6 @@ using support::Result;
 
 constexpr uint64_t kSeeds = 3;  ///< of each scenario
 
-/// The scenarios that come with glidercc, the default one first.
-std::vector<std::string> worlds() {
-  std::vector<std::string> names = flights::scenarioNames();
-  std::ranges::stable_partition(names, [](const std::string& name) { return name == "default"; });
-  return names;
-}
-
 class Search {
  public:
   Search(const compiler::Optimised& flown, const ir::prove::RequirementVerdict& verdict,
@@ -40,7 +31,7 @@ class Search {
   Result<ClosedLoop> run() {
     ClosedLoop result;
     for (uint64_t seed = 1; seed <= kSeeds; ++seed) {
-      for (const std::string& scenario : worlds()) {
+      for (const std::string& scenario : scenariosInOrder()) {
         const auto when = fly(scenario, seed);
         if (!when) {
           return std::unexpected(when.error());
@@ -58,25 +49,12 @@ class Search {
  private:
   /// The time at which the flight violates the requirement; empty: it does not.
   Result<std::optional<double>> fly(const std::string& scenario, uint64_t seed) const {
-    auto world = flights::chooseScenario(scenario, flown_.platform());
-    if (!world) {
-      return std::unexpected(world.error());
+    const auto flight = flyHeard(flown_, loaded_, parameters_, scenario, seed);
+    if (!flight) {
+      return std::unexpected(flight.error());
     }
-    simulator::SimulationSetup setup;
-    setup.platform = flown_.platform();
-    setup.scenario = std::move(*world);
-    setup.seed = seed;
-    flights::describeMission(setup, flown_);
-    auto sbc = std::make_unique<flights::InProcessSbc>(
-        loaded_, parameters_, std::make_shared<flights::Card>(), !setup.scenario.faults.empty());
-    flights::RequirementWatch watch(flown_);
-    sbc->watch(watch.watcher(parameters_));
-    setup.sbc = std::move(sbc);
-    const auto trace = simulator::simulate(std::move(setup));
-    if (!trace) {
-      return std::unexpected(trace.error());
-    }
-    const auto found = watch.violation(requirement_, *trace);
+    const auto found =
+        flights::violationOf(flown_, requirement_, flight->ticks, parameters_, flight->trace);
     return found ? std::optional(found->mission_time) : std::nullopt;
   }
 
@@ -91,7 +69,11 @@ class Search {
 Result<ClosedLoop> searchClosedLoop(const compiler::Optimised& mission,
                                     const ir::prove::RequirementVerdict& verdict) {
   const bool flies = simulator::checkPlatform(mission.platform()).has_value();
+<<<<<<< HEAD
   if (!verdict.run || !flights::RequirementWatch::canWatch(mission) || !flies) {
+=======
+  if (!verdict.run || flights::needsCodeInC(mission.checked->mission()) || !flies) {
+>>>>>>> faults
     return ClosedLoop{};  // the proof stands without a flight
   }
   auto loaded = flights::loadHere(mission, {});

@@ -293,6 +293,11 @@ int check(CommandOptions& options) {
       return reportFailure(silence.error());
     }
     options.check.silence = std::move(*silence);
+    auto limits = analysis::limitsOf(options.skeleton);
+    if (!limits) {
+      return reportFailure(limits.error());
+    }
+    options.check.limits = std::move(*limits);
   }
   const bool draws = !options.against.picture.empty() || !options.against.page.empty();
   if (draws && options.missions.size() > 1) {

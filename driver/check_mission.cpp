@@ -6,13 +6,15 @@
 #include "analysis/analysis.h"
 #include "compiler/proof_cache.h"
 #include "compiler/proving.h"
-#include "driver/check_progress.h"
+#include "driver/output/check_progress.h"
+#include "flights/scenario_choice.h"
 
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace glider::driver {
 namespace {
@@ -105,11 +107,20 @@ Result<void> tellProved(const compiler::Optimised* flown, CheckedFile& file) {
   return {};
 }
 
+/// Where the scenarios that come with glidercc begin. Empty if they cannot be read: then
+/// less is checked.
+std::vector<ir::Position> startsOfScenarios(const platforms::Platform& platform) {
+  const auto scenario = flights::chooseScenario("default", platform);
+  return scenario ? std::vector<ir::Position>{{scenario->latitude_deg, scenario->longitude_deg}}
+                  : std::vector<ir::Position>();
+}
+
 /// The checks beyond text and structure, for a mission without errors.
 Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   ir::prove::Options how;
   how.report = options.report;
   how.evidence = options.evidence;
+  how.known_starts = startsOfScenarios(file.compilation->checked->platform());
   how.effort *= options.effort;
   how.run_effort *= options.effort;
   how.total_effort *= options.effort;
@@ -129,6 +140,9 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   }
   for (std::string& line : analysis::wayHomeLines(compilation.checked->mission(),
                                                   mission.platform(), options.silence)) {
+    file.found.remarks.push_back({{}, std::move(line)});
+  }
+  for (std::string& line : analysis::refusedLines(compilation.checked->mission(), options.limits)) {
     file.found.remarks.push_back({{}, std::move(line)});
   }
   auto budgets = analysis::missionBudgets(

@@ -18,6 +18,7 @@ void addSimCommand(CLI::App& app, int& status);
 void addCampaignCommand(CLI::App& app, int& status);
 void addMiCommand(CLI::App& app, int& status);
 void addLogCommand(CLI::App& app, int& status);
+void addDiffCommand(CLI::App& app, int& status);
 void addExplainCommand(CLI::App& app, int& status);
 void addFixCommand(CLI::App& app, int& status);
 void addFmtCommand(CLI::App& app, int& status);

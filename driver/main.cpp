@@ -45,6 +45,7 @@ int run(int argc, char** argv) {
   app.footer(kFooter);
   int status = kFine;
   addCheckCommand(app, status);
+  addDiffCommand(app, status);
   addBuildCommand(app, status);
   addParamsCommand(app, status);
   addGraphCommand(app, status);

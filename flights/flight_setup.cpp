@@ -37,6 +37,14 @@ void reportMissingSensors(const compiler::Optimised& mission, const simulator::S
   reportUnsimulated(mission, diagnostics);
 }
 
+bool needsCodeInC(const ir::Mission& mission) {
+  return !mission.functions.empty() ||
+         std::ranges::any_of(mission.sensors,
+                             [](const ir::Sensor& s) { return !s.symbol.empty(); }) ||
+         std::ranges::any_of(mission.behaviours,
+                             [](const ir::Behaviour& b) { return !b.symbol.empty(); });
+}
+
 void describeMission(simulator::SimulationSetup& setup, const compiler::Optimised& mission) {
   setup.mission_name = mission.mission.name;
   setup.state_names = compiler::stateNames(mission.mission);

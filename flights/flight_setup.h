@@ -13,6 +13,9 @@ namespace glider::flights {
 void reportMissingSensors(const compiler::Optimised& mission, const simulator::Scenario& scenario,
                           support::DiagnosticEngine& diagnostics);
 
+/// Whether a mission needs code in C of the pilot's own, which the interpreter does not have.
+bool needsCodeInC(const ir::Mission& mission);
+
 /// Puts the names of the mission and its states and the texts of its guards into `setup`; `mission`
 /// must outlive it.
 void describeMission(simulator::SimulationSetup& setup, const compiler::Optimised& mission);

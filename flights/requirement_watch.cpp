@@ -3,6 +3,7 @@
 
 #include "flights/requirement_watch.h"
 
+#include "flights/flight_setup.h"
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/context/requirement_monitor.h"
 
@@ -34,14 +35,6 @@ class TrueDepth {
   size_t row_ = 0;
 };
 
-bool needsC(const ir::Mission& mission) {
-  return !mission.functions.empty() ||
-         std::ranges::any_of(mission.sensors,
-                             [](const ir::Sensor& s) { return !s.symbol.empty(); }) ||
-         std::ranges::any_of(mission.behaviours,
-                             [](const ir::Behaviour& b) { return !b.symbol.empty(); });
-}
-
 }  // namespace
 
 RequirementWatch::RequirementWatch(const compiler::Optimised& mission)
@@ -49,7 +42,7 @@ RequirementWatch::RequirementWatch(const compiler::Optimised& mission)
 
 bool RequirementWatch::canWatch(const compiler::Optimised& mission) {
   const ir::Mission& m = mission.checked->mission();
-  return !needsC(m) && !m.requirements.empty();
+  return !needsCodeInC(m) && !m.requirements.empty();
 }
 
 InProcessSbc::Watcher RequirementWatch::watcher(const std::vector<double>& parameters) {
@@ -61,26 +54,28 @@ InProcessSbc::Watcher RequirementWatch::watcher(const std::vector<double>& param
   };
 }
 
-std::optional<FlownViolation> RequirementWatch::violation(size_t requirement,
-                                                          const support::Trace& trace) const {
-  const ir::Requirement& required = m_.requirements.at(requirement);
+std::optional<FlownViolation> violationOf(const compiler::Optimised& mission, size_t requirement,
+                                          std::span<const HeardTick> ticks,
+                                          const std::vector<double>& parameters,
+                                          const support::Trace& trace) {
+  const ir::Mission& m = mission.checked->mission();
+  const ir::Requirement& required = m.requirements.at(requirement);
   if (required.kind == ir::RequirementKind::Reach) {
     return std::nullopt;  // it says what some flight can do
   }
-  const auto& platform = flown_.platform();
-  ir::Interpreter interpreter(m_, flown_.checked->facts.stack_depth);
-  ir::RequirementMonitor monitor(m_, required, platform.world.surface_depth_m,
-                                 ir::prove::depthSensor(m_, platform));
+  ir::Interpreter interpreter(m, mission.checked->facts.stack_depth);
+  ir::RequirementMonitor monitor(m, required, mission.platform().world.surface_depth_m,
+                                 ir::prove::depthSensor(m, mission.platform()));
   TrueDepth depth(trace);
   bool started = false;
-  for (const HeardTick& tick : heard_.ticks()) {
+  for (const HeardTick& tick : ticks) {
     const auto result = started ? interpreter.tick(tick.mission_time, tick.frame)
-                                : interpreter.start(tick.frame, parameters_);
+                                : interpreter.start(tick.frame, parameters);
     started = true;
     monitor.tick(interpreter, tick.mission_time, result, depth.at(tick.vehicle_time));
     if (monitor.when()) {
-      return FlownViolation{requirement, tick.mission_time, tick.vehicle_time,
-                            m_[result.state].name, monitor.words()};
+      return FlownViolation{requirement, tick.mission_time, tick.vehicle_time, m[result.state].name,
+                            monitor.words()};
     }
   }
   return std::nullopt;
@@ -89,7 +84,7 @@ std::optional<FlownViolation> RequirementWatch::violation(size_t requirement,
 std::vector<FlownViolation> RequirementWatch::violations(const support::Trace& trace) const {
   std::vector<FlownViolation> all;
   for (size_t i = 0; i < m_.requirements.size(); ++i) {
-    if (auto found = violation(i, trace)) {
+    if (auto found = violationOf(flown_, i, heard_.ticks(), parameters_, trace)) {
       all.push_back(*std::move(found));
     }
   }

@@ -9,6 +9,7 @@
 #include "support/trace/trace.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,15 @@ struct FlownViolation {
   std::string words;        ///< how; empty: the requirement says it
 };
 
-/// Watches an SBC in this process, and checks the requirements of its mission afterwards: the
-/// interpreter repeats the flight tick by tick, under the monitors that define the requirements.
+/// The first violation of a requirement of `mission` in a flight: what the SBC received, the
+/// mission's parameters, and the flight's trace. The interpreter repeats the flight tick by tick,
+/// under the monitor that defines the requirement.
+std::optional<FlownViolation> violationOf(const compiler::Optimised& mission, size_t requirement,
+                                          std::span<const HeardTick> ticks,
+                                          const std::vector<double>& parameters,
+                                          const support::Trace& trace);
+
+/// Watches an SBC in this process, and checks the requirements of its mission afterwards.
 class RequirementWatch {
  public:
   /// `mission` is what flies; it must outlive this.
@@ -42,9 +50,6 @@ class RequirementWatch {
   [[nodiscard]] const ir::Requirement& requirement(size_t number) const {
     return m_.requirements.at(number);
   }
-  /// The same for one requirement.
-  [[nodiscard]] std::optional<FlownViolation> violation(size_t requirement,
-                                                        const support::Trace& trace) const;
 
  private:
   const compiler::Optimised& flown_;

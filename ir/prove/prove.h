@@ -49,6 +49,9 @@ struct Options {
   std::optional<uint32_t> library;
   /// Also report what is not an error but useful to know: Findings::lines.
   bool report = false;
+  /// Where vehicles are known to start: a waypoint that is far from all of them, but near one with
+  /// its coordinates exchanged, is taken for an error.
+  std::vector<Position> known_starts = {};
   /// The known verdict on a requirement (its number), which is then not searched for; may be null.
   std::function<std::optional<CachedVerdict>(uint32_t)> cached;
   /// Called with the number of each requirement before it is checked; may be empty.

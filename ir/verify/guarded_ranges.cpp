@@ -17,7 +17,7 @@ class GuardedWalk {
               const std::set<AssignmentPlace>& doubtful)
       : m_(mission), doubtful_(doubtful), narrowing_(mission, intervals) {}
 
-  std::set<AssignmentPlace> run() {
+  void run() {
     list(m_.always, true);
     for (const State& state : m_.states) {
       list(state.cases, false);
@@ -28,8 +28,10 @@ class GuardedWalk {
         block(entry, nothing);
       }
     }
-    return std::move(kept_);
   }
+
+  std::set<AssignmentPlace> kept;                   ///< of the doubtful ones
+  std::map<CommandArgument, Interval> of_commands;  ///< where they are reached
 
  private:
   /// A case of `always` with a target may be passed over although its guard is true.
@@ -58,7 +60,7 @@ class GuardedWalk {
         knowledge.unreachable ||
         narrowing_.intervalOf(knowledge, value).within(variable.lowest, variable.highest);
     if (fits) {
-      kept_.insert(place);
+      kept.insert(place);
     }
   }
 
@@ -78,7 +80,15 @@ class GuardedWalk {
         narrowing_.set(knowledge, s.variable, given, !narrowing_.isAlwaysKnown(s.value));
       } else if (s.kind == StatementKind::Set) {
         narrowing_.set(knowledge, s.variable, {}, false);
+      } else if (s.kind == StatementKind::Command && !knowledge.unreachable) {
+        command(s, knowledge);
       }
+    }
+  }
+
+  void command(const Statement& s, const Knowledge& knowledge) {
+    for (size_t i = 0; i < s.values.size(); ++i) {
+      of_commands.emplace(CommandArgument{&s, i}, narrowing_.intervalOf(knowledge, s.values[i]));
     }
   }
 
@@ -97,7 +107,6 @@ class GuardedWalk {
   const Mission& m_;
   const std::set<AssignmentPlace>& doubtful_;
   Narrowing narrowing_;
-  std::set<AssignmentPlace> kept_;
 };
 
 }  // namespace
@@ -105,7 +114,17 @@ class GuardedWalk {
 std::set<AssignmentPlace> keptByGuards(const Mission& mission,
                                        const std::vector<Interval>& intervals,
                                        const std::set<AssignmentPlace>& doubtful) {
-  return GuardedWalk(mission, intervals, doubtful).run();
+  GuardedWalk walk(mission, intervals, doubtful);
+  walk.run();
+  return std::move(walk.kept);
+}
+
+std::map<CommandArgument, Interval> commandRanges(const Mission& mission,
+                                                  const std::vector<Interval>& intervals) {
+  const std::set<AssignmentPlace> none;
+  GuardedWalk walk(mission, intervals, none);
+  walk.run();
+  return std::move(walk.of_commands);
 }
 
 }  // namespace glider::ir

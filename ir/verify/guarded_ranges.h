@@ -7,6 +7,7 @@
 #include "ir/verify/intervals.h"
 
 #include <cstddef>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -28,5 +29,13 @@ using AssignmentPlace = std::pair<const void*, size_t>;
 std::set<AssignmentPlace> keptByGuards(const Mission& mission,
                                        const std::vector<Interval>& intervals,
                                        const std::set<AssignmentPlace>& doubtful);
+
+/// An argument of a command: by its statement and its place.
+using CommandArgument = std::pair<const Statement*, size_t>;
+
+/// The ranges of the arguments of all commands, as the same guards keep them; without those of
+/// commands that no guard lets through. `intervals`: as above.
+std::map<CommandArgument, Interval> commandRanges(const Mission& mission,
+                                                  const std::vector<Interval>& intervals);
 
 }  // namespace glider::ir

@@ -72,8 +72,9 @@ Holding either(const Holding& a, const Holding& b) {
 }
 
 AbstractEvaluator::AbstractEvaluator(const ProofContext& proof_context, const Valuation& values,
-                                     const ClockRanges& clocks, std::optional<Sight> sight)
-    : proof_context_(proof_context), values_(values), clocks_(clocks), sight_(sight) {}
+                                     const ClockRanges& clocks, std::optional<Sight> sight,
+                                     const IdleTemporals* idle)
+    : proof_context_(proof_context), values_(values), clocks_(clocks), sight_(sight), idle_(idle) {}
 
 const AbstractEvaluator::Made& AbstractEvaluator::operand(const Expr& e, size_t i) const {
   return made_.at(e.operands.at(i).index);
@@ -120,9 +121,20 @@ std::optional<Interval> AbstractEvaluator::leaf(const Expr& e) const {
   if (e.op == Op::Sensor && sight_ && e.sensor == sight_->sensor) {
     return sight_->reading;
   }
-  // A window also contains values from before this moment.
-  return e.op == Op::Temporal ? std::optional(proof_context_.windows[e.temporal.index])
-                              : std::nullopt;
+  return e.op == Op::Temporal ? std::optional(window(e.temporal)) : std::nullopt;
+}
+
+/// A window also contains values from before this moment.
+Interval AbstractEvaluator::window(TemporalId id) const {
+  const Temporal& temporal = proof_context_.mission[id];
+  const Expr& operand = proof_context_.mission[temporal.operand];
+  const bool one_of_them =
+      temporal.kind == TemporalKind::Lowest || temporal.kind == TemporalKind::Highest;
+  const bool seen = one_of_them && sight_ && sight_->ever && operand.op == Op::Sensor &&
+                    operand.sensor == sight_->sensor;
+  Interval range = seen ? sight_->reading : proof_context_.windows[id.index];
+  range.empty = range.empty || isIdle(id);
+  return range;
 }
 
 AbstractEvaluator::Made AbstractEvaluator::make(uint32_t index) const {
@@ -157,6 +169,7 @@ Truths AbstractEvaluator::judge(const Expr& e, uint32_t index) const {
     result = values_[e.variable.index].truths;
   } else if (e.op == Op::Temporal) {
     result = watched(proof_context_.mission[e.temporal]);
+    result.is_true = result.is_true && !isIdle(e.temporal);
   } else if (groupOf(e.op) == OpGroup::Logic) {
     result = logic(e);
   } else if (isOrdering(e.op)) {

@@ -46,8 +46,12 @@ struct ClockRanges {
 /// What the reading of one sensor may be at a moment.
 struct Sight {
   SensorId sensor;
-  Interval reading;  ///< when it is known
+  Interval reading;   ///< when it is known
+  bool ever = false;  ///< the same holds for all its earlier readings
 };
+
+/// Temporals, by number: a `held` that is never true, a window that is never known.
+using IdleTemporals = std::vector<bool>;
 
 /// Evaluates expressions abstractly: the values that they may have at a moment, for any readings of
 /// the sensors. It uses no solver and ignores how values depend on each other, so the result may
@@ -57,9 +61,10 @@ struct Sight {
 /// a state of a large mission costs what its own guards cost.
 class AbstractEvaluator {
  public:
-  /// `proof_context` and `values` outlive this, and `values` stays the same meanwhile.
+  /// `proof_context`, `values` and `idle` outlive this, and `values` stays the same meanwhile.
   AbstractEvaluator(const ProofContext& proof_context, const Valuation& values,
-                    const ClockRanges& clocks, std::optional<Sight> sight = std::nullopt);
+                    const ClockRanges& clocks, std::optional<Sight> sight = std::nullopt,
+                    const IdleTemporals* idle = nullptr);
 
   [[nodiscard]] const Truths& truth(ExprId id) const { return at(id).truths; }
   /// For a number, its range when it is known; for a truth value, the values that it may have.
@@ -81,6 +86,8 @@ class AbstractEvaluator {
   [[nodiscard]] std::optional<Interval> leaf(const Expr& e) const;
   [[nodiscard]] Truths judge(const Expr& e, uint32_t index) const;
   [[nodiscard]] Truths watched(const Temporal& temporal) const;
+  [[nodiscard]] Interval window(TemporalId id) const;
+  [[nodiscard]] bool isIdle(TemporalId id) const { return idle_ != nullptr && (*idle_)[id.index]; }
   [[nodiscard]] Truths logic(const Expr& e) const;
   [[nodiscard]] Truths compared(const Expr& e) const;
   [[nodiscard]] const Made& operand(const Expr& e, size_t i) const;
@@ -89,6 +96,7 @@ class AbstractEvaluator {
   const Valuation& values_;
   ClockRanges clocks_;
   std::optional<Sight> sight_;
+  const IdleTemporals* idle_;
   mutable std::unordered_map<uint32_t, Made> made_;
 };
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -27,8 +28,12 @@ double sumOf(double a, double b) {
 class LeavingSearch {
  public:
   LeavingSearch(const ProofContext& proof_context, const State& state, const Interruptions& always,
-                const Valuation& values)
-      : proof_context_(proof_context), m_(proof_context.mission), always_(always), values_(values) {
+                const Valuation& values, const IdleTemporals* idle = nullptr)
+      : proof_context_(proof_context),
+        m_(proof_context.mission),
+        always_(always),
+        values_(values),
+        idle_(idle) {
     for (const Case& c : state.cases) {
       own_.push_back(&c);
     }
@@ -99,7 +104,7 @@ class LeavingSearch {
     // time of such a tick.
     const auto note = [&](double time, double tick, const ClockRanges& clocks) {
       ++found.looks;
-      const AbstractEvaluator then(proof_context_, values_, clocks);
+      const AbstractEvaluator then(proof_context_, values_, clocks, std::nullopt, idle_);
       const size_t sure = firstSure(own_, then);
       for (size_t i = sure; i < own_.size(); ++i) {
         found.latest[i] = std::min(found.latest[i], i == sure ? tick : time);
@@ -188,6 +193,7 @@ class LeavingSearch {
   const Interruptions& always_;
   Cases own_;
   const Valuation& values_;
+  const IdleTemporals* idle_;
   std::set<double> stays_{0};  ///< of the state's clocks, s
   std::set<double> times_;     ///< of mission time, s
   size_t work_ = 0;
@@ -201,8 +207,8 @@ Leaving leavingOf(const ProofContext& proof_context, const State& state,
 }
 
 Leaving stayOf(const ProofContext& proof_context, const State& state, const Interruptions& always,
-               const Valuation& values) {
-  return LeavingSearch(proof_context, state, always, values).stay();
+               const Valuation& values, const IdleTemporals* idle) {
+  return LeavingSearch(proof_context, state, always, values, idle).stay();
 }
 
 }  // namespace glider::ir::prove

@@ -54,7 +54,8 @@ Leaving leavingOf(const ProofContext& proof_context, const State& state,
                   const Interruptions& always, const Valuation& values, const Arriving& arriving);
 
 /// The same in seconds since the state became current, whenever that was.
+/// With `idle`, if these temporals are never true, or never known.
 Leaving stayOf(const ProofContext& proof_context, const State& state, const Interruptions& always,
-               const Valuation& values);
+               const Valuation& values, const IdleTemporals* idle = nullptr);
 
 }  // namespace glider::ir::prove

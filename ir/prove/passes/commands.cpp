@@ -7,6 +7,7 @@
 #include "ir/prove/context/setting.h"
 #include "ir/prove/encoding/question.h"
 #include "ir/prove/passes.h"
+#include "ir/verify/guarded_ranges.h"
 #include "ir/verify/value_text.h"
 
 #include <fmt/format.h>
@@ -14,9 +15,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace glider::ir::prove {
@@ -35,7 +39,8 @@ std::string shown(double value, Type type) {
   return angle ? fmt::format("{:.4g} deg", value * 180 / std::numbers::pi) : withUnit(value, type);
 }
 
-/// Checks the commands of every state's profile, with the ranges of all that they are made from.
+/// Checks the commands of every state and of `always`, with the ranges of all that they are made
+/// from.
 class CommandCheck {
  public:
   explicit CommandCheck(Proof& proof)
@@ -46,66 +51,123 @@ class CommandCheck {
   void run() {
     for (const State& state : m_.states) {
       commands_ = commandsOf(m_, state.profile);
-      checkEnvelope(state.profile);
+      checkEnvelope(commands_, state.profile.range);
       checkTurns(state);
+      checkEnvelope(commandsOf(m_, state.route), state.route.range);
+      checkCases(state.cases);
+      checkBlock(state.entry);
     }
+    checkCases(m_.always);
   }
 
  private:
+  /// Without what its guard says.
   [[nodiscard]] const Interval& range(const Statement& statement, size_t argument) const {
     return proof_.proof_context.intervals[statement.values.at(argument).index];
   }
 
-  /// Checks depth and pitch of each command; a number without a range is not checked.
-  void checkEnvelope(const Activity& profile) {
-    for (const Statement* statement : commands_) {
+  /// With it; empty for a command that no guard lets through. Few missions need it.
+  [[nodiscard]] Interval guardedRange(const Statement& statement, size_t argument) {
+    if (!guarded_) {
+      guarded_ = commandRanges(m_, proof_.proof_context.intervals);
+    }
+    const auto found = guarded_->find({&statement, argument});
+    return found == guarded_->end() ? Interval{0, 0, true} : found->second;
+  }
+
+  void checkCases(const std::vector<Case>& cases) {
+    for (const Case& c : cases) {
+      checkBlock(c.action);
+    }
+  }
+
+  void checkBlock(BlockId block) {
+    forEachStatement(m_, block, [&](const Statement& statement) {
+      if (statement.kind == StatementKind::Command) {
+        checkEnvelope({&statement}, statement.range);
+      }
+    });
+  }
+
+  /// Checks depth and pitch of each command; a number without a range is not checked. `place`: of
+  /// all of them.
+  void checkEnvelope(const std::vector<const Statement*>& commands,
+                     const support::SourceRange& place) {
+    for (const Statement* statement : commands) {
       const bool sloped =
           statement->command == Command::Descend || statement->command == Command::Ascend;
       if (sloped || statement->command == Command::Hover) {
-        hold(profile, *statement, 0, envelope_.greatest_depth_m);
-        holdUnderWater(profile, *statement);
+        hold(place, *statement, 0, envelope_.greatest_depth_m);
+        holdUnderWater(place, *statement);
       }
       if (sloped) {
-        hold(profile, *statement, 1, envelope_.steepest_pitch_rad);
-        holdSteepEnough(profile, *statement);
+        hold(place, *statement, 1, envelope_.steepest_pitch_rad);
+        holdSteepEnough(place, *statement);
       }
     }
   }
 
-  void hold(const Activity& profile, const Statement& statement, size_t argument, double most) {
-    const Interval& given = range(statement, argument);
-    const double greatest = std::max(given.highest, -given.lowest);
-    const bool judged = !given.empty && greatest < kNoBound;
-    if (!judged || greatest <= most || !told_.insert(profile.range.begin).second) {
+  void hold(const support::SourceRange& place, const Statement& statement, size_t argument,
+            double most) {
+    const auto greatest = [](const Interval& given) {
+      return given.empty ? 0 : std::max(given.highest, -given.lowest);
+    };
+    const double plain = greatest(range(statement, argument));
+    if (plain >= kNoBound || plain <= most) {
+      return;
+    }
+    const double given = greatest(guardedRange(statement, argument));
+    const support::SourceRange where = placeOf(place, statement, argument);
+    if (given <= most || !isNew(where)) {
       return;
     }
     const Type type = m_[statement.values.at(argument)].type;
-    proof_.diagnostics.report(DiagnosticId::commandBeyondEnvelope, profile.range,
-                              shown(greatest, type),
+    proof_.diagnostics.report(DiagnosticId::commandBeyondEnvelope, where, shown(given, type),
                               "beyond the vehicle's limit of " + shown(most, type));
   }
 
   /// A depth slightly above the surface is not a depth to fly to, but it is not an error either.
-  void holdUnderWater(const Activity& profile, const Statement& statement) {
+  void holdUnderWater(const support::SourceRange& place, const Statement& statement) {
     const Interval& depth = range(statement, 0);
-    if (!depth.empty && depth.highest < 0 && told_.insert(profile.range.begin).second) {
-      in_the_air_.insert(profile.range.begin);
+    const support::SourceRange where = placeOf(place, statement, 0);
+    if (!depth.empty && depth.highest < 0 && isNew(where)) {
+      in_the_air_.insert(place.begin);
       const Type type = m_[statement.values.at(0)].type;
-      proof_.diagnostics.report(DiagnosticId::commandBeyondEnvelope, profile.range,
+      proof_.diagnostics.report(DiagnosticId::commandBeyondEnvelope, where,
                                 shown(depth.highest, type), "above the surface");
     }
   }
 
-  void holdSteepEnough(const Activity& profile, const Statement& statement) {
-    const Interval& pitch = range(statement, 1);
-    const double least = std::max({pitch.lowest, -pitch.highest, 0.0});
-    const bool judged = !pitch.empty && pitch.highest - pitch.lowest < kNoBound;
-    if (judged && least < envelope_.shallowest_pitch_rad &&
-        told_.insert(profile.range.begin).second) {
+  void holdSteepEnough(const support::SourceRange& place, const Statement& statement) {
+    const auto least = [](const Interval& pitch) {
+      return std::max({pitch.lowest, -pitch.highest, 0.0});
+    };
+    const Interval& plain = range(statement, 1);
+    if (plain.empty || plain.highest - plain.lowest >= kNoBound ||
+        least(plain) >= envelope_.shallowest_pitch_rad) {
+      return;
+    }
+    const Interval given = guardedRange(statement, 1);
+    const support::SourceRange where = placeOf(place, statement, 1);
+    if (!given.empty && least(given) < envelope_.shallowest_pitch_rad && isNew(where)) {
       const Type type = m_[statement.values.at(1)].type;
-      proof_.diagnostics.report(DiagnosticId::pitchTooShallow, profile.range, shown(least, type),
+      proof_.diagnostics.report(DiagnosticId::pitchTooShallow, where, shown(least(given), type),
                                 shown(envelope_.shallowest_pitch_rad, type));
     }
+  }
+
+  /// An argument that is written at `place` itself, or all of `place`.
+  [[nodiscard]] support::SourceRange placeOf(const support::SourceRange& place,
+                                             const Statement& statement, size_t argument) const {
+    const support::SourceRange& own = m_[statement.values.at(argument)].range;
+    const bool within = place == statement.range && own.file == place.file &&
+                        own.begin >= place.begin && own.end <= place.end;
+    return within ? own : place;
+  }
+
+  /// One report for each profile, route and argument of a command.
+  bool isNew(const support::SourceRange& place) {
+    return told_.emplace(place.file, place.begin).second;
   }
 
   /// A profile that climbs and dives turns where the one ends and the other begins.
@@ -206,7 +268,8 @@ class CommandCheck {
   const Mission& m_;
   const platforms::Envelope& envelope_;
   std::vector<const Statement*> commands_;  ///< of the current profile
-  std::set<uint32_t> told_;
+  std::optional<std::map<CommandArgument, Interval>> guarded_;
+  std::set<std::pair<uint32_t, uint32_t>> told_;
   std::set<uint32_t> in_the_air_;  ///< profiles that command a depth above the surface
 };
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/eval/arithmetic.h"
 #include "ir/prove/context/commands.h"
 #include "ir/prove/geometry/nearest.h"
 #include "ir/prove/geometry/sphere.h"
@@ -13,6 +14,7 @@
 #include <limits>
 #include <numbers>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,10 +25,37 @@ namespace {
 /// probably a typing error.
 constexpr double kFarOff = 3e6;  // m
 
+/// A waypoint is taken for one with its coordinates exchanged if it is farther than the first from
+/// the others and would otherwise be nearer than the second, or the third to a known start.
+constexpr double kFarIfExchanged = 1e6;  // m
+constexpr double kNearOthers = 3e5;      // m
+constexpr double kNearKnownStart = 1e5;  // m
+
 struct Waypoint {
   Position place;
   support::SourceRange range;  ///< of the route that steers there, or of the command of a case
+  const Statement* fixed = nullptr;  ///< the command, if its target is written as constants
 };
+
+/// The places that a pilot may have meant who exchanged the two numbers: with the letters as they
+/// are, and with the signs of the numbers.
+std::vector<Position> exchanged(const Position& place) {
+  std::vector<Position> meant;
+  if (std::abs(place.longitude) <= 90) {
+    meant.push_back({std::copysign(place.longitude, place.latitude),
+                     std::copysign(place.latitude, place.longitude)});
+    meant.push_back({place.longitude, place.latitude});
+  }
+  return meant;
+}
+
+std::string latitudeText(double degrees) {
+  return fmt::format("{:.8g} {}", std::abs(degrees), degrees < 0 ? "S" : "N");
+}
+
+std::string longitudeText(double degrees) {
+  return fmt::format("{:.8g} {}", std::abs(degrees), degrees < 0 ? "W" : "E");
+}
 
 class WaypointCheck {
  public:
@@ -43,6 +72,7 @@ class WaypointCheck {
         add(*command, routes ? state.route.range : command->range);
       }
     }
+    checkExchanged();
     checkPlaces();
     checkCoordinates(TypeKind::Latitude);
     checkCoordinates(TypeKind::Longitude);
@@ -51,19 +81,73 @@ class WaypointCheck {
  private:
   void add(const Statement& statement, const support::SourceRange& route) {
     if (const auto fixed = fixedTarget(m_, statement)) {
-      waypoints_.push_back({*fixed, route});
+      waypoints_.push_back({*fixed, route, &statement});
     }
     for (const Position& place : pathTargets(m_, statement)) {
       waypoints_.push_back({place, route});
     }
   }
 
-  void checkPlaces() {
-    std::vector<Position> places;
+  [[nodiscard]] std::vector<Position> places() const {
+    std::vector<Position> all;
     for (const Waypoint& one : waypoints_) {
-      places.push_back(one.place);
+      all.push_back(one.place);
     }
-    const PlaceIndex index(places);
+    return all;
+  }
+
+  void checkExchanged() {
+    const PlaceIndex others(places());
+    const PlaceIndex starts(proof_.options.known_starts);
+    for (const Waypoint& one : waypoints_) {
+      for (const Position& meant : exchanged(one.place)) {
+        if (one.fixed == nullptr || told_.contains(one.range.begin)) {
+          break;
+        }
+        tellIfExchanged(one, meant, others, kNearOthers, "the other positions of the mission");
+        tellIfExchanged(one, meant, starts, kNearKnownStart, "where the scenarios start");
+      }
+    }
+  }
+
+  /// The number of waypoints around a place.
+  [[nodiscard]] ptrdiff_t nearTo(const Position& place) const {
+    return std::ranges::count_if(waypoints_, [&](const Waypoint& one) {
+      return onEarth(Op::Distance, place, one.place) < kNearOthers;
+    });
+  }
+
+  [[nodiscard]] bool isKnownStart(const Position& place) const {
+    return std::ranges::any_of(proof_.options.known_starts, [&](const Position& start) {
+      return onEarth(Op::Distance, place, start) < kNearKnownStart;
+    });
+  }
+
+  void tellIfExchanged(const Waypoint& one, const Position& meant, const PlaceIndex& around,
+                       double near, const char* what) {
+    const double far_off = around.nearestOther(one.place);
+    const double then = around.nearestOther(meant);
+    if (!std::isfinite(far_off) || far_off <= kFarIfExchanged || then >= near ||
+        nearTo(one.place) > nearTo(meant) || isKnownStart(one.place) ||
+        !told_.insert(one.range.begin).second) {
+      return;
+    }
+    const std::string north = latitudeText(meant.latitude);
+    const std::string east = longitudeText(meant.longitude);
+    auto warning = proof_.diagnostics.report(
+        support::DiagnosticId::positionSwapped, one.range, fmt::format("{:.0f}", far_off / 1000),
+        what, fmt::format("{:.0f}", then / 1000), north + " " + east);
+    const support::SourceRange& first = m_[one.fixed->values.at(0)].range;
+    const support::SourceRange& second = m_[one.fixed->values.at(1)].range;
+    told_.insert({first.begin, second.begin});
+    if (first.file == one.range.file && second.file == first.file && first.end <= second.begin &&
+        one.range.begin <= first.begin && second.end <= one.range.end) {
+      warning.fix(first, north).fix(second, east);
+    }
+  }
+
+  void checkPlaces() {
+    const PlaceIndex index(places());
     for (const Waypoint& one : waypoints_) {
       tellIfFarOff(one.range, index.nearestOther(one.place));
     }

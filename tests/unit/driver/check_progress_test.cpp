@@ -4,7 +4,7 @@
 // The line of a long check on terminals of several widths: one that were longer than the terminal
 // would not be written over.
 
-#include "driver/check_progress.h"
+#include "driver/output/check_progress.h"
 
 #include <gtest/gtest.h>
 

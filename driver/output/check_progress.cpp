@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "driver/check_progress.h"
+#include "driver/output/check_progress.h"
 
 #include "support/one_line.h"
 

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "codegen/load/loaded_mission.h"
+#include "compiler/compilation.h"
+#include "flights/heard_ticks.h"
+#include "support/result.h"
+#include "support/trace/trace.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace glider::analysis {
+
+/// A simulated flight with what the SBC received, so that the interpreter can repeat it.
+struct HeardFlight {
+  std::vector<flights::HeardTick> ticks;
+  support::Trace trace;
+};
+
+/// Flies the compiled mission in this process, in a scenario that comes with glidercc or that is in
+/// a file. Fails as choosing the scenario and simulating do.
+support::Result<HeardFlight> flyHeard(const compiler::Optimised& mission,
+                                      std::shared_ptr<const codegen::LoadedMission> loaded,
+                                      const std::vector<double>& parameters,
+                                      const std::string& scenario, uint64_t seed);
+
+/// The scenarios that come with glidercc, the default one first.
+std::vector<std::string> scenariosInOrder();
+
+}  // namespace glider::analysis

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+#include "support/result.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glider::analysis {
+
+/// What hookbeh refuses by its arguments in the vehicle's mission file: the previous command then
+/// stays in force. The limits of the platform are wider, and commands beyond them are errors.
+struct CommandLimits {
+  double steepest_pitch_rad = 0;
+  double shallowest_pitch_rad = 0;
+  std::optional<double> greatest_depth_m;  ///< none: it depends too much on the mission file
+  std::string source;                      ///< "assuming max_pitch 0.61, min_pitch 0.19"
+};
+
+/// The limits of pitch that hookbeh uses if its mission file gives none.
+CommandLimits usualLimits();
+/// Those of the hookbeh in the vehicle's mission file at `path`. Fails as silenceOf, which shows
+/// the errors in the file.
+support::Result<CommandLimits> limitsOf(const std::string& path);
+
+/// Lines for the report: states with commands that hookbeh refuses, for some values of parameters
+/// and variables.
+std::vector<std::string> refusedLines(const ir::Mission& mission, const CommandLimits& limits);
+
+}  // namespace glider::analysis

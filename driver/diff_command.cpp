@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analysis/analysis.h"
+#include "driver/check_mission.h"
+#include "driver/commands.h"
+#include "driver/exit_code.h"
+#include "driver/terminal.h"
+#include "support/one_line.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace glider::driver {
+namespace {
+
+struct DiffOptions {
+  std::string before, after;
+  CheckOptions check;
+  bool fly = true;
+};
+
+/// A version of the mission; null if it has errors other than violated requirements, or cannot be
+/// read: that is then reported.
+std::shared_ptr<const compiler::Checked> checkedOf(const CheckedFile& file) {
+  if (file.found.failure) {
+    reportFailure(*file.found.failure);
+    return nullptr;
+  }
+  if (!file.compilation->checked) {
+    reportDiagnostics(file.compilation->diagnostics, *file.compilation->sources);
+  }
+  return file.compilation->checked;
+}
+
+using Verdicts = std::map<std::string, std::string>;
+
+Verdicts verdictsOf(const report::CheckedMission& found) {
+  Verdicts verdicts;
+  for (const report::JudgedRequirement& one : found.requirements) {
+    verdicts[support::onOneLine(one.text)] = one.verdict;
+  }
+  return verdicts;
+}
+
+/// The requirements whose verdicts differ. A proof by an earlier check is a proof.
+std::vector<std::string> compareVerdicts(const report::CheckedMission& before,
+                                         const report::CheckedMission& after) {
+  const Verdicts was = verdictsOf(before);
+  const Verdicts is = verdictsOf(after);
+  Verdicts all = was;
+  all.insert(is.begin(), is.end());
+  const auto verdict = [](const Verdicts& verdicts, const std::string& text) {
+    const auto found = verdicts.find(text);
+    return found == verdicts.end() ? std::string("not required") : found->second;
+  };
+  std::vector<std::string> lines;
+  for (const auto& [text, any] : all) {
+    if (verdict(was, text) != verdict(is, text)) {
+      lines.push_back(fmt::format("{}: {} → {}", text, verdict(was, text), verdict(is, text)));
+    }
+  }
+  return lines;
+}
+
+std::string section(const std::string& title, const std::vector<std::string>& lines) {
+  return lines.empty() ? "" : fmt::format("{}\n  {}\n", title, fmt::join(lines, "\n  "));
+}
+
+std::string flightText(const analysis::PartingSearch& search) {
+  if (search.found) {
+    const analysis::Parting& parting = search.parting;
+    std::vector<std::string> lines = {
+        fmt::format("{}: both do the same until {:.6g} s, in `{}`", parting.flight,
+                    parting.mission_time, parting.state),
+        "old: " + parting.old_does, "new: " + parting.new_does};
+    if (!parting.readings.empty()) {
+      lines.push_back(fmt::format("readings then: {}", fmt::join(parting.readings, ", ")));
+    }
+    return section("a flight on which they part", lines);
+  }
+  return search.random == 0
+             ? "not flown: the missions need code in C, or are for different vehicles\n"
+             : fmt::format(
+                   "no flight was found on which they part: {} simulated, {} with random "
+                   "readings\n",
+                   search.flights, search.random);
+}
+
+/// Prints what differs; returns the exit code.
+int tellDifference(const DiffOptions& options, const CheckedFile& before,
+                   const CheckedFile& after) {
+  const auto was = checkedOf(before);
+  const auto is = checkedOf(after);
+  if (!was || !is) {
+    return kWorldFailed;
+  }
+  const analysis::MissionDifference difference = analysis::compareMissions(*was, *is);
+  const bool same = difference.parts.empty();
+  std::string text = section("names", difference.renamed);
+  for (const analysis::DifferentPart& part : difference.parts) {
+    text += section(part.title, part.lines);
+  }
+  text += section("bounds", analysis::compareBounds(*was, *is));
+  text += section("requirements", compareVerdicts(before.found, after.found));
+  if (!same && options.fly) {
+    const auto search =
+        analysis::searchParting(compiler::optimise(was), compiler::optimise(is), difference);
+    if (!search) {
+      return reportFailure(search.error());
+    }
+    text += flightText(*search);
+  }
+  text += same ? "no difference in behaviour\n" : "";
+  if (auto printed = printOut(text); !printed) {
+    return reportFailure(printed.error());
+  }
+  return same ? kFine : kMissionHasErrors;
+}
+
+int diff(const DiffOptions& options) {
+  const CheckedFile before = checkMission(options.before, options.check);
+  const CheckedFile after = checkMission(options.after, options.check);
+  return tellDifference(options, before, after);
+}
+
+}  // namespace
+
+void addDiffCommand(CLI::App& app, int& status) {
+  auto options = std::make_shared<DiffOptions>();
+  CLI::App* command = app.add_subcommand(
+      "diff", "Show what differs in behaviour between two versions of a mission");
+  command->add_option("OLD", options->before, "The mission file of the old version")->required();
+  command->add_option("NEW", options->after, "The mission file of the new version")->required();
+  command->add_flag("!--no-flights", options->fly,
+                    "Do not look for a flight on which the two part");
+  command->add_flag("!--no-cache", options->check.cache,
+                    "Do not use the verdicts of earlier checks, and do not store new ones");
+  command->footer(
+      "Exit codes: 0 no difference in behaviour, 1 they differ, 2 usage error, a mission with "
+      "errors, or a file failed.");
+  command->callback([options, &status] { status = diff(*options); });
+}
+
+}  // namespace glider::driver

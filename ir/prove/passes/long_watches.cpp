@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/core/ops.h"
+#include "ir/prove/abstract/bounds_by_state.h"
+#include "ir/prove/abstract/leaving.h"
+#include "ir/prove/context/duration_text.h"
+#include "ir/prove/passes.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <set>
+#include <tuple>
+#include <vector>
+
+namespace glider::ir::prove {
+namespace {
+
+constexpr double kMost = std::numeric_limits<double>::max();
+
+/// Looks for a `held` and for windows over time that need longer than their state can last. Both
+/// begin at the earliest when their state is entered, a `held` also when it is resumed (E3, E5,
+/// W9), and are neither true nor known before their time is over (B5, W6).
+class WatchCheck {
+ public:
+  explicit WatchCheck(Proof& proof)
+      : proof_(proof),
+        proof_context_(proof.proof_context),
+        m_(proof_context_.mission),
+        values_(anyValues(m_)),
+        always_{neverPrevented(m_), false} {}
+
+  void run() {
+    std::map<StateId, std::vector<uint32_t>> watched;
+    for (uint32_t i = 0; i < m_.temporals.size(); ++i) {
+      const Temporal& temporal = m_.temporals[i];
+      if (temporal.list != ListKind::Always && neededBy(temporal) > 0) {
+        watched[temporal.state].push_back(i);
+      }
+    }
+    idle_.assign(m_.temporals.size(), false);
+    for (const auto& [state, temporals] : watched) {
+      const double lasts = longestStay(state, temporals);
+      for (const uint32_t i : temporals) {
+        check(m_.temporals[i], lasts);
+      }
+    }
+  }
+
+ private:
+  /// At least that long, s; 0: no time is needed.
+  [[nodiscard]] double neededBy(const Temporal& temporal) const {
+    if (temporal.kind == TemporalKind::Held) {
+      const Interval& duration = proof_context_.intervals[temporal.duration.index];
+      return duration.empty ? 0 : duration.lowest;
+    }
+    return isWindow(temporal.kind) && !temporal.along.valid() ? temporal.length : 0;
+  }
+
+  /// Since the state became current, s. The cases that wait for what takes longer do not keep the
+  /// state: until then they do not fire, and by then it is left. So all are first assumed idle,
+  /// then those that take longer than the state lasts, until nothing changes.
+  double longestStay(StateId state, const std::vector<uint32_t>& temporals) {
+    for (const uint32_t i : temporals) {
+      // A window goes on while its state waits for a return.
+      idle_[i] = m_.temporals[i].kind == TemporalKind::Held || !mayWait(m_, state);
+    }
+    double lasts = 0;
+    for (bool changed = true; changed;) {
+      lasts = stayOf(proof_context_, m_[state], always_, values_, &idle_).by;
+      changed = false;
+      for (const uint32_t i : temporals) {
+        const bool idle = idle_[i] && neededBy(m_.temporals[i]) > lasts;
+        changed = changed || idle != idle_[i];
+        idle_[i] = idle;
+      }
+    }
+    return lasts;
+  }
+
+  /// `lasts`: how long its state may, s.
+  void check(const Temporal& temporal, double lasts) {
+    const double needed = neededBy(temporal);
+    const bool held = temporal.kind == TemporalKind::Held;
+    if (needed > lasts && !held && mayWait(m_, temporal.state)) {
+      const EndBound& end = proof_.ending.bound();
+      lasts = end.by ? end.left_by[temporal.state.index] : kMost;
+    }
+    const State& state = m_[temporal.state];
+    const bool elsewhere = temporal.range.file == proof_.options.library;
+    const support::SourceRange range = elsewhere ? state.profile.range : temporal.range;
+    if (!(needed > lasts) || lasts <= 0 || isSaid(range) ||
+        !told_.emplace(range.file, range.begin, temporal.state).second) {
+      return;
+    }
+    proof_.diagnostics.report(support::DiagnosticId::longerThanState, range, durationOf(needed),
+                              state.name, durationOf(lasts),
+                              held ? "it is never true" : "its value is never known");
+  }
+
+  /// Whether the whole condition is already reported.
+  [[nodiscard]] bool isSaid(const support::SourceRange& range) const {
+    return std::ranges::any_of(proof_.said, [&](const support::SourceRange& said) {
+      return said.file == range.file && said.begin <= range.begin && range.end <= said.end;
+    });
+  }
+
+  Proof& proof_;
+  const ProofContext& proof_context_;
+  const Mission& m_;
+  Valuation values_;
+  Interruptions always_;
+  IdleTemporals idle_;
+  std::set<std::tuple<uint32_t, uint32_t, StateId>> told_;
+};
+
+}  // namespace
+
+void passes::longWatches(Proof& proof) {
+  WatchCheck(proof).run();
+}
+
+}  // namespace glider::ir::prove

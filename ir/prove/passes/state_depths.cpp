@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/abstract/state_depths.h"
+
+#include "ir/core/ops.h"
+#include "ir/core/walk.h"
+#include "ir/prove/abstract/abstract_evaluator.h"
+#include "ir/prove/abstract/bounds_by_state.h"
+#include "ir/prove/abstract/shallowest_command.h"
+#include "ir/prove/passes.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace glider::ir::prove {
+namespace {
+
+using support::DiagnosticId;
+
+constexpr double kMost = std::numeric_limits<double>::max();
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+
+/// Looks for conditions on the depth that do not fit the depths to which a state's commands lead.
+/// Only the state's own cases: one of `always` is for all states, and often for failures.
+class DepthCheck {
+ public:
+  explicit DepthCheck(Proof& proof)
+      : proof_(proof),
+        proof_context_(proof.proof_context),
+        m_(proof_context_.mission),
+        values_(anyValues(m_)) {}
+
+  void run() {
+    if (!proof_context_.depth || proof_context_.sensors[proof_context_.depth->index].empty) {
+      return;
+    }
+    for (uint32_t i = 0; i < m_.states.size(); ++i) {
+      for (uint32_t k = 0; k < m_.states[i].cases.size(); ++k) {
+        if (!proof_.dead.contains({StateId{i}, k}) && readsDepth(m_.states[i].cases[k].guard)) {
+          checkDeepest({i}, m_.states[i].cases[k].guard);
+          checkShallowest({i}, m_.states[i].cases[k]);
+        }
+      }
+    }
+  }
+
+ private:
+  /// Also in what a temporal watches: an expression that comes before it.
+  [[nodiscard]] bool readsDepth(ExprId root) const {
+    std::vector<ExprId> open{root};
+    bool reads = false;
+    while (!open.empty() && !reads) {
+      const ExprId next = open.back();
+      open.pop_back();
+      forEachIn(m_, next, [&](const Expr& e) {
+        reads = reads || (e.op == Op::Sensor && e.sensor == *proof_context_.depth);
+        if (e.op == Op::Temporal) {
+          open.push_back(m_[e.temporal].operand);
+        }
+      });
+    }
+    return reads;
+  }
+
+  /// Whether a condition may be true if all readings of the depth so far lie in `depths`.
+  [[nodiscard]] bool mayBeTrue(ExprId condition, const Interval& depths) const {
+    constexpr Interval kEver{0, kMost, false};
+    const Sight sight{*proof_context_.depth, depths, true};
+    return AbstractEvaluator(proof_context_, values_, {kEver, kEver, kEver}, sight)
+        .truth(condition)
+        .is_true;
+  }
+
+  [[nodiscard]] const Interval& allDepths() const {
+    return proof_context_.sensors[proof_context_.depth->index];
+  }
+
+  /// The alternatives of a condition are checked one by one: the others may well be true.
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+  void checkDeepest(StateId state, ExprId condition) {
+    const Expr& e = m_[condition];
+    if (e.op == Op::Or) {
+      checkDeepest(state, e.operands[0]);
+      checkDeepest(state, e.operands[1]);
+      return;
+    }
+    const double deepest = deepestOf(state);
+    const Interval& all = allDepths();
+    const double reading =
+        std::nextafter(deepest + proof_context_.platform.world.depth_error_m, kEndless);
+    if (!(reading < all.highest) || mayBeTrue(condition, {all.lowest, reading, false}) ||
+        !mayBeTrue(condition, all)) {
+      return;
+    }
+    proof_.said.push_back(e.range);
+    proof_.diagnostics.report(
+        DiagnosticId::neverTrueInState, e.range, m_[state].name,
+        fmt::format("commands lead the vehicle at most {:.4g} m deep there, and a reading of "
+                    "`{}` is wrong by at most {:.4g} m",
+                    deepest, m_[*proof_context_.depth].name,
+                    proof_context_.platform.world.depth_error_m));
+  }
+
+  double deepestOf(StateId state) {
+    if (deepest_.empty()) {
+      deepest_ = deepestByState(proof_context_);
+    }
+    return deepest_[state.index];
+  }
+
+  /// A case that leaves the state above all depths that the state commands.
+  void checkShallowest(StateId state, const Case& c) {
+    const Interval& all = allDepths();
+    if (c.transition == Transition::Stay || !mayBeTrue(c.guard, all)) {
+      return;
+    }
+    if (!shallowest_) {
+      shallowest_.emplace(proof_context_);
+    }
+    const std::optional<Shallowest> found = shallowest_->of(state);
+    const double reading = found ? std::nextafter(found->reading_m, -kEndless) : all.lowest;
+    if (reading > all.lowest && reading < all.highest &&
+        !mayBeTrue(c.guard, {reading, all.highest, false})) {
+      proof_.diagnostics.report(DiagnosticId::aboveCommands, m_[c.guard].range, m_[state].name,
+                                fmt::format("{:.4g} m", found->target_m));
+    }
+  }
+
+  Proof& proof_;
+  const ProofContext& proof_context_;
+  const Mission& m_;
+  Valuation values_;
+  std::vector<double> deepest_;  ///< by state; empty: not computed yet
+  std::optional<ShallowestCommands> shallowest_;
+};
+
+}  // namespace
+
+void passes::stateDepths(Proof& proof) {
+  DepthCheck(proof).run();
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "tests/support/command.h"
+
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+#include <string>
+
+namespace glider::tests {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string kOld = R"(mission survey
+require always depth <= 30 m
+param limit : time = 30 min in 10 min .. 1 h
+state look
+begin
+  flightprofile yo(5 m, 20 m, 26 deg, 26 deg)
+  sensors       missiontime, depth, temp
+  events
+    case temp > 40 degC       goto report
+    case missiontime >= limit goto report
+end
+state report
+begin
+  flightprofile surfaced
+  sensors       statetime
+  events
+    case statetime >= 10 min exit
+end
+)";
+
+std::string with(std::string text, const std::string& before, const std::string& after) {
+  for (size_t at = text.find(before); at != std::string::npos;
+       at = text.find(before, at + after.size())) {
+    text.replace(at, before.size(), after);
+  }
+  return text;
+}
+
+Outcome diff(const std::string& before, const std::string& after, const std::string& options = "") {
+  const TemporaryFolder folder;
+  return runShell("$GLIDERCC diff " + options + " " + folder.write("old.mission", before).string() +
+                  " " + folder.write("new.mission", after).string());
+}
+
+TEST(DiffCommand, CommentsAndNamesOfConstantsAreNoDifference) {
+  const std::string same =
+      with(with(kOld, "mission survey", "mission survey\n# deeper\nconst deepest = 20 m"),
+           "yo(5 m, 20 m, 26 deg, 26 deg)", "yo(5 m,\n     deepest, 26 deg, 26 deg)");
+  const Outcome outcome = diff(kOld, same);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "no difference in behaviour\n");
+}
+
+TEST(DiffCommand, AStateThatWasOnlyRenamedIsNamed) {
+  const Outcome outcome = diff(kOld, with(kOld, "report", "home"));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "names\n  `report` is now `home`\nno difference in behaviour\n");
+}
+
+TEST(DiffCommand, AProfileGuardsBoundsVerdictsAndTheFlight) {
+  const Outcome outcome =
+      diff(kOld, with(with(kOld, "20 m", "28 m"), "temp > 40 degC", "temp > 20 degC"));
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_THAT(
+      outcome.out,
+      AllOf(HasSubstr(
+                "state `look`\n"
+                "  flightprofile: yo(5 m, 20 m, 26 deg, 26 deg) → yo(5 m, 28 m, 26 deg, 26 deg)\n"
+                "  changed: case temp > 40 degC goto report → case temp > 20 degC goto report\n"),
+            HasSubstr("bounds\n  commands lead at most this deep: 25 m → 33 m\n"),
+            HasSubstr("requirements\n  require always depth <= 30 m: proved → refuted\n"),
+            HasSubstr("a flight on which they part\n  scenario default, --seed 1: both do the same "
+                      "until 0 s, in `look`\n"
+                      "  old: commands descend(20 m, 26 deg), drift()\n"
+                      "  new: commands descend(28 m, 26 deg), drift()\n"),
+            Not(HasSubstr("state `report`"))));
+}
+
+TEST(DiffCommand, AGuardPartsTheFlightWhereItFires) {
+  const Outcome outcome = diff(kOld, with(kOld, "temp > 40 degC", "missiontime > 1000 s"));
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_THAT(
+      outcome.out,
+      AllOf(HasSubstr("both do the same until 100"), HasSubstr("s, in `look`\n  old: "),
+            HasSubstr("new: goes to `report` and commands surface()"), HasSubstr("depth = ")));
+}
+
+TEST(DiffCommand, WhatNoScenarioShowsIsFoundWithRandomReadings) {
+  const Outcome outcome = diff(kOld, with(kOld, "temp > 40 degC", "temp > 41 degC"));
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("random readings: both do the same until "),
+                                 HasSubstr("old: goes to `report`"), HasSubstr("temp = 40.")));
+}
+
+TEST(DiffCommand, AddedRemovedAndMovedCasesAndStates) {
+  const std::string after =
+      with(with(with(kOld, "    case temp > 40 degC       goto report\n", ""),
+                "    case missiontime >= limit goto report\n",
+                "    case missiontime >= limit goto deep\n    case depth > 18 m goto report\n"),
+           "state report",
+           "state deep\nbegin\n  flightprofile yo(5 m, 22 m, 26 deg, 26 deg)\n"
+           "  sensors statetime\n  events\n    case statetime > 1 min goto report\nend\n"
+           "state report");
+  const Outcome outcome = diff(kOld, after, "--no-flights");
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("states\n  added: `deep`\n"),
+                    HasSubstr("changed: case missiontime >= limit goto report → "
+                              "case missiontime >= limit goto deep"),
+                    HasSubstr("case depth > 18 m goto report"),
+                    HasSubstr("the mission ends after at most: "), Not(HasSubstr("flight"))));
+  const Outcome back = diff(after, kOld, "--no-flights");
+  EXPECT_THAT(back.out, HasSubstr("states\n  removed: `deep`\n"));
+}
+
+TEST(DiffCommand, ParametersAndTheirRanges) {
+  const Outcome outcome = diff(
+      kOld, with(kOld, "= 30 min in 10 min .. 1 h", "= 20 min in 10 min .. 2 h"), "--no-flights");
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("parameters\n  `limit`: 1800 s in 600 s .. 3600 s → 1200 s in "
+                                     "600 s .. 7200 s\n"));
+}
+
+TEST(DiffCommand, ErrorsAreNotCompared) {
+  const Outcome outcome = diff(kOld, with(kOld, "goto report", "goto nowhere"));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("[GL2001 unknown-state]"));
+  EXPECT_EQ(runShell("$GLIDERCC diff /no/such.mission /no/other.mission").status, 2);
+  EXPECT_EQ(runShell("$GLIDERCC diff /no/such.mission").status, 2);
+}
+
+}  // namespace
+}  // namespace glider::tests

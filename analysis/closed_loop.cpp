@@ -8,8 +8,9 @@
 #include "flights/requirement_watch.h"
 #include "simulator/simulator.h"
 
-#include <algorithm>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace glider::analysis {
@@ -69,11 +70,7 @@ class Search {
 Result<ClosedLoop> searchClosedLoop(const compiler::Optimised& mission,
                                     const ir::prove::RequirementVerdict& verdict) {
   const bool flies = simulator::checkPlatform(mission.platform()).has_value();
-<<<<<<< HEAD
   if (!verdict.run || !flights::RequirementWatch::canWatch(mission) || !flies) {
-=======
-  if (!verdict.run || flights::needsCodeInC(mission.checked->mission()) || !flies) {
->>>>>>> faults
     return ClosedLoop{};  // the proof stands without a flight
   }
   auto loaded = flights::loadHere(mission, {});

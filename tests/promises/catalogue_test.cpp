@@ -27,7 +27,7 @@ struct Row {
 };
 
 /// What stands between the first two backticks of a cell.
-std::string quoted(const std::string& cell) {
+std::string inBackticks(const std::string& cell) {
   const size_t begin = cell.find('`');
   const size_t end = cell.find('`', begin + 1);
   return end == std::string::npos ? "" : cell.substr(begin + 1, end - begin - 1);
@@ -50,8 +50,8 @@ std::vector<Row> rows() {
     for (std::string cell; line.starts_with("| ") && std::getline(in, cell, '|');) {
       cells.push_back(cell);
     }
-    if (cells.size() >= 5 && !quoted(cells[3]).empty()) {
-      all.push_back({mission, cells[1] + cells[2], quoted(cells[3]), quoted(cells[4])});
+    if (cells.size() >= 5 && !inBackticks(cells[3]).empty()) {
+      all.push_back({mission, cells[1] + cells[2], inBackticks(cells[3]), inBackticks(cells[4])});
     }
   }
   return all;

@@ -79,17 +79,16 @@ TEST_F(MiCommand, ColumnsAreAsWideAsTheirLongestNameNeeds) {
       " b_arg: u_battery_time(some_long_unit) 1000001\n");
   (void)folder_.write("autoexec.mi", "sensor: f_one(m) 98\nsensor: f_two(m) 98\n");
   const Outcome shown = glidercc("mi long.mi");
-  EXPECT_EQ(
-      shown.out,
-      "sensor u_a                                                1 X               long.mi\n"
-      "below these the 2 settings of autoexec.mi\n"
-      "\n"
-      "set_heading\n"
-      "  heading_value                                -7350.123456 X               long.mi\n"
-      "\n"
-      "sensors_in\n"
-      "  c_science_all_on_enabled_for_this_test                  4 sec             long.mi\n"
-      "  u_battery_time                          u_mission_param_b some_long_unit  long.mi\n")
+  EXPECT_EQ(shown.out,
+            "sensor u_a                                                1 X               long.mi\n"
+            "below these the 2 settings of autoexec.mi\n"
+            "\n"
+            "set_heading\n"
+            "  heading_value                                -7350.123456 X               long.mi\n"
+            "\n"
+            "sensors_in\n"
+            "  c_science_all_on_enabled_for_this_test                  4 sec             long.mi\n"
+            "  u_battery_time                          u_mission_param_b some_long_unit  long.mi\n")
       << shown.err;
 }
 

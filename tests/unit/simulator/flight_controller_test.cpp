@@ -43,8 +43,9 @@ OceanSettings stillWater(double depth) {
 
 class Controller {
  public:
-  Controller(const std::string& mission, double water_depth)
-      : setup_(setupWith(mission)),
+  /// `lacks`: a sensor that the vehicle does not have.
+  Controller(const std::string& mission, double water_depth, const std::string& lacks = "")
+      : setup_(without(setupWith(mission), lacks)),
         ocean(stillWater(water_depth)),
         controller(setup_.platform, setup_.scenario.skeleton, noiseless(), 1, frame_, 2025,
                    journal) {}
@@ -63,6 +64,14 @@ class Controller {
   [[nodiscard]] double read(uint16_t id) const { return controller.array().get(id); }
 
  private:
+  /// The numbers of the other sensors stay.
+  static SimulationSetup without(SimulationSetup setup, const std::string& lacks) {
+    for (platforms::PlatformSensor& sensor : setup.platform.sensors) {
+      sensor.name = sensor.name == lacks ? "m_nothing" : sensor.name;
+    }
+    return setup;
+  }
+
   SimulationSetup setup_;
   LocalFrame frame_{39, -73};
 
@@ -337,6 +346,20 @@ TEST(FlightController, AFaultThatKeepsAFixFromTheSensorsLeavesTheVehicleWithoutO
         {GLIDER_M_GPS_LON}}) {
     EXPECT_EQ(times(missing).first, 116) << "nop_cmds leaves the pump where it is";
     EXPECT_TRUE(times(missing).second);
+  }
+}
+
+/// The positions of fixes are optional sensors of a platform.
+TEST(FlightController, AVehicleThatDoesNotShowItsFixesHasThem) {
+  for (const char* lacks : {"m_gps_lat", "m_gps_lon"}) {
+    Controller c(
+        "behavior: prepare_to_dive\n b_arg: wait_time(s) 100\nbehavior: nop_cmds\n"
+        " b_arg: nop_heading(bool) 1\n b_arg: nop_pitch(bool) 1\n"
+        " b_arg: nop_bpump(bool) 1\n",
+        100, lacks);
+    c.fly(8, [] {});
+    EXPECT_FALSE(c.read(GLIDER_C_BALLAST_PUMPED) > 200) << "it waits for a fix without " << lacks;
+    EXPECT_FALSE(std::isnan(c.read(GLIDER_M_GPS_MAG_VAR)));
   }
 }
 

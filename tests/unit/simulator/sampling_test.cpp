@@ -127,6 +127,7 @@ std::string sampledYos(int nth) {
 
 TEST(Sample, EveryNthYo) {
   EXPECT_EQ(sampledYos(1), "1234567");
+  EXPECT_EQ(sampledYos(0), "1234567");
   EXPECT_EQ(sampledYos(2), "1357") << "the first, and every second after it";
   EXPECT_EQ(sampledYos(3), "147");
   EXPECT_EQ(sampledYos(-1), "234567") << "without the first";

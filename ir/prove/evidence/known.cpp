@@ -126,7 +126,10 @@ std::string Known::in(const certify::Configuration& at) const {
   FormulaParts parts;
   const StateBounds& bounds = bounds_[at.state.index];
   parts.add(ofStays(at));
-  parts.atLeast("|time|", bounds.earliest);
+  for (size_t k = 0; k <= at.stack.size(); ++k) {
+    const StateId state = k < at.stack.size() ? at.stack[k].state : at.state;
+    parts.atLeast(certify::enteredName(k), bounds_[state.index].earliest);
+  }
   parts.atMost("|deepest|", bounds.depth);
   if (bounds.resume_time < kLongestMission) {
     parts.add(leftBy("(- |time| |resumed|)", proof_context_.tick_gap_s, bounds.resume_time));

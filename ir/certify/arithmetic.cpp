@@ -112,12 +112,20 @@ Number Expressions::unary(uint32_t id, const Number& a) {
 }
 
 /// N2, N5.
+bool Expressions::isOnClockGrid(uint32_t id, size_t operand) const {
+  const ExprId of = setting_.mission.exprs[id].operands.at(operand);
+  return setting_.facts.on_clock_grid[of.index];
+}
+
 Number Expressions::binary(uint32_t id, const Number& a, const Number& b) {
   const Term known = out_.boolean(conjunction({a.known, b.known}));
   switch (opIn<BinaryOp>(setting_.mission.exprs[id].op)) {
     case BinaryOp::Add:
       return rounded(id, operation("+", {a.value, b.value}), known);
     case BinaryOp::Subtract:
+      if (isOnClockGrid(id, 0) && isOnClockGrid(id, 1)) {
+        return {out_.real(operation("-", {a.value, b.value})), known};
+      }
       return rounded(id, operation("-", {a.value, b.value}), known);
     case BinaryOp::Multiply:
       return product(id, a, b);

@@ -59,6 +59,7 @@ class Expressions {
   Value call(const Expr& e);
   Number clock(ClockOp op, const Store& store);
   Number unary(uint32_t id, const Number& a);
+  [[nodiscard]] bool isOnClockGrid(uint32_t id, size_t operand) const;
   Number binary(uint32_t id, const Number& a, const Number& b);
   Number product(uint32_t id, const Number& a, const Number& b);
   Number quotient(uint32_t id, const Number& a, const Number& b);

@@ -245,6 +245,35 @@ void findWhole(const Mission& mission, Facts& facts) {
   }
 }
 
+bool isOnGrid(const Expr& e, const std::vector<bool>& variables) {
+  return groupOf(e.op) == OpGroup::Clock || (e.op == Op::Constant && e.number == 0) ||
+         (e.op == Op::Variable && variables[e.variable.index]);
+}
+
+/// Variables that only ever get the mission time, 0 or one another, and nothing at launch.
+void findClockGrid(const Mission& mission, Facts& facts) {
+  std::vector<bool> variables;
+  for (const Variable& v : mission.variables) {
+    variables.push_back(v.kind != VariableKind::Parameter && v.type.kind == TypeKind::Quantity);
+  }
+  const std::vector<Assignment> assignments = assignmentsOf(mission);
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const Assignment& a : assignments) {
+      const Expr& value = mission[a.value];
+      const bool keeps = value.op == Op::MissionTime ||
+                         (groupOf(value.op) != OpGroup::Clock && isOnGrid(value, variables));
+      if (variables[a.to.index] && !keeps) {
+        variables[a.to.index] = false;
+        changed = true;
+      }
+    }
+  }
+  for (const Expr& e : mission.exprs) {
+    facts.on_clock_grid.push_back(isOnGrid(e, variables));
+  }
+}
+
 /// D1: degrees of a raw value without its sign; 60 minutes or more, which are unknown, count as 60.
 double degrees(double magnitude) {
   const double minutes = std::fmod(magnitude, 100);
@@ -292,6 +321,7 @@ Facts factsOf(const Mission& mission) {
     facts.ranges.push_back(rangeOf(mission, e, facts));
   }
   findWhole(mission, facts);
+  findClockGrid(mission, facts);
   return facts;
 }
 

@@ -25,7 +25,10 @@ struct Facts {
   std::vector<Range> ranges;         ///< by expression
   std::vector<bool> whole;           ///< by expression
   std::vector<bool> whole_variable;  ///< by variable
-  std::vector<Range> declared;       ///< by variable
+  /// By expression: a clock, or a variable that keeps a mission time. Multiples of 2^-22 s below
+  /// kLastSecond, so their differences are exact.
+  std::vector<bool> on_clock_grid;
+  std::vector<Range> declared;  ///< by variable
 };
 
 Facts factsOf(const Mission& mission);

@@ -43,8 +43,8 @@ void showProgress(simulator::SimulationSetup& setup, ProgressLine& line) {
   };
 }
 
-/// What flies: the mission of the language (null: none), and who watches it in this process (null:
-/// nobody).
+/// What flies: the mission of the language (null: none), and what watches it in this process (null:
+/// it is not watched).
 struct Flown {
   const compiler::Optimised* mission = nullptr;
   const flights::RequirementWatch* watch = nullptr;
@@ -120,6 +120,14 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options, co
   return reported.empty() ? kFine : kMissionHasErrors;
 }
 
+/// What watches the flight; empty if it does not fly in this process, or has no requirement.
+std::optional<flights::RequirementWatch> watchOf(const SimOptions& options,
+                                                 const compiler::Optimised* mission) {
+  const bool can =
+      mission != nullptr && isInProcess(options) && flights::RequirementWatch::canWatch(*mission);
+  return can ? std::optional<flights::RequirementWatch>(*mission) : std::nullopt;
+}
+
 int sim(const SimOptions& options) {
   if (!options.replay.empty()) {
     return replayTrace(options);
@@ -152,10 +160,7 @@ int sim(const SimOptions& options) {
   if (!folder) {
     return reportFailure(folder.error());
   }
-  std::optional<flights::RequirementWatch> watch;
-  if (mission != nullptr && isInProcess(options) && flights::RequirementWatch::canWatch(*mission)) {
-    watch.emplace(*mission);
-  }
+  std::optional<flights::RequirementWatch> watch = watchOf(options, mission.get());
   auto start = chooseSbc(options, mission.get(), !scenario->faults.empty(), folder->staging(),
                          watch ? &*watch : nullptr);
   if (!start) {

@@ -121,8 +121,8 @@ bool ValueRepair::countOperator(const Lexeme& t) {
   return true;
 }
 
-/// The first `=` after `const`, `param`, `var`, `set` and `place` assigns a value; every other was meant as
-/// a comparison.
+/// The first `=` after `const`, `param`, `var`, `set` and `place` assigns a value; every other was
+/// meant as a comparison.
 Lexeme ValueRepair::equals(Lexeme t) {
   const bool gives = assignable_ && parentheses_.empty();
   if (gives && t.type == GliderLexer::EQ) {

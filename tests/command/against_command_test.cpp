@@ -87,6 +87,21 @@ TEST_F(Against, TellsWhatTheMissionWouldHaveDone) {
       "m.mission: fine; mission deep, 1 state, no calls\n");
 }
 
+/// The depth of the log counts as the true one.
+TEST_F(Against, NamesTheFirstViolationOfARequirement) {
+  (void)folder_.write("m.mission",
+                      "require never depth > 7 m\n"
+                      "require visit look at least 2 times within 6 s\n"
+                      "require visit look at most 1 times\n" +
+                          std::string(kMission));
+  const Outcome shown = check("m.mission --against a.sbd");
+  EXPECT_THAT(shown.out, HasSubstr("look: violates `require never depth > 7 m` (line 1)\n"));
+  EXPECT_THAT(shown.out,
+              HasSubstr("look: violates `require visit look at least 2 times within 6 s` (line 2): "
+                        "6 s had passed, and `look` had been visited fewer than 2 times\n"));
+  EXPECT_THAT(shown.out, Not(HasSubstr("at most 1 times` (line 3)")));
+}
+
 TEST_F(Against, TakesParameters) {
   EXPECT_THAT(check("m.mission --against a.sbd --set limit=7m").out,
               HasSubstr("18:55:35 (0.00 h)  depth 8.0 m"));

@@ -49,6 +49,43 @@ class Sim : public ::testing::Test {
 
 const std::set<std::string> kFiles = {"events.csv", "flight.json", "report.html", "trace.csv"};
 
+/// The vehicle goes slightly deeper than it is told.
+TEST_F(Sim, AFlightThatViolatesARequirementWarns) {
+  mission("20 m", "depth", "require never depth > 20.2 m\nrequire visit s at most 1 times\n");
+  const Outcome flown = run("$GLIDERCC sim m.mission -o f");
+  EXPECT_EQ(flown.status, 1) << flown.err;
+  EXPECT_THAT(flown.err,
+              HasSubstr("m.mission:2:1: warning: this flight violates the requirement: at "
+                        "mission time "));
+  EXPECT_THAT(flown.err, HasSubstr("in state `s` [GL5127 requirement-flown]"));
+  EXPECT_THAT(flown.err, Not(HasSubstr("m.mission:3:1")));
+  EXPECT_EQ(summary().at("wentWell"), false);
+}
+
+/// A promise with a monitor says how; one that is met says nothing. accepts: GL5127
+TEST_F(Sim, AMonitorSaysHowAFlightViolatesItsPromise) {
+  mission("20 m", "depth", "require visit s at least 2 times within 4 min\n");
+  EXPECT_THAT(run("$GLIDERCC sim m.mission -o f").err,
+              HasSubstr("in state `s`, 4 min had passed, and `s` had been visited fewer than 2 "
+                        "times [GL5127"));
+  mission("20 m", "depth", "require visit s at least 1 times within 4 min\n");
+  EXPECT_EQ(run("$GLIDERCC sim m.mission -o f").err, "");
+}
+
+TEST_F(Sim, ACampaignCountsFlightsThatViolateARequirement) {
+  mission("20 m", "depth", "require never depth > 20.2 m\nrequire visit s within 1 h\n");
+  const Outcome flown =
+      run("$GLIDERCC campaign m.mission --flights 6 --fault none --boards 0 --csv c.csv");
+  EXPECT_THAT(flown.out,
+              HasSubstr("m.mission: `require never depth > 20.2 m`: violated in 6 of 6 flights, "
+                        "first in flight 0\n"
+                        "m.mission: `require visit s within 1 h`: violated in 0 of 6 flights\n"))
+      << flown.err;
+  const Outcome again =
+      run("$GLIDERCC campaign m.mission --flights 6 --fault none --boards 0 --resume c.csv");
+  EXPECT_EQ(again.out, flown.out) << again.err;
+}
+
 // accepts: GL5123 accepts: GL5122 accepts: GL9374
 TEST_F(Sim, AFlightThatWentWellSaysNothing) {
   mission();

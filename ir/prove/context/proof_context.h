@@ -30,7 +30,8 @@ struct ProofContext {
   std::vector<Interval> windows;    ///< of every temporal that is a window
   GreatestFixpoint known;           ///< never unknown
   std::vector<bool> whole;          ///< of every expression: whether it is exactly a whole number
-  /// Of every expression: whether it is always a mission time, of this tick or an earlier one, or 0.
+  /// Of every expression: whether it is always a mission time, of this tick or an earlier one, or
+  /// 0.
   std::vector<bool> mission_times;
   /// For every temporal: the variables that it reads and that a list tried before its own may set
   /// in the same tick. The temporal reads them before any list is tried, the guards of its own list

@@ -159,6 +159,9 @@ TEST(StateFaults, AMissionThatNeedsReadingsDoesNotEndWithoutThem) {
       return std::string(guards[random.below(std::size(guards))]);
     };
     std::string text = kStart;
+    if (random.below(4) == 0) {
+      text += "always case " + guard() + " exit\n";
+    }
     for (const char* name : {"a", "b", "c"}) {
       const char* to[] = {"exit", "goto a", "goto b", "goto c"};
       text += fmt::format("state {} route way begin end profile yo {} case {} {} case {} goto {}\n",

@@ -58,9 +58,8 @@ std::string hitOf(Random& random, const std::string& state, uint32_t deepest) {
           "temporal held state {} (gt (sensor temp) 5:temperature) for {}:time case (temporal 0)",
           state, time);
     case 2:
-      return fmt::format(
-          "temporal mean state {} (sensor temp) over {} case (known (temporal 0))", state,
-          time);
+      return fmt::format("temporal mean state {} (sensor temp) over {} case (known (temporal 0))",
+                         state, time);
     case 3:
       return fmt::format(
           "temporal highest state {} (sensor depth) over 20 case (gt (temporal 0) {}:length)",

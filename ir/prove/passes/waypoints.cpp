@@ -104,7 +104,9 @@ class WaypointCheck {
         if (one.fixed == nullptr || told_.contains(one.range.begin)) {
           break;
         }
-        tellIfExchanged(one, meant, others, kNearOthers, "the other positions of the mission");
+        if (nearTo(one.place) <= nearTo(meant)) {
+          tellIfExchanged(one, meant, others, kNearOthers, "the other positions of the mission");
+        }
         tellIfExchanged(one, meant, starts, kNearKnownStart, "where the scenarios start");
       }
     }
@@ -128,8 +130,7 @@ class WaypointCheck {
     const double far_off = around.nearestOther(one.place);
     const double then = around.nearestOther(meant);
     if (!std::isfinite(far_off) || far_off <= kFarIfExchanged || then >= near ||
-        nearTo(one.place) > nearTo(meant) || isKnownStart(one.place) ||
-        !told_.insert(one.range.begin).second) {
+        isKnownStart(one.place) || !told_.insert(one.range.begin).second) {
       return;
     }
     const std::string north = latitudeText(meant.latitude);

@@ -58,9 +58,8 @@ std::string hitOf(Random& random, const std::string& state, uint32_t deepest) {
           "temporal held state {} (gt (sensor temp) 5:temperature) for {}:time case (temporal 0)",
           state, time);
     case 2:
-      return fmt::format(
-          "temporal mean state {} (sensor temp) over {} case (known (temporal 0))", state,
-          time);
+      return fmt::format("temporal mean state {} (sensor temp) over {} case (known (temporal 0))",
+                         state, time);
     case 3:
       return fmt::format(
           "temporal highest state {} (sensor depth) over 20 case (gt (temporal 0) {}:length)",
@@ -159,6 +158,9 @@ TEST(StateFaults, AMissionThatNeedsReadingsDoesNotEndWithoutThem) {
       return std::string(guards[random.below(std::size(guards))]);
     };
     std::string text = kStart;
+    if (random.below(4) == 0) {
+      text += "always case " + guard() + " exit\n";
+    }
     for (const char* name : {"a", "b", "c"}) {
       const char* to[] = {"exit", "goto a", "goto b", "goto c"};
       text += fmt::format("state {} route way begin end profile yo {} case {} {} case {} goto {}\n",

@@ -4,12 +4,38 @@
 #include "frontend/sema/promises/places.h"
 
 #include "frontend/sema/expressions/lower_expr.h"
+#include "frontend/spelling.h"
 
 #include <fmt/format.h>
+
+#include <string_view>
+#include <vector>
 
 namespace glider::frontend {
 
 using support::DiagnosticId;
+
+namespace {
+
+/// True, and reported, if `name` is not the name of anything: a state is meant.
+bool refuseUnknown(const std::string& name, const support::SourceRange& range, Scope& scope) {
+  if (scope.findNamed(name) != nullptr || scope.findConstant(name) != nullptr ||
+      scope.findSensor(name) != nullptr || scope.refused_names.contains(name) ||
+      !scope.takenBy(name).empty()) {
+    return false;
+  }
+  std::vector<std::string_view> names;
+  for (const auto& [known, number] : scope.states) {
+    names.push_back(known);
+  }
+  for (const auto& [known, node] : scope.places) {
+    names.push_back(known);
+  }
+  scope.report(DiagnosticId::unknownState, range, name, didYouMean(name, names, ""));
+  return true;
+}
+
+}  // namespace
 
 std::optional<PromisedPlace> lowerPlace(const ast::Expr& expr, Scope& scope) {
   PromisedPlace place;
@@ -22,6 +48,8 @@ std::optional<PromisedPlace> lowerPlace(const ast::Expr& expr, Scope& scope) {
     }
     if (const auto named = scope.places.find(use->name); named != scope.places.end()) {
       condition = &named->second->condition;
+    } else if (refuseUnknown(use->name, expr.where, scope)) {
+      return std::nullopt;
     }
   }
   const size_t uses = scope.mission.uses.size();

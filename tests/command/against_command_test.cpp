@@ -89,17 +89,17 @@ TEST_F(Against, TellsWhatTheMissionWouldHaveDone) {
 
 /// The depth of the log counts as the true one.
 TEST_F(Against, NamesTheFirstViolationOfARequirement) {
-  (void)folder_.write("m.mission",
-                      "require never depth > 7 m\n"
-                      "require visit look at least 2 times within 6 s\n"
-                      "require visit look at most 1 times\n" +
-                          std::string(kMission));
+  std::string text = kMission;
+  text.insert(text.find('\n') + 1,
+              "require never depth > 7 m\nrequire visit look at least 2 times within 6 s\n"
+              "require visit look at most 1 times\n");
+  (void)folder_.write("m.mission", text);
   const Outcome shown = check("m.mission --against a.sbd");
-  EXPECT_THAT(shown.out, HasSubstr("look: violates `require never depth > 7 m` (line 1)\n"));
+  EXPECT_THAT(shown.out, HasSubstr("look: violates `require never depth > 7 m` (line 2)\n"));
   EXPECT_THAT(shown.out,
-              HasSubstr("look: violates `require visit look at least 2 times within 6 s` (line 2): "
+              HasSubstr("look: violates `require visit look at least 2 times within 6 s` (line 3): "
                         "6 s had passed, and `look` had been visited fewer than 2 times\n"));
-  EXPECT_THAT(shown.out, Not(HasSubstr("at most 1 times` (line 3)")));
+  EXPECT_THAT(shown.out, Not(HasSubstr("at most 1 times` (line 4)")));
 }
 
 TEST_F(Against, TakesParameters) {

@@ -65,7 +65,7 @@ TEST(Command, AMisspelledCommandIsNamed) {
   const Outcome outcome = runShell("$GLIDERCC chek " + kFigure2);
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, HasSubstr("`chek`"));
-  EXPECT_THAT(outcome.err, HasSubstr("check, build"));
+  EXPECT_THAT(outcome.err, HasSubstr("check, diff, build"));
   const Outcome help = runShell("$GLIDERCC chek --help");
   EXPECT_EQ(help.status, 0);
   EXPECT_THAT(help.out, HasSubstr("SUBCOMMAND")) << "the help is what was asked for";

@@ -34,7 +34,6 @@ class PlatformOfFlights : public ::testing::Test {
   }
   void mission(const std::string& name, const std::string& head) const {
     (void)folder_.write(name, "mission m\n" + head +
-                                  "require always depth < 18 m\n"
                                   "state s\nbegin\n"
                                   "  flightprofile yo(5 m, 20 m, 26 deg, 26 deg)\n"
                                   "  sensors missiontime, depth\n"
@@ -288,7 +287,7 @@ TEST_F(PlatformOfFlights, ACampaignIsNotResumedWithAnotherPlatformFile) {
 }
 
 TEST_F(PlatformOfFlights, ACheckOfAVehicleThatCannotBeFlownHasItsFindings) {
-  mission("mine.mission", "platform mine\n");
+  mission("mine.mission", "platform mine\nrequire always depth < 18 m\n");
   for (const char* change :
        {"/^\\[motion\\]/,/^hotel_W/d", "s/^name = \"m_pitch\"/name = \"m_tilt\"/"}) {
     platform(change);

@@ -49,7 +49,7 @@ class Sim : public ::testing::Test {
 
 const std::set<std::string> kFiles = {"events.csv", "flight.json", "report.html", "trace.csv"};
 
-/// The vehicle goes slightly deeper than it is told.
+/// The vehicle goes slightly deeper than the command.
 TEST_F(Sim, AFlightThatViolatesARequirementWarns) {
   mission("20 m", "depth", "require never depth > 20.2 m\nrequire visit s at most 1 times\n");
   const Outcome flown = run("$GLIDERCC sim m.mission -o f");

@@ -120,17 +120,25 @@ std::string steering(const std::vector<Position>& places) {
 
 using Told = std::multimap<uint32_t, std::string>;
 
-Told foundIn(const Mission& mission) {
+/// A position whose latitude and longitude are exchanged is reported as that, not as far off.
+struct Found {
+  Told far_off;
+  std::set<uint32_t> exchanged;
+};
+
+Found foundIn(const Mission& mission) {
   support::DiagnosticEngine diagnostics;
   const MissionFacts facts = verify(mission, diagnostics);
   (void)prove(mission, facts, slocum(), {}, diagnostics);
-  Told told;
+  Found found;
   for (const auto& diagnostic : diagnostics.sorted()) {
     if (diagnostic.id == DiagnosticId::waypointFarOff) {
-      told.emplace(diagnostic.range.begin, diagnostic.message);
+      found.far_off.emplace(diagnostic.range.begin, diagnostic.message);
+    } else if (diagnostic.id == DiagnosticId::positionSwapped) {
+      found.exchanged.insert(diagnostic.range.begin);
     }
   }
-  return told;
+  return found;
 }
 
 /// The same by comparing all pairs: places first, then latitudes and longitudes by themselves.
@@ -184,9 +192,11 @@ TEST(Nearest, MissionsGetWhatAllPairsGive) {
       places.push_back({place.latitude, std::remainder(place.longitude, 360)});
     }
     const Mission mission = missionOf(steering(places));
-    const Told found = foundIn(mission);
-    EXPECT_EQ(found, byAllPairs(mission)) << i;
-    told += found.size();
+    const Found found = foundIn(mission);
+    Told expected = byAllPairs(mission);
+    std::erase_if(expected, [&](const auto& one) { return found.exchanged.contains(one.first); });
+    EXPECT_EQ(found.far_off, expected) << i;
+    told += found.far_off.size();
   }
   EXPECT_GT(told, 40U);
 }

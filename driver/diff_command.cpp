@@ -138,10 +138,12 @@ void addDiffCommand(CLI::App& app, int& status) {
       "diff", "Show what differs in behaviour between two versions of a mission");
   command->add_option("OLD", options->before, "The mission file of the old version")->required();
   command->add_option("NEW", options->after, "The mission file of the new version")->required();
-  command->add_flag("!--no-flights", options->fly,
-                    "Do not look for a flight on which the two part");
-  command->add_flag("!--no-cache", options->check.cache,
-                    "Do not use the verdicts of earlier checks, and do not store new ones");
+  command->add_flag_callback(
+      "--no-flights", [options] { options->fly = false; },
+      "Do not look for a flight on which the two part");
+  command->add_flag_callback(
+      "--no-cache", [options] { options->check.cache = false; },
+      "Do not use the verdicts of earlier checks, and do not store new ones");
   command->footer(
       "Exit codes: 0 no difference in behaviour, 1 they differ, 2 usage error, a mission with "
       "errors, or a file failed.");

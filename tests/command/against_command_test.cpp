@@ -87,19 +87,22 @@ TEST_F(Against, TellsWhatTheMissionWouldHaveDone) {
       "m.mission: fine; mission deep, 1 state, no calls\n");
 }
 
-/// The depth of the log counts as the true one.
+/// Requirements that are proved, of a vehicle that went deeper than proofs assume.
 TEST_F(Against, NamesTheFirstViolationOfARequirement) {
   std::string text = kMission;
   text.insert(text.find('\n') + 1,
-              "require never depth > 7 m\nrequire visit look at least 2 times within 6 s\n"
+              "require never depth > 27 m\nrequire whenever depth > 27 m then depth > 28 m\n"
               "require visit look at most 1 times\n");
   (void)folder_.write("m.mission", text);
-  const Outcome shown = check("m.mission --against a.sbd");
-  EXPECT_THAT(shown.out, HasSubstr("look: violates `require never depth > 7 m` (line 2)\n"));
-  EXPECT_THAT(shown.out,
-              HasSubstr("look: violates `require visit look at least 2 times within 6 s` (line 3): "
-                        "6 s had passed, and `look` had been visited fewer than 2 times\n"));
-  EXPECT_THAT(shown.out, Not(HasSubstr("at most 1 times` (line 4)")));
+  Draft deep = dive("unit");
+  deep.rows[2][0] = {'*', 27.5};
+  (void)folder_.write("a.sbd", write(deep));
+  const Outcome shown = check("m.mission --against a.sbd --set limit=50");
+  EXPECT_THAT(shown.out, HasSubstr("look: violates `require never depth > 27 m` (line 2)\n"))
+      << shown.err;
+  EXPECT_THAT(shown.out, HasSubstr("look: violates `require whenever depth > 27 m then depth > 28 "
+                                   "m` (line 3)\n"));
+  EXPECT_THAT(shown.out, Not(HasSubstr("at most 1 times")));
 }
 
 TEST_F(Against, TakesParameters) {

@@ -70,7 +70,9 @@ class Layout {
     const bool large =
         !named && oneOf(token(), {"always", "state", "flightprofile", "flightroute"});
     const bool resume = token().is("resume") && tokens_[at_ + 1].is("within");
-    const bool small = resume || declination() ||
+    const bool place =
+        !named && token().is("place") && at_ + 2 < tokens_.size() && tokens_[at_ + 2].is("=");
+    const bool small = resume || place || declination() ||
                        oneOf(token(), {"mission", "platform", "import", "const", "param", "var",
                                        "extern", "require"});
     if (large || small) {

@@ -58,7 +58,7 @@ struct Chosen {
 std::vector<Chosen> randomFlight(std::mt19937& rng) {
   std::vector<Chosen> ticks;
   const auto below = [&](unsigned n) { return static_cast<int>(rng() % n); };
-  const int length = 1 + below(14);
+  const int length = below(20) == 0 ? 120 : 1 + below(14);
   const unsigned stays = 1 + static_cast<unsigned>(rng() % 3);
   double time = 0;
   for (int i = 0; i <= length; ++i) {
@@ -294,6 +294,10 @@ std::vector<Promise> promises() {
       {"visit a at most 2 times", counted(0, 0, 2, kT)},
       {"visit a at least 2 times within 60 s", counted(0, 2, kMany, kT)},
       {"visit a exactly 2 times within 60 s", counted(0, 2, 2, kT)},
+      {"visit a at most 12 times", counted(0, 0, 12, kT)},
+      {"visit a at least 11 times within 900 s", counted(0, 11, kMany, 900)},
+      {"visit a then b then a within 60 s", sequence({0, 1, 0}, kT)},
+      {"never a after a or exit", counted(0, 0, 1, kT)},
       {"whenever p then q", globally(implies(p(), no(q(0))))},
       {"whenever p then a", globally(implies(p(), in(0)))},
       {"when p then q", globally(implies(becomes(p()), no(q(0))))},

@@ -20,7 +20,7 @@ class VisitCounter {
   VisitCounter(uint32_t most, MonitorBuilder& monitor) : m_(monitor), most_(most) {
     constexpr uint32_t kFew = 10;
     if (most > kFew) {
-      number_ = m_.counter("visits");
+      number_ = m_.counter("visits", most);
       return;
     }
     for (uint32_t i = 1; i <= most; ++i) {
@@ -72,7 +72,8 @@ void writeCount(const PromisedPlace& place, ast::CountBound bound, uint32_t time
     const ExprId late = pattern.late(within);
     const ExprId begins = pattern.sight.begins(place);
     const std::string words =
-        fmt::format("{} had been visited fewer than {} times", place.words, times);
+        times == 1 ? fmt::format("{} had not been {}", place.words, place.visited())
+                   : fmt::format("{} had been visited fewer than {} times", place.words, times);
     m.violation(m.both(late, m.negation(visits.atLeast(times))),  // this tick comes too late
                 fmt::format("{} had passed, and {}", within.words, words));
     m.when(begins, [&] { visits.count(); });
@@ -81,7 +82,8 @@ void writeCount(const PromisedPlace& place, ast::CountBound bound, uint32_t time
   }
   if (bounded) {
     m.violation(visits.atLeast(times + 1),
-                fmt::format("{} was visited more than {} times", place.words, times));
+                fmt::format("{} was visited more than {}", place.words,
+                            times == 1 ? "once" : fmt::format("{} times", times)));
   }
 }
 

@@ -65,9 +65,10 @@ std::optional<std::vector<PromisedPlace>> PromiseLowering::places(
   for (const ast::Expr& expr : exprs) {
     auto place = lowerPlace(expr, scope_);
     right = right && place;
+    const auto same = [&](const PromisedPlace& other) { return other.words == place->words; };
     const bool again =
-        place && manner != ast::Manner::Sequence &&
-        std::ranges::find(places, place->words, &PromisedPlace::words) != places.end();
+        place && (manner == ast::Manner::Sequence ? !places.empty() && same(places.back())
+                                                  : std::ranges::any_of(places, same));
     if (again) {
       scope_.report(DiagnosticId::placeRepeated, expr.where, scope_.text(expr.where));
       right = false;
@@ -85,6 +86,11 @@ bool PromiseLowering::finish(const std::function<void(Pattern&)>& write) {
     auto place = lowerPlace(node_.scope->place, scope_);
     auto to = node_.scope->to ? lowerPlace(*node_.scope->to, scope_) : std::nullopt;
     if (!place || (node_.scope->to && !to)) {
+      return false;
+    }
+    if (to && to->words == place->words) {
+      const support::SourceRange& where = node_.scope->to->where;
+      scope_.report(DiagnosticId::placeRepeated, where, scope_.text(where));
       return false;
     }
     scope = PlacedScope{node_.scope->kind, *std::move(place), std::move(to)};

@@ -37,7 +37,7 @@ class PromiseLowering {
   bool lower(const ast::HoldPromise& promise);
 
  private:
-  /// Only a sequence may name a place twice.
+  /// Only a sequence may name a place twice, with another between.
   std::optional<std::vector<PromisedPlace>> places(const std::vector<ast::Expr>& exprs,
                                                    ast::Manner manner);
   bool finish(const std::function<void(Pattern&)>& write);

@@ -45,8 +45,10 @@ ir::VariableId MonitorBuilder::clock(const std::string& name) {
   return id;
 }
 
-ir::VariableId MonitorBuilder::counter(const std::string& name) {
+ir::VariableId MonitorBuilder::counter(const std::string& name, double most) {
   const auto id = make(name, ir::VariableKind::Monitor, plainNumber(), number(0, plainNumber()));
+  m_.variables[id.index].lowest = 0;
+  m_.variables[id.index].highest = most;
   kept_.push_back({id, false});
   return id;
 }

@@ -26,7 +26,8 @@ class MonitorBuilder {
   ir::VariableId flag(const std::string& name, bool first = false);
   /// A mission time, s; `reset` sets it to the present one.
   ir::VariableId clock(const std::string& name);
-  ir::VariableId counter(const std::string& name);
+  /// A number of visits, from 0 to `most`.
+  ir::VariableId counter(const std::string& name, double most);
   /// A truth value of this tick, false until it is set.
   ir::VariableId momentary(const std::string& name);
 

@@ -18,11 +18,19 @@ void writeNever(const PromisedPlace& place, ast::NeverWhen when, const PromisedP
     return;
   }
   const ir::VariableId seen = m.flag("seen " + event->words);
-  m.when(pattern.sight.visited(*event), [&] { m.set(seen, true); });
-  const ExprId after = m.read(seen);
   const bool before = when == ast::NeverWhen::Before;
+  const auto see = [&] { m.when(pattern.sight.visited(*event), [&] { m.set(seen, true); }); };
+  // Of two states only one is entered on a tick; a state does not come after its own entry.
+  const bool later = !before && place.state.valid() && event->state.valid();
+  if (!later) {
+    see();
+  }
+  const ExprId after = m.read(seen);
   m.violation(m.both(visited, before ? m.negation(after) : after),
               fmt::format("{} came {} {}", place.words, before ? "before" : "after", event->words));
+  if (later) {
+    see();
+  }
 }
 
 }  // namespace glider::frontend

@@ -17,6 +17,9 @@ struct PromisedPlace {
   std::string words;     ///< as written, in backticks
   ir::StateId state;     ///< invalid: a condition
   ir::ExprId condition;  ///< invalid: a state
+
+  /// "visited", or of a condition "true".
+  [[nodiscard]] const char* visited() const { return state.valid() ? "visited" : "true"; }
 };
 
 /// The place that `expr` names: a state, a `place`, or else a condition; empty, and reported, if it
@@ -28,6 +31,8 @@ class Sight {
  public:
   Sight(MonitorBuilder& monitor, ir::ExprId on) : monitor_(monitor), on_(on) {}
 
+  /// The same condition where the promise is watched: not on the tick after its scope.
+  ir::ExprId watched(ir::ExprId condition) { return gated(condition); }
   /// A state that is entered; a condition that is true.
   ir::ExprId visited(const PromisedPlace& place) {
     return gated(now(place, ir::ObservationKind::Entered));

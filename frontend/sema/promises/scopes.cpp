@@ -61,8 +61,9 @@ void writeScoped(const PlacedScope* scope, bool or_exit, MonitorBuilder& monitor
   const ir::BlockId body = monitor.blockOf([&] {
     start = monitor.clock("start");
     const ExprId closed = monitor.negation(monitor.read(on));
+    const ExprId ended = monitor.observed(ObservationKind::Ended);
     const ExprId over =
-        or_exit ? closed : monitor.either(closed, monitor.observed(ObservationKind::Ended));
+        or_exit ? monitor.both(closed, monitor.negation(ended)) : monitor.either(closed, ended);
     Pattern pattern{monitor, Sight(monitor, monitor.read(on)), start, over,
                     "the time in which it is required ended"};
     write(pattern);

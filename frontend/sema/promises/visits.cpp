@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace glider::frontend {
 namespace {
 
@@ -42,9 +44,10 @@ class Visits {
     for (size_t i = 0; i < places_.size(); ++i) {
       ExprId missing = m_.both(at, m_.negation(m_.read(visited_[i])));
       missing = inOrder() && i > 0 ? m_.both(m_.read(visited_[i - 1]), missing) : missing;
-      m_.violation(missing,
-                   fmt::format("{}{} had not been visited{}", when, places_[i].words,
-                               inOrder() && i > 0 ? " after " + places_[i - 1].words : ""));
+      m_.violation(
+          missing,
+          fmt::format("{}{} had not been {}{}", when, places_[i].words, places_[i].visited(),
+                      inOrder() && i > 0 ? " after " + places_[i - 1].words : ""));
     }
   }
 
@@ -106,9 +109,9 @@ void patrolEach(const std::vector<PromisedPlace>& places, const PromiseTime& eve
   MonitorBuilder& monitor = pattern.monitor;
   for (const PromisedPlace& place : places) {
     const VariableId last = monitor.clock("last " + place.words);
-    monitor.violation(
-        monitor.passed(last, every.seconds),
-        fmt::format("{} had not been visited for more than {}", place.words, every.words));
+    monitor.violation(pattern.sight.watched(monitor.passed(last, every.seconds)),
+                      fmt::format("{} had not been {} for more than {}", place.words,
+                                  place.visited(), every.words));
     monitor.when(pattern.sight.visited(place), [&] { monitor.set(last, monitor.now()); });
   }
 }
@@ -119,12 +122,16 @@ void writePatrol(const std::vector<PromisedPlace>& places, ast::Manner manner,
                  const PromiseTime& every, Pattern& pattern) {
   MonitorBuilder& monitor = pattern.monitor;
   monitor.longest(every.seconds);
+  const auto is_state = [](const PromisedPlace& place) { return place.state.valid(); };
+  if (!std::ranges::all_of(places, is_state)) {
+    monitor.everyTick();  // a tick that is left out would be one without a visit
+  }
   if (manner == ast::Manner::AnyOrder || manner == ast::Manner::Fairly) {
     patrolEach(places, every, pattern);
   } else {
     const VariableId round = monitor.clock("round");
     Visits visits(places, ast::Manner::Sequence, pattern);
-    visits.refuseMissing(monitor.passed(round, every.seconds),
+    visits.refuseMissing(pattern.sight.watched(monitor.passed(round, every.seconds)),
                          fmt::format("more than {} after the last round, ", every.words));
     visits.take({});
     monitor.when(monitor.read(visits.last()), [&] {

@@ -32,6 +32,14 @@ std::string inState(const std::string& cases) {
   return "mission m\n\nstate s\nbegin\n  flightprofile surfaced\n  events\n" + cases + "end\n";
 }
 
+/// Where it declares one: it may also name a state.
+TEST(Format, APlaceBeginsALine) {
+  expectFormat("mission a place deep=depth>10 m place up = depth<2 m require whenever deep then up",
+               "mission a\nplace deep = depth > 10 m\nplace up = depth < 2 m\n"
+               "require whenever deep then up\n");
+  expectFormat("require never place after\nup", "require never place after up\n");
+}
+
 TEST(Format, ResumeAlwaysBeginsALine) {
   EXPECT_EQ(formatted("mission a resume within 5 min,never\nafter restart"),
             "mission a\nresume within 5 min, never after restart\n");

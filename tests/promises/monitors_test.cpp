@@ -254,6 +254,17 @@ Formula counted(size_t place, size_t least, size_t most, double seconds) {
   };
 }
 
+/// The same of the condition p: a visit begins where it becomes true.
+Formula countedEdges(size_t most) {
+  return [=](const Flight& f, size_t) {
+    size_t all = 0;
+    for (size_t i = 0; i < f.size(); ++i) {
+      all += f[i].cause == 1 && (i == 0 || f[i - 1].cause != 1) ? 1U : 0U;
+    }
+    return all <= most;
+  };
+}
+
 /// p on a tick, and not on the tick before.
 Formula becomes(Formula a) {
   return
@@ -294,6 +305,7 @@ std::vector<Promise> promises() {
       {"visit a at most 2 times", counted(0, 0, 2, kT)},
       {"visit a at least 2 times within 60 s", counted(0, 2, kMany, kT)},
       {"visit a exactly 2 times within 60 s", counted(0, 2, 2, kT)},
+      {"visit p at most 2 times", countedEdges(2)},
       {"visit a at most 12 times", counted(0, 0, 12, kT)},
       {"visit a at least 11 times within 900 s", counted(0, 11, kMany, 900)},
       {"visit a then b then a within 60 s", sequence({0, 1, 0}, kT)},

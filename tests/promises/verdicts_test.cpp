@@ -4,6 +4,7 @@
 // The verdicts on promises: those of docs/promises.md are compared there; here are those near which
 // a wrong rule would go unnoticed.
 
+#include "ir/prove/context/proof_context.h"
 #include "ir/prove/prove.h"
 #include "ir/verify/verify.h"
 #include "tests/unit/frontend/compile.h"
@@ -91,6 +92,63 @@ TEST(Verdicts, OfReactions) {
   expectVerdict("never out after home", "proved");
   expectVerdict("never reef before home", "refuted");
   expectVerdict("hold out until reef within 1 h", "refuted");
+}
+
+/// A state that waits for a return counts as one that holds, not as one that is entered again.
+TEST(Verdicts, OfStatesThatWait) {
+  const auto mission = [](const std::string& requirement) {
+    return "mission m\nrequire " + requirement + R"(
+var called : bool = false
+state out
+begin
+  flightprofile yo(5 m, 20 m, 26 deg, 26 deg)
+  sensors missiontime, statetime
+  events
+    case statetime >= 10 min && !called do set called = true end call look
+    case statetime >= 30 min exit
+end
+state look
+begin
+  flightprofile surfaced
+  sensors statetime
+  events
+    case statetime >= 5 min return
+end
+)";
+  };
+  EXPECT_EQ(verdict(mission("whenever look then out")), "proved");
+  EXPECT_EQ(verdict(mission("in out: visit look at most 1 times")), "proved");
+  EXPECT_EQ(verdict(mission("outside out: never look")), "proved");
+  EXPECT_EQ(verdict(mission("visit out at most 1 times")), "proved") << "it returns";
+  EXPECT_EQ(verdict(mission("whenever out then out for 1 h or exit")), "proved");
+  EXPECT_EQ(verdict(mission("whenever out then look within 9 min")), "refuted");
+}
+
+/// Differences of such times are exact; of a parameter, which the pilot sets, they are not.
+TEST(Verdicts, KeptMissionTimesAreKnownAsSuch) {
+  frontend::testing_support::FrontendRun run(R"(mission m
+param start : time = 0 s in 0 s .. 1 h
+var kept : time = 0 s
+var sum : time = 0 s
+state out
+begin
+  flightprofile surfaced
+  sensors missiontime
+  events
+    case missiontime - kept > 1 h && missiontime - sum > 1 h && missiontime - start > 1 h exit
+    case missiontime > 1 min do set kept = missiontime set sum = sum + 1 s end stay
+end
+)");
+  const auto mission = run.compile();
+  ASSERT_TRUE(mission.has_value()) << run.said();
+  const ir::prove::ProofContext context(*mission, slocum());
+  for (size_t i = 0; i < mission->exprs.size(); ++i) {
+    const ir::Expr& e = mission->exprs[i];
+    if (e.op == ir::Op::Variable) {
+      EXPECT_EQ(context.mission_times[i], (*mission)[e.variable].name == "kept")
+          << (*mission)[e.variable].name;
+    }
+  }
 }
 
 }  // namespace

@@ -156,13 +156,8 @@ void MonitorBuilder::run(ExprId condition, ir::BlockId block) {
   statements_.back().push_back(std::move(statement));
 }
 
-void MonitorBuilder::when(ExprId condition, const std::function<void()>& then,
-                          const std::function<void()>& otherwise) {
+void MonitorBuilder::when(ExprId condition, const std::function<void()>& then) {
   run(condition, blockOf(then));
-  if (otherwise) {
-    const ir::BlockId block = blockOf(otherwise);
-    statements_.back().back().otherwise = block;
-  }
 }
 
 void MonitorBuilder::violation(ExprId condition, const std::string& words) {

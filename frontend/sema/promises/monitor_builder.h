@@ -50,9 +50,8 @@ class MonitorBuilder {
   // Statements.
   void set(ir::VariableId variable, ir::ExprId value);
   void set(ir::VariableId variable, bool value) { set(variable, truth(value)); }
-  /// Runs `then` where `condition` is true and `otherwise` where it is false.
-  void when(ir::ExprId condition, const std::function<void()>& then,
-            const std::function<void()>& otherwise = {});
+  /// Runs `then` where `condition` is true.
+  void when(ir::ExprId condition, const std::function<void()>& then);
   /// The requirement is violated where `condition` is true.
   void violation(ir::ExprId condition, const std::string& words);
   /// Runs at the end of the block that is being written.

@@ -3,8 +3,8 @@
 
 #include "ir/prove/abstract/end_depends_on.h"
 
-#include "ir/core/walk.h"
 #include "ir/prove/abstract/end_bound.h"
+#include "ir/prove/context/sensors_read.h"
 
 namespace glider::ir::prove {
 namespace {
@@ -37,18 +37,7 @@ class Sensors {
 
  private:
   void add(ExprId guard) {
-    std::vector<ExprId> open{guard};
-    while (!open.empty()) {
-      const ExprId root = open.back();
-      open.pop_back();
-      forEachIn(m_, root, [&](const Expr& e) {
-        if (e.op == Op::Sensor || e.op == Op::Age) {
-          read_[e.sensor.index] = true;
-        } else if (e.op == Op::Temporal) {
-          open.push_back(m_[e.temporal].operand);  // what is watched comes before: this ends
-        }
-      });
-    }
+    forEachSensorRead(m_, guard, [&](SensorId id) { read_[id.index] = true; });
   }
 
   const Mission& m_;

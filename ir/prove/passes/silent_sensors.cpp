@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/core/ops.h"
-#include "ir/core/walk.h"
 #include "ir/prove/abstract/abstract_evaluator.h"
 #include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/context/commands.h"
+#include "ir/prove/context/sensors_read.h"
 #include "ir/prove/passes.h"
 
 #include <fmt/format.h>
@@ -104,25 +104,8 @@ class SilenceCheck {
 
   [[nodiscard]] bool readsSensor(ExprId guard) const {
     bool reads = false;
-    forEachRead(guard, [&](SensorId) { reads = true; });
+    forEachSensorRead(m_, guard, [&](SensorId) { reads = true; });
     return reads;
-  }
-
-  /// Also those in what temporals watch.
-  template <typename Visit>
-  void forEachRead(ExprId guard, Visit visit) const {
-    std::vector<ExprId> open{guard};
-    while (!open.empty()) {
-      const ExprId root = open.back();
-      open.pop_back();
-      forEachIn(m_, root, [&](const Expr& e) {
-        if (e.op == Op::Sensor || e.op == Op::Age) {
-          visit(e.sensor);
-        } else if (e.op == Op::Temporal) {
-          open.push_back(m_[e.temporal].operand);  // what is watched comes before: this ends
-        }
-      });
-    }
   }
 
   /// Names the sensors on which the cases hang that lead away from where the mission stays.
@@ -131,7 +114,7 @@ class SilenceCheck {
     const auto add = [&](const std::vector<Case>& cases) {
       for (const Case& c : cases) {
         if (c.transition != Transition::Stay) {
-          forEachRead(c.guard, [&](SensorId id) { read[id.index] = true; });
+          forEachSensorRead(m_, c.guard, [&](SensorId id) { read[id.index] = true; });
         }
       }
     };

@@ -6,12 +6,10 @@
 #include "hooks/hookbeh/args.h"
 #include "ir/prove/abstract/held_ranges.h"
 #include "ir/prove/context/commands.h"
-#include "slocum/mission_files/load.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -58,21 +56,20 @@ Extremes extremesOf(const Commands& commands, const std::vector<ir::Interval>& h
   return all;
 }
 
-void addRefused(const std::string& who, const Extremes& of, const CommandLimits& limits,
-                std::vector<std::string>& lines) {
-  const auto add = [&](const std::string& what, const std::string& limit) {
-    lines.push_back(
-        fmt::format("{} may command {}: hookbeh refuses {} ({})", who, what, limit, limits.source));
+void addRefused(const Refusal& of, const Extremes& all, const CommandLimits& limits,
+                std::vector<Refusal>& found) {
+  const auto add = [&](std::string command, std::string limit) {
+    found.push_back({of.range, of.who, std::move(command), std::move(limit)});
   };
-  if (of.steepest > limits.steepest_pitch_rad) {
-    add("a pitch of " + degrees(of.steepest), "more than " + degrees(limits.steepest_pitch_rad));
+  if (all.steepest > limits.steepest_pitch_rad) {
+    add("a pitch of " + degrees(all.steepest), "more than " + degrees(limits.steepest_pitch_rad));
   }
-  if (of.shallowest < limits.shallowest_pitch_rad) {
-    add("a pitch of " + degrees(of.shallowest),
+  if (all.shallowest < limits.shallowest_pitch_rad) {
+    add("a pitch of " + degrees(all.shallowest),
         "less than " + degrees(limits.shallowest_pitch_rad));
   }
-  if (limits.greatest_depth_m && of.deepest > *limits.greatest_depth_m) {
-    add(fmt::format("a depth of {:.4g} m", of.deepest),
+  if (limits.greatest_depth_m && all.deepest > *limits.greatest_depth_m) {
+    add(fmt::format("a depth of {:.4g} m", all.deepest),
         fmt::format("more than {:.4g} m", *limits.greatest_depth_m));
   }
 }
@@ -82,39 +79,27 @@ void addRefused(const std::string& who, const Extremes& of, const CommandLimits&
 CommandLimits usualLimits() {
   const hooks::HookbehArgs args;
   return {args.steepest_pitch_rad, args.shallowest_pitch_rad, std::nullopt,
-          fmt::format("assuming max_pitch {:.4g} and min_pitch {:.4g}; see --skeleton",
+          fmt::format("assuming max_pitch {:.4g} and min_pitch {:.4g}; see --mi",
                       args.steepest_pitch_rad, args.shallowest_pitch_rad)};
 }
 
-support::Result<CommandLimits> limitsOf(const std::string& path) {
-  support::SourceManager sources;
-  support::DiagnosticEngine diagnostics;
-  const auto mission = slocum::loadMission(path, sources, diagnostics, [](auto&&...) {});
-  if (!mission) {
-    return std::unexpected(mission.error());
+std::vector<Refusal> refusalsOf(const ir::Mission& mission, const CommandLimits& limits) {
+  const std::vector<ir::Interval> held = ir::prove::heldIntervals(mission);
+  std::vector<Refusal> found;
+  addRefused({{}, "`always`", "", ""}, extremesOf(ir::prove::commandsOfAlways(mission), held),
+             limits, found);
+  for (const ir::State& state : mission.states) {
+    addRefused({state.range, "`" + state.name + "`", "", ""},
+               extremesOf(ir::prove::commandsOf(mission, state), held), limits, found);
   }
-  const auto hookbeh =
-      std::ranges::find(mission->behaviours, "hookbeh", &slocum::BehaviourBlock::name);
-  if (hookbeh == mission->behaviours.end()) {
-    return support::fail(support::DiagnosticId::skeletonErrors, path,
-                         "it has no behavior `hookbeh`");
-  }
-  const double steepest = hookbeh->value("max_pitch");
-  const double shallowest = hookbeh->value("min_pitch");
-  const double deepest = hookbeh->value("max_depth");
-  return CommandLimits{
-      steepest, shallowest, deepest,
-      fmt::format("max_pitch {:.4g}, min_pitch {:.4g} and max_depth {:.4g} in {}", steepest,
-                  shallowest, deepest, std::filesystem::path(path).filename().string())};
+  return found;
 }
 
 std::vector<std::string> refusedLines(const ir::Mission& mission, const CommandLimits& limits) {
-  const std::vector<ir::Interval> held = ir::prove::heldIntervals(mission);
   std::vector<std::string> lines;
-  addRefused("`always`", extremesOf(ir::prove::commandsOfAlways(mission), held), limits, lines);
-  for (const ir::State& state : mission.states) {
-    addRefused("`" + state.name + "`", extremesOf(ir::prove::commandsOf(mission, state), held),
-               limits, lines);
+  for (const Refusal& one : refusalsOf(mission, limits)) {
+    lines.push_back(fmt::format("{} may command {}: hookbeh refuses {} ({})", one.who, one.command,
+                                one.limit, limits.source));
   }
   return lines;
 }

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ir/core/mission.h"
-#include "support/result.h"
+#include "support/source_manager.h"
 
 #include <optional>
 #include <string>
@@ -23,12 +23,17 @@ struct CommandLimits {
 
 /// The limits of pitch that hookbeh uses if its mission file gives none.
 CommandLimits usualLimits();
-/// Those of the hookbeh in the vehicle's mission file at `path`. Fails as silenceOf, which shows
-/// the errors in the file.
-support::Result<CommandLimits> limitsOf(const std::string& path);
 
-/// Lines for the report: states with commands that hookbeh refuses, for some values of parameters
-/// and variables.
+/// Commands that hookbeh refuses, for some values of parameters and variables.
+struct Refusal {
+  support::SourceRange range;  ///< of the name of their state; invalid: of `always`
+  std::string who;             ///< "`survey`", "`always`"
+  std::string command;         ///< "a pitch of 40 deg"
+  std::string limit;           ///< "more than 35 deg"
+};
+std::vector<Refusal> refusalsOf(const ir::Mission& mission, const CommandLimits& limits);
+
+/// The same as lines for the report.
 std::vector<std::string> refusedLines(const ir::Mission& mission, const CommandLimits& limits);
 
 }  // namespace glider::analysis

@@ -43,8 +43,7 @@ std::string silentLine(const WayHome& home, const platforms::Platform& platform,
 
 Silence usualSilence() {
   return {hooks::HookbehArgs{}.silence_secs,
-          fmt::format("assuming silence_secs {:.4g}; see --skeleton",
-                      hooks::HookbehArgs{}.silence_secs)};
+          fmt::format("assuming silence_secs {:.4g}; see --mi", hooks::HookbehArgs{}.silence_secs)};
 }
 
 WayHome wayHomeFrom(double depth_m, const platforms::Platform& platform, const Silence& silence) {

@@ -5,8 +5,6 @@
 
 #include "ir/core/mission.h"
 #include "platforms/load/platform.h"
-#include "support/diagnostics/show.h"
-#include "support/result.h"
 
 #include <string>
 #include <vector>
@@ -21,12 +19,6 @@ struct Silence {
 
 /// The silence that hookbeh uses if its mission file gives none.
 Silence usualSilence();
-/// `silence_secs` of the hookbeh in the vehicle's mission file at `path`, with the argument files
-/// beside it; errors in them are shown. GL9001, GL51xx; GL5120 if there is no hookbeh or its
-/// silence is not a valid time.
-support::Result<Silence> silenceOf(const std::string& path,
-                                   const support::ShowDiagnostics& show = {});
-
 /// What happens to the vehicle if the SBC fails or stops responding.
 struct WayHome {
   double depth_m = 0;    ///< upper bound of its depth at that time, by the mission's commands

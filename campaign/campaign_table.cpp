@@ -116,12 +116,13 @@ std::string requirementLines(const CampaignPlan& plan, const CampaignResult& res
           first = first.value_or(flight.number);
         }
       });
-      out += fmt::format("{}: `{}`: violated in {} of {} flights{}\n", flown.file,
-                         flown.requirements[i], violated, flights,
+      const bool assumed = flown.requirements[i].starts_with("assume ");
+      out += fmt::format("{}: `{}`: {} in {} of {} flights{}\n", flown.file, flown.requirements[i],
+                         assumed ? "broken" : "violated", violated, flights,
                          first ? fmt::format(", first in flight {}", *first) : "");
     }
   }
-  return out.empty() ? out : "\nrequirements, with these faults\n" + out;
+  return out.empty() ? out : "\nrequirements and assumptions, with these faults\n" + out;
 }
 
 std::string violationLines(const CampaignPlan& plan, const CampaignResult& result,

@@ -195,7 +195,7 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
   Verdict verdict = judge.verdict();
   if (watch) {
     for (const flights::FlownViolation& violation : watch->violations(*flown)) {
-      verdict.requirements.push_back(violation.requirement);
+      verdict.requirements.push_back(violation.number);
     }
   }
   if (trace != nullptr) {

@@ -25,10 +25,10 @@ struct CampaignMission {
   flights::NewFlight new_flight;
   flights::NewWatchedFlight new_watched_flight;  ///< if its requirements are checked; may be empty
   std::shared_ptr<const compiler::Optimised> compiled;  ///< the same
-  std::vector<std::string> requirements;     ///< as written, with their lines; of those checked
-  std::vector<flights::NewFlight> on_board;  ///< one for each of the plan's boards
-  simulator::FlightTimes times = {};         ///< of its flight without faults
-  double mean_W = 0;                         ///< of its batteries in that flight
+  std::vector<std::string> requirements;                ///< flights::watchedTexts; of those checked
+  std::vector<flights::NewFlight> on_board;             ///< one for each of the plan's boards
+  simulator::FlightTimes times = {};                    ///< of its flight without faults
+  double mean_W = 0;                                    ///< of its batteries in that flight
 };
 
 /// What all flights of a campaign share.

@@ -66,10 +66,7 @@ int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPla
     if (flights::RequirementWatch::canWatch(*compiled)) {
       mission.new_watched_flight = std::move(*start);
       mission.compiled = compiled;
-      for (const ir::Requirement& requirement : compiled->checked->mission().requirements) {
-        mission.requirements.push_back(
-            support::onOneLine(compiled->sources().text(requirement.range)));
-      }
+      mission.requirements = flights::watchedTexts(*compiled->checked);
     }
     for (const std::string& board : plan.boards) {
       mission.on_board.push_back(

@@ -41,7 +41,7 @@ struct CommandOptions {
   std::string traces;        ///< folder; empty: none
   std::string certificates;  ///< folder; empty: none
   std::string recheck;       ///< folder of certificates; empty: none
-  std::string skeleton;      ///< the vehicle's mission file; empty: none
+  std::string mi;            ///< the vehicle's mission file; empty: none
   AgainstOptions against;
 };
 
@@ -287,17 +287,12 @@ int check(CommandOptions& options) {
     return recheck(options);
   }
   options.check.evidence = !options.certificates.empty();
-  if (!options.skeleton.empty()) {
-    auto silence = analysis::silenceOf(options.skeleton, reportDiagnostics);
-    if (!silence) {
-      return reportFailure(silence.error());
+  if (!options.mi.empty()) {
+    auto vehicle = analysis::vehicleFileOf(options.mi, reportDiagnostics);
+    if (!vehicle) {
+      return reportFailure(vehicle.error());
     }
-    options.check.silence = std::move(*silence);
-    auto limits = analysis::limitsOf(options.skeleton);
-    if (!limits) {
-      return reportFailure(limits.error());
-    }
-    options.check.limits = std::move(*limits);
+    options.check.vehicle = std::move(*vehicle);
   }
   const bool draws = !options.against.picture.empty() || !options.against.page.empty();
   if (draws && options.missions.size() > 1) {
@@ -400,10 +395,17 @@ void addCheckCommand(CLI::App& app, int& status) {
       ->check(CLI::Range(0.001, kLongestTimeout_s))
       ->option_text("S");
   command
-      ->add_option("--skeleton", options->skeleton,
-                   "With --report: the vehicle's mission file (.mi) with hookbeh; its silence_secs "
-                   "bounds the time to the surface [24 s]")
+      ->add_option(
+          "--mi,--skeleton", options->mi,
+          "The vehicle's mission file (.mi) with hookbeh: what its hookbeh refuses and its "
+          "abend aborts is an error; with --report also how the vehicle comes to the "
+          "surface when control ends [silence_secs 24 s, and no limits but the platform's]")
       ->option_text("FILE");
+  command
+      ->add_option("--scenario", options->check.scenario,
+                   "The same for the mission file of a scenario, and for its start: the name of a "
+                   "scenario that comes with glidercc, or a .toml file")
+      ->option_text("SCENARIO");
   addLinkOption(*command, options->check.user_code);
   command->add_flag_callback(
       "--no-cache", [options] { options->check.cache = false; },

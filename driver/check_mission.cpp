@@ -7,10 +7,12 @@
 #include "compiler/proof_cache.h"
 #include "compiler/proving.h"
 #include "driver/output/check_progress.h"
+#include "driver/terminal.h"
 #include "flights/scenario_choice.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <utility>
@@ -53,7 +55,7 @@ Result<report::JudgedRequirement> judgedRequirement(const compiler::Checked& che
                                    std::string(checked.sources().text(range)),
                                    ir::prove::word(verdict.verdict),
                                    std::nullopt,
-                                   verdict.premise,
+                                   ir::prove::premisesOf(verdict, checked.mission()),
                                    verdict.cached};
   if (flown != nullptr && verdict.verdict == ir::prove::Verdict::Refuted && verdict.run) {
     const auto search = analysis::searchClosedLoop(*flown, verdict);
@@ -107,12 +109,52 @@ Result<void> tellProved(const compiler::Optimised* flown, CheckedFile& file) {
   return {};
 }
 
-/// Where the scenarios that come with glidercc begin. Empty if they cannot be read: then
+/// The scenario that is named or, of those that come with glidercc, the usual one.
+Result<simulator::Scenario> scenarioOf(const CheckOptions& options,
+                                       const platforms::Platform& platform) {
+  return flights::chooseScenario(options.scenario.empty() ? "default" : options.scenario, platform,
+                                 reportDiagnostics);
+}
+
+/// Where the mission assumes that it starts, or else where the scenario does; empty: unknown, so
 /// less is checked.
-std::vector<ir::Position> startsOfScenarios(const platforms::Platform& platform) {
-  const auto scenario = flights::chooseScenario("default", platform);
+std::vector<ir::Position> startsOf(const ir::Mission& mission,
+                                   const Result<simulator::Scenario>& scenario) {
+  const auto assumed = std::ranges::find(mission.assumptions, ir::AssumptionKind::StartInside,
+                                         &ir::Assumption::kind);
+  if (assumed != mission.assumptions.end()) {
+    return assumed->area.corners;
+  }
   return scenario ? std::vector<ir::Position>{{scenario->latitude_deg, scenario->longitude_deg}}
                   : std::vector<ir::Position>();
+}
+
+/// The vehicle's mission file, if `options` name one or a scenario; reports what it does not allow,
+/// and a start that the mission does not assume.
+Result<std::optional<analysis::VehicleFile>> checkVehicle(
+    const CheckOptions& options, const Result<simulator::Scenario>& scenario,
+    compiler::Compilation& compilation) {
+  std::optional<analysis::VehicleFile> vehicle = options.vehicle;
+  if (!options.scenario.empty()) {
+    if (!scenario) {
+      return std::unexpected(scenario.error());
+    }
+    analysis::checkStart(
+        *compilation.checked,
+        {"scenario `" + scenario->name + "`", {scenario->latitude_deg, scenario->longitude_deg}},
+        compilation.diagnostics);
+    if (!vehicle) {
+      auto its = analysis::vehicleFileOf(scenario->skeleton, scenario->skeleton_path.string());
+      if (!its) {
+        return std::unexpected(its.error());
+      }
+      vehicle = std::move(*its);
+    }
+  }
+  if (vehicle) {
+    analysis::checkVehicleLimits(*compilation.checked, *vehicle, compilation.diagnostics);
+  }
+  return vehicle;
 }
 
 /// The checks beyond text and structure, for a mission without errors.
@@ -120,7 +162,13 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   ir::prove::Options how;
   how.report = options.report;
   how.evidence = options.evidence;
-  how.known_starts = startsOfScenarios(file.compilation->checked->platform());
+  compiler::Compilation& compilation = *file.compilation;
+  const auto scenario = scenarioOf(options, compilation.checked->platform());
+  how.known_starts = startsOf(compilation.checked->mission(), scenario);
+  const auto vehicle = checkVehicle(options, scenario, compilation);
+  if (!vehicle) {
+    return std::unexpected(vehicle.error());
+  }
   how.effort *= options.effort;
   how.run_effort *= options.effort;
   how.total_effort *= options.effort;
@@ -128,7 +176,6 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
     how.until = std::chrono::steady_clock::now() +
                 std::chrono::milliseconds(static_cast<int64_t>(1000 * options.timeout_s));
   }
-  compiler::Compilation& compilation = *file.compilation;
   file.proved =
       proveWithCache(compilation, file.found.path, how, options.cache && !options.evidence);
   if (!options.report) {
@@ -138,12 +185,16 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   if (auto told = tellProved(&mission, file); !told) {
     return told;
   }
-  for (std::string& line : analysis::wayHomeLines(compilation.checked->mission(),
-                                                  mission.platform(), options.silence)) {
+  const analysis::Silence silence = *vehicle ? (*vehicle)->silence : analysis::usualSilence();
+  for (std::string& line :
+       analysis::wayHomeLines(compilation.checked->mission(), mission.platform(), silence)) {
     file.found.remarks.push_back({{}, std::move(line)});
   }
-  for (std::string& line : analysis::refusedLines(compilation.checked->mission(), options.limits)) {
-    file.found.remarks.push_back({{}, std::move(line)});
+  if (!*vehicle) {
+    for (std::string& line :
+         analysis::refusedLines(compilation.checked->mission(), analysis::usualLimits())) {
+      file.found.remarks.push_back({{}, std::move(line)});
+    }
   }
   auto budgets = analysis::missionBudgets(
       mission, options.targets.empty() ? analysis::boardsInTheVehicle() : options.targets,

@@ -18,8 +18,9 @@ namespace glider::driver {
 struct CheckOptions {
   bool report = false;               ///< also findings that are not errors, and the budgets
   std::vector<std::string> targets;  ///< of the budget; empty: all boards of the vehicle
-  analysis::Silence silence = analysis::usualSilence();      ///< of hookbeh, for the way home
-  analysis::CommandLimits limits = analysis::usualLimits();  ///< of hookbeh
+  /// The vehicle's mission file (`--mi`); empty: that of the scenario.
+  std::optional<analysis::VehicleFile> vehicle;
+  std::string scenario;                ///< whose start and mission file apply; empty: none
   std::vector<std::string> user_code;  ///< of the budget: what has the mission's `extern` names
   unsigned effort = 1;                 ///< multiplies the resource limits of proofs
   double timeout_s = 0;                ///< of the proofs about a mission; 0: none

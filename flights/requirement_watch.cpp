@@ -3,9 +3,11 @@
 
 #include "flights/requirement_watch.h"
 
+#include "flights/broken_assumption.h"
 #include "flights/flight_setup.h"
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/context/requirement_monitor.h"
+#include "support/one_line.h"
 
 #include <fmt/format.h>
 
@@ -42,7 +44,7 @@ RequirementWatch::RequirementWatch(const compiler::Optimised& mission)
 
 bool RequirementWatch::canWatch(const compiler::Optimised& mission) {
   const ir::Mission& m = mission.checked->mission();
-  return !needsCodeInC(m) && !m.requirements.empty();
+  return !needsCodeInC(m) && !(m.requirements.empty() && m.assumptions.empty());
 }
 
 InProcessSbc::Watcher RequirementWatch::watcher(const std::vector<double>& parameters) {
@@ -54,31 +56,63 @@ InProcessSbc::Watcher RequirementWatch::watcher(const std::vector<double>& param
   };
 }
 
-std::optional<FlownViolation> violationOf(const compiler::Optimised& mission, size_t requirement,
-                                          std::span<const HeardTick> ticks,
-                                          const std::vector<double>& parameters,
-                                          const support::Trace& trace) {
-  const ir::Mission& m = mission.checked->mission();
-  const ir::Requirement& required = m.requirements.at(requirement);
-  if (required.kind == ir::RequirementKind::Reach) {
-    return std::nullopt;  // it says what some flight can do
-  }
-  ir::Interpreter interpreter(m, mission.checked->facts.stack_depth);
-  ir::RequirementMonitor monitor(m, required, mission.platform().world.surface_depth_m,
-                                 ir::prove::depthSensor(m, mission.platform()));
-  TrueDepth depth(trace);
+namespace {
+
+/// What one flight is checked with.
+struct Flight {
+  const compiler::Optimised& mission;
+  std::span<const HeardTick> ticks;
+  const std::vector<double>& parameters;
+  const support::Trace& trace;
+};
+
+/// The first violation of `required`, without its number.
+std::optional<FlownViolation> firstViolation(const ir::Requirement& required,
+                                             const Flight& flight) {
+  const ir::Mission& m = flight.mission.checked->mission();
+  const platforms::Platform& platform = flight.mission.platform();
+  ir::Interpreter interpreter(m, flight.mission.checked->facts.stack_depth);
+  ir::RequirementMonitor monitor(m, required, platform.world.surface_depth_m,
+                                 ir::prove::depthSensor(m, platform));
+  TrueDepth depth(flight.trace);
   bool started = false;
-  for (const HeardTick& tick : ticks) {
+  for (const HeardTick& tick : flight.ticks) {
     const auto result = started ? interpreter.tick(tick.mission_time, tick.frame)
-                                : interpreter.start(tick.frame, parameters);
+                                : interpreter.start(tick.frame, flight.parameters);
     started = true;
     monitor.tick(interpreter, tick.mission_time, result, depth.at(tick.vehicle_time));
     if (monitor.when()) {
-      return FlownViolation{requirement, tick.mission_time, tick.vehicle_time, m[result.state].name,
+      return FlownViolation{0, tick.mission_time, tick.vehicle_time, m[result.state].name,
                             monitor.words()};
     }
   }
   return std::nullopt;
+}
+
+/// When the flight breaks an assumption, without its number.
+std::optional<FlownViolation> firstBreak(const ir::Assumption& assumption, const Flight& flight) {
+  if (assumption.isWatched()) {
+    return firstViolation(assumption.watch, flight);
+  }
+  return flight.ticks.empty() ? std::nullopt
+                              : breakInTrace(assumption, flight.trace, flight.ticks.front());
+}
+
+}  // namespace
+
+std::optional<FlownViolation> violationOf(const compiler::Optimised& mission, size_t requirement,
+                                          std::span<const HeardTick> ticks,
+                                          const std::vector<double>& parameters,
+                                          const support::Trace& trace) {
+  const ir::Requirement& required = mission.checked->mission().requirements.at(requirement);
+  if (required.kind == ir::RequirementKind::Reach) {
+    return std::nullopt;  // it says what some flight can do
+  }
+  auto found = firstViolation(required, {mission, ticks, parameters, trace});
+  if (found) {
+    found->number = requirement;
+  }
+  return found;
 }
 
 std::vector<FlownViolation> RequirementWatch::violations(const support::Trace& trace) const {
@@ -88,14 +122,36 @@ std::vector<FlownViolation> RequirementWatch::violations(const support::Trace& t
       all.push_back(*std::move(found));
     }
   }
+  for (size_t i = 0; i < m_.assumptions.size(); ++i) {
+    if (auto found = firstBreak(m_.assumptions[i], {flown_, heard_.ticks(), parameters_, trace})) {
+      found->number = m_.requirements.size() + i;
+      all.push_back(*std::move(found));
+    }
+  }
   return all;
+}
+
+std::vector<std::string> watchedTexts(const compiler::Checked& mission) {
+  std::vector<std::string> texts;
+  for (const ir::Requirement& requirement : mission.mission().requirements) {
+    texts.push_back(support::onOneLine(mission.sources().text(requirement.range)));
+  }
+  for (const ir::Assumption& assumption : mission.mission().assumptions) {
+    texts.push_back(support::onOneLine(mission.sources().text(assumption.range)));
+  }
+  return texts;
 }
 
 void reportViolations(const RequirementWatch& watch, const support::Trace& trace,
                       support::DiagnosticEngine& diagnostics) {
+  const ir::Mission& m = watch.mission();
   for (const FlownViolation& found : watch.violations(trace)) {
+    const bool assumption = found.number >= m.requirements.size();
     diagnostics.report(
-        support::DiagnosticId::requirementFlown, watch.requirement(found.requirement).range,
+        assumption ? support::DiagnosticId::assumptionFlown
+                   : support::DiagnosticId::requirementFlown,
+        assumption ? m.assumptions[found.number - m.requirements.size()].range
+                   : m.requirements[found.number].range,
         fmt::format("at mission time {:.6g} s, in state `{}`{}{}", found.mission_time, found.state,
                     found.words.empty() ? "" : ", ", found.words));
   }

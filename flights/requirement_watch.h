@@ -15,9 +15,9 @@
 
 namespace glider::flights {
 
-/// A requirement that a flight violates.
+/// A requirement that a flight violates, or an assumption that it breaks.
 struct FlownViolation {
-  size_t requirement = 0;
+  size_t number = 0;        ///< of the requirement; of an assumption: after all requirements
   double mission_time = 0;  ///< s
   double vehicle_time = 0;  ///< s
   std::string state;        ///< current then
@@ -32,7 +32,8 @@ std::optional<FlownViolation> violationOf(const compiler::Optimised& mission, si
                                           const std::vector<double>& parameters,
                                           const support::Trace& trace);
 
-/// Watches an SBC in this process, and checks the requirements of its mission afterwards.
+/// Watches an SBC in this process, and checks the requirements and assumptions of its mission
+/// afterwards.
 class RequirementWatch {
  public:
   /// `mission` is what flies; it must outlive this.
@@ -45,11 +46,10 @@ class RequirementWatch {
   /// watched until the SBC starts again, because its card may not have kept the last ticks.
   InProcessSbc::Watcher watcher(const std::vector<double>& parameters);
 
-  /// The first violation of each requirement; `trace` is that of the flight.
+  /// The first violation of each requirement, then the first break of each assumption; `trace` is
+  /// that of the flight.
   [[nodiscard]] std::vector<FlownViolation> violations(const support::Trace& trace) const;
-  [[nodiscard]] const ir::Requirement& requirement(size_t number) const {
-    return m_.requirements.at(number);
-  }
+  [[nodiscard]] const ir::Mission& mission() const { return m_; }
 
  private:
   const compiler::Optimised& flown_;
@@ -59,7 +59,12 @@ class RequirementWatch {
   size_t starts_ = 0;
 };
 
-/// Reports each requirement that the flight of `trace` violates.
+/// The requirements of a mission and then its assumptions as they are written, each on one line: by
+/// FlownViolation::number.
+std::vector<std::string> watchedTexts(const compiler::Checked& mission);
+
+/// Reports each requirement that the flight of `trace` violates, and each assumption that it
+/// breaks.
 void reportViolations(const RequirementWatch& watch, const support::Trace& trace,
                       support::DiagnosticEngine& diagnostics);
 

@@ -11,7 +11,7 @@ file : item* EOF ;
 item
   : missionLine | platformLine | importLine
   | constant | parameter | variable
-  | always | state | behaviour | external | place | requirement | resumption | declination
+  | always | state | behaviour | external | place | requirement | assumption | resumption | declination
   ;
 
 missionLine : MISSION anyName ;
@@ -65,6 +65,18 @@ resumption : RESUME WITHIN expr (COMMA NEVER AFTER RESTART)? ;
 declination : DECLINATION expr ;
 
 place : PLACE anyName ASSIGN expr ;
+
+assumption : ASSUME premise ;
+premise
+  : START expr                       # startPremise
+  | NO OUTAGE                        # noOutagePremise
+  | OUTAGE LE expr                   # outagePremise
+  | CURRENT LE expr                  # currentPremise
+  | (KNOWN name | FIX) EVERY expr    # knownPremise
+  | name CHANGES LE expr             # changesPremise
+  | name range                       # rangePremise
+  | expr (name arguments)?           # conditionPremise
+  ;
 
 requirement : REQUIRE promise ;
 promise
@@ -122,7 +134,7 @@ name
   : NAME | IN | OF | WHERE | DONE | FUNCTION | SENSOR | READS | WITHIN | STACK | REACH | NEVER | AFTER | STALE
   | SURFACES | RESUME | DECLINATION | RESTART | PLACE | CAN | VISIT | PATROL | STRICT | ORDER | FAIRLY | AT | MOST
   | LEAST | EXACTLY | TIMES_WORD | BEFORE | WHENEVER | WHEN | ONLY | NEXT | TICK | FOR | HOLD | UNTIL | OUTSIDE
-  | FROM | TO
+  | FROM | TO | ASSUME | START | NO | OUTAGE | CURRENT | KNOWN | FIX | CHANGES
   ;
 // A unit's name may name a mission or a state; elsewhere the frontend says why not.
 anyName : name | UNIT | COMPASS | MIN ;

@@ -10,12 +10,18 @@
 namespace glider::report {
 namespace {
 
+/// A requirement or an assumption, which is `guard`.
+bool isBroken(const FollowedStep& step) {
+  return step.kind == "violation" || step.kind == "assumption";
+}
+
 std::string stepText(const FollowedStep& step) {
   if (step.kind == "start") {
     return fmt::format("the mission would have started in {}", step.to);
   }
-  if (step.kind == "violation") {
-    return fmt::format("violates `{}`{}{}", step.guard, step.words.empty() ? "" : ": ", step.words);
+  if (isBroken(step)) {
+    return fmt::format("{} `{}`{}{}", step.kind == "violation" ? "violates" : "breaks", step.guard,
+                       step.words.empty() ? "" : ": ", step.words);
   }
   if (step.kind == "gap") {
     return fmt::format("the log has a gap: the mission would have ended in {}", step.from);
@@ -26,9 +32,7 @@ std::string stepText(const FollowedStep& step) {
 
 std::string whyText(const FollowedStep& step) {
   const std::string values = loggedValues(step.at, step.values);
-  return step.kind == "violation" ? values
-         : step.guard.empty()     ? values
-                                  : fmt::format("{} ({})", step.guard, values);
+  return isBroken(step) || step.guard.empty() ? values : fmt::format("{} ({})", step.guard, values);
 }
 
 std::string flickerText(const LoggedCase& of, const Flicker& flicker) {

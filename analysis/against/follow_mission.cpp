@@ -82,9 +82,15 @@ class Follower {
     was_up_ = blind_ = false;
     out_.states[tick] = state_.index;
     out_.steps.push_back({momentOf(log_, tick), "start", "", m_[state_].name, false, {}, "", {}});
-    requirements_.clear();
+    watches_.clear();
     for (const ir::Requirement& requirement : m_.requirements) {
-      requirements_.emplace_back(m_, requirement, surface_m_, depth_);
+      watches_.push_back({"violation", &requirement, {m_, requirement, surface_m_, depth_}});
+    }
+    for (const ir::Assumption& assumption : m_.assumptions) {
+      if (assumption.isWatched()) {
+        watches_.push_back(
+            {"assumption", &assumption.watch, {m_, assumption.watch, surface_m_, depth_}});
+      }
     }
     watchRequirements(tick, begun);
   }
@@ -152,24 +158,24 @@ class Follower {
     out_.steps.push_back(std::move(step));
   }
 
-  /// Each requirement that has not been violated yet, since the mission started. The depth of the
-  /// log counts as the true one.
+  /// Each requirement that has not been violated yet, and each assumption that has not been broken,
+  /// since the mission started. The depth of the log counts as the true one.
   void watchRequirements(uint32_t tick, const ir::TickResult& result) {
-    for (size_t i = 0; i < requirements_.size(); ++i) {
-      const ir::Requirement& requirement = m_.requirements[i];
-      if (requirement.kind == ir::RequirementKind::Reach || requirements_[i].when()) {
+    for (Watch& watch : watches_) {
+      const ir::Requirement& requirement = *watch.requirement;
+      if (requirement.kind == ir::RequirementKind::Reach || watch.monitor.when()) {
         continue;
       }
       const LogTick& now = log_.ticks[tick];
-      requirements_[i].tick(*running_, now.time_s - origin_s_, result, now.depth_m);
-      if (requirements_[i].when()) {
+      watch.monitor.tick(*running_, now.time_s - origin_s_, result, now.depth_m);
+      if (watch.monitor.when()) {
         FollowedStep step;
         step.at = momentOf(log_, tick);
-        step.kind = "violation";
+        step.kind = watch.kind;
         step.from = m_[result.state].name;
         step.range = requirement.range;
         step.guard = support::onOneLine(checked_.sources().text(requirement.range));
-        step.words = requirements_[i].words();
+        step.words = watch.monitor.words();
         out_.steps.push_back(std::move(step));
       }
     }
@@ -204,7 +210,13 @@ class Follower {
   std::vector<Values> values_;
   std::optional<ir::Interpreter> running_;
   std::optional<ir::SensorId> depth_;  ///< the vehicle's own
-  std::vector<ir::RequirementMonitor> requirements_;
+  /// Of a requirement or an assumption.
+  struct Watch {
+    const char* kind;  ///< FollowedStep::kind
+    const ir::Requirement* requirement;
+    ir::RequirementMonitor monitor;
+  };
+  std::vector<Watch> watches_;
   double origin_s_ = 0;  ///< mission time 0 of the current start, in the log
   ir::StateId state_{0};
   bool was_up_ = true;

@@ -55,6 +55,7 @@ class Reader {
     Certificate certificate{in.at("requirement").get<std::string>(),
                             in.at("subject").get<std::string>(),
                             methodOf(in.at("method").get<std::string>()),
+                            assumptions(in.value("assumptions", json::array())),
                             {},
                             std::nullopt};
     std::set<Configuration> seen;
@@ -93,6 +94,19 @@ class Reader {
     return {static_cast<uint32_t>(found - m_.states.begin())};
   }
 
+  [[nodiscard]] std::vector<uint32_t> assumptions(const json& in) const {
+    std::vector<uint32_t> numbers;
+    for (const json& one : in) {
+      const auto words = one.get<std::string>();
+      const auto found = std::ranges::find(m_.assumptions, words, &ir::Assumption::words);
+      if (found == m_.assumptions.end()) {
+        throw fmt::format("the mission does not assume `{}`", words);
+      }
+      numbers.push_back(static_cast<uint32_t>(found - m_.assumptions.begin()));
+    }
+    return numbers;
+  }
+
   static uint32_t limit(const json& in) {
     return in.is_null() ? ir::certify::kNoLimit : in.get<uint32_t>();
   }
@@ -129,11 +143,13 @@ std::string certificateToJson(const Certificate& certificate, const ir::Mission&
   for (const auto& invariant : certificate.invariants) {
     invariants.push_back(invariantToJson(invariant, mission));
   }
-  json out = {{"glidercc certificate", kVersion},
-              {"requirement", certificate.requirement},
-              {"subject", certificate.subject},
-              {"method", ir::prove::word(certificate.method)},
-              {"invariants", invariants}};
+  json assumptions = json::array();
+  for (const uint32_t number : certificate.assumptions) {
+    assumptions.push_back(mission.assumptions.at(number).words);
+  }
+  json out = {{"glidercc certificate", kVersion}, {"requirement", certificate.requirement},
+              {"subject", certificate.subject},   {"method", ir::prove::word(certificate.method)},
+              {"assumptions", assumptions},       {"invariants", invariants}};
   if (certificate.run) {
     out["run"] = json::parse(support::traceToJson(*certificate.run));
   }

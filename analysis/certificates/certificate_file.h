@@ -21,6 +21,7 @@ struct Certificate {
   std::string requirement;  ///< its text in the mission
   std::string subject;      ///< the digest of the mission and the vehicle: subjectOf
   ir::prove::Method method = ir::prove::Method::Invariant;
+  std::vector<uint32_t> assumptions;  ///< numbers of the mission's, on which the proof rests
   std::vector<ir::certify::Invariant> invariants;
   std::optional<support::Trace> run;  ///< of the method Run
 };

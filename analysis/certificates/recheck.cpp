@@ -7,6 +7,7 @@
 #include "flights/launch_choice.h"
 #include "flights/sbc_choice.h"
 #include "ir/certify/obligations.h"
+#include "ir/core/under_assumptions.h"
 #include "support/program.h"
 
 #include <fmt/format.h>
@@ -67,13 +68,24 @@ Result<std::string> check(const ir::certify::Script& script) {
   return std::string();
 }
 
+/// The mission under the assumptions that the certificate names, and no others.
+ir::Mission assuming(const Certificate& certificate, ir::Mission mission) {
+  std::vector<ir::Assumption> named;
+  for (const uint32_t number : certificate.assumptions) {
+    named.push_back(mission.assumptions.at(number));
+  }
+  mission.assumptions = std::move(named);
+  return ir::underAssumptions(std::move(mission));
+}
+
 Result<Rechecked> recheckInvariants(const Certificate& certificate,
-                                    const compiler::Checked& checked,
-                                    const ir::Requirement& requirement) {
+                                    const compiler::Checked& checked, uint32_t requirement) {
   Rechecked result;
-  const double gap = ir::certify::longestGap(checked.mission(), checked.platform());
+  const ir::Mission mission = assuming(certificate, checked.mission());
+  const platforms::Platform platform = ir::underAssumptions(checked.platform(), mission);
+  const double gap = ir::certify::longestGap(mission, platform);
   for (const ir::certify::Script& script : ir::certify::obligationsOf(
-           checked.mission(), checked.platform(), requirement, certificate.invariants, gap)) {
+           mission, platform, mission.requirements.at(requirement), certificate.invariants, gap)) {
     const auto wrong = check(script);
     if (!wrong) {
       return std::unexpected(wrong.error());
@@ -143,7 +155,7 @@ Result<Rechecked> recheck(const Certificate& certificate, const compiler::Optimi
   if (!required.geofences.empty()) {
     return Rechecked{false, 0, "proofs by geometry are not checked a second time"};
   }
-  return recheckInvariants(certificate, *mission.checked, required);
+  return recheckInvariants(certificate, *mission.checked, requirement);
 }
 
 }  // namespace glider::analysis

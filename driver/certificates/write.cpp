@@ -17,8 +17,11 @@ analysis::Certificate certificateOf(const compiler::Checked& checked,
                                     const ir::prove::RequirementVerdict& verdict,
                                     std::string subject) {
   const auto range = checked.mission().requirements[verdict.requirement].range;
-  analysis::Certificate certificate{std::string(checked.sources().text(range)), std::move(subject),
-                                    verdict.evidence->method, verdict.evidence->invariants,
+  analysis::Certificate certificate{std::string(checked.sources().text(range)),
+                                    std::move(subject),
+                                    verdict.evidence->method,
+                                    verdict.assumptions,
+                                    verdict.evidence->invariants,
                                     std::nullopt};
   if (verdict.evidence->method == ir::prove::Method::Run) {
     certificate.run = analysis::traceOfRun(checked, verdict);

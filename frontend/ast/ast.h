@@ -410,6 +410,47 @@ struct Requirement {
   bool operator==(const Requirement&) const = default;
 };
 
+/// Where, or how deep, the vehicle is when control is given.
+struct StartPremise {
+  Expr condition;
+  bool operator==(const StartPremise&) const = default;
+};
+struct OutagePremise {
+  std::optional<Expr> limit;  ///< none: there is no outage
+  bool operator==(const OutagePremise&) const = default;
+};
+struct CurrentPremise {
+  Expr limit;
+  bool operator==(const CurrentPremise&) const = default;
+};
+struct KnownPremise {
+  std::optional<Name> sensor;  ///< none: a fix
+  Expr every;
+  bool operator==(const KnownPremise&) const = default;
+};
+struct ChangesPremise {
+  Name sensor;
+  Expr limit;
+  bool operator==(const ChangesPremise&) const = default;
+};
+struct RangePremise {
+  Name sensor;
+  Range range;
+  bool operator==(const RangePremise&) const = default;
+};
+struct ConditionPremise {
+  Expr condition;
+  std::optional<Expr> inside;  ///< only there
+  bool operator==(const ConditionPremise&) const = default;
+};
+struct Assumption {
+  std::variant<StartPremise, OutagePremise, CurrentPremise, KnownPremise, ChangesPremise,
+               RangePremise, ConditionPremise>
+      node;
+  Where where;
+  bool operator==(const Assumption&) const = default;
+};
+
 /// A name for a condition, for requirements.
 struct PlaceDeclaration {
   Name name;
@@ -451,7 +492,7 @@ struct Import {
 
 using Item = std::variant<MissionLine, PlatformLine, Import, Const, Param, Var, Always, State,
                           Behaviour, ExternFunction, ExternBehaviour, ExternSensor,
-                          PlaceDeclaration, Requirement, Resumption, Declination>;
+                          PlaceDeclaration, Requirement, Assumption, Resumption, Declination>;
 
 /// A mission file or a library file.
 struct File {

@@ -111,6 +111,25 @@ class FilePrinter {
     std::visit([&](const auto& p) { line("require " + scope + promise(p) + end); }, n.node);
   }
 
+  void write(const Assumption& n) {
+    std::visit([&](const auto& p) { line("assume " + premise(p)); }, n.node);
+  }
+  static std::string premise(const StartPremise& p) { return "start " + print(p.condition); }
+  static std::string premise(const OutagePremise& p) {
+    return p.limit ? "outage <= " + print(*p.limit) : "no outage";
+  }
+  static std::string premise(const CurrentPremise& p) { return "current <= " + print(p.limit); }
+  static std::string premise(const KnownPremise& p) {
+    return (p.sensor ? "known " + p.sensor->text : "fix") + " every " + print(p.every);
+  }
+  static std::string premise(const ChangesPremise& p) {
+    return p.sensor.text + " changes <= " + print(p.limit);
+  }
+  static std::string premise(const RangePremise& p) { return p.sensor.text + printRange(p.range); }
+  static std::string premise(const ConditionPremise& p) {
+    return print(p.condition) + (p.inside ? " " + print(*p.inside) : "");
+  }
+
   void write(const Resumption& n) {
     line("resume within " + print(n.within) +
          (n.never_after_restart ? ", never after restart" : ""));

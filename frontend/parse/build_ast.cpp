@@ -67,6 +67,8 @@ ast::Item AstBuilder::item(Parser::ItemContext* rule) {
       return behaviour(static_cast<Parser::BehaviourContext*>(child));
     case GliderParser::RulePlace:
       return place(static_cast<Parser::PlaceContext*>(child));
+    case GliderParser::RuleAssumption:
+      return assumption(static_cast<Parser::AssumptionContext*>(child));
     case GliderParser::RuleResumption:
       return resumption(static_cast<Parser::ResumptionContext*>(child));
     case GliderParser::RuleDeclination:

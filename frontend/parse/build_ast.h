@@ -38,6 +38,7 @@ class AstBuilder {
   ast::Behaviour behaviour(Parser::BehaviourContext* rule);
   ast::Item external(Parser::ExternalContext* rule);
   ast::Requirement requirement(Parser::RequirementContext* rule);
+  ast::Assumption assumption(Parser::AssumptionContext* rule);
   ast::PlaceDeclaration place(Parser::PlaceContext* rule);
   ast::Requirement patternRequirement(Parser::PatternPromiseContext* rule, ast::Where where);
   ast::ReactionPromise reaction(Parser::ReactionPatternContext* rule);

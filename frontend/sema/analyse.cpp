@@ -8,6 +8,7 @@
 #include "frontend/sema/declarations/lower_resumption.h"
 #include "frontend/sema/declarations/variables.h"
 #include "frontend/sema/names/scope.h"
+#include "frontend/sema/promises/lower_assumption.h"
 #include "frontend/sema/states/lower_behaviour.h"
 #include "frontend/sema/states/lower_case.h"
 #include "frontend/sema/states/lower_state.h"
@@ -45,6 +46,7 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
     scope.mission.states.push_back(StateLowering({i}, scope).run());
   }
   lowerRequirements(mission, scope);
+  lowerAssumptions(mission, scope);
   lowerResumption(mission, scope);
   lowerDeclination(mission, scope);
   if (diagnostics.hasErrors()) {

@@ -371,7 +371,7 @@ enum class AssumptionKind : uint8_t {
   Outage,       ///< the SBC is never without power for longer than `limit` s during the mission
   Current,      ///< the water moves no faster than `limit` m/s
   Range,        ///< every known reading of `sensor` is in `lowest` to `highest`
-  Always        ///< `condition` is never false
+  Always        ///< what `watch` says
 };
 
 /// What the pilot takes for granted about the sea, the vehicle and the SBC. Nothing that flies
@@ -383,10 +383,14 @@ struct Assumption {
   SensorId sensor;    ///< of Range
   double lowest = 0;  ///< of Range: SI units or degrees
   double highest = 0;
-  ExprId condition;   ///< of Range, Outage and Always: as that of a requirement
-  Monitor monitor;    ///< of Outage and Always
+  /// Of Range, Outage and Always: what breaks it, as a requirement of the kind Always.
+  Requirement watch;
   std::string words;  ///< as written: "known altitude every 1 min"
   support::SourceRange range;
+
+  [[nodiscard]] bool isWatched() const {
+    return kind >= AssumptionKind::Outage && kind != AssumptionKind::Current;
+  }
 };
 
 /// Used if a mission does not define it: longer than any reboot, and short enough that what the

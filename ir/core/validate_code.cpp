@@ -64,6 +64,9 @@ class CodeValidator {
     for (const Requirement& r : m_.requirements) {
       requirement(r);
     }
+    for (const Assumption& a : m_.assumptions) {
+      assumption(a);
+    }
     for (size_t i = 0; i < block_uses_.size(); ++i) {
       require(block_uses_[i] == 1, {}, "block {} is used {} times", i, block_uses_[i]);
     }
@@ -103,6 +106,25 @@ class CodeValidator {
     parts(r);
     monitor(r);
     in_monitor_ = false;
+  }
+
+  void assumption(const Assumption& a) {
+    require(std::isfinite(a.limit) && a.limit >= 0, a.range, "an assumption with the limit {}",
+            a.limit);
+    const bool inside = a.kind == AssumptionKind::StartInside;
+    require(!inside || (isArea(a.area) && a.area.keep_in), a.range,
+            "an assumption with an invalid area");
+    const bool range = a.kind == AssumptionKind::Range;
+    require(!range || (a.sensor.index < m_.sensors.size() && a.lowest <= a.highest), a.range,
+            "an assumption about an invalid range");
+    require(a.watch.kind == RequirementKind::Always && a.watch.geofences.empty() &&
+                a.watch.monitor.observations.empty(),
+            a.range, "an assumption about what the mission does");
+    require(a.isWatched() || !a.watch.condition.valid(), a.range,
+            "an assumption that is not watched, with a condition");
+    if (a.isWatched()) {
+      requirement(a.watch);
+    }
   }
 
   void parts(const Requirement& r) {

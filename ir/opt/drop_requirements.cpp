@@ -64,10 +64,11 @@ void renumber(Mission& mission, const std::vector<uint32_t>& numbers) {
 }  // namespace
 
 void dropRequirements(Mission& mission) {
-  if (mission.requirements.empty()) {
+  if (mission.requirements.empty() && mission.assumptions.empty()) {
     return;
   }
   mission.requirements.clear();
+  mission.assumptions.clear();
   std::erase_if(mission.variables, [](const Variable& v) { return isOfMonitor(v.kind); });
   opt::compact(mission);
   const std::vector<bool> used = usedSensors(mission);

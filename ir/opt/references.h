@@ -63,22 +63,28 @@ class References {
       of(c);
     }
   }
+  void of(Requirement& requirement) {
+    name(requirement.condition);
+    name(requirement.monitor.step);
+    for (Observation& observation : requirement.monitor.observations) {
+      name(observation.state);
+    }
+    for (Violation& violation : requirement.monitor.violations) {
+      name(violation.condition);
+    }
+    name(requirement.state);
+    name(requirement.after);
+  }
   /// References in the mission itself and in its states, not in its blocks, temporals, variables.
   void ofBody(Mission& mission) {
     for (ExprId& condition : mission.conditions) {
       name(condition);
     }
     for (Requirement& requirement : mission.requirements) {
-      name(requirement.condition);
-      name(requirement.monitor.step);
-      for (Observation& observation : requirement.monitor.observations) {
-        name(observation.state);
-      }
-      for (Violation& violation : requirement.monitor.violations) {
-        name(violation.condition);
-      }
-      name(requirement.state);
-      name(requirement.after);
+      of(requirement);
+    }
+    for (Assumption& assumption : mission.assumptions) {
+      of(assumption.watch);
     }
     for (Case& c : mission.always) {
       of(c);

@@ -5,6 +5,9 @@
 
 #include "ir/prove/passes.h"
 
+#include <fmt/format.h>
+
+#include <string>
 #include <utility>
 
 namespace glider::ir::prove {
@@ -35,6 +38,16 @@ const char* word(Method method) {
       return "geometry";
   }
   return "";
+}
+
+std::string premisesOf(const RequirementVerdict& verdict, const Mission& mission) {
+  std::string line;
+  for (const uint32_t number : verdict.assumptions) {
+    line += fmt::format("{}`{}`", line.empty() ? "assuming " : ", ",
+                        mission.assumptions.at(number).words);
+  }
+  const char* between = line.empty() || verdict.premise.empty() ? "" : "; ";
+  return line + between + verdict.premise;
 }
 
 Findings prove(const Mission& mission, const MissionFacts& facts,

@@ -95,7 +95,13 @@ struct RequirementVerdict {
   bool searched = false;                  ///< it took a search that may be long
   bool cached = false;                    ///< the verdict is from Options::cached
   std::optional<Evidence> evidence = {};  ///< with Options::evidence, of a proof that has one
+  /// The numbers of the assumptions of the mission on which a proof may rest.
+  std::vector<uint32_t> assumptions = {};
 };
+
+/// What a verdict rests on beyond the environment model, in one line: "assuming no outage, and
+/// …"; empty: nothing.
+std::string premisesOf(const RequirementVerdict& verdict, const Mission& mission);
 
 struct Findings {
   std::vector<ReportLine> lines;

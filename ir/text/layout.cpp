@@ -40,6 +40,10 @@ std::vector<uint32_t> countUses(const Mission& mission) {
     count(r.condition);
     std::ranges::for_each(r.monitor.violations, count, &Violation::condition);
   }
+  for (const Assumption& a : mission.assumptions) {
+    count(a.watch.condition);
+    std::ranges::for_each(a.watch.monitor.violations, count, &Violation::condition);
+  }
   for (const Block& block : mission.blocks) {
     for (const Statement& s : block.statements) {
       count(s.value);

@@ -60,6 +60,7 @@ std::string Printer::run() {
   }
   std::ranges::for_each(m_.states, [&](const State& s) { state(s); });
   std::ranges::for_each(m_.requirements, [&](const Requirement& r) { requirement(r); });
+  std::ranges::for_each(m_.assumptions, [&](const Assumption& a) { assumption(a); });
   while (defineNext(UINT32_MAX)) {
   }
   defineUpTo(static_cast<uint32_t>(m_.exprs.size()));
@@ -173,7 +174,8 @@ void Printer::requirement(const Requirement& r) {
       prepare({&r.condition, 1});
       line("require always ");
       use(r.condition);
-      return geofences(r);
+      std::ranges::for_each(r.geofences, [&](const Geofence& f) { geofence(f); });
+      return;
     case RequirementKind::ExitWithin:
       return line("require exit within {}", r.seconds);
     case RequirementKind::StackAtMost:
@@ -186,6 +188,33 @@ void Printer::requirement(const Requirement& r) {
     case RequirementKind::SurfacesEvery:
       return line("require surfaces every {}", r.seconds);
   }
+}
+
+void Printer::assumption(const Assumption& a) {
+  if (a.isWatched()) {
+    monitor(a.watch.monitor);
+    prepare({&a.watch.condition, 1});
+  }
+  line("assume {} ", nameText(a.words));
+  switch (a.kind) {
+    case AssumptionKind::StartDepth:
+      return add("start depth {}", a.limit);
+    case AssumptionKind::StartInside:
+      add("start");
+      return geofence(a.area);
+    case AssumptionKind::Current:
+      return add("current {}", a.limit);
+    case AssumptionKind::Outage:
+      add("outage {} ", a.limit);
+      break;
+    case AssumptionKind::Range:
+      add("range {} {} {} ", nameText(m_[a.sensor].name), a.lowest, a.highest);
+      break;
+    case AssumptionKind::Always:
+      add("always ");
+      break;
+  }
+  use(a.watch.condition);
 }
 
 void Printer::monitor(const Monitor& monitor) {
@@ -212,14 +241,12 @@ void Printer::monitor(const Monitor& monitor) {
   --indent_;
 }
 
-void Printer::geofences(const Requirement& r) {
-  for (const Geofence& fence : r.geofences) {
-    add(" {} (", fence.keep_in ? "inside" : "outside");
-    for (size_t i = 0; i < fence.corners.size(); ++i) {
-      add("{}{}, {}", i == 0 ? "" : ", ", fence.corners[i].latitude, fence.corners[i].longitude);
-    }
-    add(")");
+void Printer::geofence(const Geofence& fence) {
+  add(" {} (", fence.keep_in ? "inside" : "outside");
+  for (size_t i = 0; i < fence.corners.size(); ++i) {
+    add("{}{}, {}", i == 0 ? "" : ", ", fence.corners[i].latitude, fence.corners[i].longitude);
   }
+  add(")");
 }
 
 void Printer::table(const GuardTable& table) {

@@ -55,7 +55,8 @@ class Printer {
 
   void temporal(const Temporal& temporal);
   void cases(const std::vector<Case>& cases);
-  void geofences(const Requirement& r);
+  void assumption(const Assumption& a);
+  void geofence(const Geofence& fence);
   void monitor(const Monitor& monitor);
   void table(const GuardTable& table);
   void requirement(const Requirement& requirement);

@@ -75,6 +75,8 @@ class Reader {
       monitor();
     } else if (in_.peek().isWord("require")) {
       requirement();
+    } else if (in_.peek().isWord("assume")) {
+      assumption();
     } else if (in_.accept("resume")) {
       resumption();
     } else if (in_.accept("compass")) {
@@ -82,7 +84,7 @@ class Reader {
     } else if (!code_.definition()) {
       in_.failExpecting(
           "`sensor`, `behaviour`, `variable`, `table`, `function`, `use`, `let`, `always`, "
-          "`state`, `require`, `resume` or `compass`");
+          "`state`, `require`, `assume`, `resume` or `compass`");
     }
   }
 
@@ -143,7 +145,38 @@ class Reader {
     m_.requirements[number] = r;
   }
 
-  /// What precedes a `require always`: its monitor.
+  void assumption() {
+    const SourceRange begin = in_.expect("assume");
+    Assumption a;
+    a.words = in_.name("the words of the assumption");
+    if (in_.accept("start")) {
+      a.kind = in_.accept("depth") ? AssumptionKind::StartDepth : AssumptionKind::StartInside;
+      a.kind == AssumptionKind::StartDepth ? void(a.limit = in_.number(false))
+                                           : void(a.area = geofence());
+    } else if (in_.accept("current")) {
+      a.kind = AssumptionKind::Current;
+      a.limit = in_.number(false);
+    } else if (in_.accept("outage")) {
+      a.kind = AssumptionKind::Outage;
+      a.limit = in_.number(false);
+    } else if (in_.accept("range")) {
+      a.kind = AssumptionKind::Range;
+      a.sensor = sensorName();
+      a.lowest = in_.number(false);
+      a.highest = in_.number(false);
+    } else {
+      in_.expect("always");
+    }
+    a.range = in_.since(begin);
+    a.watch.range = a.range;
+    if (a.isWatched()) {
+      a.watch.condition = code_.expression();
+      a.watch.monitor = std::exchange(monitor_, {});
+    }
+    m_.assumptions.push_back(std::move(a));
+  }
+
+  /// What precedes a `require always` or an `assume`: its monitor.
   void monitor() {
     if (in_.accept("of")) {
       in_.expect("every");
@@ -168,8 +201,8 @@ class Reader {
       std::string words = in_.name("the words of a violation");
       monitor_.violations.push_back({code_.expression(), std::move(words)});
     }
-    if (!in_.peek().isWord("require")) {
-      in_.failExpecting("`violation` or `require`");
+    if (!in_.peek().isWord("require") && !in_.peek().isWord("assume")) {
+      in_.failExpecting("`violation`, `require` or `assume`");
     }
   }
 
@@ -186,29 +219,36 @@ class Reader {
     }
     const size_t number = monitor_.observations.size();
     code_.stateName([this, requirement, number](StateId id) {
-      m_.requirements[requirement].monitor.observations[number].state = id;
+      if (requirement < m_.requirements.size() &&
+          number < m_.requirements[requirement].monitor.observations.size()) {
+        m_.requirements[requirement].monitor.observations[number].state = id;
+      }
     });
     monitor_.observations.push_back(o);
   }
 
   void geofences(Requirement& r) {
     while (in_.peek().isWord("inside") || in_.peek().isWord("outside")) {
-      Geofence fence;
-      fence.keep_in = in_.accept("inside");
-      if (!fence.keep_in) {
-        in_.expect("outside");
-      }
-      in_.expect('(');
-      do {
-        Position corner;
-        corner.latitude = in_.number(false);
-        in_.expect(',');
-        corner.longitude = in_.number(false);
-        fence.corners.push_back(corner);
-      } while (in_.accept(','));
-      in_.expect(')');
-      r.geofences.push_back(std::move(fence));
+      r.geofences.push_back(geofence());
     }
+  }
+
+  Geofence geofence() {
+    Geofence fence;
+    fence.keep_in = in_.accept("inside");
+    if (!fence.keep_in) {
+      in_.expect("outside");
+    }
+    in_.expect('(');
+    do {
+      Position corner;
+      corner.latitude = in_.number(false);
+      in_.expect(',');
+      corner.longitude = in_.number(false);
+      fence.corners.push_back(corner);
+    } while (in_.accept(','));
+    in_.expect(')');
+    return fence;
   }
 
   void sensor() {

@@ -78,14 +78,14 @@ struct FollowedStep {
   LoggedMoment at;
   std::string kind;  ///< "start", "goto", "call", "return", "exit", "stay", "gap": no records for
                      ///< longer than the outage after which the mission continues; "violation":
-                     ///< of a requirement, which is `guard`
+                     ///< of a requirement, which is `guard`; "assumption": one that is broken
   std::string from;  ///< state; empty for "start"
   std::string to;    ///< state; empty for "exit" and "gap"
   bool always = false;
   support::SourceRange range;  ///< of the case; none for "start" and "gap"
   std::string guard;
   std::vector<LoggedValue> values;
-  std::string words = {};  ///< of a violation: how; may be empty
+  std::string words = {};  ///< of a violation or an assumption: how; may be empty
 };
 
 /// A mission and the data files of one vehicle.

@@ -265,9 +265,10 @@ class Text {
            momentText(step.at), step.from);
       return;
     }
-    if (step.kind == "violation") {
-      line("  {}  {}: violates `{}` ({}){}{}", momentText(step.at), step.from, step.guard,
-           placeOf(step), step.words.empty() ? "" : ": ", step.words);
+    if (step.kind == "violation" || step.kind == "assumption") {
+      line("  {}  {}: {} `{}` ({}){}{}", momentText(step.at), step.from,
+           step.kind == "violation" ? "violates" : "breaks", step.guard, placeOf(step),
+           step.words.empty() ? "" : ": ", step.words);
       return;
     }
     const std::string what = step.kind == "stay" ? step.from + " (stay)"

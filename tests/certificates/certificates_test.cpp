@@ -23,6 +23,24 @@ namespace {
 
 using nlohmann::json;
 
+constexpr const char* kPatrol = R"(
+state look
+begin
+  flightprofile yo(5 m, 24.5 m, 26 deg, 26 deg)
+  sensors       missiontime, altitude
+  events
+    case altitude < 5 m                              goto up
+    case missiontime >= 1 h && known(altitude)       exit
+end
+state up
+begin
+  flightprofile surfaced
+  sensors       missiontime
+  events
+    case missiontime >= 1 h exit
+end
+)";
+
 constexpr const char* kSurvey = R"(mission survey
 require exit within 95 min
 require always depth <= 30 m
@@ -329,6 +347,31 @@ TEST(Program, GivesWhatItWroteAndHowItEnded) {
   EXPECT_EQ(killed->exit_code, 128 + 9);
   const std::string much(1 << 20, 'x');
   EXPECT_EQ(support::runProgram({"cat"}, much)->text, much);
+}
+
+/// The second check makes the assumptions that the certificate names, and no others.
+TEST(Certificates, RestOnTheAssumptionsThatTheyName) {
+  const char* kAssumed[] = {"no outage", "known altitude every 30 s", "start depth <= 1 m",
+                            "altitude in 10 m .. 100 m", "altitude >= 10 m"};
+  const char* kRequired[] = {"exit within 62 min", "exit within 64 min", "always depth <= 29.5 m",
+                             "never up", "never up"};
+  for (size_t i = 0; i < std::size(kAssumed); ++i) {
+    const Issued issued = issue(std::string("mission m\nresume within 20 s\nassume ") +
+                                kAssumed[i] + "\nrequire " + kRequired[i] + kPatrol);
+    ASSERT_EQ(issued.findings.requirements.at(0).verdict, ir::prove::Verdict::Proved)
+        << kAssumed[i];
+    const std::string file = issued.file(0);
+    const bool named = json::parse(file)["assumptions"].size() == 1;
+    const analysis::Rechecked whole = issued.rechecked(0, file);
+    EXPECT_TRUE(whole.accepted) << kAssumed[i] << ": " << whole.reason;
+    json without = json::parse(file);
+    without["assumptions"] = json::array();
+    EXPECT_EQ(issued.rechecked(0, without.dump()).accepted, !named) << kAssumed[i];
+    json other = json::parse(file);
+    other["assumptions"] = {"no such thing"};
+    EXPECT_FALSE(
+        analysis::certificateFromJson(other.dump(), "c.json", issued.mission->checked->mission()));
+  }
 }
 
 }  // namespace

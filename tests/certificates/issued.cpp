@@ -19,8 +19,12 @@ std::string Issued::file(uint32_t requirement) const {
   if (!verdict.evidence) {
     return "";
   }
-  analysis::Certificate certificate{"", *analysis::subjectOf(checked), verdict.evidence->method,
-                                    verdict.evidence->invariants, std::nullopt};
+  analysis::Certificate certificate{"",
+                                    *analysis::subjectOf(checked),
+                                    verdict.evidence->method,
+                                    verdict.assumptions,
+                                    verdict.evidence->invariants,
+                                    std::nullopt};
   if (verdict.run) {
     certificate.run = analysis::traceOfRun(checked, verdict);
   }

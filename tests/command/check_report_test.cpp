@@ -63,7 +63,7 @@ TEST(CheckReport, SaysTheWayHome) {
   EXPECT_THAT(
       outcome.out,
       HasSubstr("\nif the SBC stops responding, hookbeh revokes control within 64 s (assuming "
-                "silence_secs 24; see --skeleton); from at most 25 m deep, "
+                "silence_secs 24; see --mi); from at most 25 m deep, "
                 "the vehicle is at the surface within 11 min 24 s\n"));
 }
 

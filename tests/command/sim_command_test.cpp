@@ -49,6 +49,35 @@ class Sim : public ::testing::Test {
 
 const std::set<std::string> kFiles = {"events.csv", "flight.json", "report.html", "trace.csv"};
 
+/// Of each kind: a start elsewhere, a current, readings out of a range and gone too long.
+TEST_F(Sim, AFlightThatBreaksAnAssumptionWarns) {
+  const std::pair<const char*, const char*> kBroken[] = {
+      {"start inside(49 N 74 W, 49 N 73 W, 50 N 73.5 W)", "the mission begins at 39.17"},
+      {"depth <= 15 m", "in state `s`"},
+      {"depth in 0 m .. 15 m", "in state `s`"},
+      {"gpslat in 10 N .. 20 N", "in state `s`"},
+      {"known gpslat every 1 min", "`gpslat` was unknown for more than 1 min"}};
+  for (const auto& [assumed, how] : kBroken) {
+    mission("20 m", "depth, gpslat", std::string("assume ") + assumed + "\n");
+    const Outcome flown = run("rm -rf f; $GLIDERCC sim m.mission -o f");
+    EXPECT_EQ(flown.status, 1) << assumed << flown.err;
+    EXPECT_THAT(flown.err, HasSubstr("m.mission:2:1: warning: this flight breaks the assumption: "
+                                     "at mission time "))
+        << assumed;
+    EXPECT_THAT(flown.err, HasSubstr(how)) << assumed;
+    EXPECT_THAT(flown.err, HasSubstr("[GL5128 assumption-flown]"));
+  }
+}
+
+TEST_F(Sim, AFlightWithinItsAssumptionsIsFine) {
+  mission("20 m", "depth, gpslat",
+          "assume start inside(39 N 74 W, 39 N 73 W, 40 N 73.5 W)\nassume start depth <= 3 m\n"
+          "assume no outage\nassume current <= 1 m/s\nassume depth in -1 m .. 40 m\n"
+          "assume depth changes <= 1 m/s\n");
+  const Outcome flown = run("$GLIDERCC sim m.mission -o f");
+  EXPECT_EQ(flown.status, 0) << flown.err;
+}
+
 /// The vehicle goes slightly deeper than the command.
 TEST_F(Sim, AFlightThatViolatesARequirementWarns) {
   mission("20 m", "depth", "require never depth > 20.2 m\nrequire visit s at most 1 times\n");

@@ -104,7 +104,8 @@ class Compilation {
       const support::SourceRange range = mission_->requirements[verdict.requirement].range;
       product_ += "--- " + std::string(ir::prove::word(verdict.verdict)) + ": " +
                   std::string(sources_.text(range)) + "\n";
-      product_ += verdict.premise.empty() ? "" : "---   " + verdict.premise + "\n";
+      const std::string premises = ir::prove::premisesOf(verdict, *mission_);
+      product_ += premises.empty() ? "" : "---   " + premises + "\n";
     }
   }
 

@@ -61,6 +61,7 @@ class Declarations {
   void visit(const ast::Import&) {}
   void visit(const ast::PlaceDeclaration&) {}
   void visit(const ast::Requirement&) {}
+  void visit(const ast::Assumption&) {}
   void visit(const ast::Resumption&) {}
   void visit(const ast::Declination&) {}
 

@@ -49,6 +49,9 @@ struct Judge {
   std::optional<Refused> operator()(const ast::Requirement& item) const {
     return Refused{"a requirement", item.where};
   }
+  std::optional<Refused> operator()(const ast::Assumption& item) const {
+    return Refused{"an assumption", item.where};
+  }
   std::optional<Refused> operator()(const ast::Resumption& item) const {
     return Refused{"`resume`", item.where};
   }

@@ -53,6 +53,12 @@ ir::VariableId MonitorBuilder::counter(const std::string& name, double most) {
   return id;
 }
 
+ir::VariableId MonitorBuilder::value(const std::string& name, const ir::Type& type) {
+  const auto id = make(name, ir::VariableKind::Monitor, type, number(0, type));
+  kept_.push_back({id, false});
+  return id;
+}
+
 ir::VariableId MonitorBuilder::momentary(const std::string& name) {
   const auto id = make(name, ir::VariableKind::Momentary, boolean(), {});
   set(id, false);

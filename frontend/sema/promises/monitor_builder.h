@@ -14,8 +14,8 @@
 
 namespace glider::frontend {
 
-/// Writes the monitor of a requirement as IR (ir/README.md, Monitors). Statements go to the block
-/// that is being written, in the order of the calls.
+/// Writes the monitor of a requirement or an assumption as IR (ir/README.md, Monitors). Statements
+/// go to the block that is being written, in the order of the calls.
 class MonitorBuilder {
  public:
   /// `prefix` is a part of the names of all variables; `range` is that of the requirement.
@@ -28,6 +28,8 @@ class MonitorBuilder {
   ir::VariableId clock(const std::string& name);
   /// A number of visits, from 0 to `most`.
   ir::VariableId counter(const std::string& name, double most);
+  /// A number of this type, 0 until it is set.
+  ir::VariableId value(const std::string& name, const ir::Type& type);
   /// A truth value of this tick, false until it is set.
   ir::VariableId momentary(const std::string& name);
 

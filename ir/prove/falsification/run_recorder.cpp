@@ -42,6 +42,12 @@ RunRecorder::RunRecorder(const ProofContext& proof_context, uint32_t stack_depth
     monitors_.emplace_back(m_, requirement, proof_context.platform.world.surface_depth_m,
                            depth_sensor_);
   }
+  for (const Assumption& assumption : m_.assumptions) {
+    if (assumption.isWatched()) {
+      assumed_.emplace_back(m_, assumption.watch, proof_context.platform.world.surface_depth_m,
+                            depth_sensor_);
+    }
+  }
   reads_variation_ = m_.compass && std::ranges::any_of(m_.exprs, [&](const Expr& e) {
                        return e.sensor.valid() && e.sensor == m_.compass->variation;
                      });
@@ -92,9 +98,13 @@ bool RunRecorder::tickIfQuiet(double time, const std::vector<double>& readings, 
 void RunRecorder::keep(TickResult result, double time, std::vector<SensorUpdate> frame,
                        double depth) {
   tell(result, time);
+  for (RequirementMonitor& assumption : assumed_) {
+    assumption.tick(*interpreter_, time, result, depth);
+    assumptions_hold_ &= !assumption.when();
+  }
   for (size_t i = 0; i < monitors_.size(); ++i) {
     monitors_[i].tick(*interpreter_, time, result, depth);
-    if (!hit_ && monitors_[i].when()) {
+    if (assumptions_hold_ && !hit_ && monitors_[i].when()) {
       hit_ = i;
     }
   }
@@ -124,7 +134,7 @@ void RunRecorder::tell(const TickResult& result, double time) {
 
 /// The values that the condition of `always` read at that time.
 void RunRecorder::describeValues() {
-  if (requirements_[*hit_].monitor.step.valid()) {
+  if (!requirements_[*hit_].monitor.violations.empty()) {
     return;  // its words say what happened
   }
   std::vector<ExprId> open{requirements_[*hit_].condition};

@@ -28,6 +28,13 @@ double offLegs(const ProofContext& proof_context, bool by_heading, double time) 
   return world.steering_error_m + set + world.through_water_m_s * astray;
 }
 
+/// The corners of the area in which control is assumed to be given; none: nothing is assumed.
+std::vector<Position> assumedStarts(const Mission& mission) {
+  const auto start =
+      std::ranges::find(mission.assumptions, AssumptionKind::StartInside, &Assumption::kind);
+  return start == mission.assumptions.end() ? std::vector<Position>() : start->area.corners;
+}
+
 std::string reasonOf(const ProofContext& proof_context, const Geofence& fence,
                      const Steering& steering, const Clearance& found, double time, double margin) {
   const char* bound = fence.keep_in ? "to stay in" : "to stay out of";
@@ -58,11 +65,15 @@ GeofenceVerdict judgeGeofences(const std::vector<Geofence>& geofences,
   if (steering.waypoints.empty()) {
     return {false, 0, 0, "it does not steer to a waypoint, so its track has no bound"};
   }
+  std::vector<Position> places = steering.waypoints;
+  const std::vector<Position> starts = assumedStarts(proof_context.mission);
+  places.insert(places.end(), starts.begin(), starts.end());
+  verdict.start_assumed = !starts.empty();
   for (const Geofence& fence : geofences) {
-    const AreaMap map(fence.corners, steering.waypoints);
-    const Clearance found = map.clearance(fence, steering.waypoints);
+    const AreaMap map(fence.corners, places);
+    const Clearance found = map.clearance(fence, places);
     // For an area to stay in, the vehicle begins among its corners.
-    const double start_within = fence.keep_in ? 0 : kStartWithin;
+    const double start_within = fence.keep_in || verdict.start_assumed ? 0 : kStartWithin;
     const double margin = off_legs + map.bend_m(start_within);
     if (!map.holds(margin + start_within)) {
       return {false, 0, 0,

@@ -34,13 +34,15 @@ struct GeofenceVerdict {
   double margin_m = 0;  ///< if proved: how far from the edges control must be given
   /// How close to one of the waypoints, m; 0: the area to stay in determines it.
   double start_within_m = 0;
-  std::string reason;  ///< why they are not known to be kept
+  bool start_assumed = false;  ///< the mission assumes where control is given, which is enough
+  std::string reason;          ///< why they are not known to be kept
 };
 
-/// The verdict on `geofences` for the whole flight. It assumes that control is given on the right
-/// side of the edges by the margin and within `start_within_m`, and that the hull of that place and
-/// the waypoints is on the right side. (A way from farther off would bend more on the map.)
-/// Distances are those of area_map.h, rounded down.
+/// The verdict on `geofences` for the whole flight. If the mission assumes an area in which control
+/// is given, its corners are taken like waypoints. Otherwise the verdict assumes that control is
+/// given on the right side of the edges by the margin and within `start_within_m`, and that the
+/// hull of that place and the waypoints is on the right side. (A way from farther off would bend
+/// more on the map.) Distances are those of area_map.h, rounded down.
 GeofenceVerdict judgeGeofences(const std::vector<Geofence>& geofences,
                                const ProofContext& proof_context, Ending& ending);
 

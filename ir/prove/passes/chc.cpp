@@ -3,6 +3,7 @@
 
 #include "ir/prove/chc.h"
 
+#include "ir/core/under_assumptions.h"
 #include "ir/prove/encoding/horn_clauses.h"
 #include "ir/prove/encoding/safety_properties.h"
 
@@ -42,8 +43,10 @@ std::string problem(const Requirement& requirement, const ProofContext& proof_co
 
 }  // namespace
 
-std::string chcText(const Mission& mission, const platforms::Platform& platform,
+std::string chcText(const Mission& written, const platforms::Platform& vehicle,
                     const std::function<std::string(uint32_t)>& words) {
+  const Mission mission = underAssumptions(written);
+  const platforms::Platform platform = underAssumptions(vehicle, written);
   const ProofContext proof_context(mission, platform);
   std::string text;
   for (uint32_t i = 0; i < mission.requirements.size(); ++i) {

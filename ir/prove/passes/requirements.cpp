@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/core/under_assumptions.h"
 #include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/abstract/depth_bound.h"
 #include "ir/prove/abstract/entered_after.h"
@@ -114,8 +115,10 @@ class Insight {
 
 class RequirementCheck {
  public:
-  explicit RequirementCheck(Proof& proof)
+  /// `bare`: of the mission without its assumptions; null if it has none. It must outlive this.
+  explicit RequirementCheck(Proof& proof, RequirementCheck* bare = nullptr)
       : proof_(proof),
+        bare_(bare),
         m_(proof.proof_context.mission),
         deepest_(std::ranges::max(deepestByState(proof.proof_context))) {}
 
@@ -123,8 +126,11 @@ class RequirementCheck {
   void run() {
     std::vector<RequirementVerdict>& verdicts = proof_.findings.requirements;
     for (uint32_t i = 0; i < m_.requirements.size(); ++i) {
-      auto found = judgeAtOnce(m_.requirements[i]);
+      const bool bare = bare_ != nullptr && bare_->provesAtOnce(i);
+      auto found = bare ? std::optional(RequirementVerdict{0, Verdict::Proved, std::nullopt})
+                        : judgeAtOnce(m_.requirements[i]);
       waiting_.push_back(!found);
+      bare_proved_.push_back(bare);
       verdicts.push_back(found.value_or(RequirementVerdict()));
       verdicts.back().requirement = i;
     }
@@ -148,9 +154,50 @@ class RequirementCheck {
     if (proof_.options.evidence) {
       addEvidence(verdicts);
     }
+    for (RequirementVerdict& verdict : verdicts) {
+      addPremises(verdict);
+    }
   }
 
  private:
+  /// Without a search, and without a word where it is violated.
+  [[nodiscard]] bool provesAtOnce(uint32_t number) {
+    const Requirement& requirement = m_.requirements[number];
+    return requirement.kind == RequirementKind::StackAtMost
+               ? proof_.facts.stack_depth <= requirement.depth
+               : easilyProved(requirement) || isSeen(requirement);
+  }
+
+  /// The assumptions that a proof may rest on.
+  void addPremises(RequirementVerdict& verdict) {
+    const uint32_t number = verdict.requirement;
+    if (bare_ == nullptr || bare_proved_[number] || verdict.verdict != Verdict::Proved) {
+      return;
+    }
+    for (uint32_t i = 0; i < m_.assumptions.size(); ++i) {
+      if (matters(m_.assumptions[i], number)) {
+        verdict.assumptions.push_back(i);
+      }
+    }
+  }
+
+  [[nodiscard]] bool matters(const Assumption& assumption, uint32_t number) {
+    const bool of_areas = !m_.requirements[number].geofences.empty();
+    switch (assumption.kind) {
+      case AssumptionKind::StartDepth:
+        return !of_areas;
+      case AssumptionKind::StartInside:
+      case AssumptionKind::Current:
+        return of_areas;
+      case AssumptionKind::Outage:
+      case AssumptionKind::Range:
+        return true;
+      case AssumptionKind::Always:
+        return restsOnWatches(bare_->m_.requirements[number]);
+    }
+    return true;
+  }
+
   [[nodiscard]] Evidences& evidences() {
     if (!evidences_) {
       evidences_.emplace(proof_.proof_context, proof_.ending.bound());
@@ -161,7 +208,11 @@ class RequirementCheck {
   /// Of the proofs that have none yet.
   void addEvidence(std::vector<RequirementVerdict>& verdicts) {
     for (RequirementVerdict& verdict : verdicts) {
-      if (verdict.verdict == Verdict::Proved && !verdict.evidence) {
+      if (verdict.verdict == Verdict::Proved && !verdict.evidence &&
+          bare_proved_[verdict.requirement]) {
+        verdict.evidence =
+            bare_->evidences().seen(bare_->m_.requirements[verdict.requirement], false, false);
+      } else if (verdict.verdict == Verdict::Proved && !verdict.evidence) {
         verdict.evidence = evidences().seen(m_.requirements[verdict.requirement],
                                             verdict.run.has_value(), waiting_[verdict.requirement]);
       }
@@ -249,6 +300,9 @@ class RequirementCheck {
   RequirementVerdict judgeAreas(const Requirement& requirement) {
     const GeofenceVerdict found =
         judgeGeofences(requirement.geofences, proof_.proof_context, proof_.ending);
+    if (found.proved && found.start_assumed) {
+      return {0, Verdict::Proved, std::nullopt};
+    }
     if (found.proved) {
       return {
           0, Verdict::Proved, std::nullopt,
@@ -523,21 +577,34 @@ class RequirementCheck {
   }
 
   Proof& proof_;
+  RequirementCheck* bare_;
   const Mission& m_;
   std::optional<Insight> insight_;  ///< with power cuts; none: not asked for yet
   std::optional<Insight> powered_;
   double deepest_;                      ///< of the mission, m
   std::optional<Evidences> evidences_;  ///< with Options::evidence
   std::vector<bool> waiting_;           ///< by requirement: a search has to decide it
+  std::vector<bool> bare_proved_;       ///< by requirement: without the assumptions
   bool fresh_ = false;                  ///< something was proved since the first look
 };
 
 }  // namespace
 
 void passes::requirements(Proof& proof) {
-  if (!proof.proof_context.mission.requirements.empty()) {
-    RequirementCheck(proof).run();
+  const ProofContext& plain = proof.proof_context;
+  if (plain.mission.requirements.empty()) {
+    return;
   }
+  if (plain.mission.assumptions.empty()) {
+    return RequirementCheck(proof).run();
+  }
+  const Mission mission = underAssumptions(plain.mission);
+  const platforms::Platform platform = underAssumptions(plain.platform, plain.mission);
+  const ProofContext proof_context(mission, platform);
+  Proof assuming{proof.context, proof_context, proof.facts, proof.options, proof.diagnostics};
+  RequirementCheck bare(proof);
+  RequirementCheck(assuming, &bare).run();
+  proof.findings.requirements = std::move(assuming.findings.requirements);
 }
 
 }  // namespace glider::ir::prove

@@ -26,18 +26,18 @@ TEST(WayHome, IsTheSilenceTwoOfTheLongestCyclesTheTurnAndTheClimb) {
 
 TEST(UsualSilence, IsThatOfHookbeh) {
   EXPECT_EQ(usualSilence().seconds, 24);
-  EXPECT_EQ(usualSilence().source, "assuming silence_secs 24; see --skeleton");
+  EXPECT_EQ(usualSilence().source, "assuming silence_secs 24; see --mi");
 }
 
 class SilenceOf : public ::testing::Test {
  protected:
-  [[nodiscard]] support::Result<Silence> of(const std::string& value) const {
-    return silenceOf(folder_
-                         .write("a.mi",
-                                "behavior: surface\nbehavior: hookbeh\n    b_arg: "
-                                "silence_secs(s) " +
-                                    value + "\n")
-                         .string());
+  [[nodiscard]] support::Result<VehicleFile> of(const std::string& value) const {
+    return vehicleFileOf(folder_
+                             .write("a.mi",
+                                    "behavior: surface\nbehavior: hookbeh\n    b_arg: "
+                                    "silence_secs(s) " +
+                                        value + "\n")
+                             .string());
   }
   const tests::TemporaryFolder folder_;
 };
@@ -45,8 +45,8 @@ class SilenceOf : public ::testing::Test {
 TEST_F(SilenceOf, IsThatOfTheVehiclesMissionFile) {
   const auto silence = of("300.5");
   ASSERT_TRUE(silence);
-  EXPECT_EQ(silence->seconds, 300.5);
-  EXPECT_EQ(silence->source, "silence_secs 300.5 from a.mi");
+  EXPECT_EQ(silence->silence.seconds, 300.5);
+  EXPECT_EQ(silence->silence.source, "silence_secs 300.5 from a.mi");
 }
 
 TEST_F(SilenceOf, IsFromAboveNothingToAnHour) {
@@ -63,17 +63,18 @@ TEST_F(SilenceOf, MayBeInAnArgumentFile) {
   (void)folder_.write(
       "hookbe03.ma",
       "behavior_name=hookbeh\n<start:b_arg>\nb_arg: silence_secs(s) 60\n<end:b_arg>\n");
-  const auto silence = silenceOf(
+  const auto silence = vehicleFileOf(
       folder_.write("a.mi", "behavior: hookbeh\n    b_arg: args_from_file(enum) 3\n").string());
   ASSERT_TRUE(silence);
-  EXPECT_EQ(silence->seconds, 60);
+  EXPECT_EQ(silence->silence.seconds, 60);
 }
 
 TEST_F(SilenceOf, WithoutAHookbehIsNone) {
-  const auto silence = silenceOf(folder_.write("a.mi", "behavior: surface\n").string());
+  const auto silence = vehicleFileOf(folder_.write("a.mi", "behavior: surface\n").string());
   ASSERT_FALSE(silence);
   EXPECT_EQ(silence.error().id, support::DiagnosticId::skeletonErrors);
-  EXPECT_EQ(silenceOf(folder_.path() / "none.mi").error().id, support::DiagnosticId::cannotRead);
+  EXPECT_EQ(vehicleFileOf((folder_.path() / "none.mi").string()).error().id,
+            support::DiagnosticId::cannotRead);
 }
 
 }  // namespace

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analysis/vehicle_file.h"
+
+#include "slocum/mission_files/load.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace glider::analysis {
+namespace {
+
+using slocum::BehaviourBlock;
+using support::DiagnosticId;
+
+/// s; the longest silence that hookbeh accepts
+constexpr double kLongestSilence = 3600;
+
+const BehaviourBlock* find(const slocum::MissionFile& file, const char* name) {
+  const auto found = std::ranges::find(file.behaviours, name, &BehaviourBlock::name);
+  return found == file.behaviours.end() ? nullptr : &*found;
+}
+
+/// A limit that is switched on by a value of 0 or more.
+std::optional<double> limitOf(const BehaviourBlock& abend, const char* argument) {
+  const double value = abend.value(argument);
+  return value >= 0 && !slocum::missionParameter(value) ? std::optional(value) : std::nullopt;
+}
+
+AbortLimits abortsOf(const slocum::MissionFile& file) {
+  const BehaviourBlock* abend = find(file, "abend");
+  return abend == nullptr ? AbortLimits()
+                          : AbortLimits{limitOf(*abend, "overdepth"), limitOf(*abend, "overtime"),
+                                        limitOf(*abend, "undervolts")};
+}
+
+}  // namespace
+
+support::Result<VehicleFile> vehicleFileOf(const slocum::MissionFile& file,
+                                           const std::string& path) {
+  const BehaviourBlock* hookbeh = find(file, "hookbeh");
+  if (hookbeh == nullptr) {
+    return support::fail(DiagnosticId::skeletonErrors, path, "it has no behavior `hookbeh`");
+  }
+  const double seconds = hookbeh->value("silence_secs");
+  if (!(seconds > 0 && seconds <= kLongestSilence)) {
+    return support::fail(DiagnosticId::skeletonErrors, path,
+                         fmt::format("silence_secs must be above 0 and at most {:.0f}, not {}",
+                                     kLongestSilence, seconds));
+  }
+  const std::string name = std::filesystem::path(path).filename().string();
+  const double steepest = hookbeh->value("max_pitch");
+  const double shallowest = hookbeh->value("min_pitch");
+  const double deepest = hookbeh->value("max_depth");
+  return VehicleFile{name,
+                     {seconds, fmt::format("silence_secs {:.4g} from {}", seconds, name)},
+                     {steepest, shallowest, deepest,
+                      fmt::format("max_pitch {:.4g}, min_pitch {:.4g} and max_depth {:.4g} in {}",
+                                  steepest, shallowest, deepest, name)},
+                     abortsOf(file), file};
+}
+
+support::Result<VehicleFile> vehicleFileOf(const std::string& path,
+                                           const support::ShowDiagnostics& show) {
+  support::SourceManager sources;
+  support::DiagnosticEngine diagnostics;
+  const auto file = slocum::loadMission(path, sources, diagnostics, [](auto&&...) {});
+  if (!file) {
+    if (show && diagnostics.hasErrors()) {
+      show(diagnostics, sources);
+    }
+    return std::unexpected(file.error());
+  }
+  return vehicleFileOf(*file, path);
+}
+
+}  // namespace glider::analysis

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "analysis/refused_commands.h"
+#include "analysis/way_home.h"
+#include "slocum/mission_files/mission_file.h"
+#include "support/diagnostics/show.h"
+#include "support/result.h"
+
+#include <optional>
+#include <string>
+
+namespace glider::analysis {
+
+/// Where `abend` ends the vehicle's mission; empty: nowhere, or only the vehicle knows (a mission
+/// parameter).
+struct AbortLimits {
+  std::optional<double> overdepth_m;
+  std::optional<double> overtime_s;  ///< since the vehicle's mission began
+  std::optional<double> undervolts_V;
+};
+
+/// What the mission file of the vehicle says about the missions that it may give control to.
+struct VehicleFile {
+  std::string name;  ///< of the file, without its folder
+  Silence silence;
+  CommandLimits commands;
+  AbortLimits aborts;
+  slocum::MissionFile mission;
+};
+
+/// Reads the .mi file at `path` with the argument files beside it; errors in them are shown.
+/// GL9001, GL51xx; GL5120 if there is no hookbeh or its silence is not a valid time.
+support::Result<VehicleFile> vehicleFileOf(const std::string& path,
+                                           const support::ShowDiagnostics& show = {});
+/// The same for a file that has been read.
+support::Result<VehicleFile> vehicleFileOf(const slocum::MissionFile& file,
+                                           const std::string& path);
+
+}  // namespace glider::analysis

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analysis/vehicle_limits.h"
+
+#include "flights/broken_assumption.h"
+#include "ir/prove/abstract/end_bound.h"
+#include "ir/prove/context/duration_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ranges>
+#include <vector>
+
+namespace glider::analysis {
+namespace {
+
+using support::DiagnosticId;
+
+/// Where a fault of the whole mission is reported.
+support::SourceRange beginningOf(const ir::Mission& mission) {
+  return mission.states.front().range;
+}
+
+void checkDepth(const ir::Mission& mission, double overdepth, const std::string& name,
+                support::DiagnosticEngine& diagnostics) {
+  CommandLimits limits = usualLimits();
+  limits.steepest_pitch_rad = 10;  // of pitches abend knows nothing
+  limits.shallowest_pitch_rad = 0;
+  limits.greatest_depth_m = overdepth;
+  for (const Refusal& one : refusalsOf(mission, limits)) {
+    diagnostics.report(DiagnosticId::vehicleAborts,
+                       one.range.valid() ? one.range : beginningOf(mission),
+                       fmt::format("{} may command {}, and abend allows no more than {:.4g} m "
+                                   "(overdepth in {})",
+                                   one.who, one.command, overdepth, name),
+                       "command a shallower depth, or raise overdepth");
+  }
+}
+
+void checkTime(const compiler::Checked& checked, double overtime, const std::string& name,
+               support::DiagnosticEngine& diagnostics) {
+  const ir::prove::ProofContext context(checked.mission(), checked.platform());
+  const ir::prove::EndBound end = ir::prove::boundOf(
+      context.withoutPowerCuts(), ir::prove::kLongestMission, ir::prove::Goal::Exit);
+  if (end.by && *end.by > overtime) {
+    diagnostics.report(
+        DiagnosticId::vehicleAborts, beginningOf(checked.mission()),
+        fmt::format("the mission may last {}, and abend allows {} (overtime in {})",
+                    ir::prove::durationOf(*end.by), ir::prove::durationOf(overtime), name),
+        "end the mission earlier, or raise overtime");
+  }
+}
+
+}  // namespace
+
+void checkVehicleLimits(const compiler::Checked& checked, const VehicleFile& file,
+                        support::DiagnosticEngine& diagnostics) {
+  const ir::Mission& mission = checked.mission();
+  for (const Refusal& one : refusalsOf(mission, file.commands)) {
+    diagnostics.report(DiagnosticId::vehicleRefuses,
+                       one.range.valid() ? one.range : beginningOf(mission), one.who, one.command,
+                       one.limit, file.name);
+  }
+  if (file.aborts.overdepth_m) {
+    checkDepth(mission, *file.aborts.overdepth_m, file.name, diagnostics);
+  }
+  if (file.aborts.overtime_s) {
+    checkTime(checked, *file.aborts.overtime_s, file.name, diagnostics);
+  }
+  const double full = checked.platform().power.full_V;
+  if (file.aborts.undervolts_V && full > 0 && *file.aborts.undervolts_V >= full) {
+    diagnostics.report(DiagnosticId::vehicleAborts, beginningOf(mission),
+                       fmt::format("its full batteries have {:.4g} V, and abend demands {:.4g} V "
+                                   "(undervolts in {})",
+                                   full, *file.aborts.undervolts_V, file.name),
+                       "lower undervolts");
+  }
+}
+
+void checkStart(const compiler::Checked& mission, const StartPlace& start,
+                support::DiagnosticEngine& diagnostics) {
+  const auto& all = mission.mission().assumptions;
+  const auto assumed =
+      std::ranges::find(all, ir::AssumptionKind::StartInside, &ir::Assumption::kind);
+  if (assumed != all.end() &&
+      !flights::isInside(assumed->area, start.at.latitude, start.at.longitude)) {
+    diagnostics.report(DiagnosticId::startUnassumed, assumed->range, start.name,
+                       fmt::format("at {:.4f}, {:.4f}", start.at.latitude, start.at.longitude),
+                       "`" + assumed->words + "`");
+  }
+}
+
+}  // namespace glider::analysis

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "analysis/vehicle_file.h"
+#include "compiler/compilation.h"
+#include "support/diagnostics/engine.h"
+
+#include <string>
+
+namespace glider::analysis {
+
+/// Reports what the vehicle of `file` would not do for the mission: commands that its hookbeh
+/// refuses (GL3124); depths, times and voltages at which its abend aborts (GL3125).
+void checkVehicleLimits(const compiler::Checked& mission, const VehicleFile& file,
+                        support::DiagnosticEngine& diagnostics);
+
+/// Where a flight starts.
+struct StartPlace {
+  std::string name;  ///< "scenario `default`"
+  ir::Position at;
+};
+
+/// Reports a start outside the area that the mission assumes (GL3126).
+void checkStart(const compiler::Checked& mission, const StartPlace& start,
+                support::DiagnosticEngine& diagnostics);
+
+}  // namespace glider::analysis

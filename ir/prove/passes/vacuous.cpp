@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/abstract/bounds_by_state.h"
+#include "ir/prove/encoding/any_moment.h"
+#include "ir/prove/passes.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace glider::ir::prove {
+namespace {
+
+using support::DiagnosticId;
+
+/// What can be true at some moment of a flight; other expressions are certainly never true.
+class Possible {
+ public:
+  /// Adds the negations that are asked about to `mission`.
+  explicit Possible(Mission& mission) : m_(mission) {}
+
+  /// To be called for every condition before ask().
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+  void prepare(ExprId id) {
+    const Expr e = m_[id];
+    if (e.op == Op::And || e.op == Op::Or) {
+      prepare(e.operands[0]);
+      prepare(e.operands[1]);
+    } else if (isAsked(e) && !negations_.contains(id.index)) {
+      Expr negation;
+      negation.op = Op::Not;
+      negation.type = e.type;
+      negation.operands[0] = id;
+      m_.exprs.push_back(negation);
+      negations_.emplace(id.index, ExprId{static_cast<uint32_t>(m_.exprs.size() - 1)});
+    }
+  }
+
+  void ask(const Proof& proof, const EndBound& end, Budget& budget) {
+    const ProofContext plain(m_, proof.proof_context.platform);
+    const ProofContext context = end.by ? plain.endingBy(std::ranges::max(end.left_by)) : plain;
+    const std::vector<StateBounds> bounds = stateBounds(context, end);
+    AnyMoment moment(context, bounds);
+    for (const auto& [condition, negation] : negations_) {
+      if (moment.neverFalse(negation, proof.options.effort, budget)) {
+        never_.insert(condition);
+      }
+    }
+  }
+
+  /// With `flags`, the truth values of monitors that can be true. `why` becomes what is never true.
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+  bool mayBeTrue(ExprId id, const std::set<uint32_t>& flags, std::optional<ExprId>& why) const {
+    const Expr& e = m_[id];
+    switch (e.op) {
+      case Op::False:
+        return false;
+      case Op::And:
+        return mayBeTrue(e.operands[0], flags, why) && mayBeTrue(e.operands[1], flags, why);
+      case Op::Or:
+        return mayBeTrue(e.operands[0], flags, why) || mayBeTrue(e.operands[1], flags, why);
+      case Op::Variable:
+        return !isOfMonitor(m_[e.variable].kind) || flags.contains(e.variable.index);
+      default:
+        break;
+    }
+    if (never_.contains(id.index)) {
+      why = why.value_or(id);
+      return false;
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] bool isAsked(const Expr& e) const {
+    return e.op != Op::True && e.op != Op::False && e.op != Op::Not &&
+           !(e.op == Op::Variable && isOfMonitor(m_[e.variable].kind));
+  }
+
+  Mission& m_;
+  std::map<uint32_t, ExprId> negations_;  ///< by condition
+  std::set<uint32_t> never_;              ///< conditions
+};
+
+/// A statement that may make a truth value of a monitor true.
+struct Setting {
+  VariableId variable;
+  std::vector<ExprId> conditions;  ///< all true, and the value
+};
+
+class Vacuity {
+ public:
+  Vacuity(const Mission& mission, const Requirement& requirement)
+      : m_(mission), requirement_(requirement) {
+    gather(requirement.monitor.step, {});
+  }
+
+  void prepare(Possible& possible) const {
+    for (const Setting& setting : settings_) {
+      std::ranges::for_each(setting.conditions, [&](ExprId id) { possible.prepare(id); });
+    }
+  }
+
+  /// What is never true although the requirement depends on it; none if it may be put to the test.
+  [[nodiscard]] std::optional<ExprId> why(const Possible& possible) const {
+    std::optional<ExprId> never;
+    const std::set<uint32_t> flags = possibleFlags(possible, never);
+    const auto dead = [&](const Expr& e) {
+      return e.op == Op::Variable && isOfMonitor(m_[e.variable].kind) &&
+             e.type.kind == TypeKind::Bool && !flags.contains(e.variable.index);
+    };
+    const auto tested = [&](const Setting& setting) {
+      return isViolation(setting.variable) &&
+             std::ranges::none_of(setting.conditions, [&](ExprId id) { return needs(id, dead); });
+    };
+    return std::ranges::any_of(settings_, tested) ? std::nullopt : never;
+  }
+
+ private:
+  [[nodiscard]] bool isViolation(VariableId variable) const {
+    return std::ranges::any_of(requirement_.monitor.violations, [&](const Violation& violation) {
+      return m_[violation.condition].variable == variable;
+    });
+  }
+
+  /// Whether a condition is only true if some `is` is.
+  template <typename Is>
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+  [[nodiscard]] bool needs(ExprId id, const Is& is) const {
+    const Expr& e = m_[id];
+    return e.op == Op::And  ? needs(e.operands[0], is) || needs(e.operands[1], is)
+           : e.op == Op::Or ? needs(e.operands[0], is) && needs(e.operands[1], is)
+                            : is(e);
+  }
+
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the monitor's statements nest
+  void gather(BlockId block, const std::vector<ExprId>& conditions) {
+    if (!block.valid()) {
+      return;
+    }
+    for (const Statement& s : m_[block].statements) {
+      if (s.kind == StatementKind::Set && m_[s.variable].type.kind == TypeKind::Bool) {
+        settings_.push_back({s.variable, conditions});
+        settings_.back().conditions.push_back(s.value);
+      } else if (s.kind == StatementKind::If) {
+        auto inner = conditions;
+        inner.push_back(s.value);
+        gather(s.then, inner);
+        gather(s.otherwise, conditions);
+      }
+    }
+  }
+
+  /// The truth values that can be true: from those that are at first or are observed, until no
+  /// setting adds one.
+  std::set<uint32_t> possibleFlags(const Possible& possible, std::optional<ExprId>& never) const {
+    std::set<uint32_t> flags;
+    for (const Observation& observation : requirement_.monitor.observations) {
+      flags.insert(observation.variable.index);
+    }
+    for (uint32_t i = 0; i < m_.variables.size(); ++i) {
+      const ExprId initial = m_.variables[i].initial;
+      if (initial.valid() && m_[initial].op == Op::True) {
+        flags.insert(i);
+      }
+    }
+    for (bool grown = true; grown;) {
+      grown = false;
+      never.reset();
+      for (const Setting& setting : settings_) {
+        const auto may = [&](ExprId id) { return possible.mayBeTrue(id, flags, never); };
+        if (std::ranges::all_of(setting.conditions, may)) {
+          grown |= flags.insert(setting.variable.index).second;
+        }
+      }
+    }
+    return flags;
+  }
+
+  const Mission& m_;
+  const Requirement& requirement_;
+  std::vector<Setting> settings_;
+};
+
+/// The first place of `whenever A then B`, if one condition expresses it: `never (A and not B)`,
+/// which nobody has written.
+std::optional<ExprId> causeOf(const Mission& m, const Requirement& requirement) {
+  const Expr& e = m[requirement.condition];
+  if (e.op != Op::Not || m[e.operands[0]].op != Op::And || e.range != requirement.range ||
+      m[e.operands[0]].range != requirement.range) {
+    return std::nullopt;
+  }
+  return m[e.operands[0]].operands[0];
+}
+
+}  // namespace
+
+void passes::vacuous(Proof& proof) {
+  const Mission& written = proof.proof_context.mission;
+  Mission mission = written;
+  Possible possible(mission);
+  std::vector<std::pair<const Requirement*, Vacuity>> asked;
+  for (const RequirementVerdict& verdict : proof.findings.requirements) {
+    const Requirement& requirement = written.requirements[verdict.requirement];
+    if (verdict.verdict != Verdict::Proved || requirement.kind != RequirementKind::Always) {
+      continue;
+    }
+    asked.emplace_back(&requirement, Vacuity(written, requirement));
+    asked.back().second.prepare(possible);
+    if (const auto cause = causeOf(written, requirement)) {
+      possible.prepare(*cause);
+    }
+  }
+  if (asked.empty()) {
+    return;
+  }
+  possible.ask(proof, proof.ending.bound(), proof.checks);
+  for (const auto& [requirement, vacuity] : asked) {
+    std::optional<ExprId> never = vacuity.why(possible);
+    const auto cause = causeOf(written, *requirement);
+    if (cause && !possible.mayBeTrue(*cause, {}, never)) {
+      never = never.value_or(*cause);
+    } else if (cause) {
+      never.reset();
+    }
+    if (never) {
+      proof.diagnostics
+          .report(DiagnosticId::requirementVacuous, requirement->range,
+                  "what it depends on is never true")
+          .note(written[*never].range, "no moment of any flight makes this true");
+    }
+  }
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// `glidercc check --mi` and `--scenario`: what the vehicle's own mission file refuses.
+
+#include "tests/support/command.h"
+
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+#include <string>
+
+namespace glider::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class CheckVehicle : public ::testing::Test {
+ protected:
+  /// A mission that dives to 20 m at 26 deg for an hour.
+  std::string mission(const std::string& head = "") const {
+    return folder_
+        .write("m.mission", "mission m\n" + head +
+                                "state survey\nbegin\n  flightprofile yo(5 m, 20 m, 26 deg, 26 "
+                                "deg)\n  sensors missiontime\n  events\n"
+                                "    case missiontime >= 1 h exit\nend\n")
+        .string();
+  }
+  std::string vehicle(const std::string& abend, const std::string& hookbeh) const {
+    return folder_.write("v.mi", "behavior: abend\n" + abend + "behavior: hookbeh\n" + hookbeh)
+        .string();
+  }
+  Outcome check(const std::string& options, const std::string& head = "") const {
+    return runShell("$GLIDERCC check " + options + " " + mission(head));
+  }
+  Outcome with(const std::string& abend, const std::string& hookbeh) const {
+    return check("--mi " + vehicle(abend, hookbeh));
+  }
+
+  const TemporaryFolder folder_;
+};
+
+void expectError(const Outcome& outcome, const std::string& text) {
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr(text));
+}
+
+void expectFine(const Outcome& outcome) {
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, Not(HasSubstr("GL31")));
+}
+
+TEST_F(CheckVehicle, WhatHookbehRefusesIsAnError) {
+  expectError(
+      with("", "b_arg: max_depth(m) 15\n"),
+      "m.mission:2:7: error: `survey` may command a depth of 20 m, but hookbeh refuses more "
+      "than 15 m [GL3124 vehicle-refuses]");
+  expectError(with("", "b_arg: max_pitch(rad) 0.4\n"),
+              "`survey` may command a pitch of 26 deg, but hookbeh refuses more than 22.9 deg");
+  expectError(with("", "b_arg: min_pitch(rad) 0.5\n"),
+              "`survey` may command a pitch of 26 deg, but hookbeh refuses less than 28.6 deg");
+  expectFine(with("", "b_arg: max_depth(m) 20\nb_arg: max_pitch(rad) 0.46\n"));
+}
+
+TEST_F(CheckVehicle, WhatAbendAbortsIsAnError) {
+  expectError(with("b_arg: overdepth(m) 15\n", ""),
+              "the vehicle aborts the mission: `survey` may command a depth of 20 m, and abend "
+              "allows no more than 15 m (overdepth in v.mi) [GL3125 vehicle-aborts]");
+  expectError(
+      with("b_arg: overtime(s) 3000\n", ""),
+      "the mission may last 1 h 0 min 20 s, and abend allows 50 min 0 s (overtime in v.mi)");
+  expectError(with("b_arg: undervolts(volts) 20\n", ""),
+              "and abend demands 20 V (undervolts in v.mi)");
+  expectFine(
+      with("b_arg: overdepth(m) 20\nb_arg: overtime(s) 3620\nb_arg: undervolts(volts) 10\n", ""));
+  expectFine(
+      with("b_arg: overdepth(m) -1\nb_arg: overtime(s) -1\nb_arg: undervolts(volts) -1\n", ""));
+}
+
+TEST_F(CheckVehicle, AScenarioSaysWhereItStarts) {
+  const std::string here = "assume start inside(39 N 74 W, 39 N 73 W, 40 N 73.5 W)\n";
+  const std::string there = "assume start inside(49 N 74 W, 49 N 73 W, 50 N 73.5 W)\n";
+  expectFine(check("--scenario default", here));
+  expectError(check("--scenario default", there),
+              "scenario `default` starts at 39.1700, -73.8300, but the mission assumes `start "
+              "inside(49 N 74 W");
+  expectFine(check("", there));
+}
+
+TEST_F(CheckVehicle, AScenarioHasAMissionFile) {
+  const auto deep =
+      folder_.write("deep.mission",
+                    "mission m\nstate survey\nbegin\n  flightprofile yo(5 m, 90 m, 26 "
+                    "deg, 26 deg)\n  sensors missiontime\n  events\n    case "
+                    "missiontime >= 1 h exit\nend\n");
+  expectError(runShell("$GLIDERCC check --scenario default " + deep.string()), "GL3125");
+  EXPECT_EQ(runShell("$GLIDERCC check " + deep.string()).status, 0);
+}
+
+TEST_F(CheckVehicle, OtherFilesAreRefused) {
+  EXPECT_EQ(check("--mi none.mi").status, 2);
+  EXPECT_EQ(check("--scenario none").status, 2);
+  EXPECT_EQ(check("--mi " + folder_.write("a.mi", "behavior: surface\n").string()).status, 2);
+}
+
+}  // namespace
+}  // namespace glider::tests

@@ -1,0 +1,363 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Assumptions: what breaks each kind, against its definition in C++ on random flights; what
+// requirements say that rest on them; the verdicts that they allow.
+
+#include "ir/core/under_assumptions.h"
+#include "ir/core/validate.h"
+#include "ir/eval/interpreter.h"
+#include "ir/opt/drop_requirements.h"
+#include "ir/prove/context/proof_context.h"
+#include "ir/prove/context/requirement_monitor.h"
+#include "ir/prove/prove.h"
+#include "ir/text/print.h"
+#include "ir/text/read.h"
+#include "ir/verify/verify.h"
+#include "tests/unit/frontend/compile.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace glider::tests {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kCycle = 4;
+
+const platforms::Platform& slocum() {
+  static const auto platform = platforms::loadPlatform(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
+  return *platform;
+}
+
+std::string patrol(const std::string& lines) {
+  return "mission patrol\n" + lines + R"(
+state look
+begin
+  flightprofile yo(5 m, 25 m, 26 deg, 26 deg)
+  sensors       missiontime, altitude, temp, pressure
+  events
+    case altitude < 5 m && missiontime < 1 h call up
+    case missiontime >= 1 h                  exit
+end
+state up
+begin
+  flightprofile surfaced
+  sensors       altitude, statetime
+  events
+    case altitude > 20 m && statetime > 1 min return
+end
+)";
+}
+
+ir::Mission compiled(const std::string& text) {
+  frontend::testing_support::FrontendRun run(text);
+  auto mission = run.compile();
+  EXPECT_TRUE(mission.has_value()) << run.said();
+  return mission.value_or(ir::Mission());
+}
+
+struct Seen {
+  double time = 0;
+  double altitude = 0;
+  double pressure = 0;  // bar
+};
+
+std::vector<Seen> randomFlight(std::mt19937& rng) {
+  std::vector<Seen> flight;
+  const auto below = [&](unsigned n) { return static_cast<unsigned>(rng() % n); };
+  double time = 0;
+  double altitude = below(40);
+  const unsigned shy = 2 + below(8);
+  for (unsigned i = 0, length = 2 + below(30); i < length; ++i) {
+    altitude += below(6) == 0 ? below(60) - 30.0 : below(5) - 2.0;
+    altitude = std::clamp(altitude, 0.0, 100.0);
+    flight.push_back(
+        {time, below(shy) == 0 ? kUnknown : altitude, below(6) == 0 ? kUnknown : 0.5 * below(8)});
+    time += below(12) == 0 ? 10.0 * below(30) : kCycle * (1 + below(3));
+  }
+  return flight;
+}
+
+using Broken = std::function<bool(const std::vector<Seen>&, size_t)>;
+
+/// When `broken` is first true.
+std::optional<double> firstOf(const Broken& broken, const std::vector<Seen>& flight) {
+  for (size_t i = 0; i < flight.size(); ++i) {
+    if (broken(flight, i)) {
+      return flight[i].time;
+    }
+  }
+  return std::nullopt;
+}
+
+/// When each requirement is violated.
+std::vector<std::optional<double>> watched(const ir::Mission& mission,
+                                           const std::vector<ir::Requirement>& requirements,
+                                           const std::vector<Seen>& flight) {
+  ir::Interpreter run(mission, 1);
+  std::vector<ir::RequirementMonitor> monitors;
+  for (const ir::Requirement& requirement : requirements) {
+    monitors.emplace_back(mission, requirement, 1.0, std::nullopt);
+  }
+  for (size_t i = 0; i < flight.size(); ++i) {
+    std::vector<ir::SensorUpdate> frame;
+    for (uint32_t s = 0; s < mission.sensors.size(); ++s) {
+      const std::string& name = mission.sensors[s].name;
+      frame.push_back({{s},
+                       name == "altitude"   ? flight[i].altitude
+                       : name == "pressure" ? flight[i].pressure
+                                            : kUnknown});
+    }
+    const ir::TickResult result = i == 0 ? run.start(frame, {}) : run.tick(flight[i].time, frame);
+    for (ir::RequirementMonitor& monitor : monitors) {
+      monitor.tick(run, flight[i].time, result, kUnknown);
+    }
+    if (result.finished) {
+      break;
+    }
+  }
+  std::vector<std::optional<double>> when;
+  for (const ir::RequirementMonitor& monitor : monitors) {
+    when.push_back(monitor.when());
+  }
+  return when;
+}
+
+struct Assumed {
+  const char* text;
+  Broken broken;
+};
+
+bool tooLong(const std::vector<Seen>& flight, size_t i, double limit) {
+  const double gap = i == 0 ? 0 : flight[i].time - flight[i - 1].time;
+  return gap > std::max(limit, slocum().world.tick_gap_s);
+}
+
+/// By looking back over the whole flight: a monitor goes forward and keeps what it needs.
+std::vector<Assumed> assumptions() {
+  return {
+      {"no outage", [](const auto& f, size_t i) { return tooLong(f, i, 0); }},
+      {"outage <= 100 s", [](const auto& f, size_t i) { return tooLong(f, i, 100); }},
+      {"altitude in 2 m .. 50 m",
+       [](const auto& f, size_t i) { return f[i].altitude < 2 || f[i].altitude > 50; }},
+      {"altitude >= 1 m || pressure > 1 bar",
+       [](const auto& f, size_t i) { return f[i].altitude < 1 && f[i].pressure <= 1; }},
+      {"altitude changes <= 0.5 m/s",
+       [](const auto& f, size_t i) {
+         for (size_t k = i; k-- > 0;) {
+           if (f[k].altitude == f[k].altitude) {
+             return std::fabs(f[i].altitude - f[k].altitude) > 0.5 * (f[i].time - f[k].time);
+           }
+         }
+         return false;
+       }},
+      {"known altitude every 30 s",
+       [](const auto& f, size_t i) {
+         for (size_t k = i;; --k) {
+           if (f[k].altitude == f[k].altitude || k == 0 || tooLong(f, k, 30)) {
+             return f[i].time - f[k].time > 30;
+           }
+         }
+       }},
+  };
+}
+
+class Assumptions : public testing::TestWithParam<size_t> {};
+
+TEST_P(Assumptions, AreBrokenAsTheirDefinitionSays) {
+  const Assumed assumed = assumptions()[GetParam()];
+  const ir::Mission mission = compiled(patrol(fmt::format("assume {}", assumed.text)));
+  ASSERT_EQ(mission.assumptions.size(), 1U);
+  EXPECT_EQ(mission.assumptions[0].words, assumed.text);
+  std::mt19937 rng(11);
+  size_t broken = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const auto flight = randomFlight(rng);
+    const auto when = watched(mission, {mission.assumptions[0].watch}, flight).front();
+    EXPECT_EQ(when, firstOf(assumed.broken, flight)) << assumed.text << ", flight " << i;
+    broken += when ? 1 : 0;
+  }
+  EXPECT_GT(broken, 100U);
+  EXPECT_LT(broken, 1950U);
+}
+
+/// A requirement that rests on an assumption is violated where it is violated, unless the
+/// assumption is broken by then.
+TEST_P(Assumptions, ExcuseWhatComesAfterTheyAreBroken) {
+  const char* kRequired[] = {"always pressure <= 2.5 bar", "exit within 2 min",
+                             "whenever pressure > 2 bar then altitude > 10 m within 20 s",
+                             "never up after pressure > 3 bar"};
+  for (const char* required : kRequired) {
+    const ir::Mission mission = compiled(
+        patrol(fmt::format("assume {}\nrequire {}", assumptions()[GetParam()].text, required)));
+    const bool always = mission.assumptions[0].kind == ir::AssumptionKind::Always;
+    const ir::Mission under = ir::underAssumptions(mission);
+    EXPECT_TRUE(ir::validate(under).empty());
+    std::mt19937 rng(7);
+    size_t excused = 0;
+    for (int i = 0; i < 500; ++i) {
+      const auto flight = randomFlight(rng);
+      const auto plain =
+          watched(mission, {mission.requirements[0], mission.assumptions[0].watch}, flight);
+      const auto weak = watched(under, {under.requirements[0]}, flight).front();
+      const bool excuses = always && plain[0] && plain[1] && *plain[1] <= *plain[0];
+      if (mission.assumptions[0].kind != ir::AssumptionKind::Range) {
+        EXPECT_EQ(weak, excuses ? std::nullopt : plain[0]) << required << ", flight " << i;
+      }
+      excused += excuses ? 1 : 0;
+    }
+    EXPECT_TRUE(!always || excused > 5) << required << ": " << excused;
+  }
+}
+
+TEST_P(Assumptions, HaveATextForm) {
+  const ir::Mission mission = compiled(patrol(fmt::format(
+      "require always pressure <= 2 bar\nassume {}\nassume current <= 0.3 m/s\n"
+      "assume start depth <= 1 m\nassume start inside(39 N 74 W, 39 N 73 W, 40 N 73.5 W)",
+      assumptions()[GetParam()].text)));
+  support::SourceManager sources;
+  support::DiagnosticEngine diagnostics;
+  const std::string text = ir::print(mission);
+  const auto again = ir::read(text, sources.add("m.ir", text), diagnostics);
+  ASSERT_TRUE(again.has_value()) << support::render(diagnostics, sources, false) << text;
+  EXPECT_EQ(ir::print(*again), text);
+  EXPECT_EQ(again->assumptions.size(), 4U);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Assumptions, testing::Range(size_t{0}, assumptions().size()));
+
+// --- verdicts ---
+
+struct Found {
+  std::string verdict;
+  std::string premises;
+  bool contradict = false;
+};
+
+Found check(const std::string& text) {
+  frontend::testing_support::FrontendRun run(text);
+  const auto mission = run.compile();
+  EXPECT_TRUE(mission.has_value()) << run.said();
+  if (!mission) {
+    return {};
+  }
+  const ir::MissionFacts facts = ir::verify(*mission, run.diagnostics);
+  const auto findings = ir::prove::prove(*mission, facts, slocum(), {}, run.diagnostics);
+  Found found;
+  found.contradict = run.says(support::DiagnosticId::assumptionsContradict);
+  if (!findings.requirements.empty()) {
+    found.verdict = ir::prove::word(findings.requirements[0].verdict);
+    found.premises = ir::prove::premisesOf(findings.requirements[0], *mission);
+  }
+  return found;
+}
+
+void expectOnlyWith(const std::string& assumption, const std::string& requirement,
+                    const std::string& body = "") {
+  const auto text = [&](const std::string& lines) {
+    return body.empty() ? patrol(lines) : "mission m\n" + lines + body;
+  };
+  EXPECT_EQ(check(text("require " + requirement)).verdict, "refuted") << requirement;
+  const Found with = check(text("assume " + assumption + "\nrequire " + requirement));
+  EXPECT_EQ(with.verdict, "proved") << assumption;
+  EXPECT_EQ(with.premises, "assuming `" + assumption + "`");
+}
+
+TEST(AssumptionVerdicts, OfOutages) {
+  expectOnlyWith("no outage", "exit within 61 min", R"(
+state look
+begin
+  flightprofile yo(5 m, 25 m, 26 deg, 26 deg)
+  sensors       missiontime
+  events
+    case missiontime >= 1 h exit
+end
+)");
+}
+
+TEST(AssumptionVerdicts, OfRangesAndConditions) {
+  expectOnlyWith("temp in 2 degC .. 28 degC", "always temp <= 30 degC");
+  expectOnlyWith("temp <= 28 degC", "always temp <= 30 degC");
+  expectOnlyWith("altitude in 10 m .. 100 m", "never up");
+  expectOnlyWith("altitude >= 10 m", "never up");
+}
+
+TEST(AssumptionVerdicts, OfTheDepthOfTheStart) {
+  constexpr const char* kSurfaced = R"(
+state home
+begin
+  flightprofile surfaced
+  sensors       missiontime
+  events
+    case missiontime >= 1 h exit
+end
+)";
+  expectOnlyWith("start depth <= 1 m", "always depth <= 2 m", kSurfaced);
+  EXPECT_EQ(
+      check(std::string("mission m\nassume start depth <= 20 m\nrequire always depth <= 10 m") +
+            kSurfaced)
+          .verdict,
+      "refuted");
+}
+
+TEST(AssumptionVerdicts, OfKnownReadings) {
+  expectOnlyWith("known altitude every 30 s", "exit within 12 min", R"(
+state look
+begin
+  flightprofile yo(5 m, 25 m, 26 deg, 26 deg)
+  sensors       missiontime, altitude
+  events
+    case missiontime >= 5 min && known(altitude) exit
+end
+)");
+}
+
+TEST(AssumptionVerdicts, OfSlowChanges) {
+  expectOnlyWith("temp changes <= 0.01 degC/s",
+                 "when temp > 20 degC then temp > 15 degC for 1 min");
+}
+
+TEST(AssumptionVerdicts, ABrokenOneProvesNothingElse) {
+  EXPECT_EQ(check(patrol("assume temp <= 28 degC\nrequire always temp <= 27 degC")).verdict,
+            "refuted");
+  EXPECT_EQ(check(patrol("assume temp <= 28 degC\nrequire always pressure <= 1 bar")).verdict,
+            "refuted");
+}
+
+TEST(AssumptionVerdicts, WhatNeedsNoneNamesNone) {
+  EXPECT_EQ(check(patrol("assume temp <= 28 degC\nrequire always depth <= 40 m")).premises, "");
+  EXPECT_EQ(check(patrol("assume temp <= 28 degC\nrequire stack <= 1")).premises, "");
+}
+
+TEST(AssumptionVerdicts, ContradictionsAreErrors) {
+  EXPECT_TRUE(check(patrol("assume temp in 10 degC .. 20 degC\nassume temp < 5 degC")).contradict);
+  EXPECT_TRUE(check(patrol("assume temp in 50 degC .. 60 degC")).contradict);
+  EXPECT_TRUE(
+      check(patrol("assume temp in 1 degC .. 5 degC\nassume temp in 6 degC .. 9 degC")).contradict);
+  EXPECT_FALSE(
+      check(patrol("assume temp in 10 degC .. 20 degC\nassume temp < 11 degC")).contradict);
+  EXPECT_FALSE(check(patrol("assume temp < 11 degC\nassume altitude > 99 m")).contradict);
+}
+
+TEST(AssumptionVerdicts, NothingThatFliesDependsOnThem) {
+  const ir::Mission with =
+      compiled(patrol("assume temp in 2 degC .. 28 degC\nassume no outage\n"
+                      "assume known salinity every 1 min"));
+  ir::Mission without = compiled(patrol(""));
+  ir::Mission flown = with;
+  ir::dropRequirements(flown);
+  ir::dropRequirements(without);
+  EXPECT_EQ(ir::print(flown), ir::print(without));
+}
+
+}  // namespace
+}  // namespace glider::tests

@@ -142,6 +142,9 @@ class RequirementCheck {
         proof_.options.before_requirement(i);
       }
       verdicts[i] = judge(m_.requirements[i], i);
+      if (bare_ != nullptr && verdicts[i].verdict == Verdict::Open && !verdicts[i].cached) {
+        judgeBare(i, verdicts[i]);
+      }
       verdicts[i].requirement = i;
       if (verdicts[i].verdict == Verdict::Proved && m_.requirements[i].geofences.empty()) {
         insight().know(m_.requirements[i]);
@@ -166,6 +169,24 @@ class RequirementCheck {
     return requirement.kind == RequirementKind::StackAtMost
                ? proof_.facts.stack_depth <= requirement.depth
                : easilyProved(requirement) || isSeen(requirement);
+  }
+
+  /// Monitors of assumptions make a search longer: it may succeed without them.
+  void judgeBare(uint32_t number, RequirementVerdict& verdict) {
+    const Requirement& requirement = bare_->m_.requirements[number];
+    if (!restsOnWatches(requirement) || proof_.searches.isUsedUp()) {
+      return;
+    }
+    Search found = bare_->search(requirement, bare_->insight().context());
+    if (found.answer.bad == Answer::No) {
+      verdict = {number, Verdict::Proved, std::nullopt};
+      verdict.searched = true;
+      bare_proved_[number] = true;
+      if (proof_.options.evidence) {
+        verdict.evidence =
+            bare_->evidences().searched(requirement, std::move(found.answer.invariants));
+      }
+    }
   }
 
   /// The assumptions that a proof may rest on.

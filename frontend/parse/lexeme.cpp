@@ -83,7 +83,7 @@ bool isName(uint32_t type) {
 }
 
 bool isSoftKeyword(uint32_t type) {
-  return type >= GliderLexer::IN && type <= GliderLexer::TO;
+  return type >= GliderLexer::IN && type <= GliderLexer::CHANGES;
 }
 
 bool isAnyName(uint32_t type) {

@@ -61,10 +61,11 @@ class OutlineReader {
   [[nodiscard]] uint32_t type(size_t k) const { return peek(k).type; }
   [[nodiscard]] uint32_t before() const { return at_ == 0 ? kEof : lexemes_[at_ - 1].type; }
 
-  /// `resume within …`, `declination …`, `place NAME = …`
+  /// `resume within …`, `declination …`, `assume …`, `place NAME = …`
   [[nodiscard]] bool startsSoftItem() const {
     return (type(0) == GliderLexer::RESUME && type(1) == GliderLexer::WITHIN) ||
-           (type(0) == GliderLexer::DECLINATION && endsValue(before())) ||
+           (oneOf(type(0), {GliderLexer::DECLINATION, GliderLexer::ASSUME}) &&
+            endsValue(before())) ||
            (type(0) == GliderLexer::PLACE && isAnyName(type(1)) && type(2) == GliderLexer::ASSIGN);
   }
 

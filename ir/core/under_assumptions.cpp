@@ -53,17 +53,14 @@ class Watches {
       Statement set;
       set.variable = broken_;
       set.value = push(Op::True, kBool, {});
-      Statement latch;
-      latch.kind = StatementKind::If;
-      latch.value = push(Op::Not, kBool, {watch.condition});
-      latch.then = add({{set}});
-      step.statements.push_back(latch);
+      const ExprId broken = push(Op::Not, kBool, {watch.condition});
+      step.statements.push_back(when(broken, add({{set}})));
       requirement.monitor.every_tick |= watch.monitor.every_tick;
       requirement.monitor.horizon_s =
           std::max(requirement.monitor.horizon_s, watch.monitor.horizon_s);
     }
     if (requirement.monitor.step.valid()) {
-      append(step, copy(requirement.monitor.step));
+      step.statements.push_back(when(push(Op::True, kBool, {}), requirement.monitor.step));
     }
     requirement.monitor.step = add(std::move(step));
     const ExprId kept = push(Op::Not, kBool, {read(broken_)});
@@ -108,6 +105,14 @@ class Watches {
     std::ranges::copy(operands, expr.operands.begin());
     m_.exprs.push_back(expr);
     return {static_cast<uint32_t>(m_.exprs.size() - 1)};
+  }
+
+  static Statement when(ExprId condition, BlockId then) {
+    Statement statement;
+    statement.kind = StatementKind::If;
+    statement.value = condition;
+    statement.then = then;
+    return statement;
   }
 
   BlockId add(Block block) {
@@ -178,6 +183,15 @@ platforms::Platform underAssumptions(platforms::Platform platform, const Mission
     }
   }
   return platform;
+}
+
+platforms::Platform notNarrowed(const platforms::Platform& platform, const Mission& mission) {
+  platforms::Platform widest = underAssumptions(platform, mission);
+  const auto widen = [](double& value, double usual) { value = std::max(value, usual); };
+  widen(widest.world.start_depth_m, platform.world.start_depth_m);
+  widen(widest.envelope.drift_m_s, platform.envelope.drift_m_s);
+  widen(widest.world.surface_drift_m_s, platform.world.surface_drift_m_s);
+  return widest;
 }
 
 }  // namespace glider::ir

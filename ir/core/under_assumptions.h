@@ -21,6 +21,10 @@ Mission underAssumptions(Mission mission);
 /// and waves.
 platforms::Platform underAssumptions(platforms::Platform platform, const Mission& mission);
 
+/// The same where `mission` assumes more of them than usual, and the usual where it assumes less:
+/// what is proved of this rests on no assumption.
+platforms::Platform notNarrowed(const platforms::Platform& platform, const Mission& mission);
+
 /// Whether underAssumptions() lets `requirement` rest on the assumptions of the kind Always.
 bool restsOnWatches(const Requirement& requirement);
 

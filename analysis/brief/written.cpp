@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 
 namespace glider::analysis {
@@ -37,6 +38,15 @@ const ast::Use* useIn(const ast::State& state, ir::BehaviourKind kind) {
     }
   }
   return nullptr;
+}
+
+/// The unit of a number that is written without one, after a space; empty for other types.
+std::string_view usualUnit(std::string_view type) {
+  constexpr std::pair<std::string_view, std::string_view> kUnits[] = {
+      {"length", " m"}, {"angle", " rad"}, {"time", " s"}, {"temperature", " degC"}};
+  const auto* const found =
+      std::ranges::find(kUnits, type, &std::pair<std::string_view, std::string_view>::first);
+  return found == std::end(kUnits) ? std::string_view() : found->second;
 }
 
 }  // namespace
@@ -103,8 +113,12 @@ std::string Written::commentOf(const std::string& state) const {
   return found == states_.end() ? "" : above(found->second->where);
 }
 
-std::string Written::argument(const ast::Argument& argument) const {
+std::string Written::argument(const ast::Argument& argument, std::string_view type) const {
   const ast::Expr& value = *argument.value;
+  if (const auto* number = std::get_if<ast::Literal>(&value.node);
+      number != nullptr && number->unit.empty()) {
+    return inCode(line(value.where) + std::string(usualUnit(type)));
+  }
   std::string text = inCode(line(value.where));
   if (const auto* name = std::get_if<ast::NameUse>(&value.node)) {
     const auto constant = constants_.find(name->name);
@@ -130,9 +144,16 @@ report::BriefUse Written::use(const std::string& state, ir::BehaviourKind kind,
     return told;
   }
   const auto formals = ast::listOf(*declared->second.formals);
-  for (size_t i = 0; i < std::min(formals.size(), use->arguments.size()); ++i) {
-    told.with += fmt::format("{}{} {}", i == 0 ? "" : ", ", formals[i].name.text,
-                             argument(use->arguments[i]));
+  const auto& arguments = use->arguments;
+  size_t at = 0;
+  for (const ast::Formal& formal : formals) {
+    // A position may be given as two numbers.
+    const bool two = formal.type.text == "position" && arguments.size() - at > 1 &&
+                     arguments.size() > formals.size();
+    for (size_t i = 0; i < (two ? 2 : 1) && at < arguments.size(); ++i, ++at) {
+      told.with += (told.with.empty() ? "" : ", ") + (i == 0 ? formal.name.text + " " : "") +
+                   argument(arguments[at], formal.type.text);
+    }
   }
   return told;
 }

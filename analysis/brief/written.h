@@ -60,7 +60,7 @@ class Written {
   [[nodiscard]] std::string line(support::SourceRange range) const;
   [[nodiscard]] std::string above(support::SourceRange range) const;
   [[nodiscard]] std::string about(support::SourceRange range) const;
-  [[nodiscard]] std::string argument(const ast::Argument& argument) const;
+  [[nodiscard]] std::string argument(const ast::Argument& argument, std::string_view type) const;
 
   const support::SourceManager& sources_;
   const compiler::Parsed* parsed_;  ///< null: the IR's text form

@@ -63,7 +63,9 @@ support::Result<report::BriefHash> executableHash(const std::string& path,
   if (!content) {
     return std::unexpected(content.error());
   }
-  return report::BriefHash{of, codegen::digestOf(*content), ""};
+  return report::BriefHash{
+      of, codegen::digestOf(*content),
+      target == kUsualTarget ? "for the computer that runs glidercc, not for the vehicle" : ""};
 }
 
 }  // namespace glider::driver

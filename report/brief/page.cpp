@@ -54,8 +54,8 @@ std::string usage(const BriefUse& use) {
   const auto sentence = [](const std::string& text) {
     return text.empty() ? "" : " – " + words(text);
   };
-  return fmt::format("<code>{}</code>{}{}{}", raw(use.name), use.with.empty() ? "" : " with ",
-                     words(use.with), sentence(use.comment));
+  return fmt::format("<code>{}</code>{}{}", raw(use.name),
+                     use.with.empty() ? "" : " (" + words(use.with) + ")", sentence(use.comment));
 }
 
 void addEvents(SvgText& page, const std::vector<BriefEvent>& events) {
@@ -214,18 +214,19 @@ void addNotes(SvgText& page, const char* title, const std::vector<BriefNote>& no
 }
 
 void addBudgets(SvgText& page, const Brief& brief) {
-  std::vector<std::vector<std::string>> rows;
+  std::string lines;
   for (const Budget& budget : brief.budgets) {
+    std::string line;
     for (const Quantity& quantity : budget.quantities) {
       if (quantity.limit) {
-        rows.push_back({raw(budget.of), raw(spoken(quantity.name)), raw(amount(quantity)),
-                        raw(quantity.remark)});
+        line += fmt::format("{}{} {}", line.empty() ? "" : "; ", spoken(quantity.name),
+                            amount(quantity));
       }
     }
+    lines += line.empty() ? "" : fmt::format("<li>{}: {}</li>\n", raw(budget.of), raw(line));
   }
-  if (!rows.empty()) {
-    page.add("<h2>What it needs of board and lines, at most</h2>\n");
-    page.add(table({"of", "quantity", "need", "what is counted"}, rows));
+  if (!lines.empty()) {
+    page.add("<h2>What it needs of lines and board, at most</h2>\n<ul>\n{}</ul>\n", lines);
   }
 }
 

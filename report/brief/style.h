@@ -21,11 +21,11 @@ h3 small { font-weight: normal; font-size: 9pt }
 p { margin: 1mm 0; orphans: 3; widows: 3 }
 ul, ol { margin: .6mm 0 .6mm; padding-left: 5.5mm }
 li { break-inside: avoid }
-code { font: 8.6pt "DejaVu Sans Mono", "Liberation Mono", Menlo, Consolas, monospace; background: #eef3f8; border-radius: .6mm; padding: 0 .6mm; overflow-wrap: anywhere; -webkit-print-color-adjust: exact; print-color-adjust: exact }
+code { font: 8.6pt "DejaVu Sans Mono", "Liberation Mono", Menlo, Consolas, monospace; background: #eef3f8; border-radius: .6mm; padding: 0 .6mm; overflow-wrap: break-word; -webkit-print-color-adjust: exact; print-color-adjust: exact }
 table { border-collapse: collapse; width: 100%; font-size: 8.8pt; margin: 1mm 0 }
 th { text-align: left; border-bottom: .3mm solid #8895a1 }
 th, td { padding: .5mm 2mm .5mm 0; vertical-align: top }
-td { border-bottom: .1mm solid #d5dbe1; overflow-wrap: anywhere }
+td { border-bottom: .1mm solid #d5dbe1; overflow-wrap: break-word }
 tr { break-inside: avoid }
 thead { display: table-header-group }
 figure { margin: 2mm 0; text-align: center; break-inside: avoid }
@@ -39,7 +39,6 @@ figure svg { max-width: 100%; max-height: 105mm; height: auto; width: auto }
 .warned { border-left: 1.2mm solid #b9770e; padding-left: 2mm; margin: 1.2mm 0; break-inside: avoid }
 .good { padding-left: 3.2mm; margin: 1.2mm 0; break-inside: avoid }
 .hash { font: 7.6pt "DejaVu Sans Mono", "Liberation Mono", Menlo, Consolas, monospace; overflow-wrap: anywhere }
-.number-cell { white-space: nowrap }
 @media screen and (prefers-color-scheme: dark) {
   body { color: #e4ebf1; background: #10161c }
   code { background: #1d2833 }

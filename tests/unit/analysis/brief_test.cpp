@@ -54,7 +54,8 @@ begin
 end
 state second(limit: time, k: number)
 begin
-  flightprofile surfaced
+  flightroute nav(3910.5, -7349.8)
+  flightprofile dive_to(9, .454)
   sensors statetime
   events
     case statetime > limit && k > 1  exit
@@ -62,9 +63,9 @@ end
 state third
 begin
   flightprofile surfaced
-  sensors statetime
+  sensors statetime, pitch
   events
-    case statetime > 1 h  return
+    case statetime > 1 h || pitch > 40 deg  return
 end
 )";
 
@@ -120,8 +121,10 @@ TEST_F(BriefOf, ProfilesAndRoutesNameTheirArguments) {
   EXPECT_EQ(of.states[0].profile.with, "top `5 m`, bottom `20 m`, dive `26 deg`, climb `26 deg`");
   EXPECT_THAT(of.states[0].profile.comment, HasSubstr("Up and down between two depths"));
   EXPECT_EQ(of.states[0].route.with, "to `far` (`39 N 74 W`)");
-  EXPECT_EQ(of.states[1].profile.name, "surfaced");
-  EXPECT_EQ(of.states[1].profile.comment, "Stays at the surface.");
+  EXPECT_EQ(of.states[1].profile.with, "bottom `9 m`, dive `.454 rad`");
+  EXPECT_EQ(of.states[1].route.with, "to `3910.5`, `-7349.8`");
+  EXPECT_EQ(of.states[2].profile.name, "surfaced");
+  EXPECT_EQ(of.states[2].profile.comment, "Stays at the surface.");
   EXPECT_EQ(of.states[1].parameters, "limit: time, k: number");
   EXPECT_EQ(of.states[0].deepest, "at most 25 m deep");
 }
@@ -154,7 +157,10 @@ TEST_F(BriefOf, SensorsSayFromWhereAndWhenTheyAreUnknown) {
   EXPECT_EQ(depth->stale, "20 s");
   const auto lat = std::ranges::find(of.sensors, "lat", &report::BriefSensor::name);
   ASSERT_NE(lat, of.sensors.end());
-  EXPECT_THAT(lat->range, HasSubstr("90"));
+  EXPECT_EQ(lat->range, "-90 deg to 90 deg");
+  const auto pitch = std::ranges::find(of.sensors, "pitch", &report::BriefSensor::name);
+  ASSERT_NE(pitch, of.sensors.end());
+  EXPECT_EQ(pitch->range, "-90 deg to 90 deg");
 }
 
 TEST_F(BriefOf, VerdictsKeepTheirWordsPremisesAndReasons) {
@@ -190,7 +196,7 @@ TEST_F(BriefOf, TheSummarySaysDepthStackAndWayHome) {
                   "At most 1 state waits on the call stack (`first` calls `third`).",
                   "If the payload computer (SBC) fails, the vehicle takes control within 1 min 4 s "
                   "and is at the surface within 11 min 24 s, from at most 25 m (assuming "
-                  "silence_secs 24; see --skeleton).",
+                  "silence_secs 24).",
                   HasSubstr("After a power cut of the payload computer of up to 5 min 0 s")));
 }
 

@@ -147,7 +147,7 @@ TEST(BriefPage, OnlyQuantitiesWithALimitAreShown) {
                     {{"executable", 58436, 131072, "bytes", "the file"},
                      {"data", 38812, std::nullopt, "bytes", "part of memory"}}}};
   const std::string page = briefToHtml(brief);
-  EXPECT_THAT(page, HasSubstr("<td>58,436 of 131,072 bytes</td>"));
+  EXPECT_THAT(page, HasSubstr("<li>ts7800: executable 58,436 of 131,072 bytes</li>"));
   EXPECT_THAT(page, Not(HasSubstr("38,812")));
 }
 

@@ -24,6 +24,6 @@
 /// (searchClosedLoop), the replay of a counterexample tick by tick (replayRun), a second check of
 /// the certificates of proofs (recheck), what it would have done with the readings of a vehicle's
 /// data files (runAgainstLogs), its graph (graphOf), its
-/// parameters (parameterRows), all of this for the crew (briefOf), and what differs between two versions of it
-/// (compareMissions, compareBounds, searchParting). Nothing here prints. Other folders include only
-/// this header.
+/// parameters (parameterRows), all of this for the crew (briefOf), and what differs between two
+/// versions of it (compareMissions, compareBounds, searchParting). Nothing here prints. Other
+/// folders include only this header.

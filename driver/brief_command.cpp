@@ -90,7 +90,7 @@ support::Result<void> readSkeleton(BriefOptions& options) {
 
 /// The input that the page would overwrite; null: none.
 const std::string* overwritten(const BriefOptions& options) {
-  std::error_code error;  // a file that is not there yet is no input
+  std::error_code error;  // a file that is not there yet is not an input
   for (const std::string* input : {&options.mission, &options.skeleton, &options.launch.file}) {
     if (!input->empty() && std::filesystem::equivalent(options.output, *input, error) && !error) {
       return input;

@@ -3,7 +3,7 @@
 
 #include "driver/commands.h"
 #include "driver/exit_code.h"
-#include "driver/man_page.h"
+#include "driver/output/man_page.h"
 #include "driver/terminal.h"
 
 #include <CLI/CLI.hpp>

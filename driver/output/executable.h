@@ -24,7 +24,7 @@ std::string builtName(const std::string& mission, const std::string& target,
                       std::string_view suffix);
 
 /// The digest of the executable that `glidercc build --target TARGET` writes for the mission at
-/// `path`. Without one if code in C is missing: BriefHash::note says so. Fails as a build does.
+/// `path`. Without one if code in C is missing: BriefHash::note names it. Fails as a build does.
 support::Result<report::BriefHash> executableHash(const std::string& path,
                                                   const compiler::Optimised& mission,
                                                   const std::string& target,

@@ -12,24 +12,24 @@ namespace glider::report {
 constexpr std::string_view kBriefStyle = R"css(<style>
 @page { size: A4; margin: 13mm 14mm 15mm; @bottom-right { content: counter(page) " / " counter(pages); font: 8pt sans-serif } }
 * { box-sizing: border-box }
-body { font: 9.5pt/1.35 "DejaVu Sans", "Liberation Sans", Arial, Helvetica, sans-serif; color: #1b2733; background: #ffffff; margin: 0 auto; max-width: 182mm }
+body { font: 9pt/1.3 "DejaVu Sans", "Liberation Sans", Arial, Helvetica, sans-serif; color: #1b2733; background: #ffffff; margin: 0 auto; max-width: 182mm }
 @media screen { body { padding: 8mm 4mm } }
 h1 { font-size: 17pt; margin: 0 }
-h2 { font-size: 11.5pt; margin: 4mm 0 1mm; padding-bottom: .5mm; border-bottom: .3mm solid #34495e; break-after: avoid }
+h2 { font-size: 11.5pt; margin: 3mm 0 1mm; padding-bottom: .5mm; border-bottom: .3mm solid #34495e; break-after: avoid }
 h3 { font-size: 10pt; margin: 2.2mm 0 .6mm; break-after: avoid }
 h3 small { font-weight: normal; font-size: 9pt }
 p { margin: 1mm 0; orphans: 3; widows: 3 }
 ul, ol { margin: .6mm 0 .6mm; padding-left: 5.5mm }
 li { break-inside: avoid }
-code { font: 8.6pt "DejaVu Sans Mono", "Liberation Mono", Menlo, Consolas, monospace; background: #eef3f8; border-radius: .6mm; padding: 0 .6mm; overflow-wrap: break-word; -webkit-print-color-adjust: exact; print-color-adjust: exact }
-table { border-collapse: collapse; width: 100%; font-size: 8.8pt; margin: 1mm 0 }
+code { font: 8.2pt "DejaVu Sans Mono", "Liberation Mono", Menlo, Consolas, monospace; background: #eef3f8; border-radius: .6mm; padding: 0 .6mm; overflow-wrap: break-word; -webkit-print-color-adjust: exact; print-color-adjust: exact }
+table { border-collapse: collapse; width: 100%; font-size: 8.4pt; margin: 1mm 0 }
 th { text-align: left; border-bottom: .3mm solid #8895a1 }
 th, td { padding: .5mm 2mm .5mm 0; vertical-align: top }
 td { border-bottom: .1mm solid #d5dbe1; overflow-wrap: break-word }
 tr { break-inside: avoid }
 thead { display: table-header-group }
 figure { margin: 2mm 0; text-align: center; break-inside: avoid }
-figure svg { max-width: 100%; max-height: 105mm; height: auto; width: auto }
+figure svg { max-width: 100%; max-height: 80mm; height: auto; width: auto }
 .file { color: #566573; margin: .5mm 0 2mm }
 .hint { color: #566573; font-size: 8.6pt }
 .state { break-inside: avoid }

@@ -236,7 +236,7 @@ void addHashes(SvgText& page, const Brief& brief) {
     const std::string hash =
         one.sha256.empty() ? "" : "<span class=\"hash\">" + raw(one.sha256) + "</span>";
     rows.push_back(
-        {raw(one.of), hash + (one.note.empty() || hash.empty() ? "" : "<br>") + words(one.note)});
+        {words(one.of), hash + (one.note.empty() || hash.empty() ? "" : "<br>") + words(one.note)});
   }
   page.add("<h2>SHA-256</h2>\n");
   page.add(table({"file", "digest"}, rows));

@@ -39,7 +39,7 @@ state first
 begin
   flightroute nav(far)
   flightprofile yo(5 m, 20 m, 26 deg, 26 deg)
-  sensors missiontime, depth, lat every 8 s, lon every 8 s
+  sensors lat, lon every 8 s, missiontime, depth
   entry do log "in`side", depth, n end
   events
     case depth > 3 m
@@ -135,7 +135,7 @@ TEST_F(BriefOf, EventsAreSentencesInTheirOrder) {
   EXPECT_EQ(of.always[0].when, "depth > 50 m");
   EXPECT_EQ(of.always[0].then, "ends the mission");
   const auto& first = of.states[0];
-  EXPECT_EQ(first.samples, "`missiontime` and `depth` on every tick; `lat` and `lon` every 8 s");
+  EXPECT_EQ(first.samples, "`lat` and `lon` every 8 s; `missiontime` and `depth` on every tick");
   EXPECT_EQ(first.entry, "logs “in'side” with `depth` and `n`");
   ASSERT_EQ(first.events.size(), 3U);
   EXPECT_EQ(first.events[0].then,
@@ -168,7 +168,7 @@ TEST_F(BriefOf, VerdictsKeepTheirWordsPremisesAndReasons) {
   found.requirements = {
       {{}, "require\n  stack <= 2", "proved", std::nullopt, "a premise", true, ""},
       {{}, "require reach third", "undecided", std::nullopt, "", false, "a reason"},
-      {{}, "require always n < 1", "refuted", report::FlightSearch{9}, "", false, ""}};
+      {{}, "require always n < 1", "refuted", report::FlightSearch{9, "", 0, 0}, "", false, ""}};
   found.remarks = {{{}, "the mission ends after 1 h", report::Remark::Subject::End},
                    {{}, "if the SBC …", report::Remark::Subject::WayHome},
                    {{}, "possible livelock"}};

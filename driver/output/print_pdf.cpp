@@ -30,8 +30,7 @@ constexpr std::chrono::seconds kLongest{60};
 constexpr std::chrono::milliseconds kPoll{20};
 
 std::unexpected<support::Failure> notPrinted(const std::string& why) {
-  return support::fail(support::DiagnosticId::programNotStarted /* TODO: pdfNotPrinted */,
-                       "chromium", why);
+  return support::fail(support::DiagnosticId::pdfNotPrinted, why);
 }
 
 /// The first browser that is in PATH; empty: none.

@@ -9,9 +9,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace glider::analysis {
+namespace {
+
+constexpr std::string_view kLatitude = ".latitude";
+
+}  // namespace
 
 std::string listed(const std::vector<std::string>& items) {
   std::string text;
@@ -65,6 +71,11 @@ std::string InWords::block(ir::BlockId block) const {
   return text;
 }
 
+std::string InWords::nameIn(const ir::State& state, size_t parameter) const {
+  const std::string& name = m_[state.parameters[parameter]].name;
+  return name.starts_with(state.name + ".") ? name.substr(state.name.size() + 1) : name;
+}
+
 std::string InWords::transition(const ir::Case& c) const {
   if (c.transition == ir::Transition::Return) {
     return "returns to the state that called";
@@ -77,10 +88,17 @@ std::string InWords::transition(const ir::Case& c) const {
   }
   const ir::State& target = m_[c.target];
   std::vector<std::string> given;
-  for (size_t i = 0; i < std::min(c.arguments.size(), target.parameters.size()); ++i) {
-    const std::string& name = m_[target.parameters[i]].name;
-    given.push_back(fmt::format("{} = {}", inCode(name.substr(name.rfind('.') + 1)),
-                                written(m_[c.arguments[i]].range)));
+  const size_t count = std::min(c.arguments.size(), target.parameters.size());
+  for (size_t i = 0; i < count; ++i) {
+    std::string name = nameIn(target, i);
+    std::string value = written(m_[c.arguments[i]].range);
+    // A position is two parameters, but one for the pilot.
+    if (name.ends_with(kLatitude) && i + 1 < count) {
+      name.resize(name.size() - kLatitude.size());
+      const std::string longitude = written(m_[c.arguments[++i]].range);
+      value += longitude == value ? "" : " " + longitude;
+    }
+    given.push_back(fmt::format("{} = {}", inCode(name), value));
   }
   return fmt::format("{} {}{}{}", c.transition == ir::Transition::Goto ? "goes to" : "calls",
                      inCode(target.name), given.empty() ? "" : " with ", listed(given));

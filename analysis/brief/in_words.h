@@ -29,6 +29,8 @@ class InWords {
   [[nodiscard]] std::string written(support::SourceRange range) const;
   [[nodiscard]] std::string statement(const ir::Statement& statement) const;
   [[nodiscard]] std::string values(const std::vector<ir::ExprId>& values) const;
+  /// "corner.latitude" of the variable "leg.corner.latitude".
+  [[nodiscard]] std::string nameIn(const ir::State& state, size_t parameter) const;
   [[nodiscard]] std::string transition(const ir::Case& c) const;
 
   const ir::Mission& m_;

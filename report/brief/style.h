@@ -29,7 +29,7 @@ td { border-bottom: .1mm solid #d5dbe1; overflow-wrap: break-word }
 tr { break-inside: avoid }
 thead { display: table-header-group }
 figure { margin: 2mm 0; text-align: center; break-inside: avoid }
-figure svg { max-width: 100%; max-height: 80mm; height: auto; width: auto }
+figure svg { max-width: 100%; max-height: 95mm; height: auto; width: auto }
 .file { color: #566573; margin: .5mm 0 2mm }
 .hint { color: #566573; font-size: 8.6pt }
 .state { break-inside: avoid }

@@ -208,6 +208,13 @@ TEST_F(BriefCommand, ChromiumPrintsThePdf) {
   EXPECT_THAT(text, AllOf(HasSubstr("survey"), HasSubstr("Sensors that it needs")));
 }
 
+TEST_F(BriefCommand, APositionIsOneArgument) {
+  const Outcome outcome = runShell("$GLIDERCC brief -o - " + std::string(GLIDER_SOURCE_DIR) +
+                                   "/missions/gallery/survey_box.mission");
+  EXPECT_THAT(textOf(outcome.out),
+              HasSubstr("goes to leg with corner = south_east and number = 2"));
+}
+
 /// Every name of a mission that comes with glidercc is on its page.
 class BriefOfGallery : public testing::TestWithParam<const char*> {};
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "analysis/against/against_logs.h"
+#include "analysis/brief/brief_of.h"
 #include "analysis/certificates/recheck.h"
 #include "analysis/closed_loop.h"
 #include "analysis/difference/compare_bounds.h"
@@ -11,6 +12,7 @@
 #include "analysis/difference/parting.h"
 #include "analysis/graph_of.h"
 #include "analysis/mission_budget.h"
+#include "analysis/parameter_rows.h"
 #include "analysis/refused_commands.h"
 #include "analysis/replay.h"
 #include "analysis/trace_of_run.h"
@@ -24,6 +26,7 @@
 /// (checkVehicleLimits, checkStart), a simulated flight that violates a requirement
 /// (searchClosedLoop), the replay of a counterexample tick by tick (replayRun), a second check of
 /// the certificates of proofs (recheck), what it would have done with the readings of a vehicle's
-/// data files (runAgainstLogs), its graph (graphOf), and what differs between two versions of it
-/// (compareMissions, compareBounds, searchParting). Nothing here prints. Other folders include only
-/// this header.
+/// data files (runAgainstLogs), its graph (graphOf), its
+/// parameters (parameterRows), all of this for the crew (briefOf), and what differs between two
+/// versions of it (compareMissions, compareBounds, searchParting). Nothing here prints. Other
+/// folders include only this header.

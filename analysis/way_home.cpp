@@ -47,8 +47,9 @@ Silence usualSilence() {
 }
 
 WayHome wayHomeFrom(double depth_m, const platforms::Platform& platform, const Silence& silence) {
-  return {depth_m, letsGoWithin(platform, silence) + platform.world.turn_s +
-                       depth_m / platform.world.slowest_climb_m_s};
+  const double lets_go_s = letsGoWithin(platform, silence);
+  return {lets_go_s, depth_m,
+          lets_go_s + platform.world.turn_s + depth_m / platform.world.slowest_climb_m_s};
 }
 
 std::vector<std::string> wayHomeLines(const ir::Mission& mission,

@@ -21,6 +21,7 @@ struct Silence {
 Silence usualSilence();
 /// What happens to the vehicle if the SBC fails or stops responding.
 struct WayHome {
+  double lets_go_s = 0;  ///< upper bound from the SBC's last frame until hookbeh revokes control
   double depth_m = 0;    ///< upper bound of its depth at that time, by the mission's commands
   double surface_s = 0;  ///< upper bound from the SBC's last frame to the surface
 };

@@ -8,6 +8,7 @@
 #include "compiler/user_code.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/output/executable.h"
 #include "driver/output/symbols.h"
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
@@ -44,9 +45,9 @@ constexpr const codegen::Product* kOfTheFrontEnd[] = {&kSyntaxTree, &kSymbols, &
 
 struct BuildOptions {
   std::string mission;
-  std::string target = "host";
+  std::string target = kUsualTarget;
   std::string emit = "exe";
-  unsigned level = 2;
+  unsigned level = kUsualLevel;
   std::vector<std::string> print_after;
   std::vector<std::string> user_code;
   std::string output;
@@ -102,22 +103,6 @@ const codegen::Product& chosenProduct(const BuildOptions& options, const platfor
   return *product;
 }
 
-/// The file to write if none is named: in the current folder, named after the mission and, if it is
-/// for the target only, the target.
-std::string outputName(const BuildOptions& options, const codegen::Product& product) {
-  const std::string stem = std::filesystem::path(options.mission).stem().string();
-  return stem + (product.for_board ? "-" + options.target : "") + std::string(product.suffix);
-}
-
-codegen::CodegenOptions codegenOptions(const BuildOptions& options,
-                                       const compiler::Optimised& mission) {
-  codegen::CodegenOptions result;
-  result.optimisation_level = static_cast<int>(options.level);
-  result.sources = &mission.sources();
-  result.last_link = true;
-  return result;
-}
-
 support::Result<std::string> printSyntaxTree(const BuildOptions& options,
                                              const compiler::Compilation& compilation) {
   return compilation.parsed ? support::Result<std::string>(ast::print(compilation.parsed->mission))
@@ -147,7 +132,7 @@ support::Result<void> writeProduct(const codegen::Product& product, const BuildO
 support::Result<void> buildProduct(const codegen::Product& product, const BuildOptions& options,
                                    const platforms::Board& board,
                                    const compiler::Optimised& mission) {
-  codegen::CodegenOptions how = codegenOptions(options, mission);
+  codegen::CodegenOptions how = buildOptions(mission, options.level);
   if (!product.for_board) {
     return writeProduct(product, options, mission.input(), board, how);
   }
@@ -217,7 +202,10 @@ int build(BuildOptions options) {
   if (!compilation.checked && &product != &kSymbols) {
     return kMissionHasErrors;
   }
-  options.output = options.output.empty() ? outputName(options, product) : options.output;
+  if (options.output.empty()) {
+    options.output =
+        builtName(options.mission, product.for_board ? options.target : "", product.suffix);
+  }
   if (overwritesInput(options, product)) {
     return reportFailure(
         support::fail(support::DiagnosticId::outputIsInput, options.output).error());

@@ -100,17 +100,6 @@ int exitCode(const report::CheckedMission& found) {
   return found.failure ? kWorldFailed : found.ok() ? kFine : kMissionHasErrors;
 }
 
-std::string flightLine(const report::FlightSearch& search) {
-  if (search.flights == 0) {
-    return "  not flown: the mission needs code in C, or the simulator cannot fly its vehicle\n";
-  }
-  return search.scenario.empty()
-             ? fmt::format("  none of {} simulated flights violates it\n", search.flights)
-             : fmt::format(
-                   "  a simulated flight violates it too: scenario {}, --seed {}, at {:.6g} s\n",
-                   search.scenario, search.seed, search.when_s);
-}
-
 /// The verdict of each requirement.
 std::string requirementLines(const report::CheckedMission& found) {
   std::string text;
@@ -118,7 +107,7 @@ std::string requirementLines(const report::CheckedMission& found) {
     text +=
         fmt::format("{}{}: {}\n", one.verdict, one.cached ? " by an earlier check" : "", one.text);
     text += one.premise.empty() ? "" : fmt::format("  {}\n", one.premise);
-    text += one.closed_loop ? flightLine(*one.closed_loop) : "";
+    text += one.closed_loop ? fmt::format("  {}\n", report::searchInWords(*one.closed_loop)) : "";
   }
   return text;
 }

@@ -21,7 +21,9 @@
 namespace glider::driver {
 namespace {
 
+using report::Remark;
 using support::Result;
+using Subject = Remark::Subject;
 
 void tellFacts(const compiler::Checked& checked, report::CheckedMission& found) {
   const ir::Mission& mission = checked.mission();
@@ -56,7 +58,8 @@ Result<report::JudgedRequirement> judgedRequirement(const compiler::Checked& che
                                    ir::prove::word(verdict.verdict),
                                    std::nullopt,
                                    ir::prove::premisesOf(verdict, checked.mission()),
-                                   verdict.cached};
+                                   verdict.cached,
+                                   verdict.reason};
   if (flown != nullptr && verdict.verdict == ir::prove::Verdict::Refuted && verdict.run) {
     const auto search = analysis::searchClosedLoop(*flown, verdict);
     if (!search) {
@@ -97,7 +100,8 @@ ir::prove::Findings proveWithCache(compiler::Compilation& compilation, const std
 /// Puts the prover's findings into `file`. `flown`: see judgedRequirement.
 Result<void> tellProved(const compiler::Optimised* flown, CheckedFile& file) {
   for (const ir::prove::ReportLine& line : file.proved.lines) {
-    file.found.remarks.push_back({line.range, line.text});
+    file.found.remarks.push_back(
+        {line.range, line.text, line.about_end ? Subject::End : Subject::Other});
   }
   for (const ir::prove::RequirementVerdict& verdict : file.proved.requirements) {
     auto judged = judgedRequirement(*file.compilation->checked, verdict, flown);
@@ -188,7 +192,7 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   const analysis::Silence silence = *vehicle ? (*vehicle)->silence : analysis::usualSilence();
   for (std::string& line :
        analysis::wayHomeLines(compilation.checked->mission(), mission.platform(), silence)) {
-    file.found.remarks.push_back({{}, std::move(line)});
+    file.found.remarks.push_back({{}, std::move(line), Subject::WayHome});
   }
   if (!*vehicle) {
     for (std::string& line :

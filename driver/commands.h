@@ -15,6 +15,7 @@ void addBuildCommand(CLI::App& app, int& status);
 void addParamsCommand(CLI::App& app, int& status);
 void addGraphCommand(CLI::App& app, int& status);
 void addSimCommand(CLI::App& app, int& status);
+void addBriefCommand(CLI::App& app, int& status);
 void addCampaignCommand(CLI::App& app, int& status);
 void addMiCommand(CLI::App& app, int& status);
 void addLogCommand(CLI::App& app, int& status);

@@ -3,7 +3,7 @@
 
 #include "driver/commands.h"
 #include "driver/exit_code.h"
-#include "driver/man_page.h"
+#include "driver/output/man_page.h"
 #include "driver/terminal.h"
 
 #include <CLI/CLI.hpp>
@@ -49,6 +49,7 @@ int run(int argc, char** argv) {
   addBuildCommand(app, status);
   addParamsCommand(app, status);
   addGraphCommand(app, status);
+  addBriefCommand(app, status);
   addSimCommand(app, status);
   addCampaignCommand(app, status);
   addLogCommand(app, status);

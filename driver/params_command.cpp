@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "analysis/analysis.h"
 #include "compiler/compilation.h"
 #include "driver/commands.h"
 #include "driver/compile_for_flight.h"
@@ -8,7 +9,6 @@
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
 #include "flights/launch_choice.h"
-#include "runtime/launch/launch.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -26,38 +26,7 @@ struct ParamsOptions {
   flights::LaunchChoice launch;
 };
 
-template <typename Write>
-std::string written(Write write) {
-  std::array<char, 120> bytes{};
-  runtime::Text text(bytes.data(), bytes.size());
-  write(text);
-  return {text.bytes(), text.size()};
-}
-
-std::string typeName(const ir::Type& type) {
-  switch (type.kind) {
-    case ir::TypeKind::Bool:
-      return "bool";
-    case ir::TypeKind::Latitude:
-      return "latitude";
-    case ir::TypeKind::Longitude:
-      return "longitude";
-    case ir::TypeKind::Quantity:
-      break;
-  }
-  return support::describe(type.dimension);
-}
-
 using Row = std::array<std::string, 5>;
-
-Row rowOf(const ir::Variable& variable, const GliderParameterInfo& info, double value) {
-  auto quantity = [&](double of) {
-    return written([&](runtime::Text& text) { runtime::writeQuantity(info, of, text); });
-  };
-  return {variable.name, typeName(variable.type), quantity(info.initial),
-          written([&](runtime::Text& text) { runtime::writeRange(info, text); }),
-          value == info.initial ? "" : quantity(value)};
-}
 
 /// Columns as wide as their longest cell; the last column only if it is not empty.
 std::string table(const std::vector<Row>& rows) {
@@ -80,21 +49,16 @@ std::string table(const std::vector<Row>& rows) {
 
 support::Result<std::string> describe(const compiler::Optimised& mission,
                                       const flights::LaunchChoice& choice) {
-  const auto loaded = flights::loadForParameters(mission);
-  if (!loaded) {
-    return std::unexpected(loaded.error());
+  const auto parameters = analysis::parameterRows(mission, choice);
+  if (!parameters) {
+    return std::unexpected(parameters.error());
   }
-  const GliderMission& info = loaded->mission();
-  const auto values = flights::chooseParameters(info, choice);
-  if (!values) {
-    return std::unexpected(values.error());
-  }
-  if (values->empty()) {
+  if (parameters->empty()) {
     return fmt::format("mission {} has no parameters\n", mission.mission.name);
   }
   std::vector<Row> rows{{"name", "type", "default", "range", "set to"}};
-  for (size_t i = 0; i < values->size(); ++i) {
-    rows.push_back(rowOf(mission.mission.variables[i], info.parameters[i], values->at(i)));
+  for (const analysis::ParameterRow& one : *parameters) {
+    rows.push_back({one.name, one.type, one.initial, one.range, one.set_to});
   }
   if (std::ranges::all_of(rows.begin() + 1, rows.end(),
                           [](const Row& row) { return row[4].empty(); })) {

@@ -11,6 +11,17 @@
 #include <utility>
 
 namespace glider::ir::prove {
+namespace {
+
+std::map<CasePlace, bool> deadOf(const Proof& proof) {
+  std::map<CasePlace, bool> cases;
+  for (const CasePlace& place : proof.dead) {
+    cases.emplace(place, proof.hidden.contains(place));
+  }
+  return cases;
+}
+
+}  // namespace
 
 const char* word(Verdict verdict) {
   switch (verdict) {
@@ -59,6 +70,7 @@ Findings prove(const Mission& mission, const MissionFacts& facts,
 #define PASS(name, purpose) passes::name(proof);
 #include "ir/prove/prove_passes.def"
 #undef PASS
+  proof.findings.never_fire = deadOf(proof);
   return std::move(proof.findings);
 }
 
@@ -70,11 +82,7 @@ std::map<CasePlace, bool> casesThatNeverFire(const Mission& mission, const Missi
   support::DiagnosticEngine unheard;
   Proof proof{context, proof_context, facts, options, unheard};
   passes::guards(proof);
-  std::map<CasePlace, bool> cases;
-  for (const CasePlace& place : proof.dead) {
-    cases.emplace(place, proof.hidden.contains(place));
-  }
-  return cases;
+  return deadOf(proof);
 }
 
 }  // namespace glider::ir::prove

@@ -83,6 +83,7 @@ struct Evidence {
 struct ReportLine {
   support::SourceRange range;
   std::string text;
+  bool about_end = false;  ///< says when the mission ends
 };
 
 /// What was found out about a requirement.
@@ -106,6 +107,7 @@ std::string premisesOf(const RequirementVerdict& verdict, const Mission& mission
 struct Findings {
   std::vector<ReportLine> lines;
   std::vector<RequirementVerdict> requirements;
+  std::map<CasePlace, bool> never_fire;  ///< as casesThatNeverFire
 };
 
 /// Runs the checks of prove_passes.def. `mission` must be valid and free of verification errors;

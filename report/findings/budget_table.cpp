@@ -21,6 +21,8 @@ std::string grouped(uint64_t number) {
   return text;
 }
 
+}  // namespace
+
 std::string amount(const Quantity& quantity) {
   if (!quantity.value) {
     return "no bound is known";
@@ -32,13 +34,10 @@ std::string amount(const Quantity& quantity) {
   return text + " " + quantity.unit;
 }
 
-/// "tick instructions" of "tick_instructions".
 std::string spoken(std::string name) {
   std::ranges::replace(name, '_', ' ');
   return name;
 }
-
-}  // namespace
 
 std::string budgetTable(const CheckedMission& mission) {
   std::string table;

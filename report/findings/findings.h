@@ -19,8 +19,10 @@ namespace glider::report {
 /// A finding that is not an error but useful to know; its range is empty if it is about the whole
 /// mission.
 struct Remark {
+  enum class Subject : uint8_t { Other, End, WayHome };
   support::SourceRange range;
   std::string text;
+  Subject subject = Subject::Other;
 };
 
 /// Whether a flight of the simulator violates a refuted requirement.
@@ -39,6 +41,7 @@ struct JudgedRequirement {
   std::optional<FlightSearch> closed_loop;  ///< of a refuted requirement, if it was searched for
   std::string premise = {};                 ///< the assumptions of its proof; may be empty
   bool cached = false;                      ///< the verdict is from an earlier check
+  std::string reason = {};                  ///< why it is undecided; may be empty
 };
 
 /// An upper bound of what a mission needs; `name` is its key in JSON.
@@ -77,8 +80,16 @@ struct CheckedMission {
 /// Returns the explanation of a diagnostic in Markdown: a heading `# GL2007: title`, then its text.
 using ExplainPage = std::function<std::string(support::DiagnosticId)>;
 
+/// "58,436 of 131,072 bytes".
+std::string amount(const Quantity& quantity);
+/// A key in words: "tick instructions" of "tick_instructions".
+std::string spoken(std::string name);
+
 /// The budgets as a table for people, one line for each quantity.
 std::string budgetTable(const CheckedMission& mission);
+
+/// The result of a search in words: "a simulated flight violates it too: …".
+std::string searchInWords(const FlightSearch& search);
 
 /// One JSON document with a member for each mission; docs/guide.md shows it.
 std::string findingsToJson(const std::vector<CheckedMission>& missions, const std::string& version);

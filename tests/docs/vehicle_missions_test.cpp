@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The vehicle's own missions in the guide: a block ```mi NAME is written to that file, and a block
-// ```console is what commands (lines that begin with `$ `) print beside these files.
+// The guide's commands: a block ```mi NAME is written to that file, a block ```mission to one of
+// the mission's name, and a block ```console is what commands (lines that begin with `$ `) print
+// beside these files.
 
 #include "tests/support/command.h"
 
@@ -24,7 +25,7 @@ class Guide {
     bool in_file = false, in_console = false;
     while (std::getline(in, line)) {
       if (line.starts_with("```") && (in_file || in_console)) {
-        in_file ? (void)folder_.write(file, text) : compare();
+        in_file ? (void)folder_.write(file.empty() ? nameOf(text) : file, text) : compare();
         in_file = in_console = false;
       } else if (in_file) {
         text += line + "\n";
@@ -34,6 +35,10 @@ class Guide {
         in_file = true;
         file = line.substr(std::string_view("```mi ").size());
         text.clear();
+      } else if (line == "```mission") {
+        in_file = true;
+        file.clear();
+        text.clear();
       } else {
         in_console = line == "```console";
       }
@@ -42,6 +47,13 @@ class Guide {
   }
 
  private:
+  /// "hotspot.mission" of a text whose first line is "mission hotspot".
+  static std::string nameOf(const std::string& text) {
+    constexpr std::string_view kFirst = "mission ";
+    const std::string line = text.substr(0, text.find('\n'));
+    return (line.starts_with(kFirst) ? line.substr(kFirst.size()) : "unnamed") + ".mission";
+  }
+
   void console(const std::string& line) {
     if (!line.starts_with("$ ")) {
       expected_ += line + "\n";
@@ -71,8 +83,8 @@ class Guide {
   int commands_ = 0;
 };
 
-TEST(Documents, CommandsForTheVehiclesOwnMissionsPrintWhatTheGuideShows) {
-  EXPECT_GE(Guide().follow(std::filesystem::path(GLIDER_SOURCE_DIR) / "docs/guide.md"), 2);
+TEST(Documents, CommandsPrintWhatTheGuideShows) {
+  EXPECT_GE(Guide().follow(std::filesystem::path(GLIDER_SOURCE_DIR) / "docs/guide.md"), 3);
 }
 
 }  // namespace

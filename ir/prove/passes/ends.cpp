@@ -38,7 +38,7 @@ std::string dependsOn(const ProofContext& proof_context, StateId stays) {
 
 void tellEnd(Proof& proof, const EndBound& end) {
   const auto tell = [&](std::string text) {
-    proof.findings.lines.push_back({{}, std::move(text)});
+    proof.findings.lines.push_back({{}, std::move(text), true});
   };
   const ProofContext powered = proof.proof_context.withoutPowerCuts();
   const EndBound& undisturbed = proof.ending.boundWithoutPowerCuts();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "driver/man_page.h"
+#include "driver/output/man_page.h"
 
 #include <CLI/CLI.hpp>
 #include <gtest/gtest.h>

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "analysis/parameter_rows.h"
+#include "analysis/way_home.h"
+#include "compiler/compilation.h"
+#include "ir/prove/prove.h"
+#include "report/brief/brief.h"
+
+#include <string>
+#include <vector>
+
+namespace glider::analysis {
+
+/// What a brief is made from, all of it computed before: nothing is proved or built here.
+struct BriefSource {
+  const compiler::Compilation& compilation;  ///< without errors, except violated requirements
+  const ir::prove::Findings& proved;
+  const report::CheckedMission& found;  ///< with its remarks and budgets
+  Silence silence;
+  std::vector<ParameterRow> parameters;
+  report::BriefHash binary;
+  std::string version;  ///< of glidercc
+};
+
+/// The brief of a mission that was checked.
+report::Brief briefOf(const BriefSource& source);
+
+}  // namespace glider::analysis

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analysis/brief/in_words.h"
+
+#include "analysis/brief/written.h"
+#include "support/one_line.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace glider::analysis {
+namespace {
+
+constexpr std::string_view kLatitude = ".latitude";
+
+}  // namespace
+
+std::string listed(const std::vector<std::string>& items) {
+  std::string text;
+  for (size_t i = 0; i < items.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == items.size() ? " and " : ", ") + items[i];
+  }
+  return text;
+}
+
+std::string InWords::written(support::SourceRange range) const {
+  return range.valid() ? inCode(support::onOneLine(sources_.text(range))) : "";
+}
+
+std::string InWords::values(const std::vector<ir::ExprId>& values) const {
+  std::vector<std::string> all;
+  for (const ir::ExprId id : values) {
+    all.push_back(written(m_[id].range));
+  }
+  return listed(all);
+}
+
+std::string InWords::statement(const ir::Statement& statement) const {
+  switch (statement.kind) {
+    case ir::StatementKind::Set:
+      return fmt::format("sets {} to {}", inCode(m_[statement.variable].name),
+                         written(m_[statement.value].range));
+    case ir::StatementKind::Log: {
+      std::string text = statement.text;
+      std::ranges::replace(text, '`', '\'');
+      return fmt::format("logs “{}”{}{}", text, statement.values.empty() ? "" : " with ",
+                         values(statement.values));
+    }
+    case ir::StatementKind::If: {
+      const std::string otherwise = block(statement.otherwise);
+      return fmt::format("(if {}: {}{}{})", written(m_[statement.value].range),
+                         block(statement.then),
+                         otherwise.empty() ? "" : "; otherwise: ", otherwise);
+    }
+    case ir::StatementKind::Command:
+      break;
+  }
+  return "commands " + written(statement.range);
+}
+
+std::string InWords::block(ir::BlockId block) const {
+  std::string text;
+  for (const ir::Statement& one :
+       block.valid() ? m_[block].statements : std::vector<ir::Statement>()) {
+    text += (text.empty() ? "" : ", ") + statement(one);
+  }
+  return text;
+}
+
+std::string InWords::nameIn(const ir::State& state, size_t parameter) const {
+  const std::string& name = m_[state.parameters[parameter]].name;
+  return name.starts_with(state.name + ".") ? name.substr(state.name.size() + 1) : name;
+}
+
+std::string InWords::transition(const ir::Case& c) const {
+  if (c.transition == ir::Transition::Return) {
+    return "returns to the state that called";
+  }
+  if (c.transition == ir::Transition::Exit) {
+    return "ends the mission";
+  }
+  if (c.transition != ir::Transition::Goto && c.transition != ir::Transition::Call) {
+    return "stays";
+  }
+  const ir::State& target = m_[c.target];
+  std::vector<std::string> given;
+  const size_t count = std::min(c.arguments.size(), target.parameters.size());
+  for (size_t i = 0; i < count; ++i) {
+    std::string name = nameIn(target, i);
+    std::string value = written(m_[c.arguments[i]].range);
+    // A position is two parameters, but one for the pilot.
+    if (name.ends_with(kLatitude) && i + 1 < count) {
+      name.resize(name.size() - kLatitude.size());
+      const std::string longitude = written(m_[c.arguments[++i]].range);
+      value += longitude == value ? "" : " " + longitude;
+    }
+    given.push_back(fmt::format("{} = {}", inCode(name), value));
+  }
+  return fmt::format("{} {}{}{}", c.transition == ir::Transition::Goto ? "goes to" : "calls",
+                     inCode(target.name), given.empty() ? "" : " with ", listed(given));
+}
+
+report::BriefEvent InWords::event(const ir::Case& c, const std::string& never) const {
+  const std::string actions = block(c.action);
+  return {support::onOneLine(sources_.text(m_[c.guard].range)),
+          actions.empty() ? transition(c) : fmt::format("{}; then {}", actions, transition(c)),
+          never};
+}
+
+std::string InWords::samples(const ir::State& state) {
+  std::vector<std::pair<double, std::vector<std::string>>> by_period;
+  for (const ir::LogItem& item : state.log) {
+    auto found = std::ranges::find(by_period, item.period_s,
+                                   &std::pair<double, std::vector<std::string>>::first);
+    if (found == by_period.end()) {
+      found = by_period.insert(by_period.end(), {item.period_s, {}});
+    }
+    found->second.push_back(inCode(item.name));
+  }
+  std::string text;
+  for (const auto& [period_s, names] : by_period) {
+    text += (text.empty() ? "" : "; ") + listed(names) +
+            (period_s > 0 ? fmt::format(" every {:g} s", period_s) : " on every tick");
+  }
+  return text;
+}
+
+}  // namespace glider::analysis

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "compiler/compilation.h"
+#include "report/brief/brief.h"
+
+#include <string>
+#include <vector>
+
+namespace glider::analysis {
+
+/// The statements and cases of a mission in words, for report::Brief.
+class InWords {
+ public:
+  /// `lowered` outlives this.
+  explicit InWords(const compiler::Lowered& lowered)
+      : m_(lowered.mission), sources_(*lowered.sources) {}
+
+  /// "sets `n` to `n + 1`, logs “warm” with `n`"; empty for an invalid block.
+  [[nodiscard]] std::string block(ir::BlockId block) const;
+  /// `never` is that of report::GraphCase.
+  [[nodiscard]] report::BriefEvent event(const ir::Case& c, const std::string& never) const;
+  /// "`depth` and `temp` on every tick; `lat` every 8 s"; empty if the state logs nothing.
+  [[nodiscard]] static std::string samples(const ir::State& state);
+
+ private:
+  [[nodiscard]] std::string written(support::SourceRange range) const;
+  [[nodiscard]] std::string statement(const ir::Statement& statement) const;
+  [[nodiscard]] std::string values(const std::vector<ir::ExprId>& values) const;
+  /// "corner.latitude" of the variable "leg.corner.latitude".
+  [[nodiscard]] std::string nameIn(const ir::State& state, size_t parameter) const;
+  [[nodiscard]] std::string transition(const ir::Case& c) const;
+
+  const ir::Mission& m_;
+  const support::SourceManager& sources_;
+};
+
+/// "a", "a and b", "a, b and c".
+std::string listed(const std::vector<std::string>& items);
+
+}  // namespace glider::analysis

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "analysis/way_home.h"
+#include "compiler/compilation.h"
+#include "report/findings/findings.h"
+
+#include <string>
+#include <vector>
+
+namespace glider::analysis {
+
+/// What the crew should know first, in sentences: the verdicts, the end, the depth, the call stack,
+/// the way home, power cuts. `deepest_m` is the deepest that commands lead to.
+std::vector<std::string> summaryOf(const compiler::Checked& checked,
+                                   const report::CheckedMission& found, const Silence& silence,
+                                   double deepest_m);
+
+/// What the proofs and bounds assume about the vehicle and the water.
+std::string assumptionsOf(const platforms::Platform& platform, double resume_within_s);
+
+}  // namespace glider::analysis

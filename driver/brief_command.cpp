@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analysis/analysis.h"
+#include "compiler/boards.h"
+#include "driver/check_mission.h"
+#include "driver/commands.h"
+#include "driver/exit_code.h"
+#include "driver/output/executable.h"
+#include "driver/output/print_pdf.h"
+#include "driver/shared_options.h"
+#include "driver/terminal.h"
+#include "support/files.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace glider::driver {
+namespace {
+
+struct BriefOptions {
+  std::string mission;
+  std::string output;  ///< empty: named after the mission
+  std::string target = kUsualTarget;
+  std::string mi;  ///< the vehicle's mission file; empty: none
+  flights::LaunchChoice launch;
+  CheckOptions check;
+};
+
+/// A violated requirement is an error, but the crew should see it on the page.
+bool hasOtherErrors(const report::CheckedMission& found) {
+  return std::ranges::any_of(found.diagnostics, [](const support::Diagnostic& one) {
+    return one.severity == support::Severity::Error &&
+           one.id != support::DiagnosticId::requirementBroken;
+  });
+}
+
+support::Result<report::Brief> gather(const BriefOptions& options, const CheckedFile& file) {
+  const compiler::Optimised mission = compiler::optimise(file.compilation->checked);
+  auto parameters = analysis::parameterRows(mission, options.launch);
+  if (!parameters) {
+    return std::unexpected(parameters.error());
+  }
+  auto binary = executableHash(options.mission, mission, options.target, options.check.user_code);
+  if (!binary) {
+    return std::unexpected(binary.error());
+  }
+  const analysis::Silence silence =
+      options.check.vehicle ? options.check.vehicle->silence : analysis::usualSilence();
+  return analysis::briefOf({*file.compilation, file.proved, file.found, silence,
+                            std::move(*parameters), std::move(*binary),
+                            std::string("glidercc ") + GLIDER_VERSION});
+}
+
+support::Result<void> write(const BriefOptions& options, const report::Brief& brief) {
+  const std::string html = report::briefToHtml(brief);
+  if (options.output == "-") {
+    return printOut(html);
+  }
+  const bool as_pdf = std::filesystem::path(options.output).extension() == ".pdf";
+  if (auto written = as_pdf ? printPdf(html, options.output)
+                            : support::writeFileAtomically(options.output, html);
+      !written) {
+    return written;
+  }
+  return printOut(fmt::format("{}: mission {}, {} state{}\n", options.output, brief.mission,
+                              brief.states.size(), brief.states.size() == 1 ? "" : "s"));
+}
+
+/// The vehicle's mission file says how soon hookbeh takes over, and what it refuses.
+support::Result<void> readSkeleton(BriefOptions& options) {
+  if (options.mi.empty()) {
+    return {};
+  }
+  auto vehicle = analysis::vehicleFileOf(options.mi, reportDiagnostics);
+  if (!vehicle) {
+    return std::unexpected(vehicle.error());
+  }
+  options.check.vehicle = std::move(*vehicle);
+  return {};
+}
+
+/// The input that the page would overwrite; null: none.
+const std::string* overwritten(const BriefOptions& options) {
+  std::error_code error;  // a file that is not there yet is not an input
+  for (const std::string* input : {&options.mission, &options.mi, &options.launch.file}) {
+    if (!input->empty() && std::filesystem::equivalent(options.output, *input, error) && !error) {
+      return input;
+    }
+  }
+  return nullptr;
+}
+
+int brief(BriefOptions options) {
+  if (const auto board = compiler::loadTarget(options.target); !board) {
+    return reportFailure(board.error());
+  }
+  if (auto read = readSkeleton(options); !read) {
+    return reportFailure(read.error());
+  }
+  if (options.output.empty()) {
+    options.output = builtName(options.mission, "brief", ".html");
+  }
+  if (const std::string* input = overwritten(options)) {
+    return reportFailure(support::fail(support::DiagnosticId::outputIsInput, *input).error());
+  }
+  options.check.report = true;
+  options.check.targets = options.target == kUsualTarget ? analysis::boardsInTheVehicle()
+                                                         : std::vector<std::string>{options.target};
+  const CheckedFile file = checkMission(options.mission, options.check);
+  if (file.compilation) {
+    reportDiagnostics(file.compilation->diagnostics, *file.compilation->sources);
+  }
+  if (file.found.failure) {
+    return reportFailure(*file.found.failure);
+  }
+  if (hasOtherErrors(file.found)) {
+    return kMissionHasErrors;
+  }
+  const auto brief = gather(options, file);
+  if (!brief) {
+    return reportFailure(brief.error());
+  }
+  if (const auto written = write(options, *brief); !written) {
+    return reportFailure(written.error());
+  }
+  return file.found.ok() ? kFine : kMissionHasErrors;
+}
+
+}  // namespace
+
+void addBriefCommand(CLI::App& app, int& status) {
+  auto options = std::make_shared<BriefOptions>();
+  CLI::App* command = app.add_subcommand(
+      "brief", "Write a page about a mission for the crew, to print before it is deployed");
+  command
+      ->add_option("MISSION", options->mission, "The mission file (or the IR's text form, FILE.ir)")
+      ->required();
+  command
+      ->add_option("-o", options->output,
+                   "Output file, a web page; printed as a PDF by Chromium if the name ends in "
+                   ".pdf; `-` is standard output [MISSION-brief.html]")
+      ->option_text("FILE");
+  command
+      ->add_option("--target", options->target,
+                   "Target of the executable whose digest is given, as listed by `glidercc "
+                   "targets`")
+      ->capture_default_str();
+  command
+      ->add_option("--mi,--skeleton", options->mi,
+                   "The vehicle's mission file (.mi) with hookbeh; its silence_secs bounds the "
+                   "time to the surface [24 s]")
+      ->option_text("FILE");
+  addLaunchOptions(*command, options->launch);
+  addLinkOption(*command, options->check.user_code);
+  command->callback([options, &status] { status = brief(*options); });
+}
+
+}  // namespace glider::driver

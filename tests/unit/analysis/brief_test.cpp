@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What a brief says of a mission, in words.
+
+#include "analysis/analysis.h"
+#include "analysis/brief/in_words.h"
+#include "analysis/brief/summary.h"
+#include "analysis/brief/written.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <gmock/gmock.h>
+
+namespace glider::analysis {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const std::string kMission = R"(# SPDX-License-Identifier: Apache-2.0
+#########
+# Looks for warm water.
+
+# Then it goes home.
+
+mission m
+const far = 39 N 74 W   # beyond the shelf
+                        # in deep water
+# Warm enough to stay.
+param warm : temperature = 4 degC in 1 degC .. 9 degC where warm < 8 degC
+var n : number = 0 in 0 .. 9
+always
+  case depth > 50 m  exit
+# Finds it.
+# Slowly.
+state first
+begin
+  flightroute nav(far)
+  flightprofile yo(5 m, 20 m, 26 deg, 26 deg)
+  sensors lat, lon every 8 s, missiontime, depth
+  entry do log "in`side", depth, n end
+  events
+    case depth > 3 m
+      do
+        set n = clamp(n + 1, 0, 9)
+        if n > 3 then set n = 0 else log "few" end
+      end
+      stay
+    case missiontime >= 1 h  goto second(1 h,
+                                         2)
+    case missiontime >= 2 h  call third
+end
+state second(limit: time, k: number)
+begin
+  flightroute nav(3910.5, -7349.8)
+  flightprofile dive_to(9, .454)
+  sensors statetime
+  events
+    case statetime > limit && k > 1  exit
+end
+state third
+begin
+  flightprofile surfaced
+  sensors statetime, pitch
+  events
+    case statetime > 1 h || pitch > 40 deg  return
+end
+)";
+
+class BriefOf : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() { setenv("GLIDERCC_SHARE", GLIDER_BINARY_DIR "/share/glidercc", 1); }
+  void SetUp() override {
+    auto compiled = compiler::compileText("m.mission", kMission);
+    ASSERT_TRUE(compiled);
+    compilation_ = std::move(*compiled);
+    for (const auto& one : compilation_.diagnostics.sorted()) {
+      EXPECT_EQ(one.severity, support::Severity::Warning) << one.message;
+    }
+    ASSERT_TRUE(compilation_.checked);
+  }
+  [[nodiscard]] report::Brief brief(report::CheckedMission found = {}) const {
+    const ir::prove::Findings proved;
+    return briefOf({compilation_,
+                    proved,
+                    found,
+                    usualSilence(),
+                    {{"warm", "temperature", "4 degC", "1 degC to 9 degC", ""}},
+                    {"m-host", "0123", ""},
+                    "glidercc 0"});
+  }
+
+  compiler::Compilation compilation_;
+};
+
+TEST_F(BriefOf, CommentsAreThoseOfTheDeclaration) {
+  const Written written(compilation_);
+  EXPECT_EQ(written.head(), "Looks for warm water. Then it goes home.");
+  EXPECT_EQ(written.commentOf("first"), "Finds it. Slowly.");
+  EXPECT_EQ(written.commentOf("second"), "");
+  const report::Brief of = brief();
+  ASSERT_EQ(of.values.size(), 2U);
+  EXPECT_EQ(of.values[0].name, "far");
+  EXPECT_EQ(of.values[0].value, "39 N 74 W");
+  EXPECT_EQ(of.values[0].meaning, "beyond the shelf in deep water");
+  EXPECT_EQ(of.values[1].kind, "variable");
+  EXPECT_EQ(of.values[1].range, "0 to 9");
+  EXPECT_EQ(of.values[1].meaning, "");
+  ASSERT_EQ(of.parameters.size(), 1U);
+  EXPECT_EQ(of.parameters[0].meaning, "Warm enough to stay.");
+  EXPECT_EQ(of.parameters[0].range, "1 degC to 9 degC");
+  EXPECT_THAT(of.conditions, ElementsAre("warm < 8 degC"));
+}
+
+TEST_F(BriefOf, ProfilesAndRoutesNameTheirArguments) {
+  const report::Brief of = brief();
+  ASSERT_EQ(of.states.size(), 3U);
+  EXPECT_EQ(of.states[0].profile.name, "yo");
+  EXPECT_EQ(of.states[0].profile.with, "top `5 m`, bottom `20 m`, dive `26 deg`, climb `26 deg`");
+  EXPECT_THAT(of.states[0].profile.comment, HasSubstr("Up and down between two depths"));
+  EXPECT_EQ(of.states[0].route.with, "to `far` (`39 N 74 W`)");
+  EXPECT_EQ(of.states[1].profile.with, "bottom `9 m`, dive `.454 rad`");
+  EXPECT_EQ(of.states[1].route.with, "to `3910.5`, `-7349.8`");
+  EXPECT_EQ(of.states[2].profile.name, "surfaced");
+  EXPECT_EQ(of.states[2].profile.comment, "Stays at the surface.");
+  EXPECT_EQ(of.states[1].parameters, "limit: time, k: number");
+  EXPECT_EQ(of.states[0].deepest, "at most 25 m deep");
+}
+
+TEST_F(BriefOf, EventsAreSentencesInTheirOrder) {
+  const report::Brief of = brief();
+  ASSERT_EQ(of.always.size(), 1U);
+  EXPECT_EQ(of.always[0].when, "depth > 50 m");
+  EXPECT_EQ(of.always[0].then, "ends the mission");
+  const auto& first = of.states[0];
+  EXPECT_EQ(first.samples, "`lat` and `lon` every 8 s; `missiontime` and `depth` on every tick");
+  EXPECT_EQ(first.entry, "logs “in'side” with `depth` and `n`");
+  ASSERT_EQ(first.events.size(), 3U);
+  EXPECT_EQ(first.events[0].then,
+            "sets `n` to `clamp(n + 1, 0, 9)`, (if `n > 3`: sets `n` to `0`; otherwise: logs "
+            "“few”); then stays");
+  EXPECT_EQ(first.events[1].when, "missiontime >= 1 h");
+  EXPECT_EQ(first.events[1].then, "goes to `second` with `limit` = `1 h` and `k` = `2`");
+  EXPECT_EQ(first.events[2].then, "calls `third`");
+  EXPECT_EQ(of.states[2].events.at(0).then, "returns to the state that called");
+}
+
+TEST_F(BriefOf, SensorsSayFromWhereAndWhenTheyAreUnknown) {
+  const report::Brief of = brief();
+  const auto depth = std::ranges::find(of.sensors, "depth", &report::BriefSensor::name);
+  ASSERT_NE(depth, of.sensors.end());
+  EXPECT_EQ(depth->vehicle_name, "m_depth");
+  EXPECT_EQ(depth->from, "flight computer");
+  EXPECT_EQ(depth->range, "0 m to 1200 m");
+  EXPECT_EQ(depth->stale, "20 s");
+  const auto lat = std::ranges::find(of.sensors, "lat", &report::BriefSensor::name);
+  ASSERT_NE(lat, of.sensors.end());
+  EXPECT_EQ(lat->range, "-90 deg to 90 deg");
+  const auto pitch = std::ranges::find(of.sensors, "pitch", &report::BriefSensor::name);
+  ASSERT_NE(pitch, of.sensors.end());
+  EXPECT_EQ(pitch->range, "-90 deg to 90 deg");
+}
+
+TEST_F(BriefOf, VerdictsKeepTheirWordsPremisesAndReasons) {
+  report::CheckedMission found;
+  found.requirements = {
+      {{}, "require\n  stack <= 2", "proved", std::nullopt, "a premise", true, ""},
+      {{}, "require reach third", "undecided", std::nullopt, "", false, "a reason"},
+      {{}, "require always n < 1", "refuted", report::FlightSearch{9, "", 0, 0}, "", false, ""}};
+  found.remarks = {{{}, "the mission ends after 1 h", report::Remark::Subject::End},
+                   {{}, "if the SBC …", report::Remark::Subject::WayHome},
+                   {{}, "possible livelock"}};
+  const report::Brief of = brief(found);
+  ASSERT_EQ(of.requirements.size(), 3U);
+  EXPECT_EQ(of.requirements[0].text, "require stack <= 2");
+  EXPECT_EQ(of.requirements[0].verdict, "proved");
+  EXPECT_THAT(of.requirements[0].because, ElementsAre("a premise"));
+  EXPECT_EQ(of.requirements[1].verdict, "undecided");
+  EXPECT_THAT(of.requirements[1].because, ElementsAre("a reason"));
+  EXPECT_EQ(of.requirements[2].verdict, "refuted");
+  EXPECT_THAT(of.requirements[2].because, ElementsAre("none of 9 simulated flights violates it"));
+  ASSERT_EQ(of.remarks.size(), 1U) << "the others are in the summary";
+  EXPECT_EQ(of.remarks[0].text, "possible livelock");
+  EXPECT_EQ(of.summary.front(), "Of 3 requirements: 1 violated, 1 undecided and 1 proved.");
+  EXPECT_THAT(of.summary, ::testing::Contains("The mission ends after 1 h."));
+}
+
+TEST_F(BriefOf, TheSummarySaysDepthStackAndWayHome) {
+  EXPECT_THAT(
+      brief().summary,
+      ElementsAre("The mission states no requirements.",
+                  "The commands lead at most 25 m deep, which includes an overshoot of up to 5 m "
+                  "when the vehicle turns.",
+                  "At most 1 state waits on the call stack (`first` calls `third`).",
+                  "If the payload computer (SBC) fails, the vehicle takes control within 1 min 4 s "
+                  "and is at the surface within 11 min 24 s, from at most 25 m (assuming "
+                  "silence_secs 24).",
+                  HasSubstr("After a power cut of the payload computer of up to 5 min 0 s")));
+}
+
+TEST_F(BriefOf, DigestsAreOfTheTextsAndTheBinary) {
+  const auto hashes = brief().hashes;
+  ASSERT_EQ(hashes.size(), 3U);
+  EXPECT_EQ(hashes[0].of, "m.mission");
+  EXPECT_EQ(hashes[0].sha256.size(), 64U);
+  EXPECT_EQ(hashes[1].of, "the standard library");
+  EXPECT_NE(hashes[0].sha256, hashes[1].sha256);
+  EXPECT_EQ(hashes[2].sha256, "0123");
+}
+
+TEST(BriefComments, ACommentBesideIsNotOneAboveTheNext) {
+  const std::string text = "a = 1  # one\n       # more\nb = 2\n  # indented\nc = 3\n";
+  EXPECT_EQ(commentBeside(text, 5), "one more");
+  EXPECT_EQ(commentAbove(text, text.find("b =")), "");
+  EXPECT_EQ(commentAbove(text, text.find("c =")), "");
+  EXPECT_EQ(commentBeside(text, text.size()), "");
+  EXPECT_EQ(commentAbove("# top\nx", 6), "top");
+  EXPECT_EQ(commentAbove("x", 0), "");
+  EXPECT_EQ(commentAtHead(""), "");
+}
+
+}  // namespace
+}  // namespace glider::analysis

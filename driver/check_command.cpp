@@ -41,7 +41,6 @@ struct CommandOptions {
   std::string traces;        ///< folder; empty: none
   std::string certificates;  ///< folder; empty: none
   std::string recheck;       ///< folder of certificates; empty: none
-  std::string skeleton;      ///< the vehicle's mission file; empty: none
   AgainstOptions against;
 };
 
@@ -287,13 +286,13 @@ int check(CommandOptions& options) {
     return recheck(options);
   }
   options.check.evidence = !options.certificates.empty();
-  if (!options.skeleton.empty()) {
-    auto silence = analysis::silenceOf(options.skeleton, reportDiagnostics);
+  if (!options.check.skeleton.empty()) {
+    auto silence = analysis::silenceOf(options.check.skeleton, reportDiagnostics);
     if (!silence) {
       return reportFailure(silence.error());
     }
     options.check.silence = std::move(*silence);
-    auto limits = analysis::limitsOf(options.skeleton);
+    auto limits = analysis::limitsOf(options.check.skeleton);
     if (!limits) {
       return reportFailure(limits.error());
     }
@@ -400,9 +399,10 @@ void addCheckCommand(CLI::App& app, int& status) {
       ->check(CLI::Range(0.001, kLongestTimeout_s))
       ->option_text("S");
   command
-      ->add_option("--skeleton", options->skeleton,
-                   "With --report: the vehicle's mission file (.mi) with hookbeh; its silence_secs "
-                   "bounds the time to the surface [24 s]")
+      ->add_option(
+          "--skeleton,--mi", options->check.skeleton,
+          "With --report: the vehicle's mission file (.mi) with hookbeh: whether it brings "
+          "the vehicle to the surface after control ends, and in what time")
       ->option_text("FILE");
   addLinkOption(*command, options->check.user_code);
   command->add_flag_callback(

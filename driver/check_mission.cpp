@@ -8,6 +8,7 @@
 #include "compiler/proving.h"
 #include "driver/output/check_progress.h"
 #include "flights/scenario_choice.h"
+#include "slocum/mission_files/load.h"
 
 #include <fmt/format.h>
 
@@ -92,6 +93,33 @@ ir::prove::Findings proveWithCache(compiler::Compilation& compilation, const std
   return proved;
 }
 
+/// What the vehicle's own mission file does when the SBC has left control.
+Result<void> tellWhole(const CheckOptions& options, CheckedFile& file) {
+  if (options.skeleton.empty()) {
+    return {};
+  }
+  compiler::Compilation& compilation = *file.compilation;
+  support::DiagnosticEngine diagnostics;  // shown when the command read its options
+  const auto vehicle =
+      slocum::loadMission(options.skeleton, *compilation.sources, diagnostics, [](auto&&...) {});
+  if (!vehicle) {
+    return std::unexpected(vehicle.error());
+  }
+  const compiler::Checked& checked = *compilation.checked;
+  const analysis::Whole whole = analysis::wholeOf(checked.mission(), checked.platform(), *vehicle);
+  for (const analysis::Ending& ending : whole.endings) {
+    if (!ending.proved()) {
+      file.found.remarks.push_back({{},
+                                    fmt::format("after {} the vehicle may stay under water: {}; {}",
+                                                ending.after, ending.why_not, ending.change)});
+    }
+  }
+  for (std::string& line : analysis::wholeLines(whole)) {
+    file.found.remarks.push_back({{}, std::move(line)});
+  }
+  return {};
+}
+
 /// Puts the prover's findings into `file`. `flown`: see judgedRequirement.
 Result<void> tellProved(const compiler::Optimised* flown, CheckedFile& file) {
   for (const ir::prove::ReportLine& line : file.proved.lines) {
@@ -141,6 +169,9 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   for (std::string& line : analysis::wayHomeLines(compilation.checked->mission(),
                                                   mission.platform(), options.silence)) {
     file.found.remarks.push_back({{}, std::move(line)});
+  }
+  if (auto told = tellWhole(options, file); !told) {
+    return told;
   }
   for (std::string& line : analysis::refusedLines(compilation.checked->mission(), options.limits)) {
     file.found.remarks.push_back({{}, std::move(line)});

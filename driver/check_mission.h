@@ -20,6 +20,7 @@ struct CheckOptions {
   std::vector<std::string> targets;  ///< of the budget; empty: all boards of the vehicle
   analysis::Silence silence = analysis::usualSilence();      ///< of hookbeh, for the way home
   analysis::CommandLimits limits = analysis::usualLimits();  ///< of hookbeh
+  std::string skeleton;                ///< the vehicle's mission file; empty: none
   std::vector<std::string> user_code;  ///< of the budget: what has the mission's `extern` names
   unsigned effort = 1;                 ///< multiplies the resource limits of proofs
   double timeout_s = 0;                ///< of the proofs about a mission; 0: none

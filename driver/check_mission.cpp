@@ -107,7 +107,7 @@ Result<void> tellWhole(const CheckOptions& options, CheckedFile& file) {
   }
   const compiler::Checked& checked = *compilation.checked;
   const analysis::Whole whole = analysis::wholeOf(checked.mission(), checked.platform(), *vehicle);
-  for (const analysis::Ending& ending : whole.endings) {
+  for (const analysis::Ending& ending : whole.alike()) {
     if (!ending.proved()) {
       file.found.remarks.push_back({{},
                                     fmt::format("after {} the vehicle may stay under water: {}; {}",

@@ -11,6 +11,7 @@
 #include "slocum/mission_files/behaviour_catalogue.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -96,8 +97,8 @@ class Endings {
     const WayUp up = wayUp(layers_, vehicle_, platform_, all_.deepest_m);
     // A release that is lost is written again; if no answer comes, the SBC claims no control.
     add("`exit`", {heard}, let_go, up);
-    add("silence of the SBC", {}, let_go, up);
     add("instructions that get no answer", {heard}, let_go, up);
+    add("silence of the SBC", {}, let_go, up);
   }
 
   void add(std::string after, std::vector<Part> parts, const std::vector<Part>& let_go,
@@ -115,7 +116,7 @@ class Endings {
       const std::string after = "masking by " + layer->label();
       if (layer->role == Role::Surfaces) {
         all_.endings.push_back({after,
-                                climb(all_.deepest_m),
+                                climbParts(platform_, all_.deepest_m),
                                 fmt::format("{} ({})", layer->label(), layer->start_text),
                                 "",
                                 "",
@@ -130,27 +131,35 @@ class Endings {
     }
   }
 
-  [[nodiscard]] std::vector<Part> climb(double from_m) const {
-    return climbParts(platform_, from_m);
-  }
-
   /// After an abort no behaviour is called: the vehicle itself climbs.
   void aborts() {
     const BehaviourBlock* abend = blockOf(vehicle_, "abend");
     if (abend == nullptr) {
       return;
     }
-    const std::string by = "the vehicle itself";
+    std::vector<std::string> others;
     for (const slocum::KnownArgument& limit : slocum::findBehaviour("abend")->arguments) {
       const double value = abend->value(limit.name);
-      if (value < 0 || limit.name.ends_with("sample_time") || limit.name == "vacuum_min") {
+      const bool off = value < 0 || (value == 0 && limit.unit == "bool");
+      if (off || limit.name.ends_with("sample_time")) {
         continue;
       }
-      const bool deep = limit.name == "overdepth";
-      const double from_m = deep ? std::max(all_.deepest_m, overdepth(*abend)) : all_.deepest_m;
-      all_.endings.push_back(
-          {fmt::format("an abort ({} {:g})", limit.name, value), climb(from_m), by, "", "", {}});
+      std::string text = fmt::format("{} {:g}", limit.name, value);
+      if (limit.name == "overdepth") {
+        aborted(text, std::max(all_.deepest_m, overdepth(*abend)));
+      } else {
+        others.push_back(std::move(text));
+      }
     }
+    aborted(fmt::format("{}", fmt::join(others, ", ")), all_.deepest_m);
+  }
+  void aborted(const std::string& limits, double from_m) {
+    all_.endings.push_back({fmt::format("an abort ({})", limits),
+                            climbParts(platform_, from_m),
+                            "the vehicle itself",
+                            "",
+                            "",
+                            {}});
   }
 
   /// How deep the vehicle may be when the depth is found to be greater than overdepth.
@@ -173,6 +182,20 @@ class Endings {
 double Ending::seconds() const {
   return std::accumulate(parts.begin(), parts.end(), 0.0,
                          [](double sum, const Part& part) { return sum + part.seconds; });
+}
+
+std::vector<Ending> Whole::alike() const {
+  std::vector<Ending> all;
+  for (const Ending& ending : endings) {
+    const bool same = !all.empty() && all.back().by == ending.by &&
+                      all.back().why_not == ending.why_not && all.back().parts == ending.parts;
+    if (same) {
+      all.back().after += ", " + ending.after;
+    } else {
+      all.push_back(ending);
+    }
+  }
+  return all;
 }
 
 bool Whole::proved() const {

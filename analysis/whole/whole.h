@@ -16,6 +16,7 @@ namespace glider::analysis {
 struct Part {
   std::string what;  ///< "silence_secs"
   double seconds = 0;
+  bool operator==(const Part&) const = default;
 };
 
 /// One way in which the SBC's control ends, and what brings the vehicle to the surface then.
@@ -37,6 +38,8 @@ struct Whole {
   std::vector<Ending> endings;
 
   [[nodiscard]] bool proved() const;
+  /// The endings, those that follow each other and differ only in `after` as one.
+  [[nodiscard]] std::vector<Ending> alike() const;
 };
 
 /// `deepest_m`: to which the mission's own commands lead, may be infinite. docs/verification.md

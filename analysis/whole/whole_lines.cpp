@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <utility>
-
 namespace glider::analysis {
 namespace {
 
@@ -22,26 +20,16 @@ std::string sumOf(const Ending& ending) {
 
 }  // namespace
 
-/// Endings that end alike have one line.
 std::vector<std::string> wholeLines(const Whole& whole) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> lines;
-  for (const Ending& ending : whole.endings) {
-    if (!ending.proved()) {
-      continue;
+  std::vector<std::string> lines;
+  for (const Ending& ending : whole.alike()) {
+    if (ending.proved()) {
+      lines.push_back(fmt::format("after {} the vehicle is at the surface within {}, by {}: {}",
+                                  ending.after, ir::prove::durationOf(ending.seconds()), ending.by,
+                                  sumOf(ending)));
     }
-    const std::string rest =
-        fmt::format("the vehicle is at the surface within {}, by {}: {}",
-                    ir::prove::durationOf(ending.seconds()), ending.by, sumOf(ending));
-    if (lines.empty() || lines.back().first != rest) {
-      lines.push_back({rest, {}});
-    }
-    lines.back().second.push_back(ending.after);
   }
-  std::vector<std::string> text;
-  for (const auto& [rest, after] : lines) {
-    text.push_back(fmt::format("after {} {}", fmt::join(after, ", "), rest));
-  }
-  return text;
+  return lines;
 }
 
 }  // namespace glider::analysis

@@ -85,6 +85,14 @@ UNTIL : 'until' ;
 OUTSIDE : 'outside' ;
 FROM : 'from' ;
 TO : 'to' ;
+ASSUME : 'assume' ;
+START : 'start' ;
+NO : 'no' ;
+OUTAGE : 'outage' ;
+CURRENT : 'current' ;
+KNOWN : 'known' ;
+FIX : 'fix' ;
+CHANGES : 'changes' ;
 
 // Units (support/units/units.def) and the letters of positions; `S` and `W` are both. `min` is also the function.
 MIN : 'min' ;

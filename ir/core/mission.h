@@ -365,6 +365,30 @@ struct Requirement {
   support::SourceRange range;
 };
 
+enum class AssumptionKind : uint8_t {
+  StartDepth,   ///< control is given at `limit` m or above
+  StartInside,  ///< control is given in `area`
+  Outage,       ///< the SBC is never without power for longer than `limit` s during the mission
+  Current,      ///< the water moves no faster than `limit` m/s
+  Range,        ///< every known reading of `sensor` is in `lowest` to `highest`
+  Always        ///< `condition` is never false
+};
+
+/// What the pilot takes for granted about the sea, the vehicle and the SBC. Nothing that flies
+/// depends on it: proofs may rest on it, and flights are watched for what breaks it.
+struct Assumption {
+  AssumptionKind kind = AssumptionKind::Always;
+  double limit = 0;   ///< not negative
+  Geofence area;      ///< of StartInside: to keep in
+  SensorId sensor;    ///< of Range
+  double lowest = 0;  ///< of Range: SI units or degrees
+  double highest = 0;
+  ExprId condition;   ///< of Range, Outage and Always: as that of a requirement
+  Monitor monitor;    ///< of Outage and Always
+  std::string words;  ///< as written: "known altitude every 1 min"
+  support::SourceRange range;
+};
+
 /// Used if a mission does not define it: longer than any reboot, and short enough that what the
 /// vehicle does meanwhile does not matter.
 inline constexpr double kResumeWithin_s = 300;
@@ -395,6 +419,7 @@ struct Mission {
   GuardTable always_table;         ///< of `always`; may be empty
   std::vector<State> states;       ///< the first is where the mission starts
   std::vector<Requirement> requirements;
+  std::vector<Assumption> assumptions;
   /// The longest outage of the SBC after which the mission continues, s; kResumeWithin_s unless the
   /// mission defines another.
   double resume_within_s = kResumeWithin_s;

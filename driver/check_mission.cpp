@@ -109,13 +109,14 @@ Result<void> tellWhole(const CheckOptions& options, CheckedFile& file) {
   const analysis::Whole whole = analysis::wholeOf(checked.mission(), checked.platform(), *vehicle);
   for (const analysis::Ending& ending : whole.alike()) {
     if (!ending.proved()) {
-      file.found.remarks.push_back({{},
-                                    fmt::format("after {} the vehicle may stay under water: {}; {}",
-                                                ending.after, ending.why_not, ending.change)});
+      compilation.diagnostics.report(support::DiagnosticId::mayStayBelow, ending.range,
+                                     ending.after, ending.why_not, ending.change);
     }
   }
-  for (std::string& line : analysis::wholeLines(whole)) {
-    file.found.remarks.push_back({{}, std::move(line)});
+  if (options.report) {
+    for (std::string& line : analysis::wholeLines(whole)) {
+      file.found.remarks.push_back({{}, std::move(line)});
+    }
   }
   return {};
 }
@@ -160,7 +161,8 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   file.proved =
       proveWithCache(compilation, file.found.path, how, options.cache && !options.evidence);
   if (!options.report) {
-    return tellProved(nullptr, file);
+    auto told = tellProved(nullptr, file);
+    return told ? tellWhole(options, file) : told;
   }
   const compiler::Optimised mission = compiler::optimise(compilation.checked);
   if (auto told = tellProved(&mission, file); !told) {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What `check --skeleton` proves of the vehicle's mission file, in flight: the SBC's control ends at
-// a random moment in each of the ways, and the vehicle is at the surface in the stated time. Twins
-// of the files with a fault each, which are refused, stay under water.
+// What `check --skeleton` proves of the vehicle's mission file, in flight: the SBC's control ends
+// at a random moment in each of the ways, and the vehicle is at the surface in the stated time.
+// Twins of the files with a fault each, which are refused, stay under water.
 
 #include "analysis/analysis.h"
 #include "flights/in_process_sbc.h"
@@ -206,9 +206,9 @@ TEST(Whole, AfterEachLossOfControlTheVehicleIsAtTheSurfaceInTheStatedTime) {
         const FlyingMission& mission = row.way == Way::Exit ? until_exit : for_long;
         const slocum::MissionFile vehicle = prepared(file, row.way, at_s);
         // An early abort by overtime is what is flown, not what is proved of the layers below.
-        const auto whole = analysis::wholeOf(
-            mission.flown->mission, slocum(),
-            row.way == Way::Overtime ? vehicleOf(shipped(file)) : vehicle);
+        const auto whole =
+            analysis::wholeOf(mission.flown->mission, slocum(),
+                              row.way == Way::Overtime ? vehicleOf(shipped(file)) : vehicle);
         const double within_s = stated(whole, row.after);
         const LossWatch watch = fly({mission, vehicle, row.way, at_s, within_s, seed});
         ++flown;
@@ -232,8 +232,7 @@ TEST(Whole, AfterEachLossOfControlTheVehicleIsAtTheSurfaceInTheStatedTime) {
 constexpr const char* kEndlessYo =
     "behavior: yo\n    b_arg: start_when(enum) 0\n    b_arg: d_target_depth(m) 30\n"
     "    b_arg: c_target_depth(m) 12\n";
-constexpr const char* kHeading =
-    "behavior: set_heading\n    b_arg: heading_value(X) 1\n";
+constexpr const char* kHeading = "behavior: set_heading\n    b_arg: heading_value(X) 1\n";
 
 /// The skeleton with a fault, and which one.
 std::vector<std::pair<std::string, std::string>> twins() {
@@ -254,8 +253,7 @@ std::vector<std::pair<std::string, std::string>> twins() {
       {"a yo above hookbeh", inserted("behavior: hookbeh", kEndlessYo)},
       {"a yo above the surface behaviour", inserted("behavior: surface", kEndlessYo)},
       {"a surface behaviour that dives",
-       inserted("behavior: hookbeh",
-                "    b_arg: c_bpump_value(X) -1000\n")},
+       inserted("behavior: hookbeh", "    b_arg: c_bpump_value(X) -1000\n")},
   };
 }
 

@@ -75,13 +75,6 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return at == std::string::npos ? text : text.replace(at, what.size(), by);
 }
 
-std::string without(const std::string& text, const std::string& from, const std::string& to) {
-  const auto begin = text.find(from);
-  const auto end = text.find(to, begin);
-  EXPECT_NE(end, std::string::npos) << from;
-  return text.substr(0, begin) + text.substr(end);
-}
-
 std::string behaviour(const std::string& name, const std::string& arguments) {
   std::string text = "behavior: " + name + "\n";
   for (size_t at = 0; at < arguments.size();) {

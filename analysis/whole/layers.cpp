@@ -104,7 +104,7 @@ void cannotTell(Layer& layer, const Reader& reader) {
 }
 
 /// As long as lower behaviours command the heading, code 3 waits. A behaviour that surfaces
-/// commands it only if nobody else does.
+/// commands it only if no other behaviour does.
 bool headingIsIdleBelow(const slocum::MissionFile& mission, size_t number) {
   return std::none_of(mission.behaviours.begin() + static_cast<ptrdiff_t>(number),
                       mission.behaviours.end(), [](const BehaviourBlock& block) {

@@ -68,7 +68,7 @@ class Endings {
                             of != nullptr ? of->range : support::SourceRange{}});
   }
 
-  /// hookbeh climbs below its own max_depth, whatever the mission commands.
+  /// hookbeh climbs below its own max_depth, for any command of the mission.
   void findDeepest(const BehaviourBlock& hookbeh) {
     const double limit = std::min(hookbeh.value("max_depth"), platform_.envelope.greatest_depth_m) +
                          platform_.envelope.inflection_overshoot_m;

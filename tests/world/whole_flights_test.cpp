@@ -205,7 +205,7 @@ TEST(Whole, AfterEachLossOfControlTheVehicleIsAtTheSurfaceInTheStatedTime) {
         const double at_s = dice.within(400, 1500);
         const FlyingMission& mission = row.way == Way::Exit ? until_exit : for_long;
         const slocum::MissionFile vehicle = prepared(file, row.way, at_s);
-        // An early abort by overtime is what is flown, not what is proved of the layers below.
+        // An early abort by overtime is what is flown, not what is proved about the layers.
         const auto whole =
             analysis::wholeOf(mission.flown->mission, slocum(),
                               row.way == Way::Overtime ? vehicleOf(shipped(file)) : vehicle);

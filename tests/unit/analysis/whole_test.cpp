@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What is proved of the vehicle's own mission file after control ends: the bundled files with their
+// What is proved about the vehicle's own mission file after control ends: the bundled files with their
 // times, and twins of them with a fault each, which are refused.
 
 #include "analysis/analysis.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What is proved about the vehicle's own mission file after control ends: the bundled files with their
-// times, and twins of them with a fault each, which are refused.
+// What is proved about the vehicle's own mission file after control ends: the bundled files with
+// their times, and twins of them with a fault each, which are refused.
 
 #include "analysis/analysis.h"
 #include "slocum/mission_files/load.h"
@@ -121,6 +121,9 @@ TEST_F(WholeOf, TheDepthIsTheLesserOfTheMissionsAndHookbehs) {
   EXPECT_EQ(of(kIdle + kHookbeh).deepest_m, 25);
   EXPECT_EQ(of(kIdle + kHookbeh, 500).deepest_m, 65);
   EXPECT_EQ(of(kIdle + behaviour("hookbeh", "max_depth(m) 900"), 500).deepest_m, 205);
+  // And a dive below goes to its own target.
+  EXPECT_EQ(of(kIdle + kHookbeh + behaviour("dive_to", "target_depth(m) 70")).deepest_m, 75);
+  EXPECT_EQ(of(kIdle + kHookbeh + behaviour("climb_to", "target_depth(m) 70")).deepest_m, 25);
 }
 
 TEST_F(WholeOf, TheLinesNameTheBehaviourTheTimeAndItsParts) {

@@ -218,18 +218,23 @@ class Search {
   }
 
   [[nodiscard]] WayUp noStart() const {
-    const auto uncertain = std::ranges::find_if(layers_, [](const Layer& layer) {
+    WayUp none;
+    none.why_not = "nothing commands pitch and pump, and the vehicle aborts";
+    none.change = "write a behaviour `surface` with start_when 1";
+    const auto place = [&](const auto& is) {
+      const auto found = std::ranges::find_if(layers_, is);
+      none.range = found == layers_.end() ? none.range : found->range;
+      return found;
+    };
+    place([](const Layer& layer) { return layer.role == Role::Hookbeh; });
+    const auto surface = place([](const Layer& layer) {
       return layer.role == Role::Surfaces && layer.start != Start::Idle;
     });
-    const std::string aborted = "nothing commands pitch and pump, and the vehicle aborts";
-    return uncertain == layers_.end()
-               ? WayUp{{}, "", aborted, "write a behaviour `surface` with start_when 1", {}}
-               : WayUp{{},
-                       "",
-                       fmt::format("{} ({}) does not start when it should: {}", uncertain->label(),
-                                   uncertain->start_text, aborted),
-                       "write a behaviour `surface` with start_when 1",
-                       uncertain->range};
+    if (surface != layers_.end()) {
+      none.why_not = fmt::format("{} ({}) does not start when it should: {}", surface->label(),
+                                 surface->start_text, none.why_not);
+    }
+    return none;
   }
 
   std::span<const Layer> layers_;

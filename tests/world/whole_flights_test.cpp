@@ -261,7 +261,8 @@ std::vector<Twin> twins() {
       {"a yo above hookbeh", inserted("behavior: hookbeh", kEndlessYo) + kHeading},
       {"a yo above the surface behaviour", inserted("behavior: surface", kEndlessYo)},
       {"a surface behaviour that dives",
-       inserted("behavior: hookbeh", "    b_arg: c_bpump_value(X) -1000\n")},
+       inserted("behavior: hookbeh", "    b_arg: c_bpump_value(X) -1000\n"),
+       false},  // it sinks to 70 m, where the vehicle aborts
   };
 }
 

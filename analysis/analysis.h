@@ -19,14 +19,15 @@
 #include "analysis/vehicle_file.h"
 #include "analysis/vehicle_limits.h"
 #include "analysis/way_home.h"
+#include "analysis/whole/whole.h"
 
 /// Analyses of a mission beyond its errors, each a plain function of a compiled mission: its budget
-/// on each board (missionBudgets), how the vehicle comes home without the SBC (wayHomeLines), which
-/// of its commands hookbeh refuses (refusedLines), what a vehicle's own mission file does not allow
-/// (checkVehicleLimits, checkStart), a simulated flight that violates a requirement
-/// (searchClosedLoop), the replay of a counterexample tick by tick (replayRun), a second check of
-/// the certificates of proofs (recheck), what it would have done with the readings of a vehicle's
-/// data files (runAgainstLogs), its graph (graphOf), its
+/// on each board (missionBudgets), how the vehicle comes home without the SBC (wayHomeLines, and
+/// with the vehicle's mission file wholeOf), which of its commands hookbeh refuses (refusedLines),
+/// what a vehicle's own mission file does not allow (checkVehicleLimits, checkStart), a simulated
+/// flight that violates a requirement (searchClosedLoop), the replay of a counterexample tick by
+/// tick (replayRun), a second check of the certificates of proofs (recheck), what it would have
+/// done with the readings of a vehicle's data files (runAgainstLogs), its graph (graphOf), its
 /// parameters (parameterRows), all of this for the crew (briefOf), and what differs between two
 /// versions of it (compareMissions, compareBounds, searchParting). Nothing here prints. Other
 /// folders include only this header.

@@ -60,7 +60,7 @@ support::Result<VehicleFile> vehicleFileOf(const slocum::MissionFile& file,
                      {steepest, shallowest, deepest,
                       fmt::format("max_pitch {:.4g}, min_pitch {:.4g} and max_depth {:.4g} in {}",
                                   steepest, shallowest, deepest, name)},
-                     abortsOf(file), file};
+                     abortsOf(file)};
 }
 
 support::Result<VehicleFile> vehicleFileOf(const std::string& path,

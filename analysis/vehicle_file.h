@@ -24,11 +24,11 @@ struct AbortLimits {
 
 /// What the mission file of the vehicle says about the missions that it may give control to.
 struct VehicleFile {
+  std::string path;
   std::string name;  ///< of the file, without its folder
   Silence silence;
   CommandLimits commands;
   AbortLimits aborts;
-  slocum::MissionFile mission;
 };
 
 /// Reads the .mi file at `path` with the argument files beside it; errors in them are shown.

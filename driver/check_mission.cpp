@@ -9,6 +9,7 @@
 #include "driver/output/check_progress.h"
 #include "driver/terminal.h"
 #include "flights/scenario_choice.h"
+#include "slocum/mission_files/load.h"
 
 #include <fmt/format.h>
 
@@ -97,6 +98,35 @@ ir::prove::Findings proveWithCache(compiler::Compilation& compilation, const std
   return proved;
 }
 
+/// What the vehicle's own mission file does when the SBC has left control.
+Result<void> tellWhole(const std::optional<analysis::VehicleFile>& vehicle, bool report,
+                       CheckedFile& file) {
+  if (!vehicle) {
+    return {};
+  }
+  compiler::Compilation& compilation = *file.compilation;
+  support::DiagnosticEngine diagnostics;  // shown when it was read first
+  const auto mission =
+      slocum::loadMission(vehicle->path, *compilation.sources, diagnostics, [](auto&&...) {});
+  if (!mission) {
+    return std::unexpected(mission.error());
+  }
+  const compiler::Checked& checked = *compilation.checked;
+  const analysis::Whole whole = analysis::wholeOf(checked.mission(), checked.platform(), *mission);
+  for (const analysis::Ending& ending : whole.alike()) {
+    if (!ending.proved()) {
+      compilation.diagnostics.report(support::DiagnosticId::mayStayBelow, ending.range,
+                                     ending.after, ending.why_not, ending.change);
+    }
+  }
+  if (report) {
+    for (std::string& line : analysis::wholeLines(whole)) {
+      file.found.remarks.push_back({{}, std::move(line)});
+    }
+  }
+  return {};
+}
+
 /// Puts the prover's findings into `file`. `flown`: see judgedRequirement.
 Result<void> tellProved(const compiler::Optimised* flown, CheckedFile& file) {
   for (const ir::prove::ReportLine& line : file.proved.lines) {
@@ -183,7 +213,8 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   file.proved =
       proveWithCache(compilation, file.found.path, how, options.cache && !options.evidence);
   if (!options.report) {
-    return tellProved(nullptr, file);
+    auto told = tellProved(nullptr, file);
+    return told ? tellWhole(*vehicle, false, file) : told;
   }
   const compiler::Optimised mission = compiler::optimise(compilation.checked);
   if (auto told = tellProved(&mission, file); !told) {
@@ -193,6 +224,9 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   for (std::string& line :
        analysis::wayHomeLines(compilation.checked->mission(), mission.platform(), silence)) {
     file.found.remarks.push_back({{}, std::move(line), Subject::WayHome});
+  }
+  if (auto told = tellWhole(*vehicle, options.report, file); !told) {
+    return told;
   }
   if (!*vehicle) {
     for (std::string& line :

@@ -87,5 +87,30 @@ TEST(Documents, CommandsPrintWhatTheGuideShows) {
   EXPECT_GE(Guide().follow(std::filesystem::path(GLIDER_SOURCE_DIR) / "docs/guide.md"), 3);
 }
 
+/// Of the page's two files, the first is refused for what the page explains, the second is not.
+TEST(Documents, ThePageOfWhatMayStayBelowRefusesItsFirstFileOnly) {
+  std::ifstream in(GLIDER_SOURCE_DIR "/support/diagnostics/explain/GL3127.md");
+  const TemporaryFolder folder;
+  std::string file, text;
+  int tried = 0;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("```mi ")) {
+      file = line.substr(std::string_view("```mi ").size());
+      text.clear();
+    } else if (line == "```" && !file.empty()) {
+      const Outcome outcome =
+          runShell("$GLIDERCC check --mi " + folder.write(file, text).string() +
+                   " " GLIDER_SOURCE_DIR "/missions/gallery/thermocline.mission");
+      EXPECT_EQ(outcome.status, tried == 0 ? 1 : 0) << file << outcome.err;
+      EXPECT_EQ(outcome.err.find("[GL3127 ") != std::string::npos, tried == 0) << outcome.err;
+      ++tried;
+      file.clear();
+    } else {
+      text += line + "\n";
+    }
+  }
+  EXPECT_EQ(tried, 2);
+}
+
 }  // namespace
 }  // namespace glider::tests

@@ -154,6 +154,14 @@ inline put(line, number) {
   clear(out)
 }
 
+#define FLIES (sbc_on == 1 && sbc_stuck == 0)
+#define WHOLE (noise == 0 && cut[TO_SBC] == 0 && cut[FROM_SBC] == 0 && cut[TO_FLIGHT] == 0 && cut[FROM_FLIGHT] == 0)
+
+#ifndef COMPOSED
+#define judge_composed() skip
+#define forget_mission() skip
+#endif
+
 #include "flight.pml"
 #include "science.pml"
 #include "sbc.pml"
@@ -236,9 +244,6 @@ inline world() {
   od
 }
 
-#define FLIES (sbc_on == 1 && sbc_stuck == 0)
-#define WHOLE (noise == 0 && cut[TO_SBC] == 0 && cut[FROM_SBC] == 0 && cut[TO_FLIGHT] == 0 && cut[FROM_FLIGHT] == 0)
-
 /* What must hold after each round, after any faults. */
 inline judge() {
   /* Silence always ends in a release of control. A beat takes two cycles at most, and as much longer as frames were held up. */
@@ -271,6 +276,7 @@ init {
        science_run();
        printf("state %e %d %d %e\n", hb_state, hb_session, hb_answered, hb_answer);
        judge();
+       judge_composed();
 #ifdef REPLAY
        rounds++;
        over = (rounds == ROUNDS -> 1 : over);

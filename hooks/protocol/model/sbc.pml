@@ -118,6 +118,9 @@ inline instruct(what) {
 
 inline rest() { printf("mission rests\n") }
 
+#ifdef COMPOSED
+#include "composed.pml"
+#else
 inline mission() {
   if
   :: leaves == 1 || found == 1 || sbc_stuck == 1 || commands == COMMANDS -> rest()
@@ -141,6 +144,7 @@ inline mission() {
      fi
   fi
 }
+#endif
 
 inline write_instruction() {
   due = 0;
@@ -156,7 +160,7 @@ inline consider_checkpoint() {
   if
   :: found == 0 || sbc_stuck == 1 || tick_state == Absent || tick_state == Complete -> skip
   :: found == 1 && sbc_stuck == 0 && tick_state == Ready -> /* another flight */
-     found = 0; sbc_session = 0; mission_time = 0; told_sequence = 0; told_end = 0;
+     found = 0; sbc_session = 0; mission_time = 0; told_sequence = 0; told_end = 0; forget_mission();
      printf("decides start\n")
   :: found == 1 && sbc_stuck == 0 && tick_state == Ready && kept_finished == 0 -> /* or the vehicle's mission has begun again */
      found = 0; goes_on = 1; finished = 0;
@@ -283,6 +287,6 @@ inline power_back() {
      assert(sequence >= told_sequence); /* what was sent to the vehicle is never forgotten */
      learn_session(kept_session)
   :: printf("sbc on\n");
-     mission_time = 0; kept = 0; kept_session = 0; kept_sequence = 0; kept_finished = 0; told_sequence = 0; told_end = 0
+     mission_time = 0; kept = 0; kept_session = 0; kept_sequence = 0; kept_finished = 0; told_sequence = 0; told_end = 0; forget_mission()
   fi
 }

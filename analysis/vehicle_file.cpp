@@ -55,7 +55,8 @@ support::Result<VehicleFile> vehicleFileOf(const slocum::MissionFile& file,
   const double steepest = hookbeh->value("max_pitch");
   const double shallowest = hookbeh->value("min_pitch");
   const double deepest = hookbeh->value("max_depth");
-  return VehicleFile{name,
+  return VehicleFile{path,
+                     name,
                      {seconds, fmt::format("silence_secs {:.4g} from {}", seconds, name)},
                      {steepest, shallowest, deepest,
                       fmt::format("max_pitch {:.4g}, min_pitch {:.4g} and max_depth {:.4g} in {}",

@@ -331,6 +331,21 @@ void addAgainstOptions(CLI::App& command, AgainstOptions& options) {
       ->needs(picture);
 }
 
+void addVehicleOptions(CLI::App& command, CommandOptions& options) {
+  command
+      .add_option("--mi,--skeleton", options.mi,
+                  "The vehicle's mission file (.mi) with hookbeh: what its hookbeh refuses, what "
+                  "its abend aborts, and a vehicle that may stay under water when control ends are "
+                  "errors; with --report also in what time it comes to the surface [silence_secs "
+                  "24 s, and no limits but the platform's]")
+      ->option_text("FILE");
+  command
+      .add_option("--scenario", options.check.scenario,
+                  "The same for the mission file of a scenario, and for its start: the name of a "
+                  "scenario that comes with glidercc, or a .toml file")
+      ->option_text("SCENARIO");
+}
+
 void addCertificateOptions(CLI::App& command, CommandOptions& options) {
   command
       .add_option("--certificates", options.certificates,
@@ -383,18 +398,7 @@ void addCheckCommand(CLI::App& app, int& status) {
           "is undecided [no limit in seconds]")
       ->check(CLI::Range(0.001, kLongestTimeout_s))
       ->option_text("S");
-  command
-      ->add_option(
-          "--mi,--skeleton", options->mi,
-          "The vehicle's mission file (.mi) with hookbeh: what its hookbeh refuses and its "
-          "abend aborts is an error; with --report also how the vehicle comes to the "
-          "surface when control ends [silence_secs 24 s, and no limits but the platform's]")
-      ->option_text("FILE");
-  command
-      ->add_option("--scenario", options->check.scenario,
-                   "The same for the mission file of a scenario, and for its start: the name of a "
-                   "scenario that comes with glidercc, or a .toml file")
-      ->option_text("SCENARIO");
+  addVehicleOptions(*command, *options);
   addLinkOption(*command, options->check.user_code);
   command->add_flag_callback(
       "--no-cache", [options] { options->check.cache = false; },

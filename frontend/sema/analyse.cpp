@@ -3,12 +3,12 @@
 
 #include "frontend/frontend.h"
 #include "frontend/sema/declarations/declarations.h"
+#include "frontend/sema/declarations/lower_assumption.h"
 #include "frontend/sema/declarations/lower_declination.h"
 #include "frontend/sema/declarations/lower_requirement.h"
 #include "frontend/sema/declarations/lower_resumption.h"
 #include "frontend/sema/declarations/variables.h"
 #include "frontend/sema/names/scope.h"
-#include "frontend/sema/promises/lower_assumption.h"
 #include "frontend/sema/states/lower_behaviour.h"
 #include "frontend/sema/states/lower_case.h"
 #include "frontend/sema/states/lower_state.h"

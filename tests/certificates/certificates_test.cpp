@@ -350,7 +350,7 @@ TEST(Program, GivesWhatItWroteAndHowItEnded) {
 }
 
 /// The second check makes the assumptions that the certificate names, and no others.
-TEST(Certificates, RestOnTheAssumptionsThatTheyName) {
+TEST_F(Certificates, RestOnTheAssumptionsThatTheyName) {
   const char* kAssumed[] = {"no outage", "known altitude every 30 s", "start depth <= 1 m",
                             "altitude in 10 m .. 100 m", "altitude >= 10 m"};
   const char* kRequired[] = {"exit within 62 min", "exit within 64 min", "always depth <= 29.5 m",

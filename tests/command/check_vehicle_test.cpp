@@ -83,7 +83,7 @@ TEST_F(CheckVehicle, AScenarioSaysWhereItStarts) {
   const std::string there = "assume start inside(49 N 74 W, 49 N 73 W, 50 N 73.5 W)\n";
   expectFine(check("--scenario default", here));
   expectError(check("--scenario default", there),
-              "scenario `default` starts at 39.1700, -73.8300, but the mission assumes `start "
+              "scenario `default` starts at 39.1750, -73.8350, but the mission assumes `start "
               "inside(49 N 74 W");
   expectFine(check("", there));
 }

@@ -69,6 +69,7 @@ TEST_F(Sim, AFlightThatBreaksAnAssumptionWarns) {
   }
 }
 
+// accepts: GL5128
 TEST_F(Sim, AFlightWithinItsAssumptionsIsFine) {
   mission("20 m", "depth, gpslat",
           "assume start inside(39 N 74 W, 39 N 73 W, 40 N 73.5 W)\nassume start depth <= 3 m\n"

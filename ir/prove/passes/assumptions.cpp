@@ -41,56 +41,79 @@ bool rangesOverlap(const Proof& proof, const Mission& mission) {
   return right;
 }
 
-/// The condition that some assumption about a single moment is not true.
-ExprId notAllTrue(Mission& mission, const std::vector<const Assumption*>& all) {
-  const Type truth{TypeKind::Bool, {}};
+/// A condition, and where it is written.
+struct Said {
+  ExprId condition;
+  support::SourceRange range;
+};
+
+/// The condition that not all are true.
+ExprId notAllTrue(Mission& mission, const std::vector<Said>& all) {
   const auto push = [&](Op op, ExprId a, ExprId b) {
     Expr expr;
     expr.op = op;
-    expr.type = truth;
+    expr.type = {TypeKind::Bool, {}};
     expr.operands = {a, b};
     mission.exprs.push_back(expr);
     return ExprId{static_cast<uint32_t>(mission.exprs.size() - 1)};
   };
-  ExprId together = all.front()->watch.condition;
-  for (const Assumption* a : all) {
-    together = push(Op::And, together, a->watch.condition);
+  ExprId together = all.front().condition;
+  for (const Said& one : all) {
+    together = push(Op::And, together, one.condition);
   }
   return push(Op::Not, together, {});
 }
 
-}  // namespace
-
-/// Those with a monitor are satisfied by readings that never change.
-void passes::assumptions(Proof& proof) {
-  const Mission& written = proof.proof_context.mission;
-  if (written.assumptions.empty()) {
+/// Reports if no known readings make all conditions true. `mission` may have fewer readings than
+/// the one that is checked.
+void compare(Proof& proof, Mission mission, const std::vector<Said>& all, DiagnosticId id,
+             const char* words) {
+  if (all.size() < 2) {
     return;
   }
-  Mission mission = underAssumptions(written);
-  std::vector<const Assumption*> momentary;
-  for (const Assumption& a : written.assumptions) {
-    if (a.watch.condition.valid() && !a.watch.monitor.step.valid()) {
-      momentary.push_back(&a);
-    }
-  }
-  if (!rangesOverlap(proof, mission) || momentary.empty()) {
-    return;
-  }
-  const ExprId contradiction = notAllTrue(mission, momentary);
+  const ExprId contradiction = notAllTrue(mission, all);
   const ProofContext proof_context(mission, proof.proof_context.platform);
   const std::vector<StateBounds> bounds(mission.states.size(), {0, kAny, kAny, kAny, kAny});
   if (AnyMoment(proof_context, bounds)
           .neverFalse(contradiction, proof.options.effort, proof.checks)) {
-    auto error =
-        proof.diagnostics.report(DiagnosticId::assumptionsContradict, momentary.back()->range,
-                                 "no known readings satisfy them all");
-    for (const Assumption* a : momentary) {
-      if (a != momentary.back()) {
-        error.note(a->range, "together with this");
-      }
+    auto error = proof.diagnostics.report(id, all.back().range, words);
+    for (size_t i = 0; i + 1 < all.size(); ++i) {
+      error.note(all[i].range, "together with this");
     }
   }
+}
+
+/// It is about a single moment: those with a monitor are satisfied by readings that never change.
+bool isMomentary(const Requirement& requirement) {
+  return requirement.condition.valid() && !requirement.monitor.step.valid();
+}
+
+}  // namespace
+
+void passes::assumptions(Proof& proof) {
+  const Mission& written = proof.proof_context.mission;
+  const Mission mission = underAssumptions(written);
+  std::vector<Said> assumed;
+  for (const Assumption& a : written.assumptions) {
+    if (isMomentary(a.watch)) {
+      assumed.push_back({a.watch.condition, a.range});
+    }
+  }
+  if (rangesOverlap(proof, mission)) {
+    compare(proof, mission, assumed, DiagnosticId::assumptionsContradict,
+            "no known readings satisfy them all");
+  }
+}
+
+void passes::contradictions(Proof& proof) {
+  std::vector<Said> required;
+  for (const Requirement& r : proof.proof_context.mission.requirements) {
+    if (isMomentary(r)) {
+      required.push_back({r.condition, r.range});
+    }
+  }
+  compare(proof, proof.proof_context.mission, required, DiagnosticId::requirementsContradict,
+          "no known readings satisfy them all");
 }
 
 }  // namespace glider::ir::prove

@@ -56,17 +56,18 @@ class Possible {
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
   bool mayBeTrue(ExprId id, const std::set<uint32_t>& flags, std::optional<ExprId>& why) const {
     const Expr& e = m_[id];
-    switch (e.op) {
-      case Op::False:
-        return false;
-      case Op::And:
-        return mayBeTrue(e.operands[0], flags, why) && mayBeTrue(e.operands[1], flags, why);
-      case Op::Or:
-        return mayBeTrue(e.operands[0], flags, why) || mayBeTrue(e.operands[1], flags, why);
-      case Op::Variable:
-        return !isOfMonitor(m_[e.variable].kind) || flags.contains(e.variable.index);
-      default:
-        break;
+    const auto part = [&](size_t i) { return mayBeTrue(e.operands[i], flags, why); };
+    if (e.op == Op::And) {
+      return part(0) && part(1);
+    }
+    if (e.op == Op::Or) {
+      return part(0) || part(1);
+    }
+    if (e.op == Op::Variable && isOfMonitor(m_[e.variable].kind)) {
+      return flags.contains(e.variable.index);
+    }
+    if (e.op == Op::False) {
+      return false;
     }
     if (never_.contains(id.index)) {
       why = why.value_or(id);

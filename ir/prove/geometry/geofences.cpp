@@ -57,13 +57,13 @@ GeofenceVerdict judgeGeofences(const std::vector<Geofence>& geofences,
                                const ProofContext& proof_context, Ending& ending) {
   const auto end = ending.by(kLongest);
   if (!end) {
-    return {false, 0, 0, false, "the mission is not known to end within three days"};
+    return {false, 0, 0, "the mission is not known to end within three days"};
   }
   const Steering steering = steeringOf(proof_context);
   const double off_legs = offLegs(proof_context, steering.by_heading, *end);
-  GeofenceVerdict verdict{true, off_legs, 0, false, ""};
+  GeofenceVerdict verdict{true, off_legs, 0, ""};
   if (steering.waypoints.empty()) {
-    return {false, 0, 0, false, "it does not steer to a waypoint, so its track has no bound"};
+    return {false, 0, 0, "it does not steer to a waypoint, so its track has no bound"};
   }
   std::vector<Position> places = steering.waypoints;
   const std::vector<Position> starts = assumedStarts(proof_context.mission);
@@ -76,11 +76,11 @@ GeofenceVerdict judgeGeofences(const std::vector<Geofence>& geofences,
     const double start_within = fence.keep_in || verdict.start_assumed ? 0 : kStartWithin;
     const double margin = off_legs + map.bend_m(start_within);
     if (!map.holds(margin + start_within)) {
-      return {false, 0, 0, false,
+      return {false, 0, 0,
               "its area and its waypoints are too far apart, or too near a pole, for a flat map"};
     }
     if (!found.right_side || found.distance_m < margin) {
-      return {false, 0, 0, false, reasonOf(proof_context, fence, steering, found, *end, margin)};
+      return {false, 0, 0, reasonOf(proof_context, fence, steering, found, *end, margin)};
     }
     verdict.margin_m = std::max(verdict.margin_m, margin);
     verdict.start_within_m = std::max(verdict.start_within_m, start_within);

@@ -34,8 +34,9 @@ struct GeofenceVerdict {
   double margin_m = 0;  ///< if proved: how far from the edges control must be given
   /// How close to one of the waypoints, m; 0: the area to stay in determines it.
   double start_within_m = 0;
-  bool start_assumed = false;  ///< the mission assumes where control is given, which is enough
-  std::string reason;          ///< why they are not known to be kept
+  std::string reason = {};          ///< why they are not known to be kept
+  /// The mission assumes where control is given, which is enough.
+  bool start_assumed = false;
 };
 
 /// The verdict on `geofences` for the whole flight. If the mission assumes an area in which control

@@ -105,8 +105,12 @@ class Shallowest : public Rule {
     forEachCommand(flight, [&](const CommandRun& command) {
       if (isVertical(command.command)) {
         ++steps;
-        EXPECT_TRUE(command.command != Command::Surface &&
-                    command.arguments.at(0) >= bound->target_m);
+        ASSERT_NE(command.command, Command::Surface);
+        const platforms::Platform& vehicle = context_.platform;
+        const double rise = command.command == Command::Hover
+                                ? 1
+                                : vehicle.envelope.inflection_overshoot_m;
+        EXPECT_GE(command.arguments.at(0) - rise - vehicle.world.depth_error_m, bound->reading_m);
       }
     });
   }

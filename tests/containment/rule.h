@@ -29,12 +29,14 @@ class Rule {
 using MakeRule = std::function<std::unique_ptr<Rule>(const ir::prove::ProofContext&)>;
 
 struct Plan {
-  size_t flights = 6;  ///< of each mission
-  size_t ticks = 250;
+  size_t flights = 3;  ///< of each mission
+  size_t ticks = 80;
   bool power_cuts = true;
+  double share = 1;  ///< of the steps wanted, for a rule of which each takes long
 };
 
-/// Flies missions until `rule` has been held against GLIDER_CONTAINMENT steps (20000), or fails.
+/// Flies missions until the rule has been held against GLIDER_CONTAINMENT steps (5000), or fails;
+/// seeds from GLIDER_CONTAINMENT_SEED (0) on.
 void holdsFor(const MakeRule& make, const Plan& plan = {});
 
 /// The same for a class that is made from the context.

@@ -47,9 +47,9 @@ class Values : public Rule {
       const Reads& reads = reads_[i];
       if (!reads.two_states && (!reads.state.valid() || reads.state == current)) {
         check(flight, {i}, flight.interpreter().evaluate({i}));
-        ++steps;
       }
     }
+    ++steps;
   }
 
   const ProofContext& context_;

@@ -39,7 +39,7 @@ void Flight::start() {
 double Flight::step() {
   const double cycle = context_.platform.envelope.cycle_s;
   const double gap = context_.platform.world.tick_gap_s;
-  const double longest = power_cuts_ ? context_.tick_gap_s : gap;
+  const double longest = power_cuts_ ? std::max(gap, m_.resume_within_s) : gap;
   const double kind = dice_.unit();
   return kind < 0.03   ? 0
          : kind < 0.7  ? cycle

@@ -238,7 +238,7 @@ class SymbolicTicks : public Rule {
       ADD_FAILURE() << "the replay is not the tick";
       return;
     }
-    if (certain_) {
+    if (certain_ && ++checked_[kindOf(flight)] <= kOfEachKind) {
       ++steps;
       check(flight);
     }
@@ -248,6 +248,16 @@ class SymbolicTicks : public Rule {
  private:
   static bool same(const std::vector<double>& a, const std::vector<double>& b) {
     return std::ranges::equal(a, b, [](double x, double y) { return x == y || (x != x && y != y); });
+  }
+
+  /// Of each mission, so many ticks that fire the same: what flights do rarely counts as much.
+  static constexpr size_t kOfEachKind = 3;
+  static std::string kindOf(const Flight& flight) {
+    std::string kind = std::to_string(flight.before().result.state.index);
+    for (const auto& fired : flight.now().result.fired) {
+      kind += fired ? fmt::format(" {}", *fired) : " -";
+    }
+    return kind;
   }
 
   void give(Substitution& s, const Configuration& c, const Flight& flight) const {
@@ -353,10 +363,11 @@ class SymbolicTicks : public Rule {
   Layout layout_;
   Replay replay_;
   bool certain_ = false;
+  std::map<std::string, size_t> checked_;
 };
 
 TEST(Containment, SymbolicTick) {
-  holds<SymbolicTicks>({.flights = 2, .ticks = 40, .share = 0.1});
+  holds<SymbolicTicks>({.flights = 3, .ticks = 100, .share = 0.1});
 }
 
 }  // namespace

@@ -46,8 +46,7 @@ TEST(Containment, EndBound) {
 TEST(Containment, EndBoundWithoutOutages) {
   holdsFor(
       [](const ProofContext& context) -> std::unique_ptr<Rule> {
-        const EndBound bound =
-            boundOf(context.withoutPowerCuts(), kLongestMission, Goal::Exit);
+        const EndBound bound = boundOf(context.withoutPowerCuts(), kLongestMission, Goal::Exit);
         return bound.by ? std::make_unique<EndBounds>(context, bound) : nullptr;
       },
       {.power_cuts = false});
@@ -66,8 +65,7 @@ bool lies(const Variable& v, double value, const Holding& held) {
 /// variables, when it began and until when it lasts.
 class Stays : public Rule {
  public:
-  explicit Stays(const ProofContext& context)
-      : m_(context.mission), stays_(staysOf(context)) {}
+  explicit Stays(const ProofContext& context) : m_(context.mission), stays_(staysOf(context)) {}
 
   void start(const Flight& flight) override {
     arrived_ = 0;

@@ -107,9 +107,8 @@ class Shallowest : public Rule {
         ++steps;
         ASSERT_NE(command.command, Command::Surface);
         const platforms::Platform& vehicle = context_.platform;
-        const double rise = command.command == Command::Hover
-                                ? 1
-                                : vehicle.envelope.inflection_overshoot_m;
+        const double rise =
+            command.command == Command::Hover ? 1 : vehicle.envelope.inflection_overshoot_m;
         EXPECT_GE(command.arguments.at(0) - rise - vehicle.world.depth_error_m, bound->reading_m);
       }
     });
@@ -205,7 +204,8 @@ double turn(const Position& a, const Position& b, const Position& c) {
 
 /// The corners of the convex hull, in order.
 std::vector<Position> hullOf(std::vector<Position> places) {
-  std::ranges::sort(places, {}, [](const Position& p) { return std::pair(p.longitude, p.latitude); });
+  std::ranges::sort(places, {},
+                    [](const Position& p) { return std::pair(p.longitude, p.latitude); });
   std::vector<Position> hull;
   for (int side = 0; side < 2; ++side) {
     const size_t begin = hull.size();
@@ -250,7 +250,8 @@ class Steered : public Rule {
  private:
   [[nodiscard]] bool holds(const Position& place) const {
     constexpr double kNear = 1e-9;
-    const bool on = std::ranges::any_of(steering_.waypoints, [&](const Position& p) { return p == place; });
+    const bool on =
+        std::ranges::any_of(steering_.waypoints, [&](const Position& p) { return p == place; });
     bool inside = hull_.size() > 2;
     for (size_t i = 0; i < hull_.size(); ++i) {
       inside = inside && turn(hull_[i], hull_[(i + 1) % hull_.size()], place) >= -kNear;

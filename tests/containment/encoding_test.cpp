@@ -247,7 +247,8 @@ class SymbolicTicks : public Rule {
 
  private:
   static bool same(const std::vector<double>& a, const std::vector<double>& b) {
-    return std::ranges::equal(a, b, [](double x, double y) { return x == y || (x != x && y != y); });
+    return std::ranges::equal(a, b,
+                              [](double x, double y) { return x == y || (x != x && y != y); });
   }
 
   /// Of each mission, so many ticks that fire the same: what flights do rarely counts as much.

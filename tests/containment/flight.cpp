@@ -90,10 +90,10 @@ std::vector<double> Flight::parameters() {
       continue;
     }
     const double kind = dice_.unit();
-    values.push_back(kind < 0.3   ? v.lowest
-                     : kind < 0.6 ? v.highest
-                                  : std::clamp(dice_.within(v.lowest, v.highest), v.lowest,
-                                               v.highest));
+    values.push_back(kind < 0.3 ? v.lowest
+                     : kind < 0.6
+                         ? v.highest
+                         : std::clamp(dice_.within(v.lowest, v.highest), v.lowest, v.highest));
   }
   return values;
 }

@@ -196,10 +196,10 @@ std::optional<std::string> HardExpressions::made(Op op, Kind kind, uint32_t dept
     case Op::Select:
       return when(!truth, {Kind::Truth, kind, kind});
     case Op::Element:
-      return isPlace(kind) ? std::optional(fmt::format("(element {} {})",
-                                                       kind == Kind::Latitude ? 0 : 1,
-                                                       of(Kind::Number, 0)))
-                           : std::nullopt;
+      return isPlace(kind)
+                 ? std::optional(fmt::format("(element {} {})", kind == Kind::Latitude ? 0 : 1,
+                                             of(Kind::Number, 0)))
+                 : std::nullopt;
     case Op::Call:
       return kind == Kind::Length   ? std::optional("(call 0)")
              : kind == Kind::Number ? std::optional("(call 1 " + of(Kind::Number, 0) + " " +
@@ -225,9 +225,7 @@ std::optional<std::string> HardExpressions::made(Op op, Kind kind, uint32_t dept
 
 std::string HardExpressions::duration() {
   const double kind = random_.unit();
-  return kind < 0.5   ? constant(Kind::Time)
-         : kind < 0.8 ? plain(Kind::Time)
-                      : of(Kind::Time, 1);
+  return kind < 0.5 ? constant(Kind::Time) : kind < 0.8 ? plain(Kind::Time) : of(Kind::Time, 1);
 }
 
 std::string HardExpressions::guard() {

@@ -18,15 +18,15 @@ enum class Kind : uint8_t { Truth, Number, Length, Time, Angle, Latitude, Longit
 /// As the text form of the IR writes it.
 std::string typeText(Kind kind);
 
-/// What an expression may read at its place, besides sensors and clocks.
+/// What an expression may read at its place; and sensors and clocks.
 struct Named {
   std::string text;  ///< "(var n)", "(temporal 3)"
   Kind kind = Kind::Number;
-  std::optional<uint32_t> state;  ///< of the state with this number only
+  std::optional<uint32_t> state;     ///< of the state with this number only
   std::optional<ir::ListKind> list;  ///< of a temporal
 };
 
-/// Random expressions in the text form of the IR, each of a wanted kind.
+/// Random expressions in the text form of the IR, each of the kind that is asked for.
 class HardExpressions {
  public:
   explicit HardExpressions(random_missions::Random& random) : random_(random) {}

@@ -76,15 +76,15 @@ class Maker {
   }
 
  private:
-  static constexpr const char* kOwners[] = {"parameter", "mission", "argument", "state", "profile",
-                                            "route"};
+  static constexpr const char* kOwners[] = {"parameter", "mission", "argument",
+                                            "state",     "profile", "route"};
 
   void declare(Variable v) {
     text_ += fmt::format("variable \"{}\": {} {}", v.name, typeText(v.kind),
                          kOwners[static_cast<size_t>(v.of)]);
     text_ += v.state ? fmt::format(" of s{}", *v.state) : "";
-    text_ += v.kind == Kind::Truth ? "\n"
-                                   : fmt::format(" lowest {} highest {}\n", v.lowest, v.highest);
+    text_ +=
+        v.kind == Kind::Truth ? "\n" : fmt::format(" lowest {} highest {}\n", v.lowest, v.highest);
     expressions_.add({v.read(), v.kind, v.state, std::nullopt});
     variables_.push_back(std::move(v));
   }
@@ -103,8 +103,8 @@ class Maker {
       // The same ranges in all states: they may be passed on, and swapped.
       for (const char* name : {"a", "b"}) {
         if (i > 0) {
-          declare({fmt::format("s{}.{}", i, name), Kind::Length, ir::VariableKind::Argument, 5, 80,
-                   i});
+          declare(
+              {fmt::format("s{}.{}", i, name), Kind::Length, ir::VariableKind::Argument, 5, 80, i});
         }
       }
       declare({fmt::format("s{}.v", i), Kind::Length, ir::VariableKind::State, -10, 60, i});
@@ -132,11 +132,12 @@ class Maker {
         continue;
       }
       const std::string unknown = v.kind == Kind::Length ? "(sensor altitude)" : "";
-      const std::string value = v.name == "when"                           ? "0:time"
-                                : !unknown.empty() && random_.chance(0.2) ? unknown
-                                                                          : expressions_.constant(v.kind);
-      text_ += fmt::format("initial \"{}\" {}\n", v.name,
-                           v.name == "when" ? value : within(v, value));
+      const std::string value = v.name == "when" ? "0:time"
+                                : !unknown.empty() && random_.chance(0.2)
+                                    ? unknown
+                                    : expressions_.constant(v.kind);
+      text_ +=
+          fmt::format("initial \"{}\" {}\n", v.name, v.name == "when" ? value : within(v, value));
     }
   }
 
@@ -152,9 +153,9 @@ class Maker {
           state ? fmt::format("{} s{}", kLists[static_cast<size_t>(list)], *state) : kLists[0];
       text_ += watched(kind, where) + "\n";
       const bool truth = kind == TemporalKind::Became || kind == TemporalKind::Held;
-      const Kind gives = truth                           ? Kind::Truth
+      const Kind gives = truth                         ? Kind::Truth
                          : kind == TemporalKind::Slope ? Kind::Number
-                                                         : Kind::Length;
+                                                       : Kind::Length;
       expressions_.add({fmt::format("(temporal {})", number), gives, state, list});
     }
   }
@@ -204,10 +205,10 @@ class Maker {
           return set();
         }
         // Often of a sensor, which may be unknown: neither branch runs.
-        const std::string condition = random_.chance(0.5)
-                                          ? fmt::format("(gt (sensor altitude) {})",
-                                                        expressions_.constant(Kind::Length))
-                                          : expressions_.guard();
+        const std::string condition =
+            random_.chance(0.5)
+                ? fmt::format("(gt (sensor altitude) {})", expressions_.constant(Kind::Length))
+                : expressions_.guard();
         const std::string yes = block(depth - 1);
         return fmt::format("if {} {} {} end\n", condition, yes,
                            random_.chance(0.5) ? "else " + block(depth - 1) : "");
@@ -324,10 +325,9 @@ class Maker {
   }
 
   std::string caseOf(Transition kind, uint32_t from) {
-    const std::string guard =
-        kind == Transition::Exit
-            ? fmt::format("(ge missiontime {}:time)", random_.between(60, 4000))
-            : expressions_.guard();
+    const std::string guard = kind == Transition::Exit ? fmt::format("(ge missiontime {}:time)",
+                                                                     random_.between(60, 4000))
+                                                       : expressions_.guard();
     const std::string done = action();
     return fmt::format("case {} {}{}\n", guard, done, transition(kind, from));
   }
@@ -356,11 +356,12 @@ class Maker {
                                      Command::SteerTo};
     constexpr Command kDepths[] = {Command::Descend, Command::Ascend, Command::Hover,
                                    Command::Surface, Command::Surface};
-    std::string entry = fmt::format("log \"deep\" ((le (sensor depth) {}:length))\n",
-                                    random_.between(5, 200));
+    std::string entry =
+        fmt::format("log \"deep\" ((le (sensor depth) {}:length))\n", random_.between(5, 200));
     entry += random_.chance(0.3) ? block(1) : "";
-    entry += only_waypoints_ || random_.chance(0.8) ? command(profile ? random_.pick(kDepths) : random_.pick(kHeadings))
-                                 : "";
+    entry += only_waypoints_ || random_.chance(0.8)
+                 ? command(profile ? random_.pick(kDepths) : random_.pick(kHeadings))
+                 : "";
     std::string text = fmt::format("{} written done \"s{}.{}\" begin entry do {} end\n",
                                    profile ? "profile" : "route", i, profile ? "p" : "r", entry);
     for (uint32_t k = random_.below(3); k > 0; --k) {
@@ -371,8 +372,8 @@ class Maker {
 
   void state(uint32_t i) {
     state_ = i;
-    text_ += fmt::format("state s{}{}\n", i,
-                         i == 0 ? "" : fmt::format(" (\"s{}.a\", \"s{}.b\")", i, i));
+    text_ +=
+        fmt::format("state s{}{}\n", i, i == 0 ? "" : fmt::format(" (\"s{}.a\", \"s{}.b\")", i, i));
     text_ += activity(i, ListKind::Route);
     text_ += activity(i, ListKind::Profile);
     expressions_.stand(ListKind::State, i);
@@ -388,10 +389,9 @@ class Maker {
   /// A case by the clocks that leads on: forward, or round with a count, or back to the caller.
   void leave(uint32_t i) {
     constexpr const char* kClocks[] = {"statetime", "resumetime"};
-    const std::string guard =
-        fmt::format("(ge {} {})", random_.pick(kClocks),
-                    random_.chance(0.7) ? fmt::format("{}:time", random_.between(0, 200))
-                                        : "(var \"pt\")");
+    const std::string guard = fmt::format(
+        "(ge {} {})", random_.pick(kClocks),
+        random_.chance(0.7) ? fmt::format("{}:time", random_.between(0, 200)) : "(var \"pt\")");
     if (i >= gone_to_) {
       text_ += fmt::format("case {} return\n", guard);
       return;
@@ -399,11 +399,10 @@ class Maker {
     const double most = variables_[3].highest;
     text_ += fmt::format("case (ge (var \"n\") {}) exit\n", most);
     const uint32_t next = (i + 1) % gone_to_;
-    const std::string called =
-        random_.chance(0.5) ? transition(Transition::Call, i) : "stay";
+    const std::string called = random_.chance(0.5) ? transition(Transition::Call, i) : "stay";
     text_ += called == "stay" ? "" : fmt::format("case {} {}\n", expressions_.guard(), called);
-    text_ += fmt::format("case {} do set \"n\" (min (add (var \"n\") 1) {}) end goto s{}{}\n", guard,
-                         most, next, arguments(next));
+    text_ += fmt::format("case {} do set \"n\" (min (add (var \"n\") 1) {}) end goto s{}{}\n",
+                         guard, most, next, arguments(next));
   }
 
   static constexpr double kTops[] = {0, 3, 10};

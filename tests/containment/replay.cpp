@@ -3,7 +3,9 @@
 
 #include "tests/containment/replay.h"
 
+#include "ir/core/ops.h"
 #include "ir/eval/arithmetic.h"
+#include "support/check.h"
 
 #include <algorithm>
 
@@ -27,24 +29,35 @@ Value Replay::value(ExprId root) const {
   return evaluate(m_, root, [&](const Expr& e, std::span<const double>) -> Value {
     const Interpreter& run = flight_->interpreter();
     const Tick& now = flight_->now();
-    switch (e.op) {
-      case Op::Sensor:
+    switch (groupOf(e.op)) {
+      case OpGroup::Sensor:
         return run.readingOf(e.sensor);
-      case Op::Age:
+      case OpGroup::Age:
         return now.ages[e.sensor.index];
-      case Op::MissionTime:
-        return now.time;
-      case Op::StateTime:
-        return now.time - entered_;
-      case Op::ResumeTime:
-        return now.time - resumed_;
-      case Op::Variable:
+      case OpGroup::Clock:
+        return now.time - (e.op == Op::MissionTime ? 0
+                           : e.op == Op::StateTime ? entered_
+                                                   : resumed_);
+      case OpGroup::Variable:
         return asValue(variables_[e.variable.index], e.type);
-      case Op::Temporal:
+      case OpGroup::Temporal:
         return asValue(temporals_[e.temporal.index], e.type);
-      default:  // a call, which gives the same for the whole tick
+      case OpGroup::Call:  // the same for the whole tick
         return run.evaluate({static_cast<uint32_t>(&e - m_.exprs.data())});
+      case OpGroup::Constant:
+      case OpGroup::Truth:
+      case OpGroup::Unary:
+      case OpGroup::Binary:
+      case OpGroup::Function:
+      case OpGroup::Clamp:
+      case OpGroup::Select:
+      case OpGroup::Element:
+      case OpGroup::Comparison:
+      case OpGroup::Known:
+      case OpGroup::Logic:
+        break;
     }
+    CHECK(false, "not a leaf");
   });
 }
 
@@ -75,8 +88,7 @@ void Replay::start(const Flight& flight) {
   entered_ = resumed_ = 0;
   variables_ = flight.now().result.variables;
   takeTemporals(flight);
-  // Entries have run since: what began as true may have changed, so missions where that matters
-  // are told apart by `since`, which is 0 for all.
+  // The entries have run since, so that what began as true may have changed.
   watch(state_, true);
   watch(state_, false);
 }

@@ -12,7 +12,7 @@
 
 namespace glider::containment {
 
-/// What the prover says about one mission, held against a flight of it.
+/// What the prover says about one mission, compared with flights of it.
 class Rule {
  public:
   virtual ~Rule() = default;
@@ -32,10 +32,10 @@ struct Plan {
   size_t flights = 3;  ///< of each mission
   size_t ticks = 80;
   bool power_cuts = true;
-  double share = 1;  ///< of the steps wanted, for a rule of which each takes long
+  double share = 1;  ///< of the steps, for a rule of which each takes long
 };
 
-/// Flies missions until the rule has been held against GLIDER_CONTAINMENT steps (5000), or fails;
+/// Flies missions until the rule has been compared with GLIDER_CONTAINMENT steps (5000), or fails;
 /// seeds from GLIDER_CONTAINMENT_SEED (0) on.
 void holdsFor(const MakeRule& make, const Plan& plan = {});
 

@@ -171,11 +171,13 @@ class Evaluation : public Values {
   using Values::Values;
   void tick(const Flight& flight) override {
     values_ = exactly(flight);
-    const auto upTo = [&](double time) { return Interval{flight.now().time > 60 ? time : 0, time, false}; };
+    const auto upTo = [&](double time) {
+      return Interval{flight.now().time > 60 ? time : 0, time, false};
+    };
     const Tick& now = flight.now();
-    evaluator_.emplace(context_, values_,
-                       ClockRanges{upTo(now.time), upTo(now.time - now.entered),
-                                   upTo(now.time - now.resumed)});
+    evaluator_.emplace(
+        context_, values_,
+        ClockRanges{upTo(now.time), upTo(now.time - now.entered), upTo(now.time - now.resumed)});
     Values::tick(flight);
   }
   void begun(const Flight&) override {}

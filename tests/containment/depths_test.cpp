@@ -94,12 +94,19 @@ void forEachCommand(const Flight& flight, Check check) {
 class Shallowest : public Rule {
  public:
   explicit Shallowest(const ProofContext& context) : context_(context), shallowest_(context) {}
+  void start(const Flight& flight) override { check(flight); }
+  /// The commands of a tick that moves belong to two states, and say nothing about either.
   void tick(const Flight& flight) override {
-    // The commands of a tick that moves belong to two states, and say nothing about either.
-    const bool first = flight.now().time == 0;
+    if (!flight.now().result.moved) {
+      check(flight);
+    }
+  }
+
+ private:
+  void check(const Flight& flight) {
     const auto bound = shallowest_.of(flight.now().result.state);
     const bool known = context_.depth && isKnown(flight.interpreter().readingOf(*context_.depth));
-    if (!bound || !known || flight.over() || (flight.now().result.moved && !first)) {
+    if (!bound || !known) {
       return;
     }
     forEachCommand(flight, [&](const CommandRun& command) {
@@ -114,7 +121,6 @@ class Shallowest : public Rule {
     });
   }
 
- private:
   const ProofContext& context_;
   ShallowestCommands shallowest_;
 };

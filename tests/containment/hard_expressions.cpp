@@ -123,102 +123,125 @@ std::optional<std::string> HardExpressions::leaf(Op op, Kind kind) {
   return std::nullopt;
 }
 
-std::optional<std::string> HardExpressions::numbers(Op op, Kind kind, uint32_t depth) {
-  if (kind == Kind::Truth || isPlace(kind)) {
-    return std::nullopt;
+/// Every function has its way here: a new one does not compile without.
+std::optional<std::string> HardExpressions::function(Op op, Kind kind, uint32_t depth) {
+  const auto when = [&](Kind gives, const std::vector<Kind>& operands) {
+    return kind == gives ? std::optional(operation(op, operands, depth)) : std::nullopt;
+  };
+  const std::vector<Kind> places = {Kind::Latitude, Kind::Longitude, Kind::Latitude,
+                                    Kind::Longitude};
+  switch (ir::opIn<ir::FunctionOp>(op)) {
+    case ir::FunctionOp::Sin:
+    case ir::FunctionOp::Cos:
+    case ir::FunctionOp::Tan:
+      return when(Kind::Number, {Kind::Angle});
+    case ir::FunctionOp::Atan2:
+      return when(Kind::Angle, {Kind::Length, Kind::Length});
+    case ir::FunctionOp::Distance:
+      return when(Kind::Length, places);
+    case ir::FunctionOp::Bearing:
+      return when(Kind::Angle, places);
   }
-  if (op == Op::Multiply) {
-    return random_.chance(0.5) ? operation(op, {Kind::Number, kind}, depth)
-                               : operation(op, {kind, Kind::Number}, depth);
-  }
-  if (op == Op::Divide && kind == Kind::Number) {
-    const Kind of = random_.chance(0.2) ? Kind::Latitude : measured();
-    return operation(op, {of, of}, depth);
-  }
-  if (op == Op::Sqrt) {
-    return kind != Kind::Number ? std::nullopt : std::optional(operation(op, {kind}, depth));
-  }
-  return op == Op::Divide ? operation(op, {kind, Kind::Number}, depth)
-                          : operation(op, {kind, kind}, depth);
+  return std::nullopt;
 }
 
-/// Every operation has its way here: a new one does not compile without.
+std::optional<std::string> HardExpressions::numbers(Op op, Kind kind, uint32_t depth) {
+  if (kind == Kind::Truth) {
+    return std::nullopt;
+  }
+  const bool place = isPlace(kind);
+  switch (ir::opIn<ir::BinaryOp>(op)) {
+    case ir::BinaryOp::Min:
+    case ir::BinaryOp::Max:
+      return operation(op, {kind, kind}, depth);
+    case ir::BinaryOp::Add:
+    case ir::BinaryOp::Subtract:
+      return place ? std::nullopt : std::optional(operation(op, {kind, kind}, depth));
+    case ir::BinaryOp::Multiply:
+      return place                 ? std::nullopt
+             : random_.chance(0.5) ? std::optional(operation(op, {Kind::Number, kind}, depth))
+                                   : operation(op, {kind, Kind::Number}, depth);
+    case ir::BinaryOp::Divide: {
+      const Kind of = random_.chance(0.2) ? Kind::Latitude : measured();
+      return place                  ? std::nullopt
+             : kind == Kind::Number ? std::optional(operation(op, {of, of}, depth))
+                                    : operation(op, {kind, Kind::Number}, depth);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> HardExpressions::unary(Op op, Kind kind, uint32_t depth) {
+  switch (ir::opIn<ir::UnaryOp>(op)) {
+    case ir::UnaryOp::Negate:
+    case ir::UnaryOp::Abs:
+      return kind == Kind::Truth || isPlace(kind) ? std::nullopt
+                                                  : std::optional(operation(op, {kind}, depth));
+    case ir::UnaryOp::Sqrt:
+      return kind == Kind::Number ? std::optional(operation(op, {kind}, depth)) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> HardExpressions::called(Kind kind) {
+  if (kind == Kind::Length) {
+    return "(call 0)";
+  }
+  if (kind != Kind::Number) {
+    return std::nullopt;
+  }
+  const std::string number = of(Kind::Number, 0);
+  return "(call 1 " + number + " " + of(Kind::Length, 0) + " true)";
+}
+
+/// Every group of operations has its way here: a new one does not compile without.
 std::optional<std::string> HardExpressions::made(Op op, Kind kind, uint32_t depth) {
+  const bool truth = kind == Kind::Truth;
   const auto when = [&](bool fits, const std::vector<Kind>& operands) {
     return fits ? std::optional(operation(op, operands, depth)) : std::nullopt;
   };
   const Kind any = random_.chance(0.1) ? Kind::Latitude : measured();
-  const bool truth = kind == Kind::Truth;
-  switch (op) {
-    case Op::Constant:
+  const auto word = [&](bool fits) {
+    return fits ? std::optional(std::string(ir::opInfo(op).text)) : std::nullopt;
+  };
+  switch (ir::groupOf(op)) {
+    case ir::OpGroup::Constant:
       return truth ? std::nullopt : std::optional(constant(kind));
-    case Op::True:
-    case Op::False:
-      return truth ? std::optional(std::string(ir::opInfo(op).text)) : std::nullopt;
-    case Op::Sensor:
+    case ir::OpGroup::Truth:
+      return word(truth);
+    case ir::OpGroup::Sensor:
       return leaf(op, kind);
-    case Op::Age:
+    case ir::OpGroup::Age:
       return kind == Kind::Time ? leaf(op, kind) : std::nullopt;
-    case Op::MissionTime:
-    case Op::StateTime:
-    case Op::ResumeTime:
-      return kind == Kind::Time && (state_ || op == Op::MissionTime)
-                 ? std::optional(std::string(ir::opInfo(op).text))
-                 : std::nullopt;
-    case Op::Variable:
+    case ir::OpGroup::Clock:
+      return word(kind == Kind::Time && (state_ || op == Op::MissionTime));
+    case ir::OpGroup::Variable:
       return named(kind, "(var");
-    case Op::Temporal:
+    case ir::OpGroup::Temporal:
       return named(kind, "(temporal");
-    case Op::Negate:
-    case Op::Abs:
-      return when(!truth && !isPlace(kind), {kind});
-    case Op::Sqrt:
-    case Op::Add:
-    case Op::Subtract:
-    case Op::Multiply:
-    case Op::Divide:
+    case ir::OpGroup::Unary:
+      return unary(op, kind, depth);
+    case ir::OpGroup::Binary:
       return numbers(op, kind, depth);
-    case Op::Min:
-    case Op::Max:
-      return when(!truth, {kind, kind});
-    case Op::Sin:
-    case Op::Cos:
-    case Op::Tan:
-      return when(kind == Kind::Number, {Kind::Angle});
-    case Op::Atan2:
-      return when(kind == Kind::Angle, {Kind::Length, Kind::Length});
-    case Op::Distance:
-    case Op::Bearing:
-      return when(kind == (op == Op::Distance ? Kind::Length : Kind::Angle),
-                  {Kind::Latitude, Kind::Longitude, Kind::Latitude, Kind::Longitude});
-    case Op::Clamp:
+    case ir::OpGroup::Function:
+      return function(op, kind, depth);
+    case ir::OpGroup::Clamp:
       return when(!truth, {kind, kind, kind});
-    case Op::Select:
+    case ir::OpGroup::Select:
       return when(!truth, {Kind::Truth, kind, kind});
-    case Op::Element:
+    case ir::OpGroup::Element:
       return isPlace(kind)
                  ? std::optional(fmt::format("(element {} {})", kind == Kind::Latitude ? 0 : 1,
                                              of(Kind::Number, 0)))
                  : std::nullopt;
-    case Op::Call:
-      return kind == Kind::Length   ? std::optional("(call 0)")
-             : kind == Kind::Number ? std::optional("(call 1 " + of(Kind::Number, 0) + " " +
-                                                    of(Kind::Length, 0) + " true)")
-                                    : std::nullopt;
-    case Op::Less:
-    case Op::LessEqual:
-    case Op::Greater:
-    case Op::GreaterEqual:
-    case Op::Equal:
-    case Op::NotEqual:
+    case ir::OpGroup::Call:
+      return called(kind);
+    case ir::OpGroup::Comparison:
       return when(truth, {any, any});
-    case Op::Known:
+    case ir::OpGroup::Known:
       return when(truth, {any});
-    case Op::Not:
-      return when(truth, {kind});
-    case Op::And:
-    case Op::Or:
-      return when(truth, {kind, kind});
+    case ir::OpGroup::Logic:
+      return when(truth, std::vector<Kind>(ir::opInfo(op).operands, kind));
   }
   return std::nullopt;
 }

@@ -51,6 +51,9 @@ class HardExpressions {
   std::optional<std::string> made(ir::Op op, Kind kind, uint32_t depth);
   std::optional<std::string> leaf(ir::Op op, Kind kind);
   std::optional<std::string> numbers(ir::Op op, Kind kind, uint32_t depth);
+  std::optional<std::string> unary(ir::Op op, Kind kind, uint32_t depth);
+  std::optional<std::string> function(ir::Op op, Kind kind, uint32_t depth);
+  std::optional<std::string> called(Kind kind);
   std::optional<std::string> named(Kind kind, const char* word);
   std::string operation(ir::Op op, const std::vector<Kind>& operands, uint32_t depth);
   Kind measured();

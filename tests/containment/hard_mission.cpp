@@ -398,7 +398,8 @@ class Maker {
     }
     const double most = variables_[3].highest;
     text_ += fmt::format("case (ge (var \"n\") {}) exit\n", most);
-    const uint32_t next = (i + 1) % gone_to_;
+    // A state that enters itself swaps its own parameters.
+    const uint32_t next = random_.chance(0.4) ? i : (i + 1) % gone_to_;
     const std::string called = random_.chance(0.5) ? transition(Transition::Call, i) : "stay";
     text_ += called == "stay" ? "" : fmt::format("case {} {}\n", expressions_.guard(), called);
     text_ += fmt::format("case {} do set \"n\" (min (add (var \"n\") 1) {}) end goto s{}{}\n",

@@ -126,7 +126,8 @@ class Maker {
   void initials() {
     expressions_.stand(ListKind::Always, std::nullopt);
     text_ += fmt::format("initial pl {}:length\ninitial pt {}:time\ninitial pn 2\n",
-                         variables_[0].highest, variables_[1].highest);
+                         variables_[0].highest,
+                         random_.chance(0.5) ? variables_[1].highest : variables_[1].lowest);
     for (const Variable& v : variables_) {
       if (v.of == ir::VariableKind::Parameter || v.of == ir::VariableKind::Argument) {
         continue;
@@ -362,6 +363,7 @@ class Maker {
     entry += only_waypoints_ || random_.chance(0.8)
                  ? command(profile ? random_.pick(kDepths) : random_.pick(kHeadings))
                  : "";
+    entry += random_.chance(0.1) ? block(1) : "";
     std::string text = fmt::format("{} written done \"s{}.{}\" begin entry do {} end\n",
                                    profile ? "profile" : "route", i, profile ? "p" : "r", entry);
     for (uint32_t k = random_.below(3); k > 0; --k) {

@@ -6,6 +6,7 @@
 #include "ir/core/scopes.h"
 #include "ir/eval/arithmetic.h"
 #include "ir/prove/abstract/abstract_evaluator.h"
+#include "ir/prove/abstract/abstract_run.h"
 #include "ir/prove/abstract/held_ranges.h"
 #include "tests/containment/rule.h"
 
@@ -147,11 +148,11 @@ TEST(Containment, MissionTimes) {
 }
 
 /// The values of variables, one each.
-Valuation exactly(const Flight& flight) {
+Valuation exactly(const Mission& m, const TickResult& result) {
   Valuation values;
-  for (uint32_t i = 0; i < flight.mission().variables.size(); ++i) {
-    const Variable& v = flight.mission().variables[i];
-    const double value = flight.now().result.variables[i];
+  for (uint32_t i = 0; i < m.variables.size(); ++i) {
+    const Variable& v = m.variables[i];
+    const double value = result.variables[i];
     Holding held;
     held.never = !isKnown(value);
     if (v.type.kind == TypeKind::Bool) {
@@ -170,7 +171,7 @@ class Evaluation : public Values {
  public:
   using Values::Values;
   void tick(const Flight& flight) override {
-    values_ = exactly(flight);
+    values_ = exactly(m_, flight.now().result);
     const auto upTo = [&](double time) {
       return Interval{flight.now().time > 60 ? time : 0, time, false};
     };
@@ -202,6 +203,53 @@ class Evaluation : public Values {
 
 TEST(Containment, AbstractEvaluation) {
   holds<Evaluation>();
+}
+
+/// A transition by a state's own case, from the very values of the variables.
+class Transitions : public Rule {
+ public:
+  explicit Transitions(const ProofContext& context) : m_(context.mission), run_(context) {}
+  void start(const Flight&) override {}
+  void tick(const Flight& flight) override {
+    const TickResult& before = flight.before().result;
+    const TickResult& now = flight.now().result;
+    if (!flight.arrived() || now.moved->list != ListKind::State || now.firedIn(ListKind::Always)) {
+      return;
+    }
+    ++steps;
+    const Case& c = m_[before.state].cases[now.moved->number];
+    const double time = flight.now().time;
+    const auto upTo = [](double most) { return Interval{0, most, false}; };
+    const ClockRanges clocks{upTo(time), upTo(time), upTo(time)};
+    Valuation values = exactly(m_, before);
+    run_.execute(c.action, clocks, values);
+    c.transition == Transition::Return ? run_.resume(now.state, clocks, values)
+                                       : run_.enter(now.state, &c, clocks, values);
+    const Control control = controlOf(now);
+    for (uint32_t i = 0; i < m_.variables.size(); ++i) {
+      const Variable& v = m_.variables[i];
+      if (!v.owner.valid() || control.holds(v.owner)) {
+        EXPECT_TRUE(lies(v, now.variables[i], values[i])) << v.name << " " << now.variables[i];
+      }
+    }
+  }
+
+ private:
+  static bool lies(const Variable& v, double value, const Holding& held) {
+    if (v.type.kind == TypeKind::Bool) {
+      return value == 1   ? held.truths.is_true
+             : value == 0 ? held.truths.is_false
+                          : held.truths.is_unknown;
+    }
+    return !isKnown(value) || (!held.never && held.lowest <= value && value <= held.highest);
+  }
+
+  const Mission& m_;
+  AbstractRun run_;
+};
+
+TEST(Containment, AbstractRun) {
+  holds<Transitions>();
 }
 
 /// What variables are ever set to.

@@ -295,7 +295,7 @@ TruthTerm SymbolicState::comparison(const Expr& e) {
   z3::expr outcome = compare(e.op, a.value, b.value);
   if (slack > 0) {
     const z3::expr apart = a.value - b.value > real(slack) || b.value - a.value > real(slack);
-    const z3::expr either = 
+    const z3::expr either =
         unknowns_.truth("rounding", static_cast<uint32_t>(&e - mission_.exprs.data()));
     outcome = z3::ite(apart, outcome, either);
   }

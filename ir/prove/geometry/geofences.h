@@ -34,7 +34,7 @@ struct GeofenceVerdict {
   double margin_m = 0;  ///< if proved: how far from the edges control must be given
   /// How close to one of the waypoints, m; 0: the area to stay in determines it.
   double start_within_m = 0;
-  std::string reason = {};          ///< why they are not known to be kept
+  std::string reason = {};  ///< why they are not known to be kept
   /// The mission assumes where control is given, which is enough.
   bool start_assumed = false;
 };

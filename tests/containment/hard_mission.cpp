@@ -210,6 +210,9 @@ class Maker {
             random_.chance(0.5)
                 ? fmt::format("(gt (sensor altitude) {})", expressions_.constant(Kind::Length))
                 : expressions_.guard();
+        if (random_.chance(0.3)) {  // both set the same: only an unknown condition keeps it
+          return fmt::format("if {} set \"mt\" 60:time else set \"mt\" 90:time end\n", condition);
+        }
         const std::string yes = block(depth - 1);
         return fmt::format("if {} {} {} end\n", condition, yes,
                            random_.chance(0.5) ? "else " + block(depth - 1) : "");

@@ -200,13 +200,14 @@ NumberTerm SymbolicState::chosen(const Expr& e) {
 }
 
 NumberTerm SymbolicState::anything(const Expr& e, const Interval& interval) {
-  z3::expr known = unknowns_.truth("value?");
+  const auto index = static_cast<uint32_t>(&e - mission_.exprs.data());
+  z3::expr known = unknowns_.truth("value?", index);
   for (const ExprId operand : e.operands) {
     if (operand.valid()) {
       known = known && made_.at(operand.index).known;
     }
   }
-  const NumberTerm result{unknowns_.real("value"), known, 0};
+  const NumberTerm result{unknowns_.real("value", index), known, 0};
   bound(result, interval);
   return result;
 }
@@ -294,7 +295,8 @@ TruthTerm SymbolicState::comparison(const Expr& e) {
   z3::expr outcome = compare(e.op, a.value, b.value);
   if (slack > 0) {
     const z3::expr apart = a.value - b.value > real(slack) || b.value - a.value > real(slack);
-    const z3::expr either = unknowns_.truth("rounding");
+    const z3::expr either =
+        unknowns_.truth("rounding", static_cast<uint32_t>(&e - mission_.exprs.data()));
     outcome = z3::ite(apart, outcome, either);
   }
   return {known && outcome, known && !outcome};

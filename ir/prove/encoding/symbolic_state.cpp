@@ -134,7 +134,8 @@ const NumberTerm& SymbolicState::numberOf(TemporalId id) {
     return found->second;
   }
   const Temporal& temporal = mission_[id];
-  const NumberTerm term{unknowns_.real("window"), unknowns_.truth("window?"), 0};
+  const NumberTerm term{unknowns_.real("window", id.index), unknowns_.truth("window?", id.index),
+                        0};
   bound(term, proof_context_.windows[id.index], Fact::From::Temporal, id.index);
   if (!temporal.along.valid()) {
     const z3::expr& since = watchesState(temporal) ? stateTime() : missionTime();

@@ -57,7 +57,7 @@ void SymbolicTick::advanceOne(Run& run, TemporalId id, Pace pace) {
   const z3::expr known = operand.is_true || operand.is_false;
   const bool many = pace == Pace::Many;
   if (temporal.kind == TemporalKind::Became) {
-    const z3::expr before = many ? unknowns_.truth("was true") : kept.was_true;
+    const z3::expr before = many ? unknowns_.truth("was true", id.index) : kept.was_true;
     const z3::expr turned = operand.is_true && !before;
     run.moment.set(id, TruthTerm{turned, known && !turned});
     run.watched.insert_or_assign(id.index, Watched{operand.is_true, kept.since});
@@ -65,7 +65,7 @@ void SymbolicTick::advanceOne(Run& run, TemporalId id, Pace pace) {
   }
   z3::expr since = z3::ite(operand.is_true && !kept.was_true, run.now, kept.since);
   if (many) {
-    since = unknowns_.real("since");
+    since = unknowns_.real("since", id.index);
     unknowns_.require(since >= kept.since && since <= run.now);
   }
   run.moment.set(id, heldFor(run.moment, temporal, operand, run.now - since));

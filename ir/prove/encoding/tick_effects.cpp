@@ -85,7 +85,7 @@ void SymbolicTick::assign(SymbolicState& moment, VariableId variable, ExprId val
     NumberTerm& held = store.numbers.at(variable.index);
     NumberTerm given = moment.number(value);
     if (given.slack > 0) {
-      const z3::expr rounded = unknowns_.real("rounded");
+      const z3::expr rounded = unknowns_.real("rounded", value.index);
       const z3::expr slack = moment.real(given.slack);
       const z3::expr near = rounded - given.value <= slack && given.value - rounded <= slack;
       unknowns_.require(z3::implies(given.known, near));

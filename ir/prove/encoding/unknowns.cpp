@@ -7,12 +7,14 @@
 
 namespace glider::ir::prove {
 
-z3::expr Unknowns::real(const std::string& what) {
+z3::expr Unknowns::real(const std::string& what, std::optional<uint32_t> of) {
+  of_.push_back(of);
   made_.push_back(context_.real_const(fmt::format("{}{}!{}", prefix_, what, made_.size()).c_str()));
   return made_.back();
 }
 
-z3::expr Unknowns::truth(const std::string& what) {
+z3::expr Unknowns::truth(const std::string& what, std::optional<uint32_t> of) {
+  of_.push_back(of);
   made_.push_back(context_.bool_const(fmt::format("{}{}!{}", prefix_, what, made_.size()).c_str()));
   return made_.back();
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,20 +27,24 @@ class Unknowns {
   explicit Unknowns(z3::context& context, std::string prefix = "")
       : context_(context), prefix_(std::move(prefix)) {}
 
-  z3::expr real(const std::string& what);
-  z3::expr truth(const std::string& what);
+  /// `of`: the number of the expression or temporal that it stands for, if it does for one.
+  z3::expr real(const std::string& what, std::optional<uint32_t> of = std::nullopt);
+  z3::expr truth(const std::string& what, std::optional<uint32_t> of = std::nullopt);
   void require(const z3::expr& holds, Fact::From from = Fact::From::Nature, uint32_t index = 0) {
     facts_.push_back({holds, from, index});
   }
   [[nodiscard]] const std::vector<Fact>& facts() const { return facts_; }
   /// All unknowns, in the order in which they were made.
   [[nodiscard]] const std::vector<z3::expr>& made() const { return made_; }
+  /// What each stands for, in the same order.
+  [[nodiscard]] const std::vector<std::optional<uint32_t>>& standFor() const { return of_; }
   [[nodiscard]] z3::context& context() { return context_; }
 
  private:
   z3::context& context_;
   std::string prefix_;
   std::vector<z3::expr> made_;
+  std::vector<std::optional<uint32_t>> of_;
   std::vector<Fact> facts_;
 };
 

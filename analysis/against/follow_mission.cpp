@@ -161,7 +161,7 @@ class Follower {
   /// Each requirement that has not been violated yet, and each assumption that has not been broken,
   /// since the mission started. The depth of the log counts as the true one.
   void watchRequirements(uint32_t tick, const ir::TickResult& result) {
-    for (Watch& watch : watches_) {
+    for (Watched& watch : watches_) {
       const ir::Requirement& requirement = *watch.requirement;
       if (requirement.kind == ir::RequirementKind::Reach || watch.monitor.when()) {
         continue;
@@ -211,12 +211,12 @@ class Follower {
   std::optional<ir::Interpreter> running_;
   std::optional<ir::SensorId> depth_;  ///< the vehicle's own
   /// Of a requirement or an assumption.
-  struct Watch {
+  struct Watched {
     const char* kind;  ///< FollowedStep::kind
     const ir::Requirement* requirement;
     ir::RequirementMonitor monitor;
   };
-  std::vector<Watch> watches_;
+  std::vector<Watched> watches_;
   double origin_s_ = 0;  ///< mission time 0 of the current start, in the log
   ir::StateId state_{0};
   bool was_up_ = true;

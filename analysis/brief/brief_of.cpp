@@ -49,7 +49,7 @@ class Maker {
     names(brief);
     findings(brief);
     brief.budgets = from_.found.budgets;
-    brief.assumptions = assumptionsOf(checked_.platform(), m_.resume_within_s);
+    brief.assumptions = assumptionsOf(checked_.platform(), m_);
     hashes(brief);
     return brief;
   }

@@ -121,10 +121,10 @@ std::vector<std::string> summaryOf(const compiler::Checked& checked,
   return all;
 }
 
-std::string assumptionsOf(const platforms::Platform& platform, double resume_within_s) {
+std::string assumptionsOf(const platforms::Platform& platform, const ir::Mission& mission) {
   const platforms::Envelope& envelope = platform.envelope;
   const platforms::EnvironmentModel& world = platform.world;
-  return fmt::format(
+  const std::string usual = fmt::format(
       "All bounds and proofs hold for any readings in the sensors' ranges and for a vehicle that "
       "gets control at {:.4g} m or above, sinks and climbs at most at {:.4g} m/s, climbs at {:.4g} "
       "m/s or faster from {:.4g} s after the command, overshoots a target depth by at most {:.4g} "
@@ -134,7 +134,17 @@ std::string assumptionsOf(const platforms::Platform& platform, double resume_wit
       "to {}.",
       world.start_depth_m, envelope.vertical_rate_m_s, world.slowest_climb_m_s, world.turn_s,
       envelope.inflection_overshoot_m, world.depth_error_m, world.through_water_m_s,
-      envelope.drift_m_s, world.surface_drift_m_s, world.tick_gap_s, durationOf(resume_within_s));
+      envelope.drift_m_s, world.surface_drift_m_s, world.tick_gap_s,
+      durationOf(mission.resume_within_s));
+  std::string own;
+  for (const ir::Assumption& assumption : mission.assumptions) {
+    own += fmt::format("{}`{}`", own.empty() ? "" : ", ", assumption.words);
+  }
+  return own.empty() ? usual
+                     : fmt::format(
+                           "{} The mission itself assumes {}. Each verdict names those on "
+                           "which it rests; nothing on board checks them.",
+                           usual, own);
 }
 
 }  // namespace glider::analysis

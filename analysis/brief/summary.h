@@ -18,7 +18,7 @@ std::vector<std::string> summaryOf(const compiler::Checked& checked,
                                    const report::CheckedMission& found, const Silence& silence,
                                    double deepest_m);
 
-/// What the proofs and bounds assume about the vehicle and the water.
-std::string assumptionsOf(const platforms::Platform& platform, double resume_within_s);
+/// What the proofs and bounds assume about the vehicle and the water, and what the mission assumes.
+std::string assumptionsOf(const platforms::Platform& platform, const ir::Mission& mission);
 
 }  // namespace glider::analysis

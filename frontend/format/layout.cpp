@@ -55,14 +55,18 @@ class Layout {
     lines_.push_back({at_, at_, indent, indent, false});
   }
 
-  /// True at a line `declination -12 deg`: where a value or a name is expected, the word is a name.
-  [[nodiscard]] bool declination() const {
-    return token().is("declination") &&
-           !after({"mission", "platform", "const", "param", "var",   "function", "sensor", "=",
-                   "+",       "-",        "*",     "/",     "(",     ",",        "[",      "in",
-                   "..",      "where",    "<",     "<=",    ">",     ">=",       "==",     "!=",
-                   "&&",      "||",       "!",     "and",   "or",    "not",      "of",     ":",
-                   "always",  "within",   "every", "after", "reach", "never",    "reads"});
+  /// True at a line `declination -12 deg` or `assume no outage`: where a value or a name is
+  /// expected, the word is a name.
+  [[nodiscard]] bool softItem() const {
+    return oneOf(token(), {"declination", "assume"}) &&
+           !after({"mission", "platform", "const",    "param", "var",    "function", "sensor",
+                   "=",       "+",        "-",        "*",     "/",      "(",        ",",
+                   "[",       "in",       "..",       "where", "<",      "<=",       ">",
+                   ">=",      "==",       "!=",       "&&",    "||",     "!",        "and",
+                   "or",      "not",      "of",       ":",     "always", "within",   "every",
+                   "after",   "reach",    "never",    "reads", "place",  "visit",    "then",
+                   "patrol",  "when",     "whenever", "hold",  "until",  "before",   "outside",
+                   "from",    "to",       "known"});
   }
 
   void topLevel() {
@@ -72,7 +76,7 @@ class Layout {
     const bool resume = token().is("resume") && tokens_[at_ + 1].is("within");
     const bool place =
         !named && token().is("place") && at_ + 2 < tokens_.size() && tokens_[at_ + 2].is("=");
-    const bool small = resume || place || declination() ||
+    const bool small = resume || place || softItem() ||
                        oneOf(token(), {"mission", "platform", "import", "const", "param", "var",
                                        "extern", "require"});
     if (large || small) {

@@ -150,7 +150,8 @@ TEST_F(BriefCommand, ValuesAtLaunch) {
 
 TEST_F(BriefCommand, TheSkeletonSaysWhenTheVehicleTakesOver) {
   (void)folder_.write("skeleton.mi",
-                      "behavior: hookbeh\n  b_arg: silence_secs(sec) 100\nbehavior: abend\n");
+                      "behavior: hookbeh\n  b_arg: silence_secs(sec) 100\nbehavior: surface\n  "
+                      "b_arg: start_when(enum) 1\n");
   const Outcome outcome = brief(kMission, "--skeleton skeleton.mi");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(textOf(page()), HasSubstr("the vehicle takes control within 2 min 20 s"));

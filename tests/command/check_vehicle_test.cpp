@@ -28,7 +28,9 @@ class CheckVehicle : public ::testing::Test {
         .string();
   }
   std::string vehicle(const std::string& abend, const std::string& hookbeh) const {
-    return folder_.write("v.mi", "behavior: abend\n" + abend + "behavior: hookbeh\n" + hookbeh)
+    return folder_
+        .write("v.mi", "behavior: abend\n" + abend + "behavior: hookbeh\n" + hookbeh +
+                           "behavior: surface\nb_arg: start_when(enum) 1\n")
         .string();
   }
   Outcome check(const std::string& options, const std::string& head = "") const {

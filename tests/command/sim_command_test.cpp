@@ -56,9 +56,9 @@ TEST_F(Sim, AFlightThatBreaksAnAssumptionWarns) {
       {"depth <= 15 m", "in state `s`"},
       {"depth in 0 m .. 15 m", "in state `s`"},
       {"gpslat in 10 N .. 20 N", "in state `s`"},
-      {"known gpslat every 1 min", "`gpslat` was unknown for more than 1 min"}};
+      {"known sci_oxy4_oxygen every 1 min", "`sci_oxy4_oxygen` was unknown for more than 1 min"}};
   for (const auto& [assumed, how] : kBroken) {
-    mission("20 m", "depth, gpslat", std::string("assume ") + assumed + "\n");
+    mission("20 m", "depth, gpslat, sci_oxy4_oxygen", std::string("assume ") + assumed + "\n");
     const Outcome flown = run("rm -rf f; $GLIDERCC sim m.mission -o f");
     EXPECT_EQ(flown.status, 1) << assumed << flown.err;
     EXPECT_THAT(flown.err, HasSubstr("m.mission:2:1: warning: this flight breaks the assumption: "

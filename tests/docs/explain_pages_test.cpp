@@ -31,7 +31,8 @@ const std::set<DiagnosticId> kNotShown = {
     // Another vehicle.
     DiagnosticId::declinationUnknown,
     // The vehicle's mission file: vehicle_missions_test.cpp tries the page.
-    DiagnosticId::mayStayBelow};
+    DiagnosticId::mayStayBelow, DiagnosticId::vehicleRefuses, DiagnosticId::vehicleAborts,
+    DiagnosticId::startUnassumed};
 /// Their repair needs a second file.
 const std::set<DiagnosticId> kNotRepaired = {DiagnosticId::openString};
 

@@ -2,13 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/core/under_assumptions.h"
-#include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/abstract/depth_bound.h"
 #include "ir/prove/abstract/entered_after.h"
 #include "ir/prove/abstract/state_depths.h"
-#include "ir/prove/abstract/surfacing.h"
-#include "ir/prove/context/duration_text.h"
-#include "ir/prove/encoding/any_moment.h"
 #include "ir/prove/encoding/cone_of_influence.h"
 #include "ir/prove/encoding/known_roughly.h"
 #include "ir/prove/encoding/safety_properties.h"
@@ -16,12 +12,13 @@
 #include "ir/prove/falsification/random_flight.h"
 #include "ir/prove/geometry/geofences.h"
 #include "ir/prove/passes.h"
+#include "ir/prove/passes/insight.h"
+#include "ir/prove/passes/violation_report.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -31,87 +28,12 @@ namespace {
 
 using support::DiagnosticId;
 
-/// Of a longer story only the transitions at both ends are reported.
-constexpr size_t kStoryEnds = 6;
 /// The upper bound of random ticks where the solver has no answer.
 constexpr size_t kRandomTicks = 120000;
 /// A question about all traces is not even written if more expressions than this matter to it.
 constexpr size_t kMostSearched = 30000;
 /// For a requirement without a time, s.
 constexpr double kLongFlight = 4 * 3600;
-
-/// What is known of a mission before any search over traces, with power cuts or without: computed
-/// once for all of its requirements.
-class Insight {
- public:
-  /// Both outlive this. `end`: of `proof_context`.
-  Insight(const ProofContext& proof_context, const EndBound& end)
-      : context_(end.by ? proof_context.endingBy(std::ranges::max(end.left_by)) : proof_context),
-        end_(end),
-        bounds_(stateBounds(context_, end)),
-        moment_(context_, bounds_) {}
-  Insight(const Insight&) = delete;
-  Insight& operator=(const Insight&) = delete;
-
-  /// The mission, with what the end bound says of its clocks.
-  [[nodiscard]] const ProofContext& context() const { return context_; }
-
-  [[nodiscard]] bool proves(const Requirement& requirement, unsigned effort, Budget& budget) {
-    switch (requirement.kind) {
-      case RequirementKind::Always:
-        return moment_.neverFalse(requirement.condition, effort, budget);
-      case RequirementKind::ExitWithin:
-        return ended_by_ <= requirement.seconds;
-      case RequirementKind::SurfacesEvery:
-        return std::min(ended_by_, surfaces_every_) <= requirement.seconds ||
-               submersion() <= requirement.seconds;
-      case RequirementKind::NeverAfter:
-      case RequirementKind::StackAtMost:
-      case RequirementKind::Reach:
-        break;
-    }
-    return false;
-  }
-
-  /// `requirement` has been proved: it is known from now on.
-  void know(const Requirement& requirement) {
-    switch (requirement.kind) {
-      case RequirementKind::Always:
-        if (requirement.geofences.empty()) {
-          moment_.know(requirement.condition);
-        }
-        break;
-      case RequirementKind::ExitWithin:
-        ended_by_ = std::min(ended_by_, requirement.seconds);
-        break;
-      case RequirementKind::SurfacesEvery:
-        surfaces_every_ = std::min(surfaces_every_, requirement.seconds);
-        break;
-      case RequirementKind::NeverAfter:
-      case RequirementKind::StackAtMost:
-      case RequirementKind::Reach:
-        break;
-    }
-  }
-
- private:
-  static constexpr double kEver = std::numeric_limits<double>::infinity();
-
-  double submersion() {
-    if (!submersion_) {
-      submersion_ = longestSubmersion(context_, end_, kLongestMission).value_or(kEver);
-    }
-    return *submersion_;
-  }
-
-  ProofContext context_;
-  const EndBound& end_;
-  std::vector<StateBounds> bounds_;
-  AnyMoment moment_;
-  double ended_by_ = end_.by ? std::ranges::max(end_.left_by) : kEver;
-  double surfaces_every_ = kEver;
-  std::optional<double> submersion_;  ///< infinite: not bounded; none: not asked for yet
-};
 
 class RequirementCheck {
  public:
@@ -538,63 +460,8 @@ class RequirementCheck {
   }
 
   RequirementVerdict broken(const Requirement& requirement, Counterexample run) {
-    auto error = proof_.diagnostics.report(DiagnosticId::requirementBroken, requirement.range,
-                                           howBroken(requirement, run));
-    const auto& story = run.story;
-    for (size_t i = 0; i < story.size(); ++i) {
-      if (story.size() > 2 * kStoryEnds && i == kStoryEnds) {
-        i = story.size() - kStoryEnds;
-        error.note(story[i].range, fmt::format("(after {} more transitions) {}",
-                                               story.size() - 2 * kStoryEnds, story[i].text));
-        continue;
-      }
-      error.note(story[i].range, story[i].text);
-    }
-    notePowerCuts(error, requirement, run);
+    reportViolation(requirement, run, proof_.proof_context, proof_.diagnostics);
     return {0, Verdict::Refuted, std::move(run)};
-  }
-
-  void notePowerCuts(support::DiagnosticBuilder& error, const Requirement& requirement,
-                     const Counterexample& run) const {
-    constexpr size_t kMostNotes = 3;
-    size_t noted = 0;
-    for (size_t i = 1; i < run.ticks.size() && noted < kMostNotes; ++i) {
-      const double from = run.ticks[i - 1].mission_time;
-      const double to = run.ticks[i].mission_time;
-      if (to - from > proof_.proof_context.platform.world.tick_gap_s) {
-        ++noted;
-        error.note(
-            requirement.range,
-            fmt::format("from {:.6g} s to {:.6g} s the SBC has no power; the mission resumes "
-                        "after a power cut of up to {} (`resume within`)",
-                        from, to, durationOf(m_.resume_within_s)));
-      }
-    }
-  }
-
-  std::string howBroken(const Requirement& requirement, const Counterexample& run) const {
-    switch (requirement.kind) {
-      case RequirementKind::Always:
-        if (!run.words.empty()) {
-          return fmt::format("at {:.6g} s, in state `{}`, {}", run.when, run.state, run.words);
-        }
-        return fmt::format("at {:.6g} s, in state `{}`{}{}", run.when, run.state,
-                           run.values.empty() ? "" : ", ", run.values);
-      case RequirementKind::ExitWithin:
-        return fmt::format("the mission may {} {:.6g} s, in state `{}`",
-                           run.ticks.back().finished ? "end only at" : "still be flying at",
-                           run.when, run.state);
-      case RequirementKind::NeverAfter:
-        return fmt::format("state `{}` may be entered after `{}`, at {:.6g} s",
-                           m_[requirement.state].name, m_[requirement.after].name, run.when);
-      case RequirementKind::SurfacesEvery:
-        return fmt::format("the vehicle may still be under water at {:.6g} s, in state `{}`",
-                           run.when, run.state);
-      case RequirementKind::StackAtMost:
-      case RequirementKind::Reach:
-        break;
-    }
-    CHECK(false, "no run breaks it");
   }
 
   Proof& proof_;

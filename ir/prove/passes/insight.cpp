@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/passes/insight.h"
+
+#include "ir/prove/abstract/bounds_by_state.h"
+#include "ir/prove/abstract/surfacing.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace glider::ir::prove {
+namespace {
+
+constexpr double kEver = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+Insight::Insight(const ProofContext& proof_context, const EndBound& end)
+    : context_(end.by ? proof_context.endingBy(std::ranges::max(end.left_by)) : proof_context),
+      end_(end),
+      bounds_(stateBounds(context_, end)),
+      moment_(context_, bounds_),
+      ended_by_(end.by ? std::ranges::max(end.left_by) : kEver),
+      surfaces_every_(kEver) {}
+
+bool Insight::proves(const Requirement& requirement, unsigned effort, Budget& budget) {
+  switch (requirement.kind) {
+    case RequirementKind::Always:
+      return moment_.neverFalse(requirement.condition, effort, budget);
+    case RequirementKind::ExitWithin:
+      return ended_by_ <= requirement.seconds;
+    case RequirementKind::SurfacesEvery:
+      return std::min(ended_by_, surfaces_every_) <= requirement.seconds ||
+             submersion() <= requirement.seconds;
+    case RequirementKind::NeverAfter:
+    case RequirementKind::StackAtMost:
+    case RequirementKind::Reach:
+      break;
+  }
+  return false;
+}
+
+void Insight::know(const Requirement& requirement) {
+  switch (requirement.kind) {
+    case RequirementKind::Always:
+      if (requirement.geofences.empty()) {
+        moment_.know(requirement.condition);
+      }
+      break;
+    case RequirementKind::ExitWithin:
+      ended_by_ = std::min(ended_by_, requirement.seconds);
+      break;
+    case RequirementKind::SurfacesEvery:
+      surfaces_every_ = std::min(surfaces_every_, requirement.seconds);
+      break;
+    case RequirementKind::NeverAfter:
+    case RequirementKind::StackAtMost:
+    case RequirementKind::Reach:
+      break;
+  }
+}
+
+double Insight::submersion() {
+  if (!submersion_) {
+    submersion_ = longestSubmersion(context_, end_, kLongestMission).value_or(kEver);
+  }
+  return *submersion_;
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/passes/violation_report.h"
+
+#include "ir/prove/context/duration_text.h"
+#include "support/check.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace glider::ir::prove {
+namespace {
+
+/// Of a longer story only the transitions at both ends are reported.
+constexpr size_t kStoryEnds = 6;
+
+void noteStory(support::DiagnosticBuilder& error, const Counterexample& run) {
+  const auto& story = run.story;
+  for (size_t i = 0; i < story.size(); ++i) {
+    if (story.size() > 2 * kStoryEnds && i == kStoryEnds) {
+      i = story.size() - kStoryEnds;
+      error.note(story[i].range, fmt::format("(after {} more transitions) {}",
+                                             story.size() - 2 * kStoryEnds, story[i].text));
+      continue;
+    }
+    error.note(story[i].range, story[i].text);
+  }
+}
+
+void notePowerCuts(support::DiagnosticBuilder& error, const Requirement& requirement,
+                   const Counterexample& run, const ProofContext& proof_context) {
+  constexpr size_t kMostNotes = 3;
+  size_t noted = 0;
+  for (size_t i = 1; i < run.ticks.size() && noted < kMostNotes; ++i) {
+    const double from = run.ticks[i - 1].mission_time;
+    const double to = run.ticks[i].mission_time;
+    if (to - from > proof_context.platform.world.tick_gap_s) {
+      ++noted;
+      error.note(requirement.range,
+                 fmt::format("from {:.6g} s to {:.6g} s the SBC has no power; the mission resumes "
+                             "after a power cut of up to {} (`resume within`)",
+                             from, to, durationOf(proof_context.mission.resume_within_s)));
+    }
+  }
+}
+
+std::string endedLate(const Counterexample& run) {
+  return fmt::format("the mission may {} {:.6g} s, in state `{}`",
+                     run.ticks.back().finished ? "end only at" : "still be flying at", run.when,
+                     run.state);
+}
+
+std::string howBroken(const Requirement& requirement, const Counterexample& run,
+                      const Mission& mission) {
+  switch (requirement.kind) {
+    case RequirementKind::Always:
+      if (requirement.seconds > 0) {  // `exit within`, under assumptions
+        return endedLate(run);
+      }
+      if (!run.words.empty()) {
+        return fmt::format("at {:.6g} s, in state `{}`, {}", run.when, run.state, run.words);
+      }
+      return fmt::format("at {:.6g} s, in state `{}`{}{}", run.when, run.state,
+                         run.values.empty() ? "" : ", ", run.values);
+    case RequirementKind::ExitWithin:
+      return endedLate(run);
+    case RequirementKind::NeverAfter:
+      return fmt::format("state `{}` may be entered after `{}`, at {:.6g} s",
+                         mission[requirement.state].name, mission[requirement.after].name,
+                         run.when);
+    case RequirementKind::SurfacesEvery:
+      return fmt::format("the vehicle may still be under water at {:.6g} s, in state `{}`",
+                         run.when, run.state);
+    case RequirementKind::StackAtMost:
+    case RequirementKind::Reach:
+      break;
+  }
+  CHECK(false, "no run breaks it");
+}
+
+}  // namespace
+
+void reportViolation(const Requirement& requirement, const Counterexample& run,
+                     const ProofContext& proof_context, support::DiagnosticEngine& diagnostics) {
+  auto error = diagnostics.report(support::DiagnosticId::requirementBroken, requirement.range,
+                                  howBroken(requirement, run, proof_context.mission));
+  noteStory(error, run);
+  notePowerCuts(error, requirement, run, proof_context);
+}
+
+}  // namespace glider::ir::prove

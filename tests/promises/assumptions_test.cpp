@@ -339,6 +339,13 @@ TEST(AssumptionVerdicts, WhatNeedsNoneNamesNone) {
   EXPECT_EQ(check(patrol("assume temp <= 28 degC\nrequire stack <= 1")).premises, "");
 }
 
+/// `can reach` is only shown by a flight that breaks no assumption.
+TEST(AssumptionVerdicts, NoFlightThatBreaksOneShowsAnything) {
+  EXPECT_EQ(check(patrol("assume temp <= 28 degC\nrequire can reach up")).verdict, "proved");
+  EXPECT_EQ(check(patrol("require can reach up")).verdict, "proved");
+  EXPECT_NE(check(patrol("assume altitude > 6 m\nrequire can reach up")).verdict, "proved");
+}
+
 TEST(AssumptionVerdicts, ContradictionsAreErrors) {
   EXPECT_TRUE(check(patrol("assume temp in 10 degC .. 20 degC\nassume temp < 5 degC")).contradict);
   EXPECT_TRUE(check(patrol("assume temp in 50 degC .. 60 degC")).contradict);

@@ -9,6 +9,7 @@
 #include "driver/output/check_progress.h"
 #include "driver/terminal.h"
 #include "flights/scenario_choice.h"
+#include "ir/core/under_assumptions.h"
 #include "slocum/mission_files/load.h"
 
 #include <fmt/format.h>
@@ -112,7 +113,8 @@ Result<void> tellWhole(const std::optional<analysis::VehicleFile>& vehicle, bool
     return std::unexpected(mission.error());
   }
   const compiler::Checked& checked = *compilation.checked;
-  const analysis::Whole whole = analysis::wholeOf(checked.mission(), checked.platform(), *mission);
+  const analysis::Whole whole = analysis::wholeOf(
+      checked.mission(), ir::notNarrowed(checked.platform(), checked.mission()), *mission);
   for (const analysis::Ending& ending : whole.alike()) {
     if (!ending.proved()) {
       compilation.diagnostics.report(support::DiagnosticId::mayStayBelow, ending.range,
@@ -221,8 +223,9 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
     return told;
   }
   const analysis::Silence silence = *vehicle ? (*vehicle)->silence : analysis::usualSilence();
-  for (std::string& line :
-       analysis::wayHomeLines(compilation.checked->mission(), mission.platform(), silence)) {
+  for (std::string& line : analysis::wayHomeLines(
+           compilation.checked->mission(),
+           ir::notNarrowed(mission.platform(), compilation.checked->mission()), silence)) {
     file.found.remarks.push_back({{}, std::move(line), Subject::WayHome});
   }
   if (auto told = tellWhole(*vehicle, options.report, file); !told) {

@@ -8,6 +8,7 @@
 #include "analysis/brief/written.h"
 #include "analysis/graph_of.h"
 #include "codegen/digest.h"
+#include "ir/core/under_assumptions.h"
 #include "ir/prove/abstract/state_depths.h"
 #include "ir/verify/value_text.h"
 #include "support/one_line.h"
@@ -40,7 +41,8 @@ class Maker {
         m_(checked_.mission()),
         written_(source.compilation),
         words_(*checked_.lowered),
-        depths_(ir::prove::deepestByState(ir::prove::ProofContext(m_, checked_.platform()))) {}
+        depths_(ir::prove::deepestByState(
+            ir::prove::ProofContext(m_, ir::notNarrowed(checked_.platform(), m_)))) {}
 
   Brief run() {
     Brief brief;
@@ -49,7 +51,7 @@ class Maker {
     names(brief);
     findings(brief);
     brief.budgets = from_.found.budgets;
-    brief.assumptions = assumptionsOf(checked_.platform(), m_);
+    brief.assumptions = assumptionsOf(ir::notNarrowed(checked_.platform(), m_), m_);
     hashes(brief);
     return brief;
   }

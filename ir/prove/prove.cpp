@@ -3,6 +3,7 @@
 
 #include "ir/prove/prove.h"
 
+#include "ir/core/under_assumptions.h"
 #include "ir/prove/passes.h"
 
 #include <fmt/format.h>
@@ -64,7 +65,8 @@ std::string premisesOf(const RequirementVerdict& verdict, const Mission& mission
 Findings prove(const Mission& mission, const MissionFacts& facts,
                const platforms::Platform& platform, const Options& options,
                support::DiagnosticEngine& diagnostics) {
-  const ProofContext proof_context(mission, platform);
+  const platforms::Platform widest = notNarrowed(platform, mission);
+  const ProofContext proof_context(mission, widest);
   z3::context context;
   Proof proof{context, proof_context, facts, options, diagnostics};
 #define PASS(name, purpose) passes::name(proof);

@@ -309,6 +309,25 @@ end
       "refuted");
 }
 
+/// What is assumed to be worse than usual holds for every verdict and finding.
+TEST(AssumptionVerdicts, OfADeeperStart) {
+  frontend::testing_support::FrontendRun run(
+      patrol("assume start depth <= 50 m\nrequire whenever depth > 40 m then altitude < 0 m\n"));
+  const auto mission = run.compile();
+  ASSERT_TRUE(mission.has_value()) << run.said();
+  const ir::MissionFacts facts = ir::verify(*mission, run.diagnostics);
+  const auto findings = ir::prove::prove(*mission, facts, slocum(), {}, run.diagnostics);
+  EXPECT_NE(findings.requirements.at(0).verdict, ir::prove::Verdict::Proved);
+  EXPECT_FALSE(run.says(support::DiagnosticId::requirementVacuous));
+}
+
+/// Also a long one, so that certificates can name it.
+TEST(AssumptionVerdicts, WordsAreWhole) {
+  const std::string area =
+      "start inside(39.15 N 73.95 W, 39.15 N 73.85 W, 39.25 N 73.85 W, 39.25 N 73.95 W)";
+  EXPECT_EQ(compiled(patrol("assume " + area)).assumptions.at(0).words, area);
+}
+
 TEST(AssumptionVerdicts, OfKnownReadings) {
   constexpr const char* kLook = R"(
 resume within 20 s

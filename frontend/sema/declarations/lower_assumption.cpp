@@ -34,7 +34,7 @@ class AssumptionLowering {
 
   std::optional<ir::Assumption> run() {
     constexpr size_t kWord = std::string_view("assume ").size();
-    result_.words = scope_.text(node_.where).substr(kWord);
+    result_.words = scope_.wholeText(node_.where).substr(kWord);
     result_.range = node_.where;
     result_.watch.range = node_.where;
     const bool right = std::visit([&](const auto& premise) { return lower(premise); }, node_.node);

@@ -33,8 +33,7 @@ std::span<const std::string_view> clockNames() {
   return kClocks;
 }
 
-std::string Scope::text(const support::SourceRange& range) const {
-  constexpr size_t kLongest = 60;
+std::string Scope::wholeText(const support::SourceRange& range) const {
   std::string out;
   bool comment = false;
   for (char c : inputs_.sources.text(range)) {
@@ -46,7 +45,13 @@ std::string Scope::text(const support::SourceRange& range) const {
       out += ' ';
     }
   }
-  return out.size() > kLongest ? out.substr(0, kLongest) + "…" : out;
+  return out;
+}
+
+std::string Scope::text(const support::SourceRange& range) const {
+  constexpr size_t kLongest = 60;
+  const std::string whole = wholeText(range);
+  return whole.size() > kLongest ? whole.substr(0, kLongest) + "…" : whole;
 }
 
 const platforms::PlatformSensor* Scope::findSensor(std::string_view name) {

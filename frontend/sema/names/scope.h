@@ -101,7 +101,9 @@ class Scope {
     builder.note(*context.use, "with what is given here");
     return builder;
   }
-  /// The source text of `range` on one line, shortened.
+  /// The source text of `range` on one line, without comments.
+  [[nodiscard]] std::string wholeText(const support::SourceRange& range) const;
+  /// The same, shortened.
   [[nodiscard]] std::string text(const support::SourceRange& range) const;
   [[nodiscard]] const platforms::Platform& platform() const { return inputs_.platform; }
   [[nodiscard]] support::DiagnosticEngine& diagnostics() { return diagnostics_; }

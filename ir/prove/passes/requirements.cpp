@@ -490,11 +490,7 @@ void passes::requirements(Proof& proof) {
   const platforms::Platform platform = underAssumptions(plain.platform, plain.mission);
   const ProofContext proof_context(mission, platform);
   Proof assuming{proof.context, proof_context, proof.facts, proof.options, proof.diagnostics};
-  const platforms::Platform usual = notNarrowed(plain.platform, plain.mission);
-  const ProofContext bare_context(plain.mission, usual);
-  Proof assuming_nothing{proof.context, bare_context, proof.facts, proof.options,
-                         proof.diagnostics};
-  RequirementCheck bare(assuming_nothing);
+  RequirementCheck bare(proof);
   RequirementCheck(assuming, &bare).run();
   proof.findings.requirements = std::move(assuming.findings.requirements);
 }

@@ -48,7 +48,8 @@ class Search {
   }
 
  private:
-  /// The time at which the flight violates the requirement; empty: it does not.
+  /// The time at which the flight violates the requirement; empty: it does not, or only once it has
+  /// broken an assumption.
   Result<std::optional<double>> fly(const std::string& scenario, uint64_t seed) const {
     const auto flight = flyHeard(flown_, loaded_, parameters_, scenario, seed);
     if (!flight) {
@@ -56,7 +57,10 @@ class Search {
     }
     const auto found =
         flights::violationOf(flown_, requirement_, flight->ticks, parameters_, flight->trace);
-    return found ? std::optional(found->mission_time) : std::nullopt;
+    const auto broken =
+        flights::assumptionsBroken(flown_, flight->ticks, parameters_, flight->trace);
+    const bool counts = found && (!broken || *broken > found->mission_time);
+    return counts ? std::optional(found->mission_time) : std::nullopt;
   }
 
   const compiler::Optimised& flown_;

@@ -3,7 +3,7 @@
 
 #include "analysis/vehicle_limits.h"
 
-#include "flights/broken_assumption.h"
+#include "ir/core/inside.h"
 #include "ir/prove/abstract/end_bound.h"
 #include "ir/prove/context/duration_text.h"
 
@@ -85,7 +85,7 @@ void checkStart(const compiler::Checked& mission, const StartPlace& start,
   const auto assumed =
       std::ranges::find(all, ir::AssumptionKind::StartInside, &ir::Assumption::kind);
   if (assumed != all.end() &&
-      !flights::isInside(assumed->area, start.at.latitude, start.at.longitude)) {
+      !ir::isInside(assumed->area, {start.at.latitude, start.at.longitude})) {
     diagnostics.report(DiagnosticId::startUnassumed, assumed->range, start.name,
                        fmt::format("at {:.4f}, {:.4f}", start.at.latitude, start.at.longitude),
                        "`" + assumed->words + "`");

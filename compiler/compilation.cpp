@@ -7,7 +7,7 @@
 #include "compiler/vehicles_own.h"
 #include "frontend/frontend.h"
 #include "frontend/import/imports.h"
-#include "ir/opt/drop_requirements.h"
+#include "ir/opt/prepare_for_flight.h"
 #include "ir/text/read.h"
 #include "ir/verify/verify.h"
 #include "support/files.h"
@@ -198,7 +198,7 @@ Optimised optimise(std::shared_ptr<const Checked> checked,
 
 Optimised withoutPasses(std::shared_ptr<const Checked> checked) {
   ir::Mission mission = checked->mission();
-  ir::dropRequirements(mission);
+  ir::prepareForFlight(mission);
   return {std::move(checked), std::move(mission)};
 }
 

@@ -3,6 +3,8 @@
 
 #include "flights/broken_assumption.h"
 
+#include "ir/core/inside.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -58,20 +60,6 @@ std::optional<FlownViolation> fastCurrent(double limit, const support::Trace& tr
 
 }  // namespace
 
-/// By the number of edges that a ray to the east crosses.
-bool isInside(const ir::Geofence& area, double latitude, double longitude) {
-  const auto east = [&](double other) { return std::remainder(other - longitude, 360); };
-  bool inside = false;
-  for (size_t i = 0; i < area.corners.size(); ++i) {
-    const ir::Position& a = area.corners[i];
-    const ir::Position& b = area.corners[(i + 1) % area.corners.size()];
-    const bool crosses = (a.latitude <= latitude) != (b.latitude <= latitude);
-    const double share = (latitude - a.latitude) / (b.latitude - a.latitude);
-    inside ^= crosses && east(a.longitude) + share * (east(b.longitude) - east(a.longitude)) > 0;
-  }
-  return inside;
-}
-
 std::optional<FlownViolation> breakInTrace(const ir::Assumption& assumption,
                                            const support::Trace& trace, const HeardTick& start) {
   const FlownStart flown(trace, start);
@@ -88,7 +76,8 @@ std::optional<FlownViolation> breakInTrace(const ir::Assumption& assumption,
   if (assumption.kind == AssumptionKind::StartInside) {
     const double latitude = flown.atStart("true_lat");
     const double longitude = flown.atStart("true_lon");
-    const bool outside = latitude == latitude && !isInside(assumption.area, latitude, longitude);
+    const bool outside =
+        latitude == latitude && !ir::isInside(assumption.area, {latitude, longitude});
     return outside ? std::optional(flown.broken(
                          flown.row(),
                          fmt::format("the mission begins at {:.4f}, {:.4f}", latitude, longitude)))

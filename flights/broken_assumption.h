@@ -12,10 +12,6 @@
 
 namespace glider::flights {
 
-/// Whether a place (degrees, north and east positive) is inside the corners of `area`, as `inside`
-/// of the language counts.
-bool isInside(const ir::Geofence& area, double latitude, double longitude);
-
 /// When a flight breaks an assumption about its start or the current: by the vehicle's own estimate
 /// of it, which is made at the surface from the fixes and may be wrong by 0.1 m/s. `start` is the
 /// first tick. The state is left empty if the trace does not say it.

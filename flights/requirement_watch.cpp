@@ -53,7 +53,33 @@ InProcessSbc::Watcher RequirementWatch::watcher(const std::vector<double>& param
     if (start == 1) {
       heard_.look(context, now);
     }
+    lookForOutage(context, now, start);
   };
+}
+
+/// An SBC that does not continue, but starts its mission again, has an earlier mission time.
+void RequirementWatch::lookForOutage(const GliderContext& context, double now_s, size_t start) {
+  const double time = context.mission_time;
+  if (start > std::max<size_t>(latest_start_, 1) && time > latest_) {
+    outages_.push_back({latest_, time, now_s, context.state});
+  }
+  if (start > latest_start_ || time > latest_) {
+    latest_ = time;
+  }
+  latest_start_ = start;
+}
+
+/// The tick after a restart, which ends an outage longer than the assumed one.
+std::optional<FlownViolation> RequirementWatch::tooLong(const ir::Assumption& assumption) const {
+  const double limit = std::max(assumption.limit, flown_.platform().world.tick_gap_s);
+  const auto found = std::ranges::find_if(
+      outages_, [&](const Outage& outage) { return outage.to - outage.from > limit; });
+  if (assumption.kind != ir::AssumptionKind::Outage || found == outages_.end()) {
+    return std::nullopt;
+  }
+  return FlownViolation{0, found->to, found->vehicle_time,
+                        flown_.mission.states.at(found->state).name,
+                        fmt::format("there was no tick for {:.0f} s", found->to - found->from)};
 }
 
 namespace {
@@ -115,6 +141,19 @@ std::optional<FlownViolation> violationOf(const compiler::Optimised& mission, si
   return found;
 }
 
+std::optional<double> assumptionsBroken(const compiler::Optimised& mission,
+                                        std::span<const HeardTick> ticks,
+                                        const std::vector<double>& parameters,
+                                        const support::Trace& trace) {
+  std::optional<double> first;
+  for (const ir::Assumption& assumption : mission.checked->mission().assumptions) {
+    if (const auto found = firstBreak(assumption, {mission, ticks, parameters, trace})) {
+      first = std::min(found->mission_time, first.value_or(found->mission_time));
+    }
+  }
+  return first;
+}
+
 std::vector<FlownViolation> RequirementWatch::violations(const support::Trace& trace) const {
   std::vector<FlownViolation> all;
   for (size_t i = 0; i < m_.requirements.size(); ++i) {
@@ -123,7 +162,9 @@ std::vector<FlownViolation> RequirementWatch::violations(const support::Trace& t
     }
   }
   for (size_t i = 0; i < m_.assumptions.size(); ++i) {
-    if (auto found = firstBreak(m_.assumptions[i], {flown_, heard_.ticks(), parameters_, trace})) {
+    auto found = firstBreak(m_.assumptions[i], {flown_, heard_.ticks(), parameters_, trace});
+    found = found ? found : tooLong(m_.assumptions[i]);
+    if (found) {
       found->number = m_.requirements.size() + i;
       all.push_back(*std::move(found));
     }

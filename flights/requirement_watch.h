@@ -32,6 +32,12 @@ std::optional<FlownViolation> violationOf(const compiler::Optimised& mission, si
                                           const std::vector<double>& parameters,
                                           const support::Trace& trace);
 
+/// The mission time, s, at which the same flight first breaks an assumption of `mission`.
+std::optional<double> assumptionsBroken(const compiler::Optimised& mission,
+                                        std::span<const HeardTick> ticks,
+                                        const std::vector<double>& parameters,
+                                        const support::Trace& trace);
+
 /// Watches an SBC in this process, and checks the requirements and assumptions of its mission
 /// afterwards.
 class RequirementWatch {
@@ -43,7 +49,8 @@ class RequirementWatch {
   [[nodiscard]] static bool canWatch(const compiler::Optimised& mission);
 
   /// What the SBC calls after each poll; to be asked for each time that it starts. A flight is
-  /// watched until the SBC starts again, because its card may not have kept the last ticks.
+  /// watched until the SBC starts again, because its card may not have kept the last ticks; only
+  /// outages are looked for after that.
   InProcessSbc::Watcher watcher(const std::vector<double>& parameters);
 
   /// The first violation of each requirement, then the first break of each assumption; `trace` is
@@ -52,9 +59,22 @@ class RequirementWatch {
   [[nodiscard]] const ir::Mission& mission() const { return m_; }
 
  private:
+  /// The time without ticks that a restart ends.
+  struct Outage {
+    double from = 0;          ///< mission time, s
+    double to = 0;            ///< mission time, s
+    double vehicle_time = 0;  ///< of its end, s
+    uint32_t state = 0;
+  };
+  void lookForOutage(const GliderContext& context, double now_s, size_t start);
+  [[nodiscard]] std::optional<FlownViolation> tooLong(const ir::Assumption& assumption) const;
+
   const compiler::Optimised& flown_;
   const ir::Mission& m_;  ///< with its requirements
   HeardTicks heard_;
+  std::vector<Outage> outages_;
+  double latest_ = 0;  ///< mission time of the latest tick, s
+  size_t latest_start_ = 0;
   std::vector<double> parameters_;
   size_t starts_ = 0;
 };

@@ -82,7 +82,8 @@ Result<Rechecked> recheckInvariants(const Certificate& certificate,
                                     const compiler::Checked& checked, uint32_t requirement) {
   Rechecked result;
   const ir::Mission mission = assuming(certificate, checked.mission());
-  const platforms::Platform platform = ir::underAssumptions(checked.platform(), mission);
+  const platforms::Platform platform =
+      ir::underAssumptions(ir::notNarrowed(checked.platform(), checked.mission()), mission);
   const double gap = ir::certify::longestGap(mission, platform);
   for (const ir::certify::Script& script : ir::certify::obligationsOf(
            mission, platform, mission.requirements.at(requirement), certificate.invariants, gap)) {

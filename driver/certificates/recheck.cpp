@@ -53,9 +53,13 @@ Result<Line> rechecked(const compiler::Optimised& mission, uint32_t number,
           ? fmt::format("a run of {} ticks, replayed on the compiled mission", found->obligations)
           : fmt::format("{} configuration{}, {} obligations met", certificate->invariants.size(),
                         certificate->invariants.size() == 1 ? "" : "s", found->obligations);
-  return Line{fmt::format("accepted: {}\n  by {}: {}\n", words,
-                          ir::prove::word(certificate->method), shown),
-              true};
+  ir::prove::RequirementVerdict rests;
+  rests.assumptions = certificate->assumptions;
+  const std::string premises = ir::prove::premisesOf(rests, mission.checked->mission());
+  return Line{
+      fmt::format("accepted: {}\n  by {}: {}\n{}", words, ir::prove::word(certificate->method),
+                  shown, premises.empty() ? "" : fmt::format("  {}\n", premises)),
+      true};
 }
 
 }  // namespace

@@ -422,6 +422,9 @@ struct Mission {
   std::vector<Case> always;        ///< no Return, no Done
   GuardTable always_table;         ///< of `always`; may be empty
   std::vector<State> states;       ///< the first is where the mission starts
+  /// Runs at the start and in each tick, before the cases are tried: Set, If and Log, of variables
+  /// of the kind Mission. It reads no temporal. Invalid: nothing.
+  BlockId every_tick;
   std::vector<Requirement> requirements;
   std::vector<Assumption> assumptions;
   /// The longest outage of the SBC after which the mission continues, s; kResumeWithin_s unless the

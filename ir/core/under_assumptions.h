@@ -10,7 +10,8 @@ namespace glider::ir {
 
 /// The mission as proofs see it that rest on its assumptions:
 /// - Range: the sensor's range is narrowed, so a known reading is in it;
-/// - Outage: `resume_within_s` is at most the limit;
+/// - Outage: `resume_within_s` is at most the limit, which is that of each outage, not of all
+/// together;
 /// - Always: requirements of the kinds Always (without geofences) and ExitWithin, which then is one
 ///   of the kind Always too, are not violated once an assumption is broken, from that tick on.
 /// Expressions, states and requirements keep their numbers. It is not what flies.

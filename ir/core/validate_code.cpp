@@ -55,6 +55,7 @@ class CodeValidator {
       oneCase(c, kNoState, ListKind::Always, always);
     }
     table(m_.always_table, m_.always.size(), always, {});
+    everyTick();
     std::set<std::string_view> names;
     for (uint32_t i = 0; i < m_.states.size(); ++i) {
       const State& s = m_.states[i];
@@ -99,6 +100,12 @@ class CodeValidator {
     return fence.corners.size() >= 3 && std::ranges::all_of(fence.corners, [](const Position& p) {
              return std::fabs(p.latitude) <= 90 && std::fabs(p.longitude) <= 180;
            });
+  }
+
+  void everyTick() {
+    in_every_tick_ = true;
+    action(m_.every_tick, kNoState, {});
+    in_every_tick_ = false;
   }
 
   void requirement(const Requirement& r) {
@@ -326,6 +333,8 @@ class CodeValidator {
             "a monitor does more than watch");
     require(!in_monitor_ || !exists(s.value) || reads_[s.value.index].temporals_end == 0, s.range,
             "a monitor observes something over time");
+    require(!in_every_tick_ || everyTickMay(s), s.range,
+            "what runs in every tick reads a temporal, or commands");
     switch (s.kind) {
       case StatementKind::Set:
         set(s, state);
@@ -343,6 +352,14 @@ class CodeValidator {
         return;
     }
     require(false, s.range, "a statement of unknown kind");
+  }
+
+  [[nodiscard]] bool everyTickMay(const Statement& s) const {
+    const auto timeless = [&](ExprId id) {
+      return !exists(id) || reads_[id.index].temporals_end == 0;
+    };
+    return s.kind != StatementKind::Command && timeless(s.value) &&
+           std::ranges::all_of(s.values, timeless);
   }
 
   void set(const Statement& s, StateId state) {
@@ -487,6 +504,7 @@ class CodeValidator {
   std::vector<uint32_t> block_uses_;
   std::vector<size_t> arguments_;  ///< how many each state owns
   bool in_monitor_ = false;        ///< what is checked belongs to a requirement
+  bool in_every_tick_ = false;     ///< what is checked is Mission::every_tick
 };
 
 }  // namespace

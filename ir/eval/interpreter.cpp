@@ -86,6 +86,7 @@ void Interpreter::begin(std::span<const SensorUpdate> frame, std::span<const dou
   }
   initialise(false);
   startTemporals(true, Moment::Start);
+  run(mission_.every_tick);
 }
 
 TickResult Interpreter::tick(double mission_time, std::span<const SensorUpdate> frame) {
@@ -98,7 +99,9 @@ void Interpreter::advance(double mission_time, std::span<const SensorUpdate> fra
   CHECK(std::isfinite(mission_time), "mission time is a number");
   if (!finished_) {
     take(mission_time, frame);
-    advanceTemporals();
+    startTemporals(true, Moment::Advance);
+    run(mission_.every_tick);
+    startTemporals(false, Moment::Advance);
   }
 }
 

@@ -99,7 +99,6 @@ class Interpreter {
   [[nodiscard]] double age(SensorId id) const;
 
   [[nodiscard]] bool current(const Temporal& temporal) const;
-  void advanceTemporals();
   void startTemporals(bool always, Moment moment);
   void update(uint32_t temporal, Moment moment);
   void updateGuard(const Temporal& temporal, TemporalState& state, bool start);

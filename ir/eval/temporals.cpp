@@ -37,11 +37,6 @@ bool Interpreter::current(const Temporal& temporal) const {
 }
 
 /// Step 3. The order is visible in the calls of C functions.
-void Interpreter::advanceTemporals() {
-  startTemporals(true, Moment::Advance);
-  startTemporals(false, Moment::Advance);
-}
-
 /// The temporals of `always`, or those of the current state, start, continue after a return, or
 /// advance.
 void Interpreter::startTemporals(bool always, Moment moment) {

@@ -4,8 +4,8 @@
 #include "ir/opt/optimise.h"
 
 #include "ir/core/validate.h"
-#include "ir/opt/drop_requirements.h"
 #include "ir/opt/passes.h"
+#include "ir/opt/prepare_for_flight.h"
 #include "support/check.h"
 
 namespace glider::ir {
@@ -21,7 +21,7 @@ std::span<const OptPass> optPasses() {
 
 Mission optimise(Mission mission,
                  const std::function<void(const OptPass&, const Mission&)>& after) {
-  dropRequirements(mission);
+  prepareForFlight(mission);
   for (const OptPass& pass : optPasses()) {
     pass.run(mission);
     if (after) {

@@ -86,6 +86,7 @@ class References {
     for (Assumption& assumption : mission.assumptions) {
       of(assumption.watch);
     }
+    name(mission.every_tick);
     for (Case& c : mission.always) {
       of(c);
     }

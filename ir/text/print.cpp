@@ -59,6 +59,12 @@ std::string Printer::run() {
     --indent_;
   }
   std::ranges::for_each(m_.states, [&](const State& s) { state(s); });
+  if (m_.every_tick.valid()) {
+    add("\n");
+    defineBlocks(m_.every_tick);
+    line("every tick ");
+    useBlock(m_.every_tick, "do");
+  }
   std::ranges::for_each(m_.requirements, [&](const Requirement& r) { requirement(r); });
   std::ranges::for_each(m_.assumptions, [&](const Assumption& a) { assumption(a); });
   while (defineNext(UINT32_MAX)) {

@@ -71,6 +71,9 @@ class Reader {
       always();
     } else if (in_.accept("state")) {
       state();
+    } else if (in_.accept("every")) {
+      in_.expect("tick");
+      code_.entry(m_.every_tick);
     } else if (in_.accept("monitor")) {
       monitor();
     } else if (in_.peek().isWord("require")) {
@@ -84,7 +87,7 @@ class Reader {
     } else if (!code_.definition()) {
       in_.failExpecting(
           "`sensor`, `behaviour`, `variable`, `table`, `function`, `use`, `let`, `always`, "
-          "`state`, `require`, `assume`, `resume` or `compass`");
+          "`state`, `every`, `require`, `assume`, `resume` or `compass`");
     }
   }
 

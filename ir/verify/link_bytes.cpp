@@ -55,11 +55,12 @@ uint64_t tick(const Mission& mission, const platforms::Platform& platform) {
 }
 
 bool leavesNotes(const Mission& mission) {
-  return std::ranges::any_of(mission.blocks, [](const Block& block) {
-    return std::ranges::any_of(block.statements, [](const Statement& statement) {
-      return statement.kind == StatementKind::Log || statement.kind == StatementKind::Set;
-    });
-  });
+  return !mission.assumptions.empty() ||
+         std::ranges::any_of(mission.blocks, [](const Block& block) {
+           return std::ranges::any_of(block.statements, [](const Statement& statement) {
+             return statement.kind == StatementKind::Log || statement.kind == StatementKind::Set;
+           });
+         });
 }
 
 bool startsWithHook(const platforms::PlatformSensor& sensor) {

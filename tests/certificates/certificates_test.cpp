@@ -369,6 +369,18 @@ void expectToRestOn(const std::string& assumption, const std::string& requiremen
       analysis::certificateFromJson(other.dump(), "c.json", issued.mission->checked->mission()));
 }
 
+/// A mission that assumes a deeper start is checked with that start, also for a certificate that
+/// does not name the assumption.
+TEST_F(Certificates, OfTheUsualStartAreRefusedWhereADeeperOneIsAssumed) {
+  const std::string rest = std::string("require always depth <= 35 m\n") + kPatrol;
+  const Issued usual = issue("mission m\n" + rest);
+  const Issued deeper = issue("mission m\nassume start depth <= 50 m\n" + rest);
+  ASSERT_TRUE(usual.rechecked(0, usual.file(0)).accepted);
+  json file = json::parse(usual.file(0));
+  file["subject"] = *analysis::subjectOf(*deeper.mission->checked);
+  EXPECT_FALSE(deeper.rechecked(0, file.dump()).accepted);
+}
+
 /// The second check makes the assumptions that the certificate names, and no others.
 TEST_F(Certificates, RestOnTheAssumptionsThatTheyName) {
   expectToRestOn("no outage", "exit within 62 min", kPatrol);

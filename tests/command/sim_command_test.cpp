@@ -69,6 +69,28 @@ TEST_F(Sim, AFlightThatBreaksAnAssumptionWarns) {
   }
 }
 
+/// The tick after the restart ends the outage: the flight is not watched further, but that is seen.
+/// On board it is a note, sent to the vehicle once.
+TEST_F(Sim, APowerCutBreaksAnAssumptionAboutOutages) {
+  mission("20 m", "depth", "assume no outage\nassume depth in -1 m .. 40 m\n");
+  std::string scenario = slurp(std::string(GLIDER_SOURCE_DIR) + "/scenarios/default.toml");
+  const std::string skeleton = "\"skeleton.mi\"";
+  ASSERT_NE(scenario.find(skeleton), std::string::npos);
+  scenario.replace(scenario.find(skeleton), skeleton.size(),
+                   "\"" GLIDER_SOURCE_DIR "/scenarios/skeleton.mi\"");
+  (void)folder_.write("cut.toml", scenario + "\n[[faults.power]]\nfrom_s = 100\nto_s = 200\n");
+  const Outcome flown = run("$GLIDERCC sim m.mission --scenario cut.toml -o f");
+  EXPECT_EQ(flown.status, 1) << flown.err;
+  EXPECT_THAT(flown.err, HasSubstr("m.mission:2:1: warning: this flight breaks the assumption: at "
+                                   "mission time "));
+  EXPECT_THAT(flown.err, HasSubstr("there was no tick for 1"));
+  EXPECT_THAT(flown.err, Not(HasSubstr("m.mission:3:1")));
+  const std::string events = slurp(folder_.path() / "f" / "events.csv");
+  const size_t note = events.find("assumption broken: no outage");
+  EXPECT_NE(note, std::string::npos) << events;
+  EXPECT_EQ(events.find("assumption broken", note + 1), std::string::npos) << events;
+}
+
 // accepts: GL5128
 TEST_F(Sim, AFlightWithinItsAssumptionsIsFine) {
   mission("20 m", "depth, gpslat",

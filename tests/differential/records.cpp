@@ -115,7 +115,7 @@ Words record(const Trial& trial, const ir::Interpreter& interpreter, const ir::T
 Trial randomTrial(uint64_t seed, size_t ticks, bool optimised) {
   Trial trial;
   trial.name = "mission and stream of seed " + std::to_string(seed);
-  trial.mission = random_missions::randomMission(seed);
+  trial.mission = random_missions::flownMission(seed);
   trial.stream = random_missions::randomStream(trial.mission, seed, ticks);
   trial.parameters = random_missions::randomParameters(trial.mission, seed);
   if (optimised) {

@@ -50,6 +50,19 @@ TEST(ClosedLoop, NamesAFlightThatBreaksItAndThatFlightDoes) {
   EXPECT_NEAR(time[first], std::stod(named[3].str()), 8);
 }
 
+/// The water of the scenario is warmer from the start.
+TEST(ClosedLoop, CountsNoFlightThatHasBrokenAnAssumption) {
+  const TemporaryFolder folder;
+  const std::string mission =
+      folder
+          .write("m.mission",
+                 yoThatPromises("assume temp in 0 degC .. 5 degC\nrequire always depth < 18 m"))
+          .string();
+  const Outcome checked = runShell("$GLIDERCC check --report " + mission);
+  EXPECT_EQ(checked.status, 1);
+  EXPECT_THAT(checked.out, testing::ContainsRegex("none of [0-9]+ simulated flights violates"));
+}
+
 /// The prover's vehicle may turn later than the simulator's does.
 TEST(ClosedLoop, SaysThatNoFlightBreaksWhatOnlyTheEnvironmentModelCan) {
   const TemporaryFolder folder;

@@ -7,7 +7,7 @@
 #include "ir/core/under_assumptions.h"
 #include "ir/core/validate.h"
 #include "ir/eval/interpreter.h"
-#include "ir/opt/drop_requirements.h"
+#include "ir/opt/prepare_for_flight.h"
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/context/requirement_monitor.h"
 #include "ir/prove/prove.h"
@@ -99,6 +99,26 @@ std::optional<double> firstOf(const Broken& broken, const std::vector<Seen>& fli
   return std::nullopt;
 }
 
+std::vector<ir::SensorUpdate> frameOf(const ir::Mission& mission, const Seen& seen) {
+  std::vector<ir::SensorUpdate> frame;
+  for (uint32_t s = 0; s < mission.sensors.size(); ++s) {
+    const std::string& name = mission.sensors[s].name;
+    frame.push_back({{s},
+                     name == "altitude"   ? seen.altitude
+                     : name == "pressure" ? seen.pressure
+                                          : kUnknown});
+  }
+  return frame;
+}
+
+/// What the text form of `mission` is read as.
+std::string readAgain(const ir::Mission& mission) {
+  support::SourceManager sources;
+  support::DiagnosticEngine diagnostics;
+  const auto again = ir::read(sources, sources.add("m.ir", ir::print(mission)), diagnostics);
+  return again ? ir::print(*again) : support::render(diagnostics, sources, false);
+}
+
 /// When each requirement is violated.
 std::vector<std::optional<double>> watched(const ir::Mission& mission,
                                            const std::vector<ir::Requirement>& requirements,
@@ -109,14 +129,7 @@ std::vector<std::optional<double>> watched(const ir::Mission& mission,
     monitors.emplace_back(mission, requirement, 1.0, std::nullopt);
   }
   for (size_t i = 0; i < flight.size(); ++i) {
-    std::vector<ir::SensorUpdate> frame;
-    for (uint32_t s = 0; s < mission.sensors.size(); ++s) {
-      const std::string& name = mission.sensors[s].name;
-      frame.push_back({{s},
-                       name == "altitude"   ? flight[i].altitude
-                       : name == "pressure" ? flight[i].pressure
-                                            : kUnknown});
-    }
+    const auto frame = frameOf(mission, flight[i]);
     const ir::TickResult result = i == 0 ? run.start(frame, {}) : run.tick(flight[i].time, frame);
     for (ir::RequirementMonitor& monitor : monitors) {
       monitor.tick(run, flight[i].time, result, kUnknown);
@@ -219,18 +232,66 @@ TEST_P(Assumptions, ExcuseWhatComesAfterTheyAreBroken) {
   }
 }
 
+struct OnBoard {
+  std::vector<double> notes;     // when each was left
+  std::vector<uint32_t> states;  // after each tick
+};
+
+/// `flown` on readings, which it names as `mission` does.
+OnBoard fly(const ir::Mission& flown, const std::vector<Seen>& flight) {
+  ir::Interpreter run(flown, 1);
+  OnBoard seen;
+  for (size_t i = 0; i < flight.size(); ++i) {
+    const auto frame = frameOf(flown, flight[i]);
+    const ir::TickResult result = i == 0 ? run.start(frame, {}) : run.tick(flight[i].time, frame);
+    for (const ir::Note& note : result.notes) {
+      EXPECT_TRUE(note.text.starts_with("assumption broken: ")) << note.text;
+      seen.notes.push_back(flight[i].time);
+    }
+    seen.states.push_back(result.state.index);
+    if (result.finished) {
+      break;
+    }
+  }
+  return seen;
+}
+
+/// One note, on the tick that breaks it; between monitors of requirements, which do not fly.
+TEST_P(Assumptions, AreNotedOnBoardOnceAndChangeNothing) {
+  const Assumed assumed = assumptions()[GetParam()];
+  constexpr const char* kRequired =
+      "require visit up within 2 h\nrequire whenever pressure > 2 bar then altitude > 10 m within "
+      "20 s\n";
+  ir::Mission flown = compiled(patrol(fmt::format("{}assume {}\n", kRequired, assumed.text)));
+  ir::Mission plain = compiled(patrol(kRequired));
+  ir::prepareForFlight(flown);
+  ir::prepareForFlight(plain);
+  ASSERT_TRUE(ir::validate(flown).empty()) << ir::print(flown);
+  EXPECT_TRUE(
+      std::ranges::none_of(flown.variables, [](const auto& v) { return ir::isOfMonitor(v.kind); }));
+  EXPECT_EQ(readAgain(flown), ir::print(flown));
+  std::mt19937 rng(11);
+  size_t broken = 0;
+  for (int i = 0; i < 500; ++i) {
+    const auto flight = randomFlight(rng);
+    const OnBoard seen = fly(flown, flight);
+    EXPECT_EQ(seen.states, fly(plain, flight).states);
+    const auto when = firstOf(assumed.broken, flight);
+    const bool in_flight = when && *when <= flight.at(seen.states.size() - 1).time;
+    EXPECT_EQ(seen.notes, in_flight ? std::vector{*when} : std::vector<double>()) << "flight " << i;
+    broken += in_flight ? 1U : 0U;
+  }
+  EXPECT_GT(broken, 25U);
+  EXPECT_LT(broken, 490U);
+}
+
 TEST_P(Assumptions, HaveATextForm) {
   const ir::Mission mission = compiled(patrol(fmt::format(
       "require always pressure <= 2 bar\nassume {}\nassume current <= 0.3 m/s\n"
       "assume start depth <= 1 m\nassume start inside(39 N 74 W, 39 N 73 W, 40 N 73.5 W)",
       assumptions()[GetParam()].text)));
-  support::SourceManager sources;
-  support::DiagnosticEngine diagnostics;
-  const std::string text = ir::print(mission);
-  const auto again = ir::read(sources, sources.add("m.ir", text), diagnostics);
-  ASSERT_TRUE(again.has_value()) << support::render(diagnostics, sources, false) << text;
-  EXPECT_EQ(ir::print(*again), text);
-  EXPECT_EQ(again->assumptions.size(), 4U);
+  EXPECT_EQ(mission.assumptions.size(), 4U);
+  EXPECT_EQ(readAgain(mission), ir::print(mission));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Assumptions, testing::Range(size_t{0}, assumptions().size()));
@@ -365,6 +426,106 @@ TEST(AssumptionVerdicts, NoFlightThatBreaksOneShowsAnything) {
   EXPECT_NE(check(patrol("assume altitude > 6 m\nrequire can reach up")).verdict, "proved");
 }
 
+/// The reading of the depth differs from the true depth, which the assumption is about.
+TEST(AssumptionVerdicts, OfADepthDoNotNarrowItsReadings) {
+  const std::string mission = patrol("assume depth in 0 m .. 18 m\nrequire never up");
+  const auto at = mission.find("altitude < 5 m &&");
+  EXPECT_NE(check(std::string(mission).replace(at, 17, "depth > 18.3 m &&")).verdict, "proved");
+}
+
+/// Sixty outages of a minute last as long together as `resume within` allows.
+TEST(AssumptionVerdicts, OfEachOutageDoNotBoundThemAllTogether) {
+  const auto verdict = [](const char* outage) {
+    return check(fmt::format(R"(mission m
+{}
+resume within 1 h
+assume start inside(39.2 N 73.76 W, 39.2 N 73.75 W, 39.201 N 73.75 W)
+require always inside(39.0 N 74.0 W, 39.0 N 73.5 W, 39.26 N 73.5 W, 39.26 N 74.0 W)
+state up
+begin
+  flightroute   nav(39.2 N, 73.76 W)
+  flightprofile yo(5 m, 15 m, 26 deg, 26 deg)
+  sensors       missiontime
+  events
+    case missiontime >= 2 h exit
+end
+)",
+                             outage))
+        .verdict;
+  };
+  EXPECT_EQ(verdict("assume no outage"), "proved");
+  EXPECT_NE(verdict("assume outage <= 60 s"), "proved");
+}
+
+/// A flight begins where the mission assumes it.
+TEST(AssumptionVerdicts, OfTheStartHoldInCounterexamples) {
+  EXPECT_NE(check(R"(mission m
+assume start inside(39.2 N 73.76 W, 39.2 N 73.75 W, 39.201 N 73.75 W)
+assume current <= 0 m/s
+assume no outage
+require always inside(39.0 N 74.0 W, 39.0 N 73.5 W, 39.4 N 73.5 W, 39.4 N 74.0 W)
+state up
+begin
+  flightroute   nav(39.45 N, 73.76 W)
+  flightprofile yo(5 m, 15 m, 26 deg, 26 deg)
+  sensors       missiontime
+  events
+    case missiontime >= 2 h exit
+end
+)")
+                .verdict,
+            "refuted");
+}
+
+/// A requirement that does not mention the depth: its counterexamples need a possible depth too.
+TEST(AssumptionVerdicts, OfTheStartHoldForTheReadingOfTheDepth) {
+  EXPECT_NE(check(R"(mission m
+assume start depth <= 0 m
+require never long
+state up
+begin
+  flightprofile surfaced
+  sensors       missiontime, depth
+  events
+    case depth > 50 m        goto long
+    case missiontime >= 2 h exit
+end
+state long
+begin
+  flightprofile surfaced
+  sensors       missiontime
+  events
+    case missiontime >= 20 h exit
+end
+)")
+                .verdict,
+            "refuted");
+}
+
+TEST(AssumptionVerdicts, OneAloneMayContradictItself) {
+  EXPECT_TRUE(check(patrol("assume missiontime < 0 s")).contradict);
+  EXPECT_TRUE(check(patrol("assume 1 > 2")).contradict);
+  EXPECT_TRUE(check(patrol("assume start inside(39 N 74 W, 39.1 N 74 W, 39.2 N 74 W)")).contradict);
+  EXPECT_FALSE(
+      check(patrol("assume start inside(39 N 74 W, 39.1 N 74 W, 39.1 N 74.1 W)")).contradict);
+  EXPECT_FALSE(check(patrol("assume temp < 5 degC")).contradict);
+}
+
+/// Without readings no limit is broken.
+TEST(AssumptionVerdicts, UnknownReadingsContradictNothing) {
+  EXPECT_FALSE(check(patrol("assume !known(temp)\nassume temp > 5 degC")).contradict);
+  EXPECT_TRUE(check(patrol("assume !known(temp)\nassume known(temp)")).contradict);
+  EXPECT_TRUE(
+      check(patrol("assume known(temp) && temp > 5 degC\nassume temp < 4 degC")).contradict);
+  frontend::testing_support::FrontendRun run(
+      patrol("assume !known(temp)\nrequire always temp > 30 degC\nrequire always temp < 30 degC"));
+  const auto mission = run.compile();
+  ASSERT_TRUE(mission.has_value()) << run.said();
+  const ir::MissionFacts facts = ir::verify(*mission, run.diagnostics);
+  (void)ir::prove::prove(*mission, facts, slocum(), {}, run.diagnostics);
+  EXPECT_FALSE(run.says(support::DiagnosticId::requirementsContradict));
+}
+
 TEST(AssumptionVerdicts, ContradictionsAreErrors) {
   EXPECT_TRUE(check(patrol("assume temp in 10 degC .. 20 degC\nassume temp < 5 degC")).contradict);
   EXPECT_TRUE(check(patrol("assume temp in 50 degC .. 60 degC")).contradict);
@@ -375,15 +536,13 @@ TEST(AssumptionVerdicts, ContradictionsAreErrors) {
   EXPECT_FALSE(check(patrol("assume temp < 11 degC\nassume altitude > 99 m")).contradict);
 }
 
-TEST(AssumptionVerdicts, NothingThatFliesDependsOnThem) {
-  const ir::Mission with =
-      compiled(patrol("assume temp in 2 degC .. 28 degC\nassume no outage\n"
-                      "assume known waterdepth every 1 min"));
+/// The start and the current are not watched on board.
+TEST(AssumptionVerdicts, OthersLeaveWhatFliesAsItIs) {
+  ir::Mission with = compiled(patrol("assume start depth <= 1 m\nassume current <= 0.2 m/s\n"));
   ir::Mission without = compiled(patrol(""));
-  ir::Mission flown = with;
-  ir::dropRequirements(flown);
-  ir::dropRequirements(without);
-  EXPECT_EQ(ir::print(flown), ir::print(without));
+  ir::prepareForFlight(with);
+  ir::prepareForFlight(without);
+  EXPECT_EQ(ir::print(with), ir::print(without));
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ TEST_P(Optimised, DoesTheSame) {
   size_t smaller = 0;
   for (uint64_t seed = 1; seed <= kMissions; ++seed) {
     SCOPED_TRACE(seed);
-    const ir::Mission plain = randomMission(seed);
+    const ir::Mission plain = flownMission(seed);
     ir::Mission optimised = plain;
     if (GetParam() == nullptr) {
       optimised = ir::optimise(plain);
@@ -144,7 +144,7 @@ TEST(Sharing, OfTwoThatWatchTheSameOneIsLeft) {
   size_t windows = 0;
   for (uint64_t seed = 1; seed <= kMissions; ++seed) {
     SCOPED_TRACE(seed);
-    const ir::Mission plain = randomMission(seed);
+    const ir::Mission plain = flownMission(seed);
     const ir::Mission doubled = withTwins(plain);
     ASSERT_TRUE(ir::validate(doubled).empty()) << ir::validate(doubled).front().message;
     ir::Mission shared = doubled;

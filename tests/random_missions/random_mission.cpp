@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <span>
 
 namespace glider::random_missions {
 namespace {
@@ -64,7 +65,8 @@ class MissionMaker {
     m_.platform = "slocum";
   }
 
-  ir::Mission run() {
+  /// `flown`: with Mission::every_tick.
+  ir::Mission run(bool flown) {
     sensors();
     behaviours();
     functions();
@@ -73,6 +75,9 @@ class MissionMaker {
     initialValues();
     states();
     always();
+    if (flown) {
+      everyTick();
+    }
     if (seed_ % 4 == 3) {
       m_.compass = ir::Compass{{}, static_cast<double>(seed_ % 300) / 100 - 1.5};
     }
@@ -379,6 +384,17 @@ class MissionMaker {
     }
   }
 
+  void everyTick() {
+    expressions_.stand({ir::ListKind::Always, {}, UINT32_MAX, true});
+    const size_t first = m_.blocks.size();
+    m_.every_tick = blocks_.block(2);
+    for (ir::Block& block : std::span(m_.blocks).subspan(first)) {
+      std::erase_if(block.statements, [](const ir::Statement& statement) {
+        return statement.kind == ir::StatementKind::Command;
+      });
+    }
+  }
+
   /// Whether the mission is free of errors with its last case of `always`, arguments aside.
   bool mayAdd(ir::StateId target) {
     for (ir::VariableId id : m_[target].parameters) {
@@ -403,7 +419,11 @@ class MissionMaker {
 }  // namespace
 
 ir::Mission randomMission(uint64_t seed) {
-  return MissionMaker(seed).run();
+  return MissionMaker(seed).run(false);
+}
+
+ir::Mission flownMission(uint64_t seed) {
+  return MissionMaker(seed).run(true);
 }
 
 ir::Externals randomExternals() {

@@ -29,6 +29,9 @@ namespace glider::random_missions {
 ///     double gliderTestPing(double mission_time);
 ir::Mission randomMission(uint64_t seed);
 
+/// The same with a block that runs in every tick, which only what flies has: proofs ignore it.
+ir::Mission flownMission(uint64_t seed);
+
 /// The C functions of random missions (tests/random_missions/external_functions.h), for one run.
 ir::Externals randomExternals();
 

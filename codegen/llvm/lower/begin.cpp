@@ -16,11 +16,11 @@ bool isMissions(const ir::Variable& variable) {
 
 }  // namespace
 
-/// The mission's variables in order, then the temporals of `always`.
+/// The mission's variables in order, then the temporals of `always`, then what runs every tick.
 llvm::Function* lowerBegin(Lowering& lowering) {
   const ir::Mission& mission = lowering.mission;
   if (std::ranges::none_of(mission.variables, isMissions) &&
-      lowering.index.always_temporals.empty()) {
+      lowering.index.always_temporals.empty() && !mission.every_tick.valid()) {
     return nullptr;
   }
   Body body(lowering, "begin", Body::Result::None, 0, "mission begins",
@@ -32,6 +32,7 @@ llvm::Function* lowerBegin(Lowering& lowering) {
   }
   lowerWindowStarts(body, lowering.index.always_temporals);
   lowerTemporals(body, lowering.index.always_temporals, Moment::Start);
+  lowerBlock(body, mission.every_tick);
   body.builder.CreateRetVoid();
   return body.function;
 }

@@ -39,7 +39,7 @@ StateFunctions lowerState(Lowering& lowering, uint32_t index, bool profile) {
   functions.act = lowerAct(lowering, state.cases, state.name, state.range);
   functions.enter = lowerEnter(lowering, index);
   functions.advance =
-      lowerAdvance(lowering, lowering.index.state_temporals[index], state.name, state.range);
+      lowerAdvance(lowering, lowering.index.state_temporals[index], {}, state.name, state.range);
   functions.profile = profile ? lowerProfile(lowering, index)
                               : declareFly(lowering, index, state.profile, "profile");
   functions.route = lowerFly(lowering, index, state.route, "route", blocks.route);
@@ -65,7 +65,8 @@ MissionFunctions lowerFunctions(Lowering& lowering) {
   const support::SourceRange range = mission.states.front().range;
   MissionFunctions functions;
   functions.begin = lowerBegin(lowering);
-  functions.advance = lowerAdvance(lowering, lowering.index.always_temporals, "always", range);
+  functions.advance =
+      lowerAdvance(lowering, lowering.index.always_temporals, mission.every_tick, "always", range);
   functions.guards = lowerGuards(lowering, mission.always, mission.always_table,
                                  lowering.index.always_table_memory, "always", range);
   functions.act = lowerAct(lowering, mission.always, "always", range);

@@ -73,8 +73,9 @@ llvm::Function* lowerGuards(Lowering& lowering, const std::vector<ir::Case>& cas
                             support::SourceRange range);
 llvm::Function* lowerAct(Lowering& lowering, const std::vector<ir::Case>& cases,
                          const std::string& name, support::SourceRange range);
+/// The temporals advance, then `then` runs, which may be invalid.
 llvm::Function* lowerAdvance(Lowering& lowering, const std::vector<ir::TemporalId>& temporals,
-                             const std::string& name, support::SourceRange range);
+                             ir::BlockId then, const std::string& name, support::SourceRange range);
 llvm::Function* lowerEnter(Lowering& lowering, uint32_t state);
 /// The function of a profile or route; `kind` is "profile" or "route".
 llvm::Function* lowerFly(Lowering& lowering, uint32_t state, const ir::Activity& activity,

@@ -92,12 +92,14 @@ void lowerTemporals(Body& body, const std::vector<ir::TemporalId>& temporals, Mo
 }
 
 llvm::Function* lowerAdvance(Lowering& lowering, const std::vector<ir::TemporalId>& temporals,
-                             const std::string& name, support::SourceRange range) {
-  if (temporals.empty()) {
+                             ir::BlockId then, const std::string& name,
+                             support::SourceRange range) {
+  if (temporals.empty() && !then.valid()) {
     return nullptr;
   }
   Body body(lowering, "advance." + name, Body::Result::None, 0, name + " watches", range);
   lowerTemporals(body, temporals, Moment::Advance);
+  lowerBlock(body, then);
   body.builder.CreateRetVoid();
   return body.function;
 }

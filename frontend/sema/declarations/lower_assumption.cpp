@@ -134,7 +134,9 @@ class AssumptionLowering {
       return false;
     }
     const ir::Type type = scope_.mission[*reading].type;
-    if (type.kind != ir::TypeKind::Quantity) {
+    const bool wraps =  // north is both 0 and 360 degrees
+        scope_.mission[scope_.mission[*reading].sensor].encoding == ir::Encoding::Magnetic;
+    if (type.kind != ir::TypeKind::Quantity || wraps) {
       return refuse(premise.sensor.where, " to change slowly", "assume temp changes <= 0.2 degC/s");
     }
     const ir::Type rate = quantity(*support::quotient(type.dimension, support::dimension::time));
@@ -191,8 +193,9 @@ class AssumptionLowering {
       return refuse(premise.range.lowest, ", which is above the end of the range",
                     "assume temp in 2 degC .. 28 degC");
     }
-    // The prover narrows the range of readings that the vehicle sends in their own unit.
-    if (scope_.mission[sensor.sensor].encoding == ir::Encoding::Linear) {
+    // The prover narrows the range of readings that the vehicle sends in their own unit; but not of
+    // the depth, as its reading differs from the true depth, which the assumption is about.
+    if (scope_.mission[sensor.sensor].encoding == ir::Encoding::Linear && !isDepth(*reading)) {
       result_.kind = AssumptionKind::Range;
       result_.sensor = sensor.sensor;
       result_.lowest = *lowest;

@@ -192,12 +192,35 @@ SafetyProperty safetyPropertyFor(const Requirement& requirement, z3::context& co
   return {};
 }
 
-ConeOfInfluence relevanceOf(const Requirement& requirement, const ProofContext& proof_context) {
+namespace {
+
+ConeOfInfluence coneOf(const Requirement& requirement, const ProofContext& proof_context,
+                       bool vehicle) {
   std::vector<ExprId> asked;
   if (requirement.condition.valid()) {
     asked.push_back(requirement.condition);
   }
-  return relevanceFor(proof_context.mission, asked, reckonsWithDepth(requirement, proof_context));
+  return relevanceFor(proof_context.mission, asked, vehicle);
+}
+
+}  // namespace
+
+ConeOfInfluence relevanceOf(const Requirement& requirement, const ProofContext& proof_context) {
+  return coneOf(requirement, proof_context, reckonsWithDepth(requirement, proof_context));
+}
+
+ConeOfInfluence withVehicle(const Requirement& requirement, const ProofContext& proof_context) {
+  return coneOf(requirement, proof_context, true);
+}
+
+bool readsDepth(const ConeOfInfluence& relevance, const ProofContext& proof_context) {
+  for (size_t i = 0; i < relevance.expressions.size(); ++i) {
+    const Expr& e = proof_context.mission.exprs[i];
+    if (relevance.expressions[i] && e.op == Op::Sensor && proof_context.depth == e.sensor) {
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace glider::ir::prove

@@ -19,4 +19,10 @@ bool reckonsWithDepth(const Requirement& requirement, const ProofContext& proof_
 /// The cone of influence of the question about a requirement.
 ConeOfInfluence relevanceOf(const Requirement& requirement, const ProofContext& proof_context);
 
+/// The same with the vehicle's depth: a larger question, whose traces are of possible vehicles.
+ConeOfInfluence withVehicle(const Requirement& requirement, const ProofContext& proof_context);
+
+/// Whether the depth that the vehicle reports is in a cone of influence.
+bool readsDepth(const ConeOfInfluence& relevance, const ProofContext& proof_context);
+
 }  // namespace glider::ir::prove

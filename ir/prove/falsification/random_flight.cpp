@@ -3,6 +3,7 @@
 
 #include "ir/prove/falsification/random_flight.h"
 
+#include "ir/core/inside.h"
 #include "ir/prove/context/vehicle_clock.h"
 #include "ir/prove/falsification/random_place.h"
 #include "ir/prove/falsification/random_vehicle.h"
@@ -99,9 +100,29 @@ class RandomFlight {
     }
   }
 
+  /// In the area that is assumed, whose middle may be outside.
+  Position startIn(const Geofence& area) {
+    constexpr int kTries = 100;
+    const auto share = [&](double Position::* axis) {
+      const auto [low, high] = std::ranges::minmax(area.corners, {}, axis);
+      return dice_.within(low.*axis, high.*axis);
+    };
+    Position place;
+    for (int i = 0; i < kTries; ++i) {
+      place = {share(&Position::latitude), share(&Position::longitude)};
+      if (isInside(area, place)) {
+        return place;
+      }
+    }
+    return area.corners.front();
+  }
+
   /// A waypoint at which a mission that keeps its geofences well may begin, usually one on the
   /// right side; otherwise the middle of an area.
   Position startOf(const Requirement& requirement) {
+    if (const auto assumed = assumedStart(m_)) {
+      return startIn(*assumed);
+    }
     const std::vector<Position> all = steeringOf(proof_context_).waypoints;
     std::vector<Position> kept;
     std::ranges::copy_if(all, std::back_inserter(kept), [&](const Position& place) {

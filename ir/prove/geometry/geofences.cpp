@@ -3,6 +3,7 @@
 
 #include "ir/prove/geometry/geofences.h"
 
+#include "ir/core/inside.h"
 #include "ir/prove/geometry/area_map.h"
 #include "ir/prove/geometry/steering.h"
 
@@ -19,20 +20,14 @@ constexpr double kLongest = 3 * 86400.0;
 /// For an area to stay out of, m: control is given no farther than this from some waypoint.
 constexpr double kStartWithin = 50000;
 
-/// How far the vehicle may get off its legs, m, in `time` seconds.
-double offLegs(const ProofContext& proof_context, bool by_heading, double time) {
+/// How far the vehicle may get off its legs, m, in `time` seconds, of which the SBC is without
+/// power for `dark` at most.
+double offLegs(const ProofContext& proof_context, bool by_heading, double time, double dark) {
   const platforms::EnvironmentModel& world = proof_context.platform.world;
   const double set =
       std::max(proof_context.platform.envelope.drift_m_s, world.surface_drift_m_s) * time;
-  const double astray = by_heading ? time : std::min(time, proof_context.mission.resume_within_s);
+  const double astray = by_heading ? time : std::min(time, dark);
   return world.steering_error_m + set + world.through_water_m_s * astray;
-}
-
-/// The corners of the area in which control is assumed to be given; none: nothing is assumed.
-std::vector<Position> assumedStarts(const Mission& mission) {
-  const auto start =
-      std::ranges::find(mission.assumptions, AssumptionKind::StartInside, &Assumption::kind);
-  return start == mission.assumptions.end() ? std::vector<Position>() : start->area.corners;
 }
 
 std::string reasonOf(const ProofContext& proof_context, const Geofence& fence,
@@ -54,21 +49,22 @@ std::string reasonOf(const ProofContext& proof_context, const Geofence& fence,
 }  // namespace
 
 GeofenceVerdict judgeGeofences(const std::vector<Geofence>& geofences,
-                               const ProofContext& proof_context, Ending& ending) {
+                               const ProofContext& proof_context, double dark_s, Ending& ending) {
   const auto end = ending.by(kLongest);
   if (!end) {
     return {false, 0, 0, "the mission is not known to end within three days"};
   }
   const Steering steering = steeringOf(proof_context);
-  const double off_legs = offLegs(proof_context, steering.by_heading, *end);
+  const double off_legs = offLegs(proof_context, steering.by_heading, *end, dark_s);
   GeofenceVerdict verdict{true, off_legs, 0, ""};
   if (steering.waypoints.empty()) {
     return {false, 0, 0, "it does not steer to a waypoint, so its track has no bound"};
   }
   std::vector<Position> places = steering.waypoints;
-  const std::vector<Position> starts = assumedStarts(proof_context.mission);
-  places.insert(places.end(), starts.begin(), starts.end());
-  verdict.start_assumed = !starts.empty();
+  if (const auto start = assumedStart(proof_context.mission)) {
+    places.insert(places.end(), start->corners.begin(), start->corners.end());
+    verdict.start_assumed = true;
+  }
   for (const Geofence& fence : geofences) {
     const AreaMap map(fence.corners, places);
     const Clearance found = map.clearance(fence, places);

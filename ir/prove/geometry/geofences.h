@@ -43,8 +43,9 @@ struct GeofenceVerdict {
 /// is given, its corners are taken like waypoints. Otherwise the verdict assumes that control is
 /// given on the right side of the edges by the margin and within `start_within_m`, and that the
 /// hull of that place and the waypoints is on the right side. (A way from farther off would bend
-/// more on the map.) Distances are those of area_map.h, rounded down.
+/// more on the map.) Distances are those of area_map.h, rounded down. In all, the SBC is without
+/// power for `dark_s` seconds at most.
 GeofenceVerdict judgeGeofences(const std::vector<Geofence>& geofences,
-                               const ProofContext& proof_context, Ending& ending);
+                               const ProofContext& proof_context, double dark_s, Ending& ending);
 
 }  // namespace glider::ir::prove

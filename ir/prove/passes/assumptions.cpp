@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/core/under_assumptions.h"
+#include "ir/core/walk.h"
 #include "ir/prove/encoding/any_moment.h"
 #include "ir/prove/passes.h"
 #include "ir/verify/value_text.h"
@@ -9,6 +10,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <vector>
 
@@ -47,39 +50,91 @@ struct Said {
   support::SourceRange range;
 };
 
-/// The condition that not all are true.
-ExprId notAllTrue(Mission& mission, const std::vector<Said>& all) {
-  const auto push = [&](Op op, ExprId a, ExprId b) {
+/// Adds expressions about several conditions to a mission.
+class Together {
+ public:
+  Together(Mission& mission, const std::vector<Said>& all) : m_(mission), all_(all) {}
+
+  /// That not all are true. Where the mission assumes or requires that something is known, or is
+  /// not: that one is false, as without a reading few conditions are.
+  ExprId contradiction() {
+    const auto asks = [&](ExprId id) {
+      return anyIn(m_, id, [](const Expr& e) { return e.op == Op::Known; });
+    };
+    const bool one_is_false =
+        std::ranges::any_of(all_, asks, &Said::condition) ||
+        std::ranges::any_of(m_.assumptions, [&](const Assumption& assumption) {
+          return assumption.watch.condition.valid() && asks(assumption.watch.condition);
+        });
+    ExprId together = all_.front().condition;
+    for (const Said& one : all_) {
+      together = push(Op::And, {together, one.condition});
+    }
+    const ExprId broken = push(Op::Not, {together});
+    return one_is_false ? push(Op::And, {isKnown(broken), broken}) : broken;
+  }
+
+ private:
+  /// Only numbers are asked whether they are known.
+  ExprId isKnown(ExprId truth) {
+    const Type number{TypeKind::Quantity, support::dimension::number};
+    const ExprId any = push(Op::Constant, {}, number);
+    return push(Op::Known, {push(Op::Select, {truth, any, any}, number)});
+  }
+
+  ExprId push(Op op, std::initializer_list<ExprId> operands,
+              const Type& type = {TypeKind::Bool, {}}) {
     Expr expr;
     expr.op = op;
-    expr.type = {TypeKind::Bool, {}};
-    expr.operands = {a, b};
-    mission.exprs.push_back(expr);
-    return ExprId{static_cast<uint32_t>(mission.exprs.size() - 1)};
-  };
-  ExprId together = all.front().condition;
-  for (const Said& one : all) {
-    together = push(Op::And, together, one.condition);
+    expr.type = type;
+    std::ranges::copy(operands, expr.operands.begin());
+    m_.exprs.push_back(expr);
+    return {static_cast<uint32_t>(m_.exprs.size() - 1)};
   }
-  return push(Op::Not, together, {});
-}
 
-/// Reports if no known readings make all conditions true. `mission` may have fewer readings than
-/// the one that is checked.
-void compare(Proof& proof, Mission mission, const std::vector<Said>& all, DiagnosticId id,
-             const char* words) {
-  if (all.size() < 2) {
+  Mission& m_;
+  const std::vector<Said>& all_;
+};
+
+/// Reports if no readings satisfy all conditions. `mission` may have fewer readings than the one
+/// that is checked.
+void compare(Proof& proof, Mission mission, const std::vector<Said>& all, DiagnosticId id) {
+  if (all.empty()) {
     return;
   }
-  const ExprId contradiction = notAllTrue(mission, all);
+  const ExprId contradiction = Together(mission, all).contradiction();
   const ProofContext proof_context(mission, proof.proof_context.platform);
   const std::vector<StateBounds> bounds(mission.states.size(), {0, kAny, kAny, kAny, kAny});
   if (AnyMoment(proof_context, bounds)
           .neverFalse(contradiction, proof.options.effort, proof.checks)) {
-    auto error = proof.diagnostics.report(id, all.back().range, words);
+    auto error = proof.diagnostics.report(
+        id, all.back().range,
+        all.size() == 1 ? "no readings satisfy this one" : "no known readings satisfy them all");
     for (size_t i = 0; i + 1 < all.size(); ++i) {
       error.note(all[i].range, "together with this");
     }
+  }
+}
+
+/// Reports an area of the start whose corners are on a line: no place is inside.
+void checkStart(const Proof& proof, const Assumption& assumption) {
+  if (assumption.kind != AssumptionKind::StartInside) {
+    return;
+  }
+  double twice = 0;
+  const std::vector<Position>& corners = assumption.area.corners;
+  const auto east = [&](const Position& of) {
+    return std::remainder(of.longitude - corners.front().longitude, 360);
+  };
+  for (size_t i = 0; i < corners.size(); ++i) {
+    const Position& a = corners[i];
+    const Position& b = corners[(i + 1) % corners.size()];
+    twice += a.latitude * east(b) - b.latitude * east(a);
+  }
+  constexpr double kRounding = 1e-12;  // square degrees: a square of 10 cm
+  if (std::fabs(twice) <= kRounding) {
+    proof.diagnostics.report(DiagnosticId::assumptionsContradict, assumption.range,
+                             "no place is inside this area, whose corners are on a line");
   }
 }
 
@@ -95,13 +150,13 @@ void passes::assumptions(Proof& proof) {
   const Mission mission = underAssumptions(written);
   std::vector<Said> assumed;
   for (const Assumption& a : written.assumptions) {
+    checkStart(proof, a);
     if (isMomentary(a.watch)) {
       assumed.push_back({a.watch.condition, a.range});
     }
   }
   if (rangesOverlap(proof, mission)) {
-    compare(proof, mission, assumed, DiagnosticId::assumptionsContradict,
-            "no known readings satisfy them all");
+    compare(proof, mission, assumed, DiagnosticId::assumptionsContradict);
   }
 }
 
@@ -112,8 +167,9 @@ void passes::contradictions(Proof& proof) {
       required.push_back({r.condition, r.range});
     }
   }
-  compare(proof, proof.proof_context.mission, required, DiagnosticId::requirementsContradict,
-          "no known readings satisfy them all");
+  if (required.size() > 1) {
+    compare(proof, proof.proof_context.mission, required, DiagnosticId::requirementsContradict);
+  }
 }
 
 }  // namespace glider::ir::prove

@@ -240,9 +240,16 @@ class RequirementCheck {
     return verdict;
   }
 
+  /// How long the SBC is without power in a flight, s: an assumption only limits each outage, but
+  /// one that leaves none limits all.
+  [[nodiscard]] double darkTogether() const {
+    const bool some = m_.resume_within_s > proof_.proof_context.platform.world.tick_gap_s;
+    return some && bare_ != nullptr ? bare_->m_.resume_within_s : m_.resume_within_s;
+  }
+
   RequirementVerdict judgeAreas(const Requirement& requirement) {
     const GeofenceVerdict found =
-        judgeGeofences(requirement.geofences, proof_.proof_context, proof_.ending);
+        judgeGeofences(requirement.geofences, proof_.proof_context, darkTogether(), proof_.ending);
     if (found.proved && found.start_assumed) {
       return {0, Verdict::Proved, std::nullopt};
     }
@@ -306,7 +313,18 @@ class RequirementCheck {
   };
 
   Search search(const Requirement& requirement, const ProofContext& proof_context) {
-    Search found{ask(requirement, proof_context), std::nullopt};
+    const ConeOfInfluence relevance = relevanceOf(requirement, proof_context);
+    Search found = searchIn(requirement, proof_context, relevance);
+    if (!found.run || relevance.vehicle || !readsDepth(relevance, proof_context)) {
+      return found;
+    }
+    // Its readings of the depth may be those of no vehicle.
+    return searchIn(requirement, proof_context, withVehicle(requirement, proof_context));
+  }
+
+  Search searchIn(const Requirement& requirement, const ProofContext& proof_context,
+                  const ConeOfInfluence& relevance) {
+    Search found{ask(requirement, proof_context, relevance), std::nullopt};
     if (found.answer.bad == Answer::Yes) {
       found.run =
           concretize(*found.answer.run, proof_context, proof_.facts.stack_depth, requirement);
@@ -383,7 +401,8 @@ class RequirementCheck {
   }
 
   /// In a separate context: Z3 counts its steps for all questions of a context.
-  RunsAnswer ask(const Requirement& requirement, const ProofContext& proof_context) {
+  RunsAnswer ask(const Requirement& requirement, const ProofContext& proof_context,
+                 const ConeOfInfluence& relevance) {
     const unsigned effort = proof_.searches.allow(proof_.options.run_effort);
     if (effort == 0) {
       return {Answer::Unknown, std::nullopt, limitReached(), 0};
@@ -394,7 +413,6 @@ class RequirementCheck {
       config.set("timeout", static_cast<int>(*limit));
     }
     z3::context context(config);
-    const ConeOfInfluence relevance = relevanceOf(requirement, proof_context);
     const auto size = static_cast<size_t>(std::ranges::count(relevance.expressions, true));
     proof_.searches.spend(Budget::kCondition * size);
     if (size > kMostSearched) {
@@ -438,7 +456,9 @@ class RequirementCheck {
   RequirementVerdict unreached(const Requirement& requirement) {
     proof_.diagnostics.report(
         DiagnosticId::requirementBroken, requirement.range,
-        fmt::format("no possible flight enters state `{}`", m_[requirement.state].name));
+        fmt::format("no possible flight{} enters state `{}`",
+                    m_.assumptions.empty() ? "" : " that satisfies the assumptions",
+                    m_[requirement.state].name));
     return {0, Verdict::Refuted, std::nullopt};
   }
 

@@ -186,7 +186,7 @@ GeofenceVerdict judged(const std::string& text, bool keep_in = true) {
   for (Geofence& fence : geofences) {
     fence.keep_in = keep_in;
   }
-  return judgeGeofences(geofences, proof_context, ending);
+  return judgeGeofences(geofences, proof_context, proof_context.mission.resume_within_s, ending);
 }
 
 Steering steered(const std::string& text) {

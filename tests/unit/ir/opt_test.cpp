@@ -5,9 +5,9 @@
 // sensors that something reads.
 
 #include "ir/core/validate.h"
-#include "ir/opt/drop_requirements.h"
 #include "ir/opt/optimise.h"
 #include "ir/opt/passes.h"
+#include "ir/opt/prepare_for_flight.h"
 #include "tests/unit/ir/missions.h"
 
 #include <gtest/gtest.h>
@@ -256,11 +256,11 @@ constexpr const char* kHead =
     "behaviour profile glide symbol gliderProfileGlide () reads (altitude)\n"
     "behaviour route drift symbol gliderRouteDrift () reads ()\n";
 
-TEST(DropRequirements, KeepsTheSensorsThatSomethingElseReads) {
+TEST(PrepareForFlight, KeepsTheSensorsThatSomethingElseReads) {
   Mission m = missionOf(std::string(kHead) + "require always (lt (sensor heading) 3:angle)\n" +
                         stateText("a", "case (gt (sensor temp) 5:temperature) exit"));
   ASSERT_EQ(m.requirements.size(), 1U);
-  dropRequirements(m);
+  prepareForFlight(m);
   EXPECT_TRUE(m.requirements.empty());
   EXPECT_EQ(sensorsOf(m), (Names{"altitude", "temp"}));
   EXPECT_EQ(m.behaviours[0].reads.at(0).index, 0U) << "the profile reads the altitude";
@@ -271,7 +271,7 @@ TEST(DropRequirements, KeepsTheSensorsThatSomethingElseReads) {
   }
 }
 
-TEST(DropRequirements, TablesOfGuardsFollowTheirSensors) {
+TEST(PrepareForFlight, TablesOfGuardsFollowTheirSensors) {
   std::string cases;
   for (int i = 0; i < 40; ++i) {
     cases += "case (gt (sensor temp) " + std::to_string(i) + ":temperature) stay ";
@@ -280,14 +280,14 @@ TEST(DropRequirements, TablesOfGuardsFollowTheirSensors) {
                         stateText("a", cases));
   opt::tabulateGuards(m);
   ASSERT_FALSE(m.states[0].table.columns.empty());
-  dropRequirements(m);
+  prepareForFlight(m);
   for (const GuardColumn& column : m.states[0].table.columns) {
     ASSERT_TRUE(column.sensor.valid());
     EXPECT_EQ(m[column.sensor].name, "temp");
   }
 }
 
-TEST(DropRequirements, KeepsTheVariationOfTheCompass) {
+TEST(PrepareForFlight, KeepsTheVariationOfTheCompass) {
   Mission m = missionOf(
       "glider_ir 1\nmission m platform slocum\n"
       "sensor altitude: length vehicle m_altitude id 3 encoding linear to_si 1 lowest 0 highest "
@@ -301,16 +301,16 @@ TEST(DropRequirements, KeepsTheVariationOfTheCompass) {
       "behaviour route drift symbol gliderRouteDrift () reads ()\n"
       "require always (lt (sensor altitude) 90:length)\n" +
       stateText("a", "case true exit"));
-  dropRequirements(m);
+  prepareForFlight(m);
   EXPECT_EQ(sensorsOf(m), Names{"variation"});
   ASSERT_TRUE(m.compass.has_value());
   EXPECT_EQ(m.compass->variation.index, 0U);
   EXPECT_TRUE(validate(m).empty());
 }
 
-TEST(DropRequirements, WithoutRequirementsNothingGoes) {
+TEST(PrepareForFlight, WithoutRequirementsNothingGoes) {
   Mission m = missionOf(std::string(kHead) + stateText("a", "case true exit"));
-  dropRequirements(m);
+  prepareForFlight(m);
   EXPECT_EQ(m.sensors.size(), 4U);
 }
 

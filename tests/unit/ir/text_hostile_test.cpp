@@ -26,7 +26,7 @@ void expectAnswer(const std::string& text) {
 }
 
 TEST(IrTextHostile, EveryTruncation) {
-  const std::string text = print(random_missions::randomMission(3));
+  const std::string text = print(random_missions::flownMission(3));
   for (size_t size = 0; size < std::min<size_t>(text.size(), 2500); ++size) {
     expectAnswer(text.substr(0, size));
   }
@@ -36,7 +36,7 @@ TEST(IrTextHostile, BytesChangedLostAndDoubled) {
   random_missions::Random random(1);
   std::vector<std::string> texts;
   for (uint64_t seed = 0; seed < 40; ++seed) {
-    texts.push_back(print(random_missions::randomMission(seed)));
+    texts.push_back(print(random_missions::flownMission(seed)));
   }
   constexpr std::string_view kBytes = "()%:,=\"\\# \n0123456789-+.einfx_\xff\x80";
   for (int round = 0; round < 2500; ++round) {
@@ -66,7 +66,7 @@ TEST(IrTextHostile, WordsExchanged) {
   random_missions::Random random(2);
   std::vector<std::vector<std::string>> missions(20);
   for (uint64_t seed = 0; seed < missions.size(); ++seed) {
-    std::istringstream in(print(random_missions::randomMission(seed)));
+    std::istringstream in(print(random_missions::flownMission(seed)));
     for (std::string word; in >> word;) {
       missions[seed].push_back(word);
     }

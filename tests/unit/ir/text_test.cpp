@@ -117,7 +117,7 @@ void expectSame(const Mission& a, const Mission& b) {
 
 TEST(IrText, RandomMissionsComeBack) {
   for (uint64_t seed = 0; seed < 300; ++seed) {
-    const Mission mission = random_missions::randomMission(seed);
+    const Mission mission = random_missions::flownMission(seed);
     const std::string text = print(mission);
     const Mission again = missionOf(text);
     expectSame(mission, again);

@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/opt/prepare_for_flight.h"
+
+#include "ir/core/walk.h"
+#include "ir/opt/compact.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <iterator>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace glider::ir {
+namespace {
+
+/// Makes the watches of assumptions a part of what flies.
+class OnBoard {
+ public:
+  explicit OnBoard(Mission& mission) : m_(mission) {}
+
+  void run() {
+    for (size_t i = 0; i < m_.assumptions.size(); ++i) {
+      if (m_.assumptions[i].isWatched()) {
+        watch(i);
+      }
+    }
+    if (!statements_.empty()) {
+      m_.every_tick = add({std::move(statements_)});
+    }
+  }
+
+ private:
+  /// The monitor's statements, then the note.
+  void watch(size_t number) {
+    const Assumption& assumption = m_.assumptions[number];
+    const BlockId step = assumption.watch.monitor.step;
+    for (const uint32_t variable : variablesOf(assumption.watch)) {
+      keepVariable({variable});
+    }
+    if (step.valid()) {
+      std::ranges::move(m_.blocks[step.index].statements, std::back_inserter(statements_));
+    }
+    const VariableId told = flag("assumption " + std::to_string(number + 1) + ".told");
+    Statement log;
+    log.kind = StatementKind::Log;
+    log.text = brokenAssumption(assumption);
+    log.range = assumption.range;
+    const ExprId broken = push(Op::Not, {assumption.watch.condition});
+    const ExprId news = push(Op::And, {push(Op::Not, {read(told)}), broken});
+    statements_.push_back(when(news, add({{set(told, Op::True), std::move(log)}})));
+  }
+
+  std::set<uint32_t> variablesOf(const Requirement& watched) {
+    std::set<uint32_t> found;
+    const auto look = [&](ExprId id) {
+      forEachIn(m_, id, [&](const Expr& e) {
+        if (e.op == Op::Variable) {
+          found.insert(e.variable.index);
+        }
+      });
+    };
+    look(watched.condition);
+    forEachStatement(m_, watched.monitor.step, [&](const Statement& statement) {
+      look(statement.value);
+      if (statement.variable.valid()) {
+        found.insert(statement.variable.index);
+      }
+    });
+    return found;
+  }
+
+  /// A momentary variable is false until the monitor sets it, instead of unknown: no monitor of an
+  /// assumption asks for more than whether it is true.
+  void keepVariable(VariableId id) {
+    const VariableKind kind = m_[id].kind;
+    if (!isOfMonitor(kind)) {
+      return;
+    }
+    m_.variables[id.index].kind = VariableKind::Mission;
+    if (kind == VariableKind::Momentary) {
+      m_.variables[id.index].initial = push(Op::False, {});
+      statements_.push_back(set(id, Op::False));
+    }
+  }
+
+  // --- parts ---
+
+  VariableId flag(std::string name) {
+    Variable variable;
+    variable.name = std::move(name);
+    variable.type = kBool;
+    variable.initial = push(Op::False, {});
+    m_.variables.push_back(std::move(variable));
+    return {static_cast<uint32_t>(m_.variables.size() - 1)};
+  }
+
+  ExprId read(VariableId variable) {
+    const ExprId id = push(Op::Variable, {});
+    m_.exprs[id.index].variable = variable;
+    return id;
+  }
+
+  ExprId push(Op op, std::initializer_list<ExprId> operands) {
+    Expr expr;
+    expr.op = op;
+    expr.type = kBool;
+    std::ranges::copy(operands, expr.operands.begin());
+    m_.exprs.push_back(expr);
+    return {static_cast<uint32_t>(m_.exprs.size() - 1)};
+  }
+
+  Statement set(VariableId variable, Op truth) {
+    Statement statement;
+    statement.variable = variable;
+    statement.value = push(truth, {});
+    return statement;
+  }
+
+  static Statement when(ExprId condition, BlockId then) {
+    Statement statement;
+    statement.kind = StatementKind::If;
+    statement.value = condition;
+    statement.then = then;
+    return statement;
+  }
+
+  BlockId add(Block block) {
+    m_.blocks.push_back(std::move(block));
+    return {static_cast<uint32_t>(m_.blocks.size() - 1)};
+  }
+
+  static constexpr Type kBool{TypeKind::Bool, {}};
+  Mission& m_;
+  std::vector<Statement> statements_;
+};
+
+std::vector<bool> usedSensors(const Mission& mission) {
+  std::vector<bool> used(mission.sensors.size());
+  auto use = [&](SensorId id) {
+    if (id.valid()) {
+      used[id.index] = true;
+    }
+  };
+  for (const Expr& expr : mission.exprs) {
+    use(expr.sensor);
+  }
+  for (const Behaviour& behaviour : mission.behaviours) {
+    for (const SensorId id : behaviour.reads) {
+      use(id);
+    }
+  }
+  if (mission.compass) {
+    use(mission.compass->variation);
+  }
+  return used;
+}
+
+void renumberTable(GuardTable& table, const std::vector<uint32_t>& numbers) {
+  for (GuardColumn& column : table.columns) {
+    if (column.sensor.valid()) {
+      column.sensor.index = numbers[column.sensor.index];
+    }
+  }
+}
+
+/// `numbers` are the new ones.
+void renumberSensors(Mission& mission, const std::vector<uint32_t>& numbers) {
+  for (Expr& expr : mission.exprs) {
+    if (expr.sensor.valid()) {
+      expr.sensor.index = numbers[expr.sensor.index];
+    }
+  }
+  for (Behaviour& behaviour : mission.behaviours) {
+    for (SensorId& id : behaviour.reads) {
+      id.index = numbers[id.index];
+    }
+  }
+  if (mission.compass && mission.compass->variation.valid()) {
+    SensorId& variation = mission.compass->variation;
+    variation.index = numbers[variation.index];
+  }
+  renumberTable(mission.always_table, numbers);
+  for (State& state : mission.states) {
+    renumberTable(state.table, numbers);
+  }
+}
+
+void dropUnusedSensors(Mission& mission) {
+  const std::vector<bool> used = usedSensors(mission);
+  std::vector<uint32_t> numbers(used.size());
+  std::vector<Sensor> kept;
+  for (size_t i = 0; i < used.size(); ++i) {
+    numbers[i] = static_cast<uint32_t>(kept.size());
+    if (used[i]) {
+      kept.push_back(std::move(mission.sensors[i]));
+    }
+  }
+  mission.sensors = std::move(kept);
+  renumberSensors(mission, numbers);
+}
+
+/// What still names one of them is dropped afterwards.
+void dropMonitorVariables(Mission& mission) {
+  std::vector<VariableId> numbers(mission.variables.size());
+  std::vector<Variable> kept;
+  for (size_t i = 0; i < numbers.size(); ++i) {
+    if (!isOfMonitor(mission.variables[i].kind)) {
+      numbers[i] = {static_cast<uint32_t>(kept.size())};
+      kept.push_back(std::move(mission.variables[i]));
+    }
+  }
+  mission.variables = std::move(kept);
+  const auto renumber = [&](VariableId& id) { id = id.valid() ? numbers[id.index] : id; };
+  std::ranges::for_each(mission.exprs, renumber, &Expr::variable);
+  for (Block& block : mission.blocks) {
+    std::ranges::for_each(block.statements, renumber, &Statement::variable);
+  }
+}
+
+}  // namespace
+
+void prepareForFlight(Mission& mission) {
+  if (mission.requirements.empty() && mission.assumptions.empty()) {
+    return;
+  }
+  OnBoard(mission).run();
+  mission.requirements.clear();
+  mission.assumptions.clear();
+  dropMonitorVariables(mission);
+  opt::compact(mission);
+  dropUnusedSensors(mission);
+}
+
+std::string brokenAssumption(const Assumption& assumption) {
+  return "assumption broken: " + assumption.words;
+}
+
+}  // namespace glider::ir

@@ -34,6 +34,22 @@ def missions():
     return found
 
 
+def promises():
+    """The requirements that the good missions keep, by the name of the mission."""
+    kept = {}
+    for path in ("tests/proofs/properties.txt", "tests/mutants/promises.txt"):
+        for line in (ROOT / path).read_text().splitlines():
+            parts = [part.strip() for part in line.split("|")] if not line.startswith("#") else []
+            if len(parts) == 2 or (len(parts) == 3 and parts[1] == "proved"):
+                kept.setdefault(pathlib.Path(parts[0]).name, []).append(parts[-1])
+    return kept
+
+
+def promising(text, requirements):
+    """The text of a mission that makes these requirements."""
+    return text + "".join(f"\nrequire {requirement}" for requirement in requirements) + "\n"
+
+
 def mutants(mission):
     """Every mutant of a mission, in the order of the list of kinds and of the text."""
     for kind, places in KINDS.items():

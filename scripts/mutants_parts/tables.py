@@ -7,8 +7,8 @@ import csv
 
 from kinds import KINDS
 
-OUTCOMES = ("error", "warning", "equivalent", "missed", "escape")
-COLUMNS = ("planted", "error", "warning", "equivalent", "missed", "escapes")
+OUTCOMES = ("error", "warning", "promise", "equivalent", "missed", "escape")
+COLUMNS = ("planted", "error", "warning", "promise", "equivalent", "missed", "escapes")
 
 
 def by_kind(fates):
@@ -18,8 +18,8 @@ def by_kind(fates):
         counts = collections.Counter(f.outcome for f in fates if f.mutant.kind == kind)
         if counts:
             escapes = counts["escape"]
-            rows[kind] = (sum(counts.values()), counts["error"], counts["warning"], counts["equivalent"],
-                          counts["missed"] + escapes, escapes)
+            rows[kind] = (sum(counts.values()), counts["error"], counts["warning"], counts["promise"],
+                          counts["equivalent"], counts["missed"] + escapes, escapes)
     rows["all"] = tuple(map(sum, zip(*rows.values())))
     return rows
 
@@ -52,12 +52,12 @@ def held(rows, path):
     """What has become worse than the table at `path`: more escapes of a kind or in all, or fewer mutants caught."""
     with open(path, newline="", encoding="utf-8") as file:
         committed = {row["kind"]: row for row in csv.DictReader(line for line in file if not line.startswith("#"))}
-    escapes, error, warning = (COLUMNS.index(name) for name in ("escapes", "error", "warning"))
+    escapes, *kinds = (COLUMNS.index(name) for name in ("escapes", "error", "warning"))
     for kind, row in rows.items():
         before = int(committed[kind]["escapes"]) if kind in committed else 0
         if row[escapes] > before:
             yield f"{kind}: {row[escapes]} escapes, {before} were committed"
     caught = int(committed["all"]["error"]) + int(committed["all"]["warning"])
-    now = rows["all"][error] + rows["all"][warning]
+    now = sum(rows["all"][kind] for kind in kinds)
     if now < caught:
         yield f"all: {now} caught, {caught} were committed"

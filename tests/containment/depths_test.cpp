@@ -141,12 +141,12 @@ class Submerged : public Rule {
   void start(const Flight&) override { surfaced_ = 0; }
   void tick(const Flight& flight) override {
     const Tick& now = flight.now();
+    if (now.depth <= surface_m_) {
+      surfaced_ = now.time;
+    }
     if (longest_) {
       ++steps;
       EXPECT_LE(now.time - surfaced_, *longest_);
-    }
-    if (now.depth <= surface_m_) {
-      surfaced_ = now.time;
     }
     if (submersions_.empty() || flight.over()) {
       return;

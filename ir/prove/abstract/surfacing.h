@@ -11,9 +11,9 @@
 
 namespace glider::ir::prove {
 
-/// The longest time, s, from a tick with the vehicle at the surface (or the start) to any tick with
-/// none such in between, in any trace; none if it may exceed `limit`, or is not found. `end`: of
-/// `proof_context`.
+/// The longest time, s, from a tick with the vehicle at the surface (or the start) to any tick
+/// under water before the next such, in any trace; none if it may exceed `limit`, or is not found.
+/// `end`: of `proof_context`.
 ///
 /// It is the longest path through the states, without a solver. While a state is current the time
 /// since the last such tick grows, at most until the state is left (stayOf). A state *climbs* if it

@@ -4,7 +4,6 @@
 #include "analysis/heard_flight.h"
 
 #include "flights/flight_setup.h"
-#include "flights/in_process_sbc.h"
 #include "flights/scenario_choice.h"
 #include "simulator/simulator.h"
 
@@ -12,6 +11,25 @@
 #include <utility>
 
 namespace glider::analysis {
+
+support::Result<support::Trace> flyInProcess(const compiler::Optimised& mission,
+                                             std::shared_ptr<const codegen::LoadedMission> loaded,
+                                             const std::vector<double>& parameters, World world,
+                                             flights::InProcessSbc::Watcher watcher) {
+  simulator::SimulationSetup setup;
+  setup.platform = mission.platform();
+  setup.scenario = std::move(world.scenario);
+  setup.seed = world.seed;
+  flights::describeMission(setup, mission);
+  auto sbc = std::make_unique<flights::InProcessSbc>(std::move(loaded), parameters,
+                                                     std::make_shared<flights::Card>(),
+                                                     !setup.scenario.faults.empty());
+  if (watcher) {
+    sbc->watch(std::move(watcher));
+  }
+  setup.sbc = std::move(sbc);
+  return simulator::simulate(std::move(setup));
+}
 
 support::Result<HeardFlight> flyHeard(const compiler::Optimised& mission,
                                       std::shared_ptr<const codegen::LoadedMission> loaded,
@@ -21,18 +39,10 @@ support::Result<HeardFlight> flyHeard(const compiler::Optimised& mission,
   if (!world) {
     return std::unexpected(world.error());
   }
-  simulator::SimulationSetup setup;
-  setup.platform = mission.platform();
-  setup.scenario = std::move(*world);
-  setup.seed = seed;
-  flights::describeMission(setup, mission);
-  auto sbc = std::make_unique<flights::InProcessSbc>(std::move(loaded), parameters,
-                                                     std::make_shared<flights::Card>(),
-                                                     !setup.scenario.faults.empty());
   flights::HeardTicks heard(mission.checked->mission());
-  sbc->watch([&](const GliderContext& context, double now) { heard.look(context, now); });
-  setup.sbc = std::move(sbc);
-  auto trace = simulator::simulate(std::move(setup));
+  auto trace =
+      flyInProcess(mission, std::move(loaded), parameters, {std::move(*world), seed},
+                   [&](const GliderContext& context, double now) { heard.look(context, now); });
   if (!trace) {
     return std::unexpected(trace.error());
   }

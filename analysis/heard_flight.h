@@ -6,6 +6,8 @@
 #include "codegen/load/loaded_mission.h"
 #include "compiler/compilation.h"
 #include "flights/heard_ticks.h"
+#include "flights/in_process_sbc.h"
+#include "simulator/scenario/scenario.h"
 #include "support/result.h"
 #include "support/trace/trace.h"
 
@@ -21,6 +23,18 @@ struct HeardFlight {
   std::vector<flights::HeardTick> ticks;
   support::Trace trace;
 };
+
+/// Where a flight takes place.
+struct World {
+  simulator::Scenario scenario;
+  uint64_t seed = 1;
+};
+
+/// Flies the compiled mission in this process; `watcher` may be empty. Fails as simulating does.
+support::Result<support::Trace> flyInProcess(const compiler::Optimised& mission,
+                                             std::shared_ptr<const codegen::LoadedMission> loaded,
+                                             const std::vector<double>& parameters, World world,
+                                             flights::InProcessSbc::Watcher watcher);
 
 /// Flies the compiled mission in this process, in a scenario that comes with glidercc or that is in
 /// a file. Fails as choosing the scenario and simulating do.

@@ -341,8 +341,9 @@ void addVehicleOptions(CLI::App& command, CommandOptions& options) {
       ->option_text("FILE");
   command
       .add_option("--scenario", options.check.scenario,
-                  "The same for the mission file of a scenario, and for its start: the name of a "
-                  "scenario that comes with glidercc, or a .toml file")
+                  "The same for the mission file of a scenario, and for its start; the mission is "
+                  "also flown there once: the name of a scenario that comes with glidercc, or a "
+                  ".toml file")
       ->option_text("SCENARIO");
 }
 

@@ -9,6 +9,7 @@
 #include "driver/output/check_progress.h"
 #include "driver/terminal.h"
 #include "flights/scenario_choice.h"
+#include "ir/core/inside.h"
 #include "ir/core/under_assumptions.h"
 #include "slocum/mission_files/load.h"
 
@@ -156,10 +157,8 @@ Result<simulator::Scenario> scenarioOf(const CheckOptions& options,
 /// less is checked.
 std::vector<ir::Position> startsOf(const ir::Mission& mission,
                                    const Result<simulator::Scenario>& scenario) {
-  const auto assumed = std::ranges::find(mission.assumptions, ir::AssumptionKind::StartInside,
-                                         &ir::Assumption::kind);
-  if (assumed != mission.assumptions.end()) {
-    return assumed->area.corners;
+  if (const auto area = ir::assumedStart(mission)) {
+    return area->corners;
   }
   return scenario ? std::vector<ir::Position>{{scenario->latitude_deg, scenario->longitude_deg}}
                   : std::vector<ir::Position>();
@@ -193,6 +192,28 @@ Result<std::optional<analysis::VehicleFile>> checkVehicle(
   return vehicle;
 }
 
+/// Flies the mission in the scenario that the options name, if nothing is wrong so far.
+Result<void> tryInScenario(const CheckOptions& options, const Result<simulator::Scenario>& scenario,
+                           CheckedFile& file) {
+  compiler::Compilation& compilation = *file.compilation;
+  if (options.scenario.empty() || compilation.diagnostics.hasErrors()) {
+    return {};
+  }
+  simulator::Scenario world = *scenario;
+  std::string command =
+      fmt::format("glidercc sim {} --scenario {}", file.found.path, options.scenario);
+  if (options.vehicle) {
+    auto own = flights::loadVehiclesOwn(options.vehicle->path);
+    if (!own) {
+      return std::unexpected(own.error());
+    }
+    world.skeleton = std::move(*own);
+  }
+  return analysis::reportTrialFlight(compiler::optimise(compilation.checked), world,
+                                     options.user_code, "see the flight with `" + command + "`",
+                                     compilation.diagnostics);
+}
+
 /// The checks beyond text and structure, for a mission without errors.
 Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   ir::prove::Options how;
@@ -214,6 +235,9 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   }
   file.proved =
       proveWithCache(compilation, file.found.path, how, options.cache && !options.evidence);
+  if (auto tried = tryInScenario(options, scenario, file); !tried) {
+    return tried;
+  }
   if (!options.report) {
     auto told = tellProved(nullptr, file);
     return told ? tellWhole(*vehicle, false, file) : told;
@@ -221,6 +245,11 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   const compiler::Optimised mission = compiler::optimise(compilation.checked);
   if (auto told = tellProved(&mission, file); !told) {
     return told;
+  }
+  if (const auto coverage = analysis::coverageOf(*compilation.checked, file.proved.requirements)) {
+    if (std::string line = analysis::coverageLine(*coverage, *compilation.checked); !line.empty()) {
+      file.found.remarks.push_back({{}, std::move(line)});
+    }
   }
   const analysis::Silence silence = *vehicle ? (*vehicle)->silence : analysis::usualSilence();
   for (std::string& line : analysis::wayHomeLines(

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 
 namespace glider::report {
@@ -122,6 +123,44 @@ std::string neverVisited(const Trace& trace) {
                                      more == 0 ? "" : fmt::format(" and {} more", more));
 }
 
+bool isTransition(const TraceEvent& event) {
+  return event.kind == "transition";
+}
+
+/// Vehicle time of the end of the mission; none: it has not ended.
+std::optional<double> endOf(const Trace& trace) {
+  const auto end = std::ranges::find_if(trace.events, [](const TraceEvent& event) {
+    return isTransition(event) && event.what.find("(exit)") != std::string::npos;
+  });
+  return end == trace.events.end() ? std::nullopt : std::optional(end->time_s);
+}
+
+/// Vehicle time at which the mission took control; none: never.
+std::optional<double> controlOf(const Trace& trace) {
+  const int active = trace.column("hook_active");
+  for (size_t row = 0; active >= 0 && row < trace.rowCount(); ++row) {
+    if (trace.at(row, active) == 1) {
+      return trace.at(row, 0);
+    }
+  }
+  return std::nullopt;
+}
+
+/// When `count` transitions within `within_s` seconds begin; none: never.
+std::optional<double> restlessFrom(const Trace& trace, size_t count, double within_s) {
+  std::vector<double> times;
+  for (const TraceEvent& event : trace.events) {
+    if (isTransition(event)) {
+      times.push_back(event.time_s);
+    }
+    const bool enough = times.size() >= count;
+    if (enough && times.back() - times[times.size() - count] <= within_s) {
+      return times[times.size() - count];
+    }
+  }
+  return std::nullopt;
+}
+
 /// The note of runtime/core/compass.cpp.
 bool saysNoDeclination(const TraceEvent& event) {
   return event.kind == "log" && event.what == "declination unknown: headings are magnetic";
@@ -175,6 +214,33 @@ void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics) {
   if (const Told told = tell(trace, isIntervention); told.first != nullptr) {
     diagnostics.report(DiagnosticId::guardIntervened, {}, told.at,
                        after(told.first->what, kByHookbeh) + told.more);
+  }
+}
+
+void reportUnusual(const Trace& trace, const std::string& hint,
+                   support::DiagnosticEngine& diagnostics) {
+  using support::DiagnosticId;
+  constexpr double kSoon_s = 60, kShort_s = 300;
+  constexpr size_t kMany = 20;
+  if (wasCutShort(trace)) {
+    diagnostics.report(
+        DiagnosticId::flightUnusual, {},
+        "the mission had not ended when the simulated time was up" + neverVisited(trace), hint);
+  }
+  const auto control = controlOf(trace);
+  const auto end = endOf(trace);
+  if (control && end && *end - *control < kSoon_s) {
+    diagnostics.report(
+        DiagnosticId::flightUnusual, {},
+        fmt::format("the mission ended {:.0f} s after it had taken control", *end - *control),
+        hint);
+  }
+  if (const auto from = restlessFrom(trace, kMany, kShort_s)) {
+    diagnostics.report(
+        DiagnosticId::flightUnusual, {},
+        fmt::format("from {} on the mission changed its state {} times within {:.0f} min",
+                    timeText(trace, *from), kMany, kShort_s / 60),
+        hint);
   }
 }
 

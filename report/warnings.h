@@ -27,6 +27,12 @@ bool spokeTheProtocol(const support::Trace& trace);
 /// touched the bottom (GL9376). Of several of a kind only the first is reported, with their number.
 void reportFlight(const support::Trace& trace, support::DiagnosticEngine& diagnostics);
 
+/// Reports what hardly any mission is meant to do (GL9378): it had not ended when the simulated
+/// time was up, ended within a minute, or changed its state 20 times within 5 min. `hint`: what to
+/// do.
+void reportUnusual(const support::Trace& trace, const std::string& hint,
+                   support::DiagnosticEngine& diagnostics);
+
 /// What else the reader must know before any figure of the flight: the mission was another one, or
 /// had not ended. One sentence each, without a full stop.
 std::vector<std::string> flightWarnings(const support::Trace& trace);

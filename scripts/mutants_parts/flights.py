@@ -40,12 +40,12 @@ def world_options(world):
     return ["--scenario", world[0], "--seed", str(world[1])]
 
 
-def check(glidercc, text):
+def check(glidercc, text, *options):
     """("error" or "warning" or "", ids of the diagnostics)."""
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder, "mutant.mission")
         path.write_text(text)
-        done = subprocess.run([glidercc, "check", str(path)], capture_output=True, text=True, timeout=60)
+        done = subprocess.run([glidercc, "check", *options, str(path)], capture_output=True, text=True, timeout=60)
     if done.returncode not in (0, 1) or "internal error" in done.stderr:
         raise BrokenError(f"glidercc check ended with {done.returncode}: {done.stderr}")
     ids = sorted(set(re.findall(r"\[(GL\d{4}) ", done.stderr)))

@@ -7,8 +7,8 @@ import csv
 
 from kinds import KINDS
 
-OUTCOMES = ("error", "warning", "promise", "equivalent", "missed", "escape")
-COLUMNS = ("planted", "error", "warning", "promise", "equivalent", "missed", "escapes")
+OUTCOMES = ("error", "warning", "promise", "flight", "equivalent", "missed", "escape")
+COLUMNS = ("planted", "error", "warning", "promise", "flight", "equivalent", "missed", "escapes")
 
 
 def by_kind(fates):
@@ -19,7 +19,7 @@ def by_kind(fates):
         if counts:
             escapes = counts["escape"]
             rows[kind] = (sum(counts.values()), counts["error"], counts["warning"], counts["promise"],
-                          counts["equivalent"], counts["missed"] + escapes, escapes)
+                          counts["flight"], counts["equivalent"], counts["missed"] + escapes, escapes)
     rows["all"] = tuple(map(sum, zip(*rows.values())))
     return rows
 

@@ -106,5 +106,60 @@ TEST_F(CheckVehicle, OtherFilesAreRefused) {
   EXPECT_EQ(check("--mi " + folder_.write("a.mi", "behavior: surface\n").string()).status, 2);
 }
 
+/// A profile that stays at its depth when it is there, and two states that send the vehicle to each
+/// other: nothing that a proof sees.
+TEST_F(CheckVehicle, AFlightInTheScenarioShowsWhatItsTextDoesNot) {
+  const auto flown = [&](const std::string& body) {
+    const auto path = folder_.write("f.mission", "mission f\n" + body).string();
+    return runShell("$GLIDERCC check --scenario default " + path);
+  };
+  const Outcome level = flown(R"(
+flightprofile down(to: length)
+begin
+  entry do descend(to, 26 deg) end
+end
+state s
+begin
+  flightprofile down(20 m)
+  sensors       missiontime
+  events
+    case missiontime >= 3 h exit
+end
+)");
+  EXPECT_EQ(level.status, 0) << level.err;
+  EXPECT_THAT(level.err, HasSubstr("MS_ABORT_SAMEDEPTH"));
+  EXPECT_THAT(level.err, HasSubstr("[GL9370 flight-aborted]"));
+  const Outcome restless = flown(R"(
+state a
+begin
+  flightprofile yo(5 m, 20 m, 26 deg, 26 deg)
+  sensors       missiontime
+  events
+    case missiontime >= 1 h      exit
+    case missiontime >= 5 min    goto b
+end
+state b
+begin
+  flightprofile yo(5 m, 25 m, 26 deg, 26 deg)
+  sensors       statetime
+  events
+    case statetime >= 0 s goto a
+end
+)");
+  EXPECT_EQ(restless.status, 0) << restless.err;
+  EXPECT_THAT(restless.err, HasSubstr("on the mission changed its state 20 times within 5 min "
+                                      "[GL9378 flight-unusual]"));
+  EXPECT_THAT(restless.err, HasSubstr("see the flight with `glidercc sim "));
+}
+
+TEST_F(CheckVehicle, AFlightInTheScenarioThatGoesWellSaysNothing) {
+  const Outcome fine = check("--scenario default");
+  EXPECT_EQ(fine.status, 0);
+  EXPECT_EQ(fine.err, "");
+  EXPECT_EQ(check("", "assume depth <= 10 m\n").err, "") << "not flown";
+  EXPECT_THAT(check("--scenario default", "assume depth <= 10 m\n").err,
+              HasSubstr("[GL5128 assumption-flown]"));
+}
+
 }  // namespace
 }  // namespace glider::tests

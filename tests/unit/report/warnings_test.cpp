@@ -140,6 +140,56 @@ TEST(Warnings, OneRefusalIsOne) {
   EXPECT_EQ(refusedInstructions(trace), 0U);
 }
 
+/// The messages of reportUnusual.
+Lines unusual(const support::Trace& trace) {
+  support::DiagnosticEngine diagnostics;
+  reportUnusual(trace, "look at it", diagnostics);
+  Lines lines;
+  for (const support::Diagnostic& d : diagnostics.sorted()) {
+    lines.push_back(d.message);
+    EXPECT_EQ(support::code(d.id), "GL9378");
+    EXPECT_EQ(d.hint, "look at it");
+  }
+  return lines;
+}
+
+/// In control from 100 s on, at `end` s over.
+support::Trace flightUntil(double end) {
+  auto trace = flight(1);
+  trace.events = {{end, end - 100, "transition", "s1 → end (exit)", ""}};
+  return trace;
+}
+
+TEST(Warnings, AMissionThatEndsAtOnceIsUnusual) {
+  EXPECT_EQ(unusual(flightUntil(159)), Lines{"the mission ended 59 s after it had taken control"});
+  EXPECT_EQ(unusual(flightUntil(160)), Lines{});
+  EXPECT_EQ(unusual({}), Lines{});
+}
+
+TEST(Warnings, AMissionThatHadNotEndedIsUnusual) {
+  auto trace = flight(1);
+  trace.events = {{100, 90, "log", "the simulated time of 100 s is over", ""}};
+  EXPECT_EQ(unusual(trace),
+            Lines{"the mission had not ended when the simulated time was up; never visited: s2"});
+}
+
+/// 20 transitions within 5 min; transitions that are further apart are a busy mission.
+TEST(Warnings, AMissionThatChangesItsStateAllTheTimeIsUnusual) {
+  const auto restless = [](int count, double apart) {
+    auto trace = flightUntil(9000);
+    for (int i = 0; i < count; ++i) {
+      const double time = 200 + apart * i;
+      trace.events.insert(trace.events.end() - 1,
+                          {time, time - 100, "transition", "s1 → s2 (call)", ""});
+    }
+    return unusual(trace);
+  };
+  EXPECT_EQ(restless(20, 15),
+            Lines{"from 200 s on the mission changed its state 20 times within 5 min"});
+  EXPECT_EQ(restless(19, 4), Lines{});
+  EXPECT_EQ(restless(40, 16), Lines{});
+}
+
 TEST(Warnings, ManyStatesThatWereNeverVisitedAreCounted) {
   auto trace = flight(1);
   trace.events = {{100, 90, "log", "the simulated time of 100 s is over", ""}};

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analysis/trial_flight.h"
+
+#include "analysis/heard_flight.h"
+#include "flights/launch_choice.h"
+#include "flights/requirement_watch.h"
+#include "report/warnings.h"
+#include "simulator/simulator.h"
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace glider::analysis {
+
+support::Result<void> reportTrialFlight(const compiler::Optimised& mission,
+                                        const simulator::Scenario& scenario,
+                                        const std::vector<std::string>& user_code,
+                                        const std::string& hint,
+                                        support::DiagnosticEngine& diagnostics) {
+  if (!simulator::checkPlatform(mission.platform())) {
+    return {};
+  }
+  auto loaded = flights::loadHere(mission, user_code);
+  if (!loaded) {
+    return std::unexpected(loaded.error());
+  }
+  const auto parameters = flights::chooseParameters(loaded->mission(), {});
+  if (!parameters) {
+    return std::unexpected(parameters.error());
+  }
+  std::optional<flights::RequirementWatch> watch;
+  if (flights::RequirementWatch::canWatch(mission)) {
+    watch.emplace(mission);
+  }
+  const auto trace =
+      flyInProcess(mission, std::make_shared<const codegen::LoadedMission>(std::move(*loaded)),
+                   *parameters, {scenario, scenario.seed},
+                   watch ? watch->watcher(*parameters) : flights::InProcessSbc::Watcher());
+  if (!trace) {
+    return std::unexpected(trace.error());
+  }
+  if (watch) {
+    flights::reportViolations(*watch, *trace, diagnostics);
+  }
+  report::reportFlight(*trace, diagnostics);
+  report::reportUnusual(*trace, hint, diagnostics);
+  return {};
+}
+
+}  // namespace glider::analysis

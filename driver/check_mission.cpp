@@ -222,6 +222,10 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   if (auto told = tellProved(&mission, file); !told) {
     return told;
   }
+  if (auto line =
+          *vehicle ? analysis::endlessLine(*compilation.checked, **vehicle) : std::nullopt) {
+    file.found.remarks.push_back({{}, std::move(*line), Subject::End});
+  }
   const analysis::Silence silence = *vehicle ? (*vehicle)->silence : analysis::usualSilence();
   for (std::string& line : analysis::wayHomeLines(
            compilation.checked->mission(),

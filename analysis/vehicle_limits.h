@@ -17,7 +17,7 @@ namespace glider::analysis {
 void checkVehicleLimits(const compiler::Checked& mission, const VehicleFile& file,
                         support::DiagnosticEngine& diagnostics);
 
-/// A line for the report if abend ends a mission whose end is not proved. That is no error: the
+/// A line for the report if abend ends a mission whose end is not proved. That is not an error: the
 /// bound may merely not have been found.
 std::optional<std::string> endlessLine(const compiler::Checked& mission, const VehicleFile& file);
 

@@ -18,7 +18,7 @@ namespace {
 /// often they are read.
 constexpr std::array<std::string_view, 2> kNeeded = {"c_pressure_time", "c_att_time"};
 
-/// Settings that change nothing on which the way to the surface rests, whatever their values.
+/// Settings that change nothing on which the way to the surface rests, for any value.
 constexpr auto kHarmless = std::to_array<std::string_view>({
     // unreadSensor() looks at their values.
     "c_pressure_time",

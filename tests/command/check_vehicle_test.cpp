@@ -72,7 +72,7 @@ TEST_F(CheckVehicle, OnlyWhatCommandsADepthIsNamed) {
   EXPECT_THAT(outcome.err, Not(HasSubstr("`always`")));
 }
 
-/// The bound may merely not have been found: that is no error.
+/// The bound may merely not have been found: that is not an error.
 TEST_F(CheckVehicle, TheReportSaysThatAbendEndsAMissionWithoutAProvedEnd) {
   const std::string endless =
       folder_

@@ -344,7 +344,7 @@ TEST_F(WholeOf, ASurfaceBehaviourThatDoesNotClimbIsRefused) {
   }
 }
 
-/// It chooses the volume by itself, whatever bpump_value says.
+/// It chooses the volume by itself and need not use bpump_value.
 TEST_F(WholeOf, AutoballastIsRefused) {
   EXPECT_EQ(refusal(behaviour("surface", "start_when(enum) 1,c_use_bpump(enum) 0") + kHookbeh),
             "behaviour 1 `surface` (c_use_bpump 0) may command anything below");

@@ -257,6 +257,7 @@ TEST_F(WholeOf, AnIdleSurfaceCommandsWhatNothingElseDoes) {
   EXPECT_EQ(refusal(timed + kHookbeh + kIdle), "") << "also from below";
   EXPECT_EQ(refusal(behaviour("surface", "start_when(enum) 0") + kHookbeh), "");
   EXPECT_EQ(refusal(behaviour("surface", "start_when(enum) 9,when_secs(s) 0") + kHookbeh), "");
+  EXPECT_NE(refusal(behaviour("surface", "start_when(enum) 9,when_secs(s) 60") + kHookbeh), "");
   EXPECT_NE(refusal(behaviour("surface", "start_when(enum) 12,when_secs(s) 0") + kHookbeh), "")
       << "not while there is contact";
   // One that waits for pitch or pump does not see that the heading is idle.
@@ -415,9 +416,10 @@ TEST_F(WholeOf, ASettingThatIsNotKnownToBeHarmlessIsRefused) {
             "known; nor what these do: u_adj_overshoot 1");
   EXPECT_EQ(whole.endings[0].change, "delete its line `sensor:`, or give it a value of at most 2");
   EXPECT_TRUE(whole.endings[0].range.valid());
-  for (const char* bad : {"u_cycle_time(sec) 60", "u_cycle_time(sec) 1000001",
-                          "c_ballast_pumped(cc) 1", "u_use_ctd_depth_for_flying(bool) 1",
-                          "f_max_working_depth(m) 10", "u_mission_parameter(X) 1"}) {
+  for (const char* bad :
+       {"u_cycle_time(sec) 60", "u_cycle_time(sec) 1000001", "c_ballast_pumped(cc) 1",
+        "u_use_ctd_depth_for_flying(bool) 1", "f_max_working_depth(m) 10",
+        "u_mission_parameter(X) 1", "u_mission_param_aa(X) 1"}) {
     EXPECT_FALSE(of("sensor: " + std::string(bad) + "\n" + good).proved()) << bad;
   }
   for (const char* harmless :

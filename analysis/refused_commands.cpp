@@ -31,7 +31,7 @@ std::string degrees(double angle) {
 struct Extremes {
   double steepest = 0;
   double shallowest = kEndless;
-  double deepest = 0;
+  double deepest = -kEndless;  ///< that: it commands no depth
 };
 
 Extremes extremesOf(const Commands& commands, const std::vector<ir::Interval>& held) {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <ranges>
 #include <vector>
 
@@ -39,16 +40,22 @@ void checkDepth(const ir::Mission& mission, double overdepth, const std::string&
   }
 }
 
+/// The latest end of the mission, if it has a proved one.
+std::optional<double> endOf(const compiler::Checked& checked) {
+  const ir::prove::ProofContext context(checked.mission(), checked.platform());
+  return ir::prove::boundOf(context.withoutPowerCuts(), ir::prove::kLongestMission,
+                            ir::prove::Goal::Exit)
+      .by;
+}
+
 void checkTime(const compiler::Checked& checked, double overtime, const std::string& name,
                support::DiagnosticEngine& diagnostics) {
-  const ir::prove::ProofContext context(checked.mission(), checked.platform());
-  const ir::prove::EndBound end = ir::prove::boundOf(
-      context.withoutPowerCuts(), ir::prove::kLongestMission, ir::prove::Goal::Exit);
-  if (end.by && *end.by > overtime) {
+  const std::optional<double> end = endOf(checked);
+  if (end && *end > overtime) {
     diagnostics.report(
         DiagnosticId::vehicleAborts, beginningOf(checked.mission()),
         fmt::format("the mission may last {}, and abend allows {} (overtime in {})",
-                    ir::prove::durationOf(*end.by), ir::prove::durationOf(overtime), name),
+                    ir::prove::durationOf(*end), ir::prove::durationOf(overtime), name),
         "end the mission earlier, or raise overtime");
   }
 }
@@ -77,6 +84,16 @@ void checkVehicleLimits(const compiler::Checked& checked, const VehicleFile& fil
                                    full, *file.aborts.undervolts_V, file.name),
                        "lower undervolts");
   }
+}
+
+std::optional<std::string> endlessLine(const compiler::Checked& mission, const VehicleFile& file) {
+  if (!file.aborts.overtime_s || endOf(mission)) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "the mission has no proved end: abend aborts it {} after the vehicle's mission has begun "
+      "(overtime in {})",
+      ir::prove::durationOf(*file.aborts.overtime_s), file.name);
 }
 
 void checkStart(const compiler::Checked& mission, const StartPlace& start,

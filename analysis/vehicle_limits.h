@@ -7,6 +7,7 @@
 #include "compiler/compilation.h"
 #include "support/diagnostics/engine.h"
 
+#include <optional>
 #include <string>
 
 namespace glider::analysis {
@@ -15,6 +16,10 @@ namespace glider::analysis {
 /// refuses (GL3124); depths, times and voltages at which its abend aborts (GL3125).
 void checkVehicleLimits(const compiler::Checked& mission, const VehicleFile& file,
                         support::DiagnosticEngine& diagnostics);
+
+/// A line for the report if abend ends a mission whose end is not proved. That is not an error: the
+/// bound may merely not have been found.
+std::optional<std::string> endlessLine(const compiler::Checked& mission, const VehicleFile& file);
 
 /// Where a flight starts.
 struct StartPlace {

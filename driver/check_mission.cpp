@@ -214,18 +214,12 @@ Result<void> tryInScenario(const CheckOptions& options, const Result<simulator::
                                      compilation.diagnostics);
 }
 
-/// The checks beyond text and structure, for a mission without errors.
-Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
+/// How the prover is asked. `starts`: where the vehicle may start.
+ir::prove::Options proverOptions(const CheckOptions& options, std::vector<ir::Position> starts) {
   ir::prove::Options how;
   how.report = options.report;
   how.evidence = options.evidence;
-  compiler::Compilation& compilation = *file.compilation;
-  const auto scenario = scenarioOf(options, compilation.checked->platform());
-  how.known_starts = startsOf(compilation.checked->mission(), scenario);
-  const auto vehicle = checkVehicle(options, scenario, compilation);
-  if (!vehicle) {
-    return std::unexpected(vehicle.error());
-  }
+  how.known_starts = std::move(starts);
   how.effort *= options.effort;
   how.run_effort *= options.effort;
   how.total_effort *= options.effort;
@@ -233,8 +227,49 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
     how.until = std::chrono::steady_clock::now() +
                 std::chrono::milliseconds(static_cast<int64_t>(1000 * options.timeout_s));
   }
+  return how;
+}
+
+/// What --report adds on one line each. `vehicle`: its mission file, if one was named.
+Result<void> tellReport(const std::optional<analysis::VehicleFile>& vehicle, CheckedFile& file) {
+  const compiler::Checked& checked = *file.compilation->checked;
+  std::vector<Remark>& remarks = file.found.remarks;
+  if (const auto coverage = analysis::coverageOf(checked, file.proved.requirements)) {
+    if (std::string line = analysis::coverageLine(*coverage, checked); !line.empty()) {
+      remarks.push_back({{}, std::move(line)});
+    }
+  }
+  if (auto line = vehicle ? analysis::endlessLine(checked, *vehicle) : std::nullopt) {
+    remarks.push_back({{}, std::move(*line), Subject::End});
+  }
+  const analysis::Silence silence = vehicle ? vehicle->silence : analysis::usualSilence();
+  for (std::string& line : analysis::wayHomeLines(
+           checked.mission(), ir::notNarrowed(checked.platform(), checked.mission()), silence)) {
+    remarks.push_back({{}, std::move(line), Subject::WayHome});
+  }
+  if (auto told = tellWhole(vehicle, true, file); !told) {
+    return told;
+  }
+  if (!vehicle) {
+    for (std::string& line : analysis::refusedLines(checked.mission(), analysis::usualLimits())) {
+      remarks.push_back({{}, std::move(line)});
+    }
+  }
+  return {};
+}
+
+/// The checks beyond text and structure, for a mission without errors.
+Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
+  compiler::Compilation& compilation = *file.compilation;
+  const auto scenario = scenarioOf(options, compilation.checked->platform());
+  const auto vehicle = checkVehicle(options, scenario, compilation);
+  if (!vehicle) {
+    return std::unexpected(vehicle.error());
+  }
   file.proved =
-      proveWithCache(compilation, file.found.path, how, options.cache && !options.evidence);
+      proveWithCache(compilation, file.found.path,
+                     proverOptions(options, startsOf(compilation.checked->mission(), scenario)),
+                     options.cache && !options.evidence);
   if (auto tried = tryInScenario(options, scenario, file); !tried) {
     return tried;
   }
@@ -246,25 +281,8 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   if (auto told = tellProved(&mission, file); !told) {
     return told;
   }
-  if (const auto coverage = analysis::coverageOf(*compilation.checked, file.proved.requirements)) {
-    if (std::string line = analysis::coverageLine(*coverage, *compilation.checked); !line.empty()) {
-      file.found.remarks.push_back({{}, std::move(line)});
-    }
-  }
-  const analysis::Silence silence = *vehicle ? (*vehicle)->silence : analysis::usualSilence();
-  for (std::string& line : analysis::wayHomeLines(
-           compilation.checked->mission(),
-           ir::notNarrowed(mission.platform(), compilation.checked->mission()), silence)) {
-    file.found.remarks.push_back({{}, std::move(line), Subject::WayHome});
-  }
-  if (auto told = tellWhole(*vehicle, options.report, file); !told) {
+  if (auto told = tellReport(*vehicle, file); !told) {
     return told;
-  }
-  if (!*vehicle) {
-    for (std::string& line :
-         analysis::refusedLines(compilation.checked->mission(), analysis::usualLimits())) {
-      file.found.remarks.push_back({{}, std::move(line)});
-    }
   }
   auto budgets = analysis::missionBudgets(
       mission, options.targets.empty() ? analysis::boardsInTheVehicle() : options.targets,

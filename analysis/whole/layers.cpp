@@ -55,9 +55,8 @@ class Reader {
   void checkDrive(const std::string& prefix, bool up) {
     const double sign = up ? 1 : -1;
     const double pump = sign * number(prefix + "bpump_value").value_or(0);
-    const int use_pump = code(prefix + "use_bpump");
-    if (use_pump != 0 && use_pump != 2) {
-      fail(prefix + "use_bpump", "the code 2 or 0");
+    if (code(prefix + "use_bpump") != 2) {  // 0, autoballast, need not use bpump_value
+      fail(prefix + "use_bpump", "the code 2");
     }
     if (pump < kWeakestPump * platform_.envelope.pump_cc) {
       fail(prefix + "bpump_value", fmt::format("{} {:g} cc", up ? "at least" : "at most",

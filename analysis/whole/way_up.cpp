@@ -3,15 +3,16 @@
 
 #include "analysis/whole/way_up.h"
 
+#include "analysis/whole/idle_slots.h"
+#include "analysis/whole/settings.h"
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 namespace glider::analysis {
@@ -20,31 +21,6 @@ namespace {
 double sum(const std::vector<Part>& parts) {
   return std::accumulate(parts.begin(), parts.end(), 0.0,
                          [](double total, const Part& part) { return total + part.seconds; });
-}
-
-/// Sensors without which the vehicle does not know its depth or its pitch, by the setting for how
-/// often they are read.
-constexpr std::array<std::string_view, 2> kNeeded = {"c_pressure_time", "c_att_time"};
-
-/// The value of a setting, and the behaviour that makes it: sensors_in stands above the mission's
-/// own, and this above the vehicle's.
-struct SettingInForce {
-  double value = 0;
-  support::SourceRange range;
-};
-SettingInForce inForce(const slocum::MissionFile& vehicle, std::string_view name) {
-  for (const slocum::BehaviourBlock& block : vehicle.behaviours) {
-    if (block.name == "sensors_in" && !block.lacks_file) {
-      return {block.value(name), block.range};
-    }
-  }
-  for (const auto* settings : {&vehicle.sensors, &vehicle.vehicle_sensors}) {
-    const auto found = std::ranges::find(*settings, name, &slocum::Setting::name);
-    if (found != settings->end()) {
-      return {found->value, found->name_range};
-    }
-  }
-  return {};
 }
 
 class Search {
@@ -57,8 +33,8 @@ class Search {
   }
 
   WayUp run() {
-    if (auto blind = blindVehicle()) {
-      return *blind;
+    if (const auto blind = unreadSensor(vehicle_, platform_)) {
+      return unproved(*blind);
     }
     const auto anywhere =
         std::ranges::find_if(flying_, [](const Layer& layer) { return !layer.deepest_m; });
@@ -77,24 +53,16 @@ class Search {
         best = std::move(way);
       }
     }
-    return best ? beforeTheAbort(std::move(*best)) : noWay();
+    if (!best) {
+      return noWay();
+    }
+    const IdleSlots idle = idleSlots(layers_, vehicle_);
+    return idle.any() ? abortedBefore(idle, *best) : beforeTheAbort(std::move(*best));
   }
 
  private:
-  std::optional<WayUp> blindVehicle() const {
-    for (const std::string_view name : kNeeded) {
-      const SettingInForce setting = inForce(vehicle_, name);
-      if (!(setting.value >= 0 && setting.value <= platform_.world.tick_gap_s)) {
-        return WayUp{
-            {},
-            "",
-            fmt::format("the vehicle seldom or never reads a sensor that it needs ({} {:g})", name,
-                        setting.value),
-            fmt::format("give `{}` the value 0: in every cycle", name),
-            setting.range};
-      }
-    }
-    return std::nullopt;
+  static WayUp unproved(const Doubt& doubt) {
+    return {{}, "", doubt.why, doubt.change, doubt.range};
   }
 
   [[nodiscard]] bool allEnd() const {
@@ -117,7 +85,7 @@ class Search {
     way.by = fmt::format("{} ({})", surface.label(), surface.start_text);
     if (surface.start == Start::Idle && allEnd()) {
       addFlights(way);
-    } else if (surface.start == Start::InTime && (commandedUntilThen() || atOnce(surface))) {
+    } else if (surface.start == Start::InTime) {
       way.parts.push_back({surface.start_text, surface.starts_within_s});
       way.parts.push_back({"1 cycle", platform_.world.tick_gap_s});
       addWaits(way);
@@ -129,14 +97,18 @@ class Search {
     return way;
   }
 
-  static bool atOnce(const Layer& surface) { return surface.starts_within_s == 0; }
-
-  /// A stack without commands is aborted: a behaviour that starts only in some time needs one that
-  /// flies until then, or one that surfaces as soon as none does.
-  [[nodiscard]] bool commandedUntilThen() const {
-    return !allEnd() || std::ranges::any_of(layers_, [&](const Layer& layer) {
-      return layer.role == Role::Surfaces && layer.start == Start::Idle && standsAboveAll(layer);
-    });
+  /// A stack without commands is aborted.
+  [[nodiscard]] WayUp abortedBefore(const IdleSlots& idle, const WayUp& way) const {
+    const auto slow = std::ranges::find_if(
+        layers_, [&](const Layer& layer) { return way.by.starts_with(layer.label() + " "); });
+    return {{},
+            "",
+            fmt::format("nothing {} {} until {} starts, and the vehicle aborts{}{}",
+                        idle.unsure.empty() ? "commands" : "is sure to command", idle.text(),
+                        way.by, idle.unsure.empty() ? "" : ": ", fmt::join(idle.unsure, ", ")),
+            fmt::format("write {}a behaviour `surface` with start_when 1",
+                        idle.pitch_and_pump ? "" : "a `set_heading` without an end, or "),
+            slow->range};
   }
 
   /// All that may be flown before the stack is idle. Each behaviour may be interrupted once by each
@@ -174,8 +146,12 @@ class Search {
   /// An abort brings it up too, but it ends the mission: what only that does is not the mission
   /// file's way.
   [[nodiscard]] WayUp beforeTheAbort(WayUp way) const {
-    for (const slocum::BehaviourBlock& block : vehicle_.behaviours) {
+    for (const Layer& layer : layers_) {
+      const slocum::BehaviourBlock& block = vehicle_.behaviours[layer.number - 1];
       const double overtime = block.name == "abend" ? block.value("overtime") : -1;
+      if (slocum::missionParameter(overtime)) {
+        return unproved(changesInFlight(block, layer.label(), "overtime"));
+      }
       if (overtime >= 0 && sum(way.parts) > overtime) {
         return {{},
                 "",

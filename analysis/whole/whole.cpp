@@ -4,6 +4,7 @@
 #include "analysis/whole/whole.h"
 
 #include "analysis/whole/layers.h"
+#include "analysis/whole/settings.h"
 #include "analysis/whole/way_up.h"
 #include "hooks/client/client.h"
 #include "ir/prove/abstract/state_depths.h"
@@ -51,6 +52,11 @@ class Endings {
                "write one behaviour `hookbeh`");
       return std::move(all_);
     }
+    if (const auto setting = doubtfulSetting(vehicle_, platform_)) {
+      all_.endings.push_back(
+          {"any loss of control", {}, "", setting->why, setting->change, setting->range});
+      return std::move(all_);
+    }
     findDeepest(*hookbeh);
     leftByTheSbc(*hookbeh);
     maskedFromAbove();
@@ -68,11 +74,12 @@ class Endings {
                             of != nullptr ? of->range : support::SourceRange{}});
   }
 
-  /// hookbeh climbs below its own max_depth, for any command of the mission.
+  /// hookbeh climbs below its own max_depth, for any command of the mission. Control may begin
+  /// below that.
   void findDeepest(const BehaviourBlock& hookbeh) {
-    const double limit = std::min(hookbeh.value("max_depth"), platform_.envelope.greatest_depth_m) +
-                         platform_.envelope.inflection_overshoot_m;
-    all_.deepest_m = std::min(all_.deepest_m, limit);
+    const double limit = std::min(hookbeh.value("max_depth"), platform_.envelope.greatest_depth_m);
+    all_.deepest_m = std::min(all_.deepest_m, std::max(limit, platform_.world.start_depth_m) +
+                                                  platform_.envelope.inflection_overshoot_m);
     for (const Layer& layer : layers_) {
       if (layer.role == Role::Flies && layer.deepest_m && *layer.deepest_m > 0) {
         all_.deepest_m =
@@ -141,10 +148,14 @@ class Endings {
     for (const slocum::KnownArgument& limit : slocum::findBehaviour("abend")->arguments) {
       const double value = abend->value(limit.name);
       const bool off = value < 0 || (value == 0 && limit.unit == "bool");
+      std::string text = fmt::format("{} {:.7g}", limit.name, value);
+      if (slocum::missionParameter(value)) {
+        parameterIn(*abend, limit.name, text);
+        continue;
+      }
       if (off || limit.name.ends_with("sample_time")) {
         continue;
       }
-      std::string text = fmt::format("{} {:g}", limit.name, value);
       if (limit.name == "overdepth") {
         aborted(text, std::max(all_.deepest_m, overdepth(*abend)));
       } else {
@@ -152,6 +163,14 @@ class Endings {
       }
     }
     aborted(fmt::format("{}", fmt::join(others, ", ")), all_.deepest_m);
+  }
+  /// overtime counts for the layers, so it is theirs to tell.
+  void parameterIn(const BehaviourBlock& abend, std::string_view limit, const std::string& text) {
+    if (limit != "overtime") {
+      const auto at = static_cast<size_t>(&abend - vehicle_.behaviours.data());
+      const Doubt doubt = changesInFlight(abend, layers_[at].label(), limit);
+      unproved(fmt::format("an abort ({})", text), &layers_[at], doubt.why, doubt.change);
+    }
   }
   void aborted(const std::string& limits, double from_m) {
     all_.endings.push_back({fmt::format("an abort ({})", limits),

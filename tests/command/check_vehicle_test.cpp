@@ -65,6 +65,35 @@ TEST_F(CheckVehicle, WhatHookbehRefusesIsAnError) {
   expectFine(with("", "b_arg: max_depth(m) 20\nb_arg: max_pitch(rad) 0.46\n"));
 }
 
+/// Not `always` of a mission that has none.
+TEST_F(CheckVehicle, OnlyWhatCommandsADepthIsNamed) {
+  const Outcome outcome = with("", "b_arg: max_depth(m) -10\n");
+  expectError(outcome, "`survey` may command a depth of 20 m, but hookbeh refuses more than -10 m");
+  EXPECT_THAT(outcome.err, Not(HasSubstr("`always`")));
+}
+
+/// The bound may merely not have been found: that is not an error.
+TEST_F(CheckVehicle, TheReportSaysThatAbendEndsAMissionWithoutAProvedEnd) {
+  const std::string endless =
+      folder_
+          .write("endless.mission",
+                 "mission m\nstate warm\nbegin\n  flightprofile surfaced\n  sensors temp\n"
+                 "  events\n    case temp > 4 degC exit\nend\n")
+          .string();
+  const auto report = [&](const std::string& abend, const std::string& path) {
+    const Outcome outcome =
+        runShell("$GLIDERCC check --report --target host --mi " + vehicle(abend, "") + " " + path);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.out;
+  };
+  const std::string line =
+      "\nthe mission has no proved end: abend aborts it 10 min 0 s after the vehicle's mission has "
+      "begun (overtime in v.mi)\n";
+  EXPECT_THAT(report("b_arg: overtime(s) 600\n", endless), HasSubstr(line));
+  EXPECT_THAT(report("", endless), Not(HasSubstr("no proved end")));
+  EXPECT_THAT(report("b_arg: overtime(s) 4000\n", mission()), Not(HasSubstr("no proved end")));
+}
+
 TEST_F(CheckVehicle, WhatAbendAbortsIsAnError) {
   expectError(with("b_arg: overdepth(m) 15\n", ""),
               "the vehicle aborts the mission: `survey` may command a depth of 20 m, and abend "

@@ -14,6 +14,8 @@
 #include <gmock/gmock.h>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace glider::tests {
 namespace {
@@ -49,6 +51,62 @@ TEST(WholeGoldens, SayWhatMayStayUnderWater) {
     EXPECT_EQ(outcome.err.find("GL312") != std::string::npos, fails) << name << outcome.err;
   }
   EXPECT_GE(refused, 3);
+}
+
+constexpr const char* kYo = "behavior: yo\n";
+constexpr const char* kHeading = "behavior: set_heading\nb_arg: heading_value(X) 1\n";
+
+/// What stands below a hookbeh that never gets control and a surface behaviour that starts within
+/// an hour, and whether a slot is idle in some cycle.
+std::vector<std::pair<std::string, bool>> stacks() {
+  const std::string yo = kYo, heading = kHeading,
+                    wpt =
+                        "behavior: goto_wpt\nb_arg: wpt_x(X) 1\n"
+                        "b_arg: wpt_y(X) 1\n";
+  const std::string list = "behavior: goto_list\nb_arg: num_waypoints(nodim) 1\n";
+  const std::string nop = "behavior: nop_cmds\nb_arg: nop_heading(bool) 1\n";
+  return {
+      {yo + heading, false},
+      {yo, true},
+      {heading, true},
+      {yo + heading + "b_arg: start_when(enum) 2\n", false},
+      {heading + "b_arg: start_when(enum) 2\n" + yo, true},
+      {yo + heading + "b_arg: stop_when(enum) 9\n", true},
+      {yo + wpt + "b_arg: stop_when(enum) 5\n", false},
+      {yo + wpt, true},
+      {yo + list, false},
+      {yo + list + "b_arg: num_legs_to_run(nodim) 1\n", true},
+      {yo + nop, false},
+      {yo + nop + "b_arg: secs_to_run(s) 60\n", true},
+      {heading + yo + "b_arg: start_when(enum) 8\n", true},
+      {heading + yo + "b_arg: num_half_cycles_to_do(nodim) 4\n", true},
+      {heading + "behavior: climb_to\nb_arg: end_action(enum) 2\n", true},
+      {heading + "behavior: drift_at_depth\nb_arg: target_depth(m) 10\n"
+                 "b_arg: stop_when_hover_for(s) 600\n",
+       true},
+      {"behavior: surface\nb_arg: start_when(enum) 1\nb_arg: end_action(enum) 2\n", false},
+  };
+}
+
+/// The simulator aborts the files that are refused because a slot is idle, and no others.
+TEST(WholeGoldens, AnIdleStackIsRefusedIfTheVehicleAborts) {
+  const TemporaryFolder folder;
+  for (const auto& [behaviours, idle] : stacks()) {
+    const std::string file =
+        folder
+            .write("a.mi",
+                   "behavior: surface\nb_arg: start_when(enum) 12\nb_arg: when_secs(s) "
+                   "3600\nb_arg: end_action(enum) 2\nbehavior: hookbeh\n" +
+                       behaviours)
+            .string();
+    const Outcome checked =
+        runShell("cd " + kFolder + " && $GLIDERCC check --no-cache --mi " + file + " " + kMission);
+    EXPECT_EQ(checked.err.find("and the vehicle aborts") != std::string::npos, idle)
+        << behaviours << checked.err;
+    const Outcome flown =
+        runShell("$GLIDERCC sim " + file + " -o " + (folder.path() / "flight").string());
+    EXPECT_EQ(flown.err.find("_IS_IDLE") != std::string::npos, idle) << behaviours << flown.err;
+  }
 }
 
 TEST(WholeGoldens, TheReportHasALineForEachEnding) {

@@ -28,6 +28,8 @@ platforms::Platform hull() {
   platform.world.slowest_climb_m_s = 0.05;
   platform.world.turn_s = 120;
   platform.world.tick_gap_s = 20;
+  platform.world.start_depth_m = 3;
+  platform.world.surface_depth_m = 2;
   return platform;
 }
 
@@ -38,15 +40,14 @@ constexpr double kClimb = 120 + 500;  // s, from 25 m
 
 class WholeOf : public ::testing::Test {
  protected:
-  [[nodiscard]] Whole ofFile(const std::string& path, double deepest_m = kDeepest) const {
+  [[nodiscard]] Whole of(const std::string& text, double deepest_m = kDeepest,
+                         const platforms::Platform& platform = hull()) const {
+    const std::string path = folder_.write("a.mi", text).string();
     support::SourceManager sources;
     support::DiagnosticEngine diagnostics;
     const auto mission = slocum::loadMission(path, sources, diagnostics, [](auto&&...) {});
     EXPECT_TRUE(mission) << path;
-    return mission ? wholeOf(*mission, hull(), deepest_m) : Whole{};
-  }
-  [[nodiscard]] Whole of(const std::string& text, double deepest_m = kDeepest) const {
-    return ofFile(folder_.write("a.mi", text).string(), deepest_m);
+    return mission ? wholeOf(*mission, platform, deepest_m) : Whole{};
   }
   [[nodiscard]] static std::string shipped(const std::string& name) {
     return tests::slurp(std::string(GLIDER_SOURCE_DIR) + "/scenarios/" + name);
@@ -126,6 +127,17 @@ TEST_F(WholeOf, TheDepthIsTheLesserOfTheMissionsAndHookbehs) {
   EXPECT_EQ(of(kIdle + kHookbeh + behaviour("climb_to", "target_depth(m) 70")).deepest_m, 25);
 }
 
+/// Control may begin below hookbeh's max_depth; it then climbs, after the overshoot.
+TEST_F(WholeOf, AStartBelowHookbehsDepthCounts) {
+  platforms::Platform deep = hull();
+  deep.world.start_depth_m = 50;
+  const Whole whole = of(kIdle + behaviour("hookbeh", "max_depth(m) 30"), 55, deep);
+  EXPECT_EQ(whole.deepest_m, 55);
+  EXPECT_DOUBLE_EQ(after(whole, "silence of the SBC").seconds(), kLetsGo + 120 + 55 / 0.05);
+  EXPECT_EQ(of(kIdle + behaviour("hookbeh", "max_depth(m) 30"), 500, deep).deepest_m, 55);
+  EXPECT_EQ(of(kIdle + behaviour("hookbeh", "max_depth(m) -10"), 25).deepest_m, 8);
+}
+
 TEST_F(WholeOf, TheLinesNameTheBehaviourTheTimeAndItsParts) {
   const auto lines = wholeLines(of(shipped("skeleton.mi")));
   ASSERT_EQ(lines.size(), 6U);
@@ -140,8 +152,8 @@ TEST_F(WholeOf, ASkeletonWithoutTheIdleSurfaceIsAborted) {
   const auto second = text.find("behavior: surface", text.find("behavior: surface") + 5);
   const std::string twin = text.substr(0, second) + text.substr(text.find("behavior: hookbeh"));
   EXPECT_EQ(refusal(twin),
-            "behaviour 2 `surface` (start_when 12, when_secs 28800) does not start when it should: "
-            "nothing commands pitch and pump, and the vehicle aborts");
+            "nothing commands heading, pitch and pump until behaviour 2 `surface` (start_when 12, "
+            "when_secs 28800) starts, and the vehicle aborts");
   EXPECT_EQ(refusal(kHookbeh), "nothing commands pitch and pump, and the vehicle aborts");
 }
 
@@ -188,12 +200,92 @@ TEST_F(WholeOf, AnEndlessYoSurfacesWhenATimeIsOver) {
   EXPECT_NE(refusal(behaviour("surface", "when_secs(s) 1000000") + kHookbeh + yo), "");
 }
 
+/// What commands the slots until the surface behaviour starts must do so without an end.
+TEST_F(WholeOf, AStackThatIsIdleBeforeTheTimeIsOverIsRefused) {
+  const std::string timed = behaviour("surface", "start_when(enum) 12,when_secs(s) 3600");
+  const std::string starts =
+      " until behaviour 1 `surface` (start_when 12, when_secs 3600) starts, and the vehicle aborts";
+  EXPECT_EQ(refusal(timed + kHookbeh + behaviour("yo", "")), "nothing commands heading" + starts);
+  EXPECT_EQ(refusal(timed + kHookbeh + kHeading), "nothing commands pitch and pump" + starts);
+  EXPECT_EQ(refusal(timed + kHookbeh), "nothing commands heading, pitch and pump" + starts);
+  const std::string open_drive = "nothing is sure to command pitch and pump" + starts + ": ";
+  EXPECT_EQ(refusal(timed + kHookbeh + behaviour("yo", "start_when(enum) 8") + kHeading),
+            open_drive + "behaviour 3 `yo` has start_when 8");
+  EXPECT_EQ(refusal(timed + behaviour("climb_to", "end_action(enum) 2,target_depth(m) 10") +
+                    kHookbeh + kHeading),
+            open_drive + "behaviour 2 `climb_to` has target_depth 10");
+  EXPECT_EQ(refusal(timed + kHookbeh + kHeading + behaviour("drift_at_depth", "")),
+            open_drive + "behaviour 4 `drift_at_depth` has stop_when_hover_for 3600");
+  for (const char* argument : {"stop_when(enum) 9", "num_half_cycles_to_do(nodim) 4"}) {
+    EXPECT_NE(refusal(timed + kHookbeh + kHeading + behaviour("yo", argument)), "") << argument;
+  }
+}
+
+TEST_F(WholeOf, AnySlotMayBeCommandedByAnyBehaviourWithoutAnEnd) {
+  const std::string timed = behaviour("surface", "start_when(enum) 12,when_secs(s) 3600");
+  const auto heading = [&](const std::string& name, const std::string& arguments) {
+    return refusal(timed + kHookbeh + behaviour("yo", "") + behaviour(name, arguments));
+  };
+  for (const char* code : {"0", "1", "2", "3", "4"}) {
+    const std::string start = std::string("start_when(enum) ") + code;
+    EXPECT_EQ(heading("set_heading", "heading_value(X) 1," + start), "") << code;
+    EXPECT_EQ(refusal(timed + kHookbeh + behaviour("yo", start) + kHeading) == "", code[0] != '3')
+        << code;
+  }
+  EXPECT_NE(heading("set_heading", "heading_value(X) 1,start_when(enum) 6"), "");
+  EXPECT_NE(heading("set_heading", "heading_value(X) 1,stop_when(enum) 6"), "");
+  EXPECT_NE(heading("set_heading", "heading_value(X) 1,stop_when(enum) 1000003"), "");
+  EXPECT_EQ(heading("goto_wpt", "wpt_x(X) 1,wpt_y(X) 1,stop_when(enum) 5"), "");
+  EXPECT_NE(heading("goto_wpt", "wpt_x(X) 1,wpt_y(X) 1,stop_when(enum) 7"), "");
+  EXPECT_EQ(heading("goto_list", "num_waypoints(nodim) 1"), "");
+  EXPECT_NE(heading("goto_list", "num_waypoints(nodim) 0"), "") << "none";
+  EXPECT_NE(heading("goto_list", "num_waypoints(nodim) 1,num_legs_to_run(nodim) -2"), "");
+  EXPECT_EQ(heading("nop_cmds", "nop_heading(bool) 1"), "");
+  EXPECT_NE(heading("nop_cmds", "nop_heading(bool) 0"), "");
+  EXPECT_NE(heading("nop_cmds", "nop_heading(bool) 1,secs_to_run(s) 60"), "");
+  // Above a yo, pitch is commanded already.
+  EXPECT_NE(
+      refusal(timed + kHookbeh + behaviour("set_heading", "heading_value(X) 1,start_when(enum) 2") +
+              behaviour("yo", "")),
+      "");
+}
+
+/// A behaviour that surfaces as soon as a slot is idle leaves none without a command.
+TEST_F(WholeOf, AnIdleSurfaceCommandsWhatNothingElseDoes) {
+  const std::string timed = behaviour("surface", "start_when(enum) 12,when_secs(s) 3600");
+  EXPECT_EQ(refusal(timed + kIdle + kHookbeh + behaviour("yo", "")), "");
+  EXPECT_EQ(refusal(timed + kHookbeh + kIdle), "") << "also from below";
+  EXPECT_EQ(refusal(behaviour("surface", "start_when(enum) 0") + kHookbeh), "");
+  EXPECT_EQ(refusal(behaviour("surface", "start_when(enum) 9,when_secs(s) 0") + kHookbeh), "");
+  EXPECT_NE(refusal(behaviour("surface", "start_when(enum) 9,when_secs(s) 60") + kHookbeh), "");
+  EXPECT_NE(refusal(behaviour("surface", "start_when(enum) 12,when_secs(s) 0") + kHookbeh), "")
+      << "not while there is contact";
+  // One that waits for pitch or pump does not see that the heading is idle.
+  for (const char* code : {"2", "4"}) {
+    const std::string surface = behaviour("surface", std::string("start_when(enum) ") + code);
+    EXPECT_NE(refusal(surface + kHookbeh + behaviour("dive_to", "")), "") << code;
+    EXPECT_EQ(refusal(surface + kHookbeh + kHeading + behaviour("dive_to", "")), "") << code;
+    EXPECT_EQ(refusal(surface + kHookbeh + behaviour("prepare_to_dive", "")), "") << code;
+  }
+}
+
 TEST_F(WholeOf, WhatAnAbortEndsSoonerIsRefused) {
   const std::string timed = behaviour("surface", "start_when(enum) 12,when_secs(s) 3600");
   const std::string rest = timed + kHookbeh + kHeading + behaviour("yo", "");
   EXPECT_EQ(refusal(behaviour("abend", "overtime(s) 14400") + rest), "");
   EXPECT_EQ(refusal(behaviour("abend", "overtime(s) -1") + rest), "");
   EXPECT_NE(refusal(behaviour("abend", "overtime(s) 3600") + rest), "");
+}
+
+TEST_F(WholeOf, AMissionParameterInAbendIsRefused) {
+  EXPECT_EQ(refusal(behaviour("abend", "overtime(s) 1000001") + kIdle + kHookbeh),
+            "behaviour 1 `abend` has overtime 1000001, a mission parameter, which may change in "
+            "flight");
+  for (const char* argument : {"overtime", "overdepth", "undervolts", "overdepth_sample_time"}) {
+    const Whole whole =
+        of(behaviour("abend", std::string(argument) + "(X) 1000002") + kIdle + kHookbeh);
+    EXPECT_FALSE(whole.proved()) << argument;
+  }
 }
 
 TEST_F(WholeOf, DivesOfOneLegCountOnce) {
@@ -251,7 +343,13 @@ TEST_F(WholeOf, ASurfaceBehaviourThatDoesNotClimbIsRefused) {
               "")
         << argument;
   }
-  EXPECT_EQ(refusal(behaviour("surface", "start_when(enum) 1,c_use_bpump(enum) 0") + kHookbeh), "");
+}
+
+/// It chooses the volume by itself and need not use bpump_value.
+TEST_F(WholeOf, AutoballastIsRefused) {
+  EXPECT_EQ(refusal(behaviour("surface", "start_when(enum) 1,c_use_bpump(enum) 0") + kHookbeh),
+            "behaviour 1 `surface` (c_use_bpump 0) may command anything below");
+  EXPECT_NE(refusal(kIdle + kHookbeh + behaviour("dive_to", "use_bpump(enum) 0")), "");
 }
 
 TEST_F(WholeOf, WhatHoldsPitchOrPumpOrIsUnknownIsRefused) {
@@ -305,6 +403,42 @@ TEST_F(WholeOf, AVehicleThatDoesNotReadItsDepthIsRefused) {
   EXPECT_EQ(
       refusal("sensor: c_pressure_time(s) -1\n" + kIdle + kHookbeh + behaviour("sensors_in", "")),
       "");
+}
+
+TEST_F(WholeOf, ASettingThatIsNotKnownToBeHarmlessIsRefused) {
+  const std::string good = kIdle + kHookbeh;
+  const Whole whole =
+      of("sensor: u_reqd_depth_at_surface(m) 30\nsensor: u_adj_overshoot(bool) 1\n" + good);
+  ASSERT_EQ(whole.endings.size(), 1U);
+  EXPECT_EQ(whole.endings[0].after, "any loss of control");
+  EXPECT_EQ(whole.endings[0].why_not,
+            "what the setting u_reqd_depth_at_surface 30 does to the way to the surface is not "
+            "known; nor what these do: u_adj_overshoot 1");
+  EXPECT_EQ(whole.endings[0].change, "delete its line `sensor:`, or give it a value of at most 2");
+  EXPECT_TRUE(whole.endings[0].range.valid());
+  for (const char* bad :
+       {"u_cycle_time(sec) 60", "u_cycle_time(sec) 1000001", "c_ballast_pumped(cc) 1",
+        "u_use_ctd_depth_for_flying(bool) 1", "f_max_working_depth(m) 10",
+        "u_mission_parameter(X) 1", "u_mission_param_aa(X) 1"}) {
+    EXPECT_FALSE(of("sensor: " + std::string(bad) + "\n" + good).proved()) << bad;
+  }
+  for (const char* harmless :
+       {"u_reqd_depth_at_surface(m) 2", "u_cycle_time(sec) 4", "u_use_current_correction(nodim) 1",
+        "u_mission_param_a(X) 5", "u_mission_mode(X) 3", "c_alt_time(sec) 8",
+        "u_alt_reduced_usage_mode(bool) 1", "c_science_all_on_enabled(bool) 0",
+        "c_profile_on(sec) 4", "u_dbd_sensor_list_xmit_control(enum) 0"}) {
+    EXPECT_TRUE(of("sensor: " + std::string(harmless) + "\n" + good).proved()) << harmless;
+  }
+}
+
+/// The vehicle's calibration is in it, and what the mission file sets itself does not count there.
+TEST_F(WholeOf, TheSettingsOfTheVehicleCountToo) {
+  const std::string good = kIdle + kHookbeh;
+  (void)folder_.write("autoexec.mi", "sensor: f_max_working_depth(m) 98\n");
+  EXPECT_TRUE(of(good).proved());
+  (void)folder_.write("autoexec.mi", "sensor: u_cycle_time(sec) 60\n");
+  EXPECT_FALSE(of(good).proved());
+  EXPECT_TRUE(of("sensor: u_cycle_time(sec) 4\n" + good).proved());
 }
 
 TEST_F(WholeOf, LimitsThatAreOffAbortNothing) {

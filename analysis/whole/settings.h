@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "platforms/load/platform.h"
+#include "slocum/mission_files/mission_file.h"
+
+#include <optional>
+#include <string>
+
+namespace glider::analysis {
+
+/// Why a number of the vehicle's files keeps the way to the surface from being proved.
+struct Doubt {
+  std::string why;
+  std::string change;
+  support::SourceRange range;
+};
+
+/// A line `sensor:`, of the mission file or of autoexec.mi, that is not known to leave the way to
+/// the surface as it is.
+std::optional<Doubt> doubtfulSetting(const slocum::MissionFile& vehicle,
+                                     const platforms::Platform& platform);
+
+/// A sensor without which the vehicle does not know its depth or its pitch, and which it seldom or
+/// never reads.
+std::optional<Doubt> unreadSensor(const slocum::MissionFile& vehicle,
+                                  const platforms::Platform& platform);
+
+/// A b_arg of `block`, which `label` names, whose value is a mission parameter.
+Doubt changesInFlight(const slocum::BehaviourBlock& block, const std::string& label,
+                      std::string_view argument);
+
+}  // namespace glider::analysis

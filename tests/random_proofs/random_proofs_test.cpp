@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What is proved of random missions, and what they are warned of, holds in random flights of them,
+// with faults of sensors and outages. scripts/soak/random_proofs flies more of the same.
+
+#include "ir/core/under_assumptions.h"
+#include "ir/text/print.h"
+#include "ir/verify/verify.h"
+#include "tests/containment/hard_mission.h"
+#include "tests/random_missions/random_mission.h"
+#include "tests/random_proofs/requirements.h"
+#include "tests/random_proofs/tally.h"
+#include "tests/random_proofs/watch.h"
+#include "tests/unit/ir/slocum.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <iterator>
+
+namespace glider::random_proofs {
+namespace {
+
+using containment::Flight;
+using containment::FlightStyle;
+
+constexpr uint64_t kFlights = 5;
+constexpr size_t kTicks = 200;
+
+uint64_t numberFrom(const char* name, uint64_t standard) {
+  const char* const text = std::getenv(name);
+  return text != nullptr ? std::strtoull(text, nullptr, 10) : standard;
+}
+
+/// A little effort: what is left undecided is of no use here.
+ir::prove::Options effort() {
+  ir::prove::Options how;
+  how.effort = 100000;
+  how.run_effort = 100000;
+  how.total_effort = 600000;
+  return how;
+}
+
+/// Random missions that are hard to prove right, and some with every construct there is.
+ir::Mission missionOf(uint64_t seed) {
+  constexpr uint64_t kShare = 6;
+  return seed % kShare == 0 ? random_missions::randomMission(seed) : containment::hardMission(seed);
+}
+
+/// One mission, what is said of it, and flights of it.
+class Trial {
+ public:
+  Trial(uint64_t seed, Tally& tally)
+      : seed_(seed),
+        tally_(tally),
+        required_(withRequirements(missionOf(seed), ir::slocum(), seed)),
+        assumed_(ir::underAssumptions(required_.mission)),
+        wide_platform_(ir::notNarrowed(ir::slocum(), required_.mission)),
+        narrow_platform_(ir::underAssumptions(ir::slocum(), required_.mission)),
+        wide_(required_.mission, wide_platform_),
+        narrow_(required_.mission, narrow_platform_) {}
+
+  void run() {
+    judge();
+    Met met;
+    for (uint64_t i = 0; i < kFlights && !testing::Test::HasFailure(); ++i) {
+      fly(i, met);
+    }
+    ++tally_.missions;
+    for (const size_t i : met.verdicts) {
+      const auto& verdict = watched_.verdicts[i];
+      tally_.requirements[required_.kinds[verdict.requirement]].met +=
+          verdict.verdict == ir::prove::Verdict::Proved ? 1U : 0U;
+    }
+    for (size_t i = 0; i < watched_.claims.size(); ++i) {
+      Tally::Findings& row = tally_.findings[support::code(watched_.claims[i].id)];
+      ++row.watched;
+      row.met += met.claims.contains(i) ? 1U : 0U;
+    }
+  }
+
+ private:
+  void judge() {
+    const ir::Mission& m = required_.mission;
+    support::DiagnosticEngine verified;
+    support::DiagnosticEngine proved;
+    const ir::MissionFacts facts = ir::verify(m, verified);
+    const auto findings = ir::prove::prove(m, facts, ir::slocum(), effort(), proved);
+    std::set<ir::CasePlace> dead;
+    for (const auto& [place, hidden] : findings.never_fire) {
+      dead.insert(place);
+    }
+    watched_.stack_depth = facts.stack_depth;
+    watched_.claims = claimsOf(m, verified, {});
+    std::ranges::move(claimsOf(m, proved, dead), std::back_inserter(watched_.claims));
+    for (const auto& verdict : findings.requirements) {
+      tally_.add(required_.kinds[verdict.requirement], verdict);
+      const bool reach = m.requirements[verdict.requirement].kind == ir::RequirementKind::Reach;
+      const auto watched = reach ? ir::prove::Verdict::Refuted : ir::prove::Verdict::Proved;
+      if (verdict.verdict == watched) {
+        watched_.verdicts.push_back(verdict);
+      }
+    }
+  }
+
+  void fly(uint64_t number, Met& met) {
+    const bool narrowed = number % 2 == 1;
+    FlightStyle style;
+    style.power_cuts = number != 2;
+    style.pressing = number >= 2;
+    style.silent = number == 4 && needsReadings();
+    style.environment = narrowed ? &assumed_ : nullptr;
+    const ir::prove::ProofContext& context = narrowed ? narrow_ : wide_;
+    Flight flight(context, seed_ * kFlights + number, style);
+    Watch watch(context, watched_, style, narrowed, met);
+    flight.start();
+    ++tally_.flights;
+    std::string broken = watch.tick(flight);
+    for (size_t i = 0; i < kTicks && !flight.over() && broken.empty(); ++i) {
+      flight.advance();
+      broken = watch.midway(flight);
+      if (broken.empty()) {
+        flight.decide();
+        broken = watch.tick(flight);
+      }
+      ++tally_.ticks;
+    }
+    if (!broken.empty()) {
+      ADD_FAILURE() << "mission " << seed_ << ", flight " << number << ", at " << flight.now().time
+                    << " s: " << broken << "\n"
+                    << ir::print(required_.mission);
+    }
+  }
+
+  [[nodiscard]] bool needsReadings() const {
+    return std::ranges::find(watched_.claims, support::DiagnosticId::endNeedsReadings,
+                             &Claim::id) != watched_.claims.end();
+  }
+
+  uint64_t seed_;
+  Tally& tally_;
+  Required required_;
+  ir::Mission assumed_;
+  platforms::Platform wide_platform_, narrow_platform_;
+  ir::prove::ProofContext wide_, narrow_;
+  Watched watched_;
+};
+
+TEST(RandomProofs, HoldInFlightsWithFaultsAndOutages) {
+  constexpr uint64_t kFew = 40;
+  const uint64_t count = numberFrom("GLIDER_RANDOM_PROOFS", kFew);
+  const uint64_t first = numberFrom("GLIDER_RANDOM_PROOFS_SEED", 1);
+  Tally tally;
+  for (uint64_t seed = first; seed < first + count && !HasFailure(); ++seed) {
+    Trial(seed, tally).run();
+  }
+  fmt::print("{}", tally.text());
+}
+
+}  // namespace
+}  // namespace glider::random_proofs

@@ -20,7 +20,13 @@ const ir::Type kTime = frontend::quantity(support::dimension::time);
 }  // namespace
 
 Conditions::Conditions(ir::Mission& mission, const Bounds& bounds, random_missions::Random& random)
-    : m_(mission), bounds_(bounds), random_(random), write_(mission, "condition", {}) {}
+    : m_(mission), bounds_(bounds), random_(random), write_(mission, "condition", {}) {
+  for (const ir::Expr& e : m_.exprs) {
+    if (e.op == Op::Constant && e.type == kTime && e.number > 0) {
+      named_.push_back(e.number);
+    }
+  }
+}
 
 double Conditions::near(double value) {
   constexpr double kSteps[] = {0, 0, 0, 1e-6, 0.5, 1, 4, 20};
@@ -36,13 +42,7 @@ double Conditions::time() {
   if (kind < 0.3 && bounds_.ends_by) {
     value = *bounds_.ends_by;
   } else if (kind < 0.5) {
-    std::vector<double> named;
-    for (const ir::Expr& e : m_.exprs) {
-      if (e.op == Op::Constant && e.type == kTime && e.number > 0) {
-        named.push_back(e.number);
-      }
-    }
-    value = named.empty() ? value : random_.pick(named);
+    value = named_.empty() ? value : random_.pick(named_);
   }
   return std::max(1.0, near(random_.chance(0.2) ? value + m_.resume_within_s : value));
 }

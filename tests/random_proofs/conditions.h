@@ -52,6 +52,7 @@ class Conditions {
   const Bounds& bounds_;
   random_missions::Random& random_;
   frontend::MonitorBuilder write_;
+  std::vector<double> named_;  ///< times that the mission names, s
 };
 
 }  // namespace glider::random_proofs

@@ -23,9 +23,7 @@ class Patterns {
   Patterns(ir::Mission& mission, Conditions& conditions, random_missions::Random& random)
       : m_(mission), conditions_(conditions), random_(random) {}
 
-  std::string write(ir::Requirement& requirement) {
-    constexpr const char* kNames[] = {"visit", "patrol", "count", "never", "reaction", "hold"};
-    const uint32_t chosen = random_.below(std::size(kNames));
+  void write(uint32_t chosen, ir::Requirement& requirement) {
     frontend::MonitorBuilder monitor(m_, fmt::format("require {}", m_.requirements.size() + 1),
                                      requirement.range);
     std::optional<frontend::PlacedScope> scope;
@@ -36,7 +34,6 @@ class Patterns {
     frontend::writeScoped(scope ? &*scope : nullptr, random_.chance(0.4), monitor,
                           [&](Pattern& pattern) { write(chosen, pattern); });
     monitor.finish(requirement);
-    return kNames[chosen];
   }
 
  private:
@@ -111,9 +108,14 @@ class Patterns {
 
 }  // namespace
 
-std::string writePattern(ir::Mission& mission, ir::Requirement& requirement, Conditions& conditions,
-                         random_missions::Random& random) {
-  return Patterns(mission, conditions, random).write(requirement);
+std::span<const char* const> patterns() {
+  static constexpr const char* kNames[] = {"visit", "patrol", "count", "never", "reaction", "hold"};
+  return kNames;
+}
+
+void writePattern(uint32_t pattern, ir::Mission& mission, ir::Requirement& requirement,
+                  Conditions& conditions, random_missions::Random& random) {
+  Patterns(mission, conditions, random).write(pattern, requirement);
 }
 
 }  // namespace glider::random_proofs

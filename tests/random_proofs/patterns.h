@@ -5,13 +5,17 @@
 
 #include "tests/random_proofs/conditions.h"
 
-#include <string>
+#include <cstdint>
+#include <span>
 
 namespace glider::random_proofs {
 
-/// Makes `requirement` a random pattern of the language (docs/promises.md), written as the frontend
-/// does. Returns its name.
-std::string writePattern(ir::Mission& mission, ir::Requirement& requirement, Conditions& conditions,
-                         random_missions::Random& random);
+/// The patterns: "visit", "patrol", "count", "never", "reaction", "hold".
+std::span<const char* const> patterns();
+
+/// Makes `requirement` a random one of the pattern with this number of the language
+/// (docs/promises.md), written as the frontend does.
+void writePattern(uint32_t pattern, ir::Mission& mission, ir::Requirement& requirement,
+                  Conditions& conditions, random_missions::Random& random);
 
 }  // namespace glider::random_proofs

@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <iterator>
 
@@ -37,9 +38,9 @@ uint64_t numberFrom(const char* name, uint64_t standard) {
 /// A little effort: what is left undecided is of no use here.
 ir::prove::Options effort() {
   ir::prove::Options how;
-  how.effort = 100000;
-  how.run_effort = 100000;
-  how.total_effort = 600000;
+  how.effort = numberFrom("E1",100000);
+  how.run_effort = numberFrom("E2",100000);
+  how.total_effort = numberFrom("E3",600000);
   return how;
 }
 
@@ -70,9 +71,7 @@ class Trial {
     }
     ++tally_.missions;
     for (const size_t i : met.verdicts) {
-      const auto& verdict = watched_.verdicts[i];
-      tally_.requirements[required_.kinds[verdict.requirement]].met +=
-          verdict.verdict == ir::prove::Verdict::Proved ? 1U : 0U;
+      ++tally_.requirements[required_.kinds[watched_.verdicts[i].requirement]].met;
     }
     for (size_t i = 0; i < watched_.claims.size(); ++i) {
       Tally::Findings& row = tally_.findings[support::code(watched_.claims[i].id)];
@@ -148,12 +147,21 @@ class Trial {
   Watched watched_;
 };
 
+/// The mission that is tried, for a failed CHECK of the code under test.
+uint64_t trying = 0;
+
+void tellMission(int) {
+  fmt::print(stderr, "while mission {} was tried\n", trying);
+}
+
 TEST(RandomProofs, HoldInFlightsWithFaultsAndOutages) {
   constexpr uint64_t kFew = 40;
   const uint64_t count = numberFrom("GLIDER_RANDOM_PROOFS", kFew);
   const uint64_t first = numberFrom("GLIDER_RANDOM_PROOFS_SEED", 1);
   Tally tally;
+  std::signal(SIGABRT, tellMission);
   for (uint64_t seed = first; seed < first + count && !HasFailure(); ++seed) {
+    trying = seed;
     Trial(seed, tally).run();
   }
   fmt::print("{}", tally.text());

@@ -7,6 +7,7 @@
 #include "ir/prove/abstract/end_bound.h"
 #include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/abstract/surfacing.h"
+#include "ir/prove/context/requirement_monitor.h"
 #include "ir/text/print.h"
 #include "ir/text/read.h"
 #include "ir/verify/verify.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace glider::random_proofs {
@@ -47,27 +49,45 @@ ir::Mission written(const ir::Mission& mission) {
   return *std::move(read);
 }
 
+/// Adds candidates to a mission, each from a seed of its own: the same in any company.
 class Maker {
  public:
-  Maker(ir::Mission mission, const platforms::Platform& platform, uint64_t seed)
+  /// `bounds` outlives this.
+  Maker(ir::Mission mission, const Bounds& bounds, uint64_t seed)
       : random_(seed),
-        bounds_(boundsOf(mission, platform, seed)),
+        seed_(seed),
+        bounds_(bounds),
         made_{std::move(mission), {}},
         conditions_(made_.mission, bounds_, random_) {
     support::DiagnosticEngine unheard;
     stack_ = ir::verify(made_.mission, unheard).stack_depth;
   }
 
-  Required run() {
-    exitWithin();
-    always();
-    random_.chance(0.5) ? always() : exitWithin();
-    random_.chance(0.5) ? reach() : neverAfter();
-    random_.chance(0.5) ? stack() : surfaces();
-    pattern();
-    if (random_.chance(0.5)) {
-      pattern();
+  [[nodiscard]] static uint32_t candidates() {
+    return kFirstPattern + static_cast<uint32_t>(patterns().size());
+  }
+
+  void add(uint32_t candidate) {
+    random_ = random_missions::Random(seed_ * 2 * candidates() + candidate);
+    switch (candidate) {
+      case 0:
+      case 1:
+        return exitWithin();
+      case 2:
+        return reach();
+      case 3:
+        return neverAfter();
+      case 4:
+        return stack();
+      case 5:
+        return surfaces();
+      default:
+        return candidate < kFirstPattern ? always() : pattern(candidate - kFirstPattern);
     }
+  }
+
+  Required finished() {
+    random_ = random_missions::Random(seed_ * 2 * candidates() + candidates());
     if (random_.chance(0.4)) {
       addAssumptions(made_.mission, conditions_, random_);
     }
@@ -75,6 +95,8 @@ class Maker {
     made_.mission = written(made_.mission);
     return std::move(made_);
   }
+
+  [[nodiscard]] const ir::Mission& mission() const { return made_.mission; }
 
  private:
   void add(Requirement requirement, std::string kind) {
@@ -140,24 +162,80 @@ class Maker {
     add(std::move(r), "surfaces every");
   }
 
-  void pattern() {
+  void pattern(uint32_t number) {
     Requirement r = begun(RequirementKind::Always);
-    const std::string kind = writePattern(made_.mission, r, conditions_, random_);
-    add(std::move(r), kind);
+    writePattern(number, made_.mission, r, conditions_, random_);
+    add(std::move(r), patterns()[number]);
   }
 
+  static constexpr uint32_t kFirstPattern = 9;
+
   random_missions::Random random_;
-  Bounds bounds_;
+  uint64_t seed_;
+  const Bounds& bounds_;
   Required made_;
   Conditions conditions_;
   uint32_t stack_ = 0;
 };
 
+/// The requirements that are violated (Reach: satisfied) in the flights that were scouted.
+std::set<size_t> brokenOf(const ir::Mission& mission, const platforms::Platform& platform,
+                          uint64_t seed) {
+  const ir::prove::ProofContext context(mission, platform);
+  std::set<size_t> broken;
+  std::vector<ir::RequirementMonitor> monitors;
+  const auto begin = [&](const containment::Flight&) {
+    monitors.clear();
+    for (const Requirement& r : mission.requirements) {
+      monitors.emplace_back(mission, r, platform.world.surface_depth_m, context.depth);
+    }
+  };
+  scoutingFlights(context, seed, begin, [&](const containment::Flight& flight) {
+    const containment::Tick& now = flight.now();
+    for (size_t i = 0; i < monitors.size(); ++i) {
+      monitors[i].tick(flight.interpreter(), now.time, now.result, now.depth);
+      if (monitors[i].when()) {
+        broken.insert(i);
+      }
+    }
+  });
+  return broken;
+}
+
+/// The candidates to be judged, in their order: several that the scouted flights do not break, and
+/// at times one that they do.
+std::vector<uint32_t> chosen(const std::set<size_t>& broken, uint32_t candidates, uint64_t seed) {
+  constexpr size_t kMost = 7;
+  random_missions::Random random(seed);
+  std::vector<uint32_t> kept;
+  std::vector<uint32_t> others;
+  for (uint32_t i = 0; i < candidates; ++i) {
+    (broken.contains(i) ? others : kept).push_back(i);
+  }
+  while (kept.size() > kMost) {
+    kept.erase(kept.begin() + random.below(kept.size()));
+  }
+  if (!others.empty() && random.chance(0.5)) {
+    kept.push_back(random.pick(others));
+  }
+  return kept;
+}
+
 }  // namespace
 
 Required withRequirements(const ir::Mission& mission, const platforms::Platform& platform,
                           uint64_t seed) {
-  return Maker(mission, platform, seed).run();
+  const Bounds bounds = boundsOf(mission, platform, seed);
+  Maker tried(mission, bounds, seed);
+  for (uint32_t i = 0; i < Maker::candidates(); ++i) {
+    tried.add(i);
+  }
+  Maker maker(mission, bounds, seed);
+  for (const uint32_t i :
+       chosen(brokenOf(tried.mission(), platform, seed), Maker::candidates(), seed)) {
+    maker.add(i);
+  }
+  return maker.finished();
 }
 
 }  // namespace glider::random_proofs

@@ -3,8 +3,6 @@
 
 #include "tests/random_proofs/scouting.h"
 
-#include "tests/containment/flight.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -48,23 +46,33 @@ void take(const Flight& flight, double surface_depth_m, Look& look, Scouted& all
 
 }  // namespace
 
-Scouted scout(const ir::prove::ProofContext& context, uint64_t seed) {
+void scoutingFlights(const ir::prove::ProofContext& context, uint64_t seed, const Visit& begin,
+                     const Visit& tick) {
   constexpr uint64_t kFlights = 4;
   constexpr size_t kTicks = 150;
+  for (uint64_t i = 0; i < kFlights; ++i) {
+    Flight flight(context, seed + i, {.power_cuts = i != 0, .pressing = i % 2 == 1});
+    begin(flight);
+    flight.start();
+    tick(flight);
+    for (size_t k = 0; k < kTicks && !flight.over(); ++k) {
+      flight.advance();
+      flight.decide();
+      tick(flight);
+    }
+  }
+}
+
+Scouted scout(const ir::prove::ProofContext& context, uint64_t seed) {
   Scouted all;
   all.lowest.assign(context.mission.variables.size(), kUnknown);
   all.highest = all.lowest;
-  for (uint64_t i = 0; i < kFlights; ++i) {
-    Flight flight(context, seed + i, {.power_cuts = i != 0, .pressing = i % 2 == 1});
-    Look look;
-    flight.start();
-    take(flight, context.platform.world.surface_depth_m, look, all);
-    for (size_t tick = 0; tick < kTicks && !flight.over(); ++tick) {
-      flight.advance();
-      flight.decide();
-      take(flight, context.platform.world.surface_depth_m, look, all);
-    }
-  }
+  Look look;
+  scoutingFlights(
+      context, seed, [&](const Flight&) { look = {}; },
+      [&](const Flight& flight) {
+        take(flight, context.platform.world.surface_depth_m, look, all);
+      });
   return all;
 }
 

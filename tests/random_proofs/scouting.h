@@ -4,8 +4,10 @@
 #pragma once
 
 #include "ir/prove/context/proof_context.h"
+#include "tests/containment/flight.h"
 
 #include <cstdint>
+#include <functional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -25,6 +27,12 @@ struct Scouted {
   std::set<uint32_t> entered;                      ///< states
   std::set<std::pair<uint32_t, uint32_t>> orders;  ///< the first was entered after the second
 };
+
+/// Makes the flights that `scout` looks at: calls `begin` before each, and `tick` after its start
+/// and each of its ticks.
+using Visit = std::function<void(const containment::Flight&)>;
+void scoutingFlights(const ir::prove::ProofContext& context, uint64_t seed, const Visit& begin,
+                     const Visit& tick);
 
 Scouted scout(const ir::prove::ProofContext& context, uint64_t seed);
 

@@ -487,6 +487,10 @@ void passes::requirements(Proof& proof) {
     return RequirementCheck(proof).run();
   }
   const Mission mission = underAssumptions(plain.mission);
+  const auto is_empty = [](const Sensor& sensor) { return sensor.lowest > sensor.highest; };
+  if (std::ranges::any_of(mission.sensors, is_empty)) {
+    return RequirementCheck(proof).run();  // GL3121 is reported: nothing can rest on such ranges
+  }
   const platforms::Platform platform = underAssumptions(plain.platform, plain.mission);
   const ProofContext proof_context(mission, platform);
   Proof assuming{proof.context, proof_context, proof.facts, proof.options, proof.diagnostics};

@@ -38,8 +38,9 @@ uint64_t numberFrom(const char* name, uint64_t standard) {
 /// A little effort: what is left undecided is of no use here.
 ir::prove::Options effort() {
   ir::prove::Options how;
-  how.effort = numberFrom("E1",100000);
-  how.run_effort = numberFrom("E2",100000);
+  how.effort = (unsigned)numberFrom("E1",100000);
+  how.run_effort = (unsigned)numberFrom("E2",100000);
+  how.random_ticks = numberFrom("E4",120000);
   how.total_effort = numberFrom("E3",600000);
   return how;
 }

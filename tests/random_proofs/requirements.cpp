@@ -202,8 +202,8 @@ std::set<size_t> brokenOf(const ir::Mission& mission, const platforms::Platform&
   return broken;
 }
 
-/// The candidates to be judged, in their order: several that the scouted flights do not break, and
-/// at times one that they do.
+/// The candidates to be judged, in any order, as what comes first has more of the effort: several
+/// that the scouted flights do not break, and at times one that they do.
 std::vector<uint32_t> chosen(const std::set<size_t>& broken, uint32_t candidates, uint64_t seed) {
   constexpr size_t kMost = 7;
   random_missions::Random random(seed);
@@ -217,6 +217,9 @@ std::vector<uint32_t> chosen(const std::set<size_t>& broken, uint32_t candidates
   }
   if (!others.empty() && random.chance(0.5)) {
     kept.push_back(random.pick(others));
+  }
+  for (size_t i = kept.size(); i > 1; --i) {
+    std::swap(kept[i - 1], kept[random.below(i)]);
   }
   return kept;
 }

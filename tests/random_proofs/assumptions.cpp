@@ -35,7 +35,7 @@ class Assumptions {
 
  private:
   bool fill(Assumption& a) {
-    switch (random_.below(5)) {
+    switch (random_.below(6)) {
       case 0:
         return startDepth(a);
       case 1:
@@ -44,6 +44,8 @@ class Assumptions {
         return range(a);
       case 3:
         return known(a);
+      case 4:
+        return current(a);
       default:
         a.words = "a condition";
         a.watch.condition = conditions_.ofReadings();
@@ -60,6 +62,14 @@ class Assumptions {
     a.kind = AssumptionKind::StartDepth;
     a.limit = random_.pick(kDepths);
     a.words = fmt::format("start depth <= {} m", a.limit);
+    return !hasOne(a.kind);
+  }
+
+  bool current(Assumption& a) {
+    constexpr double kCurrents[] = {0.1, 0.4, 0.8};
+    a.kind = AssumptionKind::Current;
+    a.limit = random_.pick(kCurrents);
+    a.words = fmt::format("current <= {} m/s", a.limit);
     return !hasOne(a.kind);
   }
 

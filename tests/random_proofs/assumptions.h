@@ -7,8 +7,8 @@
 
 namespace glider::random_proofs {
 
-/// Adds one or two assumptions: about the start, the range of a sensor, outages, readings that come
-/// often enough, or a condition.
+/// Adds one or two assumptions: about the start, the current, the range of a sensor, outages,
+/// readings that come often enough, or a condition.
 void addAssumptions(ir::Mission& mission, Conditions& conditions, random_missions::Random& random);
 
 }  // namespace glider::random_proofs

@@ -13,12 +13,19 @@
 
 namespace glider::random_proofs {
 
+/// Where a mission's waypoints are, and how far from them the prover thinks it may get.
+struct Track {
+  ir::Position south_west, north_east;
+  double off_legs_m = 0;
+};
+
 /// What is near to be true of a mission.
 struct Bounds {
   Scouted scouted;
   std::optional<double> ends_by;     ///< the prover's bound, s
   std::optional<double> deepest;     ///< the same, m
   std::optional<double> submersion;  ///< the same, s
+  std::optional<Track> track;
 };
 
 /// Random conditions about a mission, which they add as expressions: of readings, clocks,

@@ -12,6 +12,7 @@
 #include "ir/text/read.h"
 #include "ir/verify/verify.h"
 #include "support/check.h"
+#include "tests/random_proofs/areas.h"
 #include "tests/random_proofs/assumptions.h"
 #include "tests/random_proofs/patterns.h"
 
@@ -36,6 +37,7 @@ Bounds boundsOf(const ir::Mission& mission, const platforms::Platform& platform,
   bounds.deepest = std::isfinite(deepest) ? std::optional(deepest) : std::nullopt;
   bounds.submersion =
       ir::prove::longestSubmersion(context, ending.bound(), ir::prove::kLongestMission);
+  bounds.track = trackOf(context, ending);
   return bounds;
 }
 
@@ -81,6 +83,8 @@ class Maker {
         return stack();
       case 5:
         return surfaces();
+      case 6:
+        return area();
       default:
         return candidate < kFirstPattern ? always() : pattern(candidate - kFirstPattern);
     }
@@ -162,13 +166,22 @@ class Maker {
     add(std::move(r), "surfaces every");
   }
 
+  /// Or a condition, if there is no area.
+  void area() {
+    Requirement r = begun(RequirementKind::Always);
+    if (!bounds_.track || !writeArea(made_.mission, r, *bounds_.track, conditions_, random_)) {
+      return always();
+    }
+    add(std::move(r), "area");
+  }
+
   void pattern(uint32_t number) {
     Requirement r = begun(RequirementKind::Always);
     writePattern(number, made_.mission, r, conditions_, random_);
     add(std::move(r), patterns()[number]);
   }
 
-  static constexpr uint32_t kFirstPattern = 9;
+  static constexpr uint32_t kFirstPattern = 10;
 
   random_missions::Random random_;
   uint64_t seed_;
@@ -194,7 +207,8 @@ std::set<size_t> brokenOf(const ir::Mission& mission, const platforms::Platform&
     const containment::Tick& now = flight.now();
     for (size_t i = 0; i < monitors.size(); ++i) {
       monitors[i].tick(flight.interpreter(), now.time, now.result, now.depth);
-      if (monitors[i].when()) {
+      // An area needs a flight whose readings are those of its place.
+      if (monitors[i].when() && mission.requirements[i].geofences.empty()) {
         broken.insert(i);
       }
     }

@@ -97,8 +97,8 @@ class Assumptions {
       return false;
     }
     const ir::Sensor row = m_[*sensor];
-    const double lowest = std::max(row.lowest, -1e6) * row.to_si;
-    const double highest = std::min(row.highest, 1e6) * row.to_si;
+    const double lowest = std::clamp(row.lowest * row.to_si, -1e6, 1e6);
+    const double highest = std::clamp(row.highest * row.to_si, -1e6, 1e6);
     const double one = random_.chance(0.4) ? lowest : random_.uniform(lowest, highest);
     const double other = random_.chance(0.4) ? highest : random_.uniform(lowest, highest);
     a.kind = AssumptionKind::Range;

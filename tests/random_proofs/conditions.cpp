@@ -103,8 +103,8 @@ ExprId Conditions::ofSensor() {
   if (random_.chance(0.3)) {
     return write_.operation(Op::Known, frontend::boolean(), {value});
   }
-  const double low = std::max(m_[*sensor].lowest * m_[*sensor].to_si, -1e6);
-  const double high = std::min(m_[*sensor].highest * m_[*sensor].to_si, 1e6);
+  const double low = std::clamp(m_[*sensor].lowest * m_[*sensor].to_si, -1e6, 1e6);
+  const double high = std::clamp(m_[*sensor].highest * m_[*sensor].to_si, -1e6, 1e6);
   const double limits[] = {low, high, random_.uniform(low, high)};
   return compare(random_.chance(0.5) ? Op::LessEqual : Op::GreaterEqual, value,
                  near(random_.pick(limits)));

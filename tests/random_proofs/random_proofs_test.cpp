@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What is proved of random missions, and what they are warned of, holds in random flights of them,
-// with faults of sensors and outages. scripts/soak/random_proofs flies more of the same.
+// What is proved about random missions, and what they are warned of, holds in random flights of
+// them, with faults of sensors and outages. scripts/soak/random_proofs flies more of the same.
 
 #include "ir/core/under_assumptions.h"
 #include "ir/prove/falsification/random_flight.h"
@@ -10,9 +10,9 @@
 #include "ir/verify/verify.h"
 #include "tests/containment/hard_mission.h"
 #include "tests/random_missions/random_mission.h"
+#include "tests/random_proofs/flight_check.h"
 #include "tests/random_proofs/requirements.h"
 #include "tests/random_proofs/tally.h"
-#include "tests/random_proofs/watch.h"
 #include "tests/unit/ir/slocum.h"
 
 #include <fmt/format.h>
@@ -66,7 +66,7 @@ class Trial {
         narrow_(required_.mission, narrow_platform_) {}
 
   void run() {
-    judge();
+    check();
     Met met;
     for (uint64_t i = 0; i < kFlights && !testing::Test::HasFailure(); ++i) {
       fly(i, met);
@@ -86,7 +86,7 @@ class Trial {
   }
 
  private:
-  void judge() {
+  void check() {
     const ir::Mission& m = required_.mission;
     support::DiagnosticEngine verified;
     support::DiagnosticEngine proved;
@@ -119,16 +119,16 @@ class Trial {
     style.environment = narrowed ? &assumed_ : nullptr;
     const ir::prove::ProofContext& context = narrowed ? narrow_ : wide_;
     Flight flight(context, seed_ * kFlights + number, style);
-    Watch watch(context, watched_, style, narrowed, met);
+    FlightCheck looking(context, watched_, style, narrowed, met);
     flight.start();
     ++tally_.flights;
-    std::string broken = watch.tick(flight);
+    std::string broken = looking.tick(flight);
     for (size_t i = 0; i < kTicks && !flight.over() && broken.empty(); ++i) {
       flight.advance();
-      broken = watch.midway(flight);
+      broken = looking.midway(flight);
       if (broken.empty()) {
         flight.decide();
-        broken = watch.tick(flight);
+        broken = looking.tick(flight);
       }
       ++tally_.ticks;
     }

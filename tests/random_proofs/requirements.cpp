@@ -3,6 +3,7 @@
 
 #include "tests/random_proofs/requirements.h"
 
+#include "frontend/sema/names/types.h"
 #include "ir/core/validate.h"
 #include "ir/prove/abstract/end_bound.h"
 #include "ir/prove/abstract/state_depths.h"
@@ -15,6 +16,8 @@
 #include "tests/random_proofs/areas.h"
 #include "tests/random_proofs/assumptions.h"
 #include "tests/random_proofs/patterns.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,6 +54,56 @@ ir::Mission written(const ir::Mission& mission) {
   return *std::move(read);
 }
 
+/// With cases of some states that are due at a depth near the deepest that it commands, or up to
+/// 3 m above or below.
+ir::Mission withDepths(ir::Mission mission, const platforms::Platform& platform, uint64_t seed) {
+  random_missions::Random random(seed);
+  const ir::prove::ProofContext context(mission, platform);
+  if (!context.depth || random.chance(0.5)) {
+    return mission;
+  }
+  const std::vector<double> deepest = ir::prove::deepestByState(context);
+  frontend::MonitorBuilder write(mission, "depth", {});
+  for (uint32_t i = 0; i < mission.states.size(); ++i) {
+    if (!std::isfinite(deepest[i])) {
+      continue;
+    }
+    ir::Expr reading;
+    reading.op = ir::Op::Sensor;
+    reading.type = mission[*context.depth].type;
+    reading.sensor = *context.depth;
+    mission.exprs.push_back(reading);
+    const ir::ExprId depth = {static_cast<uint32_t>(mission.exprs.size() - 1)};
+    const double near = deepest[i] + random.uniform(-3, 3);
+    ir::Case added;
+    added.guard = write.operation(ir::Op::GreaterEqual, frontend::boolean(),
+                                  {depth, write.number(near, reading.type)});
+    added.transition = random.chance(0.5) ? ir::Transition::Exit : ir::Transition::Stay;
+    mission.states[i].cases.push_back(added);
+  }
+  return mission;
+}
+
+/// With all fixed places within some 50 km, in half of the missions: an area to stay in is of no
+/// use to one that steers across the globe.
+ir::Mission withNearPlaces(ir::Mission mission, uint64_t seed) {
+  random_missions::Random random(seed);
+  const auto is_place = [](const ir::Variable& v) {
+    return v.type.kind == ir::TypeKind::Latitude || v.type.kind == ir::TypeKind::Longitude;
+  };
+  if (random.chance(0.5) || std::ranges::any_of(mission.variables, is_place)) {
+    return mission;
+  }
+  for (ir::Expr& e : mission.exprs) {
+    if (e.op == ir::Op::Constant && e.type.kind == ir::TypeKind::Latitude) {
+      e.number = random.uniform(39, 39.4);
+    } else if (e.op == ir::Op::Constant && e.type.kind == ir::TypeKind::Longitude) {
+      e.number = random.uniform(2.5, 2.9);
+    }
+  }
+  return mission;
+}
+
 /// Adds candidates to a mission, each from a seed of its own: the same in any company.
 class Maker {
  public:
@@ -85,6 +138,8 @@ class Maker {
         return surfaces();
       case 6:
         return area();
+      case 7:
+        return neverAgain();
       default:
         return candidate < kFirstPattern ? always() : pattern(candidate - kFirstPattern);
     }
@@ -94,6 +149,9 @@ class Maker {
     random_ = random_missions::Random(seed_ * 2 * candidates() + candidates());
     if (random_.chance(0.4)) {
       addAssumptions(made_.mission, conditions_, random_);
+    }
+    for (const ir::Defect& defect : ir::validate(made_.mission)) {
+      fmt::print(stderr, "{}\n", defect.message);
     }
     CHECK(ir::validate(made_.mission).empty(), "a mission with requirements is not valid");
     made_.mission = written(made_.mission);
@@ -158,6 +216,18 @@ class Maker {
     add(std::move(r), "never after");
   }
 
+  /// Of two states that were entered: a proof has to see every way between them.
+  void neverAgain() {
+    Requirement r = begun(RequirementKind::NeverAfter);
+    r.state = {random_.pick(entered())};
+    r.after = {random_.pick(entered())};
+    add(std::move(r), "never after");
+  }
+
+  [[nodiscard]] std::vector<uint32_t> entered() const {
+    return {bounds_.scouted.entered.begin(), bounds_.scouted.entered.end()};
+  }
+
   void surfaces() {
     Requirement r = begun(RequirementKind::SurfacesEvery);
     const bool bounded = bounds_.submersion && random_.chance(0.6);
@@ -169,7 +239,8 @@ class Maker {
   /// Or a condition, if there is no area.
   void area() {
     Requirement r = begun(RequirementKind::Always);
-    if (!bounds_.track || !writeArea(made_.mission, r, *bounds_.track, conditions_, random_)) {
+    if (!bounds_.track || random_.chance(0.2) ||
+        !writeArea(made_.mission, r, *bounds_.track, conditions_, random_)) {
       return always();
     }
     add(std::move(r), "area");
@@ -181,7 +252,7 @@ class Maker {
     add(std::move(r), patterns()[number]);
   }
 
-  static constexpr uint32_t kFirstPattern = 10;
+  static constexpr uint32_t kFirstPattern = 11;
 
   random_missions::Random random_;
   uint64_t seed_;
@@ -216,32 +287,37 @@ std::set<size_t> brokenOf(const ir::Mission& mission, const platforms::Platform&
   return broken;
 }
 
-/// The candidates to be judged, in any order, as what comes first has more of the effort: several
-/// that the scouted flights do not break, and at times one that they do.
+template <typename T>
+void shuffle(std::vector<T>& all, random_missions::Random& random) {
+  for (size_t i = all.size(); i > 1; --i) {
+    std::swap(all[i - 1], all[random.below(i)]);
+  }
+}
+
+/// The candidates to be checked: several that the scouted flights do not break, in any order, as
+/// what comes first has more of the effort; then some that they do break, with what is left of it.
 std::vector<uint32_t> chosen(const std::set<size_t>& broken, uint32_t candidates, uint64_t seed) {
-  constexpr size_t kMost = 7;
+  constexpr size_t kMostKept = 6;
+  constexpr size_t kMostBroken = 4;
   random_missions::Random random(seed);
   std::vector<uint32_t> kept;
   std::vector<uint32_t> others;
   for (uint32_t i = 0; i < candidates; ++i) {
     (broken.contains(i) ? others : kept).push_back(i);
   }
-  while (kept.size() > kMost) {
-    kept.erase(kept.begin() + random.below(kept.size()));
-  }
-  if (!others.empty() && random.chance(0.5)) {
-    kept.push_back(random.pick(others));
-  }
-  for (size_t i = kept.size(); i > 1; --i) {
-    std::swap(kept[i - 1], kept[random.below(i)]);
-  }
+  shuffle(kept, random);
+  shuffle(others, random);
+  kept.resize(std::min(kept.size(), kMostKept));
+  others.resize(std::min(others.size(), kMostBroken));
+  kept.insert(kept.end(), others.begin(), others.end());
   return kept;
 }
 
 }  // namespace
 
-Required withRequirements(const ir::Mission& mission, const platforms::Platform& platform,
+Required withRequirements(const ir::Mission& without, const platforms::Platform& platform,
                           uint64_t seed) {
+  const ir::Mission mission = withDepths(withNearPlaces(without, seed + 1), platform, seed);
   const Bounds bounds = boundsOf(mission, platform, seed);
   Maker tried(mission, bounds, seed);
   for (uint32_t i = 0; i < Maker::candidates(); ++i) {

@@ -19,8 +19,9 @@ struct Required {
 };
 
 /// Adds requirements of every kind to a mission that has none: near to what a few flights did, so
-/// that a good share is proved and a good share is not. Sometimes also assumptions.
-Required withRequirements(const ir::Mission& mission, const platforms::Platform& platform,
+/// that a good share is proved and a good share is not. Sometimes also assumptions, and cases that
+/// are due about where the vehicle can just get.
+Required withRequirements(const ir::Mission& without, const platforms::Platform& platform,
                           uint64_t seed);
 
 }  // namespace glider::random_proofs

@@ -27,12 +27,12 @@ struct Met {
 };
 
 /// Watches one flight. Written from the meaning of requirements and findings alone.
-class Watch {
+class FlightCheck {
  public:
   /// All outlive this. `narrowed`: the vehicle is what the mission assumes, so that proofs that
   /// rest on its start hold.
-  Watch(const ir::prove::ProofContext& context, const Watched& watched,
-        const containment::FlightStyle& style, bool narrowed, Met& met);
+  FlightCheck(const ir::prove::ProofContext& context, const Watched& watched,
+              const containment::FlightStyle& style, bool narrowed, Met& met);
 
   /// After the start and after each tick: the first contradiction, in words; empty: none.
   std::string tick(const containment::Flight& flight);

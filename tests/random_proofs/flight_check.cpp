@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "tests/random_proofs/watch.h"
+#include "tests/random_proofs/flight_check.h"
 
 #include <fmt/format.h>
 
@@ -30,8 +30,8 @@ bool isTried(const Claim& claim, ir::StateId before) {
 
 }  // namespace
 
-Watch::Watch(const ir::prove::ProofContext& context, const Watched& watched,
-             const containment::FlightStyle& style, bool narrowed, Met& met)
+FlightCheck::FlightCheck(const ir::prove::ProofContext& context, const Watched& watched,
+                         const containment::FlightStyle& style, bool narrowed, Met& met)
     : context_(context),
       m_(context.mission),
       watched_(watched),
@@ -57,13 +57,13 @@ Watch::Watch(const ir::prove::ProofContext& context, const Watched& watched,
 }
 
 /// Whether an assumption that the proof rests on does not hold in this flight.
-bool Watch::excused(const ir::prove::RequirementVerdict& verdict) const {
+bool FlightCheck::excused(const ir::prove::RequirementVerdict& verdict) const {
   return std::ranges::any_of(verdict.assumptions, [&](uint32_t number) {
     return m_.assumptions[number].isWatched() ? !holds_[number] : !narrowed_;
   });
 }
 
-std::string Watch::tick(const Flight& flight) {
+std::string FlightCheck::tick(const Flight& flight) {
   const containment::Tick& now = flight.now();
   for (size_t i = 0; i < assumptions_.size(); ++i) {
     if (m_.assumptions[i].isWatched()) {
@@ -95,7 +95,7 @@ std::string Watch::tick(const Flight& flight) {
   return now.result.stack.size() > watched_.stack_depth ? "the stack is deeper than it can be" : "";
 }
 
-std::string Watch::midway(const Flight& flight) {
+std::string FlightCheck::midway(const Flight& flight) {
   for (size_t i = 0; i < watched_.claims.size(); ++i) {
     bool met = false;
     if (brokenMidway(watched_.claims[i], flight, met)) {
@@ -109,7 +109,7 @@ std::string Watch::midway(const Flight& flight) {
 }
 
 /// Of the guards and what else is evaluated before any case fires.
-bool Watch::brokenMidway(const Claim& claim, const Flight& flight, bool& met) const {
+bool FlightCheck::brokenMidway(const Claim& claim, const Flight& flight, bool& met) const {
   if (!claim.guard.valid() || !isTried(claim, flight.before().result.state)) {
     return false;
   }
@@ -136,17 +136,17 @@ bool Watch::brokenMidway(const Claim& claim, const Flight& flight, bool& met) co
   }
 }
 
-bool Watch::fired(const Claim& claim, const Flight& flight) const {
+bool FlightCheck::fired(const Claim& claim, const Flight& flight) const {
   return flight.now().result.firedIn(claim.list) == claim.number;
 }
 
 /// Whether the latest tick has left the claim's state, in which it began.
-bool Watch::leaves(const Claim& claim, const Flight& flight) const {
+bool FlightCheck::leaves(const Claim& claim, const Flight& flight) const {
   const ir::TickResult& now = flight.now().result;
   return now.finished || now.state != claim.state;
 }
 
-bool Watch::brokenBy(size_t number, const Flight& flight, bool& met) {
+bool FlightCheck::brokenBy(size_t number, const Flight& flight, bool& met) {
   const Claim& claim = watched_.claims[number];
   const ir::TickResult& now = flight.now().result;
   const ir::TickResult& before = flight.before().result;
@@ -196,13 +196,13 @@ bool Watch::brokenBy(size_t number, const Flight& flight, bool& met) {
   }
 }
 
-bool Watch::allTrue(const std::vector<ir::ExprId>& conditions, const Flight& flight) const {
+bool FlightCheck::allTrue(const std::vector<ir::ExprId>& conditions, const Flight& flight) const {
   return std::ranges::all_of(conditions,
                              [&](ir::ExprId id) { return truthOf(id, flight) == Truth::True; });
 }
 
 /// As requirements read it: the true depth. Unknown where it reads a monitor.
-Truth Watch::truthOf(ir::ExprId id, const Flight& flight) const {
+Truth FlightCheck::truthOf(ir::ExprId id, const Flight& flight) const {
   const auto leaf = [&](const ir::Expr& e, std::span<const double>) -> ir::Value {
     if (e.op == ir::Op::Sensor && context_.depth && e.sensor == *context_.depth) {
       return flight.now().depth;

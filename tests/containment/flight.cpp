@@ -34,7 +34,7 @@ Flight::Flight(const ir::prove::ProofContext& context, uint64_t seed, const Flig
       seed_(seed),
       style_(style),
       dice_(seed),
-      vehicle_(context.platform, dice_),
+      vehicle_(context.platform, dice_, style.late),
       interpreter_(m_, static_cast<uint32_t>(2 * m_.states.size()), externalsFor(style)),
       showing_(m_.sensors.size()) {}
 

@@ -30,6 +30,7 @@ struct FlightStyle {
   /// Often ticks just before or at a time that the mission compares a clock with, then as late as
   /// may be; readings are often next to numbers that the mission names.
   bool pressing = false;
+  bool late = false;    ///< the vehicle dives at once and climbs as late and as slowly as it may
   bool silent = false;  ///< no sensor ever reports anything
   /// A frame may be without the depth, so that the mission uses a reading that no longer fits the
   /// vehicle. Proofs assume that this does not happen.

@@ -115,6 +115,7 @@ class Trial {
     FlightStyle style;
     style.power_cuts = number != 2;
     style.pressing = number >= 2;
+    style.late = number == 1 || number == 4;
     style.silent = number == 4 && needsReadings();
     style.environment = narrowed ? &assumed_ : nullptr;
     const ir::prove::ProofContext& context = narrowed ? narrow_ : wide_;

@@ -3,7 +3,6 @@
 
 #include "tests/random_proofs/requirements.h"
 
-#include "frontend/sema/names/types.h"
 #include "ir/core/validate.h"
 #include "ir/prove/abstract/end_bound.h"
 #include "ir/prove/abstract/state_depths.h"
@@ -16,6 +15,7 @@
 #include "tests/random_proofs/areas.h"
 #include "tests/random_proofs/assumptions.h"
 #include "tests/random_proofs/patterns.h"
+#include "tests/random_proofs/varied.h"
 
 #include <fmt/format.h>
 
@@ -52,56 +52,6 @@ ir::Mission written(const ir::Mission& mission) {
   auto read = ir::read(sources, sources.add("random", ir::print(mission)), diagnostics);
   CHECK(read.has_value(), "a mission with requirements cannot be read");
   return *std::move(read);
-}
-
-/// With cases of some states that are due at a depth near the deepest that it commands, or up to
-/// 3 m above or below.
-ir::Mission withDepths(ir::Mission mission, const platforms::Platform& platform, uint64_t seed) {
-  random_missions::Random random(seed);
-  const ir::prove::ProofContext context(mission, platform);
-  if (!context.depth || random.chance(0.5)) {
-    return mission;
-  }
-  const std::vector<double> deepest = ir::prove::deepestByState(context);
-  frontend::MonitorBuilder write(mission, "depth", {});
-  for (uint32_t i = 0; i < mission.states.size(); ++i) {
-    if (!std::isfinite(deepest[i])) {
-      continue;
-    }
-    ir::Expr reading;
-    reading.op = ir::Op::Sensor;
-    reading.type = mission[*context.depth].type;
-    reading.sensor = *context.depth;
-    mission.exprs.push_back(reading);
-    const ir::ExprId depth = {static_cast<uint32_t>(mission.exprs.size() - 1)};
-    const double near = deepest[i] + random.uniform(-3, 3);
-    ir::Case added;
-    added.guard = write.operation(ir::Op::GreaterEqual, frontend::boolean(),
-                                  {depth, write.number(near, reading.type)});
-    added.transition = random.chance(0.5) ? ir::Transition::Exit : ir::Transition::Stay;
-    mission.states[i].cases.push_back(added);
-  }
-  return mission;
-}
-
-/// With all fixed places within some 50 km, in half of the missions: an area to stay in is of no
-/// use to one that steers across the globe.
-ir::Mission withNearPlaces(ir::Mission mission, uint64_t seed) {
-  random_missions::Random random(seed);
-  const auto is_place = [](const ir::Variable& v) {
-    return v.type.kind == ir::TypeKind::Latitude || v.type.kind == ir::TypeKind::Longitude;
-  };
-  if (random.chance(0.5) || std::ranges::any_of(mission.variables, is_place)) {
-    return mission;
-  }
-  for (ir::Expr& e : mission.exprs) {
-    if (e.op == ir::Op::Constant && e.type.kind == ir::TypeKind::Latitude) {
-      e.number = random.uniform(39, 39.4);
-    } else if (e.op == ir::Op::Constant && e.type.kind == ir::TypeKind::Longitude) {
-      e.number = random.uniform(2.5, 2.9);
-    }
-  }
-  return mission;
 }
 
 /// Adds candidates to a mission, each from a seed of its own: the same in any company.
@@ -221,7 +171,15 @@ class Maker {
     Requirement r = begun(RequirementKind::NeverAfter);
     r.state = {random_.pick(entered())};
     r.after = {random_.pick(entered())};
+    for (int i = 0; i < 4 && random_.chance(0.7) && !returns(r.after); ++i) {
+      r.after = {random_.pick(entered())};
+    }
     add(std::move(r), "never after");
+  }
+
+  [[nodiscard]] bool returns(ir::StateId state) const {
+    return std::ranges::find(made_.mission[state].cases, ir::Transition::Return,
+                             &ir::Case::transition) != made_.mission[state].cases.end();
   }
 
   [[nodiscard]] std::vector<uint32_t> entered() const {
@@ -317,7 +275,7 @@ std::vector<uint32_t> chosen(const std::set<size_t>& broken, uint32_t candidates
 
 Required withRequirements(const ir::Mission& without, const platforms::Platform& platform,
                           uint64_t seed) {
-  const ir::Mission mission = withDepths(withNearPlaces(without, seed + 1), platform, seed);
+  const ir::Mission mission = varied(without, platform, seed);
   const Bounds bounds = boundsOf(mission, platform, seed);
   Maker tried(mission, bounds, seed);
   for (uint32_t i = 0; i < Maker::candidates(); ++i) {

@@ -43,6 +43,9 @@ struct Options {
   /// The same for all requirements of a mission together, random flights and the rest included;
   /// what it leaves is open. The checks of cases and commands may take a quarter of it on top.
   uint64_t total_effort = 40000000;
+  /// The upper bound of the ticks of random flights that try to violate a requirement where a
+  /// search has no answer.
+  size_t random_ticks = 120000;
   /// A time limit on top, which depends on the machine: no question begins after it.
   std::optional<std::chrono::steady_clock::time_point> until;
   /// The standard library's file: findings in it are not the pilot's errors.

@@ -15,17 +15,27 @@ namespace glider::containment {
 
 namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kFar = 1e9;  ///< of a range without an end
+
+ir::Externals externalsFor(const FlightStyle& style) {
+  ir::Externals externals = random_missions::randomExternals();
+  if (style.silent) {
+    externals.poll = nullptr;
+  }
+  return externals;
 }
 
-Flight::Flight(const ir::prove::ProofContext& context, uint64_t seed, bool power_cuts)
+}  // namespace
+
+Flight::Flight(const ir::prove::ProofContext& context, uint64_t seed, const FlightStyle& style)
     : context_(context),
       m_(context.mission),
+      environment_(style.environment != nullptr ? *style.environment : m_),
       seed_(seed),
-      power_cuts_(power_cuts),
+      style_(style),
       dice_(seed),
-      vehicle_(context.platform, dice_),
-      interpreter_(m_, static_cast<uint32_t>(2 * m_.states.size()),
-                   random_missions::randomExternals()),
+      vehicle_(context.platform, dice_, style.late),
+      interpreter_(m_, static_cast<uint32_t>(2 * m_.states.size()), externalsFor(style)),
       showing_(m_.sensors.size()) {}
 
 void Flight::start() {
@@ -35,11 +45,40 @@ void Flight::start() {
   keepAges(readings);
 }
 
+double Flight::longestStep() const {
+  const double gap = context_.platform.world.tick_gap_s;
+  return style_.power_cuts ? std::max(gap, environment_.resume_within_s) : gap;
+}
+
+/// To a time that the mission names, by one of its clocks, or to just before it, if that is not too
+/// far; at times as far as may be.
+double Flight::pressingStep() {
+  constexpr double kClockTick = 1.0 / 64;
+  const double bases[] = {0, now_.entered, now_.resumed};
+  const double base = bases[dice_.below(std::size(bases))];
+  std::vector<double> steps;
+  for (const ir::Expr& e : m_.exprs) {
+    const bool time = e.op == ir::Op::Constant && e.type.kind == ir::TypeKind::Quantity &&
+                      e.type.dimension == support::dimension::time;
+    const double step = time ? ir::prove::onVehicleClock(base + e.number) - now_.time : 0;
+    if (step > kClockTick && step <= longestStep()) {
+      steps.push_back(step);
+    }
+  }
+  if (steps.empty() || dice_.chance(0.3)) {
+    return longestStep();
+  }
+  return steps[dice_.below(steps.size())] - (dice_.chance(0.6) ? kClockTick : 0);
+}
+
 /// Often the longest that there may be: what must happen by then has the least time.
 double Flight::step() {
+  if (style_.pressing && dice_.chance(0.5)) {
+    return pressingStep();
+  }
   const double cycle = context_.platform.envelope.cycle_s;
   const double gap = context_.platform.world.tick_gap_s;
-  const double longest = power_cuts_ ? std::max(gap, m_.resume_within_s) : gap;
+  const double longest = longestStep();
   const double kind = dice_.unit();
   return kind < 0.03   ? 0
          : kind < 0.7  ? cycle
@@ -83,26 +122,65 @@ void Flight::keepAges(const std::vector<ir::SensorUpdate>& frame) {
   }
 }
 
+/// Such that the mission's conditions hold; the defaults if none are found.
 std::vector<double> Flight::parameters() {
+  constexpr int kTries = 30;
+  for (int i = 0; i < kTries; ++i) {
+    std::vector<double> values = anyParameters();
+    if (!ir::failedCondition(m_, values)) {
+      return values;
+    }
+  }
+  return ir::defaultParameters(m_);
+}
+
+std::vector<double> Flight::anyParameters() {
   std::vector<double> values;
   for (const ir::Variable& v : m_.variables) {
     if (v.kind != ir::VariableKind::Parameter) {
       continue;
     }
+    if (v.type.kind == ir::TypeKind::Bool) {
+      values.push_back(dice_.below(2));
+      continue;
+    }
+    const double lowest = std::max(v.lowest, -kFar);
+    const double highest = std::min(v.highest, kFar);
     const double kind = dice_.unit();
-    values.push_back(kind < 0.3 ? v.lowest
-                     : kind < 0.6
-                         ? v.highest
-                         : std::clamp(dice_.within(v.lowest, v.highest), v.lowest, v.highest));
+    values.push_back(kind < 0.3   ? lowest
+                     : kind < 0.6 ? highest
+                                  : std::clamp(dice_.within(lowest, highest), lowest, highest));
   }
   return values;
 }
 
+/// A raw value near to a number that the mission names, in the sensor's range.
+std::optional<double> Flight::landmark(uint32_t index) {
+  const ir::Sensor& sensor = environment_.sensors[index];
+  std::vector<double> found;
+  for (const ir::Expr& e : m_.exprs) {
+    if (e.op == ir::Op::Constant && e.type == m_.sensors[index].type) {
+      found.push_back(e.number / sensor.to_si);
+    }
+  }
+  if (found.empty() || sensor.encoding == ir::Encoding::DegreesMinutes) {
+    return std::nullopt;
+  }
+  const double at = found[dice_.below(found.size())];
+  const double near = dice_.chance(0.3) ? at : at + 0.01 * std::fabs(at) * dice_.within(-1, 1);
+  return near >= sensor.lowest && near <= sensor.highest ? std::optional(near) : std::nullopt;
+}
+
 double Flight::raw(uint32_t index) {
-  const ir::Sensor& sensor = m_.sensors[index];
+  const ir::Sensor& sensor = environment_.sensors[index];
+  if (style_.pressing && dice_.chance(0.4)) {
+    if (const auto near = landmark(index)) {
+      return *near;
+    }
+  }
   const double kind = dice_.unit();
-  const double low = std::max(sensor.lowest, -1e9);
-  const double high = std::min(sensor.highest, 1e9);
+  const double low = std::max(sensor.lowest, -kFar);
+  const double high = std::min(sensor.highest, kFar);
   if (kind < 0.15) {
     return kUnknown;
   }
@@ -125,11 +203,14 @@ std::vector<ir::SensorUpdate> Flight::frame() {
     } else if (!now.steady) {
       now.raw = raw(i);
     }
-    if (!m_.sensors[i].symbol.empty() || dice_.chance(0.2)) {
+    const bool depth = context_.depth == ir::SensorId{i};
+    if (!m_.sensors[i].symbol.empty() || style_.silent) {
       continue;
     }
-    const bool depth = context_.depth == ir::SensorId{i} && !std::isnan(now.raw);
-    frame.push_back({{i}, depth ? vehicle_.reading() : now.raw});
+    if (dice_.chance(0.2) && (!depth || style_.old_depths)) {
+      continue;
+    }
+    frame.push_back({{i}, depth && !std::isnan(now.raw) ? vehicle_.reading() : now.raw});
   }
   return frame;
 }

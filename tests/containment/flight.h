@@ -9,6 +9,7 @@
 #include "ir/prove/falsification/random_vehicle.h"
 
 #include <map>
+#include <optional>
 #include <string>
 
 namespace glider::containment {
@@ -23,11 +24,30 @@ struct Tick {
   std::vector<double> ages;
 };
 
+/// How a flight is random.
+struct FlightStyle {
+  bool power_cuts = true;
+  /// Often ticks just before or at a time that the mission compares a clock with, then as late as
+  /// may be; readings are often next to numbers that the mission names.
+  bool pressing = false;
+  bool late = false;    ///< the vehicle dives at once and climbs as late and as slowly as it may
+  bool silent = false;  ///< no sensor ever reports anything
+  /// A frame may be without the depth, so that the mission uses a reading that no longer fits the
+  /// vehicle. Proofs assume that this does not happen.
+  bool old_depths = false;
+  /// Where the ranges of readings and the longest outage are taken from; null: from what is flown.
+  const ir::Mission* environment = nullptr;
+};
+
 /// A random flight on the interpreter in the environment model of proofs, with outages as long as
-/// the mission allows; `power_cuts`: whether there are any.
+/// the mission allows.
 class Flight {
  public:
-  Flight(const ir::prove::ProofContext& context, uint64_t seed, bool power_cuts);
+  /// All outlive this.
+  Flight(const ir::prove::ProofContext& context, uint64_t seed, const FlightStyle& style);
+  /// With frames that may be without the depth; `power_cuts`: whether there are any.
+  Flight(const ir::prove::ProofContext& context, uint64_t seed, bool power_cuts)
+      : Flight(context, seed, FlightStyle{.power_cuts = power_cuts, .old_depths = true}) {}
 
   /// The start, then each tick in two halves, as the interpreter has them.
   void start();
@@ -50,15 +70,20 @@ class Flight {
     double until = -1;
   };
   double step();
+  [[nodiscard]] double longestStep() const;
+  double pressingStep();
   std::vector<double> parameters();
+  std::vector<double> anyParameters();
+  std::optional<double> landmark(uint32_t sensor);
   std::vector<ir::SensorUpdate> frame();
   double raw(uint32_t sensor);
   void keepAges(const std::vector<ir::SensorUpdate>& frame);
 
   const ir::prove::ProofContext& context_;
   const ir::Mission& m_;
+  const ir::Mission& environment_;
   uint64_t seed_;
-  bool power_cuts_;
+  FlightStyle style_;
   ir::prove::Rng dice_;
   ir::prove::RandomVehicle vehicle_;
   ir::Interpreter interpreter_;

@@ -526,6 +526,17 @@ TEST(AssumptionVerdicts, UnknownReadingsContradictNothing) {
   EXPECT_FALSE(run.says(support::DiagnosticId::requirementsContradict));
 }
 
+/// Nothing rests on ranges without a common reading: searches go on without the assumptions.
+TEST(AssumptionVerdicts, ContradictionsProveNothing) {
+  const std::string ranges = "assume temp in 1 degC .. 5 degC\nassume temp in 6 degC .. 9 degC\n";
+  const Found open = check(patrol(ranges + "require exit within 10 min"));
+  EXPECT_TRUE(open.contradict);
+  EXPECT_NE(open.verdict, "proved");
+  const Found proved = check(patrol(ranges + "require always depth <= 40 m"));
+  EXPECT_EQ(proved.verdict, "proved");
+  EXPECT_EQ(proved.premises, "");
+}
+
 TEST(AssumptionVerdicts, ContradictionsAreErrors) {
   EXPECT_TRUE(check(patrol("assume temp in 10 degC .. 20 degC\nassume temp < 5 degC")).contradict);
   EXPECT_TRUE(check(patrol("assume temp in 50 degC .. 60 degC")).contradict);

@@ -10,8 +10,8 @@
 
 namespace glider::ir::prove {
 
-RandomVehicle::RandomVehicle(const platforms::Platform& platform, Rng& dice)
-    : platform_(platform), dice_(dice) {
+RandomVehicle::RandomVehicle(const platforms::Platform& platform, Rng& dice, bool late)
+    : platform_(platform), dice_(dice), late_(late) {
   depth_ = dice_.within(0, platform_.world.start_depth_m);
   deepest_ = depth_ + platform_.envelope.inflection_overshoot_m;
 }
@@ -88,7 +88,8 @@ void RandomVehicle::move(double from, double to) {
     highest = std::min(highest, std::max({top_, 0.0, lifted}));
   }
   const bool down = !climbing_ || (depth_ < top_ && dice_.chance(0.5));
-  depth_ = std::lerp(std::min(depth_, highest), down ? highest : lowest, speed_);
+  const double speed = !late_ ? speed_ : climbing_ ? 0 : 1;
+  depth_ = std::lerp(std::min(depth_, highest), down ? highest : lowest, speed);
 }
 
 }  // namespace glider::ir::prove

@@ -15,8 +15,8 @@ namespace glider::ir::prove {
 /// it, in numbers.
 class RandomVehicle {
  public:
-  /// Both outlive this.
-  RandomVehicle(const platforms::Platform& platform, Rng& dice);
+  /// Both outlive this. `late`: it sinks as fast as it may, and climbs as late and as slowly.
+  RandomVehicle(const platforms::Platform& platform, Rng& dice, bool late = false);
 
   /// True depth, m, and a reading that the sensor may report for it.
   [[nodiscard]] double depth() const { return depth_; }
@@ -33,6 +33,7 @@ class RandomVehicle {
 
   const platforms::Platform& platform_;
   Rng& dice_;
+  bool late_;
   double depth_ = 0;
   double deepest_ = 0;     ///< under the command in force
   bool climbing_ = false;  ///< the command in force leads up

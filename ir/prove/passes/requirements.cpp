@@ -28,8 +28,6 @@ namespace {
 
 using support::DiagnosticId;
 
-/// The upper bound of random ticks where the solver has no answer.
-constexpr size_t kRandomTicks = 120000;
 /// A question about all traces is not even written if more expressions than this matter to it.
 constexpr size_t kMostSearched = 30000;
 /// For a requirement without a time, s.
@@ -440,8 +438,9 @@ class RequirementCheck {
     const double cycle = proof_.proof_context.platform.envelope.cycle_s;
     const double time = std::max(requirement.seconds, requirement.monitor.horizon_s);
     const double span = time > 0 ? 2 * time : kLongFlight;
-    const auto ticks = static_cast<size_t>(std::min(span / cycle + 2, 1.0 * kRandomTicks));
-    const size_t flights = std::max<size_t>(1, kRandomTicks / ticks);
+    const size_t most = proof_.options.random_ticks;
+    const auto ticks = static_cast<size_t>(std::min(span / cycle + 2, static_cast<double>(most)));
+    const size_t flights = std::max<size_t>(1, most / ticks);
     const uint64_t tick = Budget::kTick + m_.exprs.size() / Budget::kExpressions;
     for (uint64_t seed = 1; seed <= flights && !proof_.searches.isUsedUp(); ++seed) {
       proof_.searches.spend(ticks * tick);
@@ -507,6 +506,10 @@ void passes::requirements(Proof& proof) {
     return RequirementCheck(proof).run();
   }
   const Mission mission = underAssumptions(plain.mission);
+  const auto is_empty = [](const Sensor& sensor) { return sensor.lowest > sensor.highest; };
+  if (std::ranges::any_of(mission.sensors, is_empty)) {
+    return RequirementCheck(proof).run();  // GL3121 is reported: nothing can rest on such ranges
+  }
   const platforms::Platform platform = underAssumptions(plain.platform, plain.mission);
   const ProofContext proof_context(mission, platform);
   Proof assuming{proof.context, proof_context, proof.facts, proof.options, proof.diagnostics};

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "tests/random_proofs/areas.h"
+
+#include "frontend/sema/names/types.h"
+#include "ir/prove/geometry/steering.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace glider::random_proofs {
+namespace {
+
+using ir::ExprId;
+using ir::Op;
+
+constexpr double kMetresPerDegree = 111000;  ///< a little less than on the ground
+
+std::optional<ir::SensorId> find(const ir::Mission& mission, const char* vehicle_name) {
+  for (uint32_t i = 0; i < mission.sensors.size(); ++i) {
+    if (mission.sensors[i].vehicle_name == vehicle_name &&
+        mission.sensors[i].encoding == ir::Encoding::DegreesMinutes) {
+      return ir::SensorId{i};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Track> trackOf(const ir::prove::ProofContext& context, ir::prove::Ending& ending) {
+  constexpr double kFarthest = 2;  // degrees
+  const ir::prove::Steering steering = ir::prove::steeringOf(context);
+  const auto by = ending.bound().by;
+  if (steering.waypoints.empty() || !by) {
+    return std::nullopt;
+  }
+  Track track{steering.waypoints.front(), steering.waypoints.front()};
+  for (const ir::Position& place : steering.waypoints) {
+    track.south_west.latitude = std::min(track.south_west.latitude, place.latitude);
+    track.south_west.longitude = std::min(track.south_west.longitude, place.longitude);
+    track.north_east.latitude = std::max(track.north_east.latitude, place.latitude);
+    track.north_east.longitude = std::max(track.north_east.longitude, place.longitude);
+  }
+  const platforms::EnvironmentModel& world = context.platform.world;
+  const double drift = std::max(context.platform.envelope.drift_m_s, world.surface_drift_m_s);
+  const double astray = steering.by_heading ? *by : std::min(*by, context.mission.resume_within_s);
+  track.off_legs_m = world.steering_error_m + drift * *by + world.through_water_m_s * astray;
+  const bool near = track.north_east.latitude - track.south_west.latitude < kFarthest &&
+                    track.north_east.longitude - track.south_west.longitude < kFarthest &&
+                    std::fabs(track.north_east.latitude) < 80;
+  return near ? std::optional(track) : std::nullopt;
+}
+
+bool writeArea(ir::Mission& mission, ir::Requirement& requirement, const Track& track,
+               Conditions& conditions, random_missions::Random& random) {
+  const auto lat = find(mission, "m_lat");
+  const auto lon = find(mission, "m_lon");
+  if (!lat || !lon) {
+    return false;
+  }
+  constexpr double kMargins[] = {0.9, 1.03, 1.1, 1.5};
+  const double metres = random.pick(kMargins) * track.off_legs_m;
+  const double north =
+      std::max(std::fabs(track.north_east.latitude), std::fabs(track.south_west.latitude));
+  const double high = metres / kMetresPerDegree;
+  const double wide = high / std::cos(north * std::numbers::pi / 180);
+  const bool keep_in = random.chance(0.7);
+  double south = track.south_west.latitude - high;
+  double top = track.north_east.latitude + high;
+  const double west = track.south_west.longitude - wide;
+  const double east = track.north_east.longitude + wide;
+  if (!keep_in) {  // to the north of the track
+    south = top;
+    top += 0.5;
+  }
+  frontend::MonitorBuilder write(mission, "area", {});
+  const auto is = [&](Op op, ir::SensorId sensor, double limit) {
+    const ExprId reading = conditions.reading(sensor);
+    return write.operation(op, frontend::boolean(),
+                           {reading, write.number(limit, mission[sensor].type)});
+  };
+  const ExprId below = write.both(is(Op::GreaterEqual, *lat, south), is(Op::LessEqual, *lat, top));
+  const ExprId beside = write.both(is(Op::GreaterEqual, *lon, west), is(Op::LessEqual, *lon, east));
+  const ExprId inside = write.both(below, beside);
+  requirement.condition = keep_in ? inside : write.negation(inside);
+  requirement.geofences = {{keep_in, {{south, west}, {south, east}, {top, east}, {top, west}}}};
+  return true;
+}
+
+}  // namespace glider::random_proofs

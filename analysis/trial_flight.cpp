@@ -45,8 +45,14 @@ support::Result<void> reportTrialFlight(const compiler::Optimised& mission,
   if (watch) {
     flights::reportViolations(*watch, *trace, diagnostics);
   }
-  report::reportFlight(*trace, diagnostics);
-  report::reportUnusual(*trace, hint, diagnostics);
+  support::DiagnosticEngine of_flight;
+  report::reportFlight(*trace, of_flight);
+  report::reportUnusual(*trace, hint, of_flight);
+  for (support::Diagnostic one : of_flight.sorted()) {
+    one.range = mission.checked->mission().states.front().range;  // it is about the whole mission
+    one.hint = hint;
+    diagnostics.add(std::move(one));
+  }
   return {};
 }
 

@@ -13,8 +13,8 @@
 namespace glider::analysis {
 
 /// What no proved requirement depends on: the mission without it is free of errors, and all that is
-/// proved of the mission is proved of that one too, with a quarter of the usual effort. What needs
-/// more counts as needed.
+/// proved about the mission is proved about that one too, with a quarter of the usual effort. What
+/// needs more counts as needed.
 struct Coverage {
   size_t cases = 0;  ///< of `always` and of the states' own lists
   std::vector<ir::CasePlace> idle_cases;

@@ -181,6 +181,7 @@ end
   EXPECT_THAT(restless.err, HasSubstr("see the flight with `glidercc sim "));
 }
 
+// accepts: GL9378
 TEST_F(CheckVehicle, AFlightInTheScenarioThatGoesWellSaysNothing) {
   const Outcome fine = check("--scenario default");
   EXPECT_EQ(fine.status, 0);

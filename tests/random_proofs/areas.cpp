@@ -76,6 +76,9 @@ bool writeArea(ir::Mission& mission, ir::Requirement& requirement, const Track& 
     south = top;
     top += 0.5;
   }
+  if (west < -180 || east > 180 || south < -90 || top > 90) {
+    return false;
+  }
   frontend::MonitorBuilder write(mission, "area", {});
   const auto is = [&](Op op, ir::SensorId sensor, double limit) {
     const ExprId reading = conditions.reading(sensor);

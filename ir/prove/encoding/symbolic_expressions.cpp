@@ -80,9 +80,9 @@ NumberTerm SymbolicState::arithmetic(const Expr& e, const Interval& interval) {
     case OpGroup::Comparison:
     case OpGroup::Known:
     case OpGroup::Logic:
-      break;
+      CHECK(false, "not a number");
   }
-  CHECK(false, "not a number");
+  std::unreachable();
 }
 
 z3::expr SymbolicState::clock(ClockOp op) {

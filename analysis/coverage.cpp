@@ -39,8 +39,13 @@ std::vector<ir::CasePlace> allCases(const ir::Mission& mission) {
 
 class Search {
  public:
-  Search(const compiler::Checked& checked, const std::vector<ir::prove::RequirementVerdict>& proved)
+  Search(const compiler::Checked& checked, const std::vector<ir::prove::RequirementVerdict>& proved,
+         const ir::prove::Options& asked)
       : checked_(checked), m_(checked.mission()) {
+    how_.effort = asked.effort;
+    how_.run_effort = asked.run_effort / kShare;
+    how_.total_effort = asked.total_effort / kShare;
+    how_.until = asked.until;
     for (const ir::prove::RequirementVerdict& verdict : proved) {
       if (verdict.verdict == ir::prove::Verdict::Proved) {
         proved_.push_back(verdict.requirement);
@@ -90,11 +95,8 @@ class Search {
     if (unheard.hasErrors()) {
       return false;
     }
-    ir::prove::Options how;
-    how.run_effort /= kShare;
-    how.total_effort /= kShare;
     const ir::prove::Findings found =
-        ir::prove::prove(without, facts, checked_.platform(), how, unheard);
+        ir::prove::prove(without, facts, checked_.platform(), how_, unheard);
     return std::ranges::all_of(proved_, [&](uint32_t requirement) {
       return found.requirements.at(requirement).verdict == ir::prove::Verdict::Proved;
     });
@@ -102,14 +104,16 @@ class Search {
 
   const compiler::Checked& checked_;
   const ir::Mission& m_;
+  ir::prove::Options how_;
   std::vector<uint32_t> proved_;
 };
 
 }  // namespace
 
 std::optional<Coverage> coverageOf(const compiler::Checked& checked,
-                                   const std::vector<ir::prove::RequirementVerdict>& proved) {
-  return Search(checked, proved).run();
+                                   const std::vector<ir::prove::RequirementVerdict>& proved,
+                                   const ir::prove::Options& asked) {
+  return Search(checked, proved, asked).run();
 }
 
 std::string coverageLine(const Coverage& coverage, const compiler::Checked& checked) {
@@ -136,7 +140,8 @@ std::string coverageLine(const Coverage& coverage, const compiler::Checked& chec
   }
   return parts.empty()
              ? ""
-             : fmt::format("no proved requirement depends on {}", fmt::join(parts, " or on "));
+             : fmt::format("any one of these could be left out, and all would still be proved: {}",
+                           fmt::join(parts, "; "));
 }
 
 }  // namespace glider::analysis

@@ -200,18 +200,19 @@ Result<void> tryInScenario(const CheckOptions& options, const Result<simulator::
     return {};
   }
   simulator::Scenario world = *scenario;
-  std::string command =
-      fmt::format("glidercc sim {} --scenario {}", file.found.path, options.scenario);
+  std::string hint = fmt::format("see the flight with `glidercc sim {} --scenario {}`",
+                                 file.found.path, options.scenario);
   if (options.vehicle) {
     auto own = flights::loadVehiclesOwn(options.vehicle->path);
     if (!own) {
       return std::unexpected(own.error());
     }
     world.skeleton = std::move(*own);
+    hint += fmt::format(", which flies with the usual mission file instead of `{}`",
+                        options.vehicle->path);
   }
   return analysis::reportTrialFlight(compiler::optimise(compilation.checked), world,
-                                     options.user_code, "see the flight with `" + command + "`",
-                                     compilation.diagnostics);
+                                     options.user_code, hint, compilation.diagnostics);
 }
 
 /// How the prover is asked. `starts`: where the vehicle may start.
@@ -231,10 +232,11 @@ ir::prove::Options proverOptions(const CheckOptions& options, std::vector<ir::Po
 }
 
 /// What --report adds on one line each. `vehicle`: its mission file, if one was named.
-Result<void> tellReport(const std::optional<analysis::VehicleFile>& vehicle, CheckedFile& file) {
+Result<void> tellReport(const std::optional<analysis::VehicleFile>& vehicle,
+                        const ir::prove::Options& how, CheckedFile& file) {
   const compiler::Checked& checked = *file.compilation->checked;
   std::vector<Remark>& remarks = file.found.remarks;
-  if (const auto coverage = analysis::coverageOf(checked, file.proved.requirements)) {
+  if (const auto coverage = analysis::coverageOf(checked, file.proved.requirements, how)) {
     if (std::string line = analysis::coverageLine(*coverage, checked); !line.empty()) {
       remarks.push_back({{}, std::move(line)});
     }
@@ -266,10 +268,10 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   if (!vehicle) {
     return std::unexpected(vehicle.error());
   }
+  const ir::prove::Options how =
+      proverOptions(options, startsOf(compilation.checked->mission(), scenario));
   file.proved =
-      proveWithCache(compilation, file.found.path,
-                     proverOptions(options, startsOf(compilation.checked->mission(), scenario)),
-                     options.cache && !options.evidence);
+      proveWithCache(compilation, file.found.path, how, options.cache && !options.evidence);
   if (auto tried = tryInScenario(options, scenario, file); !tried) {
     return tried;
   }
@@ -281,7 +283,7 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   if (auto told = tellProved(&mission, file); !told) {
     return told;
   }
-  if (auto told = tellReport(*vehicle, file); !told) {
+  if (auto told = tellReport(*vehicle, how, file); !told) {
     return told;
   }
   auto budgets = analysis::missionBudgets(

@@ -6,6 +6,7 @@
 #include "ir/core/ops.h"
 #include "ir/core/scopes.h"
 #include "ir/core/validate_table.h"
+#include "ir/core/walk.h"
 
 #include <fmt/format.h>
 
@@ -50,12 +51,12 @@ class CodeValidator {
     for (uint32_t i = 0; i < m_.blocks.size(); ++i) {
       nestedBlocks(i);
     }
+    everyTick();
     const auto always = [] { return std::string("`always`"); };
     for (const Case& c : m_.always) {
       oneCase(c, kNoState, ListKind::Always, always);
     }
     table(m_.always_table, m_.always.size(), always, {});
-    everyTick();
     std::set<std::string_view> names;
     for (uint32_t i = 0; i < m_.states.size(); ++i) {
       const State& s = m_.states[i];
@@ -87,6 +88,14 @@ class CodeValidator {
     const Reads& reads = reads_[id.index];
     return !reads.two_states && (!reads.state.valid() || reads.state == state) &&
            (!reads.monitor || in_monitor_);
+  }
+
+  /// Whether an expression reads a variable that `every tick` sets. The prover does not follow what
+  /// runs there, so nothing that decides may.
+  [[nodiscard]] bool readsEveryTick(ExprId id) const {
+    return !set_every_tick_.empty() && anyIn(m_, id, [&](const Expr& e) {
+      return e.op == Op::Variable && set_every_tick_.contains(e.variable.index);
+    });
   }
 
   /// Whether an expression's value is fixed when the mission is launched.
@@ -193,6 +202,8 @@ class CodeValidator {
       require(false, range, "{} is missing or of the wrong type", what);
     } else {
       require(inScope(id, state), range, "{} reads another state's variables", what);
+      require(in_every_tick_ || !readsEveryTick(id), range,
+              "{} reads what only `every tick` may read", what);
     }
   }
 
@@ -367,6 +378,9 @@ class CodeValidator {
       require(false, s.range, "`set` of an unknown variable");
       return;
     }
+    if (in_every_tick_) {
+      set_every_tick_.insert(s.variable.index);
+    }
     const Variable& v = m_[s.variable];
     require(v.kind != VariableKind::Parameter && v.kind != VariableKind::Argument &&
                 isOfMonitor(v.kind) == in_monitor_,
@@ -502,9 +516,10 @@ class CodeValidator {
   Defects& defects_;
   const std::vector<Reads> reads_;
   std::vector<uint32_t> block_uses_;
-  std::vector<size_t> arguments_;  ///< how many each state owns
-  bool in_monitor_ = false;        ///< what is checked belongs to a requirement
-  bool in_every_tick_ = false;     ///< what is checked is Mission::every_tick
+  std::vector<size_t> arguments_;      ///< how many each state owns
+  bool in_monitor_ = false;            ///< what is checked belongs to a requirement
+  bool in_every_tick_ = false;         ///< what is checked is Mission::every_tick
+  std::set<uint32_t> set_every_tick_;  ///< the variables that Mission::every_tick sets
 };
 
 }  // namespace

@@ -135,7 +135,10 @@ TEST_F(Sim, ACampaignCountsFlightsThatViolateARequirement) {
       << flown.err;
   const Outcome again =
       run("$GLIDERCC campaign m.mission --flights 6 --fault none --boards 0 --resume c.csv");
-  EXPECT_EQ(again.out, flown.out) << again.err;
+  const auto violations = [](const Outcome& campaign) {
+    return campaign.out.substr(campaign.out.find("m.mission: `require"));
+  };
+  EXPECT_EQ(violations(again), violations(flown)) << again.err;
 }
 
 // accepts: GL5123 accepts: GL5122 accepts: GL9374

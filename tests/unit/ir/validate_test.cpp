@@ -263,6 +263,11 @@ const Damage kCodeDamages[] = {
     {"bodyWithArguments",
      [](Mission& m) { m.states[1].profile.arguments = {m.variables[0].initial}; }},
     {"variableMissing", [](Mission& m) { m.exprs[m.variables[1].initial.index].variable = {}; }},
+    {"everyTickDecides",
+     [](Mission& m) {
+       m.every_tick = {static_cast<uint32_t>(m.blocks.size())};
+       m.blocks.push_back({{statement(m, 0)}});  // sets what the case of `always` reads
+     }},
     {"logOfAnotherState",
      [](Mission& m) {
        m.states[0].log.push_back({"x", m[m.states[1].cases[0].guard].operands[1], 0});

@@ -39,7 +39,7 @@ ir::Statement BlockMaker::statement(uint32_t depth) {
 
 ir::Statement BlockMaker::set() {
   std::vector<uint32_t> settable;
-  for (uint32_t i = 0; i < m_.variables.size(); ++i) {
+  for (uint32_t i = expressions_.scope().sets_from; i < m_.variables.size(); ++i) {
     const ir::Variable& v = m_.variables[i];
     if (v.kind != ir::VariableKind::Parameter && v.kind != ir::VariableKind::Argument &&
         (!v.owner.valid() || v.owner == expressions_.scope().state)) {

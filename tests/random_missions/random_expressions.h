@@ -15,6 +15,7 @@ struct Scope {
   ir::StateId state;                    ///< of every list but Always
   uint32_t variables_end = UINT32_MAX;  ///< of an initial value: variables before this one
   bool initial = false;                 ///< nothing is watched over time
+  uint32_t sets_from = 0;               ///< of what runs every tick: it sets only from this one on
 };
 
 /// Adds random expressions to a mission whose sensors, variables and states' number stand.

@@ -72,7 +72,7 @@ class MissionMaker {
     functions();
     m_.states.resize(random_.between(1, kMostStates));
     variables();
-    initialValues();
+    initialValuesFrom(0);
     states();
     always();
     if (flown) {
@@ -183,8 +183,8 @@ class MissionMaker {
     }
   }
 
-  void initialValues() {
-    for (uint32_t i = 0; i < m_.variables.size(); ++i) {
+  void initialValuesFrom(uint32_t first) {
+    for (uint32_t i = first; i < m_.variables.size(); ++i) {
       ir::Variable& v = m_.variables[i];
       const bool owned = v.owner.valid();
       expressions_.stand({owned ? ir::ListKind::State : ir::ListKind::Always, v.owner, i, true});
@@ -384,8 +384,12 @@ class MissionMaker {
     }
   }
 
+  /// Sets variables of its own, since nothing else may read what it sets.
   void everyTick() {
-    expressions_.stand({ir::ListKind::Always, {}, UINT32_MAX, true});
+    const auto own = static_cast<uint32_t>(m_.variables.size());
+    addVariables(ir::VariableKind::Mission, {}, random_.between(1, 4));
+    initialValuesFrom(own);
+    expressions_.stand({ir::ListKind::Always, {}, UINT32_MAX, true, own});
     const size_t first = m_.blocks.size();
     m_.every_tick = blocks_.block(2);
     for (ir::Block& block : std::span(m_.blocks).subspan(first)) {

@@ -53,33 +53,21 @@ InProcessSbc::Watcher RequirementWatch::watcher(const std::vector<double>& param
     if (start == 1) {
       heard_.look(context, now);
     }
-    lookForOutage(context, now, start);
+    outages_.look(start, context.mission_time, now, context.state);
   };
-}
-
-/// An SBC that does not continue, but starts its mission again, has an earlier mission time.
-void RequirementWatch::lookForOutage(const GliderContext& context, double now_s, size_t start) {
-  const double time = context.mission_time;
-  if (start > std::max<size_t>(latest_start_, 1) && time > latest_) {
-    outages_.push_back({latest_, time, now_s, context.state});
-  }
-  if (start > latest_start_ || time > latest_) {
-    latest_ = time;
-  }
-  latest_start_ = start;
 }
 
 /// The tick after a restart, which ends an outage longer than the assumed one.
 std::optional<FlownViolation> RequirementWatch::tooLong(const ir::Assumption& assumption) const {
   const double limit = std::max(assumption.limit, flown_.platform().world.tick_gap_s);
   const auto found = std::ranges::find_if(
-      outages_, [&](const Outage& outage) { return outage.to - outage.from > limit; });
-  if (assumption.kind != ir::AssumptionKind::Outage || found == outages_.end()) {
+      outages_.found(), [&](const Outage& outage) { return outage.to_s - outage.from_s > limit; });
+  if (assumption.kind != ir::AssumptionKind::Outage || found == outages_.found().end()) {
     return std::nullopt;
   }
-  return FlownViolation{0, found->to, found->vehicle_time,
+  return FlownViolation{0, found->to_s, found->vehicle_time,
                         flown_.mission.states.at(found->state).name,
-                        fmt::format("there was no tick for {:.0f} s", found->to - found->from)};
+                        fmt::format("there was no tick for {:.0f} s", found->to_s - found->from_s)};
 }
 
 namespace {

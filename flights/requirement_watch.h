@@ -6,6 +6,7 @@
 #include "compiler/compilation.h"
 #include "flights/heard_ticks.h"
 #include "flights/in_process_sbc.h"
+#include "flights/outage_watch.h"
 #include "support/trace/trace.h"
 
 #include <optional>
@@ -59,22 +60,12 @@ class RequirementWatch {
   [[nodiscard]] const ir::Mission& mission() const { return m_; }
 
  private:
-  /// The time without ticks that a restart ends.
-  struct Outage {
-    double from = 0;          ///< mission time, s
-    double to = 0;            ///< mission time, s
-    double vehicle_time = 0;  ///< of its end, s
-    uint32_t state = 0;
-  };
-  void lookForOutage(const GliderContext& context, double now_s, size_t start);
   [[nodiscard]] std::optional<FlownViolation> tooLong(const ir::Assumption& assumption) const;
 
   const compiler::Optimised& flown_;
   const ir::Mission& m_;  ///< with its requirements
   HeardTicks heard_;
-  std::vector<Outage> outages_;
-  double latest_ = 0;  ///< mission time of the latest tick, s
-  size_t latest_start_ = 0;
+  OutageWatch outages_;
   std::vector<double> parameters_;
   size_t starts_ = 0;
 };

@@ -22,18 +22,22 @@ class OnBoard {
   explicit OnBoard(Mission& mission) : m_(mission) {}
 
   void run() {
+    if (std::ranges::none_of(m_.assumptions, &Assumption::isWatched)) {
+      return;
+    }
+    telling_ = flag("assumption.telling");
+    statements_.push_back(set(telling_, Op::False));
     for (size_t i = 0; i < m_.assumptions.size(); ++i) {
       if (m_.assumptions[i].isWatched()) {
         watch(i);
       }
     }
-    if (!statements_.empty()) {
-      m_.every_tick = add({std::move(statements_)});
-    }
+    m_.every_tick = add({std::move(statements_)});
   }
 
  private:
-  /// The monitor's statements, then the note.
+  /// The monitor's statements, then the note. A tick tells of one broken assumption only, because
+  /// it has room for so many notes (GLIDER_MOST_NOTES), and the mission's own come after these.
   void watch(size_t number) {
     const Assumption& assumption = m_.assumptions[number];
     const BlockId step = assumption.watch.monitor.step;
@@ -43,14 +47,19 @@ class OnBoard {
     if (step.valid()) {
       std::ranges::move(m_.blocks[step.index].statements, std::back_inserter(statements_));
     }
-    const VariableId told = flag("assumption " + std::to_string(number + 1) + ".told");
+    const std::string name = "assumption " + std::to_string(number + 1);
+    const VariableId broken = flag(name + ".broken");
+    const VariableId told = flag(name + ".told");
+    statements_.push_back(
+        when(negated(assumption.watch.condition), add({{set(broken, Op::True)}})));
     Statement log;
     log.kind = StatementKind::Log;
     log.text = brokenAssumption(assumption);
     log.range = assumption.range;
-    const ExprId broken = push(Op::Not, {assumption.watch.condition});
-    const ExprId news = push(Op::And, {push(Op::Not, {read(told)}), broken});
-    statements_.push_back(when(news, add({{set(told, Op::True), std::move(log)}})));
+    const ExprId silent = push(Op::And, {negated(read(told)), negated(read(telling_))});
+    const ExprId news = push(Op::And, {read(broken), silent});
+    statements_.push_back(
+        when(news, add({{set(told, Op::True), set(telling_, Op::True), std::move(log)}})));
   }
 
   std::set<uint32_t> variablesOf(const Requirement& watched) {
@@ -103,6 +112,8 @@ class OnBoard {
     return id;
   }
 
+  ExprId negated(ExprId truth) { return push(Op::Not, {truth}); }
+
   ExprId push(Op op, std::initializer_list<ExprId> operands) {
     Expr expr;
     expr.op = op;
@@ -135,6 +146,7 @@ class OnBoard {
   static constexpr Type kBool{TypeKind::Bool, {}};
   Mission& m_;
   std::vector<Statement> statements_;
+  VariableId telling_;  ///< whether this tick has told of one
 };
 
 std::vector<bool> usedSensors(const Mission& mission) {

@@ -296,6 +296,43 @@ TEST_P(Assumptions, HaveATextForm) {
 
 INSTANTIATE_TEST_SUITE_P(All, Assumptions, testing::Range(size_t{0}, assumptions().size()));
 
+/// A tick has room for 16 notes.
+TEST(AssumptionNotes, LeaveRoomForTheMissionsOwn) {
+  std::string text = "mission m\n";
+  constexpr size_t kAssumed = 20;
+  for (size_t i = 0; i < kAssumed; ++i) {
+    text += fmt::format("assume altitude > {} m\n", 60 + i);
+  }
+  text += R"(
+state look
+begin
+  flightprofile yo(5 m, 25 m, 26 deg, 26 deg)
+  sensors       missiontime, altitude
+  events
+    case missiontime >= 1 h      exit
+    case became(altitude < 50 m) do log "near" end stay
+end
+)";
+  ir::Mission flown = compiled(text);
+  ir::prepareForFlight(flown);
+  ir::Interpreter run(flown, 1);
+  std::vector<std::string> notes;
+  for (size_t i = 0; i < 2 + kAssumed; ++i) {
+    const double altitude = i == 1 ? 40 : 100;  // broken on one tick only
+    const auto frame = frameOf(flown, {kCycle * static_cast<double>(i), altitude, 1});
+    const ir::TickResult result =
+        i == 0 ? run.start(frame, {}) : run.tick(4.0 * static_cast<double>(i), frame);
+    for (const ir::Note& note : result.notes) {
+      notes.push_back(fmt::format("{}: {}", i, note.text));
+    }
+  }
+  std::vector<std::string> expected = {"1: assumption broken: altitude > 60 m", "1: near"};
+  for (size_t i = 1; i < kAssumed; ++i) {
+    expected.push_back(fmt::format("{}: assumption broken: altitude > {} m", 1 + i, 60 + i));
+  }
+  EXPECT_EQ(notes, expected);
+}
+
 // --- verdicts ---
 
 struct Found {
@@ -508,6 +545,12 @@ TEST(AssumptionVerdicts, OneAloneMayContradictItself) {
   EXPECT_TRUE(check(patrol("assume start inside(39 N 74 W, 39.1 N 74 W, 39.2 N 74 W)")).contradict);
   EXPECT_FALSE(
       check(patrol("assume start inside(39 N 74 W, 39.1 N 74 W, 39.1 N 74.1 W)")).contradict);
+  EXPECT_TRUE(check(patrol("assume start inside(39 N 74 W, 39.1 N 74 W, 39.2 N 74 W, 39 N 74 W)"))
+                  .contradict);
+  EXPECT_FALSE(
+      check(patrol("assume start inside(39 N 74 W, 39.1 N 73.9 W, 39.1 N 74 W, 39 N 73.9 W)"))
+          .contradict)
+      << "two triangles, one of which counts as negative";
   EXPECT_FALSE(check(patrol("assume temp < 5 degC")).contradict);
 }
 

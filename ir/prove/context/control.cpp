@@ -3,6 +3,8 @@
 
 #include "ir/prove/context/control.h"
 
+#include "support/check.h"
+
 #include <algorithm>
 
 namespace glider::ir::prove {
@@ -21,6 +23,7 @@ Control Control::moved(ListKind list, uint32_t number, const Case& c) const {
   Control after = *this;
   after.just_returned = c.transition == Transition::Return;
   if (c.transition == Transition::Return) {
+    CHECK(!stack.empty(), "a return with an empty stack");
     after.state = stack.back().state;
     after.limit = stack.back().limit;
     after.stack.pop_back();

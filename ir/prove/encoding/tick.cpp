@@ -104,6 +104,9 @@ bool SymbolicTick::tryList(Run& run, ListKind list, const std::vector<Case>& cas
 
 void SymbolicTick::fire(Run& run, ListKind list, uint32_t number, const Case& c,
                         const z3::expr& condition, const Store& after_action) {
+  if (c.transition == Transition::Return && run.before.control.stack.empty()) {
+    return;  // its guard is never true: `verify` refuses every other mission (GL3005)
+  }
   Outcome outcome{condition, std::nullopt, std::nullopt, list, number};
   Configuration after = run.before;
   after.mission_time = run.now;

@@ -51,12 +51,17 @@ class RandomFlight {
     const auto area = std::ranges::find_if_not(requirements, &std::vector<Geofence>::empty,
                                                &Requirement::geofences);
     if (area != requirements.end()) {
-      place_.emplace(startOf(*area), proof_context.platform, dice_);
+      const auto start = startOf(*area);
+      starts_nowhere_ = !start;
+      place_.emplace(start.value_or(Position{}), proof_context.platform, dice_);
       dark_left_s_ = proof_context.tick_gap_s;  // the geofence premise: all outages together
     }
   }
 
   std::optional<Counterexample> fly(size_t ticks) {
+    if (starts_nowhere_) {
+      return std::nullopt;
+    }
     double time = 0;
     recorder_.start(parameters(), readings(time), vehicle_.depth());
     for (size_t i = 0; i < ticks && !recorder_.hit() && !recorder_.last().finished; ++i) {
@@ -100,28 +105,11 @@ class RandomFlight {
     }
   }
 
-  /// In the area that is assumed, whose middle may be outside.
-  Position startIn(const Geofence& area) {
-    constexpr int kTries = 100;
-    const auto share = [&](double Position::* axis) {
-      const auto [low, high] = std::ranges::minmax(area.corners, {}, axis);
-      return dice_.within(low.*axis, high.*axis);
-    };
-    Position place;
-    for (int i = 0; i < kTries; ++i) {
-      place = {share(&Position::latitude), share(&Position::longitude)};
-      if (isInside(area, place)) {
-        return place;
-      }
-    }
-    return area.corners.front();
-  }
-
   /// A waypoint at which a mission that keeps its geofences well may begin, usually one on the
   /// right side; otherwise the middle of an area.
-  Position startOf(const Requirement& requirement) {
+  std::optional<Position> startOf(const Requirement& requirement) {
     if (const auto assumed = assumedStart(m_)) {
-      return startIn(*assumed);
+      return placeInside(*assumed, dice_);
     }
     const std::vector<Position> all = steeringOf(proof_context_).waypoints;
     std::vector<Position> kept;
@@ -252,6 +240,7 @@ class RandomFlight {
   RunRecorder recorder_;
   Rng dice_;
   RandomVehicle vehicle_;
+  bool starts_nowhere_ = false;       ///< no place in the area of the start is found
   std::optional<RandomPlace> place_;  ///< the vehicle's place, if the requirement asks for it
   double dark_left_s_ = std::numeric_limits<double>::infinity();  ///< of power cuts
   bool calm_ = dice_.chance(0.3);  ///< every sensor shows the same all the time

@@ -3,6 +3,7 @@
 
 #include "ir/prove/falsification/random_place.h"
 
+#include "ir/core/inside.h"
 #include "ir/eval/arithmetic.h"
 #include "ir/prove/geometry/sphere.h"
 
@@ -16,6 +17,29 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 
 }  // namespace
+
+std::optional<Position> placeInside(const Geofence& area, Rng& dice) {
+  constexpr int kTries = 1000;
+  const std::vector<Position>& corners = area.corners;
+  for (int i = 0; i < kTries; ++i) {
+    const size_t first = dice.below(corners.size());
+    const Position& from = corners[first];
+    const double along = dice.within(0, 1), across = dice.within(0, 1);
+    Position place = from;
+    const auto go = [&](size_t steps, double share) {
+      const Position& to = corners[(first + steps) % corners.size()];
+      place.latitude += share * (to.latitude - from.latitude);
+      place.longitude += share * std::remainder(to.longitude - from.longitude, 360);
+    };
+    go(1, along * (1 - across));
+    go(2, along * across);
+    place.longitude = std::remainder(place.longitude, 360);
+    if (isInside(area, place)) {
+      return place;
+    }
+  }
+  return std::nullopt;
+}
 
 RandomPlace::RandomPlace(const Position& start, const platforms::Platform& platform, Rng& dice)
     : platform_(platform), dice_(dice), place_(start) {

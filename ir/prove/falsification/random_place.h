@@ -12,6 +12,11 @@
 
 namespace glider::ir::prove {
 
+/// A place inside an area as `isInside` counts, or none if 1000 tries do not find one. It tries
+/// triangles of neighbouring corners: some of them are all inside if the area does not cross
+/// itself.
+std::optional<Position> placeInside(const Geofence& area, Rng& dice);
+
 /// The position of a vehicle that follows a mission's commands in a current, and in the wind at the
 /// surface: the assumptions of ir/prove/geometry/geofences.h, in numbers. It always knows its
 /// position.

@@ -58,20 +58,22 @@ class Together {
   /// That not all are true. Where the mission assumes or requires that something is known, or is
   /// not: that one is false, as without a reading few conditions are.
   ExprId contradiction() {
-    const auto asks = [&](ExprId id) {
-      return anyIn(m_, id, [](const Expr& e) { return e.op == Op::Known; });
-    };
-    const bool one_is_false =
-        std::ranges::any_of(all_, asks, &Said::condition) ||
-        std::ranges::any_of(m_.assumptions, [&](const Assumption& assumption) {
-          return assumption.watch.condition.valid() && asks(assumption.watch.condition);
-        });
     ExprId together = all_.front().condition;
     for (const Said& one : all_) {
       together = push(Op::And, {together, one.condition});
     }
     const ExprId broken = push(Op::Not, {together});
-    return one_is_false ? push(Op::And, {isKnown(broken), broken}) : broken;
+    return asksWhatIsKnown() ? push(Op::And, {isKnown(broken), broken}) : broken;
+  }
+
+  [[nodiscard]] bool asksWhatIsKnown() const {
+    const auto asks = [&](ExprId id) {
+      return anyIn(m_, id, [](const Expr& e) { return e.op == Op::Known; });
+    };
+    return std::ranges::any_of(all_, asks, &Said::condition) ||
+           std::ranges::any_of(m_.assumptions, [&](const Assumption& assumption) {
+             return assumption.watch.condition.valid() && asks(assumption.watch.condition);
+           });
   }
 
  private:
@@ -102,14 +104,16 @@ void compare(Proof& proof, Mission mission, const std::vector<Said>& all, Diagno
   if (all.empty()) {
     return;
   }
-  const ExprId contradiction = Together(mission, all).contradiction();
+  Together together(mission, all);
+  const ExprId contradiction = together.contradiction();
   const ProofContext proof_context(mission, proof.proof_context.platform);
   const std::vector<StateBounds> bounds(mission.states.size(), {0, kAny, kAny, kAny, kAny});
   if (AnyMoment(proof_context, bounds)
           .neverFalse(contradiction, proof.options.effort, proof.checks)) {
     auto error = proof.diagnostics.report(
         id, all.back().range,
-        all.size() == 1 ? "no readings satisfy this one" : "no known readings satisfy them all");
+        fmt::format("no {}readings satisfy {}", together.asksWhatIsKnown() ? "" : "known ",
+                    all.size() == 1 ? "this one" : "them all"));
     for (size_t i = 0; i + 1 < all.size(); ++i) {
       error.note(all[i].range, "together with this");
     }
@@ -121,18 +125,21 @@ void checkStart(const Proof& proof, const Assumption& assumption) {
   if (assumption.kind != AssumptionKind::StartInside) {
     return;
   }
-  double twice = 0;
   const std::vector<Position>& corners = assumption.area.corners;
-  const auto east = [&](const Position& of) {
-    return std::remainder(of.longitude - corners.front().longitude, 360);
+  const Position& first = corners.front();
+  /// Twice the area between the first corner and these, in square degrees.
+  const auto between = [&](const Position& a, const Position& b) {
+    const auto east = [&](const Position& of) {
+      return std::remainder(of.longitude - first.longitude, 360);
+    };
+    return (a.latitude - first.latitude) * east(b) - (b.latitude - first.latitude) * east(a);
   };
-  for (size_t i = 0; i < corners.size(); ++i) {
-    const Position& a = corners[i];
-    const Position& b = corners[(i + 1) % corners.size()];
-    twice += a.latitude * east(b) - b.latitude * east(a);
-  }
   constexpr double kRounding = 1e-12;  // square degrees: a square of 10 cm
-  if (std::fabs(twice) <= kRounding) {
+  const bool on_a_line = std::ranges::all_of(corners, [&](const Position& a) {
+    return std::ranges::all_of(
+        corners, [&](const Position& b) { return std::fabs(between(a, b)) <= kRounding; });
+  });
+  if (on_a_line) {
     proof.diagnostics.report(DiagnosticId::assumptionsContradict, assumption.range,
                              "no place is inside this area, whose corners are on a line");
   }

@@ -12,22 +12,21 @@
 
 namespace glider::analysis {
 
-support::Result<support::Trace> flyInProcess(const compiler::Optimised& mission,
-                                             std::shared_ptr<const codegen::LoadedMission> loaded,
-                                             const std::vector<double>& parameters, World world,
-                                             flights::InProcessSbc::Watcher watcher) {
+using simulator::SbcPort;
+
+support::Result<support::Trace> fly(const compiler::Optimised& mission, simulator::StartSbc start,
+                                    World world) {
   simulator::SimulationSetup setup;
   setup.platform = mission.platform();
   setup.scenario = std::move(world.scenario);
   setup.seed = world.seed;
   flights::describeMission(setup, mission);
-  auto sbc = std::make_unique<flights::InProcessSbc>(std::move(loaded), parameters,
-                                                     std::make_shared<flights::Card>(),
-                                                     !setup.scenario.faults.empty());
-  if (watcher) {
-    sbc->watch(std::move(watcher));
+  auto sbc = start();
+  if (!sbc) {
+    return std::unexpected(sbc.error());
   }
-  setup.sbc = std::move(sbc);
+  setup.sbc = std::move(*sbc);
+  setup.restart_sbc = std::move(start);
   return simulator::simulate(std::move(setup));
 }
 
@@ -40,9 +39,16 @@ support::Result<HeardFlight> flyHeard(const compiler::Optimised& mission,
     return std::unexpected(world.error());
   }
   flights::HeardTicks heard(mission.checked->mission());
-  auto trace =
-      flyInProcess(mission, std::move(loaded), parameters, {std::move(*world), seed},
-                   [&](const GliderContext& context, double now) { heard.look(context, now); });
+  const bool keeps_time = !world->faults.empty();
+  const auto start = [&, card = std::make_shared<flights::Card>(),
+                      first = true]() mutable -> support::Result<std::unique_ptr<SbcPort>> {
+    auto sbc = std::make_unique<flights::InProcessSbc>(loaded, parameters, card, keeps_time);
+    if (std::exchange(first, false)) {
+      sbc->watch([&](const GliderContext& context, double now) { heard.look(context, now); });
+    }
+    return sbc;
+  };
+  auto trace = fly(mission, start, {std::move(*world), seed});
   if (!trace) {
     return std::unexpected(trace.error());
   }

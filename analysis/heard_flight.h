@@ -30,14 +30,14 @@ struct World {
   uint64_t seed = 1;
 };
 
-/// Flies the compiled mission in this process; `watcher` may be empty. Fails as simulating does.
-support::Result<support::Trace> flyInProcess(const compiler::Optimised& mission,
-                                             std::shared_ptr<const codegen::LoadedMission> loaded,
-                                             const std::vector<double>& parameters, World world,
-                                             flights::InProcessSbc::Watcher watcher);
+/// Flies the mission, whose SBC `start` starts, also after a power cut. Fails as that and
+/// simulating do.
+support::Result<support::Trace> fly(const compiler::Optimised& mission, simulator::StartSbc start,
+                                    World world);
 
 /// Flies the compiled mission in this process, in a scenario that comes with glidercc or that is in
-/// a file. Fails as choosing the scenario and simulating do.
+/// a file. What the SBC receives is heard until it loses its power. Fails as choosing the scenario
+/// and simulating do.
 support::Result<HeardFlight> flyHeard(const compiler::Optimised& mission,
                                       std::shared_ptr<const codegen::LoadedMission> loaded,
                                       const std::vector<double>& parameters,

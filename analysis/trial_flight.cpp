@@ -4,8 +4,10 @@
 #include "analysis/trial_flight.h"
 
 #include "analysis/heard_flight.h"
+#include "flights/flight_setup.h"
 #include "flights/launch_choice.h"
 #include "flights/requirement_watch.h"
+#include "flights/sbc_choice.h"
 #include "report/warnings.h"
 #include "simulator/simulator.h"
 
@@ -20,7 +22,8 @@ support::Result<void> reportTrialFlight(const compiler::Optimised& mission,
                                         const std::vector<std::string>& user_code,
                                         const std::string& hint,
                                         support::DiagnosticEngine& diagnostics) {
-  if (!simulator::checkPlatform(mission.platform())) {
+  const bool lacks_code = flights::needsCodeInC(mission.checked->mission()) && user_code.empty();
+  if (lacks_code || !simulator::checkPlatform(mission.platform())) {
     return {};
   }
   auto loaded = flights::loadHere(mission, user_code);
@@ -35,10 +38,11 @@ support::Result<void> reportTrialFlight(const compiler::Optimised& mission,
   if (flights::RequirementWatch::canWatch(mission)) {
     watch.emplace(mission);
   }
-  const auto trace =
-      flyInProcess(mission, std::make_shared<const codegen::LoadedMission>(std::move(*loaded)),
-                   *parameters, {scenario, scenario.seed},
-                   watch ? watch->watcher(*parameters) : flights::InProcessSbc::Watcher());
+  const auto trace = fly(
+      mission,
+      flights::startInProcess(std::make_shared<const codegen::LoadedMission>(std::move(*loaded)),
+                              *parameters, !scenario.faults.empty(), watch ? &*watch : nullptr),
+      {scenario, scenario.seed});
   if (!trace) {
     return std::unexpected(trace.error());
   }

@@ -16,7 +16,8 @@ namespace glider::analysis {
 /// Flies the mission once with its default parameters, in this process, and reports what `sim`
 /// reports of such a flight, violated requirements and broken assumptions among it, and what hardly
 /// any mission is meant to do (GL9378), at the first state. `hint`: how to see the flight. Reports
-/// nothing for a vehicle that is not simulated. Fails as flights::loadHere and simulator::simulate
+/// nothing for a vehicle that is not simulated, and for a mission that needs code in C if there is
+/// no `user_code`. Fails as flights::loadHere, flights::chooseParameters and simulator::simulate
 /// do.
 support::Result<void> reportTrialFlight(const compiler::Optimised& mission,
                                         const simulator::Scenario& scenario,

@@ -26,10 +26,12 @@ namespace {
 constexpr std::string_view kMark = "# glidercc campaign ";
 constexpr std::string_view kColumns =
     "flight,mission,fault,when,sbc,seed,outcome,releases,instructions,end (s),deepest (m),"
-    "violation (s),violation,requirements violated\n";
+    "violation (s),violation,requirements violated,"
+    "assumptions broken\n";
 // Columns that do not follow from the number of a flight.
 constexpr size_t kOutcome = 6, kReleases = 7, kInstructions = 8, kEnd = 9, kDeepest = 10,
-                 kViolationTime = 11, kViolation = 12, kRequirements = 13, kCount = 14;
+                 kViolationTime = 11, kViolation = 12, kRequirements = 13, kAssumptions = 14,
+                 kCount = 15;
 
 /// The fields of a line, without their quotes.
 std::vector<std::string> fieldsOf(std::string_view line) {
@@ -66,22 +68,30 @@ bool parseOutcome(const std::vector<std::string>& fields, Verdict& verdict) {
   return false;
 }
 
-/// "1;3", the requirements from 1.
-std::string requirementsText(const Verdict& verdict) {
+/// How many of what is checked in the flights of a mission are requirements: they come first.
+size_t requirementsIn(const CampaignMission& mission) {
+  return static_cast<size_t>(std::ranges::count_if(
+      mission.requirements, [](const auto& text) { return !text.starts_with("assume "); }));
+}
+
+/// "1;3", those of numbers `from` to `to`, counted from 1.
+std::string numbersText(const Verdict& verdict, size_t from, size_t to) {
   std::string text;
   for (const size_t number : verdict.requirements) {
-    text += fmt::format("{}{}", text.empty() ? "" : ";", number + 1);
+    if (number >= from && number < to) {
+      text += fmt::format("{}{}", text.empty() ? "" : ";", number - from + 1);
+    }
   }
   return text;
 }
 
-/// Those of `plan`; whether they are so many, csvRow decides.
-void parseRequirements(const std::string& field, Verdict& verdict) {
+/// The reverse of numbersText; whether there are so many, csvRow decides.
+void parseNumbers(const std::string& field, size_t from, Verdict& verdict) {
   std::istringstream in(field);
   for (std::string text; std::getline(in, text, ';');) {
     size_t number = 0;
     if (parse(text, number) && number > 0) {
-      verdict.requirements.push_back(number - 1);
+      verdict.requirements.push_back(from + number - 1);
     }
   }
 }
@@ -96,9 +106,11 @@ bool parseRow(const CampaignPlan& plan, std::string_view line, uint64_t& number,
     return false;
   }
   verdict.violation = fields[kViolation];
-  parseRequirements(fields[kRequirements], verdict);
-  const size_t required = plan.missions[flightOf(plan, number).mission].requirements.size();
-  if (std::ranges::any_of(verdict.requirements, [&](size_t one) { return one >= required; })) {
+  const auto& mission = plan.missions[flightOf(plan, number).mission];
+  parseNumbers(fields[kRequirements], 0, verdict);
+  parseNumbers(fields[kAssumptions], requirementsIn(mission), verdict);
+  if (std::ranges::any_of(verdict.requirements,
+                          [&](size_t one) { return one >= mission.requirements.size(); })) {
     return false;
   }
   const bool violated = verdict.outcome == Verdict::Outcome::Violation;
@@ -122,13 +134,16 @@ std::string csvHead(const std::string& identity) {
 
 std::string csvRow(const CampaignPlan& plan, const CampaignFlight& flight, const Verdict& verdict) {
   const bool violated = verdict.outcome == Verdict::Outcome::Violation;
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", flight.number,
-                     support::csvQuoted(plan.missions[flight.mission].file),
-                     simulator::nameOf(flight.kind), simulator::nameOf(flight.manner),
+  const auto& mission = plan.missions[flight.mission];
+  const size_t required = requirementsIn(mission);
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", flight.number,
+                     support::csvQuoted(mission.file), simulator::nameOf(flight.kind),
+                     simulator::nameOf(flight.manner),
                      flight.board ? plan.boards[*flight.board] : "in process", flight.seed,
                      outcomeName(verdict), verdict.releases, verdict.instructions, verdict.end_s,
                      verdict.deepest_m, violated ? fmt::to_string(verdict.violation_s) : "",
-                     support::csvQuoted(verdict.violation), requirementsText(verdict));
+                     support::csvQuoted(verdict.violation), numbersText(verdict, 0, required),
+                     numbersText(verdict, required, mission.requirements.size()));
 }
 
 std::string campaignCsv(const CampaignPlan& plan, const CampaignResult& result,

@@ -154,6 +154,26 @@ std::filesystem::path folderOf(const CommandOptions& options, const std::filesys
                                       : folder / std::filesystem::path(mission).stem().string();
 }
 
+/// Whether two missions would have their files in one folder; then says so.
+bool sharesAFolder(const CommandOptions& options) {
+  if (options.traces.empty() && options.certificates.empty() && options.recheck.empty()) {
+    return false;
+  }
+  std::map<std::string, std::string> missions;
+  for (const std::string& mission : options.missions) {
+    const auto [other, first] =
+        missions.try_emplace(std::filesystem::path(mission).stem().string(), mission);
+    if (!first) {
+      tell(
+          fmt::format("glidercc: error: `{}` and `{}` would have their files in the same folder "
+                      "`{}`; give one at a time\n",
+                      other->second, mission, other->first));
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Writes the traces if the options ask for them.
 int writeTraces(const CommandOptions& options, const CheckedFile& checked) {
   if (options.traces.empty() || checked.found.requirements.empty()) {
@@ -272,6 +292,9 @@ const std::string* overwritten(const CommandOptions& options) {
 }
 
 int check(CommandOptions& options) {
+  if (sharesAFolder(options)) {
+    return kWorldFailed;
+  }
   if (!options.recheck.empty()) {
     return recheck(options);
   }

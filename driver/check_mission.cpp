@@ -12,6 +12,7 @@
 #include "ir/core/inside.h"
 #include "ir/core/under_assumptions.h"
 #include "slocum/mission_files/load.h"
+#include "support/one_line.h"
 
 #include <fmt/format.h>
 
@@ -57,7 +58,7 @@ Result<report::JudgedRequirement> judgedRequirement(const compiler::Checked& che
                                                     const compiler::Optimised* flown) {
   const auto range = checked.mission().requirements[verdict.requirement].range;
   report::JudgedRequirement judged{range,
-                                   std::string(checked.sources().text(range)),
+                                   support::onOneLine(checked.sources().text(range)),
                                    ir::prove::word(verdict.verdict),
                                    std::nullopt,
                                    ir::prove::premisesOf(verdict, checked.mission()),
@@ -82,7 +83,7 @@ ir::prove::Findings proveWithProgress(compiler::Compilation& compilation, const 
   how.before_requirement = [&](uint32_t number) {
     const auto& all = checked.mission().requirements;
     progress.at(fmt::format("proving {} of {}: {}", number + 1, all.size(),
-                            checked.sources().text(all[number].range)));
+                            support::onOneLine(checked.sources().text(all[number].range))));
   };
   return compiler::prove(checked, how, compilation.diagnostics);
 }

@@ -6,12 +6,12 @@
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/terminal.h"
-#include "support/one_line.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -44,7 +44,8 @@ using Verdicts = std::map<std::string, std::string>;
 Verdicts verdictsOf(const report::CheckedMission& found) {
   Verdicts verdicts;
   for (const report::JudgedRequirement& one : found.requirements) {
-    verdicts[support::onOneLine(one.text)] = one.verdict;
+    verdicts[one.text] =
+        one.verdict + (one.premise.empty() ? "" : fmt::format(" ({})", one.premise));
   }
   return verdicts;
 }
@@ -66,6 +67,22 @@ std::vector<std::string> compareVerdicts(const report::CheckedMission& before,
       lines.push_back(fmt::format("{}: {} → {}", text, verdict(was, text), verdict(is, text)));
     }
   }
+  return lines;
+}
+
+/// The assumptions that only one version makes.
+std::vector<std::string> compareAssumptions(const ir::Mission& before, const ir::Mission& after) {
+  std::vector<std::string> lines;
+  const auto only = [&](const ir::Mission& in, const ir::Mission& other, const char* word) {
+    for (const ir::Assumption& assumption : in.assumptions) {
+      if (std::ranges::find(other.assumptions, assumption.words, &ir::Assumption::words) ==
+          other.assumptions.end()) {
+        lines.push_back(fmt::format("assume {}: {}", assumption.words, word));
+      }
+    }
+  };
+  only(before, after, "no longer");
+  only(after, before, "new");
   return lines;
 }
 
@@ -108,6 +125,7 @@ int tellDifference(const DiffOptions& options, const CheckedFile& before,
     text += section(part.title, part.lines);
   }
   text += section("bounds", analysis::compareBounds(*was, *is));
+  text += section("assumptions", compareAssumptions(was->mission(), is->mission()));
   text += section("requirements", compareVerdicts(before.found, after.found));
   if (!same && options.fly) {
     const auto search =

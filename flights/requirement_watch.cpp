@@ -59,10 +59,13 @@ InProcessSbc::Watcher RequirementWatch::watcher(const std::vector<double>& param
 
 /// The tick after a restart, which ends an outage longer than the assumed one.
 std::optional<FlownViolation> RequirementWatch::tooLong(const ir::Assumption& assumption) const {
+  if (assumption.kind != ir::AssumptionKind::Outage) {
+    return std::nullopt;
+  }
   const double limit = std::max(assumption.limit, flown_.platform().world.tick_gap_s);
   const auto found = std::ranges::find_if(
       outages_.found(), [&](const Outage& outage) { return outage.to_s - outage.from_s > limit; });
-  if (assumption.kind != ir::AssumptionKind::Outage || found == outages_.found().end()) {
+  if (found == outages_.found().end()) {
     return std::nullopt;
   }
   return FlownViolation{0, found->to_s, found->vehicle_time,
@@ -151,7 +154,9 @@ std::vector<FlownViolation> RequirementWatch::violations(const support::Trace& t
   }
   for (size_t i = 0; i < m_.assumptions.size(); ++i) {
     auto found = firstBreak(m_.assumptions[i], {flown_, heard_.ticks(), parameters_, trace});
-    found = found ? found : tooLong(m_.assumptions[i]);
+    if (!found) {
+      found = tooLong(m_.assumptions[i]);
+    }
     if (found) {
       found->number = m_.requirements.size() + i;
       all.push_back(*std::move(found));

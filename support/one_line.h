@@ -8,7 +8,12 @@
 
 namespace glider::support {
 
-/// `text` on one line, with each run of white space as one space.
+/// A part of a mission's text on one line: without comments, with each run of white space as one
+/// space, and `printable`.
 std::string onOneLine(std::string_view text);
+
+/// `text` made safe for a terminal: a tab becomes one space, other control characters become '?'.
+/// As long as `text`.
+std::string printable(std::string_view text);
 
 }  // namespace glider::support

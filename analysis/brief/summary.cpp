@@ -137,14 +137,18 @@ std::string assumptionsOf(const platforms::Platform& platform, const ir::Mission
       envelope.drift_m_s, world.surface_drift_m_s, world.tick_gap_s,
       durationOf(mission.resume_within_s));
   std::string own;
+  const bool unwatched = !std::ranges::all_of(mission.assumptions, &ir::Assumption::isWatched);
   for (const ir::Assumption& assumption : mission.assumptions) {
     own += fmt::format("{}`{}`", own.empty() ? "" : ", ", assumption.words);
   }
-  return own.empty() ? usual
-                     : fmt::format(
-                           "{} The mission itself assumes {}. Each verdict names those on "
-                           "which it rests; nothing on board checks them.",
-                           usual, own);
+  return own.empty()
+             ? usual
+             : fmt::format(
+                   "{} The mission itself assumes {}. Each verdict names those on "
+                   "which it rests, and holds for flights that keep to them. The first tick that "
+                   "breaks one leaves a note in the mission log{}.",
+                   usual, own,
+                   unwatched ? "; nothing on board watches the start and the current" : "");
 }
 
 }  // namespace glider::analysis

@@ -46,7 +46,7 @@ json invariantToJson(const ir::certify::Invariant& invariant, const ir::Mission&
 /// Throws json::exception, or std::string with what is wrong.
 class Reader {
  public:
-  explicit Reader(const ir::Mission& mission) : m_(mission) {}
+  Reader(const ir::Mission& mission, const std::string& subject) : m_(mission), subject_(subject) {}
 
   Certificate read(const json& in, const std::string& name) {
     if (in.at("glidercc certificate").get<int>() != kVersion) {
@@ -55,9 +55,13 @@ class Reader {
     Certificate certificate{in.at("requirement").get<std::string>(),
                             in.at("subject").get<std::string>(),
                             methodOf(in.at("method").get<std::string>()),
-                            assumptions(in.value("assumptions", json::array())),
+                            {},
                             {},
                             std::nullopt};
+    if (certificate.subject != subject_) {
+      return certificate;
+    }
+    certificate.assumptions = assumptions(in.value("assumptions", json::array()));
     std::set<Configuration> seen;
     for (const json& one : in.at("invariants")) {
       certificate.invariants.push_back(invariant(one));
@@ -124,6 +128,7 @@ class Reader {
   }
 
   const ir::Mission& m_;
+  const std::string& subject_;
 };
 
 }  // namespace
@@ -157,7 +162,11 @@ std::string certificateToJson(const Certificate& certificate, const ir::Mission&
 }
 
 Result<Certificate> certificateFromJson(const std::string& text, const std::string& name,
-                                        const ir::Mission& mission) {
+                                        const compiler::Checked& checked) {
+  const auto subject = subjectOf(checked);
+  if (!subject) {
+    return std::unexpected(subject.error());
+  }
   const auto wrong = [&](const std::string& what) {
     return support::fail(support::DiagnosticId::noCertificate, name, what);
   };
@@ -166,7 +175,7 @@ Result<Certificate> certificateFromJson(const std::string& text, const std::stri
     return wrong("it is not JSON");
   }
   try {
-    return Reader(mission).read(in, name);
+    return Reader(checked.mission(), *subject).read(in, name);
   } catch (const json::exception&) {
     return wrong("a field is missing or has another type");
   } catch (const std::string& what) {

@@ -36,8 +36,9 @@ std::filesystem::path certificatePath(const std::filesystem::path& folder, uint3
 std::string certificateToJson(const Certificate& certificate, const ir::Mission& mission);
 
 /// Reads what certificateToJson wrote; `name` is that of the file. GL9381, also if a state does not
-/// exist in `mission` or a configuration occurs twice.
+/// exist in the mission or a configuration occurs twice. Of a certificate with another subject,
+/// what names parts of the mission is not read: `recheck` refuses it.
 support::Result<Certificate> certificateFromJson(const std::string& text, const std::string& name,
-                                                 const ir::Mission& mission);
+                                                 const compiler::Checked& checked);
 
 }  // namespace glider::analysis

@@ -83,6 +83,7 @@ class Search {
     }
     WayUp way;
     way.by = fmt::format("{} ({})", surface.label(), surface.start_text);
+    way.range = surface.range;
     if (surface.start == Start::Idle && allEnd()) {
       addFlights(way);
     } else if (surface.start == Start::InTime) {
@@ -99,8 +100,6 @@ class Search {
 
   /// A stack without commands is aborted.
   [[nodiscard]] WayUp abortedBefore(const IdleSlots& idle, const WayUp& way) const {
-    const auto slow = std::ranges::find_if(
-        layers_, [&](const Layer& layer) { return way.by.starts_with(layer.label() + " "); });
     return {{},
             "",
             fmt::format("nothing {} {} until {} starts, and the vehicle aborts{}{}",
@@ -108,7 +107,7 @@ class Search {
                         way.by, idle.unsure.empty() ? "" : ": ", fmt::join(idle.unsure, ", ")),
             fmt::format("write {}a behaviour `surface` with start_when 1",
                         idle.pitch_and_pump ? "" : "a `set_heading` without an end, or "),
-            slow->range};
+            way.range};
   }
 
   /// All that may be flown before the stack is idle. Each behaviour may be interrupted once by each

@@ -18,7 +18,7 @@ struct WayUp {
   std::string by;
   std::string why_not;  ///< empty: it is proved
   std::string change;
-  support::SourceRange range;
+  support::SourceRange range;  ///< of what prevents it; if it is proved, of the behaviour
 };
 
 /// `deepest_m`: of all that the layers and the mission command.

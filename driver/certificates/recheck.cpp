@@ -8,6 +8,7 @@
 #include "driver/exit_code.h"
 #include "driver/terminal.h"
 #include "support/files.h"
+#include "support/one_line.h"
 
 #include <fmt/format.h>
 
@@ -27,7 +28,7 @@ struct Line {
 Result<Line> rechecked(const compiler::Optimised& mission, uint32_t number,
                        const std::filesystem::path& folder) {
   const ir::Requirement& requirement = mission.checked->mission().requirements[number];
-  const std::string words(mission.checked->sources().text(requirement.range));
+  const std::string words = support::onOneLine(mission.checked->sources().text(requirement.range));
   const auto path = analysis::certificatePath(folder, number);
   if (!std::filesystem::exists(path)) {
     return Line{fmt::format("no certificate: {}\n", words), false};
@@ -36,8 +37,7 @@ Result<Line> rechecked(const compiler::Optimised& mission, uint32_t number,
   if (!text) {
     return std::unexpected(text.error());
   }
-  const auto certificate =
-      analysis::certificateFromJson(*text, path.string(), mission.checked->mission());
+  const auto certificate = analysis::certificateFromJson(*text, path.string(), *mission.checked);
   if (!certificate) {
     return std::unexpected(certificate.error());
   }

@@ -5,6 +5,7 @@
 
 #include "analysis/analysis.h"
 #include "support/files.h"
+#include "support/one_line.h"
 
 #include <string>
 #include <system_error>
@@ -17,7 +18,7 @@ analysis::Certificate certificateOf(const compiler::Checked& checked,
                                     const ir::prove::RequirementVerdict& verdict,
                                     std::string subject) {
   const auto range = checked.mission().requirements[verdict.requirement].range;
-  analysis::Certificate certificate{std::string(checked.sources().text(range)),
+  analysis::Certificate certificate{support::onOneLine(checked.sources().text(range)),
                                     std::move(subject),
                                     verdict.evidence->method,
                                     verdict.assumptions,

@@ -117,7 +117,7 @@ class StructureRepair {
     }
     if (keyword) {
       structural(t);
-    } else if (!skipping && declaresPlace(t)) {
+    } else if (!skipping && (declaresPlace(t) || startsAssumption(t))) {
       values_.keyword(t);
       out_.push_back(t);
     } else if (!skipping) {
@@ -127,6 +127,11 @@ class StructureRepair {
       ok_ = values_.take(t, peek(1)) && ok_;
       noteHeader(1);
     }
+  }
+
+  /// `assume` may also be a name.
+  [[nodiscard]] bool startsAssumption(const Lexeme& t) const {
+    return t.type == GliderLexer::ASSUME && blocks_.empty() && endsValue(previous());
   }
 
   /// `place NAME = …`

@@ -3,6 +3,8 @@
 
 #include "frontend/symbols/descriptions.h"
 
+#include "support/one_line.h"
+
 #include <algorithm>
 #include <string_view>
 
@@ -62,20 +64,10 @@ std::string_view commentBehind(std::string_view text, size_t end) {
 }
 
 /// The declaration without comments and line breaks, shortened.
-std::string onOneLine(std::string_view text) {
+std::string shortened(std::string_view text) {
   constexpr size_t kLongest = 100;
   constexpr size_t kMostRead = 1000;
-  std::string out;
-  bool comment = false;
-  for (char c : text.substr(0, kMostRead)) {
-    comment = c == '#' || (comment && c != '\n');
-    const bool blank = comment || kBlanks.contains(c);
-    if (!blank) {
-      out += c;
-    } else if (!out.empty() && out.back() != ' ') {
-      out += ' ';
-    }
-  }
+  const std::string out = support::onOneLine(text.substr(0, kMostRead));
   return out.size() > kLongest ? out.substr(0, kLongest) + "…" : out;
 }
 
@@ -87,7 +79,7 @@ std::string describe(const support::SourceManager& sources, const support::Sourc
     return std::string(behind);
   }
   const std::string above = commentAbove(text, where.begin);
-  return above.empty() ? onOneLine(sources.text(where)) : above;
+  return above.empty() ? shortened(sources.text(where)) : above;
 }
 
 }  // namespace glider::frontend

@@ -341,9 +341,10 @@ struct Violation {
   std::string words;  ///< "`b` was not visited within 2 h"
 };
 
-/// Watches a flight for a requirement that one condition cannot express. It does not fly: at the
-/// end of the start and of each tick the observations are set, then `step` runs, then the
-/// requirement's condition is checked (ir/README.md, Monitors). It reads the true depth.
+/// Watches a flight for a requirement that one condition cannot express; only those of assumptions
+/// are compiled. At the end of the start and of each tick the observations are set, then `step`
+/// runs, then the requirement's condition is checked (ir/README.md, Monitors). It reads the true
+/// depth.
 struct Monitor {
   std::vector<Observation> observations;
   BlockId step;  ///< Set and If, of variables of the kinds Monitor and Momentary; invalid: none
@@ -374,8 +375,8 @@ enum class AssumptionKind : uint8_t {
   Always        ///< what `watch` says
 };
 
-/// What the pilot takes for granted about the sea, the vehicle and the SBC. Nothing that flies
-/// depends on it: proofs may rest on it, and flights are watched for what breaks it.
+/// What the pilot takes for granted about the sea, the vehicle and the SBC. No decision of the
+/// mission depends on it: proofs may rest on it, and flights are watched for what breaks it.
 struct Assumption {
   AssumptionKind kind = AssumptionKind::Always;
   double limit = 0;   ///< not negative
@@ -423,7 +424,7 @@ struct Mission {
   GuardTable always_table;         ///< of `always`; may be empty
   std::vector<State> states;       ///< the first is where the mission starts
   /// Runs at the start and in each tick, before the cases are tried: Set, If and Log, of variables
-  /// of the kind Mission. It reads no temporal. Invalid: nothing.
+  /// of the kind Mission, which nothing else reads. It reads no temporal. Invalid: nothing.
   BlockId every_tick;
   std::vector<Requirement> requirements;
   std::vector<Assumption> assumptions;

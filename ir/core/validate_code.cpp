@@ -41,6 +41,7 @@ class CodeValidator {
         arguments_(m_.states.size()) {}
 
   void run() {
+    findWhatEveryTickSets();
     variables();
     temporals();
     for (ExprId condition : m_.conditions) {
@@ -88,6 +89,24 @@ class CodeValidator {
     const Reads& reads = reads_[id.index];
     return !reads.two_states && (!reads.state.valid() || reads.state == state) &&
            (!reads.monitor || in_monitor_);
+  }
+
+  /// Before anything that may read it. A block that is not in order yet is looked at too: blocks
+  /// come after those that they hold.
+  void findWhatEveryTickSets() {
+    std::set<uint32_t> blocks{m_.every_tick.index};
+    const auto end = static_cast<uint32_t>(std::min<size_t>(m_.blocks.size(), UINT32_MAX));
+    for (uint32_t i = end; i-- > 0;) {
+      if (!m_.every_tick.valid() || !blocks.contains(i)) {
+        continue;
+      }
+      for (const Statement& s : m_.blocks[i].statements) {
+        if (s.kind == StatementKind::Set) {
+          set_every_tick_.insert(s.variable.index);
+        }
+        blocks.insert({s.then.index, s.otherwise.index});
+      }
+    }
   }
 
   /// Whether an expression reads a variable that `every tick` sets. The prover does not follow what
@@ -243,7 +262,9 @@ class CodeValidator {
     const auto what = [&] { return fmt::format("the initial value of `{}`", v.name); };
     require(!isOfMonitor(v.kind) || launchTime(v.initial), v.range, "{} is not fixed at launch",
             what);
+    in_every_tick_ = set_every_tick_.contains(number);
     expression(v.initial, v.owner, v.type, v.range, what);
+    in_every_tick_ = false;
     if (!exists(v.initial)) {
       return;
     }
@@ -377,9 +398,6 @@ class CodeValidator {
     if (s.variable.index >= m_.variables.size()) {
       require(false, s.range, "`set` of an unknown variable");
       return;
-    }
-    if (in_every_tick_) {
-      set_every_tick_.insert(s.variable.index);
     }
     const Variable& v = m_[s.variable];
     require(v.kind != VariableKind::Parameter && v.kind != VariableKind::Argument &&

@@ -36,9 +36,8 @@ bool Interpreter::current(const Temporal& temporal) const {
   return temporal.list == ListKind::Always || temporal.state == state_;
 }
 
-/// Step 3. The order is visible in the calls of C functions.
 /// The temporals of `always`, or those of the current state, start, continue after a return, or
-/// advance.
+/// advance. The order is visible in the calls of C functions.
 void Interpreter::startTemporals(bool always, Moment moment) {
   for (uint32_t i = 0; i < temporals_.size(); ++i) {
     const Temporal& t = mission_.temporals[i];

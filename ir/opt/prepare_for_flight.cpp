@@ -25,6 +25,9 @@ class OnBoard {
     if (std::ranges::none_of(m_.assumptions, &Assumption::isWatched)) {
       return;
     }
+    if (m_.every_tick.valid()) {
+      statements_ = std::move(m_.blocks[m_.every_tick.index].statements);
+    }
     telling_ = flag("assumption.telling");
     statements_.push_back(set(telling_, Op::False));
     for (size_t i = 0; i < m_.assumptions.size(); ++i) {

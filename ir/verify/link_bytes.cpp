@@ -55,7 +55,7 @@ uint64_t tick(const Mission& mission, const platforms::Platform& platform) {
 }
 
 bool leavesNotes(const Mission& mission) {
-  return !mission.assumptions.empty() ||
+  return std::ranges::any_of(mission.assumptions, &Assumption::isWatched) ||
          std::ranges::any_of(mission.blocks, [](const Block& block) {
            return std::ranges::any_of(block.statements, [](const Statement& statement) {
              return statement.kind == StatementKind::Log || statement.kind == StatementKind::Set;

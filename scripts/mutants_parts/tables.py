@@ -52,12 +52,13 @@ def held(rows, path):
     """What has become worse than the table at `path`: more escapes of a kind or in all, or fewer mutants caught."""
     with open(path, newline="", encoding="utf-8") as file:
         committed = {row["kind"]: row for row in csv.DictReader(line for line in file if not line.startswith("#"))}
-    escapes, *kinds = (COLUMNS.index(name) for name in ("escapes", "error", "warning"))
+    escapes = COLUMNS.index("escapes")
     for kind, row in rows.items():
         before = int(committed[kind]["escapes"]) if kind in committed else 0
         if row[escapes] > before:
             yield f"{kind}: {row[escapes]} escapes, {before} were committed"
-    caught = int(committed["all"]["error"]) + int(committed["all"]["warning"])
-    now = sum(rows["all"][kind] for kind in kinds)
+    caught_by = ("error", "warning", "promise", "flight")
+    caught = sum(int(committed["all"][name]) for name in caught_by)
+    now = sum(rows["all"][COLUMNS.index(name)] for name in caught_by)
     if now < caught:
         yield f"all: {now} caught, {caught} were committed"

@@ -3,6 +3,8 @@
 
 #include "support/diagnostics/render.h"
 
+#include "support/one_line.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,17 +22,6 @@ constexpr Palette kColour{"\x1b[1m",    "\x1b[1;31m", "\x1b[1;35m",
 
 std::string_view colourOf(Severity severity, const Palette& p) {
   return severity == Severity::Error ? p.error : severity == Severity::Warning ? p.warning : p.note;
-}
-
-/// A source line made safe for a terminal: a tab becomes one space (so that the caret stays in its
-/// column), other control characters are shown as '?'.
-std::string printable(std::string_view line) {
-  std::string out;
-  for (char c : line) {
-    const auto byte = static_cast<unsigned char>(c);
-    out += c == '\t' ? ' ' : (byte < 0x20 || byte == 0x7F) ? '?' : c;
-  }
-  return out;
 }
 
 std::string excerpt(const SourceManager& sources, SourceRange range, const Palette& p) {
@@ -59,7 +50,7 @@ std::string block(const SourceManager& sources, SourceRange range, Severity seve
     where = fmt::format("{}:{}:{}: ", sources.name(range.file), at.line, at.column);
   }
   std::string out = fmt::format("{}{}{}{}{}: {}{}{}{}\n", p.bold, where, colourOf(severity, p),
-                                word(severity), p.reset, p.bold, message, p.reset, tag);
+                                word(severity), p.reset, p.bold, printable(message), p.reset, tag);
   return range.valid() ? out + excerpt(sources, range, p) : out;
 }
 
@@ -72,7 +63,7 @@ std::string render(const DiagnosticEngine& diagnostics, const SourceManager& sou
     const std::string tag = fmt::format(" [{} {}]", code(d.id), catalogueRow(d.id).slug);
     out += block(sources, d.range, d.severity, d.message, tag, p);
     if (!d.hint.empty()) {
-      out += fmt::format("      = {}hint{}: {}\n", p.note, p.reset, d.hint);
+      out += fmt::format("      = {}hint{}: {}\n", p.note, p.reset, printable(d.hint));
     }
     for (const DiagnosticNote& note : d.notes) {
       out += block(sources, note.range, Severity::Note, note.message, "", p);

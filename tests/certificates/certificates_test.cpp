@@ -246,7 +246,6 @@ TEST_F(Certificates, ARunThatDoesNotReachTheStateIsRefused) {
 
 TEST_F(Certificates, DamagedFilesAreErrors) {  // refused: GL9381
   const Issued& issued = survey();
-  const ir::Mission& mission = issued.mission->checked->mission();
   const std::string good = issued.file(kDives);
   for (const auto& [from, to] : std::initializer_list<std::pair<std::string, std::string>>{
            {"{", "["},
@@ -258,18 +257,19 @@ TEST_F(Certificates, DamagedFilesAreErrors) {  // refused: GL9381
     std::string bad = good;
     ASSERT_NE(bad.find(from), std::string::npos) << from;
     bad.replace(bad.find(from), from.size(), to);
-    const auto read = analysis::certificateFromJson(bad, "c.json", mission);
+    const auto read = analysis::certificateFromJson(bad, "c.json", *issued.mission->checked);
     ASSERT_FALSE(read) << to;
     EXPECT_EQ(read.error().id, support::DiagnosticId::noCertificate);
   }
-  EXPECT_TRUE(analysis::certificateFromJson(good, "c.json", mission));  // accepts: GL9381
+  EXPECT_TRUE(
+      analysis::certificateFromJson(good, "c.json", *issued.mission->checked));  // accepts: GL9381
 }
 
 /// A solver that says less, or something else.
 TEST_F(Certificates, OfASolverThatFailsNothingIsAccepted) {  // refused: GL9382
   const Issued& issued = survey();
-  const auto certificate = analysis::certificateFromJson(issued.file(kDives), "c.json",
-                                                         issued.mission->checked->mission());
+  const auto certificate =
+      analysis::certificateFromJson(issued.file(kDives), "c.json", *issued.mission->checked);
   ASSERT_TRUE(certificate);
   const std::string path = std::getenv("PATH");
   for (const char* solver : {"exit 0", "echo unsat; exit 0", "echo '(error \"x\")'", "exit 1"}) {
@@ -288,8 +288,8 @@ TEST_F(Certificates, OfASolverThatFailsNothingIsAccepted) {  // refused: GL9382
 
 TEST_F(Certificates, WithoutTheSolverNothingIsAccepted) {  // refused: GL9380
   const Issued& issued = survey();
-  const auto certificate = analysis::certificateFromJson(issued.file(kDives), "c.json",
-                                                         issued.mission->checked->mission());
+  const auto certificate =
+      analysis::certificateFromJson(issued.file(kDives), "c.json", *issued.mission->checked);
   ASSERT_TRUE(certificate);
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", "/nowhere", 1);
@@ -365,8 +365,10 @@ void expectToRestOn(const std::string& assumption, const std::string& requiremen
   EXPECT_EQ(issued.rechecked(0, without.dump()).accepted, !named) << assumption;
   json other = json::parse(file);
   other["assumptions"] = {"no such thing"};
-  EXPECT_FALSE(
-      analysis::certificateFromJson(other.dump(), "c.json", issued.mission->checked->mission()));
+  EXPECT_FALSE(analysis::certificateFromJson(other.dump(), "c.json", *issued.mission->checked));
+  other["subject"] = "another";
+  const analysis::Rechecked refused = issued.rechecked(0, other.dump());
+  EXPECT_EQ(refused.reason, "it is about another mission or another vehicle");
 }
 
 /// A mission that assumes a deeper start is checked with that start, also for a certificate that

@@ -33,7 +33,7 @@ std::string Issued::file(uint32_t requirement) const {
 
 analysis::Rechecked Issued::rechecked(uint32_t requirement, const std::string& file) const {
   const auto certificate =
-      analysis::certificateFromJson(file, "certificate.json", mission->checked->mission());
+      analysis::certificateFromJson(file, "certificate.json", *mission->checked);
   if (!certificate) {
     ADD_FAILURE() << certificate.error().message;
     return {};

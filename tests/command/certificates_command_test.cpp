@@ -70,6 +70,31 @@ TEST_F(CertificatesCommand, RefusesWhatIsChangedOrMissing) {
   EXPECT_THAT(found.err, HasSubstr("0 of 2 certificates accepted"));
 }
 
+/// Also if it names what is no longer in the mission.
+TEST_F(CertificatesCommand, RefusesWhatRestsOnADeletedAssumption) {
+  const std::string assumed = "mission m\nassume no outage\n" + kMission.substr(10);
+  mission_ = folder_.write("m.mission", assumed).string();
+  ASSERT_EQ(check("--certificates").status, 0);
+  mission_ = folder_.write("m.mission", kMission).string();
+  const Outcome found = check("--recheck");
+  EXPECT_EQ(found.status, 1) << found.err;
+  EXPECT_THAT(found.out, HasSubstr("refused: require exit within 40 min\n  it is about another "
+                                   "mission or another vehicle"));
+}
+
+TEST_F(CertificatesCommand, OfTwoMissionsOfOneNameAreRefused) {
+  std::filesystem::create_directory(folder_.path() / "other");
+  std::ofstream(folder_.path() / "other" / "m.mission") << kMission;
+  const std::string first = mission_;
+  mission_ += " " + (folder_.path() / "other" / "m.mission").string();
+  for (const char* how : {"--certificates", "--recheck", "--traces"}) {
+    const Outcome both = check(how);
+    EXPECT_EQ(both.status, 2);
+    EXPECT_THAT(both.err, HasSubstr("would have their files in the same folder `m`"));
+    EXPECT_FALSE(std::filesystem::exists(certificates()));
+  }
+}
+
 TEST_F(CertificatesCommand, RemovesThoseOfEarlierProofs) {
   ASSERT_EQ(check("--certificates").status, 0);
   const std::string text =

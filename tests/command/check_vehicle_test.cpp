@@ -181,6 +181,23 @@ end
   EXPECT_THAT(restless.err, HasSubstr("see the flight with `glidercc sim "));
 }
 
+/// The SBC starts again afterwards, as in `sim`.
+TEST_F(CheckVehicle, AFlightInAScenarioWithAPowerCutGoesOn) {
+  std::string scenario = slurp(std::string(GLIDER_SOURCE_DIR) + "/scenarios/default.toml");
+  const std::string skeleton = "\"skeleton.mi\"";
+  ASSERT_NE(scenario.find(skeleton), std::string::npos);
+  scenario.replace(scenario.find(skeleton), skeleton.size(),
+                   "\"" GLIDER_SOURCE_DIR "/scenarios/skeleton.mi\"");
+  const auto cut =
+      folder_.write("cut.toml", scenario + "\n[[faults.power]]\nfrom_s = 100\nto_s = 200\n");
+  const Outcome flown =
+      check("--scenario " + cut.string(), "assume no outage\nassume missiontime <= 30 min\n");
+  EXPECT_EQ(flown.status, 0) << flown.err;
+  EXPECT_THAT(flown.err, HasSubstr("there was no tick for 1"));
+  EXPECT_THAT(flown.err, HasSubstr("[GL5128 assumption-flown]"));
+  EXPECT_THAT(flown.err, Not(HasSubstr("GL9378")));
+}
+
 // accepts: GL9378
 TEST_F(CheckVehicle, AFlightInTheScenarioThatGoesWellSaysNothing) {
   const Outcome fine = check("--scenario default");

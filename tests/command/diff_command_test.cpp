@@ -128,6 +128,26 @@ TEST(DiffCommand, ParametersAndTheirRanges) {
                                      "600 s .. 7200 s\n"));
 }
 
+/// They change no behaviour, but what is proved.
+TEST(DiffCommand, AssumptionsAndWhatRestsOnThem) {
+  const std::string under =
+      with(kOld, "require", "assume temp <= 30 degC\nrequire never temp > 31 degC\nrequire");
+  const std::string bare = with(under, "assume temp <= 30 degC\n", "");
+  const Outcome lost = diff(under, bare);
+  EXPECT_EQ(lost.status, 0) << lost.err;
+  EXPECT_THAT(lost.out, HasSubstr("assumptions\n  assume temp <= 30 degC: no longer\n"));
+  EXPECT_THAT(
+      lost.out,
+      HasSubstr("require never temp > 31 degC: proved (assuming `temp <= 30 degC`) → refuted"));
+  const Outcome other = diff(under, with(under, "temp <= 30 degC", "temp <= 25 degC"));
+  EXPECT_THAT(
+      other.out,
+      HasSubstr(
+          "assumptions\n  assume temp <= 30 degC: no longer\n  assume temp <= 25 degC: new\n"));
+  EXPECT_THAT(other.out, HasSubstr("require never temp > 31 degC: proved (assuming `temp <= 30 "
+                                   "degC`) → proved (assuming `temp <= 25 degC`)"));
+}
+
 TEST(DiffCommand, ErrorsAreNotCompared) {
   const Outcome outcome = diff(kOld, with(kOld, "goto report", "goto nowhere"));
   EXPECT_EQ(outcome.status, 2);

@@ -554,6 +554,28 @@ TEST(AssumptionVerdicts, OneAloneMayContradictItself) {
   EXPECT_FALSE(check(patrol("assume temp < 5 degC")).contradict);
 }
 
+/// Every flight starts at mission time 0, at `start_depth_m` (3 m) or above.
+TEST(AssumptionVerdicts, OnesThatNoFlightKeepsAtTheStart) {
+  for (const char* never : {"depth > 5 m", "missiontime > 1 s", "depth in 210 m .. 250 m",
+                            "missiontime > 4 s && missiontime < 1 h"}) {
+    EXPECT_TRUE(check(patrol(fmt::format("assume {}", never))).contradict) << never;
+  }
+  EXPECT_TRUE(check(patrol("assume start depth <= 1 m\nassume depth > 2 m")).contradict);
+  EXPECT_TRUE(
+      check(patrol("assume depth > 2 m || temp > 9 degC\nassume temp < 5 degC && known(temp) "
+                   "\nassume start depth <= 1 m"))
+          .contradict);
+  EXPECT_FALSE(check(patrol("assume start depth <= 3 m\nassume depth > 2 m")).contradict);
+  EXPECT_FALSE(check(patrol("assume missiontime < 2 h")).contradict);
+  EXPECT_FALSE(check(patrol("assume depth > 5 m || missiontime < 5 min")).contradict);
+}
+
+/// The cases say what may wait; whether the assumptions exclude it is not asked.
+TEST(AssumptionVerdicts, MayExcludeCalls) {
+  EXPECT_EQ(check(patrol("require stack <= 0")).verdict, "refuted");
+  EXPECT_EQ(check(patrol("assume altitude > 10 m\nrequire stack <= 0")).verdict, "undecided");
+}
+
 /// Without readings no limit is broken.
 TEST(AssumptionVerdicts, UnknownReadingsContradictNothing) {
   EXPECT_FALSE(check(patrol("assume !known(temp)\nassume temp > 5 degC")).contradict);

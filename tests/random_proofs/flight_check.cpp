@@ -184,7 +184,8 @@ bool FlightCheck::brokenBy(size_t number, const Flight& flight, bool& met) {
       return met && now.finished;
     case DiagnosticId::assumptionsContradict:
       met = true;
-      return assumed_.size() > 1 && allTrue(assumed_, flight);
+      return !assumed_.empty() && allTrue(assumed_, flight) &&
+             (flight.now().time == 0 || !claim.words.contains("at the start"));
     case DiagnosticId::requirementsContradict:
       met = true;
       return allTrue(required_, flight);

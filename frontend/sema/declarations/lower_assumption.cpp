@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -189,9 +190,15 @@ class AssumptionLowering {
     if (!lowest || !highest) {
       return false;
     }
+    const bool heading = scope_.mission[sensor.sensor].encoding == ir::Encoding::Magnetic;
     if (*lowest > *highest) {
-      return refuse(premise.range.lowest, ", which is above the end of the range",
-                    "assume temp in 2 degC .. 28 degC");
+      return refuse(premise.range.lowest, ": the range would end before it begins",
+                    heading ? kAcrossNorth : "assume temp in 2 degC .. 28 degC");
+    }
+    constexpr double kTurn = 2 * std::numbers::pi * (1 + 1e-12);
+    if (heading && (*lowest < 0 || *highest > kTurn)) {
+      return refuse(*lowest < 0 ? premise.range.lowest : premise.range.highest,
+                    ": readings of a heading are from 0 deg to 360 deg", kAcrossNorth);
     }
     // The prover narrows the range of readings that the vehicle sends in their own unit; but not of
     // the depth, as its reading differs from the true depth, which the assumption is about.
@@ -294,6 +301,8 @@ class AssumptionLowering {
     result_.limit = value.value_or(0);
     return value.has_value();
   }
+
+  static constexpr const char* kAcrossNorth = "assume heading >= 350 deg || heading <= 10 deg";
 
   bool refuse(const support::SourceRange& where, std::string_view why, const char* example) {
     scope_.report(DiagnosticId::assumptionForm, where, scope_.text(where), why, example);

@@ -5,6 +5,7 @@
 
 #include "frontend/sema/names/functions.h"
 #include "frontend/spelling.h"
+#include "support/one_line.h"
 
 #include <fmt/format.h>
 
@@ -34,18 +35,7 @@ std::span<const std::string_view> clockNames() {
 }
 
 std::string Scope::wholeText(const support::SourceRange& range) const {
-  std::string out;
-  bool comment = false;
-  for (char c : inputs_.sources.text(range)) {
-    comment = c == '#' || (comment && c != '\n');
-    const bool blank = comment || c == ' ' || c == '\t' || c == '\n' || c == '\r';
-    if (!blank) {
-      out += c;
-    } else if (!out.empty() && out.back() != ' ') {
-      out += ' ';
-    }
-  }
-  return out;
+  return support::onOneLine(inputs_.sources.text(range));
 }
 
 std::string Scope::text(const support::SourceRange& range) const {

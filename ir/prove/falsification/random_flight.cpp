@@ -105,8 +105,8 @@ class RandomFlight {
     }
   }
 
-  /// A waypoint at which a mission that keeps its geofences well may begin, usually one on the
-  /// right side; otherwise the middle of an area.
+  /// A place in the area of the start that is assumed (none if none is found); otherwise a
+  /// waypoint, usually one on the right side; otherwise the middle of an area.
   std::optional<Position> startOf(const Requirement& requirement) {
     if (const auto assumed = assumedStart(m_)) {
       return placeInside(*assumed, dice_);

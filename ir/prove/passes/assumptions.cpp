@@ -13,6 +13,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace glider::ir::prove {
@@ -98,26 +99,47 @@ class Together {
   const std::vector<Said>& all_;
 };
 
-/// Reports if no readings satisfy all conditions. `mission` may have fewer readings than the one
-/// that is checked.
-void compare(Proof& proof, Mission mission, const std::vector<Said>& all, DiagnosticId id) {
+/// When conditions must be true together.
+struct When {
+  StateBounds bounds;
+  std::string words;  ///< before "no readings"
+};
+
+When atAnyTime() {
+  return {{0, kAny, kAny, kAny, kAny}, ""};
+}
+
+/// Every flight has this moment.
+When atTheStart(const platforms::Platform& platform) {
+  const double deepest = platform.world.start_depth_m;
+  return {
+      {0, 0, 0, 0, deepest},
+      fmt::format("at the start, at mission time 0 s and a depth of at most {:g} m, ", deepest)};
+}
+
+/// Reports if no readings satisfy all conditions then; false if so. `mission` may have fewer
+/// readings than the one that is checked.
+bool compare(Proof& proof, Mission mission, const std::vector<Said>& all, const When& when,
+             DiagnosticId id) {
   if (all.empty()) {
-    return;
+    return true;
   }
   Together together(mission, all);
   const ExprId contradiction = together.contradiction();
   const ProofContext proof_context(mission, proof.proof_context.platform);
-  const std::vector<StateBounds> bounds(mission.states.size(), {0, kAny, kAny, kAny, kAny});
-  if (AnyMoment(proof_context, bounds)
-          .neverFalse(contradiction, proof.options.effort, proof.checks)) {
-    auto error = proof.diagnostics.report(
-        id, all.back().range,
-        fmt::format("no {}readings satisfy {}", together.asksWhatIsKnown() ? "" : "known ",
-                    all.size() == 1 ? "this one" : "them all"));
-    for (size_t i = 0; i + 1 < all.size(); ++i) {
-      error.note(all[i].range, "together with this");
-    }
+  const std::vector<StateBounds> bounds(mission.states.size(), when.bounds);
+  if (!AnyMoment(proof_context, bounds)
+           .neverFalse(contradiction, proof.options.effort, proof.checks)) {
+    return true;
   }
+  auto error = proof.diagnostics.report(id, all.back().range,
+                                        fmt::format("{}no {}readings satisfy {}", when.words,
+                                                    together.asksWhatIsKnown() ? "" : "known ",
+                                                    all.size() == 1 ? "this one" : "them all"));
+  for (size_t i = 0; i + 1 < all.size(); ++i) {
+    error.note(all[i].range, "together with this");
+  }
+  return false;
 }
 
 /// Reports an area of the start whose corners are on a line: no place is inside.
@@ -162,8 +184,14 @@ void passes::assumptions(Proof& proof) {
       assumed.push_back({a.watch.condition, a.range});
     }
   }
-  if (rangesOverlap(proof, mission)) {
-    compare(proof, mission, assumed, DiagnosticId::assumptionsContradict);
+  if (!rangesOverlap(proof, mission)) {
+    return;
+  }
+  const auto platform = underAssumptions(proof.proof_context.platform, written);
+  for (const When& when : {atAnyTime(), atTheStart(platform)}) {
+    if (!compare(proof, mission, assumed, when, DiagnosticId::assumptionsContradict)) {
+      return;
+    }
   }
 }
 
@@ -175,7 +203,8 @@ void passes::contradictions(Proof& proof) {
     }
   }
   if (required.size() > 1) {
-    compare(proof, proof.proof_context.mission, required, DiagnosticId::requirementsContradict);
+    compare(proof, proof.proof_context.mission, required, atAnyTime(),
+            DiagnosticId::requirementsContradict);
   }
 }
 

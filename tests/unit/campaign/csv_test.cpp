@@ -86,31 +86,33 @@ std::string with(std::string text, const std::string& from, const std::string& t
 TEST_F(CampaignCsv, BeginsWithWhatItBelongsToAndItsColumns) {
   EXPECT_EQ(csvHead("id"),
             "# glidercc campaign id\nflight,mission,fault,when,sbc,seed,outcome,releases,"
-            "instructions,end (s),deepest (m),violation (s),violation,requirements violated\n");
+            "instructions,end (s),deepest (m),violation (s),violation,requirements violated,"
+            "assumptions broken\n");
 }
 
 TEST_F(CampaignCsv, ARowHasAllOfAFlight) {
   EXPECT_EQ(row(0),
             "0,\"a \"\"b\"\", c.mission\",SBC power cut,once,in process,6457827717110365317,exited,"
-            "0,17,1234.5,20.0625,,\"\",\n");
+            "0,17,1234.5,20.0625,,\"\",,\n");
   EXPECT_EQ(row(3),
             "3,\"two.mission\",clock jumps,recurring,in process,4593380528125082431,released,3,"
-            "17,1234.5,20.0625,,\"\",\n");
+            "17,1234.5,20.0625,,\"\",,\n");
   EXPECT_THAT(row(1), HasSubstr(",exited after release,2,17,"));
   EXPECT_THAT(row(4),
-              HasSubstr(",VIOLATION,1,17,1234.5,20.0625,0.1,\"too deep, \"\"60\"\" m\",\n"));
+              HasSubstr(",VIOLATION,1,17,1234.5,20.0625,0.1,\"too deep, \"\"60\"\" m\",,\n"));
 }
 
 TEST_F(CampaignCsv, ARowHasTheRequirementsThatTheFlightViolates) {
-  plan_.missions[0].requirements = {"require never deep", "require visit a within 1 h"};
-  result_.verdicts[0]->requirements = {0, 1};
-  EXPECT_THAT(row(0), HasSubstr(",\"\",1;2\n"));
+  plan_.missions[0].requirements = {"require never deep", "require visit a within 1 h",
+                                    "assume no outage", "assume current <= 1 m/s"};
+  result_.verdicts[0]->requirements = {0, 1, 3};
+  EXPECT_THAT(row(0), HasSubstr(",\"\",1;2,2\n"));
   CampaignResult again;
   ASSERT_TRUE(read(written(), again));
-  EXPECT_EQ(again.verdicts[0]->requirements, (std::vector<size_t>{0, 1}));
-  for (const char* wrong : {"1;3", "0", "1;", "one", "2;2x"}) {
+  EXPECT_EQ(again.verdicts[0]->requirements, (std::vector<size_t>{0, 1, 3}));
+  for (const char* wrong : {"1;3,2", "0,2", "1;,2", "one,2", "2;2x,2", "1;2,3", "1;2,0", "1;2"}) {
     CampaignResult refused;
-    EXPECT_FALSE(read(csvHead("id") + with(row(0), "1;2\n", std::string(wrong) + "\n"), refused))
+    EXPECT_FALSE(read(csvHead("id") + with(row(0), "1;2,2\n", std::string(wrong) + "\n"), refused))
         << wrong;
   }
 }
@@ -193,8 +195,8 @@ TEST_F(CampaignCsv, RowsOfOtherFlightsAreRefusedWithTheirLine) {
   EXPECT_THAT(line(with(row(1), "exited after release", "sunk")), HasSubstr("line 4"));
   EXPECT_THAT(line(with(row(1), "two", "three")), HasSubstr("line 4"));
   EXPECT_THAT(line(with(row(1), "320", "321")), HasSubstr("line 4")) << "another seed";
-  EXPECT_THAT(line(with(row(1), "\"\",\n", "\"\",,more\n")), HasSubstr("line 4"));
-  EXPECT_THAT(line(with(row(1), ",,\"\",\n", ",\"\",\n")), HasSubstr("line 4"));
+  EXPECT_THAT(line(with(row(1), "\"\",,\n", "\"\",,,more\n")), HasSubstr("line 4"));
+  EXPECT_THAT(line(with(row(1), ",,\"\",,\n", ",\"\",,\n")), HasSubstr("line 4"));
   EXPECT_THAT(line(with(row(4), ",0.1,", ",,")), HasSubstr("line 4"));
 }
 

@@ -144,6 +144,13 @@ TEST(Hostile, TheDeepestThatIsAllowed) {
   }
 }
 
+/// Each is an expression of its own.
+TEST(Hostile, ManyAssumptions) {
+  FrontendRun run("mission test\n" + repeat("assume temp > -2 degC || altitude > 5 m\n", 1'100) +
+                  "state s begin flightprofile surfaced events case missiontime > 0 s exit end\n");
+  EXPECT_TRUE(run.compile().has_value()) << run.said().substr(0, 2000);
+}
+
 TEST(Hostile, EveryPrefixOfFigure2) {
   const std::string whole = readSource("missions/figure2.mission");
   for (size_t length = 0; length < whole.size(); length += 3) {

@@ -279,5 +279,27 @@ INSTANTIATE_TEST_SUITE_P(Values, ValidateWholeDamaged, testing::ValuesIn(kWholeD
 INSTANTIATE_TEST_SUITE_P(Code, ValidateWholeDamaged, testing::ValuesIn(kCodeDamages),
                          [](const auto& damage) { return damage.param.name; });
 
+/// `m` is read by what is `watched` or is the `initial` value of a variable of a state; then every
+/// tick sets it.
+Mission withEveryTick(const std::string& watched, const std::string& initial) {
+  Mission m = missionOf(
+      kHeader + "variable m: length mission variable s: length state of a initial m 5:length " +
+      "temporal held always (lt " + watched + " 4:length) for 8:time " +
+      "always case (temporal 0) exit state a initial s " + initial +
+      " route drift () profile to ((sensor depth), 5:time) case true exit");
+  Statement set;
+  set.variable = {0};
+  set.value = m.variables[0].initial;
+  m.every_tick = {static_cast<uint32_t>(m.blocks.size())};
+  m.blocks.push_back({{set}});
+  return m;
+}
+
+TEST(Validate, NothingReadsWhatEveryTickSets) {
+  EXPECT_TRUE(validate(withEveryTick("(sensor depth)", "5:length")).empty());
+  EXPECT_FALSE(validate(withEveryTick("(var m)", "5:length")).empty());
+  EXPECT_FALSE(validate(withEveryTick("(sensor depth)", "(var m)")).empty());
+}
+
 }  // namespace
 }  // namespace glider::ir

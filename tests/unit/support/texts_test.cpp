@@ -17,6 +17,14 @@ TEST(Texts, OnOneLine) {
   EXPECT_EQ(onOneLine("  a"), "a");
   EXPECT_EQ(onOneLine("a\r\nb "), "a b ");
   EXPECT_EQ(onOneLine(""), "");
+  EXPECT_EQ(onOneLine("a # b\nc // d\r\ne /* f\n g */ h"), "a c e h");
+  EXPECT_EQ(onOneLine("a / b /* open"), "a / b ");
+  EXPECT_EQ(onOneLine("log \"# // /* no */\" # yes"), "log \"# // /* no */\" ");
+  EXPECT_EQ(onOneLine("a\x1b[2Jb"), "a?[2Jb");
+}
+
+TEST(Texts, Printable) {
+  EXPECT_EQ(printable("a\tb\nc\x1b\x7f\xc3\xa9"), "a b?c??\xc3\xa9");
 }
 
 TEST(Texts, CsvQuoted) {

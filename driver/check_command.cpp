@@ -154,7 +154,7 @@ std::filesystem::path folderOf(const CommandOptions& options, const std::filesys
                                       : folder / std::filesystem::path(mission).stem().string();
 }
 
-/// Whether two missions would have their files in one folder; then says so.
+/// Whether two missions would have their files in one folder; then it prints an error.
 bool sharesAFolder(const CommandOptions& options) {
   if (options.traces.empty() && options.certificates.empty() && options.recheck.empty()) {
     return false;

@@ -36,8 +36,8 @@ support::Result<support::Trace> fly(const compiler::Optimised& mission, simulato
                                     World world);
 
 /// Flies the compiled mission in this process, in a scenario that comes with glidercc or that is in
-/// a file. What the SBC receives is recorded until it loses its power. Fails as choosing the scenario
-/// and simulating do.
+/// a file. What the SBC receives is recorded until it loses its power. Fails as choosing the
+/// scenario and simulating do.
 support::Result<HeardFlight> flyHeard(const compiler::Optimised& mission,
                                       std::shared_ptr<const codegen::LoadedMission> loaded,
                                       const std::vector<double>& parameters,

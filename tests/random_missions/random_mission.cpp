@@ -187,7 +187,9 @@ class MissionMaker {
     for (uint32_t i = first; i < m_.variables.size(); ++i) {
       ir::Variable& v = m_.variables[i];
       const bool owned = v.owner.valid();
-      expressions_.stand({owned ? ir::ListKind::State : ir::ListKind::Always, v.owner, i, true});
+      const uint32_t readable = first > 0 ? first : i;  // later ones do not read one another
+      expressions_.stand(
+          {owned ? ir::ListKind::State : ir::ListKind::Always, v.owner, readable, true});
       if (v.kind == ir::VariableKind::Parameter) {
         v.initial = v.type.kind == TypeKind::Bool
                         ? expressions_.truth(random_.chance(0.5))

@@ -58,7 +58,7 @@ class Search {
     const auto found =
         flights::violationOf(flown_, requirement_, flight->ticks, parameters_, flight->trace);
     const auto broken =
-        flights::assumptionsBroken(flown_, flight->ticks, parameters_, flight->trace);
+        flights::firstBrokenAssumption(flown_, flight->ticks, parameters_, flight->trace);
     const bool counts = found && (!broken || *broken > found->mission_time);
     return counts ? std::optional(found->mission_time) : std::nullopt;
   }

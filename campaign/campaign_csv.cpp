@@ -70,8 +70,11 @@ bool parseOutcome(const std::vector<std::string>& fields, Verdict& verdict) {
 
 /// How many of what is checked in the flights of a mission are requirements: they come first.
 size_t requirementsIn(const CampaignMission& mission) {
-  return static_cast<size_t>(std::ranges::count_if(
-      mission.requirements, [](const auto& text) { return !text.starts_with("assume "); }));
+  size_t count = 0;
+  while (count < mission.requirements.size() && !mission.isAssumption(count)) {
+    ++count;
+  }
+  return count;
 }
 
 /// "1;3", those of numbers `from` to `to`, counted from 1.

@@ -116,7 +116,7 @@ std::string requirementLines(const CampaignPlan& plan, const CampaignResult& res
           first = first.value_or(flight.number);
         }
       });
-      const bool assumed = flown.requirements[i].starts_with("assume ");
+      const bool assumed = flown.isAssumption(i);
       out += fmt::format("{}: `{}`: {} in {} of {} flights{}\n", flown.file, flown.requirements[i],
                          assumed ? "broken" : "violated", violated, flights,
                          first ? fmt::format(", first in flight {}", *first) : "");

@@ -26,9 +26,12 @@ struct CampaignMission {
   flights::NewWatchedFlight new_watched_flight;  ///< if its requirements are checked; may be empty
   std::shared_ptr<const compiler::Optimised> compiled;  ///< the same
   std::vector<std::string> requirements;                ///< flights::watchedTexts; of those checked
-  std::vector<flights::NewFlight> on_board;             ///< one for each of the plan's boards
-  simulator::FlightTimes times = {};                    ///< of its flight without faults
-  double mean_W = 0;                                    ///< of its batteries in that flight
+  [[nodiscard]] bool isAssumption(size_t number) const {
+    return requirements.at(number).starts_with("assume ");
+  }
+  std::vector<flights::NewFlight> on_board;  ///< one for each of the plan's boards
+  simulator::FlightTimes times = {};         ///< of its flight without faults
+  double mean_W = 0;                         ///< of its batteries in that flight
 };
 
 /// What all flights of a campaign share.

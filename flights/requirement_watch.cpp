@@ -132,10 +132,10 @@ std::optional<FlownViolation> violationOf(const compiler::Optimised& mission, si
   return found;
 }
 
-std::optional<double> assumptionsBroken(const compiler::Optimised& mission,
-                                        std::span<const HeardTick> ticks,
-                                        const std::vector<double>& parameters,
-                                        const support::Trace& trace) {
+std::optional<double> firstBrokenAssumption(const compiler::Optimised& mission,
+                                            std::span<const HeardTick> ticks,
+                                            const std::vector<double>& parameters,
+                                            const support::Trace& trace) {
   std::optional<double> first;
   for (const ir::Assumption& assumption : mission.checked->mission().assumptions) {
     if (const auto found = firstBreak(assumption, {mission, ticks, parameters, trace})) {

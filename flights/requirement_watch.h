@@ -33,11 +33,12 @@ std::optional<FlownViolation> violationOf(const compiler::Optimised& mission, si
                                           const std::vector<double>& parameters,
                                           const support::Trace& trace);
 
-/// The mission time, s, at which the same flight first breaks an assumption of `mission`.
-std::optional<double> assumptionsBroken(const compiler::Optimised& mission,
-                                        std::span<const HeardTick> ticks,
-                                        const std::vector<double>& parameters,
-                                        const support::Trace& trace);
+/// The mission time, s, at which the same flight first breaks an assumption of `mission`; none: it
+/// breaks none.
+std::optional<double> firstBrokenAssumption(const compiler::Optimised& mission,
+                                            std::span<const HeardTick> ticks,
+                                            const std::vector<double>& parameters,
+                                            const support::Trace& trace);
 
 /// Watches an SBC in this process, and checks the requirements and assumptions of its mission
 /// afterwards.

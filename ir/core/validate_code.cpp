@@ -94,10 +94,12 @@ class CodeValidator {
   /// Before anything that may read it. A block that is not in order yet is looked at too: blocks
   /// come after those that they hold.
   void findWhatEveryTickSets() {
+    if (m_.every_tick.index >= m_.blocks.size()) {
+      return;
+    }
     std::set<uint32_t> blocks{m_.every_tick.index};
-    const auto end = static_cast<uint32_t>(std::min<size_t>(m_.blocks.size(), UINT32_MAX));
-    for (uint32_t i = end; i-- > 0;) {
-      if (!m_.every_tick.valid() || !blocks.contains(i)) {
+    for (uint32_t i = m_.every_tick.index + 1; i-- > 0;) {
+      if (!blocks.contains(i)) {
         continue;
       }
       for (const Statement& s : m_.blocks[i].statements) {

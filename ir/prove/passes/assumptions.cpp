@@ -52,9 +52,9 @@ struct Said {
 };
 
 /// Adds expressions about several conditions to a mission.
-class Together {
+class Conjunction {
  public:
-  Together(Mission& mission, const std::vector<Said>& all) : m_(mission), all_(all) {}
+  Conjunction(Mission& mission, const std::vector<Said>& all) : m_(mission), all_(all) {}
 
   /// That not all are true. Where the mission assumes or requires that something is known, or is
   /// not: that one is false, as without a reading few conditions are.
@@ -124,7 +124,7 @@ bool compare(Proof& proof, Mission mission, const std::vector<Said>& all, const 
   if (all.empty()) {
     return true;
   }
-  Together together(mission, all);
+  Conjunction together(mission, all);
   const ExprId contradiction = together.contradiction();
   const ProofContext proof_context(mission, proof.proof_context.platform);
   const std::vector<StateBounds> bounds(mission.states.size(), when.bounds);

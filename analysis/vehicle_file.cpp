@@ -4,6 +4,7 @@
 #include "analysis/vehicle_file.h"
 
 #include "slocum/mission_files/load.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -6,6 +6,7 @@
 #include "ir/core/inside.h"
 #include "ir/prove/abstract/end_bound.h"
 #include "ir/prove/context/duration_text.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

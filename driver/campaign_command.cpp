@@ -15,6 +15,7 @@
 #include "flights/sbc_choice.h"
 #include "flights/scenario_choice.h"
 #include "ir/text/print.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 #include "support/one_line.h"
 

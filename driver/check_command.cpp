@@ -11,6 +11,7 @@
 #include "driver/output/run_trace.h"
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>

@@ -12,6 +12,7 @@
 #include "ir/core/inside.h"
 #include "ir/core/under_assumptions.h"
 #include "slocum/mission_files/load.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/one_line.h"
 
 #include <fmt/format.h>

@@ -8,6 +8,7 @@
 #include "driver/output/line_diff.h"
 #include "driver/output/rewrite.h"
 #include "driver/terminal.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/diagnostics/fixes.h"
 #include "support/files.h"
 

@@ -4,7 +4,10 @@
 #include "driver/terminal.h"
 
 #include "driver/exit_code.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/diagnostics/render.h"
+
+#include <fmt/format.h>
 
 #include <cerrno>
 #include <cstdio>

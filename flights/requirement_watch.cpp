@@ -7,6 +7,7 @@
 #include "flights/flight_setup.h"
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/context/requirement_monitor.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/one_line.h"
 
 #include <fmt/format.h>

@@ -5,6 +5,7 @@
 
 #include "report/figures.h"
 #include "report/text.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/utc.h"
 
 #include <fmt/format.h>

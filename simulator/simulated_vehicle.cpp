@@ -4,6 +4,7 @@
 #include "simulator/simulated_vehicle.h"
 
 #include "simulator/sensors/noise.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -11,6 +11,7 @@
 #include "ir/core/under_assumptions.h"
 #include "ir/prove/abstract/state_depths.h"
 #include "ir/verify/value_text.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/one_line.h"
 
 #include <fmt/format.h>

@@ -5,6 +5,7 @@
 
 #include "codegen/digest.h"
 #include "compiler/proving.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -8,6 +8,7 @@
 #include "flights/sbc_choice.h"
 #include "ir/certify/obligations.h"
 #include "ir/core/under_assumptions.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/program.h"
 
 #include <fmt/format.h>

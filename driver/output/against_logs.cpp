@@ -12,6 +12,7 @@
 #include "report/report.h"
 #include "slocum/data_tables/merge.h"
 #include "slocum/data_traces/flight_trace.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <utility>

@@ -10,6 +10,7 @@
 #include "slocum/data_tables/csv.h"
 #include "slocum/data_tables/netcdf.h"
 #include "slocum/data_tables/summary.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <fmt/format.h>

@@ -7,6 +7,7 @@
 #include "frontend/parse/lexeme_source.h"
 #include "frontend/parse/repair.h"
 #include "frontend/parse/token_kinds.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <memory>
 

@@ -7,6 +7,7 @@
 #include "frontend/parse/repair_words.h"
 #include "frontend/parse/token_kinds.h"
 #include "frontend/spelling.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -6,6 +6,7 @@
 #include "frontend/bare_positions.h"
 #include "frontend/parse/repair_positions.h"
 #include "frontend/parse/token_kinds.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

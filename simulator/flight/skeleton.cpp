@@ -8,6 +8,9 @@
 #include "simulator/sensors/sensor_list.h"
 #include "slocum/mission_files/behaviour_catalogue.h"
 #include "slocum/mission_files/load.h"
+#include "support/diagnostics/catalogue.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>

@@ -7,6 +7,7 @@
 #include "slocum/data_files/header.h"
 #include "slocum/data_files/known_bytes.h"
 #include "slocum/data_files/records.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <fmt/format.h>

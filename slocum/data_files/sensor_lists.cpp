@@ -4,6 +4,7 @@
 #include "slocum/data_files/sensor_lists.h"
 
 #include "slocum/data_files/blocks.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <fmt/format.h>

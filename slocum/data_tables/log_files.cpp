@@ -5,6 +5,7 @@
 
 #include "slocum/data_files/header.h"
 #include "slocum/data_files/read.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

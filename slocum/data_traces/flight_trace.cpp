@@ -8,6 +8,7 @@
 #include "slocum/data_traces/position.h"
 #include "slocum/data_traces/quantities.h"
 #include "slocum/data_traces/samples.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <algorithm>
 #include <cmath>

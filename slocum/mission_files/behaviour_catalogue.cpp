@@ -4,6 +4,7 @@
 #include "slocum/mission_files/behaviour_catalogue.h"
 
 #include "support/check.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <algorithm>
 #include <array>

@@ -4,6 +4,7 @@
 #include "slocum/mission_files/read.h"
 
 #include "slocum/mission_files/line_reader.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 // except those that the errors of an earlier stage had hidden, and no condition that compares
 // exactly or always has the same value.
 
+#include "support/diagnostics/catalogue.h"
 #include "support/diagnostics/fixes.h"
 #include "tests/golden/golden_file.h"
 #include "tests/golden/stages.h"

@@ -8,6 +8,7 @@
 #include "ir/prove/falsification/random_flight.h"
 #include "ir/text/print.h"
 #include "ir/verify/verify.h"
+#include "support/diagnostics/catalogue.h"
 #include "tests/containment/hard_mission.h"
 #include "tests/random_missions/random_mission.h"
 #include "tests/random_proofs/flight_check.h"

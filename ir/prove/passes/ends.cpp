@@ -5,6 +5,7 @@
 #include "ir/prove/abstract/end_depends_on.h"
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/passes.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -14,6 +14,7 @@
 #include "ir/prove/passes.h"
 #include "ir/prove/passes/insight.h"
 #include "ir/prove/passes/violation_report.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -5,6 +5,7 @@
 
 #include "ir/prove/context/duration_text.h"
 #include "support/check.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -6,6 +6,7 @@
 #include "ir/prove/geometry/nearest.h"
 #include "ir/prove/geometry/sphere.h"
 #include "ir/prove/passes.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -4,6 +4,7 @@
 // How long the way home takes, and after which silence it begins.
 
 #include "analysis/analysis.h"
+#include "support/diagnostics/catalogue.h"
 #include "tests/support/command.h"
 
 #include <gtest/gtest.h>

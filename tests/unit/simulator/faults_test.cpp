@@ -6,6 +6,7 @@
 #include "simulator/faults/card_damage.h"
 #include "simulator/faults/sensor_damage.h"
 #include "simulator/flight_observer.h"
+#include "support/diagnostics/catalogue.h"
 #include "tests/slocum.h"
 #include "tests/unit/simulator/fake_sbc.h"
 #include "tests/unit/simulator/flights.h"

@@ -11,6 +11,7 @@
 #include "tests/unit/simulator/flights.h"
 #include "tests/unit/simulator/slocum_vehicle.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

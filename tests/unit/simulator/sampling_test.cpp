@@ -9,6 +9,7 @@
 #include "tests/unit/simulator/behaviour_bench.h"
 #include "tests/unit/simulator/flights.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -10,6 +10,7 @@
 #include "support/files.h"
 #include "tests/unit/simulator/slocum_vehicle.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -3,6 +3,8 @@
 
 #include "support/diagnostics/fixes.h"
 
+#include "support/diagnostics/catalogue.h"
+
 #include <gtest/gtest.h>
 
 namespace glider::support {

@@ -95,8 +95,8 @@ ir::prove::Findings proveWithCache(compiler::Compilation& compilation, const std
   if (!wanted || compilation.checked->mission().requirements.empty()) {
     return proveWithProgress(compilation, path, how);
   }
-  const compiler::ProofCache cache(*compilation.checked, how);
-  how.cached = [&](uint32_t requirement) { return cache.find(requirement); };
+  const compiler::ProofCache cache(*compilation.checked, how.run_effort);
+  how.earlier_proof = [&](uint32_t requirement) { return cache.find(requirement); };
   auto proved = proveWithProgress(compilation, path, how);
   cache.keep(proved.requirements);
   return proved;

@@ -4,6 +4,7 @@
 #include "ir/prove/geometry/nearest.h"
 
 #include "ir/eval/arithmetic.h"
+#include "ir/prove/geometry/sphere.h"
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point.hpp>
@@ -24,12 +25,21 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// On a sphere of radius 1: chords are in the same order as distances.
 using SpherePoint = geometry::model::point<double, 3, geometry::cs::cartesian>;
-using Entry = std::pair<SpherePoint, Position>;
+
+struct Given {
+  Position place;
+  size_t times = 0;
+};
+using Entry = std::pair<SpherePoint, Given>;
 
 SpherePoint onSphere(const Position& place) {
   const double north = place.latitude * std::numbers::pi / 180;
   const double east = place.longitude * std::numbers::pi / 180;
   return {std::cos(north) * std::cos(east), std::cos(north) * std::sin(east), std::sin(north)};
+}
+
+bool before(const Position& a, const Position& b) {
+  return std::pair(a.latitude, a.longitude) < std::pair(b.latitude, b.longitude);
 }
 
 double apart(double a, double b) {
@@ -43,15 +53,14 @@ struct PlaceIndex::Tree {
 };
 
 PlaceIndex::PlaceIndex(const std::vector<Position>& places) : tree_(std::make_unique<Tree>()) {
-  const auto before = [](const Position& a, const Position& b) {
-    return std::pair(a.latitude, a.longitude) < std::pair(b.latitude, b.longitude);
-  };
-  std::vector<Position> once = places;
-  std::ranges::sort(once, before);
-  once.erase(std::ranges::unique(once).begin(), once.end());
+  std::vector<Position> sorted = places;
+  std::ranges::sort(sorted, before);
   std::vector<Entry> entries;
-  for (const Position& place : once) {
-    entries.emplace_back(onSphere(place), place);
+  for (const Position& place : sorted) {
+    if (entries.empty() || !(entries.back().second.place == place)) {
+      entries.push_back({onSphere(place), {place, 0}});
+    }
+    ++entries.back().second.times;
   }
   tree_->places = {entries.begin(), entries.end()};
 }
@@ -73,13 +82,38 @@ double PlaceIndex::nearestOther(const Position& place) const {
     if (std::isfinite(least) && chord > chord_of_least + kRounding) {
       break;
     }
-    const double metres = onEarth(Op::Distance, place, it->second);
+    const double metres = onEarth(Op::Distance, place, it->second.place);
     if (metres > 0 && !std::isfinite(least)) {
       chord_of_least = chord;
     }
     least = metres > 0 ? std::min(least, metres) : least;
   }
   return least;
+}
+
+size_t PlaceIndex::timesGiven(const Position& place) const {
+  size_t times = 0;
+  const SpherePoint here = onSphere(place);
+  for (auto it = tree_->places.qbegin(geometry::index::intersects(here));
+       it != tree_->places.qend(); ++it) {
+    times += it->second.place == place ? it->second.times : 0;
+  }
+  return times;
+}
+
+bool PlaceIndex::hasAround(const Position& place, double metres, size_t count) const {
+  // A chord is no longer than its arc, so all within `metres` are in this box.
+  const double chord = metres / kEarthRadius;
+  const SpherePoint here = onSphere(place);
+  const geometry::model::box<SpherePoint> box(
+      {here.get<0>() - chord, here.get<1>() - chord, here.get<2>() - chord},
+      {here.get<0>() + chord, here.get<1>() + chord, here.get<2>() + chord});
+  size_t found = 0;
+  for (auto it = tree_->places.qbegin(geometry::index::intersects(box));
+       it != tree_->places.qend() && found < count; ++it) {
+    found += onEarth(Op::Distance, place, it->second.place) < metres ? it->second.times : 0;
+  }
+  return found >= count;
 }
 
 std::vector<double> nearestOnCircle(const std::vector<double>& degrees) {

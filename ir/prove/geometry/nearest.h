@@ -5,6 +5,7 @@
 
 #include "ir/core/mission.h"
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -21,6 +22,11 @@ class PlaceIndex {
 
   /// Metres from `place` to the nearest different place; infinite if there is none.
   [[nodiscard]] double nearestOther(const Position& place) const;
+  /// Whether at least `count` of the places, each as often as it was given, are within `metres` of
+  /// `place`.
+  [[nodiscard]] bool hasAround(const Position& place, double metres, size_t count) const;
+  /// How often `place` was given.
+  [[nodiscard]] size_t timesGiven(const Position& place) const;
 
  private:
   struct Tree;

@@ -63,7 +63,7 @@ class RequirementCheck {
         proof_.options.before_requirement(i);
       }
       verdicts[i] = judge(m_.requirements[i], i);
-      if (bare_ != nullptr && verdicts[i].verdict == Verdict::Open && !verdicts[i].cached) {
+      if (bare_ != nullptr && verdicts[i].verdict == Verdict::Open) {
         judgeBare(i, verdicts[i]);
       }
       verdicts[i].requirement = i;
@@ -103,7 +103,7 @@ class RequirementCheck {
       verdict = {number, Verdict::Proved, std::nullopt};
       verdict.searched = true;
       bare_proved_[number] = true;
-      if (proof_.options.evidence) {
+      if (wantsInvariants()) {
         verdict.evidence =
             bare_->evidences().searched(requirement, std::move(found.answer.invariants));
       }
@@ -113,7 +113,8 @@ class RequirementCheck {
   /// The assumptions that a proof may rest on.
   void addPremises(RequirementVerdict& verdict) {
     const uint32_t number = verdict.requirement;
-    if (bare_ == nullptr || bare_proved_[number] || verdict.verdict != Verdict::Proved) {
+    if (bare_ == nullptr || bare_proved_[number] || verdict.verdict != Verdict::Proved ||
+        verdict.cached) {
       return;
     }
     for (uint32_t i = 0; i < m_.assumptions.size(); ++i) {
@@ -210,9 +211,9 @@ class RequirementCheck {
     if (fresh_ && isSeen(requirement)) {
       return {0, Verdict::Proved, std::nullopt};
     }
-    if (const auto& cached = proof_.options.cached) {
-      if (const auto known = cached(number)) {
-        return recall(*known);
+    if (const auto& earlier = proof_.options.earlier_proof) {
+      if (auto proof = earlier(number)) {
+        return recall(number, std::move(*proof));
       }
     }
     if (proof_.searches.isUsedUp()) {
@@ -230,12 +231,18 @@ class RequirementCheck {
                                     : "all requirements together reached their limit (`--effort`)";
   }
 
-  static RequirementVerdict recall(const CachedVerdict& known) {
-    RequirementVerdict verdict{0, Verdict::Proved, std::nullopt, known.words};
-    if (known.verdict != Verdict::Proved) {
-      verdict = open(known.words);
-    }
+  /// What proofs by a search rest on is collected, so that it can be checked again.
+  [[nodiscard]] bool wantsInvariants() const {
+    return proof_.options.evidence || proof_.options.earlier_proof;
+  }
+
+  RequirementVerdict recall(uint32_t number, EarlierProof proof) {
+    RequirementVerdict verdict{0, Verdict::Proved, std::nullopt};
     verdict.cached = true;
+    RequirementCheck& check = bare_ != nullptr && proof.assumptions.empty() ? *bare_ : *this;
+    verdict.evidence =
+        check.evidences().searched(check.m_.requirements[number], std::move(proof.invariants));
+    verdict.assumptions = std::move(proof.assumptions);
     return verdict;
   }
 
@@ -367,7 +374,7 @@ class RequirementCheck {
     Search found = search(requirement, insight().context());
     if (found.answer.bad == Answer::No) {
       RequirementVerdict proved{0, Verdict::Proved, std::nullopt};
-      if (proof_.options.evidence) {
+      if (wantsInvariants()) {
         proved.evidence = evidences().searched(requirement, std::move(found.answer.invariants));
       }
       return proved;
@@ -425,7 +432,7 @@ class RequirementCheck {
       const SafetyProperty watch =
           safetyPropertyFor(requirement, context, proof_context, relevance);
       RunsAnswer answer =
-          askAboutRuns(context, proof_context, relevance, watch, effort, proof_.options.evidence);
+          askAboutRuns(context, proof_context, relevance, watch, effort, wantsInvariants());
       proof_.searches.spend(answer.steps);
       if (answer.bad == Answer::Unknown && proof_.searches.isUsedUp()) {
         answer.trouble = limitReached();

@@ -94,13 +94,14 @@ Result<Rechecked> recheckInvariants(const compiler::Certificate& certificate,
   return result;
 }
 
-/// A run keeps all that the mission assumes, apart from where the vehicle starts and drifts: in
-/// runs a position may be anywhere.
-std::vector<uint32_t> assumedOf(const ir::Mission& mission) {
+/// A run is a flight whatever the mission assumes, unless it begins deeper than vehicles usually
+/// do.
+std::vector<uint32_t> assumedOf(const support::Trace& run, const compiler::Checked& checked) {
   std::vector<uint32_t> numbers;
-  for (uint32_t i = 0; i < mission.assumptions.size(); ++i) {
-    const ir::AssumptionKind kind = mission.assumptions[i].kind;
-    if (kind != ir::AssumptionKind::StartInside && kind != ir::AssumptionKind::Current) {
+  const auto& assumptions = checked.mission().assumptions;
+  const bool deep = run.at(0, run.column("true_depth")) > checked.platform().world.start_depth_m;
+  for (uint32_t i = 0; i < assumptions.size(); ++i) {
+    if (deep && assumptions[i].kind == ir::AssumptionKind::StartDepth) {
       numbers.push_back(i);
     }
   }
@@ -142,7 +143,7 @@ Result<Rechecked> recheckRun(const support::Trace& run, const compiler::Optimise
   if (!replayed->broken) {
     return refused("its run does not do what is required");
   }
-  return Rechecked{true, replayed->ticks, {}, assumedOf(mission.checked->mission())};
+  return Rechecked{true, replayed->ticks, {}, assumedOf(run, *mission.checked)};
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -68,27 +69,38 @@ PlaceIndex::PlaceIndex(const std::vector<Position>& places) : tree_(std::make_un
 PlaceIndex::~PlaceIndex() = default;
 
 double PlaceIndex::nearestOther(const Position& place) const {
-  if (tree_->places.empty()) {
-    return kInfinite;
+  // The `k` nearest: a search of Boost's takes as long as `k` is great, so it begins with few.
+  constexpr size_t kFirst = 4;
+  for (size_t k = kFirst;; k *= 4) {
+    if (const auto least = nearestAmong(place, k)) {
+      return *least;
+    }
   }
+}
+
+std::optional<double> PlaceIndex::nearestAmong(const Position& place, size_t k) const {
   // Chords are rounded differently from distances, so all places about as near are also measured.
   constexpr double kRounding = 1e-9;
   const SpherePoint here = onSphere(place);
-  const auto nearest = geometry::index::nearest(here, static_cast<unsigned>(tree_->places.size()));
+  std::vector<Entry> near;
+  tree_->places.query(geometry::index::nearest(here, static_cast<unsigned>(k)),
+                      std::back_inserter(near));
+  std::ranges::sort(near, {},
+                    [&](const Entry& one) { return geometry::distance(here, one.first); });
   double least = kInfinite;
   double chord_of_least = 0;
-  for (auto it = tree_->places.qbegin(nearest); it != tree_->places.qend(); ++it) {
-    const double chord = geometry::distance(here, it->first);
+  for (const auto& [point, given] : near) {
+    const double chord = geometry::distance(here, point);
     if (std::isfinite(least) && chord > chord_of_least + kRounding) {
-      break;
+      return least;
     }
-    const double metres = onEarth(Op::Distance, place, it->second.place);
+    const double metres = onEarth(Op::Distance, place, given.place);
     if (metres > 0 && !std::isfinite(least)) {
       chord_of_least = chord;
     }
     least = metres > 0 ? std::min(least, metres) : least;
   }
-  return least;
+  return near.size() < k ? std::optional(least) : std::nullopt;
 }
 
 size_t PlaceIndex::timesGiven(const Position& place) const {

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 /// Distances between places without comparing all pairs of them: missions may have 10,000.
@@ -29,6 +30,9 @@ class PlaceIndex {
   [[nodiscard]] size_t timesGiven(const Position& place) const;
 
  private:
+  /// nearestOther() if the `k` nearest places decide it.
+  [[nodiscard]] std::optional<double> nearestAmong(const Position& place, size_t k) const;
+
   struct Tree;
   std::unique_ptr<Tree> tree_;
 };

@@ -450,12 +450,17 @@ class RequirementCheck {
     const double cycle = proof_.proof_context.platform.envelope.cycle_s;
     const double time = std::max(requirement.seconds, requirement.monitor.horizon_s);
     const double span = time > 0 ? 2 * time : kLongFlight;
-    const size_t most = proof_.options.random_ticks;
+    const uint64_t tick = Budget::kTick + m_.exprs.size() / Budget::kExpressions;
+    const uint64_t judged = requirement.condition.valid()
+                                ? Evaluation(m_, requirement.condition).size() / Budget::kEvaluated
+                                : 0;
+    // A condition with very many operations, such as an area with 1,000 corners, is tried on fewer
+    // ticks.
+    const size_t most = proof_.options.random_ticks * 2 * tick / std::max(2 * tick, tick + judged);
     const auto ticks = static_cast<size_t>(std::min(span / cycle + 2, static_cast<double>(most)));
     const size_t flights = std::max<size_t>(1, most / ticks);
-    const uint64_t tick = Budget::kTick + m_.exprs.size() / Budget::kExpressions;
     for (uint64_t seed = 1; seed <= flights && !proof_.searches.isUsedUp(); ++seed) {
-      proof_.searches.spend(ticks * tick);
+      proof_.searches.spend(ticks * (tick + judged));
       if (auto run =
               flyAtRandom(proof_context, proof_.facts.stack_depth, requirement, seed, ticks)) {
         return run;

@@ -15,9 +15,8 @@ constexpr double kClearM = 1.0;
 /// Without that the pump would never rest.
 constexpr double kRetryShare = 0.5;
 constexpr double kRetryM = 5.0;
-/// An echo of the bottom is forgotten after this long: the vehicle has moved on, and the echo may
-/// have been a fish.
-constexpr double kBottomLastsSecs = 600.0;
+/// m; the altitude over a bottom that it has touched, for a vehicle that uses no altimeter.
+constexpr double kWithoutAltimeterM = 3;
 /// s without a metre gained: the defaults of the vendor's dive_to and climb_to
 /// (stop_when_hover_for, stop_when_stalled_for).
 constexpr double kHoverSecs = 180;
@@ -90,25 +89,7 @@ void Guard::observe(const Surroundings& now, double step_s, const VerticalComman
     unseen_.confirm(watch_.depth());
   }
   tripped_s_ += step_s;
-  noteBottom(now, step_s);
-}
-
-void Guard::noteBottom(const Surroundings& now, double step_s) {
-  bottom_age_s_ += step_s;
-  if (bottom_age_s_ > kBottomLastsSecs) {
-    bottom_known_ = false;
-  }
-  // The sensor array keeps an old altitude when the altimeter receives no echo, so only a changed
-  // altitude is an echo. Between echoes the clearance follows from the depth, which also catches an
-  // altimeter that is stuck.
-  const bool echo =
-      now.altitude_m >= 0 && isFinite(now.altitude_m) && now.altitude_m != altitude_m_;
-  if (echo && watch_.doubt() == HookGuard::None) {
-    altitude_m_ = now.altitude_m;
-    bottom_m_ = watch_.depth() + altitude_m_;
-    bottom_age_s_ = 0;
-    bottom_known_ = true;
-  }
+  bottom_.observe(now, watch_.depth(), step_s);
 }
 
 void Guard::reset() {
@@ -183,9 +164,15 @@ HookGuard Guard::mustClimb(const HookbehArgs& args, const Instruction& in_force)
   if (doubted_) {
     return doubt;
   }
-  if (const HookGuard broken = brokenLimit(args); broken != HookGuard::None) {
+  const HookGuard broken = brokenLimit(args);
+  // A vehicle that climbs after a dive that stopped has just learned where the bottom is.
+  const bool learned = broken == HookGuard::NearBottom && tripped_ == HookGuard::NoDepthGained;
+  if (broken != HookGuard::None && !learned) {
     trip(broken);
   } else if (const HookGuard stalled = stall(args, in_force); stalled != HookGuard::None) {
+    if (stalled == HookGuard::NoDepthGained && tripped_ != stalled) {
+      bottom_.noteStop();
+    }
     trip(stalled);
   } else if (mayRelease(args, in_force)) {
     tripped_ = HookGuard::None;
@@ -210,10 +197,10 @@ bool Guard::keepsLimits(const HookbehArgs& args, double depth_m) const {
 }
 
 bool Guard::clearOfBottom(const HookbehArgs& args, double depth_m) const {
-  if (!bottom_known_ || args.least_altitude_m < 0) {
-    return true;
-  }
-  return bottom_m_ - depth_m >= args.least_altitude_m;
+  const bool by_echo = !(args.least_altitude_m < 0);
+  const double floor = by_echo ? bottom_.floor() : bottom_.touchedFloor();
+  const double least = by_echo ? args.least_altitude_m : kWithoutAltimeterM;
+  return !isKnown(floor) || floor - depth_m >= least;
 }
 
 bool Guard::mayGoOn(const HookbehArgs& args, const Instruction& in_force) const {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hooks/hookbeh/args.h"
+#include "hooks/hookbeh/bottom.h"
 #include "hooks/hookbeh/command.h"
 #include "hooks/hookbeh/depth_watch.h"
 #include "hooks/hookbeh/headway.h"
@@ -40,7 +41,6 @@ class Guard {
   void reset();
 
  private:
-  void noteBottom(const Surroundings& now, double step_s);
   [[nodiscard]] HookGuard brokenLimit(const HookbehArgs& args) const;
   [[nodiscard]] HookGuard stall(const HookbehArgs& args, const Instruction& in_force) const;
   [[nodiscard]] double mostUnseen(const HookbehArgs& args, const Instruction& in_force) const;
@@ -57,13 +57,10 @@ class Guard {
   Headway headway_;
   UnseenSink unseen_;
   UnseenSink by_ctd_;
+  Bottom bottom_;
   bool shows_ = false;    // it climbs to see whether its depth follows
   bool doubted_ = false;  // it climbed in the previous cycle: the depth was unknown or jumped
   double depth_m_ = __builtin_nan("");     // for limits: DepthWatch::deepest()
-  double altitude_m_ = __builtin_nan("");  // the newest that differed from its predecessor
-  double bottom_m_ = __builtin_nan("");    // depth of the bottom when it came
-  double bottom_age_s_ = __builtin_nan("");
-  bool bottom_known_ = false;
   HookGuard tripped_ = HookGuard::None;
   double tripped_depth_m_ = __builtin_nan("");  // the shallowest at which a limit was broken
   double tripped_s_ = __builtin_nan("");        // since then

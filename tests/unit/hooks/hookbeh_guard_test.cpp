@@ -214,7 +214,7 @@ TEST(HookbehGuard, AStuckAltimeterDoesNotHideTheBottom) {
   EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom");
 }
 
-TEST(HookbehGuard, AnEchoIsForgottenAfterTenMinutes) {
+TEST(HookbehGuard, AfterTenMinutesWithoutAnEchoTheVehicleGoesDeeperLittleByLittle) {
   Bench bench = diving();
   bench.inputs.depth_m = 12;
   bench.inputs.altitude_m = 6;
@@ -223,7 +223,14 @@ TEST(HookbehGuard, AnEchoIsForgottenAfterTenMinutes) {
     bench.cycle();
   }
   bench.inputs.depth_m = 15;
-  EXPECT_STREQ(bench.give(Bench::descend(25)).doing, "dive_to");
+  EXPECT_STREQ(bench.give(Bench::descend(25)).doing, "climb: too near the bottom");
+  bench.inputs.depth_m = 6;
+  for (int i = 0; i < 30; ++i) {
+    bench.cycle();
+  }
+  EXPECT_STREQ(bench.cycle().doing, "dive_to");
+  bench.inputs.depth_m = 25;
+  EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom") << "not so fast";
 }
 
 TEST(HookbehGuard, OneFalseReadingOfTheTimeDoesNotForgetTheBottom) {

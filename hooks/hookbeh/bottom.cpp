@@ -19,34 +19,27 @@ constexpr double kStepMps = 0.5;
 constexpr double kGapSecs = 20;
 /// m; a dive that has risen by so much is over.
 constexpr double kTurnedM = 3;
-/// Where the dive before a contact went deeper, the bottom was deeper still: it rises this much more
-/// steeply.
-constexpr double kDeeper = 2;
 /// s; an echo this recent shows the bottom by itself.
 constexpr double kRecentSecs = 60;
 /// m; an echo agrees with a contact within this; it is believed again after so many that do, over
 /// so great a range of depths: a stuck altimeter agrees at one depth only.
 constexpr double kAgreesM = 2.5;
 constexpr double kAgreeing = 3;
-constexpr double kAgreesOverM = 5;
+constexpr double kAgreesOverM = 8;
 
 }  // namespace
 
 void Bottom::observe(const Surroundings& now, double depth_m, double step_s) {
-  here_ = {now.latitude_ddmm, now.longitude_ddmm};
   depth_m_ = depth_m;
-  memory_.observe(here_, step_s);
   echoes_.observe(depth_m, now.altitude_m, step_s);
-  stop_gap_s_ += step_s;
   if (isFinite(depth_m)) {
     noteTurn(depth_m);
-    followClimb(depth_m, step_s);
   }
   if (echoes_.heard()) {
     judgeEcho(depth_m);
   }
   if (!failed_ && echoes_.hasFailed()) {
-    memory_.add(here_, echoes_.bottom(), 0, false);
+    memory_.keepEcho(echoes_.bottom());
     failed_ = true;
   }
 }
@@ -54,10 +47,10 @@ void Bottom::observe(const Surroundings& now, double depth_m, double step_s) {
 /// Follows the dives: each one's greatest depth, until the vehicle has turned.
 void Bottom::noteTurn(double depth_m) {
   if (sinks_) {
-    if (!(depth_m < dive_.depth_m)) {
-      dive_ = {depth_m, here_};
-    } else if (dive_.depth_m - depth_m > kTurnedM) {
-      earlier_ = dive_;
+    if (!(depth_m < dive_m_)) {
+      dive_m_ = depth_m;
+    } else if (dive_m_ - depth_m > kTurnedM) {
+      memory_.noteDive(dive_m_);
       sinks_ = false;
       top_m_ = depth_m;
     }
@@ -65,39 +58,36 @@ void Bottom::noteTurn(double depth_m) {
   }
   top_m_ = atMost(depth_m, top_m_);
   if (depth_m - top_m_ > kTurnedM) {
-    dive_ = {depth_m, here_};
+    dive_m_ = depth_m;
     sinks_ = true;
   }
 }
 
 void Bottom::noteStop() {
-  stop_ = {depth_m_, here_};
+  stop_m_ = depth_m_;
   stop_last_m_ = depth_m_;
   stop_gap_s_ = 0;
 }
 
-/// Confirms a stop: a depth sensor that is stuck would not follow the climb.
-void Bottom::followClimb(double depth_m, double step_s) {
-  if (!isFinite(stop_.depth_m)) {
+void Bottom::confirm(double step_s) {
+  stop_gap_s_ += step_s;
+  if (!isFinite(stop_m_) || !isFinite(depth_m_)) {
     return;
   }
-  const bool steps = magnitude(depth_m - stop_last_m_) > kStepM + kStepMps * step_s;
-  if (steps || stop_gap_s_ > kGapSecs || depth_m > stop_.depth_m + kSinksM) {
-    stop_ = {};
+  const bool steps = magnitude(depth_m_ - stop_last_m_) > kStepM + kStepMps * step_s;
+  if (steps || stop_gap_s_ > kGapSecs || depth_m_ > stop_m_ + kSinksM) {
+    stop_m_ = __builtin_nan("");
     return;
   }
-  stop_last_m_ = depth_m;
+  stop_last_m_ = depth_m_;
   stop_gap_s_ = 0;
-  if (stop_.depth_m - depth_m >= kClimbsM) {
-    const bool contradicts = !(echoes_.silence() <= kRecentSecs &&
-                               magnitude(echoes_.bottom() - stop_.depth_m) <= kAgreesM);
+  if (stop_m_ - depth_m_ >= kClimbsM) {
+    const bool contradicts =
+        !(echoes_.silence() <= kRecentSecs && magnitude(echoes_.bottom() - stop_m_) <= kAgreesM);
     believed_ = believed_ && !contradicts;
     agreed_ = 0;
-    const double rise =
-        kDeeper * riseBetween(earlier_.at, earlier_.depth_m, stop_.at, stop_.depth_m);
-    memory_.add(stop_.at, stop_.depth_m,
-                atLeast(rise, memory_.riseTo(stop_.at, stop_.depth_m)), true);
-    stop_ = {};
+    memory_.touch(stop_m_);
+    stop_m_ = __builtin_nan("");
   }
 }
 

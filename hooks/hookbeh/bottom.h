@@ -15,6 +15,14 @@ class Bottom {
  public:
   /// Takes in one cycle, `step_s` after the previous one. `depth_m`: NaN while it is not believed.
   void observe(const Surroundings& now, double depth_m, double step_s);
+  /// Where the vehicle is; must be called before observe(), apart from it for the sake of the
+  /// stack.
+  void move(const Surroundings& now, double step_s) {
+    memory_.observe({now.latitude_ddmm, now.longitude_ddmm}, step_s);
+  }
+  /// Confirms a stop once the depth has followed the climb: a depth sensor that is stuck would not.
+  /// Must be called after observe().
+  void confirm(double step_s);
   /// A dive stopped in this cycle, and the vehicle climbs from now on.
   void noteStop();
   /// The least depth of the bottom where the vehicle is now, m; kBottomless if nothing is known.
@@ -24,26 +32,18 @@ class Bottom {
 
  private:
   void noteTurn(double depth_m);
-  void followClimb(double depth_m, double step_s);
   void judgeEcho(double depth_m);
-
-  /// How deep a dive went, and where.
-  struct Reached {
-    double depth_m = __builtin_nan("");
-    Position at;
-  };
 
   EchoFloor echoes_;
   BottomMemory memory_;
-  Position here_;
   double depth_m_ = __builtin_nan("");
-  Reached dive_, earlier_;  ///< the newest dive and the one before it
-  bool sinks_ = true;       ///< it has not turned
-  double top_m_ = 0;        ///< the least depth since it did
-  Reached stop_;            ///< where a dive stopped; NaN if none has to be confirmed
-  double stop_last_m_ = 0;  ///< the newest depth since then, and its age
+  double dive_m_ = __builtin_nan("");  ///< the greatest depth of the newest dive
+  bool sinks_ = true;                  ///< it has not turned
+  double top_m_ = 0;                   ///< the least depth since it did
+  double stop_m_ = __builtin_nan("");  ///< where a dive stopped; NaN if none has to be confirmed
+  double stop_last_m_ = 0;             ///< the newest depth since then, and its age
   double stop_gap_s_ = 0;
-  bool believed_ = true;  ///< the altimeter: no contact contradicts it
+  bool believed_ = true;                      ///< the altimeter: no contact contradicts it
   double agrees_from_m_ = __builtin_nan("");  ///< range of depths at which it agreed with a contact
   double agrees_to_m_ = __builtin_nan("");
   double agreed_ = 0;  ///< how many echoes did

@@ -21,6 +21,9 @@ constexpr double kSameM = 500;
 /// this share of its depth.
 constexpr double kSteeper = 1.5;
 constexpr double kMostRise = 0.5;
+/// So much more steeply it rose from where the dive before a contact went: the bottom was deeper
+/// there than that dive.
+constexpr double kDeeper = 2;
 /// m and s; over so shallow a bottom the vehicle cannot dive, so it cannot fly away either: after
 /// this time it tries again.
 constexpr double kShallowM = 12;
@@ -31,13 +34,8 @@ constexpr double kSteepest = 0.5;
 
 }  // namespace
 
-double riseBetween(const Position& from, double from_m, const Position& to, double to_m) {
-  const double apart = distanceBetween(from, to);
-  const bool rises = apart >= kLeastApartM && from_m > to_m;
-  return rises ? atMost((from_m - to_m) / apart, kSteepest) : 0;
-}
-
 void BottomMemory::observe(const Position& now, double step_s) {
+  here_ = now;
   for (Place& place : places_) {
     place.age_s += step_s;
     place.distance_m = atMost(distanceBetween(now, place.at), kFastestMps * place.age_s);
@@ -45,18 +43,29 @@ void BottomMemory::observe(const Position& now, double step_s) {
       place = {};
     }
   }
+  dive_.age_s += step_s;
+  dive_.distance_m = atMost(distanceBetween(now, dive_.at), kFastestMps * dive_.age_s);
 }
 
-/// The place that is the same as `at`, an empty one, or the farthest.
-BottomMemory::Place& BottomMemory::placeFor(const Position& at) {
+void BottomMemory::noteDive(double depth_m) {
+  dive_ = {here_, depth_m, 0, 0, 0, false};
+}
+
+/// How steeply the bottom rises from there to `other_m` here, m per m; 0 if it falls, or if the two
+/// are too near to each other to tell.
+double BottomMemory::Place::riseTo(double other_m) const {
+  const bool rises = distance_m >= kLeastApartM && distance_m <= kNearM && !empty();
+  return rises ? between((depth_m - other_m) / distance_m, 0, kSteepest) : 0;
+}
+
+/// The place that is the same as this one, an empty one, or the farthest.
+BottomMemory::Place& BottomMemory::placeHere() {
   Place* best = &places_[0];
   for (Place& place : places_) {
-    if (place.depth_m < kBottomless && distanceBetween(at, place.at) <= kSameM) {
+    if (!place.empty() && place.distance_m <= kSameM) {
       return place;
     }
-    const bool empty = !(place.depth_m < kBottomless);
-    const bool best_is_empty = !(best->depth_m < kBottomless);
-    if (!best_is_empty && (empty || place.distance_m > best->distance_m)) {
+    if (!best->empty() && (place.empty() || place.distance_m > best->distance_m)) {
       best = &place;
     }
   }
@@ -64,10 +73,26 @@ BottomMemory::Place& BottomMemory::placeFor(const Position& at) {
   return *best;
 }
 
-void BottomMemory::add(const Position& at, double depth_m, double rise, bool touched) {
-  Place& place = placeFor(at);
-  place = {at,  atMost(place.depth_m, depth_m),  atLeast(rise, place.rise), 0, 0,
-           touched || place.touched};
+void BottomMemory::add(double depth_m, double rise, bool touched) {
+  Place& place = placeHere();
+  place.at = here_;
+  place.depth_m = atMost(place.depth_m, depth_m);
+  place.rise = atLeast(rise, place.rise);
+  place.age_s = place.distance_m = 0;
+  place.touched = place.touched || touched;
+}
+
+void BottomMemory::touch(double depth_m) {
+  // Where the dive before went, the bottom was deeper still.
+  double rise = kDeeper * dive_.riseTo(depth_m);
+  for (const Place& place : places_) {
+    rise = place.touched ? atLeast(place.riseTo(depth_m), rise) : rise;
+  }
+  add(depth_m, atMost(rise, kSteepest), true);
+}
+
+void BottomMemory::keepEcho(double depth_m) {
+  add(depth_m, 0, false);
 }
 
 void BottomMemory::forgetEchoes() {
@@ -81,10 +106,9 @@ void BottomMemory::forgetEchoes() {
 double BottomMemory::floor() const {
   double floor = kBottomless;
   for (const Place& place : places_) {
-    if (place.depth_m < kBottomless) {
+    if (!place.empty()) {
       const double near = atMost(place.distance_m, kNearM);
-      const double risen =
-          atMost(kSteeper * place.rise * near, kMostRise * place.depth_m);
+      const double risen = atMost(kSteeper * place.rise * near, kMostRise * place.depth_m);
       const double eased = kEases * (place.distance_m - near);
       floor = atMost(place.depth_m - risen + eased, floor);
     }
@@ -102,16 +126,6 @@ double BottomMemory::touchedHere() const {
     }
   }
   return depth_m;
-}
-
-double BottomMemory::riseTo(const Position& at, double depth_m) const {
-  double rise = 0;
-  for (const Place& place : places_) {
-    if (place.touched && place.distance_m <= kNearM) {
-      rise = atLeast(riseBetween(place.at, place.depth_m, at, depth_m), rise);
-    }
-  }
-  return rise;
 }
 
 }  // namespace glider::hooks

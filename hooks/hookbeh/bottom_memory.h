@@ -16,43 +16,46 @@ inline bool isKnown(double floor_m) {
   return floor_m < kBottomless / 2;
 }
 
-/// How steeply the bottom rises from one place and depth to another, m per m: 0 if it falls, or if
-/// the places are too near to each other to tell.
-double riseBetween(const Position& from, double from_m, const Position& to, double to_m);
-
 /// Places where the bottom is known although the altimeter did not show it: where the vehicle
 /// touched it, and where an altimeter that then failed received its last echo. Memory fades with
 /// the distance from the place, not with time: the bottom does not move.
 class BottomMemory {
  public:
-  /// Takes in one cycle: where the vehicle is now.
+  /// Takes in one cycle: where the vehicle is now. All else concerns this position.
   void observe(const Position& now, double step_s);
-  /// The bottom is at `depth_m` at `at`. It rises by `rise` metres a metre towards other places, as
-  /// far as is known. `touched`: the vehicle has been there.
-  void add(const Position& at, double depth_m, double rise, bool touched);
-  /// The altimeter works: places where the vehicle has not been are forgotten.
+  /// A dive has turned that went as deep as `depth_m`.
+  void noteDive(double depth_m);
+  /// The vehicle has touched the bottom at `depth_m`. Where the dive before went deeper, or the
+  /// bottom was deeper at a touched place, it rises on.
+  void touch(double depth_m);
+  /// An altimeter has failed whose last echo showed the bottom at `depth_m`.
+  void keepEcho(double depth_m);
+  /// The altimeter works: what keepEcho() was given is forgotten.
   void forgetEchoes();
-  /// How deep the bottom is at least where the vehicle is now, m.
+  /// How deep the bottom is at least, m.
   [[nodiscard]] double floor() const;
   /// How deep it was at the nearest place that the vehicle has touched, m; NaN if none is within
   /// 500 m.
   [[nodiscard]] double touchedHere() const;
-  /// How steeply it rises from the touched places within 3 km to `depth_m` at `at`, m per m.
-  [[nodiscard]] double riseTo(const Position& at, double depth_m) const;
 
  private:
   struct Place {
     Position at;
     double depth_m = kBottomless;
-    double rise = 0;
+    double rise = 0;  ///< m per m, towards other places
     double age_s = 0;
     double distance_m = 0;  ///< from the vehicle, now
     bool touched = false;
+    [[nodiscard]] bool empty() const { return !isKnown(depth_m); }
+    [[nodiscard]] double riseTo(double other_m) const;
   };
-  [[nodiscard]] Place& placeFor(const Position& at);
+  [[nodiscard]] Place& placeHere();
+  void add(double depth_m, double rise, bool touched);
 
   static constexpr uint8_t kCount = 8;
   Place places_[kCount];
+  Place dive_;  ///< how deep the dive before the newest went, and where
+  Position here_;
 };
 
 }  // namespace glider::hooks

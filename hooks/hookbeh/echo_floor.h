@@ -31,6 +31,7 @@ class EchoFloor {
   void hear(double depth_m, double altitude_m);
   void learnRise(double bottom_m);
   void wait(double depth_m, double step_s);
+  void listen(double depth_m);
   [[nodiscard]] double beyond(double depth_m) const;
 
   bool heard_ = false;
@@ -40,10 +41,13 @@ class EchoFloor {
   double silent_s_ = __builtin_nan("");
   double heard_at_m_ = __builtin_nan("");  ///< depth of the vehicle then
   bool sank_ = false;                      ///< the vehicle sank when the echoes ended
-  double missed_ = 0;  ///< cycles since the newest echo in which there should have been one
-  double gap_ = 20;    ///< how many there are from echo to echo, on average
-  double reach_m_ = 20;  ///< from how far an echo has come
-  double rise_mps_ = 0.06;  ///< how fast the bottom has risen
+  double missed_ = 0;    ///< cycles since the newest echo in which there should have been one
+  double listened_ = 0;  ///< cycles without an echo at depths from this one on
+  double least_m_ = 0;
+  double cleared_m_ = kBottomless;       ///< silence ruled out a bottom above this depth
+  double gap_ = 20;                      ///< how many there are from echo to echo, on average
+  double reach_m_ = 20;                  ///< from how far an echo has come
+  double rise_mps_ = 0.06;               ///< how fast the bottom has risen
   double anchor_m_ = __builtin_nan("");  ///< an earlier echo, and its age
   double anchor_s_ = __builtin_nan("");
 };

@@ -41,7 +41,8 @@ class Guard {
   void reset();
 
  private:
-  [[nodiscard]] HookGuard brokenLimit(const HookbehArgs& args) const;
+  [[nodiscard]] HookGuard brokenLimit(const HookbehArgs& args, const Instruction& in_force) const;
+  [[nodiscard]] bool sinksTooNear(const HookbehArgs& args, const Instruction& in_force) const;
   [[nodiscard]] HookGuard stall(const HookbehArgs& args, const Instruction& in_force) const;
   [[nodiscard]] double mostUnseen(const HookbehArgs& args, const Instruction& in_force) const;
   [[nodiscard]] bool mayBeFarDown(const HookbehArgs& args) const;
@@ -58,9 +59,12 @@ class Guard {
   UnseenSink unseen_;
   UnseenSink by_ctd_;
   Bottom bottom_;
-  bool shows_ = false;    // it climbs to see whether its depth follows
+  double floor_m_ = kBottomless;          // of this cycle: by all that is known of the bottom
+  double touched_floor_m_ = kBottomless;  // by contacts alone
+  bool shows_ = false;                    // it climbs to see whether its depth follows
   bool doubted_ = false;  // it climbed in the previous cycle: the depth was unknown or jumped
-  double depth_m_ = __builtin_nan("");     // for limits: DepthWatch::deepest()
+  double sinks_mps_ = 0;
+  double depth_m_ = __builtin_nan("");  // for limits: DepthWatch::deepest()
   HookGuard tripped_ = HookGuard::None;
   double tripped_depth_m_ = __builtin_nan("");  // the shallowest at which a limit was broken
   double tripped_s_ = __builtin_nan("");        // since then

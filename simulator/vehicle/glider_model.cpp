@@ -104,8 +104,8 @@ void GliderModel::step(VehicleState& s, const VehicleCommand& command, const Oce
   const double density = ocean.density(s.depth_m, s.x_m, s.y_m, now_s);
   // A heavy vehicle lies on the bottom: friction stops it within some seconds and holds it against
   // the current.
-  const bool aground = s.depth_m > 0 && s.depth_m >= ocean.waterDepth(s.x_m, s.y_m) &&
-                       buoyancy(s, density) < 0;
+  const bool aground =
+      s.depth_m > 0 && s.depth_m >= ocean.waterDepth(s.x_m, s.y_m) && buoyancy(s, density) < 0;
   moveThroughWater(s, density, aground);
   turn(s, std::hypot(s.ahead_mps, s.up_mps));
   const Planar current = aground ? Planar{} : ocean.current(s.depth_m, s.x_m, s.y_m);

@@ -15,6 +15,7 @@ namespace glider::tests {
 enum class BottomRule : uint8_t {
   Never,  ///< the vehicle does not touch the bottom
   Once,   ///< at most once at a place
+  Rare,   ///< the same before its first echoes; afterwards almost never
 };
 
 /// An altimeter that is wrong in one way. `apply` changes a scenario, whose fault begins at

@@ -14,6 +14,7 @@ namespace glider::tests {
 namespace {
 
 constexpr double kCycleSecs = 4;
+constexpr double kOnBottomM = 0.05;
 
 /// Sees how the vehicle itself fares.
 class BottomOnlooker final : public simulator::FlightObserver {
@@ -24,7 +25,7 @@ class BottomOnlooker final : public simulator::FlightObserver {
     seen.deepest_m = std::max(seen.deepest_m, depth);
     if (depth > 1) {
       seen.clearance_m = std::min(seen.clearance_m, view.clearance_m);
-      seen.on_bottom_s += view.clearance_m < 0.05 ? kCycleSecs : 0;
+      seen.on_bottom_s += view.clearance_m < kOnBottomM ? kCycleSecs : 0;
     }
     seen.guarded += view.hookbeh != nullptr && view.hookbeh->guard != hooks::HookGuard::None;
     turn(depth);
@@ -47,20 +48,32 @@ class BottomOnlooker final : public simulator::FlightObserver {
 };
 
 Contact contactAt(const support::Trace& trace, double time_s) {
-  const int time = trace.column("time");
+  const int time = trace.column("time"), altitude = trace.column("m_altitude");
   size_t row = 0;
+  int echoes = 0;
   while (row + 1 < trace.rowCount() && trace.at(row + 1, time) <= time_s) {
     ++row;
+    echoes += altitude >= 0 && !std::isnan(trace.at(row, altitude));
   }
-  return {time_s, trace.at(row, trace.column("true_x")), trace.at(row, trace.column("true_y")),
-          trace.at(row, trace.column("water_depth"))};
+  Contact contact{time_s, trace.at(row, trace.column("true_x")),
+                  trace.at(row, trace.column("true_y")),
+                  trace.at(row, trace.column("water_depth"))};
+  const auto lies = [&] {
+    return trace.at(row, trace.column("water_depth")) - trace.at(row, trace.column("true_depth")) <
+           kOnBottomM;
+  };
+  contact.echoes = echoes;
+  for (++row; row < trace.rowCount() && lies(); ++row) {
+    contact.lasts_s += kCycleSecs;
+  }
+  return contact;
 }
 
 }  // namespace
 
 OverBottom flyOverBottom(const Plan& plan, simulator::Scenario scenario, uint64_t seed) {
-  static const auto kPlatform = platforms::loadPlatform(
-      std::filesystem::path(GLIDER_SOURCE_DIR) / "platforms/slocum.toml");
+  static const auto kPlatform =
+      platforms::loadPlatform(std::filesystem::path(GLIDER_SOURCE_DIR) / "platforms/slocum.toml");
   BottomOnlooker observer;
   simulator::SimulationSetup setup;
   setup.platform = *kPlatform;
@@ -84,9 +97,9 @@ std::vector<Contact> repeated(const std::vector<Contact>& contacts, double near_
   for (size_t i = 0; i < contacts.size(); ++i) {
     const Contact& now = contacts[i];
     const auto foretold = [&](const Contact& earlier) {
-      const double apart =
-          std::hypot(now.east_m - earlier.east_m, now.north_m - earlier.north_m);
-      return apart <= near_m && now.depth_m > earlier.depth_m - margin_m;
+      const double apart = std::hypot(now.east_m - earlier.east_m, now.north_m - earlier.north_m);
+      return earlier.lasts_s >= kStopsSecs && apart <= near_m &&
+             now.depth_m > earlier.depth_m - margin_m;
     };
     if (std::any_of(contacts.begin(), contacts.begin() + static_cast<std::ptrdiff_t>(i),
                     foretold)) {

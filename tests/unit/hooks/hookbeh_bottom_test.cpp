@@ -152,11 +152,13 @@ TEST(HookbehBottom, APositionThatJumpsIsNotFar) {
 
 TEST(HookbehBottom, ARisingBottomIsNotTouchedInEachDive) {
   ShallowSea sea;
-  sea.bottom = [](double north) { return north < 700 ? 60 : std::max(12.0, 60 - (north - 700) * 0.12); };
+  sea.bottom = [](double north) {
+    return north < 700 ? 60 : std::max(14.0, 60 - (north - 700) * 0.12);
+  };
   sea.yo(2.5);
   EXPECT_GE(sea.touches, 1) << "there is no way to know";
   EXPECT_LE(sea.touches, 2) << "two contacts give the slope";
-  EXPECT_GT(sea.north, 1500) << "it flies on, over 12 m of water";
+  EXPECT_GT(sea.north, 1500) << "it flies on, over 14 m of water";
 }
 
 TEST(HookbehBottom, AStoppedDepthThatDoesNotFollowTheClimbIsNoBottom) {
@@ -197,6 +199,26 @@ TEST(HookbehBottom, AnAltimeterThatAgreesAgainIsBelievedAgain) {
   EXPECT_GT(sea.deepest, 54) << "over 90 m of water, as the altimeter shows";
 }
 
+TEST(HookbehBottom, AnAltimeterThatIsStuckIsNotBelievedWhereItHappensToAgree) {
+  for (const double stuck : {8.0, 20.0, 30.0}) {
+    ShallowSea sea;
+    sea.altitude = [=](double height) { return stuck + height * 1e-3; };
+    sea.yo(2);
+    EXPECT_LE(sea.touches, 1) << stuck;
+  }
+}
+
+TEST(HookbehBottom, BetweenRareEchoesItStaysAboveARisingBottom) {
+  for (const uint64_t first : {8, 12, 16, 20, 24, 28}) {
+    ShallowSea sea;
+    sea.bottom = [](double north) { return std::max(30.0, 110 - north * 0.1); };
+    uint64_t cycles = first;
+    sea.altitude = [&](double height) { return height < 36 && ++cycles % 30 == 0 ? height : kNan; };
+    sea.yo(1);
+    EXPECT_EQ(sea.touches, 0) << first;
+  }
+}
+
 TEST(HookbehBottom, AnAltimeterThatDiesOverTheBottomIsNoDeepWater) {
   ShallowSea sea;
   sea.altitude = [](double height) { return height >= 2 ? height : kNan; };
@@ -224,6 +246,20 @@ TEST(HookbehBottom, AnAltimeterOfShortRangeLeavesAHealthyVehicleAlone) {
     EXPECT_EQ(sea.guarded, 0) << range;
     EXPECT_GT(sea.deepest, 54) << range;
   }
+}
+
+TEST(HookbehBottom, ALoneEchoIsApproachedAgainLittleByLittle) {
+  ShallowSea sea;
+  sea.bottom = [](double) { return 500; };
+  int echoes = 0;
+  sea.altitude = [&](double) { return sea.truth > 20 && echoes++ == 0 ? 15.0 : kNan; };
+  sea.yo(0.3);
+  EXPECT_LT(sea.deepest, 33) << "5 m above it";
+  sea.deepest = 0;
+  sea.yo(0.2);
+  EXPECT_LT(sea.deepest, 35) << "a bottom does not go away in minutes";
+  sea.yo(1);
+  EXPECT_GT(sea.deepest, 54) << "but there was none in all that time";
 }
 
 TEST(HookbehBottom, AFishDoesNotKeepTheVehicleUp) {

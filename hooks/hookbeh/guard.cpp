@@ -15,9 +15,12 @@ constexpr double kClearM = 1.0;
 /// Without that the pump would never rest.
 constexpr double kRetryShare = 0.5;
 constexpr double kRetryM = 5.0;
-/// An echo of the bottom is forgotten after this long: the vehicle has moved on, and the echo may
-/// have been a fish.
-constexpr double kBottomLastsSecs = 600.0;
+/// m; the altitude over a bottom that it has touched, for a vehicle that uses no altimeter.
+constexpr double kWithoutAltimeterM = 3;
+/// s; how long the vehicle sinks on after it has been commanded to climb. Below, in m/s: the
+/// fastest that it sinks; a rate above that is false.
+constexpr double kTurnsSecs = 8;
+constexpr double kFastestMps = 0.5;
 /// s without a metre gained: the defaults of the vendor's dive_to and climb_to
 /// (stop_when_hover_for, stop_when_stalled_for).
 constexpr double kHoverSecs = 180;
@@ -90,25 +93,12 @@ void Guard::observe(const Surroundings& now, double step_s, const VerticalComman
     unseen_.confirm(watch_.depth());
   }
   tripped_s_ += step_s;
-  noteBottom(now, step_s);
-}
-
-void Guard::noteBottom(const Surroundings& now, double step_s) {
-  bottom_age_s_ += step_s;
-  if (bottom_age_s_ > kBottomLastsSecs) {
-    bottom_known_ = false;
-  }
-  // The sensor array keeps an old altitude when the altimeter receives no echo, so only a changed
-  // altitude is an echo. Between echoes the clearance follows from the depth, which also catches an
-  // altimeter that is stuck.
-  const bool echo =
-      now.altitude_m >= 0 && isFinite(now.altitude_m) && now.altitude_m != altitude_m_;
-  if (echo && watch_.doubt() == HookGuard::None) {
-    altitude_m_ = now.altitude_m;
-    bottom_m_ = watch_.depth() + altitude_m_;
-    bottom_age_s_ = 0;
-    bottom_known_ = true;
-  }
+  sinks_mps_ = isFinite(now.depth_rate_mps) ? between(now.depth_rate_mps, 0, kFastestMps) : 0;
+  bottom_.move(now, step_s);
+  bottom_.observe(now, watch_.depth(), step_s);
+  bottom_.confirm(step_s);
+  floor_m_ = bottom_.floor();
+  touched_floor_m_ = bottom_.touchedFloor();
 }
 
 void Guard::reset() {
@@ -118,11 +108,17 @@ void Guard::reset() {
   }
 }
 
-HookGuard Guard::brokenLimit(const HookbehArgs& args) const {
+HookGuard Guard::brokenLimit(const HookbehArgs& args, const Instruction& in_force) const {
   // All comparisons are written so that a NaN among the b_args counts as a broken limit.
-  return !(depth_m_ <= args.greatest_depth_m) ? HookGuard::TooDeep
-         : !clearOfBottom(args, depth_m_)     ? HookGuard::NearBottom
-                                              : HookGuard::None;
+  return !(depth_m_ <= args.greatest_depth_m)                             ? HookGuard::TooDeep
+         : !clearOfBottom(args, depth_m_) || sinksTooNear(args, in_force) ? HookGuard::NearBottom
+                                                                          : HookGuard::None;
+}
+
+/// True if the vehicle sinks towards a target that is too near the bottom, and would be too near it
+/// before it has turned. At a target that is clear of the bottom it turns by itself.
+bool Guard::sinksTooNear(const HookbehArgs& args, const Instruction& in_force) const {
+  return !clearOfBottom(args, depth_m_ + kTurnsSecs * sinks_mps_) && !mayGoOn(args, in_force);
 }
 
 HookGuard Guard::stall(const HookbehArgs& args, const Instruction& in_force) const {
@@ -183,9 +179,15 @@ HookGuard Guard::mustClimb(const HookbehArgs& args, const Instruction& in_force)
   if (doubted_) {
     return doubt;
   }
-  if (const HookGuard broken = brokenLimit(args); broken != HookGuard::None) {
+  const HookGuard broken = brokenLimit(args, in_force);
+  // A vehicle that climbs after a dive that stopped has just learned where the bottom is.
+  const bool learned = broken == HookGuard::NearBottom && tripped_ == HookGuard::NoDepthGained;
+  if (broken != HookGuard::None && !learned) {
     trip(broken);
   } else if (const HookGuard stalled = stall(args, in_force); stalled != HookGuard::None) {
+    if (stalled == HookGuard::NoDepthGained && tripped_ != stalled) {
+      bottom_.noteStop();
+    }
     trip(stalled);
   } else if (mayRelease(args, in_force)) {
     tripped_ = HookGuard::None;
@@ -210,10 +212,10 @@ bool Guard::keepsLimits(const HookbehArgs& args, double depth_m) const {
 }
 
 bool Guard::clearOfBottom(const HookbehArgs& args, double depth_m) const {
-  if (!bottom_known_ || args.least_altitude_m < 0) {
-    return true;
-  }
-  return bottom_m_ - depth_m >= args.least_altitude_m;
+  const bool by_echo = !(args.least_altitude_m < 0);
+  const double floor = by_echo ? floor_m_ : touched_floor_m_;
+  const double least = by_echo ? args.least_altitude_m : kWithoutAltimeterM;
+  return !isKnown(floor) || floor - depth_m >= least;
 }
 
 bool Guard::mayGoOn(const HookbehArgs& args, const Instruction& in_force) const {

@@ -39,10 +39,11 @@ double DepthJudge::sinkRate(const CycleView& view) const {
 }
 
 /// The flight controller did nothing since the previous cycle, and in this one it begins: its
-/// commands take effect in the next.
+/// commands take effect in the next. A vehicle that was past the limit before that climbs already:
+/// another time without a flight controller takes it no deeper.
 void DepthJudge::followDark(const CycleView& view) {
   const double gap_s = view.time_s - last_s_;
-  if (s_.isDark(gap_s)) {
+  if (s_.isDark(gap_s) && last_m_ <= usual_m_) {
     const double sunk = sinks_mps_ * (gap_s + s_.cycle_s);
     allowed_m_ = std::max(allowed_m_, last_m_ + sunk + limits::kTurnM);
   }
@@ -70,8 +71,7 @@ std::string DepthJudge::cycle(const CycleView& view) {
   std::string wrong = judgeDepth(view, view.hook == HookState::Active);
   last_s_ = view.time_s;
   last_m_ = view.true_depth_m;
-  // Deeper than that it climbs: another time without a flight controller takes it no deeper.
-  sinks_mps_ = view.true_depth_m > usual_m_ ? 0 : sinkRate(view);
+  sinks_mps_ = sinkRate(view);
   return wrong;
 }
 

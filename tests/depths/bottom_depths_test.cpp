@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// How a vehicle fares over a bottom that its altimeter would hear, if nothing were wrong with it.
+// How a vehicle fares over a bottom that its altimeter would detect, if nothing were wrong with it.
 // scripts/soak/depths flies all and prints the table.
 
 #include "tests/depths/depth_faults.h"

@@ -30,7 +30,7 @@ struct Sensor {
   double jump, drift;
 };
 
-/// Over a bottom that the altimeter hears, which the other flights do not have.
+/// Over a bottom within its range, which the other flights do not have.
 const Sensor& altimeter() {
   static const Sensor kAltimeter = {"m_altitude", {3, 50}, 30, 0.02};
   return kAltimeter;

@@ -32,8 +32,7 @@ struct DepthFault {
 std::vector<DepthFault> singleDepthFaults();
 /// Pairs of such as touch the depth: of two different sensors.
 std::vector<DepthFault> doubleDepthFaults();
-/// The same of the altimeter, alone and with another sensor: for flights over a bottom that it
-/// hears.
+/// The same of the altimeter, alone and with another sensor: for flights over a bottom in range.
 std::vector<DepthFault> altimeterFaults();
 /// A vehicle without a CTD.
 simulator::SensorFault noCtd();

@@ -39,7 +39,7 @@ struct Dived {
   int contacts = 0;              ///< with the bottom
   double on_bottom_s = 0;        ///< the longest of them
   double clearance_m = 1e9;      ///< the least, under water
-  std::string bottom_violation;  ///< as the campaign's judge of the bottom says; empty: none
+  std::string bottom_violation;  ///< by the campaign's check of the bottom; empty: none
 };
 
 /// Flies `plan` (null: no SBC on board) through the real protocol. `comes_back`: where the SBC's

@@ -122,9 +122,9 @@ std::vector<DepthFault> DepthFault::parts() const {
   for (const SensorFault& sensor : sensors) {
     names.insert(sensor.name);
   }
-  for (const std::string& name : names) {
+  for (const std::string& one : names) {
     DepthFault part = *this;
-    std::erase_if(part.sensors, [&](const SensorFault& sensor) { return sensor.name == name; });
+    std::erase_if(part.sensors, [&](const SensorFault& sensor) { return sensor.name == one; });
     out.push_back(part);
   }
   return out;

@@ -3,6 +3,7 @@
 
 #include "analysis/vehicle_file.h"
 
+#include "hooks/hookbeh/hull.h"
 #include "slocum/mission_files/load.h"
 #include "support/diagnostics/catalogue.h"
 
@@ -16,9 +17,6 @@ namespace {
 
 using slocum::BehaviourBlock;
 using support::DiagnosticId;
-
-/// s; the longest silence that hookbeh accepts
-constexpr double kLongestSilence = 3600;
 
 const BehaviourBlock* find(const slocum::MissionFile& file, const char* name) {
   const auto found = std::ranges::find(file.behaviours, name, &BehaviourBlock::name);
@@ -47,10 +45,10 @@ support::Result<VehicleFile> vehicleFileOf(const slocum::MissionFile& file,
     return support::fail(DiagnosticId::skeletonErrors, path, "it has no behavior `hookbeh`");
   }
   const double seconds = hookbeh->value("silence_secs");
-  if (!(seconds > 0 && seconds <= kLongestSilence)) {
+  if (!(seconds > 0 && seconds <= hooks::kMostSilenceSecs)) {
     return support::fail(DiagnosticId::skeletonErrors, path,
                          fmt::format("silence_secs must be above 0 and at most {:.0f}, not {}",
-                                     kLongestSilence, seconds));
+                                     hooks::kMostSilenceSecs, seconds));
   }
   const std::string name = std::filesystem::path(path).filename().string();
   const double steepest = hookbeh->value("max_pitch");

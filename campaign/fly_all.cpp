@@ -214,7 +214,7 @@ support::Result<void> measureMissions(CampaignPlan& plan) {
       return std::unexpected(verdict.error());
     }
     plan.missions[i].times = {verdict->end_s, verdict->take_s, verdict->release_s,
-                              verdict->deepest_m};
+                              verdict->deepest_m, verdict->hover};
     plan.missions[i].mean_W = verdict->mean_W;
   }
   return {};

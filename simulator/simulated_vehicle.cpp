@@ -90,7 +90,8 @@ SimulatedVehicle::SimulatedVehicle(SimulationSetup setup, const World& world, ui
       flight_(setup_.platform, setup_.scenario.skeleton, setup_.scenario.sensors, seed_,
               world.frame(), world.year(), journal_, setup_.scenario.code_15),
       science_(setup_.platform, seed_, setup_.scenario.sensors, !real_time_),
-      damage_(faults().sensors, seed_),
+      damage_(faultsOf(false), seed_, NoiseStream::SensorJumps),
+      science_damage_(faultsOf(true), seed_, NoiseStream::ScienceSensorJumps),
       flight_science_link_(kFlightScienceBaud, damageOf(LineWay::ToFlight, kFlightScienceBaud),
                            damageOf(LineWay::FromFlight, kFlightScienceBaud)),
       sbc_line_(kSbcBaud, damageOf(LineWay::FromSbc, kSbcBaud), damageOf(LineWay::ToSbc, kSbcBaud)),
@@ -100,7 +101,7 @@ SimulatedVehicle::SimulatedVehicle(SimulationSetup setup, const World& world, ui
       recorder_(trace_, world.ocean(), world.frame(), setup_.platform, setup_.scenario) {
   flight_.startAt(vehicle_.x(), vehicle_.y());
   flight_.damageBy(&damage_);
-  science_.damageBy(&damage_);
+  science_.damageBy(&science_damage_);
   link_.showTo(setup_.observer);
   for (const Leftover& leftover : faults().leftover) {
     flight_.leaveOver(leftover);
@@ -121,6 +122,16 @@ support::Result<std::unique_ptr<SimulatedVehicle>> SimulatedVehicle::make(Simula
   return std::unique_ptr<SimulatedVehicle>(new SimulatedVehicle(std::move(setup), world, number));
 }
 
+/// The faults of the sensors that the science computer reads, or of the others. What the flight
+/// controller receives from the science computer is damaged already: a fault acts once.
+std::vector<SensorFault> SimulatedVehicle::faultsOf(bool science) const {
+  std::vector<SensorFault> of;
+  std::ranges::copy_if(faults().sensors, std::back_inserter(of), [&](const SensorFault& fault) {
+    return science_.reads(fault.id) == science;
+  });
+  return of;
+}
+
 void SimulatedVehicle::advance(double time_s) {
   for (double now = 0; flying() && (now = static_cast<double>(step_) * Vehicle::kStep) < time_s;
        ++step_) {
@@ -132,6 +143,7 @@ void SimulatedVehicle::step(double now) {
   flight_science_link_.setNow(now);
   sbc_line_.setNow(now);
   damage_.setNow(now);
+  science_damage_.setNow(now);
   failDevices(now);
   if (step_ % steps_per_cycle_ == 0 && controlCycle(now, step_ / steps_per_cycle_)) {
     over_ = true;
@@ -192,7 +204,11 @@ CycleView SimulatedVehicle::view(double now, bool over) const {
           battery.voltage(),
           flight_.commandedWhole(),
           flight_.hookbeh(),
-          flight_.hookbehMasked()};
+          flight_.hookbehMasked(),
+          vehicle_.x() - setup_.scenario.vehicle.start_x_m,
+          vehicle_.y() - setup_.scenario.vehicle.start_y_m,
+          vehicle_.pumpedCc(),
+          battery.leftJ()};
 }
 
 /// True while the flight controller restarts: what arrives meanwhile is lost.

@@ -42,6 +42,7 @@ class SimulatedVehicle {
   [[nodiscard]] LineDamage damageOf(LineWay way, double baud) const {
     return {faults().lines, way, seed_, baud};
   }
+  [[nodiscard]] std::vector<SensorFault> faultsOf(bool science) const;
   void step(double now);
   bool controlCycle(double now, int64_t number);
   [[nodiscard]] CycleView view(double now, bool over) const;
@@ -63,7 +64,8 @@ class SimulatedVehicle {
   Vehicle vehicle_;
   FlightController flight_;
   ScienceComputer science_;
-  SensorDamage damage_;
+  SensorDamage damage_;          ///< of the flight controller's sensors
+  SensorDamage science_damage_;  ///< of those that the science computer reads
   SerialLine flight_science_link_;
   SerialLine sbc_line_;
   SbcLink link_;

@@ -11,6 +11,7 @@
 #include "runtime/core/link_log.h"
 #include "runtime/core/mission_clock.h"
 #include "runtime/core/persistence.h"
+#include "runtime/core/start_depth.h"
 #include "runtime/log/mission_log.h"
 
 /// The one mission of a C program: what GliderRuntime is for a compiled one, but the program's own
@@ -57,7 +58,7 @@ class Program {
   KeptState& kept() { return kept_; }
   /// The longest outage after which the mission continues, s.
   void resumeWithin(double seconds) { mission_.resume_within = seconds; }
-  /// The mission starts from the beginning if the vehicle has restarted its own mission meanwhile.
+  /// The mission does not continue if the vehicle has restarted its own mission meanwhile.
   void newAfterRestart() { mission_.new_after_restart = 1; }
   /// The declination used for headings while the vehicle has not reported a variation: rad, east
   /// positive.
@@ -97,6 +98,7 @@ class Program {
   bool takeTick();
   bool tickOfClockAlone();
   void tryToGoOn(const hooks::VehicleTick& tick, double sbc_time);
+  bool mayBegin(const hooks::VehicleTick& tick);
   void start(double vehicle_time, double sbc_time);
   void record();
   void tellNow();
@@ -122,6 +124,7 @@ class Program {
   hooks::Client* client_ = nullptr;  ///< made when the sensors are known: at the first tick
   Control control_;
   MissionClock clock_;
+  StartDepth start_depth_{mission_};
   alignas(MissionLog) uint8_t log_memory_[sizeof(MissionLog)] = {};
   MissionLog* log_ = nullptr;
   alignas(LinkLog) uint8_t link_log_memory_[sizeof(LinkLog)] = {};

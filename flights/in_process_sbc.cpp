@@ -37,8 +37,9 @@ std::optional<double> InProcessSbc::findKept() {
   const uint32_t count = mission.parameter_count * sizeof(double);
   runtime::LinkFacts facts;
   GliderContext* context = runtime::layOut(context_memory_.get(), mission);
-  const bool found = runtime::Checkpoint(store, hooks::crc32c(bytes, count, 0))
-                         .find(*context, facts) == runtime::Checkpoint::Found::Good;
+  const bool found =
+      runtime::Checkpoint(store, hooks::crc32c(bytes, count, 0)).find(*context, facts) ==
+      runtime::Checkpoint::Found::Good;
   return found ? std::optional(context->mission_time) : std::nullopt;
 }
 

@@ -73,9 +73,9 @@ std::optional<FlownViolation> firstViolation(const ir::Requirement& required,
     } else if (*tick.before + 1 != i) {
       known.emplace(kept.at(*tick.before));
     }
-    const auto result =
-        tick.before ? known->interpreter.tick(tick.heard.mission_time, tick.heard.frame)
-                    : known->interpreter.start(tick.heard.frame, flight.parameters);
+    const auto result = tick.before
+                            ? known->interpreter.tick(tick.heard.mission_time, tick.heard.frame)
+                            : known->interpreter.start(tick.heard.frame, flight.parameters);
     known->monitor.tick(known->interpreter, tick.heard.mission_time, result,
                         depth.at(tick.heard.vehicle_time));
     if (known->monitor.when()) {

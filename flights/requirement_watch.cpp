@@ -112,7 +112,8 @@ std::optional<FlownViolation> RequirementWatch::firstOf(
     if (auto found = look({flown_, heard, parameters_, trace})) {
       found->after = outagesBefore(heard, found->vehicle_time);
       if (&heard != &heard_.missions().front()) {
-        found->after += std::string(found->after.empty() ? "" : ", ") + "the mission had begun again";
+        found->after +=
+            std::string(found->after.empty() ? "" : ", ") + "the mission had begun again";
       }
       return found;
     }
@@ -127,17 +128,15 @@ std::vector<FlownViolation> RequirementWatch::violations(const support::Trace& t
     if (required.kind == ir::RequirementKind::Reach) {
       continue;  // it says what some flight can do
     }
-    if (auto found = firstOf(trace, [&](const auto& flight) {
-          return firstViolation(required, flight);
-        })) {
+    if (auto found =
+            firstOf(trace, [&](const auto& flight) { return firstViolation(required, flight); })) {
       found->number = i;
       all.push_back(*std::move(found));
     }
   }
   for (size_t i = 0; i < m_.assumptions.size(); ++i) {
-    auto found = firstOf(trace, [&](const auto& flight) {
-      return firstBreak(m_.assumptions[i], flight);
-    });
+    auto found =
+        firstOf(trace, [&](const auto& flight) { return firstBreak(m_.assumptions[i], flight); });
     if (!found) {
       found = tooLong(m_.assumptions[i]);
     }
@@ -165,17 +164,16 @@ void reportViolations(const RequirementWatch& watch, const support::Trace& trace
   const ir::Mission& m = watch.mission();
   for (const FlownViolation& found : watch.violations(trace)) {
     const bool assumption = found.number >= m.requirements.size();
-    diagnostics.report(
-        assumption ? support::DiagnosticId::assumptionFlown
-                   : support::DiagnosticId::requirementFlown,
-        assumption ? m.assumptions[found.number - m.requirements.size()].range
-                   : m.requirements[found.number].range,
-        fmt::format("at mission time {:.6g} s, in state `{}`{}{}{}{}", found.mission_time,
-                    found.state, found.words.empty() ? "" : ", ", found.words,
-                    found.after.empty() ? "" : "; ", found.after));
+    diagnostics.report(assumption ? support::DiagnosticId::assumptionFlown
+                                  : support::DiagnosticId::requirementFlown,
+                       assumption ? m.assumptions[found.number - m.requirements.size()].range
+                                  : m.requirements[found.number].range,
+                       fmt::format("at mission time {:.6g} s, in state `{}`{}{}{}{}",
+                                   found.mission_time, found.state, found.words.empty() ? "" : ", ",
+                                   found.words, found.after.empty() ? "" : "; ", found.after));
   }
   if (const auto at = watch.departed()) {
-    diagnostics.report(DiagnosticId::watchEnded, {}, fmt::format("{:.0f} s", *at));
+    diagnostics.report(support::DiagnosticId::requirementFlown, {}, fmt::format("{:.0f} s", *at));
   }
 }
 

@@ -24,7 +24,7 @@ struct FlownViolation {
   double vehicle_time = 0;  ///< s
   std::string state;        ///< current then
   std::string words;        ///< how; empty: the requirement says it
-  std::string after;        ///< which outages of the SBC came before; empty: none
+  std::string after = {};   ///< which outages of the SBC came before; empty: none
 };
 
 struct KnownFlight;

@@ -164,8 +164,8 @@ StartSbc sbcProgram(const std::string& program) {
 }
 
 Result<StartSbc> sbcProgramOf(const compiler::Optimised& mission,
-                              const std::vector<std::string>& user_code,
-                              const std::string& program, RequirementWatch* watch) {
+                              const std::vector<std::string>& user_code, const std::string& program,
+                              RequirementWatch* watch) {
   if (watch == nullptr) {
     return sbcProgram(program);
   }

@@ -31,10 +31,11 @@ constexpr Continuation continuationAfter(const Outage& outage) {
   if (!outage.restarted) {
     return within ? Continuation::GoesOn : Continuation::Leaves;
   }
-  if (outage.finished || outage.length >= kAnotherFlight) {
-    return Continuation::Begins;
+  if (!outage.finished && within && !outage.never_after_restart) {
+    return Continuation::GoesOn;
   }
-  return within && !outage.never_after_restart ? Continuation::GoesOn : Continuation::Leaves;
+  return outage.finished || outage.length >= kAnotherFlight ? Continuation::Begins
+                                                            : Continuation::Leaves;
 }
 
 }  // namespace glider::runtime

@@ -65,7 +65,7 @@ double Persistence::outageByClock(const hooks::VehicleTick& tick) const {
              : unknown();
 }
 
-/// The mission is over. The vehicle's own log says it too: nobody can read the SBC's at sea.
+/// The mission is over. The vehicle's own log says it too, because the SBC's cannot be read at sea.
 void Persistence::leaveControl(const GliderMission& mission, bool restarted, double outage) {
   const LogDetail why = outage != outage                 ? LogDetail::UnknownOutage
                         : !(outage >= 0.0)               ? LogDetail::FromTheFuture

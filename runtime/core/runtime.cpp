@@ -88,8 +88,7 @@ glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& missi
 
 bool GliderRuntime::acceptable(const GliderMission& mission) {
   return mission.abi_version == GLIDER_ABI_VERSION && mission.dictionary != nullptr &&
-         mission.state_count > 0 &&
-         mission.parameter_count <= GLIDER_MOST_PARAMETERS &&
+         mission.state_count > 0 && mission.parameter_count <= GLIDER_MOST_PARAMETERS &&
          mission.parameter_count <= mission.variable_count &&
          mission.context_bytes == gliderContextLayout(&mission).bytes && hasTables(mission) &&
          hasGuards(mission) && hasRoom(mission);
@@ -102,7 +101,7 @@ GliderRuntimeStatus GliderRuntime::poll(const GliderByteStream& stream, const Gl
     case ClientEvent::Closed:
       return kGliderRuntimeLinkClosed;
     case ClientEvent::Tick:
-      answerTick(stream, clock.now(clock.self));
+      answerTick(stream, ownTime(clock));
       return control_.released() ? kGliderRuntimeFinished : kGliderRuntimeProgressed;
     case ClientEvent::SilentLink:
       tickOfClockAlone(clock.now(clock.self));
@@ -114,6 +113,12 @@ GliderRuntimeStatus GliderRuntime::poll(const GliderByteStream& stream, const Gl
       break;
   }
   return kGliderRuntimeProgressed;
+}
+
+/// The SBC's clock, s. In virtual time it says nothing about the flight: then the vehicle's does.
+double GliderRuntime::ownTime(const GliderClock& clock) const {
+  return client_.virtualTime() ? static_cast<double>(client_.tick().clock_s)
+                               : clock.now(clock.self);
 }
 
 void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) {

@@ -34,6 +34,7 @@ struct GliderRuntime {
   static glider::hooks::ClientOptions subscribe(const GliderMission& mission,
                                                 glider::hooks::Subscription* sensors);
   bool mayBegin(const glider::hooks::VehicleTick& tick);
+  [[nodiscard]] double ownTime(const GliderClock& clock) const;
   void tryToGoOn(const glider::hooks::VehicleTick& tick, double sbc_time);
   void answerTick(const GliderByteStream& stream, double sbc_time);
   void tickOfClockAlone(double sbc_time);

@@ -17,7 +17,8 @@ class StartDepth {
  public:
   explicit StartDepth(const GliderMission& mission) : mission_(mission) {}
 
-  /// True if the program must subscribe to the depth for this, in addition to the mission's sensors.
+  /// True if the program must subscribe to the depth for this, in addition to the mission's
+  /// sensors.
   [[nodiscard]] bool needsDepth() const;
   /// Takes in a tick before the mission has begun. True if it may begin.
   bool look(const hooks::VehicleTick& tick);

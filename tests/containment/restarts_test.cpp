@@ -58,9 +58,7 @@ TEST(Containment, AfterARestartTheMissionContinuesAsProofsAssume) {
 class BeginsNearTheSurface : public Rule {
  public:
   explicit BeginsNearTheSurface(const ProofContext& context)
-      : context_(context),
-        limit_(startReading(context.mission, context.platform)),
-        dice_(2) {}
+      : context_(context), limit_(startReading(context.mission, context.platform)), dice_(2) {}
   void tick(const Flight&) override {
     ++steps;
     RandomVehicle vehicle(deep_, dice_);

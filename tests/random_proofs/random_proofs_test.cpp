@@ -142,8 +142,8 @@ class Trial {
     }
   }
 
-  /// A deployment in which the SBC and the flight controller restart. A mission that begins again in
-  /// it is checked by those who watched the one before, unless it is another flight.
+  /// A deployment in which the SBC and the flight controller restart. A mission that begins again
+  /// in it is checked by those who watched the one before, unless it is another flight.
   void flyWithRestarts(Met& met) {
     constexpr size_t kMissions = 3;
     FlightStyle style;

@@ -5,8 +5,9 @@
 
 #include "tests/support/command.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
 
 namespace glider::tests {
 namespace {
@@ -21,16 +22,16 @@ class BoardsWatched : public testing::Test {
     const std::string skeleton = "\"skeleton.mi\"";
     scenario.replace(scenario.find(skeleton), skeleton.size(),
                      "\"" GLIDER_SOURCE_DIR "/scenarios/skeleton.mi\"");
-    (void)folder_.write("cut.toml",
-                        scenario + "\n[[faults.power]]\nfrom_s = 300\nto_s = 340\n");
+    (void)folder_.write("cut.toml", scenario + "\n[[faults.power]]\nfrom_s = 300\nto_s = 340\n");
     mission("m.mission", "10 min");
   }
   void mission(const std::string& file, const std::string& end) const {
-    (void)folder_.write(file, "mission m\nrequire always depth <= 9 m || missiontime < 7 min\n"
-                              "require visit s at most 1 times\nstate s\nbegin\n"
-                              "  flightprofile yo(4 m, 14 m, 26 deg, 26 deg)\n"
-                              "  sensors missiontime, depth\n  events\n    case missiontime >= " +
-                                  end + " exit\nend\n");
+    (void)folder_.write(file,
+                        "mission m\nrequire always depth <= 9 m || missiontime < 7 min\n"
+                        "require visit s at most 1 times\nstate s\nbegin\n"
+                        "  flightprofile yo(4 m, 14 m, 26 deg, 26 deg)\n"
+                        "  sensors missiontime, depth\n  events\n    case missiontime >= " +
+                            end + " exit\nend\n");
   }
   [[nodiscard]] Outcome run(const std::string& arguments) const {
     return runShell("cd " + folder_.path().string() + " && " + arguments);

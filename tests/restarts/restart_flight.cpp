@@ -15,9 +15,8 @@
 namespace glider::tests {
 
 size_t RestartFlight::count(const std::string& what) const {
-  return static_cast<size_t>(std::ranges::count_if(trace.events, [&](const auto& event) {
-    return event.what.find(what) != std::string::npos;
-  }));
+  return static_cast<size_t>(std::ranges::count_if(
+      trace.events, [&](const auto& event) { return event.what.find(what) != std::string::npos; }));
 }
 
 size_t RestartFlight::visits(const std::string& state) const {

@@ -9,10 +9,10 @@
 #include "tests/world/fleet.h"
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <gmock/gmock.h>
 
 namespace glider::tests {
 namespace {
@@ -77,7 +77,8 @@ const Kind kKinds[] = {
      [](double t) { return faults({{t + 10, t + 40}}, {{t, t + 20}}); }},
     {"the SBC, then the flight controller",
      [](double t) { return faults({{t, t + 20}}, {{t + 10, t + 30}}); }},
-    {"both, three times", [](double t) {
+    {"both, three times",
+     [](double t) {
        return faults({{t, t + 30}, {t + 100, t + 130}, {t + 300, t + 330}},
                      {{t + 5, t + 25}, {t + 105, t + 125}, {t + 305, t + 325}});
      }},
@@ -93,9 +94,9 @@ TEST_P(Restarts, WhatIsProvedHoldsInTheWholeDeployment) {
   const std::string text = onceDeep(GetParam());
   const auto file = folder.write("once.mission", text);
   const Outcome checked = runShell("$GLIDERCC check --report --no-cache " + file.string());
-  for (const char* proved : {"proved: require visit deep at most 1 times",
-                             "proved: require exit within 30 min",
-                             "proved: require in ready: never depth > 8 m"}) {
+  for (const char* proved :
+       {"proved: require visit deep at most 1 times", "proved: require exit within 30 min",
+        "proved: require in ready: never depth > 8 m"}) {
     ASSERT_THAT(checked.out, HasSubstr(proved));
   }
   const FlyingMission mission = loadText(text);
@@ -128,8 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Missions, Restarts,
                                          "resume within 20 s"));
 
 TEST(Restarts, AMissionThatMayNotContinueIsOverAndTheVehicleStaysUp) {
-  const FlyingMission mission =
-      loadText(onceDeep("resume within 5 min, never after restart"));
+  const FlyingMission mission = loadText(onceDeep("resume within 5 min, never after restart"));
   const RestartFlight flight = flyRestarts(mission, kKinds[0].at(500), 5000);
   EXPECT_EQ(flight.count("the mission is over: the vehicle has restarted"), 1U);
   EXPECT_EQ(flight.count("the SBC takes control"), 1U);

@@ -6,8 +6,9 @@
 #include "tests/restarts/restart_flight.h"
 #include "tests/world/fleet.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
 
 namespace glider::tests {
 namespace {
@@ -51,12 +52,13 @@ TEST(WatchedOverCuts, WhatHappensOnlyAfterTheCutIsReportedWithIt) {
   ASSERT_EQ(flight.violations.size(), 1U);
   EXPECT_EQ(flight.violations[0].number, 0U);
   EXPECT_GT(flight.violations[0].mission_time, 2400);
-  EXPECT_THAT(flight.violations[0].after, HasSubstr("after an outage of the SBC from mission time"));
+  EXPECT_THAT(flight.violations[0].after,
+              HasSubstr("after an outage of the SBC from mission time"));
 }
 
 TEST(WatchedOverCuts, OneBeforeTheCutNamesNone) {
-  const RestartFlight flight = flyRestarts(inTurn("require always depth <= 12 m\n"),
-                                           cuts({{1500, 1540}}), kFlight);
+  const RestartFlight flight =
+      flyRestarts(inTurn("require always depth <= 12 m\n"), cuts({{1500, 1540}}), kFlight);
   ASSERT_EQ(flight.violations.size(), 1U);
   EXPECT_LT(flight.violations[0].mission_time, 1500);
   EXPECT_EQ(flight.violations[0].after, "");
@@ -65,8 +67,8 @@ TEST(WatchedOverCuts, OneBeforeTheCutNamesNone) {
 /// b is entered at 300, 900, 1500, 2100, 2700 and 3300 s.
 TEST(WatchedOverCuts, VisitsBeforeAndAfterTheCutAreCountedTogether) {
   for (const double at : {1100.0, 1510.0, 2000.0}) {
-    const RestartFlight flight = flyRestarts(inTurn("require visit b at most 4 times\n"),
-                                             cuts({{at, at + 30}}), kFlight);
+    const RestartFlight flight =
+        flyRestarts(inTurn("require visit b at most 4 times\n"), cuts({{at, at + 30}}), kFlight);
     ASSERT_EQ(flight.violations.size(), 1U) << at;
     EXPECT_NEAR(flight.violations[0].mission_time, 2700, 120) << at;
   }
@@ -85,7 +87,7 @@ TEST(WatchedOverCuts, NothingIsCountedTwice) {
 TEST(WatchedOverCuts, WhatAMissionDoesTwiceFromAnOlderCheckpointCountsOnce) {
   size_t twice = 0;
   for (uint32_t lost = 1; lost < 40; ++lost) {
-    simulator::Faults faults = cuts({{909 + lost % 3, 925}});
+    simulator::Faults faults = cuts({{909.0 + lost % 3, 925}});
     faults.card.push_back(
         {912, simulator::CardFault::Kind::Zeroed, 0.2 + 0.01 * static_cast<double>(lost)});
     const RestartFlight flight =
@@ -97,19 +99,18 @@ TEST(WatchedOverCuts, WhatAMissionDoesTwiceFromAnOlderCheckpointCountsOnce) {
 }
 
 TEST(WatchedOverCuts, SeveralCutsAreAllNamed) {
-  const RestartFlight flight =
-      flyRestarts(inTurn("require visit b at most 5 times\n"),
-                  cuts({{500, 520}, {1200, 1300}, {2000, 2060}}), kFlight);
+  const RestartFlight flight = flyRestarts(inTurn("require visit b at most 5 times\n"),
+                                           cuts({{500, 520}, {1200, 1300}, {2000, 2060}}), kFlight);
   ASSERT_EQ(flight.violations.size(), 1U);
   EXPECT_THAT(flight.violations[0].after, HasSubstr("after 3 outages of the SBC, the last from"));
 }
 
 TEST(WatchedOverCuts, TheTimeOfTheOutageCounts) {
-  const RestartFlight late = flyRestarts(inTurn("require exit within 61 min\n"),
-                                         cuts({{3550, 3800}}), kFlight);
+  const RestartFlight late =
+      flyRestarts(inTurn("require exit within 61 min\n"), cuts({{3550, 3800}}), kFlight);
   ASSERT_EQ(late.violations.size(), 1U) << "the first tick after the outage";
-  const RestartFlight early = flyRestarts(inTurn("require exit within 61 min\n"),
-                                          cuts({{2000, 2250}}), kFlight);
+  const RestartFlight early =
+      flyRestarts(inTurn("require exit within 61 min\n"), cuts({{2000, 2250}}), kFlight);
   EXPECT_TRUE(early.violations.empty());
 }
 

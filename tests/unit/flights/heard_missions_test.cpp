@@ -18,8 +18,8 @@ struct Start {
   std::vector<double> polls;
 };
 
-/// What is heard, a mission a line: the mission time of each tick, and where it does not follow the
-/// one before, that of the tick that it follows: "0 4 8 | 4>90 94".
+/// What is recorded, a mission a line: the mission time of each tick, and where it does not follow
+/// the one before, that of the tick that it follows: "0 4 8 | 4>90 94".
 std::string heardOf(const std::vector<Start>& starts) {
   const ir::Mission ir;
   HeardMissions heard(ir);

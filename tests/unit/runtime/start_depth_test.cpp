@@ -7,9 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include <gmock/gmock.h>
-
 #include <algorithm>
+#include <gmock/gmock.h>
 
 namespace glider::runtime::testing {
 namespace {

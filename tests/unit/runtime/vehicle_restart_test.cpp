@@ -126,6 +126,12 @@ TEST_F(VehicleRestart, AfterALittleLessThanHalfADayTheMissionIsOver) {
   expectLeft("the outage was too long");
 }
 
+TEST_F(VehicleRestart, WhoMayContinueAfterADayDoes) {
+  mission_.mission.resume_within = 24 * 3600;
+  outage(60 + 13 * 3600);
+  EXPECT_THAT(logCsv(), HasSubstr("mission resumed"));
+}
+
 TEST_F(VehicleRestart, SeveralRestartsInOneOutageAreAsOne) {
   boot(vehicle_);
   vehicle_.run(60);

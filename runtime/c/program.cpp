@@ -20,9 +20,6 @@ namespace {
 /// The default of the mission language, s.
 constexpr double kResumeWithin = 300;
 
-/// The vehicle is at the surface at this depth or above, cm.
-constexpr uint32_t kStartDepth = 200;
-
 /// The number of doubles that hold `bytes` bytes.
 uint32_t slotsFor(size_t bytes) {
   return static_cast<uint32_t>((bytes + sizeof(double) - 1) / sizeof(double));
@@ -57,7 +54,6 @@ Program::Program()
   mission_.states = states_;
   mission_.sensors = sensors_;  // what the program does is in its own code, between the ticks
   mission_.resume_within = kResumeWithin;
-  mission_.start_depth_cm = kStartDepth;
   mission_.compass = &compass_;
   mission_.dictionary = gliderVehicle.dictionary;
   wanted_.mission = &nothing_;
@@ -82,9 +78,6 @@ bool Program::use(uint32_t sensor) {
 }
 
 void Program::open() {
-  if (!use(gliderVehicle.dictionary->roles[kGliderRoleDepth])) {
-    mission_.start_depth_cm = 0;  // there is no room for it
-  }
   (void)use(compass_.variation);  // if there is no room for it, the declination is used
   hooks::ClientOptions options;
   options.mission_name = link_.mission_name;
@@ -173,7 +166,6 @@ bool Program::takeTick() {
     tryToGoOn(tick, sbc_time);
   }
   const ControlNews news = control_.observe(tick);
-  const bool may_begin = !started_ && mayBegin(tick);
   for (uint32_t i = 0; i < tick.reading_count; ++i) {
     updates_[i] = {tick.readings[i].value, tick.readings[i].id, 0};
   }
@@ -182,7 +174,7 @@ bool Program::takeTick() {
   if (started_) {
     const double time = clock_.atFrame(tick.vehicle_time_s, tick.cycle, sbc_time);
     gliderStep(context_, time, updates_, tick.reading_count);
-  } else if (may_begin) {
+  } else if (!persistence_->isUndecided() && !control_.released() && control_.mayTake()) {
     start(tick.vehicle_time_s, sbc_time);
   }
   if (started_) {
@@ -191,18 +183,6 @@ bool Program::takeTick() {
     link_log_->unanswered(*context_, tick);
   }
   return started_ && !finished_;
-}
-
-/// Of a mission that does not continue from a checkpoint.
-bool Program::mayBegin(const hooks::VehicleTick& tick) {
-  const bool at_surface = start_depth_.look(tick);  // of every tick
-  if (persistence_->isUndecided() || control_.released() || !control_.mayTake()) {
-    return false;
-  }
-  if (start_depth_.takeWaiting()) {
-    persistence_->waits(start_depth_.depth());
-  }
-  return at_surface;
 }
 
 void Program::start(double vehicle_time, double sbc_time) {

@@ -11,7 +11,6 @@
 #include "runtime/core/link_log.h"
 #include "runtime/core/mission_clock.h"
 #include "runtime/core/persistence.h"
-#include "runtime/core/start_depth.h"
 #include "runtime/log/mission_log.h"
 
 /// The one mission of a C program: what GliderRuntime is for a compiled one, but the program's own
@@ -98,7 +97,6 @@ class Program {
   bool takeTick();
   bool tickOfClockAlone();
   void tryToGoOn(const hooks::VehicleTick& tick, double sbc_time);
-  bool mayBegin(const hooks::VehicleTick& tick);
   void start(double vehicle_time, double sbc_time);
   void record();
   void tellNow();
@@ -124,7 +122,6 @@ class Program {
   hooks::Client* client_ = nullptr;  ///< made when the sensors are known: at the first tick
   Control control_;
   MissionClock clock_;
-  StartDepth start_depth_{mission_};
   alignas(MissionLog) uint8_t log_memory_[sizeof(MissionLog)] = {};
   MissionLog* log_ = nullptr;
   alignas(LinkLog) uint8_t link_log_memory_[sizeof(LinkLog)] = {};

@@ -106,11 +106,10 @@ TEST(WatchedOverCuts, SeveralCutsAreAllNamed) {
 }
 
 TEST(WatchedOverCuts, TheTimeOfTheOutageCounts) {
-  const RestartFlight late =
-      flyRestarts(inTurn("require exit within 61 min\n"), cuts({{3550, 3800}}), kFlight);
+  const FlyingMission mission = inTurn("resume within 15 min\nrequire exit within 70 min\n");
+  const RestartFlight late = flyRestarts(mission, cuts({{3590, 4300}}), kFlight);
   ASSERT_EQ(late.violations.size(), 1U) << "the first tick after the outage";
-  const RestartFlight early =
-      flyRestarts(inTurn("require exit within 61 min\n"), cuts({{2000, 2250}}), kFlight);
+  const RestartFlight early = flyRestarts(mission, cuts({{1000, 1710}}), kFlight);
   EXPECT_TRUE(early.violations.empty());
 }
 
@@ -121,11 +120,12 @@ TEST(WatchedOverCuts, AMissionThatIsOverViolatesNothingMore) {
   EXPECT_TRUE(flight.violations.empty());
 }
 
+/// The thermocline is at 14 m.
 TEST(WatchedOverCuts, AssumptionsAreWatchedToo) {
-  const RestartFlight flight = flyRestarts(inTurn("assume depth <= 12 m || missiontime < 40 min\n"),
-                                           cuts({{1500, 1540}}), kFlight);
+  const RestartFlight flight =
+      flyRestarts(inTurn("assume temp >= 20 degC\n"), cuts({{60, 100}}), kFlight);
   ASSERT_EQ(flight.violations.size(), 1U);
-  EXPECT_GT(flight.violations[0].mission_time, 2400);
+  EXPECT_GT(flight.violations[0].mission_time, 100);
   EXPECT_THAT(flight.violations[0].after, HasSubstr("outage"));
 }
 

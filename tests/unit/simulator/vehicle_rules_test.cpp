@@ -129,13 +129,15 @@ TEST(VehicleRules, AUtcTimeComesOnce) {
 }
 
 TEST(VehicleRules, ABArgOfAMillionIsAMissionParameterReadWhenItIsUsed) {
-  BehaviourBench heading("behavior: set_heading\n b_arg: heading_value(X) 1000009\n");
+  BehaviourBench heading(
+      "behavior: set_heading\n b_arg: use_heading(bool) 1\n b_arg: heading_value(X) 1000009\n");
   heading.run({});
   EXPECT_EQ(heading.commands.heading->value_rad, 0) << "never set";
   heading.variables->set("u_mission_param_j", 1.25);
   heading.run({});
   EXPECT_EQ(heading.commands.heading->value_rad, 1.25);
-  BehaviourBench last("behavior: set_heading\n b_arg: heading_value(X) 1000025\n");
+  BehaviourBench last(
+      "behavior: set_heading\n b_arg: use_heading(bool) 1\n b_arg: heading_value(X) 1000025\n");
   last.variables->set("u_mission_param_z", 0.5);
   last.run({});
   EXPECT_EQ(last.commands.heading->value_rad, 0.5);

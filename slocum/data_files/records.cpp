@@ -64,8 +64,15 @@ class RecordDecoder {
     position_ = begin;
     hole_after_ = hole_after;
     in_a_row_ = 0;
-    if (file_.end_mark || file_.damage.size() >= kMostDamage || (after_hole && !resume(begin))) {
+    if (file_.end_mark || file_.damage.size() >= kMostDamage) {
       return;
+    }
+    if (after_hole) {
+      const size_t found = nextRecords(begin);
+      if (found == content_.size()) {
+        return;
+      }
+      goOn(found);
     }
     while (next() || readsOn()) {
     }
@@ -109,35 +116,34 @@ class RecordDecoder {
     return false;
   }
 
-  /// After damage: goes on where records begin again. What the record before it holds may be
-  /// damaged too.
+  /// After damage: goes on where records begin again. What was read before it may be damaged too.
   bool readsOn() {
     if (!std::exchange(is_damaged_, false) || file_.damage.size() >= kMostDamage) {
       return false;
     }
-    const bool drops = in_a_row_ > 0;
-    if (!resume(position_ + 1)) {
+    const size_t found = nextRecords(position_ + 1);
+    if (found == content_.size()) {
       return false;
     }
-    if (drops) {
-      dropLast();
-    }
+    dropDamaged();
+    goOn(found);
     file_.damage.back().what += fmt::format("; reading continues at byte {}", position_);
     return true;
   }
 
-  /// Finds the next records from byte `begin` on.
-  bool resume(size_t begin) {
-    for (size_t at = content_.find(kRecord, begin); at != std::string_view::npos;
-         at = content_.find(kRecord, at + 1)) {
-      if (areRecords(at)) {
-        position_ = at;
-        in_a_row_ = 0;
-        file_.breaks.push_back(file_.records);
-        return true;
-      }
+  /// The byte from `begin` on at which records begin; the size of the content if there is none.
+  [[nodiscard]] size_t nextRecords(size_t begin) const {
+    size_t at = content_.find(kRecord, begin);
+    while (at != std::string_view::npos && !areRecords(at)) {
+      at = content_.find(kRecord, at + 1);
     }
-    return false;
+    return std::min(at, content_.size());
+  }
+
+  void goOn(size_t at) {
+    position_ = at;
+    in_a_row_ = 0;
+    file_.breaks.push_back(file_.records);
   }
 
   /// Whether the bytes from `at` on are records.
@@ -152,7 +158,8 @@ class RecordDecoder {
       }
       const auto* states = reinterpret_cast<const uint8_t*>(content_.data() + at + 1);
       const size_t values = sizeOfValues(states);
-      if (hasReserved(states) || room - file_.header.state_bytes < values || !isInTime(states)) {
+      if (hasReserved(states) || room - file_.header.state_bytes < values || !isInTime(states) ||
+          (count == 0 && !hasTime(states))) {
         return false;
       }
       at += 1 + file_.header.state_bytes + values;
@@ -181,13 +188,43 @@ class RecordDecoder {
                        [&](double known) { return std::fabs(time - known) < kFurthestTime; });
   }
 
-  /// Takes back the last record; the break after it moves with it.
+  /// Whether a record has a new time; true if the file has no clock.
+  [[nodiscard]] bool hasTime(const uint8_t* states) const {
+    const bool is_new =
+        clock_ < file_.columns.size() && (states[clock_ / 4] >> (6U - 2U * (clock_ % 4)) & 2U) != 0;
+    return is_new || clock_ == file_.columns.size();
+  }
+
+  /// Takes back what may be damaged: records without a time of their own, which damage can look
+  /// like, and one before them, in which it may have begun.
+  void dropDamaged() {
+    while (in_a_row_ > 0 && !lastIsInTime()) {
+      dropLast();
+    }
+    if (in_a_row_ > 0) {
+      dropLast();
+    }
+  }
+
+  [[nodiscard]] const uint8_t* lastStates() const {
+    return file_.states.data() + file_.states.size() - file_.header.state_bytes;
+  }
+
+  /// Whether the last record has a time near those before it.
+  [[nodiscard]] bool lastIsInTime() const {
+    if (clock_ == file_.columns.size()) {
+      return true;
+    }
+    const std::vector<double>& times = file_.columns[clock_].values;
+    return hasTime(lastStates()) &&
+           (times.size() < 2 || std::fabs(times.back() - times[times.size() - 2]) < kFurthestTime);
+  }
+
   void dropLast() {
-    const uint8_t* states = file_.states.data() + file_.states.size() - file_.header.state_bytes;
-    forEachNew(states, [&](size_t index) { file_.columns[index].values.pop_back(); });
+    forEachNew(lastStates(), [&](size_t index) { file_.columns[index].values.pop_back(); });
     file_.states.resize(file_.states.size() - file_.header.state_bytes);
     --file_.records;
-    --file_.breaks.back();
+    --in_a_row_;
   }
 
   /// The states of the 32 sensors from byte `at` on, the first in the top bits; those after the

@@ -13,8 +13,8 @@ namespace glider::slocum {
 /// Decodes the records of `content` from byte `begin` on into `file`, whose header, byte order and
 /// columns are known, up to the end mark or the end of the content. Content is missing at the bytes
 /// `holes`. After damage or a hole it goes on with the next bytes that are several records in a row
-/// (DataFile::breaks), if there are any. The record before damage is then left out: it may be where
-/// the damage begins.
+/// (DataFile::breaks), if there are any. The records before damage that it may have
+/// changed are then left out.
 void decodeRecords(std::string_view content, size_t begin, const std::vector<size_t>& holes,
                    DataFile& file);
 

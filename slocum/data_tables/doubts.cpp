@@ -29,6 +29,11 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kYear2000 = 946684800, kYear2100 = 4102444800;
 constexpr double kFurthest = 60 * 86400.0;  // s from the middle of a file
 
+/// Whether a time can be written as a date.
+bool isOfUtc(double time) {
+  return std::fabs(time) < kYear2100;
+}
+
 bool isOfThisCentury(double time) {
   return time > kYear2000 && time < kYear2100;
 }
@@ -61,8 +66,8 @@ void leaveOutTimesOf(LogFile& file, std::vector<Failure>& warnings) {
   if (count > 0) {
     warnings.push_back(support::fail(DiagnosticId::timesLeftOut, file.path.string(), count,
                                      file.times.size() - file.first,
-                                     std::fabs(first) < 2 * kYear2100 ? support::utcText(first)
-                                                                      : fmt::format("{} s", first))
+                                     isOfUtc(first) ? support::utcText(first)
+                                                    : fmt::format("{} s since 1970", first))
                            .error());
   }
 }

@@ -26,7 +26,6 @@ class DriftAtDepth final : public StartedBehaviour {
  private:
   [[nodiscard]] bool within(const Situation& situation) const;
   void correct(const Situation& situation);
-
   void aim(const Situation& situation);
 
   Argument target_m_, target_altitude_m_, deadband_m_, start_distance_m_, hover_for_s_, step_cc_,

@@ -200,7 +200,7 @@ TEST(DamagedDataFile, WhatIsNotRecordsIsNotReadAsSome) {
     x = x * 1664525U + 1013904223U;
     noise += static_cast<char>(x >> 24U);
   }
-  for (const std::string& tail : {noise, std::string(5000, 'd'), std::string(5000, '\0')}) {
+  for (const std::string& tail : {noise, std::string(5000, '\0')}) {
     const DataFile file = damagedFile(whole.substr(0, middle) + tail);
     EXPECT_LE(file.records, 50U);
     EXPECT_EQ(file.breaks.size(), 0U);

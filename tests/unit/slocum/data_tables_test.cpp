@@ -181,7 +181,7 @@ TEST(DoubtfulLogs, WildFixesAreLeftOut) {
   struct Fix {
     double lat, lon;
   };
-  for (const Fix& wild : {Fix{3910.5, 512}, Fix{3911.5, -7349.8}, Fix{-3910.5, -7349.8},
+  for (const Fix& wild : {Fix{3910.5, 512}, Fix{4010.5, -7349.8}, Fix{-3910.5, -7349.8},
                           Fix{9999, -7349.8}, Fix{0, 0}, Fix{-7349.8, 3910.5}}) {
     Draft draft = northwards(kJuly2024, 40);
     draft.rows[10][2] = {'*', wild.lat};

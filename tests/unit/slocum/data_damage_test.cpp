@@ -123,9 +123,10 @@ std::string longFile(uint32_t count) {
                    {"m_lat", "lat", 8, true},
                    {"m_battery", "volts", 4, true}};
   for (uint32_t i = 0; i < count; ++i) {
-    const second::Cell battery =
-        i % 10 == 0 ? second::Cell{'*', 10.0 + i / 10} : second::Cell{'=', 10.0 + i / 10};
-    draft.rows.push_back({{'*', 1.7e9 + 4 * i}, {'*', i}, {'*', 3900 + i * 0.01}, battery});
+    const second::Cell battery = second::Cell{i % 10 == 0 ? '*' : '=', 10.0 + i / 10};
+    const double number = i;
+    draft.rows.push_back(
+        {{'*', 1.7e9 + 4 * number}, {'*', number}, {'*', 3900 + number * 0.01}, battery});
   }
   return write(draft);
 }
@@ -181,7 +182,7 @@ TEST(DamagedDataFile, IsReadOnAfterDamageInTheMiddle) {
 TEST(DamagedDataFile, IsReadOnAfterSeveralDamages) {
   std::string bytes = longFile(300);
   const size_t begin = bytes.find("sa\x34") + 16, size = bytes.size() - begin;
-  for (const size_t part : {2, 4, 6}) {
+  for (const size_t part : {2U, 4U, 6U}) {
     bytes.replace(begin + part * size / 8, 30, std::string(30, '\0'));
   }
   const DataFile file = damagedFile(bytes);

@@ -6,7 +6,6 @@
 #include "slocum/data_tables/csv.h"
 #include "slocum/data_tables/netcdf.h"
 #include "slocum/data_tables/summary.h"
-#include "support/diagnostics/catalogue.h"
 #include "tests/unit/slocum/data_bench.h"
 
 #include <algorithm>

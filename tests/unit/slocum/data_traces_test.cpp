@@ -585,7 +585,8 @@ TEST(FlightTrace, RecordsWithoutARightTimeAreNotDrawn) {
   ASSERT_TRUE(trace);
   EXPECT_EQ(trace->rowCount(), 19U);
   EXPECT_EQ(trace->log->utc_s, kStart);
-  EXPECT_LT(*std::ranges::max_element(column(*trace, "m_depth")), 20);
+  const Values depths = column(*trace, "m_depth");
+  EXPECT_LT(*std::ranges::max_element(depths), 20);
   EXPECT_EQ(trace->log->notes, std::vector<std::string>{
                                    "1 record is left out, because of a time that cannot be right"});
 }

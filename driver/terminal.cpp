@@ -41,6 +41,15 @@ int reportFailure(const support::Failure& failure) {
   return kWorldFailed;
 }
 
+void reportWarning(const support::Failure& warning) {
+  const auto& row = support::catalogueRow(warning.id);
+  tell(fmt::format("glidercc: warning: {} [{} {}]\n", warning.message, support::code(warning.id),
+                   row.slug));
+  if (!warning.hint.empty()) {
+    tell(fmt::format("  hint: {}\n", warning.hint));
+  }
+}
+
 void reportDiagnostics(const support::DiagnosticEngine& diagnostics,
                        const support::SourceManager& sources) {
   tell(support::render(diagnostics, sources, colourWanted()));

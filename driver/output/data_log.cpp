@@ -129,6 +129,7 @@ int showDataFiles(const DataLogOptions& options) {
   for (const std::string& why : logs.skipped) {
     tell("glidercc: note: " + why + "\n");
   }
+  std::ranges::for_each(logs.warnings, reportWarning);
   int status = kFine;
   if (!logs.files.empty()) {
     if (const auto shown = show(slocum::byVehicle(std::move(logs.files)), options); !shown) {

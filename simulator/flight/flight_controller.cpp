@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -277,8 +278,12 @@ Situation FlightController::situation(double now_s) {
   s.at_surface = s.depth_m < kSurfaceDepth;
   s.gps_fix = has_fix_;
   s.array = &array_;
-  (s.at_surface ? surfaced_s_ : submerged_s_) = s.time_s;
-  s.silent_s = s.time_s - surfaced_s_;
+  if (!s.at_surface) {
+    submerged_s_ = s.time_s;
+  }
+  tickled_s_ = has_fix_ ? s.time_s : tickled_s_;
+  s.silent_s = s.time_s - contact_s_;
+  s.untickled_s = s.time_s - std::max(tickled_s_, contact_s_);
   s.utc_s = array_.get(Sensor::m_present_time);
   s.mission_mode = variables_.get("u_mission_mode");
   s.science_wants_surface = variables_.get("sci_wants_surface") != 0;
@@ -376,7 +381,7 @@ void FlightController::restart(double now_s, bool keeps_array) {
   inflections_ = 0;
   mission_start_s_ = now_s;
   cycles_ = 0;
-  surfaced_s_ = submerged_s_ = 0;
+  contact_s_ = tickled_s_ = submerged_s_ = 0;
   obeyed_ = {};
   obeyed_sequence_ = kNaN;
 }
@@ -417,6 +422,7 @@ void FlightController::failDevice(double now_s) {
 Commands FlightController::decide(const Situation& s) {
   if (abort_ == Abort::None) {
     LayeredControl::Decision decision = layers_->cycle(s, journal_);
+    contact_s_ = layers_->contact() ? s.time_s : contact_s_;
     commanded_whole_ = !decision.commands.anyIdle();
     sample_periods_ = simulator::samplePeriods(decision.commands.samples, variables_);
     if (decision.abort == Abort::None && !layers_->quit()) {

@@ -147,9 +147,9 @@ class FlightController {
   double cycle_s_;
 
   uint32_t cycles_ = 0;
-  double last_depth_ = 0, depth_rate_ = 0;  ///< as computed by the vehicle itself
-  double pressed_s_ = 0;                    ///< when the pressure was last read
-  double surfaced_s_ = 0, submerged_s_ = 0;
+  double last_depth_ = 0, depth_rate_ = 0;                  ///< as computed by the vehicle itself
+  double pressed_s_ = 0;                                    ///< when the pressure was last read
+  double contact_s_ = 0, tickled_s_ = 0, submerged_s_ = 0;  ///< when last; of the mission
   double mission_start_s_ = 0;
   std::optional<Geography> geography_;  ///< of the place where the mission started
   Planar origin_;                       ///< that place, from where the flight started

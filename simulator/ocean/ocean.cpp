@@ -14,6 +14,13 @@ constexpr double kTurn = 2 * std::numbers::pi;
 // A wave higher than the layer below it would fold the water over.
 constexpr double kHighestShareOfLayer = 0.95;
 
+double compression(double pressure_pa) {
+  // The secant bulk modulus, Pa, and its increase with pressure. Other temperatures and salinities
+  // of the sea change the density at 1000 m by 0.1 kg/m3.
+  constexpr double kModulus = 2.26951e9, kIncrease = 3.37534;
+  return 1 / (1 - pressure_pa / (kModulus + kIncrease * pressure_pa));
+}
+
 Ocean::Wave Ocean::wave(double x, double t, double water_depth) const {
   const WaveSettings& w = settings_.wave;
   const double lower_layer = std::max(water_depth - settings_.thermocline_depth_m, 0.0);
@@ -60,8 +67,11 @@ double Ocean::temperature(double z, double x, double y, double t) const {
 }
 
 double Ocean::density(double z, double x, double y, double t) const {
+  constexpr double kPascalPerMetre = 1e4;  // as in the vehicle: 0.1 bar
   const double step = settings_.density_step;
-  return step == 0 ? settings_.density : settings_.density + step * (0.5 - upperShare(z, x, y, t));
+  const double free =
+      step == 0 ? settings_.density : settings_.density + step * (0.5 - upperShare(z, x, y, t));
+  return free * compression(z * kPascalPerMetre);
 }
 
 Planar Ocean::current(double z, double x, double y) const {

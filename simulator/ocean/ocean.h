@@ -8,6 +8,10 @@
 
 namespace glider::simulator {
 
+/// The factor by which sea water is denser under `pressure_pa` than at the surface: UNESCO 1983
+/// (Fofonoff and Millard) at 35 and 10 degC.
+double compression(double pressure_pa);
+
 /// The true ocean. Depth z in m down, x and y in m east and north of the world's origin, t in s
 /// since the world began. T(z) = Tb + (Ts - Tb)/2 (1 - tanh((z - z0 - eta)/d)), and a step across
 /// the front; eta(z, x, t) has the shape of the lowest mode between two layers: full at the
@@ -18,7 +22,8 @@ class Ocean {
   explicit Ocean(const OceanSettings& settings) : settings_(settings), bottom_(settings.bottom) {}
 
   [[nodiscard]] double temperature(double z, double x, double y, double t) const;  ///< degC
-  [[nodiscard]] double density(double z, double x, double y, double t) const;      ///< kg/m3
+  /// In situ, kg/m3: that of the layers at no pressure, and compressed by the water above.
+  [[nodiscard]] double density(double z, double x, double y, double t) const;
   [[nodiscard]] Planar current(double z, double x, double y) const;
   /// The water's own speed up (m/s) as the wave passes.
   [[nodiscard]] double verticalCurrent(double z, double x, double y, double t) const;

@@ -53,7 +53,7 @@ struct OceanSettings {
   double thermocline_thickness_m = 3;  ///< scale d of the tanh
   WaveSettings wave;
   FrontSettings front;
-  double density = 1025;    ///< kg/m3, in the middle of the thermocline
+  double density = 1025;    ///< kg/m3 at no pressure, in the middle of the thermocline
   double density_step = 0;  ///< kg/m3, denser below the thermocline than above it
   Planar current;           ///< at the surface
   Planar bottom_current;    ///< at the bottom; linear between the two

@@ -54,7 +54,8 @@ TEST(WholeGoldens, SayWhatMayStayUnderWater) {
 }
 
 constexpr const char* kYo = "behavior: yo\n";
-constexpr const char* kHeading = "behavior: set_heading\nb_arg: heading_value(X) 1\n";
+constexpr const char* kHeading =
+    "behavior: set_heading\nb_arg: use_heading(bool) 1\nb_arg: heading_value(X) 1\n";
 
 /// What stands below a hookbeh that never gets control and a surface behaviour that starts within
 /// an hour, and whether a slot is idle in some cycle.

@@ -3,6 +3,7 @@
 
 #include "simulator/scenario/scenario.h"
 
+#include "simulator/flight/argument_values.h"
 #include "simulator/flight/mission_variables.h"
 #include "simulator/flight/skeleton.h"
 #include "slocum/mission_files/read.h"
@@ -368,9 +369,11 @@ TEST(Skeleton, RefusesWhatTheSimulatorCannotFly) {
   EXPECT_EQ(check("behavior: prepare_to_dive\n b_arg: start_when(enum) 6\n"), "GL5107");
   EXPECT_EQ(check("behavior: yo\n b_arg: d_pitch_value(X) -26\n"), "GL5107");
   EXPECT_EQ(check("behavior: hookbeh\n b_arg: silence_secs(s) 1\n"), "GL5107");
-  EXPECT_EQ(check("behavior: hookbeh\nbehavior: hookbeh\n"), "GL5105");
+  EXPECT_EQ(check("behavior: hookbeh\nbehavior: hookbeh\n"), "GL5208");
   EXPECT_EQ(check(""), "GL5108");
-  // accepts: GL5103 GL5107 GL5108
+  EXPECT_EQ(check("sensor: c_alt_time(sec) 4\n"), "GL5205") << "settings, for loadmission";
+  EXPECT_EQ(check("name unit_999\n"), "GL5205");
+  // accepts: GL5103 GL5107 GL5108 GL5205 GL5208
   EXPECT_EQ(check("behavior: yo\n b_arg: start_when(enum) 2\n b_arg: d_pitch_value(X) -0.4538\n"),
             "");
 }
@@ -388,6 +391,45 @@ TEST(Skeleton, WarnsOfWhatHasNoEffect) {
   EXPECT_EQ(check("sensor: u_mission_param_a(X) 1\nbehavior: yo\n"), "") << "it is read";
   EXPECT_EQ(check("behavior: yo\n b_arg: d_use_thruster(enum) 0\n"),
             "");  // accepts: GL5110 GL5111 GL5116
+}
+
+TEST(Skeleton, APositionOfTheBatteryIsClippedAsByTheVehicle) {
+  const std::string yo = "behavior: yo\n b_arg: d_use_pitch(enum) 1\n";
+  EXPECT_EQ(check(yo + " b_arg: d_pitch_value(X) 3\n"), "GL5206") << "a warning";
+  EXPECT_EQ(check(yo + " b_arg: d_pitch_value(X) -1.43\n"), "GL5206");
+  EXPECT_EQ(check(yo + " b_arg: d_pitch_value(X) 1.4\n"), "");  // accepts: GL5206
+  EXPECT_EQ(check("behavior: yo\n b_arg: d_pitch_value(X) 1.3\n"), "GL5107") << "an angle";
+  EXPECT_EQ(check("behavior: dive_to\n b_arg: pitch_value(X) 2\n"), "GL5206")
+      << "a battery position, by default";
+  EXPECT_EQ(check("behavior: drift_at_depth\n b_arg: use_pitch(enum) 3\n"
+                  " b_arg: pitch_value(X) 2\n"),
+            "GL5107");
+  EXPECT_EQ(check("behavior: surface\n b_arg: c_pitch_value(X) 26\n"), "GL5107") << "degrees";
+  const auto platform =
+      platforms::loadPlatform(fs::path(GLIDER_SOURCE_DIR) / "platforms/slocum.toml");
+  ASSERT_TRUE(platform);
+  EXPECT_EQ(kBatteryTravelIn, platform->motion->pitch_battery_limit_in);
+}
+
+TEST(Skeleton, FliesTheCodesThatTheVehicleHas) {
+  const std::string heading = "behavior: set_heading\n b_arg: heading_value(X) 1\n";
+  for (const int code : {1, 2, 5, 6, 7, 8, 15}) {
+    EXPECT_EQ(check(heading + fmt::format(" b_arg: use_heading(bool) 1\n"
+                                          " b_arg: stop_when(enum) {}\n",
+                                          code)),
+              "");
+  }
+  for (const int code : {2, 3, 5}) {
+    EXPECT_EQ(check(heading + fmt::format(" b_arg: use_heading(bool) {}\n", code)), "GL5116")
+        << "not simulated, and not refused";
+  }
+  EXPECT_EQ(check(heading), "GL5116") << "a bank, by default";
+  EXPECT_EQ(check(heading + " b_arg: use_heading(bool) 6\n"), "GL5107");
+  EXPECT_EQ(check("behavior: yo\n b_arg: start_diving(enum) 2\n"), "");
+  EXPECT_EQ(check("behavior: yo\n b_arg: d_use_bpump(enum) 5\n"), "GL5116");
+  EXPECT_EQ(check("behavior: compass_cal\nbehavior: yo\n"), "GL5110");
+  EXPECT_EQ(check("behavior: compass_cal\n b_arg: num_sample(nodim) 3\nbehavior: yo\n"),
+            "GL5104 GL5110");
 }
 
 TEST(Skeleton, WarnsOfInstrumentsThatItDoesNotHave) {
@@ -512,7 +554,7 @@ TEST(Autoexec, SettingsWithoutEffectAreNamedOnce) {
   folder.write("missions/autoexec.mi", "sensor: f_one(X) 1\n");
   EXPECT_EQ(folder.load().second, "GL5111 ");
   EXPECT_EQ(folder.rendered.find("nor have"), std::string::npos) << folder.rendered;
-  EXPECT_EQ(folder.load("missions/autoexec.mi").second, "GL5108 GL5111 ")
+  EXPECT_EQ(folder.load("missions/autoexec.mi").second, "GL5111 GL5205 ")
       << "it is read once also as the mission";
   folder.write("missions/autoexec.mi", "sensor: f_one 1\n");
   EXPECT_EQ(folder.load().second, "GL5100 ") << "an error there is one of the mission";

@@ -3,6 +3,7 @@
 
 #include "campaign/campaign.h"
 #include "codegen/digest.h"
+#include "driver/campaign_length.h"
 #include "driver/commands.h"
 #include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
@@ -237,6 +238,10 @@ int campaign(const campaign::CampaignOptions& options) {
   }
   if (auto measured = campaign::measureMissions(plan); !measured) {
     return reportFailure(measured.error());
+  }
+  if (auto ends = requireEnds(plan, options.scenario); !ends) {
+    reportFailure(ends.error());
+    return kMissionHasErrors;
   }
   return options.only ? flyOnly(plan, options) : flyThem(plan, options);
 }

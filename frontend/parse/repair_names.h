@@ -19,8 +19,7 @@ namespace glider::frontend {
 /// the `begin` after it is read as what it is.
 class NameRepair {
  public:
-  explicit NameRepair(SyntaxReporter& reporter)
-      : reporter_(reporter), source_(reporter.source()) {}
+  explicit NameRepair(SyntaxReporter& reporter) : reporter_(reporter), source_(reporter.source()) {}
 
   std::vector<Lexeme> run(const std::vector<Lexeme>& lexemes);
   /// Whether a name was left whose correct form the text does not contain: resolving names would
@@ -31,8 +30,8 @@ class NameRepair {
   /// The tokens that were written as a name.
   struct Slip {
     size_t begin = 0;
-    size_t end = 0;                ///< past the last
-    std::vector<Lexeme> words;     ///< letters, digits and `_` in one piece
+    size_t end = 0;             ///< past the last
+    std::vector<Lexeme> words;  ///< letters, digits and `_` in one piece
     [[nodiscard]] bool found() const { return end > begin; }
   };
 
@@ -57,7 +56,7 @@ class NameRepair {
   SyntaxReporter& reporter_;
   const Source& source_;
   std::vector<Lexeme> in_;
-  std::set<std::string, std::less<>> used_;     ///< after `goto` and `call`, or after `flightprofile`
+  std::set<std::string, std::less<>> used_;  ///< after `goto` and `call`, or after `flightprofile`
   std::set<std::string, std::less<>> defined_;  ///< states, profiles and routes with a good name
   std::set<std::string, std::less<>> joined_;   ///< what the headers with a slip would become
   bool guessed_ = false;

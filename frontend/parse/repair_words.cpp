@@ -128,26 +128,7 @@ std::vector<Lexeme> WordRepair::run(const std::vector<Lexeme>& lexemes) {
       i += position->count - 1;
       continue;
     }
-    if (const size_t taken = decimalComma(lexemes, i, out)) {
-      i += taken - 1;
-      continue;
-    }
-    if (const size_t taken = quotedText(lexemes, i, out)) {
-      i += taken - 1;
-      continue;
-    }
-    if (isBrace(lexeme)) {
-      brace(lexemes, i, out);
-      continue;
-    }
-    if (isOperatorInCapitals(lexemes, i, out)) {
-      const bool lists = last_keyword_ == GliderLexer::SENSORS;
-      if (auto kept = lists ? std::nullopt : capitals(lexeme)) {
-        out.push_back(*kept);
-        continue;
-      }
-    }
-    if (const size_t taken = barePair(lexemes, i, out)) {
+    if (const size_t taken = several(lexemes, i, out)) {
       i += taken - 1;
       continue;
     }
@@ -165,6 +146,26 @@ std::vector<Lexeme> WordRepair::run(const std::vector<Lexeme>& lexemes) {
     out.push_back(lexemes.back());
   }
   return out;
+}
+
+/// What is recognised by more than one token: how many it took, or 0.
+size_t WordRepair::several(const std::vector<Lexeme>& lexemes, size_t at,
+                           std::vector<Lexeme>& out) {
+  if (const size_t taken = decimalComma(lexemes, at, out)) {
+    return taken;
+  }
+  if (const size_t taken = quotedText(lexemes, at, out)) {
+    return taken;
+  }
+  if (isBrace(lexemes[at])) {
+    brace(lexemes, at, out);
+    return 1;
+  }
+  if (last_keyword_ != GliderLexer::SENSORS && isOperatorInCapitals(lexemes, at, out)) {
+    out.push_back(capitals(lexemes[at]));
+    return 1;
+  }
+  return barePair(lexemes, at, out);
 }
 
 /// `and` of `whenever and only when`, `or` of `or exit`: words, not operators.
@@ -332,13 +333,12 @@ bool WordRepair::isOperatorInCapitals(const std::vector<Lexeme>& lexemes, size_t
                                             GliderLexer::NOT_WORD, GliderLexer::MINUS}));
 }
 
-std::optional<Lexeme> WordRepair::capitals(const Lexeme& lexeme) {
+Lexeme WordRepair::capitals(const Lexeme& lexeme) {
   const bool both = reporter_.source().text(lexeme).front() == 'A';
   const std::string_view sign = both ? "&&" : "||";
   reporter_.at(lexeme, DiagnosticId::wordOperator, reporter_.source().text(lexeme), sign)
       .fix(reporter_.source().range(lexeme), std::string(sign));
-  return Lexeme{both ? uint32_t{GliderLexer::AND} : uint32_t{GliderLexer::OR}, lexeme.begin,
-                lexeme.end};
+  return {both ? uint32_t{GliderLexer::AND} : uint32_t{GliderLexer::OR}, lexeme.begin, lexeme.end};
 }
 
 /// In the arguments of a name a comma is missing between them, which ValueRepair reports.

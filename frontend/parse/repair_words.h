@@ -32,11 +32,12 @@ class WordRepair {
   /// `3355.2 1825.4`: the number of tokens in the pair, which was reported and written as one
   /// token; otherwise 0.
   size_t barePair(const std::vector<Lexeme>& lexemes, size_t at, std::vector<Lexeme>& out);
+  size_t several(const std::vector<Lexeme>& lexemes, size_t at, std::vector<Lexeme>& out);
   size_t decimalComma(const std::vector<Lexeme>& lexemes, size_t at, std::vector<Lexeme>& out);
   size_t quotedText(const std::vector<Lexeme>& lexemes, size_t at, std::vector<Lexeme>& out);
   [[nodiscard]] bool isOperatorInCapitals(const std::vector<Lexeme>& lexemes, size_t at,
                                           const std::vector<Lexeme>& out) const;
-  std::optional<Lexeme> capitals(const Lexeme& lexeme);
+  Lexeme capitals(const Lexeme& lexeme);
 
   /// What `{` and `}` stand for; the types are 0 for nothing.
   struct Braces {
@@ -61,7 +62,7 @@ class WordRepair {
   std::vector<bool> open_;
   uint32_t last_keyword_ = 0;
   std::map<size_t, uint32_t> closing_;  ///< a `}`, by its number, and the type of its meaning
-  uint32_t name_end_ = UINT32_MAX;  ///< where a name with foreign letters continues
+  uint32_t name_end_ = UINT32_MAX;      ///< where a name with foreign letters continues
 };
 
 }  // namespace glider::frontend

@@ -3,6 +3,7 @@
 
 // Suggested fixes, applied, give a mission without that error.
 
+#include "support/diagnostics/catalogue.h"
 #include "tests/unit/frontend/compile.h"
 
 #include <algorithm>

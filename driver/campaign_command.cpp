@@ -14,6 +14,8 @@
 #include "flights/launch_choice.h"
 #include "flights/sbc_choice.h"
 #include "flights/scenario_choice.h"
+#include "ir/prove/abstract/end_bound.h"
+#include "ir/prove/context/duration_text.h"
 #include "ir/text/print.h"
 #include "support/diagnostics/catalogue.h"
 #include "support/files.h"
@@ -25,6 +27,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -221,6 +224,40 @@ void chooseBoards(const campaign::CampaignOptions& options, campaign::CampaignPl
   }
 }
 
+using ir::prove::durationOf;
+
+/// The longest time that the mission may last without power cuts, s; none: not known.
+std::optional<double> longestOf(const campaign::CampaignMission& mission) {
+  if (mission.compiled == nullptr) {
+    return std::nullopt;
+  }
+  const ir::prove::ProofContext context(mission.compiled->checked->mission(), mission.platform);
+  return ir::prove::boundOf(context.withoutPowerCuts(), ir::prove::kLongestMission,
+                            ir::prove::Goal::Exit)
+      .by;
+}
+
+/// Checks that each mission of a measured plan ends within the scenario if nothing fails: otherwise
+/// every flight would count as a violation. GL9387.
+support::Result<void> requireEnds(const campaign::CampaignPlan& plan, const std::string& scenario) {
+  for (const campaign::CampaignMission& mission : plan.missions) {
+    const bool ends = mission.times.take_s <= 0 || mission.times.release_s > 0;
+    if (ends) {
+      continue;
+    }
+    const auto longest = longestOf(mission);
+    return support::fail(
+        support::DiagnosticId::scenarioTooShort, mission.file, durationOf(plan.scenario.duration_s),
+        scenario, longest ? fmt::format(": it may last {}", durationOf(*longest)) : "",
+        longest
+            ? fmt::format("copy the scenario, and set `duration_s` in the copy to at least {:.0f}",
+                          std::ceil(*longest))
+            : "copy the scenario, and set `duration_s` in the copy to longer than the mission "
+              "lasts; if it never ends, add a case with `exit`");
+  }
+  return {};
+}
+
 int campaign(const campaign::CampaignOptions& options) {
   campaign::CampaignPlan plan;
   plan.flights = options.flights;
@@ -237,6 +274,10 @@ int campaign(const campaign::CampaignOptions& options) {
   }
   if (auto measured = campaign::measureMissions(plan); !measured) {
     return reportFailure(measured.error());
+  }
+  if (auto ends = requireEnds(plan, options.scenario); !ends) {
+    reportFailure(ends.error());
+    return kMissionHasErrors;
   }
   return options.only ? flyOnly(plan, options) : flyThem(plan, options);
 }

@@ -62,6 +62,10 @@ std::vector<support::Diagnostic> judge(const support::Trace& trace, const Flown&
     flights::reportViolations(*flown.watch, trace, diagnostics);
   }
   report::reportFlight(trace, diagnostics);
+  report::reportRestless(trace,
+                         "a condition that is still true after a transition causes the next one: "
+                         "see the events for the cases, and `glidercc explain GL9378`",
+                         diagnostics);
   reportDiagnostics(diagnostics,
                     flown.mission != nullptr ? flown.mission->sources() : support::SourceManager());
   return diagnostics.sorted();

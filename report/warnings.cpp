@@ -252,11 +252,23 @@ void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics) {
   }
 }
 
+void reportRestless(const Trace& trace, const std::string& hint,
+                    support::DiagnosticEngine& diagnostics) {
+  constexpr double kShort_s = 300;
+  constexpr size_t kMany = 20;
+  if (const auto from = restlessFrom(trace, kMany, kShort_s)) {
+    diagnostics.report(
+        support::DiagnosticId::flightUnusual, {},
+        fmt::format("from {} on the mission changed its state {} times within {:.0f} min",
+                    timeText(trace, *from), kMany, kShort_s / 60),
+        hint);
+  }
+}
+
 void reportUnusual(const Trace& trace, const std::string& hint,
                    support::DiagnosticEngine& diagnostics) {
   using support::DiagnosticId;
-  constexpr double kSoon_s = 60, kShort_s = 300;
-  constexpr size_t kMany = 20;
+  constexpr double kSoon_s = 60;
   if (wasCutShort(trace)) {
     diagnostics.report(
         DiagnosticId::flightUnusual, {},
@@ -270,13 +282,7 @@ void reportUnusual(const Trace& trace, const std::string& hint,
         fmt::format("the mission ended {:.0f} s after it had taken control", *end - *control),
         hint);
   }
-  if (const auto from = restlessFrom(trace, kMany, kShort_s)) {
-    diagnostics.report(
-        DiagnosticId::flightUnusual, {},
-        fmt::format("from {} on the mission changed its state {} times within {:.0f} min",
-                    timeText(trace, *from), kMany, kShort_s / 60),
-        hint);
-  }
+  reportRestless(trace, hint, diagnostics);
 }
 
 std::vector<std::string> flightWarnings(const Trace& trace) {

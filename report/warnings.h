@@ -28,6 +28,10 @@ bool spokeTheProtocol(const support::Trace& trace);
 /// (GL5216). Of several of a kind only the first is reported, with their number.
 void reportFlight(const support::Trace& trace, support::DiagnosticEngine& diagnostics);
 
+/// Reports a mission that changed its state 20 times within 5 min (GL9378). `hint`: what to do.
+void reportRestless(const support::Trace& trace, const std::string& hint,
+                    support::DiagnosticEngine& diagnostics);
+
 /// Reports what hardly any mission is meant to do (GL9378): it had not ended when the simulated
 /// time was up, ended within a minute, or changed its state 20 times within 5 min. `hint`: what to
 /// do.

@@ -199,6 +199,9 @@ std::optional<ast::File> parse(const support::SourceManager& sources, uint32_t f
   if (repaired.parseable) {
     result = Parse(repaired.lexemes, reporter).run();
   }
+  if (!repaired.named) {
+    result.reset();
+  }
   if (reporter.full()) {
     reporter.at(lexemes.back(), DiagnosticId::tooManyErrors, SyntaxReporter::kMostMistakes);
   }

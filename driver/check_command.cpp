@@ -75,14 +75,18 @@ std::string stackLine(const report::CheckedMission& found) {
 constexpr unsigned kMostEffort = 100;
 constexpr double kLongestTimeout_s = 1e6;
 
-/// ", 3 requirements proved"; empty if the mission requires nothing.
+/// ", 3 requirements proved with skeleton.mi, in water of 35 m or more"; empty if the mission
+/// requires nothing.
 std::string provedLine(const report::CheckedMission& found) {
   const size_t all = found.requirements.size();
   const auto proved = static_cast<size_t>(
       std::ranges::count(found.requirements, "proved", &report::JudgedRequirement::verdict));
+  const std::string premise =
+      proved == 0 || found.vehicle_premise.empty() ? "" : " " + found.vehicle_premise;
   return all == 0       ? ""
-         : proved < all ? fmt::format(", {} of {} requirements proved", proved, all)
-                        : fmt::format(", {} requirement{} proved", all, all == 1 ? "" : "s");
+         : proved < all ? fmt::format(", {} of {} requirements proved{}", proved, all, premise)
+                        : fmt::format(", {} requirement{} proved{}", all, all == 1 ? "" : "s",
+                                      premise);
 }
 
 /// The line at the end of a mission that was checked.

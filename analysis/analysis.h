@@ -31,9 +31,9 @@
 /// on each board (missionBudgets), how the vehicle comes home without the SBC (wayHomeLines, and
 /// with the vehicle's mission file wholeOf), which of its commands hookbeh refuses (refusedLines),
 /// what a vehicle's own mission file does not allow (checkVehicleLimits, checkGuards,
-/// checkSameDepth, checkStart), what in it keeps hookbeh from flying (disturbances, unmetNeeds), what goes
-/// wrong in a flight in a scenario (reportTrialFlight), a simulated flight that violates a
-/// requirement (searchClosedLoop), what no requirement depends on (coverageOf), the replay of a
+/// checkSameDepth, checkStart), what in it keeps hookbeh from flying (disturbances, unmetNeeds),
+/// what goes wrong in a flight in a scenario (reportTrialFlight), a simulated flight that violates
+/// a requirement (searchClosedLoop), what no requirement depends on (coverageOf), the replay of a
 /// counterexample tick by tick (replayRun), a second check of the certificates of proofs (recheck),
 /// what it would have done with the readings of a vehicle's data files (runAgainstLogs), its graph
 /// (graphOf), its parameters (parameterRows), all of this for the crew (briefOf), and what differs

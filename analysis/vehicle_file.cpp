@@ -33,10 +33,10 @@ std::optional<double> limitOf(const BehaviourBlock& abend, const char* argument)
 
 AbortLimits abortsOf(const slocum::MissionFile& file) {
   const BehaviourBlock* abend = find(file, "abend");
-  return abend == nullptr ? AbortLimits()
-                          : AbortLimits{limitOf(*abend, "overdepth"), limitOf(*abend, "overtime"),
-                                        limitOf(*abend, "undervolts"),
-                                        limitOf(*abend, "samedepth_for")};
+  return abend == nullptr
+             ? AbortLimits()
+             : AbortLimits{limitOf(*abend, "overdepth"), limitOf(*abend, "overtime"),
+                           limitOf(*abend, "undervolts"), limitOf(*abend, "samedepth_for")};
 }
 
 }  // namespace

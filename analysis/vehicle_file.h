@@ -23,7 +23,7 @@ struct AbortLimits {
   std::optional<double> samedepth_for_s;  ///< under water, within 1 m
 };
 
-/// Where hookbeh makes the vehicle climb, whatever the SBC commands, and from when on it is ready.
+/// Where hookbeh makes the vehicle climb, for any command of the SBC, and from when on it is ready.
 struct GuardLimits {
   double greatest_depth_m = 0;
   double least_altitude_m = 0;  ///< negative: hookbeh uses no altimeter

@@ -60,7 +60,8 @@ class GuardCheck {
       if (layer.role != Role::Flies || !layer.deepest_m || !(*layer.deepest_m > 0)) {
         continue;
       }
-      const std::string dives = fmt::format("{} dives to {:.4g} m", layer.label(), *layer.deepest_m);
+      const std::string dives =
+          fmt::format("{} dives to {:.4g} m", layer.label(), *layer.deepest_m);
       const auto overdepth = file_.aborts.overdepth_m;
       if (overdepth && *layer.deepest_m + kSurelyPast_m > *overdepth) {
         diagnostics_.report(DiagnosticId::vehicleAborts, layer.range,
@@ -134,11 +135,10 @@ class GuardCheck {
         "(overdepth in {})",
         dive.who, dive.depth_m, surely ? "goes" : "may go", overshoot_,
         surely ? "allows nothing" : "aborts", *overdepth, file_.name);
-    diagnostics_.report(surely ? DiagnosticId::vehicleAborts : DiagnosticId::mayNotFollow,
-                        placeOf(dive), what,
-                        fmt::format("command at most {:.4g} m, or give overdepth {:.4g}",
-                                    std::max(0.0, *overdepth - overshoot_),
-                                    dive.depth_m + overshoot_));
+    diagnostics_.report(
+        surely ? DiagnosticId::vehicleAborts : DiagnosticId::mayNotFollow, placeOf(dive), what,
+        fmt::format("command at most {:.4g} m, or give overdepth {:.4g}",
+                    std::max(0.0, *overdepth - overshoot_), dive.depth_m + overshoot_));
   }
 
   [[nodiscard]] std::optional<ir::SensorId> sensorCalled(std::string_view alias) const {
@@ -195,12 +195,12 @@ class GuardCheck {
     const bool never = below <= least;
     diagnostics_.report(
         DiagnosticId::mayNotFollow, m_[c.guard].range.valid() ? m_[c.guard].range : c.range,
-        fmt::format("this case fires {:.3g} m above the bottom, and {} hookbeh makes the vehicle "
-                    "climb, at {:.4g} m (min_altitude in {})",
-                    below,
-                    never ? "before that"
-                          : "until the vehicle has turned it may have sunk so far that",
-                    least, file_.name),
+        fmt::format(
+            "this case fires {:.3g} m above the bottom, and {} hookbeh makes the vehicle "
+            "climb, at {:.4g} m (min_altitude in {})",
+            below,
+            never ? "before that" : "until the vehicle has turned it may have sunk so far that",
+            least, file_.name),
         fmt::format("compare with {:.4g} m or more, or lower min_altitude", least + kSinksOn_m));
   }
 

@@ -83,10 +83,10 @@ std::string provedLine(const report::CheckedMission& found) {
       std::ranges::count(found.requirements, "proved", &report::JudgedRequirement::verdict));
   const std::string premise =
       proved == 0 || found.vehicle_premise.empty() ? "" : " " + found.vehicle_premise;
-  return all == 0       ? ""
-         : proved < all ? fmt::format(", {} of {} requirements proved{}", proved, all, premise)
-                        : fmt::format(", {} requirement{} proved{}", all, all == 1 ? "" : "s",
-                                      premise);
+  return all == 0 ? ""
+         : proved < all
+             ? fmt::format(", {} of {} requirements proved{}", proved, all, premise)
+             : fmt::format(", {} requirement{} proved{}", all, all == 1 ? "" : "s", premise);
 }
 
 /// The line at the end of a mission that was checked.

@@ -196,9 +196,9 @@ std::vector<ir::Position> startsOf(const ir::Mission& mission,
 
 /// The vehicle's mission file, if `options` name one or a scenario; reports what it does not allow,
 /// and a start that the mission does not assume.
-Result<std::optional<Vehicle>> checkVehicle(
-    const CheckOptions& options, const Result<simulator::Scenario>& scenario,
-    compiler::Compilation& compilation) {
+Result<std::optional<Vehicle>> checkVehicle(const CheckOptions& options,
+                                            const Result<simulator::Scenario>& scenario,
+                                            compiler::Compilation& compilation) {
   std::optional<analysis::VehicleFile> vehicle = options.vehicle;
   if (!options.scenario.empty()) {
     if (!scenario) {
@@ -271,8 +271,8 @@ ir::prove::Options proverOptions(const CheckOptions& options, std::vector<ir::Po
 }
 
 /// What --report adds on one line each. `vehicle`: its mission file, if one was named.
-Result<void> tellReport(const std::optional<Vehicle>& vehicle,
-                        const ir::prove::Options& how, CheckedFile& file) {
+Result<void> tellReport(const std::optional<Vehicle>& vehicle, const ir::prove::Options& how,
+                        CheckedFile& file) {
   const compiler::Checked& checked = *file.compilation->checked;
   std::vector<Remark>& remarks = file.found.remarks;
   if (const auto coverage = analysis::coverageOf(checked, file.proved.requirements, how)) {
@@ -314,8 +314,8 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   }
   if (*vehicle) {
     tellWhole(**vehicle, options.report, file);
-    file.found.vehicle_premise = analysis::premiseWith(*compilation.checked, (*vehicle)->file,
-                                                       compilation.diagnostics);
+    file.found.vehicle_premise =
+        analysis::premiseWith(*compilation.checked, (*vehicle)->file, compilation.diagnostics);
   }
   if (!options.report) {
     return tellProved(nullptr, file);

@@ -36,8 +36,9 @@ enum class SurfaceEnd : uint8_t { Quit, WaitThenResume, Resume, DriftAway, WaitO
 struct Idle {
   bool heading = true, vertical = true;
   [[nodiscard]] std::string text() const {
-    return heading && vertical ? "heading, pitch and pump" : heading ? "the heading"
-                                                                     : "pitch and pump";
+    return heading && vertical ? "heading, pitch and pump"
+           : heading           ? "the heading"
+                               : "pitch and pump";
   }
 };
 
@@ -92,12 +93,15 @@ class Search {
     const auto end = static_cast<SurfaceEnd>(block.value("end_action"));
     return end == SurfaceEnd::Quit || end == SurfaceEnd::WaitThenQuit;
   }
-  [[nodiscard]] static double waits(const BehaviourBlock& block) {
+  [[nodiscard]] static bool waitsForKeys(const BehaviourBlock& block) {
     const auto end = static_cast<SurfaceEnd>(block.value("end_action"));
-    const bool keys = end == SurfaceEnd::WaitThenResume || end == SurfaceEnd::WaitOnce ||
-                      end == SurfaceEnd::WaitThenQuit;
+    return end == SurfaceEnd::WaitThenResume || end == SurfaceEnd::WaitOnce ||
+           end == SurfaceEnd::WaitThenQuit;
+  }
+  /// At the surface, s.
+  [[nodiscard]] static double waits(const BehaviourBlock& block) {
     return std::max(0.0, block.value("gps_wait_time")) +
-           (keys ? std::max(0.0, block.value("keystroke_wait_time")) : 0);
+           (waitsForKeys(block) ? std::max(0.0, block.value("keystroke_wait_time")) : 0);
   }
   [[nodiscard]] static std::string has(const BehaviourBlock& block,
                                        std::initializer_list<const char*> arguments) {
@@ -123,32 +127,31 @@ class Search {
   void atTheBeginning(const Layer& layer, const BehaviourBlock& block, double code) {
     const Idle idle = idleBelow(layer.number);
     const bool starts = code == 0 || (code == 1 && (idle.heading || idle.vertical)) ||
-                        (code == 3 && idle.heading) ||
-                        (isOneOf(code, {2, 4}) && idle.vertical);
+                        (code == 3 && idle.heading) || (isOneOf(code, {2, 4}) && idle.vertical);
     if (!starts) {
       idleLater(layer, block);
       return;
     }
-    const std::string why =
-        code == 0 ? has(block, {"start_when"})
-                  : fmt::format("{}: nothing below it commands {}", has(block, {"start_when"}),
-                                idle.text());
+    const std::string why = code == 0 ? has(block, {"start_when"})
+                                      : fmt::format("{}: nothing below it commands {}",
+                                                    has(block, {"start_when"}), idle.text());
     if (quits(block)) {
       add(Kind::Prevents, layer,
-          fmt::format("starts as soon as the vehicle's mission begins ({}), and {} it ends that "
+          fmt::format("({}) starts as soon as the vehicle's mission begins, and {} it ends that "
                       "mission ({})",
                       why, afterWait(block), has(block, {"end_action"})),
           "give it end_action 2, which resumes the mission");
     } else if (code == 0 && layer.number < hookbeh_) {
-      add(Kind::Prevents, layer,
-          fmt::format("stands above hookbeh and is always active ({})", why),
+      add(Kind::Prevents, layer, fmt::format("({}) stands above hookbeh and is always active", why),
           "give it another start_when, or move it below hookbeh");
-    } else if (layer.number < hookbeh_ && waits(block) > 0) {
+    } else if (layer.number < hookbeh_ && waitsForKeys(block)) {
+      // A wait for the GPS alone ends with the fix: the mission only begins a little later.
       add(Kind::Masks, layer,
-          fmt::format("starts as soon as the vehicle's mission begins ({}), and keeps it at the "
+          fmt::format("({}) starts as soon as the vehicle's mission begins, and keeps it at the "
                       "surface for up to {} ({}), although the SBC may have control",
-                      why, ir::prove::durationOf(waits(block)), waitArguments(block)),
-          "give it end_action 2 and gps_wait_time 0, or let the mission reckon with it");
+                      why, ir::prove::durationOf(waits(block)),
+                      has(block, {"end_action", "gps_wait_time", "keystroke_wait_time"})),
+          "give it end_action 2, which waits for no key, or let the mission allow for it");
     }
   }
   /// What flies below may be over before hookbeh is ready.
@@ -160,13 +163,15 @@ class Search {
                                                 : std::numeric_limits<double>::infinity();
       }
     }
-    if (quits(block) && legs_s < times_.starts()) {
+    const bool sees = block.value("start_when") != 3;  // which waits for the heading
+    if (quits(block) && sees && legs_s < times_.starts()) {
       add(Kind::Prevents, layer,
-          fmt::format("({}) starts when what flies below it is over, perhaps before hookbeh is ready "
-                      "({} after the vehicle's mission has begun), and at the surface it ends that "
-                      "mission ({})",
-                      has(block, {"start_when"}), ir::prove::durationOf(times_.starts()),
-                      has(block, {"end_action"})),
+          fmt::format(
+              "({}) starts when what flies below it is over, perhaps before hookbeh is ready "
+              "({} after the vehicle's mission has begun), and at the surface it ends that "
+              "mission ({})",
+              has(block, {"start_when"}), ir::prove::durationOf(times_.starts()),
+              has(block, {"end_action"})),
           "give it end_action 2, lower start_secs of hookbeh, or let more legs be flown");
     }
   }
@@ -175,12 +180,6 @@ class Search {
                ? fmt::format("at the latest {} later", ir::prove::durationOf(waits(block)))
                : std::string("at once");
   }
-  [[nodiscard]] static std::string waitArguments(const BehaviourBlock& block) {
-    const bool keys = waits(block) > std::max(0.0, block.value("gps_wait_time"));
-    return keys ? has(block, {"end_action", "gps_wait_time", "keystroke_wait_time"})
-                : has(block, {"gps_wait_time"});
-  }
-
   /// Codes that count seconds.
   void inTime(const Layer& layer, const BehaviourBlock& block, double code) {
     const double secs = block.value("when_secs");
@@ -200,7 +199,10 @@ class Search {
     const std::string state = times_.stateAt(first);
     ends(layer, block,
          fmt::format("({}) starts {}{}{}", has(block, {"start_when", "when_secs"}), after,
-                     state.empty() ? "" : code == 9 ? ", first " : ", ", state));
+                     state.empty() ? ""
+                     : code == 9   ? ", first "
+                                   : ", ",
+                     state));
   }
 
   void byAnEvent(const Layer& layer, const BehaviourBlock& block, double code) {
@@ -208,13 +210,13 @@ class Search {
       return;
     }
     const bool counts = isOneOf(code, {6, 9, 12});
-    const char* argument = counts                             ? "when_secs"
-                           : isOneOf(code, {7, 15, 17, 18})   ? "when_wpt_dist"
-                           : code == 13                       ? "when_utc_timestamp"
-                           : code == 16                       ? "when_num_inflections"
-                                                              : nullptr;
-    const std::string at = argument != nullptr ? has(block, {"start_when", argument})
-                                               : has(block, {"start_when"});
+    const char* argument = counts                           ? "when_secs"
+                           : isOneOf(code, {7, 15, 17, 18}) ? "when_wpt_dist"
+                           : code == 13                     ? "when_utc_timestamp"
+                           : code == 16                     ? "when_num_inflections"
+                                                            : nullptr;
+    const std::string at =
+        argument != nullptr ? has(block, {"start_when", argument}) : has(block, {"start_when"});
     ends(layer, block, fmt::format("({}) may start while the mission flies", at));
   }
 
@@ -234,8 +236,7 @@ class Search {
   // --- others above hookbeh ---
 
   void above(const Layer& layer, const BehaviourBlock& block) {
-    const double code =
-        block.name == "nop_cmds" ? 0 : block.name == "hookbeh" ? 5 : startOf(block);
+    const double code = block.name == "nop_cmds" ? 0 : block.name == "hookbeh" ? 5 : startOf(block);
     if (steers(block) && code != 5) {
       heading(layer, block, code);
     } else if (layer.role == Role::Flies && layer.deepest_m == 0.0 && code != 5) {
@@ -275,8 +276,7 @@ class Search {
       const BehaviourBlock& block = vehicle_.behaviours[i - 1];
       const double code = startOf(block);
       const bool starts = code == 0 || (code == 1 && (idle.heading || idle.vertical)) ||
-                          (code == 3 && idle.heading) ||
-                          (isOneOf(code, {2, 4}) && idle.vertical);
+                          (code == 3 && idle.heading) || (isOneOf(code, {2, 4}) && idle.vertical);
       if (block.lacks_file || !starts || block.name == "hookbeh") {
         continue;
       }
@@ -295,7 +295,7 @@ class Search {
   const std::vector<Layer>& layers_;
   const MissionTimes& times_;
   double fastest_m_s_;  ///< that it sinks and climbs
-  size_t hookbeh_;  ///< its number; 0: there is none
+  size_t hookbeh_;      ///< its number; 0: there is none
   std::vector<Disturbance> found_;
 };
 

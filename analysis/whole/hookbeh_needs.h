@@ -24,7 +24,7 @@ struct SensorNeed {
 };
 const std::vector<SensorNeed>& sensorNeeds();
 
-/// Those of `vehicle` that do not meet a row, with the behaviour or line that says so.
+/// Those of `vehicle` that do not meet a row, with the behaviour or line that sets it.
 std::vector<Doubt> unmetNeeds(const slocum::MissionFile& vehicle);
 
 }  // namespace glider::analysis

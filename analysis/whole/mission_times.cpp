@@ -19,8 +19,7 @@ MissionTimes::MissionTimes(const ir::Mission& mission, const platforms::Platform
     : starts_s_(starts_s) {
   const ir::prove::ProofContext proof_context(mission, platform);
   const ir::prove::ProofContext powered = proof_context.withoutPowerCuts();
-  const auto end =
-      ir::prove::boundOf(powered, ir::prove::kLongestMission, ir::prove::Goal::Exit);
+  const auto end = ir::prove::boundOf(powered, ir::prove::kLongestMission, ir::prove::Goal::Exit);
   ends_s_ = end.by;
   const auto bounds = ir::prove::boundsOfStates(powered, end);
   for (size_t i = 0; i < mission.states.size(); ++i) {

@@ -6,9 +6,9 @@
 
 #include "tests/support/command.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <string>
 #include <utility>
@@ -83,17 +83,16 @@ std::vector<Row> rows() {
        "GL3130", "climb: too deep"},
       {"a hover at max_depth", abend() + usual() + hookbeh("b_arg: max_depth(m) 20\n"),
        hover("25 min"), 120, "GL3130", "climb: too deep"},
-      {"a dive to overdepth",
-       "behavior: abend\nb_arg: overdepth(m) 40\n" + usual() + hookbeh(), yo(40), 120, "GL3125",
-       "MS_ABORT_OVERDEPTH"},
+      {"a dive to overdepth", "behavior: abend\nb_arg: overdepth(m) 40\n" + usual() + hookbeh(),
+       yo(40), 120, "GL3125", "MS_ABORT_OVERDEPTH"},
       {"an avoidance that comes too late", abend() + usual() + hookbeh(), avoids(4), 30, "GL3131",
        "climb: too near the bottom"},
       {"an avoidance in time", abend() + usual() + hookbeh(), avoids(9), 30, "", ""},
       {"a hover of an hour", abend() + usual() + hookbeh(), hover("1 h"), 120, "GL3125",
        "MS_ABORT_SAMEDEPTH"},
       {"a hover of half an hour", abend() + usual() + hookbeh(), hover("29 min"), 120, "", ""},
-      {"a hover of an hour that abend allows", abend("b_arg: samedepth_for(s) 3600\n") + usual() +
-           hookbeh(), hover("1 h"), 120, "", ""},
+      {"a hover of an hour that abend allows",
+       abend("b_arg: samedepth_for(s) 3600\n") + usual() + hookbeh(), hover("1 h"), 120, "", ""},
       {"a hover of an hour at the surface", abend() + usual() + hookbeh(),
        oneState("surfaced", "    case missiontime >= 1 h exit\n"), 120, "", ""},
       {"a surfacing every 20 min", abend() + surface(9, resumes(after_1200)) + usual() + hookbeh(),
@@ -107,9 +106,11 @@ std::vector<Row> rows() {
       {"a surfacing below hookbeh", abend() + usual() + hookbeh() + surface(9, resumes(after_1200)),
        yo(30), 120, "", ""},
       {"a heading above hookbeh",
-       abend() + "behavior: set_heading\nb_arg: use_heading(enum) 1\nb_arg: heading_value(X) 1\n"
-                 "b_arg: start_when(enum) 0\n" + usual() + hookbeh(), yo(30), 120, "GL3132",
-       "masks"},
+       abend() +
+           "behavior: set_heading\nb_arg: use_heading(enum) 1\nb_arg: heading_value(X) 1\n"
+           "b_arg: start_when(enum) 0\n" +
+           usual() + hookbeh(),
+       yo(30), 120, "GL3132", "masks"},
       {"quits before control", abend() + surface(1, "b_arg: end_action(enum) 0\n") + hookbeh(),
        yo(30), 120, "GL3133", "has ended normally"},
       {"quits in the middle",
@@ -117,10 +118,11 @@ std::vector<Row> rows() {
        yo(30), 120, "GL3133", "has ended normally"},
       {"ready after abend has aborted",
        "behavior: abend\nb_arg: overtime(s) 600\n" + usual() +
-           hookbeh("b_arg: start_secs(s) 900\n"), yo(20), 120, "GL3133", "MS_ABORT_OVERTIME"},
+           hookbeh("b_arg: start_secs(s) 900\n"),
+       yo(20), 120, "GL3133", "MS_ABORT_OVERTIME"},
       {"an altimeter that is never read",
-       abend() + usual() + hookbeh() + "behavior: sensors_in\nb_arg: c_alt_time(s) -1\n", yo(50), 200,
-       "GL3134", ""},
+       abend() + usual() + hookbeh() + "behavior: sensors_in\nb_arg: c_alt_time(s) -1\n", yo(50),
+       200, "GL3134", ""},
   };
 }
 

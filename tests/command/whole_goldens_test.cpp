@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Goldens of the vehicle's own mission files: below each, in lines that begin with `#| `, what
-// `check --mi` says of it on standard error; below a mission what `check --scenario default` says. A
-// line `# mission: NAME` names one of whole/missions.
-// expects: GL3130 GL3131 GL3132 GL3133 GL3134
+// `check --mi` says of it on standard error; below a mission what `check --scenario default` says.
+// A line `# mission: NAME` names one of whole/missions. expects: GL3130 GL3131 GL3132 GL3133 GL3134
 // accepts: GL3124 GL3125 GL3126 GL3130 GL3131 GL3132 GL3133 GL3134
 
 #include "tests/support/command.h"

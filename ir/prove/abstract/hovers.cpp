@@ -155,8 +155,7 @@ class HoverSearch {
  private:
   [[nodiscard]] LongHover hover(StateId id) {
     const double there = longest(id);
-    const double most =
-        end_.by ? std::max(0.0, *end_.by - entries_[id.index]) : kEndless;
+    const double most = end_.by ? std::max(0.0, *end_.by - entries_[id.index]) : kEndless;
     const Stays& one = *stays_[id.index];
     return {id, one.deep, std::min(there, most) - arrives(id), certain(id, one)};
   }
@@ -216,14 +215,13 @@ class HoverSearch {
       return c.transition == Transition::Call && c.target == id;
     };
     return std::ranges::any_of(m_[id].cases, enters) || std::ranges::any_of(m_.always, enters) ||
-           (returns && (std::ranges::any_of(m_[next].cases, calls) ||
-                        std::ranges::any_of(m_.always, calls)));
+           (returns &&
+            (std::ranges::any_of(m_[next].cases, calls) || std::ranges::any_of(m_.always, calls)));
   }
 
   /// Whether it is part of one that was found.
   [[nodiscard]] bool continues(StateId id, const std::vector<LongHover>& found) const {
-    return std::ranges::any_of(
-        found, [&](const LongHover& one) { return follows(id, one.state); });
+    return std::ranges::any_of(found, [&](const LongHover& one) { return follows(id, one.state); });
   }
 
   /// None if it may be at several depths, at the surface, or anywhere.
@@ -256,8 +254,8 @@ class HoverSearch {
   }
 
   [[nodiscard]] bool isOneTarget(ExprId a, ExprId b, const Interval& here) const {
-    const bool same = m_[a].op == Op::Variable && m_[b].op == Op::Variable &&
-                      m_[a].variable == m_[b].variable;
+    const bool same =
+        m_[a].op == Op::Variable && m_[b].op == Op::Variable && m_[a].variable == m_[b].variable;
     return here.lowest == here.highest || same;
   }
   /// Whether the target is a variable that nothing in the state sets.
@@ -268,8 +266,8 @@ class HoverSearch {
     bool kept = true;
     const auto look = [&](BlockId block) {
       forEachStatement(m_, block, [&](const Statement& statement) {
-        kept = kept && !(statement.kind == StatementKind::Set &&
-                         statement.variable == m_[target].variable);
+        kept = kept &&
+               !(statement.kind == StatementKind::Set && statement.variable == m_[target].variable);
       });
     };
     for (const auto* cases : {&m_.always, &state.cases, &state.profile.cases, &state.route.cases}) {

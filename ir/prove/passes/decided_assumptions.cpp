@@ -236,8 +236,8 @@ class DecidedCheck {
       return false;
     }
     const double fastest = proof_context_.platform.envelope.vertical_rate_m_s;
-    const double limit = row->alias == "depth"  ? fastest
-                         : isPressure(*row)     ? fastest / kMetresPerBar * sensor.to_si
+    const double limit = row->alias == "depth"   ? fastest
+                         : isPressure(*row)      ? fastest / kMetresPerBar * sensor.to_si
                          : row->alias == "pitch" ? 0  // how fast it turns is the vehicle's
                                                  : kAny;
     return a.limit < limit;
@@ -277,21 +277,19 @@ class DecidedCheck {
     if (why.empty()) {
       why.push_back(fmt::format("the pilot chooses {} at the launch", fmt::join(launched, ", ")));
     }
-    proof_.diagnostics.report(support::DiagnosticId::assumptionDecided, a.range, a.words,
-                              fmt::format("{}", fmt::join(why, ", and ")),
-                              counted.empty() && commanded.empty()
-                                  ? "narrow the range of the parameter instead"
-                              : commanded.empty()
-                                  ? "write `require exit within …` instead, so that it is proved; "
-                                    "assume only what the sea and the vehicle do"
-                                  : "write `require always …` instead, so that it is proved; "
-                                    "assume only what the sea and the vehicle do");
+    proof_.diagnostics.report(
+        support::DiagnosticId::assumptionDecided, a.range, a.words,
+        fmt::format("{}", fmt::join(why, ", and ")),
+        counted.empty() && commanded.empty() ? "narrow the range of the parameter instead"
+        : commanded.empty() ? "write `require exit within …` instead, so that it is proved; "
+                              "assume only what the sea and the vehicle do"
+                            : "write `require always …` instead, so that it is proved; "
+                              "assume only what the sea and the vehicle do");
   }
   /// ", which lead down to 25 m".
   [[nodiscard]] std::string upTo() const {
-    return std::isfinite(deepest_)
-               ? fmt::format(", and may lead to a depth of {:.4g} m", deepest_)
-               : "";
+    return std::isfinite(deepest_) ? fmt::format(", and may lead to a depth of {:.4g} m", deepest_)
+                                   : "";
   }
   [[nodiscard]] std::string nameOf(const Expr& e) const {
     return e.op == Op::Sensor     ? m_[e.sensor].name

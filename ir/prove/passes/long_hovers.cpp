@@ -23,8 +23,7 @@ void passes::longHovers(Proof& proof) {
     if (hover.certain_s > kUsualSameDepth) {
       const State& state = proof_context.mission[hover.state];
       proof.diagnostics.report(support::DiagnosticId::hoversLong, state.range, state.name,
-                               fmt::format("{:.4g} m", hover.depth_m),
-                               durationOf(kUsualSameDepth));
+                               fmt::format("{:.4g} m", hover.depth_m), durationOf(kUsualSameDepth));
     }
   }
 }

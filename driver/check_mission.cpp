@@ -168,7 +168,7 @@ Result<void> tellProved(const compiler::Optimised* flown, CheckedFile& file) {
     }
     const auto kind = file.compilation->checked->mission().requirements[verdict.requirement].kind;
     if (verdict.verdict == ir::prove::Verdict::Proved && isAboutTheFlight(kind)) {
-      const std::string& with = file.found.vehicle_premise;
+      const std::string& with = file.vehicle_premise;
       judged->premise += (judged->premise.empty() || with.empty() ? "" : "; ") + with;
     }
     file.found.requirements.push_back(std::move(*judged));
@@ -314,7 +314,7 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   }
   if (*vehicle) {
     tellWhole(**vehicle, options.report, file);
-    file.found.vehicle_premise =
+    file.vehicle_premise =
         analysis::premiseWith(*compilation.checked, (*vehicle)->file, compilation.diagnostics);
   }
   if (!options.report) {

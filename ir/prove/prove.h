@@ -59,10 +59,10 @@ struct Options {
   std::function<std::optional<CachedVerdict>(uint32_t)> cached;
   /// Called with the number of each requirement before it is checked; may be empty.
   std::function<void(uint32_t)> before_requirement = {};
-  /// What abend of the vehicle's mission file allows is known: its usual limits do not count.
-  bool knows_abend = false;
   /// Also give the evidence of each proof: RequirementVerdict::evidence. Not with `cached`.
   bool evidence = false;
+  /// What abend of the vehicle's mission file allows is known: its usual limits do not count.
+  bool knows_abend = false;
 };
 
 /// How a requirement was proved.

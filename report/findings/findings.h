@@ -67,9 +67,6 @@ struct CheckedMission {
   std::optional<support::Failure> failure;  ///< an I/O or system error: the check is incomplete
   std::string mission;                      ///< its name; empty if there are errors
   std::vector<std::string> states;
-  /// On what proofs rest with the vehicle's mission file: "with skeleton.mi, in water of 35 m or
-  /// more"; empty if none is named.
-  std::string vehicle_premise;
   std::vector<std::string> deepest_path;  ///< the states of a deepest call stack
   std::vector<Remark> remarks;
   std::vector<JudgedRequirement> requirements;  ///< empty if there are errors of another kind

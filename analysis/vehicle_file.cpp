@@ -31,9 +31,10 @@ std::optional<double> limitOf(const BehaviourBlock& abend, const char* argument)
 
 AbortLimits abortsOf(const slocum::MissionFile& file) {
   const BehaviourBlock* abend = find(file, "abend");
-  return abend == nullptr ? AbortLimits()
-                          : AbortLimits{limitOf(*abend, "overdepth"), limitOf(*abend, "overtime"),
-                                        limitOf(*abend, "undervolts")};
+  return abend == nullptr
+             ? AbortLimits()
+             : AbortLimits{limitOf(*abend, "overdepth"), limitOf(*abend, "overtime"),
+                           limitOf(*abend, "undervolts"), limitOf(*abend, "samedepth_for")};
 }
 
 }  // namespace
@@ -60,7 +61,8 @@ support::Result<VehicleFile> vehicleFileOf(const slocum::MissionFile& file,
                      {steepest, shallowest, deepest,
                       fmt::format("max_pitch {:.4g}, min_pitch {:.4g} and max_depth {:.4g} in {}",
                                   steepest, shallowest, deepest, name)},
-                     abortsOf(file)};
+                     abortsOf(file),
+                     {deepest, hookbeh->value("min_altitude"), hookbeh->value("start_secs")}};
 }
 
 support::Result<VehicleFile> vehicleFileOf(const std::string& path,

@@ -524,8 +524,8 @@ void passes::requirements(Proof& proof) {
   }
   const Mission mission = underAssumptions(plain.mission);
   const auto is_empty = [](const Sensor& sensor) { return sensor.lowest > sensor.highest; };
-  if (std::ranges::any_of(mission.sensors, is_empty)) {
-    return RequirementCheck(proof).run();  // GL3121 is reported: nothing can rest on such ranges
+  if (std::ranges::any_of(mission.sensors, is_empty) || !proof.decided_assumptions.empty()) {
+    return RequirementCheck(proof).run();  // GL3121 or GL3136 is reported: nothing rests on these
   }
   const platforms::Platform platform = underAssumptions(plain.platform, plain.mission);
   const ProofContext proof_context(mission, platform);

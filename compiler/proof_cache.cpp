@@ -9,9 +9,11 @@
 #include "support/files.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -24,7 +26,7 @@ using ir::prove::CachedVerdict;
 using ir::prove::RequirementVerdict;
 using ir::prove::Verdict;
 
-constexpr std::string_view kMagic = "glidercc proof 1";
+constexpr std::string_view kMagic = "glidercc proof 2";
 /// The number of files that are kept; a proof takes some hundred bytes.
 constexpr size_t kMostKept = 5000;
 /// The longest file that is read, in bytes: a longer one was not written by glidercc.
@@ -42,11 +44,12 @@ std::filesystem::path cacheFolder() {
   return home.is_absolute() ? home / ".cache" / "glidercc" / "proofs" : std::filesystem::path();
 }
 
-/// "KEY\nverdict\nwords\n" with its own digest, so that a part of a file, or the file of another
-/// key, is not accepted.
+/// "KEY\nverdict\nassumptions\nwords\n" with its own digest, so that a part of a file, or the file
+/// of another key, is not accepted.
 std::string written(const std::string& key, const RequirementVerdict& verdict) {
   const std::string body =
-      fmt::format("{}\n{}\n{}\n", key, ir::prove::word(verdict.verdict),
+      fmt::format("{}\n{}\n{}\n{}\n", key, ir::prove::word(verdict.verdict),
+                  fmt::join(verdict.assumptions, " "),
                   verdict.verdict == Verdict::Proved ? verdict.premise : verdict.reason);
   return fmt::format("{}\n{}\n{}", kMagic, digestOf(body), body);
 }
@@ -68,7 +71,12 @@ std::optional<CachedVerdict> readBack(const std::string& key, std::string_view t
   if (!proved && verdict != ir::prove::word(Verdict::Open)) {
     return std::nullopt;
   }
-  return CachedVerdict{proved ? Verdict::Proved : Verdict::Open, std::string(line())};
+  std::istringstream numbers{std::string(line())};
+  CachedVerdict found{proved ? Verdict::Proved : Verdict::Open, std::string(line())};
+  for (uint32_t number = 0; numbers >> number;) {
+    found.assumptions.push_back(number);
+  }
+  return found;
 }
 
 /// Removes the oldest files to make room for new ones.

@@ -29,8 +29,9 @@ const char* word(Verdict verdict);
 
 /// The verdict of an earlier check on a requirement.
 struct CachedVerdict {
-  Verdict verdict = Verdict::Open;  ///< proved or open
-  std::string words;                ///< RequirementVerdict::premise or reason
+  Verdict verdict = Verdict::Open;         ///< proved or open
+  std::string words;                       ///< RequirementVerdict::premise or reason
+  std::vector<uint32_t> assumptions = {};  ///< RequirementVerdict::assumptions
 };
 
 struct Options {
@@ -59,6 +60,8 @@ struct Options {
   std::function<std::optional<CachedVerdict>(uint32_t)> cached;
   /// Called with the number of each requirement before it is checked; may be empty.
   std::function<void(uint32_t)> before_requirement = {};
+  /// Name only the assumptions that a proof needs, not all on which it may rest.
+  bool premises = true;
   /// Also give the evidence of each proof: RequirementVerdict::evidence. Not with `cached`.
   bool evidence = false;
 };
@@ -98,8 +101,10 @@ struct RequirementVerdict {
   std::string reason = {};                ///< for an undecided one: why
   bool searched = false;                  ///< it took a search that may be long
   bool cached = false;                    ///< the verdict is from Options::cached
+  uint64_t steps = 0;                     ///< what the search of a proof took, in Z3's own count
   std::optional<Evidence> evidence = {};  ///< with Options::evidence, of a proof that has one
-  /// The numbers of the assumptions of the mission on which a proof may rest.
+  /// The numbers of the assumptions of the mission on which a proof rests: without any one of them
+  /// none was found.
   std::vector<uint32_t> assumptions = {};
 };
 

@@ -56,6 +56,8 @@ struct Options {
   std::function<std::optional<EarlierProof>(uint32_t)> earlier_proof;
   /// Called with the number of each requirement before it is checked; may be empty.
   std::function<void(uint32_t)> before_requirement = {};
+  /// Name only the assumptions that a proof needs, not all on which it may rest.
+  bool premises = true;
   /// Also give the evidence of each proof: RequirementVerdict::evidence. Not with
   /// `earlier_proof`.
   bool evidence = false;
@@ -98,8 +100,10 @@ struct RequirementVerdict {
   std::string reason = {};                ///< for an undecided one: why
   bool searched = false;                  ///< it took a search that may be long
   bool cached = false;                    ///< the proof is from Options::earlier_proof
+  uint64_t steps = 0;                     ///< what the search of a proof took, in Z3's own count
   std::optional<Evidence> evidence = {};  ///< of a proof that has one, if it is wanted
-  /// The numbers of the assumptions of the mission on which a proof may rest.
+  /// The numbers of the assumptions of the mission on which a proof rests: without any one of them
+  /// none was found.
   std::vector<uint32_t> assumptions = {};
 };
 

@@ -12,7 +12,9 @@
 #include "ir/prove/falsification/random_flight.h"
 #include "ir/prove/geometry/geofences.h"
 #include "ir/prove/passes.h"
+#include "ir/prove/passes/advice.h"
 #include "ir/prove/passes/insight.h"
+#include "ir/prove/passes/premises.h"
 #include "ir/prove/passes/violation_report.h"
 #include "support/diagnostics/catalogue.h"
 
@@ -20,6 +22,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -34,6 +39,11 @@ constexpr size_t kMostSearched = 30000;
 /// For a requirement without a time, s.
 constexpr double kLongFlight = 4 * 3600;
 
+/// What naming only the needed assumptions may take, beside what the proofs take.
+constexpr double kShareOfPremises = 0.25;
+
+class UnderSome;
+
 class RequirementCheck {
  public:
   /// `bare`: of the mission without its assumptions; null if it has none. It must outlive this.
@@ -41,6 +51,8 @@ class RequirementCheck {
       : proof_(proof),
         bare_(bare),
         m_(proof.proof_context.mission),
+        search_effort_(proof.options.run_effort),
+        premises_(budgetOf(proof.options, kShareOfPremises)),
         deepest_(std::ranges::max(deepestByState(proof.proof_context))) {}
 
   /// First what needs no search, then the searches. What a search has proved may prove others.
@@ -55,10 +67,7 @@ class RequirementCheck {
       verdicts.push_back(found.value_or(RequirementVerdict()));
       verdicts.back().requirement = i;
     }
-    for (uint32_t i = 0; i < m_.requirements.size(); ++i) {
-      if (!waiting_[i]) {
-        continue;
-      }
+    for (const uint32_t i : waitingInOrder()) {
       if (proof_.options.before_requirement) {
         proof_.options.before_requirement(i);
       }
@@ -74,16 +83,105 @@ class RequirementCheck {
     }
     for (RequirementVerdict& verdict : verdicts) {
       settle(verdict);
+      addPremises(verdict);
     }
     if (proof_.options.evidence) {
       addEvidence(verdicts);
     }
-    for (RequirementVerdict& verdict : verdicts) {
-      addPremises(verdict);
+  }
+
+  /// A proof under fewer assumptions.
+  struct Again {
+    bool proved = false;
+    std::optional<Evidence> evidence;
+  };
+
+  /// Whether what was proved under more assumptions, `was`, is proved under these too; `effort`:
+  /// the limit of a search. Nothing is reported.
+  Again provesAgain(const RequirementVerdict& was, unsigned effort) {
+    const Requirement& requirement = m_.requirements[was.requirement];
+    if (!requirement.geofences.empty()) {
+      const RequirementVerdict found = provedAreas(areasOf(requirement));
+      const bool proved = found.verdict == Verdict::Proved && found.premise == was.premise;
+      return {proved, std::nullopt};
+    }
+    if (provesAtOnce(was.requirement)) {
+      return {true,
+              proof_.options.evidence ? evidences().seen(requirement, false, false) : std::nullopt};
+    }
+    if (!was.searched) {
+      return {};
+    }
+    search_effort_ = effort;
+    Search found = search(requirement, insight().context());
+    if (found.answer.bad != Answer::No) {
+      return {};
+    }
+    return {true, wantsInvariants() ? std::optional(evidences().searched(
+                                          requirement, std::move(found.answer.invariants)))
+                                    : std::nullopt};
+  }
+
+  [[nodiscard]] Proof& proof() { return proof_; }
+
+ private:
+  /// The result of a question about all traces; `run` is a trace that was checked on the
+  /// interpreter.
+  struct Search {
+    RunsAnswer answer;
+    std::optional<Counterexample> run;
+  };
+
+  /// The requirements that a search has to decide. Of several `surfaces every`, what is proved of
+  /// one holds for every longer time, and what violates it violates every shorter: so the middle
+  /// one comes first, and few of them take a search.
+  [[nodiscard]] std::vector<uint32_t> waitingInOrder() const {
+    std::vector<uint32_t> order;
+    std::vector<uint32_t> surfacing;
+    for (uint32_t i = 0; i < m_.requirements.size(); ++i) {
+      if (waiting_[i]) {
+        order.push_back(i);
+        if (m_.requirements[i].kind == RequirementKind::SurfacesEvery) {
+          surfacing.push_back(i);
+        }
+      }
+    }
+    std::ranges::stable_sort(surfacing, {}, [&](uint32_t i) { return m_.requirements[i].seconds; });
+    std::vector<uint32_t> middle_first;
+    std::deque<std::pair<size_t, size_t>> parts{{0, surfacing.size()}};
+    for (; !parts.empty(); parts.pop_front()) {
+      const auto [from, to] = parts.front();
+      if (from < to) {
+        const size_t middle = (from + to) / 2;
+        middle_first.push_back(surfacing[middle]);
+        parts.emplace_back(from, middle);
+        parts.emplace_back(middle + 1, to);
+      }
+    }
+    size_t next = 0;
+    for (uint32_t& number : order) {
+      if (m_.requirements[number].kind == RequirementKind::SurfacesEvery) {
+        number = middle_first[next++];
+      }
+    }
+    return order;
+  }
+
+  /// The flight without power cuts that violated another `surfaces every`, as far as it violates
+  /// this one.
+  [[nodiscard]] std::optional<Counterexample> alsoSubmerged(const Requirement& requirement) const {
+    return requirement.kind == RequirementKind::SurfacesEvery && submerged_
+               ? concretize(*submerged_, proof_.proof_context, proof_.facts.stack_depth,
+                            requirement)
+               : std::nullopt;
+  }
+
+  void keepSubmerged(const Requirement& requirement, const Search& found) {
+    if (requirement.kind == RequirementKind::SurfacesEvery && found.run) {
+      submerged_ = found.answer.run;
     }
   }
 
- private:
   /// Without a search, and without a word where it is violated.
   [[nodiscard]] bool provesAtOnce(uint32_t number) {
     const Requirement& requirement = m_.requirements[number];
@@ -110,11 +208,12 @@ class RequirementCheck {
     }
   }
 
-  /// The assumptions that a proof may rest on.
+  /// The assumptions that a proof rests on: of those that it may rest on, the ones without which
+  /// none was found. A flight that reaches a state does so whatever is assumed.
   void addPremises(RequirementVerdict& verdict) {
     const uint32_t number = verdict.requirement;
     if (bare_ == nullptr || bare_proved_[number] || verdict.verdict != Verdict::Proved ||
-        verdict.cached) {
+        verdict.run || verdict.cached) {
       return;
     }
     for (uint32_t i = 0; i < m_.assumptions.size(); ++i) {
@@ -122,7 +221,15 @@ class RequirementCheck {
         verdict.assumptions.push_back(i);
       }
     }
+    if (!proof_.options.premises) {
+      return;
+    }
+    verdict.assumptions = neededAssumptions(
+        verdict.assumptions, [&](const auto& fewer) { return isProvedUnder(fewer, verdict); });
   }
+
+  /// Then its evidence rests only on these.
+  bool isProvedUnder(const std::vector<uint32_t>& fewer, RequirementVerdict& verdict);
 
   [[nodiscard]] bool matters(const Assumption& assumption, uint32_t number) {
     const bool of_areas = !m_.requirements[number].geofences.empty();
@@ -172,8 +279,11 @@ class RequirementCheck {
       verdict = {verdict.requirement, Verdict::Proved, std::nullopt};
       return;
     }
-    proof_.diagnostics.report(DiagnosticId::requirementOpen, requirement.range)
-        .note(requirement.range, verdict.reason);
+    auto warning = proof_.diagnostics.report(DiagnosticId::requirementOpen, requirement.range);
+    warning.note(requirement.range, verdict.reason);
+    if (requirement.seconds > 0 && requirement.kind != RequirementKind::SurfacesEvery) {
+      noteLateExits(warning, requirement.seconds, proof_.proof_context);
+    }
   }
 
   [[nodiscard]] Insight& insight() {
@@ -253,22 +363,34 @@ class RequirementCheck {
     return some && bare_ != nullptr ? bare_->m_.resume_within_s : m_.resume_within_s;
   }
 
-  RequirementVerdict judgeAreas(const Requirement& requirement) {
-    const GeofenceVerdict found =
-        judgeGeofences(requirement.geofences, proof_.proof_context, darkTogether(), proof_.ending);
-    if (found.proved && found.start_assumed) {
+  GeofenceVerdict areasOf(const Requirement& requirement) {
+    return judgeGeofences(requirement.geofences, proof_.proof_context, darkTogether(),
+                          proof_.ending);
+  }
+
+  /// Open if it is not proved.
+  static RequirementVerdict provedAreas(const GeofenceVerdict& found) {
+    if (!found.proved) {
+      return open(found.reason);
+    }
+    if (found.start_assumed) {
       return {0, Verdict::Proved, std::nullopt};
     }
-    if (found.proved) {
-      return {
-          0, Verdict::Proved, std::nullopt,
-          fmt::format("assuming that control is given on the right side of each edge, at least "
-                      "{0:.0f} m from it{1}, and that "
-                      "everything between there and the waypoints is also {0:.0f} m from the edge",
-                      std::ceil(found.margin_m),
-                      found.start_within_m > 0 ? fmt::format(" and within {:g} km of a waypoint",
-                                                             found.start_within_m / 1000)
-                                               : "")};
+    return {0, Verdict::Proved, std::nullopt,
+            fmt::format(
+                "assuming that control is given on the right side of each edge, at least "
+                "{0:.0f} m from it{1}, and that "
+                "everything between there and the waypoints is also {0:.0f} m from the edge",
+                std::ceil(found.margin_m),
+                found.start_within_m > 0
+                    ? fmt::format(" and within {:g} km of a waypoint", found.start_within_m / 1000)
+                    : "")};
+  }
+
+  RequirementVerdict judgeAreas(const Requirement& requirement) {
+    RequirementVerdict found = provedAreas(areasOf(requirement));
+    if (found.verdict == Verdict::Proved) {
+      return found;
     }
     auto run = tryAtRandom(requirement, proof_.proof_context.withoutPowerCuts());
     if (!run && powerCutsMatter()) {
@@ -277,7 +399,8 @@ class RequirementCheck {
     if (run) {
       return broken(requirement, std::move(*run));
     }
-    return open(found.reason + "; no random flight violated it");
+    found.reason += "; no random flight violated it";
+    return found;
   }
 
   RequirementVerdict judgeStack(const Requirement& requirement) {
@@ -314,13 +437,6 @@ class RequirementCheck {
     }
     return false;
   }
-
-  /// The result of a question about all traces; `run` is a trace that was checked on the
-  /// interpreter.
-  struct Search {
-    RunsAnswer answer;
-    std::optional<Counterexample> run;
-  };
 
   Search search(const Requirement& requirement, const ProofContext& proof_context) {
     const ConeOfInfluence relevance = relevanceOf(requirement, proof_context);
@@ -371,9 +487,13 @@ class RequirementCheck {
   /// Proves a requirement for an SBC whose power may be cut; a counterexample is shown without
   /// power cuts if possible.
   RequirementVerdict judgePromise(const Requirement& requirement) {
+    if (auto run = alsoSubmerged(requirement)) {
+      return broken(requirement, std::move(*run));
+    }
     Search found = search(requirement, insight().context());
     if (found.answer.bad == Answer::No) {
       RequirementVerdict proved{0, Verdict::Proved, std::nullopt};
+      proved.steps = found.answer.steps;
       if (wantsInvariants()) {
         proved.evidence = evidences().searched(requirement, std::move(found.answer.invariants));
       }
@@ -387,6 +507,7 @@ class RequirementCheck {
       if (!powered_proved) {
         undisturbed = search(requirement, insightWithoutPowerCuts().context());
         powered_proved = undisturbed.answer.bad == Answer::No;
+        keepSubmerged(requirement, undisturbed);
       }
       if (!undisturbed.run && !powered_proved) {
         undisturbed.run = tryAtRandom(requirement, powered);
@@ -394,6 +515,8 @@ class RequirementCheck {
       if (undisturbed.run) {
         found.run = std::move(undisturbed.run);
       }
+    } else {
+      keepSubmerged(requirement, found);
     }
     if (!found.run) {
       found.run = tryAtRandom(requirement, proof_.proof_context);
@@ -413,7 +536,7 @@ class RequirementCheck {
   /// In a separate context: Z3 counts its steps for all questions of a context.
   RunsAnswer ask(const Requirement& requirement, const ProofContext& proof_context,
                  const ConeOfInfluence& relevance) {
-    const unsigned effort = proof_.searches.allow(proof_.options.run_effort);
+    const unsigned effort = proof_.searches.allow(search_effort_);
     if (effort == 0) {
       return {Answer::Unknown, std::nullopt, limitReached(), 0};
     }
@@ -503,6 +626,10 @@ class RequirementCheck {
   Proof& proof_;
   RequirementCheck* bare_;
   const Mission& m_;
+  unsigned search_effort_;  ///< the limit of a search
+  Budget premises_;         ///< of addPremises
+  std::map<std::vector<uint32_t>, std::shared_ptr<UnderSome>> under_some_;
+  std::optional<Run> submerged_;    ///< see alsoSubmerged
   std::optional<Insight> insight_;  ///< with power cuts; none: not asked for yet
   std::optional<Insight> powered_;
   double deepest_;                      ///< of the mission, m
@@ -511,6 +638,73 @@ class RequirementCheck {
   std::vector<bool> bare_proved_;       ///< by requirement: without the assumptions
   bool fresh_ = false;                  ///< something was proved since the first look
 };
+
+/// The check of the mission under some of its assumptions.
+class UnderSome {
+ public:
+  /// `plain`: without any.
+  UnderSome(RequirementCheck& plain, const std::vector<uint32_t>& kept)
+      : written_(keeping(plain.proof().proof_context.mission, kept)),
+        mission_(underAssumptions(written_)),
+        platform_(underAssumptions(plain.proof().proof_context.platform, written_)),
+        context_(mission_, platform_),
+        proof_{plain.proof().context, context_, plain.proof().facts, plain.proof().options,
+               plain.proof().diagnostics},
+        check_(proof_, &plain) {}
+
+  /// `budget`: what it may take, and has left.
+  RequirementCheck::Again proves(const RequirementVerdict& was, unsigned effort, Budget& budget) {
+    proof_.searches = budget;
+    RequirementCheck::Again again = check_.provesAgain(was, effort);
+    budget = proof_.searches;
+    return again;
+  }
+
+ private:
+  static Mission keeping(Mission mission, const std::vector<uint32_t>& kept) {
+    std::vector<Assumption> some;
+    for (const uint32_t number : kept) {
+      some.push_back(mission.assumptions[number]);
+    }
+    mission.assumptions = std::move(some);
+    return mission;
+  }
+
+  Mission written_;
+  Mission mission_;
+  platforms::Platform platform_;
+  ProofContext context_;
+  Proof proof_;
+  RequirementCheck check_;
+};
+
+/// A proof that is found again takes about as long as the first.
+bool RequirementCheck::isProvedUnder(const std::vector<uint32_t>& fewer,
+                                     RequirementVerdict& verdict) {
+  constexpr uint64_t kAtLeast = 50000;
+  premises_.spend(Budget::kCondition * m_.exprs.size());
+  if (premises_.isUsedUp()) {
+    return false;
+  }
+  std::shared_ptr<UnderSome>& some = under_some_[fewer];
+  if (!some) {
+    some = std::make_shared<UnderSome>(*bare_, fewer);
+  }
+  const uint64_t effort =
+      std::min<uint64_t>(proof_.options.run_effort, 2 * verdict.steps + kAtLeast);
+  Again again = some->proves(verdict, static_cast<unsigned>(effort), premises_);
+  if (!again.proved) {
+    return false;
+  }
+  if (!m_.requirements[verdict.requirement].geofences.empty()) {
+    return true;
+  }
+  if (proof_.options.evidence && !again.evidence) {
+    return false;  // what there is may rest on more
+  }
+  verdict.evidence = std::move(again.evidence);
+  return true;
+}
 
 }  // namespace
 

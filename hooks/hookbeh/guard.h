@@ -46,6 +46,7 @@ class Guard {
   [[nodiscard]] double mostUnseen(const HookbehArgs& args, const Instruction& in_force) const;
   [[nodiscard]] bool mayBeFarDown(const HookbehArgs& args) const;
   [[nodiscard]] bool mayBeDeeper(const HookbehArgs& args, const Instruction& in_force) const;
+  bool mustAsk(const HookbehArgs& args);
   void trip(HookGuard broken);
   [[nodiscard]] bool mayRelease(const HookbehArgs& args, const Instruction& in_force) const;
   [[nodiscard]] bool keepsLimits(const HookbehArgs& args, double depth_m) const;
@@ -58,6 +59,7 @@ class Guard {
   UnseenSink unseen_;
   UnseenSink by_ctd_;
   bool shows_ = false;    // it climbs to see whether its depth follows
+  bool asks_ = false;     // the same, though another sensor agrees with it
   bool doubted_ = false;  // it climbed in the previous cycle: the depth was unknown or jumped
   double depth_m_ = __builtin_nan("");     // for limits: DepthWatch::deepest()
   double altitude_m_ = __builtin_nan("");  // the newest that differed from its predecessor

@@ -15,6 +15,8 @@ constexpr double kClippedM = 1;
 constexpr double kLearnsSecs = 120;
 /// s; a longer gap is a fault and not a cadence.
 constexpr double kMostSecs = 32;
+/// The first gaps teach nothing: a few readings are no cadence.
+constexpr double kFew = 3;
 
 }  // namespace
 
@@ -32,7 +34,9 @@ void Cadence::observe(double depth_m, double step_s) {
 
 void Cadence::learn(double gap_s) {
   learned_ += 1;
-  usual_s_ += (gap_s - usual_s_) * atLeast(gap_s / kLearnsSecs, 1 / learned_);
+  if (learned_ > kFew) {
+    usual_s_ += (gap_s - usual_s_) * atLeast(gap_s / kLearnsSecs, 1 / (learned_ - kFew));
+  }
 }
 
 }  // namespace glider::hooks

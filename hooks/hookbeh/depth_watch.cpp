@@ -16,6 +16,8 @@ constexpr double kPersistsSecs = 10;
 constexpr double kCtdLastsSecs = 20;
 /// m; a sensor is frozen if it does not change for its patience() while the other moves this far.
 constexpr double kMovesM = 3;
+/// s; the patience with a sensor that gives a reading in each cycle.
+constexpr double kUsualPatienceSecs = 16;
 /// s; the same in hover, where the vehicle may hardly move.
 constexpr double kFrozenHoverSecs = 60;
 /// cc; with less, the pump only trims the vehicle.
@@ -73,7 +75,7 @@ void DepthWatch::watchCtd(double step_s) {
   }
   // An old reading of either does not show where the vehicle is now. While the sensor array keeps
   // the vehicle's own, only a distance that the vehicle cannot have moved meanwhile counts.
-  const double kept_s = atMost(own_.sameFor(), own_.patience());
+  const double kept_s = atMost(own_.sameFor(), own_.patience() - kUsualPatienceSecs);
   const bool beyond = apart > kAgreeM + hull_.vertical_rate_m_s * kept_s;
   if (ctd_.age() == 0 && (near || beyond)) {
     differs_ = !near;

@@ -187,7 +187,9 @@ bool Guard::mustShowDepth(const HookbehArgs& args, const Instruction& in_force) 
 /// be at the surface.
 bool Guard::mustAsk(const HookbehArgs& args) {
   const double most = between(args.greatest_depth_m - unseen_.answered(), kAsksM, kAsksLatestM);
-  asks_ = unseen_.unanswered() >= most || (asks_ && unseen_.unanswered() > 0);
+  // A dive and a climb have rules of their own.
+  const bool adrift = headway_.way() == Way::None && unseen_.unanswered() >= most;
+  asks_ = adrift || (asks_ && unseen_.unanswered() > 0);
   return asks_;
 }
 

@@ -28,6 +28,7 @@ constexpr double kGapSecs = 20;
 constexpr double kCalmM = 7;
 constexpr double kSwellM = 3;
 constexpr double kSwellRoughM = 0.6;
+constexpr double kCalmRoughM = 0.1;  // the sensor's own noise
 /// s between readings: the usual cycle; above it, up to the second, all of this grows by the third.
 constexpr double kUsualSecs = 4;
 constexpr double kRarestSecs = 16;
@@ -72,7 +73,8 @@ double UnseenSink::rateAt(double pitch_rad) const {
 }
 
 double UnseenSink::lateBy() const {
-  const double swell_m = kSwellM * atMost(roughness_m_ / kSwellRoughM, 1);
+  const double rough = (roughness_m_ - kCalmRoughM) / (kSwellRoughM - kCalmRoughM);
+  const double swell_m = kSwellM * between(rough, 0, 1);
   const double rare = (between(cadence_.usual(), kUsualSecs, kRarestSecs) - kUsualSecs) / kRareSecs;
   return (kCalmM + swell_m) * (1 + rare) - kCalmM;
 }

@@ -223,7 +223,7 @@ TEST(HookbehGuard, AnEchoIsForgottenAfterTenMinutes) {
     bench.cycle();
   }
   bench.inputs.depth_m = 15;
-  EXPECT_STREQ(bench.give(Bench::descend(25)).doing, "dive_to");
+  EXPECT_STREQ(bench.give(Bench::descend(25)).doing, "check depth") << "its depth stood still";
 }
 
 TEST(HookbehGuard, OneFalseReadingOfTheTimeDoesNotForgetTheBottom) {

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace glider::simulator {
 namespace {
@@ -83,7 +84,7 @@ SimulatedVehicle::SimulatedVehicle(SimulationSetup setup, const World& world, ui
       real_time_(setup_.sbc != nullptr && setup_.sbc->keepsTime()),
       seed_(seedOfVehicle(setup_.seed.value_or(setup_.scenario.seed), number)),
       duration_s_(setup_.duration_s.value_or(setup_.scenario.duration_s)),
-      steps_per_cycle_(static_cast<int64_t>(setup_.platform.envelope.cycle_s / Vehicle::kStep)),
+      cycles_(setup_.scenario.cycles, setup_.platform.envelope.cycle_s, Vehicle::kStep, seed_),
       most_steps_(static_cast<int64_t>(duration_s_ / Vehicle::kStep)),
       trace_(headOf(setup_)),
       vehicle_(setup_.platform, setup_.scenario.vehicle),
@@ -145,9 +146,12 @@ void SimulatedVehicle::step(double now) {
   damage_.setNow(now);
   science_damage_.setNow(now);
   failDevices(now);
-  if (step_ % steps_per_cycle_ == 0 && controlCycle(now, step_ / steps_per_cycle_)) {
-    over_ = true;
-    return;
+  if (step_ == next_cycle_) {
+    if (controlCycle(now)) {
+      over_ = true;
+      return;
+    }
+    next_cycle_ += cycles_.steps();
   }
   if (step_ % kStepsPerSecond == 0) {
     scienceCycle(now);
@@ -160,13 +164,14 @@ void SimulatedVehicle::step(double now) {
 }
 
 /// Returns true when the flight is over.
-bool SimulatedVehicle::controlCycle(double now, int64_t number) {
+bool SimulatedVehicle::controlCycle(double now) {
   completeRow();
+  const double before_s = std::exchange(scheduled_s_, now);
   if (isFlightDown(now)) {
     return false;
   }
   for (const Put& put : setup_.scenario.puts) {
-    if (now >= put.at_s && now < put.at_s + setup_.platform.envelope.cycle_s) {
+    if (now >= put.at_s && before_s < put.at_s) {
       flight_.put(put.sensor, put.value);
       journal_.add(now, "operator", fmt::format("put {} {}", put.sensor, put.value));
     }
@@ -176,7 +181,7 @@ bool SimulatedVehicle::controlCycle(double now, int64_t number) {
   science_.sampleEvery(flight_.samplePeriods());
   recorder_.row(now, flight_, science_, vehicle_);
   cycle_s_ = now;
-  if (setup_.progress && number % kProgressCycles == 0) {
+  if (setup_.progress && cycle_count_++ % kProgressCycles == 0) {
     setup_.progress({now, duration_s_, vehicle_.depth(),
                      story_.flying() ? story_.stateName(story_.state()) : ""});
   }

@@ -27,7 +27,7 @@ constexpr double kHoverSecs = 180;
 constexpr double kStalledSecs = 240;
 /// m that the vehicle may sink unseen even at its greatest depth: a smaller value would end a dive
 /// that waves or a layer slow down. The slowest metre of a dive in real logs takes 16 s.
-constexpr double kLeastUnseenM = 6;
+constexpr double kLeastUnseenM = 7;
 /// m; a dive ends if it may be this far past its target, and this far past the depth last shown.
 constexpr double kPastTargetM = 8;
 constexpr double kPastShownM = 10;
@@ -38,6 +38,16 @@ constexpr double kMostUnseenAtFirstM = 20;
 constexpr double kPastShare = 0.44;
 constexpr double kLeastInDiveM = 11;
 constexpr double kLeastSteeplyM = 18;
+/// The steepest possible pitch is reckoned so many times as fast as a usual one.
+constexpr double kSteeplyTimes = 1.7;
+/// m; a vehicle that may have sunk so far since its depth last answered climbs to see whether it
+/// does: the distance to the greatest depth, between these. At 0.1 m/s, 300 and 600 s of hover.
+constexpr double kAsksM = 30;
+constexpr double kAsksLatestM = 60;
+/// s; a depth below the second, in m, that does not answer to a climb of this length is not
+/// believed.
+constexpr double kAnswersSecs = 180;
+constexpr double kShallowM = 3;
 /// m; at this depth or above, the vehicle is at the surface.
 constexpr double kAtSurfaceM = 1;
 /// s of climbing after a dive that gained no depth, and s for which the sensor must have worked:
@@ -122,12 +132,15 @@ bool Guard::sinksTooNear(const HookbehArgs& args, const Instruction& in_force) c
 }
 
 HookGuard Guard::stall(const HookbehArgs& args, const Instruction& in_force) const {
+  if (asks_ && unseen_.drivenUpFor() >= kAnswersSecs && depth_m_ > kShallowM) {
+    return HookGuard::NoDepthGained;  // no sensor follows the vehicle
+  }
   if (headway_.way() == Way::Up) {
     return headway_.idleFor() >= kStalledSecs ? HookGuard::NoHeightGained : HookGuard::None;
   }
   const double most = mostUnseen(args, in_force);
   // What it may have sunk before this dive is left to a climb that checks the depth.
-  const double own = atMost(most - unseen_.shown(), kPastShownM);
+  const double own = atMost(most - unseen_.shown(), kPastShownM + unseen_.lateBy());
   const bool sinks = unseen_.deepest() >= most && !(unseen_.deepest() < down_from_m_ + own);
   const bool ends = headway_.idleFor() >= kHoverSecs || sinks || mayBeFarDown(args);
   return headway_.way() == Way::Down && ends ? HookGuard::NoDepthGained : HookGuard::None;
@@ -136,12 +149,13 @@ HookGuard Guard::stall(const HookbehArgs& args, const Instruction& in_force) con
 /// How deep the vehicle may be before its depth must show it, m.
 double Guard::mostUnseen(const HookbehArgs& args, const Instruction& in_force) const {
   const double shown = unseen_.shown();
-  double most = atLeast(shown + kLeastUnseenM, args.greatest_depth_m);
+  const double late = unseen_.lateBy();
+  double most = atLeast(shown + kLeastUnseenM + late, args.greatest_depth_m);
   if (!unseen_.hasMoved()) {
     most = atMost(shown + kMostUnseenAtFirstM, most);
   }
   if (in_force.vertical == HookVertical::Descend) {
-    most = atMost(atLeast(in_force.depth_m + kPastTargetM, shown + kPastShownM), most);
+    most = atMost(atLeast(in_force.depth_m + kPastTargetM, shown + kPastShownM) + late, most);
   }
   return most;
 }
@@ -150,8 +164,9 @@ double Guard::mostUnseen(const HookbehArgs& args, const Instruction& in_force) c
 /// wrong.
 bool Guard::mayBeFarDown(const HookbehArgs& args) const {
   const double left = args.greatest_depth_m - unseen_.shown() + kPastShare * args.greatest_depth_m;
-  return unseen_.sunkInDive() >= atLeast(left, kLeastInDiveM) ||
-         unseen_.sunkSteeply() >= atLeast(left, kLeastSteeplyM);
+  const double late = unseen_.lateBy();
+  return unseen_.sunkInDive() >= atLeast(left, kLeastInDiveM) + late ||
+         unseen_.sunkSteeply() >= atLeast(left, kLeastSteeplyM) + kSteeplyTimes * late;
 }
 
 bool Guard::mayBeDeeper(const HookbehArgs& args, const Instruction& in_force) const {
@@ -160,7 +175,18 @@ bool Guard::mayBeDeeper(const HookbehArgs& args, const Instruction& in_force) co
 
 bool Guard::mustShowDepth(const HookbehArgs& args, const Instruction& in_force) {
   shows_ = mayBeDeeper(args, in_force) || (shows_ && unseen_.deepest() > unseen_.shown());
-  return shows_;
+  return mustAsk(args) || shows_;
+}
+
+/// True if the vehicle must climb to see whether its depth answers, whoever agrees with it: what
+/// sticks in one sensor of pressure may stick in the other. Until it answers, or the vehicle must
+/// be at the surface.
+bool Guard::mustAsk(const HookbehArgs& args) {
+  const double most = between(args.greatest_depth_m - unseen_.answered(), kAsksM, kAsksLatestM);
+  // A dive and a climb have rules of their own.
+  const bool adrift = headway_.way() == Way::None && unseen_.unanswered() >= most;
+  asks_ = adrift || (asks_ && unseen_.unanswered() > 0);
+  return asks_;
 }
 
 void Guard::trip(HookGuard broken) {

@@ -47,6 +47,7 @@ class Guard {
   [[nodiscard]] double mostUnseen(const HookbehArgs& args, const Instruction& in_force) const;
   [[nodiscard]] bool mayBeFarDown(const HookbehArgs& args) const;
   [[nodiscard]] bool mayBeDeeper(const HookbehArgs& args, const Instruction& in_force) const;
+  bool mustAsk(const HookbehArgs& args);
   void trip(HookGuard broken);
   [[nodiscard]] bool mayRelease(const HookbehArgs& args, const Instruction& in_force) const;
   [[nodiscard]] bool keepsLimits(const HookbehArgs& args, double depth_m) const;
@@ -62,6 +63,7 @@ class Guard {
   double floor_m_ = kBottomless;          // of this cycle: by all that is known of the bottom
   double touched_floor_m_ = kBottomless;  // by contacts alone
   bool shows_ = false;                    // it climbs to see whether its depth follows
+  bool asks_ = false;                     // the same, though another sensor agrees with it
   bool doubted_ = false;  // it climbed in the previous cycle: the depth was unknown or jumped
   double sinks_mps_ = 0;
   double depth_m_ = __builtin_nan("");  // for limits: DepthWatch::deepest()

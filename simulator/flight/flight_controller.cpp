@@ -84,8 +84,9 @@ double FlightController::felt(Sensor sensor, double truth) const {
 
 /// Depth is computed from pressure, and its rate from depth: a fault of one is also in what is
 /// computed from it.
-void FlightController::readPressure(double now_s, const Vehicle& vehicle) {
-  const double bar = depth_sensor_.pressure(vehicle.depth());
+void FlightController::readPressure(double now_s, const Ocean& ocean, const Vehicle& vehicle) {
+  const double swell = ocean.swellPressure(vehicle.depth(), vehicle.x(), vehicle.y(), now_s);
+  const double bar = depth_sensor_.pressure(vehicle.depth() + swell);
   array_.set(Sensor::m_pressure, bar);
   const double pressed = felt(Sensor::m_pressure, bar) * DepthSensor::kMetresPerBar;
   const double truth = pressed < 0 ? 0 : pressed;
@@ -120,7 +121,7 @@ void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehic
   a.set(Sensor::m_present_secs_into_mission, now_s - mission_start_s_);
   a.set(Sensor::m_cycle_number, cycles_);
   if (due(pressure_device_)) {
-    readPressure(now_s, vehicle);
+    readPressure(now_s, ocean, vehicle);
   }
   const GeoPosition truth = frame_.position(vehicle.x(), vehicle.y());
   const double declination = declination_.at(truth.latitude_deg, truth.longitude_deg);
@@ -167,7 +168,7 @@ void FlightController::locate(double now_s, double declination, const Vehicle& v
   const bool at_surface = last_depth_ < kSurfaceDepth;
   const Planar current = at_surface ? Planar{} : currentUsed();
   navigator_.reckon(depth_rate_, a.get(Sensor::m_pitch), a.get(Sensor::m_heading) - variation(),
-                    at_surface, cycles_ == 0 ? 0 : cycle_s_, current);
+                    at_surface, cycles_ == 0 ? 0 : took_s_, current);
   auto fix = gps_.fix(vehicle.x(), vehicle.y(), vehicle.depth(), now_s);
   if (fix && !(gps_device_.due(variables_, now_s) && isReported(*fix))) {
     fix.reset();
@@ -462,7 +463,7 @@ void FlightController::control(const Commands& commands, const Situation& s, Veh
   array_.set(Sensor::m_dist_to_wpt, distance);
   dynamics_.cycle(commands,
                   {s.time_s, array_.get(Sensor::m_pitch), array_.get(Sensor::m_heading), bearing},
-                  cycle_s_, vehicle);
+                  took_s_, vehicle);
   array_.set(Sensor::c_pitch, dynamics_.pitchCommand());
   array_.set(Sensor::c_heading, dynamics_.headingCommand());
   array_.set(Sensor::c_ballast_pumped, dynamics_.pumpCommand());
@@ -484,6 +485,8 @@ void FlightController::judgeEnd(const Situation& s) {
 
 void FlightController::cycle(double now_s, const Ocean& ocean, Vehicle& vehicle,
                              const GliderByteStream& line) {
+  took_s_ = cycles_ == 0 ? cycle_s_ : now_s - cycle_at_s_;
+  cycle_at_s_ = now_s;
   array_.beginCycle();
   readSensors(now_s, ocean, vehicle);
   receive(line);

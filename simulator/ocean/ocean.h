@@ -19,7 +19,7 @@ double compression(double pressure_pa);
 /// thermocline the wave ends.
 class Ocean {
  public:
-  explicit Ocean(const OceanSettings& settings) : settings_(settings), bottom_(settings.bottom) {}
+  explicit Ocean(const OceanSettings& settings);
 
   [[nodiscard]] double temperature(double z, double x, double y, double t) const;  ///< degC
   /// In situ, kg/m3: that of the layers at no pressure, and compressed by the water above.
@@ -27,6 +27,12 @@ class Ocean {
   [[nodiscard]] Planar current(double z, double x, double y) const;
   /// The water's own speed up (m/s) as the wave passes.
   [[nodiscard]] double verticalCurrent(double z, double x, double y, double t) const;
+  /// What the swell adds to the pressure at a vehicle at the mean depth z, in m of water:
+  /// amplitude · (P - share · M) · cos(k · distance - omega t), with P = cosh(k(h-z))/cosh(kh) of
+  /// the pressure and M = sinh(k(h-z))/sinh(kh) of the motion that carries the vehicle along. In
+  /// deep water both are exp(-kz): a vehicle that follows the water feels no swell. On a shelf
+  /// the pressure reaches the bottom and the motion does not.
+  [[nodiscard]] double swellPressure(double z, double x, double y, double t) const;
   [[nodiscard]] double waterDepth(double x, double y) const { return bottom_.depth(x, y); }
   /// The depth at which the water has `temperature`, m; NaN if there is none.
   [[nodiscard]] double isothermDepth(double temperature, double x, double y, double t) const;
@@ -45,6 +51,7 @@ class Ocean {
 
   OceanSettings settings_;
   Bottom bottom_;
+  double swell_per_m_ = 0;  ///< wave number k of the swell, rad/m
 };
 
 }  // namespace glider::simulator

@@ -245,7 +245,7 @@ int untilItShows(const Instruction& in_force, double shown_m, bool has_moved) {
 TEST(HookbehGuardEdges, MayBeAsDeepAsItsLimitUnseen) {
   const Instruction hover = Bench::vertical(HookVertical::Hover, 10);
   EXPECT_EQ(untilItShows(hover, 20, true), 10) << "to 30 m";
-  EXPECT_EQ(untilItShows(hover, 27, true), 6) << "6 m at least";
+  EXPECT_EQ(untilItShows(hover, 27, true), 7) << "7 m at least";
   EXPECT_EQ(untilItShows(hover, 4, true), 26);
   EXPECT_EQ(untilItShows(hover, 6, false), 20) << "before it has moved";
 }

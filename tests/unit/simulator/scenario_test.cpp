@@ -76,6 +76,22 @@ TEST_F(ScenarioFile, ReadsDefaultsAndValues) {
   EXPECT_EQ(scenario_.sensors.ctd.stale_water.size(), 1U);
 }
 
+TEST_F(ScenarioFile, ReadsSwellAndCycles) {
+  ASSERT_EQ(load(kHead + kStart +
+                 "[ocean.swell]\namplitude_m = 0.8\nperiod_s = 11\nbearing_deg = 90\n"
+                 "followed_share = 0.5\n"
+                 "[vehicle.cycle]\nmean_s = 4.4\nspread_s = 0.2\nlong_share = 0.05\nlong_s = 14\n"),
+            "");
+  EXPECT_EQ(scenario_.ocean.swell.amplitude_m, 0.8);
+  EXPECT_EQ(scenario_.ocean.swell.period_s, 11);
+  EXPECT_NEAR(scenario_.ocean.swell.bearing_rad, 1.5708, 1e-4);
+  EXPECT_EQ(scenario_.ocean.swell.followed_share, 0.5);
+  EXPECT_EQ(scenario_.cycles.mean_s, 4.4);
+  EXPECT_EQ(scenario_.cycles.spread_s, 0.2);
+  EXPECT_EQ(scenario_.cycles.long_share, 0.05);
+  EXPECT_EQ(scenario_.cycles.long_s, 14);
+}
+
 TEST_F(ScenarioFile, ReadsTheOceansTables) {
   ASSERT_EQ(load(kHead + kStart +
                  "[ocean]\nbottom_slope_m_per_km = 8\nbottom_slope_bearing_deg = 90\n"
@@ -325,6 +341,9 @@ TEST_F(ScenarioFile, RefusesWhatIsNotRight) {
       kHead + kStart + "[ocean]\nsurface_temp_degC = nan\n",
       kHead + kStart + "[ocean]\nwave = 2\n",
       kHead + kStart + "[ocean.wave]\namplitude_m = 15\n",
+      kHead + kStart + "[ocean.swell]\nperiod_s = 60\n",
+      kHead + kStart + "[ocean.swell]\nfollowed_share = 2\n",
+      kHead + kStart + "[vehicle.cycle]\nlong_share = -1\n",
       kHead + kStart + "[vehicle]\ndrag = -1\n",
       kHead + kStart + "[sensors]\nctd_dropout = 2\n",
       kHead + kStart + "[sensors]\nstale_water = 3\n",

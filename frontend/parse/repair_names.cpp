@@ -70,23 +70,31 @@ std::vector<Lexeme> NameRepair::run(const std::vector<Lexeme>& lexemes) {
   return out;
 }
 
+/// First what is defined, then what is used: whether several words after `goto` are a name depends
+/// on that.
 void NameRepair::gatherNames() {
-  for (size_t i = 0; i + 1 < in_.size(); ++i) {
+  for (size_t i = 0; i + 2 < in_.size(); ++i) {
     const uint32_t type = in_[i].type;
-    const bool names = isTarget(type) || isBehaviourWord(type) || type == GliderLexer::STATE;
-    if (!names) {
+    if (type != GliderLexer::STATE && !isBehaviourWord(type)) {
       continue;
     }
-    const Slip slip = slipAfter(i);
+    if (const Slip slip = slipAfter(i); slip.found()) {
+      joined_.insert(joined(slip.words));
+    } else if (isAnyName(in_[i + 1].type) &&
+               (type == GliderLexer::STATE || in_[i + 2].type == GliderLexer::BEGIN)) {
+      defined_.emplace(source_.text(in_[i + 1]));
+    }
+  }
+  for (size_t i = 0; i + 2 < in_.size(); ++i) {
+    if (!isTarget(in_[i].type) && !isBehaviourWord(in_[i].type)) {
+      continue;
+    }
+    const Slip slip = isTarget(in_[i].type) ? targetAfter(i) : Slip{};
     if (slip.found()) {
-      if (!isTarget(type)) {
-        joined_.insert(joined(slip.words));
-      }
-    } else if (isAnyName(in_[i + 1].type)) {
-      const bool defines =
-          type == GliderLexer::STATE ||
-          (isBehaviourWord(type) && i + 2 < in_.size() && in_[i + 2].type == GliderLexer::BEGIN);
-      (defines ? defined_ : used_).emplace(source_.text(in_[i + 1]));
+      used_.insert(joined(slip.words));
+    } else if (isAnyName(in_[i + 1].type) && !isAnyName(in_[i + 2].type) &&
+               in_[i + 2].type != GliderLexer::BEGIN) {
+      used_.emplace(source_.text(in_[i + 1]));
     }
   }
 }

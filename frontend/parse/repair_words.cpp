@@ -381,8 +381,12 @@ bool WordRepair::partOfToken(const Lexeme& lexeme, const Lexeme& next, std::vect
   const std::string_view text = reporter_.source().text(lexeme);
   if (text == "." && behind && out.back().type == GliderLexer::NUMBER) {
     const Lexeme whole{GliderLexer::NUMBER, out.back().begin, lexeme.end};
-    reporter_.at(whole, DiagnosticId::pointWithoutDigits, reporter_.source().text(whole))
-        .fix({reporter_.source().file, lexeme.end, lexeme.end}, "0");
+    const std::string_view number = reporter_.source().text(out.back());
+    auto report =
+        reporter_.at(whole, DiagnosticId::pointWithoutDigits, reporter_.source().text(whole));
+    if (number.find('.') == std::string_view::npos) {
+      report.fix({reporter_.source().file, lexeme.end, lexeme.end}, "0");
+    }
     return true;
   }
   const bool letters = static_cast<unsigned char>(text.front()) >= 0x80U && !isLookalike(text);

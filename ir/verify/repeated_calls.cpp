@@ -105,20 +105,17 @@ class RepeatedCalls {
         case OpGroup::Logic:
           return false;
         case OpGroup::Variable:
-          return changed_[e.variable.index] || isDone(e.variable, true);
+          return changed_[e.variable.index];  // `profiledone` waits with its state
         default:
           return true;
       }
     });
   }
 
-  /// Whether the variable is the `profiledone` or `routedone` of the state that calls, or, if
-  /// `any`, of any state.
-  [[nodiscard]] bool isDone(VariableId variable, bool any) const {
-    const auto of = [&](const State& state) {
-      return variable == state.profile.done || variable == state.route.done;
-    };
-    return any ? std::ranges::any_of(m_.states, of) : of(m_.states[state_]);
+  /// Whether the variable is the `profiledone` or `routedone` of the state that calls.
+  [[nodiscard]] bool isDone(VariableId variable) const {
+    const State& state = m_.states[state_];
+    return variable == state.profile.done || variable == state.route.done;
   }
 
   /// Whether the condition, true at the call, is certainly true after it.
@@ -127,9 +124,6 @@ class RepeatedCalls {
     const Expr& e = m_[id];
     if (e.op == Op::And || e.op == Op::Or) {
       return staysTrue(e.operands[0]) && staysTrue(e.operands[1]);
-    }
-    if (e.op == Op::Variable && isDone(e.variable, false)) {
-      return true;
     }
     return isPastATime(e) || isUnchanged(id);
   }
@@ -172,7 +166,7 @@ class RepeatedCalls {
   [[nodiscard]] std::string hintFor(const Case& call) const {
     const std::string& name = m_[call.target].name;
     const Expr& guard = m_[call.guard];
-    if (guard.op == Op::Variable && isDone(guard.variable, false)) {
+    if (guard.op == Op::Variable && isDone(guard.variable)) {
       const bool profile = guard.variable == m_.states[state_].profile.done;
       const std::string word = profile ? "profiledone" : "routedone";
       return fmt::format("write `case {0} goto …`, or `case became({0}) call {1}` to call it once",

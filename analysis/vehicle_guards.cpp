@@ -172,7 +172,7 @@ class GuardCheck {
       if (all.empty || !may(low) || may(high)) {
         continue;
       }
-      constexpr double kFine_m = 0.01;
+      constexpr double kFine_m = 1e-6;
       while (high - low > kFine_m) {
         const double middle = (low + high) / 2;
         (may(middle) ? low : high) = middle;
@@ -192,15 +192,17 @@ class GuardCheck {
   }
 
   void tooLate(const ir::Case& c, double below, double least) {
-    const bool never = below <= least;
+    const std::string then =
+        below <= least
+            ? fmt::format(", but hookbeh already makes the vehicle climb at {:.4g} m", least)
+            : fmt::format(
+                  "; until the vehicle has turned it may be at {:.4g} m, where hookbeh makes "
+                  "it climb",
+                  least);
     diagnostics_.report(
         DiagnosticId::mayNotFollow, m_[c.guard].range.valid() ? m_[c.guard].range : c.range,
-        fmt::format(
-            "this case fires {:.3g} m above the bottom, and {} hookbeh makes the vehicle "
-            "climb, at {:.4g} m (min_altitude in {})",
-            below,
-            never ? "before that" : "until the vehicle has turned it may have sunk so far that",
-            least, file_.name),
+        fmt::format("this case fires at less than {:.3g} m above the bottom{} (min_altitude in {})",
+                    below, then, file_.name),
         fmt::format("compare with {:.4g} m or more, or lower min_altitude", least + kSinksOn_m));
   }
 

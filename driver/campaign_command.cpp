@@ -61,6 +61,7 @@ int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPla
     }
     campaign::CampaignMission mission;
     mission.file = file;
+    mission.compiled = compiled;
     mission.program =
         codegen::digestOf(ir::print(compiled->mission) + ir::print(compiled->checked->mission()));
     mission.platform = platform;
@@ -69,7 +70,6 @@ int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPla
     mission.new_flight = [flight = *start] { return flight(nullptr); };
     if (flights::RequirementWatch::canWatch(*compiled)) {
       mission.new_watched_flight = std::move(*start);
-      mission.compiled = compiled;
       mission.requirements = flights::watchedTexts(*compiled->checked);
     }
     for (const std::string& board : plan.boards) {
@@ -237,6 +237,13 @@ std::optional<double> longestOf(const campaign::CampaignMission& mission) {
       .by;
 }
 
+/// A time for a scenario, s: also for the time before the mission has control and after it.
+double durationFor(double longest_s) {
+  constexpr double kBeforeAndAfter_s = 1800;
+  constexpr double kRound_s = 600;
+  return kRound_s * std::ceil((longest_s + kBeforeAndAfter_s) / kRound_s);
+}
+
 /// Checks that each mission of a measured plan ends within the scenario if nothing fails: otherwise
 /// every flight would count as a violation. GL9387.
 support::Result<void> requireEnds(const campaign::CampaignPlan& plan, const std::string& scenario) {
@@ -251,7 +258,7 @@ support::Result<void> requireEnds(const campaign::CampaignPlan& plan, const std:
         scenario, longest ? fmt::format(": it may last {}", durationOf(*longest)) : "",
         longest
             ? fmt::format("copy the scenario, and set `duration_s` in the copy to at least {:.0f}",
-                          std::ceil(*longest))
+                          durationFor(*longest))
             : "copy the scenario, and set `duration_s` in the copy to longer than the mission "
               "lasts; if it never ends, add a case with `exit`");
   }

@@ -44,7 +44,10 @@ class RepeatedCalls {
   void look(uint32_t state, uint32_t number) {
     const Case& call = m_.states[state].cases[number];
     const Moves& called = v_.structure.moves[call.target.index];
-    if (call.target.index == state || !called.return_case) {
+    const bool comes_true = anyIn(m_, call.guard, [](const Expr& e) {
+      return isGrowingClock(e.op) || e.op == Op::Variable;
+    });  // one that always is true is reported as that
+    if (call.target.index == state || !called.return_case || !comes_true) {
       return;
     }
     state_ = state;

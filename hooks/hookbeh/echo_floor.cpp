@@ -92,7 +92,7 @@ void EchoFloor::learnRise(double bottom_m) {
   anchor_s_ = 0;
 }
 
-/// A bottom above this depth would have been heard, m.
+/// A bottom above this depth would have returned an echo, m.
 double EchoFloor::beyond(double depth_m) const {
   return depth_m + kSureShare * reach_m_;
 }

@@ -28,7 +28,7 @@ auto reads(Kind kind, double value = 0, double share = 1) {
 }
 
 /// The altimeter itself, from the start.
-auto hears(double range_m, double share) {
+auto receives(double range_m, double share) {
   return [=](Scenario& scenario, double /*from_s*/) {
     scenario.sensors.altimeter.range_m = range_m;
     scenario.sensors.altimeter.dropout = 1 - share;
@@ -50,8 +50,8 @@ const std::vector<AltimeterFault>& altimeterFaults() {
       {"noise of 1 m", BottomRule::Never,
        [](Scenario& s, double) { s.sensors.altimeter.noise_m = 1; }},
       {"jumps by up to 5 m", BottomRule::Never, reads(Kind::Jumps, 5, 0.5)},
-      {"range of 10 m", BottomRule::Never, hears(10, 1)},
-      {"hears 5 % of cycles to 36 m", BottomRule::Rare, hears(36, 0.05)},
+      {"range of 10 m", BottomRule::Never, receives(10, 1)},
+      {"receives 5 % of echoes, to 36 m", BottomRule::Rare, receives(36, 0.05)},
       {"reads half", BottomRule::Never, reads(Kind::Scale, 0.5)},
       {"reads 5 m too little", BottomRule::Never, reads(Kind::Offset, -5)},
       {"reads 1.3 times", BottomRule::Never, reads(Kind::Scale, 1.3)},

@@ -284,6 +284,15 @@ TEST(HookbehBottom, BubblesNearTheSurfaceDoNotKeepTheVehicleUp) {
   EXPECT_GT(sea.deepest, 54);
 }
 
+TEST(HookbehBottom, AtTheSurfaceAnOldEchoIsNotForgotten) {
+  EchoFloor echoes;
+  echoes.observe(15, 5, 4);
+  for (int i = 0; i < 2000; ++i) {
+    echoes.observe(0.5, kNan, 4);
+  }
+  EXPECT_LT(echoes.floor(), 21) << "at the surface the altimeter receives nothing";
+}
+
 TEST(HookbehBottom, TheAltimeterIsAskedForWhileHookbehCommands) {
   HookbehBench bench;
   EXPECT_FALSE(bench.cycle().altimeter) << "it waits";

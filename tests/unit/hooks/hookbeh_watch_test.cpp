@@ -482,7 +482,7 @@ TEST(UnseenSinkEdges, RisesAfterTwentySecondsAndSinksAgainAfterTwelve) {
 /// after.
 bool showsAt(double depth_m, double gap_s, double middle_m = kNan) {
   UnseenSink sink{kHull};
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < 13; ++i) {
     sink.observe(20 + i % 2 * 1e-9, 1, kOther);
   }
   sink.observe(middle_m, gap_s / 2, kOther);

@@ -178,6 +178,10 @@ JudgeSetup judgeSetup(const platforms::Platform& platform, const Scenario& scena
   const OceanSettings& ocean = scenario.ocean;
   setup.current_mps = std::max(std::hypot(ocean.current.east, ocean.current.north),
                                std::hypot(ocean.bottom_current.east, ocean.bottom_current.north));
+  constexpr double kSpreads = 4;  // standard deviations
+  setup.longest_cycle_s =
+      std::max({setup.cycle_s, scenario.cycles.mean_s + kSpreads * scenario.cycles.spread_s,
+                scenario.cycles.long_share > 0 ? scenario.cycles.long_s : 0});
   setup.altimeter_hears = altimeterHears(scenario, setup.cycle_s);
   for (const slocum::BehaviourBlock& behaviour : scenario.skeleton.behaviours) {
     if (behaviour.name == "hookbeh") {

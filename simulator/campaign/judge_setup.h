@@ -9,6 +9,7 @@
 #include "simulator/campaign/promises.h"
 #include "simulator/scenario/scenario.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,7 +30,8 @@ struct JudgeSetup {
   double pump_cc = 0;        ///< the range of its pump
   std::shared_ptr<const platforms::Dictionary> dictionary;  ///< of its sensors; not null
   double cycle_s = 4;
-  double turn_s = 120;  ///< from the command to climb until the vehicle climbs
+  double longest_cycle_s = 4;  ///< of a running flight controller
+  double turn_s = 120;         ///< from the command to climb until the vehicle climbs
   double slowest_climb_mps = 0.05;
   double mean_W = 0;   ///< of the same mission's flight without a fault; 0: not known
   double loads_W = 0;  ///< what all loads but the motors draw at most
@@ -46,7 +48,9 @@ struct JudgeSetup {
   /// it is what holds without that fault; but what a mission does may depend on what it has read.
   [[nodiscard]] Promise promiseAt(double now_s) const;
   /// True if the flight controller was not running in a time without cycles of `gap_s`.
-  [[nodiscard]] bool isDark(double gap_s) const { return gap_s > 3 * cycle_s; }
+  [[nodiscard]] bool isDark(double gap_s) const {
+    return gap_s > std::max(3 * cycle_s, longest_cycle_s + cycle_s);
+  }
 };
 
 /// The kind to which a fault of a sensor belongs.

@@ -515,6 +515,18 @@ TEST(JudgeSetup, AnAltimeterOfRealLogsHears) {
   EXPECT_FALSE(hears(100, 0, -1)) << "never read";
 }
 
+TEST(JudgeSetup, ALongCycleIsNotATimeWithoutAFlightController) {
+  Scenario scenario = shippedSetup("default").scenario;
+  const auto is_dark = [&](double gap_s) {
+    return judgeSetup(shippedSetup("default").platform, scenario, {}).isDark(gap_s);
+  };
+  EXPECT_FALSE(is_dark(12));
+  EXPECT_TRUE(is_dark(15));
+  scenario.cycles = {.mean_s = 4.4, .spread_s = 0.3, .long_share = 0.01, .long_s = 15};
+  EXPECT_FALSE(is_dark(19));
+  EXPECT_TRUE(is_dark(20));
+}
+
 TEST(JudgeSetup, KnowsSensorsByEitherName) {
   Scenario scenario = shippedSetup("default").scenario;
   scenario.faults.sensors.push_back({.name = "altitude", .kind = SensorFault::Kind::Missing});

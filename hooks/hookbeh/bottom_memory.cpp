@@ -103,10 +103,10 @@ void BottomMemory::forgetEchoes() {
   }
 }
 
-double BottomMemory::floor() const {
+double BottomMemory::floor(bool touched) const {
   double floor = kBottomless;
   for (const Place& place : places_) {
-    if (!place.empty()) {
+    if (!place.empty() && (place.touched || !touched)) {
       const double near = atMost(place.distance_m, kNearM);
       const double risen = atMost(kSteeper * place.rise * near, kMostRise * place.depth_m);
       const double eased = kEases * (place.distance_m - near);

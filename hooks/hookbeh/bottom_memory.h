@@ -32,8 +32,9 @@ class BottomMemory {
   void keepEcho(double depth_m);
   /// The altimeter works: what keepEcho() was given is forgotten.
   void forgetEchoes();
-  /// How deep the bottom is at least, m.
-  [[nodiscard]] double floor() const;
+  /// How deep the bottom is at least, m; by the touched places alone, or by all.
+  [[nodiscard]] double touchedFloor() const { return floor(true); }
+  [[nodiscard]] double floor() const { return floor(false); }
   /// How deep it was at the nearest place that the vehicle has touched, m; NaN if none is within
   /// 500 m.
   [[nodiscard]] double touchedHere() const;
@@ -51,6 +52,7 @@ class BottomMemory {
   };
   [[nodiscard]] Place& placeHere();
   void add(double depth_m, double rise, bool touched);
+  [[nodiscard]] double floor(bool touched) const;
 
   static constexpr uint8_t kCount = 8;
   Place places_[kCount];

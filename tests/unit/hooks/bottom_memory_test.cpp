@@ -113,6 +113,7 @@ TEST(BottomMemory, EchoesAreForgottenWhereContactsAreNot) {
   touch(memory, at(2000), 40);
   memory.observe(at(2000), 2 * kHour);
   EXPECT_EQ(memory.floor(), 30);
+  EXPECT_EQ(memory.touchedFloor(), 40);
   memory.forgetEchoes();
   EXPECT_EQ(memory.floor(), 40);
 }

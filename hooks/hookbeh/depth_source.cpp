@@ -37,7 +37,8 @@ void DepthSource::observe(double depth_m, double step_s) {
   cadence_.observe(depth_m, step_s);
   same_s_ = cadence_.isNew() ? 0 : same_s_ + step_s;
   // The sensor array keeps a reading until there is a newer one, and the vehicle moves meanwhile.
-  const double since_s = atLeast(age_s_, atMost(cadence_.gap(), patience()));
+  const double most_s = patience() > kFrozenSecs ? kMostFrozenSecs : kFrozenSecs;
+  const double since_s = atLeast(age_s_, atMost(cadence_.gap(), most_s));
   const double moved = magnitude(depth_m - depth_m_);
   // The very first reading is compared with a NaN, and is good.
   if (moved > kReachM + hull_.vertical_rate_m_s * since_s) {

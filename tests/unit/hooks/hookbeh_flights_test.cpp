@@ -26,12 +26,12 @@ struct Flight {
   double bottom_m = 50, pitch_rad = 0.4538;
   bool hovers = false;
   bool has_ctd = true;
-  double pressure_s = 0;                  ///< c_pressure_time
-  double swell_m = 0, period_s = 10;      ///< in the depth
-  double mean_s = 4, long_share = 0;      ///< cycles; the long ones take up to 15 s
-  double noise_m = 0.03, repeated = 0;    ///< share of readings that repeat the one before
-  double heavy_cc = 0, lift = 1;          ///< trim, and the share of the lift that a layer leaves
-  double stuck_s = 1e9, flicker_m = 0;    ///< depth and CTD stand still from then on, and flicker
+  double pressure_s = 0;                ///< c_pressure_time
+  double swell_m = 0, period_s = 10;    ///< in the depth
+  double mean_s = 4, long_share = 0;    ///< cycles; the long ones take up to 15 s
+  double noise_m = 0.03, repeated = 0;  ///< share of readings that repeat the one before
+  double heavy_cc = 0, lift = 1;        ///< trim, and the share of the lift that a layer leaves
+  double stuck_s = 1e9, flicker_m = 0;  ///< depth and CTD stand still from then on, and flicker
   double hours = 1;
 };
 
@@ -45,6 +45,7 @@ class Vehicle {
  public:
   Vehicle(const Flight& flight, unsigned seed) : f_(flight), random_(seed), bench_(args(flight)) {
     bench_.raw_depth = true;
+    bench_.inputs.depth_m = 0;
   }
   Flown fly() {
     cycle();  // what is in the array at the start is not followed
@@ -80,8 +81,8 @@ class Vehicle {
       pump_ += std::clamp(out_.pump_cc - pump_, -9.0, 9.0);
       pitch_ += (out_.pitch_rad - pitch_) * 0.08;
       const double cc = pump_ > 0 ? pump_ * f_.lift - f_.heavy_cc : pump_ * f_.lift - f_.heavy_cc;
-      const double slope = std::fabs(pitch_) < 0.19 ? 0.0073
-                                                    : 0.0111 + 0.038 * (std::fabs(pitch_) - 0.4538);
+      const double slope =
+          std::fabs(pitch_) < 0.19 ? 0.0073 : 0.0111 + 0.038 * (std::fabs(pitch_) - 0.4538);
       const double up = std::copysign(std::max(slope, 0.005) * std::sqrt(std::fabs(cc)), cc);
       up_mps_ += (up - up_mps_) * 0.03;
       true_m_ = std::max(0.0, true_m_ - up_mps_ * 0.25);
@@ -101,8 +102,8 @@ class Vehicle {
       stuck_m_ = stuck ? stuck_m_ : shown;
       read_s_ = time_s_;
     }
-    in.ctd_bar = f_.has_ctd ? (stuck ? stuck_m_ + f_.flicker_m * (2 * uniform() - 1) : shown) / 10
-                            : kNan;
+    in.ctd_bar =
+        f_.has_ctd ? (stuck ? stuck_m_ + f_.flicker_m * (2 * uniform() - 1) : shown) / 10 : kNan;
     in.ctd_bar = uniform() < 0.2 ? kNan : in.ctd_bar;
   }
   void cycle() {
@@ -111,6 +112,7 @@ class Vehicle {
     move(step_s);
     time_s_ += step_s;
     bench_.inputs.time_s += step_s - 4;
+    bench_.inputs.wall_time_s = bench_.inputs.time_s + 4;  // one clock alone is not believed
     sense();
     const std::string before = out_.doing;
     out_ = bench_.cycle();
@@ -204,9 +206,8 @@ TEST(HookbehFlights, AHoverWhoseSensorsAreAllStuckStaysNearItsLimit) {
           const Flown flown = Vehicle(f, seed++).fly();
           const double bound = std::max(greatest, f.bottom_m + 30) + 5;
           past = std::max(past, flown.deepest_m - greatest);
-          EXPECT_LT(flown.deepest_m, bound)
-              << greatest << " m, hover at " << f.bottom_m << ", heavy " << heavy << " cc, flicker "
-              << flicker;
+          EXPECT_LT(flown.deepest_m, bound) << greatest << " m, hover at " << f.bottom_m
+                                            << ", heavy " << heavy << " cc, flicker " << flicker;
           EXPECT_LT(flown.last_m, 40);
         }
       }

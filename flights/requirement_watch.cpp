@@ -173,7 +173,7 @@ void reportViolations(const RequirementWatch& watch, const support::Trace& trace
                                    found.words, found.after.empty() ? "" : "; ", found.after));
   }
   if (const auto at = watch.departed()) {
-    diagnostics.report(support::DiagnosticId::requirementFlown, {}, fmt::format("{:.0f} s", *at));
+    diagnostics.report(support::DiagnosticId::watchEnded, {}, fmt::format("{:.0f} s", *at));
   }
 }
 

@@ -99,27 +99,10 @@ class RequirementCheck {
   /// Whether what was proved under more assumptions, `was`, is proved under these too; `effort`:
   /// the limit of a search. Nothing is reported.
   Again provesAgain(const RequirementVerdict& was, unsigned effort) {
-    const Requirement& requirement = m_.requirements[was.requirement];
-    if (!requirement.geofences.empty()) {
-      const RequirementVerdict found = provedAreas(areasOf(requirement));
-      const bool proved = found.verdict == Verdict::Proved && found.premise == was.premise;
-      return {proved, std::nullopt};
-    }
-    if (provesAtOnce(was.requirement)) {
-      return {true,
-              proof_.options.evidence ? evidences().seen(requirement, false, false) : std::nullopt};
-    }
-    if (!was.searched) {
-      return {};
-    }
-    search_effort_ = effort;
-    Search found = search(requirement, insight().context());
-    if (found.answer.bad != Answer::No) {
-      return {};
-    }
-    return {true, wantsInvariants() ? std::optional(evidences().searched(
-                                          requirement, std::move(found.answer.invariants)))
-                                    : std::nullopt};
+    const unsigned usual = std::exchange(search_effort_, effort);
+    Again again = provedAgain(was);
+    search_effort_ = usual;
+    return again;
   }
 
   [[nodiscard]] Proof& proof() { return proof_; }
@@ -174,6 +157,35 @@ class RequirementCheck {
                ? concretize(*submerged_, proof_.proof_context, proof_.facts.stack_depth,
                             requirement)
                : std::nullopt;
+  }
+
+  Again provedAgain(const RequirementVerdict& was) {
+    const Requirement& requirement = m_.requirements[was.requirement];
+    if (!requirement.geofences.empty()) {
+      const RequirementVerdict found = provedAreas(areasOf(requirement));
+      const bool proved = found.verdict == Verdict::Proved && found.premise == was.premise;
+      return {proved, std::nullopt};
+    }
+    if (provesAtOnce(was.requirement)) {
+      return {true,
+              proof_.options.evidence ? evidences().seen(requirement, false, false) : std::nullopt};
+    }
+    if (!was.searched) {
+      return {};
+    }
+    // Only a proof counts: no counterexample is made concrete.
+    const ProofContext& context = insight().context();
+    const ConeOfInfluence relevance = relevanceOf(requirement, context);
+    RunsAnswer answer = ask(requirement, context, relevance);
+    if (answer.bad == Answer::Yes && !relevance.vehicle && readsDepth(relevance, context)) {
+      answer = ask(requirement, context, withVehicle(requirement, context));
+    }
+    if (answer.bad != Answer::No) {
+      return {};
+    }
+    return {true, wantsInvariants() ? std::optional(evidences().searched(
+                                          requirement, std::move(answer.invariants)))
+                                    : std::nullopt};
   }
 
   void keepSubmerged(const Requirement& requirement, const Search& found) {
@@ -349,12 +361,18 @@ class RequirementCheck {
   RequirementVerdict recall(uint32_t number, EarlierProof proof) {
     RequirementVerdict verdict{0, Verdict::Proved, std::nullopt};
     verdict.cached = true;
-    RequirementCheck& check = bare_ != nullptr && proof.assumptions.empty() ? *bare_ : *this;
+    RequirementCheck& check = under(proof.assumptions);
+    if (&check != this && &check != bare_) {  // what rests on it here may rest on it too
+      (void)evidences().searched(m_.requirements[number], proof.invariants);
+    }
     verdict.evidence =
         check.evidences().searched(check.m_.requirements[number], std::move(proof.invariants));
     verdict.assumptions = std::move(proof.assumptions);
     return verdict;
   }
+
+  /// The check of the mission under some of its assumptions.
+  RequirementCheck& under(const std::vector<uint32_t>& some);
 
   /// How long the SBC is without power in a flight, s: an assumption only limits each outage, but
   /// one that leaves none limits all.
@@ -639,7 +657,7 @@ class RequirementCheck {
   bool fresh_ = false;                  ///< something was proved since the first look
 };
 
-/// The check of the mission under some of its assumptions.
+/// The mission under some of its assumptions.
 class UnderSome {
  public:
   /// `plain`: without any.
@@ -652,13 +670,7 @@ class UnderSome {
                plain.proof().diagnostics},
         check_(proof_, &plain) {}
 
-  /// `budget`: what it may take, and has left.
-  RequirementCheck::Again proves(const RequirementVerdict& was, unsigned effort, Budget& budget) {
-    proof_.searches = budget;
-    RequirementCheck::Again again = check_.provesAgain(was, effort);
-    budget = proof_.searches;
-    return again;
-  }
+  [[nodiscard]] RequirementCheck& check() { return check_; }
 
  private:
   static Mission keeping(Mission mission, const std::vector<uint32_t>& kept) {
@@ -678,6 +690,20 @@ class UnderSome {
   RequirementCheck check_;
 };
 
+RequirementCheck& RequirementCheck::under(const std::vector<uint32_t>& some) {
+  if (bare_ == nullptr || some.size() == m_.assumptions.size()) {
+    return *this;
+  }
+  if (some.empty()) {
+    return *bare_;
+  }
+  std::shared_ptr<UnderSome>& found = under_some_[some];
+  if (!found) {
+    found = std::make_shared<UnderSome>(*bare_, some);
+  }
+  return found->check();
+}
+
 /// A proof that is found again takes about as long as the first.
 bool RequirementCheck::isProvedUnder(const std::vector<uint32_t>& fewer,
                                      RequirementVerdict& verdict) {
@@ -686,21 +712,15 @@ bool RequirementCheck::isProvedUnder(const std::vector<uint32_t>& fewer,
   if (premises_.isUsedUp()) {
     return false;
   }
-  std::shared_ptr<UnderSome>& some = under_some_[fewer];
-  if (!some) {
-    some = std::make_shared<UnderSome>(*bare_, fewer);
-  }
   const uint64_t effort =
       std::min<uint64_t>(proof_.options.run_effort, 2 * verdict.steps + kAtLeast);
-  Again again = some->proves(verdict, static_cast<unsigned>(effort), premises_);
-  if (!again.proved) {
-    return false;
-  }
-  if (!m_.requirements[verdict.requirement].geofences.empty()) {
-    return true;
-  }
-  if (proof_.options.evidence && !again.evidence) {
-    return false;  // what there is may rest on more
+  RequirementCheck& check = under(fewer);
+  const Budget before = std::exchange(check.proof_.searches, premises_);
+  Again again = check.provesAgain(verdict, static_cast<unsigned>(effort));
+  premises_ = std::exchange(check.proof_.searches, before);
+  const bool of_areas = !m_.requirements[verdict.requirement].geofences.empty();
+  if (!again.proved || (proof_.options.evidence && !again.evidence && !of_areas)) {
+    return false;  // what evidence there is may rest on more
   }
   verdict.evidence = std::move(again.evidence);
   return true;

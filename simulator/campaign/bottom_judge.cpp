@@ -19,6 +19,7 @@ namespace {
 
 // The distance that the pump needs to reverse a steep dive, over a bottom that may rise meanwhile.
 constexpr double kClearanceTolerance = 4;  // m
+constexpr double kRounding = 1e-6;         // s
 constexpr double kUnderWater = 1;          // m
 constexpr double kLeft = 1;                // m: a contact is over
 constexpr double kDepthRight = 2;          // m
@@ -28,14 +29,24 @@ constexpr double kSlides = 100;  // m along the bottom: the contact is of anothe
 
 /// True if the altimeter receives echoes often enough to keep the vehicle off the bottom.
 bool BottomJudge::hears(double now_s) const {
-  return s_.altimeter_hears && s_.args.least_altitude_m >= 0 &&
+  const bool rare = s_.echo_every_s > limits::kRareEchoSecs;
+  return s_.echo_every_s <= limits::kEchoEverySecs + kRounding && s_.args.least_altitude_m >= 0 &&
+         (!rare || echoes_ >= limits::kEchoesToKnow) &&
          !isWrong(s_.faults, {"m_altitude"}, now_s, limits::kEchoFadesSecs);
+}
+
+void BottomJudge::countEcho(const CycleView& view) {
+  constexpr double kRight = 3;  // m
+  const double altitude = view.array.get(Sensor::m_altitude);
+  echoes_ +=
+      view.array.fresh(Sensor::m_altitude) && std::fabs(altitude - view.clearance_m) < kRight;
 }
 
 const BottomJudge::Place* BottomJudge::knownPlace(const Place& here) const {
   const auto found = std::ranges::find_if(places_, [&](const Place& place) {
     return std::hypot(place.east_m - here.east_m, place.north_m - here.north_m) < limits::kPlaceM &&
-           here.water_m > place.water_m - limits::kRiseM;
+           here.water_m > place.water_m - limits::kRiseM &&
+           (place.water_m > limits::kShallowM || here.at_s - place.at_s < limits::kShallowSecs);
   });
   return found == places_.end() ? nullptr : &*found;
 }
@@ -46,7 +57,7 @@ std::string BottomJudge::judgeNewContact(const CycleView& view) {
   }
   const bool depth_known =
       std::fabs(view.array.get(Sensor::m_depth) - view.true_depth_m) < kDepthRight;
-  const Place here{view.east_m, view.north_m, view.true_depth_m + view.clearance_m};
+  const Place here{view.east_m, view.north_m, view.true_depth_m + view.clearance_m, view.time_s};
   const Place* known = knownPlace(here);
   if (known != nullptr && depth_known && view.hook == HookState::Active) {
     return fmt::format("the vehicle is on the bottom again, {:.0f} m from an earlier contact",
@@ -69,7 +80,7 @@ std::string BottomJudge::judgeTouch(const CycleView& view, bool was_dark) {
       return wrong;
     }
   }
-  const Place here{view.east_m, view.north_m, view.true_depth_m + view.clearance_m};
+  const Place here{view.east_m, view.north_m, view.true_depth_m + view.clearance_m, view.time_s};
   if (began || std::hypot(places_.back().east_m - here.east_m,
                           places_.back().north_m - here.north_m) > kSlides) {
     places_.push_back(here);
@@ -103,6 +114,7 @@ std::string BottomJudge::judgeClearance(const CycleView& view, bool active) {
 
 std::string BottomJudge::cycle(const CycleView& view) {
   const bool was_dark = s_.isDark(view.time_s - last_s_);
+  countEcho(view);
   std::string touch = judgeTouch(view, was_dark);
   std::string clearance = judgeClearance(view, view.hook == HookState::Active);
   last_s_ = view.time_s;

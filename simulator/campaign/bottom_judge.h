@@ -21,14 +21,19 @@ class BottomJudge {
   /// What is violated in this cycle; empty: nothing.
   std::string cycle(const CycleView& view);
   /// A new hookbeh begins, which knows no place.
-  void restart() { places_.clear(); }
+  void restart() {
+    places_.clear();
+    echoes_ = 0;
+  }
 
  private:
   /// Where the vehicle was on the bottom, and how deep the water was.
   struct Place {
     double east_m, north_m, water_m;
+    double at_s;
   };
   [[nodiscard]] bool hears(double now_s) const;
+  void countEcho(const CycleView& view);
   [[nodiscard]] const Place* knownPlace(const Place& here) const;
   std::string judgeTouch(const CycleView& view, bool was_dark);
   std::string judgeNewContact(const CycleView& view);
@@ -36,6 +41,7 @@ class BottomJudge {
 
   const JudgeSetup& s_;
   std::vector<Place> places_;
+  int echoes_ = 0;                     ///< that were right
   double last_s_ = __builtin_nan("");  ///< the previous cycle
   double touched_s_ = 0;               ///< when this contact began
   bool touching_ = false;

@@ -34,7 +34,6 @@ constexpr double kFloats = 1;         // m: a target above this is the surface
 constexpr double kFarFromTarget = 6;  // m
 constexpr int kFarCycles = 15;        // a minute
 constexpr int kToArrive = 6;          // cycles that the commands of a dive or climb may be held
-constexpr double kNearLimit = 2;      // m: the guard may step in
 constexpr double kSwing = 4;          // m: a climb of the guard is at least 5 m
 constexpr int kSmallSwings = 3;
 constexpr double kOldReading = 30;      // s: hookbeh's guard 6 steps in within this time
@@ -166,7 +165,7 @@ std::string CommandJudge::judgeWhole(const CycleView& view) const {
 /// that the altimeter detects.
 std::string CommandJudge::judgeLimits(const CycleView& view, double reading) {
   const bool too_deep = !(reading <= s_.args.greatest_depth_m + kDepthError && reading >= kHighest);
-  const bool echoes = s_.altimeter_hears &&
+  const bool echoes = s_.echo_every_s <= limits::kRareEchoSecs &&
                       !isWrong(s_.faults, {"m_altitude"}, view.time_s, limits::kEchoFadesSecs);
   const bool too_low = s_.promiseAt(view.time_s).clearance && echoes &&
                        s_.args.least_altitude_m >= 0 &&
@@ -218,9 +217,8 @@ std::string CommandJudge::judgeGuard(const CycleView& view) {
   const bool guards = view.hookbeh->guard != hooks::HookGuard::None;
   const bool no_depth = view.hookbeh->guard == hooks::HookGuard::NoDepthGained;
   const double depth = view.true_depth_m;
-  const bool near =
-      depth > s_.args.greatest_depth_m - kNearLimit ||
-      (s_.args.least_altitude_m >= 0 && view.clearance_m < s_.args.least_altitude_m + kNearLimit);
+  echo_s_ = view.array.fresh(Sensor::m_altitude) ? view.time_s : echo_s_;
+  const bool near = isNearLimit(s_, view, view.hookbeh->guard, view.time_s - echo_s_);
   std::string wrong;
   if (guards && !guarding_) {
     // A vehicle that another behaviour steers gains no depth, regardless of what hookbeh commands.

@@ -57,6 +57,7 @@ class CommandJudge {
   double deepest_m_ = -1e9;     ///< of m_depth in this dive
   double overridden_s_ = -1e9;  ///< when a behaviour above hookbeh last controlled pitch or pump
 
+  double echo_s_ = -1e9;  ///< when the altimeter last received an echo
   bool guarding_ = false;
   bool no_depth_gained_ = false;  ///< by its guard, which persists across sessions
   double tripped_m_ = 0;          ///< true depth at which the guard stepped in

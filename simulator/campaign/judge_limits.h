@@ -21,9 +21,16 @@ inline constexpr double kTurnM = 7;
 // Bottom.
 /// m; the vehicle touches the bottom.
 inline constexpr double kTouchM = 0.05;
-/// m and m; the contacts in this radius are of one place, over a bottom that rises by no more.
-/// hookbeh remembers a contact with this radius and stays this far above it.
-inline constexpr double kPlaceM = 500, kRiseM = 2;
+/// m and m; the contacts in this radius are of one place, over a bottom that rises by no more:
+/// so far hookbeh counts on a bottom that it has touched (hooks/hookbeh/README.md).
+inline constexpr double kPlaceM = 3000, kRiseM = 4;
+/// m and s; a vehicle cannot dive, and so not fly away, over a bottom as shallow as that: hookbeh
+/// forgets it after this time.
+inline constexpr double kShallowM = 12, kShallowSecs = 1800;
+/// Echoes, and s between them on average; an altimeter whose echoes are rarer shows the bottom only
+/// after so many of them. In a dive of 130 s through its range it may receive none at all.
+inline constexpr int kEchoesToKnow = 3;
+inline constexpr double kRareEchoSecs = 20;
 /// s; a dive on the bottom ends: hookbeh allows 180 s without a metre gained, as long again when
 /// the vehicle slides, and the turn takes 120 s.
 inline constexpr double kOnBottomSecs = 600;

@@ -37,13 +37,13 @@ hooks::HookbehArgs withinHull(hooks::HookbehArgs args, const platforms::Envelope
   return args;
 }
 
-/// True if the altimeter of the scenario's vehicle receives echoes as often as one of real logs.
-bool altimeterHears(const Scenario& scenario, double cycle_s) {
+/// How often the altimeter of the scenario's vehicle receives an echo, s; infinite for one that
+/// hears the bottom too late. hookbeh has it read in each cycle.
+double echoEvery(const Scenario& scenario, double cycle_s) {
   constexpr double kRange = 30;  // m: a dive at 26 degrees then has 130 s for an echo
   const AltimeterSettings& altimeter = scenario.sensors.altimeter;
-  const double period_s = MissionVariables(scenario.skeleton).find("c_alt_time").value_or(0);
-  return period_s >= 0 && altimeter.range_m >= kRange &&
-         std::max(period_s, cycle_s) <= limits::kEchoEverySecs * (1 - altimeter.dropout) + 1e-6;
+  return altimeter.range_m >= kRange && altimeter.dropout < 1 ? cycle_s / (1 - altimeter.dropout)
+                                                              : kForever;
 }
 
 /// Without those of faults of sensors.
@@ -182,7 +182,7 @@ JudgeSetup judgeSetup(const platforms::Platform& platform, const Scenario& scena
   setup.longest_cycle_s =
       std::max({setup.cycle_s, scenario.cycles.mean_s + kSpreads * scenario.cycles.spread_s,
                 scenario.cycles.long_share > 0 ? scenario.cycles.long_s : 0});
-  setup.altimeter_hears = altimeterHears(scenario, setup.cycle_s);
+  setup.echo_every_s = echoEvery(scenario, setup.cycle_s);
   for (const slocum::BehaviourBlock& behaviour : scenario.skeleton.behaviours) {
     if (behaviour.name == "hookbeh") {
       setup.has_hookbeh = true;

@@ -39,8 +39,7 @@ struct JudgeSetup {
   double current_mps = 0;                         ///< the fastest of the scenario
   double late_m = 0;             ///< how far it sinks until a pressure that is read seldom shows it
   double through_water_mps = 1;  ///< horizontally, at most
-  /// The altimeter receives an echo often enough, if no fault of the flight keeps it from that.
-  bool altimeter_hears = true;
+  double echo_every_s = 4;       ///< of the altimeter within its range, on average, without a fault
   /// What holds while no sensor of the vehicle is wrong; empty: as `promise`.
   std::optional<Promise> whole;
 

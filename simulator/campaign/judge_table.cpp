@@ -48,12 +48,14 @@ std::string allowedBy(JudgeId judge) {
           kSinkMps, kLevelSinkMps, kTurnM);
     case JudgeId::Bottom:
       return fmt::format(
-          "the bottom, if the altimeter receives an echo every {:.0f} s on average; "
-          "otherwise a second contact within {:.0f} m of an earlier one, unless the "
-          "bottom has risen by {:.0f} m, or over {:.0f} s on the bottom. With an "
-          "altimeter that receives echoes also a clearance of over 4 m less than "
-          "`min_altitude`",
-          kEchoEverySecs, kPlaceM, kRiseM, kOnBottomSecs);
+          "the bottom, if the altimeter receives an echo every {:.0f} s on average (if they are "
+          "more "
+          "than {:.0f} s apart, after {} of them); otherwise a second contact within {:.0f} m of "
+          "an "
+          "earlier one, unless the bottom has risen by {:.0f} m, or over {:.0f} s on the bottom. "
+          "With "
+          "an altimeter that receives echoes also a clearance of over 4 m less than `min_altitude`",
+          kEchoEverySecs, kRareEchoSecs, kEchoesToKnow, kPlaceM, kRiseM, kOnBottomSecs);
     case JudgeId::Ascent:
       return "a vehicle that is still under water 120 s plus 20 s per metre after anything "
              "commanded "

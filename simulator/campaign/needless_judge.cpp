@@ -3,6 +3,7 @@
 
 #include "simulator/campaign/needless_judge.h"
 
+#include "simulator/campaign/commanded.h"
 #include "simulator/campaign/judge_limits.h"
 #include "simulator/campaign/surface_judge.h"
 
@@ -33,7 +34,10 @@ std::string NeedlessJudge::cycle(const CycleView& view) {
   last_s_ = view.time_s;
   const bool active = view.hook == HookState::Active && view.hookbeh != nullptr;
   const bool guards = active && view.hookbeh->guard != HookGuard::None;
-  needless_ = guards && (needless_ || (!guarding_ && right_s_ > kRightSecs && isSafe(view)));
+  echo_s_ = view.array.fresh(Sensor::m_altitude) ? view.time_s : echo_s_;
+  const bool begins = guards && !guarding_ && right_s_ > kRightSecs && isSafe(view) &&
+                      !isNearLimit(s_, view, view.hookbeh->guard, view.time_s - echo_s_);
+  needless_ = guards && (needless_ || begins);
   climbs_ += needless_ && !guarding_;
   climb_s_ += needless_ ? step_s : 0;
   active_s_ += active ? step_s : 0;

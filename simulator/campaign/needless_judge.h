@@ -28,6 +28,7 @@ class NeedlessJudge {
   const JudgeSetup& s_;
   double last_s_ = 0;      ///< of the previous cycle
   double right_s_ = 0;     ///< how long readings and distances have been right
+  double echo_s_ = -1e9;   ///< when the altimeter last received an echo
   bool guarding_ = false;  ///< in the previous cycle
   bool needless_ = false;  ///< this climb
   int climbs_ = 0;         ///< needless ones

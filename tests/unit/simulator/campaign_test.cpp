@@ -129,7 +129,8 @@ TEST(DrawFaults, AVehicleThatDiffersIsAppliedToTheScenario) {
     return judgeSetup(platform, scenario, drawn.kinds);
   };
   EXPECT_FALSE(judged(FaultKind::NoCtd).has_ctd);
-  EXPECT_TRUE(judged(FaultKind::DeafAltimeter).altimeter_hears);
+  EXPECT_GT(judged(FaultKind::DeafAltimeter).echo_every_s, 15);
+  EXPECT_LE(judged(FaultKind::DeafAltimeter).echo_every_s, 80.1);
   const double late_m = judged(FaultKind::SlowPressure).late_m;
   EXPECT_GT(late_m, 0);
   EXPECT_LT(late_m, 12 * 0.44);

@@ -6,6 +6,7 @@
 // hookbeh or the SBC.
 
 #include "hooks/hookbeh/hull.h"
+#include "simulator/campaign/judge_limits.h"
 #include "simulator/campaign/judge_table.h"
 #include "tests/unit/simulator/judged.h"
 
@@ -455,7 +456,7 @@ class JudgedContacts : public testing::Test {
 
 TEST_F(JudgedContacts, TheFirstIsOfABottomThatNobodyKnew) {
   EXPECT_EQ(touch(0, 40, 200), "");
-  EXPECT_EQ(touch(501, 40), "") << "another place";
+  EXPECT_EQ(touch(3001, 40), "") << "another place";
 }
 
 TEST_F(JudgedContacts, TheSecondAtAPlaceIsSeen) {
@@ -465,8 +466,29 @@ TEST_F(JudgedContacts, TheSecondAtAPlaceIsSeen) {
 
 TEST_F(JudgedContacts, WhereTheBottomHasRisenItIsNotKnown) {
   EXPECT_EQ(touch(0, 40), "");
-  EXPECT_EQ(touch(300, 37), "");
-  EXPECT_NE(touch(400, 36), "");
+  EXPECT_EQ(touch(300, 35), "");
+  EXPECT_NE(touch(400, 34), "");
+}
+
+TEST_F(JudgedContacts, OverAShallowBottomAreForgotten) {
+  EXPECT_EQ(touch(0, 11), "");
+  now_ += 1000;
+  EXPECT_NE(touch(0, 11), "");
+  now_ += 1900;
+  EXPECT_EQ(touch(0, 11), "");
+}
+
+TEST_F(JudgedContacts, RareEchoesShowTheBottomAfterThree) {
+  setup_.faults.sensors.clear();
+  setup_.echo_every_s = 80;
+  EXPECT_EQ(touch(0, 40), "");
+  for (int i = 0; i < 3; ++i) {
+    array_.beginCycle();
+    array_.set(GLIDER_M_ALTITUDE, 20);
+    EXPECT_EQ(cycle(3500, 40, 20), "");
+  }
+  array_.beginCycle();
+  EXPECT_EQ(touch(7000, 40), "the vehicle is on the bottom");
 }
 
 TEST_F(JudgedContacts, OneThatDoesNotEndIsSeen) {
@@ -490,11 +512,11 @@ TEST_F(JudgedContacts, AnAltimeterThatHearsAgainAvoidsAll) {
   now_ = 100 + 599;
   EXPECT_EQ(touch(0, 40), "") << "what it reported still counts";
   now_ = 100 + 601;
-  EXPECT_EQ(touch(2000, 40), "the vehicle is on the bottom");
+  EXPECT_EQ(touch(8000, 40), "the vehicle is on the bottom");
 }
 
-/// Whether an altimeter counts as working, with these echoes and this setting of c_alt_time.
-bool hears(double range_m, double dropout, std::optional<double> period_s = {}) {
+/// How often an altimeter of this range that loses this share of its echoes receives one, s.
+double echoEvery(double range_m, double dropout, std::optional<double> period_s = {}) {
   Scenario scenario = shippedSetup("default").scenario;
   scenario.sensors.altimeter.range_m = range_m;
   scenario.sensors.altimeter.dropout = dropout;
@@ -503,16 +525,15 @@ bool hears(double range_m, double dropout, std::optional<double> period_s = {}) 
     setting.name = "c_alt_time";
     setting.value = *period_s;
   }
-  return judgeSetup(shippedSetup("default").platform, scenario, {}).altimeter_hears;
+  return judgeSetup(shippedSetup("default").platform, scenario, {}).echo_every_s;
 }
 
-TEST(JudgeSetup, AnAltimeterOfRealLogsHears) {
-  EXPECT_TRUE(hears(100, 0));
-  EXPECT_TRUE(hears(36, 0.95));
-  EXPECT_TRUE(hears(36, 0, 60));
-  EXPECT_FALSE(hears(36, 0.96));
-  EXPECT_FALSE(hears(20, 0));
-  EXPECT_FALSE(hears(100, 0, -1)) << "never read";
+TEST(JudgeSetup, AnAltimeterOfRealLogsReceivesAnEchoInEightySeconds) {
+  EXPECT_EQ(echoEvery(100, 0), 4);
+  EXPECT_NEAR(echoEvery(36, 0.95), limits::kEchoEverySecs, 1e-6);
+  EXPECT_EQ(echoEvery(100, 1), kForever);
+  EXPECT_EQ(echoEvery(20, 0), kForever) << "the bottom comes too late";
+  EXPECT_EQ(echoEvery(100, 0, -1), 4) << "hookbeh has it read";
 }
 
 TEST(JudgeSetup, ALongCycleIsNotATimeWithoutAFlightController) {

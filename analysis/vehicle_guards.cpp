@@ -31,9 +31,10 @@ constexpr double kSurelyPast_m = 0.5;
 constexpr double kSinksOn_m = 3;
 /// hookbeh uses no smaller min_altitude (hooks/hookbeh/hull.cpp).
 constexpr double kLeastAltitude_m = 2;
-/// A hover is never longer at one depth than this, s: hookbeh leaves it now and then by more than
-/// abend's 1 m to show that the depth is alive. It does not where the CTD agrees: without a limit.
-constexpr double kHoverShowsDepth_s = std::numeric_limits<double>::infinity();
+/// A hover is never longer at one depth than this, s: every 300 to 600 s hookbeh shows by a climb
+/// of 4 to 5 m that its depth answers (hooks/hookbeh/README.md), and abend then counts from the
+/// start.
+constexpr double kHoverShowsDepth_s = 660;
 
 constexpr double kMost = std::numeric_limits<double>::max();
 

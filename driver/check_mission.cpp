@@ -304,9 +304,8 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   if (!vehicle) {
     return std::unexpected(vehicle.error());
   }
-  ir::prove::Options how =
+  const ir::prove::Options how =
       proverOptions(options, startsOf(compilation.checked->mission(), scenario));
-  how.knows_abend = vehicle->has_value();
   file.proved =
       proveWithCache(compilation, file.found.path, how, options.cache && !options.evidence);
   if (auto tried = tryInScenario(options, scenario, file); !tried) {

@@ -61,8 +61,6 @@ struct Options {
   /// Also give the evidence of each proof: RequirementVerdict::evidence. Not with
   /// `earlier_proof`.
   bool evidence = false;
-  /// What abend of the vehicle's mission file allows is known: its usual limits do not count.
-  bool knows_abend = false;
 };
 
 /// How a requirement was proved.

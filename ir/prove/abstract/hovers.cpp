@@ -48,18 +48,6 @@ class Arrived {
   [[nodiscard]] double stays(StateId id) const {
     return stayOf(context_, mission_[id], {neverPrevented(mission_), false}, values_).by;
   }
-  /// Whether a case may end the state within `seconds` after it was entered at `entered`.
-  [[nodiscard]] bool mayEnd(StateId id, double entered, double seconds) const {
-    const Interval since{0, seconds, false};
-    const AbstractEvaluator evaluator(context_, values_,
-                                      {{entered, entered + seconds, false}, since, since});
-    const auto leads_away = [&](const Case& c) {
-      const bool moves = c.transition != Transition::Stay && c.transition != Transition::Done;
-      return moves && evaluator.truth(c.guard).is_true;
-    };
-    return std::ranges::any_of(mission_.always, leads_away) ||
-           std::ranges::any_of(mission_[id].cases, leads_away);
-  }
   /// Whether a command that `given` says may be given there.
   template <typename Given>
   [[nodiscard]] bool mayCommand(StateId id, const Given& given) const {
@@ -157,7 +145,7 @@ class HoverSearch {
     const double there = longest(id);
     const double most = end_.by ? std::max(0.0, *end_.by - entries_[id.index]) : kEndless;
     const Stays& one = *stays_[id.index];
-    return {id, one.deep, std::min(there, most) - arrives(id), certain(id, one)};
+    return {id, one.deep, std::min(there, most) - arrives(id)};
   }
 
   /// It takes at least that long to get there if the mission begins with it, s.
@@ -165,24 +153,6 @@ class HoverSearch {
     const auto& platform = proof_context_.platform;
     const double way = stays_[id.index]->shallow - platform.world.start_depth_m;
     return id.index == 0 ? std::max(0.0, way) / platform.envelope.vertical_rate_m_s : 0;
-  }
-
-  /// The longest time for which no case can end the state, of some that are tried.
-  [[nodiscard]] double certain(StateId id, const Stays& one) {
-    if (one.shallow != one.deep || !(entries_[id.index] < kMost)) {
-      return 0;
-    }
-    const Arrived& above = arrived(one.deep - kPast);
-    const Arrived& below = arrived(one.deep + kPast);
-    double sure = 0;
-    for (double seconds = 300; seconds <= 4 * 3600; seconds += 300) {
-      if (above.mayEnd(id, entries_[id.index], seconds) ||
-          below.mayEnd(id, entries_[id.index], seconds)) {
-        break;
-      }
-      sure = seconds;
-    }
-    return std::max(0.0, sure - arrives(id));
   }
 
   /// From `id` on at one depth; infinite if it may come back to a state that it has left.

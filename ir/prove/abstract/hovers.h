@@ -17,8 +17,6 @@ struct LongHover {
   StateId state;       ///< where it begins
   double depth_m = 0;  ///< the depth that is commanded, or its upper bound
   double lasts_s = 0;  ///< at most, with a tick in each cycle; infinite: no bound is known
-  /// For at least that long no condition can end it, for any readings.
-  double certain_s = 0;
 };
 
 /// One for each state that stays at one depth, unless only others at that depth lead to it.

@@ -129,7 +129,7 @@ class CheckFlies : public ::testing::TestWithParam<Row> {
  protected:
   /// The events of a flight of an hour and a half.
   std::string flown(const Row& row, const std::filesystem::path& mission) const {
-    folder_.write("v.mi", row.mi);
+    (void)folder_.write("v.mi", row.mi);
     const auto scenario = folder_.write(
         "v.toml", fmt::format("name = \"v\"\nskeleton = \"v.mi\"\nduration_s = 5400\nseed = 1\n"
                               "[start]\nlatitude_deg = 39.175\nlongitude_deg = -73.835\n"
@@ -168,10 +168,10 @@ TEST_P(CheckFlies, WhatIsSaidHappensAndWhatHappensIsSaid) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, CheckFlies, ::testing::ValuesIn(rows()),
-                         [](const ::testing::TestParamInfo<Row>& info) {
+                         [](const ::testing::TestParamInfo<Row>& of) {
                            std::string name;
                            bool upper = true;
-                           for (const char c : info.param.name) {
+                           for (const char c : of.param.name) {
                              if (c != ' ') {
                                name += upper ? static_cast<char>(std::toupper(c)) : c;
                              }

@@ -553,6 +553,22 @@ TEST(Autoexec, BehavioursWhoseFileIsMissingHaveNoEffect) {
   EXPECT_EQ(settings.find("c_alt_time"), 8);
 }
 
+TEST(Autoexec, AnArgumentFileMayListAnotherNumberOfWaypoints) {
+  Folder folder;
+  folder.write("missions/m.mi", "behavior: goto_list\n b_arg: args_from_file(enum) 10\n");
+  const auto listing = [&](int stated) {
+    folder.write("missions/goto_l10.ma",
+                 fmt::format("behavior_name=goto_list\n<start:b_arg>\n"
+                             "b_arg: num_waypoints(nodim) {}\n<end:b_arg>\n<start:waypoints>\n"
+                             "-7349.5 3910.5\n-7349.0 3910.0\n<end:waypoints>\n",
+                             stated));
+    return folder.load().second;
+  };
+  EXPECT_EQ(listing(4), "GL5209 ") << "a warning: those that are listed are flown";
+  EXPECT_EQ(listing(1), "GL5209 ");
+  EXPECT_EQ(listing(2), "");  // accepts: GL5209
+}
+
 TEST(Autoexec, SettingsWithoutEffectAreNamedOnce) {
   Folder folder;
   folder.write("missions/autoexec.mi",

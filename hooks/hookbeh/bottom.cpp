@@ -10,8 +10,6 @@ namespace {
 
 /// m; a vehicle stays this much more above a bottom that it has touched: it turns no sooner.
 constexpr double kMarginM = 2;
-/// m; nearer to the surface waves alone may stop a dive.
-constexpr double kLeastM = 5;
 /// m; a stop was one on the bottom if the vehicle then climbs this far as its depth shows.
 constexpr double kClimbsM = 2.5;
 /// m; meanwhile the depth does not show that it sinks, and makes no step.
@@ -66,7 +64,7 @@ void Bottom::noteTurn(double depth_m) {
 }
 
 void Bottom::noteStop() {
-  stop_m_ = depth_m_ >= kLeastM ? depth_m_ : __builtin_nan("");
+  stop_m_ = depth_m_;
   stop_last_m_ = depth_m_;
   stop_gap_s_ = 0;
 }

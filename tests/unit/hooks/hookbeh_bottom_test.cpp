@@ -182,23 +182,6 @@ TEST(HookbehBottom, AStoppedDepthThatDoesNotFollowTheClimbIsNoBottom) {
   EXPECT_GT(sea.deepest, 54) << "no bottom is remembered at " << stuck;
 }
 
-TEST(HookbehBottom, WavesAtTheSurfaceAreNoBottom) {
-  ShallowSea sea;
-  sea.bottom = [](double) { return 500; };
-  double held_m = 4;
-  int cycles = 0;
-  sea.spoil = [&](HookbehInputs& in) {  // it does not get below the waves
-    sea.truth = std::min(sea.truth, held_m);
-    in.depth_m = std::max(0.0, sea.truth + (++cycles % 2 == 0 ? 0.7 : -0.7));
-  };
-  sea.yo(1);
-  held_m = 500;
-  sea.spoil = [](HookbehInputs&) {};
-  sea.deepest = 0;
-  sea.yo(0.4);
-  EXPECT_GT(sea.deepest, 54);
-}
-
 TEST(HookbehBottom, AnAltimeterThatReadsTooMuchIsNotBelievedAfterAContact) {
   ShallowSea sea;
   sea.altitude = [](double height) { return height + 20; };

@@ -221,11 +221,13 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
 }
 
 support::Result<void> measureMissions(CampaignPlan& plan) {
+  CampaignPlan whole = plan;  // the scenario's own faults are not usual either
+  whole.scenario.faults = {};
   for (size_t i = 0; i < plan.missions.size(); ++i) {
     CampaignFlight flight;
     flight.mission = i;
     flight.seed = plan.scenario.seed;
-    const auto verdict = flyOne(plan, flight);
+    const auto verdict = flyOne(whole, flight);
     if (!verdict) {
       return std::unexpected(verdict.error());
     }

@@ -13,7 +13,7 @@ namespace glider::compiler {
 
 /// The proofs of earlier checks, so that a long search is made only once: a certificate for each
 /// requirement in ${XDG_CACHE_HOME:-~/.cache}/glidercc/proofs. It counts only if it proves the
-/// requirement again, so nobody has to trust these files, whoever wrote them. What was undecided or
+/// requirement again, so no one has to trust these files. What was undecided or
 /// refuted is not kept: it cannot be checked without the search. A file that is damaged, or cannot
 /// be read or written, is ignored.
 class ProofCache {

@@ -249,7 +249,7 @@ double durationFor(double longest_s) {
 support::Result<void> requireEnds(const campaign::CampaignPlan& plan, const std::string& scenario) {
   for (const campaign::CampaignMission& mission : plan.missions) {
     const double cycle = mission.platform.envelope.cycle_s;
-    // A flight that ends sooner, by a fault of the scenario, is judged as it is.
+    // A flight that ends sooner, by a fault of the scenario, is flown as it is.
     const bool cut_short = mission.times.flight_s < plan.scenario.duration_s - 2 * cycle;
     const bool ends = mission.times.take_s <= 0 || mission.times.release_s > 0;
     if (ends || cut_short) {

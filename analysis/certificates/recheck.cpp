@@ -94,8 +94,7 @@ Result<Rechecked> recheckInvariants(const compiler::Certificate& certificate,
   return result;
 }
 
-/// A run is a flight whatever the mission assumes, unless it begins deeper than vehicles usually
-/// do.
+/// A run is a flight under any assumptions, unless it begins deeper than vehicles usually do.
 std::vector<uint32_t> assumedOf(const support::Trace& run, const compiler::Checked& checked) {
   std::vector<uint32_t> numbers;
   const auto& assumptions = checked.mission().assumptions;

@@ -15,7 +15,7 @@ constexpr double kClippedM = 1;
 constexpr double kLearnsSecs = 120;
 /// s; a longer gap is a fault and not a cadence.
 constexpr double kMostSecs = 32;
-/// The first gaps teach nothing: a few readings are no cadence.
+/// The first gaps teach nothing: a few readings do not show a cadence.
 constexpr double kFew = 3;
 
 }  // namespace

@@ -38,7 +38,7 @@ constexpr double kMostUnseenAtFirstM = 20;
 constexpr double kPastShare = 0.44;
 constexpr double kLeastInDiveM = 11;
 constexpr double kLeastSteeplyM = 18;
-/// The steepest possible pitch is reckoned so many times as fast as a usual one.
+/// At the steepest possible pitch the vehicle is assumed to sink so many times as fast as usual.
 constexpr double kSteeplyTimes = 1.7;
 /// m; a vehicle that may have sunk so far since its depth last answered climbs to see whether it
 /// does: the distance to the greatest depth, between these. At 0.1 m/s, 300 and 600 s of hover.

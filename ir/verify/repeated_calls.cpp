@@ -109,9 +109,18 @@ class RepeatedCalls {
           return false;
         case OpGroup::Variable:
           return changed_[e.variable.index];  // `profiledone` waits with its state
-        default:
-          return true;
+        case OpGroup::Sensor:
+        case OpGroup::Clock:
+        case OpGroup::Temporal:
+        case OpGroup::Age:
+        case OpGroup::Clamp:
+        case OpGroup::Select:
+        case OpGroup::Element:
+        case OpGroup::Call:
+        case OpGroup::Known:
+          break;
       }
+      return true;
     });
   }
 

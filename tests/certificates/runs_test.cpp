@@ -114,7 +114,7 @@ TEST_F(CertifiedRuns, ThoseOfTheProverAreAccepted) {
   for (const uint32_t requirement : {kWarm, kLate, kBelow}) {
     const analysis::Rechecked found = judged(requirement, Run(requirement));
     EXPECT_TRUE(found.accepted) << found.reason;
-    EXPECT_TRUE(found.assumptions.empty()) << "they are flights whatever is assumed";
+    EXPECT_TRUE(found.assumptions.empty()) << "they are flights under any assumptions";
   }
 }
 

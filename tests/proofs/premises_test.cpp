@@ -3,7 +3,7 @@
 
 // The assumptions that a proof names: those that it needs.
 
-#include "ir/prove/passes/premises.h"
+#include "ir/prove/evidence/needed_assumptions.h"
 
 #include "ir/prove/prove.h"
 #include "ir/verify/verify.h"

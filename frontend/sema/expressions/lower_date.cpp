@@ -52,7 +52,7 @@ bool isYear(int number) {
 }
 
 /// The date that three numbers look like, as year, month and day; month and day may both be wrong
-/// where they cannot be told apart.
+/// where either could be the month.
 std::optional<std::array<int, 3>> dateOf(int a, int b, int c) {
   constexpr int kMonths = 12;
   constexpr int kDays = 31;

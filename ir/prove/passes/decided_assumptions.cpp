@@ -43,18 +43,17 @@ class Projection {
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the condition nests
   ExprId canBe(ExprId condition, bool wanted) {
     const Expr e = m_[condition];
-    switch (e.op) {
-      case Op::Not:
-        return canBe(e.operands[0], !wanted);
-      case Op::And:
-      case Op::Or:
-        return join(canBe(e.operands[0], wanted), canBe(e.operands[1], wanted),
-                    (e.op == Op::And) == wanted);
-      case Op::Known:
-        return true_;  // whether a sensor works is the vehicle's
-      default:
-        return comparison(condition, wanted);
+    if (e.op == Op::Not) {
+      return canBe(e.operands[0], !wanted);
     }
+    if (groupOf(e.op) == OpGroup::Logic) {
+      return join(canBe(e.operands[0], wanted), canBe(e.operands[1], wanted),
+                  (e.op == Op::And) == wanted);
+    }
+    if (e.op == Op::Known) {
+      return true_;  // whether a sensor works is the vehicle's
+    }
+    return comparison(condition, wanted);
   }
   [[nodiscard]] bool isTrue(ExprId id) const { return id == true_; }
 

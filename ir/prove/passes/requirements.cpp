@@ -9,12 +9,12 @@
 #include "ir/prove/encoding/known_roughly.h"
 #include "ir/prove/encoding/safety_properties.h"
 #include "ir/prove/evidence/evidence.h"
+#include "ir/prove/evidence/needed_assumptions.h"
 #include "ir/prove/falsification/random_flight.h"
 #include "ir/prove/geometry/geofences.h"
 #include "ir/prove/passes.h"
 #include "ir/prove/passes/advice.h"
 #include "ir/prove/passes/insight.h"
-#include "ir/prove/passes/premises.h"
 #include "ir/prove/passes/violation_report.h"
 #include "support/diagnostics/catalogue.h"
 

@@ -31,7 +31,7 @@ struct Flight {
   double mean_s = 4, long_share = 0;    ///< cycles; the long ones take up to 15 s
   double noise_m = 0.03, repeated = 0;  ///< share of readings that repeat the one before
   double heavy_cc = 0, lift = 1;        ///< trim, and the share of the lift that a layer leaves
-  double stuck_s = 1e9, flicker_m = 0;  ///< depth and CTD stand still from then on, and flicker
+  double stuck_s = 1e9, flicker_m = 0;  ///< depth and CTD are stuck from then on, and flicker
   double hours = 1;
 };
 

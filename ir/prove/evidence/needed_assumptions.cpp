@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "ir/prove/passes/premises.h"
+#include "ir/prove/evidence/needed_assumptions.h"
 
 #include <cstddef>
 #include <utility>

@@ -41,7 +41,7 @@ class ThreeVehicles {
       }
     }
     rules_ = commanded(setting_, out_, rules_, command, arguments, literal(now_));
-    numbers_.obey({run}, now_);
+    numbers_.obey(std::vector<Action>{run}, now_);
     limits_.obey(run, now_);
   }
 

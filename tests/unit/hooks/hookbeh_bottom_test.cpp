@@ -209,7 +209,7 @@ TEST(HookbehBottom, AnAltimeterThatIsStuckIsNotBelievedWhereItHappensToAgree) {
 }
 
 TEST(HookbehBottom, BetweenRareEchoesItStaysAboveARisingBottom) {
-  for (const uint64_t first : {8, 12, 16, 20, 24, 28}) {
+  for (const uint64_t first : {8U, 12U, 16U, 20U, 24U, 28U}) {
     ShallowSea sea;
     sea.bottom = [](double north) { return std::max(30.0, 110 - north * 0.1); };
     uint64_t cycles = first;

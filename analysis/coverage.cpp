@@ -46,6 +46,7 @@ class Search {
     how_.run_effort = asked.run_effort / kShare;
     how_.total_effort = asked.total_effort / kShare;
     how_.until = asked.until;
+    how_.premises = false;
     for (const ir::prove::RequirementVerdict& verdict : proved) {
       if (verdict.verdict == ir::prove::Verdict::Proved) {
         proved_.push_back(verdict.requirement);

@@ -8,6 +8,7 @@
 #include "compiler/user_code.h"
 #include "ir/verify/link_bytes.h"
 #include "runtime/checkpoint/checkpoint.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -95,6 +95,23 @@ std::vector<Refusal> refusalsOf(const ir::Mission& mission, const CommandLimits&
   return found;
 }
 
+std::vector<Dive> divesOf(const ir::Mission& mission) {
+  const std::vector<ir::Interval> held = ir::prove::heldIntervals(mission);
+  std::vector<Dive> dives;
+  const auto add = [&](const support::SourceRange& range, const std::string& who,
+                       const Commands& commands) {
+    const double deepest = extremesOf(commands, held).deepest;
+    if (deepest > -kEndless) {
+      dives.push_back({range, who, deepest});
+    }
+  };
+  add({}, "`always`", ir::prove::commandsOfAlways(mission));
+  for (const ir::State& state : mission.states) {
+    add(state.range, "`" + state.name + "`", ir::prove::commandsOf(mission, state));
+  }
+  return dives;
+}
+
 std::vector<std::string> refusedLines(const ir::Mission& mission, const CommandLimits& limits) {
   std::vector<std::string> lines;
   for (const Refusal& one : refusalsOf(mission, limits)) {

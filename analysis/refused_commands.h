@@ -33,7 +33,15 @@ struct Refusal {
 };
 std::vector<Refusal> refusalsOf(const ir::Mission& mission, const CommandLimits& limits);
 
-/// The same as lines for the report.
+/// The deepest dive or hover that a state may command, for each that commands one.
+struct Dive {
+  support::SourceRange range;  ///< as of Refusal
+  std::string who;
+  double depth_m = 0;
+};
+std::vector<Dive> divesOf(const ir::Mission& mission);
+
+/// What refusalsOf() finds as lines for the report.
 std::vector<std::string> refusedLines(const ir::Mission& mission, const CommandLimits& limits);
 
 }  // namespace glider::analysis

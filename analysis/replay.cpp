@@ -7,6 +7,7 @@
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/context/requirement_monitor.h"
 #include "simulator/replay/replay.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -10,12 +10,43 @@
 #include "flights/sbc_choice.h"
 #include "report/warnings.h"
 #include "simulator/simulator.h"
+#include "support/diagnostics/catalogue.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace glider::analysis {
+namespace {
+
+/// Reports that a behaviour above hookbeh replaced its commands, unless the mission file has
+/// already said it.
+void reportMasked(const support::Trace& trace, const std::string& hint,
+                  support::DiagnosticEngine& diagnostics) {
+  constexpr std::string_view kMasks = "hookbeh: another behaviour masks ";
+  const auto masked = std::ranges::find_if(trace.events, [&](const support::TraceEvent& event) {
+    return event.kind == "control" && event.what.starts_with(kMasks);
+  });
+  if (masked != trace.events.end()) {
+    diagnostics.report(support::DiagnosticId::commandsMasked, {},
+                       fmt::format("at {:.0f} s of a flight another behaviour replaced {}",
+                                   masked->time_s, masked->what.substr(kMasks.size())),
+                       hint);
+  }
+}
+
+bool saysMasked(const support::DiagnosticEngine& diagnostics) {
+  const auto all = diagnostics.sorted();
+  return std::ranges::any_of(all, [](const support::Diagnostic& one) {
+    return one.id == support::DiagnosticId::commandsMasked;
+  });
+}
+
+}  // namespace
 
 support::Result<void> reportTrialFlight(const compiler::Optimised& mission,
                                         const simulator::Scenario& scenario,
@@ -52,6 +83,9 @@ support::Result<void> reportTrialFlight(const compiler::Optimised& mission,
   support::DiagnosticEngine of_flight;
   report::reportFlight(*trace, of_flight);
   report::reportUnusual(*trace, hint, of_flight);
+  if (!saysMasked(diagnostics)) {
+    reportMasked(*trace, hint, of_flight);
+  }
   for (support::Diagnostic one : of_flight.sorted()) {
     one.range = mission.checked->mission().states.front().range;  // it is about the whole mission
     one.hint = hint;

@@ -3,7 +3,9 @@
 
 #include "analysis/vehicle_file.h"
 
+#include "hooks/hookbeh/hull.h"
 #include "slocum/mission_files/load.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 
@@ -15,9 +17,6 @@ namespace {
 
 using slocum::BehaviourBlock;
 using support::DiagnosticId;
-
-/// s; the longest silence that hookbeh accepts
-constexpr double kLongestSilence = 3600;
 
 const BehaviourBlock* find(const slocum::MissionFile& file, const char* name) {
   const auto found = std::ranges::find(file.behaviours, name, &BehaviourBlock::name);
@@ -32,9 +31,10 @@ std::optional<double> limitOf(const BehaviourBlock& abend, const char* argument)
 
 AbortLimits abortsOf(const slocum::MissionFile& file) {
   const BehaviourBlock* abend = find(file, "abend");
-  return abend == nullptr ? AbortLimits()
-                          : AbortLimits{limitOf(*abend, "overdepth"), limitOf(*abend, "overtime"),
-                                        limitOf(*abend, "undervolts")};
+  return abend == nullptr
+             ? AbortLimits()
+             : AbortLimits{limitOf(*abend, "overdepth"), limitOf(*abend, "overtime"),
+                           limitOf(*abend, "undervolts"), limitOf(*abend, "samedepth_for")};
 }
 
 }  // namespace
@@ -46,10 +46,10 @@ support::Result<VehicleFile> vehicleFileOf(const slocum::MissionFile& file,
     return support::fail(DiagnosticId::skeletonErrors, path, "it has no behavior `hookbeh`");
   }
   const double seconds = hookbeh->value("silence_secs");
-  if (!(seconds > 0 && seconds <= kLongestSilence)) {
+  if (!(seconds > 0 && seconds <= hooks::kMostSilenceSecs)) {
     return support::fail(DiagnosticId::skeletonErrors, path,
                          fmt::format("silence_secs must be above 0 and at most {:.0f}, not {}",
-                                     kLongestSilence, seconds));
+                                     hooks::kMostSilenceSecs, seconds));
   }
   const std::string name = std::filesystem::path(path).filename().string();
   const double steepest = hookbeh->value("max_pitch");
@@ -61,7 +61,8 @@ support::Result<VehicleFile> vehicleFileOf(const slocum::MissionFile& file,
                      {steepest, shallowest, deepest,
                       fmt::format("max_pitch {:.4g}, min_pitch {:.4g} and max_depth {:.4g} in {}",
                                   steepest, shallowest, deepest, name)},
-                     abortsOf(file)};
+                     abortsOf(file),
+                     {deepest, hookbeh->value("min_altitude"), hookbeh->value("start_secs")}};
 }
 
 support::Result<VehicleFile> vehicleFileOf(const std::string& path,

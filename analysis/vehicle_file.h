@@ -20,6 +20,14 @@ struct AbortLimits {
   std::optional<double> overdepth_m;
   std::optional<double> overtime_s;  ///< since the vehicle's mission began
   std::optional<double> undervolts_V;
+  std::optional<double> samedepth_for_s;  ///< under water, within 1 m
+};
+
+/// Where hookbeh makes the vehicle climb, for any command of the SBC, and from when on it is ready.
+struct GuardLimits {
+  double greatest_depth_m = 0;
+  double least_altitude_m = 0;  ///< negative: hookbeh uses no altimeter
+  double start_secs = 0;        ///< of the vehicle's mission
 };
 
 /// What the mission file of the vehicle says about the missions that it may give control to.
@@ -29,6 +37,7 @@ struct VehicleFile {
   Silence silence;
   CommandLimits commands;
   AbortLimits aborts;
+  GuardLimits guards;
 };
 
 /// Reads the .mi file at `path` with the argument files beside it; errors in them are shown.

@@ -6,6 +6,7 @@
 #include "ir/core/inside.h"
 #include "ir/prove/abstract/end_bound.h"
 #include "ir/prove/context/duration_text.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 
@@ -48,14 +49,26 @@ std::optional<double> endOf(const compiler::Checked& checked) {
       .by;
 }
 
-void checkTime(const compiler::Checked& checked, double overtime, const std::string& name,
-               support::DiagnosticEngine& diagnostics) {
+/// `starts`: when hookbeh is ready, s of the vehicle's mission.
+void checkTime(const compiler::Checked& checked, double overtime, double starts,
+               const std::string& name, support::DiagnosticEngine& diagnostics) {
+  if (starts > overtime) {
+    diagnostics.report(
+        DiagnosticId::controlPrevented, beginningOf(checked.mission()),
+        fmt::format("hookbeh is ready {} after the vehicle's mission has begun, and abend aborts "
+                    "after {} (start_secs and overtime in {})",
+                    ir::prove::durationOf(starts), ir::prove::durationOf(overtime), name),
+        "lower start_secs, or raise overtime");
+    return;
+  }
   const std::optional<double> end = endOf(checked);
-  if (end && *end > overtime) {
+  if (end && starts + *end > overtime) {
+    const std::string from =
+        starts > 0 ? fmt::format(" from {} on (start_secs)", ir::prove::durationOf(starts)) : "";
     diagnostics.report(
         DiagnosticId::vehicleAborts, beginningOf(checked.mission()),
-        fmt::format("the mission may last {}, and abend allows {} (overtime in {})",
-                    ir::prove::durationOf(*end), ir::prove::durationOf(overtime), name),
+        fmt::format("the mission may last {}{}, and abend allows {} (overtime in {})",
+                    ir::prove::durationOf(*end), from, ir::prove::durationOf(overtime), name),
         "end the mission earlier, or raise overtime");
   }
 }
@@ -74,7 +87,8 @@ void checkVehicleLimits(const compiler::Checked& checked, const VehicleFile& fil
     checkDepth(mission, *file.aborts.overdepth_m, file.name, diagnostics);
   }
   if (file.aborts.overtime_s) {
-    checkTime(checked, *file.aborts.overtime_s, file.name, diagnostics);
+    checkTime(checked, *file.aborts.overtime_s, std::max(0.0, file.guards.start_secs), file.name,
+              diagnostics);
   }
   const double full = checked.platform().power.full_V;
   if (file.aborts.undervolts_V && full > 0 && *file.aborts.undervolts_V >= full) {

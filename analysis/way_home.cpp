@@ -5,6 +5,7 @@
 
 #include "hooks/hookbeh/args.h"
 #include "ir/prove/abstract/state_depths.h"
+#include "ir/prove/abstract/surfacing.h"
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/context/proof_context.h"
 
@@ -54,7 +55,9 @@ WayHome wayHomeFrom(double depth_m, const platforms::Platform& platform, const S
 
 std::vector<std::string> wayHomeLines(const ir::Mission& mission,
                                       const platforms::Platform& platform, const Silence& silence) {
-  const auto depths = ir::prove::deepestByState(ir::prove::ProofContext(mission, platform));
+  const ir::prove::ProofContext context(mission, platform);
+  const auto depths = ir::prove::deepestByState(context);
+  const auto climbs = ir::prove::climbTimes(context);
   const double deepest = std::ranges::max(depths);
   std::vector<std::string> lines = {
       silentLine(wayHomeFrom(deepest, platform, silence), platform, silence)};
@@ -67,9 +70,9 @@ std::vector<std::string> wayHomeLines(const ir::Mission& mission,
   for (uint32_t i = 0; i < depths.size(); ++i) {
     if (depths[i] < deepest) {
       const WayHome home = wayHomeFrom(depths[i], platform, silence);
-      lines.push_back(fmt::format("  in `{}`: from at most {:.4g} m, within {}",
-                                  mission.states[i].name, home.depth_m,
-                                  durationOf(home.surface_s)));
+      lines.push_back(fmt::format(
+          "  in `{}`: from at most {:.4g} m{}, within {}", mission.states[i].name, home.depth_m,
+          std::isfinite(climbs[i]) ? " as its climb begins" : "", durationOf(home.surface_s)));
     }
   }
   return lines;

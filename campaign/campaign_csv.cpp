@@ -5,6 +5,7 @@
 
 #include "campaign/campaign_table.h"
 #include "support/csv.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <fmt/format.h>

@@ -131,6 +131,17 @@ std::string drawnToText(const simulator::DrawnFaults& drawn) {
         drawn.args->max_pitch_rad, drawn.args->hold_secs, drawn.args->dive_pump_cc,
         drawn.args->climb_pump_cc);
   }
+  if (drawn.vehicle.no_ctd) {
+    out += "# in [sensors]: ctd_dropout = 1\n";
+  }
+  if (drawn.vehicle.altimeter_range_m > 0) {
+    out += fmt::format("# in [sensors.altimeter]: range_m = {}, dropout = {}\n",
+                       drawn.vehicle.altimeter_range_m, drawn.vehicle.altimeter_dropout);
+  }
+  if (drawn.vehicle.pressure_every_s > 0) {
+    out += fmt::format("# in the mission file: sensor: c_pressure_time(sec) {}\n",
+                       drawn.vehicle.pressure_every_s);
+  }
   if (drawn.water_depth_m) {
     out += fmt::format("# in [ocean]: water_depth_m = {}\n", *drawn.water_depth_m);
   }

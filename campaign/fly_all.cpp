@@ -3,6 +3,8 @@
 
 #include "campaign/fly_all.h"
 
+#include "flights/shadowed_sbc.h"
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -154,16 +156,30 @@ simulator::DrawnFaults faultsOf(const CampaignPlan& plan, const CampaignFlight& 
                                plan.missions[flight.mission].times);
 }
 
+namespace {
+
+/// What starts the SBC of a flight; on a board, `watch` watches the same mission in this process.
+simulator::StartSbc startOf(const CampaignMission& mission, const CampaignFlight& flight,
+                            flights::RequirementWatch* watch) {
+  if (!flight.board) {
+    return watch != nullptr ? mission.new_watched_flight(watch) : mission.new_flight();
+  }
+  simulator::StartSbc flown = mission.on_board[*flight.board]();
+  return watch != nullptr
+             ? flights::shadowed(std::move(flown), mission.new_watched_flight(watch), *watch)
+             : flown;
+}
+
+}  // namespace
+
 support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& flight,
                                 support::Trace* trace, const std::function<bool()>& stop) {
   const CampaignMission& mission = plan.missions[flight.mission];
   std::optional<flights::RequirementWatch> watch;
-  if (!flight.board && mission.new_watched_flight) {
+  if (mission.new_watched_flight) {
     watch.emplace(*mission.compiled);
   }
-  simulator::StartSbc start = flight.board ? mission.on_board[*flight.board]()
-                              : watch      ? mission.new_watched_flight(&*watch)
-                                           : mission.new_flight();
+  simulator::StartSbc start = startOf(mission, flight, watch ? &*watch : nullptr);
   auto sbc = start();
   if (!sbc) {
     return std::unexpected(sbc.error());
@@ -205,16 +221,18 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
 }
 
 support::Result<void> measureMissions(CampaignPlan& plan) {
+  CampaignPlan whole = plan;  // the scenario's own faults are not usual either
+  whole.scenario.faults = {};
   for (size_t i = 0; i < plan.missions.size(); ++i) {
     CampaignFlight flight;
     flight.mission = i;
     flight.seed = plan.scenario.seed;
-    const auto verdict = flyOne(plan, flight);
+    const auto verdict = flyOne(whole, flight);
     if (!verdict) {
       return std::unexpected(verdict.error());
     }
     plan.missions[i].times = {verdict->end_s, verdict->take_s, verdict->release_s,
-                              verdict->deepest_m};
+                              verdict->deepest_m, verdict->hover};
     plan.missions[i].mean_W = verdict->mean_W;
   }
   return {};

@@ -24,7 +24,7 @@ struct CampaignMission {
   simulator::VehicleSettings vehicle;  ///< the platform's, with the changes of the scenario
   flights::NewFlight new_flight;
   flights::NewWatchedFlight new_watched_flight;  ///< if its requirements are checked; may be empty
-  std::shared_ptr<const compiler::Optimised> compiled;  ///< the same
+  std::shared_ptr<const compiler::Optimised> compiled;  ///< what flies
   std::vector<std::string> requirements;                ///< flights::watchedTexts; of those checked
   [[nodiscard]] bool isAssumption(size_t number) const {
     return requirements.at(number).starts_with("assume ");

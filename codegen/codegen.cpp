@@ -3,6 +3,7 @@
 
 #include "codegen/codegen.h"
 
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <algorithm>

@@ -3,6 +3,8 @@
 
 #include "codegen/scratch_folder.h"
 
+#include "support/diagnostics/catalogue.h"
+
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>

@@ -4,6 +4,7 @@
 #include "compiler/boards.h"
 
 #include "compiler/share.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/ranges.h>
 

@@ -4,31 +4,27 @@
 #include "compiler/proof_cache.h"
 
 #include "codegen/digest.h"
-#include "compiler/build_id.h"
-#include "compiler/proving.h"
+#include "compiler/certificate_file.h"
+#include "ir/prove/reprove.h"
 #include "support/files.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
 namespace glider::compiler {
 namespace {
 
-using codegen::digestOf;
-using ir::prove::CachedVerdict;
+using ir::prove::EarlierProof;
 using ir::prove::RequirementVerdict;
-using ir::prove::Verdict;
 
-constexpr std::string_view kMagic = "glidercc proof 1";
-/// The number of files that are kept; a proof takes some hundred bytes.
+/// The number of files that are kept; most take some kilobytes.
 constexpr size_t kMostKept = 5000;
-/// The longest file that is read, in bytes: a longer one was not written by glidercc.
-constexpr uintmax_t kLongest = 4096;
+/// The longest file that is kept, in bytes: to check a longer one takes as long as the search.
+constexpr uintmax_t kLongest = 1 << 20;
 
 std::filesystem::path cacheFolder() {
   const auto given = [](const char* name) {
@@ -40,35 +36,6 @@ std::filesystem::path cacheFolder() {
   }
   const auto home = given("HOME");
   return home.is_absolute() ? home / ".cache" / "glidercc" / "proofs" : std::filesystem::path();
-}
-
-/// "KEY\nverdict\nwords\n" with its own digest, so that a part of a file, or the file of another
-/// key, is not accepted.
-std::string written(const std::string& key, const RequirementVerdict& verdict) {
-  const std::string body =
-      fmt::format("{}\n{}\n{}\n", key, ir::prove::word(verdict.verdict),
-                  verdict.verdict == Verdict::Proved ? verdict.premise : verdict.reason);
-  return fmt::format("{}\n{}\n{}", kMagic, digestOf(body), body);
-}
-
-std::optional<CachedVerdict> readBack(const std::string& key, std::string_view text) {
-  const auto line = [&]() {
-    const size_t end = text.find('\n');
-    const std::string_view found = text.substr(0, end);
-    text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
-    return found;
-  };
-  const std::string_view magic = line();
-  const std::string_view digest = line();
-  if (magic != kMagic || digest != digestOf(text) || line() != key) {
-    return std::nullopt;
-  }
-  const std::string_view verdict = line();
-  const bool proved = verdict == ir::prove::word(Verdict::Proved);
-  if (!proved && verdict != ir::prove::word(Verdict::Open)) {
-    return std::nullopt;
-  }
-  return CachedVerdict{proved ? Verdict::Proved : Verdict::Open, std::string(line())};
 }
 
 /// Removes the oldest files to make room for new ones.
@@ -90,22 +57,19 @@ void makeRoom(const std::filesystem::path& folder) {
 
 }  // namespace
 
-ProofCache::ProofCache(const Checked& checked, const ir::prove::Options& how) {
-  const std::string program = buildId();
-  const auto subject = proofSubject(checked);
-  if (program.empty() || !subject) {
-    return;
+ProofCache::ProofCache(const Checked& checked, unsigned effort)
+    : checked_(checked), effort_(effort) {
+  if (const auto subject = subjectOf(checked)) {
+    subject_ = *subject;
+    folder_ = cacheFolder();
   }
-  folder_ = cacheFolder();
-  all_ = fmt::format("{}\n{} {} {}\n{}", program, how.effort, how.run_effort, how.total_effort,
-                     *subject);
 }
 
 std::filesystem::path ProofCache::fileOf(uint32_t requirement) const {
-  return folder_ / digestOf(fmt::format("{}\n{}", requirement, all_));
+  return folder_ / codegen::digestOf(fmt::format("{}\n{}", requirement, subject_));
 }
 
-std::optional<CachedVerdict> ProofCache::find(uint32_t requirement) const {
+std::optional<EarlierProof> ProofCache::find(uint32_t requirement) const {
   if (folder_.empty()) {
     return std::nullopt;
   }
@@ -116,24 +80,37 @@ std::optional<CachedVerdict> ProofCache::find(uint32_t requirement) const {
     return std::nullopt;
   }
   const auto text = support::readFile(path);
-  return text ? readBack(path.filename().string(), *text) : std::nullopt;
+  auto certificate =
+      text ? certificateFromJson(*text, path.string(), checked_) : std::unexpected(text.error());
+  if (!certificate || certificate->subject != subject_) {
+    return std::nullopt;
+  }
+  EarlierProof proof{std::move(certificate->invariants), std::move(certificate->assumptions)};
+  const bool proves =
+      ir::prove::reproves(checked_.mission(), checked_.platform(), requirement, proof, effort_);
+  return proves ? std::optional(std::move(proof)) : std::nullopt;
 }
 
 void ProofCache::keep(const std::vector<RequirementVerdict>& verdicts) const {
   std::error_code trouble;
   bool looked = false;
   for (const RequirementVerdict& verdict : verdicts) {
-    const bool worth = verdict.searched && verdict.verdict != Verdict::Refuted;
+    const bool worth = verdict.searched && !verdict.cached && verdict.evidence &&
+                       verdict.evidence->method == ir::prove::Method::Invariant;
     if (!worth || folder_.empty()) {
+      continue;
+    }
+    const std::string text =
+        certificateToJson(certificateOf(checked_, verdict, subject_), checked_.mission());
+    if (text.size() > kLongest) {
       continue;
     }
     if (!std::exchange(looked, true)) {
       std::filesystem::create_directories(folder_, trouble);
       makeRoom(folder_);
     }
-    const std::filesystem::path path = fileOf(verdict.requirement);
     // A cache that cannot be written is not an error of the mission.
-    (void)support::writeFileAtomically(path, written(path.filename().string(), verdict));
+    (void)support::writeFileAtomically(fileOf(verdict.requirement), text);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "compiler/share.h"
 #include "frontend/import/imports.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <filesystem>

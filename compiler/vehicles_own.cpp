@@ -3,6 +3,8 @@
 
 #include "compiler/vehicles_own.h"
 
+#include "support/diagnostics/catalogue.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

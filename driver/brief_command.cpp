@@ -10,6 +10,7 @@
 #include "driver/output/print_pdf.h"
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>

@@ -14,6 +14,7 @@
 #include "driver/terminal.h"
 #include "frontend/ast/print.h"
 #include "ir/text/print.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>

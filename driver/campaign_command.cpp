@@ -14,7 +14,10 @@
 #include "flights/launch_choice.h"
 #include "flights/sbc_choice.h"
 #include "flights/scenario_choice.h"
+#include "ir/prove/abstract/end_bound.h"
+#include "ir/prove/context/duration_text.h"
 #include "ir/text/print.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 #include "support/one_line.h"
 
@@ -24,6 +27,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -57,6 +61,7 @@ int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPla
     }
     campaign::CampaignMission mission;
     mission.file = file;
+    mission.compiled = compiled;
     mission.program =
         codegen::digestOf(ir::print(compiled->mission) + ir::print(compiled->checked->mission()));
     mission.platform = platform;
@@ -65,7 +70,6 @@ int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPla
     mission.new_flight = [flight = *start] { return flight(nullptr); };
     if (flights::RequirementWatch::canWatch(*compiled)) {
       mission.new_watched_flight = std::move(*start);
-      mission.compiled = compiled;
       mission.requirements = flights::watchedTexts(*compiled->checked);
     }
     for (const std::string& board : plan.boards) {
@@ -220,6 +224,50 @@ void chooseBoards(const campaign::CampaignOptions& options, campaign::CampaignPl
   }
 }
 
+using ir::prove::durationOf;
+
+/// The longest time that the mission may last without power cuts, s; none: not known.
+std::optional<double> longestOf(const campaign::CampaignMission& mission) {
+  if (mission.compiled == nullptr) {
+    return std::nullopt;
+  }
+  const ir::prove::ProofContext context(mission.compiled->checked->mission(), mission.platform);
+  return ir::prove::boundOf(context.withoutPowerCuts(), ir::prove::kLongestMission,
+                            ir::prove::Goal::Exit)
+      .by;
+}
+
+/// A time for a scenario, s: also for the time before the mission has control and after it.
+double durationFor(double longest_s) {
+  constexpr double kBeforeAndAfter_s = 1800;
+  constexpr double kRound_s = 600;
+  return kRound_s * std::ceil((longest_s + kBeforeAndAfter_s) / kRound_s);
+}
+
+/// Checks that each mission of a measured plan ends within the scenario if nothing fails: otherwise
+/// every flight would count as a violation. GL9387.
+support::Result<void> requireEnds(const campaign::CampaignPlan& plan, const std::string& scenario) {
+  for (const campaign::CampaignMission& mission : plan.missions) {
+    const double cycle = mission.platform.envelope.cycle_s;
+    // A flight that ends sooner, by a fault of the scenario, is flown as it is.
+    const bool cut_short = mission.times.flight_s < plan.scenario.duration_s - 2 * cycle;
+    const bool ends = mission.times.take_s <= 0 || mission.times.release_s > 0;
+    if (ends || cut_short) {
+      continue;
+    }
+    const auto longest = longestOf(mission);
+    return support::fail(
+        support::DiagnosticId::scenarioTooShort, mission.file, durationOf(plan.scenario.duration_s),
+        scenario, longest ? fmt::format(": it may last {}", durationOf(*longest)) : "",
+        longest
+            ? fmt::format("copy the scenario, and set `duration_s` in the copy to at least {:.0f}",
+                          durationFor(*longest))
+            : "copy the scenario, and set `duration_s` in the copy to longer than the mission "
+              "lasts; if it never ends, add a case with `exit`");
+  }
+  return {};
+}
+
 int campaign(const campaign::CampaignOptions& options) {
   campaign::CampaignPlan plan;
   plan.flights = options.flights;
@@ -236,6 +284,10 @@ int campaign(const campaign::CampaignOptions& options) {
   }
   if (auto measured = campaign::measureMissions(plan); !measured) {
     return reportFailure(measured.error());
+  }
+  if (auto ends = requireEnds(plan, options.scenario); !ends) {
+    reportFailure(ends.error());
+    return kMissionHasErrors;
   }
   return options.only ? flyOnly(plan, options) : flyThem(plan, options);
 }

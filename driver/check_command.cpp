@@ -11,6 +11,7 @@
 #include "driver/output/run_trace.h"
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>
@@ -74,14 +75,19 @@ std::string stackLine(const report::CheckedMission& found) {
 constexpr unsigned kMostEffort = 100;
 constexpr double kLongestTimeout_s = 1e6;
 
-/// ", 3 requirements proved"; empty if the mission requires nothing.
-std::string provedLine(const report::CheckedMission& found) {
+/// ", 3 requirements proved with skeleton.mi, in water of 35 m or more"; empty if the mission
+/// requires nothing.
+std::string provedLine(const CheckedFile& checked) {
+  const report::CheckedMission& found = checked.found;
   const size_t all = found.requirements.size();
   const auto proved = static_cast<size_t>(
       std::ranges::count(found.requirements, "proved", &report::JudgedRequirement::verdict));
-  return all == 0       ? ""
-         : proved < all ? fmt::format(", {} of {} requirements proved", proved, all)
-                        : fmt::format(", {} requirement{} proved", all, all == 1 ? "" : "s");
+  const std::string premise =
+      proved == 0 || checked.vehicle_premise.empty() ? "" : " " + checked.vehicle_premise;
+  return all == 0 ? ""
+         : proved < all
+             ? fmt::format(", {} of {} requirements proved{}", proved, all, premise)
+             : fmt::format(", {} requirement{} proved{}", all, all == 1 ? "" : "s", premise);
 }
 
 /// The line at the end of a mission that was checked.
@@ -93,7 +99,7 @@ std::string verdict(const CheckedFile& checked) {
   }
   return fmt::format("{}: {}; mission {}, {} state{}, {}{}\n", found.path,
                      count.empty() ? "fine" : count, found.mission, found.states.size(),
-                     found.states.size() == 1 ? "" : "s", stackLine(found), provedLine(found));
+                     found.states.size() == 1 ? "" : "s", stackLine(found), provedLine(checked));
 }
 
 int exitCode(const report::CheckedMission& found) {

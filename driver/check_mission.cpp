@@ -12,6 +12,7 @@
 #include "ir/core/inside.h"
 #include "ir/core/under_assumptions.h"
 #include "slocum/mission_files/load.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/one_line.h"
 
 #include <fmt/format.h>
@@ -74,6 +75,12 @@ Result<report::JudgedRequirement> judgedRequirement(const compiler::Checked& che
   return judged;
 }
 
+/// Whether a verdict is about the flight, and not about the structure of the mission alone.
+bool isAboutTheFlight(ir::RequirementKind kind) {
+  return kind == ir::RequirementKind::Always || kind == ir::RequirementKind::ExitWithin ||
+         kind == ir::RequirementKind::SurfacesEvery;
+}
+
 /// Runs the proofs, with their progress on a terminal.
 ir::prove::Findings proveWithProgress(compiler::Compilation& compilation, const std::string& path,
                                       ir::prove::Options how) {
@@ -94,29 +101,47 @@ ir::prove::Findings proveWithCache(compiler::Compilation& compilation, const std
   if (!wanted || compilation.checked->mission().requirements.empty()) {
     return proveWithProgress(compilation, path, how);
   }
-  const compiler::ProofCache cache(*compilation.checked, how);
-  how.cached = [&](uint32_t requirement) { return cache.find(requirement); };
+  const compiler::ProofCache cache(*compilation.checked, how.run_effort);
+  how.earlier_proof = [&](uint32_t requirement) { return cache.find(requirement); };
   auto proved = proveWithProgress(compilation, path, how);
   cache.keep(proved.requirements);
   return proved;
 }
 
-/// What the vehicle's own mission file does when the SBC has left control.
-Result<void> tellWhole(const std::optional<analysis::VehicleFile>& vehicle, bool report,
-                       CheckedFile& file) {
-  if (!vehicle) {
-    return {};
-  }
-  compiler::Compilation& compilation = *file.compilation;
-  support::DiagnosticEngine diagnostics;  // shown when it was read first
-  const auto mission =
-      slocum::loadMission(vehicle->path, *compilation.sources, diagnostics, [](auto&&...) {});
-  if (!mission) {
-    return std::unexpected(mission.error());
-  }
+/// The vehicle's mission file, and what it says of the SBC's control.
+struct Vehicle {
+  analysis::VehicleFile file;
+  slocum::MissionFile behaviours;  ///< its ranges are in the mission's sources
+};
+
+/// Reports what keeps hookbeh from flying the mission.
+void tellDisturbances(const Vehicle& vehicle, compiler::Compilation& compilation) {
+  using support::DiagnosticId;
   const compiler::Checked& checked = *compilation.checked;
-  const analysis::Whole whole = analysis::wholeOf(
-      checked.mission(), ir::notNarrowed(checked.platform(), checked.mission()), *mission);
+  const auto platform = ir::notNarrowed(checked.platform(), checked.mission());
+  const auto layers = analysis::layersOf(vehicle.behaviours, platform);
+  analysis::checkGuards(checked, vehicle.file, layers, compilation.diagnostics);
+  analysis::checkSameDepth(checked, vehicle.file, compilation.diagnostics);
+  const analysis::MissionTimes times(checked.mission(), platform,
+                                     std::max(0.0, vehicle.file.guards.start_secs));
+  for (const auto& one : analysis::disturbances(vehicle.behaviours, layers, times, platform)) {
+    const bool masks = one.kind == analysis::Disturbance::Kind::Masks;
+    compilation.diagnostics.report(
+        masks ? DiagnosticId::commandsMasked : DiagnosticId::controlPrevented, one.range, one.what,
+        one.change);
+  }
+  for (const analysis::Doubt& one : analysis::unmetNeeds(vehicle.behaviours)) {
+    compilation.diagnostics.report(DiagnosticId::sensorUnread, one.range, one.why, one.change);
+  }
+}
+
+/// What the vehicle's own mission file does when the SBC has left control.
+void tellWhole(const Vehicle& vehicle, bool report, CheckedFile& file) {
+  compiler::Compilation& compilation = *file.compilation;
+  const compiler::Checked& checked = *compilation.checked;
+  const analysis::Whole whole =
+      analysis::wholeOf(checked.mission(), ir::notNarrowed(checked.platform(), checked.mission()),
+                        vehicle.behaviours);
   for (const analysis::Ending& ending : whole.alike()) {
     if (!ending.proved()) {
       compilation.diagnostics.report(support::DiagnosticId::mayStayBelow, ending.range,
@@ -128,7 +153,6 @@ Result<void> tellWhole(const std::optional<analysis::VehicleFile>& vehicle, bool
       file.found.remarks.push_back({{}, std::move(line)});
     }
   }
-  return {};
 }
 
 /// Puts the prover's findings into `file`. `flown`: see judgedRequirement.
@@ -141,6 +165,11 @@ Result<void> tellProved(const compiler::Optimised* flown, CheckedFile& file) {
     auto judged = judgedRequirement(*file.compilation->checked, verdict, flown);
     if (!judged) {
       return std::unexpected(judged.error());
+    }
+    const auto kind = file.compilation->checked->mission().requirements[verdict.requirement].kind;
+    if (verdict.verdict == ir::prove::Verdict::Proved && isAboutTheFlight(kind)) {
+      const std::string& with = file.vehicle_premise;
+      judged->premise += (judged->premise.empty() || with.empty() ? "" : "; ") + with;
     }
     file.found.requirements.push_back(std::move(*judged));
   }
@@ -167,9 +196,9 @@ std::vector<ir::Position> startsOf(const ir::Mission& mission,
 
 /// The vehicle's mission file, if `options` name one or a scenario; reports what it does not allow,
 /// and a start that the mission does not assume.
-Result<std::optional<analysis::VehicleFile>> checkVehicle(
-    const CheckOptions& options, const Result<simulator::Scenario>& scenario,
-    compiler::Compilation& compilation) {
+Result<std::optional<Vehicle>> checkVehicle(const CheckOptions& options,
+                                            const Result<simulator::Scenario>& scenario,
+                                            compiler::Compilation& compilation) {
   std::optional<analysis::VehicleFile> vehicle = options.vehicle;
   if (!options.scenario.empty()) {
     if (!scenario) {
@@ -187,10 +216,19 @@ Result<std::optional<analysis::VehicleFile>> checkVehicle(
       vehicle = std::move(*its);
     }
   }
-  if (vehicle) {
-    analysis::checkVehicleLimits(*compilation.checked, *vehicle, compilation.diagnostics);
+  if (!vehicle) {
+    return std::nullopt;
   }
-  return vehicle;
+  support::DiagnosticEngine diagnostics;  // shown when it was read first
+  auto behaviours =
+      slocum::loadMission(vehicle->path, *compilation.sources, diagnostics, [](auto&&...) {});
+  if (!behaviours) {
+    return std::unexpected(behaviours.error());
+  }
+  analysis::checkVehicleLimits(*compilation.checked, *vehicle, compilation.diagnostics);
+  Vehicle read{std::move(*vehicle), std::move(*behaviours)};
+  tellDisturbances(read, compilation);
+  return read;
 }
 
 /// Flies the mission in the scenario that the options name, if nothing is wrong so far.
@@ -233,8 +271,8 @@ ir::prove::Options proverOptions(const CheckOptions& options, std::vector<ir::Po
 }
 
 /// What --report adds on one line each. `vehicle`: its mission file, if one was named.
-Result<void> tellReport(const std::optional<analysis::VehicleFile>& vehicle,
-                        const ir::prove::Options& how, CheckedFile& file) {
+Result<void> tellReport(const std::optional<Vehicle>& vehicle, const ir::prove::Options& how,
+                        CheckedFile& file) {
   const compiler::Checked& checked = *file.compilation->checked;
   std::vector<Remark>& remarks = file.found.remarks;
   if (const auto coverage = analysis::coverageOf(checked, file.proved.requirements, how)) {
@@ -242,16 +280,13 @@ Result<void> tellReport(const std::optional<analysis::VehicleFile>& vehicle,
       remarks.push_back({{}, std::move(line)});
     }
   }
-  if (auto line = vehicle ? analysis::endlessLine(checked, *vehicle) : std::nullopt) {
+  if (auto line = vehicle ? analysis::endlessLine(checked, vehicle->file) : std::nullopt) {
     remarks.push_back({{}, std::move(*line), Subject::End});
   }
-  const analysis::Silence silence = vehicle ? vehicle->silence : analysis::usualSilence();
+  const analysis::Silence silence = vehicle ? vehicle->file.silence : analysis::usualSilence();
   for (std::string& line : analysis::wayHomeLines(
            checked.mission(), ir::notNarrowed(checked.platform(), checked.mission()), silence)) {
     remarks.push_back({{}, std::move(line), Subject::WayHome});
-  }
-  if (auto told = tellWhole(vehicle, true, file); !told) {
-    return told;
   }
   if (!vehicle) {
     for (std::string& line : analysis::refusedLines(checked.mission(), analysis::usualLimits())) {
@@ -276,9 +311,13 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   if (auto tried = tryInScenario(options, scenario, file); !tried) {
     return tried;
   }
+  if (*vehicle) {
+    tellWhole(**vehicle, options.report, file);
+    file.vehicle_premise =
+        analysis::premiseWith(*compilation.checked, (*vehicle)->file, compilation.diagnostics);
+  }
   if (!options.report) {
-    auto told = tellProved(nullptr, file);
-    return told ? tellWhole(*vehicle, false, file) : told;
+    return tellProved(nullptr, file);
   }
   const compiler::Optimised mission = compiler::optimise(compilation.checked);
   if (auto told = tellProved(&mission, file); !told) {

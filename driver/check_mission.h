@@ -34,6 +34,9 @@ struct CheckedFile {
   std::optional<compiler::Compilation> compilation;
   ir::prove::Findings proved;
   report::CheckedMission found;
+  /// On what proofs rest with the vehicle's mission file: "with skeleton.mi, in water of 35 m or
+  /// more"; empty if none is named.
+  std::string vehicle_premise = {};
 };
 
 /// Checks the mission at `path`: its text, its structure, and what can be proved about it. An I/O

@@ -6,6 +6,7 @@
 #include "driver/output/explain_page.h"
 #include "driver/terminal.h"
 #include "frontend/spelling.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/diagnostics/diagnostic.h"
 
 #include <CLI/CLI.hpp>

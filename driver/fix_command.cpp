@@ -8,6 +8,8 @@
 #include "driver/output/line_diff.h"
 #include "driver/output/rewrite.h"
 #include "driver/terminal.h"
+#include "frontend/constructs.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/diagnostics/fixes.h"
 #include "support/files.h"
 
@@ -70,11 +72,11 @@ int fix(const std::string& path, bool dry_run) {
     return last->diagnostics.sorted();
   };
   constexpr uint32_t kFile = 0;  // compileText adds the mission first
-  const auto fixing = support::fixAll(*text, kFile, check);
+  const auto fixing = support::fixAll(*text, kFile, {check, frontend::constructsOf});
   if (!fixing) {
     return reportFailure(fixing.error());
   }
-  if (fixing->worse) {
+  if (fixing->refused && fixing->rounds.empty()) {
     reportFailure(support::fail(support::DiagnosticId::fixesNotKept, path).error());
     return kMissionHasErrors;
   }

@@ -8,6 +8,7 @@
 #include "driver/exit_code.h"
 #include "driver/terminal.h"
 #include "ir/verify/promela.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>

@@ -7,6 +7,7 @@
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
 #include "logs/render.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>

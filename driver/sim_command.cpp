@@ -43,8 +43,8 @@ void showProgress(simulator::SimulationSetup& setup, ProgressLine& line) {
   };
 }
 
-/// What flies: the mission of the language (null: none), and what watches it in this process (null:
-/// it is not watched).
+/// What flies: the mission of the language (null: none), and what watches it (null: it is not
+/// watched).
 struct Flown {
   const compiler::Optimised* mission = nullptr;
   const flights::RequirementWatch* watch = nullptr;
@@ -62,6 +62,10 @@ std::vector<support::Diagnostic> judge(const support::Trace& trace, const Flown&
     flights::reportViolations(*flown.watch, trace, diagnostics);
   }
   report::reportFlight(trace, diagnostics);
+  report::reportRestless(trace,
+                         "a condition that is still true after a transition causes the next one: "
+                         "see the events for the cases, and `glidercc explain GL9378`",
+                         diagnostics);
   reportDiagnostics(diagnostics,
                     flown.mission != nullptr ? flown.mission->sources() : support::SourceManager());
   return diagnostics.sorted();
@@ -120,11 +124,11 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options, co
   return reported.empty() ? kFine : kMissionHasErrors;
 }
 
-/// What watches the flight; empty if it does not fly in this process, or has no requirement.
+/// What watches the flight; empty for a real SBC, or for a mission without requirements.
 std::optional<flights::RequirementWatch> watchOf(const SimOptions& options,
                                                  const compiler::Optimised* mission) {
   const bool can =
-      mission != nullptr && isInProcess(options) && flights::RequirementWatch::canWatch(*mission);
+      mission != nullptr && options.serial.empty() && flights::RequirementWatch::canWatch(*mission);
   return can ? std::optional<flights::RequirementWatch>(*mission) : std::nullopt;
 }
 
@@ -212,7 +216,9 @@ void addOptions(CLI::App& command, SimOptions& options) {
                          "behind a serial line [run the mission inside glidercc]");
   auto* program =
       command
-          .add_option("--sbc", options.program, "Run this program as the SBC instead of a mission")
+          .add_option("--sbc", options.program,
+                      "Run this program as the SBC; MISSION then only provides the names of its "
+                      "states and the requirements")
           ->option_text("PROGRAM");
   auto* serial = command
                      .add_option("--serial", options.serial,
@@ -269,10 +275,6 @@ void addSimCommand(CLI::App& app, int& status) {
     if (options->mission.empty() && options->program.empty() && options->serial.empty() &&
         !options->without_sbc) {
       throw CLI::RequiredError("MISSION (or --sbc PROGRAM, --serial DEVICE, or --no-sbc)");
-    }
-    if (!options->mission.empty() && !isVehiclesOwn(*options) && !options->program.empty() &&
-        options->replay.empty()) {
-      throw CLI::ExcludesError("--sbc", "MISSION");
     }
     status = sim(*options);
   });

@@ -48,13 +48,15 @@ support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
     return flights::sbcOnSerialLine(options.serial, options.lockstep);
   }
   if (!options.program.empty()) {
-    return flights::sbcProgram(options.program);
+    return mission != nullptr
+               ? flights::sbcProgramOf(*mission, options.user_code, options.program, watch)
+               : flights::sbcProgram(options.program);
   }
   if (isInProcess(options)) {
     return flights::sbcInProcess(*mission, options.launch, options.user_code, keeps_time, watch);
   }
   return flights::sbcOnBoard(*mission, options.launch, options.user_code, options.board,
-                             stemOf(options), folder);
+                             stemOf(options), folder, watch);
 }
 
 }  // namespace glider::driver

@@ -48,8 +48,8 @@ bool isVehiclesOwn(const SimOptions& options);
 bool isInProcess(const SimOptions& options);
 
 /// Returns what starts the SBC, empty for none; `keeps_time`: as for a flight with faults. A
-/// board's binary is built into `folder`. `watch` (null: none) watches a mission in this process,
-/// and outlives the flight.
+/// board's binary is built into `folder`. `watch` (null: none) watches the mission, in this process
+/// or beside the board or the program, and outlives the flight.
 support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
                                                const compiler::Optimised* mission, bool keeps_time,
                                                const std::filesystem::path& folder,

@@ -4,7 +4,10 @@
 #include "driver/terminal.h"
 
 #include "driver/exit_code.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/diagnostics/render.h"
+
+#include <fmt/format.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -36,6 +39,15 @@ int reportFailure(const support::Failure& failure) {
     tell(fmt::format("  hint: {}\n", failure.hint));
   }
   return kWorldFailed;
+}
+
+void reportWarning(const support::Failure& warning) {
+  const auto& row = support::catalogueRow(warning.id);
+  tell(fmt::format("glidercc: warning: {} [{} {}]\n", warning.message, support::code(warning.id),
+                   row.slug));
+  if (!warning.hint.empty()) {
+    tell(fmt::format("  hint: {}\n", warning.hint));
+  }
 }
 
 void reportDiagnostics(const support::DiagnosticEngine& diagnostics,

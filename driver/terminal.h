@@ -15,6 +15,8 @@ void tell(std::string_view text);
 /// Prints an I/O or system error as `glidercc: error: … [GL9001 slug]` with its hint; returns its
 /// exit code.
 int reportFailure(const support::Failure& failure);
+/// Prints a warning about files that could be read.
+void reportWarning(const support::Failure& warning);
 /// Prints the diagnostics to standard error, in colour on a terminal (unless NO_COLOR is set).
 void reportDiagnostics(const support::DiagnosticEngine& diagnostics,
                        const support::SourceManager& sources);

@@ -5,6 +5,7 @@
 
 #include "flights/explain_guard.h"
 #include "simulator/sensors/provided.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <algorithm>
 

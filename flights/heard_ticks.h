@@ -17,6 +17,9 @@ struct HeardTick {
   std::vector<ir::SensorUpdate> frame;
 };
 
+/// The readings that the runtime received for its latest tick; `mission` is what was compiled.
+std::vector<ir::SensorUpdate> frameOf(const ir::Mission& mission, const GliderContext& context);
+
 /// Records the ticks of a runtime's first mission, so that the interpreter can repeat them.
 class HeardTicks {
  public:

@@ -3,7 +3,9 @@
 
 #include "flights/in_process_sbc.h"
 
+#include "hooks/protocol/crc.h"
 #include "runtime/checkpoint/checkpoint.h"
+#include "runtime/core/lay_out.h"
 #include "simulator/faults/card_damage.h"
 
 #include <algorithm>
@@ -22,8 +24,23 @@ InProcessSbc::InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission
   runtime_memory_ = std::make_unique<std::byte[]>(mission_->runtimeSize());
   context_memory_ = std::make_unique<std::byte[]>(mission_->mission().context_bytes);
   const GliderStore store{this, readCard, writeCard, [](void*) { return 0; }};
+  kept_ = findKept();
   const GliderRuntimeOptions options{{}, parameters_.data(), store, 0};
   runtime_ = mission_->init(runtime_memory_.get(), context_memory_.get(), &options);
+}
+
+/// As the runtime looks for it: other parameters make another program.
+std::optional<double> InProcessSbc::findKept() {
+  const GliderMission& mission = mission_->mission();
+  const GliderStore store{this, readCard, writeCard, [](void*) { return 0; }};
+  const auto* bytes = reinterpret_cast<const uint8_t*>(parameters_.data());
+  const uint32_t count = mission.parameter_count * sizeof(double);
+  runtime::LinkFacts facts;
+  GliderContext* context = runtime::layOut(context_memory_.get(), mission);
+  const bool found =
+      runtime::Checkpoint(store, hooks::crc32c(bytes, count, 0)).find(*context, facts) ==
+      runtime::Checkpoint::Found::Good;
+  return found ? std::optional(context->mission_time) : std::nullopt;
 }
 
 int32_t InProcessSbc::readBytes(void* self, uint8_t* bytes, uint32_t capacity) {
@@ -99,7 +116,7 @@ void InProcessSbc::end(const char* exit_reason) {
 void InProcessSbc::showToWatcher() const {
   const GliderContext* context = watcher_ ? mission_->context(runtime_) : nullptr;
   if (context != nullptr) {
-    watcher_(*context, now_s_);
+    watcher_(*context, vehicle_now_s_);
   }
 }
 

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,7 +36,11 @@ class InProcessSbc final : public simulator::SbcPort {
   using Watcher = std::function<void(const GliderContext&, double now_s)>;
   void watch(Watcher watcher) { watcher_ = std::move(watcher); }
 
+  /// Mission time of the newest checkpoint that it found on its card, s; none: there was none.
+  [[nodiscard]] std::optional<double> kept() const { return kept_; }
+
   [[nodiscard]] std::string way() const override { return "in-process"; }
+  void setTime(double now_s) override { vehicle_now_s_ = now_s; }
   void deliver(std::span<const uint8_t> bytes, double now_s) override;
   std::vector<uint8_t> collect() override;
   void kill() override { end("killed"); }
@@ -54,6 +59,7 @@ class InProcessSbc final : public simulator::SbcPort {
   [[nodiscard]] size_t onCard(uint32_t offset) const;
   void run();
   void showToWatcher() const;
+  [[nodiscard]] std::optional<double> findKept();
   void end(const char* exit_reason);
 
   std::shared_ptr<const codegen::LoadedMission> mission_;
@@ -67,7 +73,9 @@ class InProcessSbc final : public simulator::SbcPort {
   size_t taken_ = 0;  ///< bytes of to_sbc_ already read
   std::vector<uint8_t> from_sbc_;
   hooks::Lockstep lockstep_;
-  double now_s_ = 0;
+  double now_s_ = 0;          ///< by its own clock
+  double vehicle_now_s_ = 0;  ///< by that of the simulated world
+  std::optional<double> kept_;
   bool keeps_time_;
   bool plugged_ = true;
   bool finished_ = false;    ///< the mission has released control: a program would end here

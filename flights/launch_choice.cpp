@@ -8,6 +8,7 @@
 #include "compiler/user_code.h"
 #include "frontend/bare_positions.h"
 #include "runtime/launch/launch.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <fmt/format.h>

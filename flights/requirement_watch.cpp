@@ -5,40 +5,15 @@
 
 #include "flights/broken_assumption.h"
 #include "flights/flight_setup.h"
-#include "ir/prove/context/proof_context.h"
-#include "ir/prove/context/requirement_monitor.h"
+#include "flights/known_flight.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/one_line.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace glider::flights {
-namespace {
-
-/// The true depth (m) at vehicle times that do not fall; NaN beyond the trace.
-class TrueDepth {
- public:
-  explicit TrueDepth(const support::Trace& trace)
-      : trace_(trace), column_(trace.column("true_depth")) {}
-
-  double at(double time) {
-    while (row_ < trace_.rowCount() && trace_.at(row_, 0) < time) {
-      ++row_;
-    }
-    const bool there = column_ >= 0 && row_ < trace_.rowCount();
-    return there ? trace_.at(row_, column_) : std::numeric_limits<double>::quiet_NaN();
-  }
-
- private:
-  const support::Trace& trace_;
-  int column_;
-  size_t row_ = 0;
-};
-
-}  // namespace
-
 RequirementWatch::RequirementWatch(const compiler::Optimised& mission)
     : flown_(mission), m_(mission.checked->mission()), heard_(m_) {}
 
@@ -47,13 +22,15 @@ bool RequirementWatch::canWatch(const compiler::Optimised& mission) {
   return !needsCodeInC(m) && !(m.requirements.empty() && m.assumptions.empty());
 }
 
-InProcessSbc::Watcher RequirementWatch::watcher(const std::vector<double>& parameters) {
+InProcessSbc::Watcher RequirementWatch::watcher(const std::vector<double>& parameters,
+                                                std::optional<double> kept) {
   parameters_ = parameters;
+  heard_.starts(kept);
   return [this, start = ++starts_](const GliderContext& context, double now) {
-    if (start == 1) {
+    if (!departed_) {
       heard_.look(context, now);
+      outages_.look(start, context.mission_time, now, context.state);
     }
-    outages_.look(start, context.mission_time, now, context.state);
   };
 }
 
@@ -75,44 +52,25 @@ std::optional<FlownViolation> RequirementWatch::tooLong(const ir::Assumption& as
 
 namespace {
 
-/// What one flight is checked with.
-struct Flight {
-  const compiler::Optimised& mission;
-  std::span<const HeardTick> ticks;
-  const std::vector<double>& parameters;
-  const support::Trace& trace;
-};
-
-/// The first violation of `required`, without its number.
-std::optional<FlownViolation> firstViolation(const ir::Requirement& required,
-                                             const Flight& flight) {
-  const ir::Mission& m = flight.mission.checked->mission();
-  const platforms::Platform& platform = flight.mission.platform();
-  ir::Interpreter interpreter(m, flight.mission.checked->facts.stack_depth);
-  ir::RequirementMonitor monitor(m, required, platform.world.surface_depth_m,
-                                 ir::prove::depthSensor(m, platform));
-  TrueDepth depth(flight.trace);
-  bool started = false;
-  for (const HeardTick& tick : flight.ticks) {
-    const auto result = started ? interpreter.tick(tick.mission_time, tick.frame)
-                                : interpreter.start(tick.frame, flight.parameters);
-    started = true;
-    monitor.tick(interpreter, tick.mission_time, result, depth.at(tick.vehicle_time));
-    if (monitor.when()) {
-      return FlownViolation{0, tick.mission_time, tick.vehicle_time, m[result.state].name,
-                            monitor.words()};
-    }
-  }
-  return std::nullopt;
-}
-
-/// When the flight breaks an assumption, without its number.
-std::optional<FlownViolation> firstBreak(const ir::Assumption& assumption, const Flight& flight) {
+/// When a mission breaks an assumption, without its number.
+std::optional<FlownViolation> firstBreak(const ir::Assumption& assumption,
+                                         const KnownFlight& flight) {
   if (assumption.isWatched()) {
     return firstViolation(assumption.watch, flight);
   }
-  return flight.ticks.empty() ? std::nullopt
-                              : breakInTrace(assumption, flight.trace, flight.ticks.front());
+  return flight.heard.ticks.empty()
+             ? std::nullopt
+             : breakInTrace(assumption, flight.trace, flight.heard.ticks.front().heard);
+}
+
+/// A mission without outages.
+HeardMission undisturbed(std::span<const HeardTick> ticks) {
+  HeardMission heard;
+  for (const HeardTick& tick : ticks) {
+    const size_t number = heard.ticks.size();
+    heard.ticks.push_back({tick, number == 0 ? std::nullopt : std::optional(number - 1), false});
+  }
+  return heard;
 }
 
 }  // namespace
@@ -125,7 +83,7 @@ std::optional<FlownViolation> violationOf(const compiler::Optimised& mission, si
   if (required.kind == ir::RequirementKind::Reach) {
     return std::nullopt;  // it says what some flight can do
   }
-  auto found = firstViolation(required, {mission, ticks, parameters, trace});
+  auto found = firstViolation(required, {mission, undisturbed(ticks), parameters, trace});
   if (found) {
     found->number = requirement;
   }
@@ -136,24 +94,49 @@ std::optional<double> firstBrokenAssumption(const compiler::Optimised& mission,
                                             std::span<const HeardTick> ticks,
                                             const std::vector<double>& parameters,
                                             const support::Trace& trace) {
+  const HeardMission heard = undisturbed(ticks);
   std::optional<double> first;
   for (const ir::Assumption& assumption : mission.checked->mission().assumptions) {
-    if (const auto found = firstBreak(assumption, {mission, ticks, parameters, trace})) {
+    if (const auto found = firstBreak(assumption, {mission, heard, parameters, trace})) {
       first = std::min(found->mission_time, first.value_or(found->mission_time));
     }
   }
   return first;
 }
 
+/// The first in the missions of the flight, in the order in which they began, that `look` finds.
+std::optional<FlownViolation> RequirementWatch::firstOf(
+    const support::Trace& trace,
+    const std::function<std::optional<FlownViolation>(const KnownFlight&)>& look) const {
+  for (const HeardMission& heard : heard_.missions()) {
+    if (auto found = look({flown_, heard, parameters_, trace})) {
+      found->after = outagesBefore(heard, found->vehicle_time);
+      if (&heard != &heard_.missions().front()) {
+        found->after +=
+            std::string(found->after.empty() ? "" : ", ") + "the mission had begun again";
+      }
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
 std::vector<FlownViolation> RequirementWatch::violations(const support::Trace& trace) const {
   std::vector<FlownViolation> all;
   for (size_t i = 0; i < m_.requirements.size(); ++i) {
-    if (auto found = violationOf(flown_, i, heard_.ticks(), parameters_, trace)) {
+    const ir::Requirement& required = m_.requirements[i];
+    if (required.kind == ir::RequirementKind::Reach) {
+      continue;  // it says what some flight can do
+    }
+    if (auto found =
+            firstOf(trace, [&](const auto& flight) { return firstViolation(required, flight); })) {
+      found->number = i;
       all.push_back(*std::move(found));
     }
   }
   for (size_t i = 0; i < m_.assumptions.size(); ++i) {
-    auto found = firstBreak(m_.assumptions[i], {flown_, heard_.ticks(), parameters_, trace});
+    auto found =
+        firstOf(trace, [&](const auto& flight) { return firstBreak(m_.assumptions[i], flight); });
     if (!found) {
       found = tooLong(m_.assumptions[i]);
     }
@@ -181,13 +164,16 @@ void reportViolations(const RequirementWatch& watch, const support::Trace& trace
   const ir::Mission& m = watch.mission();
   for (const FlownViolation& found : watch.violations(trace)) {
     const bool assumption = found.number >= m.requirements.size();
-    diagnostics.report(
-        assumption ? support::DiagnosticId::assumptionFlown
-                   : support::DiagnosticId::requirementFlown,
-        assumption ? m.assumptions[found.number - m.requirements.size()].range
-                   : m.requirements[found.number].range,
-        fmt::format("at mission time {:.6g} s, in state `{}`{}{}", found.mission_time, found.state,
-                    found.words.empty() ? "" : ", ", found.words));
+    diagnostics.report(assumption ? support::DiagnosticId::assumptionFlown
+                                  : support::DiagnosticId::requirementFlown,
+                       assumption ? m.assumptions[found.number - m.requirements.size()].range
+                                  : m.requirements[found.number].range,
+                       fmt::format("at mission time {:.6g} s, in state `{}`{}{}{}{}",
+                                   found.mission_time, found.state, found.words.empty() ? "" : ", ",
+                                   found.words, found.after.empty() ? "" : "; ", found.after));
+  }
+  if (const auto at = watch.departed()) {
+    diagnostics.report(support::DiagnosticId::watchEnded, {}, fmt::format("{:.0f} s", *at));
   }
 }
 

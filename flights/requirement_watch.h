@@ -4,11 +4,12 @@
 #pragma once
 
 #include "compiler/compilation.h"
-#include "flights/heard_ticks.h"
+#include "flights/heard_missions.h"
 #include "flights/in_process_sbc.h"
 #include "flights/outage_watch.h"
 #include "support/trace/trace.h"
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,7 +24,10 @@ struct FlownViolation {
   double vehicle_time = 0;  ///< s
   std::string state;        ///< current then
   std::string words;        ///< how; empty: the requirement says it
+  std::string after = {};   ///< which outages of the SBC came before; empty: none
 };
+
+struct KnownFlight;
 
 /// The first violation of a requirement of `mission` in a flight: what the SBC received, the
 /// mission's parameters, and the flight's trace. The interpreter repeats the flight tick by tick,
@@ -50,25 +54,33 @@ class RequirementWatch {
   /// Whether the interpreter can repeat the mission (no C), and a flight can violate it.
   [[nodiscard]] static bool canWatch(const compiler::Optimised& mission);
 
-  /// What the SBC calls after each poll; to be asked for each time that it starts. A flight is
-  /// watched until the SBC starts again, because its card may not have kept the last ticks; only
-  /// outages are looked for after that.
-  InProcessSbc::Watcher watcher(const std::vector<double>& parameters);
+  /// What the SBC calls after each poll; to be asked for each time that it starts. `kept`: the
+  /// mission time of the newest checkpoint on its card then, s; none: there is none.
+  InProcessSbc::Watcher watcher(const std::vector<double>& parameters,
+                                std::optional<double> kept = std::nullopt);
+  /// What flies no longer does the same as the SBC in this process that is watched: nothing after
+  /// this vehicle time, s, is watched.
+  void depart(double vehicle_time) { departed_ = departed_.value_or(vehicle_time); }
+  [[nodiscard]] std::optional<double> departed() const { return departed_; }
 
-  /// The first violation of each requirement, then the first break of each assumption; `trace` is
-  /// that of the flight.
+  /// The first violation of each requirement, then the first break of each assumption, over all
+  /// outages of the SBC and each mission that began; `trace` is that of the flight.
   [[nodiscard]] std::vector<FlownViolation> violations(const support::Trace& trace) const;
   [[nodiscard]] const ir::Mission& mission() const { return m_; }
 
  private:
   [[nodiscard]] std::optional<FlownViolation> tooLong(const ir::Assumption& assumption) const;
+  [[nodiscard]] std::optional<FlownViolation> firstOf(
+      const support::Trace& trace,
+      const std::function<std::optional<FlownViolation>(const KnownFlight&)>& look) const;
 
   const compiler::Optimised& flown_;
   const ir::Mission& m_;  ///< with its requirements
-  HeardTicks heard_;
+  HeardMissions heard_;
   OutageWatch outages_;
   std::vector<double> parameters_;
   size_t starts_ = 0;
+  std::optional<double> departed_;
 };
 
 /// The requirements of a mission and then its assumptions as they are written, each on one line: by

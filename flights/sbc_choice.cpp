@@ -7,6 +7,7 @@
 #include "compiler/boards.h"
 #include "compiler/user_code.h"
 #include "flights/in_process_sbc.h"
+#include "flights/shadowed_sbc.h"
 #include "simulator/ports/process_sbc_port.h"
 #include "simulator/ports/serial_sbc_port.h"
 
@@ -42,7 +43,7 @@ StartSbc startInProcess(std::shared_ptr<const codegen::LoadedMission> mission,
           card = std::make_shared<Card>()]() -> Result<std::unique_ptr<SbcPort>> {
     auto sbc = std::make_unique<InProcessSbc>(mission, parameters, card, keeps_time);
     if (watch != nullptr) {
-      sbc->watch(watch->watcher(parameters));
+      sbc->watch(watch->watcher(parameters, sbc->kept()));
     }
     return sbc;
   };
@@ -130,14 +131,21 @@ StartSbc startOnBoard(const std::string& board, std::vector<std::string> command
 
 Result<StartSbc> sbcOnBoard(const compiler::Optimised& mission, const LaunchChoice& launch,
                             const std::vector<std::string>& user_code, const std::string& board,
-                            const std::string& name, const std::filesystem::path& folder) {
+                            const std::string& name, const std::filesystem::path& folder,
+                            RequirementWatch* watch) {
   const std::string full_name = name + "-" + board;
   auto command = buildOnBoard(mission, launch, user_code, board, folder / full_name);
   if (!command) {
     return std::unexpected(command.error());
   }
-  return startOnBoard(board, std::move(*command), launch, folder, full_name,
-                      ProcessSbcPort::kHangSecs);
+  StartSbc flown = startOnBoard(board, std::move(*command), launch, folder, full_name,
+                                ProcessSbcPort::kHangSecs);
+  if (watch == nullptr) {
+    return flown;
+  }
+  auto shadow = sbcInProcess(mission, launch, user_code, false, watch);
+  return shadow ? Result<StartSbc>(shadowed(std::move(flown), std::move(*shadow), *watch))
+                : std::unexpected(shadow.error());
 }
 
 StartSbc sbcOnSerialLine(const std::string& device, bool lockstep) {
@@ -153,6 +161,17 @@ StartSbc sbcProgram(const std::string& program) {
   const bool here = std::filesystem::is_regular_file(program, ignored);
   return starterOf("program", {here ? std::filesystem::absolute(program).string() : program,
                                "--port", "{port}"});
+}
+
+Result<StartSbc> sbcProgramOf(const compiler::Optimised& mission,
+                              const std::vector<std::string>& user_code, const std::string& program,
+                              RequirementWatch* watch) {
+  if (watch == nullptr) {
+    return sbcProgram(program);
+  }
+  auto shadow = sbcInProcess(mission, {}, user_code, false, watch);
+  return shadow ? Result<StartSbc>(shadowed(sbcProgram(program), std::move(*shadow), *watch))
+                : std::unexpected(shadow.error());
 }
 
 }  // namespace glider::flights

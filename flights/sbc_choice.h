@@ -43,6 +43,13 @@ simulator::StartSbc startInProcess(std::shared_ptr<const codegen::LoadedMission>
                                    std::vector<double> parameters, bool keeps_time,
                                    RequirementWatch* watch = nullptr);
 
+/// The program of sbcProgram, which should be `mission` with its default parameters and keep
+/// checkpoints. `watch` (null: none) watches the same mission in this process beside it.
+support::Result<simulator::StartSbc> sbcProgramOf(const compiler::Optimised& mission,
+                                                  const std::vector<std::string>& user_code,
+                                                  const std::string& program,
+                                                  RequirementWatch* watch);
+
 /// Builds the mission's binary for `board` at `binary`; returns the command that runs it here,
 /// without its arguments.
 support::Result<std::vector<std::string>> buildOnBoard(const compiler::Optimised& mission,
@@ -58,12 +65,14 @@ simulator::StartSbc startOnBoard(const std::string& board, std::vector<std::stri
                                  const std::string& name, double hang_secs);
 
 /// Builds the mission's binary for `board` into `folder` as `name`-`board`, to be started behind a
-/// pseudo-terminal, under the board's emulator if it has one.
+/// pseudo-terminal, under the board's emulator if it has one. `watch` (null: none) watches the same
+/// mission in this process beside it.
 support::Result<simulator::StartSbc> sbcOnBoard(const compiler::Optimised& mission,
                                                 const LaunchChoice& launch,
                                                 const std::vector<std::string>& user_code,
                                                 const std::string& board, const std::string& name,
-                                                const std::filesystem::path& folder);
+                                                const std::filesystem::path& folder,
+                                                RequirementWatch* watch = nullptr);
 
 /// A program that the user has built, with `--port PTY` as its only arguments.
 simulator::StartSbc sbcProgram(const std::string& program);

@@ -5,6 +5,7 @@
 
 #include "compiler/share.h"
 #include "simulator/flight/skeleton.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

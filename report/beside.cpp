@@ -4,6 +4,7 @@
 #include "report/beside.h"
 
 #include "report/figures.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/trace/submersions.h"
 
 #include <fmt/format.h>

@@ -4,6 +4,7 @@
 #include "report/report.h"
 
 #include "report/page.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 namespace glider::report {

@@ -5,6 +5,7 @@
 
 #include "report/figures.h"
 #include "report/text.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/utc.h"
 
 #include <fmt/format.h>
@@ -166,6 +167,39 @@ bool saysNoDeclination(const TraceEvent& event) {
   return event.kind == "log" && event.what == "declination unknown: headings are magnetic";
 }
 
+/// The end of a simulated flight.
+struct LastRow {
+  double depth_m = 0, clearance_m = 0;
+};
+
+/// None for a log, or a trace without the true depth.
+std::optional<LastRow> lastRowOf(const Trace& trace) {
+  const int depth = trace.column("true_depth"), water = trace.column("water_depth");
+  if (trace.log || depth < 0 || water < 0 || trace.rowCount() == 0) {
+    return std::nullopt;
+  }
+  const size_t last = trace.rowCount() - 1;
+  return LastRow{trace.at(last, depth), trace.at(last, water) - trace.at(last, depth)};
+}
+
+/// Reports a flight that ended on the bottom, or whose abort did not bring the vehicle up.
+void reportEnd(const Trace& trace, support::DiagnosticEngine& diagnostics) {
+  using support::DiagnosticId;
+  constexpr double kTouches = 0.5, kAfloat = 1;  // m
+  const auto last = lastRowOf(trace);
+  if (!last || !(last->depth_m > kAfloat)) {
+    return;
+  }
+  const Told abort = tell(trace, isAbort);
+  if (last->clearance_m < kTouches) {
+    diagnostics.report(DiagnosticId::endedOnBottom, {}, fmt::format("{:.0f}", last->depth_m),
+                       abort.first != nullptr ? ", after the mission was aborted" : "");
+  } else if (abort.first != nullptr) {
+    diagnostics.report(DiagnosticId::notUpAfterAbort, {}, abort.at,
+                       fmt::format("{:.0f}", last->depth_m));
+  }
+}
+
 }  // namespace
 
 bool wasNeverInControl(const Trace& trace) {
@@ -203,6 +237,7 @@ void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics) {
     diagnostics.report(DiagnosticId::flightAborted, {}, told.at,
                        plain(told.first->what) + why + told.more);
   }
+  reportEnd(trace, diagnostics);
   if (const Told told = tell(trace, isBottom); told.first != nullptr) {
     diagnostics.report(DiagnosticId::bottomTouched, {}, told.at,
                        plain(told.first->why) + told.more);
@@ -217,11 +252,23 @@ void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics) {
   }
 }
 
+void reportRestless(const Trace& trace, const std::string& hint,
+                    support::DiagnosticEngine& diagnostics) {
+  constexpr double kShort_s = 300;
+  constexpr size_t kMany = 20;
+  if (const auto from = restlessFrom(trace, kMany, kShort_s)) {
+    diagnostics.report(
+        support::DiagnosticId::flightUnusual, {},
+        fmt::format("from {} on the mission changed its state {} times within {:.0f} min",
+                    timeText(trace, *from), kMany, kShort_s / 60),
+        hint);
+  }
+}
+
 void reportUnusual(const Trace& trace, const std::string& hint,
                    support::DiagnosticEngine& diagnostics) {
   using support::DiagnosticId;
-  constexpr double kSoon_s = 60, kShort_s = 300;
-  constexpr size_t kMany = 20;
+  constexpr double kSoon_s = 60;
   if (wasCutShort(trace)) {
     diagnostics.report(
         DiagnosticId::flightUnusual, {},
@@ -235,13 +282,7 @@ void reportUnusual(const Trace& trace, const std::string& hint,
         fmt::format("the mission ended {:.0f} s after it had taken control", *end - *control),
         hint);
   }
-  if (const auto from = restlessFrom(trace, kMany, kShort_s)) {
-    diagnostics.report(
-        DiagnosticId::flightUnusual, {},
-        fmt::format("from {} on the mission changed its state {} times within {:.0f} min",
-                    timeText(trace, *from), kMany, kShort_s / 60),
-        hint);
-  }
+  reportRestless(trace, hint, diagnostics);
 }
 
 std::vector<std::string> flightWarnings(const Trace& trace) {

@@ -24,8 +24,13 @@ bool spokeTheProtocol(const support::Trace& trace);
 
 /// Reports what went wrong in a flight: the vehicle aborted (GL9370), a command was refused
 /// (GL9371), the mission was never in control (GL9372), hookbeh intervened (GL9375), the vehicle
-/// touched the bottom (GL9376). Of several of a kind only the first is reported, with their number.
+/// touched the bottom (GL9376), ended on it (GL5215), or was not up at the end after an abort
+/// (GL5216). Of several of a kind only the first is reported, with their number.
 void reportFlight(const support::Trace& trace, support::DiagnosticEngine& diagnostics);
+
+/// Reports a mission that changed its state 20 times within 5 min (GL9378). `hint`: what to do.
+void reportRestless(const support::Trace& trace, const std::string& hint,
+                    support::DiagnosticEngine& diagnostics);
 
 /// Reports what hardly any mission is meant to do (GL9378): it had not ended when the simulated
 /// time was up, ended within a minute, or changed its state 20 times within 5 min. `hint`: what to

@@ -5,6 +5,7 @@
 #include "simulator/sensors/provided.h"
 #include "simulator/simulator.h"
 #include "simulator/vehicle/vehicle_model.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -28,6 +28,9 @@ struct CycleView {
   bool commanded_whole = true;  ///< heading, pitch and pump were commanded, by any behaviour
   const hooks::HookbehOutputs* hookbeh = nullptr;  ///< what it commanded; null when it does not run
   uint8_t masked = 0;  ///< which slots hookbeh did not fill last, as hooks::kMaskedHeading…
+  double east_m = 0, north_m = 0;  ///< true, of where the flight began
+  double pumped_cc = 0;            ///< true position of the pump
+  double left_J = 1e9;             ///< what the batteries can still give
 
   /// A behaviour above hookbeh controlled pitch or pump.
   [[nodiscard]] bool overridden() const { return masksPitchOrPump(masked); }

@@ -4,11 +4,13 @@
 #include "simulator/simulated_vehicle.h"
 
 #include "simulator/sensors/noise.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace glider::simulator {
 namespace {
@@ -82,14 +84,15 @@ SimulatedVehicle::SimulatedVehicle(SimulationSetup setup, const World& world, ui
       real_time_(setup_.sbc != nullptr && setup_.sbc->keepsTime()),
       seed_(seedOfVehicle(setup_.seed.value_or(setup_.scenario.seed), number)),
       duration_s_(setup_.duration_s.value_or(setup_.scenario.duration_s)),
-      steps_per_cycle_(static_cast<int64_t>(setup_.platform.envelope.cycle_s / Vehicle::kStep)),
+      cycles_(setup_.scenario.cycles, setup_.platform.envelope.cycle_s, Vehicle::kStep, seed_),
       most_steps_(static_cast<int64_t>(duration_s_ / Vehicle::kStep)),
       trace_(headOf(setup_)),
       vehicle_(setup_.platform, setup_.scenario.vehicle),
       flight_(setup_.platform, setup_.scenario.skeleton, setup_.scenario.sensors, seed_,
               world.frame(), world.year(), journal_, setup_.scenario.code_15),
       science_(setup_.platform, seed_, setup_.scenario.sensors, !real_time_),
-      damage_(faults().sensors, seed_),
+      damage_(faultsOf(false), seed_, NoiseStream::SensorJumps),
+      science_damage_(faultsOf(true), seed_, NoiseStream::ScienceSensorJumps),
       flight_science_link_(kFlightScienceBaud, damageOf(LineWay::ToFlight, kFlightScienceBaud),
                            damageOf(LineWay::FromFlight, kFlightScienceBaud)),
       sbc_line_(kSbcBaud, damageOf(LineWay::FromSbc, kSbcBaud), damageOf(LineWay::ToSbc, kSbcBaud)),
@@ -99,7 +102,7 @@ SimulatedVehicle::SimulatedVehicle(SimulationSetup setup, const World& world, ui
       recorder_(trace_, world.ocean(), world.frame(), setup_.platform, setup_.scenario) {
   flight_.startAt(vehicle_.x(), vehicle_.y());
   flight_.damageBy(&damage_);
-  science_.damageBy(&damage_);
+  science_.damageBy(&science_damage_);
   link_.showTo(setup_.observer);
   for (const Leftover& leftover : faults().leftover) {
     flight_.leaveOver(leftover);
@@ -120,6 +123,16 @@ support::Result<std::unique_ptr<SimulatedVehicle>> SimulatedVehicle::make(Simula
   return std::unique_ptr<SimulatedVehicle>(new SimulatedVehicle(std::move(setup), world, number));
 }
 
+/// The faults of the sensors that the science computer reads, or of the others. What the flight
+/// controller receives from the science computer is damaged already: a fault acts once.
+std::vector<SensorFault> SimulatedVehicle::faultsOf(bool science) const {
+  std::vector<SensorFault> of;
+  std::ranges::copy_if(faults().sensors, std::back_inserter(of), [&](const SensorFault& fault) {
+    return science_.reads(fault.id) == science;
+  });
+  return of;
+}
+
 void SimulatedVehicle::advance(double time_s) {
   for (double now = 0; flying() && (now = static_cast<double>(step_) * Vehicle::kStep) < time_s;
        ++step_) {
@@ -131,10 +144,14 @@ void SimulatedVehicle::step(double now) {
   flight_science_link_.setNow(now);
   sbc_line_.setNow(now);
   damage_.setNow(now);
+  science_damage_.setNow(now);
   failDevices(now);
-  if (step_ % steps_per_cycle_ == 0 && controlCycle(now, step_ / steps_per_cycle_)) {
-    over_ = true;
-    return;
+  if (step_ == next_cycle_) {
+    if (controlCycle(now)) {
+      over_ = true;
+      return;
+    }
+    next_cycle_ += cycles_.steps();
   }
   if (step_ % kStepsPerSecond == 0) {
     scienceCycle(now);
@@ -147,13 +164,14 @@ void SimulatedVehicle::step(double now) {
 }
 
 /// Returns true when the flight is over.
-bool SimulatedVehicle::controlCycle(double now, int64_t number) {
+bool SimulatedVehicle::controlCycle(double now) {
   completeRow();
+  const double before_s = std::exchange(scheduled_s_, now);
   if (isFlightDown(now)) {
     return false;
   }
   for (const Put& put : setup_.scenario.puts) {
-    if (now >= put.at_s && now < put.at_s + setup_.platform.envelope.cycle_s) {
+    if (now >= put.at_s && before_s < put.at_s) {
       flight_.put(put.sensor, put.value);
       journal_.add(now, "operator", fmt::format("put {} {}", put.sensor, put.value));
     }
@@ -163,7 +181,7 @@ bool SimulatedVehicle::controlCycle(double now, int64_t number) {
   science_.sampleEvery(flight_.samplePeriods());
   recorder_.row(now, flight_, science_, vehicle_);
   cycle_s_ = now;
-  if (setup_.progress && number % kProgressCycles == 0) {
+  if (setup_.progress && cycle_count_++ % kProgressCycles == 0) {
     setup_.progress({now, duration_s_, vehicle_.depth(),
                      story_.flying() ? story_.stateName(story_.state()) : ""});
   }
@@ -191,7 +209,11 @@ CycleView SimulatedVehicle::view(double now, bool over) const {
           battery.voltage(),
           flight_.commandedWhole(),
           flight_.hookbeh(),
-          flight_.hookbehMasked()};
+          flight_.hookbehMasked(),
+          vehicle_.x() - setup_.scenario.vehicle.start_x_m,
+          vehicle_.y() - setup_.scenario.vehicle.start_y_m,
+          vehicle_.pumpedCc(),
+          battery.leftJ()};
 }
 
 /// True while the flight controller restarts: what arrives meanwhile is lost.

@@ -42,8 +42,9 @@ class SimulatedVehicle {
   [[nodiscard]] LineDamage damageOf(LineWay way, double baud) const {
     return {faults().lines, way, seed_, baud};
   }
+  [[nodiscard]] std::vector<SensorFault> faultsOf(bool science) const;
   void step(double now);
-  bool controlCycle(double now, int64_t number);
+  bool controlCycle(double now);
   [[nodiscard]] CycleView view(double now, bool over) const;
   bool isFlightDown(double now);
   void failDevices(double now);
@@ -55,7 +56,11 @@ class SimulatedVehicle {
   bool real_time_;  ///< the SBC has its own clock, and its time-outs run
   uint64_t seed_;
   double duration_s_;
-  int64_t steps_per_cycle_, most_steps_;
+  CycleTimes cycles_;
+  int64_t next_cycle_ = 0;  ///< the step in which it begins
+  int64_t cycle_count_ = 0;
+  double scheduled_s_ = -1;  ///< when the previous cycle was due, whether or not it ran
+  int64_t most_steps_;
   int64_t step_ = 0;
   bool over_ = false;
   support::Trace trace_;
@@ -63,7 +68,8 @@ class SimulatedVehicle {
   Vehicle vehicle_;
   FlightController flight_;
   ScienceComputer science_;
-  SensorDamage damage_;
+  SensorDamage damage_;          ///< of the flight controller's sensors
+  SensorDamage science_damage_;  ///< of those that the science computer reads
   SerialLine flight_science_link_;
   SerialLine sbc_line_;
   SbcLink link_;

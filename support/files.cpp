@@ -3,6 +3,10 @@
 
 #include "support/files.h"
 
+#include "support/diagnostics/catalogue.h"
+
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>

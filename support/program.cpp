@@ -3,6 +3,8 @@
 
 #include "support/program.h"
 
+#include "support/diagnostics/catalogue.h"
+
 #include <array>
 #include <cerrno>
 #include <cstdio>

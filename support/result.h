@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include "support/diagnostics/diagnostic.h"
+#include "support/diagnostics/id.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <expected>
 #include <string>
@@ -26,11 +26,12 @@ template <typename T>
 using Result = std::expected<T, Failure>;
 
 /// The failure of row `id`, its message and hint filled with `args`.
+[[nodiscard]] Failure failureOf(DiagnosticId id, fmt::format_args args);
+
+/// The same as the error of a Result.
 template <typename... Args>
-[[nodiscard]] std::unexpected<Failure> fail(DiagnosticId id, Args&&... args) {
-  const CatalogueRow& row = catalogueRow(id);
-  return std::unexpected(Failure{id, fmt::format(fmt::runtime(row.message), args...),
-                                 fmt::format(fmt::runtime(row.hint), args...)});
+[[nodiscard]] std::unexpected<Failure> fail(DiagnosticId id, const Args&... args) {
+  return std::unexpected(failureOf(id, fmt::make_format_args(args...)));
 }
 
 }  // namespace glider::support

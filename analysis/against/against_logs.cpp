@@ -8,6 +8,7 @@
 #include "analysis/against/log_ticks.h"
 #include "ir/eval/arithmetic.h"
 #include "report/picture/picture.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

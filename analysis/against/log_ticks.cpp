@@ -4,6 +4,7 @@
 #include "analysis/against/log_ticks.h"
 
 #include "report/picture/picture.h"
+#include "slocum/data_tables/log_units.h"
 #include "slocum/data_tables/merge.h"
 
 #include <algorithm>
@@ -136,6 +137,7 @@ class Builder {
   Builder(const std::vector<slocum::LogFile>& files, const ir::Mission& mission,
           const platforms::Platform& platform)
       : m_(mission),
+        platform_(platform),
         merged_(slocum::merge(files, namesOf(mission))),
         headings_(mission),
         reduction_(mission, platform) {
@@ -185,19 +187,28 @@ class Builder {
     std::vector<LoggedUpdate> updates;
     for (uint32_t column = 0; column < merged_.columns.size(); ++column) {
       sensors_.push_back(sensorCalled(merged_.columns[column].name));
+      factors_.push_back(factorOf(merged_.columns[column]));
       if (sensors_.back().valid()) {
         out_.sensors[sensors_.back().index].present = true;
       }
-      merged_.forEachUpdateOf(
-          column, [&](uint32_t row, double value) { updates.push_back({row, column, value}); });
+      merged_.forEachUpdateOf(column, [&](uint32_t row, double value) {
+        updates.push_back({row, column, value * factors_[column]});
+      });
     }
     std::ranges::stable_sort(updates, {}, &LoggedUpdate::row);
     return updates;
   }
 
+  /// What turns the values of a column into the unit of the platform.
+  [[nodiscard]] double factorOf(const slocum::MergedColumn& column) const {
+    const platforms::PlatformSensor* sensor = platform_.find(column.name);
+    return sensor == nullptr ? 1
+                             : slocum::factorBetween(column.sensor.unit, sensor->unit).value_or(1);
+  }
+
   [[nodiscard]] ir::SensorId sensorCalled(const std::string& name) const {
     const auto found = std::ranges::find_if(m_.sensors, [&](const ir::Sensor& sensor) {
-      return sensor.symbol.empty() && sensor.vehicle_name == name;
+      return sensor.symbol.empty() && slocum::isSameName(sensor.vehicle_name, name);
     });
     return found == m_.sensors.end()
                ? ir::SensorId{}
@@ -206,7 +217,7 @@ class Builder {
 
   void take(const LoggedUpdate& update, double time) {
     for (Shown& shown : shown_) {
-      if (merged_.columns[update.column].name == shown.name()) {
+      if (slocum::isSameName(merged_.columns[update.column].name, shown.name())) {
         shown.take(update.value, time);
       }
     }
@@ -231,11 +242,13 @@ class Builder {
   }
 
   const ir::Mission& m_;
+  const platforms::Platform& platform_;
   slocum::Merged merged_;
   TrueHeadings headings_;
   Reduction reduction_;
   std::vector<Shown> shown_;           ///< the depth, then the quantities
   std::vector<ir::SensorId> sensors_;  ///< of the mission, for each column
+  std::vector<double> factors_;        ///< to the platform's unit, for each column
   std::vector<ir::SensorUpdate> frame_;
   LogTicks out_;
 };

@@ -10,7 +10,9 @@
 #include "codegen/digest.h"
 #include "ir/core/under_assumptions.h"
 #include "ir/prove/abstract/state_depths.h"
+#include "ir/prove/abstract/surfacing.h"
 #include "ir/verify/value_text.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/one_line.h"
 
 #include <fmt/format.h>
@@ -42,6 +44,8 @@ class Maker {
         written_(source.compilation),
         words_(*checked_.lowered),
         depths_(ir::prove::deepestByState(
+            ir::prove::ProofContext(m_, ir::notNarrowed(checked_.platform(), m_)))),
+        climbs_(ir::prove::climbTimes(
             ir::prove::ProofContext(m_, ir::notNarrowed(checked_.platform(), m_)))) {}
 
   Brief run() {
@@ -94,7 +98,11 @@ class Maker {
     told.profile = use(of, of.profile, ir::BehaviourKind::Profile, drawn.profile);
     told.route = use(of, of.route, ir::BehaviourKind::Route, drawn.route);
     told.deepest =
-        std::isfinite(depths_[number]) ? fmt::format("at most {:.4g} m deep", depths_[number]) : "";
+        std::isfinite(depths_[number])
+            ? fmt::format(
+                  "at most {:.4g} m deep{}", depths_[number],
+                  std::isfinite(climbs_[number]) ? " as its climb to the surface begins" : "")
+            : "";
     told.samples = InWords::samples(of);
     told.entry = words_.block(of.entry);
     told.events = events(of.cases, drawn.cases);
@@ -206,6 +214,7 @@ class Maker {
   const Written written_;
   const InWords words_;
   const std::vector<double> depths_;
+  const std::vector<double> climbs_;  ///< finite for a state that only climbs to the surface
 };
 
 }  // namespace

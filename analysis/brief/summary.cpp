@@ -93,7 +93,7 @@ std::string wayHome(const platforms::Platform& platform, const Silence& silence,
 std::string powerCuts(const ir::Mission& mission) {
   const std::string after_restart =
       mission.new_after_restart
-          ? " If the vehicle has restarted its own mission meanwhile, this mission starts again."
+          ? " If the vehicle has restarted its own mission meanwhile, it keeps control too."
           : "";
   return fmt::format(
       "After a power cut of the payload computer of up to {}, the mission continues "

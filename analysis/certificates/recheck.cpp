@@ -3,11 +3,12 @@
 
 #include "analysis/certificates/recheck.h"
 
+#include "analysis/certificates/possible_run.h"
 #include "analysis/replay.h"
 #include "flights/launch_choice.h"
 #include "flights/sbc_choice.h"
 #include "ir/certify/obligations.h"
-#include "ir/core/under_assumptions.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/program.h"
 
 #include <fmt/format.h>
@@ -48,6 +49,10 @@ Result<std::vector<std::string>> answersTo(const std::string& script) {
   return answers;
 }
 
+Rechecked refused(std::string reason) {
+  return {false, 0, std::move(reason), {}};
+}
+
 /// Empty if every obligation of the script is met.
 Result<std::string> check(const ir::certify::Script& script) {
   const auto answers = answersTo(script.text);
@@ -68,25 +73,12 @@ Result<std::string> check(const ir::certify::Script& script) {
   return std::string();
 }
 
-/// The mission under the assumptions that the certificate names, and no others.
-ir::Mission assuming(const Certificate& certificate, ir::Mission mission) {
-  std::vector<ir::Assumption> named;
-  for (const uint32_t number : certificate.assumptions) {
-    named.push_back(mission.assumptions.at(number));
-  }
-  mission.assumptions = std::move(named);
-  return ir::underAssumptions(std::move(mission));
-}
-
-Result<Rechecked> recheckInvariants(const Certificate& certificate,
+Result<Rechecked> recheckInvariants(const compiler::Certificate& certificate,
                                     const compiler::Checked& checked, uint32_t requirement) {
   Rechecked result;
-  const ir::Mission mission = assuming(certificate, checked.mission());
-  const platforms::Platform platform =
-      ir::underAssumptions(ir::notNarrowed(checked.platform(), checked.mission()), mission);
-  const double gap = ir::certify::longestGap(mission, platform);
-  for (const ir::certify::Script& script : ir::certify::obligationsOf(
-           mission, platform, mission.requirements.at(requirement), certificate.invariants, gap)) {
+  for (const ir::certify::Script& script :
+       ir::certify::obligationsUnder(checked.mission(), checked.platform(), requirement,
+                                     certificate.assumptions, certificate.invariants)) {
     const auto wrong = check(script);
     if (!wrong) {
       return std::unexpected(wrong.error());
@@ -98,16 +90,30 @@ Result<Rechecked> recheckInvariants(const Certificate& certificate,
     result.obligations += script.obligations.size();
   }
   result.accepted = true;
+  result.assumptions = certificate.assumptions;
   return result;
+}
+
+/// A run is a flight under any assumptions, unless it begins deeper than vehicles usually do.
+std::vector<uint32_t> assumedOf(const support::Trace& run, const compiler::Checked& checked) {
+  std::vector<uint32_t> numbers;
+  const auto& assumptions = checked.mission().assumptions;
+  const bool deep = run.at(0, run.column("true_depth")) > checked.platform().world.start_depth_m;
+  for (uint32_t i = 0; i < assumptions.size(); ++i) {
+    if (deep && assumptions[i].kind == ir::AssumptionKind::StartDepth) {
+      numbers.push_back(i);
+    }
+  }
+  return numbers;
 }
 
 Result<Rechecked> recheckRun(const support::Trace& run, const compiler::Optimised& mission,
                              uint32_t requirement) {
   if (auto fits = checkTrace(run, "the certificate's run", *mission.checked); !fits) {
-    return Rechecked{false, 0, fits.error().message};
+    return refused(fits.error().message);
   }
   if (run.requirement != requirement) {
-    return Rechecked{false, 0, "its run is for another requirement"};
+    return refused("its run is for another requirement");
   }
   auto loaded = flights::loadHere(mission, {});
   if (!loaded) {
@@ -119,6 +125,9 @@ Result<Rechecked> recheckRun(const support::Trace& run, const compiler::Optimise
   if (!parameters) {
     return std::unexpected(parameters.error());
   }
+  if (std::string why = whyImpossible(run, *mission.checked, *parameters); !why.empty()) {
+    return refused(fmt::format("no vehicle flies its run: {}", why));
+  }
   const auto start = flights::startInProcess(
       std::make_shared<const codegen::LoadedMission>(std::move(*loaded)), *parameters, false);
   const auto sbc = start();
@@ -128,33 +137,35 @@ Result<Rechecked> recheckRun(const support::Trace& run, const compiler::Optimise
   const auto replayed =
       replayRun(run, *mission.checked, compiler::stateNames(mission.mission), *parameters, **sbc);
   if (!replayed) {
-    return Rechecked{false, 0, replayed.error().message};
+    return refused(replayed.error().message);
   }
-  return replayed->broken ? Rechecked{true, replayed->ticks, {}}
-                          : Rechecked{false, 0, "its run does not do what is required"};
+  if (!replayed->broken) {
+    return refused("its run does not do what is required");
+  }
+  return Rechecked{true, replayed->ticks, {}, assumedOf(run, *mission.checked)};
 }
 
 }  // namespace
 
-Result<Rechecked> recheck(const Certificate& certificate, const compiler::Optimised& mission,
-                          uint32_t requirement) {
+Result<Rechecked> recheck(const compiler::Certificate& certificate,
+                          const compiler::Optimised& mission, uint32_t requirement) {
   const ir::Requirement& required = mission.checked->mission().requirements[requirement];
-  const auto subject = subjectOf(*mission.checked);
+  const auto subject = compiler::subjectOf(*mission.checked);
   if (!subject) {
     return std::unexpected(subject.error());
   }
   if (certificate.subject != *subject) {
-    return Rechecked{false, 0, "it is about another mission or another vehicle"};
+    return refused("it is about another mission or another vehicle");
   }
   const bool reach = required.kind == ir::RequirementKind::Reach;
   if (reach != certificate.run.has_value()) {
-    return Rechecked{false, 0, "its method does not fit the requirement"};
+    return refused("its method does not fit the requirement");
   }
   if (certificate.run) {
     return recheckRun(*certificate.run, mission, requirement);
   }
   if (!required.geofences.empty()) {
-    return Rechecked{false, 0, "proofs by geometry are not checked a second time"};
+    return refused("proofs by geometry are not checked a second time");
   }
   return recheckInvariants(certificate, *mission.checked, requirement);
 }

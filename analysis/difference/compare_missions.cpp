@@ -97,8 +97,8 @@ class Comparison {
     }
     if (old_.m.new_after_restart != new_.m.new_after_restart) {
       lines.push_back(change("after a restart of the vehicle",
-                             old_.m.new_after_restart ? "begins again" : "continues",
-                             new_.m.new_after_restart ? "begins again" : "continues"));
+                             old_.m.new_after_restart ? "is over" : "continues",
+                             new_.m.new_after_restart ? "is over" : "continues"));
     }
     if (declination(old_.m) != declination(new_.m)) {
       lines.emplace_back("the declination of the compass differs");

@@ -99,16 +99,13 @@ std::string textOf(const slocum::Setting& setting) {
   return fmt::format("{} {:.7g}", setting.name, setting.value);
 }
 
-/// The value of a setting, and the behaviour that makes it: sensors_in stands above the mission's
-/// own, and this above the vehicle's.
-struct SettingInForce {
-  double value = 0;
-  support::SourceRange range;
-};
-SettingInForce inForce(const slocum::MissionFile& vehicle, std::string_view name) {
+}  // namespace
+
+SettingInForce settingInForce(const slocum::MissionFile& vehicle, std::string_view name) {
   for (const slocum::BehaviourBlock& block : vehicle.behaviours) {
     if (block.name == "sensors_in" && !block.lacks_file) {
-      return {block.value(name), block.range};
+      const slocum::Setting* given = block.find(name);
+      return {block.value(name), given != nullptr ? given->name_range : block.range};
     }
   }
   for (const auto* settings : {&vehicle.sensors, &vehicle.vehicle_sensors}) {
@@ -119,8 +116,6 @@ SettingInForce inForce(const slocum::MissionFile& vehicle, std::string_view name
   }
   return {};
 }
-
-}  // namespace
 
 std::optional<Doubt> doubtfulSetting(const slocum::MissionFile& vehicle,
                                      const platforms::Platform& platform) {
@@ -146,7 +141,7 @@ std::optional<Doubt> doubtfulSetting(const slocum::MissionFile& vehicle,
 std::optional<Doubt> unreadSensor(const slocum::MissionFile& vehicle,
                                   const platforms::Platform& platform) {
   for (const std::string_view name : kNeeded) {
-    const SettingInForce setting = inForce(vehicle, name);
+    const SettingInForce setting = settingInForce(vehicle, name);
     if (!(setting.value >= 0 && setting.value <= platform.world.tick_gap_s)) {
       return Doubt{fmt::format("the vehicle seldom or never reads a sensor that it needs ({} {:g})",
                                name, setting.value),

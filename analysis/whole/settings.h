@@ -18,6 +18,14 @@ struct Doubt {
   support::SourceRange range;
 };
 
+/// The value of a setting, and where it is made: sensors_in stands above the mission's own lines
+/// `sensor:`, and these above the vehicle's. 0 if it is made nowhere.
+struct SettingInForce {
+  double value = 0;
+  support::SourceRange range;
+};
+SettingInForce settingInForce(const slocum::MissionFile& vehicle, std::string_view name);
+
 /// A line `sensor:`, of the mission file or of autoexec.mi, that is not known to leave the way to
 /// the surface as it is.
 std::optional<Doubt> doubtfulSetting(const slocum::MissionFile& vehicle,

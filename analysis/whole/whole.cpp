@@ -7,6 +7,7 @@
 #include "analysis/whole/settings.h"
 #include "analysis/whole/way_up.h"
 #include "hooks/client/client.h"
+#include "hooks/hookbeh/hull.h"
 #include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/context/proof_context.h"
 #include "slocum/mission_files/behaviour_catalogue.h"
@@ -24,8 +25,6 @@ namespace glider::analysis {
 namespace {
 
 using slocum::BehaviourBlock;
-
-constexpr double kLongestSilence = 3600;  // s; hookbeh accepts no longer one
 
 const BehaviourBlock* blockOf(const slocum::MissionFile& vehicle, std::string_view name) {
   const auto found = std::ranges::find(vehicle.behaviours, name, &BehaviourBlock::name);
@@ -91,10 +90,11 @@ class Endings {
   /// The SBC's own end, and what hookbeh takes for one.
   void leftByTheSbc(const BehaviourBlock& hookbeh) {
     const double silence = hookbeh.value("silence_secs");
-    if (!(silence > 0 && silence <= kLongestSilence)) {
-      unproved("silence of the SBC", &*hookbeh_,
-               fmt::format("{} has silence_secs {:g}", hookbeh_->label(), silence),
-               fmt::format("give it a silence_secs above 0 and up to {:g} s", kLongestSilence));
+    if (!(silence > 0 && silence <= hooks::kMostSilenceSecs)) {
+      unproved(
+          "silence of the SBC", &*hookbeh_,
+          fmt::format("{} has silence_secs {:g}", hookbeh_->label(), silence),
+          fmt::format("give it a silence_secs above 0 and up to {:g} s", hooks::kMostSilenceSecs));
       return;
     }
     const double gap = platform_.world.tick_gap_s;

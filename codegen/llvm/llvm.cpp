@@ -10,6 +10,7 @@
 #include "codegen/llvm/program/compile.h"
 #include "codegen/llvm/program/emit.h"
 #include "codegen/llvm/program/optimise.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 namespace glider::codegen {

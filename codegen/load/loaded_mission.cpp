@@ -4,6 +4,9 @@
 #include "codegen/load/loaded_mission.h"
 
 #include "codegen/scratch_folder.h"
+#include "support/diagnostics/catalogue.h"
+
+#include <fmt/format.h>
 
 #include <dlfcn.h>
 

@@ -29,7 +29,7 @@ Result<Line> rechecked(const compiler::Optimised& mission, uint32_t number,
                        const std::filesystem::path& folder) {
   const ir::Requirement& requirement = mission.checked->mission().requirements[number];
   const std::string words = support::onOneLine(mission.checked->sources().text(requirement.range));
-  const auto path = analysis::certificatePath(folder, number);
+  const auto path = compiler::certificatePath(folder, number);
   if (!std::filesystem::exists(path)) {
     return Line{fmt::format("no certificate: {}\n", words), false};
   }
@@ -37,7 +37,7 @@ Result<Line> rechecked(const compiler::Optimised& mission, uint32_t number,
   if (!text) {
     return std::unexpected(text.error());
   }
-  const auto certificate = analysis::certificateFromJson(*text, path.string(), *mission.checked);
+  const auto certificate = compiler::certificateFromJson(*text, path.string(), *mission.checked);
   if (!certificate) {
     return std::unexpected(certificate.error());
   }
@@ -54,7 +54,7 @@ Result<Line> rechecked(const compiler::Optimised& mission, uint32_t number,
           : fmt::format("{} configuration{}, {} obligations met", certificate->invariants.size(),
                         certificate->invariants.size() == 1 ? "" : "s", found->obligations);
   ir::prove::RequirementVerdict rests;
-  rests.assumptions = certificate->assumptions;
+  rests.assumptions = found->assumptions;
   const std::string premises = ir::prove::premisesOf(rests, mission.checked->mission());
   return Line{
       fmt::format("accepted: {}\n  by {}: {}\n{}", words, ir::prove::word(certificate->method),

@@ -4,8 +4,8 @@
 #include "driver/certificates/write.h"
 
 #include "analysis/analysis.h"
+#include "compiler/certificate_file.h"
 #include "support/files.h"
-#include "support/one_line.h"
 
 #include <string>
 #include <system_error>
@@ -14,16 +14,10 @@
 namespace glider::driver {
 namespace {
 
-analysis::Certificate certificateOf(const compiler::Checked& checked,
-                                    const ir::prove::RequirementVerdict& verdict,
-                                    std::string subject) {
-  const auto range = checked.mission().requirements[verdict.requirement].range;
-  analysis::Certificate certificate{support::onOneLine(checked.sources().text(range)),
-                                    std::move(subject),
-                                    verdict.evidence->method,
-                                    verdict.assumptions,
-                                    verdict.evidence->invariants,
-                                    std::nullopt};
+compiler::Certificate certificateWithRun(const compiler::Checked& checked,
+                                         const ir::prove::RequirementVerdict& verdict,
+                                         std::string subject) {
+  compiler::Certificate certificate = compiler::certificateOf(checked, verdict, std::move(subject));
   if (verdict.evidence->method == ir::prove::Method::Run) {
     certificate.run = analysis::traceOfRun(checked, verdict);
   }
@@ -35,7 +29,7 @@ analysis::Certificate certificateOf(const compiler::Checked& checked,
 support::Result<size_t> writeCertificates(const CheckedFile& checked,
                                           const std::filesystem::path& folder) {
   const compiler::Checked& mission = *checked.compilation->checked;
-  auto subject = analysis::subjectOf(mission);
+  auto subject = compiler::subjectOf(mission);
   if (!subject) {
     return std::unexpected(subject.error());
   }
@@ -43,14 +37,14 @@ support::Result<size_t> writeCertificates(const CheckedFile& checked,
   std::filesystem::create_directories(folder, trouble);  // reported when a file is written
   size_t count = 0;
   for (const ir::prove::RequirementVerdict& verdict : checked.proved.requirements) {
-    const auto path = analysis::certificatePath(folder, verdict.requirement);
+    const auto path = compiler::certificatePath(folder, verdict.requirement);
     if (!verdict.evidence) {
       std::filesystem::remove(path, trouble);
       continue;
     }
-    const analysis::Certificate certificate = certificateOf(mission, verdict, *subject);
+    const compiler::Certificate certificate = certificateWithRun(mission, verdict, *subject);
     if (auto written = support::writeFileAtomically(
-            path, analysis::certificateToJson(certificate, mission.mission()));
+            path, compiler::certificateToJson(certificate, mission.mission()));
         !written) {
       return std::unexpected(written.error());
     }

@@ -12,8 +12,10 @@
 #include "report/report.h"
 #include "slocum/data_tables/merge.h"
 #include "slocum/data_traces/flight_trace.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace glider::driver {
@@ -51,6 +53,7 @@ VehicleLogs readVehicleLogs(const AgainstOptions& options) {
   for (const std::string& why : logs.skipped) {
     tell("glidercc: note: " + why + "\n");
   }
+  std::ranges::for_each(logs.warnings, reportWarning);
   VehicleLogs out;
   for (const support::Failure& failure : logs.failures) {
     out.status = reportFailure(failure);

@@ -10,6 +10,7 @@
 #include "slocum/data_tables/csv.h"
 #include "slocum/data_tables/netcdf.h"
 #include "slocum/data_tables/summary.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <fmt/format.h>
@@ -128,6 +129,7 @@ int showDataFiles(const DataLogOptions& options) {
   for (const std::string& why : logs.skipped) {
     tell("glidercc: note: " + why + "\n");
   }
+  std::ranges::for_each(logs.warnings, reportWarning);
   int status = kFine;
   if (!logs.files.empty()) {
     if (const auto shown = show(slocum::byVehicle(std::move(logs.files)), options); !shown) {

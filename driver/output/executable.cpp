@@ -8,6 +8,7 @@
 #include "compiler/boards.h"
 #include "compiler/user_code.h"
 #include "driver/output/flight_folder.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <fmt/format.h>

@@ -8,6 +8,7 @@
 #include "report/report.h"
 #include "report/warnings.h"
 #include "support/csv.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <fmt/format.h>

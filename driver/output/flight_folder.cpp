@@ -4,6 +4,7 @@
 #include "driver/output/flight_folder.h"
 
 #include "compiler/boards.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <fmt/format.h>

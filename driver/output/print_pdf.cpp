@@ -4,6 +4,7 @@
 #include "driver/output/print_pdf.h"
 
 #include "driver/output/flight_folder.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 #include "support/program.h"
 

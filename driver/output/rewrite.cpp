@@ -3,6 +3,7 @@
 
 #include "driver/output/rewrite.h"
 
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <system_error>

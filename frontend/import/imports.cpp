@@ -4,6 +4,7 @@
 #include "frontend/import/imports.h"
 
 #include "frontend/frontend.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <fmt/format.h>

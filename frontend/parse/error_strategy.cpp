@@ -7,6 +7,7 @@
 #include "frontend/parse/token_kinds.h"
 #include "frontend/spelling.h"
 #include "grammar/GliderParser.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -7,6 +7,7 @@
 #include "frontend/parse/lexeme_source.h"
 #include "frontend/parse/repair.h"
 #include "frontend/parse/token_kinds.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <memory>
 
@@ -197,6 +198,9 @@ std::optional<ast::File> parse(const support::SourceManager& sources, uint32_t f
   std::optional<ast::File> result;
   if (repaired.parseable) {
     result = Parse(repaired.lexemes, reporter).run();
+  }
+  if (!repaired.named) {
+    result.reset();
   }
   if (reporter.full()) {
     reporter.at(lexemes.back(), DiagnosticId::tooManyErrors, SyntaxReporter::kMostMistakes);

@@ -3,10 +3,12 @@
 
 #include "frontend/parse/repair.h"
 
+#include "frontend/parse/repair_names.h"
 #include "frontend/parse/repair_values.h"
 #include "frontend/parse/repair_words.h"
 #include "frontend/parse/token_kinds.h"
 #include "frontend/spelling.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 
@@ -88,6 +90,7 @@ class StructureRepair {
     bool events = false;  ///< `events` was seen
     bool silent = false;  ///< already reported: a missing `end` is not reported again
     bool then = false;    ///< `then` was seen
+    bool begun = true;    ///< its `begin` was read, not only supplied
   };
 
   [[nodiscard]] uint32_t previous() const { return out_.empty() ? 0 : out_.back().type; }
@@ -109,6 +112,9 @@ class StructureRepair {
         t.type == kEof ||
         (isHardKeyword(t.type) &&
          !oneOf(t.type, {GliderLexer::TRUE, GliderLexer::FALSE, GliderLexer::NOT_WORD}));
+    if (!skipping && isSuperfluous(t, keyword)) {
+      return;
+    }
     if (keyword && wantsName(previous()) && !skipping && becomesName(t)) {
       return;
     }
@@ -127,6 +133,93 @@ class StructureRepair {
       ok_ = values_.take(t, peek(1)) && ok_;
       noteHeader(1);
     }
+  }
+
+  // --- what is written although nothing is said by it ---
+
+  /// Reports `t` as not written `where`; it is left out.
+  bool leaveOut(const Lexeme& t, std::string where) {
+    reporter_.at(t, DiagnosticId::superfluousWord, source_.text(t), where)
+        .fix(source_.range(t), "");
+    return true;
+  }
+
+  /// Whether `t` was left out.
+  bool isSuperfluous(const Lexeme& t, bool keyword) {
+    const bool sign = oneOf(t.type, {GliderLexer::ASSIGN, GliderLexer::COLON});
+    if (sign && takesNoSign(previous(), t.type)) {
+      return leaveOut(t, fmt::format("after `{}`", source_.text(out_.back())));
+    }
+    const uint32_t next = peek(1).type;
+    const bool leads = isTransition(next) || next == GliderLexer::DO;
+    const bool after = inCases() && !values_.inParentheses() && endsValue(previous()) && leads;
+    if (after && oneOf(t.type, {GliderLexer::COLON, GliderLexer::THEN})) {
+      return leaveOut(t, "after the condition of a case");
+    }
+    if (previous() == GliderLexer::END && isNameOfEnd(t)) {
+      return leaveOut(t, "after `end`");
+    }
+    if (keyword && t.type == previous() && !out_.empty() && out_.back().end > out_.back().begin &&
+        isNeverTwice(t.type) && (!wantsName(t.type) || isAnyName(next))) {
+      return leaveOut(t, "twice");
+    }
+    if (keyword && previous() == GliderLexer::COMMA && !values_.inParentheses()) {
+      dropComma(t);
+    }
+    return false;
+  }
+
+  static bool takesNoSign(uint32_t before, uint32_t sign) {
+    return startsMember(before) ||
+           oneOf(before, {GliderLexer::MISSION, GliderLexer::STATE, GliderLexer::GOTO,
+                          GliderLexer::CALL}) ||
+           (sign == GliderLexer::COLON &&
+            oneOf(before, {GliderLexer::BEGIN, GliderLexer::END, GliderLexer::DO, GliderLexer::THEN,
+                           GliderLexer::ELSE, GliderLexer::ALWAYS, GliderLexer::CASE}));
+  }
+
+  static bool isNeverTwice(uint32_t type) {
+    return startsMember(type) || isTransition(type) ||
+           oneOf(type,
+                 {GliderLexer::MISSION, GliderLexer::STATE, GliderLexer::CASE, GliderLexer::CONST,
+                  GliderLexer::PARAM, GliderLexer::VAR, GliderLexer::SET, GliderLexer::LOG,
+                  GliderLexer::THEN, GliderLexer::ELSE, GliderLexer::REQUIRE, GliderLexer::ALWAYS,
+                  GliderLexer::IMPORT, GliderLexer::PLATFORM});
+  }
+
+  /// Whether cases are read here.
+  [[nodiscard]] bool inCases() const {
+    return blocks_.empty() ? in_always_
+                           : blocks_.back().kind == BlockKind::Members && blocks_.back().events;
+  }
+
+  /// `end state`, `end look`: a word on the line of `end`, with nothing after it, that cannot begin
+  /// anything there.
+  [[nodiscard]] bool isNameOfEnd(const Lexeme& t) const {
+    const auto apart = [&](uint32_t from, uint32_t to) {
+      return source_.text().substr(from, to - from).find('\n') != std::string_view::npos;
+    };
+    const Lexeme& next = peek(1);
+    const bool alone = !out_.empty() && out_.back().end > out_.back().begin &&
+                       !apart(out_.back().end, t.begin) &&
+                       (next.type == kEof || apart(t.end, next.begin));
+    const bool follows = startsItem(next.type) || startsMember(next.type) ||
+                         isTransition(next.type) ||
+                         oneOf(next.type, {kEof, GliderLexer::END, GliderLexer::CASE});
+    const bool word = t.type == GliderLexer::NAME ||
+                      oneOf(t.type, {GliderLexer::STATE, GliderLexer::IF, GliderLexer::MISSION,
+                                     GliderLexer::FLIGHTPROFILE, GliderLexer::FLIGHTROUTE});
+    return alone && follows && word;
+  }
+
+  /// The comma just written has nothing after it but keyword `t`.
+  void dropComma(const Lexeme& t) {
+    const Lexeme comma = out_.back();
+    auto report = reporter_.at(comma, DiagnosticId::trailingComma, describe(source_, t));
+    if (values_.inSensors()) {
+      report.fix(source_.range(comma), "");
+    }
+    out_.pop_back();
   }
 
   /// `assume` may also be a name.
@@ -287,6 +380,7 @@ class StructureRepair {
     open(BlockKind::Members, header_at_, header_);
     blocks_.back().silent = !misspelled && (t.type == kEof || startsItem(t.type));
     header_.clear();
+    blocks_.back().begun = misspelled;
     insert(GliderLexer::BEGIN);
     return misspelled;
   }
@@ -349,12 +443,23 @@ class StructureRepair {
 
   bool openMembers(const Lexeme& t) {
     if (header_.empty()) {
-      reporter_.at(t, DiagnosticId::secondBegin).fix(source_.range(t), "");
+      reporter_.at(t, DiagnosticId::secondBegin)
+          .hint("write `state` and a name before it, or delete it");
       return false;
     }
     open(BlockKind::Members, header_at_, header_);
     header_.clear();
     return true;
+  }
+
+  /// The `begin` of a state whose header is wrong may come late: that has been reported.
+  void secondBegin(const Lexeme& t) {
+    Block& block = blocks_.back();
+    if (!block.begun) {
+      block.begun = true;
+      return;
+    }
+    reporter_.at(t, DiagnosticId::secondBegin).fix(source_.range(t), "");
   }
 
   void open(BlockKind kind, const Lexeme& opener, std::string what) {
@@ -411,7 +516,7 @@ class StructureRepair {
         open(BlockKind::If, t, "this `if`");
         return true;
       case GliderLexer::BEGIN:
-        reporter_.at(t, DiagnosticId::secondBegin).fix(source_.range(t), "");
+        secondBegin(t);
         return false;
       case GliderLexer::EVENTS:
         blocks_.back().events = true;
@@ -499,8 +604,10 @@ class StructureRepair {
 
 Repaired repair(const std::vector<Lexeme>& lexemes, SyntaxReporter& reporter) {
   WordRepair words(reporter);
-  const std::vector<Lexeme> clean = words.run(lexemes);
+  NameRepair names(reporter);
+  const std::vector<Lexeme> clean = names.run(words.run(lexemes));
   Repaired repaired = StructureRepair(clean, words.cut(), reporter).run();
+  repaired.named = !names.guessed();
   repaired.parseable = repaired.parseable && !words.cut();
   return repaired;
 }

@@ -15,6 +15,7 @@ struct Repaired {
   std::vector<Lexeme> lexemes;
   bool parseable =
       true;  ///< false if reading further would only mislead: nested too deep, too many errors
+  bool named = true;  ///< false if a name is not what it was meant to be: uses would not be found
 };
 
 /// Reports common errors (`;`, `=` for `==`, a missing comma, `begin` or `end`…) and repairs the

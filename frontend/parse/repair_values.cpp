@@ -5,6 +5,7 @@
 
 #include "frontend/parse/token_kinds.h"
 #include "frontend/spelling.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -29,6 +29,7 @@ class ValueRepair {
   /// Closes everything that is open before the keyword `found`, which begins a new expression.
   void keyword(const Lexeme& found);
   [[nodiscard]] bool inParentheses() const { return !parentheses_.empty(); }
+  [[nodiscard]] bool inSensors() const { return in_sensors_; }
 
  private:
   struct Parenthesis {

@@ -6,6 +6,7 @@
 #include "frontend/bare_positions.h"
 #include "frontend/parse/repair_positions.h"
 #include "frontend/parse/token_kinds.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +25,31 @@ struct Lookalike {
   std::string_view meant;
   uint32_t type;
 };
-constexpr std::string_view kNoBreakSpace = "\xC2\xA0";
+/// Characters that look like a space or like nothing, by their names in Unicode.
+struct Blank {
+  std::string_view text;
+  std::string_view name;
+  bool wide;  ///< it separates words
+};
+constexpr Blank kBlanks[] = {{"\xC2\xA0", "a no-break space (U+00A0)", true},
+                             {"\xE2\x80\xAF", "a narrow no-break space (U+202F)", true},
+                             {"\xE2\x80\x87", "a figure space (U+2007)", true},
+                             {"\xE2\x80\x89", "a thin space (U+2009)", true},
+                             {"\xE3\x80\x80", "an ideographic space (U+3000)", true},
+                             {"\xE2\x80\x8B", "a zero-width space (U+200B)", false},
+                             {"\xEF\xBB\xBF", "a byte order mark (U+FEFF)", false}};
+
+const Blank* blankOf(std::string_view text) {
+  const auto* const row = std::ranges::find(kBlanks, text, &Blank::text);
+  return row == std::end(kBlanks) ? nullptr : row;
+}
+
+/// Quotation marks of word processors.
+bool isQuote(std::string_view text) {
+  constexpr std::string_view kQuotes[] = {"“", "”", "„", "‟", "«", "»", "‘", "’"};
+  return std::ranges::find(kQuotes, text) != std::end(kQuotes);
+}
+
 const Lookalike kLookalikes[] = {{"≥", ">=", GliderLexer::GE},
                                  {"≤", "<=", GliderLexer::LE},
                                  {"≠", "!=", GliderLexer::NE},
@@ -34,11 +59,11 @@ const Lookalike kLookalikes[] = {{"≥", ">=", GliderLexer::GE},
                                  {"·", "*", GliderLexer::TIMES},
                                  {"°", "deg", GliderLexer::UNIT},
                                  {"“", "\"", 0},
-                                 {"”", "\"", 0},
-                                 {kNoBreakSpace, " ", 0}};
+                                 {"”", "\"", 0}};
 
 bool isLookalike(std::string_view text) {
-  return std::ranges::find(kLookalikes, text, &Lookalike::text) != std::end(kLookalikes);
+  return blankOf(text) != nullptr ||
+         std::ranges::find(kLookalikes, text, &Lookalike::text) != std::end(kLookalikes);
 }
 
 /// The intended text, with its type in the grammar.
@@ -84,6 +109,10 @@ std::vector<Lexeme> WordRepair::run(const std::vector<Lexeme>& lexemes) {
     const Lexeme& lexeme = lexemes[i];
     const Lexeme& next = lexemes[std::min(i + 1, lexemes.size() - 1)];
     followOpen(lexeme, out);
+    last_keyword_ = isHardKeyword(lexeme.type) && !isOperator(lexeme.type) &&
+                            !oneOf(lexeme.type, {GliderLexer::AND_WORD, GliderLexer::OR_WORD})
+                        ? lexeme.type
+                        : last_keyword_;
     if (lexeme.type == GliderLexer::OPEN_COMMENT) {
       reporter_.at(lexeme, DiagnosticId::openComment);
       cut_ = true;
@@ -99,7 +128,7 @@ std::vector<Lexeme> WordRepair::run(const std::vector<Lexeme>& lexemes) {
       i += position->count - 1;
       continue;
     }
-    if (const size_t taken = barePair(lexemes, i, out)) {
+    if (const size_t taken = several(lexemes, i, out)) {
       i += taken - 1;
       continue;
     }
@@ -117,6 +146,26 @@ std::vector<Lexeme> WordRepair::run(const std::vector<Lexeme>& lexemes) {
     out.push_back(lexemes.back());
   }
   return out;
+}
+
+/// What is recognised by more than one token: how many it took, or 0.
+size_t WordRepair::several(const std::vector<Lexeme>& lexemes, size_t at,
+                           std::vector<Lexeme>& out) {
+  if (const size_t taken = decimalComma(lexemes, at, out)) {
+    return taken;
+  }
+  if (const size_t taken = quotedText(lexemes, at, out)) {
+    return taken;
+  }
+  if (isBrace(lexemes[at])) {
+    brace(lexemes, at, out);
+    return 1;
+  }
+  if (last_keyword_ != GliderLexer::SENSORS && isOperatorInCapitals(lexemes, at, out)) {
+    out.push_back(capitals(lexemes[at]));
+    return 1;
+  }
+  return barePair(lexemes, at, out);
 }
 
 /// `and` of `whenever and only when`, `or` of `or exit`: words, not operators.
@@ -137,6 +186,159 @@ void WordRepair::followOpen(const Lexeme& lexeme, const std::vector<Lexeme>& out
                                   GliderLexer::OR_WORD, GliderLexer::NOT_WORD})) {
     open_.clear();
   }
+}
+
+/// `20,5 degC` outside all lists: a comma for the decimal point. The digits after it are left out.
+size_t WordRepair::decimalComma(const std::vector<Lexeme>& lexemes, size_t at,
+                                std::vector<Lexeme>& out) {
+  constexpr size_t kTokens = 3;
+  if (at + kTokens >= lexemes.size() || !open_.empty() ||
+      oneOf(last_keyword_, {GliderLexer::LOG, GliderLexer::SENSORS})) {
+    return 0;
+  }
+  const Source& source = reporter_.source();
+  const Lexeme& first = lexemes[at];
+  const Lexeme& comma = lexemes[at + 1];
+  const Lexeme& second = lexemes[at + 2];
+  const auto digits = [&](const Lexeme& t) {
+    return t.type == GliderLexer::NUMBER &&
+           source.text(t).find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  if (!digits(first) || comma.type != GliderLexer::COMMA || !digits(second) ||
+      first.end != comma.begin || comma.end != second.begin) {
+    return 0;
+  }
+  const Lexeme whole{GliderLexer::NUMBER, first.begin, second.end};
+  reporter_
+      .at(whole, DiagnosticId::decimalComma, source.text(whole),
+          fmt::format("{}.{}", source.text(first), source.text(second)))
+      .fix(source.range(comma), ".");
+  out.push_back(first);
+  return kTokens;
+}
+
+/// A text in the quotation marks of word processors, on one line: the token is its text, each mark
+/// with one byte.
+size_t WordRepair::quotedText(const std::vector<Lexeme>& lexemes, size_t at,
+                              std::vector<Lexeme>& out) {
+  const Source& source = reporter_.source();
+  const Lexeme& open = lexemes[at];
+  if (open.type != GliderLexer::FOREIGN || !isQuote(source.text(open))) {
+    return 0;
+  }
+  for (size_t i = at + 1; i < lexemes.size() && lexemes[i].type != kEof; ++i) {
+    const Lexeme& close = lexemes[i];
+    const std::string_view between = source.text().substr(open.end, close.begin - open.end);
+    if (between.find_first_of("\n\"\\") != std::string_view::npos) {
+      return 0;
+    }
+    if (close.type == GliderLexer::FOREIGN && isQuote(source.text(close))) {
+      reporter_
+          .at({GliderLexer::STRING, open.begin, close.end}, DiagnosticId::foreignCharacter,
+              source.text(open), "write `\"` before and after the text")
+          .fix(source.range(open), "\"")
+          .fix(source.range(close), "\"");
+      out.push_back({GliderLexer::STRING, open.end - 1, close.begin + 1});
+      return i - at + 1;
+    }
+  }
+  return 0;
+}
+
+bool WordRepair::isBrace(const Lexeme& lexeme) const {
+  const std::string_view text = reporter_.source().text(lexeme);
+  return lexeme.type == GliderLexer::FOREIGN && (text == "{" || text == "}");
+}
+
+/// Where the `}` for the `{` at `at` is; 0: there is none.
+size_t WordRepair::closingBrace(const std::vector<Lexeme>& lexemes, size_t at) const {
+  size_t deep = 0;
+  for (size_t i = at; i < lexemes.size(); ++i) {
+    if (isBrace(lexemes[i])) {
+      const bool opens = reporter_.source().text(lexemes[i]) == "{";
+      deep += opens ? 1U : 0U;
+      if (!opens && --deep == 0) {
+        return i;
+      }
+    }
+  }
+  return 0;
+}
+
+/// What `{` and `}` were meant as after `before` (the tokens so far).
+WordRepair::Braces WordRepair::bracesAfter(const std::vector<Lexeme>& out) const {
+  const uint32_t last = out.empty() ? 0 : out.back().type;
+  if (oneOf(last, {GliderLexer::EVENTS, GliderLexer::BEGIN})) {
+    return {"", 0, "", 0};
+  }
+  if (oneOf(last, {GliderLexer::DO, GliderLexer::THEN})) {
+    return {"", 0, "end", GliderLexer::END};
+  }
+  if (last == GliderLexer::ENTRY || last_keyword_ == GliderLexer::CASE) {
+    return {"do", GliderLexer::DO, "end", GliderLexer::END};
+  }
+  const bool header = oneOf(
+      last_keyword_, {GliderLexer::STATE, GliderLexer::FLIGHTPROFILE, GliderLexer::FLIGHTROUTE});
+  const bool named = header && out.size() > 1 && out.back().type != last_keyword_;
+  return named ? Braces{"begin", GliderLexer::BEGIN, "end", GliderLexer::END}
+               : Braces{"?", 0, "", 0};
+}
+
+/// `{` and `}` are reported once, and read as the words that were meant.
+void WordRepair::brace(const std::vector<Lexeme>& lexemes, size_t at, std::vector<Lexeme>& out) {
+  const Source& source = reporter_.source();
+  const Lexeme& lexeme = lexemes[at];
+  if (const auto known = closing_.find(at); known != closing_.end()) {
+    if (known->second != 0) {
+      out.push_back({known->second, lexeme.begin, lexeme.end});
+      last_keyword_ = known->second;
+    }
+    return;
+  }
+  const Braces meant = source.text(lexeme) == "{" ? bracesAfter(out) : Braces{"?", 0, "", 0};
+  if (meant.open == "?") {
+    reporter_.at(lexeme, DiagnosticId::braces, source.text(lexeme),
+                 "blocks are written `begin … end` and `do … end`");
+    return;
+  }
+  const size_t close = closingBrace(lexemes, at);
+  const auto say = [](std::string_view word) {
+    return word.empty() ? std::string("nothing") : fmt::format("`{}`", word);
+  };
+  auto report = reporter_.at(
+      lexeme, DiagnosticId::braces, source.text(lexeme),
+      fmt::format("write {} for `{{`, and {} for `}}`", say(meant.open), say(meant.close)));
+  if (close != 0 || meant.close_type != GliderLexer::END || meant.open == "begin") {
+    report.fix(source.range(lexeme), std::string(meant.open));
+  }
+  if (close != 0) {
+    report.fix(source.range(lexemes[close]), std::string(meant.close));
+    closing_[close] = meant.close_type;
+  }
+  if (meant.open_type != 0) {
+    out.push_back({meant.open_type, lexeme.begin, lexeme.end});
+    last_keyword_ = meant.open_type;
+  }
+}
+
+/// `AND` or `OR` between two values.
+bool WordRepair::isOperatorInCapitals(const std::vector<Lexeme>& lexemes, size_t at,
+                                      const std::vector<Lexeme>& out) const {
+  const std::string_view text = reporter_.source().text(lexemes[at]);
+  const uint32_t next = lexemes[std::min(at + 1, lexemes.size() - 1)].type;
+  return lexemes[at].type == GliderLexer::NAME &&
+         (text == "AND" || text == "OR" || text == "And" || text == "Or") && !out.empty() &&
+         endsValue(out.back().type) &&
+         (startsValue(next) || oneOf(next, {GliderLexer::LPAREN, GliderLexer::NOT,
+                                            GliderLexer::NOT_WORD, GliderLexer::MINUS}));
+}
+
+Lexeme WordRepair::capitals(const Lexeme& lexeme) {
+  const bool both = reporter_.source().text(lexeme).front() == 'A';
+  const std::string_view sign = both ? "&&" : "||";
+  reporter_.at(lexeme, DiagnosticId::wordOperator, reporter_.source().text(lexeme), sign)
+      .fix(reporter_.source().range(lexeme), std::string(sign));
+  return {both ? uint32_t{GliderLexer::AND} : uint32_t{GliderLexer::OR}, lexeme.begin, lexeme.end};
 }
 
 /// In the arguments of a name a comma is missing between them, which ValueRepair reports.
@@ -179,8 +381,12 @@ bool WordRepair::partOfToken(const Lexeme& lexeme, const Lexeme& next, std::vect
   const std::string_view text = reporter_.source().text(lexeme);
   if (text == "." && behind && out.back().type == GliderLexer::NUMBER) {
     const Lexeme whole{GliderLexer::NUMBER, out.back().begin, lexeme.end};
-    reporter_.at(whole, DiagnosticId::pointWithoutDigits, reporter_.source().text(whole))
-        .fix({reporter_.source().file, lexeme.end, lexeme.end}, "0");
+    const std::string_view number = reporter_.source().text(out.back());
+    auto report =
+        reporter_.at(whole, DiagnosticId::pointWithoutDigits, reporter_.source().text(whole));
+    if (number.find('.') == std::string_view::npos) {
+      report.fix({reporter_.source().file, lexeme.end, lexeme.end}, "0");
+    }
     return true;
   }
   const bool letters = static_cast<unsigned char>(text.front()) >= 0x80U && !isLookalike(text);
@@ -268,11 +474,17 @@ bool WordRepair::isRaisedPoint(const Lexeme& lexeme) const {
 
 std::optional<Lexeme> WordRepair::foreign(const Lexeme& lexeme) {
   const std::string_view text = reporter_.source().text(lexeme);
+  if (const Blank* blank = blankOf(text)) {
+    reporter_
+        .at(lexeme, DiagnosticId::foreignCharacter, blank->name,
+            blank->wide ? "write an ordinary space" : "delete it")
+        .fix(reporter_.source().range(lexeme), blank->wide ? " " : "");
+    return std::nullopt;
+  }
   for (const Lookalike& row : kLookalikes) {
     if (row.text == text) {
-      auto report = reporter_.at(
-          lexeme, DiagnosticId::foreignCharacter, text,
-          text == kNoBreakSpace ? "write an ordinary space" : fmt::format("write `{}`", row.meant));
+      auto report = reporter_.at(lexeme, DiagnosticId::foreignCharacter, text,
+                                 fmt::format("write `{}`", row.meant));
       if (row.type == 0) {
         return std::nullopt;
       }

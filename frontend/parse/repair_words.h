@@ -6,7 +6,9 @@
 #include "frontend/parse/lexeme.h"
 #include "frontend/parse/reporter.h"
 
+#include <map>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace glider::frontend {
@@ -30,6 +32,25 @@ class WordRepair {
   /// `3355.2 1825.4`: the number of tokens in the pair, which was reported and written as one
   /// token; otherwise 0.
   size_t barePair(const std::vector<Lexeme>& lexemes, size_t at, std::vector<Lexeme>& out);
+  size_t several(const std::vector<Lexeme>& lexemes, size_t at, std::vector<Lexeme>& out);
+  size_t decimalComma(const std::vector<Lexeme>& lexemes, size_t at, std::vector<Lexeme>& out);
+  size_t quotedText(const std::vector<Lexeme>& lexemes, size_t at, std::vector<Lexeme>& out);
+  [[nodiscard]] bool isOperatorInCapitals(const std::vector<Lexeme>& lexemes, size_t at,
+                                          const std::vector<Lexeme>& out) const;
+  Lexeme capitals(const Lexeme& lexeme);
+
+  /// What `{` and `}` stand for; the types are 0 for nothing.
+  struct Braces {
+    std::string_view open;
+    uint32_t open_type;
+    std::string_view close;
+    uint32_t close_type;
+  };
+  [[nodiscard]] bool isBrace(const Lexeme& lexeme) const;
+  [[nodiscard]] size_t closingBrace(const std::vector<Lexeme>& lexemes, size_t at) const;
+  [[nodiscard]] Braces bracesAfter(const std::vector<Lexeme>& out) const;
+  void brace(const std::vector<Lexeme>& lexemes, size_t at, std::vector<Lexeme>& out);
+
   [[nodiscard]] bool isRaisedPoint(const Lexeme& lexeme) const;
   bool partOfToken(const Lexeme& lexeme, const Lexeme& next, std::vector<Lexeme>& out);
   void openString(const Lexeme& lexeme, std::vector<Lexeme>& out);
@@ -39,7 +60,9 @@ class WordRepair {
   bool cut_ = false;
   /// The open parentheses and brackets, and whether each contains a function's arguments.
   std::vector<bool> open_;
-  uint32_t name_end_ = UINT32_MAX;  ///< where a name with foreign letters continues
+  uint32_t last_keyword_ = 0;
+  std::map<size_t, uint32_t> closing_;  ///< a `}`, by its number, and the type of its meaning
+  uint32_t name_end_ = UINT32_MAX;      ///< where a name with foreign letters continues
 };
 
 }  // namespace glider::frontend

@@ -13,6 +13,9 @@ constexpr double kReachM = 2.5;
 /// s; until a sensor has given readings that a vehicle can follow for this long, a jump also
 /// replaces the depth that later readings are compared with.
 constexpr double kSettlesSecs = 60;
+/// s; patience() at the usual cadence, and at most.
+constexpr double kFrozenSecs = 16;
+constexpr double kMostFrozenSecs = 32;
 
 bool isDepth(double depth_m, const Hull& hull) {
   return depth_m >= kHighestDepthM && depth_m <= kDeepestShare * hull.greatest_depth_m;
@@ -20,17 +23,25 @@ bool isDepth(double depth_m, const Hull& hull) {
 
 }  // namespace
 
+double DepthSource::patience() const {
+  return between(2 * cadence_.usual(), kFrozenSecs, kMostFrozenSecs);
+}
+
 void DepthSource::observe(double depth_m, double step_s) {
   age_s_ += step_s;
   if (!isDepth(depth_m, hull_)) {
+    cadence_.observe(__builtin_nan(""), step_s);
     reading_ = Reading::Missing;
     return;
   }
-  same_s_ = depth_m == raw_m_ ? same_s_ + step_s : 0;
-  raw_m_ = depth_m;
+  cadence_.observe(depth_m, step_s);
+  same_s_ = cadence_.isNew() ? 0 : same_s_ + step_s;
+  // The sensor array keeps a reading until there is a newer one, and the vehicle moves meanwhile.
+  const double most_s = patience() > kFrozenSecs ? kMostFrozenSecs : kFrozenSecs;
+  const double since_s = atLeast(age_s_, atMost(cadence_.gap(), most_s));
   const double moved = magnitude(depth_m - depth_m_);
   // The very first reading is compared with a NaN, and is good.
-  if (moved > kReachM + hull_.vertical_rate_m_s * age_s_) {
+  if (moved > kReachM + hull_.vertical_rate_m_s * since_s) {
     reading_ = Reading::Jumped;
     jumped_s_ += step_s;
     if (good_s_ < kSettlesSecs) {

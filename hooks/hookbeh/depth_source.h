@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "hooks/hookbeh/cadence.h"
 #include "hooks/hookbeh/hull.h"
 
 namespace glider::hooks {
@@ -25,14 +26,17 @@ class DepthSource {
   /// How long the readings have been identical to the last bit, s. No two readings of a sensor that
   /// moves in the sea are.
   [[nodiscard]] double sameFor() const { return same_s_; }
+  /// A sensor whose readings have been identical for this long is frozen, s: twice the usual time
+  /// between its new readings, from 16 s to 32 s.
+  [[nodiscard]] double patience() const;
   /// How long its readings have not continued the earlier good ones, s. Good readings in between
   /// reduce this by half of their own duration.
   [[nodiscard]] double jumpedFor() const { return jumped_s_; }
 
  private:
   Hull hull_;
+  Cadence cadence_;
   double depth_m_ = __builtin_nan("");
-  double raw_m_ = __builtin_nan("");  // the newest reading, good or not
   double age_s_ = __builtin_nan("");
   double same_s_ = 0;
   double jumped_s_ = 0;

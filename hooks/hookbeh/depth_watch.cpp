@@ -14,9 +14,10 @@ constexpr double kAgreeM = 5;
 constexpr double kPersistsSecs = 10;
 /// s; a CTD without a reading for longer counts as absent.
 constexpr double kCtdLastsSecs = 20;
-/// s and m; a sensor is frozen if it does not change for this long while the other moves this far.
-constexpr double kFrozenSecs = 16;
+/// m; a sensor is frozen if it does not change for its patience() while the other moves this far.
 constexpr double kMovesM = 3;
+/// s; the patience with a sensor that gives a reading in each cycle.
+constexpr double kUsualPatienceSecs = 16;
 /// s; the same in hover, where the vehicle may hardly move.
 constexpr double kFrozenHoverSecs = 60;
 /// cc; with less, the pump only trims the vehicle.
@@ -58,9 +59,10 @@ bool DepthWatch::ctdLives() const {
 
 void DepthWatch::watchCtd(double step_s) {
   const bool moved = magnitude(own_.depth() - own_at_ctd_change_m_) >= kMovesM;
-  ctd_frozen_ = (ctd_frozen_ && !ctd_is_new_) || (ctd_.sameFor() >= kFrozenSecs && moved);
+  ctd_frozen_ = (ctd_frozen_ && !ctd_is_new_) || (ctd_.sameFor() >= ctd_.patience() && moved);
   const bool own_good = own_.reading() == DepthSource::Reading::Good;
-  const bool near = ctd_.age() == 0 && own_lately_.distanceTo(ctd_.depth()) <= kAgreeM;
+  const double apart = own_lately_.distanceTo(ctd_.depth());
+  const bool near = ctd_.age() == 0 && apart <= kAgreeM;
   ctd_jumped_ =
       ctd_.reading() == DepthSource::Reading::Jumped || (ctd_jumped_ && !(own_good && near));
   if (!ctdLives()) {
@@ -71,7 +73,11 @@ void DepthWatch::watchCtd(double step_s) {
     agree_s_ = 0;
     return;
   }
-  if (ctd_.age() == 0) {  // an old reading does not show where the vehicle is now
+  // An old reading of either does not show where the vehicle is now. While the sensor array keeps
+  // the vehicle's own, only a distance that the vehicle cannot have moved meanwhile counts.
+  const double kept_s = atMost(own_.sameFor(), own_.patience() - kUsualPatienceSecs);
+  const bool beyond = apart > kAgreeM + hull_.vertical_rate_m_s * kept_s;
+  if (ctd_.age() == 0 && (near || beyond)) {
     differs_ = !near;
   }
   agree_s_ = differs_ ? 0 : agree_s_ + step_s;
@@ -81,10 +87,10 @@ void DepthWatch::watchCtd(double step_s) {
 
 void DepthWatch::watchFrozen(double pump_cc) {
   const bool driven = pump_cc >= kDrivesCc || pump_cc <= -kDrivesCc;
-  const double patience = driven ? kFrozenSecs : kFrozenHoverSecs;
+  const double patience = driven ? own_.patience() : kFrozenHoverSecs;
   const bool same = isFinite(pump_cc) && own_.sameFor() >= patience && own_.depth() > kClippedM;
   // The vehicle itself does not move, as another working sensor shows.
-  const bool hangs = ctdLives() && ctd_.sameFor() < kFrozenSecs &&
+  const bool hangs = ctdLives() && ctd_.sameFor() < ctd_.patience() &&
                      magnitude(ctd_.depth() - ctd_at_own_change_m_) < kStillM;
   frozen_ = (frozen_ && own_.sameFor() > 0) || (same && !hangs);
 }
@@ -100,12 +106,12 @@ HookGuard DepthWatch::worst() const {
 
 /// True if no fault is detectable in this cycle.
 bool DepthWatch::isQuiet() const {
-  const bool lives = own_.sameFor() < kFrozenSecs || own_.depth() <= kClippedM;
+  const bool lives = own_.sameFor() < own_.patience() || own_.depth() <= kClippedM;
   return own_.reading() == DepthSource::Reading::Good && lives && disagree_s_ == 0;
 }
 
 void DepthWatch::watchLife(double step_s) {
-  const bool lives = own_.reading() == DepthSource::Reading::Good && own_.sameFor() < kFrozenSecs;
+  const bool lives = own_.reading() == DepthSource::Reading::Good && own_.sameFor() < own_.patience();
   alive_s_ = lives || agree_s_ > 0 ? alive_s_ + step_s : 0;
 }
 

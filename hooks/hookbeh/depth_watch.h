@@ -13,7 +13,7 @@ namespace glider::hooks {
 /// earlier readings, with what the vehicle was commanded to do, and with the CTD if there is one.
 class DepthWatch {
  public:
-  explicit DepthWatch(const Hull& hull) : own_(hull), ctd_(hull) {}
+  explicit DepthWatch(const Hull& hull) : hull_(hull), own_(hull), ctd_(hull) {}
   /// Takes in one cycle, `step_s` after the previous one, in which the pump was commanded to
   /// `pump_cc` by hookbeh; NaN if it commanded nothing. Must be called in every cycle.
   void observe(const Surroundings& now, double step_s, double pump_cc);
@@ -44,6 +44,7 @@ class DepthWatch {
   [[nodiscard]] bool isQuiet() const;
   [[nodiscard]] HookGuard worst() const;
 
+  Hull hull_;
   DepthSource own_;
   RecentDepths own_lately_;  // a reading of the CTD may be some seconds old
   DepthSource ctd_;

@@ -15,16 +15,19 @@ constexpr double kClearM = 1.0;
 /// Without that the pump would never rest.
 constexpr double kRetryShare = 0.5;
 constexpr double kRetryM = 5.0;
-/// An echo of the bottom is forgotten after this long: the vehicle has moved on, and the echo may
-/// have been a fish.
-constexpr double kBottomLastsSecs = 600.0;
+/// m; the altitude over a bottom that it has touched, for a vehicle that uses no altimeter.
+constexpr double kWithoutAltimeterM = 3;
+/// s; how long the vehicle sinks on after it has been commanded to climb. Below, in m/s: the
+/// fastest that it sinks; a rate above that is false.
+constexpr double kTurnsSecs = 8;
+constexpr double kFastestMps = 0.5;
 /// s without a metre gained: the defaults of the vendor's dive_to and climb_to
 /// (stop_when_hover_for, stop_when_stalled_for).
 constexpr double kHoverSecs = 180;
 constexpr double kStalledSecs = 240;
 /// m that the vehicle may sink unseen even at its greatest depth: a smaller value would end a dive
 /// that waves or a layer slow down. The slowest metre of a dive in real logs takes 16 s.
-constexpr double kLeastUnseenM = 6;
+constexpr double kLeastUnseenM = 7;
 /// m; a dive ends if it may be this far past its target, and this far past the depth last shown.
 constexpr double kPastTargetM = 8;
 constexpr double kPastShownM = 10;
@@ -35,6 +38,16 @@ constexpr double kMostUnseenAtFirstM = 20;
 constexpr double kPastShare = 0.44;
 constexpr double kLeastInDiveM = 11;
 constexpr double kLeastSteeplyM = 18;
+/// At the steepest possible pitch the vehicle is assumed to sink so many times as fast as usual.
+constexpr double kSteeplyTimes = 1.7;
+/// m; a vehicle that may have sunk so far since its depth last answered climbs to see whether it
+/// does: the distance to the greatest depth, between these. At 0.1 m/s, 300 and 600 s of hover.
+constexpr double kAsksM = 30;
+constexpr double kAsksLatestM = 60;
+/// s; a depth below the second, in m, that does not answer to a climb of this length is not
+/// believed.
+constexpr double kAnswersSecs = 180;
+constexpr double kShallowM = 3;
 /// m; at this depth or above, the vehicle is at the surface.
 constexpr double kAtSurfaceM = 1;
 /// s of climbing after a dive that gained no depth, and s for which the sensor must have worked:
@@ -90,25 +103,12 @@ void Guard::observe(const Surroundings& now, double step_s, const VerticalComman
     unseen_.confirm(watch_.depth());
   }
   tripped_s_ += step_s;
-  noteBottom(now, step_s);
-}
-
-void Guard::noteBottom(const Surroundings& now, double step_s) {
-  bottom_age_s_ += step_s;
-  if (bottom_age_s_ > kBottomLastsSecs) {
-    bottom_known_ = false;
-  }
-  // The sensor array keeps an old altitude when the altimeter receives no echo, so only a changed
-  // altitude is an echo. Between echoes the clearance follows from the depth, which also catches an
-  // altimeter that is stuck.
-  const bool echo =
-      now.altitude_m >= 0 && isFinite(now.altitude_m) && now.altitude_m != altitude_m_;
-  if (echo && watch_.doubt() == HookGuard::None) {
-    altitude_m_ = now.altitude_m;
-    bottom_m_ = watch_.depth() + altitude_m_;
-    bottom_age_s_ = 0;
-    bottom_known_ = true;
-  }
+  sinks_mps_ = isFinite(now.depth_rate_mps) ? between(now.depth_rate_mps, 0, kFastestMps) : 0;
+  bottom_.move(now, step_s);
+  bottom_.observe(now, watch_.depth(), step_s);
+  bottom_.confirm(step_s);
+  floor_m_ = bottom_.floor();
+  touched_floor_m_ = bottom_.touchedFloor();
 }
 
 void Guard::reset() {
@@ -118,20 +118,29 @@ void Guard::reset() {
   }
 }
 
-HookGuard Guard::brokenLimit(const HookbehArgs& args) const {
+HookGuard Guard::brokenLimit(const HookbehArgs& args, const Instruction& in_force) const {
   // All comparisons are written so that a NaN among the b_args counts as a broken limit.
-  return !(depth_m_ <= args.greatest_depth_m) ? HookGuard::TooDeep
-         : !clearOfBottom(args, depth_m_)     ? HookGuard::NearBottom
-                                              : HookGuard::None;
+  return !(depth_m_ <= args.greatest_depth_m)                             ? HookGuard::TooDeep
+         : !clearOfBottom(args, depth_m_) || sinksTooNear(args, in_force) ? HookGuard::NearBottom
+                                                                          : HookGuard::None;
+}
+
+/// True if the vehicle sinks towards a target that is too near the bottom, and would be too near it
+/// before it has turned. At a target that is clear of the bottom it turns by itself.
+bool Guard::sinksTooNear(const HookbehArgs& args, const Instruction& in_force) const {
+  return !clearOfBottom(args, depth_m_ + kTurnsSecs * sinks_mps_) && !mayGoOn(args, in_force);
 }
 
 HookGuard Guard::stall(const HookbehArgs& args, const Instruction& in_force) const {
+  if (asks_ && unseen_.drivenUpFor() >= kAnswersSecs && depth_m_ > kShallowM) {
+    return HookGuard::NoDepthGained;  // no sensor follows the vehicle
+  }
   if (headway_.way() == Way::Up) {
     return headway_.idleFor() >= kStalledSecs ? HookGuard::NoHeightGained : HookGuard::None;
   }
   const double most = mostUnseen(args, in_force);
   // What it may have sunk before this dive is left to a climb that checks the depth.
-  const double own = atMost(most - unseen_.shown(), kPastShownM);
+  const double own = atMost(most - unseen_.shown(), kPastShownM + unseen_.lateBy());
   const bool sinks = unseen_.deepest() >= most && !(unseen_.deepest() < down_from_m_ + own);
   const bool ends = headway_.idleFor() >= kHoverSecs || sinks || mayBeFarDown(args);
   return headway_.way() == Way::Down && ends ? HookGuard::NoDepthGained : HookGuard::None;
@@ -140,12 +149,13 @@ HookGuard Guard::stall(const HookbehArgs& args, const Instruction& in_force) con
 /// How deep the vehicle may be before its depth must show it, m.
 double Guard::mostUnseen(const HookbehArgs& args, const Instruction& in_force) const {
   const double shown = unseen_.shown();
-  double most = atLeast(shown + kLeastUnseenM, args.greatest_depth_m);
+  const double late = unseen_.lateBy();
+  double most = atLeast(shown + kLeastUnseenM + late, args.greatest_depth_m);
   if (!unseen_.hasMoved()) {
     most = atMost(shown + kMostUnseenAtFirstM, most);
   }
   if (in_force.vertical == HookVertical::Descend) {
-    most = atMost(atLeast(in_force.depth_m + kPastTargetM, shown + kPastShownM), most);
+    most = atMost(atLeast(in_force.depth_m + kPastTargetM, shown + kPastShownM) + late, most);
   }
   return most;
 }
@@ -154,8 +164,9 @@ double Guard::mostUnseen(const HookbehArgs& args, const Instruction& in_force) c
 /// wrong.
 bool Guard::mayBeFarDown(const HookbehArgs& args) const {
   const double left = args.greatest_depth_m - unseen_.shown() + kPastShare * args.greatest_depth_m;
-  return unseen_.sunkInDive() >= atLeast(left, kLeastInDiveM) ||
-         unseen_.sunkSteeply() >= atLeast(left, kLeastSteeplyM);
+  const double late = unseen_.lateBy();
+  return unseen_.sunkInDive() >= atLeast(left, kLeastInDiveM) + late ||
+         unseen_.sunkSteeply() >= atLeast(left, kLeastSteeplyM) + kSteeplyTimes * late;
 }
 
 bool Guard::mayBeDeeper(const HookbehArgs& args, const Instruction& in_force) const {
@@ -164,7 +175,18 @@ bool Guard::mayBeDeeper(const HookbehArgs& args, const Instruction& in_force) co
 
 bool Guard::mustShowDepth(const HookbehArgs& args, const Instruction& in_force) {
   shows_ = mayBeDeeper(args, in_force) || (shows_ && unseen_.deepest() > unseen_.shown());
-  return shows_;
+  return mustAsk(args) || shows_;
+}
+
+/// True if the vehicle must climb to see whether its depth answers, whoever agrees with it: what
+/// sticks in one sensor of pressure may stick in the other. Until it answers, or the vehicle must
+/// be at the surface.
+bool Guard::mustAsk(const HookbehArgs& args) {
+  const double most = between(args.greatest_depth_m - unseen_.answered(), kAsksM, kAsksLatestM);
+  // A dive and a climb have rules of their own.
+  const bool adrift = headway_.way() == Way::None && unseen_.unanswered() >= most;
+  asks_ = adrift || (asks_ && unseen_.unanswered() > 0);
+  return asks_;
 }
 
 void Guard::trip(HookGuard broken) {
@@ -183,9 +205,15 @@ HookGuard Guard::mustClimb(const HookbehArgs& args, const Instruction& in_force)
   if (doubted_) {
     return doubt;
   }
-  if (const HookGuard broken = brokenLimit(args); broken != HookGuard::None) {
+  const HookGuard broken = brokenLimit(args, in_force);
+  // A vehicle that climbs after a dive that stopped has just learned where the bottom is.
+  const bool learned = broken == HookGuard::NearBottom && tripped_ == HookGuard::NoDepthGained;
+  if (broken != HookGuard::None && !learned) {
     trip(broken);
   } else if (const HookGuard stalled = stall(args, in_force); stalled != HookGuard::None) {
+    if (stalled == HookGuard::NoDepthGained && tripped_ != stalled) {
+      bottom_.noteStop();
+    }
     trip(stalled);
   } else if (mayRelease(args, in_force)) {
     tripped_ = HookGuard::None;
@@ -210,10 +238,10 @@ bool Guard::keepsLimits(const HookbehArgs& args, double depth_m) const {
 }
 
 bool Guard::clearOfBottom(const HookbehArgs& args, double depth_m) const {
-  if (!bottom_known_ || args.least_altitude_m < 0) {
-    return true;
-  }
-  return bottom_m_ - depth_m >= args.least_altitude_m;
+  const bool by_echo = !(args.least_altitude_m < 0);
+  const double floor = by_echo ? floor_m_ : touched_floor_m_;
+  const double least = by_echo ? args.least_altitude_m : kWithoutAltimeterM;
+  return !isKnown(floor) || floor - depth_m >= least;
 }
 
 bool Guard::mayGoOn(const HookbehArgs& args, const Instruction& in_force) const {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hooks/hookbeh/args.h"
+#include "hooks/hookbeh/bottom.h"
 #include "hooks/hookbeh/command.h"
 #include "hooks/hookbeh/depth_watch.h"
 #include "hooks/hookbeh/headway.h"
@@ -40,12 +41,13 @@ class Guard {
   void reset();
 
  private:
-  void noteBottom(const Surroundings& now, double step_s);
-  [[nodiscard]] HookGuard brokenLimit(const HookbehArgs& args) const;
+  [[nodiscard]] HookGuard brokenLimit(const HookbehArgs& args, const Instruction& in_force) const;
+  [[nodiscard]] bool sinksTooNear(const HookbehArgs& args, const Instruction& in_force) const;
   [[nodiscard]] HookGuard stall(const HookbehArgs& args, const Instruction& in_force) const;
   [[nodiscard]] double mostUnseen(const HookbehArgs& args, const Instruction& in_force) const;
   [[nodiscard]] bool mayBeFarDown(const HookbehArgs& args) const;
   [[nodiscard]] bool mayBeDeeper(const HookbehArgs& args, const Instruction& in_force) const;
+  bool mustAsk(const HookbehArgs& args);
   void trip(HookGuard broken);
   [[nodiscard]] bool mayRelease(const HookbehArgs& args, const Instruction& in_force) const;
   [[nodiscard]] bool keepsLimits(const HookbehArgs& args, double depth_m) const;
@@ -57,13 +59,14 @@ class Guard {
   Headway headway_;
   UnseenSink unseen_;
   UnseenSink by_ctd_;
-  bool shows_ = false;    // it climbs to see whether its depth follows
+  Bottom bottom_;
+  double floor_m_ = kBottomless;          // of this cycle: by all that is known of the bottom
+  double touched_floor_m_ = kBottomless;  // by contacts alone
+  bool shows_ = false;                    // it climbs to see whether its depth follows
+  bool asks_ = false;                     // the same, though another sensor agrees with it
   bool doubted_ = false;  // it climbed in the previous cycle: the depth was unknown or jumped
-  double depth_m_ = __builtin_nan("");     // for limits: DepthWatch::deepest()
-  double altitude_m_ = __builtin_nan("");  // the newest that differed from its predecessor
-  double bottom_m_ = __builtin_nan("");    // depth of the bottom when it came
-  double bottom_age_s_ = __builtin_nan("");
-  bool bottom_known_ = false;
+  double sinks_mps_ = 0;
+  double depth_m_ = __builtin_nan("");  // for limits: DepthWatch::deepest()
   HookGuard tripped_ = HookGuard::None;
   double tripped_depth_m_ = __builtin_nan("");  // the shallowest at which a limit was broken
   double tripped_s_ = __builtin_nan("");        // since then

@@ -230,6 +230,7 @@ void Hookbeh::command(const Surroundings& now, bool masked, HookbehOutputs& outp
   const VerticalCommand vertical = this->vertical(now, outputs.guard, masked);
   const LateralCommand lateral = pilot_.lateral(now);
   outputs.commanding = true;
+  outputs.altimeter = !(args_.least_altitude_m < 0);
   outputs.heading_mode = lateral.mode;
   outputs.heading_rad = lateral.heading_rad;
   outputs.latitude_ddmm = lateral.latitude_ddmm;

@@ -61,6 +61,9 @@ struct HookbehOutputs {
   const char* doing = "";
   HookGuard guard = HookGuard::None;  ///< why it climbs against any instruction of the SBC
   uint8_t masked = 0;                 ///< kMaskedHeading… of the previous cycle
+  /// The altimeter must be read in each cycle, as for a dive to an altitude, also if the mission
+  /// file has switched it off.
+  bool altimeter = false;
 };
 
 class Hookbeh {

@@ -11,8 +11,6 @@ namespace {
 /// With less than this share of its pump range, a vehicle may be unable to climb out of dense
 /// water.
 constexpr double kLeastClimbShare = 0.5;
-/// s; the longest wait for an SBC.
-constexpr double kMostSilenceSecs = 3600;
 /// m; the altimeter receives no echo from nearer.
 constexpr double kLeastAltitudeM = 2;
 

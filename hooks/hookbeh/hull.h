@@ -23,6 +23,10 @@ struct Hull {
 inline constexpr double kHighestDepthM = -5;
 inline constexpr double kDeepestShare = 1.5;
 
+/// s; the longest wait for an SBC. Meanwhile the vehicle follows the last instruction of an SBC
+/// that may be dead.
+inline constexpr double kMostSilenceSecs = 600;
+
 /// `args` narrowed to the hull, each to the safer of the two. Pump and pitch values that are not
 /// numbers are replaced by their defaults; the sign of a pump value with the wrong sign is
 /// reversed, and one too weak to bring the vehicle up is strengthened. A greatest depth or least

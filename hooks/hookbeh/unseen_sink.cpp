@@ -10,14 +10,32 @@ namespace {
 
 /// m; a depth that flickers without being rough moves less than this.
 constexpr double kMovesM = 2.5;
-/// m; a depth rougher than this shows nothing. Waves at the surface and broken sensors cause such
-/// roughness.
-constexpr double kRoughM = 0.6;
-constexpr double kRoughShare = 1.0 / 8;  // weight of the newest cycle
-/// m; what noise adds to the motion of one cycle.
+/// m; in a rougher depth the distance alone shows nothing: waves and broken sensors reach it too.
+constexpr double kRoughM = 0.3;
+constexpr double kRoughShare = 1.0 / 8;  // weight of the newest reading
+/// In a rough depth this many times the roughness is added to the distance; in one rougher than
+/// kWildM, in m, no distance counts.
+constexpr double kRoughTimes = 6;
+constexpr double kWildM = 1.5;
+/// m; what noise adds to the motion between two readings; and what swell adds, in roughnesses.
 constexpr double kNoiseM = 0.5;
-/// s; after a longer gap the depth may be a different one.
+constexpr double kSwellTimes = 2;
+/// s; after a longer gap, and after more than twice the usual one, the depth may be a different
+/// one.
 constexpr double kGapSecs = 20;
+/// m; what a vehicle sinks in calm water before its depth shows it, and how much more in swell of
+/// half a metre or more, whose roughness in m follows.
+constexpr double kCalmM = 7;
+constexpr double kSwellM = 3;
+constexpr double kSwellRoughM = 0.6;
+constexpr double kCalmRoughM = 0.1;  // the sensor's own noise
+/// s between readings: the usual cycle; above it, up to the second, all of this grows by the third.
+constexpr double kUsualSecs = 4;
+constexpr double kRarestSecs = 16;
+constexpr double kRareSecs = 18;
+/// m; at the surface, where a climb ends, this much is an answer.
+constexpr double kAtSurfaceM = 1;
+constexpr double kSurfacesM = 1;
 /// cc and rad; from kLiftsCc and kNoseRad on the vehicle is driven up, from kSinksCc or a pitch of
 /// -kNoseRad on it is driven down.
 constexpr double kLiftsCc = 150;
@@ -37,6 +55,13 @@ constexpr double kAdriftMps = 0.1;
 /// m/s; the slowest that a vehicle that is driven up climbs.
 constexpr double kClimbMps = 0.1;
 
+/// m; so far a depth of this roughness must go.
+double farEnough(double roughness_m) {
+  return roughness_m <= kRoughM  ? kMovesM
+         : roughness_m <= kWildM ? kMovesM + kRoughTimes * roughness_m
+                                 : __builtin_nan("");
+}
+
 }  // namespace
 
 double UnseenSink::steepestRate() const {
@@ -47,70 +72,139 @@ double UnseenSink::rateAt(double pitch_rad) const {
   return steepestRate() * atLeast(magnitude(pitch_rad), kFlatRad) / hull_.steepest_pitch_rad;
 }
 
+double UnseenSink::lateBy() const {
+  const double rough = (roughness_m_ - kCalmRoughM) / (kSwellRoughM - kCalmRoughM);
+  const double swell_m = kSwellM * between(rough, 0, 1);
+  const double rare = (between(cadence_.usual(), kUsualSecs, kRarestSecs) - kUsualSecs) / kRareSecs;
+  return (kCalmM + swell_m) * (1 + rare) - kCalmM;
+}
+
 void UnseenSink::observe(double depth_m, double step_s, const VerticalCommand& last) {
   if (isFinite(last.pump_cc)) {
     reckon(step_s, last);
   } else {
+    turn(false, false);
     out_s_ = in_dive_m_ = steeply_m_ = 0;
   }
-  gap_s_ += step_s;
-  if (isFinite(depth_m)) {
-    follow(depth_m, step_s);
+  // The sensor array keeps a reading until there is a newer one. Only a new one shows anything.
+  cadence_.observe(depth_m, step_s);
+  if (cadence_.isNew()) {
+    follow(depth_m);
     seek(depth_m);
   }
 }
 
 void UnseenSink::reckon(double step_s, const VerticalCommand& last) {
   const bool lifts = last.pump_cc >= kLiftsCc && last.pitch_rad >= kNoseRad;
+  const bool dives = last.pitch_rad <= -kNoseRad;
+  turn(lifts, dives);
   out_s_ = lifts ? out_s_ + step_s : 0;
   const bool rises = out_s_ > kTurnsSecs;
-  sinks_ = !rises && (lifts || last.pump_cc <= kSinksCc || last.pitch_rad <= -kNoseRad);
+  sinks_ = !rises && (lifts || last.pump_cc <= kSinksCc || dives);
   since_up_s_ = rises ? 0 : since_up_s_ + step_s;
   if (rises) {
     deepest_m_ = atLeast(deepest_m_ - kClimbMps * step_s, 0);
+    reckonUnanswered(0, kClimbMps * step_s);
     in_dive_m_ = steeply_m_ = 0;
   } else if (since_up_s_ > kLiftsSecs) {
-    deepest_m_ += (sinks_ ? rateAt(last.pitch_rad) : kAdriftMps) * step_s;
-    const bool dives = last.pitch_rad <= -kNoseRad;
+    const double sunk_m = (sinks_ ? rateAt(last.pitch_rad) : kAdriftMps) * step_s;
+    deepest_m_ += sunk_m;
+    reckonUnanswered(sunk_m, 0);
     in_dive_m_ += dives ? rateAt(last.pitch_rad) * step_s : 0;
     steeply_m_ += dives ? steepestRate() * step_s : 0;
   }
 }
 
-/// Measures how smoothly the depth changes.
-void UnseenSink::follow(double depth_m, double step_s) {
-  const double moved = depth_m - last_m_;
-  const bool goes_on = gap_s_ <= step_s;  // not the first, nor one after a gap
-  if (goes_on) {
-    roughness_m_ += (magnitude(moved - moved_m_) - roughness_m_) * kRoughShare;
+void UnseenSink::reckonUnanswered(double sunk_m, double risen_m) {
+  alone_m_ += sunk_m - risen_m;
+  unanswered_m_ += sunk_m;
+  if (risen_m > 0 && alone_m_ <= 0) {  // it must be at the surface
+    alone_m_ = answered_m_ = unanswered_m_ = 0;
   }
-  moved_m_ = goes_on ? moved : 0;
+}
+
+/// The vehicle is driven another way: what its depth did before is not an answer to that.
+void UnseenSink::turn(bool lifts, bool dives) {
+  if (lifts != lifts_ || dives != dives_) {
+    turned_m_ = __builtin_nan("");
+    trend_.clear();
+  }
+  lifts_ = lifts;
+  dives_ = dives;
+}
+
+/// Measures how smoothly the depth changes, in real time: by how far the reading before was off the
+/// line between its neighbours.
+void UnseenSink::follow(double depth_m) {
+  const double moved = depth_m - last_m_;
+  const double gap = cadence_.gap();
+  const double off = magnitude(moved_m_ * gap - moved * gap_s_) / (gap_s_ + gap);
+  if (isFinite(off)) {  // there were two before
+    roughness_m_ += (off - roughness_m_) * kRoughShare;
+  }
+  moved_m_ = moved;
+  gap_s_ = gap;
+}
+
+void UnseenSink::restartAt(double depth_m) {
+  highest_m_ = lowest_m_ = depth_m;
+  trend_.clear();
 }
 
 /// Checks whether the depth has moved: down if the vehicle is driven down, up if it is driven up,
 /// else either way.
 void UnseenSink::seek(double depth_m) {
   // After a step that no vehicle can make, or a long gap in the depth, the search starts again.
-  const bool steps = magnitude(depth_m - last_m_) > steepestRate() * gap_s_ + kNoiseM;
+  const double reach = steepestRate() * gap_s_ + kNoiseM + kSwellTimes * roughness_m_;
+  const bool steps = magnitude(depth_m - last_m_) > reach;
   if (!isFinite(shown_m_)) {
-    shown_m_ = deepest_m_ = highest_m_ = lowest_m_ = depth_m;
-  } else if (steps || gap_s_ > kGapSecs) {
-    highest_m_ = lowest_m_ = depth_m;
+    shown_m_ = deepest_m_ = alone_m_ = answered_m_ = depth_m;
+    unanswered_m_ = 0;
+    restartAt(depth_m);
+  } else if (steps || gap_s_ > atLeast(2 * cadence_.usual(), kGapSecs)) {
+    restartAt(depth_m);
+    turned_m_ = __builtin_nan("");
   }
-  highest_m_ = depth_m < highest_m_ ? depth_m : highest_m_;
-  lowest_m_ = depth_m > lowest_m_ ? depth_m : lowest_m_;
+  highest_m_ = atMost(depth_m, highest_m_);
+  lowest_m_ = atLeast(depth_m, lowest_m_);
+  turned_m_ = lifts_ ? atLeast(turned_m_, depth_m) : atMost(turned_m_, depth_m);
+  trend_.add(depth_m, gap_s_);
+  last_m_ = depth_m;
+  const double trend_m = roughness_m_ > kRoughM ? trend_.moved(roughness_m_, steepestRate()) : 0;
   const bool lifts = out_s_ >= kLiftsSecs;
-  const bool down = depth_m - highest_m_ >= kMovesM && out_s_ == 0;
-  const bool up = lowest_m_ - depth_m >= kMovesM && (lifts || !sinks_);
-  if (roughness_m_ <= kRoughM && (down || up)) {
+  const bool down = hasMovedDown(depth_m, trend_m) && out_s_ == 0;
+  const bool up = hasMovedUp(depth_m, trend_m) && (lifts || !sinks_);
+  if (hasAnswered(depth_m, trend_m)) {
+    alone_m_ = answered_m_ = depth_m;
+    unanswered_m_ = 0;
+  }
+  if (down || up) {
     show(depth_m);
   }
-  last_m_ = depth_m;
-  gap_s_ = 0;
+}
+
+bool UnseenSink::hasMovedDown(double depth_m, double trend_m) const {
+  return depth_m - highest_m_ >= farEnough(roughness_m_) || trend_m > 0;
+}
+
+bool UnseenSink::hasMovedUp(double depth_m, double trend_m) const {
+  return lowest_m_ - depth_m >= farEnough(roughness_m_) || trend_m < 0;
+}
+
+/// Only what the depth did since the vehicle was driven this way by its pitch is an answer.
+bool UnseenSink::hasAnswered(double depth_m, double trend_m) const {
+  if (dives_) {
+    return depth_m - turned_m_ >= farEnough(roughness_m_) || trend_m > 0;
+  }
+  const double rose_m = turned_m_ - depth_m;
+  const bool surfaced =
+      depth_m <= kAtSurfaceM && rose_m >= kSurfacesM && roughness_m_ <= kRoughM;
+  return out_s_ >= kLiftsSecs && (rose_m >= farEnough(roughness_m_) || trend_m < 0 || surfaced);
 }
 
 void UnseenSink::show(double depth_m) {
-  shown_m_ = deepest_m_ = highest_m_ = lowest_m_ = depth_m;
+  shown_m_ = deepest_m_ = depth_m;
+  restartAt(depth_m);
   in_dive_m_ = steeply_m_ = 0;
   has_moved_ = true;
 }

@@ -3,8 +3,10 @@
 
 #pragma once
 
+#include "hooks/hookbeh/cadence.h"
 #include "hooks/hookbeh/command.h"
 #include "hooks/hookbeh/hull.h"
+#include "hooks/hookbeh/trend.h"
 
 namespace glider::hooks {
 
@@ -32,17 +34,35 @@ class UnseenSink {
   /// The same at the steepest possible pitch, because its pitch may be wrong; here another sensor
   /// counts.
   [[nodiscard]] double sunkSteeply() const { return steeply_m_; }
+  /// How much farther than in calm water and with a reading every 4 s the vehicle may sink before
+  /// its depth can show it, m: swell hides its motion for a while, and so do rare readings.
+  [[nodiscard]] double lateBy() const;
+  /// How far it may have sunk since its depth last answered: since it moved as far as the vehicle
+  /// was driven by pitch and pump. No other sensor counts here, since both may be stuck. m.
+  [[nodiscard]] double unanswered() const { return unanswered_m_; }
+  /// The depth that answered, or 0 once the vehicle must be at the surface, m.
+  [[nodiscard]] double answered() const { return answered_m_; }
+  /// How long it has been driven up, s.
+  [[nodiscard]] double drivenUpFor() const { return out_s_; }
 
  private:
   /// The fastest the vehicle sinks, m/s: at its steepest pitch, or at this one.
   [[nodiscard]] double steepestRate() const;
   [[nodiscard]] double rateAt(double pitch_rad) const;
   void reckon(double step_s, const VerticalCommand& last);
-  void follow(double depth_m, double step_s);
+  void reckonUnanswered(double sunk_m, double risen_m);
+  void turn(bool lifts, bool dives);
+  void follow(double depth_m);
+  void restartAt(double depth_m);
   void seek(double depth_m);
+  [[nodiscard]] bool hasMovedDown(double depth_m, double trend_m) const;
+  [[nodiscard]] bool hasMovedUp(double depth_m, double trend_m) const;
+  [[nodiscard]] bool hasAnswered(double depth_m, double trend_m) const;
   void show(double depth_m);
 
   Hull hull_;
+  Cadence cadence_;
+  Trend trend_;
   double deepest_m_ = __builtin_nan("");
   double shown_m_ = __builtin_nan("");
   bool has_moved_ = false;
@@ -53,10 +73,16 @@ class UnseenSink {
   double out_s_ = 0;                      ///< how long the vehicle has been driven up
   bool sinks_ = false;                    ///< it may be driven down
   double since_up_s_ = 0;                 ///< since it was driven up long enough to rise
-  double last_m_ = __builtin_nan("");     ///< the newest depth, and its last change
+  double last_m_ = __builtin_nan("");     ///< the newest reading, and its change from the one before
   double moved_m_ = __builtin_nan("");
-  double gap_s_ = __builtin_nan("");  ///< since then
-  double roughness_m_ = 0;            ///< how much the depth's change varies from cycle to cycle
+  double gap_s_ = __builtin_nan("");  ///< and the time from that one to it
+  double roughness_m_ = 0;  ///< how far readings are off the line between their neighbours
+  bool lifts_ = false;      ///< it is driven up by pitch and pump
+  bool dives_ = false;      ///< it is driven down by pitch
+  double turned_m_ = __builtin_nan("");  ///< the extreme since it was first driven so
+  double alone_m_ = __builtin_nan("");   ///< as deepest_m_, by answers alone
+  double answered_m_ = 0;
+  double unanswered_m_ = 0;
 };
 
 }  // namespace glider::hooks

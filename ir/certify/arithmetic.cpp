@@ -58,6 +58,9 @@ Number Expressions::rounded(uint32_t id, const Term& exact, const Term& known) {
   if (is_new) {
     found->second = {out_.fresh("Real"), "true"};
     round(found->second.value, term, whole);
+    if (!range.overflows) {
+      exact_.emplace(found->second.value, term);
+    }
     if (range.overflows) {
       Number& result = found->second;
       result.known = out_.boolean(operation("<", {out_.real(absolute(term)), overflow()}));
@@ -68,6 +71,35 @@ Number Expressions::rounded(uint32_t id, const Term& exact, const Term& known) {
   const Number result{found->second.value, out_.boolean(conjunction({known, found->second.known}))};
   requireRange(result, range);
   return result;
+}
+
+/// The number of which `result` is the double: itself if nothing was rounded.
+const Term& Expressions::exactOf(const Term& result) const {
+  const auto found = exact_.find(result);
+  return found == exact_.end() ? result : found->second;
+}
+
+/// `result`, which is the double of `exact`.
+Term Expressions::roundedFrom(const Term& exact, Term result) {
+  if (exact != result) {
+    exact_.emplace(result, exact);
+  }
+  return result;
+}
+
+/// Rounding is monotone, and leaves doubles as they are: of two numbers that differ, the doubles
+/// are equal or differ alike. Settling (N3) is not of concern where one is far from 0.
+void Expressions::keepOrder(const Term& a, const Term& b) {
+  const Term& x = exactOf(a);
+  const Term& y = exactOf(b);
+  if ((x == a && y == b) || !ordered_.emplace(a, b).second) {
+    return;
+  }
+  constexpr double kFar = 0x1p-30;
+  const Term far = out_.boolean(disjunction({operation(">=", {absolute(x), literal(kFar)}),
+                                             operation(">=", {absolute(y), literal(kFar)})}));
+  out_.require(implication(conjunction({far, operation("<=", {x, y})}), operation("<=", {a, b})));
+  out_.require(implication(conjunction({far, operation(">=", {x, y})}), operation(">=", {a, b})));
 }
 
 /// Rounding is monotone: the range was computed as the machine computes.
@@ -102,13 +134,26 @@ Number Expressions::approximated(uint32_t id, const std::vector<Number>& operand
 Number Expressions::unary(uint32_t id, const Number& a) {
   switch (opIn<UnaryOp>(setting_.mission.exprs[id].op)) {
     case UnaryOp::Negate:
-      return {out_.real(operation("-", {a.value})), a.known};
+      return {roundedFrom(out_.real(operation("-", {exactOf(a.value)})),
+                          out_.real(operation("-", {a.value}))),
+              a.known};
     case UnaryOp::Abs:
-      return {out_.real(absolute(a.value)), a.known};
+      return {roundedFrom(out_.real(absolute(exactOf(a.value))), out_.real(absolute(a.value))),
+              a.known};
     case UnaryOp::Sqrt:
       return approximated(id, {a}, out_.boolean(operation(">=", {a.value, "0.0"})));
   }
   CHECK(false, "an operation on one number without a meaning");
+}
+
+/// N5: `b < a ? b : a`.
+Term Expressions::smaller(const Term& a, const Term& b) {
+  return out_.real(choice(operation("<", {b, a}), b, a));
+}
+
+/// N5: `a < b ? b : a`.
+Term Expressions::greater(const Term& a, const Term& b) {
+  return out_.real(choice(operation("<", {a, b}), b, a));
 }
 
 /// N2, N5.
@@ -132,9 +177,11 @@ Number Expressions::binary(uint32_t id, const Number& a, const Number& b) {
     case BinaryOp::Divide:
       return quotient(id, a, b);
     case BinaryOp::Min:
-      return {out_.real(choice(operation("<", {b.value, a.value}), b.value, a.value)), known};
+      return {roundedFrom(smaller(exactOf(a.value), exactOf(b.value)), smaller(a.value, b.value)),
+              known};
     case BinaryOp::Max:
-      return {out_.real(choice(operation("<", {a.value, b.value}), b.value, a.value)), known};
+      return {roundedFrom(greater(exactOf(a.value), exactOf(b.value)), greater(a.value, b.value)),
+              known};
   }
   CHECK(false, "an operation on two numbers without a meaning");
 }

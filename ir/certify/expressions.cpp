@@ -195,7 +195,8 @@ Number Expressions::anyNumber(const Range& range, const Term& known) {
 
 /// N6.
 Number Expressions::select(const Truths& c, const Number& a, const Number& b) {
-  return {out_.real(choice(c.is_true, a.value, b.value)),
+  return {roundedFrom(out_.real(choice(c.is_true, exactOf(a.value), exactOf(b.value))),
+                      out_.real(choice(c.is_true, a.value, b.value))),
           out_.boolean(disjunction(
               {conjunction({c.is_true, a.known}), conjunction({c.is_false, b.known})}))};
 }
@@ -219,6 +220,7 @@ Truths Expressions::comparison(ComparisonOp op, const Number& a, const Number& b
     }
     CHECK(false, "a comparison without a meaning");
   };
+  keepOrder(a.value, b.value);
   const Term holds = out_.boolean(relation());
   return {out_.boolean(conjunction({a.known, b.known, holds})),
           out_.boolean(conjunction({a.known, b.known, negation(holds)}))};

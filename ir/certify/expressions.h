@@ -10,8 +10,10 @@
 #include "platforms/load/platform.h"
 
 #include <map>
+#include <set>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 namespace glider::ir::certify {
 
@@ -72,6 +74,11 @@ class Expressions {
   Number rounded(uint32_t id, const Term& exact, const Term& known);
   Number approximated(uint32_t id, const std::vector<Number>& operands, const Term& known);
   void round(const Term& result, const Term& exact, bool whole);
+  [[nodiscard]] const Term& exactOf(const Term& result) const;
+  Term roundedFrom(const Term& exact, Term result);
+  void keepOrder(const Term& a, const Term& b);
+  Term smaller(const Term& a, const Term& b);
+  Term greater(const Term& a, const Term& b);
 
   const Setting& setting_;
   SmtText& out_;
@@ -81,6 +88,8 @@ class Expressions {
   std::map<uint32_t, Reading> readings_;
   std::map<uint32_t, Value> calls_;
   std::unordered_map<std::string, Number> results_;  ///< of roundings, by operation and operands
+  std::unordered_map<Term, Term> exact_;             ///< of results: what was rounded once
+  std::set<std::pair<Term, Term>> ordered_;          ///< by keepOrder
 };
 
 }  // namespace glider::ir::certify

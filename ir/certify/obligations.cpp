@@ -4,6 +4,7 @@
 #include "ir/certify/obligations.h"
 
 #include "ir/certify/step.h"
+#include "ir/core/under_assumptions.h"
 
 #include <fmt/format.h>
 
@@ -171,6 +172,20 @@ std::vector<Script> obligationsOf(const Mission& mission, const platforms::Platf
     }
   }
   return scripts;
+}
+
+std::vector<Script> obligationsUnder(const Mission& mission, const platforms::Platform& platform,
+                                     uint32_t requirement, std::span<const uint32_t> assumptions,
+                                     std::span<const Invariant> invariants) {
+  Mission assuming = mission;
+  assuming.assumptions.clear();
+  for (const uint32_t number : assumptions) {
+    assuming.assumptions.push_back(mission.assumptions.at(number));
+  }
+  assuming = underAssumptions(std::move(assuming));
+  const platforms::Platform vehicle = underAssumptions(notNarrowed(platform, mission), assuming);
+  return obligationsOf(assuming, vehicle, assuming.requirements.at(requirement), invariants,
+                       longestGap(assuming, vehicle));
 }
 
 double longestGap(const Mission& mission, const platforms::Platform& platform) {

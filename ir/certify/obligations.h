@@ -30,6 +30,12 @@ std::vector<Script> obligationsOf(const Mission& mission, const platforms::Platf
                                   const Requirement& requirement,
                                   std::span<const Invariant> invariants, double longest_gap_s);
 
+/// The same for the requirement with that number of a mission that assumes something: under the
+/// assumptions with these numbers, and no others.
+std::vector<Script> obligationsUnder(const Mission& mission, const platforms::Platform& platform,
+                                     uint32_t requirement, std::span<const uint32_t> assumptions,
+                                     std::span<const Invariant> invariants);
+
 /// The longest time between two ticks. Without a power cut it is the platform's `tick_gap_s`; after
 /// one, the mission continues only if at most `resume within` has passed since the newest
 /// checkpoint (README P2, P3; docs/verification.md, power cuts), whichever is longer.

@@ -431,7 +431,7 @@ struct Mission {
   /// The longest outage of the SBC after which the mission continues, s; kResumeWithin_s unless the
   /// mission defines another.
   double resume_within_s = kResumeWithin_s;
-  /// The mission does not continue, but starts again, if the vehicle has restarted its own mission
+  /// The mission does not continue, but is over, if the vehicle has restarted its own mission
   /// during the outage.
   bool new_after_restart = false;
   std::optional<Compass> compass;  ///< empty: the mission does not use headings

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -144,13 +145,31 @@ class Watches {
   VariableId broken_;
 };
 
-/// The range in the vehicle's unit, a little wider than exact: conversions round.
+/// From where a division and a product in doubles lead back is at most this many doubles away.
+constexpr int kMostSteps = 4;
+
+/// The greatest number (towards `up`: +infinity) of the vehicle's unit whose reading is not beyond
+/// `limit`, or the least for -infinity. A reading is the rounded product, which grows with the
+/// number: so exactly the numbers beyond this one have a reading beyond the limit.
+double lastWithin(double limit, double to_si, double up) {
+  const auto beyond = [&](double raw) {
+    return up > 0 ? raw * to_si > limit : raw * to_si < limit;
+  };
+  double raw = limit / to_si;
+  for (int i = 0; i < kMostSteps && beyond(raw); ++i) {
+    raw = std::nextafter(raw, -up);
+  }
+  for (int i = 0; i < kMostSteps && !beyond(std::nextafter(raw, up)); ++i) {
+    raw = std::nextafter(raw, up);
+  }
+  return raw;
+}
+
+/// The readings in an assumed range, neither more nor fewer: a requirement may have the same limit.
 void narrow(Sensor& sensor, double lowest, double highest) {
-  constexpr double kRounding = 1e-12;
-  const double low = lowest / sensor.to_si;
-  const double high = highest / sensor.to_si;
-  sensor.lowest = std::max(sensor.lowest, low - std::fabs(low) * kRounding);
-  sensor.highest = std::min(sensor.highest, high + std::fabs(high) * kRounding);
+  constexpr double kUp = std::numeric_limits<double>::infinity();
+  sensor.lowest = std::max(sensor.lowest, lastWithin(lowest, sensor.to_si, -kUp));
+  sensor.highest = std::min(sensor.highest, lastWithin(highest, sensor.to_si, kUp));
 }
 
 }  // namespace

@@ -13,55 +13,53 @@
 namespace glider::ir {
 namespace {
 
-/// Expressions and their values, in the order of their numbers.
-class Values {
- public:
-  /// All expressions that `id` is made from. Operands have smaller numbers than their users, so all
-  /// are found from the greatest number down and can be evaluated from the smallest up.
-  Values(const Mission& mission, ExprId id) {
-    std::vector<uint32_t> pending{id.index};  // a heap
-    while (!pending.empty()) {
-      std::ranges::pop_heap(pending);
-      const uint32_t number = pending.back();
-      pending.pop_back();
-      if (!all_.empty() && all_.back().number == number) {
-        continue;
-      }
-      all_.push_back({number, Truth::Unknown});
-      const Expr& e = mission.exprs.at(number);
-      for (uint32_t k = 0; k < operandCount(e); ++k) {
-        pending.push_back(e.operands.at(k).index);
-        std::ranges::push_heap(pending);
-      }
+/// All expressions that `id` is made from, each once, from the smallest number up. Operands have
+/// smaller numbers than their users, so they come before these.
+std::vector<uint32_t> madeFrom(const Mission& mission, ExprId id) {
+  std::vector<uint32_t> found;
+  std::vector<uint32_t> pending{id.index};  // a heap
+  while (!pending.empty()) {
+    std::ranges::pop_heap(pending);
+    const uint32_t number = pending.back();
+    pending.pop_back();
+    if (!found.empty() && found.back() == number) {
+      continue;
     }
-    std::ranges::reverse(all_);
+    found.push_back(number);
+    const Expr& e = mission.exprs.at(number);
+    for (uint32_t k = 0; k < operandCount(e); ++k) {
+      pending.push_back(e.operands.at(k).index);
+      std::ranges::push_heap(pending);
+    }
   }
+  std::ranges::reverse(found);
+  return found;
+}
 
-  struct Known {
-    uint32_t number;
-    Value value;
-  };
-  std::vector<Known>& all() { return all_; }
-  [[nodiscard]] const Value& at(uint32_t number) const {
-    return std::ranges::lower_bound(all_, number, {}, &Known::number)->value;
+/// The values of an expression's operands.
+class Operands {
+ public:
+  /// `places`: of each operand, where its value is in `values`.
+  Operands(std::span<const uint32_t> places, const std::vector<Value>& values)
+      : places_(places), values_(values) {}
+  [[nodiscard]] const Value& at(size_t i) const { return values_.at(places_[i]); }
+  [[nodiscard]] std::vector<double> asNumbers() const {
+    std::vector<double> numbers;
+    for (size_t i = 0; i < places_.size(); ++i) {
+      numbers.push_back(asNumber(at(i)));
+    }
+    return numbers;
   }
 
  private:
-  std::vector<Known> all_;
+  std::span<const uint32_t> places_;
+  const std::vector<Value>& values_;
 };
 
-/// The values of a call's operands, as numbers; empty for other expressions.
-std::vector<double> argumentsOf(const Expr& e, const Values& values) {
-  std::vector<double> arguments;
-  for (uint32_t i = 0; i < operandCount(e); ++i) {
-    arguments.push_back(asNumber(values.at(e.operands.at(i).index)));
-  }
-  return arguments;
-}
-
-Value valueOf(const Mission& mission, const Expr& e, const Values& values, const Leaves& leaves) {
-  auto a = [&](size_t i) { return std::get<double>(values.at(e.operands.at(i).index)); };
-  auto t = [&](size_t i) { return std::get<Truth>(values.at(e.operands.at(i).index)); };
+Value valueOf(const Mission& mission, const Expr& e, const Operands& operands,
+              const Leaves& leaves) {
+  auto a = [&](size_t i) { return std::get<double>(operands.at(i)); };
+  auto t = [&](size_t i) { return std::get<Truth>(operands.at(i)); };
   switch (groupOf(e.op)) {
     case OpGroup::Constant:
       return e.number;
@@ -73,13 +71,13 @@ Value valueOf(const Mission& mission, const Expr& e, const Values& values, const
     case OpGroup::Variable:
     case OpGroup::Temporal:
     case OpGroup::Call:
-      return leaves(e, argumentsOf(e, values));
+      return leaves(e, operands.asNumbers());
     case OpGroup::Unary:
       return unary(e.op, a(0));
     case OpGroup::Binary:
       return binary(e.op, a(0), a(1));
     case OpGroup::Function:
-      return function(e.op, argumentsOf(e, values));
+      return function(e.op, operands.asNumbers());
     case OpGroup::Clamp:
       return clamp(a(0), a(1), a(2));
     case OpGroup::Select:
@@ -113,12 +111,32 @@ Value asValue(double number, Type type) {
   return isKnown(number) ? truth(number != 0) : Truth::Unknown;
 }
 
-Value evaluate(const Mission& mission, ExprId id, const Leaves& leaves) {
-  Values values(mission, id);
-  for (auto& [number, value] : values.all()) {
-    value = valueOf(mission, mission.exprs[number], values, leaves);
+Evaluation::Evaluation(const Mission& mission, ExprId id)
+    : mission_(&mission), order_(madeFrom(mission, id)) {
+  for (const uint32_t number : order_) {
+    const Expr& e = mission.exprs[number];
+    for (uint32_t k = 0; k < operandCount(e); ++k) {
+      const auto place = std::ranges::lower_bound(order_, e.operands.at(k).index);
+      operands_.push_back(static_cast<uint32_t>(place - order_.begin()));
+    }
   }
-  return values.at(id.index);
+}
+
+Value Evaluation::operator()(const Leaves& leaves) const {
+  std::vector<Value> values;
+  values.reserve(order_.size());
+  size_t first = 0;
+  for (const uint32_t number : order_) {
+    const Expr& e = mission_->exprs[number];
+    const std::span<const uint32_t> places(operands_.data() + first, operandCount(e));
+    first += places.size();
+    values.push_back(valueOf(*mission_, e, {places, values}, leaves));
+  }
+  return values.back();
+}
+
+Value evaluate(const Mission& mission, ExprId id, const Leaves& leaves) {
+  return Evaluation(mission, id)(leaves);
 }
 
 }  // namespace glider::ir

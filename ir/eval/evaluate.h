@@ -6,9 +6,12 @@
 #include "ir/core/mission.h"
 #include "ir/core/truth.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <variant>
+#include <vector>
 
 namespace glider::ir {
 
@@ -23,6 +26,23 @@ Value asValue(double number, Type type);
 /// The current values of Sensor, Age, Variable, Temporal and the clocks, and of a Call with its
 /// arguments as numbers.
 using Leaves = std::function<Value(const Expr&, std::span<const double> arguments)>;
+
+/// The order in which the operations of an expression are evaluated, for one that is evaluated
+/// again and again.
+class Evaluation {
+ public:
+  /// `mission` outlives this.
+  Evaluation(const Mission& mission, ExprId id);
+  /// The value now: evaluates each operation once, operands first, at any depth.
+  Value operator()(const Leaves& leaves) const;
+  /// The number of operations.
+  [[nodiscard]] size_t size() const { return order_.size(); }
+
+ private:
+  const Mission* mission_;
+  std::vector<uint32_t> order_;     ///< the numbers of the expressions
+  std::vector<uint32_t> operands_;  ///< of each in turn: where its operands are in `order_`
+};
 
 /// The value of expression `id`: evaluates each operation in it once, operands first, at any depth.
 Value evaluate(const Mission& mission, ExprId id, const Leaves& leaves);

@@ -38,6 +38,8 @@ struct Proof {
   std::set<CasePlace> dead = {};                ///< cases that were found never to fire
   std::set<CasePlace> hidden = {};              ///< those of them that earlier ones hide
   std::vector<support::SourceRange> said = {};  ///< conditions about which something was reported
+  /// Numbers of assumptions about what the mission itself decides: no proof may rest on them.
+  std::set<uint32_t> decided_assumptions = {};
 };
 
 namespace passes {

@@ -4,6 +4,7 @@
 #include "ir/text/code_reader.h"
 
 #include "ir/core/ops.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,8 @@
 
 #include "ir/text/cursor.h"
 
+#include "support/diagnostics/catalogue.h"
+
 #include <fmt/format.h>
 
 #include <charconv>

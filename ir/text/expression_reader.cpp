@@ -5,6 +5,7 @@
 
 #include "ir/core/ops.h"
 #include "ir/text/print.h"
+#include "support/diagnostics/catalogue.h"
 
 namespace glider::ir::text {
 namespace {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ir/text/cursor.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <string>
 #include <string_view>

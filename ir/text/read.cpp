@@ -8,6 +8,7 @@
 #include "ir/text/cursor.h"
 #include "ir/text/names.h"
 #include "ir/text/table_reader.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <algorithm>
 #include <functional>

@@ -42,6 +42,17 @@ class Frames {
   uint64_t done_ = 0;
 };
 
+/// The depth, to which the program subscribes also where the mission does not read it, to begin
+/// near the surface; null if it does.
+const platforms::PlatformSensor* unreadDepth(const Mission& mission,
+                                             const platforms::Platform& platform) {
+  const platforms::PlatformSensor* depth = platform.find("m_depth");
+  const bool read = depth != nullptr && std::ranges::any_of(mission.sensors, [&](const auto& s) {
+                      return s.id == depth->id;
+                    });
+  return read ? nullptr : depth;
+}
+
 /// One frame: two bits and a value for each sensor.
 uint64_t tick(const Mission& mission, const platforms::Platform& platform) {
   std::set<uint16_t> met;
@@ -50,6 +61,10 @@ uint64_t tick(const Mission& mission, const platforms::Platform& platform) {
     if (sensor.id < platform.sensors.size() && met.insert(sensor.id).second) {
       values += platform.sensors[sensor.id].bytes;
     }
+  }
+  if (const auto* depth = unreadDepth(mission, platform)) {
+    met.insert(depth->id);
+    values += depth->bytes;
   }
   return onTheLine(kTickHead + 2 * ((met.size() + 7) / 8) + values);
 }
@@ -80,7 +95,9 @@ uint64_t instruction(const platforms::Platform& platform) {
 
 /// Subscription, transitions, an instruction, notes, Done.
 uint64_t answer(const Mission& mission, const platforms::Platform& platform) {
-  const uint64_t subscribe = onTheLine(kListHead + kSubscription * mission.sensors.size());
+  const size_t sensors =
+      mission.sensors.size() + (unreadDepth(mission, platform) != nullptr ? 1U : 0U);
+  const uint64_t subscribe = onTheLine(kListHead + kSubscription * sensors);
   const uint64_t notes = leavesNotes(mission) ? kMostNotes * onTheLine(kNote) : 0;
   return subscribe + kMostNotices * onTheLine(kTransition) + instruction(platform) + notes +
          onTheLine(kDone);

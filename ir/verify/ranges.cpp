@@ -6,6 +6,7 @@
 #include "ir/verify/intervals.h"
 #include "ir/verify/passes.h"
 #include "ir/verify/value_text.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

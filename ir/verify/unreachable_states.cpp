@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/verify/passes.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -3,6 +3,8 @@
 
 #include "platforms/load/dictionary.h"
 
+#include "support/diagnostics/catalogue.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

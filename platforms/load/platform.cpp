@@ -5,6 +5,9 @@
 
 #include "hooks/protocol/dictionary.h"
 #include "platforms/load/toml_reader.h"
+#include "support/diagnostics/catalogue.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

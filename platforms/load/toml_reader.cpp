@@ -3,7 +3,10 @@
 
 #include "platforms/load/toml_reader.h"
 
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 

@@ -6,6 +6,8 @@
 #include "report/brief/style.h"
 #include "report/svg/svg_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace glider::report {

@@ -5,6 +5,8 @@
 #include "report/graph/svg_style.h"
 #include "report/svg/text_lines.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace glider::report {

@@ -5,6 +5,8 @@
 
 #include "report/svg/text_lines.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 

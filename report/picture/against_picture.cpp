@@ -8,6 +8,8 @@
 #include "report/svg/text_lines.h"
 #include "report/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -11,6 +11,8 @@
 #include "report/text.h"
 #include "support/utc.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-#define GLIDER_ABI_VERSION 7u
+#define GLIDER_ABI_VERSION 8u
 /* Gives a function declared in C the symbol that a mission looks for; ir/core/c_symbols.h says how
    the symbol encodes the function's types. */
 #define GLIDER_SYMBOL(name) __asm__(name)

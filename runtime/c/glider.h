@@ -81,8 +81,8 @@ int keepState(void* state, size_t bytes);
 /* The longest outage after which the mission continues, s: 300 unless set. After a longer one the
    mission does not take control of the vehicle again, and gliderRun returns NULL. */
 void resumeWithin(double seconds);
-/* The mission starts from the beginning instead of continuing if the vehicle has restarted its own
-   mission during the outage. */
+/* The mission does not continue either if the vehicle has restarted its own mission during the
+   outage. */
 void newAfterRestart(void);
 /* The angle of magnetic north from true north, rad, east positive (off New Jersey -0.21). Headings
    are true here, those of the vehicle magnetic: this value is used until the vehicle has reported

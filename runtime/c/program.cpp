@@ -158,7 +158,8 @@ bool Program::tickOfClockAlone() {
 /// Takes in a frame; true if the program must process it.
 bool Program::takeTick() {
   const hooks::VehicleTick& tick = client_->tick();
-  const double sbc_time = link_.clock.now(link_.clock.self);
+  const double sbc_time = client_->virtualTime() ? static_cast<double>(tick.clock_s)
+                                                 : link_.clock.now(link_.clock.self);
   ticked_ = true;
   must_answer_ = true;
   if (persistence_->isUndecided()) {

@@ -57,7 +57,7 @@ class Program {
   KeptState& kept() { return kept_; }
   /// The longest outage after which the mission continues, s.
   void resumeWithin(double seconds) { mission_.resume_within = seconds; }
-  /// The mission starts from the beginning if the vehicle has restarted its own mission meanwhile.
+  /// The mission does not continue if the vehicle has restarted its own mission meanwhile.
   void newAfterRestart() { mission_.new_after_restart = 1; }
   /// The declination used for headings while the vehicle has not reported a variation: rad, east
   /// positive.

@@ -36,14 +36,14 @@ class MissionClock {
 
   /// The vehicle's frame with cycle number `cycle` has arrived: returns mission time, s. A vehicle
   /// that restarted its own mission counts from 0 again, and one with a broken clock from any
-  /// value; mission time then continues from where it was, if necessary by the SBC's own clock.
+  /// value; mission time then continues from where it was, by the SBC's own clock.
   double atFrame(double vehicle_time, uint32_t cycle, double sbc_time) {
     const double reached = missionAt(vehicle_) + silence_;
     const uint32_t cycles = cycle > cycle_ ? cycle - cycle_ : 1;
     const double passed = vehicle_time - vehicle_;
     if (!(passed >= 0 && passed <= kMostCycle * cycles) ||
         reached - missionAt(vehicle_time) > kMostSilence) {
-      anchor_ = {vehicle_time, reached};
+      anchor_ = {vehicle_time, reached + passedHere(sbc_time)};
     }
     cycle_ = cycle;
     vehicle_ = vehicle_time;
@@ -56,9 +56,8 @@ class MissionClock {
   /// kMostSilence since it was last read, so that the vehicle's frames, when they resume, need no
   /// longer than that to catch up.
   double withoutFrame(double sbc_time) {
-    const double passed = sbc_time - sbc_;
+    silence_ += passedHere(sbc_time);
     sbc_ = sbc_time;
-    silence_ += passed > kMostSilence ? kMostSilence : passed > 0 ? passed : 0;
     return missionAt(vehicle_) + silence_;
   }
 
@@ -70,6 +69,11 @@ class MissionClock {
   /// counted is a false reading.
   static constexpr double kMostCycle = 20;
 
+  /// By the SBC's own clock since it was last read, s.
+  [[nodiscard]] double passedHere(double sbc_time) const {
+    const double passed = sbc_time - sbc_;
+    return passed > kMostSilence ? kMostSilence : passed > 0 ? passed : 0;
+  }
   [[nodiscard]] double missionAt(double vehicle_time) const {
     return anchor_.mission + (vehicle_time - anchor_.vehicle);
   }

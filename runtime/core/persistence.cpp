@@ -3,6 +3,7 @@
 
 #include "runtime/core/persistence.h"
 
+#include "runtime/core/continuation.h"
 #include "runtime/log/format.h"
 #include "runtime/numbers/numbers.h"
 
@@ -29,17 +30,19 @@ bool Persistence::decide(const hooks::VehicleTick& tick, const GliderContext& co
     return false;
   }
   found_ = false;
+  const GliderMission& mission = *context.mission;
   const double outage = ready ? outageByClock(tick) : tick.vehicle_time_s - facts_.vehicle_time;
-  const bool within = outage >= 0.0 && outage <= context.mission->resume_within;
-  if (ready && (!within || context.finished != 0 || context.mission->new_after_restart != 0)) {
-    // Another flight: no SBC has had control since the vehicle's mission began.
-    begins_anew_ = LogDetail::EarlierFlight;
-    parts_.client.resume(0, parts_.client.sequence());
-    return false;
-  }
-  if (!within) {
-    leaveControl(outage);
-    return false;
+  switch (continuationAfter({ready, outage, context.finished != 0, mission.resume_within,
+                             mission.new_after_restart != 0})) {
+    case Continuation::Begins:
+      begins_anew_ = LogDetail::EarlierFlight;
+      parts_.client.resume(0, parts_.client.sequence());
+      return false;
+    case Continuation::Leaves:
+      leaveControl(mission, ready, outage);
+      return false;
+    case Continuation::GoesOn:
+      break;
   }
   ClockAnchor anchor{facts_.anchor_vehicle, facts_.anchor_mission};
   if (ready) {  // the vehicle's time has restarted, and does not show the length of the outage
@@ -62,11 +65,23 @@ double Persistence::outageByClock(const hooks::VehicleTick& tick) const {
              : unknown();
 }
 
-void Persistence::leaveControl(double outage) {
-  parts_.log.event(0.0, LogEvent::ControlLeft,
-                   outage >= 0.0 ? LogDetail::TooLong : LogDetail::FromTheFuture, outage);
+/// The mission is over. The vehicle's own log says it too, because the SBC's cannot be read at sea.
+void Persistence::leaveControl(const GliderMission& mission, bool restarted, double outage) {
+  const LogDetail why = outage != outage                 ? LogDetail::UnknownOutage
+                        : !(outage >= 0.0)               ? LogDetail::FromTheFuture
+                        : outage > mission.resume_within ? LogDetail::TooLong
+                                                         : LogDetail::VehicleRestarted;
+  parts_.log.event(0.0, LogEvent::ControlLeft, why, outage);
+  if (restarted) {
+    tellVehicle(0.0, "the mission is over: the vehicle has restarted");
+  }
   parts_.client.resume(0, parts_.client.sequence());
   parts_.control.release();
+}
+
+void Persistence::waits(double depth) {
+  parts_.log.event(0.0, LogEvent::WaitsForSurface, LogDetail::None, depth);
+  tellVehicle(0.0, "the mission waits for the surface");
 }
 
 void Persistence::begun() {
@@ -76,9 +91,9 @@ void Persistence::begun() {
 }
 
 /// Sends a note to the vehicle's own log.
-void Persistence::tellVehicle(const GliderContext& context, const char* what) {
+void Persistence::tellVehicle(double mission_time, const char* what) {
   hooks::MissionNote told;
-  told.mission_time_s = context.mission_time;
+  told.mission_time_s = mission_time;
   Text(told.text, hooks::kMostNoteBytes).put(what);
   parts_.client.tell(told);
 }
@@ -91,7 +106,7 @@ void Persistence::commit(const GliderContext* context) {
     return;
   }
   if (parts_.log.isFailing() && !log_fails_) {
-    tellVehicle(*context, "the SBC's log is not written");
+    tellVehicle(context->mission_time, "the SBC's log is not written");
   }
   log_fails_ = parts_.log.isFailing();
   const Checkpoint::Kept kept =
@@ -102,7 +117,7 @@ void Persistence::commit(const GliderContext* context) {
   if (failed && !not_kept_) {
     parts_.log.event(context->mission_time, LogEvent::CheckpointNotWritten, LogDetail::None,
                      unknown());
-    tellVehicle(*context, "the SBC's checkpoint is not written");
+    tellVehicle(context->mission_time, "the SBC's checkpoint is not written");
   }
   if (kept != Checkpoint::Kept::NotDue) {
     not_kept_ = failed;

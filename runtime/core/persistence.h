@@ -38,6 +38,8 @@ class Persistence {
   /// Takes in a tick while it is undecided, before Control does. True if the mission continues in
   /// this tick from `context`, which look() filled.
   bool decide(const hooks::VehicleTick& tick, const GliderContext& context, double sbc_time);
+  /// The mission does not begin at this depth, m: reports it.
+  void waits(double depth);
   /// The mission has begun: logs why an existing checkpoint was not used.
   void begun();
   /// Writes the results of this tick to log and checkpoint; `context` is null before the mission
@@ -47,8 +49,8 @@ class Persistence {
 
  private:
   [[nodiscard]] double outageByClock(const hooks::VehicleTick& tick) const;
-  void leaveControl(double outage);
-  void tellVehicle(const GliderContext& context, const char* what);
+  void leaveControl(const GliderMission& mission, bool restarted, double outage);
+  void tellVehicle(double mission_time, const char* what);
 
   PersistenceParts parts_;
   Checkpoint checkpoint_;

@@ -16,6 +16,7 @@ using glider::hooks::ClientEvent;
 using glider::hooks::Instruction;
 using glider::runtime::Checkpoint;
 using glider::runtime::ControlNews;
+using glider::runtime::StartDepth;
 
 namespace {
 
@@ -36,6 +37,13 @@ bool hasGuards(const GliderMission& mission) {
   return all;
 }
 
+/// True if all sensors that the program subscribes to fit into a frame.
+bool hasRoom(const GliderMission& mission) {
+  const uint32_t most = glider::hooks::kMostSubscriptions;
+  return mission.sensor_count <= most &&
+         (mission.sensor_count < most || !StartDepth(mission).needsDepth());
+}
+
 /// Includes the parameters: with different ones it is another program.
 uint32_t programOf(const GliderMission& mission, const GliderRuntimeOptions& options) {
   const auto* bytes = reinterpret_cast<const uint8_t*>(options.parameters);
@@ -54,6 +62,7 @@ GliderRuntime::GliderRuntime(void* context_memory, const GliderMission& mission,
       log_(options.log, mission),
       link_log_(log_),
       variation_(glider::runtime::unknown()),
+      start_depth_(mission),
       persistence_(Checkpoint(options.checkpoints, programOf(mission, options)),
                    {client_, control_, clock_, log_}) {
   persistence_.look(*glider::runtime::layOut(context_memory_, mission_));
@@ -70,16 +79,19 @@ glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& missi
       sensors[options.sensor_count++] = glider::hooks::usualSubscription(*mission.dictionary, id);
     }
   }
+  if (StartDepth(mission).needsDepth()) {
+    const auto depth = static_cast<uint16_t>(mission.dictionary->roles[kGliderRoleDepth]);
+    sensors[options.sensor_count++] = glider::hooks::usualSubscription(*mission.dictionary, depth);
+  }
   return options;
 }
 
 bool GliderRuntime::acceptable(const GliderMission& mission) {
   return mission.abi_version == GLIDER_ABI_VERSION && mission.dictionary != nullptr &&
-         mission.state_count > 0 && mission.sensor_count <= glider::hooks::kMostSubscriptions &&
-         mission.parameter_count <= GLIDER_MOST_PARAMETERS &&
+         mission.state_count > 0 && mission.parameter_count <= GLIDER_MOST_PARAMETERS &&
          mission.parameter_count <= mission.variable_count &&
          mission.context_bytes == gliderContextLayout(&mission).bytes && hasTables(mission) &&
-         hasGuards(mission);
+         hasGuards(mission) && hasRoom(mission);
 }
 
 GliderRuntimeStatus GliderRuntime::poll(const GliderByteStream& stream, const GliderClock& clock) {
@@ -89,7 +101,7 @@ GliderRuntimeStatus GliderRuntime::poll(const GliderByteStream& stream, const Gl
     case ClientEvent::Closed:
       return kGliderRuntimeLinkClosed;
     case ClientEvent::Tick:
-      answerTick(stream, clock.now(clock.self));
+      answerTick(stream, ownTime(clock));
       return control_.released() ? kGliderRuntimeFinished : kGliderRuntimeProgressed;
     case ClientEvent::SilentLink:
       tickOfClockAlone(clock.now(clock.self));
@@ -103,16 +115,23 @@ GliderRuntimeStatus GliderRuntime::poll(const GliderByteStream& stream, const Gl
   return kGliderRuntimeProgressed;
 }
 
+/// The SBC's clock, s. In virtual time it says nothing about the flight: then the vehicle's does.
+double GliderRuntime::ownTime(const GliderClock& clock) const {
+  return client_.virtualTime() ? static_cast<double>(client_.tick().clock_s)
+                               : clock.now(clock.self);
+}
+
 void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) {
   const glider::hooks::VehicleTick& tick = client_.tick();
   if (persistence_.isUndecided()) {
     tryToGoOn(tick, sbc_time);
   }
   const ControlNews news = control_.observe(tick);
+  const bool may_begin = context_ == nullptr && mayBegin(tick);
   const uint32_t count = gatherUpdates();
   if (context_ != nullptr) {
     stepMission(clock_.atFrame(tick.vehicle_time_s, tick.cycle, sbc_time), count);
-  } else if (!persistence_.isUndecided() && !control_.released() && control_.mayTake()) {
+  } else if (may_begin) {
     clock_.start(tick.vehicle_time_s, sbc_time);
     startMission(count);
   }
@@ -123,6 +142,18 @@ void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) 
   }
   persistence_.commit(context_);
   client_.done(status(), stream);
+}
+
+/// Of a mission that does not continue from a checkpoint.
+bool GliderRuntime::mayBegin(const glider::hooks::VehicleTick& tick) {
+  const bool at_surface = start_depth_.look(tick);  // of every tick
+  if (persistence_.isUndecided() || control_.released() || !control_.mayTake()) {
+    return false;
+  }
+  if (start_depth_.takeWaiting()) {
+    persistence_.waits(start_depth_.depth());
+  }
+  return at_surface;
 }
 
 /// Continues by its own clock. Its commands go with the next answer, because the SBC never sends

@@ -9,6 +9,7 @@
 #include "runtime/core/link_log.h"
 #include "runtime/core/mission_clock.h"
 #include "runtime/core/persistence.h"
+#include "runtime/core/start_depth.h"
 #include "runtime/log/mission_log.h"
 
 /// Joins the link to the mission: every tick of the vehicle is a step of the mission, its commands,
@@ -32,6 +33,8 @@ struct GliderRuntime {
  private:
   static glider::hooks::ClientOptions subscribe(const GliderMission& mission,
                                                 glider::hooks::Subscription* sensors);
+  bool mayBegin(const glider::hooks::VehicleTick& tick);
+  [[nodiscard]] double ownTime(const GliderClock& clock) const;
   void tryToGoOn(const glider::hooks::VehicleTick& tick, double sbc_time);
   void answerTick(const GliderByteStream& stream, double sbc_time);
   void tickOfClockAlone(double sbc_time);
@@ -57,5 +60,6 @@ struct GliderRuntime {
   glider::runtime::LinkLog link_log_;
   GliderUpdate updates_[glider::hooks::kMostSubscriptions] = {};
   double variation_;  ///< in a mission with a compass: the last that the vehicle reported, else NaN
+  glider::runtime::StartDepth start_depth_;
   glider::runtime::Persistence persistence_;
 };

@@ -112,5 +112,10 @@ PLANTED = [
 # Requirements whose loss no flight of a campaign shows, and why. Unit tests hold them.
 UNSEEN = {
     "HB-37": "after another behaviour has had the vehicle, any way back to the target is within the campaign's rules",
+    "HB-45": "the campaign's water is deeper than its dives, or the altimeter shows the bottom",
+    "HB-46": "a flight of a campaign is too short to fly 3 km from a contact",
+    "HB-47": "a campaign has no rule about contacts of an altimeter that reads too much",
+    "HB-48": "tests/bottom flies such altimeters",
+    "HB-49": "the bundled mission files read the altimeter in each cycle",
     "HB-39": "the bundled mission files give the pump's volume",
 }

@@ -5,6 +5,8 @@
 
 #include "hooks/protocol/numbers.h"
 #include "simulator/campaign/commanded.h"
+#include "simulator/campaign/judge_limits.h"
+#include "simulator/campaign/wrong_sensors.h"
 
 #include <fmt/format.h>
 
@@ -32,7 +34,6 @@ constexpr double kFloats = 1;         // m: a target above this is the surface
 constexpr double kFarFromTarget = 6;  // m
 constexpr int kFarCycles = 15;        // a minute
 constexpr int kToArrive = 6;          // cycles that the commands of a dive or climb may be held
-constexpr double kNearLimit = 2;      // m: the guard may step in
 constexpr double kSwing = 4;          // m: a climb of the guard is at least 5 m
 constexpr int kSmallSwings = 3;
 constexpr double kOldReading = 30;      // s: hookbeh's guard 6 steps in within this time
@@ -41,6 +42,7 @@ constexpr double kRetryShare = 0.5, kRetry = 5, kRetryTolerance = 3;  // of the 
 constexpr int kLate = 4;                                              // cycles
 // A depth that cannot be believed: hookbeh's own limits, plus two cycles.
 constexpr double kFar = 1e9;         // m
+constexpr double kLongAgo = -1e9;    // s
 constexpr double kHighest = -5;      // m
 constexpr double kFrozenSecs = 24;   // of a dive, deeper than a metre
 constexpr double kWrong = 8;         // m from the truth, if there is a CTD
@@ -49,6 +51,8 @@ constexpr double kIdleSecs = 200;    // a dive that does not gain depth
 constexpr double kCreepsSecs = 380;  // one that gains it slowly: hookbeh may wait 2 x 180 s
 constexpr double kJump = 4;          // m per cycle
 constexpr double kStands = 0.3;      // m; a smaller gain counts as none
+constexpr double kCtdFades = 300;    // s; after a fault the CTD must agree again, at the surface
+constexpr double kExcused = 600;     // s after such a climb: to the surface, and back to the depth
 constexpr double kFullCircle = 6.283186;
 
 bool isAngle(double ddmm, double most) {
@@ -161,7 +165,10 @@ std::string CommandJudge::judgeWhole(const CycleView& view) const {
 /// that the altimeter detects.
 std::string CommandJudge::judgeLimits(const CycleView& view, double reading) {
   const bool too_deep = !(reading <= s_.args.greatest_depth_m + kDepthError && reading >= kHighest);
-  const bool too_low = s_.promise.clearance && s_.args.least_altitude_m >= 0 &&
+  const bool echoes = s_.echo_every_s <= limits::kRareEchoSecs &&
+                      !isWrong(s_.faults, {"m_altitude"}, view.time_s, limits::kEchoFadesSecs);
+  const bool too_low = s_.promiseAt(view.time_s).clearance && echoes &&
+                       s_.args.least_altitude_m >= 0 &&
                        view.clearance_m < s_.args.least_altitude_m - 1;
   too_deep_cycles_ = too_deep ? too_deep_cycles_ + 1 : 0;
   too_low_cycles_ = too_low ? too_low_cycles_ + 1 : 0;
@@ -186,9 +193,7 @@ std::string CommandJudge::judgeBlind(const CycleView& view, double reading) {
     return seconds;
   };
   const bool ctd =
-      s_.has_ctd && std::ranges::none_of(s_.faults.sensors, [](const SensorFault& fault) {
-        return fault.name == "sci_water_pressure";
-      });
+      s_.has_ctd && !isWrong(s_.faults, {"sci_water_pressure"}, view.time_s, kCtdFades);
   // Each dive counts from its own first reading; NaN readings are checked elsewhere.
   const bool gains = !dives || !(reading < deepest_m_ + 1);
   deepest_m_ = !dives ? -kFar : gains ? reading : deepest_m_;
@@ -212,9 +217,8 @@ std::string CommandJudge::judgeGuard(const CycleView& view) {
   const bool guards = view.hookbeh->guard != hooks::HookGuard::None;
   const bool no_depth = view.hookbeh->guard == hooks::HookGuard::NoDepthGained;
   const double depth = view.true_depth_m;
-  const bool near =
-      depth > s_.args.greatest_depth_m - kNearLimit ||
-      (s_.args.least_altitude_m >= 0 && view.clearance_m < s_.args.least_altitude_m + kNearLimit);
+  echo_s_ = view.array.fresh(Sensor::m_altitude) ? view.time_s : echo_s_;
+  const bool near = isNearLimit(s_, view, view.hookbeh->guard, view.time_s - echo_s_);
   std::string wrong;
   if (guards && !guarding_) {
     // A vehicle that another behaviour steers gains no depth, regardless of what hookbeh commands.
@@ -334,13 +338,23 @@ bool oldFramesReachFlight(const Faults& faults, double now_s) {
 
 }  // namespace
 
+/// Old frames may make guard 6 climb; some time after that it must follow again.
+bool CommandJudge::isExcused(const CycleView& view) {
+  const bool climbs = view.hookbeh->guard == hooks::HookGuard::DepthsDisagree;
+  const bool was = view.time_s - excused_s_ < kExcused;
+  if (climbs && (was || oldFramesReachFlight(s_.faults, view.time_s))) {
+    excused_s_ = view.time_s;
+  }
+  return view.time_s - excused_s_ < kExcused;
+}
+
 std::string CommandJudge::cycle(const CycleView& view) {
   if (view.hookbeh == nullptr) {
     return "";
   }
   if (view.hook != HookState::Active) {
     restart();
-    excused_ = false;
+    excused_s_ = kLongAgo;
     return view.hookbeh->commanding ? "hookbeh commands, and the SBC is not in control" : "";
   }
   const double reading = view.array.get(Sensor::m_depth);
@@ -348,9 +362,8 @@ std::string CommandJudge::cycle(const CycleView& view) {
   wrong = wrong.empty() ? judgeLimits(view, reading) : wrong;
   wrong = wrong.empty() ? judgeBlind(view, reading) : wrong;
   overridden_s_ = view.overridden() ? view.time_s : overridden_s_;
-  excused_ = excused_ || (view.hookbeh->guard == hooks::HookGuard::DepthsDisagree &&
-                          oldFramesReachFlight(s_.faults, view.time_s));
-  if (wrong.empty() && s_.promise.follows && !excused_) {
+  const bool excused = isExcused(view);
+  if (wrong.empty() && s_.promiseAt(view.time_s).follows && !excused) {
     wrong = judgeGuard(view);
     // Just before the guard's climb, and in its last cycle, noise decides whether a limit is
     // reached.

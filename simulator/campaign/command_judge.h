@@ -25,10 +25,13 @@ class CommandJudge {
   std::string cycle(const CycleView& view);
   /// The mission restarts.
   void restart();
+  /// The instruction that hookbeh carries out; without control an empty one.
+  [[nodiscard]] const hooks::Instruction& inForce() const { return in_force_; }
 
  private:
   [[nodiscard]] hooks::HookAnswer boundsOf(const hooks::Instruction& instruction) const;
   std::string judgeWhole(const CycleView& view) const;
+  [[nodiscard]] bool isExcused(const CycleView& view);
   std::string judgeLimits(const CycleView& view, double reading);
   std::string judgeBlind(const CycleView& view, double reading);
   std::string judgeGuard(const CycleView& view);
@@ -50,10 +53,11 @@ class CommandJudge {
   double same_s_ = 0;           ///< how long it has been identical to the last bit, in a dive
   double wrong_s_ = 0;          ///< how long it has been far from the truth, in a dive
   double idle_s_ = 0;           ///< how long a dive has not gained a metre
-  bool excused_ = false;        ///< in this session guard 6 has climbed because of old frames
+  double excused_s_ = -1e9;     ///< when guard 6 last climbed because of old frames
   double deepest_m_ = -1e9;     ///< of m_depth in this dive
   double overridden_s_ = -1e9;  ///< when a behaviour above hookbeh last controlled pitch or pump
 
+  double echo_s_ = -1e9;  ///< when the altimeter last received an echo
   bool guarding_ = false;
   bool no_depth_gained_ = false;  ///< by its guard, which persists across sessions
   double tripped_m_ = 0;          ///< true depth at which the guard stepped in

@@ -4,6 +4,8 @@
 #pragma once
 
 #include "hooks/hookbeh/hookbeh.h"
+#include "simulator/campaign/judge_setup.h"
+#include "simulator/flight_observer.h"
 
 #include <string_view>
 
@@ -19,6 +21,19 @@ inline bool climbs(const hooks::HookbehOutputs& out) {
 /// True if hookbeh climbs to check whether the depth follows; no guard is active then.
 inline bool checksDepth(const hooks::HookbehOutputs& out) {
   return out.doing == std::string_view("check depth");
+}
+
+/// True if a guard of this kind may have its reason in a limit that is near. Guard 2 turns a dive
+/// before the limit is reached, by up to 4 m, and between echoes it counts on a bottom that rises.
+inline bool isNearLimit(const JudgeSetup& setup, const CycleView& view, hooks::HookGuard guard,
+                        double echo_age_s) {
+  constexpr double kNear = 2, kTurnsSooner = 4, kOldEcho = 40;  // m, m, s
+  const bool of_bottom = guard == hooks::HookGuard::NearBottom;
+  const double low_m = kNear + (of_bottom ? kTurnsSooner : 0);
+  const bool low =
+      setup.args.least_altitude_m >= 0 && view.clearance_m < setup.args.least_altitude_m + low_m;
+  return view.true_depth_m > setup.args.greatest_depth_m - kNear || low ||
+         (of_bottom && !(echo_age_s < kOldEcho));
 }
 
 /// True if hookbeh climbs against any instruction of the SBC.

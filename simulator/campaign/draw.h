@@ -48,7 +48,11 @@ class Draw {
       case Manner::ForGood:
         break;
     }
-    return between(0, times_.flight_s);
+    // A fault shows otherwise in a hover, and few missions hover for long.
+    constexpr double kShort = 60;  // s
+    const bool hovers = times_.hover.to_s - times_.hover.from_s > kShort;
+    return hovers && chance(0.5) ? between(times_.hover.from_s, times_.hover.to_s)
+                                 : between(0, times_.flight_s);
   }
   /// Times of a fault; with those that may last, some do not end.
   std::vector<Span> windows() { return windows(1, 900, true); }

@@ -117,6 +117,13 @@ DrawnArgs drawArgs(Draw& draw, const FlightTimes& times) {
   return args;
 }
 
+/// False for a fault that nothing on board can detect without a CTD (docs/depths.md), and for one
+/// that does not concern the depth.
+bool showsWithoutCtd(FaultKind kind) {
+  return kind != FaultKind::SensorDrift && kind != FaultKind::SensorScale &&
+         kind != FaultKind::HookSensor;
+}
+
 void addOne(FaultKind kind, Draw& draw, DrawnFaults& drawn);
 
 void addSeveral(Draw& draw, DrawnFaults& drawn) {
@@ -155,6 +162,19 @@ void addOne(FaultKind kind, Draw& draw, DrawnFaults& drawn) {
       return;
     case FaultKind::ShallowWater:
       drawn.water_depth_m = std::max(12.0, draw.times().deepest_m * draw.between(0.5, 1.2));
+      return draw.chance(0.5) ? addOne(FaultKind::DeafAltimeter, draw, drawn) : void();
+    case FaultKind::BothPressures:
+      return addBothPressures(draw, faults);
+    case FaultKind::NoCtd:
+      drawn.vehicle.no_ctd = true;
+      return;
+    case FaultKind::DeafAltimeter:  // as in real logs: echoes in 4 to 5 % of cycles, from 36 m at
+                                    // most
+      drawn.vehicle.altimeter_range_m = draw.between(30, 36);
+      drawn.vehicle.altimeter_dropout = draw.between(0.8, 0.95);
+      return;
+    case FaultKind::SlowPressure:
+      drawn.vehicle.pressure_every_s = draw.between(4, 16);
       return;
     case FaultKind::Several:
       return addSeveral(draw, drawn);
@@ -163,7 +183,9 @@ void addOne(FaultKind kind, Draw& draw, DrawnFaults& drawn) {
       return addLine(static_cast<LineFaultKind>(kind), draw, faults);
 #define SENSOR_FAULT(name, ...) case FaultKind::name:
 #include "simulator/campaign/fault_kinds.def"
-      return addSensor(static_cast<SensorFaultKind>(kind), draw, faults);
+      addSensor(static_cast<SensorFaultKind>(kind), draw, faults);
+      return showsWithoutCtd(kind) && draw.chance(0.25) ? addOne(FaultKind::NoCtd, draw, drawn)
+                                                        : void();
   }
 }
 
@@ -179,6 +201,20 @@ void put(slocum::BehaviourBlock& block, const char* name, double value) {
   setting.name = name;
   setting.value = value;
   block.arguments.push_back(setting);
+}
+
+/// As a `sensor:` line or the behaviour sensors_in, whichever decides.
+void setPressureTime(slocum::MissionFile& mission, double every_s) {
+  constexpr const char* kName = "c_pressure_time";
+  for (slocum::BehaviourBlock& block : mission.behaviours) {
+    if (block.name == "sensors_in" && block.find(kName) != nullptr) {
+      return put(block, kName, every_s);
+    }
+  }
+  slocum::Setting setting;
+  setting.name = kName;
+  setting.value = every_s;
+  mission.sensors.push_back(setting);
 }
 
 }  // namespace
@@ -212,11 +248,21 @@ DrawnFaults drawFaults(FaultKind kind, Manner manner, uint64_t seed, const Fligh
 }
 
 bool DrawnFaults::lasts() const {
-  return args || water_depth_m || !faults.sensors.empty();
+  return args || water_depth_m || vehicle.differs() || !faults.sensors.empty();
 }
 
 void DrawnFaults::applyTo(Scenario& scenario) const {
   scenario.faults.add(faults);
+  if (vehicle.no_ctd) {
+    scenario.sensors.ctd.dropout = 1;
+  }
+  if (vehicle.altimeter_range_m > 0) {
+    scenario.sensors.altimeter.range_m = vehicle.altimeter_range_m;
+    scenario.sensors.altimeter.dropout = vehicle.altimeter_dropout;
+  }
+  if (vehicle.pressure_every_s > 0) {
+    setPressureTime(scenario.skeleton, vehicle.pressure_every_s);
+  }
   if (water_depth_m) {
     scenario.ocean.bottom.depth_m = *water_depth_m;
   }

@@ -32,6 +32,19 @@ struct FlightTimes {
   double take_s = 0;     ///< when control is taken
   double release_s = 0;  ///< when it is released
   double deepest_m = 20;
+  Span hover = {0, 0};  ///< its longest
+};
+
+/// How the vehicle differs from the one of the scenario. None of this is a fault: such vehicles
+/// fly.
+struct DrawnVehicle {
+  bool no_ctd = false;
+  double altimeter_range_m = 0;  ///< 0: the scenario's
+  double altimeter_dropout = 0;  ///< with a range
+  double pressure_every_s = 0;   ///< c_pressure_time; 0: the mission file's
+  [[nodiscard]] bool differs() const {
+    return no_ctd || altimeter_range_m > 0 || pressure_every_s > 0;
+  }
 };
 
 /// b_args of hookbeh that are drawn instead of those of the mission file.
@@ -46,6 +59,7 @@ struct DrawnFaults {
   Faults faults;
   std::optional<DrawnArgs> args;
   std::optional<double> water_depth_m;
+  DrawnVehicle vehicle;
 
   /// True if a sensor is wrong, or the environment or the mission file is changed: the mission may
   /// then take its longest path to the exit, or never reach it.

@@ -135,7 +135,26 @@ SensorFault offsetOf(const Plausible& sensor, Draw& draw) {
   return fault;
 }
 
+/// Adds a pressure that is stuck and flickers by up to `jump_bar`.
+void addStuckPressure(const char* name, double jump_bar, const Span& when, Faults& faults) {
+  SensorFault fault;
+  fault.name = name;
+  fault.when = when;
+  faults.sensors.push_back(fault);
+  fault.kind = SensorFault::Kind::Jumps;
+  fault.value = jump_bar;
+  faults.sensors.push_back(fault);
+}
+
 }  // namespace
+
+void addBothPressures(Draw& draw, Faults& faults) {
+  const double jump_bar = draw.scale(1e-4, 0.3);  // a millimetre to three metres
+  for (const Span& span : draw.windows()) {
+    addStuckPressure("m_pressure", jump_bar, span, faults);
+    addStuckPressure("sci_water_pressure", jump_bar, span, faults);
+  }
+}
 
 void addSensor(SensorFaultKind kind, Draw& draw, Faults& faults) {
   const std::span<const Plausible> sensors = sensorsOf(kind);

@@ -52,7 +52,14 @@ FlightJudge::FlightJudge(JudgeSetup setup)
       depth_(setup_),
       commands_(setup_),
       guards_(setup_),
-      ending_(setup_),
+      needless_(setup_),
+      bottom_(setup_),
+      ascent_(setup_),
+      battery_(setup_),
+      pump_(setup_),
+      position_(setup_),
+      surface_(setup_),
+      handshake_(setup_),
       last_end_s_(setup_.faults.lastEnd()),
       stated_(statedTimes(setup_.faults, setup_.args.silence_secs, setup_.cycle_s)) {
   static_assert(kInstruction.size() == kFields);
@@ -60,10 +67,10 @@ FlightJudge::FlightJudge(JudgeSetup setup)
       stated_.releases, [](const Release& release) { return release.when.to_s == kForever; });
 }
 
-void FlightJudge::violate(double now_s, std::string what) {
-  if (verdict_.violation.empty()) {
-    verdict_.violation = std::move(what);
-    verdict_.violation_s = now_s;
+void FlightJudge::violate(JudgeId judge, double now_s, std::string what) {
+  if (std::ranges::find(verdict_.violations, judge, &Violation::judge) ==
+      verdict_.violations.end()) {
+    verdict_.violations.push_back({judge, now_s, std::move(what)});
   }
 }
 
@@ -99,7 +106,10 @@ void FlightJudge::hear(const hooks::SensorList& write, double now_s) {
   if (!is_new && known->second != instruction && !obeyed_.contains(number)) {
     known->second = instruction;  // of a program that was restarted
   } else if (!is_new && known->second != instruction) {
-    violate(now_s, words(number) + " is repeated with other content");
+    violate(JudgeId::Instructions, now_s, words(number) + " is repeated with other content");
+  }
+  if (instruction[1] == kTake) {
+    handshake_.asked(number.first, number.second, now_s);
   }
   if (number != newest_) {
     newest_ = number;
@@ -142,17 +152,19 @@ void FlightJudge::judgeObeyed(const CycleView& view) {
   ++verdict_.instructions;
   const auto found = said_.find(number);
   if (found == said_.end() || found->second != words_obeyed) {
-    violate(view.time_s, words(number) + " is obeyed, but was sent differently");
+    violate(JudgeId::Instructions, view.time_s,
+            words(number) + " is obeyed, but was sent differently");
   }
   if (!obeyed_.insert(number).second) {
-    violate(view.time_s, words(number) + " is obeyed twice");
+    violate(JudgeId::Instructions, view.time_s, words(number) + " is obeyed twice");
   }
   judgeSession(view, number, words_obeyed);
 }
 
 void FlightJudge::judgeSession(const CycleView& view, Number number, const Words& words_obeyed) {
   if (exited_) {
-    violate(view.time_s, words(number) + " is obeyed after control was released");
+    violate(JudgeId::Instructions, view.time_s,
+            words(number) + " is obeyed after control was released");
   }
   if (!exited_ && words_obeyed[1] == kRelease) {
     exited_ = true;
@@ -161,11 +173,12 @@ void FlightJudge::judgeSession(const CycleView& view, Number number, const Words
   const bool begins = hook_ != HookState::Active || number.first != session_in_control_;
   if (begins && view.hook == HookState::Active) {
     if (words_obeyed[1] != kTake) {
-      violate(view.time_s, "control is taken without a handshake");
+      violate(JudgeId::Instructions, view.time_s, "control is taken without a handshake");
     } else if (lost_session_ != 0 && !hooks::isNewerSession(static_cast<uint32_t>(number.first),
                                                             static_cast<uint32_t>(lost_session_))) {
-      violate(view.time_s, fmt::format("session {} takes control though session {} has lost it",
-                                       number.first, lost_session_));
+      violate(JudgeId::Instructions, view.time_s,
+              fmt::format("session {} takes control though session {} has lost it", number.first,
+                          lost_session_));
     }
     verdict_.take_s = verdict_.take_s == 0 ? view.time_s : verdict_.take_s;
   }
@@ -181,6 +194,8 @@ void FlightJudge::followRestart(const CycleView& view) {
     answered_ = {0, 0};
     commands_.restart();
     guards_.restart();
+    needless_.restart();
+    bottom_.restart();
   }
   mission_s_ = view.mission_s;
 }
@@ -199,7 +214,7 @@ void FlightJudge::judgeAnswer(const CycleView& view) {
   }
   answered_ = number;
   if (std::string wrong = commands_.answered(instructionOf(said->second), answer); !wrong.empty()) {
-    violate(view.time_s, std::move(wrong));
+    violate(JudgeId::Commands, view.time_s, std::move(wrong));
   }
 }
 
@@ -212,9 +227,10 @@ void FlightJudge::judgeGarbled(const CycleView& view) {
   garbled_since_s_ = !garbled ? -1 : garbled_since_s_ < 0 ? view.time_s : garbled_since_s_;
   const double most = releaseSecs(Control::Silent, setup_.args.silence_secs, setup_.cycle_s);
   if (garbled && view.time_s - garbled_since_s_ > most) {
-    violate(view.time_s, fmt::format("the SBC is in control though its instruction is garbled "
-                                     "for {:.0f} s",
-                                     view.time_s - garbled_since_s_));
+    violate(JudgeId::Times, view.time_s,
+            fmt::format("the SBC is in control though its instruction is garbled "
+                        "for {:.0f} s",
+                        view.time_s - garbled_since_s_));
   }
 }
 
@@ -229,18 +245,19 @@ void FlightJudge::judgeTimes(const CycleView& view) {
     return;
   }
   if (!newest_answered_ && view.time_s - newest_said_s_ > stated_.most_unanswered_s) {
-    violate(view.time_s, fmt::format("{} is lost: no answer for {:.0f} s", words(newest_),
-                                     view.time_s - newest_said_s_));
+    violate(JudgeId::Times, view.time_s,
+            fmt::format("{} is lost: no answer for {:.0f} s", words(newest_),
+                        view.time_s - newest_said_s_));
   }
   if (view.time_s - progress_s_ > stated_.most_standstill_s) {
-    violate(view.time_s,
+    violate(JudgeId::Times, view.time_s,
             fmt::format("the SBC is in control though its mission made no progress for {:.0f} s",
                         view.time_s - progress_s_));
   }
   for (const Release& release : stated_.releases) {
     // A cycle at exactly that time may still be the last one.
     if (view.time_s > release.when.from_s && release.when.has(view.time_s)) {
-      violate(view.time_s, "the SBC is in control though " + release.why);
+      violate(JudgeId::Times, view.time_s, "the SBC is in control though " + release.why);
     }
   }
 }
@@ -258,6 +275,34 @@ bool FlightJudge::isOverForGood(const CycleView& view) {
           }));
 }
 
+void FlightJudge::noteHover(const CycleView& view) {
+  const bool hovers = view.hookbeh != nullptr && view.hook == HookState::Active &&
+                      view.hookbeh->doing == std::string_view("hover");
+  hovers_since_s_ = !hovers ? -1 : hovers_since_s_ < 0 ? view.time_s : hovers_since_s_;
+  if (hovers && view.time_s - hovers_since_s_ > verdict_.hover.to_s - verdict_.hover.from_s) {
+    verdict_.hover = {hovers_since_s_, view.time_s};
+  }
+}
+
+void FlightJudge::judgeAll(const CycleView& view) {
+  const auto take = [&](JudgeId judge, std::string wrong) {
+    if (!wrong.empty()) {
+      violate(judge, view.time_s, std::move(wrong));
+    }
+  };
+  take(JudgeId::Commands, commands_.cycle(view));
+  take(JudgeId::Guards, guards_.cycle(view));
+  take(JudgeId::Needless, needless_.cycle(view));
+  take(JudgeId::Depth, depth_.cycle(view));
+  take(JudgeId::Bottom, bottom_.cycle(view));
+  take(JudgeId::Ascent, ascent_.cycle(view));
+  take(JudgeId::Battery, battery_.cycle(view));
+  take(JudgeId::Pump, pump_.cycle(view));
+  take(JudgeId::Position, position_.cycle(view));
+  take(JudgeId::Surface, surface_.cycle(view, commands_.inForce()));
+  take(JudgeId::Handshake, handshake_.cycle(view));
+}
+
 bool FlightJudge::cycle(const CycleView& view) {
   followRestart(view);
   judgeAnswer(view);
@@ -272,15 +317,13 @@ bool FlightJudge::cycle(const CycleView& view) {
   hook_ = view.hook;
   judgeTimes(view);
   judgeGarbled(view);
-  for (std::string wrong :
-       {commands_.cycle(view), guards_.cycle(view), depth_.cycle(view), ending_.cycle(view)}) {
-    if (!wrong.empty()) {
-      violate(view.time_s, std::move(wrong));
-    }
-  }
+  judgeAll(view);
+  noteHover(view);
   verdict_.deepest_m = depth_.deepest();
   verdict_.mean_W = view.time_s > 0 ? view.used_J / view.time_s : 0;
-  verdict_.releases += was_active && hook_ != HookState::Active && !exited_;
+  const bool lost = was_active && hook_ != HookState::Active && !exited_;
+  verdict_.releases += lost;
+  lost_while_whole_ += lost && setup_.promiseAt(view.time_s).control == Control::Kept;
   ended_ = view.ended;
   at_surface_ = view.true_depth_m < kAtSurface;
   verdict_.end_s = view.time_s;
@@ -292,10 +335,10 @@ std::string FlightJudge::violationAtEnd() const {
     return "the flight does not end in time";
   }
   // The time for the flight may end shortly after a dive.
-  if (!at_surface_ && (ended_ || !ending_.isComingUp())) {
+  if (!at_surface_ && (ended_ || !ascent_.isComingUp())) {
     return ended_ ? "the flight ends under water" : "not at the surface in time";
   }
-  if (setup_.promise.control == Control::Kept && verdict_.releases > 0) {
+  if (lost_while_whole_ > 0) {
     return "the SBC loses control without a reason";
   }
   if (setup_.promise.control == Control::Kept && setup_.has_hookbeh && !exited_) {
@@ -307,12 +350,13 @@ std::string FlightJudge::violationAtEnd() const {
 Verdict FlightJudge::verdict() const {
   Verdict verdict = verdict_;
   verdict.outcome = exited_ ? Verdict::Outcome::Exited : Verdict::Outcome::Released;
-  if (verdict.violation.empty()) {
-    verdict.violation = violationAtEnd();
+  if (std::string wrong = violationAtEnd(); !wrong.empty()) {
+    verdict.violations.push_back({JudgeId::Ending, verdict.end_s, std::move(wrong)});
   }
-  if (!verdict.violation.empty()) {
+  if (!verdict.violations.empty()) {
     verdict.outcome = Verdict::Outcome::Violation;
-    verdict.violation_s = verdict_.violation.empty() ? verdict.end_s : verdict.violation_s;
+    verdict.violation = verdict.violations.front().what;
+    verdict.violation_s = verdict.violations.front().at_s;
   }
   return verdict;
 }

@@ -5,12 +5,20 @@
 
 #include "hooks/protocol/frame.h"
 #include "hooks/protocol/sensor_list.h"
+#include "simulator/campaign/ascent_judge.h"
+#include "simulator/campaign/battery_judge.h"
+#include "simulator/campaign/bottom_judge.h"
 #include "simulator/campaign/command_judge.h"
 #include "simulator/campaign/depth_judge.h"
-#include "simulator/campaign/ending_judge.h"
 #include "simulator/campaign/guard_judge.h"
+#include "simulator/campaign/handshake_judge.h"
+#include "simulator/campaign/judge_id.h"
 #include "simulator/campaign/judge_setup.h"
+#include "simulator/campaign/needless_judge.h"
+#include "simulator/campaign/position_judge.h"
+#include "simulator/campaign/pump_judge.h"
 #include "simulator/campaign/stated_times.h"
+#include "simulator/campaign/surface_judge.h"
 #include "simulator/flight_observer.h"
 
 #include <array>
@@ -22,6 +30,13 @@
 
 namespace glider::simulator {
 
+/// A promise that a flight did not keep.
+struct Violation {
+  JudgeId judge = JudgeId::Ending;
+  double at_s = 0;
+  std::string what;
+};
+
 /// How a flight went.
 struct Verdict {
   enum class Outcome : uint8_t {
@@ -30,15 +45,17 @@ struct Verdict {
     Violation,  ///< a promise was not kept
   };
   Outcome outcome = Outcome::Released;
-  std::string violation;      ///< the first that was seen
-  double violation_s = 0;     ///< when
-  uint32_t releases = 0;      ///< times that control was taken away from the SBC
-  uint32_t instructions = 0;  ///< that hookbeh obeyed
+  std::string violation;                   ///< the first that was seen
+  double violation_s = 0;                  ///< when
+  std::vector<Violation> violations = {};  ///< the first that each judge saw, in order of time
+  uint32_t releases = 0;                   ///< times that control was taken away from the SBC
+  uint32_t instructions = 0;               ///< that hookbeh obeyed
   double end_s = 0;
   double deepest_m = 0;  ///< true depth
   double take_s = 0;     ///< when control was first taken; 0: never
   double release_s = 0;  ///< when it was released; 0: never
   double mean_W = 0;     ///< from the batteries
+  Span hover = {0, 0};   ///< the longest
   /// The numbers (from 0) of the mission's requirements that the flight violated, in order. Faults
   /// may cause that, so it is not a violation of a promise.
   std::vector<size_t> requirements = {};
@@ -47,8 +64,9 @@ struct Verdict {
 /// Checks a flight by what the SBC sends, what hookbeh does and the true position of the vehicle,
 /// all observed where no fault has an effect. Each instruction that is obeyed was sent exactly so;
 /// none is obeyed twice; none that was sent is skipped; control ends when promised; the commands
-/// are those of the instruction in force; limits of depth and clearance hold; the flight ends at
-/// the surface. The promises for its faults are in fault_kinds.def.
+/// are those of the instruction in force; limits of depth, clearance, position, pump and batteries
+/// hold; the flight ends at the surface. The promises for its faults are in fault_kinds.def, the
+/// judges in judges.def.
 class FlightJudge final : public FlightObserver {
  public:
   explicit FlightJudge(JudgeSetup setup);
@@ -73,14 +91,23 @@ class FlightJudge final : public FlightObserver {
   void judgeTimes(const CycleView& view);
   void judgeGarbled(const CycleView& view);
   [[nodiscard]] bool isOverForGood(const CycleView& view);
-  void violate(double now_s, std::string what);
+  void judgeAll(const CycleView& view);
+  void noteHover(const CycleView& view);
+  void violate(JudgeId judge, double now_s, std::string what);
   [[nodiscard]] std::string violationAtEnd() const;
 
   JudgeSetup setup_;
   DepthJudge depth_;
   CommandJudge commands_;
   GuardJudge guards_;
-  EndingJudge ending_;
+  NeedlessJudge needless_;
+  BottomJudge bottom_;
+  AscentJudge ascent_;
+  BatteryJudge battery_;
+  PumpJudge pump_;
+  PositionJudge position_;
+  SurfaceJudge surface_;
+  HandshakeJudge handshake_;
   double last_end_s_;  ///< of the faults that end
   bool for_ever_;      ///< one ends control and does not end itself
   StatedTimes stated_;
@@ -99,12 +126,14 @@ class FlightJudge final : public FlightObserver {
   hooks::HookState hook_ = hooks::HookState::Absent;
   Number decided_{0, 0};  ///< the newest instruction that hookbeh has answered
   double session_in_control_ = 0;
-  double lost_session_ = 0;  ///< the newest that lost control
-  Number answered_{0, 0};    ///< the newest instruction that hookbeh has answered for good
-  double mission_s_ = 0;     ///< of the previous cycle
+  double lost_session_ = 0;        ///< the newest that lost control
+  Number answered_{0, 0};          ///< the newest instruction that hookbeh has answered for good
+  double mission_s_ = 0;           ///< of the previous cycle
+  uint32_t lost_while_whole_ = 0;  ///< releases before the first sensor was wrong
   bool exited_ = false, ended_ = false, at_surface_ = false;
   double garbled_since_s_ = -1;  ///< since when the instruction in the array cannot be read
   double up_since_s_ = -1;       ///< at the surface without the SBC
+  double hovers_since_s_ = -1;
 };
 
 }  // namespace glider::simulator

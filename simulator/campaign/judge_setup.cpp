@@ -3,10 +3,17 @@
 
 #include "simulator/campaign/judge_setup.h"
 
+#include "hooks/hookbeh/hull.h"
+#include "simulator/campaign/depth_judge.h"
+#include "simulator/campaign/judge_limits.h"
 #include "simulator/flight/behaviours/hookbeh_adapter.h"
+#include "simulator/flight/mission_variables.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
+#include <string>
 
 namespace glider::simulator {
 
@@ -14,7 +21,7 @@ namespace {
 
 /// What hookbeh must make of b_args that the vehicle cannot carry out (hooks/hookbeh/README.md).
 hooks::HookbehArgs withinHull(hooks::HookbehArgs args, const platforms::Envelope& hull) {
-  constexpr double kLeastAltitude = 2, kMostSilence = 600, kLeastClimb = 0.5;
+  constexpr double kLeastAltitude = 2, kLeastClimb = 0.5;
   args.greatest_depth_m = std::min(args.greatest_depth_m, hull.greatest_depth_m);
   args.steepest_pitch_rad =
       std::clamp(args.steepest_pitch_rad, hull.shallowest_pitch_rad, hull.steepest_pitch_rad);
@@ -26,11 +33,88 @@ hooks::HookbehArgs withinHull(hooks::HookbehArgs args, const platforms::Envelope
   if (args.least_altitude_m >= 0) {
     args.least_altitude_m = std::max(args.least_altitude_m, kLeastAltitude);
   }
-  args.silence_secs = std::min(args.silence_secs, kMostSilence);
+  args.silence_secs = std::min(args.silence_secs, hooks::kMostSilenceSecs);
   return args;
 }
 
+/// How often the altimeter of the scenario's vehicle receives an echo, s; infinite for one that
+/// hears the bottom too late. hookbeh has it read in each cycle.
+double echoEvery(const Scenario& scenario, double cycle_s) {
+  constexpr double kRange = 30;  // m: a dive at 26 degrees then has 130 s for an echo
+  const AltimeterSettings& altimeter = scenario.sensors.altimeter;
+  return altimeter.range_m >= kRange && altimeter.dropout < 1 ? cycle_s / (1 - altimeter.dropout)
+                                                              : kForever;
+}
+
+/// Without those of faults of sensors.
+std::vector<FaultKind> othersOf(const std::vector<FaultKind>& kinds) {
+  std::vector<FaultKind> others;
+  std::ranges::copy_if(kinds, std::back_inserter(others),
+                       [](FaultKind kind) { return !isOfSensors(kind); });
+  return others;
+}
+
+/// How many different sensors are wrong.
+size_t wrongSensors(const Faults& faults) {
+  std::set<std::string> names;
+  for (const SensorFault& fault : faults.sensors) {
+    names.insert(fault.name);
+  }
+  return names.size();
+}
+
+/// Scenarios may name sensors by either name: the judges use the vehicle's.
+void nameSensors(const platforms::Platform& platform, Faults& faults) {
+  for (SensorFault& fault : faults.sensors) {
+    const platforms::PlatformSensor* sensor = platform.find(fault.name);
+    fault.name = sensor == nullptr ? fault.name : sensor->name;
+  }
+}
+
 }  // namespace
+
+Promise JudgeSetup::promiseAt(double now_s) const {
+  constexpr double kSettles = 1800;  // s: three times the longest wait of a guard
+  if (!whole || faults.sensors.empty()) {
+    return promise;
+  }
+  double from_s = kForever, to_s = 0;
+  for (const SensorFault& fault : faults.sensors) {
+    from_s = std::min(from_s, fault.when.from_s);
+    to_s = std::max(to_s, fault.when.to_s);
+  }
+  if (now_s < from_s) {
+    return *whole;
+  }
+  Promise now = promise;
+  if (now_s > to_s + kSettles) {
+    now.deepest = whole->deepest;
+    now.clearance = whole->clearance;
+  }
+  return now;
+}
+
+FaultKind kindOf(const SensorFault& fault) {
+  if (fault.name.starts_with("sci_hook")) {
+    return FaultKind::HookSensor;
+  }
+  switch (fault.kind) {
+    case SensorFault::Kind::Frozen:
+      return FaultKind::SensorFrozen;
+    case SensorFault::Kind::Value:
+      return std::isnan(fault.value) ? FaultKind::SensorNan : FaultKind::SensorStuck;
+    case SensorFault::Kind::Missing:
+      return FaultKind::SensorMissing;
+    case SensorFault::Kind::Drift:
+    case SensorFault::Kind::Offset:
+      return FaultKind::SensorDrift;
+    case SensorFault::Kind::Scale:
+      return FaultKind::SensorScale;
+    case SensorFault::Kind::Jumps:
+      break;
+  }
+  return FaultKind::SensorJumps;
+}
 
 std::vector<FaultKind> kindsOf(const Faults& faults) {
   std::vector<FaultKind> kinds;
@@ -42,9 +126,10 @@ std::vector<FaultKind> kindsOf(const Faults& faults) {
   for (const LineFault& fault : faults.lines) {
     add(true, fault.cut || fault.heard_at_baud > 0 ? FaultKind::LineCut : FaultKind::ByteLoss);
   }
+  // A sensor that is stuck and flickers has two entries, and is one wrong sensor.
+  std::set<std::string> seen;
   for (const SensorFault& fault : faults.sensors) {
-    const bool of_hook = fault.name.starts_with("sci_hook");
-    add(true, of_hook ? FaultKind::HookSensor : FaultKind::SensorFrozen);
+    add(seen.insert(fault.name).second, kindOf(fault));
   }
   add(!faults.power.empty(), FaultKind::Power);
   add(!faults.port.empty(), FaultKind::Port);
@@ -71,7 +156,12 @@ JudgeSetup judgeSetup(const platforms::Platform& platform, const Scenario& scena
                       const std::vector<FaultKind>& kinds) {
   JudgeSetup setup;
   setup.faults = scenario.faults;
+  nameSensors(platform, setup.faults);
   setup.promise = promiseOf(kinds);
+  if (wrongSensors(setup.faults) == 1) {  // drawn twice, it is still one
+    setup.promise.deepest = std::min(setup.promise.deepest, Deepest::TenMetres);
+  }
+  setup.whole = promiseOf(othersOf(kinds));
   setup.has_ctd = scenario.sensors.ctd.dropout < 1;
   setup.hull_m = platform.envelope.greatest_depth_m;
   setup.pump_cc = platform.envelope.pump_cc;
@@ -79,6 +169,20 @@ JudgeSetup judgeSetup(const platforms::Platform& platform, const Scenario& scena
   setup.cycle_s = platform.envelope.cycle_s;
   setup.turn_s = platform.world.turn_s;
   setup.slowest_climb_mps = platform.world.slowest_climb_m_s;
+  setup.through_water_mps = platform.world.through_water_m_s;
+  setup.loads_W = scenario.vehicle.battery.hotel_W + scenario.vehicle.battery.sbc_W;
+  if (platform.motion) {
+    setup.pump_out_j_cc = platform.motion->pump_out_j_cc;
+    setup.pump_out_j_cc_m = platform.motion->pump_out_j_cc_m;
+  }
+  const OceanSettings& ocean = scenario.ocean;
+  setup.current_mps = std::max(std::hypot(ocean.current.east, ocean.current.north),
+                               std::hypot(ocean.bottom_current.east, ocean.bottom_current.north));
+  constexpr double kSpreads = 4;  // standard deviations
+  setup.longest_cycle_s =
+      std::max({setup.cycle_s, scenario.cycles.mean_s + kSpreads * scenario.cycles.spread_s,
+                scenario.cycles.long_share > 0 ? scenario.cycles.long_s : 0});
+  setup.echo_every_s = echoEvery(scenario, setup.cycle_s);
   for (const slocum::BehaviourBlock& behaviour : scenario.skeleton.behaviours) {
     if (behaviour.name == "hookbeh") {
       setup.has_hookbeh = true;
@@ -90,6 +194,10 @@ JudgeSetup judgeSetup(const platforms::Platform& platform, const Scenario& scena
       setup.only_hookbeh = false;
     }
   }
+  const double every_s =
+      MissionVariables(scenario.skeleton).find("c_pressure_time").value_or(setup.cycle_s);
+  setup.late_m = std::max(0.0, every_s - setup.cycle_s) *
+                 sinkRate(-setup.args.steepest_pitch_rad, -setup.pump_cc);
   return setup;
 }
 

@@ -37,10 +37,17 @@ std::string controlText(Control control, double silence_s, double cycle_s) {
 }
 
 std::string deepestText(Deepest deepest) {
-  return deepest == Deepest::OneAndAHalf
-             ? fmt::format("{} times the limit", kOneAndAHalf)
-             : fmt::format("{} m past the limit",
-                           deepest == Deepest::TenMetres ? kTenMetres : kOvershoot);
+  switch (deepest) {
+    case Deepest::OneAndAHalf:
+      return fmt::format("{} times the limit", kOneAndAHalf);
+    case Deepest::TenMetres:
+      return fmt::format("{} m past the limit", kTenMetres);
+    case Deepest::Sinks:
+      return fmt::format("{} m past the limit, and what it sinks in `takes_s`", kOvershoot);
+    case Deepest::Overshoot:
+      break;
+  }
+  return fmt::format("{} m past the limit", kOvershoot);
 }
 
 }  // namespace
@@ -73,19 +80,24 @@ Promise promiseOf(FaultKind kind) {
 }
 
 bool isOfSensors(FaultKind kind) {
-  return kind == FaultKind::Several || promiseOf(kind).deepest == Deepest::TenMetres;
+  return promiseOf(kind).deepest >= Deepest::TenMetres;
 }
 
 Promise promiseOf(std::span<const FaultKind> kinds) {
   Promise all;
   for (const FaultKind kind : kinds) {
+    if (kind == FaultKind::Several && kinds.size() > 1) {
+      continue;
+    }
     const Promise one = promiseOf(kind);
     all.control = std::max(all.control, one.control);
     all.deepest = std::max(all.deepest, one.deepest);
     all.clearance = all.clearance && one.clearance;
     all.follows = all.follows && one.follows;
   }
-  if (std::ranges::count_if(kinds, isOfSensors) > 1) {
+  const auto wrong = std::ranges::count_if(
+      kinds, [](FaultKind kind) { return kind != FaultKind::Several && isOfSensors(kind); });
+  if (wrong > 1) {
     all.deepest = Deepest::OneAndAHalf;
   }
   return all;
@@ -107,10 +119,11 @@ std::string promiseTable(double silence_s, double cycle_s) {
   for (uint32_t i = 0; i < kFaultKinds; ++i) {
     const auto kind = static_cast<FaultKind>(i);
     const Promise promise = promiseOf(kind);
-    table += fmt::format(
-        "| {} | {} | {} | {} | {} |\n", nameOf(kind),
-        controlText(promise.control, silence_s, cycle_s), deepestText(promise.deepest),
-        promise.clearance ? "kept" : "not guaranteed", promise.follows ? "yes" : "not guaranteed");
+    table +=
+        fmt::format("| {} | {} | {} | {} | {} |\n", nameOf(kind),
+                    controlText(promise.control, silence_s, cycle_s), deepestText(promise.deepest),
+                    promise.clearance ? "kept" : "one contact a place, without an echo",
+                    promise.follows ? "yes" : "not guaranteed");
   }
   return table;
 }

@@ -50,6 +50,7 @@ enum class Control : uint8_t {
 /// The greatest true depth of the vehicle.
 enum class Deepest : uint8_t {
   Overshoot,   ///< as far past the limit in force as a dive overshoots
+  Sinks,       ///< the same, and what it sinks while the flight controller is down (DepthJudge)
   TenMetres,   ///< ten metres past the limit
   OneAndAHalf  ///< one and a half times the limit
 };
@@ -63,7 +64,8 @@ struct Promise {
 };
 Promise promiseOf(FaultKind kind);
 /// For faults that occur together: in each respect the weakest promise. Two sensors that are wrong
-/// at once only keep the depth of Deepest::OneAndAHalf.
+/// at once only keep the depth of Deepest::OneAndAHalf. Several counts only if its parts are not
+/// among `kinds`.
 Promise promiseOf(std::span<const FaultKind> kinds);
 /// True if a sensor of the vehicle reports what is not true.
 bool isOfSensors(FaultKind kind);

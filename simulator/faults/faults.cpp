@@ -57,6 +57,12 @@ double Faults::lastEnd() const {
   return last;
 }
 
+double Faults::over() const {
+  double over = 0;
+  eachSpan(*this, [&](const Span& span) { over = std::max(over, span.to_s); });
+  return over;
+}
+
 void Faults::add(const Faults& more) {
   const auto append = [](auto& list, const auto& others) {
     list.insert(list.end(), others.begin(), others.end());

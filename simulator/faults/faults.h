@@ -101,6 +101,8 @@ struct Faults {
   [[nodiscard]] double first() const;
   /// When the last of those that end is over; 0 without any.
   [[nodiscard]] double lastEnd() const;
+  /// When the last of all is over; infinite if one does not end, 0 without any.
+  [[nodiscard]] double over() const;
   /// Adds the faults of `more`.
   void add(const Faults& more);
 };

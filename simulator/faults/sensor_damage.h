@@ -15,9 +15,10 @@ namespace glider::simulator {
 /// What sensors report while they are wrong.
 class SensorDamage {
  public:
-  /// `seed` is for readings that jump.
-  SensorDamage(std::vector<SensorFault> faults, uint64_t seed)
-      : faults_(std::move(faults)), jumps_(seed, static_cast<uint32_t>(NoiseStream::SensorJumps)) {}
+  /// `seed` and `stream` are for readings that jump.
+  SensorDamage(std::vector<SensorFault> faults, uint64_t seed,
+               NoiseStream stream = NoiseStream::SensorJumps)
+      : faults_(std::move(faults)), jumps_(seed, static_cast<uint32_t>(stream)) {}
 
   void setNow(double now_s) { now_s_ = now_s; }
   /// What the sensor reports instead of `truth`; empty if it reports nothing.

@@ -9,6 +9,7 @@
 #include "simulator/flight/behaviours/goto_list.h"
 #include "simulator/flight/behaviours/goto_wpt.h"
 #include "simulator/flight/behaviours/hookbeh_adapter.h"
+#include "simulator/flight/behaviours/mission_ender.h"
 #include "simulator/flight/behaviours/nop_commands.h"
 #include "simulator/flight/behaviours/prepare_to_dive.h"
 #include "simulator/flight/behaviours/sample.h"
@@ -57,7 +58,9 @@ constexpr Kind kKinds[] = {
     {"goto_list", make<GotoList>},
     {"goto_wpt", make<GotoWpt>},
     {"hookbeh", make<HookbehAdapter>},
+    {"mission_ender", make<MissionEnder>},
     {"nop_cmds", make<NopCommands>},
+    {"oob_abort", make<OutOfBandAbort>},
     {"prepare_to_dive", make<PrepareToDive>},
     {"sample", make<Sample>},
     {"set_heading", make<SetHeading>},

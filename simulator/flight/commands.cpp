@@ -25,10 +25,14 @@ const char* abortName(Abort abort) {
       return "MS_ABORT_UNDERVOLTS";
     case Abort::SameDepth:
       return "MS_ABORT_SAMEDEPTH";
+    case Abort::NoTickle:
+      return "MS_ABORT_NO_TICKLE";
     case Abort::DeviceError:
       return "MS_ABORT_DEVICE_ERROR";
     case Abort::WaypointTooFar:
       return "MS_ABORT_WPT_TOOFAR";
+    case Abort::OutOfBand:
+      return "out of band";
   }
   return "unknown";
 }

@@ -38,8 +38,10 @@ enum class Abort : int8_t {
   Overtime = 8,
   Undervolts = 9,
   SameDepth = 10,
+  NoTickle = 14,
   DeviceError = 16,
   WaypointTooFar = 18,
+  OutOfBand = 63,  ///< no status of the vehicle: its computer resets
 };
 /// "MS_ABORT_OVERDEPTH".
 const char* abortName(Abort abort);

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -83,8 +84,9 @@ double FlightController::felt(Sensor sensor, double truth) const {
 
 /// Depth is computed from pressure, and its rate from depth: a fault of one is also in what is
 /// computed from it.
-void FlightController::readPressure(double now_s, const Vehicle& vehicle) {
-  const double bar = depth_sensor_.pressure(vehicle.depth());
+void FlightController::readPressure(double now_s, const Ocean& ocean, const Vehicle& vehicle) {
+  const double swell = ocean.swellPressure(vehicle.depth(), vehicle.x(), vehicle.y(), now_s);
+  const double bar = depth_sensor_.pressure(vehicle.depth() + swell);
   array_.set(Sensor::m_pressure, bar);
   const double pressed = felt(Sensor::m_pressure, bar) * DepthSensor::kMetresPerBar;
   const double truth = pressed < 0 ? 0 : pressed;
@@ -119,7 +121,7 @@ void FlightController::readSensors(double now_s, const Ocean& ocean, const Vehic
   a.set(Sensor::m_present_secs_into_mission, now_s - mission_start_s_);
   a.set(Sensor::m_cycle_number, cycles_);
   if (due(pressure_device_)) {
-    readPressure(now_s, vehicle);
+    readPressure(now_s, ocean, vehicle);
   }
   const GeoPosition truth = frame_.position(vehicle.x(), vehicle.y());
   const double declination = declination_.at(truth.latitude_deg, truth.longitude_deg);
@@ -166,7 +168,7 @@ void FlightController::locate(double now_s, double declination, const Vehicle& v
   const bool at_surface = last_depth_ < kSurfaceDepth;
   const Planar current = at_surface ? Planar{} : currentUsed();
   navigator_.reckon(depth_rate_, a.get(Sensor::m_pitch), a.get(Sensor::m_heading) - variation(),
-                    at_surface, cycles_ == 0 ? 0 : cycle_s_, current);
+                    at_surface, cycles_ == 0 ? 0 : took_s_, current);
   auto fix = gps_.fix(vehicle.x(), vehicle.y(), vehicle.depth(), now_s);
   if (fix && !(gps_device_.due(variables_, now_s) && isReported(*fix))) {
     fix.reset();
@@ -277,8 +279,12 @@ Situation FlightController::situation(double now_s) {
   s.at_surface = s.depth_m < kSurfaceDepth;
   s.gps_fix = has_fix_;
   s.array = &array_;
-  (s.at_surface ? surfaced_s_ : submerged_s_) = s.time_s;
-  s.silent_s = s.time_s - surfaced_s_;
+  if (!s.at_surface) {
+    submerged_s_ = s.time_s;
+  }
+  tickled_s_ = has_fix_ ? s.time_s : tickled_s_;
+  s.silent_s = s.time_s - contact_s_;
+  s.untickled_s = s.time_s - std::max(tickled_s_, contact_s_);
   s.utc_s = array_.get(Sensor::m_present_time);
   s.mission_mode = variables_.get("u_mission_mode");
   s.science_wants_surface = variables_.get("sci_wants_surface") != 0;
@@ -376,7 +382,7 @@ void FlightController::restart(double now_s, bool keeps_array) {
   inflections_ = 0;
   mission_start_s_ = now_s;
   cycles_ = 0;
-  surfaced_s_ = submerged_s_ = 0;
+  contact_s_ = tickled_s_ = submerged_s_ = 0;
   obeyed_ = {};
   obeyed_sequence_ = kNaN;
 }
@@ -417,6 +423,7 @@ void FlightController::failDevice(double now_s) {
 Commands FlightController::decide(const Situation& s) {
   if (abort_ == Abort::None) {
     LayeredControl::Decision decision = layers_->cycle(s, journal_);
+    contact_s_ = layers_->contact() ? s.time_s : contact_s_;
     commanded_whole_ = !decision.commands.anyIdle();
     sample_periods_ = simulator::samplePeriods(decision.commands.samples, variables_);
     if (decision.abort == Abort::None && !layers_->quit()) {
@@ -456,7 +463,7 @@ void FlightController::control(const Commands& commands, const Situation& s, Veh
   array_.set(Sensor::m_dist_to_wpt, distance);
   dynamics_.cycle(commands,
                   {s.time_s, array_.get(Sensor::m_pitch), array_.get(Sensor::m_heading), bearing},
-                  cycle_s_, vehicle);
+                  took_s_, vehicle);
   array_.set(Sensor::c_pitch, dynamics_.pitchCommand());
   array_.set(Sensor::c_heading, dynamics_.headingCommand());
   array_.set(Sensor::c_ballast_pumped, dynamics_.pumpCommand());
@@ -478,6 +485,8 @@ void FlightController::judgeEnd(const Situation& s) {
 
 void FlightController::cycle(double now_s, const Ocean& ocean, Vehicle& vehicle,
                              const GliderByteStream& line) {
+  took_s_ = cycles_ == 0 ? cycle_s_ : now_s - cycle_at_s_;
+  cycle_at_s_ = now_s;
   array_.beginCycle();
   readSensors(now_s, ocean, vehicle);
   receive(line);

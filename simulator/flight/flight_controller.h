@@ -103,7 +103,7 @@ class FlightController {
   [[nodiscard]] Planar currentUsed() const;
   void noteCurrent(double now_s, bool at_surface, const std::optional<Gps::Fix>& fix, Planar used);
   [[nodiscard]] double variation() const;
-  void readPressure(double now_s, const Vehicle& vehicle);
+  void readPressure(double now_s, const Ocean& ocean, const Vehicle& vehicle);
   void readAttitude(double declination, const Vehicle& vehicle);
   void readAltimeter(const Ocean& ocean, const Vehicle& vehicle);
   /// The value of `sensor` after `truth` was stored: `truth`, with all its digits, unless the
@@ -144,12 +144,14 @@ class FlightController {
   platforms::Dictionary dictionary_;
   hooks::FlightScienceLink flight_science_link_;
   Journal& journal_;
-  double cycle_s_;
+  double cycle_s_;         ///< the platform's
+  double cycle_at_s_ = 0;  ///< when the newest cycle began
+  double took_s_ = 0;      ///< since the one before
 
   uint32_t cycles_ = 0;
-  double last_depth_ = 0, depth_rate_ = 0;  ///< as computed by the vehicle itself
-  double pressed_s_ = 0;                    ///< when the pressure was last read
-  double surfaced_s_ = 0, submerged_s_ = 0;
+  double last_depth_ = 0, depth_rate_ = 0;                  ///< as computed by the vehicle itself
+  double pressed_s_ = 0;                                    ///< when the pressure was last read
+  double contact_s_ = 0, tickled_s_ = 0, submerged_s_ = 0;  ///< when last; of the mission
   double mission_start_s_ = 0;
   std::optional<Geography> geography_;  ///< of the place where the mission started
   Planar origin_;                       ///< that place, from where the flight started

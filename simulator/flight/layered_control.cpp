@@ -86,6 +86,11 @@ const Behaviour* LayeredControl::quitter() const {
   return found == layers_.end() ? nullptr : found->behaviour.get();
 }
 
+bool LayeredControl::contact() const {
+  return std::ranges::any_of(layers_,
+                             [](const Layer& layer) { return layer.behaviour->contact(); });
+}
+
 bool LayeredControl::nothingLeftToFly(bool sbc_gone) const {
   return std::ranges::all_of(layers_, [&](const Layer& layer) {
     const Behaviour& behaviour = *layer.behaviour;

@@ -12,6 +12,9 @@
 
 namespace glider::simulator {
 
+/// How deep the vehicle may work, m: a setting that limits targets and overdepth.
+inline constexpr std::string_view kWorkingDepth = "f_max_working_depth";
+
 /// The vehicle's sensors that are settings of its mission: those of autoexec.mi, above them
 /// those of the `sensor:` lines, above them those of the behaviour sensors_in; the mission
 /// parameters u_mission_param_a to z and the mission mode. One that was never set is 0, as on the

@@ -28,7 +28,10 @@ struct Situation {
   double waypoint_distance_m = 0;  ///< to the waypoint in force in the last cycle
   /// To the primary waypoint, m_dist_to_primary_wpt.
   double primary_distance_m = std::numeric_limits<double>::quiet_NaN();
-  double silent_s = 0;      ///< since the vehicle was last at the surface
+  /// Since the vehicle last had contact with an operator: a behaviour surface was at the surface
+  /// and done with its fix. The mission's start counts as one.
+  double silent_s = 0;
+  double untickled_s = 0;   ///< since the watchdog was last tickled: by contact or a GPS fix
   double utc_s = 0;         ///< since 1970
   double mission_mode = 0;  ///< u_mission_mode, a set of bits
   double inflections = 0;   ///< since the vehicle was last at the surface

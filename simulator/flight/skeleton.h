@@ -12,8 +12,9 @@
 namespace glider::simulator {
 
 /// Reports what the simulator cannot fly in `mission`: unknown behaviours (GL5103), b_args (GL5104,
-/// GL5106), values it does not model (GL5107), no behaviour at all (GL5108, at `place`). Warns
-/// about what has no effect (GL5110, GL5111).
+/// GL5106), values that it does not model (GL5107), no behaviour at all (GL5108 or, with settings,
+/// GL5205, at `place`). Warns about what has no effect (GL5110, GL5111, GL5116) or another one
+/// (GL5206, GL5209).
 void checkSkeleton(const slocum::MissionFile& mission, support::SourceRange place,
                    support::DiagnosticEngine& diagnostics);
 

@@ -51,16 +51,24 @@ bool When::isMode(const Situation& s) const {
   return stops_ ? !set : set;
 }
 
-/// Once, when the time comes: a start before it does not count, one after it does.
+/// When the time comes: a start before it does not count, one after it does. `when_secs`: 0 once,
+/// at this time; negative once, then or later; otherwise also each period after it.
 bool When::isTime(const Situation& s) const {
-  const double due_s = secondsOf(numbers_.utc_stamp) - (s.utc_s - s.time_s);
+  double due_s = secondsOf(numbers_.utc_stamp) - (s.utc_s - s.time_s);
+  const double period_s = numbers_.secs();
+  if (period_s < 0) {
+    return s.time_s >= due_s && !has_started_;
+  }
+  if (period_s > 0 && s.time_s > due_s) {
+    due_s += std::floor((s.time_s - due_s) / period_s) * period_s;
+  }
   return s.time_s >= due_s && std::max(started_s_, ended_s_) < due_s;
 }
 
 bool When::met(const Situation& s, const Commands& below) const {
   switch (code_) {
     case 0:
-      return true;
+      return !stops_;  // as a stop_when: when the behaviour is complete
     case 1:
       return below.anyIdle();
     case 2:
@@ -106,7 +114,7 @@ std::string When::meaning(const Commands& below) const {
   const double secs = numbers_.secs(), distance = numbers_.distance_m();
   switch (code_) {
     case 0:
-      return "at once";
+      return stops_ ? "when it is complete" : "at once";
     case 1:
       return fmt::format("no behaviour below commands {}", idleSlots(below));
     case 2:
@@ -128,9 +136,10 @@ std::string When::meaning(const Commands& below) const {
     case 11:
       return "the science computer asks for it";
     case 12:
-      return fmt::format("not at the surface for {} s", secs);
+      return fmt::format("no contact for {} s", secs);
     case 13:
-      return fmt::format("at {:010.0f} UTC (yymmddhhmm)", numbers_.utc_stamp);
+      return fmt::format("at {:010.0f} UTC (yymmddhhmm){}", numbers_.utc_stamp,
+                         secs > 0 ? fmt::format(" and every {} s after it", secs) : "");
     case 14:
       return "the vehicle hovers";
     case 15:

@@ -32,10 +32,10 @@ class When {
 
   /// True when the condition holds, given what lower behaviours have commanded in this cycle.
   [[nodiscard]] bool met(const Situation& situation, const Commands& below) const;
-  /// The code and what it means: "12: the vehicle has not surfaced for 1200 s"; `below` names the
+  /// The code and what it means: "12: no contact for 1200 s"; `below` names the
   /// slots that are idle.
   [[nodiscard]] std::string text(const Commands& below) const;
-  void noteStart(double time_s) { started_s_ = time_s; }
+  void noteStart(double time_s) { started_s_ = time_s, has_started_ = true; }
   void noteEnd(double time_s) { ended_s_ = time_s; }
   /// Counts from now on.
   void restart(double time_s) { started_s_ = ended_s_ = time_s; }
@@ -50,6 +50,7 @@ class When {
   Code15 code_15_;
   bool stops_;                          ///< a stop_when
   double started_s_ = 0, ended_s_ = 0;  ///< the mission's start counts as the first
+  bool has_started_ = false;
 };
 
 }  // namespace glider::simulator

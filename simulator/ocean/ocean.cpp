@@ -10,9 +10,58 @@
 
 namespace glider::simulator {
 
+namespace {
+
 constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kGravity = 9.81;  // m/s2
 // A wave higher than the layer below it would fold the water over.
 constexpr double kHighestShareOfLayer = 0.95;
+
+/// The wave number (rad/m) of a wave of this period over water of this depth: omega^2 = g k tanh(k
+/// h), by Newton's method from the greater of the deep and the shallow limit.
+double waveNumber(double period_s, double depth_m) {
+  const double omega = kTurn / period_s;
+  double k = std::max(omega * omega / kGravity, omega / std::sqrt(kGravity * depth_m));
+  constexpr int kSteps = 20;
+  for (int i = 0; i < kSteps; ++i) {
+    const double t = std::tanh(k * depth_m);
+    const double slope = kGravity * (t + k * depth_m * (1 - t * t));
+    k -= (kGravity * k * t - omega * omega) / slope;
+  }
+  return k;
+}
+
+}  // namespace
+
+double compression(double pressure_pa) {
+  // The secant bulk modulus, Pa, and its increase with pressure. Other temperatures and salinities
+  // of the sea change the density at 1000 m by 0.1 kg/m3.
+  constexpr double kModulus = 2.26951e9, kIncrease = 3.37534;
+  return 1 / (1 - pressure_pa / (kModulus + kIncrease * pressure_pa));
+}
+
+Ocean::Ocean(const OceanSettings& settings) : settings_(settings), bottom_(settings.bottom) {
+  if (settings.swell.amplitude_m > 0) {
+    swell_per_m_ = waveNumber(settings.swell.period_s, settings.bottom.depth_m);
+  }
+}
+
+double Ocean::swellPressure(double z, double x, double y, double t) const {
+  const SwellSettings& s = settings_.swell;
+  if (s.amplitude_m == 0) {
+    return 0;
+  }
+  const double k = swell_per_m_;
+  const double h = std::max(waterDepth(x, y), z);
+  const double decay = std::exp(-k * z);
+  const double echo = std::exp(-2 * k * (h - z));
+  const double whole = std::exp(-2 * k * h);
+  const double pressure = decay * (1 + echo) / (1 + whole);
+  const double motion = h > 0 ? decay * (1 - echo) / (1 - whole) : 1;
+  const double along = x * std::sin(s.bearing_rad) + y * std::cos(s.bearing_rad);
+  const double angle = k * along - kTurn / s.period_s * t;
+  return s.amplitude_m * (pressure - s.followed_share * motion) * std::cos(angle);
+}
 
 Ocean::Wave Ocean::wave(double x, double t, double water_depth) const {
   const WaveSettings& w = settings_.wave;
@@ -60,8 +109,11 @@ double Ocean::temperature(double z, double x, double y, double t) const {
 }
 
 double Ocean::density(double z, double x, double y, double t) const {
+  constexpr double kPascalPerMetre = 1e4;  // as in the vehicle: 0.1 bar
   const double step = settings_.density_step;
-  return step == 0 ? settings_.density : settings_.density + step * (0.5 - upperShare(z, x, y, t));
+  const double free =
+      step == 0 ? settings_.density : settings_.density + step * (0.5 - upperShare(z, x, y, t));
+  return free * compression(z * kPascalPerMetre);
 }
 
 Planar Ocean::current(double z, double x, double y) const {

@@ -8,6 +8,10 @@
 
 namespace glider::simulator {
 
+/// The factor by which sea water is denser under `pressure_pa` than at the surface: UNESCO 1983
+/// (Fofonoff and Millard) at 35 and 10 degC.
+double compression(double pressure_pa);
+
 /// The true ocean. Depth z in m down, x and y in m east and north of the world's origin, t in s
 /// since the world began. T(z) = Tb + (Ts - Tb)/2 (1 - tanh((z - z0 - eta)/d)), and a step across
 /// the front; eta(z, x, t) has the shape of the lowest mode between two layers: full at the
@@ -15,13 +19,20 @@ namespace glider::simulator {
 /// thermocline the wave ends.
 class Ocean {
  public:
-  explicit Ocean(const OceanSettings& settings) : settings_(settings), bottom_(settings.bottom) {}
+  explicit Ocean(const OceanSettings& settings);
 
   [[nodiscard]] double temperature(double z, double x, double y, double t) const;  ///< degC
-  [[nodiscard]] double density(double z, double x, double y, double t) const;      ///< kg/m3
+  /// In situ, kg/m3: that of the layers at no pressure, and compressed by the water above.
+  [[nodiscard]] double density(double z, double x, double y, double t) const;
   [[nodiscard]] Planar current(double z, double x, double y) const;
   /// The water's own speed up (m/s) as the wave passes.
   [[nodiscard]] double verticalCurrent(double z, double x, double y, double t) const;
+  /// What the swell adds to the pressure at a vehicle at the mean depth z, in m of water:
+  /// amplitude · (P - share · M) · cos(k · distance - omega t), with P = cosh(k(h-z))/cosh(kh) of
+  /// the pressure and M = sinh(k(h-z))/sinh(kh) of the motion that carries the vehicle along. In
+  /// deep water both are exp(-kz): a vehicle that follows the water feels no swell. On a shelf
+  /// the pressure reaches the bottom and the motion does not.
+  [[nodiscard]] double swellPressure(double z, double x, double y, double t) const;
   [[nodiscard]] double waterDepth(double x, double y) const { return bottom_.depth(x, y); }
   /// The depth at which the water has `temperature`, m; NaN if there is none.
   [[nodiscard]] double isothermDepth(double temperature, double x, double y, double t) const;
@@ -40,6 +51,7 @@ class Ocean {
 
   OceanSettings settings_;
   Bottom bottom_;
+  double swell_per_m_ = 0;  ///< wave number k of the swell, rad/m
 };
 
 }  // namespace glider::simulator

@@ -22,6 +22,17 @@ struct WaveSettings {
   double count = 0;  ///< how many waves pass; 0: without beginning or end
 };
 
+/// A swell of small waves (Airy) on water of constant depth. Only its pressure counts: see
+/// Ocean::swellPressure.
+struct SwellSettings {
+  double amplitude_m = 0;  ///< half of a wave's height
+  double period_s = 10;
+  double bearing_rad = 0;  ///< towards which it travels
+  /// The share of the water's vertical motion that the vehicle follows. A small body that neither
+  /// floats nor sinks follows all of it.
+  double followed_share = 1;
+};
+
 /// A front: beyond it, along the bearing, the water is warmer by the step at every depth.
 struct FrontSettings {
   double x = 0, y = 0;  ///< a place on it
@@ -52,8 +63,9 @@ struct OceanSettings {
   double thermocline_depth_m = 15;
   double thermocline_thickness_m = 3;  ///< scale d of the tanh
   WaveSettings wave;
+  SwellSettings swell;
   FrontSettings front;
-  double density = 1025;    ///< kg/m3, in the middle of the thermocline
+  double density = 1025;    ///< kg/m3 at no pressure, in the middle of the thermocline
   double density_step = 0;  ///< kg/m3, denser below the thermocline than above it
   Planar current;           ///< at the surface
   Planar bottom_current;    ///< at the bottom; linear between the two

@@ -4,6 +4,7 @@
 #include "simulator/ports/process_sbc_port.h"
 
 #include "simulator/faults/card_damage.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/program.h"
 
 #include <fmt/format.h>

@@ -26,6 +26,9 @@ class SbcPort {
 
   /// "in-process", "host", "ts7800", "ts5500".
   [[nodiscard]] virtual std::string way() const = 0;
+  /// The time of the simulated world, s, before each deliver(): for those who look on. The SBC's
+  /// own clock may differ.
+  virtual void setTime(double /*now_s*/) {}
   /// Passes on bytes that have arrived at the SBC by virtual time `now_s`.
   virtual void deliver(std::span<const uint8_t> bytes, double now_s) = 0;
   /// Lockstep: waits until the SBC has ended its answers to all whole frames delivered so far (each

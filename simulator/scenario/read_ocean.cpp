@@ -30,6 +30,7 @@ std::vector<std::string_view> knownKeys() {
                                         "bottom_slope_m_per_km",
                                         "bottom_slope_bearing_deg",
                                         "wave",
+                                        "swell",
                                         "front",
                                         "seamount"};
   const std::vector<std::string_view> of_sensors = sensorKeys("ocean");
@@ -75,11 +76,19 @@ void readWave(Fields& f, OceanSettings& o) {
   // Larger waves would fold the water over.
   const double below = o.bottom.depth_m - o.bottom.wave_height_m - o.thermocline_depth_m;
   f.number("amplitude_m", w.amplitude_m, 0, 0.95 * std::min(o.thermocline_depth_m, below));
-  f.number("period_s", w.period_s, 10, 1e6);
+  f.number("period_s", w.period_s, 2, 1e6);
   f.number("wavelength_m", w.wavelength_m, 0, 1e6);
   f.number("phase_rad", w.phase_rad, -6.283185307179586, 6.283185307179586);
   f.number("start_s", w.start_s, -1e7, 1e7);
   f.number("count", w.count, 0, 1e6);
+}
+
+void readSwell(Fields& f, SwellSettings& s) {
+  f.reader().only({"amplitude_m", "period_s", "bearing_deg", "followed_share"});
+  f.number("amplitude_m", s.amplitude_m, 0, 10);
+  f.number("period_s", s.period_s, 2, 30);
+  f.bearing("bearing_deg", s.bearing_rad);
+  f.number("followed_share", s.followed_share, 0, 1);
 }
 
 void readFront(Fields& f, FrontSettings& front) {
@@ -111,6 +120,7 @@ void readOcean(ScenarioTables& tables, Scenario& scenario) {
     readBottom(f, o);
   });
   tables.part("ocean", "wave", [&](Fields& f) { readWave(f, o); });
+  tables.part("ocean", "swell", [&](Fields& f) { readSwell(f, o.swell); });
   if (tables.has("ocean", "front")) {
     tables.part("ocean", "front", [&](Fields& f) { readFront(f, o.front); });
   }

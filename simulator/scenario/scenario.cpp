@@ -77,7 +77,7 @@ void readStart(Fields& f, Scenario& scenario) {
 void readVehicle(Fields& f, Scenario& scenario) {
   FlightCoefficients& c = scenario.vehicle.flight;
   f.reader().only({"mass_kg", "hull_volume_m3", "drag", "induced_drag", "wing_lift", "hull_lift",
-                   "reference_area_m2", "compressibility_per_Pa", "battery", "code_15"});
+                   "reference_area_m2", "compressibility_per_Pa", "battery", "cycle", "code_15"});
   readCode15(f, scenario);
   f.number("mass_kg", c.mass_kg, 30, 200);
   // Neutrally buoyant, unless the scenario says otherwise.
@@ -107,6 +107,14 @@ void readBattery(Fields& f, BatterySettings& battery) {
   f.number("sbc_W", battery.sbc_W, 0, 1000);
 }
 
+void readCycle(Fields& f, CycleSettings& cycles) {
+  f.reader().only({"mean_s", "spread_s", "long_share", "long_s"});
+  f.number("mean_s", cycles.mean_s, 1, 20);
+  f.number("spread_s", cycles.spread_s, 0, 5);
+  f.number("long_share", cycles.long_share, 0, 1);
+  f.number("long_s", cycles.long_s, 1, 60);
+}
+
 /// Reads all tables; the first failure stays in `tables`.
 Scenario readScenario(ScenarioTables& tables, const platforms::Platform& platform) {
   Scenario scenario;
@@ -120,6 +128,7 @@ Scenario readScenario(ScenarioTables& tables, const platforms::Platform& platfor
   readOcean(tables, scenario);
   tables.table("vehicle", [&](Fields& f) { readVehicle(f, scenario); });
   tables.part("vehicle", "battery", [&](Fields& f) { readBattery(f, scenario.vehicle.battery); });
+  tables.part("vehicle", "cycle", [&](Fields& f) { readCycle(f, scenario.cycles); });
   scenario.sensors.read(tables);
   readFaults(tables, scenario);
   tables.each("operator", "put", [&](Fields& f) { scenario.puts.push_back(readPut(f)); });

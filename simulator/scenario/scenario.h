@@ -4,6 +4,7 @@
 #pragma once
 
 #include "simulator/faults/faults.h"
+#include "simulator/flight/cycle_times.h"
 #include "simulator/flight/when.h"
 #include "simulator/ocean/ocean.h"
 #include "simulator/sensors/sensor_list.h"
@@ -39,6 +40,7 @@ struct Scenario {
   std::filesystem::path skeleton_path;
   slocum::MissionFile skeleton;
   Code15 code_15 = Code15::FarFromWaypoint;  ///< of the vehicle's release
+  CycleSettings cycles;
   std::vector<Put> puts;
   OceanSettings ocean;
   VehicleSettings vehicle;

@@ -19,6 +19,9 @@ void SbcLink::pump(double now_s) {
   followPower(now_s);
   followPort(now_s);
   followCard(now_s);
+  if (port_ != nullptr) {
+    port_->setTime(now_s);
+  }
   std::array<uint8_t, SerialLine::kCapacity> bytes;
   const int32_t count = end_.read(end_.self, bytes.data(), static_cast<uint32_t>(bytes.size()));
   if (alive() && !without_port_) {

@@ -44,6 +44,13 @@ void ScienceComputer::sampleEvery(const SamplePeriods& periods) {
   }
 }
 
+bool ScienceComputer::reads(uint16_t id) const {
+  return id == numbers_[Sensor::sci_m_present_time] ||
+         std::ranges::any_of(instruments_, [id](const OnBoard& one) {
+           return std::ranges::find(one.numbers, id) != one.numbers.end();
+         });
+}
+
 double ScienceComputer::recorded(uint16_t id) const {
   const auto is_off = [id](const OnBoard& one) {
     return one.period_s < 0 && std::ranges::find(one.numbers, id) != one.numbers.end();

@@ -49,6 +49,8 @@ class ScienceComputer {
   void sampleEvery(const SamplePeriods& periods);
   /// Restarts it: its state is lost.
   void restart();
+  /// True for a sensor that it reads itself: one of an instrument on board, or its clock.
+  [[nodiscard]] bool reads(uint16_t id) const;
   /// Sets what its sensors report from now on instead of the truth.
   void damageBy(SensorDamage* damage) { damage_ = damage; }
   [[nodiscard]] hooks::HookprogEvent nextEvent() { return hookprog_.nextEvent(); }

@@ -67,6 +67,7 @@ enum class NoiseStream : uint32_t {
   Campaign = LineDamage + 4,
   SensorJumps,
   CardDamage,
+  ScienceSensorJumps,
 };
 
 }  // namespace glider::simulator

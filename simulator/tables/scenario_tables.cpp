@@ -3,6 +3,8 @@
 
 #include "simulator/tables/scenario_tables.h"
 
+#include <fmt/format.h>
+
 #include <numbers>
 
 namespace glider::simulator {

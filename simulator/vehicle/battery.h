@@ -50,6 +50,7 @@ class Battery {
            (settings_.full_V - settings_.empty_V) * used_j_ / settings_.capacity_j;
   }
   [[nodiscard]] double usedJ() const { return used_j_; }  ///< since the pack was full
+  [[nodiscard]] double leftJ() const { return settings_.capacity_j - used_j_; }
   /// Used since the pack was full.
   [[nodiscard]] double ampHours() const {
     return used_j_ / (0.5 * (settings_.full_V + voltage())) / 3600;

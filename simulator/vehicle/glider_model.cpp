@@ -73,13 +73,16 @@ void GliderModel::movePitch(VehicleState& s) const {
   s.pitch_rad += (wanted - s.pitch_rad) * pitch_share_;
 }
 
-void GliderModel::moveThroughWater(VehicleState& s, double density) const {
-  const FlightCoefficients& c = settings_.flight;
-  const double buoyancy =
-      netBuoyancy(c, density, s.depth_m * kPascalPerDbar, s.pump.position * kCubicMetresPerCc);
-  const bool floating = s.depth_m <= 0 && buoyancy >= 0;
+double GliderModel::buoyancy(const VehicleState& s, double density) const {
+  return netBuoyancy(settings_.flight, density, s.depth_m * kPascalPerDbar,
+                     s.pump.position * kCubicMetresPerCc);
+}
+
+void GliderModel::moveThroughWater(VehicleState& s, double density, bool aground) const {
+  const double lift = buoyancy(s, density);
+  const bool rests = aground || (s.depth_m <= 0 && lift >= 0);
   const SteadyFlight steady =
-      floating ? SteadyFlight{} : steadyFlight(c, s.pitch_rad, buoyancy, density);
+      rests ? SteadyFlight{} : steadyFlight(settings_.flight, s.pitch_rad, lift, density);
   s.ahead_mps += (steady.horizontal - s.ahead_mps) * speed_share_;
   s.up_mps += (steady.vertical - s.up_mps) * speed_share_;
 }
@@ -98,9 +101,14 @@ void GliderModel::step(VehicleState& s, const VehicleCommand& command, const Oce
                        double now_s) const {
   moveMotors(s, command);
   movePitch(s);
-  moveThroughWater(s, ocean.density(s.depth_m, s.x_m, s.y_m, now_s));
+  const double density = ocean.density(s.depth_m, s.x_m, s.y_m, now_s);
+  // A heavy vehicle lies on the bottom: friction stops it within some seconds and holds it against
+  // the current.
+  const bool aground =
+      s.depth_m > 0 && s.depth_m >= ocean.waterDepth(s.x_m, s.y_m) && buoyancy(s, density) < 0;
+  moveThroughWater(s, density, aground);
   turn(s, std::hypot(s.ahead_mps, s.up_mps));
-  const Planar current = ocean.current(s.depth_m, s.x_m, s.y_m);
+  const Planar current = aground ? Planar{} : ocean.current(s.depth_m, s.x_m, s.y_m);
   s.x_m += (s.ahead_mps * std::sin(s.heading_rad) + current.east) * kStep;
   s.y_m += (s.ahead_mps * std::cos(s.heading_rad) + current.north) * kStep;
   s.depth_m -= (s.up_mps + ocean.verticalCurrent(s.depth_m, s.x_m, s.y_m, now_s)) * kStep;

@@ -20,7 +20,8 @@ class GliderModel final : public VehicleModel {
  private:
   void moveMotors(VehicleState& state, const VehicleCommand& command) const;
   void movePitch(VehicleState& state) const;
-  void moveThroughWater(VehicleState& state, double density) const;
+  [[nodiscard]] double buoyancy(const VehicleState& state, double density) const;
+  void moveThroughWater(VehicleState& state, double density, bool aground) const;
   void turn(VehicleState& state, double speed_mps) const;
 
   platforms::Motion motion_;

@@ -11,6 +11,7 @@ namespace glider::slocum {
 namespace {
 
 constexpr size_t kSizeBytes = 2;
+constexpr size_t kMostDamage = 50;       // a file with more is not worth reading on
 constexpr size_t kLargestBlock = 65536;  // after decompression; the vehicle's have 32768 bytes
 
 /// The block at `position`: its compressed bytes, fewer than its size says if the file is cut off.
@@ -56,21 +57,24 @@ Decompressed decompress(std::string_view bytes) {
     const Block block = blockAt(bytes, position);
     if (!block.whole) {
       result.content.append(out->data(), decompressCut(block.bytes, *out));
-      result.damage = Damage{bytes.size(), "the file ends within a compressed block"};
+      result.damage.push_back({bytes.size(), "the file ends within a compressed block"});
       break;
     }
     const int size =
         LZ4_decompress_safe(block.bytes.data(), out->data(), static_cast<int>(block.bytes.size()),
                             static_cast<int>(out->size()));
     if (size < 0) {
-      result.damage = Damage{position, "the compressed block is invalid"};
+      result.damage.push_back({position, "the compressed block is invalid"});
+      result.holes.push_back(result.content.size());
+    } else if (result.content.size() + static_cast<size_t>(size) > kLargestContent) {
+      result.damage.push_back({position, "the decompressed content is too large"});
+      break;
+    } else {
+      result.content.append(out->data(), static_cast<size_t>(size));
+    }
+    if (result.damage.size() >= kMostDamage) {
       break;
     }
-    if (result.content.size() + static_cast<size_t>(size) > kLargestContent) {
-      result.damage = Damage{position, "the decompressed content is too large"};
-      break;
-    }
-    result.content.append(out->data(), static_cast<size_t>(size));
     position += kSizeBytes + block.bytes.size();
   }
   return result;

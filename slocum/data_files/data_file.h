@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// The data files of the vehicle as plain data, one column for each sensor.
@@ -14,6 +15,9 @@ namespace glider::slocum {
 enum class ByteOrder : uint8_t { Big, Little };
 /// The computer that wrote the file: each has its own clock and its own sensors.
 enum class Computer : uint8_t { Flight, Science };
+
+/// Whether two names of sensors are the same: the vehicle ignores case.
+bool isSameName(std::string_view a, std::string_view b);
 
 struct Sensor {
   std::string name;
@@ -64,6 +68,10 @@ struct DataFile {
   std::vector<Column> columns;
   std::vector<uint8_t> states;  ///< header.state_bytes for each record: 2 bits for each column
   std::vector<Damage> damage;
+  /// The records before which others are missing because of damage, ascending: reading began again
+  /// with them.
+  std::vector<uint32_t> breaks;
+  bool as_text = false;  ///< a transfer had put a carriage return in front of each line feed
 
   [[nodiscard]] Update update(size_t record, size_t column) const {
     const uint8_t byte = states[record * header.state_bytes + column / 4];
@@ -75,18 +83,23 @@ struct DataFile {
 };
 
 /// Calls `take(record, update, value)` for each record that updates `column`, in order. A repeated
-/// value that no record has given is NaN.
+/// value that no record has given since the file began, or since records that are missing, is NaN.
 template <typename Take>
 void forEachUpdate(const DataFile& file, size_t column, Take take) {
   const std::vector<double>& values = file.columns[column].values;
-  size_t used = 0;
+  size_t used = 0, next_break = 0;
+  bool known = false;
   for (uint32_t record = 0; record < file.records; ++record) {
+    for (; next_break < file.breaks.size() && file.breaks[next_break] == record; ++next_break) {
+      known = false;
+    }
     const Update update = file.update(record, column);
     if (update == Update::None) {
       continue;
     }
     used += update == Update::New ? 1U : 0U;
-    take(record, update, used == 0 ? __builtin_nan("") : values[used - 1]);
+    known = known || update == Update::New;
+    take(record, update, known ? values[used - 1] : __builtin_nan(""));
   }
 }
 

@@ -7,11 +7,15 @@
 #include "slocum/data_files/header.h"
 #include "slocum/data_files/known_bytes.h"
 #include "slocum/data_files/records.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace glider::slocum {
 namespace {
@@ -41,8 +45,9 @@ Computer computerOf(const DataHeader& header) {
 /// Reads a file part by part.
 class Reader {
  public:
-  Reader(const fs::path& path, std::string_view content, SensorLists& lists)
-      : path_(path), content_(content), lists_(lists) {}
+  Reader(const fs::path& path, std::string_view content, SensorLists& lists,
+         std::vector<size_t> holes = {})
+      : path_(path), content_(content), lists_(lists), holes_(std::move(holes)) {}
 
   Result<DataFile> read() {
     auto header = parseHeader(content_);
@@ -62,7 +67,7 @@ class Reader {
                                   : "the known bytes that show the byte order are wrong"});
     }
     file_.order = *order;
-    decodeRecords(content_, *begin + kKnownBytes, file_);
+    decodeRecords(content_, *begin + kKnownBytes, holes_, file_);
     return std::move(file_);
   }
 
@@ -111,20 +116,45 @@ class Reader {
   const fs::path& path_;
   std::string_view content_;
   SensorLists& lists_;
+  std::vector<size_t> holes_;  ///< in front of these bytes content is missing
   DataFile file_;
 };
+
+/// Whether each line feed of `bytes`, also in the records, has a carriage return in front of it: a
+/// transfer as text did that, and it can be undone exactly.
+bool isTextTransfer(std::string_view bytes) {
+  size_t feeds = 0;
+  for (size_t at = bytes.find('\n'); at != std::string_view::npos; at = bytes.find('\n', at + 1)) {
+    if (at == 0 || bytes[at - 1] != '\r') {
+      return false;
+    }
+    ++feeds;
+  }
+  return feeds > 0;
+}
+
+std::string withoutCarriageReturns(std::string_view bytes) {
+  std::string content;
+  content.reserve(bytes.size());
+  for (size_t i = 0; i < bytes.size(); ++i) {
+    if (bytes[i] != '\r' || i + 1 == bytes.size() || bytes[i + 1] != '\n') {
+      content += bytes[i];
+    }
+  }
+  return content;
+}
 
 Result<DataFile> decodeCompressed(const fs::path& path, std::string_view bytes,
                                   SensorLists& lists) {
   const Decompressed opened = decompress(bytes);
-  auto file = Reader(path, opened.content, lists).read();
+  auto file = Reader(path, opened.content, lists, opened.holes).read();
   if (file) {
     file->compressed = true;
     for (Damage& damage : file->damage) {
       damage.what += " (counted in the decompressed content)";
     }
-    if (opened.damage && !file->end_mark) {  // what follows the end mark does not matter
-      file->damage.push_back(*opened.damage);
+    if (!file->end_mark || !opened.holes.empty()) {  // what follows the end mark does not matter
+      file->damage.insert(file->damage.end(), opened.damage.begin(), opened.damage.end());
     }
   }
   return file;
@@ -138,9 +168,17 @@ bool looksLikeDataFile(const fs::path& path, std::string_view bytes) {
 }
 
 Result<DataFile> decodeDataFile(const fs::path& path, std::string_view bytes, SensorLists& lists) {
-  return bytes.starts_with(kLabel) || !firstBlockBeginsWith(bytes, kLabel)
-             ? Reader(path, bytes, lists).read()
-             : decodeCompressed(path, bytes, lists);
+  if (!bytes.starts_with(kLabel) && firstBlockBeginsWith(bytes, kLabel)) {
+    return decodeCompressed(path, bytes, lists);
+  }
+  if (!bytes.starts_with(kLabel) || !isTextTransfer(bytes)) {
+    return Reader(path, bytes, lists).read();
+  }
+  auto file = Reader(path, withoutCarriageReturns(bytes), lists).read();
+  if (file) {
+    file->as_text = true;
+  }
+  return file;
 }
 
 Result<DataFile> readDataFile(const fs::path& path, SensorLists& lists) {

@@ -4,11 +4,13 @@
 #include "slocum/data_files/sensor_lists.h"
 
 #include "slocum/data_files/blocks.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace glider::slocum {
 namespace {
@@ -34,8 +36,9 @@ Result<std::shared_ptr<const SensorList>> readCacheFile(const fs::path& path, ui
   };
   if (lowerCase(path.extension()) == ".ccc") {
     Decompressed opened = decompress(*text);
-    if (opened.damage) {
-      return bad(fmt::format("byte {}: {}", opened.damage->offset, opened.damage->what));
+    if (!opened.damage.empty()) {
+      const Damage& first = opened.damage.front();
+      return bad(fmt::format("byte {}: {}", first.offset, first.what));
     }
     *text = std::move(opened.content);
   }

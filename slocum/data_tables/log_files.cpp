@@ -5,6 +5,8 @@
 
 #include "slocum/data_files/header.h"
 #include "slocum/data_files/read.h"
+#include "slocum/data_tables/doubts.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 
@@ -12,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 #include <tuple>
 
 namespace glider::slocum {
@@ -30,7 +33,7 @@ size_t clockColumn(const DataFile& data) {
   }
   for (const char* name : names) {
     for (size_t i = 0; i < data.columns.size(); ++i) {
-      if (data.columns[i].sensor.name == name) {
+      if (isSameName(data.columns[i].sensor.name, name)) {
         return i;
       }
     }
@@ -145,12 +148,32 @@ void sortBySegment(std::vector<LogFile>& files) {
   });
 }
 
+/// Finds what cannot be right in the files, vehicle by vehicle.
+void findDoubts(LogFiles& logs) {
+  for (LogFile& file : logs.files) {
+    if (file.data.as_text) {
+      logs.warnings.push_back(
+          support::fail(DiagnosticId::textTransfer, file.path.string()).error());
+    }
+  }
+  const std::span<LogFile> all = logs.files;
+  for (size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+    while (end < all.size() && all[end].vehicle == all[begin].vehicle) {
+      ++end;
+    }
+    const std::span<LogFile> files = all.subspan(begin, end - begin);
+    leaveOutTimes(files, logs.warnings);
+    leaveOutFixes(files, logs.warnings);
+    warnOfUnits(files, logs.warnings);
+  }
+}
+
 }  // namespace
 
 std::pair<double, double> LogFile::span() const {
   std::pair<double, double> span(kUnknown, kUnknown);
   for (size_t i = first; i < times.size(); ++i) {
-    if (std::isfinite(times[i])) {
+    if (std::isfinite(times[i]) && !isLeftOut(i)) {
       span.first = std::isnan(span.first) ? times[i] : std::min(span.first, times[i]);
       span.second = std::isnan(span.second) ? times[i] : std::max(span.second, times[i]);
     }
@@ -171,6 +194,7 @@ LogFiles readLogFiles(const std::vector<fs::path>& paths, SensorLists& lists) {
   LogFiles logs = std::move(collector.out);
   dropDuplicates(logs);
   sortBySegment(logs.files);
+  findDoubts(logs);
   return logs;
 }
 

@@ -20,8 +20,14 @@ struct LogFile {
   std::string vehicle;
   std::vector<double> times;  ///< s since 1970, by the computer's own clock; NaN: not known yet
   uint32_t first = 0;         ///< the first record that is more than initial values
+  std::vector<bool> left_out = {};        ///< of each record: its time cannot be right
+  std::vector<uint32_t> wild_fixes = {};  ///< records whose GPS fix cannot be right, ascending
 
-  /// The first and the last known time of its records; both NaN if there is none.
+  [[nodiscard]] bool isLeftOut(size_t record) const {
+    return record < left_out.size() && left_out[record];
+  }
+  /// The first and the last known time of its records that are not left out; both NaN if there is
+  /// none.
   [[nodiscard]] std::pair<double, double> span() const;
 };
 
@@ -30,6 +36,7 @@ struct LogFiles {
   std::vector<LogFile> files;              ///< by vehicle and segment; flight, then science
   std::vector<support::Failure> failures;  ///< files that could not be read, and damage
   std::vector<std::string> skipped;        ///< why files were left out that could be read
+  std::vector<support::Failure> warnings;  ///< of what is left out of the files
 };
 
 /// Reads the files, and the data files of the folders, in `paths`. Of several files of one computer

@@ -4,6 +4,7 @@
 #include "slocum/data_tables/netcdf.h"
 
 #include "slocum/data_tables/netcdf_library.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <cstdlib>

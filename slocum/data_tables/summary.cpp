@@ -94,7 +94,8 @@ std::string sensorsText(const std::vector<LogFile>& files,
   for (size_t column = 0; column < merged.columns.size(); ++column) {
     Figures figures;
     merged.forEachUpdateOf(column, [&](uint32_t, double value) { figures.take(value); });
-    const auto& [name, sensor, computer] = merged.columns[column];
+    const std::string& name = merged.columns[column].name;
+    const Sensor& sensor = merged.columns[column].sensor;
     if (figures.updates == 0) {
       if (std::ranges::find(patterns, name) == patterns.end()) {
         ++never;

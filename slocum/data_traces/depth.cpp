@@ -15,11 +15,13 @@ constexpr double kWhile = 30;  // s
 
 struct DepthSensor {
   const char* name;
+  const char* unit;
   double metres;  ///< for each unit of the sensor
 };
 
 // The vehicle computes m_depth from m_pressure with the same factor, and 0 above the surface.
-constexpr DepthSensor kSensors[] = {{"m_depth", 1}, {"m_pressure", 10}, {"sci_water_pressure", 10}};
+constexpr DepthSensor kSensors[] = {
+    {"m_depth", "m", 1}, {"m_pressure", "bar", 10}, {"sci_water_pressure", "bar", 10}};
 
 using Sample = std::pair<double, double>;  // time and depth
 
@@ -51,7 +53,7 @@ std::vector<std::string> depthSensors() {
 Samples depthOf(const Merged& merged) {
   std::vector<Sample> depths;
   for (const DepthSensor& sensor : kSensors) {
-    depths = filled(depths, samplesOf(merged, sensor.name), sensor.metres);
+    depths = filled(depths, samplesOf(merged, sensor.name, sensor.unit), sensor.metres);
   }
   Samples samples;
   for (const auto& [time, depth] : depths) {

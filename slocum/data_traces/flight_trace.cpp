@@ -8,10 +8,15 @@
 #include "slocum/data_traces/position.h"
 #include "slocum/data_traces/quantities.h"
 #include "slocum/data_traces/samples.h"
+#include "support/diagnostics/catalogue.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 
 namespace glider::slocum {
 namespace {
@@ -21,7 +26,7 @@ using support::Result;
 using support::Trace;
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-// UTC, s: records from before are by a clock that was not set, later ones damaged.
+// UTC, s: records from before are by a clock that was never set, later ones damaged.
 constexpr double kYear2000 = 946684800, kYear2100 = 4102444800;
 
 /// Adds those of `more` to `times`, which is sorted, that have none within kNear.
@@ -50,15 +55,51 @@ std::vector<double> recordTimes(const Merged& merged) {
   return flight;
 }
 
-/// The gaps between records, since the first of them.
-std::vector<support::TraceGap> gapsBetween(const std::vector<double>& times) {
+/// The times of the records on both sides of those that are missing because of damage.
+std::vector<std::pair<double, double>> breaksOf(const std::vector<LogFile>& files) {
+  std::vector<std::pair<double, double>> breaks;
+  for (const LogFile& file : files) {
+    for (const uint32_t record : file.data.breaks) {
+      if (record > file.first && record < file.times.size()) {
+        breaks.emplace_back(file.times[record - 1], file.times[record]);
+      }
+    }
+  }
+  return breaks;
+}
+
+/// The gaps between records, since the first of them: long ones, and those of damage.
+std::vector<support::TraceGap> gapsBetween(const std::vector<double>& times,
+                                           const std::vector<std::pair<double, double>>& breaks) {
   std::vector<support::TraceGap> gaps;
   for (size_t i = 1; i < times.size(); ++i) {
-    if (times[i] - times[i - 1] > kLongestGap) {
+    const bool damage =
+        std::ranges::find(breaks, std::pair(times[i - 1], times[i])) != breaks.end();
+    if (damage || times[i] - times[i - 1] > kLongestGap) {
       gaps.push_back({times[i - 1] - times[0], times[i] - times[0]});
     }
   }
   return gaps;
+}
+
+/// What is left out of the files, for the reader.
+std::vector<std::string> leftOutOf(const std::vector<LogFile>& files) {
+  size_t records = 0, fixes = 0, breaks = 0;
+  for (const LogFile& file : files) {
+    records += static_cast<size_t>(std::ranges::count(file.left_out, true));
+    fixes += file.wild_fixes.size();
+    breaks += file.data.breaks.size();
+  }
+  std::vector<std::string> notes;
+  const auto add = [&](size_t count, const char* one, const char* many, const char* what) {
+    if (count > 0) {
+      notes.push_back(fmt::format("{} {} {}", count, count == 1 ? one : many, what));
+    }
+  };
+  add(records, "record is", "records are", "left out, because of a time that cannot be right");
+  add(fixes, "GPS fix is", "GPS fixes are", "left out, because of a position that cannot be right");
+  add(breaks, "gap is", "gaps are", "in the records where a file is damaged");
+  return notes;
 }
 
 /// Adds to `times` those of `more_times_s` during them, and a time in the middle of each gap: no
@@ -132,7 +173,7 @@ Result<Trace> flightTrace(const Merged& merged, const std::vector<double>& more_
   if (times.empty()) {
     return support::fail(DiagnosticId::noDepthLogged, "no record has a valid time");
   }
-  const std::vector<support::TraceGap> gaps = gapsBetween(times);
+  const std::vector<support::TraceGap> gaps = gapsBetween(times, breaksOf(merged.files));
   addBetween(more_times_s, gaps, times);
   Trace trace;
   trace.mission = missionsOf(merged.files);
@@ -140,7 +181,7 @@ Result<Trace> flightTrace(const Merged& merged, const std::vector<double>& more_
   trace.log = {.vehicle = merged.files[0].vehicle,
                .utc_s = times[0],
                .beside = "",
-               .notes = {},
+               .notes = leftOutOf(merged.files),
                .gaps = gaps};
   std::vector<FlightColumn> columns = {{{"m_depth", "m"}, resampled(depth, times, Between::Line)}};
   if (std::ranges::all_of(columns[0].values, [](double value) { return std::isnan(value); })) {

@@ -160,12 +160,6 @@ Estimates estimatesOf(const Samples& x, const Samples& y, const Samples& variati
 
 }  // namespace
 
-double degreesOf(double dddmm) {
-  const double size = std::fabs(dddmm), degrees = std::floor(size / 100);
-  const double minutes = size - 100 * degrees;
-  return minutes < 60 ? std::copysign(degrees + minutes / 60, dddmm) : kUnknown;
-}
-
 std::vector<std::string> positionSensors() {
   return {"m_lat",
           "m_lon",

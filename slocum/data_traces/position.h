@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "slocum/data_tables/dddmm.h"
 #include "slocum/data_traces/quantities.h"
 #include "slocum/data_traces/samples.h"
 
@@ -10,9 +11,6 @@
 #include <vector>
 
 namespace glider::slocum {
-
-/// The degrees of a position in the vehicle's form, dddmm.mmmm; NaN for what has no such form.
-double degreesOf(double dddmm);
 
 /// The sensors that positions() and currents() use.
 std::vector<std::string> positionSensors();

@@ -164,7 +164,7 @@ std::vector<FlightColumn> quantities(const Merged& merged, const std::vector<dou
                                      const std::vector<support::TraceGap>& gaps) {
   std::vector<FlightColumn> columns = {states(merged, times_s, gaps)};
   for (const Source& source : kSources) {
-    const Samples samples = samplesOf(merged, source.sensor);
+    const Samples samples = samplesOf(merged, source.sensor, source.unit);
     if (!samples.empty() && find(columns, source.column) == nullptr) {
       columns.push_back({{source.column, source.unit},
                          resampled(samples, times_s, source.between, source.longest_gap_s)});

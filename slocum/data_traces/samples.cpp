@@ -3,6 +3,8 @@
 
 #include "slocum/data_traces/samples.h"
 
+#include "slocum/data_tables/log_units.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -52,11 +54,13 @@ double Samples::at(double time_s) const {
   return count > 0 && times_s[count - 1] == time_s ? values[count - 1] : kUnknown;
 }
 
-Samples samplesOf(const Merged& merged, std::string_view name) {
-  const auto column = std::ranges::find(merged.columns, name, &MergedColumn::name);
+Samples samplesOf(const Merged& merged, std::string_view name, std::string_view unit) {
+  const auto column = std::ranges::find_if(
+      merged.columns, [&](const MergedColumn& one) { return isSameName(one.name, name); });
   if (column == merged.columns.end()) {
     return {};
   }
+  const double factor = unit.empty() ? 1 : factorBetween(column->sensor.unit, unit).value_or(1);
   std::vector<std::pair<uint32_t, double>> updates;
   merged.forEachUpdateOf(static_cast<size_t>(column - merged.columns.begin()),
                          [&](uint32_t row, double value) { updates.emplace_back(row, value); });
@@ -72,7 +76,7 @@ Samples samplesOf(const Merged& merged, std::string_view name) {
       samples.values.emplace_back();
     }
     const bool known = std::isfinite(value) && std::fabs(value) < kUnset;
-    samples.values.back() = known ? value : kUnknown;
+    samples.values.back() = known ? value * factor : kUnknown;
   }
   return samples;
 }

@@ -23,9 +23,10 @@ struct Samples {
   [[nodiscard]] double at(double time_s) const;
 };
 
-/// The updates of the sensor `name`; none if it was not logged. Values by which the vehicle marks a
-/// sensor as unset (69696969) are NaN.
-Samples samplesOf(const Merged& merged, std::string_view name);
+/// The updates of the sensor `name` in `unit`, or as they are if it is "" or not related to the
+/// sensor's; none if it was not logged. Values by which the vehicle marks a sensor as unset
+/// (69696969) are NaN.
+Samples samplesOf(const Merged& merged, std::string_view name, std::string_view unit = "");
 
 /// Two records of a vehicle that follow each other are closer than this, s.
 inline constexpr double kNear = 10;

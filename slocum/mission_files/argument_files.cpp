@@ -5,7 +5,10 @@
 
 #include "slocum/mission_files/behaviour_catalogue.h"
 #include "slocum/mission_files/read.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 

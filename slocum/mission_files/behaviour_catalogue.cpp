@@ -4,11 +4,10 @@
 #include "slocum/mission_files/behaviour_catalogue.h"
 
 #include "support/check.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -18,8 +17,6 @@ using support::DiagnosticId;
 
 namespace {
 
-constexpr double NEEDED = std::numeric_limits<double>::quiet_NaN();
-
 struct Row {
   std::string_view behaviour;  ///< empty in an argument's row
   KnownArgument argument;
@@ -28,9 +25,11 @@ struct Row {
 constexpr auto kRows = std::to_array<Row>({
 #define BEHAVIOUR(name) {#name, {}},
 #define ARGUMENT(name, unit, fallback) {{}, {#name, #unit, fallback}},
+#define OTHER(name, unit, fallback) {{}, {#name, #unit, fallback}},
 #include "slocum/mission_files/behaviours.def"
 #undef BEHAVIOUR
 #undef ARGUMENT
+#undef OTHER
 });
 
 struct Catalogue {
@@ -86,6 +85,17 @@ bool isProgletSwitch(const KnownBehaviour& known, std::string_view name) {
   return known.name == "sensors_in" && name.starts_with("c_") && name.ends_with("_on");
 }
 
+/// Whether a set_heading steers to a heading that its file does not give: the vehicle's default is
+/// 1000 rad, which only a bank or a fin to its limit can be.
+bool lacksHeading(const BehaviourBlock& block) {
+  constexpr double kHeading = 1, kRelativeToCurrent = 5;
+  if (block.name != "set_heading" || block.find("heading_value") != nullptr) {
+    return false;
+  }
+  const double use = block.value("use_heading");
+  return use == kHeading || use == kRelativeToCurrent;
+}
+
 }  // namespace
 
 const KnownArgument* KnownBehaviour::find(std::string_view argument) const {
@@ -105,7 +115,9 @@ const KnownBehaviour* findBehaviour(std::string_view name) {
 }
 
 bool drivesMotors(std::string_view name) {
-  return findBehaviour(name) != nullptr && name != "sample" && name != "sensors_in";
+  constexpr std::string_view kOthers[] = {"sample",   "sensors_in", "compass_cal",
+                                          "comatose", "bconsci",    "badd_b"};
+  return findBehaviour(name) != nullptr && std::ranges::find(kOthers, name) == std::end(kOthers);
 }
 
 bool isNearlyABehaviour(std::string_view name) {
@@ -137,7 +149,8 @@ void checkArguments(const BehaviourBlock& block, support::DiagnosticEngine& diag
     return;
   }
   for (const Setting& given : block.arguments) {
-    if (known->find(given.name) != nullptr || isProgletSwitch(*known, given.name)) {
+    const bool any = given.name == "args_from_file" || isProgletSwitch(*known, given.name);
+    if (any || known->find(given.name) != nullptr) {
       continue;
     }
     if (const KnownArgument* meant = nearest(*known, given.name)) {
@@ -148,11 +161,9 @@ void checkArguments(const BehaviourBlock& block, support::DiagnosticEngine& diag
                          block.name, "the simulator does not know it");
     }
   }
-  for (const KnownArgument& argument : known->arguments) {
-    if (std::isnan(argument.fallback) && block.find(argument.name) == nullptr) {
-      diagnostics.report(DiagnosticId::missingArgument, block.range, block.name, argument.name,
-                         argument.unit);
-    }
+  if (lacksHeading(block)) {
+    diagnostics.report(DiagnosticId::missingArgument, block.range, block.name, "heading_value",
+                       "X");
   }
 }
 

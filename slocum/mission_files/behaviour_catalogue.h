@@ -16,7 +16,7 @@ namespace glider::slocum {
 struct KnownArgument {
   std::string_view name;
   std::string_view unit;
-  double fallback;  ///< NaN: the mission file must give it
+  double fallback;  ///< the vehicle's default
 };
 
 struct KnownBehaviour {
@@ -39,7 +39,7 @@ bool drivesMotors(std::string_view name);
 bool isNearlyABehaviour(std::string_view name);
 
 /// Reports b_args that a known behaviour does not have (GL5104 for one that is probably misspelled,
-/// else a warning, GL5116) and needed ones that are missing (GL5106). Ignores unknown behaviours.
+/// else a warning, GL5116) and a heading that is missing (GL5106). Ignores unknown behaviours.
 void checkArguments(const BehaviourBlock& block, support::DiagnosticEngine& diagnostics);
 
 }  // namespace glider::slocum

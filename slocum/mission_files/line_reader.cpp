@@ -3,6 +3,8 @@
 
 #include "slocum/mission_files/line_reader.h"
 
+#include "support/diagnostics/catalogue.h"
+
 #include <charconv>
 #include <cmath>
 

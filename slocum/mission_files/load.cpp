@@ -5,6 +5,7 @@
 
 #include "slocum/mission_files/argument_files.h"
 #include "slocum/mission_files/read.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <string>

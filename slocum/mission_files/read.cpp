@@ -4,6 +4,7 @@
 #include "slocum/mission_files/read.h"
 
 #include "slocum/mission_files/line_reader.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +46,7 @@ SetupLine setupLine(const std::vector<Piece>& words, support::SourceRange range)
   return line;
 }
 
-/// Appends unless the list has it already (GL5105).
+/// Appends, or replaces what the list has already: on the vehicle the last one counts (GL5105).
 void append(std::vector<Setting>& list, std::optional<Setting> setting,
             DiagnosticEngine& diagnostics) {
   if (!setting) {
@@ -55,6 +56,7 @@ void append(std::vector<Setting>& list, std::optional<Setting> setting,
   if (earlier != list.end()) {
     diagnostics.report(DiagnosticId::duplicateArgument, setting->name_range, setting->name)
         .note(earlier->name_range, "the first is here");
+    *earlier = std::move(*setting);
     return;
   }
   list.push_back(std::move(*setting));
@@ -188,7 +190,7 @@ class ArgumentReader {
 
   void waypoint(Piece line) {
     const auto words = lines_.words(line);
-    if (words.size() != 2) {
+    if (words.size() < 2) {
       diagnostics_.report(DiagnosticId::missionFileSyntax, line.range, "longitude and latitude",
                           quoted(line.text));
       return;
@@ -201,6 +203,10 @@ class ArgumentReader {
     if (!isCoordinate(*longitude, 180) || !isCoordinate(*latitude, 90)) {
       diagnostics_.report(DiagnosticId::badWaypoint, line.range, words[0].text, words[1].text);
       return;
+    }
+    if (words.size() > 2) {
+      const Piece rest = lines_.trimmed(words[2].range.begin, line.range.end);
+      diagnostics_.report(DiagnosticId::textAfterWaypoint, rest.range, quoted(rest.text));
     }
     file.waypoints.push_back({*longitude, *latitude});
   }

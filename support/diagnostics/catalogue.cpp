@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "support/diagnostics/catalogue.h"
+
 #include "support/check.h"
 #include "support/diagnostics/diagnostic.h"
 
@@ -15,6 +17,7 @@ const std::vector<CatalogueRow>& catalogue() {
 #define DIAGNOSTIC(number, name, slug, severity, message, hint) \
   {DiagnosticId::name, #name, slug, Severity::severity, message, hint},
 #include "support/diagnostics/catalogue.def"
+#include "support/diagnostics/catalogue.h"
 #undef DIAGNOSTIC
   };
   return rows;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "support/diagnostics/id.h"
 #include "support/source_manager.h"
 
 #include <cstdint>
@@ -16,13 +17,6 @@ enum class Severity : uint8_t { Note, Warning, Error };
 
 /// "note", "warning", "error".
 std::string_view word(Severity severity);
-
-/// The diagnostics' names; the value is the number of the row in catalogue.def.
-enum class DiagnosticId : uint16_t {
-#define DIAGNOSTIC(number, name, slug, severity, message, hint) name = number,
-#include "support/diagnostics/catalogue.def"
-#undef DIAGNOSTIC
-};
 
 /// One row of the catalogue.
 struct CatalogueRow {

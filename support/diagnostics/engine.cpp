@@ -3,6 +3,8 @@
 
 #include "support/diagnostics/engine.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <tuple>
 
@@ -21,6 +23,18 @@ DiagnosticBuilder& DiagnosticBuilder::hint(std::string hint) {
 DiagnosticBuilder& DiagnosticBuilder::fix(SourceRange range, std::string replacement) {
   diagnostic_.fixes.push_back({range, std::move(replacement)});
   return *this;
+}
+
+DiagnosticBuilder DiagnosticEngine::reportFormatted(DiagnosticId id, SourceRange range,
+                                                    fmt::format_args args) {
+  const CatalogueRow& row = catalogueRow(id);
+  return add({id,
+              row.severity,
+              range,
+              fmt::vformat(row.message, args),
+              fmt::vformat(row.hint, args),
+              {},
+              {}});
 }
 
 DiagnosticBuilder DiagnosticEngine::add(Diagnostic diagnostic) {

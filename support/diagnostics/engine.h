@@ -5,7 +5,7 @@
 
 #include "support/diagnostics/diagnostic.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string>
 #include <utility>
@@ -31,15 +31,8 @@ class DiagnosticEngine {
  public:
   /// Reports row `id` at `range`; `args` fill the row's message and hint in order.
   template <typename... Args>
-  DiagnosticBuilder report(DiagnosticId id, SourceRange range, Args&&... args) {
-    const CatalogueRow& row = catalogueRow(id);
-    return add({id,
-                row.severity,
-                range,
-                fmt::format(fmt::runtime(row.message), args...),
-                fmt::format(fmt::runtime(row.hint), args...),
-                {},
-                {}});
+  DiagnosticBuilder report(DiagnosticId id, SourceRange range, const Args&... args) {
+    return reportFormatted(id, range, fmt::make_format_args(args...));
   }
   /// As the above, for a diagnostic that another stage or library has put together.
   DiagnosticBuilder add(Diagnostic diagnostic);
@@ -51,6 +44,8 @@ class DiagnosticEngine {
   [[nodiscard]] std::vector<Diagnostic> sorted() const;
 
  private:
+  DiagnosticBuilder reportFormatted(DiagnosticId id, SourceRange range, fmt::format_args args);
+
   std::vector<Diagnostic> diagnostics_;
   size_t errors_ = 0;
   size_t warnings_ = 0;

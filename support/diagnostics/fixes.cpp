@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <set>
+#include <utility>
 
 namespace glider::support {
 namespace {
@@ -35,17 +38,172 @@ Errors errorsOf(const std::vector<Diagnostic>& diagnostics) {
   return errors;
 }
 
+/// Which fixes are automatic: those of errors that follow from no other.
+class Choice {
+ public:
+  Choice(uint32_t file, const std::vector<Diagnostic>& diagnostics, const Constructs& constructs)
+      : file_(file), constructs_(constructs) {
+    for (const Diagnostic& d : diagnostics) {
+      if (d.severity == Severity::Error) {
+        errors_ = true;
+        if (d.range.file == file) {
+          places_.insert(d.range.begin);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] bool automatic(const Diagnostic& d) const {
+    if (d.fixes.empty()) {
+      return false;
+    }
+    if (d.severity != Severity::Error) {
+      return !errors_;
+    }
+    if (d.range.file != file_) {
+      return false;
+    }
+    const bool structural =
+        std::ranges::any_of(d.fixes, [this](const FixIt& fix) { return changesStructure(fix); });
+    const uint32_t first = beginOf(d, structural ? constructs_.items : constructs_.parts);
+    return !errorIn(first, d.range.begin) && !errorInHeader(d);
+  }
+
+ private:
+  /// Where the construct begins that contains the diagnostic and its fixes.
+  [[nodiscard]] static uint32_t beginOf(const Diagnostic& d, const std::vector<uint32_t>& begins) {
+    uint32_t place = d.range.begin;
+    for (const FixIt& fix : d.fixes) {
+      place = std::min(place, fix.range.begin);
+    }
+    return beginAt(place, begins);
+  }
+
+  [[nodiscard]] static uint32_t beginAt(uint32_t place, const std::vector<uint32_t>& begins) {
+    const auto after = std::ranges::upper_bound(begins, place);
+    return after == begins.begin() ? 0 : *std::prev(after);
+  }
+
+  [[nodiscard]] bool errorIn(uint32_t from, uint32_t to) const {
+    const auto next = places_.lower_bound(from);
+    return next != places_.end() && *next < to;
+  }
+
+  /// A wrong header makes everything in its item doubtful.
+  [[nodiscard]] bool errorInHeader(const Diagnostic& d) const {
+    const uint32_t item = beginAt(d.range.begin, constructs_.items);
+    const auto part = std::ranges::upper_bound(constructs_.parts, item);
+    const uint32_t end = part == constructs_.parts.end() ? UINT32_MAX : *part;
+    return errorIn(item, std::min(end, d.range.begin));
+  }
+
+  [[nodiscard]] bool changesStructure(const FixIt& fix) const {
+    const auto word = std::ranges::lower_bound(constructs_.words, fix.range.begin + 1, {},
+                                               &Constructs::Word::end);
+    const bool replaces = word != constructs_.words.end() && word->begin < fix.range.end;
+    constexpr std::string_view kBlank = " \n";
+    std::string_view written = fix.replacement;
+    written.remove_prefix(std::min(written.find_first_not_of(kBlank), written.size()));
+    written = written.substr(0, written.find_first_of(kBlank));
+    return replaces ||
+           std::ranges::find(constructs_.structure, written) != constructs_.structure.end();
+  }
+
+  uint32_t file_;
+  const Constructs& constructs_;
+  bool errors_ = false;
+  std::set<uint32_t> places_;  ///< of errors in the file
+};
+
+/// One text after another, each with fewer errors.
+class Rounds {
+ public:
+  Rounds(std::string text, uint32_t file, const FixReader& reader) : file_(file), reader_(reader) {
+    fixing_.text = std::move(text);
+  }
+
+  Result<Fixing> run() {
+    constexpr size_t kMostRounds = 100;
+    auto first = reader_.check(fixing_.text);
+    if (!first) {
+      return std::unexpected(first.error());
+    }
+    now_ = std::move(*first);
+    while (fixing_.rounds.size() < kMostRounds) {
+      const auto moved = round();
+      if (!moved) {
+        return std::unexpected(moved.error());
+      }
+      if (!*moved) {
+        break;
+      }
+    }
+    return std::move(fixing_);
+  }
+
+ private:
+  /// False if nothing was changed. If all fixes together do not leave fewer errors, each is tried
+  /// alone.
+  Result<bool> round() {
+    const Constructs constructs = reader_.constructs(fixing_.text);
+    FixedText all = applyFixes(fixing_.text, file_, now_, constructs);
+    if (all.fixed.empty()) {
+      return false;
+    }
+    if (const auto kept = keep(all); !kept || *kept || all.fixed.size() == 1) {
+      return kept;
+    }
+    for (const Diagnostic& one : std::vector(all.fixed)) {
+      std::vector<Diagnostic> alone = now_;
+      for (Diagnostic& other : alone) {
+        if (other.range.begin != one.range.begin || other.id != one.id) {
+          other.fixes.clear();
+        }
+      }
+      FixedText single = applyFixes(fixing_.text, file_, alone, constructs);
+      if (const auto kept = keep(single); !kept || *kept) {
+        return kept;
+      }
+    }
+    return false;
+  }
+
+  Result<bool> keep(FixedText& next) {
+    auto then = reader_.check(next.text);
+    if (!then) {
+      return std::unexpected(then.error());
+    }
+    const Errors before = errorsOf(now_);
+    const Errors after = errorsOf(*then);
+    const bool fewer = after < before || (before == Errors{} && after == Errors{});
+    if (!fewer || next.fixed.empty()) {
+      fixing_.refused = true;
+      return false;
+    }
+    fixing_.rounds.push_back({std::move(fixing_.text), std::move(next.fixed)});
+    fixing_.text = std::move(next.text);
+    now_ = std::move(*then);
+    return true;
+  }
+
+  uint32_t file_;
+  const FixReader& reader_;
+  Fixing fixing_;
+  std::vector<Diagnostic> now_;
+};
+
 }  // namespace
 
 FixedText applyFixes(std::string_view text, uint32_t file,
-                     const std::vector<Diagnostic>& diagnostics) {
+                     const std::vector<Diagnostic>& diagnostics, const Constructs& constructs) {
   FixedText result{std::string(text), {}};
+  const Choice choice(file, diagnostics, constructs);
   std::vector<FixIt> chosen;
   for (const Diagnostic& diagnostic : diagnostics) {
-    const bool fitting =
-        !diagnostic.fixes.empty() && std::ranges::all_of(diagnostic.fixes, [&](const FixIt& fix) {
-          return fits(chosen, fix, text, file);
-        });
+    const bool fitting = choice.automatic(diagnostic) &&
+                         std::ranges::all_of(diagnostic.fixes, [&](const FixIt& fix) {
+                           return fits(chosen, fix, text, file);
+                         });
     if (fitting) {
       chosen.insert(chosen.end(), diagnostic.fixes.begin(), diagnostic.fixes.end());
       result.fixed.push_back(diagnostic);
@@ -58,28 +216,8 @@ FixedText applyFixes(std::string_view text, uint32_t file,
   return result;
 }
 
-Result<Fixing> fixAll(
-    std::string text, uint32_t file,
-    const std::function<Result<std::vector<Diagnostic>>(const std::string&)>& check) {
-  constexpr size_t kMostRounds = 100;
-  Fixing fixing;
-  fixing.text = std::move(text);
-  auto diagnostics = check(fixing.text);
-  const Errors at_first = diagnostics ? errorsOf(*diagnostics) : Errors{};
-  while (diagnostics && fixing.rounds.size() < kMostRounds) {
-    FixedText next = applyFixes(fixing.text, file, *diagnostics);
-    if (next.fixed.empty()) {
-      break;
-    }
-    fixing.rounds.push_back({std::move(fixing.text), std::move(next.fixed)});
-    fixing.text = std::move(next.text);
-    diagnostics = check(fixing.text);
-  }
-  if (!diagnostics) {
-    return std::unexpected(diagnostics.error());
-  }
-  fixing.worse = errorsOf(*diagnostics) > at_first;
-  return fixing;
+Result<Fixing> fixAll(std::string text, uint32_t file, const FixReader& reader) {
+  return Rounds(std::move(text), file, reader).run();
 }
 
 }  // namespace glider::support

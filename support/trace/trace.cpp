@@ -3,6 +3,8 @@
 
 #include "support/trace/trace.h"
 
+#include "support/diagnostics/catalogue.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

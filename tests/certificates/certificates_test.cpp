@@ -5,6 +5,7 @@
 // weakened, or that could change the question.
 
 #include "compiler/proving.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 #include "support/program.h"
 #include "tests/certificates/issued.h"
@@ -257,19 +258,19 @@ TEST_F(Certificates, DamagedFilesAreErrors) {  // refused: GL9381
     std::string bad = good;
     ASSERT_NE(bad.find(from), std::string::npos) << from;
     bad.replace(bad.find(from), from.size(), to);
-    const auto read = analysis::certificateFromJson(bad, "c.json", *issued.mission->checked);
+    const auto read = compiler::certificateFromJson(bad, "c.json", *issued.mission->checked);
     ASSERT_FALSE(read) << to;
     EXPECT_EQ(read.error().id, support::DiagnosticId::noCertificate);
   }
   EXPECT_TRUE(
-      analysis::certificateFromJson(good, "c.json", *issued.mission->checked));  // accepts: GL9381
+      compiler::certificateFromJson(good, "c.json", *issued.mission->checked));  // accepts: GL9381
 }
 
 /// A solver that says less, or something else.
 TEST_F(Certificates, OfASolverThatFailsNothingIsAccepted) {  // refused: GL9382
   const Issued& issued = survey();
   const auto certificate =
-      analysis::certificateFromJson(issued.file(kDives), "c.json", *issued.mission->checked);
+      compiler::certificateFromJson(issued.file(kDives), "c.json", *issued.mission->checked);
   ASSERT_TRUE(certificate);
   const std::string path = std::getenv("PATH");
   for (const char* solver : {"exit 0", "echo unsat; exit 0", "echo '(error \"x\")'", "exit 1"}) {
@@ -289,7 +290,7 @@ TEST_F(Certificates, OfASolverThatFailsNothingIsAccepted) {  // refused: GL9382
 TEST_F(Certificates, WithoutTheSolverNothingIsAccepted) {  // refused: GL9380
   const Issued& issued = survey();
   const auto certificate =
-      analysis::certificateFromJson(issued.file(kDives), "c.json", *issued.mission->checked);
+      compiler::certificateFromJson(issued.file(kDives), "c.json", *issued.mission->checked);
   ASSERT_TRUE(certificate);
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", "/nowhere", 1);
@@ -365,7 +366,7 @@ void expectToRestOn(const std::string& assumption, const std::string& requiremen
   EXPECT_EQ(issued.rechecked(0, without.dump()).accepted, !named) << assumption;
   json other = json::parse(file);
   other["assumptions"] = {"no such thing"};
-  EXPECT_FALSE(analysis::certificateFromJson(other.dump(), "c.json", *issued.mission->checked));
+  EXPECT_FALSE(compiler::certificateFromJson(other.dump(), "c.json", *issued.mission->checked));
   other["subject"] = "another";
   const analysis::Rechecked refused = issued.rechecked(0, other.dump());
   EXPECT_EQ(refused.reason, "it is about another mission or another vehicle");
@@ -379,7 +380,7 @@ TEST_F(Certificates, OfTheUsualStartAreRefusedWhereADeeperOneIsAssumed) {
   const Issued deeper = issue("mission m\nassume start depth <= 50 m\n" + rest);
   ASSERT_TRUE(usual.rechecked(0, usual.file(0)).accepted);
   json file = json::parse(usual.file(0));
-  file["subject"] = *analysis::subjectOf(*deeper.mission->checked);
+  file["subject"] = *compiler::subjectOf(*deeper.mission->checked);
   EXPECT_FALSE(deeper.rechecked(0, file.dump()).accepted);
 }
 

@@ -19,8 +19,8 @@ std::string Issued::file(uint32_t requirement) const {
   if (!verdict.evidence) {
     return "";
   }
-  analysis::Certificate certificate{"",
-                                    *analysis::subjectOf(checked),
+  compiler::Certificate certificate{"",
+                                    *compiler::subjectOf(checked),
                                     verdict.evidence->method,
                                     verdict.assumptions,
                                     verdict.evidence->invariants,
@@ -28,12 +28,12 @@ std::string Issued::file(uint32_t requirement) const {
   if (verdict.run) {
     certificate.run = analysis::traceOfRun(checked, verdict);
   }
-  return analysis::certificateToJson(certificate, checked.mission());
+  return compiler::certificateToJson(certificate, checked.mission());
 }
 
 analysis::Rechecked Issued::rechecked(uint32_t requirement, const std::string& file) const {
   const auto certificate =
-      analysis::certificateFromJson(file, "certificate.json", *mission->checked);
+      compiler::certificateFromJson(file, "certificate.json", *mission->checked);
   if (!certificate) {
     ADD_FAILURE() << certificate.error().message;
     return {};

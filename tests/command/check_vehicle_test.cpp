@@ -62,7 +62,7 @@ TEST_F(CheckVehicle, WhatHookbehRefusesIsAnError) {
               "`survey` may command a pitch of 26 deg, but hookbeh refuses more than 22.9 deg");
   expectError(with("", "b_arg: min_pitch(rad) 0.5\n"),
               "`survey` may command a pitch of 26 deg, but hookbeh refuses less than 28.6 deg");
-  expectFine(with("", "b_arg: max_depth(m) 20\nb_arg: max_pitch(rad) 0.46\n"));
+  expectFine(with("", "b_arg: max_depth(m) 25\nb_arg: max_pitch(rad) 0.46\n"));
 }
 
 /// Not `always` of a mission that has none.
@@ -104,7 +104,7 @@ TEST_F(CheckVehicle, WhatAbendAbortsIsAnError) {
   expectError(with("b_arg: undervolts(volts) 20\n", ""),
               "and abend demands 20 V (undervolts in v.mi)");
   expectFine(
-      with("b_arg: overdepth(m) 20\nb_arg: overtime(s) 3620\nb_arg: undervolts(volts) 10\n", ""));
+      with("b_arg: overdepth(m) 25\nb_arg: overtime(s) 3620\nb_arg: undervolts(volts) 10\n", ""));
   expectFine(
       with("b_arg: overdepth(m) -1\nb_arg: overtime(s) -1\nb_arg: undervolts(volts) -1\n", ""));
 }
@@ -191,7 +191,7 @@ TEST_F(CheckVehicle, AFlightInAScenarioWithAPowerCutGoesOn) {
   const auto cut =
       folder_.write("cut.toml", scenario + "\n[[faults.power]]\nfrom_s = 100\nto_s = 200\n");
   const Outcome flown =
-      check("--scenario " + cut.string(), "assume no outage\nassume missiontime <= 30 min\n");
+      check("--scenario " + cut.string(), "assume no outage\nassume depth <= 40 m\n");
   EXPECT_EQ(flown.status, 0) << flown.err;
   EXPECT_THAT(flown.err, HasSubstr("there was no tick for 1"));
   EXPECT_THAT(flown.err, HasSubstr("[GL5128 assumption-flown]"));
@@ -203,8 +203,8 @@ TEST_F(CheckVehicle, AFlightInTheScenarioThatGoesWellSaysNothing) {
   const Outcome fine = check("--scenario default");
   EXPECT_EQ(fine.status, 0);
   EXPECT_EQ(fine.err, "");
-  EXPECT_EQ(check("", "assume depth <= 10 m\n").err, "") << "not flown";
-  EXPECT_THAT(check("--scenario default", "assume depth <= 10 m\n").err,
+  EXPECT_EQ(check("", "assume temp <= 15 degC\n").err, "") << "not flown";
+  EXPECT_THAT(check("--scenario default", "assume temp <= 15 degC\n").err,
               HasSubstr("[GL5128 assumption-flown]"));
 }
 

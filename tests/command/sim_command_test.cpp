@@ -49,6 +49,59 @@ class Sim : public ::testing::Test {
 
 const std::set<std::string> kFiles = {"events.csv", "flight.json", "report.html", "trace.csv"};
 
+/// Every flight of it would count as a violation.
+TEST_F(Sim, ACampaignOfAMissionLongerThanTheScenarioIsRefused) {
+  mission();
+  std::string text = slurp(folder_.path() / "m.mission");
+  const std::string when = "missiontime >= 5 min";
+  const auto campaign = [&](const std::string& condition) {
+    std::string changed = text;
+    changed.replace(changed.find(when), when.size(), condition);
+    (void)folder_.write("m.mission", changed);
+    return run(
+        "$GLIDERCC campaign m.mission --flights 2 --fault none --boards 0 --scenario figure5");
+  };
+  const Outcome refused = campaign("missiontime >= 20 h");
+  EXPECT_EQ(refused.status, 1) << refused.out;
+  EXPECT_THAT(refused.err, HasSubstr("does not end within the 2 h 0 min 0 s that scenario "
+                                     "`figure5` lasts: it may last 20 h 0 min 4 s [GL9387"));
+  EXPECT_THAT(refused.err, HasSubstr("set `duration_s` in the copy to at least 74400"));
+  EXPECT_EQ(refused.out, "") << "no flight is flown";
+  const Outcome endless = campaign("depth > 500 m");
+  EXPECT_EQ(endless.status, 1) << endless.out;
+  EXPECT_THAT(endless.err, HasSubstr("lasts [GL9387"));
+  // accepts: GL9387
+  const Outcome flown = campaign("missiontime >= 30 min");
+  EXPECT_EQ(flown.status, 0) << flown.err;
+  EXPECT_THAT(flown.err, Not(HasSubstr("GL9387")));
+}
+
+/// After the return the condition of the call is still true.
+TEST_F(Sim, AMissionThatCallsAgainAndAgainIsReported) {
+  (void)folder_.write("m.mission", R"(mission m
+state look
+begin
+  flightprofile dive_to(15 m, 26 deg)
+  sensors       missiontime
+  events
+    case missiontime >= 20 min exit
+    case profiledone           call note
+end
+state note
+begin
+  flightprofile dive_to(15 m, 26 deg)
+  sensors       statetime
+  events
+    case statetime >= 4 s return
+end
+)");
+  const Outcome flown = run("$GLIDERCC sim m.mission -o f");
+  EXPECT_EQ(flown.status, 1) << flown.err;
+  EXPECT_THAT(flown.err, HasSubstr("on the mission changed its state 20 times within 5 min "
+                                   "[GL9378 flight-unusual]"));
+  EXPECT_THAT(run("$GLIDERCC check m.mission").err, HasSubstr("[GL3141 call-repeats]"));
+}
+
 /// Of each kind: a start elsewhere, a current, readings out of a range and gone too long.
 TEST_F(Sim, AFlightThatBreaksAnAssumptionWarns) {
   const std::pair<const char*, const char*> kBroken[] = {

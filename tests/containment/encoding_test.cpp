@@ -13,6 +13,8 @@
 #include "tests/containment/replay.h"
 #include "tests/containment/rule.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>

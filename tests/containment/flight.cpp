@@ -87,9 +87,9 @@ double Flight::step() {
                        : ir::prove::onVehicleClock(dice_.within(0, longest));
 }
 
-void Flight::advance() {
+void Flight::advance(double seconds) {
   before_ = now_;
-  const double until = now_.time + step();
+  const double until = now_.time + seconds;
   vehicle_.obey(now_.result.actions, now_.time);
   const double gap = context_.platform.world.tick_gap_s;
   for (double time = now_.time; time < until; time += gap) {

@@ -51,7 +51,9 @@ class Flight {
 
   /// The start, then each tick in two halves, as the interpreter has them.
   void start();
-  void advance();
+  void advance() { advance(step()); }
+  /// The same for a tick that is so many seconds after the one before: after an outage of the SBC.
+  void advance(double seconds);
   void decide();
 
   [[nodiscard]] bool over() const { return now_.result.finished; }

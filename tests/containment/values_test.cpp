@@ -10,6 +10,8 @@
 #include "ir/prove/abstract/held_ranges.h"
 #include "tests/containment/rule.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <set>
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 
 namespace glider::tests {
 namespace {
@@ -29,12 +30,17 @@ struct Sensor {
   double jump, drift;
 };
 
+/// Over a bottom within its range, which the other flights do not have.
+const Sensor& altimeter() {
+  static const Sensor kAltimeter = {"m_altitude", {3, 50}, 30, 0.02};
+  return kAltimeter;
+}
+
 const std::vector<Sensor>& sensors() {
   static const std::vector<Sensor> kSensors = {
       {"m_depth", {0, 5, 25, 50, -50, 1e9}, 20, 0.02},
       {"m_pressure", {0, 2.5, -3, 100}, 2, 0.002},
       {"m_depth_rate", {0, -0.2, 0.2, 2, -2}, 1, 0.001},
-      {"m_altitude", {3, 50}, 30, 0.02},
       {"m_pitch", {0, 0.45, -0.45, 1.5, -1.5}, 1, 0.001},
       {"m_heading", {0, 3}, 3, 0.001},
       {"m_ballast_pumped", {0, 230, -230}, 200, 0.1},
@@ -65,6 +71,14 @@ void addFlickers(const Sensor& sensor, std::vector<DepthFault>& out) {
                    DepthRule::Wrong,
                    {fault(sensor.name, Kind::Missing, 0, share)}});
   }
+}
+
+std::string nameOf(const SensorFault& f) {
+  return f.kind == Kind::Frozen    ? f.name + " frozen"
+         : f.kind == Kind::Missing ? f.name + " missing"
+         : f.kind == Kind::Jumps   ? f.name + " jumps"
+         : f.kind == Kind::Scale   ? fmt::format("{} times {}", f.name, f.value)
+                                   : fmt::format("{} = {}", f.name, f.value);
 }
 
 void addAll(const Sensor& sensor, std::vector<DepthFault>& out) {
@@ -102,10 +116,42 @@ simulator::Faults DepthFault::from(double begin_s) const {
   return faults;
 }
 
+std::vector<DepthFault> DepthFault::parts() const {
+  std::vector<DepthFault> out;
+  std::set<std::string> names;
+  for (const SensorFault& sensor : sensors) {
+    names.insert(sensor.name);
+  }
+  for (const std::string& one : names) {
+    DepthFault part = *this;
+    std::erase_if(part.sensors, [&](const SensorFault& sensor) { return sensor.name == one; });
+    out.push_back(part);
+  }
+  return out;
+}
+
 std::vector<DepthFault> singleDepthFaults() {
   std::vector<DepthFault> out;
   for (const Sensor& sensor : sensors()) {
     addAll(sensor, out);
+  }
+  return out;
+}
+
+std::vector<DepthFault> altimeterFaults() {
+  std::vector<DepthFault> out;
+  addAll(altimeter(), out);
+  out.push_back({"m_altitude plus 20", DepthRule::Wrong, {fault("m_altitude", Kind::Offset, 20)}});
+  for (const DepthFault& one : {DepthFault{"missing", {}, {fault("m_altitude", Kind::Missing)}},
+                                DepthFault{"= 50", {}, {fault("m_altitude", Kind::Value, 50)}}}) {
+    const SensorFault others[] = {fault("m_depth", Kind::Frozen),
+                                  fault("m_pitch", Kind::Value, 1.5),
+                                  fault("sci_water_pressure", Kind::Missing)};
+    for (const SensorFault& other : others) {
+      out.push_back({fmt::format("m_altitude {}, {}", one.name, nameOf(other)),
+                     DepthRule::Two,
+                     {one.sensors.front(), other}});
+    }
   }
   return out;
 }
@@ -122,7 +168,6 @@ std::vector<DepthFault> doubleDepthFaults() {
                                           fault("m_pitch", Kind::Value, 1.5),
                                           fault("m_pitch", Kind::Frozen),
                                           fault("m_depth_rate", Kind::Value, -2),
-                                          fault("m_altitude", Kind::Value, 50),
                                           fault("m_present_secs_into_mission", Kind::Frozen),
                                           fault("m_present_secs_into_mission", Kind::Value, 60000),
                                           fault("m_cycle_number", Kind::Frozen)};
@@ -130,13 +175,6 @@ std::vector<DepthFault> doubleDepthFaults() {
   for (size_t i = 0; i < parts.size(); ++i) {
     for (size_t k = i + 1; k < parts.size(); ++k) {
       if (parts[i].name != parts[k].name) {
-        const auto nameOf = [](const SensorFault& f) {
-          return f.kind == Kind::Frozen    ? f.name + " frozen"
-                 : f.kind == Kind::Missing ? f.name + " missing"
-                 : f.kind == Kind::Jumps   ? f.name + " jumps"
-                 : f.kind == Kind::Scale   ? fmt::format("{} times {}", f.name, f.value)
-                                           : fmt::format("{} = {}", f.name, f.value);
-        };
         out.push_back(
             {nameOf(parts[i]) + ", " + nameOf(parts[k]), DepthRule::Two, {parts[i], parts[k]}});
       }

@@ -23,12 +23,17 @@ struct DepthFault {
   DepthRule rule = DepthRule::Wrong;
   std::vector<simulator::SensorFault> sensors;
   [[nodiscard]] simulator::Faults from(double begin_s) const;
+  /// The same without what is wrong with one of its sensors: for one sensor nothing remains.
+  [[nodiscard]] std::vector<DepthFault> parts() const;
 };
 
-/// Each sensor that hookbeh and the flight control read, in each way that one can be wrong.
+/// Each sensor that hookbeh and the flight control read, but the altimeter, in each way that one
+/// can be wrong.
 std::vector<DepthFault> singleDepthFaults();
 /// Pairs of such as touch the depth: of two different sensors.
 std::vector<DepthFault> doubleDepthFaults();
+/// The same of the altimeter, alone and with another sensor: for flights over a bottom in range.
+std::vector<DepthFault> altimeterFaults();
 /// A vehicle without a CTD.
 simulator::SensorFault noCtd();
 

@@ -3,6 +3,8 @@
 
 #include "tests/depths/depth_flight.h"
 
+#include "simulator/campaign/bottom_judge.h"
+#include "simulator/campaign/judge_limits.h"
 #include "simulator/flight/skeleton.h"
 #include "simulator/simulator.h"
 #include "slocum/mission_files/read.h"
@@ -12,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 
 namespace glider::tests {
@@ -22,12 +25,18 @@ const std::filesystem::path kSource = GLIDER_SOURCE_DIR;
 /// Sees how the vehicle itself fares.
 class DepthOnlooker final : public simulator::FlightObserver {
  public:
+  explicit DepthOnlooker(const simulator::JudgeSetup& judged) : judge_(judged) {}
   void said(std::span<const uint8_t> /*bytes*/, double /*now_s*/) override {}
   bool cycle(const simulator::CycleView& view) override {
     const double depth = view.true_depth_m;
     seen.deepest_m = std::max(seen.deepest_m, depth);
     seen.last_m = depth;
     noteTurn(depth);
+    noteBottom(view);
+    for (const double what : {depth, view.east_m, view.north_m, view.pumped_cc}) {
+      constexpr uint64_t kPrime = 0x100000001b3U;  // FNV-1a, a word at a time
+      seen.fingerprint = (seen.fingerprint ^ std::bit_cast<uint64_t>(what)) * kPrime;
+    }
     if (view.hook == hooks::HookState::Complete && seen.given_back_s < 0) {
       seen.given_back_s = view.time_s;
     }
@@ -52,6 +61,19 @@ class DepthOnlooker final : public simulator::FlightObserver {
     }
   }
 
+  void noteBottom(const simulator::CycleView& view) {
+    const bool touches = view.clearance_m < simulator::limits::kTouchM && view.true_depth_m > 1;
+    touched_s_ = !touches ? -1 : touched_s_ < 0 ? view.time_s : touched_s_;
+    seen.contacts += touches && touched_s_ == view.time_s;
+    seen.on_bottom_s = std::max(seen.on_bottom_s, touches ? view.time_s - touched_s_ : 0);
+    seen.clearance_m =
+        view.true_depth_m > 1 ? std::min(seen.clearance_m, view.clearance_m) : seen.clearance_m;
+    std::string wrong = judge_.cycle(view);
+    seen.bottom_violation = seen.bottom_violation.empty() ? wrong : seen.bottom_violation;
+  }
+
+  simulator::BottomJudge judge_;
+  double touched_s_ = -1;
   bool sinking_ = true;
   double extreme_ = 0;
 };
@@ -113,7 +135,9 @@ simulator::Scenario diveScenario(const std::string& skeleton, double water_m) {
 }
 
 Dived flyDive(const Plan* plan, simulator::Scenario scenario, uint64_t seed, bool comes_back) {
-  DepthOnlooker observer;
+  const simulator::JudgeSetup judged =
+      simulator::judgeSetup(platform(), scenario, simulator::kindsOf(scenario.faults));
+  DepthOnlooker observer(judged);
   simulator::SimulationSetup setup;
   setup.platform = platform();
   setup.scenario = std::move(scenario);

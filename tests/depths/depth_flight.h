@@ -6,6 +6,7 @@
 #include "simulator/scenario/scenario.h"
 #include "tests/unit/simulator/fake_sbc.h"
 
+#include <cstdint>
 #include <set>
 #include <string>
 
@@ -32,6 +33,13 @@ struct Dived {
   double guarded_s = -1;     ///< when the first of them was
   int dives = 0;             ///< how often the vehicle turned from sinking to rising below 2 m
   double given_back_s = -1;  ///< when the SBC released control
+  /// Of where the vehicle was and what its pump did in each cycle: two flights that are alike have
+  /// the same, and hardly any others.
+  uint64_t fingerprint = 0xcbf29ce484222325U;
+  int contacts = 0;              ///< with the bottom
+  double on_bottom_s = 0;        ///< the longest of them
+  double clearance_m = 1e9;      ///< the least, under water
+  std::string bottom_violation;  ///< by the campaign's check of the bottom; empty: none
 };
 
 /// Flies `plan` (null: no SBC on board) through the real protocol. `comes_back`: where the SBC's

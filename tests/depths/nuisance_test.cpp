@@ -5,6 +5,7 @@
 // scripts/soak/nuisance flies more of the same.
 
 #include "simulator/sensors/noise.h"
+#include "tests/depths/depth_faults.h"
 #include "tests/depths/depth_flight.h"
 
 #include <fmt/format.h>
@@ -34,12 +35,48 @@ constexpr double kHours = 1;
 /// Of the pump's lift, what a layer of water and a bad trim may take away together: what is left
 /// moves the vehicle at two fifths of its speed, which waves then stop and turn.
 constexpr double kMostOfLift = 0.84;
+/// The same without a CTD: seven tenths of its speed.
+constexpr double kMostOfLiftAlone = 0.5;
+
+/// A value of sensors_in: mostly each cycle, else one of the stock ones.
+double drawPeriod(Rng& dice, std::initializer_list<double> stock) {
+  const auto drawn = static_cast<size_t>(dice.within(0, static_cast<double>(stock.size())));
+  return dice.chance(0.4) ? 0 : std::data(stock)[drawn];
+}
+
+/// The mission file's own reading of the devices, above hookbeh.
+std::string drawSensorsIn(Rng& dice) {
+  return fmt::format(
+      "behavior: sensors_in\n b_arg: c_att_time(s) {}\n b_arg: c_pressure_time(s) {}\n"
+      " b_arg: c_alt_time(s) {}\n b_arg: u_battery_time(s) {}\n",
+      drawPeriod(dice, {2, 4, 10}), drawPeriod(dice, {2, 4, 5, 6, 8, 10, 12, 16}),
+      drawPeriod(dice, {4, 10, 16}), drawPeriod(dice, {10, 60}));
+}
+
+/// Swell of up to a metre in the depth: of the whole water column, or as the pressure has it.
+void drawSwell(Rng& dice, simulator::OceanSettings& ocean) {
+  const double amplitude = dice.within(0, 1), period = dice.within(6, 14);
+  if (dice.chance(0.3)) {
+    ocean.wave = {amplitude, period, 0, dice.within(0, 6)};
+  } else if (dice.chance(0.6)) {
+    ocean.swell = {amplitude, period, dice.within(0, 6), dice.chance(0.5) ? 1 : dice.within(0, 1)};
+  }
+}
+
+/// Cycles of 4 to 15 s.
+void drawCycles(Rng& dice, simulator::CycleSettings& cycles) {
+  if (dice.chance(0.6)) {
+    cycles = {dice.within(4, 4.6), dice.within(0, 0.4), dice.chance(0.6) ? dice.within(0, 0.06) : 0,
+              dice.within(6, 15)};
+  }
+}
 
 /// Yos and hovers at the pitches and depths that pilots use.
 Plan drawPlan(Rng& dice) {
   Plan plan;
   plan.top_m = dice.within(2, 8);
-  plan.bottom_m = dice.within(12, 56);
+  // Above max_depth there must be room for what the dive overshoots, for rare readings and swell.
+  plan.bottom_m = dice.within(12, 50);
   plan.pitch_rad = dice.within(0.32, 0.6);
   plan.hovers = dice.chance(0.25);
   plan.release_s = kHours * 3600;
@@ -47,16 +84,21 @@ Plan drawPlan(Rng& dice) {
 }
 
 simulator::Scenario drawWater(Rng& dice) {
-  simulator::Scenario scenario = diveScenario(hookbehSkeleton(kGreatest), dice.within(75, 200));
+  std::string skeleton = hookbehSkeleton(kGreatest);
+  skeleton.insert(skeleton.find("behavior: hookbeh"), drawSensorsIn(dice));
+  simulator::Scenario scenario = diveScenario(skeleton, dice.within(85, 200));
   scenario.duration_s = kHours * 3600 + 1200;
   auto& ocean = scenario.ocean;
   ocean.thermocline_depth_m = dice.within(8, 35);
   ocean.thermocline_thickness_m = dice.within(1, 12);
   ocean.wave = {dice.within(0, 6), dice.within(300, 2400),
                 dice.chance(0.5) ? 0 : dice.within(300, 2000), dice.within(0, 6)};
+  drawSwell(dice, ocean);
+  drawCycles(dice, scenario.cycles);
+  const bool has_ctd = dice.chance(0.6);
   // Share of the lift that goes to stratification, and that to a bad trim.
   const double lift_kg = 0.233 * 1.025;
-  const double lost = dice.within(0, kMostOfLift), to_trim = dice.within(0, 0.4);
+  const double lost = dice.within(0, has_ctd ? kMostOfLift : kMostOfLiftAlone), to_trim = dice.within(0, 0.4);
   const double volume = 65.0 / 1025;
   ocean.density_step = 2 * lost * (1 - to_trim) * lift_kg / volume;
   scenario.vehicle.flight.mass_kg += (dice.chance(0.5) ? 1 : -1) * lost * to_trim * lift_kg;
@@ -69,7 +111,28 @@ simulator::Scenario drawWater(Rng& dice) {
   if (dice.chance(0.25)) {  // Figure 6: climbs on which the CTD keeps its water
     scenario.sensors.ctd.stale_climbs = {.on = true, .frozen_s = 1000, .after_s = 600, .count = 1};
   }
+  if (!has_ctd) {
+    scenario.faults.sensors.push_back(noCtd());
+  }
   return scenario;
+}
+
+std::string describe(const simulator::Scenario& scenario) {
+  std::string text;
+  for (const auto& block : scenario.skeleton.behaviours) {
+    if (block.name == "sensors_in") {
+      text = fmt::format("c_pressure_time {} ", block.value("c_pressure_time"));
+    }
+  }
+  const auto& ocean = scenario.ocean;
+  return text + fmt::format("wave {:.2f} m {:.1f} s, swell {:.2f} m {:.1f} s followed {:.2f}, "
+                            "cycles {:.2f} s, {:.3f} of {:.1f} s, {}, step {:.2f} kg/m3, noise {:.3f}",
+                            ocean.wave.amplitude_m, ocean.wave.period_s, ocean.swell.amplitude_m,
+                            ocean.swell.period_s, ocean.swell.followed_share,
+                            scenario.cycles.mean_s, scenario.cycles.long_share,
+                            scenario.cycles.long_s,
+                            scenario.faults.sensors.empty() ? "CTD" : "no CTD", ocean.density_step,
+                            scenario.sensors.depth.noise_m);
 }
 
 TEST(Nuisance, NoGuardComesInWhereNothingIsWrong) {
@@ -79,14 +142,16 @@ TEST(Nuisance, NoGuardComesInWhereNothingIsWrong) {
   for (uint64_t i = 0; i < count; ++i) {
     Rng dice(seed + i);
     const Plan plan = drawPlan(dice);
-    const Dived dived = flyDive(&plan, drawWater(dice), seed + i);
+    const simulator::Scenario drawn = drawWater(dice);
+    const Dived dived = flyDive(&plan, drawn, seed + i);
     dives += static_cast<uint64_t>(dived.dives);
     deep += dived.deepest_m > 10;
     guarded += !dived.guards.empty();
     EXPECT_TRUE(dived.guards.empty())
         << "flight " << seed + i << (plan.hovers ? ", hover at " : ", yo to ") << plan.bottom_m
         << " m at " << plan.pitch_rad << " rad: guard " << *dived.guards.begin() << " at "
-        << dived.guarded_s << " s, deepest " << dived.deepest_m << " m";
+        << dived.guarded_s << " s, deepest " << dived.deepest_m << " m\n"
+        << describe(drawn);
     if (count > 100 && (i + 1) % 200 == 0) {
       fmt::print("{} of {} flights, {} guarded, {} dives\n", i + 1, count, guarded, dives);
       std::fflush(stdout);

@@ -7,6 +7,7 @@
 #include "frontend/format/format.h"
 #include "ir/prove/prove.h"
 #include "ir/verify/verify.h"
+#include "support/diagnostics/catalogue.h"
 #include "tests/docs/examples.h"
 #include "tests/unit/frontend/compile.h"
 
@@ -32,7 +33,8 @@ const std::set<DiagnosticId> kNotShown = {
     DiagnosticId::declinationUnknown,
     // The vehicle's mission file: vehicle_missions_test.cpp tries the page.
     DiagnosticId::mayStayBelow, DiagnosticId::vehicleRefuses, DiagnosticId::vehicleAborts,
-    DiagnosticId::startUnassumed};
+    DiagnosticId::startUnassumed, DiagnosticId::hookbehOverrides, DiagnosticId::mayNotFollow,
+    DiagnosticId::commandsMasked, DiagnosticId::controlPrevented, DiagnosticId::sensorUnread};
 /// Their repair needs a second file.
 const std::set<DiagnosticId> kNotRepaired = {DiagnosticId::openString};
 

@@ -8,6 +8,7 @@
 #include "ir/prove/prove.h"
 #include "ir/text/print.h"
 #include "ir/verify/verify.h"
+#include "support/diagnostics/catalogue.h"
 #include "tests/promises/patrol.h"
 
 #include <fmt/format.h>

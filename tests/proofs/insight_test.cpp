@@ -140,9 +140,8 @@ TEST(ByState, WhatWasProvedIsKnown) {
   const ir::MissionFacts facts = ir::verify(*mission, run.diagnostics);
   ir::prove::Options how;
   how.run_effort = 1;
-  how.cached = [](uint32_t number) -> std::optional<ir::prove::CachedVerdict> {
-    return number == 1 ? std::optional(ir::prove::CachedVerdict{ir::prove::Verdict::Proved, ""})
-                       : std::nullopt;
+  how.earlier_proof = [](uint32_t number) {
+    return number == 1 ? std::optional(ir::prove::EarlierProof()) : std::nullopt;
   };
   const auto found = ir::prove::prove(*mission, facts, slocum(), how, run.diagnostics);
   EXPECT_EQ(found.requirements.at(0).verdict, ir::prove::Verdict::Proved) << "it follows";

@@ -3,6 +3,8 @@
 
 #include "tests/random_proofs/claims.h"
 
+#include "support/diagnostics/catalogue.h"
+
 #include <algorithm>
 #include <functional>
 #include <utility>

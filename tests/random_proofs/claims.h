@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ir/prove/prove.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/diagnostics/engine.h"
 
 #include <limits>

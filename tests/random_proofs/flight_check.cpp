@@ -3,6 +3,8 @@
 
 #include "tests/random_proofs/flight_check.h"
 
+#include "support/diagnostics/catalogue.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

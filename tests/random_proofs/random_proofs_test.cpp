@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // What is proved about random missions, and what they are warned of, holds in random flights of
-// them, with faults of sensors and outages. scripts/soak/random_proofs flies more of the same.
+// them, with faults of sensors, outages, and restarts of the flight controller.
+// scripts/soak/random_proofs flies more of the same.
 
 #include "ir/core/under_assumptions.h"
 #include "ir/prove/falsification/random_flight.h"
 #include "ir/text/print.h"
 #include "ir/verify/verify.h"
+#include "support/diagnostics/catalogue.h"
 #include "tests/containment/hard_mission.h"
 #include "tests/random_missions/random_mission.h"
 #include "tests/random_proofs/flight_check.h"
 #include "tests/random_proofs/requirements.h"
+#include "tests/random_proofs/restarts.h"
 #include "tests/random_proofs/tally.h"
 #include "tests/unit/ir/slocum.h"
 
@@ -71,6 +74,9 @@ class Trial {
     for (uint64_t i = 0; i < kFlights && !testing::Test::HasFailure(); ++i) {
       fly(i, met);
     }
+    if (!testing::Test::HasFailure()) {
+      flyWithRestarts(met);
+    }
     for (const auto& area : areas_) {
       flyIn(area);
     }
@@ -126,11 +132,7 @@ class Trial {
     std::string broken = looking.tick(flight);
     for (size_t i = 0; i < kTicks && !flight.over() && broken.empty(); ++i) {
       flight.advance();
-      broken = looking.midway(flight);
-      if (broken.empty()) {
-        flight.decide();
-        broken = looking.tick(flight);
-      }
+      broken = halves(looking, flight);
       ++tally_.ticks;
     }
     if (!broken.empty()) {
@@ -138,6 +140,60 @@ class Trial {
                     << " s: " << broken << "\n"
                     << ir::print(required_.mission);
     }
+  }
+
+  /// A deployment in which the SBC and the flight controller restart. A mission that begins again
+  /// in it is checked by those who watched the one before, unless it is another flight.
+  void flyWithRestarts(Met& met) {
+    constexpr size_t kMissions = 3;
+    FlightStyle style;
+    style.pressing = seed_ % 2 == 0;
+    ir::prove::Rng dice(seed_);
+    std::optional<FlightCheck> looking;
+    looking.emplace(wide_, watched_, style, false, met);
+    std::string broken;
+    size_t ticks = 0;
+    for (size_t mission = 0; mission < kMissions && broken.empty(); ++mission) {
+      Flight flight(wide_, ~seed_ * kMissions + mission, style);
+      flight.start();
+      ++tally_.flights;
+      broken = looking->tick(flight);
+      std::optional<Restart> restart;
+      while (broken.empty() && !flight.over() && ++ticks < 2 * kTicks) {
+        restart = drawRestart(dice, required_.mission, false);
+        if (restart && restart->then != runtime::Continuation::GoesOn) {
+          break;
+        }
+        restart ? flight.advance(restart->outage_s) : flight.advance();
+        tally_.restarts += restart ? 1U : 0U;
+        broken = halves(*looking, flight);
+        ++tally_.ticks;
+      }
+      while (flight.over() && !restart) {
+        restart = drawRestart(dice, required_.mission, true);
+      }
+      if (!restart || restart->then != runtime::Continuation::Begins) {
+        break;
+      }
+      ++tally_.begun_again;
+      if (restart->another_flight) {
+        looking.emplace(wide_, watched_, style, false, met);
+      }
+    }
+    if (!broken.empty()) {
+      ADD_FAILURE() << "mission " << seed_ << ", with restarts: " << broken << "\n"
+                    << ir::print(required_.mission);
+    }
+  }
+
+  /// The second half of a tick, seen from both.
+  static std::string halves(FlightCheck& looking, Flight& flight) {
+    const std::string broken = looking.midway(flight);
+    if (!broken.empty()) {
+      return broken;
+    }
+    flight.decide();
+    return looking.tick(flight);
   }
 
   /// A flight whose readings of its position are right, within what the mission assumes.
@@ -189,6 +245,10 @@ TEST(RandomProofs, HoldInFlightsWithFaultsAndOutages) {
     Trial(seed, tally).run();
   }
   fmt::print("{}", tally.text());
+  if (count >= kFew) {
+    EXPECT_GT(tally.restarts, count / 2) << "restarts after which a mission went on";
+    EXPECT_GT(tally.begun_again, count / 20);
+  }
 }
 
 }  // namespace

@@ -26,7 +26,8 @@ void Tally::add(const std::string& kind, const ir::prove::RequirementVerdict& ve
 }
 
 std::string Tally::text() const {
-  std::string text = fmt::format("missions {}, flights {}, ticks {}\n", missions, flights, ticks);
+  std::string text = fmt::format("missions {}, flights {}, ticks {}, restarts {}, begun again {}\n",
+                                 missions, flights, ticks, restarts, begun_again);
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "{:<16}{:>9}{:>9}{:>10}{:>10}{:>11}\n", "requirements", "proved", "watched",
                  "assuming", "refuted", "undecided");

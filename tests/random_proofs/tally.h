@@ -23,6 +23,8 @@ struct Tally {
     size_t met = 0;  ///< a flight was where it could have contradicted the finding
   };
   size_t missions = 0, flights = 0, ticks = 0;
+  size_t restarts = 0;                           ///< after which a mission went on
+  size_t begun_again = 0;                        ///< missions, after a restart
   std::map<std::string, Verdicts> requirements;  ///< by kind
   std::map<std::string, Findings> findings;      ///< by code
 

@@ -9,6 +9,7 @@
 #include "ir/text/read.h"
 #include "ir/verify/structure.h"
 #include "ir/verify/verify.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/diagnostics/render.h"
 #include "tests/random_missions/random_mission.h"
 #include "tests/random_missions/random_structure.h"

@@ -30,6 +30,7 @@ class HearingSbc final : public simulator::SbcPort {
   }
 
   [[nodiscard]] std::string way() const override { return sbc_->way(); }
+  void setTime(double now_s) override { sbc_->setTime(now_s); }
   void deliver(std::span<const uint8_t> bytes, double now_s) override {
     for (const uint8_t byte : bytes) {
       hooks::TickHead head;

@@ -233,7 +233,8 @@ TEST(Whole, AfterEachLossOfControlTheVehicleIsAtTheSurfaceInTheStatedTime) {
 constexpr const char* kEndlessYo =
     "behavior: yo\n    b_arg: start_when(enum) 0\n    b_arg: d_target_depth(m) 30\n"
     "    b_arg: c_target_depth(m) 12\n";
-constexpr const char* kHeading = "behavior: set_heading\n    b_arg: heading_value(X) 1\n";
+constexpr const char* kHeading =
+    "behavior: set_heading\n    b_arg: use_heading(bool) 1\n    b_arg: heading_value(X) 1\n";
 
 /// The skeleton with a fault.
 struct Twin {

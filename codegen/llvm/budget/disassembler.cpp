@@ -4,6 +4,7 @@
 #include "codegen/llvm/budget/disassembler.h"
 
 #include "codegen/llvm/target/machine.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <llvm/ADT/SmallVector.h>
 #include <llvm/MC/MCAsmInfo.h>

@@ -5,6 +5,7 @@
 
 #include "codegen/llvm/budget/disassembler.h"
 #include "codegen/llvm/budget/taken.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <llvm/DebugInfo/DWARF/DWARFContext.h>
 #include <llvm/Demangle/Demangle.h>

@@ -5,6 +5,7 @@
 
 #include "codegen/scratch_folder.h"
 #include "ir/core/c_symbols.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <fmt/ranges.h>

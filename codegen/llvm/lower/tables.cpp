@@ -5,6 +5,7 @@
 #include "codegen/llvm/lower/guard_table.h"
 #include "codegen/llvm/lower/lowering.h"
 #include "codegen/llvm/lower/unit_factors.h"
+#include "ir/core/start_depth.h"
 #include "platforms/load/dictionary.h"
 #include "runtime/abi/glider_abi.h"
 
@@ -44,6 +45,12 @@ llvm::GlobalVariable* placeOfState(Lowering& lowering, uint32_t state) {
   place->setVisibility(llvm::GlobalValue::HiddenVisibility);
   place->setDSOLocal(true);
   return place;
+}
+
+/// Whole centimetres, rounded down.
+size_t startDepthCm(const Lowering& lowering) {
+  constexpr double kCmPerM = 100;
+  return static_cast<size_t>(ir::startReading(lowering.mission, lowering.platform) * kCmPerM);
 }
 
 /// Makes the constants.
@@ -265,7 +272,7 @@ llvm::Constant* Tables::mission(const MissionFunctions& functions) {
                                     word(mission.uses.size()),
                                     number(mission.resume_within_s),
                                     word(mission.new_after_restart ? 1 : 0),
-                                    word(0),
+                                    word(startDepthCm(lowering_)),
                                     text(mission.name),
                                     states(),
                                     sensors(),

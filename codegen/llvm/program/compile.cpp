@@ -10,6 +10,7 @@
 #include "codegen/llvm/program/program.h"
 #include "platforms/load/dictionary.h"
 #include "runtime/abi/glider_abi.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <future>
 #include <utility>

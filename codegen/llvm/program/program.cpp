@@ -3,6 +3,7 @@
 
 #include "codegen/llvm/program/program.h"
 
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <llvm/Bitcode/BitcodeReader.h>

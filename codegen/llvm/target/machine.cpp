@@ -3,6 +3,8 @@
 
 #include "codegen/llvm/target/machine.h"
 
+#include "support/diagnostics/catalogue.h"
+
 #include <llvm/MC/MCSubtargetInfo.h>
 #include <llvm/MC/TargetRegistry.h>
 #include <llvm/Support/TargetSelect.h>

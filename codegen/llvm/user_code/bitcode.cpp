@@ -8,6 +8,7 @@
 #include "codegen/llvm/program/program.h"
 #include "codegen/llvm/target/machine.h"
 #include "codegen/llvm/user_code/machine_check.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <llvm/Bitcode/BitcodeReader.h>

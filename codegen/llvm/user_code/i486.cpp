@@ -4,6 +4,7 @@
 #include "codegen/llvm/user_code/i486.h"
 
 #include "support/check.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <llvm/MC/MCAsmInfo.h>
 #include <llvm/MC/MCContext.h>

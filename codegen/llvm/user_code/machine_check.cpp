@@ -4,6 +4,7 @@
 #include "codegen/llvm/user_code/machine_check.h"
 
 #include "codegen/llvm/user_code/i486.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <llvm/BinaryFormat/ELF.h>
 #include <llvm/Support/ARMAttributeParser.h>

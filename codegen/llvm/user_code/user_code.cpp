@@ -8,7 +8,9 @@
 #include "codegen/llvm/user_code/bitcode.h"
 #include "codegen/llvm/user_code/user_file.h"
 #include "ir/core/c_symbols.h"
+#include "support/diagnostics/catalogue.h"
 
+#include <fmt/format.h>
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/LLVMContext.h>
 

@@ -5,6 +5,7 @@
 
 #include "codegen/llvm/user_code/bitcode.h"
 #include "codegen/llvm/user_code/machine_check.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 
 #include <llvm/BinaryFormat/Magic.h>

@@ -6,6 +6,7 @@
 #include "frontend/sema/declarations/variables.h"
 #include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/expressions/lower_expr.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <cmath>
 #include <type_traits>

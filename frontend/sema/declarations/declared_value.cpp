@@ -5,6 +5,7 @@
 
 #include "frontend/sema/expressions/evaluate.h"
 #include "ir/eval/arithmetic.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/units/units.h"
 
 #include <fmt/format.h>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "frontend/sema/declarations/declarations.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <optional>
 #include <string>

@@ -7,6 +7,7 @@
 #include "frontend/sema/promises/lower_promise.h"
 #include "frontend/sema/promises/monitor_builder.h"
 #include "ir/core/walk.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -5,6 +5,7 @@
 
 #include "frontend/sema/declarations/declared_value.h"
 #include "frontend/sema/declarations/only_item.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,6 +6,7 @@
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/promises/lower_promise.h"
 #include "frontend/spelling.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -4,6 +4,7 @@
 #include "frontend/sema/expressions/lower_arguments.h"
 
 #include "frontend/sema/expressions/lower_expr.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -5,6 +5,7 @@
 
 #include "ir/core/ops.h"
 #include "support/check.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -87,6 +87,12 @@ class ExprLowering {
   Result comparison(ir::Op op, const ast::Binary& node, const ast::Expr& expr);
   Result sum(ir::Op op, const ast::Binary& node, const ast::Expr& expr,
              std::optional<ir::Type> want);
+  /// Whether three whole numbers look like a date, which is reported.
+  bool isDate(const ast::Binary& node, const ast::Expr& expr);
+  /// Whether `clock` is the time since 1970 and `value` is a constant below a year, which is
+  /// reported.
+  bool tooSoonAfter1970(const Value& clock, const ast::Expr& clock_expr, const Value& value,
+                        const ast::Expr& value_expr);
   /// Refuses `3910.6 -7349.9`, a position that would be a difference.
   bool sideBySide(const ast::Binary& node, const ast::Expr& expr);
   Result scaling(ir::Op op, const ast::Binary& node, const ast::Expr& expr);

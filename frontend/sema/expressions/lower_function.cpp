@@ -6,6 +6,7 @@
 #include "frontend/sema/names/functions.h"
 #include "frontend/spelling.h"
 #include "ir/core/ops.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -3,6 +3,7 @@
 
 #include "frontend/sema/expressions/lanes.h"
 #include "frontend/sema/expressions/lower_expr.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

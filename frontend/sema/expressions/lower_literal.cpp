@@ -5,6 +5,7 @@
 #include "frontend/sema/expressions/literals.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/spelling.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/units/units.h"
 
 #include <fmt/format.h>
@@ -17,6 +18,13 @@ namespace glider::frontend {
 using support::DiagnosticId;
 
 namespace {
+
+/// `value` of a unit in SI units: 70 cm is the double nearest to 0.7 m, as `0.7 m` is. A hundredth
+/// is not a double, but a hundred is.
+double inSi(double value, double to_si) {
+  const double parts = std::round(1 / to_si);
+  return parts > 1 && 1 / parts == to_si ? value / parts : value * to_si;
+}
 
 constexpr ir::Type kLatitude{ir::TypeKind::Latitude, {}};
 constexpr ir::Type kLongitude{ir::TypeKind::Longitude, {}};
@@ -76,7 +84,7 @@ ExprLowering::Result ExprLowering::visit(const ast::Literal& node, const ast::Ex
                   "combine units with `*` and `/`, as in `degC/m`");
     return std::nullopt;
   }
-  const double si = *value * unit->to_si;
+  const double si = inSi(*value, unit->to_si);
   if (!std::isfinite(si)) {
     scope_.report(DiagnosticId::numberTooLarge, expr.where, scope_.text(expr.where));
     return std::nullopt;
@@ -104,7 +112,7 @@ ExprLowering::Result ExprLowering::bareLiteral(const ast::Literal& node,
                   support::unitName(type.dimension));
     return std::nullopt;
   }
-  const double si = *value * unit->to_si;
+  const double si = inSi(*value, unit->to_si);
   if (!std::isfinite(si)) {
     scope_.report(DiagnosticId::numberTooLarge, range, node.digits);
     return std::nullopt;

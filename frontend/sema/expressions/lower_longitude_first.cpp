@@ -4,6 +4,7 @@
 #include "frontend/bare_positions.h"
 #include "frontend/sema/expressions/literals.h"
 #include "frontend/sema/expressions/lower_expr.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -5,6 +5,7 @@
 #include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "ir/core/ops.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 
@@ -202,7 +203,7 @@ bool ExprLowering::sideBySide(const ast::Binary& node, const ast::Expr& expr) {
 ExprLowering::Result ExprLowering::sum(ir::Op op, const ast::Binary& node, const ast::Expr& expr,
                                        std::optional<ir::Type> want) {
   const std::string_view text = rowOf(node.op).text;
-  if (sideBySide(node, expr)) {
+  if (isDate(node, expr) || sideBySide(node, expr)) {
     return std::nullopt;
   }
   const auto pair = alike(*node.left, *node.right, want, text);
@@ -215,6 +216,9 @@ ExprLowering::Result ExprLowering::sum(ir::Op op, const ast::Binary& node, const
 ExprLowering::Result ExprLowering::scaling(ir::Op op, const ast::Binary& node,
                                            const ast::Expr& expr) {
   const std::string_view text = rowOf(node.op).text;
+  if (isDate(node, expr)) {
+    return std::nullopt;
+  }
   const Result left = lower(*node.left, std::nullopt);
   const Result right = lower(*node.right, std::nullopt);
   if (!left || !right || !numeric(*left, *node.left, text, false) ||
@@ -268,6 +272,10 @@ ExprLowering::Result ExprLowering::comparison(ir::Op op, const ast::Binary& node
   const std::string_view text = rowOf(node.op).text;
   const auto pair = alike(*node.left, *node.right, std::nullopt, text);
   if (!pair || !numeric(pair->left, *node.left, text, true)) {
+    return std::nullopt;
+  }
+  if (tooSoonAfter1970(pair->left, *node.left, pair->right, *node.right) ||
+      tooSoonAfter1970(pair->right, *node.right, pair->left, *node.left)) {
     return std::nullopt;
   }
   warnOfEquality(op, pair->left, pair->right, node);

@@ -3,6 +3,7 @@
 
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/names/functions.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

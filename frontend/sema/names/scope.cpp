@@ -5,6 +5,7 @@
 
 #include "frontend/sema/names/functions.h"
 #include "frontend/spelling.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/one_line.h"
 
 #include <fmt/format.h>

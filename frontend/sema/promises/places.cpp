@@ -5,6 +5,7 @@
 
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/spelling.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -8,6 +8,7 @@
 #include "frontend/sema/states/lower_case.h"
 #include "frontend/sema/states/lower_statement.h"
 #include "support/check.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

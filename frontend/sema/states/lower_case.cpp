@@ -9,6 +9,7 @@
 #include "frontend/sema/states/lower_statement.h"
 #include "frontend/spelling.h"
 #include "support/check.h"
+#include "support/diagnostics/catalogue.h"
 
 namespace glider::frontend {
 

@@ -9,6 +9,7 @@
 #include "frontend/sema/names/commands.h"
 #include "frontend/sema/names/functions.h"
 #include "frontend/spelling.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -7,6 +7,7 @@
 #include "frontend/sema/states/lower_behaviour.h"
 #include "frontend/sema/states/lower_state.h"
 #include "frontend/spelling.h"
+#include "support/diagnostics/catalogue.h"
 
 namespace glider::frontend {
 

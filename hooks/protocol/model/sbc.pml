@@ -159,12 +159,15 @@ inline write_instruction() {
 inline consider_checkpoint() {
   if
   :: found == 0 || sbc_stuck == 1 || tick_state == Absent || tick_state == Complete -> skip
-  :: found == 1 && sbc_stuck == 0 && tick_state == Ready -> /* another flight */
+  :: found == 1 && sbc_stuck == 0 && tick_state == Ready -> /* another flight: it had ended, or long ago */
      found = 0; sbc_session = 0; mission_time = 0; told_sequence = 0; told_end = 0; forget_mission();
      printf("decides start\n")
   :: found == 1 && sbc_stuck == 0 && tick_state == Ready && kept_finished == 0 -> /* or the vehicle's mission has begun again */
      found = 0; goes_on = 1; finished = 0;
      printf("decides on\n")
+  :: found == 1 && sbc_stuck == 0 && tick_state == Ready && kept_finished == 0 -> /* or that was too long ago, or may not be */
+     found = 0; sbc_session = 0; leaves = 1;
+     printf("decides leaves\n")
   :: found == 1 && sbc_stuck == 0 && (tick_state == Active || tick_state == Silent) ->
      found = 0;
      if

@@ -4,6 +4,7 @@
 #include "hooks/transport/host/pty.h"
 
 #include "hooks/transport/descriptor.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <array>
 #include <cerrno>

@@ -5,6 +5,7 @@
 
 #include "hooks/transport/descriptor.h"
 #include "hooks/transport/termios.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <libserialport.h>
 

@@ -26,9 +26,11 @@ constexpr size_t kMostWork = 4000000;
 
 /// The latest time at which it becomes current, and how often that has been raised since it
 /// passed a time that a guard names.
+struct Arrival;
 struct Latest {
   double time = 0;
   unsigned raised = 0;
+  const Arrival* from = nullptr;  ///< what it came from then; null: the start
 };
 
 /// Where a trace can be when a state becomes current.
@@ -56,10 +58,10 @@ class Search {
     arrive(control, std::move(values), 0);
     while (!pending_.empty()) {
       if (work_ > kMostWork || !follow()) {
-        return {std::nullopt, {}, stays_};
+        return {std::nullopt, {}, stays_, loop_};
       }
     }
-    return {end_, left_by_, {}};
+    return {end_, left_by_};
   }
 
   /// After a bound was found.
@@ -91,6 +93,7 @@ class Search {
     const auto [known, fresh] = times_.emplace(arrival, Latest{time, 0});
     if (fresh || known->second.time < time) {
       raise(known->second, time);
+      known->second.from = following_;
       pending_.push_back(std::move(arrival));
     }
   }
@@ -102,7 +105,7 @@ class Search {
     constexpr unsigned kOften = 20;
     const auto next = thresholds().lower_bound(time);
     const bool passed = next != thresholds().lower_bound(latest.time);
-    latest = {time, passed ? 0 : latest.raised + 1};
+    latest = {time, passed ? 0 : latest.raised + 1, latest.from};
     if (latest.raised > kOften) {
       latest.time = next == thresholds().end() ? std::numeric_limits<double>::max() : *next;
     }
@@ -146,11 +149,13 @@ class Search {
   bool follow() {
     const Arrival from = std::move(pending_.back());
     pending_.pop_back();
+    const auto known = times_.find(from);
+    following_ = &known->first;
     Valuation held;
-    const Leaving leaving = leavingFrom(from, times_.at(from).time, held);
+    const Leaving leaving = leavingFrom(from, known->second.time, held);
     work_ += leaving.work;
     if (leaving.by > latest_) {
-      stays_ = from.control.state;
+      blame(from, held);
       return false;
     }
     double& left_by = left_by_[from.control.state.index];
@@ -161,6 +166,29 @@ class Search {
       branch(from.control, ListKind::Always, m_.always, held, any_time);
     }
     return true;
+  }
+
+  /// Finds out why a trace may last so long: if the clocks bound every stay in this state, it is
+  /// entered again and again.
+  void blame(const Arrival& late, const Valuation& held) {
+    const StateId state = late.control.state;
+    const Interruptions always = interrupting(late.control);
+    if (stayOf(proof_context_, m_[state], always, held).by > latest_) {
+      stays_ = state;
+      return;
+    }
+    std::vector<const Arrival*> way;
+    for (const Arrival* at = following_; at != nullptr; at = times_.at(*at).from) {
+      const auto before = std::ranges::find(way, at);
+      if (before != way.end()) {
+        std::set<StateId> states;
+        std::for_each(before, way.end(),
+                      [&](const Arrival* a) { states.insert(a->control.state); });
+        loop_.assign(states.begin(), states.end());
+        return;
+      }
+      way.push_back(at);
+    }
   }
 
   /// Cases without a transition may fire on any tick.
@@ -243,7 +271,9 @@ class Search {
   double latest_;
   Goal goal_;
   StateId stays_;
-  std::vector<double> left_by_;  ///< of each state
+  std::vector<StateId> loop_;
+  const Arrival* following_ = nullptr;  ///< a key of `times_`
+  std::vector<double> left_by_;         ///< of each state
   std::map<Arrival, Latest> times_;
   std::optional<std::set<double>> thresholds_;
   std::vector<Arrival> pending_;

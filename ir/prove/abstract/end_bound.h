@@ -27,8 +27,12 @@ struct EndBound {
   /// With `by`, for each state: after this mission time, s, it is no longer current; 0: it never
   /// is.
   std::vector<double> left_by;
-  StateId stays;  ///< without `by`: a state in which a trace may stay beyond `latest`; invalid: the
-                  ///< search was given up
+  /// Without `by`: the state whose own clock conditions bound no stay in it; invalid: the search
+  /// was given up, or it is `loop` that has no bound.
+  StateId stays = {};
+  /// Without `by`: states that follow one another again and again, each left in a bounded time; in
+  /// the order of the mission.
+  std::vector<StateId> loop = {};
 };
 
 /// A mission time (s) by which every trace has reached `goal`; none if no bound up to `latest` is

@@ -56,7 +56,8 @@ bool endsWithout(const ProofContext& proof_context, SensorId sensor) {
 
 }  // namespace
 
-std::vector<SensorId> endDependsOn(const ProofContext& proof_context, StateId stays) {
+std::vector<SensorId> endDependsOn(const ProofContext& proof_context,
+                                   const std::vector<StateId>& states) {
   const Mission& m = proof_context.mission;
   Sensors everywhere(m);
   everywhere.add(m.always);
@@ -68,9 +69,11 @@ std::vector<SensorId> endDependsOn(const ProofContext& proof_context, StateId st
     found.clear();
   }
   std::erase_if(found, [&](SensorId id) { return !endsWithout(proof_context, id); });
-  if (found.empty() && stays.valid()) {
+  if (found.empty()) {
     Sensors here(m);
-    here.add(m[stays].cases);
+    for (const StateId state : states) {
+      here.add(m[state].cases);
+    }
     found = here.all();
   }
   return found;

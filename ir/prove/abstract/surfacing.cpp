@@ -99,6 +99,14 @@ class Search {
     return longest_;
   }
 
+  [[nodiscard]] std::vector<double> climbs() const {
+    std::vector<double> all;
+    for (uint32_t i = 0; i < count_; ++i) {
+      all.push_back(climbOf(i));
+    }
+    return all;
+  }
+
   /// After a bound was found.
   [[nodiscard]] std::vector<Submersion> submersions() const {
     std::vector<Submersion> all;
@@ -264,6 +272,11 @@ class Search {
 std::optional<double> longestSubmersion(const ProofContext& proof_context, const EndBound& end,
                                         double limit) {
   return Search(proof_context, end, limit).run();
+}
+
+std::vector<double> climbTimes(const ProofContext& proof_context) {
+  const EndBound none;
+  return Search(proof_context, none, kLongestMission).climbs();
 }
 
 std::vector<Submersion> submersionsOf(const ProofContext& proof_context, const EndBound& end) {

@@ -32,6 +32,10 @@ namespace glider::ir::prove {
 std::optional<double> longestSubmersion(const ProofContext& proof_context, const EndBound& end,
                                         double limit);
 
+/// For each state: from this time after it became current on, every tick is at the surface (s);
+/// infinite if the state does not only climb.
+std::vector<double> climbTimes(const ProofContext& proof_context);
+
 /// How long a trace may have been without a tick at the surface when a state becomes current, s.
 struct Submersion {
   double entered = -1;  ///< by goto or call; negative: it is not entered

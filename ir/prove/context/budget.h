@@ -27,6 +27,8 @@ class Budget {
   /// A tick of a random flight, and so many expressions of the mission.
   static constexpr uint64_t kTick = 6;
   static constexpr uint64_t kExpressions = 400;
+  /// So many operations of the condition that is checked on each tick.
+  static constexpr uint64_t kEvaluated = 40;
 
   explicit Budget(uint64_t steps, std::optional<Clock::time_point> until = std::nullopt)
       : left_(steps), until_(until) {}

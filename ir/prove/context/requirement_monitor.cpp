@@ -15,7 +15,11 @@ RequirementMonitor::RequirementMonitor(const Mission& mission, const Requirement
       requirement_(requirement),
       surface_depth_m_(surface_depth_m),
       depth_(depth),
-      memory_(mission.variables.size(), std::numeric_limits<double>::quiet_NaN()) {}
+      memory_(mission.variables.size(), std::numeric_limits<double>::quiet_NaN()) {
+  if (requirement.condition.valid()) {
+    condition_.emplace(mission, requirement.condition);
+  }
+}
 
 /// By goto or call, or as the first state of the mission.
 bool RequirementMonitor::enters(const TickResult& result, StateId state) const {
@@ -29,7 +33,8 @@ bool RequirementMonitor::enters(const TickResult& result, StateId state) const {
   return cases.at(result.moved->number).transition != Transition::Return;
 }
 
-Value RequirementMonitor::valueOf(ExprId id, const Interpreter& run, double true_depth) const {
+Value RequirementMonitor::valueOf(const Evaluation& expression, const Interpreter& run,
+                                  double true_depth) const {
   const auto leaf = [&](const Expr& e, std::span<const double>) -> Value {
     if (e.op == Op::Sensor && depth_ && e.sensor == *depth_ && true_depth == true_depth) {
       return true_depth;
@@ -39,11 +44,15 @@ Value RequirementMonitor::valueOf(ExprId id, const Interpreter& run, double true
     }
     return run.evaluate({static_cast<uint32_t>(&e - m_.exprs.data())});
   };
-  return evaluate(m_, id, leaf);
+  return expression(leaf);
+}
+
+Value RequirementMonitor::valueOf(ExprId id, const Interpreter& run, double true_depth) const {
+  return valueOf(Evaluation(m_, id), run, true_depth);
 }
 
 bool RequirementMonitor::conditionIsFalse(const Interpreter& run, double true_depth) const {
-  return std::get<Truth>(valueOf(requirement_.condition, run, true_depth)) == Truth::False;
+  return std::get<Truth>(valueOf(*condition_, run, true_depth)) == Truth::False;
 }
 
 bool RequirementMonitor::observed(const Observation& observation, const TickResult& result) const {

@@ -34,6 +34,8 @@ class RequirementMonitor {
  private:
   [[nodiscard]] bool enters(const TickResult& result, StateId state) const;
   /// As the requirement reads it: variables of its monitor, and the true depth.
+  [[nodiscard]] Value valueOf(const Evaluation& expression, const Interpreter& run,
+                              double true_depth) const;
   [[nodiscard]] Value valueOf(ExprId id, const Interpreter& run, double true_depth) const;
   [[nodiscard]] bool observed(const Observation& observation, const TickResult& result) const;
   void watch(const Interpreter& run, const TickResult& result, double true_depth);
@@ -44,6 +46,7 @@ class RequirementMonitor {
   const Requirement& requirement_;
   double surface_depth_m_;
   std::optional<SensorId> depth_;
+  std::optional<Evaluation> condition_;
   bool started_ = false;
   bool finished_ = false;  ///< by an earlier tick: nothing more is checked
   StateId before_;

@@ -25,6 +25,11 @@ class AnyMoment {
   /// Whether `condition` is proved. Asks first about all states together, then about each apart, if
   /// they are not too many. `effort`: the limit of each question.
   [[nodiscard]] bool neverFalse(ExprId condition, unsigned effort, Budget& budget);
+  /// Whether it is false at some moment within all bounds together: a proof too, so neither holds
+  /// where the question has no answer.
+  [[nodiscard]] bool mayBeFalse(ExprId condition, unsigned effort, Budget& budget) {
+    return falseWithin(condition, hullOf(bounds_), effort, budget) == Answer::Yes;
+  }
 
  private:
   [[nodiscard]] Answer falseWithin(ExprId condition, const StateBounds& bounds, unsigned effort,

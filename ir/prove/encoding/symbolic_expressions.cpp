@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <utility>
 
@@ -35,6 +36,16 @@ double roundingOf(const Interval& interval) {
 
 bool isConstant(const Expr& e) {
   return e.op == Op::Constant;
+}
+
+bool areExact(const NumberTerm& a, const NumberTerm& b) {
+  return a.slack == 0 && b.slack == 0;
+}
+
+/// Then so is the least or greatest of them, and one that is chosen: it has the double that the
+/// machine gets for it, even where it chooses another one of equal doubles.
+bool areMonotone(std::initializer_list<const NumberTerm*> all) {
+  return std::ranges::all_of(all, [](const NumberTerm* one) { return one->isMonotone(); });
 }
 
 }  // namespace
@@ -101,9 +112,9 @@ NumberTerm SymbolicState::unary(const Expr& e, const Interval& interval) {
   const NumberTerm& x = operand(e, 0);
   switch (opIn<UnaryOp>(e.op)) {
     case UnaryOp::Negate:
-      return {-x.value, x.known, x.slack};
+      return {-x.value, x.known, x.slack, x.rounded_once};
     case UnaryOp::Abs:
-      return {z3::ite(x.value >= 0, x.value, -x.value), x.known, x.slack};
+      return {z3::ite(x.value >= 0, x.value, -x.value), x.known, x.slack, x.rounded_once};
     case UnaryOp::Sqrt:
       break;
   }
@@ -139,7 +150,7 @@ NumberTerm SymbolicState::sum(const Expr& e, const Interval& interval) {
     return anything(e, interval);
   }
   return {e.op == Op::Add ? a.value + b.value : a.value - b.value, a.known && b.known,
-          a.slack + b.slack + roundingOf(interval)};
+          a.slack + b.slack + roundingOf(interval), areExact(a, b)};
 }
 
 NumberTerm SymbolicState::product(const Expr& e, const Interval& interval) {
@@ -150,7 +161,8 @@ NumberTerm SymbolicState::product(const Expr& e, const Interval& interval) {
   }
   const NumberTerm& x = operand(e, isConstant(left) ? 1 : 0);
   const double factor = isConstant(left) ? left.number : right.number;
-  return {x.value * real(factor), x.known, x.slack * std::fabs(factor) + roundingOf(interval)};
+  return {x.value * real(factor), x.known, x.slack * std::fabs(factor) + roundingOf(interval),
+          x.slack == 0};
 }
 
 NumberTerm SymbolicState::quotient(const Expr& e, const Interval& interval) {
@@ -163,14 +175,15 @@ NumberTerm SymbolicState::quotient(const Expr& e, const Interval& interval) {
   }
   const NumberTerm& x = operand(e, 0);
   return {x.value / real(divisor.number), x.known,
-          x.slack / std::fabs(divisor.number) + roundingOf(interval)};
+          x.slack / std::fabs(divisor.number) + roundingOf(interval), x.slack == 0};
 }
 
 NumberTerm SymbolicState::smallerOrLarger(const Expr& e) {
   const NumberTerm& a = operand(e, 0);
   const NumberTerm& b = operand(e, 1);
   const z3::expr first = e.op == Op::Min ? a.value <= b.value : a.value >= b.value;
-  return {z3::ite(first, a.value, b.value), a.known && b.known, std::max(a.slack, b.slack)};
+  return {z3::ite(first, a.value, b.value), a.known && b.known, std::max(a.slack, b.slack),
+          areMonotone({&a, &b})};
 }
 
 /// If the lowest is above the highest, a clamp jumps from one to the other, so a rounding error
@@ -187,7 +200,8 @@ NumberTerm SymbolicState::clamped(const Expr& e, const Interval& interval) {
   }
   return {
       z3::ite(x.value < low.value, low.value, z3::ite(high.value < x.value, high.value, x.value)),
-      x.known && low.known && high.known, std::max({x.slack, low.slack, high.slack})};
+      x.known && low.known && high.known, std::max({x.slack, low.slack, high.slack}),
+      areMonotone({&x, &low, &high})};
 }
 
 NumberTerm SymbolicState::chosen(const Expr& e) {
@@ -196,7 +210,7 @@ NumberTerm SymbolicState::chosen(const Expr& e) {
   const NumberTerm& no = operand(e, 2);
   return {z3::ite(condition.is_true, yes.value, no.value),
           (condition.is_true && yes.known) || (condition.is_false && no.known),
-          std::max(yes.slack, no.slack)};
+          std::max(yes.slack, no.slack), areMonotone({&yes, &no})};
 }
 
 NumberTerm SymbolicState::anything(const Expr& e, const Interval& interval) {
@@ -284,22 +298,66 @@ z3::expr compare(Op op, const z3::expr& a, const z3::expr& b) {
   CHECK(false, "a comparison that the prover does not know");
 }
 
+/// Whether a number of this interval may be so small that the machine's result settles to 0.
+bool maySettle(const Interval& interval) {
+  constexpr double kTiny = 0x1p-1000;
+  return interval.empty || (interval.lowest < kTiny && interval.highest > -kTiny);
+}
+
+bool holdsOfEqual(Op op) {
+  return op == Op::LessEqual || op == Op::GreaterEqual || op == Op::Equal;
+}
+
 }  // namespace
 
-/// If the sides differ by less than their rounding errors, the machine may give either answer.
+/// If the sides differ by less than their rounding errors, the machine may give either answer. But
+/// for two sides a and b whose doubles never decrease with them (NumberTerm::isMonotone):
+///
+/// 1. a = b in real numbers gives equal doubles.
+/// 2. a < b gives doubles of which the first is less or equal, a > b the opposite. So the machine
+///    compares them as the real numbers compare, or as equal ones do.
+/// 3. Which of the two is decided by a and b alone, so it is the same for all comparisons of them.
+///
+/// A depth that the environment keeps to `deepest + 5 m` in real numbers is thus not above the
+/// machine's `deepest + 5 m`: the depth is a double, which rounding leaves as it is. Not so near 0,
+/// where results settle but a constant or a parameter need not be settled.
 TruthTerm SymbolicState::comparison(const Expr& e) {
   const NumberTerm& a = operand(e, 0);
   const NumberTerm& b = operand(e, 1);
   const z3::expr known = a.known && b.known;
   const double slack = a.slack + b.slack;
   z3::expr outcome = compare(e.op, a.value, b.value);
+  const auto near0 = [&](size_t i) {
+    return maySettle(proof_context_.intervals[e.operands.at(i).index]);
+  };
   if (slack > 0) {
     const z3::expr apart = a.value - b.value > real(slack) || b.value - a.value > real(slack);
-    const z3::expr either =
-        unknowns_.truth("rounding", static_cast<uint32_t>(&e - mission_.exprs.data()));
-    outcome = z3::ite(apart, outcome, either);
+    const auto index = static_cast<uint32_t>(&e - mission_.exprs.data());
+    if (a.isMonotone() && b.isMonotone() && !(near0(0) && near0(1))) {
+      const z3::expr as_equal = context().bool_val(holdsOfEqual(e.op));
+      outcome = z3::ite(apart || a.value == b.value || differRounded(a.value, b.value, index),
+                        outcome, as_equal);
+    } else {
+      outcome = z3::ite(apart, outcome, unknowns_.truth("rounding", index));
+    }
   }
   return {known && outcome, known && !outcome};
+}
+
+/// Whether the doubles of two monotone terms, which differ, also differ. `index`: of the expression
+/// that asks.
+z3::expr SymbolicState::differRounded(const z3::expr& a, const z3::expr& b, uint32_t index) {
+  const bool turned = Z3_get_ast_id(context(), b) < Z3_get_ast_id(context(), a);
+  const z3::expr& first = turned ? b : a;
+  const z3::expr& second = turned ? a : b;
+  const auto found = std::ranges::find_if(rounded_pairs_, [&](const RoundedPair& pair) {
+    return z3::eq(pair.first, first) && z3::eq(pair.second, second);
+  });
+  if (found != rounded_pairs_.end()) {
+    return found->differ;
+  }
+  rounded_pairs_.push_back({first, second, unknowns_.truth("rounding", index)});
+  return rounded_pairs_.back().differ;
 }
 
 }  // namespace glider::ir::prove

@@ -102,6 +102,7 @@ class SymbolicState {
   NumberTerm anything(const Expr& e, const Interval& interval);
   TruthTerm logic(const Expr& e);
   TruthTerm comparison(const Expr& e);
+  z3::expr differRounded(const z3::expr& a, const z3::expr& b, uint32_t index);
   /// Bounds `value` by an interval where it is `known`.
   void bound(const NumberTerm& term, const Interval& interval, Fact::From from = Fact::From::Nature,
              uint32_t index = 0);
@@ -109,6 +110,13 @@ class SymbolicState {
   const TruthTerm& truthOperand(const Expr& e, size_t i) {
     return made_truths_.at(e.operands.at(i).index);
   }
+
+  /// Two terms, and whether their doubles differ where they do.
+  struct RoundedPair {
+    z3::expr first;
+    z3::expr second;
+    z3::expr differ;
+  };
 
   Unknowns& unknowns_;
   const ProofContext& proof_context_;
@@ -126,6 +134,7 @@ class SymbolicState {
   std::map<uint32_t, TruthTerm> called_truths_;
   std::unordered_map<uint32_t, NumberTerm> made_;  ///< of expressions
   std::unordered_map<uint32_t, TruthTerm> made_truths_;
+  std::vector<RoundedPair> rounded_pairs_;
 };
 
 }  // namespace glider::ir::prove

@@ -15,6 +15,12 @@ struct NumberTerm {
   z3::expr value;
   z3::expr known;
   double slack = 0;
+  /// The double is the real rounded once to the nearest (and settled), as of a sum of two exact
+  /// numbers; also where slack is 0, which needs no rounding.
+  bool rounded_once = false;
+
+  /// Whether the double is a function of the real that never decreases: rounding and settling are.
+  [[nodiscard]] bool isMonotone() const { return rounded_once || slack == 0; }
 };
 
 /// A truth value: unknown is neither true nor false.

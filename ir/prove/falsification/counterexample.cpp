@@ -4,6 +4,7 @@
 #include "ir/prove/falsification/counterexample.h"
 
 #include "ir/prove/context/vehicle_clock.h"
+#include "ir/prove/falsification/depth_limits.h"
 #include "ir/prove/falsification/run_recorder.h"
 
 #include <fmt/format.h>
@@ -49,14 +50,16 @@ class Speller {
           const Requirement& requirement)
       : run_(rounded(run, proof_context.mission)),
         proof_context_(proof_context),
-        recorder_(proof_context, stack_depth, {&requirement, 1}) {}
+        recorder_(proof_context, stack_depth, {&requirement, 1}),
+        limits_(proof_context.platform, run_.steps.empty() ? 0 : startDepth(run_.steps.front())) {}
 
   std::optional<Counterexample> spell() {
     if (run_.steps.empty() || failedCondition(proof_context_.mission, run_.parameters)) {
       return std::nullopt;
     }
     const Step& first = run_.steps.front();
-    recorder_.start(run_.parameters, first.readings, first.depth.value_or(kUnknown));
+    recorder_.start(run_.parameters, withDepth(first, limits_.depth()), limits_.depth());
+    follow(0);
     for (size_t i = 1; i < run_.steps.size() && !recorder_.hit(); ++i) {
       if (!fill(run_.steps[i - 1], run_.steps[i]) || recorder_.hit() || !arrive(run_.steps[i])) {
         break;
@@ -66,8 +69,40 @@ class Speller {
   }
 
  private:
+  [[nodiscard]] double startDepth(const Step& first) const {
+    return std::clamp(first.depth.value_or(0), 0.0, proof_context_.platform.world.start_depth_m);
+  }
+
+  /// The depth that a vehicle can have at mission time `time` which is nearest to `wanted`, or to
+  /// where it is. The trace has depths only if the question takes them into account, and none
+  /// between its steps.
+  [[nodiscard]] double depthAt(double time, std::optional<double> wanted) const {
+    const double from = recorder_.now();
+    const double highest = limits_.highest(from, time);
+    return std::clamp(wanted.value_or(limits_.depth()),
+                      std::min(limits_.lowest(from, time), highest), highest);
+  }
+
+  /// What the newest tick has commanded.
+  void follow(double depth) {
+    limits_.moveTo(depth);
+    for (const Action& action : recorder_.last().actions) {
+      if (const auto* command = std::get_if<CommandRun>(&action); command == nullptr) {
+        limits_.obeyAnything();
+      } else if (!command->refused) {
+        limits_.obey(*command, recorder_.now());
+      }
+    }
+  }
+
+  /// The readings of a step; its depth, unless the question is about depths, is that of the
+  /// vehicle.
+  [[nodiscard]] std::vector<double> withDepth(const Step& step, double depth) const {
+    return step.depth ? step.readings : withDepth(step.readings, depth);
+  }
+
   /// `readings` with the depth of the vehicle, if they have a known depth.
-  std::vector<double> withDepth(std::vector<double> readings, double depth) const {
+  [[nodiscard]] std::vector<double> withDepth(std::vector<double> readings, double depth) const {
     const auto sensor = recorder_.depthSensor();
     return sensor && readings[sensor->index] == readings[sensor->index]
                ? seeing(std::move(readings), depth)
@@ -82,6 +117,11 @@ class Speller {
     return readings;
   }
 
+  static std::optional<double> onTheWay(const Step& from, const Step& to, double share) {
+    return from.depth && to.depth ? std::optional(std::lerp(*from.depth, *to.depth, share))
+                                  : std::nullopt;
+  }
+
   /// Makes ticks between two steps, at which nothing fires.
   bool fill(const Step& from, const Step& to) {
     const double cycle = proof_context_.platform.envelope.cycle_s;
@@ -94,8 +134,7 @@ class Speller {
     for (size_t i = 1; i <= count && !recorder_.hit(); ++i) {
       const double time = from.mission_time + cycle * static_cast<double>(i);
       const double share = (time - from.mission_time) / span;
-      const double depth =
-          from.depth && to.depth ? *from.depth + share * (*to.depth - *from.depth) : kUnknown;
+      const double depth = depthAt(time, onTheWay(from, to, share));
       if (!fillOne(from, to, time, depth)) {
         // Ticks may be lost for so long: in this trace these are.
         return to.mission_time - recorder_.now() <= proof_context_.tick_gap_s;
@@ -112,11 +151,13 @@ class Speller {
          {seeing(to.readings, depth), withDepth(to.readings, depth),
           withDepth(from.readings, depth), seeing(none, depth), none}) {
       if (recorder_.tickIfQuiet(time, readings, depth)) {
+        follow(depth);
         return true;
       }
     }
     for (int i = 0; i < kTries; ++i) {
       if (recorder_.tickIfQuiet(time, withDepth(anyReadings(), depth), depth)) {
+        follow(depth);
         return true;
       }
     }
@@ -136,7 +177,9 @@ class Speller {
 
   /// Makes the step's own tick; it must lead where `run` says, or violate the requirement.
   bool arrive(const Step& step) {
-    recorder_.tick(step.mission_time, step.readings, step.depth.value_or(kUnknown));
+    const double depth = depthAt(step.mission_time, step.depth);
+    recorder_.tick(step.mission_time, withDepth(step, depth), depth);
+    follow(depth);
     const TickResult& last = recorder_.last();
     const bool right = !last.finished && last.state == step.after.state &&
                        last.stack.size() == step.after.stack.size();
@@ -148,6 +191,7 @@ class Speller {
   const Run run_;
   const ProofContext& proof_context_;
   RunRecorder recorder_;
+  DepthLimits limits_;
   size_t ticks_ = 0;
   std::mt19937_64 random_{1};
 };

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ir/eval/tick_result.h"
+#include "ir/prove/falsification/depth_limits.h"
 #include "ir/prove/falsification/rng.h"
 #include "platforms/load/platform.h"
 
@@ -19,7 +20,7 @@ class RandomVehicle {
   RandomVehicle(const platforms::Platform& platform, Rng& dice, bool late = false);
 
   /// True depth, m, and a reading that the sensor may report for it.
-  [[nodiscard]] double depth() const { return depth_; }
+  [[nodiscard]] double depth() const { return limits_.depth(); }
   double reading();
   /// Follows the commands of a tick at mission time `now`, s.
   void obey(const std::vector<Action>& actions, double now);
@@ -27,19 +28,11 @@ class RandomVehicle {
   void move(double from, double to);
 
  private:
-  void obey(const CommandRun& command, double now);
-  void downTo(double target);
-  void upTo(double target, double now);
-
   const platforms::Platform& platform_;
   Rng& dice_;
   bool late_;
-  double depth_ = 0;
-  double deepest_ = 0;     ///< under the command in force
-  bool climbing_ = false;  ///< the command in force leads up
-  double since_ = 0;       ///< when the first of the commands to climb was given
-  double top_ = 0;         ///< upper bound of its depth under it when it has climbed
-  double speed_ = 0;       ///< the share of its possible speed that it moves at
+  DepthLimits limits_;
+  double speed_ = 0;  ///< the share of its possible speed that it moves at
   double speed_until_ = 0;
 };
 

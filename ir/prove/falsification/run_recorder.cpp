@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -22,6 +23,19 @@ double rawOf(const Sensor& sensor, double value) {
     return std::copysign(100 * whole + 60 * (std::fabs(value) - whole), value);
   }
   return value / sensor.to_si;
+}
+
+/// The nearest float to a raw value. If that is just outside of the sensor's range, the next one
+/// inside: outside, or beyond an assumed limit, the reading would be another one.
+double asFloat(double raw, const Sensor& sensor) {
+  const auto nearest = static_cast<float>(raw);
+  if (raw <= sensor.highest && nearest > sensor.highest) {
+    return std::nextafter(nearest, -std::numeric_limits<float>::infinity());
+  }
+  if (raw >= sensor.lowest && nearest < sensor.lowest) {
+    return std::nextafter(nearest, std::numeric_limits<float>::infinity());
+  }
+  return nearest;
 }
 
 /// Whether a tick leaves control unchanged.
@@ -64,7 +78,7 @@ std::vector<SensorUpdate> RunRecorder::frameOf(const std::vector<double>& readin
     const double raw = variation ? 0 : rawOf(m_.sensors[i], readings[i]);
     const platforms::PlatformSensor* sensor = proof_context_.platformSensor({i});
     const bool wide = sensor == nullptr || sensor->bytes == kWide;
-    frame.push_back({{i}, wide ? raw : static_cast<double>(static_cast<float>(raw))});
+    frame.push_back({{i}, wide ? raw : asFloat(raw, m_.sensors[i])});
   }
   return frame;
 }

@@ -4,6 +4,7 @@
 #include "ir/prove/geometry/nearest.h"
 
 #include "ir/eval/arithmetic.h"
+#include "ir/prove/geometry/sphere.h"
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point.hpp>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -24,12 +26,21 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// On a sphere of radius 1: chords are in the same order as distances.
 using SpherePoint = geometry::model::point<double, 3, geometry::cs::cartesian>;
-using Entry = std::pair<SpherePoint, Position>;
+
+struct Given {
+  Position place;
+  size_t times = 0;
+};
+using Entry = std::pair<SpherePoint, Given>;
 
 SpherePoint onSphere(const Position& place) {
   const double north = place.latitude * std::numbers::pi / 180;
   const double east = place.longitude * std::numbers::pi / 180;
   return {std::cos(north) * std::cos(east), std::cos(north) * std::sin(east), std::sin(north)};
+}
+
+bool before(const Position& a, const Position& b) {
+  return std::pair(a.latitude, a.longitude) < std::pair(b.latitude, b.longitude);
 }
 
 double apart(double a, double b) {
@@ -43,15 +54,14 @@ struct PlaceIndex::Tree {
 };
 
 PlaceIndex::PlaceIndex(const std::vector<Position>& places) : tree_(std::make_unique<Tree>()) {
-  const auto before = [](const Position& a, const Position& b) {
-    return std::pair(a.latitude, a.longitude) < std::pair(b.latitude, b.longitude);
-  };
-  std::vector<Position> once = places;
-  std::ranges::sort(once, before);
-  once.erase(std::ranges::unique(once).begin(), once.end());
+  std::vector<Position> sorted = places;
+  std::ranges::sort(sorted, before);
   std::vector<Entry> entries;
-  for (const Position& place : once) {
-    entries.emplace_back(onSphere(place), place);
+  for (const Position& place : sorted) {
+    if (entries.empty() || !(entries.back().second.place == place)) {
+      entries.push_back({onSphere(place), {place, 0}});
+    }
+    ++entries.back().second.times;
   }
   tree_->places = {entries.begin(), entries.end()};
 }
@@ -59,27 +69,63 @@ PlaceIndex::PlaceIndex(const std::vector<Position>& places) : tree_(std::make_un
 PlaceIndex::~PlaceIndex() = default;
 
 double PlaceIndex::nearestOther(const Position& place) const {
-  if (tree_->places.empty()) {
-    return kInfinite;
+  // The `k` nearest: a search of Boost's takes as long as `k` is great, so it begins with few.
+  constexpr size_t kFirst = 4;
+  for (size_t k = kFirst;; k *= 4) {
+    if (const auto least = nearestAmong(place, k)) {
+      return *least;
+    }
   }
+}
+
+std::optional<double> PlaceIndex::nearestAmong(const Position& place, size_t k) const {
   // Chords are rounded differently from distances, so all places about as near are also measured.
   constexpr double kRounding = 1e-9;
   const SpherePoint here = onSphere(place);
-  const auto nearest = geometry::index::nearest(here, static_cast<unsigned>(tree_->places.size()));
+  std::vector<Entry> near;
+  tree_->places.query(geometry::index::nearest(here, static_cast<unsigned>(k)),
+                      std::back_inserter(near));
+  std::ranges::sort(near, {},
+                    [&](const Entry& one) { return geometry::distance(here, one.first); });
   double least = kInfinite;
   double chord_of_least = 0;
-  for (auto it = tree_->places.qbegin(nearest); it != tree_->places.qend(); ++it) {
-    const double chord = geometry::distance(here, it->first);
+  for (const auto& [point, given] : near) {
+    const double chord = geometry::distance(here, point);
     if (std::isfinite(least) && chord > chord_of_least + kRounding) {
-      break;
+      return least;
     }
-    const double metres = onEarth(Op::Distance, place, it->second);
+    const double metres = onEarth(Op::Distance, place, given.place);
     if (metres > 0 && !std::isfinite(least)) {
       chord_of_least = chord;
     }
     least = metres > 0 ? std::min(least, metres) : least;
   }
-  return least;
+  return near.size() < k ? std::optional(least) : std::nullopt;
+}
+
+size_t PlaceIndex::timesGiven(const Position& place) const {
+  size_t times = 0;
+  const SpherePoint here = onSphere(place);
+  for (auto it = tree_->places.qbegin(geometry::index::intersects(here));
+       it != tree_->places.qend(); ++it) {
+    times += it->second.place == place ? it->second.times : 0;
+  }
+  return times;
+}
+
+bool PlaceIndex::hasAround(const Position& place, double metres, size_t count) const {
+  // A chord is no longer than its arc, so all within `metres` are in this box.
+  const double chord = metres / kEarthRadius;
+  const SpherePoint here = onSphere(place);
+  const geometry::model::box<SpherePoint> box(
+      {here.get<0>() - chord, here.get<1>() - chord, here.get<2>() - chord},
+      {here.get<0>() + chord, here.get<1>() + chord, here.get<2>() + chord});
+  size_t found = 0;
+  for (auto it = tree_->places.qbegin(geometry::index::intersects(box));
+       it != tree_->places.qend() && found < count; ++it) {
+    found += onEarth(Op::Distance, place, it->second.place) < metres ? it->second.times : 0;
+  }
+  return found >= count;
 }
 
 std::vector<double> nearestOnCircle(const std::vector<double>& degrees) {

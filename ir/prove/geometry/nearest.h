@@ -5,7 +5,9 @@
 
 #include "ir/core/mission.h"
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 /// Distances between places without comparing all pairs of them: missions may have 10,000.
@@ -21,8 +23,16 @@ class PlaceIndex {
 
   /// Metres from `place` to the nearest different place; infinite if there is none.
   [[nodiscard]] double nearestOther(const Position& place) const;
+  /// Whether at least `count` of the places, each as often as it was given, are within `metres` of
+  /// `place`.
+  [[nodiscard]] bool hasAround(const Position& place, double metres, size_t count) const;
+  /// How often `place` was given.
+  [[nodiscard]] size_t timesGiven(const Position& place) const;
 
  private:
+  /// nearestOther() if the `k` nearest places decide it.
+  [[nodiscard]] std::optional<double> nearestAmong(const Position& place, size_t k) const;
+
   struct Tree;
   std::unique_ptr<Tree> tree_;
 };

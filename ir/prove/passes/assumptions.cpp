@@ -6,6 +6,7 @@
 #include "ir/prove/encoding/any_moment.h"
 #include "ir/prove/passes.h"
 #include "ir/verify/value_text.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

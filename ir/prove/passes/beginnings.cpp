@@ -5,6 +5,7 @@
 #include "ir/prove/context/commands.h"
 #include "ir/prove/context/never_unknown.h"
 #include "ir/prove/passes.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <algorithm>
 #include <optional>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/prove/encoding/cone_of_influence.h"
+#include "ir/prove/encoding/kept_assumptions.h"
 #include "ir/prove/encoding/layout.h"
 #include "ir/prove/encoding/question.h"
 #include "ir/prove/passes.h"
@@ -141,6 +142,8 @@ class ChatteringCheck {
       if (once_more.fired != there.fired || once_more.list != there.list) {
         continue;
       }
+      keepAssumptions(*readings_);
+      keepAssumptions(*other_readings_);
       Question question(proof_.context, proof_.checks, proof_.options.effort);
       question.add(*unknowns_);
       question.add(there.condition && back.condition && once_more.condition);

@@ -9,6 +9,7 @@
 #include "ir/prove/passes.h"
 #include "ir/verify/guarded_ranges.h"
 #include "ir/verify/value_text.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -5,6 +5,7 @@
 #include "ir/core/walk.h"
 #include "ir/prove/abstract/abstract_evaluator.h"
 #include "ir/prove/passes.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <algorithm>
 #include <iterator>

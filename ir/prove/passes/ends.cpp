@@ -5,11 +5,14 @@
 #include "ir/prove/abstract/end_depends_on.h"
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/passes.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace glider::ir::prove {
 namespace {
@@ -26,41 +29,81 @@ std::string latest(const ProofContext& proof_context, double undisturbed, double
                            durationOf(proof_context.tick_gap_s), durationOf(with_power_cuts));
 }
 
-/// "; its end depends on readings of `lat`, `lon`".
-std::string dependsOn(const ProofContext& proof_context, StateId stays) {
+/// "; its end may depend on readings of `lat`, `lon`".
+std::string dependsOn(const ProofContext& proof_context, const std::vector<StateId>& states) {
   std::vector<std::string> names;
-  for (const SensorId id : endDependsOn(proof_context, stays)) {
+  for (const SensorId id : endDependsOn(proof_context, states)) {
     names.push_back(fmt::format("`{}`", proof_context.mission[id].name));
   }
-  return names.empty() ? ""
-                       : fmt::format("; its end depends on readings of {}", fmt::join(names, ", "));
+  return names.empty()
+             ? ""
+             : fmt::format("; its end may depend on readings of {}", fmt::join(names, ", "));
 }
 
-void tellEnd(Proof& proof, const EndBound& end) {
-  const auto tell = [&](std::string text) {
-    proof.findings.lines.push_back({{}, std::move(text), true});
-  };
-  const ProofContext powered = proof.proof_context.withoutPowerCuts();
-  const EndBound& undisturbed = proof.ending.boundWithoutPowerCuts();
+/// Why there is no bound: what was not found, not what a flight does, which is not known.
+std::string noBound(const ProofContext& proof_context, const EndBound& end) {
+  const Mission& m = proof_context.mission;
+  const std::string none = "no bound on the mission's duration was found";
+  if (end.stays.valid()) {
+    return fmt::format("{}, because none was found on the time in `{}`{}", none, m[end.stays].name,
+                       dependsOn(proof_context, {end.stays}));
+  }
+  std::vector<std::string> loop;
+  for (const StateId state : end.loop) {
+    loop.push_back(fmt::format("`{}`", m[state].name));
+  }
+  return none +
+         (loop.empty() ? ""
+                       : fmt::format(", because none was found on how often it goes through {}",
+                                     fmt::join(loop, ", "))) +
+         dependsOn(proof_context, end.loop);
+}
+
+/// What the mission assumes of outages; null: nothing.
+const Assumption* assumedOutage(const Mission& m) {
+  const auto found = std::ranges::find(m.assumptions, AssumptionKind::Outage, &Assumption::kind);
+  return found == m.assumptions.end() ? nullptr : &*found;
+}
+
+/// The lines about a mission in which two ticks are at most as far apart as `proof_context` says.
+std::vector<std::string> endLines(const ProofContext& proof_context, Ending& ending) {
+  std::vector<std::string> lines;
+  const ProofContext powered = proof_context.withoutPowerCuts();
+  const EndBound& undisturbed = ending.boundWithoutPowerCuts();
+  const EndBound& end = ending.bound();
   if (end.by && undisturbed.by) {
-    tell(fmt::format("the mission ends {}", latest(proof.proof_context, *undisturbed.by, *end.by)));
+    lines.push_back(
+        fmt::format("the mission ends {}", latest(proof_context, *undisturbed.by, *end.by)));
   } else if (undisturbed.by) {
-    tell(
+    lines.push_back(
         fmt::format("the mission ends after at most {}; with power cuts of the SBC of up to {}, no "
-                    "bound is known",
-                    durationOf(*undisturbed.by), durationOf(proof.proof_context.tick_gap_s)));
-  } else if (undisturbed.stays.valid()) {
-    tell(fmt::format("no clock condition is sure to end the mission: it may stay in `{}`{}",
-                     proof.proof_context.mission[undisturbed.stays].name,
-                     dependsOn(proof.proof_context, undisturbed.stays)));
+                    "bound was found",
+                    durationOf(*undisturbed.by), durationOf(proof_context.tick_gap_s)));
   } else {
-    tell("no bound on the mission's duration is known" + dependsOn(proof.proof_context, {}));
+    lines.push_back(noBound(proof_context, undisturbed));
   }
   const EndBound soon = boundOf(powered, kLongestMission, Goal::ExitOrSurface);
-  const EndBound home = boundOf(proof.proof_context, kLongestMission, Goal::ExitOrSurface);
-  if (soon.by && home.by && (!end.by || *home.by < *end.by)) {
-    tell(fmt::format("it ends, or commands the surface, {}",
-                     latest(proof.proof_context, *soon.by, *home.by)));
+  const EndBound home = boundOf(proof_context, kLongestMission, Goal::ExitOrSurface);
+  if (soon.by && home.by && *soon.by > 0 && (!end.by || *home.by < *end.by)) {
+    lines.push_back(fmt::format("it ends, or commands the surface, {}",
+                                latest(proof_context, *soon.by, *home.by)));
+  }
+  return lines;
+}
+
+/// Under what the mission assumes of outages: nothing is said of others.
+void tellEnd(Proof& proof) {
+  const Assumption* outage = assumedOutage(proof.proof_context.mission);
+  ProofContext assumed = proof.proof_context;
+  if (outage != nullptr) {
+    assumed.tick_gap_s = std::max(assumed.platform.world.tick_gap_s,
+                                  std::min(assumed.mission.resume_within_s, outage->limit));
+  }
+  Ending under(assumed);
+  const bool differs = assumed.tick_gap_s < proof.proof_context.tick_gap_s;
+  for (std::string& line : endLines(assumed, differs ? under : proof.ending)) {
+    const std::string premise = differs ? fmt::format("assuming `{}`, ", outage->words) : "";
+    proof.findings.lines.push_back({{}, premise + std::move(line), true});
   }
 }
 
@@ -76,7 +119,7 @@ void passes::ends(Proof& proof) {
     proof.diagnostics.report(support::DiagnosticId::endsAtOnce,
                              proof.proof_context.mission.states.front().range, durationOf(*end.by));
   } else if (report) {
-    tellEnd(proof, proof.ending.bound());
+    tellEnd(proof);
   }
 }
 

@@ -5,6 +5,7 @@
 #include "ir/prove/encoding/reasons.h"
 #include "ir/prove/encoding/sampling.h"
 #include "ir/prove/passes.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -10,6 +10,7 @@
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/passes.h"
 #include "support/check.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -6,6 +6,7 @@
 #include "ir/prove/abstract/leaving.h"
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/passes.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <algorithm>
 #include <limits>

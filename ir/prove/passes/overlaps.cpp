@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/prove/encoding/kept_assumptions.h"
 #include "ir/prove/encoding/question.h"
 #include "ir/prove/encoding/symbolic_state.h"
 #include "ir/prove/passes.h"
@@ -70,6 +71,7 @@ class OverlapCheck {
     SymbolicState moment(unknowns, proof_.proof_context);
     Question question(proof_.context, proof_.checks, proof_.options.effort);
     question.add(moment.truth(a.guard).is_true && moment.truth(b.guard).is_true);
+    keepAssumptions(moment);
     question.add(unknowns);
     if (question.ask() == Answer::Yes) {
       proof_.findings.lines.push_back(

@@ -9,16 +9,22 @@
 #include "ir/prove/encoding/known_roughly.h"
 #include "ir/prove/encoding/safety_properties.h"
 #include "ir/prove/evidence/evidence.h"
+#include "ir/prove/evidence/needed_assumptions.h"
 #include "ir/prove/falsification/random_flight.h"
 #include "ir/prove/geometry/geofences.h"
 #include "ir/prove/passes.h"
+#include "ir/prove/passes/advice.h"
 #include "ir/prove/passes/insight.h"
 #include "ir/prove/passes/violation_report.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,6 +39,11 @@ constexpr size_t kMostSearched = 30000;
 /// For a requirement without a time, s.
 constexpr double kLongFlight = 4 * 3600;
 
+/// What naming only the needed assumptions may take, beside what the proofs take.
+constexpr double kShareOfPremises = 0.25;
+
+class UnderSome;
+
 class RequirementCheck {
  public:
   /// `bare`: of the mission without its assumptions; null if it has none. It must outlive this.
@@ -40,6 +51,8 @@ class RequirementCheck {
       : proof_(proof),
         bare_(bare),
         m_(proof.proof_context.mission),
+        search_effort_(proof.options.run_effort),
+        premises_(budgetOf(proof.options, kShareOfPremises)),
         deepest_(std::ranges::max(deepestByState(proof.proof_context))) {}
 
   /// First what needs no search, then the searches. What a search has proved may prove others.
@@ -54,15 +67,12 @@ class RequirementCheck {
       verdicts.push_back(found.value_or(RequirementVerdict()));
       verdicts.back().requirement = i;
     }
-    for (uint32_t i = 0; i < m_.requirements.size(); ++i) {
-      if (!waiting_[i]) {
-        continue;
-      }
+    for (const uint32_t i : waitingInOrder()) {
       if (proof_.options.before_requirement) {
         proof_.options.before_requirement(i);
       }
       verdicts[i] = judge(m_.requirements[i], i);
-      if (bare_ != nullptr && verdicts[i].verdict == Verdict::Open && !verdicts[i].cached) {
+      if (bare_ != nullptr && verdicts[i].verdict == Verdict::Open) {
         judgeBare(i, verdicts[i]);
       }
       verdicts[i].requirement = i;
@@ -73,16 +83,117 @@ class RequirementCheck {
     }
     for (RequirementVerdict& verdict : verdicts) {
       settle(verdict);
+      addPremises(verdict);
     }
     if (proof_.options.evidence) {
       addEvidence(verdicts);
     }
-    for (RequirementVerdict& verdict : verdicts) {
-      addPremises(verdict);
+  }
+
+  /// A proof under fewer assumptions.
+  struct Again {
+    bool proved = false;
+    std::optional<Evidence> evidence;
+  };
+
+  /// Whether what was proved under more assumptions, `was`, is proved under these too; `effort`:
+  /// the limit of a search. Nothing is reported.
+  Again provesAgain(const RequirementVerdict& was, unsigned effort) {
+    const unsigned usual = std::exchange(search_effort_, effort);
+    Again again = provedAgain(was);
+    search_effort_ = usual;
+    return again;
+  }
+
+  [[nodiscard]] Proof& proof() { return proof_; }
+
+ private:
+  /// The result of a question about all traces; `run` is a trace that was checked on the
+  /// interpreter.
+  struct Search {
+    RunsAnswer answer;
+    std::optional<Counterexample> run;
+  };
+
+  /// The requirements that a search has to decide. Of several `surfaces every`, what is proved of
+  /// one holds for every longer time, and what violates it violates every shorter: so the middle
+  /// one comes first, and few of them take a search.
+  [[nodiscard]] std::vector<uint32_t> waitingInOrder() const {
+    std::vector<uint32_t> order;
+    std::vector<uint32_t> surfacing;
+    for (uint32_t i = 0; i < m_.requirements.size(); ++i) {
+      if (waiting_[i]) {
+        order.push_back(i);
+        if (m_.requirements[i].kind == RequirementKind::SurfacesEvery) {
+          surfacing.push_back(i);
+        }
+      }
+    }
+    std::ranges::stable_sort(surfacing, {}, [&](uint32_t i) { return m_.requirements[i].seconds; });
+    std::vector<uint32_t> middle_first;
+    std::deque<std::pair<size_t, size_t>> parts{{0, surfacing.size()}};
+    for (; !parts.empty(); parts.pop_front()) {
+      const auto [from, to] = parts.front();
+      if (from < to) {
+        const size_t middle = (from + to) / 2;
+        middle_first.push_back(surfacing[middle]);
+        parts.emplace_back(from, middle);
+        parts.emplace_back(middle + 1, to);
+      }
+    }
+    size_t next = 0;
+    for (uint32_t& number : order) {
+      if (m_.requirements[number].kind == RequirementKind::SurfacesEvery) {
+        number = middle_first[next++];
+      }
+    }
+    return order;
+  }
+
+  /// The flight without power cuts that violated another `surfaces every`, as far as it violates
+  /// this one.
+  [[nodiscard]] std::optional<Counterexample> alsoSubmerged(const Requirement& requirement) const {
+    return requirement.kind == RequirementKind::SurfacesEvery && submerged_
+               ? concretize(*submerged_, proof_.proof_context, proof_.facts.stack_depth,
+                            requirement)
+               : std::nullopt;
+  }
+
+  Again provedAgain(const RequirementVerdict& was) {
+    const Requirement& requirement = m_.requirements[was.requirement];
+    if (!requirement.geofences.empty()) {
+      const RequirementVerdict found = provedAreas(areasOf(requirement));
+      const bool proved = found.verdict == Verdict::Proved && found.premise == was.premise;
+      return {proved, std::nullopt};
+    }
+    if (provesAtOnce(was.requirement)) {
+      return {true,
+              proof_.options.evidence ? evidences().seen(requirement, false, false) : std::nullopt};
+    }
+    if (!was.searched) {
+      return {};
+    }
+    // Only a proof counts: no counterexample is made concrete.
+    const ProofContext& context = insight().context();
+    const ConeOfInfluence relevance = relevanceOf(requirement, context);
+    RunsAnswer answer = ask(requirement, context, relevance);
+    if (answer.bad == Answer::Yes && !relevance.vehicle && readsDepth(relevance, context)) {
+      answer = ask(requirement, context, withVehicle(requirement, context));
+    }
+    if (answer.bad != Answer::No) {
+      return {};
+    }
+    return {true, wantsInvariants() ? std::optional(evidences().searched(
+                                          requirement, std::move(answer.invariants)))
+                                    : std::nullopt};
+  }
+
+  void keepSubmerged(const Requirement& requirement, const Search& found) {
+    if (requirement.kind == RequirementKind::SurfacesEvery && found.run) {
+      submerged_ = found.answer.run;
     }
   }
 
- private:
   /// Without a search, and without a word where it is violated.
   [[nodiscard]] bool provesAtOnce(uint32_t number) {
     const Requirement& requirement = m_.requirements[number];
@@ -102,17 +213,19 @@ class RequirementCheck {
       verdict = {number, Verdict::Proved, std::nullopt};
       verdict.searched = true;
       bare_proved_[number] = true;
-      if (proof_.options.evidence) {
+      if (wantsInvariants()) {
         verdict.evidence =
             bare_->evidences().searched(requirement, std::move(found.answer.invariants));
       }
     }
   }
 
-  /// The assumptions that a proof may rest on.
+  /// The assumptions that a proof rests on: of those that it may rest on, the ones without which
+  /// none was found. A flight that reaches a state does so whatever is assumed.
   void addPremises(RequirementVerdict& verdict) {
     const uint32_t number = verdict.requirement;
-    if (bare_ == nullptr || bare_proved_[number] || verdict.verdict != Verdict::Proved) {
+    if (bare_ == nullptr || bare_proved_[number] || verdict.verdict != Verdict::Proved ||
+        verdict.run || verdict.cached) {
       return;
     }
     for (uint32_t i = 0; i < m_.assumptions.size(); ++i) {
@@ -120,7 +233,15 @@ class RequirementCheck {
         verdict.assumptions.push_back(i);
       }
     }
+    if (!proof_.options.premises) {
+      return;
+    }
+    verdict.assumptions = neededAssumptions(
+        verdict.assumptions, [&](const auto& fewer) { return isProvedUnder(fewer, verdict); });
   }
+
+  /// Then its evidence rests only on these.
+  bool isProvedUnder(const std::vector<uint32_t>& fewer, RequirementVerdict& verdict);
 
   [[nodiscard]] bool matters(const Assumption& assumption, uint32_t number) {
     const bool of_areas = !m_.requirements[number].geofences.empty();
@@ -170,8 +291,11 @@ class RequirementCheck {
       verdict = {verdict.requirement, Verdict::Proved, std::nullopt};
       return;
     }
-    proof_.diagnostics.report(DiagnosticId::requirementOpen, requirement.range)
-        .note(requirement.range, verdict.reason);
+    auto warning = proof_.diagnostics.report(DiagnosticId::requirementOpen, requirement.range);
+    warning.note(requirement.range, verdict.reason);
+    if (requirement.seconds > 0 && requirement.kind != RequirementKind::SurfacesEvery) {
+      noteLateExits(warning, requirement.seconds, proof_.proof_context);
+    }
   }
 
   [[nodiscard]] Insight& insight() {
@@ -209,9 +333,9 @@ class RequirementCheck {
     if (fresh_ && isSeen(requirement)) {
       return {0, Verdict::Proved, std::nullopt};
     }
-    if (const auto& cached = proof_.options.cached) {
-      if (const auto known = cached(number)) {
-        return recall(*known);
+    if (const auto& earlier = proof_.options.earlier_proof) {
+      if (auto proof = earlier(number)) {
+        return recall(number, std::move(*proof));
       }
     }
     if (proof_.searches.isUsedUp()) {
@@ -229,14 +353,26 @@ class RequirementCheck {
                                     : "all requirements together reached their limit (`--effort`)";
   }
 
-  static RequirementVerdict recall(const CachedVerdict& known) {
-    RequirementVerdict verdict{0, Verdict::Proved, std::nullopt, known.words};
-    if (known.verdict != Verdict::Proved) {
-      verdict = open(known.words);
-    }
+  /// What proofs by a search rest on is collected, so that it can be checked again.
+  [[nodiscard]] bool wantsInvariants() const {
+    return proof_.options.evidence || proof_.options.earlier_proof;
+  }
+
+  RequirementVerdict recall(uint32_t number, EarlierProof proof) {
+    RequirementVerdict verdict{0, Verdict::Proved, std::nullopt};
     verdict.cached = true;
+    RequirementCheck& check = under(proof.assumptions);
+    if (&check != this && &check != bare_) {  // what rests on it here may rest on it too
+      (void)evidences().searched(m_.requirements[number], proof.invariants);
+    }
+    verdict.evidence =
+        check.evidences().searched(check.m_.requirements[number], std::move(proof.invariants));
+    verdict.assumptions = std::move(proof.assumptions);
     return verdict;
   }
+
+  /// The check of the mission under some of its assumptions.
+  RequirementCheck& under(const std::vector<uint32_t>& some);
 
   /// How long the SBC is without power in a flight, s: an assumption only limits each outage, but
   /// one that leaves none limits all.
@@ -245,22 +381,34 @@ class RequirementCheck {
     return some && bare_ != nullptr ? bare_->m_.resume_within_s : m_.resume_within_s;
   }
 
-  RequirementVerdict judgeAreas(const Requirement& requirement) {
-    const GeofenceVerdict found =
-        judgeGeofences(requirement.geofences, proof_.proof_context, darkTogether(), proof_.ending);
-    if (found.proved && found.start_assumed) {
+  GeofenceVerdict areasOf(const Requirement& requirement) {
+    return judgeGeofences(requirement.geofences, proof_.proof_context, darkTogether(),
+                          proof_.ending);
+  }
+
+  /// Open if it is not proved.
+  static RequirementVerdict provedAreas(const GeofenceVerdict& found) {
+    if (!found.proved) {
+      return open(found.reason);
+    }
+    if (found.start_assumed) {
       return {0, Verdict::Proved, std::nullopt};
     }
-    if (found.proved) {
-      return {
-          0, Verdict::Proved, std::nullopt,
-          fmt::format("assuming that control is given on the right side of each edge, at least "
-                      "{0:.0f} m from it{1}, and that "
-                      "everything between there and the waypoints is also {0:.0f} m from the edge",
-                      std::ceil(found.margin_m),
-                      found.start_within_m > 0 ? fmt::format(" and within {:g} km of a waypoint",
-                                                             found.start_within_m / 1000)
-                                               : "")};
+    return {0, Verdict::Proved, std::nullopt,
+            fmt::format(
+                "assuming that control is given on the right side of each edge, at least "
+                "{0:.0f} m from it{1}, and that "
+                "everything between there and the waypoints is also {0:.0f} m from the edge",
+                std::ceil(found.margin_m),
+                found.start_within_m > 0
+                    ? fmt::format(" and within {:g} km of a waypoint", found.start_within_m / 1000)
+                    : "")};
+  }
+
+  RequirementVerdict judgeAreas(const Requirement& requirement) {
+    RequirementVerdict found = provedAreas(areasOf(requirement));
+    if (found.verdict == Verdict::Proved) {
+      return found;
     }
     auto run = tryAtRandom(requirement, proof_.proof_context.withoutPowerCuts());
     if (!run && powerCutsMatter()) {
@@ -269,7 +417,8 @@ class RequirementCheck {
     if (run) {
       return broken(requirement, std::move(*run));
     }
-    return open(found.reason + "; no random flight violated it");
+    found.reason += "; no random flight violated it";
+    return found;
   }
 
   RequirementVerdict judgeStack(const Requirement& requirement) {
@@ -306,13 +455,6 @@ class RequirementCheck {
     }
     return false;
   }
-
-  /// The result of a question about all traces; `run` is a trace that was checked on the
-  /// interpreter.
-  struct Search {
-    RunsAnswer answer;
-    std::optional<Counterexample> run;
-  };
 
   Search search(const Requirement& requirement, const ProofContext& proof_context) {
     const ConeOfInfluence relevance = relevanceOf(requirement, proof_context);
@@ -363,10 +505,14 @@ class RequirementCheck {
   /// Proves a requirement for an SBC whose power may be cut; a counterexample is shown without
   /// power cuts if possible.
   RequirementVerdict judgePromise(const Requirement& requirement) {
+    if (auto run = alsoSubmerged(requirement)) {
+      return broken(requirement, std::move(*run));
+    }
     Search found = search(requirement, insight().context());
     if (found.answer.bad == Answer::No) {
       RequirementVerdict proved{0, Verdict::Proved, std::nullopt};
-      if (proof_.options.evidence) {
+      proved.steps = found.answer.steps;
+      if (wantsInvariants()) {
         proved.evidence = evidences().searched(requirement, std::move(found.answer.invariants));
       }
       return proved;
@@ -379,6 +525,7 @@ class RequirementCheck {
       if (!powered_proved) {
         undisturbed = search(requirement, insightWithoutPowerCuts().context());
         powered_proved = undisturbed.answer.bad == Answer::No;
+        keepSubmerged(requirement, undisturbed);
       }
       if (!undisturbed.run && !powered_proved) {
         undisturbed.run = tryAtRandom(requirement, powered);
@@ -386,6 +533,8 @@ class RequirementCheck {
       if (undisturbed.run) {
         found.run = std::move(undisturbed.run);
       }
+    } else {
+      keepSubmerged(requirement, found);
     }
     if (!found.run) {
       found.run = tryAtRandom(requirement, proof_.proof_context);
@@ -405,7 +554,7 @@ class RequirementCheck {
   /// In a separate context: Z3 counts its steps for all questions of a context.
   RunsAnswer ask(const Requirement& requirement, const ProofContext& proof_context,
                  const ConeOfInfluence& relevance) {
-    const unsigned effort = proof_.searches.allow(proof_.options.run_effort);
+    const unsigned effort = proof_.searches.allow(search_effort_);
     if (effort == 0) {
       return {Answer::Unknown, std::nullopt, limitReached(), 0};
     }
@@ -424,7 +573,7 @@ class RequirementCheck {
       const SafetyProperty watch =
           safetyPropertyFor(requirement, context, proof_context, relevance);
       RunsAnswer answer =
-          askAboutRuns(context, proof_context, relevance, watch, effort, proof_.options.evidence);
+          askAboutRuns(context, proof_context, relevance, watch, effort, wantsInvariants());
       proof_.searches.spend(answer.steps);
       if (answer.bad == Answer::Unknown && proof_.searches.isUsedUp()) {
         answer.trouble = limitReached();
@@ -442,12 +591,17 @@ class RequirementCheck {
     const double cycle = proof_.proof_context.platform.envelope.cycle_s;
     const double time = std::max(requirement.seconds, requirement.monitor.horizon_s);
     const double span = time > 0 ? 2 * time : kLongFlight;
-    const size_t most = proof_.options.random_ticks;
+    const uint64_t tick = Budget::kTick + m_.exprs.size() / Budget::kExpressions;
+    const uint64_t judged = requirement.condition.valid()
+                                ? Evaluation(m_, requirement.condition).size() / Budget::kEvaluated
+                                : 0;
+    // A condition with very many operations, such as an area with 1,000 corners, is tried on fewer
+    // ticks.
+    const size_t most = proof_.options.random_ticks * 2 * tick / std::max(2 * tick, tick + judged);
     const auto ticks = static_cast<size_t>(std::min(span / cycle + 2, static_cast<double>(most)));
     const size_t flights = std::max<size_t>(1, most / ticks);
-    const uint64_t tick = Budget::kTick + m_.exprs.size() / Budget::kExpressions;
     for (uint64_t seed = 1; seed <= flights && !proof_.searches.isUsedUp(); ++seed) {
-      proof_.searches.spend(ticks * tick);
+      proof_.searches.spend(ticks * (tick + judged));
       if (auto run =
               flyAtRandom(proof_context, proof_.facts.stack_depth, requirement, seed, ticks)) {
         return run;
@@ -490,6 +644,10 @@ class RequirementCheck {
   Proof& proof_;
   RequirementCheck* bare_;
   const Mission& m_;
+  unsigned search_effort_;  ///< the limit of a search
+  Budget premises_;         ///< of addPremises
+  std::map<std::vector<uint32_t>, std::shared_ptr<UnderSome>> under_some_;
+  std::optional<Run> submerged_;    ///< see alsoSubmerged
   std::optional<Insight> insight_;  ///< with power cuts; none: not asked for yet
   std::optional<Insight> powered_;
   double deepest_;                      ///< of the mission, m
@@ -498,6 +656,75 @@ class RequirementCheck {
   std::vector<bool> bare_proved_;       ///< by requirement: without the assumptions
   bool fresh_ = false;                  ///< something was proved since the first look
 };
+
+/// The mission under some of its assumptions.
+class UnderSome {
+ public:
+  /// `plain`: without any.
+  UnderSome(RequirementCheck& plain, const std::vector<uint32_t>& kept)
+      : written_(keeping(plain.proof().proof_context.mission, kept)),
+        mission_(underAssumptions(written_)),
+        platform_(underAssumptions(plain.proof().proof_context.platform, written_)),
+        context_(mission_, platform_),
+        proof_{plain.proof().context, context_, plain.proof().facts, plain.proof().options,
+               plain.proof().diagnostics},
+        check_(proof_, &plain) {}
+
+  [[nodiscard]] RequirementCheck& check() { return check_; }
+
+ private:
+  static Mission keeping(Mission mission, const std::vector<uint32_t>& kept) {
+    std::vector<Assumption> some;
+    for (const uint32_t number : kept) {
+      some.push_back(mission.assumptions[number]);
+    }
+    mission.assumptions = std::move(some);
+    return mission;
+  }
+
+  Mission written_;
+  Mission mission_;
+  platforms::Platform platform_;
+  ProofContext context_;
+  Proof proof_;
+  RequirementCheck check_;
+};
+
+RequirementCheck& RequirementCheck::under(const std::vector<uint32_t>& some) {
+  if (bare_ == nullptr || some.size() == m_.assumptions.size()) {
+    return *this;
+  }
+  if (some.empty()) {
+    return *bare_;
+  }
+  std::shared_ptr<UnderSome>& found = under_some_[some];
+  if (!found) {
+    found = std::make_shared<UnderSome>(*bare_, some);
+  }
+  return found->check();
+}
+
+/// A proof that is found again takes about as long as the first.
+bool RequirementCheck::isProvedUnder(const std::vector<uint32_t>& fewer,
+                                     RequirementVerdict& verdict) {
+  constexpr uint64_t kAtLeast = 50000;
+  premises_.spend(Budget::kCondition * m_.exprs.size());
+  if (premises_.isUsedUp()) {
+    return false;
+  }
+  const uint64_t effort =
+      std::min<uint64_t>(proof_.options.run_effort, 2 * verdict.steps + kAtLeast);
+  RequirementCheck& check = under(fewer);
+  const Budget before = std::exchange(check.proof_.searches, premises_);
+  Again again = check.provesAgain(verdict, static_cast<unsigned>(effort));
+  premises_ = std::exchange(check.proof_.searches, before);
+  const bool of_areas = !m_.requirements[verdict.requirement].geofences.empty();
+  if (!again.proved || (proof_.options.evidence && !again.evidence && !of_areas)) {
+    return false;  // what evidence there is may rest on more
+  }
+  verdict.evidence = std::move(again.evidence);
+  return true;
+}
 
 }  // namespace
 
@@ -511,8 +738,8 @@ void passes::requirements(Proof& proof) {
   }
   const Mission mission = underAssumptions(plain.mission);
   const auto is_empty = [](const Sensor& sensor) { return sensor.lowest > sensor.highest; };
-  if (std::ranges::any_of(mission.sensors, is_empty)) {
-    return RequirementCheck(proof).run();  // GL3121 is reported: nothing can rest on such ranges
+  if (std::ranges::any_of(mission.sensors, is_empty) || !proof.decided_assumptions.empty()) {
+    return RequirementCheck(proof).run();  // GL3121 or GL3136 is reported: nothing rests on these
   }
   const platforms::Platform platform = underAssumptions(plain.platform, plain.mission);
   const ProofContext proof_context(mission, platform);

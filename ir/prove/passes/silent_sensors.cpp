@@ -7,6 +7,7 @@
 #include "ir/prove/context/commands.h"
 #include "ir/prove/context/sensors_read.h"
 #include "ir/prove/passes.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

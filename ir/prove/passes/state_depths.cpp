@@ -9,6 +9,7 @@
 #include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/abstract/shallowest_command.h"
 #include "ir/prove/passes.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 

@@ -4,6 +4,7 @@
 #include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/encoding/any_moment.h"
 #include "ir/prove/passes.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <algorithm>
 #include <map>

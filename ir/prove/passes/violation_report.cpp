@@ -4,7 +4,9 @@
 #include "ir/prove/passes/violation_report.h"
 
 #include "ir/prove/context/duration_text.h"
+#include "ir/prove/passes/advice.h"
 #include "support/check.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 
@@ -88,6 +90,9 @@ void reportViolation(const Requirement& requirement, const Counterexample& run,
                                   howBroken(requirement, run, proof_context.mission));
   noteStory(error, run);
   notePowerCuts(error, requirement, run, proof_context);
+  if (requirement.kind == RequirementKind::SurfacesEvery) {
+    noteShortSurfacings(error, run, proof_context);
+  }
 }
 
 }  // namespace glider::ir::prove

@@ -6,6 +6,7 @@
 #include "ir/prove/geometry/nearest.h"
 #include "ir/prove/geometry/sphere.h"
 #include "ir/prove/passes.h"
+#include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 
@@ -104,19 +105,17 @@ class WaypointCheck {
         if (one.fixed == nullptr || told_.contains(one.range.begin)) {
           break;
         }
-        if (nearTo(one.place) <= nearTo(meant)) {
-          tellIfExchanged(one, meant, others, kNearOthers, "the other positions of the mission");
-        }
+        tellIfExchanged(one, meant, others, kNearOthers, "the other positions of the mission");
         tellIfExchanged(one, meant, starts, kNearKnownStart, "where the scenarios start");
       }
     }
   }
 
-  /// The number of waypoints around a place.
-  [[nodiscard]] ptrdiff_t nearTo(const Position& place) const {
-    return std::ranges::count_if(waypoints_, [&](const Waypoint& one) {
-      return onEarth(Op::Distance, place, one.place) < kNearOthers;
-    });
+  /// Whether as many waypoints are at the place as are near the one that may be meant. Where the
+  /// others are far away, the waypoints near the place are those at it.
+  static bool outnumbered(const Position& place, const Position& meant, const PlaceIndex& around,
+                          double near) {
+    return around.hasAround(meant, near, std::max<size_t>(1, around.timesGiven(place)));
   }
 
   [[nodiscard]] bool isKnownStart(const Position& place) const {
@@ -130,7 +129,8 @@ class WaypointCheck {
     const double far_off = around.nearestOther(one.place);
     const double then = around.nearestOther(meant);
     if (!std::isfinite(far_off) || far_off <= kFarIfExchanged || then >= near ||
-        isKnownStart(one.place) || !told_.insert(one.range.begin).second) {
+        !outnumbered(one.place, meant, around, near) || isKnownStart(one.place) ||
+        !told_.insert(one.range.begin).second) {
       return;
     }
     const std::string north = latitudeText(meant.latitude);

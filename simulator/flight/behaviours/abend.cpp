@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace glider::simulator {
@@ -16,11 +17,17 @@ constexpr double kSameDepth = 1;  // m
 
 Abend::Abend(const BehaviourSource& source)
     : Behaviour(source.block.name),
+      variables_(source.variables),
       overdepth_(source.argument("overdepth")),
       overtime_(source.argument("overtime")),
       undervolts_(source.argument("undervolts")),
       same_depth_for_(source.argument("samedepth_for")),
-      waypoint_distance_(source.argument("max_wpt_distance")) {}
+      waypoint_distance_(source.argument("max_wpt_distance")),
+      untickled_for_(source.argument("no_cop_tickle_for")) {}
+
+double Abend::overdepth() const {
+  return std::min(overdepth_(), variables_.find(kWorkingDepth).value_or(overdepth_()));
+}
 
 void Abend::watchDepth(const Situation& s) {
   if (s.at_surface || !(std::fabs(s.depth_m - reference_depth_) < kSameDepth)) {
@@ -38,9 +45,9 @@ Behaviour::Outcome Abend::fly(const Situation& s, Commands& /*commands*/) {
       why_ = std::move(why);
     }
   };
-  if (overdepth_() >= 0 && s.depth_m > overdepth_()) {
+  if (overdepth_() >= 0 && s.depth_m > overdepth()) {
     found(Abort::Overdepth,
-          fmt::format("m_depth {:.1f} m > overdepth {} m", s.depth_m, overdepth_()));
+          fmt::format("m_depth {:.1f} m > overdepth {} m", s.depth_m, overdepth()));
   }
   if (overtime_() >= 0 && s.time_s > overtime_()) {
     found(Abort::Overtime, fmt::format("{:.0f} s > overtime {} s", s.time_s, overtime_()));
@@ -56,6 +63,9 @@ Behaviour::Outcome Abend::fly(const Situation& s, Commands& /*commands*/) {
   if (waypoint_distance_() >= 0 && s.waypoint_distance_m > waypoint_distance_()) {
     found(Abort::WaypointTooFar,
           fmt::format("the waypoint is {:.0f} m away", s.waypoint_distance_m));
+  }
+  if (untickled_for_() >= 0 && s.untickled_s > untickled_for_()) {
+    found(Abort::NoTickle, fmt::format("no fix and no contact for {:.0f} s", s.untickled_s));
   }
   return Outcome::Continue;
 }

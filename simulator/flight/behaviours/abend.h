@@ -9,7 +9,8 @@
 namespace glider::simulator {
 
 /// Watches the vehicle's limits and aborts the mission: overdepth, overtime, undervolts,
-/// samedepth_for, max_wpt_distance. The other limits of a real abend watch what is not simulated.
+/// samedepth_for, max_wpt_distance, no_cop_tickle_for. The other limits of a real abend watch what
+/// is not simulated.
 class Abend final : public Behaviour {
  public:
   explicit Abend(const BehaviourSource& source);
@@ -22,7 +23,11 @@ class Abend final : public Behaviour {
  private:
   void watchDepth(const Situation& situation);
 
-  Argument overdepth_, overtime_, undervolts_, same_depth_for_, waypoint_distance_;
+  /// The vehicle clips overdepth to the depth in which it may work.
+  [[nodiscard]] double overdepth() const;
+
+  const MissionVariables& variables_;
+  Argument overdepth_, overtime_, undervolts_, same_depth_for_, waypoint_distance_, untickled_for_;
   double reference_depth_ = 0, reference_since_s_ = 0;
   Abort found_ = Abort::None;
   std::string why_;

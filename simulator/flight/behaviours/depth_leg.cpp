@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace glider::simulator {
@@ -14,12 +15,21 @@ constexpr double kProgress = 1;  // m
 
 DepthLeg::DepthLeg(const BehaviourSource& source, Direction direction, const std::string& prefix)
     : direction_(direction),
-      target_depth_(source.argument(prefix + "target_depth")),
+      variables_(source.variables),
+      given_depth_(source.argument(prefix + "target_depth")),
       target_altitude_(source.argument(prefix + "target_altitude")),
-      pump_cc_(source.pump(prefix)),
+      pump_cc_(source.pump(prefix, direction == Direction::Dive ? BehaviourSource::Pumps::In
+                                                                : BehaviourSource::Pumps::Out)),
       hover_for_s_(source.argument(prefix + "stop_when_hover_for")),
       stalled_for_s_(source.argument(prefix + "stop_when_stalled_for")),
       pitch_(source.pitch(prefix)) {}
+
+double DepthLeg::targetDepth() const {
+  const double given = given_depth_();
+  return direction_ == Direction::Dive
+             ? std::min(given, variables_.find(kWorkingDepth).value_or(given))
+             : given;
+}
 
 void DepthLeg::begin(const Situation& s) {
   moving_s_ = deepest_s_ = s.time_s;
@@ -28,8 +38,9 @@ void DepthLeg::begin(const Situation& s) {
 
 bool DepthLeg::reached(const Situation& s) {
   const bool dives = direction_ == Direction::Dive;
-  if (dives ? s.depth_m >= target_depth_() : s.depth_m <= target_depth_()) {
-    why_ = fmt::format("m_depth {:.1f} m, target {} m", s.depth_m, target_depth_());
+  const double target = targetDepth();
+  if (dives ? s.depth_m >= target : s.depth_m <= target) {
+    why_ = fmt::format("m_depth {:.1f} m, target {} m", s.depth_m, target);
     return true;
   }
   const bool past = dives ? s.altitude_m <= target_altitude_() : s.altitude_m >= target_altitude_();

@@ -33,8 +33,12 @@ class DepthLeg {
   [[nodiscard]] bool reached(const Situation& situation);
   [[nodiscard]] bool stuck(const Situation& situation);
 
+  /// The vehicle clips the target of a dive to the depth in which it may work.
+  [[nodiscard]] double targetDepth() const;
+
   Direction direction_;
-  Argument target_depth_, target_altitude_, pump_cc_, hover_for_s_, stalled_for_s_;
+  const MissionVariables& variables_;
+  Argument given_depth_, target_altitude_, pump_cc_, hover_for_s_, stalled_for_s_;
   PitchSource pitch_;
   double moving_s_ = 0;   ///< when it last moved
   double deepest_s_ = 0;  ///< when it last gained depth or height

@@ -26,11 +26,15 @@ class DriftAtDepth final : public StartedBehaviour {
  private:
   [[nodiscard]] bool within(const Situation& situation) const;
   void correct(const Situation& situation);
+  void aim(const Situation& situation);
 
-  Argument target_m_, deadband_m_, hover_for_s_, step_cc_, delay_s_;
+  Argument target_m_, target_altitude_m_, deadband_m_, start_distance_m_, hover_for_s_, step_cc_,
+      delay_s_;
   PitchSource pitch_;
   DepthLeg dive_, climb_;
   bool hovers_ = false;
+  double aim_m_ = 0;    ///< the depth to drift at
+  double water_m_ = 0;  ///< the newest depth of the water; NaN: not known
   double hovering_since_s_ = 0, corrected_s_ = 0, pump_cc_ = 0;
   std::vector<std::string> news_;
 };

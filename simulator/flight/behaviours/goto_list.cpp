@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kAfterLastReached = -1, kNearest = -2;  // initial_wpt
 constexpr int kOnce = -2;                             // num_legs_to_run
+constexpr int kStays = 6;                             // end_action
 
 }  // namespace
 
@@ -22,7 +23,8 @@ GotoList::GotoList(const BehaviourSource& source)
             {.secs = {0, source.variables}, .distance_m = source.argument("list_when_wpt_dist")},
             source.code_15, true),
       initial_(source.code("initial_wpt")),
-      legs_to_run_(source.code("num_legs_to_run")) {
+      legs_to_run_(source.code("num_legs_to_run")),
+      stays_(source.code("end_action") == kStays) {
   for (const slocum::Waypoint& waypoint : source.block.waypoints) {
     places_.push_back({WaypointUnits::LatLon,
                        {waypoint.longitude_ddmm, source.variables},
@@ -34,7 +36,6 @@ GotoList::GotoList(const BehaviourSource& source)
     places_.push_back({static_cast<WaypointUnits>(source.code("wpt_units_" + number)),
                        source.argument("wpt_x_" + number), source.argument("wpt_y_" + number)});
   }
-  places_.resize(std::min(places_.size(), std::max<size_t>(stated, 1)), places_.front());
 }
 
 WaypointPosition GotoList::at(const Situation& s, size_t number) const {
@@ -69,20 +70,25 @@ void GotoList::begin(const Situation& s) {
   current_ = first(s);
   wanted_ = legs(current_);
   reached_ = 0;
+  over_ = false;
   fresh_ = true;
 }
 
 Behaviour::Outcome GotoList::fly(const Situation& s, Commands& commands) {
-  if (!std::exchange(fresh_, false) && stop_.met(s, commands)) {
+  if (!std::exchange(fresh_, false) && !over_ && stop_.met(s, commands)) {
     commands.hit_waypoint = true;
     last_reached_ = static_cast<int>(current_);
     news_.push_back(fmt::format("{}: waypoint {} reached", label(), current_));
     if (wanted_ >= 0 && ++reached_ >= wanted_) {
-      return Outcome::Done;
+      if (!stays_) {
+        return Outcome::Done;
+      }
+      over_ = true;
+    } else {
+      current_ = (current_ + 1) % places_.size();
+      stop_.restart(s.time_s);
+      fresh_ = true;
     }
-    current_ = (current_ + 1) % places_.size();
-    stop_.restart(s.time_s);
-    fresh_ = true;
   }
   const WaypointPosition to = at(s, current_);
   commands.steer({HeadingCommand::Mode::Waypoint, 0, to.latitude_ddmm, to.longitude_ddmm});

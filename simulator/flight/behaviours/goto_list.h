@@ -35,9 +35,11 @@ class GotoList final : public StartedBehaviour {
   When stop_;
   std::vector<Place> places_;
   int initial_, legs_to_run_;
+  bool stays_;  ///< at its last waypoint, until an operator gives it another list (end_action 6)
   size_t current_ = 0;
   int reached_ = 0, wanted_ = 0;
   int last_reached_ = -1;
+  bool over_ = false;  ///< the last waypoint is reached, and it stays there
   bool fresh_ = true;  ///< the distance that is known is not yet that of this waypoint
   std::vector<std::string> news_;
 };

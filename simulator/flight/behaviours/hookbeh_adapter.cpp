@@ -165,6 +165,7 @@ Behaviour::Outcome HookbehAdapter::fly(const Situation& situation, Commands& com
     commands.steer(heading(out));
     commands.point({PitchCommand::Mode::Servo, out.pitch_rad});
     commands.pump(out.pump_cc);
+    commands.altimeter = commands.altimeter || out.altimeter;
   }
   outputs_ = out;
   note(in, out);

@@ -21,7 +21,7 @@ PrepareToDive::PrepareToDive(const BehaviourSource& source)
     : StartedBehaviour(source, false),
       wait_s_(source.argument("wait_time")),
       pitch_(surfaceOf(source).pitch("c_")),
-      pump_cc_(surfaceOf(source).pump("c_")) {}
+      pump_cc_(surfaceOf(source).pump("c_", BehaviourSource::Pumps::Out)) {}
 
 void PrepareToDive::begin(const Situation& s) {
   StartedBehaviour::begin(s);

@@ -7,15 +7,18 @@
 
 namespace glider::simulator {
 
-/// Holds a heading (use_heading 1) or the fin (4).
+/// Holds a heading (use_heading 1) or the fin (4); for a bank (2, 3) the fin in the middle, because
+/// the simulated vehicle does not roll. 5 is a heading relative to the current, which is not
+/// simulated: checkValues warns, and the heading is steered as it is given.
 class SetHeading final : public StartedBehaviour {
  public:
   explicit SetHeading(const BehaviourSource& source)
       : StartedBehaviour(source),
         stop_(source.stopCondition()),
-        mode_(source.code("use_heading") == 4 ? HeadingCommand::Mode::Fin
-                                              : HeadingCommand::Mode::Heading),
-        value_(source.argument("heading_value")) {}
+        mode_(isHeading(source.code("use_heading")) ? HeadingCommand::Mode::Heading
+                                                    : HeadingCommand::Mode::Fin),
+        value_(isRoll(source.code("use_heading")) ? Argument(0, source.variables)
+                                                  : source.argument("heading_value")) {}
 
  protected:
   void begin(const Situation& s) override {
@@ -31,6 +34,9 @@ class SetHeading final : public StartedBehaviour {
   }
 
  private:
+  static bool isHeading(int code) { return code == 1 || code == 5; }
+  static bool isRoll(int code) { return code == 2 || code == 3; }
+
   When stop_;
   HeadingCommand::Mode mode_;
   Argument value_;

@@ -5,8 +5,6 @@
 
 #include "slocum/mission_files/behaviour_catalogue.h"
 
-#include <cmath>
-
 namespace glider::simulator {
 namespace {
 
@@ -44,12 +42,13 @@ PitchSource BehaviourSource::pitch(const std::string& prefix) const {
   return {mode, argument(prefix + "pitch_value")};
 }
 
-Argument BehaviourSource::pump(const std::string& prefix) const {
-  constexpr int kAutoballast = 0;
+Argument BehaviourSource::pump(const std::string& prefix, Pumps pumps) const {
+  constexpr int kAutoballast = 0, kSpeed = 5;
   constexpr double kFull = 1000;  // cc, beyond every pump: it moves to its limit
-  const double given = block.value(prefix + "bpump_value");
-  return code(prefix + "use_bpump") == kAutoballast
-             ? Argument(std::copysign(kFull, given), variables)
+  const int use = code(prefix + "use_bpump");
+  // bpump_value is then the whole stroke of the yo, or a speed: its sign says nothing.
+  return use == kAutoballast || use == kSpeed
+             ? Argument(pumps == Pumps::Out ? kFull : -kFull, variables)
              : argument(prefix + "bpump_value");
 }
 

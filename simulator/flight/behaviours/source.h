@@ -8,6 +8,7 @@
 #include "simulator/flight/when.h"
 #include "slocum/mission_files/mission_file.h"
 
+#include <cstdint>
 #include <string>
 
 namespace glider::simulator {
@@ -41,8 +42,10 @@ struct BehaviourSource {
   [[nodiscard]] When stopCondition() const;
   /// use_pitch and pitch_value behind `prefix` ("d_", "c_", "").
   [[nodiscard]] PitchSource pitch(const std::string& prefix) const;
-  /// The pump's volume behind `prefix`, cc: bpump_value, or what autoballast commands.
-  [[nodiscard]] Argument pump(const std::string& prefix) const;
+  /// The pump's volume behind `prefix`, cc: bpump_value, or all of it, out or in, where the vehicle
+  /// controls its ballast or speed itself.
+  enum class Pumps : uint8_t { In, Out };
+  [[nodiscard]] Argument pump(const std::string& prefix, Pumps pumps) const;
 
  private:
   [[nodiscard]] When condition(const std::string& name, bool stops) const;

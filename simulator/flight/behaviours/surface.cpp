@@ -14,7 +14,7 @@ Surface::Surface(const BehaviourSource& source)
     : StartedBehaviour(source),
       end_action_(static_cast<EndAction>(source.code("end_action"))),
       pitch_(source.pitch("c_")),
-      pump_cc_(source.pump("c_")),
+      pump_cc_(source.pump("c_", BehaviourSource::Pumps::Out)),
       gps_wait_s_(source.argument("gps_wait_time")),
       keystroke_wait_s_(source.argument("keystroke_wait_time")),
       end_distance_m_(source.argument("end_wpt_dist")) {}
@@ -36,6 +36,7 @@ void Surface::begin(const Situation& situation) {
   StartedBehaviour::begin(situation);
   surfaced_s_ = kNotYet;
   fixed_s_ = kNotYet;
+  contact_ = false;
 }
 
 Behaviour::Outcome Surface::fly(const Situation& s, Commands& commands) {
@@ -55,6 +56,8 @@ Behaviour::Outcome Surface::fly(const Situation& s, Commands& commands) {
   if (std::isnan(fixed_s_) && fixed) {
     fixed_s_ = s.time_s;
   }
+  // After the fix, or the wait for one, the vehicle calls: it has contact while it is up.
+  contact_ = !std::isnan(fixed_s_) && s.at_surface;
   if (std::isnan(fixed_s_) || !dialogueOver(s)) {
     return Outcome::Continue;
   }

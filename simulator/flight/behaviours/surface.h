@@ -14,6 +14,7 @@ class Surface final : public StartedBehaviour {
   explicit Surface(const BehaviourSource& source);
   [[nodiscard]] bool atWork() const override { return state() == State::Active; }
   [[nodiscard]] bool endsMission() const override { return state() == State::Complete; }
+  [[nodiscard]] bool contact() const override { return contact_; }
 
  protected:
   void begin(const Situation& situation) override;
@@ -39,7 +40,7 @@ class Surface final : public StartedBehaviour {
   PitchSource pitch_;
   Argument pump_cc_, gps_wait_s_, keystroke_wait_s_, end_distance_m_;
   double surfaced_s_ = 0, fixed_s_ = 0;  ///< NaN: not yet
-  bool has_waited_ = false;
+  bool has_waited_ = false, contact_ = false;
 };
 
 }  // namespace glider::simulator

@@ -12,14 +12,16 @@ Yo::Yo(const BehaviourSource& source)
       stop_(source.stopCondition()),
       dive_(source, DepthLeg::Direction::Dive, "d_"),
       climb_(source, DepthLeg::Direction::Climb, "c_"),
-      starts_diving_(source.code("start_diving") != 0),
+      begins_(static_cast<Begins>(source.code("start_diving"))),
       half_cycles_to_do_(source.argument("num_half_cycles_to_do")) {}
 
 void Yo::begin(const Situation& situation) {
   StartedBehaviour::begin(situation);
   stop_.restart(situation.time_s);
   half_cycles_ = 0;
-  leg_ = starts_diving_ ? &dive_ : &climb_;
+  if (begins_ != Begins::Continuing || leg_ == nullptr) {
+    leg_ = begins_ == Begins::Climbing ? &climb_ : &dive_;
+  }
   leg_->begin(situation);
 }
 

@@ -22,7 +22,7 @@ class Yo final : public StartedBehaviour {
  private:
   When stop_;
   DepthLeg dive_, climb_;
-  bool starts_diving_;
+  enum class Begins : uint8_t { Climbing, Diving, Continuing } begins_;  ///< start_diving
   Argument half_cycles_to_do_;
   DepthLeg* leg_ = nullptr;
   int half_cycles_ = 0;

@@ -28,7 +28,8 @@ void Ctd::sample(const Sampling& at, std::span<double> readings) {
   const auto water = [&](double depth_m) {
     return at.ocean.temperature(depth_m, at.x, at.y, at.time_s);
   };
-  if (const auto reading = read(water, at.depth_m, at.time_s)) {
+  const double swell = at.ocean.swellPressure(at.depth_m, at.x, at.y, at.time_s);
+  if (const auto reading = read(water, at.depth_m, at.time_s, swell)) {
     readings[0] = reading->temperature_degC;
     readings[1] = reading->conductivity;
     readings[2] = reading->depth_m / kMetresPerBar;
@@ -81,14 +82,15 @@ std::optional<Ctd::Reading> Ctd::due(double now_s) {
   return newest;
 }
 
-std::optional<Ctd::Reading> Ctd::read(const Water& water, double depth_m, double now_s) {
+std::optional<Ctd::Reading> Ctd::read(const Water& water, double depth_m, double now_s,
+                                      double swell_m) {
   const double noise = temperature_noise_.normal(settings_.noise_degC);
   const double off = depth_noise_.normal(settings_.non_monotonic_m);
   const bool lost = dropout_.uniform() < settings_.dropout;
   const bool repeated = repeat_.uniform() < settings_.repeat_fraction;
   flush(water(std::max(0.0, depth_m + off)), depth_m, now_s);
   if (!lost) {
-    on_their_way_.push_back({now_s, {in_duct_ + noise, depth_m, settings_.conductivity}});
+    on_their_way_.push_back({now_s, {in_duct_ + noise, depth_m + swell_m, settings_.conductivity}});
   }
   const std::optional<Reading> now = due(now_s);
   if (!now || !repeated || !given_) {

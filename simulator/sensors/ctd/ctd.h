@@ -58,7 +58,7 @@ class Ctd final : public Instrument {
   using Settings = CtdSettings;
   struct Reading {
     double temperature_degC = 0;
-    double depth_m = 0;       ///< true depth of the vehicle, from the CTD's own pressure
+    double depth_m = 0;       ///< of the vehicle, from the CTD's own pressure
     double conductivity = 0;  ///< S/m
   };
   /// The true temperature (degC) at a depth (m), where the vehicle is.
@@ -69,8 +69,10 @@ class Ctd final : public Instrument {
   [[nodiscard]] std::span<const InstrumentSensor> sensors() const override;
   [[nodiscard]] Proglet proglet() const override { return {1, "profile"}; }
   void sample(const Sampling& at, std::span<double> readings) override;
-  /// The reading that the sensor gives at `now_s`; none when it fails or has none yet.
-  std::optional<Reading> read(const Water& water, double depth_m, double now_s);
+  /// The reading that the sensor gives at `now_s`; none when it fails or has none yet. `swell_m`:
+  /// what a swell adds to its pressure.
+  std::optional<Reading> read(const Water& water, double depth_m, double now_s,
+                              double swell_m = 0);
 
  private:
   struct Measured {

@@ -127,6 +127,7 @@ TEST_F(BriefOf, ProfilesAndRoutesNameTheirArguments) {
   EXPECT_EQ(of.states[2].profile.comment, "Stays at the surface.");
   EXPECT_EQ(of.states[1].parameters, "limit: time, k: number");
   EXPECT_EQ(of.states[0].deepest, "at most 25 m deep");
+  EXPECT_EQ(of.states[2].deepest, "at most 25 m deep as its climb to the surface begins");
 }
 
 TEST_F(BriefOf, EventsAreSentencesInTheirOrder) {

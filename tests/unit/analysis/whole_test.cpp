@@ -88,7 +88,7 @@ std::string behaviour(const std::string& name, const std::string& arguments) {
 
 const std::string kIdle = behaviour("surface", "start_when(enum) 1,end_action(enum) 2");
 const std::string kHookbeh = behaviour("hookbeh", "max_depth(m) 60");
-const std::string kHeading = behaviour("set_heading", "heading_value(X) 1");
+const std::string kHeading = behaviour("set_heading", "use_heading(bool) 1,heading_value(X) 1");
 
 TEST_F(WholeOf, TheSkeletonIsAtTheSurfaceInTheTimeOfTheWayHome) {
   const Whole whole = of(shipped("skeleton.mi"));
@@ -228,13 +228,16 @@ TEST_F(WholeOf, AnySlotMayBeCommandedByAnyBehaviourWithoutAnEnd) {
   };
   for (const char* code : {"0", "1", "2", "3", "4"}) {
     const std::string start = std::string("start_when(enum) ") + code;
-    EXPECT_EQ(heading("set_heading", "heading_value(X) 1," + start), "") << code;
+    EXPECT_EQ(heading("set_heading", "use_heading(bool) 1,heading_value(X) 1," + start), "")
+        << code;
     EXPECT_EQ(refusal(timed + kHookbeh + behaviour("yo", start) + kHeading) == "", code[0] != '3')
         << code;
   }
-  EXPECT_NE(heading("set_heading", "heading_value(X) 1,start_when(enum) 6"), "");
-  EXPECT_NE(heading("set_heading", "heading_value(X) 1,stop_when(enum) 6"), "");
-  EXPECT_NE(heading("set_heading", "heading_value(X) 1,stop_when(enum) 1000003"), "");
+  EXPECT_NE(heading("set_heading", "use_heading(bool) 1,heading_value(X) 1,start_when(enum) 6"),
+            "");
+  EXPECT_NE(heading("set_heading", "use_heading(bool) 1,heading_value(X) 1,stop_when(enum) 6"), "");
+  EXPECT_NE(
+      heading("set_heading", "use_heading(bool) 1,heading_value(X) 1,stop_when(enum) 1000003"), "");
   EXPECT_EQ(heading("goto_wpt", "wpt_x(X) 1,wpt_y(X) 1,stop_when(enum) 5"), "");
   EXPECT_NE(heading("goto_wpt", "wpt_x(X) 1,wpt_y(X) 1,stop_when(enum) 7"), "");
   EXPECT_EQ(heading("goto_list", "num_waypoints(nodim) 1"), "");
@@ -244,10 +247,11 @@ TEST_F(WholeOf, AnySlotMayBeCommandedByAnyBehaviourWithoutAnEnd) {
   EXPECT_NE(heading("nop_cmds", "nop_heading(bool) 0"), "");
   EXPECT_NE(heading("nop_cmds", "nop_heading(bool) 1,secs_to_run(s) 60"), "");
   // Above a yo, pitch is commanded already.
-  EXPECT_NE(
-      refusal(timed + kHookbeh + behaviour("set_heading", "heading_value(X) 1,start_when(enum) 2") +
-              behaviour("yo", "")),
-      "");
+  EXPECT_NE(refusal(timed + kHookbeh +
+                    behaviour("set_heading",
+                              "use_heading(bool) 1,heading_value(X) 1,start_when(enum) 2") +
+                    behaviour("yo", "")),
+            "");
 }
 
 /// A behaviour that surfaces as soon as a slot is idle leaves none without a command.

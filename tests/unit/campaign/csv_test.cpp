@@ -4,6 +4,7 @@
 // The table of flights: its contents, and that it is read back as it was written.
 
 #include "campaign/campaign.h"
+#include "support/diagnostics/catalogue.h"
 #include "tests/support/command.h"
 #include "tests/unit/campaign/small_plan.h"
 

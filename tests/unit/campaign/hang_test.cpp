@@ -3,6 +3,7 @@
 
 // A flight that does not come back.
 
+#include "support/diagnostics/catalogue.h"
 #include "tests/unit/campaign/small_plan.h"
 #include "tests/unit/simulator/fake_sbc.h"
 

@@ -5,6 +5,7 @@
 
 #include "campaign/campaign.h"
 #include "simulator/scenario/scenario.h"
+#include "support/diagnostics/catalogue.h"
 #include "tests/support/command.h"
 
 #include <gtest/gtest.h>

@@ -5,6 +5,7 @@
 
 #include "campaign/campaign.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <gmock/gmock.h>

@@ -4,6 +4,7 @@
 // The table of back ends, as those see it who ask for a product and not for a back end.
 
 #include "ir/text/print.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 #include "tests/unit/codegen/compiled_mission.h"
 

@@ -3,6 +3,7 @@
 
 // linkExecutable: what comes out, and what happens when the world does not play along.
 
+#include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 #include "tests/unit/codegen/compiled_mission.h"
 

@@ -5,6 +5,7 @@
 
 #include "codegen/load/loaded_mission.h"
 
+#include "support/diagnostics/catalogue.h"
 #include "tests/slocum.h"
 #include "tests/unit/codegen/compiled_mission.h"
 

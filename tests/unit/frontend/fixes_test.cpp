@@ -3,6 +3,7 @@
 
 // Suggested fixes, applied, give a mission without that error.
 
+#include "support/diagnostics/catalogue.h"
 #include "tests/unit/frontend/compile.h"
 
 #include <algorithm>
@@ -45,18 +46,23 @@ TEST_P(Fixes, LeaveNothingToSay) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, Fixes,
-    testing::Values(mission("depth > 5 m;"), mission("depth => 5 m"),
-                    mission("depth > 5 m & temp < 3"), mission("depth > 5 m and temp < 3"),
-                    mission("!depth > 5 m"), mission("depth ≥ 5 m"), mission("depth > 5 metres"),
-                    mission("depth > 5. "), mission("max(depth 5 m) > 3"),
-                    mission("5 m < depth < 10 m"), mission("pitch > 5 deg"),
-                    mission("pitch > 5 deg", ""), mission("depth > 5 m", "sensors depth temp"),
-                    mission("depth > 5 m", "sensors depth begin"),
-                    mission("depth > 5 m", "flightroute nav(3910.5 -7349.8)"),
-                    mission("depth > 5 m", "flightroute nav(3910.5, -73.8)"),
-                    mission("!(min(depth; -3 m) > 5 m)"),
-                    mission("depth > 5 m", "flightroute nav(39 10.5 N, 73 49.8 W)"),
-                    mission("true") + "end\n", mission("true").replace(22, 5, "begni")));
+    testing::Values(
+        mission("depth > 5 m;"), mission("depth => 5 m"), mission("depth > 5 m & temp < 3"),
+        mission("depth > 5 m and temp < 3"), mission("!depth > 5 m"), mission("depth ≥ 5 m"),
+        mission("depth > 5 metres"), mission("depth > 5. "), mission("max(depth 5 m) > 3"),
+        mission("5 m < depth < 10 m"), mission("pitch > 5 deg"), mission("pitch > 5 deg", ""),
+        mission("depth > 5 m", "sensors depth temp"), mission("depth > 5 m", "sensors depth begin"),
+        mission("depth > 5 m", "flightroute nav(3910.5 -7349.8)"),
+        mission("depth > 5 m", "flightroute nav(3910.5, -73.8)"),
+        mission("!(min(depth; -3 m) > 5 m)"),
+        mission("depth > 5 m", "flightroute nav(39 10.5 N, 73 49.8 W)"), mission("true") + "end\n",
+        mission("true").replace(22, 5, "begni"), mission("depth > 5 m AND temp > 3"),
+        mission("depth > 5,5 m"), mission("depth > 5 m then"), mission("depth > 5 m:"),
+        mission("depth > 5 m", "sensors depth, temp,"),
+        mission("depth > 5 m", "sensors = depth, temp"), mission("depth > 5 m do log “deep” end"),
+        mission("depth\xC2\xA0> 5 m"), mission("depth > 5 m { log \"a\" }"),
+        mission("case depth > 5 m"),
+        mission("true").replace(22, 5, "{").replace(mission("true").size() - 8, 3, "}")));
 
 /// What only the pilot can decide: the hint says how, and no fix is offered.
 class NoFix : public testing::TestWithParam<std::string> {};
@@ -102,6 +108,62 @@ TEST(NoFix, ATransitionIsNeverGuessed) {
   for (const support::Diagnostic& d : broken.diagnostics.sorted()) {
     EXPECT_TRUE(d.fixes.empty()) << broken.said();
   }
+}
+
+/// A state whose header has a slip; `look` comes first, and `target` is where it leads to.
+std::string header(const std::string& written, const std::string& target = "") {
+  const std::string to = target.empty() ? "exit" : "goto " + target;
+  const std::string first = target.empty() ? ""
+                                           : "mission test\nstate look\nbegin\n"
+                                             "  flightprofile surfaced\n"
+                                             "  sensors missiontime\n  events\n"
+                                             "    case missiontime > 1 h " +
+                                                 to + "\nend\n";
+  const std::string rest = target.empty() ? mission("true").substr(0, 13) : first;
+  return rest + "state " + written +
+         "\nbegin\n  flightprofile surfaced\n  sensors missiontime\n  events\n"
+         "    case missiontime > 2 h exit\nend\n";
+}
+
+struct Header {
+  std::string written;
+  std::string target;
+  std::string name;  ///< after the fix; empty: none is applied
+};
+
+class Headers : public testing::TestWithParam<Header> {};
+
+/// The `begin` after it is right, and nothing but the name is changed.
+TEST_P(Headers, AreOneError) {
+  const Header& row = GetParam();
+  FrontendRun broken(header(row.written, row.target));
+  broken.compile();
+  const auto reported = broken.diagnostics.sorted();
+  ASSERT_EQ(reported.size(), 1U) << broken.said();
+  EXPECT_EQ(support::code(reported[0].id), "GL1081");
+  const std::string after = fixed(broken);
+  const std::string name = row.name.empty() ? row.written : row.name;
+  EXPECT_EQ(after, header(name, row.target));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Headers,
+    testing::Values(Header{"look:", "", "look"}, Header{"go home", "", "go_home"},
+                    Header{"hold-deep", "", "hold_deep"}, Header{"\"look\"", "", "look"},
+                    Header{"\"go home\"", "", "go_home"}, Header{"1look", "", ""},
+                    Header{"2", "", ""}, Header{"return home", "", "return_home"},
+                    Header{"look look", "", "look"}, Header{"look =", "", "look"},
+                    Header{"go home", "go_home", "go_home"}, Header{"go home", "home", "home"},
+                    Header{"1home", "home", "home"}, Header{"the-home:", "home", "home"}));
+
+/// What a state is called cannot be known if several of its words are used.
+TEST(Headers, OfWhichSeveralWordsAreUsedAreNotFixed) {
+  std::string text = header("go home", "home");
+  text.replace(text.find("    case missiontime > 1 h"), 4, "    case missiontime > 2 h goto go ");
+  FrontendRun broken(text);
+  broken.compile();
+  EXPECT_TRUE(broken.says(support::DiagnosticId::nameNotOneWord)) << broken.said();
+  EXPECT_EQ(fixed(broken), text);
 }
 
 /// `not` reaches further than a comparison: what takes the place of a chain must stay together.

@@ -3,6 +3,7 @@
 
 // Bytes that no pilot writes: each gets a clear word, none harms the compiler.
 
+#include "support/diagnostics/catalogue.h"
 #include "tests/unit/frontend/compile.h"
 
 namespace glider::frontend {

@@ -4,6 +4,7 @@
 // What the parser makes of brackets and texts that are not closed, and of the limits of an
 // expression.
 
+#include "support/diagnostics/catalogue.h"
 #include "tests/unit/frontend/compile.h"
 
 namespace glider::frontend {

@@ -3,6 +3,7 @@
 
 // Where the analysis draws a line: the last that is allowed, and the first that is not.
 
+#include "support/diagnostics/catalogue.h"
 #include "tests/unit/frontend/compile.h"
 
 namespace glider::frontend {

@@ -4,6 +4,7 @@
 // What sema makes of operators, positions, windows and areas, in the IR that it writes.
 
 #include "ir/core/mission.h"
+#include "support/diagnostics/catalogue.h"
 #include "tests/unit/frontend/compile.h"
 
 #include <fmt/format.h>

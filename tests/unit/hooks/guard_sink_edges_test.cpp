@@ -113,6 +113,7 @@ bool diveEnds(double greatest_m, double depth_m, double dive_m) {
   StillVehicle vehicle(depth_m);
   vehicle.args.greatest_depth_m = greatest_m;
   vehicle.ctd = depth_m;
+  vehicle.way = Way::Down;
   vehicle.cycle();
   vehicle.last = kSteep;
   const double step_s = dive_m / kSteepMps;

@@ -410,12 +410,12 @@ TEST(HookbehHullEdges, WhatIsNarrowedIsNarrowedExactly) {
   HookbehArgs args;
   args.greatest_depth_m = 200.5;
   args.least_altitude_m = 0;
-  args.silence_secs = 3600.5;
+  args.silence_secs = 600.5;
   args.dive_pump_cc = 0;
   HookbehArgs narrowed = within(args, kHull);
   EXPECT_EQ(narrowed.greatest_depth_m, 200);
   EXPECT_EQ(narrowed.least_altitude_m, 2);
-  EXPECT_EQ(narrowed.silence_secs, 3600);
+  EXPECT_EQ(narrowed.silence_secs, 600);
   EXPECT_EQ(narrowed.dive_pump_cc, 0);
   args.greatest_depth_m = args.least_altitude_m = args.silence_secs = kNan;
   narrowed = within(args, kHull);

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace glider::hooks {
 namespace {
 
@@ -214,18 +216,6 @@ TEST(HookbehGuard, AStuckAltimeterDoesNotHideTheBottom) {
   EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom");
 }
 
-TEST(HookbehGuard, AnEchoIsForgottenAfterTenMinutes) {
-  Bench bench = diving();
-  bench.inputs.depth_m = 12;
-  bench.inputs.altitude_m = 6;
-  bench.give(Bench::vertical(HookVertical::Hover, 12));
-  for (int i = 0; i < 151; ++i) {
-    bench.cycle();
-  }
-  bench.inputs.depth_m = 15;
-  EXPECT_STREQ(bench.give(Bench::descend(25)).doing, "dive_to");
-}
-
 TEST(HookbehGuard, OneFalseReadingOfTheTimeDoesNotForgetTheBottom) {
   Bench bench = diving();
   bench.inputs.depth_m = 12;
@@ -252,6 +242,32 @@ TEST(HookbehGuard, TheShallowestBreakOfALimitCountsForTheNextTry) {
   EXPECT_EQ(bench.cycle().guard, HookGuard::NearBottom) << "half of 20 m, not of 18.5 m";
   bench.inputs.depth_m = 9.2;
   EXPECT_EQ(bench.cycle().guard, HookGuard::None);
+}
+
+TEST(HookbehGuard, ADiveTowardsTheBottomTurnsSoonerTheFasterItSinks) {
+  for (const auto& [rate, altitude, turns] : {std::tuple{0.0, 5.5, false},
+                                              {0.1, 5.5, true},
+                                              {0.25, 6.9, true},
+                                              {0.25, 7.1, false},
+                                              {2.0, 8.9, true},
+                                              {2.0, 9.1, false},
+                                              {-1.0, 5.5, false},
+                                              {kNan, 5.5, false}}) {
+    Bench bench = diving();
+    bench.inputs.depth_m = 15;
+    bench.inputs.depth_rate_mps = rate;
+    bench.inputs.altitude_m = altitude;
+    EXPECT_EQ(bench.cycle().guard != HookGuard::None, turns) << rate << " m/s, " << altitude;
+  }
+}
+
+TEST(HookbehGuard, ATargetThatIsClearOfTheBottomIsReachedHoweverFastItSinks) {
+  Bench bench = diving();
+  bench.give(Bench::descend(18));
+  bench.inputs.depth_m = 17;
+  bench.inputs.depth_rate_mps = 0.4;
+  bench.inputs.altitude_m = 7.5;
+  EXPECT_STREQ(bench.cycle().doing, "dive_to");
 }
 
 TEST(HookbehGuard, NoAltimeterUsed) {

@@ -96,14 +96,64 @@ TEST(HookbehUnseen, ADiveAfterALongHoverMayShowThatItsDepthLivesFirst) {
   EXPECT_GT(checks, 0);
 }
 
-TEST(HookbehUnseen, AHoverThatTheCtdSeesShowsNothing) {
+TEST(HookbehUnseen, AHoverThatTheCtdSeesShowsItsDepthByAShortClimbEveryFewMinutes) {
   SlowSea sea;
   sea.has_ctd = true;
   hoverAt(sea, 20);
-  for (int i = 0; i < 500; ++i) {
+  int climbs = 0, climbing = 0;
+  double highest = 20;
+  for (int i = 0; i < 900; ++i) {  // an hour
+    const bool climbed = std::string(sea.out.doing) == "check depth";
     sea.cycle();
-    ASSERT_STREQ(sea.out.doing, "hover") << i;
+    const bool climbs_now = std::string(sea.out.doing) == "check depth";
+    climbs += climbs_now && !climbed;
+    climbing += climbs_now;
+    highest = std::min(highest, sea.truth);
+    ASSERT_EQ(sea.out.guard, HookGuard::None) << i;
   }
+  EXPECT_GE(climbs, 7);
+  EXPECT_LE(climbs, 12) << "300 s apart";
+  EXPECT_LE(climbing, 11 * climbs) << "44 s each";
+  EXPECT_GT(highest, 12);
+}
+
+TEST(HookbehUnseen, AHoverWhoseDepthAndCtdAreStuckAndFlickerComesUp) {
+  for (const double by : {0.02, 0.3, 0.8, 1.2}) {
+    for (const double heavy : {0.0, 0.03, 0.05}) {
+      SlowSea sea(60);
+      sea.has_ctd = true;
+      hoverAt(sea, 50);
+      double flick = 0.9;  // chaotic, and the same in each run
+      const auto stuck = [&](HookbehInputs& in) {
+        flick = 3.99 * flick * (1 - flick);
+        in.depth_m = 50 + by * (2 * flick - 1);
+        in.ctd_bar = (50 + by * (1 - 2 * flick)) / 10;
+        sea.truth += heavy * 4;
+      };
+      sea.until(HookGuard::NoDepthGained, stuck);
+      EXPECT_EQ(sea.out.guard, HookGuard::NoDepthGained) << by << " " << heavy;
+      EXPECT_LT(sea.deepest, 50 + 25) << by << " " << heavy;
+      sea.run(150, stuck);
+      EXPECT_LT(sea.truth, 5) << "it comes up";
+      sea.run(2000, stuck);
+      EXPECT_LT(sea.deepest, 50 + 25) << "and does not sink again";
+    }
+  }
+}
+
+/// A hover at 2 m cannot climb by 2.5 m: the surface is an answer too.
+TEST(HookbehUnseen, AShallowHoverShowsItsDepthAtTheSurface) {
+  SlowSea sea(60);
+  sea.has_ctd = true;
+  hoverAt(sea, 2.5);
+  int climbing = 0;
+  for (int i = 0; i < 900; ++i) {
+    sea.cycle();
+    climbing += std::string(sea.out.doing) == "check depth";
+    ASSERT_EQ(sea.out.guard, HookGuard::None) << i;
+  }
+  EXPECT_GT(climbing, 0);
+  EXPECT_LT(climbing, 200);
 }
 
 TEST(HookbehUnseen, ADiveWhoseDepthFlickersEndsInTime) {

@@ -7,6 +7,7 @@
 #include "ir/eval/interpreter.h"
 #include "tests/unit/ir/missions.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -57,7 +57,11 @@ TEST(LinkBytes, ATickIsWhatHookprogSends) {
   for (const size_t count : {size_t{0}, size_t{1}, size_t{5}, size_t{8}, size_t{9}, size_t{40},
                              slocum().sensors.size()}) {
     const Mission mission = subscribing(count);
-    EXPECT_EQ(linkBytes(mission, slocum()).to_sbc, tickBytes(mission)) << count;
+    Mission with_depth = mission;
+    if (count <= GLIDER_M_DEPTH) {  // the program subscribes to the depth too
+      with_depth.sensors.push_back(subscribing(GLIDER_M_DEPTH + 1).sensors.back());
+    }
+    EXPECT_EQ(linkBytes(mission, slocum()).to_sbc, tickBytes(with_depth)) << count;
   }
 }
 

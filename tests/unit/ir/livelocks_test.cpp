@@ -5,6 +5,7 @@
 
 #include "ir/prove/prove.h"
 #include "ir/verify/verify.h"
+#include "support/diagnostics/catalogue.h"
 #include "tests/unit/ir/missions.h"
 #include "tests/unit/ir/slocum.h"
 

@@ -10,6 +10,7 @@
 #include "ir/prove/geometry/sphere.h"
 #include "ir/prove/prove.h"
 #include "ir/verify/verify.h"
+#include "support/diagnostics/catalogue.h"
 #include "tests/random_missions/random.h"
 #include "tests/unit/ir/missions.h"
 #include "tests/unit/ir/slocum.h"
@@ -72,6 +73,27 @@ TEST(Nearest, PlacesAreAsFarApartAsAllPairsSay) {
   EXPECT_EQ(PlaceIndex({}).nearestOther({1, 2}), kInfinite);
   EXPECT_EQ(PlaceIndex({{1, 2}}).nearestOther({1, 2}), kInfinite);
   EXPECT_EQ(PlaceIndex({{0, 180}, {0, -180}}).nearestOther({0, 180}), kInfinite);
+}
+
+TEST(Nearest, CountsWithinADistanceAreThoseOfAllPairs) {
+  Random random(6);
+  for (int i = 0; i < 200; ++i) {
+    std::vector<Position> places;
+    for (uint64_t k = 0; k < random.below(30); ++k) {
+      const bool again = !places.empty() && random.chance(0.3);
+      places.push_back(again ? random.pick(places)
+                             : Position{random.uniform(-90, 90), random.uniform(-180, 180)});
+    }
+    const PlaceIndex index(places);
+    const Position here =
+        places.empty() || random.chance(0.5) ? Position{random.uniform(-90, 90), 179} : places[0];
+    const double metres = random.uniform(0, 1.5e7);
+    const auto around = static_cast<size_t>(std::ranges::count_if(
+        places, [&](const Position& p) { return onEarth(Op::Distance, here, p) < metres; }));
+    EXPECT_TRUE(index.hasAround(here, metres, around)) << i;
+    EXPECT_FALSE(index.hasAround(here, metres, around + 1)) << i;
+    EXPECT_EQ(index.timesGiven(here), static_cast<size_t>(std::ranges::count(places, here))) << i;
+  }
 }
 
 double bruteOnCircle(double angle, const std::vector<double>& angles) {

@@ -7,6 +7,7 @@
 #include "ir/prove/falsification/random_flight.h"
 #include "ir/prove/prove.h"
 #include "ir/verify/verify.h"
+#include "support/diagnostics/catalogue.h"
 #include "tests/random_missions/random.h"
 #include "tests/unit/ir/missions.h"
 #include "tests/unit/ir/slocum.h"

@@ -4,6 +4,7 @@
 #include "ir/text/print.h"
 #include "ir/verify/passes.h"
 #include "ir/verify/verify.h"
+#include "support/diagnostics/catalogue.h"
 #include "tests/random_missions/random_structure.h"
 #include "tests/unit/ir/missions.h"
 

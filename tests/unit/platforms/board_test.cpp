@@ -3,6 +3,7 @@
 
 #include "platforms/load/board.h"
 
+#include "support/diagnostics/catalogue.h"
 #include "tests/support/command.h"
 
 #include <fmt/format.h>

@@ -3,6 +3,7 @@
 
 #include "platforms/load/platform.h"
 
+#include "support/diagnostics/diagnostic.h"
 #include "tests/slocum.h"
 #include "tests/support/command.h"
 

@@ -3,6 +3,7 @@
 
 #include "report/beside.h"
 
+#include "support/diagnostics/diagnostic.h"
 #include "tests/unit/report/small_trace.h"
 
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 #include "report/findings/findings.h"
 
 #include "report/findings/uri.h"
+#include "support/diagnostics/catalogue.h"
 #include "support/diagnostics/engine.h"
 #include "tests/unit/report/sarif_rules.h"
 

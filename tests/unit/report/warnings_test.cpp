@@ -74,6 +74,40 @@ TEST(Warnings, AnAbortIsReportedWithItsReason) {
             Lines{"GL9370 the vehicle aborted at 50 s: undervolts, battery 10.9 V"});
 }
 
+/// A flight in water of 996 m that ends at `depth_m`.
+support::Trace endsAt(double depth_m) {
+  support::Trace trace;
+  trace.way = "none";
+  trace.columns = {{"time", "s"}, {"true_depth", "m"}, {"water_depth", "m"}};
+  trace.rows = {0, 0, 996, 4, depth_m, 996};
+  return trace;
+}
+
+// accepts: GL5215 GL5216
+TEST(Warnings, AFlightThatEndsOnTheBottomIsReported) {
+  EXPECT_EQ(reported(endsAt(0)), Lines{});
+  EXPECT_EQ(reported(endsAt(500)), Lines{}) << "its time was over";
+  EXPECT_EQ(reported(endsAt(996)), Lines{"GL5215 the flight ended on the bottom, 996 m deep"});
+  auto aborted = endsAt(995.8);
+  aborted.events.push_back({50, 40, "abort", "MS_ABORT_SAMEDEPTH", ""});
+  EXPECT_EQ(
+      reported(aborted),
+      (Lines{"GL5215 the flight ended on the bottom, 996 m deep, after the mission was aborted",
+             "GL9370 the vehicle aborted at 50 s: MS_ABORT_SAMEDEPTH"}));
+}
+
+TEST(Warnings, AnAbortThatDoesNotBringTheVehicleUpIsReported) {
+  auto trace = endsAt(700);
+  trace.events.push_back({50, 40, "abort", "MS_ABORT_OVERDEPTH", ""});
+  EXPECT_EQ(reported(trace),
+            (Lines{"GL5216 the mission was aborted at 50 s, but the vehicle was still 700 m deep "
+                   "when the simulated time was over",
+                   "GL9370 the vehicle aborted at 50 s: MS_ABORT_OVERDEPTH"}));
+  trace = endsAt(0.2);
+  trace.events.push_back({50, 40, "abort", "MS_ABORT_OVERDEPTH", ""});
+  EXPECT_EQ(reported(trace), Lines{"GL9370 the vehicle aborted at 50 s: MS_ABORT_OVERDEPTH"});
+}
+
 TEST(Warnings, TheFirstInterventionIsReportedAndAllAreCounted) {
   auto trace = flight(1);
   trace.events.push_back({16, 8, "hook", "hookbeh: climb: too deep (m_depth 30.1 m)", ""});

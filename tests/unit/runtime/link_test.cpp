@@ -333,12 +333,22 @@ TEST(MissionClock, NoVehicleTimeStopsItOrCarriesItAway) {
     MissionClock clock;
     clock.start(100, 0);
     EXPECT_EQ(clock.atFrame(500, 125, 400), 400);
-    EXPECT_EQ(clock.atFrame(wrong, 126, 404), 400) << wrong;
-    EXPECT_EQ(clock.atFrame(wrong, 127, 408), 400) << wrong;
-    EXPECT_EQ(clock.withoutFrame(420), 412);
-    EXPECT_EQ(clock.atFrame(528, 132, 432), 412) << wrong;
-    EXPECT_EQ(clock.atFrame(532, 133, 436), 416) << wrong;
+    EXPECT_EQ(clock.atFrame(wrong, 126, 404), 404) << wrong;
+    EXPECT_EQ(clock.atFrame(wrong, 127, 408), 404) << wrong;
+    EXPECT_EQ(clock.withoutFrame(420), 416);
+    EXPECT_EQ(clock.atFrame(528, 132, 432), 428) << wrong;
+    EXPECT_EQ(clock.atFrame(532, 133, 436), 432) << wrong;
   }
+}
+
+TEST(MissionClock, OverARestartOfTheVehicleTheSbcsClockCounts) {
+  MissionClock clock;
+  clock.start(100, 0);
+  EXPECT_EQ(clock.atFrame(500, 125, 400), 400);
+  EXPECT_EQ(clock.withoutFrame(412), 412);
+  EXPECT_EQ(clock.atFrame(4, 1, 424), 424) << "20 s after the last frame";
+  EXPECT_EQ(clock.atFrame(8, 2, 428), 428);
+  EXPECT_EQ(clock.atFrame(4, 1, 700), 444) << "a clock that jumps adds 16 s at most";
 }
 
 TEST(MissionClock, OneFalseReadingCostsAtMostTwoCycles) {

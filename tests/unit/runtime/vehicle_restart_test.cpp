@@ -52,6 +52,33 @@ class VehicleRestart : public ResumeBench {
     EXPECT_LT(gliderRuntimeContext(runtime_)->mission_time, 45);
   }
 
+  /// The mission is over, also for a program that starts once more: unless the clock then shows a
+  /// short outage.
+  void expectLeft(const char* why, bool for_good = true) {
+    EXPECT_THAT(logCsv(), HasSubstr("control left to the vehicle"));
+    EXPECT_THAT(logCsv(), HasSubstr(why));
+    EXPECT_THAT(logCsv(), Not(HasSubstr("mission resumed")));
+    EXPECT_EQ(notes("the mission is over: the vehicle has restarted"), 1);
+    expectNoControl();
+    if (for_good) {
+      boot(vehicle_);
+      vehicle_.run(vehicle_.now() + 100);
+      expectNoControl();
+    }
+  }
+
+  void expectNoControl() {
+    EXPECT_TRUE(finished_);
+    EXPECT_EQ(gliderRuntimeContext(runtime_), nullptr);
+    EXPECT_EQ(vehicle_.hookbeh().state, hooks::HookState::Ready);
+  }
+
+  [[nodiscard]] ptrdiff_t notes(const std::string& text) const {
+    return std::ranges::count_if(vehicle_.events, [&](const hooks::HookprogEvent& e) {
+      return e.kind == hooks::HookprogEvent::Kind::SbcNote && e.text == text;
+    });
+  }
+
   VehicleBench vehicle_{{.silence_secs = 24}};
   static constexpr int kOutage = 28;  ///< from the checkpoint at 52 s to the frame at 80 s
   double began_ = 0;  ///< vehicle's bench time at which mission time was 0, within a cycle
@@ -72,24 +99,65 @@ TEST_F(VehicleRestart, TheMissionContinuesAsIfItHadOnlyReceivedNothing) {
   }
 }
 
-TEST_F(VehicleRestart, AMissionThatMustNotContinueAfterItRestarts) {
+TEST_F(VehicleRestart, AMissionThatMustNotContinueAfterItIsOver) {
   mission_.mission.new_after_restart = 1;
   outage(100);
-  expectBegunAnew();
+  expectLeft("the vehicle has restarted its mission");
 }
 
-TEST_F(VehicleRestart, AfterTooLongAnOutageItRestarts) {
+TEST_F(VehicleRestart, AfterTooLongAnOutageTheMissionIsOver) {
   outage(60 + 120 + 24);
-  expectBegunAnew();
+  expectLeft("the outage was too long");
 }
 
-TEST_F(VehicleRestart, WithoutTheVehiclesClockItsLengthIsUnknown) {
+TEST_F(VehicleRestart, AfterAnOutageOfUnknownLengthTheMissionIsOver) {
   vehicle_.clock_at_start = 0;
   outage(100);
+  expectLeft("the length of the outage is not known");
+}
+
+TEST_F(VehicleRestart, AfterHalfADayItIsAnotherFlightAndTheMissionBegins) {
+  outage(60 + 12 * 3600 + 24);
   expectBegunAnew();
 }
 
-TEST_F(VehicleRestart, WhenTheClockWasSetBackNeither) {
+TEST_F(VehicleRestart, AfterALittleLessThanHalfADayTheMissionIsOver) {
+  outage(60 + 12 * 3600 - 40);
+  expectLeft("the outage was too long");
+}
+
+TEST_F(VehicleRestart, WhoMayContinueAfterADayDoes) {
+  mission_.mission.resume_within = 24 * 3600;
+  outage(60 + 13 * 3600);
+  EXPECT_THAT(logCsv(), HasSubstr("mission resumed"));
+}
+
+TEST_F(VehicleRestart, SeveralRestartsInOneOutageAreAsOne) {
+  boot(vehicle_);
+  vehicle_.run(60);
+  cutPower(vehicle_);
+  for (const double at : {64.0, 72.0, 88.0}) {
+    vehicle_.run(at);
+    vehicle_.restartMission();
+  }
+  boot(vehicle_);
+  vehicle_.run(130);
+  EXPECT_THAT(logCsv(), HasSubstr("mission resumed"));
+  EXPECT_EQ(vehicle_.hookbeh().state, hooks::HookState::Active);
+}
+
+TEST_F(VehicleRestart, WhileTheSbcHasPowerTheMissionContinuesWhateverItSays) {
+  mission_.mission.new_after_restart = 1;
+  boot(vehicle_);
+  vehicle_.run(60);
+  const double before = ticks_.back().time;
+  vehicle_.restartMission();
+  vehicle_.run(120);
+  EXPECT_EQ(vehicle_.hookbeh().state, hooks::HookState::Active);
+  EXPECT_GT(ticks_.back().time, before);
+}
+
+TEST_F(VehicleRestart, WhenTheClockWasSetBackTheMissionIsOver) {
   boot(vehicle_);
   vehicle_.run(60);
   cutPower(vehicle_);
@@ -98,7 +166,7 @@ TEST_F(VehicleRestart, WhenTheClockWasSetBackNeither) {
   vehicle_.run(80);
   boot(vehicle_);
   vehicle_.run(110);
-  expectBegunAnew();
+  expectLeft("the checkpoint is from the future");
 }
 
 /// By how much the vehicle's clock is set back, s.
@@ -115,7 +183,7 @@ TEST_P(ClockSetBack, AnOutageOfNoTimeIsResumed) {
   vehicle_.run(110);
   const double outage = kOutage - GetParam();
   if (outage < 0) {
-    expectBegunAnew();
+    expectLeft("the checkpoint is from the future", false);
   } else {
     EXPECT_THAT(logCsv(), HasSubstr("mission resumed," + std::to_string(kOutage - GetParam())));
   }

@@ -293,7 +293,8 @@ TEST(Surface, ComesAgainAfterItsTime) {
 }
 
 TEST(SetHeading, HoldsAHeadingOrTheFin) {
-  BehaviourBench heading("behavior: set_heading\n b_arg: heading_value(rad) 1.25\n");
+  BehaviourBench heading(
+      "behavior: set_heading\n b_arg: use_heading(bool) 1\n b_arg: heading_value(rad) 1.25\n");
   heading.run({.time_s = 0});
   EXPECT_EQ(heading.commands.heading->mode, HeadingCommand::Mode::Heading);
   EXPECT_EQ(heading.commands.heading->value_rad, 1.25);
@@ -401,7 +402,7 @@ TEST(StartWhen, EachCodeIsSaidInWords) {
       {9, "9: every 90 s"},
       {10, "10: every 90 s, when no behaviour below commands the pump"},
       {11, "11: the science computer asks for it"},
-      {12, "12: not at the surface for 90 s"},
+      {12, "12: no contact for 90 s"},
       {13, "13: at 0902030405 UTC (yymmddhhmm)"},
       {14, "14: the vehicle hovers"},
       {15, "15: the waypoint is further away than 15 m"},

@@ -28,6 +28,7 @@ constexpr FlightTimes kTimes = {1000, 30, 900, 30};
 /// Something of what was drawn, as a number: two draws that are alike have the same.
 double signature(const DrawnFaults& drawn) {
   double sum = drawn.water_depth_m.value_or(0) + (drawn.args ? drawn.args->max_depth_m : 0);
+  sum += drawn.vehicle.altimeter_range_m + drawn.vehicle.pressure_every_s;
   sum += drawn.faults.empty() ? 0 : drawn.faults.first();
   for (const Leftover& leftover : drawn.faults.leftover) {
     sum += leftover.depth_m;
@@ -43,10 +44,13 @@ TEST(DrawFaults, EveryKindDrawsSomethingWithinTheFlightAndTheSameForASeed) {
       SCOPED_TRACE(std::string(nameOf(kind)) + " " + nameOf(manner));
       for (uint64_t seed = 0; seed < 20; ++seed) {
         const DrawnFaults drawn = drawFaults(kind, manner, seed, kTimes);
-        EXPECT_TRUE(!drawn.faults.empty() || drawn.args || drawn.water_depth_m);
+        EXPECT_TRUE(!drawn.faults.empty() || drawn.args || drawn.water_depth_m ||
+                    drawn.vehicle.differs());
         EXPECT_TRUE(drawn.faults.empty() || drawn.faults.first() < 1100);
         EXPECT_EQ(signature(drawn), signature(drawFaults(kind, manner, seed, kTimes)));
-        EXPECT_NE(signature(drawn), signature(drawFaults(kind, manner, seed + 100, kTimes)));
+        if (kind != FaultKind::NoCtd) {  // of which there is one only
+          EXPECT_NE(signature(drawn), signature(drawFaults(kind, manner, seed + 100, kTimes)));
+        }
       }
     }
   }
@@ -115,6 +119,56 @@ TEST(DrawFaults, WhatIsDrawnIsAppliedToTheScenario) {
   EXPECT_LE(scenario.ocean.bottom.depth_m, 36);
 }
 
+TEST(DrawFaults, AVehicleThatDiffersIsAppliedToTheScenario) {
+  const platforms::Platform platform = shippedSetup("default").platform;
+  const auto judged = [&](FaultKind kind) {
+    Scenario scenario = shippedSetup("default").scenario;
+    const DrawnFaults drawn = drawFaults(kind, Manner::Once, 1, kTimes);
+    EXPECT_TRUE(drawn.lasts());
+    drawn.applyTo(scenario);
+    return judgeSetup(platform, scenario, drawn.kinds);
+  };
+  EXPECT_FALSE(judged(FaultKind::NoCtd).has_ctd);
+  EXPECT_GT(judged(FaultKind::DeafAltimeter).echo_every_s, 15);
+  EXPECT_LE(judged(FaultKind::DeafAltimeter).echo_every_s, 80.1);
+  const double late_m = judged(FaultKind::SlowPressure).late_m;
+  EXPECT_GT(late_m, 0);
+  EXPECT_LT(late_m, 12 * 0.44);
+  EXPECT_EQ(judged(FaultKind::None).late_m, 0);
+}
+
+TEST(DrawFaults, BothPressuresFlickerTogetherAndOftenInAHover) {
+  FlightTimes times = kTimes;
+  times.hover = {300, 400};
+  int in_hover = 0;
+  for (uint64_t seed = 0; seed < 100; ++seed) {
+    const auto& sensors =
+        drawFaults(FaultKind::BothPressures, Manner::Once, seed, times).faults.sensors;
+    ASSERT_EQ(sensors.size(), 4U);
+    EXPECT_EQ(sensors[0].name, "m_pressure");
+    EXPECT_EQ(sensors[2].name, "sci_water_pressure");
+    EXPECT_EQ(sensors[1].value, sensors[3].value);
+    EXPECT_EQ(sensors[0].when.from_s, sensors[2].when.from_s);
+    in_hover += times.hover.has(sensors[0].when.from_s);
+  }
+  EXPECT_GT(in_hover, 40);
+  EXPECT_LT(in_hover, 80);
+}
+
+TEST(DrawFaults, SomeVehiclesWithAWrongSensorHaveNoCtd) {
+  const auto without = [](FaultKind kind) {
+    int count = 0;
+    for (uint64_t seed = 0; seed < 100; ++seed) {
+      count += drawFaults(kind, Manner::Once, seed, kTimes).vehicle.no_ctd;
+    }
+    return count;
+  };
+  EXPECT_GT(without(FaultKind::SensorFrozen), 10);
+  EXPECT_LT(without(FaultKind::SensorFrozen), 40);
+  EXPECT_EQ(without(FaultKind::SensorDrift), 0) << "nothing on board can see it";
+  EXPECT_EQ(without(FaultKind::SensorScale), 0);
+}
+
 TEST(JudgeSetup, OfAnSbcThatMayBeSilentForLongIsWhatHookbehMakesOfIt) {
   const platforms::Platform platform = shippedSetup("default").platform;
   const auto silence = [&](double secs) {
@@ -149,6 +203,9 @@ TEST(Promises, OfFaultsThatComeTogetherAreTheWeaker) {
   const FaultKind mixed[] = {FaultKind::Clock, FaultKind::SensorFrozen};
   EXPECT_EQ(promiseOf(mixed).deepest, Deepest::TenMetres);
   EXPECT_EQ(promiseOf(mixed).control, Control::Any);
+  const FaultKind several[] = {FaultKind::Several, FaultKind::LineCut, FaultKind::Clock};
+  EXPECT_EQ(promiseOf(several).deepest, Deepest::Overshoot) << "no sensor is among them";
+  EXPECT_TRUE(promiseOf(several).follows);
   EXPECT_FALSE(promiseOf(mixed).clearance);
   const FaultKind lines[] = {FaultKind::LineCut, FaultKind::Clock};
   EXPECT_EQ(promiseOf(lines).control, Control::Silent);

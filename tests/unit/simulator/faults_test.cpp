@@ -6,6 +6,7 @@
 #include "simulator/faults/card_damage.h"
 #include "simulator/faults/sensor_damage.h"
 #include "simulator/flight_observer.h"
+#include "support/diagnostics/catalogue.h"
 #include "tests/slocum.h"
 #include "tests/unit/simulator/fake_sbc.h"
 #include "tests/unit/simulator/flights.h"
@@ -308,6 +309,60 @@ TEST(SensorDamage, IsOffAndLiesNowAndThen) {
     lied += reading == 7;
   }
   EXPECT_NEAR(lied, 250, 50);
+}
+
+/// The readings of a sensor in the flight controller's array.
+class ArrayReader final : public FlightObserver {
+ public:
+  explicit ArrayReader(Sensor sensor) : sensor_(sensor) {}
+  void said(std::span<const uint8_t> /*bytes*/, double /*now_s*/) override {}
+  bool cycle(const CycleView& view) override {
+    constexpr double kBegun = 312;  // s: the fault begins at 300 s
+    if (view.time_s > kBegun && view.array.fresh(sensor_)) {
+      readings.emplace_back(view.array.get(sensor_), view.true_depth_m);
+    }
+    return true;
+  }
+  std::vector<std::pair<double, double>> readings;  ///< with the true depth
+
+ private:
+  Sensor sensor_;
+};
+
+std::vector<std::pair<double, double>> arrayReadings(Sensor sensor, const SensorFault& fault) {
+  ArrayReader reader(sensor);
+  Faults faults;
+  faults.sensors = {fault};
+  SimulationSetup setup = withFaults(faults);
+  setup.duration_s = 496;  // the fault ends at 500 s
+  setup.observer = &reader;
+  fly(std::move(setup));
+  return reader.readings;
+}
+
+TEST(FaultFlight, OfAScienceSensorActsOnceOnTheFlightController) {
+  constexpr double kMoved = 0.1;  // bar: the vehicle sinks while a reading is on its way
+  const auto off = arrayReadings(Sensor::sci_water_pressure,
+                                 onSensor("sci_water_pressure", SensorFault::Kind::Offset, 0.5));
+  ASSERT_GT(off.size(), 20U);
+  for (const auto& [bar, depth] : off) {
+    EXPECT_NEAR(bar, depth / 10 + 0.5, kMoved);
+  }
+  const auto scaled = arrayReadings(Sensor::sci_water_pressure,
+                                    onSensor("sci_water_pressure", SensorFault::Kind::Scale, 0.5));
+  ASSERT_GT(scaled.size(), 20U);
+  for (const auto& [bar, depth] : scaled) {
+    EXPECT_NEAR(bar, depth / 20, kMoved);
+  }
+}
+
+TEST(FaultFlight, OfAFieldOfAnInstructionActsInTheSensorArray) {
+  const auto depths = arrayReadings(Sensor::sci_hook_depth,
+                                    onSensor("sci_hook_depth", SensorFault::Kind::Value, 7));
+  ASSERT_FALSE(depths.empty());
+  for (const auto& [metres, depth] : depths) {
+    EXPECT_EQ(metres, 7) << depth;
+  }
 }
 
 TEST(FaultFlight, NoSensorsNanReachesTheVehicle) {

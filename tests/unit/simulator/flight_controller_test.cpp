@@ -11,6 +11,7 @@
 #include "tests/unit/simulator/flights.h"
 #include "tests/unit/simulator/slocum_vehicle.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -85,7 +86,7 @@ class Controller {
 };
 
 const std::string kYo =
-    "behavior: set_heading\n b_arg: heading_value(rad) 0.5\n"
+    "behavior: set_heading\n b_arg: use_heading(bool) 1\n b_arg: heading_value(rad) 0.5\n"
     "behavior: yo\n b_arg: num_half_cycles_to_do(nodim) 2\n b_arg: d_target_depth(m) 25\n"
     " b_arg: c_target_depth(m) 3\n b_arg: end_action(enum) 0\n";
 const std::string kSurface =

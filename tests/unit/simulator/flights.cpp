@@ -7,6 +7,8 @@
 #include "slocum/mission_files/read.h"
 #include "support/diagnostics/render.h"
 
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <cstdlib>
 

@@ -16,7 +16,8 @@ namespace {
 const std::string kYo =
     "behavior: yo\n b_arg: num_half_cycles_to_do(nodim) 4\n b_arg: end_action(enum) 0\n"
     " b_arg: d_target_depth(m) 20\n b_arg: c_target_depth(m) 3\n";
-const std::string kHeading = "behavior: set_heading\n b_arg: heading_value(rad) 1.0\n";
+const std::string kHeading =
+    "behavior: set_heading\n b_arg: use_heading(bool) 1\n b_arg: heading_value(rad) 1.0\n";
 const std::string kSurface =
     "behavior: surface\n b_arg: start_when(enum) 1\n b_arg: end_action(enum) 0\n b_arg: "
     "gps_wait_time(s) 60\n";
@@ -112,7 +113,7 @@ TEST(Layered, EventsSayWhichBehaviourStartedAndWhy) {
   const auto* first = findStart(trace, "surface");
   ASSERT_NE(first, nullptr) << eventText(trace);
   EXPECT_EQ(first->what, "surface_2 started");
-  EXPECT_EQ(first->why, "start_when 12: not at the surface for 150 s");
+  EXPECT_EQ(first->why, "start_when 12: no contact for 150 s");
   EXPECT_EQ(findStart(trace, "yo")->what, "yo_5 started");
   EXPECT_EQ(findStart(trace, "yo")->why, "start_when 2: no behaviour below commands pitch");
   EXPECT_NE(findEvent(trace, "yo_5: dive_to over, half cycle 1"), nullptr);
@@ -199,14 +200,17 @@ TEST(Layered, AbendWatchesDepthAndTime) {
 }
 
 TEST(Layered, HigherBehavioursWin) {
-  const std::string east = "behavior: set_heading\n b_arg: heading_value(rad) 1.5\n";
-  const std::string south = "behavior: set_heading\n b_arg: heading_value(rad) 3.1\n";
+  const std::string east =
+      "behavior: set_heading\n b_arg: use_heading(bool) 1\n b_arg: heading_value(rad) 1.5\n";
+  const std::string south =
+      "behavior: set_heading\n b_arg: use_heading(bool) 1\n b_arg: heading_value(rad) 3.1\n";
   const support::Trace trace = fly(setupWith(kSurface + east + south + kYo));
   EXPECT_NEAR(valueAt(trace, "c_heading", 200), 1.5, 1e-6);
   EXPECT_EQ(valueAt(trace, "layer", 200), 3) << "the yo commands the pitch";
   // A start condition sees only what is below: this heading has nothing below it that steers.
   const std::string idle =
-      "behavior: set_heading\n b_arg: heading_value(rad) 2.0\n b_arg: start_when(enum) 3\n";
+      "behavior: set_heading\n b_arg: use_heading(bool) 1\n b_arg: heading_value(rad) 2.0\n b_arg: "
+      "start_when(enum) 3\n";
   EXPECT_NEAR(valueAt(fly(setupWith(kSurface + south + idle + kYo)), "c_heading", 200), 3.1, 1e-6);
   EXPECT_NEAR(valueAt(fly(setupWith(kSurface + idle + south + kYo)), "c_heading", 200), 3.1, 1e-6);
 }
@@ -271,7 +275,8 @@ TEST(Layered, HeadingsAreMagnetic) {
   } places[] = {{39.175, -73.835, 2025, -12.350},
                 {51.65, -128.09, 2025, 16.693},
                 {51.65, -128.09, 2027, 16.383}};
-  const std::string north = "behavior: set_heading\n b_arg: heading_value(rad) 1.0\n";
+  const std::string north =
+      "behavior: set_heading\n b_arg: use_heading(bool) 1\n b_arg: heading_value(rad) 1.0\n";
   for (const auto& place : places) {
     SCOPED_TRACE(place.declination_deg);
     SimulationSetup setup = setupWith(kSurface + north + kYo);

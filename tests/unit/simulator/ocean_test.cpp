@@ -34,14 +34,30 @@ TEST(Ocean, IsWarmAboveAndColdBelow) {
 
 TEST(Ocean, IsDenserBelowWhereThereIsAPycnocline) {
   OceanSettings settings = twoLayers();
-  EXPECT_EQ(Ocean(settings).density(3, 0, 0, 0), 1025);
-  EXPECT_EQ(Ocean(settings).density(50, 0, 0, 0), 1025) << "without a step";
+  EXPECT_EQ(Ocean(settings).density(0, 0, 0, 0), 1025);
+  EXPECT_EQ(Ocean(settings).density(50, 0, 0, 0), 1025 * compression(50e4)) << "without a step";
   settings.density_step = 4;
   const Ocean ocean(settings);
   EXPECT_NEAR(ocean.density(0, 0, 0, 0), 1023, 0.01);
-  EXPECT_NEAR(ocean.density(60, 0, 0, 0), 1027, 0.01);
-  EXPECT_NEAR(ocean.density(14, 0, 0, 0), 1025, 1e-9);
+  EXPECT_NEAR(ocean.density(60, 0, 0, 0), 1027 * compression(60e4), 0.01);
+  EXPECT_NEAR(ocean.density(14, 0, 0, 0), 1025 * compression(14e4), 1e-9);
   EXPECT_LT(ocean.density(16, 0, 0, 260 + 300), ocean.density(16, 0, 0, 0)) << "the wave lowers it";
+}
+
+// Published: UNESCO technical papers in marine science 44 (1983), its check values and formula for
+// a salinity of 35. TEOS-10 differs by 0.004 kg/m3 from it.
+TEST(Ocean, IsCompressedByTheWaterAbove) {
+  struct Row {
+    double surface, at_1000_dbar;  ///< kg/m3
+  };
+  for (const Row& row : {Row{1027.675, 1032.258}, Row{1026.952, 1031.430}}) {  // 5 and 10 degC
+    EXPECT_NEAR(row.surface * compression(1e7), row.at_1000_dbar, 0.12);
+  }
+  EXPECT_NEAR(1026.952 * compression(1e7), 1031.430, 0.005) << "10 degC";
+  EXPECT_NEAR(1027.675 * compression(1e8), 1069.489, 1) << "5 degC, 10000 dbar, far beyond gliders";
+  EXPECT_EQ(compression(0), 1);
+  // About 4.5 kg/m3 in 1000 m.
+  EXPECT_NEAR(Ocean(twoLayers()).density(1000, 0, 0, 0) - 1025, 4.5, 0.1);
 }
 
 TEST(Ocean, HasOneWaveThatIsNowhereElse) {

@@ -3,6 +3,7 @@
 
 #include "simulator/scenario/scenario.h"
 
+#include "simulator/flight/argument_values.h"
 #include "simulator/flight/mission_variables.h"
 #include "simulator/flight/skeleton.h"
 #include "slocum/mission_files/read.h"
@@ -10,6 +11,7 @@
 #include "support/files.h"
 #include "tests/unit/simulator/slocum_vehicle.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -72,6 +74,22 @@ TEST_F(ScenarioFile, ReadsDefaultsAndValues) {
   EXPECT_EQ(scenario_.vehicle.flight.hull_volume_m3, 65.0 / 1020);
   EXPECT_EQ(scenario_.ocean.wave.amplitude_m, 3);
   EXPECT_EQ(scenario_.sensors.ctd.stale_water.size(), 1U);
+}
+
+TEST_F(ScenarioFile, ReadsSwellAndCycles) {
+  ASSERT_EQ(load(kHead + kStart +
+                 "[ocean.swell]\namplitude_m = 0.8\nperiod_s = 11\nbearing_deg = 90\n"
+                 "followed_share = 0.5\n"
+                 "[vehicle.cycle]\nmean_s = 4.4\nspread_s = 0.2\nlong_share = 0.05\nlong_s = 14\n"),
+            "");
+  EXPECT_EQ(scenario_.ocean.swell.amplitude_m, 0.8);
+  EXPECT_EQ(scenario_.ocean.swell.period_s, 11);
+  EXPECT_NEAR(scenario_.ocean.swell.bearing_rad, 1.5708, 1e-4);
+  EXPECT_EQ(scenario_.ocean.swell.followed_share, 0.5);
+  EXPECT_EQ(scenario_.cycles.mean_s, 4.4);
+  EXPECT_EQ(scenario_.cycles.spread_s, 0.2);
+  EXPECT_EQ(scenario_.cycles.long_share, 0.05);
+  EXPECT_EQ(scenario_.cycles.long_s, 14);
 }
 
 TEST_F(ScenarioFile, ReadsTheOceansTables) {
@@ -323,6 +341,9 @@ TEST_F(ScenarioFile, RefusesWhatIsNotRight) {
       kHead + kStart + "[ocean]\nsurface_temp_degC = nan\n",
       kHead + kStart + "[ocean]\nwave = 2\n",
       kHead + kStart + "[ocean.wave]\namplitude_m = 15\n",
+      kHead + kStart + "[ocean.swell]\nperiod_s = 60\n",
+      kHead + kStart + "[ocean.swell]\nfollowed_share = 2\n",
+      kHead + kStart + "[vehicle.cycle]\nlong_share = -1\n",
       kHead + kStart + "[vehicle]\ndrag = -1\n",
       kHead + kStart + "[sensors]\nctd_dropout = 2\n",
       kHead + kStart + "[sensors]\nstale_water = 3\n",
@@ -367,9 +388,11 @@ TEST(Skeleton, RefusesWhatTheSimulatorCannotFly) {
   EXPECT_EQ(check("behavior: prepare_to_dive\n b_arg: start_when(enum) 6\n"), "GL5107");
   EXPECT_EQ(check("behavior: yo\n b_arg: d_pitch_value(X) -26\n"), "GL5107");
   EXPECT_EQ(check("behavior: hookbeh\n b_arg: silence_secs(s) 1\n"), "GL5107");
-  EXPECT_EQ(check("behavior: hookbeh\nbehavior: hookbeh\n"), "GL5105");
+  EXPECT_EQ(check("behavior: hookbeh\nbehavior: hookbeh\n"), "GL5208");
   EXPECT_EQ(check(""), "GL5108");
-  // accepts: GL5103 GL5107 GL5108
+  EXPECT_EQ(check("sensor: c_alt_time(sec) 4\n"), "GL5205") << "settings, for loadmission";
+  EXPECT_EQ(check("name unit_999\n"), "GL5205");
+  // accepts: GL5103 GL5107 GL5108 GL5205 GL5208
   EXPECT_EQ(check("behavior: yo\n b_arg: start_when(enum) 2\n b_arg: d_pitch_value(X) -0.4538\n"),
             "");
 }
@@ -387,6 +410,45 @@ TEST(Skeleton, WarnsOfWhatHasNoEffect) {
   EXPECT_EQ(check("sensor: u_mission_param_a(X) 1\nbehavior: yo\n"), "") << "it is read";
   EXPECT_EQ(check("behavior: yo\n b_arg: d_use_thruster(enum) 0\n"),
             "");  // accepts: GL5110 GL5111 GL5116
+}
+
+TEST(Skeleton, APositionOfTheBatteryIsClippedAsByTheVehicle) {
+  const std::string yo = "behavior: yo\n b_arg: d_use_pitch(enum) 1\n";
+  EXPECT_EQ(check(yo + " b_arg: d_pitch_value(X) 3\n"), "GL5206") << "a warning";
+  EXPECT_EQ(check(yo + " b_arg: d_pitch_value(X) -1.43\n"), "GL5206");
+  EXPECT_EQ(check(yo + " b_arg: d_pitch_value(X) 1.4\n"), "");  // accepts: GL5206
+  EXPECT_EQ(check("behavior: yo\n b_arg: d_pitch_value(X) 1.3\n"), "GL5107") << "an angle";
+  EXPECT_EQ(check("behavior: dive_to\n b_arg: pitch_value(X) 2\n"), "GL5206")
+      << "a battery position, by default";
+  EXPECT_EQ(check("behavior: drift_at_depth\n b_arg: use_pitch(enum) 3\n"
+                  " b_arg: pitch_value(X) 2\n"),
+            "GL5107");
+  EXPECT_EQ(check("behavior: surface\n b_arg: c_pitch_value(X) 26\n"), "GL5107") << "degrees";
+  const auto platform =
+      platforms::loadPlatform(fs::path(GLIDER_SOURCE_DIR) / "platforms/slocum.toml");
+  ASSERT_TRUE(platform);
+  EXPECT_EQ(kBatteryTravelIn, platform->motion->pitch_battery_limit_in);
+}
+
+TEST(Skeleton, FliesTheCodesThatTheVehicleHas) {
+  const std::string heading = "behavior: set_heading\n b_arg: heading_value(X) 1\n";
+  for (const int code : {1, 2, 5, 6, 7, 8, 15}) {
+    EXPECT_EQ(check(heading + fmt::format(" b_arg: use_heading(bool) 1\n"
+                                          " b_arg: stop_when(enum) {}\n",
+                                          code)),
+              "");
+  }
+  for (const int code : {2, 3, 5}) {
+    EXPECT_EQ(check(heading + fmt::format(" b_arg: use_heading(bool) {}\n", code)), "GL5116")
+        << "not simulated, and not refused";
+  }
+  EXPECT_EQ(check(heading), "GL5116") << "a bank, by default";
+  EXPECT_EQ(check(heading + " b_arg: use_heading(bool) 6\n"), "GL5107");
+  EXPECT_EQ(check("behavior: yo\n b_arg: start_diving(enum) 2\n"), "");
+  EXPECT_EQ(check("behavior: yo\n b_arg: d_use_bpump(enum) 5\n"), "GL5116");
+  EXPECT_EQ(check("behavior: compass_cal\nbehavior: yo\n"), "GL5110");
+  EXPECT_EQ(check("behavior: compass_cal\n b_arg: num_sample(nodim) 3\nbehavior: yo\n"),
+            "GL5104 GL5110");
 }
 
 TEST(Skeleton, WarnsOfInstrumentsThatItDoesNotHave) {
@@ -491,6 +553,22 @@ TEST(Autoexec, BehavioursWhoseFileIsMissingHaveNoEffect) {
   EXPECT_EQ(settings.find("c_alt_time"), 8);
 }
 
+TEST(Autoexec, AnArgumentFileMayListAnotherNumberOfWaypoints) {
+  Folder folder;
+  folder.write("missions/m.mi", "behavior: goto_list\n b_arg: args_from_file(enum) 10\n");
+  const auto listing = [&](int stated) {
+    folder.write("missions/goto_l10.ma",
+                 fmt::format("behavior_name=goto_list\n<start:b_arg>\n"
+                             "b_arg: num_waypoints(nodim) {}\n<end:b_arg>\n<start:waypoints>\n"
+                             "-7349.5 3910.5\n-7349.0 3910.0\n<end:waypoints>\n",
+                             stated));
+    return folder.load().second;
+  };
+  EXPECT_EQ(listing(4), "GL5209 ") << "a warning: those that are listed are flown";
+  EXPECT_EQ(listing(1), "GL5209 ");
+  EXPECT_EQ(listing(2), "");  // accepts: GL5209
+}
+
 TEST(Autoexec, SettingsWithoutEffectAreNamedOnce) {
   Folder folder;
   folder.write("missions/autoexec.mi",
@@ -511,7 +589,7 @@ TEST(Autoexec, SettingsWithoutEffectAreNamedOnce) {
   folder.write("missions/autoexec.mi", "sensor: f_one(X) 1\n");
   EXPECT_EQ(folder.load().second, "GL5111 ");
   EXPECT_EQ(folder.rendered.find("nor have"), std::string::npos) << folder.rendered;
-  EXPECT_EQ(folder.load("missions/autoexec.mi").second, "GL5108 GL5111 ")
+  EXPECT_EQ(folder.load("missions/autoexec.mi").second, "GL5111 GL5205 ")
       << "it is read once also as the mission";
   folder.write("missions/autoexec.mi", "sensor: f_one 1\n");
   EXPECT_EQ(folder.load().second, "GL5100 ") << "an error there is one of the mission";

@@ -67,10 +67,12 @@ struct Second {
     const double trim = std::atan(1235 * pump / 1e6 - 28.8 * battery * 0.0254 + 0.14);
     pitch = trim - (trim - pitch) * std::exp(-dt / 3);
     const double volume = 65.0 / 1025 * (1 - 5e-10 * depth * 1e4) + pump / 1e6;
-    const double force = 9.81 * (1025 * volume - 65);
+    const double bar = depth / 10;
+    const double density = 1025 / (1 - bar / (22695.1 + 3.37534 * bar));  // UNESCO 1983
+    const double force = 9.81 * (density * volume - 65);
     Glide glide;
     if (depth > 0 || force < 0) {
-      glide = balance(pitch, force, 1025);
+      glide = balance(pitch, force, density);
     }
     ahead = glide.ahead - (glide.ahead - ahead) * std::exp(-dt / 8);
     up = glide.up - (glide.up - up) * std::exp(-dt / 8);
@@ -241,7 +243,7 @@ TEST(VehicleNumbers, MotorsMoveAtTheirRates) {
   EXPECT_EQ(vehicle.fin(), -0.45);
 }
 
-TEST(VehicleNumbers, TheHullShrinksWithPressureSoThatDivesGetFaster) {
+TEST(VehicleNumbers, TheHullShrinksALittleMoreThanTheWater) {
   // At 100 m the hull of 65/1025 m3 is 5e-10 * 1e6 of itself smaller: 0.3188 N heavier.
   const FlightCoefficients c = slocumSettings().flight;
   EXPECT_NEAR(netBuoyancy(c, 1025, 0, 0) - netBuoyancy(c, 1025, 1e6, 0), 9.81 * 65 * 5e-4, 1e-9);
@@ -258,10 +260,19 @@ TEST(VehicleNumbers, TheHullShrinksWithPressureSoThatDivesGetFaster) {
     vehicle.step(ocean, now);
     return (vehicle.depth() - before) / 0.25;
   };
-  // Speeds go with the root of the force: 2.3429 N less the 10 m's 0.0319 and 2.3429 + 0.6377.
-  const double force = 9.81 * 1025 * 233e-6;
-  EXPECT_NEAR(rateAt(200) / rateAt(10),
-              std::sqrt((force + 2 * 0.318825) / (force + 0.1 * 0.318825)), 2e-3);
+  // Speeds go with the root of the force over the density. Sea water is compressed by 4.4e-10 / Pa,
+  // so a hull of 5e-10 gains little weight, and one of 4.4e-10 none.
+  const auto force = [](double depth_m) {
+    const double density = 1025 * compression(depth_m * 1e4);
+    const double volume = 65.0 / 1025 * (1 - 5e-10 * depth_m * 1e4) - 233e-6;
+    return 9.81 * (65 - density * volume) / density;
+  };
+  EXPECT_NEAR(rateAt(800) / rateAt(10), std::sqrt(force(800) / force(10)), 2e-3);
+  EXPECT_GT(rateAt(800) / rateAt(10), 1.03);
+  EXPECT_LT(rateAt(800) / rateAt(10), 1.1);
+  // At 1000 m the vehicle has lost the lift of some 40 cc, well within the 233 cc of its pump.
+  const double lost = netBuoyancy(c, 1025, 0, 0) - netBuoyancy(c, 1025 * compression(1e7), 1e7, 0);
+  EXPECT_NEAR(lost / (9.81 * 1025e-6), 40, 3);
 }
 
 TEST(VehicleNumbers, RisingWaterLiftsTheVehicle) {

@@ -129,13 +129,15 @@ TEST(VehicleRules, AUtcTimeComesOnce) {
 }
 
 TEST(VehicleRules, ABArgOfAMillionIsAMissionParameterReadWhenItIsUsed) {
-  BehaviourBench heading("behavior: set_heading\n b_arg: heading_value(X) 1000009\n");
+  BehaviourBench heading(
+      "behavior: set_heading\n b_arg: use_heading(bool) 1\n b_arg: heading_value(X) 1000009\n");
   heading.run({});
   EXPECT_EQ(heading.commands.heading->value_rad, 0) << "never set";
   heading.variables->set("u_mission_param_j", 1.25);
   heading.run({});
   EXPECT_EQ(heading.commands.heading->value_rad, 1.25);
-  BehaviourBench last("behavior: set_heading\n b_arg: heading_value(X) 1000025\n");
+  BehaviourBench last(
+      "behavior: set_heading\n b_arg: use_heading(bool) 1\n b_arg: heading_value(X) 1000025\n");
   last.variables->set("u_mission_param_z", 0.5);
   last.run({});
   EXPECT_EQ(last.commands.heading->value_rad, 0.5);
@@ -312,16 +314,66 @@ TEST(VehicleRules, DiveToAndClimbToAreOneLegEach) {
   EXPECT_EQ(climb.state(), State::Waiting);
 }
 
+TEST(VehicleRules, ADiveToByItselfHasDefaultsOfItsOwn) {
+  BehaviourBench dive("behavior: dive_to\n");
+  dive.run({.depth_m = 5, .depth_rate_mps = 0.2, .altitude_m = 2});
+  EXPECT_EQ(dive.state(), State::Active) << "no target altitude";
+  EXPECT_EQ(dive.commands.pitch->mode, PitchCommand::Mode::BatteryPosition);
+  EXPECT_EQ(dive.commands.pitch->value, 0);
+  EXPECT_FALSE(dive.commands.altimeter);
+  dive.run({.time_s = 60, .depth_m = 10, .depth_rate_mps = 0.2, .altitude_m = kNaN});
+  EXPECT_EQ(dive.state(), State::Complete) << "10 m";
+  BehaviourBench clipped("sensor: f_max_working_depth(m) 7\nbehavior: dive_to\n");
+  clipped.run({.depth_m = 6.9, .depth_rate_mps = 0.2, .altitude_m = kNaN});
+  EXPECT_EQ(clipped.state(), State::Active);
+  clipped.run({.time_s = 4, .depth_m = 7, .depth_rate_mps = 0.2, .altitude_m = kNaN});
+  EXPECT_EQ(clipped.state(), State::Complete);
+}
+
+TEST(VehicleRules, AStopWhenItIsCompleteIsNoStopOfItsOwn) {
+  EXPECT_TRUE(when(0).met({}, filled()));
+  EXPECT_FALSE(when(0, {.stops = true}).met({}, filled()));
+}
+
+TEST(VehicleRules, AUtcTimeMayComeAgain) {
+  When again = when(13, {.secs = 600, .utc_stamp = 908111414});
+  Situation s{.time_s = 40, .utc_s = 1.25e9 + 40};
+  EXPECT_TRUE(again.met(s, filled()));
+  again.noteStart(40);
+  s.time_s = 639, s.utc_s = 1.25e9 + 639;
+  EXPECT_FALSE(again.met(s, filled()));
+  s.time_s = 640, s.utc_s = 1.25e9 + 640;
+  EXPECT_TRUE(again.met(s, filled()));
+  When late = when(13, {.secs = -1, .utc_stamp = 908110000});
+  EXPECT_TRUE(late.met(s, filled())) << "at any time after it";
+  late.noteStart(640);
+  EXPECT_FALSE(late.met(s, filled())) << "once";
+}
+
 TEST(VehicleRules, AutoballastIsTheWholePump) {
-  BehaviourBench dive(
-      "behavior: dive_to\n b_arg: use_bpump(enum) 0\n b_arg: bpump_value(X) -150\n");
+  BehaviourBench dive("behavior: dive_to\n b_arg: use_bpump(enum) 0\n b_arg: bpump_value(X) 150\n");
   dive.run({.depth_m = 5, .depth_rate_mps = 0.2, .altitude_m = kNaN});
-  EXPECT_EQ(*dive.commands.pump_cc, -1000);
+  EXPECT_EQ(*dive.commands.pump_cc, -1000) << "bpump_value is the stroke of a yo, without a sign";
+}
+
+TEST(VehicleRules, DriftAtDepthStaysAboveTheBottom) {
+  BehaviourBench drift(
+      "behavior: drift_at_depth\n b_arg: target_depth(m) 50\n b_arg: target_altitude(m) 20\n"
+      " b_arg: target_deadband(m) 2\n b_arg: stop_when_hover_for(s) -1\n");
+  drift.run({.time_s = 0, .depth_m = 5, .depth_rate_mps = 0.2, .altitude_m = kNaN});
+  EXPECT_EQ(*drift.commands.pump_cc, -260);
+  EXPECT_TRUE(drift.commands.altimeter);
+  drift.run({.time_s = 60, .depth_m = 20, .depth_rate_mps = 0.2, .altitude_m = 30});
+  EXPECT_FALSE(drift.commands.hovering) << "30 m is 20 m above the bottom";
+  drift.run({.time_s = 100, .depth_m = 28, .depth_rate_mps = 0.2, .altitude_m = kNaN});
+  EXPECT_TRUE(drift.commands.hovering);
+  drift.run({.time_s = 1e6, .depth_m = 28, .depth_rate_mps = 0, .altitude_m = kNaN});
+  EXPECT_EQ(drift.state(), State::Active) << "-1: without an end";
 }
 
 TEST(VehicleRules, DriftAtDepthHoversWithSmallSteps) {
   BehaviourBench drift(
-      "behavior: drift_at_depth\n b_arg: target_depth(m) 50\n"
+      "behavior: drift_at_depth\n b_arg: target_depth(m) 50\n b_arg: target_altitude(m) -1\n"
       " b_arg: target_deadband(m) 2\n b_arg: stop_when_hover_for(s) 400\n"
       " b_arg: bpump_delta_value(cc) 10\n b_arg: bpump_delay(s) 20\n");
   drift.run({.time_s = 0, .depth_m = 5, .depth_rate_mps = 0.2});

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "slocum/data_files/read.h"
+#include "support/diagnostics/diagnostic.h"
 #include "tests/unit/slocum/second_reader.h"
 
 #include <gtest/gtest.h>

@@ -8,6 +8,7 @@
 #include "slocum/data_tables/summary.h"
 #include "tests/unit/slocum/data_bench.h"
 
+#include <algorithm>
 #include <limits>
 #include <netcdf.h>
 
@@ -91,6 +92,195 @@ TEST(DataTable, EachComputerHasItsOwnClock) {
   folder.write("a.ebd", write(science));
   const LogFiles other = readLogFiles({folder.path()}, lists);
   EXPECT_EQ(other.files[1].span(), std::pair(5000.0, 5000.0));
+}
+
+/// A flight file of `count` records from `begin_s` on, 4 s apart, northwards.
+Draft northwards(double begin_s, int count, const std::string& name = "unit-2024-183-2-7") {
+  Draft draft;
+  draft.full_name = name;
+  draft.sensors = {{"m_present_time", "timestamp", 8, true},
+                   {"m_depth", "m", 4, true},
+                   {"m_gps_lat", "lat", 8, true},
+                   {"m_gps_lon", "lon", 8, true},
+                   {"m_lat", "lat", 8, true},
+                   {"m_lon", "lon", 8, true}};
+  for (int i = 0; i < count; ++i) {
+    const double lat = 3910.5 + 0.001 * i;
+    draft.rows.push_back(
+        {{'*', begin_s + 4 * i}, {'*', 0.25 * i}, {}, {}, {'*', lat}, {'*', -7349.8}});
+  }
+  for (const int i : {0, 1, count - 2, count - 1}) {
+    draft.rows[static_cast<size_t>(i)][2] = {'*', 3910.5 + 0.001 * i};
+    draft.rows[static_cast<size_t>(i)][3] = {'*', -7349.8};
+  }
+  return draft;
+}
+
+constexpr double kJuly2024 = 1719946527;
+
+LogFiles readAll(const TestFolder& folder) {
+  SensorLists lists;
+  return readLogFiles({folder.path()}, lists);
+}
+
+std::vector<std::string> warningCodes(const LogFiles& logs) {
+  std::vector<std::string> codes;
+  for (const support::Failure& warning : logs.warnings) {
+    codes.push_back(support::code(warning.id));
+  }
+  return codes;
+}
+
+using Codes = std::vector<std::string>;
+
+TEST(DoubtfulLogs, NothingIsSaidOfAGoodFile) {
+  const TestFolder folder;
+  folder.write("a.sbd", write(northwards(kJuly2024, 40)));
+  // accepts: GL5211 GL5212 GL5213 GL5214
+  EXPECT_EQ(warningCodes(readAll(folder)), Codes());
+}
+
+TEST(DoubtfulLogs, RecordsOfAWrongTimeAreLeftOut) {
+  for (const double wrong : {0.0, 4.0, 1e12, -5.0, kJuly2024 + 1e7, kJuly2024 - 1e7}) {
+    Draft draft = northwards(kJuly2024, 40);
+    draft.rows[20][0].value = wrong;
+    draft.rows[21][0].value = wrong + 4;
+    const TestFolder folder;
+    folder.write("a.sbd", write(draft));
+    const LogFiles logs = readAll(folder);
+    EXPECT_EQ(warningCodes(logs), Codes({"GL5212"})) << wrong;
+    const Merged merged = merge(logs.files, {"m_depth"});
+    EXPECT_EQ(merged.rows.size(), 37U) << "without the initial one";
+    for (const MergedRow& row : merged.rows) {
+      EXPECT_NEAR(row.time, kJuly2024 + 80, 100);
+    }
+    const std::string csv = csvOf(merged);
+    EXPECT_EQ(csv.find(",5\n"), std::string::npos) << "the depth of record 20: " << csv;
+    EXPECT_NE(csv.find(",5.5\n"), std::string::npos);
+    EXPECT_EQ(logs.files[0].span(), std::pair(kJuly2024 + 4, kJuly2024 + 156));
+    EXPECT_NE(summaryOf(logs.files, {}).find("2024-07-02"), std::string::npos);
+    EXPECT_EQ(summaryOf(logs.files, {}).find("1970"), std::string::npos);
+  }
+}
+
+TEST(DoubtfulLogs, AFileWhoseClockWasNotSetIsLeftOutBesideOthers) {
+  const TestFolder folder;
+  folder.write("a.sbd", write(northwards(kJuly2024, 40)));
+  folder.write("b.sbd", write(northwards(100, 40, "unit-2024-183-2-8")));
+  const LogFiles logs = readAll(folder);
+  EXPECT_EQ(warningCodes(logs), Codes({"GL5212"}));
+  EXPECT_EQ(merge(logs.files, {}).rows.size(), 39U);
+  const TestFolder alone;
+  alone.write("b.sbd", write(northwards(100, 40)));
+  EXPECT_EQ(warningCodes(readAll(alone)), Codes());
+  EXPECT_EQ(merge(readAll(alone).files, {}).rows.size(), 39U) << "no clock at all: by its own time";
+}
+
+TEST(DoubtfulLogs, WildFixesAreLeftOut) {
+  struct Fix {
+    double lat, lon;
+  };
+  for (const Fix& wild : {Fix{3910.5, 512}, Fix{4010.5, -7349.8}, Fix{-3910.5, -7349.8},
+                          Fix{9999, -7349.8}, Fix{0, 0}, Fix{-7349.8, 3910.5}}) {
+    Draft draft = northwards(kJuly2024, 40);
+    draft.rows[10][2] = {'*', wild.lat};
+    draft.rows[10][3] = {'*', wild.lon};
+    const TestFolder folder;
+    folder.write("a.sbd", write(draft));
+    const LogFiles logs = readAll(folder);
+    const std::string about = std::to_string(wild.lat) + " " + std::to_string(wild.lon);
+    EXPECT_EQ(warningCodes(logs), Codes({"GL5213"})) << about;
+    EXPECT_EQ(logs.files[0].wild_fixes, std::vector<uint32_t>{10}) << about;
+    const std::string csv = csvOf(merge(logs.files, {"m_gps_lat", "m_gps_lon", "m_depth"}));
+    EXPECT_NE(csv.find(",2.5,,\n"), std::string::npos) << "the record without the fix: " << csv;
+  }
+}
+
+TEST(DoubtfulLogs, AFixThatWasNeverSetIsNotWild) {
+  Draft draft = northwards(kJuly2024, 40);
+  draft.rows[10][2] = draft.rows[10][3] = {'*', 69696969};
+  const TestFolder folder;
+  folder.write("a.sbd", write(draft));
+  EXPECT_EQ(warningCodes(readAll(folder)), Codes());
+}
+
+TEST(DoubtfulLogs, AVehicleThatWasCarriedIsNotWild) {
+  const TestFolder folder;
+  folder.write("a.sbd", write(northwards(kJuly2024, 40)));
+  Draft later = northwards(kJuly2024 + 30 * 86400.0, 40, "unit-2024-213-0-0");
+  later.opened = "Thu_Aug__1_18:55:27_2024";
+  for (auto& row : later.rows) {
+    for (const size_t lat : {2U, 4U}) {
+      row[lat].value = row[lat].state == '*' ? row[lat].value + 1200 : row[lat].value;
+    }
+  }
+  folder.write("b.sbd", write(later));
+  EXPECT_EQ(warningCodes(readAll(folder)), Codes());
+}
+
+TEST(DoubtfulLogs, UnitsAreNotMixed) {
+  const auto science = [](const char* unit, double factor, double begin_s, const char* name) {
+    Draft draft;
+    draft.extension = "tbd";
+    draft.full_name = name;
+    draft.opened = begin_s > kJuly2024 ? "Tue_Jul__2_19:55:27_2024" : "Tue_Jul__2_18:55:27_2024";
+    draft.sensors = {{"sci_m_present_time", "timestamp", 8, true},
+                     {"sci_water_pressure", unit, 4, true}};
+    for (int i = 0; i < 5; ++i) {
+      draft.rows.push_back({{'*', begin_s + 4 * i}, {'*', factor * i}});
+    }
+    return write(draft);
+  };
+  const TestFolder folder;
+  folder.write("a.tbd", science("bar", 1, kJuly2024, "unit-2024-183-2-7"));
+  folder.write("b.tbd", science("dbar", 10, kJuly2024 + 1000, "unit-2024-183-2-8"));
+  const LogFiles logs = readAll(folder);
+  ASSERT_EQ(warningCodes(logs), Codes({"GL5211"}));
+  EXPECT_EQ(logs.warnings[0].message,
+            "the unit of `sci_water_pressure` differs between the files of `unit`: `bar` at first, "
+            "and `dbar` from `b.tbd` on");
+  const std::string csv = csvOf(merge(logs.files, {"sci_water_pressure*"}));
+  EXPECT_EQ(csv,
+            "time_s,computer,sci_water_pressure,sci_water_pressure_in_dbar\n"
+            "1719946531,science,1,\n1719946535,science,2,\n1719946539,science,3,\n"
+            "1719946543,science,4,\n1719947531,science,,10\n1719947535,science,,20\n"
+            "1719947539,science,,30\n1719947543,science,,40\n");
+  const TestFolder same;
+  same.write("a.tbd", science("sec", 1, kJuly2024, "unit-2024-183-2-7"));
+  same.write("b.tbd", science("s", 1, kJuly2024 + 1000, "unit-2024-183-2-8"));
+  EXPECT_EQ(warningCodes(readAll(same)), Codes()) << "two spellings of one unit";
+}
+
+TEST(DoubtfulLogs, ATransferAsTextIsNamed) {
+  const std::string whole = write(northwards(kJuly2024, 200));
+  std::string text;
+  for (const char c : whole) {
+    text += c == '\n' ? "\r\n" : std::string(1, c);
+  }
+  const TestFolder folder;
+  folder.write("a.sbd", text);
+  const LogFiles logs = readAll(folder);
+  EXPECT_EQ(warningCodes(logs), Codes({"GL5214"}));
+  EXPECT_TRUE(logs.failures.empty());
+  EXPECT_EQ(merge(logs.files, {}).rows.size(), 199U);
+}
+
+TEST(DataTable, NamesOfSensorsAreTheSameWhateverTheirCase) {
+  Draft upper = northwards(kJuly2024 + 1000, 40, "unit-2024-183-2-8");
+  for (auto& sensor : upper.sensors) {
+    std::ranges::transform(sensor.name, sensor.name.begin(),
+                           [](char c) { return c == 'm' ? 'M' : c; });
+  }
+  const TestFolder folder;
+  folder.write("a.sbd", write(northwards(kJuly2024, 40)));
+  folder.write("b.sbd", write(upper));
+  const LogFiles logs = readAll(folder);
+  const Merged merged = merge(logs.files, {"m_depth"});
+  ASSERT_EQ(merged.columns.size(), 1U);
+  EXPECT_EQ(merged.rows.size(), 78U);
+  size_t depths = 0;
+  merged.forEachUpdateOf(0, [&](uint32_t, double) { ++depths; });
+  EXPECT_EQ(depths, 78U);
 }
 
 TEST(DataTable, SummaryCountsUpdatesWithoutInitialValues) {

@@ -549,6 +549,97 @@ TEST(FlightTrace, RowsCanBeAskedFor) {
   EXPECT_EQ(column(*trace, "m_depth"), (Values{0, 2, 4}));
 }
 
+TEST(FlightTrace, PressureIsDepthInWhateverUnitItIs) {
+  for (const auto& [unit, value] :
+       {std::pair("bar", 1.5), std::pair("dbar", 15.0), std::pair("mbar", 1500.0)}) {
+    const auto trace = traceOf({draftOf("ebd", {{"sci_water_pressure", unit, 8, true}},
+                                        {{0, {{"sci_water_pressure", value}}}})});
+    ASSERT_TRUE(trace) << unit;
+    EXPECT_EQ(column(*trace, "m_depth"), Values{15}) << unit;
+    EXPECT_EQ(column(*trace, "sci_water_pressure"), Values{1.5}) << unit;
+    EXPECT_EQ(unitOf(*trace, "sci_water_pressure"), "bar");
+  }
+}
+
+TEST(FlightTrace, ValuesInAnotherUnitAreNotDrawn) {
+  auto later = draftOf("ebd", {{"sci_water_pressure", "dbar", 4, true}},
+                       {{1000, {{"sci_water_pressure", 20}}}});
+  later.full_name = "unit-2024-183-2-8";
+  later.opened = "Tue_Jul__2_19:15:27_2024";
+  const auto trace = traceOf(
+      {draftOf("ebd", {{"sci_water_pressure", "bar", 4, true}}, {{0, {{"sci_water_pressure", 2}}}}),
+       later});
+  ASSERT_TRUE(trace);
+  EXPECT_EQ(column(*trace, "sci_water_pressure").front(), 2);
+  EXPECT_EQ(column(*trace, "sci_water_pressure").back(), kNone);
+  EXPECT_EQ(column(*trace, "m_depth").front(), 20);
+  EXPECT_EQ(column(*trace, "m_depth").back(), kNone);
+}
+
+TEST(FlightTrace, RecordsWithoutARightTimeAreNotDrawn) {
+  std::vector<Record> records;
+  for (int i = 0; i < 20; ++i) {
+    records.push_back({i == 10 ? -kStart : 4.0 * i, {{"m_depth", i == 10 ? 500.0 : i}}});
+  }
+  const auto trace = traceOf({draftOf("dbd", {kDepth}, records)});
+  ASSERT_TRUE(trace);
+  EXPECT_EQ(trace->rowCount(), 19U);
+  EXPECT_EQ(trace->log->utc_s, kStart);
+  const Values depths = column(*trace, "m_depth");
+  EXPECT_LT(*std::ranges::max_element(depths), 20);
+  EXPECT_EQ(trace->log->notes, std::vector<std::string>{
+                                   "1 record is left out, because of a time that cannot be right"});
+}
+
+TEST(FlightTrace, AWildFixIsNotDrawn) {
+  const std::vector<SensorLine> sensors = {kDepth,
+                                           {"m_gps_lat", "lat", 8, true},
+                                           {"m_gps_lon", "lon", 8, true},
+                                           {"m_lat", "lat", 8, true},
+                                           {"m_lon", "lon", 8, true}};
+  std::vector<Record> records;
+  for (int i = 0; i < 6; ++i) {
+    const double lon = i == 3 ? 512 : -7349.8;
+    records.push_back({4.0 * i,
+                       {{"m_depth", 0},
+                        {"m_gps_lat", 3910.5},
+                        {"m_gps_lon", lon},
+                        {"m_lat", 3910.5},
+                        {"m_lon", -7349.8}}});
+  }
+  const auto trace = traceOf({draftOf("dbd", sensors, records)});
+  ASSERT_TRUE(trace);
+  const Values lon = column(*trace, "m_gps_lon");
+  EXPECT_EQ(lon.at(2), -73.83);
+  EXPECT_EQ(lon.at(3), kNone);
+  EXPECT_EQ(trace->log->notes,
+            std::vector<std::string>{"1 GPS fix is left out, because of a position that cannot be "
+                                     "right"});
+}
+
+TEST(FlightTrace, AGapOfDamageIsMarked) {
+  std::vector<Record> records;
+  for (int i = 0; i < 60; ++i) {
+    records.push_back({4.0 * i, {{"m_depth", i}}});
+  }
+  std::string bytes = write(draftOf("dbd", {kDepth}, records));
+  bytes.replace(bytes.size() / 2, 30, std::string(30, '\0'));
+  const TestFolder folder;
+  folder.write("a.dbd", bytes);
+  SensorLists lists;
+  const LogFiles logs = readLogFiles({folder.path()}, lists);
+  ASSERT_EQ(logs.failures.size(), 1U);
+  const auto trace = flightTrace(merge(logs.files, flightTraceSensors()));
+  ASSERT_TRUE(trace);
+  ASSERT_EQ(trace->log->gaps.size(), 1U);
+  const support::TraceGap gap = trace->log->gaps[0];
+  EXPECT_GT(gap.to_s - gap.from_s, 8);
+  EXPECT_LT(gap.to_s - gap.from_s, 40);
+  EXPECT_EQ(trace->log->notes,
+            std::vector<std::string>{"1 gap is in the records where a file is damaged"});
+  EXPECT_EQ(column(*trace, "m_depth").back(), 59);
+}
+
 TEST(FlightTrace, RealFlightsAreWhatTheyWere) {
   const std::filesystem::path folder =
       std::filesystem::path(GLIDER_SOURCE_DIR) / "../shared/data/dbd";

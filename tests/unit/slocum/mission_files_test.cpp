@@ -88,13 +88,43 @@ TEST(MissionFile, PointsAtEachError) {
   EXPECT_EQ(missionParameter(1000000), 0);
   EXPECT_EQ(missionParameter(1000025), 25);
   EXPECT_EQ(missionParameter(1000026), std::nullopt);
-  EXPECT_EQ(
-      mission("behavior: yo\n b_arg: d_target_depth(m) 3\n b_arg: D_TARGET_DEPTH(m) 4\n").codes(),
-      "GL5105");
-  EXPECT_EQ(mission("behavior: set_heading\n").codes(), "GL5106");
+  EXPECT_EQ(mission("behavior: set_heading\n b_arg: use_heading(bool) 1\n").codes(), "GL5106");
+  EXPECT_EQ(mission("behavior: set_heading\n").codes(), "") << "a bank to its limit, by default";
   // accepts: GL5100 GL5101 GL5102 GL5104 GL5105 GL5106
   EXPECT_EQ(mission("behavior: set_heading\n b_arg: heading_value(X) 1.5\n"
                     "behavior: yo\n b_arg: d_target_depth(m) 3\n b_arg: c_target_depth(m) 3\n")
+                .codes(),
+            "");
+}
+
+TEST(MissionFile, OfAnArgumentGivenTwiceTheLastCounts) {
+  const Reading r = mission(
+      "sensor: u_use_current_correction(nodim) 1\nsensor: U_USE_CURRENT_CORRECTION(nodim) 0\n"
+      "behavior: yo\n b_arg: d_target_depth(m) 3\n b_arg: c_target_depth(m) 2\n"
+      " b_arg: D_TARGET_DEPTH(m) 4\n");
+  EXPECT_EQ(r.codes(), "GL5105 GL5105") << "warnings";
+  ASSERT_TRUE(r.mission);
+  EXPECT_EQ(r.mission->behaviours[0].value("d_target_depth"), 4);
+  EXPECT_EQ(r.mission->behaviours[0].arguments.size(), 2U);
+  EXPECT_EQ(r.mission->sensors.at(0).value, 0);
+  const Reading file = arguments(
+      "behavior_name=yo\n<start:b_arg>\nb_arg: d_target_depth(m) 3\n"
+      "b_arg: d_target_depth(m) 44\n<end:b_arg>\n");
+  EXPECT_EQ(file.codes(), "GL5105");
+  ASSERT_TRUE(file.arguments);
+  EXPECT_EQ(file.arguments->arguments.at(0).value, 44);
+}
+
+TEST(MissionFile, KnowsTheArgumentsThatTheSimulatorDoesNotModel) {
+  EXPECT_EQ(mission("behavior: drift_at_depth\n b_arg: use_thruster(enum) 0\n"
+                    " b_arg: thruster_value(X) 0\n b_arg: depth_pitch_limit(rad) 0.174\n"
+                    " b_arg: pressure_median(bool) 1\n b_arg: alt_time(s) 120\n"
+                    " b_arg: bpump_deadz_width(cc) 30\n b_arg: battpos_db(nodim) 1\n"
+                    "behavior: climb_to\n b_arg: stop_when_air_pump(bool) 0\n"
+                    " b_arg: initial_inflection(bool) 1\n"
+                    "behavior: goto_wpt\n b_arg: utm_zd(byte) 19\n b_arg: utm_zc(byte) 19\n"
+                    "behavior: nop_cmds\n b_arg: nop_air_pump(bool) 1\n"
+                    "behavior: abend\n b_arg: remaining_charge_sample_time(sec) 60\n")
                 .codes(),
             "");
 }
@@ -149,14 +179,31 @@ TEST(ArgumentFile, PointsAtEachError) {
           .codes(),
       "GL5114");
   EXPECT_EQ(
-      arguments("behavior_name=goto_list\n<start:waypoints>\n3910.5 -7349.5 1\n<end:waypoints>\n")
-          .codes(),
+      arguments("behavior_name=goto_list\n<start:waypoints>\n3910.5\n<end:waypoints>\n").codes(),
       "GL5100");
   // accepts: GL5112 GL5114
   EXPECT_EQ(
       arguments("behavior_name=goto_list\n<start:waypoints>\n-7359.9 3910.5\n<end:waypoints>\n")
           .codes(),
       "");
+}
+
+TEST(ArgumentFile, TextAfterAWaypointIsIgnored) {
+  const Reading r = arguments(
+      "behavior_name=goto_list\n<start:waypoints>\n-7349.5 3910.5 north end\n"
+      "-7349.0 3910.0 1\n-7348.5 3910.0 # south end\n<end:waypoints>\n");
+  EXPECT_EQ(r.codes(), "GL5207 GL5207") << "warnings";
+  ASSERT_TRUE(r.arguments);
+  ASSERT_EQ(r.arguments->waypoints.size(), 3U);
+  EXPECT_EQ(r.arguments->waypoints[0].latitude_ddmm, 3910.5);
+  EXPECT_NE(r.text().find("test.ma:3:16: warning: `north end` after the waypoint is ignored"),
+            std::string::npos)
+      << r.text();
+  // accepts: GL5207
+  EXPECT_EQ(arguments("behavior_name=goto_list\n<start:waypoints>\n-7349.5 3910.5\n"
+                      "<end:waypoints>\n")
+                .codes(),
+            "");
 }
 
 // accepts: GL5113

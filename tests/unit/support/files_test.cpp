@@ -3,6 +3,7 @@
 
 #include "support/files.h"
 
+#include "support/diagnostics/catalogue.h"
 #include "tests/support/command.h"
 
 #include <gtest/gtest.h>

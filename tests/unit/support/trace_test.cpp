@@ -3,6 +3,7 @@
 
 #include "support/trace/trace.h"
 
+#include "support/diagnostics/diagnostic.h"
 #include "support/trace/submersions.h"
 
 #include <gtest/gtest.h>

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace glider::analysis {
+namespace glider::compiler {
 
 /// The content of a certificate's file.
 struct Certificate {
@@ -27,10 +27,14 @@ struct Certificate {
 };
 
 /// The digest of everything that a proof is about: the mission and the platform file.
-support::Result<std::string> subjectOf(const compiler::Checked& checked);
+support::Result<std::string> subjectOf(const Checked& checked);
 
 /// Where the certificate of the requirement with that number (from 0) is in a folder.
 std::filesystem::path certificatePath(const std::filesystem::path& folder, uint32_t requirement);
+
+/// The certificate of a proof that has evidence, without its run.
+Certificate certificateOf(const Checked& checked, const ir::prove::RequirementVerdict& verdict,
+                          std::string subject);
 
 /// As JSON; docs/certificates.md describes it.
 std::string certificateToJson(const Certificate& certificate, const ir::Mission& mission);
@@ -39,6 +43,6 @@ std::string certificateToJson(const Certificate& certificate, const ir::Mission&
 /// exist in the mission or a configuration occurs twice. Of a certificate with another subject,
 /// what names parts of the mission is not read: `recheck` refuses it.
 support::Result<Certificate> certificateFromJson(const std::string& text, const std::string& name,
-                                                 const compiler::Checked& checked);
+                                                 const Checked& checked);
 
-}  // namespace glider::analysis
+}  // namespace glider::compiler

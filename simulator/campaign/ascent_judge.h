@@ -10,11 +10,10 @@
 
 namespace glider::simulator {
 
-/// Checks what the vehicle does by itself: it surfaces in time when nothing is left that dives, and
-/// its batteries last as long as they must.
-class EndingJudge {
+/// Checks that the vehicle surfaces in time when nothing is left that dives.
+class AscentJudge {
  public:
-  explicit EndingJudge(const JudgeSetup& setup);
+  explicit AscentJudge(const JudgeSetup& setup) : s_(setup) {}
 
   /// What is violated in this cycle; empty: nothing.
   std::string cycle(const CycleView& view);
@@ -22,14 +21,9 @@ class EndingJudge {
   [[nodiscard]] bool isComingUp() const { return up_by_s_ >= last_s_; }
 
  private:
-  std::string judgeAscent(const CycleView& view);
-  std::string judgeBattery(const CycleView& view);
-
   const JudgeSetup& s_;
-  bool voltage_known_;   ///< no fault damages its sensor
   double last_s_ = 0;    ///< of the previous cycle
   double up_by_s_ = -1;  ///< the latest time to be at the surface; negative: something still dives
-  double below_since_s_ = -1;  ///< since when the voltage is below the abort limit
 };
 
 }  // namespace glider::simulator

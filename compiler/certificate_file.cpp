@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "analysis/certificates/certificate_file.h"
+#include "compiler/certificate_file.h"
 
 #include "codegen/digest.h"
 #include "compiler/proving.h"
+#include "support/diagnostics/catalogue.h"
+#include "support/one_line.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -13,7 +15,7 @@
 #include <set>
 #include <utility>
 
-namespace glider::analysis {
+namespace glider::compiler {
 namespace {
 
 using ir::certify::Configuration;
@@ -133,14 +135,25 @@ class Reader {
 
 }  // namespace
 
-Result<std::string> subjectOf(const compiler::Checked& checked) {
-  const auto subject = compiler::proofSubject(checked);
+Result<std::string> subjectOf(const Checked& checked) {
+  const auto subject = proofSubject(checked);
   return subject ? Result<std::string>(codegen::digestOf(*subject))
                  : std::unexpected(subject.error());
 }
 
 std::filesystem::path certificatePath(const std::filesystem::path& folder, uint32_t requirement) {
   return folder / fmt::format("requirement-{}.json", requirement + 1);
+}
+
+Certificate certificateOf(const Checked& checked, const ir::prove::RequirementVerdict& verdict,
+                          std::string subject) {
+  const auto range = checked.mission().requirements[verdict.requirement].range;
+  return {support::onOneLine(checked.sources().text(range)),
+          std::move(subject),
+          verdict.evidence->method,
+          verdict.assumptions,
+          verdict.evidence->invariants,
+          std::nullopt};
 }
 
 std::string certificateToJson(const Certificate& certificate, const ir::Mission& mission) {
@@ -162,7 +175,7 @@ std::string certificateToJson(const Certificate& certificate, const ir::Mission&
 }
 
 Result<Certificate> certificateFromJson(const std::string& text, const std::string& name,
-                                        const compiler::Checked& checked) {
+                                        const Checked& checked) {
   const auto subject = subjectOf(checked);
   if (!subject) {
     return std::unexpected(subject.error());
@@ -183,4 +196,4 @@ Result<Certificate> certificateFromJson(const std::string& text, const std::stri
   }
 }
 
-}  // namespace glider::analysis
+}  // namespace glider::compiler

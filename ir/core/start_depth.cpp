@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/core/start_depth.h"
+
+#include "ir/core/under_assumptions.h"
+
+#include <algorithm>
+
+namespace glider::ir {
+
+double startReading(const Mission& mission, const platforms::Platform& platform) {
+  constexpr double kWaves = 0.25;
+  const platforms::EnvironmentModel world = underAssumptions(platform, mission).world;
+  return std::max({world.start_depth_m - world.depth_error_m,
+                   std::min(world.start_depth_m, world.surface_depth_m), kWaves});
+}
+
+}  // namespace glider::ir

@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/core/ops.h"
+#include "ir/core/walk.h"
+#include "ir/prove/abstract/state_depths.h"
+#include "ir/prove/context/decided_by_mission.h"
+#include "ir/prove/encoding/any_moment.h"
+#include "ir/prove/passes.h"
+#include "support/diagnostics/catalogue.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace glider::ir::prove {
+namespace {
+
+constexpr double kAny = std::numeric_limits<double>::max();
+/// Of the sea, in one comparison; with more of them it is taken to be satisfiable.
+constexpr size_t kMostReadings = 3;
+constexpr double kMetresPerBar = 10;
+
+/// What a condition says of the mission alone: that the sea can make it true. Each comparison of
+/// readings of the sea only can be; one that also reads what the mission decides can be if the
+/// least, the middle or the greatest reading of each sensor of the sea makes it so.
+class Projection {
+ public:
+  Projection(Mission& mission, const ProofContext& proof_context)
+      : m_(mission), proof_context_(proof_context) {
+    true_ = push(Op::True, {});
+  }
+
+  /// A condition that is false only where, for what the mission decides, no reading of the sea
+  /// makes `condition` true (or false, if `wanted` is false).
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the condition nests
+  ExprId canBe(ExprId condition, bool wanted) {
+    const Expr e = m_[condition];
+    if (e.op == Op::Not) {
+      return canBe(e.operands[0], !wanted);
+    }
+    if (groupOf(e.op) == OpGroup::Logic) {
+      return join(canBe(e.operands[0], wanted), canBe(e.operands[1], wanted),
+                  (e.op == Op::And) == wanted);
+    }
+    if (e.op == Op::Known) {
+      return true_;  // whether a sensor works is the vehicle's
+    }
+    return comparison(condition, wanted);
+  }
+  [[nodiscard]] bool isTrue(ExprId id) const { return id == true_; }
+
+ private:
+  ExprId join(ExprId a, ExprId b, bool both) {
+    if (isTrue(a) || isTrue(b)) {
+      return !both ? true_ : isTrue(a) ? b : a;
+    }
+    return push(both ? Op::And : Op::Or, {a, b});
+  }
+
+  ExprId comparison(ExprId id, bool wanted) {
+    bool decided = false;
+    std::vector<SensorId> sea;
+    forEachIn(m_, id, [&](const Expr& e) {
+      const Decider decider = deciderOf(m_, proof_context_.platform, e);
+      decided = decided || isDecided(decider);
+      if (decider == Decider::Sea && std::ranges::find(sea, e.sensor) == sea.end()) {
+        sea.push_back(e.sensor);
+      }
+    });
+    if (!sea.empty() && (!decided || sea.size() > kMostReadings)) {
+      return true_;
+    }
+    return withReadings(id, wanted, sea, {});
+  }
+
+  struct Read {
+    SensorId sensor;
+    double value = 0;
+  };
+
+  /// Some of the readings of `sea`, added to `fixed`, make it so.
+  // NOLINTNEXTLINE(misc-no-recursion): once for each sensor, at most kMostReadings
+  ExprId withReadings(ExprId id, bool wanted, std::vector<SensorId> sea, std::vector<Read> fixed) {
+    if (sea.empty()) {
+      const ExprId atom = copy(id, fixed);
+      return wanted ? atom : push(Op::Not, {atom});
+    }
+    const SensorId sensor = sea.back();
+    sea.pop_back();
+    const Interval& all = proof_context_.sensors[sensor.index];
+    ExprId any = push(Op::False, {});
+    for (const double value : {all.lowest, (all.lowest + all.highest) / 2, all.highest}) {
+      fixed.push_back({sensor, value});
+      any = push(Op::Or, {any, withReadings(id, wanted, sea, fixed)});
+      fixed.pop_back();
+    }
+    return any;
+  }
+
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the condition nests
+  ExprId copy(ExprId id, const std::vector<Read>& fixed) {
+    if (fixed.empty()) {
+      return id;
+    }
+    Expr e = m_[id];
+    const auto read = std::ranges::find_if(
+        fixed, [&](const Read& one) { return e.op == Op::Sensor && e.sensor == one.sensor; });
+    if (read != fixed.end()) {
+      e.op = Op::Constant;
+      e.number = read->value;
+    }
+    for (uint32_t i = 0; i < operandCount(e); ++i) {
+      e.operands[i] = copy(e.operands[i], fixed);
+    }
+    return add(std::move(e));
+  }
+
+  ExprId push(Op op, std::initializer_list<ExprId> operands) {
+    Expr e;
+    e.op = op;
+    e.type = {TypeKind::Bool, {}};
+    std::ranges::copy(operands, e.operands.begin());
+    return add(std::move(e));
+  }
+  ExprId add(Expr e) {
+    m_.exprs.push_back(std::move(e));
+    return {static_cast<uint32_t>(m_.exprs.size() - 1)};
+  }
+
+  Mission& m_;
+  const ProofContext& proof_context_;
+  ExprId true_;
+};
+
+class DecidedCheck {
+ public:
+  explicit DecidedCheck(Proof& proof)
+      : proof_(proof),
+        proof_context_(proof.proof_context),
+        m_(proof_context_.mission),
+        deepest_(std::ranges::max(deepestByState(proof_context_))) {}
+
+  void run() {
+    for (uint32_t i = 0; i < m_.assumptions.size(); ++i) {
+      const Assumption& a = m_.assumptions[i];
+      const bool watched = a.kind == AssumptionKind::Range || a.kind == AssumptionKind::Always;
+      if (watched && (a.watch.monitor.step.valid() ? slowsTheMission(a) : limitsTheMission(a))) {
+        proof_.decided_assumptions.insert(i);
+        if (!contradicts(a)) {
+          report(a);
+        }
+      }
+    }
+  }
+
+ private:
+  /// Whether it is already reported that no readings satisfy it.
+  [[nodiscard]] bool contradicts(const Assumption& a) const {
+    return std::ranges::any_of(proof_.diagnostics.sorted(), [&](const support::Diagnostic& one) {
+      return one.id == support::DiagnosticId::assumptionsContradict && one.range == a.range;
+    });
+  }
+
+  /// Whether the condition is false for something that the mission may do, for all readings of the
+  /// sea.
+  [[nodiscard]] bool limitsTheMission(const Assumption& a) const {
+    if (!reads(a.watch.condition)) {
+      return false;
+    }
+    Mission mission = m_;
+    narrow(mission);
+    const ExprId can = Projection(mission, proof_context_).canBe(a.watch.condition, true);
+    const ProofContext proof_context(mission, proof_context_.platform);
+    const std::vector<StateBounds> bounds(mission.states.size(), {0, kAny, kAny, kAny, deepest_});
+    return AnyMoment(proof_context, bounds).mayBeFalse(can, proof_.options.effort, proof_.checks);
+  }
+  [[nodiscard]] bool reads(ExprId condition) const {
+    return anyIn(m_, condition, [&](const Expr& e) {
+      return isDecided(deciderOf(m_, proof_context_.platform, e));
+    });
+  }
+
+  /// To what the commands can lead to: only a limit within says something about the mission.
+  void narrow(Mission& mission) const {
+    const auto& hull = proof_context_.platform.envelope;
+    for (Sensor& sensor : mission.sensors) {
+      const platforms::PlatformSensor* row = proof_context_.platform.find(sensor.vehicle_name);
+      if (row == nullptr) {
+        continue;
+      }
+      const auto within = [&](double lowest, double highest) {
+        sensor.lowest = std::max(sensor.lowest, lowest / sensor.to_si);
+        sensor.highest = std::min(sensor.highest, highest / sensor.to_si);
+      };
+      if (row->alias == "depthrate") {
+        within(-hull.vertical_rate_m_s, hull.vertical_rate_m_s);
+      } else if (row->alias == "pitch") {
+        within(-hull.steepest_pitch_rad, hull.steepest_pitch_rad);
+      } else if (isPressure(*row) && std::isfinite(deepest_)) {
+        sensor.lowest = std::max(sensor.lowest, -0.1);
+        sensor.highest = std::min(sensor.highest, barAt(deepest_));
+      }
+    }
+  }
+  static bool isPressure(const platforms::PlatformSensor& row) {
+    return (row.alias == "pressure" || row.alias == "scipressure") && row.unit == "bar";
+  }
+  [[nodiscard]] double barAt(double depth) const {
+    return (depth + proof_context_.platform.world.depth_error_m) / kMetresPerBar;
+  }
+
+  /// Of `S changes <= R`: whether the vehicle moves faster, by the environment model. What only
+  /// `known S every T` says is about the vehicle's sensors.
+  [[nodiscard]] bool slowsTheMission(const Assumption& a) const {
+    const Expr* kept = nullptr;
+    forEachStatement(m_, a.watch.monitor.step, [&](const Statement& statement) {
+      if (statement.kind == StatementKind::Set && m_[statement.value].op == Op::Sensor) {
+        kept = &m_[statement.value];
+      }
+    });
+    if (kept == nullptr) {
+      return false;
+    }
+    const Sensor& sensor = m_[kept->sensor];
+    const platforms::PlatformSensor* row = proof_context_.platform.find(sensor.vehicle_name);
+    if (row == nullptr || !isDecided(deciderOf(*row))) {
+      return false;
+    }
+    const double fastest = proof_context_.platform.envelope.vertical_rate_m_s;
+    const double limit = row->alias == "depth"   ? fastest
+                         : isPressure(*row)      ? fastest / kMetresPerBar * sensor.to_si
+                         : row->alias == "pitch" ? 0  // how fast it turns is the vehicle's
+                                                 : kAny;
+    return a.limit < limit;
+  }
+
+  void report(const Assumption& a) const {
+    std::vector<std::string> counted, commanded, launched;
+    const auto note = [&](const Expr& e) {
+      const Decider decider = deciderOf(m_, proof_context_.platform, e);
+      auto& names = decider == Decider::Counted     ? counted
+                    : decider == Decider::Commanded ? commanded
+                                                    : launched;
+      const std::string name = fmt::format("`{}`", nameOf(e));
+      if (isDecided(decider) && std::ranges::find(names, name) == names.end()) {
+        names.push_back(name);
+      }
+    };
+    forEachIn(m_, a.watch.condition, note);
+    if (a.watch.monitor.step.valid()) {
+      commanded.clear();
+      counted.clear();
+      launched.clear();
+      forEachStatement(m_, a.watch.monitor.step, [&](const Statement& statement) {
+        if (statement.kind == StatementKind::Set && m_[statement.value].op == Op::Sensor) {
+          note(m_[statement.value]);
+        }
+      });
+    }
+    std::vector<std::string> why;
+    if (!counted.empty()) {
+      why.push_back(fmt::format("how long the mission flies decides {}", fmt::join(counted, ", ")));
+    }
+    if (!commanded.empty()) {
+      why.push_back(
+          fmt::format("the mission's commands decide {}{}", fmt::join(commanded, ", "), upTo()));
+    }
+    if (why.empty()) {
+      why.push_back(fmt::format("the pilot chooses {} at the launch", fmt::join(launched, ", ")));
+    }
+    proof_.diagnostics.report(
+        support::DiagnosticId::assumptionDecided, a.range, a.words,
+        fmt::format("{}", fmt::join(why, ", and ")),
+        counted.empty() && commanded.empty() ? "narrow the range of the parameter instead"
+        : commanded.empty() ? "write `require exit within …` instead, so that it is proved; "
+                              "assume only what the sea and the vehicle do"
+                            : "write `require always …` instead, so that it is proved; "
+                              "assume only what the sea and the vehicle do");
+  }
+  /// ", which lead down to 25 m".
+  [[nodiscard]] std::string upTo() const {
+    return std::isfinite(deepest_) ? fmt::format(", and may lead to a depth of {:.4g} m", deepest_)
+                                   : "";
+  }
+  [[nodiscard]] std::string nameOf(const Expr& e) const {
+    return e.op == Op::Sensor     ? m_[e.sensor].name
+           : e.op == Op::Variable ? m_[e.variable].name
+                                  : "missiontime";
+  }
+
+  Proof& proof_;
+  const ProofContext& proof_context_;
+  const Mission& m_;
+  double deepest_;
+};
+
+}  // namespace
+
+void passes::decidedAssumptions(Proof& proof) {
+  if (!proof.proof_context.mission.assumptions.empty()) {
+    DecidedCheck(proof).run();
+  }
+}
+
+}  // namespace glider::ir::prove

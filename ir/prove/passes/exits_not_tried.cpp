@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/core/ops.h"
+#include "ir/core/walk.h"
+#include "ir/prove/abstract/end_bound.h"
+#include "ir/prove/passes.h"
+#include "support/diagnostics/catalogue.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace glider::ir::prove {
+namespace {
+
+/// More are not checked: each takes a search for the end.
+constexpr size_t kMostSuspects = 8;
+
+/// A case with `stay` above one that leads on.
+struct Suspect {
+  CasePlace place;
+  const Case* stays = nullptr;
+  const Case* leads = nullptr;
+};
+
+/// Whether the condition may be true for ever, as long as readings allow: it reads sensors and
+/// nothing that changes with time or by `set`.
+bool mayHoldForEver(const Mission& m, ExprId guard) {
+  const auto is = [&](auto... groups) {
+    return anyIn(m, guard, [&](const Expr& e) { return ((groupOf(e.op) == groups) || ...); });
+  };
+  return is(OpGroup::Sensor) &&
+         !is(OpGroup::Clock, OpGroup::Variable, OpGroup::Temporal, OpGroup::Age, OpGroup::Call);
+}
+
+void suspectsOf(const Proof& proof, StateId state, const std::vector<Case>& cases,
+                std::vector<Suspect>& suspects) {
+  for (uint32_t i = 0; i < cases.size(); ++i) {
+    const bool suspect = cases[i].transition == Transition::Stay &&
+                         !proof.dead.contains({state, i}) &&
+                         mayHoldForEver(proof.proof_context.mission, cases[i].guard);
+    const auto leads = std::ranges::find_if(cases.begin() + i, cases.end(), [](const Case& c) {
+      return c.transition != Transition::Stay;
+    });
+    if (suspect && leads != cases.end()) {
+      suspects.push_back({{state, i}, &cases[i], &*leads});
+    }
+  }
+}
+
+/// Whether the clocks end the mission if the suspects never fire, except `kept`.
+bool endsWithout(const Proof& proof, const std::vector<Suspect>& suspects, const Suspect* kept) {
+  Mission without = proof.proof_context.mission;
+  const auto guard = std::ranges::find(without.exprs, Op::False, &Expr::op);
+  ExprId never{static_cast<uint32_t>(guard - without.exprs.begin())};
+  if (guard == without.exprs.end()) {
+    Expr expr;
+    expr.op = Op::False;
+    expr.type.kind = TypeKind::Bool;
+    without.exprs.push_back(expr);
+  }
+  for (const Suspect& suspect : suspects) {
+    if (&suspect != kept) {
+      auto& cases = suspect.place.state.valid() ? without.states[suspect.place.state.index].cases
+                                                : without.always;
+      cases[suspect.place.number].guard = never;
+    }
+  }
+  const ProofContext context(without, proof.proof_context.platform);
+  return boundOf(context.withoutPowerCuts(), kLongestMission, Goal::Exit).by.has_value();
+}
+
+}  // namespace
+
+/// Looks for a case with `stay` that keeps the mission from its end: with it the mission may last
+/// for ever, and without it the clocks end the mission.
+void passes::exitsNotTried(Proof& proof) {
+  const Mission& m = proof.proof_context.mission;
+  std::vector<Suspect> suspects;
+  suspectsOf(proof, {}, m.always, suspects);
+  for (uint32_t s = 0; s < m.states.size(); ++s) {
+    suspectsOf(proof, {s}, m.states[s].cases, suspects);
+  }
+  if (suspects.empty() || suspects.size() > kMostSuspects) {
+    return;
+  }
+  const EndBound& end = proof.ending.boundWithoutPowerCuts();
+  if (end.by || !end.stays.valid() || !endsWithout(proof, suspects, nullptr)) {
+    return;
+  }
+  for (const Suspect& suspect : suspects) {
+    if (!endsWithout(proof, suspects, &suspect)) {
+      proof.diagnostics.report(support::DiagnosticId::exitNotTried, suspect.stays->range)
+          .note(suspect.leads->range, "this case is not tried while that condition is true");
+    }
+  }
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/campaign/bottom_judge.h"
+
+#include "simulator/campaign/judge_limits.h"
+#include "simulator/campaign/wrong_sensors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glider::simulator {
+
+using hooks::HookState;
+
+namespace {
+
+// The distance that the pump needs to reverse a steep dive, over a bottom that may rise meanwhile.
+constexpr double kClearanceTolerance = 4;  // m
+constexpr double kRounding = 1e-6;         // s
+constexpr double kUnderWater = 1;          // m
+constexpr double kLeft = 1;                // m: a contact is over
+constexpr double kDepthRight = 2;          // m
+constexpr double kSlides = 100;  // m along the bottom: the contact is of another place too
+
+}  // namespace
+
+/// True if the altimeter receives echoes often enough to keep the vehicle off the bottom.
+bool BottomJudge::hears(double now_s) const {
+  const bool rare = s_.echo_every_s > limits::kRareEchoSecs;
+  return s_.echo_every_s <= limits::kEchoEverySecs + kRounding && s_.args.least_altitude_m >= 0 &&
+         (!rare || echoes_ >= limits::kEchoesToKnow) &&
+         !isWrong(s_.faults, {"m_altitude"}, now_s, limits::kEchoFadesSecs);
+}
+
+void BottomJudge::countEcho(const CycleView& view) {
+  constexpr double kRight = 3;  // m
+  const double altitude = view.array.get(Sensor::m_altitude);
+  echoes_ +=
+      view.array.fresh(Sensor::m_altitude) && std::fabs(altitude - view.clearance_m) < kRight;
+}
+
+const BottomJudge::Place* BottomJudge::knownPlace(const Place& here) const {
+  const auto found = std::ranges::find_if(places_, [&](const Place& place) {
+    return std::hypot(place.east_m - here.east_m, place.north_m - here.north_m) < limits::kPlaceM &&
+           here.water_m > place.water_m - limits::kRiseM &&
+           (place.water_m > limits::kShallowM || here.at_s - place.at_s < limits::kShallowSecs);
+  });
+  return found == places_.end() ? nullptr : &*found;
+}
+
+std::string BottomJudge::judgeNewContact(const CycleView& view) {
+  if (hears(view.time_s)) {
+    return "the vehicle is on the bottom";
+  }
+  const bool depth_known =
+      std::fabs(view.array.get(Sensor::m_depth) - view.true_depth_m) < kDepthRight;
+  const Place here{view.east_m, view.north_m, view.true_depth_m + view.clearance_m, view.time_s};
+  const Place* known = knownPlace(here);
+  if (known != nullptr && depth_known && view.hook == HookState::Active) {
+    return fmt::format("the vehicle is on the bottom again, {:.0f} m from an earlier contact",
+                       std::hypot(known->east_m - here.east_m, known->north_m - here.north_m));
+  }
+  return "";
+}
+
+std::string BottomJudge::judgeTouch(const CycleView& view, bool was_dark) {
+  const bool touches = view.clearance_m < limits::kTouchM && view.true_depth_m > kUnderWater;
+  const bool began = touches && !touching_;
+  touching_ = touches || (touching_ && view.clearance_m < kLeft && view.true_depth_m > kUnderWater);
+  met_in_dark_ = touching_ && (met_in_dark_ || (began && was_dark));
+  if (!touches) {
+    return "";
+  }
+  if (began) {
+    touched_s_ = view.time_s;
+    if (std::string wrong = met_in_dark_ ? "" : judgeNewContact(view); !wrong.empty()) {
+      return wrong;
+    }
+  }
+  const Place here{view.east_m, view.north_m, view.true_depth_m + view.clearance_m, view.time_s};
+  if (began || std::hypot(places_.back().east_m - here.east_m,
+                          places_.back().north_m - here.north_m) > kSlides) {
+    places_.push_back(here);
+  }
+  const double lasts_s = view.time_s - touched_s_;
+  return lasts_s > limits::kOnBottomSecs
+             ? fmt::format("the vehicle has been on the bottom for {:.0f} s", lasts_s)
+             : "";
+}
+
+std::string BottomJudge::judgeClearance(const CycleView& view, bool active) {
+  const double lacking = std::max(0.0, s_.args.least_altitude_m - view.clearance_m);
+  if (!active) {
+    inactive_s_ += std::isnan(last_s_) ? 0 : view.time_s - last_s_;
+    return "";
+  }
+  // After a time in which the vehicle could climb, it may be low through another behaviour. A
+  // shorter one does not excuse what hookbeh did before it.
+  const bool afresh = inactive_s_ >= s_.turn_s;
+  const double most = afresh ? lacking : std::min(allowed_m_, lacking);
+  allowed_m_ =
+      std::max(kClearanceTolerance, afresh ? most + kClearanceTolerance
+                                           : std::min(allowed_m_, lacking + kClearanceTolerance));
+  inactive_s_ = 0;
+  const bool judged = s_.promiseAt(view.time_s).clearance && hears(view.time_s);
+  return judged && lacking > allowed_m_
+             ? fmt::format("{:.1f} m over the bottom under min_altitude {} m", view.clearance_m,
+                           s_.args.least_altitude_m)
+             : "";
+}
+
+std::string BottomJudge::cycle(const CycleView& view) {
+  const bool was_dark = s_.isDark(view.time_s - last_s_);
+  countEcho(view);
+  std::string touch = judgeTouch(view, was_dark);
+  std::string clearance = judgeClearance(view, view.hook == HookState::Active);
+  last_s_ = view.time_s;
+  return touch.empty() ? clearance : touch;
+}
+
+}  // namespace glider::simulator

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/campaign/needless_judge.h"
+
+#include "simulator/campaign/commanded.h"
+#include "simulator/campaign/judge_limits.h"
+#include "simulator/campaign/surface_judge.h"
+
+#include <fmt/format.h>
+
+namespace glider::simulator {
+
+using hooks::HookGuard;
+using hooks::HookState;
+
+namespace {
+
+constexpr double kNear = 2;         // m from a limit
+constexpr double kRightSecs = 300;  // s: longer than any time over which a guard judges, but one
+constexpr double kAnHour = 3600;    // s
+
+}  // namespace
+
+bool NeedlessJudge::isSafe(const CycleView& view) const {
+  const bool shallow = view.true_depth_m < s_.args.greatest_depth_m - kNear;
+  const bool clear =
+      s_.args.least_altitude_m < 0 || view.clearance_m > s_.args.least_altitude_m + kNear;
+  return shallow && clear && !view.overridden() && readingsAreRight(view);
+}
+
+std::string NeedlessJudge::cycle(const CycleView& view) {
+  const double step_s = s_.isDark(view.time_s - last_s_) ? 0 : view.time_s - last_s_;
+  last_s_ = view.time_s;
+  const bool active = view.hook == HookState::Active && view.hookbeh != nullptr;
+  const bool guards = active && view.hookbeh->guard != HookGuard::None;
+  echo_s_ = view.array.fresh(Sensor::m_altitude) ? view.time_s : echo_s_;
+  const bool begins = guards && !guarding_ && right_s_ > kRightSecs && isSafe(view) &&
+                      !isNearLimit(s_, view, view.hookbeh->guard, view.time_s - echo_s_);
+  needless_ = guards && (needless_ || begins);
+  climbs_ += needless_ && !guarding_;
+  climb_s_ += needless_ ? step_s : 0;
+  active_s_ += active ? step_s : 0;
+  right_s_ = isSafe(view) ? right_s_ + step_s : 0;
+  guarding_ = guards;
+  if (climbs_ > limits::kNeedlessMore + limits::kNeedlessAnHour * active_s_ / kAnHour) {
+    return fmt::format("{} climbs of guards in {:.0f} s though the vehicle was safe, now `{}`",
+                       climbs_, active_s_, guards ? view.hookbeh->doing : "");
+  }
+  return climb_s_ > limits::kNeedlessSecs + limits::kNeedlessShare * active_s_
+             ? fmt::format("guards climb for {:.0f} of {:.0f} s though the vehicle is safe",
+                           climb_s_, active_s_)
+             : "";
+}
+
+}  // namespace glider::simulator

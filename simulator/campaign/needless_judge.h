@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/campaign/judge_setup.h"
+#include "simulator/flight_observer.h"
+
+#include <string>
+
+namespace glider::simulator {
+
+/// Counts climbs of guards that nothing made necessary: no limit is near, and all that hookbeh
+/// reads of depth and bottom has been right for some time. A harmless fault of another sensor may
+/// cause a few; more of them wear the pump and take the energy of the mission.
+class NeedlessJudge {
+ public:
+  explicit NeedlessJudge(const JudgeSetup& setup) : s_(setup) {}
+
+  /// What is violated in this cycle; empty: nothing.
+  std::string cycle(const CycleView& view);
+  /// A new hookbeh begins.
+  void restart() { guarding_ = needless_ = false; }
+
+ private:
+  [[nodiscard]] bool isSafe(const CycleView& view) const;
+
+  const JudgeSetup& s_;
+  double last_s_ = 0;      ///< of the previous cycle
+  double right_s_ = 0;     ///< how long readings and distances have been right
+  double echo_s_ = -1e9;   ///< when the altimeter last received an echo
+  bool guarding_ = false;  ///< in the previous cycle
+  bool needless_ = false;  ///< this climb
+  int climbs_ = 0;         ///< needless ones
+  double climb_s_ = 0;     ///< their time
+  double active_s_ = 0;    ///< the SBC was in control
+};
+
+}  // namespace glider::simulator

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/campaign/surface_judge.h"
+
+#include "simulator/campaign/judge_limits.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace glider::simulator {
+
+using hooks::HookState;
+using hooks::HookVertical;
+
+namespace {
+
+constexpr double kAtSurface = 2;    // m
+constexpr double kLeastDepth = 2;   // m: a target above this is the surface
+constexpr double kRoom = 6;         // m below the surface, for a dive of a guard's least swing
+constexpr double kDepthError = 2;   // m
+constexpr double kEchoError = 2;    // m, and
+constexpr double kEchoShare = 0.1;  // of the clearance
+constexpr double kMetresPerBar = 10;
+
+bool near(double reading, double truth, double error) {
+  return std::fabs(reading - truth) <= error;
+}
+
+}  // namespace
+
+bool readingsAreRight(const CycleView& view) {
+  const bool depth = near(view.array.get(Sensor::m_depth), view.true_depth_m, kDepthError);
+  const double bar = view.array.get(Sensor::sci_water_pressure);
+  const bool ctd = !view.array.fresh(Sensor::sci_water_pressure) || std::isnan(bar) ||
+                   near(bar * kMetresPerBar, view.true_depth_m, kDepthError);
+  const double altitude = view.array.get(Sensor::m_altitude);
+  const bool echo = !view.array.fresh(Sensor::m_altitude) || !(altitude >= 0) ||
+                    near(altitude, view.clearance_m, kEchoError + kEchoShare * view.clearance_m);
+  return depth && ctd && echo;
+}
+
+bool SurfaceJudge::shouldDive(const CycleView& view, const hooks::Instruction& in_force) const {
+  const bool commanded =
+      (in_force.vertical == HookVertical::Descend || in_force.vertical == HookVertical::Hover) &&
+      in_force.depth_m > kLeastDepth;
+  const double water_m = view.clearance_m + view.true_depth_m;
+  const bool room = s_.args.least_altitude_m < 0 || water_m > s_.args.least_altitude_m + kRoom;
+  return view.hook == HookState::Active && commanded && room && !view.overridden() &&
+         right_s_ > limits::kRightSecs;
+}
+
+std::string SurfaceJudge::cycle(const CycleView& view, const hooks::Instruction& in_force) {
+  const double step_s = s_.isDark(view.time_s - last_s_) ? 0 : view.time_s - last_s_;
+  last_s_ = view.time_s;
+  right_s_ = readingsAreRight(view) ? right_s_ + step_s : 0;
+  const bool wanted = shouldDive(view, in_force);
+  const bool is_up = wanted && view.true_depth_m < kAtSurface;
+  stays_s_ = is_up ? stays_s_ + step_s : 0;
+  wanted_s_ += wanted ? step_s : 0;
+  surface_s_ += is_up ? step_s : 0;
+  if (stays_s_ > limits::kAtSurfaceSecs) {
+    return fmt::format("at the surface for {:.0f} s though {} m is commanded", stays_s_,
+                       in_force.depth_m);
+  }
+  return wanted_s_ > limits::kLongSecs && surface_s_ > limits::kSurfaceShare * wanted_s_
+             ? fmt::format(
+                   "at the surface for {:.0f} of the {:.0f} s in which a depth was commanded",
+                   surface_s_, wanted_s_)
+             : "";
+}
+
+}  // namespace glider::simulator

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/protocol/values.h"
+#include "simulator/campaign/judge_setup.h"
+#include "simulator/flight_observer.h"
+
+#include <string>
+
+namespace glider::simulator {
+
+/// True if what the vehicle knows of its depth and of the bottom is right in this cycle: hookbeh
+/// then has no reason to keep it up.
+bool readingsAreRight(const CycleView& view);
+
+/// Checks that a vehicle does not stay at the surface without a reason: a depth is commanded, the
+/// water is deep enough, nothing else has the motors, and the readings are right.
+class SurfaceJudge {
+ public:
+  explicit SurfaceJudge(const JudgeSetup& setup) : s_(setup) {}
+
+  /// What is violated in this cycle while `in_force` is; empty: nothing.
+  std::string cycle(const CycleView& view, const hooks::Instruction& in_force);
+
+ private:
+  [[nodiscard]] bool shouldDive(const CycleView& view, const hooks::Instruction& in_force) const;
+
+  const JudgeSetup& s_;
+  double last_s_ = 0;     ///< of the previous cycle
+  double right_s_ = 0;    ///< how long the readings have been right
+  double stays_s_ = 0;    ///< at the surface, without a break
+  double wanted_s_ = 0;   ///< in all, how long it should have been under water
+  double surface_s_ = 0;  ///< of this, at the surface
+};
+
+}  // namespace glider::simulator

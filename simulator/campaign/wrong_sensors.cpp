@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/campaign/wrong_sensors.h"
+
+#include <algorithm>
+
+namespace glider::simulator {
+
+bool isWrong(const Faults& faults, std::initializer_list<std::string_view> sensors, double now_s,
+             double fades_s) {
+  return std::ranges::any_of(faults.sensors, [&](const SensorFault& fault) {
+    return std::ranges::find(sensors, fault.name) != sensors.end() && now_s >= fault.when.from_s &&
+           now_s < fault.when.to_s + fades_s;
+  });
+}
+
+}  // namespace glider::simulator

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The rules of the environment model in numbers, beside the same rules in SMT-LIB.
+
+#include "analysis/certificates/run_vehicle.h"
+
+#include "ir/certify/vehicle.h"
+#include "ir/prove/falsification/depth_limits.h"
+#include "tests/unit/certify/judge.h"
+#include "tests/unit/ir/slocum.h"
+
+#include <fmt/format.h>
+
+#include <random>
+
+namespace glider::ir::certify {
+namespace {
+
+/// A vehicle that is commanded at random, by each of the three.
+class ThreeVehicles {
+ public:
+  explicit ThreeVehicles(uint64_t seed) : random_(seed) {
+    const double depth = within(0, slocum().world.start_depth_m);
+    rules_ = vehicleAtStart(setting_, out_);
+    out_.require(operation("=", {rules_.depth, literal(depth)}));
+    numbers_.start(depth);
+    limits_ = prove::DepthLimits(slocum(), depth);
+  }
+
+  void command() {
+    constexpr std::array kCommands = {Command::Descend, Command::Hover, Command::Ascend,
+                                      Command::Surface, Command::Drift};
+    const Command command = kCommands.at(random_() % kCommands.size());
+    CommandRun run{command, {}, false};
+    std::vector<Number> arguments;
+    if (command != Command::Surface && command != Command::Drift) {
+      run.arguments = {random_() % 4 == 0 ? within(0, 1.5) : within(0, 60), 0.4};
+      for (const double argument : run.arguments) {
+        arguments.push_back({literal(argument), "true"});
+      }
+    }
+    rules_ = commanded(setting_, out_, rules_, command, arguments, literal(now_));
+    numbers_.obey(std::vector<Action>{run}, now_);
+    limits_.obey(run, now_);
+  }
+
+  /// Time passes; the vehicle goes to any depth that it may have then, often the deepest.
+  void move() {
+    const double later = now_ + std::round(within(0, random_() % 2 == 0 ? 20 : 600));
+    rules_ = vehicleLater(setting_, out_, rules_, literal(now_), literal(later));
+    const auto depths = numbers_.later(now_, later);
+    least_ = depths.least;
+    greatest_ = depths.greatest;
+    EXPECT_DOUBLE_EQ(least_, limits_.lowest(now_, later));
+    EXPECT_DOUBLE_EQ(greatest_, limits_.highest(now_, later));
+    before_ = out_.text();
+    const double depth =
+        std::clamp(random_() % 2 == 0 ? greatest_ : within(least_, greatest_), least_, greatest_);
+    out_.require(operation("=", {rules_.depth, literal(depth)}));
+    numbers_.moveTo(depth);
+    limits_.moveTo(depth);
+    now_ = later;
+  }
+
+  /// Whether the rules let it be there after the newest move.
+  [[nodiscard]] bool mayBe(double depth) const {
+    return answersTo("(set-logic ALL)\n" + before_ +
+                     fmt::format("(assert (= {} {}))\n(check-sat)\n", rules_.depth,
+                                 literal(depth))) == std::vector<std::string>{"sat"};
+  }
+
+  double least_ = 0;
+  double greatest_ = 0;
+
+ private:
+  double within(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+
+  std::mt19937_64 random_;
+  Mission mission_;
+  Requirement requirement_;
+  Facts facts_;
+  Setting setting_{mission_, slocum(), requirement_, facts_};
+  SmtText out_;
+  std::string before_;
+  Vehicle rules_;
+  analysis::RunVehicle numbers_{slocum()};
+  prove::DepthLimits limits_{slocum(), 0};
+  double now_ = 0;
+};
+
+TEST(RunVehicle, AgreesWithTheRulesOnWhereTheVehicleMayBe) {
+  NEEDS_CVC5();
+  constexpr double kClose = 1e-6;
+  for (uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(seed);
+    ThreeVehicles vehicles(seed);
+    for (int step = 0; step < 6; ++step) {
+      vehicles.command();
+      vehicles.move();
+      ASSERT_LE(vehicles.least_, vehicles.greatest_ + kClose);
+      if (vehicles.greatest_ - vehicles.least_ > 3 * kClose) {
+        ASSERT_TRUE(vehicles.mayBe(vehicles.least_ + kClose)) << step;
+        ASSERT_TRUE(vehicles.mayBe(vehicles.greatest_ - kClose)) << step;
+      }
+      ASSERT_FALSE(vehicles.mayBe(vehicles.least_ - kClose)) << step;
+      ASSERT_FALSE(vehicles.mayBe(vehicles.greatest_ + kClose)) << step;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace glider::ir::certify

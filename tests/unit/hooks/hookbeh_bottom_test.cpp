@@ -1,0 +1,308 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// hookbeh over a bottom that the altimeter does not show, or shows only now and then.
+
+#include "tests/unit/hooks/hookbeh_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace glider::hooks {
+namespace {
+
+constexpr double kMetresPerMinute = 1852;  // of latitude
+
+/// A vehicle in a sea with a bottom, on a yo under a hookbeh of its own: it flies north at 0.3 m/s
+/// and sinks or rises as the pump says. Its altimeter is dead.
+class ShallowSea {
+ public:
+  explicit ShallowSea(HookbehArgs args = wide()) : bench(args) {
+    bench.raw_depth = true;
+    truth = 0.5;
+    cycle();
+    bench.write(HookbehBench::take(55));
+    cycle();
+  }
+
+  HookbehOutputs cycle() {
+    const double wanted = pump > 100 ? -0.2 : pump < -100 ? 0.2 : pump / -1000;
+    rate += (wanted - rate) * 0.4;
+    const double water = bottom(north);
+    const double next = std::max(0.0, truth + rate * 4);
+    lies = next >= water && !rises();
+    touches += lies && !lay;
+    lay = lies || (lay && water - next < 1);
+    truth = std::min(next, water);
+    north += lies ? 0 : 1.2;
+    deepest = std::max(deepest, truth);
+    noise = -noise;
+    auto& in = bench.inputs;
+    in.depth_m = std::max(0.0, truth + noise);
+    in.latitude_ddmm = knows_position ? 3910 + north / kMetresPerMinute : kNan;
+    in.altitude_m = altitude(water - truth + noise / 3);
+    in.ctd_bar = has_ctd ? (truth + noise / 2) / 10 : kNan;
+    spoil(in);
+    out = bench.cycle();
+    pump = out.commanding ? out.pump_cc : 230;
+    return out;
+  }
+  /// A yo between 4 and 55 m.
+  void yo(double hours) {
+    for (int i = 0; i < hours * 900; ++i) {
+      cycle();
+      const double depth = bench.inputs.depth_m;
+      if (dives ? depth >= 55 : depth <= 4) {
+        dives = !dives;
+        bench.write(dives ? HookbehBench::descend(55) : HookbehBench::ascend(4));
+      }
+      if (out.guard != HookGuard::None && dives) {
+        guarded += out.guard == HookGuard::NearBottom;
+      }
+    }
+  }
+
+  static HookbehArgs wide() {
+    HookbehArgs args;
+    args.greatest_depth_m = 60;
+    return args;
+  }
+  [[nodiscard]] bool rises() const { return pump > 0; }
+
+  HookbehBench bench;
+  std::function<double(double north)> bottom = [](double) { return 40; };
+  std::function<double(double height)> altitude = [](double) { return kNan; };
+  std::function<void(HookbehInputs&)> spoil = [](HookbehInputs&) {};
+  bool knows_position = true, has_ctd = false;
+  double truth = 0, north = 0, rate = 0, noise = 0.03, pump = 230, deepest = 0;
+  bool lies = false, lay = false, dives = true;
+  int touches = 0, guarded = 0;
+  HookbehOutputs out;
+};
+
+/// Cycles until the vehicle has touched the bottom and climbed clear of it.
+void touchOnce(ShallowSea& sea) {
+  for (int i = 0; i < 400 && sea.touches == 0; ++i) {
+    sea.cycle();
+  }
+  ASSERT_EQ(sea.touches, 1);
+  for (int i = 0; i < 60 && !(sea.touches == 1 && sea.truth < sea.bottom(0) - 3); ++i) {
+    sea.cycle();
+  }
+  ASSERT_LT(sea.truth, sea.bottom(0) - 3) << "it climbs";
+}
+
+TEST(HookbehBottom, ADiveThatStopsOnTheBottomEndsInTime) {
+  for (const bool has_ctd : {false, true}) {
+    ShallowSea sea;
+    sea.has_ctd = has_ctd;
+    while (sea.touches == 0 && sea.bench.inputs.time_s < 2000) {
+      sea.cycle();
+    }
+    int cycles = 0;
+    while (sea.out.guard == HookGuard::None && cycles < 100) {
+      sea.cycle();
+      ++cycles;
+    }
+    EXPECT_EQ(sea.out.guard, HookGuard::NoDepthGained);
+    EXPECT_LE(cycles * 4, has_ctd ? 188 : 90) << "s on the bottom";
+  }
+}
+
+TEST(HookbehBottom, ABottomThatWasTouchedIsNotTouchedAgain) {
+  ShallowSea sea;
+  sea.yo(2);
+  EXPECT_EQ(sea.touches, 1);
+  sea.deepest = 0;
+  sea.yo(0.5);
+  EXPECT_EQ(sea.touches, 1);
+  EXPECT_LT(sea.deepest, 36) << "5 m and 2 m above it, and the pump takes some time";
+  EXPECT_GT(sea.deepest, 32) << "it dives on";
+}
+
+TEST(HookbehBottom, ATouchedBottomIsRememberedWhereThePositionIsUnknown) {
+  ShallowSea sea;
+  sea.knows_position = false;
+  sea.yo(12);
+  EXPECT_EQ(sea.touches, 1);
+}
+
+TEST(HookbehBottom, FarFromATouchedBottomTheVehicleGoesDeeperLittleByLittle) {
+  ShallowSea sea;
+  sea.bottom = [](double north) { return north < 1000 ? 40 : 200; };
+  touchOnce(sea);
+  sea.yo(2.6);
+  ASSERT_LT(sea.north, 3000);
+  EXPECT_LT(sea.deepest, 40.1);
+  sea.yo(1);
+  EXPECT_LT(sea.deepest, 50) << "at " << sea.north << " m";
+  sea.yo(3);
+  EXPECT_GT(sea.deepest, 50) << "at " << sea.north << " m";
+}
+
+TEST(HookbehBottom, APositionThatJumpsIsNotFar) {
+  ShallowSea sea;
+  touchOnce(sea);
+  sea.bench.inputs.longitude_ddmm = -5000;
+  sea.yo(0.5);
+  EXPECT_EQ(sea.touches, 1);
+}
+
+TEST(HookbehBottom, ARisingBottomIsNotTouchedInEachDive) {
+  ShallowSea sea;
+  sea.bottom = [](double north) {
+    return north < 700 ? 60 : std::max(14.0, 60 - (north - 700) * 0.12);
+  };
+  sea.yo(2.5);
+  EXPECT_GE(sea.touches, 1) << "there is no way to know";
+  EXPECT_LE(sea.touches, 2) << "two contacts give the slope";
+  EXPECT_GT(sea.north, 1500) << "it flies on, over 14 m of water";
+}
+
+TEST(HookbehBottom, AStoppedDepthThatDoesNotFollowTheClimbIsNoBottom) {
+  ShallowSea sea;
+  sea.bottom = [](double) { return 500; };
+  while (sea.truth < 20) {
+    sea.cycle();
+  }
+  const double stuck = sea.bench.inputs.depth_m;
+  int cycles = 0;
+  sea.spoil = [&](HookbehInputs& in) { in.depth_m = stuck + (++cycles % 2 == 0 ? 0.01 : 0); };
+  for (int i = 0; i < 120; ++i) {  // while the vehicle sinks on, and then climbs
+    sea.cycle();
+  }
+  sea.spoil = [](HookbehInputs&) {};
+  sea.has_ctd = true;  // which makes a depth that has jumped believed again
+  while (sea.truth > 0.5) {
+    sea.cycle();
+  }
+  sea.yo(1);
+  EXPECT_GT(sea.deepest, 54) << "no bottom is remembered at " << stuck;
+}
+
+TEST(HookbehBottom, AnAltimeterThatReadsTooMuchIsNotBelievedAfterAContact) {
+  ShallowSea sea;
+  sea.altitude = [](double height) { return height + 20; };
+  sea.yo(2);
+  EXPECT_EQ(sea.touches, 1);
+}
+
+TEST(HookbehBottom, AnAltimeterThatAgreesAgainIsBelievedAgain) {
+  ShallowSea sea;
+  sea.altitude = [](double height) { return height + 20; };
+  touchOnce(sea);
+  sea.bottom = [](double north) { return north < 400 ? 40 : 90; };
+  sea.altitude = [](double height) { return height >= 2 ? height : kNan; };
+  sea.yo(1.2);
+  EXPECT_GT(sea.deepest, 54) << "over 90 m of water, as the altimeter shows";
+}
+
+TEST(HookbehBottom, AnAltimeterThatIsStuckIsNotBelievedWhereItHappensToAgree) {
+  for (const double stuck : {8.0, 20.0, 30.0}) {
+    ShallowSea sea;
+    sea.altitude = [=](double height) { return stuck + height * 1e-3; };
+    sea.yo(2);
+    EXPECT_LE(sea.touches, 1) << stuck;
+  }
+}
+
+TEST(HookbehBottom, BetweenRareEchoesItStaysAboveARisingBottom) {
+  for (const uint64_t first : {8U, 12U, 16U, 20U, 24U, 28U}) {
+    ShallowSea sea;
+    sea.bottom = [](double north) { return std::max(30.0, 110 - north * 0.1); };
+    uint64_t cycles = first;
+    sea.altitude = [&](double height) { return height < 36 && ++cycles % 30 == 0 ? height : kNan; };
+    sea.yo(1);
+    EXPECT_EQ(sea.touches, 0) << first;
+  }
+}
+
+TEST(HookbehBottom, AnAltimeterThatDiesOverTheBottomIsNoDeepWater) {
+  ShallowSea sea;
+  sea.altitude = [](double height) { return height >= 2 ? height : kNan; };
+  sea.yo(0.4);
+  EXPECT_EQ(sea.touches, 0);
+  sea.altitude = [](double) { return kNan; };
+  sea.yo(2);
+  EXPECT_EQ(sea.touches, 0);
+}
+
+TEST(HookbehBottom, WhereNoAltimeterIsUsedABottomThatWasTouchedCounts) {
+  HookbehArgs args = ShallowSea::wide();
+  args.least_altitude_m = -1;
+  ShallowSea sea(args);
+  sea.yo(2);
+  EXPECT_EQ(sea.touches, 1);
+}
+
+TEST(HookbehBottom, AnAltimeterOfShortRangeLeavesAHealthyVehicleAlone) {
+  for (const double range : {10.0, 36.0, 100.0}) {
+    ShallowSea sea;
+    sea.bottom = [](double north) { return 90 + 15 * std::sin(north / 100); };
+    sea.altitude = [=](double height) { return height <= range ? height : kNan; };
+    sea.yo(3);
+    EXPECT_EQ(sea.guarded, 0) << range;
+    EXPECT_GT(sea.deepest, 54) << range;
+  }
+}
+
+TEST(HookbehBottom, ALoneEchoIsApproachedAgainLittleByLittle) {
+  ShallowSea sea;
+  sea.bottom = [](double) { return 500; };
+  int echoes = 0;
+  sea.altitude = [&](double) { return sea.truth > 20 && echoes++ == 0 ? 15.0 : kNan; };
+  sea.yo(0.3);
+  EXPECT_LT(sea.deepest, 33) << "5 m above it";
+  sea.deepest = 0;
+  sea.yo(0.2);
+  EXPECT_LT(sea.deepest, 35) << "a bottom does not go away in minutes";
+  sea.yo(1);
+  EXPECT_GT(sea.deepest, 54) << "but there was none in all that time";
+}
+
+TEST(HookbehBottom, AFishDoesNotKeepTheVehicleUp) {
+  ShallowSea sea;
+  sea.bottom = [](double) { return 500; };
+  int cycles = 0;
+  sea.altitude = [&](double) { return ++cycles % 900 == 60 ? 8.0 + cycles * 1e-4 : kNan; };
+  sea.yo(1);
+  sea.deepest = 0;
+  sea.yo(1);
+  EXPECT_GT(sea.deepest, 54);
+}
+
+TEST(HookbehBottom, BubblesNearTheSurfaceDoNotKeepTheVehicleUp) {
+  ShallowSea sea;
+  sea.bottom = [](double) { return 500; };
+  int cycles = 0;
+  sea.altitude = [&](double) {
+    return sea.truth > 2 && sea.truth < 4 && ++cycles % 300 < 3 ? 2.5 + cycles * 1e-4 : kNan;
+  };
+  sea.yo(2);
+  EXPECT_GT(sea.deepest, 54);
+}
+
+TEST(HookbehBottom, AtTheSurfaceAnOldEchoIsNotForgotten) {
+  EchoFloor echoes;
+  echoes.observe(15, 5, 4);
+  for (int i = 0; i < 2000; ++i) {
+    echoes.observe(0.5, kNan, 4);
+  }
+  EXPECT_LT(echoes.floor(), 21) << "at the surface the altimeter receives nothing";
+}
+
+TEST(HookbehBottom, TheAltimeterIsAskedForWhileHookbehCommands) {
+  HookbehBench bench;
+  EXPECT_FALSE(bench.cycle().altimeter) << "it waits";
+  EXPECT_TRUE(bench.give(HookbehBench::take(20)).altimeter);
+  HookbehArgs args;
+  args.least_altitude_m = -1;
+  HookbehBench without(args);
+  without.cycle();
+  EXPECT_FALSE(without.give(HookbehBench::take(20)).altimeter);
+}
+
+}  // namespace
+}  // namespace glider::hooks

@@ -16,8 +16,9 @@ using support::DiagnosticId;
 
 namespace {
 
-/// The most tokens of a name that is not one word: what is longer was not meant as a name.
+/// The most tokens and bytes of a name that is not one word: what is longer was not meant as a name.
 constexpr size_t kMostTokens = 7;
+constexpr uint32_t kMostBytes = 200;
 
 bool isWordByte(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
@@ -201,7 +202,7 @@ bool NameRepair::sameLine(const Lexeme& a, const Lexeme& b) const {
 
 std::vector<Lexeme> NameRepair::wordsIn(size_t begin, size_t end) const {
   std::vector<Lexeme> words;
-  if (begin >= end) {
+  if (begin >= end || in_[end - 1].end - in_[begin].begin > kMostBytes) {
     return words;
   }
   const std::string_view text = source_.text();

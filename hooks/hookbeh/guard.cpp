@@ -89,8 +89,12 @@ void Guard::observe(const Surroundings& now, double step_s, const VerticalComman
   watch_.observe(now, step_s, last.pump_cc);
   depth_m_ = watch_.deepest();
   const bool known = watch_.doubt() == HookGuard::None;
+  const bool stood = headway_.standsInDive();
   if (known && !doubted_) {  // an occasional missing reading must not clear it
     headway_.observe(way, watch_.depth(), step_s);
+  }
+  if (stood && headway_.way() != Way::Down) {
+    bottom_.noteStop();  // whatever ended the dive
   }
   unseen_.observe(watch_.depth(), step_s, last);
   const double deepest = unseen_.deepest();

@@ -3,7 +3,23 @@
 
 #include "hooks/hookbeh/headway.h"
 
+#include "hooks/protocol/numbers.h"
+
 namespace glider::hooks {
+namespace {
+
+/// s from the command to dive until the vehicle sinks: the pump's way, and the vehicle's inertia.
+constexpr double kActsSecs = 30;
+/// m and s; a depth that has changed by no more for so long stands still. The slowest metre of a
+/// dive in real logs takes 16 s.
+constexpr double kStillM = 0.5;
+constexpr double kStillSecs = 24;
+
+}  // namespace
+
+bool Headway::standsInDive() const {
+  return way_ == Way::Down && driven_s_ >= kActsSecs + kStillSecs && still_s_ >= kStillSecs;
+}
 
 void Headway::observe(Way way, double depth_m, double step_s) {
   constexpr double kGainM = 1;
@@ -14,6 +30,10 @@ void Headway::observe(Way way, double depth_m, double step_s) {
   } else {
     idle_s_ += step_s;
   }
+  const bool same = way == way_ && magnitude(depth_m - still_m_) <= kStillM;
+  still_m_ = same ? still_m_ : depth_m;
+  still_s_ = same ? still_s_ + step_s : 0;
+  driven_s_ = way == way_ ? driven_s_ + step_s : 0;
   way_ = way;
 }
 

@@ -82,8 +82,11 @@ double UnseenSink::lateBy() const {
 void UnseenSink::observe(double depth_m, double step_s, const VerticalCommand& last) {
   if (isFinite(last.pump_cc)) {
     reckon(step_s, last);
+    masked_s_ = 0;
   } else {
     turn(false, false);
+    masked_s_ += step_s;
+    sinks_ = sinks_ && masked_s_ <= kTurnsSecs;  // later it may be brought up, as its depth shows
     out_s_ = in_dive_m_ = steeply_m_ = 0;
   }
   // The sensor array keeps a reading until there is a newer one. Only a new one shows anything.

@@ -72,6 +72,7 @@ class UnseenSink {
   double lowest_m_ = __builtin_nan("");   ///< the greatest
   double out_s_ = 0;                      ///< how long the vehicle has been driven up
   bool sinks_ = false;                    ///< it may be driven down
+  double masked_s_ = 0;                   ///< how long another behaviour has commanded it
   double since_up_s_ = 0;                 ///< since it was driven up long enough to rise
   double last_m_ = __builtin_nan("");     ///< the newest reading, and its change from the one before
   double moved_m_ = __builtin_nan("");

@@ -42,13 +42,25 @@ void BottomJudge::countEcho(const CycleView& view) {
       view.array.fresh(Sensor::m_altitude) && std::fabs(altitude - view.clearance_m) < kRight;
 }
 
-const BottomJudge::Place* BottomJudge::knownPlace(const Place& here) const {
-  const auto found = std::ranges::find_if(places_, [&](const Place& place) {
-    return std::hypot(place.east_m - here.east_m, place.north_m - here.north_m) < limits::kPlaceM &&
-           here.water_m > place.water_m - limits::kRiseM &&
-           (place.water_m > limits::kShallowM || here.at_s - place.at_s < limits::kShallowSecs);
-  });
-  return found == places_.end() ? nullptr : &*found;
+/// What is wrong with a contact there, after the earlier ones.
+std::string BottomJudge::judgePlace(const Place& here) const {
+  int short_ones = 0;
+  for (const Place& place : places_) {
+    const double apart_m = std::hypot(place.east_m - here.east_m, place.north_m - here.north_m);
+    const bool forgotten =
+        place.water_m <= limits::kShallowM && here.at_s - place.at_s >= limits::kShallowSecs;
+    if (forgotten || apart_m >= limits::kPlaceM || here.water_m <= place.water_m - limits::kRiseM) {
+      continue;
+    }
+    if (place.lasts_s >= limits::kNoticedSecs) {
+      return fmt::format("the vehicle is on the bottom again, {:.0f} m from an earlier contact",
+                         apart_m);
+    }
+    ++short_ones;
+  }
+  return short_ones < limits::kShortTouches
+             ? ""
+             : fmt::format("the vehicle has touched the bottom {} times here", short_ones + 1);
 }
 
 std::string BottomJudge::judgeNewContact(const CycleView& view) {
@@ -58,12 +70,7 @@ std::string BottomJudge::judgeNewContact(const CycleView& view) {
   const bool depth_known =
       std::fabs(view.array.get(Sensor::m_depth) - view.true_depth_m) < kDepthRight;
   const Place here{view.east_m, view.north_m, view.true_depth_m + view.clearance_m, view.time_s};
-  const Place* known = knownPlace(here);
-  if (known != nullptr && depth_known && view.hook == HookState::Active) {
-    return fmt::format("the vehicle is on the bottom again, {:.0f} m from an earlier contact",
-                       std::hypot(known->east_m - here.east_m, known->north_m - here.north_m));
-  }
-  return "";
+  return depth_known && view.hook == HookState::Active ? judgePlace(here) : "";
 }
 
 std::string BottomJudge::judgeTouch(const CycleView& view, bool was_dark) {
@@ -81,11 +88,14 @@ std::string BottomJudge::judgeTouch(const CycleView& view, bool was_dark) {
     }
   }
   const Place here{view.east_m, view.north_m, view.true_depth_m + view.clearance_m, view.time_s};
-  if (began || std::hypot(places_.back().east_m - here.east_m,
+  // A hookbeh that begins on the bottom knows no place either: restart().
+  if (began || places_.empty() ||
+      std::hypot(places_.back().east_m - here.east_m,
                           places_.back().north_m - here.north_m) > kSlides) {
     places_.push_back(here);
   }
   const double lasts_s = view.time_s - touched_s_;
+  places_.back().lasts_s = lasts_s;
   return lasts_s > limits::kOnBottomSecs
              ? fmt::format("the vehicle has been on the bottom for {:.0f} s", lasts_s)
              : "";

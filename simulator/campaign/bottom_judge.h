@@ -13,7 +13,8 @@ namespace glider::simulator {
 
 /// Checks the true clearance over the bottom, whatever is wrong with the altimeter. A vehicle whose
 /// altimeter hears never touches the bottom. One whose altimeter does not may meet a bottom that it
-/// does not know, once at each place, and then leaves it.
+/// does not know, once at each place, and then leaves it. Touches that are too short for it to
+/// notice may be a few more.
 class BottomJudge {
  public:
   explicit BottomJudge(const JudgeSetup& setup) : s_(setup) {}
@@ -31,10 +32,11 @@ class BottomJudge {
   struct Place {
     double east_m, north_m, water_m;
     double at_s;
+    double lasts_s = 0;
   };
   [[nodiscard]] bool hears(double now_s) const;
   void countEcho(const CycleView& view);
-  [[nodiscard]] const Place* knownPlace(const Place& here) const;
+  [[nodiscard]] std::string judgePlace(const Place& here) const;
   std::string judgeTouch(const CycleView& view, bool was_dark);
   std::string judgeNewContact(const CycleView& view);
   std::string judgeClearance(const CycleView& view, bool active);

@@ -24,6 +24,11 @@ inline constexpr double kTouchM = 0.05;
 /// m and m; the contacts in this radius are of one place, over a bottom that rises by no more:
 /// so far hookbeh counts on a bottom that it has touched (hooks/hookbeh/README.md).
 inline constexpr double kPlaceM = 3000, kRiseM = 4;
+/// s; a contact must last so long to be known: hookbeh takes a dive that stands still for 24 s for
+/// one, and a vehicle that turns needs up to 20 s to leave the bottom. Below: so many shorter ones
+/// at one place may come.
+inline constexpr double kNoticedSecs = 48;
+inline constexpr int kShortTouches = 3;
 /// m and s; a vehicle cannot dive, and so not fly away, over a bottom as shallow as that: hookbeh
 /// forgets it after this time.
 inline constexpr double kShallowM = 12, kShallowSecs = 1800;

@@ -49,8 +49,9 @@ class Behaviour {
   [[nodiscard]] virtual bool flies() const { return false; }
   /// True while it is busy with work that must end before the mission may count as over.
   [[nodiscard]] virtual bool atWork() const { return false; }
-  /// True while the behaviour has contact with an operator, by the antenna at the surface.
-  [[nodiscard]] virtual bool contact() const { return false; }
+  /// When the behaviour last had contact with an operator, by the antenna at the surface, s of the
+  /// mission; 0, its start: not yet.
+  [[nodiscard]] virtual double lastContact() const { return 0; }
   /// An abort that the behaviour calls for in this cycle, and why.
   [[nodiscard]] virtual Abort abort(std::string& /*why*/) const { return Abort::None; }
   /// True when its end ends the whole mission.

@@ -423,7 +423,7 @@ void FlightController::failDevice(double now_s) {
 Commands FlightController::decide(const Situation& s) {
   if (abort_ == Abort::None) {
     LayeredControl::Decision decision = layers_->cycle(s, journal_);
-    contact_s_ = layers_->contact() ? s.time_s : contact_s_;
+    contact_s_ = layers_->lastContact();
     commanded_whole_ = !decision.commands.anyIdle();
     sample_periods_ = simulator::samplePeriods(decision.commands.samples, variables_);
     if (decision.abort == Abort::None && !layers_->quit()) {

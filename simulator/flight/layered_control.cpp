@@ -86,9 +86,12 @@ const Behaviour* LayeredControl::quitter() const {
   return found == layers_.end() ? nullptr : found->behaviour.get();
 }
 
-bool LayeredControl::contact() const {
-  return std::ranges::any_of(layers_,
-                             [](const Layer& layer) { return layer.behaviour->contact(); });
+double LayeredControl::lastContact() const {
+  double last_s = 0;
+  for (const Layer& layer : layers_) {
+    last_s = std::max(last_s, layer.behaviour->lastContact());
+  }
+  return last_s;
 }
 
 bool LayeredControl::nothingLeftToFly(bool sbc_gone) const {

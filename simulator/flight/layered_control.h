@@ -32,8 +32,8 @@ class LayeredControl {
   /// The behaviour that has ended the mission; null if none has.
   [[nodiscard]] const Behaviour* quitter() const;
   [[nodiscard]] bool quit() const { return quitter() != nullptr; }
-  /// True if a behaviour had contact with an operator in this cycle.
-  [[nodiscard]] bool contact() const;
+  /// When a behaviour last had contact with an operator, s of the mission; 0, its start: not yet.
+  [[nodiscard]] double lastContact() const;
   /// True when no behaviour that flies can ever fly again; `sbc_gone` means that the SBC cannot
   /// take control again either.
   [[nodiscard]] bool nothingLeftToFly(bool sbc_gone) const;

@@ -19,14 +19,21 @@ constexpr int kRounds = 4;
 
 }  // namespace
 
+void AgreeingVehicle::floatAtSurface() {
+  origin_s_ += kCycle;
+  told_.push_back({numbers_[Sensor::m_depth], 0});
+  cycle(origin_s_);
+}
+
 void AgreeingVehicle::offerControl(const ReplayTick& start) {
+  hook_state_ = hooks::HookState::Ready;
   origin_s_ += kCycle;
   show(start.readings);
   cycle(origin_s_);
 }
 
 void AgreeingVehicle::tick(const ReplayTick& tick) {
-  in_control_ = true;
+  hook_state_ = hooks::HookState::Active;
   show(tick.readings);
   cycle(origin_s_ + tick.mission_time);
 }
@@ -57,16 +64,14 @@ void AgreeingVehicle::cycle(double time) {
 /// Sends the array's sensors first; the time, which completes a cycle, comes last.
 void AgreeingVehicle::report(double time) {
   // A vehicle that sent no report for a while has continued to count its cycles.
-  constexpr double kCycle = 4;  // s
   cycles_ = std::max(cycles_ + 1, static_cast<uint32_t>(std::max(time, 0.0) / kCycle));
-  const auto state = in_control_ ? hooks::HookState::Active : hooks::HookState::Ready;
   const bool answers = sequence_ != 0;
   for (const hooks::SensorUpdate& update : std::initializer_list<hooks::SensorUpdate>{
-           {numbers_[Sensor::x_hook_state], static_cast<double>(state)},
+           {numbers_[Sensor::x_hook_state], static_cast<double>(hook_state_)},
            {numbers_[Sensor::x_hook_answer],
             static_cast<double>(answers ? hooks::HookAnswer::Accepted : hooks::HookAnswer::None)},
            {numbers_[Sensor::x_hook_sequence], sequence_},
-           {numbers_[Sensor::x_hook_session], in_control_ ? session_ : 0},
+           {numbers_[Sensor::x_hook_session], hook_state_ == hooks::HookState::Active ? session_ : 0},
            {numbers_[Sensor::m_present_secs_into_mission], time},
            {numbers_[Sensor::m_cycle_number], static_cast<double>(cycles_)}}) {
     told_.push_back(update);

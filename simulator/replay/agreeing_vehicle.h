@@ -5,6 +5,7 @@
 
 #include "hooks/flight_science_link/flight_science_link.h"
 #include "hooks/hookprog/hookprog.h"
+#include "hooks/protocol/values.h"
 #include "hooks/transport/memory.h"
 #include "platforms/load/dictionary.h"
 #include "simulator/replay/replay.h"
@@ -27,6 +28,9 @@ class AgreeingVehicle {
         hookprog_(dictionary_.get(), {.virtual_time = true}),
         flight_(dictionary_.get()) {}
 
+  /// A flight cycle before that of `offerControl`: the vehicle floats at the surface, and hookbeh
+  /// waits for its start condition. A mission begins only after it has seen the surface.
+  void floatAtSurface();
   /// A flight cycle in which hookbeh is ready; the sensors have the readings of `start`.
   void offerControl(const ReplayTick& start);
   /// True if the SBC has asked for control: its mission has started with that cycle's readings, at
@@ -60,7 +64,7 @@ class AgreeingVehicle {
   std::vector<hooks::SensorUpdate> told_;  ///< of the flight controller, of this cycle
   std::vector<uint8_t> waiting_;           ///< bytes of the SBC that the line had no room for
   double origin_s_ = 0;                    ///< vehicle time of mission time 0
-  bool in_control_ = false;
+  hooks::HookState hook_state_ = hooks::HookState::Waiting;
   double session_ = 0;
   double sequence_ = 0;
   uint32_t cycles_ = 0;

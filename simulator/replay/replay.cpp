@@ -30,6 +30,10 @@ std::vector<ReplayAnswer> replay(const platforms::Platform& platform, SbcPort& s
   // Too large for a stack: the queues of hooks are arrays.
   const auto vehicle = std::make_unique<AgreeingVehicle>(platform, sbc);
   std::vector<ReplayAnswer> answers;
+  for (int i = 0; i < kMostHandshakeCycles && !vehicle->sbc().known; ++i) {
+    vehicle->floatAtSurface();
+  }
+  vehicle->floatAtSurface();  // for an SBC that has told what it subscribes to
   for (int i = 0; i < kMostHandshakeCycles && !vehicle->askedForControl(); ++i) {
     vehicle->offerControl(ticks.front());
   }

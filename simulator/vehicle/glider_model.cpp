@@ -103,7 +103,7 @@ void GliderModel::step(VehicleState& s, const VehicleCommand& command, const Oce
   movePitch(s);
   const double density = ocean.density(s.depth_m, s.x_m, s.y_m, now_s);
   // A heavy vehicle lies on the bottom: friction stops it within some seconds and holds it against
-  // the current.
+  // the current, and the water above a bottom neither rises nor sinks.
   const bool aground =
       s.depth_m > 0 && s.depth_m >= ocean.waterDepth(s.x_m, s.y_m) && buoyancy(s, density) < 0;
   moveThroughWater(s, density, aground);
@@ -111,7 +111,8 @@ void GliderModel::step(VehicleState& s, const VehicleCommand& command, const Oce
   const Planar current = aground ? Planar{} : ocean.current(s.depth_m, s.x_m, s.y_m);
   s.x_m += (s.ahead_mps * std::sin(s.heading_rad) + current.east) * kStep;
   s.y_m += (s.ahead_mps * std::cos(s.heading_rad) + current.north) * kStep;
-  s.depth_m -= (s.up_mps + ocean.verticalCurrent(s.depth_m, s.x_m, s.y_m, now_s)) * kStep;
+  const double rises = aground ? 0 : ocean.verticalCurrent(s.depth_m, s.x_m, s.y_m, now_s);
+  s.depth_m -= (s.up_mps + rises) * kStep;
   limitDepth(s, ocean.waterDepth(s.x_m, s.y_m));
 }
 

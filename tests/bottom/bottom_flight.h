@@ -34,7 +34,7 @@ struct OverBottom {
 OverBottom flyOverBottom(const Plan& plan, simulator::Scenario scenario, uint64_t seed);
 
 /// A vehicle that lies on the bottom for less than this, s, touched it while it turned by itself.
-inline constexpr double kStopsSecs = 20;
+inline constexpr double kStopsSecs = 48;
 
 /// Contacts that come although an earlier one, at most `near_m` away, has stopped the vehicle and
 /// so shown it where the bottom is: it is not more than `margin_m` shallower there.

@@ -153,7 +153,8 @@ TEST(Bottom, IsTouchedNoMoreThanIsGuaranteed) {
   const bool prints = wantedNumber("GLIDER_BOTTOM_PRINTS", 0) != 0;
   const auto& faults = altimeterFaults();
   Tallies tallies;
-  int rare = 0, warned = 0;
+  std::map<BottomRule, int> flights, against;
+  std::string which;
   for (uint64_t number = seed; number < seed + count; ++number) {
     const AltimeterFault& fault = faults[number % faults.size()];
     auto shape = bottoms().begin();
@@ -162,15 +163,19 @@ TEST(Bottom, IsTouchedNoMoreThanIsGuaranteed) {
     Tally one;
     one.add(flown);
     tallies[{fault.name, shape->first}].add(flown);
-    EXPECT_EQ(one.repeated, 0) << fault.name << " over a " << shape->first << ", flight " << number;
-    if (fault.rule == BottomRule::Never) {
-      EXPECT_EQ(one.contacts, 0) << fault.name << " over a " << shape->first << ", flight "
-                                 << number;
+    const bool broken = fault.rule == BottomRule::Never  ? one.contacts > 0
+                        : fault.rule == BottomRule::Rare ? one.warned > 0
+                                                         : one.repeated > 0;
+    ++flights[fault.rule];
+    against[fault.rule] += broken;
+    if (broken) {
+      which += fmt::format("{} over a {}, flight {}\n", fault.name, shape->first, number);
     }
-    rare += fault.rule == BottomRule::Rare;
-    warned += fault.rule == BottomRule::Rare && one.warned > 0;
   }
-  EXPECT_LE(warned, rare / 50) << "of flights whose altimeter receives few echoes";
+  // What hooks/hookbeh/README.md states.
+  EXPECT_LE(against[BottomRule::Never], flights[BottomRule::Never] / 100) << which;
+  EXPECT_LE(against[BottomRule::Rare], flights[BottomRule::Rare] / 50) << which;
+  EXPECT_LE(against[BottomRule::Once], flights[BottomRule::Once] / 25) << which;
   if (prints || wantedNumber("GLIDER_BOTTOM_TABLE", 0) != 0) {
     print(tallies);
   }

@@ -91,7 +91,7 @@ TEST(CheckReport, RefusesAMissionFileThatSaysNoSilence) {
   };
   EXPECT_THAT(refusal("behavior: surface\n"), HasSubstr("no behavior `hookbeh`"));
   EXPECT_THAT(refusal("behavior: hookbeh\n    b_arg: silence_secs(s) -5\n"),
-              HasSubstr("silence_secs must be above 0 and at most 3600, not -5"));
+              HasSubstr("silence_secs must be above 0 and at most 600, not -5"));
   EXPECT_THAT(refusal("behaviour hookbeh\n"), HasSubstr("GL51"));
   EXPECT_THAT(runShell("$GLIDERCC check --report --target host --skeleton " +
                        (folder.path() / "none.mi").string() + " " + kFigure2)

@@ -99,7 +99,9 @@ std::vector<std::pair<std::string, bool>> stacks() {
       {yo + nop + "b_arg: secs_to_run(s) 60\n", true},
       {heading + yo + "b_arg: start_when(enum) 8\n", true},
       {heading + yo + "b_arg: num_half_cycles_to_do(nodim) 4\n", true},
-      {heading + "behavior: climb_to\nb_arg: end_action(enum) 2\n", true},
+      {heading + "behavior: climb_to\nb_arg: end_action(enum) 2\nb_arg: use_pitch(enum) 3\n"
+                 "b_arg: pitch_value(X) 0.4\n",
+       true},
       {heading + "behavior: drift_at_depth\nb_arg: target_depth(m) 10\n"
                  "b_arg: stop_when_hover_for(s) 600\n",
        true},

@@ -36,7 +36,6 @@ void Surface::begin(const Situation& situation) {
   StartedBehaviour::begin(situation);
   surfaced_s_ = kNotYet;
   fixed_s_ = kNotYet;
-  contact_ = false;
 }
 
 Behaviour::Outcome Surface::fly(const Situation& s, Commands& commands) {
@@ -57,7 +56,9 @@ Behaviour::Outcome Surface::fly(const Situation& s, Commands& commands) {
     fixed_s_ = s.time_s;
   }
   // After the fix, or the wait for one, the vehicle calls: it has contact while it is up.
-  contact_ = !std::isnan(fixed_s_) && s.at_surface;
+  if (!std::isnan(fixed_s_) && s.at_surface) {
+    contact_s_ = s.time_s;
+  }
   if (std::isnan(fixed_s_) || !dialogueOver(s)) {
     return Outcome::Continue;
   }

@@ -14,7 +14,7 @@ class Surface final : public StartedBehaviour {
   explicit Surface(const BehaviourSource& source);
   [[nodiscard]] bool atWork() const override { return state() == State::Active; }
   [[nodiscard]] bool endsMission() const override { return state() == State::Complete; }
-  [[nodiscard]] bool contact() const override { return contact_; }
+  [[nodiscard]] double lastContact() const override { return contact_s_; }
 
  protected:
   void begin(const Situation& situation) override;
@@ -40,7 +40,8 @@ class Surface final : public StartedBehaviour {
   PitchSource pitch_;
   Argument pump_cc_, gps_wait_s_, keystroke_wait_s_, end_distance_m_;
   double surfaced_s_ = 0, fixed_s_ = 0;  ///< NaN: not yet
-  bool has_waited_ = false, contact_ = false;
+  double contact_s_ = 0;                 ///< when last
+  bool has_waited_ = false;
 };
 
 }  // namespace glider::simulator

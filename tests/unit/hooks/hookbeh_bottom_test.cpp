@@ -122,6 +122,53 @@ TEST(HookbehBottom, ABottomThatWasTouchedIsNotTouchedAgain) {
   EXPECT_GT(sea.deepest, 32) << "it dives on";
 }
 
+TEST(HookbehBottom, ADiveThatStandsStillHasTouchedItWhateverEndsTheDive) {
+  // The SBC turns by itself after so many cycles on the bottom.
+  for (const int cycles : {1, 7, 12}) {
+    ShallowSea sea;
+    while (sea.touches == 0) {
+      sea.cycle();
+    }
+    for (int i = 0; i < cycles; ++i) {
+      sea.cycle();
+    }
+    ASSERT_EQ(sea.out.guard, HookGuard::None);
+    sea.bench.write(HookbehBench::ascend(4));
+    while (sea.truth > 5) {
+      sea.cycle();
+    }
+    ASSERT_EQ(sea.touches, 1);
+    sea.bench.write(HookbehBench::descend(55));
+    for (int i = 0; i < 200; ++i) {
+      sea.cycle();
+    }
+    EXPECT_EQ(sea.touches, cycles >= 7 ? 1 : 2) << cycles << " cycles";
+  }
+}
+
+TEST(HookbehBottom, ADiveThatOnlyBeginsHasTouchedNothing) {
+  // The vehicle hovers, and the dive is called off before the pump has acted.
+  ShallowSea sea;
+  sea.bottom = [](double) { return 500; };
+  sea.bench.write(HookbehBench::descend(30));
+  for (int i = 0; i < 150; ++i) {
+    sea.cycle();
+  }
+  ASSERT_NEAR(sea.truth, 30, 5);
+  sea.bench.write(HookbehBench::descend(55));
+  for (int i = 0; i < 7; ++i) {
+    sea.cycle();
+  }
+  sea.bench.write(HookbehBench::ascend(4));
+  while (sea.truth > 4) {
+    sea.cycle();
+  }
+  sea.bench.write(HookbehBench::descend(55));
+  sea.yo(0.5);
+  EXPECT_GT(sea.deepest, 54);
+  EXPECT_EQ(sea.guarded, 0);
+}
+
 TEST(HookbehBottom, ATouchedBottomIsRememberedWhereThePositionIsUnknown) {
   ShallowSea sea;
   sea.knows_position = false;

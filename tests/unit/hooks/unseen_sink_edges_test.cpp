@@ -178,6 +178,10 @@ TEST(UnseenSinkEdges, WhatRoseIsNotDrivenDownWhenAnotherBehaviourHasIt) {
   run(sink, 20, 20, kLift);
   walk(sink, 20, 17.5, kOther);
   EXPECT_FALSE(sink.hasMoved()) << "it may sink still";
+  sink = settledAt(20, kDive);
+  run(sink, 20, 20, kOther);
+  walk(sink, 20, 17.5, kOther);
+  EXPECT_TRUE(sink.hasMoved()) << "it no longer does";
 }
 
 constexpr double kReachIn4S = kSteepMps * 4 + 0.5;

@@ -403,7 +403,7 @@ TEST(StartWhen, EachCodeIsSaidInWords) {
       {10, "10: every 90 s, when no behaviour below commands the pump"},
       {11, "11: the science computer asks for it"},
       {12, "12: no contact for 90 s"},
-      {13, "13: at 0902030405 UTC (yymmddhhmm)"},
+      {13, "13: at 0902030405 UTC (yymmddhhmm) and every 90 s after it"},
       {14, "14: the vehicle hovers"},
       {15, "15: the waypoint is further away than 15 m"},
       {16, "16: more than 3 inflections"},

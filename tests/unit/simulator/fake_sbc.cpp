@@ -34,9 +34,8 @@ void FakePilot::steer(double depth) {
 void FakePilot::tick(const GliderByteStream& stream) {
   ++ticks_;
   const hooks::VehicleTick& tick = client_.tick();
-  double depth = 0;
-  for (uint32_t i = 0; i < tick.reading_count; ++i) {
-    depth = tick.readings[i].id == GLIDER_M_DEPTH ? tick.readings[i].value : depth;
+  for (uint32_t i = 0; i < tick.reading_count; ++i) {  // only what has changed
+    depth_m_ = tick.readings[i].id == GLIDER_M_DEPTH ? tick.readings[i].value : depth_m_;
   }
   const double mission_time = taken_ ? tick.vehicle_time_s - start_s_ : 0;
   constexpr int kPatience = 6;  // ticks: the vehicle's answer to a handshake takes some
@@ -58,7 +57,7 @@ void FakePilot::tick(const GliderByteStream& stream) {
     client_.notify({mission_time, 3, diving_ ? 0U : 1U, 0, 0});
     given_back_ = true;
   } else if (taken_ && !given_back_ && !plan_.hovers &&
-             (diving_ ? depth >= plan_.bottom_m : depth <= plan_.top_m)) {
+             (diving_ ? depth_m_ >= plan_.bottom_m : depth_m_ <= plan_.top_m)) {
     diving_ = !diving_;
     steer(diving_ ? plan_.bottom_m : plan_.top_m);
     client_.notify({mission_time, 0, diving_ ? 1U : 0U, diving_ ? 0U : 1U, 0});

@@ -41,6 +41,7 @@ class FakePilot {
   hooks::Client client_;
   bool taken_ = false, diving_ = true, given_back_ = false, closed_ = false;
   double start_s_ = 0;
+  double depth_m_ = 0;  ///< the newest reading
   int ticks_ = 0, silent_ticks_ = 0;
 };
 

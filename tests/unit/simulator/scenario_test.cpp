@@ -448,7 +448,7 @@ TEST(Skeleton, FliesTheCodesThatTheVehicleHas) {
   EXPECT_EQ(check("behavior: yo\n b_arg: d_use_bpump(enum) 5\n"), "GL5116");
   EXPECT_EQ(check("behavior: compass_cal\nbehavior: yo\n"), "GL5110");
   EXPECT_EQ(check("behavior: compass_cal\n b_arg: num_sample(nodim) 3\nbehavior: yo\n"),
-            "GL5104 GL5110");
+            "GL5110 GL5104");
 }
 
 TEST(Skeleton, WarnsOfInstrumentsThatItDoesNotHave) {
@@ -589,7 +589,7 @@ TEST(Autoexec, SettingsWithoutEffectAreNamedOnce) {
   folder.write("missions/autoexec.mi", "sensor: f_one(X) 1\n");
   EXPECT_EQ(folder.load().second, "GL5111 ");
   EXPECT_EQ(folder.rendered.find("nor have"), std::string::npos) << folder.rendered;
-  EXPECT_EQ(folder.load("missions/autoexec.mi").second, "GL5111 GL5205 ")
+  EXPECT_EQ(folder.load("missions/autoexec.mi").second, "GL5205 GL5111 ")
       << "it is read once also as the mission";
   folder.write("missions/autoexec.mi", "sensor: f_one 1\n");
   EXPECT_EQ(folder.load().second, "GL5100 ") << "an error there is one of the mission";

@@ -70,8 +70,10 @@ struct Second {
     const double bar = depth / 10;
     const double density = 1025 / (1 - bar / (22695.1 + 3.37534 * bar));  // UNESCO 1983
     const double force = 9.81 * (density * volume - 65);
+    // Heavy on the bottom, it is held there by friction.
+    const bool lies = depth > 0 && depth >= ocean.waterDepth(x, y) && force < 0;
     Glide glide;
-    if (depth > 0 || force < 0) {
+    if (!lies && (depth > 0 || force < 0)) {
       glide = balance(pitch, force, density);
     }
     ahead = glide.ahead - (glide.ahead - ahead) * std::exp(-dt / 8);
@@ -79,10 +81,10 @@ struct Second {
     const double wanted = 0.5 * std::sin(fin) * (ahead * ahead + up * up);
     turning = wanted - (wanted - turning) * std::exp(-dt / 15);
     heading = std::fmod(heading + turning * dt + 4 * kPi, 2 * kPi);
-    const Planar drift = ocean.current(depth, x, y);
+    const Planar drift = lies ? Planar{} : ocean.current(depth, x, y);
     x += dt * (drift.east + ahead * std::sin(heading));
     y += dt * (drift.north + ahead * std::cos(heading));
-    depth -= dt * (up + ocean.verticalCurrent(depth, x, y, now));
+    depth -= dt * (up + (lies ? 0 : ocean.verticalCurrent(depth, x, y, now)));
     const double bottom = ocean.waterDepth(x, y);
     if (depth <= 0) {
       depth = 0;

@@ -143,7 +143,7 @@ TEST(VehicleRules, ABArgOfAMillionIsAMissionParameterReadWhenItIsUsed) {
   EXPECT_EQ(last.commands.heading->value_rad, 0.5);
   BehaviourBench set(
       "sensor: u_mission_param_a(X) 2\nbehavior: set_heading\n"
-      " b_arg: heading_value(X) 1000000\n");
+      " b_arg: use_heading(bool) 1\n b_arg: heading_value(X) 1000000\n");
   set.run({});
   EXPECT_EQ(set.commands.heading->value_rad, 2) << "by the mission file";
 }
@@ -393,7 +393,7 @@ TEST(VehicleRules, DriftAtDepthHoversWithSmallSteps) {
   drift.run({.time_s = 180, .depth_m = 50, .depth_rate_mps = 0});
   EXPECT_EQ(*drift.commands.pump_cc, 10) << "at its depth";
   drift.run({.time_s = 500, .depth_m = 50, .depth_rate_mps = 0});
-  EXPECT_EQ(drift.state(), State::Waiting) << "400 s of hovering";
+  EXPECT_EQ(drift.state(), State::Complete) << "400 s of hovering";
   EXPECT_FALSE(drift.commands.pump_cc);
 }
 

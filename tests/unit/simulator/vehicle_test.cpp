@@ -119,9 +119,20 @@ TEST(Vehicle, DriftsWithTheCurrentOfItsDepth) {
   vehicle.commandBatteryPosition(0.47);
   fly(vehicle, ocean, 3000);
   ASSERT_EQ(vehicle.depth(), 100);
-  const double before = vehicle.x();
+  double before = vehicle.x();
   fly(vehicle, ocean, 100);
-  EXPECT_NEAR(vehicle.x() - before, -10, 1e-6) << "heading north, it drifts west on the bottom";
+  EXPECT_EQ(vehicle.x(), before) << "lies on the bottom";
+  vehicle.commandPump(233);
+  vehicle.commandBatteryPosition(-0.4);
+  fly(vehicle, ocean, 60);
+  ASSERT_GT(vehicle.depth(), 75);
+  ASSERT_LT(vehicle.depth(), 100);
+  EXPECT_LT(vehicle.x(), before - 1) << "heading north, it drifts west near the bottom";
+  fly(vehicle, ocean, 1000);
+  ASSERT_EQ(vehicle.depth(), 0);
+  before = vehicle.x();
+  fly(vehicle, ocean, 100);
+  EXPECT_NEAR(vehicle.x() - before, 10, 1e-6) << "and east at the surface";
 }
 
 TEST(Navigator, ReckonsFromDepthRateAndPitchUntilAFix) {

@@ -103,9 +103,10 @@ std::string textOf(const slocum::Setting& setting) {
 
 SettingInForce settingInForce(const slocum::MissionFile& vehicle, std::string_view name) {
   for (const slocum::BehaviourBlock& block : vehicle.behaviours) {
-    if (block.name == "sensors_in" && !block.lacks_file) {
-      const slocum::Setting* given = block.find(name);
-      return {block.value(name), given != nullptr ? given->name_range : block.range};
+    // As in the simulator, a time that sensors_in does not give stays as it was.
+    const slocum::Setting* given = block.name == "sensors_in" ? block.find(name) : nullptr;
+    if (given != nullptr && !block.lacks_file) {
+      return {given->value, given->name_range};
     }
   }
   for (const auto* settings : {&vehicle.sensors, &vehicle.vehicle_sensors}) {

@@ -16,7 +16,8 @@ using support::DiagnosticId;
 
 namespace {
 
-/// The most tokens and bytes of a name that is not one word: what is longer was not meant as a name.
+/// The most tokens and bytes of a name that is not one word: what is longer was not meant as a
+/// name.
 constexpr size_t kMostTokens = 7;
 constexpr uint32_t kMostBytes = 200;
 

@@ -5,10 +5,10 @@
 
 namespace glider::hooks {
 
-/// Tells the new readings of a depth sensor from the cycles in which the sensor array keeps the last
-/// one: the vehicle may read its pressure only every so many seconds (c_pressure_time), and its
-/// cycles are not equally long. No two readings of a sensor that moves in the sea are identical to
-/// the last bit.
+/// Tells the new readings of a depth sensor from the cycles in which the sensor array keeps the
+/// last one: the vehicle may read its pressure only every so many seconds (c_pressure_time), and
+/// its cycles are not equally long. No two readings of a sensor that moves in the sea are identical
+/// to the last bit.
 class Cadence {
  public:
   /// Takes in one cycle, `step_s` after the previous one. NaN: no reading.

@@ -111,7 +111,8 @@ bool DepthWatch::isQuiet() const {
 }
 
 void DepthWatch::watchLife(double step_s) {
-  const bool lives = own_.reading() == DepthSource::Reading::Good && own_.sameFor() < own_.patience();
+  const bool lives =
+      own_.reading() == DepthSource::Reading::Good && own_.sameFor() < own_.patience();
   alive_s_ = lives || agree_s_ > 0 ? alive_s_ + step_s : 0;
 }
 

@@ -94,7 +94,7 @@ void Guard::observe(const Surroundings& now, double step_s, const VerticalComman
     headway_.observe(way, watch_.depth(), step_s);
   }
   if (stood && headway_.way() != Way::Down) {
-    bottom_.noteStop();  // whatever ended the dive
+    bottom_.noteStop();  // in any way that the dive ended
   }
   unseen_.observe(watch_.depth(), step_s, last);
   const double deepest = unseen_.deepest();

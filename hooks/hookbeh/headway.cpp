@@ -10,7 +10,7 @@ namespace {
 
 /// s from the command to dive until the vehicle sinks: the pump's way, and the vehicle's inertia.
 constexpr double kActsSecs = 30;
-/// m and s; a depth that has changed by no more for so long stands still. The slowest metre of a
+/// m and s; a dive whose depth changes by no more for so long has stopped. The slowest metre of a
 /// dive in real logs takes 16 s.
 constexpr double kStillM = 0.5;
 constexpr double kStillSecs = 24;

@@ -18,7 +18,7 @@ class Headway {
   [[nodiscard]] Way way() const { return way_; }
   /// Since it was driven this way and last gained a metre, s.
   [[nodiscard]] double idleFor() const { return idle_s_; }
-  /// A dive stands still, as on the bottom: the pump has had the time to act, and for a while the
+  /// A dive has stopped, as on the bottom: the pump has had the time to act, and for a while the
   /// depth has not changed.
   [[nodiscard]] bool standsInDive() const;
 
@@ -26,7 +26,7 @@ class Headway {
   Way way_ = Way::None;
   double best_m_ = __builtin_nan("");
   double idle_s_ = 0;
-  double driven_s_ = 0;  ///< this way
+  double driven_s_ = 0;                 ///< this way
   double still_m_ = __builtin_nan("");  ///< the depth has been near this one, and for how long
   double still_s_ = 0;
 };

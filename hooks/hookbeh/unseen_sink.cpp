@@ -200,8 +200,7 @@ bool UnseenSink::hasAnswered(double depth_m, double trend_m) const {
     return depth_m - turned_m_ >= farEnough(roughness_m_) || trend_m > 0;
   }
   const double rose_m = turned_m_ - depth_m;
-  const bool surfaced =
-      depth_m <= kAtSurfaceM && rose_m >= kSurfacesM && roughness_m_ <= kRoughM;
+  const bool surfaced = depth_m <= kAtSurfaceM && rose_m >= kSurfacesM && roughness_m_ <= kRoughM;
   return out_s_ >= kLiftsSecs && (rose_m >= farEnough(roughness_m_) || trend_m < 0 || surfaced);
 }
 

@@ -74,7 +74,7 @@ class UnseenSink {
   bool sinks_ = false;                    ///< it may be driven down
   double masked_s_ = 0;                   ///< how long another behaviour has commanded it
   double since_up_s_ = 0;                 ///< since it was driven up long enough to rise
-  double last_m_ = __builtin_nan("");     ///< the newest reading, and its change from the one before
+  double last_m_ = __builtin_nan("");  ///< the newest reading, and its change from the one before
   double moved_m_ = __builtin_nan("");
   double gap_s_ = __builtin_nan("");  ///< and the time from that one to it
   double roughness_m_ = 0;  ///< how far readings are off the line between their neighbours

@@ -41,6 +41,9 @@ class RepeatedCalls {
   }
 
  private:
+  /// Of more states that may be current until the return, anything may be set.
+  static constexpr size_t kMostCalled = 50;
+
   void look(uint32_t state, uint32_t number) {
     const Case& call = m_.states[state].cases[number];
     const Moves& called = v_.structure.moves[call.target.index];
@@ -51,7 +54,9 @@ class RepeatedCalls {
       return;
     }
     state_ = state;
-    findChanged(call);
+    if (readsVariables(number)) {
+      findChanged(call);
+    }
     if (staysTrue(call.guard) && nothingBefore(number, call.target)) {
       v_.diagnostics.report(support::DiagnosticId::callRepeats, call.range, m_[call.target].name,
                             hintFor(call));
@@ -67,7 +72,7 @@ class RepeatedCalls {
     set(m_.states[state_].profile.entry);
     set(m_.states[state_].route.entry);
     called_ = {call.target.index};
-    for (size_t i = 0; i < called_.size(); ++i) {
+    for (size_t i = 0; i < called_.size() && i < kMostCalled; ++i) {
       const State& state = m_.states[called_[i]];
       set(state.entry);
       setIn(state.cases);
@@ -79,6 +84,17 @@ class RepeatedCalls {
         }
       }
     }
+    if (called_.size() > kMostCalled) {
+      changed_.assign(m_.variables.size(), true);
+    }
+  }
+
+  /// Whether it matters what is set: only then it is looked for.
+  [[nodiscard]] bool readsVariables(uint32_t number) const {
+    const auto& cases = m_.states[state_].cases;
+    return std::any_of(cases.begin(), cases.begin() + number + 1, [&](const Case& c) {
+      return anyIn(m_, c.guard, [](const Expr& e) { return groupOf(e.op) == OpGroup::Variable; });
+    });
   }
 
   void setIn(const std::vector<Case>& cases) {

@@ -20,6 +20,7 @@ namespace {
 // The distance that the pump needs to reverse a steep dive, over a bottom that may rise meanwhile.
 constexpr double kClearanceTolerance = 4;  // m
 constexpr double kRounding = 1e-6;         // s
+constexpr double kOursSecs = 60;           // s after hookbeh's last command
 constexpr double kUnderWater = 1;          // m
 constexpr double kLeft = 1;                // m: a contact is over
 constexpr double kDepthRight = 2;          // m
@@ -27,11 +28,14 @@ constexpr double kSlides = 100;  // m along the bottom: the contact is of anothe
 
 }  // namespace
 
+bool BottomJudge::hearsSeldom() const {
+  return s_.echo_every_s > limits::kRareEchoSecs;
+}
+
 /// True if the altimeter receives echoes often enough to keep the vehicle off the bottom.
 bool BottomJudge::hears(double now_s) const {
-  const bool rare = s_.echo_every_s > limits::kRareEchoSecs;
   return s_.echo_every_s <= limits::kEchoEverySecs + kRounding && s_.args.least_altitude_m >= 0 &&
-         (!rare || echoes_ >= limits::kEchoesToKnow) &&
+         (!hearsSeldom() || echoes_ >= limits::kEchoesToKnow) &&
          !isWrong(s_.faults, {"m_altitude"}, now_s, limits::kEchoFadesSecs);
 }
 
@@ -64,7 +68,9 @@ std::string BottomJudge::judgePlace(const Place& here) const {
 }
 
 std::string BottomJudge::judgeNewContact(const CycleView& view) {
-  if (hears(view.time_s)) {
+  // The vehicle's own behaviours remember no echo as hookbeh does.
+  const bool ours = view.hook == HookState::Active || inactive_s_ < kOursSecs;
+  if (hears(view.time_s) && (ours || !hearsSeldom())) {
     return "the vehicle is on the bottom";
   }
   const bool depth_known =
@@ -90,8 +96,8 @@ std::string BottomJudge::judgeTouch(const CycleView& view, bool was_dark) {
   const Place here{view.east_m, view.north_m, view.true_depth_m + view.clearance_m, view.time_s};
   // A hookbeh that begins on the bottom knows no place either: restart().
   if (began || places_.empty() ||
-      std::hypot(places_.back().east_m - here.east_m,
-                          places_.back().north_m - here.north_m) > kSlides) {
+      std::hypot(places_.back().east_m - here.east_m, places_.back().north_m - here.north_m) >
+          kSlides) {
     places_.push_back(here);
   }
   const double lasts_s = view.time_s - touched_s_;

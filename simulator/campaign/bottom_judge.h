@@ -34,6 +34,7 @@ class BottomJudge {
     double at_s;
     double lasts_s = 0;
   };
+  [[nodiscard]] bool hearsSeldom() const;
   [[nodiscard]] bool hears(double now_s) const;
   void countEcho(const CycleView& view);
   [[nodiscard]] std::string judgePlace(const Place& here) const;

@@ -331,7 +331,8 @@ bool FlightJudge::cycle(const CycleView& view) {
 }
 
 std::string FlightJudge::violationAtEnd() const {
-  if (hook_ == HookState::Active) {
+  // The vehicle may have ended its own mission, at the surface, while the SBC had control.
+  if (hook_ == HookState::Active && !ended_) {
     return "the flight does not end in time";
   }
   // The time for the flight may end shortly after a dive.

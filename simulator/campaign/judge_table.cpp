@@ -55,8 +55,8 @@ std::string allowedBy(JudgeId judge) {
           "earlier one of {:.0f} s or more, or after {} shorter ones, unless the bottom has risen "
           "by {:.0f} m; or over {:.0f} s on the bottom. With "
           "an altimeter that receives echoes also a clearance of over 4 m less than `min_altitude`",
-          kEchoEverySecs, kRareEchoSecs, kEchoesToKnow, kPlaceM, kNoticedSecs,
-          kShortTouches, kRiseM, kOnBottomSecs);
+          kEchoEverySecs, kRareEchoSecs, kEchoesToKnow, kPlaceM, kNoticedSecs, kShortTouches,
+          kRiseM, kOnBottomSecs);
     case JudgeId::Ascent:
       return "a vehicle that is still under water 120 s plus 20 s per metre after anything "
              "commanded "

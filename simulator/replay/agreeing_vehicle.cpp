@@ -71,7 +71,8 @@ void AgreeingVehicle::report(double time) {
            {numbers_[Sensor::x_hook_answer],
             static_cast<double>(answers ? hooks::HookAnswer::Accepted : hooks::HookAnswer::None)},
            {numbers_[Sensor::x_hook_sequence], sequence_},
-           {numbers_[Sensor::x_hook_session], hook_state_ == hooks::HookState::Active ? session_ : 0},
+           {numbers_[Sensor::x_hook_session],
+            hook_state_ == hooks::HookState::Active ? session_ : 0},
            {numbers_[Sensor::m_present_secs_into_mission], time},
            {numbers_[Sensor::m_cycle_number], static_cast<double>(cycles_)}}) {
     told_.push_back(update);

@@ -186,7 +186,8 @@ TEST_F(CheckVehicle, AFlightInAScenarioWithAPowerCutGoesOn) {
   const Outcome flown =
       check("--scenario " + cut.string(), "assume no outage\nassume depth <= 40 m\n");
   EXPECT_EQ(flown.status, 0) << flown.err;
-  EXPECT_THAT(flown.err, HasSubstr("there was no tick for more than 20 s; after an outage of the SBC from mission time 92 s to 200 s"));
+  EXPECT_THAT(flown.err, HasSubstr("there was no tick for more than 20 s; after an outage of the "
+                                   "SBC from mission time 92 s to 200 s"));
   EXPECT_THAT(flown.err, HasSubstr("[GL5128 assumption-flown]"));
   EXPECT_THAT(flown.err, Not(HasSubstr("GL9378")));
 }

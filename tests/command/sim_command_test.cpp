@@ -136,7 +136,8 @@ TEST_F(Sim, APowerCutBreaksAnAssumptionAboutOutages) {
   EXPECT_EQ(flown.status, 1) << flown.err;
   EXPECT_THAT(flown.err, HasSubstr("m.mission:2:1: warning: this flight breaks the assumption: at "
                                    "mission time "));
-  EXPECT_THAT(flown.err, HasSubstr("there was no tick for more than 20 s; after an outage of the SBC from mission time 92 s to 200 s"));
+  EXPECT_THAT(flown.err, HasSubstr("there was no tick for more than 20 s; after an outage of the "
+                                   "SBC from mission time 92 s to 200 s"));
   EXPECT_THAT(flown.err, Not(HasSubstr("m.mission:3:1")));
   const std::string events = slurp(folder_.path() / "f" / "events.csv");
   const size_t note = events.find("assumption broken: no outage");

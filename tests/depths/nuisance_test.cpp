@@ -98,7 +98,8 @@ simulator::Scenario drawWater(Rng& dice) {
   const bool has_ctd = dice.chance(0.6);
   // Share of the lift that goes to stratification, and that to a bad trim.
   const double lift_kg = 0.233 * 1.025;
-  const double lost = dice.within(0, has_ctd ? kMostOfLift : kMostOfLiftAlone), to_trim = dice.within(0, 0.4);
+  const double lost = dice.within(0, has_ctd ? kMostOfLift : kMostOfLiftAlone),
+               to_trim = dice.within(0, 0.4);
   const double volume = 65.0 / 1025;
   ocean.density_step = 2 * lost * (1 - to_trim) * lift_kg / volume;
   scenario.vehicle.flight.mass_kg += (dice.chance(0.5) ? 1 : -1) * lost * to_trim * lift_kg;
@@ -125,14 +126,14 @@ std::string describe(const simulator::Scenario& scenario) {
     }
   }
   const auto& ocean = scenario.ocean;
-  return text + fmt::format("wave {:.2f} m {:.1f} s, swell {:.2f} m {:.1f} s followed {:.2f}, "
-                            "cycles {:.2f} s, {:.3f} of {:.1f} s, {}, step {:.2f} kg/m3, noise {:.3f}",
-                            ocean.wave.amplitude_m, ocean.wave.period_s, ocean.swell.amplitude_m,
-                            ocean.swell.period_s, ocean.swell.followed_share,
-                            scenario.cycles.mean_s, scenario.cycles.long_share,
-                            scenario.cycles.long_s,
-                            scenario.faults.sensors.empty() ? "CTD" : "no CTD", ocean.density_step,
-                            scenario.sensors.depth.noise_m);
+  return text + fmt::format(
+                    "wave {:.2f} m {:.1f} s, swell {:.2f} m {:.1f} s followed {:.2f}, "
+                    "cycles {:.2f} s, {:.3f} of {:.1f} s, {}, step {:.2f} kg/m3, noise {:.3f}",
+                    ocean.wave.amplitude_m, ocean.wave.period_s, ocean.swell.amplitude_m,
+                    ocean.swell.period_s, ocean.swell.followed_share, scenario.cycles.mean_s,
+                    scenario.cycles.long_share, scenario.cycles.long_s,
+                    scenario.faults.sensors.empty() ? "CTD" : "no CTD", ocean.density_step,
+                    scenario.sensors.depth.noise_m);
 }
 
 TEST(Nuisance, NoGuardComesInWhereNothingIsWrong) {

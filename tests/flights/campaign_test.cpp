@@ -303,17 +303,17 @@ TEST(Campaign, RefusesWhatItCannotFly) {
 }
 
 TEST(Campaign, AViolationIsReportedAndIsAnError) {
-  // Nothing can keep this promise: a hookbeh that waits for five minutes of silence, in a world
+  // Nothing can keep this promise: a hookbeh that waits for ten minutes of silence, in a world
   // that ends before they are over.
   const TemporaryFolder folder;
   std::string skeleton = slurp(project("scenarios/skeleton.mi"));
   const size_t at = skeleton.find("silence_secs(s)     24");
   ASSERT_NE(at, std::string::npos);
-  skeleton.replace(at, 22, "silence_secs(s)    900");
+  skeleton.replace(at, 22, "silence_secs(s)    600");
   const auto mission_file = folder.write("skeleton.mi", skeleton);
   ASSERT_TRUE(std::filesystem::exists(mission_file));
   std::string world = slurp(project("scenarios/default.toml"));
-  world.replace(world.find("21600"), 5, "600");
+  world.replace(world.find("21600"), 5, "500");
   const auto scenario = folder.write("short.toml", world);
   const Outcome outcome = runShell("$GLIDERCC campaign " + project("missions/figure2.mission") +
                                    " --flights 40 --boards 0 --scenario " + scenario.string());

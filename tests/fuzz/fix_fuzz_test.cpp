@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // `glidercc fix` on correct missions with one slip each: it changes nothing outside the slip, adds
-// no error, and is done after one run. GLIDER_FIX_ROUNDS (default 3,000), GLIDER_FIX_SECONDS and
+// no error, and is done after one run. GLIDER_FIX_ROUNDS (default 400), GLIDER_FIX_SECONDS and
 // GLIDER_FIX_SEED (default 1) set how many missions, for how long and which; GLIDER_FIX_SHOW shows
 // examples of missions that have another meaning after the fix than before the slip.
 
@@ -253,7 +253,7 @@ TEST(FixFuzz, NothingOutsideASlipIsChanged) {
   for (size_t i = 0; i < missions.size(); ++i) {
     (void)reader().read(missions[i], &irs[i]);
   }
-  const size_t rounds = setting("GLIDER_FIX_ROUNDS", 3000);
+  const size_t rounds = setting("GLIDER_FIX_ROUNDS", 400);
   const auto until =
       std::chrono::steady_clock::now() + std::chrono::seconds(setting("GLIDER_FIX_SECONDS", 3600));
   std::mt19937_64 random(setting("GLIDER_FIX_SEED", 1));

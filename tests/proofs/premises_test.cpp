@@ -4,7 +4,6 @@
 // The assumptions that a proof names: those that it needs.
 
 #include "ir/prove/evidence/needed_assumptions.h"
-
 #include "ir/prove/prove.h"
 #include "ir/verify/verify.h"
 #include "tests/proofs/properties.h"

@@ -41,9 +41,12 @@ void RandomVehicle::move(double from, double to) {
   }
   const double highest = limits_.highest(from, to);
   const bool down = !limits_.climbs() || (depth() < limits_.top() && dice_.chance(0.5));
-  const double speed = !late_ ? speed_ : limits_.climbs() ? 0 : 1;
+  if (late_) {  // it sinks on as long as it may, and climbs as slowly as it may
+    limits_.moveTo(highest);
+    return;
+  }
   limits_.moveTo(
-      std::lerp(std::min(depth(), highest), down ? highest : limits_.lowest(from, to), speed));
+      std::lerp(std::min(depth(), highest), down ? highest : limits_.lowest(from, to), speed_));
 }
 
 }  // namespace glider::ir::prove

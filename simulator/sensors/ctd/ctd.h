@@ -71,8 +71,7 @@ class Ctd final : public Instrument {
   void sample(const Sampling& at, std::span<double> readings) override;
   /// The reading that the sensor gives at `now_s`; none when it fails or has none yet. `swell_m`:
   /// what a swell adds to its pressure.
-  std::optional<Reading> read(const Water& water, double depth_m, double now_s,
-                              double swell_m = 0);
+  std::optional<Reading> read(const Water& water, double depth_m, double now_s, double swell_m = 0);
 
  private:
   struct Measured {

@@ -123,8 +123,14 @@ TEST_F(WholeOf, TheDepthIsTheLesserOfTheMissionsAndHookbehs) {
   EXPECT_EQ(of(kIdle + kHookbeh, 500).deepest_m, 65);
   EXPECT_EQ(of(kIdle + behaviour("hookbeh", "max_depth(m) 900"), 500).deepest_m, 205);
   // And a dive below goes to its own target.
-  EXPECT_EQ(of(kIdle + kHookbeh + behaviour("dive_to", "target_depth(m) 70")).deepest_m, 75);
-  EXPECT_EQ(of(kIdle + kHookbeh + behaviour("climb_to", "target_depth(m) 70")).deepest_m, 25);
+  EXPECT_EQ(of(kIdle + kHookbeh +
+               behaviour("dive_to", "target_depth(m) 70,use_pitch(enum) 3,pitch_value(X) -0.45"))
+                .deepest_m,
+            75);
+  EXPECT_EQ(of(kIdle + kHookbeh +
+               behaviour("climb_to", "target_depth(m) 70,use_pitch(enum) 3,pitch_value(X) 0.45"))
+                .deepest_m,
+            25);
 }
 
 /// Control may begin below hookbeh's max_depth; it then climbs, after the overshoot.
@@ -211,9 +217,13 @@ TEST_F(WholeOf, AStackThatIsIdleBeforeTheTimeIsOverIsRefused) {
   const std::string open_drive = "nothing is sure to command pitch and pump" + starts + ": ";
   EXPECT_EQ(refusal(timed + kHookbeh + behaviour("yo", "start_when(enum) 8") + kHeading),
             open_drive + "behaviour 3 `yo` has start_when 8");
-  EXPECT_EQ(refusal(timed + behaviour("climb_to", "end_action(enum) 2,target_depth(m) 10") +
-                    kHookbeh + kHeading),
-            open_drive + "behaviour 2 `climb_to` has target_depth 10");
+  EXPECT_EQ(
+      refusal(
+          timed +
+          behaviour("climb_to",
+                    "end_action(enum) 2,target_depth(m) 10,use_pitch(enum) 3,pitch_value(X) 0.45") +
+          kHookbeh + kHeading),
+      open_drive + "behaviour 2 `climb_to` has target_depth 10");
   EXPECT_EQ(refusal(timed + kHookbeh + kHeading + behaviour("drift_at_depth", "")),
             open_drive + "behaviour 4 `drift_at_depth` has stop_when_hover_for 3600");
   for (const char* argument : {"stop_when(enum) 9", "num_half_cycles_to_do(nodim) 4"}) {
@@ -267,8 +277,14 @@ TEST_F(WholeOf, AnIdleSurfaceCommandsWhatNothingElseDoes) {
   // One that waits for pitch or pump does not see that the heading is idle.
   for (const char* code : {"2", "4"}) {
     const std::string surface = behaviour("surface", std::string("start_when(enum) ") + code);
-    EXPECT_NE(refusal(surface + kHookbeh + behaviour("dive_to", "")), "") << code;
-    EXPECT_EQ(refusal(surface + kHookbeh + kHeading + behaviour("dive_to", "")), "") << code;
+    EXPECT_NE(refusal(surface + kHookbeh +
+                      behaviour("dive_to", "use_pitch(enum) 3,pitch_value(X) -0.45")),
+              "")
+        << code;
+    EXPECT_EQ(refusal(surface + kHookbeh + kHeading +
+                      behaviour("dive_to", "use_pitch(enum) 3,pitch_value(X) -0.45")),
+              "")
+        << code;
     EXPECT_EQ(refusal(surface + kHookbeh + behaviour("prepare_to_dive", "")), "") << code;
   }
 }
@@ -294,25 +310,37 @@ TEST_F(WholeOf, AMissionParameterInAbendIsRefused) {
 
 TEST_F(WholeOf, DivesOfOneLegCountOnce) {
   const double leg = 120 + 25 / 0.05 + 240 + 20;
-  EXPECT_DOUBLE_EQ(seconds(kIdle + kHookbeh + kHeading + behaviour("dive_to", "")),
+  EXPECT_DOUBLE_EQ(seconds(kIdle + kHookbeh + kHeading +
+                           behaviour("dive_to", "use_pitch(enum) 3,pitch_value(X) -0.45")),
                    kLetsGo + leg + kClimb);
-  EXPECT_DOUBLE_EQ(seconds(kIdle + kHookbeh + kHeading + behaviour("climb_to", "")),
+  EXPECT_DOUBLE_EQ(seconds(kIdle + kHookbeh + kHeading +
+                           behaviour("climb_to", "use_pitch(enum) 3,pitch_value(X) 0.45")),
                    kLetsGo + leg + kClimb);
   // Each may interrupt the other once.
-  EXPECT_DOUBLE_EQ(seconds(kIdle + kHookbeh + behaviour("dive_to", "") + behaviour("climb_to", "")),
-                   kLetsGo + 4 * leg + kClimb);
+  EXPECT_DOUBLE_EQ(
+      seconds(kIdle + kHookbeh + behaviour("dive_to", "use_pitch(enum) 3,pitch_value(X) -0.45") +
+              behaviour("climb_to", "use_pitch(enum) 3,pitch_value(X) 0.45")),
+      kLetsGo + 4 * leg + kClimb);
   // And a surface behaviour below may have to climb again.
-  EXPECT_DOUBLE_EQ(seconds(kIdle + kHookbeh + behaviour("dive_to", "") + kIdle),
+  EXPECT_DOUBLE_EQ(seconds(kIdle + kHookbeh +
+                           behaviour("dive_to", "use_pitch(enum) 3,pitch_value(X) -0.45") + kIdle),
                    kLetsGo + 2 * leg + kClimb);
   // A yo of no half cycles flies one.
   EXPECT_DOUBLE_EQ(seconds(kIdle + kHookbeh +
                            behaviour("yo", "num_half_cycles_to_do(nodim) 0,end_action(enum) 0")),
                    kLetsGo + leg + kClimb);
-  EXPECT_NE(refusal(kIdle + kHookbeh + behaviour("dive_to", "end_action(enum) 2")), "");
+  EXPECT_NE(
+      refusal(kIdle + kHookbeh +
+              behaviour("dive_to", "end_action(enum) 2,use_pitch(enum) 3,pitch_value(X) -0.45")),
+      "");
 }
 
 TEST_F(WholeOf, ALegThatNeverStallsIsRefused) {
-  EXPECT_NE(refusal(kIdle + kHookbeh + behaviour("dive_to", "stop_when_stalled_for(s) -1")), "");
+  EXPECT_NE(
+      refusal(kIdle + kHookbeh +
+              behaviour("dive_to",
+                        "stop_when_stalled_for(s) -1,use_pitch(enum) 3,pitch_value(X) -0.45")),
+      "");
   EXPECT_NE(refusal(kIdle + kHookbeh +
                     behaviour("yo",
                               "num_half_cycles_to_do(nodim) 2,end_action(enum) "
@@ -353,7 +381,10 @@ TEST_F(WholeOf, ASurfaceBehaviourThatDoesNotClimbIsRefused) {
 TEST_F(WholeOf, AutoballastIsRefused) {
   EXPECT_EQ(refusal(behaviour("surface", "start_when(enum) 1,c_use_bpump(enum) 0") + kHookbeh),
             "behaviour 1 `surface` (c_use_bpump 0) may command anything below");
-  EXPECT_NE(refusal(kIdle + kHookbeh + behaviour("dive_to", "use_bpump(enum) 0")), "");
+  EXPECT_NE(
+      refusal(kIdle + kHookbeh +
+              behaviour("dive_to", "use_bpump(enum) 0,use_pitch(enum) 3,pitch_value(X) -0.45")),
+      "");
 }
 
 TEST_F(WholeOf, WhatHoldsPitchOrPumpOrIsUnknownIsRefused) {
@@ -404,9 +435,13 @@ TEST_F(WholeOf, AVehicleThatDoesNotReadItsDepthIsRefused) {
   EXPECT_NE(refusal(kIdle + kHookbeh + behaviour("sensors_in", "c_pressure_time(s) -1")), "");
   EXPECT_NE(refusal(kIdle + kHookbeh + behaviour("sensors_in", "c_att_time(s) 60")), "");
   EXPECT_NE(refusal("sensor: c_pressure_time(s) -1\n" + kIdle + kHookbeh), "");
-  EXPECT_EQ(
+  EXPECT_NE(
       refusal("sensor: c_pressure_time(s) -1\n" + kIdle + kHookbeh + behaviour("sensors_in", "")),
-      "");
+      "")
+      << "what it does not give stays";
+  EXPECT_EQ(refusal("sensor: c_pressure_time(s) -1\n" + kIdle + kHookbeh +
+                    behaviour("sensors_in", "c_pressure_time(s) 0")),
+            "");
 }
 
 TEST_F(WholeOf, ASettingThatIsNotKnownToBeHarmlessIsRefused) {

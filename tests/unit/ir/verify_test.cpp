@@ -36,7 +36,7 @@ TEST(Verify, FindsTheDeepestStackWithItsPath) {
       stateText("b", clock(4) + "return") +
       stateText("c", clock(4) + "call b " + clock(8) + "return") +
       stateText("d", clock(4) + "call b " + clock(5) + "call c " + clock(8) + "exit")));
-  EXPECT_EQ(v.diagnostics.sorted().size(), 0u);
+  EXPECT_FALSE(v.diagnostics.hasErrors());
   EXPECT_EQ(v.facts.stack_depth, 2u);
   EXPECT_EQ(indices(v.facts.deepest_path), (std::vector<uint32_t>{3, 2, 1}));
 }
@@ -67,7 +67,7 @@ TEST(Verify, LongChainsOfCallsAreFollowed) {
   }
   const Mission mission = missionOf(text);
   const Verified v(mission);
-  EXPECT_EQ(v.diagnostics.sorted().size(), 0u);
+  EXPECT_FALSE(v.diagnostics.hasErrors());
   EXPECT_EQ(v.facts.stack_depth, kStates - 1u);
   EXPECT_EQ(v.facts.deepest_path.size(), size_t{kStates});
 }
@@ -116,7 +116,7 @@ TEST(Verify, PassesAreNamedOnceEach) {
     EXPECT_TRUE(names.insert(pass.name).second);
     EXPECT_FALSE(pass.purpose.empty());
   }
-  EXPECT_EQ(names.size(), 8u);
+  EXPECT_EQ(names.size(), 9u);
 }
 
 }  // namespace

@@ -440,6 +440,11 @@ class JudgedContacts : public testing::Test {
     const std::string left = cycle(east_m, water_m, 20);
     return wrong.empty() ? left : wrong;
   }
+  void flyClear(double seconds) {
+    for (double passed = 0; passed < seconds; passed += kCycle) {
+      (void)cycle(0, 40, 20);
+    }
+  }
   std::string cycle(double east_m, double water_m, double clearance_m) {
     now_ += kCycle;
     array_.set(GLIDER_M_DEPTH, water_m - clearance_m + reading_error_m_);
@@ -460,21 +465,47 @@ TEST_F(JudgedContacts, TheFirstIsOfABottomThatNobodyKnew) {
 }
 
 TEST_F(JudgedContacts, TheSecondAtAPlaceIsSeen) {
-  EXPECT_EQ(touch(0, 40), "");
+  EXPECT_EQ(touch(0, 40, 60), "");
   EXPECT_EQ(touch(300, 40), "the vehicle is on the bottom again, 300 m from an earlier contact");
 }
 
+TEST_F(JudgedContacts, OfShortOnesTheFourthIsSeen) {
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(touch(100 * i, 40, 44), "") << i;
+  }
+  EXPECT_EQ(touch(300, 40), "the vehicle has touched the bottom 4 times here");
+  EXPECT_EQ(touch(3400, 40), "") << "another place";
+}
+
+/// Rare echoes are enough for hookbeh only.
+TEST_F(JudgedContacts, OfTheVehiclesOwnBehavioursAreNotHookbehs) {
+  setup_.faults.sensors.clear();
+  setup_.echo_every_s = 80;
+  for (int i = 0; i < 3; ++i) {
+    array_.beginCycle();
+    array_.set(GLIDER_M_ALTITUDE, 20);
+    EXPECT_EQ(cycle(0, 40, 20), "");
+  }
+  array_.beginCycle();
+  hook_ = HookState::Complete;
+  EXPECT_EQ(touch(0, 40), "the vehicle is on the bottom") << "it may still be on its way";
+  flyClear(60);
+  EXPECT_EQ(touch(500, 40), "");
+  setup_.echo_every_s = 4;
+  EXPECT_EQ(touch(1000, 40), "the vehicle is on the bottom");
+}
+
 TEST_F(JudgedContacts, WhereTheBottomHasRisenItIsNotKnown) {
-  EXPECT_EQ(touch(0, 40), "");
-  EXPECT_EQ(touch(300, 35), "");
+  EXPECT_EQ(touch(0, 40, 60), "");
+  EXPECT_EQ(touch(300, 35, 60), "");
   EXPECT_NE(touch(400, 34), "");
 }
 
 TEST_F(JudgedContacts, OverAShallowBottomAreForgotten) {
-  EXPECT_EQ(touch(0, 11), "");
-  now_ += 1000;
+  EXPECT_EQ(touch(0, 11, 60), "");
+  flyClear(1000);
   EXPECT_NE(touch(0, 11), "");
-  now_ += 1900;
+  flyClear(1900);
   EXPECT_EQ(touch(0, 11), "");
 }
 
@@ -509,7 +540,7 @@ TEST_F(JudgedContacts, ANewHookbehKnowsNoPlace) {
 
 TEST_F(JudgedContacts, AnAltimeterThatHearsAgainAvoidsAll) {
   setup_.faults.sensors.front().when.to_s = 100;
-  now_ = 100 + 599;
+  now_ = 100 + 590;
   EXPECT_EQ(touch(0, 40), "") << "what it reported still counts";
   now_ = 100 + 601;
   EXPECT_EQ(touch(8000, 40), "the vehicle is on the bottom");

@@ -61,10 +61,8 @@ TEST(Swell, OnAShelfThePressureReachesTheBottom) {
 TEST(Swell, TravelsToItsBearing) {
   OceanSettings settings;
   settings.bottom.depth_m = 500;
-  settings.swell = {.amplitude_m = 1,
-                    .period_s = 10,
-                    .bearing_rad = std::numbers::pi / 2,
-                    .followed_share = 0};
+  settings.swell = {
+      .amplitude_m = 1, .period_s = 10, .bearing_rad = std::numbers::pi / 2, .followed_share = 0};
   const Ocean ocean(settings);
   const double omega = 2 * std::numbers::pi / 10;
   const double length = 2 * std::numbers::pi / (omega * omega / 9.81);

@@ -214,8 +214,12 @@ TEST(DamagedDataFile, WhatIsNotRecordsIsNotReadAsSome) {
 TEST(DamagedDataFile, ABlockThatIsLostLeavesAGap) {
   const std::string whole = longFile(200);
   std::string packed = second::pack(whole, 1000);
-  const size_t third = 3 * (1000 + (packed.size() - whole.size()) / ((whole.size() + 999) / 1000));
-  packed.replace(third + 2, 200, std::string(200, '\xff'));
+  size_t fourth = 0;
+  for (int i = 0; i < 3; ++i) {  // each after its size
+    const auto byte = [&](size_t at) { return static_cast<uint8_t>(packed[at]); };
+    fourth += 2 + size_t{byte(fourth)} * 256 + byte(fourth + 1);
+  }
+  packed.replace(fourth + 2, 200, std::string(200, '\xff'));
   SensorLists lists({"no_such_folder"});
   const auto file = decodeDataFile("a.scd", packed, lists);
   ASSERT_TRUE(file);

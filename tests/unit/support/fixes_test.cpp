@@ -10,8 +10,9 @@
 namespace glider::support {
 namespace {
 
+/// A warning: the fix of an error may depend on those before it.
 Diagnostic withFixes(std::vector<FixIt> fixes) {
-  return {DiagnosticId::semicolon, Severity::Error, {}, "", "", {}, std::move(fixes)};
+  return {DiagnosticId::semicolon, Severity::Warning, {}, "", "", {}, std::move(fixes)};
 }
 
 /// Each digit is a part of the text, and two are an item.
@@ -118,6 +119,7 @@ TEST(Fixes, OfAnErrorAfterAnotherAreNotApplied) {
   const Diagnostic without{DiagnosticId::semicolon, Severity::Error, {0, 2, 3}, "", "", {}, {}};
   const auto at = [](uint32_t place, const std::string& text) {
     Diagnostic one = withFixes({{{0, place, place + 1}, text}});
+    one.severity = Severity::Error;
     one.range = {0, place, place + 1};
     return one;
   };
@@ -149,7 +151,7 @@ TEST(Fixes, OfAnErrorAfterAnotherAreNotApplied) {
 TEST(Fixes, AnErrorThatWasHiddenIsNotWorse) {
   const auto hidden = [](const std::string& text) -> Result<std::vector<Diagnostic>> {
     std::vector<Diagnostic> found = {
-        {DiagnosticId::semicolon, Severity::Error, {}, "", "", {}, {{{0, 0, 1}, "a"}}}};
+        {DiagnosticId::semicolon, Severity::Error, {0, 0, 1}, "", "", {}, {{{0, 0, 1}, "a"}}}};
     if (text == "a") {
       const Diagnostic unknown{DiagnosticId::unknownName, Severity::Error, {}, "", "", {}, {}};
       found = {unknown, unknown};

@@ -191,6 +191,11 @@ class Search {
     if (!times_.fliesAt(first) || (layer.number > hookbeh_ && !quits(block))) {
       return;
     }
+    // A mission without a proved end needs a surfacing that it does not command itself.
+    constexpr double kBackupSecs = 6 * 3600;
+    if (code == 12 && !quits(block) && times_.isOpen() && first >= kBackupSecs) {
+      return;
+    }
     const std::string time = ir::prove::durationOf(first);
     const std::string after =
         code == 9    ? "every " + time

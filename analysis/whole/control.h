@@ -34,6 +34,8 @@ class MissionTimes {
   MissionTimes(const ir::Mission& mission, const platforms::Platform& platform, double starts_s);
   /// Whether the mission may still fly at that time of the vehicle's mission, s.
   [[nodiscard]] bool fliesAt(double vehicle_s) const;
+  /// Nothing is proved about when the mission ends.
+  [[nodiscard]] bool isOpen() const { return !ends_s_; }
   /// The states that may be current then: "in state `look`", "in one of the states `a`, `b`"; "" if
   /// nothing can be said.
   [[nodiscard]] std::string stateAt(double vehicle_s) const;

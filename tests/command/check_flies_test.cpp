@@ -61,6 +61,9 @@ std::string yo(double deep, double hours = 1) {
   return oneState(fmt::format("yo(5 m, {} m, 26 deg, 26 deg)", deep),
                   fmt::format("    case missiontime >= {} h exit\n", hours));
 }
+std::string openEnd() {
+  return oneState("yo(5 m, 30 m, 26 deg, 26 deg)", "    case depth > 90 m exit\n");
+}
 std::string hover(const std::string& last) {
   return oneState("hover_at(20 m)", "    case missiontime >= " + last + " exit\n");
 }
@@ -102,6 +105,12 @@ std::vector<Row> rows() {
       {"a surfacing for want of contact",
        abend() + surface(12, resumes(after_1200)) + usual() + hookbeh(), yo(30), 120, "GL3132",
        "masks"},
+      {"a rare one, in a mission without a proved end",
+       abend() + surface(12, resumes("b_arg: when_secs(s) 21600\n")) + usual() + hookbeh(),
+       openEnd(), 120, "", ""},
+      {"one in a mission without a proved end",
+       abend() + surface(12, resumes("b_arg: when_secs(s) 4800\n")) + usual() + hookbeh(),
+       openEnd(), 120, "GL3132", "masks"},
       {"a surfacing below hookbeh", abend() + usual() + hookbeh() + surface(9, resumes(after_1200)),
        yo(30), 120, "", ""},
       {"a heading above hookbeh",

@@ -87,9 +87,9 @@ TEST(WatchedOverCuts, NothingIsCountedTwice) {
 TEST(WatchedOverCuts, WhatAMissionDoesTwiceFromAnOlderCheckpointCountsOnce) {
   size_t twice = 0;
   for (uint32_t lost = 1; lost < 40; ++lost) {
-    simulator::Faults faults = cuts({{905.0 + lost % 3, 925}});
+    simulator::Faults faults = cuts({{907.0 + lost % 3, 925}});
     faults.card.push_back(
-        {912, simulator::CardFault::Kind::Zeroed, 0.2 + 0.01 * static_cast<double>(lost)});
+        {912, simulator::CardFault::Kind::Cut, 0.2 + 0.01 * static_cast<double>(lost)});
     const RestartFlight flight =
         flyRestarts(inTurn("require visit b at most 6 times\n"), faults, kFlight);
     EXPECT_TRUE(flight.violations.empty()) << lost;

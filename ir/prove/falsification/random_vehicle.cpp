@@ -38,9 +38,11 @@ void RandomVehicle::move(double from, double to) {
     // As often an extreme value as one in between.
     speed_ = dice_.chance(0.5) ? 1 : dice_.unit();
     speed_until_ = from + dice_.lasting();
+    sinks_on_ = dice_.chance(0.2);
   }
   const double highest = limits_.highest(from, to);
-  const bool down = !limits_.climbs() || (depth() < limits_.top() && dice_.chance(0.5));
+  const bool down =
+      !limits_.climbs() || sinks_on_ || (depth() < limits_.top() && dice_.chance(0.5));
   if (late_) {  // it sinks on as long as it may, and climbs as slowly as it may
     limits_.moveTo(highest);
     return;

@@ -32,7 +32,8 @@ class RandomVehicle {
   Rng& dice_;
   bool late_;
   DepthLimits limits_;
-  double speed_ = 0;  ///< the share of its possible speed that it moves at
+  double speed_ = 0;       ///< the share of its possible speed that it moves at
+  bool sinks_on_ = false;  ///< although it is commanded to climb, as long as it may
   double speed_until_ = 0;
 };
 

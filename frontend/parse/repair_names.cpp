@@ -274,7 +274,11 @@ Lexeme NameRepair::report(size_t keyword, const Slip& slip) {
   auto report = reporter_.at(whole, DiagnosticId::nameNotOneWord, source_.text(whole),
                              fmt::format("write `{} {}`", source_.text(in_[keyword]), meant.name));
   if (meant.certain) {
-    report.fix(source_.range(whole), meant.name);
+    // `mission" survey`: it must not become one word with its neighbours.
+    const bool before = in_[keyword].end == whole.begin;
+    const bool after =
+        slip.end < in_.size() && in_[slip.end].begin == whole.end && in_[slip.end].type != kEof;
+    report.fix(source_.range(whole), (before ? " " : "") + meant.name + (after ? " " : ""));
   }
   const auto word = std::ranges::find_if(
       slip.words, [&](const Lexeme& one) { return source_.text(one) == meant.name; });

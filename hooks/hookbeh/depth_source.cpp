@@ -13,9 +13,11 @@ constexpr double kReachM = 2.5;
 /// s; until a sensor has given readings that a vehicle can follow for this long, a jump also
 /// replaces the depth that later readings are compared with.
 constexpr double kSettlesSecs = 60;
-/// s; patience() at the usual cadence, and at most.
+/// s; patience() at the usual cadence, and at most; otherwise it is twice the usual gap and a cycle
+/// more, because a reading may be late or come twice.
 constexpr double kFrozenSecs = 16;
-constexpr double kMostFrozenSecs = 32;
+constexpr double kMostFrozenSecs = 36;
+constexpr double kCycleSecs = 4;
 
 bool isDepth(double depth_m, const Hull& hull) {
   return depth_m >= kHighestDepthM && depth_m <= kDeepestShare * hull.greatest_depth_m;
@@ -24,7 +26,7 @@ bool isDepth(double depth_m, const Hull& hull) {
 }  // namespace
 
 double DepthSource::patience() const {
-  return between(2 * cadence_.usual(), kFrozenSecs, kMostFrozenSecs);
+  return between(2 * cadence_.usual() + kCycleSecs, kFrozenSecs, kMostFrozenSecs);
 }
 
 void DepthSource::observe(double depth_m, double step_s) {

@@ -313,7 +313,7 @@ TEST(Campaign, AViolationIsReportedAndIsAnError) {
   const auto mission_file = folder.write("skeleton.mi", skeleton);
   ASSERT_TRUE(std::filesystem::exists(mission_file));
   std::string world = slurp(project("scenarios/default.toml"));
-  world.replace(world.find("21600"), 5, "500");
+  world.replace(world.find("21600"), 5, "2560");
   const auto scenario = folder.write("short.toml", world);
   const Outcome outcome = runShell("$GLIDERCC campaign " + project("missions/figure2.mission") +
                                    " --flights 40 --boards 0 --scenario " + scenario.string());

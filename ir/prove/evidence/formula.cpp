@@ -22,7 +22,8 @@ bool isBound(double value) {
 }  // namespace
 
 std::string realText(double value) {
-  z3::context context;
+  // To make one takes milliseconds, and evidence has thousands of numbers.
+  thread_local z3::context context;
   return realOf(context, value).to_string();
 }
 

@@ -42,13 +42,15 @@ void RandomVehicle::move(double from, double to) {
   }
   const double highest = limits_.highest(from, to);
   const bool down =
-      !limits_.climbs() || sinks_on_ || (depth() < limits_.top() && dice_.chance(0.5));
+      !limits_.climbs() || (sinks_on_ && !rose_) || (depth() < limits_.top() && dice_.chance(0.5));
   if (late_) {  // it sinks on as long as it may, and climbs as slowly as it may
     limits_.moveTo(highest);
     return;
   }
+  const double before = depth();
   limits_.moveTo(
       std::lerp(std::min(depth(), highest), down ? highest : limits_.lowest(from, to), speed_));
+  rose_ = limits_.climbs() && (rose_ || depth() < before);
 }
 
 }  // namespace glider::ir::prove

@@ -33,7 +33,8 @@ class RandomVehicle {
   bool late_;
   DepthLimits limits_;
   double speed_ = 0;       ///< the share of its possible speed that it moves at
-  bool sinks_on_ = false;  ///< although it is commanded to climb, as long as it may
+  bool sinks_on_ = false;  ///< although it is commanded to climb, until it rises
+  bool rose_ = false;      ///< since it was
   double speed_until_ = 0;
 };
 

@@ -156,6 +156,18 @@ INSTANTIATE_TEST_SUITE_P(
                     Header{"go home", "go_home", "go_home"}, Header{"go home", "home", "home"},
                     Header{"1home", "home", "home"}, Header{"the-home:", "home", "home"}));
 
+/// A quotation mark that opens a string touches the keyword before it.
+TEST(Headers, KeepWordsApart) {
+  std::string text = header("look", "");
+  const size_t at = text.find("mission ");
+  ASSERT_NE(at, std::string::npos);
+  text.insert(at + 7, "\"");
+  FrontendRun broken(text);
+  broken.compile();
+  const std::string after = fixed(broken);
+  EXPECT_EQ(after.substr(at, 8), "mission ") << after;
+}
+
 /// What a state is called cannot be known if several of its words are used.
 TEST(Headers, OfWhichSeveralWordsAreUsedAreNotFixed) {
   std::string text = header("go home", "home");

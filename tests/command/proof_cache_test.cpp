@@ -145,6 +145,29 @@ TEST_F(ProofCache, AForgedProofOfAFalseRequirementIsRefuted) {
   }
 }
 
+/// While an assumption is an error, nothing is proved from it: not by a file of the cache either.
+TEST_F(ProofCache, AProofFromAnAssumptionThatIsAnErrorIsNotRecalled) {
+  mission(
+      "mission count\nassume missiontime <= 30 min\nvar n : number = 0 in 0 .. 5\n"
+      "require always missiontime <= 31 min\nrequire always n <= 4\n"
+      "state look\nbegin\n  flightprofile yo(5 m, 20 m, 26 deg, 26 deg)\n"
+      "  sensors missiontime, depth, temp\n  events\n"
+      "    case temp > 20 degC && n < 4 do set n = n + 1 end call up\nend\n"
+      "state up\nbegin\n  flightprofile yo(5 m, 10 m, 26 deg, 26 deg)\n"
+      "  sensors depth, temp\n  events\n    case temp < 18 degC return\nend\n");
+  (void)check();
+  ASSERT_EQ(files().size(), 1U);
+  const auto path = files().at(0);
+  auto forged = nlohmann::json::parse(slurp(path));
+  ASSERT_EQ(forged["requirement"], "require always n <= 4");
+  const auto first = runShell("printf '0\n" + forged["subject"].get<std::string>() +
+                              "' | sha256sum | cut -c 1-64 | tr -d '\n'");
+  forged["requirement"] = "require always missiontime <= 31 min";
+  forged["assumptions"] = {"missiontime <= 30 min"};
+  std::ofstream(path.parent_path() / first.out) << forged.dump();
+  EXPECT_EQ(verdicts(), (Verdicts{"undecided", "proved, kept"}));
+}
+
 /// What the first check says that a proof rests on, the next one says too.
 TEST_F(ProofCache, PremisesAreTheSameWithIt) {
   std::string text = counting(3);

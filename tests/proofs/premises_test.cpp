@@ -106,5 +106,105 @@ TEST(Premises, OfAFlightThatReachesAStateAreNone) {
   EXPECT_THAT(named("reach a"), IsEmpty());
 }
 
+/// The verdict on the one requirement of a mission, and the numbers of the assumptions that it
+/// names.
+std::pair<ir::prove::Verdict, Numbers> judged(const std::string& text) {
+  frontend::testing_support::FrontendRun run(text);
+  const auto mission = run.compile();
+  EXPECT_TRUE(mission.has_value()) << run.said();
+  if (!mission) {
+    return {};
+  }
+  const ir::MissionFacts facts = ir::verify(*mission, run.diagnostics);
+  const auto found = ir::prove::prove(*mission, facts, slocum(), {}, run.diagnostics);
+  return {found.requirements.at(0).verdict, found.requirements.at(0).assumptions};
+}
+
+constexpr const char* kEast = R"(
+state out
+begin
+  flightroute   nav(39.2 N, 73.76 W)
+  flightprofile yo(5 m, 20 m, 26 deg, 26 deg)
+  sensors       missiontime
+  events
+    case missiontime >= 2 h exit
+end
+)";
+
+TEST(Premises, OfAnAreaAreTheStartThatIsAssumed) {
+  const std::string start =
+      "assume start inside(39.19 N 73.77 W, 39.19 N 73.75 W, 39.21 N 73.75 W, 39.21 N 73.77 W)\n";
+  const std::string within =
+      "require always inside(39.0 N 74.0 W, 39.0 N 73.5 W, 39.4 N 73.5 W, 39.4 N 74.0 W)\n";
+  const std::string temp = "assume temp in 2 degC .. 28 degC\n";
+  EXPECT_THAT(judged("mission m\n" + start + within + kEast).second, ElementsAre(0));
+  EXPECT_THAT(judged("mission m\n" + start + temp + within + kEast).second, ElementsAre(0));
+  EXPECT_THAT(judged("mission m\n" + temp + start + within + kEast).second, ElementsAre(1));
+}
+
+TEST(Premises, OfAFlightThatStartsDeepIsThatDepth) {
+  const auto found = judged(R"(mission m
+assume start depth <= 40 m
+require reach deep
+state look
+begin
+  flightprofile surfaced
+  sensors       missiontime, depth
+  events
+    case depth > 20 m goto deep
+    case missiontime >= 20 min exit
+end
+state deep
+begin
+  flightprofile surfaced
+  sensors       missiontime
+  events
+    case missiontime >= 20 min exit
+end
+)");
+  EXPECT_EQ(found.first, ir::prove::Verdict::Proved);
+  EXPECT_THAT(found.second, ElementsAre(0));
+}
+
+/// The first search takes any readings; the second the vehicle's.
+TEST(Searches, AreRepeatedWithTheVehicleIfNoFlightShowsWhatTheyFound) {
+  EXPECT_EQ(judged(R"(mission m
+require never x
+state up
+begin
+  flightprofile yo(5 m, 20 m, 26 deg, 26 deg)
+  sensors       missiontime, depth
+  events
+    case depth > 30 m goto x
+    case missiontime >= 20 min exit
+end
+state x
+begin
+  flightprofile surfaced
+  sensors       missiontime
+  events
+    case missiontime >= 20 min exit
+end
+)")
+                .first,
+            ir::prove::Verdict::Proved);
+}
+
+/// 25.64 m + 0.1 m + 0.1 m is a double more than 25.84 m.
+TEST(Searches, KnowThatCommandsAreRounded) {
+  const auto dives = [](const std::string& limit) {
+    return judged(
+               "mission m\nparam deepest : length = 20 m in 10 m .. 30 m\n"
+               "require always depth <= deepest + " +
+               limit +
+               "\nstate look\nbegin\n"
+               "  flightprofile yo(5 m, (deepest + 0.1 m) + 0.1 m, 26 deg, 26 deg)\n"
+               "  sensors missiontime, depth\n  events\n    case missiontime >= 1 h exit\nend\n")
+        .first;
+  };
+  EXPECT_NE(dives("5.2 m"), ir::prove::Verdict::Proved);
+  EXPECT_EQ(dives("5.21 m"), ir::prove::Verdict::Proved);
+}
+
 }  // namespace
 }  // namespace glider::tests

@@ -92,6 +92,7 @@ class SymbolicTick {
                    const z3::expr& now);
   /// A rounded value stays within the interval of the exact one.
   void bound(SymbolicState& moment, const NumberTerm& term, const Interval& interval);
+  NumberTerm rounded(SymbolicState& moment, ExprId value);
   void assign(SymbolicState& moment, VariableId variable, ExprId value, Store& store, bool start);
   TruthTerm heldFor(SymbolicState& moment, const Temporal& temporal, const TruthTerm& operand,
                     const z3::expr& since);

@@ -43,7 +43,7 @@ Store SymbolicTick::executeOne(SymbolicState& moment, const Statement& statement
       std::vector<NumberTerm> arguments;
       z3::expr allowed = moment.context().bool_val(true);
       for (const ExprId argument : statement.values) {
-        arguments.push_back(moment.number(argument));
+        arguments.push_back(rounded(moment, argument));
         allowed = allowed && arguments.back().known;
       }
       store.vehicle = obey(*store.vehicle, statement.command, arguments, now, allowed,
@@ -66,8 +66,23 @@ void SymbolicTick::bound(SymbolicState& moment, const NumberTerm& term, const In
   }
 }
 
-/// A variable's term has no slack: a rounding error becomes an unknown of its own. A variable may
-/// be unknown when it starts; `set` leaves it unchanged where the value is unknown.
+/// The double that the machine gets: a rounding error becomes an unknown of its own.
+NumberTerm SymbolicTick::rounded(SymbolicState& moment, ExprId value) {
+  const NumberTerm given = moment.number(value);
+  if (given.slack == 0) {
+    return given;
+  }
+  const z3::expr rounded = unknowns_.real("rounded", value.index);
+  const z3::expr slack = moment.real(given.slack);
+  const z3::expr near = rounded - given.value <= slack && given.value - rounded <= slack;
+  unknowns_.require(z3::implies(given.known, near));
+  NumberTerm term{rounded, given.known, 0};
+  bound(moment, term, proof_context_.intervals[value.index]);
+  return term;
+}
+
+/// A variable's term has no slack. A variable may be unknown when it starts; `set` leaves it
+/// unchanged where the value is unknown.
 void SymbolicTick::assign(SymbolicState& moment, VariableId variable, ExprId value, Store& store,
                           bool start) {
   if (!relevance_.variables[variable.index]) {
@@ -83,15 +98,7 @@ void SymbolicTick::assign(SymbolicState& moment, VariableId variable, ExprId val
     moment.set(variable, held);
   } else {
     NumberTerm& held = store.numbers.at(variable.index);
-    NumberTerm given = moment.number(value);
-    if (given.slack > 0) {
-      const z3::expr rounded = unknowns_.real("rounded", value.index);
-      const z3::expr slack = moment.real(given.slack);
-      const z3::expr near = rounded - given.value <= slack && given.value - rounded <= slack;
-      unknowns_.require(z3::implies(given.known, near));
-      given = {rounded, given.known, 0};
-      bound(moment, given, proof_context_.intervals[value.index]);
-    }
+    const NumberTerm given = rounded(moment, value);
     held = start ? given
                  : NumberTerm{z3::ite(given.known, given.value, held.value),
                               given.known || held.known, 0};

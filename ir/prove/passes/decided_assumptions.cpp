@@ -270,8 +270,8 @@ class DecidedCheck {
       why.push_back(fmt::format("how long the mission flies decides {}", fmt::join(counted, ", ")));
     }
     if (!commanded.empty()) {
-      why.push_back(
-          fmt::format("the mission's commands decide {}{}", fmt::join(commanded, ", "), upTo()));
+      why.push_back(fmt::format("the mission's commands decide {}{}", fmt::join(commanded, ", "),
+                                decidesDepth(commanded) ? upTo() : ""));
     }
     if (why.empty()) {
       why.push_back(fmt::format("the pilot chooses {} at the launch", fmt::join(launched, ", ")));
@@ -284,6 +284,11 @@ class DecidedCheck {
                               "assume only what the sea and the vehicle do"
                             : "write `require always …` instead, so that it is proved; "
                               "assume only what the sea and the vehicle do");
+  }
+  [[nodiscard]] static bool decidesDepth(const std::vector<std::string>& names) {
+    return std::ranges::any_of(names, [](const std::string& name) {
+      return name.find("depth") != std::string::npos || name.find("pressure") != std::string::npos;
+    });
   }
   /// ", which lead down to 25 m".
   [[nodiscard]] std::string upTo() const {

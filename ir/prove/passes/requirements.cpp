@@ -221,7 +221,7 @@ class RequirementCheck {
   }
 
   /// The assumptions that a proof rests on: of those that it may rest on, the ones without which
-  /// none was found. A flight that reaches a state does so whatever is assumed.
+  /// none was found. A flight that reaches a state does so whatever is assumed (but see prove()).
   void addPremises(RequirementVerdict& verdict) {
     const uint32_t number = verdict.requirement;
     if (bare_ == nullptr || bare_proved_[number] || verdict.verdict != Verdict::Proved ||
@@ -334,7 +334,8 @@ class RequirementCheck {
       return {0, Verdict::Proved, std::nullopt};
     }
     if (const auto& earlier = proof_.options.earlier_proof) {
-      if (auto proof = earlier(number)) {
+      // While an assumption is wrong (bare_ is null), nothing may rest on any.
+      if (auto proof = earlier(number); proof && (bare_ != nullptr || proof->assumptions.empty())) {
         return recall(number, std::move(*proof));
       }
     }
@@ -459,7 +460,8 @@ class RequirementCheck {
   Search search(const Requirement& requirement, const ProofContext& proof_context) {
     const ConeOfInfluence relevance = relevanceOf(requirement, proof_context);
     Search found = searchIn(requirement, proof_context, relevance);
-    if (!found.run || relevance.vehicle || !readsDepth(relevance, proof_context)) {
+    if (found.answer.bad != Answer::Yes || relevance.vehicle ||
+        !readsDepth(relevance, proof_context)) {
       return found;
     }
     // Its readings of the depth may be those of no vehicle.
@@ -694,9 +696,7 @@ RequirementCheck& RequirementCheck::under(const std::vector<uint32_t>& some) {
   if (bare_ == nullptr || some.size() == m_.assumptions.size()) {
     return *this;
   }
-  if (some.empty()) {
-    return *bare_;
-  }
+  // Not bare_ for none of them: its mission still has what is assumed of the start, for areas.
   std::shared_ptr<UnderSome>& found = under_some_[some];
   if (!found) {
     found = std::make_shared<UnderSome>(*bare_, some);

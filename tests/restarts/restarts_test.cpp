@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <gmock/gmock.h>
 
@@ -125,6 +126,20 @@ TEST_P(Restarts, WhatIsProvedHoldsInTheWholeDeployment) {
   }
   EXPECT_GT(resumed, 0U);
   EXPECT_GT(over, 0U);
+}
+
+/// The flight controller is down from 1000 to 1260 s, and the SBC for half a minute of that: until
+/// then its mission goes on by its own clock, so only the rest is an outage.
+TEST(RestartClock, CountsAnOutageOnce) {
+  const FlyingMission mission = loadText(
+      "mission clock\nstate a\nbegin\n  flightprofile yo(4 m, 12 m, 26 deg, 26 deg)\n"
+      "  sensors missiontime\n  events\n    case missiontime >= 40 min exit\nend\n");
+  const RestartFlight flight = flyRestarts(mission, faults({{1150, 1180}}, {{1000, 1260}}), 5000);
+  const auto exit = std::ranges::find_if(flight.trace.events, [](const auto& event) {
+    return event.what.find("(exit)") != std::string::npos;
+  });
+  ASSERT_NE(exit, flight.trace.events.end());
+  EXPECT_NEAR(exit->time_s, 40 * 60 + 4, 16);
 }
 
 INSTANTIATE_TEST_SUITE_P(Missions, Restarts,

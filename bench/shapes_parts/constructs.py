@@ -257,7 +257,7 @@ def errors(n):
 
 # A shape, and the smaller of its two sizes: the larger has four times as many.
 SHAPES = ((states, 2500), (waypoints_over_the_sea, 2500), (waypoints_on_the_shelf, 2500), (waypoints_in_three_places, 2500),
-          (positions_of_a_path, 1000), (corners_required, 250), (areas_required, 100), (corners_of_a_guard, 1000),
+          (positions_of_a_path, 1000), (corners_required, 250), (areas_required, 100), (corners_of_a_guard, 250),
           (cases, 500), (cases_of_always, 500), (gotos_of_a_state, 1000), (calls_of_a_state, 1000), (calls_in_a_row, 1250),
           (windows, 1000), (windows_of_a_state, 50), (held_of_a_state, 250), (became_of_a_state, 250), (variables, 1000),
           (parameters, 500), (conditions_of_parameters, 250), (constants, 2500), (terms_of_a_sum, 500),

@@ -334,7 +334,7 @@ class RequirementCheck {
       return {0, Verdict::Proved, std::nullopt};
     }
     if (const auto& earlier = proof_.options.earlier_proof) {
-      // While an assumption is wrong (bare_ is null), nothing may rest on any.
+      // Without bare_ nothing may rest on an assumption: there is none, or one of them is an error.
       if (auto proof = earlier(number); proof && (bare_ != nullptr || proof->assumptions.empty())) {
         return recall(number, std::move(*proof));
       }
@@ -363,7 +363,7 @@ class RequirementCheck {
     RequirementVerdict verdict{0, Verdict::Proved, std::nullopt};
     verdict.cached = true;
     RequirementCheck& check = under(proof.assumptions);
-    if (&check != this && &check != bare_) {  // what rests on it here may rest on it too
+    if (&check != this) {  // what rests on it here may rest on it too
       (void)evidences().searched(m_.requirements[number], proof.invariants);
     }
     verdict.evidence =

@@ -41,10 +41,13 @@ size_t columnOf(const Verdict& verdict) {
   return 3;
 }
 
+/// Empty for what was not flown.
 std::string row(const std::string& name, const Counts& counts) {
-  const std::string deepest = counts.all() == 0 ? "-" : fmt::format("{:.1f}", counts.deepest_m);
-  return fmt::format("{:<24}{:>8}{:>9}{:>18}{:>13}{:>12}{:>11}\n", name, counts.all(),
-                     counts.flights[0], counts.flights[1], counts.flights[2], deepest,
+  if (counts.all() == 0) {
+    return "";
+  }
+  return fmt::format("{:<24}{:>8}{:>9}{:>18}{:>13}{:>12.1f}{:>11}\n", name, counts.all(),
+                     counts.flights[0], counts.flights[1], counts.flights[2], counts.deepest_m,
                      counts.flights[3]);
 }
 
@@ -83,6 +86,9 @@ std::string campaignTable(const CampaignPlan& plan, const CampaignResult& result
     programs[flight.board ? *flight.board + 1 : 0].add(verdict, column);
     all.add(verdict, column);
   });
+  if (all.all() == 0) {
+    return "no flight was flown\n";
+  }
   std::string out = head("fault");
   for (size_t kind = 0; kind < kinds.size(); ++kind) {
     out += row(simulator::nameOf(static_cast<FaultKind>(kind)), kinds[kind]);

@@ -12,11 +12,13 @@ namespace {
 constexpr double kMarginM = 2;
 /// m; a stop was one on the bottom if the vehicle then climbs this far as its depth shows.
 constexpr double kClimbsM = 2.5;
-/// m; meanwhile the depth does not show that it sinks, and makes no step.
-constexpr double kSinksM = 1.5;
+/// m; meanwhile the depth does not show that it sinks, nor in swell of a metre, and makes no step.
+constexpr double kSinksM = 2.5;
 constexpr double kStepM = 1.5;
 constexpr double kStepMps = 0.5;
-constexpr double kGapSecs = 20;
+constexpr double kGapSecs = 36;
+/// m; at the surface an old echo lets the vehicle dive so far that it can use the altimeter.
+constexpr double kTriesM = 10;
 /// m; a dive that has risen by so much is over.
 constexpr double kTurnedM = 3;
 /// s; an echo this recent shows the bottom by itself.
@@ -29,12 +31,10 @@ constexpr double kAgreesOverM = 8;
 
 }  // namespace
 
-void Bottom::observe(const Surroundings& now, double depth_m, double step_s) {
+void Bottom::observe(const Surroundings& now, double depth_m, double least_altitude_m,
+                     double step_s) {
   depth_m_ = depth_m;
-  echoes_.observe(depth_m, now.altitude_m, step_s);
-  if (isFinite(depth_m)) {
-    noteTurn(depth_m);
-  }
+  echoes_.observe(depth_m, now.altitude_m, least_altitude_m + kTriesM, step_s);
   if (echoes_.heard()) {
     judgeEcho(depth_m);
   }
@@ -69,12 +69,20 @@ void Bottom::noteStop() {
   stop_gap_s_ = 0;
 }
 
-void Bottom::confirm(double step_s) {
+void Bottom::follow(double step_s) {
   stop_gap_s_ += step_s;
-  if (!isFinite(stop_m_) || !isFinite(depth_m_)) {
+  if (!isFinite(depth_m_)) {
     return;
   }
-  const bool steps = magnitude(depth_m_ - stop_last_m_) > kStepM + kStepMps * step_s;
+  // The sensor array keeps a reading until there is a newer one.
+  if (isFinite(stop_m_) && depth_m_ != stop_last_m_) {
+    confirm();
+  }
+  noteTurn(depth_m_);  // afterwards: until then the dive before is the one before the stop
+}
+
+void Bottom::confirm() {
+  const bool steps = magnitude(depth_m_ - stop_last_m_) > kStepM + kStepMps * stop_gap_s_;
   if (steps || stop_gap_s_ > kGapSecs || depth_m_ > stop_m_ + kSinksM) {
     stop_m_ = __builtin_nan("");
     return;

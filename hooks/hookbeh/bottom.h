@@ -14,15 +14,18 @@ namespace glider::hooks {
 class Bottom {
  public:
   /// Takes in one cycle, `step_s` after the previous one. `depth_m`: NaN while it is not believed.
-  void observe(const Surroundings& now, double depth_m, double step_s);
+  /// `least_altitude_m`: how far the vehicle stays above the bottom.
+  void observe(const Surroundings& now, double depth_m, double least_altitude_m, double step_s);
+  /// What the sensor array holds before the first cycle is no echo.
+  void ignore(double altitude_m) { echoes_.ignore(altitude_m); }
   /// Where the vehicle is; must be called before observe(), apart from it for the sake of the
   /// stack.
   void move(const Surroundings& now, double step_s) {
     memory_.observe({now.latitude_ddmm, now.longitude_ddmm}, step_s);
   }
-  /// Confirms a stop once the depth has followed the climb: a depth sensor that is stuck would not.
-  /// Must be called after observe().
-  void confirm(double step_s);
+  /// Follows the dives, and confirms a stop once the depth has followed the climb: a depth sensor
+  /// that is stuck would not. Must be called after observe().
+  void follow(double step_s);
   /// A dive stopped in this cycle, and the vehicle climbs from now on.
   void noteStop();
   /// The least depth of the bottom where the vehicle is now, m; kBottomless if nothing is known.
@@ -31,6 +34,7 @@ class Bottom {
   [[nodiscard]] double touchedFloor() const;
 
  private:
+  void confirm();
   void noteTurn(double depth_m);
   void judgeEcho(double depth_m);
 

@@ -38,6 +38,8 @@ void BottomMemory::observe(const Position& now, double step_s) {
   here_ = now;
   for (Place& place : places_) {
     place.age_s += step_s;
+    // The first position known after a contact without one is its place, as nearly as can be.
+    place.at = isKnown(place.at) ? place.at : now;
     place.distance_m = atMost(distanceBetween(now, place.at), kFastestMps * place.age_s);
     if (place.depth_m <= kShallowM && place.age_s > kShallowSecs) {
       place = {};
@@ -58,11 +60,11 @@ double BottomMemory::Place::riseTo(double other_m) const {
   return rises ? between((depth_m - other_m) / distance_m, 0, kSteepest) : 0;
 }
 
-/// The place that is the same as this one, an empty one, or the farthest.
-BottomMemory::Place& BottomMemory::placeHere() {
+/// The place of that kind that is the same as this one, an empty one, or the farthest.
+BottomMemory::Place& BottomMemory::placeHere(bool touched) {
   Place* best = &places_[0];
   for (Place& place : places_) {
-    if (!place.empty() && place.distance_m <= kSameM) {
+    if (!place.empty() && place.touched == touched && place.distance_m <= kSameM) {
       return place;
     }
     if (!best->empty() && (place.empty() || place.distance_m > best->distance_m)) {
@@ -74,12 +76,12 @@ BottomMemory::Place& BottomMemory::placeHere() {
 }
 
 void BottomMemory::add(double depth_m, double rise, bool touched) {
-  Place& place = placeHere();
-  place.at = here_;
+  Place& place = placeHere(touched);
+  place.at = isKnown(here_) ? here_ : place.at;
   place.depth_m = atMost(place.depth_m, depth_m);
   place.rise = atLeast(rise, place.rise);
   place.age_s = place.distance_m = 0;
-  place.touched = place.touched || touched;
+  place.touched = touched;
 }
 
 void BottomMemory::touch(double depth_m) {

@@ -50,7 +50,7 @@ class BottomMemory {
     [[nodiscard]] bool empty() const { return !isKnown(depth_m); }
     [[nodiscard]] double riseTo(double other_m) const;
   };
-  [[nodiscard]] Place& placeHere();
+  [[nodiscard]] Place& placeHere(bool touched);
   void add(double depth_m, double rise, bool touched);
   [[nodiscard]] double floor(bool touched) const;
 

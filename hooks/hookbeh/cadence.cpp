@@ -20,6 +20,10 @@ constexpr double kFew = 3;
 
 }  // namespace
 
+bool Cadence::isKnown() const {
+  return learned_ > kFew;
+}
+
 void Cadence::observe(double depth_m, double step_s) {
   since_s_ = is_new_ ? step_s : since_s_ + step_s;
   is_new_ = isFinite(depth_m) && depth_m != last_m_;
@@ -34,7 +38,7 @@ void Cadence::observe(double depth_m, double step_s) {
 
 void Cadence::learn(double gap_s) {
   learned_ += 1;
-  if (learned_ > kFew) {
+  if (isKnown()) {
     usual_s_ += (gap_s - usual_s_) * atLeast(gap_s / kLearnsSecs, 1 / (learned_ - kFew));
   }
 }

@@ -18,6 +18,8 @@ class Cadence {
   /// In a cycle with a new reading: since the one before, s. In any other: since the newest. NaN
   /// before there are any.
   [[nodiscard]] double gap() const { return since_s_; }
+  /// It has learned usual(); before that it assumes a reading in each cycle.
+  [[nodiscard]] bool isKnown() const;
   /// The usual time between two new readings, s. It follows slowly, so that a sensor that fails is
   /// still measured by what it was.
   [[nodiscard]] double usual() const { return usual_s_; }

@@ -15,6 +15,8 @@ constexpr double kMostAlone = 2.0;
 /// s; a longer step is cut to this, even if both clocks agree: their common source (the processor's
 /// clock) can be wrong too. So can a single clock that is accepted where cycles were missed.
 constexpr double kMostSecs = 20.0;
+/// s; no counted cycle is shorter.
+constexpr double kLeastSecs = 0.5;
 /// s; two clocks agree if they differ by at most this.
 constexpr double kAgree = 1.0;
 /// A jump by more cycles than this does not mean missed cycles: the number is false.
@@ -41,7 +43,8 @@ void CycleClock::advance(double mission_s, double wall_s, double cycle) {
   const double step = agree || mission_counts ? by_mission
                       : isStep(by_wall, most) ? by_wall
                                               : expected;
-  step_s_ = atMost(step, kMostSecs);
+  const double least = cycles >= 1 && cycles <= kMostCycles ? kLeastSecs * cycles : 0;
+  step_s_ = between(step, least, kMostSecs);
   mission_s_ = mission_s;
   wall_s_ = wall_s;
   cycle_ = cycle;

@@ -29,6 +29,13 @@ double DepthSource::patience() const {
   return between(2 * cadence_.usual() + kCycleSecs, kFrozenSecs, kMostFrozenSecs);
 }
 
+/// Of a cycle in which the reading has jumped, s. One reading counts no longer than a usual cycle,
+/// however long the sensor array keeps it: it may be a single false one.
+double DepthSource::counted(double step_s) const {
+  const bool kept = !cadence_.isNew() && cadence_.gap() <= cadence_.usual();
+  return kept ? 0 : cadence_.isNew() ? atMost(step_s, kCycleSecs) : step_s;
+}
+
 void DepthSource::observe(double depth_m, double step_s) {
   age_s_ += step_s;
   if (!isDepth(depth_m, hull_)) {
@@ -39,13 +46,14 @@ void DepthSource::observe(double depth_m, double step_s) {
   cadence_.observe(depth_m, step_s);
   same_s_ = cadence_.isNew() ? 0 : same_s_ + step_s;
   // The sensor array keeps a reading until there is a newer one, and the vehicle moves meanwhile.
-  const double most_s = patience() > kFrozenSecs ? kMostFrozenSecs : kFrozenSecs;
+  const bool rare = !cadence_.isKnown() || patience() > kFrozenSecs;
+  const double most_s = rare ? kMostFrozenSecs : kFrozenSecs;
   const double since_s = atLeast(age_s_, atMost(cadence_.gap(), most_s));
   const double moved = magnitude(depth_m - depth_m_);
   // The very first reading is compared with a NaN, and is good.
   if (moved > kReachM + hull_.vertical_rate_m_s * since_s) {
     reading_ = Reading::Jumped;
-    jumped_s_ += step_s;
+    jumped_s_ += counted(step_s);
     if (good_s_ < kSettlesSecs) {
       depth_m_ = depth_m;
       age_s_ = 0;

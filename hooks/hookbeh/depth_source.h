@@ -27,13 +27,16 @@ class DepthSource {
   /// moves in the sea are.
   [[nodiscard]] double sameFor() const { return same_s_; }
   /// A sensor whose readings have been identical for this long is frozen, s: twice the usual time
-  /// between its new readings, from 16 s to 32 s.
+  /// between its new readings, and a cycle, from 16 s to 36 s.
   [[nodiscard]] double patience() const;
-  /// How long its readings have not continued the earlier good ones, s. Good readings in between
+  /// How long its readings have not continued the earlier good ones, s; each counts as a usual
+  /// cycle, and for longer only where it is kept for longer than usual. Good readings in between
   /// reduce this by half of their own duration.
   [[nodiscard]] double jumpedFor() const { return jumped_s_; }
 
  private:
+  [[nodiscard]] double counted(double step_s) const;
+
   Hull hull_;
   Cadence cadence_;
   double depth_m_ = __builtin_nan("");

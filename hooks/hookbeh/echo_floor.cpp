@@ -36,31 +36,33 @@ constexpr double kDenseGap = 4;
 constexpr double kSureShare = 0.9;
 constexpr double kWithinShare = 0.6;
 constexpr double kFailedCycles = 10;
+/// Echoes; so many are those of a bottom. Fewer may be those of fish.
+constexpr double kMany = 30;
 /// m; a vehicle that is so much deeper has sunk.
 constexpr double kSinksM = 0.5;
 /// m; above this depth the altimeter is not used.
 constexpr double kListensM = 3;
 /// The floor falls to this share of the last echo's depth at most.
 constexpr double kLeastShare = 0.5;
-/// m/s and m; an old echo is approached again this slowly, and only while the altimeter is used: at
-/// the surface the floor sinks no deeper than a vehicle needs to use it.
+/// m/s; an old echo is approached again this slowly, and only while the altimeter is used: at the
+/// surface the floor sinks no deeper than a vehicle needs to use it.
 constexpr double kEasesMps = 0.05;
-constexpr double kListenFloorM = 15;
 
 }  // namespace
 
-void EchoFloor::observe(double depth_m, double altitude_m, double step_s) {
+void EchoFloor::observe(double depth_m, double altitude_m, double least_m, double step_s) {
   silent_s_ += step_s;
   anchor_s_ += step_s;
   // The sensor array keeps an old altitude while the altimeter receives no echo, so only a changed
   // altitude is an echo. Between echoes the clearance follows from the depth, which also catches an
   // altimeter that is stuck.
-  heard_ =
-      altitude_m >= 0 && isFinite(altitude_m) && altitude_m != altitude_m_ && isFinite(depth_m);
+  const bool is_new = altitude_m >= 0 && isFinite(altitude_m) && altitude_m != seen_m_;
+  seen_m_ = is_new ? altitude_m : seen_m_;
+  heard_ = is_new && isFinite(depth_m);
   if (heard_) {
     hear(depth_m, altitude_m);
   } else if (isFinite(depth_m)) {
-    wait(depth_m, step_s);
+    wait(depth_m, least_m, step_s);
   }
 }
 
@@ -74,6 +76,7 @@ void EchoFloor::hear(double depth_m, double altitude_m) {
     gap_ += (atMost(missed_ + 1, kMostGap) - gap_) * kGapShare;
   }
   missed_ = listened_ = 0;
+  echoes_ += 1;
   cleared_m_ = kBottomless;
   heard_at_m_ = depth_m;
   silent_s_ = 0;
@@ -105,16 +108,16 @@ void EchoFloor::listen(double depth_m) {
   if (listened_ >= kSure * gap_ && !hasFailed()) {
     cleared_m_ = beyond(least_m_);
     floor_m_ = atLeast(floor_m_, cleared_m_);
-    listened_ = 0;
+    listened_ = echoes_ = 0;
   }
 }
 
 bool EchoFloor::hasFailed() const {
   const bool within = sank_ || altitude_m_ < kWithinShare * reach_m_;
-  return gap_ < kDenseGap && within && missed_ >= kFailedCycles;
+  return gap_ < kDenseGap && echoes_ >= kMany && within && missed_ >= kFailedCycles;
 }
 
-void EchoFloor::wait(double depth_m, double step_s) {
+void EchoFloor::wait(double depth_m, double least_m, double step_s) {
   if (!(floor_m_ < kBottomless)) {
     return;
   }
@@ -127,7 +130,7 @@ void EchoFloor::wait(double depth_m, double step_s) {
     return;
   }
   if (silent_s_ > kLastsSecs) {
-    floor_m_ += listens || floor_m_ < kListenFloorM ? kEasesMps * step_s : 0;
+    floor_m_ += listens || floor_m_ < least_m ? kEasesMps * step_s : 0;
   } else if (listens) {
     floor_m_ -= (kRiseMps + kSteeper * rise_mps_) * step_s;
   }

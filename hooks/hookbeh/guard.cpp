@@ -54,6 +54,12 @@ constexpr double kAtSurfaceM = 1;
 /// then it is believed again.
 constexpr double kHomeSecs = 600;
 constexpr double kAliveSecs = 60;
+/// s; the longest until a depth that repeats its zero at the surface is tried again.
+constexpr double kMostHomeSecs = 7200;
+
+bool hasTarget(const Instruction& in_force) {
+  return in_force.vertical != HookVertical::None && in_force.vertical != HookVertical::Surface;
+}
 
 bool isDepthDoubt(HookGuard guard) {
   return guard == HookGuard::DepthUnknown || guard == HookGuard::DepthJumps;
@@ -85,7 +91,8 @@ const char* wordsFor(HookGuard guard) {
   return "climb";
 }
 
-void Guard::observe(const Surroundings& now, double step_s, const VerticalCommand& last, Way way) {
+void Guard::observe(const HookbehArgs& args, const Surroundings& now, double step_s,
+                    const VerticalCommand& last, Way way) {
   watch_.observe(now, step_s, last.pump_cc);
   depth_m_ = watch_.deepest();
   const bool known = watch_.doubt() == HookGuard::None;
@@ -109,8 +116,8 @@ void Guard::observe(const Surroundings& now, double step_s, const VerticalComman
   tripped_s_ += step_s;
   sinks_mps_ = isFinite(now.depth_rate_mps) ? between(now.depth_rate_mps, 0, kFastestMps) : 0;
   bottom_.move(now, step_s);
-  bottom_.observe(now, watch_.depth(), step_s);
-  bottom_.confirm(step_s);
+  bottom_.observe(now, watch_.depth(), args.least_altitude_m, step_s);
+  bottom_.follow(step_s);
   floor_m_ = bottom_.floor();
   touched_floor_m_ = bottom_.touchedFloor();
 }
@@ -194,6 +201,9 @@ bool Guard::mustAsk(const HookbehArgs& args) {
 }
 
 void Guard::trip(HookGuard broken) {
+  if (broken == HookGuard::NoDepthGained && tripped_ != broken) {
+    tries_after_s_ = between(2 * tries_after_s_, kHomeSecs, kMostHomeSecs);
+  }
   if (tripped_ == HookGuard::None) {
     tripped_s_ = 0;
   }
@@ -220,6 +230,7 @@ HookGuard Guard::mustClimb(const HookbehArgs& args, const Instruction& in_force)
     }
     trip(stalled);
   } else if (mayRelease(args, in_force)) {
+    tries_after_s_ = hasClimbedFar() ? 0 : tries_after_s_;
     tripped_ = HookGuard::None;
   }
   return doubt != HookGuard::None ? doubt : tripped_;
@@ -227,14 +238,20 @@ HookGuard Guard::mustClimb(const HookbehArgs& args, const Instruction& in_force)
 
 bool Guard::mayRelease(const HookbehArgs& args, const Instruction& in_force) const {
   if (tripped_ == HookGuard::NoDepthGained) {
-    const bool home = tripped_s_ >= kHomeSecs && watch_.aliveFor() >= kAliveSecs &&
-                      unseen_.deepest() <= kAtSurfaceM;
-    return hasClimbedFar() || home;
+    const bool alive = tripped_s_ >= kHomeSecs && watch_.aliveFor() >= kAliveSecs;
+    // At the surface a depth that works may repeat its zero, and so may one that is stuck: it is
+    // tried again, more and more rarely.
+    const bool tries = tripped_s_ >= tries_after_s_ && depth_m_ <= 0;
+    return hasClimbedFar() || ((alive || tries) && unseen_.deepest() <= kAtSurfaceM);
   }
   if (tripped_ == HookGuard::NoHeightGained) {
-    return tripped_depth_m_ - depth_m_ >= kClearM || in_force.depth_m > depth_m_;
+    return tripped_depth_m_ - depth_m_ >= kClearM ||
+           (hasTarget(in_force) && in_force.depth_m > depth_m_);
   }
-  return keepsLimits(args, depth_m_ + kClearM) && (mayGoOn(args, in_force) || hasClimbedFar());
+  // At the surface it can climb no farther, wherever the limit was broken.
+  const bool up = depth_m_ <= kAtSurfaceM && keepsLimits(args, kRetryM + kClearM);
+  return keepsLimits(args, depth_m_ + kClearM) &&
+         (mayGoOn(args, in_force) || hasClimbedFar() || up);
 }
 
 bool Guard::keepsLimits(const HookbehArgs& args, double depth_m) const {
@@ -249,10 +266,8 @@ bool Guard::clearOfBottom(const HookbehArgs& args, double depth_m) const {
 }
 
 bool Guard::mayGoOn(const HookbehArgs& args, const Instruction& in_force) const {
-  const bool has_target =
-      in_force.vertical != HookVertical::None && in_force.vertical != HookVertical::Surface;
   // This also holds for an ascend: once the vehicle is above its target, hovering there leads down.
-  return !has_target || keepsLimits(args, in_force.depth_m + kClearM);
+  return !hasTarget(in_force) || keepsLimits(args, in_force.depth_m + kClearM);
 }
 
 bool Guard::hasClimbedFar() const {

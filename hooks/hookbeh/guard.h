@@ -23,7 +23,10 @@ class Guard {
   /// Takes in one cycle, `step_s` after the previous one, in which hookbeh had commanded `last`
   /// (pump NaN: it commanded nothing) and drove the vehicle `way`. Must be called in every cycle,
   /// also while another behaviour is in control, so that the bottom is known when it matters.
-  void observe(const Surroundings& now, double step_s, const VerticalCommand& last, Way way);
+  void observe(const HookbehArgs& args, const Surroundings& now, double step_s,
+               const VerticalCommand& last, Way way);
+  /// What the sensor array holds before the first cycle is no echo.
+  void ignore(double altitude_m) { bottom_.ignore(altitude_m); }
   /// Why hookbeh must climb now, or None. Once too deep or too near the bottom it returns that
   /// until the vehicle is a metre clear of the limits and `in_force` leads up or to a depth that is
   /// a metre clear too; or until it has climbed half of the depth where the limit was broken, at
@@ -70,6 +73,7 @@ class Guard {
   HookGuard tripped_ = HookGuard::None;
   double tripped_depth_m_ = __builtin_nan("");  // the shallowest at which a limit was broken
   double tripped_s_ = __builtin_nan("");        // since then
+  double tries_after_s_ = 0;                    // a depth that repeats its zero after that time
   double down_from_m_ = __builtin_nan("");  // how deep it may have been before it was driven down
 };
 

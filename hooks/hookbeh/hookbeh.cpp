@@ -57,13 +57,17 @@ HookbehOutputs Hookbeh::cycle(const HookbehInputs& inputs) {
   Surroundings now{inputs.depth_m,       inputs.depth_rate_mps,
                    inputs.altitude_m,    inputs.ctd_bar * kMetresPerBar,
                    inputs.latitude_ddmm, inputs.longitude_ddmm};
+  if (!settled_known_) {
+    guard_.ignore(inputs.altitude_m);  // what an earlier mission left there
+  }
   clock_.advance(inputs.time_s, inputs.wall_time_s, inputs.cycle_number);
   const uint8_t masked = maskedIn(inputs);
   if ((masked & kMaskedPump) != 0) {
     last_.pump_cc = __builtin_nan("");
   }
   const bool drives = isFinite(last_.pump_cc) && !guarding_;
-  guard_.observe(now, clock_.step(), last_, drives ? pilot_.way(guard_.depth()) : Way::None);
+  const Way way = drives ? pilot_.way(guard_.depth()) : Way::None;
+  guard_.observe(args_, now, clock_.step(), last_, way);
   now.depth_m = guard_.depth();
   // One false reading must not make it ready before its time.
   const bool time_is_sure = clock_.follows() || !(args_.start_secs > 0);

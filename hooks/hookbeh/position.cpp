@@ -18,10 +18,6 @@ double degrees(double ddmm) {
   return whole + (ddmm - 100.0 * whole) / 60;
 }
 
-bool isKnown(const Position& at) {
-  return magnitude(at.latitude_ddmm) <= 9000 && magnitude(at.longitude_ddmm) <= 18000;
-}
-
 /// The cosine up to a right angle, within 0.001; there is no math library on board.
 double cosine(double rad) {
   const double square = rad * rad;
@@ -29,6 +25,10 @@ double cosine(double rad) {
 }
 
 }  // namespace
+
+bool isKnown(const Position& at) {
+  return magnitude(at.latitude_ddmm) <= 9000 && magnitude(at.longitude_ddmm) <= 18000;
+}
 
 double distanceBetween(const Position& a, const Position& b) {
   if (!isKnown(a) || !isKnown(b)) {

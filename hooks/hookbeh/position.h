@@ -11,6 +11,8 @@ struct Position {
   double longitude_ddmm = __builtin_nan("");
 };
 
+/// False if it is unknown or not on Earth.
+bool isKnown(const Position& at);
 /// How far apart two positions are, m: the greater of the distances along the meridian and along
 /// the parallel, so at most three tenths too little and never too much. 0 if either is unknown or
 /// not on Earth: an unknown position counts as near.

@@ -10,6 +10,10 @@ namespace {
 
 /// m; a depth that flickers without being rough moves less than this.
 constexpr double kMovesM = 2.5;
+/// m; from one time that a dive shows itself to the next, it goes on by at least this.
+constexpr double kFurtherM = 1;
+/// m; an answer to a climb is at least this far: a stuck depth that wavers slowly rises less.
+constexpr double kAnswersM = 5;
 /// m; in a rougher depth the distance alone shows nothing: waves and broken sensors reach it too.
 constexpr double kRoughM = 0.3;
 constexpr double kRoughShare = 1.0 / 8;  // weight of the newest reading
@@ -36,9 +40,10 @@ constexpr double kRareSecs = 18;
 /// m; at the surface, where a climb ends, this much is an answer.
 constexpr double kAtSurfaceM = 1;
 constexpr double kSurfacesM = 1;
-/// cc and rad; from kLiftsCc and kNoseRad on the vehicle is driven up, from kSinksCc or a pitch of
-/// -kNoseRad on it is driven down.
-constexpr double kLiftsCc = 150;
+/// Share of the stroke, cc and rad; from kLiftsShare (the weakest climb that a b_arg allows) and
+/// kNoseRad on the vehicle is driven up, from kSinksCc or a pitch of -kNoseRad on it is driven
+/// down.
+constexpr double kLiftsShare = 0.5;
 constexpr double kSinksCc = -60;
 constexpr double kNoseRad = 0.1;
 /// s; the time that the pump takes from one end to the other and the vehicle takes to turn.
@@ -98,7 +103,7 @@ void UnseenSink::observe(double depth_m, double step_s, const VerticalCommand& l
 }
 
 void UnseenSink::reckon(double step_s, const VerticalCommand& last) {
-  const bool lifts = last.pump_cc >= kLiftsCc && last.pitch_rad >= kNoseRad;
+  const bool lifts = last.pump_cc >= kLiftsShare * hull_.pump_cc && last.pitch_rad >= kNoseRad;
   const bool dives = last.pitch_rad <= -kNoseRad;
   turn(lifts, dives);
   out_s_ = lifts ? out_s_ + step_s : 0;
@@ -130,6 +135,7 @@ void UnseenSink::reckonUnanswered(double sunk_m, double risen_m) {
 void UnseenSink::turn(bool lifts, bool dives) {
   if (lifts != lifts_ || dives != dives_) {
     turned_m_ = __builtin_nan("");
+    dived_m_ = __builtin_nan("");
     trend_.clear();
   }
   lifts_ = lifts;
@@ -175,13 +181,16 @@ void UnseenSink::seek(double depth_m) {
   last_m_ = depth_m;
   const double trend_m = roughness_m_ > kRoughM ? trend_.moved(roughness_m_, steepestRate()) : 0;
   const bool lifts = out_s_ >= kLiftsSecs;
-  const bool down = hasMovedDown(depth_m, trend_m) && out_s_ == 0;
+  // A dive goes on. A stuck depth that wavers comes back to where it was.
+  const bool further = !dives_ || !(depth_m < dived_m_ + kFurtherM);
+  const bool down = hasMovedDown(depth_m, trend_m) && out_s_ == 0 && further;
   const bool up = hasMovedUp(depth_m, trend_m) && (lifts || !sinks_);
   if (hasAnswered(depth_m, trend_m)) {
     alone_m_ = answered_m_ = depth_m;
     unanswered_m_ = 0;
   }
   if (down || up) {
+    dived_m_ = dives_ && down ? depth_m : dived_m_;
     show(depth_m);
   }
 }
@@ -201,7 +210,8 @@ bool UnseenSink::hasAnswered(double depth_m, double trend_m) const {
   }
   const double rose_m = turned_m_ - depth_m;
   const bool surfaced = depth_m <= kAtSurfaceM && rose_m >= kSurfacesM && roughness_m_ <= kRoughM;
-  return out_s_ >= kLiftsSecs && (rose_m >= farEnough(roughness_m_) || trend_m < 0 || surfaced);
+  const bool rose = rose_m >= atLeast(kAnswersM, farEnough(roughness_m_)) || trend_m < -kAnswersM;
+  return out_s_ >= kLiftsSecs && (rose || surfaced);
 }
 
 void UnseenSink::show(double depth_m) {

@@ -81,6 +81,7 @@ class UnseenSink {
   bool lifts_ = false;      ///< it is driven up by pitch and pump
   bool dives_ = false;      ///< it is driven down by pitch
   double turned_m_ = __builtin_nan("");  ///< the extreme since it was first driven so
+  double dived_m_ = __builtin_nan("");   ///< the depth that last showed this dive
   double alone_m_ = __builtin_nan("");   ///< as deepest_m_, by answers alone
   double answered_m_ = 0;
   double unanswered_m_ = 0;

@@ -7,10 +7,10 @@
 #include "ir/prove/context/budget.h"
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/prove.h"
+#include "ir/prove/said_ranges.h"
 #include "ir/verify/structure.h"
 
 #include <set>
-#include <vector>
 #include <z3++.h>
 
 namespace glider::ir::prove {
@@ -35,9 +35,9 @@ struct Proof {
   Budget searches = budgetOf(options, 1);             ///< of `requirements`
   Ending ending{proof_context};
   Findings findings = {};
-  std::set<CasePlace> dead = {};                ///< cases that were found never to fire
-  std::set<CasePlace> hidden = {};              ///< those of them that earlier ones hide
-  std::vector<support::SourceRange> said = {};  ///< conditions about which something was reported
+  std::set<CasePlace> dead = {};    ///< cases that were found never to fire
+  std::set<CasePlace> hidden = {};  ///< those of them that earlier ones hide
+  SaidRanges said = {};
   /// Numbers of assumptions about what the mission itself decides: no proof may rest on them.
   std::set<uint32_t> decided_assumptions = {};
 };

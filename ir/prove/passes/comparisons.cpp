@@ -95,26 +95,12 @@ class ComparisonCheck {
   }
 
   void report() {
-    for (const support::SourceRange& said : proof_.said) {
-      uint32_t& end = said_[{said.file, said.begin}];
-      end = std::max(end, said.end);
-    }
     for (const auto& [place, found] : found_) {
-      if (found.always && !isSaid(found.range)) {
+      if (found.always && !proof_.said.cover(found.range)) {
         proof_.diagnostics.report(support::DiagnosticId::comparisonDecided, found.range,
                                   *found.always ? "true" : "false");
       }
     }
-  }
-
-  /// Whether the pass `guards` has already reported the whole condition. Conditions do not overlap.
-  [[nodiscard]] bool isSaid(const support::SourceRange& range) const {
-    const auto after = said_.upper_bound({range.file, range.begin});
-    if (after == said_.begin()) {
-      return false;
-    }
-    const auto& [place, end] = *std::prev(after);
-    return place.first == range.file && range.end <= end;
   }
 
   struct Found {
@@ -126,7 +112,6 @@ class ComparisonCheck {
   const Mission& m_;
   const AbstractEvaluator* possible_ = nullptr;
   std::map<std::tuple<uint32_t, uint32_t, uint32_t>, Found> found_;  ///< by place
-  std::map<std::pair<uint32_t, uint32_t>, uint32_t> said_;  ///< ends, by file and beginning
 };
 
 }  // namespace

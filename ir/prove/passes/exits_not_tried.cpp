@@ -33,13 +33,6 @@ bool mayHoldForEver(const Mission& m, ExprId guard) {
          !is(OpGroup::Clock, OpGroup::Variable, OpGroup::Temporal, OpGroup::Age, OpGroup::Call);
 }
 
-/// Whether it has been said of the condition that it is never true.
-bool isSaid(const Proof& proof, const support::SourceRange& range) {
-  return std::ranges::any_of(proof.said, [&](const support::SourceRange& one) {
-    return one.file == range.file && one.begin >= range.begin && one.end <= range.end;
-  });
-}
-
 void suspectsOf(const Proof& proof, StateId state, const std::vector<Case>& cases,
                 std::vector<Suspect>& suspects) {
   for (uint32_t i = 0; i < cases.size(); ++i) {
@@ -96,7 +89,7 @@ void passes::exitsNotTried(Proof& proof) {
     return;
   }
   for (const Suspect& suspect : suspects) {
-    if (!isSaid(proof, suspect.stays->range) && !endsWithout(proof, suspects, &suspect)) {
+    if (!proof.said.concern(suspect.stays->range) && !endsWithout(proof, suspects, &suspect)) {
       proof.diagnostics.report(support::DiagnosticId::exitNotTried, suspect.stays->range)
           .note(suspect.leads->range, "this case is not tried while that condition is true");
     }

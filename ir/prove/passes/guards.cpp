@@ -155,7 +155,7 @@ class GuardCheck {
     const Case& c = cases[number];
     const support::SourceRange range = m_[c.guard].range;
     if (verdict.never || verdict.hidden || verdict.always) {
-      proof_.said.push_back(range);
+      proof_.said.add(range);
     }
     if (verdict.never) {
       auto warning = proof_.diagnostics.report(DiagnosticId::guardNeverTrue, range);

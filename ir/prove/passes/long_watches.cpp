@@ -91,20 +91,13 @@ class WatchCheck {
     const State& state = m_[temporal.state];
     const bool elsewhere = temporal.range.file == proof_.options.library;
     const support::SourceRange range = elsewhere ? state.profile.range : temporal.range;
-    if (!(needed > lasts) || lasts <= 0 || isSaid(range) ||
+    if (!(needed > lasts) || lasts <= 0 || proof_.said.cover(range) ||
         !told_.emplace(range.file, range.begin, temporal.state).second) {
       return;
     }
     proof_.diagnostics.report(support::DiagnosticId::longerThanState, range, durationOf(needed),
                               state.name, durationOf(lasts),
                               held ? "it is never true" : "its value is never known");
-  }
-
-  /// Whether the whole condition is already reported.
-  [[nodiscard]] bool isSaid(const support::SourceRange& range) const {
-    return std::ranges::any_of(proof_.said, [&](const support::SourceRange& said) {
-      return said.file == range.file && said.begin <= range.begin && range.end <= said.end;
-    });
   }
 
   Proof& proof_;

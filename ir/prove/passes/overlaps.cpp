@@ -64,7 +64,8 @@ class OverlapCheck {
     const bool same_way = a.transition == b.transition && a.target == b.target;
     const bool dead = proof_.dead.contains({state, first}) || proof_.dead.contains({state, second});
     const bool last_resort = m_[b.guard].op == Op::True || m_[a.guard].op == Op::True;
-    if (!leadsAway(a) || !leadsAway(b) || same_way || dead || last_resort) {
+    const bool said = proof_.said.concern(a.range) || proof_.said.concern(b.range);
+    if (!leadsAway(a) || !leadsAway(b) || same_way || dead || last_resort || said) {
       return;
     }
     Unknowns unknowns(proof_.context);

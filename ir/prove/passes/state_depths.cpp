@@ -98,7 +98,7 @@ class DepthCheck {
         !mayBeTrue(condition, all)) {
       return;
     }
-    proof_.said.push_back(e.range);
+    proof_.said.add(e.range);
     proof_.diagnostics.report(
         DiagnosticId::neverTrueInState, e.range, m_[state].name,
         fmt::format("commands lead the vehicle at most {:.4g} m deep there, and a reading of "

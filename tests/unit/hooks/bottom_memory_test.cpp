@@ -53,6 +53,35 @@ TEST(BottomMemory, FadesWithTheDistanceOnly) {
   EXPECT_EQ(memory.floor(), 40) << "an unknown position is near";
 }
 
+TEST(BottomMemory, AnEchoIsNoContact) {
+  BottomMemory memory;
+  touch(memory, at(0), 50);
+  memory.observe(at(185), 600);
+  memory.keepEcho(20);
+  EXPECT_EQ(memory.floor(), 20);
+  EXPECT_EQ(memory.touchedFloor(), 50);
+  EXPECT_EQ(memory.touchedHere(), 50);
+  memory.forgetEchoes();
+  EXPECT_EQ(memory.floor(), 50);
+}
+
+TEST(BottomMemory, AContactWithoutAPositionIsWhereTheVehicleIsFirstSeenAfterwards) {
+  BottomMemory memory;
+  touch(memory, {}, 20);
+  memory.observe(at(0), 60);
+  memory.observe(at(0), kHour);
+  memory.observe(at(10000), 2 * kHour);
+  EXPECT_NEAR(memory.floor(), 20 + 70, 0.1);
+}
+
+TEST(BottomMemory, AContactWithoutAPositionLeavesAPlaceWhereItWas) {
+  BottomMemory memory;
+  touch(memory, at(0), 40);
+  touch(memory, {}, 30);
+  memory.observe(at(10000), 3 * kHour);
+  EXPECT_NEAR(memory.floor(), 30 + 70, 0.1);
+}
+
 TEST(BottomMemory, NoPositionIsFartherThanTheVehicleCanHaveCome) {
   BottomMemory memory;
   touch(memory, at(0), 40);

@@ -24,7 +24,7 @@ struct StillVehicle {
 
   HookGuard cycle(double step_s = 1) {
     flicker = -flicker;
-    guard.observe({depth + flicker, 0, kNan, ctd + flicker}, step_s, last, way);
+    guard.observe(args, {depth + flicker, 0, kNan, ctd + flicker}, step_s, last, way);
     return guard.mustClimb(args, in_force);
   }
   HookGuard run(int cycles) {

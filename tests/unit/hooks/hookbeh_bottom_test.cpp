@@ -3,84 +3,15 @@
 
 // hookbeh over a bottom that the altimeter does not show, or shows only now and then.
 
-#include "tests/unit/hooks/hookbeh_bench.h"
+#include "tests/unit/hooks/hookbeh_shallow_sea.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
+#include <cmath>
 
 namespace glider::hooks {
 namespace {
-
-constexpr double kMetresPerMinute = 1852;  // of latitude
-
-/// A vehicle in a sea with a bottom, on a yo under a hookbeh of its own: it flies north at 0.3 m/s
-/// and sinks or rises as the pump says. Its altimeter is dead.
-class ShallowSea {
- public:
-  explicit ShallowSea(HookbehArgs args = wide()) : bench(args) {
-    bench.raw_depth = true;
-    truth = 0.5;
-    cycle();
-    bench.write(HookbehBench::take(55));
-    cycle();
-  }
-
-  HookbehOutputs cycle() {
-    const double wanted = pump > 100 ? -0.2 : pump < -100 ? 0.2 : pump / -1000;
-    rate += (wanted - rate) * 0.4;
-    const double water = bottom(north);
-    const double next = std::max(0.0, truth + rate * 4);
-    lies = next >= water && !rises();
-    touches += lies && !lay;
-    lay = lies || (lay && water - next < 1);
-    truth = std::min(next, water);
-    north += lies ? 0 : 1.2;
-    deepest = std::max(deepest, truth);
-    noise = -noise;
-    auto& in = bench.inputs;
-    in.depth_m = std::max(0.0, truth + noise);
-    in.latitude_ddmm = knows_position ? 3910 + north / kMetresPerMinute : kNan;
-    in.altitude_m = altitude(water - truth + noise / 3);
-    in.ctd_bar = has_ctd ? (truth + noise / 2) / 10 : kNan;
-    spoil(in);
-    out = bench.cycle();
-    pump = out.commanding ? out.pump_cc : 230;
-    return out;
-  }
-  /// A yo between 4 and 55 m.
-  void yo(double hours) {
-    for (int i = 0; i < hours * 900; ++i) {
-      cycle();
-      const double depth = bench.inputs.depth_m;
-      if (dives ? depth >= 55 : depth <= 4) {
-        dives = !dives;
-        bench.write(dives ? HookbehBench::descend(55) : HookbehBench::ascend(4));
-      }
-      if (out.guard != HookGuard::None && dives) {
-        guarded += out.guard == HookGuard::NearBottom;
-      }
-    }
-  }
-
-  static HookbehArgs wide() {
-    HookbehArgs args;
-    args.greatest_depth_m = 60;
-    return args;
-  }
-  [[nodiscard]] bool rises() const { return pump > 0; }
-
-  HookbehBench bench;
-  std::function<double(double north)> bottom = [](double) { return 40; };
-  std::function<double(double height)> altitude = [](double) { return kNan; };
-  std::function<void(HookbehInputs&)> spoil = [](HookbehInputs&) {};
-  bool knows_position = true, has_ctd = false;
-  double truth = 0, north = 0, rate = 0, noise = 0.03, pump = 230, deepest = 0;
-  bool lies = false, lay = false, dives = true;
-  int touches = 0, guarded = 0;
-  HookbehOutputs out;
-};
 
 /// Cycles until the vehicle has touched the bottom and climbed clear of it.
 void touchOnce(ShallowSea& sea) {
@@ -167,6 +98,23 @@ TEST(HookbehBottom, ADiveThatOnlyBeginsHasTouchedNothing) {
   sea.yo(0.5);
   EXPECT_GT(sea.deepest, 54);
   EXPECT_EQ(sea.guarded, 0);
+}
+
+TEST(HookbehBottom, ATouchedBottomIsRememberedInSwellAndWithRareReadings) {
+  for (const double period : {7.0, 10.0, 13.0}) {
+    for (const int kept : {1, 3}) {
+      ShallowSea sea;
+      int cycles = 0;
+      double reading = 0.5;
+      sea.spoil = [&](HookbehInputs& in) {
+        const double swell = kept > 1 ? 0 : std::sin(2 * M_PI * in.time_s / period);
+        reading = ++cycles % kept == 0 ? std::max(0.0, in.depth_m + swell) : reading;
+        in.depth_m = reading;
+      };
+      sea.yo(2.5);
+      EXPECT_EQ(sea.touches, 1) << period << " s, " << kept;
+    }
+  }
 }
 
 TEST(HookbehBottom, ATouchedBottomIsRememberedWhereThePositionIsUnknown) {
@@ -333,9 +281,9 @@ TEST(HookbehBottom, BubblesNearTheSurfaceDoNotKeepTheVehicleUp) {
 
 TEST(HookbehBottom, AtTheSurfaceAnOldEchoIsNotForgotten) {
   EchoFloor echoes;
-  echoes.observe(15, 5, 4);
+  echoes.observe(15, 5, 15, 4);
   for (int i = 0; i < 2000; ++i) {
-    echoes.observe(0.5, kNan, 4);
+    echoes.observe(0.5, kNan, 15, 4);
   }
   EXPECT_LT(echoes.floor(), 21) << "at the surface the altimeter receives nothing";
 }

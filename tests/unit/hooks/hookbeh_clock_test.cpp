@@ -43,6 +43,18 @@ TEST(CycleClock, OneFalseReadingOfEitherClockIsACycle) {
   }
 }
 
+TEST(CycleClock, ACountedCycleTakesHalfASecondAtLeast) {
+  CycleClock clock = running();
+  clock.advance(1000.04, kNone, 251);
+  EXPECT_EQ(clock.step(), 0.5);
+  clock = running();
+  clock.advance(1000.04, 1e9 + 1000.04, 251);
+  EXPECT_EQ(clock.step(), 0.5) << "though both say so";
+  clock = running();
+  clock.advance(1000.25, 1e9 + 1000.25, 250);
+  EXPECT_EQ(clock.step(), 0.25) << "not counted";
+}
+
 TEST(CycleClock, ATimeThatLeapsDoesNotFollow) {
   CycleClock clock = running();
   clock.advance(60000, 1e9 + 1004, 251);

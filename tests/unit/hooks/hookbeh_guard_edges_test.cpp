@@ -28,14 +28,14 @@ struct GuardBench {
   HookGuard at(double depth_m, double altitude_m = kNan) {
     for (double far = depth_m - depth; std::fabs(far) > 2; far = depth_m - depth) {
       depth += std::copysign(2, far);
-      guard.observe({depth, 0, kNan, kNan}, 4, kOther, Way::None);
+      guard.observe(args, {depth, 0, kNan, kNan}, 4, kOther, Way::None);
       guard.mustClimb(args, in_force);
     }
     depth = std::isnan(depth_m) ? depth : depth_m;
     return cycle({depth_m, 0, altitude_m, ctd_m});
   }
   HookGuard cycle(const Surroundings& now) {
-    guard.observe(now, step_s, last, way);
+    guard.observe(args, now, step_s, last, way);
     return guard.mustClimb(args, in_force);
   }
   /// Cycles at `depth_m` that flickers in its last bits until `wanted`; at most 1000.

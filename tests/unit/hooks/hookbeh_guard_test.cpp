@@ -315,8 +315,8 @@ TEST(HookbehGuard, ANanAmongTheArgsIsABrokenLimit) {
   HookbehArgs args;
   args.least_altitude_m = kNan;
   Bench bench(args);
-  bench.inputs.altitude_m = 50;
   bench.cycle();
+  bench.inputs.altitude_m = 50;
   EXPECT_STREQ(bench.give(Bench::take(20)).doing, "climb: too near the bottom");
 }
 

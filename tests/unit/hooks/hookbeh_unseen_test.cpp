@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <deque>
 #include <string>
 
@@ -51,6 +52,41 @@ TEST(HookbehUnseen, AHoverWhoseDepthFlickersAboveItClimbsInTime) {
       sea.truth += 0.1;  // and the vehicle is heavy
     });
     EXPECT_LT(sea.deepest, 40) << stuck;
+  }
+}
+
+/// Stuck, and wavering slowly: it confirms the same metres again and again.
+TEST(HookbehUnseen, AHoverWhoseDepthWaversSlowlyClimbsInTime) {
+  for (const double wide : {1.3, 1.5, 2.0}) {
+    for (const double period : {40.0, 60.0, 100.0}) {
+      for (const bool steps : {false, true}) {
+        SlowSea sea;
+        hoverAt(sea, 20);
+        double time = 0;
+        sea.run(3600, [&](HookbehInputs& in) {
+          time += 4;
+          const double phase = std::sin(2 * M_PI * time / period);
+          in.depth_m = 20 + wide * (steps ? std::copysign(1, phase) : phase) + 1e-4 * sea.noise;
+          sea.truth += sea.pump > -100 && sea.pump < 100 ? 0.36 : 0;  // and the vehicle is heavy
+        });
+        EXPECT_LT(sea.deepest, 55) << wide << " m in " << period << " s";
+      }
+    }
+  }
+}
+
+TEST(HookbehUnseen, ADiveWhoseDepthWaversSlowlyTurnsInTime) {
+  for (const double wide : {1.3, 2.0}) {
+    for (const double period : {40.0, 60.0}) {
+      SlowSea sea;
+      sea.diveTo(10, 28);
+      double time = 0;
+      sea.run(1800, [&](HookbehInputs& in) {
+        time += 4;
+        in.depth_m = 10 + wide * std::sin(2 * M_PI * time / period) + 1e-4 * sea.noise;
+      });
+      EXPECT_LT(sea.deepest, 50) << wide << " m in " << period << " s";
+    }
   }
 }
 
@@ -465,7 +501,7 @@ TEST(UnseenSink, TakesNothingBackBeforeTheVehicleRisesAndThenLittle) {
 }
 
 TEST(UnseenSink, AWeakPumpOrALevelPitchDoesNotLift) {
-  for (const VerticalCommand& weak : {VerticalCommand{0.4, 140, ""}, {0, 230, ""}}) {
+  for (const VerticalCommand& weak : {VerticalCommand{0.4, 110, ""}, {0, 230, ""}}) {
     UnseenSink sink = stoodAt20(kAdrift);
     const double before = sink.deepest();
     drive(sink, 20, 20, weak);

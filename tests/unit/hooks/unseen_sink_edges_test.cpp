@@ -47,9 +47,9 @@ TEST(UnseenSinkEdges, WhatSinksIsSixtyCcInOrTheNoseATenthDown) {
   EXPECT_NEAR(rateUnder({0, -59.9, ""}), kAdriftMps, 1e-9);
   EXPECT_NEAR(rateUnder({-0.1, 0, ""}), kFlatMps, 1e-9);
   EXPECT_NEAR(rateUnder({-0.0999, 0, ""}), kAdriftMps, 1e-9);
-  EXPECT_NEAR(rateUnder({0.1, 150, ""}), kFlatMps, 1e-9) << "it has not turned yet";
-  EXPECT_NEAR(rateUnder({0.1, 149.9, ""}), kAdriftMps, 1e-9);
-  EXPECT_NEAR(rateUnder({0.0999, 150, ""}), kAdriftMps, 1e-9);
+  EXPECT_NEAR(rateUnder({0.1, 116.5, ""}), kFlatMps, 1e-9) << "it has not turned yet";
+  EXPECT_NEAR(rateUnder({0.1, 116.4, ""}), kAdriftMps, 1e-9);
+  EXPECT_NEAR(rateUnder({0.0999, 116.5, ""}), kAdriftMps, 1e-9);
 }
 
 TEST(UnseenSinkEdges, TheRateIsThatOfThePitchButNeverBelowThatOfSeventeenDegrees) {

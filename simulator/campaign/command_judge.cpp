@@ -280,7 +280,9 @@ std::string CommandJudge::judgeHover(const HookbehOutputs& out, double reading) 
   const double above = in_force_.depth_m - reading;
   if (!arrived_ && std::fabs(above) > kHoverReach + kDepthError) {
     const bool goes = above > 0 ? out.pitch_rad < 0 : out.pitch_rad > 0;
-    return goes ? "" : fmt::format("no way to {} m though it is in force", in_force_.depth_m);
+    return goes || checksDepth(out)
+               ? ""
+               : fmt::format("no way to {} m though it is in force", in_force_.depth_m);
   }
   arrived_ = true;
   return "";

@@ -99,7 +99,8 @@ std::string GuardJudge::judgeOverridden(const CycleView& view) {
   const double off_cc = view.array.get(Sensor::c_ballast_pumped) - view.hookbeh->pump_cc;
   const bool away = view.overridden() && std::fabs(off_cc) > kAwayCc;
   away_s_ = away ? away_s_ + view.time_s - last_s_ : 0;
-  stalled_ = stalled;
+  // A guard lasts over sessions.
+  stalled_ = view.hookbeh->commanding ? stalled : stalled_;
   return wrong ? fmt::format("the guard intervenes ({}) while another behaviour has the pump",
                              view.hookbeh->doing)
                : "";

@@ -186,6 +186,19 @@ TEST_F(JudgedGuard, AGuardThatCountsWhatAnotherBehaviourFliesIsSeen) {
   EXPECT_EQ(cycle(20), "") << "once";
 }
 
+TEST_F(JudgedGuard, AGuardThatLastsOverSessionsIsNoNewOne) {
+  out_.commanding = true;
+  guard(HookGuard::NoDepthGained, "climb: no depth gained");
+  EXPECT_EQ(stay(20, 16), "");
+  out_ = {};
+  EXPECT_EQ(cycle(10, 10, HookState::Silent), "");
+  out_.commanding = true;
+  reported_ = hooks::kMaskedPump;
+  overridden_ = true;
+  guard(HookGuard::NoDepthGained, "climb: no depth gained");
+  EXPECT_EQ(stay(10, 16), "");
+}
+
 TEST_F(JudgedGuard, AGuardMayComeInAsAnotherBehaviourTakesThePump) {
   dive();
   overridden_ = true;

@@ -406,6 +406,22 @@ TEST_F(JudgedClimb, AtAnotherPitchIsSeen) {
   EXPECT_EQ(violation(), "no climb to 4 m though it is in force");
 }
 
+TEST_F(JudgedClimb, OnTheWayToAHoverHookbehsOwnIsOneToo) {
+  take();
+  instruct(1, 2, hooks::HookControl::Take, 50, hooks::HookVertical::Hover, 0);
+  arrive();
+  obey(2);
+  climb();
+  out_.doing = "check depth";
+  out_.pump_cc = 233;
+  cycle(HookState::Active, 37);
+  EXPECT_EQ(violation(), "");
+  out_.doing = "climb_to";
+  out_.pump_cc = 230;
+  cycle(HookState::Active, 36);
+  EXPECT_EQ(violation(), "no way to 50 m though it is in force");
+}
+
 TEST_F(Judged, ATakeWithoutAWayUpOrDownEndsTheOneBefore) {
   take();
   instruct(1, 2, hooks::HookControl::Take, 0, hooks::HookVertical::None);

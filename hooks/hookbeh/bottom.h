@@ -16,7 +16,7 @@ class Bottom {
   /// Takes in one cycle, `step_s` after the previous one. `depth_m`: NaN while it is not believed.
   /// `least_altitude_m`: how far the vehicle stays above the bottom.
   void observe(const Surroundings& now, double depth_m, double least_altitude_m, double step_s);
-  /// What the sensor array holds before the first cycle is no echo.
+  /// What the sensor array holds before the first cycle is not an echo.
   void ignore(double altitude_m) { echoes_.ignore(altitude_m); }
   /// Where the vehicle is; must be called before observe(), apart from it for the sake of the
   /// stack.

@@ -25,7 +25,7 @@ class Guard {
   /// also while another behaviour is in control, so that the bottom is known when it matters.
   void observe(const HookbehArgs& args, const Surroundings& now, double step_s,
                const VerticalCommand& last, Way way);
-  /// What the sensor array holds before the first cycle is no echo.
+  /// What the sensor array holds before the first cycle is not an echo.
   void ignore(double altitude_m) { bottom_.ignore(altitude_m); }
   /// Why hookbeh must climb now, or None. Once too deep or too near the bottom it returns that
   /// until the vehicle is a metre clear of the limits and `in_force` leads up or to a depth that is

@@ -18,6 +18,7 @@ namespace {
 
 using testing::ContainsRegex;
 using testing::HasSubstr;
+using testing::Not;
 
 const std::string kMissions =
     project("missions/figure2.mission") + " " + project("missions/gallery/thermocline.mission");
@@ -36,12 +37,12 @@ TEST(Campaign, EveryKindOfFaultEndsAsStated) {
   EXPECT_THAT(rows, HasSubstr(",released,"));
 }
 
-TEST(Campaign, SaysNoDepthOfAFaultThatWasNotFlown) {
+TEST(Campaign, SaysNothingOfAFaultThatWasNotFlown) {
   const Outcome outcome = runShell("$GLIDERCC campaign " + project("missions/figure2.mission") +
                                    " --flights 1 --boards 0 --seed 1");
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
   EXPECT_THAT(outcome.out, ContainsRegex("\nnone +1 +1 +0 +0 +2[0-9]\\.[0-9] +0\n"));
-  EXPECT_THAT(outcome.out, ContainsRegex("\nseveral at once +0 +0 +0 +0 +- +0\n"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("several at once")));
 }
 
 TEST(Campaign, FliesTheKindsOfFaultsThatAreAskedFor) {
@@ -51,7 +52,7 @@ TEST(Campaign, FliesTheKindsOfFaultsThatAreAskedFor) {
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
   EXPECT_THAT(outcome.out, ContainsRegex("\nline cut +4 "));
   EXPECT_THAT(outcome.out, ContainsRegex("\nsensor stuck +4 "));
-  EXPECT_THAT(outcome.out, ContainsRegex("\nnone +0 "));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("none")));
   EXPECT_THAT(runShell(asked + " --only 3").out, HasSubstr("sensor stuck"));
   const Outcome unknown = runShell("$GLIDERCC campaign m.mission --fault gremlins");
   EXPECT_EQ(unknown.status, 2);
@@ -178,7 +179,7 @@ TEST_P(CampaignResumed, GoesOnAfterASignalAsIfThereHadBeenNone) {
   if (std::string(GetParam()) == "INT") {
     EXPECT_EQ(killed.status, 130);
     EXPECT_THAT(killed.out, HasSubstr("interrupted after"));
-    EXPECT_THAT(killed.out, HasSubstr("SBC power cut"));
+    EXPECT_THAT(killed.out, HasSubstr("\nall "));
     EXPECT_THAT(killed.out, HasSubstr("--resume " + cut));
   }
   // A row that was torn in the middle is flown again. accepts: GL9373

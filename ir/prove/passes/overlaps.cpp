@@ -64,7 +64,7 @@ class OverlapCheck {
     const bool same_way = a.transition == b.transition && a.target == b.target;
     const bool dead = proof_.dead.contains({state, first}) || proof_.dead.contains({state, second});
     const bool last_resort = m_[b.guard].op == Op::True || m_[a.guard].op == Op::True;
-    const bool said = proof_.said.concern(a.range) || proof_.said.concern(b.range);
+    const bool said = proof_.said.cover(m_[a.guard].range) || proof_.said.cover(m_[b.guard].range);
     if (!leadsAway(a) || !leadsAway(b) || same_way || dead || last_resort || said) {
       return;
     }

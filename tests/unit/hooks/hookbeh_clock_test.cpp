@@ -49,7 +49,7 @@ TEST(CycleClock, ACountedCycleTakesHalfASecondAtLeast) {
   EXPECT_EQ(clock.step(), 0.5);
   clock = running();
   clock.advance(1000.04, 1e9 + 1000.04, 251);
-  EXPECT_EQ(clock.step(), 0.5) << "though both say so";
+  EXPECT_EQ(clock.step(), 0.5) << "though both clocks do";
   clock = running();
   clock.advance(1000.25, 1e9 + 1000.25, 250);
   EXPECT_EQ(clock.step(), 0.25) << "not counted";

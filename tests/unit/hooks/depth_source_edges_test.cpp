@@ -46,6 +46,22 @@ TEST(DepthSourceEdges, ItJumpsBeyondWhatTheVehicleMakesAndNoiseAdds) {
   }
 }
 
+TEST(DepthSourceEdges, BeforeItsCadenceIsKnownAReadingMayHaveBeenKeptForLong) {
+  DepthSource source{kHull};
+  for (int i = 0; i < 8; ++i) {
+    source.observe(2, 4);
+  }
+  source.observe(2.5 + 0.4 * 30, 4);
+  EXPECT_EQ(source.reading(), Reading::Good);
+}
+
+TEST(DepthSourceEdges, AReadingThatJumpsCountsAsOneCycleHoweverLongItsCycleWas) {
+  DepthSource source{kHull};
+  source.observe(2, 4);
+  source.observe(30, 15);
+  EXPECT_EQ(source.jumpedFor(), 4);
+}
+
 TEST(DepthSourceEdges, AnOldDepthReachesFarther) {
   DepthSource source{kHull};
   source.observe(0, 4);

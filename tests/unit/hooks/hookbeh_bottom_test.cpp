@@ -3,12 +3,14 @@
 
 // hookbeh over a bottom that the altimeter does not show, or shows only now and then.
 
+#include "hooks/hookbeh/bottom.h"
 #include "tests/unit/hooks/hookbeh_shallow_sea.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace glider::hooks {
 namespace {
@@ -100,20 +102,53 @@ TEST(HookbehBottom, ADiveThatOnlyBeginsHasTouchedNothing) {
   EXPECT_EQ(sea.guarded, 0);
 }
 
-TEST(HookbehBottom, ATouchedBottomIsRememberedInSwellAndWithRareReadings) {
+TEST(HookbehBottom, ATouchedBottomIsRememberedInSwellOfAMetre) {
   for (const double period : {7.0, 10.0, 13.0}) {
-    for (const int kept : {1, 3}) {
+    for (double phase = 0; phase < 6; phase += 0.5) {
       ShallowSea sea;
+      sea.spoil = [&](HookbehInputs& in) {
+        const double swell = std::sin(2 * M_PI * in.time_s / period + phase);
+        in.depth_m = std::max(0.0, in.depth_m + swell);
+      };
+      sea.yo(2.5);
+      EXPECT_EQ(sea.touches, 1) << period << " s, " << phase;
+    }
+  }
+}
+
+TEST(HookbehBottom, ATouchedBottomIsRememberedByRareReadings) {
+  for (const int kept : {2, 3, 4}) {
+    for (const double full_mps : {0.2, 0.3}) {
+      ShallowSea sea;
+      sea.full_mps = full_mps;
       int cycles = 0;
       double reading = 0.5;
       sea.spoil = [&](HookbehInputs& in) {
-        const double swell = kept > 1 ? 0 : std::sin(2 * M_PI * in.time_s / period);
-        reading = ++cycles % kept == 0 ? std::max(0.0, in.depth_m + swell) : reading;
+        reading = ++cycles % kept == 0 ? in.depth_m + 0.01 * std::sin(cycles) : reading;
         in.depth_m = reading;
       };
       sea.yo(2.5);
-      EXPECT_EQ(sea.touches, 1) << period << " s, " << kept;
+      EXPECT_EQ(sea.touches, 1) << kept << " cycles, " << full_mps << " m/s";
     }
+  }
+}
+
+/// The first reading after the stop is already metres higher.
+TEST(HookbehBottom, AStopIsConfirmedByAReadingThatTheVehicleCanHaveReached) {
+  for (const auto& [climbed_m, confirmed] : {std::pair{9.0, true}, {10.0, false}}) {
+    const Surroundings now{40, 0, kNan, kNan, 3910, -7350};
+    Bottom bottom;
+    const auto cycle = [&](double depth_m) {
+      bottom.observe(now, depth_m, 5, 4);
+      bottom.follow(4);
+    };
+    cycle(40);
+    bottom.noteStop();
+    for (int i = 0; i < 3; ++i) {
+      cycle(40);
+    }
+    cycle(40 - climbed_m);
+    EXPECT_EQ(isKnown(bottom.touchedFloor()), confirmed) << climbed_m;
   }
 }
 

@@ -89,6 +89,7 @@ TEST(HookbehRelease, AnEchoThatCameWithoutADepthIsNotAddedToALaterOne) {
   };
   sea.yo(0.5);
   EXPECT_GT(blind, 60);
+  EXPECT_EQ(sea.guarded, 0) << "by a bottom";
   EXPECT_GT(deepestIn(sea, 1), 54);
 }
 

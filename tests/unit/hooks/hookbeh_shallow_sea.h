@@ -25,7 +25,7 @@ class ShallowSea {
   }
 
   HookbehOutputs cycle() {
-    const double wanted = pump > 100 ? -0.2 : pump < -100 ? 0.2 : pump / -1000;
+    const double wanted = pump > 100 ? -full_mps : pump < -100 ? full_mps : pump / -1000;
     rate += (wanted - rate) * 0.4;
     const double water = bottom(north);
     const double next = std::max(0.0, truth + rate * 4);
@@ -72,6 +72,7 @@ class ShallowSea {
   std::function<double(double north)> bottom = [](double) { return 40; };
   std::function<double(double height)> altitude = [](double) { return kNan; };
   std::function<void(HookbehInputs&)> spoil = [](HookbehInputs&) {};
+  double full_mps = 0.2;  ///< at which it moves when driven
   bool knows_position = true, has_ctd = false;
   double truth = 0, north = 0, rate = 0, noise = 0.03, pump = 230, deepest = 0;
   bool lies = false, lay = false, dives = true;

@@ -76,10 +76,20 @@ TEST(HookbehUnseen, AHoverWhoseDepthWaversSlowlyClimbsInTime) {
 }
 
 TEST(HookbehUnseen, ADiveWhoseDepthWaversSlowlyTurnsInTime) {
-  for (const double wide : {1.3, 2.0}) {
+  HookbehArgs args = HookbehSea::args(30);
+  args.steepest_pitch_rad = 0.7854;
+  Instruction steep = Bench::take(28);
+  steep.pitch_rad = -0.785;
+  for (const double wide : {1.3, 1.5, 2.0}) {
     for (const double period : {40.0, 60.0}) {
       SlowSea sea;
-      sea.diveTo(10, 28);
+      sea.bench.hookbeh = Hookbeh(args, kHull);
+      sea.full_mps = 0.35;
+      sea.cycle();
+      sea.bench.write(steep);
+      while (sea.truth < 10) {
+        sea.cycle();
+      }
       double time = 0;
       sea.run(1800, [&](HookbehInputs& in) {
         time += 4;

@@ -34,7 +34,7 @@ constexpr uint16_t missingFeatures(const Features& one, const Features& other) {
 /// The number of the lowest feature in `features`, which must not be empty.
 constexpr uint8_t lowestFeature(uint16_t features) {
   uint8_t bit = 0;
-  while (bit < 15 && (features >> bit & 1U) == 0) {
+  while (bit < 15 && (static_cast<unsigned>(features) >> bit & 1U) == 0) {
     ++bit;
   }
   return bit;

@@ -7,8 +7,6 @@
 #include "ir/prove/passes.h"
 #include "support/diagnostics/catalogue.h"
 
-#include <algorithm>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <tuple>

@@ -8,7 +8,6 @@
 #include "ir/prove/passes.h"
 #include "support/diagnostics/catalogue.h"
 
-#include <algorithm>
 #include <limits>
 #include <map>
 #include <set>

@@ -20,10 +20,10 @@ using support::Result;
 
 constexpr uint64_t kSeeds = 3;  ///< of each scenario
 
-class Search {
+class LoopSearch {
  public:
-  Search(const compiler::Optimised& flown, const ir::prove::RequirementVerdict& verdict,
-         std::shared_ptr<const codegen::LoadedMission> loaded)
+  LoopSearch(const compiler::Optimised& flown, const ir::prove::RequirementVerdict& verdict,
+             std::shared_ptr<const codegen::LoadedMission> loaded)
       : flown_(flown),
         requirement_(verdict.requirement),
         parameters_(verdict.run->parameters),
@@ -81,8 +81,8 @@ Result<ClosedLoop> searchClosedLoop(const compiler::Optimised& mission,
   if (!loaded) {
     return std::unexpected(loaded.error());
   }
-  return Search(mission, verdict,
-                std::make_shared<const codegen::LoadedMission>(std::move(*loaded)))
+  return LoopSearch(mission, verdict,
+                    std::make_shared<const codegen::LoadedMission>(std::move(*loaded)))
       .run();
 }
 

@@ -37,10 +37,11 @@ std::vector<ir::CasePlace> allCases(const ir::Mission& mission) {
   return places;
 }
 
-class Search {
+class DependenceSearch {
  public:
-  Search(const compiler::Checked& checked, const std::vector<ir::prove::RequirementVerdict>& proved,
-         const ir::prove::Options& asked)
+  DependenceSearch(const compiler::Checked& checked,
+                   const std::vector<ir::prove::RequirementVerdict>& proved,
+                   const ir::prove::Options& asked)
       : checked_(checked), m_(checked.mission()) {
     how_.effort = asked.effort;
     how_.run_effort = asked.run_effort / kShare;
@@ -114,7 +115,7 @@ class Search {
 std::optional<Coverage> coverageOf(const compiler::Checked& checked,
                                    const std::vector<ir::prove::RequirementVerdict>& proved,
                                    const ir::prove::Options& asked) {
-  return Search(checked, proved, asked).run();
+  return DependenceSearch(checked, proved, asked).run();
 }
 
 std::string coverageLine(const Coverage& coverage, const compiler::Checked& checked) {

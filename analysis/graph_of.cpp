@@ -34,9 +34,9 @@ GraphTransition transitionOf(ir::Transition transition) {
   return GraphTransition::Stay;
 }
 
-class Maker {
+class GraphMaker {
  public:
-  Maker(const compiler::Lowered& lowered, const std::map<ir::CasePlace, bool>& dead)
+  GraphMaker(const compiler::Lowered& lowered, const std::map<ir::CasePlace, bool>& dead)
       : sources_(*lowered.sources),
         in_the_language_(lowered.standard_library.has_value()),
         mission_(lowered.mission),
@@ -169,7 +169,7 @@ class Maker {
 report::Graph graphOf(const compiler::Lowered& mission,
                       const std::vector<ir::StateId>& deepest_path,
                       const std::map<ir::CasePlace, bool>& dead) {
-  return Maker(mission, dead).run(deepest_path);
+  return GraphMaker(mission, dead).run(deepest_path);
 }
 
 }  // namespace glider::analysis

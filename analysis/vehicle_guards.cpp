@@ -10,13 +10,13 @@
 #include "ir/prove/abstract/hovers.h"
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/context/proof_context.h"
+#include "ir/verify/intervals.h"
 #include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace glider::analysis {
@@ -35,8 +35,6 @@ constexpr double kLeastAltitude_m = 2;
 /// of 4 to 5 m that its depth answers (hooks/hookbeh/README.md), and abend then counts from the
 /// start.
 constexpr double kHoverShowsDepth_s = 660;
-
-constexpr double kMost = std::numeric_limits<double>::max();
 
 class GuardCheck {
  public:
@@ -162,7 +160,7 @@ class GuardCheck {
     }
     for (const bool ever : {false, true}) {
       const auto may = [&](double reading) {
-        constexpr ir::Interval kEver{0, kMost, false};
+        constexpr ir::Interval kEver{0, ir::kGreatestNumber, false};
         const ir::prove::Sight sight{altitude, {reading, reading, false}, ever};
         return ir::prove::AbstractEvaluator(proof_context, values, {kEver, kEver, kEver}, sight)
             .truth(guard)

@@ -42,7 +42,7 @@ void checkDepth(const ir::Mission& mission, double overdepth, const std::string&
 }
 
 /// The latest end of the mission, if it has a proved one.
-std::optional<double> endOf(const compiler::Checked& checked) {
+std::optional<double> latestEnd(const compiler::Checked& checked) {
   const ir::prove::ProofContext context(checked.mission(), checked.platform());
   return ir::prove::boundOf(context.withoutPowerCuts(), ir::prove::kLongestMission,
                             ir::prove::Goal::Exit)
@@ -61,7 +61,7 @@ void checkTime(const compiler::Checked& checked, double overtime, double starts,
         "lower start_secs, or raise overtime");
     return;
   }
-  const std::optional<double> end = endOf(checked);
+  const std::optional<double> end = latestEnd(checked);
   if (end && starts + *end > overtime) {
     const std::string from =
         starts > 0 ? fmt::format(" from {} on (start_secs)", ir::prove::durationOf(starts)) : "";
@@ -101,7 +101,7 @@ void checkVehicleLimits(const compiler::Checked& checked, const VehicleFile& fil
 }
 
 std::optional<std::string> endlessLine(const compiler::Checked& mission, const VehicleFile& file) {
-  if (!file.aborts.overtime_s || endOf(mission)) {
+  if (!file.aborts.overtime_s || latestEnd(mission)) {
     return std::nullopt;
   }
   return fmt::format(

@@ -15,12 +15,46 @@ if(GLIDER_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
+# From nothing, the headers cost most of the time: sources of one folder are compiled together, at most some sixteen at a time. A file
+# stays in its group when others come or go, so names in unnamed namespaces must differ only within a folder.
+option(GLIDER_UNITY "Compile the sources of a folder together (from nothing three times as fast; a change rebuilds more)" ON)
+function(glider_unite name)
+  if(NOT GLIDER_UNITY)
+    return()
+  endif()
+  get_target_property(sources ${name} SOURCES)
+  list(FILTER sources INCLUDE REGEX "[.]cpp$")
+  foreach(source ${sources})
+    get_filename_component(folder ${source} DIRECTORY)
+    string(REPLACE ${CMAKE_SOURCE_DIR}/ "" folder "${folder}")
+    string(MAKE_C_IDENTIFIER "in_${folder}" folder)
+    list(APPEND members_${folder} ${source})
+    list(APPEND folders ${folder})
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  foreach(folder ${folders})
+    list(LENGTH members_${folder} count)
+    math(EXPR groups "(${count} + 15) / 16")
+    foreach(source ${members_${folder}})
+      get_filename_component(file ${source} NAME)
+      string(MD5 hash ${file})
+      string(SUBSTRING ${hash} 0 6 hash)
+      math(EXPR group "0x${hash} % ${groups}")
+      set_source_files_properties(${source} TARGET_DIRECTORY ${name} PROPERTIES UNITY_GROUP ${folder}_${group})
+    endforeach()
+  endforeach()
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # A class that a .cpp alone defines may hold what its unnamed namespace does.
+  target_compile_options(${name} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
+endfunction()
+
 # glider_library(NAME SOURCES ... [LINKS ...]): one static library of ours, includes from the root.
 function(glider_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINKS" ${ARGN})
   add_library(${name} STATIC ${arg_SOURCES})
   target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/generated)
   target_link_libraries(${name} PUBLIC ${arg_LINKS} PRIVATE glider_warnings)
+  glider_unite(${name})
 endfunction()
 
 # glider_test(NAME SOURCES ... [LINKS ...]): one GoogleTest program, registered case by case.
@@ -34,6 +68,9 @@ function(glider_test name)
     glider_warnings)
   target_compile_definitions(${name} PRIVATE
     GLIDER_SOURCE_DIR="${CMAKE_SOURCE_DIR}" GLIDER_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  # What is tested is optimised, what tests it need not be.
+  target_compile_options(${name} PRIVATE -O0)
+  glider_unite(${name})
   # Instrumented code is several times slower.
   set(limit 300)
   if(GLIDER_SANITIZE)

@@ -31,7 +31,7 @@ namespace {
 enum class Format : uint8_t { Text, Json, Sarif };
 
 /// The values of `--format`.
-const std::map<std::string, Format> kFormats = {
+const std::map<std::string, Format> kCheckFormats = {
     {"text", Format::Text}, {"json", Format::Json}, {"sarif", Format::Sarif}};
 
 struct CommandOptions {
@@ -110,8 +110,7 @@ int exitCode(const report::CheckedMission& found) {
 std::string requirementLines(const report::CheckedMission& found) {
   std::string text;
   for (const report::JudgedRequirement& one : found.requirements) {
-    text +=
-        fmt::format("{}{}: {}\n", one.verdict, one.cached ? " by an earlier check" : "", one.text);
+    text += fmt::format("{}: {}\n", one.verdict, one.text);
     text += one.premise.empty() ? "" : fmt::format("  {}\n", one.premise);
     text += one.closed_loop ? fmt::format("  {}\n", report::searchInWords(*one.closed_loop)) : "";
   }
@@ -400,7 +399,7 @@ void addCheckCommand(CLI::App& app, int& status) {
   command
       ->add_option_function<std::string>(
           "--format",
-          [options](const std::string& format) { options->format = kFormats.at(format); },
+          [options](const std::string& format) { options->format = kCheckFormats.at(format); },
           "Output format: text, json, or sarif (SARIF 2.1.0, for editors and CI); json and sarif "
           "write one document with all findings [text]")
       ->check(CLI::IsMember(std::vector<std::string>{"text", "json", "sarif"}))
@@ -430,9 +429,6 @@ void addCheckCommand(CLI::App& app, int& status) {
       ->option_text("S");
   addVehicleOptions(*command, *options);
   addLinkOption(*command, options->check.user_code);
-  command->add_flag_callback(
-      "--no-cache", [options] { options->check.cache = false; },
-      "Repeat all proofs instead of reusing results of earlier checks from ~/.cache/glidercc");
   command
       ->add_option(
           "--traces", options->traces,

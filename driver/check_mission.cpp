@@ -4,7 +4,6 @@
 #include "driver/check_mission.h"
 
 #include "analysis/analysis.h"
-#include "compiler/proof_cache.h"
 #include "compiler/proving.h"
 #include "driver/output/check_progress.h"
 #include "driver/terminal.h"
@@ -63,7 +62,6 @@ Result<report::JudgedRequirement> judgedRequirement(const compiler::Checked& che
                                    ir::prove::word(verdict.verdict),
                                    std::nullopt,
                                    ir::prove::premisesOf(verdict, checked.mission()),
-                                   verdict.cached,
                                    verdict.reason};
   if (flown != nullptr && verdict.verdict == ir::prove::Verdict::Refuted && verdict.run) {
     const auto search = analysis::searchClosedLoop(*flown, verdict);
@@ -93,19 +91,6 @@ ir::prove::Findings proveWithProgress(compiler::Compilation& compilation, const 
                             support::onOneLine(checked.sources().text(all[number].range))));
   };
   return compiler::prove(checked, how, compilation.diagnostics);
-}
-
-/// Without requirements there is nothing to cache.
-ir::prove::Findings proveWithCache(compiler::Compilation& compilation, const std::string& path,
-                                   ir::prove::Options how, bool wanted) {
-  if (!wanted || compilation.checked->mission().requirements.empty()) {
-    return proveWithProgress(compilation, path, how);
-  }
-  const compiler::ProofCache cache(*compilation.checked, how.run_effort);
-  how.earlier_proof = [&](uint32_t requirement) { return cache.find(requirement); };
-  auto proved = proveWithProgress(compilation, path, how);
-  cache.keep(proved.requirements);
-  return proved;
 }
 
 /// The vehicle's mission file, and what it says of the SBC's control.
@@ -306,8 +291,7 @@ Result<void> checkFurther(CheckedFile& file, const CheckOptions& options) {
   }
   const ir::prove::Options how =
       proverOptions(options, startsOf(compilation.checked->mission(), scenario));
-  file.proved =
-      proveWithCache(compilation, file.found.path, how, options.cache && !options.evidence);
+  file.proved = proveWithProgress(compilation, file.found.path, how);
   if (auto tried = tryInScenario(options, scenario, file); !tried) {
     return tried;
   }

@@ -24,7 +24,6 @@ struct CheckOptions {
   std::vector<std::string> user_code;  ///< of the budget: what has the mission's `extern` names
   unsigned effort = 1;                 ///< multiplies the resource limits of proofs
   double timeout_s = 0;                ///< of the proofs about a mission; 0: none
-  bool cache = true;                   ///< use the verdicts of earlier checks, and store new ones
   bool evidence = false;               ///< of each proof; the cache has none
 };
 

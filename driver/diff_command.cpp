@@ -50,7 +50,7 @@ Verdicts verdictsOf(const report::CheckedMission& found) {
   return verdicts;
 }
 
-/// The requirements whose verdicts differ. A proof by an earlier check is a proof.
+/// The requirements whose verdicts differ.
 std::vector<std::string> compareVerdicts(const report::CheckedMission& before,
                                          const report::CheckedMission& after) {
   const Verdicts was = verdictsOf(before);
@@ -159,9 +159,6 @@ void addDiffCommand(CLI::App& app, int& status) {
   command->add_flag_callback(
       "--no-flights", [options] { options->fly = false; },
       "Do not look for a flight on which the two part");
-  command->add_flag_callback(
-      "--no-cache", [options] { options->check.cache = false; },
-      "Do not use the verdicts of earlier checks, and do not store new ones");
   command->footer(
       "Exit codes: 0 no difference in behaviour, 1 they differ, 2 usage error, a mission with "
       "errors, or a file failed.");

@@ -22,17 +22,17 @@
 namespace glider::driver {
 namespace {
 
-enum class Format : uint8_t { Svg, Dot, Json, Promela };
+enum class GraphFormat : uint8_t { Svg, Dot, Json, Promela };
 
 /// The values of `--format`.
-const std::map<std::string, Format> kFormats = {{"svg", Format::Svg},
-                                                {"dot", Format::Dot},
-                                                {"json", Format::Json},
-                                                {"promela", Format::Promela}};
+const std::map<std::string, GraphFormat> kGraphFormats = {{"svg", GraphFormat::Svg},
+                                                          {"dot", GraphFormat::Dot},
+                                                          {"json", GraphFormat::Json},
+                                                          {"promela", GraphFormat::Promela}};
 
 struct GraphOptions {
   std::string mission;
-  Format format = Format::Svg;
+  GraphFormat format = GraphFormat::Svg;
   bool deepest = false;
   std::string output;
 };
@@ -42,7 +42,7 @@ using DeadCases = std::map<ir::CasePlace, bool>;
 std::string draw(const GraphOptions& options, const compiler::Compilation& compilation,
                  const DeadCases& dead) {
   const compiler::Lowered& mission = *compilation.lowered;
-  if (options.format == Format::Promela) {
+  if (options.format == GraphFormat::Promela) {
     return ir::promela(mission.mission);
   }
   const report::Graph graph = analysis::graphOf(
@@ -51,13 +51,13 @@ std::string draw(const GraphOptions& options, const compiler::Compilation& compi
       dead);
   const report::GraphStyle style{options.deepest};
   switch (options.format) {
-    case Format::Svg:
+    case GraphFormat::Svg:
       return report::graphToSvg(graph, style);
-    case Format::Dot:
+    case GraphFormat::Dot:
       return report::graphToDot(graph, style);
-    case Format::Json:
+    case GraphFormat::Json:
       return report::graphToJson(graph);
-    case Format::Promela:
+    case GraphFormat::Promela:
       break;
   }
   return "";
@@ -82,7 +82,7 @@ support::Result<void> put(const GraphOptions& options, const compiler::Compilati
     return support::fail(support::DiagnosticId::outputIsInput, options.mission);
   }
   // Nothing can be proved about a mission with errors; its known structure is drawn.
-  const DeadCases dead = compilation.checked && options.format != Format::Promela
+  const DeadCases dead = compilation.checked && options.format != GraphFormat::Promela
                              ? compiler::casesThatNeverFire(*compilation.checked)
                              : DeadCases();
   const std::string text = draw(options, compilation, dead);
@@ -125,7 +125,7 @@ void addGraphCommand(CLI::App& app, int& status) {
   command
       ->add_option_function<std::string>(
           "--format",
-          [options](const std::string& format) { options->format = kFormats.at(format); },
+          [options](const std::string& format) { options->format = kGraphFormats.at(format); },
           "Output format: svg, dot (Graphviz), json, or promela (a model of the structure for "
           "SPIN) [svg]")
       ->check(CLI::IsMember(std::vector<std::string>{"svg", "dot", "json", "promela"}))

@@ -111,7 +111,7 @@ int log(const LogOptions& options) {
   return showMissionLog(file, options);
 }
 
-constexpr const char* kFooter =
+constexpr const char* kLogFooter =
     "The log of a mission on the SBC is given alone. Any number of the vehicle's data files (.dbd "
     ".mbd .sbd\n"
     ".ebd .nbd .tbd, compressed .dcd .mcd .scd .ecd .ncd .tcd) and folders of them are shown "
@@ -183,7 +183,7 @@ void addLogCommand(CLI::App& app, int& status) {
       ->option_text("FOLDER")
       ->allow_extra_args(false);
   addDrawingOptions(*command, *options);
-  command->footer(kFooter);
+  command->footer(kLogFooter);
   command->callback([options, &status] { status = log(*options); });
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 using support::Trace;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// The time of the first row under water.
 std::optional<double> firstDive(const Trace& trace) {
@@ -37,7 +37,7 @@ class Reader {
       ++row_;
     }
     if (column < 0 || row_ + 1 >= trace_.rowCount() || time_s < trace_.at(row_, 0)) {
-      return kNaN;
+      return kNoValue;
     }
     const double begin = trace_.at(row_, 0), end = trace_.at(row_ + 1, 0);
     const double from = trace_.at(row_, column), to = trace_.at(row_ + 1, column);
@@ -95,8 +95,8 @@ void addBeside(Trace& log, const Trace& flight, double shift_s, const std::strin
     rows.insert(rows.end(), begin, begin + static_cast<std::ptrdiff_t>(width));
     const double time = log.at(row, 0) - shift_s;
     rows.push_back(reader.at(depthColumn(flight), time));
-    rows.push_back(track ? reader.at(east, time) + x : kNaN);
-    rows.push_back(track ? reader.at(north, time) + y : kNaN);
+    rows.push_back(track ? reader.at(east, time) + x : kNoValue);
+    rows.push_back(track ? reader.at(north, time) + y : kNoValue);
   }
   log.rows = std::move(rows);
   log.columns.insert(log.columns.end(), {{"sim_depth", "m"}, {"sim_x", "m"}, {"sim_y", "m"}});

@@ -16,11 +16,11 @@ namespace {
 
 using support::Trace;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
 
 struct Range {
-  double least = kNaN;
-  double greatest = kNaN;
+  double least = kNoFigure;
+  double greatest = kNoFigure;
 };
 
 Range rangeOf(const Trace& trace, int column) {
@@ -81,8 +81,8 @@ void measureTrack(const Trace& trace, int east, int north, int leg, FlightFigure
 }
 
 void measureTrack(const Trace& trace, FlightFigures& figures) {
-  figures.distance_m = kNaN;
-  figures.made_good_m = kNaN;
+  figures.distance_m = kNoFigure;
+  figures.made_good_m = kNoFigure;
   const struct {
     TrackSource source;
     int east;
@@ -104,14 +104,14 @@ void measureStates(const Trace& trace, int time, FlightFigures& figures) {
   const int state = trace.column("state");
   const int active = trace.column("hook_active");
   if (time < 0 || (state < 0 && active < 0)) {
-    figures.layered_s = kNaN;
-    figures.stateless_s = kNaN;
+    figures.layered_s = kNoFigure;
+    figures.stateless_s = kNoFigure;
     return;
   }
   std::map<double, StateFigures> by_id;
-  double before = kNaN;
+  double before = kNoFigure;
   for (size_t row = 0; row < trace.rowCount(); ++row) {
-    const double id = state < 0 ? kNaN : trace.at(row, state);
+    const double id = state < 0 ? kNoFigure : trace.at(row, state);
     const bool last = row + 1 == trace.rowCount();
     const double now = trace.at(row, time), next = last ? now : trace.at(row + 1, time);
     const double held_s = std::isnan(next - now) || trace.isGap(now, next) ? 0.0 : next - now;
@@ -160,7 +160,7 @@ std::vector<TurningPoint> turningPoints(const Trace& trace) {
   const int depth = depthColumn(trace);
   std::vector<TurningPoint> points;
   bool diving = false;
-  double extreme = kNaN;  // the shallowest depth of this climb, or the deepest of this dive
+  double extreme = kNoFigure;  // the shallowest depth of this climb, or the deepest of this dive
   size_t extreme_row = 0;
   for (size_t row = 0; depth >= 0 && row < trace.rowCount(); ++row) {
     const double here = trace.at(row, depth);

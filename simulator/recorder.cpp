@@ -12,7 +12,7 @@
 namespace glider::simulator {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotRecorded = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -51,8 +51,8 @@ bool wantsAltitude(const Scenario& s) {
   {name, unit, []([[maybe_unused]] const Moment& m) -> double { return value; }, __VA_ARGS__}
 constexpr Column kFirst[] = {
     COLUMN("time", "s", m.now_s),
-    COLUMN("missiontime", "s", kNaN),
-    COLUMN("state", "id", kNaN),
+    COLUMN("missiontime", "s", kNotRecorded),
+    COLUMN("state", "id", kNotRecorded),
     COLUMN("m_depth", "m", m.get(Sensor::m_depth)),
     COLUMN("true_depth", "m", m.vehicle.depth()),
     COLUMN("m_pitch", "rad", m.get(Sensor::m_pitch)),
@@ -84,10 +84,10 @@ constexpr Column kSecond[] = {
     COLUMN("water_depth", "m", m.water_depth_m),
     COLUMN("c_wpt_lat", "deg", fromDdmm(m.flight.waypointLatitude())),
     COLUMN("c_wpt_lon", "deg", fromDdmm(m.flight.waypointLongitude())),
-    COLUMN("layer", "", m.flight.layer() == kNoLayer ? kNaN : m.flight.layer()),
+    COLUMN("layer", "", m.flight.layer() == kNoLayer ? kNotRecorded : m.flight.layer()),
     // NaN in a cycle without an echo.
     COLUMN("m_altitude", "m",
-           m.flight.array().fresh(Sensor::m_altitude) ? m.get(Sensor::m_altitude) : kNaN,
+           m.flight.array().fresh(Sensor::m_altitude) ? m.get(Sensor::m_altitude) : kNotRecorded,
            wantsAltitude),
     COLUMN("m_water_vx", "m/s", m.flight.waterVelocity().east),
     COLUMN("m_water_vy", "m/s", m.flight.waterVelocity().north),
@@ -135,7 +135,7 @@ void Recorder::row(double now_s, const FlightController& flight, const ScienceCo
                    const Vehicle& vehicle) {
   const double x = vehicle.x(), y = vehicle.y();
   const double isotherm =
-      std::isnan(isotherm_) ? kNaN : ocean_.isothermDepth(isotherm_, x, y, now_s);
+      std::isnan(isotherm_) ? kNotRecorded : ocean_.isothermDepth(isotherm_, x, y, now_s);
   const Moment moment{
       now_s, flight, science, vehicle, frame_.position(x, y), isotherm, ocean_.waterDepth(x, y)};
   for (const RecorderColumn& column : columns_) {

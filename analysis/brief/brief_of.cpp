@@ -35,9 +35,9 @@ std::string forPeople(double value, ir::Type type) {
   return text.ends_with(" rad") ? fmt::format("{:.4g} deg", value * kDegrees) : text;
 }
 
-class Maker {
+class BriefMaker {
  public:
-  explicit Maker(const BriefSource& source)
+  explicit BriefMaker(const BriefSource& source)
       : from_(source),
         checked_(*source.compilation.checked),
         m_(checked_.mission()),
@@ -220,7 +220,7 @@ class Maker {
 }  // namespace
 
 report::Brief briefOf(const BriefSource& source) {
-  return Maker(source).run();
+  return BriefMaker(source).run();
 }
 
 }  // namespace glider::analysis

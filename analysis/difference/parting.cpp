@@ -74,10 +74,10 @@ class Flying {
   std::optional<ir::CommandRun> depth_, heading_;  ///< in force
 };
 
-class Search {
+class SearchForParting {
  public:
-  Search(const compiler::Optimised& before, const compiler::Optimised& after,
-         const MissionDifference& difference)
+  SearchForParting(const compiler::Optimised& before, const compiler::Optimised& after,
+                   const MissionDifference& difference)
       : old_(before), new_(after), difference_(difference) {}
 
   Result<PartingSearch> run() {
@@ -186,7 +186,7 @@ Result<PartingSearch> searchParting(const compiler::Optimised& before,
   const bool flies = before.platform().name == after.platform().name &&
                      !flights::needsCodeInC(before.checked->mission()) &&
                      !flights::needsCodeInC(after.checked->mission());
-  return flies ? Search(before, after, difference).run() : PartingSearch{};
+  return flies ? SearchForParting(before, after, difference).run() : PartingSearch{};
 }
 
 }  // namespace glider::analysis

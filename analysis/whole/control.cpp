@@ -10,7 +10,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <initializer_list>
 #include <limits>
 #include <utility>
 
@@ -19,10 +18,6 @@ namespace {
 
 using slocum::BehaviourBlock;
 using Kind = Disturbance::Kind;
-
-bool isOneOf(double code, std::initializer_list<double> codes) {
-  return std::ranges::find(codes, code) != codes.end();
-}
 
 bool steers(const BehaviourBlock& block) {
   return isOneOf(block.name == "nop_cmds" ? block.value("nop_heading") : 0, {1}) ||
@@ -42,10 +37,10 @@ struct Idle {
   }
 };
 
-class Search {
+class ControlSearch {
  public:
-  Search(const slocum::MissionFile& vehicle, const std::vector<Layer>& layers,
-         const MissionTimes& times, double fastest_m_s)
+  ControlSearch(const slocum::MissionFile& vehicle, const std::vector<Layer>& layers,
+                const MissionTimes& times, double fastest_m_s)
       : vehicle_(vehicle), layers_(layers), times_(times), fastest_m_s_(fastest_m_s) {
     const auto hookbeh = std::ranges::find(layers, Role::Hookbeh, &Layer::role);
     hookbeh_ = hookbeh == layers.end() ? 0 : hookbeh->number;
@@ -309,7 +304,7 @@ class Search {
 std::vector<Disturbance> disturbances(const slocum::MissionFile& vehicle,
                                       const std::vector<Layer>& layers, const MissionTimes& times,
                                       const platforms::Platform& platform) {
-  return Search(vehicle, layers, times, platform.envelope.vertical_rate_m_s).run();
+  return ControlSearch(vehicle, layers, times, platform.envelope.vertical_rate_m_s).run();
 }
 
 }  // namespace glider::analysis

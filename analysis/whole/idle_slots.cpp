@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <initializer_list>
 #include <utility>
 
 namespace glider::analysis {
@@ -19,10 +18,6 @@ struct Slots {
   bool heading = false;
   bool pitch_and_pump = false;
 };
-
-bool isOneOf(double code, std::initializer_list<double> codes) {
-  return std::ranges::find(codes, code) != codes.end();
-}
 
 /// What waits at the surface climbs, and steers if nothing else does.
 bool waitsAtSurface(const Layer& layer) {

@@ -6,6 +6,7 @@
 #include "platforms/load/platform.h"
 #include "slocum/mission_files/mission_file.h"
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,9 @@ enum class Start : uint8_t {
   InTime,     ///< at the latest `starts_within_s` after it was last active or at the surface
   Uncertain,  ///< perhaps never
 };
+
+/// Whether an argument has one of these values.
+bool isOneOf(double code, std::initializer_list<double> codes);
 
 /// One behaviour of the mission file.
 struct Layer {

@@ -23,10 +23,10 @@ double sum(const std::vector<Part>& parts) {
                          [](double total, const Part& part) { return total + part.seconds; });
 }
 
-class Search {
+class WayUpSearch {
  public:
-  Search(std::span<const Layer> layers, const slocum::MissionFile& vehicle,
-         const platforms::Platform& platform, double deepest_m)
+  WayUpSearch(std::span<const Layer> layers, const slocum::MissionFile& vehicle,
+              const platforms::Platform& platform, double deepest_m)
       : layers_(layers), vehicle_(vehicle), platform_(platform), deepest_m_(deepest_m) {
     std::ranges::copy_if(layers, std::back_inserter(flying_),
                          [](const Layer& layer) { return layer.role == Role::Flies; });
@@ -223,7 +223,7 @@ class Search {
 
 WayUp wayUp(std::span<const Layer> layers, const slocum::MissionFile& vehicle,
             const platforms::Platform& platform, double deepest_m) {
-  return Search(layers, vehicle, platform, deepest_m).run();
+  return WayUpSearch(layers, vehicle, platform, deepest_m).run();
 }
 
 std::vector<Part> climbParts(const platforms::Platform& platform, double from_m) {

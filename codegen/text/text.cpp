@@ -28,13 +28,13 @@ Result<std::string> makeHeader(const Input& input, const Board&, const CodegenOp
                          input.mission.name);
 }
 
-constexpr Product kProducts[] = {
+constexpr Product kTextProducts[] = {
     {.name = "ir", .suffix = ".ir", .make = makeIr},
     {.name = "header", .suffix = ".h", .note = "C declarations of the mission", .make = makeHeader},
 };
 
 }  // namespace
 
-constinit const Backend textBackend{.serves = servesAll, .products = kProducts};
+constinit const Backend textBackend{.serves = servesAll, .products = kTextProducts};
 
 }  // namespace glider::codegen

@@ -10,7 +10,7 @@
 namespace glider::frontend::formatting {
 namespace {
 
-bool oneOf(const Token& token, std::initializer_list<std::string_view> words) {
+bool tokenIsOneOf(const Token& token, std::initializer_list<std::string_view> words) {
   return std::ranges::find(words, token.text) != words.end();
 }
 
@@ -45,7 +45,7 @@ class Layout {
 
   [[nodiscard]] const Token& token() const { return tokens_[at_]; }
   [[nodiscard]] bool after(std::initializer_list<std::string_view> words) const {
-    return at_ > 0 && oneOf(tokens_[at_ - 1], words);
+    return at_ > 0 && tokenIsOneOf(tokens_[at_ - 1], words);
   }
 
   void startLine(size_t indent) {
@@ -58,7 +58,7 @@ class Layout {
   /// True at a line `declination -12 deg` or `assume no outage`: where a value or a name is
   /// expected, the word is a name.
   [[nodiscard]] bool softItem() const {
-    return oneOf(token(), {"declination", "assume"}) &&
+    return tokenIsOneOf(token(), {"declination", "assume"}) &&
            !after({"mission", "platform", "const",    "param", "var",    "function", "sensor",
                    "=",       "+",        "-",        "*",     "/",      "(",        ",",
                    "[",       "in",       "..",       "where", "<",      "<=",       ">",
@@ -72,13 +72,13 @@ class Layout {
   void topLevel() {
     const bool named = after({"require", "extern"});
     const bool large =
-        !named && oneOf(token(), {"always", "state", "flightprofile", "flightroute"});
+        !named && tokenIsOneOf(token(), {"always", "state", "flightprofile", "flightroute"});
     const bool resume = token().is("resume") && tokens_[at_ + 1].is("within");
     const bool place =
         !named && token().is("place") && at_ + 2 < tokens_.size() && tokens_[at_ + 2].is("=");
     const bool small = resume || place || softItem() ||
-                       oneOf(token(), {"mission", "platform", "import", "const", "param", "var",
-                                       "extern", "require"});
+                       tokenIsOneOf(token(), {"mission", "platform", "import", "const", "param",
+                                              "var", "extern", "require"});
     if (large || small) {
       startLine(0);
       lines_.back().apart = large || after_large_;
@@ -94,7 +94,8 @@ class Layout {
   }
 
   void body() {
-    if (oneOf(token(), {"flightroute", "flightprofile", "sensors", "var", "entry", "events"})) {
+    if (tokenIsOneOf(token(),
+                     {"flightroute", "flightprofile", "sensors", "var", "entry", "events"})) {
       startLine(kIndent);
     } else if (token().is("case")) {
       startLine(2 * kIndent);
@@ -143,8 +144,8 @@ class Layout {
   [[nodiscard]] bool startsStatement(size_t i) const {
     const Token& last = tokens_[i - 1];
     const bool command = tokens_[i].depth == 0 && tokens_[i].name && tokens_[i + 1].is("(") &&
-                         (last.ends_value || oneOf(last, {"do", "then", "else", "end"}));
-    return command || oneOf(tokens_[i], {"set", "if", "log"});
+                         (last.ends_value || tokenIsOneOf(last, {"do", "then", "else", "end"}));
+    return command || tokenIsOneOf(tokens_[i], {"set", "if", "log"});
   }
 
   /// Whether the `do` or `if` at `open` was written on one line up to its `end`, has at most one
@@ -160,7 +161,7 @@ class Layout {
       if (i > open && startsStatement(i) && ++statements.back() > 1) {
         return false;
       }
-      if (oneOf(next, {"do", "if"})) {
+      if (tokenIsOneOf(next, {"do", "if"})) {
         statements.push_back(0);
       } else if (next.is("else")) {
         statements.back() = 0;
@@ -174,7 +175,7 @@ class Layout {
 
   /// The token after the transition that begins at `i`.
   [[nodiscard]] size_t pastTransition(size_t i) const {
-    if (!oneOf(tokens_[i], {"goto", "call"})) {
+    if (!tokenIsOneOf(tokens_[i], {"goto", "call"})) {
       return i + 1;
     }
     i += 2;

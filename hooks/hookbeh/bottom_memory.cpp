@@ -14,7 +14,7 @@ namespace {
 constexpr double kNearM = 3000;
 constexpr double kEases = 0.01;
 /// m/s; no position is farther away than the vehicle can have come, currents included.
-constexpr double kFastestMps = 1.5;
+constexpr double kDriftMps = 1.5;
 /// m; places nearer to each other than this are one.
 constexpr double kSameM = 500;
 /// Where the bottom rose on the way to a place, it may rise on by this much more steeply, up to
@@ -40,13 +40,13 @@ void BottomMemory::observe(const Position& now, double step_s) {
     place.age_s += step_s;
     // The first position known after a contact without one is its place, as nearly as can be.
     place.at = isKnown(place.at) ? place.at : now;
-    place.distance_m = atMost(distanceBetween(now, place.at), kFastestMps * place.age_s);
+    place.distance_m = atMost(distanceBetween(now, place.at), kDriftMps * place.age_s);
     if (place.depth_m <= kShallowM && place.age_s > kShallowSecs) {
       place = {};
     }
   }
   dive_.age_s += step_s;
-  dive_.distance_m = atMost(distanceBetween(now, dive_.at), kFastestMps * dive_.age_s);
+  dive_.distance_m = atMost(distanceBetween(now, dive_.at), kDriftMps * dive_.age_s);
 }
 
 void BottomMemory::noteDive(double depth_m) {

@@ -8,7 +8,7 @@
 namespace glider::hooks {
 namespace {
 
-constexpr double kFullCircle = 6.283185307179586;
+constexpr double kCircleRad = 6.283185307179586;
 
 /// `pitch` is the steepness in the commanded direction, positive.
 bool pitchFits(double pitch, const HookbehArgs& args) {
@@ -62,7 +62,7 @@ HookAnswer checkLateral(const Instruction& instruction) {
       return HookAnswer::Accepted;
     case HookLateral::Heading: {
       const double heading = instruction.heading_rad;
-      const double limit = asFloat32(kFullCircle);
+      const double limit = asFloat32(kCircleRad);
       return heading >= -limit && heading <= limit ? HookAnswer::Accepted : HookAnswer::BadCommand;
     }
     case HookLateral::Waypoint:

@@ -14,7 +14,7 @@ constexpr double kClippedM = 1;
 /// the long gaps that the vehicle sinks unseen.
 constexpr double kLearnsSecs = 120;
 /// s; a longer gap is a fault and not a cadence.
-constexpr double kMostSecs = 32;
+constexpr double kLongestGapSecs = 32;
 /// The first gaps teach nothing: a few readings do not show a cadence.
 constexpr double kFew = 3;
 
@@ -31,7 +31,7 @@ void Cadence::observe(double depth_m, double step_s) {
     return;
   }
   if (last_m_ > kClippedM) {
-    learn(atMost(since_s_, kMostSecs));
+    learn(atMost(since_s_, kLongestGapSecs));
   }
   last_m_ = depth_m;
 }

@@ -15,7 +15,7 @@ constexpr double kPersistsSecs = 10;
 /// s; a CTD without a reading for longer counts as absent.
 constexpr double kCtdLastsSecs = 20;
 /// m; a sensor is frozen if it does not change for its patience() while the other moves this far.
-constexpr double kMovesM = 3;
+constexpr double kWatchMovesM = 3;
 /// s; the patience with a sensor that gives a reading in each cycle.
 constexpr double kUsualPatienceSecs = 16;
 /// s; the same in hover, where the vehicle may hardly move.
@@ -23,9 +23,9 @@ constexpr double kFrozenHoverSecs = 60;
 /// cc; with less, the pump only trims the vehicle.
 constexpr double kDrivesCc = 100;
 /// m; above this depth m_depth may be clipped: it is never negative.
-constexpr double kClippedM = 1;
+constexpr double kWatchClippedM = 1;
 /// m; the CTD's depth changes by less in a vehicle that does not move.
-constexpr double kStillM = 0.5;
+constexpr double kWatchStillM = 0.5;
 /// After this many seconds without a doubt the depth is believed again. Below, in m: the depth at
 /// the surface.
 constexpr double kQuietSecs = 60;
@@ -58,7 +58,7 @@ bool DepthWatch::ctdLives() const {
 }
 
 void DepthWatch::watchCtd(double step_s) {
-  const bool moved = magnitude(own_.depth() - own_at_ctd_change_m_) >= kMovesM;
+  const bool moved = magnitude(own_.depth() - own_at_ctd_change_m_) >= kWatchMovesM;
   ctd_frozen_ = (ctd_frozen_ && !ctd_is_new_) || (ctd_.sameFor() >= ctd_.patience() && moved);
   const bool own_good = own_.reading() == DepthSource::Reading::Good;
   const double apart = own_lately_.distanceTo(ctd_.depth());
@@ -88,10 +88,11 @@ void DepthWatch::watchCtd(double step_s) {
 void DepthWatch::watchFrozen(double pump_cc) {
   const bool driven = pump_cc >= kDrivesCc || pump_cc <= -kDrivesCc;
   const double patience = driven ? own_.patience() : kFrozenHoverSecs;
-  const bool same = isFinite(pump_cc) && own_.sameFor() >= patience && own_.depth() > kClippedM;
+  const bool same =
+      isFinite(pump_cc) && own_.sameFor() >= patience && own_.depth() > kWatchClippedM;
   // The vehicle itself does not move, as another working sensor shows.
   const bool hangs = ctdLives() && ctd_.sameFor() < ctd_.patience() &&
-                     magnitude(ctd_.depth() - ctd_at_own_change_m_) < kStillM;
+                     magnitude(ctd_.depth() - ctd_at_own_change_m_) < kWatchStillM;
   frozen_ = (frozen_ && own_.sameFor() > 0) || (same && !hangs);
 }
 
@@ -106,7 +107,7 @@ HookGuard DepthWatch::worst() const {
 
 /// True if no fault is detectable in this cycle.
 bool DepthWatch::isQuiet() const {
-  const bool lives = own_.sameFor() < own_.patience() || own_.depth() <= kClippedM;
+  const bool lives = own_.sameFor() < own_.patience() || own_.depth() <= kWatchClippedM;
   return own_.reading() == DepthSource::Reading::Good && lives && disagree_s_ == 0;
 }
 

@@ -15,11 +15,11 @@ constexpr double kLastsSecs = 1200;
 /// s; an echo of so shallow a bottom that the vehicle cannot dive, and so cannot fly away, is
 /// forgotten after this time: it may have been a bubble. Below, in m: so shallow.
 constexpr double kBubbleSecs = 600;
-constexpr double kShallowM = 12;
+constexpr double kEchoShallowM = 12;
 /// m/s; a bottom may rise so fast below a vehicle even if it has not done so yet: a slope of one in
 /// six.
 constexpr double kRiseMps = 0.05;
-constexpr double kSteeper = 1.5;
+constexpr double kEchoSteeper = 1.5;
 constexpr double kMostRiseMps = 0.3;
 /// s; between echoes that are compared.
 constexpr double kAnchorSecs = 60;
@@ -39,7 +39,7 @@ constexpr double kFailedCycles = 10;
 /// Echoes; so many are those of a bottom. Fewer may be those of fish.
 constexpr double kMany = 30;
 /// m; a vehicle that is so much deeper has sunk.
-constexpr double kSinksM = 0.5;
+constexpr double kEchoSinksM = 0.5;
 /// m; above this depth the altimeter is not used.
 constexpr double kListensM = 3;
 /// The floor falls to this share of the last echo's depth at most.
@@ -126,19 +126,19 @@ void EchoFloor::wait(double depth_m, double least_m, double step_s) {
     missed_ += 1;
   }
   if (silent_s_ <= kFreshSecs) {
-    sank_ = depth_m > heard_at_m_ + kSinksM;
+    sank_ = depth_m > heard_at_m_ + kEchoSinksM;
     return;
   }
   if (silent_s_ > kLastsSecs) {
     floor_m_ += listens || floor_m_ < least_m ? kEasesMps * step_s : 0;
   } else if (listens) {
-    floor_m_ -= (kRiseMps + kSteeper * rise_mps_) * step_s;
+    floor_m_ -= (kRiseMps + kEchoSteeper * rise_mps_) * step_s;
   }
   floor_m_ = atLeast(floor_m_, kLeastShare * bottom_m_);
   if (listens) {
     listen(depth_m);
   }
-  if (silent_s_ > kBubbleSecs && bottom_m_ <= kShallowM) {
+  if (silent_s_ > kBubbleSecs && bottom_m_ <= kEchoShallowM) {
     floor_m_ = kBottomless;
   }
 }

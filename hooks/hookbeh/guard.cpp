@@ -47,7 +47,7 @@ constexpr double kAsksLatestM = 60;
 /// s; a depth below the second, in m, that does not answer to a climb of this length is not
 /// believed.
 constexpr double kAnswersSecs = 180;
-constexpr double kShallowM = 3;
+constexpr double kAnswersBelowM = 3;
 /// m; at this depth or above, the vehicle is at the surface.
 constexpr double kAtSurfaceM = 1;
 /// s of climbing after a dive that gained no depth, and s for which the sensor must have worked:
@@ -143,7 +143,7 @@ bool Guard::sinksTooNear(const HookbehArgs& args, const Instruction& in_force) c
 }
 
 HookGuard Guard::stall(const HookbehArgs& args, const Instruction& in_force) const {
-  if (asks_ && unseen_.drivenUpFor() >= kAnswersSecs && depth_m_ > kShallowM) {
+  if (asks_ && unseen_.drivenUpFor() >= kAnswersSecs && depth_m_ > kAnswersBelowM) {
     return HookGuard::NoDepthGained;  // no sensor follows the vehicle
   }
   if (headway_.way() == Way::Up) {

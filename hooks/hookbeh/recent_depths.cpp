@@ -8,7 +8,7 @@
 namespace glider::hooks {
 namespace {
 
-constexpr double kRecentSecs = 20;
+constexpr double kKeptSecs = 20;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ double RecentDepths::distanceTo(double depth_m) const {
   double highest = __builtin_nan("");
   double lowest = __builtin_nan("");
   for (const Sample& sample : samples_) {
-    if (!isFinite(sample.depth_m) || sample.age_s > kRecentSecs) {
+    if (!isFinite(sample.depth_m) || sample.age_s > kKeptSecs) {
       continue;
     }
     highest = atMost(highest, sample.depth_m);  // or the first

@@ -11,7 +11,7 @@ namespace {
 /// Fewer readings may lie on a line by chance.
 constexpr uint8_t kLeast = 6;
 /// m; less is not a motion. In swell of a metre, 20 s of a dive at 26 degrees.
-constexpr double kMovesM = 3;
+constexpr double kTrendMovesM = 3;
 /// m; swell of a metre, with noise, leaves no more than this.
 constexpr double kFarthestM = 1.5;
 /// The line must rise this many times as far as any reading is off it: the more readings, the
@@ -22,7 +22,7 @@ constexpr double kClearOfNine = 3;
 /// And this many times as far as readings usually are off.
 constexpr double kClearOfRough = 2;
 /// m; what swell adds to the fastest motion.
-constexpr double kSwellM = 1;
+constexpr double kTrendSwellM = 1;
 
 double clearOf(uint8_t count) {
   return count >= 9 ? kClearOfNine : count >= 7 ? kClearOfSeven : kClearOfFew;
@@ -70,7 +70,7 @@ double Trend::moved(double roughness_m, double fastest_mps) const {
     const double moved = line.slope_mps * secs;
     const double far = magnitude(moved);
     const double off = farthestFrom(line, count);
-    if (far >= kMovesM && far <= fastest_mps * secs + kSwellM && off <= kFarthestM &&
+    if (far >= kTrendMovesM && far <= fastest_mps * secs + kTrendSwellM && off <= kFarthestM &&
         far >= clearOf(count) * off && far >= kClearOfRough * roughness_m) {
       return moved;
     }

@@ -26,7 +26,7 @@ constexpr double kNoiseM = 0.5;
 constexpr double kSwellTimes = 2;
 /// s; after a longer gap, and after more than twice the usual one, the depth may be a different
 /// one.
-constexpr double kGapSecs = 20;
+constexpr double kSinkGapSecs = 20;
 /// m; what a vehicle sinks in calm water before its depth shows it, and how much more in swell of
 /// half a metre or more, whose roughness in m follows.
 constexpr double kCalmM = 7;
@@ -38,7 +38,7 @@ constexpr double kUsualSecs = 4;
 constexpr double kRarestSecs = 16;
 constexpr double kRareSecs = 18;
 /// m; at the surface, where a climb ends, this much is an answer.
-constexpr double kAtSurfaceM = 1;
+constexpr double kSinkAtSurfaceM = 1;
 constexpr double kSurfacesM = 1;
 /// Share of the stroke, cc and rad; from kLiftsShare (the weakest climb that a b_arg allows) and
 /// kNoseRad on the vehicle is driven up, from kSinksCc or a pitch of -kNoseRad on it is driven
@@ -47,7 +47,7 @@ constexpr double kLiftsShare = 0.5;
 constexpr double kSinksCc = -60;
 constexpr double kNoseRad = 0.1;
 /// s; the time that the pump takes from one end to the other and the vehicle takes to turn.
-constexpr double kTurnsSecs = 20;
+constexpr double kSinkTurnsSecs = 20;
 /// s; a vehicle driven up may rise after this time, and one driven down may still rise for as long.
 constexpr double kLiftsSecs = 12;
 /// rad; at a flatter pitch the vehicle is assumed to sink as at this one.
@@ -91,7 +91,8 @@ void UnseenSink::observe(double depth_m, double step_s, const VerticalCommand& l
   } else {
     turn(false, false);
     masked_s_ += step_s;
-    sinks_ = sinks_ && masked_s_ <= kTurnsSecs;  // later it may be brought up, as its depth shows
+    sinks_ =
+        sinks_ && masked_s_ <= kSinkTurnsSecs;  // later it may be brought up, as its depth shows
     out_s_ = in_dive_m_ = steeply_m_ = 0;
   }
   // The sensor array keeps a reading until there is a newer one. Only a new one shows anything.
@@ -107,7 +108,7 @@ void UnseenSink::reckon(double step_s, const VerticalCommand& last) {
   const bool dives = last.pitch_rad <= -kNoseRad;
   turn(lifts, dives);
   out_s_ = lifts ? out_s_ + step_s : 0;
-  const bool rises = out_s_ > kTurnsSecs;
+  const bool rises = out_s_ > kSinkTurnsSecs;
   sinks_ = !rises && (lifts || last.pump_cc <= kSinksCc || dives);
   since_up_s_ = rises ? 0 : since_up_s_ + step_s;
   if (rises) {
@@ -170,7 +171,7 @@ void UnseenSink::seek(double depth_m) {
     shown_m_ = deepest_m_ = alone_m_ = answered_m_ = depth_m;
     unanswered_m_ = 0;
     restartAt(depth_m);
-  } else if (steps || gap_s_ > atLeast(2 * cadence_.usual(), kGapSecs)) {
+  } else if (steps || gap_s_ > atLeast(2 * cadence_.usual(), kSinkGapSecs)) {
     restartAt(depth_m);
     turned_m_ = __builtin_nan("");
   }
@@ -209,7 +210,8 @@ bool UnseenSink::hasAnswered(double depth_m, double trend_m) const {
     return depth_m - turned_m_ >= farEnough(roughness_m_) || trend_m > 0;
   }
   const double rose_m = turned_m_ - depth_m;
-  const bool surfaced = depth_m <= kAtSurfaceM && rose_m >= kSurfacesM && roughness_m_ <= kRoughM;
+  const bool surfaced =
+      depth_m <= kSinkAtSurfaceM && rose_m >= kSurfacesM && roughness_m_ <= kRoughM;
   const bool rose = rose_m >= atLeast(kAnswersM, farEnough(roughness_m_)) || trend_m < -kAnswersM;
   return out_s_ >= kLiftsSecs && (rose || surfaced);
 }

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace glider::ir::certify {
 namespace {
 
@@ -184,6 +186,7 @@ Number Expressions::binary(uint32_t id, const Number& a, const Number& b) {
               known};
   }
   CHECK(false, "an operation on two numbers without a meaning");
+  std::unreachable();
 }
 
 /// Exact, and then rounded, if one side can only have one value: all terms stay linear.

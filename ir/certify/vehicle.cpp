@@ -5,6 +5,8 @@
 
 #include "support/check.h"
 
+#include <utility>
+
 namespace glider::ir::certify {
 namespace {
 
@@ -109,6 +111,7 @@ Vehicle commanded(const Setting& setting, SmtText& out, const Vehicle& before, C
       return before;
   }
   CHECK(false, "a command without a meaning");
+  std::unreachable();
 }
 
 Vehicle commandedInC(SmtText& out, const Vehicle& before) {

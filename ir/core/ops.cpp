@@ -10,9 +10,9 @@
 namespace glider::ir {
 namespace {
 
-constexpr Type kBool{TypeKind::Bool, {}};
+constexpr Type kBoolType{TypeKind::Bool, {}};
 constexpr Type kNumber{TypeKind::Quantity, support::dimension::number};
-constexpr Type kTime{TypeKind::Quantity, support::dimension::time};
+constexpr Type kTimeType{TypeKind::Quantity, support::dimension::time};
 constexpr Type kLength{TypeKind::Quantity, support::dimension::length};
 constexpr Type kAngle{TypeKind::Quantity, support::dimension::angle};
 constexpr Type kLatitude{TypeKind::Latitude, {}};
@@ -60,13 +60,13 @@ bool arePlaces(std::span<const Type> types) {
 /// The type of a watched truth value, or of a window.
 std::optional<Type> watched(const Mission& mission, const Temporal& t) {
   if (!isWindow(t.kind)) {
-    return kBool;
+    return kBoolType;
   }
   const Type value = mission[t.operand].type;
   if (value.kind == TypeKind::Bool) {
     return std::nullopt;
   }
-  const Type along = t.along.valid() ? mission[t.along].type : kTime;
+  const Type along = t.along.valid() ? mission[t.along].type : kTimeType;
   if (t.kind == TemporalKind::Slope) {
     const bool quantities = value.kind == TypeKind::Quantity && along.kind == TypeKind::Quantity;
     return quantities ? quantity(support::quotient(value.dimension, along.dimension))
@@ -95,7 +95,7 @@ bool fit(Takes takes, std::span<const Type> operands) {
     case Takes::Places:
       return arePlaces(operands);
     case Takes::Choice:
-      return operands[0] == kBool && fit(Takes::Alike, operands.subspan(1));
+      return operands[0] == kBoolType && fit(Takes::Alike, operands.subspan(1));
   }
   CHECK(false, "operands without a rule");
 }
@@ -112,11 +112,11 @@ std::optional<Type> given(Gives gives, const Mission& mission, const Expr& expr,
     case Gives::Own:
       return when(expr.type.kind != TypeKind::Bool, expr.type);
     case Gives::Truth:
-      return kBool;
+      return kBoolType;
     case Gives::Number:
       return kNumber;
     case Gives::Time:
-      return kTime;
+      return kTimeType;
     case Gives::Angle:
       return kAngle;
     case Gives::Length:
@@ -232,7 +232,7 @@ std::optional<Type> operandType(Takes takes) {
     case Takes::Angle:
       return kAngle;
     case Takes::Truths:
-      return kBool;
+      return kBoolType;
     case Takes::Nothing:
     case Takes::Numbers:
     case Takes::Alike:

@@ -16,7 +16,7 @@ namespace {
 /// By how much dead reckoning may be wrong, m/s: `drift_m_s` of the platform is a current and this.
 constexpr double kReckoningError = 0.1;
 
-const Type kBool{TypeKind::Bool, {}};
+const Type kTruth{TypeKind::Bool, {}};
 
 /// Lets requirements rest on the assumptions that are watched.
 class Watches {
@@ -53,22 +53,22 @@ class Watches {
       }
       Statement set;
       set.variable = broken_;
-      set.value = push(Op::True, kBool, {});
-      const ExprId broken = push(Op::Not, kBool, {watch.condition});
+      set.value = push(Op::True, kTruth, {});
+      const ExprId broken = push(Op::Not, kTruth, {watch.condition});
       step.statements.push_back(when(broken, add({{set}})));
       requirement.monitor.every_tick |= watch.monitor.every_tick;
       requirement.monitor.horizon_s =
           std::max(requirement.monitor.horizon_s, watch.monitor.horizon_s);
     }
     if (requirement.monitor.step.valid()) {
-      step.statements.push_back(when(push(Op::True, kBool, {}), requirement.monitor.step));
+      step.statements.push_back(when(push(Op::True, kTruth, {}), requirement.monitor.step));
     }
     requirement.monitor.step = add(std::move(step));
-    const ExprId kept = push(Op::Not, kBool, {read(broken_)});
+    const ExprId kept = push(Op::Not, kTruth, {read(broken_)});
     for (Violation& violation : requirement.monitor.violations) {
-      violation.condition = push(Op::And, kBool, {kept, violation.condition});
+      violation.condition = push(Op::And, kTruth, {kept, violation.condition});
     }
-    requirement.condition = push(Op::Or, kBool, {read(broken_), requirement.condition});
+    requirement.condition = push(Op::Or, kTruth, {read(broken_), requirement.condition});
   }
 
   void endedBy(Requirement& requirement) {
@@ -77,7 +77,7 @@ class Watches {
     const ExprId limit = push(Op::Constant, time, {});
     m_.exprs[limit.index].number = requirement.seconds;
     requirement.kind = RequirementKind::Always;
-    requirement.condition = push(Op::LessEqual, kBool, {now, limit});
+    requirement.condition = push(Op::LessEqual, kTruth, {now, limit});
     requirement.monitor.horizon_s = requirement.seconds;
   }
 
@@ -86,9 +86,9 @@ class Watches {
   VariableId flag(const std::string& name) {
     Variable variable;
     variable.name = name;
-    variable.type = kBool;
+    variable.type = kTruth;
     variable.kind = VariableKind::Monitor;
-    variable.initial = push(Op::False, kBool, {});
+    variable.initial = push(Op::False, kTruth, {});
     m_.variables.push_back(std::move(variable));
     return {static_cast<uint32_t>(m_.variables.size() - 1)};
   }

@@ -15,7 +15,7 @@ using Disjunction = std::vector<Conjunction>;
 
 /// A guard with more alternatives is left as it is.
 constexpr size_t kMostAlternatives = 8;
-constexpr uint32_t kDeepest = 64;
+constexpr uint32_t kDeepestForm = 64;
 
 /// Kleene's logic split into two-valued questions: "is this true?", "is this false?". `not` swaps
 /// them, and each comparison of known numbers is true or false, so the two forms below are
@@ -92,7 +92,7 @@ class Former {
 
   Disjunction form(ExprId id, Wanted wanted, uint32_t depth) {
     const Expr& e = m_[id];
-    if (depth > kDeepest) {
+    if (depth > kDeepestForm) {
       return opaque();
     }
     switch (groupOf(e.op)) {

@@ -15,7 +15,7 @@ namespace {
 /// With fewer comparisons a table costs as much as the comparisons.
 constexpr size_t kFewestComparisons = 16;
 /// The compiled mission numbers rows with 16 bits.
-constexpr size_t kMostRows = 4096;
+constexpr size_t kMostTableRows = 4096;
 
 GuardColumn makeColumn(const Watched& watched, const std::vector<Conjunction>& rows) {
   GuardColumn column{watched.source, watched.sensor, {}};
@@ -94,8 +94,8 @@ GuardTable tabulate(const Mission& mission, const std::vector<Case>& cases) {
       rows.push_back(std::move(row));
     }
   }
-  const bool worth_it =
-      comparisons >= kFewestComparisons && rows.size() <= kMostRows && cases.size() <= kMostRows;
+  const bool worth_it = comparisons >= kFewestComparisons && rows.size() <= kMostTableRows &&
+                        cases.size() <= kMostTableRows;
   return worth_it ? makeTable(rows) : GuardTable{};
 }
 

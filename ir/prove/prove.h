@@ -6,7 +6,6 @@
 #include "ir/certify/certificate.h"
 #include "ir/core/mission.h"
 #include "ir/prove/falsification/counterexample.h"
-#include "ir/prove/reprove.h"
 #include "ir/verify/structure.h"
 #include "platforms/load/platform.h"
 #include "support/diagnostics/engine.h"
@@ -50,16 +49,11 @@ struct Options {
   /// Where vehicles are known to start: a waypoint that is far from all of them, but near one with
   /// its coordinates exchanged, is taken for an error.
   std::vector<Position> known_starts = {};
-  /// The proof of a requirement (its number) by an earlier check, which has been checked again
-  /// (reproves()): it is then not searched for. May be null; otherwise the proofs by a search have
-  /// evidence.
-  std::function<std::optional<EarlierProof>(uint32_t)> earlier_proof;
   /// Called with the number of each requirement before it is checked; may be empty.
   std::function<void(uint32_t)> before_requirement = {};
   /// Name only the assumptions that a proof needs, not all on which it may rest.
   bool premises = true;
-  /// Also give the evidence of each proof: RequirementVerdict::evidence. Not with
-  /// `earlier_proof`.
+  /// Also give the evidence of each proof: RequirementVerdict::evidence.
   bool evidence = false;
 };
 
@@ -97,7 +91,6 @@ struct RequirementVerdict {
   std::string premise = {};               ///< what a proof assumes beyond the environment model
   std::string reason = {};                ///< for an undecided one: why
   bool searched = false;                  ///< it took a search that may be long
-  bool cached = false;                    ///< the proof is from Options::earlier_proof
   uint64_t steps = 0;                     ///< what the search of a proof took, in Z3's own count
   std::optional<Evidence> evidence = {};  ///< of a proof that has one, if it is wanted
   /// The numbers of the assumptions of the mission on which a proof rests: without any one of them

@@ -15,7 +15,7 @@ namespace {
 using support::DiagnosticId;
 using support::SourceRange;
 
-constexpr uint32_t kDeepestNesting = 200;
+constexpr uint32_t kDeepestBlock = 200;
 
 /// Accepts the next token if it is in `words` and returns its index; the number of `words` if it is
 /// not.
@@ -149,8 +149,8 @@ BlockId CodeReader::runBlock() {
 
 /// Reads statements up to a word that does not begin one.
 BlockId CodeReader::statements(uint32_t depth) {
-  if (depth > kDeepestNesting) {
-    in_.fail(DiagnosticId::irBlocksTooDeep, in_.peek().range, kDeepestNesting);
+  if (depth > kDeepestBlock) {
+    in_.fail(DiagnosticId::irBlocksTooDeep, in_.peek().range, kDeepestBlock);
     return {};
   }
   Block block;

@@ -13,7 +13,7 @@ namespace {
 using support::DiagnosticId;
 using support::SourceRange;
 
-constexpr uint32_t kDeepestNesting = 200;
+constexpr uint32_t kDeepestExpression = 200;
 
 /// Leaves that name what they read.
 bool named(Op op) {
@@ -110,8 +110,8 @@ void ExpressionReader::leaf(Expr& e) {
 }
 
 ExprId ExpressionReader::operation(SourceRange begin, uint32_t depth) {
-  if (depth > kDeepestNesting) {
-    in_.fail(DiagnosticId::irTooDeep, begin, kDeepestNesting);
+  if (depth > kDeepestExpression) {
+    in_.fail(DiagnosticId::irTooDeep, begin, kDeepestExpression);
     return {};
   }
   const OpInfo* op = in_.peek().kind == TokenKind::Word ? findOp(in_.peek().text) : nullptr;

@@ -8,7 +8,7 @@
 namespace glider::ir::text {
 namespace {
 
-constexpr int64_t kMost = UINT32_MAX;
+constexpr int64_t kMostEntries = UINT32_MAX;
 
 /// `(`, what `element` reads with commas between, `)`.
 template <typename Element>
@@ -24,7 +24,7 @@ void list(Cursor& in, Element element) {
 }
 
 uint32_t number(Cursor& in) {
-  return static_cast<uint32_t>(in.integer(0, kMost));
+  return static_cast<uint32_t>(in.integer(0, kMostEntries));
 }
 
 /// The sensor or clock; a sensor is followed by its name.

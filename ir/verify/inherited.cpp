@@ -8,9 +8,9 @@
 namespace glider::ir {
 namespace {
 
-class Analysis {
+class InheritedAnalysis {
  public:
-  Analysis(const Mission& mission, const Inheritance& inheritance)
+  InheritedAnalysis(const Mission& mission, const Inheritance& inheritance)
       : m_(mission), inheritance_(inheritance) {
     judged_.variables.assign(m_.variables.size(), true);
   }
@@ -93,7 +93,7 @@ bool GreatestFixpoint::haveOperands(const Expr& e, uint32_t first) const {
 }
 
 GreatestFixpoint greatestFixpoint(const Mission& mission, const Inheritance& inheritance) {
-  return Analysis(mission, inheritance).run();
+  return InheritedAnalysis(mission, inheritance).run();
 }
 
 }  // namespace glider::ir

@@ -9,16 +9,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <set>
 #include <utility>
 
 namespace glider::ir {
+
+Interval hull(const Interval& a, const Interval& b) {
+  if (a.empty || b.empty) {
+    return a.empty ? b : a;
+  }
+  return {std::min(a.lowest, b.lowest), std::max(a.highest, b.highest), false};
+}
+
 namespace {
 
-constexpr double kMost = std::numeric_limits<double>::max();
-constexpr Interval kAny{-kMost, kMost, false};
+constexpr Interval kAny{-kGreatestNumber, kGreatestNumber, false};
 constexpr Interval kNowhere{0, 0, true};
 /// Half the circumference of a sphere of the Earth's mean radius (6371 km; IUGG), and a little
 /// more.
@@ -26,15 +32,9 @@ constexpr double kFarthest = 2.0016e7;
 
 /// From `low` to `high` if some of it is finite; otherwise it is unknown.
 Interval between(double low, double high) {
-  const bool any = low <= high && low <= kMost && high >= -kMost;
-  return any ? Interval{std::max(low, -kMost), std::min(high, kMost), false} : kNowhere;
-}
-
-Interval hull(const Interval& a, const Interval& b) {
-  if (a.empty || b.empty) {
-    return a.empty ? b : a;
-  }
-  return {std::min(a.lowest, b.lowest), std::max(a.highest, b.highest), false};
+  const bool any = low <= high && low <= kGreatestNumber && high >= -kGreatestNumber;
+  return any ? Interval{std::max(low, -kGreatestNumber), std::min(high, kGreatestNumber), false}
+             : kNowhere;
 }
 
 /// The hull of an operation on the ends; an end that overflows becomes the greatest number.
@@ -102,10 +102,10 @@ Interval readings(const Sensor& s) {
   return settled(ofEnds(raw, factor, [](double x, double y) { return x * y; }));
 }
 
-class Analysis {
+class IntervalAnalysis {
  public:
   /// Both outlive this.
-  Analysis(const Mission& mission, const LeafRange& known, OperandRange all)
+  IntervalAnalysis(const Mission& mission, const LeafRange& known, OperandRange all)
       : m_(mission), known_(known), all_(std::move(all)) {}
 
   /// The interval of one expression, when its operands have theirs.
@@ -136,7 +136,7 @@ class Analysis {
         return readings(m_[e.sensor]);
       case OpGroup::Clock:
       case OpGroup::Age:
-        return {0, kMost, false};
+        return {0, kGreatestNumber, false};
       case OpGroup::Variable:
         return between(m_[e.variable].lowest, m_[e.variable].highest);
       case OpGroup::Temporal:
@@ -261,7 +261,8 @@ std::vector<Interval> intervalsOf(const Mission& mission) {
 
 std::vector<Interval> intervalsOf(const Mission& mission, const LeafRange& known) {
   std::vector<Interval> all(mission.exprs.size());
-  const Analysis analysis(mission, known, [&](uint32_t i) -> const Interval& { return all[i]; });
+  const IntervalAnalysis analysis(mission, known,
+                                  [&](uint32_t i) -> const Interval& { return all[i]; });
   for (uint32_t i = 0; i < mission.exprs.size(); ++i) {
     all[i] = analysis.at(i);
   }
@@ -270,7 +271,7 @@ std::vector<Interval> intervalsOf(const Mission& mission, const LeafRange& known
 
 Interval intervalOf(const Mission& mission, uint32_t expression, const LeafRange& known,
                     const OperandRange& operand) {
-  return Analysis(mission, known, operand).at(expression);
+  return IntervalAnalysis(mission, known, operand).at(expression);
 }
 
 Interval SubtreeIntervals::of(ExprId root, const Narrow& narrow) {
@@ -288,7 +289,8 @@ Interval SubtreeIntervals::of(ExprId root, const Narrow& narrow) {
     }
   }
   const LeafRange known = nothingMore;
-  const Analysis analysis(mission_, known, [&](uint32_t i) -> const Interval& { return all_[i]; });
+  const IntervalAnalysis analysis(mission_, known,
+                                  [&](uint32_t i) -> const Interval& { return all_[i]; });
   for (const uint32_t index : tree) {  // operands before their users
     all_[index] = narrow(index, analysis.at(index));
   }

@@ -6,10 +6,14 @@
 #include "ir/core/mission.h"
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
 namespace glider::ir {
+
+/// The greatest number that a variable, clock or reading can have; its negative is the least.
+inline constexpr double kGreatestNumber = std::numeric_limits<double>::max();
 
 /// The range of the known values of a number: finite, lowest <= highest; or empty, if it is never
 /// known.
@@ -22,6 +26,9 @@ struct Interval {
     return empty || (low <= lowest && highest <= high);
   }
 };
+
+/// The least interval that holds both.
+Interval hull(const Interval& a, const Interval& b);
 
 /// The interval of every expression of a valid mission; for a truth value it has no meaning.
 /// Readings lie in their sensor's range, variables in theirs; nothing is assumed about how values

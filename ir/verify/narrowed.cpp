@@ -20,20 +20,13 @@ namespace glider::ir {
 namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
-constexpr unsigned kDeepest = 100;  ///< conditions that nest deeper are ignored
+constexpr unsigned kDeepestNarrowed = 100;  ///< conditions that nest deeper are ignored
 
 Interval intersection(const Interval& a, const Interval& b) {
   const double lowest = std::max(a.lowest, b.lowest);
   const double highest = std::min(a.highest, b.highest);
   const bool empty = a.empty || b.empty || lowest > highest;
   return empty ? Interval{0, 0, true} : Interval{lowest, highest, false};
-}
-
-Interval hull(const Interval& a, const Interval& b) {
-  if (a.empty || b.empty) {
-    return a.empty ? b : a;
-  }
-  return {std::min(a.lowest, b.lowest), std::max(a.highest, b.highest), false};
 }
 
 /// Everything that gives two expressions the same value at every moment; for a Call its use.
@@ -117,10 +110,10 @@ void Narrowing::set(Knowledge& knowledge, VariableId variable, Interval given, b
   knowledge.within.emplace(*itself, kept ? hull(before, after) : after);
 }
 
-// NOLINTNEXTLINE(misc-no-recursion): no deeper than kDeepest
+// NOLINTNEXTLINE(misc-no-recursion): no deeper than kDeepestNarrowed
 void Narrowing::assume(Knowledge& knowledge, ExprId condition, Asked asked, unsigned depth) {
   const Expr& e = m_[condition];
-  if (knowledge.unreachable || depth > kDeepest) {
+  if (knowledge.unreachable || depth > kDeepestNarrowed) {
     return;
   }
   const bool true_or_unknown = asked == Asked::True || asked == Asked::NotFalse;
@@ -142,13 +135,13 @@ void Narrowing::assume(Knowledge& knowledge, ExprId condition, Asked asked, unsi
   }
 }
 
-// NOLINTNEXTLINE(misc-no-recursion): no deeper than kDeepest
+// NOLINTNEXTLINE(misc-no-recursion): no deeper than kDeepestNarrowed
 void Narrowing::assumeBoth(Knowledge& knowledge, const Expr& e, Asked asked, unsigned depth) {
   assume(knowledge, e.operands[0], asked, depth + 1);
   assume(knowledge, e.operands[1], asked, depth + 1);
 }
 
-// NOLINTNEXTLINE(misc-no-recursion): no deeper than kDeepest
+// NOLINTNEXTLINE(misc-no-recursion): no deeper than kDeepestNarrowed
 void Narrowing::assumeEither(Knowledge& knowledge, const Expr& e, Asked asked, unsigned depth) {
   Knowledge other = knowledge;
   assume(knowledge, e.operands[0], asked, depth + 1);

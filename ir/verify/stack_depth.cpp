@@ -13,7 +13,7 @@
 namespace glider::ir {
 namespace {
 
-constexpr uint32_t kNone = UINT32_MAX;
+constexpr uint32_t kNoState = UINT32_MAX;
 
 /// The lengths of the longest call stacks, by the limit that they begin with. ir/README.md says why
 /// they are a chain of the states' own calls from the state at the bottom, then one for each state
@@ -75,7 +75,7 @@ class Chains {
     bottoms.push_back(root);
     std::vector<StateId> path;
     for (size_t i = bottoms.size(); i-- > 0;) {
-      for (uint32_t s = bottoms[i]; s != kNone; s = longestCalled(s).first) {
+      for (uint32_t s = bottoms[i]; s != kNoState; s = longestCalled(s).first) {
         path.push_back({s});
       }
     }
@@ -83,10 +83,10 @@ class Chains {
   }
 
  private:
-  /// The state with the longest chain that a state itself calls, and its length; kNone and 0 if
+  /// The state with the longest chain that a state itself calls, and its length; kNoState and 0 if
   /// there is none.
   [[nodiscard]] std::pair<uint32_t, uint32_t> longestCalled(uint32_t state) const {
-    std::pair<uint32_t, uint32_t> longest = {kNone, 0};
+    std::pair<uint32_t, uint32_t> longest = {kNoState, 0};
     for (const Edge& edge : s_.moves[state].edges) {
       if (edge.call && !interrupting_[edge.to] && length_[edge.to] >= longest.second) {
         longest = {edge.to, length_[edge.to]};

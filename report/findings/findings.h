@@ -40,7 +40,6 @@ struct JudgedRequirement {
   std::string verdict;                      ///< "proved", "refuted" or "undecided"
   std::optional<FlightSearch> closed_loop;  ///< of a refuted requirement, if it was searched for
   std::string premise = {};                 ///< the assumptions of its proof; may be empty
-  bool cached = false;                      ///< the verdict is from an earlier check
   std::string reason = {};                  ///< why it is undecided; may be empty
 };
 

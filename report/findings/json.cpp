@@ -114,9 +114,6 @@ ordered_json missionOf(const CheckedMission& mission) {
     if (!requirement.premise.empty()) {
       told["premise"] = requirement.premise;
     }
-    if (requirement.cached) {
-      told["kept"] = true;
-    }
     if (requirement.closed_loop) {
       told["closed_loop"] = closedLoopOf(*requirement.closed_loop);
     }

@@ -42,9 +42,9 @@ void addWrapped(std::vector<Line>& lines, const std::string& text, Style style,
   }
 }
 
-class Maker {
+class DiagramMaker {
  public:
-  Maker(const Graph& graph, const GraphStyle& style) : graph_(graph), style_(style) {
+  DiagramMaker(const Graph& graph, const GraphStyle& style) : graph_(graph), style_(style) {
     for (uint32_t s = 0; s < graph_.states.size(); ++s) {
       made_.boxes.push_back(boxOf(s));
     }
@@ -211,7 +211,7 @@ class Maker {
 }  // namespace
 
 Diagram diagramOf(const Graph& graph, const GraphStyle& style) {
-  return Maker(graph, style).take();
+  return DiagramMaker(graph, style).take();
 }
 
 layered::Drawing place(const Diagram& diagram, Direction direction) {

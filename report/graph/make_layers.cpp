@@ -8,9 +8,9 @@
 namespace glider::report::layered {
 namespace {
 
-class Maker {
+class LayerMaker {
  public:
-  Maker(const std::vector<Node>& nodes, const std::vector<uint32_t>& layer_of)
+  LayerMaker(const std::vector<Node>& nodes, const std::vector<uint32_t>& layer_of)
       : layer_of_(layer_of) {
     const uint32_t last = layer_of.empty() ? 0 : std::ranges::max(layer_of);
     made_.order.resize(last + 1);
@@ -64,7 +64,7 @@ class Maker {
 
 Layers makeLayers(const std::vector<Node>& nodes, const std::vector<Edge>& edges,
                   const std::vector<uint32_t>& layer_of) {
-  Maker maker(nodes, layer_of);
+  LayerMaker maker(nodes, layer_of);
   for (uint32_t i = 0; i < edges.size(); ++i) {
     maker.edge(i, edges[i]);
   }

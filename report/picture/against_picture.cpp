@@ -18,7 +18,8 @@ namespace {
 
 using namespace picture;
 
-constexpr double kLeft = 62, kMargin = 16, kTop = 92, kHigh = 300, kWide = 940, kAxisRoom = 62;
+constexpr double kAgainstLeft = 62, kAgainstMargin = 16, kAgainstTop = 92, kAgainstHigh = 300,
+                 kAgainstWide = 940, kAgainstAxisRoom = 62;
 constexpr double kText = 17, kStrip = 12, kRow = kText + kStrip + 8;
 constexpr size_t kMostText = 110;  ///< of a guard, characters
 constexpr const char* kFlicker = "#f3c98b";
@@ -54,7 +55,9 @@ class Page {
       : a_(against),
         sources_(sources),
         colouring_(against.trace, style),
-        box_{kLeft, kTop, kWide - kMargin - (colouring_.quantity() ? kScaleRoom : 0), kTop + kHigh},
+        box_{kAgainstLeft, kAgainstTop,
+             kAgainstWide - kAgainstMargin - (colouring_.quantity() ? kScaleRoom : 0),
+             kAgainstTop + kAgainstHigh},
         time_(0, std::fmax(against.end.hours * 3600, 1), box_.left, box_.right),
         depth_(valuesOf(against.trace, "m_depth")) {}
 
@@ -66,13 +69,14 @@ class Page {
       drawScale(body_, colouring_, box_);
     }
     transitions();
-    double at = box_.bottom + kAxisRoom - 8;
+    double at = box_.bottom + kAgainstAxisRoom - 8;
     for (const LoggedCase& one : a_.cases) {
       strip(one, at);
       at += kRow;
     }
-    const double height =
-        at + 12 + drawLegend(body_, legend_, {kLeft, at + 12}, kWide - kLeft - kMargin);
+    const double height = at + 12 +
+                          drawLegend(body_, legend_, {kAgainstLeft, at + 12},
+                                     kAgainstWide - kAgainstLeft - kAgainstMargin);
     return page(height);
   }
 
@@ -158,9 +162,9 @@ class Page {
   std::string page(double height) {
     const std::string name = plain(a_.trace.mission);
     SvgText svg;
-    beginPage(svg, kWide, height, "mission " + name + " against " + a_.vehicle);
-    addText(svg, {kLeft, 30}, "start", "title", name + " against " + plain(a_.vehicle));
-    addText(svg, {kLeft, 51}, "start", "muted",
+    beginPage(svg, kAgainstWide, height, "mission " + name + " against " + a_.vehicle);
+    addText(svg, {kAgainstLeft, 30}, "start", "title", name + " against " + plain(a_.vehicle));
+    addText(svg, {kAgainstLeft, 51}, "start", "muted",
             fmt::format("{} to {} UTC · what the mission would have done; the vehicle did not "
                         "obey it",
                         a_.begin.utc, a_.end.utc));

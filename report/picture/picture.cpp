@@ -22,8 +22,9 @@ namespace {
 using namespace picture;
 using support::Trace;
 
-constexpr double kLeft = 62, kMargin = 16, kTop = 92, kHigh = 320, kMapWide = 320, kMapLeft = 70;
-constexpr double kWide = 940, kWideWithMap = 1080, kAxisRoom = 62;
+constexpr double kLeft = 62, kPictureMargin = 16, kPictureTop = 92, kPictureHigh = 320,
+                 kMapWide = 320, kMapLeft = 70;
+constexpr double kPictureWide = 940, kWideWithMap = 1080, kPictureAxisRoom = 62;
 
 std::string headlineOf(const Trace& trace) {
   const FlightFigures figures = flightFigures(trace);
@@ -79,11 +80,11 @@ void nameUnknown(const Trace& trace, std::vector<LegendEntry>& legend) {
 
 std::string drawPicture(const Trace& trace, const PictureStyle& style) {
   const bool map = deservesMap(trace);
-  const double width = map ? kWideWithMap : kWide;
+  const double width = map ? kWideWithMap : kPictureWide;
   const Colouring colouring(trace, style);
-  const double right =
-      width - kMargin - (map ? kMapLeft + kMapWide : 0) - (colouring.quantity() ? kScaleRoom : 0);
-  const Box box{kLeft, kTop, right, kTop + kHigh};
+  const double right = width - kPictureMargin - (map ? kMapLeft + kMapWide : 0) -
+                       (colouring.quantity() ? kScaleRoom : 0);
+  const Box box{kLeft, kPictureTop, right, kPictureTop + kPictureHigh};
   SvgText body;
   std::vector<LegendEntry> legend = pilotEntries(trace);
   const auto drawn = drawDepthChart(body, trace, colouring, box);
@@ -95,13 +96,15 @@ std::string drawPicture(const Trace& trace, const PictureStyle& style) {
     }
   }
   if (map) {
-    const auto mapped =
-        drawMap(body, trace, {width - kMargin - kMapWide, kTop, width - kMargin, kTop + kHigh});
+    const auto mapped = drawMap(body, trace,
+                                {width - kPictureMargin - kMapWide, kPictureTop,
+                                 width - kPictureMargin, kPictureTop + kPictureHigh});
     legend.insert(legend.end(), mapped.begin(), mapped.end());
   }
-  const double legend_top = box.bottom + kAxisRoom;
+  const double legend_top = box.bottom + kPictureAxisRoom;
   const double height =
-      legend_top + drawLegend(body, legend, {kLeft, legend_top}, width - kLeft - kMargin) + 2;
+      legend_top + drawLegend(body, legend, {kLeft, legend_top}, width - kLeft - kPictureMargin) +
+      2;
   const std::string name = trace.mission.empty() ? "layered control" : plain(flightTitle(trace));
   SvgText svg;
   beginPage(svg, width, height, "the flight of mission " + name);

@@ -80,8 +80,8 @@ bool refresh(const GliderContext& context, const GliderGuardTable& table, uint32
   return moved;
 }
 
-uint32_t firstTrue(const GliderContext& context, const GliderGuardTable& table,
-                   const uint32_t* memory, uint32_t from) {
+uint32_t firstTrueRow(const GliderContext& context, const GliderGuardTable& table,
+                      const uint32_t* memory, uint32_t from) {
   for (uint32_t word = 0; word < table.words; ++word) {
     uint32_t rows = UINT32_MAX;
     for (uint32_t i = 0; i < table.column_count; ++i) {
@@ -112,7 +112,7 @@ extern "C" uint32_t gliderFirstTrue(GliderContext* context, const GliderGuardTab
   if (remembers && !moved && answer > kNoAnswer) {
     return answer - kAnswerBias;
   }
-  const uint32_t found = firstTrue(*context, *table, columns, from);
+  const uint32_t found = firstTrueRow(*context, *table, columns, from);
   answer = remembers ? found + kAnswerBias : kNoAnswer;
   return found;
 }

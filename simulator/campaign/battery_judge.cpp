@@ -13,10 +13,10 @@ using hooks::HookState;
 
 namespace {
 
-constexpr double kAtSurface = 1;     // m
-constexpr double kPowerTimes = 3;    // times the power of a flight without a fault
-constexpr double kPowerMore = 8000;  // J: a few strokes of the pump at any time
-constexpr double kVoltageFor = 60;   // s
+constexpr double kBatteryAtSurface = 1;  // m
+constexpr double kPowerTimes = 3;        // times the power of a flight without a fault
+constexpr double kPowerMore = 8000;      // J: a few strokes of the pump at any time
+constexpr double kVoltageFor = 60;       // s
 constexpr double kVoltageError = 0.05;
 
 }  // namespace
@@ -45,7 +45,7 @@ std::string BatteryJudge::judgeVoltage(const CycleView& view) {
 
 /// A vehicle that dives on must still be able to come up.
 std::string BatteryJudge::judgeWayUp(const CycleView& view) const {
-  const bool under_water = view.true_depth_m > kAtSurface;
+  const bool under_water = view.true_depth_m > kBatteryAtSurface;
   if (view.left_J <= 0 && (under_water || view.hook == HookState::Active)) {
     return "the batteries are empty";
   }

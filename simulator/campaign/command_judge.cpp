@@ -26,15 +26,15 @@ using hooks::Instruction;
 
 namespace {
 
-constexpr double kPitchError = 1e-5;  // rad
-constexpr double kDepthError = 1e-3;  // m
-constexpr double kHoverReach = 2;     // m: hookbeh's own
-constexpr double kHoldReach = 1;      // m: the same
-constexpr double kFloats = 1;         // m: a target above this is the surface
-constexpr double kFarFromTarget = 6;  // m
-constexpr int kFarCycles = 15;        // a minute
-constexpr int kToArrive = 6;          // cycles that the commands of a dive or climb may be held
-constexpr double kSwing = 4;          // m: a climb of the guard is at least 5 m
+constexpr double kPitchError = 1e-5;         // rad
+constexpr double kCommandDepthError = 1e-3;  // m
+constexpr double kHoverReach = 2;            // m: hookbeh's own
+constexpr double kHoldReach = 1;             // m: the same
+constexpr double kFloats = 1;                // m: a target above this is the surface
+constexpr double kFarFromTarget = 6;         // m
+constexpr int kFarCycles = 15;               // a minute
+constexpr int kToArrive = 6;  // cycles that the commands of a dive or climb may be held
+constexpr double kSwing = 4;  // m: a climb of the guard is at least 5 m
 constexpr int kSmallSwings = 3;
 constexpr double kOldReading = 30;      // s: hookbeh's guard 6 steps in within this time
 constexpr double kAfterOverride = 300;  // s
@@ -49,7 +49,7 @@ constexpr double kWrong = 8;         // m from the truth, if there is a CTD
 constexpr double kWrongSecs = 60;    // of a dive; an error at its beginning takes as long to show
 constexpr double kIdleSecs = 200;    // a dive that does not gain depth
 constexpr double kCreepsSecs = 380;  // one that gains it slowly: hookbeh may wait 2 x 180 s
-constexpr double kJump = 4;          // m per cycle
+constexpr double kCommandJump = 4;   // m per cycle
 constexpr double kStands = 0.3;      // m; a smaller gain counts as none
 constexpr double kCtdFades = 300;    // s; after a fault the CTD must agree again, at the surface
 constexpr double kExcused = 600;     // s after such a climb: to the surface, and back to the depth
@@ -164,7 +164,8 @@ std::string CommandJudge::judgeWhole(const CycleView& view) const {
 /// Checks for a broken limit: by hookbeh's own depth reading, and by the true distance to a bottom
 /// that the altimeter detects.
 std::string CommandJudge::judgeLimits(const CycleView& view, double reading) {
-  const bool too_deep = !(reading <= s_.args.greatest_depth_m + kDepthError && reading >= kHighest);
+  const bool too_deep =
+      !(reading <= s_.args.greatest_depth_m + kCommandDepthError && reading >= kHighest);
   const bool echoes = s_.echo_every_s <= limits::kRareEchoSecs &&
                       !isWrong(s_.faults, {"m_altitude"}, view.time_s, limits::kEchoFadesSecs);
   const bool too_low = s_.promiseAt(view.time_s).clearance && echoes &&
@@ -200,7 +201,7 @@ std::string CommandJudge::judgeBlind(const CycleView& view, double reading) {
   const double same = lasts(same_s_, reading == reading_m_ && reading > kFloats);
   const double wrong = lasts(wrong_s_, ctd && std::fabs(reading - view.true_depth_m) > kWrong);
   const double idle = lasts(idle_s_, !gains);
-  if (std::fabs(reading - reading_m_) > kJump) {
+  if (std::fabs(reading - reading_m_) > kCommandJump) {
     same_s_ = -s_.cycle_s;  // hookbeh believes a reading that has jumped one cycle later
   }
   reading_m_ = reading;
@@ -249,7 +250,7 @@ std::string CommandJudge::judgeGuard(const CycleView& view) {
 
 std::string CommandJudge::judgeDive(const HookbehOutputs& out, double reading) {
   const double target = in_force_.depth_m;
-  if (!arrived_ && reading < target - kDepthError) {
+  if (!arrived_ && reading < target - kCommandDepthError) {
     // hookbeh's own climb first checks that the depth follows, then it dives.
     const bool dives = std::fabs(out.pitch_rad - in_force_.pitch_rad) < kPitchError &&
                        out.pump_cc < s_.args.dive_pump_cc + kPumpError;
@@ -257,7 +258,7 @@ std::string CommandJudge::judgeDive(const HookbehOutputs& out, double reading) {
                                      : fmt::format("no dive to {} m though it is in force", target);
   }
   arrived_ = true;
-  if (reading > target + kHoldReach + kDepthError && out.pitch_rad < 0) {
+  if (reading > target + kHoldReach + kCommandDepthError && out.pitch_rad < 0) {
     return fmt::format("still diving {:.1f} m past {} m", reading - target, target);
   }
   return "";
@@ -265,7 +266,7 @@ std::string CommandJudge::judgeDive(const HookbehOutputs& out, double reading) {
 
 std::string CommandJudge::judgeClimb(const HookbehOutputs& out, double reading) {
   const double target = in_force_.depth_m;
-  if (!arrived_ && reading > target + kDepthError) {
+  if (!arrived_ && reading > target + kCommandDepthError) {
     // hookbeh's own climb leads there at another pitch.
     const bool as_told =
         checksDepth(out) || std::fabs(out.pitch_rad - in_force_.pitch_rad) < kPitchError;
@@ -278,7 +279,7 @@ std::string CommandJudge::judgeClimb(const HookbehOutputs& out, double reading) 
 
 std::string CommandJudge::judgeHover(const HookbehOutputs& out, double reading) {
   const double above = in_force_.depth_m - reading;
-  if (!arrived_ && std::fabs(above) > kHoverReach + kDepthError) {
+  if (!arrived_ && std::fabs(above) > kHoverReach + kCommandDepthError) {
     const bool goes = above > 0 ? out.pitch_rad < 0 : out.pitch_rad > 0;
     return goes || checksDepth(out)
                ? ""

@@ -20,8 +20,8 @@ constexpr std::array<Sensor, 11> kInstruction = {
     Sensor::sci_hook_depth,   Sensor::sci_hook_pitch,   Sensor::sci_hook_lateral,
     Sensor::sci_hook_heading, Sensor::sci_hook_lat,     Sensor::sci_hook_lon,
     Sensor::sci_hook_check,   Sensor::sci_hook_sequence};
-constexpr double kAtSurface = 1;  // m
-constexpr double kSettled = 60;   // s at the surface after which nothing more is expected
+constexpr double kFlightAtSurface = 1;  // m
+constexpr double kSettledSecs = 60;     // s at the surface after which nothing more is expected
 constexpr double kRelease = static_cast<double>(hooks::HookControl::Release);
 constexpr double kTake = static_cast<double>(hooks::HookControl::Take);
 
@@ -265,7 +265,7 @@ void FlightJudge::judgeTimes(const CycleView& view) {
 bool FlightJudge::isOverForGood(const CycleView& view) {
   const bool is_up = view.hook != HookState::Active && at_surface_;
   up_since_s_ = !is_up ? -1 : up_since_s_ < 0 ? view.time_s : up_since_s_;
-  if (!is_up || view.time_s <= last_end_s_ || view.time_s - up_since_s_ <= kSettled) {
+  if (!is_up || view.time_s <= last_end_s_ || view.time_s - up_since_s_ <= kSettledSecs) {
     return false;
   }
   const bool complete = view.hook == HookState::Complete && setup_.only_hookbeh;
@@ -325,7 +325,7 @@ bool FlightJudge::cycle(const CycleView& view) {
   verdict_.releases += lost;
   lost_while_whole_ += lost && setup_.promiseAt(view.time_s).control == Control::Kept;
   ended_ = view.ended;
-  at_surface_ = view.true_depth_m < kAtSurface;
+  at_surface_ = view.true_depth_m < kFlightAtSurface;
   verdict_.end_s = view.time_s;
   return !isOverForGood(view);
 }

@@ -21,10 +21,10 @@ namespace {
 
 // A definite jump: from a depth that was right for a minute, by more than vehicle and noise can
 // move it in hookbeh's longest cycle.
-constexpr double kRight = 2;          // m
-constexpr double kRightSecs = 64;     // s
-constexpr double kJump = 12;          // m
-constexpr double kLongestCycle = 20;  // s
+constexpr double kRight = 2;            // m
+constexpr double kGuardRightSecs = 64;  // s
+constexpr double kJump = 12;            // m
+constexpr double kLongestCycle = 20;    // s
 // hookbeh counts 240 s from the last metre gained, which itself may have taken as long.
 constexpr double kStalledSecs = 504;  // s
 constexpr double kStandsStill = 0.5;  // m
@@ -66,8 +66,8 @@ std::string GuardJudge::judgePump(const CycleView& view) const {
 std::string GuardJudge::judgeJump(const CycleView& view) {
   const double reading = view.array.get(Sensor::m_depth);
   const double by = reading - reading_m_;
-  const bool jumped =
-      right_s_ >= kRightSecs && view.time_s - last_s_ <= kLongestCycle && std::fabs(by) > kJump;
+  const bool jumped = right_s_ >= kGuardRightSecs && view.time_s - last_s_ <= kLongestCycle &&
+                      std::fabs(by) > kJump;
   const bool right = std::fabs(reading - view.true_depth_m) < kRight;
   right_s_ = right ? right_s_ + view.time_s - last_s_ : 0;
   reading_m_ = reading;

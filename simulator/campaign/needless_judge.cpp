@@ -16,9 +16,10 @@ using hooks::HookState;
 
 namespace {
 
-constexpr double kNear = 2;         // m from a limit
-constexpr double kRightSecs = 300;  // s: longer than any time over which a guard judges, but one
-constexpr double kAnHour = 3600;    // s
+constexpr double kNear = 2;  // m from a limit
+constexpr double kNeedlessRightSecs =
+    300;                          // s: longer than any time over which a guard judges, but one
+constexpr double kAnHour = 3600;  // s
 
 }  // namespace
 
@@ -35,7 +36,7 @@ std::string NeedlessJudge::cycle(const CycleView& view) {
   const bool active = view.hook == HookState::Active && view.hookbeh != nullptr;
   const bool guards = active && view.hookbeh->guard != HookGuard::None;
   echo_s_ = view.array.fresh(Sensor::m_altitude) ? view.time_s : echo_s_;
-  const bool begins = guards && !guarding_ && right_s_ > kRightSecs && isSafe(view) &&
+  const bool begins = guards && !guarding_ && right_s_ > kNeedlessRightSecs && isSafe(view) &&
                       !isNearLimit(s_, view, view.hookbeh->guard, view.time_s - echo_s_);
   needless_ = guards && (needless_ || begins);
   climbs_ += needless_ && !guarding_;

@@ -16,9 +16,9 @@ using hooks::HookState;
 
 namespace {
 
-constexpr double kLand = 0.5;         // m of water: the hull lies on the ground
-constexpr double kAtSurface = 1;      // m
-constexpr double kModelError = 0.05;  // m/s
+constexpr double kLand = 0.5;             // m of water: the hull lies on the ground
+constexpr double kPositionAtSurface = 1;  // m
+constexpr double kModelError = 0.05;      // m/s
 
 }  // namespace
 
@@ -65,7 +65,7 @@ std::string PositionJudge::judgeSpeed(const CycleView& view, bool floats) {
 std::string PositionJudge::cycle(const CycleView& view) {
   const bool steered = !view.aborted && (view.hook == HookState::Active || !s_.only_hookbeh);
   std::string shore = judgeShore(view, steered);
-  std::string speed = judgeSpeed(view, !steered && view.true_depth_m < kAtSurface);
+  std::string speed = judgeSpeed(view, !steered && view.true_depth_m < kPositionAtSurface);
   return shore.empty() ? speed : shore;
 }
 

@@ -11,7 +11,7 @@
 namespace glider::simulator {
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180;
+constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 constexpr double kKmPerDeg = 111.7;      // the greatest length of a degree of latitude
 constexpr double kLeastRadiusKm = 6350;  // of the Earth
 
@@ -20,7 +20,7 @@ constexpr double kLeastRadiusKm = 6350;  // of the Earth
 /// east.
 double steepest(double latitude_deg, double horizontal_nT) {
   return Declination::kSteepest_nT_per_km / horizontal_nT +
-         std::fabs(std::tan(latitude_deg * kRadPerDeg)) / kLeastRadiusKm;
+         std::fabs(std::tan(latitude_deg * kRadiansPerDegree)) / kLeastRadiusKm;
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ bool Declination::isNear(double latitude_deg, double longitude_deg) const {
   const double north_km = (latitude_deg - latitude_deg_) * kKmPerDeg;
   const double east_km = std::remainder(longitude_deg - longitude_deg_, 360) * kKmPerDeg;
   // A degree of longitude is shorter, so the distance is no greater.
-  return std::hypot(north_km, east_km * std::cos(latitude_deg * kRadPerDeg)) <= radius_km_;
+  return std::hypot(north_km, east_km * std::cos(latitude_deg * kRadiansPerDegree)) <= radius_km_;
 }
 
 double Declination::at(double latitude_deg, double longitude_deg) {

@@ -9,13 +9,13 @@
 
 namespace glider::simulator {
 
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kBottomTurn = 2 * std::numbers::pi;
 
 double Bottom::depth(double x, double y) const {
   const BottomSettings& s = settings_;
   double depth = s.depth_m;
   if (s.wave_height_m != 0) {
-    depth -= s.wave_height_m * std::sin(kTurn * std::hypot(x, y) / s.wave_length_m);
+    depth -= s.wave_height_m * std::sin(kBottomTurn * std::hypot(x, y) / s.wave_length_m);
   }
   if (s.slope != 0) {
     depth += s.slope * (x * std::sin(s.slope_bearing_rad) + y * std::cos(s.slope_bearing_rad));

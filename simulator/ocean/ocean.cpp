@@ -12,7 +12,7 @@ namespace glider::simulator {
 
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kFullTurn = 2 * std::numbers::pi;
 constexpr double kGravity = 9.81;  // m/s2
 // A wave higher than the layer below it would fold the water over.
 constexpr double kHighestShareOfLayer = 0.95;
@@ -20,7 +20,7 @@ constexpr double kHighestShareOfLayer = 0.95;
 /// The wave number (rad/m) of a wave of this period over water of this depth: omega^2 = g k tanh(k
 /// h), by Newton's method from the greater of the deep and the shallow limit.
 double waveNumber(double period_s, double depth_m) {
-  const double omega = kTurn / period_s;
+  const double omega = kFullTurn / period_s;
   double k = std::max(omega * omega / kGravity, omega / std::sqrt(kGravity * depth_m));
   constexpr int kSteps = 20;
   for (int i = 0; i < kSteps; ++i) {
@@ -59,7 +59,7 @@ double Ocean::swellPressure(double z, double x, double y, double t) const {
   const double pressure = decay * (1 + echo) / (1 + whole);
   const double motion = h > 0 ? decay * (1 - echo) / (1 - whole) : 1;
   const double along = x * std::sin(s.bearing_rad) + y * std::cos(s.bearing_rad);
-  const double angle = k * along - kTurn / s.period_s * t;
+  const double angle = k * along - kFullTurn / s.period_s * t;
   return s.amplitude_m * (pressure - s.followed_share * motion) * std::cos(angle);
 }
 
@@ -74,8 +74,8 @@ Ocean::Wave Ocean::wave(double x, double t, double water_depth) const {
   if (w.count > 0 && (waves < 0 || waves > w.count)) {
     return {};
   }
-  const double angle = kTurn * waves + w.phase_rad;
-  return {amplitude * std::sin(angle), amplitude * std::cos(angle) * kTurn / w.period_s};
+  const double angle = kFullTurn * waves + w.phase_rad;
+  return {amplitude * std::sin(angle), amplitude * std::cos(angle) * kFullTurn / w.period_s};
 }
 
 double Ocean::shape(double z, double water_depth) const {

@@ -19,7 +19,7 @@ using support::DiagnosticId;
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotGiven = std::numeric_limits<double>::quiet_NaN();
 
 void readHead(Fields& f, const ScenarioTables& tables, Scenario& scenario) {
   TomlReader& r = f.reader();
@@ -40,11 +40,11 @@ void readHead(Fields& f, const ScenarioTables& tables, Scenario& scenario) {
   scenario.path = tables.file();
   scenario.skeleton_path = std::filesystem::path(tables.file()).parent_path() / r.text("skeleton");
   scenario.duration_s = r.number("duration_s");
-  constexpr double kLongest = 60 * 86400;
-  if (!(scenario.duration_s > 0 && scenario.duration_s <= kLongest)) {
+  constexpr double kLongestFlight = 60 * 86400;
+  if (!(scenario.duration_s > 0 && scenario.duration_s <= kLongestFlight)) {
     r.refuse("duration_s", "must be above 0 and at most 60 days");
   }
-  scenario.isotherm_degC = r.numberOr("isotherm_degC", kNaN);
+  scenario.isotherm_degC = r.numberOr("isotherm_degC", kNotGiven);
 }
 
 /// What code 15 of start_when and stop_when means to the vehicle's release.

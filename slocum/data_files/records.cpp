@@ -28,7 +28,7 @@ double number(const char* bytes, bool swap) {
 // So many records in a row are not there by chance; fewer where the file then ends as it should.
 constexpr int kRecordsInARow = 8, kRecordsToTheEnd = 5;
 // A file with more damage is not worth reading on.
-constexpr size_t kMostDamage = 50;
+constexpr size_t kMostBadRecords = 50;
 // Clocks of records that follow each other do not differ by more, s.
 constexpr double kFurthestTime = 1e7;
 
@@ -64,7 +64,7 @@ class RecordDecoder {
     position_ = begin;
     hole_after_ = hole_after;
     in_a_row_ = 0;
-    if (file_.end_mark || file_.damage.size() >= kMostDamage) {
+    if (file_.end_mark || file_.damage.size() >= kMostBadRecords) {
       return;
     }
     if (after_hole) {
@@ -118,7 +118,7 @@ class RecordDecoder {
 
   /// After damage: goes on where records begin again. What was read before it may be damaged too.
   bool readsOn() {
-    if (!std::exchange(is_damaged_, false) || file_.damage.size() >= kMostDamage) {
+    if (!std::exchange(is_damaged_, false) || file_.damage.size() >= kMostBadRecords) {
       return false;
     }
     const size_t found = nextRecords(position_ + 1);

@@ -24,7 +24,7 @@ namespace {
 using support::DiagnosticId;
 using support::Failure;
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 // UTC, s: a clock before it was not set, one after it is damaged.
 constexpr double kYear2000 = 946684800, kYear2100 = 4102444800;
 constexpr double kFurthest = 60 * 86400.0;  // s from the middle of a file
@@ -43,7 +43,7 @@ double middleOf(const std::vector<double>& times) {
   std::vector<double> good;
   std::ranges::copy_if(times, std::back_inserter(good), isOfThisCentury);
   if (good.empty()) {
-    return kUnknown;
+    return kNotKnown;
   }
   const auto middle = good.begin() + static_cast<ptrdiff_t>(good.size() / 2);
   std::ranges::nth_element(good, middle);
@@ -53,7 +53,7 @@ double middleOf(const std::vector<double>& times) {
 void leaveOutTimesOf(LogFile& file, std::vector<Failure>& warnings) {
   const double middle = middleOf(file.times);
   size_t count = 0;
-  double first = kUnknown;
+  double first = kNotKnown;
   file.left_out.assign(file.times.size(), false);
   for (size_t i = file.first; i < file.times.size(); ++i) {
     const double time = file.times[i];
@@ -116,8 +116,8 @@ std::vector<Place> placesOf(std::span<const LogFile> files, const char* lat, con
       if (known && record >= file.first && !file.isLeftOut(record)) {
         const double at_lat = degreesOf(value), at_lon = degreesOf(found->second);
         const bool on_earth = std::fabs(at_lat) <= 90 && std::fabs(at_lon) <= 180;
-        places.push_back({file.times[record], on_earth ? at_lat : kUnknown,
-                          on_earth ? at_lon : kUnknown, i, record});
+        places.push_back({file.times[record], on_earth ? at_lat : kNotKnown,
+                          on_earth ? at_lon : kNotKnown, i, record});
       }
     });
   }
@@ -182,7 +182,7 @@ void warnOfFixes(const LogFile& file, size_t fixes, const std::string& first,
 double degreesOf(double dddmm) {
   const double size = std::fabs(dddmm), degrees = std::floor(size / 100);
   const double minutes = size - 100 * degrees;
-  return minutes < 60 ? std::copysign(degrees + minutes / 60, dddmm) : kUnknown;
+  return minutes < 60 ? std::copysign(degrees + minutes / 60, dddmm) : kNotKnown;
 }
 
 void leaveOutTimes(std::span<LogFile> files, std::vector<Failure>& warnings) {
@@ -199,7 +199,7 @@ void leaveOutFixes(std::span<LogFile> files, std::vector<Failure>& warnings) {
   std::vector<Place> reckoned = placesOf(files, "m_lat", "m_lon");
   std::erase_if(reckoned, [](const Place& place) { return std::isnan(place.lat); });
   std::vector<size_t> counts(files.size());
-  std::vector<double> first(files.size(), kUnknown);
+  std::vector<double> first(files.size(), kNotKnown);
   for (size_t i = 0; i < fixes.size(); ++i) {
     const Place& fix = fixes[i];
     ++counts[fix.file];

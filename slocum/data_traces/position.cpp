@@ -13,7 +13,7 @@
 namespace glider::slocum {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoPosition = std::numeric_limits<double>::quiet_NaN();
 constexpr double kForever = std::numeric_limits<double>::infinity();
 
 /// Places by time, in degrees.
@@ -115,7 +115,7 @@ void cutAtLegs(const Places& places, const std::vector<double>& legs,
     const bool inside = count > 0 && count < legs.size() && legs[count - 1] != legs[count] &&
                         places.times_s[count - 1] != times_s[i];
     for (size_t column = first; inside && column < columns.size(); ++column) {
-      columns[column].values[i] = kUnknown;
+      columns[column].values[i] = kNoPosition;
     }
   }
 }

@@ -13,8 +13,8 @@
 namespace glider::slocum {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double kForever = std::numeric_limits<double>::infinity();
+constexpr double kNoQuantity = std::numeric_limits<double>::quiet_NaN();
+constexpr double kAnyAge = std::numeric_limits<double>::infinity();
 constexpr double kSlowGap = 3600;    // s; for what changes over hours
 constexpr double kAltitudeGap = 30;  // s; in more, the vehicle moves through most of the range
 
@@ -35,9 +35,9 @@ constexpr Source kSources[] = {
     {"m_heading", "rad", "m_heading", Between::Angle},
     {"m_fin", "rad", "m_fin"},
     {"m_ballast_pumped", "cc", "m_ballast_pumped"},
-    {"c_ballast_pumped", "cc", "c_ballast_pumped", Between::Hold, kForever},
+    {"c_ballast_pumped", "cc", "c_ballast_pumped", Between::Hold, kAnyAge},
     {"m_de_oil_vol", "cc", "m_de_oil_vol"},
-    {"c_de_oil_vol", "cc", "c_de_oil_vol", Between::Hold, kForever},
+    {"c_de_oil_vol", "cc", "c_de_oil_vol", Between::Hold, kAnyAge},
     {"m_battpos", "in", "m_battpos"},
     {"m_depth_rate", "m/s", "m_depth_rate"},
     {"m_depth_rate", "m/s", "m_depth_rate_avg_final"},
@@ -54,10 +54,10 @@ constexpr Source kSources[] = {
     {"sci_water_pressure", "bar", "sci_water_pressure"},
     {"sci_oxy4_oxygen", "uM", "sci_oxy4_oxygen"},
     {"sci_oxy4_saturation", "%", "sci_oxy4_saturation"},
-    {"cc_final_heading_mode", "", "cc_final_heading_mode", Between::Hold, kForever},
-    {"cc_final_pitch_mode", "", "cc_final_pitch_mode", Between::Hold, kForever},
-    {"cc_final_bpump_mode", "", "cc_final_bpump_mode", Between::Hold, kForever},
-    {"x_dr_state", "", "x_dr_state", Between::Hold, kForever},
+    {"cc_final_heading_mode", "", "cc_final_heading_mode", Between::Hold, kAnyAge},
+    {"cc_final_pitch_mode", "", "cc_final_pitch_mode", Between::Hold, kAnyAge},
+    {"cc_final_bpump_mode", "", "cc_final_bpump_mode", Between::Hold, kAnyAge},
+    {"x_dr_state", "", "x_dr_state", Between::Hold, kAnyAge},
 };
 
 // Optical instruments differ from vehicle to vehicle, their names in the middle of these.
@@ -82,7 +82,7 @@ FlightColumn commandedAngle(const Merged& merged, const std::vector<double>& tim
   FlightColumn made{{name, "rad"}, resampled(samplesOf(merged, name), times_s, Between::Hold)};
   for (size_t i = 0; mode != nullptr && i < times_s.size(); ++i) {
     const bool steers = (*mode)[i] >= least && (*mode)[i] <= greatest;
-    made.values[i] = steers ? made.values[i] : kUnknown;
+    made.values[i] = steers ? made.values[i] : kNoQuantity;
   }
   return made;
 }
@@ -91,7 +91,7 @@ FlightColumn commandedAngle(const Merged& merged, const std::vector<double>& tim
 FlightColumn waterDepth(const Merged& merged, const std::vector<double>& times_s) {
   Samples samples = samplesOf(merged, "m_water_depth");
   for (double& value : samples.values) {
-    value = value > 0 ? value : kUnknown;
+    value = value > 0 ? value : kNoQuantity;
   }
   return {{"water_depth", "m"}, resampled(samples, times_s, Between::Line)};
 }
@@ -107,13 +107,13 @@ void addPower(const Merged& merged, const std::vector<double>& times_s,
   FlightColumn power{{"power", "W"}, {}}, energy{{"energy", "Wh"}, {}};
   const std::vector<double>* amps = find(columns, "m_coulomb_current");
   const auto charge = resampled(samplesOf(merged, "m_coulomb_amphr"), times_s, Between::Line);
-  double sum = 0, before = kUnknown;
+  double sum = 0, before = kNoQuantity;
   for (size_t i = 0; i < times_s.size(); ++i) {
-    power.values.push_back(amps == nullptr ? kUnknown : (*volts)[i] * (*amps)[i]);
+    power.values.push_back(amps == nullptr ? kNoQuantity : (*volts)[i] * (*amps)[i]);
     const double used = (charge[i] - before) * (*volts)[i];
     sum += used > 0 ? used : 0;  // a counter that was reset has used nothing
     before = std::isnan(charge[i]) ? before : charge[i];
-    energy.values.push_back(std::isnan(charge[i] + (*volts)[i]) ? kUnknown : sum);
+    energy.values.push_back(std::isnan(charge[i] + (*volts)[i]) ? kNoQuantity : sum);
   }
   columns.push_back(std::move(power));
   columns.push_back(std::move(energy));
@@ -128,7 +128,7 @@ void forgetInGaps(const Samples& samples, const std::vector<double>& times_s,
     const size_t count = samples.countUntil(times_s[i]);
     if (after != gaps.begin() && count > 0 &&
         samples.times_s[count - 1] - times_s[0] < std::prev(after)->to_s) {
-      values[i] = kUnknown;
+      values[i] = kNoQuantity;
     }
   }
 }
@@ -142,9 +142,9 @@ FlightColumn states(const Merged& merged, const std::vector<double>& times_s,
     samples = samplesOf(merged, "cc_final_depth_state_mode");
   }
   for (double& value : samples.values) {
-    value = value >= 0 && value <= 3 ? value : kUnknown;
+    value = value >= 0 && value <= 3 ? value : kNoQuantity;
   }
-  auto values = resampled(samples, times_s, Between::Hold, kForever);
+  auto values = resampled(samples, times_s, Between::Hold, kAnyAge);
   forgetInGaps(samples, times_s, gaps, values);
   return {{"state", "id"}, std::move(values)};
 }

@@ -14,7 +14,7 @@
 namespace glider::slocum {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 // The vehicle's own value for a position or a time that was never set; a float has only 7 digits.
 constexpr double kUnset = 69696960;
 
@@ -29,8 +29,8 @@ double angleBetween(double from, double to, double part) {
 /// The quantity between samples `i - 1` and `i`, of which either may not exist.
 double between(const Samples& samples, size_t i, double time_s, Between kind, double longest_s) {
   const bool has_before = i > 0, has_after = i < samples.times_s.size();
-  const double before = has_before ? samples.times_s[i - 1] : kUnknown;
-  const double after = has_after ? samples.times_s[i] : kUnknown;
+  const double before = has_before ? samples.times_s[i - 1] : kNoValue;
+  const double after = has_after ? samples.times_s[i] : kNoValue;
   if (has_before && has_after && after - before <= longest_s) {
     const double part = (time_s - before) / (after - before);
     const double from = samples.values[i - 1], to = samples.values[i];
@@ -40,7 +40,7 @@ double between(const Samples& samples, size_t i, double time_s, Between kind, do
   if (has_before && time_s - before <= kNear) {
     return samples.values[i - 1];
   }
-  return has_after && after - time_s <= kNear ? samples.values[i] : kUnknown;
+  return has_after && after - time_s <= kNear ? samples.values[i] : kNoValue;
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ size_t Samples::countUntil(double time_s) const {
 
 double Samples::at(double time_s) const {
   const size_t count = countUntil(time_s);
-  return count > 0 && times_s[count - 1] == time_s ? values[count - 1] : kUnknown;
+  return count > 0 && times_s[count - 1] == time_s ? values[count - 1] : kNoValue;
 }
 
 Samples samplesOf(const Merged& merged, std::string_view name, std::string_view unit) {
@@ -76,7 +76,7 @@ Samples samplesOf(const Merged& merged, std::string_view name, std::string_view 
       samples.values.emplace_back();
     }
     const bool known = std::isfinite(value) && std::fabs(value) < kUnset;
-    samples.values.back() = known ? value * factor : kUnknown;
+    samples.values.back() = known ? value * factor : kNoValue;
   }
   return samples;
 }
@@ -87,13 +87,13 @@ std::vector<double> resampled(const Samples& samples, const std::vector<double>&
   values.reserve(times_s.size());
   for (const double time : times_s) {
     const size_t count = samples.countUntil(time);
-    const double before = count > 0 ? samples.times_s[count - 1] : kUnknown;
+    const double before = count > 0 ? samples.times_s[count - 1] : kNoValue;
     if (before == time) {
       values.push_back(samples.values[count - 1]);
     } else if (kind == Between::Nothing) {
-      values.push_back(kUnknown);
+      values.push_back(kNoValue);
     } else if (kind == Between::Hold) {
-      values.push_back(time - before <= longest_gap_s ? samples.values[count - 1] : kUnknown);
+      values.push_back(time - before <= longest_gap_s ? samples.values[count - 1] : kNoValue);
     } else {
       values.push_back(between(samples, count, time, kind, longest_gap_s));
     }

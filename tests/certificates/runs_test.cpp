@@ -64,7 +64,7 @@ begin
 end
 )";
 
-enum Requirements : uint32_t { kWarm, kLate, kBelow };
+enum RunRequirements : uint32_t { kWarm, kLate, kBelow };
 
 class CertifiedRuns : public testing::Test {
  protected:

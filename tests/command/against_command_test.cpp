@@ -48,7 +48,7 @@ class Against : public testing::Test {
     (void)folder_.write("a.sbd", write(dive("unit")));
   }
   Outcome check(const std::string& words) const {
-    return runShell("cd " + folder_.path().string() + " && $GLIDERCC check --no-cache " + words);
+    return runShell("cd " + folder_.path().string() + " && $GLIDERCC check " + words);
   }
   TemporaryFolder folder_;
 };

@@ -16,7 +16,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kMission = R"(# Looks & reports.
+const std::string kBriefMission = R"(# Looks & reports.
 mission survey
 require always depth <= 30 m
 param limit : time = 30 min in 10 min .. 1 h   # of the search
@@ -74,7 +74,7 @@ class BriefCommand : public testing::Test {
 };
 
 TEST_F(BriefCommand, ShowsTheWholeMission) {
-  const Outcome outcome = brief(kMission);
+  const Outcome outcome = brief(kBriefMission);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "survey-brief.html: mission survey, 2 states\n");
   EXPECT_EQ(outcome.err, "");
@@ -93,15 +93,15 @@ TEST_F(BriefCommand, ShowsTheWholeMission) {
 }
 
 TEST_F(BriefCommand, IsTheSameEachTime) {
-  ASSERT_EQ(brief(kMission).status, 0);
+  ASSERT_EQ(brief(kBriefMission).status, 0);
   const std::string first = page();
-  ASSERT_EQ(brief(kMission, "-o again.html").status, 0);
+  ASSERT_EQ(brief(kBriefMission, "-o again.html").status, 0);
   EXPECT_EQ(page("again.html"), first);
-  EXPECT_EQ(brief(kMission, "-o -").out, first);
+  EXPECT_EQ(brief(kBriefMission, "-o -").out, first);
 }
 
 TEST_F(BriefCommand, DigestsAreThoseOfTheFiles) {
-  ASSERT_EQ(brief(kMission, "--target ts7800").status, 0);
+  ASSERT_EQ(brief(kBriefMission, "--target ts7800").status, 0);
   ASSERT_EQ(run("build survey.mission --target ts7800").status, 0);
   const auto sum = [&](const std::string& file) {
     return runShell("cd " + folder_.path().string() + " && sha256sum " + file).out.substr(0, 64);
@@ -116,7 +116,7 @@ TEST_F(BriefCommand, DigestsAreThoseOfTheFiles) {
 }
 
 TEST_F(BriefCommand, AViolatedRequirementStandsOut) {
-  const Outcome outcome = brief(with(kMission, "<= 30 m", "<= 22 m"));
+  const Outcome outcome = brief(with(kBriefMission, "<= 30 m", "<= 22 m"));
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.err, HasSubstr("GL3110"));
   EXPECT_THAT(textOf(page()),
@@ -126,23 +126,24 @@ TEST_F(BriefCommand, AViolatedRequirementStandsOut) {
 }
 
 TEST_F(BriefCommand, AMissionWithErrorsHasNoPage) {
-  const Outcome outcome = brief(with(kMission, "goto home", "goto nowhere"));
+  const Outcome outcome = brief(with(kBriefMission, "goto home", "goto nowhere"));
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.err, HasSubstr("nowhere"));
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "survey-brief.html"));
 }
 
 TEST_F(BriefCommand, WarningsAreOnThePage) {
-  const Outcome outcome = brief(with(kMission, "state look", "var n : number = 0\nstate look"));
+  const Outcome outcome =
+      brief(with(kBriefMission, "state look", "var n : number = 0\nstate look"));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(textOf(page()), AllOf(HasSubstr("There is 1 warning, listed below."),
                                     HasSubstr("line 5: n is a variable"), HasSubstr("GL2057")));
 }
 
 TEST_F(BriefCommand, ValuesAtLaunch) {
-  EXPECT_EQ(brief(kMission, "--set limit=20min").status, 0);
+  EXPECT_EQ(brief(kBriefMission, "--set limit=20min").status, 0);
   EXPECT_THAT(textOf(page()), HasSubstr("limit time 30 min 10 min to 1 h 1200 s of the search"));
-  const Outcome outcome = brief(kMission, "--set limit=2h -o other.html");
+  const Outcome outcome = brief(kBriefMission, "--set limit=2h -o other.html");
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, HasSubstr("GL9052"));
   EXPECT_EQ(page("other.html"), "");
@@ -152,13 +153,13 @@ TEST_F(BriefCommand, TheSkeletonSaysWhenTheVehicleTakesOver) {
   (void)folder_.write("skeleton.mi",
                       "behavior: hookbeh\n  b_arg: silence_secs(sec) 100\nbehavior: surface\n  "
                       "b_arg: start_when(enum) 1\n");
-  const Outcome outcome = brief(kMission, "--skeleton skeleton.mi");
+  const Outcome outcome = brief(kBriefMission, "--skeleton skeleton.mi");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(textOf(page()), HasSubstr("the vehicle takes control within 2 min 20 s"));
 }
 
 TEST_F(BriefCommand, MissingCodeInCLeavesTheDigestOut) {
-  const std::string text = with(kMission, "state look",
+  const std::string text = with(kBriefMission, "state look",
                                 "extern function density(t: temperature): number in 0 .. 2\n"
                                 "state look");
   const Outcome outcome =
@@ -168,19 +169,19 @@ TEST_F(BriefCommand, MissingCodeInCLeavesTheDigestOut) {
 }
 
 TEST_F(BriefCommand, WhatCannotBeWrittenOrReadIsExitCode2) {
-  EXPECT_EQ(brief(kMission, "-o no/such/folder.html").status, 2);
-  EXPECT_EQ(brief(kMission, "--target nothing").status, 2);
-  EXPECT_EQ(brief(kMission, "--nonsense").status, 2);
+  EXPECT_EQ(brief(kBriefMission, "-o no/such/folder.html").status, 2);
+  EXPECT_EQ(brief(kBriefMission, "--target nothing").status, 2);
+  EXPECT_EQ(brief(kBriefMission, "--nonsense").status, 2);
   EXPECT_EQ(run("brief missing.mission").status, 2);
-  const Outcome same = brief(kMission, "-o survey.mission");
+  const Outcome same = brief(kBriefMission, "-o survey.mission");
   EXPECT_EQ(same.status, 2);
   EXPECT_THAT(same.err, HasSubstr("GL9350"));
-  EXPECT_EQ(page("survey.mission"), kMission);
+  EXPECT_EQ(page("survey.mission"), kBriefMission);
   EXPECT_EQ(run("brief --help").status, 0);
 }
 
 TEST_F(BriefCommand, WithoutChromiumThereIsNoPdf) {
-  (void)folder_.write("survey.mission", kMission);
+  (void)folder_.write("survey.mission", kBriefMission);
   const Outcome outcome =
       runShell("cd " + folder_.path().string() +
                " && PATH=/nowhere $GLIDERCC brief survey.mission -o survey.pdf");
@@ -195,7 +196,7 @@ TEST_F(BriefCommand, ChromiumPrintsThePdf) {
           .status != 0) {
     GTEST_SKIP() << "there is no Chromium";
   }
-  const Outcome outcome = brief(kMission, "-o survey.pdf");
+  const Outcome outcome = brief(kBriefMission, "-o survey.pdf");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   const std::string pdf = page("survey.pdf");

@@ -18,7 +18,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-const std::string kMission =
+const std::string kCertified =
     "mission m\n"
     "require exit within 40 min\n"
     "require always depth <= 20 m\n"
@@ -32,7 +32,7 @@ class CertificatesCommand : public testing::Test {
     if (runShell("cvc5 --version").status != 0) {
       GTEST_SKIP() << "cvc5 is not installed";
     }
-    mission_ = folder_.write("m.mission", kMission).string();
+    mission_ = folder_.write("m.mission", kCertified).string();
   }
   [[nodiscard]] std::string certificates() const { return (folder_.path() / "proofs").string(); }
   [[nodiscard]] Outcome check(const std::string& how, const std::string& before = "") const {
@@ -72,10 +72,10 @@ TEST_F(CertificatesCommand, RefusesWhatIsChangedOrMissing) {
 
 /// Also if it names what is no longer in the mission.
 TEST_F(CertificatesCommand, RefusesWhatRestsOnADeletedAssumption) {
-  const std::string assumed = "mission m\nassume no outage\n" + kMission.substr(10);
+  const std::string assumed = "mission m\nassume no outage\n" + kCertified.substr(10);
   mission_ = folder_.write("m.mission", assumed).string();
   ASSERT_EQ(check("--certificates").status, 0);
-  mission_ = folder_.write("m.mission", kMission).string();
+  mission_ = folder_.write("m.mission", kCertified).string();
   const Outcome found = check("--recheck");
   EXPECT_EQ(found.status, 1) << found.err;
   EXPECT_THAT(found.out, HasSubstr("refused: require exit within 40 min\n  it is about another "
@@ -84,7 +84,7 @@ TEST_F(CertificatesCommand, RefusesWhatRestsOnADeletedAssumption) {
 
 TEST_F(CertificatesCommand, OfTwoMissionsOfOneNameAreRefused) {
   std::filesystem::create_directory(folder_.path() / "other");
-  std::ofstream(folder_.path() / "other" / "m.mission") << kMission;
+  std::ofstream(folder_.path() / "other" / "m.mission") << kCertified;
   const std::string first = mission_;
   mission_ += " " + (folder_.path() / "other" / "m.mission").string();
   for (const char* how : {"--certificates", "--recheck", "--traces"}) {
@@ -97,8 +97,8 @@ TEST_F(CertificatesCommand, OfTwoMissionsOfOneNameAreRefused) {
 
 TEST_F(CertificatesCommand, RemovesThoseOfEarlierProofs) {
   ASSERT_EQ(check("--certificates").status, 0);
-  const std::string text =
-      "mission m\nrequire exit within 5 min\n" + kMission.substr(kMission.find("require always"));
+  const std::string text = "mission m\nrequire exit within 5 min\n" +
+                           kCertified.substr(kCertified.find("require always"));
   mission_ = folder_.write("m.mission", text).string();
   EXPECT_EQ(check("--certificates").status, 1) << "it does not end within 5 min";
   EXPECT_FALSE(std::filesystem::exists(certificates() + "/requirement-1.json"));

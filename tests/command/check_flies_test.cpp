@@ -157,7 +157,7 @@ class CheckFlies : public ::testing::TestWithParam<Row> {
 TEST_P(CheckFlies, WhatIsSaidHappensAndWhatHappensIsSaid) {
   const Row& row = GetParam();
   const auto mission = folder_.write("m.mission", row.mission);
-  const Outcome checked = runShell("$GLIDERCC check --no-cache --mi " +
+  const Outcome checked = runShell("$GLIDERCC check --mi " +
                                    folder_.write("v.mi", row.mi).string() + " " + mission.string());
   const std::string events = flown(row, mission);
   ASSERT_NE(events, "");

@@ -17,17 +17,17 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::string kFigure2 = GLIDER_SOURCE_DIR "/missions/figure2.mission";
-const std::string kFigure5 = GLIDER_SOURCE_DIR "/missions/figure5.mission";
-const std::string kMistaken =
+const std::string kFormatted = GLIDER_SOURCE_DIR "/missions/figure2.mission";
+const std::string kFormatted5 = GLIDER_SOURCE_DIR "/missions/figure5.mission";
+const std::string kFormattedWrong =
     "mission m\nstate s\nbegin\n  flightprofile surfaced;\n  events\n"
     "    case missiontime => 1 h exit\nend\n";
 
 TEST(CheckFormats, SarifOfSeveralMissionsIsOneLog) {
   const TemporaryFolder folder;
-  const std::string bad = folder.write("bad one.mission", kMistaken).string();
+  const std::string bad = folder.write("bad one.mission", kFormattedWrong).string();
   const Outcome outcome =
-      runShell("$GLIDERCC check --format sarif " + kFigure2 + " '" + bad + "' " + kFigure5);
+      runShell("$GLIDERCC check --format sarif " + kFormatted + " '" + bad + "' " + kFormatted5);
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.err, IsEmpty());
   const json log = json::parse(outcome.out);
@@ -52,7 +52,7 @@ TEST(CheckFormats, SarifOfSeveralMissionsIsOneLog) {
 }
 
 TEST(CheckFormats, JsonListsWhatIsFine) {
-  const Outcome outcome = runShell("$GLIDERCC check --format json " + kFigure2);
+  const Outcome outcome = runShell("$GLIDERCC check --format json " + kFormatted);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.err, IsEmpty());
   const json mission = json::parse(outcome.out)["missions"][0];
@@ -64,15 +64,15 @@ TEST(CheckFormats, JsonListsWhatIsFine) {
 
 TEST(CheckFormats, AMissionThatIsNotThereDoesNotKeepTheOthersFromBeingChecked) {
   for (const char* format : {"text", "json", "sarif"}) {
-    const Outcome outcome =
-        runShell(std::string("$GLIDERCC check --format ") + format + " /none.mission " + kFigure2);
+    const Outcome outcome = runShell(std::string("$GLIDERCC check --format ") + format +
+                                     " /none.mission " + kFormatted);
     EXPECT_EQ(outcome.status, 2) << format;
     EXPECT_THAT(outcome.err, HasSubstr("/none.mission")) << format;
     EXPECT_THAT(outcome.err, HasSubstr("GL9001")) << format;
   }
-  const Outcome text = runShell("$GLIDERCC check /none.mission " + kFigure2);
+  const Outcome text = runShell("$GLIDERCC check /none.mission " + kFormatted);
   EXPECT_THAT(text.out, HasSubstr("figure2.mission: fine"));
-  const Outcome sarif = runShell("$GLIDERCC check --format sarif /none.mission " + kFigure2);
+  const Outcome sarif = runShell("$GLIDERCC check --format sarif /none.mission " + kFormatted);
   const json log = json::parse(sarif.out);
   EXPECT_THAT(report::sarifFaults(log), IsEmpty());
   EXPECT_EQ(log["runs"][0]["invocations"][0]["executionSuccessful"], false);
@@ -80,8 +80,8 @@ TEST(CheckFormats, AMissionThatIsNotThereDoesNotKeepTheOthersFromBeingChecked) {
 
 TEST(CheckFormats, TextOfSeveralMissions) {
   const TemporaryFolder folder;
-  const std::string bad = folder.write("bad.mission", kMistaken).string();
-  const Outcome outcome = runShell("$GLIDERCC check " + bad + " " + kFigure2);
+  const std::string bad = folder.write("bad.mission", kFormattedWrong).string();
+  const Outcome outcome = runShell("$GLIDERCC check " + bad + " " + kFormatted);
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.err, HasSubstr("bad.mission: 2 errors"));
   EXPECT_THAT(outcome.out, HasSubstr("figure2.mission: fine; mission sampleMission, 3 states"));
@@ -90,21 +90,21 @@ TEST(CheckFormats, TextOfSeveralMissions) {
 TEST(CheckFormats, TheOutputIsAFileThatIsNotAMission) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "findings.sarif").string();
-  const Outcome outcome = runShell("$GLIDERCC check --format sarif -o " + file + " " + kFigure2);
+  const Outcome outcome = runShell("$GLIDERCC check --format sarif -o " + file + " " + kFormatted);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, IsEmpty());
   EXPECT_THAT(report::sarifFaults(json::parse(slurp(file))), IsEmpty());
-  const std::string mission = folder.write("m.mission", slurp(kFigure2)).string();
+  const std::string mission = folder.write("m.mission", slurp(kFormatted)).string();
   const Outcome over = runShell("$GLIDERCC check -o " + mission + " " + mission);
   EXPECT_EQ(over.status, 2);
   EXPECT_THAT(over.err, HasSubstr("GL9350"));
-  EXPECT_EQ(slurp(mission), slurp(kFigure2));
+  EXPECT_EQ(slurp(mission), slurp(kFormatted));
 }
 
 TEST(CheckFormats, UsageErrors) {
   EXPECT_EQ(runShell("$GLIDERCC check").status, 2);
-  EXPECT_EQ(runShell("$GLIDERCC check --format xml " + kFigure2).status, 2);
-  EXPECT_EQ(runShell("$GLIDERCC check --format json -o /none/x " + kFigure2).status, 2);
+  EXPECT_EQ(runShell("$GLIDERCC check --format xml " + kFormatted).status, 2);
+  EXPECT_EQ(runShell("$GLIDERCC check --format json -o /none/x " + kFormatted).status, 2);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::HasSubstr;
 
-const std::string kFigure2 = GLIDER_SOURCE_DIR "/missions/figure2.mission";
+const std::string kReported = GLIDER_SOURCE_DIR "/missions/figure2.mission";
 
 // accepts: GL4013, GL4014
 TEST(CheckReport, TheGalleryHasABoundForEveryQuantityAndFits) {
@@ -43,7 +43,7 @@ TEST(CheckReport, TheGalleryHasABoundForEveryQuantityAndFits) {
 }
 
 TEST(CheckReport, IsATableForPeople) {
-  const Outcome outcome = runShell("$GLIDERCC check --report --target ts7800 " + kFigure2);
+  const Outcome outcome = runShell("$GLIDERCC check --report --target ts7800 " + kReported);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, testing::ContainsRegex("to payload +[0-9]+ of 46,080 bytes a cycle"));
   EXPECT_THAT(outcome.out, testing::ContainsRegex("executable +[0-9,]+ of 131,072 bytes"));
@@ -55,7 +55,7 @@ TEST(CheckReport, IsATableForPeople) {
 
 // The lines of docs/verification.md.
 TEST(CheckReport, SaysTheWayHome) {
-  const Outcome outcome = runShell("$GLIDERCC check --report --target host " + kFigure2);
+  const Outcome outcome = runShell("$GLIDERCC check --report --target host " + kReported);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
               HasSubstr("\nthe mission ends after at most 42 min 0 s; with "
@@ -73,7 +73,7 @@ TEST(CheckReport, TakesTheSilenceFromTheVehiclesMissionFile) {
                                      "behavior: surface\n    b_arg: start_when(enum) 1\n"
                                      "behavior: hookbeh\n    b_arg: silence_secs(s) 300\n");
   const Outcome outcome = runShell("$GLIDERCC check --report --target host --skeleton " +
-                                   skeleton.string() + " " + kFigure2);
+                                   skeleton.string() + " " + kReported);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(
       outcome.out,
@@ -85,7 +85,7 @@ TEST(CheckReport, RefusesAMissionFileThatSaysNoSilence) {
   const TemporaryFolder folder;
   const auto refusal = [&](const std::string& text) {
     const Outcome outcome = runShell("$GLIDERCC check --report --target host --skeleton " +
-                                     folder.write("a.mi", text).string() + " " + kFigure2);
+                                     folder.write("a.mi", text).string() + " " + kReported);
     EXPECT_EQ(outcome.status, 2) << outcome.out;
     return outcome.err;
   };
@@ -94,7 +94,7 @@ TEST(CheckReport, RefusesAMissionFileThatSaysNoSilence) {
               HasSubstr("silence_secs must be above 0 and at most 600, not -5"));
   EXPECT_THAT(refusal("behaviour hookbeh\n"), HasSubstr("GL51"));
   EXPECT_THAT(runShell("$GLIDERCC check --report --target host --skeleton " +
-                       (folder.path() / "none.mi").string() + " " + kFigure2)
+                       (folder.path() / "none.mi").string() + " " + kReported)
                   .err,
               HasSubstr("GL9001"));
 }
@@ -141,14 +141,14 @@ TEST(CheckReport, SaysWhereTheWayHomeIsShorter) {
 }
 
 TEST(CheckReport, TheHostHasNoBoundOfInstructions) {
-  const Outcome outcome = runShell("$GLIDERCC check --report --target host " + kFigure2);
+  const Outcome outcome = runShell("$GLIDERCC check --report --target host " + kReported);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("no bound is known"));
 }
 
 TEST(CheckReport, TheHostHasNoBoundOfTheStack) {
   const Outcome outcome =
-      runShell("$GLIDERCC check --report --format json --target host " + kFigure2);
+      runShell("$GLIDERCC check --report --format json --target host " + kReported);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   const json stack = json::parse(outcome.out)["missions"][0]["budget"]["host"]["stack"];
   EXPECT_TRUE(stack["value"].is_null());
@@ -156,7 +156,7 @@ TEST(CheckReport, TheHostHasNoBoundOfTheStack) {
 }
 
 TEST(CheckReport, AnUnknownTargetIsAUsageError) {
-  const Outcome outcome = runShell("$GLIDERCC check --report --target ts1 " + kFigure2);
+  const Outcome outcome = runShell("$GLIDERCC check --report --target ts1 " + kReported);
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, HasSubstr("GL4001"));
 }
@@ -182,7 +182,7 @@ TEST(CheckReport, TooMuchForABoardIsAnError) {
 TEST(CheckReport, OfAMissionWithCodeInCItNeedsTheCode) {
   const std::string mission = GLIDER_SOURCE_DIR "/missions/examples/sensor/optode.mission";
   const Outcome without =
-      runShell("$GLIDERCC check --report --no-cache --target ts7800 " + mission);
+      runShell("$GLIDERCC check --report --target ts7800 " + mission);
   EXPECT_EQ(without.status, 0) << without.err;
   EXPECT_THAT(without.out, HasSubstr("optode_o2"));
   EXPECT_THAT(without.out, HasSubstr("--link FILE"));
@@ -194,7 +194,7 @@ TEST(CheckReport, OfAMissionWithCodeInCItNeedsTheCode) {
       " --emit header -o optode.h && clang-19 $($GLIDERCC targets --cflags ts7800) -I. -c " +
       GLIDER_SOURCE_DIR "/missions/examples/sensor/optode.c -o optode.o");
   ASSERT_EQ(built.status, 0) << built.err;
-  const Outcome with = runShell("$GLIDERCC check --report --no-cache --target ts7800 --link " +
+  const Outcome with = runShell("$GLIDERCC check --report --target ts7800 --link " +
                                 object + " " + mission);
   EXPECT_EQ(with.status, 0) << with.err;
   EXPECT_THAT(with.out, HasSubstr("of 131,072 bytes"));
@@ -231,7 +231,7 @@ TEST(CheckReport, TooMuchStackForABoardIsAnError) {
                      replaced(slurp(kShare / "boards/ts5500/board.toml"), "max_stack_bytes = 65536",
                               "max_stack_bytes = 1024"));
   const Outcome outcome = runShell("GLIDERCC_SHARE=" + share.string() +
-                                   " $GLIDERCC check --report --target ts5500 " + kFigure2);
+                                   " $GLIDERCC check --report --target ts5500 " + kReported);
   EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
   EXPECT_THAT(outcome.err, testing::ContainsRegex("needs up to [0-9]+ bytes of stack on board "
                                                   "`ts5500`, but 1024 .*GL4013"));
@@ -246,7 +246,7 @@ TEST(CheckReport, TooMuchForALineIsAnError) {
       "share/platforms/slocum.toml",
       replaced(slurp(kShare / "platforms/slocum.toml"), "cycle_s = 4.0", "cycle_s = 0.05"));
   const Outcome outcome =
-      runShell("GLIDERCC_SHARE=" + share.string() + " $GLIDERCC check --report " + kFigure2);
+      runShell("GLIDERCC_SHARE=" + share.string() + " $GLIDERCC check --report " + kReported);
   EXPECT_EQ(outcome.status, 1) << outcome.out;
   EXPECT_THAT(outcome.err, HasSubstr("[GL4014 line-overloaded]"));
   EXPECT_THAT(outcome.err, HasSubstr("9600 baud"));

@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string kFigure2 = GLIDER_SOURCE_DIR "/missions/figure2.mission";
+const std::string kFirstMission = GLIDER_SOURCE_DIR "/missions/figure2.mission";
 const std::string kFigure5 = GLIDER_SOURCE_DIR "/missions/figure5.mission";
 
 /// No ANTLR, LLVM, lld or C++ phrase may reach a pilot.
@@ -34,7 +34,7 @@ void expectFailure(const Outcome& outcome, int status, const std::string& id) {
 }
 
 TEST(Command, CheckSaysThatFigure2IsFine) {
-  const Outcome outcome = runShell("$GLIDERCC check " + kFigure2);
+  const Outcome outcome = runShell("$GLIDERCC check " + kFirstMission);
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err, "");
   EXPECT_THAT(outcome.out, HasSubstr("fine"));
@@ -62,7 +62,7 @@ TEST(Command, HelpHasDefaultsAndTheNamesOfPasses) {
 }
 
 TEST(Command, AMisspelledCommandIsNamed) {
-  const Outcome outcome = runShell("$GLIDERCC chek " + kFigure2);
+  const Outcome outcome = runShell("$GLIDERCC chek " + kFirstMission);
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, HasSubstr("`chek`"));
   EXPECT_THAT(outcome.err, HasSubstr("check, diff, build"));
@@ -80,7 +80,7 @@ TEST(Command, ACommandThatLacksItsFileIsNotAnUnknownOne) {
 TEST(Command, AnSbcProgramThatLiesHereNeedsNoDot) {
   const TemporaryFolder folder;
   const Outcome outcome = runShell("cd " + folder.path().string() + "; $GLIDERCC build " +
-                                   kFigure2 + " -o f-host && $GLIDERCC sim --sbc f-host");
+                                   kFirstMission + " -o f-host && $GLIDERCC sim --sbc f-host");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
 }
 
@@ -91,8 +91,8 @@ TEST(Command, UsageErrorsExitWithTwo) {
     EXPECT_EQ(outcome.status, 2) << arguments;
     EXPECT_FALSE(outcome.err.empty()) << arguments;
   }
-  EXPECT_EQ(runShell("$GLIDERCC build " + kFigure2 + " -O9").status, 2);
-  EXPECT_EQ(runShell("$GLIDERCC build " + kFigure2 + " --emit=poem").status, 2);
+  EXPECT_EQ(runShell("$GLIDERCC build " + kFirstMission + " -O9").status, 2);
+  EXPECT_EQ(runShell("$GLIDERCC build " + kFirstMission + " --emit=poem").status, 2);
 }
 
 // accepts: GL9001
@@ -106,7 +106,8 @@ TEST(Command, AFolderIsNotAMission) {
 
 // accepts: GL4001
 TEST(Command, UnknownTargetNamesThoseThereAre) {
-  const Outcome outcome = runShell("cd /tmp && $GLIDERCC build " + kFigure2 + " --target ts9999");
+  const Outcome outcome =
+      runShell("cd /tmp && $GLIDERCC build " + kFirstMission + " --target ts9999");
   expectFailure(outcome, 2, "GL4001");
   EXPECT_THAT(outcome.err, HasSubstr("ts5500"));
 }
@@ -125,7 +126,8 @@ TEST(Command, UnknownPlatform) {
 TEST(Command, APictureIsWrittenToTheRequestedFile) {
   const TemporaryFolder folder;
   const std::string picture = (folder.path() / "flight.svg").string();
-  const std::string sim = "$GLIDERCC sim " + kFigure2 + " -o " + (folder.path() / "f").string();
+  const std::string sim =
+      "$GLIDERCC sim " + kFirstMission + " -o " + (folder.path() / "f").string();
   EXPECT_EQ(runShell(sim + " --picture " + picture + " --colour state").status, 0);
   EXPECT_THAT(slurp(picture), HasSubstr("</svg>"));
   expectFailure(runShell(sim + " --picture /nonexistent/flight.svg"), 2, "GL9002");
@@ -135,7 +137,8 @@ TEST(Command, APictureIsWrittenToTheRequestedFile) {
 
 // accepts: GL9302
 TEST(Command, UnknownScenarioNamesThoseThereAre) {
-  const Outcome outcome = runShell("cd /tmp && $GLIDERCC sim " + kFigure2 + " --scenario nowhere");
+  const Outcome outcome =
+      runShell("cd /tmp && $GLIDERCC sim " + kFirstMission + " --scenario nowhere");
   expectFailure(outcome, 2, "GL9302");
   EXPECT_THAT(outcome.err, HasSubstr("figure5"));
 }
@@ -144,7 +147,7 @@ TEST(Command, UnknownScenarioNamesThoseThereAre) {
 TEST(Command, FullDiskLeavesNoHalfWrittenFile) {
   for (const char* emit : {"ir", "obj", "asm", "exe"}) {
     const Outcome outcome =
-        runShell("$GLIDERCC build " + kFigure2 + " --emit=" + emit + " -o /dev/full");
+        runShell("$GLIDERCC build " + kFirstMission + " --emit=" + emit + " -o /dev/full");
     expectFailure(outcome, 2, "GL9002");
   }
   const TemporaryFolder folder;
@@ -152,7 +155,7 @@ TEST(Command, FullDiskLeavesNoHalfWrittenFile) {
   // A file system of 16 KiB: the executable does not fit.
   const Outcome outcome =
       runShell("mkdir " + small + " && mount -t tmpfs -o size=16k none " + small +
-               " || exit 77; $GLIDERCC build " + kFigure2 + " --target ts7800 -o " + small +
+               " || exit 77; $GLIDERCC build " + kFirstMission + " --target ts7800 -o " + small +
                "/m; s=$?; ls -A " + small + "; umount " + small + "; exit $s");
   if (outcome.status == 77) {
     GTEST_SKIP() << "a small file system cannot be mounted here";
@@ -162,7 +165,7 @@ TEST(Command, FullDiskLeavesNoHalfWrittenFile) {
 }
 
 TEST(Command, AFolderThatIsNotThereCannotBeWrittenTo) {
-  expectFailure(runShell("$GLIDERCC build " + kFigure2 + " -o /nonexistent/m"), 2, "GL9002");
+  expectFailure(runShell("$GLIDERCC build " + kFirstMission + " -o /nonexistent/m"), 2, "GL9002");
 }
 
 TEST(Command, AFailedBuildKeepsTheOldFile) {
@@ -177,7 +180,7 @@ TEST(Command, StandardOutputStaysWhatItIs) {
   // Never tried on /dev/stdout itself: what would replace it would replace the machine's.
   const TemporaryFolder folder;
   const std::string link = folder.path() / "stdout";
-  const std::string build = "cd " + folder.path().string() + "; $GLIDERCC build " + kFigure2;
+  const std::string build = "cd " + folder.path().string() + "; $GLIDERCC build " + kFirstMission;
   const Outcome outcome =
       runShell("ln -s /proc/self/fd/1 " + link + "; " + build + " -o - > whole; " + build +
                " --emit ir -o " + link + " > out; test -h " + link);
@@ -191,14 +194,14 @@ TEST(Command, AnOutputThatIsALinkStaysOne) {
   const TemporaryFolder folder;
   const Outcome outcome =
       runShell("cd " + folder.path().string() + "; touch kept; ln -s kept link; $GLIDERCC build " +
-               kFigure2 + " -o link && test -h link && test -s kept && test -x kept");
+               kFirstMission + " -o link && test -h link && test -s kept && test -x kept");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
 }
 
 // accepts: GL9350
 TEST(Command, ABuildNeverOverwritesItsSource) {
   const TemporaryFolder folder;
-  const std::string source = slurp(kFigure2);
+  const std::string source = slurp(kFirstMission);
   (void)folder.write("g.mission", source);
   (void)folder.write("h.debug", source);
   const std::string here = "cd " + folder.path().string() + "; $GLIDERCC build ";
@@ -217,7 +220,7 @@ TEST(Command, ABuildNeverOverwritesItsSource) {
 TEST(Command, TheIrHasNoSyntaxTree) {
   const TemporaryFolder folder;
   const std::string ir = folder.path() / "a.ir";
-  ASSERT_EQ(runShell("$GLIDERCC build " + kFigure2 + " --emit ir -o " + ir).status, 0);
+  ASSERT_EQ(runShell("$GLIDERCC build " + kFirstMission + " --emit ir -o " + ir).status, 0);
   const Outcome outcome = runShell("cd " + folder.path().string() +
                                    "; $GLIDERCC build a.ir --emit ast; s=$?; ls; exit $s");
   expectFailure(outcome, 2, "GL9351");
@@ -226,8 +229,8 @@ TEST(Command, TheIrHasNoSyntaxTree) {
 
 TEST(Command, TheStageToEmitIsOneByName) {
   for (const char* stage : {"poem", "3", "9", "''"}) {
-    const Outcome outcome =
-        runShell("cd /tmp; $GLIDERCC build " + kFigure2 + " --emit " + stage + " -o /dev/null");
+    const Outcome outcome = runShell("cd /tmp; $GLIDERCC build " + kFirstMission + " --emit " +
+                                     stage + " -o /dev/null");
     EXPECT_EQ(outcome.status, 2) << stage;
     EXPECT_THAT(outcome.err, HasSubstr("ast,symbols,chc,ir,header,llvm,asm,obj,exe")) << stage;
   }
@@ -246,7 +249,7 @@ TEST(Command, ATargetHasWhatABackEndMakesForIt) {
           "share/boards/stock/board.toml");
   ASSERT_EQ(made.status, 0) << made.err;
   const std::string build =
-      "GLIDERCC_SHARE=share $GLIDERCC build " + kFigure2 + " --target stock -o x";
+      "GLIDERCC_SHARE=share $GLIDERCC build " + kFirstMission + " --target stock -o x";
   for (const char* stage : {"ast", "ir", "header"}) {
     EXPECT_EQ(run(build + " --emit " + stage).status, 0) << stage;
   }
@@ -269,13 +272,13 @@ TEST(Command, EveryStageCanBeWritten) {
                                                         {"asm", "\n\t.globl\tgliderMission\n"}};
   for (const auto& [stage, expected] : stages) {
     const Outcome outcome =
-        runShell("$GLIDERCC build " + kFigure2 + " --target ts7800 --emit=" + stage + " -o -");
+        runShell("$GLIDERCC build " + kFirstMission + " --target ts7800 --emit=" + stage + " -o -");
     EXPECT_EQ(outcome.status, 0) << stage << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr(expected)) << stage;
   }
-  EXPECT_EQ(
-      runShell("$GLIDERCC build " + kFigure2 + " --target ts7800 --emit=obj -o -").out.substr(1, 3),
-      "ELF");
+  EXPECT_EQ(runShell("$GLIDERCC build " + kFirstMission + " --target ts7800 --emit=obj -o -")
+                .out.substr(1, 3),
+            "ELF");
 }
 
 TEST(Command, AProductIsNamedAfterTheMissionAndItsTarget) {
@@ -286,7 +289,7 @@ TEST(Command, AProductIsNamedAfterTheMissionAndItsTarget) {
         std::pair("asm", "figure2-ts5500.s"), std::pair("obj", "figure2-ts5500.o"),
         std::pair("exe", "figure2-ts5500")}) {
     const Outcome outcome =
-        runShell("cd " + folder.path().string() + "; $GLIDERCC build " + kFigure2 +
+        runShell("cd " + folder.path().string() + "; $GLIDERCC build " + kFirstMission +
                  " --target ts5500 --emit " + stage + " && ls | grep -v debug; rm -f *");
     EXPECT_EQ(outcome.out, std::string(name) + "\n") << outcome.err;
   }
@@ -296,8 +299,8 @@ TEST(Command, TheAstAndTheIrAreReadBack) {
   const TemporaryFolder folder;
   const std::string ast = folder.path() / "a.mission";
   const std::string ir = folder.path() / "a.ir";
-  ASSERT_EQ(runShell("$GLIDERCC build " + kFigure2 + " --emit=ast -o " + ast).status, 0);
-  ASSERT_EQ(runShell("$GLIDERCC build " + kFigure2 + " --emit=ir -o " + ir).status, 0);
+  ASSERT_EQ(runShell("$GLIDERCC build " + kFirstMission + " --emit=ast -o " + ast).status, 0);
+  ASSERT_EQ(runShell("$GLIDERCC build " + kFirstMission + " --emit=ir -o " + ir).status, 0);
   EXPECT_EQ(runShell("$GLIDERCC build " + ast + " --emit=ir -o -").out, slurp(ir));
   EXPECT_EQ(runShell("$GLIDERCC build " + ir + " --emit=ir -o -").out, slurp(ir));
   EXPECT_EQ(runShell("$GLIDERCC check " + ir).status, 0);
@@ -329,8 +332,8 @@ TEST(Command, AClosedPipeIsNotACrash) {
   const TemporaryFolder folder;
   const std::string status = (folder.path() / "status").string();
   const Outcome outcome =
-      runShell("{ sleep 0.2; $GLIDERCC build " + kFigure2 + " --emit=asm -o -; echo $? >" + status +
-               "; } | true; " + "until [ -s " + status + " ]; do sleep 0.05; done");
+      runShell("{ sleep 0.2; $GLIDERCC build " + kFirstMission + " --emit=asm -o -; echo $? >" +
+               status + "; } | true; " + "until [ -s " + status + " ]; do sleep 0.05; done");
   EXPECT_EQ(slurp(status), "2\n");
   EXPECT_THAT(outcome.err, HasSubstr("cannot write `standard output`: Broken pipe [GL9002"));
 }
@@ -367,7 +370,7 @@ TEST(Command, SeedAndTimesAreChecked) {
         "--kill-sbc-at -5", "--kill-sbc-at nan", "--kill-sbc-at inf", "--kill-sbc-at 5m"}) {
     const TemporaryFolder folder;
     const Outcome outcome = runShell("cd " + folder.path().string() + "; $GLIDERCC sim " +
-                                     kFigure2 + " " + option + "; s=$?; ls; exit $s");
+                                     kFirstMission + " " + option + "; s=$?; ls; exit $s");
     EXPECT_EQ(outcome.status, 2) << option;
     EXPECT_EQ(outcome.out, "") << option;
   }
@@ -453,7 +456,7 @@ TEST(Command, ParamsListsThemAndWhatDiffers) {
   const Outcome set = runShell("$GLIDERCC params " + kParameters + " --set bottom=2000cm");
   EXPECT_THAT(set.out, HasSubstr("default  range         set to\n"));
   EXPECT_THAT(set.out, HasSubstr("10 m to 30 m  20 m\n"));
-  EXPECT_THAT(runShell("$GLIDERCC params " + kFigure2).out, HasSubstr("has no parameters"));
+  EXPECT_THAT(runShell("$GLIDERCC params " + kFirstMission).out, HasSubstr("has no parameters"));
 }
 
 TEST(Command, ParametersThatCannotBeAreRefusedBeforeAnythingHappens) {  // accepts: GL9052 above

@@ -15,12 +15,12 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::string kFigure2 = GLIDER_SOURCE_DIR "/missions/figure2.mission";
+const std::string kDrawn = GLIDER_SOURCE_DIR "/missions/figure2.mission";
 
 TEST(GraphCommand, WritesASvgNamedAfterTheMission) {
   const TemporaryFolder folder;
   const Outcome outcome =
-      runShell("cd " + folder.path().string() + " && $GLIDERCC graph " + kFigure2);
+      runShell("cd " + folder.path().string() + " && $GLIDERCC graph " + kDrawn);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("figure2.svg: mission sampleMission, 3 states"));
   const std::string svg = slurp(folder.path() / "figure2.svg");
@@ -30,20 +30,20 @@ TEST(GraphCommand, WritesASvgNamedAfterTheMission) {
 }
 
 TEST(GraphCommand, TheSameMissionGivesTheSameBytes) {
-  const Outcome one = runShell("$GLIDERCC graph -o - " + kFigure2);
-  const Outcome two = runShell("$GLIDERCC graph -o - " + kFigure2);
+  const Outcome one = runShell("$GLIDERCC graph -o - " + kDrawn);
+  const Outcome two = runShell("$GLIDERCC graph -o - " + kDrawn);
   EXPECT_EQ(one.status, 0) << one.err;
   EXPECT_EQ(one.out, two.out);
   EXPECT_THAT(one.err, IsEmpty());
 }
 
 TEST(GraphCommand, OtherFormats) {
-  EXPECT_THAT(runShell("$GLIDERCC graph --format dot -o - " + kFigure2).out, HasSubstr("digraph"));
-  EXPECT_THAT(runShell("$GLIDERCC graph --format json -o - " + kFigure2).out,
+  EXPECT_THAT(runShell("$GLIDERCC graph --format dot -o - " + kDrawn).out, HasSubstr("digraph"));
+  EXPECT_THAT(runShell("$GLIDERCC graph --format json -o - " + kDrawn).out,
               HasSubstr("\"transition\": \"call\""));
-  EXPECT_THAT(runShell("$GLIDERCC graph --format promela -o - " + kFigure2).out,
+  EXPECT_THAT(runShell("$GLIDERCC graph --format promela -o - " + kDrawn).out,
               HasSubstr("proctype"));
-  const Outcome wrong = runShell("$GLIDERCC graph --format png -o - " + kFigure2);
+  const Outcome wrong = runShell("$GLIDERCC graph --format png -o - " + kDrawn);
   EXPECT_EQ(wrong.status, 2);
   EXPECT_THAT(wrong.err, HasSubstr("svg"));
 }
@@ -97,7 +97,7 @@ TEST(GraphCommand, WhatIsProvedDeadIsMarkedInPictures) {
   const std::string dot = runShell("$GLIDERCC graph --format dot -o - " + mission).out;
   EXPECT_THAT(dot, HasSubstr("style=\"rounded,dotted\""));
   EXPECT_THAT(dot, HasSubstr("style=dotted"));
-  const std::string alive = runShell("$GLIDERCC graph -o - " + kFigure2).out;
+  const std::string alive = runShell("$GLIDERCC graph -o - " + kDrawn).out;
   EXPECT_THAT(alive, testing::Not(HasSubstr("class=\"unreached\"")));
   EXPECT_THAT(alive, testing::Not(HasSubstr(">never")));
 }
@@ -105,7 +105,7 @@ TEST(GraphCommand, WhatIsProvedDeadIsMarkedInPictures) {
 TEST(GraphCommand, TheIrTextFormIsDrawnToo) {
   const TemporaryFolder folder;
   const std::string ir = (folder.path() / "m.ir").string();
-  ASSERT_EQ(runShell("$GLIDERCC build --emit ir " + kFigure2 + " -o " + ir).status, 0);
+  ASSERT_EQ(runShell("$GLIDERCC build --emit ir " + kDrawn + " -o " + ir).status, 0);
   const Outcome outcome = runShell("$GLIDERCC graph -o - " + ir);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr(">s1</text>"));
@@ -122,17 +122,17 @@ TEST(GraphCommand, AMissionWithErrorsIsNotDrawn) {
 
 TEST(GraphCommand, NeverWritesOverTheMission) {
   const TemporaryFolder folder;
-  const auto mission = folder.write("m.mission", slurp(kFigure2));
+  const auto mission = folder.write("m.mission", slurp(kDrawn));
   const Outcome outcome =
       runShell("$GLIDERCC graph " + mission.string() + " -o " + mission.string());
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, HasSubstr("GL9350"));
-  EXPECT_EQ(slurp(mission), slurp(kFigure2));
+  EXPECT_EQ(slurp(mission), slurp(kDrawn));
 }
 
 TEST(GraphCommand, WhatCannotBeReadOrWritten) {
   EXPECT_EQ(runShell("$GLIDERCC graph /nowhere.mission").status, 2);
-  EXPECT_EQ(runShell("$GLIDERCC graph " + kFigure2 + " -o /nowhere/x.svg").status, 2);
+  EXPECT_EQ(runShell("$GLIDERCC graph " + kDrawn + " -o /nowhere/x.svg").status, 2);
   EXPECT_EQ(runShell("$GLIDERCC graph").status, 2);
 }
 

@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* kMission = R"(mission salty
+constexpr const char* kLinked = R"(mission salty
 extern function density(t: temperature, salty: bool): number in 0 .. 2
 extern sensor range: length in 0 m .. 100 m
 extern flightprofile spiral(to: length) reads depth, range
@@ -62,7 +62,7 @@ class Link : public testing::Test {
   }
 
   TemporaryFolder folder_;
-  std::filesystem::path mission_ = folder_.write("salty.mission", kMission);
+  std::filesystem::path mission_ = folder_.write("salty.mission", kLinked);
 };
 
 // accepts: GL4003 GL4008 GL4009 GL4010 GL4011 GL4012
@@ -147,7 +147,7 @@ TEST_F(Link, InstructionsThatA486LacksAreRefused) {  // GL4010
 
 TEST_F(Link, AnotherDeclarationIsRefused) {  // GL4011
   const std::string object = compile("ts7800");
-  std::string changed = kMission;
+  std::string changed = kLinked;
   changed.replace(changed.find("t: temperature"), 14, "t: length");
   changed.replace(changed.find("density(temp"), 12, "density(depth");
   mission_ = folder_.write("salty.mission", changed);

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 /// Odd as real files are: CRLF, tabs, comments, capitals, no line end.
-const std::string kMission =
+const std::string kMiMission =
     "# a survey\r\nsensor: u_mission_param_a(X) 25   # deepest\r\n"
     "behavior: abend\r\n\tb_arg: overtime(sec) 7200\r\n"
     "behavior: surface\r\n\tb_arg: start_when(enum) 12\r\n\tb_arg: when_secs(s)\t1200 # comms\r\n"
@@ -33,7 +33,7 @@ const std::string kArguments =
 class MiCommand : public ::testing::Test {
  protected:
   MiCommand() {
-    (void)folder_.write("survey.mi", kMission);
+    (void)folder_.write("survey.mi", kMiMission);
     (void)folder_.write("yo07.ma", kArguments);
   }
   [[nodiscard]] Outcome glidercc(const std::string& line) const {
@@ -118,10 +118,10 @@ TEST_F(MiCommand, SaysWhatAFileOfAnotherKindIsAndWhichCommandReadsIt) {
         << "no other error: " << refused.err;
   }
   // Names are often in capitals.
-  (void)folder_.write("SURVEY.MI", kMission);
+  (void)folder_.write("SURVEY.MI", kMiMission);
   EXPECT_EQ(glidercc("mi SURVEY.MI").status, 0);
   EXPECT_THAT(glidercc("check SURVEY.MI").err, HasSubstr("[GL9368 "));
-  EXPECT_EQ(text("survey.mi"), kMission);
+  EXPECT_EQ(text("survey.mi"), kMiMission);
   EXPECT_THAT(glidercc("mi survey.mi").err, Not(HasSubstr("GL9368")));  // accepts: GL9368
 }
 
@@ -160,12 +160,12 @@ TEST_F(MiCommand, ChangesOneNumberAndNoOtherByte) {
         Row{"SAMPLE.args_from_file=-1", "survey.mi", "args_from_file(enum) 3",
             "args_from_file(enum) -1"},
         Row{"yo.c_target_depth=4", "yo07.ma", "+3.0", "4"}}) {
-    (void)folder_.write("survey.mi", kMission);
+    (void)folder_.write("survey.mi", kMiMission);
     (void)folder_.write("yo07.ma", kArguments);
     const Outcome changed = glidercc("mi survey.mi --set " + row.edit);
     EXPECT_EQ(changed.status, 0) << changed.err;
     EXPECT_EQ(text("survey.mi"),
-              row.file == "survey.mi" ? with(kMission, row.from, row.to) : kMission)
+              row.file == "survey.mi" ? with(kMiMission, row.from, row.to) : kMiMission)
         << row.edit;
     EXPECT_EQ(text("yo07.ma"),
               row.file == "yo07.ma" ? with(kArguments, row.from, row.to) : kArguments)
@@ -178,9 +178,9 @@ TEST_F(MiCommand, ChangesSeveralAtOnceAndShowsThemFirst) {
   const Outcome shown = glidercc("mi survey.mi --diff" + sets);
   EXPECT_EQ(shown.status, 0) << shown.err;
   EXPECT_THAT(shown.out, HasSubstr("100000"));
-  EXPECT_EQ(text("survey.mi"), kMission) << "nothing is written";
+  EXPECT_EQ(text("survey.mi"), kMiMission) << "nothing is written";
   EXPECT_EQ(glidercc("mi survey.mi" + sets).status, 0);
-  EXPECT_EQ(text("survey.mi"), with(with(kMission, "7200", "100000"), "1200", "60"));
+  EXPECT_EQ(text("survey.mi"), with(with(kMiMission, "7200", "100000"), "1200", "60"));
 }
 
 TEST_F(MiCommand, RefusesWhatIsNotThere) {
@@ -201,7 +201,7 @@ TEST_F(MiCommand, RefusesWhatIsNotThere) {
   const Outcome bad = glidercc("mi bad.mi");
   EXPECT_EQ(bad.status, 1);
   EXPECT_THAT(bad.err, HasSubstr("did you mean `d_target_depth`?"));
-  EXPECT_EQ(text("survey.mi"), kMission);
+  EXPECT_EQ(text("survey.mi"), kMiMission);
 }
 
 TEST_F(MiCommand, SimFliesItWithoutAnSbc) {

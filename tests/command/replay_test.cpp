@@ -19,7 +19,7 @@ namespace {
 using testing::HasSubstr;
 
 /// `upper` may be 3 m to 8 m: what breaks the first requirement needs one near an end.
-const std::string kMission =
+const std::string kReplayed =
     "mission m\n"
     "param hold : time = 10 min in 5 min .. 20 min\n"
     "require exit within 60 min\n"
@@ -38,7 +38,7 @@ const std::string kMission =
 class Replay : public testing::Test {
  protected:
   void SetUp() override {
-    mission_ = folder_.write("m.mission", kMission).string();
+    mission_ = folder_.write("m.mission", kReplayed).string();
     checked_ = runShell("$GLIDERCC check " + mission_ + " --traces " + runs());
   }
 
@@ -89,7 +89,7 @@ TEST_F(Replay, ACheckThatIsEndedWhileItWritesLeavesTheEarlierTrace) {
   };
   const std::string folder = runs() + "/requirement-2/", before = slurp(trace(2));
   const std::string csv = slurp(folder + "trace.csv"), names = files("requirement-2");
-  std::string other = kMission;
+  std::string other = kReplayed;
   other.replace(other.find("in 5 min"), 8, "in 6 min");
   (void)folder_.write("m.mission", other);
   // The file size limit ends it when trace.csv is written and report.html is not.
@@ -118,7 +118,7 @@ TEST_F(Replay, AFolderOfATraceThatHoldsOtherFilesIsNotTouched) {
 }
 
 TEST_F(Replay, AMissionThatWasFixedNoLongerFliesTheTrace) {
-  std::string mended = kMission;
+  std::string mended = kReplayed;
   mended.replace(mended.find("goto warm"), 9, "exit     ");
   mission_ = folder_.write("m.mission", mended).string();
   const Outcome flown = replay(2, "");
@@ -171,7 +171,7 @@ TEST_F(Replay, OtherFilesAreRefused) {
 
 // A run needs a program that is not this mission to go another way.
 TEST_F(Replay, AnotherProgramIsFoundOut) {
-  std::string other = kMission;
+  std::string other = kReplayed;
   other.replace(other.find("missiontime >= 30 min"), 21, "missiontime >= 4 min");
   const auto file = folder_.write("other.mission", other);
   const std::string binary = (folder_.path() / "other").string();

@@ -58,7 +58,7 @@ TEST(WholeGoldens, SayWhatTheVehicleDoesOtherwise) {
     const std::string how = name.ends_with(".mission")
                                 ? "--scenario default " + name
                                 : "--mi " + name + " " + missionOf(entry.path());
-    const Outcome outcome = runShell("cd " + kFolder + " && $GLIDERCC check --no-cache " + how);
+    const Outcome outcome = runShell("cd " + kFolder + " && $GLIDERCC check " + how);
     const bool fails = name.starts_with("fail_");
     refused += fails;
     EXPECT_EQ(outcome.status, fails ? 1 : 0) << name << outcome.err;
@@ -121,7 +121,7 @@ TEST(WholeGoldens, AnIdleStackIsRefusedIfTheVehicleAborts) {
                        behaviours)
             .string();
     const Outcome checked =
-        runShell("cd " + kFolder + " && $GLIDERCC check --no-cache --mi " + file + " " + kMission);
+        runShell("cd " + kFolder + " && $GLIDERCC check --mi " + file + " " + kMission);
     EXPECT_EQ(checked.err.find("and the vehicle aborts") != std::string::npos, idle)
         << behaviours << checked.err;
     const Outcome flown =

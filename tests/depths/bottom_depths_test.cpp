@@ -15,8 +15,8 @@
 namespace glider::tests {
 namespace {
 
-constexpr double kGreatest = 60;  // max_depth, m
-constexpr double kHours = 1.5;
+constexpr double kGreatestBottom = 60;  // max_depth, m
+constexpr double kBottomHours = 1.5;
 
 /// A shelf on which no target can be reached: its bottom is flat, or rises where the vehicle goes.
 struct Shelf {
@@ -31,8 +31,8 @@ constexpr Shelf kShelves[] = {
     {"steep yo to 55 m over 30 m", 30, 0, {.top_m = 4, .bottom_m = 55, .pitch_rad = 0.6}}};
 
 Dived flyOver(const Shelf& shelf, simulator::Faults faults) {
-  simulator::Scenario scenario = diveScenario(hookbehSkeleton(kGreatest), shelf.water_m);
-  scenario.duration_s = kHours * 3600;
+  simulator::Scenario scenario = diveScenario(hookbehSkeleton(kGreatestBottom), shelf.water_m);
+  scenario.duration_s = kBottomHours * 3600;
   scenario.ocean.bottom.slope = shelf.slope;
   scenario.ocean.bottom.slope_bearing_rad = scenario.vehicle.initial_heading_rad + 3.14159;
   scenario.faults = std::move(faults);

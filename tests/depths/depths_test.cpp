@@ -22,7 +22,7 @@ constexpr double kPast = 10;    // m
 constexpr double kTwo = 1.5;    // times max_depth
 constexpr double kWorse = 5;    // m, than the layered control
 constexpr double kWater = 500;  // m
-constexpr double kHours = 1.2;
+constexpr double kDepthsHours = 1.2;
 
 /// A plan under this max_depth, m, and whether a yo of the layered control does the same.
 struct Profile {
@@ -96,7 +96,7 @@ class Judge {
     if (kProfiles[profile].is_layered) {
       simulator::Scenario scenario =
           diveScenario(layeredSkeleton(greatest, kProfiles[profile].plan.bottom_m), kWater);
-      scenario.duration_s = kHours * 3600;
+      scenario.duration_s = kDepthsHours * 3600;
       scenario.faults = fault.from(from_s);
       const double layered = flyDive(nullptr, scenario, 1).deepest_m;
       row.layered_m = std::max(row.layered_m, layered - greatest);
@@ -129,7 +129,7 @@ class Judge {
   Dived fly(size_t profile, simulator::Faults faults) {
     simulator::Scenario scenario =
         diveScenario(hookbehSkeleton(kProfiles[profile].greatest_m), kWater);
-    scenario.duration_s = kHours * 3600;
+    scenario.duration_s = kDepthsHours * 3600;
     scenario.faults = std::move(faults);
     return flyDive(&kProfiles[profile].plan, scenario, 1);
   }

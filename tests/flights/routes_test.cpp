@@ -93,7 +93,7 @@ TEST(Sweep, CoversTheHullAndIsDone) {
   EXPECT_EQ(covered(true_track, 250), 1);
 }
 
-std::string with(std::string text, const std::string& from, const std::string& to) {
+std::string withLine(std::string text, const std::string& from, const std::string& to) {
   const size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   return text.replace(at, from.size(), to);
@@ -105,7 +105,7 @@ Flight flyAlong(const std::string& capture, const std::string& current) {
   const TemporaryFolder folder;
   (void)folder.write("skeleton.mi", slurp(project("scenarios/skeleton.mi")));
   const auto scenario = folder.write(
-      "current.toml", with(slurp(project("scenarios/default.toml")), "current_north_mps = -0.03",
+      "current.toml", withLine(slurp(project("scenarios/default.toml")), "current_north_mps = -0.03",
                            "current_north_mps = " + current));
   const auto mission = folder.write(
       "along.mission",

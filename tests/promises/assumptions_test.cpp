@@ -29,7 +29,7 @@
 namespace glider::tests {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotRead = std::numeric_limits<double>::quiet_NaN();
 constexpr double kCycle = 4;
 
 struct Seen {
@@ -38,7 +38,7 @@ struct Seen {
   double pressure = 0;  // bar
 };
 
-std::vector<Seen> randomFlight(std::mt19937& rng) {
+std::vector<Seen> assumedFlight(std::mt19937& rng) {
   std::vector<Seen> flight;
   const auto below = [&](unsigned n) { return static_cast<unsigned>(rng() % n); };
   double time = 0;
@@ -48,7 +48,7 @@ std::vector<Seen> randomFlight(std::mt19937& rng) {
     altitude += below(6) == 0 ? below(60) - 30.0 : below(5) - 2.0;
     altitude = std::clamp(altitude, 0.0, 100.0);
     flight.push_back(
-        {time, below(shy) == 0 ? kUnknown : altitude, below(6) == 0 ? kUnknown : 0.5 * below(8)});
+        {time, below(shy) == 0 ? kNotRead : altitude, below(6) == 0 ? kNotRead : 0.5 * below(8)});
     time += below(12) == 0 ? 10.0 * below(30) : kCycle * (1 + below(3));
   }
   return flight;
@@ -73,7 +73,7 @@ std::vector<ir::SensorUpdate> frameOf(const ir::Mission& mission, const Seen& se
     frame.push_back({{s},
                      name == "altitude"   ? seen.altitude
                      : name == "pressure" ? seen.pressure
-                                          : kUnknown});
+                                          : kNotRead});
   }
   return frame;
 }
@@ -99,7 +99,7 @@ std::vector<std::optional<double>> watched(const ir::Mission& mission,
     const auto frame = frameOf(mission, flight[i]);
     const ir::TickResult result = i == 0 ? run.start(frame, {}) : run.tick(flight[i].time, frame);
     for (ir::RequirementMonitor& monitor : monitors) {
-      monitor.tick(run, flight[i].time, result, kUnknown);
+      monitor.tick(run, flight[i].time, result, kNotRead);
     }
     if (result.finished) {
       break;
@@ -161,7 +161,7 @@ TEST_P(Assumptions, AreBrokenAsTheirDefinitionSays) {
   std::mt19937 rng(11);
   size_t broken = 0;
   for (int i = 0; i < 2000; ++i) {
-    const auto flight = randomFlight(rng);
+    const auto flight = assumedFlight(rng);
     const auto when = watched(mission, {mission.assumptions[0].watch}, flight).front();
     EXPECT_EQ(when, firstOf(assumed.broken, flight)) << assumed.text << ", flight " << i;
     broken += when ? 1U : 0U;
@@ -185,7 +185,7 @@ TEST_P(Assumptions, ExcuseWhatComesAfterTheyAreBroken) {
     std::mt19937 rng(7);
     size_t excused = 0;
     for (int i = 0; i < 500; ++i) {
-      const auto flight = randomFlight(rng);
+      const auto flight = assumedFlight(rng);
       const auto plain =
           watched(mission, {mission.requirements[0], mission.assumptions[0].watch}, flight);
       const auto weak = watched(under, {under.requirements[0]}, flight).front();
@@ -240,7 +240,7 @@ TEST_P(Assumptions, AreNotedOnBoardOnceAndChangeNothing) {
   std::mt19937 rng(11);
   size_t broken = 0;
   for (int i = 0; i < 500; ++i) {
-    const auto flight = randomFlight(rng);
+    const auto flight = assumedFlight(rng);
     const OnBoard seen = fly(flown, flight);
     EXPECT_EQ(seen.states, fly(plain, flight).states);
     const auto when = firstOf(assumed.broken, flight);

@@ -22,7 +22,7 @@ namespace {
 using ir::prove::Verdict;
 
 /// The verdicts on the requirements of a mission.
-std::vector<ir::prove::RequirementVerdict> judged(const std::string& text) {
+std::vector<ir::prove::RequirementVerdict> judgedLimits(const std::string& text) {
   frontend::testing_support::FrontendRun run(text);
   const auto mission = run.compile();
   EXPECT_TRUE(mission.has_value()) << run.said() << text;
@@ -37,7 +37,7 @@ std::vector<ir::prove::RequirementVerdict> judged(const std::string& text) {
 }
 
 bool isProved(const std::string& text) {
-  const auto all = judged(text);
+  const auto all = judgedLimits(text);
   return all.size() == 1 && all.front().verdict == Verdict::Proved;
 }
 
@@ -72,7 +72,7 @@ struct Range {
 };
 
 /// Whether the sensor, assumed to be in the range, is proved to be within the limit.
-bool holds(const Range& r, const char* relation, double limit) {
+bool holdsFor(const Range& r, const char* relation, double limit) {
   const std::string range = fmt::format("{} in {} {} .. {} {}", r.sensor, digits(r.lowest), r.unit,
                                         digits(r.highest), r.unit);
   return isProved(reads(r.sensor, range,
@@ -84,13 +84,13 @@ TEST(AssumedLimits, AreProvedAndTheNextDoubleIsNot) {
   for (const Range& r : {Range{"temp", 2, 28, "degC"}, Range{"temp", -1.3, 0.7, "degC"},
                          Range{"altitude", 5, 99.3, "m"}, Range{"speed", 0.1, 0.7, "m/s"}}) {
     SCOPED_TRACE(r.sensor);
-    EXPECT_TRUE(holds(r, "<=", r.highest));
-    EXPECT_TRUE(holds(r, "<", above(r.highest)));
-    EXPECT_FALSE(holds(r, "<", r.highest));
-    EXPECT_FALSE(holds(r, "<=", below(r.highest)));
-    EXPECT_TRUE(holds(r, ">=", r.lowest));
-    EXPECT_FALSE(holds(r, ">", r.lowest));
-    EXPECT_FALSE(holds(r, ">=", above(r.lowest)));
+    EXPECT_TRUE(holdsFor(r, "<=", r.highest));
+    EXPECT_TRUE(holdsFor(r, "<", above(r.highest)));
+    EXPECT_FALSE(holdsFor(r, "<", r.highest));
+    EXPECT_FALSE(holdsFor(r, "<=", below(r.highest)));
+    EXPECT_TRUE(holdsFor(r, ">=", r.lowest));
+    EXPECT_FALSE(holdsFor(r, ">", r.lowest));
+    EXPECT_FALSE(holdsFor(r, ">=", above(r.lowest)));
   }
 }
 
@@ -100,23 +100,23 @@ TEST(AssumedLimits, OfConvertedUnitsAreProvedAndNothingStricter) {
                          Range{"roll", -26, 26, "deg"}, Range{"altitude", 70, 1110, "cm"},
                          Range{"battery", 11.1, 15.3, "V"}}) {
     SCOPED_TRACE(r.sensor);
-    EXPECT_TRUE(holds(r, "<=", r.highest));
-    EXPECT_TRUE(holds(r, ">=", r.lowest));
-    EXPECT_FALSE(holds(r, "<", r.highest));
-    EXPECT_FALSE(holds(r, ">", r.lowest));
+    EXPECT_TRUE(holdsFor(r, "<=", r.highest));
+    EXPECT_TRUE(holdsFor(r, ">=", r.lowest));
+    EXPECT_FALSE(holdsFor(r, "<", r.highest));
+    EXPECT_FALSE(holdsFor(r, ">", r.lowest));
   }
 }
 
 TEST(AssumedLimits, HoldInAnotherUnit) {
-  const auto holds = [](const std::string& assumption, const std::string& requirement) {
+  const auto holdsFor = [](const std::string& assumption, const std::string& requirement) {
     return isProved(reads("altitude", assumption, requirement));
   };
-  EXPECT_TRUE(holds("altitude in 5 m .. 70 m", "altitude <= 7000 cm"));
-  EXPECT_TRUE(holds("altitude in 5 m .. 70 m", "altitude >= 0.005 km"));
-  EXPECT_TRUE(holds("altitude in 0.7 m .. 70 m", "altitude >= 70 cm"))
+  EXPECT_TRUE(holdsFor("altitude in 5 m .. 70 m", "altitude <= 7000 cm"));
+  EXPECT_TRUE(holdsFor("altitude in 5 m .. 70 m", "altitude >= 0.005 km"));
+  EXPECT_TRUE(holdsFor("altitude in 0.7 m .. 70 m", "altitude >= 70 cm"))
       << "both are the nearest double";
-  EXPECT_TRUE(holds("altitude in 70 cm .. 70 m", "altitude >= 0.7 m"));
-  EXPECT_TRUE(holds("altitude in 1.1 m .. 70 m", "altitude >= 1100 mm"));
+  EXPECT_TRUE(holdsFor("altitude in 70 cm .. 70 m", "altitude >= 0.7 m"));
+  EXPECT_TRUE(holdsFor("altitude in 1.1 m .. 70 m", "altitude >= 1100 mm"));
 }
 
 TEST(AssumedLimits, OfOneValueLeaveIt) {
@@ -130,16 +130,17 @@ TEST(AssumedLimits, OfAConditionAreThoseOfARange) {
 }
 
 TEST(Limits, OfThePlatformAreProvedAndNothingNarrower) {
-  const auto holds = [](const std::string& requirement) {
+  const auto holdsFor = [](const std::string& requirement) {
     return isProved(reads("temp", "current <= 0.5 m/s", requirement));
   };
-  EXPECT_TRUE(holds("temp <= 45 degC"));
-  EXPECT_TRUE(holds("temp >= -5 degC"));
-  EXPECT_FALSE(holds("temp < 45 degC"));
-  EXPECT_FALSE(holds("temp <= " + digits(below(45)) + " degC"));
+  EXPECT_TRUE(holdsFor("temp <= 45 degC"));
+  EXPECT_TRUE(holdsFor("temp >= -5 degC"));
+  EXPECT_FALSE(holdsFor("temp < 45 degC"));
+  EXPECT_FALSE(holdsFor("temp <= " + digits(below(45)) + " degC"));
 }
 
-/// The narrowed range holds exactly the numbers of the vehicle whose reading is in the assumed one.
+/// The narrowed range holdsFor exactly the numbers of the vehicle whose reading is in the assumed
+/// one.
 TEST(AssumedLimits, NarrowTheVehiclesNumbersToTheLastDouble) {
   constexpr unsigned kCases = 20000;
   std::mt19937_64 random(1);

@@ -108,7 +108,7 @@ TEST(Premises, OfAFlightThatReachesAStateAreNone) {
 
 /// The verdict on the one requirement of a mission, and the numbers of the assumptions that it
 /// names.
-std::pair<ir::prove::Verdict, Numbers> judged(const std::string& text) {
+std::pair<ir::prove::Verdict, Numbers> judgedPremises(const std::string& text) {
   frontend::testing_support::FrontendRun run(text);
   const auto mission = run.compile();
   EXPECT_TRUE(mission.has_value()) << run.said();
@@ -137,13 +137,13 @@ TEST(Premises, OfAnAreaAreTheStartThatIsAssumed) {
   const std::string within =
       "require always inside(39.0 N 74.0 W, 39.0 N 73.5 W, 39.4 N 73.5 W, 39.4 N 74.0 W)\n";
   const std::string temp = "assume temp in 2 degC .. 28 degC\n";
-  EXPECT_THAT(judged("mission m\n" + start + within + kEast).second, ElementsAre(0));
-  EXPECT_THAT(judged("mission m\n" + start + temp + within + kEast).second, ElementsAre(0));
-  EXPECT_THAT(judged("mission m\n" + temp + start + within + kEast).second, ElementsAre(1));
+  EXPECT_THAT(judgedPremises("mission m\n" + start + within + kEast).second, ElementsAre(0));
+  EXPECT_THAT(judgedPremises("mission m\n" + start + temp + within + kEast).second, ElementsAre(0));
+  EXPECT_THAT(judgedPremises("mission m\n" + temp + start + within + kEast).second, ElementsAre(1));
 }
 
 TEST(Premises, OfAFlightThatStartsDeepIsThatDepth) {
-  const auto found = judged(R"(mission m
+  const auto found = judgedPremises(R"(mission m
 assume start depth <= 40 m
 require reach deep
 state look
@@ -168,7 +168,7 @@ end
 
 /// The first search takes any readings; the second the vehicle's.
 TEST(Searches, AreRepeatedWithTheVehicleIfNoFlightShowsWhatTheyFound) {
-  EXPECT_EQ(judged(R"(mission m
+  EXPECT_EQ(judgedPremises(R"(mission m
 require never x
 state up
 begin
@@ -193,7 +193,7 @@ end
 /// 25.64 m + 0.1 m + 0.1 m is a double more than 25.84 m.
 TEST(Searches, KnowThatCommandsAreRounded) {
   const auto dives = [](const std::string& limit) {
-    return judged(
+    return judgedPremises(
                "mission m\nparam deepest : length = 20 m in 10 m .. 30 m\n"
                "require always depth <= deepest + " +
                limit +

@@ -32,7 +32,7 @@ TEST_P(Properties, IsDecidedAsCommitted) {
   EXPECT_EQ(ir::prove::word(findings.requirements[0].verdict), property.verdict) << run.said();
 }
 
-std::string nameOf(const testing::TestParamInfo<Property>& info) {
+std::string nameOfProperty(const testing::TestParamInfo<Property>& info) {
   std::string name = std::to_string(info.index) + "_" + info.param.mission;
   for (char& c : name) {
     c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
@@ -40,7 +40,7 @@ std::string nameOf(const testing::TestParamInfo<Property>& info) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Missions, Properties, testing::ValuesIn(properties()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Missions, Properties, testing::ValuesIn(properties()), nameOfProperty);
 
 }  // namespace
 }  // namespace glider::tests

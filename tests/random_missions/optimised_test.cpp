@@ -19,8 +19,8 @@
 namespace glider::random_missions {
 namespace {
 
-constexpr uint64_t kMissions = 120;
-constexpr size_t kTicks = 120;
+constexpr uint64_t kOptimisedMissions = 120;
+constexpr size_t kOptimisedTicks = 120;
 
 std::string bits(double value) {
   return fmt::format("{:x}", std::bit_cast<uint64_t>(value));
@@ -82,7 +82,7 @@ void compare(uint64_t seed, const ir::Mission& plain, const ir::Mission& optimis
   ASSERT_TRUE(ir::validate(optimised).empty()) << ir::validate(optimised).front().message;
   ir::Interpreter before(plain, factsOf(plain).stack_depth, randomExternals());
   ir::Interpreter after(optimised, factsOf(optimised).stack_depth, randomExternals());
-  const auto stream = randomStream(plain, seed, kTicks);
+  const auto stream = randomStream(plain, seed, kOptimisedTicks);
   const auto parameters = randomParameters(plain, seed);
   for (size_t i = 0; i < stream.size(); ++i) {
     const auto& [time, frame] = stream[i];
@@ -103,7 +103,7 @@ class Optimised : public testing::TestWithParam<const ir::OptPass*> {};
 
 TEST_P(Optimised, DoesTheSame) {
   size_t smaller = 0;
-  for (uint64_t seed = 1; seed <= kMissions; ++seed) {
+  for (uint64_t seed = 1; seed <= kOptimisedMissions; ++seed) {
     SCOPED_TRACE(seed);
     const ir::Mission plain = flownMission(seed);
     ir::Mission optimised = plain;
@@ -119,7 +119,7 @@ TEST_P(Optimised, DoesTheSame) {
     }
   }
   if (GetParam() == nullptr) {
-    EXPECT_GT(smaller, kMissions / 2) << "the passes find nothing to do";
+    EXPECT_GT(smaller, kOptimisedMissions / 2) << "the passes find nothing to do";
   }
 }
 
@@ -142,7 +142,7 @@ ir::Mission withTwins(ir::Mission mission) {
 
 TEST(Sharing, OfTwoThatWatchTheSameOneIsLeft) {
   size_t windows = 0;
-  for (uint64_t seed = 1; seed <= kMissions; ++seed) {
+  for (uint64_t seed = 1; seed <= kOptimisedMissions; ++seed) {
     SCOPED_TRACE(seed);
     const ir::Mission plain = flownMission(seed);
     const ir::Mission doubled = withTwins(plain);
@@ -158,7 +158,7 @@ TEST(Sharing, OfTwoThatWatchTheSameOneIsLeft) {
       return;
     }
   }
-  EXPECT_GT(windows, kMissions) << "the missions watch too little";
+  EXPECT_GT(windows, kOptimisedMissions) << "the missions watch too little";
 }
 
 std::vector<const ir::OptPass*> eachAndAll() {

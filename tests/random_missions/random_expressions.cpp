@@ -22,42 +22,42 @@ namespace dimension = support::dimension;
 
 using Limits = std::numeric_limits<double>;
 
-constexpr Type quantity(support::Dimension of) {
+constexpr Type quantityOf(support::Dimension of) {
   return {TypeKind::Quantity, of};
 }
-constexpr Type kNumber = quantity(dimension::number);
-constexpr Type kLength = quantity(dimension::length);
-constexpr Type kTime = quantity(dimension::time);
-constexpr Type kSpeed = quantity(dimension::speed);
+constexpr Type kNumber = quantityOf(dimension::number);
+constexpr Type kLength = quantityOf(dimension::length);
+constexpr Type kTime = quantityOf(dimension::time);
+constexpr Type kSpeed = quantityOf(dimension::speed);
 
-constexpr Type kAngle = quantity(dimension::angle);
-constexpr Type kLatitude{TypeKind::Latitude, {}};
-constexpr Type kLongitude{TypeKind::Longitude, {}};
+constexpr Type kAngle = quantityOf(dimension::angle);
+constexpr Type kLatitudeType{TypeKind::Latitude, {}};
+constexpr Type kLongitudeType{TypeKind::Longitude, {}};
 
 constexpr Type kCompared[] = {kNumber,
                               kLength,
                               kTime,
                               kSpeed,
-                              quantity(dimension::temperature),
-                              quantity(dimension::angle),
+                              quantityOf(dimension::temperature),
+                              quantityOf(dimension::angle),
                               {TypeKind::Latitude, {}},
                               {TypeKind::Longitude, {}}};
 
 /// Where arithmetic goes wrong first.
-constexpr double kSpecial[] = {0.0,
-                               -0.0,
-                               1.0,
-                               Limits::min(),
-                               -Limits::min(),
-                               Limits::denorm_min(),
-                               -Limits::denorm_min(),
-                               0x1.8p-1023,
-                               Limits::max(),
-                               -Limits::max(),
-                               1e-200,
-                               1e200,
-                               0x1.fffffffffffffp-1,
-                               1e22};
+constexpr double kSpecialNumbers[] = {0.0,
+                                      -0.0,
+                                      1.0,
+                                      Limits::min(),
+                                      -Limits::min(),
+                                      Limits::denorm_min(),
+                                      -Limits::denorm_min(),
+                                      0x1.8p-1023,
+                                      Limits::max(),
+                                      -Limits::max(),
+                                      1e-200,
+                                      1e200,
+                                      0x1.fffffffffffffp-1,
+                                      1e22};
 
 /// Of one number of a certain type, to a plain number.
 std::vector<Op> functionsOfOneToNumber() {
@@ -143,7 +143,7 @@ double ExpressionMaker::plainValue(Type type) {
 }
 
 ExprId ExpressionMaker::constant(Type type) {
-  const double value = random_.chance(0.12) ? random_.pick(kSpecial) : plainValue(type);
+  const double value = random_.chance(0.12) ? random_.pick(kSpecialNumbers) : plainValue(type);
   return plain(type, std::isfinite(value) ? value : 1);  // a sensor may have a huge factor
 }
 
@@ -305,7 +305,7 @@ std::optional<ExprId> ExpressionMaker::geometry(Type type, uint32_t depth) {
   }
   std::array<ExprId, ir::kMostOperands> operands;
   for (uint32_t i = 0; i < 4; ++i) {
-    operands.at(i) = number(i % 2 == 0 ? kLatitude : kLongitude, depth);
+    operands.at(i) = number(i % 2 == 0 ? kLatitudeType : kLongitudeType, depth);
   }
   return add(type == kAngle ? Op::Bearing : Op::Distance, operands);
 }

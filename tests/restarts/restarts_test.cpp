@@ -97,7 +97,7 @@ TEST_P(Restarts, WhatIsProvedHoldsInTheWholeDeployment) {
   const TemporaryFolder folder;
   const std::string text = onceDeep(GetParam());
   const auto file = folder.write("once.mission", text);
-  const Outcome checked = runShell("$GLIDERCC check --report --no-cache " + file.string());
+  const Outcome checked = runShell("$GLIDERCC check --report " + file.string());
   for (const char* proved :
        {"proved: require visit deep at most 1 times", "proved: require exit within 30 min",
         "proved: require in ready: never depth > 8 m"}) {

@@ -31,7 +31,7 @@ const std::vector<std::string>& patterns() {
 }
 
 /// What each pattern forbids, by its number, when a state is entered that was not current.
-constexpr const char* kObserver = R"(
+constexpr const char* kPatternObserver = R"(
 c_decl {
 \#include <stdio.h>
 static char told[8];
@@ -78,7 +78,8 @@ std::string randomMission(std::mt19937& rng) {
 
 std::vector<bool> violatedBySpin(const ir::Mission& mission) {
   const TemporaryFolder folder;
-  const std::string model = folder.write("model.pml", kObserver + ir::promela(mission)).string();
+  const std::string model =
+      folder.write("model.pml", kPatternObserver + ir::promela(mission)).string();
   const Outcome outcome = runShell("cd " + folder.path().string() + " && spin -a " + model +
                                    " >spin.txt && gcc -w -DSAFETY -o pan pan.c && "
                                    "./pan -m100000 >found.txt && cat found.txt");

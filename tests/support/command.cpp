@@ -39,9 +39,9 @@ Outcome runShell(const std::string& line) {
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "out").string();
   const std::string err = (folder.path() / "err").string();
-  const std::string whole =
-      "export GLIDERCC=\"${GLIDERCC:-" GLIDER_BINARY_DIR "/bin/glidercc}\" XDG_CACHE_HOME='" +
-      folder.path().string() + "'; { " + line + "\n} </dev/null >" + out + " 2>" + err;
+  const std::string whole = "export GLIDERCC=\"${GLIDERCC:-" GLIDER_BINARY_DIR
+                            "/bin/glidercc}\"; { " +
+                            line + "\n} </dev/null >" + out + " 2>" + err;
   const int status = std::system(whole.c_str());
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return {code, slurp(out), slurp(err)};

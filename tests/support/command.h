@@ -16,8 +16,7 @@ struct Outcome {
 };
 
 /// Runs a shell command line with standard input closed; GLIDERCC in its environment names the
-/// built command, or another that the test's own environment names (scripts/mutants_code). What it
-/// keeps in a cache is gone afterwards, unless the line names another.
+/// built command, or another that the test's own environment names (scripts/mutants_code).
 Outcome runShell(const std::string& line);
 
 /// A new empty folder, removed with everything in it at the end of the scope.

@@ -18,7 +18,7 @@ namespace {
 constexpr double kCycle = 4;  // s
 
 /// Down to 20 m, over it by `beyond`, up again, at plain speeds.
-struct Flight {
+struct CheckedFlight {
   double sinks_mps = 0.2, climbs_mps = 0.15;
   double start_m = 0;
   double beyond_m = 4;    ///< how far it goes past the command
@@ -74,7 +74,7 @@ struct Flight {
 };
 
 TEST(EnvironmentCheck, AFlightThatKeepsAllIsFineAndEachRuleIsLookedAt) {
-  const EnvironmentCheck world = Flight{}.fly();
+  const EnvironmentCheck world = CheckedFlight{}.fly();
   EXPECT_FALSE(world.broken().has_value()) << world.broken()->what;
   for (const Rule rule : kAllRules) {
     EXPECT_GT(world.use(rule).looks, 0U) << nameOf(rule);
@@ -83,14 +83,14 @@ TEST(EnvironmentCheck, AFlightThatKeepsAllIsFineAndEachRuleIsLookedAt) {
 
 struct Planted {
   Rule rule;
-  std::function<void(Flight&)> plant;
+  std::function<void(CheckedFlight&)> plant;
   friend void PrintTo(const Planted& planted, std::ostream* out) { *out << nameOf(planted.rule); }
 };
 
 class Violation : public testing::TestWithParam<Planted> {};
 
 TEST_P(Violation, IsSeen) {
-  Flight flight;
+  CheckedFlight flight;
   GetParam().plant(flight);
   const EnvironmentCheck world = flight.fly();
   ASSERT_TRUE(world.broken().has_value());
@@ -100,21 +100,21 @@ TEST_P(Violation, IsSeen) {
 // Each number is just beyond the platform file's.
 INSTANTIATE_TEST_SUITE_P(
     , Violation,
-    testing::Values(Planted{Rule::Rate, [](Flight& f) { f.sinks_mps = 0.41; }},
-                    Planted{Rule::Rate, [](Flight& f) { f.climbs_mps = 0.41; }},
-                    Planted{Rule::Deepest, [](Flight& f) { f.beyond_m = 5.9; }},
-                    Planted{Rule::Climb, [](Flight& f) { f.climbs_mps = 0.04; }},
-                    Planted{Rule::Climb, [](Flight& f) { f.turns_s = 500; }},
-                    Planted{Rule::Climb, [](Flight& f) { f.stops_at_m = 6; }},
-                    Planted{Rule::Above, [](Flight& f) { f.top_m = -0.1; }},
-                    Planted{Rule::Start, [](Flight& f) { f.start_m = 3.1; }},
-                    Planted{Rule::Surface, [](Flight& f) { f.floats_at_m = 2.1; }},
-                    Planted{Rule::Reading, [](Flight& f) { f.reading_off_m = -0.91; }},
-                    Planted{Rule::TickGap, [](Flight& f) { f.tick_s = 20.5; }},
-                    Planted{Rule::Range, [](Flight& f) { f.pressure_bar = -1.1; }},
-                    Planted{Rule::Drift, [](Flight& f) { f.drift_mps = 0.51; }},
-                    Planted{Rule::ThroughWater, [](Flight& f) { f.gets_on_mps = 0.61; }},
-                    Planted{Rule::SurfaceDrift, [](Flight& f) { f.floats_mps = 0.81; }}));
+    testing::Values(Planted{Rule::Rate, [](CheckedFlight& f) { f.sinks_mps = 0.41; }},
+                    Planted{Rule::Rate, [](CheckedFlight& f) { f.climbs_mps = 0.41; }},
+                    Planted{Rule::Deepest, [](CheckedFlight& f) { f.beyond_m = 5.9; }},
+                    Planted{Rule::Climb, [](CheckedFlight& f) { f.climbs_mps = 0.04; }},
+                    Planted{Rule::Climb, [](CheckedFlight& f) { f.turns_s = 500; }},
+                    Planted{Rule::Climb, [](CheckedFlight& f) { f.stops_at_m = 6; }},
+                    Planted{Rule::Above, [](CheckedFlight& f) { f.top_m = -0.1; }},
+                    Planted{Rule::Start, [](CheckedFlight& f) { f.start_m = 3.1; }},
+                    Planted{Rule::Surface, [](CheckedFlight& f) { f.floats_at_m = 2.1; }},
+                    Planted{Rule::Reading, [](CheckedFlight& f) { f.reading_off_m = -0.91; }},
+                    Planted{Rule::TickGap, [](CheckedFlight& f) { f.tick_s = 20.5; }},
+                    Planted{Rule::Range, [](CheckedFlight& f) { f.pressure_bar = -1.1; }},
+                    Planted{Rule::Drift, [](CheckedFlight& f) { f.drift_mps = 0.51; }},
+                    Planted{Rule::ThroughWater, [](CheckedFlight& f) { f.gets_on_mps = 0.61; }},
+                    Planted{Rule::SurfaceDrift, [](CheckedFlight& f) { f.floats_mps = 0.81; }}));
 
 /// A command to climb that comes on the way down stops the dive.
 TEST(EnvironmentCheck, ACommandToClimbStopsADive) {

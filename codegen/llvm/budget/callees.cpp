@@ -44,12 +44,12 @@ enum class Kind : uint8_t {
   kSensors
 };
 
-struct Row {
+struct CalleeRow {
   std::string_view name;
   Kind kind = Kind::kOthers;
 };
 
-constexpr Row kKinds[] = {
+constexpr CalleeRow kKinds[] = {
 #define KIND(kind, name, why) {name, Kind::kind},
 #define POINTER(caller, kind, why)
 #define ATONCE(function, calls, why)
@@ -59,7 +59,7 @@ constexpr Row kKinds[] = {
 #undef ATONCE
 };
 
-constexpr Row kCallers[] = {
+constexpr CalleeRow kCallers[] = {
 #define KIND(kind, name, why)
 #define POINTER(caller, kind, why) {caller, Kind::kind},
 #define ATONCE(function, calls, why)
@@ -89,14 +89,14 @@ bool fits(std::string_view name, std::string_view row) {
 
 Kind kindOf(std::string_view name) {
   const auto* row =
-      std::ranges::find_if(kKinds, [&](const Row& one) { return fits(name, one.name); });
+      std::ranges::find_if(kKinds, [&](const CalleeRow& one) { return fits(name, one.name); });
   return row == std::end(kKinds) ? Kind::kOthers : row->kind;
 }
 
 /// The kinds of functions that a function calls through pointers; kOthers if it has no row.
 std::set<Kind> calledBy(std::string_view caller) {
   std::set<Kind> kinds;
-  for (const Row& row : kCallers) {
+  for (const CalleeRow& row : kCallers) {
     if (fits(caller, row.name)) {
       kinds.insert(row.kind);
     }

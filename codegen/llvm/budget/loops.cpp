@@ -13,14 +13,14 @@
 namespace glider::codegen {
 namespace {
 
-struct Row {
+struct LoopRow {
   std::string_view file, function;
   uint64_t (*outer)(const MissionSize& m);
   uint64_t (*inner)(const MissionSize& m);  // null: no nested loops
 };
 
 #define COUNT(turns) [](const MissionSize& m) -> uint64_t { return (void)m, turns; }
-constexpr Row kRows[] = {
+constexpr LoopRow kRows[] = {
 #define LOOP(file, function, turns, why) {file, function, COUNT(turns), nullptr},
 #define LOOPS(file, function, turns, inner, why) {file, function, COUNT(turns), COUNT(inner)},
 #define NEVER(function, why)
@@ -77,7 +77,7 @@ MissionSize sizeOf(const Input& input) {
 }
 
 Turns turnsIn(const Frame& function, const MissionSize& size) {
-  const auto row = std::ranges::find_if(kRows, [&](const Row& one) {
+  const auto row = std::ranges::find_if(kRows, [&](const LoopRow& one) {
     return one.file == function.file && one.function == function.function;
   });
   if (row == std::end(kRows)) {

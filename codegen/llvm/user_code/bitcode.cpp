@@ -34,21 +34,21 @@ using support::DiagnosticId;
 using support::Result;
 
 /// The data of the child process of `compileApart`.
-struct Work {
+struct BitcodeWork {
   llvm::Module& module;
   llvm::TargetMachine& machine;
   std::filesystem::path object;
   std::filesystem::path said;
 };
 
-[[noreturn]] void giveUp(const Work& work, std::string_view why) {
+[[noreturn]] void giveUp(const BitcodeWork& work, std::string_view why) {
   // If the reason cannot be written, the parent has a text of its own.
   static_cast<void>(support::writeFileAtomically(work.said, why));
   ::_exit(EXIT_FAILURE);
 }
 
 void onFatal(void* work, const char* why, bool /*crash*/) {
-  giveUp(*static_cast<const Work*>(work), why);
+  giveUp(*static_cast<const BitcodeWork*>(work), why);
 }
 
 void onDiagnostic(const llvm::DiagnosticInfo* info, void* work) {
@@ -57,11 +57,11 @@ void onDiagnostic(const llvm::DiagnosticInfo* info, void* work) {
     llvm::raw_string_ostream stream(text);
     llvm::DiagnosticPrinterRawOStream printer(stream);
     info->print(printer);
-    giveUp(*static_cast<const Work*>(work), stream.str());
+    giveUp(*static_cast<const BitcodeWork*>(work), stream.str());
   }
 }
 
-[[noreturn]] void compileAndExit(Work& work) {
+[[noreturn]] void compileAndExit(BitcodeWork& work) {
   llvm::install_fatal_error_handler(onFatal, &work);
   work.module.getContext().setDiagnosticHandlerCallBack(onDiagnostic, &work);
   optimise(work.module, work.machine, kUserCodeLevel);
@@ -72,7 +72,7 @@ void onDiagnostic(const llvm::DiagnosticInfo* info, void* work) {
 
 /// Runs in a child of this process: LLVM ends the process on some errors, and this input comes from
 /// the user.
-bool compileApart(Work& work) {
+bool compileApart(BitcodeWork& work) {
   const pid_t child = ::fork();
   if (child == 0) {
     compileAndExit(work);
@@ -115,7 +115,7 @@ Result<std::string> compileBitcode(const std::string& name, const std::string& c
     return support::fail(DiagnosticId::bitcodeRefused, name, board.name, stream.str());
   }
   adopt(**module, **machine);
-  Work work{**module, **machine, scratch.path() / "compiled.o", scratch.path() / "refused"};
+  BitcodeWork work{**module, **machine, scratch.path() / "compiled.o", scratch.path() / "refused"};
   if (!compileApart(work)) {
     const std::string why = support::readFile(work.said).value_or("");
     return support::fail(DiagnosticId::bitcodeRefused, name, board.name,

@@ -28,7 +28,7 @@ std::string suggestFunction(std::string_view wrong, const Scope& scope) {
   return didYouMean(wrong, names, fmt::format("functions: {}", fmt::join(names, " ")));
 }
 
-std::string countOf(size_t n) {
+std::string countedArguments(size_t n) {
   return n == 1 ? "1 argument" : fmt::format("{} arguments", n);
 }
 
@@ -57,8 +57,8 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
     return std::nullopt;
   }
   if (const size_t wanted = function->argumentCount(); node.arguments.size() != wanted) {
-    scope_.report(DiagnosticId::wrongArgumentCount, expr.where, name, countOf(wanted),
-                  node.arguments.empty() ? "none" : countOf(node.arguments.size()),
+    scope_.report(DiagnosticId::wrongArgumentCount, expr.where, name, countedArguments(wanted),
+                  node.arguments.empty() ? "none" : countedArguments(node.arguments.size()),
                   fmt::format("{}({})", name, function->arguments));
     return std::nullopt;
   }

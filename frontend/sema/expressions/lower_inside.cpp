@@ -16,7 +16,7 @@ struct Term {
 };
 
 /// A corner or the vehicle, in degrees from the first corner.
-struct Point {
+struct CornerPoint {
   Term north;
   Term east;
 };
@@ -33,8 +33,8 @@ class InsideLowering {
       : lowering_(lowering), range_(range) {}
 
   Value run(const std::vector<Value>& corners, const Value& vehicle) {
-    const Point here = relative(vehicle, corners.front());
-    std::vector<Point> points;
+    const CornerPoint here = relative(vehicle, corners.front());
+    std::vector<CornerPoint> points;
     for (const Value& corner : corners) {
       points.push_back(relative(corner, corners.front()));
     }
@@ -95,7 +95,7 @@ class InsideLowering {
     return {{}, lowering_.emit(ir::Op::Divide, plainNumber(), range_, {difference.id, one.id}).id};
   }
 
-  Point relative(const Value& place, const Value& origin) {
+  CornerPoint relative(const Value& place, const Value& origin) {
     return {degrees(place.id, origin.id, latitude()),
             wrapped(degrees(place.longitude, origin.longitude, longitude()))};
   }
@@ -112,7 +112,8 @@ class InsideLowering {
   }
 
   /// Whether the ray crosses the edge from `a` to `b`; empty if no ray can.
-  std::optional<ir::ExprId> crosses(const Point& a, const Point& b, const Point& here) {
+  std::optional<ir::ExprId> crosses(const CornerPoint& a, const CornerPoint& b,
+                                    const CornerPoint& here) {
     const bool decided = a.north.number && b.north.number;
     if (decided && *a.north.number == *b.north.number) {
       return std::nullopt;
@@ -133,7 +134,8 @@ class InsideLowering {
 
   /// Whether the vehicle's latitude is that of an edge from `low` up to `high`, and the edge is to
   /// its east.
-  ir::ExprId way(const Point& low, const Point& high, const Point& here, ir::ExprId east) {
+  ir::ExprId way(const CornerPoint& low, const CornerPoint& high, const CornerPoint& here,
+                 ir::ExprId east) {
     const ir::ExprId above = compare(ir::Op::LessEqual, low.north, here.north);
     return both(both(above, compare(ir::Op::Less, here.north, high.north)), east);
   }

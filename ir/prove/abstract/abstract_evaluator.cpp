@@ -5,15 +5,13 @@
 
 #include "ir/core/ops.h"
 #include "ir/core/walk.h"
+#include "ir/verify/intervals.h"
 #include "support/check.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace glider::ir::prove {
 namespace {
-
-constexpr double kMost = std::numeric_limits<double>::max();
 
 Truths exactly(bool value) {
   return {value, !value, false};
@@ -44,8 +42,8 @@ Interval rangeOf(ClockOp clock, const ClockRanges& clocks) {
 
 Holding anything(const Variable& variable) {
   Holding all;
-  all.lowest = std::max(variable.lowest, -kMost);
-  all.highest = std::min(variable.highest, kMost);
+  all.lowest = std::max(variable.lowest, -kGreatestNumber);
+  all.highest = std::min(variable.highest, kGreatestNumber);
   return all;
 }
 

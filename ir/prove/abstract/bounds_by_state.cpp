@@ -5,14 +5,12 @@
 
 #include "ir/prove/abstract/earliest_entry.h"
 #include "ir/prove/abstract/state_depths.h"
+#include "ir/verify/intervals.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace glider::ir::prove {
 namespace {
-
-constexpr double kMost = std::numeric_limits<double>::max();
 
 bool calls(const std::vector<Case>& cases) {
   return std::ranges::find(cases, Transition::Call, &Case::transition) != cases.end();
@@ -51,7 +49,7 @@ std::vector<StateBounds> boundsOfStates(const ProofContext& proof_context, const
   const Interruptions always{neverPrevented(m), false};
   std::vector<StateBounds> all;
   for (uint32_t i = 0; i < m.states.size(); ++i) {
-    const double latest = end.by ? end.left_by[i] : kMost;
+    const double latest = end.by ? end.left_by[i] : kGreatestNumber;
     StateBounds bounds{entries[i], latest, latest, latest, depths[i]};
     bounds.resume_time = std::min(latest, stayOf(proof_context, m.states[i], always, values).by);
     if (!mayWait(m, {i})) {

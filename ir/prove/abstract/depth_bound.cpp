@@ -10,7 +10,7 @@
 namespace glider::ir::prove {
 namespace {
 
-constexpr double kAnyDepth = std::numeric_limits<double>::infinity();
+constexpr double kNoDepthBound = std::numeric_limits<double>::infinity();
 
 class Conditions {
  public:
@@ -51,7 +51,7 @@ class Conditions {
 
   [[nodiscard]] double lowest(ExprId id) const {
     const Interval& x = proof_context_.intervals[id.index];
-    return x.empty ? -kAnyDepth : x.lowest;
+    return x.empty ? -kNoDepthBound : x.lowest;
   }
 
   const ProofContext& proof_context_;

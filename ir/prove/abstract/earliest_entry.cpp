@@ -5,6 +5,7 @@
 
 #include "ir/core/walk.h"
 #include "ir/prove/abstract/abstract_evaluator.h"
+#include "ir/verify/intervals.h"
 
 #include <cmath>
 #include <functional>
@@ -17,13 +18,12 @@ namespace glider::ir::prove {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kMost = std::numeric_limits<double>::max();
 
 /// Searches states in the order of the time at which they can first be entered: a state is never
 /// entered earlier than the state that leads to it.
-class Search {
+class EntrySearch {
  public:
-  explicit Search(const ProofContext& proof_context)
+  explicit EntrySearch(const ProofContext& proof_context)
       : proof_context_(proof_context),
         m_(proof_context.mission),
         entries_(m_.states.size(), kNever) {
@@ -72,7 +72,7 @@ class Search {
       }
       first = time;
     }
-    return mayBeTrue(guard, since, kMost) ? first : kNever;
+    return mayBeTrue(guard, since, kGreatestNumber) ? first : kNever;
   }
 
   /// Mission times at which a clock of the state has a value that the guard names.
@@ -81,7 +81,7 @@ class Search {
     forEachIn(m_, guard, [&](const Expr& e) {
       if (e.op == Op::Constant && e.type.dimension == support::dimension::time) {
         for (const double time : {e.number, since + e.number}) {
-          if (time > since && time < kMost) {
+          if (time > since && time < kGreatestNumber) {
             times.insert(time);
           }
         }
@@ -110,7 +110,7 @@ class Search {
 }  // namespace
 
 std::vector<double> earliestEntries(const ProofContext& proof_context) {
-  return Search(proof_context).run();
+  return EntrySearch(proof_context).run();
 }
 
 }  // namespace glider::ir::prove

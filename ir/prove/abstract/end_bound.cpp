@@ -22,7 +22,7 @@ namespace {
 
 /// The upper bound of expressions evaluated, some tenths of a second: missions that count with
 /// small numbers need far fewer.
-constexpr size_t kMostWork = 4000000;
+constexpr size_t kMostEndWork = 4000000;
 
 /// The latest time at which it becomes current, and how often that has been raised since it
 /// passed a time that a guard names.
@@ -40,9 +40,9 @@ struct Arrival {
   auto operator<=>(const Arrival&) const = default;
 };
 
-class Search {
+class EndSearch {
  public:
-  Search(const ProofContext& proof_context, double latest, Goal goal)
+  EndSearch(const ProofContext& proof_context, double latest, Goal goal)
       : proof_context_(proof_context),
         m_(proof_context.mission),
         run_(proof_context),
@@ -57,7 +57,7 @@ class Search {
     run_.enter(control.state, nullptr, {}, values);
     arrive(control, std::move(values), 0);
     while (!pending_.empty()) {
-      if (work_ > kMostWork || !follow()) {
+      if (work_ > kMostEndWork || !follow()) {
         return {std::nullopt, {}, stays_, loop_};
       }
     }
@@ -284,11 +284,11 @@ class Search {
 }  // namespace
 
 EndBound boundOf(const ProofContext& proof_context, double latest, Goal goal) {
-  return Search(proof_context, latest, goal).end();
+  return EndSearch(proof_context, latest, goal).end();
 }
 
 std::vector<Stay> staysOf(const ProofContext& proof_context) {
-  Search search(proof_context, kLongestMission, Goal::Exit);
+  EndSearch search(proof_context, kLongestMission, Goal::Exit);
   return search.end().by ? search.stays() : std::vector<Stay>();
 }
 

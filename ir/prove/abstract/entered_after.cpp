@@ -8,9 +8,9 @@
 namespace glider::ir::prove {
 namespace {
 
-class Search {
+class AfterSearch {
  public:
-  explicit Search(const Mission& mission) : m_(mission), seen_(mission.states.size()) {}
+  explicit AfterSearch(const Mission& mission) : m_(mission), seen_(mission.states.size()) {}
 
   bool run(StateId wanted, StateId after) {
     reach(after);
@@ -69,7 +69,7 @@ class Search {
 }  // namespace
 
 bool mayEnterAfter(const Mission& mission, StateId state, StateId after) {
-  return Search(mission).run(state, after);
+  return AfterSearch(mission).run(state, after);
 }
 
 }  // namespace glider::ir::prove

@@ -3,14 +3,14 @@
 
 #include "ir/prove/abstract/held_ranges.h"
 
+#include "ir/verify/intervals.h"
+
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 namespace glider::ir::prove {
 namespace {
 
-constexpr double kMost = std::numeric_limits<double>::max();
 /// A variable that still grows after this many rounds gets its whole range.
 constexpr int kRounds = 8;
 
@@ -46,7 +46,7 @@ class HeldRanges {
 
  private:
   static Interval rangeOf(const Variable& v) {
-    return {std::max(v.lowest, -kMost), std::min(v.highest, kMost), false};
+    return {std::max(v.lowest, -kGreatestNumber), std::min(v.highest, kGreatestNumber), false};
   }
 
   void gather() {

@@ -9,6 +9,7 @@
 #include "ir/prove/abstract/held_ranges.h"
 #include "ir/prove/abstract/leaving.h"
 #include "ir/prove/context/commands.h"
+#include "ir/verify/intervals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +22,7 @@
 namespace glider::ir::prove {
 namespace {
 
-constexpr double kMost = std::numeric_limits<double>::max();
-constexpr double kEndless = std::numeric_limits<double>::infinity();
+constexpr double kForEver = std::numeric_limits<double>::infinity();
 /// Depths that differ by less are one depth, for the vehicle's abend too, m.
 constexpr double kSameDepth = 1;
 /// A vehicle that arrives reads a little more, or less, than the depth that is commanded, m.
@@ -51,7 +51,7 @@ class Arrived {
   /// Whether a command that `given` says may be given there.
   template <typename Given>
   [[nodiscard]] bool mayCommand(StateId id, const Given& given) const {
-    constexpr Interval kEver{0, kMost, false};
+    constexpr Interval kEver{0, kGreatestNumber, false};
     const AbstractEvaluator evaluator(context_, values_, {kEver, kEver, kEver});
     const State& state = mission_[id];
     for (const BlockId entry : {state.entry, state.profile.entry, state.route.entry}) {
@@ -143,7 +143,7 @@ class HoverSearch {
  private:
   [[nodiscard]] LongHover hover(StateId id) {
     const double there = longest(id);
-    const double most = end_.by ? std::max(0.0, *end_.by - entries_[id.index]) : kEndless;
+    const double most = end_.by ? std::max(0.0, *end_.by - entries_[id.index]) : kForEver;
     const Stays& one = *stays_[id.index];
     return {id, one.deep, std::min(there, most) - arrives(id)};
   }
@@ -158,7 +158,7 @@ class HoverSearch {
   /// From `id` on at one depth; infinite if it may come back to a state that it has left.
   // NOLINTNEXTLINE(misc-no-recursion): as long as a path of states at one depth
   double longest(StateId id) {
-    const auto [at, is_new] = longest_.emplace(id.index, kEndless);
+    const auto [at, is_new] = longest_.emplace(id.index, kForEver);
     if (!is_new) {
       return at->second;
     }
@@ -259,7 +259,7 @@ class HoverSearch {
   }
 
   std::optional<Stays> staysAt(StateId id, const Interval& depth) {
-    Stays found{depth.lowest, depth.highest, kEndless};
+    Stays found{depth.lowest, depth.highest, kForEver};
     const auto surfaces = [](const Statement& command) {
       return command.command == Command::Surface;
     };

@@ -5,6 +5,7 @@
 
 #include "ir/core/ops.h"
 #include "ir/core/walk.h"
+#include "ir/verify/intervals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +17,8 @@
 namespace glider::ir::prove {
 namespace {
 
-constexpr double kMost = std::numeric_limits<double>::max();
-
 /// An upper bound of the sum.
-double sumOf(double a, double b) {
+double sumAtMost(double a, double b) {
   const double sum = a + b;
   const bool exact = sum - a == b && sum - b == a;
   return exact ? sum : std::nextafter(sum, std::numeric_limits<double>::infinity());
@@ -37,7 +36,7 @@ class LeavingSearch {
     for (const Case& c : state.cases) {
       own_.push_back(&c);
     }
-    const Interval all{0, kMost, false};
+    const Interval all{0, kGreatestNumber, false};
     const AbstractEvaluator ever(proof_context, values, {all, all, all});
     for (const Cases* cases : {&always.cases, &std::as_const(own_)}) {
       for (const Case* c : *cases) {
@@ -68,7 +67,7 @@ class LeavingSearch {
 
   /// For a mission time T that a guard names, a state that became current at s is left by
   /// max(s, T) + gap, after at most T + gap: the sum for s = 0. The other times do not depend on s.
-  Leaving stay() const { return ofPart({0, kMost}, 0); }
+  Leaving stay() const { return ofPart({0, kGreatestNumber}, 0); }
 
  private:
   /// With these as all times.
@@ -97,9 +96,9 @@ class LeavingSearch {
   [[nodiscard]] Leaving ofPart(const Arriving& arriving, double since) const {
     const double gap = proof_context_.tick_gap_s;
     const double earliest = arriving.earliest;
-    constexpr Interval kEver{0, kMost, false};
-    constexpr double kNever = std::numeric_limits<double>::infinity();
-    Leaving found = none(kNever);
+    constexpr Interval kEver{0, kGreatestNumber, false};
+    constexpr double kEndless = std::numeric_limits<double>::infinity();
+    Leaving found = none(kEndless);
     // From `time` on, a certain case, or one before it, fires on every tick; `tick` is the latest
     // time of such a tick.
     const auto note = [&](double time, double tick, const ClockRanges& clocks) {
@@ -125,19 +124,21 @@ class LeavingSearch {
       found.work += then.work();
     };
     // What is certain on the first tick need not stay so: that tick leads away.
-    const double last = arriving.latest >= kMost ? kMost : sumOf(arriving.latest, gap);
+    const double last =
+        arriving.latest >= kGreatestNumber ? kGreatestNumber : sumAtMost(arriving.latest, gap);
     const auto [at_once, first] =
-        note(since, sumOf(since, gap), {{earliest, last, false}, kEver, {0, gap, false}});
+        note(since, sumAtMost(since, gap), {{earliest, last, false}, kEver, {0, gap, false}});
     found.work += first.work();
     for (const double stay : stays_) {
-      const Interval on{stay, kMost, false};  // the mission has flown for at least that long
-      const double stayed = sumOf(since, stay);
-      const ClockRanges then{{std::max(stay, earliest), kMost, false}, on, on};
-      until(stayed, note(stayed, sumOf(stayed, gap), then).second);
+      const Interval on{stay, kGreatestNumber,
+                        false};  // the mission has flown for at least that long
+      const double stayed = sumAtMost(since, stay);
+      const ClockRanges then{{std::max(stay, earliest), kGreatestNumber, false}, on, on};
+      until(stayed, note(stayed, sumAtMost(stayed, gap), then).second);
     }
     for (const double time : times_) {
-      const ClockRanges then{{std::max(time, earliest), kMost, false}, kEver, kEver};
-      until(time, note(time, sumOf(std::max(since, time), gap), then).second);
+      const ClockRanges then{{std::max(time, earliest), kGreatestNumber, false}, kEver, kEver};
+      until(time, note(time, sumAtMost(std::max(since, time), gap), then).second);
     }
     for (double& latest : found.latest) {
       latest = std::min(latest, found.by);
@@ -161,7 +162,7 @@ class LeavingSearch {
   void keep(ExprId clock, ExprId time, const AbstractEvaluator& ever) {
     const Op op = m_[clock].op;
     const Interval& x = ever.number(time);
-    if (x.empty || x.highest >= kMost || x.highest < 0) {
+    if (x.empty || x.highest >= kGreatestNumber || x.highest < 0) {
       return;
     }
     std::set<double>* kept = op == Op::MissionTime                         ? &times_
@@ -169,7 +170,7 @@ class LeavingSearch {
                                                                            : nullptr;
     if (kept != nullptr) {
       kept->insert(x.highest);
-      kept->insert(std::nextafter(x.highest, kMost));  // the value after it
+      kept->insert(std::nextafter(x.highest, kGreatestNumber));  // the value after it
     }
   }
 

@@ -13,9 +13,9 @@
 namespace glider::ir::prove {
 namespace {
 
-constexpr double kAnyDepth = std::numeric_limits<double>::infinity();
+constexpr double kWhateverDepth = std::numeric_limits<double>::infinity();
 /// A greater bound means that the number has no range.
-constexpr double kNoBound = 1e300;
+constexpr double kUnbounded = 1e300;
 
 /// Also under a command to climb, which ends in hovering at its target.
 bool leadsDown(const Statement& statement) {
@@ -64,13 +64,13 @@ class Depths {
   /// m; not less than the depth at which control may be given.
   double commandedDepth(const State& state) const {
     if (!m_[state.profile.behaviour].symbol.empty() || !m_[state.route.behaviour].symbol.empty()) {
-      return kAnyDepth;
+      return kWhateverDepth;
     }
     double deepest = proof_context_.platform.world.start_depth_m;
     const auto look = [&](const Statement& statement) {
       if (leadsDown(statement)) {
         const Interval& target = held_[statement.values.at(0).index];
-        const double depth = target.highest < kNoBound ? target.highest : kAnyDepth;
+        const double depth = target.highest < kUnbounded ? target.highest : kWhateverDepth;
         deepest = std::max(deepest, target.empty ? deepest : depth);
       }
     };

@@ -7,6 +7,7 @@
 #include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/context/commands.h"
+#include "ir/verify/intervals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +19,7 @@
 namespace glider::ir::prove {
 namespace {
 
-constexpr double kMost = std::numeric_limits<double>::max();
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kNeverUp = std::numeric_limits<double>::infinity();
 /// The upper bound of expressions evaluated.
 constexpr size_t kMostWork = 4000000;
 /// A place that is raised more often is in a loop without a surfacing, or nearly so.
@@ -27,7 +27,7 @@ constexpr unsigned kMostRaised = 200;
 
 /// A sum rounded up.
 double sumOf(double a, double b) {
-  return a + b == a && b == 0 ? a : std::nextafter(a + b, kNever);
+  return a + b == a && b == 0 ? a : std::nextafter(a + b, kNeverUp);
 }
 
 bool isVerticalCommand(const Statement& statement) {
@@ -42,18 +42,18 @@ struct Way {
 };
 
 /// A state that has become current, or a state that returns: see Places.
-struct Place {
+struct StatePlace {
   bool followed = false;
-  double longest = -1;  ///< since the last tick at the surface; negative: not reached
-  double stays = 0;     ///< what is added by its last tick under water
-  double by = kMost;    ///< mission time of its last tick
+  double longest = -1;          ///< since the last tick at the surface; negative: not reached
+  double stays = 0;             ///< what is added by its last tick under water
+  double by = kGreatestNumber;  ///< mission time of its last tick
   unsigned raised = 0;
   std::vector<Way> ways;
 };
 
-class Search {
+class SurfacingSearch {
  public:
-  Search(const ProofContext& proof_context, const EndBound& end, double limit)
+  SurfacingSearch(const ProofContext& proof_context, const EndBound& end, double limit)
       : proof_context_(proof_context),
         m_(proof_context.mission),
         end_(end),
@@ -82,7 +82,7 @@ class Search {
     while (!open_.empty()) {
       const size_t at = open_.front();
       open_.pop_front();
-      Place& place = places_[at];
+      StatePlace& place = places_[at];
       if (!place.followed) {
         place.followed = true;
         follow(at);
@@ -125,7 +125,7 @@ class Search {
   [[nodiscard]] size_t returningAnywhere() const { return 3 * count_; }
 
   void raise(size_t to, double longest) {
-    Place& place = places_[to];
+    StatePlace& place = places_[to];
     if (longest > place.longest) {
       place.longest = longest;
       ++place.raised;
@@ -174,7 +174,7 @@ class Search {
   [[nodiscard]] double climbOf(uint32_t state) const {
     const platforms::EnvironmentModel& world = proof_context_.platform.world;
     if (!climbs(m_.states[state]) || !std::isfinite(depths_[state])) {
-      return kNever;
+      return kNeverUp;
     }
     constexpr double kRoundedUp = 1 + 0x1p-40;
     const double way = std::max(0.0, depths_[state] - world.surface_depth_m);
@@ -185,13 +185,13 @@ class Search {
     const bool again = at >= resumed(0);
     const auto number = static_cast<uint32_t>(at % count_);
     const State& state = m_.states[number];
-    Place& place = places_[at];
+    StatePlace& place = places_[at];
     Interruptions always = always_;
     always.own_first = again;
     const Leaving stay = stayOf(proof_context_, state, always, values_);
     work_ += stay.work;
     const double climb = climbOf(number);
-    place.by = end_.by ? end_.left_by[number] : kMost;
+    place.by = end_.by ? end_.left_by[number] : kGreatestNumber;
     place.stays = std::min(stay.by, climb);
     for (size_t i = 0; i < state.cases.size(); ++i) {
       leave(place, state.cases[i], number, again, std::min(stay.latest[i], place.by), climb);
@@ -205,12 +205,13 @@ class Search {
   }
 
   /// The way of a case that does not fire later than `latest` after the state became current.
-  void leave(Place& place, const Case& c, uint32_t state, bool again, double latest, double climb) {
+  void leave(StatePlace& place, const Case& c, uint32_t state, bool again, double latest,
+             double climb) {
     if (c.transition == Transition::Stay || c.transition == Transition::Exit) {
       return;
     }
-    const Interval until{0, std::min(latest, kMost), false};
-    const Interval ever{0, kMost, false};
+    const Interval until{0, std::min(latest, kGreatestNumber), false};
+    const Interval ever{0, kGreatestNumber, false};
     const auto mayBeTrue = [&](const Interval& stay, std::optional<Sight> sight) {
       const AbstractEvaluator then(proof_context_, values_,
                                    {{0, place.by, false}, again ? ever : stay, stay}, sight);
@@ -222,7 +223,7 @@ class Search {
       return;
     }
     const double under = std::min(latest, climb);
-    const bool surfaced = !mayBeTrue({0, std::min(under, kMost), false}, underWater());
+    const bool surfaced = !mayBeTrue({0, std::min(under, kGreatestNumber), false}, underWater());
     if (c.transition == Transition::Return) {
       place.ways.push_back({returning(state), surfaced, under});
       if (isCalledByAlways(state)) {
@@ -246,7 +247,7 @@ class Search {
     }
     const platforms::EnvironmentModel& world = proof_context_.platform.world;
     const Interval& all = proof_context_.sensors[proof_context_.depth->index];
-    const double least = std::nextafter(world.surface_depth_m - world.depth_error_m, -kNever);
+    const double least = std::nextafter(world.surface_depth_m - world.depth_error_m, -kNeverUp);
     const double lowest = std::max(all.lowest, least);
     return Sight{*proof_context_.depth, {lowest, all.highest, all.empty || lowest > all.highest}};
   }
@@ -259,7 +260,7 @@ class Search {
   Interruptions always_;
   std::vector<double> depths_;
   size_t count_;
-  std::vector<Place> places_;
+  std::vector<StatePlace> places_;
   std::vector<std::vector<uint32_t>> callers_;
   bool always_leads_down_ = false;
   std::deque<size_t> open_;
@@ -271,16 +272,16 @@ class Search {
 
 std::optional<double> longestSubmersion(const ProofContext& proof_context, const EndBound& end,
                                         double limit) {
-  return Search(proof_context, end, limit).run();
+  return SurfacingSearch(proof_context, end, limit).run();
 }
 
 std::vector<double> climbTimes(const ProofContext& proof_context) {
   const EndBound none;
-  return Search(proof_context, none, kLongestMission).climbs();
+  return SurfacingSearch(proof_context, none, kLongestMission).climbs();
 }
 
 std::vector<Submersion> submersionsOf(const ProofContext& proof_context, const EndBound& end) {
-  Search search(proof_context, end, kLongestMission);
+  SurfacingSearch search(proof_context, end, kLongestMission);
   return search.run() ? search.submersions() : std::vector<Submersion>();
 }
 

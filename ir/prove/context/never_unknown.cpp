@@ -14,7 +14,7 @@ namespace glider::ir::prove {
 namespace {
 
 /// A greater result may overflow.
-constexpr double kNearOverflow = 1e300;
+constexpr double kOverflowsFrom = 1e300;
 
 class KnownExpressions {
  public:
@@ -66,7 +66,7 @@ class KnownExpressions {
   bool isSmall(size_t index) const {
     const Interval& x = intervals_[index];
     // An expression that always overflows has no interval.
-    return !x.empty && std::max(std::fabs(x.lowest), std::fabs(x.highest)) < kNearOverflow;
+    return !x.empty && std::max(std::fabs(x.lowest), std::fabs(x.highest)) < kOverflowsFrom;
   }
 
   const Mission& m_;

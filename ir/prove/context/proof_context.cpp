@@ -6,15 +6,13 @@
 #include "ir/core/ops.h"
 #include "ir/prove/context/never_unknown.h"
 #include "ir/prove/context/setting.h"
+#include "ir/verify/intervals.h"
 #include "ir/verify/whole_numbers.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace glider::ir::prove {
 namespace {
-
-constexpr double kMost = std::numeric_limits<double>::max();
 
 /// Every clock runs from 0 and no faster than mission time.
 std::vector<Interval> intervalsUntil(const Mission& mission, double latest) {
@@ -41,7 +39,7 @@ std::vector<bool> missionTimesOf(const Mission& mission) {
 }  // namespace
 
 ProofContext::ProofContext(const Mission& asked, const platforms::Platform& vehicle)
-    : ProofContext(asked, vehicle, kMost) {}
+    : ProofContext(asked, vehicle, kGreatestNumber) {}
 
 ProofContext::ProofContext(const Mission& asked, const platforms::Platform& vehicle, double latest)
     : mission(asked),
@@ -54,8 +52,8 @@ ProofContext::ProofContext(const Mission& asked, const platforms::Platform& vehi
       depth(depthSensor(asked, vehicle)),
       tick_gap_s(std::max(vehicle.world.tick_gap_s, asked.resume_within_s)),
       latest_s(latest) {
-  sensors.assign(mission.sensors.size(), {-kMost, kMost, false});
-  windows.assign(mission.temporals.size(), {-kMost, kMost, false});
+  sensors.assign(mission.sensors.size(), {-kGreatestNumber, kGreatestNumber, false});
+  windows.assign(mission.temporals.size(), {-kGreatestNumber, kGreatestNumber, false});
   for (size_t i = 0; i < mission.exprs.size(); ++i) {
     const Expr& e = mission.exprs[i];
     if (e.op == Op::Sensor) {

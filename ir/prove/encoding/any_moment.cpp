@@ -5,16 +5,15 @@
 
 #include "ir/core/ops.h"
 #include "ir/core/walk.h"
+#include "ir/verify/intervals.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 namespace glider::ir::prove {
 namespace {
 
-constexpr double kMost = std::numeric_limits<double>::max();
 /// More groups of states than this are not asked about apart.
 constexpr size_t kMostGroups = 40;
 
@@ -48,7 +47,7 @@ class Moment {
  private:
   void within(const z3::expr& clock, double lowest, double highest) {
     state_.unknowns().require(clock >= state_.real(lowest));
-    if (highest < kMost) {
+    if (highest < kGreatestNumber) {
       state_.unknowns().require(clock <= state_.real(highest));
     }
   }

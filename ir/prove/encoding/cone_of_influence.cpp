@@ -10,9 +10,9 @@ namespace glider::ir::prove {
 namespace {
 
 /// Grows the cone of influence to a fixpoint.
-class Closure {
+class ConeClosure {
  public:
-  Closure(const Mission& mission, bool vehicle) : m_(mission), seen_(mission.exprs.size()) {
+  ConeClosure(const Mission& mission, bool vehicle) : m_(mission), seen_(mission.exprs.size()) {
     result_.vehicle = vehicle;
     result_.variables.assign(mission.variables.size(), false);
     result_.temporals.assign(mission.temporals.size(), false);
@@ -155,7 +155,7 @@ class Closure {
 
 ConeOfInfluence relevanceFor(const Mission& mission, const std::vector<ExprId>& asked,
                              bool vehicle) {
-  return Closure(mission, vehicle).run(asked);
+  return ConeClosure(mission, vehicle).run(asked);
 }
 
 }  // namespace glider::ir::prove

@@ -11,7 +11,7 @@
 namespace glider::ir::prove {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 /// A rule with a fresh copy of its unknowns.
 class Taken {
@@ -35,7 +35,7 @@ class Taken {
 };
 
 double valueOf(const z3::model& model, const Taken& taken, const NumberTerm& term) {
-  return holds(model, taken(term.known)) ? doubleOf(model, taken(term.value)) : kUnknown;
+  return holds(model, taken(term.known)) ? doubleOf(model, taken(term.value)) : kNotKnown;
 }
 
 class Reading {
@@ -49,7 +49,7 @@ class Reading {
     Step step;
     step.after = at.control;
     step.mission_time = doubleOf(model_, taken(at.mission_time));
-    step.readings.assign(m_.sensors.size(), kUnknown);
+    step.readings.assign(m_.sensors.size(), kNotKnown);
     for (const auto& [sensor, term] : rule.readings) {
       step.readings[sensor] = valueOf(model_, taken, term);
     }

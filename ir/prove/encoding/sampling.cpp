@@ -15,9 +15,9 @@
 namespace glider::ir::prove {
 namespace {
 
-constexpr double kEndless = 1e300;  // a range with this bound is unbounded
+constexpr double kWithoutBound = 1e300;  // a range with this bound is unbounded
 constexpr size_t kMostMoments = 256;
-constexpr double kFar =
+constexpr double kFarthestSample =
     1e6;  // far from what guards compare with; in seconds, later than all time-outs
 
 /// A leaf that has one value in a moment: its operation, and the number of its sensor or variable.
@@ -108,7 +108,7 @@ class Sampling {
 
   /// Adds what a guard that looks back in time also depends on.
   static void addWatched(const Temporal& temporal, Guard& guard, std::vector<ExprId>& open) {
-    guard.leaves.try_emplace({clockOf(temporal), 0}, std::vector<double>{0, kFar});
+    guard.leaves.try_emplace({clockOf(temporal), 0}, std::vector<double>{0, kFarthestSample});
     for (const ExprId id : {temporal.operand, temporal.duration}) {
       if (id.valid() && !isWindow(temporal)) {
         open.push_back(id);
@@ -127,7 +127,7 @@ class Sampling {
       return proof_context_.windows[e.temporal.index];
     }
     return e.op == Op::Variable ? Interval{m_[e.variable].lowest, m_[e.variable].highest, false}
-                                : Interval{0, kEndless, false};
+                                : Interval{0, kWithoutBound, false};
   }
 
   /// First the value of the leaf where it does not matter, then values far from each other.
@@ -144,8 +144,8 @@ class Sampling {
       return values;
     }
     values.push_back(std::clamp(0.0, range.lowest, range.highest));
-    values.push_back(std::clamp(kFar, range.lowest, range.highest));
-    values.push_back(std::clamp(-kFar, range.lowest, range.highest));
+    values.push_back(std::clamp(kFarthestSample, range.lowest, range.highest));
+    values.push_back(std::clamp(-kFarthestSample, range.lowest, range.highest));
     return values;
   }
 

@@ -9,13 +9,11 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <limits>
 #include <utility>
 
 namespace glider::ir::prove {
 namespace {
 
-constexpr double kMost = std::numeric_limits<double>::max();
 /// A sum or product beyond this may overflow, and so be unknown.
 constexpr double kNearOverflow = 1e300;
 

@@ -4,16 +4,14 @@
 #include "ir/prove/encoding/symbolic_state.h"
 
 #include "ir/core/ops.h"
+#include "ir/verify/intervals.h"
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <utility>
 
 namespace glider::ir::prove {
 namespace {
-
-constexpr double kMost = std::numeric_limits<double>::max();
 
 bool watchesState(const Temporal& temporal) {
   return temporal.list != ListKind::Always;
@@ -27,10 +25,10 @@ void SymbolicState::bound(const NumberTerm& term, const Interval& interval, Fact
     unknowns_.require(!term.known, from, index);
     return;
   }
-  if (interval.lowest > -kMost) {
+  if (interval.lowest > -kGreatestNumber) {
     unknowns_.require(z3::implies(term.known, term.value >= real(interval.lowest)), from, index);
   }
-  if (interval.highest < kMost) {
+  if (interval.highest < kGreatestNumber) {
     unknowns_.require(z3::implies(term.known, term.value <= real(interval.highest)), from, index);
   }
 }

@@ -6,6 +6,7 @@
 #include "ir/core/ops.h"
 #include "ir/prove/encoding/tick.h"
 #include "ir/prove/encoding/world.h"
+#include "ir/verify/intervals.h"
 
 #include <utility>
 
@@ -57,11 +58,10 @@ Store SymbolicTick::executeOne(SymbolicState& moment, const Statement& statement
 }
 
 void SymbolicTick::bound(SymbolicState& moment, const NumberTerm& term, const Interval& interval) {
-  constexpr double kMost = std::numeric_limits<double>::max();
-  if (interval.lowest > -kMost) {
+  if (interval.lowest > -kGreatestNumber) {
     unknowns_.require(z3::implies(term.known, term.value >= moment.real(interval.lowest)));
   }
-  if (interval.highest < kMost) {
+  if (interval.highest < kGreatestNumber) {
     unknowns_.require(z3::implies(term.known, term.value <= moment.real(interval.highest)));
   }
 }

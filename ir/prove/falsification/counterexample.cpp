@@ -20,7 +20,7 @@
 namespace glider::ir::prove {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUnknownValue = std::numeric_limits<double>::quiet_NaN();
 constexpr size_t kMostTicks = 200000;
 
 /// Rounded to the digits that a launch accepts.
@@ -146,7 +146,7 @@ class Speller {
   /// Tries the readings of the next step, those of the step before, unknown ones, and random ones:
   /// the first with which nothing fires.
   bool fillOne(const Step& from, const Step& to, double time, double depth) {
-    const std::vector<double> none(proof_context_.mission.sensors.size(), kUnknown);
+    const std::vector<double> none(proof_context_.mission.sensors.size(), kUnknownValue);
     for (const std::vector<double>& readings :
          {seeing(to.readings, depth), withDepth(to.readings, depth),
           withDepth(from.readings, depth), seeing(none, depth), none}) {
@@ -170,7 +170,7 @@ class Speller {
     for (const Interval& range : proof_context_.sensors) {
       std::uniform_real_distribution<double> within(std::max(range.lowest, -1e9),
                                                     std::min(range.highest, 1e9));
-      readings.push_back(random_() % 3 == 0 || range.empty ? kUnknown : within(random_));
+      readings.push_back(random_() % 3 == 0 || range.empty ? kUnknownValue : within(random_));
     }
     return readings;
   }

@@ -20,10 +20,10 @@ namespace glider::ir::prove {
 namespace {
 
 /// More notes would not be read.
-constexpr size_t kMostNotes = 3;
+constexpr size_t kMostLateExits = 3;
 
 /// A case of `always` or, if it is valid, of a state.
-struct Place {
+struct LateExit {
   StateId state;
   size_t number = 0;
 };
@@ -40,8 +40,8 @@ bool isTimedExit(const Mission& m, const Case& c) {
 }
 
 /// Those that are not the first of their list.
-std::vector<Place> lateExits(const Mission& m) {
-  std::vector<Place> found;
+std::vector<LateExit> lateExits(const Mission& m) {
+  std::vector<LateExit> found;
   const auto look = [&](StateId state) {
     const std::vector<Case>& cases = listOf(m, state);
     for (size_t i = 1; i < cases.size(); ++i) {
@@ -58,9 +58,10 @@ std::vector<Place> lateExits(const Mission& m) {
 }
 
 /// Whether the mission ends in time if each of these cases comes first.
-bool endsWith(const std::vector<Place>& first, double seconds, const ProofContext& proof_context) {
+bool endsWith(const std::vector<LateExit>& first, double seconds,
+              const ProofContext& proof_context) {
   Mission changed = proof_context.mission;
-  for (const Place& place : first) {
+  for (const LateExit& place : first) {
     std::vector<Case>& cases =
         place.state.valid() ? changed.states[place.state.index].cases : changed.always;
     const auto at = cases.begin() + static_cast<std::ptrdiff_t>(place.number);
@@ -76,18 +77,18 @@ bool endsWith(const std::vector<Place>& first, double seconds, const ProofContex
 
 void noteLateExits(support::DiagnosticBuilder& warning, double seconds,
                    const ProofContext& proof_context) {
-  std::vector<Place> late = lateExits(proof_context.mission);
+  std::vector<LateExit> late = lateExits(proof_context.mission);
   if (late.empty() || !endsWith(late, seconds, proof_context)) {
     return;
   }
   for (size_t i = late.size(); i-- > 0 && late.size() > 1;) {
-    std::vector<Place> fewer = late;
+    std::vector<LateExit> fewer = late;
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
     if (endsWith(fewer, seconds, proof_context)) {
       late = std::move(fewer);
     }
   }
-  for (size_t i = 0; i < std::min(late.size(), kMostNotes); ++i) {
+  for (size_t i = 0; i < std::min(late.size(), kMostLateExits); ++i) {
     const Case& c = listOf(proof_context.mission, late[i].state)[late[i].number];
     warning.note(proof_context.mission[c.guard].range,
                  "this `exit` is not tried while a case above it fires; move it to the top");

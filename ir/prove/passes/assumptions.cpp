@@ -22,7 +22,7 @@ namespace {
 
 using support::DiagnosticId;
 
-constexpr double kAny = std::numeric_limits<double>::max();
+constexpr double kAnyValue = std::numeric_limits<double>::max();
 
 /// False, and reported, if no reading of the vehicle is in an assumed range.
 bool rangesOverlap(const Proof& proof, const Mission& mission) {
@@ -107,7 +107,7 @@ struct When {
 };
 
 When atAnyTime() {
-  return {{0, kAny, kAny, kAny, kAny}, ""};
+  return {{0, kAnyValue, kAnyValue, kAnyValue, kAnyValue}, ""};
 }
 
 /// Every flight has this moment.

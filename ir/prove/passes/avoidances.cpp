@@ -7,6 +7,7 @@
 #include "ir/prove/abstract/held_ranges.h"
 #include "ir/prove/context/commands.h"
 #include "ir/prove/passes.h"
+#include "ir/verify/intervals.h"
 #include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
@@ -21,8 +22,7 @@
 namespace glider::ir::prove {
 namespace {
 
-constexpr double kMost = std::numeric_limits<double>::max();
-constexpr double kEndless = std::numeric_limits<double>::infinity();
+constexpr double kNoEnd = std::numeric_limits<double>::infinity();
 
 using Commands = std::vector<const Statement*>;
 
@@ -97,7 +97,7 @@ class AvoidanceCheck {
   }
 
   [[nodiscard]] bool mayBeTrue(ExprId guard, SensorId sensor, double reading) const {
-    constexpr Interval kEver{0, kMost, false};
+    constexpr Interval kEver{0, kGreatestNumber, false};
     const Sight sight{sensor, {reading, reading, false}};
     return AbstractEvaluator(proof_context_, values_, {kEver, kEver, kEver}, sight)
         .truth(guard)
@@ -134,7 +134,7 @@ class AvoidanceCheck {
     const double own = certainDepth(given);
     const double then = c.target.valid() ? certainDepth(commandsOfActivities(m_[c.target])) : 0;
     const double deep = std::max(own, then);
-    if (deep <= before || before >= kEndless) {
+    if (deep <= before || before >= kNoEnd) {
       return;
     }
     const std::string who = own >= then ? "its `do` commands a dive"

@@ -18,7 +18,7 @@ namespace glider::ir::prove {
 namespace {
 
 /// For larger missions the lines would be too many to read.
-constexpr size_t kMostStates = 200;
+constexpr size_t kMostChatteringStates = 200;
 
 /// Looks for states between which a mission goes back and forth on each tick while the readings
 /// stay the same, or differ only by their noise. Each pair is a line of the report, as it may be
@@ -33,7 +33,7 @@ class ChatteringCheck {
         layout_(proof_context_, relevance_, memory_) {}
 
   void run() {
-    if (m_.states.size() > kMostStates) {
+    if (m_.states.size() > kMostChatteringStates) {
       return;
     }
     for (uint32_t i = 0; i < m_.states.size(); ++i) {

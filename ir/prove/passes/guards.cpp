@@ -28,7 +28,7 @@ bool isConstant(const Expr& e) {
 }
 
 /// What was found out about one case.
-struct Verdict {
+struct GuardVerdict {
   bool never = false;
   bool always = false;
   bool hidden = false;
@@ -63,12 +63,12 @@ class GuardCheck {
   struct Uses {
     const std::vector<Case>* list = nullptr;  ///< of the first use
     uint32_t number = 0;
-    Verdict verdict;
+    GuardVerdict verdict;
     bool everywhere = true;  ///< idle in all
   };
 
-  std::vector<Verdict> judge(const std::vector<Case>& cases) {
-    std::vector<Verdict> verdicts(cases.size());
+  std::vector<GuardVerdict> judge(const std::vector<Case>& cases) {
+    std::vector<GuardVerdict> verdicts(cases.size());
     const std::vector<Seen> seen = tryOut(proof_.proof_context, cases);
     for (uint32_t i = 0; i < cases.size(); ++i) {
       if (seen[i].first && seen[i].idle) {
@@ -84,9 +84,9 @@ class GuardCheck {
   }
 
   /// Asks the solver what was not seen.
-  Verdict judge(const std::vector<Case>& cases, uint32_t number,
-                const std::vector<Verdict>& earlier, const Seen& seen) {
-    Verdict verdict;
+  GuardVerdict judge(const std::vector<Case>& cases, uint32_t number,
+                     const std::vector<GuardVerdict>& earlier, const Seen& seen) {
+    GuardVerdict verdict;
     Unknowns unknowns(proof_.context);
     SymbolicState moment(unknowns, proof_.proof_context);
     const TruthTerm guard = moment.truth(cases[number].guard);
@@ -117,7 +117,7 @@ class GuardCheck {
   }
 
   void judgeHidden(const std::vector<Case>& cases, uint32_t number,
-                   const std::vector<Verdict>& earlier, Verdict& verdict) {
+                   const std::vector<GuardVerdict>& earlier, GuardVerdict& verdict) {
     Unknowns unknowns(proof_.context);
     SymbolicState moment(unknowns, proof_.proof_context);
     Question question(proof_.context, proof_.checks, proof_.options.effort);
@@ -138,7 +138,7 @@ class GuardCheck {
   }
 
   void report(StateId state, const std::vector<Case>& cases, const std::string& where) {
-    const std::vector<Verdict> verdicts = judge(cases);
+    const std::vector<GuardVerdict> verdicts = judge(cases);
     for (uint32_t i = 0; i < cases.size(); ++i) {
       if (verdicts[i].never || verdicts[i].hidden) {
         proof_.dead.insert({state, i});
@@ -150,7 +150,7 @@ class GuardCheck {
     }
   }
 
-  void report(const std::vector<Case>& cases, uint32_t number, const Verdict& verdict,
+  void report(const std::vector<Case>& cases, uint32_t number, const GuardVerdict& verdict,
               const std::string& where) {
     const Case& c = cases[number];
     const support::SourceRange range = m_[c.guard].range;
@@ -176,7 +176,7 @@ class GuardCheck {
     if (activity.cases.empty() || activity.cases.front().range.file == proof_.options.library) {
       return;
     }
-    const std::vector<Verdict> verdicts = judge(activity.cases);
+    const std::vector<GuardVerdict> verdicts = judge(activity.cases);
     for (size_t i = 0; i < verdicts.size(); ++i) {
       const Case& c = activity.cases[i];
       Uses& uses = behaviours_[{c.range.file, c.range.begin}];

@@ -6,9 +6,9 @@
 #include "ir/prove/abstract/leaving.h"
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/passes.h"
+#include "ir/verify/intervals.h"
 #include "support/diagnostics/catalogue.h"
 
-#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -16,8 +16,6 @@
 
 namespace glider::ir::prove {
 namespace {
-
-constexpr double kMost = std::numeric_limits<double>::max();
 
 /// Looks for a `held` and for windows over time that need longer than their state can last. Both
 /// begin at the earliest when their state is entered, a `held` also when it is resumed (E3, E5,
@@ -85,7 +83,7 @@ class WatchCheck {
     const bool held = temporal.kind == TemporalKind::Held;
     if (needed > lasts && !held && mayWait(m_, temporal.state)) {
       const EndBound& end = proof_.ending.bound();
-      lasts = end.by ? end.left_by[temporal.state.index] : kMost;
+      lasts = end.by ? end.left_by[temporal.state.index] : kGreatestNumber;
     }
     const State& state = m_[temporal.state];
     const bool elsewhere = temporal.range.file == proof_.options.library;

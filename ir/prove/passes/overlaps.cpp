@@ -17,7 +17,7 @@ namespace {
 
 /// For longer lists the pairs would be too many to read.
 constexpr size_t kMostCases = 12;
-constexpr size_t kMostStates = 50;
+constexpr size_t kMostOverlapStates = 50;
 
 bool leadsAway(const Case& c) {
   return c.transition != Transition::Stay && c.transition != Transition::Done;
@@ -47,7 +47,7 @@ class OverlapCheck {
   explicit OverlapCheck(Proof& proof) : proof_(proof), m_(proof.proof_context.mission) {}
 
   void run() {
-    for (uint32_t i = 0; i < m_.states.size() && m_.states.size() <= kMostStates; ++i) {
+    for (uint32_t i = 0; i < m_.states.size() && m_.states.size() <= kMostOverlapStates; ++i) {
       const std::vector<Case>& cases = m_.states[i].cases;
       for (uint32_t a = 0; a < cases.size() && cases.size() <= kMostCases; ++a) {
         for (uint32_t b = a + 1; b < cases.size(); ++b) {

@@ -71,7 +71,7 @@ class RequirementCheck {
       if (proof_.options.before_requirement) {
         proof_.options.before_requirement(i);
       }
-      verdicts[i] = judge(m_.requirements[i], i);
+      verdicts[i] = judge(m_.requirements[i]);
       if (bare_ != nullptr && verdicts[i].verdict == Verdict::Open) {
         judgeBare(i, verdicts[i]);
       }
@@ -225,7 +225,7 @@ class RequirementCheck {
   void addPremises(RequirementVerdict& verdict) {
     const uint32_t number = verdict.requirement;
     if (bare_ == nullptr || bare_proved_[number] || verdict.verdict != Verdict::Proved ||
-        verdict.run || verdict.cached) {
+        verdict.run) {
       return;
     }
     for (uint32_t i = 0; i < m_.assumptions.size(); ++i) {
@@ -329,15 +329,9 @@ class RequirementCheck {
     return std::nullopt;
   }
 
-  RequirementVerdict judge(const Requirement& requirement, uint32_t number) {
+  RequirementVerdict judge(const Requirement& requirement) {
     if (fresh_ && isSeen(requirement)) {
       return {0, Verdict::Proved, std::nullopt};
-    }
-    if (const auto& earlier = proof_.options.earlier_proof) {
-      // Without bare_ nothing may rest on an assumption: there is none, or one of them is an error.
-      if (auto proof = earlier(number); proof && (bare_ != nullptr || proof->assumptions.empty())) {
-        return recall(number, std::move(*proof));
-      }
     }
     if (proof_.searches.isUsedUp()) {
       return open("it was not searched for: " + limitReached());
@@ -355,22 +349,7 @@ class RequirementCheck {
   }
 
   /// What proofs by a search rest on is collected, so that it can be checked again.
-  [[nodiscard]] bool wantsInvariants() const {
-    return proof_.options.evidence || proof_.options.earlier_proof;
-  }
-
-  RequirementVerdict recall(uint32_t number, EarlierProof proof) {
-    RequirementVerdict verdict{0, Verdict::Proved, std::nullopt};
-    verdict.cached = true;
-    RequirementCheck& check = under(proof.assumptions);
-    if (&check != this) {  // what rests on it here may rest on it too
-      (void)evidences().searched(m_.requirements[number], proof.invariants);
-    }
-    verdict.evidence =
-        check.evidences().searched(check.m_.requirements[number], std::move(proof.invariants));
-    verdict.assumptions = std::move(proof.assumptions);
-    return verdict;
-  }
+  [[nodiscard]] bool wantsInvariants() const { return proof_.options.evidence; }
 
   /// The check of the mission under some of its assumptions.
   RequirementCheck& under(const std::vector<uint32_t>& some);

@@ -9,6 +9,7 @@
 #include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/abstract/shallowest_command.h"
 #include "ir/prove/passes.h"
+#include "ir/verify/intervals.h"
 #include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
@@ -23,8 +24,7 @@ namespace {
 
 using support::DiagnosticId;
 
-constexpr double kMost = std::numeric_limits<double>::max();
-constexpr double kEndless = std::numeric_limits<double>::infinity();
+constexpr double kWithoutEnd = std::numeric_limits<double>::infinity();
 
 /// Looks for conditions on the depth that do not fit the depths to which a state's commands lead.
 /// Only the state's own cases: one of `always` is for all states, and often for failures.
@@ -70,7 +70,7 @@ class DepthCheck {
 
   /// Whether a condition may be true if all readings of the depth so far lie in `depths`.
   [[nodiscard]] bool mayBeTrue(ExprId condition, const Interval& depths) const {
-    constexpr Interval kEver{0, kMost, false};
+    constexpr Interval kEver{0, kGreatestNumber, false};
     const Sight sight{*proof_context_.depth, depths, true};
     return AbstractEvaluator(proof_context_, values_, {kEver, kEver, kEver}, sight)
         .truth(condition)
@@ -93,7 +93,7 @@ class DepthCheck {
     const double deepest = deepestOf(state);
     const Interval& all = allDepths();
     const double reading =
-        std::nextafter(deepest + proof_context_.platform.world.depth_error_m, kEndless);
+        std::nextafter(deepest + proof_context_.platform.world.depth_error_m, kWithoutEnd);
     if (!(reading < all.highest) || mayBeTrue(condition, {all.lowest, reading, false}) ||
         !mayBeTrue(condition, all)) {
       return;
@@ -124,7 +124,7 @@ class DepthCheck {
       shallowest_.emplace(proof_context_);
     }
     const std::optional<Shallowest> found = shallowest_->of(state);
-    const double reading = found ? std::nextafter(found->reading_m, -kEndless) : all.lowest;
+    const double reading = found ? std::nextafter(found->reading_m, -kWithoutEnd) : all.lowest;
     if (reading > all.lowest && reading < all.highest &&
         !mayBeTrue(c.guard, {reading, all.highest, false})) {
       proof_.diagnostics.report(DiagnosticId::aboveCommands, m_[c.guard].range, m_[state].name,

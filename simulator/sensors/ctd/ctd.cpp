@@ -10,7 +10,7 @@ namespace glider::simulator {
 
 constexpr double kPeriod = 1;  // s between readings
 constexpr double kMetresPerBar = 10;
-constexpr InstrumentSensor kSensors[] = {
+constexpr InstrumentSensor kCtdSensors[] = {
     {"sci_water_temp", "degC"}, {"sci_water_cond"}, {"sci_water_pressure"}};
 
 Ctd::Ctd(uint64_t seed, const CtdSettings& settings)
@@ -21,7 +21,7 @@ Ctd::Ctd(uint64_t seed, const CtdSettings& settings)
       repeat_(seed, "ctd repeat") {}
 
 std::span<const InstrumentSensor> Ctd::sensors() const {
-  return kSensors;
+  return kCtdSensors;
 }
 
 void Ctd::sample(const Sampling& at, std::span<double> readings) {

@@ -10,7 +10,7 @@
 namespace glider::simulator {
 namespace {
 
-constexpr InstrumentSensor kSensors[] = {{"sci_flbbcd_chlor_units", "ug/L"}};
+constexpr InstrumentSensor kFluorometerSensors[] = {{"sci_flbbcd_chlor_units", "ug/L"}};
 
 Patch readPatch(Fields& f) {
   f.reader().only(
@@ -46,10 +46,10 @@ double FluorometerSettings::chlorophyll(double z, double x, double y) const {
 }
 
 Fluorometer::Fluorometer(uint64_t seed, const Settings& settings)
-    : settings_(settings), noise_(seed, kSensors[0].name, settings.noise_ugpl) {}
+    : settings_(settings), noise_(seed, kFluorometerSensors[0].name, settings.noise_ugpl) {}
 
 std::span<const InstrumentSensor> Fluorometer::sensors() const {
-  return kSensors;
+  return kFluorometerSensors;
 }
 
 std::string_view Fluorometer::setting() const {

@@ -9,7 +9,7 @@
 
 namespace glider::simulator {
 
-constexpr InstrumentSensor kSensors[] = {{"sci_oxy4_oxygen", "uM"}};
+constexpr InstrumentSensor kOptodeSensors[] = {{"sci_oxy4_oxygen", "uM"}};
 
 void OptodeSettings::read(ScenarioTables& tables) {
   tables.table("ocean", [&](Fields& f) {
@@ -21,10 +21,10 @@ void OptodeSettings::read(ScenarioTables& tables) {
 }
 
 Optode::Optode(uint64_t seed, const Settings& settings)
-    : settings_(settings), noise_(seed, kSensors[0].name, settings.noise_uM) {}
+    : settings_(settings), noise_(seed, kOptodeSensors[0].name, settings.noise_uM) {}
 
 std::span<const InstrumentSensor> Optode::sensors() const {
-  return kSensors;
+  return kOptodeSensors;
 }
 
 std::string_view Optode::setting() const {

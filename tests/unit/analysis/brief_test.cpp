@@ -19,7 +19,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-const std::string kMission = R"(# SPDX-License-Identifier: Apache-2.0
+const std::string kBriefed = R"(# SPDX-License-Identifier: Apache-2.0
 #########
 # Looks for warm water.
 
@@ -73,7 +73,7 @@ class BriefOf : public ::testing::Test {
  protected:
   static void SetUpTestSuite() { setenv("GLIDERCC_SHARE", GLIDER_BINARY_DIR "/share/glidercc", 1); }
   void SetUp() override {
-    auto compiled = compiler::compileText("m.mission", kMission);
+    auto compiled = compiler::compileText("m.mission", kBriefed);
     ASSERT_TRUE(compiled);
     compilation_ = std::move(*compiled);
     for (const auto& one : compilation_.diagnostics.sorted()) {
@@ -167,9 +167,9 @@ TEST_F(BriefOf, SensorsSayFromWhereAndWhenTheyAreUnknown) {
 TEST_F(BriefOf, VerdictsKeepTheirWordsPremisesAndReasons) {
   report::CheckedMission found;
   found.requirements = {
-      {{}, "require\n  stack <= 2", "proved", std::nullopt, "a premise", true, ""},
-      {{}, "require reach third", "undecided", std::nullopt, "", false, "a reason"},
-      {{}, "require always n < 1", "refuted", report::FlightSearch{9, "", 0, 0}, "", false, ""}};
+      {{}, "require\n  stack <= 2", "proved", std::nullopt, "a premise", ""},
+      {{}, "require reach third", "undecided", std::nullopt, "", "a reason"},
+      {{}, "require always n < 1", "refuted", report::FlightSearch{9, "", 0, 0}, "", ""}};
   found.remarks = {{{}, "the mission ends after 1 h", report::Remark::Subject::End},
                    {{}, "if the SBC …", report::Remark::Subject::WayHome},
                    {{}, "possible livelock"}};

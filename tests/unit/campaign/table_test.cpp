@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-Verdict verdictOf(Verdict::Outcome outcome, double deepest_m, uint32_t releases = 0) {
+Verdict flownVerdict(Verdict::Outcome outcome, double deepest_m, uint32_t releases = 0) {
   Verdict verdict;
   verdict.outcome = outcome;
   verdict.deepest_m = deepest_m;
@@ -29,12 +29,12 @@ Verdict verdictOf(Verdict::Outcome outcome, double deepest_m, uint32_t releases 
   return verdict;
 }
 
-const Verdict kExited = verdictOf(Verdict::Outcome::Exited, 20.25);
-const Verdict kAfter = verdictOf(Verdict::Outcome::Exited, 21.25, 1);
-const Verdict kBack = verdictOf(Verdict::Outcome::Released, 5, 1);
-const Verdict kBroken = verdictOf(Verdict::Outcome::Violation, 70);
+const Verdict kExited = flownVerdict(Verdict::Outcome::Exited, 20.25);
+const Verdict kAfter = flownVerdict(Verdict::Outcome::Exited, 21.25, 1);
+const Verdict kBack = flownVerdict(Verdict::Outcome::Released, 5, 1);
+const Verdict kBroken = flownVerdict(Verdict::Outcome::Violation, 70);
 
-CampaignPlan planOf(std::vector<FaultKind> kinds) {
+CampaignPlan tablePlan(std::vector<FaultKind> kinds) {
   CampaignPlan plan;
   plan.missions.resize(1);
   plan.missions[0].file = "m.mission";
@@ -50,7 +50,7 @@ TEST(OutcomeName, DistinguishesExitsWithAndWithoutRelease) {
 }
 
 TEST(CampaignTable, CountsByKindByMannerAndByWhatFlew) {
-  const CampaignPlan plan = planOf({FaultKind::Power, FaultKind::Clock});
+  const CampaignPlan plan = tablePlan({FaultKind::Power, FaultKind::Clock});
   CampaignResult result;
   result.verdicts = {kExited, kBack, kAfter, std::nullopt, kBroken, kExited, kExited};
   const std::string table = campaignTable(plan, result);
@@ -81,11 +81,11 @@ TEST(CampaignTable, CountsByKindByMannerAndByWhatFlew) {
 TEST(CampaignTable, OfNoFlightSaysSo) {
   CampaignResult result;
   result.verdicts = {std::nullopt, std::nullopt};
-  EXPECT_EQ(campaignTable(planOf({FaultKind::Power}), result), "no flight was flown\n");
+  EXPECT_EQ(campaignTable(tablePlan({FaultKind::Power}), result), "no flight was flown\n");
 }
 
 TEST(CampaignTable, HasARowForEachBoard) {
-  CampaignPlan plan = planOf({FaultKind::Power});
+  CampaignPlan plan = tablePlan({FaultKind::Power});
   plan.boards = {"ts5500", "ts7800"};
   plan.board_percent = 100;
   CampaignResult result;
@@ -106,7 +106,7 @@ TEST(CampaignTable, HasARowForEachBoard) {
 }
 
 TEST(ViolationLines, SayHowToFlyEachAgain) {
-  const CampaignPlan plan = planOf({FaultKind::Power});
+  const CampaignPlan plan = tablePlan({FaultKind::Power});
   CampaignResult result;
   result.verdicts = {kExited, kBack, kBroken, std::nullopt, kAfter};
   EXPECT_EQ(violationLines(plan, result, "glidercc campaign m.mission"),
@@ -117,7 +117,7 @@ TEST(ViolationLines, SayHowToFlyEachAgain) {
 }
 
 TEST(ViolationLines, AreTheFirstTwentyAndACount) {
-  const CampaignPlan plan = planOf({FaultKind::Power});
+  const CampaignPlan plan = tablePlan({FaultKind::Power});
   CampaignResult result;
   result.verdicts.assign(20, kBroken);
   const std::string twenty = violationLines(plan, result, "c");

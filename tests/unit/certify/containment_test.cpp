@@ -26,7 +26,7 @@ constexpr size_t kTicks = 200;
 /// Of each mission, this many steps of each kind: what flights do rarely counts as much as what
 /// they do all the time.
 constexpr size_t kOfEachKind = 4;
-constexpr double kGap = 1000;  ///< s; random streams have steps of up to 700 s
+constexpr double kContainmentGap = 1000;  ///< s; random streams have steps of up to 700 s
 
 /// What is between two ticks, as far as it can be seen.
 struct Seen {
@@ -274,7 +274,7 @@ class Containment {
   void add(const Seen& before, const Seen& after, const Watcher& watcher, size_t tick) {
     const auto [found, is_new] = steps_.try_emplace(before.at);
     if (is_new) {
-      found->second = stepOf(setting_, before.at, kGap);
+      found->second = stepOf(setting_, before.at, kContainmentGap);
       scripts_[before.at].text = "(set-logic ALL)\n" + found->second.text;
     }
     std::vector<Term> symbols;

@@ -14,12 +14,13 @@
 namespace glider::codegen {
 namespace {
 
-constexpr uint8_t kSp = 13;
+constexpr uint8_t kStackPointer = 13;
 using Depth = std::optional<int64_t>;
 
 /// "sub sp, sp, #bytes", perhaps under a condition.
 StackEffect moves(int64_t bytes, const char* condition = "") {
-  StackEffect effect{.to = kSp, .from = kSp, .bytes = bytes, .writes = 1U << kSp};
+  StackEffect effect{
+      .to = kStackPointer, .from = kStackPointer, .bytes = bytes, .writes = 1U << kStackPointer};
   std::copy_n(condition, condition[0] == 0 ? 0 : 2, effect.condition);
   return effect;
 }
@@ -44,27 +45,29 @@ Depth deepAfter(std::initializer_list<StackEffect> effects) {
 TEST(StackState, FollowsThePointer) {
   EXPECT_EQ(after({}, 12).depth(), 12);
   EXPECT_EQ(deepAfter({moves(8), moves(-4)}), 4);
-  EXPECT_EQ(deepAfter({moves(8), copies(11, kSp), moves(20), copies(kSp, 11)}), 8);
-  EXPECT_EQ(deepAfter({copies(kSp, 11)}), std::nullopt) << "r11 holds anything";
+  EXPECT_EQ(deepAfter({moves(8), copies(11, kStackPointer), moves(20), copies(kStackPointer, 11)}),
+            8);
+  EXPECT_EQ(deepAfter({copies(kStackPointer, 11)}), std::nullopt) << "r11 holds anything";
   StackEffect room = moves(0);
   room.known = false;
   EXPECT_EQ(deepAfter({moves(8), room}), std::nullopt);
   StackEffect other;
   other.writes = 1U << 11;
-  EXPECT_EQ(deepAfter({copies(11, kSp), other, copies(kSp, 11)}), std::nullopt);
-  other.writes = 1U << 10 | 1U << 12 | 1U << kSp;
-  EXPECT_EQ(deepAfter({copies(11, kSp), other, copies(kSp, 11)}), 0);
+  EXPECT_EQ(deepAfter({copies(11, kStackPointer), other, copies(kStackPointer, 11)}), std::nullopt);
+  other.writes = 1U << 10 | 1U << 12 | 1U << kStackPointer;
+  EXPECT_EQ(deepAfter({copies(11, kStackPointer), other, copies(kStackPointer, 11)}), 0);
   other.writes = 1U << 14;
-  EXPECT_EQ(deepAfter({copies(14, kSp), other, copies(kSp, 14)}), std::nullopt) << "the last one";
+  EXPECT_EQ(deepAfter({copies(14, kStackPointer), other, copies(kStackPointer, 14)}), std::nullopt)
+      << "the last one";
 }
 
 TEST(StackState, ACallTakesWhatItNeedNotKeep) {
   for (uint8_t i = 0; i < kArmStack.count; ++i) {
-    if (i != kSp) {
-      StackState state = after({copies(i, kSp)}, 8);
+    if (i != kStackPointer) {
+      StackState state = after({copies(i, kStackPointer)}, 8);
       state.call(0);
       EXPECT_EQ(state.depth(), 8);
-      state.apply(copies(kSp, i));
+      state.apply(copies(kStackPointer, i));
       const bool lost = i < 4 || i == 12 || i == 14;
       EXPECT_EQ(state.depth(), lost ? std::nullopt : Depth(8)) << int{i};
     }
@@ -72,7 +75,7 @@ TEST(StackState, ACallTakesWhatItNeedNotKeep) {
   StackState x86(kX86Stack, 20);
   x86.call(4);
   EXPECT_EQ(x86.depth(), 16);
-  StackState lost = after({copies(kSp, 11)});
+  StackState lost = after({copies(kStackPointer, 11)});
   lost.call(4);
   EXPECT_EQ(lost.depth(), std::nullopt);
   StackState open = after({moves(8, "eq")});
@@ -87,18 +90,20 @@ TEST(StackState, WhatMayBeIsTheDeeper) {
   EXPECT_EQ(deepAfter({moves(8, "eq"), moves(-8, "eq"), moves(0)}), 0) << "both or none";
   EXPECT_EQ(deepAfter({moves(8, "eq"), moves(-8, "ne"), moves(0)}), 8) << "one of them";
   EXPECT_EQ(deepAfter({moves(8, "eq"), moves(-8, "eq"), moves(4, "ne"), moves(0)}), 4);
-  StackEffect unknown = copies(kSp, 11);
+  StackEffect unknown = copies(kStackPointer, 11);
   unknown.condition[0] = 'e';
   unknown.condition[1] = 'q';
   EXPECT_EQ(deepAfter({moves(8), unknown, moves(0)}), std::nullopt);
 }
 
 TEST(StackState, AConditionThatCopiesMayNotHaveCopied) {
-  StackEffect maybe = copies(11, kSp);
+  StackEffect maybe = copies(11, kStackPointer);
   maybe.condition[0] = 'e';
   maybe.condition[1] = 'q';
-  EXPECT_EQ(deepAfter({maybe, moves(8), copies(kSp, 11)}), std::nullopt);
-  EXPECT_EQ(deepAfter({copies(11, kSp), moves(8), maybe, moves(8), copies(kSp, 11)}), 8)
+  EXPECT_EQ(deepAfter({maybe, moves(8), copies(kStackPointer, 11)}), std::nullopt);
+  EXPECT_EQ(
+      deepAfter({copies(11, kStackPointer), moves(8), maybe, moves(8), copies(kStackPointer, 11)}),
+      8)
       << "the deeper of the two";
 }
 
@@ -125,9 +130,9 @@ TEST(StackState, TwoWaysMeetAtTheDeeper) {
   EXPECT_FALSE(both.join(flat)) << "nothing new";
   EXPECT_FALSE(both.join(deep));
   EXPECT_EQ(both.depth(), 24);
-  EXPECT_TRUE(both.join(after({copies(kSp, 11)})));
+  EXPECT_TRUE(both.join(after({copies(kStackPointer, 11)})));
   EXPECT_EQ(both.depth(), std::nullopt);
-  StackState copied = after({copies(11, kSp)});
+  StackState copied = after({copies(11, kStackPointer)});
   EXPECT_TRUE(copied.join(after({}))) << "r11 holds anything";
 }
 

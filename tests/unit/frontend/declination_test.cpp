@@ -18,8 +18,8 @@ using testing_support::FrontendRun;
 using testing_support::readSource;
 
 /// A mission with a route, a guard and lines of its own.
-std::string missionWith(const std::string& line, const std::string& route,
-                        const std::string& guard = "missiontime > 1 h") {
+std::string missionOn(const std::string& line, const std::string& route,
+                      const std::string& guard = "missiontime > 1 h") {
   return fmt::format(
       "mission m\n{}\nstate s\nbegin\n flightprofile surfaced\n flightroute {}\n"
       " sensors missiontime, lat, lon\n events\n case {} exit\nend\n",
@@ -64,7 +64,7 @@ TEST_P(Declination, HeadingsWithoutALine) {
                                      std::pair("noheading", "c_heading > 90 deg"),
                                      std::pair("circle(39 N 73 W, 1 km)", "missiontime > 1 h")}) {
     SCOPED_TRACE(route);
-    const auto mission = compile(missionWith("", route, guard));
+    const auto mission = compile(missionOn("", route, guard));
     ASSERT_TRUE(mission && mission->compass);
     EXPECT_EQ(warned_, !GetParam());
     EXPECT_EQ(mission->compass->variation.valid(), GetParam());
@@ -76,14 +76,14 @@ TEST_P(Declination, HeadingsWithoutALine) {
 }
 
 TEST_P(Declination, ALineCountsAndNothingIsWarnedOf) {
-  const auto mission = compile(missionWith("declination -12 deg", "heading(90 deg)"));
+  const auto mission = compile(missionOn("declination -12 deg", "heading(90 deg)"));
   ASSERT_TRUE(mission && mission->compass);
   EXPECT_FALSE(warned_);
   EXPECT_DOUBLE_EQ(*mission->compass->declination, -12 * 3.141592653589793 / 180);
 }
 
 TEST_P(Declination, PositionsNeedNone) {
-  const auto mission = compile(missionWith("", "nav(39 N, 73 W)", "bearing(39 N 73 W) > 1"));
+  const auto mission = compile(missionOn("", "nav(39 N, 73 W)", "bearing(39 N 73 W) > 1"));
   ASSERT_TRUE(mission.has_value());
   EXPECT_FALSE(mission->compass.has_value());
   EXPECT_FALSE(warned_);
@@ -92,7 +92,7 @@ TEST_P(Declination, PositionsNeedNone) {
 }
 
 TEST_P(Declination, ARouteInCMayCommandAHeading) {
-  FrontendRun run(missionWith("extern flightroute spiral", "spiral"));
+  FrontendRun run(missionOn("extern flightroute spiral", "spiral"));
   const auto mission = compile(run);
   ASSERT_TRUE(mission.has_value()) << run.said();
   EXPECT_TRUE(mission->compass.has_value());
@@ -100,7 +100,7 @@ TEST_P(Declination, ARouteInCMayCommandAHeading) {
 
 TEST_P(Declination, OnlyTheVehiclesHeadingsAreMagnetic) {
   const auto mission =
-      compile(missionWith("", "noheading", "heading + c_heading + pitch + roll > 90 deg"));
+      compile(missionOn("", "noheading", "heading + c_heading + pitch + roll > 90 deg"));
   ASSERT_TRUE(mission.has_value());
   for (const ir::Sensor& s : mission->sensors) {
     const bool magnetic = s.vehicle_name == "m_heading" || s.vehicle_name == "c_heading";

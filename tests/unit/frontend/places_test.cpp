@@ -20,9 +20,9 @@ namespace {
 using testing_support::FrontendRun;
 
 /// A mission with one guard to ask.
-class Guard {
+class PlaceGuard {
  public:
-  explicit Guard(const std::string& guard)
+  explicit PlaceGuard(const std::string& guard)
       : run_(fmt::format(
             "mission m\nconst area = [39 N 74 W, 39 N 73 W, 40 N 73.5 W]\n"
             "var next : number = 0 in -5 .. 5\n"
@@ -56,7 +56,7 @@ constexpr auto kFalse = ir::Truth::False;
 constexpr auto kUnsure = ir::Truth::Unknown;
 
 TEST(Places, InsideATriangle) {
-  const Guard guard("inside(area)");
+  const PlaceGuard guard("inside(area)");
   EXPECT_EQ(guard.at(39.5, -73.5), kTrue);
   EXPECT_EQ(guard.at(39.001, -73.9), kTrue);
   EXPECT_EQ(guard.at(39.5, -73.9), kFalse);
@@ -66,7 +66,7 @@ TEST(Places, InsideATriangle) {
 }
 
 TEST(Places, InsideIsUnknownWithoutAPosition) {
-  const Guard guard("inside(area)");
+  const PlaceGuard guard("inside(area)");
   EXPECT_EQ(guard.at(ir::kUnknown, -73.5), kUnsure);
   EXPECT_EQ(guard.at(39.5, ir::kUnknown), kUnsure);
   EXPECT_EQ(guard.at(45, ir::kUnknown), kFalse);  // outside at any longitude
@@ -75,7 +75,7 @@ TEST(Places, InsideIsUnknownWithoutAPosition) {
 TEST(Places, InsideAcrossTheAntimeridianEitherWayRound) {
   for (const char* corners : {"10 S 179 E, 10 S 179 W, 12 S 179 W, 12 S 179 E",
                               "10 S 179 W, 12 S 179 W, 12 S 179 E, 10 S 179 E"}) {
-    const Guard guard(fmt::format("inside({})", corners));
+    const PlaceGuard guard(fmt::format("inside({})", corners));
     EXPECT_EQ(guard.at(-11, 179.5), kTrue) << corners;
     EXPECT_EQ(guard.at(-11, 180), kTrue) << corners;
     EXPECT_EQ(guard.at(-11, -180), kTrue) << corners;
@@ -111,10 +111,11 @@ TEST(Places, InsideAgreesWithTheWindingNumber) {
       text += fmt::format("{}{} N {} W", text.empty() ? "" : ", ", corners.back().first,
                           -corners.back().second);
     }
-    const Guard guard("inside(" + text + ")");
+    const PlaceGuard guard("inside(" + text + ")");
     // A moving first corner makes the general form of the same area.
-    const Guard moving(fmt::format("inside(clamp(lat, {0} N, {0} N), {1} W{2})", corners[0].first,
-                                   -corners[0].second, text.substr(text.find(','))));
+    const PlaceGuard moving(fmt::format("inside(clamp(lat, {0} N, {0} N), {1} W{2})",
+                                        corners[0].first, -corners[0].second,
+                                        text.substr(text.find(','))));
     for (int i = 0; i < 200; ++i) {
       const double n = north(random);
       const double e = east(random);
@@ -126,23 +127,23 @@ TEST(Places, InsideAgreesWithTheWindingNumber) {
 }
 
 TEST(Places, APathIsIndexedFromZeroAndUnknownBeyond) {
-  const Guard guard("distance(area[next], 39 N 73 W) < 1 m");
+  const PlaceGuard guard("distance(area[next], 39 N 73 W) < 1 m");
   EXPECT_EQ(guard.at(0, 0, 0), kFalse);
   EXPECT_EQ(guard.at(0, 0, 1), kTrue);
   EXPECT_EQ(guard.at(0, 0, 2), kFalse);
   for (const double none : {-1.0, 3.0, 0.5, ir::kUnknown}) {
     EXPECT_EQ(guard.at(0, 0, none), kUnsure) << none;
   }
-  EXPECT_EQ(Guard("distance(area[1], 39 N 73 W) < 1 m").at(0, 0), kTrue);
+  EXPECT_EQ(PlaceGuard("distance(area[1], 39 N 73 W) < 1 m").at(0, 0), kTrue);
 }
 
 TEST(Places, DistanceAndBearingAreFromHere) {
   const double metres = gliderDistance(39.5, -73.5, 40, -73.5);
-  const Guard far(fmt::format("distance(area[2]) > {} m", metres));
+  const PlaceGuard far(fmt::format("distance(area[2]) > {} m", metres));
   EXPECT_EQ(far.at(39.5, -73.5), kFalse);
   EXPECT_EQ(far.at(39.49, -73.5), kTrue);
-  EXPECT_EQ(Guard("bearing(area[2]) < 1 deg").at(39.5, -73.5), kTrue);
-  EXPECT_EQ(Guard("bearing(area[2]) < 1 deg").at(40, -73.5), kUnsure);  // here it is
+  EXPECT_EQ(PlaceGuard("bearing(area[2]) < 1 deg").at(39.5, -73.5), kTrue);
+  EXPECT_EQ(PlaceGuard("bearing(area[2]) < 1 deg").at(40, -73.5), kUnsure);  // here it is
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace glider::hooks {
 namespace {
 
 using Reading = DepthSource::Reading;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoReading = std::numeric_limits<double>::quiet_NaN();
 
 Reading firstReading(double depth_m) {
   DepthSource source{kHull};
@@ -30,7 +30,7 @@ TEST(DepthSourceEdges, ADepthIsOneFromFiveMetresAboveToHalfAsMuchAgainAsTheHullB
   EXPECT_EQ(firstReading(std::nextafter(-5, -6)), Reading::Missing);
   EXPECT_EQ(firstReading(300), Reading::Good);
   EXPECT_EQ(firstReading(std::nextafter(300, 301)), Reading::Missing);
-  EXPECT_EQ(firstReading(kNan), Reading::Missing);
+  EXPECT_EQ(firstReading(kNoReading), Reading::Missing);
 }
 
 TEST(DepthSourceEdges, ItJumpsBeyondWhatTheVehicleMakesAndNoiseAdds) {
@@ -65,7 +65,7 @@ TEST(DepthSourceEdges, AReadingThatJumpsCountsAsOneCycleHoweverLongItsCycleWas) 
 TEST(DepthSourceEdges, AnOldDepthReachesFarther) {
   DepthSource source{kHull};
   source.observe(0, 4);
-  source.observe(kNan, 4);
+  source.observe(kNoReading, 4);
   EXPECT_EQ(source.reading(), Reading::Missing);
   EXPECT_EQ(source.age(), 4);
   source.observe(2.5 + 0.4 * 8, 4);
@@ -99,7 +99,7 @@ TEST(DepthSourceEdges, GoodReadingsTakeHalfOfTheirTimeFromJumps) {
     EXPECT_EQ(source.jumpedFor(), left);
   }
   source.observe(50, 3);
-  source.observe(kNan, 3);
+  source.observe(kNoReading, 3);
   EXPECT_EQ(source.jumpedFor(), 3) << "one that is missing says nothing";
 }
 
@@ -109,7 +109,7 @@ TEST(DepthSourceEdges, TheSameIsTheSameToTheLastBit) {
   EXPECT_EQ(source.sameFor(), 0);
   source.observe(10, 3);
   EXPECT_EQ(source.sameFor(), 3);
-  source.observe(kNan, 3);
+  source.observe(kNoReading, 3);
   EXPECT_EQ(source.sameFor(), 3);
   source.observe(10, 2);
   EXPECT_EQ(source.sameFor(), 5);
@@ -120,10 +120,10 @@ TEST(DepthSourceEdges, TheSameIsTheSameToTheLastBit) {
 TEST(RecentDepthsEdges, ADepthIsRecentForTwentySeconds) {
   RecentDepths recent;
   recent.observe(10, 4);
-  recent.observe(kNan, 20);
+  recent.observe(kNoReading, 20);
   EXPECT_EQ(recent.distanceTo(12), 2);
   EXPECT_EQ(recent.distanceTo(7), 3);
-  recent.observe(kNan, 1);
+  recent.observe(kNoReading, 1);
   EXPECT_TRUE(std::isnan(recent.distanceTo(10)));
 }
 

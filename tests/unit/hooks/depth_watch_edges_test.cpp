@@ -14,14 +14,14 @@
 namespace glider::hooks {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 constexpr double kIn = -230, kOut = 230, kTrims = 50;
 
 /// Two sensors that the test reads out to a DepthWatch. Each flickers, so that no two of its
 /// readings are the same, unless it is stuck.
 class Sensors {
  public:
-  double own_m = 20, ctd_m = kNan, pump_cc = 0, step_s = 1;
+  double own_m = 20, ctd_m = kMissing, pump_cc = 0, step_s = 1;
   bool own_still = false, ctd_still = false;
 
   HookGuard run(int cycles = 1) {
@@ -49,7 +49,7 @@ class Sensors {
   double flicker_ = 1;
 };
 
-Sensors sea(double ctd_m = kNan) {
+Sensors sea(double ctd_m = kMissing) {
   Sensors sensors;
   sensors.ctd_m = ctd_m;
   sensors.run(100);
@@ -73,7 +73,7 @@ TEST(DepthWatchEdges, FrozenAfterSixteenSecondsDrivenAndSixtyInHover) {
   EXPECT_EQ(untilFrozen(sea(), -100), 16);
   EXPECT_EQ(untilFrozen(sea(), 99.9), 60);
   EXPECT_EQ(untilFrozen(sea(), -99.9), 60);
-  EXPECT_EQ(untilFrozen(sea(), kNan), 201) << "another behaviour's";
+  EXPECT_EQ(untilFrozen(sea(), kMissing), 201) << "another behaviour's";
 }
 
 TEST(DepthWatchEdges, NoHigherThanAMetreIsItFrozen) {
@@ -117,7 +117,7 @@ TEST(DepthWatchEdges, ACtdThatJumpedAwaySeesNoVehicleHang) {
 
 TEST(DepthWatchEdges, ACtdThatFallsSilentCountsForTwentySeconds) {
   Sensors sensors = sea(20);
-  sensors.ctd_m = kNan;
+  sensors.ctd_m = kMissing;
   EXPECT_EQ(untilFrozen(sensors, kIn), 20)
       << "its last word was a cycle before the first that stays";
 }
@@ -126,7 +126,7 @@ TEST(DepthWatchEdges, ACtdThatJumpedIsNotTrustedBeforeItIsThereAgain) {
   Sensors sensors = sea(20);
   sensors.ctd_m = 60;
   sensors.run();
-  sensors.ctd_m = kNan;
+  sensors.ctd_m = kMissing;
   EXPECT_EQ(untilFrozen(sensors, kIn), 16);
 }
 
@@ -197,7 +197,7 @@ TEST(DepthWatchEdges, ACtdIsKnownOnceItHasAgreedForTenSecondsOnEnd) {
   EXPECT_FALSE(isKnownAfter(0, [](Sensors&) {})) << "9 s";
   EXPECT_TRUE(isKnownAfter(1, [](Sensors&) {}));
   EXPECT_FALSE(isKnownAfter(9, [](Sensors& s) {
-    s.own_m = kNan;
+    s.own_m = kMissing;
     s.run();
   }));
   EXPECT_FALSE(isKnownAfter(9, [](Sensors& s) {
@@ -209,7 +209,7 @@ TEST(DepthWatchEdges, ACtdIsKnownOnceItHasAgreedForTenSecondsOnEnd) {
     s.run();
   })) << "it jumped";
   EXPECT_TRUE(isKnownAfter(9, [](Sensors& s) {
-    s.ctd_m = kNan;
+    s.ctd_m = kMissing;
     s.run();
   })) << "one that is not new agrees still";
 }
@@ -234,7 +234,7 @@ TEST(DepthWatchEdges, ACtdThatFallsSilentDoesNotHaveTheLastWord) {
   sensors.run(30);
   sensors.ctd_m = 26;
   EXPECT_EQ(sensors.run(9), HookGuard::None);
-  sensors.ctd_m = kNan;
+  sensors.ctd_m = kMissing;
   EXPECT_EQ(sensors.run(20), HookGuard::None);
   sensors.ctd_m = 26;
   EXPECT_EQ(sensors.run(), HookGuard::DepthsDisagree) << "it differed all the time";
@@ -247,7 +247,7 @@ TEST(DepthWatchEdges, ItIsSeenByAnotherInACycleInWhichTheCtdMovedAndAgrees) {
   sensors.ctd_m = 20;
   sensors.run();
   EXPECT_TRUE(sensors.watch.isSeenByAnother());
-  sensors.ctd_m = kNan;
+  sensors.ctd_m = kMissing;
   sensors.run();
   EXPECT_FALSE(sensors.watch.isSeenByAnother()) << "there is none";
   sensors.ctd_m = 20;
@@ -264,7 +264,7 @@ TEST(DepthWatchEdges, ItIsSeenByAnotherInACycleInWhichTheCtdMovedAndAgrees) {
 
 TEST(DepthWatchEdges, WithoutADepthTheCtdIsNone) {
   Sensors sensors;
-  sensors.own_m = kNan;
+  sensors.own_m = kMissing;
   sensors.ctd_m = 20;
   sensors.run();
   sensors.watch.believeCtd();
@@ -309,7 +309,7 @@ TEST(DepthWatchEdges, ClimbingIsAnyPumpThatIsOut) {
   sensors.run(60);
   sensors.pump_cc = 0;
   sensors.run(100);
-  sensors.pump_cc = kNan;
+  sensors.pump_cc = kMissing;
   sensors.run(100);
   sensors.pump_cc = 0.5;
   EXPECT_EQ(sensors.untilNoDoubt(), 60);
@@ -356,7 +356,7 @@ int leftAfter(void (*between)(Sensors&), double own_m = 2.5) {
 TEST(DepthWatchEdges, AMinuteWithoutAnythingWrongMustPass) {
   EXPECT_EQ(leftAfter([](Sensors&) {}), 1);
   EXPECT_EQ(leftAfter([](Sensors& s) {
-              s.own_m = kNan;
+              s.own_m = kMissing;
               s.run();
               s.own_m = 2.5;
             }),
@@ -429,7 +429,7 @@ TEST(DepthWatchEdges, AfterDepthsDisagreedTheCtdAloneIsNotEnough) {
 TEST(DepthWatchEdges, AliveIsADepthThatIsThereAndChanges) {
   Sensors sensors = sea();
   EXPECT_EQ(sensors.watch.aliveFor(), 100);
-  sensors.own_m = kNan;
+  sensors.own_m = kMissing;
   sensors.run();
   EXPECT_EQ(sensors.watch.aliveFor(), 0);
   sensors.own_m = 20;
@@ -452,7 +452,7 @@ TEST(DepthWatchEdges, TheCtdsDepthIsThereWhereItIsNewAndFollows) {
   sensors.ctd_m = 20;
   sensors.run();
   EXPECT_EQ(sensors.watch.ctdDepth(), 20);
-  sensors.ctd_m = kNan;
+  sensors.ctd_m = kMissing;
   sensors.run();
   EXPECT_TRUE(std::isnan(sensors.watch.ctdDepth()));
   sensors.ctd_m = 50;

@@ -14,7 +14,8 @@ namespace {
 
 using Bench = HookbehBench;
 
-constexpr VerticalCommand kOther{0, kNan}, kAdrift{0, 0}, kSteep{-0.7854, -230}, kFlat{-0.1, -230};
+constexpr VerticalCommand kOtherSub{0, kNan}, kAdrift{0, 0}, kSteep{-0.7854, -230},
+    kFlat{-0.1, -230};
 constexpr double kSteepMps = 1.1 * 0.4;
 constexpr double kFlatMps = kSteepMps * 0.3 / 0.7854;
 
@@ -50,7 +51,7 @@ struct StillVehicle {
   Guard guard{kHull};
   HookbehArgs args;
   Instruction in_force = Bench::vertical(HookVertical::Hover, 10);
-  VerticalCommand last = kOther;
+  VerticalCommand last = kOtherSub;
   Way way = Way::None;
   double depth, ctd = kNan, flicker = 1.0 / 1024;
 };

@@ -449,8 +449,8 @@ TEST(HookbehClockEdges, AStepOfLessThanASecondIsOne) {
 }
 
 /// A pilot under one instruction, with the depth the test gives.
-struct Flown {
-  explicit Flown(const Instruction& instruction, HookbehArgs with = {}) : args(with) {
+struct FlownEdge {
+  explicit FlownEdge(const Instruction& instruction, HookbehArgs with = {}) : args(with) {
     pilot.begin(instruction);
   }
   VerticalCommand at(double depth_m, double step_s = 4) {
@@ -465,14 +465,14 @@ struct Flown {
 };
 
 TEST(HookbehPilotEdges, WhereOnlyTheVerticalIsAnotherItIsAnotherInstruction) {
-  Flown flown(Bench::descend(20));
+  FlownEdge flown(Bench::descend(20));
   EXPECT_STREQ(flown.at(10).doing, "dive_to");
   flown.pilot.follow(Bench::vertical(HookVertical::Surface, 20));
   EXPECT_STREQ(flown.at(10).doing, "surface");
 }
 
 TEST(HookbehPilotEdges, NoVerticalKeepsAllOfTheOneInForce) {
-  Flown flown(Bench::descend(20));
+  FlownEdge flown(Bench::descend(20));
   Instruction none = Bench::vertical(HookVertical::None, 99);
   none.pitch_rad = 1;
   flown.pilot.follow(none);
@@ -481,13 +481,13 @@ TEST(HookbehPilotEdges, NoVerticalKeepsAllOfTheOneInForce) {
 }
 
 TEST(HookbehPilotEdges, WithinTwoMetresNothingIsGoneBackTo) {
-  Flown dived(Bench::descend(20));
+  FlownEdge dived(Bench::descend(20));
   EXPECT_STREQ(dived.at(20).doing, "hold");
   EXPECT_STREQ(dived.goBackFrom(20).doing, "hold") << "it holds on";
   dived.at(20, 12);
   EXPECT_STREQ(dived.goBackFrom(18).doing, "hover");
   EXPECT_STREQ(dived.goBackFrom(17.99).doing, "dive_to");
-  Flown climbed(Bench::ascend(20));
+  FlownEdge climbed(Bench::ascend(20));
   EXPECT_STREQ(climbed.at(20).doing, "hold");
   climbed.at(20, 12);
   EXPECT_STREQ(climbed.goBackFrom(22).doing, "hover");
@@ -495,29 +495,29 @@ TEST(HookbehPilotEdges, WithinTwoMetresNothingIsGoneBackTo) {
 }
 
 TEST(HookbehPilotEdges, ASurfaceIsNotGoneBackFrom) {
-  Flown flown(Bench::vertical(HookVertical::Surface, 20));
+  FlownEdge flown(Bench::vertical(HookVertical::Surface, 20));
   flown.at(20);
   EXPECT_STREQ(flown.goBackFrom(5).doing, "surface");
 }
 
 TEST(HookbehPilotEdges, AHoverClimbsAtTheUsualPitch) {
-  const VerticalCommand climb = Flown(Bench::vertical(HookVertical::Hover, 20)).at(30);
+  const VerticalCommand climb = FlownEdge(Bench::vertical(HookVertical::Hover, 20)).at(30);
   EXPECT_STREQ(climb.doing, "climb_to");
   EXPECT_EQ(climb.pitch_rad, 0.4538);
 }
 
 TEST(HookbehPilotEdges, AClimbIsHeldHoweverDeepItIs) {
-  Flown flown(Bench::ascend(20));
+  FlownEdge flown(Bench::ascend(20));
   EXPECT_STREQ(flown.at(20).doing, "hold");
   EXPECT_STREQ(flown.at(21.25).doing, "hold");
 }
 
 TEST(HookbehPilotEdges, ItHoldsToTheEndOfItsTime) {
-  Flown flown(Bench::descend(20));
+  FlownEdge flown(Bench::descend(20));
   EXPECT_STREQ(flown.at(20).doing, "hold");
   EXPECT_STREQ(flown.at(20, 11.5).doing, "hold") << "0.5 s are left";
   EXPECT_STREQ(flown.at(20, 0.5).doing, "hover");
-  EXPECT_STREQ(Flown(Bench::descend(20), {.hold_secs = 0.5}).at(20).doing, "hold");
+  EXPECT_STREQ(FlownEdge(Bench::descend(20), {.hold_secs = 0.5}).at(20).doing, "hold");
 }
 
 }  // namespace

@@ -41,9 +41,10 @@ struct Flown {
   HookGuard guard = HookGuard::None;
 };
 
-class Vehicle {
+class FlownVehicle {
  public:
-  Vehicle(const Flight& flight, unsigned seed) : f_(flight), random_(seed), bench_(args(flight)) {
+  FlownVehicle(const Flight& flight, unsigned seed)
+      : f_(flight), random_(seed), bench_(args(flight)) {
     bench_.raw_depth = true;
     bench_.inputs.depth_m = 0;
   }
@@ -173,10 +174,10 @@ TEST(HookbehFlights, NoGuardIntervenesInAHealthyVehicle) {
     f.bottom_m = within(12, f.pitch_rad > 0.6 ? 44 : 49);
     f.heavy_cc = within(-50, 50);
     f.lift = within(f.has_ctd ? 0.4 : 0.6, 1);
-    const Flown flown = Vehicle(f, static_cast<unsigned>(i)).fly();
+    const Flown flown = FlownVehicle(f, static_cast<unsigned>(i)).fly();
     Flight calm = f;
     calm.swell_m = calm.pressure_s = calm.long_share = calm.repeated = 0;
-    const Flown ideal = Vehicle(calm, static_cast<unsigned>(i)).fly();
+    const Flown ideal = FlownVehicle(calm, static_cast<unsigned>(i)).fly();
     failed += flown.guard != HookGuard::None;
     EXPECT_EQ(flown.guard, HookGuard::None)
         << i << ": at " << flown.guarded_s << " s, hovers " << f.hovers << " ctd " << f.has_ctd
@@ -204,7 +205,7 @@ TEST(HookbehFlights, AHoverWhoseSensorsAreAllStuckStaysNearItsLimit) {
           f.flicker_m = flicker;
           f.stuck_s = 1500;
           f.hours = 2;
-          const Flown flown = Vehicle(f, seed++).fly();
+          const Flown flown = FlownVehicle(f, seed++).fly();
           const double bound = std::max(greatest, f.bottom_m + 30) + 5;
           past = std::max(past, flown.deepest_m - greatest);
           EXPECT_LT(flown.deepest_m, bound) << greatest << " m, hover at " << f.bottom_m
@@ -225,7 +226,7 @@ TEST(HookbehFlights, TheShortClimbsOfAHoverAreRareAndShort) {
     f.bottom_m = 50;
     f.hovers = true;
     f.hours = 4;
-    const Flown flown = Vehicle(f, 3).fly();
+    const Flown flown = FlownVehicle(f, 3).fly();
     EXPECT_EQ(flown.guard, HookGuard::None);
     std::printf("%g m: %d checks, %.0f s each\n", greatest, flown.checks,
                 flown.checking_s / std::max(1, flown.checks));

@@ -20,12 +20,12 @@
 namespace glider::hooks {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr VerticalCommand kDive{-0.4538, -230, ""}, kLift{0.4538, 230, ""}, kHover{0, 0, ""};
+constexpr double kNoDepth = std::numeric_limits<double>::quiet_NaN();
+constexpr VerticalCommand kSeaDive{-0.4538, -230, ""}, kLift{0.4538, 230, ""}, kHover{0, 0, ""};
 
 TEST(Cadence, AReadingThatTheArrayKeepsIsNotNew) {
   Cadence cadence;
-  const double depths[] = {20, 20, 20, 20.5, kNan, 20.5, 21};
+  const double depths[] = {20, 20, 20, 20.5, kNoDepth, 20.5, 21};
   const bool news[] = {true, false, false, true, false, false, true};
   for (size_t i = 0; i < std::size(depths); ++i) {
     cadence.observe(depths[i], 4);
@@ -90,13 +90,13 @@ TEST(DepthSource, AReadingAfterARareOneIsNoJump) {
 
 /// A dive at `mps` in swell, read at every `every`-th cycle. The longest that its depth did not
 /// show it, m.
-struct Sea {
+struct SeaState {
   double mps = 0.17;
   double swell_m = 0, period_s = 10;
   int every = 1;
   double long_share = 0;  ///< of the cycles, which take 15 s
 };
-double mostUnseen(const Sea& sea) {
+double mostUnseen(const SeaState& sea) {
   UnseenSink sink{kHull};
   double time = 0, depth = 5, most = 0, draw = 0.7;
   for (int i = 0; i < 400; ++i) {
@@ -107,7 +107,7 @@ double mostUnseen(const Sea& sea) {
     if (i % sea.every == 0) {
       depth = true_m + sea.swell_m * std::sin(2 * std::numbers::pi * time / sea.period_s);
     }
-    sink.observe(depth, step, kDive);
+    sink.observe(depth, step, kSeaDive);
     if (time > 200) {
       most = std::max(most, sink.deepest() - sink.shown() - sink.lateBy());
     }
@@ -157,13 +157,13 @@ int shownInAnHour(double by, const VerticalCommand& command) {
 
 TEST(UnseenSink, AStuckDepthThatFlickersDoesNotShowADive) {
   for (const double by : {0.02, 0.3, 0.6, 0.8, 1.2}) {
-    EXPECT_LE(shownInAnHour(by, kDive), 1) << by;
+    EXPECT_LE(shownInAnHour(by, kSeaDive), 1) << by;
   }
-  EXPECT_LE(shownInAnHour(1.6, kDive), 4) << "as rough as swell of a metre and a half";
+  EXPECT_LE(shownInAnHour(1.6, kSeaDive), 4) << "as rough as swell of a metre and a half";
 }
 
 TEST(UnseenSink, AnswersCountOnlyWhatMovesAsThePitchDrivesIt) {
-  for (const VerticalCommand& command : {kDive, kHover, kLift}) {
+  for (const VerticalCommand& command : {kSeaDive, kHover, kLift}) {
     UnseenSink sink{kHull};
     double depth = 20;
     for (int i = 0; i < 20; ++i) {

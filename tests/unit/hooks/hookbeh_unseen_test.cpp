@@ -460,8 +460,8 @@ TEST(RecentDepths, HoldsWhatWasWithinTwentySeconds) {
   EXPECT_EQ(recent.distanceTo(12), 18);
 }
 
-constexpr VerticalCommand kDown{-0.4, -230, ""}, kSteep{-0.7854, -230, ""}, kUp{0.4, 230, ""},
-    kAdrift{0, 0, ""}, kOther{0, kNan, ""};
+constexpr VerticalCommand kDown{-0.4, -230, ""}, kSteepDown{-0.7854, -230, ""}, kUp{0.4, 230, ""},
+    kCentred{0, 0, ""}, kUncommanded{0, kNan, ""};
 
 /// `cycles` of 4 s in which this was commanded.
 void drive(UnseenSink& sink, int cycles, double depth_m, const VerticalCommand& command) {
@@ -478,14 +478,14 @@ UnseenSink stoodAt20(const VerticalCommand& commanded) {
 }
 
 TEST(UnseenSink, AssumesTheRateAtWhichTheVehicleSinks) {
-  UnseenSink sink = stoodAt20(kOther);
+  UnseenSink sink = stoodAt20(kUncommanded);
   EXPECT_EQ(sink.deepest(), 20);
-  drive(sink, 3, 20, kSteep);
+  drive(sink, 3, 20, kSteepDown);
   EXPECT_EQ(sink.deepest(), 20) << "it has not turned yet";
-  drive(sink, 10, 20, kSteep);
+  drive(sink, 10, 20, kSteepDown);
   EXPECT_NEAR(sink.deepest(), 20 + 40 * 0.44, 1e-9) << "0.44 m/s at 45 degrees";
   const double before = sink.deepest();
-  drive(sink, 10, 20, kAdrift);
+  drive(sink, 10, 20, kCentred);
   EXPECT_NEAR(sink.deepest(), before + 4, 1e-9) << "0.1 m/s adrift";
   drive(sink, 10, 20, {0, -61, ""});
   EXPECT_NEAR(sink.deepest(), before + 4 + 40 * 0.44 * 0.3 / 0.7854, 1e-9) << "flat";
@@ -494,13 +494,13 @@ TEST(UnseenSink, AssumesTheRateAtWhichTheVehicleSinks) {
 }
 
 TEST(UnseenSink, ADiveSinksWithAnyPump) {
-  UnseenSink sink = stoodAt20(kOther);
+  UnseenSink sink = stoodAt20(kUncommanded);
   drive(sink, 13, 20, {-0.7854, -30, ""});
   EXPECT_NEAR(sink.deepest(), 20 + 40 * 0.44, 1e-9);
 }
 
 TEST(UnseenSink, TakesNothingBackBeforeTheVehicleRisesAndThenLittle) {
-  UnseenSink sink = stoodAt20(kSteep);
+  UnseenSink sink = stoodAt20(kSteepDown);
   const double before = sink.deepest();
   drive(sink, 5, 20, {0.7854, 230, ""});
   EXPECT_NEAR(sink.deepest(), before + 20 * 0.44, 1e-9) << "20 s in which the pump goes out";
@@ -512,7 +512,7 @@ TEST(UnseenSink, TakesNothingBackBeforeTheVehicleRisesAndThenLittle) {
 
 TEST(UnseenSink, AWeakPumpOrALevelPitchDoesNotLift) {
   for (const VerticalCommand& weak : {VerticalCommand{0.4, 110, ""}, {0, 230, ""}}) {
-    UnseenSink sink = stoodAt20(kAdrift);
+    UnseenSink sink = stoodAt20(kCentred);
     const double before = sink.deepest();
     drive(sink, 20, 20, weak);
     EXPECT_GT(sink.deepest(), before) << weak.pump_cc;
@@ -522,7 +522,7 @@ TEST(UnseenSink, AWeakPumpOrALevelPitchDoesNotLift) {
 TEST(UnseenSink, OtherBehavioursLeaveItAsItIsAndUnknownDepthsDoNot) {
   UnseenSink sink = stoodAt20(kDown);
   const double before = sink.deepest();
-  drive(sink, 10, 20.5, kOther);
+  drive(sink, 10, 20.5, kUncommanded);
   EXPECT_EQ(sink.deepest(), before);
   drive(sink, 1, kNan, kDown);
   EXPECT_GT(sink.deepest(), before);
@@ -538,10 +538,10 @@ TEST(UnseenSink, ADepthThatMovesAsTheVehicleIsDrivenIsShown) {
                         {kDown, -0.2, false},
                         {kUp, -0.2, true},
                         {kUp, 0.2, false},
-                        {kAdrift, 0.1, true},
-                        {kAdrift, -0.1, true},
+                        {kCentred, 0.1, true},
+                        {kCentred, -0.1, true},
                         {kDown, 0.01, false},
-                        {kOther, 0.2, true}}) {
+                        {kUncommanded, 0.2, true}}) {
     UnseenSink sink = stoodAt20(c.command);
     double depth = 20;
     for (int i = 0; i < 10; ++i) {
@@ -558,7 +558,7 @@ TEST(UnseenSink, ADepthThatMovesAsTheVehicleIsDrivenIsShown) {
 TEST(UnseenSink, WhatFlickersSwapsOrIsRoughShowsNothing) {
   constexpr auto kFlicker = [](int i) { return i % 3 - 1; };
   for (const double by : {0.01, 0.5, 1.1, 1.4, 2.2, 5.0}) {
-    for (const VerticalCommand& command : {kDown, kAdrift}) {
+    for (const VerticalCommand& command : {kDown, kCentred}) {
       UnseenSink sink = stoodAt20(command);
       for (int i = 0; i < 200; ++i) {
         sink.observe(20 + by * kFlicker(i), 4, command);
@@ -568,9 +568,9 @@ TEST(UnseenSink, WhatFlickersSwapsOrIsRoughShowsNothing) {
     }
   }
   for (const int cycles : {3, 10, 40}) {
-    UnseenSink sink = stoodAt20(kAdrift);
+    UnseenSink sink = stoodAt20(kCentred);
     for (int i = 0; i < 400; ++i) {
-      sink.observe(20 + 3 * (i / cycles % 2), 4, kAdrift);
+      sink.observe(20 + 3 * (i / cycles % 2), 4, kCentred);
     }
     EXPECT_FALSE(sink.hasMoved()) << "3 m back and forth, each " << cycles << " cycles";
   }
@@ -601,7 +601,7 @@ TEST(UnseenSink, AnotherSensorsWordCountsButNotForOneDive) {
   drive(sink, 6, 20, kUp);
   EXPECT_EQ(sink.sunkInDive(), 0) << "another dive";
   EXPECT_EQ(sink.sunkSteeply(), 0);
-  drive(other, 1, 20, kOther);
+  drive(other, 1, 20, kUncommanded);
   EXPECT_EQ(other.sunkInDive(), 0) << "another behaviour's";
 }
 

@@ -424,10 +424,10 @@ TEST(HookbehDepthWatch, ACtdThatIsStuckWhileTheVehicleMovesIsNotUsedBeforeItMove
   }
 }
 
-constexpr VerticalCommand kUp{0.4, 230}, kOther{0, kNan};
+constexpr VerticalCommand kClimbs{0.4, 230}, kOtherPump{0, kNan};
 
-void drive(UnseenSink& sink, int cycles, double depth_m, const VerticalCommand& command,
-           double step_s = 1) {
+void driveFor(UnseenSink& sink, int cycles, double depth_m, const VerticalCommand& command,
+              double step_s = 1) {
   for (int i = 0; i < cycles; ++i) {
     sink.observe(depth_m, step_s, command);
   }
@@ -451,10 +451,10 @@ TEST(UnseenSinkEdges, FromWhatPumpAndPitchItIsDriven) {
                         {{-0.5, -230}, 0.44 * 0.5 / 0.7854},
                         {{0.5, 116.5}, 0.44 * 0.5 / 0.7854}}) {
     UnseenSink sink{kHull};
-    drive(sink, 1, 20, kOther);
-    drive(sink, 12, 20, c.command);
+    driveFor(sink, 1, 20, kOtherPump);
+    driveFor(sink, 12, 20, c.command);
     EXPECT_EQ(sink.deepest(), 20);
-    drive(sink, 1, 20, c.command);
+    driveFor(sink, 1, 20, c.command);
     EXPECT_NEAR(sink.deepest(), 20 + c.mps, 1e-9)
         << c.command.pitch_rad << " " << c.command.pump_cc;
   }
@@ -462,19 +462,19 @@ TEST(UnseenSinkEdges, FromWhatPumpAndPitchItIsDriven) {
 
 TEST(UnseenSinkEdges, RisesAfterTwentySecondsAndSinksAgainAfterTwelve) {
   UnseenSink sink{kHull};
-  drive(sink, 1, 20, kOther);
-  drive(sink, 20, 20, kUp);
+  driveFor(sink, 1, 20, kOtherPump);
+  driveFor(sink, 20, 20, kClimbs);
   const double before = sink.deepest();
-  drive(sink, 1, 20, kUp);
+  driveFor(sink, 1, 20, kClimbs);
   EXPECT_NEAR(sink.deepest(), before - 0.1, 1e-9);
-  drive(sink, 12, 20, {-0.5, -230});
+  driveFor(sink, 12, 20, {-0.5, -230});
   EXPECT_NEAR(sink.deepest(), before - 0.1, 1e-9);
   EXPECT_EQ(sink.sunkInDive(), 0);
-  drive(sink, 1, 20, {-0.5, -230});
+  driveFor(sink, 1, 20, {-0.5, -230});
   EXPECT_NEAR(sink.deepest(), before - 0.1 + 0.44 * 0.5 / 0.7854, 1e-9);
   EXPECT_NEAR(sink.sunkInDive(), 0.44 * 0.5 / 0.7854, 1e-9);
   EXPECT_NEAR(sink.sunkSteeply(), 0.44, 1e-9);
-  drive(sink, 1, 20, {0, -230});
+  driveFor(sink, 1, 20, {0, -230});
   EXPECT_NEAR(sink.sunkSteeply(), 0.44, 1e-9) << "level it is not a dive";
 }
 
@@ -483,10 +483,10 @@ TEST(UnseenSinkEdges, RisesAfterTwentySecondsAndSinksAgainAfterTwelve) {
 bool showsAt(double depth_m, double gap_s, double middle_m = kNan) {
   UnseenSink sink{kHull};
   for (int i = 0; i < 13; ++i) {
-    sink.observe(20 + i % 2 * 1e-9, 1, kOther);
+    sink.observe(20 + i % 2 * 1e-9, 1, kOtherPump);
   }
-  sink.observe(middle_m, gap_s / 2, kOther);
-  sink.observe(depth_m, gap_s / 2, kOther);
+  sink.observe(middle_m, gap_s / 2, kOtherPump);
+  sink.observe(depth_m, gap_s / 2, kOtherPump);
   return sink.hasMoved();
 }
 
@@ -506,10 +506,10 @@ TEST(UnseenSinkEdges, MovesByTwoAndAHalfMetresAsFastAsAVehicle) {
 TEST(UnseenSinkEdges, DrivenUpForTwelveSecondsItMayRise) {
   for (const int seconds : {11, 12}) {
     UnseenSink sink{kHull};
-    drive(sink, 5, 20, kOther);
-    drive(sink, seconds - 3, 20, kUp);
+    driveFor(sink, 5, 20, kOtherPump);
+    driveFor(sink, seconds - 3, 20, kClimbs);
     for (const double depth : {19.25, 18.375, 17.5}) {
-      drive(sink, 1, depth, kUp);
+      driveFor(sink, 1, depth, kClimbs);
     }
     EXPECT_EQ(sink.hasMoved(), seconds == 12) << seconds;
   }

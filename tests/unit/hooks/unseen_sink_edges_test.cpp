@@ -15,10 +15,11 @@
 namespace glider::hooks {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr VerticalCommand kDive{-0.7854, -230, ""}, kLift{0.7854, 230, ""}, kAdrift{0, 0, ""},
-    kOther{0, kNan, ""};
-constexpr double kSteepMps = 1.1 * 0.4, kFlatMps = kSteepMps * 0.3 / 0.7854, kAdriftMps = 0.1;
+constexpr double kUnread = std::numeric_limits<double>::quiet_NaN();
+constexpr VerticalCommand kSteepDive{-0.7854, -230, ""}, kSteepLift{0.7854, 230, ""},
+    kNoStroke{0, 0, ""}, kNoPump{0, kUnread, ""};
+constexpr double kSteepSinkMps = 1.1 * 0.4, kFlatSinkMps = kSteepSinkMps * 0.3 / 0.7854,
+                 kStillMps = 0.1;
 
 /// No two readings are the same to the last bit.
 void run(UnseenSink& sink, int cycles, double depth_m, const VerticalCommand& command) {
@@ -28,7 +29,7 @@ void run(UnseenSink& sink, int cycles, double depth_m, const VerticalCommand& co
 }
 
 /// It has been at this depth for as long as it takes for all that follows to count.
-UnseenSink settledAt(double depth_m, const VerticalCommand& command = kAdrift) {
+UnseenSink settledAt(double depth_m, const VerticalCommand& command = kNoStroke) {
   UnseenSink sink{kHull};
   run(sink, 13, depth_m, command);
   sink.confirm(depth_m);
@@ -43,70 +44,70 @@ double rateUnder(const VerticalCommand& command) {
 }
 
 TEST(UnseenSinkEdges, WhatSinksIsSixtyCcInOrTheNoseATenthDown) {
-  EXPECT_NEAR(rateUnder({0, -60, ""}), kFlatMps, 1e-9);
-  EXPECT_NEAR(rateUnder({0, -59.9, ""}), kAdriftMps, 1e-9);
-  EXPECT_NEAR(rateUnder({-0.1, 0, ""}), kFlatMps, 1e-9);
-  EXPECT_NEAR(rateUnder({-0.0999, 0, ""}), kAdriftMps, 1e-9);
-  EXPECT_NEAR(rateUnder({0.1, 116.5, ""}), kFlatMps, 1e-9) << "it has not turned yet";
-  EXPECT_NEAR(rateUnder({0.1, 116.4, ""}), kAdriftMps, 1e-9);
-  EXPECT_NEAR(rateUnder({0.0999, 116.5, ""}), kAdriftMps, 1e-9);
+  EXPECT_NEAR(rateUnder({0, -60, ""}), kFlatSinkMps, 1e-9);
+  EXPECT_NEAR(rateUnder({0, -59.9, ""}), kStillMps, 1e-9);
+  EXPECT_NEAR(rateUnder({-0.1, 0, ""}), kFlatSinkMps, 1e-9);
+  EXPECT_NEAR(rateUnder({-0.0999, 0, ""}), kStillMps, 1e-9);
+  EXPECT_NEAR(rateUnder({0.1, 116.5, ""}), kFlatSinkMps, 1e-9) << "it has not turned yet";
+  EXPECT_NEAR(rateUnder({0.1, 116.4, ""}), kStillMps, 1e-9);
+  EXPECT_NEAR(rateUnder({0.0999, 116.5, ""}), kStillMps, 1e-9);
 }
 
 TEST(UnseenSinkEdges, TheRateIsThatOfThePitchButNeverBelowThatOfSeventeenDegrees) {
-  EXPECT_NEAR(rateUnder({-0.29, -230, ""}), kFlatMps, 1e-9);
-  EXPECT_NEAR(rateUnder({-0.31, -230, ""}), kSteepMps * 0.31 / 0.7854, 1e-9);
-  EXPECT_NEAR(rateUnder({0.5, -230, ""}), kSteepMps * 0.5 / 0.7854, 1e-9);
-  EXPECT_NEAR(rateUnder({kNan, -230, ""}), kFlatMps, 1e-9) << "an unknown one as if level";
+  EXPECT_NEAR(rateUnder({-0.29, -230, ""}), kFlatSinkMps, 1e-9);
+  EXPECT_NEAR(rateUnder({-0.31, -230, ""}), kSteepSinkMps * 0.31 / 0.7854, 1e-9);
+  EXPECT_NEAR(rateUnder({0.5, -230, ""}), kSteepSinkMps * 0.5 / 0.7854, 1e-9);
+  EXPECT_NEAR(rateUnder({kUnread, -230, ""}), kFlatSinkMps, 1e-9) << "an unknown one as if level";
 }
 
 TEST(UnseenSinkEdges, ItIsADiveFromATenthDown) {
   for (const double pitch : {-0.1, -0.0999}) {
     UnseenSink sink = settledAt(20);
     run(sink, 1, 20, {pitch, -230, ""});
-    EXPECT_NEAR(sink.sunkInDive(), pitch == -0.1 ? kFlatMps : 0, 1e-9);
-    EXPECT_NEAR(sink.sunkSteeply(), pitch == -0.1 ? kSteepMps : 0, 1e-9);
+    EXPECT_NEAR(sink.sunkInDive(), pitch == -0.1 ? kFlatSinkMps : 0, 1e-9);
+    EXPECT_NEAR(sink.sunkSteeply(), pitch == -0.1 ? kSteepSinkMps : 0, 1e-9);
   }
 }
 
 TEST(UnseenSinkEdges, TheFirstTwelveSecondsDoNotCount) {
   UnseenSink sink{kHull};
-  run(sink, 12, 20, kDive);
+  run(sink, 12, 20, kSteepDive);
   EXPECT_EQ(sink.deepest(), 20);
   EXPECT_EQ(sink.sunkInDive(), 0);
-  run(sink, 1, 20, kDive);
-  EXPECT_NEAR(sink.deepest(), 20 + kSteepMps, 1e-9);
-  EXPECT_NEAR(sink.sunkInDive(), kSteepMps, 1e-9);
+  run(sink, 1, 20, kSteepDive);
+  EXPECT_NEAR(sink.deepest(), 20 + kSteepSinkMps, 1e-9);
+  EXPECT_NEAR(sink.sunkInDive(), kSteepSinkMps, 1e-9);
 }
 
 TEST(UnseenSinkEdges, ItRisesAfterTwentySecondsAndSinksTwelveSecondsAfterThat) {
-  UnseenSink sink = settledAt(20, kDive);
-  run(sink, 20, 20, kLift);
-  const double turned = 20 + 20 * kSteepMps;
+  UnseenSink sink = settledAt(20, kSteepDive);
+  run(sink, 20, 20, kSteepLift);
+  const double turned = 20 + 20 * kSteepSinkMps;
   EXPECT_NEAR(sink.deepest(), turned, 1e-9);
   EXPECT_GT(sink.sunkInDive(), 0);
-  run(sink, 1, 20, kLift);
+  run(sink, 1, 20, kSteepLift);
   EXPECT_NEAR(sink.deepest(), turned - 0.1, 1e-9);
   EXPECT_EQ(sink.sunkInDive(), 0);
   EXPECT_EQ(sink.sunkSteeply(), 0);
-  run(sink, 12, 20, kDive);
+  run(sink, 12, 20, kSteepDive);
   EXPECT_NEAR(sink.deepest(), turned - 0.1, 1e-9);
-  run(sink, 1, 20, kDive);
-  EXPECT_NEAR(sink.deepest(), turned - 0.1 + kSteepMps, 1e-9);
-  run(sink, 20, 20, kLift);
-  EXPECT_NEAR(sink.deepest(), turned - 0.1 + 21 * kSteepMps, 1e-9) << "another twenty seconds";
+  run(sink, 1, 20, kSteepDive);
+  EXPECT_NEAR(sink.deepest(), turned - 0.1 + kSteepSinkMps, 1e-9);
+  run(sink, 20, 20, kSteepLift);
+  EXPECT_NEAR(sink.deepest(), turned - 0.1 + 21 * kSteepSinkMps, 1e-9) << "another twenty seconds";
 }
 
 TEST(UnseenSinkEdges, AnotherBehavioursCycleEndsTheDiveAndTheClimb) {
-  UnseenSink sink = settledAt(20, kDive);
-  run(sink, 1, 20, kDive);
-  run(sink, 1, 20, kOther);
+  UnseenSink sink = settledAt(20, kSteepDive);
+  run(sink, 1, 20, kSteepDive);
+  run(sink, 1, 20, kNoPump);
   EXPECT_EQ(sink.sunkInDive(), 0);
   EXPECT_EQ(sink.sunkSteeply(), 0);
-  run(sink, 20, 20, kLift);
-  run(sink, 1, 20, kOther);
+  run(sink, 20, 20, kSteepLift);
+  run(sink, 1, 20, kNoPump);
   const double before = sink.deepest();
-  run(sink, 20, 20, kLift);
-  EXPECT_NEAR(sink.deepest(), before + 20 * kSteepMps, 1e-9) << "it turns again";
+  run(sink, 20, 20, kSteepLift);
+  EXPECT_NEAR(sink.deepest(), before + 20 * kSteepSinkMps, 1e-9) << "it turns again";
 }
 
 /// Under `command`: from `from` to `to` in steps that a vehicle makes, a second each.
@@ -121,10 +122,10 @@ void walk(UnseenSink& sink, double from, double to, const VerticalCommand& comma
 TEST(UnseenSinkEdges, ItMovesFromTwoAndAHalfMetresOn) {
   for (const double way : {1.0, -1.0}) {
     UnseenSink sink = settledAt(20);
-    walk(sink, 20, 20 + 2.25 * way, kAdrift);
-    sink.observe(20 + 2.499 * way, 1, kAdrift);
+    walk(sink, 20, 20 + 2.25 * way, kNoStroke);
+    sink.observe(20 + 2.499 * way, 1, kNoStroke);
     EXPECT_FALSE(sink.hasMoved()) << way;
-    sink.observe(20 + 2.5 * way, 1, kAdrift);
+    sink.observe(20 + 2.5 * way, 1, kNoStroke);
     EXPECT_TRUE(sink.hasMoved()) << way;
     EXPECT_EQ(sink.shown(), 20 + 2.5 * way);
     EXPECT_EQ(sink.deepest(), 20 + 2.5 * way);
@@ -132,8 +133,8 @@ TEST(UnseenSinkEdges, ItMovesFromTwoAndAHalfMetresOn) {
 }
 
 TEST(UnseenSinkEdges, WhatMovesBeginsANewDive) {
-  UnseenSink sink = settledAt(20, kDive);
-  walk(sink, 20, 22.5, kDive);
+  UnseenSink sink = settledAt(20, kSteepDive);
+  walk(sink, 20, 22.5, kSteepDive);
   EXPECT_TRUE(sink.hasMoved());
   EXPECT_EQ(sink.sunkInDive(), 0);
   EXPECT_EQ(sink.sunkSteeply(), 0);
@@ -142,57 +143,57 @@ TEST(UnseenSinkEdges, WhatMovesBeginsANewDive) {
 TEST(UnseenSinkEdges, TheDistanceCountsFromItsTurningPoint) {
   for (const double way : {1.0, -1.0}) {
     UnseenSink sink = settledAt(20);
-    walk(sink, 20, 20 + 2 * way, kAdrift);
-    walk(sink, 20 + 2 * way, 20 - 0.25 * way, kAdrift);
+    walk(sink, 20, 20 + 2 * way, kNoStroke);
+    walk(sink, 20 + 2 * way, 20 - 0.25 * way, kNoStroke);
     EXPECT_FALSE(sink.hasMoved()) << way;
-    sink.observe(20 - 0.5 * way, 1, kAdrift);
+    sink.observe(20 - 0.5 * way, 1, kNoStroke);
     EXPECT_TRUE(sink.hasMoved()) << way << ": 2.5 m from where it turned";
   }
 }
 
 TEST(UnseenSinkEdges, UpwardsCountsFromTwelveSecondsOfClimbOn) {
-  UnseenSink sink = settledAt(20, kDive);
-  run(sink, 1, 20, kLift);
-  walk(sink, 20, 17.5, kLift);
+  UnseenSink sink = settledAt(20, kSteepDive);
+  run(sink, 1, 20, kSteepLift);
+  walk(sink, 20, 17.5, kSteepLift);
   EXPECT_FALSE(sink.hasMoved()) << "11 s";
-  sink.observe(17.5, 1, kLift);
+  sink.observe(17.5, 1, kSteepLift);
   EXPECT_FALSE(sink.hasMoved()) << "a reading that the array keeps is not a new one";
-  sink.observe(17.499, 1, kLift);
+  sink.observe(17.499, 1, kSteepLift);
   EXPECT_TRUE(sink.hasMoved()) << "12 s";
 }
 
 TEST(UnseenSinkEdges, DownwardsDoesNotCountWhereItIsDrivenUp) {
   UnseenSink sink = settledAt(20);
-  walk(sink, 20, 23, kLift);
+  walk(sink, 20, 23, kSteepLift);
   EXPECT_FALSE(sink.hasMoved());
-  sink.observe(23.001, 1, kAdrift);
+  sink.observe(23.001, 1, kNoStroke);
   EXPECT_TRUE(sink.hasMoved());
 }
 
 TEST(UnseenSinkEdges, WhatRoseIsNotDrivenDownWhenAnotherBehaviourHasIt) {
-  UnseenSink sink = settledAt(20, kDive);
-  run(sink, 21, 20, kLift);
-  walk(sink, 20, 17.5, kOther);
+  UnseenSink sink = settledAt(20, kSteepDive);
+  run(sink, 21, 20, kSteepLift);
+  walk(sink, 20, 17.5, kNoPump);
   EXPECT_TRUE(sink.hasMoved());
-  sink = settledAt(20, kDive);
-  run(sink, 20, 20, kLift);
-  walk(sink, 20, 17.5, kOther);
+  sink = settledAt(20, kSteepDive);
+  run(sink, 20, 20, kSteepLift);
+  walk(sink, 20, 17.5, kNoPump);
   EXPECT_FALSE(sink.hasMoved()) << "it may sink still";
-  sink = settledAt(20, kDive);
-  run(sink, 20, 20, kOther);
-  walk(sink, 20, 17.5, kOther);
+  sink = settledAt(20, kSteepDive);
+  run(sink, 20, 20, kNoPump);
+  walk(sink, 20, 17.5, kNoPump);
   EXPECT_TRUE(sink.hasMoved()) << "it no longer does";
 }
 
-constexpr double kReachIn4S = kSteepMps * 4 + 0.5;
+constexpr double kReachIn4S = kSteepSinkMps * 4 + 0.5;
 
 TEST(UnseenSinkEdges, AStepThatNoVehicleMakesRestartsIt) {
   for (const bool too_far : {false, true}) {
     const double step = too_far ? std::nextafter(kReachIn4S, 9) : kReachIn4S;
     UnseenSink sink{kHull};
-    sink.observe(0, 4, kOther);
-    sink.observe(step, 4, kOther);
-    sink.observe(3, 4, kOther);
+    sink.observe(0, 4, kNoPump);
+    sink.observe(step, 4, kNoPump);
+    sink.observe(3, 4, kNoPump);
     EXPECT_EQ(sink.hasMoved(), !too_far);
   }
 }
@@ -200,9 +201,9 @@ TEST(UnseenSinkEdges, AStepThatNoVehicleMakesRestartsIt) {
 TEST(UnseenSinkEdges, AGapOfMoreThanTwentySecondsRestartsIt) {
   for (const double gap : {20.0, 21.0}) {
     UnseenSink sink{kHull};
-    sink.observe(20, 1, kOther);
-    run(sink, 19, kNan, kOther);
-    sink.observe(29, gap - 19, kOther);  // as far as it may: and that is not roughness
+    sink.observe(20, 1, kNoPump);
+    run(sink, 19, kUnread, kNoPump);
+    sink.observe(29, gap - 19, kNoPump);  // as far as it may: and that is not roughness
     EXPECT_EQ(sink.hasMoved(), gap == 20) << gap;
   }
 }
@@ -211,10 +212,10 @@ TEST(UnseenSinkEdges, WhatIsRoughMustGoFarther) {
   for (const double off : {0.05, 0.5}) {
     UnseenSink sink{kHull};
     for (int i = 0; i < 40; ++i) {
-      sink.observe(20 + (i % 2 == 0 ? off : -off), 4, kOther);
+      sink.observe(20 + (i % 2 == 0 ? off : -off), 4, kNoPump);
     }
-    sink.observe(21.5, 4, kOther);
-    sink.observe(23, 4, kOther);
+    sink.observe(21.5, 4, kNoPump);
+    sink.observe(23, 4, kNoPump);
     EXPECT_EQ(sink.hasMoved(), off == 0.05) << off;
   }
 }
@@ -223,21 +224,21 @@ TEST(UnseenSinkEdges, RoughnessCountsInRealTime) {
   UnseenSink sink{kHull};  // steadily down, with gaps that differ
   double depth = 20;
   for (const double gap : {4.0, 15.0, 4.0, 4.5, 16.0, 4.0, 15.0, 8.0}) {
-    sink.observe(depth += 0.17 * gap, gap, kOther);
+    sink.observe(depth += 0.17 * gap, gap, kNoPump);
   }
   EXPECT_NEAR(sink.lateBy(), 0, 4) << "by the rare readings alone";
   EXPECT_TRUE(sink.hasMoved());
 }
 
 TEST(UnseenSinkEdges, AConfirmedDepthIsWhereItCountsFrom) {
-  UnseenSink sink = settledAt(20, kDive);
+  UnseenSink sink = settledAt(20, kSteepDive);
   sink.confirm(25);
   EXPECT_EQ(sink.shown(), 25);
   EXPECT_EQ(sink.deepest(), 25);
   EXPECT_EQ(sink.sunkSteeply(), 0);
-  EXPECT_NEAR(sink.sunkInDive(), kSteepMps, 1e-9);
-  run(sink, 1, 20, kDive);
-  EXPECT_NEAR(sink.deepest(), 25 + kSteepMps, 1e-9);
+  EXPECT_NEAR(sink.sunkInDive(), kSteepSinkMps, 1e-9);
+  run(sink, 1, 20, kSteepDive);
+  EXPECT_NEAR(sink.deepest(), 25 + kSteepSinkMps, 1e-9);
 }
 
 }  // namespace

@@ -52,12 +52,12 @@ std::string ofCases(const std::string& cases, const std::string& always = "") {
                   "state b (\"b.k\") route drift () profile glide () case true goto a\n");
 }
 
-struct Row {
+struct GuardedRow {
   const char* verdict;
   const char* cases;
 };
 
-class GuardedRanges : public testing::TestWithParam<Row> {};
+class GuardedRanges : public testing::TestWithParam<GuardedRow> {};
 
 TEST_P(GuardedRanges, AreNarrowedByTheGuardsBeforeThem) {
   const std::string windows =
@@ -66,7 +66,7 @@ TEST_P(GuardedRanges, AreNarrowedByTheGuardsBeforeThem) {
   EXPECT_EQ(ofCases(GetParam().cases, windows), GetParam().verdict) << GetParam().cases;
 }
 
-const Row kRows[] = {
+const GuardedRow kGuardedRows[] = {
     {"accepted", "case (lt (var n) 5) do set n (add (var n) 1) end stay"},
     {"refused", "case (le (var n) 5) do set n (add (var n) 1) end stay"},
     {"accepted", "case (le (var n) 4) do set n (add (var n) 1) end stay"},
@@ -198,7 +198,7 @@ const Row kRows[] = {
      "case (and (var odd) (lt (var n) 5)) do set odd false set n (add (var n) 1) end stay"},
 };
 
-INSTANTIATE_TEST_SUITE_P(Rows, GuardedRanges, testing::ValuesIn(kRows));
+INSTANTIATE_TEST_SUITE_P(Rows, GuardedRanges, testing::ValuesIn(kGuardedRows));
 
 TEST(GuardedRangesTest, WhatNestsTooDeepSaysNothing) {
   const auto nested = [](const std::string& before, const std::string& after, int depth) {

@@ -10,8 +10,8 @@
 namespace glider::ir {
 namespace {
 
-constexpr SensorId kDepth{0}, kTemp{1};
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr SensorId kDepthSensor{0}, kTemp{1};
+constexpr double kUnknownValue = std::numeric_limits<double>::quiet_NaN();
 
 using Updates = std::vector<SensorUpdate>;
 
@@ -114,9 +114,9 @@ TEST(Interpreter, TakesTheFirstTrueCaseAndStayEndsTheList) {
                               stateText("b", ""));
   Interpreter i(m, 0);
   i.start();
-  EXPECT_EQ(tick(i, 4, {{kTemp, 9}, {kDepth, 9}}).firedIn(ListKind::State), 0u);
-  EXPECT_EQ(tick(i, 8, {{kTemp, 1}, {kDepth, 1}}).firedIn(ListKind::State), 2u);
-  const TickResult r = tick(i, 12, {{kDepth, 9}});
+  EXPECT_EQ(tick(i, 4, {{kTemp, 9}, {kDepthSensor, 9}}).firedIn(ListKind::State), 0u);
+  EXPECT_EQ(tick(i, 8, {{kTemp, 1}, {kDepthSensor, 1}}).firedIn(ListKind::State), 2u);
+  const TickResult r = tick(i, 12, {{kDepthSensor, 9}});
   EXPECT_EQ(r.firedIn(ListKind::State), 1u);
   EXPECT_EQ(r.state.index, 1u);
 }
@@ -130,7 +130,7 @@ TEST(Interpreter, UnknownSilencesAGuardAndItsOpposite) {
   Interpreter i(m, 0);
   i.start();
   EXPECT_EQ(tick(i, 4).firedIn(ListKind::State), 2u) << "never seen";
-  EXPECT_EQ(tick(i, 8, {{kTemp, kNaN}}).firedIn(ListKind::State), 2u);
+  EXPECT_EQ(tick(i, 8, {{kTemp, kUnknownValue}}).firedIn(ListKind::State), 2u);
   EXPECT_EQ(tick(i, 12, {{kTemp, 41}}).firedIn(ListKind::State), 2u) << "beyond its range";
   EXPECT_EQ(tick(i, 16, {{kTemp, 3}}).firedIn(ListKind::State), 1u);
 }
@@ -142,15 +142,15 @@ TEST(Interpreter, ReadingsAgeAndGoStale) {
   TickResult r = i.start();
   EXPECT_NE(runOf(r).arguments[0], runOf(r).arguments[0]);
   EXPECT_EQ(runOf(tick(i, 8)).arguments[1], 8) << "of one never seen, since mission time 0";
-  EXPECT_EQ(runOf(tick(i, 10, {{kDepth, 7}})).arguments, (std::vector<double>{7, 0}));
+  EXPECT_EQ(runOf(tick(i, 10, {{kDepthSensor, 7}})).arguments, (std::vector<double>{7, 0}));
   EXPECT_EQ(runOf(tick(i, 30)).arguments, (std::vector<double>{7, 20}));
   r = tick(i, 31);
   EXPECT_NE(runOf(r).arguments[0], runOf(r).arguments[0]) << "stale after 20 s";
   EXPECT_EQ(runOf(r).arguments[1], 21);
-  r = tick(i, 40, {{kDepth, kNaN}});
+  r = tick(i, 40, {{kDepthSensor, kUnknownValue}});
   EXPECT_NE(runOf(r).arguments[0], runOf(r).arguments[0]);
   EXPECT_EQ(runOf(r).arguments[1], 0) << "a frame held it, if only as NaN";
-  EXPECT_EQ(runOf(tick(i, 44, {{kDepth, 1}, {kDepth, 2}})).arguments[0], 2);
+  EXPECT_EQ(runOf(tick(i, 44, {{kDepthSensor, 1}, {kDepthSensor, 2}})).arguments[0], 2);
 }
 
 TEST(Interpreter, MissionTimeNeverGoesBack) {
@@ -159,7 +159,7 @@ TEST(Interpreter, MissionTimeNeverGoesBack) {
   Interpreter i(m, 0);
   i.start();
   EXPECT_EQ(runOf(tick(i, 8)).arguments[1], 8);
-  EXPECT_EQ(runOf(tick(i, 4, {{kDepth, 1}})).arguments[1], 8);
+  EXPECT_EQ(runOf(tick(i, 4, {{kDepthSensor, 1}})).arguments[1], 8);
   EXPECT_EQ(runOf(tick(i, 12)).arguments[1], 12);
 }
 

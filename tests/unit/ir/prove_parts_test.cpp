@@ -232,14 +232,14 @@ TEST(MayEnterAfter, FollowsEveryChain) {
 
 // --- relevanceFor
 
-constexpr const char* kWritten =
+constexpr const char* kWrittenWorld =
     "behaviour profile plain symbol \"\" () reads ()\n"
     "behaviour route way symbol \"\" () reads ()\n";
 
 /// What matters of a mission: variables by name, temporals by number, clocks, and of each state
 /// whether its profile and its route run.
 std::string relevantIn(const std::string& text, bool vehicle = false) {
-  const Mission m = missionOf(kHeader + kWritten + text);
+  const Mission m = missionOf(kHeader + kWrittenWorld + text);
   const ConeOfInfluence relevance = relevanceFor(m, {}, vehicle);
   std::string found;
   for (size_t i = 0; i < m.variables.size(); ++i) {

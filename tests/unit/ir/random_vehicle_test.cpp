@@ -20,7 +20,7 @@ namespace {
 
 // Of the platform: control is given at 3 m or above, 5 m are overshot, it sinks at 0.4 m/s at most
 // and climbs at 0.05 m/s at least, from 120 s after the command on.
-constexpr double kLong = 4000;  // s, more than it needs to get anywhere
+constexpr double kLongFlight = 4000;  // s, more than it needs to get anywhere
 
 Action commanded(Command command, std::vector<double> arguments = {}, bool refused = false) {
   return CommandRun{command, std::move(arguments), refused};
@@ -31,10 +31,10 @@ struct Range {
   double most = -std::numeric_limits<double>::infinity();
 };
 
-using Flight = std::function<void(RandomVehicle&)>;
+using VehicleFlight = std::function<void(RandomVehicle&)>;
 
 /// Where it is after a flight, of many vehicles.
-Range depthsAfter(const Flight& flight) {
+Range depthsAfter(const VehicleFlight& flight) {
   Range all;
   for (uint64_t seed = 1; seed <= 300; ++seed) {
     Rng dice(seed);
@@ -56,7 +56,7 @@ void fly(RandomVehicle& vehicle, double from, double to) {
 Range depthsUnder(const std::vector<Action>& commands) {
   return depthsAfter([&](RandomVehicle& vehicle) {
     vehicle.obey(commands, 0);
-    fly(vehicle, 0, kLong);
+    fly(vehicle, 0, kLongFlight);
   });
 }
 
@@ -85,9 +85,9 @@ TEST(RandomVehicle, GoesOnFromWhereItIs) {
   // From about 55 m, commanded to no more than 20 m, it may overshoot by 5 m first.
   const Range range = depthsAfter([](RandomVehicle& vehicle) {
     vehicle.obey({commanded(Command::Descend, {50, 0.4})}, 0);
-    fly(vehicle, 0, kLong);
-    vehicle.obey({commanded(Command::Descend, {20, 0.4})}, kLong);
-    fly(vehicle, kLong, 2 * kLong);
+    fly(vehicle, 0, kLongFlight);
+    vehicle.obey({commanded(Command::Descend, {20, 0.4})}, kLongFlight);
+    fly(vehicle, kLongFlight, 2 * kLongFlight);
   });
   expectUpTo(55, range);
 }
@@ -98,7 +98,7 @@ TEST(RandomVehicle, OvershootsWhereItIsTurned) {
                vehicle.obey({commanded(Command::Descend, {50, 0.4})}, 0);
                fly(vehicle, 0, 80);
                vehicle.obey({commanded(Command::Descend, {20, 0.4})}, 80);
-               fly(vehicle, 80, kLong);
+               fly(vehicle, 80, kLongFlight);
              }));
 }
 
@@ -106,9 +106,9 @@ TEST(RandomVehicle, OvershootsWhereItIsTurned) {
 Range depthsAfterClimb(const Action& climb, double seconds) {
   return depthsAfter([&](RandomVehicle& vehicle) {
     vehicle.obey({commanded(Command::Descend, {50, 0.4})}, 0);
-    fly(vehicle, 0, kLong);
-    vehicle.obey({climb}, kLong);
-    fly(vehicle, kLong, kLong + seconds);
+    fly(vehicle, 0, kLongFlight);
+    vehicle.obey({climb}, kLongFlight);
+    fly(vehicle, kLongFlight, kLongFlight + seconds);
   });
 }
 
@@ -123,9 +123,9 @@ TEST(RandomVehicle, ClimbsAtLeastAsFastAsItMust) {
 }
 
 TEST(RandomVehicle, ClimbsToWhatIsCommanded) {
-  const Range there = depthsAfterClimb(commanded(Command::Ascend, {20, 0.4}), kLong);
+  const Range there = depthsAfterClimb(commanded(Command::Ascend, {20, 0.4}), kLongFlight);
   expectUpTo(25, there);
-  EXPECT_EQ(depthsAfterClimb(commanded(Command::Ascend, {0, 0.4}), kLong).most, 0);
+  EXPECT_EQ(depthsAfterClimb(commanded(Command::Ascend, {0, 0.4}), kLongFlight).most, 0);
 }
 
 TEST(RandomVehicle, DoesNotTurnBackOnItsWayUp) {
@@ -133,10 +133,10 @@ TEST(RandomVehicle, DoesNotTurnBackOnItsWayUp) {
     Rng dice(seed);
     RandomVehicle vehicle(slocum(), dice);
     vehicle.obey({commanded(Command::Descend, {50, 0.4})}, 0);
-    fly(vehicle, 0, kLong);
-    vehicle.obey({commanded(Command::Surface)}, kLong);
+    fly(vehicle, 0, kLongFlight);
+    vehicle.obey({commanded(Command::Surface)}, kLongFlight);
     bool rose = false;
-    for (double now = kLong; now < kLong + 1220; now += 20) {
+    for (double now = kLongFlight; now < kLongFlight + 1220; now += 20) {
       const double before = vehicle.depth();
       vehicle.move(now, now + 20);
       EXPECT_TRUE(!rose || vehicle.depth() <= before) << seed;
@@ -153,7 +153,7 @@ TEST(RandomVehicle, AboveWhereItClimbsToItMaySinkOrNot) {
 }
 
 TEST(RandomVehicle, DoesNotLeaveTheWater) {
-  const Range there = depthsAfterClimb(commanded(Command::Ascend, {-3, 0.4}), kLong);
+  const Range there = depthsAfterClimb(commanded(Command::Ascend, {-3, 0.4}), kLongFlight);
   EXPECT_EQ(there.least, 0);
   EXPECT_EQ(there.most, 0);
 }
@@ -161,8 +161,8 @@ TEST(RandomVehicle, DoesNotLeaveTheWater) {
 TEST(RandomVehicle, AnotherCommandToClimbIsTheSame) {
   const Range range = depthsAfter([](RandomVehicle& vehicle) {
     vehicle.obey({commanded(Command::Descend, {50, 0.4})}, 0);
-    fly(vehicle, 0, kLong);
-    for (double now = kLong; now < kLong + 1220; now += 20) {
+    fly(vehicle, 0, kLongFlight);
+    for (double now = kLongFlight; now < kLongFlight + 1220; now += 20) {
       vehicle.obey({commanded(Command::Surface)}, now);
       vehicle.move(now, now + 20);
     }

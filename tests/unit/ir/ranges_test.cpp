@@ -13,7 +13,7 @@
 namespace glider::ir {
 namespace {
 
-constexpr double kMost = std::numeric_limits<double>::max();
+constexpr double kMostNumber = std::numeric_limits<double>::max();
 constexpr double kPi = std::numbers::pi;
 
 struct Row {
@@ -47,12 +47,12 @@ TEST_P(Intervals, OfOneExpression) {
 const Row kRows[] = {
     {"(sensor depth)", -1, 100},
     {"(var x)", 3, 24},
-    {"missiontime", 0, kMost},
+    {"missiontime", 0, kMostNumber},
     {"(add (sensor depth) (var x))", 2, 124},
     {"(sub (sensor depth) (var x))", -25, 97},
     {"(mul (sensor depth) (var x))", -24, 2400},
     {"(div (sensor depth) (var x))", -1.0 / 3, 100.0 / 3},
-    {"(div (var x) (sensor depth))", -kMost, kMost},
+    {"(div (var x) (sensor depth))", -kMostNumber, kMostNumber},
     {"(neg (sensor depth))", -100, 1},
     {"(abs (sensor depth))", 0, 100},
     {"(sqrt (mul (sensor depth) 1:length))", 0, 10},
@@ -63,25 +63,25 @@ const Row kRows[] = {
     {"(clamp (sensor depth) 24:length 3:length)", 3, 24},
     {"(clamp (var x) -1000:length 1000:length)", 3, 24},
     {"(select (known (sensor depth)) (sensor depth) 500:length)", -1, 500},
-    {"(mul 1e300 (mul 1e300 (sensor depth)))", -kMost, kMost},
+    {"(mul 1e300 (mul 1e300 (sensor depth)))", -kMostNumber, kMostNumber},
     {"(sin (div (mul 1:angle missiontime) 1:time))", -1, 1},
     {"(cos (div (mul 1:angle missiontime) 1:time))", -1, 1},
-    {"(tan (div (mul 1:angle missiontime) 1:time))", -kMost, kMost},
+    {"(tan (div (mul 1:angle missiontime) 1:time))", -kMostNumber, kMostNumber},
     {"(atan2 (sensor depth) (var x))", -kPi, kPi},
     {"(distance (sensor lat) 2:longitude 4:latitude 3:longitude)", 0, 2.0016e7},
     {"(bearing (sensor lat) 2:longitude 4:latitude 3:longitude)", 0, 2 * kPi},
     {"(sensor lat)", -40, 39.5},
-    {"statetime", 0, kMost},
-    {"(age depth)", 0, kMost},
+    {"statetime", 0, kMostNumber},
+    {"(age depth)", 0, kMostNumber},
     {"(call 0)", -3, 7},
     {"(element 0 (div (var x) 1:length))", -9, 4},
     {"(temporal 0)", -1, 100},
     {"(temporal 1)", -1, 100},
     {"(temporal 2)", 0, 101},
-    {"(temporal 3)", -kMost, kMost},
+    {"(temporal 3)", -kMostNumber, kMostNumber},
     // What divides may be 0, or nearly.
-    {"(div (var x) (clamp (sensor depth) 0:length 5:length))", -kMost, kMost},
-    {"(div (var x) (clamp (sensor depth) -1:length 0:length))", -kMost, kMost},
+    {"(div (var x) (clamp (sensor depth) 0:length 5:length))", -kMostNumber, kMostNumber},
+    {"(div (var x) (clamp (sensor depth) -1:length 0:length))", -kMostNumber, kMostNumber},
     {"(div (var x) (clamp (sensor depth) 1:length 5:length))", 0.6, 24},
     {"(div (var x) (clamp (sensor depth) -1:length -0.5:length))", -48, -3},
     {"(abs (var x))", 3, 24},
@@ -103,8 +103,8 @@ const Row kRows[] = {
     // What settles is 0, and the greatest number is one.
     {"(mul 1e-300 (mul 1e-300 (sensor depth)))", 0, 0},
     {"(div (mul 1e-300 (sensor depth)) 1e300)", 0, 0},
-    {"(add 1.7976931348623157e308 0)", kMost, kMost},
-    {"(sub -1.7976931348623157e308 0)", -kMost, -kMost},
+    {"(add 1.7976931348623157e308 0)", kMostNumber, kMostNumber},
+    {"(sub -1.7976931348623157e308 0)", -kMostNumber, -kMostNumber},
 };
 
 INSTANTIATE_TEST_SUITE_P(Rows, Intervals, testing::ValuesIn(kRows));

@@ -58,7 +58,7 @@ TEST_P(ValidateDamaged, IsFound) {
   EXPECT_FALSE(validate(m).empty());
 }
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInvalidNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr ExprId kFirst{0};
 constexpr Type kSecond{TypeKind::Quantity, support::dimension::time};
 Expr& less(Mission& m) {
@@ -127,11 +127,11 @@ const Damage kDamages[] = {
     {"variationOfNoAngle", [](Mission& m) { m.compass = {{1}, {}}; }},
     {"variationMissing", [](Mission& m) { m.compass = {{9}, {}}; }},
     {"declinationTooLarge", [](Mission& m) { m.compass = {{}, 3.2}; }},
-    {"declinationNaN", [](Mission& m) { m.compass = {{}, kNaN}; }},
+    {"declinationNaN", [](Mission& m) { m.compass = {{}, kInvalidNumber}; }},
     {"rangeTurnedRound", [](Mission& m) { m.sensors[1].lowest = 1e9; }},
-    {"rangeNaN", [](Mission& m) { m.sensors[1].highest = kNaN; }},
+    {"rangeNaN", [](Mission& m) { m.sensors[1].highest = kInvalidNumber; }},
     {"factorZero", [](Mission& m) { m.sensors[1].to_si = 0; }},
-    {"staleNaN", [](Mission& m) { m.sensors[1].stale_after_s = kNaN; }},
+    {"staleNaN", [](Mission& m) { m.sensors[1].stale_after_s = kInvalidNumber; }},
     {"positionWithDimension",
      [](Mission& m) { m.sensors[1].type = {TypeKind::Latitude, support::dimension::length}; }},
     {"behavioursOfOneName", [](Mission& m) { m.behaviours[1].name = m.behaviours[0].name; }},
@@ -146,7 +146,7 @@ const Damage kDamages[] = {
     {"typeWrong", [](Mission& m) { less(m).type = {}; }},
     {"operandsOfTwoTypes", [](Mission& m) { less(m).operands[1] = {1}; }},
     {"opOutOfRange", [](Mission& m) { less(m).op = static_cast<Op>(200); }},
-    {"constantNaN", [](Mission& m) { m.exprs[1].number = kNaN; }},
+    {"constantNaN", [](Mission& m) { m.exprs[1].number = kInvalidNumber; }},
     {"numberOnComparison", [](Mission& m) { less(m).number = 1; }},
     {"guardOfNumber", [](Mission& m) { m.states[0].cases[0].guard = kFirst; }},
     {"guardMissing", [](Mission& m) { m.states[0].cases[0].guard = {}; }},
@@ -197,7 +197,7 @@ const Damage kWholeDamages[] = {
     {"ownerOutOfRange", [](Mission& m) { m.variables[3].owner = {7}; }},
     {"ownerOfMission", [](Mission& m) { m.variables[1].owner = {0}; }},
     {"rangeTurnedRound", [](Mission& m) { m.variables[0].lowest = 10; }},
-    {"rangeNaN", [](Mission& m) { m.variables[0].lowest = kNaN; }},
+    {"rangeNaN", [](Mission& m) { m.variables[0].lowest = kInvalidNumber; }},
     {"rangeOfBool", [](Mission& m) { m.variables[3].highest = 1; }},
     {"initialMissing", [](Mission& m) { m.variables[1].initial = {}; }},
     {"initialOfArgument", [](Mission& m) { m.variables[2].initial = m.variables[1].initial; }},
@@ -213,11 +213,11 @@ const Damage kWholeDamages[] = {
     {"heldWithoutTime", [](Mission& m) { m.temporals[0].duration = {}; }},
     {"heldIsUsedBeforeItsTime", [](Mission& m) { m.temporals[0].duration = {99}; }},
     {"windowOfNoLength", [](Mission& m) { m.temporals[1].length = 0; }},
-    {"windowNaN", [](Mission& m) { m.temporals[1].length = kNaN; }},
+    {"windowNaN", [](Mission& m) { m.temporals[1].length = kInvalidNumber; }},
     {"windowOfTruth", [](Mission& m) { m.temporals[1].operand = m.temporals[0].operand; }},
     {"windowAlongAVariable", [](Mission& m) { m.temporals[1].along = m.variables[1].initial; }},
     {"tableEmpty", [](Mission& m) { m.tables[0].values.clear(); }},
-    {"tableNaN", [](Mission& m) { m.tables[0].values[1] = kNaN; }},
+    {"tableNaN", [](Mission& m) { m.tables[0].values[1] = kInvalidNumber; }},
     {"tableOfTruths", [](Mission& m) { m.tables[0].type = {TypeKind::Bool, {}}; }},
     {"tableOutOfRange", [](Mission& m) { m.exprs[statement(m, 1).value.index].table = {1}; }},
     {"tableOfAnotherType", [](Mission& m) { m.tables[0].type = kSecond; }},

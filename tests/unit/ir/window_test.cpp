@@ -12,7 +12,7 @@
 namespace glider::ir {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kGapInWindow = std::numeric_limits<double>::quiet_NaN();
 constexpr double kGreatestBin = 4503599627370496;  // 2^52
 
 struct Tick {
@@ -68,9 +68,9 @@ TEST(PlainWindow, IsKnownOnceItsTimeIsOver) {
 
 TEST(PlainWindow, TakesOnlyFreshKnownReadings) {
   EXPECT_EQ(overTime(kHighest, {{0, 0, 7}, {8, 8, 9, false}, {10, 10, 5}}), 7);
-  EXPECT_EQ(overTime(kHighest, {{0, 0, 7}, {8, 8, kNaN}, {10, 10, 5}}), 7);
-  EXPECT_TRUE(isUnknown(overDepth(kMean, {{0, 0, 7}, {4, 16, 7}, {8, kNaN, 7}})));
-  EXPECT_EQ(overDepth(kMean, {{0, 0, 7}, {4, 16, 7}, {8, kNaN, 99}, {12, 16, 7}}), 7);
+  EXPECT_EQ(overTime(kHighest, {{0, 0, 7}, {8, 8, kGapInWindow}, {10, 10, 5}}), 7);
+  EXPECT_TRUE(isUnknown(overDepth(kMean, {{0, 0, 7}, {4, 16, 7}, {8, kGapInWindow, 7}})));
+  EXPECT_EQ(overDepth(kMean, {{0, 0, 7}, {4, 16, 7}, {8, kGapInWindow, 99}, {12, 16, 7}}), 7);
 }
 
 TEST(PlainWindow, OfAStretchIsKnownOnceItHasBeenCrossed) {

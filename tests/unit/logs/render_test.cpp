@@ -14,7 +14,7 @@ namespace {
 
 using runtime::LogRecord;
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 LogEntry entryOf(LogRecord kind, double time = 0, const std::string& name = "") {
   LogEntry entry;
@@ -29,13 +29,13 @@ LogEntry transition() {
   entry.number = 2;
   entry.detail = "s1";
   entry.to = "s2";
-  entry.values = {{"statetime", 1000}, {"m_depth", kUnknown}};
+  entry.values = {{"statetime", 1000}, {"m_depth", kNotKnown}};
   return entry;
 }
 
 LogEntry note() {
   LogEntry entry = entryOf(LogRecord::Note, 8.25, "warm");
-  entry.values = {{"", 1.5}, {"", kUnknown}};
+  entry.values = {{"", 1.5}, {"", kNotKnown}};
   return entry;
 }
 
@@ -54,7 +54,7 @@ TEST(LogCsv, HasARowForEachValue) {
   begin.values = {{"bottom", 25.5}, {"top", -1}};
   EXPECT_EQ(csvLines(begin), "0,begin,,,,\n0,parameter,bottom,25.5,,\n0,parameter,top,-1,,\n");
   LogEntry values = entryOf(LogRecord::Values, 4);
-  values.values = {{"depth", 9}, {"temp", kUnknown}};
+  values.values = {{"depth", 9}, {"temp", kNotKnown}};
   EXPECT_EQ(csvLines(values), "4,value,depth,9,,\n4,value,temp,,,\n");
 }
 
@@ -74,7 +74,7 @@ TEST(LogCsv, OfANoteARowAValueAndOneIfThereIsNone) {
 
 TEST(LogCsv, OfAnEventItsNumberAndItsDetail) {
   EXPECT_EQ(csvLines(event(41, "too deep")), "16,event,instruction refused,41,too deep,\n");
-  EXPECT_EQ(csvLines(event(kUnknown)), "16,event,instruction refused,,,\n");
+  EXPECT_EQ(csvLines(event(kNotKnown)), "16,event,instruction refused,,,\n");
 }
 
 TEST(LogCsv, NumbersHaveTwelveDigits) {
@@ -105,7 +105,7 @@ TEST(LogText, SaysWhatHappened) {
   begin.values = {{"bottom", 25.5}, {"top", 1}};
   EXPECT_EQ(textLine(begin), "       0.0 s  the mission begins: bottom 25.5, top 1\n");
   LogEntry values = entryOf(LogRecord::Values, 12345.67);
-  values.values = {{"depth", 10.2}, {"temp", kUnknown}};
+  values.values = {{"depth", 10.2}, {"temp", kNotKnown}};
   EXPECT_EQ(textLine(values), "   12345.7 s  depth 10.2, temp unknown\n");
 }
 
@@ -129,8 +129,9 @@ TEST(LogText, OfNotes) {
 
 TEST(LogText, OfEvents) {
   EXPECT_EQ(textLine(event(41, "too deep")), "      16.0 s  instruction refused: too deep (41)\n");
-  EXPECT_EQ(textLine(event(kUnknown, "too deep")), "      16.0 s  instruction refused: too deep\n");
-  EXPECT_EQ(textLine(event(kUnknown)), "      16.0 s  instruction refused\n");
+  EXPECT_EQ(textLine(event(kNotKnown, "too deep")),
+            "      16.0 s  instruction refused: too deep\n");
+  EXPECT_EQ(textLine(event(kNotKnown)), "      16.0 s  instruction refused\n");
   EXPECT_EQ(textLine(event(0.1234567)), "      16.0 s  instruction refused (0.123457)\n");
 }
 

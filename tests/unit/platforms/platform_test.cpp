@@ -24,7 +24,7 @@ constexpr const char* kSensor =
     "1.0\ncomputer = \"flight\"\n"
     "bytes = 4\nnoise = 0.1\nwhat = \"w\"\n";
 
-support::Result<Platform> load(const std::string& text) {
+support::Result<Platform> loadText(const std::string& text) {
   const tests::TemporaryFolder folder;
   return loadPlatform(folder.write("p.toml", text));
 }
@@ -41,7 +41,7 @@ TEST(Platform, TheSlocumLoadsAndItsNumbersAreTheHeaders) {
 
 // accepts: GL5001
 TEST(Platform, ErrorsInTheFileAreReportedWithTheirLine) {
-  ASSERT_TRUE(load(std::string(kHead) + kSensor));
+  ASSERT_TRUE(loadText(std::string(kHead) + kSensor));
   const std::pair<std::string, std::string> bad[] = {
       {"", "has no `name`"},
       {"name = 3\ndescription = \"d\"\n", "must be a string"},
@@ -53,7 +53,7 @@ TEST(Platform, ErrorsInTheFileAreReportedWithTheirLine) {
       {std::string("name = "), "p.toml:1"},
   };
   for (const auto& [text, expected] : bad) {
-    const auto platform = load(text);
+    const auto platform = loadText(text);
     ASSERT_FALSE(platform) << text;
     EXPECT_EQ(support::code(platform.error().id), "GL5001");
     EXPECT_NE(platform.error().message.find(expected), std::string::npos)
@@ -65,7 +65,7 @@ TEST(Platform, ValuesOutsideTheirMeaningAreRefused) {
   auto with = [&](const std::string& from, const std::string& to) {
     std::string text = std::string(kHead) + kSensor;
     text.replace(text.rfind(from), from.size(), to);
-    return load(text);
+    return loadText(text);
   };
   EXPECT_FALSE(with("unit = \"m\"", "unit = \"furlong\""));
   EXPECT_FALSE(with("highest = 1.0", "highest = 0.0"));
@@ -108,12 +108,12 @@ TEST(Platform, WhatMovesItIsGivenAsAWhole) {
   const auto with = [&](const std::string& from, const std::string& to) {
     std::string text = slocum;
     text.replace(text.find(from), from.size(), to);
-    const auto platform = load(text);
+    const auto platform = loadText(text);
     return platform ? "" : platform.error().message;
   };
   EXPECT_EQ(with("", ""), "");
   EXPECT_NE(with("[power]", "[might]").find("might"), std::string::npos);
-  EXPECT_NE(load(std::string(kHead) + "[power]\nfull_V = 5\n" + kSensor)
+  EXPECT_NE(loadText(std::string(kHead) + "[power]\nfull_V = 5\n" + kSensor)
                 .error()
                 .message.find("without [motion]"),
             std::string::npos);
@@ -130,7 +130,7 @@ TEST(Platform, HowOftenAndHowExactlyASensorIsReported) {
   const auto with = [](const std::string& stale, const std::string& more) {
     std::string text = std::string(kHead) + kSensor;
     text.replace(text.rfind("stale_after_s = 1.0"), 19, "stale_after_s = " + stale);
-    return load(text + more);
+    return loadText(text + more);
   };
   const auto usual = with("1.0", "");
   ASSERT_TRUE(usual);

@@ -88,15 +88,15 @@ TEST(Graph, OddStatesAreDrawn) {
 }
 
 TEST(Graph, JsonHasThePartsUnderTheirNames) {
-  const auto json = nlohmann::json::parse(graphToJson(small()));
-  EXPECT_EQ(json.at("mission"), "a<b");
-  EXPECT_EQ(json.at("states").size(), 2);
-  EXPECT_EQ(json.at("states")[1].at("reached"), false);
-  EXPECT_EQ(json.at("states")[0].at("cases")[0].at("target"), "lost");
-  EXPECT_EQ(json.at("states")[0].at("cases")[0].at("never"),
+  const auto parsed = nlohmann::json::parse(graphToJson(small()));
+  EXPECT_EQ(parsed.at("mission"), "a<b");
+  EXPECT_EQ(parsed.at("states").size(), 2);
+  EXPECT_EQ(parsed.at("states")[1].at("reached"), false);
+  EXPECT_EQ(parsed.at("states")[0].at("cases")[0].at("target"), "lost");
+  EXPECT_EQ(parsed.at("states")[0].at("cases")[0].at("never"),
             "never fires: its guard is always false");
-  EXPECT_EQ(json.at("states")[0].at("cases")[1].at("transition"), "exit");
-  EXPECT_FALSE(json.at("states")[0].at("cases")[1].contains("target"));
+  EXPECT_EQ(parsed.at("states")[0].at("cases")[1].at("transition"), "exit");
+  EXPECT_FALSE(parsed.at("states")[0].at("cases")[1].contains("target"));
 }
 
 TEST(Graph, DotQuotesTexts) {

@@ -19,7 +19,7 @@
 namespace glider::runtime::testing {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoHeading = std::numeric_limits<double>::quiet_NaN();
 constexpr double kEast = kTwoPi / 4;
 constexpr double kPi = kTwoPi / 2;
 constexpr double kOffNewJersey = 0.21;  // west, so magnetic headings are greater
@@ -93,8 +93,8 @@ class Compass : public ::testing::Test {
     }
   };
 
-  GliderCompass compass_ = compassWith(kNaN);
-  double variation_ = kNaN;
+  GliderCompass compass_ = compassWith(kNoHeading);
+  double variation_ = kNoHeading;
   double steered_ = kEast;
   BenchMission mission_;
   RecordingStore store_;
@@ -130,7 +130,7 @@ TEST_F(Compass, WhatNoCompassGivesStaysImplausible) {
   hear(0.5);
   EXPECT_EQ(trueOf(kTwoPi + 0.2), kTwoPi + 0.2);
   EXPECT_EQ(trueOf(-0.2), -0.2);
-  EXPECT_TRUE(std::isnan(trueOf(kNaN)));
+  EXPECT_TRUE(std::isnan(trueOf(kNoHeading)));
 }
 
 TEST_F(Compass, OnlyHeadingsAreTurned) {
@@ -142,7 +142,7 @@ TEST_F(Compass, OnlyHeadingsAreTurned) {
 
 TEST_F(Compass, AnAbsurdVariationLeavesTheLast) {
   hear(kOffNewJersey);
-  for (const double absurd : {kNaN, 3.15, -3.15, 69.0, HUGE_VAL, -HUGE_VAL}) {
+  for (const double absurd : {kNoHeading, 3.15, -3.15, 69.0, HUGE_VAL, -HUGE_VAL}) {
     hear(absurd);
     EXPECT_DOUBLE_EQ(trueOf(1), 1 - kOffNewJersey) << absurd;
   }

@@ -14,7 +14,7 @@
 namespace glider::runtime::testing {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoElement = std::numeric_limits<double>::quiet_NaN();
 
 /// States a, b, c, d; `always` calls c (0), goes to d (1), stays (2). `on` holds the cases of
 /// `always` whose guards are true, `fire` the state's own.
@@ -234,7 +234,7 @@ TEST(Start, GivesParametersTheirValuesAndLeavesTheRestUnknown) {
   EXPECT_EQ(c->variables[0], 25);
   EXPECT_EQ(c->variables[2], 30);
   EXPECT_TRUE(std::isnan(c->variables[3]));
-  const double values[] = {20, kNaN};
+  const double values[] = {20, kNoElement};
   c = bench.start({}, values);
   EXPECT_EQ(c->variables[0], 20);
 }

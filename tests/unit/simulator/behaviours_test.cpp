@@ -14,7 +14,7 @@
 namespace glider::simulator {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotSet = std::numeric_limits<double>::quiet_NaN();
 using State = Behaviour::State;
 
 Commands filled() {
@@ -94,7 +94,7 @@ TEST(Commands, IdleSlotsAndWhoFilledThem) {
   EXPECT_EQ(commands.idleAbort(), Abort::HeadingIdle);
 }
 
-const std::string kYo =
+const std::string kYoBehaviour =
     "behavior: yo\n b_arg: start_when(enum) 0\n b_arg: num_half_cycles_to_do(nodim) 3\n"
     " b_arg: end_action(enum) 0\n b_arg: d_target_depth(m) 20\n b_arg: d_target_altitude(m) 6\n"
     " b_arg: c_target_depth(m) 4\n b_arg: d_pitch_value(rad) -0.4\n b_arg: c_pitch_value(rad) 0.5\n"
@@ -102,39 +102,39 @@ const std::string kYo =
     " b_arg: d_stop_when_hover_for(s) 40\n b_arg: d_stop_when_stalled_for(s) 60\n";
 
 TEST(Yo, GoesDownAndUpBetweenItsDepths) {
-  BehaviourBench yo(kYo);
-  yo.run({.time_s = 0, .depth_m = 0, .depth_rate_mps = 0.2, .altitude_m = kNaN});
+  BehaviourBench yo(kYoBehaviour);
+  yo.run({.time_s = 0, .depth_m = 0, .depth_rate_mps = 0.2, .altitude_m = kNotSet});
   EXPECT_EQ(yo.commands.pitch->value, -0.4);
   EXPECT_EQ(yo.commands.pitch->mode, PitchCommand::Mode::Servo);
   EXPECT_EQ(*yo.commands.pump_cc, -200);
   EXPECT_FALSE(yo.commands.heading) << "a yo does not steer";
-  yo.run({.time_s = 4, .depth_m = 19.99, .depth_rate_mps = 0.2, .altitude_m = kNaN});
+  yo.run({.time_s = 4, .depth_m = 19.99, .depth_rate_mps = 0.2, .altitude_m = kNotSet});
   EXPECT_EQ(*yo.commands.pump_cc, -200);
-  yo.run({.time_s = 8, .depth_m = 20, .depth_rate_mps = 0.2, .altitude_m = kNaN});
+  yo.run({.time_s = 8, .depth_m = 20, .depth_rate_mps = 0.2, .altitude_m = kNotSet});
   EXPECT_EQ(*yo.commands.pump_cc, 210);
   EXPECT_EQ(yo.commands.pitch->value, 0.5);
-  yo.run({.time_s = 12, .depth_m = 4.01, .depth_rate_mps = -0.2, .altitude_m = kNaN});
+  yo.run({.time_s = 12, .depth_m = 4.01, .depth_rate_mps = -0.2, .altitude_m = kNotSet});
   EXPECT_EQ(*yo.commands.pump_cc, 210);
-  yo.run({.time_s = 16, .depth_m = 4, .depth_rate_mps = -0.2, .altitude_m = kNaN});
+  yo.run({.time_s = 16, .depth_m = 4, .depth_rate_mps = -0.2, .altitude_m = kNotSet});
   EXPECT_EQ(*yo.commands.pump_cc, -200);
   EXPECT_EQ(yo.state(), State::Active);
-  yo.run({.time_s = 20, .depth_m = 21, .depth_rate_mps = 0.2, .altitude_m = kNaN});
+  yo.run({.time_s = 20, .depth_m = 21, .depth_rate_mps = 0.2, .altitude_m = kNotSet});
   EXPECT_EQ(yo.state(), State::Complete) << "three half cycles";
   EXPECT_FALSE(yo.commands.pump_cc) << "in its last cycle it commands nothing";
 }
 
 TEST(Yo, TurnsAboveTheBottom) {
-  BehaviourBench yo(kYo);
+  BehaviourBench yo(kYoBehaviour);
   yo.run({.time_s = 0, .depth_m = 10, .depth_rate_mps = 0.2, .altitude_m = 6.01});
   EXPECT_EQ(*yo.commands.pump_cc, -200);
-  yo.run({.time_s = 4, .depth_m = 10.5, .depth_rate_mps = 0.2, .altitude_m = kNaN});
+  yo.run({.time_s = 4, .depth_m = 10.5, .depth_rate_mps = 0.2, .altitude_m = kNotSet});
   EXPECT_EQ(*yo.commands.pump_cc, -200);
   yo.run({.time_s = 8, .depth_m = 11, .depth_rate_mps = 0.2, .altitude_m = 6});
   EXPECT_EQ(*yo.commands.pump_cc, 210);
   // By default a climb looks at no altitude, and without a target a dive neither.
   yo.run({.time_s = 12, .depth_m = 10, .depth_rate_mps = -0.2, .altitude_m = 60});
   EXPECT_EQ(*yo.commands.pump_cc, 210);
-  BehaviourBench deep(kYo + " b_arg: start_diving(bool) 1\n");
+  BehaviourBench deep(kYoBehaviour + " b_arg: start_diving(bool) 1\n");
   BehaviourBench none(
       "behavior: yo\n b_arg: start_when(enum) 0\n b_arg: d_target_altitude(m) -1\n");
   none.run({.time_s = 0, .depth_m = 1, .depth_rate_mps = 0.2, .altitude_m = -2});
@@ -153,51 +153,52 @@ TEST(Yo, AClimbMayEndAtAnAltitude) {
 
 TEST(Yo, HoveringEndsALeg) {
   // A quarter of 0.19 m/s is the slowest that counts as moving.
-  BehaviourBench yo(kYo);
-  yo.run({.time_s = 0, .depth_m = 5, .depth_rate_mps = 0.2, .altitude_m = kNaN});
+  BehaviourBench yo(kYoBehaviour);
+  yo.run({.time_s = 0, .depth_m = 5, .depth_rate_mps = 0.2, .altitude_m = kNotSet});
   double depth = 5;
   for (double t = 4; t < 40; t += 4) {
-    yo.run({.time_s = t, .depth_m = depth += 0.19, .depth_rate_mps = 0.0474, .altitude_m = kNaN});
+    yo.run(
+        {.time_s = t, .depth_m = depth += 0.19, .depth_rate_mps = 0.0474, .altitude_m = kNotSet});
     ASSERT_EQ(*yo.commands.pump_cc, -200) << t;
   }
-  yo.run({.time_s = 39.9, .depth_m = depth, .depth_rate_mps = -0.0476, .altitude_m = kNaN});
-  yo.run({.time_s = 79.8, .depth_m = depth + 2, .depth_rate_mps = 0.0474, .altitude_m = kNaN});
+  yo.run({.time_s = 39.9, .depth_m = depth, .depth_rate_mps = -0.0476, .altitude_m = kNotSet});
+  yo.run({.time_s = 79.8, .depth_m = depth + 2, .depth_rate_mps = 0.0474, .altitude_m = kNotSet});
   EXPECT_EQ(*yo.commands.pump_cc, -200);
-  yo.run({.time_s = 79.9, .depth_m = depth + 2, .depth_rate_mps = -0.0474, .altitude_m = kNaN});
+  yo.run({.time_s = 79.9, .depth_m = depth + 2, .depth_rate_mps = -0.0474, .altitude_m = kNotSet});
   EXPECT_EQ(*yo.commands.pump_cc, 210);
 }
 
 TEST(Yo, NoWayMadeEndsALeg) {
   // The vehicle heaves, so it does not hover, but gains no metre.
-  BehaviourBench yo(kYo);
-  yo.run({.time_s = 0, .depth_m = 5, .depth_rate_mps = 0.2, .altitude_m = kNaN});
-  yo.run({.time_s = 50, .depth_m = 6, .depth_rate_mps = 0.2, .altitude_m = kNaN});
-  yo.run({.time_s = 80, .depth_m = 5.2, .depth_rate_mps = -0.2, .altitude_m = kNaN});
-  yo.run({.time_s = 109.9, .depth_m = 6.99, .depth_rate_mps = 0.2, .altitude_m = kNaN});
+  BehaviourBench yo(kYoBehaviour);
+  yo.run({.time_s = 0, .depth_m = 5, .depth_rate_mps = 0.2, .altitude_m = kNotSet});
+  yo.run({.time_s = 50, .depth_m = 6, .depth_rate_mps = 0.2, .altitude_m = kNotSet});
+  yo.run({.time_s = 80, .depth_m = 5.2, .depth_rate_mps = -0.2, .altitude_m = kNotSet});
+  yo.run({.time_s = 109.9, .depth_m = 6.99, .depth_rate_mps = 0.2, .altitude_m = kNotSet});
   EXPECT_EQ(*yo.commands.pump_cc, -200) << "60 s after the gain to 6 m are not over";
-  yo.run({.time_s = 110, .depth_m = 6.99, .depth_rate_mps = 0.2, .altitude_m = kNaN});
+  yo.run({.time_s = 110, .depth_m = 6.99, .depth_rate_mps = 0.2, .altitude_m = kNotSet});
   EXPECT_EQ(*yo.commands.pump_cc, 210);
   // The climb of it, 240 s by default.
-  yo.run({.time_s = 200, .depth_m = 5.99, .depth_rate_mps = -0.2, .altitude_m = kNaN});
-  yo.run({.time_s = 439, .depth_m = 5.5, .depth_rate_mps = -0.2, .altitude_m = kNaN});
+  yo.run({.time_s = 200, .depth_m = 5.99, .depth_rate_mps = -0.2, .altitude_m = kNotSet});
+  yo.run({.time_s = 439, .depth_m = 5.5, .depth_rate_mps = -0.2, .altitude_m = kNotSet});
   EXPECT_EQ(*yo.commands.pump_cc, 210);
-  yo.run({.time_s = 440, .depth_m = 5.5, .depth_rate_mps = -0.2, .altitude_m = kNaN});
+  yo.run({.time_s = 440, .depth_m = 5.5, .depth_rate_mps = -0.2, .altitude_m = kNotSet});
   EXPECT_EQ(*yo.commands.pump_cc, -200);
 }
 
 TEST(Yo, WhatAnotherFliesIsNotItsStall) {
-  BehaviourBench yo(kYo);
-  yo.run({.time_s = 0, .depth_m = 5, .depth_rate_mps = 0, .altitude_m = kNaN});
+  BehaviourBench yo(kYoBehaviour);
+  yo.run({.time_s = 0, .depth_m = 5, .depth_rate_mps = 0, .altitude_m = kNotSet});
   yo.behaviour->noteMasked(hooks::kMaskedPump);
-  yo.run({.time_s = 500, .depth_m = 5, .depth_rate_mps = 0, .altitude_m = kNaN});
+  yo.run({.time_s = 500, .depth_m = 5, .depth_rate_mps = 0, .altitude_m = kNotSet});
   EXPECT_EQ(*yo.commands.pump_cc, -200);
   yo.behaviour->noteMasked(0);
-  yo.run({.time_s = 539, .depth_m = 5, .depth_rate_mps = 0, .altitude_m = kNaN});
+  yo.run({.time_s = 539, .depth_m = 5, .depth_rate_mps = 0, .altitude_m = kNotSet});
   EXPECT_EQ(*yo.commands.pump_cc, -200) << "its 40 s begin when it has the motors again";
-  yo.run({.time_s = 540, .depth_m = 5, .depth_rate_mps = 0, .altitude_m = kNaN});
+  yo.run({.time_s = 540, .depth_m = 5, .depth_rate_mps = 0, .altitude_m = kNotSet});
   EXPECT_EQ(*yo.commands.pump_cc, 210);
   yo.behaviour->noteMasked(hooks::kMaskedPump);
-  yo.run({.time_s = 544, .depth_m = 4, .depth_rate_mps = 0, .altitude_m = kNaN});
+  yo.run({.time_s = 544, .depth_m = 4, .depth_rate_mps = 0, .altitude_m = kNotSet});
   EXPECT_EQ(*yo.commands.pump_cc, -200) << "a target that is reached counts";
 }
 
@@ -207,13 +208,13 @@ TEST(Yo, BeginsAgainFromItsFirstLeg) {
       " b_arg: end_action(enum) 2\n b_arg: d_target_depth(m) 20\n");
   Commands busy;
   busy.point({});
-  yo.run({.time_s = 0, .depth_m = 0, .altitude_m = kNaN}, busy);
+  yo.run({.time_s = 0, .depth_m = 0, .altitude_m = kNotSet}, busy);
   EXPECT_EQ(yo.state(), State::Waiting);
-  yo.run({.time_s = 4, .depth_m = 0, .altitude_m = kNaN});
+  yo.run({.time_s = 4, .depth_m = 0, .altitude_m = kNotSet});
   EXPECT_EQ(yo.state(), State::Active);
-  yo.run({.time_s = 8, .depth_m = 20, .altitude_m = kNaN});
+  yo.run({.time_s = 8, .depth_m = 20, .altitude_m = kNotSet});
   EXPECT_EQ(yo.state(), State::Waiting);
-  yo.run({.time_s = 12, .depth_m = 10, .altitude_m = kNaN});
+  yo.run({.time_s = 12, .depth_m = 10, .altitude_m = kNotSet});
   EXPECT_EQ(*yo.commands.pump_cc, -260);
 }
 
@@ -221,7 +222,7 @@ TEST(Yo, ContradictingTargetsContinue) {
   BehaviourBench yo(
       "behavior: yo\n b_arg: start_when(enum) 0\n b_arg: d_target_depth(m) 5\n"
       " b_arg: c_target_depth(m) 15\n");
-  yo.run({.time_s = 0, .depth_m = 10, .altitude_m = kNaN});
+  yo.run({.time_s = 0, .depth_m = 10, .altitude_m = kNotSet});
   EXPECT_EQ(*yo.commands.pump_cc, -260) << "two legs in one cycle, then it dives";
   Journal journal;
   yo.behaviour->tell(0, journal);
@@ -342,7 +343,7 @@ TEST(Abend, WatchesEachLimitAtItsEdge) {
   const auto overdepth = " b_arg: overdepth(m) 50\n" + off;
   EXPECT_EQ(abortOf(overdepth, {{.depth_m = 50}}), Abort::None);
   EXPECT_EQ(abortOf(overdepth, {{.depth_m = 50.1}}), Abort::Overdepth);
-  EXPECT_EQ(abortOf(overdepth, {{.depth_m = kNaN}}), Abort::None);
+  EXPECT_EQ(abortOf(overdepth, {{.depth_m = kNotSet}}), Abort::None);
   EXPECT_EQ(abortOf(" b_arg: overdepth(m) -1\n" + off, {{.depth_m = 50}}), Abort::None);
   const auto overtime = " b_arg: overtime(s) 100\n" + off;
   EXPECT_EQ(abortOf(overtime, {{.time_s = 100}}), Abort::None);

@@ -21,7 +21,7 @@ namespace {
 
 using Outcome = Verdict::Outcome;
 
-constexpr double kSilence = 24, kCycle = 4;
+constexpr double kSilence = 24, kCampaignCycle = 4;
 
 constexpr FlightTimes kTimes = {1000, 30, 900, 30};
 
@@ -194,7 +194,7 @@ TEST(Promises, AreThoseOfTheDocumentWordForWord) {
   ASSERT_NE(at, std::string::npos);
   const size_t begin = at + head.size();
   EXPECT_EQ(text.substr(begin, text.find("\n\n", begin) + 1 - begin),
-            promiseTable(kSilence, kCycle));
+            promiseTable(kSilence, kCampaignCycle));
 }
 
 TEST(Promises, OfFaultsThatComeTogetherAreTheWeaker) {
@@ -219,7 +219,7 @@ TEST(StatedTimes, AreThoseOfTheWatchdogs) {
   faults.power = {{100, 200}};
   faults.lines = {{.when = {300, kForever}, .cut = true}, {.when = {0, 50}, .delay_s = 2}};
   faults.aborts = {500};
-  const StatedTimes stated = statedTimes(faults, kSilence, kCycle);
+  const StatedTimes stated = statedTimes(faults, kSilence, kCampaignCycle);
   ASSERT_EQ(stated.releases.size(), 3U);
   EXPECT_EQ(stated.releases[0].when.from_s, 100 + 32 + 2);
   EXPECT_EQ(stated.releases[0].when.to_s, 200);

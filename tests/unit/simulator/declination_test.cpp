@@ -16,8 +16,8 @@
 namespace glider::simulator {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kRadPerDeg = kPi / 180;
+constexpr double kPiRad = std::numbers::pi;
+constexpr double kRadPerDeg = kPiRad / 180;
 constexpr double kKmPerDeg = 111.2;
 constexpr double kYear = 2026.5;
 
@@ -28,7 +28,7 @@ double worstOnTheWay(Declination& declination, double latitude, double longitude
   for (int step = 0; step < steps; ++step) {
     const double model = magneticField(latitude, longitude, 0, kYear).declination_rad;
     const double difference = declination.at(latitude, longitude) - model;
-    worst = std::max(worst, std::fabs(std::remainder(difference, 2 * kPi)));
+    worst = std::max(worst, std::fabs(std::remainder(difference, 2 * kPiRad)));
     latitude += step_km / kKmPerDeg * std::cos(course);
     longitude += step_km / kKmPerDeg * std::sin(course) / std::cos(latitude * kRadPerDeg);
     longitude = std::remainder(longitude, 360);
@@ -63,7 +63,8 @@ TEST(Declination, IsSeldomComputedWhereGlidersFly) {
 TEST(Declination, GoesOnAcrossTheDateLineAndIsRightAfterAJump) {
   Declination declination(kYear);
   (void)declination.at(10, 179.9999);
-  EXPECT_LE(worstOnTheWay(declination, 10, 179.9999, kPi / 2, 0.002, 20), Declination::kErrorRad);
+  EXPECT_LE(worstOnTheWay(declination, 10, 179.9999, kPiRad / 2, 0.002, 20),
+            Declination::kErrorRad);
   EXPECT_EQ(declination.computed(), 1);
   const double elsewhere = magneticField(-40, -30, 0, kYear).declination_rad;
   EXPECT_EQ(declination.at(-40, -30), elsewhere);

@@ -24,7 +24,7 @@
 namespace glider::simulator {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoArgument = std::numeric_limits<double>::quiet_NaN();
 
 SensorSettings noiseless() {
   SensorSettings settings;
@@ -85,15 +85,15 @@ class Controller {
   double now = 0, depth = 0;
 };
 
-const std::string kYo =
+const std::string kFlownYo =
     "behavior: set_heading\n b_arg: use_heading(bool) 1\n b_arg: heading_value(rad) 0.5\n"
     "behavior: yo\n b_arg: num_half_cycles_to_do(nodim) 2\n b_arg: d_target_depth(m) 25\n"
     " b_arg: c_target_depth(m) 3\n b_arg: end_action(enum) 0\n";
-const std::string kSurface =
+const std::string kFlownSurface =
     "behavior: surface\n b_arg: start_when(enum) 1\n b_arg: end_action(enum) 0\n";
 
 TEST(FlightController, SensorsSayWhatTheVehicleDoes) {
-  Controller c(kSurface + kYo, 60);
+  Controller c(kFlownSurface + kFlownYo, 60);
   double last_depth = 0;
   int echoes = 0, cycles = 0;
   c.fly(400, [&] {
@@ -128,7 +128,7 @@ TEST(FlightController, SensorsSayWhatTheVehicleDoes) {
 }
 
 TEST(FlightController, DepthStateByTheRateThatItReports) {
-  Controller c(kSurface + kYo, 100);
+  Controller c(kFlownSurface + kFlownYo, 100);
   double last = 0;
   std::map<int, int> seen;
   bool down = true;
@@ -156,7 +156,7 @@ TEST(FlightController, DepthStateByTheRateThatItReports) {
 }
 
 TEST(FlightController, ScienceWritesItsOwnSensorsOnly) {
-  Controller c(kSurface + kYo, 100);
+  Controller c(kFlownSurface + kFlownYo, 100);
   hooks::FlightScienceLink science{gliderDictionary};
   const hooks::SensorUpdate updates[] = {{GLIDER_M_BATTERY, 1.5},
                                          {GLIDER_SCI_WATER_TEMP, 17.5},
@@ -173,7 +173,7 @@ TEST(FlightController, ScienceWritesItsOwnSensorsOnly) {
 }
 
 TEST(FlightController, SendsWhatIsFreshOfItsOwn) {
-  Controller c(kSurface + kYo, 100);
+  Controller c(kFlownSurface + kFlownYo, 100);
   hooks::FlightScienceLink science{gliderDictionary};
   c.fly(200, [&] {
     std::map<uint16_t, double> got;
@@ -195,7 +195,7 @@ TEST(FlightController, SendsWhatIsFreshOfItsOwn) {
 }
 
 TEST(FlightController, ReportsTheCommandsInForce) {
-  Controller c(kSurface + kYo, 100);
+  Controller c(kFlownSurface + kFlownYo, 100);
   c.fly(100, [] {});
   EXPECT_EQ(c.read(GLIDER_C_HEADING), 0.5);
   EXPECT_NEAR(c.read(GLIDER_C_PITCH), -0.4538, 1e-6);
@@ -207,10 +207,10 @@ TEST(FlightController, ReportsTheCommandsInForce) {
 }
 
 TEST(FlightController, KnowsItsWaypoint) {
-  Controller c(kSurface +
+  Controller c(kFlownSurface +
                    "behavior: goto_wpt\n b_arg: wpt_units(enum) 2\n b_arg: wpt_x(lon) -7300.0\n"
                    " b_arg: wpt_y(lat) 3901.0\n b_arg: stop_when(enum) 5\n" +
-                   kYo,
+                   kFlownYo,
                100);
   c.fly(4, [] {});
   // A minute of latitude at 39 degrees: 111,014.8 m / 60.
@@ -223,8 +223,9 @@ TEST(FlightController, KnowsItsWaypoint) {
 std::map<uint16_t, std::vector<double>> readingTimes(const std::string& sensors_in,
                                                      const std::vector<uint16_t>& sensors) {
   // A dive to an altitude would switch the altimeter on.
-  Controller c(
-      kSurface + kYo + " b_arg: d_target_altitude(m) -1\nbehavior: sensors_in\n" + sensors_in, 30);
+  Controller c(kFlownSurface + kFlownYo +
+                   " b_arg: d_target_altitude(m) -1\nbehavior: sensors_in\n" + sensors_in,
+               30);
   std::map<uint16_t, std::vector<double>> times;
   c.fly(100, [&] {
     for (const uint16_t sensor : sensors) {
@@ -268,7 +269,7 @@ TEST(FlightController, SensorsInSaysHowOftenEachDeviceIsRead) {
 
 /// As comet's log of SPIRAL.MI shows: the dive that it needs the altitude for turns at it.
 TEST(FlightController, ADiveToAnAltitudeSwitchesTheAltimeterOn) {
-  Controller c(kSurface + kYo +
+  Controller c(kFlownSurface + kFlownYo +
                    " b_arg: d_target_altitude(m) 4\nbehavior: sensors_in\n"
                    " b_arg: c_alt_time(sec) -1\n",
                22);
@@ -287,7 +288,8 @@ TEST(FlightController, ADiveToAnAltitudeSwitchesTheAltimeterOn) {
 }
 
 TEST(FlightController, ADepthRateIsOverTheTimeBetweenTwoReadings) {
-  Controller c(kSurface + kYo + "behavior: sensors_in\n b_arg: c_pressure_time(sec) 20\n", 100);
+  Controller c(kFlownSurface + kFlownYo + "behavior: sensors_in\n b_arg: c_pressure_time(sec) 20\n",
+               100);
   std::map<double, double> depths;
   c.fly(100, [&] { depths[c.now] = c.depth; });
   EXPECT_NEAR(c.read(GLIDER_M_DEPTH_RATE), (depths[80] - depths[60]) / 20, 1e-6);
@@ -366,7 +368,7 @@ TEST(FlightController, AVehicleThatDoesNotShowItsFixesHasThem) {
 
 /// LMC: the origin is where the mission starts, and y points to magnetic north.
 TEST(FlightController, LocalCoordinatesAreMagnetic) {
-  Controller c(kSurface + kYo, 100);
+  Controller c(kFlownSurface + kFlownYo, 100);
   c.controller.startAt(300, -200);
   c.vehicle = slocumVehicle();
   c.fly(4, [] {});
@@ -386,7 +388,7 @@ TEST(FlightController, LocalCoordinatesAreMagnetic) {
 }
 
 TEST(FlightController, AFailedDeviceBringsItUp) {
-  Controller c(kSurface + kYo, 100);
+  Controller c(kFlownSurface + kFlownYo, 100);
   c.fly(200, [] {});
   ASSERT_GT(c.vehicle.depth(), 10);
   c.controller.failDevice(c.now);
@@ -397,7 +399,7 @@ TEST(FlightController, AFailedDeviceBringsItUp) {
   EXPECT_NEAR(c.read(GLIDER_C_PITCH), 0.4538, 1e-6);
   EXPECT_TRUE(std::isnan(c.read(GLIDER_C_HEADING))) << "fin in the middle";
   EXPECT_EQ(c.controller.layer(), -1);
-  double surfaced = kNaN;
+  double surfaced = kNoArgument;
   c.fly(2000, [&] {
     if (std::isnan(surfaced) && c.depth < 0.5) {
       surfaced = c.now;
@@ -409,7 +411,7 @@ TEST(FlightController, AFailedDeviceBringsItUp) {
 }
 
 TEST(FlightController, EndsNormallyWithItsSurface) {
-  Controller c(kSurface + kYo, 100);
+  Controller c(kFlownSurface + kFlownYo, 100);
   c.fly(2000, [] {});
   EXPECT_EQ(c.controller.end(), "the mission has ended normally");
   EXPECT_FALSE(c.controller.aborted());

@@ -18,7 +18,7 @@
 namespace glider::simulator {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kDegreeRad = std::numbers::pi / 180;
 constexpr double kCc = 1e-6;
 constexpr double kDbar = 1e4;
 
@@ -40,10 +40,10 @@ TEST(FlightModel, GivesTheReferenceNumbers) {
     FlightCoefficients coefficients = slocumSettings().flight;
     coefficients.drag = c.drag;
     const double force = netBuoyancy(coefficients, 1025, 20 * kDbar, c.pumped_cc * kCc);
-    const SteadyFlight flight = steadyFlight(coefficients, c.pitch_deg * kDegree, force, 1025);
+    const SteadyFlight flight = steadyFlight(coefficients, c.pitch_deg * kDegreeRad, force, 1025);
     EXPECT_NEAR(force, c.force, 5e-4);
-    EXPECT_NEAR(flight.attack / kDegree, c.attack_deg, 5e-4);
-    EXPECT_NEAR((c.pitch_deg * kDegree + flight.attack) / kDegree, c.glide_deg, 6e-4);
+    EXPECT_NEAR(flight.attack / kDegreeRad, c.attack_deg, 5e-4);
+    EXPECT_NEAR((c.pitch_deg * kDegreeRad + flight.attack) / kDegreeRad, c.glide_deg, 6e-4);
     EXPECT_NEAR(flight.speed, c.speed, 5e-5);
     EXPECT_NEAR(flight.horizontal, c.horizontal, 5e-5);
     EXPECT_NEAR(flight.vertical, c.vertical, 5e-5);
@@ -89,7 +89,7 @@ TEST(FlightModel, AgreesWithTheReferenceTable) {
     FlightCoefficients coefficients = slocumSettings().flight;
     coefficients.drag = v[0];
     const double force = netBuoyancy(coefficients, v[1], v[2] * kDbar, v[5] * kCc);
-    const SteadyFlight flight = steadyFlight(coefficients, v[3] * kDegree, force, v[1]);
+    const SteadyFlight flight = steadyFlight(coefficients, v[3] * kDegreeRad, force, v[1]);
     ASSERT_NEAR(force, v[6], 1e-8 * std::fabs(v[6]) + 1e-9) << line;
     if (v[10] == 0) {
       EXPECT_TRUE(flight.stalled) << line;
@@ -106,7 +106,7 @@ TEST(FlightModel, AgreesWithTheReferenceTable) {
 
 TEST(FlightModel, StallsWhereThereIsNoGlide) {
   const FlightCoefficients coefficients = slocumSettings().flight;
-  for (const double pitch : {0.0, 10.9 * kDegree, -10.9 * kDegree}) {
+  for (const double pitch : {0.0, 10.9 * kDegreeRad, -10.9 * kDegreeRad}) {
     const SteadyFlight flight = steadyFlight(coefficients, pitch, -2, 1025);
     EXPECT_TRUE(flight.stalled);
     EXPECT_EQ(flight.horizontal, 0);
@@ -115,7 +115,7 @@ TEST(FlightModel, StallsWhereThereIsNoGlide) {
   const SteadyFlight against = steadyFlight(coefficients, 0.4, -2, 1025);
   EXPECT_TRUE(against.stalled) << "nose up but heavy";
   EXPECT_LT(against.vertical, 0);
-  EXPECT_FALSE(steadyFlight(coefficients, 11.1 * kDegree, 2, 1025).stalled);
+  EXPECT_FALSE(steadyFlight(coefficients, 11.1 * kDegreeRad, 2, 1025).stalled);
   EXPECT_TRUE(std::isnan(angleOfAttack(coefficients, 0)));
   EXPECT_EQ(steadyFlight(coefficients, 0.4, 0, 1025).speed, 0);
 }

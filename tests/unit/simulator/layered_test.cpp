@@ -13,12 +13,12 @@
 namespace glider::simulator {
 namespace {
 
-const std::string kYo =
+const std::string kLayeredYo =
     "behavior: yo\n b_arg: num_half_cycles_to_do(nodim) 4\n b_arg: end_action(enum) 0\n"
     " b_arg: d_target_depth(m) 20\n b_arg: c_target_depth(m) 3\n";
 const std::string kHeading =
     "behavior: set_heading\n b_arg: use_heading(bool) 1\n b_arg: heading_value(rad) 1.0\n";
-const std::string kSurface =
+const std::string kLayeredSurface =
     "behavior: surface\n b_arg: start_when(enum) 1\n b_arg: end_action(enum) 0\n b_arg: "
     "gps_wait_time(s) 60\n";
 
@@ -81,14 +81,14 @@ TEST(Layered, IdleStackAborts) {
   const support::Trace nothing = fly(setupWith("behavior: abend\n"));
   ASSERT_NE(findEvent(nothing, "MS_ABORT_STACK_IS_IDLE"), nullptr) << eventText(nothing);
   EXPECT_EQ(findEvent(nothing, "MS_ABORT_STACK_IS_IDLE")->time_s, 0);
-  const support::Trace no_heading = fly(setupWith(kYo));
+  const support::Trace no_heading = fly(setupWith(kLayeredYo));
   ASSERT_NE(findEvent(no_heading, "MS_ABORT_HEADING_IS_IDLE"), nullptr) << eventText(no_heading);
   const support::Trace no_pitch = fly(setupWith(kHeading));
   ASSERT_NE(findEvent(no_pitch, "MS_ABORT_PITCH_IS_IDLE"), nullptr) << eventText(no_pitch);
 }
 
 TEST(Layered, AnIdleStackSaysWhichCommandIsMissing) {
-  const support::Trace no_heading = fly(setupWith(kYo));
+  const support::Trace no_heading = fly(setupWith(kLayeredYo));
   EXPECT_EQ(findEvent(no_heading, "MS_ABORT_HEADING")->why,
             "no behaviour gives a command for the heading");
   const support::Trace no_pitch = fly(setupWith(kHeading));
@@ -109,7 +109,7 @@ TEST(Layered, EventsSayWhichBehaviourStartedAndWhy) {
       "behavior: surface\n b_arg: start_when(enum) 12\n b_arg: when_secs(s) 150\n b_arg: "
       "end_action(enum) 1\n b_arg: keystroke_wait_time(s) 8\n";
   const support::Trace trace =
-      fly(setupWith("behavior: abend\n" + silent + kSurface + kHeading + kYo));
+      fly(setupWith("behavior: abend\n" + silent + kLayeredSurface + kHeading + kLayeredYo));
   const auto* first = findStart(trace, "surface");
   ASSERT_NE(first, nullptr) << eventText(trace);
   EXPECT_EQ(first->what, "surface_2 started");
@@ -128,7 +128,7 @@ TEST(Layered, EventsSayWhichBehaviourStartedAndWhy) {
 
 /// With a surface for an idle stack, a mission that lacks a heading is over when it begins.
 TEST(Layered, AMissionWithoutAHeadingSaysWhyItEnds) {
-  const support::Trace trace = fly(setupWith(kSurface + kYo));
+  const support::Trace trace = fly(setupWith(kLayeredSurface + kLayeredYo));
   const auto* end = findEvent(trace, "ended normally");
   ASSERT_NE(end, nullptr) << eventText(trace);
   EXPECT_EQ(end->time_s, 0);
@@ -141,7 +141,7 @@ TEST(Layered, AMissionWithoutAHeadingSaysWhyItEnds) {
 TEST(Layered, TheBottomIsAnEventOnceForEachContact) {
   const auto flown = [](double water_depth_m) {
     SimulationSetup setup =
-        setupWith(kSurface + kHeading + kYo + " b_arg: d_target_altitude(m) -1\n");
+        setupWith(kLayeredSurface + kHeading + kLayeredYo + " b_arg: d_target_altitude(m) -1\n");
     setup.scenario.ocean.bottom.depth_m = water_depth_m;
     setup.duration_s = 1500;
     return fly(std::move(setup));
@@ -178,7 +178,7 @@ TEST(BottomContact, BeginsAtTheBottomAndEndsAMetreAboveIt) {
 }
 
 TEST(Layered, AbortBringsTheVehicleUp) {
-  const support::Trace trace = fly(setupWith(kHeading + kYo));
+  const support::Trace trace = fly(setupWith(kHeading + kLayeredYo));
   const auto* abort = findEvent(trace, "MS_ABORT_PITCH_IS_IDLE");
   ASSERT_NE(abort, nullptr) << "when the yo is over nothing commands pitch" << eventText(trace);
   EXPECT_GT(abort->time_s, 300);
@@ -188,13 +188,14 @@ TEST(Layered, AbortBringsTheVehicleUp) {
 }
 
 TEST(Layered, AbendWatchesDepthAndTime) {
-  const std::string deep = "behavior: abend\n b_arg: overdepth(m) 12\n" + kSurface + kHeading + kYo;
+  const std::string deep =
+      "behavior: abend\n b_arg: overdepth(m) 12\n" + kLayeredSurface + kHeading + kLayeredYo;
   const support::Trace overdepth = fly(setupWith(deep));
   ASSERT_NE(findEvent(overdepth, "MS_ABORT_OVERDEPTH"), nullptr) << eventText(overdepth);
   EXPECT_NEAR(valueAt(overdepth, "m_depth", findEvent(overdepth, "MS_ABORT_OVERDEPTH")->time_s),
               12.4, 0.5);
-  const support::Trace overtime =
-      fly(setupWith("behavior: abend\n b_arg: overtime(s) 100\n" + kSurface + kHeading + kYo));
+  const support::Trace overtime = fly(setupWith("behavior: abend\n b_arg: overtime(s) 100\n" +
+                                                kLayeredSurface + kHeading + kLayeredYo));
   ASSERT_NE(findEvent(overtime, "MS_ABORT_OVERTIME"), nullptr);
   EXPECT_EQ(findEvent(overtime, "MS_ABORT_OVERTIME")->time_s, 104);
 }
@@ -204,15 +205,19 @@ TEST(Layered, HigherBehavioursWin) {
       "behavior: set_heading\n b_arg: use_heading(bool) 1\n b_arg: heading_value(rad) 1.5\n";
   const std::string south =
       "behavior: set_heading\n b_arg: use_heading(bool) 1\n b_arg: heading_value(rad) 3.1\n";
-  const support::Trace trace = fly(setupWith(kSurface + east + south + kYo));
+  const support::Trace trace = fly(setupWith(kLayeredSurface + east + south + kLayeredYo));
   EXPECT_NEAR(valueAt(trace, "c_heading", 200), 1.5, 1e-6);
   EXPECT_EQ(valueAt(trace, "layer", 200), 3) << "the yo commands the pitch";
   // A start condition sees only what is below: this heading has nothing below it that steers.
   const std::string idle =
       "behavior: set_heading\n b_arg: use_heading(bool) 1\n b_arg: heading_value(rad) 2.0\n b_arg: "
       "start_when(enum) 3\n";
-  EXPECT_NEAR(valueAt(fly(setupWith(kSurface + south + idle + kYo)), "c_heading", 200), 3.1, 1e-6);
-  EXPECT_NEAR(valueAt(fly(setupWith(kSurface + idle + south + kYo)), "c_heading", 200), 3.1, 1e-6);
+  EXPECT_NEAR(
+      valueAt(fly(setupWith(kLayeredSurface + south + idle + kLayeredYo)), "c_heading", 200), 3.1,
+      1e-6);
+  EXPECT_NEAR(
+      valueAt(fly(setupWith(kLayeredSurface + idle + south + kLayeredYo)), "c_heading", 200), 3.1,
+      1e-6);
 }
 
 /// Steering east to a waypoint in a current of 0.15 m/s to the south: with u_use_current_correction
@@ -251,7 +256,7 @@ TEST(Layered, TheTraceShowsTheCurrentTowardsTrueEastAndNorth) {
   SimulationSetup setup = setupWith(
       "behavior: surface\n b_arg: start_when(enum) 1\n b_arg: end_action(enum) 1\n"
       " b_arg: keystroke_wait_time(s) 300\n" +
-      kHeading + kYo);
+      kHeading + kLayeredYo);
   setup.scenario.latitude_deg = 51.65;
   setup.scenario.longitude_deg = -128.09;
   setup.scenario.sensors.gps.noise_m = 0;
@@ -279,7 +284,7 @@ TEST(Layered, HeadingsAreMagnetic) {
       "behavior: set_heading\n b_arg: use_heading(bool) 1\n b_arg: heading_value(rad) 1.0\n";
   for (const auto& place : places) {
     SCOPED_TRACE(place.declination_deg);
-    SimulationSetup setup = setupWith(kSurface + north + kYo);
+    SimulationSetup setup = setupWith(kLayeredSurface + north + kLayeredYo);
     setup.scenario.latitude_deg = place.latitude_deg;
     setup.scenario.longitude_deg = place.longitude_deg;
     setup.scenario.year = place.year;
@@ -298,7 +303,7 @@ TEST(Layered, SurfacesWithoutCommunication) {
   const std::string silent =
       "behavior: surface\n b_arg: start_when(enum) 12\n b_arg: when_secs(s) 150\n b_arg: "
       "end_action(enum) 0\n";
-  const support::Trace trace = fly(setupWith(silent + kHeading + kYo));
+  const support::Trace trace = fly(setupWith(silent + kHeading + kLayeredYo));
   const auto* started = findStart(trace, "surface");
   ASSERT_NE(started, nullptr) << eventText(trace);
   EXPECT_NEAR(started->time_s, 160, 30);
@@ -310,7 +315,7 @@ TEST(Layered, SteersToAWaypoint) {
       "behavior: goto_wpt\n b_arg: wpt_units(enum) 2\n b_arg: wpt_x(lon) -7350.1\n b_arg: "
       "wpt_y(lat) 3911.0\n"
       " b_arg: stop_when(enum) 5\n";
-  const support::Trace trace = fly(setupWith(kSurface + there + kYo));
+  const support::Trace trace = fly(setupWith(kLayeredSurface + there + kLayeredYo));
   // True north, on a compass that reads 12.4 degrees more.
   EXPECT_GT(std::cos(valueAt(trace, "c_heading", 200) - 0.2164), 0.99);
   EXPECT_GT(valueAt(trace, "true_y", 500), 60);

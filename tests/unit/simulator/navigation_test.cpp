@@ -17,18 +17,18 @@
 namespace glider::simulator {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kPi = std::numbers::pi;
+constexpr double kNoFix = std::numeric_limits<double>::quiet_NaN();
+constexpr double kHalfTurn = std::numbers::pi;
 
 TEST(Navigator, SpeedIsTheDepthRateOverTheSlope) {
   const LocalFrame frame(39, -73);
   Navigator n(frame);
   // Down at 0.18 m/s, nose down 26.57 degrees (slope 1:2): 0.36 m/s. Heading 30 degrees.
-  n.reckon(0.18, -std::atan(0.5), kPi / 6, false, 4);
+  n.reckon(0.18, -std::atan(0.5), kHalfTurn / 6, false, 4);
   EXPECT_NEAR(n.speed(), 0.36, 1e-12);
   EXPECT_NEAR(n.eastOfStart(), 0.72, 1e-12);
   EXPECT_NEAR(n.northOfStart(), 0.36 * 4 * std::sqrt(3) / 2, 1e-12);
-  n.reckon(-0.09, std::atan(0.5), kPi, false, 4);
+  n.reckon(-0.09, std::atan(0.5), kHalfTurn, false, 4);
   EXPECT_NEAR(n.speed(), 0.18, 1e-12) << "climbs";
   EXPECT_NEAR(n.northOfStart(), 0.72 * std::sqrt(3) - 0.72, 1e-12);
 }
@@ -64,13 +64,16 @@ TEST(Navigator, PointsIntoTheCurrent) {
   const LocalFrame frame(39, -73);
   Navigator n(frame);
   n.reckon(0.15, -std::atan(0.5), 0, false, 4);  // 0.3 m/s
-  EXPECT_NEAR(n.headingFor(0, {0.15, 0}), -kPi / 6, 1e-12) << "north, with water that goes east";
-  EXPECT_NEAR(n.headingFor(0, {-0.15, 0}), kPi / 6, 1e-12);
-  EXPECT_NEAR(n.headingFor(kPi / 2, {0, 0.15}), kPi / 2 + kPi / 6, 1e-12) << "east, going north";
+  EXPECT_NEAR(n.headingFor(0, {0.15, 0}), -kHalfTurn / 6, 1e-12)
+      << "north, with water that goes east";
+  EXPECT_NEAR(n.headingFor(0, {-0.15, 0}), kHalfTurn / 6, 1e-12);
+  EXPECT_NEAR(n.headingFor(kHalfTurn / 2, {0, 0.15}), kHalfTurn / 2 + kHalfTurn / 6, 1e-12)
+      << "east, going north";
   EXPECT_NEAR(n.headingFor(1, {0.2 * std::sin(1.0), 0.2 * std::cos(1.0)}), 1, 1e-12) << "along";
-  EXPECT_NEAR(n.headingFor(0, {5, 0}), -kPi / 3, 1e-12) << "too strong: as far as it goes";
+  EXPECT_NEAR(n.headingFor(0, {5, 0}), -kHalfTurn / 3, 1e-12) << "too strong: as far as it goes";
   n.reckon(0, 0, 0, true, 4);
-  EXPECT_NEAR(n.headingFor(0, {0.15, 0}), -kPi / 6, 1e-12) << "afloat: with the usual 0.3 m/s";
+  EXPECT_NEAR(n.headingFor(0, {0.15, 0}), -kHalfTurn / 6, 1e-12)
+      << "afloat: with the usual 0.3 m/s";
 }
 
 /// A dive of 1000 s in water that moves 0.2 m/s east and 0.1 m/s south, then 40 s of drifting at
@@ -149,7 +152,7 @@ TEST(Navigator, KeepsTheSpeedWhereItCannotBeTold) {
   const LocalFrame frame(39, -73);
   Navigator n(frame);
   n.reckon(0.18, -std::atan(0.5), 0, false, 4);
-  const double degree = kPi / 180;
+  const double degree = kHalfTurn / 180;
   n.reckon(0.3, -10.9 * degree, 0, false, 4);
   EXPECT_NEAR(n.speed(), 0.36, 1e-12) << "too level";
   n.reckon(0.1, 0.5, 0, false, 4);
@@ -162,7 +165,7 @@ TEST(Navigator, KeepsTheSpeedWhereItCannotBeTold) {
   EXPECT_NEAR(n.speed(), 0.1 / std::tan(11.1 * degree), 1e-12);
   n.reckon(0, -0.4, 0, false, 4);
   EXPECT_EQ(n.speed(), 0);
-  n.reckon(kNaN, -0.4, 0, false, 4);
+  n.reckon(kNoFix, -0.4, 0, false, 4);
   EXPECT_EQ(n.speed(), 0);
   n.reckon(0.18, -std::atan(0.5), 0, true, 4);
   EXPECT_EQ(n.speed(), 0) << "floats";
@@ -171,8 +174,8 @@ TEST(Navigator, KeepsTheSpeedWhereItCannotBeTold) {
 TEST(Navigator, AnUnknownHeadingIsTheLastOne) {
   const LocalFrame frame(39, -73);
   Navigator n(frame);
-  n.reckon(0.18, -std::atan(0.5), kPi / 2, false, 4);
-  n.reckon(0.18, -std::atan(0.5), kNaN, false, 4);
+  n.reckon(0.18, -std::atan(0.5), kHalfTurn / 2, false, 4);
+  n.reckon(0.18, -std::atan(0.5), kNoFix, false, 4);
   EXPECT_NEAR(n.eastOfStart(), 2 * 1.44, 1e-12);
   EXPECT_NEAR(n.northOfStart(), 0, 1e-12);
 }
@@ -180,7 +183,7 @@ TEST(Navigator, AnUnknownHeadingIsTheLastOne) {
 TEST(Navigator, AFixSetsItRight) {
   const LocalFrame frame(39, -73);
   Navigator n(frame);
-  n.reckon(0.18, -std::atan(0.5), kPi / 2, false, 4);
+  n.reckon(0.18, -std::atan(0.5), kHalfTurn / 2, false, 4);
   n.fix({-7, 8});
   EXPECT_EQ(n.eastOfStart(), -7);
   EXPECT_EQ(n.northOfStart(), 8);
@@ -199,7 +202,7 @@ TEST(Navigator, BearingsOfTheFourQuarters) {
     EXPECT_NEAR(found, bearing, 1e-5);
   }
   double distance = 0, bearing = 0;
-  n.toWaypoint(kNaN, -7300, distance, bearing);
+  n.toWaypoint(kNoFix, -7300, distance, bearing);
   EXPECT_TRUE(std::isnan(distance));
 }
 
@@ -246,7 +249,7 @@ TEST(SensorArray, KeepsWhatTheWidthHolds) {
     EXPECT_EQ(array.get(2), kept) << given;
   }
   for (uint16_t id = 0; id < 3; ++id) {
-    array.set(id, kNaN);
+    array.set(id, kNoFix);
     EXPECT_TRUE(std::isnan(array.get(id))) << id;
   }
 }

@@ -11,7 +11,7 @@
 namespace glider::simulator {
 namespace {
 
-OceanSettings twoLayers() {
+OceanSettings layeredSettings() {
   OceanSettings settings;
   settings.surface_temperature = 24;
   settings.bottom_temperature = 7;
@@ -23,7 +23,7 @@ OceanSettings twoLayers() {
 }
 
 TEST(Ocean, IsWarmAboveAndColdBelow) {
-  const Ocean ocean(twoLayers());
+  const Ocean ocean(layeredSettings());
   EXPECT_NEAR(ocean.temperature(0, 0, 0, 0), 24, 0.01);
   EXPECT_NEAR(ocean.temperature(60, 0, 0, 0), 7, 0.01);
   EXPECT_NEAR(ocean.temperature(14, 0, 0, 0), 15.5, 1e-12);
@@ -33,7 +33,7 @@ TEST(Ocean, IsWarmAboveAndColdBelow) {
 }
 
 TEST(Ocean, IsDenserBelowWhereThereIsAPycnocline) {
-  OceanSettings settings = twoLayers();
+  OceanSettings settings = layeredSettings();
   EXPECT_EQ(Ocean(settings).density(0, 0, 0, 0), 1025);
   EXPECT_EQ(Ocean(settings).density(50, 0, 0, 0), 1025 * compression(50e4)) << "without a step";
   settings.density_step = 4;
@@ -57,11 +57,11 @@ TEST(Ocean, IsCompressedByTheWaterAbove) {
   EXPECT_NEAR(1027.675 * compression(1e8), 1069.489, 1) << "5 degC, 10000 dbar, far beyond gliders";
   EXPECT_EQ(compression(0), 1);
   // About 4.5 kg/m3 in 1000 m.
-  EXPECT_NEAR(Ocean(twoLayers()).density(1000, 0, 0, 0) - 1025, 4.5, 0.1);
+  EXPECT_NEAR(Ocean(layeredSettings()).density(1000, 0, 0, 0) - 1025, 4.5, 0.1);
 }
 
 TEST(Ocean, HasOneWaveThatIsNowhereElse) {
-  const Ocean ocean(twoLayers());
+  const Ocean ocean(layeredSettings());
   EXPECT_EQ(ocean.isothermDepth(15.5, 0, 0, 0), 14);
   EXPECT_EQ(ocean.isothermDepth(15.5, 0, 0, 1461), 14);
   EXPECT_EQ(ocean.verticalCurrent(14, 0, 0, 100), 0);
@@ -74,7 +74,7 @@ TEST(Ocean, HasOneWaveThatIsNowhereElse) {
 }
 
 TEST(Ocean, IsothermIsWhereTheTemperatureIs) {
-  OceanSettings settings = twoLayers();
+  OceanSettings settings = layeredSettings();
   settings.wave.wavelength_m = 500;
   settings.wave.count = 0;
   const Ocean ocean(settings);
@@ -91,7 +91,7 @@ TEST(Ocean, IsothermIsWhereTheTemperatureIs) {
 }
 
 TEST(Ocean, WaterMovesWithTheWave) {
-  const Ocean ocean(twoLayers());
+  const Ocean ocean(layeredSettings());
   // A particle carried by the water stays on its isotherm.
   double z = 14;
   constexpr double kStep = 0.1;
@@ -105,7 +105,7 @@ TEST(Ocean, WaterMovesWithTheWave) {
 }
 
 TEST(Ocean, BottomMayBeWavy) {
-  OceanSettings settings = twoLayers();
+  OceanSettings settings = layeredSettings();
   settings.bottom.wave_height_m = 5;
   settings.bottom.wave_length_m = 100;
   const Ocean ocean(settings);
@@ -114,7 +114,7 @@ TEST(Ocean, BottomMayBeWavy) {
 }
 
 TEST(Ocean, BottomSlopesTowardsItsBearing) {
-  OceanSettings settings = twoLayers();
+  OceanSettings settings = layeredSettings();
   settings.bottom.slope = 0.008;
   settings.bottom.slope_bearing_rad = std::numbers::pi / 2;
   const Ocean east(settings);
@@ -127,7 +127,7 @@ TEST(Ocean, BottomSlopesTowardsItsBearing) {
 }
 
 TEST(Ocean, BottomHasSeamounts) {
-  OceanSettings settings = twoLayers();
+  OceanSettings settings = layeredSettings();
   settings.bottom.seamounts = {{.x = 600, .y = -100, .radius_m = 200, .height_m = 20}};
   const Ocean ocean(settings);
   EXPECT_NEAR(ocean.waterDepth(600, -100), 40, 1e-9);
@@ -136,7 +136,7 @@ TEST(Ocean, BottomHasSeamounts) {
 }
 
 TEST(Ocean, WaveEndsWhereTheBottomRisesToTheThermocline) {
-  OceanSettings settings = twoLayers();
+  OceanSettings settings = layeredSettings();
   settings.wave.count = 0;
   settings.bottom.seamounts = {{.x = 0, .y = 0, .radius_m = 100, .height_m = 44},
                                {.x = 5000, .y = 0, .radius_m = 100, .height_m = 55}};
@@ -156,7 +156,7 @@ TEST(Ocean, WaveEndsWhereTheBottomRisesToTheThermocline) {
 }
 
 TEST(Ocean, HasAFrontAcrossItsBearing) {
-  OceanSettings settings = twoLayers();
+  OceanSettings settings = layeredSettings();
   settings.wave.amplitude_m = 0;
   settings.front = {
       .x = 700, .y = 0, .bearing_rad = std::numbers::pi / 2, .width_m = 80, .step_degC = -6};
@@ -170,7 +170,7 @@ TEST(Ocean, HasAFrontAcrossItsBearing) {
 }
 
 TEST(Ocean, CurrentIsStraightBetweenSurfaceAndBottom) {
-  OceanSettings settings = twoLayers();
+  OceanSettings settings = layeredSettings();
   settings.current = {0.1, 0};
   settings.bottom_current = {-0.06, 0.02};
   const Ocean ocean(settings);
@@ -183,7 +183,7 @@ TEST(Ocean, CurrentIsStraightBetweenSurfaceAndBottom) {
 /// Every field at once, against the formulas written a second time.
 TEST(Ocean, FieldsAreThoseOfTheFormulas) {
   constexpr double kTurn = 2 * std::numbers::pi;
-  OceanSettings s = twoLayers();
+  OceanSettings s = layeredSettings();
   s.wave = {
       .amplitude_m = 4, .period_s = 900, .wavelength_m = 700, .phase_rad = 0.4, .start_s = 60};
   s.current = {0.2, -0.1};

@@ -24,7 +24,7 @@ namespace glider::simulator {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoSample = std::numeric_limits<double>::quiet_NaN();
 constexpr int kCtd = 1, kFlbbcd = 48, kOptode = 54;
 using State = Behaviour::State;
 
@@ -256,7 +256,7 @@ struct Readings {
 };
 Readings readings(const support::Trace& trace, bool down) {
   Readings out;
-  double last = kNaN;
+  double last = kNoSample;
   for (size_t row = 1; row < trace.rowCount(); ++row) {
     const double rate = trace.at(row, trace.column("m_depth_rate"));
     if (trace.at(row, trace.column("true_depth")) < 5 || (down ? rate < 0.06 : rate > -0.06)) {
@@ -295,7 +295,7 @@ TEST(Sampling, TheScienceComputerKeepsToThePeriods) {
   ScienceComputer science(*platform, 1, {});
   const Ocean ocean(OceanSettings{});
   hooks::MemoryLine sbc, flight;
-  double now = 0, last = kNaN;
+  double now = 0, last = kNoSample;
   const auto readings = [&](double period_s) {
     SamplePeriods periods;
     periods.set(kCtd, period_s);

@@ -14,7 +14,7 @@
 namespace glider::simulator {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfCircle = std::numbers::pi;
 
 /// The steady glide by bisection on Merckelbach's force balance, in the vertical plane.
 struct Glide {
@@ -26,7 +26,7 @@ Glide balance(double pitch, double force, double density) {
   const double cd0 = 0.15, cd1 = 10.4926354534, lift = 3.8 + 3.7342698373;
   const auto excess = [&](double a) { return cd0 + cd1 * a * a - lift * a * std::tan(theta + a); };
   const bool with_the_force = (force > 0) == (pitch > 0);
-  if (theta < 11 * kPi / 180 || !with_the_force) {
+  if (theta < 11 * kHalfCircle / 180 || !with_the_force) {
     const double speed = std::sqrt(2 * std::fabs(force) / (density * 1.5 * 0.22 * 1.1));
     return {0, force > 0 ? speed : -speed};
   }
@@ -80,7 +80,7 @@ struct Second {
     up = glide.up - (glide.up - up) * std::exp(-dt / 8);
     const double wanted = 0.5 * std::sin(fin) * (ahead * ahead + up * up);
     turning = wanted - (wanted - turning) * std::exp(-dt / 15);
-    heading = std::fmod(heading + turning * dt + 4 * kPi, 2 * kPi);
+    heading = std::fmod(heading + turning * dt + 4 * kHalfCircle, 2 * kHalfCircle);
     const Planar drift = lies ? Planar{} : ocean.current(depth, x, y);
     x += dt * (drift.east + ahead * std::sin(heading));
     y += dt * (drift.north + ahead * std::cos(heading));
@@ -295,7 +295,7 @@ TEST(VehicleNumbers, RisingWaterLiftsTheVehicle) {
   one.step(still, 0);
   two.step(sinking, 0);
   const double share = (60 - depth) / (60 - 15);
-  EXPECT_NEAR(two.depth() - one.depth(), 0.25 * share * 5 * 2 * kPi / 600, 1e-6);
+  EXPECT_NEAR(two.depth() - one.depth(), 0.25 * share * 5 * 2 * kHalfCircle / 600, 1e-6);
 }
 
 TEST(VehicleNumbers, FloatsAtZeroAndDivesFromThere) {
@@ -340,10 +340,11 @@ TEST(VehicleNumbers, TurnsByThePublishedFit) {
     vehicle.step(ocean, now);
     const double speed =
         std::hypot(vehicle.x() - x, vehicle.y() - y, vehicle.depth() - z) / Vehicle::kStep;
-    const double rate = std::remainder(vehicle.heading() - heading, 2 * kPi) / Vehicle::kStep;
+    const double rate =
+        std::remainder(vehicle.heading() - heading, 2 * kHalfCircle) / Vehicle::kStep;
     EXPECT_NEAR(rate, 0.5 * std::sin(fin) * speed * speed, 1e-4) << "of 0.02";
     EXPECT_GE(vehicle.heading(), 0);
-    EXPECT_LT(vehicle.heading(), 2 * kPi);
+    EXPECT_LT(vehicle.heading(), 2 * kHalfCircle);
   }
 }
 

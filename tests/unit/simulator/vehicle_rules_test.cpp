@@ -21,7 +21,7 @@ namespace {
 using State = Behaviour::State;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-Commands filled() {
+Commands filledCommands() {
   Commands commands;
   commands.steer({}), commands.point({}), commands.pump(0);
   return commands;
@@ -33,7 +33,7 @@ struct WhenCase {
   bool stops = false;
 };
 
-When when(int code, const WhenCase& c = {}) {
+When whenWith(int code, const WhenCase& c = {}) {
   static const MissionVariables kNone{{}};
   return {code,
           {.secs = {c.secs, kNone},
@@ -47,44 +47,45 @@ When when(int code, const WhenCase& c = {}) {
 TEST(VehicleRules, EachCodeLooksAtOneThing) {
   const Situation quiet{.time_s = 100, .waypoint_distance_m = 500, .silent_s = 0};
   Situation situation = quiet;
-  Commands below = filled();
-  EXPECT_FALSE(when(8).met(quiet, below));
+  Commands below = filledCommands();
+  EXPECT_FALSE(whenWith(8).met(quiet, below));
   below.hit_waypoint = true;
-  EXPECT_TRUE(when(8).met(quiet, below));
+  EXPECT_TRUE(whenWith(8).met(quiet, below));
 
-  EXPECT_FALSE(when(10, {.secs = 60}).met(quiet, filled())) << "the pump is commanded";
-  Commands no_pump = filled();
+  EXPECT_FALSE(whenWith(10, {.secs = 60}).met(quiet, filledCommands())) << "the pump is commanded";
+  Commands no_pump = filledCommands();
   no_pump.pump_cc.reset();
-  EXPECT_TRUE(when(10, {.secs = 60}).met(quiet, no_pump));
-  EXPECT_FALSE(when(10, {.secs = 200}).met(quiet, no_pump)) << "not yet";
+  EXPECT_TRUE(whenWith(10, {.secs = 60}).met(quiet, no_pump));
+  EXPECT_FALSE(whenWith(10, {.secs = 200}).met(quiet, no_pump)) << "not yet";
 
-  EXPECT_FALSE(when(11).met(quiet, filled()));
+  EXPECT_FALSE(whenWith(11).met(quiet, filledCommands()));
   situation.science_wants_surface = true;
-  EXPECT_TRUE(when(11).met(situation, filled()));
+  EXPECT_TRUE(whenWith(11).met(situation, filledCommands()));
 
-  EXPECT_FALSE(when(14).met(quiet, filled()));
+  EXPECT_FALSE(whenWith(14).met(quiet, filledCommands()));
   below.hovering = true;
-  EXPECT_TRUE(when(14).met(quiet, below));
+  EXPECT_TRUE(whenWith(14).met(quiet, below));
 
   situation = quiet;
   situation.inflections = 3;
-  EXPECT_FALSE(when(16, {.inflections = 3}).met(situation, filled()))
+  EXPECT_FALSE(whenWith(16, {.inflections = 3}).met(situation, filledCommands()))
       << "more than, not as many as";
-  EXPECT_TRUE(when(16, {.inflections = 2}).met(situation, filled()));
+  EXPECT_TRUE(whenWith(16, {.inflections = 2}).met(situation, filledCommands()));
 }
 
 TEST(VehicleRules, Code15IsTheDistanceOrTheModeByRelease) {
   Situation s{.waypoint_distance_m = 500};
-  EXPECT_TRUE(when(15, {.distance_m = 499}).met(s, filled()));
-  EXPECT_FALSE(when(15, {.distance_m = 500}).met(s, filled()));
+  EXPECT_TRUE(whenWith(15, {.distance_m = 499}).met(s, filledCommands()));
+  EXPECT_FALSE(whenWith(15, {.distance_m = 500}).met(s, filledCommands()));
   const WhenCase starts{.secs = 4, .code_15 = Code15::MissionMode};
   const WhenCase stops{.secs = 4, .code_15 = Code15::MissionMode, .stops = true};
   s.mission_mode = 3;
-  EXPECT_FALSE(when(15, starts).met(s, filled()));
-  EXPECT_TRUE(when(15, stops).met(s, filled())) << "a stop_when waits for the bit to go";
+  EXPECT_FALSE(whenWith(15, starts).met(s, filledCommands()));
+  EXPECT_TRUE(whenWith(15, stops).met(s, filledCommands()))
+      << "a stop_when waits for the bit to go";
   s.mission_mode = 6;
-  EXPECT_TRUE(when(15, starts).met(s, filled()));
-  EXPECT_FALSE(when(15, stops).met(s, filled()));
+  EXPECT_TRUE(whenWith(15, starts).met(s, filledCommands()));
+  EXPECT_FALSE(whenWith(15, stops).met(s, filledCommands()));
 }
 
 TEST(VehicleRules, LocalAxesArePerpendicularAndMagnetic) {
@@ -103,29 +104,29 @@ TEST(VehicleRules, LocalAxesArePerpendicularAndMagnetic) {
 
 TEST(VehicleRules, Codes17And18AreTheDistanceToThePrimaryWaypoint) {
   Situation s{.waypoint_distance_m = 1, .primary_distance_m = 500};
-  EXPECT_TRUE(when(17, {.distance_m = 501}).met(s, filled()));
-  EXPECT_FALSE(when(17, {.distance_m = 500}).met(s, filled()));
-  EXPECT_TRUE(when(18, {.distance_m = 499}).met(s, filled()));
-  EXPECT_FALSE(when(18, {.distance_m = 500}).met(s, filled()));
+  EXPECT_TRUE(whenWith(17, {.distance_m = 501}).met(s, filledCommands()));
+  EXPECT_FALSE(whenWith(17, {.distance_m = 500}).met(s, filledCommands()));
+  EXPECT_TRUE(whenWith(18, {.distance_m = 499}).met(s, filledCommands()));
+  EXPECT_FALSE(whenWith(18, {.distance_m = 500}).met(s, filledCommands()));
   const Situation none{.waypoint_distance_m = 1};
-  EXPECT_FALSE(when(17, {.distance_m = 501}).met(none, filled())) << "it is not known";
-  EXPECT_FALSE(when(18, {.distance_m = 0}).met(none, filled()));
+  EXPECT_FALSE(whenWith(17, {.distance_m = 501}).met(none, filledCommands())) << "it is not known";
+  EXPECT_FALSE(whenWith(18, {.distance_m = 0}).met(none, filledCommands()));
 }
 
 TEST(VehicleRules, AUtcTimeComesOnce) {
   // 2009-08-11 14:13:20 is 1.25e9 s since 1970.
-  When at = when(13, {.utc_stamp = 908111414});
+  When at = whenWith(13, {.utc_stamp = 908111414});
   Situation s{.time_s = 0, .utc_s = 1.25e9};
-  EXPECT_FALSE(at.met(s, filled()));
+  EXPECT_FALSE(at.met(s, filledCommands()));
   s.time_s = 40, s.utc_s += 40;
-  EXPECT_TRUE(at.met(s, filled())) << "14:14:00";
+  EXPECT_TRUE(at.met(s, filledCommands())) << "14:14:00";
   at.noteStart(40);
   s.time_s = 44, s.utc_s += 4;
-  EXPECT_FALSE(at.met(s, filled()));
-  EXPECT_FALSE(when(13, {.utc_stamp = 908111413}).met(s, filled()))
+  EXPECT_FALSE(at.met(s, filledCommands()));
+  EXPECT_FALSE(whenWith(13, {.utc_stamp = 908111413}).met(s, filledCommands()))
       << "past when the mission began";
-  EXPECT_FALSE(when(13, {.utc_stamp = 908321413}).met(s, filled())) << "32 August";
-  EXPECT_FALSE(when(13).met(s, filled()));
+  EXPECT_FALSE(whenWith(13, {.utc_stamp = 908321413}).met(s, filledCommands())) << "32 August";
+  EXPECT_FALSE(whenWith(13).met(s, filledCommands()));
 }
 
 TEST(VehicleRules, ABArgOfAMillionIsAMissionParameterReadWhenItIsUsed) {
@@ -286,7 +287,7 @@ TEST(VehicleRules, NopCommandsKeepSlotsBusyAndMoveNothing) {
   EXPECT_EQ(nop.commands.pitch->mode, PitchCommand::Mode::Ignore);
   EXPECT_EQ(nop.commands.heading->mode, HeadingCommand::Mode::Ignore);
   EXPECT_TRUE(std::isnan(*nop.commands.pump_cc));
-  nop.run({.time_s = 4}, filled());
+  nop.run({.time_s = 4}, filledCommands());
   EXPECT_EQ(*nop.commands.pump_cc, 0) << "what is commanded below stays";
   nop.run({.time_s = 40});
   EXPECT_EQ(nop.commands.idleAbort(), Abort::StackIdle);
@@ -331,23 +332,23 @@ TEST(VehicleRules, ADiveToByItselfHasDefaultsOfItsOwn) {
 }
 
 TEST(VehicleRules, AStopWhenItIsCompleteIsNoStopOfItsOwn) {
-  EXPECT_TRUE(when(0).met({}, filled()));
-  EXPECT_FALSE(when(0, {.stops = true}).met({}, filled()));
+  EXPECT_TRUE(whenWith(0).met({}, filledCommands()));
+  EXPECT_FALSE(whenWith(0, {.stops = true}).met({}, filledCommands()));
 }
 
 TEST(VehicleRules, AUtcTimeMayComeAgain) {
-  When again = when(13, {.secs = 600, .utc_stamp = 908111414});
+  When again = whenWith(13, {.secs = 600, .utc_stamp = 908111414});
   Situation s{.time_s = 40, .utc_s = 1.25e9 + 40};
-  EXPECT_TRUE(again.met(s, filled()));
+  EXPECT_TRUE(again.met(s, filledCommands()));
   again.noteStart(40);
   s.time_s = 639, s.utc_s = 1.25e9 + 639;
-  EXPECT_FALSE(again.met(s, filled()));
+  EXPECT_FALSE(again.met(s, filledCommands()));
   s.time_s = 640, s.utc_s = 1.25e9 + 640;
-  EXPECT_TRUE(again.met(s, filled()));
-  When late = when(13, {.secs = -1, .utc_stamp = 908110000});
-  EXPECT_TRUE(late.met(s, filled())) << "at any time after it";
+  EXPECT_TRUE(again.met(s, filledCommands()));
+  When late = whenWith(13, {.secs = -1, .utc_stamp = 908110000});
+  EXPECT_TRUE(late.met(s, filledCommands())) << "at any time after it";
   late.noteStart(640);
-  EXPECT_FALSE(late.met(s, filled())) << "once";
+  EXPECT_FALSE(late.met(s, filledCommands())) << "once";
 }
 
 TEST(VehicleRules, AutoballastIsTheWholePump) {

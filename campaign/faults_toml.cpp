@@ -58,6 +58,8 @@ std::string wrongToToml(const SensorFault& fault) {
       return fmt::format("offset = {}", fault.value);
     case Kind::Jumps:
       return fmt::format("jumps = {}\njumps_share = {}", fault.value, fault.share);
+    case Kind::Sways:
+      return fmt::format("sways = {}\nperiod_s = {}", fault.value, fault.period_s);
     case Kind::Value:
       break;
   }

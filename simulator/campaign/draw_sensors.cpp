@@ -146,6 +146,25 @@ void addStuckPressure(const char* name, double jump_bar, const Span& when, Fault
   faults.sensors.push_back(fault);
 }
 
+/// Adds a slow sine, to the truth or to a reading that is stuck.
+void addSway(const Plausible& sensor, Draw& draw, Faults& faults) {
+  SensorFault sways;
+  sways.name = sensor.name;
+  sways.kind = SensorFault::Kind::Sways;
+  sways.value = (sensor.highest - sensor.lowest) * draw.scale(0.01, 0.1);
+  sways.period_s = draw.scale(20, 400);
+  const bool stuck = draw.chance(0.5);
+  for (const Span& span : draw.windows()) {
+    sways.when = span;
+    SensorFault frozen = sways;
+    frozen.kind = SensorFault::Kind::Frozen;
+    if (stuck) {
+      faults.sensors.push_back(frozen);
+    }
+    faults.sensors.push_back(sways);
+  }
+}
+
 }  // namespace
 
 void addBothPressures(Draw& draw, Faults& faults) {
@@ -164,6 +183,9 @@ void addSensor(SensorFaultKind kind, Draw& draw, Faults& faults) {
   }
   SensorFault fault;
   fault.name = sensor.name;
+  if (kind == SensorFaultKind::SensorDrift && draw.chance(0.3)) {
+    return addSway(sensor, draw, faults);
+  }
   fault.kind = howOf(kind, draw);
   fault.value = valueOf(kind, sensor, draw);
   fault.share = draw.chance(0.3) ? 1 : draw.scale(0.01, 1);

@@ -107,6 +107,7 @@ FaultKind kindOf(const SensorFault& fault) {
       return FaultKind::SensorMissing;
     case SensorFault::Kind::Drift:
     case SensorFault::Kind::Offset:
+    case SensorFault::Kind::Sways:  // slow and smooth: without a CTD nothing tells it from motion
       return FaultKind::SensorDrift;
     case SensorFault::Kind::Scale:
       return FaultKind::SensorScale;
@@ -126,8 +127,13 @@ std::vector<FaultKind> kindsOf(const Faults& faults) {
   for (const LineFault& fault : faults.lines) {
     add(true, fault.cut || fault.heard_at_baud > 0 ? FaultKind::LineCut : FaultKind::ByteLoss);
   }
-  // A sensor that is stuck and flickers has two entries, and is one wrong sensor.
+  // A sensor that is stuck and flickers, or sways, has two entries, and is one wrong sensor.
   std::set<std::string> seen;
+  for (const SensorFault& fault : faults.sensors) {
+    if (fault.kind == SensorFault::Kind::Sways) {
+      add(seen.insert(fault.name).second, kindOf(fault));
+    }
+  }
   for (const SensorFault& fault : faults.sensors) {
     add(seen.insert(fault.name).second, kindOf(fault));
   }

@@ -40,15 +40,16 @@ struct LineFault {
 
 /// What a sensor reports for some time instead of the truth.
 struct SensorFault {
-  enum class Kind : uint8_t { Frozen, Value, Missing, Drift, Scale, Jumps, Offset };
+  enum class Kind : uint8_t { Frozen, Value, Missing, Drift, Scale, Jumps, Offset, Sways };
   std::string name;  ///< the vehicle's
   uint16_t id = 0;   ///< in the platform; set when the flight begins
   Span when = {};
   Kind kind = Kind::Frozen;
   /// Value: what it reports, may be NaN; Drift: how much is added per second; Scale: the factor by
   /// which it is multiplied; Jumps: the greatest jump of a reading in either direction; Offset: how
-  /// much is added. In the sensor's unit.
+  /// much is added; Sways: the amplitude of a sine that is added. In the sensor's unit.
   double value = 0;
+  double period_s = 120;  ///< Sways: of the sine, which begins at 0 when the fault does
   double share = 1;  ///< Value, Jumps, Missing: share of readings that are wrong in this way
 };
 

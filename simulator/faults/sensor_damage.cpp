@@ -3,6 +3,9 @@
 
 #include "simulator/faults/sensor_damage.h"
 
+#include <cmath>
+#include <numbers>
+
 namespace glider::simulator {
 
 double SensorDamage::jump(const SensorFault& fault) {
@@ -35,6 +38,10 @@ std::optional<double> SensorDamage::reading(uint16_t id, double truth) {
         break;
       case SensorFault::Kind::Scale:
         reading *= fault.value;
+        break;
+      case SensorFault::Kind::Sways:
+        reading += fault.value *
+                   std::sin(2 * std::numbers::pi * (now_s_ - fault.when.from_s) / fault.period_s);
         break;
       case SensorFault::Kind::Jumps:
         reading += jump(fault);

@@ -81,11 +81,13 @@ constexpr Wrong kWrongByNumber[] = {
     {"drift_per_s", SensorFault::Kind::Drift, -kMostWrong, kMostWrong},
     {"scale", SensorFault::Kind::Scale, -kMostWrong, kMostWrong},
     {"offset", SensorFault::Kind::Offset, -kMostWrong, kMostWrong},
-    {"jumps", SensorFault::Kind::Jumps, 0, kMostWrong}};
+    {"jumps", SensorFault::Kind::Jumps, 0, kMostWrong},
+    {"sways", SensorFault::Kind::Sways, 0, kMostWrong}};
 
 void readSensor(Fields& f, Faults& faults) {
   f.reader().only({"sensor", "from_s", "to_s", "frozen", "missing", "value", "drift_per_s", "scale",
-                   "offset", "jumps", "jumps_share", "missing_share", "value_share"});
+                   "offset", "jumps", "jumps_share", "sways", "period_s", "missing_share",
+                   "value_share"});
   SensorFault fault;
   fault.name = f.reader().text("sensor");
   fault.when = readSpan(f);
@@ -106,7 +108,11 @@ void readSensor(Fields& f, Faults& faults) {
   if (kinds != 1) {
     f.reader().refuse("sensor",
                       "needs one of `frozen = true`, `missing = true`, `value`, `drift_per_s`, "
-                      "`scale`, `offset` and `jumps`");
+                      "`scale`, `offset`, `jumps` and `sways`");
+  }
+  f.number("period_s", fault.period_s, 1, kLongest);
+  if (f.has("period_s") && !f.has("sways")) {
+    f.reader().refuse("period_s", "needs `sways` as well");
   }
   f.number("jumps_share", fault.share, 0, 1);
   if (f.has("jumps_share") && !f.has("jumps")) {

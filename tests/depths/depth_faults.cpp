@@ -81,6 +81,17 @@ std::string nameOf(const SensorFault& f) {
                                    : fmt::format("{} = {}", f.name, f.value);
 }
 
+/// A slow sine, added to the truth or to a reading that is stuck.
+void addSways(const Sensor& sensor, std::vector<DepthFault>& out) {
+  for (const double period_s : {40.0, 100.0, 200.0}) {
+    SensorFault sways = fault(sensor.name, Kind::Sways, sensor.jump / 10);
+    sways.period_s = period_s;
+    const std::string name = fmt::format("{} sways in {} s", sensor.name, period_s);
+    out.push_back({name, DepthRule::False, {sways}});
+    out.push_back({name + ", stuck", DepthRule::False, {fault(sensor.name, Kind::Frozen), sways}});
+  }
+}
+
 void addAll(const Sensor& sensor, std::vector<DepthFault>& out) {
   const auto add = [&](const std::string& how, DepthRule rule, const SensorFault& what) {
     out.push_back({fmt::format("{} {}", sensor.name, how), rule, {what}});
@@ -103,6 +114,7 @@ void addAll(const Sensor& sensor, std::vector<DepthFault>& out) {
     add(fmt::format("times {}", scale), DepthRule::False, fault(sensor.name, Kind::Scale, scale));
   }
   addFlickers(sensor, out);
+  addSways(sensor, out);
 }
 
 }  // namespace

@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
+#include <deque>
+#include <utility>
 
 namespace glider::tests {
 namespace {
@@ -33,6 +35,10 @@ class DepthOnlooker final : public simulator::FlightObserver {
     seen.last_m = depth;
     noteTurn(depth);
     noteBottom(view);
+    recent_.emplace_back(view.time_s, depth);
+    while (view.time_s - recent_.front().first > kRecentSecs) {
+      recent_.pop_front();
+    }
     for (const double what : {depth, view.east_m, view.north_m, view.pumped_cc}) {
       constexpr uint64_t kPrime = 0x100000001b3U;  // FNV-1a, a word at a time
       seen.fingerprint = (seen.fingerprint ^ std::bit_cast<uint64_t>(what)) * kPrime;
@@ -42,6 +48,7 @@ class DepthOnlooker final : public simulator::FlightObserver {
     }
     const double guard = view.array.get(GLIDER_X_HOOK_GUARD);
     if (guard > 0) {
+      seen.sank_m = seen.guards.empty() ? depth - recent_.front().second : seen.sank_m;
       seen.guards.insert(static_cast<int>(guard));
       seen.guarded_s = seen.guarded_s < 0 ? view.time_s : seen.guarded_s;
     }
@@ -50,6 +57,8 @@ class DepthOnlooker final : public simulator::FlightObserver {
   Dived seen;
 
  private:
+  static constexpr double kRecentSecs = 180;
+
   void noteTurn(double depth) {
     constexpr double kTurned = 2;
     extreme_ = sinking_ ? std::max(extreme_, depth) : std::min(extreme_, depth);
@@ -74,6 +83,7 @@ class DepthOnlooker final : public simulator::FlightObserver {
 
   simulator::BottomJudge judge_;
   double touched_s_ = -1;
+  std::deque<std::pair<double, double>> recent_;  ///< times, s, and true depths, m
   bool sinking_ = true;
   double extreme_ = 0;
 };

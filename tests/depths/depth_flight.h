@@ -31,6 +31,7 @@ struct Dived {
   double last_m = 0;         ///< where it was at the end
   std::set<int> guards;      ///< values of x_hook_guard that were seen, but 0
   double guarded_s = -1;     ///< when the first of them was
+  double sank_m = 0;         ///< how far, in all, in the three minutes before
   int dives = 0;             ///< how often the vehicle turned from sinking to rising below 2 m
   double given_back_s = -1;  ///< when the SBC released control
   /// Of where the vehicle was and what its pump did in each cycle: two flights that are alike have

@@ -151,7 +151,8 @@ TEST(Nuisance, NoGuardComesInWhereNothingIsWrong) {
     EXPECT_TRUE(dived.guards.empty())
         << "flight " << seed + i << (plan.hovers ? ", hover at " : ", yo to ") << plan.bottom_m
         << " m at " << plan.pitch_rad << " rad: guard " << *dived.guards.begin() << " at "
-        << dived.guarded_s << " s, deepest " << dived.deepest_m << " m\n"
+        << dived.guarded_s << " s, after it sank " << dived.sank_m << " m, deepest "
+        << dived.deepest_m << " m\n"
         << describe(drawn);
     if (count > 100 && (i + 1) % 200 == 0) {
       fmt::print("{} of {} flights, {} guarded, {} dives\n", i + 1, count, guarded, dives);

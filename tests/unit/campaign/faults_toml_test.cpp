@@ -74,6 +74,7 @@ TEST(FaultsToToml, Sensors) {
   EXPECT_EQ(sensorText(Kind::Scale, 2), "scale = 2\n");
   EXPECT_EQ(sensorText(Kind::Offset, -7), "offset = -7\n");
   EXPECT_EQ(sensorText(Kind::Jumps, 3, 0.25), "jumps = 3\njumps_share = 0.25\n");
+  EXPECT_EQ(sensorText(Kind::Sways, 1.5), "sways = 1.5\nperiod_s = 120\n");
   EXPECT_EQ(sensorText(Kind::Value, -1), "value = -1\n");
   EXPECT_EQ(sensorText(Kind::Value, 9, 0.75), "value = 9\nvalue_share = 0.75\n");
   for (const double sign : {1.0, -1.0}) {

@@ -293,6 +293,22 @@ TEST(SensorDamage, DriftsScalesAndJumps) {
   EXPECT_NEAR(up, jumped / 2.0, 40);
 }
 
+TEST(SensorDamage, SwaysAlsoWhereItIsStuck) {
+  using Kind = SensorFault::Kind;
+  SensorFault frozen = onSensor("", Kind::Frozen), sways = onSensor("", Kind::Sways, 2);
+  frozen.id = sways.id = 1;
+  sways.period_s = 40;
+  SensorDamage damage({frozen, sways}, 1);
+  damage.setNow(299);
+  EXPECT_EQ(damage.reading(1, 20), 20);
+  damage.setNow(300);
+  EXPECT_NEAR(*damage.reading(1, 25), 20, 1e-12);
+  damage.setNow(310);
+  EXPECT_NEAR(*damage.reading(1, 25), 22, 1e-12) << "a quarter of the period";
+  damage.setNow(330);
+  EXPECT_NEAR(*damage.reading(1, 25), 18, 1e-12);
+}
+
 TEST(SensorDamage, IsOffAndLiesNowAndThen) {
   using Kind = SensorFault::Kind;
   SensorFault off = onSensor("", Kind::Offset, 1.5);

@@ -601,6 +601,13 @@ TEST(JudgeSetup, ASensorThatIsStuckAndFlickersIsOneWrongSensor) {
   EXPECT_EQ(promised(), Deepest::OneAndAHalf);
 }
 
+TEST(JudgeSetup, ASensorThatIsStuckAndSwaysDrifts) {
+  Faults faults;
+  faults.sensors.push_back({.name = "m_depth", .kind = SensorFault::Kind::Frozen});
+  faults.sensors.push_back({.name = "m_depth", .kind = SensorFault::Kind::Sways, .value = 1});
+  EXPECT_EQ(kindsOf(faults), std::vector{FaultKind::SensorDrift});
+}
+
 TEST(JudgeSetup, BeforeTheFirstSensorIsWrongAllIsPromised) {
   Scenario scenario = shippedSetup("default").scenario;
   scenario.faults.sensors.push_back(

@@ -234,10 +234,11 @@ TEST_F(ScenarioFile, ReadsSensorsThatAreOffAndThatLieNowAndThen) {
 TEST_F(ScenarioFile, ReadsSensorsThatDriftScaleAndJump) {
   const std::string depth = "[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\n";
   ASSERT_EQ(load(kHead + kStart + depth + "drift_per_s = -0.02\n" + depth + "scale = 0.5\n" +
-                 depth + "jumps = 20\njumps_share = 0.1\n"),
+                 depth + "jumps = 20\njumps_share = 0.1\n" + depth + "sways = 2\nperiod_s = 90\n" +
+                 depth + "sways = 3\n"),
             "");
   const auto& sensors = scenario_.faults.sensors;
-  ASSERT_EQ(sensors.size(), 3U);
+  ASSERT_EQ(sensors.size(), 5U);
   EXPECT_EQ(sensors[0].kind, SensorFault::Kind::Drift);
   EXPECT_EQ(sensors[0].value, -0.02);
   EXPECT_EQ(sensors[1].kind, SensorFault::Kind::Scale);
@@ -245,6 +246,10 @@ TEST_F(ScenarioFile, ReadsSensorsThatDriftScaleAndJump) {
   EXPECT_EQ(sensors[2].kind, SensorFault::Kind::Jumps);
   EXPECT_EQ(sensors[2].value, 20);
   EXPECT_EQ(sensors[2].share, 0.1);
+  EXPECT_EQ(sensors[3].kind, SensorFault::Kind::Sways);
+  EXPECT_EQ(sensors[3].value, 2);
+  EXPECT_EQ(sensors[3].period_s, 90);
+  EXPECT_EQ(sensors[4].period_s, 120);
 }
 
 TEST_F(ScenarioFile, ReadsRestartsCardsReplaysAndWhatIsLeftOver) {
@@ -291,6 +296,10 @@ TEST_F(ScenarioFile, RefusesFaultsThatAreNone) {
       {"[[faults.power]]\nfrom_s = 10\nto_s = 10\n", "must be after `from_s`"},
       {"[[faults.power]]\nfrom_s = -1\n", "between 0 and"},
       {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\n", "needs one of"},
+      {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nfrozen = true\nperiod_s = 9\n",
+       "needs `sways` as well"},
+      {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nsways = 1\nperiod_s = 0.5\n",
+       "between 1 and"},
       {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nfrozen = true\nvalue = 3\n",
        "needs one of"},
       {"[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nfrozen = true\nscale = 3\n",

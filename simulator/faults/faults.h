@@ -50,7 +50,7 @@ struct SensorFault {
   /// much is added; Sways: the amplitude of a sine that is added. In the sensor's unit.
   double value = 0;
   double period_s = 120;  ///< Sways: of the sine, which begins at 0 when the fault does
-  double share = 1;  ///< Value, Jumps, Missing: share of readings that are wrong in this way
+  double share = 1;       ///< Value, Jumps, Missing: share of readings that are wrong in this way
 };
 
 /// The SBC's own clock jumps.

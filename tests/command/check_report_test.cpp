@@ -181,8 +181,7 @@ TEST(CheckReport, TooMuchForABoardIsAnError) {
 
 TEST(CheckReport, OfAMissionWithCodeInCItNeedsTheCode) {
   const std::string mission = GLIDER_SOURCE_DIR "/missions/examples/sensor/optode.mission";
-  const Outcome without =
-      runShell("$GLIDERCC check --report --target ts7800 " + mission);
+  const Outcome without = runShell("$GLIDERCC check --report --target ts7800 " + mission);
   EXPECT_EQ(without.status, 0) << without.err;
   EXPECT_THAT(without.out, HasSubstr("optode_o2"));
   EXPECT_THAT(without.out, HasSubstr("--link FILE"));
@@ -194,8 +193,8 @@ TEST(CheckReport, OfAMissionWithCodeInCItNeedsTheCode) {
       " --emit header -o optode.h && clang-19 $($GLIDERCC targets --cflags ts7800) -I. -c " +
       GLIDER_SOURCE_DIR "/missions/examples/sensor/optode.c -o optode.o");
   ASSERT_EQ(built.status, 0) << built.err;
-  const Outcome with = runShell("$GLIDERCC check --report --target ts7800 --link " +
-                                object + " " + mission);
+  const Outcome with =
+      runShell("$GLIDERCC check --report --target ts7800 --link " + object + " " + mission);
   EXPECT_EQ(with.status, 0) << with.err;
   EXPECT_THAT(with.out, HasSubstr("of 131,072 bytes"));
 }

@@ -105,8 +105,8 @@ Flight flyAlong(const std::string& capture, const std::string& current) {
   const TemporaryFolder folder;
   (void)folder.write("skeleton.mi", slurp(project("scenarios/skeleton.mi")));
   const auto scenario = folder.write(
-      "current.toml", withLine(slurp(project("scenarios/default.toml")), "current_north_mps = -0.03",
-                           "current_north_mps = " + current));
+      "current.toml", withLine(slurp(project("scenarios/default.toml")),
+                               "current_north_mps = -0.03", "current_north_mps = " + current));
   const auto mission = folder.write(
       "along.mission",
       "mission along_path\n"

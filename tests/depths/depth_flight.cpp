@@ -17,6 +17,7 @@
 #include <bit>
 #include <cstdlib>
 #include <deque>
+#include <ranges>
 #include <utility>
 
 namespace glider::tests {
@@ -35,10 +36,7 @@ class DepthOnlooker final : public simulator::FlightObserver {
     seen.last_m = depth;
     noteTurn(depth);
     noteBottom(view);
-    recent_.emplace_back(view.time_s, depth);
-    while (view.time_s - recent_.front().first > kRecentSecs) {
-      recent_.pop_front();
-    }
+    noteHeld(view);
     for (const double what : {depth, view.east_m, view.north_m, view.pumped_cc}) {
       constexpr uint64_t kPrime = 0x100000001b3U;  // FNV-1a, a word at a time
       seen.fingerprint = (seen.fingerprint ^ std::bit_cast<uint64_t>(what)) * kPrime;
@@ -48,7 +46,7 @@ class DepthOnlooker final : public simulator::FlightObserver {
     }
     const double guard = view.array.get(GLIDER_X_HOOK_GUARD);
     if (guard > 0) {
-      seen.sank_m = seen.guards.empty() ? depth - recent_.front().second : seen.sank_m;
+      seen.water_held_it = seen.guards.empty() ? held_ : seen.water_held_it;
       seen.guards.insert(static_cast<int>(guard));
       seen.guarded_s = seen.guarded_s < 0 ? view.time_s : seen.guarded_s;
     }
@@ -57,8 +55,6 @@ class DepthOnlooker final : public simulator::FlightObserver {
   Dived seen;
 
  private:
-  static constexpr double kRecentSecs = 180;
-
   void noteTurn(double depth) {
     constexpr double kTurned = 2;
     extreme_ = sinking_ ? std::max(extreme_, depth) : std::min(extreme_, depth);
@@ -68,6 +64,19 @@ class DepthOnlooker final : public simulator::FlightObserver {
       sinking_ = !sinking_;
       extreme_ = depth;
     }
+  }
+
+  void noteHeld(const simulator::CycleView& view) {
+    constexpr double kHeavyCc = -60, kActsSecs = 30, kStillSecs = 24, kStillM = 0.7;
+    const bool heavy = view.pumped_cc <= kHeavyCc && view.clearance_m > 5;
+    heavy_from_s_ = heavy ? std::min(heavy_from_s_, view.time_s) : 1e18;
+    recent_.emplace_back(view.time_s, view.true_depth_m);
+    while (view.time_s - recent_.front().first > kStillSecs) {
+      recent_.pop_front();
+    }
+    const auto [least, most] = std::ranges::minmax(recent_ | std::views::values);
+    held_ = held_ || (view.time_s - heavy_from_s_ >= kActsSecs + kStillSecs &&
+                      view.true_depth_m > 2 && most - least < kStillM);
   }
 
   void noteBottom(const simulator::CycleView& view) {
@@ -84,6 +93,8 @@ class DepthOnlooker final : public simulator::FlightObserver {
   simulator::BottomJudge judge_;
   double touched_s_ = -1;
   std::deque<std::pair<double, double>> recent_;  ///< times, s, and true depths, m
+  double heavy_from_s_ = 1e18;
+  bool held_ = false;
   bool sinking_ = true;
   double extreme_ = 0;
 };

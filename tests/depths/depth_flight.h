@@ -27,11 +27,14 @@ std::string layeredSkeleton(double greatest_m, double bottom_m);
 
 /// What came of a flight.
 struct Dived {
-  double deepest_m = 0;      ///< by the vehicle itself, not by its sensors
-  double last_m = 0;         ///< where it was at the end
-  std::set<int> guards;      ///< values of x_hook_guard that were seen, but 0
-  double guarded_s = -1;     ///< when the first of them was
-  double sank_m = 0;         ///< how far, in all, in the three minutes before
+  double deepest_m = 0;   ///< by the vehicle itself, not by its sensors
+  double last_m = 0;      ///< where it was at the end
+  std::set<int> guards;   ///< values of x_hook_guard that were seen, but 0
+  double guarded_s = -1;  ///< when the first of them was
+  /// Before it, the water held a dive, well above the bottom: the vehicle was heavy for 54 s, and
+  /// in the last 24 s of them its true depth changed by less than 0.7 m. That looks like the
+  /// bottom.
+  bool water_held_it = false;
   int dives = 0;             ///< how often the vehicle turned from sinking to rising below 2 m
   double given_back_s = -1;  ///< when the SBC released control
   /// Of where the vehicle was and what its pump did in each cycle: two flights that are alike have

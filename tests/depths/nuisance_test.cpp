@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Flights of a whole vehicle in all kinds of water: no guard of hookbeh may come in.
-// scripts/soak/nuisance flies more of the same.
+// Flights of a whole vehicle in all kinds of water: no guard of hookbeh may come in, unless the
+// water held a dive as the bottom does: internal waves that rise as fast as a vehicle with little
+// lift sinks, and layers that it hangs on. scripts/soak/nuisance flies more of the same.
 
 #include "simulator/sensors/noise.h"
 #include "tests/depths/depth_faults.h"
@@ -139,7 +140,7 @@ std::string describe(const simulator::Scenario& scenario) {
 TEST(Nuisance, NoGuardComesInWhereNothingIsWrong) {
   const uint64_t count = wantedNumber("GLIDER_NUISANCE_FLIGHTS", 40);
   const uint64_t seed = wantedNumber("GLIDER_NUISANCE_SEED", 1);
-  uint64_t guarded = 0, dives = 0, deep = 0;
+  uint64_t guarded = 0, held = 0, dives = 0, deep = 0;
   for (uint64_t i = 0; i < count; ++i) {
     Rng dice(seed + i);
     const Plan plan = drawPlan(dice);
@@ -148,17 +149,19 @@ TEST(Nuisance, NoGuardComesInWhereNothingIsWrong) {
     dives += static_cast<uint64_t>(dived.dives);
     deep += dived.deepest_m > 10;
     guarded += !dived.guards.empty();
-    EXPECT_TRUE(dived.guards.empty())
+    held += dived.water_held_it;
+    EXPECT_TRUE(dived.guards.empty() || dived.water_held_it)
         << "flight " << seed + i << (plan.hovers ? ", hover at " : ", yo to ") << plan.bottom_m
         << " m at " << plan.pitch_rad << " rad: guard " << *dived.guards.begin() << " at "
-        << dived.guarded_s << " s, after it sank " << dived.sank_m << " m, deepest "
-        << dived.deepest_m << " m\n"
+        << dived.guarded_s << " s, deepest " << dived.deepest_m << " m\n"
         << describe(drawn);
     if (count > 100 && (i + 1) % 200 == 0) {
-      fmt::print("{} of {} flights, {} guarded, {} dives\n", i + 1, count, guarded, dives);
+      fmt::print("{} of {} flights, {} guarded, {} of them after the water held a dive, {} dives\n",
+                 i + 1, count, guarded, held, dives);
       std::fflush(stdout);
     }
   }
+  EXPECT_LE(held, count / 500) << "a dive that the water holds is rare";
   EXPECT_GT(deep, count * 9 / 10) << "they dived";
 }
 

@@ -161,7 +161,7 @@ TEST(Nuisance, NoGuardComesInWhereNothingIsWrong) {
       std::fflush(stdout);
     }
   }
-  EXPECT_LE(held, count / 500) << "a dive that the water holds is rare";
+  EXPECT_LE(held, count / 200) << "a dive that the water holds is rare";
   EXPECT_GT(deep, count * 9 / 10) << "they dived";
 }
 

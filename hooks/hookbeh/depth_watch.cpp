@@ -43,9 +43,12 @@ void DepthWatch::observe(const Surroundings& now, double step_s, double pump_cc)
   if (own_.sameFor() == 0) {
     ctd_at_own_change_m_ = ctd_.depth();
   }
-  if (ctd_is_new_) {
+  // A jump is no motion: a CTD that says the same before and after it is not frozen.
+  const bool own_jumps = own_.reading() == DepthSource::Reading::Jumped;
+  if (ctd_is_new_ || own_jumps || own_jumped_) {
     own_at_ctd_change_m_ = own_.depth();
   }
+  own_jumped_ = own_jumps;
   watchCtd(step_s);
   watchFrozen(pump_cc);
   watchLife(step_s);

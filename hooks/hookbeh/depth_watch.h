@@ -50,6 +50,7 @@ class DepthWatch {
   DepthSource ctd_;
   bool ctd_is_new_ = false;                         // it differs from the previous one
   bool ctd_jumped_ = false;                         // and has not agreed since
+  bool own_jumped_ = false;                         // in the cycle before
   bool ctd_frozen_ = false;                         // until it moves
   bool differs_ = false;                            // the two differed when last compared
   double own_at_ctd_change_m_ = __builtin_nan("");  // own depth when the CTD's last changed

@@ -69,6 +69,19 @@ TEST(HookbehDepth, OneThatJumpsAndStaysAwayIsBelievedWhenTheCtdAgreesAgain) {
   EXPECT_LE(cycles, 60);
 }
 
+/// At the surface a CTD may say exactly the same all the time.
+TEST(HookbehDepth, OneThatJumpsBackAtTheSurfaceIsBelievedBesideACtdThatRests) {
+  for (const int stuck_cycles : {5, 25}) {
+    Sea sea;
+    const auto rests = [](HookbehInputs& in) { in.ctd_bar = 0; };
+    sea.run(stuck_cycles, [](HookbehInputs& in) { in.depth_m = 65.6, in.ctd_bar = 0; });
+    sea.bench.write(Bench::take(30));
+    sea.run(5, rests);
+    EXPECT_EQ(sea.out.guard, HookGuard::DepthJumps) << stuck_cycles;
+    EXPECT_LE(sea.until(HookGuard::None, rests), 250) << stuck_cycles;
+  }
+}
+
 TEST(HookbehDepth, FrozenOnTheWayDownItClimbsInTime) {
   for (const bool ctd : {false, true}) {
     Sea sea;

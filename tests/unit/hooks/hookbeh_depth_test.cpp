@@ -71,7 +71,7 @@ TEST(HookbehDepth, OneThatJumpsAndStaysAwayIsBelievedWhenTheCtdAgreesAgain) {
 
 /// At the surface a CTD may say exactly the same all the time.
 TEST(HookbehDepth, OneThatJumpsBackAtTheSurfaceIsBelievedBesideACtdThatRests) {
-  for (const int stuck_cycles : {5, 25}) {
+  for (const int stuck_cycles : {18, 25}) {
     Sea sea;
     const auto rests = [](HookbehInputs& in) { in.ctd_bar = 0; };
     sea.run(stuck_cycles, [](HookbehInputs& in) { in.depth_m = 65.6, in.ctd_bar = 0; });

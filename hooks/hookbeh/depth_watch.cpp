@@ -43,7 +43,7 @@ void DepthWatch::observe(const Surroundings& now, double step_s, double pump_cc)
   if (own_.sameFor() == 0) {
     ctd_at_own_change_m_ = ctd_.depth();
   }
-  // A jump is no motion: a CTD that says the same before and after it is not frozen.
+  // A vehicle does not move by a jump: a CTD that says the same before and after it is not frozen.
   const bool own_jumps = own_.reading() == DepthSource::Reading::Jumped;
   if (ctd_is_new_ || own_jumps || own_jumped_) {
     own_at_ctd_change_m_ = own_.depth();

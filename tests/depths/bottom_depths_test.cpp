@@ -70,7 +70,7 @@ BottomRow rowOf(const DepthFault& fault, uint64_t times) {
 }
 
 /// docs/depths.md names these: a stuck altimeter that sways as fast as the vehicle dives looks like
-/// one that receives echoes of it, and a pitch of 86 degrees hides that a dive has stopped.
+/// one that receives echoes of the bottom, and a pitch of 86 degrees hides that a dive has stopped.
 bool breaksTheBound(const DepthFault& fault) {
   return (fault.name.find("sways") != std::string::npos && fault.name.ends_with("stuck")) ||
          fault.name == "m_altitude missing, m_pitch = 1.5" ||

@@ -15,9 +15,9 @@ if(GLIDER_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
-# From nothing, the headers cost most of the time: sources of one folder are compiled together, at most some sixteen at a time. A file
-# stays in its group when others come or go, so names in unnamed namespaces must differ only within a folder.
-option(GLIDER_UNITY "Compile the sources of a folder together (from nothing three times as fast; a change rebuilds more)" ON)
+# From nothing, the headers cost most of the time: sources of one folder are compiled together, some sixteen at a time. A
+# file mostly stays in its group when others come or go. Names in unnamed namespaces must differ within a folder.
+option(GLIDER_UNITY "Compile the sources of a folder together (fast from nothing; a change rebuilds more)" ON)
 function(glider_unite name)
   if(NOT GLIDER_UNITY)
     return()

@@ -20,7 +20,7 @@ constexpr int kNever = 5;  // start_when
 /// rule (hooks/hookbeh/hull.h).
 constexpr double kWeakestPump = 0.5;
 /// A greater number of legs or of a code says no more.
-constexpr double kMostLegs = 1e6;
+constexpr double kMostCounted = 1e6;
 
 /// Reads b_args; the first that keeps the behaviour from being understood is kept.
 class Reader {
@@ -38,7 +38,7 @@ class Reader {
     return value;
   }
   int code(const std::string& name) {
-    return static_cast<int>(std::clamp(number(name).value_or(kNever), -kMostLegs, kMostLegs));
+    return static_cast<int>(std::clamp(number(name).value_or(kNever), -kMostCounted, kMostCounted));
   }
   /// "start_when 12".
   [[nodiscard]] std::string text(const std::string& name) const {
@@ -176,7 +176,7 @@ void readYo(Reader& reader, Layer& layer) {
   layer.deepest_m = *deepest;
   if (*legs >= 0) {
     // The vehicle counts a leg when it is over: with 0 it still flies one.
-    readEnd(reader, layer, static_cast<int>(std::ceil(std::clamp(*legs, 1.0, kMostLegs))));
+    readEnd(reader, layer, static_cast<int>(std::ceil(std::clamp(*legs, 1.0, kMostCounted))));
     return;
   }
   layer.argument = reader.text("num_half_cycles_to_do");

@@ -153,11 +153,11 @@ void addSway(const Plausible& sensor, Draw& draw, Faults& faults) {
   sways.kind = SensorFault::Kind::Sways;
   sways.value = (sensor.highest - sensor.lowest) * draw.scale(0.01, 0.1);
   sways.period_s = draw.scale(20, 400);
+  SensorFault frozen;
+  frozen.name = sensor.name;
   const bool stuck = draw.chance(0.5);
   for (const Span& span : draw.windows()) {
-    sways.when = span;
-    SensorFault frozen = sways;
-    frozen.kind = SensorFault::Kind::Frozen;
+    sways.when = frozen.when = span;
     if (stuck) {
       faults.sensors.push_back(frozen);
     }

@@ -19,7 +19,7 @@
 namespace glider::ir::prove {
 namespace {
 
-constexpr double kNeverUp = std::numeric_limits<double>::infinity();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// The upper bound of expressions evaluated.
 constexpr size_t kMostWork = 4000000;
 /// A place that is raised more often is in a loop without a surfacing, or nearly so.
@@ -27,7 +27,7 @@ constexpr unsigned kMostRaised = 200;
 
 /// A sum rounded up.
 double sumOf(double a, double b) {
-  return a + b == a && b == 0 ? a : std::nextafter(a + b, kNeverUp);
+  return a + b == a && b == 0 ? a : std::nextafter(a + b, kInfinity);
 }
 
 bool isVerticalCommand(const Statement& statement) {
@@ -174,7 +174,7 @@ class SurfacingSearch {
   [[nodiscard]] double climbOf(uint32_t state) const {
     const platforms::EnvironmentModel& world = proof_context_.platform.world;
     if (!climbs(m_.states[state]) || !std::isfinite(depths_[state])) {
-      return kNeverUp;
+      return kInfinity;
     }
     constexpr double kRoundedUp = 1 + 0x1p-40;
     const double way = std::max(0.0, depths_[state] - world.surface_depth_m);
@@ -247,7 +247,7 @@ class SurfacingSearch {
     }
     const platforms::EnvironmentModel& world = proof_context_.platform.world;
     const Interval& all = proof_context_.sensors[proof_context_.depth->index];
-    const double least = std::nextafter(world.surface_depth_m - world.depth_error_m, -kNeverUp);
+    const double least = std::nextafter(world.surface_depth_m - world.depth_error_m, -kInfinity);
     const double lowest = std::max(all.lowest, least);
     return Sight{*proof_context_.depth, {lowest, all.highest, all.empty || lowest > all.highest}};
   }

@@ -5,6 +5,7 @@
 #include "ir/core/walk.h"
 #include "ir/prove/encoding/any_moment.h"
 #include "ir/prove/passes.h"
+#include "ir/verify/intervals.h"
 #include "ir/verify/value_text.h"
 #include "support/diagnostics/catalogue.h"
 
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -21,8 +21,6 @@ namespace glider::ir::prove {
 namespace {
 
 using support::DiagnosticId;
-
-constexpr double kAnyValue = std::numeric_limits<double>::max();
 
 /// False, and reported, if no reading of the vehicle is in an assumed range.
 bool rangesOverlap(const Proof& proof, const Mission& mission) {
@@ -107,7 +105,7 @@ struct When {
 };
 
 When atAnyTime() {
-  return {{0, kAnyValue, kAnyValue, kAnyValue, kAnyValue}, ""};
+  return {{0, kGreatestNumber, kGreatestNumber, kGreatestNumber, kGreatestNumber}, ""};
 }
 
 /// Every flight has this moment.

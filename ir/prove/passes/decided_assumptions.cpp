@@ -7,6 +7,7 @@
 #include "ir/prove/context/decided_by_mission.h"
 #include "ir/prove/encoding/any_moment.h"
 #include "ir/prove/passes.h"
+#include "ir/verify/intervals.h"
 #include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
@@ -16,14 +17,12 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace glider::ir::prove {
 namespace {
 
-constexpr double kAny = std::numeric_limits<double>::max();
 /// Of the sea, in one comparison; with more of them it is taken to be satisfiable.
 constexpr size_t kMostReadings = 3;
 constexpr double kMetresPerBar = 10;
@@ -179,7 +178,8 @@ class DecidedCheck {
     narrow(mission);
     const ExprId can = Projection(mission, proof_context_).canBe(a.watch.condition, true);
     const ProofContext proof_context(mission, proof_context_.platform);
-    const std::vector<StateBounds> bounds(mission.states.size(), {0, kAny, kAny, kAny, deepest_});
+    const std::vector<StateBounds> bounds(
+        mission.states.size(), {0, kGreatestNumber, kGreatestNumber, kGreatestNumber, deepest_});
     return AnyMoment(proof_context, bounds).mayBeFalse(can, proof_.options.effort, proof_.checks);
   }
   [[nodiscard]] bool reads(ExprId condition) const {
@@ -238,7 +238,7 @@ class DecidedCheck {
     const double limit = row->alias == "depth"   ? fastest
                          : isPressure(*row)      ? fastest / kMetresPerBar * sensor.to_si
                          : row->alias == "pitch" ? 0  // how fast it turns is the vehicle's
-                                                 : kAny;
+                                                 : kGreatestNumber;
     return a.limit < limit;
   }
 

@@ -12,7 +12,7 @@
 namespace glider::ir::prove {
 namespace {
 
-constexpr double kAlways = std::numeric_limits<double>::infinity();
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -21,8 +21,8 @@ Insight::Insight(const ProofContext& proof_context, const EndBound& end)
       end_(end),
       bounds_(stateBounds(context_, end)),
       moment_(context_, bounds_),
-      ended_by_(end.by ? std::ranges::max(end.left_by) : kAlways),
-      surfaces_every_(kAlways) {}
+      ended_by_(end.by ? std::ranges::max(end.left_by) : kNoLimit),
+      surfaces_every_(kNoLimit) {}
 
 bool Insight::proves(const Requirement& requirement, unsigned effort, Budget& budget) {
   switch (requirement.kind) {
@@ -63,7 +63,7 @@ void Insight::know(const Requirement& requirement) {
 
 double Insight::submersion() {
   if (!submersion_) {
-    submersion_ = longestSubmersion(context_, end_, kLongestMission).value_or(kAlways);
+    submersion_ = longestSubmersion(context_, end_, kLongestMission).value_or(kNoLimit);
   }
   return *submersion_;
 }

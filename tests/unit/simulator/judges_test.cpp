@@ -522,6 +522,25 @@ TEST_F(JudgedContacts, RareEchoesShowTheBottomAfterThree) {
   EXPECT_EQ(touch(7000, 40), "the vehicle is on the bottom");
 }
 
+/// Between rare echoes the vehicle may come nearer than min_altitude, between usual ones not.
+TEST_F(JudgedContacts, RareEchoesPromiseNoClearance) {
+  setup_.faults.sensors.clear();
+  setup_.promise = promiseOf(FaultKind::None);
+  for (const double every_s : {80.0, 4.0}) {
+    setup_.echo_every_s = every_s;
+    BottomJudge judge(setup_);
+    std::string wrong;
+    for (const double clearance_m : {20.0, 20.0, 20.0, 20.0, 0.7}) {
+      now_ += kCycle;
+      array_.beginCycle();
+      array_.set(GLIDER_M_ALTITUDE, clearance_m);
+      array_.set(GLIDER_M_DEPTH, 40 - clearance_m);
+      wrong = judge.cycle({now_, hook_, 40 - clearance_m, false, false, array_, now_, clearance_m});
+    }
+    EXPECT_EQ(wrong.empty(), every_s > 20) << wrong;
+  }
+}
+
 TEST_F(JudgedContacts, OneThatDoesNotEndIsSeen) {
   EXPECT_EQ(touch(0, 40, 700), "the vehicle has been on the bottom for 604 s");
 }

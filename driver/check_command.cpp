@@ -428,6 +428,7 @@ void addCheckCommand(CLI::App& app, int& status) {
       ->check(CLI::Range(0.001, kLongestTimeout_s))
       ->option_text("S");
   addVehicleOptions(*command, *options);
+  acceptNoCache(*command);
   addLinkOption(*command, options->check.user_code);
   command
       ->add_option(

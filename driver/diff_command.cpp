@@ -5,6 +5,7 @@
 #include "driver/check_mission.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/shared_options.h"
 #include "driver/terminal.h"
 
 #include <CLI/CLI.hpp>
@@ -159,6 +160,7 @@ void addDiffCommand(CLI::App& app, int& status) {
   command->add_flag_callback(
       "--no-flights", [options] { options->fly = false; },
       "Do not look for a flight on which the two part");
+  acceptNoCache(*command);
   command->footer(
       "Exit codes: 0 no difference in behaviour, 1 they differ, 2 usage error, a mission with "
       "errors, or a file failed.");

@@ -65,6 +65,10 @@ CLI::Option* addPictureOptions(CLI::App& command, std::string& file, report::Pic
   return picture;
 }
 
+void acceptNoCache(CLI::App& command) {
+  command.add_flag("--no-cache")->group("");
+}
+
 CLI::Validator seedValidator() {
   return CLI::Validator(checkSeed, "", "seed");
 }

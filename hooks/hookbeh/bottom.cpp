@@ -10,6 +10,8 @@ namespace {
 
 /// m; a vehicle stays this much more above a bottom that it has touched: it turns no sooner.
 constexpr double kMarginM = 2;
+/// m; a dive shorter than this is not one: a guard's least climb, and its clearance.
+constexpr double kLeastDiveM = 6;
 /// m; a stop was one on the bottom if the vehicle then climbs this far as its depth shows.
 constexpr double kClimbsM = 2.5;
 /// m; meanwhile the depth does not show that it sinks, nor in swell of a metre, and makes no step.
@@ -17,6 +19,10 @@ constexpr double kSinksM = 2.5;
 constexpr double kStepM = 1.5;
 constexpr double kStepMps = 0.5;
 constexpr double kGapSecs = 36;
+/// s and m; a stop so long after another one is that of another dive, and in between the depth of a
+/// vehicle that climbed has changed by more.
+constexpr double kAnotherDiveSecs = 54;
+constexpr double kFollowsM = 1;
 /// m; at the surface an old echo lets the vehicle dive so far that it can use the altimeter.
 constexpr double kTriesM = 10;
 /// m; a dive that has risen by so much is over.
@@ -30,6 +36,11 @@ constexpr double kAgreeing = 3;
 constexpr double kAgreesOverM = 8;
 
 }  // namespace
+
+void Bottom::move(const Surroundings& now, double least_altitude_m, double step_s) {
+  const double shallow_m = atLeast(least_altitude_m + kMarginM + kLeastDiveM, kShallowM);
+  memory_.observe({now.latitude_ddmm, now.longitude_ddmm}, shallow_m, step_s);
+}
 
 void Bottom::observe(const Surroundings& now, double depth_m, double least_altitude_m,
                      double step_s) {
@@ -64,15 +75,23 @@ void Bottom::noteTurn(double depth_m) {
 }
 
 void Bottom::noteStop() {
-  stop_m_ = depth_m_;
+  const bool again = isFinite(stop_m_) && stop_age_s_ >= kAnotherDiveSecs;
+  stuck_m_ = again && stop_far_m_ < kFollowsM ? depth_m_ : stuck_m_;
+  stop_age_s_ = again || !isFinite(stop_m_) ? 0 : stop_age_s_;
+  stop_m_ = isFinite(stuck_m_) ? __builtin_nan("") : depth_m_;
   stop_last_m_ = depth_m_;
-  stop_gap_s_ = 0;
+  stop_gap_s_ = stop_far_m_ = 0;
 }
 
 void Bottom::follow(double step_s) {
   stop_gap_s_ += step_s;
+  stop_age_s_ += step_s;
   if (!isFinite(depth_m_)) {
     return;
+  }
+  stop_far_m_ = atLeast(magnitude(depth_m_ - stop_m_), stop_far_m_);
+  if (magnitude(depth_m_ - stuck_m_) > kClimbsM) {
+    stuck_m_ = __builtin_nan("");
   }
   // The sensor array keeps a reading until there is a newer one.
   if (isFinite(stop_m_) && depth_m_ != stop_last_m_) {

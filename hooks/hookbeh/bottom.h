@@ -20,13 +20,12 @@ class Bottom {
   void ignore(double altitude_m) { echoes_.ignore(altitude_m); }
   /// Where the vehicle is; must be called before observe(), apart from it for the sake of the
   /// stack.
-  void move(const Surroundings& now, double step_s) {
-    memory_.observe({now.latitude_ddmm, now.longitude_ddmm}, step_s);
-  }
+  void move(const Surroundings& now, double least_altitude_m, double step_s);
   /// Follows the dives, and confirms a stop once the depth has followed the climb: a depth sensor
   /// that is stuck would not. Must be called after observe().
   void follow(double step_s);
-  /// A dive stopped in this cycle, and the vehicle climbs from now on.
+  /// A dive stopped in this cycle, and the vehicle climbs from now on. Where the depth did not
+  /// follow the climb after the stop before it is stuck, and no stop counts until it has moved.
   void noteStop();
   /// The least depth of the bottom where the vehicle is now, m; kBottomless if nothing is known.
   [[nodiscard]] double floor() const;
@@ -47,6 +46,9 @@ class Bottom {
   double stop_m_ = __builtin_nan("");  ///< where a dive stopped; NaN if none has to be confirmed
   double stop_last_m_ = 0;             ///< the newest depth since then, and its age
   double stop_gap_s_ = 0;
+  double stop_age_s_ = 0;                     ///< since that stop
+  double stop_far_m_ = 0;                     ///< how far the depth has been from it since then
+  double stuck_m_ = __builtin_nan("");        ///< a depth that follows no climb; NaN: none
   bool believed_ = true;                      ///< the altimeter: no contact contradicts it
   double agrees_from_m_ = __builtin_nan("");  ///< range of depths at which it agreed with a contact
   double agrees_to_m_ = __builtin_nan("");

@@ -24,9 +24,7 @@ constexpr double kMostRise = 0.5;
 /// So much more steeply it rose from where the dive before a contact went: the bottom was deeper
 /// there than that dive.
 constexpr double kDeeper = 2;
-/// m and s; over so shallow a bottom the vehicle cannot dive, so it cannot fly away either: after
-/// this time it tries again.
-constexpr double kShallowM = 12;
+/// s; so long a shallow bottom is remembered.
 constexpr double kShallowSecs = 1800;
 /// m and m per m; from nearer positions no slope is known, and none is steeper.
 constexpr double kLeastApartM = 30;
@@ -34,14 +32,14 @@ constexpr double kSteepest = 0.5;
 
 }  // namespace
 
-void BottomMemory::observe(const Position& now, double step_s) {
+void BottomMemory::observe(const Position& now, double shallow_m, double step_s) {
   here_ = now;
   for (Place& place : places_) {
     place.age_s += step_s;
     // The first position known after a contact without one is its place, as nearly as can be.
     place.at = isKnown(place.at) ? place.at : now;
     place.distance_m = atMost(distanceBetween(now, place.at), kDriftMps * place.age_s);
-    if (place.depth_m <= kShallowM && place.age_s > kShallowSecs) {
+    if (place.depth_m <= shallow_m && place.age_s > kShallowSecs) {
       place = {};
     }
   }

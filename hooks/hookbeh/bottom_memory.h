@@ -9,6 +9,8 @@
 
 namespace glider::hooks {
 
+/// m; over a bottom as shallow as this no vehicle can dive, whatever its least altitude is.
+inline constexpr double kShallowM = 12;
 /// A depth that counts as no bottom at all, m.
 inline constexpr double kBottomless = 1e9;
 /// False for a floor at no depth that any sea has.
@@ -21,8 +23,10 @@ inline bool isKnown(double floor_m) {
 /// the distance from the place, not with time: the bottom does not move.
 class BottomMemory {
  public:
-  /// Takes in one cycle: where the vehicle is now. All else concerns this position.
-  void observe(const Position& now, double step_s);
+  /// Takes in one cycle: where the vehicle is now. All else concerns this position. Over a touched
+  /// bottom of less than `shallow_m` it cannot dive, and so not fly away either: after half an hour
+  /// it tries again.
+  void observe(const Position& now, double shallow_m, double step_s);
   /// A dive has turned that went as deep as `depth_m`.
   void noteDive(double depth_m);
   /// The vehicle has touched the bottom at `depth_m`. Where the dive before went deeper, or the

@@ -44,7 +44,9 @@ void DepthWatch::observe(const Surroundings& now, double step_s, double pump_cc)
     ctd_at_own_change_m_ = ctd_.depth();
   }
   // A vehicle does not move by a jump: a CTD that says the same before and after it is not frozen.
-  const bool own_jumps = own_.reading() == DepthSource::Reading::Jumped;
+  // Nor does a depth that is not believed show that it moves: at the surface a CTD rests.
+  const bool own_jumps = own_.reading() == DepthSource::Reading::Jumped ||
+                         (blind_ != HookGuard::None && ctd_.depth() < kWatchClippedM);
   if (ctd_is_new_ || own_jumps || own_jumped_) {
     own_at_ctd_change_m_ = own_.depth();
   }
@@ -85,7 +87,9 @@ void DepthWatch::watchCtd(double step_s) {
   }
   agree_s_ = differs_ ? 0 : agree_s_ + step_s;
   disagree_s_ = differs_ ? disagree_s_ + step_s : 0;
-  ctd_known_ = ctd_known_ || agree_s_ >= kPersistsSecs;
+  // One that is off by some metres agrees with a depth of some seconds ago, but not with this one.
+  const bool here = magnitude(own_.depth() - ctd_.depth()) <= kAgreeM;
+  ctd_known_ = ctd_known_ || (agree_s_ >= kPersistsSecs && here);
 }
 
 void DepthWatch::watchFrozen(double pump_cc) {

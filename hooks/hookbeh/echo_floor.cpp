@@ -27,7 +27,9 @@ constexpr double kAnchorLastsSecs = 300;
 /// This many times the usual gap without an echo: then it is sure that no bottom is within range.
 /// One gap in 20,000 is longer, if echoes come at random.
 constexpr double kSure = 10;
-constexpr double kGapShare = 0.25;  // weight of the newest gap
+// Weight of the newest gap, if it is longer and if it is shorter: some short ones in a row may come
+// by chance, and silence must not show deep water sooner for that.
+constexpr double kLongerShare = 0.25, kShorterShare = 0.1;
 constexpr double kMostGap = 40;
 /// Cycles; an altimeter with shorter gaps receives an echo in most of them.
 constexpr double kDenseGap = 4;
@@ -73,7 +75,8 @@ void EchoFloor::hear(double depth_m, double altitude_m) {
   // A gap over a bottom out of range says nothing about the altimeter, unless the bottom is one
   // that silence seemed to have ruled out.
   if (!(bottom_m_ >= cleared_m_)) {
-    gap_ += (atMost(missed_ + 1, kMostGap) - gap_) * kGapShare;
+    const double gap = atMost(missed_ + 1, kMostGap);
+    gap_ += (gap - gap_) * (gap > gap_ ? kLongerShare : kShorterShare);
   }
   missed_ = listened_ = 0;
   echoes_ += 1;

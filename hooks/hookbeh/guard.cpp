@@ -48,6 +48,8 @@ constexpr double kAsksLatestM = 60;
 /// believed.
 constexpr double kAnswersSecs = 180;
 constexpr double kAnswersBelowM = 3;
+/// m; a vehicle that has just left the depth where it stood is no farther from it.
+constexpr double kStoodNearM = 2;
 /// m; at this depth or above, the vehicle is at the surface.
 constexpr double kAtSurfaceM = 1;
 /// s of climbing after a dive that gained no depth, and s for which the sensor must have worked:
@@ -96,12 +98,13 @@ void Guard::observe(const HookbehArgs& args, const Surroundings& now, double ste
   watch_.observe(now, step_s, last.pump_cc);
   depth_m_ = watch_.deepest();
   const bool known = watch_.doubt() == HookGuard::None;
-  const bool stood = headway_.standsInDive();
+  const double stood_m = headway_.standsAt();
   if (known && !doubted_) {  // an occasional missing reading must not clear it
     headway_.observe(way, watch_.depth(), step_s);
   }
-  if (stood && headway_.way() != Way::Down) {
-    bottom_.noteStop();  // in any way that the dive ended
+  // In any way that the dive ended; but a depth that is believed again may be another one.
+  if (headway_.way() != Way::Down && magnitude(watch_.depth() - stood_m) <= kStoodNearM) {
+    bottom_.noteStop();
   }
   unseen_.observe(watch_.depth(), step_s, last);
   const double deepest = unseen_.deepest();
@@ -115,7 +118,7 @@ void Guard::observe(const HookbehArgs& args, const Surroundings& now, double ste
   }
   tripped_s_ += step_s;
   sinks_mps_ = isFinite(now.depth_rate_mps) ? between(now.depth_rate_mps, 0, kFastestMps) : 0;
-  bottom_.move(now, step_s);
+  bottom_.move(now, args.least_altitude_m, step_s);
   bottom_.observe(now, watch_.depth(), args.least_altitude_m, step_s);
   bottom_.follow(step_s);
   floor_m_ = bottom_.floor();

@@ -14,6 +14,8 @@ constexpr double kActsSecs = 30;
 /// dive in real logs takes 16 s.
 constexpr double kStillM = 0.5;
 constexpr double kStillSecs = 24;
+/// m; no vehicle moves so far in the longest cycle: the depth before was another one.
+constexpr double kLeapM = 8;
 
 }  // namespace
 
@@ -21,10 +23,16 @@ bool Headway::standsInDive() const {
   return way_ == Way::Down && driven_s_ >= kActsSecs + kStillSecs && still_s_ >= kStillSecs;
 }
 
+double Headway::standsAt() const {
+  return standsInDive() ? still_m_ : __builtin_nan("");
+}
+
 void Headway::observe(Way way, double depth_m, double step_s) {
   constexpr double kGainM = 1;
   const double gained = way == Way::Down ? depth_m - best_m_ : best_m_ - depth_m;
-  if (way != way_ || gained >= kGainM) {
+  const bool leaps = magnitude(depth_m - last_m_) > kLeapM;
+  last_m_ = depth_m;
+  if (way != way_ || gained >= kGainM || leaps) {
     best_m_ = depth_m;
     idle_s_ = 0;
   } else {

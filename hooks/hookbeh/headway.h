@@ -21,9 +21,12 @@ class Headway {
   /// A dive has stopped, as on the bottom: the pump has had the time to act, and for a while the
   /// depth has not changed.
   [[nodiscard]] bool standsInDive() const;
+  /// The depth at which it stands, m; NaN if it does not.
+  [[nodiscard]] double standsAt() const;
 
  private:
   Way way_ = Way::None;
+  double last_m_ = __builtin_nan("");
   double best_m_ = __builtin_nan("");
   double idle_s_ = 0;
   double driven_s_ = 0;                 ///< this way

@@ -14,7 +14,7 @@ constexpr double kHoverReachM = 2.0;
 /// m; this far beyond the target of a dive its commands are not held: a steep dive would continue
 /// for metres.
 constexpr double kHoldReachM = 1.0;
-/// m; farther off than this, hover uses its full pump range: 233 cc at 40 cc a metre.
+/// m; farther off than this, hover has lost its depth.
 constexpr double kHoverLostM = 6.0;
 /// m; shallower than this, hovering means floating.
 constexpr double kSurfaceM = 1.0;
@@ -72,7 +72,7 @@ VerticalCommand Pilot::vertical(const Surroundings& now, double step_s, const Ho
     case Stage::Holding:
       return hold_.command();
     case Stage::Hovering:
-      return hover_.command(now, args);
+      return hover_.command(now, step_s, args);
     case Stage::Choose:
     case Stage::Surfacing:
       break;
@@ -150,7 +150,7 @@ void Pilot::arrive(const VerticalCommand& kept, const HookbehArgs& args) {
 }
 
 void Pilot::hoverOrSurface() {
-  hover_ = {in_force_.depth_m};
+  hover_ = Hover(in_force_.depth_m);
   stage_ = in_force_.depth_m < kSurfaceM ? Stage::Surfacing : Stage::Hovering;
 }
 
@@ -161,8 +161,8 @@ Way Pilot::way(double depth_m) const {
     case Stage::Climb:
       return Way::Up;
     case Stage::Hovering:
-      return depth_m > hover_.target_m + kHoverLostM   ? Way::Up
-             : depth_m < hover_.target_m - kHoverLostM ? Way::Down
+      return depth_m > hover_.target() + kHoverLostM   ? Way::Up
+             : depth_m < hover_.target() - kHoverLostM ? Way::Down
                                                        : Way::None;
     case Stage::Surfacing:
       return depth_m > kNearSurfaceM ? Way::Up : Way::None;

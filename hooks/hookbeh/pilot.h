@@ -6,6 +6,7 @@
 #include "hooks/hookbeh/args.h"
 #include "hooks/hookbeh/command.h"
 #include "hooks/hookbeh/headway.h"
+#include "hooks/hookbeh/hover.h"
 #include "hooks/hookbeh/sub_behaviours.h"
 #include "hooks/protocol/values.h"
 

@@ -37,13 +37,6 @@ struct Hold {
   [[nodiscard]] VerticalCommand command() const { return {kept.pitch_rad, kept.pump_cc, "hold"}; }
 };
 
-/// Keeps a depth at level pitch by the pump: proportional to the depth error, damped by the depth
-/// rate.
-struct Hover {
-  double target_m = 0;
-  [[nodiscard]] VerticalCommand command(const Surroundings& now, const HookbehArgs& args) const;
-};
-
 /// Rises to the surface and stays there.
 struct SurfaceNow {
   [[nodiscard]] VerticalCommand command(const HookbehArgs& args) const;

@@ -26,6 +26,10 @@ constexpr double kLeft = 1;                // m: a contact is over
 constexpr double kDepthRight = 2;          // m
 constexpr double kSlides = 100;  // m along the bottom: the contact is of another place too
 
+bool knowsDepth(const CycleView& view) {
+  return std::fabs(view.array.get(Sensor::m_depth) - view.true_depth_m) < kDepthRight;
+}
+
 }  // namespace
 
 bool BottomJudge::hearsSeldom() const {
@@ -39,11 +43,30 @@ bool BottomJudge::hears(double now_s) const {
          !isWrong(s_.faults, {"m_altitude"}, now_s, limits::kEchoFadesSecs);
 }
 
+bool BottomJudge::isShallow(double water_m) const {
+  return water_m <= std::max(limits::kShallowM, s_.args.least_altitude_m + limits::kOverShallowM);
+}
+
+/// True if no contact is allowed. Rare echoes are enough for hookbeh only, since the vehicle's own
+/// behaviours remember none; it needs the depth for that, and forgets so shallow a bottom.
+bool BottomJudge::mustKnow(const CycleView& view) const {
+  const bool ours = view.hook == HookState::Active || inactive_s_ < kOursSecs;
+  const bool shallow = isShallow(view.true_depth_m + view.clearance_m);
+  const bool silent = silent_s_ > limits::kSilentGaps * s_.echo_every_s;
+  const bool remembers = ours && !shallow && !silent && knowsDepth(view);
+  return hears(view.time_s) && (!hearsSeldom() || remembers);
+}
+
 void BottomJudge::countEcho(const CycleView& view) {
-  constexpr double kRight = 3;  // m
+  constexpr double kRight = 3, kListens = 3;  // m
   const double altitude = view.array.get(Sensor::m_altitude);
-  echoes_ +=
-      view.array.fresh(Sensor::m_altitude) && std::fabs(altitude - view.clearance_m) < kRight;
+  // The sensor array keeps an altitude until there is a newer one.
+  const bool echo = view.array.fresh(Sensor::m_altitude) && altitude != altitude_m_ &&
+                    std::fabs(altitude - view.clearance_m) < kRight;
+  altitude_m_ = altitude;
+  echoes_ += echo;
+  silent_s_ += view.true_depth_m > kListens && last_s_ < view.time_s ? view.time_s - last_s_ : 0;
+  silent_s_ = echo ? 0 : silent_s_;
 }
 
 /// What is wrong with a contact there, after the earlier ones.
@@ -52,7 +75,7 @@ std::string BottomJudge::judgePlace(const Place& here) const {
   for (const Place& place : places_) {
     const double apart_m = std::hypot(place.east_m - here.east_m, place.north_m - here.north_m);
     const bool forgotten =
-        place.water_m <= limits::kShallowM && here.at_s - place.at_s >= limits::kShallowSecs;
+        isShallow(place.water_m) && here.at_s - place.at_s >= limits::kShallowSecs;
     if (forgotten || apart_m >= limits::kPlaceM || here.water_m <= place.water_m - limits::kRiseM) {
       continue;
     }
@@ -60,7 +83,7 @@ std::string BottomJudge::judgePlace(const Place& here) const {
       return fmt::format("the vehicle is on the bottom again, {:.0f} m from an earlier contact",
                          apart_m);
     }
-    ++short_ones;
+    short_ones += isShallow(place.water_m) ? 0 : 1;
   }
   return short_ones < limits::kShortTouches
              ? ""
@@ -68,15 +91,11 @@ std::string BottomJudge::judgePlace(const Place& here) const {
 }
 
 std::string BottomJudge::judgeNewContact(const CycleView& view) {
-  // The vehicle's own behaviours remember no echo as hookbeh does.
-  const bool ours = view.hook == HookState::Active || inactive_s_ < kOursSecs;
-  if (hears(view.time_s) && (ours || !hearsSeldom())) {
+  if (mustKnow(view)) {
     return "the vehicle is on the bottom";
   }
-  const bool depth_known =
-      std::fabs(view.array.get(Sensor::m_depth) - view.true_depth_m) < kDepthRight;
   const Place here{view.east_m, view.north_m, view.true_depth_m + view.clearance_m, view.time_s};
-  return depth_known && view.hook == HookState::Active ? judgePlace(here) : "";
+  return knowsDepth(view) && view.hook == HookState::Active ? judgePlace(here) : "";
 }
 
 std::string BottomJudge::judgeTouch(const CycleView& view, bool was_dark) {

@@ -36,6 +36,8 @@ class BottomJudge {
   };
   [[nodiscard]] bool hearsSeldom() const;
   [[nodiscard]] bool hears(double now_s) const;
+  [[nodiscard]] bool isShallow(double water_m) const;
+  [[nodiscard]] bool mustKnow(const CycleView& view) const;
   void countEcho(const CycleView& view);
   [[nodiscard]] std::string judgePlace(const Place& here) const;
   std::string judgeTouch(const CycleView& view, bool was_dark);
@@ -44,9 +46,11 @@ class BottomJudge {
 
   const JudgeSetup& s_;
   std::vector<Place> places_;
-  int echoes_ = 0;                     ///< that were right
-  double last_s_ = __builtin_nan("");  ///< the previous cycle
-  double touched_s_ = 0;               ///< when this contact began
+  double altitude_m_ = __builtin_nan("");  ///< the newest reading
+  int echoes_ = 0;                         ///< that were right
+  double silent_s_ = 0;                    ///< under water since the newest of them
+  double last_s_ = __builtin_nan("");      ///< the previous cycle
+  double touched_s_ = 0;                   ///< when this contact began
   bool touching_ = false;
   bool met_in_dark_ = false;  ///< the contact began while the flight controller was down
   double allowed_m_ = 0;      ///< how far below the least altitude it may be

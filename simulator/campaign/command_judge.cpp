@@ -130,7 +130,7 @@ void CommandJudge::restart() {
   in_force_ = {};
   arrived_ = goes_back_ = carried_off_ = guarding_ = false;
   same_s_ = wrong_s_ = idle_s_ = 0;
-  deepest_m_ = -kFar;
+  deepest_m_ = crept_m_ = -kFar;
 }
 
 std::string CommandJudge::judgeWhole(const CycleView& view) const {
@@ -198,6 +198,7 @@ std::string CommandJudge::judgeBlind(const CycleView& view, double reading) {
   // Each dive counts from its own first reading; NaN readings are checked elsewhere.
   const bool gains = !dives || !(reading < deepest_m_ + 1);
   deepest_m_ = !dives ? -kFar : gains ? reading : deepest_m_;
+  crept_m_ = gains ? deepest_m_ : std::max(crept_m_, reading);
   const double same = lasts(same_s_, reading == reading_m_ && reading > kFloats);
   const double wrong = lasts(wrong_s_, ctd && std::fabs(reading - view.true_depth_m) > kWrong);
   const double idle = lasts(idle_s_, !gains);
@@ -208,7 +209,7 @@ std::string CommandJudge::judgeBlind(const CycleView& view, double reading) {
   return same > kFrozenSecs ? fmt::format("dives for {:.0f} s by a depth that is frozen", same)
          : wrong > kWrongSecs
              ? fmt::format("dives at {:.1f} m by a depth of {:.1f} m", view.true_depth_m, reading)
-         : idle > (reading < deepest_m_ + kStands ? kIdleSecs : kCreepsSecs)
+         : idle > (crept_m_ < deepest_m_ + kStands ? kIdleSecs : kCreepsSecs)
              ? fmt::format("dives for {:.0f} s without a metre gained", idle)
              : "";
 }

@@ -54,7 +54,8 @@ class CommandJudge {
   double wrong_s_ = 0;          ///< how long it has been far from the truth, in a dive
   double idle_s_ = 0;           ///< how long a dive has not gained a metre
   double excused_s_ = -1e9;     ///< when guard 6 last climbed because of old frames
-  double deepest_m_ = -1e9;     ///< of m_depth in this dive
+  double deepest_m_ = -1e9;     ///< of m_depth in this dive, when it last gained a metre
+  double crept_m_ = -1e9;       ///< and the greatest since then
   double overridden_s_ = -1e9;  ///< when a behaviour above hookbeh last controlled pitch or pump
 
   double echo_s_ = -1e9;  ///< when the altimeter last received an echo

@@ -25,6 +25,7 @@ inline bool checksDepth(const hooks::HookbehOutputs& out) {
 
 /// True if a guard of this kind may have its reason in a limit that is near. Guard 2 turns a dive
 /// before the limit is reached, by up to 4 m, and between echoes it counts on a bottom that rises.
+/// For guard 1 a CTD that reads too deep is a reason.
 inline bool isNearLimit(const JudgeSetup& setup, const CycleView& view, hooks::HookGuard guard,
                         double echo_age_s) {
   constexpr double kNear = 2, kTurnsSooner = 4, kOldEcho = 40;  // m, m, s
@@ -32,7 +33,11 @@ inline bool isNearLimit(const JudgeSetup& setup, const CycleView& view, hooks::H
   const double low_m = kNear + (of_bottom ? kTurnsSooner : 0);
   const bool low =
       setup.args.least_altitude_m >= 0 && view.clearance_m < setup.args.least_altitude_m + low_m;
-  return view.true_depth_m > setup.args.greatest_depth_m - kNear || low ||
+  constexpr double kBarMetres = 10;
+  const double ctd_m = view.array.get(Sensor::sci_water_pressure) * kBarMetres;
+  const double deepest_m =
+      guard == hooks::HookGuard::TooDeep && ctd_m > view.true_depth_m ? ctd_m : view.true_depth_m;
+  return deepest_m > setup.args.greatest_depth_m - kNear || low ||
          (of_bottom && !(echo_age_s < kOldEcho));
 }
 

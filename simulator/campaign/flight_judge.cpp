@@ -196,6 +196,7 @@ void FlightJudge::followRestart(const CycleView& view) {
     guards_.restart();
     needless_.restart();
     bottom_.restart();
+    surface_.restart();
   }
   mission_s_ = view.mission_s;
 }
@@ -297,7 +298,7 @@ void FlightJudge::judgeAll(const CycleView& view) {
   take(JudgeId::Bottom, bottom_.cycle(view));
   take(JudgeId::Ascent, ascent_.cycle(view));
   take(JudgeId::Battery, battery_.cycle(view));
-  take(JudgeId::Pump, pump_.cycle(view));
+  take(JudgeId::Pump, pump_.cycle(view, commands_.inForce()));
   take(JudgeId::Position, position_.cycle(view));
   take(JudgeId::Surface, surface_.cycle(view, commands_.inForce()));
   take(JudgeId::Handshake, handshake_.cycle(view));

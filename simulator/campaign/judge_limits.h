@@ -29,12 +29,15 @@ inline constexpr double kPlaceM = 3000, kRiseM = 4;
 /// at one place may come.
 inline constexpr double kNoticedSecs = 48;
 inline constexpr int kShortTouches = 3;
-/// m and s; a vehicle cannot dive, and so not fly away, over a bottom as shallow as that: hookbeh
-/// forgets it after this time.
-inline constexpr double kShallowM = 12, kShallowSecs = 1800;
+/// m and s; a vehicle cannot dive, and so not fly away, over a bottom as shallow as that, or as its
+/// least altitude and the second: hookbeh forgets it after this time.
+inline constexpr double kShallowM = 12, kOverShallowM = 8, kShallowSecs = 1800;
 /// Echoes, and s between them on average; an altimeter whose echoes are rarer shows the bottom only
 /// after so many of them. In a dive of 130 s through its range it may receive none at all.
 inline constexpr int kEchoesToKnow = 3;
+/// Times the usual gap; after so long a silence under water hookbeh believes that there is no
+/// bottom within range. One gap in 3,000 is longer.
+inline constexpr double kSilentGaps = 8;
 inline constexpr double kRareEchoSecs = 20;
 /// s; a dive on the bottom ends: hookbeh allows 180 s without a metre gained, as long again when
 /// the vehicle slides, and the turn takes 120 s.
@@ -62,6 +65,9 @@ inline constexpr double kAtSurfaceSecs = 1800;
 /// s; so long the readings must have been right: hookbeh believes them again after two minutes of
 /// climbing and one without a fault, and its guard 7 waits 600 s.
 inline constexpr double kRightSecs = 900;
+/// s; so long the SBC must have had the motors: one that loses control every half minute gets no
+/// vehicle under water.
+inline constexpr double kTakesHoldSecs = 120;
 /// Of the time under a commanded depth, in missions of at least kLongSecs.
 inline constexpr double kSurfaceShare = 0.5, kLongSecs = 7200;
 

@@ -49,14 +49,15 @@ std::string allowedBy(JudgeId judge) {
     case JudgeId::Bottom:
       return fmt::format(
           "the bottom, if the altimeter receives an echo every {:.0f} s on average (if they are "
-          "more "
-          "than {:.0f} s apart, after {} of them); otherwise a second contact within {:.0f} m of "
-          "an "
-          "earlier one of {:.0f} s or more, or after {} shorter ones, unless the bottom has risen "
+          "more than {:.0f} s apart, after {} of them, and not in water of "
+          "{:.0f} m, or `min_altitude` and {:.0f} m, or less, nor after {:.0f} times as long a "
+          "silence under water); "
+          "otherwise a second contact within {:.0f} m of an earlier one of {:.0f} s or more, or "
+          "after {} shorter ones in deeper water, unless the bottom has risen "
           "by {:.0f} m; or over {:.0f} s on the bottom. With "
           "an altimeter that receives echoes also a clearance of over 4 m less than `min_altitude`",
-          kEchoEverySecs, kRareEchoSecs, kEchoesToKnow, kPlaceM, kNoticedSecs, kShortTouches,
-          kRiseM, kOnBottomSecs);
+          kEchoEverySecs, kRareEchoSecs, kEchoesToKnow, kShallowM, kOverShallowM, kSilentGaps,
+          kPlaceM, kNoticedSecs, kShortTouches, kRiseM, kOnBottomSecs);
     case JudgeId::Ascent:
       return "a vehicle that is still under water 120 s plus 20 s per metre after anything "
              "commanded "
@@ -69,8 +70,9 @@ std::string allowedBy(JudgeId judge) {
              "takes; empty batteries under water or under control";
     case JudgeId::Pump:
       return fmt::format(
-          "more than {:.0f} full strokes of the pump an hour, and {:.0f} more, or more "
-          "than {:.0f} W, and {:.0f} kJ more",
+          "more than {:.0f} full strokes of the pump an hour, and {:.0f} more (apart from those "
+          "that a mission commands while a sensor is wrong), or more than {:.0f} W, and {:.0f} kJ "
+          "more",
           kStrokesAnHour, kStrokesMore, kPumpW, kPumpMoreJ / 1000);
     case JudgeId::Position:
       return fmt::format(
@@ -81,9 +83,10 @@ std::string allowedBy(JudgeId judge) {
     case JudgeId::Surface:
       return fmt::format(
           "a vehicle that stays at the surface for over {:.0f} s, or in missions of over "
-          "{:.0f} h for over {:.0f} % of the time, although a depth is commanded, the "
-          "water is deep enough, and its readings have been right for {:.0f} min",
-          kAtSurfaceSecs, kLongSecs / 3600, 100 * kSurfaceShare, kRightSecs / 60);
+          "{:.0f} h for over {:.0f} % of the time, although the SBC has had control for {:.0f} s "
+          "and commands a depth, the water is deep enough, and its readings have been right for "
+          "{:.0f} min; not if the depth had jumped and no CTD has agreed with it since",
+          kAtSurfaceSecs, kLongSecs / 3600, 100 * kSurfaceShare, kTakesHoldSecs, kRightSecs / 60);
     case JudgeId::Ending:
       return "a flight that does not end in time, ends under water, or without the exit of the "
              "mission "

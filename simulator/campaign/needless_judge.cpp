@@ -39,8 +39,9 @@ std::string NeedlessJudge::cycle(const CycleView& view) {
   const bool begins = guards && !guarding_ && right_s_ > kNeedlessRightSecs && isSafe(view) &&
                       !isNearLimit(s_, view, view.hookbeh->guard, view.time_s - echo_s_);
   needless_ = guards && (needless_ || begins);
-  climbs_ += needless_ && !guarding_;
-  climb_s_ += needless_ ? step_s : 0;
+  climbs_ += begins;
+  // A reading that goes wrong meanwhile is a reason.
+  climb_s_ += needless_ && isSafe(view) ? step_s : 0;
   active_s_ += active ? step_s : 0;
   right_s_ = isSafe(view) ? right_s_ + step_s : 0;
   guarding_ = guards;

@@ -4,9 +4,11 @@
 #include "simulator/campaign/surface_judge.h"
 
 #include "simulator/campaign/judge_limits.h"
+#include "simulator/campaign/wrong_sensors.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace glider::simulator {
@@ -18,7 +20,6 @@ namespace {
 
 constexpr double kAtSurface = 2;    // m
 constexpr double kLeastDepth = 2;   // m: a target above this is the surface
-constexpr double kRoom = 6;         // m below the surface, for a dive of a guard's least swing
 constexpr double kDepthError = 2;   // m
 constexpr double kEchoError = 2;    // m, and
 constexpr double kEchoShare = 0.1;  // of the clearance
@@ -46,15 +47,24 @@ bool SurfaceJudge::shouldDive(const CycleView& view, const hooks::Instruction& i
       (in_force.vertical == HookVertical::Descend || in_force.vertical == HookVertical::Hover) &&
       in_force.depth_m > kLeastDepth;
   const double water_m = view.clearance_m + view.true_depth_m;
-  const bool room = s_.args.least_altitude_m < 0 || water_m > s_.args.least_altitude_m + kRoom;
-  return view.hook == HookState::Active && commanded && room && !view.overridden() &&
+  // Over a bottom that it has touched in shallower water it waits for half an hour.
+  const double shallow_m =
+      std::max(limits::kShallowM, s_.args.least_altitude_m + limits::kOverShallowM);
+  const bool room = water_m > shallow_m + kDepthError;
+  return ours_s_ > limits::kTakesHoldSecs && commanded && room && !trust_.isLost() &&
          right_s_ > limits::kRightSecs;
 }
 
 std::string SurfaceJudge::cycle(const CycleView& view, const hooks::Instruction& in_force) {
   const double step_s = s_.isDark(view.time_s - last_s_) ? 0 : view.time_s - last_s_;
   last_s_ = view.time_s;
-  right_s_ = readingsAreRight(view) ? right_s_ + step_s : 0;
+  // A depth that is stuck at zero is right there by chance.
+  const bool right =
+      readingsAreRight(view) && !isWrong(s_.faults, {"m_depth", "m_pressure"}, view.time_s, 0);
+  right_s_ = right ? right_s_ + step_s : 0;
+  const bool ours = view.hook == HookState::Active && !view.overridden();
+  ours_s_ = ours ? ours_s_ + step_s : 0;
+  trust_.cycle(view, step_s);
   const bool wanted = shouldDive(view, in_force);
   const bool is_up = wanted && view.true_depth_m < kAtSurface;
   stays_s_ = is_up ? stays_s_ + step_s : 0;

@@ -15,4 +15,7 @@ namespace glider::simulator {
 bool isWrong(const Faults& faults, std::initializer_list<std::string_view> sensors, double now_s,
              double fades_s);
 
+/// The same of any sensor.
+bool anyWrong(const Faults& faults, double now_s, double fades_s);
+
 }  // namespace glider::simulator

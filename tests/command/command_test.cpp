@@ -41,6 +41,13 @@ TEST(Command, CheckSaysThatFigure2IsFine) {
   EXPECT_THAT(outcome.out, HasSubstr("greatest call depth 1 (s1 calls s2)"));
 }
 
+TEST(Command, ScriptsOfEarlierVersionsMayAskForNoCache) {
+  const std::string plain = runShell("$GLIDERCC check --report " + kFirstMission).out;
+  EXPECT_EQ(runShell("$GLIDERCC check --report --no-cache " + kFirstMission).out, plain);
+  EXPECT_EQ(runShell("$GLIDERCC diff --no-cache " + kFirstMission + " " + kFirstMission).status, 0);
+  EXPECT_EQ(runShell("$GLIDERCC check --help").out.find("no-cache"), std::string::npos);
+}
+
 TEST(Command, HelpAndVersion) {
   for (const char* arguments : {"--help", "check --help", "build --help", "sim --help",
                                 "targets --help", "fmt --help", "fix --help", "explain --help"}) {

@@ -18,7 +18,7 @@ Position at(double north_m) {
 }
 
 void touch(BottomMemory& memory, const Position& where, double depth_m) {
-  memory.observe(where, kHour);
+  memory.observe(where, kShallowM, kHour);
   memory.touch(depth_m);
 }
 
@@ -43,20 +43,20 @@ TEST(BottomMemory, FadesWithTheDistanceOnly) {
   BottomMemory memory;
   EXPECT_FALSE(isKnown(memory.floor()));
   touch(memory, at(0), 40);
-  memory.observe(at(0), 100 * kHour);
+  memory.observe(at(0), kShallowM, 100 * kHour);
   EXPECT_EQ(memory.floor(), 40);
-  memory.observe(at(2990), 4);
+  memory.observe(at(2990), kShallowM, 4);
   EXPECT_EQ(memory.floor(), 40);
-  memory.observe(at(4000), 4);
+  memory.observe(at(4000), kShallowM, 4);
   EXPECT_NEAR(memory.floor(), 50, 0.1);
-  memory.observe({}, 4);
+  memory.observe({}, kShallowM, 4);
   EXPECT_EQ(memory.floor(), 40) << "an unknown position is near";
 }
 
 TEST(BottomMemory, AnEchoIsNoContact) {
   BottomMemory memory;
   touch(memory, at(0), 50);
-  memory.observe(at(185), 600);
+  memory.observe(at(185), kShallowM, 600);
   memory.keepEcho(20);
   EXPECT_EQ(memory.floor(), 20);
   EXPECT_EQ(memory.touchedFloor(), 50);
@@ -68,9 +68,9 @@ TEST(BottomMemory, AnEchoIsNoContact) {
 TEST(BottomMemory, AContactWithoutAPositionIsWhereTheVehicleIsFirstSeenAfterwards) {
   BottomMemory memory;
   touch(memory, {}, 20);
-  memory.observe(at(0), 60);
-  memory.observe(at(0), kHour);
-  memory.observe(at(10000), 2 * kHour);
+  memory.observe(at(0), kShallowM, 60);
+  memory.observe(at(0), kShallowM, kHour);
+  memory.observe(at(10000), kShallowM, 2 * kHour);
   EXPECT_NEAR(memory.floor(), 20 + 70, 0.1);
 }
 
@@ -78,27 +78,27 @@ TEST(BottomMemory, AContactWithoutAPositionLeavesAPlaceWhereItWas) {
   BottomMemory memory;
   touch(memory, at(0), 40);
   touch(memory, {}, 30);
-  memory.observe(at(10000), 3 * kHour);
+  memory.observe(at(10000), kShallowM, 3 * kHour);
   EXPECT_NEAR(memory.floor(), 30 + 70, 0.1);
 }
 
 TEST(BottomMemory, NoPositionIsFartherThanTheVehicleCanHaveCome) {
   BottomMemory memory;
   touch(memory, at(0), 40);
-  memory.observe(at(50000), 1000);
+  memory.observe(at(50000), kShallowM, 1000);
   EXPECT_EQ(memory.floor(), 40);
-  memory.observe(at(50000), 2000);
+  memory.observe(at(50000), kShallowM, 2000);
   EXPECT_NEAR(memory.floor(), 55, 0.1) << "4,500 m";
 }
 
 TEST(BottomMemory, ARisingBottomRisesOnToHalfTheDepth) {
   BottomMemory memory;
-  memory.observe(at(-100), 4);
+  memory.observe(at(-100), kShallowM, 4);
   memory.noteDive(45);  // and the bottom was deeper
   touch(memory, at(0), 40);
-  memory.observe(at(100), kHour);
+  memory.observe(at(100), kShallowM, kHour);
   EXPECT_NEAR(memory.floor(), 25, 0.1);
-  memory.observe(at(1000), kHour);
+  memory.observe(at(1000), kShallowM, kHour);
   EXPECT_EQ(memory.floor(), 20);
 }
 
@@ -107,7 +107,7 @@ TEST(BottomMemory, AtOnePlaceTheShallowerCounts) {
   touch(memory, at(0), 40);
   touch(memory, at(300), 35);
   touch(memory, at(400), 45);
-  memory.observe(at(400), 4);
+  memory.observe(at(400), kShallowM, 4);
   EXPECT_EQ(memory.floor(), 35);
   EXPECT_EQ(memory.touchedHere(), 35);
 }
@@ -115,32 +115,41 @@ TEST(BottomMemory, AtOnePlaceTheShallowerCounts) {
 TEST(BottomMemory, HoldsEightPlaces) {
   BottomMemory memory;
   for (int i = 0; i < 9; ++i) {
-    memory.observe(at(i * 10000), 10 * kHour);
+    memory.observe(at(i * 10000), kShallowM, 10 * kHour);
     touch(memory, at(i * 10000), 40 + i);
   }
   for (int i = 1; i < 9; ++i) {
-    memory.observe(at(i * 10000), 10 * kHour);
+    memory.observe(at(i * 10000), kShallowM, 10 * kHour);
     EXPECT_EQ(memory.floor(), 40 + i) << i;
   }
-  memory.observe(at(0), 10 * kHour);
+  memory.observe(at(0), kShallowM, 10 * kHour);
   EXPECT_GT(memory.floor(), 41) << "the farthest was replaced";
 }
 
 TEST(BottomMemory, AVeryShallowPlaceIsForgottenAfterHalfAnHour) {
   BottomMemory memory;
   touch(memory, at(0), 12);
-  memory.observe(at(0), 1800);
+  memory.observe(at(0), kShallowM, 1800);
   EXPECT_EQ(memory.floor(), 12);
-  memory.observe(at(0), 4);
+  memory.observe(at(0), kShallowM, 4);
   EXPECT_FALSE(isKnown(memory.floor()));
+}
+
+TEST(BottomMemory, OneOverWhichTheVehicleCannotDiveIsForgottenToo) {
+  for (const double shallow_m : {kShallowM, 18.0}) {
+    BottomMemory memory;
+    touch(memory, at(0), 17);
+    memory.observe(at(0), shallow_m, 1804);
+    EXPECT_EQ(isKnown(memory.floor()), shallow_m < 17);
+  }
 }
 
 TEST(BottomMemory, EchoesAreForgottenWhereContactsAreNot) {
   BottomMemory memory;
-  memory.observe(at(0), 4);
+  memory.observe(at(0), kShallowM, 4);
   memory.keepEcho(30);
   touch(memory, at(2000), 40);
-  memory.observe(at(2000), 2 * kHour);
+  memory.observe(at(2000), kShallowM, 2 * kHour);
   EXPECT_EQ(memory.floor(), 30);
   EXPECT_EQ(memory.touchedFloor(), 40);
   memory.forgetEchoes();
@@ -152,7 +161,7 @@ TEST(BottomMemory, TwoContactsGiveASlope) {
     BottomMemory memory;
     touch(memory, at(0), 50);
     touch(memory, at(600), second_m);
-    memory.observe(at(900), kHour);
+    memory.observe(at(900), kShallowM, kHour);
     EXPECT_NEAR(memory.floor(), floor_m, 0.1) << "it rises on half as steeply again, or falls";
   }
 }
@@ -161,7 +170,7 @@ TEST(BottomMemory, TwoContactsAtOnePositionGiveNoSlope) {
   BottomMemory memory;
   touch(memory, at(0), 50);
   touch(memory, at(20), 40);
-  memory.observe(at(300), kHour);
+  memory.observe(at(300), kShallowM, kHour);
   EXPECT_EQ(memory.floor(), 40);
 }
 

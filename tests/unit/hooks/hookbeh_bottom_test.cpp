@@ -4,6 +4,7 @@
 // hookbeh over a bottom that the altimeter does not show, or shows only now and then.
 
 #include "hooks/hookbeh/bottom.h"
+#include "hooks/hookbeh/echo_floor.h"
 #include "tests/unit/hooks/hookbeh_shallow_sea.h"
 
 #include <gtest/gtest.h>
@@ -210,6 +211,147 @@ TEST(HookbehBottom, AStoppedDepthThatDoesNotFollowTheClimbIsNoBottom) {
   }
   sea.yo(1);
   EXPECT_GT(sea.deepest, 54) << "no bottom is remembered at " << stuck;
+}
+
+/// The depth sticks while the vehicle dives on, and so does the CTD; both jump to where it is, and
+/// are believed again in the middle of the climb.
+TEST(HookbehBottom, AStopIsNotNotedWhereADepthIsBelievedAgain) {
+  ShallowSea sea;
+  sea.bottom = [](double) { return 500; };
+  sea.has_ctd = true;
+  while (sea.truth < 20) {
+    sea.cycle();
+  }
+  const double stuck = sea.bench.inputs.depth_m;
+  int cycles = 0;
+  sea.spoil = [&](HookbehInputs& in) {
+    in.depth_m = stuck + (++cycles % 2 == 0 ? 0.01 : 0);
+    in.ctd_bar = in.depth_m / 10;
+  };
+  for (int i = 0; i < 30; ++i) {  // too short for guard 7
+    sea.cycle();
+  }
+  ASSERT_EQ(sea.out.guard, HookGuard::None);
+  sea.spoil = [](HookbehInputs&) {};
+  sea.cycle();
+  ASSERT_EQ(sea.out.guard, HookGuard::DepthJumps);
+  sea.bench.write(HookbehBench::ascend(4));
+  sea.dives = false;
+  sea.yo(1);
+  EXPECT_EQ(sea.guarded, 0) << "no bottom is remembered where the depth was believed again";
+  EXPECT_GT(sea.deepest, 54);
+}
+
+/// A depth that has stuck over dives and climbs is freed where the vehicle happens to be.
+TEST(HookbehBottom, AStopIsNotConfirmedByADepthThatDidNotFollowTheClimbBefore) {
+  ShallowSea sea;
+  sea.bottom = [](double) { return 500; };
+  sea.has_ctd = true;
+  while (sea.truth < 13) {
+    sea.cycle();
+  }
+  const double stuck = sea.bench.inputs.depth_m;
+  int cycles = 0;
+  sea.spoil = [&](HookbehInputs& in) {
+    in.depth_m = stuck + (++cycles % 2 == 0 ? 0.01 : 0);
+    in.ctd_bar = in.depth_m / 10;
+  };
+  for (int dive = 0; dive < 3; ++dive) {  // 64 s down, 64 s up
+    sea.bench.write(HookbehBench::descend(55));
+    for (int i = 0; i < 16; ++i) {
+      sea.cycle();
+    }
+    sea.bench.write(HookbehBench::ascend(4));
+    for (int i = 0; i < 16; ++i) {
+      sea.cycle();
+    }
+  }
+  sea.bench.write(HookbehBench::descend(55));
+  for (int i = 0; i < 16; ++i) {
+    sea.cycle();
+  }
+  sea.bench.write(HookbehBench::ascend(4));
+  while (sea.truth > stuck + 1) {
+    sea.cycle();
+  }
+  ASSERT_EQ(sea.out.guard, HookGuard::None);
+  sea.spoil = [](HookbehInputs&) {};
+  sea.dives = false;
+  sea.yo(1);
+  EXPECT_EQ(sea.guarded, 0) << "no bottom is remembered at " << stuck;
+  EXPECT_GT(sea.deepest, 54);
+}
+
+TEST(HookbehBottom, AfterALongDoubtADiveCountsFromItsBeginning) {
+  ShallowSea sea;
+  sea.bottom = [](double) { return 500; };
+  sea.has_ctd = true;
+  while (sea.truth < 45) {
+    sea.cycle();
+  }
+  bool up = false;
+  sea.spoil = [&](HookbehInputs& in) { in.depth_m += (up = !up) ? -20 : 10; };
+  for (int i = 0; i < 30; ++i) {
+    sea.cycle();
+  }
+  sea.spoil = [](HookbehInputs&) {};
+  for (int i = 0; i < 900; ++i) {
+    sea.yo(1.0 / 900);
+    ASSERT_NE(sea.out.guard, HookGuard::NoDepthGained) << sea.truth;
+  }
+  EXPECT_EQ(sea.guarded, 0);
+  EXPECT_GT(sea.deepest, 54);
+}
+
+TEST(HookbehBottom, FalseReadingsAtTheBeginningAreNoDepthToPass) {
+  ShallowSea sea;
+  sea.bottom = [](double) { return 500; };
+  sea.cycle();
+  sea.spoil = [](HookbehInputs& in) { in.depth_m = 50 + in.depth_m / 100; };
+  for (int i = 0; i < 4; ++i) {
+    sea.cycle();
+  }
+  sea.spoil = [](HookbehInputs&) {};
+  for (int i = 0; i < 300; ++i) {
+    sea.yo(1.0 / 900);
+    ASSERT_NE(sea.out.guard, HookGuard::NoDepthGained) << sea.truth;
+  }
+  EXPECT_GT(sea.deepest, 54);
+}
+
+/// 15 m are not enough for a vehicle that stays 10 m above the bottom.
+TEST(HookbehBottom, WhereTheVehicleCannotDiveItTriesAgainAfterHalfAnHour) {
+  HookbehArgs args = ShallowSea::wide();
+  args.least_altitude_m = 10;
+  ShallowSea sea(args);
+  sea.bottom = [](double) { return 15; };
+  sea.yo(0.5);
+  EXPECT_EQ(sea.touches, 1);
+  sea.yo(0.5);
+  EXPECT_EQ(sea.touches, 2);
+}
+
+/// Some echoes in a row may come by chance.
+TEST(EchoFloor, IsNotRuledOutSoonerAfterSomeShortGaps) {
+  EchoFloor echoes;
+  double altitude = 15;
+  const auto echo = [&] { echoes.observe(15, altitude = 30 - altitude + 0.01, 15, 4); };
+  const auto silence = [&](int cycles) {
+    for (int i = 0; i < cycles; ++i) {
+      echoes.observe(15, altitude, 15, 4);
+    }
+  };
+  for (int i = 0; i < 20; ++i) {
+    echo();
+    silence(19);
+  }
+  for (int i = 0; i < 6; ++i) {
+    echo();
+  }
+  silence(60);
+  EXPECT_LT(echoes.floor(), 31);
+  silence(80);
+  EXPECT_GT(echoes.floor(), 31);
 }
 
 TEST(HookbehBottom, AnAltimeterThatReadsTooMuchIsNotBelievedAfterAContact) {

@@ -82,6 +82,46 @@ TEST(HookbehDepth, OneThatJumpsBackAtTheSurfaceIsBelievedBesideACtdThatRests) {
   }
 }
 
+/// Half of its readings are wrong by up to 50 m, some of them outside of what a depth can be. The
+/// CTD rests at the surface meanwhile.
+TEST(HookbehDepth, OneThatJumpedForLongIsBelievedBesideACtdThatRests) {
+  for (unsigned seed = 1; seed < 60; ++seed) {
+    Sea sea;
+    sea.has_ctd = true;
+    sea.diveTo(20, 25);
+    const auto rests = [](HookbehInputs& in) { in.ctd_bar = in.ctd_bar < 0.02 ? 0 : in.ctd_bar; };
+    unsigned random = seed;
+    sea.run(120, [&](HookbehInputs& in) {
+      random = random * 1103515245 + 12345;
+      const double off = static_cast<double>(random >> 16 & 0x7fff) / 0x7fff * 100 - 50;
+      in.depth_m = (random & 0x4000) != 0 ? in.depth_m : std::max(-40.0, in.depth_m + off);
+      rests(in);
+    });
+    EXPECT_EQ(sea.truth, 0);
+    EXPECT_LE(sea.until(HookGuard::None, rests), 250) << seed;
+  }
+}
+
+/// The depth waves about a value that it left long ago, and then jumps to where the vehicle is: at
+/// the surface, where the CTD has rested meanwhile.
+TEST(HookbehDepth, OneThatDisagreedWithACtdThatRestsIsBelievedAgain) {
+  for (const double phase : {0.0, 1.5, 3.0, 4.5}) {
+    Sea sea;
+    sea.has_ctd = true;
+    sea.diveTo(30, 55);
+    sea.bench.write(Bench::ascend(4));
+    const double stuck = sea.bench.inputs.depth_m;
+    const auto rests = [](HookbehInputs& in) { in.ctd_bar = in.ctd_bar < 0.02 ? 0 : in.ctd_bar; };
+    sea.run(120, [&, i = 0](HookbehInputs& in) mutable {
+      in.depth_m = stuck + 2.4 * __builtin_sin(0.7 * ++i + phase);
+      rests(in);
+    });
+    EXPECT_EQ(sea.truth, 0);
+    EXPECT_NE(sea.out.guard, HookGuard::None);
+    EXPECT_LE(sea.until(HookGuard::None, rests), 250) << phase;
+  }
+}
+
 TEST(HookbehDepth, FrozenOnTheWayDownItClimbsInTime) {
   for (const bool ctd : {false, true}) {
     Sea sea;
@@ -421,6 +461,24 @@ TEST(HookbehDepth, ACtdThatNeverAgreedIsNotAsked) {
   for (int i = 0; i < 60 && sea.truth < 45; ++i) {
     sea.cycle([](HookbehInputs& in) { in.ctd_bar += 3; });
     ASSERT_EQ(sea.out.guard, HookGuard::None) << sea.truth;
+  }
+}
+
+/// A vehicle that climbs was as deep some seconds ago as a CTD that is off by 7 m says.
+TEST(HookbehDepth, ACtdThatIsOffBySevenMetresIsNotAsked) {
+  for (const double off_bar : {0.7, -0.7}) {
+    Sea sea;
+    sea.has_ctd = true;
+    const auto off = [=](HookbehInputs& in) { in.ctd_bar += off_bar; };
+    sea.bench.write(Bench::take(50));
+    for (int i = 0; i < 40; ++i) {
+      sea.cycle(off);
+    }
+    sea.bench.write(Bench::ascend(4));
+    for (int i = 0; i < 300; ++i) {
+      sea.cycle(off);
+      ASSERT_EQ(sea.out.guard, HookGuard::None) << sea.truth << " m, off by " << off_bar << " bar";
+    }
   }
 }
 

@@ -5,9 +5,11 @@
 
 #include "hooks/hookbeh/depth_source.h"
 #include "hooks/hookbeh/headway.h"
+#include "hooks/hookbeh/hover.h"
 #include "hooks/hookbeh/pilot.h"
 #include "hooks/hookbeh/recent_depths.h"
 #include "hooks/hookbeh/sub_behaviours.h"
+#include "hooks/protocol/numbers.h"
 #include "tests/slocum.h"
 #include "tests/unit/hooks/hookbeh_bench.h"
 
@@ -157,21 +159,63 @@ TEST(RecentDepths, HoldsTenForTwentySeconds) {
   EXPECT_EQ(recent.distanceTo(15), 2);
 }
 
+/// One command of a hover at 20 m that begins so.
+double firstPump(double depth_m, double rate_mps) {
+  Hover hover(20);
+  const VerticalCommand command = hover.command({depth_m, rate_mps}, 4, HookbehArgs{});
+  EXPECT_EQ(command.pitch_rad, 0);
+  return command.pump_cc;
+}
+
 TEST(HookbehHover, PumpsByDepthAndRate) {
+  EXPECT_EQ(firstPump(20, 0), 0);
+  EXPECT_EQ(firstPump(20.5, 0), 10) << "20 cc a metre";
+  EXPECT_EQ(firstPump(19, 0.015625), -20 + 12.5) << "800 cc for 1 m/s";
+  EXPECT_EQ(firstPump(20.5, kNan), 10) << "without a rate by the depth alone";
+  EXPECT_EQ(firstPump(32, 0), 230);
+  EXPECT_EQ(firstPump(8, 0), -230);
+  EXPECT_EQ(firstPump(kNan, 0), 230) << "out, where nothing is known";
+}
+
+TEST(HookbehHover, RestsUntilThePumpIsWantedFartherAway) {
   const HookbehArgs args;
-  const Hover hover{20};
-  const auto pump = [&](double depth_m, double rate_mps) {
-    const VerticalCommand command = hover.command({depth_m, rate_mps}, args);
-    EXPECT_EQ(command.pitch_rad, 0);
-    return command.pump_cc;
-  };
-  EXPECT_EQ(pump(20, 0), 0);
-  EXPECT_EQ(pump(20.5, 0), 20) << "40 cc a metre";
-  EXPECT_EQ(pump(19, 0.015625), -40 + 15.625) << "1000 cc for 1 m/s";
-  EXPECT_EQ(pump(20.5, kNan), 20) << "without a rate by the depth alone";
-  EXPECT_EQ(pump(26, 0), 230);
-  EXPECT_EQ(pump(10, 0), -230);
-  EXPECT_EQ(pump(kNan, 0), 230) << "out, where nothing is known";
+  Hover hover(20);
+  EXPECT_EQ(hover.command({20, 0}, 4, args).pump_cc, 0);
+  EXPECT_EQ(hover.command({20.01, 0}, 4, args).pump_cc, 0);
+  EXPECT_GT(hover.command({23, 0}, 4, args).pump_cc, 25);
+}
+
+TEST(HookbehHover, FollowsAMotionAndNotTheSwell) {
+  const HookbehArgs args;
+  Hover sinks(20), swell(20);
+  double pump = 0, strokes_cc = 0, before = 0;
+  for (int i = 0; i < 100; ++i) {
+    pump = sinks.command({20 + 0.05 * 4 * i, kNan}, 4, args).pump_cc;
+    if (i == 20) {
+      EXPECT_NEAR(pump, 20 * 4.0 + 800 * 0.05, 25 + 1) << "4 m too deep, at 5 cm/s";
+    }
+    // A period of 9 s.
+    const double waves =
+        swell.command({20 + 0.5 * __builtin_sin(0.7 * 4 * i), kNan}, 4, args).pump_cc;
+    strokes_cc += magnitude(waves - before);
+    before = waves;
+  }
+  EXPECT_EQ(pump, 230);
+  EXPECT_LT(strokes_cc, 466) << "not a stroke in 400 s";
+}
+
+TEST(HookbehHover, TakesNoReadingTwiceAndWaitsWhileItIsMasked) {
+  const HookbehArgs args;
+  Hover hover(20);
+  for (const double depth_m : {20.0, 20.8, 21.6}) {  // 0.05 m/s, a reading every 16 s
+    (void)hover.command({depth_m, kNan}, 4, args);
+    for (int i = 0; i < 3; ++i) {
+      (void)hover.command({depth_m, kNan}, 4, args);
+    }
+  }
+  EXPECT_NEAR(hover.command({22.4, kNan}, 4, args).pump_cc, 20 * 2.4 + 800 * 0.05, 26);
+  const double kept = hover.command({22.4, kNan}, 0, args).pump_cc;
+  EXPECT_EQ(hover.command({22.5, kNan}, 0, args).pump_cc, kept);
 }
 
 TEST(HookbehUsualPitch, LiesInTheBArgs) {

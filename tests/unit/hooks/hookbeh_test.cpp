@@ -144,12 +144,15 @@ TEST(Hookbeh, HoverGoesThereThenLevels) {
   EXPECT_EQ(out.pitch_rad, 0);
   EXPECT_LT(out.pump_cc, 0) << "above its depth it sinks";
   bench.inputs.depth_m = 15;
-  bench.inputs.depth_rate_mps = 0;
-  EXPECT_EQ(bench.cycle().pump_cc, 0);
-  bench.inputs.depth_rate_mps = 0.1;
-  EXPECT_GT(bench.cycle().pump_cc, 0) << "sinking through it is braked";
-  bench.inputs.depth_rate_mps = kNan;
-  EXPECT_EQ(bench.cycle().pump_cc, 0);
+  for (int i = 0; i < 20; ++i) {
+    out = bench.cycle();
+  }
+  EXPECT_NEAR(out.pump_cc, 0, 25) << "there it rests";
+  for (int i = 0; i < 3; ++i) {
+    bench.inputs.depth_m += 0.4;
+    out = bench.cycle();
+  }
+  EXPECT_GT(out.pump_cc, 25) << "sinking through it is braked";
   bench.inputs.depth_m = 25;
   out = bench.give(Bench::vertical(HookVertical::Hover, 16));
   EXPECT_STREQ(out.doing, "climb_to");

@@ -266,6 +266,19 @@ TEST_F(JudgedForLong, ADiveThatCreepsHasTwiceTheTime) {
   EXPECT_LT(now_ - begun_s, 480);
 }
 
+/// A depth that flickers by up to 0.8 m: hookbeh may take the farthest for a metre gained.
+TEST_F(JudgedForLong, ADiveThatCreepsWithAFlickerHasTwiceTheTime) {
+  take();
+  const double begun_s = now_;
+  for (int i = 0; i < 150 && violation().find("gained") == std::string::npos; ++i) {
+    reading_ = i % 2 == 0 ? 11.01 : 11.7 + 0.001 * i;
+    done(1);
+    cycle(HookState::Active, 11);
+  }
+  EXPECT_NE(violation().find("without a metre gained"), std::string::npos) << violation();
+  EXPECT_GT(now_ - begun_s, 380);
+}
+
 TEST_F(JudgedForLong, ANewDiveAfterSilenceBeginsAgain) {
   take();
   fly(200);
@@ -287,6 +300,16 @@ TEST_F(Judged, AGuardWithoutALimitIsSeen) {
   out_.doing = "climb: too deep";
   cycle(HookState::Active, 10);
   EXPECT_EQ(violation(), "the guard intervenes (climb: too deep), but no limit is near");
+}
+
+TEST_F(Judged, ACtdThatReadsTooDeepIsALimitThatIsNear) {
+  take();
+  climb();
+  array_.set(GLIDER_SCI_WATER_PRESSURE, 5.9);
+  out_.guard = hooks::HookGuard::TooDeep;
+  out_.doing = "climb: too deep";
+  cycle(HookState::Active, 10);
+  EXPECT_EQ(violation().find("no limit is near"), std::string::npos) << violation();
 }
 
 /// Old frames come again to the flight computer, and with them old readings of the CTD.

@@ -425,6 +425,93 @@ TEST(JudgedDepth, FlappingControlAddsNothing) {
   EXPECT_LT(depth, 77) << "overdepth and 5 m, however often control changes";
 }
 
+/// A mission that flips its commands counts, unless a sensor is wrong.
+TEST(JudgedPumpDuty, OfAMissionThatIsMisledIsNotHookbehs) {
+  for (const bool wrong : {false, true}) {
+    JudgeSetup setup = GoodFlight::usual();
+    if (wrong) {
+      setup.faults.sensors.push_back({.name = "m_depth", .kind = SensorFault::Kind::Scale});
+    }
+    GoodFlight flight(setup);
+    flight.fly(8);
+    flight.take();
+    flight.fly(60);
+    bool out = false;
+    for (int i = 0; i < 900; ++i) {
+      out = !out;
+      flight.steer(hooks::HookVertical::Descend, out ? 40 : 39);
+      flight.fly(kCycle, [&](GoodFlight& f) { f.pumped_cc_ = out ? 75 : -75; });
+    }
+    const auto& violations = flight.verdict().violations;
+    EXPECT_EQ(std::ranges::count(violations, JudgeId::Pump, &Violation::judge), wrong ? 0 : 1)
+        << found(flight.verdict());
+  }
+}
+
+/// A vehicle that stays at the surface under a commanded depth.
+class JudgedAtSurface : public testing::Test {
+ protected:
+  std::string stay(double seconds, const std::function<void()>& each = [] {}) {
+    hooks::Instruction in_force;
+    in_force.vertical = hooks::HookVertical::Descend;
+    in_force.depth_m = 40;
+    std::string wrong;
+    for (double passed = 0; passed < seconds && wrong.empty(); passed += kCycle) {
+      now_ += kCycle;
+      array_.beginCycle();
+      depth_reading_m_ = 0.1 + 0.01 * (static_cast<int>(now_) % 3);
+      ctd_bar_ = kNan;
+      each();
+      array_.set(GLIDER_M_DEPTH, depth_reading_m_);
+      if (!std::isnan(ctd_bar_)) {
+        array_.set(GLIDER_SCI_WATER_PRESSURE, ctd_bar_);
+      }
+      wrong = judge_.cycle({now_, hook_, 0.1, false, false, array_, now_, 100}, in_force);
+    }
+    return wrong;
+  }
+  static constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  JudgeSetup setup_ = GoodFlight::usual();
+  SurfaceJudge judge_{setup_};
+  SensorArray array_{shippedSetup("default").platform};
+  HookState hook_ = HookState::Active;
+  double now_ = 0, depth_reading_m_ = 0, ctd_bar_ = kNan;
+};
+
+TEST_F(JudgedAtSurface, IsSeen) {
+  EXPECT_EQ(stay(4000), "at the surface for 1804 s though 40 m is commanded");
+}
+
+TEST_F(JudgedAtSurface, IsRightAfterAJumpOfTheDepthThatNoCtdRefutes) {
+  EXPECT_EQ(stay(100), "");
+  EXPECT_EQ(stay(12, [&] { depth_reading_m_ = 30; }), "");
+  EXPECT_EQ(stay(9000), "");
+  EXPECT_EQ(stay(100, [&] { ctd_bar_ = depth_reading_m_ / 10; }), "");
+  EXPECT_NE(stay(4000), "") << "the CTD has agreed for a minute";
+}
+
+TEST_F(JudgedAtSurface, IsSeenAfterAJumpTooShortToCount) {
+  EXPECT_EQ(stay(100), "");
+  EXPECT_EQ(stay(8, [&] { depth_reading_m_ = 30; }), "");
+  EXPECT_NE(stay(4000), "");
+}
+
+TEST_F(JudgedAtSurface, IsSeenAfterARestartOfHookbeh) {
+  EXPECT_EQ(stay(12, [&] { depth_reading_m_ = 30; }), "");
+  EXPECT_EQ(stay(100), "");
+  judge_.restart();
+  EXPECT_NE(stay(4000), "");
+}
+
+TEST_F(JudgedAtSurface, IsNotItsFaultUnderAnSbcThatLosesControlAgainAndAgain) {
+  for (int i = 0; i < 300; ++i) {
+    hook_ = HookState::Active;
+    EXPECT_EQ(stay(28), "");
+    hook_ = HookState::Silent;
+    EXPECT_EQ(stay(4), "");
+  }
+}
+
 /// Contacts of a vehicle whose altimeter receives nothing.
 class JudgedContacts : public testing::Test {
  protected:
@@ -477,13 +564,19 @@ TEST_F(JudgedContacts, OfShortOnesTheFourthIsSeen) {
   EXPECT_EQ(touch(3400, 40), "") << "another place";
 }
 
+TEST_F(JudgedContacts, ShortOnesOverAShallowBottomAreNotCounted) {
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_EQ(touch(100 * i, 12, 44), "") << i;
+  }
+}
+
 /// Rare echoes are enough for hookbeh only.
 TEST_F(JudgedContacts, OfTheVehiclesOwnBehavioursAreNotHookbehs) {
   setup_.faults.sensors.clear();
   setup_.echo_every_s = 80;
   for (int i = 0; i < 3; ++i) {
     array_.beginCycle();
-    array_.set(GLIDER_M_ALTITUDE, 20);
+    array_.set(GLIDER_M_ALTITUDE, 20 + 0.1 * i);
     EXPECT_EQ(cycle(0, 40, 20), "");
   }
   array_.beginCycle();
@@ -515,11 +608,41 @@ TEST_F(JudgedContacts, RareEchoesShowTheBottomAfterThree) {
   EXPECT_EQ(touch(0, 40), "");
   for (int i = 0; i < 3; ++i) {
     array_.beginCycle();
-    array_.set(GLIDER_M_ALTITUDE, 20);
+    array_.set(GLIDER_M_ALTITUDE, 20 + 0.1 * i);
     EXPECT_EQ(cycle(3500, 40, 20), "");
   }
   array_.beginCycle();
   EXPECT_EQ(touch(7000, 40), "the vehicle is on the bottom");
+}
+
+TEST_F(JudgedContacts, AfterALongSilenceRareEchoesShowNoBottom) {
+  setup_.faults.sensors.clear();
+  setup_.echo_every_s = 80;
+  for (const double silent_s : {600.0, 700.0}) {
+    judge_.restart();
+    for (int i = 0; i < 3; ++i) {
+      array_.beginCycle();
+      array_.set(GLIDER_M_ALTITUDE, 20 + 0.1 * i);
+      EXPECT_EQ(cycle(0, 40, 20), "");
+    }
+    array_.beginCycle();
+    flyClear(silent_s);
+    EXPECT_EQ(touch(0, 40).empty(), silent_s > 640) << silent_s;
+  }
+}
+
+/// Over so shallow a bottom hookbeh forgets an echo after ten minutes.
+TEST_F(JudgedContacts, RareEchoesDoNotShowAShallowBottom) {
+  setup_.faults.sensors.clear();
+  setup_.echo_every_s = 80;
+  for (int i = 0; i < 3; ++i) {
+    array_.beginCycle();
+    array_.set(GLIDER_M_ALTITUDE, 8 + 0.1 * i);
+    EXPECT_EQ(cycle(0, 11, 8), "");
+  }
+  array_.beginCycle();
+  EXPECT_EQ(touch(0, 11), "");
+  EXPECT_EQ(touch(0, 13.5), "the vehicle is on the bottom");
 }
 
 /// Between rare echoes the vehicle may come nearer than min_altitude, between usual ones not.
@@ -530,7 +653,7 @@ TEST_F(JudgedContacts, RareEchoesPromiseNoClearance) {
     setup_.echo_every_s = every_s;
     BottomJudge judge(setup_);
     std::string wrong;
-    for (const double clearance_m : {20.0, 20.0, 20.0, 20.0, 0.7}) {
+    for (const double clearance_m : {20.0, 20.1, 20.2, 20.3, 0.7}) {
       now_ += kCycle;
       array_.beginCycle();
       array_.set(GLIDER_M_ALTITUDE, clearance_m);

@@ -52,7 +52,8 @@ bool BottomJudge::isShallow(double water_m) const {
 bool BottomJudge::mustKnow(const CycleView& view) const {
   const bool ours = view.hook == HookState::Active || inactive_s_ < kOursSecs;
   const bool shallow = isShallow(view.true_depth_m + view.clearance_m);
-  const bool silent = silent_s_ > limits::kSilentGaps * s_.echo_every_s;
+  const bool silent = silent_s_ > limits::kSilentGaps * s_.echo_every_s ||
+                      view.time_s - echo_s_ > limits::kEchoLastsSecs;
   const bool remembers = ours && !shallow && !silent && knowsDepth(view);
   return hears(view.time_s) && (!hearsSeldom() || remembers);
 }
@@ -67,6 +68,7 @@ void BottomJudge::countEcho(const CycleView& view) {
   echoes_ += echo;
   silent_s_ += view.true_depth_m > kListens && last_s_ < view.time_s ? view.time_s - last_s_ : 0;
   silent_s_ = echo ? 0 : silent_s_;
+  echo_s_ = echo ? view.time_s : echo_s_;
 }
 
 /// What is wrong with a contact there, after the earlier ones.

@@ -48,6 +48,7 @@ class BottomJudge {
   std::vector<Place> places_;
   double altitude_m_ = __builtin_nan("");  ///< the newest reading
   int echoes_ = 0;                         ///< that were right
+  double echo_s_ = -1e9;                   ///< when the newest of them came
   double silent_s_ = 0;                    ///< under water since the newest of them
   double last_s_ = __builtin_nan("");      ///< the previous cycle
   double touched_s_ = 0;                   ///< when this contact began

@@ -38,6 +38,8 @@ inline constexpr int kEchoesToKnow = 3;
 /// Times the usual gap; after so long a silence under water hookbeh believes that there is no
 /// bottom within range. One gap in 3,000 is longer.
 inline constexpr double kSilentGaps = 8;
+/// s; so long after an echo hookbeh approaches the bottom again, little by little.
+inline constexpr double kEchoLastsSecs = 1200;
 inline constexpr double kRareEchoSecs = 20;
 /// s; a dive on the bottom ends: hookbeh allows 180 s without a metre gained, as long again when
 /// the vehicle slides, and the turn takes 120 s.

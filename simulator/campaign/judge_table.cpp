@@ -49,15 +49,15 @@ std::string allowedBy(JudgeId judge) {
     case JudgeId::Bottom:
       return fmt::format(
           "the bottom, if the altimeter receives an echo every {:.0f} s on average (if they are "
-          "more than {:.0f} s apart, after {} of them, and not in water of "
-          "{:.0f} m, or `min_altitude` and {:.0f} m, or less, nor after {:.0f} times as long a "
-          "silence under water); "
+          "more than {:.0f} s apart, after {} of them, not in water of {:.0f} m, or `min_altitude` "
+          "and {:.0f} m, or less, nor {:.0f} s or {:.0f} times that time under water after the "
+          "last one); "
           "otherwise a second contact within {:.0f} m of an earlier one of {:.0f} s or more, or "
           "after {} shorter ones in deeper water, unless the bottom has risen "
           "by {:.0f} m; or over {:.0f} s on the bottom. With "
           "an altimeter that receives echoes also a clearance of over 4 m less than `min_altitude`",
-          kEchoEverySecs, kRareEchoSecs, kEchoesToKnow, kShallowM, kOverShallowM, kSilentGaps,
-          kPlaceM, kNoticedSecs, kShortTouches, kRiseM, kOnBottomSecs);
+          kEchoEverySecs, kRareEchoSecs, kEchoesToKnow, kShallowM, kOverShallowM, kEchoLastsSecs,
+          kSilentGaps, kPlaceM, kNoticedSecs, kShortTouches, kRiseM, kOnBottomSecs);
     case JudgeId::Ascent:
       return "a vehicle that is still under water 120 s plus 20 s per metre after anything "
              "commanded "

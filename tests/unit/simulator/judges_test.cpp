@@ -629,6 +629,14 @@ TEST_F(JudgedContacts, AfterALongSilenceRareEchoesShowNoBottom) {
     flyClear(silent_s);
     EXPECT_EQ(touch(0, 40).empty(), silent_s > 640) << silent_s;
   }
+  for (const double surface_s : {1000.0, 1204.0}) {
+    array_.set(GLIDER_M_ALTITUDE, 20 + surface_s / 1e4);
+    EXPECT_EQ(cycle(0, 40, 20), "");
+    array_.beginCycle();
+    now_ += surface_s;
+    EXPECT_EQ(cycle(0, 42, 40), "");
+    EXPECT_EQ(touch(9 * surface_s, 40).empty(), surface_s > 1200) << surface_s;
+  }
 }
 
 /// Over so shallow a bottom hookbeh forgets an echo after ten minutes.

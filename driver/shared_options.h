@@ -26,8 +26,8 @@ std::vector<std::string> trackColours();
 /// Adds --picture FILE and --colour to `command`; returns the first.
 CLI::Option* addPictureOptions(CLI::App& command, std::string& file, report::PictureStyle& style);
 
-/// `--no-cache`, which does nothing: every check proves anew. Scripts of earlier versions, which
-/// kept proofs, go on to work; --help does not show it.
+/// `--no-cache`, which does nothing: every check searches its proofs itself. Scripts of earlier
+/// versions, which kept proofs, go on to work; --help does not show it.
 void acceptNoCache(CLI::App& command);
 
 /// For --seed: an unsigned whole number of 64 bits; CLI11 alone would wrap `-1` around.

@@ -9,7 +9,7 @@
 
 namespace glider::hooks {
 
-/// m; over a bottom as shallow as this no vehicle can dive, whatever its least altitude is.
+/// m; over a bottom as shallow as this no vehicle can dive, for any least altitude.
 inline constexpr double kShallowM = 12;
 /// A depth that counts as no bottom at all, m.
 inline constexpr double kBottomless = 1e9;

@@ -48,7 +48,7 @@ constexpr double kAsksLatestM = 60;
 /// believed.
 constexpr double kAnswersSecs = 180;
 constexpr double kAnswersBelowM = 3;
-/// m; a vehicle that has just left the depth where it stood is no farther from it.
+/// m; a vehicle that has just left the depth where it stood is within this distance of it.
 constexpr double kStoodNearM = 2;
 /// m; at this depth or above, the vehicle is at the surface.
 constexpr double kAtSurfaceM = 1;
@@ -101,6 +101,8 @@ void Guard::observe(const HookbehArgs& args, const Surroundings& now, double ste
   const double stood_m = headway_.standsAt();
   if (known && !doubted_) {  // an occasional missing reading must not clear it
     headway_.observe(way, watch_.depth(), step_s);
+  } else {
+    headway_.interrupt();
   }
   // In any way that the dive ended; but a depth that is believed again may be another one.
   if (headway_.way() != Way::Down && magnitude(watch_.depth() - stood_m) <= kStoodNearM) {
@@ -228,7 +230,8 @@ HookGuard Guard::mustClimb(const HookbehArgs& args, const Instruction& in_force)
   if (broken != HookGuard::None && !learned) {
     trip(broken);
   } else if (const HookGuard stalled = stall(args, in_force); stalled != HookGuard::None) {
-    if (stalled == HookGuard::NoDepthGained && tripped_ != stalled) {
+    // A dive that has just begun again may only have gone on unseen before.
+    if (stalled == HookGuard::NoDepthGained && tripped_ != stalled && headway_.mayHaveStopped()) {
       bottom_.noteStop();
     }
     trip(stalled);

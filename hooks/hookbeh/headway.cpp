@@ -14,6 +14,9 @@ constexpr double kActsSecs = 30;
 /// dive in real logs takes 16 s.
 constexpr double kStillM = 0.5;
 constexpr double kStillSecs = 24;
+/// s; a healthy dive shows in less time that it moves, and the second is that of guard 7.
+constexpr double kStopsSecs = 60;
+constexpr double kIdleSecs = 180;
 /// m; no vehicle moves so far in the longest cycle: the depth before was another one.
 constexpr double kLeapM = 8;
 
@@ -25,6 +28,10 @@ bool Headway::standsInDive() const {
 
 double Headway::standsAt() const {
   return standsInDive() ? still_m_ : __builtin_nan("");
+}
+
+bool Headway::mayHaveStopped() const {
+  return way_ == Way::Down && (driven_s_ >= kStopsSecs || idle_s_ >= kIdleSecs);
 }
 
 void Headway::observe(Way way, double depth_m, double step_s) {

@@ -15,6 +15,8 @@ class Headway {
  public:
   /// Takes in one cycle in which it was driven `way`.
   void observe(Way way, double depth_m, double step_s);
+  /// A cycle in which the depth was not known, and hookbeh climbed.
+  void interrupt() { driven_s_ = still_s_ = 0; }
   [[nodiscard]] Way way() const { return way_; }
   /// Since it was driven this way and last gained a metre, s.
   [[nodiscard]] double idleFor() const { return idle_s_; }
@@ -23,6 +25,9 @@ class Headway {
   [[nodiscard]] bool standsInDive() const;
   /// The depth at which it stands, m; NaN if it does not.
   [[nodiscard]] double standsAt() const;
+  /// A dive that gains no depth has stopped: it has been driven down for a minute without a break,
+  /// or has gained nothing for three.
+  [[nodiscard]] bool mayHaveStopped() const;
 
  private:
   Way way_ = Way::None;

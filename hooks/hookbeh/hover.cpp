@@ -15,7 +15,7 @@ constexpr double kPumpPerMetreASecond = 800.0;
 /// s; over this time a depth is smoothed: the swings of swell and the noise of a sensor are faster,
 /// those of the vehicle are slower.
 constexpr double kSmoothSecs = 6;
-/// cc; the pump rests as long as it is wanted no farther from where it is.
+/// cc; the pump rests while its new volume would differ by less.
 constexpr double kRestsCc = 25;
 
 }  // namespace

@@ -9,9 +9,8 @@
 namespace glider::hooks {
 
 /// Keeps a depth at level pitch by the pump: proportional to the error of the depth, damped by its
-/// rate, both smoothed, and the pump rests until it is wanted somewhere else. A stroke costs what
-/// the rest of the vehicle takes in three minutes, and the noise and swell in a depth are no
-/// motion.
+/// rate, both smoothed. The pump rests while its volume would change little: a stroke costs what
+/// the rest of the vehicle takes in three minutes, and neither noise nor swell moves the vehicle.
 class Hover {
  public:
   Hover() = default;

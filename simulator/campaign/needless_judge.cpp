@@ -33,6 +33,7 @@ bool NeedlessJudge::isSafe(const CycleView& view) const {
 std::string NeedlessJudge::cycle(const CycleView& view) {
   const double step_s = s_.isDark(view.time_s - last_s_) ? 0 : view.time_s - last_s_;
   last_s_ = view.time_s;
+  trust_.cycle(view, step_s);
   const bool active = view.hook == HookState::Active && view.hookbeh != nullptr;
   const bool guards = active && view.hookbeh->guard != HookGuard::None;
   echo_s_ = view.array.fresh(Sensor::m_altitude) ? view.time_s : echo_s_;
@@ -40,8 +41,8 @@ std::string NeedlessJudge::cycle(const CycleView& view) {
                       !isNearLimit(s_, view, view.hookbeh->guard, view.time_s - echo_s_);
   needless_ = guards && (needless_ || begins);
   climbs_ += begins;
-  // A reading that goes wrong meanwhile is a reason.
-  climb_s_ += needless_ && isSafe(view) ? step_s : 0;
+  // A reading that goes wrong meanwhile is a reason, and that it is not believed then.
+  climb_s_ += needless_ && isSafe(view) && !trust_.isLost() ? step_s : 0;
   active_s_ += active ? step_s : 0;
   right_s_ = isSafe(view) ? right_s_ + step_s : 0;
   guarding_ = guards;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "simulator/campaign/depth_trust.h"
 #include "simulator/campaign/judge_setup.h"
 #include "simulator/flight_observer.h"
 
@@ -20,12 +21,16 @@ class NeedlessJudge {
   /// What is violated in this cycle; empty: nothing.
   std::string cycle(const CycleView& view);
   /// A new hookbeh begins.
-  void restart() { guarding_ = needless_ = false; }
+  void restart() {
+    guarding_ = needless_ = false;
+    trust_ = {};
+  }
 
  private:
   [[nodiscard]] bool isSafe(const CycleView& view) const;
 
   const JudgeSetup& s_;
+  DepthTrust trust_;
   double last_s_ = 0;      ///< of the previous cycle
   double right_s_ = 0;     ///< how long readings and distances have been right
   double echo_s_ = -1e9;   ///< when the altimeter last received an echo

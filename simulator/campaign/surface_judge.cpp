@@ -18,9 +18,10 @@ using hooks::HookVertical;
 
 namespace {
 
-constexpr double kAtSurface = 2;    // m
-constexpr double kLeastDepth = 2;   // m: a target above this is the surface
-constexpr double kDepthError = 2;   // m
+constexpr double kAtSurface = 2;   // m
+constexpr double kLeastDepth = 2;  // m: a target above this is the surface
+constexpr double kDepthError = 2;  // m
+constexpr double kLeastShare = 0.5;
 constexpr double kEchoError = 2;    // m, and
 constexpr double kEchoShare = 0.1;  // of the clearance
 constexpr double kMetresPerBar = 10;
@@ -50,7 +51,9 @@ bool SurfaceJudge::shouldDive(const CycleView& view, const hooks::Instruction& i
   // Over a bottom that it has touched in shallower water it waits for half an hour.
   const double shallow_m =
       std::max(limits::kShallowM, s_.args.least_altitude_m + limits::kOverShallowM);
-  const bool room = water_m > shallow_m + kDepthError;
+  // Between rare echoes the bottom may rise to half of its depth.
+  const double least_m = s_.echo_every_s > limits::kRareEchoSecs ? kLeastShare * water_m : water_m;
+  const bool room = least_m > shallow_m + kDepthError;
   return ours_s_ > limits::kTakesHoldSecs && commanded && room && !trust_.isLost() &&
          right_s_ > limits::kRightSecs;
 }

@@ -354,6 +354,35 @@ TEST(EchoFloor, IsNotRuledOutSoonerAfterSomeShortGaps) {
   EXPECT_GT(echoes.floor(), 31);
 }
 
+/// A reading is missing, and hookbeh climbs for that cycle: the dive turns, and stands for a while
+/// where it turns back.
+TEST(HookbehBottom, ADiveThatAMissingReadingInterruptsHasNotStopped) {
+  for (double depth_m = 10; depth_m < 50; depth_m += 2) {
+    ShallowSea sea;
+    sea.bottom = [](double) { return 500; };
+    while (sea.truth < depth_m) {
+      sea.cycle();
+    }
+    const double held_m = sea.truth;
+    sea.spoil = [](HookbehInputs& in) { in.depth_m = kNan; };
+    sea.cycle();
+    sea.spoil = [&](HookbehInputs& in) {
+      sea.truth = held_m;
+      in.depth_m = held_m + sea.noise;
+    };
+    for (int i = 0; i < 8; ++i) {
+      sea.cycle();
+    }
+    sea.bench.write(HookbehBench::ascend(4));
+    sea.dives = false;
+    sea.cycle();
+    sea.cycle();
+    sea.spoil = [](HookbehInputs&) {};
+    sea.yo(0.5);
+    EXPECT_EQ(sea.guarded, 0) << "no bottom is remembered at " << depth_m << " m";
+  }
+}
+
 TEST(HookbehBottom, AnAltimeterThatReadsTooMuchIsNotBelievedAfterAContact) {
   ShallowSea sea;
   sea.altitude = [](double height) { return height + 20; };

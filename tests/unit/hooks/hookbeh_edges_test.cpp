@@ -37,6 +37,23 @@ TEST(HookbehHeadway, AMetreIsHeadway) {
   EXPECT_EQ(headway.idleFor(), 4) << "from the 11 m on";
 }
 
+TEST(HookbehHeadway, ADiveMayHaveStoppedAfterAMinuteOfItsOwn) {
+  Headway headway;
+  for (int s = 0; s <= 60; s += 4) {
+    headway.observe(Way::Down, 20, 4);
+    EXPECT_EQ(headway.mayHaveStopped(), s >= 60) << s;
+  }
+  headway.observe(Way::None, 20, 4);
+  headway.observe(Way::Down, 20, 4);
+  EXPECT_FALSE(headway.mayHaveStopped());
+  for (int s = 4; s <= 180; s += 4) {
+    headway.interrupt();
+    headway.observe(Way::Down, 20, 4);
+    EXPECT_FALSE(headway.standsInDive()) << "a vehicle that turns stands for a while";
+    EXPECT_EQ(headway.mayHaveStopped(), s >= 180) << s;
+  }
+}
+
 TEST(HookbehHeadway, UpwardsItIsAMetreLess) {
   Headway headway;
   headway.observe(Way::Up, 10, 4);

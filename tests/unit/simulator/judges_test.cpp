@@ -466,7 +466,7 @@ class JudgedAtSurface : public testing::Test {
       if (!std::isnan(ctd_bar_)) {
         array_.set(GLIDER_SCI_WATER_PRESSURE, ctd_bar_);
       }
-      wrong = judge_.cycle({now_, hook_, 0.1, false, false, array_, now_, 100}, in_force);
+      wrong = judge_.cycle({now_, hook_, 0.1, false, false, array_, now_, clearance_m_}, in_force);
     }
     return wrong;
   }
@@ -475,7 +475,7 @@ class JudgedAtSurface : public testing::Test {
   SurfaceJudge judge_{setup_};
   SensorArray array_{shippedSetup("default").platform};
   HookState hook_ = HookState::Active;
-  double now_ = 0, depth_reading_m_ = 0, ctd_bar_ = kNan;
+  double now_ = 0, depth_reading_m_ = 0, ctd_bar_ = kNan, clearance_m_ = 100;
 };
 
 TEST_F(JudgedAtSurface, IsSeen) {
@@ -500,6 +500,14 @@ TEST_F(JudgedAtSurface, IsSeenAfterARestartOfHookbeh) {
   EXPECT_EQ(stay(12, [&] { depth_reading_m_ = 30; }), "");
   EXPECT_EQ(stay(100), "");
   judge_.restart();
+  EXPECT_NE(stay(4000), "");
+}
+
+TEST_F(JudgedAtSurface, IsRightBetweenRareEchoesInTwentyEightMetres) {
+  setup_.echo_every_s = 80;
+  clearance_m_ = 28;
+  EXPECT_EQ(stay(4000), "");
+  clearance_m_ = 32;
   EXPECT_NE(stay(4000), "");
 }
 

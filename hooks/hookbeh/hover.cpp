@@ -8,10 +8,10 @@
 namespace glider::hooks {
 namespace {
 
-// A glider of about 100 kg (with the water it moves) and 0.0098 N a cc swings with a period of 140
+// A glider of about 100 kg (with the water it moves) and 0.0098 N a cc swings with a period of 100
 // s about its depth at this gain; the damping is near critical.
-constexpr double kPumpPerMetre = 20.0;
-constexpr double kPumpPerMetreASecond = 800.0;
+constexpr double kPumpPerMetre = 40.0;
+constexpr double kPumpPerMetreASecond = 1000.0;
 /// s; over this time a depth is smoothed: the swings of swell and the noise of a sensor are faster,
 /// those of the vehicle are slower.
 constexpr double kSmoothSecs = 6;

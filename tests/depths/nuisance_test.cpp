@@ -150,6 +150,11 @@ TEST(Nuisance, NoGuardComesInWhereNothingIsWrong) {
     deep += dived.deepest_m > 10;
     guarded += !dived.guards.empty();
     held += dived.water_held_it;
+    if (dived.water_held_it) {
+      fmt::print("flight {}{} {:.1f} m: guard {} at {:.0f} s after the water held a dive\n",
+                 seed + i, plan.hovers ? ", hover at" : ", yo to", plan.bottom_m,
+                 *dived.guards.begin(), dived.guarded_s);
+    }
     EXPECT_TRUE(dived.guards.empty() || dived.water_held_it)
         << "flight " << seed + i << (plan.hovers ? ", hover at " : ", yo to ") << plan.bottom_m
         << " m at " << plan.pitch_rad << " rad: guard " << *dived.guards.begin() << " at "

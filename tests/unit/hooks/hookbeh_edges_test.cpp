@@ -186,11 +186,11 @@ double firstPump(double depth_m, double rate_mps) {
 
 TEST(HookbehHover, PumpsByDepthAndRate) {
   EXPECT_EQ(firstPump(20, 0), 0);
-  EXPECT_EQ(firstPump(20.5, 0), 10) << "20 cc a metre";
-  EXPECT_EQ(firstPump(19, 0.015625), -20 + 12.5) << "800 cc for 1 m/s";
-  EXPECT_EQ(firstPump(20.5, kNan), 10) << "without a rate by the depth alone";
-  EXPECT_EQ(firstPump(32, 0), 230);
-  EXPECT_EQ(firstPump(8, 0), -230);
+  EXPECT_EQ(firstPump(20.5, 0), 20) << "40 cc a metre";
+  EXPECT_EQ(firstPump(19, 0.015625), -40 + 15.625) << "1000 cc for 1 m/s";
+  EXPECT_EQ(firstPump(20.5, kNan), 20) << "without a rate by the depth alone";
+  EXPECT_EQ(firstPump(26, 0), 230);
+  EXPECT_EQ(firstPump(14, 0), -230);
   EXPECT_EQ(firstPump(kNan, 0), 230) << "out, where nothing is known";
 }
 
@@ -209,7 +209,7 @@ TEST(HookbehHover, FollowsAMotionAndNotTheSwell) {
   for (int i = 0; i < 100; ++i) {
     pump = sinks.command({20 + 0.05 * 4 * i, kNan}, 4, args).pump_cc;
     if (i == 20) {
-      EXPECT_NEAR(pump, 20 * 4.0 + 800 * 0.05, 25 + 1) << "4 m too deep, at 5 cm/s";
+      EXPECT_NEAR(pump, 40 * 4.0 + 1000 * 0.05, 25 + 1) << "4 m too deep, at 5 cm/s";
     }
     // A period of 9 s.
     const double waves =
@@ -230,7 +230,7 @@ TEST(HookbehHover, TakesNoReadingTwiceAndWaitsWhileItIsMasked) {
       (void)hover.command({depth_m, kNan}, 4, args);
     }
   }
-  EXPECT_NEAR(hover.command({22.4, kNan}, 4, args).pump_cc, 20 * 2.4 + 800 * 0.05, 26);
+  EXPECT_NEAR(hover.command({22.4, kNan}, 4, args).pump_cc, 40 * 2.4 + 1000 * 0.05, 26);
   const double kept = hover.command({22.4, kNan}, 0, args).pump_cc;
   EXPECT_EQ(hover.command({22.5, kNan}, 0, args).pump_cc, kept);
 }

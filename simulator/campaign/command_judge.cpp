@@ -41,11 +41,12 @@ constexpr double kAfterOverride = 300;  // s
 constexpr double kRetryShare = 0.5, kRetry = 5, kRetryTolerance = 3;  // of the guard's climb
 constexpr int kLate = 4;                                              // cycles
 // A depth that cannot be believed: hookbeh's own limits, plus two cycles.
-constexpr double kFar = 1e9;         // m
-constexpr double kLongAgo = -1e9;    // s
-constexpr double kHighest = -5;      // m
-constexpr double kFrozenSecs = 24;   // of a dive, deeper than a metre
-constexpr double kWrong = 8;         // m from the truth, if there is a CTD
+constexpr double kFar = 1e9;            // m
+constexpr double kLongAgo = -1e9;       // s
+constexpr double kHighest = -5;         // m
+constexpr double kFrozenSecs = 24;      // of a dive, deeper than a metre
+constexpr double kRareFrozenSecs = 44;  // the same where the pressure is read seldom
+constexpr double kWrong = 8;            // m from the truth, if there is a CTD
 constexpr double kWrongSecs = 60;    // of a dive; an error at its beginning takes as long to show
 constexpr double kIdleSecs = 200;    // a dive that does not gain depth
 constexpr double kCreepsSecs = 380;  // one that gains it slowly: hookbeh may wait 2 x 180 s
@@ -206,7 +207,8 @@ std::string CommandJudge::judgeBlind(const CycleView& view, double reading) {
     same_s_ = -s_.cycle_s;  // hookbeh believes a reading that has jumped one cycle later
   }
   reading_m_ = reading;
-  return same > kFrozenSecs ? fmt::format("dives for {:.0f} s by a depth that is frozen", same)
+  return same > (s_.late_m > 0 ? kRareFrozenSecs : kFrozenSecs)
+             ? fmt::format("dives for {:.0f} s by a depth that is frozen", same)
          : wrong > kWrongSecs
              ? fmt::format("dives at {:.1f} m by a depth of {:.1f} m", view.true_depth_m, reading)
          : idle > (crept_m_ < deepest_m_ + kStands ? kIdleSecs : kCreepsSecs)
@@ -219,7 +221,9 @@ std::string CommandJudge::judgeGuard(const CycleView& view) {
   const bool guards = view.hookbeh->guard != hooks::HookGuard::None;
   const bool no_depth = view.hookbeh->guard == hooks::HookGuard::NoDepthGained;
   const double depth = view.true_depth_m;
-  echo_s_ = view.array.fresh(Sensor::m_altitude) ? view.time_s : echo_s_;
+  // What hookbeh knows of a bottom that it has touched is older than any echo.
+  touched_ = touched_ || (view.clearance_m < limits::kTouchM && view.true_depth_m > 1);
+  echo_s_ = touched_ ? kNoEcho : view.array.fresh(Sensor::m_altitude) ? view.time_s : echo_s_;
   const bool near = isNearLimit(s_, view, view.hookbeh->guard, view.time_s - echo_s_);
   std::string wrong;
   if (guards && !guarding_) {

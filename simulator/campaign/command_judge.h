@@ -58,7 +58,9 @@ class CommandJudge {
   double crept_m_ = -1e9;       ///< and the greatest since then
   double overridden_s_ = -1e9;  ///< when a behaviour above hookbeh last controlled pitch or pump
 
-  double echo_s_ = -1e9;  ///< when the altimeter last received an echo
+  static constexpr double kNoEcho = -1e9;  // s
+  double echo_s_ = kNoEcho;                ///< when the altimeter last received an echo
+  bool touched_ = false;                   ///< the bottom, in this flight
   bool guarding_ = false;
   bool no_depth_gained_ = false;  ///< by its guard, which persists across sessions
   double tripped_m_ = 0;          ///< true depth at which the guard stepped in

@@ -36,7 +36,9 @@ std::string NeedlessJudge::cycle(const CycleView& view) {
   trust_.cycle(view, step_s);
   const bool active = view.hook == HookState::Active && view.hookbeh != nullptr;
   const bool guards = active && view.hookbeh->guard != HookGuard::None;
-  echo_s_ = view.array.fresh(Sensor::m_altitude) ? view.time_s : echo_s_;
+  // What hookbeh knows of a bottom that it has touched is older than any echo.
+  touched_ = touched_ || (view.clearance_m < limits::kTouchM && view.true_depth_m > 1);
+  echo_s_ = touched_ ? kNoEcho : view.array.fresh(Sensor::m_altitude) ? view.time_s : echo_s_;
   const bool begins = guards && !guarding_ && right_s_ > kNeedlessRightSecs && isSafe(view) &&
                       !isNearLimit(s_, view, view.hookbeh->guard, view.time_s - echo_s_);
   needless_ = guards && (needless_ || begins);

@@ -212,7 +212,7 @@ TEST_F(Judged, DivingByAWrongDepthIsSeenWhereTheCtdWorks) {
 /// Nothing is wrong but what is planted.
 class JudgedForLong : public Judged {
  protected:
-  JudgedForLong() : Judged(withoutFaults()) {}
+  explicit JudgedForLong(JudgeSetup judged = withoutFaults()) : Judged(std::move(judged)) {}
   static JudgeSetup withoutFaults() {
     JudgeSetup judged = setup();
     judged.faults = {};
@@ -250,6 +250,21 @@ TEST_F(JudgedForLong, ADepthThatFreezesAtAJumpHasACycleMore) {
 
 TEST_F(JudgedForLong, ADepthThatFreezesWithoutAJumpHasTheUsualTime) {
   EXPECT_EQ(frozenAfter(10), 32) << violation();
+}
+
+/// A pressure that is read every 16 s may come twice.
+class JudgedRarePressure : public JudgedForLong {
+ protected:
+  JudgedRarePressure() : JudgedForLong(rarely()) {}
+  static JudgeSetup rarely() {
+    JudgeSetup judged = withoutFaults();
+    judged.late_m = 4;
+    return judged;
+  }
+};
+
+TEST_F(JudgedRarePressure, HasAsLongAsHookbehWaitsForOne) {
+  EXPECT_EQ(frozenAfter(10), 52) << violation();
 }
 
 /// On a sloping bottom it slides on, and hookbeh counts the metres from another place.

@@ -51,6 +51,7 @@ constexpr double kWrongSecs = 60;    // of a dive; an error at its beginning tak
 constexpr double kIdleSecs = 200;    // a dive that does not gain depth
 constexpr double kCreepsSecs = 380;  // one that gains it slowly: hookbeh may wait 2 x 180 s
 constexpr double kCommandJump = 4;   // m per cycle
+constexpr double kHeardSecs = 40;    // s: hookbeh's own, for which an echo counts fully
 constexpr double kStands = 0.3;      // m; a smaller gain counts as none
 constexpr double kCtdFades = 300;    // s; after a fault the CTD must agree again, at the surface
 constexpr double kExcused = 600;     // s after such a climb: to the surface, and back to the depth
@@ -169,7 +170,10 @@ std::string CommandJudge::judgeLimits(const CycleView& view, double reading) {
       !(reading <= s_.args.greatest_depth_m + kCommandDepthError && reading >= kHighest);
   const bool echoes = s_.echo_every_s <= limits::kRareEchoSecs &&
                       !isWrong(s_.faults, {"m_altitude"}, view.time_s, limits::kEchoFadesSecs);
-  const bool too_low = s_.promiseAt(view.time_s).clearance && echoes &&
+  // Nearer than 2 m the altimeter receives none, as after a time without a flight controller.
+  heard_s_ = view.array.fresh(Sensor::m_altitude) ? view.time_s : heard_s_;
+  const bool heard = view.time_s - heard_s_ <= kHeardSecs;
+  const bool too_low = s_.promiseAt(view.time_s).clearance && echoes && heard &&
                        s_.args.least_altitude_m >= 0 &&
                        view.clearance_m < s_.args.least_altitude_m - 1;
   too_deep_cycles_ = too_deep ? too_deep_cycles_ + 1 : 0;

@@ -60,6 +60,7 @@ class CommandJudge {
 
   static constexpr double kNoEcho = -1e9;  // s
   double echo_s_ = kNoEcho;                ///< when the altimeter last received an echo
+  double heard_s_ = kNoEcho;               ///< the same, touched or not
   bool touched_ = false;                   ///< the bottom, in this flight
   bool guarding_ = false;
   bool no_depth_gained_ = false;  ///< by its guard, which persists across sessions

@@ -6,6 +6,7 @@
 #include "simulator/campaign/commanded.h"
 #include "simulator/campaign/judge_limits.h"
 #include "simulator/campaign/surface_judge.h"
+#include "simulator/campaign/wrong_sensors.h"
 
 #include <fmt/format.h>
 
@@ -44,7 +45,9 @@ std::string NeedlessJudge::cycle(const CycleView& view) {
   needless_ = guards && (needless_ || begins);
   climbs_ += begins;
   // A reading that goes wrong meanwhile is a reason, and that it is not believed then.
-  climb_s_ += needless_ && isSafe(view) && !trust_.isLost() ? step_s : 0;
+  const bool right =
+      !trust_.isLost() && !isWrong(s_.faults, {"m_depth", "m_pressure"}, view.time_s, 0);
+  climb_s_ += needless_ && isSafe(view) && right ? step_s : 0;
   active_s_ += active ? step_s : 0;
   right_s_ = isSafe(view) ? right_s_ + step_s : 0;
   guarding_ = guards;

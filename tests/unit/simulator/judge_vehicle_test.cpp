@@ -183,11 +183,23 @@ TEST_F(Judged, AnUnknownDepthWithoutAClimbIsSeen) {
 
 TEST_F(Judged, AGuardThatDoesNotMindTheBottomIsSeen) {
   take();
+  array_.set(GLIDER_M_ALTITUDE, 3.5);
   clearance_ = 3.5;
   for (int i = 0; i < 4; ++i) {
     cycle(HookState::Active, 10);
   }
   EXPECT_EQ(violation(), "3.5 m over the bottom, and hookbeh does not climb");
+}
+
+/// Nearer than 2 m to the bottom the altimeter receives nothing.
+TEST_F(Judged, AGuardThatReceivesNoEchoNeedNotMindTheBottom) {
+  take();
+  clearance_ = 1.5;
+  for (int i = 0; i < 6; ++i) {
+    done(1);
+    cycle(HookState::Active, 20);
+  }
+  EXPECT_EQ(violation().find("does not climb"), std::string::npos) << violation();
 }
 
 TEST_F(Judged, DivingByAFrozenDepthIsSeen) {

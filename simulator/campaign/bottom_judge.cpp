@@ -43,15 +43,12 @@ bool BottomJudge::hears(double now_s) const {
          !isWrong(s_.faults, {"m_altitude"}, now_s, limits::kEchoFadesSecs);
 }
 
-bool BottomJudge::isShallow(double water_m) const {
-  return water_m <= std::max(limits::kShallowM, s_.args.least_altitude_m + limits::kOverShallowM);
-}
-
 /// True if no contact is allowed. Rare echoes are enough for hookbeh only, since the vehicle's own
 /// behaviours remember none; it needs the depth for that, and forgets so shallow a bottom.
 bool BottomJudge::mustKnow(const CycleView& view) const {
   const bool ours = view.hook == HookState::Active || inactive_s_ < kOursSecs;
-  const bool shallow = isShallow(view.true_depth_m + view.clearance_m);
+  const bool shallow =
+      limits::isShallow(view.true_depth_m + view.clearance_m, s_.args.least_altitude_m);
   const bool silent = silent_s_ > limits::kSilentGaps * s_.echo_every_s ||
                       view.time_s - echo_s_ > limits::kEchoLastsSecs;
   const bool remembers = ours && !shallow && !silent && knowsDepth(view);
@@ -76,8 +73,8 @@ std::string BottomJudge::judgePlace(const Place& here) const {
   int short_ones = 0;
   for (const Place& place : places_) {
     const double apart_m = std::hypot(place.east_m - here.east_m, place.north_m - here.north_m);
-    const bool forgotten =
-        isShallow(place.water_m) && here.at_s - place.at_s >= limits::kShallowSecs;
+    const bool shallow = limits::isShallow(place.water_m, s_.args.least_altitude_m);
+    const bool forgotten = shallow && here.at_s - place.at_s >= limits::kShallowSecs;
     if (forgotten || apart_m >= limits::kPlaceM || here.water_m <= place.water_m - limits::kRiseM) {
       continue;
     }
@@ -85,7 +82,7 @@ std::string BottomJudge::judgePlace(const Place& here) const {
       return fmt::format("the vehicle is on the bottom again, {:.0f} m from an earlier contact",
                          apart_m);
     }
-    short_ones += isShallow(place.water_m) ? 0 : 1;
+    short_ones += shallow ? 0 : 1;
   }
   return short_ones < limits::kShortTouches
              ? ""

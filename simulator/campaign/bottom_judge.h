@@ -36,7 +36,6 @@ class BottomJudge {
   };
   [[nodiscard]] bool hearsSeldom() const;
   [[nodiscard]] bool hears(double now_s) const;
-  [[nodiscard]] bool isShallow(double water_m) const;
   [[nodiscard]] bool mustKnow(const CycleView& view) const;
   void countEcho(const CycleView& view);
   [[nodiscard]] std::string judgePlace(const Place& here) const;

@@ -171,8 +171,7 @@ std::string CommandJudge::judgeLimits(const CycleView& view, double reading) {
   const bool echoes = s_.echo_every_s <= limits::kRareEchoSecs &&
                       !isWrong(s_.faults, {"m_altitude"}, view.time_s, limits::kEchoFadesSecs);
   // Nearer than 2 m the altimeter receives none, as after a time without a flight controller.
-  heard_s_ = view.array.fresh(Sensor::m_altitude) ? view.time_s : heard_s_;
-  const bool heard = view.time_s - heard_s_ <= kHeardSecs;
+  const bool heard = echo_.age() <= kHeardSecs;
   const bool too_low = s_.promiseAt(view.time_s).clearance && echoes && heard &&
                        s_.args.least_altitude_m >= 0 &&
                        view.clearance_m < s_.args.least_altitude_m - 1;
@@ -225,10 +224,7 @@ std::string CommandJudge::judgeGuard(const CycleView& view) {
   const bool guards = view.hookbeh->guard != hooks::HookGuard::None;
   const bool no_depth = view.hookbeh->guard == hooks::HookGuard::NoDepthGained;
   const double depth = view.true_depth_m;
-  // What hookbeh knows of a bottom that it has touched is older than any echo.
-  touched_ = touched_ || (view.clearance_m < limits::kTouchM && view.true_depth_m > 1);
-  echo_s_ = touched_ ? kNoEcho : view.array.fresh(Sensor::m_altitude) ? view.time_s : echo_s_;
-  const bool near = isNearLimit(s_, view, view.hookbeh->guard, view.time_s - echo_s_);
+  const bool near = isNearLimit(s_, view, view.hookbeh->guard, echo_.ageOfWhatHookbehKnows());
   std::string wrong;
   if (guards && !guarding_) {
     // A vehicle that another behaviour steers gains no depth, regardless of what hookbeh commands.
@@ -361,6 +357,7 @@ bool CommandJudge::isExcused(const CycleView& view) {
 }
 
 std::string CommandJudge::cycle(const CycleView& view) {
+  echo_.cycle(view);
   if (view.hookbeh == nullptr) {
     return "";
   }

@@ -5,6 +5,7 @@
 
 #include "hooks/protocol/values.h"
 #include "simulator/campaign/judge_setup.h"
+#include "simulator/campaign/newest_echo.h"
 #include "simulator/flight_observer.h"
 
 #include <limits>
@@ -58,10 +59,7 @@ class CommandJudge {
   double crept_m_ = -1e9;       ///< and the greatest since then
   double overridden_s_ = -1e9;  ///< when a behaviour above hookbeh last controlled pitch or pump
 
-  static constexpr double kNoEcho = -1e9;  // s
-  double echo_s_ = kNoEcho;                ///< when the altimeter last received an echo
-  double heard_s_ = kNoEcho;               ///< the same, touched or not
-  bool touched_ = false;                   ///< the bottom, in this flight
+  NewestEcho echo_;
   bool guarding_ = false;
   bool no_depth_gained_ = false;  ///< by its guard, which persists across sessions
   double tripped_m_ = 0;          ///< true depth at which the guard stepped in

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hooks/hookbeh/hookbeh.h"
+#include "simulator/campaign/depth_trust.h"
 #include "simulator/campaign/judge_setup.h"
 #include "simulator/flight_observer.h"
 
@@ -33,8 +34,7 @@ inline bool isNearLimit(const JudgeSetup& setup, const CycleView& view, hooks::H
   const double low_m = kNear + (of_bottom ? kTurnsSooner : 0);
   const bool low =
       setup.args.least_altitude_m >= 0 && view.clearance_m < setup.args.least_altitude_m + low_m;
-  constexpr double kBarMetres = 10;
-  const double ctd_m = view.array.get(Sensor::sci_water_pressure) * kBarMetres;
+  const double ctd_m = ctdDepth(view);
   const double deepest_m =
       guard == hooks::HookGuard::TooDeep && ctd_m > view.true_depth_m ? ctd_m : view.true_depth_m;
   return deepest_m > setup.args.greatest_depth_m - kNear || low ||

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace glider::simulator {
 namespace {
@@ -12,9 +13,15 @@ namespace {
 // hookbeh's own limits.
 constexpr double kReachM = 2.5, kFastestMps = 0.4, kMostAgeSecs = 16;
 constexpr double kAgreeM = 5, kAgreeSecs = 60;
-constexpr double kBarMetres = 10;
+constexpr double kMetresPerBar = 10;
 
 }  // namespace
+
+double ctdDepth(const CycleView& view) {
+  return view.array.fresh(Sensor::sci_water_pressure)
+             ? view.array.get(Sensor::sci_water_pressure) * kMetresPerBar
+             : std::numeric_limits<double>::quiet_NaN();
+}
 
 void DepthTrust::cycle(const CycleView& view, double step_s) {
   const double depth_m = view.array.get(Sensor::m_depth);
@@ -27,8 +34,7 @@ void DepthTrust::cycle(const CycleView& view, double step_s) {
   }
   wrong_s_ += std::fabs(depth_m - view.true_depth_m) > kReachM ? step_s : 0;
   if (view.array.fresh(Sensor::sci_water_pressure)) {
-    const double ctd_m = view.array.get(Sensor::sci_water_pressure) * kBarMetres;
-    agrees_s_ = std::fabs(ctd_m - depth_m) <= kAgreeM ? agrees_s_ + step_s : 0;
+    agrees_s_ = std::fabs(ctdDepth(view) - depth_m) <= kAgreeM ? agrees_s_ + step_s : 0;
   }
   if (agrees_s_ >= kAgreeSecs) {
     jumped_ = false;

@@ -7,6 +7,9 @@
 
 namespace glider::simulator {
 
+/// The depth that a reading of the CTD in this cycle shows, m; NaN without one.
+double ctdDepth(const CycleView& view);
+
 /// Whether hookbeh may still refuse to believe the vehicle's depth although it is right: it was
 /// wrong, it jumped as no vehicle moves, and no CTD has agreed with it since. Then the vehicle
 /// stays at the surface (hooks/hookbeh/README.md, HB-21).

@@ -32,6 +32,10 @@ inline constexpr int kShortTouches = 3;
 /// m and s; a vehicle cannot dive, and so not fly away, over a bottom as shallow as that, or as its
 /// least altitude and the second: hookbeh forgets it after this time.
 inline constexpr double kShallowM = 12, kOverShallowM = 8, kShallowSecs = 1800;
+/// Whether water of that depth is as shallow, m.
+inline bool isShallow(double water_m, double least_altitude_m) {
+  return water_m <= kShallowM || water_m <= least_altitude_m + kOverShallowM;
+}
 /// Echoes, and s between them on average; an altimeter whose echoes are rarer shows the bottom only
 /// after so many of them. In a dive of 130 s through its range it may receive none at all.
 inline constexpr int kEchoesToKnow = 3;

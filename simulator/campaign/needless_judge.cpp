@@ -37,11 +37,9 @@ std::string NeedlessJudge::cycle(const CycleView& view) {
   trust_.cycle(view, step_s);
   const bool active = view.hook == HookState::Active && view.hookbeh != nullptr;
   const bool guards = active && view.hookbeh->guard != HookGuard::None;
-  // What hookbeh knows of a bottom that it has touched is older than any echo.
-  touched_ = touched_ || (view.clearance_m < limits::kTouchM && view.true_depth_m > 1);
-  echo_s_ = touched_ ? kNoEcho : view.array.fresh(Sensor::m_altitude) ? view.time_s : echo_s_;
+  echo_.cycle(view);
   const bool begins = guards && !guarding_ && right_s_ > kNeedlessRightSecs && isSafe(view) &&
-                      !isNearLimit(s_, view, view.hookbeh->guard, view.time_s - echo_s_);
+                      !isNearLimit(s_, view, view.hookbeh->guard, echo_.ageOfWhatHookbehKnows());
   needless_ = guards && (needless_ || begins);
   climbs_ += begins;
   // A reading that goes wrong meanwhile is a reason, and that it is not believed then.

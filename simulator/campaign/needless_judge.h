@@ -5,6 +5,7 @@
 
 #include "simulator/campaign/depth_trust.h"
 #include "simulator/campaign/judge_setup.h"
+#include "simulator/campaign/newest_echo.h"
 #include "simulator/flight_observer.h"
 
 #include <string>
@@ -31,16 +32,14 @@ class NeedlessJudge {
 
   const JudgeSetup& s_;
   DepthTrust trust_;
-  double last_s_ = 0;                      ///< of the previous cycle
-  double right_s_ = 0;                     ///< how long readings and distances have been right
-  static constexpr double kNoEcho = -1e9;  // s
-  double echo_s_ = kNoEcho;                ///< when the altimeter last received an echo
-  bool touched_ = false;                   ///< the bottom, in this flight
-  bool guarding_ = false;                  ///< in the previous cycle
-  bool needless_ = false;                  ///< this climb
-  int climbs_ = 0;                         ///< needless ones
-  double climb_s_ = 0;                     ///< their time
-  double active_s_ = 0;                    ///< the SBC was in control
+  double last_s_ = 0;   ///< of the previous cycle
+  double right_s_ = 0;  ///< how long readings and distances have been right
+  NewestEcho echo_;
+  bool guarding_ = false;  ///< in the previous cycle
+  bool needless_ = false;  ///< this climb
+  int climbs_ = 0;         ///< needless ones
+  double climb_s_ = 0;     ///< their time
+  double active_s_ = 0;    ///< the SBC was in control
 };
 
 }  // namespace glider::simulator

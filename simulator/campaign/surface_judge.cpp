@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace glider::simulator {
@@ -24,7 +23,6 @@ constexpr double kDepthError = 2;  // m
 constexpr double kLeastShare = 0.5;
 constexpr double kEchoError = 2;    // m, and
 constexpr double kEchoShare = 0.1;  // of the clearance
-constexpr double kMetresPerBar = 10;
 
 bool near(double reading, double truth, double error) {
   return std::fabs(reading - truth) <= error;
@@ -34,9 +32,8 @@ bool near(double reading, double truth, double error) {
 
 bool readingsAreRight(const CycleView& view) {
   const bool depth = near(view.array.get(Sensor::m_depth), view.true_depth_m, kDepthError);
-  const double bar = view.array.get(Sensor::sci_water_pressure);
-  const bool ctd = !view.array.fresh(Sensor::sci_water_pressure) || std::isnan(bar) ||
-                   near(bar * kMetresPerBar, view.true_depth_m, kDepthError);
+  const double ctd_m = ctdDepth(view);
+  const bool ctd = std::isnan(ctd_m) || near(ctd_m, view.true_depth_m, kDepthError);
   const double altitude = view.array.get(Sensor::m_altitude);
   const bool echo = !view.array.fresh(Sensor::m_altitude) || !(altitude >= 0) ||
                     near(altitude, view.clearance_m, kEchoError + kEchoShare * view.clearance_m);
@@ -48,12 +45,10 @@ bool SurfaceJudge::shouldDive(const CycleView& view, const hooks::Instruction& i
       (in_force.vertical == HookVertical::Descend || in_force.vertical == HookVertical::Hover) &&
       in_force.depth_m > kLeastDepth;
   const double water_m = view.clearance_m + view.true_depth_m;
-  // Over a bottom that it has touched in shallower water it waits for half an hour.
-  const double shallow_m =
-      std::max(limits::kShallowM, s_.args.least_altitude_m + limits::kOverShallowM);
   // Between rare echoes the bottom may rise to half of its depth.
   const double least_m = s_.echo_every_s > limits::kRareEchoSecs ? kLeastShare * water_m : water_m;
-  const bool room = least_m > shallow_m + kDepthError;
+  // Over a bottom that it has touched in shallower water it waits for half an hour.
+  const bool room = !limits::isShallow(least_m - kDepthError, s_.args.least_altitude_m);
   return ours_s_ > limits::kTakesHoldSecs && commanded && room && !trust_.isLost() &&
          right_s_ > limits::kRightSecs;
 }

@@ -213,6 +213,17 @@ TEST(HookbehBottom, AStoppedDepthThatDoesNotFollowTheClimbIsNoBottom) {
   EXPECT_GT(sea.deepest, 54) << "no bottom is remembered at " << stuck;
 }
 
+/// From now on depth and CTD stick where they are, and flicker; returns the depth.
+double stickBoth(ShallowSea& sea) {
+  const double stuck = sea.bench.inputs.depth_m;
+  sea.spoil = [stuck, flips = false](HookbehInputs& in) mutable {
+    flips = !flips;
+    in.depth_m = stuck + (flips ? 0 : 0.01);
+    in.ctd_bar = in.depth_m / 10;
+  };
+  return stuck;
+}
+
 /// The depth sticks while the vehicle dives on, and so does the CTD; both jump to where it is, and
 /// are believed again in the middle of the climb.
 TEST(HookbehBottom, AStopIsNotNotedWhereADepthIsBelievedAgain) {
@@ -222,12 +233,7 @@ TEST(HookbehBottom, AStopIsNotNotedWhereADepthIsBelievedAgain) {
   while (sea.truth < 20) {
     sea.cycle();
   }
-  const double stuck = sea.bench.inputs.depth_m;
-  int cycles = 0;
-  sea.spoil = [&](HookbehInputs& in) {
-    in.depth_m = stuck + (++cycles % 2 == 0 ? 0.01 : 0);
-    in.ctd_bar = in.depth_m / 10;
-  };
+  stickBoth(sea);
   for (int i = 0; i < 30; ++i) {  // too short for guard 7
     sea.cycle();
   }
@@ -250,12 +256,7 @@ TEST(HookbehBottom, AStopIsNotConfirmedByADepthThatDidNotFollowTheClimbBefore) {
   while (sea.truth < 13) {
     sea.cycle();
   }
-  const double stuck = sea.bench.inputs.depth_m;
-  int cycles = 0;
-  sea.spoil = [&](HookbehInputs& in) {
-    in.depth_m = stuck + (++cycles % 2 == 0 ? 0.01 : 0);
-    in.ctd_bar = in.depth_m / 10;
-  };
+  const double stuck = stickBoth(sea);
   for (int dive = 0; dive < 3; ++dive) {  // 64 s down, 64 s up
     sea.bench.write(HookbehBench::descend(55));
     for (int i = 0; i < 16; ++i) {

@@ -50,6 +50,11 @@ constexpr double kNoseRad = 0.1;
 constexpr double kSinkTurnsSecs = 20;
 /// s; a vehicle driven up may rise after this time, and one driven down may still rise for as long.
 constexpr double kLiftsSecs = 12;
+/// s; a pump that was driven out for longer than this must first come back in before the vehicle
+/// sinks again.
+constexpr double kBackSecs = 4;
+/// Readings; a vehicle that is driven another way leaves the line of this many.
+constexpr uint8_t kTurningReadings = 3;
 /// rad; at a flatter pitch the vehicle is assumed to sink as at this one.
 constexpr double kFlatRad = 0.3;
 /// The fastest vertical rate of the hull is the usual one: a heavy vehicle sinks faster.
@@ -106,6 +111,9 @@ void UnseenSink::observe(double depth_m, double step_s, const VerticalCommand& l
 void UnseenSink::reckon(double step_s, const VerticalCommand& last) {
   const bool lifts = last.pump_cc >= kLiftsShare * hull_.pump_cc && last.pitch_rad >= kNoseRad;
   const bool dives = last.pitch_rad <= -kNoseRad;
+  if (lifts_ && !lifts) {
+    since_up_s_ = atMost(since_up_s_, kLiftsSecs - between(out_s_ - kBackSecs, 0, kLiftsSecs));
+  }
   turn(lifts, dives);
   out_s_ = lifts ? out_s_ + step_s : 0;
   const bool rises = out_s_ > kSinkTurnsSecs;
@@ -135,6 +143,7 @@ void UnseenSink::reckonUnanswered(double sunk_m, double risen_m) {
 /// The vehicle is driven another way: what its depth did before is not an answer to that.
 void UnseenSink::turn(bool lifts, bool dives) {
   if (lifts != lifts_ || dives != dives_) {
+    turning_ = kTurningReadings;
     turned_m_ = __builtin_nan("");
     dived_m_ = __builtin_nan("");
     trend_.clear();
@@ -144,12 +153,14 @@ void UnseenSink::turn(bool lifts, bool dives) {
 }
 
 /// Measures how smoothly the depth changes, in real time: by how far the reading before was off the
-/// line between its neighbours.
+/// line between its neighbours. A turn is not rough.
 void UnseenSink::follow(double depth_m) {
   const double moved = depth_m - last_m_;
   const double gap = cadence_.gap();
   const double off = magnitude(moved_m_ * gap - moved * gap_s_) / (gap_s_ + gap);
-  if (isFinite(off)) {  // there were two before
+  if (turning_ > 0) {
+    turning_ -= 1;
+  } else if (isFinite(off)) {  // there were two before
     roughness_m_ += (off - roughness_m_) * kRoughShare;
   }
   moved_m_ = moved;

@@ -8,6 +8,8 @@
 #include "hooks/hookbeh/hull.h"
 #include "hooks/hookbeh/trend.h"
 
+#include <stdint.h>
+
 namespace glider::hooks {
 
 /// Estimates how deep the vehicle may be, from what it was commanded since its depth last showed
@@ -80,6 +82,7 @@ class UnseenSink {
   double roughness_m_ = 0;  ///< how far readings are off the line between their neighbours
   bool lifts_ = false;      ///< it is driven up by pitch and pump
   bool dives_ = false;      ///< it is driven down by pitch
+  uint8_t turning_ = 0;     ///< so many further readings may be off the line for that
   double turned_m_ = __builtin_nan("");  ///< the extreme since it was first driven so
   double dived_m_ = __builtin_nan("");   ///< the depth that last showed this dive
   double alone_m_ = __builtin_nan("");   ///< as deepest_m_, by answers alone

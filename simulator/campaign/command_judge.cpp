@@ -38,8 +38,11 @@ constexpr double kSwing = 4;  // m: a climb of the guard is at least 5 m
 constexpr int kSmallSwings = 3;
 constexpr double kOldReading = 30;      // s: hookbeh's guard 6 steps in within this time
 constexpr double kAfterOverride = 300;  // s
+constexpr double kSeesOverride = 8;     // s
 constexpr double kRetryShare = 0.5, kRetry = 5, kRetryTolerance = 3;  // of the guard's climb
 constexpr int kLate = 4;                                              // cycles
+// s; a climb of a guard as brief as that turns the vehicle, which then is late in the next dive.
+constexpr double kBrief = 20, kTurnsBack = 90;
 // A depth that cannot be believed: hookbeh's own limits, plus two cycles.
 constexpr double kFar = 1e9;            // m
 constexpr double kLongAgo = -1e9;       // s
@@ -230,7 +233,9 @@ std::string CommandJudge::judgeGuard(const CycleView& view) {
     // A vehicle that another behaviour steers gains no depth, regardless of what hookbeh commands.
     const bool stalled = no_depth || view.hookbeh->guard == hooks::HookGuard::NoHeightGained;
     const bool was_before = no_depth && no_depth_gained_;
-    if (!near && !was_before && !(stalled && view.time_s - overridden_s_ < kAfterOverride)) {
+    const bool turns = no_depth && view.time_s - brief_s_ < kTurnsBack;
+    if (!near && !was_before && !turns &&
+        !(stalled && view.time_s - overridden_s_ < kAfterOverride)) {
       wrong = fmt::format("the guard intervenes ({}), but no limit is near", view.hookbeh->doing);
     }
     // In water too shallow for such a climb the vehicle surfaces, and waits until the echo is
@@ -241,14 +246,19 @@ std::string CommandJudge::judgeGuard(const CycleView& view) {
     if (small_swings_ >= kSmallSwings) {
       wrong = fmt::format("the guard swings by less than {} m", kSwing);
     }
-    tripped_m_ = shallowest_m_ = depth;
+    tripped_m_ = shallowest_m_ = near_m_ = depth;
+    tripped_s_ = view.time_s;
   }
+  // The climb counts from where the limit is no longer near: an old echo may be of a bottom that
+  // has risen.
+  near_m_ = guards && near ? std::min(near_m_, depth) : near_m_;
+  brief_s_ = guarding_ && !guards && view.time_s - tripped_s_ < kBrief ? view.time_s : brief_s_;
   goes_back_ = goes_back_ || (guarding_ && !guards && arrived_);
   guarding_ = guards;
   no_depth_gained_ = no_depth;
   shallowest_m_ = std::min(shallowest_m_, depth);
-  const double enough = std::max(kRetryShare * tripped_m_, kRetry) + kRetryTolerance;
-  const bool late = guards && !near && tripped_m_ - depth > enough;
+  const double enough = std::max(kRetryShare * near_m_, kRetry) + kRetryTolerance;
+  const bool late = guards && !near && near_m_ - depth > enough;
   late_cycles_ = late ? late_cycles_ + 1 : 0;
   return late_cycles_ > kLate ? "the guard does not release control" : wrong;
 }
@@ -295,10 +305,13 @@ std::string CommandJudge::judgeHover(const HookbehOutputs& out, double reading) 
 }
 
 /// Checks a vehicle at a depth that was reached, or on the way back to it.
-std::string CommandJudge::judgeStaying(const HookbehOutputs& out, double reading) {
+std::string CommandJudge::judgeStaying(const CycleView& view, double reading) {
+  const HookbehOutputs& out = *view.hookbeh;
   const double off = std::fabs(reading - in_force_.depth_m);
   arrived_cycles_ = arrived_ ? arrived_cycles_ + 1 : 0;
-  if (goes_back_ && off > kHoverReach + kHoldReach && out.pitch_rad == 0) {
+  // While another behaviour steers it waits, and it learns a cycle later that none does.
+  const bool alone = view.time_s - overridden_s_ > kSeesOverride;
+  if (goes_back_ && off > kHoverReach + kHoldReach && out.pitch_rad == 0 && alone) {
     return fmt::format("no way back to {} m", in_force_.depth_m);
   }
   goes_back_ = goes_back_ && off > kHoverReach;
@@ -330,7 +343,7 @@ std::string CommandJudge::judgeFollowing(const CycleView& view, double reading) 
       wrong = judgeHover(out, reading);
       break;
   }
-  return wrong.empty() && arrived_ ? judgeStaying(out, reading) : wrong;
+  return wrong.empty() && arrived_ ? judgeStaying(view, reading) : wrong;
 }
 
 namespace {

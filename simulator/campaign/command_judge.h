@@ -40,7 +40,7 @@ class CommandJudge {
   std::string judgeDive(const hooks::HookbehOutputs& out, double reading);
   std::string judgeClimb(const hooks::HookbehOutputs& out, double reading);
   std::string judgeHover(const hooks::HookbehOutputs& out, double reading);
-  std::string judgeStaying(const hooks::HookbehOutputs& out, double reading);
+  std::string judgeStaying(const CycleView& view, double reading);
 
   const JudgeSetup& s_;
   hooks::Instruction in_force_;
@@ -62,7 +62,10 @@ class CommandJudge {
   NewestEcho echo_;
   bool guarding_ = false;
   bool no_depth_gained_ = false;  ///< by its guard, which persists across sessions
-  double tripped_m_ = 0;          ///< true depth at which the guard stepped in
+  double tripped_m_ = 0;          ///< true depth at which the guard stepped in, and when
+  double tripped_s_ = 0;
+  double near_m_ = 0;      ///< where since then a limit was last near
+  double brief_s_ = -1e9;  ///< when a brief climb of the guard last ended
   double shallowest_m_ = std::numeric_limits<double>::infinity();  ///< since then
   int late_cycles_ = 0;   ///< since it should have stopped climbing
   int small_swings_ = 0;  ///< of the guard, in a row

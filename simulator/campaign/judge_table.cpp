@@ -37,7 +37,7 @@ std::string allowedBy(JudgeId judge) {
       return fmt::format(
           "more than {:.0f} climb of a guard an hour, and {:.0f} more, or over {:.0f} % "
           "of the time in control and {:.0f} s, although no limit was near and depth, "
-          "CTD and echoes had been right for 5 min",
+          "CTD and echoes had been right for 5 min; not guard 5 while the depth is frozen",
           kNeedlessAnHour, kNeedlessMore, 100 * kNeedlessShare, kNeedlessSecs);
     case JudgeId::Depth:
       return fmt::format(

@@ -21,6 +21,7 @@ constexpr double kNear = 2;  // m from a limit
 constexpr double kNeedlessRightSecs =
     300;                          // s: longer than any time over which a guard judges, but one
 constexpr double kAnHour = 3600;  // s
+constexpr double kSeesSecs = 8;   // s: two cycles
 
 }  // namespace
 
@@ -38,7 +39,11 @@ std::string NeedlessJudge::cycle(const CycleView& view) {
   const bool active = view.hook == HookState::Active && view.hookbeh != nullptr;
   const bool guards = active && view.hookbeh->guard != HookGuard::None;
   echo_.cycle(view);
-  const bool begins = guards && !guarding_ && right_s_ > kNeedlessRightSecs && isSafe(view) &&
+  // A depth that is frozen may have been so for too short a time to be wrong.
+  const bool frozen = guards && view.hookbeh->guard == HookGuard::DepthFrozen &&
+                      isWrong(s_.faults, {"m_depth", "m_pressure"}, view.time_s, kSeesSecs);
+  const bool begins = guards && !guarding_ && !frozen && right_s_ > kNeedlessRightSecs &&
+                      isSafe(view) &&
                       !isNearLimit(s_, view, view.hookbeh->guard, echo_.ageOfWhatHookbehKnows());
   needless_ = guards && (needless_ || begins);
   climbs_ += begins;

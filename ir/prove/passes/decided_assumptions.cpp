@@ -27,14 +27,16 @@ namespace {
 constexpr size_t kMostReadings = 3;
 constexpr double kMetresPerBar = 10;
 
-/// What a condition says of the mission alone: that the sea can make it true. Each comparison of
-/// readings of the sea only can be; one that also reads what the mission decides can be if the
-/// least, the middle or the greatest reading of each sensor of the sea makes it so.
+/// What a condition says of the mission alone: that the sea can make it true. A part that reads the
+/// sea only can be, unless no readings make it so; a comparison that also reads what the mission
+/// decides can be if the least, the middle or the greatest reading of each sensor of the sea makes
+/// it so.
 class Projection {
  public:
-  Projection(Mission& mission, const ProofContext& proof_context)
-      : m_(mission), proof_context_(proof_context) {
+  Projection(Mission& mission, const ProofContext& proof_context, unsigned effort, Budget& budget)
+      : m_(mission), proof_context_(proof_context), effort_(effort), budget_(budget) {
     true_ = push(Op::True, {});
+    false_ = push(Op::False, {});
   }
 
   /// A condition that is false only where, for what the mission decides, no reading of the sea
@@ -42,6 +44,9 @@ class Projection {
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the condition nests
   ExprId canBe(ExprId condition, bool wanted) {
     const Expr e = m_[condition];
+    if (readsSeaOnly(condition)) {
+      return isNever(condition, wanted) ? false_ : true_;
+    }
     if (e.op == Op::Not) {
       return canBe(e.operands[0], !wanted);
     }
@@ -50,7 +55,7 @@ class Projection {
                   (e.op == Op::And) == wanted);
     }
     if (e.op == Op::Known) {
-      return true_;  // whether a sensor works is the vehicle's
+      return true_;
     }
     return comparison(condition, wanted);
   }
@@ -64,17 +69,35 @@ class Projection {
     return push(both ? Op::And : Op::Or, {a, b});
   }
 
+  /// Whether a sensor works is the vehicle's, whatever it measures.
+  [[nodiscard]] bool readsSeaOnly(ExprId condition) const {
+    bool reads = false, decided = false;
+    forEachIn(m_, condition, [&](const Expr& e) {
+      const Decider decider = deciderOf(m_, proof_context_.platform, e);
+      reads = reads || decider == Decider::Sea || e.op == Op::Known;
+      decided = decided || isDecided(decider);
+    });
+    return reads && !decided;
+  }
+
+  /// Whether no readings make the condition true, or false: proved, so not if there is no answer.
+  bool isNever(ExprId condition, bool wanted) {
+    const ExprId not_so = wanted ? push(Op::Not, {condition}) : condition;
+    const ProofContext proof_context(m_, proof_context_.platform);
+    const std::vector<StateBounds> anywhere(
+        m_.states.size(), {0, kGreatestNumber, kGreatestNumber, kGreatestNumber, kGreatestNumber});
+    return AnyMoment(proof_context, anywhere).neverFalse(not_so, effort_, budget_);
+  }
+
   ExprId comparison(ExprId id, bool wanted) {
-    bool decided = false;
     std::vector<SensorId> sea;
     forEachIn(m_, id, [&](const Expr& e) {
-      const Decider decider = deciderOf(m_, proof_context_.platform, e);
-      decided = decided || isDecided(decider);
-      if (decider == Decider::Sea && std::ranges::find(sea, e.sensor) == sea.end()) {
+      const bool of_sea = deciderOf(m_, proof_context_.platform, e) == Decider::Sea;
+      if (of_sea && std::ranges::find(sea, e.sensor) == sea.end()) {
         sea.push_back(e.sensor);
       }
     });
-    if (!sea.empty() && (!decided || sea.size() > kMostReadings)) {
+    if (sea.size() > kMostReadings) {
       return true_;
     }
     return withReadings(id, wanted, sea, {});
@@ -95,7 +118,7 @@ class Projection {
     const SensorId sensor = sea.back();
     sea.pop_back();
     const Interval& all = proof_context_.sensors[sensor.index];
-    ExprId any = push(Op::False, {});
+    ExprId any = false_;
     for (const double value : {all.lowest, (all.lowest + all.highest) / 2, all.highest}) {
       fixed.push_back({sensor, value});
       any = push(Op::Or, {any, withReadings(id, wanted, sea, fixed)});
@@ -136,7 +159,9 @@ class Projection {
 
   Mission& m_;
   const ProofContext& proof_context_;
-  ExprId true_;
+  unsigned effort_;
+  Budget& budget_;
+  ExprId true_, false_;
 };
 
 class DecidedCheck {
@@ -176,7 +201,8 @@ class DecidedCheck {
     }
     Mission mission = m_;
     narrow(mission);
-    const ExprId can = Projection(mission, proof_context_).canBe(a.watch.condition, true);
+    const ExprId can = Projection(mission, proof_context_, proof_.options.effort, proof_.checks)
+                           .canBe(a.watch.condition, true);
     const ProofContext proof_context(mission, proof_context_.platform);
     const std::vector<StateBounds> bounds(
         mission.states.size(), {0, kGreatestNumber, kGreatestNumber, kGreatestNumber, deepest_});

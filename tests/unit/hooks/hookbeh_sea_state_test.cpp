@@ -16,6 +16,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace glider::hooks {
 namespace {
@@ -66,6 +68,24 @@ TEST(Cadence, TheZeroOfTheSurfaceIsNoCadence) {
     cadence.observe(i % 10 == 0 ? i * 0.01 : 0, 4);
   }
   EXPECT_EQ(cadence.usual(), 4);
+}
+
+/// A climb that checks the depth of a hover, and the way back, with the pressure read every 12 s:
+/// readings in calm water that are up to a metre off the line between their neighbours.
+TEST(UnseenSink, ATurnIsNotRough) {
+  const std::pair<VerticalCommand, std::vector<double>> legs[] = {
+      {kHover, {48.4, 48.3, 48.4, 48.4, 48.3, 48.4, 48.3, 48.4}},
+      {kLift, {48.1, 46.5, 44.1}},
+      {kSeaDive, {42.3, 42.5, 43.5, 45.1}}};
+  UnseenSink sink{kHull};
+  for (const auto& [command, depths] : legs) {
+    for (const double depth : depths) {
+      for (int i = 0; i < 3; ++i) {
+        sink.observe(depth, 4, command);
+      }
+    }
+  }
+  EXPECT_EQ(sink.shown(), 45.1) << "2.8 m down from where it turned";
 }
 
 TEST(DepthSource, APatienceIsTwiceTheUsualGap) {

@@ -97,6 +97,19 @@ TEST(UnseenSinkEdges, ItRisesAfterTwentySecondsAndSinksTwelveSecondsAfterThat) {
   EXPECT_NEAR(sink.deepest(), turned - 0.1 + 21 * kSteepSinkMps, 1e-9) << "another twenty seconds";
 }
 
+/// A climb of 4 to 16 s drives the pump out, and the dive after it brings it back first.
+TEST(UnseenSinkEdges, AShortClimbPutsOffTheNextDiveByAsMuchLessFourSeconds) {
+  for (const auto& [climbs, waits] : {std::pair{4, 0}, {5, 1}, {10, 6}, {16, 12}, {20, 12}}) {
+    UnseenSink sink = settledAt(20, kSteepDive);
+    run(sink, climbs, 20, kSteepLift);
+    const double turned = sink.deepest();
+    run(sink, waits, 20, kSteepDive);
+    EXPECT_NEAR(sink.deepest(), turned, 1e-9) << climbs;
+    run(sink, 1, 20, kSteepDive);
+    EXPECT_NEAR(sink.deepest(), turned + kSteepSinkMps, 1e-9) << climbs;
+  }
+}
+
 TEST(UnseenSinkEdges, AnotherBehavioursCycleEndsTheDiveAndTheClimb) {
   UnseenSink sink = settledAt(20, kSteepDive);
   run(sink, 1, 20, kSteepDive);

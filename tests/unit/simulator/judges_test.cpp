@@ -274,6 +274,30 @@ TEST(JudgedNeedless, AGuardIsNeededWhileTheDepthIsWrong) {
   }
 }
 
+/// A depth that has just frozen is still near the truth.
+TEST(JudgedNeedless, AGuardIsNeededAsSoonAsTheDepthIsFrozen) {
+  for (const bool frozen : {false, true}) {
+    JudgeSetup setup = GoodFlight::usual();
+    for (double from_s = 1000; frozen && from_s < 9000; from_s += 1000) {
+      setup.faults.sensors.push_back(
+          {.name = "m_depth", .when = {from_s, from_s + 60}, .kind = SensorFault::Kind::Frozen});
+    }
+    GoodFlight flight(setup);
+    flight.fly(8);
+    flight.take();
+    for (double from_s = 1000; from_s < 9000; from_s += 1000) {
+      flight.fly(from_s + 20 - flight.now_);
+      flight.fly(60, [](GoodFlight& guarded) {
+        guarded.out_.guard = HookGuard::DepthFrozen;
+        guarded.out_.doing = "climb: depth frozen";
+      });
+    }
+    const auto& violations = flight.verdict().violations;
+    EXPECT_EQ(std::ranges::count(violations, JudgeId::Needless, &Violation::judge), frozen ? 0 : 1)
+        << found(flight.verdict());
+  }
+}
+
 /// A mission that flips its commands counts, unless a sensor is wrong.
 TEST(JudgedPumpDuty, OfAMissionThatIsMisledIsNotHookbehs) {
   for (const bool wrong : {false, true}) {

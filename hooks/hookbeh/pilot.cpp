@@ -43,12 +43,13 @@ void Pilot::follow(const Instruction& instruction) {
   }
 }
 
-void Pilot::goBack(const Surroundings& now, const HookbehArgs& args) {
+void Pilot::goBack(const Surroundings& now, const HookbehArgs& args, bool checked) {
   const bool arrived = stage_ == Stage::Holding || stage_ == Stage::Hovering;
   const double above_m = in_force_.depth_m - now.depth_m;
-  const HookVertical way = above_m > kHoverReachM    ? HookVertical::Descend
-                           : above_m < -kHoverReachM ? HookVertical::Ascend
-                                                     : HookVertical::None;
+  const double reach_m = checked && stage_ == Stage::Hovering ? kHoverLostM : kHoverReachM;
+  const HookVertical way = above_m > reach_m    ? HookVertical::Descend
+                           : above_m < -reach_m ? HookVertical::Ascend
+                                                : HookVertical::None;
   if (!arrived || way == HookVertical::None) {
     return;
   }

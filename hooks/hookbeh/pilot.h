@@ -24,8 +24,9 @@ class Pilot {
   /// changes nothing.
   void follow(const Instruction& instruction);
   /// The guard has stopped climbing: from its current depth the vehicle goes back to a depth that
-  /// it had reached before. Must be called before vertical().
-  void goBack(const Surroundings& now, const HookbehArgs& args);
+  /// it had reached before; a hover that has only checked its depth (`checked`) by its pump alone,
+  /// if that is near. Must be called before vertical().
+  void goBack(const Surroundings& now, const HookbehArgs& args, bool checked);
   /// The commands for pitch and pump in this cycle, `step_s` after the previous one.
   VerticalCommand vertical(const Surroundings& now, double step_s, const HookbehArgs& args);
   /// Which way it drives the vehicle at `depth_m`. A hover drives it if it is farther from its

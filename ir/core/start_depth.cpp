@@ -10,10 +10,8 @@
 namespace glider::ir {
 
 double startReading(const Mission& mission, const platforms::Platform& platform) {
-  constexpr double kWaves = 0.25;
   const platforms::EnvironmentModel world = underAssumptions(platform, mission).world;
-  return std::max({world.start_depth_m - world.depth_error_m,
-                   std::min(world.start_depth_m, world.surface_depth_m), kWaves});
+  return std::max(world.start_depth_m - world.depth_error_m, kSurfaceReadingM);
 }
 
 }  // namespace glider::ir

@@ -9,8 +9,7 @@
 namespace glider::ir {
 
 /// The greatest reading of the depth with which `mission` may begin, m (rule P6 of ir/README.md):
-/// so much less than the depth that proofs assume as a reading may be wrong. It is not less than at
-/// the surface, if the mission assumes so little, and never so little that waves hide it.
+/// so much less than the depth that proofs assume as a reading may be wrong.
 double startReading(const Mission& mission, const platforms::Platform& platform);
 
 }  // namespace glider::ir

@@ -194,7 +194,9 @@ Mission underAssumptions(Mission mission) {
 platforms::Platform underAssumptions(platforms::Platform platform, const Mission& mission) {
   for (const Assumption& assumption : mission.assumptions) {
     if (assumption.kind == AssumptionKind::StartDepth) {
-      platform.world.start_depth_m = assumption.limit;
+      // At a smaller reading than that the program cannot wait for the surface.
+      const double least = kSurfaceReadingM + platform.world.depth_error_m;
+      platform.world.start_depth_m = std::max(assumption.limit, least);
     } else if (assumption.kind == AssumptionKind::Current) {
       const double waves = platform.world.surface_drift_m_s - platform.envelope.drift_m_s;
       platform.envelope.drift_m_s = assumption.limit + kReckoningError;

@@ -8,6 +8,9 @@
 
 namespace glider::ir {
 
+/// m; the least depth reading of which a program waits to see the surface: waves hide less.
+inline constexpr double kSurfaceReadingM = 0.25;
+
 /// The mission as proofs see it that rest on its assumptions:
 /// - Range: the sensor's range is narrowed, so a known reading is in it;
 /// - Outage: `resume_within_s` is at most the limit, which is that of each outage, not of all
@@ -17,7 +20,8 @@ namespace glider::ir {
 /// Expressions, states and requirements keep their numbers. It is not what flies.
 Mission underAssumptions(Mission mission);
 
-/// The vehicle and the sea under the assumptions StartDepth and Current of `mission`. A current of
+/// The vehicle and the sea under the assumptions StartDepth and Current of `mission`. The start is
+/// no shallower than a program can see by its readings. A current of
 /// which the mission knows is set on top by the error of dead reckoning, and at the surface by wind
 /// and waves.
 platforms::Platform underAssumptions(platforms::Platform platform, const Mission& mission);

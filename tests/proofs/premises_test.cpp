@@ -96,7 +96,7 @@ TEST(Premises, AreOnlyThoseThatTheProofNeeds) {
   EXPECT_THAT(named("exit within 61 min"), ElementsAre(2));
   EXPECT_THAT(named("surfaces every 61 min"), ElementsAre(2));
   EXPECT_THAT(named("always depth <= 25 m"), IsEmpty());
-  EXPECT_THAT(named("always missiontime > 0 s || depth <= 1 m"), ElementsAre(3));
+  EXPECT_THAT(named("always missiontime > 0 s || depth <= 1.5 m"), ElementsAre(3));
   EXPECT_THAT(named("never deep"), ElementsAre(1));
   EXPECT_THAT(named("always battery > 11 V || temp > 30 degC"), ElementsAre(4));
   EXPECT_THAT(named("always altitude >= 5 m && temp <= 28 degC"), ElementsAre(0, 1));

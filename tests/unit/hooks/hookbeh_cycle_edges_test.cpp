@@ -457,7 +457,7 @@ struct FlownEdge {
     return pilot.vertical({depth_m}, step_s, args);
   }
   VerticalCommand goBackFrom(double depth_m) {
-    pilot.goBack({depth_m}, args);
+    pilot.goBack({depth_m}, args, false);
     return at(depth_m);
   }
   HookbehArgs args;

@@ -253,8 +253,8 @@ struct PilotBench {
   VerticalCommand at(double depth_m, double step_s = 4) {
     return pilot.vertical({depth_m}, step_s, args);
   }
-  const char* goBackFrom(double depth_m) {
-    pilot.goBack({depth_m}, args);
+  const char* goBackFrom(double depth_m, bool checked = false) {
+    pilot.goBack({depth_m}, args, checked);
     return at(depth_m).doing;
   }
   HookbehArgs args;
@@ -285,6 +285,18 @@ TEST(HookbehPilot, AGuardsClimbOfMoreThanTwoMetresIsGoneBackFrom) {
   PilotBench above(Bench::vertical(HookVertical::Hover, 20));
   above.at(20);
   EXPECT_STREQ(above.goBackFrom(17.75), "dive_to");
+}
+
+TEST(HookbehPilot, ACheckOfTheDepthIsGoneBackFromByThePumpWithinSixMetres) {
+  for (const auto& [depth, doing] :
+       {std::pair{14.0, "hover"}, {26.0, "hover"}, {13.75, "dive_to"}, {26.25, "climb_to"}}) {
+    PilotBench bench(Bench::vertical(HookVertical::Hover, 20));
+    bench.at(20);
+    EXPECT_STREQ(bench.goBackFrom(depth, true), doing) << depth;
+  }
+  PilotBench holds(Bench::ascend(20));
+  EXPECT_STREQ(holds.at(20).doing, "hold");
+  EXPECT_STREQ(holds.goBackFrom(17.75, true), "dive_to") << "it does not hover yet";
 }
 
 TEST(HookbehPilot, WithinTwoMetresItHoldsOn) {

@@ -117,6 +117,7 @@ TEST(HookbehUnseen, AHoverShowsThatItsDepthLivesByAShortClimb) {
   for (int i = 0; i < 20; ++i) {
     sea.cycle();
     highest = std::min(highest, sea.truth);
+    EXPECT_STRNE(sea.out.doing, "dive_to") << "its pump brings it back";
   }
   EXPECT_STREQ(sea.out.doing, "hover") << "it goes on";
   EXPECT_LT(highest, 19);

@@ -219,9 +219,9 @@ VerticalCommand Hookbeh::vertical(const Surroundings& now, HookGuard guard, bool
   const bool shows = guard_.mustShowDepth(args_, pilot_.inForce());
   const bool climbs = guard != HookGuard::None || shows;
   if ((guarding_ || masked_) && !climbs && !masked) {
-    pilot_.goBack(now, args_, checked_ && !masked_);
+    pilot_.goBack(now, args_, checked_);
   }
-  checked_ = shows && guard == HookGuard::None;
+  checked_ = shows;
   guarding_ = climbs;
   masked_ = masked;
   const VerticalCommand wanted = pilot_.vertical(now, masked ? 0 : clock_.step(), args_);

@@ -91,7 +91,7 @@ class Hookbeh {
   Pilot pilot_;
   CycleClock clock_;
   bool guarding_ = false;                       // in the previous cycle
-  bool checked_ = false;                        // it climbed then only to check the depth
+  bool checked_ = false;                        // it climbed then to check the depth
   bool masked_ = false;                         // pitch or pump were not its own
   VerticalCommand last_{0, __builtin_nan("")};  // it commanded then; pump NaN: nothing
 

@@ -43,7 +43,8 @@ std::string dependsOn(const ProofContext& proof_context, const std::vector<State
 /// Why there is no bound: what was not found, not what a flight does, which is not known.
 std::string noBound(const ProofContext& proof_context, const EndBound& end) {
   const Mission& m = proof_context.mission;
-  const std::string none = "no bound on the mission's duration was found";
+  const std::string none = fmt::format("no bound on the mission's duration was found{}",
+                                       m.assumptions.empty() ? "" : " without what it assumes");
   if (end.stays.valid()) {
     return fmt::format("{}, because none was found on the time in `{}`{}", none, m[end.stays].name,
                        dependsOn(proof_context, {end.stays}));

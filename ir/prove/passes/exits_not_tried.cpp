@@ -70,11 +70,22 @@ bool endsWithout(const Proof& proof, const std::vector<Suspect>& suspects, const
   return boundOf(context.withoutPowerCuts(), kLongestMission, Goal::Exit).by.has_value();
 }
 
+/// Whether `exit within` is proved, if under assumptions: its line says so.
+bool isProvedToEnd(const Proof& proof) {
+  return std::ranges::any_of(proof.findings.requirements, [&](const RequirementVerdict& verdict) {
+    const Requirement& required = proof.proof_context.mission.requirements[verdict.requirement];
+    return required.kind == RequirementKind::ExitWithin && verdict.verdict == Verdict::Proved;
+  });
+}
+
 }  // namespace
 
 /// Looks for a case with `stay` that keeps the mission from its end: with it the mission may last
 /// for ever, and without it the clocks end the mission.
 void passes::exitsNotTried(Proof& proof) {
+  if (isProvedToEnd(proof)) {
+    return;
+  }
   const Mission& m = proof.proof_context.mission;
   std::vector<Suspect> suspects;
   suspectsOf(proof, {}, m.always, suspects);

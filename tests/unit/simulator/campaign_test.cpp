@@ -155,6 +155,24 @@ TEST(DrawFaults, BothPressuresFlickerTogetherAndOftenInAHover) {
   EXPECT_LT(in_hover, 80);
 }
 
+TEST(DrawFaults, ASensorThatDriftsMaySwayAloneOrBesideAReadingThatIsStuck) {
+  int drifts = 0, alone = 0, beside = 0;
+  for (uint64_t seed = 0; seed < 200; ++seed) {
+    const auto& sensors =
+        drawFaults(FaultKind::SensorDrift, Manner::Once, seed, kTimes).faults.sensors;
+    ASSERT_FALSE(sensors.empty());
+    const bool sways = sensors.back().kind == SensorFault::Kind::Sways;
+    drifts += !sways;
+    alone += sways && sensors.size() == 1;
+    beside += sways && sensors.size() == 2 && sensors[0].kind == SensorFault::Kind::Frozen;
+    EXPECT_TRUE(!sways || (sensors.back().period_s >= 20 && sensors.back().period_s <= 400));
+  }
+  EXPECT_EQ(drifts + alone + beside, 200);
+  EXPECT_GT(drifts, 50);
+  EXPECT_GT(alone, 15);
+  EXPECT_GT(beside, 15);
+}
+
 TEST(DrawFaults, SomeVehiclesWithAWrongSensorHaveNoCtd) {
   const auto without = [](FaultKind kind) {
     int count = 0;

@@ -128,6 +128,9 @@ void Card::serve(int nudges, int answers) {
 }
 
 int32_t Card::carryOut() {
+  if (request_->count > most_bytes_) {
+    return -1;
+  }
   const GliderLogSink& log = work_.log;
   switch (request_->task) {
     case Task::LogWrite:
@@ -270,10 +273,12 @@ int32_t Card::read(void* self, uint32_t offset, uint8_t* bytes, uint32_t count) 
   if (!answered) {
     return -1;
   }
+  // Another process wrote it.
   const int32_t got = card.request_->answer;
-  if (got > 0) {
-    memcpy(bytes, card.bytes(), static_cast<uint32_t>(got));
+  if (got < 0 || static_cast<uint32_t>(got) > count) {
+    return -1;
   }
+  memcpy(bytes, card.bytes(), static_cast<uint32_t>(got));
   return got;
 }
 

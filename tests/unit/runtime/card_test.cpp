@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <errno.h>
 #include <fcntl.h>
@@ -25,6 +26,7 @@
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace glider::runtime::testing {
@@ -103,6 +105,25 @@ TEST(CardTest, WhatItHasTakenIsOnTheCard) {
   EXPECT_EQ(gate.next(3), "abc") << "it is there when the call returns, not later";
   EXPECT_EQ(log.sync(log.self), 0);
   EXPECT_EQ(log.renew(log.self), 0);
+}
+
+/// What the other process says it has read does not decide how much is copied.
+TEST(CardTest, MoreReadThanWasAskedForIsNothingRead) {
+  for (const auto& [says, gets] : {std::pair{4, 4}, {3, 3}, {0, 0}, {5, -1}, {1 << 20, -1}}) {
+    static int32_t answer;
+    answer = says;
+    CardWork work;
+    work.checkpoints = {nullptr, [](void*, uint32_t, uint8_t*, uint32_t) { return answer; },
+                        [](void*, uint32_t, const uint8_t*, uint32_t) { return 0; },
+                        [](void*) { return 0; }};
+    Card card;
+    ASSERT_TRUE(card.start(work, 4));
+    const GliderStore store = card.checkpoints();
+    std::array<uint8_t, 8> bytes;
+    bytes.fill(0xAA);
+    EXPECT_EQ(store.read(store.self, 0, bytes.data(), 4), gets);
+    EXPECT_TRUE(std::all_of(bytes.begin() + 4, bytes.end(), [](uint8_t b) { return b == 0xAA; }));
+  }
 }
 
 TEST(CardTest, OneThatStopsRespondingCostsABoundedWaitOnce) {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ir/core/mission.h"
-#include "support/source_manager.h"
+#include "support/source_range.h"
 
 #include <optional>
 #include <string>

@@ -77,12 +77,11 @@ support::Trace traceOfRun(const compiler::Checked& checked,
     trace.events.push_back({event.mission_time, event.mission_time, "transition", event.text,
                             std::string(checked.sources().text(event.range))});
   }
-  trace.events.push_back(
-      {run.when, run.when, "requirement",
-       fmt::format("{}: {}",
-                   verdict.verdict == ir::prove::Verdict::Refuted ? "violated" : "satisfied",
-                   trace.scenario),
-       run.values});
+  const bool refuted = verdict.verdict == ir::prove::Verdict::Refuted;
+  trace.events.push_back(support::makeEvent(
+      run.when, refuted ? support::EventId::Violated : support::EventId::Satisfied,
+      {trace.scenario}, run.values));
+  trace.events.back().mission_time_s = run.when;
   return trace;
 }
 

@@ -27,14 +27,12 @@ namespace {
 /// already said it.
 void reportMasked(const support::Trace& trace, const std::string& hint,
                   support::DiagnosticEngine& diagnostics) {
-  constexpr std::string_view kMasks = "hookbeh: another behaviour masks ";
-  const auto masked = std::ranges::find_if(trace.events, [&](const support::TraceEvent& event) {
-    return event.kind == "control" && event.what.starts_with(kMasks);
-  });
+  const auto masked =
+      std::ranges::find(trace.events, support::EventId::CommandsMasked, &support::TraceEvent::id);
   if (masked != trace.events.end()) {
     diagnostics.report(support::DiagnosticId::commandsMasked, {},
                        fmt::format("at {:.0f} s of a flight another behaviour replaced {}",
-                                   masked->time_s, masked->what.substr(kMasks.size())),
+                                   masked->time_s, std::get<std::string>(masked->values.at(0))),
                        hint);
   }
 }

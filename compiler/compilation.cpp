@@ -10,6 +10,7 @@
 #include "ir/opt/prepare_for_flight.h"
 #include "ir/text/read.h"
 #include "ir/verify/verify.h"
+#include "platforms/load/load_platform.h"
 #include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 

@@ -5,6 +5,7 @@
 
 #include "compiler/share.h"
 #include "frontend/import/imports.h"
+#include "platforms/load/load_platform.h"
 #include "support/diagnostics/catalogue.h"
 #include "support/files.h"
 

@@ -5,6 +5,7 @@
 
 #include "compiler/compilation.h"
 #include "compiler/share.h"
+#include "platforms/load/load_platform.h"
 #include "support/diagnostics/catalogue.h"
 
 #include <fmt/ranges.h>

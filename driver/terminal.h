@@ -5,6 +5,7 @@
 
 #include "support/diagnostics/engine.h"
 #include "support/result.h"
+#include "support/source_manager.h"
 
 #include <string_view>
 

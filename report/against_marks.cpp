@@ -10,24 +10,13 @@
 namespace glider::report {
 namespace {
 
+using support::EventId;
+using support::makeEvent;
+using support::TraceEvent;
+
 /// A requirement or an assumption, which is `guard`.
 bool isBroken(const FollowedStep& step) {
   return step.kind == "violation" || step.kind == "assumption";
-}
-
-std::string stepText(const FollowedStep& step) {
-  if (step.kind == "start") {
-    return fmt::format("the mission would have started in {}", step.to);
-  }
-  if (isBroken(step)) {
-    return fmt::format("{} `{}`{}{}", step.kind == "violation" ? "violates" : "breaks", step.guard,
-                       step.words.empty() ? "" : ": ", step.words);
-  }
-  if (step.kind == "gap") {
-    return fmt::format("the log has a gap: the mission would have ended in {}", step.from);
-  }
-  return fmt::format("{} → {} ({}{})", step.from, step.to.empty() ? "end" : step.to, step.kind,
-                     step.always ? ", always" : "");
 }
 
 std::string whyText(const FollowedStep& step) {
@@ -35,31 +24,45 @@ std::string whyText(const FollowedStep& step) {
   return isBroken(step) || step.guard.empty() ? values : fmt::format("{} ({})", step.guard, values);
 }
 
-std::string flickerText(const LoggedCase& of, const Flicker& flicker) {
-  return fmt::format("{} flickers: true {} times within {:.0f} s",
-                     of.state.empty() ? "a guard of `always`" : "a guard of " + of.state,
-                     flicker.count, flicker.seconds);
+TraceEvent eventOf(const FollowedStep& step, double time_s) {
+  std::string why = whyText(step);
+  if (step.kind == "start") {
+    return makeEvent(time_s, EventId::WouldStart, {step.to}, std::move(why));
+  }
+  if (isBroken(step)) {
+    const bool required = step.kind == "violation";
+    return makeEvent(time_s, required ? EventId::RequirementBroken : EventId::AssumptionBroken,
+                     {step.guard, step.words.empty() ? "" : ": " + step.words}, std::move(why));
+  }
+  if (step.kind == "gap") {
+    return makeEvent(time_s, EventId::WouldEndInGap, {step.from}, std::move(why));
+  }
+  return makeEvent(
+      time_s, EventId::Transition,
+      {step.from, step.to.empty() ? "end" : step.to, step.kind + (step.always ? ", always" : "")},
+      std::move(why));
+}
+
+TraceEvent eventOf(const LoggedCase& of, const Flicker& flicker, double time_s) {
+  return makeEvent(time_s, EventId::GuardFlickers,
+                   {of.state.empty() ? "a guard of `always`" : "a guard of " + of.state,
+                    static_cast<double>(flicker.count), flicker.seconds},
+                   of.guard);
 }
 
 }  // namespace
 
 void markAgainst(const std::string& mission, const AgainstLogs& against, support::Trace& flight) {
-  const auto add = [&](double utc_s, const char* kind, std::string what, std::string why) {
-    support::TraceEvent event;
-    event.time_s = utc_s - flight.log->utc_s;
-    event.kind = kind;
-    event.what = std::move(what);
-    event.why = std::move(why);
-    flight.events.push_back(std::move(event));
-  };
+  const double began_s = flight.log->utc_s;
   for (const FollowedStep& step : against.followed) {
     if (step.kind != "stay") {
-      add(step.at.time_s, "transition", stepText(step), whyText(step));
+      flight.events.push_back(eventOf(step, step.at.time_s - began_s));
     }
   }
   for (const LoggedCase& of : against.cases) {
     for (const Flicker& flicker : of.flickers) {
-      add(of.firings[flicker.first].at.time_s, "guard", flickerText(of, flicker), of.guard);
+      const double time_s = of.firings[flicker.first].at.time_s - began_s;
+      flight.events.push_back(eventOf(of, flicker, time_s));
     }
   }
   std::ranges::stable_sort(flight.events, {}, &support::TraceEvent::time_s);

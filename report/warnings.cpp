@@ -14,40 +14,19 @@
 
 #include <algorithm>
 #include <optional>
-#include <string_view>
 
 namespace glider::report {
 namespace {
 
+using support::EventId;
 using support::Trace;
 using support::TraceEvent;
 
 constexpr size_t kMostNames = 20;
-constexpr std::string_view kRefused = " refused: ";
-constexpr std::string_view kByHookbeh = "hookbeh: ";
-constexpr std::string_view kAnswers = "the SBC answers: mission ";
 
-bool isRefusal(const TraceEvent& event) {
-  return event.kind == "hook" && event.what.starts_with("instruction ") &&
-         event.what.find(kRefused) != std::string::npos;
-}
-
-/// Whether hookprog has opened a link to the SBC, which has sent its mission's name.
-bool isHello(const TraceEvent& event) {
-  return event.kind == "link" && event.what.starts_with(kAnswers);
-}
-
-bool isAbort(const TraceEvent& event) {
-  return event.kind == "abort";
-}
-
-bool isBottom(const TraceEvent& event) {
-  return event.kind == "bottom";
-}
-
-/// Whether hookbeh climbs because of its own limits, against the mission.
-bool isIntervention(const TraceEvent& event) {
-  return event.kind == "hook" && event.what.starts_with(kByHookbeh);
+/// A value of an event that is a text.
+std::string textOf(const TraceEvent& event, size_t number) {
+  return std::get<std::string>(event.values.at(number));
 }
 
 /// "1250 s", or for a log the UTC.
@@ -56,37 +35,31 @@ std::string timeText(const Trace& trace, double time_s) {
                    : fmt::format("{:.0f} s", time_s);
 }
 
-/// The time, as timeText() writes it, of the first of `trace`'s events for which `is` is true, and
-/// "; 3 times in all".
+/// The time, as timeText() writes it, of the first of `trace`'s events of a kind, and "; 3 times in
+/// all".
 struct Told {
   const TraceEvent* first = nullptr;
   std::string at;
   std::string more;
 };
 
-Told tell(const Trace& trace, bool (*is)(const TraceEvent&)) {
+Told tell(const Trace& trace, EventId id) {
   Told told;
-  const auto count = std::ranges::count_if(trace.events, is);
+  const auto count = std::ranges::count(trace.events, id, &TraceEvent::id);
   if (count > 0) {
-    told.first = &*std::ranges::find_if(trace.events, is);
+    told.first = &*std::ranges::find(trace.events, id, &TraceEvent::id);
     told.at = timeText(trace, told.first->time_s);
     told.more = count > 1 ? fmt::format("; {} times in total", count) : "";
   }
   return told;
 }
 
-/// The text after `mark`; all of it if `mark` is missing.
-std::string after(const std::string& text, std::string_view mark) {
-  const size_t at = text.find(mark);
-  return plain(at == std::string::npos ? text : text.substr(at + mark.size()));
-}
-
 /// The mission that the SBC reports, if it is not the one whose names the trace has; otherwise "".
 std::string otherMission(const Trace& trace) {
   constexpr size_t kMostOnTheLine = 47;  // a longer name is cut
   for (const TraceEvent& event : trace.events) {
-    if (!trace.state_names.empty() && isHello(event)) {
-      const std::string name = event.what.substr(kAnswers.size());
+    if (!trace.state_names.empty() && event.id == EventId::SbcAnswers) {
+      const std::string name = textOf(event, 0);
       const bool same = name == trace.mission ||
                         (name.size() >= kMostOnTheLine && trace.mission.starts_with(name));
       return same ? "" : name;
@@ -95,15 +68,18 @@ std::string otherMission(const Trace& trace) {
   return "";
 }
 
+/// Vehicle time of the end of the mission; none: it has not ended.
+std::optional<double> endOf(const Trace& trace) {
+  const auto end = std::ranges::find_if(trace.events, [](const TraceEvent& event) {
+    return event.id == EventId::Transition && textOf(event, 2).starts_with("exit");
+  });
+  return end == trace.events.end() ? std::nullopt : std::optional(end->time_s);
+}
+
 /// Whether the flight ended because its time was over, before the mission ended.
 bool wasCutShort(const Trace& trace) {
-  const auto any = [&](std::string_view kind, std::string_view part) {
-    return std::ranges::any_of(trace.events, [&](const TraceEvent& event) {
-      return event.kind == kind && event.what.find(part) != std::string::npos;
-    });
-  };
-  return !trace.state_names.empty() && any("log", "simulated time of") &&
-         !any("transition", "(exit)");
+  return !trace.state_names.empty() && tell(trace, EventId::TimeIsOver).first != nullptr &&
+         !endOf(trace);
 }
 
 std::string neverVisited(const Trace& trace) {
@@ -124,18 +100,6 @@ std::string neverVisited(const Trace& trace) {
                                      more == 0 ? "" : fmt::format(" and {} more", more));
 }
 
-bool isTransition(const TraceEvent& event) {
-  return event.kind == "transition";
-}
-
-/// Vehicle time of the end of the mission; none: it has not ended.
-std::optional<double> endOf(const Trace& trace) {
-  const auto end = std::ranges::find_if(trace.events, [](const TraceEvent& event) {
-    return isTransition(event) && event.what.find("(exit)") != std::string::npos;
-  });
-  return end == trace.events.end() ? std::nullopt : std::optional(end->time_s);
-}
-
 /// Vehicle time at which the mission took control; none: never.
 std::optional<double> controlOf(const Trace& trace) {
   const int active = trace.column("hook_active");
@@ -151,7 +115,7 @@ std::optional<double> controlOf(const Trace& trace) {
 std::optional<double> restlessFrom(const Trace& trace, size_t count, double within_s) {
   std::vector<double> times;
   for (const TraceEvent& event : trace.events) {
-    if (isTransition(event)) {
+    if (event.id == EventId::Transition) {
       times.push_back(event.time_s);
     }
     const bool enough = times.size() >= count;
@@ -164,7 +128,7 @@ std::optional<double> restlessFrom(const Trace& trace, size_t count, double with
 
 /// The note of runtime/core/compass.cpp.
 bool saysNoDeclination(const TraceEvent& event) {
-  return event.kind == "log" && event.what == "declination unknown: headings are magnetic";
+  return event.id == EventId::Note && event.what == "declination unknown: headings are magnetic";
 }
 
 /// The end of a simulated flight.
@@ -190,7 +154,7 @@ void reportEnd(const Trace& trace, support::DiagnosticEngine& diagnostics) {
   if (!last || !(last->depth_m > kAfloat)) {
     return;
   }
-  const Told abort = tell(trace, isAbort);
+  const Told abort = tell(trace, EventId::Aborts);
   if (last->clearance_m < kTouches) {
     diagnostics.report(DiagnosticId::endedOnBottom, {}, fmt::format("{:.0f}", last->depth_m),
                        abort.first != nullptr ? ", after the mission was aborted" : "");
@@ -216,11 +180,12 @@ bool wasNeverInControl(const Trace& trace) {
 }
 
 bool spokeTheProtocol(const Trace& trace) {
-  return std::ranges::any_of(trace.events, isHello);
+  return tell(trace, EventId::SbcAnswers).first != nullptr;
 }
 
 size_t refusedInstructions(const Trace& trace) {
-  return static_cast<size_t>(std::ranges::count_if(trace.events, isRefusal));
+  return static_cast<size_t>(
+      std::ranges::count(trace.events, EventId::InstructionRefused, &TraceEvent::id));
 }
 
 void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics) {
@@ -232,23 +197,25 @@ void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics) {
                            : "the SBC never used this version of the hook protocol: check that the "
                              "program or device runs a mission");
   }
-  if (const Told told = tell(trace, isAbort); told.first != nullptr) {
+  if (const Told told = tell(trace, EventId::Aborts); told.first != nullptr) {
     const std::string why = told.first->why.empty() ? "" : ", " + plain(told.first->why);
     diagnostics.report(DiagnosticId::flightAborted, {}, told.at,
                        plain(told.first->what) + why + told.more);
   }
   reportEnd(trace, diagnostics);
-  if (const Told told = tell(trace, isBottom); told.first != nullptr) {
+  if (const Told told = tell(trace, EventId::TouchesBottom); told.first != nullptr) {
     diagnostics.report(DiagnosticId::bottomTouched, {}, told.at,
                        plain(told.first->why) + told.more);
   }
-  if (const Told told = tell(trace, isRefusal); told.first != nullptr) {
+  if (const Told told = tell(trace, EventId::InstructionRefused); told.first != nullptr) {
     diagnostics.report(DiagnosticId::commandRefused, {}, told.at,
-                       after(told.first->what, kRefused) + told.more);
+                       plain(textOf(*told.first, 1)) + told.more);
   }
-  if (const Told told = tell(trace, isIntervention); told.first != nullptr) {
-    diagnostics.report(DiagnosticId::guardIntervened, {}, told.at,
-                       after(told.first->what, kByHookbeh) + told.more);
+  if (const Told told = tell(trace, EventId::GuardClimbs); told.first != nullptr) {
+    const double depth_m = std::get<double>(told.first->values.at(1));
+    diagnostics.report(
+        DiagnosticId::guardIntervened, {}, told.at,
+        fmt::format("{} (m_depth {:.1f} m){}", plain(textOf(*told.first, 0)), depth_m, told.more));
   }
 }
 

@@ -15,7 +15,7 @@ class BottomContact {
   void look(double now_s, double depth_m, double water_depth_m, Journal& journal) {
     const double clearance_m = water_depth_m - depth_m;
     if (!touches_ && clearance_m < kTouch && depth_m > kAground) {
-      journal.add(now_s, "bottom", "on the bottom", fmt::format("{:.1f} m deep", depth_m));
+      journal.add(now_s, EventId::TouchesBottom, {}, fmt::format("{:.1f} m deep", depth_m));
       touches_ = true;
     }
     touches_ = touches_ && clearance_m < kOff;

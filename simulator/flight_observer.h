@@ -3,13 +3,16 @@
 
 #pragma once
 
-#include "hooks/hookbeh/hookbeh.h"
 #include "hooks/protocol/values.h"
 #include "simulator/flight/commands.h"
 #include "simulator/flight/sensor_array.h"
 
 #include <cstdint>
 #include <span>
+
+namespace glider::hooks {
+struct HookbehOutputs;
+}  // namespace glider::hooks
 
 namespace glider::simulator {
 

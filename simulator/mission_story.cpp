@@ -90,10 +90,9 @@ void MissionStory::transition(double now_s, const hooks::HookprogEvent& event,
       std::isfinite(origin_s_) ? std::min(now_s, origin_s_ + event.mission_time_s) : now_s;
   const char* kind = event.a < kTransitions.size() ? kTransitions[event.a] : "?";
   const std::string to = event.a == kExit ? "end" : stateName(event.c);
-  const std::string interrupt =
-      event.e == kAlways ? fmt::format(", always case {}", event.d + 1) : "";
-  journal.add(time, "transition",
-              fmt::format("{} → {} ({}{})", stateName(event.b), to, kind, interrupt),
+  const std::string how =
+      event.e == kAlways ? fmt::format("{}, always case {}", kind, event.d + 1) : kind;
+  journal.add(time, EventId::Transition, {stateName(event.b), to, how},
               why(event, science, flight));
   journal.events().back().mission_time_s = event.mission_time_s;
 }
@@ -102,10 +101,9 @@ void MissionStory::note(double now_s, const hooks::HookprogEvent& event, Journal
   const double time =
       std::isfinite(origin_s_) ? std::min(now_s, origin_s_ + event.mission_time_s) : now_s;
   if (event.a == kUnknownSet) {
-    journal.add(time, "log", fmt::format("{} keeps its value", event.text),
-                "the new value is unknown");
+    journal.add(time, EventId::ValueKept, {event.text}, "the new value is unknown");
   } else {
-    journal.add(time, "log", event.text);
+    journal.add(time, EventId::Note, {event.text});
   }
   journal.events().back().mission_time_s = event.mission_time_s;
 }
@@ -115,22 +113,21 @@ bool MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science
   bool in_another_state = false;
   learnOrigin(cycle_s, science.sbc(), flight.hookActive());
   for (auto event = science.nextEvent(); event.kind != Kind::None; event = science.nextEvent()) {
+    const double number = event.a;
     switch (event.kind) {
       case Kind::None:
         break;
       case Kind::SbcHello:
-        journal.add(now_s, "link", fmt::format("the SBC answers: mission {}", event.text));
+        journal.add(now_s, EventId::SbcAnswers, {event.text});
         break;
       case Kind::SbcLost:
-        journal.add(now_s, "link", "hookprog has no answer from the SBC", "none for 12 s");
+        journal.add(now_s, EventId::SbcLost, {}, "none for 12 s");
         break;
       case Kind::SbcStuck:
-        journal.add(now_s, "link", "the SBC answers, but its mission makes no progress",
-                    "its time has not advanced for 12 s");
+        journal.add(now_s, EventId::SbcStuck, {}, "its time has not advanced for 12 s");
         break;
       case Kind::SbcUnanswered:
-        journal.add(now_s, "link", fmt::format("hookbeh does not answer instruction {}", event.a),
-                    "none for 12 s");
+        journal.add(now_s, EventId::InstructionUnanswered, {number}, "none for 12 s");
         break;
       case Kind::SbcTransition:
         transition(now_s, event, science, flight, journal);
@@ -140,22 +137,20 @@ bool MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science
         note(now_s, event, journal);
         break;
       case Kind::BadFrame:
-        journal.add(now_s, "link", fmt::format("{} damaged frames on the serial lines", event.a));
+        journal.add(now_s, EventId::FramesDamaged, {number});
         break;
       case Kind::SbcRefused:
-        journal.add(now_s, "link", "hookprog refuses the SBC", whyRefused(event));
+        journal.add(now_s, EventId::SbcRefused, {}, whyRefused(event));
         break;
       case Kind::RefusedWrite:
-        journal.add(now_s, "hook", fmt::format("the SBC may not write sensor {}", event.a));
+        journal.add(now_s, EventId::WriteRefused, {number});
         break;
       case Kind::OldInstruction:
-        journal.add(now_s, "hook", fmt::format("instruction {} is repeated", event.a),
+        journal.add(now_s, EventId::InstructionRepeated, {number},
                     "hookbeh refuses it: its number is old");
         break;
       case Kind::StaleFrame:
-        journal.add(now_s, "link",
-                    fmt::format("{} frames are repeated on the serial lines", event.a),
-                    "they have an earlier time");
+        journal.add(now_s, EventId::FramesRepeated, {number}, "they have an earlier time");
         break;
     }
   }

@@ -173,7 +173,7 @@ bool SimulatedVehicle::controlCycle(double now) {
   for (const Put& put : setup_.scenario.puts) {
     if (now >= put.at_s && before_s < put.at_s) {
       flight_.put(put.sensor, put.value);
-      journal_.add(now, "operator", fmt::format("put {} {}", put.sensor, put.value));
+      journal_.add(now, EventId::OperatorPuts, {put.sensor, put.value});
     }
   }
   flight_.noteSbcGone(link_.goneForGood(now));
@@ -189,7 +189,7 @@ bool SimulatedVehicle::controlCycle(double now) {
   // surface.
   const bool over = !flight_.end().empty() && vehicle_.depth() < kAfloat;
   if (over) {
-    journal_.add(now, "log", flight_.end(), flight_.whyEnded());
+    journal_.add(now, EventId::FlightEnds, {flight_.end()}, flight_.whyEnded());
   }
   const bool seen_enough = setup_.observer != nullptr && !setup_.observer->cycle(view(now, over));
   return over || seen_enough;
@@ -242,7 +242,7 @@ void SimulatedVehicle::failDevices(double now) {
   const auto has_now = [&](const Span& span) { return span.has(now); };
   const bool down = std::ranges::any_of(faults().science, has_now);
   if (down && !science_down_) {
-    journal_.add(now, "link", "the science computer restarts");
+    journal_.add(now, EventId::ScienceRestarts);
     science_.restart();
   }
   if (down) {  // what arrives meanwhile is lost
@@ -273,7 +273,7 @@ void SimulatedVehicle::completeRow() {
 support::Trace SimulatedVehicle::finish() {
   completeRow();
   if (flight_.end().empty()) {
-    journal_.add(cycle_s_, "log", fmt::format("the simulated time of {} s is over", duration_s_));
+    journal_.add(cycle_s_, EventId::TimeIsOver, {duration_s_});
   }
   recorder_.field();
   trace_.events = std::move(journal_.events());

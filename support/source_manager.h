@@ -3,23 +3,14 @@
 
 #pragma once
 
+#include "support/source_range.h"
+
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace glider::support {
-
-/// A range of a source file in bytes, [begin, end). The default range is "nowhere".
-struct SourceRange {
-  static constexpr uint32_t kNoFile = UINT32_MAX;
-  uint32_t file = kNoFile;
-  uint32_t begin = 0;
-  uint32_t end = 0;
-
-  [[nodiscard]] bool valid() const { return file != kNoFile; }
-  bool operator==(const SourceRange&) const = default;
-};
 
 /// A place as an editor counts it: line and column from 1; a column counts Unicode code points.
 struct LineColumn {

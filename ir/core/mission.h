@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "support/source_manager.h"
+#include "support/source_range.h"
 #include "support/units/units.h"
 
 #include <array>

@@ -5,6 +5,7 @@
 
 #include "ir/core/mission.h"
 #include "support/diagnostics/engine.h"
+#include "support/source_manager.h"
 
 #include <optional>
 

@@ -5,7 +5,7 @@
 // platform --header`: glider_sensor_ids platforms/slocum.toml generated/platforms/slocum_sensors.h
 
 #include "platforms/generate/sensor_header.h"
-#include "platforms/load/platform.h"
+#include "platforms/load/load_platform.h"
 #include "support/files.h"
 
 #include <cstdio>

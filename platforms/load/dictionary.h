@@ -5,6 +5,7 @@
 
 #include "hooks/protocol/dictionary.h"
 #include "platforms/load/platform.h"
+#include "support/result.h"
 
 #include <vector>
 

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "platforms/load/platform.h"
-
 #include "hooks/protocol/dictionary.h"
+#include "platforms/load/load_platform.h"
 #include "platforms/load/toml_reader.h"
 #include "support/diagnostics/catalogue.h"
 

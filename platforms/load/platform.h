@@ -3,11 +3,9 @@
 
 #pragma once
 
-#include "support/result.h"
 #include "support/units/units.h"
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -128,9 +126,5 @@ struct Platform {
   /// The sensor called `name` by the vehicle or by the language; null if there is none.
   [[nodiscard]] const PlatformSensor* find(std::string_view name) const;
 };
-
-/// Reads and checks a platform file. GL9001 if it cannot be read, GL5001 (with line) if it is
-/// invalid.
-support::Result<Platform> loadPlatform(const std::filesystem::path& path);
 
 }  // namespace glider::platforms

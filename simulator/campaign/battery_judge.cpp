@@ -3,6 +3,7 @@
 
 #include "simulator/campaign/battery_judge.h"
 
+#include "hooks/hookbeh/hookbeh.h"
 #include "simulator/campaign/wrong_sensors.h"
 
 #include <fmt/format.h>

@@ -3,6 +3,7 @@
 
 #include "simulator/campaign/command_judge.h"
 
+#include "hooks/hookbeh/hookbeh.h"
 #include "hooks/protocol/numbers.h"
 #include "simulator/campaign/commanded.h"
 #include "simulator/campaign/judge_limits.h"

@@ -3,6 +3,7 @@
 
 #include "simulator/campaign/flight_judge.h"
 
+#include "hooks/hookbeh/hookbeh.h"
 #include "hooks/protocol/messages.h"
 
 #include <fmt/format.h>

@@ -3,6 +3,7 @@
 
 #include "simulator/campaign/guard_judge.h"
 
+#include "hooks/hookbeh/hookbeh.h"
 #include "hooks/protocol/messages.h"
 #include "simulator/campaign/commanded.h"
 

@@ -3,6 +3,7 @@
 
 #include "simulator/campaign/needless_judge.h"
 
+#include "hooks/hookbeh/hookbeh.h"
 #include "simulator/campaign/commanded.h"
 #include "simulator/campaign/judge_limits.h"
 #include "simulator/campaign/surface_judge.h"

@@ -346,7 +346,7 @@ void FlightController::noteTransition() {
 
 void FlightController::startAbort(Abort abort, const std::string& why, double now_s) {
   abort_ = abort;
-  journal_.add(now_s, "abort", abortName(abort), why);
+  journal_.add(now_s, EventId::Aborts, {std::string(abortName(abort))}, why);
 }
 
 /// Behaviours do not run after an abort. The SBC must be informed that its control has ended, and
@@ -368,8 +368,7 @@ void FlightController::restart(double now_s, bool keeps_array) {
   if (aborted() || layers_->quit()) {
     return;
   }
-  journal_.add(now_s, "behaviour",
-               keeps_array ? "the mission restarts" : "the flight controller restarts");
+  journal_.add(now_s, keeps_array ? EventId::MissionRestarts : EventId::FlightRestarts);
   if (!keeps_array) {
     array_.clear();
     flight_science_link_ = hooks::FlightScienceLink(dictionary_.get());

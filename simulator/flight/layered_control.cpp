@@ -47,14 +47,14 @@ void LayeredControl::tell(Layer& layer, double time_s, Journal& journal) {
   const bool quiet = name == "abend" || name == "hookbeh" || name == "sample";
   const Behaviour::State now = layer.behaviour->state();
   if (now != layer.told && !quiet) {
-    const auto add = [&](const char* what, const std::string& why) {
-      journal.add(time_s, "behaviour", layer.behaviour->label() + " " + what, why);
-    };
+    const std::string label = layer.behaviour->label();
     if (layer.told == Behaviour::State::Waiting) {  // also if it is complete in its first cycle
-      add("started", layer.behaviour->whyStarted());
+      journal.add(time_s, EventId::BehaviourStarts, {label}, layer.behaviour->whyStarted());
     }
     if (now != Behaviour::State::Active) {
-      add(now == Behaviour::State::Complete ? "completed" : "done, waits for its next start", "");
+      const bool complete = now == Behaviour::State::Complete;
+      journal.add(time_s, complete ? EventId::BehaviourCompleted : EventId::BehaviourWaits,
+                  {label});
     }
   }
   layer.told = now;

@@ -66,24 +66,24 @@ void SbcLink::followPower(double now_s) {
     noteDeath(now_s);
   }
   if (!off && without_power_) {
-    startAgain(now_s, "the SBC has power again");
+    startAgain(now_s, EventId::SbcHasPower);
   }
   without_power_ = off;
 }
 
-void SbcLink::startAgain(double now_s, const char* why) {
+void SbcLink::startAgain(double now_s, EventId why) {
   if (!start_) {
     return;
   }
   auto again = start_();
   if (!again) {
-    journal_.add(now_s, "link", "the SBC does not restart", again.error().message);
+    journal_.add(now_s, EventId::SbcDoesNotRestart, {}, again.error().message);
     return;
   }
   port_ = std::move(*again);
   death_noted_ = false;
   last_done_ = {};
-  journal_.add(now_s, "link", why);
+  journal_.add(now_s, why);
 }
 
 void SbcLink::followPort(double now_s) {
@@ -92,9 +92,9 @@ void SbcLink::followPort(double now_s) {
     port_->plug(!away);
     waiting_.clear();
     line_.dropRight();
-    journal_.add(now_s, "link", away ? "the SBC's port is gone" : "the SBC's port is back");
+    journal_.add(now_s, away ? EventId::PortGone : EventId::PortBack);
     if (!away && !alive() && !without_power_) {
-      startAgain(now_s, "the board restarts the SBC's program");
+      startAgain(now_s, EventId::SbcRestarted);
     }
   }
   without_port_ = away;
@@ -106,7 +106,7 @@ void SbcLink::followCard(double now_s) {
     if (port_ != nullptr && !card_fault_done_[i] && now_s >= faults_.card[i].at_s) {
       card_fault_done_[i] = true;
       port_->damageCard(faults_.card[i], seed_ + i);
-      journal_.add(now_s, "link", "the SBC's checkpoints are damaged");
+      journal_.add(now_s, EventId::CheckpointsDamaged);
     }
   }
 }
@@ -158,7 +158,7 @@ void SbcLink::flush() {
 void SbcLink::noteDeath(double now_s) {
   if (port_ != nullptr && !death_noted_ && !port_->alive()) {
     death_noted_ = true;
-    journal_.add(now_s, "link", "the SBC is gone", port_->exitReason());
+    journal_.add(now_s, EventId::SbcGone, {}, port_->exitReason());
   }
 }
 

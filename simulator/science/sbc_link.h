@@ -42,7 +42,7 @@ class SbcLink {
 
  private:
   void followPower(double now_s);
-  void startAgain(double now_s, const char* why);
+  void startAgain(double now_s, EventId why);
   void followPort(double now_s);
   void followCard(double now_s);
   void exchange(const std::vector<uint8_t>& bytes, double now_s);

@@ -16,6 +16,7 @@
 namespace glider::slocum {
 namespace {
 
+using support::EventId;
 using support::Trace;
 using support::TraceEvent;
 
@@ -57,10 +58,11 @@ class Adder {
       : mission_time_(samplesOf(merged, "m_present_secs_into_mission")), trace_(trace) {}
 
   /// `time_s`: since 1970.
-  void add(double time_s, const char* kind, std::string what, std::string why = "") {
-    const double at = time_s - trace_.log->utc_s;
-    trace_.events.push_back({at, resampled(mission_time_, {time_s}, Between::Line)[0], kind,
-                             std::move(what), std::move(why)});
+  void add(double time_s, EventId id, std::vector<support::EventValue> values = {},
+           std::string why = "") {
+    trace_.events.push_back(
+        support::makeEvent(time_s - trace_.log->utc_s, id, std::move(values), std::move(why)));
+    trace_.events.back().mission_time_s = resampled(mission_time_, {time_s}, Between::Line)[0];
   }
 
  private:
@@ -73,7 +75,7 @@ void addSegments(const Merged& merged, Adder& events) {
   for (const LogFile& file : merged.files) {
     const double begin = file.span().first;
     if (!std::isnan(begin) && seen.insert(file.data.header.full_name).second) {
-      events.add(begin, "log", fmt::format("segment {} begins", file.data.header.full_name),
+      events.add(begin, EventId::SegmentBegins, {file.data.header.full_name},
                  fmt::format("mission {}", file.data.header.mission));
     }
   }
@@ -83,10 +85,10 @@ void addSurfacings(const Trace& trace, Adder& events) {
   const auto at = [&](size_t row) { return trace.log->utc_s + trace.at(row, 0); };
   for (const support::Submersion& submersion : support::submersions(trace)) {
     if (submersion.begin > 0) {
-      events.add(at(submersion.begin), "dive", "left the surface");
+      events.add(at(submersion.begin), EventId::Dives);
     }
     if (submersion.end) {
-      events.add(at(*submersion.end), "surface", "at the surface");
+      events.add(at(*submersion.end), EventId::Surfaces);
     }
   }
 }
@@ -95,7 +97,7 @@ void addWaypoints(const Merged& merged, Adder& events) {
   const Samples hit = samplesOf(merged, "x_hit_a_waypoint");
   for (size_t i = 1; i < hit.values.size(); ++i) {
     if (hit.values[i] == 1 && hit.values[i - 1] == 0) {
-      events.add(hit.times_s[i], "behaviour", "reached the waypoint");
+      events.add(hit.times_s[i], EventId::WaypointHit);
     }
   }
 }
@@ -104,12 +106,11 @@ void addStatus(int code, double time_s, Adder& events) {
   const std::string status = fmt::format("mission status {}", code);
   if (code > kInProgress) {
     const std::string text = missionStatusText(code);
-    events.add(time_s, "abort", text.empty() ? "for a reason that is not known" : text, status);
+    events.add(time_s, EventId::Aborts, {text.empty() ? "for a reason that is not known" : text},
+               status);
   } else if (code == kEndedNormally || code == kEndedAbnormally) {
-    events.add(
-        time_s, "log",
-        code == kEndedNormally ? "the mission ended normally" : "the mission ended abnormally",
-        status);
+    events.add(time_s, code == kEndedNormally ? EventId::EndedNormally : EventId::EndedAbnormally,
+               {}, status);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "slocum/mission_files/mission_file.h"
 #include "support/diagnostics/engine.h"
+#include "support/source_manager.h"
 
 #include <cstdint>
 #include <optional>

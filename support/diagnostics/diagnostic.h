@@ -4,7 +4,7 @@
 #pragma once
 
 #include "support/diagnostics/id.h"
-#include "support/source_manager.h"
+#include "support/source_range.h"
 
 #include <cstdint>
 #include <string>

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "support/diagnostics/engine.h"
+#include "support/source_manager.h"
 
 #include <string>
 

@@ -4,9 +4,9 @@
 #pragma once
 
 #include "support/result.h"
+#include "support/trace/events.h"
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,17 +19,6 @@ struct TraceColumn {
   std::string name;  ///< "m_depth", "true_x", "state"…; the vehicle's own name if it has one
   std::string
       unit;  ///< as in the language; "" for a plain number, "id" for an index into Trace::names
-};
-
-/// What happened between cycles.
-struct TraceEvent {
-  double time_s = 0;  ///< vehicle time since the mission start
-  double mission_time_s = std::numeric_limits<double>::quiet_NaN();  ///< the SBC's missiontime; NaN
-                                                                     ///< when it was not in control
-  std::string kind;  ///< "transition", "control", "hook", "steering", "behaviour", "abort",
-                     ///< "bottom", "link", "log"
-  std::string what;  ///< one line: "s1 → s2 (call)"
-  std::string why;   ///< one line: the guard and the values that fired it; "" if there is none
 };
 
 /// The water's temperature on a grid along the flight, the background of the picture.

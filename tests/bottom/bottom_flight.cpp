@@ -3,6 +3,8 @@
 
 #include "tests/bottom/bottom_flight.h"
 
+#include "hooks/hookbeh/hookbeh.h"
+#include "platforms/load/load_platform.h"
 #include "simulator/simulator.h"
 #include "support/check.h"
 

@@ -3,6 +3,8 @@
 
 #include "tests/depths/depth_flight.h"
 
+#include "hooks/hookbeh/hookbeh.h"
+#include "platforms/load/load_platform.h"
 #include "simulator/campaign/bottom_judge.h"
 #include "simulator/campaign/judge_limits.h"
 #include "simulator/flight/skeleton.h"

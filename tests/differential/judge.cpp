@@ -12,7 +12,7 @@
 #include "codegen/scratch_folder.h"
 #include "ir/opt/passes.h"
 #include "platforms/load/board.h"
-#include "platforms/load/platform.h"
+#include "platforms/load/load_platform.h"
 #include "support/check.h"
 #include "support/files.h"
 

@@ -7,6 +7,7 @@
 #include "frontend/format/format.h"
 #include "ir/prove/prove.h"
 #include "ir/verify/verify.h"
+#include "platforms/load/load_platform.h"
 #include "support/diagnostics/catalogue.h"
 #include "tests/docs/examples.h"
 #include "tests/unit/frontend/compile.h"

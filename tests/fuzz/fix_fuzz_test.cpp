@@ -10,6 +10,7 @@
 #include "frontend/frontend.h"
 #include "ir/text/print.h"
 #include "ir/verify/verify.h"
+#include "platforms/load/load_platform.h"
 #include "support/diagnostics/catalogue.h"
 #include "support/diagnostics/fixes.h"
 #include "support/files.h"

@@ -7,6 +7,7 @@
 #include "frontend/format/format.h"
 #include "frontend/frontend.h"
 #include "frontend/symbols.h"
+#include "platforms/load/load_platform.h"
 #include "support/check.h"
 #include "support/diagnostics/render.h"
 #include "support/files.h"

@@ -9,6 +9,7 @@
 #include "ir/prove/prove.h"
 #include "ir/text/print.h"
 #include "ir/verify/verify.h"
+#include "platforms/load/load_platform.h"
 #include "support/check.h"
 #include "support/diagnostics/render.h"
 #include "support/files.h"

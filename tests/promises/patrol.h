@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "platforms/load/platform.h"
+#include "platforms/load/load_platform.h"
 #include "tests/unit/frontend/compile.h"
 
 #include <gtest/gtest.h>

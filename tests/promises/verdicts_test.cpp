@@ -7,6 +7,7 @@
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/prove.h"
 #include "ir/verify/verify.h"
+#include "platforms/load/load_platform.h"
 #include "tests/unit/frontend/compile.h"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 
 #include "tests/proofs/properties.h"
 
+#include "platforms/load/load_platform.h"
 #include "support/check.h"
 
 #include <fstream>

@@ -7,6 +7,7 @@
 #include "ir/prove/prove.h"
 #include "ir/verify/promela.h"
 #include "ir/verify/verify.h"
+#include "platforms/load/load_platform.h"
 #include "tests/support/command.h"
 #include "tests/unit/frontend/compile.h"
 

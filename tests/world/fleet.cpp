@@ -3,6 +3,7 @@
 
 #include "tests/world/fleet.h"
 
+#include "platforms/load/load_platform.h"
 #include "support/diagnostics/engine.h"
 #include "support/files.h"
 #include "tests/world/random_text.h"

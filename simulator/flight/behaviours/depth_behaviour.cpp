@@ -29,7 +29,7 @@ Behaviour::Outcome DepthBehaviour::fly(const Situation& s, Commands& commands) {
 
 void DepthBehaviour::tell(double time_s, Journal& journal) {
   if (why_over_) {
-    journal.add(time_s, "behaviour", fmt::format("{} over", label()), *why_over_);
+    journal.add(time_s, EventId::BehaviourOver, {label()}, *why_over_);
     why_over_.reset();
   }
 }

@@ -71,7 +71,7 @@ Behaviour::Outcome DriftAtDepth::fly(const Situation& s, Commands& commands) {
   if (!hovers_ && within(s)) {
     hovers_ = true;
     hovering_since_s_ = corrected_s_ = s.time_s;
-    news_.push_back(fmt::format("{}: hovering at {:.1f} m", label(), s.depth_m));
+    news_.push_back({EventId::Hovers, {label(), s.depth_m}});
   }
   if (!hovers_) {
     (s.depth_m < aim_m_ ? dive_ : climb_).command(commands);
@@ -88,10 +88,7 @@ Behaviour::Outcome DriftAtDepth::fly(const Situation& s, Commands& commands) {
 }
 
 void DriftAtDepth::tell(double time_s, Journal& journal) {
-  for (std::string& what : news_) {
-    journal.add(time_s, "behaviour", std::move(what));
-  }
-  news_.clear();
+  journal.add(time_s, news_);
 }
 
 }  // namespace glider::simulator

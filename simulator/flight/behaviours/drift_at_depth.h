@@ -36,7 +36,7 @@ class DriftAtDepth final : public StartedBehaviour {
   double aim_m_ = 0;    ///< the depth to drift at
   double water_m_ = 0;  ///< the newest depth of the water; NaN: not known
   double hovering_since_s_ = 0, corrected_s_ = 0, pump_cc_ = 0;
-  std::vector<std::string> news_;
+  std::vector<News> news_;
 };
 
 }  // namespace glider::simulator

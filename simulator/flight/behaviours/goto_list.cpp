@@ -78,7 +78,7 @@ Behaviour::Outcome GotoList::fly(const Situation& s, Commands& commands) {
   if (!std::exchange(fresh_, false) && !over_ && stop_.met(s, commands)) {
     commands.hit_waypoint = true;
     last_reached_ = static_cast<int>(current_);
-    news_.push_back(fmt::format("{}: waypoint {} reached", label(), current_));
+    news_.push_back({EventId::WaypointReached, {label(), static_cast<double>(current_)}});
     if (wanted_ >= 0 && ++reached_ >= wanted_) {
       if (!stays_) {
         return Outcome::Done;
@@ -96,10 +96,7 @@ Behaviour::Outcome GotoList::fly(const Situation& s, Commands& commands) {
 }
 
 void GotoList::tell(double time_s, Journal& journal) {
-  for (std::string& what : news_) {
-    journal.add(time_s, "behaviour", std::move(what));
-  }
-  news_.clear();
+  journal.add(time_s, news_);
 }
 
 }  // namespace glider::simulator

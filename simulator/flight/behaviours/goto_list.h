@@ -41,7 +41,7 @@ class GotoList final : public StartedBehaviour {
   int last_reached_ = -1;
   bool over_ = false;  ///< the last waypoint is reached, and it stays there
   bool fresh_ = true;  ///< the distance that is known is not yet that of this waypoint
-  std::vector<std::string> news_;
+  std::vector<News> news_;
 };
 
 }  // namespace glider::simulator

@@ -127,22 +127,22 @@ HookbehAdapter::HookbehAdapter(const BehaviourSource& source)
 
 void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOutputs& out) {
   if (out.state != state_) {
-    news_.push_back({"control", fmt::format("hookbeh: {}", describe(out.state))});
+    news_.push_back({EventId::ControlChanges, {describe(out.state)}});
   }
   if (out.masked != masked_now_) {
-    news_.push_back({"control", out.masked == 0
-                                    ? "hookbeh: its commands fly again"
-                                    : "hookbeh: another behaviour masks " + channels(out.masked)});
+    news_.push_back(out.masked == 0 ? News{EventId::CommandsFly}
+                                    : News{EventId::CommandsMasked, {channels(out.masked)}});
   }
   const bool decided = out.answer != HookAnswer::Accepted && out.answer != HookAnswer::None;
   if (out.answered_sequence != answered_ && decided) {
-    news_.push_back({"hook", fmt::format("instruction {} {}: {}", out.answered_sequence,
-                                         isOfTheLink(out.answer) ? "ignored" : "refused",
-                                         refusalText(out.answer, in, limits_))});
+    const double number = out.answered_sequence;
+    news_.push_back(
+        {isOfTheLink(out.answer) ? EventId::InstructionIgnored : EventId::InstructionRefused,
+         {number, refusalText(out.answer, in, limits_)}});
   }
   if (out.commanding && doing_ != out.doing) {
-    const char* kind = out.guard != hooks::HookGuard::None ? "hook" : "steering";
-    news_.push_back({kind, fmt::format("hookbeh: {} (m_depth {:.1f} m)", out.doing, in.depth_m)});
+    const bool guards = out.guard != hooks::HookGuard::None;
+    news_.push_back({guards ? EventId::GuardClimbs : EventId::Steers, {out.doing, in.depth_m}});
   }
   state_ = out.state;
   masked_now_ = out.masked;
@@ -174,10 +174,7 @@ Behaviour::Outcome HookbehAdapter::fly(const Situation& situation, Commands& com
 }
 
 void HookbehAdapter::tell(double time_s, Journal& journal) {
-  for (Line& line : news_) {
-    journal.add(time_s, line.kind, std::move(line.what));
-  }
-  news_.clear();
+  journal.add(time_s, news_);
 }
 
 }  // namespace glider::simulator

@@ -32,10 +32,6 @@ class HookbehAdapter final : public Behaviour {
   Outcome fly(const Situation& situation, Commands& commands) override;
 
  private:
-  struct Line {
-    const char* kind;
-    std::string what;
-  };
   void note(const hooks::HookbehInputs& in, const hooks::HookbehOutputs& out);
 
   hooks::HookbehArgs limits_;  ///< in effect
@@ -45,7 +41,7 @@ class HookbehAdapter final : public Behaviour {
   uint8_t masked_now_ = 0;  ///< as last written to the journal
   uint16_t answered_ = 0;
   std::string doing_;
-  std::vector<Line> news_;
+  std::vector<News> news_;
 };
 
 }  // namespace glider::simulator

@@ -33,9 +33,9 @@ Behaviour::Outcome Yo::fly(const Situation& situation, Commands& commands) {
   // the targets contradict each other, and then the second one flies for one cycle.
   for (int legs = 0; legs < 2 && leg_->over(situation, overridden()); ++legs) {
     ++half_cycles_;
-    news_.emplace_back(
-        fmt::format("{}: {} over, half cycle {}", label(), leg_->name(), half_cycles_),
-        leg_->why());
+    news_.push_back({EventId::LegOver,
+                     {label(), leg_->name(), static_cast<double>(half_cycles_)},
+                     leg_->why()});
     if (half_cycles_to_do_() >= 0 && half_cycles_ >= half_cycles_to_do_()) {
       return Outcome::Done;
     }
@@ -47,10 +47,7 @@ Behaviour::Outcome Yo::fly(const Situation& situation, Commands& commands) {
 }
 
 void Yo::tell(double time_s, Journal& journal) {
-  for (auto& [what, why] : news_) {
-    journal.add(time_s, "behaviour", std::move(what), std::move(why));
-  }
-  news_.clear();
+  journal.add(time_s, news_);
 }
 
 }  // namespace glider::simulator

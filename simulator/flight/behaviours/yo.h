@@ -26,7 +26,7 @@ class Yo final : public StartedBehaviour {
   Argument half_cycles_to_do_;
   DepthLeg* leg_ = nullptr;
   int half_cycles_ = 0;
-  std::vector<std::pair<std::string, std::string>> news_;
+  std::vector<News> news_;
 };
 
 }  // namespace glider::simulator

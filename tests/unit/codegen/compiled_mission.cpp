@@ -5,6 +5,7 @@
 
 #include "ir/text/read.h"
 #include "ir/verify/verify.h"
+#include "platforms/load/load_platform.h"
 #include "support/check.h"
 #include "support/files.h"
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "frontend/frontend.h"
+#include "platforms/load/load_platform.h"
 #include "support/diagnostics/render.h"
 #include "support/files.h"
 

@@ -3,6 +3,7 @@
 
 // Which missions have a compass, and what is said where nothing will tell the declination.
 
+#include "platforms/load/load_platform.h"
 #include "support/diagnostics/catalogue.h"
 #include "tests/unit/frontend/compile.h"
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "frontend/symbols.h"
+#include "platforms/load/load_platform.h"
 #include "tests/unit/frontend/compile.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "platforms/load/platform.h"
-
+#include "platforms/load/load_platform.h"
 #include "support/diagnostics/diagnostic.h"
 #include "tests/slocum.h"
 #include "tests/support/command.h"

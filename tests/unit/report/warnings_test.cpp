@@ -11,12 +11,14 @@ namespace glider::report {
 namespace {
 
 using Lines = std::vector<std::string>;
+using support::EventId;
+using support::makeEvent;
 
 support::Trace flight(double active) {
   auto trace = smallTrace({{"time", "s"}, {"state", "id"}, {"hook_active", ""}},
                           {{0, kUnknown, 0}, {100, active == 1 ? 0.0 : kUnknown, active}});
   trace.state_names = {"s1", "s2"};
-  trace.events = {{90, 80, "transition", "s1 → end (exit)", ""}};
+  trace.events = {makeEvent(90, EventId::Transition, {"s1", "end", "exit"})};
   return trace;
 }
 
@@ -57,19 +59,19 @@ TEST(Warnings, AnSbcThatNeverAnsweredDiffersFromOneThatGotNoControl) {
     return diagnostics.sorted().at(0).hint;
   };
   auto trace = flight(0);
-  trace.events.push_back({4, kUnknown, "link", "hookprog refuses the SBC", "protocol 3"});
-  trace.events.push_back({4, 0, "log", "the SBC answers: mission m", ""});
+  trace.events.push_back(makeEvent(4, EventId::SbcRefused, {}, "protocol 3"));
+  trace.events.push_back(makeEvent(4, EventId::Note, {"the SBC answers: mission m"}));
   EXPECT_FALSE(spokeTheProtocol(trace)) << "a note can say anything";
   EXPECT_NE(hint(trace).find("never used this version of the hook protocol"), std::string::npos)
       << hint(trace);
-  trace.events.push_back({8, kUnknown, "link", "the SBC answers: mission m", ""});
+  trace.events.push_back(makeEvent(4, EventId::SbcAnswers, {"m"}));
   EXPECT_TRUE(spokeTheProtocol(trace));
   EXPECT_EQ(hint(trace), "see the events for how far the SBC and the vehicle got");
 }
 
 TEST(Warnings, AnAbortIsReportedWithItsReason) {
   auto trace = flight(1);
-  trace.events.push_back({50, 40, "abort", "undervolts", "battery 10.9 V"});
+  trace.events.push_back(makeEvent(50, EventId::Aborts, {"undervolts"}, "battery 10.9 V"));
   EXPECT_EQ(reported(trace),
             Lines{"GL9370 the vehicle aborted at 50 s: undervolts, battery 10.9 V"});
 }
@@ -89,7 +91,7 @@ TEST(Warnings, AFlightThatEndsOnTheBottomIsReported) {
   EXPECT_EQ(reported(endsAt(500)), Lines{}) << "its time was over";
   EXPECT_EQ(reported(endsAt(996)), Lines{"GL5215 the flight ended on the bottom, 996 m deep"});
   auto aborted = endsAt(995.8);
-  aborted.events.push_back({50, 40, "abort", "MS_ABORT_SAMEDEPTH", ""});
+  aborted.events.push_back(makeEvent(50, EventId::Aborts, {"MS_ABORT_SAMEDEPTH"}));
   EXPECT_EQ(
       reported(aborted),
       (Lines{"GL5215 the flight ended on the bottom, 996 m deep, after the mission was aborted",
@@ -98,33 +100,33 @@ TEST(Warnings, AFlightThatEndsOnTheBottomIsReported) {
 
 TEST(Warnings, AnAbortThatDoesNotBringTheVehicleUpIsReported) {
   auto trace = endsAt(700);
-  trace.events.push_back({50, 40, "abort", "MS_ABORT_OVERDEPTH", ""});
+  trace.events.push_back(makeEvent(50, EventId::Aborts, {"MS_ABORT_OVERDEPTH"}));
   EXPECT_EQ(reported(trace),
             (Lines{"GL5216 the mission was aborted at 50 s, but the vehicle was still 700 m deep "
                    "when the simulated time was over",
                    "GL9370 the vehicle aborted at 50 s: MS_ABORT_OVERDEPTH"}));
   trace = endsAt(0.2);
-  trace.events.push_back({50, 40, "abort", "MS_ABORT_OVERDEPTH", ""});
+  trace.events.push_back(makeEvent(50, EventId::Aborts, {"MS_ABORT_OVERDEPTH"}));
   EXPECT_EQ(reported(trace), Lines{"GL9370 the vehicle aborted at 50 s: MS_ABORT_OVERDEPTH"});
 }
 
 TEST(Warnings, TheFirstInterventionIsReportedAndAllAreCounted) {
   auto trace = flight(1);
-  trace.events.push_back({16, 8, "hook", "hookbeh: climb: too deep (m_depth 30.1 m)", ""});
+  trace.events.push_back(makeEvent(16, EventId::GuardClimbs, {"climb: too deep", 30.1}));
   EXPECT_EQ(reported(trace),
             Lines{"GL9375 hookbeh intervened at 16 s: climb: too deep (m_depth 30.1 m)"});
-  trace.events.push_back({20, 12, "hook", "hookbeh: climb: too near (m_depth 20 m)", ""});
+  trace.events.push_back(makeEvent(20, EventId::GuardClimbs, {"climb: too near", 20.0}));
   EXPECT_EQ(reported(trace), Lines{"GL9375 hookbeh intervened at 16 s: climb: too deep (m_depth "
                                    "30.1 m); 2 times in total"});
-  trace.events = {{16, 8, "hook", "hookprog and SBC shook hands", ""},
-                  {20, 8, "steering", "hookbeh: dive_to (m_depth 3.1 m)", ""}};
+  trace.events = {makeEvent(16, EventId::WriteRefused, {3.0}),
+                  makeEvent(20, EventId::Steers, {"dive_to", 3.1})};
   EXPECT_EQ(reported(trace), Lines{}) << "steering is not an intervention";
 }
 
 TEST(Warnings, AsJson) {
   support::DiagnosticEngine diagnostics;
   auto trace = flight(0);
-  trace.events.push_back({4, kUnknown, "link", "the SBC answers: mission m", ""});
+  trace.events.push_back(makeEvent(4, EventId::SbcAnswers, {"m"}));
   reportFlight(trace, diagnostics);
   EXPECT_EQ(
       warningsToJson(diagnostics.sorted(), {"cut \"short\""}),
@@ -137,9 +139,9 @@ TEST(Warnings, AsJson) {
 TEST(Warnings, AnotherMissionThanThatWhoseStatesAreNamed) {
   auto trace = flight(1);
   trace.mission = "front";
-  trace.events.push_back({4, kUnknown, "link", "the SBC answers: mission front", ""});
+  trace.events.push_back(makeEvent(4, EventId::SbcAnswers, {"front"}));
   EXPECT_EQ(flightWarnings(trace), Lines{});
-  trace.events.back().what = "the SBC answers: mission patch";
+  trace.events.back() = makeEvent(4, EventId::SbcAnswers, {"patch"});
   EXPECT_EQ(flightWarnings(trace),
             Lines{"the SBC flies mission patch, not front, so the state names "
                   "shown are wrong"});
@@ -151,7 +153,7 @@ TEST(Warnings, ALongNameIsTheSameAsFarAsTheLineShowsIt) {
   const auto warnings = [](const std::string& flown, const std::string& told) {
     auto trace = flight(1);
     trace.mission = flown;
-    trace.events.push_back({4, kUnknown, "link", "the SBC answers: mission " + told, ""});
+    trace.events.push_back(makeEvent(4, EventId::SbcAnswers, {told}));
     return flightWarnings(trace).size();
   };
   const std::string name(60, 'n');
@@ -163,14 +165,13 @@ TEST(Warnings, ALongNameIsTheSameAsFarAsTheLineShowsIt) {
 
 TEST(Warnings, OneRefusalIsOne) {
   auto trace = flight(1);
-  trace.events.push_back({8, 4, "hook", "instruction 1 refused: deeper than max_depth", ""});
+  trace.events.push_back(makeEvent(8, EventId::InstructionRefused, {1.0, "deeper than max_depth"}));
   EXPECT_EQ(reported(trace),
             Lines{"GL9371 hookbeh refused a command at 8 s: deeper than max_depth"});
-  trace.events.back().kind = "log";
+  trace.events.back() =
+      makeEvent(8, EventId::Note, {"instruction 1 refused: deeper than max_depth"});
   EXPECT_EQ(refusedInstructions(trace), 0U) << "a note with the same text";
-  trace.events.back() = {8, 4, "hook", "instruction 1: refused", ""};
-  EXPECT_EQ(refusedInstructions(trace), 0U);
-  trace.events.back() = {8, 4, "hook", "the instruction 1 refused: x", ""};
+  trace.events.back() = makeEvent(8, EventId::InstructionIgnored, {1.0, "it is old"});
   EXPECT_EQ(refusedInstructions(trace), 0U);
 }
 
@@ -190,7 +191,7 @@ Lines unusual(const support::Trace& trace) {
 /// In control from 100 s on, at `end` s over.
 support::Trace flightUntil(double end) {
   auto trace = flight(1);
-  trace.events = {{end, end - 100, "transition", "s1 → end (exit)", ""}};
+  trace.events = {makeEvent(end, EventId::Transition, {"s1", "end", "exit"})};
   return trace;
 }
 
@@ -200,9 +201,16 @@ TEST(Warnings, AMissionThatEndsAtOnceIsUnusual) {
   EXPECT_EQ(unusual({}), Lines{});
 }
 
+TEST(Warnings, AnExitByACaseOfAlwaysIsAnEndToo) {
+  auto trace = flightUntil(159);
+  trace.events = {makeEvent(159, EventId::Transition, {"s1", "end", "exit, always case 2"}),
+                  makeEvent(200, EventId::TimeIsOver, {200.0})};
+  EXPECT_EQ(unusual(trace), Lines{"the mission ended 59 s after it had taken control"});
+}
+
 TEST(Warnings, AMissionThatHadNotEndedIsUnusual) {
   auto trace = flight(1);
-  trace.events = {{100, 90, "log", "the simulated time of 100 s is over", ""}};
+  trace.events = {makeEvent(100, EventId::TimeIsOver, {100.0})};
   EXPECT_EQ(unusual(trace),
             Lines{"the mission had not ended when the simulated time was up; never visited: s2"});
 }
@@ -214,7 +222,7 @@ TEST(Warnings, AMissionThatChangesItsStateAllTheTimeIsUnusual) {
     for (int i = 0; i < count; ++i) {
       const double time = 200 + apart * i;
       trace.events.insert(trace.events.end() - 1,
-                          {time, time - 100, "transition", "s1 → s2 (call)", ""});
+                          makeEvent(time, EventId::Transition, {"s1", "s2", "call"}));
     }
     return unusual(trace);
   };
@@ -226,7 +234,7 @@ TEST(Warnings, AMissionThatChangesItsStateAllTheTimeIsUnusual) {
 
 TEST(Warnings, ManyStatesThatWereNeverVisitedAreCounted) {
   auto trace = flight(1);
-  trace.events = {{100, 90, "log", "the simulated time of 100 s is over", ""}};
+  trace.events = {makeEvent(100, EventId::TimeIsOver, {100.0})};
   trace.state_names.clear();
   for (int i = 0; i <= 20; ++i) {
     trace.state_names.push_back("s" + std::to_string(i));
@@ -250,9 +258,9 @@ TEST(Warnings, InControlAtAnyTimeIsInControl) {
 
 TEST(Warnings, RefusedInstructionsAreCounted) {
   auto trace = flight(1);
-  trace.events.push_back({8, 4, "hook", "instruction 1 refused: deeper than max_depth", ""});
-  trace.events.push_back({12, 8, "hook", "instruction 2 refused: it is not a command", ""});
-  trace.events.push_back({16, 8, "hook", "hookbeh: climb: too deep (m_depth 30.1 m)", ""});
+  trace.events.push_back(makeEvent(8, EventId::InstructionRefused, {1.0, "deeper than max_depth"}));
+  trace.events.push_back(makeEvent(12, EventId::InstructionRefused, {2.0, "it is not a command"}));
+  trace.events.push_back(makeEvent(16, EventId::GuardClimbs, {"climb: too deep", 30.1}));
   EXPECT_EQ(refusedInstructions(trace), 2U);
   EXPECT_EQ(
       reported(trace),
@@ -262,14 +270,15 @@ TEST(Warnings, RefusedInstructionsAreCounted) {
 
 TEST(Warnings, AnUnknownDeclination) {
   auto trace = flight(1);
-  trace.events.push_back({8, 0, "log", "declination unknown: headings are magnetic", ""});
+  trace.events.push_back(
+      makeEvent(8, EventId::Note, {"declination unknown: headings are magnetic"}));
   ASSERT_EQ(flightWarnings(trace).size(), 1U);
   EXPECT_NE(flightWarnings(trace)[0].find("`declination -12 deg`"), std::string::npos);
 }
 
 TEST(Warnings, AMissionThatHadNotEnded) {
   auto trace = flight(1);
-  trace.events.push_back({100, 90, "log", "the simulated time of 100 s is over", ""});
+  trace.events.push_back(makeEvent(100, EventId::TimeIsOver, {100.0}));
   EXPECT_EQ(flightWarnings(trace), Lines{}) << "the layered control flew on";
   trace.events.erase(trace.events.begin());
   EXPECT_EQ(flightWarnings(trace),
@@ -278,9 +287,9 @@ TEST(Warnings, AMissionThatHadNotEnded) {
 
 TEST(Warnings, TheBottomIsReportedWithTheFirstContact) {
   auto trace = flight(1);
-  trace.events.push_back({50, kUnknown, "bottom", "on the bottom", "14.0 m deep"});
+  trace.events.push_back(makeEvent(50, EventId::TouchesBottom, {}, "14.0 m deep"));
   EXPECT_EQ(reported(trace), Lines{"GL9376 the vehicle touched the bottom at 50 s: 14.0 m deep"});
-  trace.events.push_back({90, kUnknown, "bottom", "on the bottom", "15.0 m deep"});
+  trace.events.push_back(makeEvent(90, EventId::TouchesBottom, {}, "15.0 m deep"));
   EXPECT_EQ(reported(trace),
             Lines{"GL9376 the vehicle touched the bottom at 50 s: 14.0 m deep; 2 times in total"});
 }
@@ -289,7 +298,7 @@ TEST(Warnings, OfALogHaveItsNotesAndTimesOfUtc) {
   auto trace = flight(1);
   trace.way = "";
   trace.log = support::VehicleLog{"comet", 1565364272, "", {"a note"}};
-  trace.events = {{30.5, kUnknown, "abort", "too deep", "mission status 7"}};
+  trace.events = {makeEvent(30.5, EventId::Aborts, {"too deep"}, "mission status 7")};
   EXPECT_EQ(flightWarnings(trace), Lines{"a note"});
   EXPECT_EQ(reported(trace),
             Lines{"GL9370 the vehicle aborted at 2019-08-09 15:25:02 UTC: too deep, "

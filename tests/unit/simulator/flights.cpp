@@ -3,6 +3,7 @@
 
 #include "tests/unit/simulator/flights.h"
 
+#include "platforms/load/load_platform.h"
 #include "simulator/flight/skeleton.h"
 #include "slocum/mission_files/read.h"
 #include "support/diagnostics/render.h"

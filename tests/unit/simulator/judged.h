@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "hooks/hookbeh/hookbeh.h"
 #include "hooks/protocol/messages.h"
 #include "simulator/campaign/flight_judge.h"
 #include "tests/slocum.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "hooks/transport/memory.h"
-#include "platforms/load/platform.h"
+#include "platforms/load/load_platform.h"
 #include "simulator/flight/science_switches.h"
 #include "simulator/science/science_computer.h"
 #include "slocum/mission_files/read.h"

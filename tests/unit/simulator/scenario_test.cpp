@@ -3,6 +3,7 @@
 
 #include "simulator/scenario/scenario.h"
 
+#include "platforms/load/load_platform.h"
 #include "simulator/flight/argument_values.h"
 #include "simulator/flight/mission_variables.h"
 #include "simulator/flight/skeleton.h"

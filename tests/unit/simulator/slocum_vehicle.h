@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "platforms/load/platform.h"
+#include "platforms/load/load_platform.h"
 #include "simulator/vehicle/vehicle.h"
 
 namespace glider::simulator {

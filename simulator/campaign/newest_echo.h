@@ -16,7 +16,9 @@ class NewestEcho {
   /// Takes in one cycle.
   void cycle(const CycleView& view) {
     now_s_ = view.time_s;
-    echo_s_ = view.array.fresh(Sensor::m_altitude) ? view.time_s : echo_s_;
+    const bool is_echo =
+        view.array.fresh(Sensor::m_altitude) && view.array.get(Sensor::m_altitude) >= 0;  // not NaN
+    echo_s_ = is_echo ? view.time_s : echo_s_;
     touched_ = touched_ || (view.clearance_m < limits::kTouchM && view.true_depth_m > kUnderM);
   }
   /// s; infinite before the first.

@@ -91,6 +91,18 @@ TEST_F(JudgedCommand, ItsClimbCountsFromWhereAnEchoShowsTheBottomAgain) {
   EXPECT_EQ(climb(8, 0, 0), "the guard does not release control");
 }
 
+/// An altimeter that reports NaN in every cycle reports no echo.
+TEST_F(JudgedCommand, AnAltitudeThatIsNotANumberIsNoEcho) {
+  NewestEcho newest;
+  for (const double altitude : {12.0, std::nan(""), -1.0}) {
+    now_ += 60;
+    array_.beginCycle();
+    array_.set(GLIDER_M_ALTITUDE, altitude);
+    newest.cycle({now_, hooks::HookState::Active, 10, false, false, array_, now_});
+    EXPECT_EQ(newest.age(), now_ - 60);
+  }
+}
+
 TEST_F(JudgedCommand, AfterAGuardItGoesBackToItsDepthUnlessAnotherBehaviourSteers) {
   for (const bool steered : {true, false}) {
     judge_.restart();

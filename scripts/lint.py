@@ -3,9 +3,12 @@
 """What the check_* scripts share: the project's files, and how findings are reported."""
 
 import pathlib
+import re
 import subprocess
 import sys
 
+# The opening mark of an #include, < or ", and the path.
+INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]', re.MULTILINE)
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 

@@ -6,8 +6,6 @@
 #include "simulator/sensors/noise.h"
 #include "support/diagnostics/catalogue.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>

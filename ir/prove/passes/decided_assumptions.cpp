@@ -45,7 +45,7 @@ class Projection {
   ExprId canBe(ExprId condition, bool wanted) {
     const Expr e = m_[condition];
     if (readsSeaOnly(condition)) {
-      return isNever(condition, wanted) ? false_ : true_;
+      return mayBeEither(e) || !isNever(condition, wanted) ? true_ : false_;
     }
     if (e.op == Op::Not) {
       return canBe(e.operands[0], !wanted);
@@ -78,6 +78,20 @@ class Projection {
       decided = decided || isDecided(decider);
     });
     return reads && !decided;
+  }
+
+  /// Whether it compares one reading with a limit within its range: that needs no solver.
+  [[nodiscard]] bool mayBeEither(const Expr& e) const {
+    if (groupOf(e.op) != OpGroup::Comparison) {
+      return false;
+    }
+    const auto at = [&](size_t operand) -> const Expr& { return m_[e.operands[operand]]; };
+    const size_t reading = at(0).op == Op::Sensor ? 0 : 1, limit = 1 - reading;
+    if (at(reading).op != Op::Sensor || at(limit).op != Op::Constant) {
+      return false;
+    }
+    const Interval& range = proof_context_.sensors[at(reading).sensor.index];
+    return range.lowest < at(limit).number && at(limit).number < range.highest;
   }
 
   /// Whether no readings make the condition true, or false: proved, so not if there is no answer.

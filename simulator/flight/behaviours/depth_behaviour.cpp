@@ -3,8 +3,6 @@
 
 #include "simulator/flight/behaviours/depth_behaviour.h"
 
-#include <fmt/format.h>
-
 namespace glider::simulator {
 
 DepthBehaviour::DepthBehaviour(const BehaviourSource& source)

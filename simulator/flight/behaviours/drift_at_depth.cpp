@@ -3,8 +3,6 @@
 
 #include "simulator/flight/behaviours/drift_at_depth.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

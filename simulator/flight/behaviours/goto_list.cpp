@@ -3,8 +3,6 @@
 
 #include "simulator/flight/behaviours/goto_list.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 

@@ -3,8 +3,6 @@
 
 #include "simulator/flight/behaviours/yo.h"
 
-#include <fmt/format.h>
-
 namespace glider::simulator {
 
 Yo::Yo(const BehaviourSource& source)

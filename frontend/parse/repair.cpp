@@ -159,14 +159,31 @@ class StructureRepair {
     if (previous() == GliderLexer::END && isNameOfEnd(t)) {
       return leaveOut(t, "after `end`");
     }
-    if (keyword && t.type == previous() && !out_.empty() && out_.back().end > out_.back().begin &&
-        isNeverTwice(t.type) && (!wantsName(t.type) || isAnyName(next))) {
+    if (keyword && t.type == previous() && isRightAfterPrevious(t) && isNeverTwice(t.type) &&
+        (!wantsName(t.type) || isAnyName(next))) {
       return leaveOut(t, "twice");
     }
     if (keyword && previous() == GliderLexer::COMMA && !values_.inParentheses()) {
       dropComma(t);
     }
     return false;
+  }
+
+  /// Whether only blanks stand between `t` and the word before it. The first of two on two lines
+  /// is alone on its line, or it may be prose, such as a comment without its `#`.
+  [[nodiscard]] bool isRightAfterPrevious(const Lexeme& t) const {
+    constexpr std::string_view kBlanks = " \t\r\n";
+    if (out_.empty() || out_.back().end <= out_.back().begin) {
+      return false;
+    }
+    const Lexeme& first = out_.back();
+    const std::string_view text = source_.text();
+    const std::string_view between = text.substr(first.end, t.begin - first.end);
+    const std::string_view before = text.substr(0, first.begin);
+    const size_t line = before.rfind('\n') + 1;  // of npos: 0
+    return between.find_first_not_of(kBlanks) == std::string_view::npos &&
+           (between.find('\n') == std::string_view::npos ||
+            before.find_first_not_of(kBlanks, line) == std::string_view::npos);
   }
 
   static bool takesNoSign(uint32_t before, uint32_t sign) {

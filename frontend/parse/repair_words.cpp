@@ -295,7 +295,11 @@ void WordRepair::brace(const std::vector<Lexeme>& lexemes, size_t at, std::vecto
     }
     return;
   }
-  const Braces meant = source.text(lexeme) == "{" ? bracesAfter(out) : Braces{"?", 0, "", 0};
+  Braces meant = source.text(lexeme) == "{" ? bracesAfter(out) : Braces{"?", 0, "", 0};
+  if (meant.open_type != 0 &&
+      lexemes[std::min(at + 1, lexemes.size() - 1)].type == meant.open_type) {
+    meant = {"", 0, "", 0};  // `{ begin`: the word is there too
+  }
   if (meant.open == "?") {
     reporter_.at(lexeme, DiagnosticId::braces, source.text(lexeme),
                  "blocks are written `begin … end` and `do … end`");

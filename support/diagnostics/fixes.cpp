@@ -24,14 +24,42 @@ bool fits(const std::vector<FixIt>& chosen, const FixIt& fix, std::string_view t
          std::ranges::none_of(chosen, [&fix](const FixIt& other) { return touch(fix, other); });
 }
 
+bool isWordByte(char c) {
+  return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// What `fix` writes into `text`, apart from the words beside it: a word for `{` in `{depth` does
+/// not become one with `depth`.
+std::string apart(const FixIt& fix, std::string_view text) {
+  std::string written = fix.replacement;
+  const std::string_view removed = text.substr(fix.range.begin, fix.range.end - fix.range.begin);
+  if (written.empty() || removed.empty()) {
+    return written;
+  }
+  if (isWordByte(written.back()) && !isWordByte(removed.back()) && fix.range.end < text.size() &&
+      isWordByte(text[fix.range.end])) {
+    written += ' ';
+  }
+  if (isWordByte(written.front()) && !isWordByte(removed.front()) && fix.range.begin > 0 &&
+      isWordByte(text[fix.range.begin - 1])) {
+    written.insert(0, 1, ' ');
+  }
+  return written;
+}
+
 /// The number of errors of each stage.
 using Errors = std::array<size_t, 3>;
 
+constexpr size_t kPerStage = 1000;  // GL1xxx is syntax
+
+bool isSyntax(const Diagnostic& d) {
+  return static_cast<size_t>(d.id) / kPerStage == 1;
+}
+
 Errors errorsOf(const std::vector<Diagnostic>& diagnostics) {
-  constexpr size_t kPerStage = 1000;
   Errors errors{};
   for (const Diagnostic& diagnostic : diagnostics) {
-    const size_t stage = static_cast<size_t>(diagnostic.id) / kPerStage;  // GL1xxx is syntax
+    const size_t stage = static_cast<size_t>(diagnostic.id) / kPerStage;
     errors[std::clamp<size_t>(stage, 1, errors.size()) - 1] +=
         diagnostic.severity == Severity::Error ? 1U : 0U;
   }
@@ -48,6 +76,9 @@ class Choice {
         errors_ = true;
         if (d.range.file == file) {
           places_.insert(d.range.begin);
+          if (isSyntax(d)) {
+            syntax_.insert(d.range.begin);
+          }
         }
       }
     }
@@ -66,7 +97,7 @@ class Choice {
     const bool structural =
         std::ranges::any_of(d.fixes, [this](const FixIt& fix) { return changesStructure(fix); });
     const uint32_t first = beginOf(d, structural ? constructs_.items : constructs_.parts);
-    return !errorIn(first, d.range.begin) && !errorInHeader(d);
+    return !errorIn(first, d.range.begin) && !errorInHeader(d) && !isHalfRead(d);
   }
 
  private:
@@ -97,6 +128,18 @@ class Choice {
     return errorIn(item, std::min(end, d.range.begin));
   }
 
+  /// Whether a name or value is doubtful because something else in its part could not be read.
+  [[nodiscard]] bool isHalfRead(const Diagnostic& d) const {
+    if (isSyntax(d)) {
+      return false;
+    }
+    const uint32_t part = beginAt(d.range.begin, constructs_.parts);
+    const auto next = std::ranges::upper_bound(constructs_.parts, d.range.begin);
+    const uint32_t end = next == constructs_.parts.end() ? UINT32_MAX : *next;
+    const auto syntax = syntax_.lower_bound(part);
+    return syntax != syntax_.end() && *syntax < end;
+  }
+
   [[nodiscard]] bool changesStructure(const FixIt& fix) const {
     const auto word = std::ranges::lower_bound(constructs_.words, fix.range.begin + 1, {},
                                                &Constructs::Word::end);
@@ -113,6 +156,7 @@ class Choice {
   const Constructs& constructs_;
   bool errors_ = false;
   std::set<uint32_t> places_;  ///< of errors in the file
+  std::set<uint32_t> syntax_;  ///< of those that are syntax
 };
 
 /// One text after another, each with fewer errors.
@@ -211,7 +255,7 @@ FixedText applyFixes(std::string_view text, uint32_t file,
   }
   std::ranges::sort(chosen, {}, [](const FixIt& fix) { return fix.range.begin; });
   for (auto fix = chosen.rbegin(); fix != chosen.rend(); ++fix) {
-    result.text.replace(fix->range.begin, fix->range.end - fix->range.begin, fix->replacement);
+    result.text.replace(fix->range.begin, fix->range.end - fix->range.begin, apart(*fix, text));
   }
   return result;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "frontend/bare_positions.h"
+#include "frontend/parse/lexeme.h"
 #include "frontend/sema/expressions/literals.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/spelling.h"
@@ -28,14 +29,6 @@ double inSi(double value, double to_si) {
 
 constexpr ir::Type kLatitude{ir::TypeKind::Latitude, {}};
 constexpr ir::Type kLongitude{ir::TypeKind::Longitude, {}};
-
-/// Whether a word for a unit comes after a number that has none: repair has dropped it.
-bool unitFollows(const support::SourceRange& range, const Scope& scope) {
-  constexpr uint32_t kLongest = 16;
-  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
-  const std::string word = scope.text({range.file, range.end, range.end + kLongest});
-  return !unitForWord(word.substr(0, word.find_first_not_of(kLetters))).empty();
-}
 
 bool isLetter(const std::string& unit) {
   return unit == "N" || unit == "S" || unit == "E" || unit == "W";
@@ -120,8 +113,12 @@ ExprLowering::Result ExprLowering::bareLiteral(const ast::Literal& node,
   constexpr double kFullTurn = 6.283185307179586;
   if (type.dimension == support::dimension::angle && si > kFullTurn) {
     const std::string text = (negative ? "-" : "") + node.digits;
-    if (!unitFollows(range, scope_)) {  // `26 degrees`: the unit has already been reported
-      scope_.report(DiagnosticId::bareAngle, range, text).fix(range, text + " deg");
+    const std::string word = scope_.wordAfter(range);  // perhaps a unit that repair has dropped
+    if (unitForWord(word).empty()) {                   // `26 degrees` has already been reported
+      auto report = scope_.report(DiagnosticId::bareAngle, range, text);
+      if (word.empty() || keywordType(word) != 0) {
+        report.fix(range, text + " deg");
+      }
     }
   }
   return emitNumber(negative ? -si : si, type, range);
@@ -143,9 +140,12 @@ ExprLowering::Result ExprLowering::barePosition(const ast::Literal& node,
   if (parts->minutes >= 60) {
     auto report =
         scope_.report(DiagnosticId::minutesOver60, range, text, parts->degrees, parts->minutes);
-    if (decimal) {
+    if (decimal && negative) {
       report.hint(fmt::format("write decimal degrees with a letter: `{}`", better))
           .fix(range, better);
+    } else if (decimal) {  // no fix: only the pilot knows on which side a letter was lost
+      report.hint(fmt::format("write decimal degrees with a letter: `{}` or `{} {}`", better,
+                              node.digits, latitude ? 'S' : 'W'));
     }
     return std::nullopt;
   }

@@ -39,6 +39,14 @@ std::string Scope::wholeText(const support::SourceRange& range) const {
   return support::onOneLine(inputs_.sources.text(range));
 }
 
+std::string Scope::wordAfter(const support::SourceRange& range) const {
+  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
+  std::string_view rest = inputs_.sources.text(range.file);
+  rest.remove_prefix(std::min<size_t>(range.end, rest.size()));
+  rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+  return std::string(rest.substr(0, rest.find_first_not_of(kLetters)));
+}
+
 std::string Scope::text(const support::SourceRange& range) const {
   constexpr size_t kLongest = 60;
   const std::string whole = wholeText(range);

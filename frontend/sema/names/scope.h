@@ -103,6 +103,8 @@ class Scope {
   }
   /// The source text of `range` on one line, without comments.
   [[nodiscard]] std::string wholeText(const support::SourceRange& range) const;
+  /// The word of letters and `_` after `range` on its line; empty if there is none.
+  [[nodiscard]] std::string wordAfter(const support::SourceRange& range) const;
   /// The same, shortened.
   [[nodiscard]] std::string text(const support::SourceRange& range) const;
   [[nodiscard]] const platforms::Platform& platform() const { return inputs_.platform; }

@@ -3,6 +3,9 @@
 
 // Suggested fixes, applied, give a mission without that error.
 
+#include "support/diagnostics/fixes.h"
+
+#include "frontend/constructs.h"
 #include "support/diagnostics/catalogue.h"
 #include "tests/unit/frontend/compile.h"
 
@@ -31,6 +34,18 @@ std::string fixed(FrontendRun& run) {
     text.replace(fix.range.begin, fix.range.end - fix.range.begin, fix.replacement);
   }
   return text;
+}
+
+/// What `glidercc fix` leaves of `text`.
+std::string automatic(const std::string& text) {
+  const support::FixReader reader{
+      [](const std::string& candidate) -> support::Result<std::vector<support::Diagnostic>> {
+        FrontendRun run(candidate);
+        (void)run.compile();
+        return run.diagnostics.sorted();
+      },
+      [](const std::string& candidate) { return constructsOf(candidate); }};
+  return support::fixAll(text, 0, reader)->text;
 }
 
 class Fixes : public testing::TestWithParam<std::string> {};
@@ -184,6 +199,48 @@ TEST(Fixes, AChainOfComparisonsStaysOneCondition) {
   broken.compile();
   EXPECT_NE(fixed(broken).find("!((5 m < depth && depth < 10 m))"), std::string::npos)
       << fixed(broken);
+}
+
+/// `{` before a `begin` says nothing more, and before a word it stays apart from it.
+TEST(Fixes, ABraceBesideAWord) {
+  const std::string right = mission("depth > 5 m");
+  std::string twice = right;
+  twice.insert(twice.find("begin"), "{");
+  EXPECT_EQ(automatic(twice), right);
+  std::string beside = right;
+  beside.replace(beside.find("begin\n  "), 8, "{");
+  beside.replace(beside.rfind("end"), 3, "}");
+  std::string apart = right;
+  apart.replace(apart.find("begin\n  "), 8, "begin ");
+  EXPECT_EQ(automatic(beside), apart);
+}
+
+/// The first of two may be prose, such as a comment that has lost its `#`.
+TEST(Fixes, AWordOfTheLineBeforeIsNotTheSameWordTwice) {
+  const std::string prose = "neither of them keeps the mission.\n" + mission("depth > 5 m");
+  EXPECT_NE(automatic(prose).find("\nmission test"), std::string::npos) << automatic(prose);
+  const std::string bare = "and so ends the mission\n" + mission("depth > 5 m");
+  EXPECT_NE(automatic(bare).find("\nmission test"), std::string::npos) << automatic(bare);
+  std::string once = mission("depth > 5 m");
+  once.insert(once.find(" test"), " ");
+  EXPECT_EQ(automatic("mission " + mission("depth > 5 m")), once);
+}
+
+/// A word after a number is its unit, wrong as it is: no second one is written before it.
+TEST(Fixes, AWrongUnitIsNotAMissingOne) {
+  for (const std::string word : {"dewg", "dec", "dge"}) {
+    const std::string text =
+        "mission test\ndeclination -12 " + word + "\n" + mission("depth > 5 m").substr(13);
+    EXPECT_EQ(automatic(text).find("deg " + word), std::string::npos) << automatic(text);
+  }
+}
+
+/// Which ocean was meant cannot be seen from a number that has lost its letter.
+TEST(Fixes, TheSideOfAPositionIsNotGuessed) {
+  const std::string lost = mission("depth > 5 m", "flightroute nav(39 N, 73 )");
+  EXPECT_EQ(automatic(lost), lost);
+  const std::string sign = mission("depth > 5 m", "flightroute nav(3910.5, -73.8)");
+  EXPECT_NE(automatic(sign).find("73.8 W"), std::string::npos) << automatic(sign);
 }
 
 }  // namespace

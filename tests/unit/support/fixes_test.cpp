@@ -148,6 +148,23 @@ TEST(Fixes, OfAnErrorAfterAnotherAreNotApplied) {
   EXPECT_EQ(applyFixes(text, 0, {warning}, constructs).text, "012345678x");
 }
 
+/// A unit is not fixed beside something in the same part that could not be read.
+TEST(Fixes, WhatIsHalfReadIsNotFixed) {
+  const std::string text = "0123456789";
+  Diagnostic unit = withFixes({{{0, 1, 2}, "x"}});
+  unit.id = DiagnosticId::bareAngle;
+  unit.severity = Severity::Error;
+  unit.range = {0, 1, 2};
+  Diagnostic syntax = withFixes({});
+  syntax.severity = Severity::Error;
+  syntax.id = DiagnosticId::unknownUnit;
+  syntax.range = {0, 3, 4};
+  const Constructs apart{{0}, {0, 3}, {}};
+  const Constructs together{{0}, {0, 5}, {}};
+  EXPECT_EQ(applyFixes(text, 0, {unit, syntax}, apart).text, "0x23456789");
+  EXPECT_EQ(applyFixes(text, 0, {unit, syntax}, together).text, text);
+}
+
 TEST(Fixes, AnErrorThatWasHiddenIsNotWorse) {
   const auto hidden = [](const std::string& text) -> Result<std::vector<Diagnostic>> {
     std::vector<Diagnostic> found = {

@@ -174,7 +174,9 @@ void ValueRepair::missingComma(const Lexeme& t, const Lexeme& next) {
   auto report =
       reporter_.at(t, DiagnosticId::missingComma, fmt::format("`{}`", source_.text(before)),
                    fmt::format("`{}`", source_.text(t)));
-  if (listsValues()) {
+  const bool foreign = std::ranges::any_of(
+      source_.text(t), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
+  if (listsValues() && !foreign) {  // perhaps a keyword with a letter of another alphabet
     report.fix({source_.file, before.end, before.end}, ",");
   }
   endOfItem();

@@ -235,6 +235,21 @@ TEST(Fixes, AWrongUnitIsNotAMissingOne) {
   }
 }
 
+/// `goto end-it` is the name of a state, wrong as it is.
+TEST(Fixes, ANameThatBeginsWithAKeywordIsNotAStrayEnd) {
+  std::string text =
+      "mission test\nalways\n  case depth > 9 m goto end-it\n" + mission("depth > 5 m").substr(13);
+  EXPECT_NE(automatic(text).find("goto end-it"), std::string::npos) << automatic(text);
+  text.replace(text.find("goto end-it"), 11, "exit\nend");
+  EXPECT_NE(automatic(text).find("exit\n\nstate"), std::string::npos) << automatic(text);
+}
+
+/// The next line begins with a keyword that has a letter of another alphabet.
+TEST(Fixes, AWordWithAForeignLetterIsNoItemOfAList) {
+  const std::string text = mission("depth > 5 m", "sensors depth, temp\n  v\xd0\xb0r top = 3");
+  EXPECT_NE(automatic(text).find("temp\n  v\xd0\xb0r"), std::string::npos) << automatic(text);
+}
+
 /// Which ocean was meant cannot be seen from a number that has lost its letter.
 TEST(Fixes, TheSideOfAPositionIsNotGuessed) {
   const std::string lost = mission("depth > 5 m", "flightroute nav(39 N, 73 )");

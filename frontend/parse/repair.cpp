@@ -170,20 +170,22 @@ class StructureRepair {
   }
 
   /// Whether only blanks stand between `t` and the word before it. The first of two on two lines
-  /// is alone on its line, or it may be prose, such as a comment without its `#`.
+  /// begins its line, or follows `events`; otherwise it may be prose, such as a comment without
+  /// its `#`.
   [[nodiscard]] bool isRightAfterPrevious(const Lexeme& t) const {
-    constexpr std::string_view kBlanks = " \t\r\n";
     if (out_.empty() || out_.back().end <= out_.back().begin) {
       return false;
     }
     const Lexeme& first = out_.back();
-    const std::string_view text = source_.text();
-    const std::string_view between = text.substr(first.end, t.begin - first.end);
-    const std::string_view before = text.substr(0, first.begin);
-    const size_t line = before.rfind('\n') + 1;  // of npos: 0
-    return between.find_first_not_of(kBlanks) == std::string_view::npos &&
-           (between.find('\n') == std::string_view::npos ||
-            before.find_first_not_of(kBlanks, line) == std::string_view::npos);
+    const auto blank = [&](uint32_t from, uint32_t to, std::string_view also) {
+      return source_.text().substr(from, to - from).find_first_not_of(also) ==
+             std::string_view::npos;
+    };
+    const size_t line = source_.text().substr(0, first.begin).rfind('\n') + 1;  // of npos: 0
+    const bool follows = out_.size() > 1 && out_[out_.size() - 2].type == GliderLexer::EVENTS;
+    const auto begin = static_cast<uint32_t>(line);
+    return blank(first.end, t.begin, " \t\r\n") &&
+           (blank(first.end, t.begin, " \t") || follows || blank(begin, first.begin, " \t"));
   }
 
   static bool takesNoSign(uint32_t before, uint32_t sign) {

@@ -226,6 +226,15 @@ TEST(Fixes, AWordOfTheLineBeforeIsNotTheSameWordTwice) {
   EXPECT_EQ(automatic("mission " + mission("depth > 5 m")), once);
 }
 
+/// `events` is written before the first `case`, which stays on its line.
+TEST(Fixes, CaseInPlaceOfEvents) {
+  std::string text = mission("depth > 5 m");
+  text.replace(text.find("events"), 6, "case");
+  const std::string after = automatic(text);
+  FrontendRun mended(after);
+  EXPECT_TRUE(mended.compile().has_value()) << after << mended.said();
+}
+
 /// A word after a number is its unit, wrong as it is: no second one is written before it.
 TEST(Fixes, AWrongUnitIsNotAMissingOne) {
   for (const std::string word : {"dewg", "dec", "dge"}) {

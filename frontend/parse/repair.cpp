@@ -169,7 +169,7 @@ class StructureRepair {
     return false;
   }
 
-  /// Whether only blanks stand between `t` and the word before it. The first of two on two lines
+  /// Whether only white space stands between `t` and the word before it. The first of two on two lines
   /// begins its line, or follows `events`; otherwise it may be prose, such as a comment without
   /// its `#`.
   [[nodiscard]] bool isRightAfterPrevious(const Lexeme& t) const {

@@ -46,21 +46,4 @@ bool setParameters(const Options& options, Launch& launch) {
   return true;
 }
 
-void tellParameters(const GliderMission& mission) {
-  for (uint32_t i = 0; i < mission.parameter_count; ++i) {
-    const GliderParameterInfo& parameter = mission.parameters[i];
-    char line[120];
-    Text text(line, sizeof line - 1);
-    text.put(i == 0 ? "parameters:\n  " : "  ").put(parameter.name).put(" = ");
-    writeQuantity(parameter, parameter.initial, text);
-    const uint32_t before = text.size();
-    text.put(", ");
-    const uint32_t after = text.size();
-    writeRange(parameter, text);
-    text.cut(text.size() == after ? before : text.size());
-    line[text.size()] = '\0';
-    tell(line);
-  }
-}
-
 }  // namespace glider::runtime

@@ -3,73 +3,11 @@
 
 #include "runtime/launch/launch.h"
 
-#include "runtime/numbers/numbers.h"
+#include "runtime/launch/quote.h"
 
 #include <string.h>
 
 namespace glider::runtime {
-namespace {
-
-/// The longest part of a pilot's text that a message quotes.
-constexpr uint32_t kMostQuoted = 60;
-
-Text& quote(Text& text, const Piece& piece) {
-  text.put('`');
-  return text.put(piece.begin, piece.size() < kMostQuoted ? piece.size() : kMostQuoted).put('`');
-}
-
-Piece whole(const char* text) {
-  return {text, text + strlen(text)};
-}
-
-/// "m, cm, km"; a plain number's own unit has no name.
-void listUnits(const char* list, Text& text) {
-  Units units(list);
-  for (bool first = true; units.next();) {
-    if (!units.name().empty()) {
-      text.put(first ? "" : ", ").put(units.name().begin, units.name().size());
-      first = false;
-    }
-  }
-}
-
-bool isLimited(const GliderParameterInfo& parameter) {
-  return isFinite(parameter.lowest) || isFinite(parameter.highest);
-}
-
-}  // namespace
-
-void writeQuantity(const GliderParameterInfo& parameter, double value, Text& text) {
-  if (isTruth(parameter.units)) {
-    text.put(value != 0.0 ? "true" : "false");
-    return;
-  }
-  Units units(parameter.units);
-  const bool has_unit = units.next();
-  if (isOnEarth(parameter.units) && value < 0.0) {
-    units.next();  // S or W, and no minus
-  }
-  text.put(has_unit ? value / units.factor() : value);
-  if (has_unit && !units.name().empty()) {
-    text.put(' ').put(units.name().begin, units.name().size());
-  }
-}
-
-void writeRange(const GliderParameterInfo& parameter, Text& text) {
-  if (!isLimited(parameter) || isTruth(parameter.units)) {
-    return;
-  }
-  const bool from = isFinite(parameter.lowest);
-  const bool to = isFinite(parameter.highest);
-  if (from) {
-    text.put(to ? "" : "at least ");
-    writeQuantity(parameter, parameter.lowest, text);
-  }
-  if (to) {
-    text.put(from ? " to " : "at most ");
-    writeQuantity(parameter, parameter.highest, text);
-  }
-}
 
 Launch::Launch(const GliderMission& mission) : mission_(mission) {
   for (uint32_t i = 0; i < mission.parameter_count && i < kMostParameters; ++i) {
@@ -91,17 +29,6 @@ bool Launch::set(const Piece& setting) {
     }
   }
   return refuseUnknown(name);
-}
-
-bool Launch::assign(uint32_t parameter, const Piece& given) {
-  const GliderParameterInfo& info = mission_.parameters[parameter];
-  double value = 0;
-  const Reading reading = readQuantity(given, info.units, value);
-  if (reading != Reading::Good || !(value >= info.lowest && value <= info.highest)) {
-    return refuseValue(info, given, reading);
-  }
-  values_[parameter] = value;
-  return true;
 }
 
 bool Launch::setAll(const char* file_name, const Piece& content) {
@@ -145,31 +72,6 @@ bool Launch::refuseUnknown(const Piece& name) {
   text.put(mission_.parameter_count == 0 ? "; it has none" : "; it has ");
   for (uint32_t i = 0; i < mission_.parameter_count; ++i) {
     text.put(i == 0 ? "" : ", ").put(mission_.parameters[i].name);
-  }
-  return refuse(text);
-}
-
-bool Launch::refuseValue(const GliderParameterInfo& parameter, const Piece& given,
-                         Reading reading) {
-  Text text(problem_, kProblemBytes);
-  quote(text, whole(parameter.name)).put(" cannot be ");
-  quote(text, given);
-  switch (reading) {
-    case Reading::Good:
-      text.put(": outside its range, ");
-      writeRange(parameter, text);
-      break;
-    case Reading::TooManyDigits:
-      text.put(": more than 15 digits, or too large or small");
-      break;
-    case Reading::NoSuchUnit:
-      text.put(": write a value with a unit: ");
-      listUnits(parameter.units, text);
-      text.put(isOnEarth(parameter.units) ? ", or ddmm.mmmm" : "");
-      break;
-    case Reading::NotANumber:
-      text.put(isTruth(parameter.units) ? ": write `true` or `false`" : ": it is not a number");
-      break;
   }
   return refuse(text);
 }

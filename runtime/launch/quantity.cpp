@@ -11,10 +11,6 @@
 namespace glider::runtime {
 namespace {
 
-bool isBlank(char c) {
-  return c == ' ' || c == '\t' || c == '\r';
-}
-
 bool isDigit(char c) {
   return c >= '0' && c <= '9';
 }
@@ -147,21 +143,6 @@ bool factorOf(const Piece& unit, const char* units, double& factor) {
 }
 
 }  // namespace
-
-Piece Piece::trimmed() const {
-  Piece piece = *this;
-  while (!piece.empty() && isBlank(*piece.begin)) {
-    ++piece.begin;
-  }
-  while (!piece.empty() && isBlank(piece.end[-1])) {
-    --piece.end;
-  }
-  return piece;
-}
-
-bool Piece::is(const char* text) const {
-  return strlen(text) == size() && memcmp(begin, text, size()) == 0;
-}
 
 bool Units::next() {
   constexpr uint32_t kDigits = 16;

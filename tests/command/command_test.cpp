@@ -14,6 +14,7 @@ namespace glider::tests {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 const std::string kFirstMission = GLIDER_SOURCE_DIR "/missions/figure2.mission";
 const std::string kFigure5 = GLIDER_SOURCE_DIR "/missions/figure5.mission";
@@ -451,6 +452,7 @@ TEST(Command, APortThatIsNotThereIsNamed) {
 }
 
 const std::string kParameters = GLIDER_SOURCE_DIR "/tests/command/parameters.ir";
+const std::string kMissionOfThePaper = GLIDER_SOURCE_DIR "/missions/figure2.mission";
 
 TEST(Command, ParamsListsThemAndWhatDiffers) {
   const Outcome plain = runShell("$GLIDERCC params " + kParameters);
@@ -490,6 +492,32 @@ TEST(Command, ABoardsProgramTakesParametersAndSaysWhatItAllows) {
       runShell("printf '# for today\\ntop = 21 m\\n' > f; " + build + "--parameters f");
   EXPECT_EQ(file.status, 2);
   EXPECT_THAT(file.err, HasSubstr("error: f:2: `top` cannot be `21 m`"));
+}
+
+/// Its program has no reader of values: any setting is refused before that.
+TEST(Command, ABoardsProgramWithoutParametersRefusesAll) {
+  const std::string build =
+      "$GLIDERCC build " + kMissionOfThePaper + " --target host -o q > /dev/null && ./q ";
+  const Outcome help = runShell(build + "--help");
+  EXPECT_EQ(help.status, 0);
+  EXPECT_THAT(help.err, Not(HasSubstr("parameters:")));
+  const Outcome set = runShell(build + "--set bottom=40m --port /dev/null");
+  EXPECT_EQ(set.status, 2);
+  EXPECT_THAT(set.err, HasSubstr("error: the mission has no parameter `bottom`; it has none"));
+  const Outcome file =
+      runShell("printf '# none today\n top = 21 m\n' > f; " + build + "--parameters f");
+  EXPECT_EQ(file.status, 2);
+  EXPECT_THAT(file.err, HasSubstr("error: f:2: the mission has no parameter `top`"));
+}
+
+/// The mission of the paper, for which the boards of then had room.
+TEST(Command, Figure2FitsSixtyFourKibibytesOnEveryBoard) {
+  for (const char* board : {"ts7800", "ts5500"}) {
+    const Outcome built = runShell("$GLIDERCC build " + kMissionOfThePaper + " --target " + board +
+                                   " -o small > /dev/null && wc -c < small");
+    EXPECT_EQ(built.status, 0) << built.err;
+    EXPECT_LE(std::stol(built.out), 65536) << board;
+  }
 }
 
 TEST(Command, ParametersReachTheFlightAndItsRecords) {

@@ -76,11 +76,18 @@ Result<Unit> lower(const Recipe& recipe, const MissionPart& part) {
   return unit;
 }
 
+/// The half of the runtime that only missions with parameters need, or what takes its place.
+std::string parametersOf(const Recipe& recipe) {
+  return indexMission(recipe.input.mission).parameter_count == 0 ? "no_parameters" : "parameters";
+}
+
 Result<void> bringTogether(llvm::Module& module, const Recipe& recipe,
                            const std::vector<std::string>& visible) {
   const std::filesystem::path& folder = recipe.board.folder;
   if (recipe.options.optimisation_level >= kWholeProgramLevel) {
-    return joinRuntime(module, {folder / "system.bc", folder / "tick.bc"}, visible);
+    return joinRuntime(
+        module, {folder / "system.bc", folder / "tick.bc", folder / (parametersOf(recipe) + ".bc")},
+        visible);
   }
   return recipe.options.optimisation_level >= kImportLevel
              ? importRuntime(module, folder / "inline.bc")
@@ -133,6 +140,7 @@ Result<Program> compileProgram(const Input& input, const Board& board,
   }
   if (!whole) {
     program.further_inputs.push_back(board.folder / "runtime.o");
+    program.further_inputs.push_back(board.folder / (parametersOf(recipe) + ".o"));
   }
   return program;
 }

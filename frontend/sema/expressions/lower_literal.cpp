@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "frontend/bare_positions.h"
-#include "frontend/parse/lexeme.h"
 #include "frontend/sema/expressions/literals.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/spelling.h"
@@ -113,12 +112,8 @@ ExprLowering::Result ExprLowering::bareLiteral(const ast::Literal& node,
   constexpr double kFullTurn = 6.283185307179586;
   if (type.dimension == support::dimension::angle && si > kFullTurn) {
     const std::string text = (negative ? "-" : "") + node.digits;
-    const std::string word = scope_.wordAfter(range);  // perhaps a unit that repair has dropped
-    if (unitForWord(word).empty()) {                   // `26 degrees` has already been reported
-      auto report = scope_.report(DiagnosticId::bareAngle, range, text);
-      if (word.empty() || keywordType(word) != 0) {
-        report.fix(range, text + " deg");
-      }
+    if (unitForWord(scope_.wordAfter(range)).empty()) {  // `26 degrees` has already been reported
+      scope_.report(DiagnosticId::bareAngle, range, text).fix(range, text + " deg");
     }
   }
   return emitNumber(negative ? -si : si, type, range);

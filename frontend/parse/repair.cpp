@@ -169,9 +169,9 @@ class StructureRepair {
     return false;
   }
 
-  /// Whether only white space stands between `t` and the word before it. The first of two on two lines
-  /// begins its line, or follows `events`; otherwise it may be prose, such as a comment without
-  /// its `#`.
+  /// Whether only white space stands between `t` and the word before it. The first of two on two
+  /// lines begins its line, or follows `events`; otherwise it may be prose, such as a comment
+  /// without its `#`.
   [[nodiscard]] bool isRightAfterPrevious(const Lexeme& t) const {
     if (out_.empty() || out_.back().end <= out_.back().begin) {
       return false;

@@ -3,6 +3,7 @@
 
 #include "analysis/parameter_rows.h"
 
+#include "flights/parameter_table.h"
 #include "runtime/launch/launch.h"
 
 #include <array>
@@ -45,18 +46,14 @@ ParameterRow rowOf(const ir::Variable& variable, const GliderParameterInfo& info
 
 support::Result<std::vector<ParameterRow>> parameterRows(const compiler::Optimised& mission,
                                                          const flights::LaunchChoice& choice) {
-  const auto loaded = flights::loadForParameters(mission);
-  if (!loaded) {
-    return std::unexpected(loaded.error());
-  }
-  const GliderMission& info = loaded->mission();
-  const auto values = flights::chooseParameters(info, choice);
+  const flights::ParameterTable table(mission.mission);
+  const auto values = flights::chooseParameters(mission.mission, choice);
   if (!values) {
     return std::unexpected(values.error());
   }
   std::vector<ParameterRow> rows;
   for (size_t i = 0; i < values->size(); ++i) {
-    rows.push_back(rowOf(mission.mission.variables[i], info.parameters[i], values->at(i)));
+    rows.push_back(rowOf(mission.mission.variables[i], table[i], values->at(i)));
   }
   return rows;
 }

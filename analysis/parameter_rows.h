@@ -21,8 +21,7 @@ struct ParameterRow {
   std::string set_to;   ///< empty: the default
 };
 
-/// The parameters of a mission, with the pilot's settings. GL9052 for what the mission does not
-/// allow; as flights::loadForParameters.
+/// The parameters of a mission, with the pilot's settings. Fails as flights::chooseParameters.
 support::Result<std::vector<ParameterRow>> parameterRows(const compiler::Optimised& mission,
                                                          const flights::LaunchChoice& choice);
 

@@ -59,7 +59,7 @@ support::Result<void> reportTrialFlight(const compiler::Optimised& mission,
   if (!loaded) {
     return std::unexpected(loaded.error());
   }
-  const auto parameters = flights::chooseParameters(loaded->mission(), {});
+  const auto parameters = flights::chooseParameters(mission.mission, {});
   if (!parameters) {
     return std::unexpected(parameters.error());
   }

@@ -23,9 +23,6 @@ class UserCode {
   /// cannot be compiled.
   static support::Result<UserCode> load(const std::vector<std::filesystem::path>& files,
                                         const ir::Mission& mission, const platforms::Board& board);
-  /// Replaces a mission's C code where the mission is not flown: every function returns unknown.
-  static support::Result<UserCode> standIn(const ir::Mission& mission,
-                                           const platforms::Board& board);
 
   /// Adds what it holds to `options`; it must outlive the link. A whole-program optimiser does not
   /// see its calls of the runtime, so level 3 is not possible with it.

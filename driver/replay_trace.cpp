@@ -57,7 +57,7 @@ support::Result<Loaded> load(const compiler::Optimised& mission, const SimOption
   if (!loaded) {
     return std::unexpected(loaded.error());
   }
-  auto parameters = flights::chooseParameters(loaded->mission(), options.launch);
+  auto parameters = flights::chooseParameters(mission.mission, options.launch);
   if (!parameters) {
     return std::unexpected(parameters.error());
   }

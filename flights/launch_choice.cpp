@@ -6,7 +6,9 @@
 #include "codegen/codegen.h"
 #include "compiler/boards.h"
 #include "compiler/user_code.h"
+#include "flights/parameter_table.h"
 #include "frontend/bare_positions.h"
+#include "ir/eval/interpreter.h"
 #include "runtime/launch/launch.h"
 #include "support/diagnostics/catalogue.h"
 #include "support/files.h"
@@ -49,15 +51,15 @@ void addLines(const std::string& content, Given& given) {
 
 /// If a longitude and a latitude were given, without letters, where a latitude and a longitude are
 /// expected: why that is refused. Otherwise empty. The language has the same rule.
-std::string longitudeFirst(const GliderMission& mission, const double* values, const Given& given) {
+std::string longitudeFirst(const ParameterTable& table, const double* values, const Given& given) {
   constexpr std::string_view kNorth = ".latitude";
   const auto isBare = [&](const std::string& name) {
     const auto found = given.find(name);
     return found != given.end() && found->second.find_first_of("NSEW") == std::string::npos;
   };
-  for (uint32_t i = 0; i + 1 < mission.parameter_count; ++i) {
-    const std::string north = mission.parameters[i].name;
-    const std::string east = mission.parameters[i + 1].name;
+  for (uint32_t i = 0; i + 1 < table.mission().parameter_count; ++i) {
+    const std::string north = table[i].name;
+    const std::string east = table[i + 1].name;
     const std::string place = north.substr(0, north.rfind('.'));
     if (north == place + std::string(kNorth) && east == place + ".longitude" && isBare(north) &&
         isBare(east) && frontend::isLongitudeFirst(values[i], values[i + 1])) {
@@ -72,9 +74,10 @@ std::string longitudeFirst(const GliderMission& mission, const double* values, c
 
 }  // namespace
 
-support::Result<std::vector<double>> chooseParameters(const GliderMission& mission,
+support::Result<std::vector<double>> chooseParameters(const ir::Mission& mission,
                                                       const LaunchChoice& choice) {
-  runtime::Launch launch(mission);
+  const ParameterTable table(mission);
+  runtime::Launch launch(table.mission());
   auto piece = [](const std::string& text) {
     return runtime::Piece{text.data(), text.data() + text.size()};
   };
@@ -96,34 +99,18 @@ support::Result<std::vector<double>> chooseParameters(const GliderMission& missi
     }
     addSetting(setting, given);
   }
-  if (!launch.check()) {
-    return refused();
+  const std::vector<double> values(launch.values(),
+                                   launch.values() + table.mission().parameter_count);
+  if (const auto failed = ir::failedCondition(mission, values)) {
+    return support::fail(
+        DiagnosticId::badParameter,
+        fmt::format("the parameters do not satisfy `where` number {}", *failed + 1));
   }
-  if (const std::string why = longitudeFirst(mission, launch.values(), given); !why.empty()) {
+  if (const std::string why = longitudeFirst(table, values.data(), given); !why.empty()) {
     return support::fail(DiagnosticId::badParameter, why);
   }
-  return std::vector<double>(launch.values(), launch.values() + mission.parameter_count);
+  return values;
 }
-
-namespace {
-
-support::Result<codegen::LoadedMission> load(const compiler::Optimised& mission,
-                                             const platforms::Board& host,
-                                             const support::Result<codegen::UserCode>& user_code) {
-  if (!user_code) {
-    return std::unexpected(user_code.error());
-  }
-  codegen::CodegenOptions options;
-  options.debug = false;
-  user_code->addTo(options);
-  const auto object = codegen::linkShared(mission.input(), host, options);
-  if (!object) {
-    return std::unexpected(object.error());
-  }
-  return codegen::LoadedMission::load(*object);
-}
-
-}  // namespace
 
 support::Result<codegen::LoadedMission> loadHere(const compiler::Optimised& mission,
                                                  const std::vector<std::string>& user_code) {
@@ -131,15 +118,18 @@ support::Result<codegen::LoadedMission> loadHere(const compiler::Optimised& miss
   if (!host) {
     return std::unexpected(host.error());
   }
-  return load(mission, *host, compiler::loadUserCode(user_code, mission.mission, *host));
-}
-
-support::Result<codegen::LoadedMission> loadForParameters(const compiler::Optimised& mission) {
-  const auto host = compiler::loadTarget("host");
-  if (!host) {
-    return std::unexpected(host.error());
+  const auto code = compiler::loadUserCode(user_code, mission.mission, *host);
+  if (!code) {
+    return std::unexpected(code.error());
   }
-  return load(mission, *host, codegen::UserCode::standIn(mission.mission, *host));
+  codegen::CodegenOptions options;
+  options.debug = false;
+  code->addTo(options);
+  const auto object = codegen::linkShared(mission.input(), *host, options);
+  if (!object) {
+    return std::unexpected(object.error());
+  }
+  return codegen::LoadedMission::load(*object);
 }
 
 }  // namespace glider::flights

@@ -22,13 +22,11 @@ struct LaunchChoice {
 
 /// The value of each parameter, SI units or degrees: the defaults, then the file's, then those of
 /// --set. GL9052 for what the mission does not allow, and as support::readFile.
-support::Result<std::vector<double>> chooseParameters(const GliderMission& mission,
+support::Result<std::vector<double>> chooseParameters(const ir::Mission& mission,
                                                       const LaunchChoice& choice);
 
 /// The mission, compiled for this process and loaded, with the code that `user_code` has for it.
 support::Result<codegen::LoadedMission> loadHere(const compiler::Optimised& mission,
                                                  const std::vector<std::string>& user_code);
-/// The same, only to look at its parameters: it needs no user code and cannot fly.
-support::Result<codegen::LoadedMission> loadForParameters(const compiler::Optimised& mission);
 
 }  // namespace glider::flights

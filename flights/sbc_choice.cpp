@@ -27,7 +27,7 @@ Result<NewWatchedFlight> flightsInProcess(const compiler::Optimised& mission,
   if (!loaded) {
     return std::unexpected(loaded.error());
   }
-  auto parameters = chooseParameters(loaded->mission(), launch);
+  auto parameters = chooseParameters(mission.mission, launch);
   if (!parameters) {
     return std::unexpected(parameters.error());
   }
@@ -58,19 +58,6 @@ Result<StartSbc> sbcInProcess(const compiler::Optimised& mission, const LaunchCh
 
 namespace {
 
-/// Checks that the mission allows the pilot's settings, before the board's program refuses them.
-Result<void> checkLaunch(const compiler::Optimised& mission, const LaunchChoice& launch) {
-  if (launch.empty()) {
-    return {};
-  }
-  const auto loaded = loadForParameters(mission);
-  if (!loaded) {
-    return std::unexpected(loaded.error());
-  }
-  const auto parameters = chooseParameters(loaded->mission(), launch);
-  return parameters ? Result<void>() : std::unexpected(parameters.error());
-}
-
 StartSbc starterOf(std::string way, std::vector<std::string> command,
                    std::filesystem::path card = {}, double hang_secs = ProcessSbcPort::kHangSecs) {
   return [way = std::move(way), command = std::move(command), card = std::move(card),
@@ -86,7 +73,8 @@ Result<std::vector<std::string>> buildOnBoard(const compiler::Optimised& mission
                                               const std::vector<std::string>& user_code,
                                               const std::string& board,
                                               const std::filesystem::path& binary) {
-  if (auto allowed = checkLaunch(mission, launch); !allowed) {
+  // Before the board's program refuses them.
+  if (auto allowed = chooseParameters(mission.mission, launch); !allowed) {
     return std::unexpected(allowed.error());
   }
   const auto target = compiler::loadTarget(board);

@@ -121,7 +121,7 @@ Result<Rechecked> recheckRun(const support::Trace& run, const compiler::Optimise
   }
   flights::LaunchChoice launch;
   launch.settings = run.settings;
-  const auto parameters = flights::chooseParameters(loaded->mission(), launch);
+  const auto parameters = flights::chooseParameters(mission.mission, launch);
   if (!parameters) {
     return std::unexpected(parameters.error());
   }

@@ -6,7 +6,7 @@
 #include "analysis/analysis.h"
 #include "driver/exit_code.h"
 #include "driver/terminal.h"
-#include "ir/eval/interpreter.h"
+#include "flights/launch_choice.h"
 #include "report/against_marks.h"
 #include "report/picture/against_picture.h"
 #include "report/report.h"
@@ -20,18 +20,6 @@
 
 namespace glider::driver {
 namespace {
-
-support::Result<std::vector<double>> parametersOf(const compiler::Compilation& compilation,
-                                                  const flights::LaunchChoice& choice) {
-  if (choice.empty()) {
-    return ir::defaultParameters(compilation.checked->mission());
-  }
-  const auto loaded = flights::loadForParameters(compiler::optimise(compilation.checked));
-  if (!loaded) {
-    return std::unexpected(loaded.error());
-  }
-  return flights::chooseParameters(loaded->mission(), choice);
-}
 
 /// The report page of the vehicle's logs, with what the mission would have done.
 support::Result<void> writePage(const std::vector<slocum::LogFile>& files,
@@ -67,7 +55,8 @@ void runAgainst(const VehicleLogs& logs, const AgainstOptions& options, CheckedF
       !checked.compilation->checked) {
     return;
   }
-  const auto parameters = parametersOf(*checked.compilation, options.launch);
+  const auto parameters =
+      flights::chooseParameters(checked.compilation->checked->mission(), options.launch);
   if (!parameters) {
     checked.found.failure = parameters.error();
     return;

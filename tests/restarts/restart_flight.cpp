@@ -69,7 +69,7 @@ RestartFlight flyRestarts(const FlyingMission& mission, const simulator::Faults&
   setup.duration_s = duration_s;
   flights::describeMission(setup, *mission.flown);
   flights::RequirementWatch watch(*mission.flown);
-  const auto parameters = flights::chooseParameters(mission.loaded->mission(), {});
+  const auto parameters = flights::chooseParameters(mission.flown->mission, {});
   simulator::StartSbc start =
       flights::startInProcess(mission.loaded, *parameters, !faults.empty(), &watch);
   setup.sbc = std::move(*start());

@@ -4,7 +4,7 @@
 #include "codegen/llvm/lower/context_size.h"
 #include "codegen/llvm/lower/guard_table.h"
 #include "codegen/llvm/lower/lowering.h"
-#include "codegen/llvm/lower/unit_factors.h"
+#include "ir/core/parameter_info.h"
 #include "ir/core/start_depth.h"
 #include "platforms/load/dictionary.h"
 #include "runtime/abi/glider_abi.h"
@@ -181,34 +181,13 @@ llvm::Constant* Tables::dictionary() {
   return variable;
 }
 
-/// The greatest value of a latitude or longitude, degrees; infinite for other types.
-double mostOnEarth(const ir::Type& type) {
-  switch (type.kind) {
-    case ir::TypeKind::Latitude:
-      return 90;
-    case ir::TypeKind::Longitude:
-      return 180;
-    case ir::TypeKind::Bool:
-    case ir::TypeKind::Quantity:
-      break;
-  }
-  return ir::Variable::kEndless;
-}
-
 llvm::Constant* Tables::parameters() {
   std::vector<llvm::Constant*> rows;
-  for (uint32_t i = 0; i < lowering_.index.parameter_count; ++i) {
-    const ir::Variable& parameter = lowering_.mission.variables[i];
-    const ir::Expr& initial = lowering_.mission[parameter.initial];
-    const double value = initial.op == ir::Op::Constant ? initial.number
-                         : initial.op == ir::Op::True   ? 1.0
-                                                        : 0.0;
-    rows.push_back(
-        llvm::ConstantStruct::get(lowering_.types.GliderParameterInfo,
-                                  {text(parameter.name), number(value),
-                                   number(std::max(parameter.lowest, -mostOnEarth(parameter.type))),
-                                   number(std::min(parameter.highest, mostOnEarth(parameter.type))),
-                                   text(unitFactors(parameter.type))}));
+  for (const ir::ParameterInfo& parameter : ir::parameterInfos(lowering_.mission)) {
+    rows.push_back(llvm::ConstantStruct::get(
+        lowering_.types.GliderParameterInfo,
+        {text(parameter.name), number(parameter.initial), number(parameter.lowest),
+         number(parameter.highest), text(parameter.units)}));
   }
   return array(lowering_.types.GliderParameterInfo, rows, "parameters");
 }

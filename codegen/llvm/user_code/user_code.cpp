@@ -3,16 +3,12 @@
 
 #include "codegen/user_code.h"
 
-#include "codegen/llvm/program/emit.h"
-#include "codegen/llvm/target/machine.h"
 #include "codegen/llvm/user_code/bitcode.h"
 #include "codegen/llvm/user_code/user_file.h"
 #include "ir/core/c_symbols.h"
 #include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
-#include <llvm/IR/IRBuilder.h>
-#include <llvm/IR/LLVMContext.h>
 
 #include <algorithm>
 
@@ -62,15 +58,6 @@ Result<void> checkDeclarations(const std::vector<UserFile>& files, const std::st
   return {};
 }
 
-/// Defines `symbol` as a function with any arguments that returns unknown.
-void defineUnknown(llvm::Module& module, const std::string& symbol) {
-  llvm::Type* number = llvm::Type::getDoubleTy(module.getContext());
-  auto* function = llvm::Function::Create(llvm::FunctionType::get(number, false),
-                                          llvm::GlobalValue::ExternalLinkage, symbol, module);
-  llvm::IRBuilder<> builder(llvm::BasicBlock::Create(module.getContext(), "", function));
-  builder.CreateRet(llvm::ConstantFP::getNaN(number));
-}
-
 }  // namespace
 
 Result<UserCode> UserCode::load(const std::vector<std::filesystem::path>& files,
@@ -99,30 +86,6 @@ Result<UserCode> UserCode::load(const std::vector<std::filesystem::path>& files,
       return std::unexpected(right.error());
     }
   }
-  return code;
-}
-
-Result<UserCode> UserCode::standIn(const ir::Mission& mission, const Board& board) {
-  auto folder = ScratchFolder::make();
-  auto machine = makeMachine(board, kUserCodeLevel, ProgramKind::SharedObject);
-  if (!folder || !machine) {
-    return std::unexpected(folder ? machine.error() : folder.error());
-  }
-  llvm::LLVMContext context;
-  llvm::Module module("stand-in", context);
-  module.setTargetTriple((*machine)->getTargetTriple().str());
-  module.setDataLayout((*machine)->createDataLayout());
-  for (const std::string& symbol : symbolsOf(mission)) {
-    defineUnknown(module, symbol);
-    module.getFunction(symbol)->setLinkage(llvm::GlobalValue::WeakAnyLinkage);
-  }
-  UserCode code(std::move(*folder));
-  auto file = code.folder_.write("stand-in.o",
-                                 emitCode(module, **machine, llvm::CodeGenFileType::ObjectFile));
-  if (!file) {
-    return std::unexpected(file.error());
-  }
-  code.inputs_.push_back(std::move(*file));
   return code;
 }
 

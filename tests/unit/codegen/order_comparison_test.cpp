@@ -3,8 +3,8 @@
 
 #include "codegen/llvm/lower/order_comparison.h"
 
-#include "codegen/llvm/lower/unit_factors.h"
 #include "ir/core/ops.h"
+#include "ir/core/parameter_info.h"
 #include "support/units/units.h"
 
 #include <fmt/format.h>
@@ -108,7 +108,7 @@ TEST_F(OrderComparison, MinusZeroIsNoPlainOrder) {
 /// "m=3ff0000000000000 ft=…" read back.
 std::vector<std::pair<std::string, double>> factorsOf(const ir::Type& type) {
   std::vector<std::pair<std::string, double>> rows;
-  std::istringstream in(unitFactors(type));
+  std::istringstream in(ir::unitFactors(type));
   for (std::string word; in >> word;) {
     const size_t at = word.find('=');
     rows.emplace_back(word.substr(0, at),
@@ -122,7 +122,7 @@ using Rows = std::vector<std::pair<std::string, double>>;
 TEST(UnitFactors, PositionsHaveTheirLetters) {
   EXPECT_EQ(factorsOf({ir::TypeKind::Latitude, {}}), (Rows{{"N", 1}, {"S", -1}}));
   EXPECT_EQ(factorsOf({ir::TypeKind::Longitude, {}}), (Rows{{"E", 1}, {"W", -1}}));
-  EXPECT_EQ(unitFactors({ir::TypeKind::Bool, {}}), "bool");
+  EXPECT_EQ(ir::unitFactors({ir::TypeKind::Bool, {}}), "bool");
 }
 
 TEST(UnitFactors, TheBareUnitComesFirstAndNoneTwice) {

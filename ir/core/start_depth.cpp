@@ -4,6 +4,7 @@
 #include "ir/core/start_depth.h"
 
 #include "ir/core/under_assumptions.h"
+#include "platforms/load/surface_reading.h"
 
 #include <algorithm>
 
@@ -11,7 +12,7 @@ namespace glider::ir {
 
 double startReading(const Mission& mission, const platforms::Platform& platform) {
   const platforms::EnvironmentModel world = underAssumptions(platform, mission).world;
-  return std::max(world.start_depth_m - world.depth_error_m, kSurfaceReadingM);
+  return std::max(world.start_depth_m - world.depth_error_m, platforms::kSurfaceReadingM);
 }
 
 }  // namespace glider::ir

@@ -3,6 +3,8 @@
 
 #include "ir/core/under_assumptions.h"
 
+#include "platforms/load/surface_reading.h"
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -195,7 +197,7 @@ platforms::Platform underAssumptions(platforms::Platform platform, const Mission
   for (const Assumption& assumption : mission.assumptions) {
     if (assumption.kind == AssumptionKind::StartDepth) {
       // At a smaller reading than that the program cannot wait for the surface.
-      const double least = kSurfaceReadingM + platform.world.depth_error_m;
+      const double least = platforms::kSurfaceReadingM + platform.world.depth_error_m;
       platform.world.start_depth_m = std::max(assumption.limit, least);
     } else if (assumption.kind == AssumptionKind::Current) {
       const double waves = platform.world.surface_drift_m_s - platform.envelope.drift_m_s;

@@ -8,9 +8,6 @@
 
 namespace glider::ir {
 
-/// m; the least depth reading of which a program waits to see the surface: waves hide less.
-inline constexpr double kSurfaceReadingM = 0.25;
-
 /// The mission as proofs see it that rest on its assumptions:
 /// - Range: the sensor's range is narrowed, so a known reading is in it;
 /// - Outage: `resume_within_s` is at most the limit, which is that of each outage, not of all

@@ -3,6 +3,7 @@
 
 #include "hooks/protocol/dictionary.h"
 #include "platforms/load/load_platform.h"
+#include "platforms/load/surface_reading.h"
 #include "platforms/load/toml_reader.h"
 #include "support/diagnostics/catalogue.h"
 
@@ -192,6 +193,18 @@ constexpr std::pair<const char*, double Power::*> kPower[] = {{"capacity_kJ", &P
                                                               {"empty_V", &Power::empty_V},
                                                               {"hotel_W", &Power::hotel_W}};
 
+EnvironmentModel readWorld(TomlReader& reader) {
+  auto world = readNumbers<EnvironmentModel>(reader, kWorld);
+  if (const double least = world.depth_error_m + kSurfaceReadingM; world.start_depth_m < least) {
+    reader.refuse(
+        "start_depth_m",
+        fmt::format("must be at least {:g}: a program waits for a depth reading of "
+                    "`start_depth_m` less `depth_error_m`, and waves hide less than {:g} m",
+                    least, kSurfaceReadingM));
+  }
+  return world;
+}
+
 Motion readMotion(TomlReader& reader, TomlReader& flight) {
   Motion motion = readNumbers<Motion>(reader, kMotion, {"model", "trim_offset", "flight"});
   motion.model = reader.text("model");
@@ -252,7 +265,7 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
   TomlReader envelope = part((*root)["envelope"], "[envelope]");
   platform.envelope = readNumbers(envelope, kEnvelope);
   TomlReader world = part((*root)["world"], "[world]");
-  platform.world = readNumbers(world, kWorld);
+  platform.world = readWorld(world);
   TomlReader motion = part((*root)["motion"], "[motion]");
   TomlReader flight = part((*root)["motion"]["flight"], "[motion.flight]");
   TomlReader power = part((*root)["power"], "[power]");

@@ -72,6 +72,9 @@ TEST(Platform, ValuesOutsideTheirMeaningAreRefused) {
   EXPECT_FALSE(with("stale_after_s = 1.0", "stale_after_s = -1.0"));
   EXPECT_FALSE(with("bytes = 4", "bytes = 3"));
   EXPECT_FALSE(with("drift_m_s = 0.5", "drift_m_s = 0.0"));
+  // A program waits for a reading of `depth_error_m` less, of 0.25 m or more.
+  EXPECT_TRUE(with("start_depth_m = 3.0", "start_depth_m = 0.75"));
+  EXPECT_FALSE(with("start_depth_m = 3.0", "start_depth_m = 0.7"));
   EXPECT_FALSE(with("vertical_rate_m_s = 0.4", "vertical_rate_m_s = -1.0"));
   EXPECT_FALSE(with("noise = 0.1", "noise = -0.1"));
   EXPECT_FALSE(with("tick_gap_s = 12.0", "tick_gap_s = 0.0"));

@@ -75,7 +75,8 @@ std::optional<ForeignPosition> foreignPosition(const std::vector<Lexeme>& lexeme
     const std::string_view digits = source.text(lexemes[i]);
     const double number = std::strtod(std::string(digits).c_str(), nullptr);
     // `39.5 10 N` and `39 75 N` are typing errors, but it is not known which.
-    const bool last = isLetter(lexemes, i + 1) || isLetter(lexemes, i + 2);
+    const bool last = isLetter(lexemes, i + 1) ||
+                      (lexemes[i + 1].type != GliderLexer::NUMBER && isLetter(lexemes, i + 2));
     certain = certain && (numbers == 0 || number < 60) &&
               (last || digits.find_first_not_of("0123456789") == std::string_view::npos);
     degrees += number * part;
@@ -94,7 +95,9 @@ std::optional<ForeignPosition> foreignPosition(const std::vector<Lexeme>& lexeme
   ForeignPosition found;
   found.whole = {GliderLexer::NUMBER, lexemes[at].begin, lexemes[i].end};
   found.count = i - at + 1;
-  found.certain = certain;
+  // On two lines they may belong to two things, one of them misspelt.
+  const std::string_view text = source.text(found.whole);
+  found.certain = certain && text.find('\n') == std::string_view::npos;
   found.number = lexemes[at];
   found.letter = lexemes[i];
   found.better = fmt::format("{} {}", decimal(degrees), source.text(lexemes[i]));

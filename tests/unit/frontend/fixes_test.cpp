@@ -259,6 +259,16 @@ TEST(Fixes, AWordWithAForeignLetterIsNoItemOfAList) {
   EXPECT_NE(automatic(text).find("temp\n  v\xd0\xb0r"), std::string::npos) << automatic(text);
 }
 
+/// Degrees with minutes are whole, and a position is on one line.
+TEST(Fixes, APositionIsNotMadeFromWhatMayBeTwoThings) {
+  for (const std::string written : {".39.175 N 73.84 W", "39.5 10 N 73 W", "39 deg\nN 73 W"}) {
+    const std::string text = mission("depth > 5 m", "flightroute nav(" + written + ")");
+    EXPECT_EQ(automatic(text), text);
+  }
+  const std::string right = mission("depth > 5 m", "flightroute nav(39 deg N, 73 deg 30' W)");
+  EXPECT_NE(automatic(right).find("nav(39.0 N, 73.5 W)"), std::string::npos) << automatic(right);
+}
+
 /// Which ocean was meant cannot be seen from a number that has lost its letter.
 TEST(Fixes, TheSideOfAPositionIsNotGuessed) {
   const std::string lost = mission("depth > 5 m", "flightroute nav(39 N, 73 )");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -75,7 +76,7 @@ class Choice {
       if (d.severity == Severity::Error) {
         errors_ = true;
         if (d.range.file == file) {
-          places_.insert(d.range.begin);
+          places_.emplace(d.range.begin, d.id);
           if (isSyntax(d)) {
             syntax_.insert(d.range.begin);
           }
@@ -96,6 +97,9 @@ class Choice {
     }
     const bool structural =
         std::ranges::any_of(d.fixes, [this](const FixIt& fix) { return changesStructure(fix); });
+    if (structural && places_.at(d.range.begin) != d.id) {
+      return false;  // the first error at this place says what is wrong there
+    }
     const uint32_t first = beginOf(d, structural ? constructs_.items : constructs_.parts);
     return !errorIn(first, d.range.begin) && !errorInHeader(d) && !isHalfRead(d);
   }
@@ -117,7 +121,7 @@ class Choice {
 
   [[nodiscard]] bool errorIn(uint32_t from, uint32_t to) const {
     const auto next = places_.lower_bound(from);
-    return next != places_.end() && *next < to;
+    return next != places_.end() && next->first < to;
   }
 
   /// A wrong header makes everything in its item doubtful.
@@ -155,8 +159,8 @@ class Choice {
   uint32_t file_;
   const Constructs& constructs_;
   bool errors_ = false;
-  std::set<uint32_t> places_;  ///< of errors in the file
-  std::set<uint32_t> syntax_;  ///< of those that are syntax
+  std::map<uint32_t, DiagnosticId> places_;  ///< of errors in the file, with the first of each
+  std::set<uint32_t> syntax_;                ///< of those that are syntax
 };
 
 /// One text after another, each with fewer errors.

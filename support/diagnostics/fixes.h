@@ -39,7 +39,7 @@ struct FixedText {
 /// another error is not changed:
 /// - of an error, only if it is the first in its part of the text and its item's header has none;
 /// - of a name, type or unit, only if nothing in its part is a syntax error;
-/// - if the fix changes the structure, only if it is the first in its item;
+/// - if the fix changes the structure, only if it is the first at its place and in its item;
 /// - of a warning, only if there is no error.
 FixedText applyFixes(std::string_view text, uint32_t file,
                      const std::vector<Diagnostic>& diagnostics, const Constructs& constructs);

@@ -235,6 +235,13 @@ TEST(Fixes, CaseInPlaceOfEvents) {
   EXPECT_TRUE(mended.compile().has_value()) << after << mended.said();
 }
 
+/// Where a name is missing, `case` is what took its place, and no `events` is missing.
+TEST(Fixes, CaseInPlaceOfAName) {
+  const std::string text =
+      mission("depth > 5 m") + "flightroute case\nbegin\n  entry do steer(0 deg) end\nend\n";
+  EXPECT_EQ(automatic(text), text);
+}
+
 /// A word after a number is its unit, wrong as it is: no second one is written before it.
 TEST(Fixes, AWrongUnitIsNotAMissingOne) {
   for (const std::string word : {"dewg", "dec", "dge"}) {

@@ -31,6 +31,7 @@ class Rng {
 };
 
 constexpr double kGreatest = 60;  // max_depth, m
+constexpr double kUnreachable = 1000;
 constexpr double kHours = 1;
 
 /// Of the pump's lift, what a layer of water and a bad trim may take away together: what is left
@@ -84,8 +85,8 @@ Plan drawPlan(Rng& dice) {
   return plan;
 }
 
-simulator::Scenario drawWater(Rng& dice) {
-  std::string skeleton = hookbehSkeleton(kGreatest);
+simulator::Scenario drawWater(Rng& dice, double greatest_m) {
+  std::string skeleton = hookbehSkeleton(greatest_m);
   skeleton.insert(skeleton.find("behavior: hookbeh"), drawSensorsIn(dice));
   simulator::Scenario scenario = diveScenario(skeleton, dice.within(85, 200));
   scenario.duration_s = kHours * 3600 + 1200;
@@ -144,7 +145,8 @@ TEST(Nuisance, NoGuardComesInWhereNothingIsWrong) {
   for (uint64_t i = 0; i < count; ++i) {
     Rng dice(seed + i);
     const Plan plan = drawPlan(dice);
-    const simulator::Scenario drawn = drawWater(dice);
+    Rng again = dice;
+    const simulator::Scenario drawn = drawWater(dice, kGreatest);
     const Dived dived = flyDive(&plan, drawn, seed + i);
     dives += static_cast<uint64_t>(dived.dives);
     deep += dived.deepest_m > 10;
@@ -160,6 +162,10 @@ TEST(Nuisance, NoGuardComesInWhereNothingIsWrong) {
         << " m at " << plan.pitch_rad << " rad: guard " << *dived.guards.begin() << " at "
         << dived.guarded_s << " s, deepest " << dived.deepest_m << " m\n"
         << describe(drawn);
+    if (!plan.hovers && dived.guards.empty()) {
+      const Dived free = flyDive(&plan, drawWater(again, kUnreachable), seed + i);
+      EXPECT_EQ(dived.dives, free.dives) << "flight " << seed + i << ": hookbeh changes its yos";
+    }
     if (count > 100 && (i + 1) % 200 == 0) {
       fmt::print("{} of {} flights, {} guarded, {} of them after the water held a dive, {} dives\n",
                  i + 1, count, guarded, held, dives);

@@ -102,9 +102,8 @@ support::Result<std::vector<double>> chooseParameters(const ir::Mission& mission
   const std::vector<double> values(launch.values(),
                                    launch.values() + table.mission().parameter_count);
   if (const auto failed = ir::failedCondition(mission, values)) {
-    return support::fail(
-        DiagnosticId::badParameter,
-        fmt::format("the parameters do not satisfy `where` number {}", *failed + 1));
+    launch.refuseWhere(*failed);
+    return refused();
   }
   if (const std::string why = longitudeFirst(table, values.data(), given); !why.empty()) {
     return support::fail(DiagnosticId::badParameter, why);

@@ -423,15 +423,6 @@ class StructureRepair {
     }
   }
 
-  /// After `goto` it may be the beginning of a name, as in `goto end-it`: that is not deleted.
-  void strayEnd(const Lexeme& t) {
-    auto report = reporter_.at(t, DiagnosticId::strayEnd);
-    const bool nameMissing = !out_.empty() && out_.back().begin == out_.back().end;
-    if (!nameMissing) {
-      report.fix(source_.range(t), "");
-    }
-  }
-
   /// True if `t` may be kept outside all blocks.
   bool topLevel(const Lexeme& t) {
     const bool partOfCase =
@@ -439,7 +430,7 @@ class StructureRepair {
     in_always_ = t.type == GliderLexer::ALWAYS || (in_always_ && partOfCase);
     switch (t.type) {
       case GliderLexer::END:
-        strayEnd(t);
+        reporter_.at(t, DiagnosticId::strayEnd).fix(source_.range(t), "");
         return false;
       case GliderLexer::CASE:
         return in_always_ || outside(t);

@@ -5,6 +5,7 @@
 
 #include "frontend/parse/token_kinds.h"
 #include "support/diagnostics/catalogue.h"
+#include "support/word_byte.h"
 
 #include <fmt/format.h>
 
@@ -20,10 +21,6 @@ namespace {
 /// name.
 constexpr size_t kMostTokens = 7;
 constexpr uint32_t kMostBytes = 200;
-
-bool isWordByte(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
 
 bool isDigit(char c) {
   return c >= '0' && c <= '9';
@@ -209,7 +206,7 @@ std::vector<Lexeme> NameRepair::wordsIn(size_t begin, size_t end) const {
   const std::string_view text = source_.text();
   for (uint32_t at = in_[begin].begin; at < in_[end - 1].end;) {
     const uint32_t from = at;
-    while (at < in_[end - 1].end && isWordByte(text[at])) {
+    while (at < in_[end - 1].end && support::isWordByte(text[at])) {
       ++at;
     }
     if (at > from) {

@@ -57,9 +57,10 @@ bool Launch::check() {
   context.variables = values_;
   const uint32_t failed =
       mission_.condition != nullptr ? mission_.condition(&context) : GLIDER_NO_CASE;
-  if (failed == GLIDER_NO_CASE) {
-    return true;
-  }
+  return failed == GLIDER_NO_CASE || refuseWhere(failed);
+}
+
+bool Launch::refuseWhere(uint32_t failed) {
   Text text(problem_, kProblemBytes);
   text.put("the parameters do not satisfy `where` number ").putCount(failed + 1);
   return refuse(text);

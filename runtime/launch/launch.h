@@ -28,6 +28,8 @@ class Launch {
   bool setAll(const char* file_name, const Piece& content);
   /// Checks whether the parameters together satisfy the mission's `where` conditions.
   bool check();
+  /// Always false, with a problem(): `where` number `failed`, from 0, is not satisfied.
+  bool refuseWhere(uint32_t failed);
 
   /// One value for each parameter: gliderStart's.
   [[nodiscard]] const double* values() const { return values_; }

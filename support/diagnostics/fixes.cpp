@@ -3,6 +3,8 @@
 
 #include "support/diagnostics/fixes.h"
 
+#include "support/word_byte.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -23,10 +25,6 @@ bool fits(const std::vector<FixIt>& chosen, const FixIt& fix, std::string_view t
   return fix.range.file == file && fix.range.begin <= fix.range.end &&
          fix.range.end <= text.size() &&
          std::ranges::none_of(chosen, [&fix](const FixIt& other) { return touch(fix, other); });
-}
-
-bool isWordByte(char c) {
-  return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
 /// What `fix` writes into `text`, apart from the words beside it: a word for `{` in `{depth` does

@@ -76,8 +76,9 @@ Result<Unit> lower(const Recipe& recipe, const MissionPart& part) {
   return unit;
 }
 
-/// The half of the runtime that only missions with parameters need, or what takes its place.
-std::string parametersOf(const Recipe& recipe) {
+/// The name of the part of the runtime that only missions with parameters need, or of what takes
+/// its place.
+std::string parameterPart(const Recipe& recipe) {
   return indexMission(recipe.input.mission).parameter_count == 0 ? "no_parameters" : "parameters";
 }
 
@@ -86,7 +87,8 @@ Result<void> bringTogether(llvm::Module& module, const Recipe& recipe,
   const std::filesystem::path& folder = recipe.board.folder;
   if (recipe.options.optimisation_level >= kWholeProgramLevel) {
     return joinRuntime(
-        module, {folder / "system.bc", folder / "tick.bc", folder / (parametersOf(recipe) + ".bc")},
+        module,
+        {folder / "system.bc", folder / "tick.bc", folder / (parameterPart(recipe) + ".bc")},
         visible);
   }
   return recipe.options.optimisation_level >= kImportLevel
@@ -140,7 +142,7 @@ Result<Program> compileProgram(const Input& input, const Board& board,
   }
   if (!whole) {
     program.further_inputs.push_back(board.folder / "runtime.o");
-    program.further_inputs.push_back(board.folder / (parametersOf(recipe) + ".o"));
+    program.further_inputs.push_back(board.folder / (parameterPart(recipe) + ".o"));
   }
   return program;
 }

@@ -4,18 +4,14 @@
 #include "codegen/llvm/lower/order_comparison.h"
 
 #include "ir/core/ops.h"
-#include "ir/core/parameter_info.h"
-#include "support/units/units.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <llvm/IR/Constants.h>
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 /// Comparisons without a floating-point unit, on constants that LLVM folds: every pair of
 /// awkward numbers against what the comparison means.
@@ -103,54 +99,6 @@ TEST_F(OrderComparison, MinusZeroIsNoPlainOrder) {
     constant.op = op;
     EXPECT_FALSE(hasPlainOrder(constant)) << ir::opInfo(op).text;
   }
-}
-
-/// "m=3ff0000000000000 ft=…" read back.
-std::vector<std::pair<std::string, double>> factorsOf(const ir::Type& type) {
-  std::vector<std::pair<std::string, double>> rows;
-  std::istringstream in(ir::unitFactors(type));
-  for (std::string word; in >> word;) {
-    const size_t at = word.find('=');
-    rows.emplace_back(word.substr(0, at),
-                      std::bit_cast<double>(std::stoull(word.substr(at + 1), nullptr, 16)));
-  }
-  return rows;
-}
-
-using Rows = std::vector<std::pair<std::string, double>>;
-
-TEST(UnitFactors, PositionsHaveTheirLetters) {
-  EXPECT_EQ(factorsOf({ir::TypeKind::Latitude, {}}), (Rows{{"N", 1}, {"S", -1}}));
-  EXPECT_EQ(factorsOf({ir::TypeKind::Longitude, {}}), (Rows{{"E", 1}, {"W", -1}}));
-  EXPECT_EQ(ir::unitFactors({ir::TypeKind::Bool, {}}), "bool");
-}
-
-TEST(UnitFactors, TheBareUnitComesFirstAndNoneTwice) {
-  for (const support::Dimension dimension :
-       {support::dimension::length, support::dimension::time, support::dimension::angle,
-        support::dimension::speed, support::dimension::temperature}) {
-    const Rows rows = factorsOf({ir::TypeKind::Quantity, dimension});
-    const auto bare = support::bareUnit(dimension);
-    ASSERT_TRUE(bare);
-    ASSERT_FALSE(rows.empty());
-    EXPECT_EQ(rows[0].first, bare->spelling);
-    EXPECT_EQ(rows[0].second, bare->to_si);
-    EXPECT_EQ(rows.size(), support::unitsOf(dimension).size());
-    for (const support::Unit& unit : support::unitsOf(dimension)) {
-      EXPECT_EQ(std::ranges::count(rows, std::pair{std::string(unit.spelling), unit.to_si}), 1)
-          << unit.spelling;
-    }
-  }
-}
-
-TEST(UnitFactors, ACompoundWithoutAUnitOfItsOwnIsItsName) {
-  support::Dimension volume = support::dimension::length;
-  for (auto& exponent : volume.exponents) {
-    exponent = static_cast<std::remove_reference_t<decltype(exponent)>>(3 * exponent);
-  }
-  const Rows rows = factorsOf({ir::TypeKind::Quantity, volume});
-  ASSERT_FALSE(rows.empty());
-  EXPECT_EQ(rows[0].second, 1);
 }
 
 }  // namespace

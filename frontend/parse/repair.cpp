@@ -4,6 +4,7 @@
 #include "frontend/parse/repair.h"
 
 #include "frontend/parse/repair_names.h"
+#include "frontend/parse/repair_superfluous.h"
 #include "frontend/parse/repair_values.h"
 #include "frontend/parse/repair_words.h"
 #include "frontend/parse/token_kinds.h"
@@ -137,31 +138,14 @@ class StructureRepair {
 
   // --- what is written although nothing is said by it ---
 
-  /// Reports `t` as not written `where`; it is left out.
-  bool leaveOut(const Lexeme& t, std::string where) {
-    reporter_.at(t, DiagnosticId::superfluousWord, source_.text(t), where)
-        .fix(source_.range(t), "");
-    return true;
-  }
-
   /// Whether `t` was left out.
   bool isSuperfluous(const Lexeme& t, bool keyword) {
-    const bool sign = oneOf(t.type, {GliderLexer::ASSIGN, GliderLexer::COLON});
-    if (sign && takesNoSign(previous(), t.type)) {
-      return leaveOut(t, fmt::format("after `{}`", source_.text(out_.back())));
-    }
-    const uint32_t next = peek(1).type;
-    const bool leads = isTransition(next) || next == GliderLexer::DO;
-    const bool after = inCases() && !values_.inParentheses() && endsValue(previous()) && leads;
-    if (after && oneOf(t.type, {GliderLexer::COLON, GliderLexer::THEN})) {
-      return leaveOut(t, "after the condition of a case");
-    }
-    if (previous() == GliderLexer::END && isNameOfEnd(t)) {
-      return leaveOut(t, "after `end`");
-    }
-    if (keyword && t.type == previous() && isRightAfterPrevious(t) && isNeverTwice(t.type) &&
-        (!wantsName(t.type) || isAnyName(next))) {
-      return leaveOut(t, "twice");
+    const bool in_condition = inCases() && !values_.inParentheses();
+    const std::string where = superfluousWhere({source_, out_, peek(1), in_condition, keyword}, t);
+    if (!where.empty()) {
+      reporter_.at(t, DiagnosticId::superfluousWord, source_.text(t), where)
+          .fix(source_.range(t), "");
+      return true;
     }
     if (keyword && previous() == GliderLexer::COMMA && !values_.inParentheses()) {
       dropComma(t);
@@ -169,66 +153,10 @@ class StructureRepair {
     return false;
   }
 
-  /// Whether only white space stands between `t` and the word before it. The first of two on two
-  /// lines begins its line, or follows `events`; otherwise it may be prose, such as a comment
-  /// without its `#`.
-  [[nodiscard]] bool isRightAfterPrevious(const Lexeme& t) const {
-    if (out_.empty() || out_.back().end <= out_.back().begin) {
-      return false;
-    }
-    const Lexeme& first = out_.back();
-    const auto blank = [&](uint32_t from, uint32_t to, std::string_view also) {
-      return source_.text().substr(from, to - from).find_first_not_of(also) ==
-             std::string_view::npos;
-    };
-    const size_t line = source_.text().substr(0, first.begin).rfind('\n') + 1;  // of npos: 0
-    const bool follows = out_.size() > 1 && out_[out_.size() - 2].type == GliderLexer::EVENTS;
-    const auto begin = static_cast<uint32_t>(line);
-    return blank(first.end, t.begin, " \t\r\n") &&
-           (blank(first.end, t.begin, " \t") || follows || blank(begin, first.begin, " \t"));
-  }
-
-  static bool takesNoSign(uint32_t before, uint32_t sign) {
-    return startsMember(before) ||
-           oneOf(before, {GliderLexer::MISSION, GliderLexer::STATE, GliderLexer::GOTO,
-                          GliderLexer::CALL}) ||
-           (sign == GliderLexer::COLON &&
-            oneOf(before, {GliderLexer::BEGIN, GliderLexer::END, GliderLexer::DO, GliderLexer::THEN,
-                           GliderLexer::ELSE, GliderLexer::ALWAYS, GliderLexer::CASE}));
-  }
-
-  static bool isNeverTwice(uint32_t type) {
-    return startsMember(type) || isTransition(type) ||
-           oneOf(type,
-                 {GliderLexer::MISSION, GliderLexer::STATE, GliderLexer::CASE, GliderLexer::CONST,
-                  GliderLexer::PARAM, GliderLexer::VAR, GliderLexer::SET, GliderLexer::LOG,
-                  GliderLexer::THEN, GliderLexer::ELSE, GliderLexer::REQUIRE, GliderLexer::ALWAYS,
-                  GliderLexer::IMPORT, GliderLexer::PLATFORM});
-  }
-
   /// Whether cases are read here.
   [[nodiscard]] bool inCases() const {
     return blocks_.empty() ? in_always_
                            : blocks_.back().kind == BlockKind::Members && blocks_.back().events;
-  }
-
-  /// `end state`, `end look`: a word on the line of `end`, with nothing after it, that cannot begin
-  /// anything there.
-  [[nodiscard]] bool isNameOfEnd(const Lexeme& t) const {
-    const auto apart = [&](uint32_t from, uint32_t to) {
-      return source_.text().substr(from, to - from).find('\n') != std::string_view::npos;
-    };
-    const Lexeme& next = peek(1);
-    const bool alone = !out_.empty() && out_.back().end > out_.back().begin &&
-                       !apart(out_.back().end, t.begin) &&
-                       (next.type == kEof || apart(t.end, next.begin));
-    const bool follows = startsItem(next.type) || startsMember(next.type) ||
-                         isTransition(next.type) ||
-                         oneOf(next.type, {kEof, GliderLexer::END, GliderLexer::CASE});
-    const bool word = t.type == GliderLexer::NAME ||
-                      oneOf(t.type, {GliderLexer::STATE, GliderLexer::IF, GliderLexer::MISSION,
-                                     GliderLexer::FLIGHTPROFILE, GliderLexer::FLIGHTROUTE});
-    return alone && follows && word;
   }
 
   /// The comma just written has nothing after it but keyword `t`.

@@ -1,11 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "analysis/analysis.h"
+#include "analysis/brief/brief_of.h"
+#include "analysis/check/check.h"
+#include "analysis/mission_budget.h"
+#include "analysis/parameter_rows.h"
+#include "analysis/vehicle_file.h"
+#include "analysis/way_home.h"
 #include "compiler/boards.h"
-#include "driver/check_mission.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/output/check_on_terminal.h"
 #include "driver/output/executable.h"
 #include "driver/output/print_pdf.h"
 #include "driver/shared_options.h"
@@ -113,7 +118,7 @@ int brief(BriefOptions options) {
   options.check.report = true;
   options.check.targets = options.target == kUsualTarget ? analysis::boardsInTheVehicle()
                                                          : std::vector<std::string>{options.target};
-  const CheckedFile file = checkMission(options.mission, options.check);
+  const CheckedFile file = checkOnTerminal(options.mission, options.check);
   if (file.compilation) {
     reportDiagnostics(file.compilation->diagnostics, *file.compilation->sources);
   }

@@ -3,10 +3,10 @@
 
 #include "driver/certificates/recheck.h"
 #include "driver/certificates/write.h"
-#include "driver/check_mission.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/output/against_logs.h"
+#include "driver/output/check_on_terminal.h"
 #include "driver/output/explain_page.h"
 #include "driver/output/run_trace.h"
 #include "driver/shared_options.h"
@@ -232,7 +232,7 @@ int checkForPeople(const CommandOptions& options) {
   int status = logs.status;
   std::string all;
   for (const std::string& path : options.missions) {
-    CheckedFile checked = checkMission(path, options.check);
+    CheckedFile checked = checkOnTerminal(path, options.check);
     runAgainst(logs, options.against, checked);
     std::string text;
     tellPeople(checked, options.check, text);
@@ -264,7 +264,7 @@ int checkForMachines(const CommandOptions& options) {
   std::vector<CheckedFile> all;
   std::vector<report::CheckedMission> found;
   for (const std::string& path : options.missions) {
-    all.push_back(checkMission(path, options.check));
+    all.push_back(checkOnTerminal(path, options.check));
     runAgainst(logs, options.against, all.back());
     found.push_back(all.back().found);
     status = std::max({status, exitCode(found.back()), writeFiles(options, logs, all.back())});

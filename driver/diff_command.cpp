@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "analysis/analysis.h"
-#include "driver/check_mission.h"
+#include "analysis/check/check.h"
+#include "analysis/difference/compare_bounds.h"
+#include "analysis/difference/compare_missions.h"
+#include "analysis/difference/parting.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/output/check_on_terminal.h"
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
 
@@ -144,8 +147,8 @@ int tellDifference(const DiffOptions& options, const CheckedFile& before,
 }
 
 int diff(const DiffOptions& options) {
-  const CheckedFile before = checkMission(options.before, options.check);
-  const CheckedFile after = checkMission(options.after, options.check);
+  const CheckedFile before = checkOnTerminal(options.before, options.check);
+  const CheckedFile after = checkOnTerminal(options.after, options.check);
   return tellDifference(options, before, after);
 }
 

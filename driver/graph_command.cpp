@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "analysis/analysis.h"
+#include "analysis/graph_of.h"
 #include "compiler/compilation.h"
 #include "compiler/proving.h"
 #include "driver/commands.h"

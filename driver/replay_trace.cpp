@@ -3,7 +3,7 @@
 
 #include "driver/replay_trace.h"
 
-#include "analysis/analysis.h"
+#include "analysis/replay.h"
 #include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
 #include "driver/output/flight_folder.h"

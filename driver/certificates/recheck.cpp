@@ -3,7 +3,7 @@
 
 #include "driver/certificates/recheck.h"
 
-#include "analysis/analysis.h"
+#include "analysis/certificates/recheck.h"
 #include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
 #include "driver/terminal.h"

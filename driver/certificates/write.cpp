@@ -3,7 +3,8 @@
 
 #include "driver/certificates/write.h"
 
-#include "analysis/analysis.h"
+#include "analysis/check/check.h"
+#include "analysis/trace_of_run.h"
 #include "compiler/certificate_file.h"
 #include "support/files.h"
 
@@ -26,7 +27,7 @@ compiler::Certificate certificateWithRun(const compiler::Checked& checked,
 
 }  // namespace
 
-support::Result<size_t> writeCertificates(const CheckedFile& checked,
+support::Result<size_t> writeCertificates(const analysis::CheckedFile& checked,
                                           const std::filesystem::path& folder) {
   const compiler::Checked& mission = *checked.compilation->checked;
   auto subject = compiler::subjectOf(mission);

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "driver/check_mission.h"
+#include "analysis/check/check.h"
 #include "support/result.h"
 
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace glider::driver {
 /// Writes a certificate into `folder` for each requirement that was proved and has evidence
 /// (CheckOptions::evidence), and removes those that an earlier check has left there for the others.
 /// Returns how many were written.
-support::Result<size_t> writeCertificates(const CheckedFile& checked,
+support::Result<size_t> writeCertificates(const analysis::CheckedFile& checked,
                                           const std::filesystem::path& folder);
 
 }  // namespace glider::driver

@@ -3,7 +3,8 @@
 
 #include "driver/output/against_logs.h"
 
-#include "analysis/analysis.h"
+#include "analysis/against/against_logs.h"
+#include "analysis/check/check.h"
 #include "driver/exit_code.h"
 #include "driver/terminal.h"
 #include "flights/launch_choice.h"
@@ -23,7 +24,7 @@ namespace {
 
 /// The report page of the vehicle's logs, with what the mission would have done.
 support::Result<void> writePage(const std::vector<slocum::LogFile>& files,
-                                const CheckedFile& checked, const std::string& path) {
+                                const analysis::CheckedFile& checked, const std::string& path) {
   auto flight = slocum::flightTrace(slocum::merge(files, slocum::flightTraceSensors()));
   if (!flight) {
     return std::unexpected(flight.error());
@@ -50,7 +51,8 @@ VehicleLogs readVehicleLogs(const AgainstOptions& options) {
   return out;
 }
 
-void runAgainst(const VehicleLogs& logs, const AgainstOptions& options, CheckedFile& checked) {
+void runAgainst(const VehicleLogs& logs, const AgainstOptions& options,
+                analysis::CheckedFile& checked) {
   if (logs.vehicles.empty() || !checked.found.ok() || !checked.compilation ||
       !checked.compilation->checked) {
     return;
@@ -72,7 +74,7 @@ void runAgainst(const VehicleLogs& logs, const AgainstOptions& options, CheckedF
 }
 
 support::Result<void> drawAgainst(const VehicleLogs& logs, const AgainstOptions& options,
-                                  const CheckedFile& checked) {
+                                  const analysis::CheckedFile& checked) {
   const auto& all = checked.found.against;
   if ((options.picture.empty() && options.page.empty()) || all.empty()) {
     return {};

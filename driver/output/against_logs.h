@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "driver/check_mission.h"
+#include "analysis/check/check.h"
 #include "flights/launch_choice.h"
 #include "report/picture/picture.h"
 #include "slocum/data_tables/log_files.h"
@@ -34,11 +34,12 @@ VehicleLogs readVehicleLogs(const AgainstOptions& options);
 
 /// Adds what the mission would have done with each vehicle's readings to the findings, if it has no
 /// errors.
-void runAgainst(const VehicleLogs& logs, const AgainstOptions& options, CheckedFile& checked);
+void runAgainst(const VehicleLogs& logs, const AgainstOptions& options,
+                analysis::CheckedFile& checked);
 
 /// Draws the findings of runAgainst as the options say: as a picture, and as marks on the report
 /// page of the logs. GL9365: there are several vehicles.
 support::Result<void> drawAgainst(const VehicleLogs& logs, const AgainstOptions& options,
-                                  const CheckedFile& checked);
+                                  const analysis::CheckedFile& checked);
 
 }  // namespace glider::driver

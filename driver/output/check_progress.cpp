@@ -63,6 +63,11 @@ void CheckProgress::at(const std::string& work) {
   work_ = support::onOneLine(work);
 }
 
+void CheckProgress::clear() {
+  const std::lock_guard lock(mutex_);
+  line_.clear();
+}
+
 /// Runs in its own thread and shows the elapsed time: the solver reports nothing for seconds.
 void CheckProgress::run() {
   std::unique_lock lock(mutex_);

@@ -26,6 +26,8 @@ class CheckProgress {
 
   /// What is done from now on, in a few words; line breaks in it are shown as spaces.
   void at(const std::string& work);
+  /// Removes the line, so that something else can be printed; it comes back if the check goes on.
+  void clear();
 
  private:
   void run();

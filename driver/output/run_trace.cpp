@@ -3,7 +3,8 @@
 
 #include "driver/output/run_trace.h"
 
-#include "analysis/analysis.h"
+#include "analysis/check/check.h"
+#include "analysis/trace_of_run.h"
 #include "driver/output/flight_files.h"
 #include "driver/output/flight_folder.h"
 #include "support/files.h"
@@ -31,7 +32,8 @@ support::Result<void> writeRun(const support::Trace& trace, const std::filesyste
 
 }  // namespace
 
-support::Result<size_t> writeRuns(const CheckedFile& checked, const std::filesystem::path& folder) {
+support::Result<size_t> writeRuns(const analysis::CheckedFile& checked,
+                                  const std::filesystem::path& folder) {
   size_t count = 0;
   for (const ir::prove::RequirementVerdict& verdict : checked.proved.requirements) {
     if (verdict.verdict != ir::prove::Verdict::Refuted || !verdict.run) {

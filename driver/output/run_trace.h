@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "driver/check_mission.h"
+#include "analysis/check/check.h"
 #include "support/result.h"
 
 #include <filesystem>
@@ -13,6 +13,7 @@ namespace glider::driver {
 /// Writes, for each requirement with a counterexample, `folder`/requirement-N/ (N from 1) with
 /// trace.json, trace.csv, events.csv and report.html, in one step as for a flight (FlightFolder).
 /// Returns how many were written.
-support::Result<size_t> writeRuns(const CheckedFile& checked, const std::filesystem::path& folder);
+support::Result<size_t> writeRuns(const analysis::CheckedFile& checked,
+                                  const std::filesystem::path& folder);
 
 }  // namespace glider::driver

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "analysis/analysis.h"
+#include "analysis/certificates/recheck.h"
 #include "compiler/compilation.h"
 #include "ir/prove/prove.h"
 

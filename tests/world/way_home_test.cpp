@@ -4,7 +4,8 @@
 // The way home that `check --report` states: the SBC is killed at a random moment of a flight, and
 // the vehicle is no deeper than stated and at the surface in the stated time, for good.
 
-#include "analysis/analysis.h"
+#include "analysis/way_home.h"
+
 #include "flights/in_process_sbc.h"
 #include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/context/proof_context.h"

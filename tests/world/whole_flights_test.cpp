@@ -5,7 +5,7 @@
 // at a random moment in each of the ways, and the vehicle is at the surface in the stated time.
 // Twins of the files with a fault each, which are refused, stay under water.
 
-#include "analysis/analysis.h"
+#include "analysis/whole/whole.h"
 #include "flights/in_process_sbc.h"
 #include "ir/prove/falsification/rng.h"
 #include "simulator/flight/skeleton.h"

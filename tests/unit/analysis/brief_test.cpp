@@ -3,10 +3,11 @@
 
 // What a brief says of a mission, in words.
 
-#include "analysis/analysis.h"
+#include "analysis/brief/brief_of.h"
 #include "analysis/brief/in_words.h"
 #include "analysis/brief/summary.h"
 #include "analysis/brief/written.h"
+#include "analysis/way_home.h"
 
 #include <gtest/gtest.h>
 

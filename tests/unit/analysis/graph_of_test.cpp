@@ -3,7 +3,7 @@
 
 // The graph of a mission: all that it contains about states and cases, in the mission's own words.
 
-#include "analysis/analysis.h"
+#include "analysis/graph_of.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "analysis/analysis.h"
+#include "analysis/against/against_logs.h"
 #include "ir/eval/interpreter.h"
 #include "support/diagnostics/render.h"
 #include "tests/support/command.h"

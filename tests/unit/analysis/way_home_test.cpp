@@ -3,7 +3,9 @@
 
 // How long the way home takes, and after which silence it begins.
 
-#include "analysis/analysis.h"
+#include "analysis/way_home.h"
+
+#include "analysis/vehicle_file.h"
 #include "support/diagnostics/catalogue.h"
 #include "tests/support/command.h"
 

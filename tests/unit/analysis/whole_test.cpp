@@ -4,7 +4,8 @@
 // What is proved about the vehicle's own mission file after control ends: the bundled files with
 // their times, and twins of them with a fault each, which are refused.
 
-#include "analysis/analysis.h"
+#include "analysis/whole/whole.h"
+
 #include "slocum/mission_files/load.h"
 #include "tests/support/command.h"
 

@@ -3,23 +3,24 @@
 
 #pragma once
 
-#include "analysis/analysis.h"
+#include "analysis/vehicle_file.h"
 #include "compiler/compilation.h"
 #include "ir/prove/prove.h"
 #include "report/findings/findings.h"
+#include "support/source_manager.h"
 
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-namespace glider::driver {
+namespace glider::analysis {
 
 /// How a mission is checked.
 struct CheckOptions {
   bool report = false;               ///< also findings that are not errors, and the budgets
   std::vector<std::string> targets;  ///< of the budget; empty: all boards of the vehicle
   /// The vehicle's mission file (`--mi`); empty: that of the scenario.
-  std::optional<analysis::VehicleFile> vehicle;
+  std::optional<VehicleFile> vehicle;
   std::string scenario;                ///< whose start and mission file apply; empty: none
   std::vector<std::string> user_code;  ///< of the budget: what has the mission's `extern` names
   unsigned effort = 1;                 ///< multiplies the resource limits of proofs
@@ -38,8 +39,25 @@ struct CheckedFile {
   std::string vehicle_premise = {};
 };
 
-/// Checks the mission at `path`: its text, its structure, and what can be proved about it. An I/O
-/// or system error is in CheckedFile::found.
-CheckedFile checkMission(const std::string& path, const CheckOptions& options);
+/// Receives what a check does, which can take seconds. All calls come from the thread of
+/// checkMission.
+class CheckObserver {
+ public:
+  CheckObserver() = default;
+  CheckObserver(const CheckObserver&) = delete;
+  CheckObserver& operator=(const CheckObserver&) = delete;
+  virtual ~CheckObserver() = default;
 
-}  // namespace glider::driver
+  /// What is done from now on, in a few words: "proving 3 of 5: require exit within 90 min".
+  virtual void at(const std::string& /*work*/) {}
+  /// The errors in a file beside the mission, a scenario's.
+  virtual void show(const support::DiagnosticEngine& /*diagnostics*/,
+                    const support::SourceManager& /*sources*/) {}
+};
+
+/// Checks the mission at `path`: its text, its structure, and what can be proved about it, in the
+/// steps of check_steps.def. An I/O or system error is in CheckedFile::found.
+CheckedFile checkMission(const std::string& path, const CheckOptions& options,
+                         CheckObserver& observer);
+
+}  // namespace glider::analysis

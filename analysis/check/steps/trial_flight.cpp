@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analysis/trial_flight.h"
+
+#include "analysis/check/run.h"
+#include "flights/scenario_choice.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+namespace glider::analysis::check {
+
+/// Flies the mission in the scenario that the options name, if nothing is wrong so far.
+support::Result<void> trialFlight(Run& run) {
+  const CheckOptions& options = run.options;
+  if (options.scenario.empty() || run.diagnostics().hasErrors()) {
+    return {};
+  }
+  run.observer.at("flying in the scenario");
+  simulator::Scenario world = *run.scenario;
+  std::string hint = fmt::format("see the flight with `glidercc sim {} --scenario {}`",
+                                 run.file.found.path, options.scenario);
+  if (options.vehicle) {
+    auto own = flights::loadVehiclesOwn(options.vehicle->path);
+    if (!own) {
+      return std::unexpected(own.error());
+    }
+    world.skeleton = std::move(*own);
+    hint += fmt::format(", which flies with the usual mission file instead of `{}`",
+                        options.vehicle->path);
+  }
+  return reportTrialFlight(run.optimised(), world, options.user_code, hint, run.diagnostics());
+}
+
+}  // namespace glider::analysis::check

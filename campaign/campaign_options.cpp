@@ -6,6 +6,7 @@
 #include "codegen/digest.h"
 #include "compiler/build_id.h"
 #include "compiler/compilation.h"
+#include "simulator/family/family.h"
 #include "support/files.h"
 
 #include <fmt/format.h>
@@ -19,16 +20,12 @@ namespace glider::campaign {
 
 namespace {
 
-/// The vehicle's mission file with what its argument files gave it.
-std::string textOf(const slocum::MissionFile& skeleton) {
-  std::string text;
-  for (const slocum::BehaviourBlock& behaviour : skeleton.behaviours) {
-    text += behaviour.name + "\n";
-    for (const slocum::Setting& setting : behaviour.arguments) {
-      text += fmt::format("{} {}\n", setting.name, setting.value);
-    }
-  }
-  return text;
+/// The vehicle's own mission with all that was read for it.
+std::string ownMissionOf(const CampaignPlan& plan) {
+  const simulator::Family* family =
+      plan.missions.empty() ? nullptr : simulator::familyOf(plan.missions.front().platform);
+  return family == nullptr || !plan.scenario.own.has_value() ? ""
+                                                             : family->text_of(plan.scenario.own);
 }
 
 }  // namespace
@@ -64,7 +61,7 @@ support::Result<std::string> identityOf(const CampaignPlan& plan, const Campaign
   if (!skeleton || !world) {
     return std::unexpected(skeleton ? world.error() : skeleton.error());
   }
-  return codegen::digestOf(all + textOf(plan.scenario.skeleton) + *skeleton + *world);
+  return codegen::digestOf(all + ownMissionOf(plan) + *skeleton + *world);
 }
 
 std::string shellWord(const std::string& text) {

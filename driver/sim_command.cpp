@@ -154,11 +154,10 @@ int sim(const SimOptions& options) {
     return reportFailure(scenario.error());
   }
   if (isVehiclesOwn(options)) {
-    auto own = flights::loadVehiclesOwn(options.mission, reportDiagnostics);
+    auto own = flights::flyVehiclesOwn(options.mission, *platform, *scenario, reportDiagnostics);
     if (!own) {
       return reportFailure(own.error());
     }
-    scenario->skeleton = std::move(*own);
   }
   auto folder = FlightFolder::open(outputFolder(options));
   if (!folder) {

@@ -4,7 +4,8 @@
 #include "flights/scenario_choice.h"
 
 #include "compiler/share.h"
-#include "simulator/flight/skeleton.h"
+#include "simulator/family/family.h"
+#include "simulator/simulator.h"
 #include "support/diagnostics/catalogue.h"
 
 #include <fmt/format.h>
@@ -59,15 +60,21 @@ support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
   return scenario;
 }
 
-support::Result<slocum::MissionFile> loadVehiclesOwn(const std::filesystem::path& file,
-                                                     const support::ShowDiagnostics& show) {
+support::Result<void> flyVehiclesOwn(const std::filesystem::path& file,
+                                     const platforms::Platform& platform,
+                                     simulator::Scenario& scenario,
+                                     const support::ShowDiagnostics& show) {
+  const simulator::Family* family = simulator::familyOf(platform);
+  if (family == nullptr) {
+    return simulator::checkPlatform(platform);
+  }
   support::SourceManager sources;
   support::DiagnosticEngine diagnostics;
-  auto mission = simulator::loadMissionFile(file, sources, diagnostics);
+  auto loaded = family->load_own(file, sources, diagnostics, scenario.own);
   if (show) {
     show(diagnostics, sources);
   }
-  return mission;
+  return loaded;
 }
 
 }  // namespace glider::flights

@@ -21,9 +21,11 @@ support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
                                                     const platforms::Platform& platform,
                                                     const support::ShowDiagnostics& show = {});
 
-/// Loads a mission of the vehicle's own, `file`.mi with its argument files, to be flown in the
-/// place of a scenario's. Errors in it are shown. Fails as simulator::loadMissionFile does.
-support::Result<slocum::MissionFile> loadVehiclesOwn(const std::filesystem::path& file,
-                                                     const support::ShowDiagnostics& show = {});
+/// Makes the vehicle of `scenario` fly another mission of its own, from `file` with what belongs to
+/// it. Errors in it are shown. Fails as simulator::Family::load_own does.
+support::Result<void> flyVehiclesOwn(const std::filesystem::path& file,
+                                     const platforms::Platform& platform,
+                                     simulator::Scenario& scenario,
+                                     const support::ShowDiagnostics& show = {});
 
 }  // namespace glider::flights

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "platforms/load/dictionary.h"
-#include "simulator/sensors/provided.h"
+#include "simulator/family/family.h"
 #include "simulator/simulator.h"
 #include "simulator/vehicle/vehicle_model.h"
 #include "support/diagnostics/catalogue.h"
@@ -36,7 +36,15 @@ support::Result<void> checkPlatform(const platforms::Platform& platform) {
   if (auto roles = platforms::checkRoles(platform); !roles) {
     return roles;
   }
-  if (const std::string_view missing = missingSensor(platform); !missing.empty()) {
+  const Family* family = familyOf(platform);
+  if (family == nullptr) {
+    return support::fail(
+        support::DiagnosticId::badDataFile, fmt::format("platform `{}`", platform.name),
+        fmt::format("the simulator cannot fly this vehicle: its file names no `family` that it "
+                    "knows, {}",
+                    knownFamilies()));
+  }
+  if (const auto missing = family->missing_sensor(platform); !missing.empty()) {
     return support::fail(support::DiagnosticId::platformLacksSensor, platform.name, missing);
   }
   return checkMotion(platform);

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "hooks/protocol/values.h"
-#include "simulator/flight/commands.h"
-#include "simulator/flight/sensor_array.h"
+#include "simulator/seat/masked.h"
+#include "simulator/seat/sensor_array.h"
 
 #include <cstdint>
 #include <span>

@@ -62,8 +62,7 @@ void MissionStory::learnOrigin(double cycle_s, const hooks::Hookprog::SbcView& v
   origin_s_ = std::min(origin_s_, cycle_s - view.mission_time_s);
 }
 
-std::string MissionStory::why(const hooks::HookprogEvent& event, const ScienceComputer& science,
-                              const FlightController& flight) const {
+std::string MissionStory::why(const hooks::HookprogEvent& event, const SimulatedSeat& seat) const {
   if (!explain_) {
     return "";
   }
@@ -74,26 +73,22 @@ std::string MissionStory::why(const hooks::HookprogEvent& event, const ScienceCo
       continue;
     }
     const auto& sensor = platform_.sensors[id];
-    const bool of_science = sensor.computer == platforms::Computer::Science;
-    const double value = of_science ? science.value(id) : flight.array().get(id);
     values += fmt::format("{}{} {}", values.empty() ? "" : ", ",
                           sensor.alias.empty() ? sensor.name : sensor.alias,
-                          valueText(value, sensor.unit));
+                          valueText(seat.reading(id), sensor.unit));
   }
   return values.empty() ? text.guard : fmt::format("{} ({})", text.guard, values);
 }
 
 void MissionStory::transition(double now_s, const hooks::HookprogEvent& event,
-                              const ScienceComputer& science, const FlightController& flight,
-                              Journal& journal) const {
+                              const SimulatedSeat& seat, Journal& journal) const {
   const double time =
       std::isfinite(origin_s_) ? std::min(now_s, origin_s_ + event.mission_time_s) : now_s;
   const char* kind = event.a < kTransitions.size() ? kTransitions[event.a] : "?";
   const std::string to = event.a == kExit ? "end" : stateName(event.c);
   const std::string how =
       event.e == kAlways ? fmt::format("{}, always case {}", kind, event.d + 1) : kind;
-  journal.add(time, EventId::Transition, {stateName(event.b), to, how},
-              why(event, science, flight));
+  journal.add(time, EventId::Transition, {stateName(event.b), to, how}, why(event, seat));
   journal.events().back().mission_time_s = event.mission_time_s;
 }
 
@@ -108,11 +103,10 @@ void MissionStory::note(double now_s, const hooks::HookprogEvent& event, Journal
   journal.events().back().mission_time_s = event.mission_time_s;
 }
 
-bool MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science,
-                          const FlightController& flight, Journal& journal) {
+bool MissionStory::follow(double now_s, double cycle_s, SimulatedSeat& seat, Journal& journal) {
   bool in_another_state = false;
-  learnOrigin(cycle_s, science.sbc(), flight.hookActive());
-  for (auto event = science.nextEvent(); event.kind != Kind::None; event = science.nextEvent()) {
+  learnOrigin(cycle_s, seat.sbc(), seat.inControl());
+  for (auto event = seat.nextEvent(); event.kind != Kind::None; event = seat.nextEvent()) {
     const double number = event.a;
     switch (event.kind) {
       case Kind::None:
@@ -130,7 +124,7 @@ bool MissionStory::follow(double now_s, double cycle_s, ScienceComputer& science
         journal.add(now_s, EventId::InstructionUnanswered, {number}, "none for 12 s");
         break;
       case Kind::SbcTransition:
-        transition(now_s, event, science, flight, journal);
+        transition(now_s, event, seat, journal);
         in_another_state = true;
         break;
       case Kind::SbcNote:

@@ -5,8 +5,9 @@
 
 #include "hooks/hookprog/hookprog.h"
 #include "platforms/load/platform.h"
-#include "simulator/flight/flight_controller.h"
-#include "simulator/science/science_computer.h"
+#include "simulator/guard_text.h"
+#include "simulator/journal.h"
+#include "simulator/seat/simulated_seat.h"
 
 #include <limits>
 #include <string>
@@ -14,7 +15,7 @@
 
 namespace glider::simulator {
 
-/// Follows the SBC's mission through what hookprog receives from it: which state, since when, and
+/// Follows the SBC's mission through what the seat receives from it: which state, since when, and
 /// why it changed.
 class MissionStory {
  public:
@@ -22,10 +23,9 @@ class MissionStory {
                const GuardResolver& explain)
       : platform_(platform), state_names_(state_names), explain_(explain) {}
 
-  /// After each science cycle: writes hookprog's events to `journal`. `cycle_s` is the time of the
-  /// newest control cycle. Returns true if the mission has gone to another state.
-  bool follow(double now_s, double cycle_s, ScienceComputer& science,
-              const FlightController& flight, Journal& journal);
+  /// After the seat has served it: writes the seat's events to `journal`. `cycle_s` is the time of
+  /// the newest control cycle. Returns true if the mission has gone to another state.
+  bool follow(double now_s, double cycle_s, SimulatedSeat& seat, Journal& journal);
 
   /// True while the mission is known to be in control.
   [[nodiscard]] bool flying() const { return flying_; }
@@ -36,11 +36,10 @@ class MissionStory {
 
  private:
   void learnOrigin(double cycle_s, const hooks::Hookprog::SbcView& view, bool in_control);
-  void transition(double now_s, const hooks::HookprogEvent& event, const ScienceComputer& science,
-                  const FlightController& flight, Journal& journal) const;
+  void transition(double now_s, const hooks::HookprogEvent& event, const SimulatedSeat& seat,
+                  Journal& journal) const;
   void note(double now_s, const hooks::HookprogEvent& event, Journal& journal) const;
-  [[nodiscard]] std::string why(const hooks::HookprogEvent& event, const ScienceComputer& science,
-                                const FlightController& flight) const;
+  [[nodiscard]] std::string why(const hooks::HookprogEvent& event, const SimulatedSeat& seat) const;
 
   const platforms::Platform& platform_;
   const std::vector<std::string>& state_names_;

@@ -3,6 +3,7 @@
 
 #include "simulator/simulated_vehicle.h"
 
+#include "simulator/family/family.h"
 #include "simulator/sensors/noise.h"
 #include "support/diagnostics/catalogue.h"
 
@@ -13,7 +14,6 @@
 namespace glider::simulator {
 namespace {
 
-constexpr double kFlightScienceBaud = 9600;
 constexpr double kSbcBaud = 115200;
 constexpr int kStepsPerSecond = 4;
 constexpr int64_t kProgressCycles = 25;
@@ -86,25 +86,16 @@ SimulatedVehicle::SimulatedVehicle(SimulationSetup setup, const World& world, ui
       most_steps_(static_cast<int64_t>(duration_s_ / Vehicle::kStep)),
       trace_(headOf(setup_)),
       vehicle_(setup_.platform, setup_.scenario.vehicle),
-      flight_(setup_.platform, setup_.scenario.skeleton, setup_.scenario.sensors, seed_,
-              world.frame(), world.year(), journal_, setup_.scenario.code_15),
-      science_(setup_.platform, seed_, setup_.scenario.sensors, !real_time_),
-      damage_(faultsOf(false), seed_, NoiseStream::SensorJumps),
-      science_damage_(faultsOf(true), seed_, NoiseStream::ScienceSensorJumps),
-      flight_science_link_(kFlightScienceBaud, damageOf(LineWay::ToFlight, kFlightScienceBaud),
-                           damageOf(LineWay::FromFlight, kFlightScienceBaud)),
+      seat_(familyOf(setup_.platform)
+                ->make_seat(SeatSetup{setup_.platform, setup_.scenario, world, seed_, real_time_,
+                                      journal_})),
       sbc_line_(kSbcBaud, damageOf(LineWay::FromSbc, kSbcBaud), damageOf(LineWay::ToSbc, kSbcBaud)),
       link_(std::move(setup_.sbc), std::move(setup_.restart_sbc), faults(), seed_, sbc_line_,
             journal_),
       story_(setup_.platform, setup_.state_names, setup_.explain),
-      recorder_(trace_, world.ocean(), world.frame(), setup_.platform, setup_.scenario) {
-  flight_.startAt(vehicle_.x(), vehicle_.y());
-  flight_.damageBy(&damage_);
-  science_.damageBy(&science_damage_);
+      recorder_(trace_, world, *seat_, setup_.platform, setup_.scenario) {
+  seat_->startAt(vehicle_);
   link_.showTo(setup_.observer);
-  for (const Leftover& leftover : faults().leftover) {
-    flight_.leaveOver(leftover);
-  }
   start_J_ = vehicle_.battery().usedJ();
 }
 
@@ -121,16 +112,6 @@ support::Result<std::unique_ptr<SimulatedVehicle>> SimulatedVehicle::make(Simula
   return std::unique_ptr<SimulatedVehicle>(new SimulatedVehicle(std::move(setup), world, number));
 }
 
-/// The faults of the sensors that the science computer reads, or of the others. What the flight
-/// controller receives from the science computer is damaged already: a fault acts once.
-std::vector<SensorFault> SimulatedVehicle::faultsOf(bool science) const {
-  std::vector<SensorFault> of;
-  std::ranges::copy_if(faults().sensors, std::back_inserter(of), [&](const SensorFault& fault) {
-    return science_.reads(fault.id) == science;
-  });
-  return of;
-}
-
 void SimulatedVehicle::advance(double time_s) {
   for (double now = 0; flying() && (now = static_cast<double>(step_) * Vehicle::kStep) < time_s;
        ++step_) {
@@ -139,11 +120,8 @@ void SimulatedVehicle::advance(double time_s) {
 }
 
 void SimulatedVehicle::step(double now) {
-  flight_science_link_.setNow(now);
   sbc_line_.setNow(now);
-  damage_.setNow(now);
-  science_damage_.setNow(now);
-  failDevices(now);
+  seat_->begin(now, sbc_line_);
   if (step_ == next_cycle_) {
     if (controlCycle(now)) {
       over_ = true;
@@ -152,7 +130,7 @@ void SimulatedVehicle::step(double now) {
     next_cycle_ += cycles_.steps();
   }
   if (step_ % kStepsPerSecond == 0) {
-    scienceCycle(now);
+    serveSbc(now);
   }
   link_.pump(now);
   vehicle_.feedSbc(link_.alive());
@@ -165,19 +143,12 @@ void SimulatedVehicle::step(double now) {
 bool SimulatedVehicle::controlCycle(double now) {
   completeRow();
   const double before_s = std::exchange(scheduled_s_, now);
-  if (isFlightDown(now)) {
+  if (seat_->isDown(now)) {
     return false;
   }
-  for (const Put& put : setup_.scenario.puts) {
-    if (now >= put.at_s && before_s < put.at_s) {
-      flight_.put(put.sensor, put.value);
-      journal_.add(now, EventId::OperatorPuts, {put.sensor, put.value});
-    }
-  }
-  flight_.noteSbcGone(link_.goneForGood(now));
-  flight_.cycle(now, world_.ocean(), vehicle_, flight_science_link_.left());
-  science_.sampleEvery(flight_.samplePeriods());
-  recorder_.row(now, flight_, science_, vehicle_);
+  putSensors(before_s, now);
+  seat_->cycle(now, link_.goneForGood(now), vehicle_);
+  recorder_.row(now, vehicle_);
   cycle_s_ = now;
   if (setup_.progress && cycle_count_++ % kProgressCycles == 0) {
     setup_.progress({now, duration_s_, vehicle_.depth(),
@@ -185,92 +156,55 @@ bool SimulatedVehicle::controlCycle(double now) {
   }
   // By the true depth, not that of the sensor: a flight is over when the vehicle is at the
   // surface.
-  const bool over = !flight_.end().empty() && vehicle_.depth() < kAfloat;
+  const bool over = !seat_->end().empty() && vehicle_.depth() < kAfloat;
   if (over) {
-    journal_.add(now, EventId::FlightEnds, {flight_.end()}, flight_.whyEnded());
+    journal_.add(now, EventId::FlightEnds, {seat_->end()}, seat_->whyEnded());
   }
   const bool seen_enough = setup_.observer != nullptr && !setup_.observer->cycle(view(now, over));
   return over || seen_enough;
 }
 
+/// What the operator set after `before_s`, and up to `now`.
+void SimulatedVehicle::putSensors(double before_s, double now) {
+  for (const Put& put : setup_.scenario.puts) {
+    if (now >= put.at_s && before_s < put.at_s) {
+      seat_->put(put.sensor, put.value);
+      journal_.add(now, EventId::OperatorPuts, {put.sensor, put.value});
+    }
+  }
+}
+
 CycleView SimulatedVehicle::view(double now, bool over) const {
   const Battery& battery = vehicle_.battery();
-  return {now,
-          flight_.hookState(),
-          vehicle_.depth(),
-          flight_.aborted(),
-          over,
-          flight_.array(),
-          now - flight_.missionStart(),
-          world_.ocean().waterDepth(vehicle_.x(), vehicle_.y()) - vehicle_.depth(),
-          battery.usedJ() - start_J_,
-          battery.voltage(),
-          flight_.commandedWhole(),
-          flight_.hookbeh(),
-          flight_.hookbehMasked(),
-          vehicle_.x() - setup_.scenario.vehicle.start_x_m,
-          vehicle_.y() - setup_.scenario.vehicle.start_y_m,
-          vehicle_.pumpedCc(),
-          battery.leftJ()};
+  CycleView view = seat_->view(now);
+  view.true_depth_m = vehicle_.depth();
+  view.ended = over;
+  view.clearance_m = world_.ocean().waterDepth(vehicle_.x(), vehicle_.y()) - vehicle_.depth();
+  view.used_J = battery.usedJ() - start_J_;
+  view.volts = battery.voltage();
+  view.east_m = vehicle_.x() - setup_.scenario.vehicle.start_x_m;
+  view.north_m = vehicle_.y() - setup_.scenario.vehicle.start_y_m;
+  view.pumped_cc = vehicle_.pumpedCc();
+  view.left_J = battery.leftJ();
+  return view;
 }
 
-/// True while the flight controller restarts: what arrives meanwhile is lost.
-bool SimulatedVehicle::isFlightDown(double now) {
-  const FlightRestart* down = nullptr;
-  for (const FlightRestart& restart : faults().flight) {
-    down = restart.when.has(now) ? &restart : down;
-  }
-  if (down == nullptr && flight_down_ != nullptr) {
-    flight_.restart(now, flight_down_->keeps_array);
-  }
-  flight_down_ = down;
-  if (down != nullptr) {
-    flight_science_link_.dropLeft();
-  }
-  return down != nullptr;
-}
-
-/// Makes devices of the flight controller fail, and the science computer restart, at the times of
-/// the faults.
-void SimulatedVehicle::failDevices(double now) {
-  const auto is_due = [&](double at_s) { return now >= at_s && now < at_s + Vehicle::kStep; };
-  if (std::ranges::any_of(faults().aborts, is_due)) {
-    flight_.failDevice(now);
-  }
-  const auto has_now = [&](const Span& span) { return span.has(now); };
-  const bool down = std::ranges::any_of(faults().science, has_now);
-  if (down && !science_down_) {
-    journal_.add(now, EventId::ScienceRestarts);
-    science_.restart();
-  }
-  if (down) {  // what arrives meanwhile is lost
-    flight_science_link_.dropRight();
-    sbc_line_.dropLeft();
-  }
-  science_down_ = down;
-}
-
-void SimulatedVehicle::scienceCycle(double now) {
-  if (science_down_) {
-    return;
-  }
-  science_.run(now, world_.ocean(), {vehicle_.depth(), vehicle_.x(), vehicle_.y()},
-               sbc_line_.left(), flight_science_link_.right());
-  if (story_.follow(now, cycle_s_, science_, flight_, journal_)) {
-    flight_.noteTransition();
+void SimulatedVehicle::serveSbc(double now) {
+  if (seat_->serve(now, vehicle_, sbc_line_) && story_.follow(now, cycle_s_, *seat_, journal_)) {
+    seat_->noteTransition();
   }
 }
 
 /// The SBC's answer to a control cycle is known only by the next one.
 void SimulatedVehicle::completeRow() {
-  if (!trace_.rows.empty() && flight_.hookActive() && story_.flying()) {
+  if (!trace_.rows.empty() && seat_->inControl() && story_.flying()) {
     recorder_.mission(story_.missionTime(cycle_s_), story_.state());
   }
 }
 
 support::Trace SimulatedVehicle::finish() {
   completeRow();
-  if (flight_.end().empty()) {
+  if (seat_->end().empty()) {
     journal_.add(cycle_s_, EventId::TimeIsOver, {duration_s_});
   }
   recorder_.field();

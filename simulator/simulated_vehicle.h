@@ -4,10 +4,12 @@
 #pragma once
 
 #include "simulator/bottom_contact.h"
+#include "simulator/link/sbc_link.h"
+#include "simulator/link/serial_line.h"
 #include "simulator/mission_story.h"
 #include "simulator/recorder.h"
-#include "simulator/science/sbc_link.h"
-#include "simulator/science/serial_line.h"
+#include "simulator/seat/cycle_times.h"
+#include "simulator/seat/simulated_seat.h"
 #include "simulator/simulator.h"
 #include "simulator/world/world.h"
 
@@ -16,7 +18,7 @@
 
 namespace glider::simulator {
 
-/// A vehicle in a world: its body, its two computers, the serial lines and the SBC at their end.
+/// A vehicle in a world: its body, its computers, the serial line and the SBC at its end.
 class SimulatedVehicle {
  public:
   /// It starts where `setup.scenario` does, when the world begins; the water of that scenario is
@@ -42,13 +44,11 @@ class SimulatedVehicle {
   [[nodiscard]] LineDamage damageOf(LineWay way, double baud) const {
     return {faults().lines, way, seed_, baud};
   }
-  [[nodiscard]] std::vector<SensorFault> faultsOf(bool science) const;
   void step(double now);
   bool controlCycle(double now);
   [[nodiscard]] CycleView view(double now, bool over) const;
-  bool isFlightDown(double now);
-  void failDevices(double now);
-  void scienceCycle(double now);
+  void putSensors(double before_s, double now);
+  void serveSbc(double now);
   void completeRow();
 
   SimulationSetup setup_;
@@ -66,19 +66,13 @@ class SimulatedVehicle {
   support::Trace trace_;
   Journal journal_;
   Vehicle vehicle_;
-  FlightController flight_;
-  ScienceComputer science_;
-  SensorDamage damage_;          ///< of the flight controller's sensors
-  SensorDamage science_damage_;  ///< of those that the science computer reads
-  SerialLine flight_science_link_;
+  std::unique_ptr<SimulatedSeat> seat_;
   SerialLine sbc_line_;
   SbcLink link_;
   MissionStory story_;
   Recorder recorder_;
   BottomContact bottom_;
   double cycle_s_ = 0;
-  bool science_down_ = false;
-  const FlightRestart* flight_down_ = nullptr;
   double start_J_ = 0;
 };
 

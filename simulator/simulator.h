@@ -5,9 +5,9 @@
 
 #include "platforms/load/platform.h"
 #include "simulator/flight_observer.h"
+#include "simulator/guard_text.h"
 #include "simulator/ports/sbc_port.h"
 #include "simulator/scenario/scenario.h"
-#include "simulator/science/science_computer.h"
 #include "support/trace/trace.h"
 
 #include <cstdint>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "hooks/transport/clock.h"
-#include "simulator/science/serial_line.h"
+#include "simulator/link/serial_line.h"
 #include "simulator/sensors/noise.h"
 
 #include <limits>

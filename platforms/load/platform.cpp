@@ -249,7 +249,7 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
   }
   Platform platform;
   TomlReader reader(path.string(), *root, "the platform");
-  reader.only({"name", "description", "envelope", "world", "motion", "power", "sensor"});
+  reader.only({"name", "description", "family", "envelope", "world", "motion", "power", "sensor"});
   platform.name = reader.text("name");
   if (!isName(platform.name)) {
     reader.refuse("name", "must be letters, digits and `_`, and begin with a letter");
@@ -257,6 +257,7 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
     reader.refuse("name", "must be that of the file: missions find the platform by it");
   }
   platform.description = reader.text("description");
+  platform.family = reader.textOr("family", "");
   static const toml::table kNone;
   auto part = [&](const toml::node_view<toml::node>& node, const char* title) {
     const toml::table* table = node.as_table();

@@ -117,6 +117,7 @@ inline constexpr std::string_view kVariationSensor = "m_gps_mag_var";
 struct Platform {
   std::string name;
   std::string description;
+  std::string family;  ///< of vehicles/vehicles.def, whose code flies it; may be empty
   Envelope envelope;
   EnvironmentModel world;
   std::optional<Motion> motion;  ///< empty: missions for it can be checked and built, not simulated

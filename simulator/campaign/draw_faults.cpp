@@ -5,6 +5,7 @@
 
 #include "simulator/campaign/draw.h"
 #include "simulator/campaign/draw_sensors.h"
+#include "simulator/slocum/own_mission.h"
 
 #include <algorithm>
 
@@ -261,12 +262,12 @@ void DrawnFaults::applyTo(Scenario& scenario) const {
     scenario.sensors.altimeter.dropout = vehicle.altimeter_dropout;
   }
   if (vehicle.pressure_every_s > 0) {
-    setPressureTime(scenario.skeleton, vehicle.pressure_every_s);
+    setPressureTime(missionFileOf(scenario), vehicle.pressure_every_s);
   }
   if (water_depth_m) {
     scenario.ocean.bottom.depth_m = *water_depth_m;
   }
-  for (slocum::BehaviourBlock& behaviour : scenario.skeleton.behaviours) {
+  for (slocum::BehaviourBlock& behaviour : missionFileOf(scenario).behaviours) {
     if (args && behaviour.name == "hookbeh") {
       put(behaviour, "start_secs", args->start_secs);
       put(behaviour, "max_depth", args->max_depth_m);

@@ -6,8 +6,9 @@
 #include "hooks/hookbeh/hull.h"
 #include "simulator/campaign/depth_judge.h"
 #include "simulator/campaign/judge_limits.h"
-#include "simulator/flight/behaviours/hookbeh_adapter.h"
-#include "simulator/flight/mission_variables.h"
+#include "simulator/slocum/flight/behaviours/hookbeh_adapter.h"
+#include "simulator/slocum/flight/mission_variables.h"
+#include "simulator/slocum/own_mission.h"
 
 #include <algorithm>
 #include <cmath>
@@ -150,7 +151,7 @@ std::vector<FaultKind> kindsOf(const Faults& faults) {
 }
 
 double overtimeOf(const Scenario& scenario) {
-  for (const slocum::BehaviourBlock& behaviour : scenario.skeleton.behaviours) {
+  for (const slocum::BehaviourBlock& behaviour : missionFileOf(scenario).behaviours) {
     if (behaviour.name == "abend") {
       return std::max(0.0, behaviour.value("overtime"));
     }
@@ -189,7 +190,7 @@ JudgeSetup judgeSetup(const platforms::Platform& platform, const Scenario& scena
       std::max({setup.cycle_s, scenario.cycles.mean_s + kSpreads * scenario.cycles.spread_s,
                 scenario.cycles.long_share > 0 ? scenario.cycles.long_s : 0});
   setup.echo_every_s = echoEvery(scenario, setup.cycle_s);
-  for (const slocum::BehaviourBlock& behaviour : scenario.skeleton.behaviours) {
+  for (const slocum::BehaviourBlock& behaviour : missionFileOf(scenario).behaviours) {
     if (behaviour.name == "hookbeh") {
       setup.has_hookbeh = true;
       setup.args = withinHull(hookbehArgs(behaviour), platform.envelope);
@@ -201,7 +202,7 @@ JudgeSetup judgeSetup(const platforms::Platform& platform, const Scenario& scena
     }
   }
   const double every_s =
-      MissionVariables(scenario.skeleton).find("c_pressure_time").value_or(setup.cycle_s);
+      MissionVariables(missionFileOf(scenario)).find("c_pressure_time").value_or(setup.cycle_s);
   setup.late_m = std::max(0.0, every_s - setup.cycle_s) *
                  sinkRate(-setup.args.steepest_pitch_rad, -setup.pump_cc);
   return setup;

@@ -3,7 +3,7 @@
 
 #include "simulator/scenario/scenario.h"
 
-#include "simulator/flight/skeleton.h"
+#include "simulator/family/family.h"
 #include "simulator/magnetism/magnetic_field.h"
 #include "simulator/scenario/read_faults.h"
 #include "simulator/scenario/read_ocean.h"
@@ -11,6 +11,8 @@
 
 #include <cmath>
 #include <limits>
+#include <string_view>
+#include <vector>
 
 namespace glider::simulator {
 
@@ -47,15 +49,6 @@ void readHead(Fields& f, const ScenarioTables& tables, Scenario& scenario) {
   scenario.isotherm_degC = r.numberOr("isotherm_degC", kNotGiven);
 }
 
-/// What code 15 of start_when and stop_when means to the vehicle's release.
-void readCode15(Fields& f, Scenario& scenario) {
-  const std::string text = f.reader().textOr("code_15", "far_from_waypoint");
-  if (text != "far_from_waypoint" && text != "mission_mode") {
-    f.reader().refuse("code_15", "must be \"far_from_waypoint\" or \"mission_mode\"");
-  }
-  scenario.code_15 = text == "mission_mode" ? Code15::MissionMode : Code15::FarFromWaypoint;
-}
-
 /// Reads [[operator.put]].
 Put readPut(Fields& f) {
   f.reader().only({"at_s", "sensor", "value"});
@@ -74,11 +67,25 @@ void readStart(Fields& f, Scenario& scenario) {
   f.number("year", scenario.year, kFirstMagneticYear, kLastMagneticYear);
 }
 
-void readVehicle(Fields& f, Scenario& scenario) {
+void readVehicle(Fields& f, const Family* family, Scenario& scenario) {
   FlightCoefficients& c = scenario.vehicle.flight;
-  f.reader().only({"mass_kg", "hull_volume_m3", "drag", "induced_drag", "wing_lift", "hull_lift",
-                   "reference_area_m2", "compressibility_per_Pa", "battery", "cycle", "code_15"});
-  readCode15(f, scenario);
+  std::vector<std::string_view> keys = {"mass_kg",
+                                        "hull_volume_m3",
+                                        "drag",
+                                        "induced_drag",
+                                        "wing_lift",
+                                        "hull_lift",
+                                        "reference_area_m2",
+                                        "compressibility_per_Pa",
+                                        "battery",
+                                        "cycle"};
+  if (family != nullptr) {
+    keys.insert(keys.end(), family->vehicle_keys.begin(), family->vehicle_keys.end());
+  }
+  f.reader().only(keys);
+  if (family != nullptr) {
+    family->read_vehicle(f, scenario.own);
+  }
   f.number("mass_kg", c.mass_kg, 30, 200);
   // Neutrally buoyant, unless the scenario says otherwise.
   c.hull_volume_m3 = c.mass_kg / scenario.ocean.density;
@@ -126,7 +133,7 @@ Scenario readScenario(ScenarioTables& tables, const platforms::Platform& platfor
   }
   tables.startAt(scenario.latitude_deg, scenario.longitude_deg);
   readOcean(tables, scenario);
-  tables.table("vehicle", [&](Fields& f) { readVehicle(f, scenario); });
+  tables.table("vehicle", [&](Fields& f) { readVehicle(f, familyOf(platform), scenario); });
   tables.part("vehicle", "battery", [&](Fields& f) { readBattery(f, scenario.vehicle.battery); });
   tables.part("vehicle", "cycle", [&](Fields& f) { readCycle(f, scenario.cycles); });
   scenario.sensors.read(tables);
@@ -150,11 +157,12 @@ support::Result<Scenario> loadScenario(const std::filesystem::path& path,
   if (tables.failure()) {
     return std::unexpected(*tables.failure());
   }
-  auto skeleton = loadMissionFile(scenario.skeleton_path, sources, diagnostics);
-  if (!skeleton) {
-    return std::unexpected(skeleton.error());
+  if (const Family* family = familyOf(platform)) {
+    auto own = family->load_own(scenario.skeleton_path, sources, diagnostics, scenario.own);
+    if (!own) {
+      return std::unexpected(own.error());
+    }
   }
-  scenario.skeleton = std::move(*skeleton);
   return scenario;
 }
 

@@ -4,16 +4,15 @@
 #pragma once
 
 #include "simulator/faults/faults.h"
-#include "simulator/flight/cycle_times.h"
-#include "simulator/flight/when.h"
 #include "simulator/ocean/ocean.h"
+#include "simulator/scenario/cycle_settings.h"
 #include "simulator/sensors/sensor_list.h"
 #include "simulator/vehicle/vehicle.h"
-#include "slocum/mission_files/mission_file.h"
 #include "support/diagnostics/engine.h"
 #include "support/result.h"
 #include "support/source_manager.h"
 
+#include <any>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -38,9 +37,8 @@ struct Scenario {
   double duration_s = 0;                       ///< at most
   double isotherm_degC = 0;                    ///< NaN: none is marked
   std::filesystem::path path;                  ///< of the scenario file
-  std::filesystem::path skeleton_path;
-  slocum::MissionFile skeleton;
-  Code15 code_15 = Code15::FarFromWaypoint;  ///< of the vehicle's release
+  std::filesystem::path skeleton_path;         ///< of the vehicle's own mission
+  std::any own;  ///< the vehicle's own mission, of the type of its family; empty: none was read
   CycleSettings cycles;
   std::vector<Put> puts;
   OceanSettings ocean;
@@ -49,10 +47,10 @@ struct Scenario {
   Faults faults;
 };
 
-/// Reads and checks scenario `path`, and its skeleton mission with its argument files, which are in
-/// the same folder. What the scenario does not say of the vehicle is `platform`'s. Fails with
-/// GL9001 or GL5001; errors in the mission files go to `diagnostics`, and the failure is then
-/// GL5120.
+/// Reads and checks scenario `path`, and the vehicle's own mission, which is in the same folder, if
+/// the platform is of a family that the simulator knows. What the scenario does not say of the
+/// vehicle is `platform`'s. Fails with GL9001 or GL5001; errors in the mission files go to
+/// `diagnostics`, and the failure is then GL5120.
 support::Result<Scenario> loadScenario(const std::filesystem::path& path,
                                        const platforms::Platform& platform,
                                        support::SourceManager& sources,

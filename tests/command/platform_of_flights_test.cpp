@@ -237,7 +237,7 @@ TEST_F(PlatformOfFlights, TheSimulatorsSensorsGoByTheVehiclesNamesNotTheLanguage
   EXPECT_THAT(flown.err, HasSubstr("has no sensor `m_pitch`"));
 }
 
-TEST_F(PlatformOfFlights, WithoutAModelItIsCheckedAndBuiltAndNotFlown) {
+TEST_F(PlatformOfFlights, WithoutAModelOrFamilyItIsCheckedAndBuiltAndNotFlown) {
   mission("mine.mission", "platform mine\n");
   const auto refused = [&](const std::string& edit, const std::string& why) {
     platform(edit);
@@ -250,6 +250,9 @@ TEST_F(PlatformOfFlights, WithoutAModelItIsCheckedAndBuiltAndNotFlown) {
   };
   refused("/^\\[motion\\]/,/^hotel_W/d", "its file has no [motion]");
   refused("s/^model = .*/model = \"propeller\"/", "it has no model `propeller`, only `glider`");
+  const std::string unknown = "its file names no `family` that it knows, only `slocum`";
+  refused("/^family = /d", unknown);
+  refused("s/^family = .*/family = \"propelled\"/", unknown);
 }
 
 TEST_F(PlatformOfFlights, ThePlatformsNumbersMoveIt) {
@@ -288,8 +291,8 @@ TEST_F(PlatformOfFlights, ACampaignIsNotResumedWithAnotherPlatformFile) {
 
 TEST_F(PlatformOfFlights, ACheckOfAVehicleThatCannotBeFlownHasItsFindings) {
   mission("mine.mission", "platform mine\nrequire always depth < 18 m\n");
-  for (const char* change :
-       {"/^\\[motion\\]/,/^hotel_W/d", "s/^name = \"m_pitch\"/name = \"m_tilt\"/"}) {
+  for (const char* change : {"/^\\[motion\\]/,/^hotel_W/d",
+                             "s/^name = \"m_pitch\"/name = \"m_tilt\"/", "/^family = /d"}) {
     platform(change);
     const Outcome checked = glidercc("check --report mine.mission");
     EXPECT_EQ(checked.status, 1) << checked.err;

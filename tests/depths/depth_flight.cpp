@@ -7,8 +7,9 @@
 #include "platforms/load/load_platform.h"
 #include "simulator/campaign/bottom_judge.h"
 #include "simulator/campaign/judge_limits.h"
-#include "simulator/flight/skeleton.h"
 #include "simulator/simulator.h"
+#include "simulator/slocum/flight/skeleton.h"
+#include "simulator/slocum/own_mission.h"
 #include "slocum/mission_files/read.h"
 #include "support/check.h"
 #include "tests/slocum.h"
@@ -151,7 +152,7 @@ simulator::Scenario diveScenario(const std::string& skeleton, double water_m) {
   CHECK(mission.has_value(), "the skeleton mission cannot be read");
   simulator::checkSkeleton(*mission, {file, 0, 0}, diagnostics);
   CHECK(diagnostics.errorCount() == 0, "the skeleton mission has errors");
-  scenario->skeleton = std::move(*mission);
+  simulator::missionFileOf(*scenario) = std::move(*mission);
   scenario->ocean.bottom.depth_m = water_m;
   scenario->ocean.bottom.wave_height_m = 0;
   return std::move(*scenario);

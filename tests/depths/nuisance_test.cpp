@@ -6,6 +6,7 @@
 // lift sinks, and layers that it hangs on. scripts/soak/nuisance flies more of the same.
 
 #include "simulator/sensors/noise.h"
+#include "simulator/slocum/own_mission.h"
 #include "tests/depths/depth_faults.h"
 #include "tests/depths/depth_flight.h"
 
@@ -122,7 +123,7 @@ simulator::Scenario drawWater(Rng& dice, double greatest_m) {
 
 std::string describe(const simulator::Scenario& scenario) {
   std::string text;
-  for (const auto& block : scenario.skeleton.behaviours) {
+  for (const auto& block : simulator::missionFileOf(scenario).behaviours) {
     if (block.name == "sensors_in") {
       text = fmt::format("c_pressure_time {} ", block.value("c_pressure_time"));
     }

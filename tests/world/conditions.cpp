@@ -5,6 +5,7 @@
 
 #include "ir/eval/interpreter.h"
 #include "ir/prove/falsification/rng.h"
+#include "simulator/slocum/own_mission.h"
 
 #include <algorithm>
 #include <array>
@@ -94,7 +95,7 @@ Conditions drawConditions(const ir::Mission& mission, const simulator::Scenario&
   const simulator::Faults& faults = drawn.scenario.faults;
   drawn.program_runs = leavesProgram(faults);
   drawn.whole = drawn.program_runs && faults.lines.empty() && faults.science.empty();
-  const auto& behaviours = drawn.scenario.skeleton.behaviours;
+  const auto& behaviours = simulator::missionFileOf(drawn.scenario).behaviours;
   drawn.from_surface = std::ranges::none_of(
       behaviours, [](const auto& behaviour) { return behaviour.name == "yo"; });
   return drawn;

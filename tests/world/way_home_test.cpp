@@ -11,6 +11,7 @@
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/falsification/rng.h"
 #include "simulator/simulator.h"
+#include "simulator/slocum/own_mission.h"
 #include "tests/world/fleet.h"
 
 #include <fmt/format.h>
@@ -103,7 +104,7 @@ TEST(WayHome, OfAKilledSbcIsNoLongerThanStated) {
   auto worlds = scenarios();
   // If the layered control flies a yo without the SBC, that was intended.
   std::erase_if(worlds, [](const auto& world) {
-    return std::ranges::any_of(world.skeleton.behaviours,
+    return std::ranges::any_of(simulator::missionFileOf(world).behaviours,
                                [](const auto& behaviour) { return behaviour.name == "yo"; });
   });
   uint64_t counted = 0;

@@ -8,8 +8,9 @@
 #include "analysis/whole/whole.h"
 #include "flights/in_process_sbc.h"
 #include "ir/prove/falsification/rng.h"
-#include "simulator/flight/skeleton.h"
 #include "simulator/simulator.h"
+#include "simulator/slocum/flight/skeleton.h"
+#include "simulator/slocum/own_mission.h"
 #include "tests/support/command.h"
 #include "tests/world/fleet.h"
 
@@ -148,7 +149,7 @@ LossWatch fly(const Flight& flight) {
   simulator::SimulationSetup setup;
   setup.platform = slocum();
   setup.scenario = *world;
-  setup.scenario.skeleton = flight.vehicle;
+  simulator::missionFileOf(setup.scenario) = flight.vehicle;
   setup.seed = flight.seed;
   setup.duration_s = 4000 + flight.stated_s;
   if (flight.way == Way::Killed) {

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <string>
-#include <utility>
 
 namespace glider::analysis::check {
 
@@ -24,11 +23,10 @@ support::Result<void> trialFlight(Run& run) {
   std::string hint = fmt::format("see the flight with `glidercc sim {} --scenario {}`",
                                  run.file.found.path, options.scenario);
   if (options.vehicle) {
-    auto own = flights::loadVehiclesOwn(options.vehicle->path);
+    auto own = flights::flyVehiclesOwn(options.vehicle->path, run.checked().platform(), world);
     if (!own) {
       return std::unexpected(own.error());
     }
-    world.skeleton = std::move(*own);
     hint += fmt::format(", which flies with the usual mission file instead of `{}`",
                         options.vehicle->path);
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "analysis/check/run.h"
+#include "simulator/slocum/own_mission.h"
 #include "slocum/mission_files/load.h"
 
 #include <utility>
@@ -11,8 +12,9 @@ namespace glider::analysis::check {
 /// Reads the vehicle's mission file, if the options name one, or a scenario that has one.
 support::Result<void> vehicleFile(Run& run) {
   std::optional<VehicleFile> file = run.options.vehicle;
-  if (!file && !run.options.scenario.empty()) {
-    auto its = vehicleFileOf(run.scenario->skeleton, run.scenario->skeleton_path.string());
+  if (!file && !run.options.scenario.empty() && run.scenario->own.has_value()) {
+    auto its = vehicleFileOf(simulator::missionFileOf(*run.scenario),
+                             run.scenario->skeleton_path.string());
     if (!its) {
       return std::unexpected(its.error());
     }

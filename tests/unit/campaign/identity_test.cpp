@@ -5,6 +5,7 @@
 
 #include "campaign/campaign.h"
 #include "simulator/scenario/scenario.h"
+#include "simulator/slocum/own_mission.h"
 #include "support/diagnostics/catalogue.h"
 #include "tests/support/command.h"
 
@@ -37,9 +38,11 @@ class Identity : public ::testing::Test {
     plan_.boards = {"ts5500"};
     plan_.scenario.path = folder_.path() / "world.toml";
     plan_.scenario.skeleton_path = folder_.path() / "skeleton.mi";
-    plan_.scenario.skeleton.behaviours = {{"abend", {}, {{"overdepth", "m", 70, {}, {}}}}};
+    simulator::missionFileOf(plan_.scenario).behaviours = {
+        {"abend", {}, {{"overdepth", "m", 70, {}, {}}}}};
     plan_.missions.resize(1);
     plan_.missions[0].platform.name = "slocum";
+    plan_.missions[0].platform.family = "slocum";
     plan_.missions[0].program = "its digest";
   }
   ~Identity() override { unsetenv("GLIDERCC_SHARE"); }
@@ -82,8 +85,10 @@ TEST_F(Identity, IsDifferentAfterAnyChange) {
       [&] { write("platforms/slocum.toml", "changed"); }, [&] { write("world.toml", "changed"); },
       [&] { write("skeleton.mi", "changed"); },
       // Of an argument file beside the mission file, and of what a mission imports.
-      [&] { plan_.scenario.skeleton.behaviours[0].arguments[0].value = 71; },
-      [&] { plan_.scenario.skeleton.behaviours[0].arguments[0].name = "undervolts"; },
+      [&] { simulator::missionFileOf(plan_.scenario).behaviours[0].arguments[0].value = 71; },
+      [&] {
+        simulator::missionFileOf(plan_.scenario).behaviours[0].arguments[0].name = "undervolts";
+      },
       [&] { plan_.missions[0].program = "another"; }};
   std::set<std::string> all = {now()};
   for (const auto& change : changes) {

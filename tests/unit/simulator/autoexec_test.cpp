@@ -3,8 +3,8 @@
 
 // autoexec.mi and the argument files of a mission, in the folders of the vehicle.
 
-#include "simulator/flight/mission_variables.h"
-#include "simulator/flight/skeleton.h"
+#include "simulator/slocum/flight/mission_variables.h"
+#include "simulator/slocum/flight/skeleton.h"
 #include "support/diagnostics/render.h"
 #include "support/files.h"
 

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "simulator/flight/behaviour.h"
-#include "simulator/flight/behaviours/source.h"
+#include "simulator/slocum/flight/behaviour.h"
+#include "simulator/slocum/flight/behaviours/source.h"
 #include "slocum/mission_files/read.h"
 #include "tests/slocum.h"
 

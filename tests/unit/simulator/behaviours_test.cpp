@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "simulator/flight/behaviour.h"
-#include "simulator/flight/layered_control.h"
+#include "simulator/slocum/flight/behaviour.h"
+#include "simulator/slocum/flight/layered_control.h"
 #include "tests/unit/simulator/behaviour_bench.h"
 
 #include <gtest/gtest.h>

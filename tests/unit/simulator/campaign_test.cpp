@@ -6,6 +6,7 @@
 #include "hooks/protocol/messages.h"
 #include "simulator/campaign/draw_faults.h"
 #include "simulator/campaign/flight_judge.h"
+#include "simulator/slocum/own_mission.h"
 #include "tests/slocum.h"
 #include "tests/unit/simulator/fake_sbc.h"
 #include "tests/unit/simulator/flights.h"
@@ -191,7 +192,7 @@ TEST(JudgeSetup, OfAnSbcThatMayBeSilentForLongIsWhatHookbehMakesOfIt) {
   const platforms::Platform platform = shippedSetup("default").platform;
   const auto silence = [&](double secs) {
     Scenario scenario = shippedSetup("default").scenario;
-    for (slocum::BehaviourBlock& behaviour : scenario.skeleton.behaviours) {
+    for (slocum::BehaviourBlock& behaviour : missionFileOf(scenario).behaviours) {
       for (slocum::Setting& setting : behaviour.arguments) {
         setting.value = setting.name == "silence_secs" ? secs : setting.value;
       }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "simulator/flight/dynamic_control.h"
+#include "simulator/slocum/flight/dynamic_control.h"
 
 #include "tests/unit/simulator/slocum_vehicle.h"
 

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "simulator/flight/flight_controller.h"
+#include "simulator/slocum/flight/flight_controller.h"
 
 #include "hooks/protocol/numbers.h"
 #include "hooks/transport/memory.h"
-#include "simulator/flight/skeleton.h"
+#include "simulator/slocum/flight/skeleton.h"
+#include "simulator/slocum/own_mission.h"
 #include "slocum/mission_files/read.h"
 #include "tests/slocum.h"
 #include "tests/unit/simulator/flights.h"
@@ -48,7 +49,7 @@ class Controller {
   Controller(const std::string& mission, double water_depth, const std::string& lacks = "")
       : setup_(without(setupWith(mission), lacks)),
         ocean(stillWater(water_depth)),
-        controller(setup_.platform, setup_.scenario.skeleton, noiseless(), 1, frame_, 2025,
+        controller(setup_.platform, missionFileOf(setup_.scenario), noiseless(), 1, frame_, 2025,
                    journal) {}
 
   /// Cycles until `seconds` are over, calling `after` behind each.

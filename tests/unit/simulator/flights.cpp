@@ -4,7 +4,8 @@
 #include "tests/unit/simulator/flights.h"
 
 #include "platforms/load/load_platform.h"
-#include "simulator/flight/skeleton.h"
+#include "simulator/slocum/flight/skeleton.h"
+#include "simulator/slocum/own_mission.h"
 #include "slocum/mission_files/read.h"
 #include "support/diagnostics/render.h"
 
@@ -52,7 +53,7 @@ SimulationSetup setupWith(const std::string& mission) {
     std::fprintf(stderr, "%s\n", support::render(diagnostics, sources, false).c_str());
     std::abort();
   }
-  setup.scenario.skeleton = std::move(*read);
+  missionFileOf(setup.scenario) = std::move(*read);
   return setup;
 }
 

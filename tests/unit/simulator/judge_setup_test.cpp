@@ -3,6 +3,7 @@
 
 // What the checks of a flight know of its scenario and faults.
 
+#include "simulator/slocum/own_mission.h"
 #include "tests/unit/simulator/good_flight.h"
 
 namespace glider::simulator {
@@ -14,7 +15,7 @@ double echoEvery(double range_m, double dropout, std::optional<double> period_s 
   scenario.sensors.altimeter.range_m = range_m;
   scenario.sensors.altimeter.dropout = dropout;
   if (period_s) {
-    slocum::Setting& setting = scenario.skeleton.sensors.emplace_back();
+    slocum::Setting& setting = missionFileOf(scenario).sensors.emplace_back();
     setting.name = "c_alt_time";
     setting.value = *period_s;
   }

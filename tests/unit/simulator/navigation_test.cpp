@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "simulator/flight/navigator.h"
-#include "simulator/flight/position.h"
-#include "simulator/flight/sensor_array.h"
+#include "simulator/geography/ddmm.h"
+#include "simulator/seat/sensor_array.h"
+#include "simulator/slocum/flight/navigator.h"
 
 #include <gtest/gtest.h>
 

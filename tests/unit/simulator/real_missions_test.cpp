@@ -3,7 +3,8 @@
 
 // Missions that gliders have flown, in the simulator, without an SBC.
 
-#include "simulator/flight/skeleton.h"
+#include "simulator/slocum/flight/skeleton.h"
+#include "simulator/slocum/own_mission.h"
 #include "support/diagnostics/render.h"
 #include "tests/unit/simulator/flights.h"
 
@@ -38,7 +39,7 @@ class RealMissions : public testing::Test {
     auto mission = loadMissionFile(kMissions / file, sources, diagnostics);
     EXPECT_TRUE(mission) << support::render(diagnostics, sources, false);
     if (mission) {
-      setup.scenario.skeleton = std::move(*mission);
+      missionFileOf(setup.scenario) = std::move(*mission);
     }
     setup.scenario.latitude_deg = latitude_deg;
     setup.scenario.longitude_deg = longitude_deg;
@@ -100,7 +101,7 @@ TEST_F(RealMissions, Bsdsta01KeepsStillOnTheSurfaceUntilItsTimeIsOver) {
 
 TEST_F(RealMissions, Backse01DoesWhatTheBackseatSets) {
   SimulationSetup flight = setup("backseat/backse01.mi", 39.2, -73.8, 3);
-  flight.scenario.code_15 = Code15::MissionMode;
+  slocumMissionOf(flight.scenario).code_15 = Code15::MissionMode;
   // A dive to 20 m and back to 3 m at 26 degrees on heading 90 degrees; after an hour: come up.
   for (const auto& [sensor, value] : {std::pair("u_mission_param_c", 20.0),
                                       {"u_mission_param_d", 5},

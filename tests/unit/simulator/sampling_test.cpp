@@ -3,8 +3,9 @@
 
 #include "hooks/transport/memory.h"
 #include "platforms/load/load_platform.h"
-#include "simulator/flight/science_switches.h"
-#include "simulator/science/science_computer.h"
+#include "simulator/slocum/flight/science_switches.h"
+#include "simulator/slocum/own_mission.h"
+#include "simulator/slocum/science/science_computer.h"
 #include "slocum/mission_files/read.h"
 #include "tests/unit/simulator/behaviour_bench.h"
 #include "tests/unit/simulator/flights.h"
@@ -322,7 +323,7 @@ TEST(Sampling, TheScienceComputerKeepsToThePeriods) {
 TEST(Sampling, ASampleWhoseFileIsMissingOrdersNothing) {
   SimulationSetup setup =
       setupWith(kSurface + kYo + "behavior: sample\n b_arg: intersample_time(s) -1\n");
-  setup.scenario.skeleton.behaviours.back().lacks_file = true;
+  missionFileOf(setup.scenario).behaviours.back().lacks_file = true;
   const support::Trace trace = fly(std::move(setup));
   EXPECT_GT(readings(trace, true).rows, 10);
   EXPECT_EQ(readings(trace, true).known, readings(trace, true).rows);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "simulator/slocum/own_mission.h"
 #include "tests/slocum.h"
 #include "tests/unit/simulator/fake_sbc.h"
 #include "tests/unit/simulator/flights.h"
@@ -130,7 +131,7 @@ TEST(SbcFlight, RefusedInstructionsAreReportedAndChangeNothing) {
 TEST(SbcFlight, ARefusalNamesTheLimitInEffectWhereTheHullIsNarrower) {
   SimulationSetup setup = withSbc("default", {.top_m = 5, .bottom_m = 3000});
   setup.duration_s = 200;
-  for (slocum::BehaviourBlock& block : setup.scenario.skeleton.behaviours) {
+  for (slocum::BehaviourBlock& block : missionFileOf(setup.scenario).behaviours) {
     for (slocum::Setting& argument : block.arguments) {
       argument.value = argument.name == "max_depth" ? 2000 : argument.value;
     }
@@ -168,7 +169,7 @@ TEST(SbcFlight, Figure5IsLayeredBeforeAndAfter) {
 TEST(SbcFlight, ASurfacingForWantOfContactMasksHookbehAndThenItsMissionGoesOn) {
   SimulationSetup setup = withSbc("default", {.top_m = 8, .bottom_m = 30});
   setup.duration_s = 2400;
-  for (slocum::BehaviourBlock& block : setup.scenario.skeleton.behaviours) {
+  for (slocum::BehaviourBlock& block : missionFileOf(setup.scenario).behaviours) {
     for (slocum::Setting& argument : block.arguments) {
       argument.value = argument.name == "when_secs" ? 900 : argument.value;
     }

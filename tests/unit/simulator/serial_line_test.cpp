@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "simulator/science/serial_line.h"
+#include "simulator/link/serial_line.h"
 
 #include <gtest/gtest.h>
 

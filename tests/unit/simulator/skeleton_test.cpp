@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "simulator/flight/skeleton.h"
+#include "simulator/slocum/flight/skeleton.h"
 
-#include "simulator/flight/argument_values.h"
+#include "simulator/slocum/flight/argument_values.h"
 #include "slocum/mission_files/read.h"
 #include "support/diagnostics/render.h"
 

@@ -3,8 +3,8 @@
 
 // The pressure of a swell at a vehicle, by the textbook's formulas, and cycles of unequal length.
 
-#include "simulator/flight/cycle_times.h"
 #include "simulator/ocean/ocean.h"
+#include "simulator/seat/cycle_times.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 // The vehicle's own rules of its missions, cycle by cycle: codes, waypoint lists, mission
 // parameters, the surface dialogue, drifting, slots that are busy without a command.
 
-#include "simulator/flight/geography.h"
-#include "simulator/flight/position.h"
+#include "simulator/geography/ddmm.h"
+#include "simulator/slocum/flight/geography.h"
 #include "tests/unit/simulator/behaviour_bench.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "simulator/flight/navigator.h"
-#include "simulator/flight/position.h"
+#include "simulator/geography/ddmm.h"
+#include "simulator/slocum/flight/navigator.h"
 #include "tests/unit/simulator/slocum_vehicle.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/family/family.h"
+
+#include "simulator/sensors/provided.h"
+#include "simulator/slocum/flight/skeleton.h"
+#include "simulator/slocum/own_mission.h"
+#include "simulator/slocum/slocum_seat.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace glider::simulator {
+namespace {
+
+/// The one in `own`, which is made if there is none.
+SlocumMission& missionIn(std::any& own) {
+  if (!own.has_value()) {
+    own = SlocumMission();
+  }
+  return std::any_cast<SlocumMission&>(own);
+}
+
+support::Result<void> loadOwn(const std::filesystem::path& path, support::SourceManager& sources,
+                              support::DiagnosticEngine& diagnostics, std::any& own) {
+  auto file = loadMissionFile(path, sources, diagnostics);
+  if (!file) {
+    return std::unexpected(file.error());
+  }
+  missionIn(own).file = std::move(*file);
+  return {};
+}
+
+/// What code 15 of start_when and stop_when means to the vehicle's release.
+void readCode15(Fields& fields, std::any& own) {
+  const std::string text = fields.reader().textOr("code_15", "far_from_waypoint");
+  if (text != "far_from_waypoint" && text != "mission_mode") {
+    fields.reader().refuse("code_15", "must be \"far_from_waypoint\" or \"mission_mode\"");
+  }
+  missionIn(own).code_15 = text == "mission_mode" ? Code15::MissionMode : Code15::FarFromWaypoint;
+}
+
+/// The vehicle's mission file with what its argument files gave it.
+std::string textOf(const std::any& own) {
+  std::string text;
+  for (const slocum::BehaviourBlock& behaviour :
+       std::any_cast<const SlocumMission&>(own).file.behaviours) {
+    text += behaviour.name + "\n";
+    for (const slocum::Setting& setting : behaviour.arguments) {
+      text += fmt::format("{} {}\n", setting.name, setting.value);
+    }
+  }
+  return text;
+}
+
+std::unique_ptr<SimulatedSeat> makeSeat(const SeatSetup& setup) {
+  return std::make_unique<SlocumSeat>(setup);
+}
+
+}  // namespace
+
+const Family families::slocum = {"slocum",   missingSensor, loadOwn, {"code_15"},
+                                 readCode15, textOf,        makeSeat};
+
+}  // namespace glider::simulator

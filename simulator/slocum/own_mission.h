@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/scenario/scenario.h"
+#include "simulator/slocum/flight/when.h"
+#include "slocum/mission_files/mission_file.h"
+
+namespace glider::simulator {
+
+/// What a Slocum flies by itself: its mission file, and how its release reads it.
+struct SlocumMission {
+  slocum::MissionFile file;
+  Code15 code_15 = Code15::FarFromWaypoint;
+};
+
+/// The Slocum's mission in a scenario: an empty one is put there if it has none yet. The scenario
+/// must be for a Slocum.
+SlocumMission& slocumMissionOf(Scenario& scenario);
+const SlocumMission& slocumMissionOf(const Scenario& scenario);
+
+/// Its mission file.
+inline slocum::MissionFile& missionFileOf(Scenario& scenario) {
+  return slocumMissionOf(scenario).file;
+}
+inline const slocum::MissionFile& missionFileOf(const Scenario& scenario) {
+  return slocumMissionOf(scenario).file;
+}
+
+}  // namespace glider::simulator

@@ -28,7 +28,7 @@ size_t numberIn(const char* variable, size_t otherwise) {
   return error == std::errc() && end == text.data() + text.size() ? number : otherwise;
 }
 
-/// The variables of a launcher.
+/// The variables of a launcher. mpirun may itself have been started by srun: the ranks are mpirun's.
 struct Variables {
   const char* rank;
   const char* size;
@@ -70,9 +70,8 @@ class LoadedRanks final : public Ranks {
 
 Launch launchOf() {
   for (const Variables& variables : kLaunchers) {
-    const size_t size = numberIn(variables.size, 1);
-    if (size > 1) {
-      return {numberIn(variables.rank, 0), size};
+    if (std::getenv(variables.size) != nullptr) {
+      return {numberIn(variables.rank, 0), numberIn(variables.size, 1)};
     }
   }
   return {};

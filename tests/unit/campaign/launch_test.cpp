@@ -56,6 +56,16 @@ TEST_F(LaunchOf, KnowsTheLaunchers) {
   EXPECT_EQ(with("OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", "0", "4x"), Pair(0, 1));
 }
 
+// Slurm starts mpirun's daemons by srun, one on each machine.
+TEST_F(LaunchOf, MpirunInAJobOfSlurmCountsItsOwnRanks) {
+  ::setenv("SLURM_PROCID", "1", 1);
+  ::setenv("SLURM_STEP_NUM_TASKS", "2", 1);
+  ::setenv("OMPI_COMM_WORLD_RANK", "0", 1);
+  ::setenv("OMPI_COMM_WORLD_SIZE", "1", 1);
+  EXPECT_EQ(launchOf().size, 1U);
+  EXPECT_EQ(launchOf().rank, 0U);
+}
+
 TEST_F(LaunchOf, OneProcessNeedsNoMpi) {  // accepts: GL9388
   ::setenv("GLIDERCC_SHARE", "/nowhere", 1);
   const auto ranks = joinRanks(launchOf());

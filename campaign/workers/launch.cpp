@@ -28,7 +28,8 @@ size_t numberIn(const char* variable, size_t otherwise) {
   return error == std::errc() && end == text.data() + text.size() ? number : otherwise;
 }
 
-/// The variables of a launcher. mpirun may itself have been started by srun: the ranks are mpirun's.
+/// The variables of a launcher. mpirun may itself have been started by srun: the ranks are
+/// mpirun's.
 struct Variables {
   const char* rank;
   const char* size;

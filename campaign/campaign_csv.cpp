@@ -100,31 +100,6 @@ void parseNumbers(const std::string& field, size_t from, Verdict& verdict) {
   }
 }
 
-/// False for a line that is not the row of a flight of `plan`. Sets `number` and `verdict`.
-bool parseRow(const CampaignPlan& plan, std::string_view line, uint64_t& number, Verdict& verdict) {
-  const std::vector<std::string> fields = fieldsOf(line);
-  if (fields.size() != kCount || !parse(fields[0], number) || number >= plan.flights ||
-      !parse(fields[kReleases], verdict.releases) ||
-      !parse(fields[kInstructions], verdict.instructions) || !parse(fields[kEnd], verdict.end_s) ||
-      !parse(fields[kDeepest], verdict.deepest_m) || !parseOutcome(fields, verdict)) {
-    return false;
-  }
-  verdict.violation = fields[kViolation];
-  const auto& mission = plan.missions[flightOf(plan, number).mission];
-  parseNumbers(fields[kRequirements], 0, verdict);
-  parseNumbers(fields[kAssumptions], requirementsIn(mission), verdict);
-  if (std::ranges::any_of(verdict.requirements,
-                          [&](size_t one) { return one >= mission.requirements.size(); })) {
-    return false;
-  }
-  const bool violated = verdict.outcome == Verdict::Outcome::Violation;
-  if (violated && !parse(fields[kViolationTime], verdict.violation_s)) {
-    return false;
-  }
-  // The columns that follow from the number must be in the row.
-  return csvRow(plan, flightOf(plan, number), verdict) == std::string(line) + "\n";
-}
-
 std::unexpected<support::Failure> refuse(const std::string& file, const std::string& why,
                                          const std::string& hint) {
   return support::fail(DiagnosticId::campaignNotResumed, file, why, hint);
@@ -148,6 +123,30 @@ std::string csvRow(const CampaignPlan& plan, const CampaignFlight& flight, const
                      verdict.deepest_m, violated ? fmt::to_string(verdict.violation_s) : "",
                      support::csvQuoted(verdict.violation), numbersText(verdict, 0, required),
                      numbersText(verdict, required, mission.requirements.size()));
+}
+
+bool parseRow(const CampaignPlan& plan, std::string_view line, uint64_t& number, Verdict& verdict) {
+  const std::vector<std::string> fields = fieldsOf(line);
+  if (fields.size() != kCount || !parse(fields[0], number) || number >= plan.flights ||
+      !parse(fields[kReleases], verdict.releases) ||
+      !parse(fields[kInstructions], verdict.instructions) || !parse(fields[kEnd], verdict.end_s) ||
+      !parse(fields[kDeepest], verdict.deepest_m) || !parseOutcome(fields, verdict)) {
+    return false;
+  }
+  verdict.violation = fields[kViolation];
+  const auto& mission = plan.missions[flightOf(plan, number).mission];
+  parseNumbers(fields[kRequirements], 0, verdict);
+  parseNumbers(fields[kAssumptions], requirementsIn(mission), verdict);
+  if (std::ranges::any_of(verdict.requirements,
+                          [&](size_t one) { return one >= mission.requirements.size(); })) {
+    return false;
+  }
+  const bool violated = verdict.outcome == Verdict::Outcome::Violation;
+  if (violated && !parse(fields[kViolationTime], verdict.violation_s)) {
+    return false;
+  }
+  // The columns that follow from the number must be in the row.
+  return csvRow(plan, flightOf(plan, number), verdict) == std::string(line) + "\n";
 }
 
 std::string campaignCsv(const CampaignPlan& plan, const CampaignResult& result,
@@ -187,7 +186,15 @@ support::Result<void> readCsv(const std::string& file, const CampaignPlan& plan,
       return refuse(file, fmt::format("line {} is not a flight of this campaign", line),
                     "remove that line: its flight is flown again");
     }
-    result.verdicts[number] = std::move(verdict);
+    const CampaignFlight flight = flightOf(plan, number);
+    auto& known = result.verdicts[number];
+    if (known && csvRow(plan, flight, *known) != csvRow(plan, flight, verdict)) {
+      return refuse(
+          file,
+          fmt::format("line {}: flight {} has another outcome in a file before it", line, number),
+          "keep one of the two lines");
+    }
+    known = std::move(verdict);
     rest.remove_prefix(end + 1);
   }
   return {};

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "campaign/fly_all.h"
+#include "campaign/campaign_plan.h"
 #include "flights/launch_choice.h"
 #include "support/result.h"
 
@@ -14,6 +14,11 @@
 
 namespace glider::campaign {
 
+/// A share of a campaign's flights.
+struct CampaignPart {
+  uint64_t number = 1, of = 1;
+};
+
 struct CampaignOptions {
   std::vector<std::string> missions;
   std::string scenario = "default";
@@ -22,7 +27,9 @@ struct CampaignOptions {
   unsigned jobs = 0;
   unsigned board_percent = 10;
   std::vector<std::string> faults;  ///< names of kinds; empty: all
-  std::string csv, resume;
+  std::string csv;
+  std::vector<std::string> resume;
+  CampaignPart part;
   std::optional<uint64_t> only;
   std::string output;
   flights::LaunchChoice launch;

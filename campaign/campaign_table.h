@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "campaign/fly_all.h"
+#include "campaign/campaign_result.h"
 
 #include <string>
 

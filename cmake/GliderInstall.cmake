@@ -23,6 +23,9 @@ install(TARGETS glidercc RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 foreach(folder boards c explain library platforms scenarios)
   install(DIRECTORY ${GLIDER_SHARE_DIR}/${folder} DESTINATION ${GLIDER_DATA_DIR})
 endforeach()
+if(TARGET glider_ranks)
+  install(TARGETS glider_ranks LIBRARY DESTINATION ${GLIDER_DATA_DIR}/mpi)
+endif()
 
 # Where a C compiler looks. The one copy of the headers is what `glidercc targets --cflags` names too.
 cmake_path(RELATIVE_PATH GLIDER_DATA_DIR BASE_DIRECTORY ${CMAKE_INSTALL_INCLUDEDIR} OUTPUT_VARIABLE data_from_include)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "campaign/campaign.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/output/man_page.h"
@@ -28,6 +29,19 @@ int tellUnknownCommand(const CLI::App& app, const std::string& word) {
   glider::driver::tell("glidercc: error: there is no command `" + word +
                        "`\n  hint: the commands are: " + names + "\n");
   return glider::driver::kWorldFailed;
+}
+
+/// Prints what is wrong with the command line, or the help that it asks for; returns the exit code.
+int tellUsage(const CLI::App& app, int argc, char** argv, const CLI::ParseError& error) {
+  using namespace glider::driver;
+  if (glider::campaign::launchOf().rank > 0) {
+    return kFine;  // rank 0 has the same command line
+  }
+  const bool lacks = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+  if (lacks && argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty()) {
+    return tellUnknownCommand(app, argv[1]);
+  }
+  return app.exit(error) == 0 ? kFine : kWorldFailed;
 }
 
 int run(int argc, char** argv) {
@@ -61,13 +75,8 @@ int run(int argc, char** argv) {
   addPlatformCommand(app, status);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::RequiredError& error) {
-    if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty()) {
-      return tellUnknownCommand(app, argv[1]);
-    }
-    return app.exit(error) == 0 ? kFine : kWorldFailed;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kFine : kWorldFailed;
+    return tellUsage(app, argc, argv, error);
   }
   return status;
 }

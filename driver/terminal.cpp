@@ -22,9 +22,24 @@ bool colourWanted() {
   return ::isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
 }
 
+/// Where `tell` writes instead of standard error; null: nowhere else.
+std::string* kept = nullptr;
+
 }  // namespace
 
+KeptMessages::KeptMessages() {
+  kept = &text_;
+}
+
+KeptMessages::~KeptMessages() {
+  kept = nullptr;
+}
+
 void tell(std::string_view text) {
+  if (kept != nullptr) {
+    *kept += text;
+    return;
+  }
   // Not fmt::print, which throws when the write fails: such a failure must only show in the exit
   // code.
   (void)std::fwrite(text.data(), 1, text.size(), stderr);

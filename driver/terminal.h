@@ -7,12 +7,26 @@
 #include "support/result.h"
 #include "support/source_manager.h"
 
+#include <string>
 #include <string_view>
 
 namespace glider::driver {
 
 /// Writes to standard error; a failed write is ignored, since standard error may be closed.
 void tell(std::string_view text);
+/// While this exists, `tell` keeps what it would write.
+class KeptMessages {
+ public:
+  KeptMessages();
+  KeptMessages(const KeptMessages&) = delete;
+  KeptMessages& operator=(const KeptMessages&) = delete;
+  ~KeptMessages();
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
 /// Prints an I/O or system error as `glidercc: error: … [GL9001 slug]` with its hint; returns its
 /// exit code.
 int reportFailure(const support::Failure& failure);

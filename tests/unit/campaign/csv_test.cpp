@@ -201,5 +201,24 @@ TEST_F(CampaignCsv, RowsOfOtherFlightsAreRefusedWithTheirLine) {
   EXPECT_THAT(line(with(row(4), ",0.1,", ",,")), HasSubstr("line 4"));
 }
 
+// The files of parts, read one after another.
+TEST_F(CampaignCsv, FlightsOfSeveralFilesAreMerged) {
+  CampaignResult merged;
+  ASSERT_TRUE(read(csvHead("id") + row(0) + row(3), merged));
+  ASSERT_TRUE(read(csvHead("id") + row(4) + row(3), merged)) << "the same flight twice";
+  ASSERT_TRUE(read(csvHead("id") + row(1), merged));
+  EXPECT_EQ(campaignCsv(plan_, merged, "id"), written());
+}
+
+TEST_F(CampaignCsv, AFlightWithTwoOutcomesIsRefused) {
+  CampaignResult merged;
+  ASSERT_TRUE(read(csvHead("id") + row(0) + row(3), merged));
+  const auto done = read(csvHead("id") + row(1) + with(row(3), "released,3", "released,4"), merged);
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().id, support::DiagnosticId::campaignNotResumed);
+  EXPECT_NE(done.error().message.find("line 4: flight 3 has another outcome"), std::string::npos)
+      << done.error().message;
+}
+
 }  // namespace
 }  // namespace glider::campaign

@@ -102,7 +102,7 @@ TEST_F(Identity, HowManyFlyAtATimeIsNotPartOfIt) {
   plan_.jobs = 7;
   options_.jobs = 7;
   options_.csv = "x";
-  options_.resume = "y";
+  options_.resume = {"y"};
   EXPECT_EQ(now(), before);
 }
 

@@ -52,6 +52,28 @@ TEST(FlightOf, BeginsWithTheFirstMannerAndGoesOnByOne) {
   EXPECT_EQ(flightOf(planOf(1), 1).manner, Manner::Recurring);
 }
 
+TEST(RangeOf, ThePartsAreAllFlightsOnceAndInTheirOrder) {
+  CampaignPlan plan = planOf(1);
+  for (const uint64_t flights : {uint64_t{1}, uint64_t{7}, uint64_t{1000}, uint64_t{10'000'000}}) {
+    plan.flights = flights;
+    EXPECT_EQ(rangeOf(plan).begin, 0U);
+    EXPECT_EQ(rangeOf(plan).end, flights) << "one part is all";
+    for (const uint64_t parts : {uint64_t{3}, uint64_t{8}, uint64_t{1000}}) {
+      CampaignPlan share = plan;
+      share.parts = parts;
+      uint64_t next = 0;
+      for (share.part = 1; share.part <= parts; ++share.part) {
+        const FlightRange range = rangeOf(share);
+        EXPECT_EQ(range.begin, next);
+        EXPECT_LE(range.end - range.begin, flights / parts + 1);
+        EXPECT_GE(range.end - range.begin, flights / parts);
+        next = range.end;
+      }
+      EXPECT_EQ(next, flights);
+    }
+  }
+}
+
 // A number that is reported with its seed must mean the same flight in later versions, too: the
 // seeds are SplitMix64's, whose first numbers from 1234567 are published.
 TEST(FlightOf, HasTheSeedsOfSplitMix64) {

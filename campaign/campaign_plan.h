@@ -43,7 +43,8 @@ struct CampaignPlan {
   std::vector<simulator::FaultKind> kinds = simulator::allFaultKinds();  ///< drawn in turn
   uint64_t flights = 0;
   uint64_t seed = 1;
-  unsigned jobs = 1;
+  uint64_t part = 1, parts = 1;  ///< which share of the flights is flown; all others are left out
+  unsigned jobs = 1;             ///< flights at a time, in each process
   double hang_s = 60, hang_on_board_s = 600;  ///< of real time; a flight that takes longer hangs
 };
 
@@ -58,6 +59,11 @@ struct CampaignFlight {
 };
 /// Missions, kinds of faults and manners take turns; the seed chooses the board.
 CampaignFlight flightOf(const CampaignPlan& plan, uint64_t number);
+/// The numbers of the flights in the plan's part: from `begin` to before `end`.
+struct FlightRange {
+  uint64_t begin = 0, end = 0;
+};
+FlightRange rangeOf(const CampaignPlan& plan);
 /// The faults of the flight.
 simulator::DrawnFaults faultsOf(const CampaignPlan& plan, const CampaignFlight& flight);
 
@@ -70,26 +76,5 @@ support::Result<simulator::Verdict> flyOne(const CampaignPlan& plan, const Campa
 
 /// Flies each mission once without faults and records its usual values.
 support::Result<void> measureMissions(CampaignPlan& plan);
-
-struct CampaignResult {
-  std::vector<std::optional<simulator::Verdict>> verdicts;  ///< by number; none: not flown
-  std::optional<support::Failure> failure;  ///< an I/O or system error: the rest was not flown
-  bool hung = false;                        ///< a flight did not end
-  bool interrupted = false;                 ///< flights under way were abandoned
-  bool running = false;  ///< a thread still runs: the program can only be ended by force
-};
-
-/// Receives the progress of a campaign; each function is called by one thread at a time.
-struct CampaignListener {
-  /// A flight is over. A failure ends the campaign.
-  std::function<support::Result<void>(const CampaignFlight&, const simulator::Verdict&)> over;
-  std::function<void(uint64_t)> progress;  ///< a few times a second: how many flights are over
-  std::function<bool()> stop;              ///< true to end it now
-};
-
-/// Flies all flights that have no verdict in `known`. A flight that takes longer than the plan
-/// allows hangs: its verdict reports that, and the rest of the campaign is not flown.
-CampaignResult flyAll(const CampaignPlan& plan, CampaignResult known,
-                      const CampaignListener& listener);
 
 }  // namespace glider::campaign

@@ -1,23 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "campaign/fly_all.h"
+#include "campaign/campaign_plan.h"
 
 #include "flights/shadowed_sbc.h"
 
-#include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <condition_variable>
-#include <memory>
-#include <mutex>
-#include <thread>
+#include <utility>
 
 namespace glider::campaign {
 
 using simulator::FaultKind;
 using simulator::Verdict;
-using Clock = std::chrono::steady_clock;
 
 namespace {
 
@@ -28,13 +21,6 @@ uint64_t mixed(uint64_t seed, uint64_t number) {
   z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
   z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
   return z ^ (z >> 31U);
-}
-
-Verdict hungVerdict() {
-  Verdict verdict;
-  verdict.outcome = Verdict::Outcome::Violation;
-  verdict.violation = "the flight hangs";
-  return verdict;
 }
 
 /// Checks a flight as FlightJudge does, until the campaign is stopped.
@@ -52,83 +38,6 @@ class StoppableJudge final : public simulator::FlightObserver {
   simulator::FlightJudge judge_;
   const std::function<bool()>& stop_;
 };
-
-/// What the threads of a campaign share. It outlives flyAll when a thread does not end.
-struct Work {
-  Work(const CampaignPlan& the_plan, CampaignResult known, const CampaignListener& the_listener)
-      : plan(the_plan),
-        listener(the_listener),
-        result(std::move(known)),
-        begun(the_plan.jobs),
-        flying(the_plan.jobs) {}
-
-  /// The next flight that is still to be flown; false when there is none.
-  bool takeNext(uint64_t& number) {
-    while (next < plan.flights && result.verdicts[next]) {
-      ++next;
-    }
-    number = next++;
-    return number < plan.flights && !result.failure && !result.hung && !result.interrupted;
-  }
-  void finish(const CampaignFlight& flight, support::Result<Verdict> verdict) {
-    // The signal may also have reached the program that was to fly, and a flight that has been
-    // reported as hanging may still end.
-    if (result.interrupted || result.verdicts[flight.number]) {
-      return;
-    }
-    if (!verdict) {
-      result.failure = verdict.error();
-      return;
-    }
-    if (auto noted = listener.over(flight, *verdict); !noted) {
-      result.failure = noted.error();
-    }
-    result.verdicts[flight.number] = std::move(*verdict);
-    ++over;
-  }
-
-  CampaignPlan plan;
-  CampaignListener listener;
-  std::mutex mutex;
-  std::condition_variable changed;
-  uint64_t next = 0, over = 0;
-  unsigned running = 0;
-  CampaignResult result;
-  std::vector<Clock::time_point> begun;
-  std::vector<std::optional<uint64_t>> flying;  ///< the flight of each thread
-};
-
-void workOn(const std::shared_ptr<Work>& work, unsigned thread) {
-  std::unique_lock lock(work->mutex);
-  for (uint64_t number = 0; work->takeNext(number);) {
-    work->begun[thread] = Clock::now();
-    work->flying[thread] = number;
-    lock.unlock();
-    const CampaignFlight flight = flightOf(work->plan, number);
-    auto verdict = flyOne(work->plan, flight, nullptr, work->listener.stop);
-    const bool stop = work->listener.stop();
-    lock.lock();
-    work->result.interrupted = work->result.interrupted || stop;
-    work->flying[thread].reset();
-    work->finish(flight, std::move(verdict));
-  }
-  --work->running;
-  work->changed.notify_all();
-}
-
-void lookForHangs(Work& work) {
-  for (size_t thread = 0; thread < work.flying.size(); ++thread) {
-    if (!work.flying[thread]) {
-      continue;
-    }
-    const std::chrono::duration<double> taken = Clock::now() - work.begun[thread];
-    const CampaignFlight flight = flightOf(work.plan, *work.flying[thread]);
-    if (taken.count() > (flight.board ? work.plan.hang_on_board_s : work.plan.hang_s)) {
-      work.finish(flight, hungVerdict());
-      work.result.hung = true;
-    }
-  }
-}
 
 }  // namespace
 
@@ -149,6 +58,11 @@ CampaignFlight flightOf(const CampaignPlan& plan, uint64_t number) {
     flight.board = choice / 100 % plan.boards.size();
   }
   return flight;
+}
+
+FlightRange rangeOf(const CampaignPlan& plan) {
+  // No product of the two overflows: the command allows ten million flights and parts.
+  return {plan.flights * (plan.part - 1) / plan.parts, plan.flights * plan.part / plan.parts};
 }
 
 simulator::DrawnFaults faultsOf(const CampaignPlan& plan, const CampaignFlight& flight) {
@@ -236,38 +150,6 @@ support::Result<void> measureMissions(CampaignPlan& plan) {
     plan.missions[i].mean_W = verdict->mean_W;
   }
   return {};
-}
-
-CampaignResult flyAll(const CampaignPlan& plan, CampaignResult known,
-                      const CampaignListener& listener) {
-  const auto work = std::make_shared<Work>(plan, std::move(known), listener);
-  work->result.verdicts.resize(plan.flights);
-  work->running = plan.jobs;
-  work->over = static_cast<uint64_t>(std::ranges::count_if(
-      work->result.verdicts, [](const auto& verdict) { return verdict.has_value(); }));
-  std::vector<std::thread> threads;
-  for (unsigned thread = 0; thread < plan.jobs; ++thread) {
-    threads.emplace_back(workOn, work, thread);
-  }
-  constexpr auto kGlance = std::chrono::milliseconds(200);
-  std::unique_lock lock(work->mutex);
-  while (work->running > 0 && !work->result.hung && !work->result.interrupted) {
-    work->changed.wait_for(lock, kGlance);
-    lookForHangs(*work);
-    work->result.interrupted = work->result.interrupted || listener.stop();
-    listener.progress(work->over);
-  }
-  constexpr auto kToLand = std::chrono::seconds(10);
-  const bool over =
-      work->changed.wait_for(lock, work->result.hung ? std::chrono::seconds(1) : kToLand,
-                             [&] { return work->running == 0; });
-  CampaignResult result = work->result;
-  result.running = !over;
-  lock.unlock();
-  for (std::thread& thread : threads) {
-    over ? thread.join() : thread.detach();
-  }
-  return result;
 }
 
 }  // namespace glider::campaign

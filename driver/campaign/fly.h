@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "campaign/campaign.h"
+
+namespace glider::driver {
+
+/// Flies the one flight that `--only` names and prints how it went; returns the exit code.
+int flyOnly(const campaign::CampaignPlan& plan, const campaign::CampaignOptions& options);
+
+/// How a campaign went.
+struct Flown {
+  int status = 0;
+  bool begun = false;       ///< false: the other ranks still wait
+  bool running = false;     ///< a thread does not let the program end
+  bool left_ranks = false;  ///< another rank does not end
+};
+/// Flies the campaign on this process and the other ranks, if any; writes its file and prints the
+/// table.
+Flown flyThem(const campaign::CampaignPlan& plan, const campaign::CampaignOptions& options,
+              campaign::Ranks* ranks);
+
+}  // namespace glider::driver

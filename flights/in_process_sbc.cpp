@@ -6,12 +6,23 @@
 #include "hooks/protocol/crc.h"
 #include "runtime/checkpoint/checkpoint.h"
 #include "runtime/core/lay_out.h"
+#include "runtime/log/check_text.h"
 #include "simulator/faults/card_damage.h"
 
 #include <algorithm>
 #include <cstring>
 
 namespace glider::flights {
+namespace {
+
+/// As a board's program ends after a failed check; its standard error has the number.
+std::string exitReasonOf(uint32_t failed_check) {
+  const char* text = runtime::checkText(failed_check);
+  return "exited with status 3: internal check failed: " +
+         (text != nullptr ? std::string(text) : std::to_string(failed_check));
+}
+
+}  // namespace
 
 InProcessSbc::InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission,
                            std::vector<double> parameters, std::shared_ptr<Card> card,
@@ -107,7 +118,7 @@ void InProcessSbc::deliver(std::span<const uint8_t> bytes, double now_s) {
   }
 }
 
-void InProcessSbc::end(const char* exit_reason) {
+void InProcessSbc::end(const std::string& exit_reason) {
   if (alive()) {
     exit_reason_ = exit_reason;
   }
@@ -138,6 +149,9 @@ void InProcessSbc::run() {
         return;
       case kGliderRuntimeLinkClosed:
         end("exited with status 2");
+        return;
+      case kGliderRuntimeFailed:
+        end(exitReasonOf(mission_->failedCheck(runtime_)));
         return;
     }
   }

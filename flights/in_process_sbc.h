@@ -60,7 +60,7 @@ class InProcessSbc final : public simulator::SbcPort {
   void run();
   void showToWatcher() const;
   [[nodiscard]] std::optional<double> findKept();
-  void end(const char* exit_reason);
+  void end(const std::string& exit_reason);
 
   std::shared_ptr<const codegen::LoadedMission> mission_;
   std::vector<double> parameters_;

@@ -6,6 +6,7 @@
 #include "hooks/protocol/bytes.h"
 #include "hooks/protocol/frame.h"
 #include "runtime/abi/glider_abi.h"
+#include "runtime/log/check_text.h"
 
 #include <cmath>
 #include <map>
@@ -37,8 +38,10 @@ std::string detailText(uint8_t number) {
     return text;
 #include "runtime/log/records.def"
     default:
-      return "detail " + std::to_string(number);
+      break;
   }
+  const char* check = runtime::checkText(number);
+  return check != nullptr ? check : "detail " + std::to_string(number);
 }
 
 std::string transitionText(uint8_t transition, bool always) {

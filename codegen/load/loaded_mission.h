@@ -35,6 +35,9 @@ class LoadedMission {
   const GliderContext* context(const GliderRuntime* runtime) const {
     return entries_.gliderRuntimeContext(runtime);
   }
+  uint32_t failedCheck(const GliderRuntime* runtime) const {
+    return entries_.gliderRuntimeFailedCheck(runtime);
+  }
   GliderContext* start(void* context_memory, const double* parameters, const GliderUpdate* updates,
                        uint32_t count) const {
     return entries_.gliderStart(context_memory, mission_, parameters, updates, count);

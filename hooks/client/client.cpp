@@ -3,6 +3,10 @@
 
 #include "hooks/client/client.h"
 
+#include "hooks/protocol/bounds.h"
+
+#include <stddef.h>
+
 namespace glider::hooks {
 
 Client::Client(const GliderDictionary& dictionary, const ClientOptions& options)
@@ -271,6 +275,30 @@ void Client::tell(const MissionNote& note) {
   if (note_count_ < kMostNotes) {
     notes_[note_count_++] = note;
   }
+}
+
+ClientPart Client::brokenPart() const {
+  // In the order of ClientPart, from Subscription on.
+  static constexpr Bound kBounds[] = {
+      {offsetof(Client, subscription_.count), kMostSubscriptions, 1},
+      {offsetof(Client, tick_.reading_count), kMostSubscriptions, 4},
+      {offsetof(Client, notice_count_), kMostNotices, 4},
+      {offsetof(Client, note_count_), kMostNotes, 4},
+      {offsetof(Client, pending_.control), static_cast<uint16_t>(HookControl::Release), 1},
+      {offsetof(Client, pending_.vertical), static_cast<uint16_t>(HookVertical::Surface), 1},
+      {offsetof(Client, pending_.lateral), static_cast<uint16_t>(HookLateral::Waypoint), 1},
+  };
+  if (out_.held() > SendQueue::kCapacity) {
+    return ClientPart::SendQueue;
+  }
+  if (reader_.held() > FrameReader::kBytes) {
+    return ClientPart::Reader;
+  }
+  constexpr auto kFirst = static_cast<uint32_t>(ClientPart::Subscription);
+  constexpr uint32_t kCount = sizeof kBounds / sizeof kBounds[0];
+  static_assert(kFirst + kCount == static_cast<uint32_t>(ClientPart::Lateral) + 1);
+  const uint32_t past = firstPast(this, kBounds);
+  return past == kCount ? ClientPart::None : static_cast<ClientPart>(kFirst + past);
 }
 
 void Client::done(const MissionStatus& status, const GliderByteStream& stream) {

@@ -74,6 +74,20 @@ struct Refusal {
   bool operator==(const Refusal&) const = default;
 };
 
+/// A part of a client's memory that nothing on the line can break.
+enum class ClientPart : uint8_t {
+  None,
+  SendQueue,
+  Reader,
+  Subscription,
+  Readings,
+  Notices,
+  Notes,
+  Control,  ///< of the instruction that waits for its answer
+  Vertical,
+  Lateral,
+};
+
 class Client {
  public:
   /// `dictionary` outlives this.
@@ -111,6 +125,8 @@ class Client {
   [[nodiscard]] uint32_t session() const { return session_; }
   /// The newest instruction's number, 0 before the first.
   [[nodiscard]] uint16_t sequence() const { return sequence_; }
+  /// The first part that is broken, by a fault of the memory or of the program.
+  [[nodiscard]] ClientPart brokenPart() const;
   /// Ends and sends the answer. Without a tick to answer it only remembers `status` for the next
   /// one.
   void done(const MissionStatus& status, const GliderByteStream& stream);

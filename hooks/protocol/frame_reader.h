@@ -20,7 +20,7 @@ class FrameReader {
   /// sent has been read.
   Result next(const GliderByteStream& stream) {
     for (uint32_t looked = 0; looked < kMostBytes; ++looked) {
-      if (at_ == count_) {
+      if (at_ >= count_) {
         const int32_t got = stream.read(stream.self, bytes_, sizeof bytes_);
         if (got <= 0) {
           return got < 0 ? Result::Closed : Result::Nothing;
@@ -38,12 +38,15 @@ class FrameReader {
 
   [[nodiscard]] const Frame& frame() const { return decoder_.frame(); }
   [[nodiscard]] uint32_t badFrames() const { return decoder_.badFrames(); }
+  /// How many bytes it holds: at most kBytes, unless its memory is broken.
+  [[nodiscard]] uint32_t held() const { return count_; }
+  static constexpr uint32_t kBytes = 256;
 
  private:
   static constexpr uint32_t kMostBytes = 8192;
 
   FrameDecoder decoder_;
-  uint8_t bytes_[256] = {};
+  uint8_t bytes_[kBytes] = {};
   uint32_t at_ = 0;
   uint32_t count_ = 0;
 };

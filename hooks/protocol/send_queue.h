@@ -22,6 +22,8 @@ class SendQueue {
   bool flush(const GliderByteStream& stream);
   [[nodiscard]] uint32_t room() const;
   [[nodiscard]] bool empty() const;
+  /// How many bytes wait: at most kCapacity, unless its memory is broken.
+  [[nodiscard]] uint32_t held() const { return end_; }
 
  private:
   void takeAway(uint32_t count);

@@ -64,7 +64,9 @@ typedef enum GliderRuntimeStatus {
   kGliderRuntimeIdle,       /* no whole frame is there: wait for bytes, or for the clock */
   kGliderRuntimeProgressed, /* a frame, or a tick of the clock alone, was processed: poll again */
   kGliderRuntimeFinished,   /* the mission has ended and control is released */
-  kGliderRuntimeLinkClosed  /* the stream's other end has gone */
+  kGliderRuntimeLinkClosed, /* the stream's other end has gone */
+  kGliderRuntimeFailed      /* a check of the runtime's own memory failed: from now on it answers no
+                               frame, and no      poll does anything */
 } GliderRuntimeStatus;
 
 #define ENTRY_POINT(result, name, parameters) result name parameters;
@@ -80,7 +82,10 @@ typedef enum GliderRuntimeStatus {
    `clock`, a tick of the clock alone. Never blocks.
 
    gliderRuntimeContext: the running mission's state, for tests and displays; NULL before control
-   was given.
+   was given, and after kGliderRuntimeFailed.
+
+   gliderRuntimeFailedCheck: the number of the first check of its own memory that failed
+   (runtime/log/checks.def); 0: none.
 
    gliderStart, gliderStep: the tick of ir/README.md with no link and no log: pure and
    deterministic. gliderStart makes the context in `context_memory` and runs the start with the

@@ -33,7 +33,8 @@ void tellHelp(const char* mission_name) {
        "  --set NAME=VALUE   a parameter, as in --set bottom=20m\n"
        "  --parameters FILE  the same in lines of a file; --set goes before it\n"
        "  --version    which mission and runtime this is\n"
-       "status: 0 the mission ended, 1 wrong use, 2 wrong parameters, no port or its link lost");
+       "status: 0 the mission ended, 1 wrong use, 2 wrong parameters, no port or its link lost,\n"
+       "  3 an internal check failed");
 }
 
 }  // namespace
@@ -55,6 +56,11 @@ int tellWish(const Options& options, const char* mission_name) {
   tell("error: cannot make sense of `", options.wrong, options.wrong_value[0] != '\0' ? " " : "",
        options.wrong_value, "`; --help says what there is");
   return kWrongUse;
+}
+
+int tellFailedCheck() {
+  tell("error: an internal check failed; the log names it");
+  return kCheckFailed;
 }
 
 bool areFilesApart(const Options& options) {

@@ -15,6 +15,7 @@ inline constexpr int kDone = 0;
 inline constexpr int kWrongUse = 1;
 inline constexpr int kNoLink = 2;
 inline constexpr int kBadParameters = 2;
+inline constexpr int kCheckFailed = 3;
 
 /// Handles --help (except for the parameters), --version and unknown arguments; returns the exit
 /// status.
@@ -22,6 +23,9 @@ int tellWish(const Options& options, const char* mission_name);
 
 /// Returns false, with a message, if log and checkpoints would be written to the same file.
 bool areFilesApart(const Options& options);
+
+/// Reports that a check of the program's own memory failed; returns the exit status.
+int tellFailedCheck();
 
 /// Opens the line that the options name; on failure prints the reason on standard error.
 OpenPort openLine(const Options& options);

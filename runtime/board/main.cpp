@@ -32,6 +32,8 @@ int fly(GliderRuntime* runtime, const OpenPort& line, Card& card) {
       case kGliderRuntimeLinkClosed:
         tell("error: the line to the vehicle is closed");
         return kNoLink;
+      case kGliderRuntimeFailed:
+        return tellFailedCheck();
     }
   }
 }

@@ -3,9 +3,11 @@
 
 #include "runtime/abi/behaviour.h"
 #include "runtime/board/files.h"
+#include "runtime/board/line.h"
 #include "runtime/c/glider.h"
 #include "runtime/c/program.h"
 
+using glider::runtime::Check;
 using glider::runtime::Program;
 
 namespace {
@@ -46,6 +48,15 @@ bool subscribe(const gliderEvent& added) {
   return added.sensor == MISSION_TIME || Program::instance().use(added.sensor);
 }
 
+/// Why no more ticks come, unless the program released control.
+void tellEnd(const Program& program) {
+  if (program.failedCheck() != 0) {
+    (void)glider::runtime::tellFailedCheck();
+  } else if (!program.released()) {
+    glider::runtime::tell("error: the line to the vehicle is closed");
+  }
+}
+
 }  // namespace
 
 /// Keeps copies of the events: an event that EVENT makes ends with the block it was written in. The
@@ -78,15 +89,15 @@ extern "C" int useSensor(uint32_t sensor) {
 
 extern "C" eventList gliderRun(eventList list) {
   static gliderEventList fired;
+  Program& program = Program::instance();
   fired.count = 0;
   while (fired.count == 0) {
-    if (!Program::instance().nextTick()) {
-      if (!Program::instance().released()) {
-        glider::runtime::tell("error: the line to the vehicle is closed");
-      }
+    (void)program.require(list == nullptr || list->count <= kMostEvents, Check::EventCount);
+    if (!program.nextTick()) {
+      tellEnd(program);
       return nullptr;
     }
-    if (Program::instance().takeResume()) {
+    if (program.takeResume()) {
       break;
     }
     for (uint32_t i = 0; list != nullptr && i < list->count; ++i) {
@@ -155,5 +166,6 @@ extern "C" void releaseControl(void) {
 }
 
 extern "C" int gliderExitStatus(void) {
-  return Program::instance().released() ? 0 : 2;
+  const Program& program = Program::instance();
+  return program.failedCheck() != 0 ? glider::runtime::kCheckFailed : program.released() ? 0 : 2;
 }

@@ -107,7 +107,8 @@ eventList gliderRun(eventList list);
 /* The event after `previous` (NULL: the first) of those that fired; NULL after the last. */
 event nextEvent(eventList fired, event previous);
 
-/* Exit status for main: 0 if control was released, 2 if the link was lost. */
+/* Exit status for main: 0 if control was released, 2 if the link was lost, 3 if an internal check
+   failed. */
 int gliderExitStatus(void);
 /* Ends the mission: the next gliderRun releases control of the vehicle and returns NULL. */
 void releaseControl(void);

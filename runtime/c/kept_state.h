@@ -17,6 +17,8 @@ class KeptState {
   bool add(void* bytes, uint32_t count);
   /// True if the program has declared what it keeps, even if that is nothing.
   [[nodiscard]] bool isDeclared() const { return declared_; }
+  /// False only if its memory is broken.
+  [[nodiscard]] bool isSound() const { return count_ <= kMostPieces && size_ <= kMostBytes; }
   /// Bytes in all.
   [[nodiscard]] uint32_t size() const { return size_; }
   /// Copies all pieces, one after another, to `out`, and from there back to their places.

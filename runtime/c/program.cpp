@@ -108,7 +108,7 @@ bool Program::nextTick() {
     return true;
   }
   answer();
-  while (!control_.released()) {
+  while (!isBroken() && !control_.released()) {
     switch (client_->poll(link_.stream, link_.clock)) {
       case hooks::ClientEvent::Nothing:
         if (link_.wait() == 0) {
@@ -136,6 +136,29 @@ bool Program::nextTick() {
     }
   }
   return false;
+}
+
+bool Program::require(bool holds, Check check) {
+  if (!holds) {
+    noteFailedCheck(*context_, check);
+  }
+  return holds;
+}
+
+/// True if a check of the program's own memory has failed. The first time, the log reports it.
+bool Program::isBroken() {
+  if (silent_) {
+    return true;
+  }
+  persistence_->check(*context_, started_ ? &mission_ : nullptr);
+  if (context_->failed_checks != 0) {
+    silent_ = true;
+    auto& memory = *reinterpret_cast<GliderContext*>(memory_);
+    memory.failed_checks = context_->failed_checks;
+    context_ = &memory;
+    persistence_->giveUp(memory, mission_);
+  }
+  return silent_;
 }
 
 bool Program::takeResume() {
@@ -182,7 +205,7 @@ bool Program::takeTick() {
     link_log_->news(*context_, news);
     link_log_->unanswered(*context_, tick);
   }
-  return started_ && !finished_;
+  return started_ && !finished_ && context_->failed_checks == 0;
 }
 
 void Program::start(double vehicle_time, double sbc_time) {
@@ -270,10 +293,12 @@ void Program::answer() {
     link_log_->refusedCommands(*context_);
     status.mission_time_s = context_->mission_time;
     status.phase = finished_ ? hooks::MissionPhase::Finished : hooks::MissionPhase::Flying;
-    save();
+    if (require(kept_.isSound(), Check::KeptPieces)) {
+      save();
+    }
   }
   persistence_->commit(started_ ? context_ : nullptr);
-  if (must_answer_) {
+  if (must_answer_ && context_->failed_checks == 0) {
     must_answer_ = false;
     client_->done(status, link_.stream);
   }

@@ -7,6 +7,7 @@
 #include "runtime/abi/runtime.h"
 #include "runtime/c/kept_state.h"
 #include "runtime/c/water_column.h"
+#include "runtime/core/assert.h"
 #include "runtime/core/control.h"
 #include "runtime/core/link_log.h"
 #include "runtime/core/mission_clock.h"
@@ -85,6 +86,10 @@ class Program {
   /// Sends a note to the logs of SBC and vehicle; dropped before the mission has begun.
   void note(const char* text, const double* values, uint32_t count);
   [[nodiscard]] bool released() const { return control_.released(); }
+  /// True if `holds`; else the check is noted, and the mission is over.
+  bool require(bool holds, Check check);
+  /// The number of the first check of the program's memory that failed; 0: none.
+  [[nodiscard]] uint32_t failedCheck() const { return firstFailedCheck(*context_); }
   /// A dive or climb begins.
   void beginLeg();
   [[nodiscard]] const WaterColumn& column() const { return water_.column; }
@@ -100,6 +105,7 @@ class Program {
   void start(double vehicle_time, double sbc_time);
   void record();
   void tellNow();
+  bool isBroken();
   void save();
   void restore();
 
@@ -136,6 +142,7 @@ class Program {
   bool resumed_ = false;
   bool just_resumed_ = false;
   bool look_again_ = false;  ///< at the tick of the resume
+  bool silent_ = false;      ///< a check failed: no frame is answered any more
 };
 
 }  // namespace glider::runtime

@@ -24,10 +24,12 @@ struct Outage {
   bool finished = false;   ///< the mission had ended
   double resume_within = 0;
   bool never_after_restart = false;
+  bool failed = false;  ///< a check of the program's own memory had failed
 };
 
 constexpr Continuation continuationAfter(const Outage& outage) {
-  const bool within = outage.length >= 0.0 && outage.length <= outage.resume_within;
+  const bool within =
+      !outage.failed && outage.length >= 0.0 && outage.length <= outage.resume_within;
   if (!outage.restarted) {
     return within ? Continuation::GoesOn : Continuation::Leaves;
   }

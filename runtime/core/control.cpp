@@ -3,7 +3,11 @@
 
 #include "runtime/core/control.h"
 
+#include "hooks/protocol/bounds.h"
+#include "runtime/core/assert.h"
 #include "runtime/core/instruction.h"
+
+#include <stddef.h>
 
 namespace glider::runtime {
 
@@ -140,6 +144,28 @@ bool Control::chooseRelease(hooks::Instruction& out) {
   out = {};
   out.control = HookControl::Release;
   return true;
+}
+
+Check Control::brokenPart() const {
+  constexpr auto kControls = static_cast<uint16_t>(HookControl::Release);
+  constexpr auto kVerticals = static_cast<uint16_t>(hooks::HookVertical::Surface);
+  constexpr auto kLaterals = static_cast<uint16_t>(hooks::HookLateral::Waypoint);
+  // In the order of log/checks.def.
+  static constexpr hooks::Bound kBounds[] = {
+      {offsetof(Control, state_), static_cast<uint16_t>(HookState::Complete), 1},
+      {offsetof(Control, pending_), kControls, 1},
+      {offsetof(Control, unconfirmed_), kConfirmTicks, 4},
+      {offsetof(Control, releasing_ticks_), kReleaseTicks + 1, 4},
+      {offsetof(Control, instructed_.control), kControls, 1},
+      {offsetof(Control, instructed_.vertical), kVerticals, 1},
+      {offsetof(Control, instructed_.lateral), kLaterals, 1},
+      {offsetof(Control, accepted_.control), kControls, 1},
+      {offsetof(Control, accepted_.vertical), kVerticals, 1},
+      {offsetof(Control, accepted_.lateral), kLaterals, 1},
+  };
+  constexpr uint32_t kCount = sizeof kBounds / sizeof kBounds[0];
+  static_assert(firstOf(Check::HookState, kCount - 1, kCount) == Check::AcceptedLateral);
+  return firstOf(Check::HookState, hooks::firstPast(this, kBounds), kCount);
 }
 
 void Control::sent(const hooks::Instruction& instruction, uint16_t sequence) {

@@ -5,6 +5,7 @@
 
 #include "hooks/client/client.h"
 #include "hooks/protocol/values.h"
+#include "runtime/log/records.h"
 
 #include <stdint.h>
 
@@ -55,6 +56,8 @@ class Control {
   void sent(const hooks::Instruction& instruction, uint16_t sequence);
   /// True once a finished mission has no control left to release.
   [[nodiscard]] bool released() const { return released_; }
+  /// The check that its own memory does not pass; Check::None: it passes all.
+  [[nodiscard]] Check brokenPart() const;
 
  private:
   [[nodiscard]] bool overtaken(const hooks::VehicleTick& tick) const;

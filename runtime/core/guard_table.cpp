@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "runtime/abi/order.h"
+#include "runtime/core/assert.h"
 #include "runtime/core/readings.h"
 
 namespace glider::runtime {
@@ -72,9 +73,12 @@ bool refresh(const GliderContext& context, const GliderGuardTable& table, uint32
   bool moved = false;
   for (uint32_t i = 0; i < table.column_count; ++i) {
     const GliderGuardColumn& column = table.columns[i];
+    uint32_t* own = memory + i * (1 + table.words);
+    if (!GLIDER_ASSERT(context, !remembered || own[0] <= column.key_count, GuardInterval)) {
+      return true;
+    }
     const int64_t order = gliderOrder(valueOf(context, column.source, column.sensor));
-    const bool left =
-        Column(column, memory + i * (1 + table.words), table.words).refresh(order, remembered);
+    const bool left = Column(column, own, table.words).refresh(order, remembered);
     moved = moved || left;
   }
   return moved;
@@ -105,6 +109,12 @@ uint32_t firstTrueRow(const GliderContext& context, const GliderGuardTable& tabl
 extern "C" uint32_t gliderFirstTrue(GliderContext* context, const GliderGuardTable* table,
                                     uint32_t from) {
   using namespace glider::runtime;
+  if (!GLIDER_ASSERT(*context,
+                     table->memory + gliderGuardMemory(table->column_count, table->words) <=
+                         context->mission->interval_count,
+                     GuardMemory)) {
+    return GLIDER_NO_CASE;
+  }
   uint32_t& answer = context->intervals[table->memory];
   uint32_t* columns = &context->intervals[table->memory + 1];
   const bool moved = refresh(*context, *table, columns, answer != kNothing);

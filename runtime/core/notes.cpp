@@ -2,10 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "runtime/abi/glider_abi.h"
+#include "runtime/core/assert.h"
 
 extern "C" void gliderNote(GliderContext* context, uint32_t kind, const char* text,
                            const double* values, uint32_t count) {
-  if (context->note_count >= GLIDER_MOST_NOTES) {
+  if (!GLIDER_ASSERT(*context, context->note_count <= GLIDER_MOST_NOTES, NoteRoom) ||
+      !GLIDER_ASSERT(*context, context->note_value_count <= GLIDER_MOST_NOTE_VALUES,
+                     NoteValueRoom)) {
+    return;
+  }
+  if (context->note_count == GLIDER_MOST_NOTES) {
     ++context->lost_notes;
     return;
   }

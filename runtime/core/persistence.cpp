@@ -3,7 +3,10 @@
 
 #include "runtime/core/persistence.h"
 
+#include "runtime/core/assert.h"
 #include "runtime/core/continuation.h"
+#include "runtime/core/lay_out.h"
+#include "runtime/core/soundness.h"
 #include "runtime/log/format.h"
 #include "runtime/numbers/numbers.h"
 
@@ -15,6 +18,8 @@ void Persistence::look(GliderContext& context) {
   const Checkpoint::Found found = checkpoint_.find(context, facts_);
   if (found == Checkpoint::Found::Good) {
     found_ = true;
+    failed_ = context.failed_checks != 0;
+    context.failed_checks = 0;  // those of the program that this one replaces
     parts_.client.resume(facts_.session, static_cast<uint16_t>(facts_.instruction));
   } else if (found == Checkpoint::Found::Broken) {
     begins_anew_ = LogDetail::NoneIsWhole;
@@ -33,7 +38,7 @@ bool Persistence::decide(const hooks::VehicleTick& tick, const GliderContext& co
   const GliderMission& mission = *context.mission;
   const double outage = ready ? outageByClock(tick) : tick.vehicle_time_s - facts_.vehicle_time;
   switch (continuationAfter({ready, outage, context.finished != 0, mission.resume_within,
-                             mission.new_after_restart != 0})) {
+                             mission.new_after_restart != 0, failed_})) {
     case Continuation::Begins:
       begins_anew_ = LogDetail::EarlierFlight;
       parts_.client.resume(0, parts_.client.sequence());
@@ -70,7 +75,8 @@ double Persistence::outageByClock(const hooks::VehicleTick& tick) const {
 
 /// The mission is over. The vehicle's own log says it too, because the SBC's cannot be read at sea.
 void Persistence::leaveControl(const GliderMission& mission, bool restarted, double outage) {
-  const LogDetail why = outage != outage                 ? LogDetail::UnknownOutage
+  const LogDetail why = failed_                          ? LogDetail::CheckHadFailed
+                        : outage != outage               ? LogDetail::UnknownOutage
                         : !(outage >= 0.0)               ? LogDetail::FromTheFuture
                         : outage > mission.resume_within ? LogDetail::TooLong
                                                          : LogDetail::VehicleRestarted;
@@ -105,17 +111,14 @@ void Persistence::tellVehicle(double mission_time, const char* what) {
 /// reported once, and never stops the mission.
 void Persistence::commit(const GliderContext* context) {
   parts_.log.flush();
-  if (context == nullptr) {
+  if (context == nullptr || context->failed_checks != 0) {
     return;
   }
   if (parts_.log.isFailing() && !log_fails_) {
     tellVehicle(context->mission_time, "the SBC's log is not written");
   }
   log_fails_ = parts_.log.isFailing();
-  const Checkpoint::Kept kept =
-      checkpoint_.keep(*context, {parts_.clock.vehicle(), parts_.clock.anchor().vehicle,
-                                  parts_.clock.anchor().mission, parts_.client.session(),
-                                  parts_.client.sequence(), parts_.client.tick().clock_s});
+  const Checkpoint::Kept kept = checkpoint_.keep(*context, facts());
   const bool failed = kept == Checkpoint::Kept::Failed;
   if (failed && !not_kept_) {
     parts_.log.event(context->mission_time, LogEvent::CheckpointNotWritten, LogDetail::None,
@@ -125,6 +128,41 @@ void Persistence::commit(const GliderContext* context) {
   if (kept != Checkpoint::Kept::NotDue) {
     not_kept_ = failed;
   }
+}
+
+__attribute__((noinline)) LinkFacts Persistence::facts() const {
+  return {parts_.clock.vehicle(),  parts_.clock.anchor().vehicle, parts_.clock.anchor().mission,
+          parts_.client.session(), parts_.client.sequence(),      parts_.client.tick().clock_s};
+}
+
+static_assert(static_cast<uint32_t>(Check::WaitingLateral) -
+                  static_cast<uint32_t>(Check::SendQueue) ==
+              static_cast<uint32_t>(hooks::ClientPart::Lateral) -
+                  static_cast<uint32_t>(hooks::ClientPart::SendQueue));
+
+void Persistence::check(const GliderContext& context, const GliderMission* running) const {
+  const auto link = static_cast<uint32_t>(parts_.client.brokenPart());
+  Check broken = link == 0 ? parts_.control.brokenPart()
+                           : static_cast<Check>(static_cast<uint32_t>(Check::SendQueue) + link - 1);
+  if (parts_.log.held() > MissionLog::kBytes) {
+    broken = Check::LogBytes;
+  } else if (broken == Check::None && running != nullptr) {
+    broken = runtime::brokenPart(context, *running);
+  }
+  if (broken != Check::None) {
+    noteFailedCheck(context, broken);
+  }
+}
+
+void Persistence::giveUp(GliderContext& context, const GliderMission& mission) {
+  const uint32_t failed = context.failed_checks;
+  const double time = context.mission_time;
+  parts_.log.failed(time, firstFailedCheck(context), countOfFailedChecks(context));
+  // What else is in the context may be broken, and is not kept.
+  layOut(&context, mission);
+  context.mission_time = time;
+  context.failed_checks = failed;
+  (void)checkpoint_.keep(context, facts());
 }
 
 }  // namespace glider::runtime

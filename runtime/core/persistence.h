@@ -43,20 +43,29 @@ class Persistence {
   /// The mission has begun: logs why an existing checkpoint was not used.
   void begun();
   /// Writes the results of this tick to log and checkpoint; `context` is null before the mission
-  /// begins. Must be called before the tick is answered, so that nothing reported to the vehicle
-  /// can be lost.
+  /// begins. A context with a failed check is not kept. Must be called before the tick is answered,
+  /// so that nothing reported to the vehicle can be lost.
   void commit(const GliderContext* context);
+  /// Checks the memory of the parts and, if a mission is `running` (else null), its `context`: what
+  /// lives from one tick to the next. Notes in the context what failed.
+  void check(const GliderContext& context, const GliderMission* running) const;
+  /// A check of the program's own memory has failed: reports it in the log, and in a checkpoint by
+  /// which a restarted program leaves control to the vehicle. Makes `context` again, for `mission`,
+  /// with nothing in it but its time and the failed checks.
+  void giveUp(GliderContext& context, const GliderMission& mission);
 
  private:
   [[nodiscard]] double outageByClock(const hooks::VehicleTick& tick) const;
   void leaveControl(const GliderMission& mission, bool restarted, double outage);
   void tellVehicle(double mission_time, const char* what);
+  [[nodiscard]] LinkFacts facts() const;
 
   PersistenceParts parts_;
   Checkpoint checkpoint_;
   LinkFacts facts_;                          ///< of the checkpoint that was found
   bool found_ = false;                       ///< there is one, and it is not decided yet
   LogDetail begins_anew_ = LogDetail::None;  ///< why an existing checkpoint is not used
+  bool failed_ = false;                      ///< the checkpoint found is that of a giveUp()
   bool log_fails_ = false;
   bool not_kept_ = false;  ///< the newest could not be written
 };

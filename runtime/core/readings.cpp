@@ -5,6 +5,7 @@
 
 #include "runtime/abi/behaviour.h"
 #include "runtime/abi/order.h"
+#include "runtime/core/assert.h"
 #include "runtime/numbers/numbers.h"
 
 namespace glider::runtime {
@@ -27,8 +28,8 @@ int64_t orderOf(double value) {
   return order == -1 ? 0 : order;
 }
 
-/// value > limit; neither is NaN.
-bool isPast(double value, double limit) {
+/// value > limit; neither is NaN. Out of line: it is long on a board, and called in three places.
+__attribute__((noinline)) bool isPast(double value, double limit) {
   return orderOf(value) > orderOf(limit);
 }
 
@@ -105,7 +106,9 @@ void refreshReadings(GliderContext& context) {
 double valueOf(const GliderContext& context, uint32_t source, uint32_t sensor) {
   switch (static_cast<GliderSource>(source)) {
     case kGliderSensor:
-      return context.readings[sensor].value;
+      return GLIDER_ASSERT(context, sensor < context.mission->sensor_count, ValueSensor)
+                 ? context.readings[sensor].value
+                 : unknown();
     case kGliderMissionTime:
       return context.mission_time;
     case kGliderStateTime:

@@ -90,11 +90,14 @@ bool GliderRuntime::acceptable(const GliderMission& mission) {
   return mission.abi_version == GLIDER_ABI_VERSION && mission.dictionary != nullptr &&
          mission.state_count > 0 && mission.parameter_count <= GLIDER_MOST_PARAMETERS &&
          mission.parameter_count <= mission.variable_count &&
-         mission.context_bytes == gliderContextLayout(&mission).bytes && hasTables(mission) &&
+         mission.context_bytes == glider::runtime::layoutOf(mission).bytes && hasTables(mission) &&
          hasGuards(mission) && hasRoom(mission);
 }
 
 GliderRuntimeStatus GliderRuntime::poll(const GliderByteStream& stream, const GliderClock& clock) {
+  if (isBroken()) {
+    return kGliderRuntimeFailed;
+  }
   switch (client_.poll(stream, clock)) {
     case ClientEvent::Nothing:
       return kGliderRuntimeIdle;
@@ -113,6 +116,23 @@ GliderRuntimeStatus GliderRuntime::poll(const GliderByteStream& stream, const Gl
       break;
   }
   return kGliderRuntimeProgressed;
+}
+
+/// Checks what is kept from one poll to the next. True if that, or a check in the newest tick,
+/// failed; the first time, the log reports it.
+bool GliderRuntime::isBroken() {
+  if (silent_) {
+    return true;
+  }
+  GliderContext& context = memory();
+  (void)GLIDER_ASSERT(context, context_ == nullptr || context_ == &context, ContextPointer);
+  persistence_.check(context, context_ == nullptr ? nullptr : &mission_);
+  if (hasFailed()) {
+    silent_ = true;
+    context_ = nullptr;
+    persistence_.giveUp(context, mission_);
+  }
+  return silent_;
 }
 
 /// The SBC's clock, s. In virtual time it says nothing about the flight: then the vehicle's does.
@@ -141,7 +161,9 @@ void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) 
     link_log_.unanswered(*context_, tick);
   }
   persistence_.commit(context_);
-  client_.done(status(), stream);
+  if (!hasFailed()) {
+    client_.done(status(), stream);
+  }
 }
 
 /// Of a mission that does not continue from a checkpoint.
@@ -277,6 +299,10 @@ extern "C" GliderRuntimeStatus gliderRuntimePoll(GliderRuntime* runtime,
                                                  const GliderByteStream* stream,
                                                  const GliderClock* clock) {
   return runtime->poll(*stream, *clock);
+}
+
+extern "C" uint32_t gliderRuntimeFailedCheck(const GliderRuntime* runtime) {
+  return runtime->failedCheck();
 }
 
 extern "C" const GliderContext* gliderRuntimeContext(const GliderRuntime* runtime) {

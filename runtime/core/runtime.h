@@ -5,6 +5,7 @@
 
 #include "hooks/client/client.h"
 #include "runtime/abi/runtime.h"
+#include "runtime/core/assert.h"
 #include "runtime/core/control.h"
 #include "runtime/core/link_log.h"
 #include "runtime/core/mission_clock.h"
@@ -29,10 +30,18 @@ struct GliderRuntime {
   [[nodiscard]] const GliderContext* context() const { return context_; }
   /// True when the vehicle reported that its time is virtual: it waits for every answer.
   [[nodiscard]] bool virtualTime() const { return client_.virtualTime(); }
+  /// The number of the first check of its own memory that failed (log/checks.def); 0: none.
+  [[nodiscard]] uint32_t failedCheck() const { return glider::runtime::firstFailedCheck(memory()); }
 
  private:
   static glider::hooks::ClientOptions subscribe(const GliderMission& mission,
                                                 glider::hooks::Subscription* sensors);
+  /// Of a running mission or, before it has begun, of one to come.
+  [[nodiscard]] GliderContext& memory() const {
+    return *static_cast<GliderContext*>(context_memory_);
+  }
+  bool isBroken();
+  [[nodiscard]] bool hasFailed() const { return memory().failed_checks != 0; }
   bool mayBegin(const glider::hooks::VehicleTick& tick);
   [[nodiscard]] double ownTime(const GliderClock& clock) const;
   void tryToGoOn(const glider::hooks::VehicleTick& tick, double sbc_time);
@@ -52,6 +61,7 @@ struct GliderRuntime {
   const GliderMission& mission_;
   const double* parameters_;          ///< null: the defaults
   GliderContext* context_ = nullptr;  ///< once the mission got control
+  bool silent_ = false;               ///< a check failed: no frame is answered any more
   glider::hooks::Subscription sensors_[glider::hooks::kMostSubscriptions] = {};
   glider::hooks::Client client_;
   glider::runtime::Control control_;

@@ -3,6 +3,8 @@
 
 #include "runtime/core/stack.h"
 
+#include "runtime/core/assert.h"
+
 namespace glider::runtime {
 namespace {
 
@@ -18,7 +20,7 @@ Moved goTo(GliderContext& context, const Fired& fired) {
 }
 
 Moved callState(GliderContext& context, const Fired& fired) {
-  if (context.stack_depth >= context.mission->stack_limit) {
+  if (context.stack_depth == context.mission->stack_limit) {
     return Moved::No;
   }
   GliderFrame& frame = context.frames[context.stack_depth++];
@@ -36,7 +38,11 @@ Moved returnToCaller(GliderContext& context) {
   if (context.stack_depth == 0) {
     return Moved::No;
   }
-  const GliderFrame& frame = context.frames[--context.stack_depth];
+  const GliderFrame& frame = context.frames[context.stack_depth - 1];
+  if (!GLIDER_ASSERT(context, frame.state < context.mission->state_count, ReturnState)) {
+    return Moved::No;
+  }
+  --context.stack_depth;
   context.state = frame.state;
   context.entered = frame.entered;
   context.limit = frame.limit;
@@ -47,7 +53,7 @@ Moved returnToCaller(GliderContext& context) {
 
 }  // namespace
 
-void enterState(GliderContext& context, uint32_t state) {
+__attribute__((noinline)) void enterState(GliderContext& context, uint32_t state) {
   context.state = state;
   context.entered = context.mission_time;
   context.resumed = context.mission_time;
@@ -56,6 +62,10 @@ void enterState(GliderContext& context, uint32_t state) {
 bool mayInterrupt(const GliderContext& context, uint32_t index) {
   const GliderCaseInfo& info = context.mission->always[index];
   if (index >= context.limit || (hasTarget(info) && info.target == context.state)) {
+    return false;
+  }
+  if (!GLIDER_ASSERT(context, context.stack_depth <= context.mission->stack_limit,
+                     InterruptDepth)) {
     return false;
   }
   for (uint32_t i = 0; hasTarget(info) && i < context.stack_depth; ++i) {
@@ -67,7 +77,11 @@ bool mayInterrupt(const GliderContext& context, uint32_t index) {
 }
 
 Moved makeTransition(GliderContext& context, const Fired& fired) {
-  if (hasTarget(fired.info) && fired.info.target >= context.mission->state_count) {
+  if (!GLIDER_ASSERT(context, context.stack_depth <= context.mission->stack_limit,
+                     TransitionDepth) ||
+      !GLIDER_ASSERT(context,
+                     !hasTarget(fired.info) || fired.info.target < context.mission->state_count,
+                     TransitionTarget)) {
     return Moved::No;
   }
   switch (static_cast<GliderTransition>(fired.info.transition)) {
@@ -82,8 +96,9 @@ Moved makeTransition(GliderContext& context, const Fired& fired) {
       return Moved::Finished;
     case kGliderStay:
     case kGliderDone:
-      break;
+      return Moved::No;
   }
+  (void)GLIDER_ASSERT(context, false, TransitionKind);
   return Moved::No;
 }
 

@@ -5,6 +5,7 @@
 
 #include "runtime/abi/context_layout.h"
 #include "runtime/abi/runtime.h"
+#include "runtime/core/assert.h"
 #include "runtime/core/lay_out.h"
 #include "runtime/core/readings.h"
 #include "runtime/core/stack.h"
@@ -14,8 +15,12 @@
 
 namespace glider::runtime {
 
+__attribute__((noinline)) GliderContextLayout layoutOf(const GliderMission& mission) {
+  return gliderContextLayout(&mission);
+}
+
 GliderContext* layOut(void* memory, const GliderMission& mission) {
-  const GliderContextLayout layout = gliderContextLayout(&mission);
+  const GliderContextLayout layout = layoutOf(mission);
   auto* bytes = static_cast<uint8_t*>(memory);
   memset(bytes, 0, layout.bytes);
   auto* context = reinterpret_cast<GliderContext*>(bytes);
@@ -117,7 +122,8 @@ bool tryAlways(GliderContext& context) {
   // Every round passes at least one case.
   for (uint32_t from = 0; from < mission.always_count && from < context.limit;) {
     const uint32_t found = firstTrue(context, mission.guards, from);
-    if (found < from || found >= mission.always_count) {
+    if (found == GLIDER_NO_CASE ||
+        !GLIDER_ASSERT(context, found >= from && found < mission.always_count, AlwaysCase)) {
       return false;
     }
     if (mayInterrupt(context, found)) {
@@ -133,7 +139,7 @@ bool tryAlways(GliderContext& context) {
 bool tryState(GliderContext& context) {
   const GliderStateInfo& state = *context.mission->states[context.state];
   const uint32_t found = firstTrue(context, state.guards, 0);
-  if (found >= state.case_count) {
+  if (found == GLIDER_NO_CASE || !GLIDER_ASSERT(context, found < state.case_count, StateCase)) {
     return false;
   }
   context.fired_state = found;

@@ -5,6 +5,7 @@
 // what it does and why. tests/flights/library_test.cpp compares the two.
 
 #include "runtime/abi/window.h"
+#include "runtime/core/assert.h"
 #include "runtime/library/library.h"
 #include "runtime/numbers/numbers.h"
 
@@ -77,6 +78,9 @@ struct Thermotrackyo {
   Became above;
   Windows windows;
 
+  [[nodiscard]] bool knowsSides() const {
+    return (below.was_true | below.is | above.was_true | above.is) <= 1;
+  }
   void enter(const GliderContext* context, const Arguments& a);
   void resume(const GliderContext* context);
   void advance(const GliderContext* context);
@@ -219,6 +223,10 @@ extern "C" void gliderProfileThermotrackyo(GliderContext* context, GliderBehavio
                                            uint32_t phase, double top, double bottom, double dive,
                                            double climb, double dtemp, double ddepth) {
   auto& own = *reinterpret_cast<glider::runtime::Thermotrackyo*>(memory->bytes);
+  if (phase != kGliderEnter && (!GLIDER_ASSERT(*context, own.down <= 1, TrackDirection) ||
+                                !GLIDER_ASSERT(*context, own.knowsSides(), TrackSide))) {
+    return;
+  }
   const glider::runtime::Arguments arguments{top, bottom, dive, climb, dtemp, ddepth};
   if (phase == kGliderTick) {
     own.advance(context);

@@ -3,6 +3,7 @@
 
 #include "runtime/library/yo.h"
 
+#include "runtime/core/assert.h"
 #include "runtime/library/library.h"
 
 namespace glider::runtime {
@@ -34,6 +35,9 @@ extern "C" void gliderProfileYo(GliderContext* context, GliderBehaviourMemory* m
   using glider::runtime::Direction;
   const glider::runtime::YoRange range{top, bottom, dive, climb};
   auto& direction = *reinterpret_cast<Direction*>(memory->bytes);
+  if (!GLIDER_ASSERT(*context, direction <= Direction::Up, YoDirection)) {
+    return;
+  }
   const double depth = gliderRead(context, gliderSensorOf(context, kGliderRoleDepth));
   direction = glider::runtime::turn(direction, phase, depth, range);
   glider::runtime::flyLeg(context, direction, range);

@@ -128,7 +128,7 @@ uint32_t formatCount(uint32_t value, char* out) {
   return count;
 }
 
-Text& Text::put(char c) {
+__attribute__((noinline)) Text& Text::put(char c) {
   if (size_ < capacity_) {
     bytes_[size_++] = c;
   } else {

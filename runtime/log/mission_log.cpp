@@ -158,6 +158,12 @@ void MissionLog::event(double time, LogEvent what, LogDetail detail, double valu
   close(writer);
 }
 
+void MissionLog::failed(double time, uint32_t check, uint32_t count) {
+  size_ = size_ <= kBytes ? size_ : 0;
+  event(time, LogEvent::CheckFailed, static_cast<LogDetail>(check), static_cast<double>(count));
+  flush();
+}
+
 bool MissionLog::handOver() {
   // A zero ends any incomplete record at the end of the log.
   static constexpr uint8_t kEnd[] = {0};

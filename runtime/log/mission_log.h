@@ -48,6 +48,11 @@ class MissionLog {
   /// Passes collected records to the sink. Everything except values is on the card when this
   /// returns.
   void flush();
+  /// Records at once that checks of the program's own memory failed: `check` is the number of the
+  /// first (log/checks.def), `count` how many.
+  void failed(double time, uint32_t check, uint32_t count);
+  /// How many bytes wait for the sink: at most kBytes, unless its memory is broken.
+  [[nodiscard]] uint32_t held() const { return size_; }
   /// How often the sink did not accept the data.
   [[nodiscard]] uint32_t failures() const { return failures_; }
   /// True if the last write or sync failed.

@@ -30,4 +30,11 @@ enum class LogDetail : uint8_t {
 #include "runtime/log/records.def"
 };
 
+/// The checks of the program's own memory: details of CheckFailed.
+enum class Check : uint8_t {
+  None = 0,
+#define LOG_CHECK(name, number, text) name = number,
+#include "runtime/log/checks.def"
+};
+
 }  // namespace glider::runtime

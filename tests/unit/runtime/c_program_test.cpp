@@ -9,6 +9,7 @@
 #include "runtime/c/program.h"
 #include "tests/slocum.h"
 #include "tests/unit/runtime/log_csv.h"
+#include "tests/unit/runtime/reveal.h"
 #include "tests/unit/runtime/vehicle_bench.h"
 
 #include <gtest/gtest.h>
@@ -22,6 +23,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
+
+REVEAL(KeptCount, glider::runtime::KeptState, uint32_t, count_);
 
 namespace glider::runtime::testing {
 namespace {
@@ -87,6 +90,50 @@ void ticks(eventList list, int count) {
   for (int i = 0; i < count; ++i) {
     ASSERT_NE(gliderRun(list), nullptr);
   }
+}
+
+/// The program's memory breaks: its log says what, and hookbeh ends its control.
+void expectFailedCheck(const std::function<void(eventList)>& damage, const char* text) {
+  alone([&] {
+    VehicleBench vehicle({}, false);
+    open(vehicle);
+    eventList list = everyTick();
+    ticks(list, 1);
+    dive();
+    ticks(list, 9);
+    ASSERT_EQ(vehicle.hookbeh().state, hooks::HookState::Active);
+    damage(list);
+    EXPECT_EQ(gliderRun(list), nullptr);
+    EXPECT_EQ(gliderRun(list), nullptr);
+    EXPECT_EQ(gliderExitStatus(), 3);
+    const std::string csv = csvOf(the_log);
+    const std::string record = std::string(",event,internal check failed,1,") + text + ",\n";
+    const size_t first = csv.find(record);
+    ASSERT_NE(first, std::string::npos) << csv;
+    EXPECT_EQ(csv.find("internal check failed", first + record.size()), std::string::npos) << csv;
+    const double heartbeat = vehicle.array(GLIDER_SCI_HOOK_HEARTBEAT);
+    vehicle.run(vehicle.now() + 120);
+    EXPECT_LE(vehicle.array(GLIDER_SCI_HOOK_HEARTBEAT), heartbeat + 1);
+    EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Silent);
+  });
+}
+
+TEST(CProgram, AFlippedBitInTheKeptStateEndsIt) {
+  expectFailedCheck([](eventList) { Program::instance().kept().*memberOf(KeptCount{}) ^= 32; },
+                    "the kept state of a mission in C is beyond its limits");
+}
+
+TEST(CProgram, AFlippedBitInAListOfEventsEndsIt) {
+  // The list ends with its count, after the events and their copies.
+  constexpr size_t kMost = 16;
+  constexpr size_t kCount = kMost * (sizeof(event) + sizeof(gliderEvent));
+  expectFailedCheck([](eventList list) { reinterpret_cast<uint8_t*>(list)[kCount + 1] ^= 4; },
+                    "the number of events in a list of a mission in C is beyond its limit");
+}
+
+TEST(CProgram, AFlippedBitInItsContextEndsIt) {
+  expectFailedCheck([](eventList) { Program::instance().context().vertical ^= 64; },
+                    "the vertical command in force is unknown");
 }
 
 TEST(CProgram, AnEventOutlivesTheBlockItWasWrittenIn) {

@@ -36,6 +36,9 @@ constexpr double kLeastAltitude_m = 2;
 /// start.
 constexpr double kHoverShowsDepth_s = 660;
 
+/// Compares the commanded depths and hovers of a mission with the limits in the vehicle's mission
+/// file. Certain cases are errors; those that depend on water, trim or time are warnings. The
+/// vehicle is taken to be healthy.
 class GuardCheck {
  public:
   GuardCheck(const compiler::Checked& checked, const VehicleFile& file,

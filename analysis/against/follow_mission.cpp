@@ -18,6 +18,9 @@ namespace {
 using ir::ListKind;
 using report::FollowedStep;
 
+/// Runs the mission on the interpreter along the ticks of a log. The vehicle did not obey it, so
+/// what it finds is what the mission would have done with these readings, tick by tick, and not a
+/// flight.
 class Follower {
  public:
   Follower(const compiler::Checked& checked, const LogTicks& log,

@@ -23,6 +23,8 @@ std::optional<Unit> writtenUnit(std::string_view text) {
   return begin == text.npos ? std::nullopt : support::parseUnit(text.substr(begin));
 }
 
+/// Collects what an expression reads, each thing once, in the order of the text; the unit of a
+/// number is that of a constant which the pilot compares it with.
 class Walk {
  public:
   Walk(const ir::Mission& mission, const support::SourceManager& sources)

@@ -132,6 +132,9 @@ class Shown {
   double time_ = 0;
 };
 
+/// Makes ticks of the merged records of a vehicle: collects the updates since the last tick, as
+/// hookprog would have sent them (Reduction), and ends a tick at each record of the flight
+/// computer.
 class Builder {
  public:
   Builder(const std::vector<slocum::LogFile>& files, const ir::Mission& mission,

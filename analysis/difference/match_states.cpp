@@ -40,6 +40,9 @@ ByText byText(const ir::Mission& mission, const std::vector<std::string>& names)
   return states;
 }
 
+/// Pairs the states of two versions: by name, then those that differ in nothing but their names.
+/// Each pair may make the targets of other states equal, so the second step repeats until nothing
+/// changes.
 class Matching {
  public:
   Matching(const ir::Mission& before, const ir::Mission& after) : old_(before), new_(after) {

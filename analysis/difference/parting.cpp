@@ -74,6 +74,9 @@ class Flying {
   std::optional<ir::CommandRun> depth_, heading_;  ///< in force
 };
 
+/// Flies both versions in the simulator, for likely flights, and follows on the interpreter what
+/// each has received; then both on the interpreter with random readings, for rare ones. That
+/// nothing is found proves nothing.
 class SearchForParting {
  public:
   SearchForParting(const compiler::Optimised& before, const compiler::Optimised& after,

@@ -1,6 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The passes `assumptions` (GL3121) and `contradictions` (GL3123): conditions that no readings
+// satisfy together. In: the assumptions or the requirements about a single moment. Out: an error,
+// and no verdict rests on such assumptions (requirements.cpp). Each question is about any moment
+// (AnyMoment), which may be more than flights reach: what it finds is certain, and some
+// contradictions are missed. Conditions with a monitor are left out, because readings that never
+// change satisfy each of them. They come first, because everything could be proved from assumptions
+// that contradict each other.
+
 #include "ir/core/under_assumptions.h"
 #include "ir/core/walk.h"
 #include "ir/prove/encoding/any_moment.h"

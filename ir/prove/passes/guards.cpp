@@ -1,6 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `guards`: cases that never fire (GL3101), that always fire (GL3102), or that earlier
+// cases always hide (GL3103). In: every list of cases; out: warnings, Proof::dead and
+// Proof::hidden, on which later passes and the marks of `glidercc graph` rest. Certain for one tick
+// with any readings and any values of variables; what one tick implies for the next is ignored, so
+// errors may be missed. Sampling answers most questions, Z3 the others. Without budget a case
+// counts as one that may fire.
+
 #include "ir/prove/encoding/question.h"
 #include "ir/prove/encoding/reasons.h"
 #include "ir/prove/encoding/sampling.h"

@@ -1,6 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `livelocks`: states between which the clocks alone send a mission, tick after tick
+// (GL3114). In: the times that conditions name, the cases that may fire, the earliest entry and the
+// latest stay of each state. The mission is run on its clocks only; a guard counts only if it is
+// true, or false, for any values of everything else. So a loop is real if the state is current at
+// that time with an empty stack, which is not always so. No solver. Loops of more than four states
+// are not found.
+
 #include "ir/core/ops.h"
 #include "ir/core/walk.h"
 #include "ir/eval/arithmetic.h"

@@ -1,6 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `requirements`: a verdict on each `require`: proved, refuted (GL3110) or undecided
+// (GL3111). In: what all passes before have left, and the budget Proof::searches, which no other
+// pass takes from. Out: Findings::requirements, with the trace, the premise, the assumptions and
+// the evidence of each.
+//
+// Order: what needs no search (Insight, structure, geometry), then Spacer over all traces, then
+// random flights; what is proved helps the rest. Proofs are for an SBC whose power may be cut; a
+// counterexample without power cuts is preferred. What can go wrong is only that no verdict is
+// found: a trace of Spacer is replayed (concretize) before it refutes anything. A mission with
+// assumptions is checked with and without them, so that a proof names only those that it needs
+// (UnderSome). README.md has the arguments.
+
 #include "ir/core/under_assumptions.h"
 #include "ir/prove/abstract/depth_bound.h"
 #include "ir/prove/abstract/entered_after.h"

@@ -1,6 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `vacuous`: requirements that are proved only because what they depend on is never true
+// (GL3122): `whenever A then B` without any A. In: the verdicts, so it comes last; out: warnings.
+// The conditions of a requirement and of its monitor are asked of any moment (AnyMoment), then the
+// truth values of the monitor follow by a fixpoint. Certain; some are missed, because a moment is
+// not a trace.
+
 #include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/encoding/any_moment.h"
 #include "ir/prove/passes.h"

@@ -30,12 +30,10 @@ struct RecorderMoment {
 
 namespace {
 
-using Moment = RecorderMoment;
-
 struct Column {
   const char* name;
   const char* unit;
-  double (*value)(const Moment& m);
+  double (*value)(const RecorderMoment& m);
   /// Whether a scenario needs the column; null: every scenario does.
   bool (*wanted)(const Scenario& s) = nullptr;
 };
@@ -47,8 +45,9 @@ bool wantsAltitude(const Scenario& s) {
 }
 
 // missiontime and state are filled in by Recorder::mission.
-#define COLUMN(name, unit, value, ...) \
-  {name, unit, []([[maybe_unused]] const Moment& m) -> double { return value; }, __VA_ARGS__}
+#define COLUMN(name, unit, value, ...)                                                   \
+  {name, unit, []([[maybe_unused]] const RecorderMoment& m) -> double { return value; }, \
+   __VA_ARGS__}
 constexpr Column kFirst[] = {
     COLUMN("time", "s", m.now_s),
     COLUMN("missiontime", "s", kNotRecorded),
@@ -136,7 +135,7 @@ void Recorder::row(double now_s, const FlightController& flight, const ScienceCo
   const double x = vehicle.x(), y = vehicle.y();
   const double isotherm =
       std::isnan(isotherm_) ? kNotRecorded : ocean_.isothermDepth(isotherm_, x, y, now_s);
-  const Moment moment{
+  const RecorderMoment moment{
       now_s, flight, science, vehicle, frame_.position(x, y), isotherm, ocean_.waterDepth(x, y)};
   for (const RecorderColumn& column : columns_) {
     trace_.rows.push_back(column.value != nullptr ? column.value(moment)

@@ -13,7 +13,7 @@
 namespace glider::simulator {
 namespace {
 
-/// The seconds since 1970 of a stamp yymmddhhmm in UTC; NaN for one that is no time.
+/// The seconds since 1970 of a stamp yymmddhhmm in UTC; NaN for one that is not a time.
 double secondsOf(double stamp) {
   const auto digits = static_cast<int64_t>(stamp);
   const auto part = [&](int64_t unit) { return static_cast<int>(digits / unit % 100); };

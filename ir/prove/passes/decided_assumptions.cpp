@@ -77,7 +77,7 @@ class Projection {
     return push(both ? Op::And : Op::Or, {a, b});
   }
 
-  /// Whether a sensor works is the vehicle's, whatever it measures.
+  /// Whether a sensor works depends on the vehicle, for any quantity that it measures.
   [[nodiscard]] bool readsSeaOnly(ExprId condition) const {
     bool reads = false, decided = false;
     forEachIn(m_, condition, [&](const Expr& e) {

@@ -76,7 +76,7 @@ bool endsWithout(const Proof& proof, const std::vector<Suspect>& suspects, const
   return boundOf(context.withoutPowerCuts(), kLongestMission, Goal::Exit).by.has_value();
 }
 
-/// Whether `exit within` is proved, if under assumptions: its line says so.
+/// Whether `exit within` is proved, perhaps under assumptions: its line names them.
 bool isProvedToEnd(const Proof& proof) {
   return std::ranges::any_of(proof.findings.requirements, [&](const RequirementVerdict& verdict) {
     const Requirement& required = proof.proof_context.mission.requirements[verdict.requirement];

@@ -127,9 +127,9 @@ class RequirementCheck {
     std::optional<Counterexample> run;
   };
 
-  /// The requirements that a search has to decide. Of several `surfaces every`, what is proved of
-  /// one holds for every longer time, and what violates it violates every shorter: so the middle
-  /// one comes first, and few of them take a search.
+  /// The requirements that a search has to decide. Of several `surfaces every`, what is proved
+  /// about one holds for every longer time, and what violates it violates every shorter: so the
+  /// middle one comes first, and few of them take a search.
   [[nodiscard]] std::vector<uint32_t> waitingInOrder() const {
     std::vector<uint32_t> order;
     std::vector<uint32_t> surfacing;
@@ -206,7 +206,7 @@ class RequirementCheck {
     }
   }
 
-  /// Without a search, and without a word where it is violated.
+  /// Without a search, and without a report where it is violated.
   [[nodiscard]] bool provesAtOnce(uint32_t number) {
     const Requirement& requirement = m_.requirements[number];
     return requirement.kind == RequirementKind::StackAtMost
@@ -233,7 +233,7 @@ class RequirementCheck {
   }
 
   /// The assumptions that a proof rests on: of those that it may rest on, the ones without which
-  /// none was found. A flight that reaches a state does so whatever is assumed (but see prove()).
+  /// none was found. A flight that reaches a state does so under any assumptions (but see prove()).
   void addPremises(RequirementVerdict& verdict) {
     const uint32_t number = verdict.requirement;
     if (bare_ == nullptr || bare_proved_[number] || verdict.verdict != Verdict::Proved ||
@@ -552,7 +552,7 @@ class RequirementCheck {
       return {Answer::Unknown, std::nullopt, limitReached(), 0};
     }
     z3::config config;
-    config.set("rlimit", static_cast<int>(effort));  // Spacer's only limit, but for the time
+    config.set("rlimit", static_cast<int>(effort));  // Spacer's only limit, except for the time
     if (const auto limit = proof_.searches.milliseconds()) {
       config.set("timeout", static_cast<int>(*limit));
     }

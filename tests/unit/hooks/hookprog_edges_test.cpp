@@ -315,23 +315,23 @@ class HookprogForgetsTest : public HookprogEdgesTest {
   }
 };
 
-TEST_F(HookprogForgetsTest, AfterTheSixthCycleWithoutAReport) {
+TEST_F(HookprogForgetsTest, HookbehIsAbsentAfterSixCyclesWithoutAReport) {
   EXPECT_EQ(rememberedAfter(44, 11), 4);
 }
-TEST_F(HookprogForgetsTest, NotEarlierWhereTheCycleNumberAloneTurnedBack) {
+TEST_F(HookprogForgetsTest, ALowerCycleNumberAloneDoesNotShortenThat) {
   EXPECT_EQ(rememberedAfter(44, 9), 4);
 }
-TEST_F(HookprogForgetsTest, NorWhereTheTimeIsTheSame) {
+TEST_F(HookprogForgetsTest, ALowerCycleNumberAtTheSameTimeDoesNotShortenThat) {
   EXPECT_EQ(rememberedAfter(40, 9), 4);
 }
-TEST_F(HookprogForgetsTest, NorWhereTheTimeAloneTurnedBack) {
+TEST_F(HookprogForgetsTest, AnEarlierTimeAloneDoesNotShortenThat) {
   EXPECT_EQ(rememberedAfter(36, 11), 4);
 }
-TEST_F(HookprogForgetsTest, AfterTheSecondWhereBothTurnedBack) {
+TEST_F(HookprogForgetsTest, WithBothTurnedBackHookbehIsAbsentAfterTwoCycles) {
   EXPECT_EQ(rememberedAfter(36, 9), 0);
 }
 
-TEST_F(HookprogForgetsTest, NorWhereTheCycleNumberCameBackToWhatItWas) {
+TEST_F(HookprogForgetsTest, ACycleNumberThatReturnsToItsValueDoesNotShortenThat) {
   for (int i = 0; i < 10; ++i) {
     cycle({{GLIDER_X_HOOK_STATE, 3}});
   }

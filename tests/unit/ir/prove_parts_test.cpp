@@ -270,7 +270,7 @@ std::string asking(const std::string& profile, const std::string& route = "",
          more + " case (gt (var x) 1) exit\n";
 }
 
-TEST(ConeOfInfluence, IsWhatGuardsRead) {
+TEST(ConeOfInfluence, HasWhatGuardsRead) {
   EXPECT_EQ(relevantIn(number("x") + number("y") + stateText("a", "case true exit")), "");
   EXPECT_EQ(relevantIn(number("x") + number("y") + stateText("a", "case (gt (var x) 1) exit")),
             "x ");
@@ -302,7 +302,7 @@ TEST(ConeOfInfluence, IsWhatGuardsRead) {
             "x y 0 ");
 }
 
-TEST(ConeOfInfluence, IsWhatThatIsComputedFrom) {
+TEST(ConeOfInfluence, HasWhatVariablesOfGuardsAreComputedFrom) {
   EXPECT_EQ(relevantIn(number("y") + number("z") + number("x", "(var y)") +
                        stateText("a", "case (gt (var x) 1) exit")),
             "y x ");
@@ -334,7 +334,7 @@ TEST(ConeOfInfluence, IsWhatThatIsComputedFrom) {
             "z p ");
 }
 
-TEST(ConeOfInfluence, IsWhatSetsItInAProfileOrRoute) {
+TEST(ConeOfInfluence, HasGuardsOfProfilesAndRoutesThatSetItsVariables) {
   const std::string two = number("x") + number("y");
   EXPECT_EQ(
       relevantIn(two + asking("entry do log n () end case (gt (var y) 1) do log n () end stay")),
@@ -356,7 +356,7 @@ TEST(ConeOfInfluence, IsWhatSetsItInAProfileOrRoute) {
       << "it is done";
 }
 
-TEST(ConeOfInfluence, IsWhatCommandsDepthsToTheVehicle) {
+TEST(ConeOfInfluence, OfTheDepthHasWhatCommandsDepths) {
   const std::string two = number("x") + number("y");
   for (const char* command :
        {"descend ((mul (var y) 1:length), 0.4:angle)", "ascend ((mul (var y) 1:length), 0.4:angle)",

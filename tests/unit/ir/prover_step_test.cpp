@@ -227,7 +227,7 @@ TEST(ProverStep, HoldsTheStartOfRandomMissions) {
 
 /// Each sees what was set before it: the mission's variables, what `always` watches, the state's
 /// variables, what it watches, its entry, its profile, its route.
-TEST(ProverStep, TheStartIsThisAndNothingElse) {
+TEST(ProverStep, TheStartRunsItsPartsInOrder) {
   const Mission mission = missionOf(kHeader + R"(behaviour profile rise symbol "" () reads ()
 behaviour route way symbol "" () reads ()
 variable p: number parameter lowest 0 highest 9
@@ -374,7 +374,7 @@ state a route drift () profile glide () case true do set n (add (var n) 1) end s
   }
 }
 
-TEST(ProverStep, WhatAlwaysOverflowsIsUnknown) {
+TEST(ProverStep, ASumThatAlwaysOverflowsIsUnknown) {
   expectTicks(R"(variable n: number mission lowest 0 highest 10
 variable big: number mission
 initial n 1
@@ -385,7 +385,7 @@ state a route drift () profile glide ()
               {1, 1, 1});
 }
 
-TEST(ProverStep, AClampTurnedRoundLeaps) {
+TEST(ProverStep, AClampWhoseBoundsAreExchangedIsNotContinuous) {
   expectTicks(R"(variable low: length parameter lowest 0 highest 50
 variable high: length parameter lowest 0 highest 50
 variable x: length mission lowest 0 highest 100
@@ -485,7 +485,7 @@ state b route drift () profile glide ()
   EXPECT_EQ(followTransitions(mission, streamOf({kNone, kNone, kNone, 10, 10, 2, 2})), 6U);
 }
 
-TEST(AbstractStep, WhatAlwaysOverflowsIsUnknown) {
+TEST(AbstractStep, ASumThatAlwaysOverflowsIsUnknown) {
   const Mission mission = missionOf(kHeader + R"(variable n: number mission lowest 0 highest 100
 initial n 1
 state a route drift () profile glide ()

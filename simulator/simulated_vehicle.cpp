@@ -195,23 +195,23 @@ bool SimulatedVehicle::controlCycle(double now) {
 
 CycleView SimulatedVehicle::view(double now, bool over) const {
   const Battery& battery = vehicle_.battery();
-  return {now,
-          flight_.hookState(),
-          vehicle_.depth(),
-          flight_.aborted(),
-          over,
-          flight_.array(),
-          now - flight_.missionStart(),
-          world_.ocean().waterDepth(vehicle_.x(), vehicle_.y()) - vehicle_.depth(),
-          battery.usedJ() - start_J_,
-          battery.voltage(),
-          flight_.commandedWhole(),
-          flight_.hookbeh(),
-          flight_.hookbehMasked(),
-          vehicle_.x() - setup_.scenario.vehicle.start_x_m,
-          vehicle_.y() - setup_.scenario.vehicle.start_y_m,
-          vehicle_.pumpedCc(),
-          battery.leftJ()};
+  return {.time_s = now,
+          .hook = flight_.hookState(),
+          .true_depth_m = vehicle_.depth(),
+          .aborted = flight_.aborted(),
+          .ended = over,
+          .array = flight_.array(),
+          .mission_s = now - flight_.missionStart(),
+          .clearance_m = world_.ocean().waterDepth(vehicle_.x(), vehicle_.y()) - vehicle_.depth(),
+          .used_J = battery.usedJ() - start_J_,
+          .volts = battery.voltage(),
+          .commanded_whole = flight_.commandedWhole(),
+          .hookbeh = flight_.hookbeh(),
+          .masked = flight_.hookbehMasked(),
+          .east_m = vehicle_.x() - setup_.scenario.vehicle.start_x_m,
+          .north_m = vehicle_.y() - setup_.scenario.vehicle.start_y_m,
+          .pumped_cc = vehicle_.pumpedCc(),
+          .left_J = battery.leftJ()};
 }
 
 /// True while the flight controller restarts: what arrives meanwhile is lost.

@@ -164,7 +164,7 @@ class GuardCheck {
     for (const bool ever : {false, true}) {
       const auto may = [&](double reading) {
         constexpr ir::Interval kEver{0, ir::kGreatestNumber, false};
-        const ir::prove::Sight sight{altitude, {reading, reading, false}, ever};
+        const ir::prove::AssumedReading sight{altitude, {reading, reading, false}, ever};
         return ir::prove::AbstractEvaluator(proof_context, values, {kEver, kEver, kEver}, sight)
             .truth(guard)
             .is_true;

@@ -104,7 +104,7 @@ class AvoidanceCheck {
 
   [[nodiscard]] bool mayBeTrue(ExprId guard, SensorId sensor, double reading) const {
     constexpr Interval kEver{0, kGreatestNumber, false};
-    const Sight sight{sensor, {reading, reading, false}};
+    const AssumedReading sight{sensor, {reading, reading, false}};
     return AbstractEvaluator(proof_context_, values_, {kEver, kEver, kEver}, sight)
         .truth(guard)
         .is_true;

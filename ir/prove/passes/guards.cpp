@@ -76,7 +76,7 @@ class GuardCheck {
 
   std::vector<GuardVerdict> judge(const std::vector<Case>& cases) {
     std::vector<GuardVerdict> verdicts(cases.size());
-    const std::vector<Seen> seen = tryOut(proof_.proof_context, cases);
+    const std::vector<SamplingResult> seen = tryOut(proof_.proof_context, cases);
     for (uint32_t i = 0; i < cases.size(); ++i) {
       if (seen[i].first && seen[i].idle) {
         continue;
@@ -92,7 +92,7 @@ class GuardCheck {
 
   /// Asks the solver what was not seen.
   GuardVerdict judge(const std::vector<Case>& cases, uint32_t number,
-                     const std::vector<GuardVerdict>& earlier, const Seen& seen) {
+                     const std::vector<GuardVerdict>& earlier, const SamplingResult& seen) {
     GuardVerdict verdict;
     Unknowns unknowns(proof_.context);
     SymbolicState moment(unknowns, proof_.proof_context);

@@ -11,7 +11,7 @@
 // counterexample without power cuts is preferred. What can go wrong is only that no verdict is
 // found: a trace of Spacer is replayed (concretize) before it refutes anything. A mission with
 // assumptions is checked with and without them, so that a proof names only those that it needs
-// (UnderSome). README.md has the arguments.
+// (CheckUnderAssumptions). README.md has the arguments.
 
 #include "ir/core/under_assumptions.h"
 #include "ir/prove/abstract/depth_bound.h"
@@ -54,7 +54,7 @@ constexpr double kLongFlight = 4 * 3600;
 /// What naming only the needed assumptions may take, beside what the proofs take.
 constexpr double kShareOfPremises = 0.25;
 
-class UnderSome;
+class CheckUnderAssumptions;
 
 class RequirementCheck {
  public:
@@ -103,16 +103,16 @@ class RequirementCheck {
   }
 
   /// A proof under fewer assumptions.
-  struct Again {
+  struct RepeatedProof {
     bool proved = false;
     std::optional<Evidence> evidence;
   };
 
   /// Whether what was proved under more assumptions, `was`, is proved under these too; `effort`:
   /// the limit of a search. Nothing is reported.
-  Again provesAgain(const RequirementVerdict& was, unsigned effort) {
+  RepeatedProof provesAgain(const RequirementVerdict& was, unsigned effort) {
     const unsigned usual = std::exchange(search_effort_, effort);
-    Again again = provedAgain(was);
+    RepeatedProof again = provedAgain(was);
     search_effort_ = usual;
     return again;
   }
@@ -171,7 +171,7 @@ class RequirementCheck {
                : std::nullopt;
   }
 
-  Again provedAgain(const RequirementVerdict& was) {
+  RepeatedProof provedAgain(const RequirementVerdict& was) {
     const Requirement& requirement = m_.requirements[was.requirement];
     if (!requirement.geofences.empty()) {
       const RequirementVerdict found = provedAreas(areasOf(requirement));
@@ -272,7 +272,7 @@ class RequirementCheck {
     return true;
   }
 
-  [[nodiscard]] Evidences& evidences() {
+  [[nodiscard]] EvidenceBuilder& evidences() {
     if (!evidences_) {
       evidences_.emplace(proof_.proof_context, proof_.ending.bound());
     }
@@ -639,22 +639,22 @@ class RequirementCheck {
   const Mission& m_;
   unsigned search_effort_;  ///< the limit of a search
   Budget premises_;         ///< of addPremises
-  std::map<std::vector<uint32_t>, std::shared_ptr<UnderSome>> under_some_;
+  std::map<std::vector<uint32_t>, std::shared_ptr<CheckUnderAssumptions>> under_some_;
   std::optional<Run> submerged_;    ///< see alsoSubmerged
   std::optional<Insight> insight_;  ///< with power cuts; none: not asked for yet
   std::optional<Insight> powered_;
-  double deepest_;                      ///< of the mission, m
-  std::optional<Evidences> evidences_;  ///< with Options::evidence
-  std::vector<bool> waiting_;           ///< by requirement: a search has to decide it
-  std::vector<bool> bare_proved_;       ///< by requirement: without the assumptions
-  bool fresh_ = false;                  ///< something was proved since the first look
+  double deepest_;                            ///< of the mission, m
+  std::optional<EvidenceBuilder> evidences_;  ///< with Options::evidence
+  std::vector<bool> waiting_;                 ///< by requirement: a search has to decide it
+  std::vector<bool> bare_proved_;             ///< by requirement: without the assumptions
+  bool fresh_ = false;                        ///< something was proved since the first look
 };
 
 /// The mission under some of its assumptions.
-class UnderSome {
+class CheckUnderAssumptions {
  public:
   /// `plain`: without any.
-  UnderSome(RequirementCheck& plain, const std::vector<uint32_t>& kept)
+  CheckUnderAssumptions(RequirementCheck& plain, const std::vector<uint32_t>& kept)
       : written_(keeping(plain.proof().proof_context.mission, kept)),
         mission_(underAssumptions(written_)),
         platform_(underAssumptions(plain.proof().proof_context.platform, written_)),
@@ -688,9 +688,9 @@ RequirementCheck& RequirementCheck::under(const std::vector<uint32_t>& some) {
     return *this;
   }
   // Not bare_ for none of them: its mission still has what is assumed of the start, for areas.
-  std::shared_ptr<UnderSome>& found = under_some_[some];
+  std::shared_ptr<CheckUnderAssumptions>& found = under_some_[some];
   if (!found) {
-    found = std::make_shared<UnderSome>(*bare_, some);
+    found = std::make_shared<CheckUnderAssumptions>(*bare_, some);
   }
   return found->check();
 }
@@ -707,7 +707,7 @@ bool RequirementCheck::isProvedUnder(const std::vector<uint32_t>& fewer,
       std::min<uint64_t>(proof_.options.run_effort, 2 * verdict.steps + kAtLeast);
   RequirementCheck& check = under(fewer);
   const Budget before = std::exchange(check.proof_.searches, premises_);
-  Again again = check.provesAgain(verdict, static_cast<unsigned>(effort));
+  RepeatedProof again = check.provesAgain(verdict, static_cast<unsigned>(effort));
   premises_ = std::exchange(check.proof_.searches, before);
   const bool of_areas = !m_.requirements[verdict.requirement].geofences.empty();
   if (!again.proved || (proof_.options.evidence && !again.evidence && !of_areas)) {

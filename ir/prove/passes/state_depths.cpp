@@ -77,7 +77,7 @@ class DepthCheck {
   /// Whether a condition may be true if all readings of the depth so far lie in `depths`.
   [[nodiscard]] bool mayBeTrue(ExprId condition, const Interval& depths) const {
     constexpr Interval kEver{0, kGreatestNumber, false};
-    const Sight sight{*proof_context_.depth, depths, true};
+    const AssumedReading sight{*proof_context_.depth, depths, true};
     return AbstractEvaluator(proof_context_, values_, {kEver, kEver, kEver}, sight)
         .truth(condition)
         .is_true;

@@ -358,15 +358,15 @@ TEST_F(HookprogEdgesTest, ALateAnswerLeavesLessOfARate) {
     cycle({{GLIDER_M_DEPTH, ++depth}});
     return tick(wanted).told[0];
   };
-  EXPECT_EQ(told(), Told::Value);
+  EXPECT_EQ(told(), ReadingReport::Value);
   const uint8_t first = tick_sequence_;
-  EXPECT_EQ(told(), Told::Value) << "not answered";
+  EXPECT_EQ(told(), ReadingReport::Value) << "not answered";
   tick_sequence_ = first;
   answerTick();
   for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(told(), Told::Nothing) << i;
+    EXPECT_EQ(told(), ReadingReport::Nothing) << i;
   }
-  EXPECT_EQ(told(), Told::Value) << "five after the first";
+  EXPECT_EQ(told(), ReadingReport::Value) << "five after the first";
 }
 
 TEST_F(HookprogEdgesTest, AnAnswerCountsForTheEightNewestTicks) {
@@ -374,7 +374,7 @@ TEST_F(HookprogEdgesTest, AnAnswerCountsForTheEightNewestTicks) {
     hello(++link_);
     atSbc();
     cycle({{GLIDER_M_DEPTH, 12.5}});
-    EXPECT_EQ(tick(subscription()).told[0], Told::Value);
+    EXPECT_EQ(tick(subscription()).told[0], ReadingReport::Value);
     const uint8_t first = tick_sequence_;
     for (int i = 0; i < (counts ? 7 : 8); ++i) {
       cycle();
@@ -383,7 +383,7 @@ TEST_F(HookprogEdgesTest, AnAnswerCountsForTheEightNewestTicks) {
     tick_sequence_ = first;
     answerTick();
     cycle({{GLIDER_M_DEPTH, 12.5}});
-    EXPECT_EQ(tick(subscription()).told[0] == Told::Unchanged, counts);
+    EXPECT_EQ(tick(subscription()).told[0] == ReadingReport::Unchanged, counts);
     answerTick();
   }
 }

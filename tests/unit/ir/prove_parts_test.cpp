@@ -127,23 +127,23 @@ TEST(Holdings, AreJoinedAndKeptInTheirRange) {
   Variable v;
   v.lowest = -2;
   v.highest = 5;
-  EXPECT_EQ(anything(v), (Holding{-2, 5, false, {}}));
+  EXPECT_EQ(anything(v), (PossibleValues{-2, 5, false, {}}));
   v.lowest = -kNever;
   v.highest = kNever;
-  EXPECT_EQ(anything(v), (Holding{-kMost, kMost, false, {}}));
+  EXPECT_EQ(anything(v), (PossibleValues{-kMost, kMost, false, {}}));
   v.lowest = -2;
   v.highest = 5;
-  EXPECT_EQ(withinRange({-9, 3, false, {}}, v), (Holding{-2, 3, false, {}}));
-  EXPECT_EQ(withinRange({1, 9, false, {}}, v), (Holding{1, 5, false, {}}));
-  EXPECT_EQ(withinRange({5, 9, false, {}}, v), (Holding{5, 5, false, {}}));
-  EXPECT_EQ(withinRange({6, 9, false, {}}, v), (Holding{0, 0, true, {}}));
-  EXPECT_EQ(withinRange({1, 2, true, {}}, v), (Holding{0, 0, true, {}}));
-  const Holding low{1, 2, false, {true, false, false}}, high{4, 7, false, {false, true, false}},
-      never{0, 0, true, {false, false, true}};
-  EXPECT_EQ(either(low, high), (Holding{1, 7, false, {true, true, false}}));
-  EXPECT_EQ(either(high, low), (Holding{1, 7, false, {true, true, false}}));
-  EXPECT_EQ(either(low, never), (Holding{1, 2, false, {true, false, true}}));
-  EXPECT_EQ(either(never, high), (Holding{4, 7, false, {false, true, true}}));
+  EXPECT_EQ(withinRange({-9, 3, false, {}}, v), (PossibleValues{-2, 3, false, {}}));
+  EXPECT_EQ(withinRange({1, 9, false, {}}, v), (PossibleValues{1, 5, false, {}}));
+  EXPECT_EQ(withinRange({5, 9, false, {}}, v), (PossibleValues{5, 5, false, {}}));
+  EXPECT_EQ(withinRange({6, 9, false, {}}, v), (PossibleValues{0, 0, true, {}}));
+  EXPECT_EQ(withinRange({1, 2, true, {}}, v), (PossibleValues{0, 0, true, {}}));
+  const PossibleValues low{1, 2, false, {true, false, false}},
+      high{4, 7, false, {false, true, false}}, never{0, 0, true, {false, false, true}};
+  EXPECT_EQ(either(low, high), (PossibleValues{1, 7, false, {true, true, false}}));
+  EXPECT_EQ(either(high, low), (PossibleValues{1, 7, false, {true, true, false}}));
+  EXPECT_EQ(either(low, never), (PossibleValues{1, 2, false, {true, false, true}}));
+  EXPECT_EQ(either(never, high), (PossibleValues{4, 7, false, {false, true, true}}));
   EXPECT_EQ(either(never, never), never);
 }
 

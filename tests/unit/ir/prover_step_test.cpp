@@ -407,7 +407,7 @@ void expectWithin(const Valuation& values, const TickResult& result, const Missi
     if (v.owner.valid() && v.owner != result.state) {
       continue;
     }
-    const Holding& held = values[i];
+    const PossibleValues& held = values[i];
     if (v.type.kind == TypeKind::Bool) {
       EXPECT_TRUE(value != value ? held.truths.is_unknown
                   : value != 0   ? held.truths.is_true
@@ -424,7 +424,7 @@ Valuation exactly(const TickResult& result, const Mission& m) {
   Valuation values;
   for (uint32_t i = 0; i < m.variables.size(); ++i) {
     const double value = result.variables[i];
-    Holding held = anything(m.variables[i]);
+    PossibleValues held = anything(m.variables[i]);
     if (m.variables[i].type.kind == TypeKind::Bool) {
       held.truths = {value == 1, value == 0, value != value};
     } else if (value == value) {
@@ -511,7 +511,7 @@ always case (gt (temporal 0) 5) stay
 state a route drift () profile glide () case true do set n 1 end stay
 )");
   const ProofContext proof_context(mission, slocum());
-  Valuation values{Holding{1, 1, false, {}}};
+  Valuation values{PossibleValues{1, 1, false, {}}};
   const Interval all{0, 1e6, false};
   const AbstractEvaluator possible(proof_context, values, {all, all, all});
   EXPECT_TRUE(possible.truth(mission.always[0].guard).is_true) << "it was 7 a moment ago";

@@ -12,7 +12,7 @@
 namespace glider::ir::prove {
 namespace {
 
-std::vector<Seen> triedOut(const std::string& cases) {
+std::vector<SamplingResult> triedOut(const std::string& cases) {
   const Mission mission = missionOf(kHeader + stateText("a", cases));
   return tryOut(ProofContext(mission, slocum()), mission.states[0].cases);
 }
@@ -25,7 +25,7 @@ TEST(Sampling, ShowsThatUsualCasesFireAndIdle) {
       "case (not (known (sensor temp))) goto a "
       "case (gt missiontime 18000:time) exit");
   ASSERT_EQ(seen.size(), 5U);
-  for (const Seen& one : seen) {
+  for (const SamplingResult& one : seen) {
     EXPECT_TRUE(one.fires && one.idle && one.first) << &one - seen.data();
   }
 }

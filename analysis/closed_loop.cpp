@@ -20,6 +20,9 @@ using support::Result;
 
 constexpr uint64_t kSeeds = 3;  ///< of each scenario
 
+/// Flies a refuted mission in the simulator, scenario by scenario, until a flight violates the
+/// requirement. A counterexample of the prover has any readings; this says whether an ordinary
+/// flight shows the violation too. That none does proves nothing.
 class LoopSearch {
  public:
   LoopSearch(const compiler::Optimised& flown, const ir::prove::RequirementVerdict& verdict,

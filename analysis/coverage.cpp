@@ -37,6 +37,9 @@ std::vector<ir::CasePlace> allCases(const ir::Mission& mission) {
   return places;
 }
 
+/// Proves the mission again without each case, one at a time, with a part of the effort: a proof
+/// that is not found again counts as one that needs the case. So nothing is called superfluous that
+/// a proof needs.
 class DependenceSearch {
  public:
   DependenceSearch(const compiler::Checked& checked,

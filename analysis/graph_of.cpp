@@ -34,6 +34,8 @@ GraphTransition transitionOf(ir::Transition transition) {
   return GraphTransition::Stay;
 }
 
+/// Makes the drawing's data of a mission: states and transitions with the pilot's own text, those
+/// that are proved never to fire or to be reached marked.
 class GraphMaker {
  public:
   GraphMaker(const compiler::Lowered& lowered, const std::map<ir::CasePlace, bool>& dead)

@@ -31,6 +31,9 @@ std::vector<int> sensorColumns(const support::Trace& trace, const ir::Mission& m
   return columns;
 }
 
+/// Feeds the rows of a counterexample to a real SBC as frames of a vehicle that accepts every
+/// instruction, and to the interpreter. The first tick at which state, call depth or exit differ
+/// ends the replay: then the compiled mission or the interpreter is wrong.
 class Replay {
  public:
   Replay(const support::Trace& trace, const compiler::Checked& checked,

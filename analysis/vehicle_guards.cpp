@@ -36,6 +36,9 @@ constexpr double kLeastAltitude_m = 2;
 /// start.
 constexpr double kHoverShowsDepth_s = 660;
 
+/// Compares the commanded depths and hovers of a mission with the limits in the vehicle's mission
+/// file. Certain cases are errors; those that depend on water, trim or time are warnings. The
+/// vehicle is taken to be healthy.
 class GuardCheck {
  public:
   GuardCheck(const compiler::Checked& checked, const VehicleFile& file,
@@ -161,7 +164,7 @@ class GuardCheck {
     for (const bool ever : {false, true}) {
       const auto may = [&](double reading) {
         constexpr ir::Interval kEver{0, ir::kGreatestNumber, false};
-        const ir::prove::Sight sight{altitude, {reading, reading, false}, ever};
+        const ir::prove::AssumedReading sight{altitude, {reading, reading, false}, ever};
         return ir::prove::AbstractEvaluator(proof_context, values, {kEver, kEver, kEver}, sight)
             .truth(guard)
             .is_true;

@@ -17,6 +17,8 @@ using ir::AssumptionKind;
 
 constexpr double kEstimateError = 0.1;  // m/s
 
+/// The rows of a trace from the first tick of a mission on. The trace is by vehicle time and the
+/// mission by its own: this converts between them.
 class FlownStart {
  public:
   FlownStart(const support::Trace& trace, const HeardTick& start) : trace_(trace), start_(start) {

@@ -42,6 +42,9 @@ bool agree(const std::vector<hooks::MissionStatus>& one,
   });
 }
 
+/// Passes all that the flown SBC gets to the shadow too, and compares what both report of the
+/// mission. The shadow's answers never reach the vehicle, so a flight with it is the same as one
+/// without.
 class ShadowedSbc final : public SbcPort {
  public:
   ShadowedSbc(std::unique_ptr<SbcPort> flown, std::unique_ptr<SbcPort> shadow,

@@ -33,8 +33,8 @@ Range rangeOf(const Trace& trace, int column) {
   return range;
 }
 
-/// A track without the steps by which GPS fixes have moved it: they are no distance, and the ends
-/// of what remains can be compared.
+/// A track without the steps by which GPS fixes have moved it: they are not distance covered, and
+/// the ends of what remains can be compared.
 class Way {
  public:
   /// `leg` changes where a fix has moved the position.

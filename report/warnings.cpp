@@ -37,14 +37,14 @@ std::string timeText(const Trace& trace, double time_s) {
 
 /// The time, as timeText() writes it, of the first of `trace`'s events of a kind, and "; 3 times in
 /// all".
-struct Told {
+struct EventMention {
   const TraceEvent* first = nullptr;
   std::string at;
   std::string more;
 };
 
-Told tell(const Trace& trace, EventId id) {
-  Told told;
+EventMention tell(const Trace& trace, EventId id) {
+  EventMention told;
   const auto count = std::ranges::count(trace.events, id, &TraceEvent::id);
   if (count > 0) {
     told.first = &*std::ranges::find(trace.events, id, &TraceEvent::id);
@@ -154,7 +154,7 @@ void reportEnd(const Trace& trace, support::DiagnosticEngine& diagnostics) {
   if (!last || !(last->depth_m > kAfloat)) {
     return;
   }
-  const Told abort = tell(trace, EventId::Aborts);
+  const EventMention abort = tell(trace, EventId::Aborts);
   if (last->clearance_m < kTouches) {
     diagnostics.report(DiagnosticId::endedOnBottom, {}, fmt::format("{:.0f}", last->depth_m),
                        abort.first != nullptr ? ", after the mission was aborted" : "");
@@ -197,21 +197,21 @@ void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics) {
                            : "the SBC never used this version of the hook protocol: check that the "
                              "program or device runs a mission");
   }
-  if (const Told told = tell(trace, EventId::Aborts); told.first != nullptr) {
+  if (const EventMention told = tell(trace, EventId::Aborts); told.first != nullptr) {
     const std::string why = told.first->why.empty() ? "" : ", " + plain(told.first->why);
     diagnostics.report(DiagnosticId::flightAborted, {}, told.at,
                        plain(told.first->what) + why + told.more);
   }
   reportEnd(trace, diagnostics);
-  if (const Told told = tell(trace, EventId::TouchesBottom); told.first != nullptr) {
+  if (const EventMention told = tell(trace, EventId::TouchesBottom); told.first != nullptr) {
     diagnostics.report(DiagnosticId::bottomTouched, {}, told.at,
                        plain(told.first->why) + told.more);
   }
-  if (const Told told = tell(trace, EventId::InstructionRefused); told.first != nullptr) {
+  if (const EventMention told = tell(trace, EventId::InstructionRefused); told.first != nullptr) {
     diagnostics.report(DiagnosticId::commandRefused, {}, told.at,
                        plain(textOf(*told.first, 1)) + told.more);
   }
-  if (const Told told = tell(trace, EventId::GuardClimbs); told.first != nullptr) {
+  if (const EventMention told = tell(trace, EventId::GuardClimbs); told.first != nullptr) {
     const double depth_m = std::get<double>(told.first->values.at(1));
     diagnostics.report(
         DiagnosticId::guardIntervened, {}, told.at,

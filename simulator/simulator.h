@@ -30,6 +30,8 @@ struct Progress {
   std::string state;  ///< of the SBC's mission; "" while it is not in control
 };
 
+/// Everything that a flight depends on. `sbc` and `restart_sbc` come from flights/sbc_choice.h, the
+/// names from flights/flight_setup.h.
 struct SimulationSetup {
   platforms::Platform platform;
   Scenario scenario;

@@ -66,14 +66,14 @@ std::vector<LoggedSensor> sensorsOf(const compiler::Checked& checked, const LogT
   for (uint32_t i = 0; i < mission.sensors.size(); ++i) {
     const ir::Sensor& sensor = mission.sensors[i];
     const GuardRead unit = usualUnit(sensor.type);
-    LoggedSensor one{sensor.name,
-                     sensor.vehicle_name,
-                     log.sensors[i].updates,
-                     0,
-                     ir::kUnknown,
-                     ir::kUnknown,
-                     unit.unit,
-                     ""};
+    LoggedSensor one{.name = sensor.name,
+                     .vehicle_name = sensor.vehicle_name,
+                     .updates = log.sensors[i].updates,
+                     .known_ticks = 0,
+                     .least = ir::kUnknown,
+                     .greatest = ir::kUnknown,
+                     .unit = unit.unit,
+                     .problem = ""};
     readAlong(sensor, i, log, unit.to_si, one);
     one.problem = one.known_ticks == 0 ? problemOf(sensor, log.sensors[i]) : "";
     all.push_back(std::move(one));

@@ -18,10 +18,13 @@ namespace {
 using ir::ListKind;
 using report::FollowedStep;
 
-class Follower {
+/// Runs the mission on the interpreter along the ticks of a log. The vehicle did not obey it, so
+/// what it finds is what the mission would have done with these readings, tick by tick, and not a
+/// flight.
+class LogFollower {
  public:
-  Follower(const compiler::Checked& checked, const LogTicks& log,
-           std::span<const double> parameters)
+  LogFollower(const compiler::Checked& checked, const LogTicks& log,
+              std::span<const double> parameters)
       : checked_(checked),
         m_(checked.mission()),
         log_(log),
@@ -81,7 +84,13 @@ class Follower {
     state_ = begun.state;
     was_up_ = blind_ = false;
     out_.states[tick] = state_.index;
-    out_.steps.push_back({momentOf(log_, tick), "start", "", m_[state_].name, false, {}, "", {}});
+    out_.steps.push_back({.at = momentOf(log_, tick),
+                          .kind = "start",
+                          .from = "",
+                          .to = m_[state_].name,
+                          .range = {},
+                          .guard = "",
+                          .values = {}});
     watches_.clear();
     for (const ir::Requirement& requirement : m_.requirements) {
       watches_.push_back({"violation", &requirement, {m_, requirement, surface_m_, depth_}});
@@ -101,7 +110,13 @@ class Follower {
   }
 
   void interrupt(uint32_t tick) {
-    out_.steps.push_back({momentOf(log_, tick - 1), "gap", m_[state_].name, "", false, {}, "", {}});
+    out_.steps.push_back({.at = momentOf(log_, tick - 1),
+                          .kind = "gap",
+                          .from = m_[state_].name,
+                          .to = "",
+                          .range = {},
+                          .guard = "",
+                          .values = {}});
     running_.reset();
     was_up_ = true;
   }
@@ -228,7 +243,7 @@ class Follower {
 
 Followed followMission(const compiler::Checked& checked, const LogTicks& log,
                        std::span<const double> parameters) {
-  return Follower(checked, log, parameters).run();
+  return LogFollower(checked, log, parameters).run();
 }
 
 }  // namespace glider::analysis

@@ -23,9 +23,11 @@ std::optional<Unit> writtenUnit(std::string_view text) {
   return begin == text.npos ? std::nullopt : support::parseUnit(text.substr(begin));
 }
 
-class Walk {
+/// Collects what an expression reads, each thing once, in the order of the text; the unit of a
+/// number is that of a constant which the pilot compares it with.
+class ReadCollector {
  public:
-  Walk(const ir::Mission& mission, const support::SourceManager& sources)
+  ReadCollector(const ir::Mission& mission, const support::SourceManager& sources)
       : m_(mission), sources_(sources) {}
 
   GuardReads of(ir::ExprId guard) {
@@ -152,7 +154,7 @@ class Walk {
 
 GuardReads readsOf(const ir::Mission& mission, const support::SourceManager& sources,
                    ir::ExprId guard) {
-  return Walk(mission, sources).of(guard);
+  return ReadCollector(mission, sources).of(guard);
 }
 
 std::vector<report::LoggedValue> valuesOf(const GuardReads& reads,

@@ -78,7 +78,7 @@ class Reduction {
   }
 
  private:
-  struct Sent {
+  struct LastSent {
     double tick = -std::numeric_limits<double>::infinity();
     double value = kUnknown;
   };
@@ -89,7 +89,7 @@ class Reduction {
       return true;
     }
     const platforms::PlatformSensor& sensor = platform_.sensors[id];
-    Sent& sent = sent_[update.sensor.index];
+    LastSent& sent = sent_[update.sensor.index];
     if ((tick_ - sent.tick) * platform_.envelope.cycle_s < sensor.every_s) {
       return false;
     }
@@ -103,14 +103,14 @@ class Reduction {
 
   const ir::Mission& m_;
   const platforms::Platform& platform_;
-  std::vector<Sent> sent_;
+  std::vector<LastSent> sent_;
   double tick_ = 0;
 };
 
 /// A sensor of the vehicle at each tick, for people.
-class Shown {
+class ShownQuantity {
  public:
-  Shown(const platforms::Platform& platform, std::string_view name)
+  ShownQuantity(const platforms::Platform& platform, std::string_view name)
       : name_(name), sensor_(platform.find(name)) {}
 
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -132,10 +132,13 @@ class Shown {
   double time_ = 0;
 };
 
-class Builder {
+/// Makes ticks of the merged records of a vehicle: collects the updates since the last tick, as
+/// hookprog would have sent them (Reduction), and ends a tick at each record of the flight
+/// computer.
+class TickBuilder {
  public:
-  Builder(const std::vector<slocum::LogFile>& files, const ir::Mission& mission,
-          const platforms::Platform& platform)
+  TickBuilder(const std::vector<slocum::LogFile>& files, const ir::Mission& mission,
+              const platforms::Platform& platform)
       : m_(mission),
         platform_(platform),
         merged_(slocum::merge(files, namesOf(mission))),
@@ -216,7 +219,7 @@ class Builder {
   }
 
   void take(const LoggedUpdate& update, double time) {
-    for (Shown& shown : shown_) {
+    for (ShownQuantity& shown : shown_) {
       if (slocum::isSameName(merged_.columns[update.column].name, shown.name())) {
         shown.take(update.value, time);
       }
@@ -246,7 +249,7 @@ class Builder {
   slocum::Merged merged_;
   TrueHeadings headings_;
   Reduction reduction_;
-  std::vector<Shown> shown_;           ///< the depth, then the quantities
+  std::vector<ShownQuantity> shown_;   ///< the depth, then the quantities
   std::vector<ir::SensorId> sensors_;  ///< of the mission, for each column
   std::vector<double> factors_;        ///< to the platform's unit, for each column
   std::vector<ir::SensorUpdate> frame_;
@@ -257,7 +260,7 @@ class Builder {
 
 LogTicks ticksAlong(const std::vector<slocum::LogFile>& files, const ir::Mission& mission,
                     const platforms::Platform& platform) {
-  return Builder(files, mission, platform).build();
+  return TickBuilder(files, mission, platform).build();
 }
 
 }  // namespace glider::analysis

@@ -28,6 +28,7 @@ struct SensorInLogs {
   uint32_t updates = 0;
 };
 
+/// All ticks of a mission along the data files of one vehicle; the first is the start.
 struct LogTicks {
   std::vector<LogTick> ticks;
   std::vector<SensorInLogs> sensors;  ///< one for each of the mission

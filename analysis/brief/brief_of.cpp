@@ -35,6 +35,8 @@ std::string forPeople(double value, ir::Type type) {
   return text.ends_with(" rad") ? fmt::format("{:.4g} deg", value * kDegrees) : text;
 }
 
+/// Puts a checked mission into the parts of report::Brief. Depths and climbs are those of the
+/// environment model without what the mission assumes, so that the page is on the safe side.
 class BriefMaker {
  public:
   explicit BriefMaker(const BriefSource& source)

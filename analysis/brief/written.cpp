@@ -188,17 +188,29 @@ std::vector<BriefValue> Written::values() const {
   std::vector<BriefValue> all;
   for (const ast::Item& item : items()) {
     if (const auto* constant = as<ast::Const>(item)) {
-      all.push_back({constant->name.text, "fixed value", line(constant->value.where), "", "",
-                     about(constant->where)});
+      all.push_back({.name = constant->name.text,
+                     .kind = "fixed value",
+                     .value = line(constant->value.where),
+                     .range = "",
+                     .set_to = "",
+                     .meaning = about(constant->where)});
     } else if (const auto* var = as<ast::Var>(item)) {
       const std::string range = var->range ? fmt::format("{} to {}", line(var->range->lowest.where),
                                                          line(var->range->highest.where))
                                            : "";
-      all.push_back(
-          {var->name.text, "variable", line(var->value.where), range, "", about(var->where)});
+      all.push_back({.name = var->name.text,
+                     .kind = "variable",
+                     .value = line(var->value.where),
+                     .range = range,
+                     .set_to = "",
+                     .meaning = about(var->where)});
     } else if (const auto* place = as<ast::PlaceDeclaration>(item)) {
-      all.push_back({place->name.text, "condition", line(place->condition.where), "", "",
-                     about(place->where)});
+      all.push_back({.name = place->name.text,
+                     .kind = "condition",
+                     .value = line(place->condition.where),
+                     .range = "",
+                     .set_to = "",
+                     .meaning = about(place->where)});
     }
   }
   return all;

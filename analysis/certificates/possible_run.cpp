@@ -27,6 +27,9 @@ double stored(double value, uint32_t bytes) {
   return bytes == kWide ? value : static_cast<double>(static_cast<float>(value));
 }
 
+/// A trace as a flight of the environment model: each tick is checked against the gap, the
+/// readings, the vehicle (RunVehicle) and the assumptions, while the interpreter follows. It shares
+/// no rule with the prover, which wrote the trace.
 class Flight {
  public:
   Flight(const support::Trace& run, const compiler::Checked& checked)

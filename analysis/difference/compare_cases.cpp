@@ -41,9 +41,9 @@ Pairs commonCases(const std::vector<ListedCase>& before, const std::vector<Liste
 }
 
 /// The cases that have no partner yet.
-class Rest {
+class UnmatchedCases {
  public:
-  Rest(const std::vector<ListedCase>& before, const std::vector<ListedCase>& after)
+  UnmatchedCases(const std::vector<ListedCase>& before, const std::vector<ListedCase>& after)
       : before_(before), after_(after), old_partner_(before.size()), new_partner_(after.size()) {}
 
   void pair(size_t was, size_t is) {
@@ -82,7 +82,7 @@ class Rest {
 
 std::vector<std::string> compareCases(const std::vector<ListedCase>& before,
                                       const std::vector<ListedCase>& after) {
-  Rest rest(before, after);
+  UnmatchedCases rest(before, after);
   for (const auto& [was, is] : commonCases(before, after)) {
     rest.pair(was, is);
   }

@@ -50,6 +50,9 @@ std::string valueText(const ir::Mission& m, const ir::Variable& v) {
   return ranged ? fmt::format("{} in {}", text, ir::rangeText(v)) : text;
 }
 
+/// Compares the matched states and their parts as canonical text, so that only what a flight can
+/// show is a difference. What it finds equal behaves the same; what differs in text may still
+/// behave the same.
 class Comparison {
  public:
   Comparison(const compiler::Checked& before, const compiler::Checked& after)

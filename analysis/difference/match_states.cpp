@@ -40,9 +40,12 @@ ByText byText(const ir::Mission& mission, const std::vector<std::string>& names)
   return states;
 }
 
-class Matching {
+/// Pairs the states of two versions: by name, then those that differ in nothing but their names.
+/// Each pair may make the targets of other states equal, so the second step repeats until nothing
+/// changes.
+class StateMatcher {
  public:
-  Matching(const ir::Mission& before, const ir::Mission& after) : old_(before), new_(after) {
+  StateMatcher(const ir::Mission& before, const ir::Mission& after) : old_(before), new_(after) {
     found_.old_names.assign(before.states.size(), kUnmatched);
     found_.new_names.assign(after.states.size(), kUnmatched);
   }
@@ -101,7 +104,7 @@ class Matching {
 }  // namespace
 
 MatchedStates matchStates(const ir::Mission& before, const ir::Mission& after) {
-  return Matching(before, after).run();
+  return StateMatcher(before, after).run();
 }
 
 }  // namespace glider::analysis

@@ -34,9 +34,9 @@ bool isSame(const std::optional<ir::CommandRun>& a, const std::optional<ir::Comm
 }
 
 /// One version in flight, on the interpreter.
-class Flying {
+class VersionRun {
  public:
-  Flying(const compiler::Checked& checked, const std::vector<std::string>& names)
+  VersionRun(const compiler::Checked& checked, const std::vector<std::string>& names)
       : m_(checked.mission()), names_(names), interpreter_(m_, checked.facts.stack_depth) {}
 
   void tick(double mission_time, std::span<const ir::SensorUpdate> frame) {
@@ -53,7 +53,7 @@ class Flying {
   }
 
   /// Whether both are in the same state, under the same commands.
-  [[nodiscard]] bool doesAs(const Flying& other) const {
+  [[nodiscard]] bool doesAs(const VersionRun& other) const {
     return result_.finished == other.result_.finished && state() == other.state() &&
            isSame(depth_, other.depth_) && isSame(heading_, other.heading_);
   }
@@ -74,6 +74,9 @@ class Flying {
   std::optional<ir::CommandRun> depth_, heading_;  ///< in force
 };
 
+/// Flies both versions in the simulator, for likely flights, and follows on the interpreter what
+/// each has received; then both on the interpreter with random readings, for rare ones. That
+/// nothing is found proves nothing.
 class SearchForParting {
  public:
   SearchForParting(const compiler::Optimised& before, const compiler::Optimised& after,
@@ -126,8 +129,8 @@ class SearchForParting {
   /// Both flights are the same until they part, and so are their ticks.
   void follow(const std::vector<flights::HeardTick>& one,
               const std::vector<flights::HeardTick>& other, const std::string& flight) {
-    Flying was(*old_.checked, difference_.old_names);
-    Flying is(*new_.checked, difference_.new_names);
+    VersionRun was(*old_.checked, difference_.old_names);
+    VersionRun is(*new_.checked, difference_.new_names);
     for (size_t i = 0; i < std::min(one.size(), other.size()); ++i) {
       if (one[i].mission_time != other[i].mission_time) {
         return;
@@ -144,8 +147,8 @@ class SearchForParting {
     const ir::Mission& old_mission = old_.checked->mission();
     const ir::Mission& new_mission = new_.checked->mission();
     RandomReadings readings(old_mission, new_mission, seed);
-    Flying was(*old_.checked, difference_.old_names);
-    Flying is(*new_.checked, difference_.new_names);
+    VersionRun was(*old_.checked, difference_.old_names);
+    VersionRun is(*new_.checked, difference_.new_names);
     for (size_t i = 0; i < kRandomTicks && !was.finished(); ++i) {
       readings.next();
       was.tick(readings.missionTime(), readings.frame(old_mission));
@@ -156,7 +159,7 @@ class SearchForParting {
     }
   }
 
-  bool tellIfParted(const Flying& was, const Flying& is, double mission_time,
+  bool tellIfParted(const VersionRun& was, const VersionRun& is, double mission_time,
                     const std::string& flight) {
     if (was.doesAs(is)) {
       return false;

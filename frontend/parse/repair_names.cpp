@@ -60,7 +60,7 @@ std::vector<Lexeme> NameRepair::run(const std::vector<Lexeme>& lexemes) {
   out.reserve(in_.size());
   for (size_t i = 0; i < in_.size(); ++i) {
     out.push_back(in_[i]);
-    const Slip slip = reporter_.full() ? Slip{} : slipAfter(i);
+    const WrittenName slip = reporter_.full() ? WrittenName{} : slipAfter(i);
     if (slip.found()) {
       out.push_back(report(i, slip));
       i = slip.end - 1;
@@ -77,7 +77,7 @@ void NameRepair::gatherNames() {
     if (type != GliderLexer::STATE && !isBehaviourWord(type)) {
       continue;
     }
-    if (const Slip slip = slipAfter(i); slip.found()) {
+    if (const WrittenName slip = slipAfter(i); slip.found()) {
       joined_.insert(joined(slip.words));
     } else if (isAnyName(in_[i + 1].type) &&
                (type == GliderLexer::STATE || in_[i + 2].type == GliderLexer::BEGIN)) {
@@ -88,7 +88,7 @@ void NameRepair::gatherNames() {
     if (!isTarget(in_[i].type) && !isBehaviourWord(in_[i].type)) {
       continue;
     }
-    const Slip slip = isTarget(in_[i].type) ? targetAfter(i) : Slip{};
+    const WrittenName slip = isTarget(in_[i].type) ? targetAfter(i) : WrittenName{};
     if (slip.found()) {
       used_.insert(joined(slip.words));
     } else if (isAnyName(in_[i + 1].type) && !isAnyName(in_[i + 2].type) &&
@@ -98,7 +98,7 @@ void NameRepair::gatherNames() {
   }
 }
 
-NameRepair::Slip NameRepair::slipAfter(size_t keyword) const {
+NameRepair::WrittenName NameRepair::slipAfter(size_t keyword) const {
   const uint32_t type = in_[keyword].type;
   if (keyword + 1 >= in_.size()) {
     return {};
@@ -111,11 +111,11 @@ NameRepair::Slip NameRepair::slipAfter(size_t keyword) const {
   }
   const bool external = keyword > 0 && in_[keyword - 1].type == GliderLexer::EXTERN;
   return type == GliderLexer::STATE || (isBehaviourWord(type) && !external) ? headerAfter(keyword)
-                                                                            : Slip{};
+                                                                            : WrittenName{};
 }
 
 /// Everything up to `begin`, or up to the parameters before it.
-NameRepair::Slip NameRepair::headerAfter(size_t keyword) const {
+NameRepair::WrittenName NameRepair::headerAfter(size_t keyword) const {
   const bool state = in_[keyword].type == GliderLexer::STATE;
   const size_t line = tokensOfLine(keyword + 1);
   size_t end = keyword + 1;
@@ -145,13 +145,13 @@ NameRepair::Slip NameRepair::headerAfter(size_t keyword) const {
   const bool good = end <= keyword + 1 ||
                     (end == keyword + 2 &&
                      (isAnyName(in_[keyword + 1].type) || isHardKeyword(in_[keyword + 1].type)));
-  Slip slip{keyword + 1, good ? keyword + 1 : end, {}};
+  WrittenName slip{keyword + 1, good ? keyword + 1 : end, {}};
   slip.words = wordsIn(slip.begin, slip.end);
-  return slip.words.empty() ? Slip{} : slip;
+  return slip.words.empty() ? WrittenName{} : slip;
 }
 
 /// The rest of the line.
-NameRepair::Slip NameRepair::missionAfter(size_t keyword) const {
+NameRepair::WrittenName NameRepair::missionAfter(size_t keyword) const {
   const size_t line = tokensOfLine(keyword + 1);
   size_t end = keyword + 1;
   while (end < line && end - keyword <= kMostTokens && maybePart(in_[end].type) &&
@@ -162,13 +162,13 @@ NameRepair::Slip NameRepair::missionAfter(size_t keyword) const {
                     (end == keyword + 2 && isAnyName(in_[keyword + 1].type));
   const bool ends = end < in_.size() && (isHardKeyword(in_[end].type) || in_[end].type == kEof ||
                                          isSoftItem(in_[end].type) || end == line);
-  Slip slip{keyword + 1, good || !ends ? keyword + 1 : end, {}};
+  WrittenName slip{keyword + 1, good || !ends ? keyword + 1 : end, {}};
   slip.words = wordsIn(slip.begin, slip.end);
-  return slip.words.empty() ? Slip{} : slip;
+  return slip.words.empty() ? WrittenName{} : slip;
 }
 
 /// Words that together, or in quotes, are the name of a state.
-NameRepair::Slip NameRepair::targetAfter(size_t keyword) const {
+NameRepair::WrittenName NameRepair::targetAfter(size_t keyword) const {
   const size_t line = tokensOfLine(keyword + 1);
   size_t end = keyword + 1;
   while (end < line && end - keyword <= kMostTokens &&
@@ -179,9 +179,9 @@ NameRepair::Slip NameRepair::targetAfter(size_t keyword) const {
   if (end == keyword + 1 || (end == keyword + 2 && isAnyName(in_[keyword + 1].type))) {
     return {};
   }
-  Slip slip{keyword + 1, end, wordsIn(keyword + 1, end)};
+  WrittenName slip{keyword + 1, end, wordsIn(keyword + 1, end)};
   const std::string name = joined(slip.words);
-  return defined_.contains(name) || joined_.contains(name) ? slip : Slip{};
+  return defined_.contains(name) || joined_.contains(name) ? slip : WrittenName{};
 }
 
 /// The first token after `from` that is on another line than it.
@@ -237,7 +237,7 @@ std::string NameRepair::joined(const std::vector<Lexeme>& words) const {
 
 /// A name that is used in the mission and not defined elsewhere is certainly meant; otherwise all
 /// words together are, if there is no other sign.
-NameRepair::Meant NameRepair::meantBy(size_t keyword, const Slip& slip) const {
+NameRepair::IntendedName NameRepair::meantBy(size_t keyword, const WrittenName& slip) const {
   const std::string name = joined(slip.words);
   const bool as_written = slip.words.size() > 1 || source_.text(slip.words.front()) == name;
   if (in_[keyword].type == GliderLexer::MISSION) {
@@ -265,9 +265,9 @@ NameRepair::Meant NameRepair::meantBy(size_t keyword, const Slip& slip) const {
   return {name, candidates.empty() && as_written && !defined_.contains(name)};
 }
 
-Lexeme NameRepair::report(size_t keyword, const Slip& slip) {
+Lexeme NameRepair::report(size_t keyword, const WrittenName& slip) {
   const Lexeme whole{GliderLexer::NAME, in_[slip.begin].begin, in_[slip.end - 1].end};
-  const Meant meant = meantBy(keyword, slip);
+  const IntendedName meant = meantBy(keyword, slip);
   auto report = reporter_.at(whole, DiagnosticId::nameNotOneWord, source_.text(whole),
                              fmt::format("write `{} {}`", source_.text(in_[keyword]), meant.name));
   if (meant.certain) {

@@ -28,7 +28,7 @@ class NameRepair {
 
  private:
   /// The tokens that were written as a name.
-  struct Slip {
+  struct WrittenName {
     size_t begin = 0;
     size_t end = 0;             ///< past the last
     std::vector<Lexeme> words;  ///< letters, digits and `_` in one piece
@@ -36,22 +36,22 @@ class NameRepair {
   };
 
   void gatherNames();
-  [[nodiscard]] Slip slipAfter(size_t keyword) const;
-  [[nodiscard]] Slip headerAfter(size_t keyword) const;
-  [[nodiscard]] Slip missionAfter(size_t keyword) const;
-  [[nodiscard]] Slip targetAfter(size_t keyword) const;
+  [[nodiscard]] WrittenName slipAfter(size_t keyword) const;
+  [[nodiscard]] WrittenName headerAfter(size_t keyword) const;
+  [[nodiscard]] WrittenName missionAfter(size_t keyword) const;
+  [[nodiscard]] WrittenName targetAfter(size_t keyword) const;
   [[nodiscard]] size_t tokensOfLine(size_t from) const;
   [[nodiscard]] bool sameLine(const Lexeme& a, const Lexeme& b) const;
   [[nodiscard]] std::vector<Lexeme> wordsIn(size_t begin, size_t end) const;
   [[nodiscard]] std::string joined(const std::vector<Lexeme>& words) const;
 
   /// The name that was meant.
-  struct Meant {
+  struct IntendedName {
     std::string name;
     bool certain = false;
   };
-  [[nodiscard]] Meant meantBy(size_t keyword, const Slip& slip) const;
-  Lexeme report(size_t keyword, const Slip& slip);
+  [[nodiscard]] IntendedName meantBy(size_t keyword, const WrittenName& slip) const;
+  Lexeme report(size_t keyword, const WrittenName& slip);
 
   SyntaxReporter& reporter_;
   const Source& source_;

@@ -13,7 +13,7 @@ namespace {
 /// Whether only white space stands between `t` and the word before it. The first of two on two
 /// lines begins its line, or follows `events`; otherwise it may be prose, such as a comment
 /// without its `#`.
-bool isRightAfterPrevious(const Around& around, const Lexeme& t) {
+bool isRightAfterPrevious(const TokenContext& around, const Lexeme& t) {
   const auto& before = around.before;
   const std::string_view text = around.source.text();
   if (before.empty() || before.back().end <= before.back().begin) {
@@ -49,7 +49,7 @@ bool isNeverTwice(uint32_t type) {
 
 /// `end state`, `end look`: a word on the line of `end`, with nothing after it, that cannot begin
 /// anything there.
-bool isNameOfEnd(const Around& around, const Lexeme& t) {
+bool isNameOfEnd(const TokenContext& around, const Lexeme& t) {
   const auto apart = [&](uint32_t from, uint32_t to) {
     return around.source.text().substr(from, to - from).find('\n') != std::string_view::npos;
   };
@@ -69,7 +69,7 @@ bool isNameOfEnd(const Around& around, const Lexeme& t) {
 
 }  // namespace
 
-std::string superfluousWhere(const Around& around, const Lexeme& t) {
+std::string superfluousWhere(const TokenContext& around, const Lexeme& t) {
   const uint32_t previous = around.before.empty() ? 0 : around.before.back().type;
   if (oneOf(t.type, {GliderLexer::ASSIGN, GliderLexer::COLON}) && takesNoSign(previous, t.type)) {
     return fmt::format("after `{}`", around.source.text(around.before.back()));

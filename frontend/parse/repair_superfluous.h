@@ -12,7 +12,7 @@
 namespace glider::frontend {
 
 /// What stands around a token.
-struct Around {
+struct TokenContext {
   const Source& source;
   const std::vector<Lexeme>& before;  ///< as repaired so far
   const Lexeme& next;
@@ -21,6 +21,6 @@ struct Around {
 };
 
 /// Where `t` is not written, as in "after `end`", if nothing is said by it; otherwise empty.
-std::string superfluousWhere(const Around& around, const Lexeme& t);
+std::string superfluousWhere(const TokenContext& around, const Lexeme& t);
 
 }  // namespace glider::frontend

@@ -176,10 +176,10 @@ bool Client::takeReadings(const Frame& frame, const TickHead& head) {
 }
 
 bool Client::takeReading(uint32_t index, const TickReadings& told) {
-  if (told.told[index] == Told::Nothing) {
+  if (told.told[index] == ReadingReport::Nothing) {
     return true;
   }
-  if (told.told[index] == Told::Value) {
+  if (told.told[index] == ReadingReport::Value) {
     held_[index] = told.values[index];
     holds_[index] = true;
   }

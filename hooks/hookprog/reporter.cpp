@@ -19,7 +19,7 @@ void Reporter::serve(const Subscribe& subscribe) {
 void Reporter::begin() {
   for (uint32_t i = 0; i < subscription_.count; ++i) {
     Row& row = rows_[i];
-    readings_.told[i] = Told::Nothing;
+    readings_.told[i] = ReadingReport::Nothing;
     row.rest = row.rest > 0 ? static_cast<uint8_t>(row.rest - 1) : uint8_t{0};
     row.brought_in = static_cast<uint8_t>(row.brought_in << 1U);
     row.told_in = static_cast<uint8_t>(row.told_in << 1U);
@@ -35,10 +35,10 @@ void Reporter::report(uint32_t index, double value) {
   row.told_in |= 1U;
   const uint64_t bits = toWire(widthOf(index), value);
   if (row.age < kRefreshTicks && isHeld(index, bits)) {
-    readings_.told[index] = Told::Unchanged;
+    readings_.told[index] = ReadingReport::Unchanged;
     return;
   }
-  readings_.told[index] = Told::Value;
+  readings_.told[index] = ReadingReport::Value;
   readings_.values[index] = value;
   if (row.bits != bits) {
     row.brought_in = 0;

@@ -127,10 +127,10 @@ void encode(const GliderDictionary& dictionary, const TickHead& head, const Subs
   BitMap reported;
   BitMap with_value;
   for (uint32_t i = 0; i < count; ++i) {
-    if (readings.told[i] != Told::Nothing) {
+    if (readings.told[i] != ReadingReport::Nothing) {
       reported.set(i);
     }
-    if (readings.told[i] == Told::Value) {
+    if (readings.told[i] == ReadingReport::Value) {
       with_value.set(i);
     }
   }
@@ -178,9 +178,9 @@ bool decode(const GliderDictionary& dictionary, const Frame& frame, const Subscr
   }
   for (uint32_t i = 0; i < count; ++i) {
     const uint16_t id = subscription.sensors[i].id;
-    readings.told[i] = !reported.has(i)    ? Told::Nothing
-                       : with_value.has(i) ? Told::Value
-                                           : Told::Unchanged;
+    readings.told[i] = !reported.has(i)    ? ReadingReport::Nothing
+                       : with_value.has(i) ? ReadingReport::Value
+                                           : ReadingReport::Unchanged;
     if (with_value.has(i)) {
       if (!reported.has(i)) {
         return false;

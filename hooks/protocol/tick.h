@@ -34,7 +34,7 @@ struct TickHead {
 };
 
 /// What a Tick reports about a subscribed sensor.
-enum class Told : uint8_t {
+enum class ReadingReport : uint8_t {
   Nothing,    ///< not reported in this cycle, or not due yet
   Unchanged,  ///< reported, with the value that the SBC holds (or within the dead band of it)
   Value,      ///< reported, with this value
@@ -42,8 +42,8 @@ enum class Told : uint8_t {
 
 /// What a Tick reports about each subscribed sensor, in the subscription's order.
 struct TickReadings {
-  Told told[kMostSubscriptions] = {};
-  double values[kMostSubscriptions] = {};  ///< of those with Told::Value
+  ReadingReport told[kMostSubscriptions] = {};
+  double values[kMostSubscriptions] = {};  ///< of those with ReadingReport::Value
 };
 
 void encode(const Subscribe& subscribe, Frame& frame);

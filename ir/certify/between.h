@@ -31,7 +31,7 @@ Between namedIn(const Setting& setting, const Configuration& at);
 std::vector<Term> valuesOf(const Setting& setting, const Configuration& at, const Between& between);
 
 /// That clocks are in order, a truth value is not both true and false, and the vehicle is between
-/// the surface and its deepest: a part of every invariant that nobody has to write.
+/// the surface and its deepest: a part of every invariant that need not be written.
 Term wellFormed(const Setting& setting, const Configuration& at, const Between& between);
 
 /// Requires that variables that have started are in their declared ranges, whole if only whole

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What every constant of a script is required to satisfy can be satisfied whatever the terms are:
-// some of them stand for paths that the tick does not take.
+// What every constant of a script is required to satisfy can be satisfied for any values of the
+// terms: some of them stand for paths that the tick does not take.
 
 #include "ir/certify/expressions.h"
 

@@ -17,7 +17,7 @@ void Tick::initialise(VariableId id, Path& path) {
 }
 
 /// The variable gets the value, even if that is unknown. That a known one is in the variable's
-/// range must be shown, unless its interval says so.
+/// range must be shown, unless its interval shows it.
 void Tick::assign(VariableId id, ExprId expr, const Value& value, Path& path) {
   const Range& declared = setting_.facts.declared[id.index];
   const Range& range = setting_.facts.ranges[expr.index];

@@ -10,7 +10,7 @@ namespace glider::ir::certify {
 
 /// The temporals of `always`, or those of `state`, start, continue after a return or advance, in
 /// the order of the vector.
-void Tick::updateTemporals(bool always, StateId state, Moment moment, Store& store) {
+void Tick::updateTemporals(bool always, StateId state, TemporalMoment moment, Store& store) {
   for (uint32_t i = 0; i < setting_.mission.temporals.size(); ++i) {
     const Temporal& t = setting_.mission.temporals[i];
     const bool of_always = t.list == ListKind::Always;
@@ -26,11 +26,11 @@ void Tick::updateTemporals(bool always, StateId state, Moment moment, Store& sto
 }
 
 /// B1 to B7. A return starts these again (E5).
-void Tick::updateGuard(uint32_t temporal, Moment moment, Store& store) {
+void Tick::updateGuard(uint32_t temporal, TemporalMoment moment, Store& store) {
   const Temporal& t = setting_.mission.temporals[temporal];
   const Truths operand = expressions_.truth(t.operand, store);
   Memory& memory = store.memory.at(temporal);
-  const bool starts = moment != Moment::Advance;
+  const bool starts = moment != TemporalMoment::Advance;
   const Term turned =
       starts ? Term("false") : out_.boolean(conjunction({operand.is_true, negation(memory.was)}));
   memory.since =
@@ -55,7 +55,7 @@ void Tick::updateGuard(uint32_t temporal, Moment moment, Store& store) {
 /// allows. A window over time is unknown until its length has passed since it started: with its
 /// state, or with the mission (exact: a difference of clocks). One along a sensor is unknown while
 /// that is, and when it starts: one reading does not span a length.
-void Tick::updateWindow(uint32_t temporal, Moment moment, Store& store) {
+void Tick::updateWindow(uint32_t temporal, TemporalMoment moment, Store& store) {
   const Temporal& t = setting_.mission.temporals[temporal];
   const Term started = t.list == ListKind::Always ? Term("0.0") : store.entered.back();
   const Term covered =
@@ -65,7 +65,7 @@ void Tick::updateWindow(uint32_t temporal, Moment moment, Store& store) {
                 ">=", {operation("-", {expressions_.time(), started}), literal(t.length)}));
   store.temporals.at(temporal) =
       expressions_.anyNumber(windowRange(t.kind, setting_.facts.ranges[t.operand.index]),
-                             moment == Moment::Start ? Term("false") : covered);
+                             moment == TemporalMoment::Start ? Term("false") : covered);
 }
 
 }  // namespace glider::ir::certify

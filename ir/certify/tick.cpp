@@ -29,7 +29,7 @@ std::string_view wordOf(Transition transition) {
     case Transition::Done:
       return "done";
   }
-  CHECK(false, "a transition without a word");
+  CHECK(false, "an unknown transition");
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ std::vector<Outcome> Tick::start(Store store) {
       initialise({i}, path);
     }
   }
-  updateTemporals(true, {}, Moment::Start, path.store);
+  updateTemporals(true, {}, TemporalMoment::Start, path.store);
   enter({0}, path);
   end(path, "it", Configuration{{0}, {}, kNoLimit, false}, {0});
   return std::move(outcomes_);
@@ -57,8 +57,8 @@ std::vector<Outcome> Tick::start(Store store) {
 
 std::vector<Outcome> Tick::run(Store store) {
   Path path{"true", std::move(store)};
-  updateTemporals(true, {}, Moment::Advance, path.store);
-  updateTemporals(false, at_.state, Moment::Advance, path.store);
+  updateTemporals(true, {}, TemporalMoment::Advance, path.store);
+  updateTemporals(false, at_.state, TemporalMoment::Advance, path.store);
   const ListKind first = at_.just_returned ? ListKind::State : ListKind::Always;
   const ListKind second = at_.just_returned ? ListKind::Always : ListKind::State;
   for (const ListKind list : {first, second, ListKind::Profile, ListKind::Route}) {
@@ -194,7 +194,7 @@ void Tick::enter(StateId target, Path& path) {
       initialise({i}, path);
     }
   }
-  updateTemporals(false, target, Moment::Start, path.store);
+  updateTemporals(false, target, TemporalMoment::Start, path.store);
   const State& state = setting_.mission[target];
   run(state.entry, path);
   startActivity(state.profile, path);
@@ -209,7 +209,7 @@ void Tick::resume(Configuration& at, Path& path) {
   at.just_returned = true;
   path.store.entered.pop_back();
   path.store.resumed = expressions_.time();
-  updateTemporals(false, at.state, Moment::Resume, path.store);
+  updateTemporals(false, at.state, TemporalMoment::Resume, path.store);
   startActivity(setting_.mission[at.state].profile, path);
   startActivity(setting_.mission[at.state].route, path);
 }

@@ -45,7 +45,7 @@ class Tick {
   [[nodiscard]] Term leavesRange() const { return disjunction(out_of_range_); }
 
  private:
-  enum class Moment : uint8_t { Start, Resume, Advance };
+  enum class TemporalMoment : uint8_t { Start, Resume, Advance };
   /// A path that the tick takes where `taken` is true, and what it has done so far.
   struct Path {
     Term taken;
@@ -69,9 +69,9 @@ class Tick {
   void execute(const Statement& s, Path& path);
   [[nodiscard]] bool sees(const Observation& observation, const Outcome& outcome) const;
 
-  void updateTemporals(bool always, StateId state, Moment moment, Store& store);
-  void updateGuard(uint32_t temporal, Moment moment, Store& store);
-  void updateWindow(uint32_t temporal, Moment moment, Store& store);
+  void updateTemporals(bool always, StateId state, TemporalMoment moment, Store& store);
+  void updateGuard(uint32_t temporal, TemporalMoment moment, Store& store);
+  void updateWindow(uint32_t temporal, TemporalMoment moment, Store& store);
 
   const Setting& setting_;
   SmtText& out_;

@@ -18,13 +18,13 @@ namespace glider::ir {
 Mission underAssumptions(Mission mission);
 
 /// The vehicle and the sea under the assumptions StartDepth and Current of `mission`. The start is
-/// no shallower than a program can see by its readings. A current of
+/// not above what a program can see by its readings. A current of
 /// which the mission knows is set on top by the error of dead reckoning, and at the surface by wind
 /// and waves.
 platforms::Platform underAssumptions(platforms::Platform platform, const Mission& mission);
 
 /// The same where `mission` assumes more of them than usual, and the usual where it assumes less:
-/// what is proved of this rests on no assumption.
+/// what is proved about this rests on no assumption.
 platforms::Platform notNarrowed(const platforms::Platform& platform, const Mission& mission);
 
 /// Whether underAssumptions() lets `requirement` rest on the assumptions of the kind Always.

@@ -85,7 +85,7 @@ void Interpreter::begin(std::span<const SensorUpdate> frame, std::span<const dou
     assign({i}, parameters[i]);
   }
   initialise(false);
-  startTemporals(true, Moment::Start);
+  startTemporals(true, TemporalMoment::Start);
   run(mission_.every_tick);
 }
 
@@ -99,9 +99,9 @@ void Interpreter::advance(double mission_time, std::span<const SensorUpdate> fra
   CHECK(std::isfinite(mission_time), "mission time is a number");
   if (!finished_) {
     take(mission_time, frame);
-    startTemporals(true, Moment::Advance);
+    startTemporals(true, TemporalMoment::Advance);
     run(mission_.every_tick);
-    startTemporals(false, Moment::Advance);
+    startTemporals(false, TemporalMoment::Advance);
   }
 }
 
@@ -303,7 +303,7 @@ void Interpreter::enter(StateId target) {
   state_ = target;
   entered_ = resumed_ = mission_time_;
   initialise(true);
-  startTemporals(false, Moment::Start);
+  startTemporals(false, TemporalMoment::Start);
   run(mission_[state_].entry);
   startActivity(ListKind::Profile, Phase::Enter);
   startActivity(ListKind::Route, Phase::Enter);
@@ -317,7 +317,7 @@ void Interpreter::resume() {
   stack_.pop_back();
   resumed_ = mission_time_;
   just_returned_ = true;
-  startTemporals(false, Moment::Resume);
+  startTemporals(false, TemporalMoment::Resume);
   startActivity(ListKind::Profile, Phase::Resume);
   startActivity(ListKind::Route, Phase::Resume);
 }

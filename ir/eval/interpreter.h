@@ -88,7 +88,7 @@ class Interpreter {
     Value value = Truth::Unknown;
     std::optional<PlainWindow> window;  ///< of a window
   };
-  enum class Moment : uint8_t { Start, Resume, Advance };
+  enum class TemporalMoment : uint8_t { Start, Resume, Advance };
 
   void begin(std::span<const SensorUpdate> frame, std::span<const double> parameters);
   void take(double mission_time, std::span<const SensorUpdate> frame);
@@ -99,8 +99,8 @@ class Interpreter {
   [[nodiscard]] double age(SensorId id) const;
 
   [[nodiscard]] bool current(const Temporal& temporal) const;
-  void startTemporals(bool always, Moment moment);
-  void update(uint32_t temporal, Moment moment);
+  void startTemporals(bool always, TemporalMoment moment);
+  void update(uint32_t temporal, TemporalMoment moment);
   void updateGuard(const Temporal& temporal, TemporalState& state, bool start);
   void updateWindow(const Temporal& temporal, TemporalState& state, bool start);
   [[nodiscard]] bool fresh(const Temporal& window) const;

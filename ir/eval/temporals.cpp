@@ -38,7 +38,7 @@ bool Interpreter::current(const Temporal& temporal) const {
 
 /// The temporals of `always`, or those of the current state, start, continue after a return, or
 /// advance. The order is visible in the calls of C functions.
-void Interpreter::startTemporals(bool always, Moment moment) {
+void Interpreter::startTemporals(bool always, TemporalMoment moment) {
   for (uint32_t i = 0; i < temporals_.size(); ++i) {
     const Temporal& t = mission_.temporals[i];
     if (current(t) && (t.list == ListKind::Always) == always) {
@@ -47,12 +47,12 @@ void Interpreter::startTemporals(bool always, Moment moment) {
   }
 }
 
-void Interpreter::update(uint32_t temporal, Moment moment) {
+void Interpreter::update(uint32_t temporal, TemporalMoment moment) {
   const Temporal& t = mission_.temporals[temporal];
   if (isWindow(t.kind)) {
-    updateWindow(t, temporals_[temporal], moment == Moment::Start);
+    updateWindow(t, temporals_[temporal], moment == TemporalMoment::Start);
   } else {
-    updateGuard(t, temporals_[temporal], moment != Moment::Advance);
+    updateGuard(t, temporals_[temporal], moment != TemporalMoment::Advance);
   }
 }
 

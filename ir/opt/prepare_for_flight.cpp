@@ -149,7 +149,7 @@ class OnBoard {
   static constexpr Type kBool{TypeKind::Bool, {}};
   Mission& m_;
   std::vector<Statement> statements_;
-  VariableId telling_;  ///< whether this tick has told of one
+  VariableId telling_;  ///< whether this tick has left a note about one
 };
 
 std::vector<bool> usedSensors(const Mission& mission) {

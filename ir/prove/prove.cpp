@@ -22,8 +22,8 @@ std::map<CasePlace, bool> deadOf(const Proof& proof) {
   return cases;
 }
 
-/// A flight that reaches a state does so whatever is assumed, unless it starts deeper than vehicles
-/// usually do.
+/// A flight that reaches a state does so under any assumptions, unless it starts deeper than
+/// vehicles usually do.
 void nameDeepStarts(Findings& findings, const Mission& mission,
                     const platforms::Platform& platform) {
   for (RequirementVerdict& verdict : findings.requirements) {

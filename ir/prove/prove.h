@@ -92,7 +92,7 @@ struct RequirementVerdict {
   std::string reason = {};                ///< for an undecided one: why
   bool searched = false;                  ///< it took a search that may be long
   uint64_t steps = 0;                     ///< what the search of a proof took, in Z3's own count
-  std::optional<Evidence> evidence = {};  ///< of a proof that has one, if it is wanted
+  std::optional<Evidence> evidence = {};  ///< of a proof that has one, with Options::evidence
   /// The numbers of the assumptions of the mission on which a proof rests: without any one of them
   /// none was found.
   std::vector<uint32_t> assumptions = {};

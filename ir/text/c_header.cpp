@@ -91,7 +91,7 @@ void add(std::string& text, const Behaviour& behaviour) {
 
 std::string printHeader(const CInterface& in_c, std::string_view name) {
   std::string text = fmt::format(
-      "/* What mission {} has in C and C++. Made by `glidercc build --emit header`; make it anew\n"
+      "/* What mission {} has in C and C++. Made by `glidercc build --emit header`; make it again\n"
       "   when the mission's declarations change. Every number is a double, NaN if unknown. */\n"
       "#pragma once\n\n"
       "#include \"runtime/abi/behaviour.h\"\n\n"

@@ -30,7 +30,7 @@ void addHead(SvgText& page, const Brief& brief) {
            raw(brief.platform_description), raw(brief.version));
 }
 
-/// The requirements that the mission violates come first: nobody should miss them.
+/// The requirements that the mission violates come first, so that they are not missed.
 void addSummary(SvgText& page, const Brief& brief) {
   const auto violated =
       std::ranges::count(brief.requirements, "refuted", &BriefRequirement::verdict);

@@ -52,7 +52,7 @@ class DiagramMaker {
       arrowsOf(s, graph_.states[s].cases, false);
     }
     if (!graph_.always.empty()) {
-      Box box{Shape::Always, 0, {{"always", Style::Name}}, 0, 0, 0};
+      Box box{.shape = Shape::Always, .lines = {{"always", Style::Name}}};
       addWrapped(box.lines, "in every state, before its own cases", Style::Muted, "", 20);
       addStays(box, graph_.always);
       const auto number = add(std::move(box));
@@ -73,7 +73,7 @@ class DiagramMaker {
 
   Box boxOf(uint32_t number) {
     const GraphState& state = graph_.states[number];
-    Box box{Shape::State, number, {{state.name, Style::Name}}, 0, 0, 0};
+    Box box{.shape = Shape::State, .state = number, .lines = {{state.name, Style::Name}}};
     if (!state.parameters.empty()) {
       addWrapped(box.lines, "(" + state.parameters + ")", Style::Text);
     }

@@ -21,7 +21,7 @@ struct Entry {
 };
 
 Arrow sample(GraphTransition transition, bool always = false, bool never = false) {
-  return {0, 0, transition, always, never, false, {}, "", 0, 0};
+  return {.transition = transition, .always = always, .never = never, .lines = {}, .title = ""};
 }
 
 std::vector<Entry> entriesFor(const Graph& graph) {

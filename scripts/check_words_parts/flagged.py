@@ -25,7 +25,7 @@ _TABLE = (
     (r"\bhand-?backs?\b", "release of control"),
     (r"\blets? go\b", "release control"),
     (r"\bmistakes?\b", "error (the pilot's), bug (ours)"),
-    (r"\bjudg(e|es|ed|ing)\b", "check; reference, test oracle"),
+    (r"\bjudg(e|es|ed|ing)\b(?!\.def)", "check; reference, test oracle"),
     (r"\bspell(s|ed|ing)? out\b", "concretize, write in full"),
     (r"\bwrong usage\b", "usage error"),
     (r"\blayered control (then )?flies on\b", "the layered control takes over"),
@@ -46,7 +46,7 @@ _TABLE = (
     (r"\boftener\b", "more often"),
     (r"\bto and fro\b", "back and forth"),
     (r"\bbut for\b", "except for"),
-    (r"(?<!dead-)\breckon(s|ed)?\b", "assume, estimate, account for"),
+    (r"(?<!dead[-\s])\breckon(s|ed)?\b", "assume, estimate, account for"),
     (r"\ball the same\b", "anyway, nevertheless"),
     (r"\bin the same breath\b", "at once"),
     # Inverted and clipped clauses.

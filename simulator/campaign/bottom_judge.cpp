@@ -139,7 +139,8 @@ std::string BottomJudge::judgeClearance(const CycleView& view, bool active) {
       std::max(kClearanceTolerance, afresh ? most + kClearanceTolerance
                                            : std::min(allowed_m_, lacking + kClearanceTolerance));
   inactive_s_ = 0;
-  // Between rare echoes a dive goes on over a bottom that may have risen: only contacts are judged.
+  // Between rare echoes a dive goes on over a bottom that may have risen: only contacts are
+  // checked.
   const bool judged = s_.promiseAt(view.time_s).clearance && hears(view.time_s) && !hearsSeldom();
   return judged && lacking > allowed_m_
              ? fmt::format("{:.1f} m over the bottom under min_altitude {} m", view.clearance_m,

@@ -11,10 +11,10 @@
 
 namespace glider::simulator {
 
-/// Checks the true clearance over the bottom, whatever is wrong with the altimeter. A vehicle whose
-/// altimeter hears never touches the bottom. One whose altimeter does not may meet a bottom that it
-/// does not know, once at each place, and then leaves it. Touches that are too short for it to
-/// notice may be a few more.
+/// Checks the true clearance over the bottom, with any fault of the altimeter. A vehicle whose
+/// altimeter gets echoes never touches the bottom. One whose altimeter does not may meet a bottom
+/// that it does not know, once at each place, and then leaves it. Touches that are too short for it
+/// to notice may be a few more.
 class BottomJudge {
  public:
   explicit BottomJudge(const JudgeSetup& setup) : s_(setup) {}

@@ -47,7 +47,7 @@ struct Verdict {
   Outcome outcome = Outcome::Released;
   std::string violation;                   ///< the first that was seen
   double violation_s = 0;                  ///< when
-  std::vector<Violation> violations = {};  ///< the first that each judge saw, in order of time
+  std::vector<Violation> violations = {};  ///< the first of each check, in order of time
   uint32_t releases = 0;                   ///< times that control was taken away from the SBC
   uint32_t instructions = 0;               ///< that hookbeh obeyed
   double end_s = 0;
@@ -66,7 +66,7 @@ struct Verdict {
 /// none is obeyed twice; none that was sent is skipped; control ends when promised; the commands
 /// are those of the instruction in force; limits of depth, clearance, position, pump and batteries
 /// hold; the flight ends at the surface. The promises for its faults are in fault_kinds.def, the
-/// judges in judges.def.
+/// checks in judges.def.
 class FlightJudge final : public FlightObserver {
  public:
   explicit FlightJudge(JudgeSetup setup);

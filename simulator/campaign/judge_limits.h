@@ -3,7 +3,7 @@
 
 #pragma once
 
-/// What the judges of a flight allow, each number with its reason. scenarios/README.md has the same
+/// What the checks of a flight allow, each number with its reason. scenarios/README.md has the same
 /// as a table (judge_table.h), which a test compares with these.
 namespace glider::simulator::limits {
 
@@ -24,9 +24,9 @@ inline constexpr double kTouchM = 0.05;
 /// m and m; the contacts in this radius are of one place, over a bottom that rises by no more:
 /// so far hookbeh counts on a bottom that it has touched (hooks/hookbeh/README.md).
 inline constexpr double kPlaceM = 3000, kRiseM = 4;
-/// s; a contact must last so long to be known: hookbeh takes a dive that stands still for 24 s for
-/// one, and a vehicle that turns needs up to 20 s to leave the bottom. Below: so many shorter ones
-/// at one place may come.
+/// s; a contact must last so long to be known: hookbeh takes a dive that gains no depth for 24 s
+/// for one, and a vehicle that turns needs up to 20 s to leave the bottom. Below: so many shorter
+/// ones at one place may come.
 inline constexpr double kNoticedSecs = 48;
 inline constexpr int kShortTouches = 3;
 /// m and s; a vehicle cannot dive, and so not fly away, over a bottom as shallow as that, or as its
@@ -48,8 +48,8 @@ inline constexpr double kRareEchoSecs = 20;
 /// s; a dive on the bottom ends: hookbeh allows 180 s without a metre gained, as long again when
 /// the vehicle slides, and the turn takes 120 s.
 inline constexpr double kOnBottomSecs = 600;
-/// s from echo to echo, on average, of an altimeter that hears: 5 % of the cycles of 4 s. Real logs
-/// have 4 to 5 %.
+/// s from echo to echo, on average, of an altimeter that gets echoes: 5 % of the cycles of 4 s.
+/// Real logs have 4 to 5 %.
 inline constexpr double kEchoEverySecs = 80;
 /// s; so long after a fault of the altimeter what it reported may still count.
 inline constexpr double kEchoFadesSecs = 600;

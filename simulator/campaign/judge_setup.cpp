@@ -39,7 +39,7 @@ hooks::HookbehArgs withinHull(hooks::HookbehArgs args, const platforms::Envelope
 }
 
 /// How often the altimeter of the scenario's vehicle receives an echo, s; infinite for one that
-/// hears the bottom too late. hookbeh has it read in each cycle.
+/// detects the bottom too late. hookbeh has it read in each cycle.
 double echoEvery(const Scenario& scenario, double cycle_s) {
   constexpr double kRange = 30;  // m: a dive at 26 degrees then has 130 s for an echo
   const AltimeterSettings& altimeter = scenario.sensors.altimeter;
@@ -64,7 +64,7 @@ size_t wrongSensors(const Faults& faults) {
   return names.size();
 }
 
-/// Scenarios may name sensors by either name: the judges use the vehicle's.
+/// Scenarios may name sensors by either name: the checks use the vehicle's.
 void nameSensors(const platforms::Platform& platform, Faults& faults) {
   for (SensorFault& fault : faults.sensors) {
     const platforms::PlatformSensor* sensor = platform.find(fault.name);

@@ -14,7 +14,7 @@ using namespace limits;
 
 namespace {
 
-// size: a row for each judge
+// size: a row for each check
 std::string allowedBy(JudgeId judge) {
   switch (judge) {
     case JudgeId::Instructions:

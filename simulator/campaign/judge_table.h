@@ -7,7 +7,7 @@
 
 namespace glider::simulator {
 
-/// The rows of the table in scenarios/README.md on what each judge allows, as Markdown.
+/// The rows of the table in scenarios/README.md on what each check allows, as Markdown.
 std::string judgeTable();
 
 }  // namespace glider::simulator

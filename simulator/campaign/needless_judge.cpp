@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kNear = 2;  // m from a limit
 constexpr double kNeedlessRightSecs =
-    300;                          // s: longer than any time over which a guard judges, but one
+    300;                          // s: longer than any time over which a guard decides, but one
 constexpr double kAnHour = 3600;  // s
 constexpr double kSeesSecs = 8;   // s: two cycles
 
@@ -60,8 +60,9 @@ std::string NeedlessJudge::cycle(const CycleView& view) {
                        climbs_, active_s_, guards ? view.hookbeh->doing : "");
   }
   return climb_s_ > limits::kNeedlessSecs + limits::kNeedlessShare * active_s_
-             ? fmt::format("guards climb for {:.0f} of {:.0f} s though the vehicle is safe",
-                           climb_s_, active_s_)
+             ? fmt::format(
+                   "guards make the vehicle climb for {:.0f} of {:.0f} s although it is safe",
+                   climb_s_, active_s_)
              : "";
 }
 

@@ -7,6 +7,7 @@
 
 namespace glider::simulator {
 
+/// North and east positive.
 struct GeoPosition {
   double latitude_deg = 0, longitude_deg = 0;
   bool operator==(const GeoPosition&) const = default;

@@ -48,6 +48,7 @@ struct Seamount {
   double height_m = 0;
 };
 
+/// The bottom, from `[ocean]` of a scenario.
 struct BottomSettings {
   double depth_m = 60;  ///< at the start, between the waves' crests and troughs
   double wave_height_m = 0;
@@ -57,6 +58,7 @@ struct BottomSettings {
   std::vector<Seamount> seamounts = {};
 };
 
+/// `[ocean]` of a scenario: the true water, which no fault changes.
 struct OceanSettings {
   double surface_temperature = 20;  ///< degC
   double bottom_temperature = 10;   ///< degC

@@ -12,8 +12,8 @@ namespace {
 constexpr double kNotRecorded = std::numeric_limits<double>::quiet_NaN();
 
 /// The sources of a row in a Slocum.
-struct Moment : ColumnMoment {
-  explicit Moment(const ColumnMoment& moment)
+struct SlocumMoment : ColumnMoment {
+  explicit SlocumMoment(const ColumnMoment& moment)
       : ColumnMoment(moment), flight(static_cast<const SlocumSeat&>(moment.seat).flight()) {}
   [[nodiscard]] double get(Sensor sensor) const { return flight.array().get(sensor); }
 
@@ -27,12 +27,12 @@ bool wantsAltitude(const Scenario& s) {
 }
 
 // missiontime and state are filled in by Recorder::mission.
-#define COLUMN(name, unit, value, ...)        \
-  {name, unit,                                \
-   [](const ColumnMoment& moment) -> double { \
-     [[maybe_unused]] const Moment m(moment); \
-     return value;                            \
-   },                                         \
+#define COLUMN(name, unit, value, ...)              \
+  {name, unit,                                      \
+   [](const ColumnMoment& moment) -> double {       \
+     [[maybe_unused]] const SlocumMoment m(moment); \
+     return value;                                  \
+   },                                               \
    __VA_ARGS__}
 constexpr Column kFirst[] = {
     COLUMN("time", "s", m.now_s),

@@ -102,7 +102,7 @@ void GliderModel::step(VehicleState& s, const VehicleCommand& command, const Oce
   moveMotors(s, command);
   movePitch(s);
   const double density = ocean.density(s.depth_m, s.x_m, s.y_m, now_s);
-  // A heavy vehicle lies on the bottom: friction stops it within some seconds and holds it against
+  // A heavy vehicle lies on the bottom: friction stops it within some seconds and keeps it there in
   // the current, and the water above a bottom neither rises nor sinks.
   const bool aground =
       s.depth_m > 0 && s.depth_m >= ocean.waterDepth(s.x_m, s.y_m) && buoyancy(s, density) < 0;

@@ -52,7 +52,7 @@ TEST(Containment, EndBoundWithoutOutages) {
       {.power_cuts = false});
 }
 
-bool lies(const Variable& v, double value, const Holding& held) {
+bool lies(const Variable& v, double value, const PossibleValues& held) {
   if (v.type.kind == TypeKind::Bool) {
     return value != value ? held.truths.is_unknown
            : value == 1   ? held.truths.is_true

@@ -155,7 +155,7 @@ Valuation exactly(const Mission& m, const TickResult& result) {
   for (uint32_t i = 0; i < m.variables.size(); ++i) {
     const Variable& v = m.variables[i];
     const double value = result.variables[i];
-    Holding held;
+    PossibleValues held;
     held.never = !isKnown(value);
     if (v.type.kind == TypeKind::Bool) {
       held = {0, 0, false, {value == 1, value == 0, !isKnown(value)}};
@@ -237,7 +237,7 @@ class Transitions : public Rule {
   }
 
  private:
-  static bool lies(const Variable& v, double value, const Holding& held) {
+  static bool lies(const Variable& v, double value, const PossibleValues& held) {
     if (v.type.kind == TypeKind::Bool) {
       return value == 1   ? held.truths.is_true
              : value == 0 ? held.truths.is_false

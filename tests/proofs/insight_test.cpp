@@ -128,7 +128,7 @@ TEST(ByState, DepthAndTimeBelongTogether) {
       << "a command in a case";
 }
 
-TEST(ByState, WhatWasProvedIsKnown) {
+TEST(ByState, AProvedRequirementIsUsedForOthers) {
   const std::string counts = state("a", kInsightYo,
                                    "case missiontime >= 1 h exit\n"
                                    "case n < 5 && temp > 20 degC do set n = n + 1 end stay");

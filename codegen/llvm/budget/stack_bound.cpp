@@ -52,7 +52,7 @@ class StackBound::Walk {
     if (++visits_[node] > kMostVisits) {
       give("the stack may grow in a loop of", one);
     } else if (!met.depth()) {
-      give("nobody can tell how deep the stack is in", one);
+      give("it is not known how deep the stack is in", one);
     } else if (!one.stack.stops) {
       take(node, one, state, met);
     }
@@ -121,7 +121,7 @@ class StackBound::Walk {
   void callPart(uint32_t node, const Instruction& one, StackState state, int64_t below) {
     const auto graph = FlowGraph::asFarAsKnown(all_.image_, one.target);
     if (!graph || begin_ != 0) {
-      return give("nobody can tell what calls of its own parts do in", one);
+      return give("it is not known what calls of its own parts do in", one);
     }
     Walk part(all_, one.target, *graph, below);
     const Bound called = part.run();
@@ -142,7 +142,7 @@ class StackBound::Walk {
   /// Follows a jump to another function, which returns in this one's place.
   void leave(const Instruction& one, const StackState& met) {
     if (*met.depth() != begin_) {
-      return give("nobody can tell where a jump leads in", one);
+      return give("it is not known where a jump leads in", one);
     }
     if (const auto called = callee(one, begin_)) {
       deepen(begin_ + static_cast<int64_t>(called->bytes), called->way);
@@ -159,7 +159,7 @@ class StackBound::Walk {
     } else if (met.depth() == 0) {
       ends_caller_ = true;
     } else {
-      give("the stack is not given back as it was by", one);
+      give("the stack is not restored by", one);
     }
   }
 

@@ -70,20 +70,20 @@ class Weigher {
         }
       }
     }
-    const Circles circles(next);
-    std::vector<uint64_t> heaviest(circles.list().size());
+    const Circles components(next);
+    std::vector<uint64_t> heaviest(components.list().size());
     uint64_t most = 0;
     for (uint32_t c = 0; c < heaviest.size(); ++c) {  // each after all that it leads to
       Nodes members;
       uint64_t after = 0;
-      for (const uint32_t i : circles.list()[c]) {
+      for (const uint32_t i : components.list()[c]) {
         members.push_back(nodes[i]);
         for (const uint32_t to : next[i]) {
-          after = std::max(after, circles.of(to) == c ? 0 : heaviest[circles.of(to)]);
+          after = std::max(after, components.of(to) == c ? 0 : heaviest[components.of(to)]);
         }
       }
       const Bound own =
-          circles.turns(c) ? loop(members, around, explained) : weights_[members.front()];
+          components.turns(c) ? loop(members, around, explained) : weights_[members.front()];
       if (!own) {
         return own;
       }
@@ -100,7 +100,7 @@ class Weigher {
     const Chain owner = ownerOf(nodes);
     const Turns stated = owner.empty() ? Turns{} : turnsOf(owner.back());
     if (stated.outer == 0) {
-      return std::unexpected(fmt::format("nobody states how often the loop in `{}` turns",
+      return std::unexpected(fmt::format("no bound is stated for the loop in `{}`",
                                          owner.empty() ? "" : owner.back().second));
     }
     const size_t level = around.count(owner);
@@ -230,7 +230,7 @@ Bound weightOf(const Image& image, const Knowledge& knowledge, const Instruction
                const std::function<Bound(uint64_t)>& bound) {
   if (one.repeats == Instruction::kUncounted) {
     return std::unexpected(
-        fmt::format("nobody can tell how often `{}` repeats the instruction at {:#x}",
+        fmt::format("it is not known how often `{}` repeats the instruction at {:#x}",
                     image.symbolAt(one.address), one.address));
   }
   if (one.repeats >= 0) {

@@ -31,7 +31,7 @@ llvm::Function* lowerBegin(Lowering& lowering) {
     }
   }
   lowerWindowStarts(body, lowering.index.always_temporals);
-  lowerTemporals(body, lowering.index.always_temporals, Moment::Start);
+  lowerTemporals(body, lowering.index.always_temporals, TemporalMoment::Start);
   lowerBlock(body, mission.every_tick);
   body.builder.CreateRetVoid();
   return body.function;

@@ -47,10 +47,11 @@ void lowerBlock(Body& body, ir::BlockId block);
 void assign(Body& body, ir::VariableId variable, llvm::Value* value);
 
 /// Start: their list becomes current by goto, call or return, or the mission begins.
-enum class Moment : uint8_t { Start, Advance };
+enum class TemporalMoment : uint8_t { Start, Advance };
 /// Starts or advances temporals, in their order. Windows advance in both cases: they keep their
 /// content during a call, and lowerWindowStarts empties them.
-void lowerTemporals(Body& body, const std::vector<ir::TemporalId>& temporals, Moment moment);
+void lowerTemporals(Body& body, const std::vector<ir::TemporalId>& temporals,
+                    TemporalMoment moment);
 /// Empties those that are windows: their list becomes current by goto or call, or the mission
 /// begins.
 void lowerWindowStarts(Body& body, const std::vector<ir::TemporalId>& temporals);

@@ -67,7 +67,7 @@ llvm::Function* lowerEnter(Lowering& lowering, uint32_t index) {
       lowerWindowStarts(body, temporals);
     });
   }
-  lowerTemporals(body, temporals, Moment::Start);
+  lowerTemporals(body, temporals, TemporalMoment::Start);
   if (state.entry.valid()) {
     onEnter(body, [&] { lowerBlock(body, state.entry); });
   }

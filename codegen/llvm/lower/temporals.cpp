@@ -19,7 +19,7 @@ class Guards {
  public:
   explicit Guards(Body& body) : body_(body), builder_(body.builder) {}
 
-  void lower(ir::TemporalId id, Moment moment) {
+  void lower(ir::TemporalId id, TemporalMoment moment) {
     const ir::Temporal& temporal = body_.lowering.mission[id];
     slot_ = body_.lowering.index.temporal_slots.at(id.index);
     body_.lowering.debug.locate(builder_, temporal.range);
@@ -34,20 +34,20 @@ class Guards {
 
  private:
   /// True on the tick on which the operand turns true.
-  Value* became(Moment moment) {
+  Value* became(TemporalMoment moment) {
     Value* known = builder_.CreateOr(is_true_, is_false_);
     Value* turned = builder_.getFalse();
-    if (moment == Moment::Advance) {
+    if (moment == TemporalMoment::Advance) {
       turned = builder_.CreateAnd(is_true_, builder_.CreateNot(wasTrue()));
     }
     return builder_.CreateSelect(known, truth(turned), unknown());
   }
 
   /// True while the operand has been true for `duration`.
-  Value* held(Moment moment, Value* duration) {
+  Value* held(TemporalMoment moment, Value* duration) {
     Value* now = body_.expressions.missionTime();
     Value* since = now;
-    if (moment == Moment::Advance) {
+    if (moment == TemporalMoment::Advance) {
       Value* turned = builder_.CreateAnd(is_true_, builder_.CreateNot(wasTrue()));
       since = builder_.CreateSelect(turned, now, load(kSince));
     }
@@ -80,7 +80,8 @@ class Guards {
 
 }  // namespace
 
-void lowerTemporals(Body& body, const std::vector<ir::TemporalId>& temporals, Moment moment) {
+void lowerTemporals(Body& body, const std::vector<ir::TemporalId>& temporals,
+                    TemporalMoment moment) {
   Freshness fresh;
   for (const ir::TemporalId id : temporals) {
     if (ir::isWindow(body.lowering.mission[id].kind)) {
@@ -98,7 +99,7 @@ llvm::Function* lowerAdvance(Lowering& lowering, const std::vector<ir::TemporalI
     return nullptr;
   }
   Body body(lowering, "advance." + name, Body::Result::None, 0, name + " watches", range);
-  lowerTemporals(body, temporals, Moment::Advance);
+  lowerTemporals(body, temporals, TemporalMoment::Advance);
   lowerBlock(body, then);
   body.builder.CreateRetVoid();
   return body.function;

@@ -40,14 +40,14 @@ Interval rangeOf(ClockOp clock, const ClockRanges& clocks) {
 
 }  // namespace
 
-Holding anything(const Variable& variable) {
-  Holding all;
+PossibleValues anything(const Variable& variable) {
+  PossibleValues all;
   all.lowest = std::max(variable.lowest, -kGreatestNumber);
   all.highest = std::min(variable.highest, kGreatestNumber);
   return all;
 }
 
-Holding withinRange(Holding holding, const Variable& variable) {
+PossibleValues withinRange(PossibleValues holding, const Variable& variable) {
   holding.lowest = std::max(holding.lowest, variable.lowest);
   holding.highest = std::min(holding.highest, variable.highest);
   holding.never = holding.never || holding.lowest > holding.highest;
@@ -57,8 +57,8 @@ Holding withinRange(Holding holding, const Variable& variable) {
   return holding;
 }
 
-Holding either(const Holding& a, const Holding& b) {
-  Holding all = a;
+PossibleValues either(const PossibleValues& a, const PossibleValues& b) {
+  PossibleValues all = a;
   if (!b.never) {
     all.lowest = a.never ? b.lowest : std::min(a.lowest, b.lowest);
     all.highest = a.never ? b.highest : std::max(a.highest, b.highest);
@@ -70,16 +70,16 @@ Holding either(const Holding& a, const Holding& b) {
 }
 
 AbstractEvaluator::AbstractEvaluator(const ProofContext& proof_context, const Valuation& values,
-                                     const ClockRanges& clocks, std::optional<Sight> sight,
+                                     const ClockRanges& clocks, std::optional<AssumedReading> sight,
                                      const IdleTemporals* idle)
     : proof_context_(proof_context), values_(values), clocks_(clocks), sight_(sight), idle_(idle) {}
 
-const AbstractEvaluator::Made& AbstractEvaluator::operand(const Expr& e, size_t i) const {
+const AbstractEvaluator::Evaluated& AbstractEvaluator::operand(const Expr& e, size_t i) const {
   return made_.at(e.operands.at(i).index);
 }
 
 /// Without recursion, at any depth: what an expression reads has a smaller id.
-const AbstractEvaluator::Made& AbstractEvaluator::at(ExprId id) const {
+const AbstractEvaluator::Evaluated& AbstractEvaluator::at(ExprId id) const {
   if (const auto found = made_.find(id.index); found != made_.end()) {
     return found->second;
   }
@@ -113,7 +113,7 @@ std::optional<Interval> AbstractEvaluator::leaf(const Expr& e) const {
     return rangeOf(opIn<ClockOp>(e.op), clocks_);
   }
   if (e.op == Op::Variable) {
-    const Holding& held = values_[e.variable.index];
+    const PossibleValues& held = values_[e.variable.index];
     return Interval{held.lowest, held.highest, held.never};
   }
   if (e.op == Op::Sensor && sight_ && e.sensor == sight_->sensor) {
@@ -135,10 +135,10 @@ Interval AbstractEvaluator::window(TemporalId id) const {
   return range;
 }
 
-AbstractEvaluator::Made AbstractEvaluator::make(uint32_t index) const {
+AbstractEvaluator::Evaluated AbstractEvaluator::make(uint32_t index) const {
   const Mission& m = proof_context_.mission;
   const Expr& e = m.exprs[index];
-  Made made;
+  Evaluated made;
   made.number = intervalOf(
       m, index, [&](const Expr& x) { return leaf(x); },
       [&](uint32_t i) -> const Interval& { return made_.at(i).number; });
@@ -150,8 +150,8 @@ bool AbstractEvaluator::maybeUnknown(ExprId id) const {
   return !proof_context_.known.expressions[id.index];
 }
 
-Holding AbstractEvaluator::holding(ExprId id) const {
-  const Made& made = at(id);
+PossibleValues AbstractEvaluator::holding(ExprId id) const {
+  const Evaluated& made = at(id);
   return {made.number.lowest, made.number.highest, made.number.empty, made.truths};
 }
 

@@ -21,22 +21,22 @@ struct Truths {
 
 /// The values that a variable may have when it is known: numbers between two bounds, or truth
 /// values.
-struct Holding {
+struct PossibleValues {
   double lowest = 0, highest = 0;
   bool never = false;  ///< it is never a known number
   Truths truths;
-  auto operator<=>(const Holding&) const = default;
+  auto operator<=>(const PossibleValues&) const = default;
 };
 
 /// The possible values of every variable.
-using Valuation = std::vector<Holding>;
+using Valuation = std::vector<PossibleValues>;
 
 /// Every value that the variable may have.
-Holding anything(const Variable& variable);
+PossibleValues anything(const Variable& variable);
 /// The part of `holding` that lies in the variable's range.
-Holding withinRange(Holding holding, const Variable& variable);
+PossibleValues withinRange(PossibleValues holding, const Variable& variable);
 /// The union of both.
-Holding either(const Holding& a, const Holding& b);
+PossibleValues either(const PossibleValues& a, const PossibleValues& b);
 
 /// The ranges of the three clocks, s.
 struct ClockRanges {
@@ -44,7 +44,7 @@ struct ClockRanges {
 };
 
 /// What the reading of one sensor may be at a moment.
-struct Sight {
+struct AssumedReading {
   SensorId sensor;
   Interval reading;   ///< when it is known
   bool ever = false;  ///< the same holds for all its earlier readings
@@ -63,12 +63,12 @@ class AbstractEvaluator {
  public:
   /// `proof_context`, `values` and `idle` outlive this, and `values` stays the same meanwhile.
   AbstractEvaluator(const ProofContext& proof_context, const Valuation& values,
-                    const ClockRanges& clocks, std::optional<Sight> sight = std::nullopt,
+                    const ClockRanges& clocks, std::optional<AssumedReading> sight = std::nullopt,
                     const IdleTemporals* idle = nullptr);
 
   [[nodiscard]] const Truths& truth(ExprId id) const { return at(id).truths; }
   /// For a number, its range when it is known; for a truth value, the values that it may have.
-  [[nodiscard]] Holding holding(ExprId id) const;
+  [[nodiscard]] PossibleValues holding(ExprId id) const;
   [[nodiscard]] const Interval& number(ExprId id) const { return at(id).number; }
   /// Whether the expression may be unknown.
   [[nodiscard]] bool maybeUnknown(ExprId id) const;
@@ -76,13 +76,13 @@ class AbstractEvaluator {
   [[nodiscard]] size_t work() const { return made_.size(); }
 
  private:
-  struct Made {
+  struct Evaluated {
     Interval number;
     Truths truths;
   };
 
-  [[nodiscard]] const Made& at(ExprId id) const;
-  [[nodiscard]] Made make(uint32_t index) const;
+  [[nodiscard]] const Evaluated& at(ExprId id) const;
+  [[nodiscard]] Evaluated make(uint32_t index) const;
   [[nodiscard]] std::optional<Interval> leaf(const Expr& e) const;
   [[nodiscard]] Truths judge(const Expr& e, uint32_t index) const;
   [[nodiscard]] Truths watched(const Temporal& temporal) const;
@@ -90,14 +90,14 @@ class AbstractEvaluator {
   [[nodiscard]] bool isIdle(TemporalId id) const { return idle_ != nullptr && (*idle_)[id.index]; }
   [[nodiscard]] Truths logic(const Expr& e) const;
   [[nodiscard]] Truths compared(const Expr& e) const;
-  [[nodiscard]] const Made& operand(const Expr& e, size_t i) const;
+  [[nodiscard]] const Evaluated& operand(const Expr& e, size_t i) const;
 
   const ProofContext& proof_context_;
   const Valuation& values_;
   ClockRanges clocks_;
-  std::optional<Sight> sight_;
+  std::optional<AssumedReading> sight_;
   const IdleTemporals* idle_;
-  mutable std::unordered_map<uint32_t, Made> made_;
+  mutable std::unordered_map<uint32_t, Evaluated> made_;
 };
 
 }  // namespace glider::ir::prove

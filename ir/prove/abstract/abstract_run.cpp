@@ -25,7 +25,7 @@ Valuation AbstractRun::begin() const {
 void AbstractRun::start(uint32_t variable, const ClockRanges& clocks, Valuation& values) const {
   const ExprId initial = m_.variables[variable].initial;
   const AbstractEvaluator now(proof_context_, values, clocks);
-  const Holding begins = now.holding(initial);
+  const PossibleValues begins = now.holding(initial);
   work_ += now.work();
   values[variable] = begins;
 }
@@ -35,11 +35,11 @@ void AbstractRun::start(uint32_t variable, const ClockRanges& clocks, Valuation&
 void AbstractRun::set(const Statement& statement, const ClockRanges& clocks,
                       Valuation& values) const {
   const AbstractEvaluator now(proof_context_, values, clocks);
-  Holding given = withinRange(now.holding(statement.value), m_[statement.variable]);
+  PossibleValues given = withinRange(now.holding(statement.value), m_[statement.variable]);
   work_ += now.work();
   const bool stays = now.maybeUnknown(statement.value);
   given.truths.is_unknown = false;
-  Holding& held = values[statement.variable.index];
+  PossibleValues& held = values[statement.variable.index];
   held = stays ? either(held, given) : given;
 }
 
@@ -83,7 +83,7 @@ void AbstractRun::forget(BlockId block, Valuation& values) const {
 void AbstractRun::enter(StateId state, const Case* c, const ClockRanges& clocks,
                         Valuation& values) const {
   if (c != nullptr) {
-    std::vector<Holding> passed;  // all before any changes: `goto b(y, x)` swaps
+    std::vector<PossibleValues> passed;  // all before any changes: `goto b(y, x)` swaps
     const AbstractEvaluator now(proof_context_, values, clocks);
     for (const ExprId argument : c->arguments) {
       passed.push_back(now.holding(argument));

@@ -26,7 +26,7 @@ std::vector<StateBounds> stateBounds(const ProofContext& proof_context, const En
 /// entered.
 bool mayWait(const Mission& mission, StateId state);
 
-/// The cases of `always` that may fire whatever has happened before, so that they certainly fire
+/// The cases of `always` that may fire after any transitions before, so that they certainly fire
 /// where they are true. Without a target no state keeps them from firing (L1). Case j of `always`
 /// that leads to a state sets the limit to j (L3): it keeps itself and all cases after it from
 /// firing, so these are the cases before the first of those.

@@ -27,7 +27,7 @@ constexpr size_t kMostEndWork = 4000000;
 /// The latest time at which it becomes current, and how often that has been raised since it
 /// passed a time that a guard names.
 struct Arrival;
-struct Latest {
+struct LatestArrival {
   double time = 0;
   unsigned raised = 0;
   const Arrival* from = nullptr;  ///< what it came from then; null: the start
@@ -90,7 +90,7 @@ class EndSearch {
       }
     }
     Arrival arrival{control, std::move(values)};
-    const auto [known, fresh] = times_.emplace(arrival, Latest{time, 0});
+    const auto [known, fresh] = times_.emplace(arrival, LatestArrival{time, 0});
     if (fresh || known->second.time < time) {
       raise(known->second, time);
       known->second.from = following_;
@@ -101,7 +101,7 @@ class EndSearch {
   /// A time that has been raised often is raised by a loop that only a condition of mission time
   /// can end: it becomes the next time that a condition names, or endless if there is none. A later
   /// time allows everything that an earlier one does.
-  void raise(Latest& latest, double time) {
+  void raise(LatestArrival& latest, double time) {
     constexpr unsigned kOften = 20;
     const auto next = thresholds().lower_bound(time);
     const bool passed = next != thresholds().lower_bound(latest.time);
@@ -274,7 +274,7 @@ class EndSearch {
   std::vector<StateId> loop_;
   const Arrival* following_ = nullptr;  ///< a key of `times_`
   std::vector<double> left_by_;         ///< of each state
-  std::map<Arrival, Latest> times_;
+  std::map<Arrival, LatestArrival> times_;
   std::optional<std::set<double>> thresholds_;
   std::vector<Arrival> pending_;
   double end_ = 0;

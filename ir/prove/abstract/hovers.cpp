@@ -102,7 +102,7 @@ class Arrived {
 };
 
 /// What a state does that stays at one depth.
-struct Stays {
+struct HoverInState {
   double shallow = 0, deep = 0;  ///< the same unless it is a variable
   double for_s = 0;
 };
@@ -144,7 +144,7 @@ class HoverSearch {
   [[nodiscard]] LongHover hover(StateId id) {
     const double there = longest(id);
     const double most = end_.by ? std::max(0.0, *end_.by - entries_[id.index]) : kForEver;
-    const Stays& one = *stays_[id.index];
+    const HoverInState& one = *stays_[id.index];
     return {id, one.deep, std::min(there, most) - arrives(id)};
   }
 
@@ -258,8 +258,8 @@ class HoverSearch {
     return *made;
   }
 
-  std::optional<Stays> staysAt(StateId id, const Interval& depth) {
-    Stays found{depth.lowest, depth.highest, kForEver};
+  std::optional<HoverInState> staysAt(StateId id, const Interval& depth) {
+    HoverInState found{depth.lowest, depth.highest, kForEver};
     const auto surfaces = [](const Statement& command) {
       return command.command == Command::Surface;
     };
@@ -282,7 +282,7 @@ class HoverSearch {
   std::vector<double> entries_;
   // Of each state, none if it does not stay at one depth:
   std::vector<std::optional<Interval>> target_;
-  std::vector<std::optional<Stays>> stays_;
+  std::vector<std::optional<HoverInState>> stays_;
   std::vector<StateId> hovers_;
   std::map<uint32_t, double> longest_;
   std::map<double, std::unique_ptr<Arrived>> arrived_;

@@ -11,8 +11,8 @@
 namespace glider::ir::prove {
 
 /// A stay at one depth under water, that may be as long as the clocks allow. What else ends a state
-/// is taken not to happen, but for the depth: conditions on it, and `profiledone`, are those of a
-/// vehicle that has arrived. The states that follow at the same depth count too.
+/// is taken not to happen, except for the depth: conditions on it, and `profiledone`, are those of
+/// a vehicle that has arrived. The states that follow at the same depth count too.
 struct LongHover {
   StateId state;       ///< where it begins
   double depth_m = 0;  ///< the depth that is commanded, or its upper bound

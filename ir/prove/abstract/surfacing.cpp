@@ -212,7 +212,7 @@ class SurfacingSearch {
     }
     const Interval until{0, std::min(latest, kGreatestNumber), false};
     const Interval ever{0, kGreatestNumber, false};
-    const auto mayBeTrue = [&](const Interval& stay, std::optional<Sight> sight) {
+    const auto mayBeTrue = [&](const Interval& stay, std::optional<AssumedReading> sight) {
       const AbstractEvaluator then(proof_context_, values_,
                                    {{0, place.by, false}, again ? ever : stay, stay}, sight);
       const bool may = then.truth(c.guard).is_true;
@@ -241,7 +241,7 @@ class SurfacingSearch {
   }
 
   /// Where the vehicle is deeper than the surface.
-  [[nodiscard]] std::optional<Sight> underWater() const {
+  [[nodiscard]] std::optional<AssumedReading> underWater() const {
     if (!proof_context_.depth) {
       return std::nullopt;
     }
@@ -249,7 +249,8 @@ class SurfacingSearch {
     const Interval& all = proof_context_.sensors[proof_context_.depth->index];
     const double least = std::nextafter(world.surface_depth_m - world.depth_error_m, -kInfinity);
     const double lowest = std::max(all.lowest, least);
-    return Sight{*proof_context_.depth, {lowest, all.highest, all.empty || lowest > all.highest}};
+    return AssumedReading{*proof_context_.depth,
+                          {lowest, all.highest, all.empty || lowest > all.highest}};
   }
 
   const ProofContext& proof_context_;

@@ -22,10 +22,10 @@ namespace glider::ir::prove {
 ///     turn_s + (its greatest depth - surface_depth_m) / slowest_climb_m_s
 ///
 /// after it became current on, every tick is one at the surface (ir/prove/encoding/world.h). So a
-/// state that climbs adds no more than that, and whatever leaves it later starts from 0. The same
-/// holds for a case that can only be true on a tick at the surface: one whose guard needs a reading
-/// of the depth that is further above than `depth_error_m` allows under water. Mission time bounds
-/// all: the vehicle is at the surface when control is given.
+/// state that climbs adds no more than that, and a trace that leaves it later starts from 0. The
+/// same holds for a case that can only be true on a tick at the surface: one whose guard needs a
+/// reading of the depth that is further above than `depth_error_m` allows under water. Mission time
+/// bounds all: the vehicle is at the surface when control is given.
 ///
 /// Stacks are not followed: a `return` leads to every state that may wait for it (all of them, if
 /// `always` calls the state), and a case of `always` may fire in every state but its target.

@@ -19,9 +19,9 @@ constexpr size_t kMostGroups = 40;
 
 /// A moment within these bounds: the depth is the vehicle's true depth, as conditions of
 /// requirements read it.
-class Moment {
+class BoundedMoment {
  public:
-  Moment(const ProofContext& proof_context, const StateBounds& bounds, Unknowns& unknowns)
+  BoundedMoment(const ProofContext& proof_context, const StateBounds& bounds, Unknowns& unknowns)
       : m_(proof_context.mission), state_(unknowns, proof_context) {
     z3::context& context = unknowns.context();
     within(state_.missionTime(), bounds.earliest, bounds.latest);
@@ -78,7 +78,7 @@ StateBounds projected(const Mission& m, ExprId condition, const ProofContext& pr
 Answer AnyMoment::falseWithin(ExprId condition, const StateBounds& bounds, unsigned effort,
                               Budget& budget) {
   Unknowns unknowns(context_);
-  Moment moment(proof_context_, bounds, unknowns);
+  BoundedMoment moment(proof_context_, bounds, unknowns);
   Question question(context_, budget, effort);
   question.add(moment.truth(condition).is_false);
   for (const ExprId known : known_) {

@@ -115,7 +115,7 @@ void ChcEncoder::begin() {
   if (watch_.begin) {
     watch_.begin(after);
   }
-  Left left = leave(nullptr, std::move(after), moment);
+  AfterMonitor left = leave(nullptr, std::move(after), moment);
   addBad(std::nullopt, {}, condition, std::nullopt, left, moment, unknowns);
   after = std::move(left.configuration);
   Rule rule{std::nullopt, Place{control, Side::Done},
@@ -241,8 +241,8 @@ z3::expr ChcEncoder::noticed(const Configuration& before, const Configuration& a
   return late <= before.mission_time || same;
 }
 
-ChcEncoder::Left ChcEncoder::leave(const Outcome* outcome, Configuration left,
-                                   const SymbolicState& readings) const {
+ChcEncoder::AfterMonitor ChcEncoder::leave(const Outcome* outcome, Configuration left,
+                                           const SymbolicState& readings) const {
   SymbolicState seen = readings;
   left.store.show(seen);
   seen.setClocks(left.mission_time, left.mission_time - left.entered.back(),
@@ -256,7 +256,8 @@ ChcEncoder::Left ChcEncoder::leave(const Outcome* outcome, Configuration left,
 /// The state that a tick leaves may be bad: it is checked with the tick's readings.
 void ChcEncoder::addBad(const std::optional<Place>& from, const std::vector<z3::expr>& row,
                         const z3::expr& condition, const std::optional<Configuration>& before,
-                        Left& left, const SymbolicState& readings, const Unknowns& unknowns) {
+                        AfterMonitor& left, const SymbolicState& readings,
+                        const Unknowns& unknowns) {
   if (!watch_.bad_at_tick) {
     return;
   }
@@ -285,7 +286,7 @@ void ChcEncoder::tick(const Control& control) {
   const Place from{control, Side::Due};
   const std::vector<z3::expr> row = layout_.row(before);
   for (const Outcome& outcome : outcomes) {
-    Left left = leave(&outcome, outcome.after ? *outcome.after : *outcome.left, moment);
+    AfterMonitor left = leave(&outcome, outcome.after ? *outcome.after : *outcome.left, moment);
     addBad(from, row, outcome.condition, before, left, moment, unknowns);
     if (watch_.bad_move) {
       if (const auto bad = watch_.bad_move(before, outcome)) {

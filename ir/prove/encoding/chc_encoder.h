@@ -66,15 +66,16 @@ class ChcEncoder {
   void tick(const Control& control);
   void badAfter(const Control& control);
   /// What a start or tick leaves, as the property sees it: the monitor has run.
-  struct Left {
+  struct AfterMonitor {
     Configuration configuration;
     SymbolicState moment;
   };
   /// `outcome` is null for the start.
-  Left leave(const Outcome* outcome, Configuration left, const SymbolicState& readings) const;
+  AfterMonitor leave(const Outcome* outcome, Configuration left,
+                     const SymbolicState& readings) const;
   void addBad(const std::optional<Place>& from, const std::vector<z3::expr>& row,
-              const z3::expr& condition, const std::optional<Configuration>& before, Left& left,
-              const SymbolicState& readings, const Unknowns& unknowns);
+              const z3::expr& condition, const std::optional<Configuration>& before,
+              AfterMonitor& left, const SymbolicState& readings, const Unknowns& unknowns);
   /// Time does not pass the change of a condition of clocks by more than the gap between two ticks.
   z3::expr noticed(const Configuration& before, const Configuration& after, Unknowns& unknowns);
   std::vector<ExprId> clockConditions(const Control& control) const;

@@ -15,31 +15,40 @@ namespace glider::ir::prove {
 namespace {
 
 /// In the order in which they are named.
-enum class Rough : uint8_t { Product, Quotient, Angle, Function, Place, Watched, Window, Code };
+enum class Approximation : uint8_t {
+  Product,
+  Quotient,
+  Angle,
+  Function,
+  Place,
+  Watched,
+  Window,
+  Code
+};
 
-const char* nameOf(Rough rough) {
+const char* nameOf(Approximation rough) {
   switch (rough) {
-    case Rough::Product:
+    case Approximation::Product:
       return "products of values that are measured or change";
-    case Rough::Quotient:
+    case Approximation::Quotient:
       return "quotients of values that are measured or change";
-    case Rough::Angle:
+    case Approximation::Angle:
       return "square roots and angles";
-    case Rough::Function:
+    case Approximation::Function:
       return "functions of numbers";
-    case Rough::Place:
+    case Approximation::Place:
       return "positions, their distances and bearings";
-    case Rough::Watched:
+    case Approximation::Watched:
       return "what `became` and `held` observe between two ticks";
-    case Rough::Window:
+    case Approximation::Window:
       return "windows";
-    case Rough::Code:
+    case Approximation::Code:
       return "C functions";
   }
   return "";
 }
 
-std::optional<Rough> roughnessOf(UnaryOp op) {
+std::optional<Approximation> roughnessOf(UnaryOp op) {
   switch (op) {
     case UnaryOp::Negate:
     case UnaryOp::Abs:
@@ -47,18 +56,18 @@ std::optional<Rough> roughnessOf(UnaryOp op) {
     case UnaryOp::Sqrt:
       break;
   }
-  return Rough::Angle;
+  return Approximation::Angle;
 }
 
-std::optional<Rough> roughnessOf(BinaryOp op, const Expr& a, const Expr& b) {
-  const auto unless = [](bool exact, Rough rough) {
+std::optional<Approximation> roughnessOf(BinaryOp op, const Expr& a, const Expr& b) {
+  const auto unless = [](bool exact, Approximation rough) {
     return exact ? std::nullopt : std::optional(rough);
   };
   switch (op) {
     case BinaryOp::Multiply:
-      return unless(a.op == Op::Constant || b.op == Op::Constant, Rough::Product);
+      return unless(a.op == Op::Constant || b.op == Op::Constant, Approximation::Product);
     case BinaryOp::Divide:
-      return unless(b.op == Op::Constant, Rough::Quotient);
+      return unless(b.op == Op::Constant, Approximation::Quotient);
     case BinaryOp::Add:
     case BinaryOp::Subtract:
     case BinaryOp::Min:
@@ -68,16 +77,16 @@ std::optional<Rough> roughnessOf(BinaryOp op, const Expr& a, const Expr& b) {
   return std::nullopt;
 }
 
-Rough roughnessOf(const OpInfo& function) {
+Approximation roughnessOf(const OpInfo& function) {
   if (function.takes == Takes::Places) {
-    return Rough::Place;
+    return Approximation::Place;
   }
   const bool angle = function.takes == Takes::Angle || function.gives == Gives::Angle;
-  return angle ? Rough::Angle : Rough::Function;
+  return angle ? Approximation::Angle : Approximation::Function;
 }
 
 /// The approximation that SymbolicState makes.
-std::optional<Rough> roughnessOf(const Mission& m, const Expr& e) {
+std::optional<Approximation> roughnessOf(const Mission& m, const Expr& e) {
   switch (groupOf(e.op)) {
     case OpGroup::Unary:
       return roughnessOf(opIn<UnaryOp>(e.op));
@@ -86,11 +95,11 @@ std::optional<Rough> roughnessOf(const Mission& m, const Expr& e) {
     case OpGroup::Function:
       return roughnessOf(opInfo(e.op));
     case OpGroup::Element:
-      return Rough::Place;
+      return Approximation::Place;
     case OpGroup::Temporal:
-      return isWindow(m[e.temporal].kind) ? Rough::Window : Rough::Watched;
+      return isWindow(m[e.temporal].kind) ? Approximation::Window : Approximation::Watched;
     case OpGroup::Call:
-      return Rough::Code;
+      return Approximation::Code;
     case OpGroup::Constant:
     case OpGroup::Truth:
     case OpGroup::Sensor:
@@ -122,7 +131,7 @@ bool hasCode(const Mission& m, const ConeOfInfluence& relevance) {
 }  // namespace
 
 std::string knownRoughly(const Mission& mission, const ConeOfInfluence& relevance) {
-  std::set<Rough> found;
+  std::set<Approximation> found;
   for (size_t i = 0; i < mission.exprs.size(); ++i) {
     if (relevance.expressions[i]) {
       if (const auto rough = roughnessOf(mission, mission.exprs[i])) {
@@ -131,10 +140,10 @@ std::string knownRoughly(const Mission& mission, const ConeOfInfluence& relevanc
     }
   }
   if (hasCode(mission, relevance)) {
-    found.insert(Rough::Code);
+    found.insert(Approximation::Code);
   }
   std::vector<std::string> names;
-  for (const Rough rough : found) {
+  for (const Approximation rough : found) {
     names.emplace_back(nameOf(rough));
   }
   return fmt::format("{}", fmt::join(names, ", "));

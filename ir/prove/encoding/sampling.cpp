@@ -49,7 +49,7 @@ class Sampling {
         cases_(cases),
         seen_(cases.size()) {}
 
-  std::vector<Seen> run() {
+  std::vector<SamplingResult> run() {
     for (size_t i = 0; i < cases_.size(); ++i) {
       guards_.push_back(guardOf(cases_[i].guard));
       // Leaves that the guard does not read are unknown or, if that is not sufficient, have a
@@ -174,7 +174,7 @@ class Sampling {
   void tryGuard(size_t number) {
     const auto& leaves = guards_[number].leaves;
     std::vector<size_t> chosen(leaves.size(), 0);
-    const Seen& seen = seen_[number];
+    const SamplingResult& seen = seen_[number];
     for (size_t moment = 0; moment < kMostMoments && !(seen.first && seen.idle); ++moment) {
       size_t i = 0;
       values_.clear();
@@ -270,12 +270,13 @@ class Sampling {
   std::vector<Guard> guards_;
   std::map<Leaf, double> values_;  ///< of the current sample
   size_t elsewhere_ = 0;           ///< the general value that the other leaves have in it
-  std::vector<Seen> seen_;
+  std::vector<SamplingResult> seen_;
 };
 
 }  // namespace
 
-std::vector<Seen> tryOut(const ProofContext& proof_context, const std::vector<Case>& cases) {
+std::vector<SamplingResult> tryOut(const ProofContext& proof_context,
+                                   const std::vector<Case>& cases) {
   return Sampling(proof_context, cases).run();
 }
 

@@ -308,7 +308,7 @@ bool holdsOfEqual(Op op) {
 
 }  // namespace
 
-/// If the sides differ by less than their rounding errors, the machine may give either answer. But
+/// If the sides differ by less than their rounding errors, the machine may give either answer. Yet
 /// for two sides a and b whose doubles never decrease with them (NumberTerm::isMonotone):
 ///
 /// 1. a = b in real numbers gives equal doubles.

@@ -30,7 +30,7 @@ bool mayUse(RequirementKind from, RequirementKind to) {
 
 }  // namespace
 
-Evidence Evidences::searched(const Requirement& requirement, Invariants found) {
+Evidence EvidenceBuilder::searched(const Requirement& requirement, Invariants found) {
   for (certify::Invariant& invariant : found) {
     invariant.formula = both(known_.in(invariant.at), invariant.formula);
   }
@@ -43,7 +43,7 @@ Evidence Evidences::searched(const Requirement& requirement, Invariants found) {
 }
 
 /// A configuration that one of them does not list cannot be reached.
-void Evidences::addLearnt(const Requirement& requirement, Invariants& invariants) const {
+void EvidenceBuilder::addLearnt(const Requirement& requirement, Invariants& invariants) const {
   for (const auto& [kind, learnt] : learnt_) {
     if (!mayUse(kind, requirement.kind)) {
       continue;
@@ -59,7 +59,8 @@ void Evidences::addLearnt(const Requirement& requirement, Invariants& invariants
   }
 }
 
-std::optional<Evidences::Invariants> Evidences::everywhere(const Requirement& requirement) const {
+std::optional<EvidenceBuilder::Invariants> EvidenceBuilder::everywhere(
+    const Requirement& requirement) const {
   const auto all = configurations(proof_context_.mission, {}, kMostConfigurations);
   if (!all) {
     return std::nullopt;
@@ -75,7 +76,8 @@ std::optional<Evidences::Invariants> Evidences::everywhere(const Requirement& re
 }
 
 /// Where `after` may have been entered on the way, the invariant says nothing of it.
-std::optional<Evidences::Invariants> Evidences::neverAfter(const Requirement& requirement) const {
+std::optional<EvidenceBuilder::Invariants> EvidenceBuilder::neverAfter(
+    const Requirement& requirement) const {
   const auto all = configurations(proof_context_.mission, requirement.after, kMostConfigurations);
   if (!all) {
     return std::nullopt;
@@ -92,8 +94,8 @@ std::optional<Evidences::Invariants> Evidences::neverAfter(const Requirement& re
   return invariants;
 }
 
-std::optional<Evidence> Evidences::seen(const Requirement& requirement, bool run,
-                                        bool learnt) const {
+std::optional<Evidence> EvidenceBuilder::seen(const Requirement& requirement, bool run,
+                                              bool learnt) const {
   if (!requirement.geofences.empty()) {
     return Evidence{Method::Geometry, {}};
   }

@@ -13,10 +13,10 @@
 namespace glider::ir::prove {
 
 /// Collects what proofs rest on.
-class Evidences {
+class EvidenceBuilder {
  public:
   /// `proof_context` outlives this. `end`: its bound.
-  Evidences(const ProofContext& proof_context, const EndBound& end)
+  EvidenceBuilder(const ProofContext& proof_context, const EndBound& end)
       : proof_context_(proof_context), known_(proof_context, end) {}
 
   /// Of a proof by Spacer: `found` holds beside what is known without a search. From now on other

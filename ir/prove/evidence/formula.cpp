@@ -60,7 +60,7 @@ void FormulaParts::isKnown(const Variable& variable) {
                        : name(" known"));
 }
 
-void FormulaParts::holding(const Variable& variable, const Holding& values) {
+void FormulaParts::holding(const Variable& variable, const PossibleValues& values) {
   if (!values.truths.is_unknown) {
     isKnown(variable);
   }

@@ -30,7 +30,7 @@ class FormulaParts {
   /// A variable that is never unknown.
   void isKnown(const Variable& variable);
   /// The values that a variable may have.
-  void holding(const Variable& variable, const Holding& values);
+  void holding(const Variable& variable, const PossibleValues& values);
   void add(std::string part);
   [[nodiscard]] std::string all() const;
 

@@ -44,10 +44,10 @@ Run rounded(Run run, const Mission& mission) {
   return run;
 }
 
-class Speller {
+class Concretizer {
  public:
-  Speller(const Run& run, const ProofContext& proof_context, uint32_t stack_depth,
-          const Requirement& requirement)
+  Concretizer(const Run& run, const ProofContext& proof_context, uint32_t stack_depth,
+              const Requirement& requirement)
       : run_(rounded(run, proof_context.mission)),
         proof_context_(proof_context),
         recorder_(proof_context, stack_depth, {&requirement, 1}),
@@ -200,7 +200,7 @@ class Speller {
 
 std::optional<Counterexample> concretize(const Run& run, const ProofContext& proof_context,
                                          uint32_t stack_depth, const Requirement& requirement) {
-  return Speller(run, proof_context, stack_depth, requirement).spell();
+  return Concretizer(run, proof_context, stack_depth, requirement).spell();
 }
 
 }  // namespace glider::ir::prove

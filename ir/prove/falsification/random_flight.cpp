@@ -29,7 +29,7 @@ constexpr double kLostTick = 0.01;
 constexpr double kPowerCut = 0.005;
 
 /// The value that a sensor reports for a while.
-struct Showing {
+struct HeldReading {
   double value = kUnknown;
   bool steady = true;  ///< otherwise another value in every tick
   double until = 0;    ///< mission time
@@ -185,7 +185,7 @@ class RandomFlight {
   std::vector<double> readings(double time) {
     std::vector<double> values;
     for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
-      Showing& now = showing_[i];
+      HeldReading& now = showing_[i];
       if (time >= now.until) {
         now = {anyValue(i), calm_ || dice_.chance(0.7),
                calm_ ? std::numeric_limits<double>::infinity() : time + dice_.lasting()};
@@ -244,7 +244,7 @@ class RandomFlight {
   std::optional<RandomPlace> place_;  ///< the vehicle's place, if the requirement asks for it
   double dark_left_s_ = std::numeric_limits<double>::infinity();  ///< of power cuts
   bool calm_ = dice_.chance(0.3);  ///< every sensor shows the same all the time
-  std::vector<Showing> showing_;
+  std::vector<HeldReading> showing_;
   std::vector<std::vector<double>> landmarks_;  ///< by sensor
 };
 

@@ -27,11 +27,11 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// On a sphere of radius 1: chords are in the same order as distances.
 using SpherePoint = geometry::model::point<double, 3, geometry::cs::cartesian>;
 
-struct Given {
+struct RepeatedPlace {
   Position place;
   size_t times = 0;
 };
-using Entry = std::pair<SpherePoint, Given>;
+using Entry = std::pair<SpherePoint, RepeatedPlace>;
 
 SpherePoint onSphere(const Position& place) {
   const double north = place.latitude * std::numbers::pi / 180;

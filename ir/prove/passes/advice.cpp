@@ -1,6 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// Notes that say what to change where a requirement is not proved. In: the diagnostic that is being
+// reported, and the mission or the counterexample; out: notes on that diagnostic. A note about an
+// `exit` is added only if the end bound of the mission, with that case moved to the top, is proved;
+// so following it helps. Used by `requirements` (GL3111) and violation_report.cpp (GL3110).
+
 #include "ir/prove/passes/advice.h"
 
 #include "ir/core/ops.h"

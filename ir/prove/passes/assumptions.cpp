@@ -1,6 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The passes `assumptions` (GL3121) and `contradictions` (GL3123): conditions that no readings
+// satisfy together. In: the assumptions or the requirements about a single moment. Out: an error,
+// and no verdict rests on such assumptions (requirements.cpp). Each question is about any moment
+// (AnyMoment), which may be more than flights reach: what it finds is certain, and some
+// contradictions are missed. Conditions with a monitor are left out, because readings that never
+// change satisfy each of them. They come first, because everything could be proved from assumptions
+// that contradict each other.
+
 #include "ir/core/under_assumptions.h"
 #include "ir/core/walk.h"
 #include "ir/prove/encoding/any_moment.h"
@@ -45,7 +53,7 @@ bool rangesOverlap(const Proof& proof, const Mission& mission) {
 }
 
 /// A condition, and where it is written.
-struct Said {
+struct StatedCondition {
   ExprId condition;
   support::SourceRange range;
 };
@@ -53,13 +61,13 @@ struct Said {
 /// Adds expressions about several conditions to a mission.
 class Conjunction {
  public:
-  Conjunction(Mission& mission, const std::vector<Said>& all) : m_(mission), all_(all) {}
+  Conjunction(Mission& mission, const std::vector<StatedCondition>& all) : m_(mission), all_(all) {}
 
   /// That not all are true. Where the mission assumes or requires that something is known, or is
   /// not: that one is false, as without a reading few conditions are.
   ExprId contradiction() {
     ExprId together = all_.front().condition;
-    for (const Said& one : all_) {
+    for (const StatedCondition& one : all_) {
       together = push(Op::And, {together, one.condition});
     }
     const ExprId broken = push(Op::Not, {together});
@@ -70,7 +78,7 @@ class Conjunction {
     const auto asks = [&](ExprId id) {
       return anyIn(m_, id, [](const Expr& e) { return e.op == Op::Known; });
     };
-    return std::ranges::any_of(all_, asks, &Said::condition) ||
+    return std::ranges::any_of(all_, asks, &StatedCondition::condition) ||
            std::ranges::any_of(m_.assumptions, [&](const Assumption& assumption) {
              return assumption.watch.condition.valid() && asks(assumption.watch.condition);
            });
@@ -95,21 +103,21 @@ class Conjunction {
   }
 
   Mission& m_;
-  const std::vector<Said>& all_;
+  const std::vector<StatedCondition>& all_;
 };
 
 /// When conditions must be true together.
-struct When {
+struct ComparedMoment {
   StateBounds bounds;
   std::string words;  ///< before "no readings"
 };
 
-When atAnyTime() {
+ComparedMoment atAnyTime() {
   return {{0, kGreatestNumber, kGreatestNumber, kGreatestNumber, kGreatestNumber}, ""};
 }
 
 /// Every flight has this moment.
-When atTheStart(const platforms::Platform& platform) {
+ComparedMoment atTheStart(const platforms::Platform& platform) {
   const double deepest = platform.world.start_depth_m;
   return {
       {0, 0, 0, 0, deepest},
@@ -118,8 +126,8 @@ When atTheStart(const platforms::Platform& platform) {
 
 /// Reports if no readings satisfy all conditions then; false if so. `mission` may have fewer
 /// readings than the one that is checked.
-bool compare(Proof& proof, Mission mission, const std::vector<Said>& all, const When& when,
-             DiagnosticId id) {
+bool compare(Proof& proof, Mission mission, const std::vector<StatedCondition>& all,
+             const ComparedMoment& when, DiagnosticId id) {
   if (all.empty()) {
     return true;
   }
@@ -176,7 +184,7 @@ bool isMomentary(const Requirement& requirement) {
 void passes::assumptions(Proof& proof) {
   const Mission& written = proof.proof_context.mission;
   const Mission mission = underAssumptions(written);
-  std::vector<Said> assumed;
+  std::vector<StatedCondition> assumed;
   for (const Assumption& a : written.assumptions) {
     checkStart(proof, a);
     if (isMomentary(a.watch)) {
@@ -187,7 +195,7 @@ void passes::assumptions(Proof& proof) {
     return;
   }
   const auto platform = underAssumptions(proof.proof_context.platform, written);
-  for (const When& when : {atAnyTime(), atTheStart(platform)}) {
+  for (const ComparedMoment& when : {atAnyTime(), atTheStart(platform)}) {
     if (!compare(proof, mission, assumed, when, DiagnosticId::assumptionsContradict)) {
       return;
     }
@@ -195,7 +203,7 @@ void passes::assumptions(Proof& proof) {
 }
 
 void passes::contradictions(Proof& proof) {
-  std::vector<Said> required;
+  std::vector<StatedCondition> required;
   for (const Requirement& r : proof.proof_context.mission.requirements) {
     if (isMomentary(r)) {
       required.push_back({r.condition, r.range});

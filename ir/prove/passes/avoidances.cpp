@@ -1,6 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `avoidances`: cases that fire near the bottom and then command a dive (GL3117), usually
+// an avoidance with the wrong state or depth. In: the cases that may fire (not Proof::dead) and the
+// values that variables are ever set to. A hint: a case counts as "near the bottom" if it may be
+// true at the lowest reading of `altitude` or `waterdepth` and not at the highest. No sensor of
+// either kind, or a command without a range before it: nothing is reported.
+
 #include "ir/core/walk.h"
 #include "ir/prove/abstract/abstract_evaluator.h"
 #include "ir/prove/abstract/bounds_by_state.h"
@@ -98,7 +104,7 @@ class AvoidanceCheck {
 
   [[nodiscard]] bool mayBeTrue(ExprId guard, SensorId sensor, double reading) const {
     constexpr Interval kEver{0, kGreatestNumber, false};
-    const Sight sight{sensor, {reading, reading, false}};
+    const AssumedReading sight{sensor, {reading, reading, false}};
     return AbstractEvaluator(proof_context_, values_, {kEver, kEver, kEver}, sight)
         .truth(guard)
         .is_true;

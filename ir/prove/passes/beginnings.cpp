@@ -1,6 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `beginnings`: profiles and routes that may command nothing when they begin (GL3107).
+// Until the next command the vehicle then does what the state before had commanded, or nothing. In:
+// what is never unknown (ProofContext::known, then the same for the values that variables are ever
+// set to). No report is a proof that pitch, pump and heading are commanded after each tick (S2,
+// S4), with one exception: the number of a place on a path is taken to be one of its rows if it may
+// be. Not checked: code in C.
+
 #include "ir/prove/abstract/held_ranges.h"
 #include "ir/prove/context/commands.h"
 #include "ir/prove/context/never_unknown.h"

@@ -1,6 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `chattering`: pairs of states between which a mission can alternate on every tick while
+// the readings do not change, or change by no more than their noise. Out: lines of the report only
+// (`check --report`), never a diagnostic, because it may be intended. Each pair is three symbolic
+// ticks and one question to Z3 for each way through them, so large missions are left out
+// (kMostChatteringStates). A line may be wrong: the first tick is at any moment, also at one that
+// no flight reaches.
+
 #include "ir/prove/encoding/cone_of_influence.h"
 #include "ir/prove/encoding/kept_assumptions.h"
 #include "ir/prove/encoding/layout.h"

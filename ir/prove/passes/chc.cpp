@@ -1,6 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// Not a pass: the prover's questions as text, for other solvers (`glidercc build --emit chc`). In:
+// a mission with its assumptions; out: one script of SMT-LIB 2 for each requirement, in the logic
+// HORN. They are the clauses that `requirements` asks Spacer about, without the bounds that the
+// other methods add first. A requirement that is not about traces (a call depth, a geofence)
+// becomes a comment.
+
 #include "ir/prove/chc.h"
 
 #include "ir/core/under_assumptions.h"

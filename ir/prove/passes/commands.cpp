@@ -1,6 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `commands`: depths and pitches beyond the vehicle's envelope, or above the surface
+// (GL3104), pitches that the vehicle refuses (GL3108), and profiles that never turn (GL3105). In:
+// the interval of each argument, and the guards before it, which are computed only if the plain
+// interval is too wide. No report is a proof for commands with known ranges. An error may name a
+// value that no flight commands: the pilot then narrows a range or adds a condition. Not checked:
+// code in C, numbers without a range.
+
 #include "ir/prove/context/commands.h"
 
 #include "ir/core/walk.h"

@@ -1,6 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `comparisons`: comparisons of a reading or a clock with a fixed value that have the same
+// result for every reading (GL3113), usually because of a unit or a digit. In: the ranges of
+// sensors, clocks and parameters. Out: warnings, except within what `guards` has already reported
+// (Proof::said). Certain, as the ranges hold every known reading. Comparisons of computed values
+// and of variables are left out, because their ranges are too wide or the pilot may mean it.
+
 #include "ir/core/ops.h"
 #include "ir/core/walk.h"
 #include "ir/prove/abstract/abstract_evaluator.h"

@@ -1,6 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `decidedAssumptions`: assumptions about what the mission itself decides, such as its
+// duration or depth (GL3136). From them everything could be proved that they are about. In: each
+// assumption with a range or a condition. Out: an error, and its number in
+// Proof::decided_assumptions; `requirements` then proves without any assumption. The readings of
+// the sea are set so that they make the condition true if they can (Projection); if something that
+// the mission may do makes it false nevertheless, it is refused. The rules for pilots are in
+// docs/verification.md, "What may be assumed".
+
 #include "ir/core/ops.h"
 #include "ir/core/walk.h"
 #include "ir/prove/abstract/state_depths.h"
@@ -69,7 +77,7 @@ class Projection {
     return push(both ? Op::And : Op::Or, {a, b});
   }
 
-  /// Whether a sensor works is the vehicle's, whatever it measures.
+  /// Whether a sensor works depends on the vehicle, for any quantity that it measures.
   [[nodiscard]] bool readsSeaOnly(ExprId condition) const {
     bool reads = false, decided = false;
     forEachIn(m_, condition, [&](const Expr& e) {

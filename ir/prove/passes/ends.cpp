@@ -1,6 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `ends`: by when the mission has ended. In: the end bound (abstract/end_bound.h), with
+// and without power cuts. Out: a warning for a mission that always ends within a minute (GL3109),
+// otherwise lines of the report. A bound is certain. That none is found says nothing about flights,
+// so the line says what was not found, and why.
+
 #include "ir/prove/abstract/end_bound.h"
 #include "ir/prove/abstract/end_depends_on.h"
 #include "ir/prove/context/duration_text.h"

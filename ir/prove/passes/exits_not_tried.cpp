@@ -1,6 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `exitsNotTried`: a case with `stay` that can keep the cases below it, and so the end of
+// the mission, from being tried (GL3140). In: the verdicts (not needed if `exit within` is proved),
+// the end bound, and the cases that may fire. Each suspect costs one or two more end bounds, so at
+// most kMostSuspects are checked. A hint: that there is no bound with the case does not prove that
+// a flight never ends.
+
 #include "ir/core/ops.h"
 #include "ir/core/walk.h"
 #include "ir/prove/abstract/end_bound.h"
@@ -70,7 +76,7 @@ bool endsWithout(const Proof& proof, const std::vector<Suspect>& suspects, const
   return boundOf(context.withoutPowerCuts(), kLongestMission, Goal::Exit).by.has_value();
 }
 
-/// Whether `exit within` is proved, if under assumptions: its line says so.
+/// Whether `exit within` is proved, perhaps under assumptions: its line names them.
 bool isProvedToEnd(const Proof& proof) {
   return std::ranges::any_of(proof.findings.requirements, [&](const RequirementVerdict& verdict) {
     const Requirement& required = proof.proof_context.mission.requirements[verdict.requirement];

@@ -1,6 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `guards`: cases that never fire (GL3101), that always fire (GL3102), or that earlier
+// cases always hide (GL3103). In: every list of cases; out: warnings, Proof::dead and
+// Proof::hidden, on which later passes and the marks of `glidercc graph` rest. Certain for one tick
+// with any readings and any values of variables; what one tick implies for the next is ignored, so
+// errors may be missed. Sampling answers most questions, Z3 the others. Without budget a case
+// counts as one that may fire.
+
 #include "ir/prove/encoding/question.h"
 #include "ir/prove/encoding/reasons.h"
 #include "ir/prove/encoding/sampling.h"
@@ -69,7 +76,7 @@ class GuardCheck {
 
   std::vector<GuardVerdict> judge(const std::vector<Case>& cases) {
     std::vector<GuardVerdict> verdicts(cases.size());
-    const std::vector<Seen> seen = tryOut(proof_.proof_context, cases);
+    const std::vector<SamplingResult> seen = tryOut(proof_.proof_context, cases);
     for (uint32_t i = 0; i < cases.size(); ++i) {
       if (seen[i].first && seen[i].idle) {
         continue;
@@ -85,7 +92,7 @@ class GuardCheck {
 
   /// Asks the solver what was not seen.
   GuardVerdict judge(const std::vector<Case>& cases, uint32_t number,
-                     const std::vector<GuardVerdict>& earlier, const Seen& seen) {
+                     const std::vector<GuardVerdict>& earlier, const SamplingResult& seen) {
     GuardVerdict verdict;
     Unknowns unknowns(proof_.context);
     SymbolicState moment(unknowns, proof_.proof_context);

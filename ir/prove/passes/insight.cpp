@@ -1,6 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// What is known of a mission without a search over traces: bounds on time, depth and surfacing,
+// from the clocks and the commands alone. In: a ProofContext, with power cuts or without, and its
+// end bound; out: whether a requirement is proved, and what proved requirements add to it. The
+// order matters only for how much is proved, never for whether it is right. Used by `requirements`,
+// for each requirement before Spacer is asked, and again after others have been proved.
+
 #include "ir/prove/passes/insight.h"
 
 #include "ir/prove/abstract/bounds_by_state.h"

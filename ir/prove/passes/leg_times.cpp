@@ -1,6 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `legTimes`: waypoints that their state has no time to reach from the nearest other
+// waypoint. In: the end bound and the fixed positions that are commanded. Out: lines of the report.
+// A hint: a waypoint may be meant as a direction, and the vehicle may come from elsewhere or be
+// carried by a current.
+
 #include "ir/prove/context/commands.h"
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/geometry/nearest.h"

@@ -1,6 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `livelocks`: states between which the clocks alone send a mission, tick after tick
+// (GL3114). In: the times that conditions name, the cases that may fire, the earliest entry and the
+// latest stay of each state. The mission is run on its clocks only; a guard counts only if it is
+// true, or false, for any values of everything else. So a loop is real if the state is current at
+// that time with an empty stack, which is not always so. No solver. Loops of more than four states
+// are not found.
+
 #include "ir/core/ops.h"
 #include "ir/core/walk.h"
 #include "ir/eval/arithmetic.h"
@@ -32,7 +39,7 @@ constexpr size_t kTicks = 9;
 constexpr size_t kMostTimes = 64;
 
 /// Where a mission is, with its clocks, s; NaN: a clock may be anything.
-struct Moving {
+struct ClockedControl {
   Control control;
   double now = 0;
   std::vector<double> entered;  ///< of the waiting states, outermost first, then of the current
@@ -117,7 +124,7 @@ class LivelockCheck {
   }
 
   /// The states of the round that begins here and repeats, in their order; empty: none.
-  std::vector<StateId> roundFrom(Moving at) {
+  std::vector<StateId> roundFrom(ClockedControl at) {
     std::vector<Control> met{at.control};
     while (met.size() < kTicks && step(at)) {
       met.push_back(at.control);
@@ -144,7 +151,7 @@ class LivelockCheck {
   }
 
   /// Makes a tick; false unless it certainly makes a transition.
-  bool step(Moving& at) {
+  bool step(ClockedControl& at) {
     const bool own_first = at.control.just_returned;
     const auto& own = m_[at.control.state].cases;
     for (const bool always : {!own_first, own_first}) {
@@ -165,7 +172,7 @@ class LivelockCheck {
     std::optional<uint32_t> number;  ///< none: no case fires
   };
 
-  Fired firstOf(const std::vector<Case>& cases, bool always, const Moving& at) {
+  Fired firstOf(const std::vector<Case>& cases, bool always, const ClockedControl& at) {
     for (uint32_t i = 0; i < cases.size(); ++i) {
       if (always && !at.control.mayInterrupt(m_, i)) {
         continue;
@@ -178,7 +185,7 @@ class LivelockCheck {
     return {true, std::nullopt};
   }
 
-  bool move(Moving& at, bool always, uint32_t number, const Case& c) {
+  bool move(ClockedControl& at, bool always, uint32_t number, const Case& c) {
     if (c.transition == Transition::Exit ||
         (c.transition == Transition::Return && at.control.stack.empty())) {
       return false;
@@ -199,7 +206,7 @@ class LivelockCheck {
 
   /// The truth according to the clocks alone, for any other values; Unknown: either is possible.
   /// `known` would treat a missing value as false.
-  Truth judge(ExprId guard, const Moving& at) const {
+  Truth judge(ExprId guard, const ClockedControl& at) const {
     if (anyIn(m_, guard, [](const Expr& e) { return e.op == Op::Known; })) {
       return Truth::Unknown;
     }
@@ -210,7 +217,7 @@ class LivelockCheck {
         }));
   }
 
-  static double clock(ClockOp op, const Moving& at) {
+  static double clock(ClockOp op, const ClockedControl& at) {
     switch (op) {
       case ClockOp::MissionTime:
         return at.now;

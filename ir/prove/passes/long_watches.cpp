@@ -1,6 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `longWatches`: `held` and windows that need longer than their state can last, so that
+// they are never true, or never known (GL3116). In: the longest stay in each state (stayOf), and
+// for windows of states that wait for a return the end bound. Certain, by the rules in the comment
+// of WatchCheck. A stay without a bound gives no report. What is reported already (Proof::said) is
+// left out.
+
 #include "ir/core/ops.h"
 #include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/abstract/leaving.h"

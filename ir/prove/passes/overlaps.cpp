@@ -1,6 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `overlaps`: two cases of a state with different targets that can be true on the same
+// tick, so that their order decides. Out: lines of the report, with readings that make both true.
+// One question to Z3 for each pair, in lists of at most kMostCases. A line may be wrong where the
+// question allows more than a flight does, as with windows and functions in C.
+
 #include "ir/prove/encoding/kept_assumptions.h"
 #include "ir/prove/encoding/question.h"
 #include "ir/prove/encoding/symbolic_state.h"

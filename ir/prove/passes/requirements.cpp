@@ -1,6 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `requirements`: a verdict on each `require`: proved, refuted (GL3110) or undecided
+// (GL3111). In: what all passes before have left, and the budget Proof::searches, which no other
+// pass takes from. Out: Findings::requirements, with the trace, the premise, the assumptions and
+// the evidence of each.
+//
+// Order: what needs no search (Insight, structure, geometry), then Spacer over all traces, then
+// random flights; what is proved helps the rest. Proofs are for an SBC whose power may be cut; a
+// counterexample without power cuts is preferred. What can go wrong is only that no verdict is
+// found: a trace of Spacer is replayed (concretize) before it refutes anything. A mission with
+// assumptions is checked with and without them, so that a proof names only those that it needs
+// (CheckUnderAssumptions). README.md has the arguments.
+
 #include "ir/core/under_assumptions.h"
 #include "ir/prove/abstract/depth_bound.h"
 #include "ir/prove/abstract/entered_after.h"
@@ -42,7 +54,7 @@ constexpr double kLongFlight = 4 * 3600;
 /// What naming only the needed assumptions may take, beside what the proofs take.
 constexpr double kShareOfPremises = 0.25;
 
-class UnderSome;
+class CheckUnderAssumptions;
 
 class RequirementCheck {
  public:
@@ -91,16 +103,16 @@ class RequirementCheck {
   }
 
   /// A proof under fewer assumptions.
-  struct Again {
+  struct RepeatedProof {
     bool proved = false;
     std::optional<Evidence> evidence;
   };
 
   /// Whether what was proved under more assumptions, `was`, is proved under these too; `effort`:
   /// the limit of a search. Nothing is reported.
-  Again provesAgain(const RequirementVerdict& was, unsigned effort) {
+  RepeatedProof provesAgain(const RequirementVerdict& was, unsigned effort) {
     const unsigned usual = std::exchange(search_effort_, effort);
-    Again again = provedAgain(was);
+    RepeatedProof again = provedAgain(was);
     search_effort_ = usual;
     return again;
   }
@@ -115,9 +127,9 @@ class RequirementCheck {
     std::optional<Counterexample> run;
   };
 
-  /// The requirements that a search has to decide. Of several `surfaces every`, what is proved of
-  /// one holds for every longer time, and what violates it violates every shorter: so the middle
-  /// one comes first, and few of them take a search.
+  /// The requirements that a search has to decide. Of several `surfaces every`, what is proved
+  /// about one holds for every longer time, and what violates it violates every shorter: so the
+  /// middle one comes first, and few of them take a search.
   [[nodiscard]] std::vector<uint32_t> waitingInOrder() const {
     std::vector<uint32_t> order;
     std::vector<uint32_t> surfacing;
@@ -159,7 +171,7 @@ class RequirementCheck {
                : std::nullopt;
   }
 
-  Again provedAgain(const RequirementVerdict& was) {
+  RepeatedProof provedAgain(const RequirementVerdict& was) {
     const Requirement& requirement = m_.requirements[was.requirement];
     if (!requirement.geofences.empty()) {
       const RequirementVerdict found = provedAreas(areasOf(requirement));
@@ -194,7 +206,7 @@ class RequirementCheck {
     }
   }
 
-  /// Without a search, and without a word where it is violated.
+  /// Without a search, and without a report where it is violated.
   [[nodiscard]] bool provesAtOnce(uint32_t number) {
     const Requirement& requirement = m_.requirements[number];
     return requirement.kind == RequirementKind::StackAtMost
@@ -221,7 +233,7 @@ class RequirementCheck {
   }
 
   /// The assumptions that a proof rests on: of those that it may rest on, the ones without which
-  /// none was found. A flight that reaches a state does so whatever is assumed (but see prove()).
+  /// none was found. A flight that reaches a state does so under any assumptions (but see prove()).
   void addPremises(RequirementVerdict& verdict) {
     const uint32_t number = verdict.requirement;
     if (bare_ == nullptr || bare_proved_[number] || verdict.verdict != Verdict::Proved ||
@@ -260,7 +272,7 @@ class RequirementCheck {
     return true;
   }
 
-  [[nodiscard]] Evidences& evidences() {
+  [[nodiscard]] EvidenceBuilder& evidences() {
     if (!evidences_) {
       evidences_.emplace(proof_.proof_context, proof_.ending.bound());
     }
@@ -540,7 +552,7 @@ class RequirementCheck {
       return {Answer::Unknown, std::nullopt, limitReached(), 0};
     }
     z3::config config;
-    config.set("rlimit", static_cast<int>(effort));  // Spacer's only limit, but for the time
+    config.set("rlimit", static_cast<int>(effort));  // Spacer's only limit, except for the time
     if (const auto limit = proof_.searches.milliseconds()) {
       config.set("timeout", static_cast<int>(*limit));
     }
@@ -627,22 +639,22 @@ class RequirementCheck {
   const Mission& m_;
   unsigned search_effort_;  ///< the limit of a search
   Budget premises_;         ///< of addPremises
-  std::map<std::vector<uint32_t>, std::shared_ptr<UnderSome>> under_some_;
+  std::map<std::vector<uint32_t>, std::shared_ptr<CheckUnderAssumptions>> under_some_;
   std::optional<Run> submerged_;    ///< see alsoSubmerged
   std::optional<Insight> insight_;  ///< with power cuts; none: not asked for yet
   std::optional<Insight> powered_;
-  double deepest_;                      ///< of the mission, m
-  std::optional<Evidences> evidences_;  ///< with Options::evidence
-  std::vector<bool> waiting_;           ///< by requirement: a search has to decide it
-  std::vector<bool> bare_proved_;       ///< by requirement: without the assumptions
-  bool fresh_ = false;                  ///< something was proved since the first look
+  double deepest_;                            ///< of the mission, m
+  std::optional<EvidenceBuilder> evidences_;  ///< with Options::evidence
+  std::vector<bool> waiting_;                 ///< by requirement: a search has to decide it
+  std::vector<bool> bare_proved_;             ///< by requirement: without the assumptions
+  bool fresh_ = false;                        ///< something was proved since the first look
 };
 
 /// The mission under some of its assumptions.
-class UnderSome {
+class CheckUnderAssumptions {
  public:
   /// `plain`: without any.
-  UnderSome(RequirementCheck& plain, const std::vector<uint32_t>& kept)
+  CheckUnderAssumptions(RequirementCheck& plain, const std::vector<uint32_t>& kept)
       : written_(keeping(plain.proof().proof_context.mission, kept)),
         mission_(underAssumptions(written_)),
         platform_(underAssumptions(plain.proof().proof_context.platform, written_)),
@@ -676,9 +688,9 @@ RequirementCheck& RequirementCheck::under(const std::vector<uint32_t>& some) {
     return *this;
   }
   // Not bare_ for none of them: its mission still has what is assumed of the start, for areas.
-  std::shared_ptr<UnderSome>& found = under_some_[some];
+  std::shared_ptr<CheckUnderAssumptions>& found = under_some_[some];
   if (!found) {
-    found = std::make_shared<UnderSome>(*bare_, some);
+    found = std::make_shared<CheckUnderAssumptions>(*bare_, some);
   }
   return found->check();
 }
@@ -695,7 +707,7 @@ bool RequirementCheck::isProvedUnder(const std::vector<uint32_t>& fewer,
       std::min<uint64_t>(proof_.options.run_effort, 2 * verdict.steps + kAtLeast);
   RequirementCheck& check = under(fewer);
   const Budget before = std::exchange(check.proof_.searches, premises_);
-  Again again = check.provesAgain(verdict, static_cast<unsigned>(effort));
+  RepeatedProof again = check.provesAgain(verdict, static_cast<unsigned>(effort));
   premises_ = std::exchange(check.proof_.searches, before);
   const bool of_areas = !m_.requirements[verdict.requirement].geofences.empty();
   if (!again.proved || (proof_.options.evidence && !again.evidence && !of_areas)) {

@@ -1,6 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `silentSensors`: missions that no clock can end, so that they fly on until the vehicle
+// aborts if their sensors report nothing (GL3118). In: the mission with sensors that never have a
+// known reading. Out: a warning with the sensors on which the end depends. Certain that no `exit`
+// fires without readings. Nothing is reported if the mission may command the surface, where a pilot
+// can end it, or if `ir/verify` reports that it has no exit at all.
+
 #include "ir/core/ops.h"
 #include "ir/prove/abstract/abstract_evaluator.h"
 #include "ir/prove/abstract/bounds_by_state.h"

@@ -1,6 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `stateDepths`: conditions on `depth` that do not fit the depths that a state commands:
+// never true (GL3115), or true only above all of them (GL3120). In: the deepest and the shallowest
+// commands of each state; out: warnings, and Proof::said. GL3115 is certain in the environment
+// model (V2 to V4, V7); GL3120 is a hint, because a vehicle that comes from above passes that
+// depth. Cases of `always` are not checked: they often guard against failures.
+
 #include "ir/prove/abstract/state_depths.h"
 
 #include "ir/core/ops.h"
@@ -71,7 +77,7 @@ class DepthCheck {
   /// Whether a condition may be true if all readings of the depth so far lie in `depths`.
   [[nodiscard]] bool mayBeTrue(ExprId condition, const Interval& depths) const {
     constexpr Interval kEver{0, kGreatestNumber, false};
-    const Sight sight{*proof_context_.depth, depths, true};
+    const AssumedReading sight{*proof_context_.depth, depths, true};
     return AbstractEvaluator(proof_context_, values_, {kEver, kEver, kEver}, sight)
         .truth(condition)
         .is_true;

@@ -1,6 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `structure`: what the structure lacks once the cases are gone that `guards` has proved
+// never to fire (GL3001 to GL3004). In: Proof::dead; out: warnings of ir/verify that were not
+// reported before. As exact as those checks (ir/README.md, "The checks").
+
 #include "ir/verify/structure.h"
 
 #include "ir/prove/passes.h"

@@ -1,6 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `stuckProfiles`: profiles meant to climb and dive that come to command one direction for
+// good (GL3112). In: the profiles of the mission, not of the library; out: a warning at the case
+// that leads there. Every combination of a profile's own truth values and its latest command is
+// visited, comparisons having either result. A hint in one respect: whether some flight reaches the
+// combination is not known. More than kMostTruths truth values: not checked.
+
 #include "ir/core/ops.h"
 #include "ir/core/walk.h"
 #include "ir/prove/context/commands.h"

@@ -1,6 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `vacuous`: requirements that are proved only because what they depend on is never true
+// (GL3122): `whenever A then B` without any A. In: the verdicts, so it comes last; out: warnings.
+// The conditions of a requirement and of its monitor are asked of any moment (AnyMoment), then the
+// truth values of the monitor follow by a fixpoint. Certain; some are missed, because a moment is
+// not a trace.
+
 #include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/encoding/any_moment.h"
 #include "ir/prove/passes.h"
@@ -19,10 +25,10 @@ namespace {
 using support::DiagnosticId;
 
 /// What can be true at some moment of a flight; other expressions are certainly never true.
-class Possible {
+class PossibleTruths {
  public:
   /// Adds the negations that are asked about to `mission`.
-  explicit Possible(Mission& mission) : m_(mission) {}
+  explicit PossibleTruths(Mission& mission) : m_(mission) {}
 
   /// To be called for every condition before ask().
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
@@ -101,14 +107,14 @@ class Vacuity {
     gather(requirement.monitor.step, {});
   }
 
-  void prepare(Possible& possible) const {
+  void prepare(PossibleTruths& possible) const {
     for (const Setting& setting : settings_) {
       std::ranges::for_each(setting.conditions, [&](ExprId id) { possible.prepare(id); });
     }
   }
 
   /// What is never true although the requirement depends on it; none if it may be put to the test.
-  [[nodiscard]] std::optional<ExprId> why(const Possible& possible) const {
+  [[nodiscard]] std::optional<ExprId> why(const PossibleTruths& possible) const {
     std::optional<ExprId> never;
     const std::set<uint32_t> flags = possibleFlags(possible, never);
     const auto dead = [&](const Expr& e) {
@@ -159,7 +165,8 @@ class Vacuity {
 
   /// The truth values that can be true: from those that are at first or are observed, until no
   /// setting adds one.
-  std::set<uint32_t> possibleFlags(const Possible& possible, std::optional<ExprId>& never) const {
+  std::set<uint32_t> possibleFlags(const PossibleTruths& possible,
+                                   std::optional<ExprId>& never) const {
     std::set<uint32_t> flags;
     for (const Observation& observation : requirement_.monitor.observations) {
       flags.insert(observation.variable.index);
@@ -189,7 +196,7 @@ class Vacuity {
 };
 
 /// The first place of `whenever A then B`, if one condition expresses it: `never (A and not B)`,
-/// which nobody has written.
+/// which is not in the mission's text.
 std::optional<ExprId> causeOf(const Mission& m, const Requirement& requirement) {
   const Expr& e = m[requirement.condition];
   if (e.op != Op::Not || m[e.operands[0]].op != Op::And || e.range != requirement.range ||
@@ -204,7 +211,7 @@ std::optional<ExprId> causeOf(const Mission& m, const Requirement& requirement) 
 void passes::vacuous(Proof& proof) {
   const Mission& written = proof.proof_context.mission;
   Mission mission = written;
-  Possible possible(mission);
+  PossibleTruths possible(mission);
   std::vector<std::pair<const Requirement*, Vacuity>> asked;
   for (const RequirementVerdict& verdict : proof.findings.requirements) {
     const Requirement& requirement = written.requirements[verdict.requirement];

@@ -1,6 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// How a refuted requirement is reported (GL3110). In: the requirement and its counterexample; out:
+// an error with the moment of the violation, the transitions on the way there, each power cut, and
+// for `surfaces every` what would help (advice.cpp). It decides nothing: the trace has been
+// replayed before.
+
 #include "ir/prove/passes/violation_report.h"
 
 #include "ir/prove/context/duration_text.h"

@@ -1,6 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+// The pass `waypoints`: positions more than 3000 km from all others (GL3106), and positions that
+// fit if latitude and longitude are exchanged (GL3119), with a suggested fix. In: all fixed
+// positions of the mission, and where the bundled scenarios start (Options::known_starts). Hints:
+// the limits are those of what gliders fly. PlaceIndex keeps it fast for 10,000 waypoints.
+
 #include "ir/eval/arithmetic.h"
 #include "ir/prove/context/commands.h"
 #include "ir/prove/geometry/nearest.h"

@@ -8,6 +8,7 @@
 
 namespace glider::simulator {
 
+/// The altimeter in a scenario, with the values of one that the scenario does not mention.
 struct AltimeterSettings {
   double noise_m = 0.1;
   double range_m = 100;

@@ -12,6 +12,7 @@
 
 namespace glider::simulator {
 
+/// What a behaviour commands to the slot of the heading.
 struct HeadingCommand {
   /// Ignore: the slot is busy, and the fin stays where it is.
   enum class Mode : uint8_t { Waypoint, Heading, Fin, Ignore } mode = Mode::Fin;
@@ -19,6 +20,7 @@ struct HeadingCommand {
   double latitude_ddmm = 0, longitude_ddmm = 0;
 };
 
+/// What a behaviour commands to the slot of the pitch.
 struct PitchCommand {
   /// At a battery position (in); once from the calibration curve (rad); held by the servo (rad);
   /// Ignore: the slot is busy, and the battery stays where it is.

@@ -19,7 +19,7 @@ std::string switchOf(const Proglet& proglet) {
   return "c_" + std::string(proglet.name) + "_on";
 }
 
-/// The shorter of two periods; a negative one is no period.
+/// The shorter of two periods; a negative one counts as none.
 double fastest(double a, double b) {
   return a < 0 ? b : b < 0 ? a : std::min(a, b);
 }

@@ -13,7 +13,7 @@
 namespace glider::simulator {
 namespace {
 
-/// The seconds since 1970 of a stamp yymmddhhmm in UTC; NaN for one that is no time.
+/// The seconds since 1970 of a stamp yymmddhhmm in UTC; NaN for one that is not a time.
 double secondsOf(double stamp) {
   const auto digits = static_cast<int64_t>(stamp);
   const auto part = [&](int64_t unit) { return static_cast<int>(digits / unit % 100); };
@@ -45,7 +45,7 @@ std::string idleSlots(const Commands& below) {
 
 }  // namespace
 
-bool When::isMode(const Situation& s) const {
+bool WhenCondition::isMode(const Situation& s) const {
   const auto mask = static_cast<uint64_t>(numbers_.secs());
   const bool set = (mask & static_cast<uint64_t>(s.mission_mode)) != 0;
   return stops_ ? !set : set;
@@ -53,7 +53,7 @@ bool When::isMode(const Situation& s) const {
 
 /// When the time comes: a start before it does not count, one after it does. `when_secs`: 0 once,
 /// at this time; negative once, then or later; otherwise also each period after it.
-bool When::isTime(const Situation& s) const {
+bool WhenCondition::isTime(const Situation& s) const {
   double due_s = secondsOf(numbers_.utc_stamp) - (s.utc_s - s.time_s);
   const double period_s = numbers_.secs();
   if (period_s < 0) {
@@ -65,7 +65,7 @@ bool When::isTime(const Situation& s) const {
   return s.time_s >= due_s && std::max(started_s_, ended_s_) < due_s;
 }
 
-bool When::met(const Situation& s, const Commands& below) const {
+bool WhenCondition::met(const Situation& s, const Commands& below) const {
   switch (code_) {
     case 0:
       return !stops_;  // as a stop_when: when the behaviour is complete
@@ -110,7 +110,7 @@ bool When::met(const Situation& s, const Commands& below) const {
 }
 
 /// What the code means, with its numbers.
-std::string When::meaning(const Commands& below) const {
+std::string WhenCondition::meaning(const Commands& below) const {
   const double secs = numbers_.secs(), distance = numbers_.distance_m();
   switch (code_) {
     case 0:
@@ -157,7 +157,7 @@ std::string When::meaning(const Commands& below) const {
   }
 }
 
-std::string When::text(const Commands& below) const {
+std::string WhenCondition::text(const Commands& below) const {
   return fmt::format("{}: {}", code_, meaning(below));
 }
 

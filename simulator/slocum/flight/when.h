@@ -25,9 +25,9 @@ struct WhenNumbers {
 };
 
 /// start_when and stop_when, with the codes of the vehicle.
-class When {
+class WhenCondition {
  public:
-  When(int code, const WhenNumbers& numbers, Code15 code_15, bool stops = false)
+  WhenCondition(int code, const WhenNumbers& numbers, Code15 code_15, bool stops = false)
       : code_(code), numbers_(numbers), code_15_(code_15), stops_(stops) {}
 
   /// True when the condition holds, given what lower behaviours have commanded in this cycle.

@@ -48,7 +48,7 @@ TEST(StackBoundOfArm, WhatACallLosesIsNotAFramePointer) {
                                   function("leaf", "bx lr"));
   const auto none = small.bytes();
   ASSERT_FALSE(none);
-  EXPECT_THAT(none.error(), HasSubstr("nobody can tell how deep the stack is in `_start`"));
+  EXPECT_THAT(none.error(), HasSubstr("it is not known how deep the stack is in `_start`"));
 }
 
 TEST(StackBoundOfArm, ConditionsThatAreTheSameGoTogether) {
@@ -62,7 +62,7 @@ TEST(StackBoundOfArm, ConditionsThatAreTheSameGoTogether) {
                                       "addhs sp, sp, #24\n poplo {r4, pc}\n"
                                       "add sp, sp, #24\n pop {r4, pc}"));
   ASSERT_FALSE(torn.bytes());
-  EXPECT_THAT(torn.bytes().error(), HasSubstr("not given back"));
+  EXPECT_THAT(torn.bytes().error(), HasSubstr("not restored"));
 }
 
 TEST(StackBoundOfArm, ASwitchGoesToItsChoices) {
@@ -88,7 +88,7 @@ TEST(StackBoundOfArm, RoomOfAnySizeHasNoBound) {
                                        "push {r11, lr}\n mov r11, sp\n sub sp, sp, r0\n"
                                        "mov sp, r11\n pop {r11, pc}"));
   ASSERT_FALSE(small.bytes());
-  EXPECT_THAT(small.bytes().error(), HasSubstr("nobody can tell how deep"));
+  EXPECT_THAT(small.bytes().error(), HasSubstr("it is not known how deep"));
 }
 
 TEST(StackBoundOfArm, ALoopThatPushesHasNoBound) {

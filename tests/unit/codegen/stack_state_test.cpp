@@ -83,7 +83,7 @@ TEST(StackState, ACallTakesWhatItNeedNotKeep) {
   EXPECT_EQ(open.depth(), 8) << "as if it had been carried out";
 }
 
-TEST(StackState, WhatMayBeIsTheDeeper) {
+TEST(StackState, AConditionalChangeCountsIfItMakesTheStackDeeper) {
   EXPECT_EQ(deepAfter({moves(8), moves(16, "eq"), moves(0)}), 24);
   EXPECT_EQ(deepAfter({moves(8), moves(-8, "eq"), moves(0)}), 8);
   EXPECT_EQ(deepAfter({moves(8, "eq"), moves(8, "eq"), moves(0)}), 16);

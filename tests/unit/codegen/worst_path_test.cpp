@@ -130,7 +130,7 @@ TEST(WorstPathOf, RepeatsAreCounted) {
 TEST(WorstPathOf, WhereItIsUnknownThereIsNoBound) {
   const Count lost = count(function("_start", "ldr pc, [r4]"), {}, "ts7800");
   ASSERT_FALSE(lost);
-  EXPECT_THAT(lost.error(), HasSubstr("where `_start` goes on"));
+  EXPECT_THAT(lost.error(), HasSubstr("where `_start` continues"));
   EXPECT_EQ(count(function("_start", "popne {r4, pc}\n nop\n bx lr"), {}, "ts7800"), 3);
   EXPECT_EQ(count(function("_start",
                            "cmp r0, #1\n addls pc, pc, r0, lsl #2\n b 3f\n b 1f\n b 2f\n"

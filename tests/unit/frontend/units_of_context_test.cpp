@@ -35,7 +35,7 @@ struct Guard {
   std::optional<ir::Mission> mission;
 };
 
-TEST(Operators, EachIsItsOwn) {
+TEST(Operators, EachComparisonHasItsOperation) {
   const std::pair<const char*, ir::Op> comparisons[] = {
       {"<", ir::Op::Less},          {"<=", ir::Op::LessEqual}, {">", ir::Op::Greater},
       {">=", ir::Op::GreaterEqual}, {"==", ir::Op::Equal},     {"!=", ir::Op::NotEqual}};

@@ -135,7 +135,7 @@ TEST(BottomMemory, AVeryShallowPlaceIsForgottenAfterHalfAnHour) {
   EXPECT_FALSE(isKnown(memory.floor()));
 }
 
-TEST(BottomMemory, OneOverWhichTheVehicleCannotDiveIsForgottenToo) {
+TEST(BottomMemory, APlaceTooShallowToDiveIsForgotten) {
   for (const double shallow_m : {kShallowM, 18.0}) {
     BottomMemory memory;
     touch(memory, at(0), 17);

@@ -194,13 +194,13 @@ TEST_F(ClientTest, WhoIsRefusedBeforeAnyLinkBelievesNoWelcomeToNone) {
 
 TEST_F(ClientTest, AnUnchangedReadingIsThereWithTheValueThatIsHeld) {
   link();
-  tick({{Told::Value, Told::Value}, {12.5, 17}});
+  tick({{ReadingReport::Value, ReadingReport::Value}, {12.5, 17}});
   ASSERT_EQ(client_.tick().reading_count, 2U);
-  tick({{Told::Nothing, Told::Unchanged}, {}});
+  tick({{ReadingReport::Nothing, ReadingReport::Unchanged}, {}});
   ASSERT_EQ(client_.tick().reading_count, 1U);
   EXPECT_EQ(client_.tick().readings[0].id, GLIDER_SCI_WATER_TEMP);
   EXPECT_EQ(client_.tick().readings[0].value, 17);
-  tick({{Told::Unchanged, Told::Value}, {0, 18}});
+  tick({{ReadingReport::Unchanged, ReadingReport::Value}, {0, 18}});
   ASSERT_EQ(client_.tick().reading_count, 2U);
   EXPECT_EQ(client_.tick().readings[0].value, 12.5);
   EXPECT_EQ(client_.tick().readings[1].value, 18);
@@ -208,11 +208,11 @@ TEST_F(ClientTest, AnUnchangedReadingIsThereWithTheValueThatIsHeld) {
 
 TEST_F(ClientTest, AReadingThatIsNotHeldIsAskedFor) {
   link();
-  EXPECT_EQ(typesOf(tick({{Told::Unchanged, Told::Value}, {0, 17}})),
+  EXPECT_EQ(typesOf(tick({{ReadingReport::Unchanged, ReadingReport::Value}, {0, 17}})),
             (std::vector{Type::Subscribe, Type::Done}));
   ASSERT_EQ(client_.tick().reading_count, 1U) << "a known value is still a reading";
   EXPECT_EQ(client_.tick().readings[0].value, 17);
-  EXPECT_EQ(typesOf(tick({{Told::Nothing, Told::Unchanged}, {}})),
+  EXPECT_EQ(typesOf(tick({{ReadingReport::Nothing, ReadingReport::Unchanged}, {}})),
             (std::vector{Type::Subscribe, Type::Done}))
       << "after a new subscription nothing is held";
 }
@@ -220,7 +220,7 @@ TEST_F(ClientTest, AReadingThatIsNotHeldIsAskedFor) {
 TEST_F(ClientTest, ReadingsOfAnotherSubscriptionAreNotRead) {
   link();
   head_.subscription = 0xFFFF;
-  EXPECT_EQ(typesOf(tick({{Told::Value, Told::Value}, {12.5, 17}})),
+  EXPECT_EQ(typesOf(tick({{ReadingReport::Value, ReadingReport::Value}, {12.5, 17}})),
             (std::vector{Type::Subscribe, Type::Done}));
   EXPECT_EQ(client_.tick().reading_count, 0U);
   EXPECT_EQ(client_.tick().cycle, head_.cycle) << "its head counts";
@@ -422,10 +422,10 @@ TEST_F(ClientTest, MoreSensorsThanATickHoldsAreLeftOut) {
 
 TEST_F(ClientTest, ATickThatComesAgainIsNotReadAndANewLinkTellsItApart) {
   const uint32_t first = link().link;
-  tick({{Told::Value, Told::Value}, {12.5, 17}});
-  tick({{Told::Value, Told::Value}, {30, 17}});
+  tick({{ReadingReport::Value, ReadingReport::Value}, {12.5, 17}});
+  tick({{ReadingReport::Value, ReadingReport::Value}, {30, 17}});
   head_.cycle -= 1;
-  sayTick({{Told::Value, Told::Value}, {12.5, 17}});
+  sayTick({{ReadingReport::Value, ReadingReport::Value}, {12.5, 17}});
   EXPECT_EQ(poll(), ClientEvent::Handled);
   EXPECT_EQ(client_.tick().readings[0].value, 30) << "nothing of it is believed";
   const auto frames = answers();
@@ -433,7 +433,7 @@ TEST_F(ClientTest, ATickThatComesAgainIsNotReadAndANewLinkTellsItApart) {
   Hello hello;
   ASSERT_TRUE(decode(frames[0], hello));
   EXPECT_EQ(hello.link, first + 1);
-  sayTick({{Told::Value, Told::Value}, {12.5, 17}});
+  sayTick({{ReadingReport::Value, ReadingReport::Value}, {12.5, 17}});
   EXPECT_EQ(poll(), ClientEvent::Handled) << "nor when it comes once more";
   answers();
   head_.link = hello.link;

@@ -73,7 +73,7 @@ TEST(DepthSourceEdges, AnOldDepthReachesFarther) {
   EXPECT_EQ(source.age(), 0);
 }
 
-TEST(DepthSourceEdges, WhatItSaysFirstDoesNotCountBeforeAMinute) {
+TEST(DepthSourceEdges, ReadingsOfTheFirstMinuteAreNotKeptAfterAJump) {
   for (const int seconds : {59, 60}) {
     DepthSource source{kHull};
     for (int i = 0; i < seconds; ++i) {
@@ -103,7 +103,7 @@ TEST(DepthSourceEdges, GoodReadingsTakeHalfOfTheirTimeFromJumps) {
   EXPECT_EQ(source.jumpedFor(), 3) << "one that is missing says nothing";
 }
 
-TEST(DepthSourceEdges, TheSameIsTheSameToTheLastBit) {
+TEST(DepthSourceEdges, ReadingsAreTheSameOnlyIfAllBitsAre) {
   DepthSource source{kHull};
   source.observe(10, 4);
   EXPECT_EQ(source.sameFor(), 0);

@@ -76,7 +76,7 @@ TEST(DepthWatchEdges, FrozenAfterSixteenSecondsDrivenAndSixtyInHover) {
   EXPECT_EQ(untilFrozen(sea(), kMissing), 201) << "another behaviour's";
 }
 
-TEST(DepthWatchEdges, NoHigherThanAMetreIsItFrozen) {
+TEST(DepthWatchEdges, AboveAMetreAnUnchangedDepthIsNotFrozen) {
   Sensors sensors;
   sensors.own_m = 0.99;  // and 0.01 more
   sensors.run(2);
@@ -240,7 +240,7 @@ TEST(DepthWatchEdges, ACtdThatFallsSilentDoesNotHaveTheLastWord) {
   EXPECT_EQ(sensors.run(), HookGuard::DepthsDisagree) << "it differed all the time";
 }
 
-TEST(DepthWatchEdges, ItIsSeenByAnotherInACycleInWhichTheCtdMovedAndAgrees) {
+TEST(DepthWatchEdges, TheDepthIsConfirmedByANewCtdReadingThatAgrees) {
   Sensors sensors;
   sensors.run();
   EXPECT_FALSE(sensors.watch.isSeenByAnother());
@@ -315,7 +315,7 @@ TEST(DepthWatchEdges, ClimbingIsAnyPumpThatIsOut) {
   EXPECT_EQ(sensors.untilNoDoubt(), 60);
 }
 
-TEST(DepthWatchEdges, WhatIsFrozenStaysSoWhenItIsTrimmed) {
+TEST(DepthWatchEdges, ASmallChangeWhileThePumpTrimsDoesNotEndAFreeze) {
   Sensors sensors = frozenAt(2.5);
   sensors.own_still = true;
   sensors.own_m += 1.0 / 512;
@@ -326,7 +326,7 @@ TEST(DepthWatchEdges, WhatIsFrozenStaysSoWhenItIsTrimmed) {
   EXPECT_EQ(sensors.untilNoDoubt(), 120) << "of climbing since it moves";
 }
 
-TEST(DepthWatchEdges, OneThatAgreesWithTheCtdForAMinuteIsBelieved) {
+TEST(DepthWatchEdges, AFrozenDepthIsBelievedAfterAMinuteOfAgreementWithTheCtd) {
   Sensors sensors = frozenAt(40);
   EXPECT_EQ(Sensors(sensors).untilNoDoubt(), 1000);
   sensors.run(200);
@@ -426,7 +426,7 @@ TEST(DepthWatchEdges, AfterDepthsDisagreedTheCtdAloneIsNotEnough) {
   EXPECT_EQ(sensors.untilNoDoubt(), 1000);
 }
 
-TEST(DepthWatchEdges, AliveIsADepthThatIsThereAndChanges) {
+TEST(DepthWatchEdges, ADepthIsAliveWhileItIsKnownAndChanges) {
   Sensors sensors = sea();
   EXPECT_EQ(sensors.watch.aliveFor(), 100);
   sensors.own_m = kMissing;

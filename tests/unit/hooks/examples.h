@@ -19,6 +19,11 @@ inline Subscribe exampleSubscription() {
   return {3, {{GLIDER_M_DEPTH, 1, 0.0F}, {GLIDER_M_LAT, 1, 0.0F}, {GLIDER_M_BATTERY, 15, 0.25F}}};
 }
 
+/// What the example Tick reports about these.
+inline TickReadings exampleReadings() {
+  return {{ReadingReport::Value, ReadingReport::Unchanged, ReadingReport::Nothing}, {12.5}};
+}
+
 /// The frames that hooks/protocol/README.md shows.
 inline std::vector<std::pair<std::string, Frame>> exampleFrames() {
   std::vector<std::pair<std::string, Frame>> examples;
@@ -44,8 +49,7 @@ inline std::vector<std::pair<std::string, Frame>> exampleFrames() {
     head.answer = HookAnswer::Accepted;
     head.answered_sequence = 258;
     head.session = 7;
-    encode(head, exampleSubscription(),
-           TickReadings{{Told::Value, Told::Unchanged, Told::Nothing}, {12.5}}, f);
+    encode(head, exampleSubscription(), exampleReadings(), f);
   });
   add("Hello", 1, [](Frame& f) {
     Hello hello;

@@ -55,7 +55,7 @@ TEST(CycleClock, ACountedCycleTakesHalfASecondAtLeast) {
   EXPECT_EQ(clock.step(), 0.25) << "not counted";
 }
 
-TEST(CycleClock, ATimeThatLeapsDoesNotFollow) {
+TEST(CycleClock, AfterALeapOfTheTimeTheClocksDoNotAgreeForTwoCycles) {
   CycleClock clock = running();
   clock.advance(60000, 1e9 + 1004, 251);
   EXPECT_FALSE(clock.follows());
@@ -101,7 +101,7 @@ TEST(CycleClock, NoStepIsLongerThanTwentySeconds) {
   EXPECT_EQ(clock.step(), 12) << "both clocks agree";
 }
 
-TEST(CycleClock, NorIsOneThatOneClockAloneReports) {
+TEST(CycleClock, AStepOfOneClockAloneIsAtMostTwentySeconds) {
   CycleClock clock;
   clock.advance(1000, kNone, 250);
   clock.advance(1040, kNone, 255);
@@ -178,7 +178,7 @@ TEST(CycleClock, TwoClocksThatDifferByMoreThanASecondDoNotAgree) {
   EXPECT_EQ(clock.step(), 19);
 }
 
-TEST(CycleClock, WhereNothingIsKnownACycleIsACycle) {
+TEST(CycleClock, WithoutAnyClockAStepIsOneCycle) {
   CycleClock clock;
   for (int i = 0; i < 3; ++i) {
     clock.advance(kNone, kNone, kNone);

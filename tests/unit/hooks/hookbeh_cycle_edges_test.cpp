@@ -95,7 +95,7 @@ void garble(Bench& bench, double depth) {
   bench.inputs.check += 1;
 }
 
-TEST(HookbehCycleEdges, GarbledCountsFromTheGoodOneBefore) {
+TEST(HookbehCycleEdges, TheTimeOfGarbledInstructionsCountsFromTheLastGoodOne) {
   Bench bench = taken(25);
   for (int round = 0; round < 2; ++round) {
     garble(bench, 15 + round);
@@ -109,7 +109,7 @@ TEST(HookbehCycleEdges, GarbledCountsFromTheGoodOneBefore) {
   }
 }
 
-TEST(HookbehCycleEdges, OldOnesCountAsGarbledOnlyAfterAGarbledOne) {
+TEST(HookbehCycleEdges, OldInstructionsCountAsGarbledOnlyAfterAGarbledOne) {
   Bench bench = taken(25);
   const HookbehInputs take = bench.inputs;
   bench.give(Bench::descend(15));
@@ -127,7 +127,7 @@ TEST(HookbehCycleEdges, OldOnesCountAsGarbledOnlyAfterAGarbledOne) {
   EXPECT_EQ(bench.cycle().state, HookState::Silent) << "28 s";
 }
 
-TEST(HookbehCycleEdges, OldOnesCountAfterTheShortestGarbledOne) {
+TEST(HookbehCycleEdges, OldInstructionsCountAsGarbledAfterAShortGarbledOne) {
   Bench bench = taken(25);
   const HookbehInputs take = bench.inputs;
   bench.give(Bench::descend(15));

@@ -37,7 +37,7 @@ TEST(HookbehDepth, AtTheEdgesOfWhatASensorGivesItIsKnown) {
   EXPECT_STREQ(bench.give(Bench::take(20)).doing, "dive_to");
 }
 
-TEST(HookbehDepth, OneThatJumpsClimbsUntilItFollowsAgain) {
+TEST(HookbehDepth, ADepthThatJumpsMakesTheVehicleClimbUntilItFollowsAgain) {
   for (const double jump : {-20.0, 20.0}) {
     Sea sea;
     sea.diveTo(30, 55);
@@ -49,7 +49,7 @@ TEST(HookbehDepth, OneThatJumpsClimbsUntilItFollowsAgain) {
   }
 }
 
-TEST(HookbehDepth, OneThatJumpsAndStaysAwayIsNeverBelievedWithoutAnother) {
+TEST(HookbehDepth, ADepthThatJumpsAndStaysAwayIsNotBelievedWithoutACtd) {
   Sea sea;
   sea.diveTo(45, 55);
   sea.run(600, [](HookbehInputs& in) { in.depth_m = std::max(0.0, in.depth_m - 25); });
@@ -58,7 +58,7 @@ TEST(HookbehDepth, OneThatJumpsAndStaysAwayIsNeverBelievedWithoutAnother) {
   EXPECT_LT(sea.truth, 1);
 }
 
-TEST(HookbehDepth, OneThatJumpsAndStaysAwayIsBelievedWhenTheCtdAgreesAgain) {
+TEST(HookbehDepth, ADepthThatJumpsAndStaysAwayIsBelievedWhenTheCtdAgreesAgain) {
   Sea sea;
   sea.has_ctd = true;
   sea.diveTo(45, 55);
@@ -70,7 +70,7 @@ TEST(HookbehDepth, OneThatJumpsAndStaysAwayIsBelievedWhenTheCtdAgreesAgain) {
 }
 
 /// At the surface a CTD may say exactly the same all the time.
-TEST(HookbehDepth, OneThatJumpsBackAtTheSurfaceIsBelievedBesideACtdThatRests) {
+TEST(HookbehDepth, ADepthThatJumpsBackAtTheSurfaceIsBelievedIfTheCtdIsConstant) {
   for (const int stuck_cycles : {18, 25}) {
     Sea sea;
     const auto rests = [](HookbehInputs& in) { in.ctd_bar = 0; };
@@ -84,7 +84,7 @@ TEST(HookbehDepth, OneThatJumpsBackAtTheSurfaceIsBelievedBesideACtdThatRests) {
 
 /// Half of its readings are wrong by up to 50 m, some of them outside of what a depth can be. The
 /// CTD rests at the surface meanwhile.
-TEST(HookbehDepth, OneThatJumpedForLongIsBelievedBesideACtdThatRests) {
+TEST(HookbehDepth, ADepthThatJumpedForLongIsBelievedAtTheSurfaceIfTheCtdIsConstant) {
   for (unsigned seed = 1; seed < 60; ++seed) {
     Sea sea;
     sea.has_ctd = true;
@@ -104,7 +104,7 @@ TEST(HookbehDepth, OneThatJumpedForLongIsBelievedBesideACtdThatRests) {
 
 /// The depth waves about a value that it left long ago, and then jumps to where the vehicle is: at
 /// the surface, where the CTD has rested meanwhile.
-TEST(HookbehDepth, OneThatDisagreedWithACtdThatRestsIsBelievedAgain) {
+TEST(HookbehDepth, ADepthThatDisagreedIsBelievedAtTheSurfaceIfTheCtdIsConstant) {
   for (const double phase : {0.0, 1.5, 3.0, 4.5}) {
     Sea sea;
     sea.has_ctd = true;
@@ -176,7 +176,7 @@ TEST(HookbehDepth, AVehicleThatHangsStillAsTheCtdSeesIsNotFrozen) {
   EXPECT_NEAR(cycles, 45 - 24, 2) << "180 s in all";
 }
 
-TEST(HookbehDepth, BothFrozenIsFrozen) {
+TEST(HookbehDepth, ADepthFrozenTogetherWithTheCtdIsFrozen) {
   Sea sea;
   sea.has_ctd = true;
   sea.diveTo(50, 58);
@@ -188,7 +188,7 @@ TEST(HookbehDepth, BothFrozenIsFrozen) {
             5);
 }
 
-TEST(HookbehDepth, OneThatThawsIsBelievedAtTheSurface) {
+TEST(HookbehDepth, ADepthThatChangesAgainIsBelievedAtTheSurface) {
   Sea sea;
   sea.diveTo(40, 50);
   const double frozen = sea.bench.inputs.depth_m;
@@ -205,7 +205,7 @@ TEST(HookbehDepth, OneThatThawsIsBelievedAtTheSurface) {
   EXPECT_STREQ(sea.out.doing, "dive_to");
 }
 
-TEST(HookbehDepth, OneThatThawsNearTheSurfaceIsBelievedAfterTwoMinutesOfClimbing) {
+TEST(HookbehDepth, ADepthThatChangesAgainNearTheSurfaceIsBelievedAfterTwoMinutesOfClimbing) {
   Sea sea;
   sea.diveTo(4, 50);
   const double frozen = sea.bench.inputs.depth_m;
@@ -216,7 +216,7 @@ TEST(HookbehDepth, OneThatThawsNearTheSurfaceIsBelievedAfterTwoMinutesOfClimbing
   EXPECT_LE(cycles, 35);
 }
 
-TEST(HookbehDepth, OneThatThawsIsBelievedAfterAMinuteWhenTheCtdAgrees) {
+TEST(HookbehDepth, ADepthThatChangesAgainIsBelievedAfterAMinuteIfTheCtdAgrees) {
   Sea sea;
   sea.has_ctd = true;
   sea.diveTo(40, 50);
@@ -228,7 +228,7 @@ TEST(HookbehDepth, OneThatThawsIsBelievedAfterAMinuteWhenTheCtdAgrees) {
   EXPECT_LE(cycles, 25);
 }
 
-TEST(HookbehDepth, ANewSessionDoesNotMakeItSee) {
+TEST(HookbehDepth, ANewSessionDoesNotEndTheGuardOfAFrozenDepth) {
   Sea sea;
   sea.diveTo(40, 50);
   const double frozen = sea.bench.inputs.depth_m;
@@ -511,7 +511,7 @@ TEST(HookbehDepth, DepthsThatDisagreeAreBelievedAtTheSurfaceWhereTheyAgree) {
   EXPECT_LT(sea.deepest, 45);
 }
 
-TEST(HookbehDepth, WhatItSaysOfItsGuardIsNumbered) {
+TEST(HookbehDepth, GuardsHaveTheNumbersOfTheReadme) {
   // Missions and logs rely on these numbers (README).
   EXPECT_EQ(static_cast<int>(HookGuard::TooDeep), 1);
   EXPECT_EQ(static_cast<int>(HookGuard::NearBottom), 2);

@@ -54,7 +54,7 @@ TEST(HookbehHeadway, ADiveMayHaveStoppedAfterAMinuteOfItsOwn) {
   }
 }
 
-TEST(HookbehHeadway, UpwardsItIsAMetreLess) {
+TEST(HookbehHeadway, AMetreLessIsHeadwayOfAClimb) {
   Headway headway;
   headway.observe(Way::Up, 10, 4);
   headway.observe(Way::Up, 9.25, 4);
@@ -67,7 +67,7 @@ TEST(HookbehHeadway, UpwardsItIsAMetreLess) {
   EXPECT_EQ(headway.idleFor(), 0) << "it has only turned";
 }
 
-TEST(HookbehHeadway, BeginsAtTheSurfaceDrivenNowhere) {
+TEST(HookbehHeadway, BeginsWithoutADirection) {
   Headway headway;
   EXPECT_EQ(headway.way(), Way::None);
   headway.observe(Way::None, 0, 4);
@@ -147,7 +147,7 @@ TEST(HookbehDepthSource, GoodReadingsTakeAwayHalfOfTheirTime) {
   EXPECT_EQ(source.jumpedFor(), 0) << "and no more";
 }
 
-TEST(HookbehDepthSource, CountsHowLongItSaysTheSame) {
+TEST(HookbehDepthSource, CountsTheTimeOfEqualReadings) {
   DepthSource source{kHull};
   for (int i = 0; i < 4; ++i) {
     EXPECT_EQ(source.sameFor(), 0) << i;

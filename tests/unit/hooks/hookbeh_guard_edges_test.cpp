@@ -66,7 +66,7 @@ TEST(HookbehGuardEdges, AtTheGreatestDepthItIsNotTooDeep) {
   EXPECT_EQ(bench.at(29), HookGuard::None) << "a metre clear";
 }
 
-TEST(HookbehGuardEdges, ATargetIsAMetreClearToo) {
+TEST(HookbehGuardEdges, AGuardEndsOnlyIfTheTargetIsAMetreAboveTheLimit) {
   for (const auto& [vertical, depth, clear] : {std::tuple{HookVertical::Hover, 29.25, false},
                                                {HookVertical::Hover, 29.0, true},
                                                {HookVertical::Ascend, 29.25, false},
@@ -274,7 +274,7 @@ TEST(HookbehGuardEdges, OneThatHasShownItsDepthShowsItNoLonger) {
   EXPECT_FALSE(bench.guard.mustShowDepth(bench.args, hover));
 }
 
-TEST(HookbehGuardEdges, ANewSbcHasALimitBeforeIt) {
+TEST(HookbehGuardEdges, ResetForgetsTheLimitThatWasExceeded) {
   GuardBench bench(Bench::descend(40));
   EXPECT_EQ(bench.at(30.25), HookGuard::TooDeep);
   EXPECT_EQ(bench.at(29.5), HookGuard::TooDeep);

@@ -71,7 +71,7 @@ TEST(HookbehMasked, OneThatCommandsNothingIsNotMasked) {
   EXPECT_EQ(sea.out.masked, 0);
 }
 
-TEST(HookbehMasked, AHoldStandsStill) {
+TEST(HookbehMasked, TheTimeOfAHoldDoesNotAdvance) {
   for (const uint8_t channels : {kMaskedPitch, kMaskedPump}) {
     HookbehSea sea;
     arrive(sea);

@@ -27,7 +27,7 @@ TEST(HookbehStart, AWholeTakeFromBeforeIsNeverFollowed) {
   EXPECT_EQ(bench.give(Bench::take()).state, HookState::Active) << "the next number is followed";
 }
 
-TEST(HookbehStart, NorIsOneThatIsGarbled) {
+TEST(HookbehStart, AGarbledTakeFromBeforeIsNeverFollowed) {
   Bench bench;
   bench.write(Bench::take());
   bench.inputs.check += 1;
@@ -50,7 +50,7 @@ TEST(HookbehStart, AnEmptyArrayIsNotTheNumberZero) {
   EXPECT_EQ(out.answer, HookAnswer::None) << "nothing was instructed";
 }
 
-TEST(HookbehStart, ANumberThatIsNoneIsNotAnInstruction) {
+TEST(HookbehStart, AnInvalidSequenceNumberIsNotAnInstruction) {
   Bench bench;
   bench.cycle();
   ASSERT_EQ(bench.give(Bench::take()).answer, HookAnswer::Accepted);

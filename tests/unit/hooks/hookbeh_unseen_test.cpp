@@ -234,7 +234,7 @@ TEST(HookbehUnseen, ASteepDiveWhoseDepthIsStuckNearTheSurfaceEndsInTime) {
   }
 }
 
-TEST(HookbehUnseen, AHoverThatIsCommandedAgainInEachCycleShowsItToo) {
+TEST(HookbehUnseen, AHoverThatIsCommandedInEachCycleStillChecksItsDepth) {
   SlowSea sea;
   hoverAt(sea, 20);
   for (int i = 0; i < 1000; ++i) {
@@ -280,7 +280,7 @@ TEST(HookbehUnseen, ADiveThatMayBeFarPastItsTargetEndsThoughItsLimitIsFar) {
   EXPECT_LT(sea.deepest, 38);
 }
 
-TEST(HookbehUnseen, CommandsToClimbInBetweenDoNotHideIt) {
+TEST(HookbehUnseen, CommandsToClimbInBetweenDoNotHideAStuckDepth) {
   SlowSea sea;
   sea.diveTo(20, 28);
   for (int i = 0; i < 300; ++i) {
@@ -337,11 +337,11 @@ void expectNoGuard(Spoil&& spoil) {
   ASSERT_GT(sea.truth, 51);
 }
 
-TEST(HookbehCtd, OneThatFallsSilentDoesNotDisagree) {
+TEST(HookbehCtd, ACtdThatFallsSilentDoesNotDisagree) {
   expectNoGuard([](HookbehInputs& in) { in.ctd_bar = kNan; });
 }
 
-TEST(HookbehCtd, OneThatReportsNowAndThenDoesNotDisagree) {
+TEST(HookbehCtd, ACtdThatReportsSeldomAndAgreesIsAccepted) {
   for (const int every : {2, 5, 10}) {
     expectNoGuard([every, i = 0](HookbehInputs& in) mutable {
       in.ctd_bar = i++ % every == 0 ? in.ctd_bar : kNan;
@@ -349,7 +349,7 @@ TEST(HookbehCtd, OneThatReportsNowAndThenDoesNotDisagree) {
   }
 }
 
-TEST(HookbehCtd, OneThatIsLateDoesNotDisagree) {
+TEST(HookbehCtd, ALateCtdDoesNotDisagree) {
   for (const size_t late : {1U, 3U, 4U}) {  // cycles of 4 s
     expectNoGuard([late, past = std::deque<double>()](HookbehInputs& in) mutable {
       past.push_back(in.ctd_bar);
@@ -358,7 +358,7 @@ TEST(HookbehCtd, OneThatIsLateDoesNotDisagree) {
   }
 }
 
-TEST(HookbehCtd, OneThatJumpsAwayIsNotAskedBeforeItAgreesAgain) {
+TEST(HookbehCtd, ACtdThatJumpsIsIgnoredUntilItAgreesAgain) {
   HookbehSea sea;
   sea.has_ctd = true;
   hoverAt(sea, 30);
@@ -372,7 +372,7 @@ TEST(HookbehCtd, OneThatJumpsAwayIsNotAskedBeforeItAgreesAgain) {
   EXPECT_LT(sea.until(HookGuard::DepthsDisagree, drifts), 40) << "it agreed again";
 }
 
-TEST(HookbehCtd, OneThatMovesIsBelievedWhereTheDepthHasNeverMoved) {
+TEST(HookbehCtd, AMovingCtdIsBelievedIfTheDepthHasNeverMoved) {
   HookbehSea sea;
   sea.has_ctd = true;
   const auto stuck = [](HookbehInputs& in) {
@@ -384,7 +384,7 @@ TEST(HookbehCtd, OneThatMovesIsBelievedWhereTheDepthHasNeverMoved) {
   EXPECT_LT(sea.deepest, 15);
 }
 
-TEST(HookbehCtd, OneThatReportsNowAndThenStillDisagrees) {
+TEST(HookbehCtd, ACtdThatReportsSeldomCanDisagree) {
   HookbehSea sea;
   sea.has_ctd = true;
   sea.diveTo(20, 58);
@@ -398,7 +398,7 @@ TEST(HookbehCtd, OneThatReportsNowAndThenStillDisagrees) {
   EXPECT_LT(sea.deepest, 60);
 }
 
-TEST(HookbehCtd, OneThatIsStuckDoesNotLiveWhereTheVehiclePassesItsDepth) {
+TEST(HookbehCtd, AStuckCtdIsNotAliveWhenTheVehiclePassesItsDepth) {
   HookbehSea sea;
   sea.has_ctd = true;
   sea.diveTo(20, 50);
@@ -417,7 +417,7 @@ TEST(HookbehCtd, OneThatIsStuckDoesNotLiveWhereTheVehiclePassesItsDepth) {
   }
 }
 
-TEST(HookbehCtd, OneThatIsDeeperAndOldDoesNotHoldTheVehicleUp) {
+TEST(HookbehCtd, AnOldDeeperCtdReadingDoesNotKeepTheVehicleUp) {
   HookbehSea sea(30);
   sea.has_ctd = true;
   sea.diveTo(27.5, 29);

@@ -106,7 +106,7 @@ TEST(HookbehDepthWatch, OneThatIsStuckWhileTheVehicleIsDrivenIsFrozenAfterSixtee
   EXPECT_NE(clipped.until(HookGuard::DepthFrozen, 1.25), 0);
 }
 
-TEST(HookbehDepthWatch, OneThatWasFrozenIsBelievedWithTheCtdAfterAMinute) {
+TEST(HookbehDepthWatch, ADepthThatWasFrozenIsBelievedAfterAMinuteIfTheCtdAgrees) {
   WatchBench bench = WatchBench::agreed();
   bench.pump_cc = -230;
   bench.own_frozen = bench.ctd_frozen = true;
@@ -115,7 +115,7 @@ TEST(HookbehDepthWatch, OneThatWasFrozenIsBelievedWithTheCtdAfterAMinute) {
   EXPECT_EQ(bench.until(HookGuard::None, 20.5, 20.5), 60);
 }
 
-TEST(HookbehDepthWatch, OneThatStaysFrozenIsNotBelievedThoughNothingDrivesIt) {
+TEST(HookbehDepthWatch, AFrozenDepthIsNotBelievedWhileThePumpIsUnknown) {
   WatchBench bench;
   bench.at(20);
   bench.own_frozen = true;
@@ -215,7 +215,7 @@ WatchBench thawedAtThree() {
   return bench;
 }
 
-TEST(HookbehDepthWatch, OneThatIsTheSameForSixteenSecondsAgainIsNotQuiet) {
+TEST(HookbehDepthWatch, AnotherFreezeOfSixteenSecondsRestartsTheMinute) {
   for (const int same : {15, 16}) {
     WatchBench bench = thawedAtThree();
     for (int i = 0; i < 20; ++i) {
@@ -230,7 +230,7 @@ TEST(HookbehDepthWatch, OneThatIsTheSameForSixteenSecondsAgainIsNotQuiet) {
   }
 }
 
-TEST(HookbehDepthWatch, AtAMetreItMayBeTheSame) {
+TEST(HookbehDepthWatch, AtAMetreAnUnchangedDepthIsNotFrozen) {
   WatchBench bench = thawedAtThree();
   bench.own_frozen = true;
   EXPECT_EQ(bench.until(HookGuard::None, 1, 1), 60);
@@ -375,7 +375,7 @@ TEST(HookbehDepthWatch, ACtdIsAvailableForTwentySecondsAfterItsLastReading) {
   }
 }
 
-TEST(HookbehDepthWatch, LivesWhileItFlickersOrTheCtdAgrees) {
+TEST(HookbehDepthWatch, ADepthIsAliveWhileItChangesOrTheCtdAgrees) {
   WatchBench bench;
   bench.at(20, kNan, 4);
   EXPECT_EQ(bench.watch.aliveFor(), 4);

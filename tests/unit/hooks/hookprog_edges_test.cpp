@@ -315,23 +315,23 @@ class HookprogForgetsTest : public HookprogEdgesTest {
   }
 };
 
-TEST_F(HookprogForgetsTest, AfterTheSixthCycleWithoutAReport) {
+TEST_F(HookprogForgetsTest, HookbehIsAbsentAfterSixCyclesWithoutAReport) {
   EXPECT_EQ(rememberedAfter(44, 11), 4);
 }
-TEST_F(HookprogForgetsTest, NotEarlierWhereTheCycleNumberAloneTurnedBack) {
+TEST_F(HookprogForgetsTest, ALowerCycleNumberAloneDoesNotShortenThat) {
   EXPECT_EQ(rememberedAfter(44, 9), 4);
 }
-TEST_F(HookprogForgetsTest, NorWhereTheTimeIsTheSame) {
+TEST_F(HookprogForgetsTest, ALowerCycleNumberAtTheSameTimeDoesNotShortenThat) {
   EXPECT_EQ(rememberedAfter(40, 9), 4);
 }
-TEST_F(HookprogForgetsTest, NorWhereTheTimeAloneTurnedBack) {
+TEST_F(HookprogForgetsTest, AnEarlierTimeAloneDoesNotShortenThat) {
   EXPECT_EQ(rememberedAfter(36, 11), 4);
 }
-TEST_F(HookprogForgetsTest, AfterTheSecondWhereBothTurnedBack) {
+TEST_F(HookprogForgetsTest, WithBothTurnedBackHookbehIsAbsentAfterTwoCycles) {
   EXPECT_EQ(rememberedAfter(36, 9), 0);
 }
 
-TEST_F(HookprogForgetsTest, NorWhereTheCycleNumberCameBackToWhatItWas) {
+TEST_F(HookprogForgetsTest, ACycleNumberThatReturnsToItsValueDoesNotShortenThat) {
   for (int i = 0; i < 10; ++i) {
     cycle({{GLIDER_X_HOOK_STATE, 3}});
   }
@@ -358,15 +358,15 @@ TEST_F(HookprogEdgesTest, ALateAnswerLeavesLessOfARate) {
     cycle({{GLIDER_M_DEPTH, ++depth}});
     return tick(wanted).told[0];
   };
-  EXPECT_EQ(told(), Told::Value);
+  EXPECT_EQ(told(), ReadingReport::Value);
   const uint8_t first = tick_sequence_;
-  EXPECT_EQ(told(), Told::Value) << "not answered";
+  EXPECT_EQ(told(), ReadingReport::Value) << "not answered";
   tick_sequence_ = first;
   answerTick();
   for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(told(), Told::Nothing) << i;
+    EXPECT_EQ(told(), ReadingReport::Nothing) << i;
   }
-  EXPECT_EQ(told(), Told::Value) << "five after the first";
+  EXPECT_EQ(told(), ReadingReport::Value) << "five after the first";
 }
 
 TEST_F(HookprogEdgesTest, AnAnswerCountsForTheEightNewestTicks) {
@@ -374,7 +374,7 @@ TEST_F(HookprogEdgesTest, AnAnswerCountsForTheEightNewestTicks) {
     hello(++link_);
     atSbc();
     cycle({{GLIDER_M_DEPTH, 12.5}});
-    EXPECT_EQ(tick(subscription()).told[0], Told::Value);
+    EXPECT_EQ(tick(subscription()).told[0], ReadingReport::Value);
     const uint8_t first = tick_sequence_;
     for (int i = 0; i < (counts ? 7 : 8); ++i) {
       cycle();
@@ -383,7 +383,7 @@ TEST_F(HookprogEdgesTest, AnAnswerCountsForTheEightNewestTicks) {
     tick_sequence_ = first;
     answerTick();
     cycle({{GLIDER_M_DEPTH, 12.5}});
-    EXPECT_EQ(tick(subscription()).told[0] == Told::Unchanged, counts);
+    EXPECT_EQ(tick(subscription()).told[0] == ReadingReport::Unchanged, counts);
     answerTick();
   }
 }

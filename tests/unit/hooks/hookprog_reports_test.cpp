@@ -33,15 +33,15 @@ TEST_F(HookprogReportsTest, ATickHasTheSubscribedSensorsThatAreFresh) {
   EXPECT_EQ(head.answered_sequence, 9);
   EXPECT_EQ(head.session, 4U);
   EXPECT_EQ(head.subscription, subscriptionCheck(subscription()));
-  EXPECT_EQ(readings.told[0], Told::Value);
+  EXPECT_EQ(readings.told[0], ReadingReport::Value);
   EXPECT_EQ(readings.values[0], 12.5);
-  EXPECT_EQ(readings.told[1], Told::Value);
+  EXPECT_EQ(readings.told[1], ReadingReport::Value);
   EXPECT_EQ(readings.values[1], 17.5);
-  EXPECT_EQ(readings.told[2], Told::Nothing) << "never reported";
+  EXPECT_EQ(readings.told[2], ReadingReport::Nothing) << "never reported";
   cycle();
   readings = tick(subscription());
-  EXPECT_EQ(readings.told[0], Told::Nothing) << "nothing was reported again";
-  EXPECT_EQ(readings.told[1], Told::Nothing);
+  EXPECT_EQ(readings.told[0], ReadingReport::Nothing) << "nothing was reported again";
+  EXPECT_EQ(readings.told[1], ReadingReport::Nothing);
 }
 
 TEST_F(HookprogReportsTest, OneTickACycleHoweverOftenItRuns) {
@@ -67,12 +67,12 @@ TEST_F(HookprogReportsTest, OnlyWhatTheSbcDoesNotHoldIsSentOnceItHasAnswered) {
   hello();
   atSbc();
   cycle({{GLIDER_M_DEPTH, 12.5}, {GLIDER_M_PITCH, 0.1}});
-  EXPECT_EQ(tick(subscription()).told[0], Told::Value);
+  EXPECT_EQ(tick(subscription()).told[0], ReadingReport::Value);
   answerTick();
   cycle({{GLIDER_M_DEPTH, 12.5}, {GLIDER_M_PITCH, 0.2}});
   const TickReadings readings = tick(subscription());
-  EXPECT_EQ(readings.told[0], Told::Unchanged);
-  EXPECT_EQ(readings.told[2], Told::Value);
+  EXPECT_EQ(readings.told[0], ReadingReport::Unchanged);
+  EXPECT_EQ(readings.told[2], ReadingReport::Value);
   EXPECT_EQ(readings.values[2], static_cast<double>(0.2F));
 }
 
@@ -83,14 +83,14 @@ TEST_F(HookprogReportsTest, AValueWhoseTickWasNotAnsweredIsSentAgain) {
   tick(subscription());
   answerTick();
   cycle({{GLIDER_M_DEPTH, 14}});
-  EXPECT_EQ(tick(subscription()).told[0], Told::Value);
+  EXPECT_EQ(tick(subscription()).told[0], ReadingReport::Value);
   cycle({{GLIDER_M_DEPTH, 12.5}});  // as before the lost one: the SBC may have received that
-  EXPECT_EQ(tick(subscription()).told[0], Told::Value);
+  EXPECT_EQ(tick(subscription()).told[0], ReadingReport::Value);
   cycle({{GLIDER_M_DEPTH, 12.5}});
-  EXPECT_EQ(tick(subscription()).told[0], Told::Value);
+  EXPECT_EQ(tick(subscription()).told[0], ReadingReport::Value);
   answerTick();
   cycle({{GLIDER_M_DEPTH, 12.5}});
-  EXPECT_EQ(tick(subscription()).told[0], Told::Unchanged);
+  EXPECT_EQ(tick(subscription()).told[0], ReadingReport::Unchanged);
 }
 
 TEST_F(HookprogReportsTest, ALateAnswerConfirmsWhatItsTickSaidUnlessAnotherValueWentSince) {
@@ -107,8 +107,8 @@ TEST_F(HookprogReportsTest, ALateAnswerConfirmsWhatItsTickSaidUnlessAnotherValue
   answerTick();
   cycle({{GLIDER_M_DEPTH, 12.5}, {GLIDER_M_PITCH, 0.1}});
   const TickReadings readings = tick(subscription());
-  EXPECT_EQ(readings.told[0], Told::Unchanged);
-  EXPECT_EQ(readings.told[2], Told::Value) << "the SBC may hold 0.2";
+  EXPECT_EQ(readings.told[0], ReadingReport::Unchanged);
+  EXPECT_EQ(readings.told[2], ReadingReport::Value) << "the SBC may hold 0.2";
 }
 
 TEST_F(HookprogReportsTest, AnAnswerToWhatIsNotATickConfirmsNothing) {
@@ -119,7 +119,7 @@ TEST_F(HookprogReportsTest, AnAnswerToWhatIsNotATickConfirmsNothing) {
   ++tick_sequence_;
   answerTick();
   cycle({{GLIDER_M_DEPTH, 12.5}});
-  EXPECT_EQ(tick(subscription()).told[0], Told::Value);
+  EXPECT_EQ(tick(subscription()).told[0], ReadingReport::Value);
 }
 
 TEST_F(HookprogReportsTest, AnAnswerThatComesAgainConfirmsNothing) {
@@ -134,7 +134,7 @@ TEST_F(HookprogReportsTest, AnAnswerThatComesAgainConfirmsNothing) {
   say(Done{tick_sequence_, 0, {now_ - 4, 0, 0, MissionPhase::Flying}});
   run();
   cycle({{GLIDER_M_DEPTH, 12.5}});
-  EXPECT_EQ(tick(subscription()).told[0], Told::Value);
+  EXPECT_EQ(tick(subscription()).told[0], ReadingReport::Value);
 }
 
 TEST_F(HookprogReportsTest, AReportThatComesAgainIsNotATick) {
@@ -152,7 +152,8 @@ TEST_F(HookprogReportsTest, AReportThatComesAgainIsNotATick) {
   EXPECT_EQ(events(), (std::vector{HookprogEvent::Kind::StaleFrame}));
   cycle_ = newest;
   cycle({{GLIDER_M_PITCH, 0.1}});
-  EXPECT_EQ(tick(subscription()).told[0], Told::Nothing) << "nor is its depth a later one's";
+  EXPECT_EQ(tick(subscription()).told[0], ReadingReport::Nothing)
+      << "nor is its depth a later one's";
 }
 
 TEST_F(HookprogReportsTest, AVehicleThatCountsFromTheStartIsFollowedFromItsSecondReport) {
@@ -175,15 +176,15 @@ TEST_F(HookprogReportsTest, ANewSubscriptionOrLinkStartsWithNothingHeld) {
   atSbc();
   for (int i = 0; i < 2; ++i) {
     cycle({{GLIDER_M_DEPTH, 12.5}});
-    EXPECT_EQ(tick(subscription()).told[0], Told::Value);
+    EXPECT_EQ(tick(subscription()).told[0], ReadingReport::Value);
     say(subscription());
     answerTick();
     cycle({{GLIDER_M_DEPTH, 12.5}});
-    EXPECT_EQ(tick(subscription()).told[0], Told::Value)
+    EXPECT_EQ(tick(subscription()).told[0], ReadingReport::Value)
         << "the answer came after the subscription";
     answerTick();
     cycle({{GLIDER_M_DEPTH, 12.5}});
-    EXPECT_EQ(tick(subscription()).told[0], Told::Unchanged);
+    EXPECT_EQ(tick(subscription()).told[0], ReadingReport::Unchanged);
     hello(8);
     atSbc();
   }
@@ -195,7 +196,7 @@ TEST_F(HookprogReportsTest, EachValueIsSentAgainAfterSixteenTicks) {
   int last = 0;
   for (int i = 0; i < 100; ++i) {
     cycle({{GLIDER_M_DEPTH, 12.5}});
-    if (tick(subscription()).told[0] == Told::Value) {
+    if (tick(subscription()).told[0] == ReadingReport::Value) {
       EXPECT_EQ(i - last, i == 0 ? 0 : 16);
       last = i;
     }
@@ -213,12 +214,13 @@ TEST_F(HookprogReportsTest, ADeadBandHoldsSmallChangesBackButNotTheirSum) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   struct Row {
     double depth;
-    Told told;
+    ReadingReport told;
   };
-  for (const Row& row :
-       {Row{10, Told::Value}, Row{10.25, Told::Unchanged}, Row{9.5, Told::Unchanged},
-        Row{10.5, Told::Unchanged}, Row{10.75, Told::Value}, Row{10.25, Told::Unchanged},
-        Row{nan, Told::Value}, Row{nan, Told::Unchanged}, Row{10.75, Told::Value}}) {
+  for (const Row& row : {Row{10, ReadingReport::Value}, Row{10.25, ReadingReport::Unchanged},
+                         Row{9.5, ReadingReport::Unchanged}, Row{10.5, ReadingReport::Unchanged},
+                         Row{10.75, ReadingReport::Value}, Row{10.25, ReadingReport::Unchanged},
+                         Row{nan, ReadingReport::Value}, Row{nan, ReadingReport::Unchanged},
+                         Row{10.75, ReadingReport::Value}}) {
     cycle({{GLIDER_M_DEPTH, row.depth}});
     EXPECT_EQ(tick(wanted).told[0], row.told) << row.depth;
     answerTick();
@@ -230,7 +232,7 @@ TEST_F(HookprogReportsTest, WithoutADeadBandEveryBitIsAChange) {
   atSbc();
   for (const double depth : {0.0, -0.0, 1e-40, 0.0}) {
     cycle({{GLIDER_M_DEPTH, depth}});
-    EXPECT_EQ(tick(subscription()).told[0], Told::Value) << depth;
+    EXPECT_EQ(tick(subscription()).told[0], ReadingReport::Value) << depth;
     answerTick();
   }
 }
@@ -244,18 +246,18 @@ TEST_F(HookprogReportsTest, ARateIsKeptButALostTickIsMadeUpForAtOnce) {
   double depth = 0;
   const auto told = [&](bool answer) {
     cycle({{GLIDER_M_DEPTH, ++depth}});
-    const Told one = tick(wanted).told[0];
+    const ReadingReport one = tick(wanted).told[0];
     if (answer) {
       answerTick();
     }
     return one;
   };
   for (int i = 0; i < 9; ++i) {
-    EXPECT_EQ(told(true), i % 3 == 0 ? Told::Value : Told::Nothing) << i;
+    EXPECT_EQ(told(true), i % 3 == 0 ? ReadingReport::Value : ReadingReport::Nothing) << i;
   }
-  EXPECT_EQ(told(false), Told::Value);
-  EXPECT_EQ(told(true), Told::Value) << "the one before was not answered";
-  EXPECT_EQ(told(true), Told::Nothing);
+  EXPECT_EQ(told(false), ReadingReport::Value);
+  EXPECT_EQ(told(true), ReadingReport::Value) << "the one before was not answered";
+  EXPECT_EQ(told(true), ReadingReport::Nothing);
 }
 
 TEST_F(HookprogReportsTest, SixtyFourReadingsGoInOneFrame) {
@@ -269,8 +271,8 @@ TEST_F(HookprogReportsTest, SixtyFourReadingsGoInOneFrame) {
   atSbc();
   cycle({{GLIDER_M_LAT, 3910}});
   const TickReadings readings = tick(wanted);
-  for (const Told told : readings.told) {
-    EXPECT_EQ(told, Told::Value);
+  for (const ReadingReport told : readings.told) {
+    EXPECT_EQ(told, ReadingReport::Value);
   }
 }
 

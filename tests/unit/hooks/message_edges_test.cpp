@@ -153,7 +153,7 @@ TEST(TickEdges, EverySensorHasItsOwnBit) {
     }
     for (uint32_t at = 0; at < count; ++at) {
       TickReadings readings;
-      readings.told[at] = at % 2 == 0 ? Told::Value : Told::Unchanged;
+      readings.told[at] = at % 2 == 0 ? ReadingReport::Value : ReadingReport::Unchanged;
       readings.values[at] = 3.5;
       Frame frame;
       encode(TickHead{}, subscription, readings, frame);
@@ -161,7 +161,8 @@ TEST(TickEdges, EverySensorHasItsOwnBit) {
       TickReadings back;
       ASSERT_TRUE(decode(frame, subscription, back));
       for (uint32_t i = 0; i < count; ++i) {
-        ASSERT_EQ(back.told[i], i == at ? readings.told[at] : Told::Nothing) << count << " " << i;
+        ASSERT_EQ(back.told[i], i == at ? readings.told[at] : ReadingReport::Nothing)
+            << count << " " << i;
       }
     }
   }

@@ -59,10 +59,10 @@ TEST(Messages, TickComesBack) {
   EXPECT_EQ(head.answer, HookAnswer::Accepted);
   EXPECT_EQ(head.answered_sequence, 258);
   EXPECT_EQ(head.session, 7U);
-  EXPECT_EQ(readings.told[0], Told::Value);
+  EXPECT_EQ(readings.told[0], ReadingReport::Value);
   EXPECT_EQ(readings.values[0], 12.5);
-  EXPECT_EQ(readings.told[1], Told::Unchanged);
-  EXPECT_EQ(readings.told[2], Told::Nothing);
+  EXPECT_EQ(readings.told[1], ReadingReport::Unchanged);
+  EXPECT_EQ(readings.told[2], ReadingReport::Nothing);
 }
 
 TEST(Messages, TheLargestTickFitsAFrameAndComesBack) {
@@ -70,7 +70,7 @@ TEST(Messages, TheLargestTickFitsAFrameAndComesBack) {
   TickReadings readings;
   for (uint32_t i = 0; i < kMostSubscriptions; ++i) {
     subscription.sensors[subscription.count++] = {GLIDER_M_LAT, 1, 0};
-    readings.told[i] = Told::Value;
+    readings.told[i] = ReadingReport::Value;
     readings.values[i] = 3910 + i / 64.0;
   }
   Frame frame;
@@ -79,7 +79,7 @@ TEST(Messages, TheLargestTickFitsAFrameAndComesBack) {
   TickReadings again;
   ASSERT_TRUE(decode(frame, subscription, again));
   for (uint32_t i = 0; i < kMostSubscriptions; ++i) {
-    EXPECT_EQ(again.told[i], Told::Value);
+    EXPECT_EQ(again.told[i], ReadingReport::Value);
     EXPECT_EQ(again.values[i], readings.values[i]);
   }
   encode(subscription, frame);

@@ -56,7 +56,7 @@ TEST(Values, EveryFieldCounts) {
   EXPECT_TRUE(changed([](Instruction& i) { i.longitude_ddmm = 7349.8058; }));
 }
 
-TEST(Sequences, NoneIsNewerThanNoneAndNoneIsNone) {
+TEST(Sequences, NumbersAreNewerUpToHalfOfTheRoundAhead) {
   EXPECT_FALSE(isNewerSequence(0, 0));
   EXPECT_FALSE(isNewerSequence(0, 65534)) << "no number of an instruction";
   EXPECT_TRUE(isNewerSequence(1, 0));

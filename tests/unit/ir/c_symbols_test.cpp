@@ -46,7 +46,7 @@ TEST(CSymbols, AreReadAsTheLanguageHasThem) {
             "flightroute to(latitude, longitude) reads range, a");
 }
 
-TEST(CSymbols, OthersAreNone) {
+TEST(CSymbols, SymbolsOfAnotherFormAreRefused) {
   for (const char* other : {"", "main", "glider", "glider.function", "glider.function.f",
                             "glider.planet.x.length", "gliderMission", "x.function.f.length"}) {
     EXPECT_EQ(declarationOf(other), "none") << other;

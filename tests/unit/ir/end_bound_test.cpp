@@ -33,7 +33,7 @@ double gapsBeyond(double seconds, const std::string& text, double latest = kFore
              : std::numeric_limits<double>::quiet_NaN();
 }
 
-TEST(EndBound, IsTheClocksThatMustBeTrue) {
+TEST(EndBound, IsOneGapAfterAGuardOnClocksMustBeTrue) {
   EXPECT_EQ(gapsBeyond(500, stateText("a", "case (ge missiontime 500:time) exit")), 1);
   EXPECT_EQ(gapsBeyond(500, stateText("a", "case (ge statetime 500:time) exit")), 1);
   EXPECT_NEAR(gapsBeyond(500, stateText("a", "case (gt statetime 500:time) exit")), 1, 1e-9);
@@ -105,7 +105,7 @@ TEST(EndBound, CountsWhatVariablesCount) {
   EXPECT_TRUE(never != never);
 }
 
-TEST(EndBound, WhoIsReturnedToGoesOnWithWhatItHad) {
+TEST(EndBound, AResumedStateKeepsItsVariables) {
   EXPECT_EQ(gapsBeyond(600, "variable n: number state of a lowest 0 highest 10 initial n 0 " +
                                 stateText("a",
                                           "case (lt (var n) 3) do set n (add (var n) 1) end call b "

@@ -170,7 +170,7 @@ TEST(NeverUnknown, VariablesThatBeginKnown) {
   EXPECT_EQ(neverUnknown(known, intervalsOf(known)).variables, (std::vector<bool>{true, true}));
 }
 
-TEST(KnownWhere, OnlyWhatIsTheSameIsShown) {
+TEST(KnownWhere, AKnownExpressionMakesOnlyEqualOnesKnown) {
   // The condition shows the logged number, or another.
   const auto shows = [](const std::string& shown, const std::string& number) {
     const Mission m = missionWith(number, "(known " + shown + ")");
@@ -245,7 +245,7 @@ bool isHeld(const std::string& condition) {
                         std::ranges::max(deepestByState(proof_context)));
 }
 
-TEST(HeldByCommands, ADepthThatNoCommandLeadsBelow) {
+TEST(HeldByCommands, ALimitBelowAllCommandedDepthsIsProved) {
   for (const char* held : {"(le (sensor depth) 25:length)", "(lt (sensor depth) 25.1:length)",
                            "(ge 25:length (sensor depth))", "(gt 25.1:length (sensor depth))",
                            "(and (le (sensor depth) 25:length) (le (sensor depth) 26:length))",

@@ -45,7 +45,7 @@ hooks::Subscribe subscriptionOf(const Mission& mission) {
 uint64_t tickBytes(const Mission& mission) {
   hooks::TickReadings readings;
   for (size_t i = 0; i < mission.sensors.size(); ++i) {
-    readings.told[i] = hooks::Told::Value;
+    readings.told[i] = hooks::ReadingReport::Value;
     readings.values[i] = 1.5;
   }
   hooks::Frame frame;

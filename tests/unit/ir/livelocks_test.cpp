@@ -31,13 +31,13 @@ std::string said(const std::string& text) {
 
 const std::string kExit = "case (ge missiontime 2000:time) exit ";
 
-TEST(Livelocks, BetweenACallerAndWhatItCalls) {
+TEST(Livelocks, BetweenACallerAndItsCalledStateAreFound) {
   EXPECT_THAT(said(stateText("a", kExit + "case (ge missiontime 500:time) call b") +
                    stateText("b", "case (ge missiontime 100:time) return")),
               HasSubstr("at 500 s, the clocks alone switch the mission between `a` and `b`"));
 }
 
-TEST(Livelocks, ByGotoOfThreeAndByAlways) {
+TEST(Livelocks, OfThreeStatesAndOfAlwaysAreFound) {
   EXPECT_NE(said(stateText("a", kExit + "case (gt missiontime 500:time) goto b") +
                  stateText("b", "case (ge missiontime 5:time) goto c") +
                  stateText("c", "case (ge statetime 1:time) goto a")),
@@ -50,13 +50,13 @@ TEST(Livelocks, ByGotoOfThreeAndByAlways) {
               HasSubstr("`a` and itself"));
 }
 
-TEST(Livelocks, BeforeATimeToo) {
+TEST(Livelocks, ByGuardsThatAreTrueBeforeATimeAreFound) {
   EXPECT_NE(said(stateText("a", kExit + "case (lt missiontime 500:time) goto b") +
                  stateText("b", kExit + "case (lt missiontime 600:time) goto a")),
             "");
 }
 
-TEST(Livelocks, NotWhereASensorOrAVariableHasASay) {
+TEST(Livelocks, NoneIsReportedIfASensorOrAVariableDecides) {
   EXPECT_EQ(said(stateText("a", kExit + "case (and (ge missiontime 500:time) (gt (sensor depth) "
                                         "5:length)) call b") +
                  stateText("b", "case (ge missiontime 100:time) return")),
@@ -72,7 +72,7 @@ TEST(Livelocks, NotWhereASensorOrAVariableHasASay) {
             "");
 }
 
-TEST(Livelocks, NotWhereAStateIsKeptForAWhile) {
+TEST(Livelocks, NoneIsReportedIfAStateLastsForSomeTicks) {
   EXPECT_EQ(said(stateText("a", kExit + "case (ge missiontime 500:time) call b") +
                  stateText("b", "case (ge resumetime 60:time) return")),
             "");

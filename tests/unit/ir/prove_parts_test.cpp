@@ -127,23 +127,23 @@ TEST(Holdings, AreJoinedAndKeptInTheirRange) {
   Variable v;
   v.lowest = -2;
   v.highest = 5;
-  EXPECT_EQ(anything(v), (Holding{-2, 5, false, {}}));
+  EXPECT_EQ(anything(v), (PossibleValues{-2, 5, false, {}}));
   v.lowest = -kNever;
   v.highest = kNever;
-  EXPECT_EQ(anything(v), (Holding{-kMost, kMost, false, {}}));
+  EXPECT_EQ(anything(v), (PossibleValues{-kMost, kMost, false, {}}));
   v.lowest = -2;
   v.highest = 5;
-  EXPECT_EQ(withinRange({-9, 3, false, {}}, v), (Holding{-2, 3, false, {}}));
-  EXPECT_EQ(withinRange({1, 9, false, {}}, v), (Holding{1, 5, false, {}}));
-  EXPECT_EQ(withinRange({5, 9, false, {}}, v), (Holding{5, 5, false, {}}));
-  EXPECT_EQ(withinRange({6, 9, false, {}}, v), (Holding{0, 0, true, {}}));
-  EXPECT_EQ(withinRange({1, 2, true, {}}, v), (Holding{0, 0, true, {}}));
-  const Holding low{1, 2, false, {true, false, false}}, high{4, 7, false, {false, true, false}},
-      never{0, 0, true, {false, false, true}};
-  EXPECT_EQ(either(low, high), (Holding{1, 7, false, {true, true, false}}));
-  EXPECT_EQ(either(high, low), (Holding{1, 7, false, {true, true, false}}));
-  EXPECT_EQ(either(low, never), (Holding{1, 2, false, {true, false, true}}));
-  EXPECT_EQ(either(never, high), (Holding{4, 7, false, {false, true, true}}));
+  EXPECT_EQ(withinRange({-9, 3, false, {}}, v), (PossibleValues{-2, 3, false, {}}));
+  EXPECT_EQ(withinRange({1, 9, false, {}}, v), (PossibleValues{1, 5, false, {}}));
+  EXPECT_EQ(withinRange({5, 9, false, {}}, v), (PossibleValues{5, 5, false, {}}));
+  EXPECT_EQ(withinRange({6, 9, false, {}}, v), (PossibleValues{0, 0, true, {}}));
+  EXPECT_EQ(withinRange({1, 2, true, {}}, v), (PossibleValues{0, 0, true, {}}));
+  const PossibleValues low{1, 2, false, {true, false, false}},
+      high{4, 7, false, {false, true, false}}, never{0, 0, true, {false, false, true}};
+  EXPECT_EQ(either(low, high), (PossibleValues{1, 7, false, {true, true, false}}));
+  EXPECT_EQ(either(high, low), (PossibleValues{1, 7, false, {true, true, false}}));
+  EXPECT_EQ(either(low, never), (PossibleValues{1, 2, false, {true, false, true}}));
+  EXPECT_EQ(either(never, high), (PossibleValues{4, 7, false, {false, true, true}}));
   EXPECT_EQ(either(never, never), never);
 }
 
@@ -270,7 +270,7 @@ std::string asking(const std::string& profile, const std::string& route = "",
          more + " case (gt (var x) 1) exit\n";
 }
 
-TEST(ConeOfInfluence, IsWhatGuardsRead) {
+TEST(ConeOfInfluence, HasWhatGuardsRead) {
   EXPECT_EQ(relevantIn(number("x") + number("y") + stateText("a", "case true exit")), "");
   EXPECT_EQ(relevantIn(number("x") + number("y") + stateText("a", "case (gt (var x) 1) exit")),
             "x ");
@@ -302,7 +302,7 @@ TEST(ConeOfInfluence, IsWhatGuardsRead) {
             "x y 0 ");
 }
 
-TEST(ConeOfInfluence, IsWhatThatIsComputedFrom) {
+TEST(ConeOfInfluence, HasWhatVariablesOfGuardsAreComputedFrom) {
   EXPECT_EQ(relevantIn(number("y") + number("z") + number("x", "(var y)") +
                        stateText("a", "case (gt (var x) 1) exit")),
             "y x ");
@@ -334,7 +334,7 @@ TEST(ConeOfInfluence, IsWhatThatIsComputedFrom) {
             "z p ");
 }
 
-TEST(ConeOfInfluence, IsWhatSetsItInAProfileOrRoute) {
+TEST(ConeOfInfluence, HasGuardsOfProfilesAndRoutesThatSetItsVariables) {
   const std::string two = number("x") + number("y");
   EXPECT_EQ(
       relevantIn(two + asking("entry do log n () end case (gt (var y) 1) do log n () end stay")),
@@ -356,7 +356,7 @@ TEST(ConeOfInfluence, IsWhatSetsItInAProfileOrRoute) {
       << "it is done";
 }
 
-TEST(ConeOfInfluence, IsWhatCommandsDepthsToTheVehicle) {
+TEST(ConeOfInfluence, OfTheDepthHasWhatCommandsDepths) {
   const std::string two = number("x") + number("y");
   for (const char* command :
        {"descend ((mul (var y) 1:length), 0.4:angle)", "ascend ((mul (var y) 1:length), 0.4:angle)",

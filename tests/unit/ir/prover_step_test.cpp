@@ -227,7 +227,7 @@ TEST(ProverStep, HoldsTheStartOfRandomMissions) {
 
 /// Each sees what was set before it: the mission's variables, what `always` watches, the state's
 /// variables, what it watches, its entry, its profile, its route.
-TEST(ProverStep, TheStartIsThisAndNothingElse) {
+TEST(ProverStep, TheStartRunsItsPartsInOrder) {
   const Mission mission = missionOf(kHeader + R"(behaviour profile rise symbol "" () reads ()
 behaviour route way symbol "" () reads ()
 variable p: number parameter lowest 0 highest 9
@@ -374,7 +374,7 @@ state a route drift () profile glide () case true do set n (add (var n) 1) end s
   }
 }
 
-TEST(ProverStep, WhatAlwaysOverflowsIsUnknown) {
+TEST(ProverStep, ASumThatAlwaysOverflowsIsUnknown) {
   expectTicks(R"(variable n: number mission lowest 0 highest 10
 variable big: number mission
 initial n 1
@@ -385,7 +385,7 @@ state a route drift () profile glide ()
               {1, 1, 1});
 }
 
-TEST(ProverStep, AClampTurnedRoundLeaps) {
+TEST(ProverStep, AClampWhoseBoundsAreExchangedIsNotContinuous) {
   expectTicks(R"(variable low: length parameter lowest 0 highest 50
 variable high: length parameter lowest 0 highest 50
 variable x: length mission lowest 0 highest 100
@@ -407,7 +407,7 @@ void expectWithin(const Valuation& values, const TickResult& result, const Missi
     if (v.owner.valid() && v.owner != result.state) {
       continue;
     }
-    const Holding& held = values[i];
+    const PossibleValues& held = values[i];
     if (v.type.kind == TypeKind::Bool) {
       EXPECT_TRUE(value != value ? held.truths.is_unknown
                   : value != 0   ? held.truths.is_true
@@ -424,7 +424,7 @@ Valuation exactly(const TickResult& result, const Mission& m) {
   Valuation values;
   for (uint32_t i = 0; i < m.variables.size(); ++i) {
     const double value = result.variables[i];
-    Holding held = anything(m.variables[i]);
+    PossibleValues held = anything(m.variables[i]);
     if (m.variables[i].type.kind == TypeKind::Bool) {
       held.truths = {value == 1, value == 0, value != value};
     } else if (value == value) {
@@ -485,7 +485,7 @@ state b route drift () profile glide ()
   EXPECT_EQ(followTransitions(mission, streamOf({kNone, kNone, kNone, 10, 10, 2, 2})), 6U);
 }
 
-TEST(AbstractStep, WhatAlwaysOverflowsIsUnknown) {
+TEST(AbstractStep, ASumThatAlwaysOverflowsIsUnknown) {
   const Mission mission = missionOf(kHeader + R"(variable n: number mission lowest 0 highest 100
 initial n 1
 state a route drift () profile glide ()
@@ -511,7 +511,7 @@ always case (gt (temporal 0) 5) stay
 state a route drift () profile glide () case true do set n 1 end stay
 )");
   const ProofContext proof_context(mission, slocum());
-  Valuation values{Holding{1, 1, false, {}}};
+  Valuation values{PossibleValues{1, 1, false, {}}};
   const Interval all{0, 1e6, false};
   const AbstractEvaluator possible(proof_context, values, {all, all, all});
   EXPECT_TRUE(possible.truth(mission.always[0].guard).is_true) << "it was 7 a moment ago";

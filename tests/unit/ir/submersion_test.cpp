@@ -165,7 +165,7 @@ TEST(Submersion, ARouteThatCommandsADepthIsNoClimb) {
 
 /// Of all states: the greatest bound that is proved about each clock and of the depth holds in
 /// flight.
-TEST(AnyMomentOf, RandomFlightsIsWhatWasProved) {
+TEST(AnyMomentOf, WhatIsProvedHoldsInRandomFlights) {
   size_t proved = 0;
   for (uint64_t seed = 1; seed <= 60; ++seed) {
     std::string text = randomDives(seed);

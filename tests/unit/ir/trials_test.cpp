@@ -12,12 +12,12 @@
 namespace glider::ir::prove {
 namespace {
 
-std::vector<Seen> triedOut(const std::string& cases) {
+std::vector<SamplingResult> triedOut(const std::string& cases) {
   const Mission mission = missionOf(kHeader + stateText("a", cases));
   return tryOut(ProofContext(mission, slocum()), mission.states[0].cases);
 }
 
-TEST(Sampling, SeeWhatThePlainCasesOfAPlainMissionDo) {
+TEST(Sampling, ShowsThatUsualCasesFireAndIdle) {
   const auto seen = triedOut(
       "case (and (ge missiontime 1234:time) (gt (sensor depth) 5:length)) goto a "
       "case (or (gt (sensor temp) 20:temperature) (gt (sensor depth) 90:length)) goto a "
@@ -25,12 +25,12 @@ TEST(Sampling, SeeWhatThePlainCasesOfAPlainMissionDo) {
       "case (not (known (sensor temp))) goto a "
       "case (gt missiontime 18000:time) exit");
   ASSERT_EQ(seen.size(), 5U);
-  for (const Seen& one : seen) {
+  for (const SamplingResult& one : seen) {
     EXPECT_TRUE(one.fires && one.idle && one.first) << &one - seen.data();
   }
 }
 
-TEST(Sampling, DoNotSeeWhatCannotBe) {
+TEST(Sampling, ShowsNoImpossibleFiring) {
   const auto seen = triedOut(
       "case (gt (sensor depth) 200:length) goto a "
       "case (ge statetime 0:time) goto a "
@@ -42,7 +42,7 @@ TEST(Sampling, DoNotSeeWhatCannotBe) {
   EXPECT_FALSE(seen[2].first) << "the second is always before it";
 }
 
-TEST(Sampling, SeeWhatLooksBackInTime) {
+TEST(Sampling, ShowsWhatTemporalGuardsMayBe) {
   const Mission mission =
       missionOf(kHeader +
                 "temporal held state a (gt (sensor depth) 5:length) for 8:time "
@@ -88,7 +88,7 @@ bool isImpossible(const ProofContext& proof_context, const std::vector<Case>& ca
   return question.ask() == Answer::No;
 }
 
-TEST(Sampling, SeeNothingThatTheSolverSaysCannotBe) {
+TEST(Sampling, ShowsNothingThatTheSolverExcludes) {
   size_t seen_cases = 0;
   for (uint64_t seed = 1; seed <= 20; ++seed) {
     const Mission mission = random_missions::randomMission(seed);

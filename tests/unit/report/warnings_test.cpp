@@ -163,7 +163,7 @@ TEST(Warnings, ALongNameIsTheSameAsFarAsTheLineShowsIt) {
   EXPECT_EQ(warnings(name.substr(0, 47), name.substr(0, 47)), 0U);
 }
 
-TEST(Warnings, OneRefusalIsOne) {
+TEST(Warnings, OnlyEventsOfRefusedInstructionsAreCounted) {
   auto trace = flight(1);
   trace.events.push_back(makeEvent(8, EventId::InstructionRefused, {1.0, "deeper than max_depth"}));
   EXPECT_EQ(reported(trace),

@@ -311,7 +311,7 @@ TEST(CardTest, AByteThatWasWrittenLateIsNotANewLog) {
   }
 }
 
-TEST(CardTest, WhatASinkCannotDoItsCardCannotEither) {
+TEST(CardTest, ACardOffersOnlyTheOperationsOfItsFiles) {
   Gate gate;
   CardWork work = gate.work();
   work.log.sync = nullptr;

@@ -208,7 +208,7 @@ TEST_F(Compass, AVehicleThatNeverReportsItFliesByTheMissionsLine) {
   EXPECT_THAT(log_text_, ::testing::Not(::testing::HasSubstr("declination")));
 }
 
-TEST_F(Compass, WithoutEitherItFliesMagneticAndReportsThatOnce) {
+TEST_F(Compass, WithoutVariationAndDeclinationHeadingsStayMagneticWithOneNote) {
   HeadedVehicle vehicle(1);
   boot(vehicle);
   vehicle.run(60);

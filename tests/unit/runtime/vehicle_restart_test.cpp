@@ -126,7 +126,7 @@ TEST_F(VehicleRestart, AfterALittleLessThanHalfADayTheMissionIsOver) {
   expectLeft("the outage was too long");
 }
 
-TEST_F(VehicleRestart, WhoMayContinueAfterADayDoes) {
+TEST_F(VehicleRestart, AMissionThatMayResumeWithinADayContinues) {
   mission_.mission.resume_within = 24 * 3600;
   outage(60 + 13 * 3600);
   EXPECT_THAT(logCsv(), HasSubstr("mission resumed"));
@@ -191,7 +191,7 @@ TEST_P(ClockSetBack, AnOutageOfNoTimeIsResumed) {
 
 INSTANTIATE_TEST_SUITE_P(Boots, ClockSetBack, ::testing::Range(16, 44, 4));
 
-TEST_F(VehicleRestart, WhatWasFinishedIsNotGoneOnWith) {
+TEST_F(VehicleRestart, AFinishedMissionBeginsAgain) {
   end = 60;
   boot(vehicle_);
   vehicle_.run(90);
@@ -204,7 +204,7 @@ TEST_F(VehicleRestart, WhatWasFinishedIsNotGoneOnWith) {
   expectBegunAnew();
 }
 
-TEST_F(VehicleRestart, ItGoesOnAgainAfterThat) {
+TEST_F(VehicleRestart, AnotherPowerCutAfterItIsResumedToo) {
   outage(100);
   cutPower(vehicle_);
   vehicle_.run(150);

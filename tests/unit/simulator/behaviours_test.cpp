@@ -26,7 +26,7 @@ Commands filled() {
 }
 
 /// A condition with plain numbers.
-When when(int code, double secs, double distance_m) {
+WhenCondition when(int code, double secs, double distance_m) {
   static const MissionVariables kNone{{}};
   return {
       code, {.secs = {secs, kNone}, .distance_m = {distance_m, kNone}}, Code15::FarFromWaypoint};
@@ -45,7 +45,7 @@ TEST(When, Codes) {
   for (const Row& row : {Row{0, true, true, true, true}, Row{1, false, true, true, true},
                          Row{2, false, false, true, false}, Row{3, false, true, false, false},
                          Row{4, false, false, false, true}, Row{5, false, false, false, false}}) {
-    const When condition = when(row.code, 1e9, 0);
+    const WhenCondition condition = when(row.code, 1e9, 0);
     EXPECT_EQ(condition.met(at, filled()), row.full) << row.code;
     EXPECT_EQ(condition.met(at, no_heading), row.heading) << row.code;
     EXPECT_EQ(condition.met(at, no_pitch), row.pitch) << row.code;
@@ -55,7 +55,7 @@ TEST(When, Codes) {
   EXPECT_TRUE(when(7, 0, 10.1).met(at, filled()));
   EXPECT_FALSE(when(12, 50, 0).met(at, filled())) << "not longer than 50 s";
   EXPECT_TRUE(when(12, 49.9, 0).met(at, filled()));
-  When since_end = when(6, 40, 0), since_start = when(9, 40, 0);
+  WhenCondition since_end = when(6, 40, 0), since_start = when(9, 40, 0);
   EXPECT_TRUE(since_end.met(at, filled())) << "100 s since the mission's start";
   EXPECT_TRUE(since_start.met(at, filled()));
   since_end.noteEnd(60);

@@ -62,7 +62,7 @@ TEST_F(JudgedContacts, TheSecondAtAPlaceIsSeen) {
   EXPECT_EQ(touch(300, 40), "the vehicle is on the bottom again, 300 m from an earlier contact");
 }
 
-TEST_F(JudgedContacts, OfShortOnesTheFourthIsSeen) {
+TEST_F(JudgedContacts, TheFourthShortContactAtAPlaceIsSeen) {
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(touch(100 * i, 40, 44), "") << i;
   }
@@ -158,7 +158,7 @@ TEST_F(JudgedContacts, RareEchoesPromiseNoClearance) {
   }
 }
 
-TEST_F(JudgedContacts, OneThatDoesNotEndIsSeen) {
+TEST_F(JudgedContacts, AContactThatDoesNotEndIsSeen) {
   EXPECT_EQ(touch(0, 40, 700), "the vehicle has been on the bottom for 604 s");
 }
 

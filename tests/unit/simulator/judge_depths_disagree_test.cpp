@@ -57,11 +57,11 @@ TEST_F(JudgedOldFrames, MayMakeTheDepthsDisagree) {
   EXPECT_EQ(guardsAt(48, hooks::HookGuard::DepthsDisagree), kNothingSoFar);
 }
 
-TEST_F(JudgedOldFrames, MayStillDoSoShortlyAfterwards) {
+TEST_F(JudgedOldFrames, ExcuseDepthsThatDisagreeShortlyAfterwards) {
   EXPECT_EQ(guardsAt(84, hooks::HookGuard::DepthsDisagree), kNothingSoFar);
 }
 
-TEST_F(JudgedOldFrames, DoSoNoMoreLongAfterwards) {
+TEST_F(JudgedOldFrames, DoNotExcuseDepthsThatDisagreeLongAfterwards) {
   EXPECT_EQ(guardsAt(96, hooks::HookGuard::DepthsDisagree),
             "the guard intervenes (climb: a guard), but no limit is near");
 }

@@ -113,13 +113,13 @@ TEST_F(JudgedGuard, AJumpWithoutAClimbIsSeen) {
   EXPECT_EQ(cycle(12, 24.1), "m_depth jumps by 12.1 m, and hookbeh does not climb");
 }
 
-TEST_F(JudgedGuard, AJumpUpIsOneToo) {
+TEST_F(JudgedGuard, AJumpUpwardsWithoutAClimbIsSeen) {
   dive();
   EXPECT_EQ(stay(30, 80), "");
   EXPECT_EQ(cycle(30, 17.9), "m_depth jumps by -12.1 m, and hookbeh does not climb");
 }
 
-TEST_F(JudgedGuard, LessIsNoneAndNeitherIsOneWithoutTheSbc) {
+TEST_F(JudgedGuard, ASmallerJumpOrOneWithoutTheSbcIsNotAViolation) {
   dive();
   stay(30, 80);
   EXPECT_EQ(cycle(30, 42), "");
@@ -127,7 +127,7 @@ TEST_F(JudgedGuard, LessIsNoneAndNeitherIsOneWithoutTheSbc) {
   EXPECT_EQ(cycle(30, 50, HookState::Silent), "");
 }
 
-TEST_F(JudgedGuard, AJumpThatIsAnsweredByAClimbIsNone) {
+TEST_F(JudgedGuard, AJumpWithAClimbIsNotAViolation) {
   dive();
   stay(12, 80);
   guard(HookGuard::DepthJumps, "climb: depth jumps");
@@ -156,7 +156,7 @@ TEST_F(JudgedGuard, AClimbWithoutProgressOrGuardIsSeen) {
   EXPECT_EQ(cycle(20), "climbs for 508 s and gains no height, but no guard intervenes");
 }
 
-TEST_F(JudgedGuard, AClimbThatGainsHalfAMetreIsNone) {
+TEST_F(JudgedGuard, AClimbThatGainsHalfAMetreIsNotAViolation) {
   climb();
   for (const double depth : {20.0, 19.5, 19.0}) {
     EXPECT_EQ(stay(depth, 480), "");

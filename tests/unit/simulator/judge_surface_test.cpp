@@ -38,7 +38,7 @@ class JudgedAtSurface : public testing::Test {
   double now_ = 0, depth_reading_m_ = 0, ctd_bar_ = kNan, clearance_m_ = 100;
 };
 
-TEST_F(JudgedAtSurface, IsSeen) {
+TEST_F(JudgedAtSurface, AStayWithoutAReasonIsSeen) {
   EXPECT_EQ(stay(4000), "at the surface for 1804 s though 40 m is commanded");
 }
 
@@ -71,7 +71,7 @@ TEST_F(JudgedAtSurface, IsRightBetweenRareEchoesInTwentyEightMetres) {
   EXPECT_NE(stay(4000), "");
 }
 
-TEST_F(JudgedAtSurface, IsRightUnderADepthThatIsWrongThough) {
+TEST_F(JudgedAtSurface, AStayWithAWrongDepthSensorIsNotAViolation) {
   setup_.faults.sensors.push_back({.name = "m_depth", .kind = SensorFault::Kind::Value});
   EXPECT_EQ(stay(4000, [&] { depth_reading_m_ = 0; }), "") << "it is right there by chance";
 }

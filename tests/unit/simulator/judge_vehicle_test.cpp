@@ -258,7 +258,7 @@ class JudgedClimb : public Judged {
   }
 };
 
-TEST_F(JudgedClimb, HookbehsOwnIsOneToo) {
+TEST_F(JudgedClimb, ADepthCheckOfHookbehCountsAsTheClimb) {
   ascend();
   out_.doing = "check depth";
   out_.pump_cc = 233;
@@ -276,7 +276,7 @@ TEST_F(JudgedClimb, AtAnotherPitchIsSeen) {
   EXPECT_EQ(violation(), "no climb to 4 m though it is in force");
 }
 
-TEST_F(JudgedClimb, OnTheWayToAHoverHookbehsOwnIsOneToo) {
+TEST_F(JudgedClimb, ADepthCheckOfHookbehCountsOnTheWayToAHover) {
   take();
   instruct(1, 2, hooks::HookControl::Take, 50, hooks::HookVertical::Hover, 0);
   arrive();
@@ -324,7 +324,7 @@ TEST_F(JudgedPump, HookbehsOwnClimbTakesAllOfIt) {
   EXPECT_EQ(violation(), "a pump of 234 cc is commanded");
 }
 
-TEST_F(JudgedPump, AnotherClimbDoesNot) {
+TEST_F(JudgedPump, AnotherClimbKeepsToItsArgument) {
   ascend();
   out_.doing = "climb_to";
   cycle(HookState::Active, 10);

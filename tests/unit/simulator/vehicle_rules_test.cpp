@@ -33,7 +33,7 @@ struct WhenCase {
   bool stops = false;
 };
 
-When whenWith(int code, const WhenCase& c = {}) {
+WhenCondition whenWith(int code, const WhenCase& c = {}) {
   static const MissionVariables kNone{{}};
   return {code,
           {.secs = {c.secs, kNone},
@@ -115,7 +115,7 @@ TEST(VehicleRules, Codes17And18AreTheDistanceToThePrimaryWaypoint) {
 
 TEST(VehicleRules, AUtcTimeComesOnce) {
   // 2009-08-11 14:13:20 is 1.25e9 s since 1970.
-  When at = whenWith(13, {.utc_stamp = 908111414});
+  WhenCondition at = whenWith(13, {.utc_stamp = 908111414});
   Situation s{.time_s = 0, .utc_s = 1.25e9};
   EXPECT_FALSE(at.met(s, filledCommands()));
   s.time_s = 40, s.utc_s += 40;
@@ -337,7 +337,7 @@ TEST(VehicleRules, AStopWhenItIsCompleteIsNoStopOfItsOwn) {
 }
 
 TEST(VehicleRules, AUtcTimeMayComeAgain) {
-  When again = whenWith(13, {.secs = 600, .utc_stamp = 908111414});
+  WhenCondition again = whenWith(13, {.secs = 600, .utc_stamp = 908111414});
   Situation s{.time_s = 40, .utc_s = 1.25e9 + 40};
   EXPECT_TRUE(again.met(s, filledCommands()));
   again.noteStart(40);
@@ -345,7 +345,7 @@ TEST(VehicleRules, AUtcTimeMayComeAgain) {
   EXPECT_FALSE(again.met(s, filledCommands()));
   s.time_s = 640, s.utc_s = 1.25e9 + 640;
   EXPECT_TRUE(again.met(s, filledCommands()));
-  When late = whenWith(13, {.secs = -1, .utc_stamp = 908110000});
+  WhenCondition late = whenWith(13, {.secs = -1, .utc_stamp = 908110000});
   EXPECT_TRUE(late.met(s, filledCommands())) << "at any time after it";
   late.noteStart(640);
   EXPECT_FALSE(late.met(s, filledCommands())) << "once";

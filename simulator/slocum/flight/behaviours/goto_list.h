@@ -32,7 +32,7 @@ class GotoList final : public StartedBehaviour {
   /// The number of waypoints to reach from `first`; negative: no end.
   [[nodiscard]] int legs(size_t first) const;
 
-  When stop_;
+  WhenCondition stop_;
   std::vector<Place> places_;
   int initial_, legs_to_run_;
   bool stays_;  ///< at its last waypoint, until an operator gives it another list (end_action 6)

@@ -18,7 +18,7 @@ class GotoWpt final : public StartedBehaviour {
   Outcome fly(const Situation& situation, Commands& commands) override;
 
  private:
-  When stop_;
+  WhenCondition stop_;
   bool fresh_ = true;
   WaypointUnits units_;
   Argument x_, y_;

@@ -37,7 +37,7 @@ class SetHeading final : public StartedBehaviour {
   static bool isHeading(int code) { return code == 1 || code == 5; }
   static bool isRoll(int code) { return code == 2 || code == 3; }
 
-  When stop_;
+  WhenCondition stop_;
   HeadingCommand::Mode mode_;
   Argument value_;
 };

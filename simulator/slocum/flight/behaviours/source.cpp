@@ -16,7 +16,7 @@ double valueOr(const slocum::BehaviourBlock& block, std::string_view name, doubl
 
 }  // namespace
 
-When BehaviourSource::condition(const std::string& name, bool stops) const {
+WhenCondition BehaviourSource::condition(const std::string& name, bool stops) const {
   return {code(name),
           {.secs = {valueOr(block, "when_secs", 0), variables},
            .distance_m = {valueOr(block, "when_wpt_dist", 0), variables},
@@ -26,11 +26,11 @@ When BehaviourSource::condition(const std::string& name, bool stops) const {
           stops};
 }
 
-When BehaviourSource::startCondition() const {
+WhenCondition BehaviourSource::startCondition() const {
   return condition("start_when", false);
 }
 
-When BehaviourSource::stopCondition() const {
+WhenCondition BehaviourSource::stopCondition() const {
   return condition("stop_when", true);
 }
 

@@ -37,9 +37,9 @@ struct BehaviourSource {
     return static_cast<int>(block.value(name));
   }
   /// start_when with the b_args that it may need.
-  [[nodiscard]] When startCondition() const;
+  [[nodiscard]] WhenCondition startCondition() const;
   /// stop_when, likewise.
-  [[nodiscard]] When stopCondition() const;
+  [[nodiscard]] WhenCondition stopCondition() const;
   /// use_pitch and pitch_value behind `prefix` ("d_", "c_", "").
   [[nodiscard]] PitchSource pitch(const std::string& prefix) const;
   /// The pump's volume behind `prefix`, cc: bpump_value, or all of it, out or in, where the vehicle
@@ -48,7 +48,7 @@ struct BehaviourSource {
   [[nodiscard]] Argument pump(const std::string& prefix, Pumps pumps) const;
 
  private:
-  [[nodiscard]] When condition(const std::string& name, bool stops) const;
+  [[nodiscard]] WhenCondition condition(const std::string& name, bool stops) const;
 };
 
 }  // namespace glider::simulator

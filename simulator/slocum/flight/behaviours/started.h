@@ -28,7 +28,7 @@ class StartedBehaviour : public Behaviour {
   void ended(const Situation& s) override { start_.noteEnd(s.time_s); }
 
  private:
-  When start_;
+  WhenCondition start_;
   bool resumes_;
 };
 

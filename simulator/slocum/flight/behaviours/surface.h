@@ -24,7 +24,7 @@ class Surface final : public StartedBehaviour {
   }
 
  private:
-  /// end_action. The operator's keys are waited for, but nobody presses one.
+  /// end_action. The operator's keys are waited for, but none is pressed.
   enum class EndAction : uint8_t {
     Quit,
     WaitThenResume,

@@ -20,7 +20,7 @@ class Yo final : public StartedBehaviour {
   Outcome fly(const Situation& situation, Commands& commands) override;
 
  private:
-  When stop_;
+  WhenCondition stop_;
   DepthLeg dive_, climb_;
   enum class Begins : uint8_t { Climbing, Diving, Continuing } begins_;  ///< start_diving
   Argument half_cycles_to_do_;

@@ -135,8 +135,10 @@ bool Control::chooseTake(const hooks::Instruction& wanted, hooks::Instruction& o
 
 bool Control::chooseRelease(hooks::Instruction& out) {
   const bool taken = ours_ || pending_ == HookControl::Take;
-  if (!taken || ++releasing_ticks_ > kReleaseTicks) {
+  if (!taken || releasing_ticks_ >= kReleaseTicks) {
     released_ = true;
+  } else {
+    ++releasing_ticks_;
   }
   if (released_ || pending_ == HookControl::Release) {
     return false;
@@ -155,7 +157,7 @@ Check Control::brokenPart() const {
       {offsetof(Control, state_), static_cast<uint16_t>(HookState::Complete), 1},
       {offsetof(Control, pending_), kControls, 1},
       {offsetof(Control, unconfirmed_), kConfirmTicks, 4},
-      {offsetof(Control, releasing_ticks_), kReleaseTicks + 1, 4},
+      {offsetof(Control, releasing_ticks_), kReleaseTicks, 4},
       {offsetof(Control, instructed_.control), kControls, 1},
       {offsetof(Control, instructed_.vertical), kVerticals, 1},
       {offsetof(Control, instructed_.lateral), kLaterals, 1},

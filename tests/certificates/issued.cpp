@@ -3,6 +3,7 @@
 
 #include "tests/certificates/issued.h"
 
+#include "analysis/trace_of_run.h"
 #include "compiler/proving.h"
 #include "support/files.h"
 #include "support/program.h"

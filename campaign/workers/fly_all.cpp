@@ -156,8 +156,11 @@ void Leader::hear(const Message& message) {
     case MessageKind::Bye:
       ++gone_;
       break;
-    default:
-      CHECK(false, "a rank sent what only rank 0 sends");
+    case MessageKind::Ready:
+    case MessageKind::Fly:
+    case MessageKind::Land:
+    case MessageKind::Stop:
+      CHECK(false, "a rank sent what it sends only before, or what only rank 0 sends");
   }
 }
 

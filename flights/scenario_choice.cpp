@@ -66,7 +66,7 @@ support::Result<void> flyVehiclesOwn(const std::filesystem::path& file,
                                      const support::ShowDiagnostics& show) {
   const simulator::Family* family = simulator::familyOf(platform);
   if (family == nullptr) {
-    return simulator::checkPlatform(platform);
+    return simulator::checkPlatform(platform);  // which reports that
   }
   support::SourceManager sources;
   support::DiagnosticEngine diagnostics;

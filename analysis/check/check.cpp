@@ -12,22 +12,22 @@ namespace {
 
 using support::Result;
 
-enum class When : uint8_t { Always, Report };
+enum class StepCondition : uint8_t { Always, Report };
 
 struct Step {
   Result<void> (*run)(check::Run&);
-  When when;
+  StepCondition when;
 };
 
 constexpr Step kSteps[] = {
-#define STEP(name, when) {check::name, When::when},
+#define STEP(name, when) {check::name, StepCondition::when},
 #include "analysis/check/check_steps.def"
 #undef STEP
 };
 
 Result<void> runSteps(check::Run& run) {
   for (const Step& step : kSteps) {
-    if (step.when == When::Report && !run.options.report) {
+    if (step.when == StepCondition::Report && !run.options.report) {
       continue;
     }
     if (auto done = step.run(run); !done) {

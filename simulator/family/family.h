@@ -12,9 +12,9 @@
 #include <any>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace glider::simulator {
 
@@ -34,7 +34,7 @@ struct Family {
                                     support::SourceManager& sources,
                                     support::DiagnosticEngine& diagnostics, std::any& own);
   /// The keys of a scenario's table [vehicle] that only this family has; sets them in `own`.
-  std::vector<std::string_view> vehicle_keys;
+  std::span<const std::string_view> vehicle_keys;
   void (*read_vehicle)(Fields& fields, std::any& own);
   /// The own mission as text: the same text, the same flight.
   std::string (*text_of)(const std::any& own);

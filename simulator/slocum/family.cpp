@@ -10,10 +10,13 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
 #include <utility>
 
 namespace glider::simulator {
 namespace {
+
+constexpr std::string_view kVehicleKeys[] = {"code_15"};
 
 /// The one in `own`, which is made if there is none.
 SlocumMission& missionIn(std::any& own) {
@@ -61,7 +64,13 @@ std::unique_ptr<SimulatedSeat> makeSeat(const SeatSetup& setup) {
 
 }  // namespace
 
-const Family families::slocum = {"slocum",   missingSensor, loadOwn, {"code_15"},
-                                 readCode15, textOf,        makeSeat};
+// A constant of the program: initialisers that run before main() find it complete.
+constinit const Family families::slocum = {.name = "slocum",
+                                           .missing_sensor = missingSensor,
+                                           .load_own = loadOwn,
+                                           .vehicle_keys = kVehicleKeys,
+                                           .read_vehicle = readCode15,
+                                           .text_of = textOf,
+                                           .make_seat = makeSeat};
 
 }  // namespace glider::simulator

@@ -6,8 +6,11 @@
 
 #include "driver/output/check_progress.h"
 
+#include "driver/terminal.h"
+
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <gmock/gmock.h>
 #include <pty.h>
 #include <string>
@@ -18,10 +21,12 @@ namespace glider::driver {
 namespace {
 
 using testing::EndsWith;
+using testing::HasSubstr;
 using testing::StartsWith;
 
 /// What is written to standard error while that is a terminal of so many columns; 0: unknown width.
-std::string toldOn(unsigned short columns, const std::string& work) {
+std::string toldOn(unsigned short columns, const std::string& work,
+                   const std::function<void(CheckProgress&)>& then = {}) {
   int master = -1, slave = -1;
   const winsize size = {24, columns, 0, 0};
   EXPECT_EQ(::openpty(&master, &slave, nullptr, nullptr, &size), 0);
@@ -31,6 +36,9 @@ std::string toldOn(unsigned short columns, const std::string& work) {
     CheckProgress progress("survey.mission");
     progress.at(work);
     std::this_thread::sleep_for(std::chrono::milliseconds(1150));
+    if (then) {
+      then(progress);
+    }
   }
   ::dup2(usual, STDERR_FILENO);
   ::close(usual);
@@ -50,6 +58,14 @@ TEST(CheckProgress, IsAsLongAsThereIsRoomAndGoneAtTheEnd) {
   const std::string told = toldOn(200, "proving 1 of 2:\nexit");
   EXPECT_THAT(told, StartsWith(kBegin + "survey.mission: proving 1 of 2: exit, 1 s" + kBegin));
   EXPECT_THAT(told, EndsWith(kBegin));
+}
+
+TEST(CheckProgress, IsRemovedForWhatElseIsPrinted) {
+  const std::string told = toldOn(200, "proving", [](CheckProgress& progress) {
+    progress.clear();
+    tell("warning");
+  });
+  EXPECT_THAT(told, HasSubstr(", 1 s" + kBegin + "warning"));
 }
 
 TEST(CheckProgress, IsOneShorterThanTheTerminal) {

@@ -242,6 +242,7 @@ TEST_F(PlatformOfFlights, WithoutAModelOrFamilyItIsCheckedAndBuiltAndNotFlown) {
   const auto refused = [&](const std::string& edit, const std::string& why) {
     platform(edit);
     EXPECT_NE(glidercc("check mine.mission").status, 2);
+    EXPECT_NE(glidercc("check --scenario default mine.mission").status, 2);
     EXPECT_EQ(glidercc("build mine.mission -o mine").status, 0);
     const Outcome flown = glidercc("sim -o f mine.mission");
     EXPECT_EQ(flown.status, 2) << flown.out << flown.err;

@@ -8,6 +8,7 @@
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/shared_options.h"
+#include "driver/terminal.h"
 
 #include <CLI/CLI.hpp>
 
@@ -42,7 +43,11 @@ int campaign(const campaign::CampaignOptions& options) {
   if (options.only) {
     return flyOnly(plan, options);
   }
-  const Flown flown = flyThem(plan, options, nullptr);
+  const auto identity = campaign::identityOf(plan, options);
+  if (!identity) {
+    return reportFailure(identity.error());
+  }
+  const Flown flown = flyThem(plan, options, *identity, nullptr);
   if (flown.running) {
     std::_Exit(flown.status);  // its threads would not let the program end
   }

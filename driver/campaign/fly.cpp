@@ -133,19 +133,15 @@ int flyOnly(const campaign::CampaignPlan& plan, const campaign::CampaignOptions&
 }
 
 Flown flyThem(const campaign::CampaignPlan& plan, const campaign::CampaignOptions& options,
-              campaign::Ranks* ranks) {
-  const auto identity = campaign::identityOf(plan, options);
-  if (!identity) {
-    return {reportFailure(identity.error())};
-  }
+              const std::string& identity, campaign::Ranks* ranks) {
   campaign::CampaignResult known;
   known.verdicts.resize(plan.flights);
   for (const std::string& file : options.resume) {
-    if (auto read = campaign::readCsv(file, plan, *identity, known); !read) {
+    if (auto read = campaign::readCsv(file, plan, identity, known); !read) {
       return {reportFailure(read.error())};
     }
   }
-  auto file = FlightsFile::begin(fileOf(options), campaign::campaignCsv(plan, known, *identity));
+  auto file = FlightsFile::begin(fileOf(options), campaign::campaignCsv(plan, known, identity));
   if (!file) {
     return {reportFailure(file.error())};
   }
@@ -164,7 +160,7 @@ Flown flyThem(const campaign::CampaignPlan& plan, const campaign::CampaignOption
   const campaign::CampaignResult result = campaign::flyAll(plan, std::move(known), listener, ranks);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   line.clear();
-  return {tellResult(plan, options, result, *identity, took.count()), true, result.running,
+  return {tellResult(plan, options, result, identity, took.count()), true, result.running,
           result.left_ranks};
 }
 

@@ -5,6 +5,8 @@
 
 #include "campaign/campaign.h"
 
+#include <string>
+
 namespace glider::driver {
 
 /// Flies the one flight that `--only` names and prints how it went; returns the exit code.
@@ -18,8 +20,8 @@ struct Flown {
   bool left_ranks = false;  ///< another rank does not end
 };
 /// Flies the campaign on this process and the other ranks, if any; writes its file and prints the
-/// table.
+/// table. `identity`: identityOf the plan.
 Flown flyThem(const campaign::CampaignPlan& plan, const campaign::CampaignOptions& options,
-              campaign::Ranks* ranks);
+              const std::string& identity, campaign::Ranks* ranks);
 
 }  // namespace glider::driver

@@ -21,12 +21,8 @@ namespace glider::driver {
 namespace {
 
 /// Waits until all other ranks are ready to fly the same campaign; reports the first that is not.
-int awaitSame(const campaign::CampaignPlan& plan, const campaign::CampaignOptions& options,
+int awaitSame(const campaign::CampaignPlan& plan, const std::string& identity,
               campaign::Ranks& ranks) {
-  const auto identity = campaign::identityOf(plan, options);
-  if (!identity) {
-    return reportFailure(identity.error());
-  }
   const auto others = campaign::awaitReadiness(ranks);
   for (const campaign::Readiness& other : others) {
     if (other.status != kFine) {
@@ -35,7 +31,7 @@ int awaitSame(const campaign::CampaignPlan& plan, const campaign::CampaignOption
       return other.status;
     }
   }
-  const auto same = campaign::requireSame(campaign::readinessOf(plan, *identity), others);
+  const auto same = campaign::requireSame(campaign::readinessOf(plan, identity), others);
   return same ? kFine : reportFailure(same.error());
 }
 
@@ -43,11 +39,13 @@ int lead(const campaign::CampaignOptions& options, unsigned jobs, campaign::Rank
   std::optional<campaign::CampaignPlan> plan(std::in_place);
   Flown flown;
   flown.status = makePlan(options, jobs, *plan);
+  support::Result<std::string> identity;
   if (flown.status == kFine) {
-    flown.status = awaitSame(*plan, options, ranks);
+    identity = campaign::identityOf(*plan, options);
+    flown.status = identity ? awaitSame(*plan, *identity, ranks) : reportFailure(identity.error());
   }
   if (flown.status == kFine) {
-    flown = flyThem(*plan, options, &ranks);
+    flown = flyThem(*plan, options, *identity, &ranks);
   }
   plan.reset();  // with it go the folders of the boards' binaries
   const bool ended = flown.begun ? !flown.left_ranks : campaign::dismissRanks(ranks);

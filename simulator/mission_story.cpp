@@ -11,7 +11,7 @@
 
 namespace glider::simulator {
 
-using Kind = hooks::HookprogEvent::Kind;
+using Kind = hooks::SeatEvent::Kind;
 
 namespace {
 
@@ -23,7 +23,7 @@ std::string valueText(double value, const std::string& unit) {
 }
 
 /// Why hookprog gives the SBC no link.
-std::string whyRefused(const hooks::HookprogEvent& event) {
+std::string whyRefused(const hooks::SeatEvent& event) {
   if (event.a != hooks::kProtocolVersion) {
     return fmt::format("it uses version {} of the protocol, the vehicle version {}", event.a,
                        hooks::kProtocolVersion);
@@ -49,8 +49,7 @@ std::string MissionStory::stateName(uint32_t state) const {
   return state < state_names_.size() ? state_names_[state] : fmt::format("state {}", state);
 }
 
-void MissionStory::learnOrigin(double cycle_s, const hooks::Hookprog::SbcView& view,
-                               bool in_control) {
+void MissionStory::learnOrigin(double cycle_s, const hooks::SbcView& view, bool in_control) {
   flying_ = in_control && view.known && view.phase == hooks::MissionPhase::Flying;
   if (!flying_) {
     origin_s_ = in_control ? origin_s_ : std::numeric_limits<double>::infinity();
@@ -62,7 +61,7 @@ void MissionStory::learnOrigin(double cycle_s, const hooks::Hookprog::SbcView& v
   origin_s_ = std::min(origin_s_, cycle_s - view.mission_time_s);
 }
 
-std::string MissionStory::why(const hooks::HookprogEvent& event, const SimulatedSeat& seat) const {
+std::string MissionStory::why(const hooks::SeatEvent& event, const SimulatedSeat& seat) const {
   if (!explain_) {
     return "";
   }
@@ -80,7 +79,7 @@ std::string MissionStory::why(const hooks::HookprogEvent& event, const Simulated
   return values.empty() ? text.guard : fmt::format("{} ({})", text.guard, values);
 }
 
-void MissionStory::transition(double now_s, const hooks::HookprogEvent& event,
+void MissionStory::transition(double now_s, const hooks::SeatEvent& event,
                               const SimulatedSeat& seat, Journal& journal) const {
   const double time =
       std::isfinite(origin_s_) ? std::min(now_s, origin_s_ + event.mission_time_s) : now_s;
@@ -92,7 +91,7 @@ void MissionStory::transition(double now_s, const hooks::HookprogEvent& event,
   journal.events().back().mission_time_s = event.mission_time_s;
 }
 
-void MissionStory::note(double now_s, const hooks::HookprogEvent& event, Journal& journal) const {
+void MissionStory::note(double now_s, const hooks::SeatEvent& event, Journal& journal) const {
   const double time =
       std::isfinite(origin_s_) ? std::min(now_s, origin_s_ + event.mission_time_s) : now_s;
   if (event.a == kUnknownSet) {

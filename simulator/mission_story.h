@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "hooks/hookprog/hookprog.h"
+#include "hooks/seat/seat.h"
 #include "platforms/load/platform.h"
 #include "simulator/guard_text.h"
 #include "simulator/journal.h"
@@ -35,11 +35,11 @@ class MissionStory {
   [[nodiscard]] std::string stateName(uint32_t state) const;
 
  private:
-  void learnOrigin(double cycle_s, const hooks::Hookprog::SbcView& view, bool in_control);
-  void transition(double now_s, const hooks::HookprogEvent& event, const SimulatedSeat& seat,
+  void learnOrigin(double cycle_s, const hooks::SbcView& view, bool in_control);
+  void transition(double now_s, const hooks::SeatEvent& event, const SimulatedSeat& seat,
                   Journal& journal) const;
-  void note(double now_s, const hooks::HookprogEvent& event, Journal& journal) const;
-  [[nodiscard]] std::string why(const hooks::HookprogEvent& event, const SimulatedSeat& seat) const;
+  void note(double now_s, const hooks::SeatEvent& event, Journal& journal) const;
+  [[nodiscard]] std::string why(const hooks::SeatEvent& event, const SimulatedSeat& seat) const;
 
   const platforms::Platform& platform_;
   const std::vector<std::string>& state_names_;

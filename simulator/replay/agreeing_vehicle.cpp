@@ -119,7 +119,7 @@ void AgreeingVehicle::hearInstructions() {
 
 /// The events of hookprog are not needed here, but its queue is bounded and must be emptied.
 void AgreeingVehicle::passOverEvents() {
-  while (hookprog_.nextEvent().kind != hooks::HookprogEvent::Kind::None) {
+  while (hookprog_.nextEvent().kind != hooks::SeatEvent::Kind::None) {
   }
 }
 

@@ -39,7 +39,7 @@ class AgreeingVehicle {
   /// A flight cycle under the SBC's control, at a mission time after 0.
   void tick(const ReplayTick& tick);
 
-  [[nodiscard]] hooks::Hookprog::SbcView sbc() const { return hookprog_.sbc(); }
+  [[nodiscard]] hooks::SbcView sbc() const { return hookprog_.sbc(); }
   /// True if the SBC's mission has ended.
   [[nodiscard]] bool finished() const;
 

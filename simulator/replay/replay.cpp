@@ -15,7 +15,7 @@ constexpr int kMostHandshakeCycles = 20;
 
 ReplayAnswer answerOf(const AgreeingVehicle& vehicle, double mission_time) {
   ReplayAnswer answer;
-  const hooks::Hookprog::SbcView view = vehicle.sbc();
+  const hooks::SbcView view = vehicle.sbc();
   answer.answered = view.known && view.mission_time_s == mission_time;
   answer.state = view.state;
   answer.stack_depth = view.stack_depth;

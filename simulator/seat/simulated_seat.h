@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "hooks/hookprog/hookprog.h"
+#include "hooks/seat/seat.h"
 #include "simulator/flight_observer.h"
 #include "simulator/journal.h"
 #include "simulator/link/serial_line.h"
@@ -53,9 +53,9 @@ class SimulatedSeat {
   virtual bool serve(double now_s, const Vehicle& vehicle, SerialLine& sbc) = 0;
 
   /// What has happened on the link to the SBC, oldest first; Kind::None after the last.
-  virtual hooks::HookprogEvent nextEvent() = 0;
+  virtual hooks::SeatEvent nextEvent() = 0;
   /// What the SBC has last said of its mission.
-  [[nodiscard]] virtual hooks::Hookprog::SbcView sbc() const = 0;
+  [[nodiscard]] virtual hooks::SbcView sbc() const = 0;
   /// The SBC controls the vehicle.
   [[nodiscard]] virtual bool inControl() const = 0;
   /// The SBC's mission has changed state.

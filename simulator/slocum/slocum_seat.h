@@ -26,8 +26,8 @@ class SlocumSeat final : public SimulatedSeat {
   void cycle(double now_s, bool sbc_gone, Vehicle& vehicle) override;
   bool serve(double now_s, const Vehicle& vehicle, SerialLine& sbc) override;
 
-  hooks::HookprogEvent nextEvent() override { return science_.nextEvent(); }
-  [[nodiscard]] hooks::Hookprog::SbcView sbc() const override { return science_.sbc(); }
+  hooks::SeatEvent nextEvent() override { return science_.nextEvent(); }
+  [[nodiscard]] hooks::SbcView sbc() const override { return science_.sbc(); }
   [[nodiscard]] bool inControl() const override { return flight_.hookActive(); }
   void noteTransition() override { flight_.noteTransition(); }
 

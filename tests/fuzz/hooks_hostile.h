@@ -185,7 +185,7 @@ inline void feedHookprog(const uint8_t* bytes, uint32_t count) {
                            }};
   for (int second = 0; second < 4; ++second) {
     hookprog.run(second, own, sbc.stream(), flight.stream());
-    while (hookprog.nextEvent().kind != HookprogEvent::Kind::None) {
+    while (hookprog.nextEvent().kind != SeatEvent::Kind::None) {
     }
   }
 }

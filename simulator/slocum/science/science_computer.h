@@ -45,8 +45,8 @@ class ScienceComputer {
   [[nodiscard]] bool reads(uint16_t id) const;
   /// Sets what its sensors report from now on instead of the truth.
   void damageBy(SensorDamage* damage) { damage_ = damage; }
-  [[nodiscard]] hooks::HookprogEvent nextEvent() { return hookprog_.nextEvent(); }
-  [[nodiscard]] hooks::Hookprog::SbcView sbc() const { return hookprog_.sbc(); }
+  [[nodiscard]] hooks::SeatEvent nextEvent() { return hookprog_.nextEvent(); }
+  [[nodiscard]] hooks::SbcView sbc() const { return hookprog_.sbc(); }
   /// The newest good reading of one of its own sensors, NaN before the first and of others.
   [[nodiscard]] double value(uint16_t id) const {
     return id < values_.size() ? values_[id] : std::numeric_limits<double>::quiet_NaN();

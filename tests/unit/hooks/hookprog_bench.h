@@ -17,7 +17,7 @@ namespace glider::hooks {
 /// A hookprog whose flight controller, instruments and SBC are the test.
 class HookprogBench : public testing::Test {
  protected:
-  HookprogBench() : hookprog_(gliderDictionary, HookprogOptions{true}) {}
+  HookprogBench() : hookprog_(gliderDictionary, SeatOptions{true}) {}
 
   void run(double seconds = 1) {
     now_ += seconds;
@@ -103,9 +103,9 @@ class HookprogBench : public testing::Test {
     put(sbc_line_.right(), frame);
   }
 
-  std::vector<HookprogEvent::Kind> events() {
-    std::vector<HookprogEvent::Kind> kinds;
-    for (auto event = hookprog_.nextEvent(); event.kind != HookprogEvent::Kind::None;
+  std::vector<SeatEvent::Kind> events() {
+    std::vector<SeatEvent::Kind> kinds;
+    for (auto event = hookprog_.nextEvent(); event.kind != SeatEvent::Kind::None;
          event = hookprog_.nextEvent()) {
       kinds.push_back(event.kind);
       last_event_ = event;
@@ -122,7 +122,7 @@ class HookprogBench : public testing::Test {
   double cycle_ = 0;
   uint8_t said_ = 0;
   uint8_t tick_sequence_ = 0;
-  HookprogEvent last_event_;
+  SeatEvent last_event_;
 };
 
 }  // namespace glider::hooks

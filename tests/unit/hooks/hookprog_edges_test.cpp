@@ -12,7 +12,7 @@ namespace glider::hooks {
 namespace {
 
 using Type = MessageType;
-using Kind = HookprogEvent::Kind;
+using Kind = SeatEvent::Kind;
 
 class HookprogEdgesTest : public HookprogBench {
  protected:
@@ -46,7 +46,7 @@ TEST_F(HookprogEdgesTest, ItsNumbersBeginAtTheTimeOfTheClock) {
                                    {4294967294.0, 4294967295U},
                                    {4294967296.0, 4294967295U},
                                    {-7.0, 0U}}) {
-    Hookprog fresh{gliderDictionary, HookprogOptions{true}};
+    Hookprog fresh{gliderDictionary, SeatOptions{true}};
     hookprog_ = fresh;
     now_ = now;
     atSbc();

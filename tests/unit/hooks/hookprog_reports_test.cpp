@@ -10,7 +10,7 @@ namespace glider::hooks {
 namespace {
 
 using Type = MessageType;
-using Kind = HookprogEvent::Kind;
+using Kind = SeatEvent::Kind;
 
 class HookprogReportsTest : public HookprogBench {};
 
@@ -149,7 +149,7 @@ TEST_F(HookprogReportsTest, AReportThatComesAgainIsNotATick) {
   cycle_ = 4;
   cycle({{GLIDER_M_DEPTH, 14}});
   EXPECT_TRUE(atSbc().empty());
-  EXPECT_EQ(events(), (std::vector{HookprogEvent::Kind::StaleFrame}));
+  EXPECT_EQ(events(), (std::vector{SeatEvent::Kind::StaleFrame}));
   cycle_ = newest;
   cycle({{GLIDER_M_PITCH, 0.1}});
   EXPECT_EQ(tick(subscription()).told[0], ReadingReport::Nothing)

@@ -12,7 +12,7 @@ namespace glider::hooks {
 namespace {
 
 using Type = MessageType;
-using Kind = HookprogEvent::Kind;
+using Kind = SeatEvent::Kind;
 
 class HookprogTest : public HookprogBench {};
 

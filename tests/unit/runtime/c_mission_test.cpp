@@ -360,8 +360,8 @@ TEST(CMission, LogsControlAndWhatIsRefused) {
   }
   const std::string csv = logOf(log);
   EXPECT_EQ(std::ranges::count_if(vehicle.events,
-                                  [](const hooks::HookprogEvent& e) {
-                                    return e.kind == hooks::HookprogEvent::Kind::SbcNote &&
+                                  [](const hooks::SeatEvent& e) {
+                                    return e.kind == hooks::SeatEvent::Kind::SbcNote &&
                                            std::string(e.text) == "calls s 2";
                                   }),
             1);
@@ -380,8 +380,8 @@ TEST(CMission, TellsTheVehicleThatTheCardIsGone) {
   ASSERT_GT(mission.writer(), 0);
   kill(mission.writer(), SIGKILL);
   vehicle.run(200);
-  const auto told = std::ranges::count_if(vehicle.events, [](const hooks::HookprogEvent& e) {
-    return e.kind == hooks::HookprogEvent::Kind::SbcNote &&
+  const auto told = std::ranges::count_if(vehicle.events, [](const hooks::SeatEvent& e) {
+    return e.kind == hooks::SeatEvent::Kind::SbcNote &&
            std::string_view(e.text).find("declination") == std::string_view::npos;
   });
   EXPECT_EQ(told, 1);

@@ -220,7 +220,7 @@ TEST_F(Compass, WithoutVariationAndDeclinationHeadingsStayMagneticWithOneNote) {
   EXPECT_EQ(log.find("declination unknown", first + 1), std::string::npos) << log;
   int told = 0;
   for (const auto& event : vehicle.events) {
-    told += event.kind == hooks::HookprogEvent::Kind::SbcNote ? 1 : 0;
+    told += event.kind == hooks::SeatEvent::Kind::SbcNote ? 1 : 0;
   }
   EXPECT_EQ(told, 1);
 }

@@ -18,7 +18,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using Kind = hooks::HookprogEvent::Kind;
+using Kind = hooks::SeatEvent::Kind;
 
 /// Two states: a yo until `turn` s, then one with other depths until `end` s, then exit.
 class LinkTest : public ::testing::Test {
@@ -112,7 +112,7 @@ TEST_F(LinkTest, MissionTimeCountsFromControlAndTransitionsAreReported) {
   VehicleBench vehicle({.start_secs = 60});
   boot(vehicle);
   vehicle.run(300);
-  std::vector<hooks::HookprogEvent> transitions;
+  std::vector<hooks::SeatEvent> transitions;
   for (const auto& event : vehicle.events) {
     if (event.kind == Kind::SbcTransition) {
       transitions.push_back(event);

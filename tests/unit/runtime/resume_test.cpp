@@ -294,8 +294,8 @@ TEST_F(ResumeTest, ACardThatFailsIsReportedOnceAndTheMissionContinues) {
   const size_t second = log.find(told, first + 1);
   ASSERT_NE(second, std::string::npos);
   EXPECT_EQ(log.find(told, second + 1), std::string::npos);
-  const auto notes = std::ranges::count_if(vehicle.events, [](const hooks::HookprogEvent& e) {
-    return e.kind == hooks::HookprogEvent::Kind::SbcNote &&
+  const auto notes = std::ranges::count_if(vehicle.events, [](const hooks::SeatEvent& e) {
+    return e.kind == hooks::SeatEvent::Kind::SbcNote &&
            std::string(e.text) == "the SBC's checkpoint is not written";
   });
   EXPECT_EQ(notes, 2) << "the vehicle's log has it too";

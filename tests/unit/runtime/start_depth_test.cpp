@@ -31,8 +31,8 @@ class StartDepthTest : public ResumeBench {
     EXPECT_FALSE(finished_);
     EXPECT_NE(vehicle_.hookbeh().state, hooks::HookState::Active);
     EXPECT_THAT(logCsv(), HasSubstr("mission waits for the surface"));
-    const auto told = std::ranges::count_if(vehicle_.events, [](const hooks::HookprogEvent& e) {
-      return e.kind == hooks::HookprogEvent::Kind::SbcNote &&
+    const auto told = std::ranges::count_if(vehicle_.events, [](const hooks::SeatEvent& e) {
+      return e.kind == hooks::SeatEvent::Kind::SbcNote &&
              std::string(e.text) == "the mission waits for the surface";
     });
     EXPECT_EQ(told, 1);

@@ -69,17 +69,17 @@ class VehicleBench {
         sbc();
       }
       hookprog_.run(now_, own, sbc_line_.left(), flight_science_link_.left());
-      for (hooks::HookprogEvent e = hookprog_.nextEvent();
-           e.kind != hooks::HookprogEvent::Kind::None; e = hookprog_.nextEvent()) {
+      for (hooks::SeatEvent e = hookprog_.nextEvent(); e.kind != hooks::SeatEvent::Kind::None;
+           e = hookprog_.nextEvent()) {
         events.push_back(e);
       }
     }
   }
 
-  std::vector<hooks::HookprogEvent> events;
+  std::vector<hooks::SeatEvent> events;
   std::vector<std::string> doings;         ///< what hookbeh did, each change once
   std::vector<hooks::HookAnswer> answers;  ///< each new one
-  [[nodiscard]] hooks::Hookprog::SbcView sbcView() const { return hookprog_.sbc(); }
+  [[nodiscard]] hooks::SbcView sbcView() const { return hookprog_.sbc(); }
 
  private:
   double noise_ = 0;

@@ -74,8 +74,8 @@ class VehicleRestart : public ResumeBench {
   }
 
   [[nodiscard]] ptrdiff_t notes(const std::string& text) const {
-    return std::ranges::count_if(vehicle_.events, [&](const hooks::HookprogEvent& e) {
-      return e.kind == hooks::HookprogEvent::Kind::SbcNote && e.text == text;
+    return std::ranges::count_if(vehicle_.events, [&](const hooks::SeatEvent& e) {
+      return e.kind == hooks::SeatEvent::Kind::SbcNote && e.text == text;
     });
   }
 

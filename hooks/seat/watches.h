@@ -5,7 +5,8 @@
 
 #include <stdint.h>
 
-/// What hookprog monitors about the SBC and hookbeh, in science time.
+/// What the seat monitors about the SBC and the vehicle's answers, in the time of the computer that
+/// it is on.
 namespace glider::hooks {
 
 /// Measures how long a condition has lasted. If the clock is set back (by GPS), counting starts
@@ -25,21 +26,6 @@ class Since {
   double begun_s_ = 0;
 };
 
-/// Checks whether a report of the flight controller is from a later cycle than those before it. A
-/// report from an earlier cycle is a repetition; two in order show that the vehicle has restarted
-/// its count.
-class CycleWatch {
- public:
-  /// `cycle` wraps at 2^24.
-  bool isNext(uint32_t cycle);
-
- private:
-  uint32_t newest_ = 0;
-  uint32_t earlier_ = 0;  ///< of the newest report, when `was_earlier_`
-  bool known_ = false;
-  bool was_earlier_ = false;
-};
-
 /// Checks whether the mission in control makes progress.
 class ProgressWatch {
  public:
@@ -56,12 +42,12 @@ class ProgressWatch {
   bool told_ = false;
 };
 
-/// Checks whether hookbeh answers instructions.
+/// Checks whether the vehicle answers instructions.
 class AnswerWatch {
  public:
   /// The instruction with this number was forwarded.
   void written(double sequence, double now_s);
-  /// hookbeh's newest answer is to number `sequence`.
+  /// The vehicle's newest answer is to number `sequence`.
   void answered(uint32_t sequence);
   /// True once when no instruction has been answered for `limit_s`.
   bool isOverdue(double limit_s, double now_s);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "hooks/hookprog/reporter.h"
+#include "hooks/seat/reporter.h"
 
 #include "hooks/protocol/numbers.h"
 

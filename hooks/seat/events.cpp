@@ -1,23 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "hooks/hookprog/events.h"
+#include "hooks/seat/events.h"
 
 namespace glider::hooks {
 
-void EventQueue::push(const HookprogEvent& event) {
-  const bool note = event.kind == HookprogEvent::Kind::SbcNote;
+void EventQueue::push(const SeatEvent& event) {
+  const bool note = event.kind == SeatEvent::Kind::SbcNote;
   if (count_ < (note ? kMost - kRoomBesideNotes : kMost)) {
     events_[(first_ + count_) % kMost] = event;
     ++count_;
   }
 }
 
-HookprogEvent EventQueue::next() {
+SeatEvent EventQueue::next() {
   if (count_ == 0) {
     return {};
   }
-  const HookprogEvent oldest = events_[first_];
+  const SeatEvent oldest = events_[first_];
   first_ = (first_ + 1) % kMost;
   --count_;
   return oldest;

@@ -10,7 +10,7 @@
 namespace glider::hooks {
 
 /// Events for the vehicle's log or the simulator's trace.
-struct HookprogEvent {
+struct SeatEvent {
   enum class Kind : uint8_t {
     None,
     SbcHello,  ///< a link: a = its number; text = the mission's name
@@ -40,16 +40,16 @@ struct HookprogEvent {
 /// Events that wait to be taken. Newer ones that do not fit are dropped, notes before others.
 class EventQueue {
  public:
-  void push(const HookprogEvent& event);
+  void push(const SeatEvent& event);
   /// Takes the oldest; Kind::None when there is none.
-  HookprogEvent next();
+  SeatEvent next();
 
  private:
   static constexpr uint32_t kMost = 32;
   /// Notes leave this much room for what matters more.
   static constexpr uint32_t kRoomBesideNotes = 16;
 
-  HookprogEvent events_[kMost];
+  SeatEvent events_[kMost];
   uint32_t first_ = 0;
   uint32_t count_ = 0;
 };

@@ -4,7 +4,11 @@
 #include "campaign/campaign_plan.h"
 
 #include "flights/shadowed_sbc.h"
+#include "simulator/campaign/kinds_of_faults.h"
+#include "simulator/family/family.h"
+#include "vehicles/vehicle.h"
 
+#include <memory>
 #include <utility>
 
 namespace glider::campaign {
@@ -23,19 +27,19 @@ uint64_t mixed(uint64_t seed, uint64_t number) {
   return z ^ (z >> 31U);
 }
 
-/// Checks a flight as FlightJudge does, until the campaign is stopped.
+/// Checks a flight as the vehicle's family does, until the campaign is stopped.
 class StoppableJudge final : public simulator::FlightObserver {
  public:
-  StoppableJudge(simulator::JudgeSetup setup, const std::function<bool()>& stop)
-      : judge_(std::move(setup)), stop_(stop) {}
-  void said(std::span<const uint8_t> bytes, double now_s) override { judge_.said(bytes, now_s); }
+  StoppableJudge(std::unique_ptr<simulator::Judge> judge, const std::function<bool()>& stop)
+      : judge_(std::move(judge)), stop_(stop) {}
+  void said(std::span<const uint8_t> bytes, double now_s) override { judge_->said(bytes, now_s); }
   bool cycle(const simulator::CycleView& view) override {
-    return judge_.cycle(view) && !(stop_ && stop_());
+    return judge_->cycle(view) && !(stop_ && stop_());
   }
-  [[nodiscard]] Verdict verdict() const { return judge_.verdict(); }
+  [[nodiscard]] Verdict verdict() const { return judge_->verdict(); }
 
  private:
-  simulator::FlightJudge judge_;
+  std::unique_ptr<simulator::Judge> judge_;
   const std::function<bool()>& stop_;
 };
 
@@ -103,20 +107,20 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
   setup.platform = mission.platform;
   setup.scenario = plan.scenario;
   setup.scenario.vehicle = mission.vehicle;
-  drawn.applyTo(setup.scenario);
+  drawn.applyTo(mission.platform, setup.scenario);
   setup.seed = flight.seed;
   setup.sbc = std::move(*sbc);
   setup.restart_sbc = std::move(start);
   // A mission may have to start again after the last fault.
   setup.duration_s = plan.scenario.duration_s + setup.scenario.faults.lastEnd();
-  if (drawn.lasts()) {  // it may never reach its exit: abend's overtime ends it
-    *setup.duration_s += simulator::overtimeOf(setup.scenario);
+  if (drawn.lasts()) {  // it may never reach its exit: then the vehicle's own mission ends it
+    *setup.duration_s += simulator::familyOf(mission.platform)->overtime_of(setup.scenario.own);
   }
   std::vector<FaultKind> kinds = simulator::kindsOf(plan.scenario.faults);
   kinds.insert(kinds.end(), drawn.kinds.begin(), drawn.kinds.end());
-  simulator::JudgeSetup judged = simulator::judgeSetup(mission.platform, setup.scenario, kinds);
-  judged.mean_W = mission.mean_W;
-  StoppableJudge judge(std::move(judged), stop);
+  StoppableJudge judge(vehicles::vehicleOf(mission.platform)
+                           ->make_judge({mission.platform, setup.scenario, kinds, mission.mean_W}),
+                       stop);
   setup.observer = &judge;
   auto flown = simulator::simulate(std::move(setup));
   if (!flown) {

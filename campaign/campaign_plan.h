@@ -5,7 +5,7 @@
 
 #include "flights/sbc_choice.h"
 #include "simulator/campaign/draw_faults.h"
-#include "simulator/campaign/flight_judge.h"
+#include "simulator/campaign/judge.h"
 #include "simulator/simulator.h"
 
 #include <functional>

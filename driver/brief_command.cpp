@@ -5,8 +5,6 @@
 #include "analysis/check/check.h"
 #include "analysis/mission_budget.h"
 #include "analysis/parameter_rows.h"
-#include "analysis/vehicle_file.h"
-#include "analysis/way_home.h"
 #include "compiler/boards.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
@@ -17,6 +15,7 @@
 #include "driver/terminal.h"
 #include "support/diagnostics/catalogue.h"
 #include "support/files.h"
+#include "vehicles/vehicle.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -56,9 +55,7 @@ support::Result<report::Brief> gather(const BriefOptions& options, const Checked
   if (!binary) {
     return std::unexpected(binary.error());
   }
-  const analysis::Silence silence =
-      options.check.vehicle ? options.check.vehicle->silence : analysis::usualSilence();
-  return analysis::briefOf({*file.compilation, file.proved, file.found, silence,
+  return analysis::briefOf({*file.compilation, file.proved, file.found, file.own_mission.get(),
                             std::move(*parameters), std::move(*binary),
                             std::string("glidercc ") + GLIDER_VERSION});
 }
@@ -83,12 +80,8 @@ support::Result<void> readSkeleton(BriefOptions& options) {
   if (options.mi.empty()) {
     return {};
   }
-  auto vehicle = analysis::vehicleFileOf(options.mi, reportDiagnostics);
-  if (!vehicle) {
-    return std::unexpected(vehicle.error());
-  }
-  options.check.vehicle = std::move(*vehicle);
-  return {};
+  options.check.own_mission = options.mi;
+  return vehicles::tryOwnMission(options.mi, reportDiagnostics);
 }
 
 /// The input that the page would overwrite; null: none.

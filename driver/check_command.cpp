@@ -5,14 +5,15 @@
 #include "driver/certificates/write.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
-#include "driver/output/against_logs.h"
 #include "driver/output/check_on_terminal.h"
 #include "driver/output/explain_page.h"
 #include "driver/output/run_trace.h"
 #include "driver/shared_options.h"
+#include "driver/slocum/against_logs.h"
 #include "driver/terminal.h"
 #include "support/diagnostics/catalogue.h"
 #include "support/files.h"
+#include "vehicles/vehicle.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -305,11 +306,10 @@ int check(CommandOptions& options) {
   }
   options.check.evidence = !options.certificates.empty();
   if (!options.mi.empty()) {
-    auto vehicle = analysis::vehicleFileOf(options.mi, reportDiagnostics);
-    if (!vehicle) {
-      return reportFailure(vehicle.error());
+    if (auto read = vehicles::tryOwnMission(options.mi, reportDiagnostics); !read) {
+      return reportFailure(read.error());
     }
-    options.check.vehicle = std::move(*vehicle);
+    options.check.own_mission = options.mi;
   }
   const bool draws = !options.against.picture.empty() || !options.against.page.empty();
   if (draws && options.missions.size() > 1) {

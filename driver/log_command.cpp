@@ -3,8 +3,8 @@
 
 #include "driver/commands.h"
 #include "driver/exit_code.h"
-#include "driver/output/data_log.h"
 #include "driver/shared_options.h"
+#include "driver/slocum/data_log.h"
 #include "driver/terminal.h"
 #include "logs/render.h"
 #include "support/diagnostics/catalogue.h"

@@ -19,7 +19,7 @@
 
 /// The glider simulator: a vehicle in an ocean, its flight controller with a skeleton mission, its
 /// science computer with hookprog, and both serial lines, in virtual time. Needs: platforms, hooks,
-/// slocum/mission_files.
+/// vehicles/slocum/mission_files.
 namespace glider::simulator {
 
 /// The progress of a flight.

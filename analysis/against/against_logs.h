@@ -5,8 +5,8 @@
 
 #include "compiler/compilation.h"
 #include "report/findings/against.h"
-#include "slocum/data_tables/log_files.h"
 #include "support/result.h"
+#include "vehicles/slocum/data_tables/log_files.h"
 
 #include <span>
 #include <vector>

@@ -4,8 +4,8 @@
 #include "analysis/against/log_ticks.h"
 
 #include "report/picture/picture.h"
-#include "slocum/data_tables/log_units.h"
-#include "slocum/data_tables/merge.h"
+#include "vehicles/slocum/data_tables/log_units.h"
+#include "vehicles/slocum/data_tables/merge.h"
 
 #include <algorithm>
 #include <cmath>

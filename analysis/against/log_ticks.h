@@ -6,7 +6,7 @@
 #include "ir/core/mission.h"
 #include "ir/eval/interpreter.h"
 #include "platforms/load/platform.h"
-#include "slocum/data_tables/log_files.h"
+#include "vehicles/slocum/data_tables/log_files.h"
 
 #include <cstdint>
 #include <vector>

@@ -71,7 +71,7 @@ class BriefMaker {
     brief.version = from_.version;
     brief.cycle_s = checked_.platform().envelope.cycle_s;
     brief.comment = written_.head();
-    brief.summary = summaryOf(checked_, from_.found, from_.silence, std::ranges::max(depths_));
+    brief.summary = summaryOf(checked_, from_.found, from_.own, std::ranges::max(depths_));
   }
 
   void structure(Brief& brief) const {

@@ -4,10 +4,10 @@
 #pragma once
 
 #include "analysis/parameter_rows.h"
-#include "analysis/way_home.h"
 #include "compiler/compilation.h"
 #include "ir/prove/prove.h"
 #include "report/brief/brief.h"
+#include "vehicles/own_mission.h"
 
 #include <string>
 #include <vector>
@@ -19,7 +19,7 @@ struct BriefSource {
   const compiler::Compilation& compilation;  ///< without errors, except violated requirements
   const ir::prove::Findings& proved;
   const report::CheckedMission& found;  ///< with its remarks and budgets
-  Silence silence;
+  const vehicles::OwnMission* own;      ///< null: none is known
   std::vector<ParameterRow> parameters;
   report::BriefHash binary;
   std::string version;  ///< of glidercc

@@ -78,9 +78,10 @@ std::string stack(const compiler::Checked& checked) {
                      waiting == 1 ? "" : "s", waiting == 1 ? "s" : "", fmt::join(path, " calls "));
 }
 
-std::string wayHome(const platforms::Platform& platform, const Silence& silence, double deepest_m) {
-  const WayHome home = wayHomeFrom(deepest_m, platform, silence);
-  const std::string source = silence.source.substr(0, silence.source.find("; see"));  // no options
+std::string wayHome(const platforms::Platform& platform, const vehicles::OwnMission& own,
+                    double deepest_m) {
+  const vehicles::WayHome home = own.wayHomeFrom(deepest_m, platform);
+  const std::string source = home.source.substr(0, home.source.find("; see"));  // no options
   const std::string takes_over =
       fmt::format("If the payload computer (SBC) fails, the vehicle takes control within {}",
                   durationOf(home.lets_go_s));
@@ -105,8 +106,8 @@ std::string powerCuts(const ir::Mission& mission) {
 }  // namespace
 
 std::vector<std::string> summaryOf(const compiler::Checked& checked,
-                                   const report::CheckedMission& found, const Silence& silence,
-                                   double deepest_m) {
+                                   const report::CheckedMission& found,
+                                   const vehicles::OwnMission* own, double deepest_m) {
   std::vector<std::string> all = {verdicts(found), warnings(found)};
   for (const report::Remark& remark : found.remarks) {
     if (remark.subject == report::Remark::Subject::End) {
@@ -115,7 +116,7 @@ std::vector<std::string> summaryOf(const compiler::Checked& checked,
   }
   all.push_back(depth(checked.platform(), deepest_m));
   all.push_back(stack(checked));
-  all.push_back(wayHome(checked.platform(), silence, deepest_m));
+  all.push_back(own == nullptr ? "" : wayHome(checked.platform(), *own, deepest_m));
   all.push_back(powerCuts(checked.mission()));
   std::erase(all, "");
   return all;

@@ -3,12 +3,13 @@
 
 #pragma once
 
-#include "analysis/vehicle_file.h"
 #include "compiler/compilation.h"
 #include "ir/prove/prove.h"
 #include "report/findings/findings.h"
 #include "support/source_manager.h"
+#include "vehicles/own_mission.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,8 +20,8 @@ namespace glider::analysis {
 struct CheckOptions {
   bool report = false;               ///< also findings that are not errors, and the budgets
   std::vector<std::string> targets;  ///< of the budget; empty: all boards of the vehicle
-  /// The vehicle's mission file (`--mi`); empty: that of the scenario.
-  std::optional<VehicleFile> vehicle;
+  /// The vehicle's mission file (`--mi`), without errors; empty: that of the scenario.
+  std::string own_mission;
   std::string scenario;                ///< whose start and mission file apply; empty: none
   std::vector<std::string> user_code;  ///< of the budget: what has the mission's `extern` names
   unsigned effort = 1;                 ///< multiplies the resource limits of proofs
@@ -37,6 +38,9 @@ struct CheckedFile {
   /// On what proofs rest with the vehicle's mission file: "with skeleton.mi, in water of 35 m or
   /// more"; empty if none is named.
   std::string vehicle_premise = {};
+  /// What the vehicle flies by itself: of the file that the options name, or of their scenario, or
+  /// what is usual for its family; null: its family is not known.
+  std::unique_ptr<vehicles::OwnMission> own_mission = {};
 };
 
 /// Receives what a check does, which can take seconds. All calls come from the thread of

@@ -5,19 +5,12 @@
 
 #include "analysis/check/check.h"
 #include "simulator/scenario/scenario.h"
-#include "slocum/mission_files/mission_file.h"
 #include "support/result.h"
 
 #include <optional>
 #include <string>
 
 namespace glider::analysis::check {
-
-/// The vehicle's mission file, and what it says of the SBC's control.
-struct VehicleUnderCheck {
-  VehicleFile file;
-  slocum::MissionFile behaviours;  ///< its ranges are in the mission's sources
-};
 
 /// A check of a mission without errors in its text, and what its steps have found so far.
 class Run {
@@ -32,8 +25,6 @@ class Run {
   /// The scenario that is named, or the usual one; empty if that cannot be loaded: then less is
   /// checked.
   std::optional<simulator::Scenario> scenario;
-  /// From `options`, or the scenario's if one is named; else empty.
-  std::optional<VehicleUnderCheck> vehicle;
   ir::prove::Options asked;  ///< of the prover
 
   [[nodiscard]] const compiler::Checked& checked() const { return *file.compilation->checked; }

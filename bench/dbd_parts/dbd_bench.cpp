@@ -5,8 +5,8 @@
 // the same bytes one by one: what a machine can do that looks at each byte once. Both are the best
 // of several runs, made in turn.
 
-#include "slocum/data_files/read.h"
 #include "support/files.h"
+#include "vehicles/slocum/data_files/read.h"
 
 #include <fmt/format.h>
 

@@ -36,6 +36,8 @@ SBC = Suite("tests/simulator_sbc_test")
 REPORT = Suite("tests/report_test")
 SUPPORT = Suite("tests/support_test")
 SLOCUM = Suite("tests/mission_files_test")
+JUDGES = Suite("tests/slocum_oracles_test")
+RULES = Suite("tests/slocum_rules_test")
 COMMAND = Suite("tests/command_test", **GLIDERCC)
 DRIVER = Suite("tests/driver_test")
 UNIT_FLIGHTS = Suite("tests/flights_unit_test")
@@ -66,7 +68,10 @@ SUITES = {
     "simulator": (PHYSICS, FLIGHT, SBC, FLIGHTS),
     "report": (REPORT, COMMAND),
     "support": (SUPPORT, FRONTEND, REPORT, GOLDEN),
-    "slocum": (SLOCUM, COMMAND),
+    "vehicles/slocum": (SLOCUM, COMMAND),
+    "vehicles/slocum/oracles": (JUDGES, FLIGHTS),
+    "vehicles/slocum/rules": (RULES, COMMAND),
+    "vehicles": (COMMAND, CAMPAIGN),
     "compiler": (COMMAND, GOLDEN),
     "flights": (UNIT_FLIGHTS, COMMAND, FLIGHTS),
     "analysis": (ANALYSIS, COMMAND, FLIGHTS),

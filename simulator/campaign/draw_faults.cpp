@@ -5,7 +5,7 @@
 
 #include "simulator/campaign/draw.h"
 #include "simulator/campaign/draw_sensors.h"
-#include "simulator/slocum/own_mission.h"
+#include "simulator/family/family.h"
 
 #include <algorithm>
 
@@ -190,34 +190,6 @@ void addOne(FaultKind kind, Draw& draw, DrawnFaults& drawn) {
   }
 }
 
-/// Gives the b_arg `name` of a behaviour a value.
-void put(slocum::BehaviourBlock& block, const char* name, double value) {
-  for (slocum::Setting& setting : block.arguments) {
-    if (setting.name == name) {
-      setting.value = value;
-      return;
-    }
-  }
-  slocum::Setting setting;
-  setting.name = name;
-  setting.value = value;
-  block.arguments.push_back(setting);
-}
-
-/// As a `sensor:` line or the behaviour sensors_in, whichever decides.
-void setPressureTime(slocum::MissionFile& mission, double every_s) {
-  constexpr const char* kName = "c_pressure_time";
-  for (slocum::BehaviourBlock& block : mission.behaviours) {
-    if (block.name == "sensors_in" && block.find(kName) != nullptr) {
-      return put(block, kName, every_s);
-    }
-  }
-  slocum::Setting setting;
-  setting.name = kName;
-  setting.value = every_s;
-  mission.sensors.push_back(setting);
-}
-
 }  // namespace
 
 const char* nameOf(Manner manner) {
@@ -252,7 +224,7 @@ bool DrawnFaults::lasts() const {
   return args || water_depth_m || vehicle.differs() || !faults.sensors.empty();
 }
 
-void DrawnFaults::applyTo(Scenario& scenario) const {
+void DrawnFaults::applyTo(const platforms::Platform& platform, Scenario& scenario) const {
   scenario.faults.add(faults);
   if (vehicle.no_ctd) {
     scenario.sensors.ctd.dropout = 1;
@@ -261,22 +233,11 @@ void DrawnFaults::applyTo(Scenario& scenario) const {
     scenario.sensors.altimeter.range_m = vehicle.altimeter_range_m;
     scenario.sensors.altimeter.dropout = vehicle.altimeter_dropout;
   }
-  if (vehicle.pressure_every_s > 0) {
-    setPressureTime(missionFileOf(scenario), vehicle.pressure_every_s);
-  }
   if (water_depth_m) {
     scenario.ocean.bottom.depth_m = *water_depth_m;
   }
-  for (slocum::BehaviourBlock& behaviour : missionFileOf(scenario).behaviours) {
-    if (args && behaviour.name == "hookbeh") {
-      put(behaviour, "start_secs", args->start_secs);
-      put(behaviour, "max_depth", args->max_depth_m);
-      put(behaviour, "min_altitude", args->min_altitude_m);
-      put(behaviour, "max_pitch", args->max_pitch_rad);
-      put(behaviour, "hold_secs", args->hold_secs);
-      put(behaviour, "d_bpump_value", args->dive_pump_cc);
-      put(behaviour, "c_bpump_value", args->climb_pump_cc);
-    }
+  if (const Family* family = familyOf(platform); family != nullptr && scenario.own.has_value()) {
+    family->apply_drawn(*this, scenario.own);
   }
 }
 

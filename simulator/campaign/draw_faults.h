@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "platforms/load/platform.h"
 #include "simulator/campaign/promises.h"
 #include "simulator/faults/faults.h"
 #include "simulator/scenario/scenario.h"
@@ -47,7 +48,7 @@ struct DrawnVehicle {
   }
 };
 
-/// b_args of hookbeh that are drawn instead of those of the mission file.
+/// Arguments of what carries out the commands, drawn instead of those of the vehicle's own mission.
 struct DrawnArgs {
   double start_secs = 0, max_depth_m = 0, min_altitude_m = 0, max_pitch_rad = 0, hold_secs = 0;
   double dive_pump_cc = -230, climb_pump_cc = 230;
@@ -64,8 +65,8 @@ struct DrawnFaults {
   /// True if a sensor is wrong, or the environment or the mission file is changed: the mission may
   /// then take its longest path to the exit, or never reach it.
   [[nodiscard]] bool lasts() const;
-  /// Applies them to the scenario of a flight.
-  void applyTo(Scenario& scenario) const;
+  /// Applies them to the scenario of a flight, and to the vehicle's own mission in it.
+  void applyTo(const platforms::Platform& platform, Scenario& scenario) const;
 };
 
 /// Draws faults of kind `kind` within a flight. The same seed draws the same.

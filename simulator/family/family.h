@@ -18,6 +18,7 @@
 
 namespace glider::simulator {
 
+struct DrawnFaults;
 struct SeatSetup;
 class SimulatedSeat;
 
@@ -38,6 +39,10 @@ struct Family {
   void (*read_vehicle)(Fields& fields, std::any& own);
   /// The own mission as text: the same text, the same flight.
   std::string (*text_of)(const std::any& own);
+  /// What a campaign has drawn for the own mission.
+  void (*apply_drawn)(const DrawnFaults& drawn, std::any& own);
+  /// The time after which the own mission ends by itself, s; 0: never.
+  double (*overtime_of)(const std::any& own);
   std::unique_ptr<SimulatedSeat> (*make_seat)(const SeatSetup& setup);
 };
 

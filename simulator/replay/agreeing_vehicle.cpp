@@ -3,12 +3,11 @@
 
 #include "simulator/replay/agreeing_vehicle.h"
 
-#include "hooks/protocol/sensors.h"
 #include "hooks/protocol/values.h"
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <cstdint>
 
 namespace glider::simulator {
 namespace {
@@ -21,7 +20,7 @@ constexpr int kRounds = 4;
 
 void AgreeingVehicle::floatAtSurface() {
   origin_s_ += kCycle;
-  told_.push_back({numbers_[Sensor::m_depth], 0});
+  readings_[numbers_[Sensor::m_depth]] = 0;
   cycle(origin_s_);
 }
 
@@ -40,50 +39,45 @@ void AgreeingVehicle::tick(const ReplayTick& tick) {
 
 void AgreeingVehicle::show(const std::vector<ReplayReading>& readings) {
   for (const ReplayReading& reading : readings) {
-    if (hooks::isScienceSensor(dictionary_.get(), reading.sensor)) {
-      science_[reading.sensor] = reading.raw;
-    } else {
-      told_.push_back({reading.sensor, reading.raw});
-    }
+    readings_[reading.sensor] = reading.raw;
   }
 }
 
 bool AgreeingVehicle::finished() const {
-  const auto view = hookprog_.sbc();
+  const hooks::SbcView view = seat_.sbc();
   return view.known && view.phase == hooks::MissionPhase::Finished;
 }
 
 void AgreeingVehicle::cycle(double time) {
-  report(time);
+  // A vehicle that sent no report for a while has continued to count its cycles.
+  state_.cycle = std::max(state_.cycle + 1, static_cast<uint32_t>(std::max(time, 0.0) / kCycle));
+  state_.vehicle_time_s = time;
+  state_.hook_state = hook_state_;
+  state_.answer = sequence_ != 0 ? hooks::HookAnswer::Accepted : hooks::HookAnswer::None;
+  state_.answered_sequence = sequence_;
+  state_.session = hook_state_ == hooks::HookState::Active ? session_ : 0;
+  const hooks::SeatVehicle vehicle{this, reading, write, [](void*, uint32_t) {}};
+  seat_.serve(time, state_, vehicle, sbc_line_.left());
+  seat_.watch(state_);
+  seat_.tick(state_, vehicle);
+  seat_.finish(sbc_line_.left(), 0);
   for (int round = 0; round < kRounds; ++round) {
     exchange(time);
   }
-  science_.clear();
-}
-
-/// Sends the array's sensors first; the time, which completes a cycle, comes last.
-void AgreeingVehicle::report(double time) {
-  // A vehicle that sent no report for a while has continued to count its cycles.
-  cycles_ = std::max(cycles_ + 1, static_cast<uint32_t>(std::max(time, 0.0) / kCycle));
-  const bool answers = sequence_ != 0;
-  for (const hooks::SensorUpdate& update : std::initializer_list<hooks::SensorUpdate>{
-           {numbers_[Sensor::x_hook_state], static_cast<double>(hook_state_)},
-           {numbers_[Sensor::x_hook_answer],
-            static_cast<double>(answers ? hooks::HookAnswer::Accepted : hooks::HookAnswer::None)},
-           {numbers_[Sensor::x_hook_sequence], sequence_},
-           {numbers_[Sensor::x_hook_session],
-            hook_state_ == hooks::HookState::Active ? session_ : 0},
-           {numbers_[Sensor::m_present_secs_into_mission], time},
-           {numbers_[Sensor::m_cycle_number], static_cast<double>(cycles_)}}) {
-    told_.push_back(update);
-  }
-  (void)flight_.send(told_.data(), static_cast<uint32_t>(told_.size()));
-  told_.clear();
+  readings_.clear();
 }
 
 void AgreeingVehicle::exchange(double time) {
-  hearInstructions();
-  hookprog_.run(time, {this, ownSensor}, sbc_line_.left(), flight_science_link_.left());
+  carry(time);
+  const hooks::SeatVehicle vehicle{this, reading, write, [](void*, uint32_t) {}};
+  seat_.serve(time, state_, vehicle, sbc_line_.left());
+  seat_.watch(state_);
+  seat_.finish(sbc_line_.left(), 0);
+  passOverEvents();
+}
+
+/// What the seat has sent to the SBC, and its answer to the seat.
+void AgreeingVehicle::carry(double time) {
   const GliderByteStream end = sbc_line_.right();
   std::array<uint8_t, hooks::MemoryLine::kCapacity> bytes;
   const int32_t count = end.read(end.self, bytes.data(), static_cast<uint32_t>(bytes.size()));
@@ -97,41 +91,34 @@ void AgreeingVehicle::exchange(double time) {
         end.write(end.self, waiting_.data(), static_cast<uint32_t>(waiting_.size()));
     waiting_.erase(waiting_.begin(), waiting_.begin() + taken);
   }
-  hookprog_.run(time, {this, ownSensor}, sbc_line_.left(), flight_science_link_.left());
-  passOverEvents();
-  hearInstructions();
+}
+
+/// The events of the seat are not needed here, but its queue is bounded and must be emptied.
+void AgreeingVehicle::passOverEvents() {
+  while (seat_.nextEvent().kind != hooks::SeatEvent::Kind::None) {
+  }
+}
+
+bool AgreeingVehicle::reading(void* self, uint16_t id, double* value) {
+  const auto& readings = static_cast<const AgreeingVehicle*>(self)->readings_;
+  const auto found = readings.find(id);
+  if (found != readings.end()) {
+    *value = found->second;
+  }
+  return found != readings.end();
 }
 
 /// Accepts every instruction, and answers it in the next cycle.
-void AgreeingVehicle::hearInstructions() {
-  std::array<hooks::SensorUpdate, 64> updates;
-  for (uint32_t count = updates.size(); count == updates.size();) {
-    count = flight_.poll(flight_science_link_.right(), updates.data(), updates.size());
-    for (uint32_t i = 0; i < count; ++i) {
-      if (updates[i].id == numbers_[Sensor::sci_hook_session]) {
-        session_ = updates[i].value;
-      } else if (updates[i].id == numbers_[Sensor::sci_hook_sequence]) {
-        sequence_ = updates[i].value;
-      }
+void AgreeingVehicle::write(void* self, const hooks::SensorList& instruction) {
+  auto& vehicle = *static_cast<AgreeingVehicle*>(self);
+  for (uint32_t i = 0; i < instruction.count; ++i) {
+    const hooks::SensorValue& word = instruction.values[i];
+    if (word.id == vehicle.numbers_[Sensor::sci_hook_session]) {
+      vehicle.session_ = static_cast<uint32_t>(word.value);
+    } else if (word.id == vehicle.numbers_[Sensor::sci_hook_sequence]) {
+      vehicle.sequence_ = static_cast<uint32_t>(word.value);
     }
   }
-}
-
-/// The events of hookprog are not needed here, but its queue is bounded and must be emptied.
-void AgreeingVehicle::passOverEvents() {
-  while (hookprog_.nextEvent().kind != hooks::SeatEvent::Kind::None) {
-  }
-}
-
-double AgreeingVehicle::ownSensor(void* self, uint16_t id, bool* fresh) {
-  auto& vehicle = *static_cast<AgreeingVehicle*>(self);
-  const auto found = vehicle.science_.find(id);
-  *fresh = found != vehicle.science_.end();
-  const double value = *fresh ? found->second : std::numeric_limits<double>::quiet_NaN();
-  if (*fresh) {
-    vehicle.science_.erase(found);
-  }
-  return value;
 }
 
 }  // namespace glider::simulator

@@ -3,9 +3,8 @@
 
 #pragma once
 
-#include "hooks/flight_science_link/flight_science_link.h"
-#include "hooks/hookprog/hookprog.h"
 #include "hooks/protocol/values.h"
+#include "hooks/seat/seat.h"
 #include "hooks/transport/memory.h"
 #include "platforms/load/dictionary.h"
 #include "simulator/replay/replay.h"
@@ -16,7 +15,7 @@
 
 namespace glider::simulator {
 
-/// A vehicle around the real hookprog whose hookbeh accepts every instruction, and whose sensors
+/// A vehicle of any family around the real seat, which accepts every instruction and whose sensors
 /// report given values.
 class AgreeingVehicle {
  public:
@@ -25,13 +24,12 @@ class AgreeingVehicle {
       : sbc_(sbc),
         numbers_(platform),
         dictionary_(platform),
-        hookprog_(dictionary_.get(), {.virtual_time = true}),
-        flight_(dictionary_.get()) {}
+        seat_(dictionary_.get(), {.virtual_time = true}) {}
 
-  /// A flight cycle before that of `offerControl`: the vehicle floats at the surface, and hookbeh
-  /// waits for its start condition. A mission begins only after it has seen the surface.
+  /// A flight cycle before that of `offerControl`: the vehicle floats at the surface, and does
+  /// not offer control yet. A mission begins only after it has seen the surface.
   void floatAtSurface();
-  /// A flight cycle in which hookbeh is ready; the sensors have the readings of `start`.
+  /// A flight cycle in which control is offered; the sensors have the readings of `start`.
   void offerControl(const ReplayTick& start);
   /// True if the SBC has asked for control: its mission has started with that cycle's readings, at
   /// mission time 0.
@@ -39,7 +37,7 @@ class AgreeingVehicle {
   /// A flight cycle under the SBC's control, at a mission time after 0.
   void tick(const ReplayTick& tick);
 
-  [[nodiscard]] hooks::SbcView sbc() const { return hookprog_.sbc(); }
+  [[nodiscard]] hooks::SbcView sbc() const { return seat_.sbc(); }
   /// True if the SBC's mission has ended.
   [[nodiscard]] bool finished() const;
 
@@ -47,27 +45,24 @@ class AgreeingVehicle {
   void show(const std::vector<ReplayReading>& readings);
   /// One flight cycle at vehicle time `time`, s.
   void cycle(double time);
-  void report(double time);
   void exchange(double time);
-  void hearInstructions();
+  void carry(double time);
   void passOverEvents();
-  static double ownSensor(void* self, uint16_t id, bool* fresh);
+  static bool reading(void* self, uint16_t id, double* value);
+  static void write(void* self, const hooks::SensorList& instruction);
 
   SbcPort& sbc_;
   SensorNumbers numbers_;
   platforms::Dictionary dictionary_;
-  hooks::Hookprog hookprog_;
-  hooks::FlightScienceLink flight_;
+  hooks::Seat seat_;
   hooks::MemoryLine sbc_line_;
-  hooks::MemoryLine flight_science_link_;
-  std::map<uint16_t, double> science_;     ///< not reported yet
-  std::vector<hooks::SensorUpdate> told_;  ///< of the flight controller, of this cycle
-  std::vector<uint8_t> waiting_;           ///< bytes of the SBC that the line had no room for
-  double origin_s_ = 0;                    ///< vehicle time of mission time 0
+  hooks::SeatState state_;               ///< in this cycle
+  std::map<uint16_t, double> readings_;  ///< of this cycle
+  std::vector<uint8_t> waiting_;         ///< bytes of the SBC that the line had no room for
+  double origin_s_ = 0;                  ///< vehicle time of mission time 0
   hooks::HookState hook_state_ = hooks::HookState::Waiting;
-  double session_ = 0;
-  double sequence_ = 0;
-  uint32_t cycles_ = 0;
+  uint32_t session_ = 0;   ///< of the newest instruction
+  uint32_t sequence_ = 0;  ///< its number
 };
 
 }  // namespace glider::simulator

@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <vector>
 
-/// Flies a mission on given readings, without water or vehicle: hookprog is the real one, and a
-/// flight controller that accepts everything passes it the readings.
+/// Flies a mission on given readings, without water or vehicle: the seat is the real one, and a
+/// vehicle that accepts everything passes it the readings.
 namespace glider::simulator {
 
 /// A reading: the sensor's number in the platform file, and what the vehicle reports in its own

@@ -4,12 +4,14 @@
 #include "simulator/family/family.h"
 
 #include "simulator/sensors/provided.h"
+#include "simulator/slocum/drawn.h"
 #include "simulator/slocum/flight/skeleton.h"
 #include "simulator/slocum/own_mission.h"
 #include "simulator/slocum/slocum_seat.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
@@ -58,6 +60,21 @@ std::string textOf(const std::any& own) {
   return text;
 }
 
+void applyDrawnTo(const DrawnFaults& drawn, std::any& own) {
+  applyDrawn(drawn, std::any_cast<SlocumMission&>(own).file);
+}
+
+/// That of abend.
+double overtimeOf(const std::any& own) {
+  for (const slocum::BehaviourBlock& behaviour :
+       std::any_cast<const SlocumMission&>(own).file.behaviours) {
+    if (behaviour.name == "abend") {
+      return std::max(0.0, behaviour.value("overtime"));
+    }
+  }
+  return 0;
+}
+
 std::unique_ptr<SimulatedSeat> makeSeat(const SeatSetup& setup) {
   return std::make_unique<SlocumSeat>(setup);
 }
@@ -71,6 +88,8 @@ constinit const Family families::slocum = {.name = "slocum",
                                            .vehicle_keys = kVehicleKeys,
                                            .read_vehicle = readCode15,
                                            .text_of = textOf,
+                                           .apply_drawn = applyDrawnTo,
+                                           .overtime_of = overtimeOf,
                                            .make_seat = makeSeat};
 
 }  // namespace glider::simulator

@@ -5,7 +5,7 @@
 
 #include "simulator/scenario/scenario.h"
 #include "simulator/slocum/flight/when.h"
-#include "slocum/mission_files/mission_file.h"
+#include "vehicles/slocum/mission_files/mission_file.h"
 
 namespace glider::simulator {
 

@@ -5,14 +5,15 @@
 
 #include "hooks/hookbeh/hookbeh.h"
 #include "platforms/load/load_platform.h"
-#include "simulator/campaign/bottom_judge.h"
-#include "simulator/campaign/judge_limits.h"
+#include "simulator/campaign/kinds_of_faults.h"
 #include "simulator/simulator.h"
 #include "simulator/slocum/flight/skeleton.h"
 #include "simulator/slocum/own_mission.h"
-#include "slocum/mission_files/read.h"
 #include "support/check.h"
 #include "tests/slocum.h"
+#include "vehicles/slocum/mission_files/read.h"
+#include "vehicles/slocum/oracles/bottom_judge.h"
+#include "vehicles/slocum/oracles/judge_limits.h"
 
 #include <fmt/format.h>
 
@@ -31,7 +32,7 @@ const std::filesystem::path kSource = GLIDER_SOURCE_DIR;
 /// Sees how the vehicle itself fares.
 class DepthOnlooker final : public simulator::FlightObserver {
  public:
-  explicit DepthOnlooker(const simulator::JudgeSetup& judged) : judge_(judged) {}
+  explicit DepthOnlooker(const slocum::oracles::JudgeSetup& judged) : judge_(judged) {}
   void said(std::span<const uint8_t> /*bytes*/, double /*now_s*/) override {}
   bool cycle(const simulator::CycleView& view) override {
     const double depth = view.true_depth_m;
@@ -83,7 +84,8 @@ class DepthOnlooker final : public simulator::FlightObserver {
   }
 
   void noteBottom(const simulator::CycleView& view) {
-    const bool touches = view.clearance_m < simulator::limits::kTouchM && view.true_depth_m > 1;
+    const bool touches =
+        view.clearance_m < slocum::oracles::limits::kTouchM && view.true_depth_m > 1;
     touched_s_ = !touches ? -1 : touched_s_ < 0 ? view.time_s : touched_s_;
     seen.contacts += touches && touched_s_ == view.time_s;
     seen.on_bottom_s = std::max(seen.on_bottom_s, touches ? view.time_s - touched_s_ : 0);
@@ -93,7 +95,7 @@ class DepthOnlooker final : public simulator::FlightObserver {
     seen.bottom_violation = seen.bottom_violation.empty() ? wrong : seen.bottom_violation;
   }
 
-  simulator::BottomJudge judge_;
+  slocum::oracles::BottomJudge judge_;
   double touched_s_ = -1;
   std::deque<std::pair<double, double>> recent_;  ///< times, s, and true depths, m
   double heavy_from_s_ = 1e18;
@@ -159,8 +161,8 @@ simulator::Scenario diveScenario(const std::string& skeleton, double water_m) {
 }
 
 Dived flyDive(const Plan* plan, simulator::Scenario scenario, uint64_t seed, bool comes_back) {
-  const simulator::JudgeSetup judged =
-      simulator::judgeSetup(platform(), scenario, simulator::kindsOf(scenario.faults));
+  const slocum::oracles::JudgeSetup judged =
+      slocum::oracles::judgeSetup(platform(), scenario, simulator::kindsOf(scenario.faults));
   DepthOnlooker observer(judged);
   simulator::SimulationSetup setup;
   setup.platform = platform();

@@ -5,9 +5,9 @@
 // for any bytes. The first byte chooses what the others are: a whole file, compressed blocks, a
 // sensor list, or the records after a valid header.
 
-#include "slocum/data_files/blocks.h"
-#include "slocum/data_files/read.h"
 #include "support/check.h"
+#include "vehicles/slocum/data_files/blocks.h"
+#include "vehicles/slocum/data_files/read.h"
 
 #include <fmt/format.h>
 

@@ -4,9 +4,9 @@
 // libFuzzer feeds bytes to the readers of the vehicle's own files, .mi and .ma, with the promises
 // that must hold for any bytes.
 
-#include "slocum/mission_files/read.h"
 #include "support/check.h"
 #include "support/diagnostics/render.h"
+#include "vehicles/slocum/mission_files/read.h"
 
 #include <cstddef>
 #include <cstdint>

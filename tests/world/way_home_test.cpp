@@ -4,7 +4,7 @@
 // The way home that `check --report` states: the SBC is killed at a random moment of a flight, and
 // the vehicle is no deeper than stated and at the surface in the stated time, for good.
 
-#include "analysis/way_home.h"
+#include "vehicles/slocum/rules/way_home.h"
 
 #include "flights/in_process_sbc.h"
 #include "ir/prove/abstract/state_depths.h"
@@ -23,8 +23,8 @@
 namespace glider::tests {
 namespace {
 
-using analysis::WayHome;
 using flights::InProcessSbc;
+using vehicles::WayHome;
 
 /// Looks at where the vehicle is after the SBC's death.
 class DeathWatch final : public simulator::FlightObserver {
@@ -54,7 +54,7 @@ class DeathWatch final : public simulator::FlightObserver {
   }
 
   [[nodiscard]] WayHome stated() const {
-    return analysis::wayHomeFrom(deepest_.at(state_), slocum());
+    return slocum::rules::wayHomeFrom(deepest_.at(state_), slocum());
   }
   /// The SBC was in control when it died.
   [[nodiscard]] bool counts() const { return controlled_ && !finished_; }
@@ -129,10 +129,10 @@ TEST(WayHome, OfAKilledSbcIsNoLongerThanStated) {
 
 /// The sum is of the platform's numbers and hookbeh's silence: a vehicle that took longer is seen.
 TEST(WayHome, IsTheSumOfItsParts) {
-  const WayHome home = analysis::wayHomeFrom(31, slocum());
+  const WayHome home = slocum::rules::wayHomeFrom(31, slocum());
   EXPECT_EQ(home.depth_m, 31);
   EXPECT_NEAR(home.surface_s, 24 + 2 * 20 + 120 + 31 / 0.05, 1e-9);
-  EXPECT_TRUE(std::isinf(analysis::wayHomeFrom(INFINITY, slocum()).surface_s));
+  EXPECT_TRUE(std::isinf(slocum::rules::wayHomeFrom(INFINITY, slocum()).surface_s));
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 // at a random moment in each of the ways, and the vehicle is at the surface in the stated time.
 // Twins of the files with a fault each, which are refused, stay under water.
 
-#include "analysis/whole/whole.h"
 #include "flights/in_process_sbc.h"
 #include "ir/prove/falsification/rng.h"
 #include "simulator/simulator.h"
@@ -13,6 +12,7 @@
 #include "simulator/slocum/own_mission.h"
 #include "tests/support/command.h"
 #include "tests/world/fleet.h"
+#include "vehicles/slocum/rules/whole.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -177,8 +177,8 @@ LossWatch fly(const Flight& flight) {
   return watch;
 }
 
-double stated(const analysis::Whole& whole, const std::string& after) {
-  const auto found = std::ranges::find_if(whole.endings, [&](const analysis::Ending& ending) {
+double stated(const slocum::rules::Whole& whole, const std::string& after) {
+  const auto found = std::ranges::find_if(whole.endings, [&](const slocum::rules::Ending& ending) {
     return ending.after.starts_with(after);
   });
   EXPECT_NE(found, whole.endings.end()) << after;
@@ -209,8 +209,8 @@ TEST(Whole, AfterEachLossOfControlTheVehicleIsAtTheSurfaceInTheStatedTime) {
         const slocum::MissionFile vehicle = prepared(file, row.way, at_s);
         // An early abort by overtime is what is flown, not what is proved about the layers.
         const auto whole =
-            analysis::wholeOf(mission.flown->mission, slocum(),
-                              row.way == Way::Overtime ? vehicleOf(shipped(file)) : vehicle);
+            slocum::rules::wholeOf(mission.flown->mission, slocum(),
+                                   row.way == Way::Overtime ? vehicleOf(shipped(file)) : vehicle);
         const double within_s = stated(whole, row.after);
         const LossWatch watch = fly({mission, vehicle, row.way, at_s, within_s, seed});
         ++flown;
@@ -270,15 +270,16 @@ std::vector<Twin> twins() {
 
 TEST(Whole, TwinsWithAFaultAreRefusedAndStayUnderWater) {
   const FlyingMission mission = yoUntil(20000);
-  const double within_s =
-      stated(analysis::wholeOf(mission.flown->mission, slocum(), vehicleOf(shipped("skeleton"))),
-             "silence");
+  const double within_s = stated(
+      slocum::rules::wholeOf(mission.flown->mission, slocum(), vehicleOf(shipped("skeleton"))),
+      "silence");
   constexpr double kInADive_s = 700;  // near its top the vehicle comes up by itself
   for (const auto& [fault, text, stays] : twins()) {
     slocum::MissionFile vehicle = vehicleOf(text);
     // Without the surfacing after 8 hours, which does bring a yo below it up.
     vehicle = with(vehicle, 2, "start_when", 5);
-    EXPECT_FALSE(analysis::wholeOf(mission.flown->mission, slocum(), vehicle).proved()) << fault;
+    EXPECT_FALSE(slocum::rules::wholeOf(mission.flown->mission, slocum(), vehicle).proved())
+        << fault;
     const LossWatch watch = fly({mission, vehicle, Way::Killed, kInADive_s, within_s, 1});
     EXPECT_TRUE(watch.lost()) << fault;
     EXPECT_TRUE(!stays || !watch.surfaced()) << fault;

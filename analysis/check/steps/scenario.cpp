@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "analysis/check/run.h"
-#include "analysis/vehicle_limits.h"
+#include "analysis/start_place.h"
 #include "flights/scenario_choice.h"
 
 #include <utility>

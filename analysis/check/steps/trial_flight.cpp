@@ -22,13 +22,13 @@ support::Result<void> trialFlight(Run& run) {
   simulator::Scenario world = *run.scenario;
   std::string hint = fmt::format("see the flight with `glidercc sim {} --scenario {}`",
                                  run.file.found.path, options.scenario);
-  if (options.vehicle) {
-    auto own = flights::flyVehiclesOwn(options.vehicle->path, run.checked().platform(), world);
+  if (!options.own_mission.empty()) {
+    auto own = flights::flyVehiclesOwn(options.own_mission, run.checked().platform(), world);
     if (!own) {
       return std::unexpected(own.error());
     }
     hint += fmt::format(", which flies with the usual mission file instead of `{}`",
-                        options.vehicle->path);
+                        options.own_mission);
   }
   return reportTrialFlight(run.optimised(), world, options.user_code, hint, run.diagnostics());
 }

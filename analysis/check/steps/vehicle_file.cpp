@@ -2,34 +2,40 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "analysis/check/run.h"
-#include "simulator/slocum/own_mission.h"
-#include "slocum/mission_files/load.h"
+#include "support/diagnostics/catalogue.h"
+#include "vehicles/vehicle.h"
 
+#include <fmt/format.h>
+
+#include <string>
 #include <utility>
 
 namespace glider::analysis::check {
 
-/// Reads the vehicle's mission file, if the options name one, or a scenario that has one.
+/// Reads the vehicle's mission file, if the options name one, or a scenario that has one; else
+/// takes what is usual for its family.
 support::Result<void> vehicleFile(Run& run) {
-  std::optional<VehicleFile> file = run.options.vehicle;
-  if (!file && !run.options.scenario.empty() && run.scenario->own.has_value()) {
-    auto its = vehicleFileOf(simulator::missionFileOf(*run.scenario),
-                             run.scenario->skeleton_path.string());
-    if (!its) {
-      return std::unexpected(its.error());
-    }
-    file = std::move(*its);
-  }
-  if (!file) {
+  const bool of_scenario = run.options.own_mission.empty() && !run.options.scenario.empty() &&
+                           run.scenario->own.has_value();
+  const std::string path =
+      of_scenario ? run.scenario->skeleton_path.string() : run.options.own_mission;
+  if (path.empty()) {
+    const vehicles::Vehicle* family = vehicles::vehicleOf(run.platform());
+    run.file.own_mission = family == nullptr ? nullptr : family->usual_own_mission();
     return {};
   }
-  support::DiagnosticEngine diagnostics;  // shown when it was read first
-  auto behaviours = slocum::loadMission(file->path, *run.file.compilation->sources, diagnostics,
-                                        [](auto&&...) {});
-  if (!behaviours) {
-    return std::unexpected(behaviours.error());
+  const vehicles::Vehicle& family = vehicles::vehicleOfFile(path);
+  if (const std::string& mine = run.platform().family; !mine.empty() && mine != family.name) {
+    return support::fail(support::DiagnosticId::skeletonErrors, path,
+                         fmt::format("it is for vehicles of the family `{}`, and `{}` is of `{}`",
+                                     family.name, run.platform().name, mine));
   }
-  run.vehicle = {std::move(*file), std::move(*behaviours)};
+  // Its errors were shown when it was read first.
+  auto own = family.read_own_mission(path, *run.file.compilation->sources, {});
+  if (!own) {
+    return std::unexpected(own.error());
+  }
+  run.file.own_mission = std::move(*own);
   return {};
 }
 

@@ -3,8 +3,8 @@
 
 #include "simulator/slocum/flight/argument_values.h"
 
-#include "slocum/mission_files/behaviour_catalogue.h"
 #include "support/diagnostics/catalogue.h"
+#include "vehicles/slocum/mission_files/behaviour_catalogue.h"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "slocum/mission_files/mission_file.h"
 #include "support/diagnostics/engine.h"
+#include "vehicles/slocum/mission_files/mission_file.h"
 
 #include <string>
 

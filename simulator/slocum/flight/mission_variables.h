@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "slocum/mission_files/mission_file.h"
+#include "vehicles/slocum/mission_files/mission_file.h"
 
 #include <map>
 #include <optional>

@@ -7,9 +7,9 @@
 #include "simulator/slocum/flight/argument_values.h"
 #include "simulator/slocum/flight/device.h"
 #include "simulator/slocum/flight/science_switches.h"
-#include "slocum/mission_files/behaviour_catalogue.h"
-#include "slocum/mission_files/load.h"
 #include "support/diagnostics/catalogue.h"
+#include "vehicles/slocum/mission_files/behaviour_catalogue.h"
+#include "vehicles/slocum/mission_files/load.h"
 
 #include <fmt/format.h>
 

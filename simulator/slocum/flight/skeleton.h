@@ -3,10 +3,10 @@
 
 #pragma once
 
-#include "slocum/mission_files/mission_file.h"
 #include "support/diagnostics/engine.h"
 #include "support/result.h"
 #include "support/source_manager.h"
+#include "vehicles/slocum/mission_files/mission_file.h"
 
 #include <filesystem>
 

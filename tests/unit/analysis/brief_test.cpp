@@ -7,7 +7,7 @@
 #include "analysis/brief/in_words.h"
 #include "analysis/brief/summary.h"
 #include "analysis/brief/written.h"
-#include "analysis/way_home.h"
+#include "vehicles/vehicle.h"
 
 #include <gtest/gtest.h>
 
@@ -87,13 +87,15 @@ class BriefOf : public ::testing::Test {
     return briefOf({compilation_,
                     proved,
                     found,
-                    usualSilence(),
+                    usual_.get(),
                     {{"warm", "temperature", "4 degC", "1 degC to 9 degC", ""}},
                     {"m-host", "0123", ""},
                     "glidercc 0"});
   }
 
   compiler::Compilation compilation_;
+  const std::unique_ptr<vehicles::OwnMission> usual_ =
+      vehicles::families::slocum.usual_own_mission();
 };
 
 TEST_F(BriefOf, CommentsAreThoseOfTheDeclaration) {

@@ -5,8 +5,8 @@
 
 #include "simulator/slocum/flight/behaviour.h"
 #include "simulator/slocum/flight/behaviours/source.h"
-#include "slocum/mission_files/read.h"
 #include "tests/slocum.h"
+#include "vehicles/slocum/mission_files/read.h"
 
 #include <gtest/gtest.h>
 

@@ -5,11 +5,11 @@
 
 #include "hooks/protocol/messages.h"
 #include "simulator/campaign/draw_faults.h"
-#include "simulator/campaign/flight_judge.h"
 #include "simulator/slocum/own_mission.h"
 #include "tests/slocum.h"
 #include "tests/unit/simulator/fake_sbc.h"
 #include "tests/unit/simulator/flights.h"
+#include "vehicles/slocum/oracles/flight_judge.h"
 
 #include <gtest/gtest.h>
 
@@ -18,6 +18,12 @@
 #include <iterator>
 
 namespace glider::simulator {
+
+using slocum::oracles::FlightJudge;
+using slocum::oracles::JudgeSetup;
+using slocum::oracles::judgeSetup;
+using slocum::oracles::StatedTimes;
+using slocum::oracles::statedTimes;
 namespace {
 
 using Outcome = Verdict::Outcome;
@@ -108,11 +114,11 @@ TEST(DrawFaults, EachKindOfTheLineIsThatAndNothingElse) {
 }
 
 TEST(DrawFaults, WhatIsDrawnIsAppliedToTheScenario) {
+  const platforms::Platform platform = shippedSetup("default").platform;
   Scenario scenario = shippedSetup("default").scenario;
   const DrawnFaults tight = drawFaults(FaultKind::TightLimits, Manner::Once, 1, kTimes);
-  tight.applyTo(scenario);
-  drawFaults(FaultKind::ShallowWater, Manner::Once, 1, kTimes).applyTo(scenario);
-  const platforms::Platform platform = shippedSetup("default").platform;
+  tight.applyTo(platform, scenario);
+  drawFaults(FaultKind::ShallowWater, Manner::Once, 1, kTimes).applyTo(platform, scenario);
   const JudgeSetup judged = judgeSetup(platform, scenario, {FaultKind::TightLimits});
   EXPECT_EQ(judged.args.greatest_depth_m, tight.args->max_depth_m);
   EXPECT_EQ(judged.args.start_secs, tight.args->start_secs);
@@ -126,7 +132,7 @@ TEST(DrawFaults, AVehicleThatDiffersIsAppliedToTheScenario) {
     Scenario scenario = shippedSetup("default").scenario;
     const DrawnFaults drawn = drawFaults(kind, Manner::Once, 1, kTimes);
     EXPECT_EQ(drawn.lasts(), kind != FaultKind::None);
-    drawn.applyTo(scenario);
+    drawn.applyTo(platform, scenario);
     return judgeSetup(platform, scenario, drawn.kinds);
   };
   EXPECT_FALSE(judged(FaultKind::NoCtd).has_ctd);
@@ -253,7 +259,7 @@ TEST(JudgedFlight, OfTheFakePilotIsGood) {
     SimulationSetup setup = shippedSetup("default");
     const DrawnFaults drawn =
         drawFaults(static_cast<FaultKind>(k), Manner::Once, 5, {1200, 8, 1200, 20});
-    drawn.applyTo(setup.scenario);
+    drawn.applyTo(setup.platform, setup.scenario);
     setup.restart_sbc = [plan] {
       return support::Result<std::unique_ptr<SbcPort>>(std::make_unique<FakeSbc>(plan, 1e9, true));
     };

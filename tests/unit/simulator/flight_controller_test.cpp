@@ -7,10 +7,10 @@
 #include "hooks/transport/memory.h"
 #include "simulator/slocum/flight/skeleton.h"
 #include "simulator/slocum/own_mission.h"
-#include "slocum/mission_files/read.h"
 #include "tests/slocum.h"
 #include "tests/unit/simulator/flights.h"
 #include "tests/unit/simulator/slocum_vehicle.h"
+#include "vehicles/slocum/mission_files/read.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -6,8 +6,8 @@
 #include "platforms/load/load_platform.h"
 #include "simulator/slocum/flight/skeleton.h"
 #include "simulator/slocum/own_mission.h"
-#include "slocum/mission_files/read.h"
 #include "support/diagnostics/render.h"
+#include "vehicles/slocum/mission_files/read.h"
 
 #include <fmt/format.h>
 

@@ -6,9 +6,9 @@
 #include "simulator/slocum/flight/science_switches.h"
 #include "simulator/slocum/own_mission.h"
 #include "simulator/slocum/science/science_computer.h"
-#include "slocum/mission_files/read.h"
 #include "tests/unit/simulator/behaviour_bench.h"
 #include "tests/unit/simulator/flights.h"
+#include "vehicles/slocum/mission_files/read.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -4,8 +4,8 @@
 #include "simulator/slocum/flight/skeleton.h"
 
 #include "simulator/slocum/flight/argument_values.h"
-#include "slocum/mission_files/read.h"
 #include "support/diagnostics/render.h"
+#include "vehicles/slocum/mission_files/read.h"
 
 #include <gtest/gtest.h>
 

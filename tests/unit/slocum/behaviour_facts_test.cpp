@@ -4,7 +4,7 @@
 // The arguments of each behaviour with their defaults, as facts of the vehicle's release 10.05: a
 // changed row of behaviours.def fails here.
 
-#include "slocum/mission_files/behaviour_catalogue.h"
+#include "vehicles/slocum/mission_files/behaviour_catalogue.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include "slocum/data_files/read.h"
 #include "support/diagnostics/diagnostic.h"
 #include "tests/unit/slocum/second_reader.h"
+#include "vehicles/slocum/data_files/read.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "slocum/data_files/blocks.h"
-#include "slocum/data_files/header.h"
 #include "tests/unit/slocum/data_bench.h"
+#include "vehicles/slocum/data_files/blocks.h"
+#include "vehicles/slocum/data_files/header.h"
 
 #include <algorithm>
 #include <cctype>

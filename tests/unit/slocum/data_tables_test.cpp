@@ -3,10 +3,10 @@
 
 // Several data files as one table: summary, CSV and netCDF.
 
-#include "slocum/data_tables/csv.h"
-#include "slocum/data_tables/netcdf.h"
-#include "slocum/data_tables/summary.h"
 #include "tests/unit/slocum/data_bench.h"
+#include "vehicles/slocum/data_tables/csv.h"
+#include "vehicles/slocum/data_tables/netcdf.h"
+#include "vehicles/slocum/data_tables/summary.h"
 
 #include <algorithm>
 #include <limits>

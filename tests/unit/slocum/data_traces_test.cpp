@@ -4,10 +4,10 @@
 // Data files as the trace of a flight: units, what is known when, events, currents. The meaning of
 // the sensors and codes is that of the vehicle's documentation.
 
-#include "slocum/data_traces/events.h"
-#include "slocum/data_traces/flight_trace.h"
-#include "slocum/data_traces/position.h"
 #include "tests/unit/slocum/data_bench.h"
+#include "vehicles/slocum/data_traces/events.h"
+#include "vehicles/slocum/data_traces/flight_trace.h"
+#include "vehicles/slocum/data_traces/position.h"
 
 #include <algorithm>
 #include <map>

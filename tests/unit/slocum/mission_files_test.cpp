@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "slocum/mission_files/argument_files.h"
-#include "slocum/mission_files/behaviour_catalogue.h"
-#include "slocum/mission_files/read.h"
 #include "support/diagnostics/render.h"
 #include "support/files.h"
+#include "vehicles/slocum/mission_files/argument_files.h"
+#include "vehicles/slocum/mission_files/behaviour_catalogue.h"
+#include "vehicles/slocum/mission_files/read.h"
 
 #include <gtest/gtest.h>
 

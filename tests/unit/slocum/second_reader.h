@@ -11,8 +11,8 @@
 #include <vector>
 
 /// A second reader and a writer of the vehicle's data files, made from the description of the
-/// format, slow and simple. They share no code with slocum/data_files, so that a misreading of the
-/// format shows as a difference.
+/// format, slow and simple. They share no code with vehicles/slocum/data_files, so that a
+/// misreading of the format shows as a difference.
 namespace glider::slocum::second {
 
 /// What one record says about one sensor: '-' nothing, '=' the old value again, '*' a new value.

@@ -5,7 +5,7 @@
 
 #include "hooks/hookbeh/hookbeh.h"
 #include "simulator/slocum/flight/behaviour.h"
-#include "slocum/mission_files/mission_file.h"
+#include "vehicles/slocum/mission_files/mission_file.h"
 
 #include <string>
 #include <vector>

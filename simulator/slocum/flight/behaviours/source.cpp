@@ -3,7 +3,7 @@
 
 #include "simulator/slocum/flight/behaviours/source.h"
 
-#include "slocum/mission_files/behaviour_catalogue.h"
+#include "vehicles/slocum/mission_files/behaviour_catalogue.h"
 
 namespace glider::simulator {
 namespace {

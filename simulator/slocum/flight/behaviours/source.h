@@ -6,7 +6,7 @@
 #include "hooks/hookbeh/hull.h"
 #include "simulator/slocum/flight/mission_variables.h"
 #include "simulator/slocum/flight/when.h"
-#include "slocum/mission_files/mission_file.h"
+#include "vehicles/slocum/mission_files/mission_file.h"
 
 #include <cstdint>
 #include <string>

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analysis/start_place.h"
+
+#include "ir/core/inside.h"
+#include "support/diagnostics/catalogue.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace glider::analysis {
+
+using support::DiagnosticId;
+
+void checkStart(const compiler::Checked& mission, const StartPlace& start,
+                support::DiagnosticEngine& diagnostics) {
+  const auto& all = mission.mission().assumptions;
+  const auto assumed =
+      std::ranges::find(all, ir::AssumptionKind::StartInside, &ir::Assumption::kind);
+  if (assumed != all.end() &&
+      !ir::isInside(assumed->area, {start.at.latitude, start.at.longitude})) {
+    diagnostics.report(DiagnosticId::startUnassumed, assumed->range, start.name,
+                       fmt::format("at {:.4f}, {:.4f}", start.at.latitude, start.at.longitude),
+                       "`" + assumed->words + "`");
+  }
+}
+
+}  // namespace glider::analysis

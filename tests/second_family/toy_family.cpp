@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/family/family.h"
+#include "tests/second_family/toy_seat.h"
+
+namespace glider::simulator {
+
+/// A toy flies no mission of its own.
+constinit const Family families::toy = {
+    .name = "toy",
+    .missing_sensor = [](const platforms::Platform& /*platform*/) { return std::string_view(); },
+    .load_own = [](const std::filesystem::path& /*path*/, support::SourceManager& /*sources*/,
+                   support::DiagnosticEngine& /*diagnostics*/,
+                   std::any& /*own*/) { return support::Result<void>(); },
+    .vehicle_keys = {},
+    .read_vehicle = [](Fields& /*fields*/, std::any& /*own*/) {},
+    .text_of = [](const std::any& /*own*/) { return std::string(); },
+    .apply_drawn = [](const DrawnFaults& /*drawn*/, std::any& /*own*/) {},
+    .overtime_of = [](const std::any& /*own*/) { return 0.0; },
+    .make_seat = [](const SeatSetup& setup) -> std::unique_ptr<SimulatedSeat> {
+      return std::make_unique<ToySeat>(setup);
+    }};
+
+}  // namespace glider::simulator

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// How long the way home takes, and after which silence it begins.
+
+#include "vehicles/slocum/rules/way_home.h"
+
+#include "support/diagnostics/catalogue.h"
+#include "tests/support/command.h"
+#include "vehicles/slocum/mission_files/load.h"
+#include "vehicles/slocum/rules/vehicle_file.h"
+
+#include <gtest/gtest.h>
+
+namespace glider::slocum::rules {
+namespace {
+
+// A real vehicle's cycle may take as long as `tick_gap_s`; `cycle_s` is the usual one.
+TEST(WayHome, IsTheSilenceTwoOfTheLongestCyclesTheTurnAndTheClimb) {
+  platforms::Platform platform;
+  platform.envelope.cycle_s = 4;
+  platform.world.tick_gap_s = 15;
+  platform.world.turn_s = 100;
+  platform.world.slowest_climb_m_s = 0.05;
+  const vehicles::WayHome home = wayHomeFrom(20, platform, {30, "here"});
+  EXPECT_EQ(home.depth_m, 20);
+  EXPECT_DOUBLE_EQ(home.surface_s, 30 + 30 + 100 + 400);
+  EXPECT_DOUBLE_EQ(wayHomeFrom(0, platform, {30, "here"}).surface_s, 160);
+}
+
+TEST(UsualSilence, IsThatOfHookbeh) {
+  EXPECT_EQ(usualSilence().seconds, 24);
+  EXPECT_EQ(usualSilence().source, "assuming silence_secs 24; see --mi");
+}
+
+class SilenceOf : public ::testing::Test {
+ protected:
+  [[nodiscard]] support::Result<VehicleFile> of(const std::string& value) const {
+    return read(
+        folder_
+            .write("a.mi", "behavior: surface\nbehavior: hookbeh\n    b_arg: silence_secs(s) " +
+                               value + "\n")
+            .string());
+  }
+  static support::Result<VehicleFile> read(const std::string& path) {
+    support::SourceManager sources;
+    support::DiagnosticEngine diagnostics;
+    const auto file = loadMission(path, sources, diagnostics, [](auto&&...) {});
+    return file ? vehicleFileOf(*file, path)
+                : support::Result<VehicleFile>(std::unexpected(file.error()));
+  }
+  const tests::TemporaryFolder folder_;
+};
+
+TEST_F(SilenceOf, IsThatOfTheVehiclesMissionFile) {
+  const auto silence = of("300.5");
+  ASSERT_TRUE(silence);
+  EXPECT_EQ(silence->silence.seconds, 300.5);
+  EXPECT_EQ(silence->silence.source, "silence_secs 300.5 from a.mi");
+}
+
+TEST_F(SilenceOf, IsFromAboveNothingToTenMinutes) {
+  EXPECT_TRUE(of("600"));
+  EXPECT_TRUE(of("0.5"));
+  for (const char* wrong : {"601", "3600", "0", "-5"}) {
+    const auto silence = of(wrong);
+    ASSERT_FALSE(silence) << wrong;
+    EXPECT_EQ(silence.error().id, support::DiagnosticId::skeletonErrors);
+  }
+}
+
+TEST_F(SilenceOf, MayBeInAnArgumentFile) {
+  (void)folder_.write(
+      "hookbe03.ma",
+      "behavior_name=hookbeh\n<start:b_arg>\nb_arg: silence_secs(s) 60\n<end:b_arg>\n");
+  const auto silence = read(
+      folder_.write("a.mi", "behavior: hookbeh\n    b_arg: args_from_file(enum) 3\n").string());
+  ASSERT_TRUE(silence);
+  EXPECT_EQ(silence->silence.seconds, 60);
+}
+
+TEST_F(SilenceOf, WithoutAHookbehIsNone) {
+  const auto silence = read(folder_.write("a.mi", "behavior: surface\n").string());
+  ASSERT_FALSE(silence);
+  EXPECT_EQ(silence.error().id, support::DiagnosticId::skeletonErrors);
+  EXPECT_EQ(read((folder_.path() / "none.mi").string()).error().id,
+            support::DiagnosticId::cannotRead);
+}
+
+}  // namespace
+}  // namespace glider::slocum::rules

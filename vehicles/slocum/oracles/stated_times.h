@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/faults/faults.h"
+#include "vehicles/slocum/oracles/names.h"
+
+#include <string>
+#include <vector>
+
+namespace glider::slocum::oracles {
+
+/// A time of the flight in which hookbeh may not be active.
+struct Release {
+  Span when;
+  std::string why;
+};
+
+/// What hooks/protocol/README.md ("Watchdogs") promises, for one flight.
+struct StatedTimes {
+  std::vector<Release> releases;
+  /// While hookbeh is active, the longest time since the SBC's mission last made progress, s.
+  double most_standstill_s = 0;
+  /// While hookbeh is active, the longest time in which it answers an instruction of the SBC, s.
+  double most_unanswered_s = 0;
+};
+
+/// For a hookbeh whose `silence_secs` is `silence_s` and whose cycle takes `cycle_s`.
+StatedTimes statedTimes(const Faults& faults, double silence_s, double cycle_s);
+
+}  // namespace glider::slocum::oracles

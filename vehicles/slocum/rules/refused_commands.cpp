@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "vehicles/slocum/rules/refused_commands.h"
+
+#include "hooks/hookbeh/args.h"
+#include "ir/prove/abstract/held_ranges.h"
+#include "ir/prove/context/commands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace glider::slocum::rules {
+namespace {
+
+using Commands = std::vector<const ir::Statement*>;
+
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+/// A greater bound means that the number has no range.
+constexpr double kNoBound = 1e300;
+
+std::string degrees(double angle) {
+  return fmt::format("{:.3g} deg", angle * 180 / std::numbers::pi);
+}
+
+/// What the commands of a state may contain.
+struct Extremes {
+  double steepest = 0;
+  double shallowest = kEndless;
+  double deepest = -kEndless;  ///< that: it commands no depth
+};
+
+Extremes extremesOf(const Commands& commands, const std::vector<ir::Interval>& held) {
+  Extremes all;
+  for (const ir::Statement* command : commands) {
+    const bool sloped =
+        command->command == ir::Command::Descend || command->command == ir::Command::Ascend;
+    if (!sloped && command->command != ir::Command::Hover) {
+      continue;
+    }
+    const ir::Interval& depth = held[command->values.at(0).index];
+    if (!depth.empty && depth.highest < kNoBound) {
+      all.deepest = std::max(all.deepest, depth.highest);
+    }
+    const ir::Interval pitch =
+        sloped ? held[command->values.at(1).index] : ir::Interval{0, 0, true};
+    if (!pitch.empty && pitch.highest - pitch.lowest < kNoBound) {
+      all.steepest = std::max({all.steepest, pitch.highest, -pitch.lowest});
+      all.shallowest = std::min(all.shallowest, std::max({pitch.lowest, -pitch.highest, 0.0}));
+    }
+  }
+  return all;
+}
+
+void addRefused(const Refusal& of, const Extremes& all, const CommandLimits& limits,
+                std::vector<Refusal>& found) {
+  const auto add = [&](std::string command, std::string limit) {
+    found.push_back({of.range, of.who, std::move(command), std::move(limit)});
+  };
+  if (all.steepest > limits.steepest_pitch_rad) {
+    add("a pitch of " + degrees(all.steepest), "more than " + degrees(limits.steepest_pitch_rad));
+  }
+  if (all.shallowest < limits.shallowest_pitch_rad) {
+    add("a pitch of " + degrees(all.shallowest),
+        "less than " + degrees(limits.shallowest_pitch_rad));
+  }
+  if (limits.greatest_depth_m && all.deepest > *limits.greatest_depth_m) {
+    add(fmt::format("a depth of {:.4g} m", all.deepest),
+        fmt::format("more than {:.4g} m", *limits.greatest_depth_m));
+  }
+}
+
+}  // namespace
+
+CommandLimits usualLimits() {
+  const hooks::HookbehArgs args;
+  return {args.steepest_pitch_rad, args.shallowest_pitch_rad, std::nullopt,
+          fmt::format("assuming max_pitch {:.4g} and min_pitch {:.4g}; see --mi",
+                      args.steepest_pitch_rad, args.shallowest_pitch_rad)};
+}
+
+std::vector<Refusal> refusalsOf(const ir::Mission& mission, const CommandLimits& limits) {
+  const std::vector<ir::Interval> held = ir::prove::heldIntervals(mission);
+  std::vector<Refusal> found;
+  addRefused({{}, "`always`", "", ""}, extremesOf(ir::prove::commandsOfAlways(mission), held),
+             limits, found);
+  for (const ir::State& state : mission.states) {
+    addRefused({state.range, "`" + state.name + "`", "", ""},
+               extremesOf(ir::prove::commandsOf(mission, state), held), limits, found);
+  }
+  return found;
+}
+
+std::vector<Dive> divesOf(const ir::Mission& mission) {
+  const std::vector<ir::Interval> held = ir::prove::heldIntervals(mission);
+  std::vector<Dive> dives;
+  const auto add = [&](const support::SourceRange& range, const std::string& who,
+                       const Commands& commands) {
+    const double deepest = extremesOf(commands, held).deepest;
+    if (deepest > -kEndless) {
+      dives.push_back({range, who, deepest});
+    }
+  };
+  add({}, "`always`", ir::prove::commandsOfAlways(mission));
+  for (const ir::State& state : mission.states) {
+    add(state.range, "`" + state.name + "`", ir::prove::commandsOf(mission, state));
+  }
+  return dives;
+}
+
+std::vector<std::string> refusedLines(const ir::Mission& mission, const CommandLimits& limits) {
+  std::vector<std::string> lines;
+  for (const Refusal& one : refusalsOf(mission, limits)) {
+    lines.push_back(fmt::format("{} may command {}: hookbeh refuses {} ({})", one.who, one.command,
+                                one.limit, limits.source));
+  }
+  return lines;
+}
+
+}  // namespace glider::slocum::rules

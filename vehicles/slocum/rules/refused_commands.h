@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+#include "support/source_range.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glider::slocum::rules {
+
+/// What hookbeh refuses by its arguments in the vehicle's mission file: the previous command then
+/// stays in force. The limits of the platform are wider, and commands beyond them are errors.
+struct CommandLimits {
+  double steepest_pitch_rad = 0;
+  double shallowest_pitch_rad = 0;
+  std::optional<double> greatest_depth_m;  ///< none: it depends too much on the mission file
+  std::string source;                      ///< "assuming max_pitch 0.61, min_pitch 0.19"
+};
+
+/// The limits of pitch that hookbeh uses if its mission file gives none.
+CommandLimits usualLimits();
+
+/// Commands that hookbeh refuses, for some values of parameters and variables.
+struct Refusal {
+  support::SourceRange range;  ///< of the name of their state; invalid: of `always`
+  std::string who;             ///< "`survey`", "`always`"
+  std::string command;         ///< "a pitch of 40 deg"
+  std::string limit;           ///< "more than 35 deg"
+};
+std::vector<Refusal> refusalsOf(const ir::Mission& mission, const CommandLimits& limits);
+
+/// The deepest dive or hover that a state may command, for each that commands one.
+struct Dive {
+  support::SourceRange range;  ///< as of Refusal
+  std::string who;
+  double depth_m = 0;
+};
+std::vector<Dive> divesOf(const ir::Mission& mission);
+
+/// What refusalsOf() finds as lines for the report.
+std::vector<std::string> refusedLines(const ir::Mission& mission, const CommandLimits& limits);
+
+}  // namespace glider::slocum::rules

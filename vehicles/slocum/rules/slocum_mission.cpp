@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "vehicles/slocum/rules/slocum_mission.h"
+
+#include "support/diagnostics/catalogue.h"
+#include "vehicles/slocum/mission_files/load.h"
+#include "vehicles/slocum/rules/control.h"
+#include "vehicles/slocum/rules/hookbeh_needs.h"
+#include "vehicles/slocum/rules/refused_commands.h"
+#include "vehicles/slocum/rules/vehicle_file.h"
+#include "vehicles/slocum/rules/vehicle_guards.h"
+#include "vehicles/slocum/rules/vehicle_limits.h"
+#include "vehicles/slocum/rules/vehicle_premise.h"
+#include "vehicles/slocum/rules/way_home.h"
+#include "vehicles/slocum/rules/whole.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace glider::slocum::rules {
+namespace {
+
+using compiler::Checked;
+using platforms::Platform;
+using support::DiagnosticEngine;
+using support::DiagnosticId;
+
+class FileOfSlocum final : public vehicles::OwnMission {
+ public:
+  FileOfSlocum(VehicleFile file, MissionFile behaviours)
+      : file_(std::move(file)), behaviours_(std::move(behaviours)) {}
+
+  void checkLimits(const Checked& mission, DiagnosticEngine& diagnostics) const override {
+    checkVehicleLimits(mission, file_, diagnostics);
+  }
+
+  void checkDisturbances(const Checked& mission, const Platform& platform,
+                         DiagnosticEngine& diagnostics) const override {
+    const auto layers = layersOf(behaviours_, platform);
+    checkGuards(mission, file_, layers, diagnostics);
+    checkSameDepth(mission, file_, diagnostics);
+    const MissionTimes times(mission.mission(), platform, std::max(0.0, file_.guards.start_secs));
+    for (const Disturbance& one : disturbances(behaviours_, layers, times, platform)) {
+      const bool masks = one.kind == Disturbance::Kind::Masks;
+      diagnostics.report(masks ? DiagnosticId::commandsMasked : DiagnosticId::controlPrevented,
+                         one.range, one.what, one.change);
+    }
+    for (const Doubt& one : unmetNeeds(behaviours_)) {
+      diagnostics.report(DiagnosticId::sensorUnread, one.range, one.why, one.change);
+    }
+  }
+
+  std::vector<std::string> checkEndings(const Checked& mission, const Platform& platform,
+                                        DiagnosticEngine& diagnostics) const override {
+    const Whole whole = wholeOf(mission.mission(), platform, behaviours_);
+    for (const Ending& ending : whole.alike()) {
+      if (!ending.proved()) {
+        diagnostics.report(DiagnosticId::mayStayBelow, ending.range, ending.after, ending.why_not,
+                           ending.change);
+      }
+    }
+    return wholeLines(whole);
+  }
+
+  [[nodiscard]] std::string premiseOf(const Checked& mission,
+                                      const DiagnosticEngine& diagnostics) const override {
+    return premiseWith(mission, file_, diagnostics);
+  }
+
+  [[nodiscard]] std::optional<std::string> endlessLine(const Checked& mission) const override {
+    return rules::endlessLine(mission, file_);
+  }
+
+  [[nodiscard]] vehicles::WayHome wayHomeFrom(double depth_m,
+                                              const Platform& platform) const override {
+    return rules::wayHomeFrom(depth_m, platform, file_.silence);
+  }
+
+  [[nodiscard]] std::vector<std::string> wayHomeLines(const ir::Mission& mission,
+                                                      const Platform& platform) const override {
+    return rules::wayHomeLines(mission, platform, file_.silence);
+  }
+
+  [[nodiscard]] std::vector<std::string> refusedLines(
+      const ir::Mission& /*mission*/) const override {
+    return {};
+  }
+
+ private:
+  VehicleFile file_;
+  MissionFile behaviours_;  ///< its ranges are in the sources that it was read into
+};
+
+class UsualSlocum final : public vehicles::OwnMission {
+ public:
+  void checkLimits(const Checked& /*mission*/, DiagnosticEngine& /*diagnostics*/) const override {}
+  void checkDisturbances(const Checked& /*mission*/, const Platform& /*platform*/,
+                         DiagnosticEngine& /*diagnostics*/) const override {}
+  std::vector<std::string> checkEndings(const Checked& /*mission*/, const Platform& /*platform*/,
+                                        DiagnosticEngine& /*diagnostics*/) const override {
+    return {};
+  }
+  [[nodiscard]] std::string premiseOf(const Checked& /*mission*/,
+                                      const DiagnosticEngine& /*diagnostics*/) const override {
+    return "";
+  }
+  [[nodiscard]] std::optional<std::string> endlessLine(const Checked& /*mission*/) const override {
+    return std::nullopt;
+  }
+  [[nodiscard]] vehicles::WayHome wayHomeFrom(double depth_m,
+                                              const Platform& platform) const override {
+    return rules::wayHomeFrom(depth_m, platform);
+  }
+  [[nodiscard]] std::vector<std::string> wayHomeLines(const ir::Mission& mission,
+                                                      const Platform& platform) const override {
+    return rules::wayHomeLines(mission, platform, usualSilence());
+  }
+  [[nodiscard]] std::vector<std::string> refusedLines(const ir::Mission& mission) const override {
+    return rules::refusedLines(mission, usualLimits());
+  }
+};
+
+}  // namespace
+
+support::Result<std::unique_ptr<vehicles::OwnMission>> readSlocumMission(
+    const std::string& path, support::SourceManager& sources,
+    const support::ShowDiagnostics& show) {
+  DiagnosticEngine diagnostics;
+  auto behaviours = loadMission(path, sources, diagnostics, [](auto&&...) {});
+  if (!behaviours) {
+    if (show && diagnostics.hasErrors()) {
+      show(diagnostics, sources);
+    }
+    return std::unexpected(behaviours.error());
+  }
+  auto file = vehicleFileOf(*behaviours, path);
+  if (!file) {
+    return std::unexpected(file.error());
+  }
+  return std::make_unique<FileOfSlocum>(std::move(*file), std::move(*behaviours));
+}
+
+std::unique_ptr<vehicles::OwnMission> usualSlocumMission() {
+  return std::make_unique<UsualSlocum>();
+}
+
+}  // namespace glider::slocum::rules

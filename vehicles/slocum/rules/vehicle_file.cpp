@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "vehicles/slocum/rules/vehicle_file.h"
+
+#include "hooks/hookbeh/hull.h"
+#include "support/diagnostics/catalogue.h"
+#include "vehicles/slocum/mission_files/mission_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace glider::slocum::rules {
+namespace {
+
+using slocum::BehaviourBlock;
+using support::DiagnosticId;
+
+const BehaviourBlock* find(const slocum::MissionFile& file, const char* name) {
+  const auto found = std::ranges::find(file.behaviours, name, &BehaviourBlock::name);
+  return found == file.behaviours.end() ? nullptr : &*found;
+}
+
+/// A limit that is switched on by a value of 0 or more.
+std::optional<double> limitOf(const BehaviourBlock& abend, const char* argument) {
+  const double value = abend.value(argument);
+  return value >= 0 && !slocum::missionParameter(value) ? std::optional(value) : std::nullopt;
+}
+
+AbortLimits abortsOf(const slocum::MissionFile& file) {
+  const BehaviourBlock* abend = find(file, "abend");
+  return abend == nullptr
+             ? AbortLimits()
+             : AbortLimits{limitOf(*abend, "overdepth"), limitOf(*abend, "overtime"),
+                           limitOf(*abend, "undervolts"), limitOf(*abend, "samedepth_for")};
+}
+
+}  // namespace
+
+support::Result<VehicleFile> vehicleFileOf(const MissionFile& file, const std::string& path) {
+  const BehaviourBlock* hookbeh = find(file, "hookbeh");
+  if (hookbeh == nullptr) {
+    return support::fail(DiagnosticId::skeletonErrors, path, "it has no behavior `hookbeh`");
+  }
+  const double seconds = hookbeh->value("silence_secs");
+  if (!(seconds > 0 && seconds <= hooks::kMostSilenceSecs)) {
+    return support::fail(DiagnosticId::skeletonErrors, path,
+                         fmt::format("silence_secs must be above 0 and at most {:.0f}, not {}",
+                                     hooks::kMostSilenceSecs, seconds));
+  }
+  const std::string name = std::filesystem::path(path).filename().string();
+  const double steepest = hookbeh->value("max_pitch");
+  const double shallowest = hookbeh->value("min_pitch");
+  const double deepest = hookbeh->value("max_depth");
+  return VehicleFile{path,
+                     name,
+                     {seconds, fmt::format("silence_secs {:.4g} from {}", seconds, name)},
+                     {steepest, shallowest, deepest,
+                      fmt::format("max_pitch {:.4g}, min_pitch {:.4g} and max_depth {:.4g} in {}",
+                                  steepest, shallowest, deepest, name)},
+                     abortsOf(file),
+                     {deepest, hookbeh->value("min_altitude"), hookbeh->value("start_secs")}};
+}
+
+}  // namespace glider::slocum::rules

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "support/result.h"
+#include "vehicles/slocum/mission_files/mission_file.h"
+#include "vehicles/slocum/rules/refused_commands.h"
+#include "vehicles/slocum/rules/way_home.h"
+
+#include <optional>
+#include <string>
+
+namespace glider::slocum::rules {
+
+/// Where `abend` ends the vehicle's mission; empty: nowhere, or only the vehicle knows (a mission
+/// parameter).
+struct AbortLimits {
+  std::optional<double> overdepth_m;
+  std::optional<double> overtime_s;  ///< since the vehicle's mission began
+  std::optional<double> undervolts_V;
+  std::optional<double> samedepth_for_s;  ///< under water, within 1 m
+};
+
+/// Where hookbeh makes the vehicle climb, for any command of the SBC, and from when on it is ready.
+struct GuardLimits {
+  double greatest_depth_m = 0;
+  double least_altitude_m = 0;  ///< negative: hookbeh uses no altimeter
+  double start_secs = 0;        ///< of the vehicle's mission
+};
+
+/// What the mission file of the vehicle says about the missions that it may give control to.
+struct VehicleFile {
+  std::string path;
+  std::string name;  ///< of the file, without its folder
+  Silence silence;
+  CommandLimits commands;
+  AbortLimits aborts;
+  GuardLimits guards;
+};
+
+/// Of the .mi file that was read from `path`. GL5120 if there is no hookbeh or its silence is not a
+/// valid time.
+support::Result<VehicleFile> vehicleFileOf(const MissionFile& file, const std::string& path);
+
+}  // namespace glider::slocum::rules

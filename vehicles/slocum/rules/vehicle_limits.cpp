@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "vehicles/slocum/rules/vehicle_limits.h"
+
+#include "ir/prove/abstract/end_bound.h"
+#include "ir/prove/context/duration_text.h"
+#include "support/diagnostics/catalogue.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <ranges>
+#include <vector>
+
+namespace glider::slocum::rules {
+namespace {
+
+using support::DiagnosticId;
+
+/// Where a fault of the whole mission is reported.
+support::SourceRange beginningOf(const ir::Mission& mission) {
+  return mission.states.front().range;
+}
+
+void checkDepth(const ir::Mission& mission, double overdepth, const std::string& name,
+                support::DiagnosticEngine& diagnostics) {
+  CommandLimits limits = usualLimits();
+  limits.steepest_pitch_rad = 10;  // of pitches abend knows nothing
+  limits.shallowest_pitch_rad = 0;
+  limits.greatest_depth_m = overdepth;
+  for (const Refusal& one : refusalsOf(mission, limits)) {
+    diagnostics.report(DiagnosticId::vehicleAborts,
+                       one.range.valid() ? one.range : beginningOf(mission),
+                       fmt::format("{} may command {}, and abend allows no more than {:.4g} m "
+                                   "(overdepth in {})",
+                                   one.who, one.command, overdepth, name),
+                       "command a shallower depth, or raise overdepth");
+  }
+}
+
+/// The latest end of the mission, if it has a proved one.
+std::optional<double> latestEnd(const compiler::Checked& checked) {
+  const ir::prove::ProofContext context(checked.mission(), checked.platform());
+  return ir::prove::boundOf(context.withoutPowerCuts(), ir::prove::kLongestMission,
+                            ir::prove::Goal::Exit)
+      .by;
+}
+
+/// `starts`: when hookbeh is ready, s of the vehicle's mission.
+void checkTime(const compiler::Checked& checked, double overtime, double starts,
+               const std::string& name, support::DiagnosticEngine& diagnostics) {
+  if (starts > overtime) {
+    diagnostics.report(
+        DiagnosticId::controlPrevented, beginningOf(checked.mission()),
+        fmt::format("hookbeh is ready {} after the vehicle's mission has begun, and abend aborts "
+                    "after {} (start_secs and overtime in {})",
+                    ir::prove::durationOf(starts), ir::prove::durationOf(overtime), name),
+        "lower start_secs, or raise overtime");
+    return;
+  }
+  const std::optional<double> end = latestEnd(checked);
+  if (end && starts + *end > overtime) {
+    const std::string from =
+        starts > 0 ? fmt::format(" from {} on (start_secs)", ir::prove::durationOf(starts)) : "";
+    diagnostics.report(
+        DiagnosticId::vehicleAborts, beginningOf(checked.mission()),
+        fmt::format("the mission may last {}{}, and abend allows {} (overtime in {})",
+                    ir::prove::durationOf(*end), from, ir::prove::durationOf(overtime), name),
+        "end the mission earlier, or raise overtime");
+  }
+}
+
+}  // namespace
+
+void checkVehicleLimits(const compiler::Checked& checked, const VehicleFile& file,
+                        support::DiagnosticEngine& diagnostics) {
+  const ir::Mission& mission = checked.mission();
+  for (const Refusal& one : refusalsOf(mission, file.commands)) {
+    diagnostics.report(DiagnosticId::vehicleRefuses,
+                       one.range.valid() ? one.range : beginningOf(mission), one.who, one.command,
+                       one.limit, file.name);
+  }
+  if (file.aborts.overdepth_m) {
+    checkDepth(mission, *file.aborts.overdepth_m, file.name, diagnostics);
+  }
+  if (file.aborts.overtime_s) {
+    checkTime(checked, *file.aborts.overtime_s, std::max(0.0, file.guards.start_secs), file.name,
+              diagnostics);
+  }
+  const double full = checked.platform().power.full_V;
+  if (file.aborts.undervolts_V && full > 0 && *file.aborts.undervolts_V >= full) {
+    diagnostics.report(DiagnosticId::vehicleAborts, beginningOf(mission),
+                       fmt::format("its full batteries have {:.4g} V, and abend demands {:.4g} V "
+                                   "(undervolts in {})",
+                                   full, *file.aborts.undervolts_V, file.name),
+                       "lower undervolts");
+  }
+}
+
+std::optional<std::string> endlessLine(const compiler::Checked& mission, const VehicleFile& file) {
+  if (!file.aborts.overtime_s || latestEnd(mission)) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "the mission has no proved end: abend aborts it {} after the vehicle's mission has begun "
+      "(overtime in {})",
+      ir::prove::durationOf(*file.aborts.overtime_s), file.name);
+}
+
+}  // namespace glider::slocum::rules

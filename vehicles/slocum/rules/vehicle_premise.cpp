@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "vehicles/slocum/rules/vehicle_premise.h"
+
+#include "ir/core/under_assumptions.h"
+#include "ir/prove/abstract/state_depths.h"
+#include "ir/prove/context/proof_context.h"
+#include "support/diagnostics/catalogue.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace glider::slocum::rules {
+namespace {
+
+using support::DiagnosticId;
+
+/// Findings after which the vehicle may fly otherwise than the mission commands.
+constexpr auto kDoubts = std::to_array<DiagnosticId>(
+    {DiagnosticId::vehicleRefuses, DiagnosticId::vehicleAborts, DiagnosticId::mayStayBelow,
+     DiagnosticId::hookbehOverrides, DiagnosticId::mayNotFollow, DiagnosticId::commandsMasked,
+     DiagnosticId::controlPrevented, DiagnosticId::sensorUnread});
+
+std::vector<std::string> doubtsIn(const support::DiagnosticEngine& diagnostics) {
+  std::vector<std::string> codes;
+  for (const support::Diagnostic& one : diagnostics.sorted()) {
+    const std::string code = support::code(one.id);
+    if (std::ranges::find(kDoubts, one.id) != kDoubts.end() &&
+        std::ranges::find(codes, code) == codes.end()) {
+      codes.push_back(code);
+    }
+  }
+  return codes;
+}
+
+}  // namespace
+
+std::string premiseWith(const compiler::Checked& checked, const VehicleFile& file,
+                        const support::DiagnosticEngine& diagnostics) {
+  std::string text = "with " + file.name;
+  if (file.guards.least_altitude_m >= 0) {
+    const auto platform = ir::notNarrowed(checked.platform(), checked.mission());
+    const double deepest =
+        std::min(std::ranges::max(ir::prove::deepestByState({checked.mission(), platform})),
+                 std::min(file.guards.greatest_depth_m, platform.envelope.greatest_depth_m) +
+                     platform.envelope.inflection_overshoot_m);
+    constexpr double kLeastAltitude_m = 2;  // of hookbeh (hooks/hookbeh/hull.cpp)
+    const double altitude = std::max(file.guards.least_altitude_m, kLeastAltitude_m);
+    text += fmt::format(", in water of {:.0f} m or more", std::ceil(deepest + altitude));
+  }
+  if (const auto doubts = doubtsIn(diagnostics); !doubts.empty()) {
+    text += fmt::format(", and only while hookbeh's commands fly: see {}", fmt::join(doubts, ", "));
+  }
+  return text;
+}
+
+}  // namespace glider::slocum::rules

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+#include "platforms/load/platform.h"
+#include "vehicles/own_mission.h"
+
+#include <string>
+#include <vector>
+
+namespace glider::slocum::rules {
+
+/// The silence of the SBC after which hookbeh releases control, and where the number is from.
+struct Silence {
+  double seconds = 0;
+  std::string source;  ///< "silence_secs of skeleton.mi"
+};
+
+/// The silence that hookbeh uses if its mission file gives none.
+Silence usualSilence();
+
+/// The way home from a depth of at most `depth_m`, the deepest that commands lead to: hookbeh
+/// releases control after its silence and two of the longest cycles, then the vehicle's own layers
+/// climb as the platform says. This holds for a mission file that surfaces whenever nothing else
+/// commands the vehicle.
+vehicles::WayHome wayHomeFrom(double depth_m, const platforms::Platform& platform,
+                              const Silence& silence = usualSilence());
+
+/// Lines for the report: the way home of a mission, and of states where it is shorter.
+std::vector<std::string> wayHomeLines(const ir::Mission& mission,
+                                      const platforms::Platform& platform, const Silence& silence);
+
+}  // namespace glider::slocum::rules

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "vehicles/vehicle.h"
+
+#include <algorithm>
+
+namespace glider::vehicles {
+namespace {
+
+constexpr const Vehicle* kVehicles[] = {
+#define FAMILY(name) &families::name,
+#include "vehicles/vehicles.def"
+#undef FAMILY
+};
+
+}  // namespace
+
+const Vehicle* vehicleOf(const platforms::Platform& platform) {
+  const auto* const found = std::ranges::find(kVehicles, platform.family, &Vehicle::name);
+  return found == std::end(kVehicles) ? nullptr : *found;
+}
+
+const Vehicle& vehicleOfFile(std::string_view path) {
+  const auto* const found = std::ranges::find_if(kVehicles, [&](const Vehicle* vehicle) {
+    return path.ends_with(vehicle->own_mission_ending);
+  });
+  return found == std::end(kVehicles) ? **std::begin(kVehicles) : **found;
+}
+
+support::Result<void> tryOwnMission(const std::string& path, const support::ShowDiagnostics& show) {
+  support::SourceManager sources;
+  if (auto own = vehicleOfFile(path).read_own_mission(path, sources, show); !own) {
+    return std::unexpected(own.error());
+  }
+  return {};
+}
+
+}  // namespace glider::vehicles

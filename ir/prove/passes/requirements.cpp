@@ -11,7 +11,6 @@
 // with assumptions is checked with and without them, so that a proof names only those that it needs
 // (Premises). README.md has the arguments.
 
-#include "ir/core/under_assumptions.h"
 #include "ir/prove/passes.h"
 #include "ir/prove/requirements/requirement_check.h"
 
@@ -26,11 +25,11 @@ void checkWithoutAssumptions(Proof& proof) {
   RequirementCheck(context).run();
 }
 
-void checkUnderAssumptions(Proof& proof, const Mission& assumed) {
-  const ProofContext& plain = proof.proof_context;
-  const platforms::Platform platform = underAssumptions(plain.platform, plain.mission);
-  const ProofContext proof_context(assumed, platform);
-  Proof assuming{proof.context, proof_context, proof.facts, proof.options, proof.diagnostics};
+void checkUnderAssumptions(Proof& proof) {
+  const auto& [mission, platform] = proof.worlds.assumed;
+  const ProofContext proof_context(mission, platform);
+  Proof assuming{proof.context, proof.worlds,  proof_context,
+                 proof.facts,   proof.options, proof.diagnostics};
   StrategyContext bare(proof);
   StrategyContext context(assuming, &bare);
   RequirementCheck(context).run();
@@ -47,12 +46,12 @@ void passes::requirements(Proof& proof) {
   if (mission.assumptions.empty()) {
     return checkWithoutAssumptions(proof);
   }
-  const Mission assumed = underAssumptions(mission);
   const auto is_empty = [](const Sensor& sensor) { return sensor.lowest > sensor.highest; };
-  if (std::ranges::any_of(assumed.sensors, is_empty) || !proof.decided_assumptions.empty()) {
+  if (std::ranges::any_of(proof.worlds.assumed.mission.sensors, is_empty) ||
+      !proof.decided_assumptions.empty()) {
     return checkWithoutAssumptions(proof);  // GL3121 or GL3136 is reported: nothing rests on these
   }
-  checkUnderAssumptions(proof, assumed);
+  checkUnderAssumptions(proof);
 }
 
 }  // namespace glider::ir::prove

@@ -5,7 +5,6 @@
 
 #include "ir/prove/requirements/premises.h"
 
-#include "ir/core/under_assumptions.h"
 #include "ir/prove/evidence/needed_assumptions.h"
 
 #include <algorithm>
@@ -30,34 +29,21 @@ RepeatedProof provenByAny(const RequirementVerdict& was, StrategyContext& contex
 
 }  // namespace
 
-/// The mission under some of its assumptions.
+/// The world under some of the assumptions, and what is known of it.
 class ContextUnderAssumptions {
  public:
   /// `plain`: without any.
   ContextUnderAssumptions(StrategyContext& plain, const std::vector<uint32_t>& kept)
-      : written_(keeping(plain.mission, kept)),
-        mission_(underAssumptions(written_)),
-        platform_(underAssumptions(plain.proof.proof_context.platform, written_)),
-        proof_context_(mission_, platform_),
-        proof_{plain.proof.context, proof_context_, plain.proof.facts, plain.proof.options,
-               plain.proof.diagnostics},
+      : world_(assuming(plain.proof.worlds.widest, kept)),
+        proof_context_(world_.mission, world_.platform),
+        proof_{plain.proof.context, plain.proof.worlds,  proof_context_,
+               plain.proof.facts,   plain.proof.options, plain.proof.diagnostics},
         context_(proof_, &plain) {}
 
   [[nodiscard]] StrategyContext& context() { return context_; }
 
  private:
-  static Mission keeping(Mission mission, const std::vector<uint32_t>& kept) {
-    std::vector<Assumption> some;
-    for (const uint32_t number : kept) {
-      some.push_back(mission.assumptions[number]);
-    }
-    mission.assumptions = std::move(some);
-    return mission;
-  }
-
-  Mission written_;
-  Mission mission_;
-  platforms::Platform platform_;
+  AssumedWorld world_;
   ProofContext proof_context_;
   Proof proof_;
   StrategyContext context_;

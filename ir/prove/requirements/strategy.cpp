@@ -6,7 +6,7 @@
 
 #include "ir/prove/requirements/strategy.h"
 
-#include "ir/core/under_assumptions.h"
+#include "ir/worlds/under_assumptions.h"
 
 #include <array>
 

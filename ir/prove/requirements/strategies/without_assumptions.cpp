@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "ir/core/under_assumptions.h"
 #include "ir/prove/requirements/strategy.h"
 #include "ir/prove/requirements/trace_search.h"
+#include "ir/worlds/under_assumptions.h"
 
 #include <utility>
 

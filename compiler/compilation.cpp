@@ -185,8 +185,9 @@ Result<Compilation> compileText(const std::filesystem::path& path, std::string t
   if (compilation.lowered && !compilation.diagnostics.hasErrors()) {
     ir::MissionFacts facts = ir::verify(compilation.lowered->mission, compilation.diagnostics);
     if (!compilation.diagnostics.hasErrors()) {
-      compilation.checked =
-          std::make_shared<const Checked>(Checked{compilation.lowered, std::move(facts)});
+      const Lowered& lowered = *compilation.lowered;
+      compilation.checked = std::make_shared<const Checked>(
+          Checked{compilation.lowered, std::move(facts), {lowered.mission, lowered.platform}});
     }
   }
   return compilation;

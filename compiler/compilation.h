@@ -8,6 +8,7 @@
 #include "ir/core/c_symbols.h"
 #include "ir/core/mission.h"
 #include "ir/opt/optimise.h"
+#include "ir/worlds/worlds.h"
 #include "platforms/load/platform.h"
 #include "support/diagnostics/engine.h"
 #include "support/result.h"
@@ -46,6 +47,7 @@ struct Lowered {
 struct Checked {
   std::shared_ptr<const Lowered> lowered;
   ir::MissionFacts facts;
+  ir::Worlds worlds;  ///< of mission() and platform()
 
   [[nodiscard]] const ir::Mission& mission() const { return lowered->mission; }
   [[nodiscard]] const platforms::Platform& platform() const { return lowered->platform; }

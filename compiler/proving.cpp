@@ -16,15 +16,13 @@ namespace glider::compiler {
 ir::prove::Findings prove(const Checked& checked, ir::prove::Options options,
                           support::DiagnosticEngine& diagnostics) {
   options.library = checked.lowered->standard_library;
-  return ir::prove::prove(checked.mission(), checked.facts, checked.platform(), options,
-                          diagnostics);
+  return ir::prove::prove(checked.worlds, checked.facts, options, diagnostics);
 }
 
 std::map<ir::CasePlace, bool> casesThatNeverFire(const Checked& checked) {
   ir::prove::Options options;
   options.library = checked.lowered->standard_library;
-  return ir::prove::casesThatNeverFire(checked.mission(), checked.facts, checked.platform(),
-                                       options);
+  return ir::prove::casesThatNeverFire(checked.worlds, checked.facts, options);
 }
 
 support::Result<std::string> proofSubject(const Checked& checked) {
@@ -38,7 +36,7 @@ support::Result<std::string> proofSubject(const Checked& checked) {
 
 std::string chcText(const Checked& checked) {
   const ir::Mission& mission = checked.mission();
-  return ir::prove::chcText(mission, checked.platform(), [&](uint32_t number) {
+  return ir::prove::chcText(checked.worlds.assumed, [&](uint32_t number) {
     return support::onOneLine(checked.sources().text(mission.requirements[number].range));
   });
 }

@@ -8,7 +8,6 @@
 #include "analysis/brief/written.h"
 #include "analysis/graph_of.h"
 #include "codegen/digest.h"
-#include "ir/core/under_assumptions.h"
 #include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/abstract/surfacing.h"
 #include "ir/verify/value_text.h"
@@ -46,9 +45,9 @@ class BriefMaker {
         written_(source.compilation),
         words_(*checked_.lowered),
         depths_(ir::prove::deepestByState(
-            ir::prove::ProofContext(m_, ir::notNarrowed(checked_.platform(), m_)))),
-        climbs_(ir::prove::climbTimes(
-            ir::prove::ProofContext(m_, ir::notNarrowed(checked_.platform(), m_)))) {}
+            ir::prove::ProofContext(m_, checked_.worlds.widest.platform))),
+        climbs_(
+            ir::prove::climbTimes(ir::prove::ProofContext(m_, checked_.worlds.widest.platform))) {}
 
   Brief run() {
     Brief brief;
@@ -57,7 +56,7 @@ class BriefMaker {
     names(brief);
     findings(brief);
     brief.budgets = from_.found.budgets;
-    brief.assumptions = assumptionsOf(ir::notNarrowed(checked_.platform(), m_), m_);
+    brief.assumptions = assumptionsOf(checked_.worlds.widest.platform, m_);
     hashes(brief);
     return brief;
   }

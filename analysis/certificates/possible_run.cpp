@@ -5,7 +5,6 @@
 
 #include "analysis/certificates/run_vehicle.h"
 #include "ir/certify/obligations.h"
-#include "ir/core/under_assumptions.h"
 #include "ir/eval/interpreter.h"
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/context/requirement_monitor.h"
@@ -35,8 +34,8 @@ class Flight {
   Flight(const support::Trace& run, const compiler::Checked& checked)
       : run_(run),
         m_(checked.mission()),
-        assumed_(ir::underAssumptions(m_)),
-        platform_(ir::underAssumptions(checked.platform(), m_)),
+        assumed_(checked.worlds.assumed.mission),
+        platform_(checked.worlds.assumed.platform),
         gap_s_(ir::certify::longestGap(assumed_, platform_)),
         depth_sensor_(ir::prove::depthSensor(m_, platform_)),
         true_depth_(run.column("true_depth")),
@@ -165,8 +164,8 @@ class Flight {
 
   const support::Trace& run_;
   const ir::Mission& m_;
-  const ir::Mission assumed_;
-  const platforms::Platform platform_;
+  const ir::Mission& assumed_;
+  const platforms::Platform& platform_;
   double gap_s_;
   std::optional<ir::SensorId> depth_sensor_;
   int true_depth_;

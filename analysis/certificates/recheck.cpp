@@ -76,9 +76,8 @@ Result<std::string> check(const ir::certify::Script& script) {
 Result<Rechecked> recheckInvariants(const compiler::Certificate& certificate,
                                     const compiler::Checked& checked, uint32_t requirement) {
   Rechecked result;
-  for (const ir::certify::Script& script :
-       ir::certify::obligationsUnder(checked.mission(), checked.platform(), requirement,
-                                     certificate.assumptions, certificate.invariants)) {
+  for (const ir::certify::Script& script : ir::certify::obligationsUnder(
+           checked.worlds.widest, requirement, certificate.assumptions, certificate.invariants)) {
     const auto wrong = check(script);
     if (!wrong) {
       return std::unexpected(wrong.error());

@@ -10,7 +10,7 @@
 
 namespace glider::analysis {
 
-/// How deep the vehicle of a given run may be, by the rules V1 to V6 of ir/certify/vehicle.h, here
+/// How deep the vehicle of a given run may be, by the rules V1 to V6 of docs/verification.md, here
 /// in numbers. Written without the prover, as those are.
 class RunVehicle {
  public:

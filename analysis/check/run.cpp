@@ -3,15 +3,9 @@
 
 #include "analysis/check/run.h"
 
-#include "ir/core/under_assumptions.h"
-
 #include <utility>
 
 namespace glider::analysis::check {
-
-platforms::Platform Run::platform() const {
-  return ir::notNarrowed(checked().platform(), mission());
-}
 
 const compiler::Optimised& Run::optimised() {
   if (!optimised_) {

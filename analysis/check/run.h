@@ -30,7 +30,9 @@ class Run {
   [[nodiscard]] const compiler::Checked& checked() const { return *file.compilation->checked; }
   [[nodiscard]] const ir::Mission& mission() const { return checked().mission(); }
   /// The vehicle as its makers describe it, not as the mission assumes it to be.
-  [[nodiscard]] platforms::Platform platform() const;
+  [[nodiscard]] const platforms::Platform& platform() const {
+    return checked().worlds.widest.platform;
+  }
   [[nodiscard]] support::DiagnosticEngine& diagnostics() const {
     return file.compilation->diagnostics;
   }

@@ -4,7 +4,6 @@
 #include "ir/certify/obligations.h"
 
 #include "ir/certify/step.h"
-#include "ir/core/under_assumptions.h"
 
 #include <fmt/format.h>
 
@@ -174,18 +173,12 @@ std::vector<Script> obligationsOf(const Mission& mission, const platforms::Platf
   return scripts;
 }
 
-std::vector<Script> obligationsUnder(const Mission& mission, const platforms::Platform& platform,
-                                     uint32_t requirement, std::span<const uint32_t> assumptions,
+std::vector<Script> obligationsUnder(const WidestWorld& widest, uint32_t requirement,
+                                     std::span<const uint32_t> assumptions,
                                      std::span<const Invariant> invariants) {
-  Mission assuming = mission;
-  assuming.assumptions.clear();
-  for (const uint32_t number : assumptions) {
-    assuming.assumptions.push_back(mission.assumptions.at(number));
-  }
-  assuming = underAssumptions(std::move(assuming));
-  const platforms::Platform vehicle = underAssumptions(notNarrowed(platform, mission), assuming);
-  return obligationsOf(assuming, vehicle, assuming.requirements.at(requirement), invariants,
-                       longestGap(assuming, vehicle));
+  const auto [mission, platform] = assuming(widest, assumptions);
+  return obligationsOf(mission, platform, mission.requirements.at(requirement), invariants,
+                       longestGap(mission, platform));
 }
 
 double longestGap(const Mission& mission, const platforms::Platform& platform) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ir/certify/certificate.h"
+#include "ir/worlds/worlds.h"
 #include "platforms/load/platform.h"
 
 #include <span>
@@ -32,8 +33,8 @@ std::vector<Script> obligationsOf(const Mission& mission, const platforms::Platf
 
 /// The same for the requirement with that number of a mission that assumes something: under the
 /// assumptions with these numbers, and no others.
-std::vector<Script> obligationsUnder(const Mission& mission, const platforms::Platform& platform,
-                                     uint32_t requirement, std::span<const uint32_t> assumptions,
+std::vector<Script> obligationsUnder(const WidestWorld& widest, uint32_t requirement,
+                                     std::span<const uint32_t> assumptions,
                                      std::span<const Invariant> invariants);
 
 /// The longest time between two ticks. Without a power cut it is the platform's `tick_gap_s`; after

@@ -9,6 +9,7 @@
 #include "ir/prove/prove.h"
 #include "ir/prove/said_ranges.h"
 #include "ir/verify/structure.h"
+#include "ir/worlds/worlds.h"
 
 #include <set>
 #include <z3++.h>
@@ -27,7 +28,8 @@ inline Budget budgetOf(const Options& options, double share) {
 /// The data of a pass.
 struct Proof {
   z3::context& context;
-  const ProofContext& proof_context;
+  const Worlds& worlds;
+  const ProofContext& proof_context;  ///< of one of them
   const MissionFacts& facts;
   const Options& options;
   support::DiagnosticEngine& diagnostics;

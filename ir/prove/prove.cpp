@@ -3,7 +3,6 @@
 
 #include "ir/prove/prove.h"
 
-#include "ir/core/under_assumptions.h"
 #include "ir/prove/passes.h"
 
 #include <fmt/format.h>
@@ -24,8 +23,8 @@ std::map<CasePlace, bool> deadOf(const Proof& proof) {
 
 /// A flight that reaches a state does so under any assumptions, unless it starts deeper than
 /// vehicles usually do.
-void nameDeepStarts(Findings& findings, const Mission& mission,
-                    const platforms::Platform& platform) {
+void nameDeepStarts(Findings& findings, const WrittenWorld& usual) {
+  const auto& [mission, platform] = usual;
   for (RequirementVerdict& verdict : findings.requirements) {
     const bool deep = verdict.verdict == Verdict::Proved && verdict.run &&
                       verdict.run->ticks.front().depth > platform.world.start_depth_m;
@@ -77,28 +76,26 @@ std::string premisesOf(const RequirementVerdict& verdict, const Mission& mission
   return line + between + verdict.premise;
 }
 
-Findings prove(const Mission& mission, const MissionFacts& facts,
-               const platforms::Platform& platform, const Options& options,
+Findings prove(const Worlds& worlds, const MissionFacts& facts, const Options& options,
                support::DiagnosticEngine& diagnostics) {
-  const platforms::Platform widest = notNarrowed(platform, mission);
+  const auto& [mission, widest] = worlds.widest;
   const ProofContext proof_context(mission, widest);
   z3::context context;
-  Proof proof{context, proof_context, facts, options, diagnostics};
+  Proof proof{context, worlds, proof_context, facts, options, diagnostics};
 #define PASS(name, purpose) passes::name(proof);
 #include "ir/prove/prove_passes.def"
 #undef PASS
   proof.findings.never_fire = deadOf(proof);
-  nameDeepStarts(proof.findings, mission, platform);
+  nameDeepStarts(proof.findings, worlds.written);
   return std::move(proof.findings);
 }
 
-std::map<CasePlace, bool> casesThatNeverFire(const Mission& mission, const MissionFacts& facts,
-                                             const platforms::Platform& platform,
+std::map<CasePlace, bool> casesThatNeverFire(const Worlds& worlds, const MissionFacts& facts,
                                              const Options& options) {
-  const ProofContext proof_context(mission, platform);
+  const ProofContext proof_context(worlds.written.mission, worlds.written.platform);
   z3::context context;
   support::DiagnosticEngine unheard;
-  Proof proof{context, proof_context, facts, options, unheard};
+  Proof proof{context, worlds, proof_context, facts, options, unheard};
   passes::guards(proof);
   return deadOf(proof);
 }

@@ -7,6 +7,7 @@
 #include "ir/core/mission.h"
 #include "ir/prove/falsification/counterexample.h"
 #include "ir/verify/structure.h"
+#include "ir/worlds/worlds.h"
 #include "platforms/load/platform.h"
 #include "support/diagnostics/engine.h"
 
@@ -108,16 +109,21 @@ struct Findings {
   std::map<CasePlace, bool> never_fire;  ///< as casesThatNeverFire
 };
 
-/// Runs the checks of prove_passes.def. `mission` must be valid and free of verification errors;
+/// Runs the checks of prove_passes.def. The mission must be valid and free of verification errors;
 /// the platform is the one that it names. Reports GL31xx.
-Findings prove(const Mission& mission, const MissionFacts& facts,
-               const platforms::Platform& platform, const Options& options,
+Findings prove(const Worlds& worlds, const MissionFacts& facts, const Options& options,
                support::DiagnosticEngine& diagnostics);
+
+/// The same for a mission whose worlds no one else needs.
+inline Findings prove(const Mission& mission, const MissionFacts& facts,
+                      const platforms::Platform& platform, const Options& options,
+                      support::DiagnosticEngine& diagnostics) {
+  return prove(Worlds(mission, platform), facts, options, diagnostics);
+}
 
 /// The cases of `always` and of states that never fire, as GL3101 and GL3103 report, each with
 /// whether earlier cases hide it. The arguments are those of prove(); nothing is reported.
-std::map<CasePlace, bool> casesThatNeverFire(const Mission& mission, const MissionFacts& facts,
-                                             const platforms::Platform& platform,
+std::map<CasePlace, bool> casesThatNeverFire(const Worlds& worlds, const MissionFacts& facts,
                                              const Options& options);
 
 }  // namespace glider::ir::prove

@@ -3,7 +3,7 @@
 
 // What proofs assume about restarts (rules P3 to P6 of ir/README.md) is what the runtime does.
 
-#include "ir/core/start_depth.h"
+#include "ir/worlds/start_depth.h"
 #include "runtime/core/continuation.h"
 #include "tests/containment/rule.h"
 

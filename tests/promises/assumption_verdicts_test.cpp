@@ -3,11 +3,11 @@
 
 // Assumptions: the verdicts that they allow, and which of them cannot be.
 
-#include "ir/core/under_assumptions.h"
 #include "ir/opt/prepare_for_flight.h"
 #include "ir/prove/prove.h"
 #include "ir/text/print.h"
 #include "ir/verify/verify.h"
+#include "ir/worlds/under_assumptions.h"
 #include "support/diagnostics/catalogue.h"
 #include "tests/promises/patrol.h"
 

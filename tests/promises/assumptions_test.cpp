@@ -4,7 +4,6 @@
 // Assumptions: what breaks each kind, against its definition in C++ on random flights; what
 // requirements say that rest on them.
 
-#include "ir/core/under_assumptions.h"
 #include "ir/core/validate.h"
 #include "ir/eval/interpreter.h"
 #include "ir/opt/prepare_for_flight.h"
@@ -12,6 +11,7 @@
 #include "ir/prove/context/requirement_monitor.h"
 #include "ir/text/print.h"
 #include "ir/text/read.h"
+#include "ir/worlds/under_assumptions.h"
 #include "tests/promises/patrol.h"
 
 #include <fmt/format.h>

@@ -3,10 +3,10 @@
 
 // Thresholds at the limit of what is known: the equal one is proved, the next double is not.
 
-#include "ir/core/under_assumptions.h"
 #include "ir/eval/arithmetic.h"
 #include "ir/prove/prove.h"
 #include "ir/verify/verify.h"
+#include "ir/worlds/under_assumptions.h"
 #include "tests/proofs/properties.h"
 #include "tests/unit/frontend/compile.h"
 

@@ -5,10 +5,10 @@
 // them, with faults of sensors, outages, and restarts of the flight controller.
 // scripts/soak/random_proofs flies more of the same.
 
-#include "ir/core/under_assumptions.h"
 #include "ir/prove/falsification/random_flight.h"
 #include "ir/text/print.h"
 #include "ir/verify/verify.h"
+#include "ir/worlds/worlds.h"
 #include "support/diagnostics/catalogue.h"
 #include "tests/containment/hard_mission.h"
 #include "tests/random_missions/random_mission.h"
@@ -62,11 +62,9 @@ class Trial {
       : seed_(seed),
         tally_(tally),
         required_(withRequirements(missionOf(seed), ir::slocum(), seed)),
-        assumed_(ir::underAssumptions(required_.mission)),
-        wide_platform_(ir::notNarrowed(ir::slocum(), required_.mission)),
-        narrow_platform_(ir::underAssumptions(ir::slocum(), required_.mission)),
-        wide_(required_.mission, wide_platform_),
-        narrow_(required_.mission, narrow_platform_) {}
+        worlds_(required_.mission, ir::slocum()),
+        wide_(worlds_.widest.mission, worlds_.widest.platform),
+        narrow_(worlds_.written.mission, worlds_.assumed.platform) {}
 
   void run() {
     check();
@@ -97,7 +95,7 @@ class Trial {
     support::DiagnosticEngine verified;
     support::DiagnosticEngine proved;
     const ir::MissionFacts facts = ir::verify(m, verified);
-    const auto findings = ir::prove::prove(m, facts, ir::slocum(), effort(), proved);
+    const auto findings = ir::prove::prove(worlds_, facts, effort(), proved);
     std::set<ir::CasePlace> dead;
     for (const auto& [place, hidden] : findings.never_fire) {
       dead.insert(place);
@@ -123,7 +121,7 @@ class Trial {
     style.pressing = number >= 2;
     style.late = number == 1 || number == 4;
     style.silent = number == 4 && needsReadings();
-    style.environment = narrowed ? &assumed_ : nullptr;
+    style.environment = narrowed ? &worlds_.assumed.mission : nullptr;
     const ir::prove::ProofContext& context = narrowed ? narrow_ : wide_;
     Flight flight(context, seed_ * kFlights + number, style);
     FlightCheck looking(context, watched_, style, narrowed, met);
@@ -220,8 +218,7 @@ class Trial {
   uint64_t seed_;
   Tally& tally_;
   Required required_;
-  ir::Mission assumed_;
-  platforms::Platform wide_platform_, narrow_platform_;
+  ir::Worlds worlds_;
   ir::prove::ProofContext wide_, narrow_;
   Watched watched_;
   std::vector<ir::prove::RequirementVerdict> areas_;  ///< proved

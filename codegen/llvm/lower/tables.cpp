@@ -5,7 +5,7 @@
 #include "codegen/llvm/lower/guard_table.h"
 #include "codegen/llvm/lower/lowering.h"
 #include "ir/core/parameter_info.h"
-#include "ir/core/start_depth.h"
+#include "ir/worlds/start_depth.h"
 #include "platforms/load/dictionary.h"
 #include "runtime/abi/glider_abi.h"
 

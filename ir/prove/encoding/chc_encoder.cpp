@@ -72,7 +72,7 @@ SymbolicState ChcEncoder::readingsOf(const Configuration& configuration, Unknown
                    configuration.mission_time);
   for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
     const NumberTerm& reading = moment.reading({i});
-    if (configuration.store.vehicle && proof_context_.depth == SensorId{i}) {
+    if (configuration.store.vehicle && proof_context_.depth == SensorId{i}) {  // V7
       const z3::expr error = moment.real(proof_context_.platform.world.depth_error_m);
       const z3::expr& depth = configuration.store.vehicle->depth;
       unknowns.require(z3::implies(

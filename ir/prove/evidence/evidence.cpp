@@ -76,8 +76,7 @@ std::optional<EvidenceBuilder::Invariants> EvidenceBuilder::everywhere(
 }
 
 /// Where `after` may have been entered on the way, the invariant says nothing of it.
-std::optional<EvidenceBuilder::Invariants> EvidenceBuilder::neverAfter(
-    const Requirement& requirement) const {
+std::optional<Evidence> EvidenceBuilder::neverAfter(const Requirement& requirement) const {
   const auto all = configurations(proof_context_.mission, requirement.after, kMostConfigurations);
   if (!all) {
     return std::nullopt;
@@ -91,29 +90,24 @@ std::optional<EvidenceBuilder::Invariants> EvidenceBuilder::neverAfter(
   for (const auto& [at, after] : entered) {
     invariants.push_back({at, after ? "true" : "(not |after seen|)"});
   }
-  return invariants;
+  return Evidence{Method::Configurations, std::move(invariants)};
 }
 
-std::optional<Evidence> EvidenceBuilder::seen(const Requirement& requirement, bool run,
-                                              bool learnt) const {
-  if (!requirement.geofences.empty()) {
-    return Evidence{Method::Geometry, {}};
-  }
-  if (requirement.kind == RequirementKind::Reach) {
-    return run ? std::optional(Evidence{Method::Run, {}}) : std::nullopt;
-  }
-  const bool configurations_only = requirement.kind == RequirementKind::NeverAfter ||
-                                   requirement.kind == RequirementKind::StackAtMost;
-  auto invariants = requirement.kind == RequirementKind::NeverAfter ? neverAfter(requirement)
-                                                                    : everywhere(requirement);
+std::optional<Evidence> EvidenceBuilder::bound(const Requirement& requirement, bool learnt) const {
+  auto invariants = everywhere(requirement);
   if (!invariants) {
     return std::nullopt;
   }
   if (learnt) {
     addLearnt(requirement, *invariants);
   }
-  return Evidence{configurations_only ? Method::Configurations : Method::Bound,
-                  std::move(*invariants)};
+  return Evidence{Method::Bound, std::move(*invariants)};
+}
+
+std::optional<Evidence> EvidenceBuilder::callDepth(const Requirement& requirement) const {
+  auto invariants = everywhere(requirement);
+  return invariants ? std::optional(Evidence{Method::Configurations, std::move(*invariants)})
+                    : std::nullopt;
 }
 
 }  // namespace glider::ir::prove

@@ -22,16 +22,19 @@ class EvidenceBuilder {
   /// Of a proof by Spacer: `found` holds beside what is known without a search. From now on other
   /// proofs may rest on it.
   Evidence searched(const Requirement& requirement, std::vector<certify::Invariant> found);
-  /// Of a proof without a search. `run`: it is a trace; `learnt`: it may rest on those by Spacer.
-  /// None if the mission has more configurations than a certificate may list.
-  [[nodiscard]] std::optional<Evidence> seen(const Requirement& requirement, bool run,
-                                             bool learnt) const;
+  /// Of a proof by bounds on times, depths and what holds at any moment. `learnt`: it may rest on
+  /// proofs by Spacer. Of this and the next two there is none if the mission has more
+  /// configurations than a certificate may list.
+  [[nodiscard]] std::optional<Evidence> bound(const Requirement& requirement, bool learnt) const;
+  /// Of a proof of StackAtMost from the calls alone.
+  [[nodiscard]] std::optional<Evidence> callDepth(const Requirement& requirement) const;
+  /// Of a proof of NeverAfter from the transitions alone.
+  [[nodiscard]] std::optional<Evidence> neverAfter(const Requirement& requirement) const;
 
  private:
   using Invariants = std::vector<certify::Invariant>;
 
   [[nodiscard]] std::optional<Invariants> everywhere(const Requirement& requirement) const;
-  [[nodiscard]] std::optional<Invariants> neverAfter(const Requirement& requirement) const;
   void addLearnt(const Requirement& requirement, Invariants& invariants) const;
 
   const ProofContext& proof_context_;

@@ -3,69 +3,75 @@
 
 #include "ir/prove/falsification/depth_limits.h"
 
-#include "ir/prove/encoding/world.h"
+#include "ir/prove/context/vehicle_rules.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace glider::ir::prove {
+namespace {
+
+struct DoubleAlgebra {
+  [[nodiscard]] static double number(double value) { return value; }
+  [[nodiscard]] static bool truth(bool value) { return value; }
+  [[nodiscard]] static double choose(bool truth, double a, double b) { return truth ? a : b; }
+};
+
+constexpr DoubleAlgebra kDoubles;
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+/// V2 as the least and the greatest depth.
+struct DepthLimits::Limits {
+  double lowest = -kNoLimit;
+  double highest = kNoLimit;
+
+  void atLeast(double limit) { lowest = std::max(lowest, limit); }
+  void atMost(double limit) { highest = std::min(highest, limit); }
+  void atMostIf(bool truth, double limit) { highest = truth ? std::min(highest, limit) : highest; }
+};
 
 DepthLimits::DepthLimits(const platforms::Platform& platform, double depth_m)
     : platform_(&platform),
-      depth_(depth_m),
-      deepest_(depth_m + platform.envelope.inflection_overshoot_m) {}
+      vehicle_{depth_m, VehicleRules(kDoubles, platform).deepestAtStart(depth_m), false, 0, 0} {}
+
+DepthLimits::Limits DepthLimits::limits(double from, double to) const {
+  Vehicle vehicle = vehicle_;
+  if (anything_) {
+    vehicle.deepest = kNoLimit;
+    vehicle.climbing = false;
+  }
+  Limits limits;
+  VehicleRules(kDoubles, *platform_).move(vehicle, from, to, limits);
+  return limits;
+}
 
 double DepthLimits::lowest(double from, double to) const {
-  return std::max(0.0, depth_ - platform_->envelope.vertical_rate_m_s * (to - from));
+  return limits(from, to).lowest;
 }
 
 double DepthLimits::highest(double from, double to) const {
-  const double way = platform_->envelope.vertical_rate_m_s * (to - from);
-  const double highest = anything_ ? depth_ + way : std::min(deepest_, depth_ + way);
-  const double climbs = to - since_ - platform_->world.turn_s;
-  if (anything_ || !climbing_ || climbs < 0) {
-    return highest;
-  }
-  const double lifted = deepest_ - platform_->world.slowest_climb_m_s * climbs;
-  return std::min(highest, std::max({top_, 0.0, lifted}));
+  return limits(from, to).highest;
 }
 
 void DepthLimits::obey(const CommandRun& command, double now) {
-  switch (command.command) {
-    case Command::Descend:
-    case Command::Hover:
-      downTo(command.arguments.at(0));
-      break;
-    case Command::Ascend:
-      upTo(command.arguments.at(0), now);
-      break;
-    case Command::Surface:
-      upTo(0, now);
-      break;
-    case Command::Steer:
-    case Command::SteerTo:
-    case Command::Drift:
-      break;
+  const auto target = [&] { return command.arguments.at(0); };
+  const auto after =
+      VehicleRules(kDoubles, *platform_).obey(vehicle_, command.command, target, now);
+  if (after) {
+    vehicle_ = *after;
+    anything_ = anything_ && after->climbing;  // as downTo
   }
 }
 
 void DepthLimits::downTo(double target) {
-  const double overshoot = platform_->envelope.inflection_overshoot_m;
-  deepest_ = std::max(target + overshoot, std::min(deepest_, depth_ + overshoot));
-  climbing_ = false;
+  vehicle_ = VehicleRules(kDoubles, *platform_).downTo(vehicle_, target);
   anything_ = false;
 }
 
 void DepthLimits::upTo(double target, double now) {
-  const double overshoot = platform_->envelope.inflection_overshoot_m;
-  const bool hovers = target >= kFloats;
-  const double top = hovers ? target + overshoot : target;
-  if (!climbing_ || top < top_) {
-    deepest_ = std::min(deepest_, depth_ + overshoot);
-    since_ = now;
-  }
-  climbing_ = true;
-  top_ = top;
-  deepest_ = hovers ? std::max(deepest_, top) : deepest_;
+  vehicle_ = VehicleRules(kDoubles, *platform_).upTo(vehicle_, target, now);
 }
 
 }  // namespace glider::ir::prove

@@ -8,37 +8,43 @@
 
 namespace glider::ir::prove {
 
-/// How deep a vehicle may be that follows commands: the rules of ir/prove/encoding/world.h, in
-/// numbers.
+/// How deep a vehicle may be that follows commands: the rules V1 to V6 of docs/verification.md, in
+/// doubles (context/vehicle_rules.h).
 class DepthLimits {
  public:
   /// Starts at `depth_m`; `platform` outlives this.
   DepthLimits(const platforms::Platform& platform, double depth_m);
 
-  [[nodiscard]] double depth() const { return depth_; }
-  [[nodiscard]] bool climbs() const { return climbing_; }
+  [[nodiscard]] double depth() const { return vehicle_.depth; }
+  [[nodiscard]] bool climbs() const { return vehicle_.climbing; }
   /// A climb may stop above this depth, m.
-  [[nodiscard]] double top() const { return top_; }
+  [[nodiscard]] double top() const { return vehicle_.top; }
   /// The least and the greatest depth when mission time has gone from `from` to `to`, s.
   [[nodiscard]] double lowest(double from, double to) const;
   [[nodiscard]] double highest(double from, double to) const;
   /// The vehicle is there now.
-  void moveTo(double depth_m) { depth_ = depth_m; }
+  void moveTo(double depth_m) { vehicle_.depth = depth_m; }
   /// Follows a command at mission time `now`, s.
   void obey(const CommandRun& command, double now);
-  /// A behaviour in C may have commanded anything.
+  /// V6: a behaviour in C may have commanded anything.
   void obeyAnything() { anything_ = true; }
   void downTo(double target);
   void upTo(double target, double now);
 
  private:
+  /// As the rules have it.
+  struct Vehicle {
+    double depth, deepest;
+    bool climbing;
+    double since, top;
+  };
+  struct Limits;
+
+  [[nodiscard]] Limits limits(double from, double to) const;
+
   const platforms::Platform* platform_;
-  double depth_;
-  double deepest_;         ///< under the command in force
-  bool climbing_ = false;  ///< the command in force leads up
-  double since_ = 0;       ///< when the first of the commands to climb was given
-  double top_ = 0;         ///< upper bound of its depth under it when it has climbed
-  bool anything_ = false;
+  Vehicle vehicle_;
+  bool anything_ = false;  ///< V6: only how fast it moves is limited
 };
 
 }  // namespace glider::ir::prove

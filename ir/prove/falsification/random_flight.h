@@ -13,7 +13,7 @@ namespace glider::ir::prove {
 
 struct ProofContext;
 
-/// A random flight in the environment model of proofs (ir/prove/encoding/world.h), written without
+/// A random flight in the environment model of proofs (docs/verification.md), written without
 /// terms or solver: it finds counterexamples that a search misses, and is the reference for what
 /// was proved. Parameters are anywhere in their ranges; readings are anywhere in theirs, often next
 /// to a number that the mission compares with, or unknown; the vehicle is anywhere that its

@@ -14,6 +14,7 @@ RandomVehicle::RandomVehicle(const platforms::Platform& platform, Rng& dice, boo
       late_(late),
       limits_(platform, dice.within(0, platform.world.start_depth_m)) {}
 
+/// V7.
 double RandomVehicle::reading() {
   const double error = platform_.world.depth_error_m;
   return std::max(0.0, depth() + dice_.within(-error, error));

@@ -12,8 +12,8 @@
 
 namespace glider::ir::prove {
 
-/// A vehicle that does anything that ir/prove/encoding/world.h allows: a second implementation of
-/// it, in numbers.
+/// A vehicle that does anything that the rules V1 to V7 of docs/verification.md allow, in numbers
+/// (DepthLimits).
 class RandomVehicle {
  public:
   /// Both outlive this. `late`: it sinks as fast as it may, and climbs as late and as slowly.

@@ -9,7 +9,6 @@
 // change satisfy each of them. They come first, because everything could be proved from assumptions
 // that contradict each other.
 
-#include "ir/core/under_assumptions.h"
 #include "ir/core/walk.h"
 #include "ir/prove/encoding/any_moment.h"
 #include "ir/prove/passes.h"
@@ -183,7 +182,7 @@ bool isMomentary(const Requirement& requirement) {
 
 void passes::assumptions(Proof& proof) {
   const Mission& written = proof.proof_context.mission;
-  const Mission mission = underAssumptions(written);
+  const auto& [mission, platform] = proof.worlds.assumed;
   std::vector<StatedCondition> assumed;
   for (const Assumption& a : written.assumptions) {
     checkStart(proof, a);
@@ -194,7 +193,6 @@ void passes::assumptions(Proof& proof) {
   if (!rangesOverlap(proof, mission)) {
     return;
   }
-  const auto platform = underAssumptions(proof.proof_context.platform, written);
   for (const ComparedMoment& when : {atAnyTime(), atTheStart(platform)}) {
     if (!compare(proof, mission, assumed, when, DiagnosticId::assumptionsContradict)) {
       return;

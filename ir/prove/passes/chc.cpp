@@ -9,7 +9,6 @@
 
 #include "ir/prove/chc.h"
 
-#include "ir/core/under_assumptions.h"
 #include "ir/prove/encoding/horn_clauses.h"
 #include "ir/prove/encoding/safety_properties.h"
 
@@ -49,10 +48,8 @@ std::string problem(const Requirement& requirement, const ProofContext& proof_co
 
 }  // namespace
 
-std::string chcText(const Mission& written, const platforms::Platform& vehicle,
-                    const std::function<std::string(uint32_t)>& words) {
-  const Mission mission = underAssumptions(written);
-  const platforms::Platform platform = underAssumptions(vehicle, written);
+std::string chcText(const AssumedWorld& world, const std::function<std::string(uint32_t)>& words) {
+  const auto& [mission, platform] = world;
   const ProofContext proof_context(mission, platform);
   std::string text;
   for (uint32_t i = 0; i < mission.requirements.size(); ++i) {

@@ -3,7 +3,6 @@
 
 #include "vehicles/slocum/rules/vehicle_premise.h"
 
-#include "ir/core/under_assumptions.h"
 #include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/context/proof_context.h"
 #include "support/diagnostics/catalogue.h"
@@ -45,7 +44,7 @@ std::string premiseWith(const compiler::Checked& checked, const VehicleFile& fil
                         const support::DiagnosticEngine& diagnostics) {
   std::string text = "with " + file.name;
   if (file.guards.least_altitude_m >= 0) {
-    const auto platform = ir::notNarrowed(checked.platform(), checked.mission());
+    const platforms::Platform& platform = checked.worlds.widest.platform;
     const double deepest =
         std::min(std::ranges::max(ir::prove::deepestByState({checked.mission(), platform})),
                  std::min(file.guards.greatest_depth_m, platform.envelope.greatest_depth_m) +

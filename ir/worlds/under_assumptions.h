@@ -6,6 +6,7 @@
 #include "ir/core/mission.h"
 #include "platforms/load/platform.h"
 
+/// What assumptions mean for proofs. Only worlds.h makes worlds of it.
 namespace glider::ir {
 
 /// The mission as proofs see it that rest on its assumptions:

@@ -7,7 +7,7 @@
 // order matters only for how much is proved, never for whether it is right. Used by `requirements`,
 // for each requirement before Spacer is asked, and again after others have been proved.
 
-#include "ir/prove/passes/insight.h"
+#include "ir/prove/requirements/insight.h"
 
 #include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/abstract/surfacing.h"

@@ -6,10 +6,10 @@
 // for `surfaces every` what would help (advice.cpp). It decides nothing: the trace has been
 // replayed before.
 
-#include "ir/prove/passes/violation_report.h"
+#include "ir/prove/requirements/violation_report.h"
 
 #include "ir/prove/context/duration_text.h"
-#include "ir/prove/passes/advice.h"
+#include "ir/prove/requirements/advice.h"
 #include "support/check.h"
 #include "support/diagnostics/catalogue.h"
 

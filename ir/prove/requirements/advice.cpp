@@ -6,7 +6,7 @@
 // `exit` is added only if the end bound of the mission, with that case moved to the top, is proved;
 // so following it helps. Used by `requirements` (GL3111) and violation_report.cpp (GL3110).
 
-#include "ir/prove/passes/advice.h"
+#include "ir/prove/requirements/advice.h"
 
 #include "ir/core/ops.h"
 #include "ir/prove/abstract/end_bound.h"

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "ir/core/start_depth.h"
+#include "ir/worlds/start_depth.h"
 
-#include "ir/core/under_assumptions.h"
+#include "ir/worlds/under_assumptions.h"
 #include "platforms/load/surface_reading.h"
 
 #include <algorithm>

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+#include "platforms/load/platform.h"
+
+#include <optional>
+#include <utility>
+
+/// The rules V1 to V5 of the vehicle (docs/verification.md, "The rules of the vehicle"), once for
+/// questions and flights: a template over an algebra of numbers and truths.
+///
+/// An Algebra has `number(double)`, `truth(bool)` and `choose(truth, a, b)`; its numbers and truths
+/// have the operators of C++. Terms of Z3 are one (encoding/world.cpp), doubles another
+/// (falsification/depth_limits.cpp). A Vehicle has five values: its true `depth` (m); `deepest`,
+/// the deepest that the command in force allows (m); `climbing`, whether that command leads up;
+/// `since`, the mission time of the first command to climb that has been in force since (s); `top`,
+/// at which a climb may stop (m).
+///
+/// ir/certify/vehicle.h and analysis/certificates/run_vehicle.h have the rules a second time, on
+/// purpose: they check what is proved here.
+namespace glider::ir::prove {
+
+/// A command to climb to a depth above this (m) ends at the surface: hookbeh does not hover there.
+inline constexpr double kFloats = 1;
+
+template <typename Algebra>
+class VehicleRules {
+ public:
+  /// Both outlive this.
+  VehicleRules(const Algebra& algebra, const platforms::Platform& platform)
+      : algebra_(algebra),
+        platform_(platform),
+        overshoot_(algebra.number(platform.envelope.inflection_overshoot_m)) {}
+
+  /// V1: the deepest of a vehicle that begins at `depth`.
+  template <typename Number>
+  [[nodiscard]] Number deepestAtStart(const Number& depth) const {
+    return depth + overshoot_;
+  }
+
+  /// V2: tells `limits` what limits the depth when mission time has gone from `from` to `to`, by
+  /// atLeast(depth), atMost(depth) and atMostIf(truth, depth).
+  template <typename Vehicle, typename Number, typename Limits>
+  void move(const Vehicle& before, const Number& from, const Number& to, Limits& limits) const {
+    const Number way = number(platform_.envelope.vertical_rate_m_s) * (to - from);
+    const Number climbs = to - before.since - number(platform_.world.turn_s);
+    const Number lifted = before.deepest - number(platform_.world.slowest_climb_m_s) * climbs;
+    limits.atLeast(number(0));
+    limits.atMost(before.deepest);
+    limits.atMost(before.depth + way);
+    limits.atLeast(before.depth - way);
+    limits.atMostIf(before.climbing && climbs >= number(0),
+                    larger(larger(before.top, number(0)), lifted));
+  }
+
+  /// V3 to V5: after `command` at mission time `now`, all of whose arguments are known; `target()`
+  /// is the first of them. None: the command changes nothing.
+  template <typename Vehicle, typename Number, typename Target>
+  [[nodiscard]] std::optional<Vehicle> obey(const Vehicle& before, Command command,
+                                            const Target& target, const Number& now) const {
+    switch (command) {
+      case Command::Descend:
+      case Command::Hover:
+        return downTo(before, target());
+      case Command::Ascend:
+        return upTo(before, target(), now);
+      case Command::Surface:
+        return upTo(before, number(0), now);
+      case Command::Steer:
+      case Command::SteerTo:
+      case Command::Drift:
+        break;
+    }
+    return std::nullopt;  // V5
+  }
+
+  /// V3: towards a depth, the vehicle does not go deeper except for an overshoot.
+  template <typename Vehicle, typename Number>
+  [[nodiscard]] Vehicle downTo(const Vehicle& before, const Number& target) const {
+    Vehicle after = before;
+    after.deepest = larger(target + overshoot_, smaller(before.deepest, before.depth + overshoot_));
+    after.climbing = algebra_.truth(false);
+    return after;
+  }
+
+  /// V4: up to a depth; there, or from above it, the vehicle hovers at it.
+  template <typename Vehicle, typename Number>
+  [[nodiscard]] Vehicle upTo(const Vehicle& before, const Number& target, const Number& now) const {
+    Vehicle after = before;
+    const auto hovers = target >= number(kFloats);
+    after.top = algebra_.choose(hovers, target + overshoot_, target);
+    const auto goes_on = before.climbing && after.top >= before.top;
+    const Number turned = algebra_.choose(goes_on, before.deepest,
+                                          smaller(before.deepest, before.depth + overshoot_));
+    after.deepest = algebra_.choose(hovers, larger(after.top, turned), turned);
+    after.since = algebra_.choose(goes_on, before.since, now);
+    after.climbing = algebra_.truth(true);
+    return after;
+  }
+
+ private:
+  [[nodiscard]] auto number(double value) const { return algebra_.number(value); }
+
+  template <typename Number>
+  [[nodiscard]] Number smaller(const Number& a, const Number& b) const {
+    return algebra_.choose(a <= b, a, b);
+  }
+
+  template <typename Number>
+  [[nodiscard]] Number larger(const Number& a, const Number& b) const {
+    return algebra_.choose(a >= b, a, b);
+  }
+
+  const Algebra& algebra_;
+  const platforms::Platform& platform_;
+  decltype(std::declval<const Algebra&>().number(0)) overshoot_;
+};
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/requirements/random_trials.h"
+
+#include "ir/prove/falsification/random_flight.h"
+
+#include <algorithm>
+
+namespace glider::ir::prove {
+namespace {
+
+/// For a requirement without a time, s.
+constexpr double kLongFlight = 4 * 3600;
+
+struct Trials {
+  size_t ticks;         ///< of a flight
+  size_t flights;       ///< how many
+  uint64_t tick_steps;  ///< what a tick takes from the budget
+};
+
+Trials trialsOf(const Requirement& requirement, const StrategyContext& context) {
+  const Mission& m = context.mission;
+  const double cycle = context.proof.proof_context.platform.envelope.cycle_s;
+  const double time = std::max(requirement.seconds, requirement.monitor.horizon_s);
+  const double span = time > 0 ? 2 * time : kLongFlight;
+  const uint64_t tick = Budget::kTick + m.exprs.size() / Budget::kExpressions;
+  const uint64_t judged = requirement.condition.valid()
+                              ? Evaluation(m, requirement.condition).size() / Budget::kEvaluated
+                              : 0;
+  // A condition with very many operations, such as an area with 1,000 corners, is tried on fewer
+  // ticks.
+  const size_t most =
+      context.proof.options.random_ticks * 2 * tick / std::max(2 * tick, tick + judged);
+  const auto ticks = static_cast<size_t>(std::min(span / cycle + 2, static_cast<double>(most)));
+  return {ticks, std::max<size_t>(1, most / ticks), tick + judged};
+}
+
+}  // namespace
+
+std::optional<Counterexample> tryAtRandom(const Requirement& requirement,
+                                          const ProofContext& proof_context,
+                                          StrategyContext& context) {
+  const Trials trials = trialsOf(requirement, context);
+  Budget& budget = context.proof.searches;
+  for (uint64_t seed = 1; seed <= trials.flights && !budget.isUsedUp(); ++seed) {
+    budget.spend(trials.ticks * trials.tick_steps);
+    if (auto run = flyAtRandom(proof_context, context.proof.facts.stack_depth, requirement, seed,
+                               trials.ticks)) {
+      return run;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/prove/requirements/strategy_context.h"
+
+#include <optional>
+
+namespace glider::ir::prove {
+
+/// A random flight that violates `requirement` (Reach: satisfies): tries seeds 1, 2, …, until so
+/// many ticks are flown as the options and the budget allow. `proof_context`: with power cuts or
+/// without.
+std::optional<Counterexample> tryAtRandom(const Requirement& requirement,
+                                          const ProofContext& proof_context,
+                                          StrategyContext& context);
+
+}  // namespace glider::ir::prove

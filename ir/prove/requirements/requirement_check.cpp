@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Decides the requirements of a mission by the strategies of strategies.def. In: what all passes
+// before have left, and the budget Proof::searches, which no other pass takes from. Out:
+// Findings::requirements; GL3111 for each that stays undecided. README.md has the arguments.
+
+#include "ir/prove/requirements/requirement_check.h"
+
+#include "ir/prove/requirements/advice.h"
+#include "ir/prove/requirements/search_order.h"
+#include "support/diagnostics/catalogue.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace glider::ir::prove {
+
+RequirementCheck::RequirementCheck(StrategyContext& context) : context_(context) {
+  if (context.bare != nullptr) {
+    premises_.emplace(context);
+  }
+}
+
+void RequirementCheck::run() {
+  for (uint32_t i = 0; i < context_.mission.requirements.size(); ++i) {
+    judged_.push_back(atOnce(i));
+  }
+  for (const uint32_t i : searchOrder(waiting(), context_.mission.requirements)) {
+    if (context_.proof.options.before_requirement) {
+      context_.proof.options.before_requirement(i);
+    }
+    search(judged_[i]);
+    learn(judged_[i]);
+  }
+  for (Judged& judged : judged_) {
+    settle(judged);
+    addPremises(judged);
+  }
+  for (Judged& judged : judged_) {
+    addEvidence(judged);
+    context_.proof.findings.requirements.push_back(std::move(judged.verdict));
+  }
+}
+
+/// What is proved without the assumptions rests on none of them.
+RequirementCheck::Judged RequirementCheck::atOnce(uint32_t number) {
+  Judged judged;
+  judged.verdict.requirement = number;
+  if (isAtOnceProvedBare(number, judged)) {
+    return judged;
+  }
+  Attempt attempt{number, requirementOf(judged)};
+  for (const auto& [strategy, phase] : strategies()) {
+    if (phase == Phase::Search || !strategy.serves(attempt.requirement)) {
+      continue;
+    }
+    if (auto verdict = strategy.judge(attempt, context_)) {
+      judged.verdict = std::move(*verdict);
+      judged.verdict.requirement = number;
+      judged.by = &strategy;
+      return judged;
+    }
+  }
+  judged.waited = true;
+  return judged;
+}
+
+bool RequirementCheck::isAtOnceProvedBare(uint32_t number, Judged& judged) {
+  if (context_.bare == nullptr) {
+    return false;
+  }
+  const Requirement& requirement = context_.bare->mission.requirements[number];
+  for (const auto& [strategy, phase] : strategies()) {
+    if (phase != Phase::Search && strategy.serves(requirement) &&
+        strategy.proves(requirement, *context_.bare)) {
+      judged = {{number, Verdict::Proved, std::nullopt}, &strategy, /*bare=*/true};
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<uint32_t> RequirementCheck::waiting() const {
+  std::vector<uint32_t> numbers;
+  for (const Judged& judged : judged_) {
+    if (judged.waited) {
+      numbers.push_back(judged.verdict.requirement);
+    }
+  }
+  return numbers;
+}
+
+void RequirementCheck::search(Judged& judged) {
+  Budget& budget = context_.proof.searches;
+  if (judgeAgain(judged)) {
+    return;
+  }
+  Attempt attempt{judged.verdict.requirement, requirementOf(judged)};
+  if (budget.isUsedUp()) {
+    judged.verdict.reason = "it was not searched for: " + context_.limitReached();
+    return;
+  }
+  if (!judgeBySearch(attempt, judged)) {
+    judged.verdict.reason = std::move(attempt.reason);
+  }
+  // For Reach its trace is needed; what was cut short hangs on what was searched for before.
+  judged.verdict.searched |=
+      attempt.requirement.kind != RequirementKind::Reach && !budget.isUsedUp();
+}
+
+/// By what other requirements have told, if they were proved after the first look.
+bool RequirementCheck::judgeAgain(Judged& judged) {
+  for (const auto& [strategy, phase] : strategies()) {
+    if (context_.learnt && phase == Phase::AtOnceAndAgain &&
+        strategy.serves(requirementOf(judged)) &&
+        strategy.proves(requirementOf(judged), context_)) {
+      judged.verdict = {judged.verdict.requirement, Verdict::Proved, std::nullopt};
+      judged.by = &strategy;
+      return true;
+    }
+  }
+  return false;
+}
+
+bool RequirementCheck::judgeBySearch(Attempt& attempt, Judged& judged) {
+  for (const auto& [strategy, phase] : strategies()) {
+    if (phase != Phase::Search || !strategy.serves(attempt.requirement)) {
+      continue;
+    }
+    if (auto verdict = strategy.judge(attempt, context_)) {
+      judged.verdict = std::move(*verdict);
+      judged.verdict.requirement = attempt.number;
+      judged.by = &strategy;
+      return true;
+    }
+  }
+  return false;
+}
+
+void RequirementCheck::learn(const Judged& judged) {
+  const Requirement& requirement = requirementOf(judged);
+  if (judged.verdict.verdict == Verdict::Proved && requirement.geofences.empty()) {
+    context_.insight().know(requirement);
+    context_.learnt = true;
+  }
+}
+
+/// A requirement left undecided may follow from one that was proved after it.
+void RequirementCheck::settle(Judged& judged) {
+  if (judged.verdict.verdict != Verdict::Open || judgeAgain(judged)) {
+    return;
+  }
+  const Requirement& requirement = requirementOf(judged);
+  auto warning =
+      context_.proof.diagnostics.report(support::DiagnosticId::requirementOpen, requirement.range);
+  warning.note(requirement.range, judged.verdict.reason);
+  if (requirement.seconds > 0 && requirement.kind != RequirementKind::SurfacesEvery) {
+    noteLateExits(warning, requirement.seconds, context_.proof.proof_context);
+  }
+}
+
+/// A flight that reaches a state does so under any assumptions (but see prove()).
+void RequirementCheck::addPremises(Judged& judged) {
+  if (premises_ && !judged.bare && judged.verdict.verdict == Verdict::Proved &&
+      !judged.verdict.run) {
+    premises_->name(judged.verdict, *judged.by);
+  }
+}
+
+/// Of the proofs that have none yet.
+void RequirementCheck::addEvidence(Judged& judged) {
+  if (!context_.wantsEvidence() || judged.verdict.verdict != Verdict::Proved ||
+      judged.verdict.evidence) {
+    return;
+  }
+  StrategyContext& context = judged.bare ? *context_.bare : context_;
+  judged.verdict.evidence = judged.by->evidence(
+      context.mission.requirements[judged.verdict.requirement], judged.waited, context);
+}
+
+const Requirement& RequirementCheck::requirementOf(const Judged& judged) const {
+  return context_.mission.requirements[judged.verdict.requirement];
+}
+
+}  // namespace glider::ir::prove

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What can go wrong in a search is only that no verdict is found: a trace of Spacer is replayed
+// (concretize) before it refutes anything.
+
+#include "ir/prove/requirements/trace_search.h"
+
+#include "ir/prove/encoding/cone_of_influence.h"
+#include "ir/prove/encoding/known_roughly.h"
+#include "ir/prove/encoding/safety_properties.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace glider::ir::prove {
+namespace {
+
+/// A question about all traces is not even written if more expressions than this matter to it.
+constexpr size_t kMostSearched = 30000;
+
+void limit(z3::config& config, unsigned effort, const Budget& budget) {
+  config.set("rlimit", static_cast<int>(effort));  // Spacer's only limit, except for the time
+  if (const auto time = budget.milliseconds()) {
+    config.set("timeout", static_cast<int>(*time));
+  }
+}
+
+/// In a Z3 context of its own: Z3 counts its steps for all questions of a context.
+RunsAnswer ask(const Requirement& requirement, const ProofContext& proof_context,
+               const ConeOfInfluence& relevance, StrategyContext& of) {
+  Budget& budget = of.proof.searches;
+  const unsigned effort = budget.allow(of.search_effort);
+  if (effort == 0) {
+    return {Answer::Unknown, std::nullopt, of.limitReached(), 0};
+  }
+  z3::config config;
+  limit(config, effort, budget);
+  z3::context context(config);
+  const auto size = static_cast<size_t>(std::ranges::count(relevance.expressions, true));
+  budget.spend(Budget::kCondition * size);
+  if (size > kMostSearched) {
+    return {Answer::Unknown, std::nullopt, "the mission is too large for a search", 0};
+  }
+  try {
+    const SafetyProperty watch = safetyPropertyFor(requirement, context, proof_context, relevance);
+    RunsAnswer answer =
+        askAboutRuns(context, proof_context, relevance, watch, effort, of.wantsEvidence());
+    budget.spend(answer.steps);
+    if (answer.bad == Answer::Unknown && budget.isUsedUp()) {
+      answer.trouble = of.limitReached();
+    }
+    return answer;
+  } catch (const z3::exception& trouble) {
+    budget.spend(effort);
+    return {Answer::Unknown, std::nullopt, trouble.msg(), effort};
+  }
+}
+
+/// Asks, and once more with the vehicle if the answer is a trace whose readings of the depth may be
+/// those of no vehicle. `use` is given each answer.
+template <typename Use>
+auto askTwice(const Requirement& requirement, const ProofContext& proof_context,
+              StrategyContext& context, const Use& use) {
+  const ConeOfInfluence relevance = relevanceOf(requirement, proof_context);
+  auto found = use(ask(requirement, proof_context, relevance, context));
+  if (found.answer.bad != Answer::Yes || relevance.vehicle ||
+      !readsDepth(relevance, proof_context)) {
+    return found;
+  }
+  return use(ask(requirement, proof_context, withVehicle(requirement, proof_context), context));
+}
+
+}  // namespace
+
+TraceSearch searchTraces(const Requirement& requirement, const ProofContext& proof_context,
+                         StrategyContext& context) {
+  return askTwice(requirement, proof_context, context, [&](RunsAnswer answer) {
+    TraceSearch found{std::move(answer)};
+    if (found.answer.bad == Answer::Yes) {
+      found.run = concretize(*found.answer.run, proof_context, context.proof.facts.stack_depth,
+                             requirement);
+    }
+    return found;
+  });
+}
+
+RunsAnswer provenByTraces(const Requirement& requirement, const ProofContext& proof_context,
+                          StrategyContext& context) {
+  return askTwice(requirement, proof_context, context,
+                  [](RunsAnswer answer) { return TraceSearch{std::move(answer)}; })
+      .answer;
+}
+
+std::string whyUndecided(const Requirement& requirement, const RunsAnswer& answer,
+                         const StrategyContext& context) {
+  if (answer.bad != Answer::Yes) {
+    return fmt::format("no proof was found ({}), and no random flight violated it", answer.trouble);
+  }
+  const std::string what =
+      knownRoughly(context.mission, relevanceOf(requirement, context.proof.proof_context));
+  return fmt::format("a possible {} was found, but did not hold when it was checked{}",
+                     requirement.kind == RequirementKind::Reach ? "flight" : "counterexample",
+                     what.empty() ? "" : "; approximated here: " + what);
+}
+
+bool isPromiseOfTraces(const Requirement& requirement) {
+  return requirement.kind != RequirementKind::Reach &&
+         requirement.kind != RequirementKind::StackAtMost && requirement.geofences.empty();
+}
+
+RequirementVerdict provedBy(RunsAnswer answer, const Requirement& requirement,
+                            StrategyContext& context) {
+  RequirementVerdict proved{0, Verdict::Proved, std::nullopt};
+  proved.steps = answer.steps;
+  if (context.wantsEvidence()) {
+    proved.evidence = context.evidences().searched(requirement, std::move(answer.invariants));
+  }
+  return proved;
+}
+
+void keepSubmersion(const Requirement& requirement, const TraceSearch& found,
+                    StrategyContext& context) {
+  if (requirement.kind == RequirementKind::SurfacesEvery && found.run) {
+    context.submerged = found.answer.run;
+  }
+}
+
+}  // namespace glider::ir::prove

@@ -40,12 +40,8 @@ as_root() {
   fi
 }
 
-# configure_release: cmake's preset release in build/, with ccache where there is one.
+# configure_release: cmake's preset release in build/, which uses ccache where there is one.
 configure_release() {
-  local launcher=()
-  if command -v ccache >/dev/null; then
-    launcher=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-  fi
   say "configuring"
-  cmake --preset release "${launcher[@]}"
+  cmake --preset release
 }

@@ -11,6 +11,7 @@ import functools
 import json
 import os
 import pathlib
+import re
 import shlex
 import shutil
 import signal
@@ -91,11 +92,23 @@ class Build:
             made = scratch / "objects" / name.replace("/", "_")
             made.parent.mkdir(exist_ok=True)
             # A switch that lacks an enumerator does not compile in the build either.
-            command = kept + ["-Wno-error", "-Werror=switch", "-iquote", str(scratch / "tree"), "-O1", "-o", str(made), "-c",
-                              str(planted if planted.exists() else file)]
+            source = planted if planted.exists() else self._united(scratch, pathlib.Path(file), made.with_suffix(".cxx"))
+            command = kept + ["-Wno-error", "-Werror=switch", "-iquote", str(scratch / "tree"), "-O1", "-o", str(made), "-c", str(source)]
             if subprocess.run(command, cwd=self.folder, capture_output=True, check=False, timeout=300).returncode != 0:
                 return False
         return True
+
+    def _united(self, scratch, file, made):
+        """The source to compile for `file`: one that includes others by their whole names (UNITY_BUILD) gets those that are planted."""
+        if self.folder not in file.resolve().parents:
+            return file
+        text = file.read_text(encoding="utf-8")
+        for whole in re.findall(r'#include "([^"]+)"', text):
+            planted = scratch / "tree" / os.path.relpath(whole, ROOT)
+            if planted.exists():
+                text = text.replace(f'"{whole}"', f'"{planted}"')
+        made.write_text(text, encoding="utf-8")
+        return made
 
     def link(self, scratch, program, path):
         """Links the program with the objects in scratch that its libraries have from `path`; where it is, None if the

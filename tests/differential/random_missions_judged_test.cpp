@@ -28,7 +28,7 @@ class RandomMissionsJudged : public testing::TestWithParam<std::tuple<const char
 TEST_P(RandomMissionsJudged, AgreesWithEval) {
   const auto [board, level] = GetParam();
   const uint64_t first = setting("GLIDER_DIFFERENTIAL_SEED", 1);
-  const uint64_t count = setting("GLIDER_DIFFERENTIAL_COUNT", 50);
+  const uint64_t count = setting("GLIDER_DIFFERENTIAL_COUNT", 20);
   for (uint64_t begin = 0; begin < count; begin += kBatch) {
     std::vector<Trial> trials;
     for (uint64_t i = begin; i < std::min(count, begin + kBatch); ++i) {

@@ -111,11 +111,11 @@ TEST_F(EraseBlocks, ARewriteThatIsInterruptedTakesNoneThatWasCommitted) {
       continue;
     }
     const auto committed = static_cast<uint32_t>(write.answered - 1);
+    const SparseFile written = fileAfter(store_.log, made + 1);
     for (const uint32_t bytes : kSizes) {
       eachPhase(bytes, [&](const EraseBlock& blocks) {
         for (const Leaves leaves : kLeavings) {
-          const SparseFile file = withoutBlock(fileAfter(store_.log, made + 1), blocks,
-                                               blocks.of(write.offset), leaves);
+          const SparseFile file = withoutBlock(written, blocks, blocks.of(write.offset), leaves);
           ASSERT_EQ(foundIn(file), committed)
               << "blocks of " << bytes << " bytes, phase " << blocks.phase << ", write " << made;
         }

@@ -22,17 +22,22 @@ class SparseFile {
   static constexpr uint32_t kBlock = 4096;
 
   void write(uint32_t offset, const uint8_t* bytes, size_t count) {
-    for (size_t i = 0; i < count; ++i) {
-      at(offset + static_cast<uint32_t>(i)) = bytes[i];
-    }
+    size_ = std::max<size_t>(size_, offset + count);
+    eachPart(offset, count, [&](uint32_t number, uint32_t from, size_t done, size_t part) {
+      Bytes& block = blocks_.try_emplace(number, kBlock, uint8_t{0}).first->second;
+      std::copy_n(bytes + done, part, block.begin() + from);
+    });
   }
   size_t read(uint32_t offset, uint8_t* bytes, size_t count) const {
     const size_t taken = offset >= size_ ? 0 : std::min<size_t>(count, size_ - offset);
-    for (size_t i = 0; i < taken; ++i) {
-      const auto place = offset + static_cast<uint32_t>(i);
-      const auto block = blocks_.find(place / kBlock);
-      bytes[i] = block == blocks_.end() ? uint8_t{0} : block->second[place % kBlock];
-    }
+    eachPart(offset, taken, [&](uint32_t number, uint32_t from, size_t done, size_t part) {
+      const auto block = blocks_.find(number);
+      if (block == blocks_.end()) {
+        std::fill_n(bytes + done, part, uint8_t{0});
+      } else {
+        std::copy_n(block->second.begin() + from, part, bytes + done);
+      }
+    });
     return taken;
   }
   [[nodiscard]] size_t size() const { return size_; }
@@ -52,10 +57,19 @@ class SparseFile {
   }
 
  private:
-  uint8_t& at(uint32_t place) {
-    size_ = std::max<size_t>(size_, place + 1);
-    return blocks_.try_emplace(place / kBlock, kBlock, uint8_t{0}).first->second[place % kBlock];
+  /// Calls `visit` for each block of so many bytes: its number, where in it they begin, how many
+  /// there were before and are.
+  template <typename Visit>
+  static void eachPart(uint32_t offset, size_t count, Visit visit) {
+    for (size_t done = 0; done < count;) {
+      const auto place = offset + static_cast<uint32_t>(done);
+      const uint32_t from = place % kBlock;
+      const size_t part = std::min<size_t>(count - done, kBlock - from);
+      visit(place / kBlock, from, done, part);
+      done += part;
+    }
   }
+
   std::map<uint32_t, Bytes> blocks_;
   size_t size_ = 0;
 };

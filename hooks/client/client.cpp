@@ -378,27 +378,11 @@ void Client::queueSubscribe() {
 }
 
 void Client::queueInstruction() {
-  struct Word {
-    GliderRole role;
-    double value;
-  };
-  const Word words[] = {
-      {kGliderRoleHookSession, static_cast<double>(pending_.session)},
-      {kGliderRoleHookControl, static_cast<double>(pending_.control)},
-      {kGliderRoleHookVertical, static_cast<double>(pending_.vertical)},
-      {kGliderRoleHookDepth, pending_.depth_m},
-      {kGliderRoleHookPitch, pending_.pitch_rad},
-      {kGliderRoleHookLateral, static_cast<double>(pending_.lateral)},
-      {kGliderRoleHookHeading, pending_.heading_rad},
-      {kGliderRoleHookLatitude, pending_.latitude_ddmm},
-      {kGliderRoleHookLongitude, pending_.longitude_ddmm},
-      {kGliderRoleHookCheck, static_cast<double>(checkValue(pending_))},
-      {kGliderRoleHookSequence, static_cast<double>(pending_.sequence)},
-  };
+  const InstructionWords words = wordsOf(pending_);
   Frame frame;
   encodeEmptyList(MessageType::Write, frame);
-  for (const Word& word : words) {
-    (void)appendValue(*dictionary_, frame, {sensorOf(*dictionary_, word.role), word.value});
+  for (const InstructionWord& one : kInstructionWords) {
+    (void)appendValue(*dictionary_, frame, {sensorOf(*dictionary_, one.role), words.*one.word});
   }
   queue(frame);
   due_ = false;

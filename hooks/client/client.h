@@ -4,11 +4,11 @@
 #pragma once
 
 #include "hooks/protocol/frame_reader.h"
+#include "hooks/protocol/instruction.h"
 #include "hooks/protocol/messages.h"
 #include "hooks/protocol/send_queue.h"
 #include "hooks/protocol/sensor_list.h"
 #include "hooks/protocol/tick.h"
-#include "hooks/protocol/values.h"
 #include "hooks/transport/byte_stream.h"
 #include "hooks/transport/clock.h"
 

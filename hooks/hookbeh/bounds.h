@@ -4,7 +4,7 @@
 #pragma once
 
 #include "hooks/hookbeh/args.h"
-#include "hooks/protocol/values.h"
+#include "hooks/protocol/instruction.h"
 
 namespace glider::hooks {
 

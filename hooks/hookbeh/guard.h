@@ -9,7 +9,7 @@
 #include "hooks/hookbeh/depth_watch.h"
 #include "hooks/hookbeh/headway.h"
 #include "hooks/hookbeh/unseen_sink.h"
-#include "hooks/protocol/values.h"
+#include "hooks/protocol/instruction.h"
 
 #include <stdint.h>
 

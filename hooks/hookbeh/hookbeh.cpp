@@ -15,39 +15,6 @@ constexpr double kMetresPerBar = 10.0;
 /// cc; commands to the pump that differ by less are the same.
 constexpr double kPumpErrorCc = 30;
 
-/// The sensor's value when it is a whole number from `lowest` to `highest`.
-bool isWhole(double value, uint32_t lowest, uint32_t highest, uint32_t* whole) {
-  if (!(value >= lowest && value <= highest)) {
-    return false;
-  }
-  *whole = static_cast<uint32_t>(value);
-  return static_cast<double>(*whole) == value;
-}
-
-/// Reads the instruction from the sensor array. False when it cannot be an instruction of any SBC.
-bool gather(const HookbehInputs& inputs, uint16_t sequence, Instruction* instruction) {
-  uint32_t session = 0;
-  uint32_t control = 0;
-  uint32_t vertical = 0;
-  uint32_t lateral = 0;
-  if (!isWhole(inputs.session, 1, kMostSession, &session) ||
-      !isWhole(inputs.control, 0, 127, &control) || !isWhole(inputs.vertical, 0, 127, &vertical) ||
-      !isWhole(inputs.lateral, 0, 127, &lateral)) {
-    return false;
-  }
-  instruction->session = session;
-  instruction->sequence = sequence;
-  instruction->control = static_cast<HookControl>(control);
-  instruction->vertical = static_cast<HookVertical>(vertical);
-  instruction->lateral = static_cast<HookLateral>(lateral);
-  instruction->depth_m = inputs.hook_depth_m;
-  instruction->pitch_rad = inputs.hook_pitch_rad;
-  instruction->heading_rad = inputs.hook_heading_rad;
-  instruction->latitude_ddmm = inputs.hook_latitude_ddmm;
-  instruction->longitude_ddmm = inputs.hook_longitude_ddmm;
-  return inputs.check == checkValue(*instruction);
-}
-
 }  // namespace
 
 Hookbeh::Hookbeh(const HookbehArgs& args, const Hull& hull)
@@ -142,7 +109,7 @@ void Hookbeh::readInstruction(const HookbehInputs& inputs) {
     return;
   }
   Instruction instruction;
-  if (!gather(inputs, sequence, &instruction)) {
+  if (!instructionOf(inputs, &instruction)) {
     answer_ = HookAnswer::BadCheck;  // not settled: the missing part may still come
     garbled_s_ += clock_.step();
     if (!(garbled_s_ < args_.silence_secs)) {

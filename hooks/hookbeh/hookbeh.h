@@ -9,7 +9,7 @@
 #include "hooks/hookbeh/guard.h"
 #include "hooks/hookbeh/hull.h"
 #include "hooks/hookbeh/pilot.h"
-#include "hooks/protocol/values.h"
+#include "hooks/protocol/instruction.h"
 
 #include <stdint.h>
 
@@ -19,7 +19,7 @@
 namespace glider::hooks {
 
 /// What hookbeh reads from the sensor array in one cycle; NaN for a value never set.
-struct HookbehInputs {
+struct HookbehInputs : InstructionWords {
   double time_s = 0;  ///< m_present_secs_into_mission
   double depth_m = 0;
   double depth_rate_mps = 0;
@@ -27,10 +27,6 @@ struct HookbehInputs {
   double latitude_ddmm = 0;
   double longitude_ddmm = 0;
   double heartbeat = 0;
-  double session = 0, sequence = 0, control = 0, vertical = 0, lateral = 0;
-  double hook_depth_m = 0, hook_pitch_rad = 0, hook_heading_rad = 0;
-  double hook_latitude_ddmm = 0, hook_longitude_ddmm = 0;
-  double check = 0;
   // What the others are compared with; a vehicle may lack any of them.
   double wall_time_s = __builtin_nan("");   ///< m_present_time
   double cycle_number = __builtin_nan("");  ///< m_cycle_number

@@ -8,7 +8,7 @@
 #include "hooks/hookbeh/headway.h"
 #include "hooks/hookbeh/hover.h"
 #include "hooks/hookbeh/sub_behaviours.h"
-#include "hooks/protocol/values.h"
+#include "hooks/protocol/instruction.h"
 
 #include <stdint.h>
 

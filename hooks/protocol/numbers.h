@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <stdint.h>
+
 /// The few functions of a math library that are needed on board.
 namespace glider::hooks {
 
@@ -31,6 +33,15 @@ inline double between(double value, double lowest, double highest) {
 /// The value that a 4-byte sensor would keep.
 inline double asFloat32(double value) {
   return static_cast<double>(static_cast<float>(value));
+}
+
+/// Whether `value` is a whole number from `lowest` to `highest`, which is then in `whole`.
+inline bool isWhole(double value, uint32_t lowest, uint32_t highest, uint32_t* whole) {
+  if (!(value >= lowest && value <= highest)) {
+    return false;
+  }
+  *whole = static_cast<uint32_t>(value);
+  return static_cast<double>(*whole) == value;
 }
 
 }  // namespace glider::hooks

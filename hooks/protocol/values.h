@@ -61,32 +61,10 @@ constexpr uint8_t kMaskedHeading = 1;
 constexpr uint8_t kMaskedPitch = 2;
 constexpr uint8_t kMaskedPump = 4;
 
-/// One instruction, in the units of the sensor array (m, rad, ddmm.mmmm). Its numbers must be as
-/// the array can hold them (float32, except for the position), or the check value cannot match: see
-/// roundToArray.
-struct Instruction {
-  uint32_t session = 0;   ///< 1…16777215
-  uint16_t sequence = 0;  ///< 1…65535, then 1 again: 0 is "none yet"
-  HookControl control = HookControl::None;
-  HookVertical vertical = HookVertical::None;
-  HookLateral lateral = HookLateral::Drift;
-  double depth_m = 0;
-  double pitch_rad = 0;  ///< nose up positive: negative to descend
-  double heading_rad = 0;
-  double latitude_ddmm = 0;
-  double longitude_ddmm = 0;
-};
-
 /// The number after `sequence`: counts to 65535, then 1 again.
 uint16_t nextSequence(uint16_t sequence);
 /// True when `sequence` was given after `other`, wrapping at 65535: at most half the number range
 /// (32767) ahead. 0 means none yet: every number is newer.
 bool isNewerSequence(uint16_t sequence, uint16_t other);
-
-/// The same instruction with every number as the sensor array stores it.
-Instruction roundToArray(const Instruction& instruction);
-/// `sci_hook_check`: CRC-16/CCITT-FALSE over all fields, sequence included, in the byte layout of
-/// protocol/README.md.
-uint16_t checkValue(const Instruction& instruction);
 
 }  // namespace glider::hooks

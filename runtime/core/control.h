@@ -4,7 +4,7 @@
 #pragma once
 
 #include "hooks/client/client.h"
-#include "hooks/protocol/values.h"
+#include "hooks/protocol/instruction.h"
 #include "runtime/log/records.h"
 
 #include <stdint.h>

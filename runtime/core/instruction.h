@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "hooks/protocol/values.h"
+#include "hooks/protocol/instruction.h"
 #include "runtime/abi/glider_abi.h"
 
 /// Converts the commands in force to the values that cross the hook.

@@ -27,6 +27,7 @@ PILOT = "hooks/hookbeh/pilot.cpp"
 BOUNDS = "hooks/hookbeh/bounds.cpp"
 VALUES = "hooks/protocol/values.cpp"
 WATCHES = "hooks/seat/watches.cpp"
+INSTRUCTION = "hooks/protocol/instruction.cpp"
 DEPTH = "hooks/hookbeh/depth_source.cpp"
 WATCH = "hooks/hookbeh/depth_watch.cpp"
 UNSEEN_SINK = "hooks/hookbeh/unseen_sink.cpp"
@@ -51,7 +52,7 @@ PLANTED = [
             "outputs.doing = vertical.doing; outputs.commanding = vertical.doing[2] != 'l';"),
     Planted("HB-2", "no pump while hovering", HOOKBEH, "outputs.pump_cc = vertical.pump_cc;",
             "outputs.pump_cc = vertical.pitch_rad == 0 ? __builtin_nan(\"\") : vertical.pump_cc;"),
-    Planted("HB-3", "the check is ignored", HOOKBEH, "inputs.check == checkValue(*instruction)", "true"),
+    Planted("HB-3", "the check is ignored", INSTRUCTION, "words.check == checkValue(*instruction)", "true"),
     Planted("HB-32", "an earlier instruction counts", HOOKBEH, "!isNewerSequence(sequence, settled_sequence_)", "false"),
     Planted("HB-4", "what lies in the array at the start is followed", HOOKBEH, "!settled_known_", "!(settled_known_ = true)"),
     Planted("HB-5", "an instruction is not answered", HOOKBEH, "outputs.answered_sequence = answered_sequence_;",

@@ -93,24 +93,17 @@ bool ToySeat::reading(void* self, uint16_t id, double* value) {
 void ToySeat::write(void* self, const hooks::SensorList& instruction) {
   auto& toy = *static_cast<ToySeat*>(self);
   const GliderDictionary& dictionary = toy.dictionary_.get();
-  const auto word = [&](GliderRole role) {
-    const uint16_t id = hooks::sensorOf(dictionary, role);
+  hooks::InstructionWords words;
+  for (const hooks::InstructionWord& one : hooks::kInstructionWords) {
+    const uint16_t id = hooks::sensorOf(dictionary, one.role);
     for (uint32_t i = 0; i < instruction.count; ++i) {
-      if (instruction.values[i].id == id) {
-        return instruction.values[i].value;
-      }
+      words.*one.word =
+          instruction.values[i].id == id ? instruction.values[i].value : words.*one.word;
     }
-    return 0.0;
-  };
-  hooks::Instruction heard;
-  heard.session = static_cast<uint32_t>(word(kGliderRoleHookSession));
-  heard.sequence = static_cast<uint16_t>(word(kGliderRoleHookSequence));
-  heard.control = static_cast<hooks::HookControl>(word(kGliderRoleHookControl));
-  heard.vertical = static_cast<hooks::HookVertical>(word(kGliderRoleHookVertical));
-  heard.lateral = static_cast<hooks::HookLateral>(word(kGliderRoleHookLateral));
-  heard.depth_m = word(kGliderRoleHookDepth);
-  heard.heading_rad = word(kGliderRoleHookHeading);
-  toy.obey(heard);
+  }
+  if (hooks::Instruction heard; hooks::instructionOf(words, &heard)) {
+    toy.obey(heard);
+  }
 }
 
 void ToySeat::obey(const hooks::Instruction& instruction) {

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "hooks/protocol/instruction.h"
 #include "hooks/seat/seat.h"
 #include "platforms/load/dictionary.h"
 #include "simulator/seat/sensor_array.h"

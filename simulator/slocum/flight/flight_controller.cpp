@@ -395,22 +395,11 @@ void FlightController::leaveOver(const Leftover& leftover) {
   instruction.depth_m = leftover.depth_m;
   instruction.pitch_rad = -kAbortPitch;
   instruction = hooks::roundToArray(instruction);
-  const std::pair<Sensor, double> words[] = {
-      {Sensor::sci_hook_heartbeat, 1},
-      {Sensor::sci_hook_session, instruction.session},
-      {Sensor::sci_hook_control, static_cast<double>(instruction.control)},
-      {Sensor::sci_hook_vertical, static_cast<double>(instruction.vertical)},
-      {Sensor::sci_hook_depth, instruction.depth_m},
-      {Sensor::sci_hook_pitch, instruction.pitch_rad},
-      {Sensor::sci_hook_lateral, static_cast<double>(instruction.lateral)},
-      {Sensor::sci_hook_heading, instruction.heading_rad},
-      {Sensor::sci_hook_lat, instruction.latitude_ddmm},
-      {Sensor::sci_hook_lon, instruction.longitude_ddmm},
-      {Sensor::sci_hook_check, hooks::checkValue(instruction)},
-      {Sensor::sci_hook_sequence, instruction.sequence}};
-  for (const auto& [sensor, value] : words) {
-    array_.set(sensor, value);
-  }
+  const hooks::InstructionWords words = hooks::wordsOf(instruction);
+  array_.set(Sensor::sci_hook_heartbeat, 1);
+#define WORD(role, sensor, word, ...) array_.set(Sensor::sensor, words.word);
+#define CHECK_WORD(role, sensor, word) array_.set(Sensor::sensor, words.word);
+#include "hooks/protocol/instruction.def"
 }
 
 void FlightController::failDevice(double now_s) {

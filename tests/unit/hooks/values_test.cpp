@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "hooks/protocol/values.h"
+#include "hooks/protocol/instruction.h"
 
 #include <gtest/gtest.h>
 

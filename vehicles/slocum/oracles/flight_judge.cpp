@@ -16,11 +16,6 @@ using hooks::HookState;
 
 namespace {
 
-constexpr std::array<Sensor, 11> kInstruction = {
-    Sensor::sci_hook_session, Sensor::sci_hook_control, Sensor::sci_hook_vertical,
-    Sensor::sci_hook_depth,   Sensor::sci_hook_pitch,   Sensor::sci_hook_lateral,
-    Sensor::sci_hook_heading, Sensor::sci_hook_lat,     Sensor::sci_hook_lon,
-    Sensor::sci_hook_check,   Sensor::sci_hook_sequence};
 constexpr double kFlightAtSurface = 1;  // m
 constexpr double kSettledSecs = 60;     // s at the surface after which nothing more is expected
 constexpr double kRelease = static_cast<double>(hooks::HookControl::Release);
@@ -30,20 +25,19 @@ std::string words(std::pair<double, double> number) {
   return fmt::format("instruction {} of session {}", number.second, number.first);
 }
 
-/// The instruction that is in the sensor array, or was written there.
-hooks::Instruction instructionOf(const std::array<double, kInstruction.size()>& words) {
+/// The instruction that was written, whatever its check value.
+hooks::Instruction instructionIn(const hooks::InstructionWords& words) {
   hooks::Instruction instruction;
-  instruction.session = static_cast<uint32_t>(words[0]);
-  instruction.control = static_cast<hooks::HookControl>(words[1]);
-  instruction.vertical = static_cast<hooks::HookVertical>(words[2]);
-  instruction.depth_m = words[3];
-  instruction.pitch_rad = words[4];
-  instruction.lateral = static_cast<hooks::HookLateral>(words[5]);
-  instruction.heading_rad = words[6];
-  instruction.latitude_ddmm = words[7];
-  instruction.longitude_ddmm = words[8];
-  instruction.sequence = static_cast<uint16_t>(words[10]);
+#define WORD(role, sensor, word, field, ...) \
+  instruction.field = static_cast<decltype(instruction.field)>(words.word);
+#include "hooks/protocol/instruction.def"
   return instruction;
+}
+
+bool same(const hooks::InstructionWords& one, const hooks::InstructionWords& other) {
+  return std::ranges::all_of(hooks::kInstructionWords, [&](const hooks::InstructionWord& word) {
+    return one.*word.word == other.*word.word;
+  });
 }
 
 }  // namespace
@@ -63,7 +57,6 @@ FlightJudge::FlightJudge(JudgeSetup setup)
       handshake_(setup_),
       last_end_s_(setup_.faults.lastEnd()),
       stated_(statedTimes(setup_.faults, setup_.args.silence_secs, setup_.cycle_s)) {
-  static_assert(kInstruction.size() == kFields);
   for_ever_ = std::ranges::any_of(
       stated_.releases, [](const Release& release) { return release.when.to_s == kForever; });
 }
@@ -89,27 +82,23 @@ void FlightJudge::said(std::span<const uint8_t> bytes, double now_s) {
   }
 }
 
-/// The sensor number of a field of an instruction; the roles are in the order of the fields.
-uint16_t FlightJudge::numberOf(size_t field) const {
-  return hooks::sensorOf(setup_.dictionary->get(),
-                         static_cast<GliderRole>(kGliderRoleHookSession + field));
-}
-
 void FlightJudge::hear(const hooks::SensorList& write, double now_s) {
-  Words instruction{};
-  for (size_t i = 0; i < kFields; ++i) {
+  Words instruction;
+  for (const hooks::InstructionWord& one : hooks::kInstructionWords) {
+    const uint16_t id = hooks::sensorOf(setup_.dictionary->get(), one.role);
     for (uint32_t k = 0; k < write.count; ++k) {
-      instruction[i] = write.values[k].id == numberOf(i) ? write.values[k].value : instruction[i];
+      instruction.*one.word =
+          write.values[k].id == id ? write.values[k].value : instruction.*one.word;
     }
   }
-  const Number number{instruction.front(), instruction.back()};
+  const Number number{instruction.session, instruction.sequence};
   const auto [known, is_new] = said_.try_emplace(number, instruction);
-  if (!is_new && known->second != instruction && !obeyed_.contains(number)) {
+  if (!is_new && !same(known->second, instruction) && !obeyed_.contains(number)) {
     known->second = instruction;  // of a program that was restarted
-  } else if (!is_new && known->second != instruction) {
+  } else if (!is_new && !same(known->second, instruction)) {
     violate(JudgeId::Instructions, now_s, words(number) + " is repeated with other content");
   }
-  if (instruction[1] == kTake) {
+  if (instruction.control == kTake) {
     handshake_.asked(number.first, number.second, now_s);
   }
   if (number != newest_) {
@@ -146,13 +135,13 @@ void FlightJudge::judgeObeyed(const CycleView& view) {
     return;
   }
   decided_ = number;
-  Words words_obeyed{};
-  for (size_t i = 0; i < kFields; ++i) {
-    words_obeyed[i] = view.array.get(kInstruction[i]);
-  }
+  Words words_obeyed;
+#define WORD(role, sensor, word, ...) words_obeyed.word = view.array.get(Sensor::sensor);
+#define CHECK_WORD(role, sensor, word) words_obeyed.word = view.array.get(Sensor::sensor);
+#include "hooks/protocol/instruction.def"
   ++verdict_.instructions;
   const auto found = said_.find(number);
-  if (found == said_.end() || found->second != words_obeyed) {
+  if (found == said_.end() || !same(found->second, words_obeyed)) {
     violate(JudgeId::Instructions, view.time_s,
             words(number) + " is obeyed, but was sent differently");
   }
@@ -167,13 +156,13 @@ void FlightJudge::judgeSession(const CycleView& view, Number number, const Words
     violate(JudgeId::Instructions, view.time_s,
             words(number) + " is obeyed after control was released");
   }
-  if (!exited_ && words_obeyed[1] == kRelease) {
+  if (!exited_ && words_obeyed.control == kRelease) {
     exited_ = true;
     verdict_.release_s = view.time_s;
   }
   const bool begins = hook_ != HookState::Active || number.first != session_in_control_;
   if (begins && view.hook == HookState::Active) {
-    if (words_obeyed[1] != kTake) {
+    if (words_obeyed.control != kTake) {
       violate(JudgeId::Instructions, view.time_s, "control is taken without a handshake");
     } else if (lost_session_ != 0 && !hooks::isNewerSession(static_cast<uint32_t>(number.first),
                                                             static_cast<uint32_t>(lost_session_))) {
@@ -215,7 +204,7 @@ void FlightJudge::judgeAnswer(const CycleView& view) {
     return;
   }
   answered_ = number;
-  if (std::string wrong = commands_.answered(instructionOf(said->second), answer); !wrong.empty()) {
+  if (std::string wrong = commands_.answered(instructionIn(said->second), answer); !wrong.empty()) {
     violate(JudgeId::Commands, view.time_s, std::move(wrong));
   }
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hooks/protocol/frame.h"
+#include "hooks/protocol/instruction.h"
 #include "hooks/protocol/sensor_list.h"
 #include "simulator/campaign/judge.h"
 #include "vehicles/slocum/oracles/ascent_judge.h"
@@ -20,7 +21,6 @@
 #include "vehicles/slocum/oracles/stated_times.h"
 #include "vehicles/slocum/oracles/surface_judge.h"
 
-#include <array>
 #include <map>
 #include <set>
 #include <string>
@@ -44,11 +44,9 @@ class FlightJudge final : public Judge {
   [[nodiscard]] Verdict verdict() const override;
 
  private:
-  static constexpr size_t kFields = 11;  ///< sensors that form an instruction
-  using Words = std::array<double, kFields>;
+  using Words = hooks::InstructionWords;
   using Number = std::pair<double, double>;  ///< session, sequence
 
-  [[nodiscard]] uint16_t numberOf(size_t field) const;
   void hear(const hooks::SensorList& write, double now_s);
   void hearDone(const hooks::Frame& frame, double now_s);
   void followRestart(const CycleView& view);

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "hooks/protocol/values.h"
+#include "hooks/protocol/instruction.h"
 #include "vehicles/slocum/oracles/judge_setup.h"
 #include "vehicles/slocum/oracles/names.h"
 

@@ -36,17 +36,9 @@ hooks::HookbehInputs inputs(const Situation& s) {
   in.latitude_ddmm = s.latitude_ddmm;
   in.longitude_ddmm = s.longitude_ddmm;
   in.heartbeat = a.get(Sensor::sci_hook_heartbeat);
-  in.session = a.get(Sensor::sci_hook_session);
-  in.sequence = a.get(Sensor::sci_hook_sequence);
-  in.control = a.get(Sensor::sci_hook_control);
-  in.vertical = a.get(Sensor::sci_hook_vertical);
-  in.lateral = a.get(Sensor::sci_hook_lateral);
-  in.hook_depth_m = a.get(Sensor::sci_hook_depth);
-  in.hook_pitch_rad = a.get(Sensor::sci_hook_pitch);
-  in.hook_heading_rad = a.get(Sensor::sci_hook_heading);
-  in.hook_latitude_ddmm = a.get(Sensor::sci_hook_lat);
-  in.hook_longitude_ddmm = a.get(Sensor::sci_hook_lon);
-  in.check = a.get(Sensor::sci_hook_check);
+#define WORD(role, sensor, word, ...) in.word = a.get(Sensor::sensor);
+#define CHECK_WORD(role, sensor, word) in.word = a.get(Sensor::sensor);
+#include "hooks/protocol/instruction.def"
   return in;
 }
 

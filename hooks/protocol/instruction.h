@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/protocol/dictionary.h"
+#include "hooks/protocol/values.h"
+
+#include <stdint.h>
+
+/// What the SBC writes into the vehicle's sensor array: the only way in which it steers.
+namespace glider::hooks {
+
+/// One instruction, in the units of the sensor array (m, rad, ddmm.mmmm). Its numbers must be as
+/// the array can hold them (float32, except for the position), or the check value cannot match: see
+/// roundToArray.
+struct Instruction {
+  uint32_t session = 0;   ///< 1…16777215
+  uint16_t sequence = 0;  ///< 1…65535, then 1 again: 0 is "none yet"
+  HookControl control = HookControl::None;
+  HookVertical vertical = HookVertical::None;
+  HookLateral lateral = HookLateral::Drift;
+  double depth_m = 0;
+  double pitch_rad = 0;  ///< nose up positive: negative to descend
+  double heading_rad = 0;
+  double latitude_ddmm = 0;
+  double longitude_ddmm = 0;
+};
+
+/// The words of an instruction as the sensors hold them; NaN: never set.
+struct InstructionWords {
+#define WORD(role, sensor, word, ...) double word = 0;
+#define CHECK_WORD(role, sensor, word) double word = 0;
+#include "hooks/protocol/instruction.def"
+};
+
+/// Each word by the role of its sensor, in the order on the line.
+struct InstructionWord {
+  GliderRole role;
+  double InstructionWords::* word;
+};
+inline constexpr InstructionWord kInstructionWords[] = {
+#define WORD(role, sensor, word, ...) {kGliderRole##role, &InstructionWords::word},
+#define CHECK_WORD(role, sensor, word) {kGliderRole##role, &InstructionWords::word},
+#include "hooks/protocol/instruction.def"
+};
+
+/// With its check value.
+InstructionWords wordsOf(const Instruction& instruction);
+/// False if the words cannot be those of any instruction, or the check value does not match.
+[[nodiscard]] bool instructionOf(const InstructionWords& words, Instruction* instruction);
+
+/// The same instruction with every number as the sensor array stores it.
+Instruction roundToArray(const Instruction& instruction);
+/// `sci_hook_check`: CRC-16/CCITT-FALSE over all fields, sequence included, in the byte layout of
+/// protocol/README.md.
+uint16_t checkValue(const Instruction& instruction);
+
+}  // namespace glider::hooks

@@ -36,7 +36,7 @@ endif()
 # file mostly stays in its group when others come or go. Names in unnamed namespaces must differ within a folder.
 option(GLIDER_UNITY "Compile the sources of a folder together (fast from nothing; a change rebuilds more)" ON)
 # What runs once a command or a page is optimised less, which it compiles a third faster.
-set(GLIDER_RUN_ONCE glider_analysis glider_campaign glider_compiler glider_mission_log glider_report)
+set(GLIDER_RUN_ONCE glider_analysis glider_campaign glider_compiler glider_mission_log glider_report glider_slocum_rules glider_vehicles)
 function(glider_unite name)
   if(name IN_LIST GLIDER_RUN_ONCE AND NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
     target_compile_options(${name} PRIVATE -O1)

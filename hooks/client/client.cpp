@@ -378,11 +378,20 @@ void Client::queueSubscribe() {
 }
 
 void Client::queueInstruction() {
-  const InstructionWords words = wordsOf(pending_);
+  struct Word {
+    GliderRole role;
+    double value;
+  };
+  Word words[sizeof kInstructionWords / sizeof kInstructionWords[0]];
+#define WORD(role, sensor, word, field, bytes, line) \
+  words[line] = {kGliderRole##role, static_cast<double>(pending_.field)};
+#define CHECK_WORD(role, sensor, word, line) \
+  words[line] = {kGliderRole##role, static_cast<double>(checkValue(pending_))};
+#include "hooks/protocol/instruction.def"
   Frame frame;
   encodeEmptyList(MessageType::Write, frame);
-  for (const InstructionWord& one : kInstructionWords) {
-    (void)appendValue(*dictionary_, frame, {sensorOf(*dictionary_, one.role), words.*one.word});
+  for (const Word& word : words) {
+    (void)appendValue(*dictionary_, frame, {sensorOf(*dictionary_, word.role), word.value});
   }
   queue(frame);
   due_ = false;

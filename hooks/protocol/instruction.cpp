@@ -13,14 +13,17 @@ namespace {
 
 constexpr uint32_t kMostCode = 127;  // a one-byte sensor
 
-/// A field's bits in as many bytes: numbers and codes as they are, real numbers as the sensor holds
-/// them.
+/// A field in as many bytes: numbers and codes as they are, real numbers as the sensor holds them.
 template <typename Field>
-uint64_t bitsIn(uint32_t /*bytes*/, Field field) {
-  return static_cast<uint64_t>(field);
+void write(ByteWriter& out, uint32_t bytes, Field field) {
+  out.bits(static_cast<uint64_t>(field), bytes);
 }
-uint64_t bitsIn(uint32_t bytes, double field) {
-  return bytes == 4 ? bitsOf(static_cast<float>(field)) : bitsOf(field);
+void write(ByteWriter& out, uint32_t bytes, double field) {
+  if (bytes == 4) {
+    out.f32(static_cast<float>(field));
+  } else {
+    out.f64(field);
+  }
 }
 
 template <typename Field>
@@ -57,7 +60,8 @@ bool read(double word, Code* code) {
 InstructionWords wordsOf(const Instruction& instruction) {
   InstructionWords words;
 #define WORD(role, sensor, word, field, ...) words.word = static_cast<double>(instruction.field);
-#define CHECK_WORD(role, sensor, word) words.word = static_cast<double>(checkValue(instruction));
+#define CHECK_WORD(role, sensor, word, line) \
+  words.word = static_cast<double>(checkValue(instruction));
 #include "hooks/protocol/instruction.def"
   return words;
 }
@@ -71,7 +75,7 @@ bool instructionOf(const InstructionWords& words, Instruction* instruction) {
 
 Instruction roundToArray(const Instruction& instruction) {
   Instruction rounded;
-#define WORD(role, sensor, word, field, bytes, place) \
+#define WORD(role, sensor, word, field, bytes, line) \
   rounded.field = asHeld(bytes, instruction.field);
 #include "hooks/protocol/instruction.def"
   return rounded;
@@ -79,15 +83,14 @@ Instruction roundToArray(const Instruction& instruction) {
 
 uint16_t checkValue(const Instruction& instruction) {
   constexpr uint32_t kBytes = 0
-#define WORD(role, sensor, word, field, bytes, place) +(bytes)
+#define WORD(role, sensor, word, field, bytes, line) +(bytes)
 #include "hooks/protocol/instruction.def"
       ;
-  uint8_t checked[kBytes] = {};
-#define WORD(role, sensor, word, field, bytes, place) \
-  static_assert((place) + (bytes) <= kBytes);         \
-  ByteWriter(checked + (place), bytes).bits(bitsIn(bytes, instruction.field), bytes);
+  uint8_t bytes[kBytes];
+  ByteWriter out(bytes, kBytes);
+#define WORD(role, sensor, word, field, width, line) write(out, width, instruction.field);
 #include "hooks/protocol/instruction.def"
-  return crc16(checked, kBytes);
+  return crc16(bytes, kBytes);
 }
 
 }  // namespace glider::hooks

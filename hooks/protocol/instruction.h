@@ -30,20 +30,26 @@ struct Instruction {
 /// The words of an instruction as the sensors hold them; NaN: never set.
 struct InstructionWords {
 #define WORD(role, sensor, word, ...) double word = 0;
-#define CHECK_WORD(role, sensor, word) double word = 0;
+#define CHECK_WORD(role, sensor, word, line) double word = 0;
 #include "hooks/protocol/instruction.def"
 };
 
-/// Each word by the role of its sensor, in the order on the line.
+/// Each word by the role of its sensor.
 struct InstructionWord {
   GliderRole role;
   double InstructionWords::* word;
 };
 inline constexpr InstructionWord kInstructionWords[] = {
 #define WORD(role, sensor, word, ...) {kGliderRole##role, &InstructionWords::word},
-#define CHECK_WORD(role, sensor, word) {kGliderRole##role, &InstructionWords::word},
+#define CHECK_WORD(role, sensor, word, line) {kGliderRole##role, &InstructionWords::word},
 #include "hooks/protocol/instruction.def"
 };
+
+#define WORD(role, sensor, word, field, bytes, line) \
+  static_assert(kGliderRole##role - kGliderRoleHookSession == (line));
+#define CHECK_WORD(role, sensor, word, line) \
+  static_assert(kGliderRole##role - kGliderRoleHookSession == (line));
+#include "hooks/protocol/instruction.def"
 
 /// With its check value.
 InstructionWords wordsOf(const Instruction& instruction);

@@ -398,7 +398,7 @@ void FlightController::leaveOver(const Leftover& leftover) {
   const hooks::InstructionWords words = hooks::wordsOf(instruction);
   array_.set(Sensor::sci_hook_heartbeat, 1);
 #define WORD(role, sensor, word, ...) array_.set(Sensor::sensor, words.word);
-#define CHECK_WORD(role, sensor, word) array_.set(Sensor::sensor, words.word);
+#define CHECK_WORD(role, sensor, word, line) array_.set(Sensor::sensor, words.word);
 #include "hooks/protocol/instruction.def"
 }
 

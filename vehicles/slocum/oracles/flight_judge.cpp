@@ -25,7 +25,7 @@ std::string words(std::pair<double, double> number) {
   return fmt::format("instruction {} of session {}", number.second, number.first);
 }
 
-/// The instruction that was written, whatever its check value.
+/// The instruction that was written, with any check value.
 hooks::Instruction instructionIn(const hooks::InstructionWords& words) {
   hooks::Instruction instruction;
 #define WORD(role, sensor, word, field, ...) \
@@ -137,7 +137,7 @@ void FlightJudge::judgeObeyed(const CycleView& view) {
   decided_ = number;
   Words words_obeyed;
 #define WORD(role, sensor, word, ...) words_obeyed.word = view.array.get(Sensor::sensor);
-#define CHECK_WORD(role, sensor, word) words_obeyed.word = view.array.get(Sensor::sensor);
+#define CHECK_WORD(role, sensor, word, line) words_obeyed.word = view.array.get(Sensor::sensor);
 #include "hooks/protocol/instruction.def"
   ++verdict_.instructions;
   const auto found = said_.find(number);

@@ -37,7 +37,7 @@ hooks::HookbehInputs inputs(const Situation& s) {
   in.longitude_ddmm = s.longitude_ddmm;
   in.heartbeat = a.get(Sensor::sci_hook_heartbeat);
 #define WORD(role, sensor, word, ...) in.word = a.get(Sensor::sensor);
-#define CHECK_WORD(role, sensor, word) in.word = a.get(Sensor::sensor);
+#define CHECK_WORD(role, sensor, word, line) in.word = a.get(Sensor::sensor);
 #include "hooks/protocol/instruction.def"
   return in;
 }

@@ -97,7 +97,12 @@ RunsAnswer provenByTraces(const Requirement& requirement, const ProofContext& pr
 std::string whyUndecided(const Requirement& requirement, const RunsAnswer& answer,
                          const StrategyContext& context) {
   if (answer.bad != Answer::Yes) {
-    return fmt::format("no proof was found ({}), and no random flight violated it", answer.trouble);
+    return requirement.kind == RequirementKind::Reach
+               ? fmt::format("neither a flight that enters the state nor a proof that none does was "
+                             "found ({})",
+                             answer.trouble)
+               : fmt::format("no proof was found ({}), and no random flight violated it",
+                             answer.trouble);
   }
   const std::string what =
       knownRoughly(context.mission, relevanceOf(requirement, context.proof.proof_context));

@@ -8,7 +8,7 @@
 #include "compiler/user_code.h"
 #include "ir/verify/link_bytes.h"
 #include "runtime/checkpoint/checkpoint.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/target.h"
 
 #include <fmt/format.h>
 
@@ -22,7 +22,6 @@ namespace {
 
 using report::Budget;
 using report::Quantity;
-using support::DiagnosticId;
 using support::Result;
 
 std::optional<uint64_t> limitOf(uint64_t value) {
@@ -48,7 +47,7 @@ Budget linesBudget(const compiler::Optimised& mission, support::DiagnosticEngine
         slow + "one instruction and the heartbeat"}}};
   for (const Quantity& quantity : budget.quantities) {
     if (exceeds(quantity)) {
-      diagnostics.report(DiagnosticId::lineOverloaded, {}, *quantity.value,
+      diagnostics.report(support::diagnostics::lineOverloaded, {}, *quantity.value,
                          quantity.remark.starts_with(slow) ? 9600 : 115200, *quantity.limit);
     }
   }
@@ -123,7 +122,7 @@ Result<Budget> budgetOn(const std::string& target, const compiler::Optimised& mi
   }
   code->addTo(options);
   const auto measured = codegen::measureBudget(mission.input(), *board, options);
-  if (!measured && measured.error().id == DiagnosticId::unboundSymbol) {
+  if (!measured && measured.error().id == support::diagnostics::unboundSymbol) {
     return unmeasured(*board, measured.error().message);
   }
   if (!measured) {
@@ -134,7 +133,7 @@ Result<Budget> budgetOn(const std::string& target, const compiler::Optimised& mi
     if (exceeds(quantity)) {
       const std::string what =
           quantity.unit == "bytes" ? "bytes of " + quantity.name : "instructions a tick";
-      diagnostics.report(DiagnosticId::boardOverloaded, {}, *quantity.value, what, target,
+      diagnostics.report(support::diagnostics::boardOverloaded, {}, *quantity.value, what, target,
                          *quantity.limit);
     }
   }

@@ -7,7 +7,7 @@
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/context/requirement_monitor.h"
 #include "simulator/replay/replay.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,6 @@
 namespace glider::analysis {
 namespace {
 
-using support::DiagnosticId;
 using support::Result;
 
 /// Columns of the trace that hold what the mission's sensors report.
@@ -99,7 +98,7 @@ class Replay {
   }
 
   std::unexpected<support::Failure> differs(const std::string& how) const {
-    return support::fail(DiagnosticId::replayDiffers, how);
+    return support::fail(support::diagnostics::replayDiffers, how);
   }
 
   Result<void> compare(const simulator::ReplayAnswer& answer, const ir::TickResult& expected,
@@ -140,7 +139,7 @@ Result<void> checkTrace(const support::Trace& trace, const std::string& name,
                         const compiler::Checked& checked) {
   const ir::Mission& mission = checked.mission();
   auto refuse = [&](const std::string& why) {
-    return support::fail(DiagnosticId::traceNotOfMission, name, why);
+    return support::fail(support::diagnostics::traceNotOfMission, name, why);
   };
   if (!trace.requirement) {
     return refuse("it records a flight and violates no requirement");

@@ -4,15 +4,13 @@
 #include "analysis/start_place.h"
 
 #include "ir/core/inside.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace glider::analysis {
-
-using support::DiagnosticId;
 
 void checkStart(const compiler::Checked& mission, const StartPlace& start,
                 support::DiagnosticEngine& diagnostics) {
@@ -21,7 +19,7 @@ void checkStart(const compiler::Checked& mission, const StartPlace& start,
       std::ranges::find(all, ir::AssumptionKind::StartInside, &ir::Assumption::kind);
   if (assumed != all.end() &&
       !ir::isInside(assumed->area, {start.at.latitude, start.at.longitude})) {
-    diagnostics.report(DiagnosticId::startUnassumed, assumed->range, start.name,
+    diagnostics.report(support::diagnostics::startUnassumed, assumed->range, start.name,
                        fmt::format("at {:.4f}, {:.4f}", start.at.latitude, start.at.longitude),
                        "`" + assumed->words + "`");
   }

@@ -10,7 +10,7 @@
 #include "flights/sbc_choice.h"
 #include "report/warnings.h"
 #include "simulator/simulator.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
@@ -30,7 +30,7 @@ void reportMasked(const support::Trace& trace, const std::string& hint,
   const auto masked =
       std::ranges::find(trace.events, support::EventId::CommandsMasked, &support::TraceEvent::id);
   if (masked != trace.events.end()) {
-    diagnostics.report(support::DiagnosticId::commandsMasked, {},
+    diagnostics.report(support::diagnostics::commandsMasked, {},
                        fmt::format("at {:.0f} s of a flight another behaviour replaced {}",
                                    masked->time_s, std::get<std::string>(masked->values.at(0))),
                        hint);
@@ -40,7 +40,7 @@ void reportMasked(const support::Trace& trace, const std::string& hint,
 bool saysMasked(const support::DiagnosticEngine& diagnostics) {
   const auto all = diagnostics.sorted();
   return std::ranges::any_of(all, [](const support::Diagnostic& one) {
-    return one.id == support::DiagnosticId::commandsMasked;
+    return one.id == support::diagnostics::commandsMasked;
   });
 }
 

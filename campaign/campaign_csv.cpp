@@ -5,7 +5,7 @@
 
 #include "campaign/campaign_table.h"
 #include "support/csv.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 
 #include <fmt/format.h>
@@ -20,7 +20,6 @@
 namespace glider::campaign {
 
 using simulator::Verdict;
-using support::DiagnosticId;
 
 namespace {
 
@@ -102,7 +101,7 @@ void parseNumbers(const std::string& field, size_t from, Verdict& verdict) {
 
 std::unexpected<support::Failure> refuse(const std::string& file, const std::string& why,
                                          const std::string& hint) {
-  return support::fail(DiagnosticId::campaignNotResumed, file, why, hint);
+  return support::fail(support::diagnostics::campaignNotResumed, file, why, hint);
 }
 
 }  // namespace

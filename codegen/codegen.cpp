@@ -3,7 +3,7 @@
 
 #include "codegen/codegen.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/target.h"
 #include "support/files.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ Result<Function*> findPart(Function* Backend::* part, const Board& board) {
       return backend->*part;
     }
   }
-  return support::fail(support::DiagnosticId::unsupportedMachine, board.name, board.triple,
+  return support::fail(support::diagnostics::unsupportedMachine, board.name, board.triple,
                        board.cpu);
 }
 

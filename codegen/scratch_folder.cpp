@@ -3,7 +3,7 @@
 
 #include "codegen/scratch_folder.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -19,7 +19,7 @@ support::Result<ScratchFolder> ScratchFolder::make() {
   const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
   std::string name = (parent / "glidercc-XXXXXX").string();
   if (error || ::mkdtemp(name.data()) == nullptr) {
-    return support::fail(support::DiagnosticId::cannotWrite, name,
+    return support::fail(support::diagnostics::cannotWrite, name,
                          error ? error.message() : std::strerror(errno));
   }
   return ScratchFolder(name);
@@ -35,7 +35,7 @@ support::Result<std::filesystem::path> ScratchFolder::write(const std::string& n
       stream != nullptr && std::fwrite(content.data(), 1, content.size(), stream) == content.size();
   written = (stream == nullptr || std::fclose(stream) == 0) && written;
   if (!written) {
-    return support::fail(support::DiagnosticId::cannotWrite, file.string(), std::strerror(errno));
+    return support::fail(support::diagnostics::cannotWrite, file.string(), std::strerror(errno));
   }
   return file;
 }

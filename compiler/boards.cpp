@@ -4,7 +4,7 @@
 #include "compiler/boards.h"
 
 #include "compiler/share.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/target.h"
 
 #include <fmt/ranges.h>
 
@@ -32,7 +32,7 @@ std::filesystem::path boardDirectory(const std::string& target) {
 support::Result<platforms::Board> loadTarget(const std::string& name) {
   const std::vector<std::string> names = targetNames();
   if (std::ranges::find(names, name) == names.end()) {
-    return support::fail(support::DiagnosticId::unknownTarget, name, fmt::join(names, ", "));
+    return support::fail(support::diagnostics::unknownTarget, name, fmt::join(names, ", "));
   }
   return platforms::loadBoard(boardDirectory(name) / "board.toml");
 }

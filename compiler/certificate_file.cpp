@@ -5,7 +5,7 @@
 
 #include "codegen/digest.h"
 #include "compiler/proving.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/one_line.h"
 
 #include <fmt/format.h>
@@ -181,7 +181,7 @@ Result<Certificate> certificateFromJson(const std::string& text, const std::stri
     return std::unexpected(subject.error());
   }
   const auto wrong = [&](const std::string& what) {
-    return support::fail(support::DiagnosticId::noCertificate, name, what);
+    return support::fail(support::diagnostics::noCertificate, name, what);
   };
   const json in = json::parse(text, nullptr, false);
   if (in.is_discarded()) {

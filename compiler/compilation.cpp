@@ -11,7 +11,7 @@
 #include "ir/text/read.h"
 #include "ir/verify/verify.h"
 #include "platforms/load/load_platform.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ Result<std::optional<platforms::Platform>> choosePlatform(const ast::File& missi
   const support::SourceRange range = platformRange(mission);
   std::error_code ignored;
   if (range.valid() && !std::filesystem::exists(file, ignored)) {
-    diagnostics.report(support::DiagnosticId::unknownPlatform, range, name);
+    diagnostics.report(support::diagnostics::unknownPlatform, range, name);
     return std::nullopt;
   }
   auto platform = platforms::loadPlatform(file);

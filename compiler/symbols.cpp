@@ -6,7 +6,7 @@
 #include "compiler/share.h"
 #include "frontend/import/imports.h"
 #include "platforms/load/load_platform.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 
 #include <filesystem>
@@ -64,7 +64,7 @@ Symbols namesOf(const Parsed& parsed, std::shared_ptr<const support::SourceManag
 Result<Symbols> symbolsOf(const Compilation& compilation) {
   const std::string& path = compilation.sources->name(kMission);
   if (std::filesystem::path(path).extension() == ".ir") {
-    return support::fail(support::DiagnosticId::noSyntaxTree, path);
+    return support::fail(support::diagnostics::noSyntaxTree, path);
   }
   if (compilation.parsed) {
     return namesOf(*compilation.parsed, compilation.sources);

@@ -6,7 +6,7 @@
 #include "compiler/compilation.h"
 #include "compiler/share.h"
 #include "platforms/load/load_platform.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 
 #include <fmt/ranges.h>
 
@@ -27,7 +27,7 @@ support::Result<platforms::Platform> loadVehicle(const std::string& name) {
   if (names.contains(name) || names.empty()) {
     return platforms::loadPlatform(platformFile(name));
   }
-  auto failure = support::fail(support::DiagnosticId::unknownPlatform, name);
+  auto failure = support::fail(support::diagnostics::unknownPlatform, name);
   failure.error().hint = fmt::format("the platforms are: {}", fmt::join(names, ", "));
   return failure;
 }

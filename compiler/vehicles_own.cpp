@@ -3,7 +3,7 @@
 
 #include "compiler/vehicles_own.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ std::string endingOf(const std::filesystem::path& file) {
 
 support::Result<void> refuse(const std::filesystem::path& file, const char* what,
                              const std::string& hint) {
-  return support::fail(support::DiagnosticId::notThisLanguage, file.string(), what, hint);
+  return support::fail(support::diagnostics::notThisLanguage, file.string(), what, hint);
 }
 
 }  // namespace

@@ -13,7 +13,8 @@
 #include "driver/output/print_pdf.h"
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 #include "vehicles/vehicle.h"
 
@@ -41,7 +42,7 @@ struct BriefOptions {
 bool hasOtherErrors(const report::CheckedMission& found) {
   return std::ranges::any_of(found.diagnostics, [](const support::Diagnostic& one) {
     return one.severity == support::Severity::Error &&
-           one.id != support::DiagnosticId::requirementBroken;
+           one.id != support::diagnostics::requirementBroken;
   });
 }
 
@@ -106,7 +107,7 @@ int brief(BriefOptions options) {
     options.output = builtName(options.mission, "brief", ".html");
   }
   if (const std::string* input = overwritten(options)) {
-    return reportFailure(support::fail(support::DiagnosticId::outputIsInput, *input).error());
+    return reportFailure(support::fail(support::diagnostics::outputIsInput, *input).error());
   }
   options.check.report = true;
   options.check.targets = options.target == kUsualTarget ? analysis::boardsInTheVehicle()

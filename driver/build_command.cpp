@@ -14,7 +14,7 @@
 #include "driver/terminal.h"
 #include "frontend/ast/print.h"
 #include "ir/text/print.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>
@@ -107,7 +107,7 @@ const codegen::Product& chosenProduct(const BuildOptions& options, const platfor
 support::Result<std::string> printSyntaxTree(const BuildOptions& options,
                                              const compiler::Compilation& compilation) {
   return compilation.parsed ? support::Result<std::string>(ast::print(compilation.parsed->mission))
-                            : support::fail(support::DiagnosticId::noSyntaxTree, options.mission);
+                            : support::fail(support::diagnostics::noSyntaxTree, options.mission);
 }
 
 support::Result<void> writeText(const BuildOptions& options,
@@ -209,7 +209,7 @@ int build(BuildOptions options) {
   }
   if (overwritesInput(options, product)) {
     return reportFailure(
-        support::fail(support::DiagnosticId::outputIsInput, options.output).error());
+        support::fail(support::diagnostics::outputIsInput, options.output).error());
   }
   const auto written = write(product, options, *board, compilation);
   return !written              ? reportFailure(written.error())

@@ -11,7 +11,7 @@
 #include "driver/shared_options.h"
 #include "driver/slocum/against_logs.h"
 #include "driver/terminal.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 #include "vehicles/vehicle.h"
 
@@ -317,7 +317,7 @@ int check(CommandOptions& options) {
     return kWorldFailed;
   }
   if (const std::string* input = overwritten(options)) {
-    return reportFailure(support::fail(support::DiagnosticId::outputIsInput, *input).error());
+    return reportFailure(support::fail(support::diagnostics::outputIsInput, *input).error());
   }
   return options.format == Format::Text ? checkForPeople(options) : checkForMachines(options);
 }

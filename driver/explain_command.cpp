@@ -6,8 +6,8 @@
 #include "driver/output/explain_page.h"
 #include "driver/terminal.h"
 #include "frontend/spelling.h"
-#include "support/diagnostics/catalogue.h"
 #include "support/diagnostics/diagnostic.h"
+#include "support/diagnostics/ids/world.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -24,7 +24,6 @@ namespace glider::driver {
 namespace {
 
 using support::CatalogueRow;
-using support::DiagnosticId;
 using support::Result;
 
 /// The number in "GL2003", "gl2003" or "2003"; -1 if `word` is not one.
@@ -63,7 +62,7 @@ Result<std::string> pageFor(const std::string& word) {
   });
   if (row == support::catalogue().end()) {
     constexpr size_t kLongestShown = 60;  // for longer words the nearest name does not help
-    return support::fail(DiagnosticId::unknownDiagnostic, word.substr(0, kLongestShown),
+    return support::fail(support::diagnostics::unknownDiagnostic, word.substr(0, kLongestShown),
                          nearest(word.substr(0, kLongestShown)));
   }
   return explainPage(row->id);

@@ -9,8 +9,8 @@
 #include "driver/output/rewrite.h"
 #include "driver/terminal.h"
 #include "frontend/constructs.h"
-#include "support/diagnostics/catalogue.h"
 #include "support/diagnostics/fixes.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>
@@ -77,7 +77,7 @@ int fix(const std::string& path, bool dry_run) {
     return reportFailure(fixing.error());
   }
   if (fixing->refused && fixing->rounds.empty()) {
-    reportFailure(support::fail(support::DiagnosticId::fixesNotKept, path).error());
+    reportFailure(support::fail(support::diagnostics::fixesNotKept, path).error());
     return kMissionHasErrors;
   }
   const auto done = put(path, *text, *fixing, dry_run);

@@ -8,7 +8,7 @@
 #include "driver/exit_code.h"
 #include "driver/terminal.h"
 #include "ir/verify/promela.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>
@@ -79,7 +79,7 @@ bool overwritesMission(const std::string& output, const std::string& mission) {
 support::Result<void> put(const GraphOptions& options, const compiler::Compilation& compilation) {
   const std::string output = options.output.empty() ? outputName(options) : options.output;
   if (overwritesMission(output, options.mission)) {
-    return support::fail(support::DiagnosticId::outputIsInput, options.mission);
+    return support::fail(support::diagnostics::outputIsInput, options.mission);
   }
   // Nothing can be proved about a mission with errors; its known structure is drawn.
   const DeadCases dead = compilation.checked && options.format != GraphFormat::Promela

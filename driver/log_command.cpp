@@ -7,7 +7,8 @@
 #include "driver/slocum/data_log.h"
 #include "driver/terminal.h"
 #include "logs/render.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>
@@ -20,7 +21,6 @@
 namespace glider::driver {
 namespace {
 
-using support::DiagnosticId;
 using support::Result;
 
 using LogOptions = DataLogOptions;
@@ -61,7 +61,7 @@ int showMissionLog(const std::string& file, const LogOptions& options) {
     if (const std::string older = file + ".old"; std::filesystem::exists(older, ignored)) {
       why += "; earlier records are in `" + older + "`";
     }
-    return reportFailure(support::fail(DiagnosticId::noLog, file, why).error());
+    return reportFailure(support::fail(support::diagnostics::noLog, file, why).error());
   }
   if (const auto written = write(options, text); !written) {
     return reportFailure(written.error());
@@ -96,14 +96,14 @@ bool isForDataFiles(const LogOptions& options) {
 
 int log(const LogOptions& options) {
   if (const std::string input = overwrittenInput(options); !input.empty()) {
-    return reportFailure(support::fail(DiagnosticId::outputIsInput, input).error());
+    return reportFailure(support::fail(support::diagnostics::outputIsInput, input).error());
   }
   if (areDataFiles(options.files)) {
     return showDataFiles(options);
   }
   const std::string& file = options.files[0];
   if (isForDataFiles(options)) {
-    return reportFailure(support::fail(DiagnosticId::notDataFile, file,
+    return reportFailure(support::fail(support::diagnostics::notDataFile, file,
                                        "only `--csv` can be used with the log of a mission; all "
                                        "other options are for data files")
                              .error());

@@ -4,7 +4,7 @@
 #include "driver/terminal.h"
 
 #include "driver/exit_code.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/diagnostics/render.h"
 
 #include <fmt/format.h>
@@ -74,7 +74,7 @@ support::Result<void> printOut(std::string_view text) {
   const bool written =
       std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
   if (!written) {
-    return support::fail(support::DiagnosticId::cannotWrite, "standard output",
+    return support::fail(support::diagnostics::cannotWrite, "standard output",
                          std::strerror(errno));
   }
   return {};

@@ -5,7 +5,7 @@
 
 #include "flights/explain_guard.h"
 #include "simulator/sensors/provided.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ namespace {
 void reportUnsimulated(const compiler::Optimised& mission, support::DiagnosticEngine& diagnostics) {
   for (const ir::Sensor& used : mission.mission.sensors) {
     if (used.symbol.empty() && !simulator::isProvided(used.vehicle_name)) {
-      diagnostics.report(support::DiagnosticId::sensorNotSimulated, {}, mission.platform().name,
+      diagnostics.report(support::diagnostics::sensorNotSimulated, {}, mission.platform().name,
                          used.vehicle_name);
     }
   }
@@ -31,7 +31,7 @@ void reportMissingSensors(const compiler::Optimised& mission, const simulator::S
       return used.symbol.empty() && used.vehicle_name == sensor.name;
     });
     if (read) {
-      diagnostics.report(support::DiagnosticId::sensorNotCarried, {}, scenario.name, sensor.name,
+      diagnostics.report(support::diagnostics::sensorNotCarried, {}, scenario.name, sensor.name,
                          sensor.setting);
     }
   }

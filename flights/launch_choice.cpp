@@ -10,7 +10,7 @@
 #include "frontend/bare_positions.h"
 #include "ir/eval/interpreter.h"
 #include "runtime/launch/launch.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 
 #include <fmt/format.h>
@@ -20,8 +20,6 @@
 #include <string_view>
 
 namespace glider::flights {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -81,7 +79,9 @@ support::Result<std::vector<double>> chooseParameters(const ir::Mission& mission
   auto piece = [](const std::string& text) {
     return runtime::Piece{text.data(), text.data() + text.size()};
   };
-  auto refused = [&] { return support::fail(DiagnosticId::badParameter, launch.problem()); };
+  auto refused = [&] {
+    return support::fail(support::diagnostics::badParameter, launch.problem());
+  };
   Given given;
   if (!choice.file.empty()) {
     const auto content = support::readFile(choice.file);
@@ -106,7 +106,7 @@ support::Result<std::vector<double>> chooseParameters(const ir::Mission& mission
     return refused();
   }
   if (const std::string why = longitudeFirst(table, values.data(), given); !why.empty()) {
-    return support::fail(DiagnosticId::badParameter, why);
+    return support::fail(support::diagnostics::badParameter, why);
   }
   return values;
 }

@@ -6,7 +6,7 @@
 #include "flights/broken_assumption.h"
 #include "flights/flight_setup.h"
 #include "flights/known_flight.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 #include "support/one_line.h"
 
 #include <fmt/format.h>
@@ -164,16 +164,16 @@ void reportViolations(const RequirementWatch& watch, const support::Trace& trace
   const ir::Mission& m = watch.mission();
   for (const FlownViolation& found : watch.violations(trace)) {
     const bool assumption = found.number >= m.requirements.size();
-    diagnostics.report(assumption ? support::DiagnosticId::assumptionFlown
-                                  : support::DiagnosticId::requirementFlown,
-                       assumption ? m.assumptions[found.number - m.requirements.size()].range
-                                  : m.requirements[found.number].range,
-                       fmt::format("at mission time {:.6g} s, in state `{}`{}{}{}{}",
-                                   found.mission_time, found.state, found.words.empty() ? "" : ", ",
-                                   found.words, found.after.empty() ? "" : "; ", found.after));
+    diagnostics.report(
+        assumption ? support::diagnostics::assumptionFlown : support::diagnostics::requirementFlown,
+        assumption ? m.assumptions[found.number - m.requirements.size()].range
+                   : m.requirements[found.number].range,
+        fmt::format("at mission time {:.6g} s, in state `{}`{}{}{}{}", found.mission_time,
+                    found.state, found.words.empty() ? "" : ", ", found.words,
+                    found.after.empty() ? "" : "; ", found.after));
   }
   if (const auto at = watch.departed()) {
-    diagnostics.report(support::DiagnosticId::watchEnded, {}, fmt::format("{:.0f} s", *at));
+    diagnostics.report(support::diagnostics::watchEnded, {}, fmt::format("{:.0f} s", *at));
   }
 }
 

@@ -6,7 +6,7 @@
 #include "compiler/share.h"
 #include "simulator/family/family.h"
 #include "simulator/simulator.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -36,7 +36,7 @@ support::Result<std::filesystem::path> scenarioPath(const std::string& wanted) {
   }
   const auto names = scenarioNames();
   if (std::ranges::find(names, wanted) == names.end()) {
-    return support::fail(support::DiagnosticId::unknownScenario, wanted,
+    return support::fail(support::diagnostics::unknownScenario, wanted,
                          fmt::to_string(fmt::join(names, ", ")));
   }
   return compiler::shareDirectory() / "scenarios" / (wanted + ".toml");

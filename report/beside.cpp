@@ -4,7 +4,7 @@
 #include "report/beside.h"
 
 #include "report/figures.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/trace/submersions.h"
 
 #include <fmt/format.h>
@@ -74,7 +74,7 @@ support::Result<double> shiftBeside(const Trace& log, const Trace& flight,
   const auto logged = firstDive(log), flown = firstDive(flight);
   if (!logged || !flown) {
     return support::fail(
-        support::DiagnosticId::noDiveToAlign, name,
+        support::diagnostics::noDiveToAlign, name,
         fmt::format("the {} never goes below {:.0f} m", flown ? "vehicle" : "simulated flight",
                     support::kSurfaceDepth));
   }

@@ -4,7 +4,7 @@
 #include "report/report.h"
 
 #include "report/page.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 
 namespace glider::report {
@@ -13,7 +13,7 @@ support::Result<void> writeReport(const support::Trace& trace, const std::filesy
                                   const std::vector<support::Diagnostic>& reported) {
   auto written = support::writeFileAtomically(path, renderPage(trace, reported));
   if (!written) {
-    return support::fail(support::DiagnosticId::reportNotWritten, written.error().message);
+    return support::fail(support::diagnostics::reportNotWritten, written.error().message);
   }
   return {};
 }

@@ -5,7 +5,8 @@
 
 #include "report/figures.h"
 #include "report/text.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/utc.h"
 
 #include <fmt/format.h>
@@ -148,7 +149,6 @@ std::optional<LastRow> lastRowOf(const Trace& trace) {
 
 /// Reports a flight that ended on the bottom, or whose abort did not bring the vehicle up.
 void reportEnd(const Trace& trace, support::DiagnosticEngine& diagnostics) {
-  using support::DiagnosticId;
   constexpr double kTouches = 0.5, kAfloat = 1;  // m
   const auto last = lastRowOf(trace);
   if (!last || !(last->depth_m > kAfloat)) {
@@ -156,10 +156,11 @@ void reportEnd(const Trace& trace, support::DiagnosticEngine& diagnostics) {
   }
   const EventMention abort = tell(trace, EventId::Aborts);
   if (last->clearance_m < kTouches) {
-    diagnostics.report(DiagnosticId::endedOnBottom, {}, fmt::format("{:.0f}", last->depth_m),
+    diagnostics.report(support::diagnostics::endedOnBottom, {},
+                       fmt::format("{:.0f}", last->depth_m),
                        abort.first != nullptr ? ", after the mission was aborted" : "");
   } else if (abort.first != nullptr) {
-    diagnostics.report(DiagnosticId::notUpAfterAbort, {}, abort.at,
+    diagnostics.report(support::diagnostics::notUpAfterAbort, {}, abort.at,
                        fmt::format("{:.0f}", last->depth_m));
   }
 }
@@ -189,9 +190,8 @@ size_t refusedInstructions(const Trace& trace) {
 }
 
 void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics) {
-  using support::DiagnosticId;
   if (wasNeverInControl(trace)) {
-    diagnostics.report(DiagnosticId::neverInControl, {},
+    diagnostics.report(support::diagnostics::neverInControl, {},
                        spokeTheProtocol(trace)
                            ? "see the events for how far the SBC and the vehicle got"
                            : "the SBC never used this version of the hook protocol: check that the "
@@ -199,22 +199,22 @@ void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics) {
   }
   if (const EventMention told = tell(trace, EventId::Aborts); told.first != nullptr) {
     const std::string why = told.first->why.empty() ? "" : ", " + plain(told.first->why);
-    diagnostics.report(DiagnosticId::flightAborted, {}, told.at,
+    diagnostics.report(support::diagnostics::flightAborted, {}, told.at,
                        plain(told.first->what) + why + told.more);
   }
   reportEnd(trace, diagnostics);
   if (const EventMention told = tell(trace, EventId::TouchesBottom); told.first != nullptr) {
-    diagnostics.report(DiagnosticId::bottomTouched, {}, told.at,
+    diagnostics.report(support::diagnostics::bottomTouched, {}, told.at,
                        plain(told.first->why) + told.more);
   }
   if (const EventMention told = tell(trace, EventId::InstructionRefused); told.first != nullptr) {
-    diagnostics.report(DiagnosticId::commandRefused, {}, told.at,
+    diagnostics.report(support::diagnostics::commandRefused, {}, told.at,
                        plain(textOf(*told.first, 1)) + told.more);
   }
   if (const EventMention told = tell(trace, EventId::GuardClimbs); told.first != nullptr) {
     const double depth_m = std::get<double>(told.first->values.at(1));
     diagnostics.report(
-        DiagnosticId::guardIntervened, {}, told.at,
+        support::diagnostics::guardIntervened, {}, told.at,
         fmt::format("{} (m_depth {:.1f} m){}", plain(textOf(*told.first, 0)), depth_m, told.more));
   }
 }
@@ -225,7 +225,7 @@ void reportRestless(const Trace& trace, const std::string& hint,
   constexpr size_t kMany = 20;
   if (const auto from = restlessFrom(trace, kMany, kShort_s)) {
     diagnostics.report(
-        support::DiagnosticId::flightUnusual, {},
+        support::diagnostics::flightUnusual, {},
         fmt::format("from {} on the mission changed its state {} times within {:.0f} min",
                     timeText(trace, *from), kMany, kShort_s / 60),
         hint);
@@ -234,18 +234,17 @@ void reportRestless(const Trace& trace, const std::string& hint,
 
 void reportUnusual(const Trace& trace, const std::string& hint,
                    support::DiagnosticEngine& diagnostics) {
-  using support::DiagnosticId;
   constexpr double kSoon_s = 60;
   if (wasCutShort(trace)) {
     diagnostics.report(
-        DiagnosticId::flightUnusual, {},
+        support::diagnostics::flightUnusual, {},
         "the mission had not ended when the simulated time was up" + neverVisited(trace), hint);
   }
   const auto control = controlOf(trace);
   const auto end = endOf(trace);
   if (control && end && *end - *control < kSoon_s) {
     diagnostics.report(
-        DiagnosticId::flightUnusual, {},
+        support::diagnostics::flightUnusual, {},
         fmt::format("the mission ended {:.0f} s after it had taken control", *end - *control),
         hint);
   }

@@ -5,7 +5,7 @@
 #include "simulator/family/family.h"
 #include "simulator/simulator.h"
 #include "simulator/vehicle/vehicle_model.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 
 #include <fmt/format.h>
 
@@ -18,11 +18,11 @@ namespace {
 support::Result<void> checkMotion(const platforms::Platform& platform) {
   const std::string file = fmt::format("platform `{}`", platform.name);
   if (!platform.motion) {
-    return support::fail(support::DiagnosticId::badDataFile, file,
+    return support::fail(support::diagnostics::badDataFile, file,
                          "the simulator cannot fly this vehicle: its file has no [motion]");
   }
   if (!isModel(platform.motion->model)) {
-    return support::fail(support::DiagnosticId::badDataFile, file,
+    return support::fail(support::diagnostics::badDataFile, file,
                          fmt::format("the simulator cannot fly this vehicle: it has no model `{}`, "
                                      "only `glider`",
                                      platform.motion->model));
@@ -39,13 +39,13 @@ support::Result<void> checkPlatform(const platforms::Platform& platform) {
   const Family* family = familyOf(platform);
   if (family == nullptr) {
     return support::fail(
-        support::DiagnosticId::badDataFile, fmt::format("platform `{}`", platform.name),
+        support::diagnostics::badDataFile, fmt::format("platform `{}`", platform.name),
         fmt::format("the simulator cannot fly this vehicle: its file names no `family` that it "
                     "knows, {}",
                     knownFamilies()));
   }
   if (const auto missing = family->missing_sensor(platform); !missing.empty()) {
-    return support::fail(support::DiagnosticId::platformLacksSensor, platform.name, missing);
+    return support::fail(support::diagnostics::platformLacksSensor, platform.name, missing);
   }
   return checkMotion(platform);
 }

@@ -5,7 +5,7 @@
 
 #include "simulator/family/family.h"
 #include "simulator/sensors/noise.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ support::Result<void> numberSensors(const platforms::Platform& platform, Faults&
   for (SensorFault& fault : faults.sensors) {
     const platforms::PlatformSensor* sensor = platform.find(fault.name);
     if (sensor == nullptr) {
-      return support::fail(support::DiagnosticId::platformLacksSensor, platform.name, fault.name);
+      return support::fail(support::diagnostics::platformLacksSensor, platform.name, fault.name);
     }
     fault.id = sensor->id;
   }

@@ -3,7 +3,7 @@
 
 #include "support/files.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 
 #include <fmt/format.h>
 
@@ -90,7 +90,7 @@ Result<void> writeSpecial(const std::filesystem::path& path, std::string_view co
   // Appends: a regular file behind the name may contain earlier output.
   Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
   if (file.get() < 0 || !writeAll(file.get(), content) || file.close() != 0) {
-    return fail(DiagnosticId::cannotWrite, path.string(), std::strerror(errno));
+    return fail(support::diagnostics::cannotWrite, path.string(), std::strerror(errno));
   }
   return {};
 }
@@ -99,7 +99,7 @@ Result<void> writeSpecial(const std::filesystem::path& path, std::string_view co
 
 Result<std::string> readFile(const std::filesystem::path& path, size_t largest) {
   auto failed = [&](const std::string& why) {
-    return fail(DiagnosticId::cannotRead, path.string(), why);
+    return fail(support::diagnostics::cannotRead, path.string(), why);
   };
   Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0) {
@@ -141,7 +141,7 @@ Result<StagedFile> StagedFile::write(const std::filesystem::path& path, std::str
   StagedFile staged;
   staged.path_ = followLinks(path);
   auto failed = [&] {
-    return fail(DiagnosticId::cannotWrite, path.string(), std::strerror(errno));
+    return fail(support::diagnostics::cannotWrite, path.string(), std::strerror(errno));
   };
   if (std::filesystem::is_symlink(staged.path_)) {
     errno = ELOOP;
@@ -165,7 +165,7 @@ Result<StagedFile> StagedFile::write(const std::filesystem::path& path, std::str
 
 Result<void> StagedFile::publish() {
   if (::rename(temporary_.c_str(), path_.c_str()) != 0) {
-    return fail(DiagnosticId::cannotWrite, path_.string(), std::strerror(errno));
+    return fail(support::diagnostics::cannotWrite, path_.string(), std::strerror(errno));
   }
   temporary_.clear();
   return {};

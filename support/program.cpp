@@ -3,7 +3,7 @@
 
 #include "support/program.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 
 #include <array>
 #include <cerrno>
@@ -101,7 +101,7 @@ Result<ProgramOutput> runProgram(const std::vector<std::string>& command, std::s
   const pid_t program =
       in && out ? startProgram(command, ::fileno(in.get()), ::fileno(out.get())) : pid_t{-1};
   if (program < 0) {
-    return fail(DiagnosticId::programNotStarted, command.front(), std::strerror(errno));
+    return fail(support::diagnostics::programNotStarted, command.front(), std::strerror(errno));
   }
   const int code = exitCodeOf(program);
   return ProgramOutput{contentOf(out.get()), code};

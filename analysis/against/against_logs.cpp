@@ -8,7 +8,7 @@
 #include "analysis/against/log_ticks.h"
 #include "ir/eval/arithmetic.h"
 #include "report/picture/picture.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 
 #include <fmt/format.h>
 
@@ -136,7 +136,7 @@ support::Result<AgainstLogs> runAgainstLogs(const compiler::Checked& checked,
   AgainstLogs out;
   out.vehicle = files.at(0).vehicle;
   if (log.ticks.empty()) {
-    return support::fail(support::DiagnosticId::logWithoutTimes, out.vehicle);
+    return support::fail(support::diagnostics::logWithoutTimes, out.vehicle);
   }
   for (const slocum::LogFile& file : files) {
     out.files.push_back(file.path.filename().string());

@@ -11,7 +11,7 @@
 #include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/abstract/surfacing.h"
 #include "ir/verify/value_text.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 #include "support/one_line.h"
 
 #include <fmt/format.h>
@@ -176,7 +176,7 @@ class BriefMaker {
   [[nodiscard]] report::BriefRequirement requirement(const report::JudgedRequirement& one) const {
     report::BriefRequirement told{support::onOneLine(one.text), one.verdict, {}};
     for (const support::Diagnostic& found : from_.found.diagnostics) {
-      if (found.id == support::DiagnosticId::requirementBroken && found.range == one.range) {
+      if (found.id == support::diagnostics::requirementBroken && found.range == one.range) {
         told.because.push_back(found.message);
         for (const support::DiagnosticNote& note : found.notes) {
           told.because.push_back(note.message);

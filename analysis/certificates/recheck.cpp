@@ -8,7 +8,7 @@
 #include "flights/launch_choice.h"
 #include "flights/sbc_choice.h"
 #include "ir/certify/obligations.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/program.h"
 
 #include <fmt/format.h>
@@ -38,12 +38,12 @@ Result<std::vector<std::string>> answersTo(const std::string& script) {
   std::vector<std::string> answers;
   for (std::string line; std::getline(in, line);) {
     if (line != "sat" && line != "unsat" && line != "unknown") {
-      return support::fail(support::DiagnosticId::solverFailed, kSolver, line);
+      return support::fail(support::diagnostics::solverFailed, kSolver, line);
     }
     answers.push_back(line);
   }
   if (output->exit_code != 0) {
-    return support::fail(support::DiagnosticId::solverFailed, kSolver,
+    return support::fail(support::diagnostics::solverFailed, kSolver,
                          fmt::format("exit code {}", output->exit_code));
   }
   return answers;
@@ -61,7 +61,7 @@ Result<std::string> check(const ir::certify::Script& script) {
   }
   if (answers->size() != script.obligations.size()) {
     return support::fail(
-        support::DiagnosticId::solverFailed, kSolver,
+        support::diagnostics::solverFailed, kSolver,
         fmt::format("{} answers to {} questions", answers->size(), script.obligations.size()));
   }
   for (size_t i = 0; i < answers->size(); ++i) {

@@ -5,7 +5,7 @@
 
 #include "campaign/workers/mpi/ranks_abi.h"
 #include "compiler/share.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 
 #include <fmt/format.h>
 
@@ -83,7 +83,7 @@ support::Result<std::unique_ptr<Ranks>> joinRanks(const Launch& launch) {
     return nullptr;
   }
   const auto refuse = [&](const std::string& why, const std::string& hint) {
-    return support::fail(support::DiagnosticId::ranksNotJoined, launch.size, why, hint);
+    return support::fail(support::diagnostics::ranksNotJoined, launch.size, why, hint);
   };
   const auto file = compiler::shareDirectory() / "mpi" / "ranks.so";
   if (!std::filesystem::exists(file)) {

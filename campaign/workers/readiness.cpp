@@ -5,7 +5,7 @@
 
 #include "campaign/workers/fields.h"
 #include "campaign/workers/host.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -62,7 +62,7 @@ std::vector<Readiness> awaitReadiness(Ranks& ranks) {
 support::Result<void> requireSame(const Readiness& own, const std::vector<Readiness>& others) {
   for (const Readiness& other : others) {
     const auto refuse = [&](const std::string& why, const std::string& hint) {
-      return support::fail(support::DiagnosticId::rankDiffers, other.rank, other.host, why, hint);
+      return support::fail(support::diagnostics::rankDiffers, other.rank, other.host, why, hint);
     };
     if (other.boards != own.boards) {
       return refuse(

@@ -10,14 +10,13 @@
 #include "codegen/llvm/program/compile.h"
 #include "codegen/llvm/program/emit.h"
 #include "codegen/llvm/program/optimise.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/target.h"
 #include "support/files.h"
 
 namespace glider::codegen {
 namespace {
 
 using platforms::Board;
-using support::DiagnosticId;
 using support::Result;
 
 /// The suffix of the file with an executable's symbols and line tables.
@@ -43,8 +42,8 @@ Result<std::string> emitAlone(const Input& input, const Board& board, const Code
 
 Result<void> checkSize(size_t bytes, const Board& board) {
   if (board.max_executable_bytes != 0 && bytes > board.max_executable_bytes) {
-    return support::fail(DiagnosticId::executableTooLarge, bytes, board.max_executable_bytes,
-                         board.name);
+    return support::fail(support::diagnostics::executableTooLarge, bytes,
+                         board.max_executable_bytes, board.name);
   }
   return {};
 }

@@ -4,15 +4,13 @@
 #include "codegen/load/loaded_mission.h"
 
 #include "codegen/scratch_folder.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 
 #include <fmt/format.h>
 
 #include <dlfcn.h>
 
 namespace glider::codegen {
-
-using support::DiagnosticId;
 
 void LoadedMission::Unloader::operator()(void* handle) const {
   ::dlclose(handle);
@@ -30,7 +28,7 @@ support::Result<LoadedMission> LoadedMission::load(std::string_view shared_objec
   LoadedMission loaded;
   loaded.handle_.reset(::dlopen(file->c_str(), RTLD_NOW | RTLD_LOCAL));
   if (!loaded.handle_) {
-    return support::fail(DiagnosticId::cannotLoadMission, ::dlerror());
+    return support::fail(support::diagnostics::cannotLoadMission, ::dlerror());
   }
   const char* missing = nullptr;
   auto find = [&]<typename Pointer>(const char* name, Pointer& pointer) {
@@ -44,7 +42,8 @@ support::Result<LoadedMission> LoadedMission::load(std::string_view shared_objec
 #include "runtime/abi/entry_points.def"
 #undef ENTRY_POINT
   if (missing != nullptr) {
-    return support::fail(DiagnosticId::cannotLoadMission, fmt::format("it has no `{}`", missing));
+    return support::fail(support::diagnostics::cannotLoadMission,
+                         fmt::format("it has no `{}`", missing));
   }
   return loaded;
 }

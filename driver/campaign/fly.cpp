@@ -7,7 +7,7 @@
 #include "driver/interruption.h"
 #include "driver/output/flight_files.h"
 #include "driver/terminal.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 
 #include <fmt/format.h>
@@ -40,7 +40,7 @@ class FlightsFile {
   /// way.
   support::Result<void> add(const std::string& text) {
     if (!name_.empty() && !(out_ << text << std::flush)) {
-      return support::fail(support::DiagnosticId::cannotWrite, name_, std::strerror(errno));
+      return support::fail(support::diagnostics::cannotWrite, name_, std::strerror(errno));
     }
     return {};
   }

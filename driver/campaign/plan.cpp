@@ -14,7 +14,7 @@
 #include "ir/prove/abstract/end_bound.h"
 #include "ir/prove/context/duration_text.h"
 #include "ir/text/print.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 
 #include <fmt/format.h>
 
@@ -118,7 +118,7 @@ support::Result<void> requireEnds(const campaign::CampaignPlan& plan, const std:
     }
     const auto longest = longestOf(mission);
     return support::fail(
-        support::DiagnosticId::scenarioTooShort, mission.file, durationOf(plan.scenario.duration_s),
+        support::diagnostics::scenarioTooShort, mission.file, durationOf(plan.scenario.duration_s),
         scenario, longest ? fmt::format(": it may last {}", durationOf(*longest)) : "",
         longest
             ? fmt::format("copy the scenario, and set `duration_s` in the copy to at least {:.0f}",

@@ -8,7 +8,7 @@
 #include "compiler/boards.h"
 #include "compiler/user_code.h"
 #include "driver/output/flight_folder.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/target.h"
 #include "support/files.h"
 
 #include <fmt/format.h>
@@ -54,7 +54,7 @@ support::Result<report::BriefHash> executableHash(const std::string& path,
   const std::string of = fmt::format("{}, as `glidercc build --target {}` writes it", name, target);
   const auto linked =
       codegen::linkExecutable(mission.input(), *board, how, folder->staging() / name);
-  if (!linked && linked.error().id == support::DiagnosticId::unboundSymbol) {
+  if (!linked && linked.error().id == support::diagnostics::unboundSymbol) {
     return report::BriefHash{of, "", linked.error().message + "; link it with `--link FILE`"};
   }
   if (!linked) {

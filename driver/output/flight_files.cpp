@@ -8,7 +8,7 @@
 #include "report/report.h"
 #include "report/warnings.h"
 #include "support/csv.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 
 #include <fmt/format.h>
@@ -46,7 +46,7 @@ support::Result<void> makeFolder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) {
-    return support::fail(support::DiagnosticId::cannotWrite, folder.string(), error.message());
+    return support::fail(support::diagnostics::cannotWrite, folder.string(), error.message());
   }
   return {};
 }

@@ -4,7 +4,7 @@
 #include "driver/output/flight_folder.h"
 
 #include "compiler/boards.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 
 #include <fmt/format.h>
@@ -27,7 +27,6 @@ namespace glider::driver {
 namespace {
 
 namespace fs = std::filesystem;
-using support::DiagnosticId;
 using support::Result;
 
 constexpr std::string_view kStagingEnd = ".partial";
@@ -79,7 +78,7 @@ Result<std::string> foreignIn(const fs::path& folder, FlightFolder::Use use) {
     }
   }
   if (error) {
-    return support::fail(DiagnosticId::cannotWrite, folder.string(), error.message());
+    return support::fail(support::diagnostics::cannotWrite, folder.string(), error.message());
   }
   return foreign.empty() ? "" : *foreign.begin();
 }
@@ -121,7 +120,7 @@ bool holdsWorkingFolder(const fs::path& target) {
 }
 
 Result<void> failed(const fs::path& path, const std::string& why) {
-  return support::fail(DiagnosticId::cannotWrite, path.string(), why);
+  return support::fail(support::diagnostics::cannotWrite, path.string(), why);
 }
 
 /// Checks that what is in the way at `whole` may be replaced. `target`: as the user named it.
@@ -130,7 +129,7 @@ Result<void> checkReplaceable(const fs::path& whole, const fs::path& target,
   const bool run = use == FlightFolder::Use::Run;
   const auto refuse = [&](const std::string& why) -> Result<void> {
     return run ? failed(target, why)
-               : support::fail(DiagnosticId::outputFolderInUse, target.string(), why);
+               : support::fail(support::diagnostics::outputFolderInUse, target.string(), why);
   };
   const auto foreign = foreignIn(whole, use);
   if (!foreign) {
@@ -153,7 +152,7 @@ Result<FlightFolder> FlightFolder::scratch() {
   std::error_code error;
   fs::path folder = fs::temp_directory_path(error) / fmt::format("glidercc-{}", ::getpid());
   if (error || !fs::create_directory(folder, error)) {
-    return support::fail(DiagnosticId::cannotWrite, folder.string(),
+    return support::fail(support::diagnostics::cannotWrite, folder.string(),
                          error ? error.message() : "it already exists");
   }
   return FlightFolder(folder, folder);
@@ -170,7 +169,7 @@ Result<FlightFolder> FlightFolder::open(const fs::path& target, Use use) {
     error = std::make_error_code(std::errc::not_a_directory);
   }
   if (error) {
-    return support::fail(DiagnosticId::cannotWrite, target.string(), error.message());
+    return support::fail(support::diagnostics::cannotWrite, target.string(), error.message());
   }
   if (fs::exists(whole, error)) {
     if (auto replaceable = checkReplaceable(whole, target, use); !replaceable) {
@@ -182,7 +181,7 @@ Result<FlightFolder> FlightFolder::open(const fs::path& target, Use use) {
                      fmt::format(".{}.{}{}", whole.filename().string(), ::getpid(), kStagingEnd);
   fs::remove_all(staging, error);
   if (!fs::create_directory(staging, error)) {
-    return support::fail(DiagnosticId::cannotWrite, target.string(), error.message());
+    return support::fail(support::diagnostics::cannotWrite, target.string(), error.message());
   }
   return FlightFolder(std::move(whole), std::move(staging));
 }

@@ -4,7 +4,7 @@
 #include "driver/output/print_pdf.h"
 
 #include "driver/output/flight_folder.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 #include "support/program.h"
 
@@ -31,7 +31,7 @@ constexpr std::chrono::seconds kLongest{60};
 constexpr std::chrono::milliseconds kPoll{20};
 
 std::unexpected<support::Failure> notPrinted(const std::string& why) {
-  return support::fail(support::DiagnosticId::pdfNotPrinted, why);
+  return support::fail(support::diagnostics::pdfNotPrinted, why);
 }
 
 /// The first browser that is in PATH; empty: none.

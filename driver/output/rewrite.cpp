@@ -3,7 +3,7 @@
 
 #include "driver/output/rewrite.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 
 #include <system_error>
@@ -16,7 +16,7 @@ support::Result<void> rewriteFile(const std::filesystem::path& path, std::string
   const fs::path real = fs::canonical(path, error);
   const fs::perms permissions = error ? fs::perms::unknown : fs::status(real, error).permissions();
   if (error) {
-    return support::fail(support::DiagnosticId::cannotWrite, path.string(), error.message());
+    return support::fail(support::diagnostics::cannotWrite, path.string(), error.message());
   }
   auto written = support::writeFileAtomically(real, text);
   if (written && fs::is_regular_file(real, error)) {

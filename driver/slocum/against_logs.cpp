@@ -11,7 +11,7 @@
 #include "report/against_marks.h"
 #include "report/picture/against_picture.h"
 #include "report/report.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 #include "vehicles/slocum/data_tables/merge.h"
 #include "vehicles/slocum/data_traces/flight_trace.h"
@@ -84,7 +84,7 @@ support::Result<void> drawAgainst(const VehicleLogs& logs, const AgainstOptions&
     for (const report::AgainstLogs& one : all) {
       names += (names.empty() ? "`" : ", `") + one.vehicle + "`";
     }
-    return support::fail(support::DiagnosticId::severalVehicles, names);
+    return support::fail(support::diagnostics::severalVehicles, names);
   }
   if (!options.page.empty()) {
     if (auto written = writePage(logs.vehicles[0], checked, options.page); !written) {

@@ -6,7 +6,8 @@
 #include "driver/exit_code.h"
 #include "driver/slocum/log_report.h"
 #include "driver/terminal.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 #include "vehicles/slocum/data_files/read.h"
 #include "vehicles/slocum/data_tables/csv.h"
@@ -24,7 +25,6 @@ namespace glider::driver {
 namespace {
 
 using slocum::LogFile;
-using support::DiagnosticId;
 using support::Failure;
 using support::Result;
 
@@ -49,7 +49,7 @@ Result<void> checkPatterns(const std::vector<std::vector<LogFile>>& vehicles,
   for (const std::string& pattern : patterns) {
     if (std::ranges::none_of(
             names, [&](const std::string& name) { return slocum::matches(name, pattern); })) {
-      return support::fail(DiagnosticId::unknownLoggedSensor, pattern);
+      return support::fail(support::diagnostics::unknownLoggedSensor, pattern);
     }
   }
   return {};
@@ -70,7 +70,7 @@ Result<void> checkOneVehicle(const std::vector<std::vector<LogFile>>& vehicles) 
     for (const auto& files : vehicles) {
       names += (names.empty() ? "`" : ", `") + files[0].vehicle + "`";
     }
-    return support::fail(DiagnosticId::severalVehicles, names);
+    return support::fail(support::diagnostics::severalVehicles, names);
   }
   return {};
 }
@@ -109,9 +109,9 @@ Result<void> show(const std::vector<std::vector<LogFile>>& vehicles,
 
 /// Damage ends with 1; a file that is missing or fails ends with 2.
 int statusOf(const Failure& failure) {
-  const bool damage = failure.id == DiagnosticId::notDataFile ||
-                      failure.id == DiagnosticId::badSensorList ||
-                      failure.id == DiagnosticId::dataFileDamaged;
+  const bool damage = failure.id == support::diagnostics::notDataFile ||
+                      failure.id == support::diagnostics::badSensorList ||
+                      failure.id == support::diagnostics::dataFileDamaged;
   return damage ? kMissionHasErrors : kWorldFailed;
 }
 

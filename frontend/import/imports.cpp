@@ -4,7 +4,7 @@
 #include "frontend/import/imports.h"
 
 #include "frontend/frontend.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 #include "support/files.h"
 
 #include <fmt/format.h>
@@ -90,7 +90,7 @@ class Importer {
   void importOne(const std::string& importer, const ast::Import& import) {
     const std::string name = unquoted(import.path);
     if (name.empty()) {
-      noteChain(report(DiagnosticId::emptyImport, import.where));
+      noteChain(report(support::diagnostics::emptyImport, import.where));
       return;
     }
     const fs::path path = locate(importer, name);
@@ -104,7 +104,7 @@ class Importer {
       return;
     }
     if (chain_.size() > kLongestChain) {
-      noteChain(report(DiagnosticId::importsTooDeep, import.where, kLongestChain));
+      noteChain(report(support::diagnostics::importsTooDeep, import.where, kLongestChain));
       return;
     }
     known_.insert(id);
@@ -114,8 +114,8 @@ class Importer {
   void read(const fs::path& path, const ast::Import& import) {
     auto text = support::readFile(path);
     if (!text) {
-      noteChain(
-          report(DiagnosticId::importUnreadable, import.where, import.path, text.error().message));
+      noteChain(report(support::diagnostics::importUnreadable, import.where, import.path,
+                       text.error().message));
       return;
     }
     const uint32_t number = sources_.add(path.string(), std::move(*text));
@@ -139,7 +139,7 @@ class Importer {
     for (auto link = std::next(open); link != chain_.end(); ++link) {
       by += fmt::format("{}`{}`", by.empty() ? " through " : ", ", link->name);
     }
-    noteChain(report(DiagnosticId::importCycle, import.where, open->name, by));
+    noteChain(report(support::diagnostics::importCycle, import.where, open->name, by));
   }
 
   /// Adds notes on the imports that led to the file with the innermost import.

@@ -7,7 +7,7 @@
 #include "frontend/parse/token_kinds.h"
 #include "frontend/spelling.h"
 #include "grammar/GliderParser.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/syntax.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,6 @@
 namespace glider::frontend {
 
 using grammar::GliderParser;
-using support::DiagnosticId;
 
 namespace {
 
@@ -162,7 +161,8 @@ void ErrorStrategy::complain(antlr4::Parser* parser, const antlr4::Token* found)
 }
 
 void ErrorStrategy::expected(std::string_view what, const Lexeme& found) {
-  reporter_.at(found, DiagnosticId::unexpectedToken, what, describe(reporter_.source(), found));
+  reporter_.at(found, support::diagnostics::unexpectedToken, what,
+               describe(reporter_.source(), found));
 }
 
 bool ErrorStrategy::misspelled(const Lexeme& found, const std::vector<std::string_view>& keywords) {
@@ -170,7 +170,7 @@ bool ErrorStrategy::misspelled(const Lexeme& found, const std::vector<std::strin
   const std::string_view meant =
       found.type == GliderLexer::NAME ? closest(word, keywords) : std::string_view{};
   if (!meant.empty()) {
-    auto report = reporter_.at(found, DiagnosticId::misspelledKeyword, word, meant);
+    auto report = reporter_.at(found, support::diagnostics::misspelledKeyword, word, meant);
     if (isSlip(word, meant)) {
       report.fix(reporter_.source().range(found), std::string(meant));
     }
@@ -180,10 +180,10 @@ bool ErrorStrategy::misspelled(const Lexeme& found, const std::vector<std::strin
 
 void ErrorStrategy::complainOfTransition(const Lexeme& before, const Lexeme& found) {
   if (isBoundary(found.type)) {
-    reporter_.at(before, DiagnosticId::missingTransition);
+    reporter_.at(before, support::diagnostics::missingTransition);
   } else if (found.type == GliderLexer::NAME) {
     const std::string_view word = reporter_.source().text(found);
-    auto report = reporter_.at(found, DiagnosticId::wrongTransition, word);
+    auto report = reporter_.at(found, support::diagnostics::wrongTransition, word);
     const std::string_view meant = closest(word, {"goto", "call", "return", "exit", "stay"});
     if (!meant.empty()) {
       // No fix: where a mission continues is never guessed.

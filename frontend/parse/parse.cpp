@@ -7,14 +7,13 @@
 #include "frontend/parse/lexeme_source.h"
 #include "frontend/parse/repair.h"
 #include "frontend/parse/token_kinds.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/syntax.h"
 
 #include <memory>
 
 namespace glider::frontend {
 
 using grammar::GliderParser;
-using support::DiagnosticId;
 
 namespace {
 
@@ -55,21 +54,22 @@ bool checkEncoding(const Source& source, SyntaxReporter& reporter) {
     return Lexeme{0, static_cast<uint32_t>(place), static_cast<uint32_t>(place)};
   };
   if (text.size() > kLargestFile) {
-    reporter.at(at(0), DiagnosticId::fileTooLarge, text.size(), kLargestFile);
+    reporter.at(at(0), support::diagnostics::fileTooLarge, text.size(), kLargestFile);
     return false;
   }
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-    reporter.at(at(0), DiagnosticId::utf16);
+    reporter.at(at(0), support::diagnostics::utf16);
     return false;
   }
   if (const size_t nul = text.find('\0'); nul != std::string_view::npos) {
-    reporter.at(at(nul), DiagnosticId::nulByte, line(nul));
+    reporter.at(at(nul), support::diagnostics::nulByte, line(nul));
     return false;
   }
   for (size_t i = 0; i < text.size();) {
     const size_t length = characterLength(text, i);
     if (length == 0) {
-      reporter.at(at(i), DiagnosticId::notUtf8, static_cast<unsigned char>(text[i]), line(i));
+      reporter.at(at(i), support::diagnostics::notUtf8, static_cast<unsigned char>(text[i]),
+                  line(i));
       return true;
     }
     i += length;
@@ -191,7 +191,7 @@ std::optional<ast::File> parse(const support::SourceManager& sources, uint32_t f
   }
   const std::vector<Lexeme> lexemes = lex(source);
   if (lexemes.size() == 1) {
-    reporter.at(lexemes.back(), DiagnosticId::emptyFile);
+    reporter.at(lexemes.back(), support::diagnostics::emptyFile);
     return std::nullopt;
   }
   Repaired repaired = repair(lexemes, reporter);
@@ -203,7 +203,7 @@ std::optional<ast::File> parse(const support::SourceManager& sources, uint32_t f
     result.reset();
   }
   if (reporter.full()) {
-    reporter.at(lexemes.back(), DiagnosticId::tooManyErrors, SyntaxReporter::kMostMistakes);
+    reporter.at(lexemes.back(), support::diagnostics::tooManyErrors, SyntaxReporter::kMostMistakes);
   }
   return result;
 }

@@ -9,15 +9,13 @@
 #include "frontend/parse/repair_words.h"
 #include "frontend/parse/token_kinds.h"
 #include "frontend/spelling.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/syntax.h"
 
 #include <fmt/format.h>
 
 #include <string>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -143,7 +141,7 @@ class StructureRepair {
     const bool in_condition = inCases() && !values_.inParentheses();
     const std::string where = superfluousWhere({source_, out_, peek(1), in_condition, keyword}, t);
     if (!where.empty()) {
-      reporter_.at(t, DiagnosticId::superfluousWord, source_.text(t), where)
+      reporter_.at(t, support::diagnostics::superfluousWord, source_.text(t), where)
           .fix(source_.range(t), "");
       return true;
     }
@@ -162,7 +160,7 @@ class StructureRepair {
   /// The comma just written has nothing after it but keyword `t`.
   void dropComma(const Lexeme& t) {
     const Lexeme comma = out_.back();
-    auto report = reporter_.at(comma, DiagnosticId::trailingComma, describe(source_, t));
+    auto report = reporter_.at(comma, support::diagnostics::trailingComma, describe(source_, t));
     if (values_.inSensors()) {
       report.fix(source_.range(comma), "");
     }
@@ -193,7 +191,7 @@ class StructureRepair {
     }
     const std::string_view word = blocks_.empty() ? meantAtTop(t) : meantInBlock(t);
     if (!word.empty()) {
-      auto report = reporter_.at(t, DiagnosticId::misspelledKeyword, source_.text(t), word);
+      auto report = reporter_.at(t, support::diagnostics::misspelledKeyword, source_.text(t), word);
       if (isSlip(source_.text(t), word)) {
         report.fix(source_.range(t), std::string(word));
       }
@@ -250,7 +248,7 @@ class StructureRepair {
     }
     const Lexeme name = out_.back();
     const std::string_view keyword = action ? "set" : "const";
-    reporter_.at(name, DiagnosticId::missingKeyword, source_.text(name), keyword)
+    reporter_.at(name, support::diagnostics::missingKeyword, source_.text(name), keyword)
         .fix({source_.file, name.begin, name.begin}, std::string(keyword) + " ");
     out_.back() = {keywordType(keyword), name.begin, name.begin};
     values_.keyword(out_.back());
@@ -264,11 +262,11 @@ class StructureRepair {
     const uint32_t before = previous();
     const bool name = t.type != kEof && meantAsName(before, t.type, peek(1).type);
     if (name) {
-      reporter_.at(t, DiagnosticId::keywordAsName, source_.text(t));
+      reporter_.at(t, support::diagnostics::keywordAsName, source_.text(t));
       out_.push_back({GliderLexer::NAME, t.begin, t.end});
     } else {
-      reporter_.at(t, DiagnosticId::missingName, nameOwner(before), source_.text(out_.back()),
-                   describe(source_, t));
+      reporter_.at(t, support::diagnostics::missingName, nameOwner(before),
+                   source_.text(out_.back()), describe(source_, t));
       insert(GliderLexer::NAME);
     }
     noteHeader(name ? 1 : 0);
@@ -315,12 +313,13 @@ class StructureRepair {
     if (t.type == kEof && header_at_.end == out_.back().begin) {
       // The file ends before the name.
     } else if (misspelled) {
-      auto report = reporter_.at(t, DiagnosticId::misspelledKeyword, source_.text(t), "begin");
+      auto report =
+          reporter_.at(t, support::diagnostics::misspelledKeyword, source_.text(t), "begin");
       if (isSlip(source_.text(t), "begin")) {
         report.fix(source_.range(t), "begin");
       }
     } else {
-      reporter_.at(t, DiagnosticId::missingBegin, header_, describe(source_, t))
+      reporter_.at(t, support::diagnostics::missingBegin, header_, describe(source_, t))
           .note(source_.range(header_at_), header_ + " is named here");
     }
     values_.keyword({GliderLexer::BEGIN, t.begin, t.begin});
@@ -358,7 +357,7 @@ class StructureRepair {
     in_always_ = t.type == GliderLexer::ALWAYS || (in_always_ && partOfCase);
     switch (t.type) {
       case GliderLexer::END:
-        reporter_.at(t, DiagnosticId::strayEnd).fix(source_.range(t), "");
+        reporter_.at(t, support::diagnostics::strayEnd).fix(source_.range(t), "");
         return false;
       case GliderLexer::CASE:
         return in_always_ || outside(t);
@@ -383,14 +382,14 @@ class StructureRepair {
   }
 
   bool outside(const Lexeme& t) {
-    reporter_.at(t, DiagnosticId::outsideState, source_.text(t));
+    reporter_.at(t, support::diagnostics::outsideState, source_.text(t));
     skipping_ = true;
     return false;
   }
 
   bool openMembers(const Lexeme& t) {
     if (header_.empty()) {
-      reporter_.at(t, DiagnosticId::secondBegin)
+      reporter_.at(t, support::diagnostics::secondBegin)
           .hint("write `state` and a name before it, or delete it");
       return false;
     }
@@ -406,13 +405,13 @@ class StructureRepair {
       block.begun = true;
       return;
     }
-    reporter_.at(t, DiagnosticId::secondBegin).fix(source_.range(t), "");
+    reporter_.at(t, support::diagnostics::secondBegin).fix(source_.range(t), "");
   }
 
   void open(BlockKind kind, const Lexeme& opener, std::string what) {
     blocks_.push_back({kind, opener, std::move(what)});
     if (blocks_.size() > kDeepestNesting) {
-      reporter_.at(opener, DiagnosticId::nestedTooDeep, kDeepestNesting, "blocks");
+      reporter_.at(opener, support::diagnostics::nestedTooDeep, kDeepestNesting, "blocks");
       ok_ = false;
     }
   }
@@ -421,7 +420,7 @@ class StructureRepair {
   bool inBlock(const Lexeme& t) {
     if (startsItem(t.type) || t.type == kEof) {
       if (stillInside(t)) {
-        reporter_.at(t, DiagnosticId::insideState, source_.text(t), blocks_.front().what);
+        reporter_.at(t, support::diagnostics::insideState, source_.text(t), blocks_.front().what);
         skipping_in_block_ = true;
         return false;
       }
@@ -445,7 +444,7 @@ class StructureRepair {
     }
     block.then = true;
     if (t.type != GliderLexer::THEN) {
-      reporter_.at(t, DiagnosticId::unexpectedToken, "`then`", describe(source_, t));
+      reporter_.at(t, support::diagnostics::unexpectedToken, "`then`", describe(source_, t));
       insert(GliderLexer::THEN);
     }
   }
@@ -500,7 +499,7 @@ class StructureRepair {
 
   void wantEvents(const Lexeme& t) {
     if (!blocks_.back().events) {
-      reporter_.at(t, DiagnosticId::caseOutsideEvents)
+      reporter_.at(t, support::diagnostics::caseOutsideEvents)
           .fix({source_.file, t.begin, t.begin}, "events ");
       insert(GliderLexer::EVENTS);
       blocks_.back().events = true;
@@ -520,7 +519,7 @@ class StructureRepair {
     while (blocks_.size() > keep) {
       const Block& block = blocks_.back();
       if (!cut_ && !block.silent) {
-        reporter_.at(found, DiagnosticId::missingEnd, block.what, describe(source_, found))
+        reporter_.at(found, support::diagnostics::missingEnd, block.what, describe(source_, found))
             .note(source_.range(block.opener), block.what + " begins here");
       }
       insert(GliderLexer::END);

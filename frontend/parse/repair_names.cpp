@@ -4,7 +4,7 @@
 #include "frontend/parse/repair_names.h"
 
 #include "frontend/parse/token_kinds.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/syntax.h"
 #include "support/word_byte.h"
 
 #include <fmt/format.h>
@@ -12,8 +12,6 @@
 #include <algorithm>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -268,7 +266,7 @@ NameRepair::IntendedName NameRepair::meantBy(size_t keyword, const WrittenName& 
 Lexeme NameRepair::report(size_t keyword, const WrittenName& slip) {
   const Lexeme whole{GliderLexer::NAME, in_[slip.begin].begin, in_[slip.end - 1].end};
   const IntendedName meant = meantBy(keyword, slip);
-  auto report = reporter_.at(whole, DiagnosticId::nameNotOneWord, source_.text(whole),
+  auto report = reporter_.at(whole, support::diagnostics::nameNotOneWord, source_.text(whole),
                              fmt::format("write `{} {}`", source_.text(in_[keyword]), meant.name));
   if (meant.certain) {
     // `mission" survey`: it must not become one word with its neighbours.

@@ -5,7 +5,7 @@
 
 #include "frontend/parse/token_kinds.h"
 #include "frontend/spelling.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/syntax.h"
 
 #include <fmt/format.h>
 
@@ -13,8 +13,6 @@
 #include <cctype>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -40,8 +38,8 @@ void ValueRepair::keyword(const Lexeme& found) {
   while (!parentheses_.empty()) {
     const Lexeme opener = parentheses_.back().opener;
     const bool round = opener.type == GliderLexer::LPAREN;
-    reporter_.at(opener, DiagnosticId::missingParenthesis, source_.text(opener), round ? ")" : "]",
-                 describe(source_, found));
+    reporter_.at(opener, support::diagnostics::missingParenthesis, source_.text(opener),
+                 round ? ")" : "]", describe(source_, found));
     insert(round ? GliderLexer::RPAREN : GliderLexer::RBRACKET);
     parentheses_.pop_back();
   }
@@ -79,7 +77,7 @@ bool ValueRepair::open(const Lexeme& t) {
   parentheses_.push_back({t, t.type == GliderLexer::LBRACKET || isAnyName(previous()), 0, 0});
   out_.push_back(t);
   if (parentheses_.size() > kDeepestNesting) {
-    reporter_.at(t, DiagnosticId::nestedTooDeep, kDeepestNesting, "parentheses");
+    reporter_.at(t, support::diagnostics::nestedTooDeep, kDeepestNesting, "parentheses");
     return false;
   }
   return true;
@@ -91,7 +89,7 @@ bool ValueRepair::close(const Lexeme& t) {
   if (parentheses_.empty() || parentheses_.back().opener.type != opens) {
     // No fix: in `a || b) && c` an opening one is missing, and removing both would change the
     // meaning.
-    reporter_.at(t, DiagnosticId::strayParenthesis, source_.text(t), round ? "(" : "[");
+    reporter_.at(t, support::diagnostics::strayParenthesis, source_.text(t), round ? "(" : "[");
     return true;
   }
   endOfItem();
@@ -116,7 +114,7 @@ bool ValueRepair::countOperator(const Lexeme& t) {
   size_t& count = parentheses_.empty() ? operators_ : parentheses_.back().operators;
   count += isOperator(t.type) ? 1U : 0U;
   if (count > kMostOperators) {
-    reporter_.at(t, DiagnosticId::expressionTooLong, kMostOperators);
+    reporter_.at(t, support::diagnostics::expressionTooLong, kMostOperators);
     return false;
   }
   return true;
@@ -127,10 +125,10 @@ bool ValueRepair::countOperator(const Lexeme& t) {
 Lexeme ValueRepair::equals(Lexeme t) {
   const bool gives = assignable_ && parentheses_.empty();
   if (gives && t.type == GliderLexer::EQ) {
-    reporter_.at(t, DiagnosticId::equalForAssign).fix(source_.range(t), "=");
+    reporter_.at(t, support::diagnostics::equalForAssign).fix(source_.range(t), "=");
     t.type = GliderLexer::ASSIGN;
   } else if (!gives && t.type == GliderLexer::ASSIGN) {
-    reporter_.at(t, DiagnosticId::assignForEqual);  // no fix: only the pilot knows which
+    reporter_.at(t, support::diagnostics::assignForEqual);  // no fix: only the pilot knows which
     t.type = GliderLexer::EQ;
   }
   assignable_ = assignable_ && !gives;
@@ -154,7 +152,7 @@ bool ValueRepair::unknownUnit(const Lexeme& t, const Lexeme& next) {
   constexpr std::string_view kAll =
       "units: mm cm m km nmi ft, s min h day, rad deg, degC, m/s cm/s kn, bar dbar, S/m, V A W J "
       "kJ MJ Ah %";
-  auto report = reporter_.at(t, DiagnosticId::unknownUnit, word,
+  auto report = reporter_.at(t, support::diagnostics::unknownUnit, word,
                              unit.empty() ? std::string(kAll) : fmt::format("write `{}`", unit));
   if (unit == "deg" && t.end - t.begin > unit.size()) {
     report.hint("write `deg` for an angle, `degC` for a temperature");  // the pilot knows which
@@ -172,7 +170,7 @@ void ValueRepair::missingComma(const Lexeme& t, const Lexeme& next) {
   }
   const Lexeme& before = out_.back();
   auto report =
-      reporter_.at(t, DiagnosticId::missingComma, fmt::format("`{}`", source_.text(before)),
+      reporter_.at(t, support::diagnostics::missingComma, fmt::format("`{}`", source_.text(before)),
                    fmt::format("`{}`", source_.text(t)));
   const bool foreign = std::ranges::any_of(
       source_.text(t), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });

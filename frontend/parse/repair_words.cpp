@@ -6,7 +6,8 @@
 #include "frontend/bare_positions.h"
 #include "frontend/parse/repair_positions.h"
 #include "frontend/parse/token_kinds.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
+#include "support/diagnostics/ids/syntax.h"
 
 #include <fmt/format.h>
 
@@ -114,12 +115,12 @@ std::vector<Lexeme> WordRepair::run(const std::vector<Lexeme>& lexemes) {
                         ? lexeme.type
                         : last_keyword_;
     if (lexeme.type == GliderLexer::OPEN_COMMENT) {
-      reporter_.at(lexeme, DiagnosticId::openComment);
+      reporter_.at(lexeme, support::diagnostics::openComment);
       cut_ = true;
       break;
     }
     if (const auto position = foreignPosition(lexemes, i, reporter_.source())) {
-      auto report = reporter_.at(position->whole, DiagnosticId::positionForm,
+      auto report = reporter_.at(position->whole, support::diagnostics::positionForm,
                                  reporter_.source().text(position->whole), position->better);
       if (position->certain) {
         report.fix(reporter_.source().range(position->whole), position->better);
@@ -210,7 +211,7 @@ size_t WordRepair::decimalComma(const std::vector<Lexeme>& lexemes, size_t at,
   }
   const Lexeme whole{GliderLexer::NUMBER, first.begin, second.end};
   reporter_
-      .at(whole, DiagnosticId::decimalComma, source.text(whole),
+      .at(whole, support::diagnostics::decimalComma, source.text(whole),
           fmt::format("{}.{}", source.text(first), source.text(second)))
       .fix(source.range(comma), ".");
   out.push_back(first);
@@ -234,7 +235,7 @@ size_t WordRepair::quotedText(const std::vector<Lexeme>& lexemes, size_t at,
     }
     if (close.type == GliderLexer::FOREIGN && isQuote(source.text(close))) {
       reporter_
-          .at({GliderLexer::STRING, open.begin, close.end}, DiagnosticId::foreignCharacter,
+          .at({GliderLexer::STRING, open.begin, close.end}, support::diagnostics::foreignCharacter,
               source.text(open), "write `\"` before and after the text")
           .fix(source.range(open), "\"")
           .fix(source.range(close), "\"");
@@ -301,7 +302,7 @@ void WordRepair::brace(const std::vector<Lexeme>& lexemes, size_t at, std::vecto
     meant = {"", 0, "", 0};  // `{ begin`: the word is there too
   }
   if (meant.open == "?") {
-    reporter_.at(lexeme, DiagnosticId::braces, source.text(lexeme),
+    reporter_.at(lexeme, support::diagnostics::braces, source.text(lexeme),
                  "blocks are written `begin … end` and `do … end`");
     return;
   }
@@ -310,7 +311,7 @@ void WordRepair::brace(const std::vector<Lexeme>& lexemes, size_t at, std::vecto
     return word.empty() ? std::string("nothing") : fmt::format("`{}`", word);
   };
   auto report = reporter_.at(
-      lexeme, DiagnosticId::braces, source.text(lexeme),
+      lexeme, support::diagnostics::braces, source.text(lexeme),
       fmt::format("write {} for `{{`, and {} for `}}`", say(meant.open), say(meant.close)));
   if (close != 0 || meant.close_type != GliderLexer::END || meant.open == "begin") {
     report.fix(source.range(lexeme), std::string(meant.open));
@@ -340,7 +341,7 @@ bool WordRepair::isOperatorInCapitals(const std::vector<Lexeme>& lexemes, size_t
 Lexeme WordRepair::capitals(const Lexeme& lexeme) {
   const bool both = reporter_.source().text(lexeme).front() == 'A';
   const std::string_view sign = both ? "&&" : "||";
-  reporter_.at(lexeme, DiagnosticId::wordOperator, reporter_.source().text(lexeme), sign)
+  reporter_.at(lexeme, support::diagnostics::wordOperator, reporter_.source().text(lexeme), sign)
       .fix(reporter_.source().range(lexeme), std::string(sign));
   return {both ? uint32_t{GliderLexer::AND} : uint32_t{GliderLexer::OR}, lexeme.begin, lexeme.end};
 }
@@ -366,7 +367,8 @@ size_t WordRepair::barePair(const std::vector<Lexeme>& lexemes, size_t at,
   Lexeme whole{GliderLexer::NUMBER, lexemes[at].begin, lexemes[at + 1].end};
   out.push_back(whole);
   whole.begin = negative ? out[out.size() - 2].begin : whole.begin;
-  reporter_.at(whole, DiagnosticId::barePosition, source.text(whole), fmt::format("`{}`", *better));
+  reporter_.at(whole, support::diagnostics::barePosition, source.text(whole),
+               fmt::format("`{}`", *better));
   return kTokens;
 }
 
@@ -386,8 +388,8 @@ bool WordRepair::partOfToken(const Lexeme& lexeme, const Lexeme& next, std::vect
   if (text == "." && behind && out.back().type == GliderLexer::NUMBER) {
     const Lexeme whole{GliderLexer::NUMBER, out.back().begin, lexeme.end};
     const std::string_view number = reporter_.source().text(out.back());
-    auto report =
-        reporter_.at(whole, DiagnosticId::pointWithoutDigits, reporter_.source().text(whole));
+    auto report = reporter_.at(whole, support::diagnostics::pointWithoutDigits,
+                               reporter_.source().text(whole));
     if (number.find('.') == std::string_view::npos) {
       report.fix({reporter_.source().file, lexeme.end, lexeme.end}, "0");
     }
@@ -412,7 +414,7 @@ bool WordRepair::partOfToken(const Lexeme& lexeme, const Lexeme& next, std::vect
 /// A text without a closing quote was meant to end before a comma, or before the `end` of its
 /// block, on its line.
 void WordRepair::openString(const Lexeme& lexeme, std::vector<Lexeme>& out) {
-  reporter_.at(lexeme, DiagnosticId::openString);
+  reporter_.at(lexeme, support::diagnostics::openString);
   const std::string_view text = reporter_.source().text(lexeme);
   const size_t cut = std::min({text.find(','), text.find(" end"), text.size()});
   const auto at = static_cast<uint32_t>(lexeme.begin + cut);
@@ -432,15 +434,15 @@ std::optional<Lexeme> WordRepair::one(const Lexeme& lexeme) {
       return foreign(lexeme);
     case GliderLexer::AND_WORD:
     case GliderLexer::OR_WORD:
-      return replaced(lexeme, DiagnosticId::wordOperator, lexeme.type);
+      return replaced(lexeme, support::diagnostics::wordOperator, lexeme.type);
     case GliderLexer::NOT_WORD:  // kept: it applies to more than `!` does
-      reporter_.at(lexeme, DiagnosticId::wordOperator, "not", "!(…)");
+      reporter_.at(lexeme, support::diagnostics::wordOperator, "not", "!(…)");
       return lexeme;
     case GliderLexer::ONE_AMPERSAND:
     case GliderLexer::ONE_BAR:
-      return replaced(lexeme, DiagnosticId::singleAmpersand, lexeme.type);
+      return replaced(lexeme, support::diagnostics::singleAmpersand, lexeme.type);
     case GliderLexer::WRONG_COMPARISON:
-      return replaced(lexeme, DiagnosticId::wrongComparison, lexeme.type);
+      return replaced(lexeme, support::diagnostics::wrongComparison, lexeme.type);
     default:
       return lexeme;
   }
@@ -449,7 +451,7 @@ std::optional<Lexeme> WordRepair::one(const Lexeme& lexeme) {
 /// Between values it replaces a comma: without either, `min(a; -b)` would be a difference.
 std::optional<Lexeme> WordRepair::semicolon(const Lexeme& lexeme) {
   const bool between = !open_.empty();
-  reporter_.at(lexeme, DiagnosticId::semicolon)
+  reporter_.at(lexeme, support::diagnostics::semicolon)
       .hint(between ? "write `,` between values" : "delete it; statements need no separator")
       .fix(reporter_.source().range(lexeme), between ? "," : "");
   return between ? std::optional(Lexeme{GliderLexer::COMMA, lexeme.begin, lexeme.end})
@@ -480,14 +482,14 @@ std::optional<Lexeme> WordRepair::foreign(const Lexeme& lexeme) {
   const std::string_view text = reporter_.source().text(lexeme);
   if (const Blank* blank = blankOf(text)) {
     reporter_
-        .at(lexeme, DiagnosticId::foreignCharacter, blank->name,
+        .at(lexeme, support::diagnostics::foreignCharacter, blank->name,
             blank->wide ? "write an ordinary space" : "delete it")
         .fix(reporter_.source().range(lexeme), blank->wide ? " " : "");
     return std::nullopt;
   }
   for (const Lookalike& row : kLookalikes) {
     if (row.text == text) {
-      auto report = reporter_.at(lexeme, DiagnosticId::foreignCharacter, text,
+      auto report = reporter_.at(lexeme, support::diagnostics::foreignCharacter, text,
                                  fmt::format("write `{}`", row.meant));
       if (row.type == 0) {
         return std::nullopt;
@@ -503,7 +505,7 @@ std::optional<Lexeme> WordRepair::foreign(const Lexeme& lexeme) {
   const bool control = ascii && (text.front() < ' ' || text.front() == 0x7F);
   const std::string shown =
       control ? fmt::format("\\x{:02x}", text.front()) : std::string(text.substr(0, 40));
-  reporter_.at(lexeme, DiagnosticId::foreignCharacter, shown,
+  reporter_.at(lexeme, support::diagnostics::foreignCharacter, shown,
                ascii ? "delete it" : "use only ASCII characters outside comments and strings");
   return std::nullopt;
 }

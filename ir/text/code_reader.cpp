@@ -4,7 +4,7 @@
 #include "ir/text/code_reader.h"
 
 #include "ir/core/ops.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/ir_text.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,6 @@
 namespace glider::ir::text {
 namespace {
 
-using support::DiagnosticId;
 using support::SourceRange;
 
 constexpr uint32_t kDeepestBlock = 200;
@@ -110,7 +109,7 @@ void CodeReader::initial() {
     return;
   }
   if (m_[id].initial.valid()) {
-    in_.fail(DiagnosticId::irDefinedTwice, name.range, "initial value of", name.text);
+    in_.fail(support::diagnostics::irDefinedTwice, name.range, "initial value of", name.text);
     return;
   }
   m_.variables[id.index].initial = value;
@@ -118,7 +117,7 @@ void CodeReader::initial() {
 
 void CodeReader::entry(BlockId& place) {
   if (place.valid()) {
-    in_.fail(DiagnosticId::irDefinedTwice, in_.peek().range, "action", "entry");
+    in_.fail(support::diagnostics::irDefinedTwice, in_.peek().range, "action", "entry");
     return;
   }
   place = block(0);
@@ -141,7 +140,7 @@ BlockId CodeReader::runBlock() {
   const Token number = in_.peek();
   const BlockId id{static_cast<uint32_t>(in_.integer(0, UINT32_MAX))};
   if (id.index >= m_.blocks.size()) {
-    in_.fail(DiagnosticId::irUnknownName, number.range, "block", number.text);
+    in_.fail(support::diagnostics::irUnknownName, number.range, "block", number.text);
     return {};
   }
   return id;
@@ -150,7 +149,7 @@ BlockId CodeReader::runBlock() {
 /// Reads statements up to a word that does not begin one.
 BlockId CodeReader::statements(uint32_t depth) {
   if (depth > kDeepestBlock) {
-    in_.fail(DiagnosticId::irBlocksTooDeep, in_.peek().range, kDeepestBlock);
+    in_.fail(support::diagnostics::irBlocksTooDeep, in_.peek().range, kDeepestBlock);
     return {};
   }
   Block block;

@@ -3,7 +3,7 @@
 
 #include "ir/text/cursor.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/ir_text.h"
 
 #include <fmt/format.h>
 
@@ -11,8 +11,6 @@
 #include <cmath>
 
 namespace glider::ir::text {
-
-using support::DiagnosticId;
 
 Cursor::Cursor(std::string_view text, uint32_t file, support::DiagnosticEngine& diagnostics)
     : lexer_(text, file), diagnostics_(diagnostics), token_(lexer_.next()) {}
@@ -82,7 +80,8 @@ double Cursor::number(bool infinite) {
   const auto [stop, error] = std::from_chars(token.text.data(), end, value);
   if (error != std::errc() || stop != end || std::isnan(value) ||
       (!infinite && std::isinf(value))) {
-    fail(DiagnosticId::irBadNumber, token.range, token.text, "a number that a double can hold");
+    fail(support::diagnostics::irBadNumber, token.range, token.text,
+         "a number that a double can hold");
     return 0;
   }
   return value;
@@ -98,7 +97,7 @@ int64_t Cursor::integer(int64_t lowest, int64_t highest) {
   int64_t value = 0;
   const auto [stop, error] = std::from_chars(token.text.data(), end, value);
   if (error != std::errc() || stop != end || value < lowest || value > highest) {
-    fail(DiagnosticId::irBadNumber, token.range, token.text,
+    fail(support::diagnostics::irBadNumber, token.range, token.text,
          fmt::format("a whole number from {} to {}", lowest, highest));
     return lowest;
   }
@@ -119,7 +118,7 @@ Type Cursor::type() {
   }
   Type type;
   if (word != "dim") {
-    fail(DiagnosticId::irUnknownName, token.range, "type", word);
+    fail(support::diagnostics::irUnknownName, token.range, "type", word);
     return type;
   }
   expect('(');
@@ -134,7 +133,7 @@ Type Cursor::type() {
 }
 
 void Cursor::failExpecting(std::string_view what) {
-  fail(DiagnosticId::irUnexpected, token_.range, what, describe(token_));
+  fail(support::diagnostics::irUnexpected, token_.range, what, describe(token_));
 }
 
 }  // namespace glider::ir::text

@@ -5,12 +5,11 @@
 
 #include "ir/core/ops.h"
 #include "ir/text/print.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/ir_text.h"
 
 namespace glider::ir::text {
 namespace {
 
-using support::DiagnosticId;
 using support::SourceRange;
 
 constexpr uint32_t kDeepestExpression = 200;
@@ -45,7 +44,7 @@ ExprId ExpressionReader::add(Expr e, SourceRange begin) {
     for (uint32_t i = 0; i < operandCount(e); ++i) {
       operands += (i == 0 ? "" : " and ") + typeText(m_[e.operands.at(i)].type);
     }
-    in_.fail(DiagnosticId::irOperands, e.range, opInfo(e.op).text, operands);
+    in_.fail(support::diagnostics::irOperands, e.range, opInfo(e.op).text, operands);
     return {};
   }
   e.type = *type;
@@ -90,7 +89,7 @@ uint32_t ExpressionReader::number(std::string_view what, size_t count) {
   const Token number = in_.peek();
   const auto index = static_cast<uint32_t>(in_.integer(0, UINT32_MAX));
   if (index >= count) {
-    in_.fail(DiagnosticId::irUnknownName, number.range, what, number.text);
+    in_.fail(support::diagnostics::irUnknownName, number.range, what, number.text);
   }
   return index;
 }
@@ -111,7 +110,7 @@ void ExpressionReader::leaf(Expr& e) {
 
 ExprId ExpressionReader::operation(SourceRange begin, uint32_t depth) {
   if (depth > kDeepestExpression) {
-    in_.fail(DiagnosticId::irTooDeep, begin, kDeepestExpression);
+    in_.fail(support::diagnostics::irTooDeep, begin, kDeepestExpression);
     return {};
   }
   const OpInfo* op = in_.peek().kind == TokenKind::Word ? findOp(in_.peek().text) : nullptr;

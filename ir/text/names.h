@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ir/text/cursor.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/ir_text.h"
 
 #include <string>
 #include <string_view>
@@ -21,7 +21,7 @@ class Names {
   /// Gives number `index` the name `name`; a second definition is an error.
   void define(const Token& name, size_t index) {
     if (!numbers_.emplace(name.text, static_cast<uint32_t>(index)).second) {
-      in_.fail(support::DiagnosticId::irDefinedTwice, name.range, what_, name.text);
+      in_.fail(support::diagnostics::irDefinedTwice, name.range, what_, name.text);
     }
   }
 
@@ -31,7 +31,7 @@ class Names {
     if (found != numbers_.end()) {
       return found->second;
     }
-    in_.fail(support::DiagnosticId::irUnknownName, name.range, what_, name.text);
+    in_.fail(support::diagnostics::irUnknownName, name.range, what_, name.text);
     return UINT32_MAX;
   }
 

@@ -8,7 +8,7 @@
 #include "ir/text/cursor.h"
 #include "ir/text/names.h"
 #include "ir/text/table_reader.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/ir_text.h"
 
 #include <algorithm>
 #include <functional>
@@ -18,7 +18,6 @@
 namespace glider::ir {
 namespace {
 
-using support::DiagnosticId;
 using support::SourceRange;
 using text::Token;
 using text::TokenKind;
@@ -36,7 +35,7 @@ class Reader {
     code_.findTargets(states_);
     if (!in_.failed()) {
       for (const Defect& defect : validate(m_)) {
-        in_.fail(DiagnosticId::irInvalid, defect.range, defect.message);
+        in_.fail(support::diagnostics::irInvalid, defect.range, defect.message);
       }
     }
     return in_.failed() ? std::nullopt : std::optional(std::move(m_));
@@ -47,7 +46,7 @@ class Reader {
     in_.expect("glider_ir");
     const Token version = in_.take();
     if (version.text != "1") {
-      in_.fail(DiagnosticId::irVersion, version.range, describe(version));
+      in_.fail(support::diagnostics::irVersion, version.range, describe(version));
     }
     in_.expect("mission");
     m_.name = in_.name("the mission's name");
@@ -421,7 +420,7 @@ class Reader {
                 SourceRange begin) {
     const Token name = in_.nameToken("the behaviour's name");
     if (a.behaviour.valid()) {
-      in_.fail(DiagnosticId::irDefinedTwice, begin, what, name.text);
+      in_.fail(support::diagnostics::irDefinedTwice, begin, what, name.text);
     }
     a.behaviour = {names.find(name)};
     if (in_.peek().isMark('(')) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/verify/passes.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 namespace glider::ir {
 namespace {
@@ -16,7 +16,7 @@ void reportCalls(Verification& v, const std::vector<Edge>& edges) {
     if (!for_good || !v.structure.reached(edge.to) || v.structure.deadEnd(edge.to)) {
       continue;
     }
-    auto report = v.diagnostics.report(support::DiagnosticId::callForGood,
+    auto report = v.diagnostics.report(support::diagnostics::callForGood,
                                        v.structure.caseOf(edge).range, target.name);
     for (uint32_t c = 0; c < target.cases.size(); ++c) {
       if (target.cases[c].transition == Transition::Return) {

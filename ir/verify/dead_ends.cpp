@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/verify/passes.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 namespace glider::ir {
 
@@ -12,8 +12,7 @@ void passes::deadEnds(Verification& v) {
     if (!v.structure.reached(s) || !v.structure.deadEnd(s)) {
       continue;
     }
-    auto report =
-        v.diagnostics.report(support::DiagnosticId::deadEndState, state.range, state.name);
+    auto report = v.diagnostics.report(support::diagnostics::deadEndState, state.range, state.name);
     for (uint32_t c = 0; c < state.cases.size(); ++c) {
       if (state.cases[c].transition != Transition::Stay) {
         noteDeadCase(report, state.cases[c], v.structure.moves[s].dead[c]);

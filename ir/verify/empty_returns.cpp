@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/verify/passes.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ void passes::emptyReturns(Verification& v) {
       continue;
     }
     const State& state = v.structure.mission.states[s];
-    auto report = v.diagnostics.report(support::DiagnosticId::emptyReturn,
+    auto report = v.diagnostics.report(support::diagnostics::emptyReturn,
                                        state.cases[*returns].range, state.name);
     if (s == 0) {
       report.hint(fmt::format(

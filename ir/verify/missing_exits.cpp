@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/verify/passes.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
@@ -12,8 +12,6 @@
 
 namespace glider::ir {
 namespace {
-
-using support::DiagnosticId;
 
 /// The transitions that go to or call a state.
 struct Users {
@@ -134,7 +132,8 @@ void noteExits(support::DiagnosticBuilder& report, const std::vector<Case>& case
 
 void reportWholeMission(Verification& v) {
   const Mission& m = v.structure.mission;
-  auto report = v.diagnostics.report(DiagnosticId::missionWithoutEnd, m.states.front().range);
+  auto report =
+      v.diagnostics.report(support::diagnostics::missionWithoutEnd, m.states.front().range);
   noteExits(report, m.always, v.structure.always, "");
   for (uint32_t s = 0; s < v.structure.size(); ++s) {
     noteExits(
@@ -168,7 +167,7 @@ void reportStates(Verification& v, const std::vector<bool>& endless) {
       std::ranges::for_each(users.all[group[i]], join, &Edge::from);
     }
     const State& state = m.states[first];
-    auto report = v.diagnostics.report(DiagnosticId::noWayToExit, state.range, state.name);
+    auto report = v.diagnostics.report(support::diagnostics::noWayToExit, state.range, state.name);
     notePath(report, v.structure, v.structure.pathTo(v.structure.nearest(first)));
     for (size_t i = 1; i < group.size() && i <= kMost; ++i) {
       const State& other = m.states[group[i]];

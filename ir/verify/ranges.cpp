@@ -6,7 +6,7 @@
 #include "ir/verify/intervals.h"
 #include "ir/verify/passes.h"
 #include "ir/verify/value_text.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
@@ -44,8 +44,9 @@ class RangeCheck {
       }
       const bool parameter = v.kind == VariableKind::Parameter;
       defaults_fit &= !parameter;
-      report(parameter ? DiagnosticId::parameterDefault : DiagnosticId::initialRange, v.range, v,
-             v.initial);
+      report(
+          parameter ? support::diagnostics::parameterDefault : support::diagnostics::initialRange,
+          v.range, v, v.initial);
     }
     if (defaults_fit) {
       conditions();
@@ -98,7 +99,7 @@ class RangeCheck {
       for (size_t i = 0; i < block.statements.size(); ++i) {
         if (leaves({&block, i})) {
           const Statement& s = block.statements[i];
-          report(DiagnosticId::assignmentRange, s.range, m_[s.variable], s.value);
+          report(support::diagnostics::assignmentRange, s.range, m_[s.variable], s.value);
         }
       }
     }
@@ -114,7 +115,7 @@ class RangeCheck {
 
   void conditions() {
     if (const auto failed = failedCondition(m_, defaultParameters(m_))) {
-      v_.diagnostics.report(DiagnosticId::conditionUnmet, m_[m_.conditions[*failed]].range);
+      v_.diagnostics.report(support::diagnostics::conditionUnmet, m_[m_.conditions[*failed]].range);
     }
   }
 
@@ -122,7 +123,7 @@ class RangeCheck {
     for (const Case& c : cases) {
       for (size_t i = 0; i < c.arguments.size(); ++i) {
         if (leaves({&c, i})) {
-          report(DiagnosticId::argumentRange, c.range, m_[m_[c.target].parameters[i]],
+          report(support::diagnostics::argumentRange, c.range, m_[m_[c.target].parameters[i]],
                  c.arguments[i]);
         }
       }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/verify/passes.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ void reportCall(Verification& v, const Edge& closing, const Path& path) {
   const State& from = m.states[closing.from];
   const std::string& to = m.states[closing.to].name;
   auto report = v.diagnostics.report(
-      support::DiagnosticId::recursiveCall, from.cases[closing.case_index].range, from.name,
+      support::diagnostics::recursiveCall, from.cases[closing.case_index].range, from.name,
       closing.from == closing.to ? "itself"
                                  : fmt::format("`{}`, which can be on the call stack", to),
       to);

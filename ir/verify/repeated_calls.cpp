@@ -4,7 +4,7 @@
 #include "ir/core/ops.h"
 #include "ir/core/walk.h"
 #include "ir/verify/passes.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
@@ -58,7 +58,7 @@ class RepeatedCalls {
       findChanged(call);
     }
     if (staysTrue(call.guard) && nothingBefore(number, call.target)) {
-      v_.diagnostics.report(support::DiagnosticId::callRepeats, call.range, m_[call.target].name,
+      v_.diagnostics.report(support::diagnostics::callRepeats, call.range, m_[call.target].name,
                             hintFor(call));
     }
   }

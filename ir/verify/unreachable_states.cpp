@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/verify/passes.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
@@ -68,7 +68,7 @@ void passes::unreachableStates(Verification& v) {
   const Namings named = namings(v.structure);
   for (uint32_t s = 0; s < v.structure.size(); ++s) {
     if (!v.structure.reached(s)) {
-      auto report = v.diagnostics.report(support::DiagnosticId::unreachableState, m.states[s].range,
+      auto report = v.diagnostics.report(support::diagnostics::unreachableState, m.states[s].range,
                                          m.states[s].name);
       noteWhy(report, v.structure, s, named);
     }

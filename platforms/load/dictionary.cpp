@@ -3,7 +3,7 @@
 
 #include "platforms/load/dictionary.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 
 #include <fmt/format.h>
 
@@ -49,7 +49,7 @@ support::Result<void> checkRoles(const Platform& platform) {
   for (const Role& role : kRoles) {
     if (role.required && numberOf(platform, role.sensor) == GLIDER_NO_SENSOR) {
       return support::fail(
-          support::DiagnosticId::badDataFile, fmt::format("platform `{}`", platform.name),
+          support::diagnostics::badDataFile, fmt::format("platform `{}`", platform.name),
           fmt::format(
               "missions cannot fly this vehicle: it has no sensor `{}`, which the hooks need",
               role.sensor));

@@ -5,7 +5,7 @@
 #include "platforms/load/load_platform.h"
 #include "platforms/load/surface_reading.h"
 #include "platforms/load/toml_reader.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 
 #include <fmt/format.h>
 
@@ -99,13 +99,13 @@ support::Result<void> readSensors(const std::string& file, const toml::table& ro
   const toml::array* list = root["sensor"].as_array();
   if (list == nullptr || list->empty() || list->size() > GLIDER_MOST_SENSORS) {
     return support::fail(
-        support::DiagnosticId::badDataFile, file,
+        support::diagnostics::badDataFile, file,
         fmt::format("it must have between 1 and {} [[sensor]] tables", GLIDER_MOST_SENSORS));
   }
   for (const toml::node& node : *list) {
     const toml::table* table = node.as_table();
     if (table == nullptr) {
-      return support::fail(support::DiagnosticId::badDataFile, file,
+      return support::fail(support::diagnostics::badDataFile, file,
                            "`sensor` must be [[sensor]] tables");
     }
     TomlReader reader(file, *table, fmt::format("sensor {}", platform.sensors.size()));

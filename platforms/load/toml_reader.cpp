@@ -3,7 +3,7 @@
 
 #include "platforms/load/toml_reader.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 #include "support/files.h"
 
 #include <fmt/format.h>
@@ -11,8 +11,6 @@
 #include <algorithm>
 
 namespace glider::platforms {
-
-using support::DiagnosticId;
 
 const toml::node* TomlReader::node(std::string_view key) {
   const toml::node* found = table_.get(key);
@@ -26,7 +24,8 @@ void TomlReader::fail(const toml::node* at, std::string why) {
   if (!failure_) {
     const auto line = at != nullptr ? at->source().begin.line : 0;
     failure_ =
-        support::fail(DiagnosticId::badDataFile, fmt::format("{}:{}", file_, line), why).error();
+        support::fail(support::diagnostics::badDataFile, fmt::format("{}:{}", file_, line), why)
+            .error();
   }
 }
 
@@ -111,7 +110,7 @@ support::Result<toml::table> parseToml(const std::filesystem::path& path) {
   try {
     return toml::parse(*text, path.string());
   } catch (const toml::parse_error& error) {
-    return support::fail(DiagnosticId::badDataFile,
+    return support::fail(support::diagnostics::badDataFile,
                          fmt::format("{}:{}", path.string(), error.source().begin.line),
                          std::string(error.description()));
   }

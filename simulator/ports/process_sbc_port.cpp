@@ -4,7 +4,7 @@
 #include "simulator/ports/process_sbc_port.h"
 
 #include "simulator/faults/card_damage.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/program.h"
 
 #include <fmt/format.h>
@@ -59,14 +59,14 @@ support::Result<std::unique_ptr<ProcessSbcPort>> ProcessSbcPort::start(
     }
   }
   if (command.empty()) {
-    return support::fail(support::DiagnosticId::sbcNotStarted, "", "no program is named");
+    return support::fail(support::diagnostics::sbcNotStarted, "", "no program is named");
   }
   std::unique_ptr<ProcessSbcPort> port(
       new ProcessSbcPort(std::move(way), std::move(*pty), hang_secs));
   port->card_ = std::move(card);
   port->pid_ = startSilently(command);
   if (port->pid_ < 0) {
-    return support::fail(support::DiagnosticId::sbcNotStarted, command.front(),
+    return support::fail(support::diagnostics::sbcNotStarted, command.front(),
                          std::strerror(errno));
   }
   return port;

@@ -17,7 +17,6 @@
 namespace glider::simulator {
 
 using platforms::TomlReader;
-using support::DiagnosticId;
 
 namespace {
 

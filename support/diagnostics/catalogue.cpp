@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "support/diagnostics/catalogue.h"
-
 #include "support/check.h"
 #include "support/diagnostics/diagnostic.h"
 
@@ -15,9 +13,8 @@ namespace glider::support {
 const std::vector<CatalogueRow>& catalogue() {
   static const std::vector<CatalogueRow> rows = {
 #define DIAGNOSTIC(number, name, slug, severity, message, hint) \
-  {DiagnosticId::name, #name, slug, Severity::severity, message, hint},
+  {DiagnosticId{number}, #name, slug, Severity::severity, message, hint},
 #include "support/diagnostics/catalogue.def"
-#include "support/diagnostics/catalogue.h"
 #undef DIAGNOSTIC
   };
   return rows;

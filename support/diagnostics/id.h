@@ -7,8 +7,8 @@
 
 namespace glider::support {
 
-/// The name of a diagnostic. Its enumerators are in catalogue.h, which only the sources include
-/// that report one: a new diagnostic then compiles those again, not the whole tree.
-enum class DiagnosticId : uint16_t;
+/// A diagnostic: its number in the catalogue. Their names are constants in ids/, a header for each
+/// file of the catalogue: a new diagnostic compiles those again that report some of its kind.
+enum class DiagnosticId : uint16_t {};
 
 }  // namespace glider::support

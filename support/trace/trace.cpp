@@ -3,7 +3,7 @@
 
 #include "support/trace/trace.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -153,11 +153,11 @@ Result<Trace> traceFromJson(const std::string& text, const std::string& name) {
   try {
     Trace trace = readDocument(json::parse(text));
     if (trace.columns.empty() || trace.rows.size() % trace.columns.size() != 0) {
-      return fail(DiagnosticId::noTrace, name, "its rows do not fit its columns");
+      return fail(support::diagnostics::noTrace, name, "its rows do not fit its columns");
     }
     return trace;
   } catch (const json::exception& trouble) {
-    return fail(DiagnosticId::noTrace, name, trouble.what());
+    return fail(support::diagnostics::noTrace, name, trouble.what());
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/trace/trace.h"
 
 #include <fmt/format.h>
@@ -76,14 +76,15 @@ Result<Trace> traceFromCsv(const std::string& text, const std::string& name) {
   forEachCell(takeLine(rest),
               [&](std::string_view cell) { trace.columns.push_back(columnOf(cell)); });
   if (trace.columns[0].name != "time") {
-    return fail(DiagnosticId::notFlightTrace, name, "its first column is not `time (s)`");
+    return fail(support::diagnostics::notFlightTrace, name, "its first column is not `time (s)`");
   }
   if (trace.column("m_depth") < 0 && trace.column("true_depth") < 0) {
-    return fail(DiagnosticId::notFlightTrace, name, "it has no column `m_depth` or `true_depth`");
+    return fail(support::diagnostics::notFlightTrace, name,
+                "it has no column `m_depth` or `true_depth`");
   }
   for (size_t number = 2; !rest.empty(); ++number) {
     if (!addRow(takeLine(rest), trace)) {
-      return fail(DiagnosticId::notFlightTrace, name,
+      return fail(support::diagnostics::notFlightTrace, name,
                   fmt::format("line {} does not have a number or nothing for each of {} columns",
                               number, trace.columns.size()));
     }

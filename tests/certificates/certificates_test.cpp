@@ -5,7 +5,7 @@
 // weakened, or that could change the question.
 
 #include "compiler/proving.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 #include "support/program.h"
 #include "tests/certificates/issued.h"
@@ -260,7 +260,7 @@ TEST_F(Certificates, DamagedFilesAreErrors) {  // refused: GL9381
     bad.replace(bad.find(from), from.size(), to);
     const auto read = compiler::certificateFromJson(bad, "c.json", *issued.mission->checked);
     ASSERT_FALSE(read) << to;
-    EXPECT_EQ(read.error().id, support::DiagnosticId::noCertificate);
+    EXPECT_EQ(read.error().id, support::diagnostics::noCertificate);
   }
   EXPECT_TRUE(
       compiler::certificateFromJson(good, "c.json", *issued.mission->checked));  // accepts: GL9381
@@ -283,7 +283,7 @@ TEST_F(Certificates, OfASolverThatFailsNothingIsAccepted) {  // refused: GL9382
     const auto found = analysis::recheck(*certificate, *issued.mission, kDives);
     ::setenv("PATH", path.c_str(), 1);
     ASSERT_FALSE(found) << solver;
-    EXPECT_EQ(found.error().id, support::DiagnosticId::solverFailed);
+    EXPECT_EQ(found.error().id, support::diagnostics::solverFailed);
   }
 }
 
@@ -297,7 +297,7 @@ TEST_F(Certificates, WithoutTheSolverNothingIsAccepted) {  // refused: GL9380
   const auto found = analysis::recheck(*certificate, *issued.mission, kDives);
   ::setenv("PATH", path.c_str(), 1);
   ASSERT_FALSE(found);
-  EXPECT_EQ(found.error().id, support::DiagnosticId::programNotStarted);
+  EXPECT_EQ(found.error().id, support::diagnostics::programNotStarted);
   EXPECT_TRUE(analysis::recheck(*certificate, *issued.mission, kDives));  // accepts: GL9380 GL9382
 }
 

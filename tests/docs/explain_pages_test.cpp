@@ -8,7 +8,9 @@
 #include "ir/prove/prove.h"
 #include "ir/verify/verify.h"
 #include "platforms/load/load_platform.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
+#include "support/diagnostics/ids/syntax.h"
+#include "support/diagnostics/ids/verification.h"
 #include "tests/docs/examples.h"
 #include "tests/unit/frontend/compile.h"
 
@@ -25,19 +27,23 @@ using support::DiagnosticId;
 /// Errors that no page can show: they are about bytes, sizes, other files, or what only the IR's
 /// text form can say.
 const std::set<DiagnosticId> kNotShown = {
-    DiagnosticId::notUtf8, DiagnosticId::nulByte, DiagnosticId::utf16, DiagnosticId::nestedTooDeep,
-    DiagnosticId::fileTooLarge, DiagnosticId::tooManyErrors, DiagnosticId::expressionTooLong,
-    DiagnosticId::notInLibrary, DiagnosticId::importUnreadable, DiagnosticId::importCycle,
-    DiagnosticId::importsTooDeep, DiagnosticId::emptyImport, DiagnosticId::argumentRange,
-    DiagnosticId::parameterDefault, DiagnosticId::tooManyOwnSensors,
+    support::diagnostics::notUtf8, support::diagnostics::nulByte, support::diagnostics::utf16,
+    support::diagnostics::nestedTooDeep, support::diagnostics::fileTooLarge,
+    support::diagnostics::tooManyErrors, support::diagnostics::expressionTooLong,
+    support::diagnostics::notInLibrary, support::diagnostics::importUnreadable,
+    support::diagnostics::importCycle, support::diagnostics::importsTooDeep,
+    support::diagnostics::emptyImport, support::diagnostics::argumentRange,
+    support::diagnostics::parameterDefault, support::diagnostics::tooManyOwnSensors,
     // Another vehicle.
-    DiagnosticId::declinationUnknown,
+    support::diagnostics::declinationUnknown,
     // The vehicle's mission file: vehicle_missions_test.cpp tries the page.
-    DiagnosticId::mayStayBelow, DiagnosticId::vehicleRefuses, DiagnosticId::vehicleAborts,
-    DiagnosticId::startUnassumed, DiagnosticId::hookbehOverrides, DiagnosticId::mayNotFollow,
-    DiagnosticId::commandsMasked, DiagnosticId::controlPrevented, DiagnosticId::sensorUnread};
+    support::diagnostics::mayStayBelow, support::diagnostics::vehicleRefuses,
+    support::diagnostics::vehicleAborts, support::diagnostics::startUnassumed,
+    support::diagnostics::hookbehOverrides, support::diagnostics::mayNotFollow,
+    support::diagnostics::commandsMasked, support::diagnostics::controlPrevented,
+    support::diagnostics::sensorUnread};
 /// Their repair needs a second file.
-const std::set<DiagnosticId> kNotRepaired = {DiagnosticId::openString};
+const std::set<DiagnosticId> kNotRepaired = {support::diagnostics::openString};
 
 bool aboutMissions(DiagnosticId id) {
   const auto number = static_cast<int>(id);

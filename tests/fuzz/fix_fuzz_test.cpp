@@ -11,7 +11,6 @@
 #include "ir/text/print.h"
 #include "ir/verify/verify.h"
 #include "platforms/load/load_platform.h"
-#include "support/diagnostics/catalogue.h"
 #include "support/diagnostics/fixes.h"
 #include "support/files.h"
 #include "tests/fuzz/slips.h"

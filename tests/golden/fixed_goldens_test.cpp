@@ -6,8 +6,9 @@
 // exactly or always has the same value.
 
 #include "frontend/constructs.h"
-#include "support/diagnostics/catalogue.h"
 #include "support/diagnostics/fixes.h"
+#include "support/diagnostics/ids/meaning.h"
+#include "support/diagnostics/ids/verification.h"
 #include "tests/golden/golden_file.h"
 #include "tests/golden/stages.h"
 
@@ -26,8 +27,9 @@ using support::Diagnostic;
 using support::DiagnosticId;
 
 /// Warnings that a fix may uncover but never cause: they tell of a condition without sense.
-const std::set<DiagnosticId> kSenseless = {
-    DiagnosticId::measuredEquality, DiagnosticId::constantAlways, DiagnosticId::comparisonDecided};
+const std::set<DiagnosticId> kSenseless = {support::diagnostics::measuredEquality,
+                                           support::diagnostics::constantAlways,
+                                           support::diagnostics::comparisonDecided};
 
 int stageOf(DiagnosticId id) {
   return static_cast<int>(id) / 1000;

@@ -8,7 +8,7 @@
 #include "ir/text/print.h"
 #include "ir/verify/verify.h"
 #include "ir/worlds/under_assumptions.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 #include "tests/promises/patrol.h"
 
 #include <fmt/format.h>
@@ -35,7 +35,7 @@ Found check(const std::string& text) {
   const ir::MissionFacts facts = ir::verify(*mission, run.diagnostics);
   const auto findings = ir::prove::prove(*mission, facts, slocum(), {}, run.diagnostics);
   Found found;
-  found.contradict = run.says(support::DiagnosticId::assumptionsContradict);
+  found.contradict = run.says(support::diagnostics::assumptionsContradict);
   if (!findings.requirements.empty()) {
     found.verdict = ir::prove::word(findings.requirements[0].verdict);
     found.premises = ir::prove::premisesOf(findings.requirements[0], *mission);
@@ -100,7 +100,7 @@ TEST(AssumptionVerdicts, OfADeeperStart) {
   const ir::MissionFacts facts = ir::verify(*mission, run.diagnostics);
   const auto findings = ir::prove::prove(*mission, facts, slocum(), {}, run.diagnostics);
   EXPECT_NE(findings.requirements.at(0).verdict, ir::prove::Verdict::Proved);
-  EXPECT_FALSE(run.says(support::DiagnosticId::requirementVacuous));
+  EXPECT_FALSE(run.says(support::diagnostics::requirementVacuous));
 }
 
 /// Also a long one, so that certificates can name it.
@@ -272,7 +272,7 @@ TEST(AssumptionVerdicts, UnknownReadingsContradictNothing) {
   ASSERT_TRUE(mission.has_value()) << run.said();
   const ir::MissionFacts facts = ir::verify(*mission, run.diagnostics);
   (void)ir::prove::prove(*mission, facts, slocum(), {}, run.diagnostics);
-  EXPECT_FALSE(run.says(support::DiagnosticId::requirementsContradict));
+  EXPECT_FALSE(run.says(support::diagnostics::requirementsContradict));
 }
 
 /// Nothing rests on ranges without a common reading: searches go on without the assumptions.

@@ -3,7 +3,7 @@
 
 #include "tests/random_proofs/claims.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <algorithm>
 #include <functional>
@@ -15,7 +15,6 @@ namespace {
 using ir::ListKind;
 using ir::Transition;
 using support::Diagnostic;
-using support::DiagnosticId;
 using support::SourceRange;
 
 class Reader {
@@ -34,33 +33,33 @@ class Reader {
   void read(const Diagnostic& d) {
     Claim claim{d.id, d.message};
     switch (d.id) {
-      case DiagnosticId::unreachableState:
+      case support::diagnostics::unreachableState:
         return ofState(claim, d.range, false);
-      case DiagnosticId::deadEndState:
-      case DiagnosticId::noWayToExit:
+      case support::diagnostics::deadEndState:
+      case support::diagnostics::noWayToExit:
         return ofState(claim, d.range, true);
-      case DiagnosticId::callForGood:
+      case support::diagnostics::callForGood:
         return ofCalled(claim, d.range);
-      case DiagnosticId::guardNeverTrue:
-      case DiagnosticId::guardAlwaysTrue:
+      case support::diagnostics::guardNeverTrue:
+      case support::diagnostics::guardAlwaysTrue:
         return ofGuard(claim, d.range);
-      case DiagnosticId::caseHidden:
+      case support::diagnostics::caseHidden:
         return ofHidden(claim, d.range);
-      case DiagnosticId::neverTrueInState:
+      case support::diagnostics::neverTrueInState:
         return ofGuardPart(claim, d.range);
-      case DiagnosticId::comparisonDecided:
+      case support::diagnostics::comparisonDecided:
         claim.expected = d.message.ends_with("true");
         return ofExpression(claim, d.range);
-      case DiagnosticId::longerThanState:
+      case support::diagnostics::longerThanState:
         return ofTemporal(claim, d.range);
-      case DiagnosticId::missionWithoutEnd:
-      case DiagnosticId::endsAtOnce:
-      case DiagnosticId::endNeedsReadings:
-      case DiagnosticId::assumptionsContradict:
-      case DiagnosticId::requirementsContradict:
+      case support::diagnostics::missionWithoutEnd:
+      case support::diagnostics::endsAtOnce:
+      case support::diagnostics::endNeedsReadings:
+      case support::diagnostics::assumptionsContradict:
+      case support::diagnostics::requirementsContradict:
         claims_.push_back(claim);
         return;
-      case DiagnosticId::requirementVacuous:
+      case support::diagnostics::requirementVacuous:
         return ofExpression(claim, d.notes.empty() ? SourceRange() : d.notes.front().range);
       default:
         return;

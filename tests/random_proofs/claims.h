@@ -4,8 +4,8 @@
 #pragma once
 
 #include "ir/prove/prove.h"
-#include "support/diagnostics/catalogue.h"
 #include "support/diagnostics/engine.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <limits>
 #include <set>
@@ -16,7 +16,7 @@ namespace glider::random_proofs {
 
 /// Something that a finding says no flight does, or every flight does.
 struct Claim {
-  support::DiagnosticId id = support::DiagnosticId::unreachableState;
+  support::DiagnosticId id = support::diagnostics::unreachableState;
   std::string words;
   ir::StateId state = {};  ///< that it is about; invalid: `always`, or the mission
   ir::ListKind list = ir::ListKind::State;

@@ -3,7 +3,7 @@
 
 #include "tests/random_proofs/flight_check.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,6 @@ using containment::Flight;
 using ir::AssumptionKind;
 using ir::ListKind;
 using ir::Truth;
-using support::DiagnosticId;
 
 namespace {
 
@@ -117,17 +116,17 @@ bool FlightCheck::brokenMidway(const Claim& claim, const Flight& flight, bool& m
   }
   const auto value = [&] { return ir::asNumber(flight.interpreter().evaluate(claim.guard)); };
   switch (claim.id) {
-    case DiagnosticId::guardNeverTrue:
-    case DiagnosticId::neverTrueInState:
+    case support::diagnostics::guardNeverTrue:
+    case support::diagnostics::neverTrueInState:
       met = true;
       return value() == 1;
-    case DiagnosticId::guardAlwaysTrue:
+    case support::diagnostics::guardAlwaysTrue:
       met = true;
       return value() != 1;
-    case DiagnosticId::comparisonDecided:
+    case support::diagnostics::comparisonDecided:
       met = true;
       return value() == (claim.expected ? 0 : 1);
-    case DiagnosticId::longerThanState: {
+    case support::diagnostics::longerThanState: {
       met = true;
       const double now = value();
       const bool truth = m_[claim.guard].type.kind == ir::TypeKind::Bool;
@@ -155,43 +154,43 @@ bool FlightCheck::brokenBy(size_t number, const Flight& flight, bool& met) {
   const bool first = flight.now().time == 0 && !before.state.valid();
   const bool began_there = !first && claim.state.valid() && before.state == claim.state;
   switch (claim.id) {
-    case DiagnosticId::unreachableState:
+    case support::diagnostics::unreachableState:
       met = true;
       return now.state == claim.state;
-    case DiagnosticId::deadEndState:
+    case support::diagnostics::deadEndState:
       met = began_there && before.limit <= claim.limit;
       return met && leaves(claim, flight);
-    case DiagnosticId::missionWithoutEnd:
+    case support::diagnostics::missionWithoutEnd:
       met = true;
       return now.finished;
-    case DiagnosticId::noWayToExit:
+    case support::diagnostics::noWayToExit:
       if (now.state == claim.state && now.limit <= claim.limit) {
         entered_.insert(number);
       }
       met = entered_.contains(number);
       return met && now.finished;
-    case DiagnosticId::callForGood:
+    case support::diagnostics::callForGood:
       met = began_there;
       return began_there && now.moved && now.moved->list == ListKind::State &&
              m_[claim.state].cases[now.moved->number].transition == ir::Transition::Return;
-    case DiagnosticId::guardNeverTrue:
-    case DiagnosticId::caseHidden:
+    case support::diagnostics::guardNeverTrue:
+    case support::diagnostics::caseHidden:
       met = !first && isTried(claim, before.state);
       return met && fired(claim, flight);
-    case DiagnosticId::endsAtOnce:
+    case support::diagnostics::endsAtOnce:
       met = !style_.power_cuts;
       return met && flight.now().time > kAtOnce && !before.finished;
-    case DiagnosticId::endNeedsReadings:
+    case support::diagnostics::endNeedsReadings:
       met = style_.silent;
       return met && now.finished;
-    case DiagnosticId::assumptionsContradict:
+    case support::diagnostics::assumptionsContradict:
       met = true;
       return !assumed_.empty() && allTrue(assumed_, flight) &&
              (flight.now().time == 0 || !claim.words.contains("at the start"));
-    case DiagnosticId::requirementsContradict:
+    case support::diagnostics::requirementsContradict:
       met = true;
       return allTrue(required_, flight);
-    case DiagnosticId::requirementVacuous:
+    case support::diagnostics::requirementVacuous:
       met = true;
       return truthOf(claim.guard, flight) == Truth::True;
     default:

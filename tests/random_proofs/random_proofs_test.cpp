@@ -9,7 +9,7 @@
 #include "ir/text/print.h"
 #include "ir/verify/verify.h"
 #include "ir/worlds/worlds.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 #include "tests/containment/hard_mission.h"
 #include "tests/random_missions/random_mission.h"
 #include "tests/random_proofs/flight_check.h"
@@ -211,8 +211,8 @@ class Trial {
   }
 
   [[nodiscard]] bool needsReadings() const {
-    return std::ranges::find(watched_.claims, support::DiagnosticId::endNeedsReadings,
-                             &Claim::id) != watched_.claims.end();
+    return std::ranges::find(watched_.claims, support::diagnostics::endNeedsReadings, &Claim::id) !=
+           watched_.claims.end();
   }
 
   uint64_t seed_;

@@ -3,7 +3,7 @@
 
 #include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/context/proof_context.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 #include "support/files.h"
 #include "vehicles/vehicle.h"
 
@@ -23,7 +23,7 @@ class ToyMission final : public OwnMission {
                    support::DiagnosticEngine& diagnostics) const override {
     const auto depths = ir::prove::deepestByState({mission.mission(), mission.platform()});
     if (const double deepest = std::ranges::max(depths); deepest > deepest_m_) {
-      diagnostics.report(support::DiagnosticId::vehicleRefuses,
+      diagnostics.report(support::diagnostics::vehicleRefuses,
                          mission.mission().states.front().range, "this mission",
                          fmt::format("a depth of {:.4g} m", deepest),
                          fmt::format("more than {:.4g} m", deepest_m_), "the toy's file");

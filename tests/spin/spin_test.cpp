@@ -9,7 +9,7 @@
 #include "ir/text/read.h"
 #include "ir/verify/structure.h"
 #include "ir/verify/verify.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 #include "support/diagnostics/render.h"
 #include "tests/random_missions/random_mission.h"
 #include "tests/random_missions/random_structure.h"
@@ -52,9 +52,10 @@ Asked compare(const std::vector<ir::Mission>& missions) {
     const ir::Structure structure(missions[i]);
     const std::set<uint32_t> reached(structure.order.begin(), structure.order.end());
     EXPECT_EQ(reached, found[i].reached) << ir::print(missions[i]);
-    EXPECT_EQ(count(DiagnosticId::emptyReturn), found[i].empty_returns.size())
+    EXPECT_EQ(count(support::diagnostics::emptyReturn), found[i].empty_returns.size())
         << ir::print(missions[i]);
-    EXPECT_EQ(count(DiagnosticId::recursiveCall) > 0, found[i].recursive) << ir::print(missions[i]);
+    EXPECT_EQ(count(support::diagnostics::recursiveCall) > 0, found[i].recursive)
+        << ir::print(missions[i]);
     if (!found[i].recursive) {
       EXPECT_EQ(facts.stack_depth, found[i].depth) << ir::print(missions[i]);
       asked.deep += found[i].depth > 1;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "analysis/check/run.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 #include "vehicles/vehicle.h"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ support::Result<void> vehicleFile(Run& run) {
   }
   const vehicles::Vehicle& family = vehicles::vehicleOfFile(path);
   if (const std::string& mine = run.platform().family; !mine.empty() && mine != family.name) {
-    return support::fail(support::DiagnosticId::skeletonErrors, path,
+    return support::fail(support::diagnostics::skeletonErrors, path,
                          fmt::format("it is for vehicles of the family `{}`, and `{}` is of `{}`",
                                      family.name, run.platform().name, mine));
   }

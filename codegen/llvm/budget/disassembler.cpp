@@ -4,7 +4,7 @@
 #include "codegen/llvm/budget/disassembler.h"
 
 #include "codegen/llvm/target/machine.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/target.h"
 
 #include <llvm/ADT/SmallVector.h>
 #include <llvm/MC/MCAsmInfo.h>
@@ -157,7 +157,7 @@ support::Result<std::unique_ptr<Disassembler>> Disassembler::make(const platform
   }
   const llvm::Triple& triple = (*target)->getTargetTriple();
   if (!knows(board)) {
-    return support::fail(support::DiagnosticId::unsupportedMachine, board.name, board.triple,
+    return support::fail(support::diagnostics::unsupportedMachine, board.name, board.triple,
                          board.cpu);
   }
   if (triple.isARM()) {

@@ -5,7 +5,7 @@
 
 #include "codegen/llvm/budget/disassembler.h"
 #include "codegen/llvm/budget/taken.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/target.h"
 
 #include <llvm/DebugInfo/DWARF/DWARFContext.h>
 #include <llvm/Demangle/Demangle.h>
@@ -262,7 +262,7 @@ Result<Image> Image::read(const std::string& linked, const platforms::Board& boa
   parts->bytes = llvm::MemoryBuffer::getMemBufferCopy(linked, "linked");
   auto file = llvm::object::ObjectFile::createELFObjectFile(parts->bytes->getMemBufferRef());
   if (!file) {
-    return support::fail(support::DiagnosticId::linkFailed, board.name,
+    return support::fail(support::diagnostics::linkFailed, board.name,
                          llvm::toString(file.takeError()));
   }
   parts->file = std::move(*file);

@@ -5,7 +5,8 @@
 
 #include "codegen/scratch_folder.h"
 #include "ir/core/c_symbols.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/target.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 
 #include <fmt/ranges.h>
@@ -24,7 +25,6 @@ namespace glider::codegen {
 namespace {
 
 using platforms::Board;
-using support::DiagnosticId;
 using support::Result;
 
 constexpr std::string_view kUndefined = "undefined symbol: ";
@@ -97,7 +97,7 @@ std::string firstComplaint(const std::string& said) {
 support::Failure unbound(const std::string& symbol) {
   const auto declared = ir::readSymbol(symbol);
   return support::fail(
-             DiagnosticId::unboundSymbol, declared ? declared->declaration : symbol,
+             support::diagnostics::unboundSymbol, declared ? declared->declaration : symbol,
              declared ? "write it in C or C++ with the header from `glidercc build --emit header`, "
                         "and add its object with `--link FILE`"
                       : "add the object or archive that defines it with `--link FILE`; a board has "
@@ -110,13 +110,14 @@ support::Failure explain(const std::string& said, const Board& board,
   const std::string complaint = firstComplaint(said);
   const size_t reason = complaint.rfind(": ");
   if (complaint.find(output.string()) != std::string::npos && reason != std::string::npos) {
-    return support::fail(DiagnosticId::cannotWrite, output.string(), complaint.substr(reason + 2))
+    return support::fail(support::diagnostics::cannotWrite, output.string(),
+                         complaint.substr(reason + 2))
         .error();
   }
   if (complaint.starts_with(kUndefined)) {
     return unbound(complaint.substr(kUndefined.size()));
   }
-  return support::fail(DiagnosticId::linkFailed, board.name, complaint).error();
+  return support::fail(support::diagnostics::linkFailed, board.name, complaint).error();
 }
 
 /// Runs lld, which writes its messages to `said`; true if it has linked.
@@ -156,7 +157,8 @@ Result<void> runLld(const LinkJob& job, const Board& board, const ScratchFiles& 
   if (!text.empty()) {
     return std::unexpected(explain(text, board, files.output));
   }
-  return support::fail(DiagnosticId::linkFailed, board.name, "the linker ended without a message");
+  return support::fail(support::diagnostics::linkFailed, board.name,
+                       "the linker ended without a message");
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include "codegen/llvm/program/program.h"
 #include "platforms/load/dictionary.h"
 #include "runtime/abi/glider_abi.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/target.h"
 
 #include <future>
 #include <utility>
@@ -19,7 +19,6 @@ namespace glider::codegen {
 namespace {
 
 using platforms::Board;
-using support::DiagnosticId;
 using support::Result;
 
 /// Half of the memory of the smallest board, the TS-5500.
@@ -46,14 +45,14 @@ Result<void> checkLimits(const Recipe& recipe, const llvm::TargetMachine& machin
   }
   const MissionIndex index = indexMission(recipe.input.mission);
   if (index.parameter_count > GLIDER_MOST_PARAMETERS) {
-    return support::fail(DiagnosticId::tooManyParameters, index.parameter_count,
+    return support::fail(support::diagnostics::tooManyParameters, index.parameter_count,
                          GLIDER_MOST_PARAMETERS);
   }
   llvm::LLVMContext scratch;  // the module's own must contain each type only once
   const uint64_t bytes =
       contextBytes(recipe.input, index, machine.createDataLayout(), makeAbiTypes(scratch));
   if (bytes > kMostContextBytes) {
-    return support::fail(DiagnosticId::missionTooLarge, bytes, kMostContextBytes);
+    return support::fail(support::diagnostics::missionTooLarge, bytes, kMostContextBytes);
   }
   return {};
 }

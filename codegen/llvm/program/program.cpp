@@ -3,7 +3,7 @@
 
 #include "codegen/llvm/program/program.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 
 #include <llvm/Bitcode/BitcodeReader.h>
@@ -75,11 +75,11 @@ support::Result<void> joinPart(llvm::Module& mission, const std::string& part,
   auto module = llvm::getOwningLazyBitcodeModule(
       llvm::MemoryBuffer::getMemBufferCopy(*bitcode, part), mission.getContext());
   if (!module) {
-    return support::fail(support::DiagnosticId::badRuntime, part,
+    return support::fail(support::diagnostics::badRuntime, part,
                          llvm::toString(module.takeError()));
   }
   if (llvm::Linker::linkModules(mission, std::move(*module), llvm::Linker::LinkOnlyNeeded)) {
-    return support::fail(support::DiagnosticId::badRuntime, part, trouble);
+    return support::fail(support::diagnostics::badRuntime, part, trouble);
   }
   return {};
 }
@@ -128,7 +128,7 @@ support::Result<void> joinRuntime(llvm::Module& mission,
   }
   for (const std::string& name : visible) {
     if (mission.getNamedValue(name)->isDeclaration()) {
-      return support::fail(support::DiagnosticId::badRuntime, parts.back().string(),
+      return support::fail(support::diagnostics::badRuntime, parts.back().string(),
                            "it does not define `" + name + "`");
     }
   }

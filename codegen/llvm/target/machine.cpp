@@ -3,7 +3,7 @@
 
 #include "codegen/llvm/target/machine.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/target.h"
 
 #include <llvm/MC/MCSubtargetInfo.h>
 #include <llvm/MC/TargetRegistry.h>
@@ -97,7 +97,7 @@ support::Result<std::unique_ptr<llvm::TargetMachine>> makeMachine(const Board& b
         pic ? llvm::Reloc::PIC_ : llvm::Reloc::Static, std::nullopt, codegenLevel(level)));
   }
   if (!machine) {
-    return support::fail(support::DiagnosticId::unsupportedMachine, board.name, board.triple,
+    return support::fail(support::diagnostics::unsupportedMachine, board.name, board.triple,
                          board.cpu);
   }
   return machine;

@@ -8,7 +8,7 @@
 #include "codegen/llvm/program/program.h"
 #include "codegen/llvm/target/machine.h"
 #include "codegen/llvm/user_code/machine_check.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/target.h"
 #include "support/files.h"
 
 #include <llvm/Bitcode/BitcodeReader.h>
@@ -30,7 +30,6 @@ namespace glider::codegen {
 namespace {
 
 using platforms::Board;
-using support::DiagnosticId;
 using support::Result;
 
 /// The data of the child process of `compileApart`.
@@ -97,12 +96,12 @@ Result<std::string> compileBitcode(const std::string& name, const std::string& c
   llvm::LLVMContext context;
   auto module = llvm::parseBitcodeFile({content, name}, context);
   if (!module) {
-    return support::fail(DiagnosticId::bitcodeRefused, name, board.name,
+    return support::fail(support::diagnostics::bitcodeRefused, name, board.name,
                          llvm::toString(module.takeError()));
   }
   const std::string wanted = machineOf(board.triple);
   if (const std::string found = machineOf((*module)->getTargetTriple()); found != wanted) {
-    return support::fail(DiagnosticId::wrongMachine, name, found, board.name, wanted);
+    return support::fail(support::diagnostics::wrongMachine, name, found, board.name, wanted);
   }
   // Position-independent, both for a board's program and for one that flies in process.
   auto machine = makeMachine(board, kUserCodeLevel, ProgramKind::Executable);
@@ -112,13 +111,13 @@ Result<std::string> compileBitcode(const std::string& name, const std::string& c
   std::string fault;
   llvm::raw_string_ostream stream(fault);
   if (llvm::verifyModule(**module, &stream)) {
-    return support::fail(DiagnosticId::bitcodeRefused, name, board.name, stream.str());
+    return support::fail(support::diagnostics::bitcodeRefused, name, board.name, stream.str());
   }
   adopt(**module, **machine);
   BitcodeWork work{**module, **machine, scratch.path() / "compiled.o", scratch.path() / "refused"};
   if (!compileApart(work)) {
     const std::string why = support::readFile(work.said).value_or("");
-    return support::fail(DiagnosticId::bitcodeRefused, name, board.name,
+    return support::fail(support::diagnostics::bitcodeRefused, name, board.name,
                          why.empty() ? "its compilation ended without a message" : why);
   }
   return support::readFile(work.object);

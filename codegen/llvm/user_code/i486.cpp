@@ -4,7 +4,7 @@
 #include "codegen/llvm/user_code/i486.h"
 
 #include "support/check.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/target.h"
 
 #include <llvm/MC/MCAsmInfo.h>
 #include <llvm/MC/MCContext.h>
@@ -26,7 +26,6 @@
 namespace glider::codegen {
 namespace {
 
-using support::DiagnosticId;
 using support::Result;
 
 /// Turns bytes of i386 code into assembly.
@@ -96,13 +95,14 @@ Result<void> checkI486(const llvm::object::ELFObjectFileBase& object, const std:
     }
     auto content = section.getContents();
     if (!content) {
-      return support::fail(DiagnosticId::notLinkable, name, llvm::toString(content.takeError()));
+      return support::fail(support::diagnostics::notLinkable, name,
+                           llvm::toString(content.takeError()));
     }
     llvm::ArrayRef<uint8_t> code(content->bytes_begin(), content->bytes_end());
     while (!code.empty()) {
       if (const std::string instruction = disassembler.next(code); isNewer(instruction)) {
         const std::string mnemonic = instruction.substr(0, instruction.find_first_of("\t "));
-        return support::fail(DiagnosticId::missingInstruction, name, mnemonic, board.name);
+        return support::fail(support::diagnostics::missingInstruction, name, mnemonic, board.name);
       }
     }
   }

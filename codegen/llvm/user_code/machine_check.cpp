@@ -4,7 +4,7 @@
 #include "codegen/llvm/user_code/machine_check.h"
 
 #include "codegen/llvm/user_code/i486.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/target.h"
 
 #include <llvm/BinaryFormat/ELF.h>
 #include <llvm/Support/ARMAttributeParser.h>
@@ -16,7 +16,6 @@ namespace glider::codegen {
 namespace {
 
 using platforms::Board;
-using support::DiagnosticId;
 using support::Result;
 
 /// Reads the section of an ARM object that says what it was compiled for; empty if there is none.
@@ -72,12 +71,12 @@ Result<void> checkMachine(const llvm::object::ELFObjectFileBase& object, const s
                           const Board& board) {
   const std::string wanted = machineOf(board.triple);
   if (const std::string found = machineOf(object.makeTriple().str()); found != wanted) {
-    return support::fail(DiagnosticId::wrongMachine, name, found, board.name, wanted);
+    return support::fail(support::diagnostics::wrongMachine, name, found, board.name, wanted);
   }
   const llvm::Triple triple(board.triple);
   if (triple.isARM()) {
     if (const std::string fault = armFault(object, board); !fault.empty()) {
-      return support::fail(DiagnosticId::wrongMachine, name, fault, board.name,
+      return support::fail(support::diagnostics::wrongMachine, name, fault, board.name,
                            "for an " + processorOf(board));
     }
   }

@@ -6,7 +6,7 @@
 #include "codegen/llvm/user_code/bitcode.h"
 #include "codegen/llvm/user_code/user_file.h"
 #include "ir/core/c_symbols.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/target.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,6 @@ namespace glider::codegen {
 namespace {
 
 using platforms::Board;
-using support::DiagnosticId;
 using support::Result;
 
 /// Every symbol that the mission needs from C.
@@ -50,8 +49,8 @@ Result<void> checkDeclarations(const std::vector<UserFile>& files, const std::st
     for (const std::string& symbol : file.defines) {
       const auto defined = ir::readSymbol(symbol);
       if (defined && defined->kind == mission->kind && defined->name == mission->name) {
-        return support::fail(DiagnosticId::otherDeclaration, file.name, defined->declaration,
-                             mission->declaration);
+        return support::fail(support::diagnostics::otherDeclaration, file.name,
+                             defined->declaration, mission->declaration);
       }
     }
   }

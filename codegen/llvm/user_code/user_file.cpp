@@ -5,7 +5,7 @@
 
 #include "codegen/llvm/user_code/bitcode.h"
 #include "codegen/llvm/user_code/machine_check.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/target.h"
 #include "support/files.h"
 
 #include <llvm/BinaryFormat/Magic.h>
@@ -17,11 +17,10 @@ namespace glider::codegen {
 namespace {
 
 using platforms::Board;
-using support::DiagnosticId;
 using support::Result;
 
 std::unexpected<support::Failure> refuse(const std::string& name, llvm::Error error) {
-  return support::fail(DiagnosticId::notLinkable, name, llvm::toString(std::move(error)));
+  return support::fail(support::diagnostics::notLinkable, name, llvm::toString(std::move(error)));
 }
 
 /// Checks one object and adds what it defines.
@@ -63,7 +62,7 @@ Result<void> readArchive(const Board& board, UserFile& file) {
     } else if (const std::string member =
                    file.name + "(" + buffer->getBufferIdentifier().str() + ")";
                llvm::identify_magic(buffer->getBuffer()) != llvm::file_magic::elf_relocatable) {
-      result = support::fail(DiagnosticId::notLinkable, member,
+      result = support::fail(support::diagnostics::notLinkable, member,
                              "an archive can contain only objects for the board");
     } else {
       result = readObject({buffer->getBuffer(), member}, board, file);
@@ -98,7 +97,7 @@ Result<UserFile> readUserFile(const std::filesystem::path& path, const Board& bo
   } else if (magic != llvm::file_magic::archive && magic != llvm::file_magic::elf_relocatable) {
     const bool linked =
         magic == llvm::file_magic::elf_executable || magic == llvm::file_magic::elf_shared_object;
-    return support::fail(DiagnosticId::notLinkable, file.name,
+    return support::fail(support::diagnostics::notLinkable, file.name,
                          linked ? "it is a program or a shared library"
                                 : "it is not an object, an archive or bitcode");
   }

@@ -6,14 +6,12 @@
 #include "frontend/sema/declarations/variables.h"
 #include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/expressions/lower_expr.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <cmath>
 #include <type_traits>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -100,7 +98,7 @@ class Declarations {
   void workPath(const ast::Const& node, Constant& constant) {
     if (node.type && node.type->text != "path") {
       if (const auto type = scope_.declaredType(*node.type, "")) {
-        scope_.report(DiagnosticId::wrongType, node.value.where, "`" + node.name.text + "`",
+        scope_.report(support::diagnostics::wrongType, node.value.where, "`" + node.name.text + "`",
                       describe(*type), scope_.text(node.value.where), "a path", howToWrite(*type));
       }
       return;
@@ -115,12 +113,13 @@ class Declarations {
   void settleConstant(const ast::Const& node, const Value& value, Constant& constant) {
     const auto number = evaluate(scope_.mission, value.id);
     if (!number) {
-      scope_.report(DiagnosticId::notConstant, node.value.where, scope_.text(node.value.where),
-                    "a constant");
+      scope_.report(support::diagnostics::notConstant, node.value.where,
+                    scope_.text(node.value.where), "a constant");
       return;
     }
     if (std::isnan(*number)) {
-      scope_.report(DiagnosticId::constantUnknown, node.value.where, scope_.text(node.value.where));
+      scope_.report(support::diagnostics::constantUnknown, node.value.where,
+                    scope_.text(node.value.where));
       return;
     }
     constant.type = value.type;
@@ -136,7 +135,7 @@ class Declarations {
         kind == ast::BehaviourKind::Profile ? ir::BehaviourKind::Profile : ir::BehaviourKind::Route;
     const auto [place, fresh] = scope_.behaviours.emplace(name.text, std::move(declaration));
     if (!fresh) {
-      scope_.report(DiagnosticId::duplicateName, name.where, name.text)
+      scope_.report(support::diagnostics::duplicateName, name.where, name.text)
           .note(place->second.name->where, "the first is here");
     }
   }

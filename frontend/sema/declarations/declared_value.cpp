@@ -5,14 +5,12 @@
 
 #include "frontend/sema/expressions/evaluate.h"
 #include "ir/eval/arithmetic.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 #include "support/units/units.h"
 
 #include <fmt/format.h>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -50,11 +48,11 @@ std::optional<std::pair<double, double>> DeclaredValue::constant(const ast::Expr
     return std::nullopt;
   }
   if (!first || !second) {
-    scope_.report(DiagnosticId::notConstant, expr.where, scope_.text(expr.where), what);
+    scope_.report(support::diagnostics::notConstant, expr.where, scope_.text(expr.where), what);
     return std::nullopt;
   }
   if (!ir::isKnown(*first) || !ir::isKnown(*second)) {
-    scope_.report(DiagnosticId::constantUnknown, expr.where, scope_.text(expr.where));
+    scope_.report(support::diagnostics::constantUnknown, expr.where, scope_.text(expr.where));
     return std::nullopt;
   }
   return std::pair(*first, *second);
@@ -66,7 +64,7 @@ std::optional<Bounds> DeclaredValue::bounds(const std::optional<ast::Range>& ran
   }
   const support::SourceRange where = whole(*range);
   if (type_.position || type_.type == boolean()) {
-    scope_.report(DiagnosticId::rangeOfWhat, where, name_.text, describe(type_));
+    scope_.report(support::diagnostics::rangeOfWhat, where, name_.text, describe(type_));
     return std::nullopt;
   }
   const auto lowest = constant(range->lowest, "a range");
@@ -75,7 +73,7 @@ std::optional<Bounds> DeclaredValue::bounds(const std::optional<ast::Range>& ran
     return std::nullopt;
   }
   if (lowest->first > highest->first) {
-    scope_.report(DiagnosticId::emptyRange, where, scope_.text(where));
+    scope_.report(support::diagnostics::emptyRange, where, scope_.text(where));
     return std::nullopt;
   }
   return Bounds{lowest->first, highest->first};
@@ -87,8 +85,9 @@ bool DeclaredValue::inside(double value, const Bounds& bounds, const ast::Expr& 
     return true;
   }
   scope_
-      .report(DiagnosticId::startOutsideRange, expr.where, name_.text, withUnit(value, type_.type),
-              withUnit(bounds.lowest, type_.type), withUnit(bounds.highest, type_.type))
+      .report(support::diagnostics::startOutsideRange, expr.where, name_.text,
+              withUnit(value, type_.type), withUnit(bounds.lowest, type_.type),
+              withUnit(bounds.highest, type_.type))
       .note(whole(range), "its range is here");
   return false;
 }

@@ -5,14 +5,12 @@
 
 #include "frontend/sema/declarations/declared_value.h"
 #include "frontend/sema/names/commands.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <algorithm>
 #include <map>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -28,18 +26,20 @@ bool refuse(const ast::Name& name, std::string_view owner, Scope& scope) {
 /// Refuses a type that C cannot return as a single number, or not here: `fault` says which.
 void refuseType(const ast::Name& name, const DeclaredType& type, std::string_view fault,
                 std::string_view hint, const ast::TypeName& where, Scope& scope) {
-  scope.report(DiagnosticId::externType, where.where, name.text, describe(type), fault, hint);
+  scope.report(support::diagnostics::externType, where.where, name.text, describe(type), fault,
+               hint);
 }
 
 void checkParameters(const Signature& signature, Scope& scope) {
   std::map<std::string_view, const ast::Name*> names;
   for (const Signature::Formal& formal : signature.formals) {
     if (isUnitName(formal.name->text)) {
-      scope.report(DiagnosticId::unitAsName, formal.name->where, formal.name->text, "a parameter");
+      scope.report(support::diagnostics::unitAsName, formal.name->where, formal.name->text,
+                   "a parameter");
     }
     const auto [place, fresh] = names.emplace(formal.name->text, formal.name);
     if (!fresh) {
-      scope.report(DiagnosticId::duplicateName, formal.name->where, formal.name->text)
+      scope.report(support::diagnostics::duplicateName, formal.name->where, formal.name->text)
           .note(place->second->where, "the first is here");
     }
   }
@@ -95,7 +95,7 @@ std::optional<double> staleAfter(const ast::ExternSensor& node, Scope& scope) {
   const auto known =
       DeclaredValue(role, time, scope).constant(*node.stale_after, "the time after `stale`");
   if (known && !(known->first > 0)) {
-    scope.report(DiagnosticId::staleNotPositive, node.stale_after->where,
+    scope.report(support::diagnostics::staleNotPositive, node.stale_after->where,
                  scope.text(node.stale_after->where));
     return std::nullopt;
   }
@@ -113,7 +113,7 @@ platforms::SensorKind kindOf(const ir::Type& type) {
 void enterExternal(const ast::ExternFunction& node, Scope& scope) {
   const auto& commands = vehicleCommands();
   if (std::ranges::find(commands, node.name.text, &VehicleCommand::name) != commands.end()) {
-    scope.report(DiagnosticId::nameTaken, node.name.where, node.name.text, "a command");
+    scope.report(support::diagnostics::nameTaken, node.name.where, node.name.text, "a command");
     scope.refused_names.insert(node.name.text);
   } else if (!refuse(node.name, "a function", scope)) {
     scope.functions[node.name.text].name = &node.name;
@@ -126,7 +126,7 @@ void enterExternal(const ast::ExternSensor& node, Scope& scope) {
   }
   const size_t number = scope.own_sensors.size();
   if (number == Scope::kMostOwnSensors) {
-    scope.report(DiagnosticId::tooManyOwnSensors, node.name.where, node.name.text,
+    scope.report(support::diagnostics::tooManyOwnSensors, node.name.where, node.name.text,
                  Scope::kMostOwnSensors);
     scope.refused_names.insert(node.name.text);
     return;
@@ -150,7 +150,7 @@ void declareExternal(const ast::ExternFunction& node, Scope& scope) {
   const size_t numbers = function.signature.slots.size();
   const bool few = numbers <= ir::kMostOperands;
   if (!few) {
-    scope.report(DiagnosticId::tooManyNumbers, node.name.where, node.name.text, numbers,
+    scope.report(support::diagnostics::tooManyNumbers, node.name.where, node.name.text, numbers,
                  ir::kMostOperands);
   }
   const auto type = resultType(node, scope);
@@ -198,8 +198,8 @@ BehaviourDeclaration externalBehaviour(const ast::ExternBehaviour& node, Scope& 
     }
     declaration.usable = false;
     if (!scope.refused_names.contains(sensor.text)) {
-      scope.report(DiagnosticId::unknownSensor, sensor.where, scope.platform().name, sensor.text,
-                   scope.suggestSensor(sensor.text));
+      scope.report(support::diagnostics::unknownSensor, sensor.where, scope.platform().name,
+                   sensor.text, scope.suggestSensor(sensor.text));
     }
   }
   return declaration;

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "frontend/sema/declarations/declarations.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
+#include "support/diagnostics/ids/syntax.h"
 
 #include <algorithm>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -19,31 +18,33 @@ class HeadCheck {
 
   void visit(const ast::MissionLine& line) {
     if (mission_ != nullptr) {
-      scope_.report(DiagnosticId::secondMission, line.where, line.name.text, mission_->name.text)
+      scope_
+          .report(support::diagnostics::secondMission, line.where, line.name.text,
+                  mission_->name.text)
           .note(mission_->where, "the first is here");
       return;
     }
     if (others_ > 0) {
-      scope_.report(DiagnosticId::headerOrder, line.where, "mission", "first");
+      scope_.report(support::diagnostics::headerOrder, line.where, "mission", "first");
     }
     mission_ = &line;
     scope_.mission.name = line.name.text;
   }
   void visit(const ast::PlatformLine& line) {
     if (platform_ != nullptr) {
-      scope_.report(DiagnosticId::memberTwice, line.where, "a mission", "platform")
+      scope_.report(support::diagnostics::memberTwice, line.where, "a mission", "platform")
           .note(platform_->where, "the first is here");
       return;
     }
     if (others_ > imports_) {
-      scope_.report(DiagnosticId::headerOrder, line.where, "platform",
+      scope_.report(support::diagnostics::headerOrder, line.where, "platform",
                     "right after the `mission` line");
     }
     platform_ = &line;
   }
   void visit(const ast::Import& line) {
     if (others_ > imports_) {
-      scope_.report(DiagnosticId::headerOrder, line.where, "import",
+      scope_.report(support::diagnostics::headerOrder, line.where, "import",
                     "after the `mission` and `platform` lines, before everything else");
     }
     ++imports_;
@@ -73,12 +74,12 @@ void checkHead(const ast::File& file, Scope& scope) {
   }
   const support::SourceRange start{file.file, 0, 0};
   if (check.mission() == nullptr) {
-    scope.report(DiagnosticId::noMissionLine, start);
+    scope.report(support::diagnostics::noMissionLine, start);
   }
   const bool anyState = std::ranges::any_of(
       file.items, [](const ast::Item& item) { return std::holds_alternative<ast::State>(item); });
   if (!anyState && check.mission() != nullptr) {
-    scope.report(DiagnosticId::noState, check.mission()->where, check.mission()->name.text);
+    scope.report(support::diagnostics::noState, check.mission()->where, check.mission()->name.text);
   }
 }
 

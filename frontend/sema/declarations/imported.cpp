@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "frontend/sema/declarations/declarations.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
+#include "support/diagnostics/ids/syntax.h"
 
 #include <optional>
 #include <string>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -72,11 +71,12 @@ void checkImported(const ast::File& file, Scope& scope) {
   for (const ast::Item& item : file.items) {
     const auto* import = std::get_if<ast::Import>(&item);
     if (import != nullptr && others) {
-      scope.report(DiagnosticId::headerOrder, import->where, "import", "before everything else");
+      scope.report(support::diagnostics::headerOrder, import->where, "import",
+                   "before everything else");
     }
     others = others || import == nullptr;
     if (const auto refused = std::visit(Judge(), item)) {
-      scope.report(DiagnosticId::notInLibrary, refused->where, refused->what);
+      scope.report(support::diagnostics::notInLibrary, refused->where, refused->what);
       if (std::holds_alternative<ast::MissionLine>(item)) {
         return;  // other parts of a mission need not be reported
       }

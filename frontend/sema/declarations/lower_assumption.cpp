@@ -7,7 +7,7 @@
 #include "frontend/sema/promises/lower_promise.h"
 #include "frontend/sema/promises/monitor_builder.h"
 #include "ir/core/walk.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 
@@ -22,7 +22,6 @@ namespace glider::frontend {
 using ir::AssumptionKind;
 using ir::ExprId;
 using ir::Op;
-using support::DiagnosticId;
 
 namespace {
 
@@ -257,7 +256,7 @@ class AssumptionLowering {
       wrong = of_mission && wrong == nullptr ? &e : wrong;
     });
     if (wrong != nullptr) {
-      scope_.report(DiagnosticId::assumptionReads, wrong->range,
+      scope_.report(support::diagnostics::assumptionReads, wrong->range,
                     fmt::format("`{}`", scope_.text(wrong->range)));
       return std::nullopt;
     }
@@ -269,7 +268,7 @@ class AssumptionLowering {
     const auto value =
         ExprLowering(scope_).lower({ast::NameUse{name.text}, name.where}, std::nullopt);
     if (value && scope_.mission[value->id].op != Op::Sensor) {
-      scope_.report(DiagnosticId::assumptionReads, name.where,
+      scope_.report(support::diagnostics::assumptionReads, name.where,
                     fmt::format("`{}` here, which is not a sensor", name.text));
       return std::nullopt;
     }
@@ -295,7 +294,7 @@ class AssumptionLowering {
                const char* example) {
     const auto value = promisedNumber(expr, type, fmt::format("the limit of `{}`", what), scope_);
     if (value && !(*value >= 0)) {
-      scope_.report(DiagnosticId::assumptionLimit, expr.where, what, "a value of 0 or more",
+      scope_.report(support::diagnostics::assumptionLimit, expr.where, what, "a value of 0 or more",
                     scope_.text(expr.where), example);
       return false;
     }
@@ -306,7 +305,7 @@ class AssumptionLowering {
   static constexpr const char* kAcrossNorth = "assume heading >= 350 deg || heading <= 10 deg";
 
   bool refuse(const support::SourceRange& where, std::string_view why, const char* example) {
-    scope_.report(DiagnosticId::assumptionForm, where, scope_.text(where), why, example);
+    scope_.report(support::diagnostics::assumptionForm, where, scope_.text(where), why, example);
     return false;
   }
   bool refuse(const ast::Expr& expr, std::string_view why, const char* example) {
@@ -349,7 +348,7 @@ void lowerAssumptions(const ast::File& file, Scope& scope) {
     const auto first =
         std::ranges::find(scope.mission.assumptions, assumption->kind, &ir::Assumption::kind);
     if (!once.empty() && first != scope.mission.assumptions.end()) {
-      scope.report(DiagnosticId::assumptionTwice, node->where, once)
+      scope.report(support::diagnostics::assumptionTwice, node->where, once)
           .note(first->range, "the first is here");
     }
     scope.mission.assumptions.push_back(*std::move(assumption));

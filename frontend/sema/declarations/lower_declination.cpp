@@ -5,7 +5,7 @@
 
 #include "frontend/sema/declarations/declared_value.h"
 #include "frontend/sema/declarations/only_item.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,6 @@
 #include <optional>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -25,7 +23,7 @@ std::optional<double> angleOf(const ast::Declination& node, Scope& scope) {
   const auto known =
       DeclaredValue(role, angle, scope).constant(node.angle, "the angle of `declination`");
   if (known && std::fabs(known->first) > std::numbers::pi) {
-    scope.report(DiagnosticId::declinationRange, node.angle.where,
+    scope.report(support::diagnostics::declinationRange, node.angle.where,
                  "`" + scope.text(node.angle.where) + "`");
     return std::nullopt;
   }
@@ -62,7 +60,7 @@ support::SourceRange headOf(const ast::File& file) {
 
 void lowerDeclination(const ast::File& file, Scope& scope) {
   const auto* line = onlyItem<ast::Declination>(file, [&](const auto& again, const auto& first) {
-    scope.report(DiagnosticId::declinationTwice, again.where)
+    scope.report(support::diagnostics::declinationTwice, again.where)
         .note(first.where, "the first is here");
   });
   ir::Compass compass;
@@ -76,7 +74,7 @@ void lowerDeclination(const ast::File& file, Scope& scope) {
   if (variation != nullptr) {
     compass.variation = scope.subscribe(*variation, variation->name);
   } else if (line == nullptr) {
-    scope.report(DiagnosticId::declinationUnknown, headOf(file));
+    scope.report(support::diagnostics::declinationUnknown, headOf(file));
   }
   scope.mission.compass = compass;
 }

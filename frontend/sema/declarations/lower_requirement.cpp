@@ -6,7 +6,7 @@
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/promises/lower_promise.h"
 #include "frontend/spelling.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 
@@ -16,8 +16,6 @@
 #include <vector>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -40,7 +38,7 @@ class RequirementLowering {
     result_.condition = condition.value_or(ir::ExprId());
     if (scope_.mission.uses.size() > uses) {
       const ir::FunctionUse& use = scope_.mission.uses[uses];
-      scope_.report(DiagnosticId::requirementCalls, use.range,
+      scope_.report(support::diagnostics::requirementCalls, use.range,
                     scope_.mission.functions[use.function.index].name);
       return false;
     }
@@ -84,7 +82,7 @@ class RequirementLowering {
     const auto depth =
         promisedNumber(promise.depth, plainNumber(), "the depth of the stack", scope_);
     if (depth && !(*depth >= 0 && *depth <= kDeepest && std::floor(*depth) == *depth)) {
-      scope_.report(DiagnosticId::stackNotWhole, promise.depth.where,
+      scope_.report(support::diagnostics::stackNotWhole, promise.depth.where,
                     scope_.text(promise.depth.where));
       return false;
     }
@@ -119,7 +117,7 @@ class RequirementLowering {
     for (const auto& [known, number] : scope_.states) {
       names.push_back(known);
     }
-    scope_.report(DiagnosticId::unknownState, name.where, name.text,
+    scope_.report(support::diagnostics::unknownState, name.where, name.text,
                   didYouMean(name.text, names, ""));
     return false;
   }

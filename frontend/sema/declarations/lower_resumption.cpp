@@ -5,13 +5,11 @@
 
 #include "frontend/sema/declarations/declared_value.h"
 #include "frontend/sema/declarations/only_item.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <optional>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -22,7 +20,7 @@ std::optional<double> longestOutage(const ast::Resumption& node, Scope& scope) {
   const auto known =
       DeclaredValue(role, time, scope).constant(node.within, "the time of `resume within`");
   if (known && !(known->first > 0)) {
-    scope.report(DiagnosticId::requirementTime, node.within.where, "resume within",
+    scope.report(support::diagnostics::requirementTime, node.within.where, "resume within",
                  scope.text(node.within.where));
     return std::nullopt;
   }
@@ -33,7 +31,7 @@ std::optional<double> longestOutage(const ast::Resumption& node, Scope& scope) {
 
 void lowerResumption(const ast::File& file, Scope& scope) {
   const auto* line = onlyItem<ast::Resumption>(file, [&](const auto& again, const auto&) {
-    scope.report(DiagnosticId::memberTwice, again.where, "a mission", "resume");
+    scope.report(support::diagnostics::memberTwice, again.where, "a mission", "resume");
   });
   if (line == nullptr) {
     return;

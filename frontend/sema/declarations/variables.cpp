@@ -7,7 +7,7 @@
 #include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "support/check.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 
@@ -15,8 +15,6 @@
 #include <cmath>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -73,7 +71,7 @@ bool knownAtStart(ir::ExprId id, Scope& scope) {
   const ir::Expr* found =
       firstOf(scope.mission, id, {Sensor, Age, MissionTime, StateTime, ResumeTime, Call});
   if (found != nullptr) {
-    scope.report(DiagnosticId::notAtStart, found->range, scope.text(found->range));
+    scope.report(support::diagnostics::notAtStart, found->range, scope.text(found->range));
   }
   return found == nullptr;
 }
@@ -83,7 +81,7 @@ bool knownAtStart(ir::ExprId id, Scope& scope) {
 bool knownOnEntry(ir::ExprId id, Scope& scope) {
   const ir::Expr* found = firstOf(scope.mission, id, {ir::Op::Temporal});
   if (found != nullptr) {
-    scope.report(DiagnosticId::overTimeNowhere, found->range, scope.text(found->range));
+    scope.report(support::diagnostics::overTimeNowhere, found->range, scope.text(found->range));
   }
   return found == nullptr;
 }
@@ -233,9 +231,9 @@ void warnOfUnused(const Names& names, Scope& scope) {
       continue;
     }
     if (!named.read) {
-      scope.report(DiagnosticId::neverRead, named.name->where, name, describe(named.kind));
+      scope.report(support::diagnostics::neverRead, named.name->where, name, describe(named.kind));
     } else if (isVariable(named.kind) && !named.written && named.starts_constant) {
-      auto warning = scope.report(DiagnosticId::neverSet, named.name->where, name);
+      auto warning = scope.report(support::diagnostics::neverSet, named.name->where, name);
       if (named.kind == NamedKind::BehaviourVariable) {
         warning.hint("replace it by its value");
       }

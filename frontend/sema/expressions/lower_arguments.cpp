@@ -4,15 +4,13 @@
 #include "frontend/sema/expressions/lower_arguments.h"
 
 #include "frontend/sema/expressions/lower_expr.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -106,7 +104,7 @@ class ArgumentLowering {
   bool add(size_t index, const DeclaredType& type, const std::string& what) {
     const ast::Argument& argument = arguments_[index];
     if (argument.of) {
-      scope_.report(DiagnosticId::ofOutsideWindow, argument.of->where, callee_.name);
+      scope_.report(support::diagnostics::ofOutsideWindow, argument.of->where, callee_.name);
       return false;
     }
     ExprLowering lowering(scope_);
@@ -153,8 +151,8 @@ class ArgumentLowering {
                                                 const std::string& takes) {
     const ast::Binary* difference = differenceIn(argument);
     auto report =
-        scope_.report(DiagnosticId::missingCommaBeforeMinus, argument.value->where, callee_.name,
-                      takes, scope_.text(argument.value->where),
+        scope_.report(support::diagnostics::missingCommaBeforeMinus, argument.value->where,
+                      callee_.name, takes, scope_.text(argument.value->where),
                       scope_.text(difference->left->where), scope_.text(difference->right->where));
     noteDeclaration(report, "declared as `" + callee_.signature.text + "`");
     return report;
@@ -165,7 +163,7 @@ class ArgumentLowering {
     for (const ast::Argument& argument : arguments_) {
       const bool wanted = std::ranges::any_of(formals(), [](const auto& f) { return f.type.path; });
       if (!wanted && isPath(*argument.value, scope_)) {
-        scope_.report(DiagnosticId::pathAsValue, argument.value->where,
+        scope_.report(support::diagnostics::pathAsValue, argument.value->where,
                       scope_.text(argument.value->where));
         return true;
       }
@@ -184,7 +182,7 @@ class ArgumentLowering {
     }
     const std::string point = filled_ > wanted ? decimalComma() : "";
     auto report =
-        scope_.report(DiagnosticId::wrongArgumentCount, where_, callee_.name, takes,
+        scope_.report(support::diagnostics::wrongArgumentCount, where_, callee_.name, takes,
                       arguments_.empty() ? "none" : countOf(filled_), callee_.signature.text);
     if (!point.empty()) {
       report.hint(point);

@@ -4,7 +4,7 @@
 #include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "ir/core/ops.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 
@@ -89,7 +89,7 @@ std::optional<double> ExprLowering::positiveConstant(const ast::Expr& expr, cons
     return 1.0;
   }
   if (!known) {
-    refuse(DiagnosticId::notConstant, expr, role.what, role.role, scope_);
+    refuse(support::diagnostics::notConstant, expr, role.what, role.role, scope_);
     return std::nullopt;
   }
   if (!(*known > 0)) {

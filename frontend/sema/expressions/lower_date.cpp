@@ -3,7 +3,7 @@
 
 #include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/expressions/lower_expr.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 
@@ -14,8 +14,6 @@
 #include <cmath>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -93,7 +91,7 @@ bool ExprLowering::isDate(const ast::Binary& node, const ast::Expr& expr) {
     return false;
   }
   const std::string seconds = secondsText((*date)[0], (*date)[1], (*date)[2]);
-  scope_.report(DiagnosticId::dateAsDifference, expr.where, text, *first, *second, *third,
+  scope_.report(support::diagnostics::dateAsDifference, expr.where, text, *first, *second, *third,
                 divides ? "divided by" : "minus",
                 seconds.empty() ? "there is no such day; times are written in seconds since 1970"
                                 : "write " + seconds);
@@ -122,7 +120,7 @@ bool ExprLowering::tooSoonAfter1970(const Value& clock, const ast::Expr& clock_e
       isYear(year) ? secondsText(year, number / kMonthPlace % kMonthPlace, number % kMonthPlace)
                    : std::string();
   scope_.report(
-      DiagnosticId::timeSince1970, value_expr.where, scope_.text(clock_expr.where),
+      support::diagnostics::timeSince1970, value_expr.where, scope_.text(clock_expr.where),
       scope_.text(value_expr.where),
       seconds.empty()
           ? "for the time since the mission began, write `missiontime`; a date is written "

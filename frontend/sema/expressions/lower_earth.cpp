@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "frontend/sema/expressions/lower_expr.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 ExprLowering::Result ExprLowering::onEarth(const ast::Invocation& node, const ast::Expr& expr) {
   const std::string& name = node.function.text;
@@ -27,7 +25,7 @@ ExprLowering::Result ExprLowering::onEarth(const ast::Invocation& node, const as
     return std::nullopt;
   }
   if (corners->size() < 3) {
-    scope_.report(DiagnosticId::tooFewCorners, expr.where, corners->size());
+    scope_.report(support::diagnostics::tooFewCorners, expr.where, corners->size());
     return std::nullopt;
   }
   return inside(*corners, expr.where);
@@ -42,7 +40,7 @@ ExprLowering::Result ExprLowering::betweenPlaces(ir::Op op, const ast::Invocatio
   if (given->empty() || given->size() > 2) {
     const std::string& name = node.function.text;
     scope_
-        .report(DiagnosticId::wrongArgumentCount, expr.where, name, "1 or 2 positions",
+        .report(support::diagnostics::wrongArgumentCount, expr.where, name, "1 or 2 positions",
                 given->empty() ? "none" : std::to_string(given->size()), name + "(to)")
         .hint(fmt::format("write `{0}(to)` from the current position, or `{0}(from, to)`", name));
     return std::nullopt;
@@ -63,7 +61,7 @@ ExprLowering::Result ExprLowering::here(const support::SourceRange& range) {
   for (const char* name : {"lat", "lon"}) {
     const platforms::PlatformSensor* found = scope_.platform().find(name);
     if (found == nullptr) {
-      scope_.report(DiagnosticId::unknownSensor, range, scope_.platform().name, name,
+      scope_.report(support::diagnostics::unknownSensor, range, scope_.platform().name, name,
                     scope_.suggestSensor(name));
       return std::nullopt;
     }
@@ -100,7 +98,7 @@ std::optional<std::vector<Value>> ExprLowering::places(const ast::Invocation& no
       continue;
     }
     if (first->type != latitude() || i + 1 == node.arguments.size()) {
-      scope_.report(DiagnosticId::notAPosition, argument.where, scope_.text(argument.where),
+      scope_.report(support::diagnostics::notAPosition, argument.where, scope_.text(argument.where),
                     describe(first->type), node.function.text);
       return std::nullopt;
     }

@@ -5,7 +5,7 @@
 
 #include "ir/core/ops.h"
 #include "support/check.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 
@@ -13,8 +13,6 @@
 #include <cmath>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 std::optional<Value> ExprLowering::lower(const ast::Expr& expr, std::optional<ir::Type> want) {
   return std::visit([&](const auto& node) { return visit(node, expr, want); }, expr.node);
@@ -34,7 +32,7 @@ std::optional<Value> ExprLowering::lowerDeclared(const ast::Expr& expr, const De
   }
   const DeclaredType given{value->type, value->longitude.valid()};
   if (given != want) {
-    scope_.report(DiagnosticId::wrongType, expr.where, what, describe(want),
+    scope_.report(support::diagnostics::wrongType, expr.where, what, describe(want),
                   scope_.text(expr.where), describe(given), howToWrite(want));
     return std::nullopt;
   }
@@ -47,7 +45,7 @@ std::optional<ir::ExprId> ExprLowering::lowerCondition(const ast::Expr& expr) {
     return std::nullopt;
   }
   if (value->longitude.valid() || value->type != boolean()) {
-    scope_.report(DiagnosticId::notACondition, expr.where, scope_.text(expr.where),
+    scope_.report(support::diagnostics::notACondition, expr.where, scope_.text(expr.where),
                   value->longitude.valid() ? "a position" : describe(value->type));
     return std::nullopt;
   }

@@ -6,7 +6,7 @@
 #include "frontend/sema/names/functions.h"
 #include "frontend/spelling.h"
 #include "ir/core/ops.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,8 +14,6 @@
 #include <algorithm>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -57,7 +55,8 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
     return std::nullopt;
   }
   if (const size_t wanted = function->argumentCount(); node.arguments.size() != wanted) {
-    scope_.report(DiagnosticId::wrongArgumentCount, expr.where, name, countedArguments(wanted),
+    scope_.report(support::diagnostics::wrongArgumentCount, expr.where, name,
+                  countedArguments(wanted),
                   node.arguments.empty() ? "none" : countedArguments(node.arguments.size()),
                   fmt::format("{}({})", name, function->arguments));
     return std::nullopt;
@@ -83,7 +82,7 @@ ExprLowering::Result ExprLowering::inC(const ast::Invocation& node, const ast::E
     }
     const bool value = findClock(name) || scope_.findSensor(name) != nullptr ||
                        scope_.findConstant(name) != nullptr || scope_.findNamed(name) != nullptr;
-    scope_.report(DiagnosticId::unknownFunction, node.function.where, name,
+    scope_.report(support::diagnostics::unknownFunction, node.function.where, name,
                   value ? "`" + name + "` is a value: write it without parentheses"
                         : suggestFunction(name, scope_));
     return std::nullopt;
@@ -94,7 +93,7 @@ ExprLowering::Result ExprLowering::inC(const ast::Invocation& node, const ast::E
   }
   if (!scope_.context.constant.empty()) {
     scope_
-        .report(DiagnosticId::notConstant, expr.where, scope_.text(expr.where),
+        .report(support::diagnostics::notConstant, expr.where, scope_.text(expr.where),
                 scope_.context.constant)
         .note(function.name->where, "it is a C function");
     return std::nullopt;
@@ -115,7 +114,7 @@ ExprLowering::Result ExprLowering::inC(const ast::Invocation& node, const ast::E
 bool ExprLowering::stretched(const ast::Invocation& node) {
   for (const ast::Argument& argument : node.arguments) {
     if (argument.of) {
-      scope_.report(DiagnosticId::ofOutsideWindow, argument.of->where, node.function.text);
+      scope_.report(support::diagnostics::ofOutsideWindow, argument.of->where, node.function.text);
       return true;
     }
   }
@@ -128,7 +127,7 @@ ExprLowering::Result ExprLowering::ageOf(const ast::Invocation& node, const ast:
   const platforms::PlatformSensor* sensor = use != nullptr ? scope_.findSensor(use->name) : nullptr;
   if (sensor == nullptr) {
     if (use == nullptr || !scope_.refused_names.contains(use->name)) {
-      scope_.report(DiagnosticId::ageOfWhat, argument.where, scope_.text(argument.where));
+      scope_.report(support::diagnostics::ageOfWhat, argument.where, scope_.text(argument.where));
     }
     return std::nullopt;
   }
@@ -174,7 +173,7 @@ ExprLowering::Result ExprLowering::callOne(ir::Op op, const ast::Invocation& nod
   }
   const auto root = support::squareRoot(value->type.dimension);
   if (!root) {
-    scope_.report(DiagnosticId::noSquareRoot, argument.where, scope_.text(argument.where),
+    scope_.report(support::diagnostics::noSquareRoot, argument.where, scope_.text(argument.where),
                   describe(value->type));
     return std::nullopt;
   }
@@ -205,7 +204,7 @@ ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& no
     if (!value) {
       good = false;
     } else if (value->longitude.valid() || value->type != led->type) {
-      scope_.report(DiagnosticId::typesDiffer, argument.where, scope_.text(model.where),
+      scope_.report(support::diagnostics::typesDiffer, argument.where, scope_.text(model.where),
                     describe(led->type), scope_.text(argument.where),
                     value->longitude.valid() ? "a position" : describe(value->type),
                     node.function.text);

@@ -3,13 +3,11 @@
 
 #include "frontend/sema/expressions/lanes.h"
 #include "frontend/sema/expressions/lower_expr.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 /// `lanes(area, 500 m)`.
 std::optional<Path> ExprLowering::lanes(const ast::Invocation& node, const ast::Expr& expr) {
@@ -17,7 +15,8 @@ std::optional<Path> ExprLowering::lanes(const ast::Invocation& node, const ast::
     return std::nullopt;
   }
   if (node.arguments.size() != 2) {
-    scope_.report(DiagnosticId::wrongArgumentCount, expr.where, node.function.text, "2 arguments",
+    scope_.report(support::diagnostics::wrongArgumentCount, expr.where, node.function.text,
+                  "2 arguments",
                   node.arguments.empty() ? "none" : fmt::format("{}", node.arguments.size()),
                   "lanes(area, 500 m)");
     return std::nullopt;
@@ -25,9 +24,10 @@ std::optional<Path> ExprLowering::lanes(const ast::Invocation& node, const ast::
   const ast::Expr& area = *node.arguments.front().value;
   const size_t before = scope_.mission.exprs.size();
   const auto corners = lowerPath(area);
-  const auto spacing = positiveConstant(
-      *node.arguments.back().value, quantity(support::dimension::length),
-      {"the spacing of `lanes`", "it is the spacing of lanes here", DiagnosticId::lanesSpacing});
+  const auto spacing =
+      positiveConstant(*node.arguments.back().value, quantity(support::dimension::length),
+                       {"the spacing of `lanes`", "it is the spacing of lanes here",
+                        support::diagnostics::lanesSpacing});
   scope_.mission.exprs.resize(before);
   if (!corners || !spacing) {
     return std::nullopt;
@@ -52,14 +52,15 @@ void ExprLowering::refuseLanes(const LaneProblem& problem, const ast::Expr& area
   support::DiagnosticEngine& diagnostics = scope_.diagnostics();
   switch (problem.kind) {
     case LaneProblem::Kind::Line:
-      diagnostics.report(DiagnosticId::lanesOfLine, where, text);
+      diagnostics.report(support::diagnostics::lanesOfLine, where, text);
       return;
     case LaneProblem::Kind::TooFar:
-      diagnostics.report(DiagnosticId::lanesTooFar, where, text, problem.metres / 1000,
+      diagnostics.report(support::diagnostics::lanesTooFar, where, text, problem.metres / 1000,
                          kFarthestCorner / 1000);
       return;
     case LaneProblem::Kind::TooMany:
-      diagnostics.report(DiagnosticId::tooManyLanes, where, text, kMostLanes, problem.metres);
+      diagnostics.report(support::diagnostics::tooManyLanes, where, text, kMostLanes,
+                         problem.metres);
       return;
   }
 }

@@ -5,7 +5,8 @@
 #include "frontend/sema/expressions/literals.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/spelling.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
+#include "support/diagnostics/ids/syntax.h"
 #include "support/units/units.h"
 
 #include <fmt/format.h>
@@ -14,8 +15,6 @@
 #include <cmath>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -53,7 +52,7 @@ std::optional<double> ExprLowering::number(const ast::Literal& node,
                                            const support::SourceRange& range) {
   const std::optional<double> value = parseNumber(node.digits);
   if (!value) {
-    scope_.report(DiagnosticId::numberTooLarge, range, node.digits);
+    scope_.report(support::diagnostics::numberTooLarge, range, node.digits);
   }
   return value;
 }
@@ -72,13 +71,13 @@ ExprLowering::Result ExprLowering::visit(const ast::Literal& node, const ast::Ex
   }
   const auto unit = support::parseUnit(node.unit);
   if (!unit) {
-    scope_.report(DiagnosticId::unknownUnit, node.unit_where, node.unit,
+    scope_.report(support::diagnostics::unknownUnit, node.unit_where, node.unit,
                   "combine units with `*` and `/`, as in `degC/m`");
     return std::nullopt;
   }
   const double si = inSi(*value, unit->to_si);
   if (!std::isfinite(si)) {
-    scope_.report(DiagnosticId::numberTooLarge, expr.where, scope_.text(expr.where));
+    scope_.report(support::diagnostics::numberTooLarge, expr.where, scope_.text(expr.where));
     return std::nullopt;
   }
   return emitNumber(si, quantity(unit->dimension), expr.where);
@@ -100,20 +99,20 @@ ExprLowering::Result ExprLowering::bareLiteral(const ast::Literal& node,
   const ir::Type type = want && want->kind == ir::TypeKind::Quantity ? *want : plainNumber();
   const auto unit = support::bareUnit(type.dimension);
   if (!unit) {
-    scope_.report(DiagnosticId::needsUnit, range, scope_.text(range),
+    scope_.report(support::diagnostics::needsUnit, range, scope_.text(range),
                   support::unitName(type.dimension));
     return std::nullopt;
   }
   const double si = inSi(*value, unit->to_si);
   if (!std::isfinite(si)) {
-    scope_.report(DiagnosticId::numberTooLarge, range, node.digits);
+    scope_.report(support::diagnostics::numberTooLarge, range, node.digits);
     return std::nullopt;
   }
   constexpr double kFullTurn = 6.283185307179586;
   if (type.dimension == support::dimension::angle && si > kFullTurn) {
     const std::string text = (negative ? "-" : "") + node.digits;
     if (unitForWord(scope_.wordAfter(range)).empty()) {  // `26 degrees` has already been reported
-      scope_.report(DiagnosticId::bareAngle, range, text).fix(range, text + " deg");
+      scope_.report(support::diagnostics::bareAngle, range, text).fix(range, text + " deg");
     }
   }
   return emitNumber(negative ? -si : si, type, range);
@@ -124,7 +123,7 @@ ExprLowering::Result ExprLowering::barePosition(const ast::Literal& node,
                                                 bool negative) {
   const auto parts = parseDegreesMinutes(node.digits);
   if (!parts) {
-    scope_.report(DiagnosticId::numberTooLarge, range, node.digits);
+    scope_.report(support::diagnostics::numberTooLarge, range, node.digits);
     return std::nullopt;
   }
   const bool latitude = want.kind == ir::TypeKind::Latitude;
@@ -133,8 +132,8 @@ ExprLowering::Result ExprLowering::barePosition(const ast::Literal& node,
   const std::string better = fmt::format("{} {}", node.digits, letter);
   const bool decimal = !isPlainlyDdmm(node.digits);
   if (parts->minutes >= 60) {
-    auto report =
-        scope_.report(DiagnosticId::minutesOver60, range, text, parts->degrees, parts->minutes);
+    auto report = scope_.report(support::diagnostics::minutesOver60, range, text, parts->degrees,
+                                parts->minutes);
     if (decimal && negative) {
       report.hint(fmt::format("write decimal degrees with a letter: `{}`", better))
           .fix(range, better);
@@ -150,7 +149,7 @@ ExprLowering::Result ExprLowering::barePosition(const ast::Literal& node,
   }
   if (decimal) {  // no fix: near the equator it may be minutes
     const size_t whole = std::min(node.digits.find_first_not_of("0123456789"), node.digits.size());
-    scope_.report(DiagnosticId::decimalPosition, range, text, node.digits, better,
+    scope_.report(support::diagnostics::decimalPosition, range, text, node.digits, better,
                   (negative ? "-" : "") + std::string(4 - whole, '0') + node.digits);
     return std::nullopt;
   }
@@ -162,7 +161,7 @@ bool ExprLowering::checkOnEarth(const support::SourceRange& range, bool latitude
   if (std::fabs(degrees) <= greatest) {
     return true;
   }
-  scope_.report(DiagnosticId::notOnEarth, range, scope_.text(range),
+  scope_.report(support::diagnostics::notOnEarth, range, scope_.text(range),
                 latitude ? "latitude" : "longitude", std::fabs(degrees), greatest);
   return false;
 }
@@ -184,7 +183,7 @@ ExprLowering::Result ExprLowering::letterLiteral(const ast::Literal& node,
                  : std::nullopt;
   }
   const bool watt = node.unit == "W";
-  scope_.report(DiagnosticId::ambiguousLetter, range, scope_.text(range),
+  scope_.report(support::diagnostics::ambiguousLetter, range, scope_.text(range),
                 watt ? "watts or west" : "south or siemens",
                 watt ? "give it a type, as in `const x: power = 5 W`, or write a whole "
                        "position, as in `39.2 N 73.9 W`"
@@ -223,16 +222,16 @@ ExprLowering::Result ExprLowering::visit(const ast::Position& node, const ast::E
   auto check = [&](const Result& half, const ir::Type& type, const support::SourceRange& where,
                    const char* letters) {
     if (half && half->type != type) {
-      scope_.report(DiagnosticId::wrongType, where, "this half of the position", describe(type),
-                    scope_.text(where), fmt::format("{} ({})", describe(half->type), letters),
-                    howToWrite({type}));
+      scope_.report(support::diagnostics::wrongType, where, "this half of the position",
+                    describe(type), scope_.text(where),
+                    fmt::format("{} ({})", describe(half->type), letters), howToWrite({type}));
       return false;
     }
     return half.has_value();
   };
   if (!isLetter(node.latitude.unit)) {
-    scope_.report(DiagnosticId::unknownUnit, node.latitude_where, scope_.text(node.latitude_where),
-                  "write a position such as `39.2 N 73.9 W`");
+    scope_.report(support::diagnostics::unknownUnit, node.latitude_where,
+                  scope_.text(node.latitude_where), "write a position such as `39.2 N 73.9 W`");
     return std::nullopt;
   }
   if (!check(first, kLatitude, latitude_where, "`E` and `W`") ||

@@ -4,15 +4,13 @@
 #include "frontend/bare_positions.h"
 #include "frontend/sema/expressions/literals.h"
 #include "frontend/sema/expressions/lower_expr.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -86,7 +84,7 @@ bool ExprLowering::longitudeFirst(const ast::Expr& first, const ast::Expr& secon
   if (!one || !two || !isSwapped(*one, *two)) {
     return false;
   }
-  scope_.report(DiagnosticId::longitudeFirst, first.where, scope_.text(first.where),
+  scope_.report(support::diagnostics::longitudeFirst, first.where, scope_.text(first.where),
                 fmt::format("{}{}{}", two->text(), between, one->text()),
                 otherwise(*one, *two, between));
   return true;

@@ -3,13 +3,11 @@
 
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/names/functions.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 bool isPosition(const ast::Expr& expr, Scope& scope) {
   if (std::holds_alternative<ast::Position>(expr.node) ||
@@ -39,7 +37,7 @@ ExprLowering::Result ExprLowering::visit(const ast::NameUse& node, const ast::Ex
   }
   if (const Constant* found = scope_.findConstant(node.name)) {
     if (!found->worked_out) {
-      scope_.report(DiagnosticId::usedBeforeDefined, expr.where, node.name)
+      scope_.report(support::diagnostics::usedBeforeDefined, expr.where, node.name)
           .note(found->name->where, "it is defined here");
       return std::nullopt;
     }
@@ -70,17 +68,18 @@ ExprLowering::Result ExprLowering::variable(Named& named, const support::SourceR
     return std::nullopt;
   }
   if (!scope_.context.constant.empty()) {
-    scope_.report(DiagnosticId::notConstant, range, named.name->text, scope_.context.constant)
+    scope_
+        .report(support::diagnostics::notConstant, range, named.name->text, scope_.context.constant)
         .note(named.name->where, fmt::format("it is {}", describe(named.kind)));
     return std::nullopt;
   }
   if (scope_.context.at_start && named.kind != NamedKind::Parameter) {
-    scope_.report(DiagnosticId::notAtStart, range, named.name->text)
+    scope_.report(support::diagnostics::notAtStart, range, named.name->text)
         .note(named.name->where, fmt::format("it is {}", describe(named.kind)));
     return std::nullopt;
   }
   if (!named.reached) {
-    scope_.report(DiagnosticId::usedBeforeDefined, range, named.name->text)
+    scope_.report(support::diagnostics::usedBeforeDefined, range, named.name->text)
         .note(named.name->where, "it is defined here");
     return std::nullopt;
   }
@@ -135,7 +134,7 @@ ExprLowering::Result ExprLowering::finished(const ast::NameUse& node,
                                             const support::SourceRange& range) {
   const ir::State* state = scope_.context.activities;
   if (state == nullptr) {
-    scope_.report(DiagnosticId::doneOutsideState, range, node.name);
+    scope_.report(support::diagnostics::doneOutsideState, range, node.name);
     return std::nullopt;
   }
   const bool profile = node.name == "profiledone";
@@ -145,7 +144,7 @@ ExprLowering::Result ExprLowering::finished(const ast::NameUse& node,
   }
   if (!activity.done.valid()) {
     scope_
-        .report(DiagnosticId::neverDone, range, node.name,
+        .report(support::diagnostics::neverDone, range, node.name,
                 profile ? "flightprofile" : "flightroute", scope_.mission[activity.behaviour].name)
         .note(activity.range, "it is used here");
     return emit(ir::Op::False, boolean(), range, {});
@@ -170,7 +169,7 @@ ExprLowering::Result ExprLowering::unknown(const ast::NameUse& node,
       : scope_.behaviours.contains(node.name)
           ? "`" + node.name + "` controls how the vehicle flies; it has no value"
           : scope_.suggestName(node.name);
-  scope_.report(DiagnosticId::unknownName, range, node.name, hint);
+  scope_.report(support::diagnostics::unknownName, range, node.name, hint);
   return std::nullopt;
 }
 

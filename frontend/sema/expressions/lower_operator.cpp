@@ -5,7 +5,7 @@
 #include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "ir/core/ops.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 
@@ -13,8 +13,6 @@
 #include <array>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -107,8 +105,8 @@ ExprLowering::Result ExprLowering::visit(const ast::Unary& node, const ast::Expr
     // No fix: `-73.8 W` is 73.8 W to most pilots, and 73.8 E to arithmetic.
     constexpr std::string_view kLetters = "NSEW";
     constexpr std::string_view kOpposite = "SNWE";
-    scope_.report(DiagnosticId::signAndLetter, expr.where, scope_.text(expr.where), literal->digits,
-                  literal->unit, kOpposite[kLetters.find(literal->unit)]);
+    scope_.report(support::diagnostics::signAndLetter, expr.where, scope_.text(expr.where),
+                  literal->digits, literal->unit, kOpposite[kLetters.find(literal->unit)]);
     return std::nullopt;
   }
   if (!numeric(*operand, *node.operand, "-", false)) {
@@ -121,12 +119,12 @@ bool ExprLowering::numeric(const Value& value, const ast::Expr& expr, std::strin
                            bool earth) {
   if (value.longitude.valid() ||
       (!earth && value.type.kind != ir::TypeKind::Quantity && value.type != boolean())) {
-    scope_.report(DiagnosticId::positionArithmetic, expr.where, scope_.text(expr.where),
+    scope_.report(support::diagnostics::positionArithmetic, expr.where, scope_.text(expr.where),
                   value.longitude.valid() ? "a position" : describe(value.type), op);
     return false;
   }
   if (value.type == boolean()) {
-    scope_.report(DiagnosticId::conditionAsNumber, expr.where, scope_.text(expr.where), op);
+    scope_.report(support::diagnostics::conditionAsNumber, expr.where, scope_.text(expr.where), op);
     return false;
   }
   return true;
@@ -165,7 +163,7 @@ std::optional<ExprLowering::Pair> ExprLowering::alike(const ast::Expr& left, con
     auto say = [](const Value& v) {
       return v.longitude.valid() ? std::string("a position") : describe(v.type);
     };
-    scope_.report(DiagnosticId::typesDiffer,
+    scope_.report(support::diagnostics::typesDiffer,
                   support::SourceRange{left.where.file, left.where.begin, right.where.end},
                   scope_.text(left.where), say(l), scope_.text(right.where), say(r), op);
     return std::nullopt;
@@ -194,7 +192,7 @@ bool ExprLowering::sideBySide(const ast::Binary& node, const ast::Expr& expr) {
   if (!better || !isPairByLooks(first->digits, second->digits, before, after)) {
     return false;
   }
-  scope_.report(DiagnosticId::barePosition, expr.where, scope_.text(expr.where),
+  scope_.report(support::diagnostics::barePosition, expr.where, scope_.text(expr.where),
                 fmt::format("`{}`; if a difference is meant, `({}) - {}`", *better,
                             scope_.text(node.left->where), second->digits));
   return true;
@@ -229,11 +227,12 @@ ExprLowering::Result ExprLowering::scaling(ir::Op op, const ast::Binary& node,
   const auto dimension = divides ? support::quotient(left->type.dimension, right->type.dimension)
                                  : support::product(left->type.dimension, right->type.dimension);
   if (!dimension) {
-    scope_.report(DiagnosticId::noSuchQuantity, expr.where, scope_.text(expr.where));
+    scope_.report(support::diagnostics::noSuchQuantity, expr.where, scope_.text(expr.where));
     return std::nullopt;
   }
   if (divides && evaluate(scope_.mission, right->id) == 0.0) {
-    scope_.report(DiagnosticId::divisionByZero, node.right->where, scope_.text(node.right->where));
+    scope_.report(support::diagnostics::divisionByZero, node.right->where,
+                  scope_.text(node.right->where));
     return std::nullopt;
   }
   return emit(op, quantity(*dimension), expr.where, {left->id, right->id});
@@ -244,7 +243,9 @@ bool ExprLowering::chained(const ast::Binary& node, const ast::Expr& expr) {
   if (unary != nullptr && unary->op == ast::UnaryOp::Not) {
     const std::string first = scope_.text(unary->operand->where);
     const std::string second = scope_.text(node.right->where);
-    scope_.report(DiagnosticId::notBeforeComparison, expr.where, first, rowOf(node.op).text, second)
+    scope_
+        .report(support::diagnostics::notBeforeComparison, expr.where, first, rowOf(node.op).text,
+                second)
         .fix(expr.where, fmt::format("!({} {} {})", first, rowOf(node.op).text, second));
     return true;
   }
@@ -255,8 +256,8 @@ bool ExprLowering::chained(const ast::Binary& node, const ast::Expr& expr) {
   const std::string first = scope_.text(node.left->where);
   const std::string second = fmt::format("{} {} {}", scope_.text(inner->right->where),
                                          rowOf(node.op).text, scope_.text(node.right->where));
-  auto report = scope_.report(DiagnosticId::chainedComparison, expr.where, scope_.text(expr.where),
-                              first, second);
+  auto report = scope_.report(support::diagnostics::chainedComparison, expr.where,
+                              scope_.text(expr.where), first, second);
   if (sameWay(inner->op, node.op)) {
     // In parentheses: a `not` before it applies to the whole.
     report.fix(expr.where, "(" + first + " && " + second + ")");
@@ -288,7 +289,7 @@ void ExprLowering::warnOfEquality(ir::Op op, const Value& left, const Value& rig
   if (!equality || !(measured(scope_.mission, left.id) || measured(scope_.mission, right.id))) {
     return;
   }
-  scope_.report(DiagnosticId::measuredEquality, node.op_where,
+  scope_.report(support::diagnostics::measuredEquality, node.op_where,
                 op == ir::Op::Equal ? "==" : "!=", op == ir::Op::Equal ? "true" : "false");
 }
 

@@ -3,15 +3,13 @@
 
 #include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/expressions/lower_expr.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -60,11 +58,11 @@ std::optional<Path> ExprLowering::lowerPath(const ast::Expr& expr) {
     return std::nullopt;
   }
   if (list == nullptr) {
-    scope_.report(DiagnosticId::notAPath, expr.where, scope_.text(expr.where));
+    scope_.report(support::diagnostics::notAPath, expr.where, scope_.text(expr.where));
     return std::nullopt;
   }
   if (list->items.empty()) {
-    scope_.report(DiagnosticId::emptyPath, expr.where);
+    scope_.report(support::diagnostics::emptyPath, expr.where);
     return std::nullopt;
   }
   Path path;
@@ -90,7 +88,8 @@ std::optional<Place> ExprLowering::constantPlace(const ast::Expr& expr) {
     if (north && east) {
       place = {*north, *east};
     } else {
-      scope_.report(DiagnosticId::notConstant, expr.where, scope_.text(expr.where), "a path");
+      scope_.report(support::diagnostics::notConstant, expr.where, scope_.text(expr.where),
+                    "a path");
     }
   }
   scope_.mission.exprs.resize(before);
@@ -104,7 +103,7 @@ Value ExprLowering::emitPlace(const Place& place, const support::SourceRange& ra
 }
 
 void ExprLowering::refusePath(const ast::Expr& expr) {
-  scope_.report(DiagnosticId::pathAsValue, expr.where, scope_.text(expr.where));
+  scope_.report(support::diagnostics::pathAsValue, expr.where, scope_.text(expr.where));
 }
 
 ExprLowering::Result ExprLowering::visit(const ast::List&, const ast::Expr& expr,
@@ -115,7 +114,7 @@ ExprLowering::Result ExprLowering::visit(const ast::List&, const ast::Expr& expr
 
 ExprLowering::Result ExprLowering::countOfPath(const ast::Invocation& node, const ast::Expr& expr) {
   if (node.arguments.size() != 1) {
-    scope_.report(DiagnosticId::wrongArgumentCount, expr.where, "count", "1 argument",
+    scope_.report(support::diagnostics::wrongArgumentCount, expr.where, "count", "1 argument",
                   node.arguments.empty() ? "none" : fmt::format("{}", node.arguments.size()),
                   "count(track)");
     return std::nullopt;
@@ -143,7 +142,7 @@ ExprLowering::Result ExprLowering::visit(const ast::Index& node, const ast::Expr
     return chosen(*path, {*number, plainNumber(), {}}, expr.where);
   }
   if (!there) {
-    scope_.report(DiagnosticId::outsidePath, node.position->where, node.list.text,
+    scope_.report(support::diagnostics::outsidePath, node.position->where, node.list.text,
                   path->size() == 1 ? "1 position" : fmt::format("{} positions", path->size()),
                   *known);
     return std::nullopt;

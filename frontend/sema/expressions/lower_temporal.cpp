@@ -3,25 +3,23 @@
 
 #include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/expressions/lower_expr.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 /// `became(g)` and `held(g, 30 s)`.
 ExprLowering::Result ExprLowering::overTime(ir::TemporalKind kind, const ast::Invocation& node,
                                             const ast::Expr& expr) {
   const bool held = kind == ir::TemporalKind::Held;
   if (!scope_.context.list) {
-    scope_.report(DiagnosticId::overTimeNowhere, expr.where, node.function.text);
+    scope_.report(support::diagnostics::overTimeNowhere, expr.where, node.function.text);
     return std::nullopt;
   }
   const size_t wanted = held ? 2 : 1;
   if (node.arguments.size() != wanted) {
-    scope_.report(DiagnosticId::wrongArgumentCount, expr.where, node.function.text,
+    scope_.report(support::diagnostics::wrongArgumentCount, expr.where, node.function.text,
                   held ? "2 arguments" : "1 argument",
                   node.arguments.empty() ? "none"
                                          : fmt::format("{} argument{}", node.arguments.size(),
@@ -43,7 +41,7 @@ ExprLowering::Result ExprLowering::overTime(ir::TemporalKind kind, const ast::In
     }
     const auto known = evaluate(scope_.mission, *duration);
     if (known && !(*known > 0)) {
-      scope_.report(DiagnosticId::heldNotPositive, time.where, scope_.text(time.where));
+      scope_.report(support::diagnostics::heldNotPositive, time.where, scope_.text(time.where));
       return std::nullopt;
     }
     temporal.duration = *duration;

@@ -3,25 +3,23 @@
 
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/names/functions.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 
 namespace glider::frontend {
 
-using support::DiagnosticId;
-
 /// `mean(x, 60 s)`, `slope(x, 10 m of depth)`.
 ExprLowering::Result ExprLowering::window(const ast::Invocation& node, const ast::Expr& expr) {
   const std::string& name = node.function.text;
   if (!scope_.context.list) {
-    scope_.report(DiagnosticId::overTimeNowhere, expr.where, name);
+    scope_.report(support::diagnostics::overTimeNowhere, expr.where, name);
     return std::nullopt;
   }
   const std::string form = name + (name == "slope" ? "(x, 10 m of depth)" : "(x, 60 s)");
   if (node.arguments.size() != 2) {
     const size_t count = node.arguments.size();
-    scope_.report(DiagnosticId::wrongArgumentCount, expr.where, name, "2 arguments",
+    scope_.report(support::diagnostics::wrongArgumentCount, expr.where, name, "2 arguments",
                   count == 0   ? "none"
                   : count == 1 ? "1 argument"
                                : std::to_string(count) + " arguments",
@@ -29,13 +27,15 @@ ExprLowering::Result ExprLowering::window(const ast::Invocation& node, const ast
     return std::nullopt;
   }
   if (const ast::Argument& first = node.arguments.front(); first.of) {
-    scope_.report(DiagnosticId::ofOutsideWindow, first.of->where, scope_.text(first.value->where));
+    scope_.report(support::diagnostics::ofOutsideWindow, first.of->where,
+                  scope_.text(first.value->where));
     return std::nullopt;
   }
   const ast::Argument& over = node.arguments.back();
   if (name == (over.of ? "rate" : "slope")) {
-    scope_.report(DiagnosticId::rateOrSlope, expr.where, name, over.of ? "a time" : "a distance",
-                  over.of ? "a distance" : "no distance", over.of ? "slope" : "rate");
+    scope_.report(support::diagnostics::rateOrSlope, expr.where, name,
+                  over.of ? "a time" : "a distance", over.of ? "a distance" : "no distance",
+                  over.of ? "slope" : "rate");
     return std::nullopt;
   }
   const ast::Expr& watched = *node.arguments.front().value;
@@ -54,7 +54,7 @@ std::optional<ExprLowering::WindowLength> ExprLowering::windowLength(const ast::
     const platforms::PlatformSensor* along = scope_.findSensor(over.of->text);
     if (along == nullptr || along->kind != platforms::SensorKind::Quantity) {
       if (!scope_.refused_names.contains(over.of->text)) {
-        scope_.report(DiagnosticId::stretchOfWhat, over.of->where, over.of->text);
+        scope_.report(support::diagnostics::stretchOfWhat, over.of->where, over.of->text);
       }
       return std::nullopt;
     }
@@ -68,7 +68,7 @@ std::optional<ExprLowering::WindowLength> ExprLowering::windowLength(const ast::
   const auto length =
       positiveConstant(*over.value, quantity(result.dimension),
                        {fmt::format("the length of `{}`", function),
-                        "it is the length of a window here", DiagnosticId::windowLength});
+                        "it is the length of a window here", support::diagnostics::windowLength});
   if (!length) {
     return std::nullopt;
   }

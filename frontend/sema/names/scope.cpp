@@ -5,7 +5,7 @@
 
 #include "frontend/sema/names/functions.h"
 #include "frontend/spelling.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 #include "support/one_line.h"
 
 #include <fmt/format.h>
@@ -13,8 +13,6 @@
 #include <algorithm>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -114,13 +112,14 @@ bool Scope::refuseUnseen(std::string_view name, const support::SourceRange& rang
                              : named != names.end()      ? named->second.name
                                                          : nullptr;
     if (there != nullptr) {
-      report(DiagnosticId::ofTheMission, range, name).note(there->where, "it is defined here");
+      report(support::diagnostics::ofTheMission, range, name)
+          .note(there->where, "it is defined here");
     }
     return there != nullptr;
   }
   for (const StateDeclaration& state : state_declarations) {
     if (const auto found = state.names.find(name); found != state.names.end()) {
-      report(DiagnosticId::ofAnotherState, range, name, state.node->name.text)
+      report(support::diagnostics::ofAnotherState, range, name, state.node->name.text)
           .note(found->second.name->where, "it is defined here");
       return true;
     }
@@ -130,12 +129,12 @@ bool Scope::refuseUnseen(std::string_view name, const support::SourceRange& rang
 
 bool Scope::refuseName(const ast::Name& name, std::string_view owner) {
   if (isUnitName(name.text)) {
-    report(DiagnosticId::unitAsName, name.where, name.text, owner);
+    report(support::diagnostics::unitAsName, name.where, name.text, owner);
     return true;
   }
   const std::string what = takenBy(name.text);
   if (!what.empty()) {
-    report(DiagnosticId::nameTaken, name.where, name.text, what);
+    report(support::diagnostics::nameTaken, name.where, name.text, what);
     refused_names.insert(name.text);
   }
   return !what.empty();
@@ -150,7 +149,7 @@ bool Scope::refuseSecond(const ast::Name& name) {
   if (first == nullptr) {
     return false;
   }
-  report(DiagnosticId::duplicateName, name.where, name.text)
+  report(support::diagnostics::duplicateName, name.where, name.text)
       .note(first->where, "the first is here");
   return true;
 }
@@ -206,7 +205,7 @@ std::optional<DeclaredType> Scope::declaredType(const ast::TypeName& name,
     if (!found->path || holder.empty()) {
       return found;
     }
-    report(DiagnosticId::pathElsewhere, name.where, holder);
+    report(support::diagnostics::pathElsewhere, name.where, holder);
     return std::nullopt;
   }
   static const std::vector<std::string_view> kTypes = {
@@ -219,7 +218,8 @@ std::optional<DeclaredType> Scope::declaredType(const ast::TypeName& name,
   for (std::string_view type : kTypes) {
     all += (all.empty() ? "types: " : ", ") + std::string(type);
   }
-  report(DiagnosticId::unknownType, name.where, name.text, didYouMean(name.text, kTypes, all));
+  report(support::diagnostics::unknownType, name.where, name.text,
+         didYouMean(name.text, kTypes, all));
   return std::nullopt;
 }
 

@@ -5,7 +5,7 @@
 
 #include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/expressions/lower_expr.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 
@@ -13,8 +13,6 @@
 #include <cmath>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 void declarePlaces(const ast::File& file, Scope& scope) {
   for (const ast::Item& item : file.items) {
@@ -30,7 +28,7 @@ void declarePlaces(const ast::File& file, Scope& scope) {
                                  ? &scope.state_declarations[state->second.index].node->name
                                  : nullptr;
     if (other != nullptr) {
-      scope.report(DiagnosticId::duplicateName, node->name.where, node->name.text)
+      scope.report(support::diagnostics::duplicateName, node->name.where, node->name.text)
           .note(other->where, "the first is here");
     }
   }
@@ -43,7 +41,7 @@ std::optional<double> promisedNumber(const ast::Expr& expr, const ir::Type& type
   const auto value = id ? evaluate(scope.mission, *id) : std::nullopt;
   scope.mission.exprs.resize(before);
   if (id && !value) {
-    scope.report(DiagnosticId::notConstant, expr.where, scope.text(expr.where), what);
+    scope.report(support::diagnostics::notConstant, expr.where, scope.text(expr.where), what);
   }
   return value;
 }
@@ -53,7 +51,7 @@ std::optional<PromiseTime> promisedTime(const ast::Expr& expr, std::string_view 
   const auto seconds = promisedNumber(expr, quantity(support::dimension::time),
                                       fmt::format("the time of `{}`", word), scope);
   if (seconds && !(*seconds > 0)) {
-    scope.report(DiagnosticId::requirementTime, expr.where, word, scope.text(expr.where));
+    scope.report(support::diagnostics::requirementTime, expr.where, word, scope.text(expr.where));
     return std::nullopt;
   }
   return seconds ? std::optional(PromiseTime{*seconds, scope.text(expr.where)}) : std::nullopt;
@@ -71,7 +69,7 @@ std::optional<std::vector<PromisedPlace>> PromiseLowering::places(
         place && (manner == ast::Manner::Sequence ? !places.empty() && same(places.back())
                                                   : std::ranges::any_of(places, same));
     if (again) {
-      scope_.report(DiagnosticId::placeRepeated, expr.where, scope_.text(expr.where));
+      scope_.report(support::diagnostics::placeRepeated, expr.where, scope_.text(expr.where));
       right = false;
     }
     if (place) {
@@ -91,7 +89,7 @@ bool PromiseLowering::finish(const std::function<void(Pattern&)>& write) {
     }
     if (to && to->words == place->words) {
       const support::SourceRange& where = node_.scope->to->where;
-      scope_.report(DiagnosticId::placeRepeated, where, scope_.text(where));
+      scope_.report(support::diagnostics::placeRepeated, where, scope_.text(where));
       return false;
     }
     scope = PlacedScope{node_.scope->kind, *std::move(place), std::move(to)};
@@ -125,7 +123,8 @@ bool PromiseLowering::lower(const ast::CountPromise& promise) {
                                      : std::optional(PromiseTime());
   const auto times = promisedNumber(promise.times, plainNumber(), "the number of visits", scope_);
   if (times && !(*times >= 1 && *times <= kMostVisits && std::floor(*times) == *times)) {
-    scope_.report(DiagnosticId::visitTimes, promise.times.where, scope_.text(promise.times.where));
+    scope_.report(support::diagnostics::visitTimes, promise.times.where,
+                  scope_.text(promise.times.where));
     return false;
   }
   return place && within && times && finish([&](Pattern& pattern) {
@@ -179,7 +178,7 @@ bool PromiseLowering::lower(const ast::ReactionPromise& promise) {
                    : std::optional(PromiseTime());
   const bool only = promise.trigger == ast::Trigger::WheneverAndOnly;
   if (only && promise.time) {
-    scope_.report(DiagnosticId::onlyWhenTime, promise.time->where);
+    scope_.report(support::diagnostics::onlyWhenTime, promise.time->where);
     return false;
   }
   if (!cause || !response || !time) {

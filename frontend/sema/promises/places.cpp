@@ -5,7 +5,7 @@
 
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/spelling.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 
@@ -13,8 +13,6 @@
 #include <vector>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -32,7 +30,7 @@ bool refuseUnknown(const std::string& name, const support::SourceRange& range, S
   for (const auto& [known, node] : scope.places) {
     names.push_back(known);
   }
-  scope.report(DiagnosticId::unknownState, range, name, didYouMean(name, names, ""));
+  scope.report(support::diagnostics::unknownState, range, name, didYouMean(name, names, ""));
   return true;
 }
 
@@ -60,7 +58,7 @@ std::optional<PromisedPlace> lowerPlace(const ast::Expr& expr, Scope& scope) {
   }
   if (scope.mission.uses.size() > uses) {
     const ir::FunctionUse& use = scope.mission.uses[uses];
-    scope.report(DiagnosticId::requirementCalls, use.range,
+    scope.report(support::diagnostics::requirementCalls, use.range,
                  scope.mission.functions[use.function.index].name);
     return std::nullopt;
   }

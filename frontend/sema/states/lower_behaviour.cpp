@@ -8,15 +8,13 @@
 #include "frontend/sema/states/lower_case.h"
 #include "frontend/sema/states/lower_statement.h"
 #include "support/check.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -118,7 +116,7 @@ void BehaviourLowering::checkMembers() {
                          std::holds_alternative<ast::ProfileMember>(member.node) ||
                          std::holds_alternative<ast::SensorsMember>(member.node);
     if (foreign) {
-      scope_.report(DiagnosticId::stateMemberInBehaviour, member.keyword,
+      scope_.report(support::diagnostics::stateMemberInBehaviour, member.keyword,
                     scope_.text(member.keyword));
     } else if (!std::holds_alternative<ast::Var>(member.node)) {
       checkOnce(member);
@@ -131,7 +129,7 @@ void BehaviourLowering::checkNothingBeside(const ast::Use& other) {
   for (const ast::Member& member : declaration_.body->members) {
     if (useIn(member, declaration_.kind) != &other) {
       scope_
-          .report(DiagnosticId::besideBehaviour, member.keyword, declaration_.name->text,
+          .report(support::diagnostics::besideBehaviour, member.keyword, declaration_.name->text,
                   word(declaration_.kind), scope_.text(member.keyword))
           .note(other.where, "the other is here");
       return;
@@ -143,8 +141,8 @@ void BehaviourLowering::checkOnce(const ast::Member& member) {
   const auto [place, fresh] = seen_.emplace(member.node.index(), &member);
   if (!fresh) {
     scope_
-        .report(DiagnosticId::memberTwice, member.keyword, "`" + declaration_.name->text + "`",
-                scope_.text(member.keyword))
+        .report(support::diagnostics::memberTwice, member.keyword,
+                "`" + declaration_.name->text + "`", scope_.text(member.keyword))
         .note(place->second->keyword, "the first is here");
   }
 }
@@ -173,7 +171,7 @@ void BehaviourLowering::checkChain() {
     }
     next = &found->second;
     if (next == &declaration_) {
-      scope_.report(DiagnosticId::behaviourOfItself, declaration_.name->where,
+      scope_.report(support::diagnostics::behaviourOfItself, declaration_.name->where,
                     declaration_.name->text, by_way_of);
       return;
     }

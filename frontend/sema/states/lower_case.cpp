@@ -9,11 +9,10 @@
 #include "frontend/sema/states/lower_statement.h"
 #include "frontend/spelling.h"
 #include "support/check.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
+#include "support/diagnostics/ids/syntax.h"
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 std::vector<ir::Case> CaseLowering::lower(const std::vector<ast::Case>& cases,
                                           const GuardReads& guard_reads) {
@@ -51,13 +50,14 @@ bool CaseLowering::allowed(const ast::Case& node) {
   switch (*scope_.context.list) {
     case ir::ListKind::Always:
       if (node.transition == ast::Transition::Return) {
-        scope_.report(DiagnosticId::returnInAlways, node.transition_where);
+        scope_.report(support::diagnostics::returnInAlways, node.transition_where);
         return false;
       }
       [[fallthrough]];
     case ir::ListKind::State:
       if (done) {
-        auto report = scope_.report(DiagnosticId::doneOutsideBehaviour, node.transition_where);
+        auto report =
+            scope_.report(support::diagnostics::doneOutsideBehaviour, node.transition_where);
         if (scope_.context.list == ir::ListKind::Always) {
           report.hint("write `goto`, `call`, `exit` or `stay`");
         }
@@ -69,7 +69,7 @@ bool CaseLowering::allowed(const ast::Case& node) {
   }
   if (!done && !stay) {
     const bool profile = scope_.context.list == ir::ListKind::Profile;
-    scope_.report(DiagnosticId::transitionInBehaviour, node.transition_where,
+    scope_.report(support::diagnostics::transitionInBehaviour, node.transition_where,
                   scope_.text(node.transition_where), profile ? "flightprofile" : "flightroute",
                   profile ? "profiledone" : "routedone");
   }
@@ -83,7 +83,7 @@ void CaseLowering::lowerTarget(const ast::Use& target, ir::Case& lowered) {
     for (const auto& [name, id] : scope_.states) {
       names.push_back(name);
     }
-    scope_.report(DiagnosticId::unknownState, target.name.where, target.name.text,
+    scope_.report(support::diagnostics::unknownState, target.name.where, target.name.text,
                   didYouMean(target.name.text, names, ""));
     return;
   }
@@ -108,7 +108,7 @@ void warnOfConstant(const ast::Case& node, const ir::Case& lowered, Scope& scope
     return;
   }
   scope.report(
-      DiagnosticId::constantAlways, node.guard.where, scope.text(node.guard.where),
+      support::diagnostics::constantAlways, node.guard.where, scope.text(node.guard.where),
       always ? "always true" : "never true",
       always ? "it fires on every tick, and no case after it is tried" : "this case never fires");
 }
@@ -117,7 +117,7 @@ void warnOfConstant(const ast::Case& node, const ir::Case& lowered, Scope& scope
 
 void lowerAlways(const ast::File& file, Scope& scope) {
   const auto* always = onlyItem<ast::Always>(file, [&](const auto& again, const auto& first) {
-    scope.report(DiagnosticId::memberTwice, again.where, "a mission", "always")
+    scope.report(support::diagnostics::memberTwice, again.where, "a mission", "always")
         .note(first.where, "the first is here")
         .hint("merge their cases into one; they are tried in order");
   });

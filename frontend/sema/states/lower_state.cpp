@@ -8,13 +8,11 @@
 #include "frontend/sema/states/lower_case.h"
 #include "frontend/sema/states/lower_statement.h"
 #include "support/check.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <utility>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -43,7 +41,7 @@ void declareNames(ir::StateId id, Scope& scope) {
   const ast::Name& name = state.node->name;
   state.signature = scope.signatureOf(name, listOf(state.node->formals), "a parameter of a state");
   if (id.index == 0 && !state.signature.formals.empty()) {
-    scope.report(DiagnosticId::firstStateParameters, name.where, name.text);
+    scope.report(support::diagnostics::firstStateParameters, name.where, name.text);
     state.signature.valid = false;
   }
   Context context;
@@ -79,7 +77,7 @@ void declareStates(const ast::File& file, Scope& scope) {
     const auto [place, fresh] = scope.states.emplace(state->name.text, id);
     if (!fresh) {
       const StateDeclaration& other = scope.state_declarations[place->second.index];
-      scope.report(DiagnosticId::duplicateName, state->name.where, state->name.text)
+      scope.report(support::diagnostics::duplicateName, state->name.where, state->name.text)
           .note(other.node->name.where, "the first is here");
       continue;
     }
@@ -131,7 +129,7 @@ ir::State StateLowering::run() {
   visitAll(indexOf<ast::RouteMember>());
   visitAll(indexOf<ast::ProfileMember>());
   if (!seen_.contains(indexOf<ast::ProfileMember>())) {
-    scope_.report(DiagnosticId::noFlightprofile, state_.name.where, state_.name.text);
+    scope_.report(support::diagnostics::noFlightprofile, state_.name.where, state_.name.text);
   }
   if (!seen_.contains(indexOf<ast::RouteMember>())) {
     const ast::Use none{{"noheading", state_.name.where}, false, {}, state_.name.where};
@@ -156,8 +154,8 @@ bool StateLowering::first(const ast::Member& member) {
   const auto [place, fresh] = seen_.emplace(member.node.index(), &member);
   if (!fresh) {
     scope_
-        .report(DiagnosticId::memberTwice, member.keyword, "state `" + state_.name.text + "`",
-                scope_.text(member.keyword))
+        .report(support::diagnostics::memberTwice, member.keyword,
+                "state `" + state_.name.text + "`", scope_.text(member.keyword))
         .note(place->second->keyword, "the first is here");
   }
   return fresh;
@@ -206,17 +204,17 @@ void StateLowering::lowerItem(const ast::SensorItem& item) {
   if (sensor == nullptr && !clock) {
     const Named* named = scope_.findNamed(item.name.text);
     if (named != nullptr || scope_.findConstant(item.name.text) != nullptr) {
-      scope_.report(DiagnosticId::notLogged, item.name.where, item.name.text,
+      scope_.report(support::diagnostics::notLogged, item.name.where, item.name.text,
                     named != nullptr ? describe(named->kind) : "a constant");
     } else if (!scope_.refused_names.contains(item.name.text)) {
-      scope_.report(DiagnosticId::unknownSensor, item.name.where, scope_.platform().name,
+      scope_.report(support::diagnostics::unknownSensor, item.name.where, scope_.platform().name,
                     item.name.text, scope_.suggestSensor(item.name.text));
     }
     return;
   }
   const auto [place, fresh] = listed_.emplace(clock ? item.name.text : sensor->name, &item.name);
   if (!fresh) {
-    scope_.report(DiagnosticId::sensorTwice, item.name.where, item.name.text)
+    scope_.report(support::diagnostics::sensorTwice, item.name.where, item.name.text)
         .note(place->second->where, "the first is here");
     return;
   }
@@ -235,12 +233,12 @@ void StateLowering::setPeriod(const ast::Expr& every, size_t from) {
   const auto period = value ? evaluate(scope_.mission, *value) : std::optional(1.0);
   scope_.mission.exprs.resize(before);
   if (!period) {
-    scope_.report(DiagnosticId::notConstant, every.where, scope_.text(every.where),
+    scope_.report(support::diagnostics::notConstant, every.where, scope_.text(every.where),
                   "the time of `every`");
     return;
   }
   if (!(*period > 0)) {
-    scope_.report(DiagnosticId::everyNotPositive, every.where, *period);
+    scope_.report(support::diagnostics::everyNotPositive, every.where, *period);
     return;
   }
   for (size_t i = from; i < result_.log.size(); ++i) {
@@ -261,8 +259,8 @@ void StateLowering::warnOfUnlisted(const std::vector<SensorRead>& reads) {
     if (listed_.contains(read.sensor->name) || !warned_.emplace(read.sensor->name, true).second) {
       continue;
     }
-    auto warning =
-        scope_.report(DiagnosticId::unlistedSensor, read.range, state_.name.text, read.written);
+    auto warning = scope_.report(support::diagnostics::unlistedSensor, read.range, state_.name.text,
+                                 read.written);
     if (list != seen_.end()) {
       const uint32_t end = list->second->where.end;
       warning.fix({read.range.file, end, end}, ", " + read.written);

@@ -9,15 +9,13 @@
 #include "frontend/sema/names/commands.h"
 #include "frontend/sema/names/functions.h"
 #include "frontend/spelling.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -67,7 +65,7 @@ void StatementLowering::visit(const ast::Set& node, const ast::Statement& statem
   named->written = true;
   const auto* use = std::get_if<ast::NameUse>(&node.value.node);
   if (use != nullptr && use->name == node.variable.text) {
-    scope_.report(DiagnosticId::setToItself, statement.where, node.variable.text);
+    scope_.report(support::diagnostics::setToItself, statement.where, node.variable.text);
   }
   const bool read = named->read;
   ExprLowering lowering(scope_);
@@ -99,7 +97,7 @@ Named* StatementLowering::settable(const ast::Name& name) {
   }
   const bool parameter = named->kind == NamedKind::Parameter;
   scope_
-      .report(DiagnosticId::cannotSet, name.where, name.text, describe(named->kind),
+      .report(support::diagnostics::cannotSet, name.where, name.text, describe(named->kind),
               parameter ? "make it a `var`, or `set` a `var` that has it as its initial value"
                         : "declare a `var` with this initial value, and `set` that")
       .note(named->name->where, "it is declared here");
@@ -109,7 +107,7 @@ Named* StatementLowering::settable(const ast::Name& name) {
 void StatementLowering::refuseSet(const ast::Name& name) {
   if (const Constant* constant = scope_.findConstant(name.text)) {
     scope_
-        .report(DiagnosticId::cannotSet, name.where, name.text, "a constant",
+        .report(support::diagnostics::cannotSet, name.where, name.text, "a constant",
                 "declare it with `var` and a type")
         .note(constant->name->where, "it is declared here");
     return;
@@ -119,7 +117,7 @@ void StatementLowering::refuseSet(const ast::Name& name) {
   }
   const bool own = scope_.own_sensors.contains(name.text);
   if (const std::string what = own ? "a sensor" : scope_.takenBy(name.text); !what.empty()) {
-    scope_.report(DiagnosticId::cannotSet, name.where, name.text, what,
+    scope_.report(support::diagnostics::cannotSet, name.where, name.text, what,
                   "use a `var` for a value of your own");
     return;
   }
@@ -135,7 +133,7 @@ void StatementLowering::refuseSet(const ast::Name& name) {
     }
   }
   scope_.report(
-      DiagnosticId::unknownVariable, name.where, name.text,
+      support::diagnostics::unknownVariable, name.where, name.text,
       didYouMean(name.text, known, fmt::format("declare it: `var {}: type = value`", name.text)));
 }
 
@@ -159,7 +157,7 @@ void StatementLowering::visit(const ast::Log& node, const ast::Statement& statem
   ir::Statement result = statementOf(ir::StatementKind::Log, statement.where);
   const Unquoted text = unquote(node.text);
   if (text.wrong) {
-    scope_.report(DiagnosticId::badEscape, statement.where,
+    scope_.report(support::diagnostics::badEscape, statement.where,
                   std::string_view(node.text).substr(*text.wrong, 2));
   }
   result.text = text.text;
@@ -190,7 +188,7 @@ void StatementLowering::visit(const ast::Command& node, const ast::Statement& st
     const bool function = isFunctionName(name);
     const bool behaviour = scope_.behaviours.contains(name);
     scope_.report(
-        DiagnosticId::unknownCommand, node.call.function.where, name,
+        support::diagnostics::unknownCommand, node.call.function.where, name,
         function ? "`" + name + "` is a function: use it in the value of a `set`"
         : behaviour
             ? "`" + name + "` controls how a state flies: use it in the state's `flight…` line"

@@ -7,11 +7,9 @@
 #include "frontend/sema/states/lower_behaviour.h"
 #include "frontend/sema/states/lower_state.h"
 #include "frontend/spelling.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 
 namespace glider::frontend {
-
-using support::DiagnosticId;
 
 std::string_view word(ir::BehaviourKind kind) {
   return kind == ir::BehaviourKind::Profile ? "flightprofile" : "flightroute";
@@ -30,13 +28,13 @@ BehaviourDeclaration* findBehaviour(const ast::Use& use, ir::BehaviourKind kind,
     for (std::string_view name : names) {
       all += (all.empty() ? std::string(word(kind)) + "s: " : ", ") + std::string(name);
     }
-    scope.report(DiagnosticId::unknownProfileOrRoute, use.name.where, word(kind), use.name.text,
-                 didYouMean(use.name.text, names, all));
+    scope.report(support::diagnostics::unknownProfileOrRoute, use.name.where, word(kind),
+                 use.name.text, didYouMean(use.name.text, names, all));
     return nullptr;
   }
   BehaviourDeclaration& declaration = found->second;
   if (declaration.kind != kind) {
-    scope.report(DiagnosticId::wrongBehaviour, use.name.where, use.name.text,
+    scope.report(support::diagnostics::wrongBehaviour, use.name.where, use.name.text,
                  word(declaration.kind), word(kind));
     return nullptr;
   }

@@ -4,7 +4,7 @@
 #include "hooks/transport/host/pty.h"
 
 #include "hooks/transport/descriptor.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 
 #include <array>
 #include <cerrno>
@@ -19,7 +19,7 @@ namespace glider::hooks {
 namespace {
 
 std::unexpected<support::Failure> failed() {
-  return support::fail(support::DiagnosticId::noPseudoTerminal, std::strerror(errno));
+  return support::fail(support::diagnostics::noPseudoTerminal, std::strerror(errno));
 }
 
 bool setRaw(int fd) {

@@ -5,7 +5,7 @@
 
 #include "hooks/transport/descriptor.h"
 #include "hooks/transport/termios.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 
 #include <libserialport.h>
 
@@ -18,7 +18,6 @@
 namespace glider::hooks {
 namespace {
 
-using support::DiagnosticId;
 using support::fail;
 using support::Failure;
 
@@ -32,20 +31,20 @@ std::unexpected<Failure> failureOf(int error, const std::string& path, uint32_t 
     case ENOENT:
     case ENXIO:
     case ENODEV:
-      return fail(DiagnosticId::portMissing, path);
+      return fail(support::diagnostics::portMissing, path);
     case EACCES:
     case EPERM:
-      return fail(DiagnosticId::portDenied, path);
+      return fail(support::diagnostics::portDenied, path);
     case EBUSY:
     case EWOULDBLOCK:
-      return fail(DiagnosticId::portBusy, path);
+      return fail(support::diagnostics::portBusy, path);
     case ENOTTY:
     case EISDIR:
-      return fail(DiagnosticId::portNotSerial, path);
+      return fail(support::diagnostics::portNotSerial, path);
     case EINVAL:
-      return fail(DiagnosticId::baudNotPossible, path, baud);
+      return fail(support::diagnostics::baudNotPossible, path, baud);
     default:
-      return fail(DiagnosticId::portFailed, path, std::strerror(error));
+      return fail(support::diagnostics::portFailed, path, std::strerror(error));
   }
 }
 
@@ -132,7 +131,7 @@ support::Result<SerialPort> SerialPort::open(const std::string& path, uint32_t b
     return failureOf(error.value() == EACCES ? EACCES : ENOENT, path, baud);
   }
   if (!std::filesystem::is_character_file(device, error)) {
-    return fail(DiagnosticId::portNotSerial, path);
+    return fail(support::diagnostics::portNotSerial, path);
   }
   if (isPseudoTerminal(device.c_str())) {
     auto terminal = std::make_unique<TerminalPort>();

@@ -14,7 +14,7 @@
 #include "ir/prove/passes.h"
 #include "ir/verify/intervals.h"
 #include "ir/verify/value_text.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
@@ -40,7 +40,7 @@ bool rangesOverlap(const Proof& proof, const Mission& mission) {
     if (narrowed.lowest > narrowed.highest) {
       const Sensor& vehicle = proof.proof_context.mission[a.sensor];
       proof.diagnostics.report(
-          DiagnosticId::assumptionsContradict, a.range,
+          support::diagnostics::assumptionsContradict, a.range,
           fmt::format("no known reading of `{}`, which lies in {} to {}, is in all the ranges that "
                       "are assumed",
                       vehicle.name, withUnit(vehicle.lowest * vehicle.to_si, vehicle.type),
@@ -168,7 +168,7 @@ void checkStart(const Proof& proof, const Assumption& assumption) {
         corners, [&](const Position& b) { return std::fabs(between(a, b)) <= kRounding; });
   });
   if (on_a_line) {
-    proof.diagnostics.report(DiagnosticId::assumptionsContradict, assumption.range,
+    proof.diagnostics.report(support::diagnostics::assumptionsContradict, assumption.range,
                              "no place is inside this area, whose corners are on a line");
   }
 }
@@ -194,7 +194,7 @@ void passes::assumptions(Proof& proof) {
     return;
   }
   for (const ComparedMoment& when : {atAnyTime(), atTheStart(platform)}) {
-    if (!compare(proof, mission, assumed, when, DiagnosticId::assumptionsContradict)) {
+    if (!compare(proof, mission, assumed, when, support::diagnostics::assumptionsContradict)) {
       return;
     }
   }
@@ -209,7 +209,7 @@ void passes::contradictions(Proof& proof) {
   }
   if (required.size() > 1) {
     compare(proof, proof.proof_context.mission, required, atAnyTime(),
-            DiagnosticId::requirementsContradict);
+            support::diagnostics::requirementsContradict);
   }
 }
 

@@ -14,7 +14,7 @@
 #include "ir/prove/context/commands.h"
 #include "ir/prove/passes.h"
 #include "ir/verify/intervals.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
@@ -145,7 +145,7 @@ class AvoidanceCheck {
     }
     const std::string who = own >= then ? "its `do` commands a dive"
                                         : fmt::format("state `{}` dives", m_[c.target].name);
-    proof_.diagnostics.report(support::DiagnosticId::divesNearBottom, m_[c.guard].range, who,
+    proof_.diagnostics.report(support::diagnostics::divesNearBottom, m_[c.guard].range, who,
                               fmt::format("{:.4g} m", deep), fmt::format("{:.4g} m", before));
   }
 

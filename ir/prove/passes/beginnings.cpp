@@ -12,7 +12,7 @@
 #include "ir/prove/context/commands.h"
 #include "ir/prove/context/never_unknown.h"
 #include "ir/prove/passes.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <algorithm>
 #include <optional>
@@ -53,7 +53,7 @@ class BeginningCheck {
       return;
     }
     if (told_.emplace(activity.range.file, activity.range.begin).second) {
-      proof_.diagnostics.report(support::DiagnosticId::nothingCommanded, activity.range, who, what);
+      proof_.diagnostics.report(support::diagnostics::nothingCommanded, activity.range, who, what);
     }
   }
 

@@ -16,7 +16,7 @@
 #include "ir/prove/passes.h"
 #include "ir/verify/guarded_ranges.h"
 #include "ir/verify/value_text.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
@@ -33,8 +33,6 @@
 
 namespace glider::ir::prove {
 namespace {
-
-using support::DiagnosticId;
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
@@ -130,7 +128,8 @@ class CommandCheck {
       return;
     }
     const Type type = m_[statement.values.at(argument)].type;
-    proof_.diagnostics.report(DiagnosticId::commandBeyondEnvelope, where, shown(given, type),
+    proof_.diagnostics.report(support::diagnostics::commandBeyondEnvelope, where,
+                              shown(given, type),
                               "beyond the vehicle's limit of " + shown(most, type));
   }
 
@@ -141,7 +140,7 @@ class CommandCheck {
     if (!depth.empty && depth.highest < 0 && isNew(where)) {
       in_the_air_.insert(place.begin);
       const Type type = m_[statement.values.at(0)].type;
-      proof_.diagnostics.report(DiagnosticId::commandBeyondEnvelope, where,
+      proof_.diagnostics.report(support::diagnostics::commandBeyondEnvelope, where,
                                 shown(depth.highest, type), "above the surface");
     }
   }
@@ -159,7 +158,8 @@ class CommandCheck {
     const support::SourceRange where = placeOf(place, statement, 1);
     if (!given.empty && least(given) < envelope_.shallowest_pitch_rad && isNew(where)) {
       const Type type = m_[statement.values.at(1)].type;
-      proof_.diagnostics.report(DiagnosticId::pitchTooShallow, where, shown(least(given), type),
+      proof_.diagnostics.report(support::diagnostics::pitchTooShallow, where,
+                                shown(least(given), type),
                                 shown(envelope_.shallowest_pitch_rad, type));
     }
   }
@@ -195,8 +195,8 @@ class CommandCheck {
     const bool judged =
         !down.empty && !up.empty && up.lowest <= kNoBound && down.highest >= -kNoBound;
     if (judged && (up.lowest >= down.highest || !(surelyTurns() || canTurn(state)))) {
-      proof_.diagnostics.report(DiagnosticId::profileTurnedRound, state.profile.range, depths(up),
-                                depths(down));
+      proof_.diagnostics.report(support::diagnostics::profileTurnedRound, state.profile.range,
+                                depths(up), depths(down));
     }
   }
 

@@ -11,7 +11,7 @@
 #include "ir/core/walk.h"
 #include "ir/prove/abstract/abstract_evaluator.h"
 #include "ir/prove/passes.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <map>
 #include <optional>
@@ -101,7 +101,7 @@ class ComparisonCheck {
   void report() {
     for (const auto& [place, found] : found_) {
       if (found.always && !proof_.said.cover(found.range)) {
-        proof_.diagnostics.report(support::DiagnosticId::comparisonDecided, found.range,
+        proof_.diagnostics.report(support::diagnostics::comparisonDecided, found.range,
                                   *found.always ? "true" : "false");
       }
     }

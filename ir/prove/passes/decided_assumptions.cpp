@@ -16,7 +16,7 @@
 #include "ir/prove/encoding/any_moment.h"
 #include "ir/prove/passes.h"
 #include "ir/verify/intervals.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -211,7 +211,7 @@ class DecidedCheck {
   /// Whether it is already reported that no readings satisfy it.
   [[nodiscard]] bool contradicts(const Assumption& a) const {
     return std::ranges::any_of(proof_.diagnostics.sorted(), [&](const support::Diagnostic& one) {
-      return one.id == support::DiagnosticId::assumptionsContradict && one.range == a.range;
+      return one.id == support::diagnostics::assumptionsContradict && one.range == a.range;
     });
   }
 
@@ -325,7 +325,7 @@ class DecidedCheck {
       why.push_back(fmt::format("the pilot chooses {} at the launch", fmt::join(launched, ", ")));
     }
     proof_.diagnostics.report(
-        support::DiagnosticId::assumptionDecided, a.range, a.words,
+        support::diagnostics::assumptionDecided, a.range, a.words,
         fmt::format("{}", fmt::join(why, ", and ")),
         counted.empty() && commanded.empty() ? "narrow the range of the parameter instead"
         : commanded.empty() ? "write `require exit within …` instead, so that it is proved; "

@@ -10,7 +10,7 @@
 #include "ir/prove/abstract/end_depends_on.h"
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/passes.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
@@ -122,7 +122,7 @@ void passes::ends(Proof& proof) {
                            ? proof.ending.boundWithoutPowerCuts()
                            : boundOf(proof.proof_context.withoutPowerCuts(), kAtOnce, Goal::Exit);
   if (end.by && *end.by <= kAtOnce) {
-    proof.diagnostics.report(support::DiagnosticId::endsAtOnce,
+    proof.diagnostics.report(support::diagnostics::endsAtOnce,
                              proof.proof_context.mission.states.front().range, durationOf(*end.by));
   } else if (report) {
     tellEnd(proof);

@@ -11,7 +11,7 @@
 #include "ir/core/walk.h"
 #include "ir/prove/abstract/end_bound.h"
 #include "ir/prove/passes.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <algorithm>
 #include <vector>
@@ -107,7 +107,7 @@ void passes::exitsNotTried(Proof& proof) {
   }
   for (const Suspect& suspect : suspects) {
     if (!proof.said.concern(suspect.stays->range) && !endsWithout(proof, suspects, &suspect)) {
-      proof.diagnostics.report(support::DiagnosticId::exitNotTried, suspect.stays->range)
+      proof.diagnostics.report(support::diagnostics::exitNotTried, suspect.stays->range)
           .note(suspect.leads->range, "this case is not tried while that condition is true");
     }
   }

@@ -12,7 +12,7 @@
 #include "ir/prove/encoding/reasons.h"
 #include "ir/prove/encoding/sampling.h"
 #include "ir/prove/passes.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
@@ -22,8 +22,6 @@
 
 namespace glider::ir::prove {
 namespace {
-
-using support::DiagnosticId;
 
 bool leavesState(Transition transition) {
   return transition == Transition::Goto || transition == Transition::Call ||
@@ -165,16 +163,16 @@ class GuardCheck {
       proof_.said.add(range);
     }
     if (verdict.never) {
-      auto warning = proof_.diagnostics.report(DiagnosticId::guardNeverTrue, range);
+      auto warning = proof_.diagnostics.report(support::diagnostics::guardNeverTrue, range);
       noteReasons(warning, m_, verdict.facts, range);
     } else if (verdict.hidden) {
-      auto warning = proof_.diagnostics.report(DiagnosticId::caseHidden, range);
+      auto warning = proof_.diagnostics.report(support::diagnostics::caseHidden, range);
       for (const uint32_t earlier : verdict.hidden_by) {
         warning.note(m_[cases[earlier].guard].range, "this earlier case fires first");
       }
       noteReasons(warning, m_, verdict.facts, range);
     } else if (verdict.always && leavesState(c.transition) && !isConstant(m_[c.guard])) {
-      auto warning = proof_.diagnostics.report(DiagnosticId::guardAlwaysTrue, range, where);
+      auto warning = proof_.diagnostics.report(support::diagnostics::guardAlwaysTrue, range, where);
       noteReasons(warning, m_, verdict.facts, range);
     }
   }

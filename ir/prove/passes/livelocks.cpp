@@ -17,7 +17,7 @@
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/passes.h"
 #include "support/check.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -262,7 +262,7 @@ class LivelockCheck {
       names.pop_back();
     }
     const std::string between = fmt::format("{} and {}", fmt::join(names, ", "), last);
-    proof_.diagnostics.report(support::DiagnosticId::clockLivelock, m_[round.front()].range,
+    proof_.diagnostics.report(support::diagnostics::clockLivelock, m_[round.front()].range,
                               fmt::format("{:.6g} s", time), between);
   }
 

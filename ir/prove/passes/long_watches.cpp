@@ -13,7 +13,7 @@
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/passes.h"
 #include "ir/verify/intervals.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <map>
 #include <set>
@@ -98,7 +98,7 @@ class WatchCheck {
         !told_.emplace(range.file, range.begin, temporal.state).second) {
       return;
     }
-    proof_.diagnostics.report(support::DiagnosticId::longerThanState, range, durationOf(needed),
+    proof_.diagnostics.report(support::diagnostics::longerThanState, range, durationOf(needed),
                               state.name, durationOf(lasts),
                               held ? "it is never true" : "its value is never known");
   }

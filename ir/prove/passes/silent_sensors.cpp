@@ -13,7 +13,7 @@
 #include "ir/prove/context/commands.h"
 #include "ir/prove/context/sensors_read.h"
 #include "ir/prove/passes.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
@@ -145,7 +145,7 @@ class SilenceCheck {
       return;
     }
     auto warning =
-        proof_.diagnostics.report(support::DiagnosticId::endNeedsReadings, m_.states.front().range,
+        proof_.diagnostics.report(support::diagnostics::endNeedsReadings, m_.states.front().range,
                                   fmt::to_string(fmt::join(names, ", ")));
     if (!of_science.empty()) {
       warning.note(m_.states.front().range,

@@ -16,7 +16,7 @@
 #include "ir/prove/abstract/shallowest_command.h"
 #include "ir/prove/passes.h"
 #include "ir/verify/intervals.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
@@ -27,8 +27,6 @@
 
 namespace glider::ir::prove {
 namespace {
-
-using support::DiagnosticId;
 
 constexpr double kWithoutEnd = std::numeric_limits<double>::infinity();
 
@@ -106,7 +104,7 @@ class DepthCheck {
     }
     proof_.said.add(e.range);
     proof_.diagnostics.report(
-        DiagnosticId::neverTrueInState, e.range, m_[state].name,
+        support::diagnostics::neverTrueInState, e.range, m_[state].name,
         fmt::format("commands lead the vehicle at most {:.4g} m deep there, and a reading of "
                     "`{}` is wrong by at most {:.4g} m",
                     deepest, m_[*proof_context_.depth].name,
@@ -133,8 +131,8 @@ class DepthCheck {
     const double reading = found ? std::nextafter(found->reading_m, -kWithoutEnd) : all.lowest;
     if (reading > all.lowest && reading < all.highest &&
         !mayBeTrue(c.guard, {reading, all.highest, false})) {
-      proof_.diagnostics.report(DiagnosticId::aboveCommands, m_[c.guard].range, m_[state].name,
-                                fmt::format("{:.4g} m", found->target_m));
+      proof_.diagnostics.report(support::diagnostics::aboveCommands, m_[c.guard].range,
+                                m_[state].name, fmt::format("{:.4g} m", found->target_m));
     }
   }
 

@@ -11,7 +11,7 @@
 #include "ir/core/walk.h"
 #include "ir/prove/context/commands.h"
 #include "ir/prove/passes.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <algorithm>
 #include <map>
@@ -261,7 +261,7 @@ void passes::stuckProfiles(Proof& proof) {
     const auto trap = modes.trap();
     if (trap && told.emplace(trap->range.file, trap->range.begin).second) {
       const bool dives = trap->command == Command::Descend;
-      proof.diagnostics.report(support::DiagnosticId::profileStuck, trap->range,
+      proof.diagnostics.report(support::diagnostics::profileStuck, trap->range,
                                dives ? "dive" : "climb", dives ? "climb" : "dive");
     }
   }

@@ -10,7 +10,7 @@
 #include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/encoding/any_moment.h"
 #include "ir/prove/passes.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <algorithm>
 #include <map>
@@ -21,8 +21,6 @@
 
 namespace glider::ir::prove {
 namespace {
-
-using support::DiagnosticId;
 
 /// What can be true at some moment of a flight; other expressions are certainly never true.
 class PossibleTruths {
@@ -238,7 +236,7 @@ void passes::vacuous(Proof& proof) {
     }
     if (never) {
       proof.diagnostics
-          .report(DiagnosticId::requirementVacuous, requirement->range,
+          .report(support::diagnostics::requirementVacuous, requirement->range,
                   "what it depends on is never true")
           .note(written[*never].range, "no moment of any flight makes this true");
     }

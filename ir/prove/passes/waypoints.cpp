@@ -11,7 +11,7 @@
 #include "ir/prove/geometry/nearest.h"
 #include "ir/prove/geometry/sphere.h"
 #include "ir/prove/passes.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
@@ -141,7 +141,7 @@ class WaypointCheck {
     const std::string north = latitudeText(meant.latitude);
     const std::string east = longitudeText(meant.longitude);
     auto warning = proof_.diagnostics.report(
-        support::DiagnosticId::positionSwapped, one.range, fmt::format("{:.0f}", far_off / 1000),
+        support::diagnostics::positionSwapped, one.range, fmt::format("{:.0f}", far_off / 1000),
         what, fmt::format("{:.0f}", then / 1000), north + " " + east);
     const support::SourceRange& first = m_[one.fixed->values.at(0)].range;
     const support::SourceRange& second = m_[one.fixed->values.at(1)].range;
@@ -212,7 +212,7 @@ class WaypointCheck {
 
   void tellIfFarOff(const support::SourceRange& range, double nearest) {
     if (std::isfinite(nearest) && nearest > kFarOff && told_.insert(range.begin).second) {
-      proof_.diagnostics.report(support::DiagnosticId::waypointFarOff, range,
+      proof_.diagnostics.report(support::diagnostics::waypointFarOff, range,
                                 fmt::format("{:.0f}", nearest / 1000));
     }
   }

@@ -9,7 +9,7 @@
 
 #include "ir/prove/requirements/advice.h"
 #include "ir/prove/requirements/search_order.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <algorithm>
 #include <utility>
@@ -153,7 +153,7 @@ void RequirementCheck::settle(Judged& judged) {
   }
   const Requirement& requirement = requirementOf(judged);
   auto warning =
-      context_.proof.diagnostics.report(support::DiagnosticId::requirementOpen, requirement.range);
+      context_.proof.diagnostics.report(support::diagnostics::requirementOpen, requirement.range);
   warning.note(requirement.range, judged.verdict.reason);
   if (requirement.seconds > 0 && requirement.kind != RequirementKind::SurfacesEvery) {
     noteLateExits(warning, requirement.seconds, context_.proof.proof_context);

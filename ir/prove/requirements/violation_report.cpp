@@ -11,7 +11,7 @@
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/requirements/advice.h"
 #include "support/check.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
@@ -91,7 +91,7 @@ std::string howBroken(const Requirement& requirement, const Counterexample& run,
 
 void reportViolation(const Requirement& requirement, const Counterexample& run,
                      const ProofContext& proof_context, support::DiagnosticEngine& diagnostics) {
-  auto error = diagnostics.report(support::DiagnosticId::requirementBroken, requirement.range,
+  auto error = diagnostics.report(support::diagnostics::requirementBroken, requirement.range,
                                   howBroken(requirement, run, proof_context.mission));
   noteStory(error, run);
   notePowerCuts(error, requirement, run, proof_context);

@@ -3,7 +3,7 @@
 
 #include "simulator/slocum/flight/argument_values.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 #include "vehicles/slocum/mission_files/behaviour_catalogue.h"
 
 #include <fmt/format.h>
@@ -20,7 +20,6 @@
 namespace glider::simulator {
 
 using support::DiagnosticEngine;
-using support::DiagnosticId;
 
 namespace {
 
@@ -174,8 +173,8 @@ void warnOfUnmodelled(const slocum::BehaviourBlock& block, DiagnosticEngine& dia
       const bool is_row = (row.behaviour.empty() || row.behaviour == block.name) &&
                           given.name.ends_with(row.argument);
       if (is_row && changesFlight(block, given) && said.insert(row.why).second) {
-        diagnostics.report(DiagnosticId::argumentWithoutEffect, given.name_range, given.name,
-                           block.name, row.why);
+        diagnostics.report(support::diagnostics::argumentWithoutEffect, given.name_range,
+                           given.name, block.name, row.why);
       }
     }
   }
@@ -185,7 +184,7 @@ void warnOfUnmodelled(const slocum::BehaviourBlock& block, DiagnosticEngine& dia
 void warnOfCodes(const slocum::BehaviourBlock& block, DiagnosticEngine& diagnostics) {
   constexpr double kRoll = 2, kBatteryRoll = 3, kRelative = 5, kSpeed = 5;
   const auto warn = [&](support::SourceRange range, std::string_view name, const char* why) {
-    diagnostics.report(DiagnosticId::argumentWithoutEffect, range, name, block.name, why);
+    diagnostics.report(support::diagnostics::argumentWithoutEffect, range, name, block.name, why);
   };
   if (block.name == "set_heading") {
     const double use = block.value("use_heading");
@@ -224,8 +223,8 @@ void checkPitch(const slocum::BehaviourBlock& block, DiagnosticEngine& diagnosti
       refuseValue(block, given, fmt::format("it must be between {} and {}", -kSteep, kSteep),
                   diagnostics);
     } else if (battery && !(std::fabs(given.value) <= kBatteryTravelIn)) {
-      diagnostics.report(DiagnosticId::argumentClipped, given.value_range, given.name, given.value,
-                         std::copysign(kBatteryTravelIn, given.value), use);
+      diagnostics.report(support::diagnostics::argumentClipped, given.value_range, given.name,
+                         given.value, std::copysign(kBatteryTravelIn, given.value), use);
     }
   }
 }
@@ -234,7 +233,8 @@ void checkPitch(const slocum::BehaviourBlock& block, DiagnosticEngine& diagnosti
 
 void refuseValue(const slocum::BehaviourBlock& block, const slocum::Setting& given,
                  const std::string& why, DiagnosticEngine& diagnostics) {
-  diagnostics.report(DiagnosticId::argumentValue, given.value_range, given.name, given.value, why)
+  diagnostics
+      .report(support::diagnostics::argumentValue, given.value_range, given.name, given.value, why)
       .note(block.range, "in this behaviour");
 }
 

@@ -7,7 +7,7 @@
 #include "simulator/slocum/flight/argument_values.h"
 #include "simulator/slocum/flight/device.h"
 #include "simulator/slocum/flight/science_switches.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 #include "vehicles/slocum/mission_files/behaviour_catalogue.h"
 #include "vehicles/slocum/mission_files/load.h"
 
@@ -23,7 +23,6 @@
 namespace glider::simulator {
 
 using support::DiagnosticEngine;
-using support::DiagnosticId;
 
 namespace {
 
@@ -85,15 +84,15 @@ void checkLength(const slocum::BehaviourBlock& block, DiagnosticEngine& diagnost
   if (listed > 0) {
     if (given != nullptr && stated != static_cast<double>(listed)) {
       diagnostics
-          .report(DiagnosticId::listLength, given->value_range, stated,
+          .report(support::diagnostics::listLength, given->value_range, stated,
                   fmt::format("{} waypoint{}", listed, listed == 1 ? "" : "s"))
           .note(block.range, "in this behaviour");
     }
   } else if (!(stated >= 1 && stated <= kMostInArguments)) {
     diagnostics
         .report(
-            DiagnosticId::argumentValue, given != nullptr ? given->value_range : block.range,
-            "num_waypoints", stated,
+            support::diagnostics::argumentValue,
+            given != nullptr ? given->value_range : block.range, "num_waypoints", stated,
             fmt::format("it must be between 1 and {}, the number of waypoints", kMostInArguments))
         .note(block.range, "in this behaviour");
   }
@@ -119,7 +118,7 @@ bool switchesOn(const slocum::Setting& given) {
 /// Of what sensors_in and sample switch on, what this simulator does not have.
 void warnOfInstruments(const slocum::BehaviourBlock& block, DiagnosticEngine& diagnostics) {
   const auto warn = [&](const slocum::Setting& given, const char* why) {
-    diagnostics.report(DiagnosticId::argumentWithoutEffect, given.name_range, given.name,
+    diagnostics.report(support::diagnostics::argumentWithoutEffect, given.name_range, given.name,
                        block.name, why);
   };
   for (const slocum::Setting& given : block.arguments) {
@@ -141,7 +140,7 @@ void warnOfInstruments(const slocum::BehaviourBlock& block, DiagnosticEngine& di
 void warnOfPrimaryWaypoint(const slocum::BehaviourBlock& block, DiagnosticEngine& diagnostics) {
   for (const slocum::Setting& given : block.arguments) {
     if (given.name.ends_with("_when") && (given.value == 17 || given.value == 18)) {
-      diagnostics.report(DiagnosticId::argumentWithoutEffect, given.name_range, given.name,
+      diagnostics.report(support::diagnostics::argumentWithoutEffect, given.name_range, given.name,
                          block.name,
                          "the simulated vehicle has no primary waypoint: set "
                          "`m_dist_to_primary_wpt` in the mission or in [[operator.put]]");
@@ -164,7 +163,7 @@ void warnOfVehicleSettings(const std::vector<slocum::Setting>& settings,
   }
   const slocum::Setting& first = *unread.front();
   auto warning =
-      diagnostics.report(DiagnosticId::sensorWithoutEffect, first.name_range, first.name);
+      diagnostics.report(support::diagnostics::sensorWithoutEffect, first.name_range, first.name);
   std::string others;
   for (size_t i = 1; i < std::min(unread.size(), kMostNamed); ++i) {
     others += fmt::format("{}`{}`", i == 1 ? "" : ", ", unread[i]->name);
@@ -181,16 +180,16 @@ void checkBehaviour(const slocum::BehaviourBlock& block, bool has_primary,
                     DiagnosticEngine& diagnostics) {
   if (slocum::findBehaviour(block.name) == nullptr) {
     if (slocum::isNearlyABehaviour(block.name)) {
-      diagnostics.report(DiagnosticId::unknownBehaviour, block.range, block.name, flown());
+      diagnostics.report(support::diagnostics::unknownBehaviour, block.range, block.name, flown());
     } else {
-      diagnostics.report(DiagnosticId::behaviourWithoutEffect, block.range, block.name,
+      diagnostics.report(support::diagnostics::behaviourWithoutEffect, block.range, block.name,
                          "the simulator does not know it");
     }
     return;
   }
   slocum::checkArguments(block, diagnostics);
   if (!hasEffect(block.name)) {
-    diagnostics.report(DiagnosticId::behaviourWithoutEffect, block.range, block.name,
+    diagnostics.report(support::diagnostics::behaviourWithoutEffect, block.range, block.name,
                        "the simulated vehicle does not have what it uses");
     return;
   }
@@ -212,11 +211,12 @@ void checkSkeleton(const slocum::MissionFile& mission, support::SourceRange plac
                    DiagnosticEngine& diagnostics) {
   if (mission.behaviours.empty()) {
     const bool settings = !mission.sensors.empty() || !mission.setup.empty();
-    diagnostics.report(settings ? DiagnosticId::settingsOnly : DiagnosticId::noBehaviours, place);
+    diagnostics.report(
+        settings ? support::diagnostics::settingsOnly : support::diagnostics::noBehaviours, place);
   }
   for (const slocum::Setting& sensor : mission.sensors) {
     if (!isRead(sensor.name)) {
-      diagnostics.report(DiagnosticId::sensorWithoutEffect, sensor.name_range, sensor.name);
+      diagnostics.report(support::diagnostics::sensorWithoutEffect, sensor.name_range, sensor.name);
     }
   }
   warnOfVehicleSettings(mission.vehicle_sensors, diagnostics);
@@ -235,7 +235,7 @@ void checkSkeleton(const slocum::MissionFile& mission, support::SourceRange plac
       checkBehaviour(block, has_primary, diagnostics);
     }
     if (block.name == "hookbeh" && hookbeh != nullptr) {
-      diagnostics.report(DiagnosticId::secondHookbeh, block.range)
+      diagnostics.report(support::diagnostics::secondHookbeh, block.range)
           .note(hookbeh->range, "the first is here");
     }
     hookbeh = block.name == "hookbeh" ? &block : hookbeh;

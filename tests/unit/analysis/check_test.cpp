@@ -5,7 +5,6 @@
 
 #include "analysis/check/check.h"
 
-#include "support/diagnostics/catalogue.h"
 #include "tests/support/command.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +16,6 @@
 namespace glider::analysis {
 namespace {
 
-using support::DiagnosticId;
 using testing::ElementsAre;
 using testing::HasSubstr;
 

@@ -4,7 +4,7 @@
 // The table of flights: its contents, and that it is read back as it was written.
 
 #include "campaign/campaign.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "tests/support/command.h"
 #include "tests/unit/campaign/small_plan.h"
 
@@ -64,7 +64,7 @@ class CampaignCsv : public ::testing::Test {
     if (done) {
       return "";
     }
-    EXPECT_EQ(done.error().id, support::DiagnosticId::campaignNotResumed);
+    EXPECT_EQ(done.error().id, support::diagnostics::campaignNotResumed);
     return done.error().message + "; " + done.error().hint;
   }
   [[nodiscard]] std::string written() const { return campaignCsv(plan_, result_, "id"); }
@@ -177,7 +177,7 @@ TEST_F(CampaignCsv, OtherTablesAreRefused) {
   CampaignResult result;
   const auto missing = readCsv(folder_.path() / "none.csv", plan_, "id", result);
   ASSERT_FALSE(missing);
-  EXPECT_EQ(missing.error().id, support::DiagnosticId::cannotRead);
+  EXPECT_EQ(missing.error().id, support::diagnostics::cannotRead);
 }
 
 TEST_F(CampaignCsv, RowsOfOtherFlightsAreRefusedWithTheirLine) {
@@ -215,7 +215,7 @@ TEST_F(CampaignCsv, AFlightWithTwoOutcomesIsRefused) {
   ASSERT_TRUE(read(csvHead("id") + row(0) + row(3), merged));
   const auto done = read(csvHead("id") + row(1) + with(row(3), "released,3", "released,4"), merged);
   ASSERT_FALSE(done);
-  EXPECT_EQ(done.error().id, support::DiagnosticId::campaignNotResumed);
+  EXPECT_EQ(done.error().id, support::diagnostics::campaignNotResumed);
   EXPECT_NE(done.error().message.find("line 4: flight 3 has another outcome"), std::string::npos)
       << done.error().message;
 }

@@ -3,7 +3,7 @@
 
 // A campaign flies each flight that is not known once, and ends when it must.
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "tests/unit/campaign/small_plan.h"
 #include "tests/unit/simulator/fake_sbc.h"
 
@@ -111,7 +111,7 @@ TEST(FlyAll, ASystemErrorEndsIt) {
   CampaignPlan plan = smallPlan(10);
   plan.missions[1].new_flight = [] {
     return []() -> support::Result<std::unique_ptr<simulator::SbcPort>> {
-      return support::fail(support::DiagnosticId::cannotRead, "the program", "gone");
+      return support::fail(support::diagnostics::cannotRead, "the program", "gone");
     };
   };
   std::vector<uint64_t> flown;
@@ -125,7 +125,7 @@ TEST(FlyAll, ASystemErrorEndsIt) {
 TEST(FlyAll, ATableThatCannotBeWrittenEndsIt) {
   CampaignListener listener = deaf();
   listener.over = [](const CampaignFlight&, const Verdict&) -> support::Result<void> {
-    return support::fail(support::DiagnosticId::cannotWrite, "the table", "full");
+    return support::fail(support::diagnostics::cannotWrite, "the table", "full");
   };
   const CampaignResult result = flyAll(smallPlan(10), nothingKnown(), listener);
   ASSERT_TRUE(result.failure);

@@ -3,7 +3,7 @@
 
 // A flight that does not come back.
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "tests/unit/campaign/small_plan.h"
 #include "tests/unit/simulator/fake_sbc.h"
 
@@ -43,7 +43,7 @@ class Hang : public ::testing::Test {
           std::this_thread::sleep_for(milliseconds(5));
         }
         return shared->comes_back ? start()
-                                  : support::fail(support::DiagnosticId::cannotRead, "it", "gone");
+                                  : support::fail(support::diagnostics::cannotRead, "it", "gone");
       };
     };
   }

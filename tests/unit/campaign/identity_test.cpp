@@ -6,7 +6,7 @@
 #include "campaign/campaign.h"
 #include "simulator/scenario/scenario.h"
 #include "simulator/slocum/own_mission.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "tests/support/command.h"
 
 #include <gtest/gtest.h>
@@ -111,7 +111,7 @@ TEST_F(Identity, NeedsEveryFile) {
                            "world.toml", "skeleton.mi"}) {
     const std::string text = tests::slurp(folder_.path() / name);
     std::filesystem::remove(folder_.path() / name);
-    EXPECT_EQ(failure(), support::DiagnosticId::cannotRead) << name;
+    EXPECT_EQ(failure(), support::diagnostics::cannotRead) << name;
     write(name, text);
   }
   EXPECT_EQ(now().size(), 64U);

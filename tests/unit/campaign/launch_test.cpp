@@ -4,7 +4,7 @@
 // What launchers leave in the environment, and what is refused without MPI.
 
 #include "campaign/campaign.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "tests/support/command.h"
 
 #include <gtest/gtest.h>
@@ -77,7 +77,7 @@ TEST_F(LaunchOf, SeveralProcessesWithoutMpiAreRefused) {  // refused: GL9388
   ::setenv("GLIDERCC_SHARE", "/nowhere", 1);
   const auto missing = joinRanks({.rank = 0, .size = 4});
   ASSERT_FALSE(missing);
-  EXPECT_EQ(missing.error().id, support::DiagnosticId::ranksNotJoined);
+  EXPECT_EQ(missing.error().id, support::diagnostics::ranksNotJoined);
   EXPECT_THAT(missing.error().message,
               HasSubstr("on 4 ranks: this glidercc was built without MPI"));
   EXPECT_THAT(missing.error().hint, HasSubstr("libopenmpi-dev"));

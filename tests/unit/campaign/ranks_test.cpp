@@ -3,7 +3,7 @@
 
 // A campaign on several ranks, which here are threads: what rank 0 and the others tell each other.
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "tests/unit/campaign/joined_ranks.h"
 #include "tests/unit/campaign/small_plan.h"
 
@@ -115,7 +115,7 @@ TEST(FlyAllOnRanks, ASystemErrorOfAnotherEndsIt) {
   theirs.missions[0].new_flight = theirs.missions[1].new_flight = [&] {
     return [&]() -> support::Result<std::unique_ptr<simulator::SbcPort>> {
       gate = true;
-      return support::fail(support::DiagnosticId::cannotRead, "the program", "gone");
+      return support::fail(support::diagnostics::cannotRead, "the program", "gone");
     };
   };
   holdBack(mine, gate, begun);
@@ -123,7 +123,7 @@ TEST(FlyAllOnRanks, ASystemErrorOfAnotherEndsIt) {
   others.start(1, theirs);
   const CampaignResult result = flyAll(mine, {}, deaf(), &others.zero);
   ASSERT_TRUE(result.failure);
-  EXPECT_EQ(result.failure->id, support::DiagnosticId::cannotRead);
+  EXPECT_EQ(result.failure->id, support::diagnostics::cannotRead);
   EXPECT_THAT(result.failure->message, HasSubstr("(rank 1): cannot read `the program`: gone"));
   EXPECT_FALSE(result.left_ranks);
 }
@@ -150,7 +150,7 @@ TEST(FlyAllOnRanks, AHangOfAnotherIsAViolationThatEndsIt) {
         while (!*let_go) {
           std::this_thread::sleep_for(milliseconds(5));
         }
-        return support::fail(support::DiagnosticId::cannotRead, "it", "gone");
+        return support::fail(support::diagnostics::cannotRead, "it", "gone");
       };
     };
   }
@@ -210,7 +210,7 @@ class ReadinessOfRanks : public ::testing::Test {
   }
   static void refused(const support::Result<void>& result, const std::string& why) {
     ASSERT_FALSE(result);
-    EXPECT_EQ(result.error().id, support::DiagnosticId::rankDiffers);  // refused: GL9389
+    EXPECT_EQ(result.error().id, support::diagnostics::rankDiffers);  // refused: GL9389
     EXPECT_THAT(result.error().message, HasSubstr("rank 1 on `"));
     EXPECT_THAT(result.error().message, HasSubstr(why));
   }

@@ -4,7 +4,7 @@
 // The table of back ends, as those see it who ask for a product and not for a back end.
 
 #include "ir/text/print.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/target.h"
 #include "support/files.h"
 #include "tests/unit/codegen/compiled_mission.h"
 
@@ -84,7 +84,7 @@ TEST(BackEnds, GiveABoardWithoutAMachineTextsOnly) {
   const auto measured = codegen::measureBudget(checked.input(), stock, {});
   ASSERT_FALSE(executable || shared || measured);
   for (const support::Failure& failure : {executable.error(), shared.error(), measured.error()}) {
-    EXPECT_EQ(failure.id, support::DiagnosticId::unsupportedMachine);
+    EXPECT_EQ(failure.id, support::diagnostics::unsupportedMachine);
     EXPECT_THAT(failure.message, HasSubstr("`stock`"));
   }
 }

@@ -3,7 +3,8 @@
 
 // linkExecutable: what comes out, and what happens when the world does not play along.
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/target.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 #include "tests/unit/codegen/compiled_mission.h"
 
@@ -19,7 +20,6 @@ namespace glider::codegen_tests {
 namespace {
 
 namespace fs = std::filesystem;
-using support::DiagnosticId;
 
 codegen::CodegenOptions optionsFor(const Checked& checked, int level = 2) {
   codegen::CodegenOptions options;
@@ -97,7 +97,7 @@ TEST(LinkExecutable, RefusesAMachineWithoutCodeGenerator) {  // GL4002
   target.triple = "m68k-unknown-linux-gnu";
   const auto built = build(figure2(), target, testFolder() / "figure2");
   ASSERT_FALSE(built.has_value());
-  EXPECT_EQ(built.error().id, DiagnosticId::unsupportedMachine);
+  EXPECT_EQ(built.error().id, support::diagnostics::unsupportedMachine);
   target = board("ts7800");  // accepts: GL4002 in OnBoard; a wrong cpu of a right machine is as bad
   target.cpu = "pdp11";
   EXPECT_FALSE(build(figure2(), target, testFolder() / "figure2").has_value());
@@ -109,7 +109,7 @@ TEST(LinkExecutable, NamesABehaviourThatNothingDefines) {  // GL4003; accepts: G
   const fs::path folder = testFolder();
   const auto built = build(checked, board("ts5500"), folder / "figure2");
   ASSERT_FALSE(built.has_value());
-  EXPECT_EQ(built.error().id, DiagnosticId::unboundSymbol);
+  EXPECT_EQ(built.error().id, support::diagnostics::unboundSymbol);
   EXPECT_EQ(built.error().message,
             "undefined symbol `gliderProfileMine`: no linked file defines it");
   EXPECT_THAT(namesIn(folder), testing::IsEmpty());
@@ -125,7 +125,7 @@ TEST(LinkExecutable, SaysWhatTheLinkerRefuses) {  // GL4004; accepts: GL4004 in 
       codegen::linkExecutable(checked.input(), board("host"), options, folder / "figure2");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
   ASSERT_FALSE(built.has_value());
-  EXPECT_EQ(built.error().id, DiagnosticId::linkFailed);
+  EXPECT_EQ(built.error().id, support::diagnostics::linkFailed);
   EXPECT_THAT(built.error().message, testing::HasSubstr("absent.o"));
   EXPECT_TRUE(build(checked, board("host"), folder / "figure2")) << "lld does not run again";
 }
@@ -136,7 +136,7 @@ TEST(LinkExecutable, HoldsTheBoardsLimit) {  // GL4005; accepts: GL4005 in OnBoa
   const fs::path folder = testFolder();
   const auto built = build(figure2(), target, folder / "figure2");
   ASSERT_FALSE(built.has_value());
-  EXPECT_EQ(built.error().id, DiagnosticId::executableTooLarge);
+  EXPECT_EQ(built.error().id, support::diagnostics::executableTooLarge);
   EXPECT_THAT(namesIn(folder), testing::IsEmpty());
 }
 
@@ -174,7 +174,7 @@ TEST(LinkExecutable, RefusesMoreParametersThanALaunchTakes) {  // GL4007; accept
   EXPECT_TRUE(build(most, board("ts5500"), testFolder() / "most"));
   const auto built = build(withParameters(65), board("ts5500"), testFolder() / "figure2");
   ASSERT_FALSE(built.has_value());
-  EXPECT_EQ(built.error().id, DiagnosticId::tooManyParameters);
+  EXPECT_EQ(built.error().id, support::diagnostics::tooManyParameters);
 }
 
 TEST(LinkExecutable, RefusesMoreMemoryThanABoardHas) {  // GL4006; accepts: GL4006 in OnBoard
@@ -182,7 +182,7 @@ TEST(LinkExecutable, RefusesMoreMemoryThanABoardHas) {  // GL4006; accepts: GL40
   checked.facts.stack_depth = 3'000'000;
   const auto built = build(checked, board("ts5500"), testFolder() / "figure2");
   ASSERT_FALSE(built.has_value());
-  EXPECT_EQ(built.error().id, DiagnosticId::missionTooLarge);
+  EXPECT_EQ(built.error().id, support::diagnostics::missionTooLarge);
 }
 
 TEST(LinkExecutable, RefusesARuntimeThatIsNone) {  // GL9050; accepts: GL9050 in OnBoard
@@ -193,14 +193,14 @@ TEST(LinkExecutable, RefusesARuntimeThatIsNone) {  // GL9050; accepts: GL9050 in
     return codegen::linkExecutable(checked.input(), target, optionsFor(checked, 2),
                                    target.folder / "figure2");
   };
-  EXPECT_EQ(build_there().error().id, DiagnosticId::cannotRead);
+  EXPECT_EQ(build_there().error().id, support::diagnostics::cannotRead);
   const std::string whole = support::readFile(board("ts7800").folder / "inline.bc").value();
   for (const std::string& bytes : {std::string(), std::string("hello"), whole.substr(0, 100),
                                    whole.substr(0, whole.size() / 2)}) {
     ASSERT_TRUE(support::writeFileAtomically(target.folder / "inline.bc", bytes));
     const auto built = build_there();
     ASSERT_FALSE(built.has_value());
-    EXPECT_EQ(built.error().id, DiagnosticId::badRuntime) << built.error().message;
+    EXPECT_EQ(built.error().id, support::diagnostics::badRuntime) << built.error().message;
   }
 }
 
@@ -237,7 +237,7 @@ TEST(LinkExecutable, LeavesNothingOnAFullDisk) {
       built = build(checked, target, folder / "figure2");
     }
     ASSERT_FALSE(built.has_value()) << room;
-    EXPECT_EQ(built.error().id, DiagnosticId::cannotWrite) << built.error().message;
+    EXPECT_EQ(built.error().id, support::diagnostics::cannotWrite) << built.error().message;
     EXPECT_THAT(namesIn(folder), testing::IsEmpty()) << room;
   }
 }
@@ -261,9 +261,10 @@ TEST(LinkExecutable, AFailureKeepsBothOldFiles) {
 }
 
 TEST(LinkExecutable, SaysWhereItCannotWrite) {
-  EXPECT_EQ(build(figure2(), board("ts5500"), "/dev/full").error().id, DiagnosticId::cannotWrite);
+  EXPECT_EQ(build(figure2(), board("ts5500"), "/dev/full").error().id,
+            support::diagnostics::cannotWrite);
   EXPECT_EQ(build(figure2(), board("ts5500"), testFolder() / "no" / "figure2").error().id,
-            DiagnosticId::cannotWrite);
+            support::diagnostics::cannotWrite);
 }
 
 TEST(LinkExecutable, NeedsSomewhereForTemporaryFiles) {
@@ -273,7 +274,7 @@ TEST(LinkExecutable, NeedsSomewhereForTemporaryFiles) {
   const auto built = build(figure2(), board("ts5500"), testFolder() / "figure2");
   ::setenv("TMPDIR", old.c_str(), 1);
   ASSERT_FALSE(built.has_value());
-  EXPECT_EQ(built.error().id, DiagnosticId::cannotWrite);
+  EXPECT_EQ(built.error().id, support::diagnostics::cannotWrite);
 }
 
 }  // namespace

@@ -5,7 +5,8 @@
 
 #include "codegen/load/loaded_mission.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/target.h"
+#include "support/diagnostics/ids/world.h"
 #include "tests/slocum.h"
 #include "tests/unit/codegen/compiled_mission.h"
 
@@ -15,8 +16,6 @@
 
 namespace glider::codegen_tests {
 namespace {
-
-using support::DiagnosticId;
 
 codegen::LoadedMission load(const Checked& checked, int level) {
   codegen::CodegenOptions options;
@@ -88,7 +87,7 @@ TEST(LoadedMission, HasAsManyParametersAsALaunchCanSet) {  // GL4007; accepts: G
   const Checked more = withParameters(GLIDER_MOST_PARAMETERS + 1);
   const auto refused = codegen::linkShared(more.input(), board("host"), {});
   ASSERT_FALSE(refused.has_value());
-  EXPECT_EQ(refused.error().id, DiagnosticId::tooManyParameters);
+  EXPECT_EQ(refused.error().id, support::diagnostics::tooManyParameters);
 }
 
 TEST(LoadedMission, RefusesWhatIsNotAMission) {  // GL9051; accepts: GL9051 above
@@ -97,7 +96,7 @@ TEST(LoadedMission, RefusesWhatIsNotAMission) {  // GL9051; accepts: GL9051 abov
                             "ELF"}) {
     const auto loaded = codegen::LoadedMission::load(bytes);
     ASSERT_FALSE(loaded.has_value());
-    EXPECT_EQ(loaded.error().id, DiagnosticId::cannotLoadMission);
+    EXPECT_EQ(loaded.error().id, support::diagnostics::cannotLoadMission);
   }
 }
 

@@ -4,7 +4,7 @@
 // Which missions have a compass, and what is said where nothing will tell the declination.
 
 #include "platforms/load/load_platform.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 #include "tests/unit/frontend/compile.h"
 
 #include <fmt/format.h>
@@ -14,7 +14,6 @@
 namespace glider::frontend {
 namespace {
 
-using support::DiagnosticId;
 using testing_support::FrontendRun;
 using testing_support::readSource;
 
@@ -53,7 +52,7 @@ class Declination : public testing::TestWithParam<bool> {
     FrontendRun run(text);
     auto mission = compile(run);
     EXPECT_TRUE(mission.has_value()) << run.said();
-    warned_ = run.says(DiagnosticId::declinationUnknown);
+    warned_ = run.says(support::diagnostics::declinationUnknown);
     return mission;
   }
   bool warned_ = false;

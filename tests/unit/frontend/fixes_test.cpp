@@ -6,7 +6,7 @@
 #include "support/diagnostics/fixes.h"
 
 #include "frontend/constructs.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/syntax.h"
 #include "tests/unit/frontend/compile.h"
 
 #include <algorithm>
@@ -189,7 +189,7 @@ TEST(Headers, OfWhichSeveralWordsAreUsedAreNotFixed) {
   text.replace(text.find("    case missiontime > 1 h"), 4, "    case missiontime > 2 h goto go ");
   FrontendRun broken(text);
   broken.compile();
-  EXPECT_TRUE(broken.says(support::DiagnosticId::nameNotOneWord)) << broken.said();
+  EXPECT_TRUE(broken.says(support::diagnostics::nameNotOneWord)) << broken.said();
   EXPECT_EQ(fixed(broken), text);
 }
 

@@ -3,13 +3,12 @@
 
 // Bytes that no pilot writes: each gets a clear word, none harms the compiler.
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/syntax.h"
 #include "tests/unit/frontend/compile.h"
 
 namespace glider::frontend {
 namespace {
 
-using support::DiagnosticId;
 using testing_support::FrontendRun;
 using testing_support::readSource;
 
@@ -28,7 +27,7 @@ TEST(Hostile, Empty) {
   for (const char* text : {"", "  \n\t\r\n", "# nothing", "/* nothing */", "\xEF\xBB\xBF"}) {
     FrontendRun run(text);
     EXPECT_FALSE(run.parse().has_value());
-    EXPECT_TRUE(run.says(DiagnosticId::emptyFile)) << run.said();
+    EXPECT_TRUE(run.says(support::diagnostics::emptyFile)) << run.said();
   }
 }
 
@@ -36,7 +35,7 @@ TEST(Hostile, Empty) {
 TEST(Hostile, ZeroByte) {
   FrontendRun run(std::string(kMission) + '\0' + std::string(kMission));
   EXPECT_FALSE(run.parse().has_value());
-  EXPECT_TRUE(run.says(DiagnosticId::nulByte));
+  EXPECT_TRUE(run.says(support::diagnostics::nulByte));
   EXPECT_EQ(run.diagnostics.errorCount(), 1U);
 }
 
@@ -44,7 +43,7 @@ TEST(Hostile, ZeroByte) {
 TEST(Hostile, Utf16) {
   FrontendRun run(std::string("\xFF\xFEm\0i\0s\0", 8));
   EXPECT_FALSE(run.parse().has_value());
-  EXPECT_TRUE(run.says(DiagnosticId::utf16));
+  EXPECT_TRUE(run.says(support::diagnostics::utf16));
 }
 
 TEST(Hostile, ByteOrderMarkOfUtf8IsSkipped) {
@@ -59,7 +58,7 @@ TEST(Hostile, BadUtf8) {
                            "# \xF4\x90\x80\x80\n", "# \x80\n"}) {
     FrontendRun run(std::string(kMission) + text);
     run.parse();
-    EXPECT_TRUE(run.says(DiagnosticId::notUtf8)) << text;
+    EXPECT_TRUE(run.says(support::diagnostics::notUtf8)) << text;
     EXPECT_EQ(run.diagnostics.errorCount(), 1U) << run.said();
   }
   FrontendRun good(std::string(kMission) + "# é € 𝄞 \xED\x9F\xBF\n");
@@ -71,7 +70,7 @@ TEST(Hostile, TenMegabytes) {
   for (std::string_view piece : {"(", "@", "mission ", "\xFF", "\"", "/*", "1 "}) {
     FrontendRun run(repeat(piece, 10'000'000 / piece.size()));
     EXPECT_FALSE(run.parse().has_value());
-    EXPECT_TRUE(run.says(DiagnosticId::fileTooLarge));
+    EXPECT_TRUE(run.says(support::diagnostics::fileTooLarge));
   }
 }
 
@@ -122,7 +121,7 @@ TEST(Hostile, NestedInEveryWay) {
                                       repeat("if true then ", 10'000) + repeat("end ", 10'002)}) {
     FrontendRun run(text);
     EXPECT_FALSE(run.parse().has_value());
-    EXPECT_TRUE(run.says(DiagnosticId::nestedTooDeep));
+    EXPECT_TRUE(run.says(support::diagnostics::nestedTooDeep));
     EXPECT_EQ(run.diagnostics.errorCount(), 1U) << run.said();
   }
   for (const std::string& text :
@@ -131,7 +130,7 @@ TEST(Hostile, NestedInEveryWay) {
         head + repeat("(1 + ", 190) + "1" + repeat(" + 1)", 190) + repeat(" * 1", 1000)}) {
     FrontendRun run(text);
     EXPECT_FALSE(run.parse().has_value());
-    EXPECT_TRUE(run.says(DiagnosticId::expressionTooLong)) << run.said();
+    EXPECT_TRUE(run.says(support::diagnostics::expressionTooLong)) << run.said();
   }
 }
 

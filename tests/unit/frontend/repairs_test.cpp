@@ -4,13 +4,12 @@
 // What the parser makes of brackets and texts that are not closed, and of the limits of an
 // expression.
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/syntax.h"
 #include "tests/unit/frontend/compile.h"
 
 namespace glider::frontend {
 namespace {
 
-using support::DiagnosticId;
 using testing_support::FrontendRun;
 
 // The limits as the messages say them.
@@ -47,11 +46,12 @@ TEST(Parentheses, NestUpToTheLimit) {
     return withGuard(repeated("(", deep) + "depth > 7 m" + repeated(")", deep));
   };
   EXPECT_EQ(reported(nested(kDeepestNesting)), "");
-  EXPECT_EQ(reported(nested(kDeepestNesting + 1)), support::code(DiagnosticId::nestedTooDeep));
+  EXPECT_EQ(reported(nested(kDeepestNesting + 1)),
+            support::code(support::diagnostics::nestedTooDeep));
 }
 
 TEST(Parentheses, AStrayOneIsNamedAndTheRestIsRead) {
-  const std::string stray = support::code(DiagnosticId::strayParenthesis);
+  const std::string stray = support::code(support::diagnostics::strayParenthesis);
   EXPECT_EQ(reported(withGuard("depth > 7 m)")), stray);
   EXPECT_EQ(reported(withGuard("depth > 7 m]")), stray);
   EXPECT_EQ(reported(withGuard("(depth > 7 m]) && temp > 3 degC")), stray)
@@ -62,14 +62,14 @@ TEST(Parentheses, AStrayOneIsNamedAndTheRestIsRead) {
 
 TEST(Parentheses, AnOpenOneIsClosedBeforeTheNextKeyword) {
   EXPECT_EQ(reported(withGuard("(depth > 7 m && temp > 3 degC")),
-            support::code(DiagnosticId::missingParenthesis));
+            support::code(support::diagnostics::missingParenthesis));
   EXPECT_EQ(reported(withGuard("((depth > 7 m && temp > 3 degC")),
-            support::code(DiagnosticId::missingParenthesis) + " " +
-                support::code(DiagnosticId::missingParenthesis));
+            support::code(support::diagnostics::missingParenthesis) + " " +
+                support::code(support::diagnostics::missingParenthesis));
 }
 
 TEST(Operators, AreCountedUpToTheLimit) {
-  const std::string too_long = support::code(DiagnosticId::expressionTooLong);
+  const std::string too_long = support::code(support::diagnostics::expressionTooLong);
   const auto sum = [](size_t operators) { return "depth" + repeated(" + 1", operators); };
   // The comparison is one more.
   EXPECT_EQ(reported(withGuard(sum(kMostOperators - 1) + " > 7 m")), "");
@@ -77,7 +77,7 @@ TEST(Operators, AreCountedUpToTheLimit) {
 }
 
 TEST(Operators, ThoseInParenthesesCountWithTheRest) {
-  const std::string too_long = support::code(DiagnosticId::expressionTooLong);
+  const std::string too_long = support::code(support::diagnostics::expressionTooLong);
   const size_t half = kMostOperators / 2;
   const auto sum = [](size_t operators) { return "(depth" + repeated(" + 1", operators) + ")"; };
   // Two brackets, the plus between them and the comparison.
@@ -91,11 +91,11 @@ TEST(Operators, AnEqualsSignEndsNoExpression) {
   };
   const size_t half = kMostOperators / 2;  // each with an `==`, and an `&&` between them
   EXPECT_EQ(reported(compared(half)), "");
-  EXPECT_EQ(reported(compared(half + 1)), support::code(DiagnosticId::expressionTooLong));
+  EXPECT_EQ(reported(compared(half + 1)), support::code(support::diagnostics::expressionTooLong));
 }
 
 TEST(Operators, OfSeveralArgumentsTheLongestCounts) {
-  const std::string too_long = support::code(DiagnosticId::expressionTooLong);
+  const std::string too_long = support::code(support::diagnostics::expressionTooLong);
   const auto sum = [](size_t operators) { return "depth" + repeated(" + 1", operators); };
   const size_t most = kMostOperators - 1;
   EXPECT_EQ(reported(withGuard("max(" + sum(most) + ", " + sum(most) + ") > 7 m")), "");
@@ -107,13 +107,13 @@ TEST(Operators, OfSeveralArgumentsTheLongestCounts) {
 TEST(Keywords, ThatNameAPlatformAreSaidToBeKeywords) {
   const std::string mission = withGuard("depth > 7 m");
   const std::string named = "mission t\nplatform end\n" + mission.substr(mission.find("state"));
-  EXPECT_EQ(reported(named), support::code(DiagnosticId::keywordAsName));
+  EXPECT_EQ(reported(named), support::code(support::diagnostics::keywordAsName));
 }
 
 /// Between the arguments of a name a comma is missing; `true` and its like end no list of
 /// arguments.
 TEST(Words, ThatAreValuesLeaveTheParenthesesOpen) {
-  const std::string comma = support::code(DiagnosticId::missingComma);
+  const std::string comma = support::code(support::diagnostics::missingComma);
   for (const char* before : {"depth", "true", "false", "not true", "true and false"}) {
     const std::string all = reported(withGuard("max(" + std::string(before) + ", 3910 7349) > 7"));
     EXPECT_TRUE(all.ends_with(comma)) << before << ": " << all;
@@ -126,7 +126,7 @@ TEST(Texts, AnOpenOneEndsBeforeTheCommaOrTheEnd) {
            "  events\n    case missiontime > 20 min do log " +
            log + " end exit\nend\n";
   };
-  const std::string open = support::code(DiagnosticId::openString);
+  const std::string open = support::code(support::diagnostics::openString);
   EXPECT_EQ(reported(with("\"deep\", depth")), "");
   EXPECT_EQ(reported(with("\"deep, depth")), open);
   EXPECT_EQ(reported(with("\"deep")), open) << "the `end` of its block is read";

@@ -3,13 +3,12 @@
 
 // Where the analysis draws a line: the last that is allowed, and the first that is not.
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 #include "tests/unit/frontend/compile.h"
 
 namespace glider::frontend {
 namespace {
 
-using support::DiagnosticId;
 using testing_support::FrontendRun;
 
 std::string missionWith(const std::string& head, const std::string& guard,
@@ -25,7 +24,7 @@ TEST(StackDepth, AMillionIsTheLargest) {
   const auto compiled = [](const std::string& depth) {
     FrontendRun run(missionWith("require stack <= " + depth + "\n", "depth > 7 m", "exit"));
     (void)run.compile();
-    return run.says(DiagnosticId::stackNotWhole);
+    return run.says(support::diagnostics::stackNotWhole);
   };
   EXPECT_FALSE(compiled("1000000"));
   EXPECT_TRUE(compiled("1000001"));
@@ -35,10 +34,10 @@ TEST(StackDepth, AMillionIsTheLargest) {
 TEST(SideBySide, WhatCanBeNoPositionIsADifference) {
   FrontendRun position(missionWith("", "temp > 3910.5 -7349.9", "exit"));
   (void)position.compile();
-  EXPECT_TRUE(position.says(DiagnosticId::barePosition)) << position.said();
+  EXPECT_TRUE(position.says(support::diagnostics::barePosition)) << position.said();
   FrontendRun difference(missionWith("", "temp > 12210.5 -12310.5", "exit"));
   (void)difference.compile();
-  EXPECT_FALSE(difference.says(DiagnosticId::barePosition)) << difference.said();
+  EXPECT_FALSE(difference.says(support::diagnostics::barePosition)) << difference.said();
 }
 
 TEST(Earth, EndsAt180DegreesInBothDirections) {
@@ -47,7 +46,7 @@ TEST(Earth, EndsAt180DegreesInBothDirections) {
     mission.insert(mission.find("  flightprofile"), "  flightroute nav" + position + "\n");
     FrontendRun run(mission);
     (void)run.compile();
-    return run.says(DiagnosticId::notOnEarth);
+    return run.says(support::diagnostics::notOnEarth);
   };
   EXPECT_FALSE(refused("(3900.0, 17900.0)"));
   EXPECT_TRUE(refused("(3900.0, 18100.0)"));
@@ -63,8 +62,8 @@ TEST(Arguments, TheLastIsNotTakenForHalfAPosition) {
       "    case missiontime > limit exit\nend\n";
   FrontendRun run(missionWith("", "depth > 7 m", "goto there(5 min, 7 m)") + target);
   (void)run.compile();
-  EXPECT_TRUE(run.says(DiagnosticId::wrongType)) << run.said();
-  EXPECT_FALSE(run.says(DiagnosticId::wrongArgumentCount)) << run.said();
+  EXPECT_TRUE(run.says(support::diagnostics::wrongType)) << run.said();
+  EXPECT_FALSE(run.says(support::diagnostics::wrongArgumentCount)) << run.said();
 }
 
 }  // namespace

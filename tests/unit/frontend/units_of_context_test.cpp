@@ -4,7 +4,7 @@
 // What sema makes of operators, positions, windows and areas, in the IR that it writes.
 
 #include "ir/core/mission.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
 #include "tests/unit/frontend/compile.h"
 
 #include <fmt/format.h>
@@ -112,7 +112,7 @@ TEST(Windows, RunAlongQuantitiesOnly) {
                           "mean(temp, 5 of nothing) > 3 degC"}) {
     const Guard g(bad);
     EXPECT_FALSE(g.mission) << bad;
-    EXPECT_TRUE(g.run.says(support::DiagnosticId::stretchOfWhat)) << bad << "\n" << g.run.said();
+    EXPECT_TRUE(g.run.says(support::diagnostics::stretchOfWhat)) << bad << "\n" << g.run.said();
   }
 }
 

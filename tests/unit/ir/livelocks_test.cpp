@@ -5,7 +5,7 @@
 
 #include "ir/prove/prove.h"
 #include "ir/verify/verify.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 #include "tests/unit/ir/missions.h"
 #include "tests/unit/ir/slocum.h"
 
@@ -24,7 +24,7 @@ std::string said(const std::string& text) {
   (void)prove(mission, facts, slocum(), {}, diagnostics);
   std::string all;
   for (const auto& diagnostic : diagnostics.sorted()) {
-    all += diagnostic.id == support::DiagnosticId::clockLivelock ? diagnostic.message + "\n" : "";
+    all += diagnostic.id == support::diagnostics::clockLivelock ? diagnostic.message + "\n" : "";
   }
   return all;
 }

@@ -10,7 +10,7 @@
 #include "ir/prove/geometry/sphere.h"
 #include "ir/prove/prove.h"
 #include "ir/verify/verify.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 #include "tests/random_missions/random.h"
 #include "tests/unit/ir/missions.h"
 #include "tests/unit/ir/slocum.h"
@@ -29,7 +29,6 @@ namespace glider::ir::prove {
 namespace {
 
 using random_missions::Random;
-using support::DiagnosticId;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
@@ -153,9 +152,9 @@ Found foundIn(const Mission& mission) {
   (void)prove(mission, facts, slocum(), {}, diagnostics);
   Found found;
   for (const auto& diagnostic : diagnostics.sorted()) {
-    if (diagnostic.id == DiagnosticId::waypointFarOff) {
+    if (diagnostic.id == support::diagnostics::waypointFarOff) {
       found.far_off.emplace(diagnostic.range.begin, diagnostic.message);
-    } else if (diagnostic.id == DiagnosticId::positionSwapped) {
+    } else if (diagnostic.id == support::diagnostics::positionSwapped) {
       found.exchanged.push_back(diagnostic.range);
     }
   }

@@ -7,7 +7,7 @@
 #include "ir/prove/falsification/random_flight.h"
 #include "ir/prove/prove.h"
 #include "ir/verify/verify.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 #include "tests/random_missions/random.h"
 #include "tests/unit/ir/missions.h"
 #include "tests/unit/ir/slocum.h"
@@ -125,7 +125,8 @@ TEST(StateFaults, WhatIsNeverTrueFiresInNoRandomFlight) {
     const MissionFacts facts = verify(mission, diagnostics);
     ASSERT_FALSE(diagnostics.hasErrors()) << text;
     const bool never =
-        reports(mission, facts, {DiagnosticId::neverTrueInState, DiagnosticId::longerThanState});
+        reports(mission, facts,
+                {support::diagnostics::neverTrueInState, support::diagnostics::longerThanState});
     Requirement reach;
     reach.kind = RequirementKind::Reach;
     const auto is_hit = [](const State& state) { return state.name == "hit"; };
@@ -171,7 +172,8 @@ TEST(StateFaults, AMissionThatNeedsReadingsDoesNotEndWithoutThem) {
     const Mission mission = missionOf(text);
     support::DiagnosticEngine diagnostics;
     const MissionFacts facts = verify(mission, diagnostics);
-    if (diagnostics.hasErrors() || !reports(mission, facts, {DiagnosticId::endNeedsReadings})) {
+    if (diagnostics.hasErrors() ||
+        !reports(mission, facts, {support::diagnostics::endNeedsReadings})) {
       continue;
     }
     ++reported;

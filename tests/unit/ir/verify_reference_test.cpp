@@ -4,7 +4,7 @@
 #include "ir/text/print.h"
 #include "ir/verify/passes.h"
 #include "ir/verify/verify.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 #include "tests/random_missions/random_structure.h"
 #include "tests/unit/ir/missions.h"
 
@@ -181,17 +181,16 @@ struct Statistics {
 
 /// What is exact with `always` and without.
 void compare(const Mission& mission, const Reference& reference, Statistics& s) {
-  using support::DiagnosticId;
   support::DiagnosticEngine diagnostics;
   const MissionFacts facts = verify(mission, diagnostics);
   const Structure structure(mission);
   for (uint32_t i = 0; i < mission.states.size(); ++i) {
     EXPECT_EQ(structure.reached(i), reference.reached.contains(i));
   }
-  EXPECT_EQ(count(diagnostics, DiagnosticId::unreachableState),
+  EXPECT_EQ(count(diagnostics, support::diagnostics::unreachableState),
             mission.states.size() - reference.reached.size());
-  EXPECT_EQ(count(diagnostics, DiagnosticId::emptyReturn), reference.empty_returns.size());
-  EXPECT_EQ(count(diagnostics, DiagnosticId::recursiveCall) > 0, reference.recursive);
+  EXPECT_EQ(count(diagnostics, support::diagnostics::emptyReturn), reference.empty_returns.size());
+  EXPECT_EQ(count(diagnostics, support::diagnostics::recursiveCall) > 0, reference.recursive);
   const std::set<uint32_t> dead = deadEndsOf(structure);
   const std::set<uint32_t> endless = endlessOf(structure);
   if (!reference.recursive) {

@@ -3,7 +3,8 @@
 
 #include "platforms/load/board.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
+#include "support/diagnostics/ids/world.h"
 #include "tests/support/command.h"
 
 #include <fmt/format.h>
@@ -97,7 +98,7 @@ TEST(Board, ErrorsAreReportedWithTheirLine) {
   for (const auto& [text, line] : bad) {
     const auto board = load(text);
     ASSERT_FALSE(board) << text;
-    EXPECT_EQ(board.error().id, support::DiagnosticId::badDataFile);
+    EXPECT_EQ(board.error().id, support::diagnostics::badDataFile);
     EXPECT_THAT(board.error().message, testing::HasSubstr("board.toml" + line));
   }
 }
@@ -105,7 +106,7 @@ TEST(Board, ErrorsAreReportedWithTheirLine) {
 TEST(Board, AMissingFileIsNamed) {
   const auto board = loadBoard("/nonexistent/board.toml");
   ASSERT_FALSE(board);
-  EXPECT_EQ(board.error().id, support::DiagnosticId::cannotRead);
+  EXPECT_EQ(board.error().id, support::diagnostics::cannotRead);
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 #include "report/findings/findings.h"
 
 #include "report/findings/uri.h"
-#include "support/diagnostics/catalogue.h"
 #include "support/diagnostics/engine.h"
+#include "support/diagnostics/ids/meaning.h"
+#include "support/diagnostics/ids/syntax.h"
+#include "support/diagnostics/ids/world.h"
 #include "tests/unit/report/sarif_rules.h"
 
 #include <gtest/gtest.h>
@@ -27,9 +29,10 @@ class Findings : public testing::Test {
     const uint32_t file =
         sources_.add("my missions/a\u00b5.mission", "mission a\n\u00b5\u00b5 => 1\n");
     // The second line's bytes are 10…18: µ µ blank = >
-    auto wrong = diagnostics_.report(DiagnosticId::wrongComparison, {file, 15, 17}, "=>", ">=");
+    auto wrong =
+        diagnostics_.report(support::diagnostics::wrongComparison, {file, 15, 17}, "=>", ">=");
     wrong.fix({file, 15, 17}, ">=").note({file, 0, 7}, "the mission begins here");
-    diagnostics_.report(DiagnosticId::neverRead, {file, 8, 9}, "a", "a variable");
+    diagnostics_.report(support::diagnostics::neverRead, {file, 8, 9}, "a", "a variable");
     CheckedMission one;
     one.path = "my missions/a\u00b5.mission";
     one.sources = &sources_;
@@ -37,7 +40,7 @@ class Findings : public testing::Test {
     CheckedMission lost;
     lost.path = "/none.mission";
     lost.failure =
-        support::Failure{DiagnosticId::cannotRead, "cannot read `/none.mission`", "look"};
+        support::Failure{support::diagnostics::cannotRead, "cannot read `/none.mission`", "look"};
     missions_ = {one, lost};
   }
 

@@ -4,7 +4,7 @@
 #include "report/report.h"
 
 #include "report/page.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 #include "tests/report/sample_trace.h"
 #include "tests/unit/report/small_trace.h"
@@ -56,7 +56,7 @@ TEST(Page, CarriesTheTraceWithUnknownAsNull) {
 TEST(Page, CarriesWhatWentWrong) {
   const auto trace = smallTrace({{"time", "s"}}, {{0}});
   EXPECT_EQ(nlohmann::json::parse(dataOf(renderPage(trace))).at("warnings").size(), 0);
-  const support::Diagnostic aborted{support::DiagnosticId::flightAborted,
+  const support::Diagnostic aborted{support::diagnostics::flightAborted,
                                     support::Severity::Warning,
                                     {},
                                     "the vehicle aborted </script>",

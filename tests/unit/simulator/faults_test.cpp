@@ -6,7 +6,7 @@
 #include "simulator/faults/card_damage.h"
 #include "simulator/faults/sensor_damage.h"
 #include "simulator/flight_observer.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 #include "tests/slocum.h"
 #include "tests/unit/simulator/fake_sbc.h"
 #include "tests/unit/simulator/flights.h"
@@ -410,7 +410,7 @@ TEST(FaultFlight, OfASensorThatTheVehicleDoesNotHaveIsRefused) {
   faults.sensors = {onSensor("m_depht", SensorFault::Kind::Frozen)};
   const auto refused = simulate(withFaults(faults));
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().id, support::DiagnosticId::platformLacksSensor);
+  EXPECT_EQ(refused.error().id, support::diagnostics::platformLacksSensor);
   EXPECT_NE(refused.error().message.find("m_depht"), std::string::npos);
 }
 

@@ -5,7 +5,8 @@
 
 #include "vehicles/slocum/rules/way_home.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
+#include "support/diagnostics/ids/world.h"
 #include "tests/support/command.h"
 #include "vehicles/slocum/mission_files/load.h"
 #include "vehicles/slocum/rules/vehicle_file.h"
@@ -65,7 +66,7 @@ TEST_F(SilenceOf, IsFromAboveNothingToTenMinutes) {
   for (const char* wrong : {"601", "3600", "0", "-5"}) {
     const auto silence = of(wrong);
     ASSERT_FALSE(silence) << wrong;
-    EXPECT_EQ(silence.error().id, support::DiagnosticId::skeletonErrors);
+    EXPECT_EQ(silence.error().id, support::diagnostics::skeletonErrors);
   }
 }
 
@@ -82,9 +83,9 @@ TEST_F(SilenceOf, MayBeInAnArgumentFile) {
 TEST_F(SilenceOf, WithoutAHookbehIsNone) {
   const auto silence = read(folder_.write("a.mi", "behavior: surface\n").string());
   ASSERT_FALSE(silence);
-  EXPECT_EQ(silence.error().id, support::DiagnosticId::skeletonErrors);
+  EXPECT_EQ(silence.error().id, support::diagnostics::skeletonErrors);
   EXPECT_EQ(read((folder_.path() / "none.mi").string()).error().id,
-            support::DiagnosticId::cannotRead);
+            support::diagnostics::cannotRead);
 }
 
 }  // namespace

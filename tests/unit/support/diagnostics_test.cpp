@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "support/diagnostics/catalogue.h"
 #include "support/diagnostics/engine.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/diagnostics/render.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ TEST(Diagnostics, ShowPlaceCaretHintAndId) {
   SourceManager sources;
   const uint32_t file = sources.add("a.mission", "mission m\n\tgoto s9\n");
   DiagnosticEngine engine;
-  engine.report(DiagnosticId::cannotRead, {file, 16, 18}, "s9", "gone")
+  engine.report(support::diagnostics::cannotRead, {file, 16, 18}, "s9", "gone")
       .hint("states: s1")
       .note({file, 8, 9}, "in this mission");
   EXPECT_TRUE(engine.hasErrors());
@@ -40,9 +40,9 @@ TEST(Diagnostics, AreSortedAndNotRepeated) {
   SourceManager sources;
   const uint32_t file = sources.add("a", "0123456789");
   DiagnosticEngine engine;
-  engine.report(DiagnosticId::cannotRead, {file, 5, 6}, "b", "gone");
-  engine.report(DiagnosticId::cannotRead, {file, 1, 2}, "a", "gone");
-  engine.report(DiagnosticId::cannotRead, {file, 5, 6}, "b", "gone");
+  engine.report(support::diagnostics::cannotRead, {file, 5, 6}, "b", "gone");
+  engine.report(support::diagnostics::cannotRead, {file, 1, 2}, "a", "gone");
+  engine.report(support::diagnostics::cannotRead, {file, 5, 6}, "b", "gone");
   ASSERT_EQ(engine.sorted().size(), 2U);
   EXPECT_EQ(engine.sorted()[0].range.begin, 1U);
 }

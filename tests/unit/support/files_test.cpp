@@ -3,7 +3,7 @@
 
 #include "support/files.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "tests/support/command.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ TEST(Files, FailedWriteLeavesNothingBehind) {
   const tests::TemporaryFolder folder;
   const auto failed = writeFileAtomically(folder.path() / "none" / "f", "x");
   ASSERT_FALSE(failed);
-  EXPECT_EQ(failed.error().id, DiagnosticId::cannotWrite);
+  EXPECT_EQ(failed.error().id, support::diagnostics::cannotWrite);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
   EXPECT_FALSE(writeFileAtomically("/dev/full", "x"));
 }

@@ -3,7 +3,9 @@
 
 #include "support/diagnostics/fixes.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/meaning.h"
+#include "support/diagnostics/ids/syntax.h"
+#include "support/diagnostics/ids/world.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +14,7 @@ namespace {
 
 /// A warning: the fix of an error may depend on those before it.
 Diagnostic withFixes(std::vector<FixIt> fixes) {
-  return {DiagnosticId::semicolon, Severity::Warning, {}, "", "", {}, std::move(fixes)};
+  return {support::diagnostics::semicolon, Severity::Warning, {}, "", "", {}, std::move(fixes)};
 }
 
 /// Each digit is a part of the text, and two are an item.
@@ -75,7 +77,7 @@ Result<std::vector<Diagnostic>> checkDigits(const std::string& text) {
     const SourceRange range{0, i, i + 1};
     const char* fix = text[i] == '1' ? "2" : text[i] == '2' ? "3" : text[i] == '8' ? "99" : nullptr;
     if (fix != nullptr || text[i] == '9') {
-      found.push_back({DiagnosticId::semicolon, Severity::Error, range, "", "", {}, {}});
+      found.push_back({support::diagnostics::semicolon, Severity::Error, range, "", "", {}, {}});
     }
     if (text[i] == '1') {
       found.push_back(found.back());
@@ -116,7 +118,8 @@ TEST(Fixes, ABadOneDoesNotKeepAGoodOneAway) {
 
 /// The second of two errors may follow from the first.
 TEST(Fixes, OfAnErrorAfterAnotherAreNotApplied) {
-  const Diagnostic without{DiagnosticId::semicolon, Severity::Error, {0, 2, 3}, "", "", {}, {}};
+  const Diagnostic without{
+      support::diagnostics::semicolon, Severity::Error, {0, 2, 3}, "", "", {}, {}};
   const auto at = [](uint32_t place, const std::string& text) {
     Diagnostic one = withFixes({{{0, place, place + 1}, text}});
     one.severity = Severity::Error;
@@ -152,12 +155,12 @@ TEST(Fixes, OfAnErrorAfterAnotherAreNotApplied) {
 TEST(Fixes, WhatIsHalfReadIsNotFixed) {
   const std::string text = "0123456789";
   Diagnostic unit = withFixes({{{0, 1, 2}, "x"}});
-  unit.id = DiagnosticId::bareAngle;
+  unit.id = support::diagnostics::bareAngle;
   unit.severity = Severity::Error;
   unit.range = {0, 1, 2};
   Diagnostic syntax = withFixes({});
   syntax.severity = Severity::Error;
-  syntax.id = DiagnosticId::unknownUnit;
+  syntax.id = support::diagnostics::unknownUnit;
   syntax.range = {0, 3, 4};
   const Constructs apart{{0}, {0, 3}, {}};
   const Constructs together{{0}, {0, 5}, {}};
@@ -167,10 +170,16 @@ TEST(Fixes, WhatIsHalfReadIsNotFixed) {
 
 TEST(Fixes, AnErrorThatWasHiddenIsNotWorse) {
   const auto hidden = [](const std::string& text) -> Result<std::vector<Diagnostic>> {
-    std::vector<Diagnostic> found = {
-        {DiagnosticId::semicolon, Severity::Error, {0, 0, 1}, "", "", {}, {{{0, 0, 1}, "a"}}}};
+    std::vector<Diagnostic> found = {{support::diagnostics::semicolon,
+                                      Severity::Error,
+                                      {0, 0, 1},
+                                      "",
+                                      "",
+                                      {},
+                                      {{{0, 0, 1}, "a"}}}};
     if (text == "a") {
-      const Diagnostic unknown{DiagnosticId::unknownName, Severity::Error, {}, "", "", {}, {}};
+      const Diagnostic unknown{
+          support::diagnostics::unknownName, Severity::Error, {}, "", "", {}, {}};
       found = {unknown, unknown};
     }
     return found;
@@ -192,7 +201,7 @@ TEST(Fixes, ThoseThatUndoEachOtherEnd) {
 TEST(Fixes, ASystemErrorIsPassedOn) {
   const auto fixing = fixAll("a", 0,
                              {[](const std::string&) -> Result<std::vector<Diagnostic>> {
-                                return fail(DiagnosticId::cannotRead, "platform", "gone");
+                                return fail(support::diagnostics::cannotRead, "platform", "gone");
                               },
                               digits});
   EXPECT_FALSE(fixing.has_value());

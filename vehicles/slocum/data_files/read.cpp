@@ -3,7 +3,8 @@
 
 #include "vehicles/slocum/data_files/read.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 #include "vehicles/slocum/data_files/blocks.h"
 #include "vehicles/slocum/data_files/header.h"
@@ -21,7 +22,6 @@ namespace glider::slocum {
 namespace {
 
 namespace fs = std::filesystem;
-using support::DiagnosticId;
 using support::Result;
 
 constexpr std::string_view kLabel = "dbd_label:";
@@ -73,7 +73,7 @@ class Reader {
 
  private:
   [[nodiscard]] std::unexpected<support::Failure> notData(const Damage& damage) const {
-    return support::fail(DiagnosticId::notDataFile, path_.string(),
+    return support::fail(support::diagnostics::notDataFile, path_.string(),
                          fmt::format("byte {}: {}", damage.offset, damage.what));
   }
 
@@ -202,7 +202,7 @@ Result<std::vector<fs::path>> findDataFiles(const fs::path& folder) {
     }
   }
   if (error || files.empty()) {
-    return support::fail(DiagnosticId::cannotRead, folder.string(),
+    return support::fail(support::diagnostics::cannotRead, folder.string(),
                          error ? error.message() : "the folder has no data files");
   }
   std::ranges::sort(files);

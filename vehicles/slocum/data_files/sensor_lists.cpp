@@ -3,7 +3,7 @@
 
 #include "vehicles/slocum/data_files/sensor_lists.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 #include "support/files.h"
 #include "vehicles/slocum/data_files/blocks.h"
 
@@ -16,7 +16,6 @@ namespace glider::slocum {
 namespace {
 
 namespace fs = std::filesystem;
-using support::DiagnosticId;
 using support::Result;
 
 std::string lowerCase(std::string text) {
@@ -32,7 +31,7 @@ Result<std::shared_ptr<const SensorList>> readCacheFile(const fs::path& path, ui
     return std::unexpected(text.error());
   }
   const auto bad = [&](const std::string& what) {
-    return support::fail(DiagnosticId::badSensorList, path.string(), what);
+    return support::fail(support::diagnostics::badSensorList, path.string(), what);
   };
   if (lowerCase(path.extension()) == ".ccc") {
     Decompressed opened = decompress(*text);
@@ -101,7 +100,7 @@ Result<std::shared_ptr<const SensorList>> SensorLists::find(uint32_t crc, const 
   if (invalid) {
     return std::unexpected(*invalid);
   }
-  return support::fail(DiagnosticId::sensorListMissing, file.string(), name, searched);
+  return support::fail(support::diagnostics::sensorListMissing, file.string(), name, searched);
 }
 
 }  // namespace glider::slocum

@@ -3,7 +3,7 @@
 
 #include "vehicles/slocum/data_tables/doubts.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 #include "support/utc.h"
 #include "vehicles/slocum/data_tables/dddmm.h"
 #include "vehicles/slocum/data_tables/log_units.h"
@@ -21,7 +21,6 @@
 namespace glider::slocum {
 namespace {
 
-using support::DiagnosticId;
 using support::Failure;
 
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
@@ -64,7 +63,7 @@ void leaveOutTimesOf(LogFile& file, std::vector<Failure>& warnings) {
     count += wild ? 1U : 0U;
   }
   if (count > 0) {
-    warnings.push_back(support::fail(DiagnosticId::timesLeftOut, file.path.string(), count,
+    warnings.push_back(support::fail(support::diagnostics::timesLeftOut, file.path.string(), count,
                                      file.times.size() - file.first,
                                      isOfUtc(first) ? support::utcText(first)
                                                     : fmt::format("{} s since 1970", first))
@@ -172,7 +171,7 @@ bool isWild(const std::vector<Place>& fixes, size_t i, const std::vector<Place>&
 
 void warnOfFixes(const LogFile& file, size_t fixes, const std::string& first,
                  std::vector<Failure>& warnings) {
-  warnings.push_back(support::fail(DiagnosticId::fixesLeftOut, file.path.string(),
+  warnings.push_back(support::fail(support::diagnostics::fixesLeftOut, file.path.string(),
                                    file.wild_fixes.size(), fixes, first)
                          .error());
 }
@@ -233,7 +232,7 @@ void warnOfUnits(std::span<const LogFile> files, std::vector<Failure>& warnings)
         }
       }
     }
-    warnings.push_back(support::fail(DiagnosticId::unitDiffers, column.sensor.name,
+    warnings.push_back(support::fail(support::diagnostics::unitDiffers, column.sensor.name,
                                      files[0].vehicle,
                                      fmt::format("`{}` at first, and `{}` from `{}` on", main_unit,
                                                  column.sensor.unit, where),

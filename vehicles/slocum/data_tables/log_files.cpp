@@ -3,7 +3,7 @@
 
 #include "vehicles/slocum/data_tables/log_files.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 #include "vehicles/slocum/data_files/header.h"
 #include "vehicles/slocum/data_files/read.h"
 #include "vehicles/slocum/data_tables/doubts.h"
@@ -21,7 +21,6 @@ namespace glider::slocum {
 namespace {
 
 namespace fs = std::filesystem;
-using support::DiagnosticId;
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -72,7 +71,7 @@ class Collector {
     auto data = readDataFile(path, lists_);
     if (data) {
       take(path, std::move(*data));
-    } else if (data.error().id == DiagnosticId::sensorListMissing) {
+    } else if (data.error().id == support::diagnostics::sensorListMissing) {
       waiting_.push_back(path);
     } else {
       out.failures.push_back(data.error());
@@ -95,7 +94,7 @@ class Collector {
  private:
   void take(const fs::path& path, DataFile data) {
     for (const Damage& damage : data.damage) {
-      out.failures.push_back(support::fail(DiagnosticId::dataFileDamaged, path.string(),
+      out.failures.push_back(support::fail(support::diagnostics::dataFileDamaged, path.string(),
                                            damage.offset, damage.what,
                                            fmt::format("{} records were read", data.records))
                                  .error());
@@ -153,7 +152,7 @@ void findDoubts(LogFiles& logs) {
   for (LogFile& file : logs.files) {
     if (file.data.as_text) {
       logs.warnings.push_back(
-          support::fail(DiagnosticId::textTransfer, file.path.string()).error());
+          support::fail(support::diagnostics::textTransfer, file.path.string()).error());
     }
   }
   const std::span<LogFile> all = logs.files;

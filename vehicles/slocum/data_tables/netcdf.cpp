@@ -3,7 +3,7 @@
 
 #include "vehicles/slocum/data_tables/netcdf.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 #include "vehicles/slocum/data_tables/netcdf_library.h"
 
@@ -205,7 +205,7 @@ void putRows(MemoryFile& out, const Merged& merged, const RowVariables& rows) {
 support::Result<void> writeNetcdf(const Merged& merged, const std::filesystem::path& path) {
   const NetcdfLibrary& library = NetcdfLibrary::get();
   if (!library.error.empty()) {
-    return support::fail(support::DiagnosticId::cannotWrite, path.string(), library.error);
+    return support::fail(support::diagnostics::cannotWrite, path.string(), library.error);
   }
   MemoryFile out(library);
   const int along = out.dimension("time", merged.rows.size());
@@ -227,7 +227,7 @@ support::Result<void> writeNetcdf(const Merged& merged, const std::filesystem::p
   }
   const std::string content = out.close();
   if (!out.error().empty()) {
-    return support::fail(support::DiagnosticId::cannotWrite, path.string(), out.error());
+    return support::fail(support::diagnostics::cannotWrite, path.string(), out.error());
   }
   return support::writeFileAtomically(path, content);
 }

@@ -3,7 +3,7 @@
 
 #include "vehicles/slocum/data_traces/flight_trace.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 #include "vehicles/slocum/data_traces/depth.h"
 #include "vehicles/slocum/data_traces/events.h"
 #include "vehicles/slocum/data_traces/position.h"
@@ -21,7 +21,6 @@
 namespace glider::slocum {
 namespace {
 
-using support::DiagnosticId;
 using support::Result;
 using support::Trace;
 
@@ -171,7 +170,7 @@ Result<Trace> flightTrace(const Merged& merged, const std::vector<double>& more_
   const Samples depth = depthOf(merged);
   std::vector<double> times = recordTimes(merged);
   if (times.empty()) {
-    return support::fail(DiagnosticId::noDepthLogged, "no record has a valid time");
+    return support::fail(support::diagnostics::noDepthLogged, "no record has a valid time");
   }
   const std::vector<support::TraceGap> gaps = gapsBetween(times, breaksOf(merged.files));
   addBetween(more_times_s, gaps, times);
@@ -185,7 +184,8 @@ Result<Trace> flightTrace(const Merged& merged, const std::vector<double>& more_
                .gaps = gaps};
   std::vector<FlightColumn> columns = {{{"m_depth", "m"}, resampled(depth, times, Between::Line)}};
   if (std::ranges::all_of(columns[0].values, [](double value) { return std::isnan(value); })) {
-    return support::fail(DiagnosticId::noDepthLogged, "they do not contain the vehicle's depth");
+    return support::fail(support::diagnostics::noDepthLogged,
+                         "they do not contain the vehicle's depth");
   }
   std::string note;
   for (auto more : {quantities(merged, times, gaps), positions(merged, times),

@@ -3,7 +3,7 @@
 
 #include "vehicles/slocum/mission_files/argument_files.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 #include "support/files.h"
 #include "vehicles/slocum/mission_files/behaviour_catalogue.h"
 #include "vehicles/slocum/mission_files/read.h"
@@ -13,8 +13,6 @@
 #include <algorithm>
 
 namespace glider::slocum {
-
-using support::DiagnosticId;
 
 std::string argumentFileName(std::string_view behaviour, int number) {
   return fmt::format("{}{:02}.ma", behaviour.substr(0, 6), number);
@@ -37,7 +35,7 @@ void apply(BehaviourBlock& block, const ArgumentFile& file,
            support::DiagnosticEngine& diagnostics) {
   if (file.behaviour != block.name) {
     diagnostics
-        .report(DiagnosticId::argumentFileBehaviour, file.behaviour_range, file.behaviour,
+        .report(support::diagnostics::argumentFileBehaviour, file.behaviour_range, file.behaviour,
                 block.name)
         .note(block.range, "it is read here");
     return;
@@ -63,8 +61,8 @@ void applyArgumentFiles(MissionFile& mission, const std::filesystem::path& folde
       continue;
     }
     if (from_file->value > 99 || from_file->value != static_cast<int>(from_file->value)) {
-      diagnostics.report(DiagnosticId::argumentValue, from_file->value_range, from_file->name,
-                         from_file->value,
+      diagnostics.report(support::diagnostics::argumentValue, from_file->value_range,
+                         from_file->name, from_file->value,
                          "it must be a whole number from 0 to 99, or -1 for none");
       continue;
     }
@@ -73,7 +71,7 @@ void applyArgumentFiles(MissionFile& mission, const std::filesystem::path& folde
     auto text = support::readFile(path);
     if (!text && !drivesMotors(block.name)) {
       block.lacks_file = true;
-      diagnostics.report(DiagnosticId::argumentFileMissing, from_file->value_range,
+      diagnostics.report(support::diagnostics::argumentFileMissing, from_file->value_range,
                          path.filename().string(), block.name);
       continue;
     }

@@ -4,7 +4,7 @@
 #include "vehicles/slocum/mission_files/behaviour_catalogue.h"
 
 #include "support/check.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 
 #include <algorithm>
 #include <array>
@@ -12,8 +12,6 @@
 #include <vector>
 
 namespace glider::slocum {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -154,16 +152,17 @@ void checkArguments(const BehaviourBlock& block, support::DiagnosticEngine& diag
       continue;
     }
     if (const KnownArgument* meant = nearest(*known, given.name)) {
-      diagnostics.report(DiagnosticId::unknownBehaviourArgument, given.name_range, block.name,
-                         given.name, "did you mean `" + std::string(meant->name) + "`?");
+      diagnostics.report(support::diagnostics::unknownBehaviourArgument, given.name_range,
+                         block.name, given.name,
+                         "did you mean `" + std::string(meant->name) + "`?");
     } else {
-      diagnostics.report(DiagnosticId::argumentWithoutEffect, given.name_range, given.name,
+      diagnostics.report(support::diagnostics::argumentWithoutEffect, given.name_range, given.name,
                          block.name, "the simulator does not know it");
     }
   }
   if (lacksHeading(block)) {
-    diagnostics.report(DiagnosticId::missingArgument, block.range, block.name, "heading_value",
-                       "X");
+    diagnostics.report(support::diagnostics::missingArgument, block.range, block.name,
+                       "heading_value", "X");
   }
 }
 

@@ -3,14 +3,12 @@
 
 #include "vehicles/slocum/mission_files/line_reader.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 
 #include <charconv>
 #include <cmath>
 
 namespace glider::slocum {
-
-using support::DiagnosticId;
 
 namespace {
 
@@ -62,7 +60,7 @@ bool LineReader::acceptable() {
     why = "it contains a zero byte";
   }
   if (why != nullptr) {
-    diagnostics_.report(DiagnosticId::missionFileUnreadable, {file_, 0, 0}, why);
+    diagnostics_.report(support::diagnostics::missionFileUnreadable, {file_, 0, 0}, why);
   }
   return why == nullptr;
 }
@@ -116,7 +114,8 @@ std::optional<double> LineReader::number(Piece piece) {
   }
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) {
-    diagnostics_.report(DiagnosticId::badMissionNumber, piece.range, piece.text.substr(0, 40));
+    diagnostics_.report(support::diagnostics::badMissionNumber, piece.range,
+                        piece.text.substr(0, 40));
     return std::nullopt;
   }
   return value;
@@ -124,7 +123,8 @@ std::optional<double> LineReader::number(Piece piece) {
 
 std::optional<Setting> LineReader::setting(Piece rest) {
   const auto refuse = [&](const char* wanted, Piece found) -> std::optional<Setting> {
-    diagnostics_.report(DiagnosticId::missionFileSyntax, found.range, wanted, quoted(found.text));
+    diagnostics_.report(support::diagnostics::missionFileSyntax, found.range, wanted,
+                        quoted(found.text));
     return std::nullopt;
   };
   size_t at = rest.range.begin;

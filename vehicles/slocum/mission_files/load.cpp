@@ -3,7 +3,7 @@
 
 #include "vehicles/slocum/mission_files/load.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 #include "support/files.h"
 #include "vehicles/slocum/mission_files/argument_files.h"
 #include "vehicles/slocum/mission_files/read.h"
@@ -58,7 +58,7 @@ support::Result<MissionFile> loadMission(const std::filesystem::path& path,
     check(*mission, {file, 0, 0}, diagnostics);
   }
   if (!mission || diagnostics.errorCount() != errors_before) {
-    return support::fail(support::DiagnosticId::skeletonErrors, name,
+    return support::fail(support::diagnostics::skeletonErrors, name,
                          diagnostics.errorCount() - errors_before);
   }
   return std::move(*mission);

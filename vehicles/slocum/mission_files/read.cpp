@@ -3,7 +3,7 @@
 
 #include "vehicles/slocum/mission_files/read.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 #include "vehicles/slocum/mission_files/line_reader.h"
 
 #include <algorithm>
@@ -12,7 +12,6 @@
 namespace glider::slocum {
 
 using support::DiagnosticEngine;
-using support::DiagnosticId;
 
 namespace {
 
@@ -54,7 +53,7 @@ void append(std::vector<Setting>& list, std::optional<Setting> setting,
   }
   const auto earlier = std::ranges::find(list, setting->name, &Setting::name);
   if (earlier != list.end()) {
-    diagnostics.report(DiagnosticId::duplicateArgument, setting->name_range, setting->name)
+    diagnostics.report(support::diagnostics::duplicateArgument, setting->name_range, setting->name)
         .note(earlier->name_range, "the first is here");
     *earlier = std::move(*setting);
     return;
@@ -79,7 +78,7 @@ class MissionReader {
     } else if (const auto words = lines_.words(line); isSetup(words)) {
       mission.setup.push_back(setupLine(words, line.range));
     } else {
-      diagnostics_.report(DiagnosticId::missionFileSyntax, line.range,
+      diagnostics_.report(support::diagnostics::missionFileSyntax, line.range,
                           "`sensor:`, `behavior:` or `b_arg:`", quoted(line.text));
     }
   }
@@ -91,7 +90,7 @@ class MissionReader {
     const auto words = lines_.words(rest);
     if (words.size() != 1) {
       const Piece found = words.empty() ? rest : words[1];
-      diagnostics_.report(DiagnosticId::missionFileSyntax, found.range,
+      diagnostics_.report(support::diagnostics::missionFileSyntax, found.range,
                           "one name after `behavior:`", quoted(found.text));
       // Its arguments must not be assigned to the previous behaviour.
       if (words.empty()) {
@@ -106,7 +105,7 @@ class MissionReader {
     const auto setting = lines_.setting(rest);
     if (mission.behaviours.empty()) {
       if (setting) {
-        diagnostics_.report(DiagnosticId::argumentOutsideBehaviour, setting->name_range,
+        diagnostics_.report(support::diagnostics::argumentOutsideBehaviour, setting->name_range,
                             setting->name);
       }
       return;
@@ -148,10 +147,10 @@ class ArgumentReader {
   /// Checks what can only be checked at the end of the file.
   void finish(support::SourceRange end) {
     if (file.behaviour.empty()) {
-      diagnostics_.report(DiagnosticId::argumentFileTag, end,
+      diagnostics_.report(support::diagnostics::argumentFileTag, end,
                           "behavior_name=", "the end of the file");
     } else if (!within_.empty()) {
-      diagnostics_.report(DiagnosticId::argumentFileTag, end, "<end:" + within_ + ">",
+      diagnostics_.report(support::diagnostics::argumentFileTag, end, "<end:" + within_ + ">",
                           "the end of the file");
     }
   }
@@ -160,7 +159,8 @@ class ArgumentReader {
 
  private:
   void expected(std::string_view what, Piece found) {
-    diagnostics_.report(DiagnosticId::argumentFileTag, found.range, what, quoted(found.text));
+    diagnostics_.report(support::diagnostics::argumentFileTag, found.range, what,
+                        quoted(found.text));
   }
 
   void name(Piece line, const std::string& word) {
@@ -191,8 +191,8 @@ class ArgumentReader {
   void waypoint(Piece line) {
     const auto words = lines_.words(line);
     if (words.size() < 2) {
-      diagnostics_.report(DiagnosticId::missionFileSyntax, line.range, "longitude and latitude",
-                          quoted(line.text));
+      diagnostics_.report(support::diagnostics::missionFileSyntax, line.range,
+                          "longitude and latitude", quoted(line.text));
       return;
     }
     const auto longitude = lines_.number(words[0]);
@@ -201,12 +201,13 @@ class ArgumentReader {
       return;
     }
     if (!isCoordinate(*longitude, 180) || !isCoordinate(*latitude, 90)) {
-      diagnostics_.report(DiagnosticId::badWaypoint, line.range, words[0].text, words[1].text);
+      diagnostics_.report(support::diagnostics::badWaypoint, line.range, words[0].text,
+                          words[1].text);
       return;
     }
     if (words.size() > 2) {
       const Piece rest = lines_.trimmed(words[2].range.begin, line.range.end);
-      diagnostics_.report(DiagnosticId::textAfterWaypoint, rest.range, quoted(rest.text));
+      diagnostics_.report(support::diagnostics::textAfterWaypoint, rest.range, quoted(rest.text));
     }
     file.waypoints.push_back({*longitude, *latitude});
   }

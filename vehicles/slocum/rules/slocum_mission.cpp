@@ -3,7 +3,7 @@
 
 #include "vehicles/slocum/rules/slocum_mission.h"
 
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 #include "vehicles/slocum/mission_files/load.h"
 #include "vehicles/slocum/rules/control.h"
 #include "vehicles/slocum/rules/hookbeh_needs.h"
@@ -24,7 +24,6 @@ namespace {
 using compiler::Checked;
 using platforms::Platform;
 using support::DiagnosticEngine;
-using support::DiagnosticId;
 
 class FileOfSlocum final : public vehicles::OwnMission {
  public:
@@ -43,11 +42,12 @@ class FileOfSlocum final : public vehicles::OwnMission {
     const MissionTimes times(mission.mission(), platform, std::max(0.0, file_.guards.start_secs));
     for (const Disturbance& one : disturbances(behaviours_, layers, times, platform)) {
       const bool masks = one.kind == Disturbance::Kind::Masks;
-      diagnostics.report(masks ? DiagnosticId::commandsMasked : DiagnosticId::controlPrevented,
-                         one.range, one.what, one.change);
+      diagnostics.report(
+          masks ? support::diagnostics::commandsMasked : support::diagnostics::controlPrevented,
+          one.range, one.what, one.change);
     }
     for (const Doubt& one : unmetNeeds(behaviours_)) {
-      diagnostics.report(DiagnosticId::sensorUnread, one.range, one.why, one.change);
+      diagnostics.report(support::diagnostics::sensorUnread, one.range, one.why, one.change);
     }
   }
 
@@ -56,8 +56,8 @@ class FileOfSlocum final : public vehicles::OwnMission {
     const Whole whole = wholeOf(mission.mission(), platform, behaviours_);
     for (const Ending& ending : whole.alike()) {
       if (!ending.proved()) {
-        diagnostics.report(DiagnosticId::mayStayBelow, ending.range, ending.after, ending.why_not,
-                           ending.change);
+        diagnostics.report(support::diagnostics::mayStayBelow, ending.range, ending.after,
+                           ending.why_not, ending.change);
       }
     }
     return wholeLines(whole);

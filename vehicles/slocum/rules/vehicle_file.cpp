@@ -4,7 +4,7 @@
 #include "vehicles/slocum/rules/vehicle_file.h"
 
 #include "hooks/hookbeh/hull.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/vehicle.h"
 #include "vehicles/slocum/mission_files/mission_file.h"
 
 #include <fmt/format.h>
@@ -16,7 +16,6 @@ namespace glider::slocum::rules {
 namespace {
 
 using slocum::BehaviourBlock;
-using support::DiagnosticId;
 
 const BehaviourBlock* find(const slocum::MissionFile& file, const char* name) {
   const auto found = std::ranges::find(file.behaviours, name, &BehaviourBlock::name);
@@ -42,11 +41,12 @@ AbortLimits abortsOf(const slocum::MissionFile& file) {
 support::Result<VehicleFile> vehicleFileOf(const MissionFile& file, const std::string& path) {
   const BehaviourBlock* hookbeh = find(file, "hookbeh");
   if (hookbeh == nullptr) {
-    return support::fail(DiagnosticId::skeletonErrors, path, "it has no behavior `hookbeh`");
+    return support::fail(support::diagnostics::skeletonErrors, path,
+                         "it has no behavior `hookbeh`");
   }
   const double seconds = hookbeh->value("silence_secs");
   if (!(seconds > 0 && seconds <= hooks::kMostSilenceSecs)) {
-    return support::fail(DiagnosticId::skeletonErrors, path,
+    return support::fail(support::diagnostics::skeletonErrors, path,
                          fmt::format("silence_secs must be above 0 and at most {:.0f}, not {}",
                                      hooks::kMostSilenceSecs, seconds));
   }

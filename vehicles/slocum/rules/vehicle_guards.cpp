@@ -10,7 +10,7 @@
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/context/proof_context.h"
 #include "ir/verify/intervals.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 #include "vehicles/slocum/rules/refused_commands.h"
 
 #include <fmt/format.h>
@@ -21,8 +21,6 @@
 
 namespace glider::slocum::rules {
 namespace {
-
-using support::DiagnosticId;
 
 /// Every turn of a dive goes at least this far past its target, m: 0.7 m at the flattest pitch.
 constexpr double kSurelyPast_m = 0.5;
@@ -66,14 +64,14 @@ class GuardCheck {
           fmt::format("{} dives to {:.4g} m", layer.label(), *layer.deepest_m);
       const auto overdepth = file_.aborts.overdepth_m;
       if (overdepth && *layer.deepest_m + kSurelyPast_m > *overdepth) {
-        diagnostics_.report(DiagnosticId::vehicleAborts, layer.range,
+        diagnostics_.report(support::diagnostics::vehicleAborts, layer.range,
                             fmt::format("{}, and abend allows no more than {:.4g} m (overdepth in "
                                         "{})",
                                         dives, *overdepth, file_.name),
                             "give it a shallower depth, or raise overdepth");
       } else if (*layer.deepest_m + kSurelyPast_m > deepest_) {
         diagnostics_.report(
-            DiagnosticId::mayNotFollow, layer.range,
+            support::diagnostics::mayNotFollow, layer.range,
             fmt::format("{}, and where the SBC takes control below {:.4g} m (max_depth in {}) "
                         "hookbeh first makes the vehicle climb",
                         dives, deepest_, file_.name),
@@ -117,7 +115,8 @@ class GuardCheck {
     }
     const bool surely = dive.depth_m + kSurelyPast_m > deepest_;
     diagnostics_.report(
-        surely ? DiagnosticId::hookbehOverrides : DiagnosticId::mayNotFollow, placeOf(dive),
+        surely ? support::diagnostics::hookbehOverrides : support::diagnostics::mayNotFollow,
+        placeOf(dive),
         fmt::format("{} goes to {:.4g} m, a turn there {} up to {:.4g} m further, and below {:.4g} "
                     "m hookbeh makes the vehicle climb (max_depth in {})",
                     dive.who, dive.depth_m, surely ? "goes" : "may go", overshoot_, deepest_,
@@ -138,7 +137,8 @@ class GuardCheck {
         dive.who, dive.depth_m, surely ? "goes" : "may go", overshoot_,
         surely ? "allows nothing" : "aborts", *overdepth, file_.name);
     diagnostics_.report(
-        surely ? DiagnosticId::vehicleAborts : DiagnosticId::mayNotFollow, placeOf(dive), what,
+        surely ? support::diagnostics::vehicleAborts : support::diagnostics::mayNotFollow,
+        placeOf(dive), what,
         fmt::format("command at most {:.4g} m, or give overdepth {:.4g}",
                     std::max(0.0, *overdepth - overshoot_), dive.depth_m + overshoot_));
   }
@@ -202,7 +202,7 @@ class GuardCheck {
                   "it climb",
                   least);
     diagnostics_.report(
-        DiagnosticId::mayNotFollow, m_[c.guard].range.valid() ? m_[c.guard].range : c.range,
+        support::diagnostics::mayNotFollow, m_[c.guard].range.valid() ? m_[c.guard].range : c.range,
         fmt::format("this case fires at less than {:.3g} m above the bottom{} (min_altitude in {})",
                     below, then, file_.name),
         fmt::format("compare with {:.4g} m or more, or lower min_altitude", least + kSinksOn_m));
@@ -242,7 +242,7 @@ void checkSameDepth(const compiler::Checked& checked, const VehicleFile& file,
     }
     const ir::State& state = checked.mission()[hover.state];
     diagnostics.report(
-        DiagnosticId::vehicleAborts, state.range,
+        support::diagnostics::vehicleAborts, state.range,
         fmt::format("`{}` may stay at {:.4g} m {}, and abend allows {} at one depth (samedepth_for "
                     "in {})",
                     state.name, hover.depth_m,

@@ -5,7 +5,7 @@
 
 #include "ir/prove/abstract/end_bound.h"
 #include "ir/prove/context/duration_text.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
@@ -16,8 +16,6 @@
 
 namespace glider::slocum::rules {
 namespace {
-
-using support::DiagnosticId;
 
 /// Where a fault of the whole mission is reported.
 support::SourceRange beginningOf(const ir::Mission& mission) {
@@ -31,7 +29,7 @@ void checkDepth(const ir::Mission& mission, double overdepth, const std::string&
   limits.shallowest_pitch_rad = 0;
   limits.greatest_depth_m = overdepth;
   for (const Refusal& one : refusalsOf(mission, limits)) {
-    diagnostics.report(DiagnosticId::vehicleAborts,
+    diagnostics.report(support::diagnostics::vehicleAborts,
                        one.range.valid() ? one.range : beginningOf(mission),
                        fmt::format("{} may command {}, and abend allows no more than {:.4g} m "
                                    "(overdepth in {})",
@@ -53,7 +51,7 @@ void checkTime(const compiler::Checked& checked, double overtime, double starts,
                const std::string& name, support::DiagnosticEngine& diagnostics) {
   if (starts > overtime) {
     diagnostics.report(
-        DiagnosticId::controlPrevented, beginningOf(checked.mission()),
+        support::diagnostics::controlPrevented, beginningOf(checked.mission()),
         fmt::format("hookbeh is ready {} after the vehicle's mission has begun, and abend aborts "
                     "after {} (start_secs and overtime in {})",
                     ir::prove::durationOf(starts), ir::prove::durationOf(overtime), name),
@@ -65,7 +63,7 @@ void checkTime(const compiler::Checked& checked, double overtime, double starts,
     const std::string from =
         starts > 0 ? fmt::format(" from {} on (start_secs)", ir::prove::durationOf(starts)) : "";
     diagnostics.report(
-        DiagnosticId::vehicleAborts, beginningOf(checked.mission()),
+        support::diagnostics::vehicleAborts, beginningOf(checked.mission()),
         fmt::format("the mission may last {}{}, and abend allows {} (overtime in {})",
                     ir::prove::durationOf(*end), from, ir::prove::durationOf(overtime), name),
         "end the mission earlier, or raise overtime");
@@ -78,7 +76,7 @@ void checkVehicleLimits(const compiler::Checked& checked, const VehicleFile& fil
                         support::DiagnosticEngine& diagnostics) {
   const ir::Mission& mission = checked.mission();
   for (const Refusal& one : refusalsOf(mission, file.commands)) {
-    diagnostics.report(DiagnosticId::vehicleRefuses,
+    diagnostics.report(support::diagnostics::vehicleRefuses,
                        one.range.valid() ? one.range : beginningOf(mission), one.who, one.command,
                        one.limit, file.name);
   }
@@ -91,7 +89,7 @@ void checkVehicleLimits(const compiler::Checked& checked, const VehicleFile& fil
   }
   const double full = checked.platform().power.full_V;
   if (file.aborts.undervolts_V && full > 0 && *file.aborts.undervolts_V >= full) {
-    diagnostics.report(DiagnosticId::vehicleAborts, beginningOf(mission),
+    diagnostics.report(support::diagnostics::vehicleAborts, beginningOf(mission),
                        fmt::format("its full batteries have {:.4g} V, and abend demands {:.4g} V "
                                    "(undervolts in {})",
                                    full, *file.aborts.undervolts_V, file.name),

@@ -5,7 +5,7 @@
 
 #include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/context/proof_context.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,9 +22,10 @@ using support::DiagnosticId;
 
 /// Findings after which the vehicle may fly otherwise than the mission commands.
 constexpr auto kDoubts = std::to_array<DiagnosticId>(
-    {DiagnosticId::vehicleRefuses, DiagnosticId::vehicleAborts, DiagnosticId::mayStayBelow,
-     DiagnosticId::hookbehOverrides, DiagnosticId::mayNotFollow, DiagnosticId::commandsMasked,
-     DiagnosticId::controlPrevented, DiagnosticId::sensorUnread});
+    {support::diagnostics::vehicleRefuses, support::diagnostics::vehicleAborts,
+     support::diagnostics::mayStayBelow, support::diagnostics::hookbehOverrides,
+     support::diagnostics::mayNotFollow, support::diagnostics::commandsMasked,
+     support::diagnostics::controlPrevented, support::diagnostics::sensorUnread});
 
 std::vector<std::string> doubtsIn(const support::DiagnosticEngine& diagnostics) {
   std::vector<std::string> codes;

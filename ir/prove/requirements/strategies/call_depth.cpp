@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/prove/requirements/strategy.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
@@ -31,7 +31,7 @@ class CallDepth final : public Strategy {
       open.reason = words + "; what the mission assumes is not considered here";
       return open;
     }
-    context.proof.diagnostics.report(support::DiagnosticId::requirementBroken,
+    context.proof.diagnostics.report(support::diagnostics::requirementBroken,
                                      attempt.requirement.range, words);
     return RequirementVerdict{attempt.number, Verdict::Refuted, std::nullopt};
   }

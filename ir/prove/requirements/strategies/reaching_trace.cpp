@@ -3,7 +3,7 @@
 
 #include "ir/prove/requirements/strategy.h"
 #include "ir/prove/requirements/trace_search.h"
-#include "support/diagnostics/catalogue.h"
+#include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
@@ -47,7 +47,7 @@ class ReachingTrace final : public Strategy {
   static RequirementVerdict unreached(const Attempt& attempt, const StrategyContext& context) {
     const Mission& m = context.mission;
     context.proof.diagnostics.report(
-        support::DiagnosticId::requirementBroken, attempt.requirement.range,
+        support::diagnostics::requirementBroken, attempt.requirement.range,
         fmt::format("no possible flight{} enters state `{}`",
                     m.assumptions.empty() ? "" : " that satisfies the assumptions",
                     m[attempt.requirement.state].name));

@@ -13,19 +13,26 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <any>
 #include <cctype>
+#include <set>
 #include <string_view>
 
 namespace glider::campaign {
 
 namespace {
 
-/// The vehicle's own mission with all that was read for it.
-std::string ownMissionOf(const CampaignPlan& plan) {
-  const simulator::Family* family =
-      plan.missions.empty() ? nullptr : simulator::familyOf(plan.missions.front().platform);
-  return family == nullptr || !plan.scenario.own.has_value() ? ""
-                                                             : family->text_of(plan.scenario.own);
+/// The own mission of each vehicle with all that was read for it, those that are alike once.
+std::string ownMissionsOf(const CampaignPlan& plan) {
+  std::set<std::string> texts;
+  for (const CampaignMission& mission : plan.missions) {
+    const simulator::Family* family = simulator::familyOf(mission.platform);
+    const std::any& own = mission.own.has_value() ? mission.own : plan.scenario.own;
+    if (family != nullptr && own.has_value()) {
+      texts.insert(family->text_of(own));
+    }
+  }
+  return fmt::format("{}", fmt::join(texts, ""));
 }
 
 }  // namespace
@@ -61,7 +68,7 @@ support::Result<std::string> identityOf(const CampaignPlan& plan, const Campaign
   if (!skeleton || !world) {
     return std::unexpected(skeleton ? world.error() : skeleton.error());
   }
-  return codegen::digestOf(all + ownMissionOf(plan) + *skeleton + *world);
+  return codegen::digestOf(all + ownMissionsOf(plan) + *skeleton + *world);
 }
 
 std::string shellWord(const std::string& text) {

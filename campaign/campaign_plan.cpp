@@ -107,6 +107,9 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
   setup.platform = mission.platform;
   setup.scenario = plan.scenario;
   setup.scenario.vehicle = mission.vehicle;
+  if (mission.own.has_value()) {
+    setup.scenario.own = mission.own;
+  }
   drawn.applyTo(mission.platform, setup.scenario);
   setup.seed = flight.seed;
   setup.sbc = std::move(*sbc);

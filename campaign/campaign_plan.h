@@ -8,6 +8,7 @@
 #include "simulator/campaign/judge.h"
 #include "simulator/simulator.h"
 
+#include <any>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -22,6 +23,7 @@ struct CampaignMission {
   std::string program;           ///< a digest of what is compiled from it, and of its requirements
   platforms::Platform platform;  ///< the one that it names
   simulator::VehicleSettings vehicle;  ///< the platform's, with the changes of the scenario
+  std::any own;  ///< as in simulator::Scenario, of this mission's vehicle; empty: the plan's
   flights::NewFlight new_flight;
   flights::NewWatchedFlight new_watched_flight;  ///< if its requirements are checked; may be empty
   std::shared_ptr<const compiler::Optimised> compiled;  ///< what flies

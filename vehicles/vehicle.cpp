@@ -4,6 +4,8 @@
 #include "vehicles/vehicle.h"
 
 #include <algorithm>
+#include <cctype>
+#include <string>
 
 namespace glider::vehicles {
 namespace {
@@ -21,11 +23,17 @@ const Vehicle* vehicleOf(const platforms::Platform& platform) {
   return found == std::end(kVehicles) ? nullptr : *found;
 }
 
-const Vehicle& vehicleOfFile(std::string_view path) {
+const Vehicle& vehicleOfFile(std::string_view path, const Vehicle* other) {
+  std::string small(path);
+  std::ranges::transform(small, small.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const auto* const found = std::ranges::find_if(kVehicles, [&](const Vehicle* vehicle) {
-    return path.ends_with(vehicle->own_mission_ending);
+    return small.ends_with(vehicle->own_mission_ending);
   });
-  return found == std::end(kVehicles) ? **std::begin(kVehicles) : **found;
+  if (found != std::end(kVehicles)) {
+    return **found;
+  }
+  return other != nullptr ? *other : **std::begin(kVehicles);
 }
 
 support::Result<void> tryOwnMission(const std::string& path, const support::ShowDiagnostics& show) {

@@ -47,8 +47,9 @@ struct Vehicle {
 /// The family of a platform; null if it names none that is known.
 const Vehicle* vehicleOf(const platforms::Platform& platform);
 
-/// The family whose own mission files have such a name; if none has, the first.
-const Vehicle& vehicleOfFile(std::string_view path);
+/// The family whose own mission files end as this name does, in capitals or not; if none does,
+/// `other`, or the first if that is null.
+const Vehicle& vehicleOfFile(std::string_view path, const Vehicle* other = nullptr);
 
 /// Whether the vehicle's own mission at `path` can be read; its errors are shown with `show`.
 support::Result<void> tryOwnMission(const std::string& path, const support::ShowDiagnostics& show);

@@ -116,7 +116,9 @@ std::vector<std::string> summaryOf(const compiler::Checked& checked,
   }
   all.push_back(depth(checked.platform(), deepest_m));
   all.push_back(stack(checked));
-  all.push_back(own == nullptr ? "" : wayHome(checked.platform(), *own, deepest_m));
+  all.push_back(own == nullptr
+                    ? "What the vehicle does if the payload computer (SBC) fails is not known."
+                    : wayHome(checked.platform(), *own, deepest_m));
   all.push_back(powerCuts(checked.mission()));
   std::erase(all, "");
   return all;

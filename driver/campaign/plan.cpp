@@ -56,6 +56,7 @@ int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPla
         codegen::digestOf(ir::print(compiled->mission) + ir::print(compiled->checked->mission()));
     mission.platform = platform;
     mission.vehicle = scenario->vehicle;
+    mission.own = scenario->own;
     plan.scenario = std::move(*scenario);
     mission.new_flight = [flight = *start] { return flight(nullptr); };
     if (flights::RequirementWatch::canWatch(*compiled)) {

@@ -3,6 +3,8 @@
 
 #include "simulator/replay/agreeing_vehicle.h"
 
+#include "hooks/protocol/messages.h"
+#include "hooks/protocol/numbers.h"
 #include "hooks/protocol/values.h"
 
 #include <algorithm>
@@ -114,9 +116,9 @@ void AgreeingVehicle::write(void* self, const hooks::SensorList& instruction) {
   for (uint32_t i = 0; i < instruction.count; ++i) {
     const hooks::SensorValue& word = instruction.values[i];
     if (word.id == vehicle.numbers_[Sensor::sci_hook_session]) {
-      vehicle.session_ = static_cast<uint32_t>(word.value);
+      (void)hooks::isWhole(word.value, 0, hooks::kMostSession, &vehicle.session_);
     } else if (word.id == vehicle.numbers_[Sensor::sci_hook_sequence]) {
-      vehicle.sequence_ = static_cast<uint32_t>(word.value);
+      (void)hooks::isWhole(word.value, 0, UINT16_MAX, &vehicle.sequence_);
     }
   }
 }

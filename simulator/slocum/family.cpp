@@ -66,6 +66,9 @@ void applyDrawnTo(const DrawnFaults& drawn, std::any& own) {
 
 /// That of abend.
 double overtimeOf(const std::any& own) {
+  if (!own.has_value()) {
+    return 0;
+  }
   for (const slocum::BehaviourBlock& behaviour :
        std::any_cast<const SlocumMission&>(own).file.behaviours) {
     if (behaviour.name == "abend") {

@@ -75,7 +75,10 @@ TEST_F(SecondFamily, IsCheckedByItsOwnRules) {
   EXPECT_EQ(refused.status, 1);
   EXPECT_THAT(refused.out + refused.err, HasSubstr("GL3124"));
   (void)folder_.write("deep.toy", "100\n");
-  EXPECT_EQ(withAToy("check toy.mission --mi deep.toy").status, 0);
+  const Outcome fine = withAToy("check toy.mission --report --mi deep.toy");
+  EXPECT_EQ(fine.status, 0);
+  EXPECT_THAT(fine.out, HasSubstr("after control a toy comes up"));
+  EXPECT_THAT(fine.out + fine.err, Not(HasSubstr("abend")));
 }
 
 TEST_F(SecondFamily, IsJudgedByItsOwnChecks) {
@@ -87,14 +90,35 @@ TEST_F(SecondFamily, IsJudgedByItsOwnChecks) {
 }
 
 TEST_F(SecondFamily, LeavesTheFirstAsItIs) {
-  for (const std::string line :
-       {"check slocum.mission --report",
-        "sim slocum.mission -o f > /dev/null && cat f/trace.csv f/events.csv"}) {
+  const std::string campaign =
+      "campaign slocum.mission --boards 0 --flights 3 --fault none --csv f.csv > /dev/null && "
+      "sed 1d f.csv";
+  for (const std::string& line :
+       {std::string("check slocum.mission --report --mi share/scenarios/skeleton.mi"),
+        std::string("sim slocum.mission -o f > /dev/null && cat f/trace.csv f/events.csv"),
+        campaign}) {
     const Outcome first = in("$GLIDERCC", line);
     const Outcome both = withAToy(line);
-    EXPECT_EQ(first.status, both.status);
+    EXPECT_EQ(first.status, 0) << first.err;
+    EXPECT_EQ(both.status, 0) << both.err;
+    EXPECT_GT(first.out.size(), 100U) << line;
     EXPECT_EQ(first.out, both.out);
   }
+}
+
+/// Each flight is flown with the own mission of its vehicle, whichever mission is read last.
+TEST_F(SecondFamily, FliesInACampaignBesideTheFirst) {
+  const auto rows = [&](const std::string& missions, const std::string& of) {
+    const Outcome flown = withAToy("campaign " + missions +
+                                   " --boards 0 --flights 4 --fault none --fault 'tight limits' "
+                                   "--csv f.csv > /dev/null && grep '" +
+                                   of + "' f.csv | cut -d, -f3-");
+    EXPECT_EQ(flown.status, 0) << flown.err;
+    return flown.out;
+  };
+  const std::string alone = rows("slocum.mission slocum.mission", "^[02],");
+  EXPECT_THAT(alone, HasSubstr("exited"));
+  EXPECT_EQ(rows("slocum.mission toy.mission", "slocum.mission"), alone);
 }
 
 TEST_F(SecondFamily, IsUnknownToTheCommandWithoutIt) {
@@ -105,9 +129,12 @@ TEST_F(SecondFamily, IsUnknownToTheCommandWithoutIt) {
 
 TEST_F(SecondFamily, DoesNotFlyAnothersOwnMission) {
   (void)folder_.write("deep.toy", "100\n");
-  const Outcome refused = withAToy("check slocum.mission --mi deep.toy");
-  EXPECT_EQ(refused.status, 2);
-  EXPECT_THAT(refused.err, HasSubstr("deep.toy"));
+  for (const char* line :
+       {"slocum.mission --mi deep.toy", "toy.mission --mi share/scenarios/skeleton.mi"}) {
+    const Outcome refused = withAToy(std::string("check ") + line);
+    EXPECT_EQ(refused.status, 2) << line;
+    EXPECT_THAT(refused.err, HasSubstr("it is for vehicles of the family")) << line;
+  }
 }
 
 }  // namespace

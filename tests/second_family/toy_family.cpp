@@ -6,18 +6,28 @@
 
 namespace glider::simulator {
 
-/// A toy flies no mission of its own.
+/// What a toy flies by itself, of a type that no other code knows: nothing.
+struct OwnOfAToy {};
+
 constinit const Family families::toy = {
     .name = "toy",
     .missing_sensor = [](const platforms::Platform& /*platform*/) { return std::string_view(); },
-    .load_own = [](const std::filesystem::path& /*path*/, support::SourceManager& /*sources*/,
-                   support::DiagnosticEngine& /*diagnostics*/,
-                   std::any& /*own*/) { return support::Result<void>(); },
+    .load_own =
+        [](const std::filesystem::path& /*path*/, support::SourceManager& /*sources*/,
+           support::DiagnosticEngine& /*diagnostics*/, std::any& own) {
+          own = OwnOfAToy();
+          return support::Result<void>();
+        },
     .vehicle_keys = {},
     .read_vehicle = [](Fields& /*fields*/, std::any& /*own*/) {},
-    .text_of = [](const std::any& /*own*/) { return std::string(); },
-    .apply_drawn = [](const DrawnFaults& /*drawn*/, std::any& /*own*/) {},
-    .overtime_of = [](const std::any& /*own*/) { return 0.0; },
+    .text_of =
+        [](const std::any& own) {
+          return std::any_cast<OwnOfAToy>(&own) != nullptr ? std::string("a toy") : std::string();
+        },
+    .apply_drawn = [](const DrawnFaults& /*drawn*/,
+                      std::any& own) { (void)std::any_cast<OwnOfAToy&>(own); },
+    .overtime_of =
+        [](const std::any& own) { return std::any_cast<OwnOfAToy>(&own) != nullptr ? 600.0 : 0.0; },
     .make_seat = [](const SeatSetup& setup) -> std::unique_ptr<SimulatedSeat> {
       return std::make_unique<ToySeat>(setup);
     }};

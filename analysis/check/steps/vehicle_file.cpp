@@ -24,13 +24,15 @@ support::Result<void> vehicleFile(Run& run) {
     run.file.own_mission = family == nullptr ? nullptr : family->usual_own_mission();
     return {};
   }
-  const vehicles::Vehicle& family = vehicles::vehicleOfFile(path);
-  if (const std::string& mine = run.platform().family; !mine.empty() && mine != family.name) {
+  const vehicles::Vehicle* mine = vehicles::vehicleOf(run.platform());
+  const vehicles::Vehicle& of_file = vehicles::vehicleOfFile(path, mine);
+  if (!of_scenario && mine != nullptr && mine != &of_file) {
     return support::fail(support::diagnostics::skeletonErrors, path,
                          fmt::format("it is for vehicles of the family `{}`, and `{}` is of `{}`",
-                                     family.name, run.platform().name, mine));
+                                     of_file.name, run.platform().name, mine->name));
   }
   // Its errors were shown when it was read first.
+  const vehicles::Vehicle& family = of_scenario && mine != nullptr ? *mine : of_file;
   auto own = family.read_own_mission(path, *run.file.compilation->sources, {});
   if (!own) {
     return std::unexpected(own.error());

@@ -3,6 +3,8 @@
 
 #include "analysis/check/run.h"
 
+#include <fmt/format.h>
+
 #include <string>
 #include <utility>
 
@@ -15,6 +17,10 @@ using Subject = report::Remark::Subject;
 support::Result<void> wayHome(Run& run) {
   const vehicles::OwnMission* own = run.file.own_mission.get();
   if (own == nullptr) {
+    run.remark(fmt::format("what the vehicle does if the SBC stops responding is not known: its "
+                           "platform `{}` names no known family of vehicles",
+                           run.platform().name),
+               Subject::WayHome);
     return {};
   }
   if (auto line = own->endlessLine(run.checked())) {

@@ -98,9 +98,10 @@ std::string whyUndecided(const Requirement& requirement, const RunsAnswer& answe
                          const StrategyContext& context) {
   if (answer.bad != Answer::Yes) {
     return requirement.kind == RequirementKind::Reach
-               ? fmt::format("neither a flight that enters the state nor a proof that none does was "
-                             "found ({})",
-                             answer.trouble)
+               ? fmt::format(
+                     "neither a flight that enters the state nor a proof that none does was "
+                     "found ({})",
+                     answer.trouble)
                : fmt::format("no proof was found ({}), and no random flight violated it",
                              answer.trouble);
   }

@@ -396,10 +396,15 @@ void FlightController::leaveOver(const Leftover& leftover) {
   instruction.pitch_rad = -kAbortPitch;
   instruction = hooks::roundToArray(instruction);
   const hooks::InstructionWords words = hooks::wordsOf(instruction);
-  array_.set(Sensor::sci_hook_heartbeat, 1);
-#define WORD(role, sensor, word, ...) array_.set(Sensor::sensor, words.word);
-#define CHECK_WORD(role, sensor, word, line) array_.set(Sensor::sensor, words.word);
+  std::array<std::pair<Sensor, double>, std::size(hooks::kInstructionWords)> on_line;
+#define WORD(role, sensor, word, field, bytes, line) \
+  on_line.at(line) = {Sensor::sensor, words.word};
+#define CHECK_WORD(role, sensor, word, line) on_line.at(line) = {Sensor::sensor, words.word};
 #include "hooks/protocol/instruction.def"
+  array_.set(Sensor::sci_hook_heartbeat, 1);
+  for (const auto& [sensor, value] : on_line) {
+    array_.set(sensor, value);
+  }
 }
 
 void FlightController::failDevice(double now_s) {

@@ -18,17 +18,17 @@ struct SeatEvent {
                ///< link's number
     SbcStuck,  ///< it answers, but its mission time has not advanced for 12 s while it is in
                ///< control: a = its session
-    SbcUnanswered,  ///< hookbeh has not answered an instruction for 12 s: a = its sequence
+    SbcUnanswered,  ///< the vehicle has not answered an instruction for 12 s: a = its sequence
     SbcTransition,  ///< a transition, b from, c to, d fired case, e its list
     SbcNote,        ///< a note from the mission: a = its kind (GliderNoteKind); text
-    BadFrame,       ///< a = frames discarded on both lines since the last such event
+    BadFrame,       ///< a = frames discarded on all its lines since the last such event
     SbcRefused,     ///< speaks another protocol (a = its version), has another sensor dictionary (b
                     ///< = its hash), or one side lacks features that the other needs (c)
     RefusedWrite,   ///< the SBC tried to write sensor a, which is not the hook's; nothing of that
                     ///< frame was written
-    OldInstruction,  ///< hookbeh refuses a repeated instruction: a = its sequence
-    StaleFrame,      ///< a = frames of the SBC and reports of the flight controller in one science
-                 ///< cycle that are ignored because their time is earlier than one reported before
+    OldInstruction,  ///< the vehicle refuses a repeated instruction: a = its sequence
+    StaleFrame,  ///< a = frames of the SBC and reports of the vehicle, since the last finish, that
+                 ///< are ignored because their time is earlier than one reported before
   } kind = Kind::None;
   double mission_time_s =
       0;  ///< SbcTransition, SbcNote: the mission's own; else m_present_secs_into_mission

@@ -17,7 +17,7 @@ import shutil
 import signal
 import subprocess
 
-from source import ROOT
+from mutants_code_parts.source import ROOT
 
 MOST_OBJECTS = 12  # of a header; one that more include is built with the whole tree, not here
 

@@ -8,8 +8,8 @@ them by name, in the order of the tables; its docstring says what an operator do
 
 import re
 
-from operators_structure import STRUCTURE
-from operators_text import arguments, top_level
+from mutants_code_parts.operators_structure import STRUCTURE
+from mutants_code_parts.operators_text import arguments, top_level
 
 
 def boundary(source):

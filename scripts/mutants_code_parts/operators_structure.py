@@ -4,7 +4,7 @@
 
 import re
 
-from operators_text import arguments
+from mutants_code_parts.operators_text import arguments
 
 _STATEMENT = re.compile(
     r"^[ ]+(?!return\b|break\b|continue\b|using\b|const\b|auto\b|constexpr\b|case\b|default\b|static\b|delete\b)"

@@ -8,9 +8,9 @@ import hashlib
 import itertools
 import subprocess
 
-from operators import OPERATORS
-from source import ROOT, Source
-from suites import SUITES, suites_of
+from mutants_code_parts.operators import OPERATORS
+from mutants_code_parts.source import ROOT, Source
+from mutants_code_parts.suites import SUITES, suites_of
 
 FOLDERS = sorted({prefix.split("/")[0] for prefix in SUITES})
 EXEMPT = ROOT / "tests/mutants_code/exempt.csv"

@@ -10,7 +10,7 @@ import csv
 import functools
 import re
 
-from source import ROOT, Source
+from mutants_code_parts.source import ROOT, Source
 
 FOLDERS = ("hooks/hookbeh", "hooks/hookprog")
 TABLE = ROOT / "tests/mutants_code/requirements.csv"

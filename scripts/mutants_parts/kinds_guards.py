@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Faults in guards: comparisons, thresholds, logic, sensors, clocks."""
 
-from kinds import kind
-from kinds_structure import other
-from platform_sensors import PLAUSIBLE, SENSORS, of_another_unit, of_the_same_unit
+from mutants_parts.kind import kind
+from mutants_parts.kinds_structure import other
+from mutants_parts.platform_sensors import PLAUSIBLE, SENSORS, of_another_unit, of_the_same_unit
 
 CLOCKS = ("missiontime", "statetime", "resumetime")
 TURNED = {"<": ">", ">": "<", "<=": ">=", ">=": "<="}

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Faults in states, cases, transitions, statements and commands."""
 
-from kinds import kind
+from mutants_parts.kind import kind
 
 
 def transitions(m, *words):

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Faults in numbers, units, arguments, positions, sensor lists and variables."""
 
-from kinds import kind
-from kinds_structure import expression_end, other
+from mutants_parts.kind import kind
+from mutants_parts.kinds_structure import expression_end, other
 
 OTHER_UNITS = {"m": ("cm", "km", "ft"), "km": ("m", "nmi"), "deg": ("rad",), "rad": ("deg",), "h": ("s", "min"),
                "min": ("s", "h"), "s": ("min", "h"), "V": ("A",), "degC": ("m",)}

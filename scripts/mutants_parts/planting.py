@@ -8,8 +8,9 @@ import itertools
 import pathlib
 import re
 
-from kinds import KINDS, edited
-from mission_text import Mission
+from mutants_parts.kind import edited
+from mutants_parts.kinds import KINDS
+from mutants_parts.mission_text import Mission
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 

@@ -5,7 +5,7 @@
 import collections
 import csv
 
-from kinds import KINDS
+from mutants_parts.kinds import KINDS
 
 OUTCOMES = ("error", "warning", "promise", "flight", "equivalent", "missed", "escape")
 COLUMNS = ("planted", "error", "warning", "promise", "flight", "equivalent", "missed", "escapes")

@@ -5,9 +5,9 @@
 import math
 import statistics
 
-from logs import between, settled
-from rows import MOST, row
-from vehicle_rows import SETTLED, commands, dives
+from world_parts.logs import between, settled
+from world_parts.rows import MOST, row
+from world_parts.vehicle_rows import SETTLED, commands, dives
 
 EARTH = 6371000.0  # m
 TO_WAYPOINT = 0  # value of cc_final_heading_mode

@@ -11,10 +11,10 @@ import dataclasses
 import math
 import statistics
 
-from logs import LATE
-from place_rows import fix_delays
-from rows import HOLDS, LEAST, MOST, NOT_HERE, Line, Seen, worst
-from vehicle_rows import steady
+from world_parts.logs import LATE
+from world_parts.place_rows import fix_delays
+from world_parts.rows import HOLDS, LEAST, MOST, NOT_HERE, Line, Seen, worst
+from world_parts.vehicle_rows import steady
 
 USUAL = 0.95  # the share of readings whose noise the row covers: the others are waves, gradients and false readings
 # x[k] minus the mean of its neighbours has 1.5 times the variance of one reading, the difference of two readings 2 times.

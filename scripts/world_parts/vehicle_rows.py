@@ -8,8 +8,8 @@ Depths are those of the flight controller (`depth_motion`), unless a method says
 import bisect
 import statistics
 
-from logs import between, depth_motion, without_false
-from rows import LEAST, MOST, row
+from world_parts.logs import between, depth_motion, without_false
+from world_parts.rows import LEAST, MOST, row
 
 DIVE, SURFACE = 1, 0  # values of cc_final_depth_state_mode; 2 is climb
 SERVO = 3  # value of cc_final_pitch_mode: a pitch in rad

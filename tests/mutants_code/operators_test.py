@@ -9,11 +9,11 @@ import unittest
 
 sys.dont_write_bytecode = True
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "scripts/mutants_code_parts"))
+sys.path.insert(0, str(ROOT / "scripts"))
 
-import planting_code  # noqa: E402
-from operators import OPERATORS  # noqa: E402
-from source import Source  # noqa: E402
+from mutants_code_parts import planting_code  # noqa: E402
+from mutants_code_parts.operators import OPERATORS  # noqa: E402
+from mutants_code_parts.source import Source  # noqa: E402
 
 
 def planted(operator, text, path="hooks/x.cpp"):

@@ -9,13 +9,10 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.dont_write_bytecode = True
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parent), str(ROOT / "scripts" / "world_parts")]
+sys.path[:0] = [str(pathlib.Path(__file__).resolve().parent), str(ROOT / "scripts")]
 
-import logs as log_files  # noqa: E402
-import place_rows  # noqa: E402
-import rows  # noqa: E402
-import sensor_rows  # noqa: E402
-import vehicle_rows  # noqa: E402
+from world_parts import logs as log_files  # noqa: E402
+from world_parts import place_rows, rows, sensor_rows, vehicle_rows  # noqa: E402
 from flight import PLATFORM, Flight, log_text  # noqa: E402
 
 

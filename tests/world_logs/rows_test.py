@@ -14,7 +14,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 SCRIPT = ROOT / "scripts" / "world_against_logs"
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+sys.path[:0] = [str(pathlib.Path(__file__).resolve().parent), str(ROOT / "scripts")]
 
 from flight import PLATFORM, START, Flight  # noqa: E402
 
@@ -27,10 +27,8 @@ def load():
 
 
 WORLD = load()
-import logs as log_files  # noqa: E402
-import place_rows  # noqa: E402
-import rows  # noqa: E402
-import sensor_rows  # noqa: E402
+from world_parts import logs as log_files  # noqa: E402
+from world_parts import place_rows, rows, sensor_rows  # noqa: E402
 
 
 def log_of(text, every_cycle=True):

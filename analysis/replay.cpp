@@ -7,7 +7,7 @@
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/context/requirement_monitor.h"
 #include "simulator/replay/replay.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/flights.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 
 #include "campaign/campaign_table.h"
 #include "support/csv.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/flights.h"
 #include "support/files.h"
 
 #include <fmt/format.h>

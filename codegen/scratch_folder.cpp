@@ -3,7 +3,7 @@
 
 #include "codegen/scratch_folder.h"
 
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/files.h"
 
 #include <cerrno>
 #include <cstdio>

@@ -5,7 +5,7 @@
 
 #include "codegen/digest.h"
 #include "compiler/proving.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/command.h"
 #include "support/one_line.h"
 
 #include <fmt/format.h>

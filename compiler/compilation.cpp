@@ -11,7 +11,7 @@
 #include "ir/text/read.h"
 #include "ir/verify/verify.h"
 #include "platforms/load/load_platform.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/command.h"
 #include "support/files.h"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include "compiler/share.h"
 #include "frontend/import/imports.h"
 #include "platforms/load/load_platform.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/command.h"
 #include "support/files.h"
 
 #include <filesystem>

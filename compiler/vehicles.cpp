@@ -6,7 +6,7 @@
 #include "compiler/compilation.h"
 #include "compiler/share.h"
 #include "platforms/load/load_platform.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/command.h"
 
 #include <fmt/ranges.h>
 

@@ -3,7 +3,7 @@
 
 #include "compiler/vehicles_own.h"
 
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/command.h"
 
 #include <fmt/format.h>
 

@@ -13,8 +13,8 @@
 #include "driver/output/print_pdf.h"
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
+#include "support/diagnostics/ids/command.h"
 #include "support/diagnostics/ids/verification.h"
-#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 #include "vehicles/vehicle.h"
 

@@ -14,7 +14,7 @@
 #include "driver/terminal.h"
 #include "frontend/ast/print.h"
 #include "ir/text/print.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/command.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>

@@ -11,7 +11,7 @@
 #include "driver/shared_options.h"
 #include "driver/slocum/against_logs.h"
 #include "driver/terminal.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/command.h"
 #include "support/files.h"
 #include "vehicles/vehicle.h"
 

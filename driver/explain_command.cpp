@@ -7,7 +7,7 @@
 #include "driver/terminal.h"
 #include "frontend/spelling.h"
 #include "support/diagnostics/diagnostic.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/command.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -10,7 +10,7 @@
 #include "driver/terminal.h"
 #include "frontend/constructs.h"
 #include "support/diagnostics/fixes.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/command.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>

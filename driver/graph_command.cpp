@@ -8,7 +8,7 @@
 #include "driver/exit_code.h"
 #include "driver/terminal.h"
 #include "ir/verify/promela.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/command.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>

@@ -7,8 +7,8 @@
 #include "driver/slocum/data_log.h"
 #include "driver/terminal.h"
 #include "logs/render.h"
+#include "support/diagnostics/ids/command.h"
 #include "support/diagnostics/ids/vehicle.h"
-#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>

@@ -7,6 +7,7 @@
 #include "driver/terminal.h"
 #include "ir/core/ops.h"
 #include "platforms/generate/sensor_header.h"
+#include "platforms/load/default_platform.h"
 #include "platforms/load/dictionary.h"
 #include "platforms/load/platform.h"
 
@@ -27,7 +28,7 @@ using platforms::Platform;
 using platforms::PlatformSensor;
 
 struct PlatformOptions {
-  std::string name = "slocum";
+  std::string name{platforms::kDefaultPlatform};
   bool json = false;
   bool header = false;
 };
@@ -172,7 +173,8 @@ void addPlatformCommand(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("platform", "List a vehicle's sensors, commands and limits");
   auto options = std::make_shared<PlatformOptions>();
-  command->add_option("NAME", options->name, "Vehicle [slocum]");
+  command->add_option("NAME", options->name,
+                      fmt::format("Vehicle [{}]", platforms::kDefaultPlatform));
   CLI::Option* as_json = command->add_flag("--json", options->json, "Write JSON");
   command
       ->add_flag("--header", options->header,

@@ -6,6 +6,7 @@
 #include "compiler/compilation.h"
 #include "flights/launch_choice.h"
 #include "flights/requirement_watch.h"
+#include "platforms/load/default_platform.h"
 #include "report/picture/picture.h"
 #include "simulator/simulator.h"
 #include "support/result.h"
@@ -22,7 +23,7 @@ namespace glider::driver {
 struct SimOptions {
   std::string mission;
   std::string scenario = "default";
-  std::string platform = "slocum";  ///< used if no mission names one
+  std::string platform{platforms::kDefaultPlatform};  ///< used if no mission names one
   std::string board;
   std::string program;
   std::string serial;     ///< the device to which a real SBC is connected; empty: none

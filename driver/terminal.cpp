@@ -4,7 +4,7 @@
 #include "driver/terminal.h"
 
 #include "driver/exit_code.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/files.h"
 #include "support/diagnostics/render.h"
 
 #include <fmt/format.h>

@@ -10,7 +10,7 @@
 #include "frontend/bare_positions.h"
 #include "ir/eval/interpreter.h"
 #include "runtime/launch/launch.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/flights.h"
 #include "support/files.h"
 
 #include <fmt/format.h>

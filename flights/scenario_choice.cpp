@@ -6,7 +6,7 @@
 #include "compiler/share.h"
 #include "simulator/family/family.h"
 #include "simulator/simulator.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/flights.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -35,7 +35,7 @@ struct AnalysisInputs {
   const support::SourceManager& sources;  ///< holds the texts of the mission and the library
 };
 
-/// The platform that `mission` names: "slocum" if it names none.
+/// The platform that `mission` names: platforms::kDefaultPlatform if it names none.
 std::string platformName(const ast::File& mission);
 
 /// Resolves names, types and units (GL2xxx) and lowers the mission to IR. Empty if there was an

@@ -4,7 +4,7 @@
 #include "report/beside.h"
 
 #include "report/figures.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/command.h"
 #include "support/trace/submersions.h"
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include "report/report.h"
 
 #include "report/page.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/command.h"
 #include "support/files.h"
 
 namespace glider::report {

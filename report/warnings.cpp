@@ -5,8 +5,8 @@
 
 #include "report/figures.h"
 #include "report/text.h"
+#include "support/diagnostics/ids/flights.h"
 #include "support/diagnostics/ids/vehicle.h"
-#include "support/diagnostics/ids/world.h"
 #include "support/utc.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 
 #include "support/program.h"
 
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/command.h"
 
 #include <array>
 #include <cerrno>

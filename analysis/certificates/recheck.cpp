@@ -8,7 +8,7 @@
 #include "flights/launch_choice.h"
 #include "flights/sbc_choice.h"
 #include "ir/certify/obligations.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/command.h"
 #include "support/program.h"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 
 #include "campaign/workers/mpi/ranks_abi.h"
 #include "compiler/share.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/flights.h"
 
 #include <fmt/format.h>
 

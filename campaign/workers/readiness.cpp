@@ -5,7 +5,7 @@
 
 #include "campaign/workers/fields.h"
 #include "campaign/workers/host.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/flights.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

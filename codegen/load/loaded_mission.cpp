@@ -4,7 +4,7 @@
 #include "codegen/load/loaded_mission.h"
 
 #include "codegen/scratch_folder.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/command.h"
 
 #include <fmt/format.h>
 

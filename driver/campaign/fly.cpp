@@ -7,7 +7,7 @@
 #include "driver/interruption.h"
 #include "driver/output/flight_files.h"
 #include "driver/terminal.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/files.h"
 #include "support/files.h"
 
 #include <fmt/format.h>

@@ -14,7 +14,7 @@
 #include "ir/prove/abstract/end_bound.h"
 #include "ir/prove/context/duration_text.h"
 #include "ir/text/print.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/flights.h"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include "report/report.h"
 #include "report/warnings.h"
 #include "support/csv.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/files.h"
 #include "support/files.h"
 
 #include <fmt/format.h>

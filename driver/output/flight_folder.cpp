@@ -4,7 +4,8 @@
 #include "driver/output/flight_folder.h"
 
 #include "compiler/boards.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/command.h"
+#include "support/diagnostics/ids/files.h"
 #include "support/files.h"
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include "driver/output/print_pdf.h"
 
 #include "driver/output/flight_folder.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/command.h"
 #include "support/files.h"
 #include "support/program.h"
 

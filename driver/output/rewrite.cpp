@@ -3,7 +3,7 @@
 
 #include "driver/output/rewrite.h"
 
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/files.h"
 #include "support/files.h"
 
 #include <system_error>

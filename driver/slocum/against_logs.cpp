@@ -11,7 +11,7 @@
 #include "report/against_marks.h"
 #include "report/picture/against_picture.h"
 #include "report/report.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/command.h"
 #include "support/files.h"
 #include "vehicles/slocum/data_tables/merge.h"
 #include "vehicles/slocum/data_traces/flight_trace.h"

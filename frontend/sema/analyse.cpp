@@ -12,6 +12,7 @@
 #include "frontend/sema/states/lower_behaviour.h"
 #include "frontend/sema/states/lower_case.h"
 #include "frontend/sema/states/lower_state.h"
+#include "platforms/load/default_platform.h"
 
 namespace glider::frontend {
 
@@ -21,7 +22,7 @@ std::string platformName(const ast::File& mission) {
       return line->name.text;
     }
   }
-  return "slocum";
+  return std::string(platforms::kDefaultPlatform);
 }
 
 std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInputs& inputs,

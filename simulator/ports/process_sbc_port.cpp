@@ -4,7 +4,7 @@
 #include "simulator/ports/process_sbc_port.h"
 
 #include "simulator/faults/card_damage.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/ports.h"
 #include "support/program.h"
 
 #include <fmt/format.h>

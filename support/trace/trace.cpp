@@ -3,7 +3,7 @@
 
 #include "support/trace/trace.h"
 
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/flights.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/flights.h"
 #include "support/trace/trace.h"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 // weakened, or that could change the question.
 
 #include "compiler/proving.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/command.h"
 #include "support/files.h"
 #include "support/program.h"
 #include "tests/certificates/issued.h"

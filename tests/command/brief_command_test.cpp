@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "tests/support/command.h"
+#include "tests/support/replaced.h"
 
 #include <gtest/gtest.h>
 
@@ -37,12 +38,6 @@ begin
     case statetime >= 10 min exit
 end
 )";
-
-std::string with(std::string text, const std::string& before, const std::string& after) {
-  const size_t at = text.find(before);
-  EXPECT_NE(at, std::string::npos) << before;
-  return text.replace(at, before.size(), after);
-}
 
 /// The page without its tags, and with each run of spaces as one.
 std::string textOf(const std::string& page) {
@@ -116,7 +111,7 @@ TEST_F(BriefCommand, DigestsAreThoseOfTheFiles) {
 }
 
 TEST_F(BriefCommand, AViolatedRequirementStandsOut) {
-  const Outcome outcome = brief(with(kBriefMission, "<= 30 m", "<= 22 m"));
+  const Outcome outcome = brief(replaced(kBriefMission, "<= 30 m", "<= 22 m"));
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.err, HasSubstr("GL3110"));
   EXPECT_THAT(textOf(page()),
@@ -126,7 +121,7 @@ TEST_F(BriefCommand, AViolatedRequirementStandsOut) {
 }
 
 TEST_F(BriefCommand, AMissionWithErrorsHasNoPage) {
-  const Outcome outcome = brief(with(kBriefMission, "goto home", "goto nowhere"));
+  const Outcome outcome = brief(replaced(kBriefMission, "goto home", "goto nowhere"));
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.err, HasSubstr("nowhere"));
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "survey-brief.html"));
@@ -134,7 +129,7 @@ TEST_F(BriefCommand, AMissionWithErrorsHasNoPage) {
 
 TEST_F(BriefCommand, WarningsAreOnThePage) {
   const Outcome outcome =
-      brief(with(kBriefMission, "state look", "var n : number = 0\nstate look"));
+      brief(replaced(kBriefMission, "state look", "var n : number = 0\nstate look"));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(textOf(page()), AllOf(HasSubstr("There is 1 warning, listed below."),
                                     HasSubstr("line 5: n is a variable"), HasSubstr("GL2057")));
@@ -159,11 +154,11 @@ TEST_F(BriefCommand, TheSkeletonSaysWhenTheVehicleTakesOver) {
 }
 
 TEST_F(BriefCommand, MissingCodeInCLeavesTheDigestOut) {
-  const std::string text = with(kBriefMission, "state look",
-                                "extern function density(t: temperature): number in 0 .. 2\n"
-                                "state look");
+  const std::string text = replaced(kBriefMission, "state look",
+                                    "extern function density(t: temperature): number in 0 .. 2\n"
+                                    "state look");
   const Outcome outcome =
-      brief(with(text, "temp > 20 degC ", "density(temp) > 1 || temp > 20 degC "));
+      brief(replaced(text, "temp > 20 degC ", "density(temp) > 1 || temp > 20 degC "));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(textOf(page()), AllOf(HasSubstr("density"), HasSubstr("link it with --link FILE")));
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "tests/support/command.h"
+#include "tests/support/replaced.h"
 
 #include <gtest/gtest.h>
 
@@ -35,14 +36,6 @@ begin
 end
 )";
 
-std::string with(std::string text, const std::string& before, const std::string& after) {
-  for (size_t at = text.find(before); at != std::string::npos;
-       at = text.find(before, at + after.size())) {
-    text.replace(at, before.size(), after);
-  }
-  return text;
-}
-
 Outcome diff(const std::string& before, const std::string& after, const std::string& options = "") {
   const TemporaryFolder folder;
   return runShell("$GLIDERCC diff " + options + " " + folder.write("old.mission", before).string() +
@@ -51,22 +44,22 @@ Outcome diff(const std::string& before, const std::string& after, const std::str
 
 TEST(DiffCommand, CommentsAndNamesOfConstantsAreNoDifference) {
   const std::string same =
-      with(with(kOld, "mission survey", "mission survey\n# deeper\nconst deepest = 20 m"),
-           "yo(5 m, 20 m, 26 deg, 26 deg)", "yo(5 m,\n     deepest, 26 deg, 26 deg)");
+      replaced(replaced(kOld, "mission survey", "mission survey\n# deeper\nconst deepest = 20 m"),
+               "yo(5 m, 20 m, 26 deg, 26 deg)", "yo(5 m,\n     deepest, 26 deg, 26 deg)");
   const Outcome outcome = diff(kOld, same);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "no difference in behaviour\n");
 }
 
 TEST(DiffCommand, AStateThatWasOnlyRenamedIsNamed) {
-  const Outcome outcome = diff(kOld, with(kOld, "report", "home"));
+  const Outcome outcome = diff(kOld, replaced(kOld, "report", "home"));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "names\n  `report` is now `home`\nno difference in behaviour\n");
 }
 
 TEST(DiffCommand, AProfileGuardsBoundsVerdictsAndTheFlight) {
   const Outcome outcome =
-      diff(kOld, with(with(kOld, "20 m", "28 m"), "temp > 40 degC", "temp > 20 degC"));
+      diff(kOld, replaced(replaced(kOld, "20 m", "28 m"), "temp > 40 degC", "temp > 20 degC"));
   EXPECT_EQ(outcome.status, 1) << outcome.err;
   EXPECT_THAT(
       outcome.out,
@@ -84,7 +77,7 @@ TEST(DiffCommand, AProfileGuardsBoundsVerdictsAndTheFlight) {
 }
 
 TEST(DiffCommand, AGuardPartsTheFlightWhereItFires) {
-  const Outcome outcome = diff(kOld, with(kOld, "temp > 40 degC", "missiontime > 1000 s"));
+  const Outcome outcome = diff(kOld, replaced(kOld, "temp > 40 degC", "missiontime > 1000 s"));
   EXPECT_EQ(outcome.status, 1) << outcome.err;
   EXPECT_THAT(
       outcome.out,
@@ -93,21 +86,21 @@ TEST(DiffCommand, AGuardPartsTheFlightWhereItFires) {
 }
 
 TEST(DiffCommand, WhatNoScenarioShowsIsFoundWithRandomReadings) {
-  const Outcome outcome = diff(kOld, with(kOld, "temp > 40 degC", "temp > 41 degC"));
+  const Outcome outcome = diff(kOld, replaced(kOld, "temp > 40 degC", "temp > 41 degC"));
   EXPECT_EQ(outcome.status, 1) << outcome.err;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("random readings: both do the same until "),
                                  HasSubstr("old: goes to `report`"), HasSubstr("temp = 40.")));
 }
 
 TEST(DiffCommand, AddedRemovedAndMovedCasesAndStates) {
-  const std::string after =
-      with(with(with(kOld, "    case temp > 40 degC       goto report\n", ""),
-                "    case missiontime >= limit goto report\n",
-                "    case missiontime >= limit goto deep\n    case depth > 18 m goto report\n"),
-           "state report",
-           "state deep\nbegin\n  flightprofile yo(5 m, 22 m, 26 deg, 26 deg)\n"
-           "  sensors statetime\n  events\n    case statetime > 1 min goto report\nend\n"
-           "state report");
+  const std::string after = replaced(
+      replaced(replaced(kOld, "    case temp > 40 degC       goto report\n", ""),
+               "    case missiontime >= limit goto report\n",
+               "    case missiontime >= limit goto deep\n    case depth > 18 m goto report\n"),
+      "state report",
+      "state deep\nbegin\n  flightprofile yo(5 m, 22 m, 26 deg, 26 deg)\n"
+      "  sensors statetime\n  events\n    case statetime > 1 min goto report\nend\n"
+      "state report");
   const Outcome outcome = diff(kOld, after, "--no-flights");
   EXPECT_EQ(outcome.status, 1) << outcome.err;
   EXPECT_THAT(outcome.out,
@@ -121,8 +114,9 @@ TEST(DiffCommand, AddedRemovedAndMovedCasesAndStates) {
 }
 
 TEST(DiffCommand, ParametersAndTheirRanges) {
-  const Outcome outcome = diff(
-      kOld, with(kOld, "= 30 min in 10 min .. 1 h", "= 20 min in 10 min .. 2 h"), "--no-flights");
+  const Outcome outcome =
+      diff(kOld, replaced(kOld, "= 30 min in 10 min .. 1 h", "= 20 min in 10 min .. 2 h"),
+           "--no-flights");
   EXPECT_EQ(outcome.status, 1) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("parameters\n  `limit`: 1800 s in 600 s .. 3600 s → 1200 s in "
                                      "600 s .. 7200 s\n"));
@@ -131,15 +125,15 @@ TEST(DiffCommand, ParametersAndTheirRanges) {
 /// They change no behaviour, but what is proved.
 TEST(DiffCommand, AssumptionsAndWhatRestsOnThem) {
   const std::string under =
-      with(kOld, "require", "assume temp <= 30 degC\nrequire never temp > 31 degC\nrequire");
-  const std::string bare = with(under, "assume temp <= 30 degC\n", "");
+      replaced(kOld, "require", "assume temp <= 30 degC\nrequire never temp > 31 degC\nrequire");
+  const std::string bare = replaced(under, "assume temp <= 30 degC\n", "");
   const Outcome lost = diff(under, bare);
   EXPECT_EQ(lost.status, 0) << lost.err;
   EXPECT_THAT(lost.out, HasSubstr("assumptions\n  assume temp <= 30 degC: no longer\n"));
   EXPECT_THAT(
       lost.out,
       HasSubstr("require never temp > 31 degC: proved (assuming `temp <= 30 degC`) → refuted"));
-  const Outcome other = diff(under, with(under, "temp <= 30 degC", "temp <= 25 degC"));
+  const Outcome other = diff(under, replaced(under, "temp <= 30 degC", "temp <= 25 degC"));
   EXPECT_THAT(
       other.out,
       HasSubstr(
@@ -149,7 +143,7 @@ TEST(DiffCommand, AssumptionsAndWhatRestsOnThem) {
 }
 
 TEST(DiffCommand, ErrorsAreNotCompared) {
-  const Outcome outcome = diff(kOld, with(kOld, "goto report", "goto nowhere"));
+  const Outcome outcome = diff(kOld, replaced(kOld, "goto report", "goto nowhere"));
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, HasSubstr("[GL2001 unknown-state]"));
   EXPECT_EQ(runShell("$GLIDERCC diff /no/such.mission /no/other.mission").status, 2);

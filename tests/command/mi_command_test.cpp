@@ -4,6 +4,7 @@
 // Missions of the vehicle's own: `glidercc mi` and `glidercc sim FILE.mi`.
 
 #include "tests/support/command.h"
+#include "tests/support/replaced.h"
 
 #include <gtest/gtest.h>
 
@@ -41,9 +42,6 @@ class MiCommand : public ::testing::Test {
   }
   [[nodiscard]] std::string text(const std::string& file) const {
     return slurp(folder_.path() / file);
-  }
-  static std::string with(std::string text, const std::string& from, const std::string& to) {
-    return text.replace(text.find(from), from.size(), to);
   }
 
   const TemporaryFolder folder_;
@@ -165,10 +163,10 @@ TEST_F(MiCommand, ChangesOneNumberAndNoOtherByte) {
     const Outcome changed = glidercc("mi survey.mi --set " + row.edit);
     EXPECT_EQ(changed.status, 0) << changed.err;
     EXPECT_EQ(text("survey.mi"),
-              row.file == "survey.mi" ? with(kMiMission, row.from, row.to) : kMiMission)
+              row.file == "survey.mi" ? replaced(kMiMission, row.from, row.to) : kMiMission)
         << row.edit;
     EXPECT_EQ(text("yo07.ma"),
-              row.file == "yo07.ma" ? with(kArguments, row.from, row.to) : kArguments)
+              row.file == "yo07.ma" ? replaced(kArguments, row.from, row.to) : kArguments)
         << row.edit;
   }
 }
@@ -180,7 +178,7 @@ TEST_F(MiCommand, ChangesSeveralAtOnceAndShowsThemFirst) {
   EXPECT_THAT(shown.out, HasSubstr("100000"));
   EXPECT_EQ(text("survey.mi"), kMiMission) << "nothing is written";
   EXPECT_EQ(glidercc("mi survey.mi" + sets).status, 0);
-  EXPECT_EQ(text("survey.mi"), with(with(kMiMission, "7200", "100000"), "1200", "60"));
+  EXPECT_EQ(text("survey.mi"), replaced(replaced(kMiMission, "7200", "100000"), "1200", "60"));
 }
 
 TEST_F(MiCommand, RefusesWhatIsNotThere) {

@@ -5,6 +5,7 @@
 // on.
 
 #include "tests/flights/flight.h"
+#include "tests/support/replaced.h"
 
 #include <gtest/gtest.h>
 
@@ -18,20 +19,14 @@ constexpr double kLeastAltitude = 5;  // min_altitude of skeleton.mi
 constexpr double kTurn = 4;
 
 /// `text` with `from` replaced by `to`.
-std::string with(std::string text, const std::string& from, const std::string& to) {
-  const size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
 /// Figure 2 in the default world over a bottom `water_depth` deep with bumps of `bump` m.
 Flight flyOver(double water_depth, double bump) {
   const TemporaryFolder folder;
   (void)folder.write("skeleton.mi", slurp(project("scenarios/skeleton.mi")));
   std::string world = slurp(project("scenarios/default.toml"));
-  world = with(world, "water_depth_m = 80.0", "water_depth_m = " + std::to_string(water_depth));
-  world = with(world, "bottom_height_m = 4.0", "bottom_height_m = " + std::to_string(bump));
-  world = with(world, "bottom_wavelength_m = 900.0", "bottom_wavelength_m = 300.0");
+  world = replaced(world, "water_depth_m = 80.0", "water_depth_m = " + std::to_string(water_depth));
+  world = replaced(world, "bottom_height_m = 4.0", "bottom_height_m = " + std::to_string(bump));
+  world = replaced(world, "bottom_wavelength_m = 900.0", "bottom_wavelength_m = 300.0");
   const auto scenario = folder.write("shallow.toml", world);
   return fly(project("missions/figure2.mission") + " --scenario " + scenario.string());
 }

@@ -5,8 +5,8 @@
 
 #include "codegen/scratch_folder.h"
 #include "ir/core/c_symbols.h"
+#include "support/diagnostics/ids/files.h"
 #include "support/diagnostics/ids/target.h"
-#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 
 #include <fmt/ranges.h>

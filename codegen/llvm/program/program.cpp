@@ -3,7 +3,7 @@
 
 #include "codegen/llvm/program/program.h"
 
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/command.h"
 #include "support/files.h"
 
 #include <llvm/Bitcode/BitcodeReader.h>

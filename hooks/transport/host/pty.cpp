@@ -4,7 +4,7 @@
 #include "hooks/transport/host/pty.h"
 
 #include "hooks/transport/descriptor.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/ports.h"
 
 #include <array>
 #include <cerrno>

@@ -5,7 +5,7 @@
 
 #include "hooks/transport/descriptor.h"
 #include "hooks/transport/termios.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/ports.h"
 
 #include <libserialport.h>
 

@@ -4,8 +4,10 @@
 // The table of flights: its contents, and that it is read back as it was written.
 
 #include "campaign/campaign.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/files.h"
+#include "support/diagnostics/ids/flights.h"
 #include "tests/support/command.h"
+#include "tests/support/replaced.h"
 #include "tests/unit/campaign/small_plan.h"
 
 #include <gtest/gtest.h>
@@ -77,13 +79,6 @@ class CampaignCsv : public ::testing::Test {
   CampaignResult result_;
 };
 
-/// `text` with the first `from` in it as `to`.
-std::string with(std::string text, const std::string& from, const std::string& to) {
-  const size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
-
 TEST_F(CampaignCsv, BeginsWithWhatItBelongsToAndItsColumns) {
   EXPECT_EQ(csvHead("id"),
             "# glidercc campaign id\nflight,mission,fault,when,sbc,seed,outcome,releases,"
@@ -113,7 +108,8 @@ TEST_F(CampaignCsv, ARowHasTheRequirementsThatTheFlightViolates) {
   EXPECT_EQ(again.verdicts[0]->requirements, (std::vector<size_t>{0, 1, 3}));
   for (const char* wrong : {"1;3,2", "0,2", "1;,2", "one,2", "2;2x,2", "1;2,3", "1;2,0", "1;2"}) {
     CampaignResult refused;
-    EXPECT_FALSE(read(csvHead("id") + with(row(0), "1;2,2\n", std::string(wrong) + "\n"), refused))
+    EXPECT_FALSE(read(csvHead("id") + tests::replaced(row(0), "1;2,2\n", std::string(wrong) + "\n"),
+                      refused))
         << wrong;
   }
 }
@@ -185,20 +181,21 @@ TEST_F(CampaignCsv, RowsOfOtherFlightsAreRefusedWithTheirLine) {
     return refusal(csvHead("id") + row(0) + bad + row(3));
   };
   EXPECT_THAT(line("\n"), HasSubstr("line 4 is not a flight of this campaign; remove that line"));
-  EXPECT_THAT(line(with(row(1), "1,", "6,")), HasSubstr("line 4")) << "there is none";
-  EXPECT_THAT(line(with(row(1), "1,", "5,")), HasSubstr("line 4")) << "that one is another's";
-  EXPECT_THAT(line(with(row(1), "1,", "one,")), HasSubstr("line 4"));
-  EXPECT_THAT(line(with(row(1), ",2,17,", ",2x,17,")), HasSubstr("line 4"));
-  EXPECT_THAT(line(with(row(1), ",2,17,", ",2,17x,")), HasSubstr("line 4"));
-  EXPECT_THAT(line(with(row(1), "1234.5", "later")), HasSubstr("line 4"));
-  EXPECT_THAT(line(with(row(1), "20.0625", "")), HasSubstr("line 4"));
-  EXPECT_THAT(line(with(row(1), "exited after release", "exited")), HasSubstr("line 4"));
-  EXPECT_THAT(line(with(row(1), "exited after release", "sunk")), HasSubstr("line 4"));
-  EXPECT_THAT(line(with(row(1), "two", "three")), HasSubstr("line 4"));
-  EXPECT_THAT(line(with(row(1), "320", "321")), HasSubstr("line 4")) << "another seed";
-  EXPECT_THAT(line(with(row(1), "\"\",,\n", "\"\",,,more\n")), HasSubstr("line 4"));
-  EXPECT_THAT(line(with(row(1), ",,\"\",,\n", ",\"\",,\n")), HasSubstr("line 4"));
-  EXPECT_THAT(line(with(row(4), ",0.1,", ",,")), HasSubstr("line 4"));
+  EXPECT_THAT(line(tests::replaced(row(1), "1,", "6,")), HasSubstr("line 4")) << "there is none";
+  EXPECT_THAT(line(tests::replaced(row(1), "1,", "5,")), HasSubstr("line 4"))
+      << "that one is another's";
+  EXPECT_THAT(line(tests::replaced(row(1), "1,", "one,")), HasSubstr("line 4"));
+  EXPECT_THAT(line(tests::replaced(row(1), ",2,17,", ",2x,17,")), HasSubstr("line 4"));
+  EXPECT_THAT(line(tests::replaced(row(1), ",2,17,", ",2,17x,")), HasSubstr("line 4"));
+  EXPECT_THAT(line(tests::replaced(row(1), "1234.5", "later")), HasSubstr("line 4"));
+  EXPECT_THAT(line(tests::replaced(row(1), "20.0625", "")), HasSubstr("line 4"));
+  EXPECT_THAT(line(tests::replaced(row(1), "exited after release", "exited")), HasSubstr("line 4"));
+  EXPECT_THAT(line(tests::replaced(row(1), "exited after release", "sunk")), HasSubstr("line 4"));
+  EXPECT_THAT(line(tests::replaced(row(1), "two", "three")), HasSubstr("line 4"));
+  EXPECT_THAT(line(tests::replaced(row(1), "320", "321")), HasSubstr("line 4")) << "another seed";
+  EXPECT_THAT(line(tests::replaced(row(1), "\"\",,\n", "\"\",,,more\n")), HasSubstr("line 4"));
+  EXPECT_THAT(line(tests::replaced(row(1), ",,\"\",,\n", ",\"\",,\n")), HasSubstr("line 4"));
+  EXPECT_THAT(line(tests::replaced(row(4), ",0.1,", ",,")), HasSubstr("line 4"));
 }
 
 // The files of parts, read one after another.
@@ -213,7 +210,8 @@ TEST_F(CampaignCsv, FlightsOfSeveralFilesAreMerged) {
 TEST_F(CampaignCsv, AFlightWithTwoOutcomesIsRefused) {
   CampaignResult merged;
   ASSERT_TRUE(read(csvHead("id") + row(0) + row(3), merged));
-  const auto done = read(csvHead("id") + row(1) + with(row(3), "released,3", "released,4"), merged);
+  const auto done =
+      read(csvHead("id") + row(1) + tests::replaced(row(3), "released,3", "released,4"), merged);
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().id, support::diagnostics::campaignNotResumed);
   EXPECT_NE(done.error().message.find("line 4: flight 3 has another outcome"), std::string::npos)

@@ -3,7 +3,7 @@
 
 // A campaign flies each flight that is not known once, and ends when it must.
 
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/files.h"
 #include "tests/unit/campaign/small_plan.h"
 #include "tests/unit/simulator/fake_sbc.h"
 

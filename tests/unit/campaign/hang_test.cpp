@@ -3,7 +3,7 @@
 
 // A flight that does not come back.
 
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/files.h"
 #include "tests/unit/campaign/small_plan.h"
 #include "tests/unit/simulator/fake_sbc.h"
 

@@ -6,7 +6,7 @@
 #include "campaign/campaign.h"
 #include "simulator/scenario/scenario.h"
 #include "simulator/slocum/own_mission.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/files.h"
 #include "tests/support/command.h"
 
 #include <gtest/gtest.h>

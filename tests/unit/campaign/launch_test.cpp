@@ -4,7 +4,7 @@
 // What launchers leave in the environment, and what is refused without MPI.
 
 #include "campaign/campaign.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/flights.h"
 #include "tests/support/command.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,8 @@
 
 // A campaign on several ranks, which here are threads: what rank 0 and the others tell each other.
 
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/files.h"
+#include "support/diagnostics/ids/flights.h"
 #include "tests/unit/campaign/joined_ranks.h"
 #include "tests/unit/campaign/small_plan.h"
 

@@ -3,8 +3,9 @@
 
 // linkExecutable: what comes out, and what happens when the world does not play along.
 
+#include "support/diagnostics/ids/command.h"
+#include "support/diagnostics/ids/files.h"
 #include "support/diagnostics/ids/target.h"
-#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 #include "tests/unit/codegen/compiled_mission.h"
 

@@ -5,8 +5,8 @@
 
 #include "codegen/load/loaded_mission.h"
 
+#include "support/diagnostics/ids/command.h"
 #include "support/diagnostics/ids/target.h"
-#include "support/diagnostics/ids/world.h"
 #include "tests/slocum.h"
 #include "tests/unit/codegen/compiled_mission.h"
 

@@ -3,9 +3,10 @@
 
 #include "platforms/load/board.h"
 
+#include "support/diagnostics/ids/files.h"
 #include "support/diagnostics/ids/vehicle.h"
-#include "support/diagnostics/ids/world.h"
 #include "tests/support/command.h"
+#include "tests/support/replaced.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -44,10 +45,7 @@ support::Result<Board> load(const std::string& text) {
 }
 
 std::string with(const std::string& from, const std::string& to) {
-  std::string text = kGood;
-  const size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
+  return tests::replaced(kGood, from, to);
 }
 
 TEST(Board, OursLoad) {

@@ -5,9 +5,9 @@
 
 #include "report/findings/uri.h"
 #include "support/diagnostics/engine.h"
+#include "support/diagnostics/ids/files.h"
 #include "support/diagnostics/ids/meaning.h"
 #include "support/diagnostics/ids/syntax.h"
-#include "support/diagnostics/ids/world.h"
 #include "tests/unit/report/sarif_rules.h"
 
 #include <gtest/gtest.h>

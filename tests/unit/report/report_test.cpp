@@ -4,7 +4,7 @@
 #include "report/report.h"
 
 #include "report/page.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/flights.h"
 #include "support/files.h"
 #include "tests/report/sample_trace.h"
 #include "tests/unit/report/small_trace.h"

@@ -5,8 +5,8 @@
 
 #include "vehicles/slocum/rules/way_home.h"
 
+#include "support/diagnostics/ids/files.h"
 #include "support/diagnostics/ids/vehicle.h"
-#include "support/diagnostics/ids/world.h"
 #include "tests/support/command.h"
 #include "vehicles/slocum/mission_files/load.h"
 #include "vehicles/slocum/rules/vehicle_file.h"

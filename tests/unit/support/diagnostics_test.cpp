@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "support/diagnostics/engine.h"
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/files.h"
 #include "support/diagnostics/render.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "support/files.h"
 
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/files.h"
 #include "tests/support/command.h"
 
 #include <gtest/gtest.h>

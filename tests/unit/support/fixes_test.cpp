@@ -3,9 +3,9 @@
 
 #include "support/diagnostics/fixes.h"
 
+#include "support/diagnostics/ids/files.h"
 #include "support/diagnostics/ids/meaning.h"
 #include "support/diagnostics/ids/syntax.h"
-#include "support/diagnostics/ids/world.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 
 #include "vehicles/slocum/data_files/read.h"
 
+#include "support/diagnostics/ids/files.h"
 #include "support/diagnostics/ids/vehicle.h"
-#include "support/diagnostics/ids/world.h"
 #include "support/files.h"
 #include "vehicles/slocum/data_files/blocks.h"
 #include "vehicles/slocum/data_files/header.h"

@@ -3,7 +3,7 @@
 
 #include "vehicles/slocum/data_tables/netcdf.h"
 
-#include "support/diagnostics/ids/world.h"
+#include "support/diagnostics/ids/files.h"
 #include "support/files.h"
 #include "vehicles/slocum/data_tables/netcdf_library.h"
 

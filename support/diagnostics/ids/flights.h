@@ -5,11 +5,11 @@
 
 #include "support/diagnostics/id.h"
 
-/// The diagnostics of world.def.
+/// The diagnostics of flights.def.
 namespace glider::support::diagnostics {
 
 #define DIAGNOSTIC(number, name, ...) inline constexpr DiagnosticId name{number};
-#include "support/diagnostics/world.def"
+#include "support/diagnostics/flights.def"
 #undef DIAGNOSTIC
 
 }  // namespace glider::support::diagnostics

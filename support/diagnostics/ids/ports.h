@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "support/diagnostics/id.h"
+
+/// The diagnostics of ports.def.
+namespace glider::support::diagnostics {
+
+#define DIAGNOSTIC(number, name, ...) inline constexpr DiagnosticId name{number};
+#include "support/diagnostics/ports.def"
+#undef DIAGNOSTIC
+
+}  // namespace glider::support::diagnostics

@@ -92,6 +92,7 @@ OUTAGE : 'outage' ;
 CURRENT : 'current' ;
 KNOWN : 'known' ;
 FIX : 'fix' ;
+AS : 'as' ;
 CHANGES : 'changes' ;
 
 // Units (support/units/units.def) and the letters of positions; `S` and `W` are both. `min` is also the function.

@@ -16,7 +16,7 @@ item
 
 missionLine : MISSION anyName ;
 platformLine : PLATFORM name ;
-importLine : IMPORT STRING ;
+importLine : IMPORT STRING (AS name)? ;
 
 constant : CONST anyName (COLON type)? ASSIGN expr ;
 parameter : PARAM anyName COLON type ASSIGN expr range? (WHERE expr)? ;
@@ -116,6 +116,7 @@ expr
   | expr AND expr                                  # binaryExpr
   | expr OR expr                                   # binaryExpr
   ;
+// A NUMBER before N, S, E or W may be degrees and minutes, `39 10.5`: frontend/parse joins the two.
 primary
   : NUMBER unit? (NUMBER COMPASS)?                 # literal
   | (TRUE | FALSE)                                 # truth
@@ -134,7 +135,7 @@ name
   : NAME | IN | OF | WHERE | DONE | FUNCTION | SENSOR | READS | WITHIN | STACK | REACH | NEVER | AFTER | STALE
   | SURFACES | RESUME | DECLINATION | RESTART | PLACE | CAN | VISIT | PATROL | STRICT | ORDER | FAIRLY | AT | MOST
   | LEAST | EXACTLY | TIMES_WORD | BEFORE | WHENEVER | WHEN | ONLY | NEXT | TICK | FOR | HOLD | UNTIL | OUTSIDE
-  | FROM | TO | ASSUME | START | NO | OUTAGE | CURRENT | KNOWN | FIX | CHANGES
+  | FROM | TO | ASSUME | START | NO | OUTAGE | CURRENT | KNOWN | FIX | AS | CHANGES
   ;
 // A unit's name may name a mission or a state; elsewhere the frontend says why not.
 anyName : name | UNIT | COMPASS | MIN ;

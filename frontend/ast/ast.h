@@ -24,10 +24,10 @@ struct Name {
   bool operator==(const Name&) const = default;
 };
 
-/// `5`, `.5 degC/m`, `39.2 N`. The letter of a position is in `unit`, including the ambiguous `W`
-/// or `S`.
+/// `5`, `.5 degC/m`, `39.2 N`, `39 10.5 N`. The letter of a position is in `unit`, including the
+/// ambiguous `W` or `S`.
 struct Literal {
-  std::string digits;  ///< as written: minutes of a position are read from it exactly
+  std::string digits;  ///< as written: minutes of a position are read from it exactly; "39 10.5"
   std::string unit;    ///< "" for a bare number; without spaces
   Where unit_where;
   bool operator==(const Literal&) const = default;
@@ -485,8 +485,9 @@ struct PlatformLine {
   bool operator==(const PlatformLine&) const = default;
 };
 struct Import {
-  std::string path;  ///< with its quotes, as written
-  Where where;
+  std::string path;             ///< with its quotes, as written
+  std::optional<Name> as = {};  ///< the path that it declares, for a file of waypoints
+  Where where = {};
   bool operator==(const Import&) const = default;
 };
 

@@ -56,7 +56,7 @@ class FilePrinter {
 
   void write(const MissionLine& n) { line("mission " + n.name.text); }
   void write(const PlatformLine& n) { line("platform " + n.name.text); }
-  void write(const Import& n) { line("import " + n.path); }
+  void write(const Import& n) { line("import " + n.path + (n.as ? " as " + n.as->text : "")); }
   void write(const Const& n) {
     const std::string type = n.type ? ": " + n.type->text : "";
     line(fmt::format("const {}{} = {}", n.name.text, type, print(n.value)));

@@ -4,6 +4,7 @@
 #include "frontend/import/imports.h"
 
 #include "frontend/frontend.h"
+#include "frontend/import/waypoint_list.h"
 #include "support/diagnostics/ids/meaning.h"
 #include "support/files.h"
 
@@ -45,7 +46,7 @@ std::string identity(const fs::path& path) {
 /// The file that `name` refers to beside `importer`.
 fs::path locate(const fs::path& importer, const std::string& name) {
   const fs::path plain = (importer.parent_path() / name).lexically_normal();
-  if (plain.extension() == ".mission") {
+  if (plain.extension() == ".mission" || isWaypointList(plain)) {
     return plain;
   }
   fs::path full = plain;
@@ -100,6 +101,15 @@ class Importer {
       refuseCycle(import, open);
       return;
     }
+    if (isWaypointList(path)) {
+      importWaypoints(path, import);
+      return;
+    }
+    if (import.as) {
+      noteChain(
+          report(support::diagnostics::nameForMission, import.where, import.path, import.as->text));
+      return;
+    }
     if (known_.contains(id)) {
       return;
     }
@@ -111,15 +121,38 @@ class Importer {
     read(path, import);
   }
 
-  void read(const fs::path& path, const ast::Import& import) {
+  /// Each import of a list declares a path of its own, also of a file that was read before.
+  void importWaypoints(const fs::path& path, const ast::Import& import) {
+    if (!import.as) {
+      noteChain(report(support::diagnostics::waypointsNeedName, import.where, import.path));
+      return;
+    }
+    const auto number = add(path, import);
+    auto list = number ? readWaypointList(sources_, *number, *import.as, diagnostics_)
+                       : std::optional<ast::File>();
+    whole_ = whole_ && list;
+    if (list) {
+      files_.push_back(std::move(*list));
+    }
+  }
+
+  /// The number of the file among the sources; empty, and reported, if it cannot be read.
+  std::optional<uint32_t> add(const fs::path& path, const ast::Import& import) {
     auto text = support::readFile(path);
     if (!text) {
       noteChain(report(support::diagnostics::importUnreadable, import.where, import.path,
                        text.error().message));
+      return std::nullopt;
+    }
+    return sources_.add(path.string(), std::move(*text));
+  }
+
+  void read(const fs::path& path, const ast::Import& import) {
+    const auto number = add(path, import);
+    if (!number) {
       return;
     }
-    const uint32_t number = sources_.add(path.string(), std::move(*text));
-    auto file = parser_(sources_, number, diagnostics_);
+    auto file = parser_(sources_, *number, diagnostics_);
     whole_ = whole_ && file;
     if (file) {
       importAll(*file);

@@ -41,6 +41,14 @@ std::string AstBuilder::joined(Rule* rule) const {
   return out;
 }
 
+ast::Import AstBuilder::import(Parser::ImportLineContext* rule) {
+  std::optional<ast::Name> as;
+  if (rule->name() != nullptr) {
+    as = name(rule->name());
+  }
+  return {text(rule->STRING()->getSymbol()), std::move(as), where(rule)};
+}
+
 ast::Item AstBuilder::item(Parser::ItemContext* rule) {
   auto* child = static_cast<Rule*>(rule->children.front());  // every alternative is one rule
   switch (child->getRuleIndex()) {
@@ -51,7 +59,7 @@ ast::Item AstBuilder::item(Parser::ItemContext* rule) {
       return ast::PlatformLine{name(static_cast<Parser::PlatformLineContext*>(child)->name()),
                                where(child)};
     case GliderParser::RuleImportLine:
-      return ast::Import{text(child->stop), where(child)};
+      return import(static_cast<Parser::ImportLineContext*>(child));
     case GliderParser::RuleConstant:
       return constant(static_cast<Parser::ConstantContext*>(child));
     case GliderParser::RuleParameter:

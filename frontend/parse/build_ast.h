@@ -65,7 +65,9 @@ class AstBuilder {
   ast::Expr expr(Parser::ExprContext* rule);
   ast::Expr primary(Parser::PrimaryContext* rule);
   ast::Expr named(Parser::PrimaryContext* rule);
+  ast::Import import(Parser::ImportLineContext* rule);
   ast::Expr literal(Parser::LiteralContext* rule);
+  [[nodiscard]] std::string digitsOf(const antlr4::Token* number) const;
   std::vector<ast::Argument> arguments(Parser::ArgumentsContext* rule);
 
   Source source_;

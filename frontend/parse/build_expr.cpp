@@ -100,9 +100,19 @@ ast::Expr AstBuilder::named(Parser::PrimaryContext* rule) {
           where(rule)};
 }
 
+/// The digits of a number; those of `39   10.5` with one space.
+std::string AstBuilder::digitsOf(const antlr4::Token* number) const {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  const std::string digits = text(number);
+  const size_t gap = digits.find_first_of(kBlanks);
+  return gap == std::string::npos
+             ? digits
+             : digits.substr(0, gap) + " " + digits.substr(digits.find_first_not_of(kBlanks, gap));
+}
+
 ast::Expr AstBuilder::literal(Parser::LiteralContext* rule) {
   const antlr4::Token* digits = rule->NUMBER(0)->getSymbol();
-  ast::Literal first{text(digits), "", where(digits)};
+  ast::Literal first{digitsOf(digits), "", where(digits)};
   if (rule->unit() != nullptr) {
     first.unit = joined(rule->unit());
     if (first.unit == "°") {
@@ -119,7 +129,7 @@ ast::Expr AstBuilder::literal(Parser::LiteralContext* rule) {
   left.end = first.unit_where.end;
   ast::Where right = where(second);
   right.end = where(letter).end;
-  ast::Literal other{text(second), text(letter), where(letter)};
+  ast::Literal other{digitsOf(second), text(letter), where(letter)};
   return {ast::Position{std::move(first), std::move(other), left, right}, where(rule)};
 }
 

@@ -59,7 +59,33 @@ bool isLetter(const std::vector<Lexeme>& lexemes, size_t at) {
   return at < lexemes.size() && lexemes[at].type == GliderLexer::COMPASS;
 }
 
+constexpr double kMinutes = 60;
+
+bool areDigits(std::string_view text) {
+  return text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 }  // namespace
+
+std::optional<Lexeme> degreesAndMinutes(const std::vector<Lexeme>& lexemes, size_t at,
+                                        const Source& source) {
+  constexpr size_t kTokens = 3;
+  constexpr size_t kMostDegrees = 3;  // digits
+  if (at + kTokens > lexemes.size() || lexemes[at].type != GliderLexer::NUMBER ||
+      lexemes[at + 1].type != GliderLexer::NUMBER || !isLetter(lexemes, at + 2)) {
+    return std::nullopt;
+  }
+  const std::string_view degrees = source.text(lexemes[at]);
+  const std::string_view minutes = source.text(lexemes[at + 1]);
+  const Lexeme whole{GliderLexer::NUMBER, lexemes[at].begin, lexemes[at + 1].end};
+  const std::string_view gap =
+      source.text().substr(lexemes[at].end, lexemes[at + 1].begin - lexemes[at].end);
+  const bool good = areDigits(degrees) && degrees.size() <= kMostDegrees &&
+                    minutes.find_first_of("eE") == std::string_view::npos &&
+                    std::strtod(std::string(minutes).c_str(), nullptr) < kMinutes &&
+                    gap.find_first_not_of(" \t") == std::string_view::npos;
+  return good ? std::optional(whole) : std::nullopt;
+}
 
 std::optional<ForeignPosition> foreignPosition(const std::vector<Lexeme>& lexemes, size_t at,
                                                const Source& source) {
@@ -70,6 +96,7 @@ std::optional<ForeignPosition> foreignPosition(const std::vector<Lexeme>& lexeme
   double part = 1;
   bool certain = true;
   bool sign = false;
+  std::string as_written;
   size_t i = at;
   for (int numbers = 0; numbers < 3 && lexemes[i].type == GliderLexer::NUMBER; ++numbers) {
     const std::string_view digits = source.text(lexemes[i]);
@@ -77,10 +104,10 @@ std::optional<ForeignPosition> foreignPosition(const std::vector<Lexeme>& lexeme
     // `39.5 10 N` and `39 75 N` are typing errors, but it is not known which.
     const bool last = isLetter(lexemes, i + 1) ||
                       (lexemes[i + 1].type != GliderLexer::NUMBER && isLetter(lexemes, i + 2));
-    certain = certain && (numbers == 0 || number < 60) &&
-              (last || digits.find_first_not_of("0123456789") == std::string_view::npos);
+    certain = certain && (numbers == 0 || number < kMinutes) && (last || areDigits(digits));
     degrees += number * part;
-    part /= 60;
+    part /= kMinutes;
+    as_written += fmt::format("{} ", digits);
     ++i;
     const std::string_view next = source.text(lexemes[i]);  // the last token is the file's end
     if (numbers == 0 ? isDegreeSign(next) : isMinuteOrSecondSign(next)) {
@@ -88,7 +115,8 @@ std::optional<ForeignPosition> foreignPosition(const std::vector<Lexeme>& lexeme
       ++i;
     }
   }
-  const bool several = part < 0.5 / 60;
+  const bool several = part < 0.5 / kMinutes;
+  const bool seconds = part < 0.5 / kMinutes / kMinutes;
   if (lexemes[i].type != GliderLexer::COMPASS || !(several || sign) || degrees > 180) {
     return std::nullopt;
   }
@@ -100,7 +128,9 @@ std::optional<ForeignPosition> foreignPosition(const std::vector<Lexeme>& lexeme
   found.certain = certain && text.find('\n') == std::string_view::npos;
   found.number = lexemes[at];
   found.letter = lexemes[i];
-  found.better = fmt::format("{} {}", decimal(degrees), source.text(lexemes[i]));
+  const bool minutes = several && !seconds && found.certain;
+  found.better =
+      (minutes ? as_written : decimal(degrees) + " ") + std::string(source.text(lexemes[i]));
   return found;
 }
 

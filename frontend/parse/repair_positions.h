@@ -11,8 +11,14 @@
 
 namespace glider::frontend {
 
-/// Half of a position as charts and other tools write it: `39Â°10.5'N`, `39 10.5 N`, `N39.175`,
-/// `39.175Â°N`.
+/// `39 10.5 N`: half of a position in degrees and minutes. The first two tokens as one, a number
+/// with a space in it; empty if token `at` does not begin one. Only the letter distinguishes it
+/// from two numbers, so the lexer cannot.
+std::optional<Lexeme> degreesAndMinutes(const std::vector<Lexeme>& lexemes, size_t at,
+                                        const Source& source);
+
+/// Half of a position as charts and other tools write it: `39°10.5'N`, `39 10 30 N`, `N39.175`,
+/// `39.175°N`.
 struct ForeignPosition {
   Lexeme whole;
   size_t count = 0;     ///< tokens that it takes

@@ -119,6 +119,11 @@ std::vector<Lexeme> WordRepair::run(const std::vector<Lexeme>& lexemes) {
       cut_ = true;
       break;
     }
+    if (const auto half = degreesAndMinutes(lexemes, i, reporter_.source())) {
+      out.push_back(*half);
+      ++i;
+      continue;
+    }
     if (const auto position = foreignPosition(lexemes, i, reporter_.source())) {
       auto report = reporter_.at(position->whole, support::diagnostics::positionForm,
                                  reporter_.source().text(position->whole), position->better);

@@ -56,6 +56,7 @@ std::vector<Symbol> builtIn(const platforms::Platform& platform) {
                        "whether the flightprofile of the state is done"));
   all.push_back(symbol(SymbolKind::Condition, "routedone", "bool",
                        "whether the flightroute of the state is done"));
+  all.push_back(symbol(SymbolKind::Clock, "here", "position", "where the vehicle is"));
   for (const FunctionText& function : functionTexts()) {
     all.push_back(symbol(SymbolKind::Function, function.name, function.use, function.what));
   }

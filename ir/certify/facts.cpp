@@ -99,6 +99,10 @@ Range function(FunctionOp op) {
       return {0, kHalfEarth, true};
     case FunctionOp::Bearing:
       return {0, 2 * kPi, true};
+    case FunctionOp::OffsetLatitude:
+      return {-90, 90, true};
+    case FunctionOp::OffsetLongitude:
+      return {-180, 180, true};
     case FunctionOp::Tan:
       break;
   }

@@ -57,6 +57,11 @@ bool arePlaces(std::span<const Type> types) {
          types[3] == kLongitude;
 }
 
+bool areCourse(std::span<const Type> types) {
+  return types[0] == kLatitude && types[1] == kLongitude && types[2] == kAngle &&
+         types[3] == kLength;
+}
+
 /// The type of a watched truth value, or of a window.
 std::optional<Type> watched(const Mission& mission, const Temporal& t) {
   if (!isWindow(t.kind)) {
@@ -94,6 +99,8 @@ bool fit(Takes takes, std::span<const Type> operands) {
       return operands.front() == operandType(takes) && haveOneType(operands);
     case Takes::Places:
       return arePlaces(operands);
+    case Takes::Course:
+      return areCourse(operands);
     case Takes::Choice:
       return operands[0] == kBoolType && fit(Takes::Alike, operands.subspan(1));
   }
@@ -121,6 +128,10 @@ std::optional<Type> given(Gives gives, const Mission& mission, const Expr& expr,
       return kAngle;
     case Gives::Length:
       return kLength;
+    case Gives::Latitude:
+      return kLatitude;
+    case Gives::Longitude:
+      return kLongitude;
     case Gives::Sensor:
       return mission[expr.sensor].type;
     case Gives::Variable:
@@ -239,6 +250,7 @@ std::optional<Type> operandType(Takes takes) {
     case Takes::Quantities:
     case Takes::AlikeQuantities:
     case Takes::Places:
+    case Takes::Course:
     case Takes::Choice:
       break;
   }

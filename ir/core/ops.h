@@ -46,6 +46,7 @@ enum class Takes : uint8_t {
   Number,           ///< plain numbers
   Angle,
   Places,  ///< latitude, longitude, latitude, longitude
+  Course,  ///< latitude, longitude, angle, length
   Truths,
   Choice  ///< a truth value, and two numbers of one type
 };
@@ -58,6 +59,8 @@ enum class Gives : uint8_t {
   Time,
   Angle,
   Length,
+  Latitude,
+  Longitude,
   Sensor,  ///< that of the sensor, and so on
   Variable,
   Temporal,

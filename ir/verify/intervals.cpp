@@ -240,6 +240,10 @@ class IntervalAnalysis {
         return {0, kFarthest, false};
       case FunctionOp::Bearing:
         return {0, 2 * std::numbers::pi, false};
+      case FunctionOp::OffsetLatitude:
+        return {-90, 90, false};
+      case FunctionOp::OffsetLongitude:
+        return {-180, 180, false};
     }
     return kAny;
   }

@@ -176,13 +176,18 @@ void gliderNote(GliderContext* context, uint32_t kind, const char* text, const d
    gliderTan take angles up to 2^20 rad; one beyond is unknown. gliderAtan2: in (-pi, pi]; of (0, 0)
    unknown. gliderDistance: metres along a sphere of the Earth's mean radius; gliderBearing: rad
    clockwise from north in [0, 2 pi), from the first position to the second, unknown between
-   positions that are one place. Unknown too beyond 90 degrees of latitude or 360 of longitude. */
+   positions that are one place. Unknown too beyond 90 degrees of latitude or 360 of longitude.
+   gliderOffsetLatitude and gliderOffsetLongitude: the place on the great circle that leaves a
+   position at a bearing (rad, at most 2^20), a distance along it (metres, below 0 backwards; at
+   most half way around the Earth); the longitude in [-180, 180]. */
 double gliderSin(double angle);
 double gliderCos(double angle);
 double gliderTan(double angle);
 double gliderAtan2(double y, double x);
 double gliderDistance(double latitude, double longitude, double to_latitude, double to_longitude);
 double gliderBearing(double latitude, double longitude, double to_latitude, double to_longitude);
+double gliderOffsetLatitude(double latitude, double longitude, double bearing, double distance);
+double gliderOffsetLongitude(double latitude, double longitude, double bearing, double distance);
 
 #ifdef __cplusplus
 }

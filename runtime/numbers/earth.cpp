@@ -82,6 +82,33 @@ double bearing(const Place& from, const Place& to) {
   return positive < kTwoPi ? positive : 0.0;
 }
 
+/// The place at the end of a great circle, as a point on the unit sphere: `along` towards the
+/// meridian of its start, `across` to the east of it, `up` to the north.
+struct Point {
+  double along;
+  double across;
+  double up;
+};
+
+constexpr double kDegreesPerRadian = 180.0 / 3.141592653589793;
+
+/// Todhunter, Spherical Trigonometry, art. 37 and 44, with the start on the meridian of longitude
+/// 0. False if the distance is longer than half way around, or an argument is unknown.
+bool offset(double latitude, double bearing, double distance, Point& end) {
+  const double turned = 2.0 * distance / kEarthDiameter;
+  if (!(magnitude(turned) <= 3.141592653589793)) {
+    return false;
+  }
+  const SineCosine start = sineCosineOfDegrees({withoutDust(latitude), 0.0});
+  const double east = gliderSin(bearing);
+  const double north = gliderCos(bearing);
+  const double far = gliderSin(turned);
+  const double near = gliderCos(turned);
+  end = {start.cosine.high * near - start.sine.high * far * north, far * east,
+         start.sine.high * near + start.cosine.high * far * north};
+  return isKnown(end.along) && isKnown(end.across);
+}
+
 }  // namespace
 }  // namespace glider::runtime
 
@@ -103,4 +130,35 @@ extern "C" double gliderBearing(double latitude, double longitude, double to_lat
   }
   return gliderSettle(bearing({withoutDust(latitude), withoutDust(longitude)},
                               {withoutDust(to_latitude), withoutDust(to_longitude)}));
+}
+
+extern "C" double gliderOffsetLatitude(double latitude, double longitude, double bearing,
+                                       double distance) {
+  Point end;
+  if (!onEarth(latitude, longitude) || !offset(latitude, bearing, distance, end)) {
+    return unknown();
+  }
+  const double degrees = angleOf(gliderSettle(end.up), root(gliderSettle(squared(end.along)) +
+                                                            gliderSettle(squared(end.across))))
+                             .high *
+                         kDegreesPerRadian;
+  return gliderSettle(degrees > 90.0 ? 90.0 : degrees < -90.0 ? -90.0 : degrees);
+}
+
+extern "C" double gliderOffsetLongitude(double latitude, double longitude, double bearing,
+                                        double distance) {
+  Point end;
+  if (!onEarth(latitude, longitude) || !offset(latitude, bearing, distance, end)) {
+    return unknown();
+  }
+  const double along = gliderSettle(end.along);
+  const double across = gliderSettle(end.across);
+  const double turned =
+      along == 0.0 && across == 0.0 ? 0.0 : angleOf(across, along).high * kDegreesPerRadian;
+  double degrees = longitude + turned;  // at most one and a half turns
+  degrees = degrees > 180.0 ? degrees - 360.0 : degrees;
+  degrees = degrees < -180.0 ? degrees + 360.0 : degrees;
+  return gliderSettle(degrees > 180.0    ? degrees - 360.0
+                      : degrees < -180.0 ? degrees + 360.0
+                                         : degrees);
 }

@@ -130,6 +130,7 @@ std::optional<std::string> HardExpressions::function(Op op, Kind kind, uint32_t 
   };
   const std::vector<Kind> places = {Kind::Latitude, Kind::Longitude, Kind::Latitude,
                                     Kind::Longitude};
+  const std::vector<Kind> course = {Kind::Latitude, Kind::Longitude, Kind::Angle, Kind::Length};
   switch (ir::opIn<ir::FunctionOp>(op)) {
     case ir::FunctionOp::Sin:
     case ir::FunctionOp::Cos:
@@ -141,6 +142,10 @@ std::optional<std::string> HardExpressions::function(Op op, Kind kind, uint32_t 
       return when(Kind::Length, places);
     case ir::FunctionOp::Bearing:
       return when(Kind::Angle, places);
+    case ir::FunctionOp::OffsetLatitude:
+      return when(Kind::Latitude, course);
+    case ir::FunctionOp::OffsetLongitude:
+      return when(Kind::Longitude, course);
   }
   return std::nullopt;
 }

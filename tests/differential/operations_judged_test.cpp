@@ -154,7 +154,8 @@ ir::Mission numbers() {
     log.values.push_back(maker.operation(op));
   }
   for (const ir::OpInfo& function : ir::kOps) {
-    if (function.group == ir::OpGroup::Function && function.takes != ir::Takes::Places) {
+    if (function.group == ir::OpGroup::Function && function.takes != ir::Takes::Places &&
+        function.takes != ir::Takes::Course) {
       log.values.push_back(maker.function(function));
     }
   }

@@ -3,6 +3,7 @@
 
 #include "frontend/sema/expressions/literals.h"
 
+#include <algorithm>
 #include <cfloat>
 #include <charconv>
 #include <cmath>
@@ -37,6 +38,20 @@ std::optional<DegreesMinutes> parseDegreesMinutes(std::string_view digits) {
   const size_t point = std::min(digits.find('.'), digits.size());
   const size_t split = point > 2 ? point - 2 : 0;
   return DegreesMinutes{degrees, parseNumber(digits.substr(split)).value_or(0)};
+}
+
+std::optional<DegreesMinutes> parseLettered(std::string_view digits) {
+  constexpr size_t kFewestDdmm = 4;  // 139.5 E is decimal degrees
+  if (const size_t gap = digits.find(' '); gap != std::string_view::npos) {
+    const auto degrees = parseNumber(digits.substr(0, gap));
+    const auto minutes = parseNumber(digits.substr(gap + 1));
+    return degrees && minutes ? std::optional(DegreesMinutes{*degrees, *minutes}) : std::nullopt;
+  }
+  if (std::min(digits.find_first_not_of("0123456789"), digits.size()) >= kFewestDdmm) {
+    return parseDegreesMinutes(digits);
+  }
+  const auto degrees = parseNumber(digits);
+  return degrees ? std::optional(DegreesMinutes{*degrees, 0}) : std::nullopt;
 }
 
 }  // namespace glider::frontend

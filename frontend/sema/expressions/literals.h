@@ -18,6 +18,10 @@ struct DegreesMinutes {
   double minutes = 0;
   [[nodiscard]] double value() const { return degrees + minutes / 60.0; }
 };
+/// Degrees of "39.175", "39 10.5" and "3910.5" before a letter: four digits or more before the
+/// point are ddmm.mmmm. Empty if a double cannot hold it; the minutes may be 60 or more.
+std::optional<DegreesMinutes> parseLettered(std::string_view digits);
+
 /// Splits `digits` (ddmm.mmmm, without sign) into degrees and minutes; the minutes are read from
 /// their own digits so that no precision is lost. Empty if a double cannot hold it.
 std::optional<DegreesMinutes> parseDegreesMinutes(std::string_view digits);

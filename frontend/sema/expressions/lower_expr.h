@@ -143,6 +143,11 @@ class ExprLowering {
   Result here(const support::SourceRange& range);
   /// The arguments as positions, of one or two arguments each; a path gives all its positions.
   std::optional<std::vector<Value>> places(const ast::Invocation& node);
+  /// `position(…)` and `offset(…)` (lower_place.cpp).
+  Result placeOf(const ast::Invocation& node, const ast::Expr& expr);
+  Result offset(const Value& from, const ast::Invocation& node, const ast::Expr& expr);
+  /// `place` with both halves unknown where one is.
+  Value wholePlace(const Value& place, const support::SourceRange& range);
   Result inside(const std::vector<Value>& corners, const support::SourceRange& range);
   friend class InsideLowering;
 
@@ -187,7 +192,10 @@ class ExprLowering {
   std::vector<SensorRead> reads_;
 };
 
-/// Whether an expression is certainly a position: a literal, or the name of one.
+/// Whether a name is the vehicle's position: `here`, unless the mission uses that name itself.
+bool isHere(const ast::NameUse& use, Scope& scope);
+
+/// Whether an expression is certainly a position: a literal, the name of one, or a function.
 bool isPosition(const ast::Expr& expr, Scope& scope);
 
 /// Whether an expression is certainly a path: a list, the name of one, or lanes.

@@ -47,6 +47,9 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
   if (isEarthFunction(name)) {
     return stretched(node) ? std::nullopt : onEarth(node, expr);
   }
+  if (isPlaceFunction(name) && !scope_.declares(name)) {
+    return stretched(node) ? std::nullopt : placeOf(node, expr);
+  }
   const Function* function = findFunction(name);
   if (function == nullptr) {
     return inC(node, expr);
@@ -81,7 +84,8 @@ ExprLowering::Result ExprLowering::inC(const ast::Invocation& node, const ast::E
       return std::nullopt;
     }
     const bool value = findClock(name) || scope_.findSensor(name) != nullptr ||
-                       scope_.findConstant(name) != nullptr || scope_.findNamed(name) != nullptr;
+                       scope_.findConstant(name) != nullptr || scope_.findNamed(name) != nullptr ||
+                       isHere({name}, scope_);
     scope_.report(support::diagnostics::unknownFunction, node.function.where, name,
                   value ? "`" + name + "` is a value: write it without parentheses"
                         : suggestFunction(name, scope_));

@@ -195,11 +195,24 @@ ExprLowering::Result ExprLowering::letterLiteral(const ast::Literal& node,
 ExprLowering::Result ExprLowering::compass(const ast::Literal& node,
                                            const support::SourceRange& range, bool latitude,
                                            double sign) {
-  const std::optional<double> value = number(node, range);
-  if (!value || !checkOnEarth(range, latitude, *value)) {
+  const std::optional<DegreesMinutes> parts = parseLettered(node.digits);
+  if (!parts) {
+    scope_.report(support::diagnostics::numberTooLarge, range, node.digits);
     return std::nullopt;
   }
-  return emitNumber(sign * *value, latitude ? kLatitude : kLongitude, range);
+  if (parts->minutes >= 60) {
+    scope_
+        .report(support::diagnostics::minutesOver60, range, scope_.text(range), parts->degrees,
+                parts->minutes)
+        .hint(
+            "four digits or more before the point are ddmm.mmmm; decimal degrees have at most "
+            "three");
+    return std::nullopt;
+  }
+  if (!checkOnEarth(range, latitude, parts->value())) {
+    return std::nullopt;
+  }
+  return emitNumber(sign * parts->value(), latitude ? kLatitude : kLongitude, range);
 }
 
 ExprLowering::Result ExprLowering::visit(const ast::Position& node, const ast::Expr&,

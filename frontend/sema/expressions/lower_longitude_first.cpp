@@ -30,9 +30,9 @@ struct Half {
     return fmt::format("{} {}", literal->digits, letter);
   }
   [[nodiscard]] double degrees() const {
-    const auto parts = parseDegreesMinutes(literal->digits);
-    const double value =
-        bare() ? (parts ? parts->value() : NAN) : parseNumber(literal->digits).value_or(NAN);
+    const auto parts =
+        bare() ? parseDegreesMinutes(literal->digits) : parseLettered(literal->digits);
+    const double value = parts ? parts->value() : NAN;
     return negative ? -value : value;
   }
 };

@@ -9,14 +9,24 @@
 
 namespace glider::frontend {
 
+bool isHere(const ast::NameUse& use, Scope& scope) {
+  return use.name == "here" && !scope.declares(use.name) && !scope.platform().find(use.name);
+}
+
 bool isPosition(const ast::Expr& expr, Scope& scope) {
   if (std::holds_alternative<ast::Position>(expr.node) ||
       std::holds_alternative<ast::Index>(expr.node)) {
     return true;
   }
+  if (const auto* call = std::get_if<ast::Invocation>(&expr.node)) {
+    return isPlaceFunction(call->function.text) && !scope.declares(call->function.text);
+  }
   const auto* use = std::get_if<ast::NameUse>(&expr.node);
   if (use == nullptr) {
     return false;
+  }
+  if (isHere(*use, scope)) {
+    return true;
   }
   if (const Named* named = scope.findNamed(use->name)) {
     return named->type.position;
@@ -55,6 +65,9 @@ ExprLowering::Result ExprLowering::visit(const ast::NameUse& node, const ast::Ex
   }
   if (scope_.refused_names.contains(node.name)) {
     return std::nullopt;  // its declaration was refused
+  }
+  if (isHere(node, scope_)) {
+    return wholePlace(*here(expr.where), expr.where);
   }
   if (node.name == "profiledone" || node.name == "routedone") {
     return finished(node, expr.where);

@@ -24,6 +24,11 @@ constexpr std::string_view kEarth[] = {
 #include "frontend/sema/names/functions.def"
 };
 
+constexpr std::string_view kPlaces[] = {
+#define PLACE_FUNCTION(name, use, what) #name,
+#include "frontend/sema/names/functions.def"
+};
+
 constexpr WindowFunction kWindows[] = {
 #define WINDOW_FUNCTION(name, kind, use, what) {#name, ir::TemporalKind::kind},
 #include "frontend/sema/names/functions.def"
@@ -49,6 +54,14 @@ bool isEarthFunction(std::string_view name) {
   return std::ranges::find(kEarth, name) != std::end(kEarth);
 }
 
+bool isPlaceFunction(std::string_view name) {
+  return std::ranges::find(kPlaces, name) != std::end(kPlaces);
+}
+
+bool isReservedFunction(std::string_view name) {
+  return isFunctionName(name) && !isPlaceFunction(name);
+}
+
 bool isFunctionName(std::string_view name) {
   return std::ranges::find(functionNames(), name) != functionNames().end();
 }
@@ -68,6 +81,7 @@ std::span<const FunctionText> functionTexts() {
   static constexpr FunctionText kTexts[] = {
 #define FUNCTION(name, op, what, ...) {#name, #name "(" #__VA_ARGS__ ")", what},
 #define EARTH_FUNCTION(name, use, what) {#name, use, what},
+#define PLACE_FUNCTION(name, use, what) {#name, use, what},
 #define SPAN_FUNCTION(name, use, what) {#name, use, what},
 #define WINDOW_FUNCTION(name, kind, use, what) {#name, use, what},
 #include "frontend/sema/names/functions.def"

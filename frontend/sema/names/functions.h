@@ -31,6 +31,12 @@ std::optional<ir::TemporalKind> findWindow(std::string_view name);
 /// Whether `name` is a function that takes places.
 bool isEarthFunction(std::string_view name);
 
+/// Whether `name` is a function that gives a place, unless the mission uses the name itself.
+bool isPlaceFunction(std::string_view name);
+
+/// Whether a mission cannot use `name` itself, as it is a function.
+bool isReservedFunction(std::string_view name);
+
 /// Whether `name` is a function of expressions of any kind.
 bool isFunctionName(std::string_view name);
 

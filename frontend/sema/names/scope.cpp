@@ -98,7 +98,7 @@ std::string Scope::takenBy(std::string_view name) const {
   if (platform().find(name) != nullptr) {
     return "a sensor of platform `" + platform().name + "`";
   }
-  if (isFunctionName(name)) {
+  if (isReservedFunction(name)) {
     return "a function";
   }
   return name == "profiledone" || name == "routedone" ? "a keyword" : "";
@@ -167,6 +167,13 @@ Named* Scope::findNamed(std::string_view name) {
 const Constant* Scope::findConstant(std::string_view name) const {
   const auto found = context.isolated ? constants.end() : constants.find(name);
   return found == constants.end() ? nullptr : &found->second;
+}
+
+bool Scope::declares(std::string_view name) {
+  const auto ofState = [&](const StateDeclaration& state) { return state.names.contains(name); };
+  return findNamed(name) != nullptr || names.contains(name) || constants.contains(name) ||
+         functions.contains(name) || own_sensors.contains(name) || refused_names.contains(name) ||
+         std::ranges::any_of(state_declarations, ofState);
 }
 
 const ast::Name* Scope::findExternal(std::string_view name) const {

@@ -139,6 +139,9 @@ class Scope {
   bool refuseSecond(const ast::Name& name);
   /// The parameter or variable that `name` refers to in `context`; null if there is none.
   Named* findNamed(std::string_view name);
+  /// Whether the mission itself uses `name` for a value or function, here or elsewhere: then the
+  /// name means nothing else in it.
+  [[nodiscard]] bool declares(std::string_view name);
   /// The constant that `name` refers to in `context`; null if there is none.
   const Constant* findConstant(std::string_view name) const;
   /// The parameters and variables visible from `context`.

@@ -78,7 +78,7 @@ std::optional<Approximation> roughnessOf(BinaryOp op, const Expr& a, const Expr&
 }
 
 Approximation roughnessOf(const OpInfo& function) {
-  if (function.takes == Takes::Places) {
+  if (function.takes == Takes::Places || function.takes == Takes::Course) {
     return Approximation::Place;
   }
   const bool angle = function.takes == Takes::Angle || function.gives == Gives::Angle;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace glider {
 namespace {
@@ -69,6 +70,54 @@ TEST(Earth, LegsOfEveryLengthAreGeographicLibs) {
     const double near = std::clamp(latitude + random.spread(-28, -1), -90.0, 90.0);
     expectSame({latitude, longitude, near, longitude + random.spread(-28, -1)});
   }
+}
+
+/// The place `distance` m from a place at a bearing (degrees), by GeographicLib.
+std::pair<double, double> theirEnd(double latitude, double longitude, double bearing,
+                                   double distance) {
+  static const GeographicLib::Geodesic sphere(kRadius, 0);
+  std::pair<double, double> end;
+  sphere.Direct(latitude, longitude, bearing, distance, end.first, end.second);
+  return end;
+}
+
+TEST(Earth, PlacesAtABearingAndADistanceAreGeographicLibs) {
+  Random random(17);
+  constexpr double kNanometre = 1e-14;  // degrees
+  for (int i = 0; i < 50000; ++i) {
+    const double latitude = random.between(-89, 89);
+    const double longitude = random.between(-180, 180);
+    const double bearing = random.between(-360, 360);
+    const double distance =
+        i % 2 == 0 ? random.between(-kHalfTurn, kHalfTurn) : random.spread(-10, 20);
+    const auto [north, east] = theirEnd(latitude, longitude, bearing, distance);
+    const double radians = bearing * M_PI / 180;
+    const double found = gliderOffsetLongitude(latitude, longitude, radians, distance);
+    EXPECT_NEAR(gliderOffsetLatitude(latitude, longitude, radians, distance), north,
+                20 * kNanometre);
+    EXPECT_NEAR(std::remainder(found - east, 360) * std::cos(north * M_PI / 180), 0,
+                20 * kNanometre)
+        << latitude << " " << longitude << " " << bearing << " " << distance;
+    EXPECT_LE(std::fabs(found), 180);
+  }
+}
+
+TEST(Earth, PlacesAtABearingCrossPolesAndTheDateLine) {
+  EXPECT_NEAR(gliderOffsetLatitude(89, 10, 0, kHalfTurn / 90), 89, 1e-12);
+  EXPECT_NEAR(gliderOffsetLongitude(89, 10, 0, kHalfTurn / 90), -170, 1e-10);
+  EXPECT_NEAR(gliderOffsetLongitude(0, 179, M_PI_2, kHalfTurn / 90), -179, 1e-12);
+  EXPECT_NEAR(gliderOffsetLongitude(0, -179, -M_PI_2, kHalfTurn / 90), 179, 1e-12);
+  EXPECT_DOUBLE_EQ(gliderOffsetLatitude(39, -74, 1, 0), 39);
+  EXPECT_DOUBLE_EQ(gliderOffsetLongitude(39, -74, 1, 0), -74);
+  EXPECT_NEAR(gliderOffsetLatitude(90, 0, 0, kHalfTurn / 180), 89, 1e-12);
+}
+
+TEST(Earth, NoPlaceAtABearingIsKnownFromNowhere) {
+  EXPECT_TRUE(std::isnan(gliderOffsetLatitude(90.1, 0, 0, 1)));
+  EXPECT_TRUE(std::isnan(gliderOffsetLatitude(39, NAN, 0, 1)));
+  EXPECT_TRUE(std::isnan(gliderOffsetLongitude(39, -74, NAN, 1)));
+  EXPECT_TRUE(std::isnan(gliderOffsetLongitude(39, -74, 0, NAN)));
+  EXPECT_TRUE(std::isnan(gliderOffsetLongitude(39, -74, 0, kHalfTurn * 1.001)));
 }
 
 TEST(Earth, AntipodesKeepTheirDigits) {

@@ -67,6 +67,12 @@ inline void addPlaces(double latitude, double longitude, double to_latitude, dou
   digest.add(gliderBearing(latitude, longitude, to_latitude, to_longitude));
 }
 
+inline void addOffset(double latitude, double longitude, double bearing, double distance,
+                      Digest& digest) {
+  digest.add(gliderOffsetLatitude(latitude, longitude, bearing, distance));
+  digest.add(gliderOffsetLongitude(latitude, longitude, bearing, distance));
+}
+
 /// Ends of every range, ties and zeros.
 inline void addAwkward(Digest& digest) {
   const double awkward[] = {0.0,      -0.0,       1.0,          -1.0,     90.0,
@@ -82,6 +88,8 @@ inline void addAwkward(Digest& digest) {
       addPlaces(a, b, b, -b, digest);
       addPlaces(a, b, -a, 180.0, digest);
       addPlaces(90.0, a, 0x1p-60, b, digest);
+      addOffset(a, b, b, a, digest);
+      addOffset(a, 180.0, b, 20015114.4, digest);
     }
   }
 }
@@ -104,6 +112,7 @@ inline uint64_t digestOf(uint32_t count) {
     addPlaces(latitude, longitude, near, longitude + random.spread(-50, -3), digest);
     const double far = random.between(-90.0, 90.0);
     addPlaces(latitude, longitude, far, random.between(-180.0, 180.0), digest);
+    addOffset(latitude, longitude, random.between(-10.0, 10.0), random.spread(-60, 25), digest);
     const double tiny = random.spread(-1022, -40);
     addPlaces(tiny, random.spread(-1022, -40), far, tiny, digest);
   }

@@ -1,0 +1,4 @@
+behavior_name=goto_list
+<start:waypoints>
+# none yet
+<end:waypoints>

@@ -102,6 +102,8 @@ UNIT : 'mm' | 'cm' | 'm' | 'km' | 'nmi' | 'ft' | 's' | 'h' | 'day' | 'rad' | 'de
 COMPASS : 'N' | 'S' | 'E' | 'W' ;
 
 NAME : [A-Za-z_] [A-Za-z_0-9]* ;
+// A time of the calendar, UTC: `2026-11-25T12:00Z`. Whether there is such a day is checked later.
+INSTANT : [0-9] [0-9] [0-9] [0-9] '-' [0-9] [0-9] '-' [0-9] [0-9] 'T' [0-9] [0-9] ':' [0-9] [0-9] (':' [0-9] [0-9])? 'Z' ;
 NUMBER : ([0-9]+ ('.' [0-9]+)? | '.' [0-9]+) ([eE] [+\-]? [0-9]+)? ;
 STRING : '"' (~["\\\r\n] | '\\' ~[\r\n])* '"' ;
 

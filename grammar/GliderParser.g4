@@ -119,6 +119,8 @@ expr
 // A NUMBER before N, S, E or W may be degrees and minutes, `39 10.5`: frontend/parse joins the two.
 primary
   : NUMBER unit? (NUMBER COMPASS)?                 # literal
+  | NUMBER unitName (NUMBER (UNIT | MIN))+         # duration
+  | INSTANT                                        # instant
   | (TRUE | FALSE)                                 # truth
   | LPAREN expr RPAREN                             # parenthesis
   | LBRACKET (expr (COMMA expr)*)? RBRACKET        # list
@@ -129,7 +131,7 @@ primary
 unit : unitName ((TIMES | DIVIDE) unitName)* ;
 unitName : UNIT | COMPASS | MIN ;
 arguments : LPAREN (argument (COMMA argument)*)? RPAREN ;
-argument : expr (OF name)? ;
+argument : (name ASSIGN)? expr (OF name)? ;
 
 name
   : NAME | IN | OF | WHERE | DONE | FUNCTION | SENSOR | READS | WITHIN | STACK | REACH | NEVER | AFTER | STALE

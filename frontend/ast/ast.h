@@ -42,6 +42,18 @@ struct Position {
   bool operator==(const Position&) const = default;
 };
 
+/// `3 h 30 min`
+struct Duration {
+  std::vector<Literal> parts;
+  bool operator==(const Duration&) const = default;
+};
+
+/// `2026-11-25T12:00Z`
+struct Instant {
+  std::string text;
+  bool operator==(const Instant&) const = default;
+};
+
 struct Truth {
   bool value = false;
   bool operator==(const Truth&) const = default;
@@ -53,10 +65,11 @@ struct NameUse {
   bool operator==(const NameUse&) const = default;
 };
 
-/// An argument; `10 m of depth` names a stretch.
+/// An argument; `10 m of depth` names a stretch, `top = 5 m` what it is for.
 struct Argument {
   Box<Expr> value;
   std::optional<Name> of;
+  std::optional<Name> parameter = {};
   bool operator==(const Argument&) const = default;
 };
 
@@ -111,7 +124,9 @@ struct Binary {
 };
 
 struct Expr {
-  std::variant<Literal, Position, Truth, NameUse, Invocation, List, Index, Unary, Binary> node;
+  std::variant<Literal, Position, Duration, Instant, Truth, NameUse, Invocation, List, Index, Unary,
+               Binary>
+      node;
   Where where;
   bool operator==(const Expr&) const = default;
 };

@@ -74,6 +74,12 @@ class ExprPrinter {
   void write(const Position& node) {
     out_ += printLiteral(node.latitude) + " " + printLiteral(node.longitude);
   }
+  void write(const Duration& node) {
+    for (size_t i = 0; i < node.parts.size(); ++i) {
+      out_ += (i == 0 ? "" : " ") + printLiteral(node.parts[i]);
+    }
+  }
+  void write(const Instant& node) { out_ += node.text; }
   void write(const Truth& node) { out_ += node.value ? "true" : "false"; }
   void write(const NameUse& node) { out_ += node.name; }
   void write(const Invocation& node) {
@@ -111,7 +117,9 @@ class ExprPrinter {
 std::string printArguments(const std::vector<Argument>& arguments) {
   std::string out = "(";
   for (size_t i = 0; i < arguments.size(); ++i) {
-    out += (i == 0 ? "" : ", ") + print(*arguments[i].value);
+    out += i == 0 ? "" : ", ";
+    out += arguments[i].parameter ? arguments[i].parameter->text + " = " : "";
+    out += print(*arguments[i].value);
     out += arguments[i].of ? " of " + arguments[i].of->text : "";
   }
   return out + ")";

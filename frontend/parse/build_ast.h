@@ -67,6 +67,7 @@ class AstBuilder {
   ast::Expr named(Parser::PrimaryContext* rule);
   ast::Import import(Parser::ImportLineContext* rule);
   ast::Expr literal(Parser::LiteralContext* rule);
+  ast::Expr duration(Parser::DurationContext* rule);
   [[nodiscard]] std::string digitsOf(const antlr4::Token* number) const;
   std::vector<ast::Argument> arguments(Parser::ArgumentsContext* rule);
 

@@ -67,7 +67,12 @@ ast::Expr AstBuilder::expr(Parser::ExprContext* rule) {
 
 ast::Expr AstBuilder::primary(Parser::PrimaryContext* rule) {
   switch (rule->start->getType()) {
+    case GliderParser::INSTANT:
+      return {ast::Instant{text(rule)}, where(rule)};
     case GliderParser::NUMBER:
+      if (auto* parts = dynamic_cast<Parser::DurationContext*>(rule)) {
+        return duration(parts);
+      }
       return literal(static_cast<Parser::LiteralContext*>(rule));
     case GliderParser::TRUE:
     case GliderParser::FALSE:
@@ -133,14 +138,31 @@ ast::Expr AstBuilder::literal(Parser::LiteralContext* rule) {
   return {ast::Position{std::move(first), std::move(other), left, right}, where(rule)};
 }
 
+ast::Expr AstBuilder::duration(Parser::DurationContext* rule) {
+  ast::Duration all;
+  for (size_t i = 0; i + 1 < rule->children.size(); i += 2) {
+    const antlr4::Token* digits =
+        static_cast<antlr4::tree::TerminalNode*>(rule->children[i])->getSymbol();
+    auto* rest = dynamic_cast<antlr4::tree::TerminalNode*>(rule->children[i + 1]);
+    const antlr4::Token* unit =
+        rest != nullptr ? rest->getSymbol() : static_cast<Rule*>(rule->children[i + 1])->start;
+    all.parts.push_back({digitsOf(digits), text(unit), where(unit)});
+  }
+  return {std::move(all), where(rule)};
+}
+
 std::vector<ast::Argument> AstBuilder::arguments(Parser::ArgumentsContext* rule) {
   std::vector<ast::Argument> list;
   for (auto* argument : rule->argument()) {
     std::optional<ast::Name> of;
-    if (argument->name() != nullptr) {
-      of = name(argument->name());
+    std::optional<ast::Name> parameter;
+    if (argument->OF() != nullptr) {
+      of = name(argument->name().back());
     }
-    list.push_back({expr(argument->expr()), std::move(of)});
+    if (argument->ASSIGN() != nullptr) {
+      parameter = name(argument->name().front());
+    }
+    list.push_back({expr(argument->expr()), std::move(of), std::move(parameter)});
   }
   return list;
 }

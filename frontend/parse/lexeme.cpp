@@ -156,6 +156,8 @@ std::string describe(const Source& source, const Lexeme& lexeme) {
   switch (lexeme.type) {
     case GliderLexer::NUMBER:
       return fmt::format("the number `{}`", text);
+    case GliderLexer::INSTANT:
+      return fmt::format("the time `{}`", text);
     case GliderLexer::STRING:
       return fmt::format("the string `{}`", text);
     case GliderLexer::UNIT:
@@ -173,6 +175,8 @@ std::string describeType(uint32_t type) {
       return "a name";
     case GliderLexer::NUMBER:
       return "a number";
+    case GliderLexer::INSTANT:
+      return "a time such as `2026-11-25T12:00Z`";
     case GliderLexer::STRING:
       return "a string in quotes";
     case GliderLexer::UNIT:

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 namespace glider::frontend {
@@ -21,6 +22,14 @@ bool isKeywordInCapitals(std::string_view word) {
   std::ranges::transform(small, small.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return keywordType(small) != 0;
+}
+
+/// Whether both are units of time, and the second is smaller: `3 h 30 min` is one duration.
+bool isSmallerTime(std::string_view unit, std::string_view next) {
+  constexpr std::array<std::string_view, 4> kTimes = {"day", "h", "min", "s"};
+  const auto* first = std::ranges::find(kTimes, unit);
+  const auto* second = std::ranges::find(kTimes, next);
+  return second != kTimes.end() && first < second;
 }
 
 }  // namespace
@@ -120,9 +129,20 @@ bool ValueRepair::countOperator(const Lexeme& t) {
   return true;
 }
 
+/// Whether a name at the beginning of an argument was read: `yo(top`.
+bool ValueRepair::namesArgument() const {
+  const size_t n = out_.size();
+  return !parentheses_.empty() && parentheses_.back().lists && n > 1 && isName(out_.back().type) &&
+         parentheses_.back().opener.type == GliderLexer::LPAREN &&
+         oneOf(out_[n - 2].type, {GliderLexer::LPAREN, GliderLexer::COMMA});
+}
+
 /// The first `=` after `const`, `param`, `var`, `set` and `place` assigns a value; every other was
 /// meant as a comparison.
 Lexeme ValueRepair::equals(Lexeme t) {
+  if (t.type == GliderLexer::ASSIGN && namesArgument()) {
+    return t;
+  }
   const bool gives = assignable_ && parentheses_.empty();
   if (gives && t.type == GliderLexer::EQ) {
     reporter_.at(t, support::diagnostics::equalForAssign).fix(source_.range(t), "=");
@@ -193,6 +213,9 @@ bool ValueRepair::belongTogether(const Lexeme& t, const Lexeme& next) const {
   if (t.type == GliderLexer::OF ||
       (previous() == GliderLexer::OF && n > 1 && endsValue(out_[n - 2].type))) {
     return true;
+  }
+  if (t.type == GliderLexer::NUMBER && n > 1 && out_[n - 2].type == GliderLexer::NUMBER) {
+    return isSmallerTime(source_.text(out_.back()), source_.text(next));
   }
   auto isPair = [&](size_t end) {
     return end >= 2 && out_[end - 1].type == GliderLexer::COMPASS &&

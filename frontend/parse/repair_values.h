@@ -44,6 +44,7 @@ class ValueRepair {
   void endOfItem();
   bool countOperator(const Lexeme& t);
   Lexeme equals(Lexeme t);
+  [[nodiscard]] bool namesArgument() const;
   bool unknownUnit(const Lexeme& t, const Lexeme& next);
   void missingComma(const Lexeme& t, const Lexeme& next);
   [[nodiscard]] bool listsValues() const;

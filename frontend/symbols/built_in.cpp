@@ -6,7 +6,10 @@
 #include "frontend/sema/names/commands.h"
 #include "frontend/sema/names/functions.h"
 #include "frontend/sema/names/scope.h"
+#include "frontend/sema/names/values.h"
 #include "frontend/symbols/type_texts.h"
+
+#include <fmt/format.h>
 
 #include <iterator>
 
@@ -56,7 +59,16 @@ std::vector<Symbol> builtIn(const platforms::Platform& platform) {
                        "whether the flightprofile of the state is done"));
   all.push_back(symbol(SymbolKind::Condition, "routedone", "bool",
                        "whether the flightroute of the state is done"));
-  all.push_back(symbol(SymbolKind::Clock, "here", "position", "where the vehicle is"));
+  for (const ValueText& value : valueTexts()) {
+    const auto kind = value.type == "bool" ? SymbolKind::Condition : SymbolKind::Clock;
+    all.push_back(symbol(kind, value.name, value.type, value.what));
+  }
+  for (const platforms::PlatformSensor& sensor : platform.sensors) {
+    for (size_t i = 0; i < sensor.states.size(); ++i) {
+      all.push_back(symbol(SymbolKind::Condition, sensor.states[i], "bool",
+                           fmt::format("whether {} is {}", sensor.name, i)));
+    }
+  }
   for (const FunctionText& function : functionTexts()) {
     all.push_back(symbol(SymbolKind::Function, function.name, function.use, function.what));
   }

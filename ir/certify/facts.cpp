@@ -99,11 +99,16 @@ Range function(FunctionOp op) {
       return {0, kHalfEarth, true};
     case FunctionOp::Bearing:
       return {0, 2 * kPi, true};
+    case FunctionOp::Salinity:
+      return {0, 45, true};
+    case FunctionOp::Density:
+      return {950, 1150, true};
     case FunctionOp::OffsetLatitude:
       return {-90, 90, true};
     case FunctionOp::OffsetLongitude:
       return {-180, 180, true};
     case FunctionOp::Tan:
+    case FunctionOp::Remainder:
       break;
   }
   return anything();

@@ -62,6 +62,13 @@ bool areCourse(std::span<const Type> types) {
          types[3] == kLength;
 }
 
+bool areOfCtd(std::span<const Type> types) {
+  using namespace support::dimension;
+  return types[0] == Type{TypeKind::Quantity, conductivity} &&
+         types[1] == Type{TypeKind::Quantity, temperature} &&
+         types[2] == Type{TypeKind::Quantity, pressure};
+}
+
 /// The type of a watched truth value, or of a window.
 std::optional<Type> watched(const Mission& mission, const Temporal& t) {
   if (!isWindow(t.kind)) {
@@ -101,6 +108,8 @@ bool fit(Takes takes, std::span<const Type> operands) {
       return arePlaces(operands);
     case Takes::Course:
       return areCourse(operands);
+    case Takes::Ctd:
+      return areOfCtd(operands);
     case Takes::Choice:
       return operands[0] == kBoolType && fit(Takes::Alike, operands.subspan(1));
   }
@@ -251,6 +260,7 @@ std::optional<Type> operandType(Takes takes) {
     case Takes::AlikeQuantities:
     case Takes::Places:
     case Takes::Course:
+    case Takes::Ctd:
     case Takes::Choice:
       break;
   }

@@ -47,6 +47,7 @@ enum class Takes : uint8_t {
   Angle,
   Places,  ///< latitude, longitude, latitude, longitude
   Course,  ///< latitude, longitude, angle, length
+  Ctd,     ///< conductivity, temperature, pressure
   Truths,
   Choice  ///< a truth value, and two numbers of one type
 };

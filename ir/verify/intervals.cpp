@@ -29,6 +29,11 @@ constexpr Interval kNowhere{0, 0, true};
 /// Half the circumference of a sphere of the Earth's mean radius (6371 km; IUGG), and a little
 /// more.
 constexpr double kFarthest = 2.0016e7;
+/// Of runtime/numbers/seawater.cpp: the limits of its salinity, and of the density of any water
+/// within its limits (kg/m3), with a margin.
+constexpr double kMostSalinity = 45;
+constexpr double kLeastDensity = 950;
+constexpr double kMostDensity = 1150;
 
 /// From `low` to `high` if some of it is finite; otherwise it is unknown.
 Interval between(double low, double high) {
@@ -240,6 +245,12 @@ class IntervalAnalysis {
         return {0, kFarthest, false};
       case FunctionOp::Bearing:
         return {0, 2 * std::numbers::pi, false};
+      case FunctionOp::Remainder:
+        return {0, std::max(operand(e, 1).highest, 0.0), false};
+      case FunctionOp::Salinity:
+        return {0, kMostSalinity, false};
+      case FunctionOp::Density:
+        return {kLeastDensity, kMostDensity, false};
       case FunctionOp::OffsetLatitude:
         return {-90, 90, false};
       case FunctionOp::OffsetLongitude:

@@ -53,7 +53,7 @@ void readReporting(TomlReader& reader, double cycle_s, PlatformSensor& sensor) {
 
 PlatformSensor readSensor(TomlReader& reader, size_t id, double cycle_s) {
   reader.only({"name", "alias", "unit", "lowest", "highest", "stale_after_s", "every_s",
-               "dead_band", "computer", "bytes", "noise", "magnetic", "what"});
+               "dead_band", "computer", "bytes", "noise", "magnetic", "what", "counts", "states"});
   PlatformSensor sensor;
   sensor.id = static_cast<uint16_t>(id);
   sensor.name = reader.text("name");
@@ -81,6 +81,8 @@ PlatformSensor readSensor(TomlReader& reader, size_t id, double cycle_s) {
   if (!(sensor.noise >= 0)) {
     reader.refuse("noise", "must not be below 0");
   }
+  sensor.states = reader.textsOr("states");
+  sensor.counts = reader.flagOr("counts", !sensor.states.empty());
   sensor.magnetic = reader.flagOr("magnetic", false);
   if ((sensor.magnetic || sensor.name == kVariationSensor) && sensor.unit != "rad") {
     reader.refuse("unit", "of a magnetic heading or `m_gps_mag_var` must be \"rad\"");

@@ -79,6 +79,10 @@ bool TomlReader::flagOr(std::string_view key, bool fallback) {
   return value.value_or(fallback);
 }
 
+std::vector<std::string> TomlReader::textsOr(std::string_view key) {
+  return table_.contains(key) ? texts(key) : std::vector<std::string>();
+}
+
 std::vector<std::string> TomlReader::texts(std::string_view key) {
   const toml::node* found = node(key);
   const toml::array* list = found != nullptr ? found->as_array() : nullptr;

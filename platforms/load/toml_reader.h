@@ -33,6 +33,8 @@ class TomlReader {
   bool flagOr(std::string_view key, bool fallback);
   /// A list of texts, which may be empty.
   std::vector<std::string> texts(std::string_view key);
+  /// The same; an empty list if the key is not there.
+  std::vector<std::string> textsOr(std::string_view key);
   /// Refuses keys that are not in `known`.
   void only(std::span<const std::string_view> known);
   void only(std::initializer_list<std::string_view> known) { only(std::span(known)); }

@@ -142,6 +142,11 @@ std::optional<std::string> HardExpressions::function(Op op, Kind kind, uint32_t 
       return when(Kind::Length, places);
     case ir::FunctionOp::Bearing:
       return when(Kind::Angle, places);
+    case ir::FunctionOp::Remainder:
+      return when(Kind::Length, {Kind::Length, Kind::Length});
+    case ir::FunctionOp::Salinity:
+    case ir::FunctionOp::Density:
+      return std::nullopt;  // no constant or variable of the mission has the types of a CTD
     case ir::FunctionOp::OffsetLatitude:
       return when(Kind::Latitude, course);
     case ir::FunctionOp::OffsetLongitude:

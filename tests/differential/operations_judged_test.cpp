@@ -155,7 +155,7 @@ ir::Mission numbers() {
   }
   for (const ir::OpInfo& function : ir::kOps) {
     if (function.group == ir::OpGroup::Function && function.takes != ir::Takes::Places &&
-        function.takes != ir::Takes::Course) {
+        function.takes != ir::Takes::Course && function.takes != ir::Takes::Ctd) {
       log.values.push_back(maker.function(function));
     }
   }

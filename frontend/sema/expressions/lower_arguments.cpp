@@ -4,6 +4,7 @@
 #include "frontend/sema/expressions/lower_arguments.h"
 
 #include "frontend/sema/expressions/lower_expr.h"
+#include "frontend/sema/expressions/named_arguments.h"
 #include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
@@ -228,7 +229,12 @@ class ArgumentLowering {
 std::optional<Arguments> lowerArguments(const std::vector<ast::Argument>& arguments,
                                         const Callee& callee, const support::SourceRange& where,
                                         Scope& scope) {
-  return ArgumentLowering(arguments, callee, where, scope).run();
+  const auto named = [](const ast::Argument& argument) { return argument.parameter.has_value(); };
+  if (std::ranges::none_of(arguments, named)) {
+    return ArgumentLowering(arguments, callee, where, scope).run();
+  }
+  const auto ordered = inOrder(arguments, callee, where, scope);
+  return ordered ? ArgumentLowering(*ordered, callee, where, scope).run() : std::nullopt;
 }
 
 }  // namespace glider::frontend

@@ -32,17 +32,15 @@ std::optional<int> wholeNumber(const ast::Expr& expr) {
   return value;
 }
 
-/// "1795564800 s, which is 2026-11-25 00:00 UTC", in backticks; empty: there is no such day.
-std::string secondsText(int year, int month, int day) {
+/// "2026-11-25T00:00Z", in backquotes; empty: there is no such day.
+std::string instantText(int year, int month, int day) {
   const std::chrono::year_month_day date{std::chrono::year(year),
                                          std::chrono::month(static_cast<unsigned>(month)),
                                          std::chrono::day(static_cast<unsigned>(day))};
   if (!date.ok()) {
     return {};
   }
-  const auto days = std::chrono::sys_days(date).time_since_epoch();
-  return fmt::format("`{} s`, the time since 1970 at {:04}-{:02}-{:02} 00:00 UTC",
-                     std::chrono::seconds(days).count(), year, month, day);
+  return fmt::format("`{:04}-{:02}-{:02}T00:00Z`", year, month, day);
 }
 
 bool isYear(int number) {
@@ -90,11 +88,11 @@ bool ExprLowering::isDate(const ast::Binary& node, const ast::Expr& expr) {
   if (!date) {
     return false;
   }
-  const std::string seconds = secondsText((*date)[0], (*date)[1], (*date)[2]);
+  const std::string instant = instantText((*date)[0], (*date)[1], (*date)[2]);
   scope_.report(support::diagnostics::dateAsDifference, expr.where, text, *first, *second, *third,
                 divides ? "divided by" : "minus",
-                seconds.empty() ? "there is no such day; times are written in seconds since 1970"
-                                : "write " + seconds);
+                instant.empty() ? "there is no such day; a time is written `2026-11-25T12:00Z`"
+                                : "write " + instant);
   return true;
 }
 
@@ -116,16 +114,16 @@ bool ExprLowering::tooSoonAfter1970(const Value& clock, const ast::Expr& clock_e
   constexpr int kMonthPlace = 100;
   const int number = *time == std::floor(*time) ? static_cast<int>(*time) : 0;
   const int year = number / kYearPlace;
-  const std::string seconds =
-      isYear(year) ? secondsText(year, number / kMonthPlace % kMonthPlace, number % kMonthPlace)
+  const std::string instant =
+      isYear(year) ? instantText(year, number / kMonthPlace % kMonthPlace, number % kMonthPlace)
                    : std::string();
   scope_.report(
       support::diagnostics::timeSince1970, value_expr.where, scope_.text(clock_expr.where),
       scope_.text(value_expr.where),
-      seconds.empty()
+      instant.empty()
           ? "for the time since the mission began, write `missiontime`; a date is written "
-            "in seconds, such as `1767225600 s` for 2026-01-01"
-          : "write " + seconds);
+            "`2026-11-25T12:00Z`"
+          : "write " + instant);
   return true;
 }
 

@@ -6,6 +6,7 @@
 #include "frontend/ast/ast.h"
 #include "frontend/sema/expressions/lanes.h"
 #include "frontend/sema/names/scope.h"
+#include "frontend/sema/names/values.h"
 
 #include <optional>
 #include <set>
@@ -62,6 +63,9 @@ class ExprLowering {
 
   Result visit(const ast::Literal& node, const ast::Expr& expr, std::optional<ir::Type> want);
   Result visit(const ast::Position& node, const ast::Expr& expr, std::optional<ir::Type> want);
+  // Times (lower_time.cpp).
+  Result visit(const ast::Duration& node, const ast::Expr& expr, std::optional<ir::Type> want);
+  Result visit(const ast::Instant& node, const ast::Expr& expr, std::optional<ir::Type> want);
   Result visit(const ast::Truth& node, const ast::Expr& expr, std::optional<ir::Type> want);
   Result visit(const ast::NameUse& node, const ast::Expr& expr, std::optional<ir::Type> want);
   Result visit(const ast::Invocation& node, const ast::Expr& expr, std::optional<ir::Type> want);
@@ -160,6 +164,13 @@ class ExprLowering {
   void refusePath(const ast::Expr& expr);
   std::optional<Place> constantPlace(const ast::Expr& expr);
 
+  // Names with a meaning of their own (lower_value.cpp).
+  Result meantValue(const std::string& name, const support::SourceRange& range);
+  Result inState(const SensorState& state, const support::SourceRange& range);
+  Result utc(const support::SourceRange& range);
+  Result turned(const support::SourceRange& range);
+  Result ofWater(ir::Op op, const support::SourceRange& range);
+
   // Names (lower_name.cpp).
   Result variable(Named& named, const support::SourceRange& range);
   Result sensor(const platforms::PlatformSensor& sensor, const std::string& written,
@@ -192,8 +203,9 @@ class ExprLowering {
   std::vector<SensorRead> reads_;
 };
 
-/// Whether a name is the vehicle's position: `here`, unless the mission uses that name itself.
-bool isHere(const ast::NameUse& use, Scope& scope);
+/// Whether a name means a value of its own, such as `here` or `diving`: the mission does not use
+/// it.
+bool meansValue(std::string_view name, Scope& scope);
 
 /// Whether an expression is certainly a position: a literal, the name of one, or a function.
 bool isPosition(const ast::Expr& expr, Scope& scope);

@@ -3,6 +3,7 @@
 
 #include "frontend/sema/expressions/lower_arguments.h"
 #include "frontend/sema/expressions/lower_expr.h"
+#include "frontend/sema/expressions/named_arguments.h"
 #include "frontend/sema/names/functions.h"
 #include "frontend/spelling.h"
 #include "ir/core/ops.h"
@@ -35,6 +36,9 @@ std::string countedArguments(size_t n) {
 ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast::Expr& expr,
                                          std::optional<ir::Type> want) {
   const std::string& name = node.function.text;
+  if (!scope_.functions.contains(name) && refuseNames(node, scope_)) {
+    return std::nullopt;
+  }
   if (findWindow(name)) {
     return window(node, expr);
   }
@@ -50,7 +54,8 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
   if (isPlaceFunction(name) && !scope_.declares(name)) {
     return stretched(node) ? std::nullopt : placeOf(node, expr);
   }
-  const Function* function = findFunction(name);
+  const Function* function =
+      isReservedFunction(name) || !scope_.declares(name) ? findFunction(name) : nullptr;
   if (function == nullptr) {
     return inC(node, expr);
   }
@@ -85,7 +90,7 @@ ExprLowering::Result ExprLowering::inC(const ast::Invocation& node, const ast::E
     }
     const bool value = findClock(name) || scope_.findSensor(name) != nullptr ||
                        scope_.findConstant(name) != nullptr || scope_.findNamed(name) != nullptr ||
-                       isHere({name}, scope_);
+                       meansValue(name, scope_);
     scope_.report(support::diagnostics::unknownFunction, node.function.where, name,
                   value ? "`" + name + "` is a value: write it without parentheses"
                         : suggestFunction(name, scope_));

@@ -9,10 +9,6 @@
 
 namespace glider::frontend {
 
-bool isHere(const ast::NameUse& use, Scope& scope) {
-  return use.name == "here" && !scope.declares(use.name) && !scope.platform().find(use.name);
-}
-
 bool isPosition(const ast::Expr& expr, Scope& scope) {
   if (std::holds_alternative<ast::Position>(expr.node) ||
       std::holds_alternative<ast::Index>(expr.node)) {
@@ -25,7 +21,7 @@ bool isPosition(const ast::Expr& expr, Scope& scope) {
   if (use == nullptr) {
     return false;
   }
-  if (isHere(*use, scope)) {
+  if (use->name == "here" && meansValue(use->name, scope)) {
     return true;
   }
   if (const Named* named = scope.findNamed(use->name)) {
@@ -66,8 +62,8 @@ ExprLowering::Result ExprLowering::visit(const ast::NameUse& node, const ast::Ex
   if (scope_.refused_names.contains(node.name)) {
     return std::nullopt;  // its declaration was refused
   }
-  if (isHere(node, scope_)) {
-    return wholePlace(*here(expr.where), expr.where);
+  if (meansValue(node.name, scope_)) {
+    return meantValue(node.name, expr.where);
   }
   if (node.name == "profiledone" || node.name == "routedone") {
     return finished(node, expr.where);

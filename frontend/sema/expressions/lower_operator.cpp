@@ -47,13 +47,22 @@ bool sameWay(ast::BinaryOp a, ast::BinaryOp b) {
   return (rises(a) && rises(b)) || (falls(a) && falls(b));
 }
 
-/// Whether a reading or a clock is in the expression.
-bool measured(const ir::Mission& mission, ir::ExprId id) {
-  const ir::Expr& expr = mission[id];
-  const bool itself = expr.op == ir::Op::Sensor || expr.op == ir::Op::Age ||
-                      ir::groupOf(expr.op) == ir::OpGroup::Clock;
+/// Whether a sensor of the vehicle gives whole numbers, which can be compared exactly.
+bool counts(const std::string& vehicle_name, const Scope& scope) {
+  const auto& sensors = scope.platform().sensors;
+  const auto found = std::ranges::find(sensors, vehicle_name, &platforms::PlatformSensor::name);
+  return found != sensors.end() && found->counts;
+}
+
+/// Whether a reading, other than a count, or a clock is in the expression.
+bool measured(const Scope& scope, ir::ExprId id) {
+  const ir::Expr& expr = scope.mission[id];
+  const bool reading =
+      expr.op == ir::Op::Sensor && !counts(scope.mission[expr.sensor].vehicle_name, scope);
+  const bool itself =
+      reading || expr.op == ir::Op::Age || ir::groupOf(expr.op) == ir::OpGroup::Clock;
   return itself || std::ranges::any_of(expr.operands, [&](ir::ExprId operand) {
-           return operand.valid() && measured(mission, operand);
+           return operand.valid() && measured(scope, operand);
          });
 }
 
@@ -286,7 +295,8 @@ ExprLowering::Result ExprLowering::comparison(ir::Op op, const ast::Binary& node
 void ExprLowering::warnOfEquality(ir::Op op, const Value& left, const Value& right,
                                   const ast::Binary& node) {
   const bool equality = op == ir::Op::Equal || op == ir::Op::NotEqual;
-  if (!equality || !(measured(scope_.mission, left.id) || measured(scope_.mission, right.id))) {
+  const bool inexact = measured(scope_, left.id) || measured(scope_, right.id);
+  if (!equality || !inexact) {
     return;
   }
   scope_.report(support::diagnostics::measuredEquality, node.op_where,

@@ -16,11 +16,18 @@ struct WindowFunction {
 
 constexpr Function kFunctions[] = {
 #define FUNCTION(name, op, what, ...) {#name, ir::Op::op, #__VA_ARGS__},
+#define FREE_FUNCTION FUNCTION
 #include "frontend/sema/names/functions.def"
 };
 
 constexpr std::string_view kEarth[] = {
 #define EARTH_FUNCTION(name, use, what) #name,
+#include "frontend/sema/names/functions.def"
+};
+
+constexpr std::string_view kFree[] = {
+#define FREE_FUNCTION(name, ...) #name,
+#define PLACE_FUNCTION(name, ...) #name,
 #include "frontend/sema/names/functions.def"
 };
 
@@ -59,7 +66,7 @@ bool isPlaceFunction(std::string_view name) {
 }
 
 bool isReservedFunction(std::string_view name) {
-  return isFunctionName(name) && !isPlaceFunction(name);
+  return isFunctionName(name) && std::ranges::find(kFree, name) == std::end(kFree);
 }
 
 bool isFunctionName(std::string_view name) {
@@ -80,6 +87,7 @@ const std::vector<std::string_view>& functionNames() {
 std::span<const FunctionText> functionTexts() {
   static constexpr FunctionText kTexts[] = {
 #define FUNCTION(name, op, what, ...) {#name, #name "(" #__VA_ARGS__ ")", what},
+#define FREE_FUNCTION FUNCTION
 #define EARTH_FUNCTION(name, use, what) {#name, use, what},
 #define PLACE_FUNCTION(name, use, what) {#name, use, what},
 #define SPAN_FUNCTION(name, use, what) {#name, use, what},

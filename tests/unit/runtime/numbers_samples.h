@@ -73,6 +73,11 @@ inline void addOffset(double latitude, double longitude, double bearing, double 
   digest.add(gliderOffsetLongitude(latitude, longitude, bearing, distance));
 }
 
+inline void addWater(double conductivity, double temperature, double pressure, Digest& digest) {
+  digest.add(gliderSalinity(conductivity, temperature, pressure));
+  digest.add(gliderDensity(conductivity, temperature, pressure));
+}
+
 /// Ends of every range, ties and zeros.
 inline void addAwkward(Digest& digest) {
   const double awkward[] = {0.0,      -0.0,       1.0,          -1.0,     90.0,
@@ -85,6 +90,8 @@ inline void addAwkward(Digest& digest) {
     addAngle(a, digest);
     for (const double b : awkward) {
       digest.add(gliderAtan2(a, b));
+      digest.add(gliderRemainder(a, b));
+      addWater(a, b, a, digest);
       addPlaces(a, b, b, -b, digest);
       addPlaces(a, b, -a, 180.0, digest);
       addPlaces(90.0, a, 0x1p-60, b, digest);
@@ -113,6 +120,9 @@ inline uint64_t digestOf(uint32_t count) {
     const double far = random.between(-90.0, 90.0);
     addPlaces(latitude, longitude, far, random.between(-180.0, 180.0), digest);
     addOffset(latitude, longitude, random.between(-10.0, 10.0), random.spread(-60, 25), digest);
+    addWater(random.between(-0.1, 8.0), random.between(-5.0, 46.0), random.between(-1e5, 1.3e8),
+             digest);
+    digest.add(gliderRemainder(random.spread(-30, 40), random.spread(-20, 30)));
     const double tiny = random.spread(-1022, -40);
     addPlaces(tiny, random.spread(-1022, -40), far, tiny, digest);
   }

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/expressions/lower_expr.h"
+#include "frontend/sema/names/values.h"
+#include "support/diagnostics/ids/meaning.h"
+
+#include <array>
+
+// Names with a meaning unless the mission uses them itself: `here`, `utc`, `timeofday`, `salinity`,
+// `density`, `turned`, and the states of a sensor, such as `diving`.
+
+namespace glider::frontend {
+namespace {
+
+constexpr double kDay_s = 86400;
+
+}  // namespace
+
+bool meansValue(std::string_view name, Scope& scope) {
+  return (isValueName(name) || findSensorState(scope.platform(), name)) && !scope.declares(name) &&
+         scope.platform().find(name) == nullptr;
+}
+
+ExprLowering::Result ExprLowering::meantValue(const std::string& name,
+                                              const support::SourceRange& range) {
+  if (const auto state = findSensorState(scope_.platform(), name)) {
+    return inState(*state, range);
+  }
+  if (name == "here") {
+    const Result place = here(range);
+    return place ? Result(wholePlace(*place, range)) : std::nullopt;
+  }
+  if (name == "utc") {
+    return utc(range);
+  }
+  if (name == "timeofday") {
+    const Result now = utc(range);
+    const auto time = quantity(support::dimension::time);
+    return now ? Result(emit(ir::Op::Remainder, time, range,
+                             {now->id, emitNumber(kDay_s, time, range).id}))
+               : std::nullopt;
+  }
+  if (name == "turned") {
+    return turned(range);
+  }
+  return ofWater(name == "salinity" ? ir::Op::Salinity : ir::Op::Density, range);
+}
+
+ExprLowering::Result ExprLowering::inState(const SensorState& state,
+                                           const support::SourceRange& range) {
+  const Value value = *sensor(*state.sensor, state.sensor->name, range);
+  return emit(ir::Op::Equal, boolean(), range,
+              {value.id, emitNumber(state.value, value.type, range).id});
+}
+
+ExprLowering::Result ExprLowering::utc(const support::SourceRange& range) {
+  const platforms::PlatformSensor* clock = findTimestamp(scope_.platform());
+  if (clock == nullptr) {
+    scope_.report(support::diagnostics::unknownSensor, range, scope_.platform().name, "utc",
+                  "the vehicle reports no time of the calendar");
+    return std::nullopt;
+  }
+  return sensor(*clock, clock->name, range);
+}
+
+/// `became(diving) || became(climbing)`
+ExprLowering::Result ExprLowering::turned(const support::SourceRange& range) {
+  const auto began = [&](const char* state) {
+    const ast::Expr name{ast::NameUse{state}, range};
+    const ast::Expr became{ast::Invocation{{"became", range}, {{name, {}, {}}}}, range};
+    return lower(became, std::nullopt);
+  };
+  for (const char* state : {"diving", "climbing"}) {
+    if (!meansValue(state, scope_)) {
+      scope_.report(support::diagnostics::unknownSensor, range, scope_.platform().name, "turned",
+                    scope_.declares(state)
+                        ? std::string("the mission uses the name `") + state + "` itself"
+                        : "the vehicle does not report whether it dives or climbs");
+      return std::nullopt;
+    }
+  }
+  const Result dives = began("diving");
+  const Result climbs = began("climbing");
+  return dives && climbs ? Result(emit(ir::Op::Or, boolean(), range, {dives->id, climbs->id}))
+                         : std::nullopt;
+}
+
+ExprLowering::Result ExprLowering::ofWater(ir::Op op, const support::SourceRange& range) {
+  std::array<ir::ExprId, 3> measured;
+  constexpr std::array<const char*, 3> kCtd = {"cond", "temp", "scipressure"};
+  for (size_t i = 0; i < kCtd.size(); ++i) {
+    const platforms::PlatformSensor* found = scope_.platform().find(kCtd.at(i));
+    if (found == nullptr) {
+      scope_.report(support::diagnostics::unknownSensor, range, scope_.platform().name, kCtd.at(i),
+                    "salinity and density need conductivity, temperature and pressure of a CTD");
+      return std::nullopt;
+    }
+    measured.at(i) = sensor(*found, kCtd.at(i), range)->id;
+  }
+  return emitOf(op, range, measured);
+}
+
+}  // namespace glider::frontend

@@ -74,8 +74,10 @@ support::Trace traceOfRun(const compiler::Checked& checked,
   addColumns(trace, checked);
   addRows(trace, run);
   for (const auto& event : run.story) {
-    trace.events.push_back({event.mission_time, event.mission_time, "transition", event.text,
-                            std::string(checked.sources().text(event.range))});
+    trace.events.push_back(support::makeEvent(event.mission_time, support::EventId::CaseFires,
+                                              {event.text},
+                                              std::string(checked.sources().text(event.range))));
+    trace.events.back().mission_time_s = event.mission_time;
   }
   const bool refuted = verdict.verdict == ir::prove::Verdict::Refuted;
   trace.events.push_back(support::makeEvent(

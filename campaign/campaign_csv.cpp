@@ -68,15 +68,6 @@ bool parseOutcome(const std::vector<std::string>& fields, Verdict& verdict) {
   return false;
 }
 
-/// How many of what is checked in the flights of a mission are requirements: they come first.
-size_t requirementsIn(const CampaignMission& mission) {
-  size_t count = 0;
-  while (count < mission.requirements.size() && !mission.isAssumption(count)) {
-    ++count;
-  }
-  return count;
-}
-
 /// "1;3", those of numbers `from` to `to`, counted from 1.
 std::string numbersText(const Verdict& verdict, size_t from, size_t to) {
   std::string text;
@@ -113,7 +104,7 @@ std::string csvHead(const std::string& identity) {
 std::string csvRow(const CampaignPlan& plan, const CampaignFlight& flight, const Verdict& verdict) {
   const bool violated = verdict.outcome == Verdict::Outcome::Violation;
   const auto& mission = plan.missions[flight.mission];
-  const size_t required = requirementsIn(mission);
+  const size_t required = mission.assumptions_from;
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", flight.number,
                      support::csvQuoted(mission.file), simulator::nameOf(flight.kind),
                      simulator::nameOf(flight.manner),
@@ -135,7 +126,7 @@ bool parseRow(const CampaignPlan& plan, std::string_view line, uint64_t& number,
   verdict.violation = fields[kViolation];
   const auto& mission = plan.missions[flightOf(plan, number).mission];
   parseNumbers(fields[kRequirements], 0, verdict);
-  parseNumbers(fields[kAssumptions], requirementsIn(mission), verdict);
+  parseNumbers(fields[kAssumptions], mission.assumptions_from, verdict);
   if (std::ranges::any_of(verdict.requirements,
                           [&](size_t one) { return one >= mission.requirements.size(); })) {
     return false;

@@ -28,9 +28,8 @@ struct CampaignMission {
   flights::NewWatchedFlight new_watched_flight;  ///< if its requirements are checked; may be empty
   std::shared_ptr<const compiler::Optimised> compiled;  ///< what flies
   std::vector<std::string> requirements;                ///< flights::watchedTexts; of those checked
-  [[nodiscard]] bool isAssumption(size_t number) const {
-    return requirements.at(number).starts_with("assume ");
-  }
+  size_t assumptions_from = 0;  ///< the first of `requirements` that is an assumption
+  [[nodiscard]] bool isAssumption(size_t number) const { return number >= assumptions_from; }
   std::vector<flights::NewFlight> on_board;  ///< one for each of the plan's boards
   simulator::FlightTimes times = {};         ///< of its flight without faults
   double mean_W = 0;                         ///< of its batteries in that flight

@@ -28,8 +28,8 @@ int tellReplay(const support::Trace& trace, const analysis::Replayed& replayed,
                const std::string& way) {
   std::string text;
   for (const support::TraceEvent& event : trace.events) {
-    if (event.kind == "transition") {
-      text += event.what + "\n";
+    if (isOfKind(event, support::EventKind::Transition)) {
+      text += textOf(event) + "\n";
     }
   }
   text += replayed.broken

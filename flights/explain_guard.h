@@ -9,8 +9,8 @@
 namespace glider::flights {
 
 /// Why a transition happened, for events and reports: the source of the guard of case `fired_case`
-/// of `list` (GliderList) in `state` on one line, and the vehicle's sensors that it reads. Empty
-/// for numbers that the mission does not have.
+/// of `list` (hooks::CaseList) in `state` on one line, and the vehicle's sensors that it reads.
+/// Empty for numbers that the mission does not have.
 simulator::GuardText explainGuard(const compiler::Optimised& of, uint32_t list, uint32_t state,
                                   uint32_t fired_case);
 

@@ -5,6 +5,7 @@
 
 #include "hooks/protocol/bytes.h"
 #include "hooks/protocol/frame.h"
+#include "hooks/protocol/notices.h"
 #include "runtime/abi/glider_abi.h"
 #include "runtime/log/check_text.h"
 
@@ -45,8 +46,8 @@ std::string detailText(uint8_t number) {
 }
 
 std::string transitionText(uint8_t transition, bool always) {
-  constexpr const char* kNames[] = {"goto", "call", "return", "exit", "stay", "done"};
-  const std::string name = transition < std::size(kNames) ? kNames[transition] : "?";
+  const char* word = hooks::transitionWord(transition);
+  const std::string name = word != nullptr ? word : "?";
   return always ? "always " + name : name;
 }
 

@@ -16,7 +16,7 @@ using support::TraceEvent;
 
 /// A requirement or an assumption, which is `guard`.
 bool isBroken(const FollowedStep& step) {
-  return step.kind == "violation" || step.kind == "assumption";
+  return step.kind == FollowedKind::Violation || step.kind == FollowedKind::Assumption;
 }
 
 std::string whyText(const FollowedStep& step) {
@@ -26,21 +26,21 @@ std::string whyText(const FollowedStep& step) {
 
 TraceEvent eventOf(const FollowedStep& step, double time_s) {
   std::string why = whyText(step);
-  if (step.kind == "start") {
+  if (step.kind == FollowedKind::Start) {
     return makeEvent(time_s, EventId::WouldStart, {step.to}, std::move(why));
   }
   if (isBroken(step)) {
-    const bool required = step.kind == "violation";
+    const bool required = step.kind == FollowedKind::Violation;
     return makeEvent(time_s, required ? EventId::RequirementBroken : EventId::AssumptionBroken,
                      {step.guard, step.words.empty() ? "" : ": " + step.words}, std::move(why));
   }
-  if (step.kind == "gap") {
+  if (step.kind == FollowedKind::Gap) {
     return makeEvent(time_s, EventId::WouldEndInGap, {step.from}, std::move(why));
   }
-  return makeEvent(
-      time_s, EventId::Transition,
-      {step.from, step.to.empty() ? "end" : step.to, step.kind + (step.always ? ", always" : "")},
-      std::move(why));
+  const std::string how = std::string(wordOf(step.kind)) + (step.always ? ", always" : "");
+  return step.kind == FollowedKind::Exit
+             ? makeEvent(time_s, EventId::MissionEnds, {step.from, how}, std::move(why))
+             : makeEvent(time_s, EventId::Transition, {step.from, step.to, how}, std::move(why));
 }
 
 TraceEvent eventOf(const LoggedCase& of, const Flicker& flicker, double time_s) {
@@ -55,7 +55,7 @@ TraceEvent eventOf(const LoggedCase& of, const Flicker& flicker, double time_s) 
 void markAgainst(const std::string& mission, const AgainstLogs& against, support::Trace& flight) {
   const double began_s = flight.log->utc_s;
   for (const FollowedStep& step : against.followed) {
-    if (step.kind != "stay") {
+    if (step.kind != FollowedKind::Stay) {
       flight.events.push_back(eventOf(step, step.at.time_s - began_s));
     }
   }

@@ -217,7 +217,7 @@ FlightFigures flightFigures(const Trace& trace) {
   measureTrack(trace, figures);
   measureStates(trace, time, figures);
   for (const support::TraceEvent& event : trace.events) {
-    ++figures.events[event.kind];
+    ++figures.events[kindOf(event)];
   }
   return figures;
 }

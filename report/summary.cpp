@@ -16,6 +16,7 @@ namespace glider::report {
 
 namespace {
 
+using support::EventKind;
 using support::Trace;
 using support::TraceEvent;
 
@@ -105,9 +106,9 @@ std::string secondsText(double seconds) {
 std::string eventLine(const TraceEvent& event, bool with_kind) {
   const std::string times =
       fmt::format("  {:>9} {:>9}  ", secondsText(event.time_s), secondsText(event.mission_time_s));
-  const std::string kind = with_kind ? padded(cut(plain(event.kind), 12), 12) : "";
+  const std::string kind = with_kind ? padded(cut(plain(kindOf(event)), 12), 12) : "";
   const size_t indent = times.size() + width(kind);
-  const std::string what = plain(event.what);
+  const std::string what = plain(textOf(event));
   const std::string why = plain(event.why);
   if (indent + width(what) + 2 + width(why) <= kWidth) {
     return fmt::format("{}{}{}{}\n", times, kind, what, why.empty() ? "" : "  " + why);
@@ -124,7 +125,8 @@ std::string eventLines(const Trace& trace, bool transitions) {
   size_t count = 0;
   for (const TraceEvent& event : trace.events) {
     // Routine steering would hide what matters; it is in the report.
-    if ((event.kind == "transition") != transitions || event.kind == "steering") {
+    if (isOfKind(event, EventKind::Transition) != transitions ||
+        isOfKind(event, EventKind::Steering)) {
       continue;
     }
     if (++count <= kMostEvents) {

@@ -26,7 +26,7 @@ using support::TraceEvent;
 constexpr size_t kMostNames = 20;
 
 /// A value of an event that is a text.
-std::string textOf(const TraceEvent& event, size_t number) {
+std::string textValue(const TraceEvent& event, size_t number) {
   return std::get<std::string>(event.values.at(number));
 }
 
@@ -60,7 +60,7 @@ std::string otherMission(const Trace& trace) {
   constexpr size_t kMostOnTheLine = 47;  // a longer name is cut
   for (const TraceEvent& event : trace.events) {
     if (!trace.state_names.empty() && event.id == EventId::SbcAnswers) {
-      const std::string name = textOf(event, 0);
+      const std::string name = textValue(event, 0);
       const bool same = name == trace.mission ||
                         (name.size() >= kMostOnTheLine && trace.mission.starts_with(name));
       return same ? "" : name;
@@ -71,9 +71,7 @@ std::string otherMission(const Trace& trace) {
 
 /// Vehicle time of the end of the mission; none: it has not ended.
 std::optional<double> endOf(const Trace& trace) {
-  const auto end = std::ranges::find_if(trace.events, [](const TraceEvent& event) {
-    return event.id == EventId::Transition && textOf(event, 2).starts_with("exit");
-  });
+  const auto end = std::ranges::find(trace.events, EventId::MissionEnds, &TraceEvent::id);
   return end == trace.events.end() ? std::nullopt : std::optional(end->time_s);
 }
 
@@ -116,7 +114,7 @@ std::optional<double> controlOf(const Trace& trace) {
 std::optional<double> restlessFrom(const Trace& trace, size_t count, double within_s) {
   std::vector<double> times;
   for (const TraceEvent& event : trace.events) {
-    if (event.id == EventId::Transition) {
+    if (event.id == EventId::Transition || event.id == EventId::MissionEnds) {
       times.push_back(event.time_s);
     }
     const bool enough = times.size() >= count;
@@ -125,11 +123,6 @@ std::optional<double> restlessFrom(const Trace& trace, size_t count, double with
     }
   }
   return std::nullopt;
-}
-
-/// The note of runtime/core/compass.cpp.
-bool saysNoDeclination(const TraceEvent& event) {
-  return event.id == EventId::Note && event.what == "declination unknown: headings are magnetic";
 }
 
 /// The end of a simulated flight.
@@ -200,7 +193,7 @@ void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics) {
   if (const EventMention told = tell(trace, EventId::Aborts); told.first != nullptr) {
     const std::string why = told.first->why.empty() ? "" : ", " + plain(told.first->why);
     diagnostics.report(support::diagnostics::flightAborted, {}, told.at,
-                       plain(told.first->what) + why + told.more);
+                       plain(textOf(*told.first)) + why + told.more);
   }
   reportEnd(trace, diagnostics);
   if (const EventMention told = tell(trace, EventId::TouchesBottom); told.first != nullptr) {
@@ -209,13 +202,13 @@ void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics) {
   }
   if (const EventMention told = tell(trace, EventId::InstructionRefused); told.first != nullptr) {
     diagnostics.report(support::diagnostics::commandRefused, {}, told.at,
-                       plain(textOf(*told.first, 1)) + told.more);
+                       plain(textValue(*told.first, 1)) + told.more);
   }
   if (const EventMention told = tell(trace, EventId::GuardClimbs); told.first != nullptr) {
     const double depth_m = std::get<double>(told.first->values.at(1));
-    diagnostics.report(
-        support::diagnostics::guardIntervened, {}, told.at,
-        fmt::format("{} (m_depth {:.1f} m){}", plain(textOf(*told.first, 0)), depth_m, told.more));
+    diagnostics.report(support::diagnostics::guardIntervened, {}, told.at,
+                       fmt::format("{} (m_depth {:.1f} m){}", plain(textValue(*told.first, 0)),
+                                   depth_m, told.more));
   }
 }
 
@@ -262,7 +255,7 @@ std::vector<std::string> flightWarnings(const Trace& trace) {
                     "wrong",
                     plain(other), plain(trace.mission)));
   }
-  if (std::ranges::any_of(trace.events, saysNoDeclination)) {
+  if (tell(trace, EventId::DeclinationUnknown).first != nullptr) {
     warnings.emplace_back(
         "the magnetic declination was unknown, so headings were taken as magnetic; add a line such "
         "as `declination -12 deg` to the mission (GL2162)");

@@ -10,8 +10,8 @@
 
 namespace glider::simulator {
 
-/// Explains case `fired_case` of `list` (GliderList) in mission state `state`: the guard's text and
-/// the platform's numbers of the sensors in it.
+/// Explains case `fired_case` of `list` (hooks::CaseList) in mission state `state`: the guard's
+/// text and the platform's numbers of the sensors in it.
 struct GuardText {
   std::string guard;
   std::vector<uint16_t> sensors;

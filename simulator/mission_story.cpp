@@ -3,17 +3,25 @@
 
 #include "simulator/mission_story.h"
 
+#include "hooks/protocol/notices.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <string_view>
 
 namespace glider::simulator {
 
 using Kind = hooks::SeatEvent::Kind;
 
 namespace {
+
+/// Whether the number in an event stands for `value`.
+template <typename Value>
+bool is(uint32_t number, Value value) {
+  return number == static_cast<uint32_t>(value);
+}
 
 /// A position as missions write it, ddmm.mmmm: the name of the value shows what it is.
 std::string valueText(double value, const std::string& unit) {
@@ -37,11 +45,13 @@ std::string whyRefused(const hooks::SeatEvent& event) {
                      name != nullptr ? name : fmt::format("{}", bit));
 }
 
-/// The names of GliderTransition, as numbered in the notice.
-constexpr std::array<const char*, 5> kTransitions = {"goto", "call", "return", "exit", "stay"};
-constexpr uint32_t kExit = 3;
-constexpr uint32_t kAlways = 0;      ///< GliderList
-constexpr uint32_t kUnknownSet = 1;  ///< GliderNoteKind
+/// "goto, always case 3"
+std::string howText(const hooks::SeatEvent& event) {
+  const char* word = hooks::transitionWord(event.a);
+  const char* kind = word != nullptr ? word : "?";
+  return is(event.e, hooks::CaseList::Always) ? fmt::format("{}, always case {}", kind, event.d + 1)
+                                              : kind;
+}
 
 }  // namespace
 
@@ -83,19 +93,22 @@ void MissionStory::transition(double now_s, const hooks::SeatEvent& event,
                               const SimulatedSeat& seat, Journal& journal) const {
   const double time =
       std::isfinite(origin_s_) ? std::min(now_s, origin_s_ + event.mission_time_s) : now_s;
-  const char* kind = event.a < kTransitions.size() ? kTransitions[event.a] : "?";
-  const std::string to = event.a == kExit ? "end" : stateName(event.c);
-  const std::string how =
-      event.e == kAlways ? fmt::format("{}, always case {}", kind, event.d + 1) : kind;
-  journal.add(time, EventId::Transition, {stateName(event.b), to, how}, why(event, seat));
+  if (is(event.a, hooks::Transition::Exit)) {
+    journal.add(time, EventId::MissionEnds, {stateName(event.b), howText(event)}, why(event, seat));
+  } else {
+    journal.add(time, EventId::Transition, {stateName(event.b), stateName(event.c), howText(event)},
+                why(event, seat));
+  }
   journal.events().back().mission_time_s = event.mission_time_s;
 }
 
 void MissionStory::note(double now_s, const hooks::SeatEvent& event, Journal& journal) const {
   const double time =
       std::isfinite(origin_s_) ? std::min(now_s, origin_s_ + event.mission_time_s) : now_s;
-  if (event.a == kUnknownSet) {
+  if (is(event.a, hooks::NoteKind::UnknownSet)) {
     journal.add(time, EventId::ValueKept, {event.text}, "the new value is unknown");
+  } else if (std::string_view(event.text) == hooks::kNoteDeclinationUnknown) {
+    journal.add(time, EventId::DeclinationUnknown, {event.text});
   } else {
     journal.add(time, EventId::Note, {event.text});
   }

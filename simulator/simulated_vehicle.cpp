@@ -156,9 +156,9 @@ bool SimulatedVehicle::controlCycle(double now) {
   }
   // By the true depth, not that of the sensor: a flight is over when the vehicle is at the
   // surface.
-  const bool over = !seat_->end().empty() && vehicle_.depth() < kAfloat;
+  const bool over = seat_->end() && vehicle_.depth() < kAfloat;
   if (over) {
-    journal_.add(now, EventId::FlightEnds, {seat_->end()}, seat_->whyEnded());
+    journal_.add(now, seat_->end()->id, seat_->end()->values, seat_->end()->why);
   }
   const bool seen_enough = setup_.observer != nullptr && !setup_.observer->cycle(view(now, over));
   return over || seen_enough;
@@ -204,7 +204,7 @@ void SimulatedVehicle::completeRow() {
 
 support::Trace SimulatedVehicle::finish() {
   completeRow();
-  if (seat_->end().empty()) {
+  if (!seat_->end()) {
     journal_.add(cycle_s_, EventId::TimeIsOver, {duration_s_});
   }
   recorder_.field();

@@ -16,6 +16,7 @@ namespace glider::analysis {
 namespace {
 
 using ir::ListKind;
+using report::FollowedKind;
 using report::FollowedStep;
 
 /// Runs the mission on the interpreter along the ticks of a log. The vehicle did not obey it, so
@@ -85,7 +86,7 @@ class LogFollower {
     was_up_ = blind_ = false;
     out_.states[tick] = state_.index;
     out_.steps.push_back({.at = momentOf(log_, tick),
-                          .kind = "start",
+                          .kind = FollowedKind::Start,
                           .from = "",
                           .to = m_[state_].name,
                           .range = {},
@@ -93,12 +94,14 @@ class LogFollower {
                           .values = {}});
     watches_.clear();
     for (const ir::Requirement& requirement : m_.requirements) {
-      watches_.push_back({"violation", &requirement, {m_, requirement, surface_m_, depth_}});
+      watches_.push_back(
+          {FollowedKind::Violation, &requirement, {m_, requirement, surface_m_, depth_}});
     }
     for (const ir::Assumption& assumption : m_.assumptions) {
       if (assumption.isWatched()) {
-        watches_.push_back(
-            {"assumption", &assumption.watch, {m_, assumption.watch, surface_m_, depth_}});
+        watches_.push_back({FollowedKind::Assumption,
+                            &assumption.watch,
+                            {m_, assumption.watch, surface_m_, depth_}});
       }
     }
     watchRequirements(tick, begun);
@@ -111,7 +114,7 @@ class LogFollower {
 
   void interrupt(uint32_t tick) {
     out_.steps.push_back({.at = momentOf(log_, tick - 1),
-                          .kind = "gap",
+                          .kind = FollowedKind::Gap,
                           .from = m_[state_].name,
                           .to = "",
                           .range = {},
@@ -165,7 +168,9 @@ class LogFollower {
     step.at = momentOf(log_, tick);
     step.kind = kindOf(fired.transition);
     step.from = m_[state_].name;
-    step.to = step.kind == "exit" ? "" : step.kind == "stay" ? step.from : m_[result.state].name;
+    step.to = step.kind == FollowedKind::Exit   ? ""
+              : step.kind == FollowedKind::Stay ? step.from
+                                                : m_[result.state].name;
     step.always = watched_[watched].list == ListKind::Always;
     step.range = fired.range;
     step.guard = guard.valid() ? support::onOneLine(checked_.sources().text(guard)) : "";
@@ -196,21 +201,21 @@ class LogFollower {
     }
   }
 
-  static std::string kindOf(ir::Transition transition) {
+  static FollowedKind kindOf(ir::Transition transition) {
     switch (transition) {
       case ir::Transition::Goto:
-        return "goto";
+        return FollowedKind::Goto;
       case ir::Transition::Call:
-        return "call";
+        return FollowedKind::Call;
       case ir::Transition::Return:
-        return "return";
+        return FollowedKind::Return;
       case ir::Transition::Exit:
-        return "exit";
+        return FollowedKind::Exit;
       case ir::Transition::Stay:
       case ir::Transition::Done:
         break;
     }
-    return "stay";
+    return FollowedKind::Stay;
   }
 
   using Values = std::vector<report::LoggedValue>;
@@ -227,7 +232,7 @@ class LogFollower {
   std::optional<ir::SensorId> depth_;  ///< the vehicle's own
   /// Of a requirement or an assumption.
   struct Watched {
-    const char* kind;  ///< FollowedStep::kind
+    FollowedKind kind;
     const ir::Requirement* requirement;
     ir::RequirementMonitor monitor;
   };

@@ -166,29 +166,15 @@ class HeldState {
 };
 
 std::string transitionText(const ir::Mission& mission, const ir::Case& of) {
-  switch (of.transition) {
-    case ir::Transition::Goto:
-      return "goto " + mission[of.target].name;
-    case ir::Transition::Call:
-      return "call " + mission[of.target].name;
-    case ir::Transition::Return:
-      return "return";
-    case ir::Transition::Exit:
-      return "exit";
-    case ir::Transition::Stay:
-      return "stay";
-    case ir::Transition::Done:
-      return "done";
-  }
-  return "";
+  const std::string word(ir::wordOf(of.transition));
+  return of.target.valid() ? word + " " + mission[of.target].name : word;
 }
 
 LoggedCase describe(const compiler::Checked& checked, const WatchedCase& watched) {
-  constexpr std::array kWords = {"always", "state", "profile", "route"};
   const ir::Mission& mission = checked.mission();
   const ir::Case& of = caseOf(mission, watched);
   LoggedCase out;
-  out.list = kWords.at(static_cast<size_t>(watched.list));
+  out.list = std::string(ir::wordOf(watched.list));
   out.state = watched.state.valid() ? mission[watched.state].name : "";
   out.range = of.range;
   const support::SourceRange guard = mission[of.guard].range;

@@ -62,6 +62,7 @@ int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPla
     if (flights::RequirementWatch::canWatch(*compiled)) {
       mission.new_watched_flight = std::move(*start);
       mission.requirements = flights::watchedTexts(*compiled->checked);
+      mission.assumptions_from = compiled->checked->mission().requirements.size();
     }
     for (const std::string& board : plan.boards) {
       mission.on_board.push_back(

@@ -37,7 +37,7 @@ std::string eventsToCsv(const support::Trace& trace) {
   for (const support::TraceEvent& event : trace.events) {
     out +=
         fmt::format("{},{},{},{},{}\n", numberCell(event.time_s), numberCell(event.mission_time_s),
-                    textCell(event.kind), textCell(event.what), textCell(event.why));
+                    textCell(kindOf(event)), textCell(textOf(event)), textCell(event.why));
   }
   return out;
 }

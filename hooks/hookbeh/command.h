@@ -3,22 +3,11 @@
 
 #pragma once
 
+#include "hooks/hookbeh/doing.h"
+
 #include <stdint.h>
 
 namespace glider::hooks {
-
-/// `x_hook_guard`: why hookbeh climbs against any instruction of the SBC.
-enum class HookGuard : uint8_t {
-  None = 0,
-  TooDeep = 1,
-  NearBottom = 2,
-  DepthUnknown = 3,    ///< no reading, or one outside the range of a depth sensor
-  DepthJumps = 4,      ///< it moved faster than the vehicle can
-  DepthFrozen = 5,     ///< its bits did not change while the vehicle was driven
-  DepthsDisagree = 6,  ///< the vehicle's own and the CTD's
-  NoDepthGained = 7,   ///< pump in, and the vehicle does not sink
-  NoHeightGained = 8,  ///< pump out, and the vehicle does not rise
-};
 
 enum class HeadingMode : uint8_t { CentreFin, Heading, Waypoint };
 
@@ -26,7 +15,7 @@ enum class HeadingMode : uint8_t { CentreFin, Heading, Waypoint };
 struct VerticalCommand {
   double pitch_rad = 0;  ///< nose up positive
   double pump_cc = 0;    ///< positive lifts
-  const char* doing = "";
+  Doing doing = Doing::Nothing;
 };
 
 /// The heading commanded in one cycle.

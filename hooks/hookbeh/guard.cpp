@@ -69,30 +69,6 @@ bool isDepthDoubt(HookGuard guard) {
 
 }  // namespace
 
-const char* wordsFor(HookGuard guard) {
-  switch (guard) {
-    case HookGuard::None:
-      return "";
-    case HookGuard::TooDeep:
-      return "climb: too deep";
-    case HookGuard::NearBottom:
-      return "climb: too near the bottom";
-    case HookGuard::DepthUnknown:
-      return "climb: depth unknown";
-    case HookGuard::DepthJumps:
-      return "climb: depth jumps";
-    case HookGuard::DepthFrozen:
-      return "climb: depth frozen";
-    case HookGuard::DepthsDisagree:
-      return "climb: depths disagree";
-    case HookGuard::NoDepthGained:
-      return "climb: no depth gained";
-    case HookGuard::NoHeightGained:
-      return "climb: no height gained";
-  }
-  return "climb";
-}
-
 void Guard::observe(const HookbehArgs& args, const Surroundings& now, double step_s,
                     const VerticalCommand& last, Way way) {
   watch_.observe(now, step_s, last.pump_cc);

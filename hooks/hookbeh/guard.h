@@ -77,7 +77,4 @@ class Guard {
   double down_from_m_ = __builtin_nan("");  // how deep it may have been before it was driven down
 };
 
-/// "climb: too deep"…, for logs; "" for None.
-const char* wordsFor(HookGuard guard);
-
 }  // namespace glider::hooks

@@ -192,9 +192,9 @@ VerticalCommand Hookbeh::vertical(const Surroundings& now, HookGuard guard, bool
   guarding_ = climbs;
   masked_ = masked;
   const VerticalCommand wanted = pilot_.vertical(now, masked ? 0 : clock_.step(), args_);
-  return !climbs
-             ? wanted
-             : climbNow(guard != HookGuard::None ? wordsFor(guard) : "check depth", args_, hull_);
+  return !climbs ? wanted
+                 : climbNow(guard != HookGuard::None ? climbFor(guard) : Doing::CheckDepth, args_,
+                            hull_);
 }
 
 void Hookbeh::command(const Surroundings& now, bool masked, HookbehOutputs& outputs) {

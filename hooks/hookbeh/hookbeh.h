@@ -52,9 +52,7 @@ struct HookbehOutputs {
   uint16_t answered_sequence = 0;
   HookAnswer answer = HookAnswer::None;
   uint32_t session = 0;
-  /// The active sub-behaviour ("dive_to", "climb_to", "hover", "hold", "surface", "climb: too
-  /// deep"…), for logs.
-  const char* doing = "";
+  Doing doing = Doing::Nothing;       ///< for logs
   HookGuard guard = HookGuard::None;  ///< why it climbs against any instruction of the SBC
   uint8_t masked = 0;                 ///< kMaskedHeading… of the previous cycle
   /// The altimeter must be read in each cycle, as for a dive to an altitude, also if the mission

@@ -48,7 +48,7 @@ VerticalCommand Hover::command(const Surroundings& now, double step_s, const Hoo
     // The guard handles an unknown depth. Even so, the pump must not receive a NaN: it goes out.
     pump_cc_ = atLeast(atMost(wanted, args.climb_pump_cc), args.dive_pump_cc);
   }
-  return {0, pump_cc_, "hover"};
+  return {0, pump_cc_, Doing::Hover};
 }
 
 }  // namespace glider::hooks

@@ -13,10 +13,10 @@ constexpr double kUsualPitchRad = 0.4538;
 }  // namespace
 
 VerticalCommand SurfaceNow::command(const HookbehArgs& args) const {
-  return {usualPitch(args), args.climb_pump_cc, "surface"};
+  return {usualPitch(args), args.climb_pump_cc, Doing::Surface};
 }
 
-VerticalCommand climbNow(const char* doing, const HookbehArgs& args, const Hull& hull) {
+VerticalCommand climbNow(Doing doing, const HookbehArgs& args, const Hull& hull) {
   return {usualPitch(args), hull.pump_cc, doing};
 }
 

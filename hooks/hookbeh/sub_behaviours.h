@@ -16,7 +16,7 @@ struct DiveTo {
   double pitch_rad = 0;  ///< negative
   [[nodiscard]] bool reached(double depth_m) const { return depth_m >= target_m; }
   [[nodiscard]] VerticalCommand command(const HookbehArgs& args) const {
-    return {pitch_rad, args.dive_pump_cc, "dive_to"};
+    return {pitch_rad, args.dive_pump_cc, Doing::DiveTo};
   }
 };
 
@@ -26,7 +26,7 @@ struct ClimbTo {
   double pitch_rad = 0;  ///< positive
   [[nodiscard]] bool reached(double depth_m) const { return depth_m <= target_m; }
   [[nodiscard]] VerticalCommand command(const HookbehArgs& args) const {
-    return {pitch_rad, args.climb_pump_cc, "climb_to"};
+    return {pitch_rad, args.climb_pump_cc, Doing::ClimbTo};
   }
 };
 
@@ -34,7 +34,9 @@ struct ClimbTo {
 struct Hold {
   VerticalCommand kept;
   double left_s = 0;
-  [[nodiscard]] VerticalCommand command() const { return {kept.pitch_rad, kept.pump_cc, "hold"}; }
+  [[nodiscard]] VerticalCommand command() const {
+    return {kept.pitch_rad, kept.pump_cc, Doing::Hold};
+  }
 };
 
 /// Rises to the surface and stays there.
@@ -44,7 +46,7 @@ struct SurfaceNow {
 
 /// The command with which hookbeh climbs by its own limits: the hull's full pump range, regardless
 /// of the b_args for ordinary climbs.
-VerticalCommand climbNow(const char* doing, const HookbehArgs& args, const Hull& hull);
+VerticalCommand climbNow(Doing doing, const HookbehArgs& args, const Hull& hull);
 
 /// The magnitude of pitch if the SBC gives none: 26 degrees, as in the vendor's yo, limited to the
 /// b_args.

@@ -47,17 +47,17 @@ struct Hello {
 /// A transition of the mission, reported to the vehicle's side for logs and the simulator's trace.
 struct TransitionNotice {
   double mission_time_s = 0;
-  uint8_t transition = 0;  ///< GliderTransition
+  uint8_t transition = 0;  ///< Transition of notices.h
   uint32_t from = 0;
   uint32_t to = 0;
   uint32_t fired_case = 0;  ///< of `always`, or of state `from`
-  uint8_t list = 1;         ///< GliderList: which of the two
+  uint8_t list = 1;         ///< CaseList of notices.h: which of the two
 };
 
 /// A note from the mission for people: a `log` statement, a value that was unknown.
 struct MissionNote {
   double mission_time_s = 0;
-  uint8_t kind = 0;  ///< GliderNoteKind
+  uint8_t kind = 0;  ///< NoteKind of notices.h
   char text[kMostNoteBytes + 1] = {};
 };
 

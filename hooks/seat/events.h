@@ -19,8 +19,8 @@ struct SeatEvent {
     SbcStuck,  ///< it answers, but its mission time has not advanced for 12 s while it is in
                ///< control: a = its session
     SbcUnanswered,  ///< the vehicle has not answered an instruction for 12 s: a = its sequence
-    SbcTransition,  ///< a transition, b from, c to, d fired case, e its list
-    SbcNote,        ///< a note from the mission: a = its kind (GliderNoteKind); text
+    SbcTransition,  ///< a = Transition of notices.h, b from, c to, d fired case, e its CaseList
+    SbcNote,        ///< a note from the mission: a = its kind (NoteKind); text
     BadFrame,       ///< a = frames discarded on all its lines since the last such event
     SbcRefused,     ///< speaks another protocol (a = its version), has another sensor dictionary (b
                     ///< = its hash), or one side lacks features that the other needs (c)

@@ -12,27 +12,6 @@
 #include <algorithm>
 
 namespace glider::ir::certify {
-namespace {
-
-std::string_view wordOf(Transition transition) {
-  switch (transition) {
-    case Transition::Goto:
-      return "goto";
-    case Transition::Call:
-      return "call";
-    case Transition::Return:
-      return "return";
-    case Transition::Exit:
-      return "exit";
-    case Transition::Stay:
-      return "stay";
-    case Transition::Done:
-      return "done";
-  }
-  CHECK(false, "an unknown transition");
-}
-
-}  // namespace
 
 Tick::Tick(const Setting& setting, SmtText& out, const Configuration& at, const Term& time,
            const Term& depth)

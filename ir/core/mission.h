@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "ir/core/transition.h"
 #include "support/source_range.h"
 #include "support/units/units.h"
 
@@ -159,9 +160,6 @@ struct Variable {
   static constexpr double kEndless = std::numeric_limits<double>::infinity();
 };
 
-/// The four lists of cases that a tick tries. All but Always belong to a state.
-enum class ListKind : uint8_t { Always, State, Profile, Route };
-
 /// What is watched over time. It advances on every tick on which its list is current.
 enum class TemporalKind : uint8_t {
   Became,  ///< true on the tick on which `operand` turns true
@@ -208,8 +206,6 @@ struct Statement {
 struct Block {
   std::vector<Statement> statements;
 };
-
-enum class Transition : uint8_t { Goto, Call, Return, Exit, Stay, Done };
 
 struct Case {
   ExprId guard;

@@ -48,8 +48,6 @@ struct CommandRun {
 /// What was commanded, or may have been.
 using Action = std::variant<CommandRun, ActivityRun>;
 
-enum class NoteKind : uint8_t { Log, UnknownSet };
-
 /// The note of a `log`, or of a `set` with an unknown value.
 struct Note {
   NoteKind kind = NoteKind::Log;

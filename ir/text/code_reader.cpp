@@ -212,10 +212,8 @@ bool CodeReader::command(Statement& s) {
 }
 
 Transition CodeReader::transition() {
-  constexpr auto kWords =
-      std::to_array<std::string_view>({"goto", "call", "return", "exit", "stay", "done"});
-  const size_t which = choose(in_, kWords);
-  if (which == kWords.size()) {
+  const size_t which = choose(in_, kTransitionWords);
+  if (which == kTransitionWords.size()) {
     in_.failExpecting("`goto`, `call`, `return`, `exit`, `stay` or `done`");
     return Transition::Stay;
   }

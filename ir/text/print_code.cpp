@@ -42,7 +42,6 @@ void Printer::temporal(const Temporal& t) {
 }
 
 void Printer::cases(const std::vector<Case>& cases) {
-  constexpr std::string_view kWords[] = {"goto", "call", "return", "exit", "stay", "done"};
   for (const Case& c : cases) {
     defineBlocks(c.action);
     prepare({&c.guard, 1});
@@ -57,7 +56,7 @@ void Printer::cases(const std::vector<Case>& cases) {
       prepare(c.arguments);
       --indent_;
     }
-    add(" {}", kWords[static_cast<size_t>(c.transition)]);
+    add(" {}", wordOf(c.transition));
     if (c.target.valid()) {
       add(" {}", nameText(m_[c.target].name));
     }

@@ -73,17 +73,24 @@ struct LoggedSensor {
   std::string problem;  ///< why it is never known; empty if it is
 };
 
+/// The rows of followed_steps.def.
+enum class FollowedKind : uint8_t {
+#define FOLLOWED_STEP(name, word) name,
+#include "report/findings/followed_steps.def"
+#undef FOLLOWED_STEP
+};
+/// "goto"
+const char* wordOf(FollowedKind kind);
+
 /// What the mission does when it follows the data files.
 struct FollowedStep {
   LoggedMoment at;
-  std::string kind;  ///< "start", "goto", "call", "return", "exit", "stay", "gap": no records for
-                     ///< longer than the outage after which the mission continues; "violation":
-                     ///< of a requirement, which is `guard`; "assumption": one that is broken
-  std::string from;  ///< state; empty for "start"
-  std::string to;    ///< state; empty for "exit" and "gap"
+  FollowedKind kind = FollowedKind::Stay;
+  std::string from;  ///< state; empty for Start
+  std::string to;    ///< state; empty for Exit and Gap
   bool always = false;
-  support::SourceRange range;  ///< of the case; none for "start" and "gap"
-  std::string guard;
+  support::SourceRange range;  ///< of the case; none for Start and Gap
+  std::string guard;           ///< or the requirement, the assumption
   std::vector<LoggedValue> values;
   std::string words = {};  ///< of a violation or an assumption: how; may be empty
 };

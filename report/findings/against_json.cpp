@@ -98,7 +98,7 @@ ordered_json sensorJson(const LoggedSensor& of) {
 
 ordered_json stepJson(const FollowedStep& step, const SourceManager& sources) {
   ordered_json one = momentJson(step.at);
-  one["kind"] = step.kind;
+  one["kind"] = wordOf(step.kind);
   one["from"] = step.from.empty() ? ordered_json(nullptr) : ordered_json(step.from);
   one["to"] = step.to.empty() ? ordered_json(nullptr) : ordered_json(step.to);
   if (step.range.valid()) {

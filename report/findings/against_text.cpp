@@ -230,7 +230,7 @@ class Text {
   /// How many steps from `i` on stay in one state.
   [[nodiscard]] size_t staysFrom(size_t i) const {
     size_t count = 0;
-    while (i + count < a_.followed.size() && a_.followed[i + count].kind == "stay" &&
+    while (i + count < a_.followed.size() && a_.followed[i + count].kind == FollowedKind::Stay &&
            a_.followed[i + count].from == a_.followed[i].from) {
       ++count;
     }
@@ -256,25 +256,26 @@ class Text {
   }
 
   void step(const FollowedStep& step) {
-    if (step.kind == "start") {
+    if (step.kind == FollowedKind::Start) {
       line("  {}  starts in {}: {}", momentText(step.at), step.to, loggedValues(step.at, {}));
       return;
     }
-    if (step.kind == "gap") {
+    if (step.kind == FollowedKind::Gap) {
       line("  {}  {} ends: no records for too long to continue (`resume within`)",
            momentText(step.at), step.from);
       return;
     }
-    if (step.kind == "violation" || step.kind == "assumption") {
+    if (step.kind == FollowedKind::Violation || step.kind == FollowedKind::Assumption) {
       line("  {}  {}: {} `{}` ({}){}{}", momentText(step.at), step.from,
-           step.kind == "violation" ? "violates" : "breaks", step.guard, placeOf(step),
+           step.kind == FollowedKind::Violation ? "violates" : "breaks", step.guard, placeOf(step),
            step.words.empty() ? "" : ": ", step.words);
       return;
     }
-    const std::string what = step.kind == "stay" ? step.from + " (stay)"
-                             : step.kind == "exit"
-                                 ? step.from + " → exit"
-                                 : fmt::format("{} → {} ({})", step.from, step.to, step.kind);
+    const std::string what =
+        step.kind == FollowedKind::Stay ? step.from + " (stay)"
+        : step.kind == FollowedKind::Exit
+            ? step.from + " → exit"
+            : fmt::format("{} → {} ({})", step.from, step.to, wordOf(step.kind));
     line("  {}  {}, {}: {}", momentText(step.at), what, placeOf(step),
          loggedValues(step.at, step.values));
   }
@@ -286,6 +287,17 @@ class Text {
 };
 
 }  // namespace
+
+const char* wordOf(FollowedKind kind) {
+  switch (kind) {
+#define FOLLOWED_STEP(name, word) \
+  case FollowedKind::name:        \
+    return word;
+#include "report/findings/followed_steps.def"
+#undef FOLLOWED_STEP
+  }
+  return "";
+}
 
 std::string loggedValues(const LoggedMoment& at, const std::vector<LoggedValue>& values) {
   std::string text =

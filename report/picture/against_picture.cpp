@@ -101,8 +101,8 @@ class Page {
     bool any = false;
     for (const FollowedStep& step : a_.followed) {
       const double depth = depth_.at(step.at.number);
-      if (step.kind != "stay" && step.kind != "start" && step.kind != "gap" &&
-          std::isfinite(depth)) {
+      if (step.kind != FollowedKind::Stay && step.kind != FollowedKind::Start &&
+          step.kind != FollowedKind::Gap && std::isfinite(depth)) {
         drawDiamond(body_, {time_.at(step.at.hours * 3600), depthAt(depth)});
         any = true;
       }

@@ -31,25 +31,19 @@ extern "C" {
 #define GLIDER_BEHAVIOUR_MEMORY_BYTES 8192u
 
 typedef enum GliderTransition {
-  kGliderGoto,
-  kGliderCall,
-  kGliderReturn,
-  kGliderExit,
-  kGliderStay,
-  kGliderDone
+#define TRANSITION(name, number, word) kGlider##name = number,
+#include "hooks/protocol/notices.def"
 } GliderTransition;
 
 /* The lists of cases that a tick tries. */
 typedef enum GliderList {
-  kGliderListAlways,
-  kGliderListState,
-  kGliderListProfile,
-  kGliderListRoute
+#define CASE_LIST(name, number, word) kGliderList##name = number,
+#include "hooks/protocol/notices.def"
 } GliderList;
 
 typedef enum GliderNoteKind {
-  kGliderNoteLog,       /* a `log` statement */
-  kGliderNoteUnknownSet /* a `set` whose value was unknown */
+#define NOTE_KIND(name, number, meaning) kGliderNote##name = number,
+#include "hooks/protocol/notices.def"
 } GliderNoteKind;
 
 typedef enum GliderEncoding {

@@ -5,6 +5,7 @@
 // and back. magnetic = true + variation, with the sign that real vehicles use: +16.3 degrees off
 // New England, where the needle points west.
 
+#include "hooks/protocol/notices.h"
 #include "runtime/abi/runtime.h"
 #include "runtime/numbers/numbers.h"
 
@@ -65,8 +66,7 @@ void follow(GliderContext& context, double& variation) {
   if (!isKnown(variation)) {
     variation = assumed(compass);
     if (!isKnown(compass.declination)) {
-      gliderNote(&context, kGliderNoteLog, "declination unknown: headings are magnetic", nullptr,
-                 0);
+      gliderNote(&context, kGliderNoteLog, hooks::kNoteDeclinationUnknown, nullptr, 0);
     }
   }
   context.variation = variation;

@@ -105,7 +105,7 @@ def _read_events(figures, events):
             figures.aborted = f"{what} at {time} s"
         elif kind == "hook" and what.startswith("instruction ") and " refused: " in what and figures.refused is None:
             figures.refused = f"{what} at {time} s"
-        elif kind == "steering" and "climb: " in what and figures.guarded is None:
+        elif kind == "hook" and "climb: " in what and figures.guarded is None:
             figures.guarded = f"{what} at {time} s"
     first = 0
     for i, at in enumerate(transitions):

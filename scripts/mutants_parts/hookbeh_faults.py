@@ -49,7 +49,7 @@ PLANTED = [
     Planted("HB-1", "ready before start_secs", HOOKBEH, "inputs.time_s >= args_.start_secs", "true"),
     Planted("HB-2", "no commands during the climb of a guard", HOOKBEH, "outputs.commanding = true;", "outputs.commanding = !guarding_;"),
     Planted("HB-2", "no commands while it holds", HOOKBEH, "outputs.doing = vertical.doing;",
-            "outputs.doing = vertical.doing; outputs.commanding = vertical.doing[2] != 'l';"),
+            "outputs.doing = vertical.doing; outputs.commanding = vertical.doing != Doing::Hold;"),
     Planted("HB-2", "no pump while hovering", HOOKBEH, "outputs.pump_cc = vertical.pump_cc;",
             "outputs.pump_cc = vertical.pitch_rad == 0 ? __builtin_nan(\"\") : vertical.pump_cc;"),
     Planted("HB-3", "the check is ignored", INSTRUCTION, "words.check == checkValue(*instruction)", "true"),

@@ -14,6 +14,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -67,9 +68,8 @@ class SimulatedSeat {
   [[nodiscard]] virtual double recorded(uint16_t id) const = 0;
   /// What it knows of the cycle that has just been run; the rest is the vehicle's and the world's.
   [[nodiscard]] virtual CycleView view(double now_s) const = 0;
-  /// Why the vehicle's mission is over, "" while it is not; and what ended it, may be empty.
-  [[nodiscard]] virtual const std::string& end() const = 0;
-  [[nodiscard]] virtual const std::string& whyEnded() const = 0;
+  /// How the vehicle's mission ended; none while it is not over.
+  [[nodiscard]] virtual const std::optional<News>& end() const = 0;
 
   /// The columns of its traces, in order: those before and after the columns of the instruments
   /// that every vehicle has. The first three are time, missiontime and state.

@@ -34,8 +34,7 @@ class SlocumSeat final : public SimulatedSeat {
   [[nodiscard]] double reading(uint16_t id) const override;
   [[nodiscard]] double recorded(uint16_t id) const override { return science_.recorded(id); }
   [[nodiscard]] CycleView view(double now_s) const override;
-  [[nodiscard]] const std::string& end() const override { return flight_.end(); }
-  [[nodiscard]] const std::string& whyEnded() const override { return flight_.whyEnded(); }
+  [[nodiscard]] const std::optional<News>& end() const override { return flight_.end(); }
 
   [[nodiscard]] std::span<const Column> firstColumns() const override;
   [[nodiscard]] std::span<const Column> secondColumns() const override;

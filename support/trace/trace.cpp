@@ -66,8 +66,8 @@ json eventsToJson(const std::vector<TraceEvent>& events) {
   for (const TraceEvent& e : events) {
     out.push_back({{"time", e.time_s},
                    {"missionTime", e.mission_time_s},
-                   {"kind", e.kind},
-                   {"what", e.what},
+                   {"kind", kindOf(e)},
+                   {"what", textOf(e)},
                    {"why", e.why}});
   }
   return out;
@@ -115,13 +115,10 @@ double numberOrNaN(const json& value) {
 
 void readEvents(const json& document, Trace& trace) {
   for (const json& one : document.at("events")) {
-    TraceEvent event;
-    event.time_s = one.at("time").get<double>();
-    event.mission_time_s = numberOrNaN(one.at("missionTime"));
-    one.at("kind").get_to(event.kind);
-    one.at("what").get_to(event.what);
-    one.at("why").get_to(event.why);
-    trace.events.push_back(std::move(event));
+    trace.events.push_back(
+        unlistedEvent(one.at("time").get<double>(), numberOrNaN(one.at("missionTime")),
+                      one.at("kind").get<std::string>(), one.at("what").get<std::string>(),
+                      one.at("why").get<std::string>()));
   }
 }
 

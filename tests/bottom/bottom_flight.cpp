@@ -86,7 +86,7 @@ OverBottom flyOverBottom(const Plan& plan, simulator::Scenario scenario, uint64_
   const auto trace = simulator::simulate(std::move(setup));
   CHECK(trace.has_value(), "the flight could not be flown");
   for (const support::TraceEvent& event : trace->events) {
-    if (event.kind == "bottom") {
+    if (event.id == support::EventId::TouchesBottom) {
       observer.seen.contacts.push_back(contactAt(*trace, event.time_s));
     }
   }

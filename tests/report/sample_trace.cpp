@@ -119,7 +119,8 @@ class Sample {
  private:
   void event(double time, std::string kind, std::string what, std::string why) {
     const double mission_time = glider_.control ? time - kControlFrom : kNaN;
-    trace_.events.push_back({time, mission_time, std::move(kind), std::move(what), std::move(why)});
+    trace_.events.push_back(support::unlistedEvent(time, mission_time, std::move(kind),
+                                                   std::move(what), std::move(why)));
   }
 
   void decide() {
@@ -310,9 +311,9 @@ Trace logTrace() {
   for (size_t row = 0; row < trace.rowCount(); ++row) {
     fillLogged(trace, row, trace.rowCount() / 2);
   }
-  trace.events = {{120, 1000, "dive", "left the surface", ""},
-                  {1220, 2100, "surface", "at the surface", ""},
-                  {1300, 2180, "abort", "too deep", "mission status 7"}};
+  trace.events = {support::unlistedEvent(120, 1000, "dive", "left the surface", ""),
+                  support::unlistedEvent(1220, 2100, "surface", "at the surface", ""),
+                  support::unlistedEvent(1300, 2180, "abort", "too deep", "mission status 7")};
   return trace;
 }
 
@@ -328,10 +329,10 @@ Trace hostileTrace() {
   trace.columns.back().unit = "__proto__";
   trace.field.unit = image;
   for (support::TraceEvent& event : trace.events) {
-    event.what += script;
-    event.why += image;
+    event = support::unlistedEvent(event.time_s, event.mission_time_s, kindOf(event),
+                                   textOf(event) + script, event.why + image);
   }
-  trace.events.push_back({kNaN, kNaN, "__proto__", image, "<!--<script>"});
+  trace.events.push_back(support::unlistedEvent(kNaN, kNaN, "__proto__", image, "<!--<script>"));
   return trace;
 }
 

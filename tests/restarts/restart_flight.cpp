@@ -14,15 +14,21 @@
 
 namespace glider::tests {
 
+size_t RestartFlight::count(support::EventId id) const {
+  return static_cast<size_t>(std::ranges::count(trace.events, id, &support::TraceEvent::id));
+}
+
 size_t RestartFlight::count(const std::string& what) const {
-  return static_cast<size_t>(std::ranges::count_if(
-      trace.events, [&](const auto& event) { return event.what.find(what) != std::string::npos; }));
+  return static_cast<size_t>(std::ranges::count_if(trace.events, [&](const auto& event) {
+    return textOf(event).find(what) != std::string::npos;
+  }));
 }
 
 size_t RestartFlight::visits(const std::string& state) const {
   return static_cast<size_t>(std::ranges::count_if(trace.events, [&](const auto& event) {
-    return event.kind == "transition" && event.what.find("→ " + state) != std::string::npos &&
-           event.what.find("(return)") == std::string::npos;
+    return event.id == support::EventId::Transition &&
+           std::get<std::string>(event.values[1]) == state &&
+           std::get<std::string>(event.values[2]) != "return";
   }));
 }
 

@@ -20,6 +20,7 @@ struct RestartFlight {
 
   /// How many events contain `what`.
   [[nodiscard]] size_t count(const std::string& what) const;
+  [[nodiscard]] size_t count(support::EventId id) const;
   /// How often a transition led to the state: by goto or call, in the whole flight.
   [[nodiscard]] size_t visits(const std::string& state) const;
   /// The greatest true depth in the cycles in which the state was current and the SBC had control,

@@ -135,9 +135,8 @@ TEST(RestartClock, CountsAnOutageOnce) {
       "mission clock\nstate a\nbegin\n  flightprofile yo(4 m, 12 m, 26 deg, 26 deg)\n"
       "  sensors missiontime\n  events\n    case missiontime >= 40 min exit\nend\n");
   const RestartFlight flight = flyRestarts(mission, faults({{1150, 1180}}, {{1000, 1260}}), 5000);
-  const auto exit = std::ranges::find_if(flight.trace.events, [](const auto& event) {
-    return event.what.find("(exit)") != std::string::npos;
-  });
+  const auto exit = std::ranges::find(flight.trace.events, support::EventId::MissionEnds,
+                                      &support::TraceEvent::id);
   ASSERT_NE(exit, flight.trace.events.end());
   EXPECT_NEAR(exit->time_s, 40 * 60 + 4, 16);
 }
@@ -150,7 +149,7 @@ TEST(Restarts, AMissionThatMayNotContinueIsOverAndTheVehicleStaysUp) {
   const FlyingMission mission = loadText(onceDeep("resume within 5 min, never after restart"));
   const RestartFlight flight = flyRestarts(mission, kKinds[0].at(500), 5000);
   EXPECT_EQ(flight.count("the mission is over: the vehicle has restarted"), 1U);
-  EXPECT_EQ(flight.count("the SBC takes control"), 1U);
+  EXPECT_EQ(flight.count(support::EventId::SbcTakesControl), 1U);
 }
 
 /// Whole blocks of the card read zero, so that the program finds nothing.
@@ -161,7 +160,7 @@ TEST(Restarts, AMissionThatHasLostItsCheckpointsBeginsAgainAtTheSurface) {
     lost.card.push_back({at + 1, simulator::CardFault::Kind::Cut, 0});
     const RestartFlight flight = flyRestarts(mission, lost, 5000);
     EXPECT_LE(flight.deepestIn("ready"), 8) << at;
-    EXPECT_EQ(flight.count("the SBC takes control"), 2U) << at;
+    EXPECT_EQ(flight.count(support::EventId::SbcTakesControl), 2U) << at;
     EXPECT_TRUE(flight.violations.empty()) << at;
   }
 }

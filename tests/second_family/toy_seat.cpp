@@ -53,7 +53,7 @@ void ToySeat::cycle(double now_s, bool /*sbc_gone*/, Vehicle& vehicle) {
   steer(vehicle);
   if (state_.hook_state == hooks::HookState::Silent ||
       state_.hook_state == hooks::HookState::Complete) {
-    end_ = "the toy comes up";
+    end_ = News{EventId::Unlisted, {"log", "the toy comes up"}, why_};
   }
 }
 

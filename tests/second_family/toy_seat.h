@@ -9,6 +9,7 @@
 #include "simulator/seat/sensor_array.h"
 #include "simulator/seat/simulated_seat.h"
 
+#include <optional>
 #include <string>
 
 namespace glider::simulator {
@@ -36,8 +37,7 @@ class ToySeat final : public SimulatedSeat {
   [[nodiscard]] double reading(uint16_t id) const override { return array_.get(id); }
   [[nodiscard]] double recorded(uint16_t id) const override { return array_.get(id); }
   [[nodiscard]] CycleView view(double now_s) const override;
-  [[nodiscard]] const std::string& end() const override { return end_; }
-  [[nodiscard]] const std::string& whyEnded() const override { return why_; }
+  [[nodiscard]] const std::optional<News>& end() const override { return end_; }
 
   [[nodiscard]] std::span<const Column> firstColumns() const override;
   [[nodiscard]] std::span<const Column> secondColumns() const override { return {}; }
@@ -58,7 +58,8 @@ class ToySeat final : public SimulatedSeat {
   bool cycle_is_new_ = false;
   double now_s_ = 0;
   double beat_s_ = 0;
-  std::string end_, why_;
+  std::string why_;
+  std::optional<News> end_;
 };
 
 }  // namespace glider::simulator

@@ -19,12 +19,6 @@
 namespace glider::codegen {
 namespace {
 
-static_assert(static_cast<int>(ir::Transition::Goto) == kGliderGoto);
-static_assert(static_cast<int>(ir::Transition::Call) == kGliderCall);
-static_assert(static_cast<int>(ir::Transition::Return) == kGliderReturn);
-static_assert(static_cast<int>(ir::Transition::Exit) == kGliderExit);
-static_assert(static_cast<int>(ir::Transition::Stay) == kGliderStay);
-static_assert(static_cast<int>(ir::Transition::Done) == kGliderDone);
 static_assert(static_cast<int>(ir::Encoding::Linear) == kGliderLinear);
 static_assert(static_cast<int>(ir::Encoding::DegreesMinutes) == kGliderDegreesMinutes);
 static_assert(static_cast<int>(ir::Encoding::Magnetic) == kGliderMagnetic);

@@ -465,14 +465,15 @@ void FlightController::control(const Commands& commands, const Situation& s, Veh
 
 void FlightController::judgeEnd(const Situation& s) {
   if (layers_->quit()) {
-    end_ = "the mission has ended normally";
     const Behaviour& quitter = *layers_->quitter();
-    why_ended_ =
-        fmt::format("{} has ended it; it started by {}", quitter.label(), quitter.whyStarted());
+    end_ = News{
+        EventId::MissionEndsNormally,
+        {},
+        fmt::format("{} has ended it; it started by {}", quitter.label(), quitter.whyStarted())};
   } else if (s.time_s - submerged_s_ >= kSettledAtSurface && abort_ != Abort::None) {
-    end_ = fmt::format("aborted ({}) and at the surface", abortName(abort_));
+    end_ = News{EventId::AbortedAtSurface, {std::string(abortName(abort_))}};
   } else if (s.time_s - submerged_s_ >= kSettledAtSurface && layers_->nothingLeftToFly(sbc_gone_)) {
-    end_ = "at the surface, and nothing is left to fly";
+    end_ = News{EventId::NothingLeftToFly};
   }
 }
 

@@ -6,6 +6,7 @@
 #include "hooks/flight_science_link/flight_science_link.h"
 #include "platforms/load/dictionary.h"
 #include "simulator/faults/faults.h"
+#include "simulator/journal.h"
 #include "simulator/magnetism/declination.h"
 #include "simulator/sensors/sensor_list.h"
 #include "simulator/slocum/flight/current_estimate.h"
@@ -73,10 +74,8 @@ class FlightController {
   /// The waypoint that the vehicle steers to, degrees and minutes (ddmm.mmmm); NaN: to none.
   [[nodiscard]] double waypointLatitude() const { return waypoint_latitude_ddmm_; }
   [[nodiscard]] double waypointLongitude() const { return waypoint_longitude_ddmm_; }
-  /// Why the mission is over; empty while it is not.
-  [[nodiscard]] const std::string& end() const { return end_; }
-  /// Which behaviour ended it; may be empty.
-  [[nodiscard]] const std::string& whyEnded() const { return why_ended_; }
+  /// How the mission ended; none while it is not over.
+  [[nodiscard]] const std::optional<News>& end() const { return end_; }
   /// The SBC's mission has changed state: of the range that the previous state commanded, only the
   /// command in force is still valid.
   void noteTransition();
@@ -164,7 +163,7 @@ class FlightController {
   double waypoint_longitude_ddmm_ = std::numeric_limits<double>::quiet_NaN();
   int layer_ = kNoLayer;
   bool sbc_gone_ = false;
-  std::string end_, why_ended_;
+  std::optional<News> end_;
 };
 
 }  // namespace glider::simulator

@@ -46,7 +46,7 @@ const report::LoggedSensor& sensorOf(const AgainstLogs& against, const std::stri
 std::vector<std::string> kindsOf(const AgainstLogs& against) {
   std::vector<std::string> kinds;
   for (const FollowedStep& step : against.followed) {
-    kinds.push_back(step.kind + " " + step.from + ">" + step.to);
+    kinds.push_back(std::string(wordOf(step.kind)) + " " + step.from + ">" + step.to);
   }
   return kinds;
 }

@@ -101,6 +101,7 @@ TEST_F(CampaignCsv, ARowHasAllOfAFlight) {
 TEST_F(CampaignCsv, ARowHasTheRequirementsThatTheFlightViolates) {
   plan_.missions[0].requirements = {"require never deep", "require visit a within 1 h",
                                     "assume no outage", "assume current <= 1 m/s"};
+  plan_.missions[0].assumptions_from = 2;
   result_.verdicts[0]->requirements = {0, 1, 3};
   EXPECT_THAT(row(0), HasSubstr(",\"\",1;2,2\n"));
   CampaignResult again;

@@ -59,7 +59,7 @@ TEST(InProcessSbc, AFlippedBitSilencesItAndTheVehicleClimbs) {
             "exited with status 3: internal check failed: the current state is not one of the "
             "mission");
   const auto released = std::ranges::find_if(gone, trace->events.end(), [](const auto& event) {
-    return event.what.find("silent") != std::string::npos;
+    return textOf(event).find("silent") != std::string::npos;
   });
   ASSERT_NE(released, trace->events.end()) << "hookbeh ended its control";
   EXPECT_LE(released->time_s, gone->time_s + 40);

@@ -188,7 +188,7 @@ TEST(HookbehCycleEdges, WhatIsNotCommandedIsZero) {
   EXPECT_EQ(out.longitude_ddmm, 0);
   EXPECT_EQ(out.pitch_rad, 0);
   EXPECT_EQ(out.pump_cc, 0);
-  EXPECT_STREQ(out.doing, "");
+  EXPECT_STREQ(wordsFor(out.doing), "");
   EXPECT_EQ(out.guard, HookGuard::None);
 }
 
@@ -259,7 +259,7 @@ TEST(HookbehCycleEdges, GoesBackFromWhereTheGuardEndedAndNotFromWhereItHadCome) 
   EXPECT_EQ(bench.cycle().guard, HookGuard::NearBottom);
   bench.inputs.depth_m = 18.8;
   bench.inputs.altitude_m = 60;
-  EXPECT_STREQ(bench.cycle().doing, "hover") << "within two metres of its depth";
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "hover") << "within two metres of its depth";
 }
 
 TEST(HookbehCycleEdges, ADepthIsNotKeptFromItsFirstMinute) {
@@ -284,12 +284,12 @@ TEST(HookbehCycleEdges, ADepthIsNotKeptFromItsFirstMinute) {
 TEST(HookbehCycleEdges, ADepthThatIsNotBelievedReachesNoTarget) {
   Bench bench = taken(24);
   bench.inputs.depth_m = 16;
-  EXPECT_STREQ(bench.cycle().doing, "dive_to");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "dive_to");
   bench.raw_depth = true;
   bench.inputs.depth_m = 20.5;
   EXPECT_EQ(bench.cycle().guard, HookGuard::DepthJumps);
   bench.inputs.depth_m = 18.5;
-  EXPECT_STREQ(bench.cycle().doing, "dive_to");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "dive_to");
 }
 
 /// A vehicle whose depth goes up by `rises_m` in each of three cycles before hookbeh has it.
@@ -466,9 +466,9 @@ struct FlownEdge {
 
 TEST(HookbehPilotEdges, WhereOnlyTheVerticalIsAnotherItIsAnotherInstruction) {
   FlownEdge flown(Bench::descend(20));
-  EXPECT_STREQ(flown.at(10).doing, "dive_to");
+  EXPECT_STREQ(wordsFor(flown.at(10).doing), "dive_to");
   flown.pilot.follow(Bench::vertical(HookVertical::Surface, 20));
-  EXPECT_STREQ(flown.at(10).doing, "surface");
+  EXPECT_STREQ(wordsFor(flown.at(10).doing), "surface");
 }
 
 TEST(HookbehPilotEdges, NoVerticalKeepsAllOfTheOneInForce) {
@@ -482,42 +482,42 @@ TEST(HookbehPilotEdges, NoVerticalKeepsAllOfTheOneInForce) {
 
 TEST(HookbehPilotEdges, WithinTwoMetresNothingIsGoneBackTo) {
   FlownEdge dived(Bench::descend(20));
-  EXPECT_STREQ(dived.at(20).doing, "hold");
-  EXPECT_STREQ(dived.goBackFrom(20).doing, "hold") << "it holds on";
+  EXPECT_STREQ(wordsFor(dived.at(20).doing), "hold");
+  EXPECT_STREQ(wordsFor(dived.goBackFrom(20).doing), "hold") << "it holds on";
   dived.at(20, 12);
-  EXPECT_STREQ(dived.goBackFrom(18).doing, "hover");
-  EXPECT_STREQ(dived.goBackFrom(17.99).doing, "dive_to");
+  EXPECT_STREQ(wordsFor(dived.goBackFrom(18).doing), "hover");
+  EXPECT_STREQ(wordsFor(dived.goBackFrom(17.99).doing), "dive_to");
   FlownEdge climbed(Bench::ascend(20));
-  EXPECT_STREQ(climbed.at(20).doing, "hold");
+  EXPECT_STREQ(wordsFor(climbed.at(20).doing), "hold");
   climbed.at(20, 12);
-  EXPECT_STREQ(climbed.goBackFrom(22).doing, "hover");
-  EXPECT_STREQ(climbed.goBackFrom(22.01).doing, "climb_to");
+  EXPECT_STREQ(wordsFor(climbed.goBackFrom(22).doing), "hover");
+  EXPECT_STREQ(wordsFor(climbed.goBackFrom(22.01).doing), "climb_to");
 }
 
 TEST(HookbehPilotEdges, ASurfaceIsNotGoneBackFrom) {
   FlownEdge flown(Bench::vertical(HookVertical::Surface, 20));
   flown.at(20);
-  EXPECT_STREQ(flown.goBackFrom(5).doing, "surface");
+  EXPECT_STREQ(wordsFor(flown.goBackFrom(5).doing), "surface");
 }
 
 TEST(HookbehPilotEdges, AHoverClimbsAtTheUsualPitch) {
   const VerticalCommand climb = FlownEdge(Bench::vertical(HookVertical::Hover, 20)).at(30);
-  EXPECT_STREQ(climb.doing, "climb_to");
+  EXPECT_STREQ(wordsFor(climb.doing), "climb_to");
   EXPECT_EQ(climb.pitch_rad, 0.4538);
 }
 
 TEST(HookbehPilotEdges, AClimbIsHeldHoweverDeepItIs) {
   FlownEdge flown(Bench::ascend(20));
-  EXPECT_STREQ(flown.at(20).doing, "hold");
-  EXPECT_STREQ(flown.at(21.25).doing, "hold");
+  EXPECT_STREQ(wordsFor(flown.at(20).doing), "hold");
+  EXPECT_STREQ(wordsFor(flown.at(21.25).doing), "hold");
 }
 
 TEST(HookbehPilotEdges, ItHoldsToTheEndOfItsTime) {
   FlownEdge flown(Bench::descend(20));
-  EXPECT_STREQ(flown.at(20).doing, "hold");
-  EXPECT_STREQ(flown.at(20, 11.5).doing, "hold") << "0.5 s are left";
-  EXPECT_STREQ(flown.at(20, 0.5).doing, "hover");
-  EXPECT_STREQ(FlownEdge(Bench::descend(20), {.hold_secs = 0.5}).at(20).doing, "hold");
+  EXPECT_STREQ(wordsFor(flown.at(20).doing), "hold");
+  EXPECT_STREQ(wordsFor(flown.at(20, 11.5).doing), "hold") << "0.5 s are left";
+  EXPECT_STREQ(wordsFor(flown.at(20, 0.5).doing), "hover");
+  EXPECT_STREQ(wordsFor(FlownEdge(Bench::descend(20), {.hold_secs = 0.5}).at(20).doing), "hold");
 }
 
 }  // namespace

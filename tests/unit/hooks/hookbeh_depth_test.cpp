@@ -23,7 +23,7 @@ TEST(HookbehDepth, OutsideWhatADepthSensorGivesItIsUnknown) {
     Sea sea;
     sea.diveTo(20, 50);
     sea.cycle([=](HookbehInputs& in) { in.depth_m = wrong; });
-    EXPECT_STREQ(sea.out.doing, "climb: depth unknown") << wrong;
+    EXPECT_STREQ(wordsFor(sea.out.doing), "climb: depth unknown") << wrong;
     EXPECT_EQ(sea.out.guard, HookGuard::DepthUnknown);
     EXPECT_GT(sea.out.pump_cc, 0);
     EXPECT_EQ(sea.cycle().guard, HookGuard::None) << "one reading is forgiven";
@@ -34,7 +34,7 @@ TEST(HookbehDepth, AtTheEdgesOfWhatASensorGivesItIsKnown) {
   Bench bench;
   bench.cycle();
   bench.inputs.depth_m = -4.9;
-  EXPECT_STREQ(bench.give(Bench::take(20)).doing, "dive_to");
+  EXPECT_STREQ(wordsFor(bench.give(Bench::take(20)).doing), "dive_to");
 }
 
 TEST(HookbehDepth, ADepthThatJumpsMakesTheVehicleClimbUntilItFollowsAgain) {
@@ -42,10 +42,10 @@ TEST(HookbehDepth, ADepthThatJumpsMakesTheVehicleClimbUntilItFollowsAgain) {
     Sea sea;
     sea.diveTo(30, 55);
     sea.cycle([=](HookbehInputs& in) { in.depth_m += jump; });
-    EXPECT_STREQ(sea.out.doing, "climb: depth jumps") << jump;
+    EXPECT_STREQ(wordsFor(sea.out.doing), "climb: depth jumps") << jump;
     EXPECT_EQ(sea.out.guard, HookGuard::DepthJumps);
     sea.cycle();
-    EXPECT_STREQ(sea.out.doing, "dive_to") << "nor has it reached anything in between";
+    EXPECT_STREQ(wordsFor(sea.out.doing), "dive_to") << "nor has it reached anything in between";
   }
 }
 
@@ -130,7 +130,7 @@ TEST(HookbehDepth, FrozenOnTheWayDownItClimbsInTime) {
     const double frozen = sea.bench.inputs.depth_m;
     const auto freeze = [=](HookbehInputs& in) { in.depth_m = frozen; };
     EXPECT_LE(sea.until(HookGuard::DepthFrozen, freeze), 5) << "16 s";
-    EXPECT_STREQ(sea.out.doing, "climb: depth frozen");
+    EXPECT_STREQ(wordsFor(sea.out.doing), "climb: depth frozen");
     sea.run(500, freeze);
     EXPECT_EQ(sea.out.guard, HookGuard::DepthFrozen) << "for as long as it lasts";
     EXPECT_LT(sea.deepest, 60);
@@ -152,7 +152,7 @@ TEST(HookbehDepth, FrozenInHoverItClimbsWithinAMinute) {
   sea.diveTo(18, 20);
   sea.bench.write(Bench::vertical(HookVertical::Hover, 20));
   sea.run(40, kNothing);
-  ASSERT_STREQ(sea.out.doing, "hover");
+  ASSERT_STREQ(wordsFor(sea.out.doing), "hover");
   const int cycles = sea.until(HookGuard::DepthFrozen, [](HookbehInputs& in) { in.depth_m = 20; });
   EXPECT_GE(cycles, 14);
   EXPECT_LE(cycles, 17);
@@ -202,7 +202,7 @@ TEST(HookbehDepth, ADepthThatChangesAgainIsBelievedAtTheSurface) {
   }
   EXPECT_LT(highest, 3.1) << "not before it was there";
   EXPECT_LT(cycles, 200);
-  EXPECT_STREQ(sea.out.doing, "dive_to");
+  EXPECT_STREQ(wordsFor(sea.out.doing), "dive_to");
 }
 
 TEST(HookbehDepth, ADepthThatChangesAgainNearTheSurfaceIsBelievedAfterTwoMinutesOfClimbing) {
@@ -251,7 +251,7 @@ TEST(HookbehDepth, FrozenAtTheSurfaceADiveThatGainsNoDepthEndsInTime) {
     sea.take(greatest);
     const auto freeze = [](HookbehInputs& in) { in.depth_m = 0; };
     sea.until(HookGuard::NoDepthGained, freeze);
-    EXPECT_STREQ(sea.out.doing, "climb: no depth gained");
+    EXPECT_STREQ(wordsFor(sea.out.doing), "climb: no depth gained");
     sea.run(1000, freeze);
     EXPECT_EQ(sea.out.guard, HookGuard::NoDepthGained) << "nothing says that it lives";
     EXPECT_LT(sea.deepest, greatest + 10);
@@ -295,7 +295,7 @@ TEST(HookbehDepth, AfterADiveThatGainedNoDepthItIsTriedAgainFromHalfTheDepth) {
   ASSERT_EQ(hang(sea, 60), HookGuard::NoDepthGained);
   const double from = sea.truth;
   sea.until(HookGuard::None, kNothing);
-  EXPECT_STREQ(sea.out.doing, "dive_to");
+  EXPECT_STREQ(wordsFor(sea.out.doing), "dive_to");
   EXPECT_NEAR(sea.truth, from / 2, 2);
 }
 
@@ -306,7 +306,7 @@ TEST(HookbehDepth, ADiveThatGainedNoDepthNearTheSurfaceIsTriedAgainAfterTenMinut
   sea.held = true;
   const int cycles = sea.until(HookGuard::None, kNothing);
   EXPECT_NEAR(cycles, 150, 3);
-  EXPECT_STREQ(sea.out.doing, "dive_to");
+  EXPECT_STREQ(wordsFor(sea.out.doing), "dive_to");
 }
 
 /// On the way up from 30 m, as `instruction` says.
@@ -323,10 +323,10 @@ TEST(HookbehDepth, AClimbThatGainsNoHeightClimbsWithAllItHas) {
   const double at = sea.truth;
   EXPECT_EQ(hang(sea, 57), HookGuard::None);
   EXPECT_EQ(hang(sea, 8), HookGuard::NoHeightGained) << "240 s";
-  EXPECT_STREQ(sea.out.doing, "climb: no height gained");
+  EXPECT_STREQ(wordsFor(sea.out.doing), "climb: no height gained");
   EXPECT_NEAR(sea.out.pitch_rad, 0.4538, 1e-9);
   sea.until(HookGuard::None, kNothing);
-  EXPECT_STREQ(sea.out.doing, "climb_to");
+  EXPECT_STREQ(wordsFor(sea.out.doing), "climb_to");
   EXPECT_LT(sea.truth, at - 0.9);
   EXPECT_GT(sea.truth, at - 4);
 }
@@ -337,7 +337,7 @@ TEST(HookbehDepth, AWayToTheSurfaceThatGainsNoHeightClimbsWithAllItHas) {
   EXPECT_EQ(hang(sea, 57), HookGuard::None);
   EXPECT_EQ(hang(sea, 8), HookGuard::NoHeightGained) << "240 s";
   sea.until(HookGuard::None, kNothing);
-  EXPECT_STREQ(sea.out.doing, "surface");
+  EXPECT_STREQ(wordsFor(sea.out.doing), "surface");
 }
 
 TEST(HookbehDepth, AtTheSurfaceThereIsNoHeightToGain) {
@@ -368,7 +368,7 @@ TEST(HookbehDepth, AHoverThatTheWaterCarriesAwayIsGivenUp) {
     sea.diveTo(20, 20);
     sea.bench.write(Bench::vertical(HookVertical::Hover, 20));
     sea.run(20, kNothing);
-    ASSERT_STREQ(sea.out.doing, "hover");
+    ASSERT_STREQ(wordsFor(sea.out.doing), "hover");
     sea.held = true;
     for (int i = 0; i < 30; ++i) {
       sea.truth += way;
@@ -391,7 +391,7 @@ TEST(HookbehDepth, AHoverThatTrimsWithItsPumpIsNotGivenUp) {
     sea.cycle();
   }
   for (int i = 0; i < 500; ++i) {
-    sea.held = std::string(sea.out.doing) == "hover";
+    sea.held = sea.out.doing == Doing::Hover;
     ASSERT_EQ(sea.cycle().guard, HookGuard::None) << i;
   }
 }
@@ -409,7 +409,7 @@ TEST(HookbehDepth, ADepthThatDriftsFromTheCtdsIsNotBelieved) {
       sea.cycle(drifts);
     }
     EXPECT_EQ(sea.out.guard, HookGuard::DepthsDisagree) << drift;
-    EXPECT_STREQ(sea.out.doing, "climb: depths disagree");
+    EXPECT_STREQ(wordsFor(sea.out.doing), "climb: depths disagree");
     // In a dive the CTD may be late, so that a depth too great is found later.
     EXPECT_NEAR(std::fabs(off), drift < 0 ? 5.4 : 16.5, 1.5);
     EXPECT_LT(sea.deepest, 60);

@@ -255,7 +255,7 @@ struct PilotBench {
   }
   const char* goBackFrom(double depth_m, bool checked = false) {
     pilot.goBack({depth_m}, args, checked);
-    return at(depth_m).doing;
+    return wordsFor(at(depth_m).doing);
   }
   HookbehArgs args;
   Pilot pilot;
@@ -263,14 +263,17 @@ struct PilotBench {
 
 TEST(HookbehPilot, WithinTwoMetresItHovers) {
   for (const double depth : {18.0, 20.0, 22.0}) {
-    EXPECT_STREQ(PilotBench(Bench::vertical(HookVertical::Hover, 20)).at(depth).doing, "hover");
+    EXPECT_STREQ(wordsFor(PilotBench(Bench::vertical(HookVertical::Hover, 20)).at(depth).doing),
+                 "hover");
   }
-  EXPECT_STREQ(PilotBench(Bench::vertical(HookVertical::Hover, 20)).at(17.75).doing, "dive_to");
+  EXPECT_STREQ(wordsFor(PilotBench(Bench::vertical(HookVertical::Hover, 20)).at(17.75).doing),
+               "dive_to");
   PilotBench above(Bench::vertical(HookVertical::Hover, 20));
-  EXPECT_STREQ(above.at(22.25).doing, "climb_to");
+  EXPECT_STREQ(wordsFor(above.at(22.25).doing), "climb_to");
   EXPECT_EQ(above.at(22.25).pitch_rad, 0.4538);
   EXPECT_EQ(above.pilot.way(22.25), Way::Up);
-  EXPECT_STREQ(above.at(22).doing, "hover") << "no climb was commanded that might be held";
+  EXPECT_STREQ(wordsFor(above.at(22).doing), "hover")
+      << "no climb was commanded that might be held";
 }
 
 TEST(HookbehPilot, AGuardsClimbOfMoreThanTwoMetresIsGoneBackFrom) {
@@ -295,7 +298,7 @@ TEST(HookbehPilot, ACheckOfTheDepthIsGoneBackFromByThePumpWithinSixMetres) {
     EXPECT_STREQ(bench.goBackFrom(depth, true), doing) << depth;
   }
   PilotBench holds(Bench::ascend(20));
-  EXPECT_STREQ(holds.at(20).doing, "hold");
+  EXPECT_STREQ(wordsFor(holds.at(20).doing), "hold");
   EXPECT_STREQ(holds.goBackFrom(17.75, true), "dive_to") << "it does not hover yet";
 }
 
@@ -303,26 +306,26 @@ TEST(HookbehPilot, WithinTwoMetresItHoldsOn) {
   for (const auto& [depth, doing] :
        {std::pair{18.0, "hold"}, {22.0, "hold"}, {17.75, "dive_to"}, {22.25, "climb_to"}}) {
     PilotBench bench(Bench::ascend(20));
-    EXPECT_STREQ(bench.at(20).doing, "hold");
+    EXPECT_STREQ(wordsFor(bench.at(20).doing), "hold");
     EXPECT_STREQ(bench.goBackFrom(depth), doing) << depth;
   }
 }
 
 TEST(HookbehPilot, AnAscendThatHadArrivedClimbsAgainAsInstructed) {
   PilotBench bench(Bench::ascend(20));
-  EXPECT_STREQ(bench.at(20).doing, "hold");
+  EXPECT_STREQ(wordsFor(bench.at(20).doing), "hold");
   EXPECT_STREQ(bench.goBackFrom(22.25), "climb_to");
   EXPECT_EQ(bench.at(22.25).pitch_rad, 0.4) << "no usual pitch";
-  EXPECT_STREQ(bench.at(20).doing, "hold");
+  EXPECT_STREQ(wordsFor(bench.at(20).doing), "hold");
 }
 
 TEST(HookbehPilot, WhatHasNotArrivedGoesOnAsItDid) {
   PilotBench bench(Bench::descend(20));
-  EXPECT_STREQ(bench.at(10).doing, "dive_to");
+  EXPECT_STREQ(wordsFor(bench.at(10).doing), "dive_to");
   EXPECT_STREQ(bench.goBackFrom(5), "dive_to");
   EXPECT_EQ(bench.at(5).pitch_rad, -0.4);
   PilotBench climbing(Bench::vertical(HookVertical::Hover, 20));
-  EXPECT_STREQ(climbing.at(30).doing, "climb_to");
+  EXPECT_STREQ(wordsFor(climbing.at(30).doing), "climb_to");
   EXPECT_STREQ(climbing.goBackFrom(10), "hover") << "its climb is over";
 }
 
@@ -331,40 +334,40 @@ TEST(HookbehPilot, HoldsForItsTimeWhereItArrived) {
   const VerticalCommand dive = bench.at(19);
   for (int i = 0; i < 3; ++i) {
     const VerticalCommand hold = bench.at(20 + 0.5 * i);
-    EXPECT_STREQ(hold.doing, "hold") << i;
+    EXPECT_STREQ(wordsFor(hold.doing), "hold") << i;
     EXPECT_EQ(hold.pitch_rad, dive.pitch_rad);
     EXPECT_EQ(hold.pump_cc, dive.pump_cc);
     EXPECT_EQ(bench.pilot.way(21), Way::None);
   }
-  EXPECT_STREQ(bench.at(21).doing, "hover") << "12 s";
+  EXPECT_STREQ(wordsFor(bench.at(21).doing), "hover") << "12 s";
   PilotBench nearly(Bench::descend(20));
-  EXPECT_STREQ(nearly.at(20).doing, "hold");
+  EXPECT_STREQ(wordsFor(nearly.at(20).doing), "hold");
   for (int i = 0; i < 3; ++i) {
-    EXPECT_STREQ(nearly.at(20, 3.75).doing, "hold") << "0.75 s are left at last";
+    EXPECT_STREQ(wordsFor(nearly.at(20, 3.75).doing), "hold") << "0.75 s are left at last";
   }
-  EXPECT_STREQ(nearly.at(20, 3.75).doing, "hover");
+  EXPECT_STREQ(wordsFor(nearly.at(20, 3.75).doing), "hover");
 }
 
 TEST(HookbehPilot, HoldsNothingAMetreBeyondTheTargetOrInNoTime) {
-  EXPECT_STREQ(PilotBench(Bench::descend(20)).at(21).doing, "hold");
-  EXPECT_STREQ(PilotBench(Bench::descend(20)).at(21.25).doing, "hover");
+  EXPECT_STREQ(wordsFor(PilotBench(Bench::descend(20)).at(21).doing), "hold");
+  EXPECT_STREQ(wordsFor(PilotBench(Bench::descend(20)).at(21.25).doing), "hover");
   PilotBench bench(Bench::descend(20));
-  EXPECT_STREQ(bench.at(20).doing, "hold");
-  EXPECT_STREQ(bench.at(21.25).doing, "hover");
+  EXPECT_STREQ(wordsFor(bench.at(20).doing), "hold");
+  EXPECT_STREQ(wordsFor(bench.at(21.25).doing), "hover");
   HookbehArgs args;
   args.hold_secs = 0;
-  EXPECT_STREQ(PilotBench(Bench::descend(20), args).at(20).doing, "hover");
+  EXPECT_STREQ(wordsFor(PilotBench(Bench::descend(20), args).at(20).doing), "hover");
   args.hold_secs = 0.5;
-  EXPECT_STREQ(PilotBench(Bench::descend(20), args).at(20).doing, "hold");
+  EXPECT_STREQ(wordsFor(PilotBench(Bench::descend(20), args).at(20).doing), "hold");
   PilotBench climbed(Bench::ascend(20));
-  EXPECT_STREQ(climbed.at(15).doing, "hold");
-  EXPECT_STREQ(climbed.at(21.5).doing, "hold") << "a climb is not a dive";
+  EXPECT_STREQ(wordsFor(climbed.at(15).doing), "hold");
+  EXPECT_STREQ(wordsFor(climbed.at(21.5).doing), "hold") << "a climb is not a dive";
 }
 
 TEST(HookbehPilot, ShallowerThanAMetreHoveringIsFloating) {
-  EXPECT_STREQ(PilotBench(Bench::vertical(HookVertical::Hover, 1)).at(1).doing, "hover");
+  EXPECT_STREQ(wordsFor(PilotBench(Bench::vertical(HookVertical::Hover, 1)).at(1).doing), "hover");
   PilotBench bench(Bench::vertical(HookVertical::Hover, 0.75));
-  EXPECT_STREQ(bench.at(1).doing, "surface");
+  EXPECT_STREQ(wordsFor(bench.at(1).doing), "surface");
   EXPECT_EQ(bench.pilot.way(3), Way::None);
   EXPECT_EQ(bench.pilot.way(3.25), Way::Up);
 }
@@ -381,19 +384,19 @@ TEST(HookbehPilot, AHoverDrivesWhereItIsSixMetresOff) {
 
 TEST(HookbehPilot, ANewInstructionIsChosenOnlyWhereItsVerticalPartIsAnother) {
   PilotBench bench(Bench::descend(20));
-  EXPECT_STREQ(bench.at(20).doing, "hold");
+  EXPECT_STREQ(wordsFor(bench.at(20).doing), "hold");
   bench.pilot.follow(Bench::descend(20));
-  EXPECT_STREQ(bench.at(19).doing, "hold") << "the same";
+  EXPECT_STREQ(wordsFor(bench.at(19).doing), "hold") << "the same";
   Instruction none = Bench::vertical(HookVertical::None);
   none.pitch_rad = 0;
   bench.pilot.follow(none);
-  EXPECT_STREQ(bench.at(19).doing, "hold") << "none";
+  EXPECT_STREQ(wordsFor(bench.at(19).doing), "hold") << "none";
   EXPECT_EQ(bench.pilot.inForce().vertical, HookVertical::Descend);
   EXPECT_EQ(bench.pilot.inForce().depth_m, 20);
   EXPECT_EQ(bench.pilot.inForce().pitch_rad, -0.4);
   bench.pilot.follow(Bench::descend(20.5));
-  EXPECT_STREQ(bench.at(19).doing, "dive_to") << "deeper";
-  EXPECT_STREQ(bench.at(20.5).doing, "hold");
+  EXPECT_STREQ(wordsFor(bench.at(19).doing), "dive_to") << "deeper";
+  EXPECT_STREQ(wordsFor(bench.at(20.5).doing), "hold");
   Instruction steeper = Bench::descend(20.5);
   steeper.pitch_rad = -0.5;
   bench.pilot.follow(steeper);

@@ -115,13 +115,13 @@ class FlownVehicle {
     bench_.inputs.time_s += step_s - 4;
     bench_.inputs.wall_time_s = bench_.inputs.time_s + 4;  // one clock alone is not believed
     sense();
-    const std::string before = out_.doing;
+    const Doing before = out_.doing;
     out_ = bench_.cycle();
     if (!out_.commanding) {
       out_.pump_cc = 230;
     }
-    const bool checks = std::string(out_.doing) == "check depth";
-    flown_.checks += checks && before != "check depth";
+    const bool checks = out_.doing == Doing::CheckDepth;
+    flown_.checks += checks && before != Doing::CheckDepth;
     flown_.checking_s += checks ? step_s : 0;
     flown_.deepest_m = std::max(flown_.deepest_m, true_m_);
     if (out_.guard != HookGuard::None && flown_.guard == HookGuard::None) {

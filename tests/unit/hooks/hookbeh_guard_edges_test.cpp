@@ -314,8 +314,8 @@ TEST(HookbehGuardEdges, ItsPitchMayBeWrongForEighteenMetres) {
 }
 
 TEST(HookbehGuardEdges, SaysNothingWhereItDoesNotClimb) {
-  EXPECT_STREQ(wordsFor(HookGuard::None), "");
-  EXPECT_STREQ(wordsFor(HookGuard::NoHeightGained), "climb: no height gained");
+  EXPECT_STREQ(wordsFor(climbFor(HookGuard::None)), "");
+  EXPECT_STREQ(wordsFor(climbFor(HookGuard::NoHeightGained)), "climb: no height gained");
 }
 
 /// The depth stays at 10 m except in its last bits, and the CTD's increases from there.

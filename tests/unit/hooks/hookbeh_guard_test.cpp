@@ -24,15 +24,15 @@ TEST(HookbehGuard, TooDeepClimbsAgainstAnyInstruction) {
   Bench bench = diving();
   bench.inputs.depth_m = 30.1;
   HookbehOutputs out = bench.cycle();
-  EXPECT_STREQ(out.doing, "climb: too deep");
+  EXPECT_STREQ(wordsFor(out.doing), "climb: too deep");
   EXPECT_EQ(out.pump_cc, kHull.pump_cc);
   EXPECT_GT(out.pitch_rad, 0);
-  EXPECT_STREQ(bench.give(Bench::descend(30)).doing, "climb: too deep") << "another dive";
+  EXPECT_STREQ(wordsFor(bench.give(Bench::descend(30)).doing), "climb: too deep") << "another dive";
   bench.inputs.depth_m = 20;
-  EXPECT_STREQ(bench.cycle().doing, "climb: too deep")
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "climb: too deep")
       << "its target is less than a metre from the limit";
-  EXPECT_STREQ(bench.give(Bench::ascend(5)).doing, "climb_to");
-  EXPECT_STREQ(bench.give(Bench::descend(30)).doing, "dive_to") << "free again";
+  EXPECT_STREQ(wordsFor(bench.give(Bench::ascend(5)).doing), "climb_to");
+  EXPECT_STREQ(wordsFor(bench.give(Bench::descend(30)).doing), "dive_to") << "free again";
 }
 
 TEST(HookbehGuard, ADiveThatKeepsTheLimitsGoesOnOnceTheVehicleIsClear) {
@@ -40,7 +40,7 @@ TEST(HookbehGuard, ADiveThatKeepsTheLimitsGoesOnOnceTheVehicleIsClear) {
   bench.inputs.depth_m = 30.1;
   bench.cycle();
   bench.inputs.depth_m = 29.1;
-  EXPECT_STREQ(bench.give(Bench::descend(28)).doing, "climb: too deep");
+  EXPECT_STREQ(wordsFor(bench.give(Bench::descend(28)).doing), "climb: too deep");
   bench.inputs.depth_m = 28.9;
   EXPECT_EQ(bench.cycle().guard, HookGuard::None);
 }
@@ -49,12 +49,13 @@ TEST(HookbehGuard, OverABumpTheDiveGoesOn) {
   Bench bench = diving();
   bench.inputs.depth_m = 15;
   bench.inputs.altitude_m = 4.9;
-  EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "climb: too near the bottom");
   bench.inputs.depth_m = 13;
   bench.inputs.altitude_m = 20.9;
-  EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom") << "29 m would be too near still";
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "climb: too near the bottom")
+      << "29 m would be too near still";
   bench.inputs.altitude_m = 22.5;
-  EXPECT_STREQ(bench.cycle().doing, "dive_to");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "dive_to");
 }
 
 TEST(HookbehGuard, OverAShallowBottomTheDiveIsTriedAgainFromHalfItsDepth) {
@@ -62,13 +63,13 @@ TEST(HookbehGuard, OverAShallowBottomTheDiveIsTriedAgainFromHalfItsDepth) {
   for (int round = 0; round < 3; ++round) {
     bench.inputs.depth_m = 17.1;
     bench.inputs.altitude_m = 4.9;
-    EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom");
+    EXPECT_STREQ(wordsFor(bench.cycle().doing), "climb: too near the bottom");
     bench.inputs.depth_m = 8.7;
     bench.inputs.altitude_m = 13.3;
-    EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom");
+    EXPECT_STREQ(wordsFor(bench.cycle().doing), "climb: too near the bottom");
     bench.inputs.depth_m = 8.5;
     bench.inputs.altitude_m = 13.5;
-    EXPECT_STREQ(bench.cycle().doing, "dive_to");
+    EXPECT_STREQ(wordsFor(bench.cycle().doing), "dive_to");
   }
 }
 
@@ -83,7 +84,7 @@ Bench overABump(Instruction instruction) {
     bench.cycle();  // what it held it has held
   }
   bench.inputs.altitude_m = 4.9;
-  EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "climb: too near the bottom");
   return bench;
 }
 
@@ -92,12 +93,12 @@ TEST(HookbehGuard, AHoverThatWasReachedIsReachedAgainAtPitch) {
   bench.inputs.depth_m = 12;
   bench.inputs.altitude_m = 60;
   HookbehOutputs out = bench.cycle();
-  EXPECT_STREQ(out.doing, "dive_to");
+  EXPECT_STREQ(wordsFor(out.doing), "dive_to");
   EXPECT_NEAR(out.pitch_rad, -0.4538, 1e-9);
   EXPECT_EQ(out.pump_cc, -230);
   bench.inputs.depth_m = 18;
   out = bench.cycle();
-  EXPECT_STREQ(out.doing, "hover");
+  EXPECT_STREQ(wordsFor(out.doing), "hover");
   EXPECT_EQ(out.pitch_rad, 0);
 }
 
@@ -106,10 +107,10 @@ TEST(HookbehGuard, ADescendThatHadArrivedDivesAgain) {
   bench.inputs.depth_m = 12;
   bench.inputs.altitude_m = 60;
   HookbehOutputs out = bench.cycle();
-  EXPECT_STREQ(out.doing, "dive_to");
+  EXPECT_STREQ(wordsFor(out.doing), "dive_to");
   EXPECT_EQ(out.pitch_rad, static_cast<double>(-0.4F)) << "as instructed";
   bench.inputs.depth_m = 20;
-  EXPECT_STREQ(bench.cycle().doing, "hold");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "hold");
 }
 
 TEST(HookbehGuard, AnAscendThatHadArrivedComesBackToItsDepthAtPitch) {
@@ -117,10 +118,11 @@ TEST(HookbehGuard, AnAscendThatHadArrivedComesBackToItsDepthAtPitch) {
   bench.inputs.depth_m = 12;
   bench.inputs.altitude_m = 60;
   HookbehOutputs out = bench.cycle();
-  EXPECT_STREQ(out.doing, "dive_to");
+  EXPECT_STREQ(wordsFor(out.doing), "dive_to");
   EXPECT_NEAR(out.pitch_rad, -0.4538, 1e-9);
   bench.inputs.depth_m = 18;
-  EXPECT_STREQ(bench.cycle().doing, "hover") << "no dive was commanded that might be held";
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "hover")
+      << "no dive was commanded that might be held";
 }
 
 TEST(HookbehGuard, AnAscendWhoseTargetIsTooLowDoesNotSwingByAMetre) {
@@ -132,17 +134,17 @@ TEST(HookbehGuard, AnAscendWhoseTargetIsTooLowDoesNotSwingByAMetre) {
   }
   bench.inputs.depth_m = 10;
   bench.inputs.altitude_m = 14.9;
-  EXPECT_STREQ(bench.cycle().doing, "dive_to") << "half of the depth";
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "dive_to") << "half of the depth";
 }
 
 TEST(HookbehGuard, NearItsTargetItHoversOn) {
   Bench bench = overABump(Bench::vertical(HookVertical::Hover, 20));
   bench.inputs.depth_m = 18.2;
   bench.inputs.altitude_m = 60;
-  EXPECT_STREQ(bench.cycle().doing, "hover");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "hover");
   for (const double depth : {16.0, 24.0, 17.0}) {
     bench.inputs.depth_m = depth;
-    EXPECT_STREQ(bench.cycle().doing, "hover") << "its own swing is not the guard's";
+    EXPECT_STREQ(wordsFor(bench.cycle().doing), "hover") << "its own swing is not the guard's";
   }
 }
 
@@ -152,12 +154,12 @@ TEST(HookbehGuard, AHoverIsReachedAgainAfterTheDepthWasUnknown) {
   bench.inputs.depth_m = 20;
   Instruction hover = Bench::vertical(HookVertical::Hover, 20);
   hover.control = HookControl::Take;
-  EXPECT_STREQ(bench.give(hover).doing, "hover");
+  EXPECT_STREQ(wordsFor(bench.give(hover).doing), "hover");
   bench.inputs.depth_m = kNan;
   EXPECT_NE(bench.cycle().guard, HookGuard::None);
   EXPECT_NE(bench.give(Bench::vertical(HookVertical::Hover, 21)).guard, HookGuard::None);
   bench.inputs.depth_m = 15;
-  EXPECT_STREQ(bench.cycle().doing, "dive_to");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "dive_to");
 }
 
 TEST(HookbehGuard, InVeryShallowWaterItStaysUpUntilTheBottomIsForgotten) {
@@ -167,53 +169,54 @@ TEST(HookbehGuard, InVeryShallowWaterItStaysUpUntilTheBottomIsForgotten) {
   bench.cycle();
   bench.inputs.depth_m = 0;
   for (int i = 0; i < 148; ++i) {
-    EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom") << i;
+    EXPECT_STREQ(wordsFor(bench.cycle().doing), "climb: too near the bottom") << i;
   }
   bench.cycle();
-  EXPECT_STREQ(bench.cycle().doing, "dive_to") << "after 10 minutes it tries again";
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "dive_to") << "after 10 minutes it tries again";
 }
 
 TEST(HookbehGuard, ACommandToClimbDoesNotEndItBeforeTheDepthIsSafe) {
   Bench bench = diving();
   bench.inputs.depth_m = 30.1;
   bench.cycle();
-  EXPECT_STREQ(bench.give(Bench::ascend(5)).doing, "climb: too deep");
+  EXPECT_STREQ(wordsFor(bench.give(Bench::ascend(5)).doing), "climb: too deep");
   bench.inputs.depth_m = 29.5;
-  EXPECT_STREQ(bench.cycle().doing, "climb: too deep");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "climb: too deep");
   bench.inputs.depth_m = 29;
-  EXPECT_STREQ(bench.cycle().doing, "climb_to");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "climb_to");
 }
 
 TEST(HookbehGuard, HoverEndsItOnlyAMetreClearOfTheLimit) {
   Bench bench = diving();
   bench.inputs.depth_m = 30.1;
   bench.cycle();
-  EXPECT_STREQ(bench.give(Bench::vertical(HookVertical::Hover, 29.5)).doing, "climb: too deep");
+  EXPECT_STREQ(wordsFor(bench.give(Bench::vertical(HookVertical::Hover, 29.5)).doing),
+               "climb: too deep");
   bench.inputs.depth_m = 20;
-  EXPECT_STREQ(bench.cycle().doing, "climb: too deep");
-  EXPECT_STREQ(bench.give(Bench::vertical(HookVertical::Hover, 20)).doing, "hover");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "climb: too deep");
+  EXPECT_STREQ(wordsFor(bench.give(Bench::vertical(HookVertical::Hover, 20)).doing), "hover");
 }
 
 TEST(HookbehGuard, TooNearTheBottomClimbs) {
   Bench bench = diving();
   bench.inputs.depth_m = 15;
   bench.inputs.altitude_m = 5.5;
-  EXPECT_STREQ(bench.cycle().doing, "dive_to");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "dive_to");
   bench.inputs.depth_m = 15.4;
   bench.inputs.altitude_m = 4.9;
-  EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "climb: too near the bottom");
   bench.inputs.depth_m = 10;
-  EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom");
-  EXPECT_STREQ(bench.give(Bench::ascend(5)).doing, "climb_to");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "climb: too near the bottom");
+  EXPECT_STREQ(wordsFor(bench.give(Bench::ascend(5)).doing), "climb_to");
 }
 
 TEST(HookbehGuard, AStuckAltimeterDoesNotHideTheBottom) {
   Bench bench = diving();
   bench.inputs.depth_m = 12;
   bench.inputs.altitude_m = 10;
-  EXPECT_STREQ(bench.cycle().doing, "dive_to");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "dive_to");
   bench.inputs.depth_m = 17.5;  // the altitude still says 10
-  EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "climb: too near the bottom");
 }
 
 TEST(HookbehGuard, OneFalseReadingOfTheTimeDoesNotForgetTheBottom) {
@@ -226,7 +229,7 @@ TEST(HookbehGuard, OneFalseReadingOfTheTimeDoesNotForgetTheBottom) {
   bench.inputs.time_s -= 60000;
   bench.cycle();
   bench.inputs.depth_m = 13.5;
-  EXPECT_STREQ(bench.cycle().doing, "climb: too near the bottom");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "climb: too near the bottom");
 }
 
 TEST(HookbehGuard, TheShallowestBreakOfALimitCountsForTheNextTry) {
@@ -267,7 +270,7 @@ TEST(HookbehGuard, ATargetThatIsClearOfTheBottomIsReachedHoweverFastItSinks) {
   bench.inputs.depth_m = 17;
   bench.inputs.depth_rate_mps = 0.4;
   bench.inputs.altitude_m = 7.5;
-  EXPECT_STREQ(bench.cycle().doing, "dive_to");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "dive_to");
 }
 
 TEST(HookbehGuard, NoAltimeterUsed) {
@@ -277,14 +280,14 @@ TEST(HookbehGuard, NoAltimeterUsed) {
   bench.cycle();
   bench.give(Bench::take(20));
   bench.inputs.altitude_m = 0.5;
-  EXPECT_STREQ(bench.cycle().doing, "dive_to");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "dive_to");
 }
 
 TEST(HookbehGuard, NoEchoMeansNoBottom) {
   Bench bench = diving();
   for (const double altitude : {kNan, -1.0}) {
     bench.inputs.altitude_m = altitude;
-    EXPECT_STREQ(bench.cycle().doing, "dive_to");
+    EXPECT_STREQ(wordsFor(bench.cycle().doing), "dive_to");
   }
 }
 
@@ -292,10 +295,10 @@ TEST(HookbehGuard, UnknownDepthClimbsUntilItIsKnown) {
   Bench bench = diving();
   bench.inputs.depth_m = kNan;
   const HookbehOutputs out = bench.cycle();
-  EXPECT_STREQ(out.doing, "climb: depth unknown");
+  EXPECT_STREQ(wordsFor(out.doing), "climb: depth unknown");
   EXPECT_EQ(out.pump_cc, kHull.pump_cc);
   bench.inputs.depth_m = 12;
-  EXPECT_STREQ(bench.cycle().doing, "dive_to");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "dive_to");
 }
 
 TEST(HookbehGuard, ANewSessionStartsWithoutTheOldReasons) {
@@ -308,7 +311,7 @@ TEST(HookbehGuard, ANewSessionStartsWithoutTheOldReasons) {
     bench.cycle();
   }
   bench.alive = true;
-  EXPECT_STREQ(bench.give(Bench::take(20, 2)).doing, "dive_to");
+  EXPECT_STREQ(wordsFor(bench.give(Bench::take(20, 2)).doing), "dive_to");
 }
 
 TEST(HookbehGuard, ANanAmongTheArgsIsABrokenLimit) {
@@ -317,7 +320,7 @@ TEST(HookbehGuard, ANanAmongTheArgsIsABrokenLimit) {
   Bench bench(args);
   bench.cycle();
   bench.inputs.altitude_m = 50;
-  EXPECT_STREQ(bench.give(Bench::take(20)).doing, "climb: too near the bottom");
+  EXPECT_STREQ(wordsFor(bench.give(Bench::take(20)).doing), "climb: too near the bottom");
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ void arrive(HookbehSea& sea) {
   sea.held = true;
   sea.bench.write(Bench::ascend(20));
   sea.cycle();
-  ASSERT_STREQ(sea.out.doing, "hold");
+  ASSERT_STREQ(wordsFor(sea.out.doing), "hold");
 }
 
 TEST(HookbehMasked, IsReportedFromTheLayeredControl) {
@@ -76,11 +76,12 @@ TEST(HookbehMasked, TheTimeOfAHoldDoesNotAdvance) {
     HookbehSea sea;
     arrive(sea);
     sea.run(50, maskedBy(sea.out.pump_cc, channels));
-    EXPECT_STREQ(sea.out.doing, "hold") << int{channels} << ": 200 s, and it holds for 12";
+    EXPECT_STREQ(wordsFor(sea.out.doing), "hold")
+        << int{channels} << ": 200 s, and it holds for 12";
     sea.run(2, kFree);
-    EXPECT_STREQ(sea.out.doing, "hold");
+    EXPECT_STREQ(wordsFor(sea.out.doing), "hold");
     sea.run(2, kFree);
-    EXPECT_STREQ(sea.out.doing, "hover") << "then its 12 s are over";
+    EXPECT_STREQ(wordsFor(sea.out.doing), "hover") << "then its 12 s are over";
   }
 }
 
@@ -88,7 +89,7 @@ TEST(HookbehMasked, AMaskedHeadingLetsTheHoldGoOn) {
   HookbehSea sea;
   arrive(sea);
   sea.run(4, maskedBy(sea.out.pump_cc, kMaskedHeading));
-  EXPECT_STREQ(sea.out.doing, "hover");
+  EXPECT_STREQ(wordsFor(sea.out.doing), "hover");
 }
 
 TEST(HookbehMasked, AHoverIsReachedAgainAtPitch) {
@@ -96,15 +97,15 @@ TEST(HookbehMasked, AHoverIsReachedAgainAtPitch) {
   sea.diveTo(18, 20);
   sea.bench.write(Bench::vertical(HookVertical::Hover, 20));
   sea.run(20, kNothing);
-  ASSERT_STREQ(sea.out.doing, "hover");
+  ASSERT_STREQ(wordsFor(sea.out.doing), "hover");
   surfaceOver(sea, 60);
   ASSERT_LT(sea.truth, 1);
-  EXPECT_STREQ(sea.out.doing, "hover") << "it waits";
+  EXPECT_STREQ(wordsFor(sea.out.doing), "hover") << "it waits";
   sea.cycle(kFree);
-  EXPECT_STREQ(sea.out.doing, "dive_to");
+  EXPECT_STREQ(wordsFor(sea.out.doing), "dive_to");
   EXPECT_LT(sea.out.pitch_rad, -0.4);
   sea.run(60, kFree);
-  EXPECT_STREQ(sea.out.doing, "hover");
+  EXPECT_STREQ(wordsFor(sea.out.doing), "hover");
   EXPECT_NEAR(sea.truth, 20, 2.5);
 }
 
@@ -113,7 +114,7 @@ TEST(HookbehMasked, ADiveThatIsUnderWayGoesOn) {
   sea.diveTo(10, 28);
   surfaceOver(sea, 300);
   EXPECT_EQ(sea.out.guard, HookGuard::None) << "20 minutes without a metre gained are not its own";
-  ASSERT_STREQ(sea.out.doing, "dive_to");
+  ASSERT_STREQ(wordsFor(sea.out.doing), "dive_to");
   sea.run(200, kFree);
   EXPECT_NEAR(sea.truth, 28, 2.5);
 }

@@ -51,7 +51,7 @@ TEST_F(HookbehReplay, AnInstructionOfTheSessionThatComesAgainIsRefusedAndAnswere
     EXPECT_EQ(out.answer, HookAnswer::OldSequence);
     EXPECT_EQ(out.answered_sequence, old + 1) << "under its own number";
     EXPECT_EQ(out.state, HookState::Active);
-    EXPECT_STREQ(out.doing, "dive_to");
+    EXPECT_STREQ(wordsFor(out.doing), "dive_to");
     EXPECT_EQ(out.session, 1U);
   }
   const HookbehOutputs newest = again(2);
@@ -138,7 +138,7 @@ TEST_F(HookbehReplay, RoundTheCircleOldOnesStayOld) {
   bench_.sequence = 0;
   EXPECT_EQ(give(Bench::descend(25)).answer, HookAnswer::Accepted);
   EXPECT_EQ(again(1).answer, HookAnswer::OldSequence) << "65535 is before 1";
-  EXPECT_STREQ(again(1).doing, "dive_to");
+  EXPECT_STREQ(wordsFor(again(1).doing), "dive_to");
 }
 
 TEST_F(HookbehReplay, HeartbeatsThatComeAgainAreSilence) {

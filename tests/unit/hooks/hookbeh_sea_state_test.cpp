@@ -23,7 +23,7 @@ namespace glider::hooks {
 namespace {
 
 constexpr double kNoDepth = std::numeric_limits<double>::quiet_NaN();
-constexpr VerticalCommand kSeaDive{-0.4538, -230, ""}, kLift{0.4538, 230, ""}, kHover{0, 0, ""};
+constexpr VerticalCommand kSeaDive{-0.4538, -230}, kLift{0.4538, 230}, kHover{0, 0};
 
 TEST(Cadence, AReadingThatTheArrayKeepsIsNotNew) {
   Cadence cadence;

@@ -216,7 +216,7 @@ TEST(HookbehSession, ADepthThatIsNotBelievedHasReachedNothing) {
   bench.inputs.depth_m = 21;
   EXPECT_EQ(bench.cycle().guard, HookGuard::DepthJumps);
   bench.inputs.depth_m = 10.5;
-  EXPECT_STREQ(bench.cycle().doing, "dive_to");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "dive_to");
 }
 
 TEST(HookbehSession, ANewSbcIsNotHeldUpByALimitThatTheOneBeforeBroke) {
@@ -230,7 +230,7 @@ TEST(HookbehSession, ANewSbcIsNotHeldUpByALimitThatTheOneBeforeBroke) {
     bench.cycle();
   }
   bench.alive = true;
-  EXPECT_STREQ(bench.give(Bench::take(29.75, 2)).doing, "dive_to");
+  EXPECT_STREQ(wordsFor(bench.give(Bench::take(29.75, 2)).doing), "dive_to");
 }
 
 TEST(HookbehSession, WhereTheGuardEndsCountsNotWhereItClimbed) {
@@ -247,7 +247,7 @@ TEST(HookbehSession, WhereTheGuardEndsCountsNotWhereItClimbed) {
   }
   bench.inputs.depth_m = 18.5;
   bench.inputs.altitude_m = 60;
-  EXPECT_STREQ(bench.cycle().doing, "hover") << "it is near enough";
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "hover") << "it is near enough";
 }
 
 }  // namespace

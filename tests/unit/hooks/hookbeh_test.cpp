@@ -54,7 +54,7 @@ TEST(Hookbeh, TakeActivatesAndCommandsInTheSameCycle) {
   ASSERT_TRUE(out.commanding);
   EXPECT_EQ(out.pump_cc, -230);
   EXPECT_EQ(out.pitch_rad, static_cast<double>(-0.4F));
-  EXPECT_STREQ(out.doing, "dive_to");
+  EXPECT_STREQ(wordsFor(out.doing), "dive_to");
 }
 
 TEST(Hookbeh, WhatLiesInTheArrayAtTheStartIsNotFollowed) {
@@ -78,8 +78,8 @@ TEST(Hookbeh, CommandsEveryCycleThroughTheWholeOfADive) {
     out = bench.cycle();
     ASSERT_TRUE(out.commanding);
     ASSERT_EQ(out.state, HookState::Active);
-    if (!seen.ends_with(out.doing)) {
-      seen += std::string(" ") + out.doing;
+    if (!seen.ends_with(wordsFor(out.doing))) {
+      seen += std::string(" ") + wordsFor(out.doing);
     }
   }
   EXPECT_EQ(seen, " dive_to hold hover");
@@ -93,12 +93,13 @@ TEST(Hookbeh, HoldKeepsTheCommandsForItsTime) {
   bench.inputs.depth_m = 20.9;
   HookbehOutputs out = bench.give(Bench::take(20));
   for (int i = 0; i < 3; ++i) {
-    EXPECT_STREQ(out.doing, "hold") << "a target that is passed already is reached at once";
+    EXPECT_STREQ(wordsFor(out.doing), "hold")
+        << "a target that is passed already is reached at once";
     EXPECT_EQ(out.pump_cc, -230);
     EXPECT_LT(out.pitch_rad, 0);
     out = bench.cycle();
   }
-  EXPECT_STREQ(out.doing, "hover");
+  EXPECT_STREQ(wordsFor(out.doing), "hover");
 }
 
 TEST(Hookbeh, ClimbEndsInHoverAndAtTheTopInFloating) {
@@ -107,14 +108,14 @@ TEST(Hookbeh, ClimbEndsInHoverAndAtTheTopInFloating) {
     bench.cycle();
     bench.give(Bench::take(20));
     HookbehOutputs out = bench.give(Bench::ascend(target));
-    EXPECT_STREQ(out.doing, "climb_to");
+    EXPECT_STREQ(wordsFor(out.doing), "climb_to");
     EXPECT_EQ(out.pump_cc, 230);
     EXPECT_GT(out.pitch_rad, 0);
     bench.inputs.depth_m = target;
     for (int i = 0; i < 10; ++i) {
       out = bench.cycle();
     }
-    EXPECT_STREQ(out.doing, target > 1 ? "hover" : "surface");
+    EXPECT_EQ(out.doing, target > 1 ? Doing::Hover : Doing::Surface);
   }
 }
 
@@ -128,7 +129,7 @@ TEST(Hookbeh, ADescendOrHoverToLessThanAMetreEndsInFloating) {
     for (int i = 0; i < 4; ++i) {
       out = bench.cycle();
     }
-    EXPECT_STREQ(out.doing, "surface");
+    EXPECT_STREQ(wordsFor(out.doing), "surface");
   }
 }
 
@@ -137,10 +138,10 @@ TEST(Hookbeh, HoverGoesThereThenLevels) {
   bench.cycle();
   bench.give(Bench::take(20));
   HookbehOutputs out = bench.give(Bench::vertical(HookVertical::Hover, 15));
-  EXPECT_STREQ(out.doing, "dive_to");
+  EXPECT_STREQ(wordsFor(out.doing), "dive_to");
   bench.inputs.depth_m = 14;
   out = bench.cycle();
-  EXPECT_STREQ(out.doing, "hover");
+  EXPECT_STREQ(wordsFor(out.doing), "hover");
   EXPECT_EQ(out.pitch_rad, 0);
   EXPECT_LT(out.pump_cc, 0) << "above its depth it sinks";
   bench.inputs.depth_m = 15;
@@ -155,7 +156,7 @@ TEST(Hookbeh, HoverGoesThereThenLevels) {
   EXPECT_GT(out.pump_cc, 25) << "sinking through it is braked";
   bench.inputs.depth_m = 25;
   out = bench.give(Bench::vertical(HookVertical::Hover, 16));
-  EXPECT_STREQ(out.doing, "climb_to");
+  EXPECT_STREQ(wordsFor(out.doing), "climb_to");
 }
 
 TEST(Hookbeh, SurfaceKeepsClimbing) {
@@ -164,7 +165,7 @@ TEST(Hookbeh, SurfaceKeepsClimbing) {
   bench.give(Bench::take(20));
   HookbehOutputs out = bench.give(Bench::vertical(HookVertical::Surface));
   for (int i = 0; i < 5; ++i) {
-    EXPECT_STREQ(out.doing, "surface");
+    EXPECT_STREQ(wordsFor(out.doing), "surface");
     EXPECT_EQ(out.pump_cc, 230);
     EXPECT_GT(out.pitch_rad, 0);
     bench.inputs.depth_m = 0;
@@ -177,13 +178,13 @@ TEST(Hookbeh, WithoutAVerticalItFloatsThenKeepsTheOneInForce) {
   bench.cycle();
   Instruction nothing = Bench::vertical(HookVertical::None);
   nothing.control = HookControl::Take;
-  EXPECT_STREQ(bench.give(nothing).doing, "surface");
-  EXPECT_STREQ(bench.give(Bench::descend(20)).doing, "dive_to");
+  EXPECT_STREQ(wordsFor(bench.give(nothing).doing), "surface");
+  EXPECT_STREQ(wordsFor(bench.give(Bench::descend(20)).doing), "dive_to");
   nothing.control = HookControl::Steer;
   nothing.lateral = HookLateral::Heading;
   nothing.heading_rad = 1;
   const HookbehOutputs out = bench.give(nothing);
-  EXPECT_STREQ(out.doing, "dive_to");
+  EXPECT_STREQ(wordsFor(out.doing), "dive_to");
   EXPECT_EQ(out.heading_mode, HeadingMode::Heading);
 }
 
@@ -191,12 +192,13 @@ TEST(Hookbeh, HoldsNoDiveFarBeyondItsTarget) {
   Bench bench;
   bench.cycle();
   bench.inputs.depth_m = 20.9;
-  EXPECT_STREQ(bench.give(Bench::take(20)).doing, "hold");
+  EXPECT_STREQ(wordsFor(bench.give(Bench::take(20)).doing), "hold");
   bench.inputs.depth_m = 21.1;
-  EXPECT_STREQ(bench.cycle().doing, "hover") << "a steep dive would go on for metres";
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "hover") << "a steep dive would go on for metres";
   bench.inputs.depth_m = 25;
   const HookbehOutputs out = bench.give(Bench::descend(10));
-  EXPECT_STREQ(out.doing, "hover") << "nor does it dive for a target that was passed long ago";
+  EXPECT_STREQ(wordsFor(out.doing), "hover")
+      << "nor does it dive for a target that was passed long ago";
   EXPECT_EQ(out.pump_cc, 230);
 }
 
@@ -207,7 +209,8 @@ TEST(Hookbeh, AnInstructionEqualToTheOneInForceChangesNothing) {
   bench.give(Bench::take(20));
   bench.cycle();
   bench.cycle();
-  EXPECT_STREQ(bench.give(Bench::descend(20)).doing, "hover") << "holding did not start again";
+  EXPECT_STREQ(wordsFor(bench.give(Bench::descend(20)).doing), "hover")
+      << "holding did not start again";
 }
 
 TEST(Hookbeh, LateralCommands) {
@@ -238,7 +241,7 @@ TEST(Hookbeh, TakesEffectOnlyWhenTheSequenceChanges) {
   bench.write(Bench::ascend(5));
   bench.inputs.sequence = 1;  // its number has not arrived
   const HookbehOutputs out = bench.cycle();
-  EXPECT_STREQ(out.doing, "dive_to");
+  EXPECT_STREQ(wordsFor(out.doing), "dive_to");
   EXPECT_EQ(out.answer, HookAnswer::Accepted);
   EXPECT_EQ(out.answered_sequence, 1);
 }
@@ -253,12 +256,12 @@ TEST(Hookbeh, BadCheckIsAnsweredAndHealsWhenTheRestArrives) {
   HookbehOutputs out = bench.cycle();
   EXPECT_EQ(out.answer, HookAnswer::BadCheck);
   EXPECT_EQ(out.answered_sequence, 2);
-  EXPECT_STREQ(out.doing, "dive_to");
+  EXPECT_STREQ(wordsFor(out.doing), "dive_to");
   bench.inputs.hook_depth_m = arrived;  // written again with the same number
   out = bench.cycle();
   EXPECT_EQ(out.answer, HookAnswer::Accepted);
   EXPECT_EQ(out.answered_sequence, 2);
-  EXPECT_STREQ(out.doing, "climb_to");
+  EXPECT_STREQ(wordsFor(out.doing), "climb_to");
 }
 
 TEST(Hookbeh, SequenceCountsRound) {
@@ -271,7 +274,7 @@ TEST(Hookbeh, SequenceCountsRound) {
   const HookbehOutputs out = bench.give(Bench::descend(20));
   EXPECT_EQ(out.answered_sequence, 1);
   EXPECT_EQ(out.answer, HookAnswer::Accepted);
-  EXPECT_STREQ(out.doing, "dive_to");
+  EXPECT_STREQ(wordsFor(out.doing), "dive_to");
 }
 
 TEST(Hookbeh, SilenceEndsControlWithinItsTimeAndACycle) {
@@ -335,7 +338,7 @@ TEST(Hookbeh, OnlyTheSessionInControlSteers) {
   other.session = 4;
   HookbehOutputs out = bench.give(other);
   EXPECT_EQ(out.answer, HookAnswer::WrongSession);
-  EXPECT_STREQ(out.doing, "dive_to");
+  EXPECT_STREQ(wordsFor(out.doing), "dive_to");
   EXPECT_EQ(bench.give(Bench::giveBack(4)).answer, HookAnswer::WrongSession);
   EXPECT_EQ(bench.give(Bench::take(20, 4)).answer, HookAnswer::WrongSession)
       << "one pilot at a time";
@@ -343,7 +346,7 @@ TEST(Hookbeh, OnlyTheSessionInControlSteers) {
   other.control = HookControl::Take;  // its first answer was lost: as good as a Steer
   out = bench.give(other);
   EXPECT_EQ(out.answer, HookAnswer::Accepted);
-  EXPECT_STREQ(out.doing, "climb_to");
+  EXPECT_STREQ(wordsFor(out.doing), "climb_to");
 }
 
 TEST(Hookbeh, ARefusedTakeLeavesItReady) {
@@ -363,9 +366,9 @@ TEST(Hookbeh, ARefusedSteerLeavesTheOldOneInForce) {
   const HookbehOutputs out = bench.give(Bench::descend(40));
   EXPECT_EQ(out.answer, HookAnswer::TooDeep);
   EXPECT_EQ(out.state, HookState::Active);
-  EXPECT_STREQ(out.doing, "dive_to");
+  EXPECT_STREQ(wordsFor(out.doing), "dive_to");
   bench.inputs.depth_m = 20;
-  EXPECT_STREQ(bench.cycle().doing, "hold");
+  EXPECT_STREQ(wordsFor(bench.cycle().doing), "hold");
 }
 
 TEST(Hookbeh, TimeThatStopsOrGoesBackwardsStillCounts) {
@@ -437,7 +440,7 @@ TEST(Hookbeh, NothingButNansDoesNothing) {
   bench.alive = false;
   HookbehOutputs out = bench.cycle();
   EXPECT_EQ(out.state, HookState::Active);
-  EXPECT_STREQ(out.doing, "climb: depth unknown");
+  EXPECT_STREQ(wordsFor(out.doing), "climb: depth unknown");
   for (int i = 0; i < 5; ++i) {
     out = bench.cycle();
   }
@@ -468,7 +471,7 @@ TEST(Hookbeh, ANumberThatIsNoneAmongTheArgsForPumpAndPitchIsTheDefault) {
     EXPECT_NEAR(out.pitch_rad, 0.4538, 1e-9);
     bench.inputs.depth_m = 25;
     out = bench.give(Bench::vertical(HookVertical::Hover, 25));
-    EXPECT_STREQ(out.doing, "hover");
+    EXPECT_STREQ(wordsFor(out.doing), "hover");
     EXPECT_EQ(out.pump_cc, 0);
   }
 }
@@ -488,11 +491,11 @@ TEST(Hookbeh, HalfWrittenNumbersAreNotAnInstruction) {
       bench.inputs.*field = value;
       const HookbehOutputs out = bench.cycle();
       EXPECT_EQ(out.answer, HookAnswer::BadCheck);
-      EXPECT_STREQ(out.doing, "dive_to");
+      EXPECT_STREQ(wordsFor(out.doing), "dive_to");
     }
     bench.write(Bench::ascend(5));
     bench.inputs.sequence = value;
-    EXPECT_STREQ(bench.cycle().doing, "dive_to");
+    EXPECT_STREQ(wordsFor(bench.cycle().doing), "dive_to");
   }
 }
 

@@ -39,7 +39,7 @@ void hoverAt(HookbehSea& sea, double depth) {
   sea.diveTo(depth - 2, depth);
   sea.bench.write(Bench::vertical(HookVertical::Hover, depth));
   sea.run(20, kNothing);
-  ASSERT_STREQ(sea.out.doing, "hover");
+  ASSERT_STREQ(wordsFor(sea.out.doing), "hover");
 }
 
 TEST(HookbehUnseen, AHoverWhoseDepthFlickersAboveItClimbsInTime) {
@@ -105,10 +105,10 @@ TEST(HookbehUnseen, AHoverShowsThatItsDepthLivesByAShortClimb) {
   hoverAt(sea, 20);
   sea.held = true;
   int cycles = 0;
-  while (std::string(sea.cycle().doing) == "hover" && cycles < 500) {
+  while (sea.cycle().doing == Doing::Hover && cycles < 500) {
     ++cycles;
   }
-  EXPECT_STREQ(sea.out.doing, "check depth");
+  EXPECT_STREQ(wordsFor(sea.out.doing), "check depth");
   EXPECT_EQ(sea.out.guard, HookGuard::None) << "it is not a guard";
   EXPECT_GE(cycles + 20, 22) << "10 m at 0.1 m/s, from where it came to rest";
   EXPECT_LE(cycles + 20, 30);
@@ -117,9 +117,9 @@ TEST(HookbehUnseen, AHoverShowsThatItsDepthLivesByAShortClimb) {
   for (int i = 0; i < 20; ++i) {
     sea.cycle();
     highest = std::min(highest, sea.truth);
-    EXPECT_STRNE(sea.out.doing, "dive_to") << "its pump brings it back";
+    EXPECT_STRNE(wordsFor(sea.out.doing), "dive_to") << "its pump brings it back";
   }
-  EXPECT_STREQ(sea.out.doing, "hover") << "it goes on";
+  EXPECT_STREQ(wordsFor(sea.out.doing), "hover") << "it goes on";
   EXPECT_LT(highest, 19);
   EXPECT_NEAR(sea.truth, 20, 4);
 }
@@ -136,7 +136,7 @@ TEST(HookbehUnseen, ADiveAfterALongHoverMayShowThatItsDepthLivesFirst) {
     sea.bench.write(Bench::descend(22));
     for (int i = 0; i < 60; ++i) {
       ASSERT_EQ(sea.cycle().guard, HookGuard::None) << waits << " " << i;
-      checks += std::string(sea.out.doing) == "check depth" ? 1 : 0;
+      checks += sea.out.doing == Doing::CheckDepth ? 1 : 0;
     }
     EXPECT_NEAR(sea.truth, 22, 3) << waits;
   }
@@ -150,9 +150,9 @@ TEST(HookbehUnseen, AHoverThatTheCtdSeesShowsItsDepthByAShortClimbEveryFewMinute
   int climbs = 0, climbing = 0;
   double highest = 20;
   for (int i = 0; i < 900; ++i) {  // an hour
-    const bool climbed = std::string(sea.out.doing) == "check depth";
+    const bool climbed = sea.out.doing == Doing::CheckDepth;
     sea.cycle();
-    const bool climbs_now = std::string(sea.out.doing) == "check depth";
+    const bool climbs_now = sea.out.doing == Doing::CheckDepth;
     climbs += climbs_now && !climbed;
     climbing += climbs_now;
     highest = std::min(highest, sea.truth);
@@ -196,7 +196,7 @@ TEST(HookbehUnseen, AShallowHoverShowsItsDepthAtTheSurface) {
   int climbing = 0;
   for (int i = 0; i < 900; ++i) {
     sea.cycle();
-    climbing += std::string(sea.out.doing) == "check depth";
+    climbing += sea.out.doing == Doing::CheckDepth;
     ASSERT_EQ(sea.out.guard, HookGuard::None) << i;
   }
   EXPECT_GT(climbing, 0);
@@ -254,7 +254,7 @@ TEST(HookbehUnseen, WhatAnotherBehaviourFliesDoesNotCount) {
     sea.pump = 230;
     sea.cycle([](HookbehInputs& in) { in.commanded_pump_cc = 230; });
     ASSERT_EQ(sea.out.guard, HookGuard::None) << i;
-    ASSERT_STREQ(sea.out.doing, "dive_to") << i;
+    ASSERT_STREQ(wordsFor(sea.out.doing), "dive_to") << i;
   }
 }
 
@@ -461,8 +461,8 @@ TEST(RecentDepths, HoldsWhatWasWithinTwentySeconds) {
   EXPECT_EQ(recent.distanceTo(12), 18);
 }
 
-constexpr VerticalCommand kDown{-0.4, -230, ""}, kSteepDown{-0.7854, -230, ""}, kUp{0.4, 230, ""},
-    kCentred{0, 0, ""}, kUncommanded{0, kNan, ""};
+constexpr VerticalCommand kDown{-0.4, -230}, kSteepDown{-0.7854, -230}, kUp{0.4, 230},
+    kCentred{0, 0}, kUncommanded{0, kNan};
 
 /// `cycles` of 4 s in which this was commanded.
 void drive(UnseenSink& sink, int cycles, double depth_m, const VerticalCommand& command) {
@@ -488,7 +488,7 @@ TEST(UnseenSink, AssumesTheRateAtWhichTheVehicleSinks) {
   const double before = sink.deepest();
   drive(sink, 10, 20, kCentred);
   EXPECT_NEAR(sink.deepest(), before + 4, 1e-9) << "0.1 m/s adrift";
-  drive(sink, 10, 20, {0, -61, ""});
+  drive(sink, 10, 20, {0, -61});
   EXPECT_NEAR(sink.deepest(), before + 4 + 40 * 0.44 * 0.3 / 0.7854, 1e-9) << "flat";
   EXPECT_EQ(sink.shown(), 20);
   EXPECT_FALSE(sink.hasMoved());
@@ -496,23 +496,23 @@ TEST(UnseenSink, AssumesTheRateAtWhichTheVehicleSinks) {
 
 TEST(UnseenSink, ADiveSinksWithAnyPump) {
   UnseenSink sink = stoodAt20(kUncommanded);
-  drive(sink, 13, 20, {-0.7854, -30, ""});
+  drive(sink, 13, 20, {-0.7854, -30});
   EXPECT_NEAR(sink.deepest(), 20 + 40 * 0.44, 1e-9);
 }
 
 TEST(UnseenSink, TakesNothingBackBeforeTheVehicleRisesAndThenLittle) {
   UnseenSink sink = stoodAt20(kSteepDown);
   const double before = sink.deepest();
-  drive(sink, 5, 20, {0.7854, 230, ""});
+  drive(sink, 5, 20, {0.7854, 230});
   EXPECT_NEAR(sink.deepest(), before + 20 * 0.44, 1e-9) << "20 s in which the pump goes out";
-  drive(sink, 10, 20, {0.7854, 230, ""});
+  drive(sink, 10, 20, {0.7854, 230});
   EXPECT_NEAR(sink.deepest(), before + 20 * 0.44 - 4, 1e-9) << "0.1 m/s";
-  drive(sink, 1000, 20, {0.7854, 230, ""});
+  drive(sink, 1000, 20, {0.7854, 230});
   EXPECT_EQ(sink.deepest(), 0) << "no higher than the surface";
 }
 
 TEST(UnseenSink, AWeakPumpOrALevelPitchDoesNotLift) {
-  for (const VerticalCommand& weak : {VerticalCommand{0.4, 110, ""}, {0, 230, ""}}) {
+  for (const VerticalCommand& weak : {VerticalCommand{0.4, 110}, {0, 230}}) {
     UnseenSink sink = stoodAt20(kCentred);
     const double before = sink.deepest();
     drive(sink, 20, 20, weak);

@@ -342,8 +342,7 @@ class Witness {
     if (!out.commanding) {
       return;
     }
-    const std::string doing = out.doing;
-    if (doing == "dive_to" || doing == "climb_to" || doing == "hold") {
+    if (out.doing == Doing::DiveTo || out.doing == Doing::ClimbTo || out.doing == Doing::Hold) {
       ASSERT_TRUE(mission.told.contains(accepted_));
       EXPECT_EQ(out.pitch_rad, mission.told.at(accepted_).pitch_rad)
           << "at " << flight.time << " s";

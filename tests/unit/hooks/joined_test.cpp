@@ -20,7 +20,7 @@ TEST(Joined, ACleanFlightTakesSteersAndReleases) {
     if (vehicle.flight.outputs.state == HookState::Active) {
       active_from = active_from == 0 ? vehicle.flight.time : active_from;
       deepest = std::max(deepest, vehicle.flight.depth);
-      EXPECT_STRNE(vehicle.flight.outputs.doing, "hover") << "the next leg comes in time";
+      EXPECT_STRNE(wordsFor(vehicle.flight.outputs.doing), "hover") << "the next leg comes in time";
     }
   }
   EXPECT_EQ(active_from, 64) << "one cycle after it was ready";

@@ -16,8 +16,8 @@ namespace glider::hooks {
 namespace {
 
 constexpr double kUnread = std::numeric_limits<double>::quiet_NaN();
-constexpr VerticalCommand kSteepDive{-0.7854, -230, ""}, kSteepLift{0.7854, 230, ""},
-    kNoStroke{0, 0, ""}, kNoPump{0, kUnread, ""};
+constexpr VerticalCommand kSteepDive{-0.7854, -230}, kSteepLift{0.7854, 230}, kNoStroke{0, 0},
+    kNoPump{0, kUnread};
 constexpr double kSteepSinkMps = 1.1 * 0.4, kFlatSinkMps = kSteepSinkMps * 0.3 / 0.7854,
                  kStillMps = 0.1;
 
@@ -44,26 +44,26 @@ double rateUnder(const VerticalCommand& command) {
 }
 
 TEST(UnseenSinkEdges, WhatSinksIsSixtyCcInOrTheNoseATenthDown) {
-  EXPECT_NEAR(rateUnder({0, -60, ""}), kFlatSinkMps, 1e-9);
-  EXPECT_NEAR(rateUnder({0, -59.9, ""}), kStillMps, 1e-9);
-  EXPECT_NEAR(rateUnder({-0.1, 0, ""}), kFlatSinkMps, 1e-9);
-  EXPECT_NEAR(rateUnder({-0.0999, 0, ""}), kStillMps, 1e-9);
-  EXPECT_NEAR(rateUnder({0.1, 116.5, ""}), kFlatSinkMps, 1e-9) << "it has not turned yet";
-  EXPECT_NEAR(rateUnder({0.1, 116.4, ""}), kStillMps, 1e-9);
-  EXPECT_NEAR(rateUnder({0.0999, 116.5, ""}), kStillMps, 1e-9);
+  EXPECT_NEAR(rateUnder({0, -60}), kFlatSinkMps, 1e-9);
+  EXPECT_NEAR(rateUnder({0, -59.9}), kStillMps, 1e-9);
+  EXPECT_NEAR(rateUnder({-0.1, 0}), kFlatSinkMps, 1e-9);
+  EXPECT_NEAR(rateUnder({-0.0999, 0}), kStillMps, 1e-9);
+  EXPECT_NEAR(rateUnder({0.1, 116.5}), kFlatSinkMps, 1e-9) << "it has not turned yet";
+  EXPECT_NEAR(rateUnder({0.1, 116.4}), kStillMps, 1e-9);
+  EXPECT_NEAR(rateUnder({0.0999, 116.5}), kStillMps, 1e-9);
 }
 
 TEST(UnseenSinkEdges, TheRateIsThatOfThePitchButNeverBelowThatOfSeventeenDegrees) {
-  EXPECT_NEAR(rateUnder({-0.29, -230, ""}), kFlatSinkMps, 1e-9);
-  EXPECT_NEAR(rateUnder({-0.31, -230, ""}), kSteepSinkMps * 0.31 / 0.7854, 1e-9);
-  EXPECT_NEAR(rateUnder({0.5, -230, ""}), kSteepSinkMps * 0.5 / 0.7854, 1e-9);
-  EXPECT_NEAR(rateUnder({kUnread, -230, ""}), kFlatSinkMps, 1e-9) << "an unknown one as if level";
+  EXPECT_NEAR(rateUnder({-0.29, -230}), kFlatSinkMps, 1e-9);
+  EXPECT_NEAR(rateUnder({-0.31, -230}), kSteepSinkMps * 0.31 / 0.7854, 1e-9);
+  EXPECT_NEAR(rateUnder({0.5, -230}), kSteepSinkMps * 0.5 / 0.7854, 1e-9);
+  EXPECT_NEAR(rateUnder({kUnread, -230}), kFlatSinkMps, 1e-9) << "an unknown one as if level";
 }
 
 TEST(UnseenSinkEdges, ItIsADiveFromATenthDown) {
   for (const double pitch : {-0.1, -0.0999}) {
     UnseenSink sink = settledAt(20);
-    run(sink, 1, 20, {pitch, -230, ""});
+    run(sink, 1, 20, {pitch, -230});
     EXPECT_NEAR(sink.sunkInDive(), pitch == -0.1 ? kFlatSinkMps : 0, 1e-9);
     EXPECT_NEAR(sink.sunkSteeply(), pitch == -0.1 ? kSteepSinkMps : 0, 1e-9);
   }

@@ -16,7 +16,7 @@ LoggedMoment at(double seconds, double depth_m) {
   return {kBegin + seconds, "", seconds / 3600, depth_m, 0};
 }
 
-FollowedStep step(double seconds, const char* kind, const char* from, const char* to) {
+FollowedStep step(double seconds, FollowedKind kind, const char* from, const char* to) {
   FollowedStep out;
   out.at = at(seconds, 12);
   out.kind = kind;
@@ -30,15 +30,16 @@ support::Trace log() {
   support::Trace trace;
   trace.log.emplace();
   trace.log->utc_s = kBegin - 100;
-  trace.events.push_back({110, 0, "surface", "at the surface", ""});
+  trace.events.push_back(support::makeEvent(110, support::EventId::Surfaces));
   return trace;
 }
 
 TEST(AgainstMarks, ShowEachChangeOfStateAtItsTimeInTheLog) {
   AgainstLogs against;
-  against.followed = {step(0, "start", "", "look"), step(4, "stay", "look", "look"),
-                      step(20, "goto", "look", "track"), step(30, "exit", "track", ""),
-                      step(40, "gap", "look", "")};
+  against.followed = {
+      step(0, FollowedKind::Start, "", "look"), step(4, FollowedKind::Stay, "look", "look"),
+      step(20, FollowedKind::Goto, "look", "track"), step(30, FollowedKind::Exit, "track", ""),
+      step(40, FollowedKind::Gap, "look", "")};
   against.followed[2].guard = "temp < 12 degC";
   against.followed[2].values = {{"temp", 11.5, "degC"}};
   against.followed[3].always = true;
@@ -46,15 +47,15 @@ TEST(AgainstMarks, ShowEachChangeOfStateAtItsTimeInTheLog) {
   markAgainst("tracker", against, trace);
   ASSERT_EQ(trace.events.size(), 5U) << "a case that stays is not a change of state";
   EXPECT_EQ(trace.events[0].time_s, 100);
-  EXPECT_EQ(trace.events[0].kind, "transition");
-  EXPECT_EQ(trace.events[0].what, "the mission would have started in look");
+  EXPECT_EQ(kindOf(trace.events[0]), "transition");
+  EXPECT_EQ(textOf(trace.events[0]), "the mission would have started in look");
   EXPECT_EQ(trace.events[0].why, "depth 12.0 m");
-  EXPECT_EQ(trace.events[1].what, "at the surface") << "in the order of time";
+  EXPECT_EQ(textOf(trace.events[1]), "at the surface") << "in the order of time";
   EXPECT_EQ(trace.events[2].time_s, 120);
-  EXPECT_EQ(trace.events[2].what, "look → track (goto)");
+  EXPECT_EQ(textOf(trace.events[2]), "look → track (goto)");
   EXPECT_EQ(trace.events[2].why, "temp < 12 degC (depth 12.0 m, temp 11.5 degC)");
-  EXPECT_EQ(trace.events[3].what, "track → end (exit, always)");
-  EXPECT_EQ(trace.events[4].what, "the log has a gap: the mission would have ended in look");
+  EXPECT_EQ(textOf(trace.events[3]), "track → end (exit, always)");
+  EXPECT_EQ(textOf(trace.events[4]), "the log has a gap: the mission would have ended in look");
   ASSERT_EQ(trace.log->notes.size(), 1U);
   EXPECT_NE(trace.log->notes[0].find("the mission tracker would have made"), std::string::npos);
 }
@@ -74,10 +75,10 @@ TEST(AgainstMarks, ShowWhereAGuardFlickers) {
   markAgainst("tracker", against, trace);
   ASSERT_EQ(trace.events.size(), 3U);
   EXPECT_EQ(trace.events[0].time_s, 108);
-  EXPECT_EQ(trace.events[0].kind, "guard");
-  EXPECT_EQ(trace.events[0].what, "a guard of look flickers: true 4 times within 32 s");
+  EXPECT_EQ(kindOf(trace.events[0]), "guard");
+  EXPECT_EQ(textOf(trace.events[0]), "a guard of look flickers: true 4 times within 32 s");
   EXPECT_EQ(trace.events[0].why, "depth > 10 m");
-  EXPECT_EQ(trace.events[1].what, "a guard of `always` flickers: true 4 times within 32 s");
+  EXPECT_EQ(textOf(trace.events[1]), "a guard of `always` flickers: true 4 times within 32 s");
 }
 
 }  // namespace

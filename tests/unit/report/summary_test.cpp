@@ -12,6 +12,8 @@
 namespace glider::report {
 namespace {
 
+using support::unlistedEvent;
+
 support::Trace figure2() {
   auto trace = smallTrace(
       {{"time", "s"}, {"m_depth", "m"}, {"state", "id"}, {"true_x", "m"}, {"true_y", "m"}},
@@ -22,11 +24,12 @@ support::Trace figure2() {
        {1600, 0, 0, 480, 400}});
   trace.state_names = {"s1", "s2"};
   trace.events = {
-      {100, 0, "control", "hookbeh in control", "the SBC asked for it"},
-      {600, 500, "transition", "s1 → s2 (call)",
-       "missiontime >= 500 && missiontime < 1500: missiontime = 500"},
-      {1600, 1500, "transition", "s2 → s1 (return)", "missiontime >= 1500: missiontime = 1500"},
-      {1600, kUnknown, "abort", "MS_ABORT_OVERDEPTH", ""},
+      unlistedEvent(100, 0, "control", "hookbeh in control", "the SBC asked for it"),
+      unlistedEvent(600, 500, "transition", "s1 → s2 (call)",
+                    "missiontime >= 500 && missiontime < 1500: missiontime = 500"),
+      unlistedEvent(1600, 1500, "transition", "s2 → s1 (return)",
+                    "missiontime >= 1500: missiontime = 1500"),
+      unlistedEvent(1600, kUnknown, "abort", "MS_ABORT_OVERDEPTH", ""),
   };
   return trace;
 }
@@ -82,7 +85,8 @@ TEST(Summary, ShowsUpToSixtyEventsOfEachListAndTheLastOfThem) {
   const auto with = [](size_t count, const char* kind) {
     support::Trace trace = smallTrace({{"time", "s"}}, {{0}, {4}});
     for (size_t i = 1; i <= count; ++i) {
-      trace.events.push_back({1, kUnknown, kind, "note " + std::to_string(i) + ".", ""});
+      trace.events.push_back(
+          unlistedEvent(1, kUnknown, kind, "note " + std::to_string(i) + ".", ""));
     }
     return summarize(trace);
   };
@@ -98,7 +102,7 @@ TEST(Summary, ShowsUpToSixtyEventsOfEachListAndTheLastOfThem) {
 
 TEST(Summary, ManyEventsAreCounted) {
   support::Trace trace = figure2();
-  trace.events.insert(trace.events.end(), 1000, {1, kUnknown, "log", "note", ""});
+  trace.events.insert(trace.events.end(), 1000, unlistedEvent(1, kUnknown, "log", "note", ""));
   const std::string text = summarize(trace);
   EXPECT_NE(text.find("  and 942 more: see the report\n"), std::string::npos) << text;
 }

@@ -18,7 +18,7 @@ support::Trace flight(double active) {
   auto trace = smallTrace({{"time", "s"}, {"state", "id"}, {"hook_active", ""}},
                           {{0, kUnknown, 0}, {100, active == 1 ? 0.0 : kUnknown, active}});
   trace.state_names = {"s1", "s2"};
-  trace.events = {makeEvent(90, EventId::Transition, {"s1", "end", "exit"})};
+  trace.events = {makeEvent(90, EventId::MissionEnds, {"s1", "exit"})};
   return trace;
 }
 
@@ -191,7 +191,7 @@ Lines unusual(const support::Trace& trace) {
 /// In control from 100 s on, at `end` s over.
 support::Trace flightUntil(double end) {
   auto trace = flight(1);
-  trace.events = {makeEvent(end, EventId::Transition, {"s1", "end", "exit"})};
+  trace.events = {makeEvent(end, EventId::MissionEnds, {"s1", "exit"})};
   return trace;
 }
 
@@ -203,7 +203,7 @@ TEST(Warnings, AMissionThatEndsAtOnceIsUnusual) {
 
 TEST(Warnings, AnExitByACaseOfAlwaysIsAnEndToo) {
   auto trace = flightUntil(159);
-  trace.events = {makeEvent(159, EventId::Transition, {"s1", "end", "exit, always case 2"}),
+  trace.events = {makeEvent(159, EventId::MissionEnds, {"s1", "exit, always case 2"}),
                   makeEvent(200, EventId::TimeIsOver, {200.0})};
   EXPECT_EQ(unusual(trace), Lines{"the mission ended 59 s after it had taken control"});
 }
@@ -271,7 +271,7 @@ TEST(Warnings, RefusedInstructionsAreCounted) {
 TEST(Warnings, AnUnknownDeclination) {
   auto trace = flight(1);
   trace.events.push_back(
-      makeEvent(8, EventId::Note, {"declination unknown: headings are magnetic"}));
+      makeEvent(8, EventId::DeclinationUnknown, {"declination unknown: headings are magnetic"}));
   ASSERT_EQ(flightWarnings(trace).size(), 1U);
   EXPECT_NE(flightWarnings(trace)[0].find("`declination -12 deg`"), std::string::npos);
 }

@@ -100,8 +100,8 @@ class VehicleBench {
     noise_ = noise_ == 0 ? kNoise : 0;
     array_[GLIDER_M_DEPTH] = depth(now_) + noise_;
     outputs_ = hookbeh_.cycle(inputs());
-    if (outputs_.commanding && (doings.empty() || doings.back() != outputs_.doing)) {
-      doings.emplace_back(outputs_.doing);
+    if (outputs_.commanding && (doings.empty() || doings.back() != wordsFor(outputs_.doing))) {
+      doings.emplace_back(wordsFor(outputs_.doing));
     }
     if (outputs_.answer != hooks::HookAnswer::None &&
         outputs_.answered_sequence != array_[GLIDER_X_HOOK_SEQUENCE]) {

@@ -227,9 +227,9 @@ TEST(Yo, ContradictingTargetsContinue) {
   Journal journal;
   yo.behaviour->tell(0, journal);
   ASSERT_EQ(journal.events().size(), 2U);
-  EXPECT_EQ(journal.events()[0].what, "yo: dive_to over, half cycle 1");
+  EXPECT_EQ(textOf(journal.events()[0]), "yo: dive_to over, half cycle 1");
   EXPECT_EQ(journal.events()[0].why, "m_depth 10.0 m, target 5 m");
-  EXPECT_EQ(journal.events()[1].what, "yo: climb_to over, half cycle 2");
+  EXPECT_EQ(textOf(journal.events()[1]), "yo: climb_to over, half cycle 2");
   yo.behaviour->tell(0, journal);
   EXPECT_EQ(journal.events().size(), 2U);
 }

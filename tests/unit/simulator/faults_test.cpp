@@ -34,10 +34,10 @@ SimulationSetup withFaults(const Faults& faults,
   return setup;
 }
 
-/// The first event from `after_s` on whose text contains `text`; -1 if there is none.
-double timeOf(const support::Trace& trace, const std::string& text, double after_s = 0) {
+/// When the first event `id` from `after_s` on was; -1 if there is none.
+double timeOf(const support::Trace& trace, EventId id, double after_s = 0) {
   for (const support::TraceEvent& event : trace.events) {
-    if (event.time_s >= after_s && event.what.find(text) != std::string::npos) {
+    if (event.time_s >= after_s && event.id == id) {
       return event.time_s;
     }
   }
@@ -47,14 +47,14 @@ double timeOf(const support::Trace& trace, const std::string& text, double after
 void expectHandBackAndReturn(const Faults& faults, double begin_s, double end_s) {
   const support::Trace trace = fly(withFaults(faults));
   const std::string events = eventText(trace);
-  const double silent = timeOf(trace, "the SBC is silent");
+  const double silent = timeOf(trace, EventId::SbcSilent);
   EXPECT_GT(silent, begin_s) << events;
   EXPECT_LE(silent, begin_s + kSilentAfter) << events;
-  const double again = timeOf(trace, "the SBC takes control", silent);
+  const double again = timeOf(trace, EventId::SbcTakesControl, silent);
   EXPECT_GE(again, end_s) << events;
   EXPECT_LE(again, end_s + 60) << events;
-  EXPECT_GT(timeOf(trace, "releases control"), again) << events;
-  EXPECT_GT(timeOf(trace, "nothing is left to fly"), again) << events;
+  EXPECT_GT(timeOf(trace, EventId::SbcReleasesControl), again) << events;
+  EXPECT_GT(timeOf(trace, EventId::NothingLeftToFly), again) << events;
 }
 
 Faults onLine(LineWay way, const LineFault& what) {
@@ -80,7 +80,7 @@ TEST(FaultFlight, AStuckMissionLosesControlThoughItAnswers) {
   Faults faults;
   faults.stuck = {{300, 400}};
   expectHandBackAndReturn(faults, 300, 400);
-  EXPECT_NE(timeOf(fly(withFaults(faults)), "makes no progress"), -1)
+  EXPECT_NE(timeOf(fly(withFaults(faults)), EventId::SbcStuck), -1)
       << eventText(fly(withFaults(faults)));
 }
 
@@ -94,9 +94,9 @@ TEST(FaultFlight, AShortScienceRebootCostsNothing) {
   Faults faults;
   faults.science = {{301, 307}};
   const support::Trace trace = fly(withFaults(faults));
-  EXPECT_NE(timeOf(trace, "the science computer restarts"), -1) << eventText(trace);
-  EXPECT_EQ(timeOf(trace, "the SBC is silent"), -1) << eventText(trace);
-  EXPECT_NE(timeOf(trace, "releases control"), -1) << eventText(trace);
+  EXPECT_NE(timeOf(trace, EventId::ScienceRestarts), -1) << eventText(trace);
+  EXPECT_EQ(timeOf(trace, EventId::SbcSilent), -1) << eventText(trace);
+  EXPECT_NE(timeOf(trace, EventId::SbcReleasesControl), -1) << eventText(trace);
 }
 
 TEST(FaultFlight, EachDirectionOfEachLineThatIsCutEndsControlInTime) {
@@ -120,10 +120,10 @@ TEST(FaultFlight, AFlightControllerThatStartsAgainBeginsItsMissionAgain) {
     faults.flight = {{{300, 330}, keeps_array}};
     const support::Trace trace = fly(withFaults(faults));
     const std::string events = eventText(trace);
-    EXPECT_EQ(timeOf(trace, keeps_array ? "the mission restarts" : "controller restarts"), 332)
+    EXPECT_EQ(timeOf(trace, keeps_array ? EventId::MissionRestarts : EventId::FlightRestarts), 332)
         << events;
-    EXPECT_EQ(timeOf(trace, "hookbeh: is ready for the SBC", 300), 332) << events;
-    EXPECT_EQ(timeOf(trace, "the SBC takes control", 300), -1) << "not asked for\n" << events;
+    EXPECT_EQ(timeOf(trace, EventId::HookbehReady, 300), 332) << events;
+    EXPECT_EQ(timeOf(trace, EventId::SbcTakesControl, 300), -1) << "not asked for\n" << events;
     const int time = trace.column("time");
     for (size_t row = 0; row < trace.rowCount(); ++row) {
       EXPECT_FALSE(trace.at(row, time) > 300 && trace.at(row, time) < 330) << "it did nothing";
@@ -136,7 +136,7 @@ TEST(FaultFlight, AnAbortedMissionDoesNotBeginAgain) {
   faults.aborts = {290};
   faults.flight = {{{300, 330}, false}};
   const support::Trace trace = fly(withFaults(faults));
-  EXPECT_EQ(timeOf(trace, "takes control", 300), -1) << eventText(trace);
+  EXPECT_EQ(timeOf(trace, EventId::SbcTakesControl, 300), -1) << eventText(trace);
 }
 
 /// Notes what lies in the sensor array and what becomes of it.
@@ -196,9 +196,11 @@ TEST(FaultFlight, AnAbortTakesTheVehicleUpForGood) {
   Faults faults;
   faults.aborts = {300};
   const support::Trace trace = fly(withFaults(faults));
-  EXPECT_NEAR(timeOf(trace, "MS_ABORT_DEVICE_ERROR"), 300, 0.3) << eventText(trace);
-  EXPECT_NE(timeOf(trace, "aborted (MS_ABORT_DEVICE_ERROR) and at the surface"), -1);
-  EXPECT_EQ(timeOf(trace, "takes control", 300), -1) << eventText(trace);
+  EXPECT_NEAR(timeOf(trace, EventId::Aborts), 300, 0.3) << eventText(trace);
+  const auto* up = findEvent(trace, EventId::AbortedAtSurface);
+  ASSERT_NE(up, nullptr) << eventText(trace);
+  EXPECT_EQ(textOf(*up), "aborted (MS_ABORT_DEVICE_ERROR) and at the surface");
+  EXPECT_EQ(timeOf(trace, EventId::SbcTakesControl, 300), -1) << eventText(trace);
 }
 
 /// Counts the reports after an abort, and those of them that tell that hookbeh is complete.
@@ -233,8 +235,8 @@ TEST(FaultFlight, DamageThatLeavesEnoughIsFlownThrough) {
         LineFault{.when = {100, 900}, .doubled = 1}}) {
     for (const LineWay way : {LineWay::ToSbc, LineWay::FromSbc}) {
       const support::Trace trace = fly(withFaults(onLine(way, fault)));
-      EXPECT_EQ(timeOf(trace, "the SBC is silent"), -1) << eventText(trace);
-      EXPECT_NE(timeOf(trace, "releases control"), -1) << eventText(trace);
+      EXPECT_EQ(timeOf(trace, EventId::SbcSilent), -1) << eventText(trace);
+      EXPECT_NE(timeOf(trace, EventId::SbcReleasesControl), -1) << eventText(trace);
     }
   }
 }
@@ -243,8 +245,8 @@ TEST(FaultFlight, TheSbcsClockMayJump) {
   Faults faults;
   faults.clock = {{300, 1e6}, {400, -3e6}, {500, 50}};
   const support::Trace trace = fly(withFaults(faults));
-  EXPECT_EQ(timeOf(trace, "the SBC is silent"), -1) << eventText(trace);
-  EXPECT_NEAR(timeOf(trace, "releases control"), 1206, 12) << eventText(trace);
+  EXPECT_EQ(timeOf(trace, EventId::SbcSilent), -1) << eventText(trace);
+  EXPECT_NEAR(timeOf(trace, EventId::SbcReleasesControl), 1206, 12) << eventText(trace);
 }
 
 SensorFault onSensor(const char* name, SensorFault::Kind kind, double value = 0) {
@@ -264,7 +266,7 @@ TEST(FaultFlight, SensorsFreezeVanishAndLie) {
   EXPECT_EQ(valueAt(trace, "m_pitch", 304), valueAt(trace, "m_pitch", 496));
   EXPECT_EQ(valueAt(trace, "m_heading", 400), 99);
   EXPECT_NE(valueAt(trace, "m_heading", 520), 99);
-  EXPECT_NE(timeOf(trace, "releases control"), -1) << eventText(trace);
+  EXPECT_NE(timeOf(trace, EventId::SbcReleasesControl), -1) << eventText(trace);
 }
 
 TEST(SensorDamage, DriftsScalesAndJumps) {
@@ -401,7 +403,7 @@ TEST(FaultFlight, IsNotOverUnderWaterForAnyReadingOfTheDepthSensor) {
   faults.sensors = {onSensor("m_depth", SensorFault::Kind::Value, 0)};
   faults.power = {{320, kForever}};
   const support::Trace trace = fly(withFaults(faults, {.top_m = 5, .bottom_m = 50}));
-  EXPECT_NE(timeOf(trace, "nothing is left to fly"), -1) << eventText(trace);
+  EXPECT_NE(timeOf(trace, EventId::NothingLeftToFly), -1) << eventText(trace);
   EXPECT_LT(trace.at(trace.rowCount() - 1, trace.column("true_depth")), 1) << eventText(trace);
 }
 

@@ -54,7 +54,7 @@ class Controller {
 
   /// Cycles until `seconds` are over, calling `after` behind each.
   void fly(double seconds, const std::function<void()>& after) {
-    for (const double end = now + seconds; now < end && controller.end().empty(); now += 4) {
+    for (const double end = now + seconds; now < end && !controller.end(); now += 4) {
       depth = vehicle.depth();
       controller.cycle(now, ocean, vehicle, line.left());
       after();
@@ -406,7 +406,9 @@ TEST(FlightController, AFailedDeviceBringsItUp) {
       surfaced = c.now;
     }
   });
-  EXPECT_EQ(c.controller.end(), "aborted (MS_ABORT_DEVICE_ERROR) and at the surface");
+  ASSERT_TRUE(c.controller.end());
+  EXPECT_EQ(c.controller.end()->id, EventId::AbortedAtSurface);
+  EXPECT_EQ(c.controller.end()->values, std::vector<EventValue>{"MS_ABORT_DEVICE_ERROR"});
   // The last cycle under water was 4 s before: 12 s after it the mission is over.
   EXPECT_EQ(c.now - 4, surfaced + 8);
 }
@@ -414,7 +416,8 @@ TEST(FlightController, AFailedDeviceBringsItUp) {
 TEST(FlightController, EndsNormallyWithItsSurface) {
   Controller c(kFlownSurface + kFlownYo, 100);
   c.fly(2000, [] {});
-  EXPECT_EQ(c.controller.end(), "the mission has ended normally");
+  ASSERT_TRUE(c.controller.end());
+  EXPECT_EQ(c.controller.end()->id, EventId::MissionEndsNormally);
   EXPECT_FALSE(c.controller.aborted());
   EXPECT_EQ(c.read(GLIDER_X_MISSION_STATUS), 0);
 }

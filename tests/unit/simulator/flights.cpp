@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -61,9 +62,14 @@ support::Trace fly(SimulationSetup setup) {
   return must(simulate(std::move(setup)));
 }
 
+const support::TraceEvent* findEvent(const support::Trace& trace, support::EventId id) {
+  const auto found = std::ranges::find(trace.events, id, &support::TraceEvent::id);
+  return found == trace.events.end() ? nullptr : &*found;
+}
+
 const support::TraceEvent* findEvent(const support::Trace& trace, const std::string& text) {
   for (const support::TraceEvent& event : trace.events) {
-    if (event.what.find(text) != std::string::npos) {
+    if (textOf(event).find(text) != std::string::npos) {
       return &event;
     }
   }
@@ -72,7 +78,8 @@ const support::TraceEvent* findEvent(const support::Trace& trace, const std::str
 
 const support::TraceEvent* findStart(const support::Trace& trace, const std::string& name) {
   for (const support::TraceEvent& event : trace.events) {
-    if (event.what.starts_with(name + "_") && event.what.ends_with(" started")) {
+    if (event.id == support::EventId::BehaviourStarts &&
+        std::get<std::string>(event.values[0]).starts_with(name + "_")) {
       return &event;
     }
   }
@@ -82,8 +89,8 @@ const support::TraceEvent* findStart(const support::Trace& trace, const std::str
 std::string eventText(const support::Trace& trace) {
   std::string out;
   for (const support::TraceEvent& e : trace.events) {
-    out += fmt::format("{:8.2f} {:8.2f} {:10} {} | {}\n", e.time_s, e.mission_time_s, e.kind,
-                       e.what, e.why);
+    out += fmt::format("{:8.2f} {:8.2f} {:10} {} | {}\n", e.time_s, e.mission_time_s, kindOf(e),
+                       textOf(e), e.why);
   }
   return out;
 }

@@ -10,13 +10,17 @@
 
 namespace glider::simulator {
 
+using support::EventId;
+
 /// The project's own scenario `name`, with the Slocum, no SBC. Aborts the test program when they
 /// are not right.
 SimulationSetup shippedSetup(const std::string& name);
 /// The water of layered.toml with `mission` as the text of its mission file.
 SimulationSetup setupWith(const std::string& mission);
 support::Trace fly(SimulationSetup setup);
-/// The first event whose `what` contains `text`; null if there is none.
+/// The first event `id`; null if there is none.
+const support::TraceEvent* findEvent(const support::Trace& trace, support::EventId id);
+/// The first event whose text contains `text`; null if there is none.
 const support::TraceEvent* findEvent(const support::Trace& trace, const std::string& text);
 /// The first start of a behaviour called `name`, at any place of the mission; null if there
 /// is none.

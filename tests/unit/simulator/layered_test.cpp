@@ -31,9 +31,9 @@ TEST(Layered, FliesThreeYosAndSurfaces) {
   const auto* surface = findStart(trace, "surface");
   ASSERT_NE(surface, nullptr) << events;
   EXPECT_EQ(surface->time_s, over->time_s) << "in the same cycle, or the stack would be idle";
-  ASSERT_NE(findEvent(trace, "the mission has ended normally"), nullptr) << events;
+  ASSERT_NE(findEvent(trace, EventId::MissionEndsNormally), nullptr) << events;
   for (const auto& event : trace.events) {
-    EXPECT_NE(event.kind, "abort") << event.what;
+    EXPECT_NE(event.id, support::EventId::Aborts) << textOf(event);
   }
   double deepest = 0;
   for (size_t row = 0; row < trace.rowCount(); ++row) {
@@ -112,16 +112,16 @@ TEST(Layered, EventsSayWhichBehaviourStartedAndWhy) {
       fly(setupWith("behavior: abend\n" + silent + kLayeredSurface + kHeading + kLayeredYo));
   const auto* first = findStart(trace, "surface");
   ASSERT_NE(first, nullptr) << eventText(trace);
-  EXPECT_EQ(first->what, "surface_2 started");
+  EXPECT_EQ(textOf(*first), "surface_2 started");
   EXPECT_EQ(first->why, "start_when 12: no contact for 150 s");
-  EXPECT_EQ(findStart(trace, "yo")->what, "yo_5 started");
+  EXPECT_EQ(textOf(*findStart(trace, "yo")), "yo_5 started");
   EXPECT_EQ(findStart(trace, "yo")->why, "start_when 2: no behaviour below commands pitch");
   EXPECT_NE(findEvent(trace, "yo_5: dive_to over, half cycle 1"), nullptr);
   EXPECT_EQ(findEvent(trace, "surface_2 done, waits for its next start")->why, "");
   const auto* last = findEvent(trace, "surface_3 started");
   ASSERT_NE(last, nullptr) << eventText(trace);
   EXPECT_EQ(last->why, "start_when 1: no behaviour below commands pitch or pump");
-  EXPECT_EQ(findEvent(trace, "ended normally")->why,
+  EXPECT_EQ(findEvent(trace, EventId::MissionEndsNormally)->why,
             "surface_3 has ended it; it started by start_when 1: no behaviour below commands "
             "pitch or pump");
 }
@@ -129,7 +129,7 @@ TEST(Layered, EventsSayWhichBehaviourStartedAndWhy) {
 /// With a surface for an idle stack, a mission that lacks a heading is over when it begins.
 TEST(Layered, AMissionWithoutAHeadingSaysWhyItEnds) {
   const support::Trace trace = fly(setupWith(kLayeredSurface + kLayeredYo));
-  const auto* end = findEvent(trace, "ended normally");
+  const auto* end = findEvent(trace, EventId::MissionEndsNormally);
   ASSERT_NE(end, nullptr) << eventText(trace);
   EXPECT_EQ(end->time_s, 0);
   EXPECT_NE(findEvent(trace, "surface_1 started"), nullptr) << "though it ends in the same cycle";
@@ -147,14 +147,16 @@ TEST(Layered, TheBottomIsAnEventOnceForEachContact) {
     return fly(std::move(setup));
   };
   const support::Trace trace = flown(14);
-  const auto* touch = findEvent(trace, "on the bottom");
+  const auto* touch = findEvent(trace, EventId::TouchesBottom);
   ASSERT_NE(touch, nullptr) << eventText(trace);
-  EXPECT_EQ(touch->kind, "bottom");
+  EXPECT_EQ(touch->id, EventId::TouchesBottom);
   EXPECT_NEAR(valueAt(trace, "true_depth", touch->time_s), 14, 1.5);
   // Both dives are to 20 m, and hover on the bottom for 180 s.
-  EXPECT_EQ(std::ranges::count(trace.events, "bottom", &support::TraceEvent::kind), 2)
+  EXPECT_EQ(
+      std::ranges::count(trace.events, support::EventId::TouchesBottom, &support::TraceEvent::id),
+      2)
       << eventText(trace);
-  EXPECT_EQ(findEvent(flown(60), "on the bottom"), nullptr);
+  EXPECT_EQ(findEvent(flown(60), EventId::TouchesBottom), nullptr);
 }
 
 TEST(BottomContact, BeginsAtTheBottomAndEndsAMetreAboveIt) {
@@ -307,7 +309,7 @@ TEST(Layered, SurfacesWithoutCommunication) {
   const auto* started = findStart(trace, "surface");
   ASSERT_NE(started, nullptr) << eventText(trace);
   EXPECT_NEAR(started->time_s, 160, 30);
-  EXPECT_NE(findEvent(trace, "ended normally"), nullptr);
+  EXPECT_NE(findEvent(trace, EventId::MissionEndsNormally), nullptr);
 }
 
 TEST(Layered, SteersToAWaypoint) {

@@ -40,7 +40,7 @@ TEST(ProcessSbc, FliesTheSameAsInProcess) {
   const size_t before = openDescriptors();
   const support::Trace over_pty = fly(setupFor(start({kProgram, "{port}"})));
   const support::Trace in_process = fly(setupFor(std::make_unique<FakeSbc>(FakePilot::Plan{})));
-  EXPECT_NE(findEvent(over_pty, "takes control"), nullptr) << eventText(over_pty);
+  EXPECT_NE(findEvent(over_pty, EventId::SbcTakesControl), nullptr) << eventText(over_pty);
   EXPECT_EQ(traceToCsv(over_pty), traceToCsv(in_process));
   EXPECT_EQ(over_pty.way, "host");
   EXPECT_EQ(openDescriptors(), before) << "a descriptor has leaked";
@@ -56,37 +56,37 @@ TEST(ProcessSbc, KilledLeavesNoZombie) {
   SimulationSetup setup = setupFor(start({kProgram, "{port}"}));
   setup.kill_sbc_at_s = 200;
   const support::Trace trace = fly(std::move(setup));
-  ASSERT_NE(findEvent(trace, "the SBC is gone"), nullptr) << eventText(trace);
-  EXPECT_EQ(findEvent(trace, "the SBC is gone")->why, "killed");
-  EXPECT_NE(findEvent(trace, "the SBC is silent"), nullptr);
+  ASSERT_NE(findEvent(trace, EventId::SbcGone), nullptr) << eventText(trace);
+  EXPECT_EQ(findEvent(trace, EventId::SbcGone)->why, "killed");
+  EXPECT_NE(findEvent(trace, EventId::SbcSilent), nullptr);
 }
 
 TEST(ProcessSbc, TellsHowAProgramEnded) {
   const support::Trace ended = fly(setupFor(start({kProgram, "{port}", "exit", "20"})));
-  ASSERT_NE(findEvent(ended, "the SBC is gone"), nullptr) << eventText(ended);
-  EXPECT_EQ(findEvent(ended, "the SBC is gone")->why, "exited with status 7");
+  ASSERT_NE(findEvent(ended, EventId::SbcGone), nullptr) << eventText(ended);
+  EXPECT_EQ(findEvent(ended, EventId::SbcGone)->why, "exited with status 7");
   const support::Trace never = fly(setupFor(start({"/bin/true"})));
-  ASSERT_NE(findEvent(never, "the SBC is gone"), nullptr) << eventText(never);
-  EXPECT_EQ(findEvent(never, "the SBC is gone")->why, "exited with status 0");
+  ASSERT_NE(findEvent(never, EventId::SbcGone), nullptr) << eventText(never);
+  EXPECT_EQ(findEvent(never, EventId::SbcGone)->why, "exited with status 0");
 }
 
 /// On a busy machine a program may close its port long before its end can be taken.
 TEST(ProcessSbc, WaitsForTheEndOfAProgramThatHasClosedItsPort) {
   const support::Trace ended = fly(setupFor(start({kProgram, "{port}", "linger", "20"})));
-  ASSERT_NE(findEvent(ended, "the SBC is gone"), nullptr) << eventText(ended);
-  EXPECT_EQ(findEvent(ended, "the SBC is gone")->why, "exited with status 7");
+  ASSERT_NE(findEvent(ended, EventId::SbcGone), nullptr) << eventText(ended);
+  EXPECT_EQ(findEvent(ended, EventId::SbcGone)->why, "exited with status 7");
 }
 
 TEST(ProcessSbc, EndsAProgramThatHasClosedItsPortAndStays) {
   const support::Trace trace = fly(setupFor(start({kProgram, "{port}", "close", "20"}, 0.3)));
-  ASSERT_NE(findEvent(trace, "the SBC is gone"), nullptr) << eventText(trace);
-  EXPECT_EQ(findEvent(trace, "the SBC is gone")->why, "closed its serial port");
+  ASSERT_NE(findEvent(trace, EventId::SbcGone), nullptr) << eventText(trace);
+  EXPECT_EQ(findEvent(trace, EventId::SbcGone)->why, "closed its serial port");
 }
 
 TEST(ProcessSbc, EndsAHungProgram) {
   const support::Trace trace = fly(setupFor(start({kProgram, "{port}", "hang", "20"}, 0.3)));
-  ASSERT_NE(findEvent(trace, "the SBC is gone"), nullptr) << eventText(trace);
-  EXPECT_EQ(findEvent(trace, "the SBC is gone")->why, "hung");
+  ASSERT_NE(findEvent(trace, EventId::SbcGone), nullptr) << eventText(trace);
+  EXPECT_EQ(findEvent(trace, EventId::SbcGone)->why, "hung");
 }
 
 TEST(ProcessSbc, SaysWhyItCannotStart) {

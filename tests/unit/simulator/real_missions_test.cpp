@@ -47,14 +47,13 @@ class RealMissions : public testing::Test {
     return setup;
   }
 
-  static size_t count(const support::Trace& trace, const std::string& what) {
-    return static_cast<size_t>(std::ranges::count_if(trace.events, [&](const auto& event) {
-      return event.what.find(what) != std::string::npos;
-    }));
+  static size_t count(const support::Trace& trace, support::EventId id) {
+    return static_cast<size_t>(std::ranges::count(trace.events, id, &support::TraceEvent::id));
   }
   static size_t starts(const support::Trace& trace, const std::string& name) {
     return static_cast<size_t>(std::ranges::count_if(trace.events, [&](const auto& event) {
-      return event.what.starts_with(name + "_") && event.what.ends_with(" started");
+      return event.id == support::EventId::BehaviourStarts &&
+             std::get<std::string>(event.values[0]).starts_with(name + "_");
     }));
   }
   static double deepest(const support::Trace& trace) {
@@ -68,26 +67,26 @@ class RealMissions : public testing::Test {
 
 TEST_F(RealMissions, HelgoDivesItsFourHalfCyclesAndComesUp) {
   const support::Trace trace = fly(setup("comet-and-helgoland/calibration/helgo.mi", 54.3, 6.7, 3));
-  EXPECT_EQ(count(trace, "abort"), 0U) << eventText(trace);
-  EXPECT_EQ(count(trace, "MS_ABORT"), 0U) << eventText(trace);
-  EXPECT_GE(count(trace, " over, half cycle "), 4U) << eventText(trace);
+  EXPECT_EQ(count(trace, EventId::AbortedAtSurface), 0U) << eventText(trace);
+  EXPECT_EQ(count(trace, EventId::Aborts), 0U) << eventText(trace);
+  EXPECT_GE(count(trace, EventId::LegOver), 4U) << eventText(trace);
   EXPECT_GE(starts(trace, "surface"), 1U);
   EXPECT_GT(deepest(trace), 25);
 }
 
 TEST_F(RealMissions, Nsb3SteersToItsWaypointsAndSurfacesEveryThreeHours) {
   const support::Trace trace = fly(setup("comet-and-helgoland/nsb3/nsb3.mi", 54.55, 7.2, 8));
-  EXPECT_EQ(count(trace, "MS_ABORT"), 0U) << eventText(trace);
+  EXPECT_EQ(count(trace, EventId::Aborts), 0U) << eventText(trace);
   EXPECT_GE(starts(trace, "surface"), 2U) << eventText(trace);
-  EXPECT_GE(count(trace, " over, half cycle "), 10U);
+  EXPECT_GE(count(trace, EventId::LegOver), 10U);
   const int bearing = trace.column("c_wpt_lat");
   EXPECT_NEAR(trace.at(trace.rowCount() / 2, bearing), 54.5, 0.3);
 }
 
 TEST_F(RealMissions, SpiralTurnsWithAFixedFin) {
   const support::Trace trace = fly(setup("comet-and-helgoland/spiral/spiral.mi", 54.3, 6.7, 4));
-  EXPECT_EQ(count(trace, "MS_ABORT"), 0U) << eventText(trace);
-  EXPECT_GE(count(trace, " over, half cycle "), 4U) << eventText(trace);
+  EXPECT_EQ(count(trace, EventId::Aborts), 0U) << eventText(trace);
+  EXPECT_GE(count(trace, EventId::LegOver), 4U) << eventText(trace);
 }
 
 TEST_F(RealMissions, Bsdsta01KeepsStillOnTheSurfaceUntilItsTimeIsOver) {
@@ -113,7 +112,7 @@ TEST_F(RealMissions, Backse01DoesWhatTheBackseatSets) {
   }
   flight.scenario.puts.push_back({3600, "u_mission_mode", 1});
   const support::Trace trace = fly(std::move(flight));
-  EXPECT_EQ(count(trace, "MS_ABORT"), 0U) << eventText(trace);
+  EXPECT_EQ(count(trace, EventId::Aborts), 0U) << eventText(trace);
   EXPECT_GT(deepest(trace), 18);
   EXPECT_LT(deepest(trace), 28);
   const auto* up = findStart(trace, "surface");

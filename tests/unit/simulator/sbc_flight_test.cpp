@@ -31,19 +31,19 @@ SimulationSetup withSbc(const std::string& scenario, FakePilot::Plan plan,
 TEST(SbcFlight, TakesControlSteersAndReleases) {
   const support::Trace trace = fly(withSbc("default", {.release_s = 900}));
   const std::string events = eventText(trace);
-  const auto* takes = findEvent(trace, "the SBC takes control");
+  const auto* takes = findEvent(trace, EventId::SbcTakesControl);
   ASSERT_NE(takes, nullptr) << events;
   EXPECT_LE(takes->time_s, 12);
   const auto* turn = findEvent(trace, "down → up (goto)");
   ASSERT_NE(turn, nullptr) << events;
-  EXPECT_EQ(turn->kind, "transition");
+  EXPECT_EQ(turn->id, EventId::Transition);
   EXPECT_NE(turn->why.find("depth >= 20 m (depth 20."), std::string::npos) << turn->why;
   EXPECT_NEAR(valueAt(trace, "m_depth", turn->time_s), 20.4, 0.5);
   const auto* rise = findEvent(trace, "up → down (goto)");
   ASSERT_NE(rise, nullptr) << events;
   EXPECT_TRUE(std::regex_search(rise->why, std::regex(R"( m, lat 3910\.\d\d\d\)$)"))) << rise->why;
   EXPECT_NE(findEvent(trace, "up → end (exit)"), nullptr) << events;
-  const auto* back = findEvent(trace, "the SBC releases control");
+  const auto* back = findEvent(trace, EventId::SbcReleasesControl);
   ASSERT_NE(back, nullptr) << events;
   EXPECT_NEAR(back->time_s, 906, 12);
   const double t = 600;
@@ -54,7 +54,7 @@ TEST(SbcFlight, TakesControlSteersAndReleases) {
   EXPECT_NEAR(valueAt(trace, "missiontime", t), t - 4, 8);
   EXPECT_TRUE(std::isnan(valueAt(trace, "state", back->time_s + 8)));
   EXPECT_EQ(valueAt(trace, "hook_active", back->time_s + 8), 0);
-  EXPECT_NE(findEvent(trace, "nothing is left to fly"), nullptr) << events;
+  EXPECT_NE(findEvent(trace, EventId::NothingLeftToFly), nullptr) << events;
   EXPECT_EQ(trace.at(trace.rowCount() - 1, trace.column("true_depth")), 0);
 }
 
@@ -93,27 +93,27 @@ TEST(SbcFlight, ClimbsSoonAfterTheSbcIsKilled) {
   setup.kill_sbc_at_s = 101;
   const support::Trace trace = fly(std::move(setup));
   const std::string events = eventText(trace);
-  const auto* gone = findEvent(trace, "the SBC is gone");
+  const auto* gone = findEvent(trace, EventId::SbcGone);
   ASSERT_NE(gone, nullptr) << events;
   EXPECT_EQ(gone->time_s, 101);
   EXPECT_EQ(gone->why, "killed");
-  const auto* silent = findEvent(trace, "the SBC is silent");
+  const auto* silent = findEvent(trace, EventId::SbcSilent);
   ASSERT_NE(silent, nullptr) << events;
   EXPECT_LE(silent->time_s, 101 + 24 + 8) << "silence_secs and two cycles";
   const double climbing = climbingFrom(trace, 101);
   std::printf("killed at 101 s, silent at %.0f s, climbing from %.0f s\n", silent->time_s,
               climbing);
   EXPECT_LE(climbing, 101 + 60);
-  EXPECT_NE(findEvent(trace, "nothing is left to fly"), nullptr) << events;
+  EXPECT_NE(findEvent(trace, EventId::NothingLeftToFly), nullptr) << events;
 }
 
 TEST(SbcFlight, ClimbsSoonAfterTheSbcFallsSilent) {
   SimulationSetup setup = withSbc("default", {.top_m = 5, .bottom_m = 50}, 101);
   setup.duration_s = 1000;
   const support::Trace trace = fly(std::move(setup));
-  ASSERT_NE(findEvent(trace, "the SBC is silent"), nullptr) << eventText(trace);
+  ASSERT_NE(findEvent(trace, EventId::SbcSilent), nullptr) << eventText(trace);
   EXPECT_LE(climbingFrom(trace, 101), 101 + 60);
-  EXPECT_EQ(findEvent(trace, "the SBC is gone"), nullptr) << "it is still there, only mute";
+  EXPECT_EQ(findEvent(trace, EventId::SbcGone), nullptr) << "it is still there, only mute";
 }
 
 TEST(SbcFlight, RefusedInstructionsAreReportedAndChangeNothing) {
@@ -124,7 +124,7 @@ TEST(SbcFlight, RefusedInstructionsAreReportedAndChangeNothing) {
   }());
   const auto* refused = findEvent(trace, "refused: max_depth 60 m refuses a dive to 75 m");
   ASSERT_NE(refused, nullptr) << eventText(trace);
-  EXPECT_EQ(findEvent(trace, "takes control"), nullptr);
+  EXPECT_EQ(findEvent(trace, EventId::SbcTakesControl), nullptr);
   EXPECT_EQ(trace.at(trace.rowCount() - 1, trace.column("true_depth")), 0);
 }
 
@@ -147,23 +147,23 @@ TEST(SbcFlight, Figure5IsLayeredBeforeAndAfter) {
   const support::Trace trace =
       fly(withSbc("figure5", {.top_m = 8, .bottom_m = 20, .release_s = 1200}));
   const std::string events = eventText(trace);
-  const auto* takes = findEvent(trace, "takes control");
+  const auto* takes = findEvent(trace, EventId::SbcTakesControl);
   ASSERT_NE(takes, nullptr) << events;
   EXPECT_GE(takes->time_s, 260);
   EXPECT_LE(takes->time_s, 272);
-  const auto* back = findEvent(trace, "releases control");
+  const auto* back = findEvent(trace, EventId::SbcReleasesControl);
   ASSERT_NE(back, nullptr) << events;
   EXPECT_GE(back->time_s, 1460);
   EXPECT_LE(back->time_s, 1476);
   int half_cycles_meanwhile = 0;
   for (const auto& event : trace.events) {
-    half_cycles_meanwhile += event.what.starts_with("yo_") && event.time_s > takes->time_s &&
+    half_cycles_meanwhile += textOf(event).starts_with("yo_") && event.time_s > takes->time_s &&
                              event.time_s < back->time_s;
   }
   EXPECT_EQ(half_cycles_meanwhile, 0) << "an overridden yo counts nothing that it has not reached\n"
                                       << events;
   EXPECT_NE(findEvent(trace, "half cycle 6"), nullptr) << events;
-  EXPECT_NE(findEvent(trace, "ended normally"), nullptr) << events;
+  EXPECT_NE(findEvent(trace, EventId::MissionEndsNormally), nullptr) << events;
 }
 
 TEST(SbcFlight, ASurfacingForWantOfContactMasksHookbehAndThenItsMissionGoesOn) {
@@ -181,7 +181,7 @@ TEST(SbcFlight, ASurfacingForWantOfContactMasksHookbehAndThenItsMissionGoesOn) {
   const auto* masked = findEvent(trace, "another behaviour masks pitch and pump");
   ASSERT_NE(masked, nullptr) << events;
   EXPECT_EQ(masked->time_s, up->time_s + 4) << "it reports the previous cycle";
-  const auto* free = findEvent(trace, "hookbeh: its commands fly again");
+  const auto* free = findEvent(trace, EventId::CommandsFly);
   ASSERT_NE(free, nullptr) << events;
   bool floats = false, dives = false;
   for (size_t row = 0; row < trace.rowCount(); ++row) {
@@ -190,8 +190,8 @@ TEST(SbcFlight, ASurfacingForWantOfContactMasksHookbehAndThenItsMissionGoesOn) {
     dives = dives || (time > free->time_s && depth > 25);
   }
   EXPECT_TRUE(floats && dives) << events;
-  EXPECT_EQ(findEvent(trace, "the SBC is silent"), nullptr) << events;
-  EXPECT_EQ(findEvent(trace, "MS_ABORT"), nullptr) << events;
+  EXPECT_EQ(findEvent(trace, EventId::SbcSilent), nullptr) << events;
+  EXPECT_EQ(findEvent(trace, EventId::Aborts), nullptr) << events;
 }
 
 TEST(SbcFlight, WithoutHookbehTheSbcChangesNotAByte) {

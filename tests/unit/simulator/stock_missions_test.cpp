@@ -47,10 +47,19 @@ class StockFlight {
   }
   [[nodiscard]] double lastDepth() const { return column(trace.rowCount() - 1, "true_depth"); }
   [[nodiscard]] double end() const { return trace.at(trace.rowCount() - 1, 0); }
+  [[nodiscard]] int count(support::EventId id) const {
+    return static_cast<int>(std::ranges::count(trace.events, id, &support::TraceEvent::id));
+  }
+  [[nodiscard]] bool has(support::EventId id) const { return count(id) > 0; }
+  /// When the first such event was; NaN: never.
+  [[nodiscard]] double when(support::EventId id) const {
+    const support::TraceEvent* event = findEvent(trace, id);
+    return event == nullptr ? NAN : event->time_s;
+  }
   /// How often events contain `what`.
   [[nodiscard]] int count(const std::string& what) const {
     return static_cast<int>(std::ranges::count_if(trace.events, [&](const auto& event) {
-      return event.what.find(what) != std::string::npos;
+      return textOf(event).find(what) != std::string::npos;
     }));
   }
   [[nodiscard]] bool has(const std::string& what) const { return count(what) > 0; }
@@ -62,7 +71,8 @@ class StockFlight {
   /// The starts of a behaviour at a place of the mission, by the code that began them.
   [[nodiscard]] int starts(const std::string& label, int code) const {
     return static_cast<int>(std::ranges::count_if(trace.events, [&](const auto& event) {
-      return event.what == label + " started" &&
+      return event.id == support::EventId::BehaviourStarts &&
+             std::get<std::string>(event.values[0]) == label &&
              event.why.starts_with(fmt::format("start_when {}: ", code));
     }));
   }
@@ -104,7 +114,7 @@ TEST(StockMissions, StatusAtTheDockEndsAtTheSurface) {
       behaviour("surface", "start_when 0, end_action 0, report_all 1, gps_wait_time 180") +
       behaviour("sample", "state_to_sample 15, intersample_time 0") + kSensors +
       behaviour("nop_cmds", "nop_pitch 1, nop_bpump 1, nop_heading 1, nop_threng 1"));
-  EXPECT_TRUE(f.has("the mission has ended normally")) << f.events();
+  EXPECT_TRUE(f.has(EventId::MissionEndsNormally)) << f.events();
   EXPECT_LT(f.end(), 200);
   EXPECT_LT(f.deepest(), 1);
 }
@@ -185,8 +195,8 @@ TEST(StockMissions, AMissionEnderEndsTheMission) {
   const StockFlight f(behaviour("mission_ender", "start_when 2") + kNorth +
                       behaviour("yo", "num_half_cycles_to_do 2, d_target_depth 8, end_action 0") +
                       kSensors);
-  EXPECT_TRUE(f.has("the mission has ended normally")) << f.events();
-  EXPECT_FALSE(f.has("MS_ABORT"));
+  EXPECT_TRUE(f.has(EventId::MissionEndsNormally)) << f.events();
+  EXPECT_FALSE(f.has(EventId::Aborts));
 }
 
 TEST(StockMissions, ATestDiveInAPondIsOneYo) {
@@ -204,8 +214,8 @@ TEST(StockMissions, ATestDiveInAPondIsOneYo) {
           behaviour("prepare_to_dive", "start_when 0, wait_time 300, max_thermal_charge_time 10") +
           behaviour("sensors_in", "c_att_time 0, c_pressure_time 0, c_alt_time 0"),
       {.depth_m = 20});
-  EXPECT_EQ(f.count(" over, half cycle "), 2) << f.events();
-  EXPECT_TRUE(f.has("the mission has ended normally")) << f.events();
+  EXPECT_EQ(f.count(EventId::LegOver), 2) << f.events();
+  EXPECT_TRUE(f.has(EventId::MissionEndsNormally)) << f.events();
   EXPECT_GT(f.deepest(), 2.5);
   EXPECT_LT(f.deepest(), 9);
 }
@@ -232,7 +242,7 @@ TEST(StockMissions, HoldingAPlaceDriftsAwayAndFliesBack) {
   }
   EXPECT_GT(farthest, 100);
   EXPECT_LT(farthest, 400);
-  EXPECT_FALSE(f.has("MS_ABORT")) << f.events();
+  EXPECT_FALSE(f.has(EventId::Aborts)) << f.events();
 }
 
 /// The surfaces of the usual long mission, in its order: no contact, heading idle, pitch idle, a
@@ -265,7 +275,7 @@ TEST(StockMissions, TheUsualMissionSurfacesWithoutContactEveryTwentyMinutes) {
                           behaviour("sample", "sensor_type 0, state_to_sample 7") +
                           behaviour("prepare_to_dive", "start_when 0, wait_time 720") + kSensors,
                       {.duration_s = 9000});
-  EXPECT_FALSE(f.has("MS_ABORT")) << f.events();
+  EXPECT_FALSE(f.has(EventId::Aborts)) << f.events();
   // Each time after 20 min of yos: the climb, the fix, and 300 s for the operator, who is not
   // there.
   EXPECT_GE(f.starts("surface_2", 12), 4) << f.events();
@@ -287,7 +297,7 @@ TEST(StockMissions, AutoballastDivesAndClimbsWithTheWholePump) {
                     "end_action 2") +
           behaviour("prepare_to_dive", "start_when 0, wait_time 720") + kSensors,
       {.duration_s = 4000});
-  EXPECT_FALSE(f.has("MS_ABORT")) << f.events();
+  EXPECT_FALSE(f.has(EventId::Aborts)) << f.events();
   EXPECT_GE(f.count(" over, half cycle 6"), 1) << f.events();
   EXPECT_GE(f.starts("surface_4", 2), 1) << "after six half cycles: " << f.events();
   EXPECT_GT(f.deepest(), 8);
@@ -307,7 +317,7 @@ TEST(StockMissions, RecoverySurfacesAfterFourHalfCycles) {
                     "c_stop_when_hover_for 600, c_stop_when_stalled_for 800, end_action 2") +
           behaviour("prepare_to_dive", "start_when 0, wait_time 300") + kSensors,
       {.depth_m = 80, .duration_s = 6000});
-  EXPECT_FALSE(f.has("MS_ABORT")) << f.events();
+  EXPECT_FALSE(f.has(EventId::Aborts)) << f.events();
   EXPECT_GE(f.starts("surface_4", 2), 1) << f.events();
   EXPECT_LT(f.deepest(), 70) << "20 m above the bottom, and what it overshoots";
   EXPECT_GT(f.deepest(), 55);
@@ -324,7 +334,7 @@ TEST(StockMissions, WithoutContactAMissionEnds) {
                                 "end_action 2") +
                       behaviour("prepare_to_dive", "start_when 0, wait_time 120") + kSensors);
   EXPECT_NEAR(f.when("surface_2 started"), 1204, 4) << f.events();
-  EXPECT_TRUE(f.has("the mission has ended normally")) << f.events();
+  EXPECT_TRUE(f.has(EventId::MissionEndsNormally)) << f.events();
   EXPECT_LT(f.end(), 1900);
 }
 
@@ -345,8 +355,8 @@ TEST(StockMissions, ACompassIsCalibratedInCirclesBothWays) {
                 "d_bpump_value -1000, d_use_pitch 1, d_pitch_value 3, c_target_depth 5, "
                 "c_bpump_value 1000, c_use_pitch 1, c_pitch_value -3, end_action 2") +
       behaviour("prepare_to_dive", "start_when 0, wait_time 720") + kSensors);
-  EXPECT_FALSE(f.has("MS_ABORT")) << f.events();
-  EXPECT_TRUE(f.has("the mission has ended normally")) << f.events();
+  EXPECT_FALSE(f.has(EventId::Aborts)) << f.events();
+  EXPECT_TRUE(f.has(EventId::MissionEndsNormally)) << f.events();
   EXPECT_GT(f.end(), 3600);
   EXPECT_GT(f.deepest(), 25);
   EXPECT_GE(f.starts("set_heading_6", 6), 3) << "every other 300 s: " << f.events();
@@ -369,8 +379,8 @@ TEST(StockMissions, AVehicleThatMustNotDiveStaysUp) {
           behaviour("sensors_in", "c_att_time 0") +
           behaviour("nop_cmds", "nop_heading 1, nop_air_pump 1"),
       {.duration_s = 11000});
-  EXPECT_FALSE(f.has("MS_ABORT")) << f.events();
-  EXPECT_TRUE(f.has("the mission has ended normally")) << f.events();
+  EXPECT_FALSE(f.has(EventId::Aborts)) << f.events();
+  EXPECT_TRUE(f.has(EventId::MissionEndsNormally)) << f.events();
   EXPECT_LT(f.deepest(), 1);
   EXPECT_GE(f.starts("surface_2", 9), 7);
 }
@@ -405,7 +415,7 @@ TEST(StockMissions, DriftsAtADepthAndAboveTheBottom) {
         {.depth_m = water_m, .duration_s = 6000});
   };
   const StockFlight at_depth = drift(60, "target_depth 30, target_altitude -1, ");
-  EXPECT_TRUE(at_depth.has("the mission has ended normally")) << at_depth.events();
+  EXPECT_TRUE(at_depth.has(EventId::MissionEndsNormally)) << at_depth.events();
   EXPECT_NEAR(valueAt(at_depth.trace, "true_depth", 3500), 30, 8) << at_depth.events();
   const StockFlight above_bottom = drift(50, "target_depth 100, target_altitude 20, ");
   EXPECT_NEAR(valueAt(above_bottom.trace, "true_depth", 3500), 30, 8) << above_bottom.events();
@@ -421,9 +431,9 @@ TEST(StockMissions, AThousandMetreYoComesUp) {
                                     "c_target_depth 15") +
                           kSensors,
                       {.depth_m = 3000, .duration_s = 24000});
-  EXPECT_FALSE(f.has("MS_ABORT")) << f.events();
+  EXPECT_FALSE(f.has(EventId::Aborts)) << f.events();
   EXPECT_TRUE(f.has("climb_to over, half cycle 2")) << f.events();
-  EXPECT_TRUE(f.has("the mission has ended normally")) << f.events();
+  EXPECT_TRUE(f.has(EventId::MissionEndsNormally)) << f.events();
   EXPECT_GT(f.deepest(), 990);
   EXPECT_LT(f.deepest(), 1020);
 }
@@ -437,9 +447,9 @@ TEST(StockMissions, DeepYosSurfaceAfterANumberOfThem) {
                                     "c_target_depth 20, end_action 0") +
                           kSensors,
                       {.depth_m = 1000, .duration_s = 24000});
-  EXPECT_EQ(f.count(" over, half cycle "), 6) << f.events();
-  EXPECT_TRUE(f.has("the mission has ended normally")) << f.events();
-  EXPECT_FALSE(f.has("MS_ABORT"));
+  EXPECT_EQ(f.count(EventId::LegOver), 6) << f.events();
+  EXPECT_TRUE(f.has(EventId::MissionEndsNormally)) << f.events();
+  EXPECT_FALSE(f.has(EventId::Aborts));
 }
 
 TEST(StockMissions, InflectionsOfASegmentAreAReasonToSurface) {
@@ -448,9 +458,9 @@ TEST(StockMissions, InflectionsOfASegmentAreAReasonToSurface) {
       behaviour("surface", "start_when 16, when_num_inflections 3, end_action 0") + kNorth +
       behaviour("yo", "start_when 2, d_target_depth 20, c_target_depth 5") + kSensors);
   EXPECT_EQ(f.starts("surface_2", 16), 1) << f.events();
-  EXPECT_GE(f.count(" over, half cycle "), 4) << f.events();
-  EXPECT_LE(f.count(" over, half cycle "), 5) << f.events();
-  EXPECT_TRUE(f.has("the mission has ended normally"));
+  EXPECT_GE(f.count(EventId::LegOver), 4) << f.events();
+  EXPECT_LE(f.count(EventId::LegOver), 5) << f.events();
+  EXPECT_TRUE(f.has(EventId::MissionEndsNormally));
 }
 
 // The clock of the simulated vehicle begins at 14:13:20 UTC on 11 August 2009.
@@ -488,7 +498,7 @@ TEST(StockMissions, AListOfWaypointsIsFlownOnceAndTheMissionEnds) {
       {.duration_s = 9000});
   EXPECT_TRUE(f.has("waypoint 0 reached")) << f.events();
   EXPECT_TRUE(f.has("waypoint 1 reached")) << f.events();
-  EXPECT_TRUE(f.has("the mission has ended normally")) << f.events();
+  EXPECT_TRUE(f.has(EventId::MissionEndsNormally)) << f.events();
   EXPECT_EQ(f.starts("surface_2", 3), 1);
 }
 
@@ -503,8 +513,8 @@ TEST(StockMissions, AListThatWaitsForAnOperatorStaysAtItsLastWaypoint) {
                           kSensors,
                       {.duration_s = 9000});
   EXPECT_EQ(f.count("waypoint 0 reached"), 1) << f.events();
-  EXPECT_FALSE(f.has("MS_ABORT")) << f.events();
-  EXPECT_TRUE(f.has("the mission has ended normally")) << f.events();
+  EXPECT_FALSE(f.has(EventId::Aborts)) << f.events();
+  EXPECT_TRUE(f.has(EventId::MissionEndsNormally)) << f.events();
 }
 
 TEST(StockMissions, MayBeginWithAClimb) {
@@ -535,7 +545,7 @@ TEST(StockMissions, AVehicleThatIsUpButDoesNotCallHasNoContact) {
                           kSensors,
                       {.depth_m = 150, .duration_s = 6000});
   EXPECT_NEAR(f.when("surface_2 started"), 1204, 4) << f.events();
-  EXPECT_TRUE(f.has("the mission has ended normally")) << f.events();
+  EXPECT_TRUE(f.has(EventId::MissionEndsNormally)) << f.events();
   const StockFlight resumed(
       behaviour("abend", "overtime 5000") +
           behaviour("surface",

@@ -87,8 +87,8 @@ std::string unitOf(const support::Trace& trace, const std::string& name) {
 std::vector<std::string> eventsOf(const support::Trace& trace, const std::string& kind) {
   std::vector<std::string> out;
   for (const support::TraceEvent& event : trace.events) {
-    if (event.kind == kind) {
-      out.push_back(std::to_string(std::lround(event.time_s)) + " " + event.what +
+    if (kindOf(event) == kind) {
+      out.push_back(std::to_string(std::lround(event.time_s)) + " " + textOf(event) +
                     (event.why.empty() ? "" : "; " + event.why));
     }
   }

@@ -169,7 +169,9 @@ class GoodFlight {
     depth_ = held_m_ ? *held_m_ : std::max(depth_, 0.5);
     east_m_ += mps_ * (state_ == HookState::Active ? kCycle : 0);
     out_.guard = guarded_ ? HookGuard::NoDepthGained : HookGuard::None;
-    out_.doing = guarded_ ? "climb: no depth gained" : down ? "dive_to" : "climb_to";
+    out_.doing = guarded_ ? hooks::Doing::NoDepthGained
+                 : down   ? hooks::Doing::DiveTo
+                          : hooks::Doing::ClimbTo;
     out_.pitch_rad = down ? -0.4538 : 0.4538;
     out_.pump_cc = down ? -230 : guarded_ ? hooks::kHull.pump_cc : 230;
     pumped_cc_ = out_.pump_cc;

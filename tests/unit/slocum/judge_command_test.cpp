@@ -7,6 +7,7 @@
 namespace glider::slocum::oracles {
 namespace {
 
+using hooks::Doing;
 using hooks::HookGuard;
 
 // What CommandJudge must detect in the climbs of hookbeh's guards and after them, and what it must
@@ -21,14 +22,13 @@ class JudgedCommand : public testing::Test {
     setup_.pump_cc = 233;
     out_.commanding = true;
   }
-  void command(double pitch_rad, double pump_cc, const char* doing,
-               HookGuard guard = HookGuard::None) {
+  void command(double pitch_rad, double pump_cc, Doing doing, HookGuard guard = HookGuard::None) {
     out_.pitch_rad = pitch_rad;
     out_.pump_cc = pump_cc;
     out_.doing = doing;
     out_.guard = guard;
   }
-  void climbByGuard() { command(0.4538, 233, "climb: too near the bottom", HookGuard::NearBottom); }
+  void climbByGuard() { command(0.4538, 233, Doing::NearBottom, HookGuard::NearBottom); }
   std::string cycle(double depth, bool echo) {
     now_ += kCycle;
     array_.beginCycle();
@@ -72,7 +72,7 @@ class JudgedCommand : public testing::Test {
 
 TEST_F(JudgedCommand, AGuardThatClimbsOnAndOnIsSeen) {
   obey(hooks::HookVertical::Descend, 57, -0.4538);
-  command(-0.4538, -230, "dive_to");
+  command(-0.4538, -230, Doing::DiveTo);
   EXPECT_EQ(cycle(33, true), "");
   climbByGuard();
   EXPECT_EQ(climb(33, 15, 0), "") << "half the way";
@@ -82,7 +82,7 @@ TEST_F(JudgedCommand, AGuardThatClimbsOnAndOnIsSeen) {
 /// Without an echo the bottom may have risen below the vehicle.
 TEST_F(JudgedCommand, ItsClimbCountsFromWhereAnEchoShowsTheBottomAgain) {
   obey(hooks::HookVertical::Descend, 57, -0.4538);
-  command(-0.4538, -230, "dive_to");
+  command(-0.4538, -230, Doing::DiveTo);
   EXPECT_EQ(cycle(33, true), "");
   climbByGuard();
   std::string wrong = climb(33, 15, 30);
@@ -107,11 +107,11 @@ TEST_F(JudgedCommand, AfterAGuardItGoesBackToItsDepthUnlessAnotherBehaviourSteer
   for (const bool steered : {true, false}) {
     judge_.restart();
     obey(hooks::HookVertical::Hover, 30, 0);
-    command(0, 0, "hover");
+    command(0, 0, Doing::Hover);
     EXPECT_EQ(cycle(30, true), "");
-    command(0.4538, 233, "climb: too deep", HookGuard::TooDeep);
+    command(0.4538, 233, Doing::TooDeep, HookGuard::TooDeep);
     EXPECT_EQ(cycle(59, true), "");
-    command(0, 0, "hover");
+    command(0, 0, Doing::Hover);
     masked_ = steered ? hooks::kMaskedPump : uint8_t{0};
     EXPECT_EQ(cycle(20, true), steered ? "" : "no way back to 30 m");
     masked_ = 0;
@@ -124,22 +124,22 @@ TEST_F(JudgedCommand, ADiveIsLateAfterABriefClimbOfAGuardOnly) {
   for (const int cycles : {2, 6}) {
     judge_.restart();
     obey(hooks::HookVertical::Descend, 57, -0.4538);
-    command(-0.4538, -230, "dive_to");
+    command(-0.4538, -230, Doing::DiveTo);
     EXPECT_EQ(cycle(20, true), "");
-    command(0.4538, 233, "climb: too near the bottom", HookGuard::NearBottom);
+    command(0.4538, 233, Doing::NearBottom, HookGuard::NearBottom);
     now_ += 60;  // without an echo
     for (int i = 0; i < cycles; ++i) {
       EXPECT_EQ(cycle(20, false), "");
     }
-    command(-0.4538, -230, "dive_to");
+    command(-0.4538, -230, Doing::DiveTo);
     for (int i = 0; i < 10; ++i) {
       EXPECT_EQ(cycle(20 + 0.2 * i, true), "");
     }
-    command(0.4538, 233, "climb: no depth gained", HookGuard::NoDepthGained);
+    command(0.4538, 233, Doing::NoDepthGained, HookGuard::NoDepthGained);
     EXPECT_EQ(
         cycle(22, true),
         cycles == 2 ? "" : "the guard intervenes (climb: no depth gained), but no limit is near");
-    command(-0.4538, -230, "dive_to");
+    command(-0.4538, -230, Doing::DiveTo);
     cycle(22, true);
   }
 }

@@ -15,7 +15,7 @@ TEST_F(Judged, ACtdThatReadsTooDeepIsALimitThatIsNear) {
   climb();
   array_.set(GLIDER_SCI_WATER_PRESSURE, 5.9);
   out_.guard = hooks::HookGuard::TooDeep;
-  out_.doing = "climb: too deep";
+  out_.doing = hooks::Doing::TooDeep;
   cycle(HookState::Active, 10);
   EXPECT_EQ(violation().find("no limit is near"), std::string::npos) << violation();
 }
@@ -44,7 +44,7 @@ class JudgedOldFrames : public Judged {
     climb();
     out_.pump_cc = hooks::kHull.pump_cc;
     out_.guard = guard;
-    out_.doing = "climb: a guard";
+    out_.doing = hooks::climbFor(guard);
     for (double depth = 10; depth > 0; depth -= 0.4) {  // to the surface, against any instruction
       done(1);
       cycle(HookState::Active, depth);
@@ -63,12 +63,12 @@ TEST_F(JudgedOldFrames, ExcuseDepthsThatDisagreeShortlyAfterwards) {
 
 TEST_F(JudgedOldFrames, DoNotExcuseDepthsThatDisagreeLongAfterwards) {
   EXPECT_EQ(guardsAt(96, hooks::HookGuard::DepthsDisagree),
-            "the guard intervenes (climb: a guard), but no limit is near");
+            "the guard intervenes (climb: depths disagree), but no limit is near");
 }
 
 TEST_F(JudgedOldFrames, ExcuseNoOtherGuard) {
   EXPECT_EQ(guardsAt(48, hooks::HookGuard::DepthJumps),
-            "the guard intervenes (climb: a guard), but no limit is near");
+            "the guard intervenes (climb: depth jumps), but no limit is near");
 }
 
 class JudgedOldFramesToScience : public JudgedOldFrames {
@@ -78,7 +78,7 @@ class JudgedOldFramesToScience : public JudgedOldFrames {
 
 TEST_F(JudgedOldFramesToScience, ExcuseNothing) {
   EXPECT_EQ(guardsAt(48, hooks::HookGuard::DepthsDisagree),
-            "the guard intervenes (climb: a guard), but no limit is near");
+            "the guard intervenes (climb: depths disagree), but no limit is near");
 }
 
 class JudgedLostBytes : public JudgedOldFrames {
@@ -88,7 +88,7 @@ class JudgedLostBytes : public JudgedOldFrames {
 
 TEST_F(JudgedLostBytes, ExcuseNothing) {
   EXPECT_EQ(guardsAt(48, hooks::HookGuard::DepthsDisagree),
-            "the guard intervenes (climb: a guard), but no limit is near");
+            "the guard intervenes (climb: depths disagree), but no limit is near");
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ class JudgedGuard : public testing::Test {
   }
   void dive() {
     out_.guard = HookGuard::None;
-    out_.doing = "dive_to";
+    out_.doing = hooks::Doing::DiveTo;
     out_.pitch_rad = -0.4;
     out_.pump_cc = -230;
   }
@@ -55,10 +55,10 @@ class JudgedGuard : public testing::Test {
     out_.pitch_rad = 0.4538;
     out_.pump_cc = 230;
   }
-  void guard(HookGuard guard, const char* doing) {
+  void guard(HookGuard guard) {
     climb();
     out_.guard = guard;
-    out_.doing = doing;
+    out_.doing = hooks::climbFor(guard);
     out_.pump_cc = 233;
   }
 
@@ -92,7 +92,7 @@ TEST_F(JudgedGuard, WhatMasksItIsReportedACycleLater) {
 }
 
 TEST_F(JudgedGuard, AGuardClimbsWithAllOfThePump) {
-  guard(HookGuard::NoDepthGained, "climb: no depth gained");
+  guard(HookGuard::NoDepthGained);
   EXPECT_EQ(cycle(10), "");
   out_.pump_cc = 232;
   EXPECT_EQ(cycle(10), "climb: no depth gained with 232 cc, and the pump has 233");
@@ -101,9 +101,9 @@ TEST_F(JudgedGuard, AGuardClimbsWithAllOfThePump) {
 
 TEST_F(JudgedGuard, AClimbThatChecksTheDepthIsWithAllOfThePumpToo) {
   climb();
-  out_.doing = "climb_to";
+  out_.doing = hooks::Doing::ClimbTo;
   EXPECT_EQ(cycle(10), "");
-  out_.doing = "check depth";
+  out_.doing = hooks::Doing::CheckDepth;
   EXPECT_EQ(cycle(10), "check depth with 230 cc, and the pump has 233");
 }
 
@@ -130,7 +130,7 @@ TEST_F(JudgedGuard, ASmallerJumpOrOneWithoutTheSbcIsNotAViolation) {
 TEST_F(JudgedGuard, AJumpWithAClimbIsNotAViolation) {
   dive();
   stay(12, 80);
-  guard(HookGuard::DepthJumps, "climb: depth jumps");
+  guard(HookGuard::DepthJumps);
   EXPECT_EQ(cycle(12, 30), "");
 }
 
@@ -170,7 +170,7 @@ TEST_F(JudgedGuard, NoHeightIsToBeGainedAtTheSurfaceOrByAnother) {
   EXPECT_EQ(stay(20, 1000), "");
   overridden_ = false;
   EXPECT_EQ(stay(20, 200), "");
-  guard(HookGuard::NoHeightGained, "climb: no height gained");
+  guard(HookGuard::NoHeightGained);
   EXPECT_EQ(stay(20, 1000), "");
   dive();
   EXPECT_EQ(stay(20, 1000), "") << "another check reports that";
@@ -180,7 +180,7 @@ TEST_F(JudgedGuard, AGuardThatCountsWhatAnotherBehaviourFliesIsSeen) {
   dive();
   overridden_ = true;
   EXPECT_EQ(stay(20, 16), "");
-  guard(HookGuard::NoDepthGained, "climb: no depth gained");
+  guard(HookGuard::NoDepthGained);
   EXPECT_EQ(cycle(20),
             "the guard intervenes (climb: no depth gained) while another behaviour has the pump");
   EXPECT_EQ(cycle(20), "") << "once";
@@ -188,14 +188,14 @@ TEST_F(JudgedGuard, AGuardThatCountsWhatAnotherBehaviourFliesIsSeen) {
 
 TEST_F(JudgedGuard, AGuardThatLastsOverSessionsIsNoNewOne) {
   out_.commanding = true;
-  guard(HookGuard::NoDepthGained, "climb: no depth gained");
+  guard(HookGuard::NoDepthGained);
   EXPECT_EQ(stay(20, 16), "");
   out_ = {};
   EXPECT_EQ(cycle(10, 10, HookState::Silent), "");
   out_.commanding = true;
   reported_ = hooks::kMaskedPump;
   overridden_ = true;
-  guard(HookGuard::NoDepthGained, "climb: no depth gained");
+  guard(HookGuard::NoDepthGained);
   EXPECT_EQ(stay(10, 16), "");
 }
 
@@ -203,7 +203,7 @@ TEST_F(JudgedGuard, AGuardMayComeInAsAnotherBehaviourTakesThePump) {
   dive();
   overridden_ = true;
   stay(20, 12);
-  guard(HookGuard::NoHeightGained, "climb: no height gained");
+  guard(HookGuard::NoHeightGained);
   EXPECT_EQ(cycle(20), "");
 }
 
@@ -293,7 +293,7 @@ TEST_F(JudgedGuard, AnotherMissionStartsFromTheBeginning) {
 TEST_F(Judged, AGuardThatIsTooWeakIsSeen) {
   take();
   climb();
-  out_.doing = "check depth";
+  out_.doing = hooks::Doing::CheckDepth;
   cycle(HookState::Active, 10);
   EXPECT_EQ(violation(), "check depth with 230 cc, and the pump has 233");
 }

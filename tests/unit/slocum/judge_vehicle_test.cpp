@@ -225,7 +225,7 @@ TEST_F(Judged, AGuardWithoutALimitIsSeen) {
   take();
   climb();
   out_.guard = hooks::HookGuard::TooDeep;
-  out_.doing = "climb: too deep";
+  out_.doing = hooks::Doing::TooDeep;
   cycle(HookState::Active, 10);
   EXPECT_EQ(violation(), "the guard intervenes (climb: too deep), but no limit is near");
 }
@@ -233,7 +233,7 @@ TEST_F(Judged, AGuardWithoutALimitIsSeen) {
 TEST_F(Judged, AGuardThatIsNotReportedIsSeen) {
   take();
   climb();
-  out_.doing = "climb: too deep";
+  out_.doing = hooks::Doing::TooDeep;
   cycle(HookState::Active, 10);
   EXPECT_EQ(violation(), "x_hook_guard does not show `climb: too deep`");
 }
@@ -260,7 +260,7 @@ class JudgedClimb : public Judged {
 
 TEST_F(JudgedClimb, ADepthCheckOfHookbehCountsAsTheClimb) {
   ascend();
-  out_.doing = "check depth";
+  out_.doing = hooks::Doing::CheckDepth;
   out_.pump_cc = 233;
   cycle(HookState::Active, 10);
   EXPECT_EQ(violation().find("no climb"), std::string::npos) << violation();
@@ -271,7 +271,7 @@ TEST_F(JudgedClimb, ADepthCheckOfHookbehCountsAsTheClimb) {
 
 TEST_F(JudgedClimb, AtAnotherPitchIsSeen) {
   ascend();
-  out_.doing = "climb_to";
+  out_.doing = hooks::Doing::ClimbTo;
   cycle(HookState::Active, 10);
   EXPECT_EQ(violation(), "no climb to 4 m though it is in force");
 }
@@ -282,11 +282,11 @@ TEST_F(JudgedClimb, ADepthCheckOfHookbehCountsOnTheWayToAHover) {
   arrive();
   obey(2);
   climb();
-  out_.doing = "check depth";
+  out_.doing = hooks::Doing::CheckDepth;
   out_.pump_cc = 233;
   cycle(HookState::Active, 37);
   EXPECT_EQ(violation().find("no way"), std::string::npos) << violation();
-  out_.doing = "climb_to";
+  out_.doing = hooks::Doing::ClimbTo;
   out_.pump_cc = 230;
   cycle(HookState::Active, 36);
   EXPECT_EQ(violation(), "no way to 50 m though it is in force");
@@ -315,7 +315,7 @@ class JudgedPump : public JudgedClimb {
 
 TEST_F(JudgedPump, HookbehsOwnClimbTakesAllOfIt) {
   ascend();
-  out_.doing = "check depth";
+  out_.doing = hooks::Doing::CheckDepth;
   out_.pump_cc = 233;
   cycle(HookState::Active, 10);
   EXPECT_EQ(violation().find("a pump of"), std::string::npos) << violation();
@@ -326,7 +326,7 @@ TEST_F(JudgedPump, HookbehsOwnClimbTakesAllOfIt) {
 
 TEST_F(JudgedPump, AnotherClimbKeepsToItsArgument) {
   ascend();
-  out_.doing = "climb_to";
+  out_.doing = hooks::Doing::ClimbTo;
   cycle(HookState::Active, 10);
   EXPECT_EQ(violation(), "a pump of 230 cc is commanded");
 }

@@ -289,7 +289,7 @@ TEST(JudgedNeedless, AGuardIsNeededAsSoonAsTheDepthIsFrozen) {
       flight.fly(from_s + 20 - flight.now_);
       flight.fly(60, [](GoodFlight& guarded) {
         guarded.out_.guard = HookGuard::DepthFrozen;
-        guarded.out_.doing = "climb: depth frozen";
+        guarded.out_.doing = hooks::Doing::DepthFrozen;
       });
     }
     const auto& violations = flight.verdict().violations;

@@ -10,18 +10,19 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace glider::support {
 namespace {
 
 struct Row {
   EventId id;
-  const char* kind;
+  EventKind kind;
   std::string_view words;
 };
 
 constexpr auto kRows = std::to_array<Row>({
-#define EVENT(name, kind, words) {EventId::name, kind, words},
+#define EVENT(name, kind, words) {EventId::name, EventKind::kind, words},
 #include "support/trace/events.def"
 #undef EVENT
 });
@@ -42,11 +43,11 @@ TEST(Events, EachHasItsKindItsWordsAndItsValues) {
     const TraceEvent event = makeEvent(12, row.id, values, "because");
     EXPECT_EQ(event.time_s, 12);
     EXPECT_TRUE(std::isnan(event.mission_time_s));
-    EXPECT_EQ(event.kind, row.kind);
+    EXPECT_TRUE(isOfKind(event, row.kind)) << row.words;
     EXPECT_EQ(event.why, "because");
     EXPECT_EQ(event.id, row.id);
     EXPECT_EQ(event.values, values);
-    EXPECT_EQ(event.what.find('{'), std::string::npos) << event.what;
+    EXPECT_EQ(textOf(event).find('{'), std::string::npos) << textOf(event);
     EXPECT_TRUE(seen.insert(row.words).second || row.words.starts_with("hookbeh: {} (m_depth") ||
                 row.words == "{}")
         << row.words << " says two things";
@@ -54,16 +55,44 @@ TEST(Events, EachHasItsKindItsWordsAndItsValues) {
 }
 
 TEST(Events, AreWrittenAsTheyAreRead) {
-  EXPECT_EQ(makeEvent(0, EventId::Transition, {"a", "b", "call"}).what, "a → b (call)");
-  EXPECT_EQ(makeEvent(0, EventId::Steers, {"dive_to", 3.14}).what,
+  EXPECT_EQ(textOf(makeEvent(0, EventId::Transition, {"a", "b", "call"})), "a → b (call)");
+  EXPECT_EQ(textOf(makeEvent(0, EventId::Steers, {"dive_to", 3.14})),
             "hookbeh: dive_to (m_depth 3.1 m)");
-  EXPECT_EQ(makeEvent(0, EventId::FramesDamaged, {3.0}).what,
+  EXPECT_EQ(textOf(makeEvent(0, EventId::FramesDamaged, {3.0})),
             "3 damaged frames on the serial lines");
-  EXPECT_EQ(makeEvent(0, EventId::TimeIsOver, {14400.0}).what,
+  EXPECT_EQ(textOf(makeEvent(0, EventId::TimeIsOver, {14400.0})),
             "the simulated time of 14400 s is over");
-  EXPECT_EQ(makeEvent(0, EventId::OperatorPuts, {"u_mission_mode", 2.5}).what,
+  EXPECT_EQ(textOf(makeEvent(0, EventId::OperatorPuts, {"u_mission_mode", 2.5})),
             "put u_mission_mode 2.5");
-  EXPECT_EQ(makeEvent(0, EventId::Note, {"{} stays"}).what, "{} stays");
+  EXPECT_EQ(textOf(makeEvent(0, EventId::Note, {"{} stays"})), "{} stays");
+}
+
+constexpr auto kKinds = std::to_array<std::pair<EventKind, const char*>>({
+#define EVENT_KIND(name, word) {EventKind::name, word},
+#include "support/trace/event_kinds.def"
+#undef EVENT_KIND
+});
+
+TEST(Events, AreOfOneKindEach) {
+  for (const Row& row : kRows) {
+    const TraceEvent event = makeEvent(0, row.id, valuesFor(row.words));
+    for (const auto& [kind, word] : kKinds) {
+      EXPECT_EQ(isOfKind(event, kind), kind == row.kind) << row.words << ": " << word;
+      EXPECT_EQ(kindOf(event) == word, kind == row.kind) << row.words << ": " << word;
+    }
+  }
+}
+
+TEST(Events, OfAFileKeepTheirKindAndTheirText) {
+  const TraceEvent event = unlistedEvent(4, 2, "control", "a {} in a file", "because");
+  EXPECT_EQ(event.time_s, 4);
+  EXPECT_EQ(event.mission_time_s, 2);
+  EXPECT_EQ(textOf(event), "a {} in a file");
+  EXPECT_EQ(kindOf(event), "control");
+  EXPECT_TRUE(isOfKind(event, EventKind::Control));
+  EXPECT_FALSE(isOfKind(event, EventKind::Transition));
+  EXPECT_EQ(event.why, "because");
+  EXPECT_EQ(kindOf(unlistedEvent(4, 2, "of another version", "", "")), "of another version");
 }
 
 TEST(EventsDeathTest, OneWithoutItsValuesIsABug) {

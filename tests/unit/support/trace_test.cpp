@@ -19,7 +19,7 @@ Trace sample() {
   trace.mission = "m";
   trace.columns = {{"time", "s"}, {"m_depth", "m"}, {"state", ""}};
   trace.rows = {0, 0.1, NAN, 4, 1e-7, 1};
-  trace.events = {{4, NAN, "transition", "a → b", "x < 1"}};
+  trace.events = {unlistedEvent(4, NAN, "transition", "a → b", "x < 1")};
   return trace;
 }
 

@@ -147,10 +147,10 @@ std::string CommandJudge::judgeWhole(const CycleView& view) const {
   if (!whole) {
     return "heading, pitch and pump are not all commanded";
   }
-  const bool named = std::string_view(out.doing).starts_with("climb: ");
+  const bool named = isGuard(out.doing);
   if (named != (out.guard != hooks::HookGuard::None) ||
       view.array.get(Sensor::x_hook_guard) != static_cast<double>(out.guard)) {
-    return fmt::format("x_hook_guard does not show `{}`", out.doing);
+    return fmt::format("x_hook_guard does not show `{}`", wordsFor(out.doing));
   }
   if (view.mission_s < s_.args.start_secs) {
     return "the SBC is in control before start_secs";
@@ -237,7 +237,8 @@ std::string CommandJudge::judgeGuard(const CycleView& view) {
     const bool turns = no_depth && view.time_s - brief_s_ < kTurnsBack;
     if (!near && !was_before && !turns &&
         !(stalled && view.time_s - overridden_s_ < kAfterOverride)) {
-      wrong = fmt::format("the guard intervenes ({}), but no limit is near", view.hookbeh->doing);
+      wrong = fmt::format("the guard intervenes ({}), but no limit is near",
+                          wordsFor(view.hookbeh->doing));
     }
     // In water too shallow for such a climb the vehicle surfaces, and waits until the echo is
     // forgotten.

@@ -8,8 +8,6 @@
 #include "vehicles/slocum/oracles/judge_setup.h"
 #include "vehicles/slocum/oracles/names.h"
 
-#include <string_view>
-
 /// Properties of a cycle's commands that the checks of a flight need.
 namespace glider::slocum::oracles {
 
@@ -21,7 +19,7 @@ inline bool climbs(const hooks::HookbehOutputs& out) {
 
 /// True if hookbeh climbs to check whether the depth follows; no guard is active then.
 inline bool checksDepth(const hooks::HookbehOutputs& out) {
-  return out.doing == std::string_view("check depth");
+  return out.doing == hooks::Doing::CheckDepth;
 }
 
 /// True if a guard of this kind may have its reason in a limit that is near. Guard 2 turns a dive

@@ -268,7 +268,7 @@ bool FlightJudge::isOverForGood(const CycleView& view) {
 
 void FlightJudge::noteHover(const CycleView& view) {
   const bool hovers = view.hookbeh != nullptr && view.hook == HookState::Active &&
-                      view.hookbeh->doing == std::string_view("hover");
+                      view.hookbeh->doing == hooks::Doing::Hover;
   hovers_since_s_ = !hovers ? -1 : hovers_since_s_ < 0 ? view.time_s : hovers_since_s_;
   if (hovers && view.time_s - hovers_since_s_ > verdict_.hover.to_s - verdict_.hover.from_s) {
     verdict_.hover = {hovers_since_s_, view.time_s};

@@ -54,22 +54,22 @@ HeadingCommand heading(const hooks::HookbehOutputs& out) {
   return {HeadingCommand::Mode::Fin, 0, 0, 0};
 }
 
-const char* describe(HookState state) {
+EventId changeTo(HookState state) {
   switch (state) {
     case HookState::Absent:
-      return "absent";
+      return EventId::HookbehAbsent;
     case HookState::Waiting:
-      return "waits";
+      return EventId::HookbehWaits;
     case HookState::Ready:
-      return "is ready for the SBC";
+      return EventId::HookbehReady;
     case HookState::Active:
-      return "the SBC takes control";
+      return EventId::SbcTakesControl;
     case HookState::Silent:
-      return "the SBC is silent, control revoked";
+      return EventId::SbcSilent;
     case HookState::Complete:
-      return "the SBC releases control";
+      break;
   }
-  return "unknown state";
+  return EventId::SbcReleasesControl;
 }
 
 /// "heading, pitch and pump" for kMaskedHeading….
@@ -119,7 +119,7 @@ HookbehAdapter::HookbehAdapter(const BehaviourSource& source)
 
 void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOutputs& out) {
   if (out.state != state_) {
-    news_.push_back({EventId::ControlChanges, {describe(out.state)}});
+    news_.push_back({changeTo(out.state)});
   }
   if (out.masked != masked_now_) {
     news_.push_back(out.masked == 0 ? News{EventId::CommandsFly}
@@ -134,12 +134,13 @@ void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOu
   }
   if (out.commanding && doing_ != out.doing) {
     const bool guards = out.guard != hooks::HookGuard::None;
-    news_.push_back({guards ? EventId::GuardClimbs : EventId::Steers, {out.doing, in.depth_m}});
+    news_.push_back(
+        {guards ? EventId::GuardClimbs : EventId::Steers, {wordsFor(out.doing), in.depth_m}});
   }
   state_ = out.state;
   masked_now_ = out.masked;
   answered_ = out.answered_sequence;
-  doing_ = out.commanding ? out.doing : "";
+  doing_ = out.commanding ? out.doing : hooks::Doing::Nothing;
 }
 
 Behaviour::Outcome HookbehAdapter::fly(const Situation& situation, Commands& commands) {

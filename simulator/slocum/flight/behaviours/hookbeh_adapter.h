@@ -40,7 +40,7 @@ class HookbehAdapter final : public Behaviour {
   hooks::HookState state_ = hooks::HookState::Waiting;
   uint8_t masked_now_ = 0;  ///< as last written to the journal
   uint16_t answered_ = 0;
-  std::string doing_;
+  hooks::Doing doing_ = hooks::Doing::Nothing;
   std::vector<News> news_;
 };
 

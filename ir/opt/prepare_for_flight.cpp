@@ -3,8 +3,10 @@
 
 #include "ir/opt/prepare_for_flight.h"
 
+#include "ir/core/references.h"
 #include "ir/core/walk.h"
 #include "ir/opt/compact.h"
+#include "ir/opt/keep.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -152,87 +154,24 @@ class OnBoard {
   VariableId telling_;  ///< whether this tick has left a note about one
 };
 
-std::vector<bool> usedSensors(const Mission& mission) {
-  std::vector<bool> used(mission.sensors.size());
-  auto use = [&](SensorId id) {
-    if (id.valid()) {
-      used[id.index] = true;
-    }
-  };
-  for (const Expr& expr : mission.exprs) {
-    use(expr.sensor);
-  }
-  for (const Behaviour& behaviour : mission.behaviours) {
-    for (const SensorId id : behaviour.reads) {
-      use(id);
-    }
-  }
-  if (mission.compass) {
-    use(mission.compass->variation);
-  }
-  return used;
-}
-
-void renumberTable(GuardTable& table, const std::vector<uint32_t>& numbers) {
-  for (GuardColumn& column : table.columns) {
-    if (column.sensor.valid()) {
-      column.sensor.index = numbers[column.sensor.index];
-    }
-  }
-}
-
-/// `numbers` are the new ones.
-void renumberSensors(Mission& mission, const std::vector<uint32_t>& numbers) {
-  for (Expr& expr : mission.exprs) {
-    if (expr.sensor.valid()) {
-      expr.sensor.index = numbers[expr.sensor.index];
-    }
-  }
-  for (Behaviour& behaviour : mission.behaviours) {
-    for (SensorId& id : behaviour.reads) {
-      id.index = numbers[id.index];
-    }
-  }
-  if (mission.compass && mission.compass->variation.valid()) {
-    SensorId& variation = mission.compass->variation;
-    variation.index = numbers[variation.index];
-  }
-  renumberTable(mission.always_table, numbers);
-  for (State& state : mission.states) {
-    renumberTable(state.table, numbers);
-  }
-}
-
 void dropUnusedSensors(Mission& mission) {
-  const std::vector<bool> used = usedSensors(mission);
-  std::vector<uint32_t> numbers(used.size());
-  std::vector<Sensor> kept;
-  for (size_t i = 0; i < used.size(); ++i) {
-    numbers[i] = static_cast<uint32_t>(kept.size());
-    if (used[i]) {
-      kept.push_back(std::move(mission.sensors[i]));
-    }
-  }
-  mission.sensors = std::move(kept);
-  renumberSensors(mission, numbers);
+  std::vector<bool> used(mission.sensors.size());
+  const auto use = [&](const SensorId& id) { used[id.index] = true; };
+  References(use).of(mission);
+  const std::vector<uint32_t> numbers = opt::keep(mission.sensors, used);
+  const auto renumber = [&](SensorId& id) { id.index = numbers[id.index]; };
+  References(renumber).of(mission);
 }
 
 /// What still names one of them is dropped afterwards.
 void dropMonitorVariables(Mission& mission) {
-  std::vector<VariableId> numbers(mission.variables.size());
-  std::vector<Variable> kept;
-  for (size_t i = 0; i < numbers.size(); ++i) {
-    if (!isOfMonitor(mission.variables[i].kind)) {
-      numbers[i] = {static_cast<uint32_t>(kept.size())};
-      kept.push_back(std::move(mission.variables[i]));
-    }
+  std::vector<bool> flies;
+  for (const Variable& variable : mission.variables) {
+    flies.push_back(!isOfMonitor(variable.kind));
   }
-  mission.variables = std::move(kept);
-  const auto renumber = [&](VariableId& id) { id = id.valid() ? numbers[id.index] : id; };
-  std::ranges::for_each(mission.exprs, renumber, &Expr::variable);
-  for (Block& block : mission.blocks) {
-    std::ranges::for_each(block.statements, renumber, &Statement::variable);
-  }
+  const std::vector<uint32_t> numbers = opt::keep(mission.variables, flies);
+  const auto renumber = [&](VariableId& id) { id.index = numbers[id.index]; };
+  References(renumber).of(mission);
 }
 
 }  // namespace

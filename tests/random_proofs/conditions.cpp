@@ -126,7 +126,7 @@ ExprId Conditions::ofVariable(bool parameter) {
     return ofSensor();
   }
   const uint32_t chosen = random_.pick(found);
-  const ExprId value = write_.read({chosen});
+  const ExprId value = write_.read(ir::VariableId{chosen});
   const ir::Variable& v = m_.variables[chosen];
   if (v.type.kind == ir::TypeKind::Bool) {
     return random_.chance(0.5) ? value : write_.negation(value);

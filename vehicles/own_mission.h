@@ -32,31 +32,29 @@ class OwnMission {
 
   /// Reports commands that the vehicle refuses (GL3124) and limits at which it ends the flight
   /// (GL3125).
-  virtual void checkLimits(const compiler::Checked& mission,
+  virtual void checkLimits(const ir::WrittenWorld& world,
                            support::DiagnosticEngine& diagnostics) const = 0;
   /// Reports what of it keeps the SBC's commands from flying.
-  virtual void checkDisturbances(const compiler::Checked& mission,
-                                 const platforms::Platform& platform,
+  virtual void checkDisturbances(const ir::Worlds& worlds,
                                  support::DiagnosticEngine& diagnostics) const = 0;
   /// Reports the ways in which control ends after which the vehicle may stay below (GL3127).
   /// Returns lines for the report about the others.
-  virtual std::vector<std::string> checkEndings(const compiler::Checked& mission,
-                                                const platforms::Platform& platform,
+  virtual std::vector<std::string> checkEndings(const ir::WidestWorld& world,
                                                 support::DiagnosticEngine& diagnostics) const = 0;
   /// On what proofs rest with it, after all else has been reported: "with skeleton.mi, in water of
   /// 35 m or more".
   [[nodiscard]] virtual std::string premiseOf(
-      const compiler::Checked& mission, const support::DiagnosticEngine& diagnostics) const = 0;
+      const ir::WidestWorld& world, const support::DiagnosticEngine& diagnostics) const = 0;
 
   /// A line for the report if it ends a mission whose end is not proved.
   [[nodiscard]] virtual std::optional<std::string> endlessLine(
-      const compiler::Checked& mission) const = 0;
+      const ir::WrittenWorld& world) const = 0;
   /// From a depth of at most `depth_m`, the deepest that commands lead to.
   [[nodiscard]] virtual WayHome wayHomeFrom(double depth_m,
                                             const platforms::Platform& platform) const = 0;
   /// Lines for the report: the way home of a mission, and of states where it is shorter.
   [[nodiscard]] virtual std::vector<std::string> wayHomeLines(
-      const ir::Mission& mission, const platforms::Platform& platform) const = 0;
+      const ir::WidestWorld& world) const = 0;
   /// Lines for the report about commands that are refused, of what is usual for a family: those of
   /// a file are errors (checkLimits).
   [[nodiscard]] virtual std::vector<std::string> refusedLines(const ir::Mission& mission) const = 0;

@@ -3,6 +3,7 @@
 
 #include "analysis/against/held_guards.h"
 
+#include "ir/core/mission_writer.h"
 #include "support/one_line.h"
 #include "support/utc.h"
 
@@ -26,10 +27,7 @@ const std::vector<ir::Case>& casesIn(const ir::Mission& mission, ListKind list, 
 /// The mission with the same cases, of which those that would leave a state never fire. What proves
 /// that variables stay in their ranges does not apply to it, so they have none.
 ir::Mission withoutTransitions(ir::Mission mission) {
-  const ir::ExprId never{static_cast<uint32_t>(mission.exprs.size())};
-  ir::Expr& no = mission.exprs.emplace_back();
-  no.op = ir::Op::False;
-  no.type.kind = ir::TypeKind::Bool;
+  const ir::ExprId never = ir::MissionWriter(mission).truth(false);
   const auto hold = [never](std::vector<ir::Case>& cases) {
     for (ir::Case& one : cases) {
       if (one.transition != ir::Transition::Stay && one.transition != ir::Transition::Done) {

@@ -44,10 +44,8 @@ class BriefMaker {
         m_(checked_.mission()),
         written_(source.compilation),
         words_(*checked_.lowered),
-        depths_(ir::prove::deepestByState(
-            ir::prove::ProofContext(m_, checked_.worlds.widest.platform))),
-        climbs_(
-            ir::prove::climbTimes(ir::prove::ProofContext(m_, checked_.worlds.widest.platform))) {}
+        depths_(ir::prove::deepestByState(ir::prove::ProofContext(checked_.worlds.widest))),
+        climbs_(ir::prove::climbTimes(ir::prove::ProofContext(checked_.worlds.widest))) {}
 
   Brief run() {
     Brief brief;

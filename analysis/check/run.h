@@ -29,10 +29,9 @@ class Run {
 
   [[nodiscard]] const compiler::Checked& checked() const { return *file.compilation->checked; }
   [[nodiscard]] const ir::Mission& mission() const { return checked().mission(); }
+  [[nodiscard]] const ir::Worlds& worlds() const { return checked().worlds; }
   /// The vehicle as its makers describe it, not as the mission assumes it to be.
-  [[nodiscard]] const platforms::Platform& platform() const {
-    return checked().worlds.widest.platform;
-  }
+  [[nodiscard]] const platforms::Platform& platform() const { return worlds().widest.platform; }
   [[nodiscard]] support::DiagnosticEngine& diagnostics() const {
     return file.compilation->diagnostics;
   }

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace glider::analysis {
 namespace {
@@ -21,21 +20,25 @@ using ir::prove::durationOf;
 
 constexpr const char* kNone = "no bound is known";
 
-std::string endOf(const compiler::Checked& checked) {
-  const ir::prove::ProofContext context(checked.mission(), checked.platform());
+std::string endOf(const ir::WrittenWorld& world) {
+  const ir::prove::ProofContext context(world);
   const auto end = ir::prove::boundOf(context.withoutPowerCuts(), ir::prove::kLongestMission,
                                       ir::prove::Goal::Exit);
   return end.by ? durationOf(*end.by) : kNone;
 }
 
-std::string deepestOf(const compiler::Checked& checked) {
-  const ir::prove::ProofContext context(checked.mission(), checked.platform());
-  const double deepest = std::ranges::max(ir::prove::deepestByState(context));
+std::string deepestOf(const ir::WrittenWorld& world) {
+  const double deepest =
+      std::ranges::max(ir::prove::deepestByState(ir::prove::ProofContext(world)));
   return std::isfinite(deepest) ? fmt::format("{:.4g} m", deepest) : kNone;
 }
 
-std::string stackOf(const compiler::Checked& checked) {
-  return fmt::format("{}", checked.facts.stack_depth);
+/// "the mission ends after at most: 1 h → 2 h", if they differ.
+void compare(const char* what, const std::string& before, const std::string& after,
+             std::vector<std::string>& lines) {
+  if (before != after) {
+    lines.push_back(fmt::format("{}: {} → {}", what, before, after));
+  }
 }
 
 }  // namespace
@@ -43,15 +46,12 @@ std::string stackOf(const compiler::Checked& checked) {
 std::vector<std::string> compareBounds(const compiler::Checked& before,
                                        const compiler::Checked& after) {
   std::vector<std::string> lines;
-  for (const auto& [what, of] : {std::pair("the mission ends after at most", &endOf),
-                                 std::pair("commands lead at most this deep", &deepestOf),
-                                 std::pair("greatest call depth", &stackOf)}) {
-    const std::string was = of(before);
-    const std::string is = of(after);
-    if (was != is) {
-      lines.push_back(fmt::format("{}: {} → {}", what, was, is));
-    }
-  }
+  const ir::WrittenWorld& was = before.worlds.written;
+  const ir::WrittenWorld& is = after.worlds.written;
+  compare("the mission ends after at most", endOf(was), endOf(is), lines);
+  compare("commands lead at most this deep", deepestOf(was), deepestOf(is), lines);
+  compare("greatest call depth", fmt::format("{}", before.facts.stack_depth),
+          fmt::format("{}", after.facts.stack_depth), lines);
   return lines;
 }
 

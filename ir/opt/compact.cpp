@@ -3,7 +3,8 @@
 
 #include "ir/opt/compact.h"
 
-#include "ir/opt/references.h"
+#include "ir/core/references.h"
+#include "ir/opt/keep.h"
 
 #include <vector>
 
@@ -56,7 +57,9 @@ class Marker {
       pending_blocks_.push_back(id);
     }
   }
-  void operator()(StateId&) {}
+  void operator()(TemporalId& id) { mark(id.index); }
+  void operator()(TableId& id) { tables[id.index] = true; }
+  void operator()(UseId& id) { uses[id.index] = true; }
 
   std::vector<bool> exprs;
   std::vector<bool> blocks;
@@ -95,44 +98,13 @@ class Marker {
     }
     Expr& expr = mission_.exprs[pending_exprs_.back().index];
     pending_exprs_.pop_back();
-    for (ExprId& operand : expr.operands) {
-      if (operand.valid()) {
-        (*this)(operand);
-      }
-    }
-    if (expr.table.valid()) {
-      tables[expr.table.index] = true;
-    }
-    if (expr.use.valid()) {
-      uses[expr.use.index] = true;
-    }
-    if (expr.temporal.valid()) {
-      mark(expr.temporal.index);
-    }
+    references.of(expr);
   }
 
   Mission& mission_;
   std::vector<ExprId> pending_exprs_;
   std::vector<BlockId> pending_blocks_;
 };
-
-/// Keeps the marked elements; returns the new number of each.
-template <typename T>
-std::vector<uint32_t> keep(std::vector<T>& elements, const std::vector<bool>& marked) {
-  std::vector<uint32_t> numbers(elements.size(), UINT32_MAX);
-  uint32_t count = 0;
-  for (size_t i = 0; i < elements.size(); ++i) {
-    if (marked[i]) {
-      numbers[i] = count;
-      if (count != i) {
-        elements[count] = std::move(elements[i]);
-      }
-      ++count;
-    }
-  }
-  elements.resize(count);
-  return numbers;
-}
 
 /// Drops functions that no use calls: they need not be linked.
 void dropUnusedFunctions(Mission& mission) {
@@ -141,56 +113,33 @@ void dropUnusedFunctions(Mission& mission) {
     used[use.function.index] = true;
   }
   const std::vector<uint32_t> numbers = keep(mission.functions, used);
-  for (FunctionUse& use : mission.uses) {
-    use.function.index = numbers[use.function.index];
-  }
+  const auto renumber = [&](FunctionId& id) { id.index = numbers[id.index]; };
+  References(renumber).of(mission);
 }
 
 struct Renumber {
   std::vector<uint32_t> exprs;
   std::vector<uint32_t> blocks;
+  std::vector<uint32_t> temporals;
+  std::vector<uint32_t> tables;
+  std::vector<uint32_t> uses;
 
   void operator()(ExprId& id) const { id.index = exprs[id.index]; }
   void operator()(BlockId& id) const { id.index = blocks[id.index]; }
-  void operator()(StateId&) const {}
+  void operator()(TemporalId& id) const { id.index = temporals[id.index]; }
+  void operator()(TableId& id) const { id.index = tables[id.index]; }
+  void operator()(UseId& id) const { id.index = uses[id.index]; }
 };
 
 }  // namespace
 
 void compact(Mission& mission) {
   const Marker marked(mission);
-  Renumber renumber{keep(mission.exprs, marked.exprs), keep(mission.blocks, marked.blocks)};
-  const std::vector<uint32_t> temporals = keep(mission.temporals, marked.temporals);
-  const std::vector<uint32_t> tables = keep(mission.tables, marked.tables);
-  const std::vector<uint32_t> uses = keep(mission.uses, marked.uses);
+  const Renumber renumber{keep(mission.exprs, marked.exprs), keep(mission.blocks, marked.blocks),
+                          keep(mission.temporals, marked.temporals),
+                          keep(mission.tables, marked.tables), keep(mission.uses, marked.uses)};
+  References(renumber).of(mission);
   dropUnusedFunctions(mission);
-  for (Expr& expr : mission.exprs) {
-    for (ExprId& operand : expr.operands) {
-      if (operand.valid()) {
-        renumber(operand);
-      }
-    }
-    if (expr.temporal.valid()) {
-      expr.temporal.index = temporals[expr.temporal.index];
-    }
-    if (expr.table.valid()) {
-      expr.table.index = tables[expr.table.index];
-    }
-    if (expr.use.valid()) {
-      expr.use.index = uses[expr.use.index];
-    }
-  }
-  References references(renumber);
-  references.ofBody(mission);
-  for (Block& block : mission.blocks) {
-    references.of(block);
-  }
-  for (Temporal& temporal : mission.temporals) {
-    references.of(temporal);
-  }
-  for (Variable& variable : mission.variables) {
-    references.of(variable);
-  }
 }
 
 }  // namespace glider::ir::opt

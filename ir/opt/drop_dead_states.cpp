@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/core/references.h"
 #include "ir/opt/compact.h"
+#include "ir/opt/keep.h"
 #include "ir/opt/passes.h"
-#include "ir/opt/references.h"
 
 #include <algorithm>
 #include <deque>
+#include <utility>
+#include <vector>
 
 namespace glider::ir::opt {
 namespace {
@@ -35,60 +38,32 @@ std::vector<bool> reachedStates(const Mission& mission) {
   return reached;
 }
 
+/// Of the states and variables that stay; nothing names the others any more.
 struct RenumberStates {
-  const std::vector<uint32_t>& numbers;
+  std::vector<uint32_t> states;
+  std::vector<uint32_t> variables;
 
-  void operator()(ExprId&) const {}
-  void operator()(BlockId&) const {}
-  void operator()(StateId& id) const { id.index = numbers[id.index]; }
+  void operator()(StateId& id) const { id.index = states[id.index]; }
+  void operator()(VariableId& id) const { id.index = variables[id.index]; }
 };
 
-/// Drops the variables of dropped states; everything that uses them is also dropped.
-void dropVariables(Mission& mission, const std::vector<bool>& reached) {
-  std::vector<uint32_t> numbers;
-  uint32_t count = 0;
+/// For each variable, whether it belongs to no state or to one that stays.
+std::vector<bool> variablesOf(const Mission& mission, const std::vector<bool>& reached) {
+  std::vector<bool> stays;
   for (const Variable& variable : mission.variables) {
-    const bool stays = !variable.owner.valid() || reached[variable.owner.index];
-    numbers.push_back(stays ? count++ : UINT32_MAX);
+    stays.push_back(!variable.owner.valid() || reached[variable.owner.index]);
   }
-  std::erase_if(mission.variables, [&](const Variable& variable) {
-    return variable.owner.valid() && !reached[variable.owner.index];
-  });
-  auto renumber = [&](VariableId& id) { id.index = id.valid() ? numbers[id.index] : id.index; };
-  for (Expr& expr : mission.exprs) {
-    renumber(expr.variable);
-  }
-  for (Block& block : mission.blocks) {
-    for (Statement& statement : block.statements) {
-      renumber(statement.variable);
-    }
-  }
-  for (State& state : mission.states) {
-    std::ranges::for_each(state.parameters, renumber);
-    renumber(state.profile.done);
-    renumber(state.route.done);
-  }
+  return stays;
 }
 
 }  // namespace
 
 void dropDeadStates(Mission& mission) {
   const std::vector<bool> reached = reachedStates(mission);
-  std::vector<uint32_t> numbers;
-  uint32_t count = 0;
-  for (const bool stays : reached) {
-    numbers.push_back(stays ? count++ : UINT32_MAX);
-  }
-  if (count == reached.size()) {
+  if (std::ranges::find(reached, false) == reached.end()) {
     return;
   }
-  std::vector<State> states;
-  for (size_t i = 0; i < reached.size(); ++i) {
-    if (reached[i]) {
-      states.push_back(std::move(mission.states[i]));
-    }
-  }
-  mission.states = std::move(states);
+  std::vector<uint32_t> states = keep(mission.states, reached);
   // First what only the dropped states used, then the variables that nothing names any more.
   for (Variable& variable : mission.variables) {
     if (variable.owner.valid() && !reached[variable.owner.index]) {
@@ -101,16 +76,9 @@ void dropDeadStates(Mission& mission) {
     }
   }
   compact(mission);
-  dropVariables(mission, reached);
-  RenumberStates renumber{numbers};
-  References references(renumber);
-  references.ofBody(mission);
-  for (Temporal& temporal : mission.temporals) {
-    references.of(temporal);
-  }
-  for (Variable& variable : mission.variables) {
-    references.of(variable);
-  }
+  const RenumberStates renumber{std::move(states),
+                                keep(mission.variables, variablesOf(mission, reached))};
+  References(renumber).of(mission);
 }
 
 }  // namespace glider::ir::opt

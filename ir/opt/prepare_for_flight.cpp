@@ -3,11 +3,13 @@
 
 #include "ir/opt/prepare_for_flight.h"
 
+#include "ir/core/mission_writer.h"
+#include "ir/core/references.h"
 #include "ir/core/walk.h"
 #include "ir/opt/compact.h"
+#include "ir/opt/keep.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -19,7 +21,7 @@ namespace {
 /// Makes the watches of assumptions a part of what flies.
 class OnBoard {
  public:
-  explicit OnBoard(Mission& mission) : m_(mission) {}
+  explicit OnBoard(Mission& mission) : m_(mission), write_(mission) {}
 
   void run() {
     if (std::ranges::none_of(m_.assumptions, &Assumption::isWatched)) {
@@ -28,14 +30,14 @@ class OnBoard {
     if (m_.every_tick.valid()) {
       statements_ = std::move(m_.blocks[m_.every_tick.index].statements);
     }
-    telling_ = flag("assumption.telling");
-    statements_.push_back(set(telling_, Op::False));
+    telling_ = write_.flag("assumption.telling", VariableKind::Mission);
+    statements_.push_back(set(telling_, false));
     for (size_t i = 0; i < m_.assumptions.size(); ++i) {
       if (m_.assumptions[i].isWatched()) {
         watch(i);
       }
     }
-    m_.every_tick = add({std::move(statements_)});
+    m_.every_tick = write_.add(Block{std::move(statements_)});
   }
 
  private:
@@ -51,18 +53,19 @@ class OnBoard {
       std::ranges::move(m_.blocks[step.index].statements, std::back_inserter(statements_));
     }
     const std::string name = "assumption " + std::to_string(number + 1);
-    const VariableId broken = flag(name + ".broken");
-    const VariableId told = flag(name + ".told");
-    statements_.push_back(
-        when(negated(assumption.watch.condition), add({{set(broken, Op::True)}})));
+    const VariableId broken = write_.flag(name + ".broken", VariableKind::Mission);
+    const VariableId told = write_.flag(name + ".told", VariableKind::Mission);
+    const BlockId breaks = write_.add(Block{{set(broken, true)}});
+    statements_.push_back(write_.branch(write_.negation(assumption.watch.condition), breaks));
     Statement log;
     log.kind = StatementKind::Log;
     log.text = brokenAssumption(assumption);
     log.range = assumption.range;
-    const ExprId silent = push(Op::And, {negated(read(told)), negated(read(telling_))});
-    const ExprId news = push(Op::And, {read(broken), silent});
-    statements_.push_back(
-        when(news, add({{set(told, Op::True), set(telling_, Op::True), std::move(log)}})));
+    const ExprId untold = write_.negation(write_.read(told));
+    const ExprId silent = write_.both(untold, write_.negation(write_.read(telling_)));
+    const ExprId news = write_.both(write_.read(broken), silent);
+    const Block note{{set(told, true), set(telling_, true), std::move(log)}};
+    statements_.push_back(write_.branch(news, write_.add(note)));
   }
 
   std::set<uint32_t> variablesOf(const Requirement& watched) {
@@ -93,146 +96,39 @@ class OnBoard {
     }
     m_.variables[id.index].kind = VariableKind::Mission;
     if (kind == VariableKind::Momentary) {
-      m_.variables[id.index].initial = push(Op::False, {});
-      statements_.push_back(set(id, Op::False));
+      m_.variables[id.index].initial = write_.truth(false);
+      statements_.push_back(set(id, false));
     }
   }
 
-  // --- parts ---
-
-  VariableId flag(std::string name) {
-    Variable variable;
-    variable.name = std::move(name);
-    variable.type = kBool;
-    variable.initial = push(Op::False, {});
-    m_.variables.push_back(std::move(variable));
-    return {static_cast<uint32_t>(m_.variables.size() - 1)};
+  Statement set(VariableId variable, bool value) {
+    return write_.assignment(variable, write_.truth(value));
   }
 
-  ExprId read(VariableId variable) {
-    const ExprId id = push(Op::Variable, {});
-    m_.exprs[id.index].variable = variable;
-    return id;
-  }
-
-  ExprId negated(ExprId truth) { return push(Op::Not, {truth}); }
-
-  ExprId push(Op op, std::initializer_list<ExprId> operands) {
-    Expr expr;
-    expr.op = op;
-    expr.type = kBool;
-    std::ranges::copy(operands, expr.operands.begin());
-    m_.exprs.push_back(expr);
-    return {static_cast<uint32_t>(m_.exprs.size() - 1)};
-  }
-
-  Statement set(VariableId variable, Op truth) {
-    Statement statement;
-    statement.variable = variable;
-    statement.value = push(truth, {});
-    return statement;
-  }
-
-  static Statement when(ExprId condition, BlockId then) {
-    Statement statement;
-    statement.kind = StatementKind::If;
-    statement.value = condition;
-    statement.then = then;
-    return statement;
-  }
-
-  BlockId add(Block block) {
-    m_.blocks.push_back(std::move(block));
-    return {static_cast<uint32_t>(m_.blocks.size() - 1)};
-  }
-
-  static constexpr Type kBool{TypeKind::Bool, {}};
   Mission& m_;
+  MissionWriter write_;
   std::vector<Statement> statements_;
   VariableId telling_;  ///< whether this tick has left a note about one
 };
 
-std::vector<bool> usedSensors(const Mission& mission) {
-  std::vector<bool> used(mission.sensors.size());
-  auto use = [&](SensorId id) {
-    if (id.valid()) {
-      used[id.index] = true;
-    }
-  };
-  for (const Expr& expr : mission.exprs) {
-    use(expr.sensor);
-  }
-  for (const Behaviour& behaviour : mission.behaviours) {
-    for (const SensorId id : behaviour.reads) {
-      use(id);
-    }
-  }
-  if (mission.compass) {
-    use(mission.compass->variation);
-  }
-  return used;
-}
-
-void renumberTable(GuardTable& table, const std::vector<uint32_t>& numbers) {
-  for (GuardColumn& column : table.columns) {
-    if (column.sensor.valid()) {
-      column.sensor.index = numbers[column.sensor.index];
-    }
-  }
-}
-
-/// `numbers` are the new ones.
-void renumberSensors(Mission& mission, const std::vector<uint32_t>& numbers) {
-  for (Expr& expr : mission.exprs) {
-    if (expr.sensor.valid()) {
-      expr.sensor.index = numbers[expr.sensor.index];
-    }
-  }
-  for (Behaviour& behaviour : mission.behaviours) {
-    for (SensorId& id : behaviour.reads) {
-      id.index = numbers[id.index];
-    }
-  }
-  if (mission.compass && mission.compass->variation.valid()) {
-    SensorId& variation = mission.compass->variation;
-    variation.index = numbers[variation.index];
-  }
-  renumberTable(mission.always_table, numbers);
-  for (State& state : mission.states) {
-    renumberTable(state.table, numbers);
-  }
-}
-
 void dropUnusedSensors(Mission& mission) {
-  const std::vector<bool> used = usedSensors(mission);
-  std::vector<uint32_t> numbers(used.size());
-  std::vector<Sensor> kept;
-  for (size_t i = 0; i < used.size(); ++i) {
-    numbers[i] = static_cast<uint32_t>(kept.size());
-    if (used[i]) {
-      kept.push_back(std::move(mission.sensors[i]));
-    }
-  }
-  mission.sensors = std::move(kept);
-  renumberSensors(mission, numbers);
+  std::vector<bool> used(mission.sensors.size());
+  const auto use = [&](const SensorId& id) { used[id.index] = true; };
+  References(use).of(mission);
+  const std::vector<uint32_t> numbers = opt::keep(mission.sensors, used);
+  const auto renumber = [&](SensorId& id) { id.index = numbers[id.index]; };
+  References(renumber).of(mission);
 }
 
 /// What still names one of them is dropped afterwards.
 void dropMonitorVariables(Mission& mission) {
-  std::vector<VariableId> numbers(mission.variables.size());
-  std::vector<Variable> kept;
-  for (size_t i = 0; i < numbers.size(); ++i) {
-    if (!isOfMonitor(mission.variables[i].kind)) {
-      numbers[i] = {static_cast<uint32_t>(kept.size())};
-      kept.push_back(std::move(mission.variables[i]));
-    }
+  std::vector<bool> flies;
+  for (const Variable& variable : mission.variables) {
+    flies.push_back(!isOfMonitor(variable.kind));
   }
-  mission.variables = std::move(kept);
-  const auto renumber = [&](VariableId& id) { id = id.valid() ? numbers[id.index] : id; };
-  std::ranges::for_each(mission.exprs, renumber, &Expr::variable);
-  for (Block& block : mission.blocks) {
-    std::ranges::for_each(block.statements, renumber, &Statement::variable);
-  }
+  const std::vector<uint32_t> numbers = opt::keep(mission.variables, flies);
+  const auto renumber = [&](VariableId& id) { id.index = numbers[id.index]; };
+  References(renumber).of(mission);
 }
 
 }  // namespace

@@ -78,8 +78,7 @@ std::string premisesOf(const RequirementVerdict& verdict, const Mission& mission
 
 Findings prove(const Worlds& worlds, const MissionFacts& facts, const Options& options,
                support::DiagnosticEngine& diagnostics) {
-  const auto& [mission, widest] = worlds.widest;
-  const ProofContext proof_context(mission, widest);
+  const ProofContext proof_context(worlds.widest);
   z3::context context;
   Proof proof{context, worlds, proof_context, facts, options, diagnostics};
 #define PASS(name, purpose) passes::name(proof);
@@ -92,7 +91,7 @@ Findings prove(const Worlds& worlds, const MissionFacts& facts, const Options& o
 
 std::map<CasePlace, bool> casesThatNeverFire(const Worlds& worlds, const MissionFacts& facts,
                                              const Options& options) {
-  const ProofContext proof_context(worlds.written.mission, worlds.written.platform);
+  const ProofContext proof_context(worlds.written);
   z3::context context;
   support::DiagnosticEngine unheard;
   Proof proof{context, worlds, proof_context, facts, options, unheard};

@@ -3,6 +3,7 @@
 
 #include "ir/text/code_reader.h"
 
+#include "ir/core/mission_writer.h"
 #include "ir/core/ops.h"
 #include "support/diagnostics/ids/ir_text.h"
 
@@ -165,8 +166,7 @@ BlockId CodeReader::statements(uint32_t depth) {
     s.range = in_.since(begin);
     block.statements.push_back(std::move(s));
   }
-  m_.blocks.push_back(std::move(block));
-  return {static_cast<uint32_t>(m_.blocks.size() - 1)};
+  return MissionWriter(m_).add(std::move(block));
 }
 
 bool CodeReader::statement(Statement& s, uint32_t depth) {

@@ -3,6 +3,7 @@
 
 #include "ir/text/expression_reader.h"
 
+#include "ir/core/mission_writer.h"
 #include "ir/core/ops.h"
 #include "ir/text/print.h"
 #include "support/diagnostics/ids/ir_text.h"
@@ -48,8 +49,7 @@ ExprId ExpressionReader::add(Expr e, SourceRange begin) {
     return {};
   }
   e.type = *type;
-  m_.exprs.push_back(e);
-  return {static_cast<uint32_t>(m_.exprs.size() - 1)};
+  return MissionWriter(m_).add(e);
 }
 
 ExprId ExpressionReader::nested(uint32_t depth) {

@@ -3,6 +3,7 @@
 
 #include "ir/text/read.h"
 
+#include "ir/core/mission_writer.h"
 #include "ir/core/validate.h"
 #include "ir/text/code_reader.h"
 #include "ir/text/cursor.h"
@@ -335,7 +336,7 @@ class Reader {
       in_.expect("highest");
       v.highest = in_.number(true);
     }
-    m_.variables.push_back(std::move(v));
+    MissionWriter(m_).add(std::move(v));
   }
 
   Parameter parameter() {

@@ -3,11 +3,11 @@
 
 #include "ir/worlds/under_assumptions.h"
 
+#include "ir/core/mission_writer.h"
 #include "platforms/load/surface_reading.h"
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <string>
 #include <utility>
@@ -18,12 +18,10 @@ namespace {
 /// By how much dead reckoning may be wrong, m/s: `drift_m_s` of the platform is a current and this.
 constexpr double kReckoningError = 0.1;
 
-const Type kTruth{TypeKind::Bool, {}};
-
 /// Lets requirements rest on the assumptions that are watched.
 class Watches {
  public:
-  explicit Watches(Mission& mission) : m_(mission) {}
+  explicit Watches(Mission& mission) : m_(mission), write_(mission) {}
 
   void run() {
     for (const Assumption& assumption : m_.assumptions) {
@@ -34,7 +32,7 @@ class Watches {
     if (watched_.empty()) {
       return;
     }
-    broken_ = flag("assumption broken");
+    broken_ = write_.flag("assumption broken", VariableKind::Monitor);
     for (Requirement& requirement : m_.requirements) {
       if (restsOnWatches(requirement)) {
         weaken(requirement);
@@ -53,74 +51,30 @@ class Watches {
       if (watch.monitor.step.valid()) {
         append(step, copy(watch.monitor.step));
       }
-      Statement set;
-      set.variable = broken_;
-      set.value = push(Op::True, kTruth, {});
-      const ExprId broken = push(Op::Not, kTruth, {watch.condition});
-      step.statements.push_back(when(broken, add({{set}})));
+      const Statement set = write_.assignment(broken_, write_.truth(true));
+      const ExprId broken = write_.negation(watch.condition);
+      step.statements.push_back(write_.branch(broken, write_.add(Block{{set}})));
       requirement.monitor.every_tick |= watch.monitor.every_tick;
       requirement.monitor.horizon_s =
           std::max(requirement.monitor.horizon_s, watch.monitor.horizon_s);
     }
     if (requirement.monitor.step.valid()) {
-      step.statements.push_back(when(push(Op::True, kTruth, {}), requirement.monitor.step));
+      step.statements.push_back(write_.branch(write_.truth(true), requirement.monitor.step));
     }
-    requirement.monitor.step = add(std::move(step));
-    const ExprId kept = push(Op::Not, kTruth, {read(broken_)});
+    requirement.monitor.step = write_.add(std::move(step));
+    const ExprId kept = write_.negation(write_.read(broken_));
     for (Violation& violation : requirement.monitor.violations) {
-      violation.condition = push(Op::And, kTruth, {kept, violation.condition});
+      violation.condition = write_.both(kept, violation.condition);
     }
-    requirement.condition = push(Op::Or, kTruth, {read(broken_), requirement.condition});
+    requirement.condition = write_.either(write_.read(broken_), requirement.condition);
   }
 
   void endedBy(Requirement& requirement) {
-    const Type time{TypeKind::Quantity, support::dimension::time};
-    const ExprId now = push(Op::MissionTime, time, {});
-    const ExprId limit = push(Op::Constant, time, {});
-    m_.exprs[limit.index].number = requirement.seconds;
+    const ExprId now = write_.now();
+    const ExprId limit = write_.number(requirement.seconds, quantity(support::dimension::time));
     requirement.kind = RequirementKind::Always;
-    requirement.condition = push(Op::LessEqual, kTruth, {now, limit});
+    requirement.condition = write_.operation(Op::LessEqual, boolean(), {now, limit});
     requirement.monitor.horizon_s = requirement.seconds;
-  }
-
-  // --- parts ---
-
-  VariableId flag(const std::string& name) {
-    Variable variable;
-    variable.name = name;
-    variable.type = kTruth;
-    variable.kind = VariableKind::Monitor;
-    variable.initial = push(Op::False, kTruth, {});
-    m_.variables.push_back(std::move(variable));
-    return {static_cast<uint32_t>(m_.variables.size() - 1)};
-  }
-
-  ExprId read(VariableId variable) {
-    const ExprId id = push(Op::Variable, m_[variable].type, {});
-    m_.exprs[id.index].variable = variable;
-    return id;
-  }
-
-  ExprId push(Op op, const Type& type, std::initializer_list<ExprId> operands) {
-    Expr expr;
-    expr.op = op;
-    expr.type = type;
-    std::ranges::copy(operands, expr.operands.begin());
-    m_.exprs.push_back(expr);
-    return {static_cast<uint32_t>(m_.exprs.size() - 1)};
-  }
-
-  static Statement when(ExprId condition, BlockId then) {
-    Statement statement;
-    statement.kind = StatementKind::If;
-    statement.value = condition;
-    statement.then = then;
-    return statement;
-  }
-
-  BlockId add(Block block) {
-    m_.blocks.push_back(std::move(block));
-    return {static_cast<uint32_t>(m_.blocks.size() - 1)};
   }
 
   /// A block belongs to one place.
@@ -129,10 +83,10 @@ class Watches {
     Block block = m_[id];
     for (Statement& statement : block.statements) {
       if (statement.then.valid()) {
-        statement.then = add(copy(statement.then));
+        statement.then = write_.add(copy(statement.then));
       }
       if (statement.otherwise.valid()) {
-        statement.otherwise = add(copy(statement.otherwise));
+        statement.otherwise = write_.add(copy(statement.otherwise));
       }
     }
     return block;
@@ -143,6 +97,7 @@ class Watches {
   }
 
   Mission& m_;
+  MissionWriter write_;
   std::vector<Requirement> watched_;
   VariableId broken_;
 };

@@ -4,6 +4,7 @@
 #include "tests/random_missions/random_mission.h"
 
 #include "ir/core/ops.h"
+#include "ir/core/types.h"
 #include "ir/eval/interpreter.h"
 #include "ir/verify/verify.h"
 #include "tests/random_missions/external_functions.h"
@@ -20,6 +21,7 @@
 namespace glider::random_missions {
 namespace {
 
+using ir::quantity;
 using ir::Transition;
 using ir::Type;
 using ir::TypeKind;
@@ -29,11 +31,8 @@ constexpr uint32_t kMostStates = 12;
 constexpr double kHuge = std::numeric_limits<double>::max();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-constexpr Type quantity(support::Dimension of) {
-  return {TypeKind::Quantity, of};
-}
-constexpr Type kLatitude{TypeKind::Latitude, {}};
-constexpr Type kLongitude{TypeKind::Longitude, {}};
+constexpr Type kLatitude = ir::latitude();
+constexpr Type kLongitude = ir::longitude();
 
 /// Every kind of sensor that the rules of a reading tell apart.
 struct SensorKind {

@@ -3,7 +3,7 @@
 
 #include "tests/random_proofs/areas.h"
 
-#include "frontend/sema/names/types.h"
+#include "ir/core/mission_writer.h"
 #include "ir/prove/geometry/steering.h"
 
 #include <algorithm>
@@ -79,11 +79,10 @@ bool writeArea(ir::Mission& mission, ir::Requirement& requirement, const Track& 
   if (west < -180 || east > 180 || south < -90 || top > 90) {
     return false;
   }
-  frontend::MonitorBuilder write(mission, "area", {});
+  ir::MissionWriter write(mission);
   const auto is = [&](Op op, ir::SensorId sensor, double limit) {
     const ExprId reading = conditions.reading(sensor);
-    return write.operation(op, frontend::boolean(),
-                           {reading, write.number(limit, mission[sensor].type)});
+    return write.operation(op, ir::boolean(), {reading, write.number(limit, mission[sensor].type)});
   };
   const ExprId below = write.both(is(Op::GreaterEqual, *lat, south), is(Op::LessEqual, *lat, top));
   const ExprId beside = write.both(is(Op::GreaterEqual, *lon, west), is(Op::LessEqual, *lon, east));

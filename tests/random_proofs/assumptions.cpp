@@ -3,8 +3,6 @@
 
 #include "tests/random_proofs/assumptions.h"
 
-#include "frontend/sema/names/types.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -82,7 +80,7 @@ class Assumptions {
     if (hasOne(a.kind)) {
       return false;
     }
-    frontend::MonitorBuilder monitor = builder(a);
+    ir::MonitorWriter monitor = builder(a);
     monitor.everyTick();
     const ir::VariableId last = monitor.clock("last");
     monitor.violation(monitor.passed(last, std::max(a.limit, kGap)), "no tick");
@@ -106,10 +104,10 @@ class Assumptions {
     a.lowest = std::min(one, other);
     a.highest = std::max(one, other);
     a.words = fmt::format("{} in {} .. {}", row.name, a.lowest, a.highest);
-    frontend::MonitorBuilder write = builder(a);
+    ir::MonitorWriter write = builder(a);
     const ExprId reading = conditions_.reading(*sensor);
     const auto is = [&](Op op, double limit) {
-      return write.operation(op, frontend::boolean(), {reading, write.number(limit, row.type)});
+      return write.operation(op, ir::boolean(), {reading, write.number(limit, row.type)});
     };
     const ExprId below = is(Op::Less, a.lowest);
     a.watch.condition = write.negation(write.either(below, is(Op::Greater, a.highest)));
@@ -123,12 +121,12 @@ class Assumptions {
     }
     const double every = conditions_.time();
     a.words = fmt::format("known {} every {} s", m_[*sensor].name, every);
-    frontend::MonitorBuilder monitor = builder(a);
+    ir::MonitorWriter monitor = builder(a);
     const ExprId reading = conditions_.reading(*sensor);
     monitor.everyTick();
     monitor.longest(every);
     const ir::VariableId last = monitor.clock("last");
-    const ExprId known = monitor.operation(Op::Known, frontend::boolean(), {reading});
+    const ExprId known = monitor.operation(Op::Known, ir::boolean(), {reading});
     monitor.when(known, [&] { monitor.set(last, monitor.now()); });
     monitor.violation(monitor.passed(last, every), "it was unknown");
     monitor.finish(a.watch);
@@ -145,7 +143,7 @@ class Assumptions {
     return std::nullopt;
   }
 
-  [[nodiscard]] frontend::MonitorBuilder builder(const Assumption& a) const {
+  [[nodiscard]] ir::MonitorWriter builder(const Assumption& a) const {
     return {m_, fmt::format("assumption {}", m_.assumptions.size() + 1), a.range};
   }
 

@@ -3,8 +3,6 @@
 
 #include "tests/random_proofs/conditions.h"
 
-#include "frontend/sema/names/types.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +13,7 @@ using ir::Op;
 
 namespace {
 
-const ir::Type kTime = frontend::quantity(support::dimension::time);
+const ir::Type kTime = ir::quantity(support::dimension::time);
 
 }  // namespace
 
@@ -48,7 +46,7 @@ double Conditions::time() {
 }
 
 ExprId Conditions::compare(Op op, ExprId a, double b) {
-  return write_.operation(op, frontend::boolean(), {a, write_.number(b, m_[a].type)});
+  return write_.operation(op, ir::boolean(), {a, write_.number(b, m_[a].type)});
 }
 
 ExprId Conditions::clock(Op op) {
@@ -74,12 +72,7 @@ ExprId Conditions::ofClock() {
 }
 
 ExprId Conditions::reading(ir::SensorId sensor) {
-  ir::Expr e;
-  e.op = Op::Sensor;
-  e.type = m_[sensor].type;
-  e.sensor = sensor;
-  m_.exprs.push_back(e);
-  return {static_cast<uint32_t>(m_.exprs.size() - 1)};
+  return write_.read(sensor);
 }
 
 std::optional<ir::SensorId> Conditions::measured(std::optional<ir::SensorId> not_this) {
@@ -101,7 +94,7 @@ ExprId Conditions::ofSensor() {
   }
   const ExprId value = reading(*sensor);
   if (random_.chance(0.3)) {
-    return write_.operation(Op::Known, frontend::boolean(), {value});
+    return write_.operation(Op::Known, ir::boolean(), {value});
   }
   const double low = std::clamp(m_[*sensor].lowest * m_[*sensor].to_si, -1e6, 1e6);
   const double high = std::clamp(m_[*sensor].highest * m_[*sensor].to_si, -1e6, 1e6);
@@ -133,7 +126,7 @@ ExprId Conditions::ofVariable(bool parameter) {
     return ofSensor();
   }
   const uint32_t chosen = random_.pick(found);
-  const ExprId value = write_.read({chosen});
+  const ExprId value = write_.read(ir::VariableId{chosen});
   const ir::Variable& v = m_.variables[chosen];
   if (v.type.kind == ir::TypeKind::Bool) {
     return random_.chance(0.5) ? value : write_.negation(value);

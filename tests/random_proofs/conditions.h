@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "frontend/sema/promises/monitor_builder.h"
 #include "ir/core/mission.h"
+#include "ir/core/monitor_writer.h"
 #include "tests/random_missions/random.h"
 #include "tests/random_proofs/scouting.h"
 
@@ -58,7 +58,7 @@ class Conditions {
   ir::Mission& m_;
   const Bounds& bounds_;
   random_missions::Random& random_;
-  frontend::MonitorBuilder write_;
+  ir::MonitorWriter write_;
   std::vector<double> named_;  ///< times that the mission names, s
 };
 

@@ -24,8 +24,8 @@ class Patterns {
       : m_(mission), conditions_(conditions), random_(random) {}
 
   void write(uint32_t chosen, ir::Requirement& requirement) {
-    frontend::MonitorBuilder monitor(m_, fmt::format("require {}", m_.requirements.size() + 1),
-                                     requirement.range);
+    ir::MonitorWriter monitor(m_, fmt::format("require {}", m_.requirements.size() + 1),
+                              requirement.range);
     std::optional<frontend::PlacedScope> scope;
     if (random_.chance(0.4)) {
       scope = frontend::PlacedScope{static_cast<ast::ScopeKind>(random_.below(5)), place(), {}};

@@ -3,8 +3,7 @@
 
 #include "tests/random_proofs/varied.h"
 
-#include "frontend/sema/names/types.h"
-#include "frontend/sema/promises/monitor_builder.h"
+#include "ir/core/mission_writer.h"
 #include "ir/prove/abstract/state_depths.h"
 #include "tests/random_missions/random.h"
 
@@ -24,21 +23,16 @@ ir::Mission withDepths(ir::Mission mission, const platforms::Platform& platform,
     return mission;
   }
   const std::vector<double> deepest = ir::prove::deepestByState(context);
-  frontend::MonitorBuilder write(mission, "depth", {});
+  ir::MissionWriter write(mission);
   for (uint32_t i = 0; i < mission.states.size(); ++i) {
     if (!std::isfinite(deepest[i])) {
       continue;
     }
-    ir::Expr reading;
-    reading.op = ir::Op::Sensor;
-    reading.type = mission[*context.depth].type;
-    reading.sensor = *context.depth;
-    mission.exprs.push_back(reading);
-    const ir::ExprId depth = {static_cast<uint32_t>(mission.exprs.size() - 1)};
+    const ir::ExprId depth = write.read(*context.depth);
     const double near = deepest[i] + random.uniform(-3, 3);
     ir::Case added;
-    added.guard = write.operation(ir::Op::GreaterEqual, frontend::boolean(),
-                                  {depth, write.number(near, reading.type)});
+    added.guard = write.operation(ir::Op::GreaterEqual, ir::boolean(),
+                                  {depth, write.number(near, mission[depth].type)});
     added.transition = random.chance(0.5) ? ir::Transition::Exit : ir::Transition::Stay;
     mission.states[i].cases.push_back(added);
   }

@@ -19,31 +19,28 @@ class ToyMission final : public OwnMission {
  public:
   explicit ToyMission(double deepest_m) : deepest_m_(deepest_m) {}
 
-  void checkLimits(const compiler::Checked& mission,
+  void checkLimits(const ir::WrittenWorld& world,
                    support::DiagnosticEngine& diagnostics) const override {
-    const auto depths = ir::prove::deepestByState({mission.mission(), mission.platform()});
+    const auto depths = ir::prove::deepestByState(ir::prove::ProofContext(world));
     if (const double deepest = std::ranges::max(depths); deepest > deepest_m_) {
-      diagnostics.report(support::diagnostics::vehicleRefuses,
-                         mission.mission().states.front().range, "this mission",
-                         fmt::format("a depth of {:.4g} m", deepest),
+      diagnostics.report(support::diagnostics::vehicleRefuses, world.mission.states.front().range,
+                         "this mission", fmt::format("a depth of {:.4g} m", deepest),
                          fmt::format("more than {:.4g} m", deepest_m_), "the toy's file");
     }
   }
-  void checkDisturbances(const compiler::Checked& /*mission*/,
-                         const platforms::Platform& /*platform*/,
+  void checkDisturbances(const ir::Worlds& /*worlds*/,
                          support::DiagnosticEngine& /*diagnostics*/) const override {}
-  std::vector<std::string> checkEndings(const compiler::Checked& /*mission*/,
-                                        const platforms::Platform& /*platform*/,
+  std::vector<std::string> checkEndings(const ir::WidestWorld& /*world*/,
                                         support::DiagnosticEngine& /*diagnostics*/) const override {
     return {"after control a toy comes up"};
   }
   [[nodiscard]] std::string premiseOf(
-      const compiler::Checked& /*mission*/,
+      const ir::WidestWorld& /*world*/,
       const support::DiagnosticEngine& /*diagnostics*/) const override {
     return "with a toy";
   }
   [[nodiscard]] std::optional<std::string> endlessLine(
-      const compiler::Checked& /*mission*/) const override {
+      const ir::WrittenWorld& /*world*/) const override {
     return std::nullopt;
   }
   [[nodiscard]] WayHome wayHomeFrom(double depth_m,
@@ -51,7 +48,7 @@ class ToyMission final : public OwnMission {
     return {0, depth_m, depth_m / platform.world.slowest_climb_m_s, "a toy"};
   }
   [[nodiscard]] std::vector<std::string> wayHomeLines(
-      const ir::Mission& /*mission*/, const platforms::Platform& /*platform*/) const override {
+      const ir::WidestWorld& /*world*/) const override {
     return {"if the SBC stops responding, a toy comes up within 24 s"};
   }
   [[nodiscard]] std::vector<std::string> refusedLines(

@@ -209,7 +209,7 @@ TEST(Whole, AfterEachLossOfControlTheVehicleIsAtTheSurfaceInTheStatedTime) {
         const slocum::MissionFile vehicle = prepared(file, row.way, at_s);
         // An early abort by overtime is what is flown, not what is proved about the layers.
         const auto whole =
-            slocum::rules::wholeOf(mission.flown->mission, slocum(),
+            slocum::rules::wholeOf({mission.flown->mission, slocum()},
                                    row.way == Way::Overtime ? vehicleOf(shipped(file)) : vehicle);
         const double within_s = stated(whole, row.after);
         const LossWatch watch = fly({mission, vehicle, row.way, at_s, within_s, seed});
@@ -271,14 +271,14 @@ std::vector<Twin> twins() {
 TEST(Whole, TwinsWithAFaultAreRefusedAndStayUnderWater) {
   const FlyingMission mission = yoUntil(20000);
   const double within_s = stated(
-      slocum::rules::wholeOf(mission.flown->mission, slocum(), vehicleOf(shipped("skeleton"))),
+      slocum::rules::wholeOf({mission.flown->mission, slocum()}, vehicleOf(shipped("skeleton"))),
       "silence");
   constexpr double kInADive_s = 700;  // near its top the vehicle comes up by itself
   for (const auto& [fault, text, stays] : twins()) {
     slocum::MissionFile vehicle = vehicleOf(text);
     // Without the surfacing after 8 hours, which does bring a yo below it up.
     vehicle = with(vehicle, 2, "start_when", 5);
-    EXPECT_FALSE(slocum::rules::wholeOf(mission.flown->mission, slocum(), vehicle).proved())
+    EXPECT_FALSE(slocum::rules::wholeOf({mission.flown->mission, slocum()}, vehicle).proved())
         << fault;
     const LossWatch watch = fly({mission, vehicle, Way::Killed, kInADive_s, within_s, 1});
     EXPECT_TRUE(watch.lost()) << fault;

@@ -8,7 +8,7 @@ namespace glider::analysis::check {
 /// Reports what in the vehicle's own mission keeps the SBC from flying this one.
 support::Result<void> disturbances(Run& run) {
   if (run.file.own_mission) {
-    run.file.own_mission->checkDisturbances(run.checked(), run.platform(), run.diagnostics());
+    run.file.own_mission->checkDisturbances(run.worlds(), run.diagnostics());
   }
   return {};
 }

@@ -15,13 +15,14 @@ support::Result<void> endings(Run& run) {
     return {};
   }
   std::vector<std::string> lines =
-      run.file.own_mission->checkEndings(run.checked(), run.platform(), run.diagnostics());
+      run.file.own_mission->checkEndings(run.worlds().widest, run.diagnostics());
   if (run.options.report) {
     for (std::string& line : lines) {
       run.remark(std::move(line));
     }
   }
-  run.file.vehicle_premise = run.file.own_mission->premiseOf(run.checked(), run.diagnostics());
+  run.file.vehicle_premise =
+      run.file.own_mission->premiseOf(run.worlds().widest, run.diagnostics());
   return {};
 }
 

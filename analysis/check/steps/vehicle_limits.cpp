@@ -7,7 +7,7 @@ namespace glider::analysis::check {
 
 support::Result<void> vehicleLimits(Run& run) {
   if (run.file.own_mission) {
-    run.file.own_mission->checkLimits(run.checked(), run.diagnostics());
+    run.file.own_mission->checkLimits(run.worlds().written, run.diagnostics());
   }
   return {};
 }

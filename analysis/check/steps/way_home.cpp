@@ -23,10 +23,10 @@ support::Result<void> wayHome(Run& run) {
                Subject::WayHome);
     return {};
   }
-  if (auto line = own->endlessLine(run.checked())) {
+  if (auto line = own->endlessLine(run.worlds().written)) {
     run.remark(std::move(*line), Subject::End);
   }
-  for (std::string& line : own->wayHomeLines(run.mission(), run.platform())) {
+  for (std::string& line : own->wayHomeLines(run.worlds().widest)) {
     run.remark(std::move(line), Subject::WayHome);
   }
   for (std::string& line : own->refusedLines(run.mission())) {

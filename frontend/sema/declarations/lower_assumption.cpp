@@ -5,7 +5,7 @@
 
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/promises/lower_promise.h"
-#include "frontend/sema/promises/monitor_builder.h"
+#include "ir/core/monitor_writer.h"
 #include "ir/core/walk.h"
 #include "support/diagnostics/ids/meaning.h"
 
@@ -81,7 +81,7 @@ class AssumptionLowering {
                                   "assume outage <= 5 min")) {
       return false;
     }
-    MonitorBuilder monitor = builder();
+    ir::MonitorWriter monitor = builder();
     monitor.everyTick();
     const ir::VariableId last = monitor.clock("last");
     const double gap = std::max(result_.limit, scope_.platform().world.tick_gap_s);
@@ -112,7 +112,7 @@ class AssumptionLowering {
     if (!reading || !every) {
       return false;
     }
-    MonitorBuilder monitor = builder();
+    ir::MonitorWriter monitor = builder();
     monitor.everyTick();
     monitor.longest(every->seconds);
     const ir::VariableId last = monitor.clock("last");
@@ -145,7 +145,7 @@ class AssumptionLowering {
                  "assume temp changes <= 0.2 degC/s")) {
       return false;
     }
-    MonitorBuilder monitor = builder();
+    ir::MonitorWriter monitor = builder();
     monitor.everyTick();
     const ir::VariableId seen = monitor.flag("seen");
     const ir::VariableId before = monitor.value("before", type);
@@ -208,7 +208,7 @@ class AssumptionLowering {
       result_.lowest = *lowest;
       result_.highest = *highest;
     }
-    MonitorBuilder bounds = builder();
+    ir::MonitorWriter bounds = builder();
     const ExprId below =
         bounds.operation(Op::Less, boolean(), {*reading, bounds.number(*lowest, sensor.type)});
     const ExprId above =
@@ -227,7 +227,7 @@ class AssumptionLowering {
       if (!inside) {
         return false;
       }
-      MonitorBuilder build = builder();
+      ir::MonitorWriter build = builder();
       condition = build.either(build.negation(*inside), *condition);
     }
     result_.watch.condition = *condition;
@@ -236,7 +236,7 @@ class AssumptionLowering {
 
   // --- parts ---
 
-  [[nodiscard]] MonitorBuilder builder() const {
+  [[nodiscard]] ir::MonitorWriter builder() const {
     return {scope_.mission, fmt::format("assumption {}", scope_.mission.assumptions.size() + 1),
             node_.where};
   }

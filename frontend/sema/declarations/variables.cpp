@@ -6,6 +6,7 @@
 #include "frontend/sema/declarations/declared_value.h"
 #include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/expressions/lower_expr.h"
+#include "ir/core/mission_writer.h"
 #include "support/check.h"
 #include "support/diagnostics/ids/meaning.h"
 
@@ -27,8 +28,7 @@ bool typed(Named& named, const ast::TypeName& name, Scope& scope) {
 
 ir::VariableId push(ir::Variable variable, Scope& scope) {
   variable.name = scope.freshName(std::move(variable.name));
-  scope.mission.variables.push_back(std::move(variable));
-  return {static_cast<uint32_t>(scope.mission.variables.size() - 1)};
+  return ir::MissionWriter(scope.mission).add(std::move(variable));
 }
 
 /// The IR variables of `named`, like `model` except for what belongs to the halves of a position.
@@ -88,16 +88,8 @@ bool knownOnEntry(ir::ExprId id, Scope& scope) {
 
 ir::ExprId constantExpr(double value, const ir::Type& type, const support::SourceRange& range,
                         Scope& scope) {
-  ir::Expr expr;
-  expr.type = type;
-  expr.range = range;
-  if (type == boolean()) {
-    expr.op = value != 0 ? ir::Op::True : ir::Op::False;
-  } else {
-    expr.number = value;
-  }
-  scope.mission.exprs.push_back(expr);
-  return {static_cast<uint32_t>(scope.mission.exprs.size() - 1)};
+  ir::MissionWriter write(scope.mission, range);
+  return type == boolean() ? write.truth(value != 0) : write.number(value, type);
 }
 
 /// Lowers into `named`; false, and reported, if something is wrong.

@@ -3,13 +3,10 @@
 
 #include "frontend/sema/expressions/lower_expr.h"
 
-#include "ir/core/ops.h"
-#include "support/check.h"
 #include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace glider::frontend {
@@ -52,41 +49,25 @@ std::optional<ir::ExprId> ExprLowering::lowerCondition(const ast::Expr& expr) {
   return value->id;
 }
 
-ir::ExprId ExprLowering::push(ir::Expr expr) {
-  scope_.mission.exprs.push_back(expr);
-  return {static_cast<uint32_t>(scope_.mission.exprs.size() - 1)};
+Value ExprLowering::watch(const ir::Temporal& temporal) {
+  scope_.mission.temporals.push_back(temporal);
+  const ir::TemporalId id{static_cast<uint32_t>(scope_.mission.temporals.size() - 1)};
+  return valueOf(ir::MissionWriter(scope_.mission, temporal.range).read(id));
 }
 
 Value ExprLowering::emit(ir::Op op, const ir::Type& type, const support::SourceRange& range,
                          std::initializer_list<ir::ExprId> operands) {
-  ir::Expr expr;
-  expr.op = op;
-  expr.type = type;
-  expr.range = range;
-  std::ranges::copy(operands, expr.operands.begin());
-  return {push(expr), type, {}};
+  return {ir::MissionWriter(scope_.mission, range).operation(op, type, operands), type, {}};
 }
 
 Value ExprLowering::emitOf(ir::Op op, const support::SourceRange& range,
                            std::span<const ir::ExprId> operands) {
-  ir::Expr expr;
-  expr.op = op;
-  expr.range = range;
-  std::ranges::copy(operands, expr.operands.begin());
-  const auto type = ir::resultType(scope_.mission, expr);
-  CHECK(type, "operands that an operation does not take");
-  expr.type = *type;
-  return {push(expr), *type, {}};
+  return valueOf(ir::MissionWriter(scope_.mission, range).operation(op, operands));
 }
 
 Value ExprLowering::emitNumber(double value, const ir::Type& type,
                                const support::SourceRange& range) {
-  ir::Expr expr;
-  expr.op = ir::Op::Constant;
-  expr.type = type;
-  expr.number = value;
-  expr.range = range;
-  return {push(expr), type, {}};
+  return {ir::MissionWriter(scope_.mission, range).number(value, type), type, {}};
 }
 
 ExprLowering::Result ExprLowering::visit(const ast::Truth& node, const ast::Expr& expr,

@@ -7,6 +7,7 @@
 #include "frontend/sema/expressions/lanes.h"
 #include "frontend/sema/names/scope.h"
 #include "frontend/sema/names/values.h"
+#include "ir/core/mission_writer.h"
 
 #include <optional>
 #include <set>
@@ -179,12 +180,17 @@ class ExprLowering {
   Result unknown(const ast::NameUse& node, const support::SourceRange& range);
   Result constant(const Constant& constant, const support::SourceRange& range);
   Result clock(Clock clock, const support::SourceRange& range);
+
+  // IR.
+  /// The number or truth value that this expression gives.
+  [[nodiscard]] Value valueOf(ir::ExprId id) const { return {id, scope_.mission[id].type, {}}; }
+  /// Adds a temporal; its value.
+  Value watch(const ir::Temporal& temporal);
   Value emit(ir::Op op, const ir::Type& type, const support::SourceRange& range,
              std::initializer_list<ir::ExprId> operands);
   /// Has the type from the operation's row; the operands must fit.
   Value emitOf(ir::Op op, const support::SourceRange& range, std::span<const ir::ExprId> operands);
   Value emitNumber(double value, const ir::Type& type, const support::SourceRange& range);
-  ir::ExprId push(ir::Expr expr);
 
   // Values that must be known when the mission is compiled (lower_constant.cpp).
   // The value of `expr`, a `type` above 0, for `what`; 1 in a behaviour that is checked on its own.

@@ -112,12 +112,9 @@ ExprLowering::Result ExprLowering::inC(const ast::Invocation& node, const ast::E
   if (!arguments) {
     return std::nullopt;
   }
-  const Value value = emit(ir::Op::Call, function.result, expr.where, {});
-  ir::Expr& call = scope_.mission.exprs[value.id.index];
-  std::ranges::copy(arguments->values, call.operands.begin());
-  call.use = {static_cast<uint32_t>(scope_.mission.uses.size())};
+  const ir::UseId call{static_cast<uint32_t>(scope_.mission.uses.size())};
   scope_.mission.uses.push_back({scope_.function(function), expr.where});
-  return value;
+  return valueOf(ir::MissionWriter(scope_.mission, expr.where).call(call, arguments->values));
 }
 
 bool ExprLowering::stretched(const ast::Invocation& node) {
@@ -142,9 +139,7 @@ ExprLowering::Result ExprLowering::ageOf(const ast::Invocation& node, const ast:
   }
   const ir::SensorId id = scope_.subscribe(*sensor, use->name);
   reads_.push_back({sensor, use->name, argument.where});
-  const Value value = emit(ir::Op::Age, quantity(support::dimension::time), expr.where, {});
-  scope_.mission.exprs[value.id.index].sensor = id;
-  return value;
+  return valueOf(ir::MissionWriter(scope_.mission, expr.where).age(id));
 }
 
 /// A function whose arguments all have the type that its operation requires.

@@ -99,11 +99,10 @@ ExprLowering::Result ExprLowering::variable(Named& named, const support::SourceR
     }
     return value;
   }
-  Value value = emit(ir::Op::Variable, named.type.type, range, {});
-  scope_.mission.exprs[value.id.index].variable = named.variable;
+  ir::MissionWriter write(scope_.mission, range);
+  Value value{write.read(named.variable), named.type.type, {}};
   if (named.type.position) {
-    value.longitude = emit(ir::Op::Variable, longitude(), range, {}).id;
-    scope_.mission.exprs[value.longitude.index].variable = named.longitude;
+    value.longitude = write.read(named.longitude);
   }
   return value;
 }
@@ -113,10 +112,7 @@ ExprLowering::Result ExprLowering::sensor(const platforms::PlatformSensor& senso
                                           const support::SourceRange& range) {
   const ir::SensorId id = scope_.subscribe(sensor, written);
   reads_.push_back({&sensor, written, range});
-  const ir::Type type = scope_.mission[id].type;
-  const Value value = emit(ir::Op::Sensor, type, range, {});
-  scope_.mission.exprs[value.id.index].sensor = id;
-  return value;
+  return valueOf(ir::MissionWriter(scope_.mission, range).read(id));
 }
 
 ExprLowering::Result ExprLowering::clock(Clock clock, const support::SourceRange& range) {
@@ -158,9 +154,7 @@ ExprLowering::Result ExprLowering::finished(const ast::NameUse& node,
         .note(activity.range, "it is used here");
     return emit(ir::Op::False, boolean(), range, {});
   }
-  const Value value = emit(ir::Op::Variable, boolean(), range, {});
-  scope_.mission.exprs[value.id.index].variable = activity.done;
-  return value;
+  return valueOf(ir::MissionWriter(scope_.mission, range).read(activity.done));
 }
 
 ExprLowering::Result ExprLowering::unknown(const ast::NameUse& node,

@@ -160,10 +160,8 @@ ExprLowering::Result ExprLowering::chosen(const Path& path, const Value& index,
     east.values.push_back(place.longitude);
   }
   const auto element = [&](ir::Table table) {
-    const ir::Type type = table.type;
-    const Value value = emit(ir::Op::Element, type, range, {index.id});
-    scope_.mission.exprs[value.id.index].table = scope_.table(std::move(table));
-    return value;
+    const ir::TableId number = scope_.table(std::move(table));
+    return valueOf(ir::MissionWriter(scope_.mission, range).element(number, index.id));
   };
   Value result = element(std::move(north));
   result.longitude = element(std::move(east)).id;

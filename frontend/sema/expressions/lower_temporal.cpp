@@ -50,11 +50,7 @@ ExprLowering::Result ExprLowering::overTime(ir::TemporalKind kind, const ast::In
     return std::nullopt;
   }
   temporal.operand = *operand;
-  scope_.mission.temporals.push_back(temporal);
-  const Value value = emit(ir::Op::Temporal, boolean(), expr.where, {});
-  scope_.mission.exprs[value.id.index].temporal = {
-      static_cast<uint32_t>(scope_.mission.temporals.size() - 1)};
-  return value;
+  return watch(temporal);
 }
 
 }  // namespace glider::frontend

@@ -87,19 +87,11 @@ ExprLowering::Result ExprLowering::emitWindow(std::string_view name, const Value
   temporal.length = length.length;
   temporal.along = length.along;
   temporal.range = range;
-  ir::Type type = operand.type;
-  if (temporal.kind == ir::TemporalKind::Slope) {
-    const auto dimension = support::quotient(type.dimension, length.dimension);
-    if (!dimension) {
-      return std::nullopt;
-    }
-    type = quantity(*dimension);
+  if (temporal.kind == ir::TemporalKind::Slope &&
+      !support::quotient(operand.type.dimension, length.dimension)) {
+    return std::nullopt;
   }
-  scope_.mission.temporals.push_back(temporal);
-  const Value value = emit(ir::Op::Temporal, type, range, {});
-  scope_.mission.exprs[value.id.index].temporal = {
-      static_cast<uint32_t>(scope_.mission.temporals.size() - 1)};
-  return value;
+  return watch(temporal);
 }
 
 }  // namespace glider::frontend

@@ -3,6 +3,8 @@
 
 #include "frontend/sema/names/snippet.h"
 
+#include "ir/core/mission_writer.h"
+
 namespace glider::frontend {
 namespace {
 
@@ -27,13 +29,15 @@ Snippet copy(const ir::Mission& mission, ir::ExprId root) {
 
 ir::ExprId paste(const Snippet& snippet, ir::Mission& mission) {
   const auto start = static_cast<uint32_t>(mission.exprs.size());
+  ir::MissionWriter write(mission);
+  ir::ExprId root;
   for (ir::Expr expr : snippet) {
     for (ir::ExprId& operand : expr.operands) {
       operand.index += operand.valid() ? start : 0;
     }
-    mission.exprs.push_back(expr);
+    root = write.add(expr);
   }
-  return {static_cast<uint32_t>(mission.exprs.size() - 1)};
+  return root;
 }
 
 }  // namespace glider::frontend

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "ir/core/mission.h"
+#include "ir/core/types.h"
 
 #include <optional>
 #include <string>
@@ -33,20 +33,10 @@ std::optional<DeclaredType> findType(std::string_view name);
 /// Whether `name` is a unit or a letter of positions, which cannot name a value.
 bool isUnitName(std::string_view name);
 
-inline ir::Type quantity(support::Dimension dimension) {
-  return {ir::TypeKind::Quantity, dimension};
-}
-inline ir::Type plainNumber() {
-  return quantity(support::dimension::number);
-}
-inline ir::Type boolean() {
-  return {ir::TypeKind::Bool, {}};
-}
-inline ir::Type latitude() {
-  return {ir::TypeKind::Latitude, {}};
-}
-inline ir::Type longitude() {
-  return {ir::TypeKind::Longitude, {}};
-}
+using ir::boolean;
+using ir::latitude;
+using ir::longitude;
+using ir::plainNumber;
+using ir::quantity;
 
 }  // namespace glider::frontend

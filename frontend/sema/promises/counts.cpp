@@ -17,7 +17,7 @@ using ir::VariableId;
 /// more often than for a number.
 class VisitCounter {
  public:
-  VisitCounter(uint32_t most, MonitorBuilder& monitor) : m_(monitor), most_(most) {
+  VisitCounter(uint32_t most, ir::MonitorWriter& monitor) : m_(monitor), most_(most) {
     constexpr uint32_t kFew = 10;
     if (most > kFew) {
       number_ = m_.counter("visits", most);
@@ -53,7 +53,7 @@ class VisitCounter {
   }
 
  private:
-  MonitorBuilder& m_;
+  ir::MonitorWriter& m_;
   uint32_t most_;
   VariableId number_;
   std::vector<VariableId> reached_;
@@ -63,7 +63,7 @@ class VisitCounter {
 
 void writeCount(const PromisedPlace& place, ast::CountBound bound, uint32_t times,
                 const PromiseTime& within, Pattern& pattern) {
-  MonitorBuilder& m = pattern.monitor;
+  ir::MonitorWriter& m = pattern.monitor;
   const bool bounded = bound != ast::CountBound::AtLeast;
   VisitCounter visits(times + (bounded ? 1 : 0), m);
   if (bound == ast::CountBound::AtMost) {

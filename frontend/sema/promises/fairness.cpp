@@ -13,7 +13,7 @@ namespace {
 void writeWaits(const std::vector<PromisedPlace>& places,
                 const std::function<size_t(size_t)>& awaited,
                 const std::function<bool(size_t)>& waits, Pattern& pattern) {
-  MonitorBuilder& monitor = pattern.monitor;
+  ir::MonitorWriter& monitor = pattern.monitor;
   std::vector<ir::VariableId> waiting;
   for (size_t i = 0; i < places.size(); ++i) {
     waiting.push_back(monitor.flag("waiting " + places[i].words, waits(i)));

@@ -11,7 +11,7 @@ using ir::ExprId;
 
 void writeHold(const PromisedPlace& place, const PromisedPlace& until, const PromiseTime& within,
                Pattern& pattern) {
-  MonitorBuilder& m = pattern.monitor;
+  ir::MonitorWriter& m = pattern.monitor;
   const ir::VariableId released = m.flag("released");
   const ExprId late = pattern.late(within);
   m.when(m.both(m.negation(late), pattern.sight.holds(until)), [&] { m.set(released, true); });

@@ -94,9 +94,9 @@ bool PromiseLowering::finish(const std::function<void(Pattern&)>& write) {
     }
     scope = PlacedScope{node_.scope->kind, *std::move(place), std::move(to)};
   }
-  MonitorBuilder monitor(scope_.mission,
-                         fmt::format("promise {}", scope_.mission.requirements.size() + 1),
-                         node_.where);
+  ir::MonitorWriter monitor(scope_.mission,
+                            fmt::format("promise {}", scope_.mission.requirements.size() + 1),
+                            node_.where);
   writeScoped(scope ? &*scope : nullptr, node_.or_exit, monitor, write);
   monitor.finish(result_);
   return true;
@@ -132,19 +132,9 @@ bool PromiseLowering::lower(const ast::CountPromise& promise) {
          });
 }
 
-ir::ExprId PromiseLowering::operation(ir::Op op, std::initializer_list<ir::ExprId> operands) {
-  ir::Expr expr;
-  expr.op = op;
-  expr.type = boolean();
-  expr.range = node_.where;
-  std::ranges::copy(operands, expr.operands.begin());
-  scope_.mission.exprs.push_back(expr);
-  return {static_cast<uint32_t>(scope_.mission.exprs.size() - 1)};
-}
-
 bool PromiseLowering::neverTrue(ir::ExprId condition) {
   result_.kind = ir::RequirementKind::Always;
-  result_.condition = operation(ir::Op::Not, {condition});
+  result_.condition = ir::MissionWriter(scope_.mission, node_.where).negation(condition);
   return true;
 }
 
@@ -187,13 +177,13 @@ bool PromiseLowering::lower(const ast::ReactionPromise& promise) {
   const bool states = cause->state.valid() || response->state.valid();
   if (isPlain() && !states && promise.timing == ast::Timing::AtOnce &&
       promise.trigger != ast::Trigger::When) {
+    ir::MissionWriter write(scope_.mission, node_.where);
     const auto without = [&](ir::ExprId a, ir::ExprId b) {
-      return operation(ir::Op::And, {a, operation(ir::Op::Not, {b})});
+      return write.both(a, write.negation(b));
     };
     const ir::ExprId wrong = without(cause->condition, response->condition);
-    return neverTrue(
-        only ? operation(ir::Op::Or, {wrong, without(response->condition, cause->condition)})
-             : wrong);
+    return neverTrue(only ? write.either(wrong, without(response->condition, cause->condition))
+                          : wrong);
   }
   return finish(
       [&](Pattern& pattern) { writeReaction(promise, *cause, *response, *time, pattern); });

@@ -43,7 +43,6 @@ class PromiseLowering {
   bool finish(const std::function<void(Pattern&)>& write);
   /// The requirement that this is never true.
   bool neverTrue(ir::ExprId condition);
-  ir::ExprId operation(ir::Op op, std::initializer_list<ir::ExprId> operands);
   /// Whether neither a scope nor an end concerns it.
   [[nodiscard]] bool isPlain() const { return !node_.scope && !node_.or_exit; }
 

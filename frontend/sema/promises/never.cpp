@@ -11,7 +11,7 @@ using ir::ExprId;
 
 void writeNever(const PromisedPlace& place, ast::NeverWhen when, const PromisedPlace* event,
                 Pattern& pattern) {
-  MonitorBuilder& m = pattern.monitor;
+  ir::MonitorWriter& m = pattern.monitor;
   const ExprId visited = pattern.sight.visited(place);
   if (event == nullptr) {
     m.violation(visited, place.words + (place.state.valid() ? " was entered" : " was true"));

@@ -5,8 +5,8 @@
 
 #include "frontend/ast/ast.h"
 #include "frontend/sema/names/scope.h"
-#include "frontend/sema/promises/monitor_builder.h"
 #include "frontend/sema/promises/places.h"
+#include "ir/core/monitor_writer.h"
 
 #include <functional>
 #include <optional>
@@ -23,7 +23,7 @@ struct PromiseTime {
 
 /// What each pattern is written with. It describes one tick in which the promise is watched.
 struct Pattern {
-  MonitorBuilder& monitor;
+  ir::MonitorWriter& monitor;
   Sight sight;
   ir::VariableId
       start;          ///< a clock: when the promise began to be watched; invalid: with the mission
@@ -60,7 +60,7 @@ struct PlacedScope {
 };
 /// Writes what `write` writes, for as long as `scope` says (null: the whole flight). With
 /// `or_exit`, what is owed at the end counts as met.
-void writeScoped(const PlacedScope* scope, bool or_exit, MonitorBuilder& monitor,
+void writeScoped(const PlacedScope* scope, bool or_exit, ir::MonitorWriter& monitor,
                  const std::function<void(Pattern&)>& write);
 
 }  // namespace glider::frontend

@@ -5,7 +5,7 @@
 
 #include "frontend/ast/ast.h"
 #include "frontend/sema/names/scope.h"
-#include "frontend/sema/promises/monitor_builder.h"
+#include "ir/core/monitor_writer.h"
 
 #include <optional>
 #include <string>
@@ -29,7 +29,7 @@ std::optional<PromisedPlace> lowerPlace(const ast::Expr& expr, Scope& scope);
 /// How a promise sees its places, in one tick. With `on` they are only seen where that is true.
 class Sight {
  public:
-  Sight(MonitorBuilder& monitor, ir::ExprId on) : monitor_(monitor), on_(on) {}
+  Sight(ir::MonitorWriter& monitor, ir::ExprId on) : monitor_(monitor), on_(on) {}
 
   /// The same condition where the promise is watched: not on the tick after its scope.
   ir::ExprId watched(ir::ExprId condition) { return gated(condition); }
@@ -54,7 +54,7 @@ class Sight {
   }
   ir::ExprId gated(ir::ExprId seen) { return on_.valid() ? monitor_.both(on_, seen) : seen; }
 
-  MonitorBuilder& monitor_;
+  ir::MonitorWriter& monitor_;
   ir::ExprId on_;
 };
 

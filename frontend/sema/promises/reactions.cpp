@@ -108,7 +108,7 @@ class Reaction {
   const PromisedPlace& cause_;
   const PromisedPlace& response_;
   Pattern& p_;
-  MonitorBuilder& m_;
+  ir::MonitorWriter& m_;
 };
 
 }  // namespace

@@ -10,7 +10,7 @@ using ir::ExprId;
 using ir::ObservationKind;
 
 /// Whether the promise is watched on this tick. `monitor` keeps what has happened before.
-ExprId watchedNow(const PlacedScope& scope, MonitorBuilder& monitor) {
+ExprId watchedNow(const PlacedScope& scope, ir::MonitorWriter& monitor) {
   Sight sight(monitor, {});
   switch (scope.kind) {
     case ast::ScopeKind::In:
@@ -45,7 +45,7 @@ ExprId Pattern::late(const PromiseTime& time) {
   return monitor.operation(ir::Op::Greater, boolean(), {now, monitor.number(time.seconds, type)});
 }
 
-void writeScoped(const PlacedScope* scope, bool or_exit, MonitorBuilder& monitor,
+void writeScoped(const PlacedScope* scope, bool or_exit, ir::MonitorWriter& monitor,
                  const std::function<void(Pattern&)>& write) {
   if (scope == nullptr) {
     const ExprId over = or_exit ? monitor.truth(false) : monitor.observed(ObservationKind::Ended);

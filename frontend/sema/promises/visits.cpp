@@ -84,7 +84,7 @@ class Visits {
   const std::vector<PromisedPlace>& places_;
   ast::Manner manner_;
   Pattern& p_;
-  MonitorBuilder& m_;
+  ir::MonitorWriter& m_;
   std::vector<VariableId> visited_;
 };
 
@@ -106,7 +106,7 @@ namespace {
 /// Each place by itself.
 void patrolEach(const std::vector<PromisedPlace>& places, const PromiseTime& every,
                 Pattern& pattern) {
-  MonitorBuilder& monitor = pattern.monitor;
+  ir::MonitorWriter& monitor = pattern.monitor;
   for (const PromisedPlace& place : places) {
     const VariableId last = monitor.clock("last " + place.words);
     monitor.violation(pattern.sight.watched(monitor.passed(last, every.seconds)),
@@ -120,7 +120,7 @@ void patrolEach(const std::vector<PromisedPlace>& places, const PromiseTime& eve
 
 void writePatrol(const std::vector<PromisedPlace>& places, ast::Manner manner,
                  const PromiseTime& every, Pattern& pattern) {
-  MonitorBuilder& monitor = pattern.monitor;
+  ir::MonitorWriter& monitor = pattern.monitor;
   monitor.longest(every.seconds);
   const auto is_state = [](const PromisedPlace& place) { return place.state.valid(); };
   if (!std::ranges::all_of(places, is_state)) {

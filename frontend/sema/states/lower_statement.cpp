@@ -9,6 +9,7 @@
 #include "frontend/sema/names/commands.h"
 #include "frontend/sema/names/functions.h"
 #include "frontend/spelling.h"
+#include "ir/core/mission_writer.h"
 #include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
@@ -52,8 +53,7 @@ ir::BlockId StatementLowering::lower(const std::vector<ast::Statement>& statemen
   for (const ast::Statement& statement : statements) {
     std::visit([&](const auto& node) { visit(node, statement, block); }, statement.node);
   }
-  scope_.mission.blocks.push_back(std::move(block));
-  return {static_cast<uint32_t>(scope_.mission.blocks.size() - 1)};
+  return ir::MissionWriter(scope_.mission).add(std::move(block));
 }
 
 void StatementLowering::visit(const ast::Set& node, const ast::Statement& statement,

@@ -6,6 +6,7 @@
 #include "ir/core/mission.h"
 #include "ir/verify/inherited.h"
 #include "ir/verify/intervals.h"
+#include "ir/worlds/worlds.h"
 #include "platforms/load/platform.h"
 
 #include <limits>
@@ -19,6 +20,10 @@ namespace glider::ir::prove {
 struct ProofContext {
   /// Both outlive this.
   ProofContext(const Mission& mission, const platforms::Platform& platform);
+  /// About a world, which outlives this.
+  explicit ProofContext(const WrittenWorld& world) : ProofContext(world.mission, world.platform) {}
+  explicit ProofContext(const WidestWorld& world) : ProofContext(world.mission, world.platform) {}
+  explicit ProofContext(const AssumedWorld& world) : ProofContext(world.mission, world.platform) {}
   /// The same for a mission of which every trace has ended by mission time `latest`, s: what that
   /// says of clocks holds for all that is computed from them.
   [[nodiscard]] ProofContext endingBy(double latest) const;

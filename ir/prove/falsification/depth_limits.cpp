@@ -4,6 +4,7 @@
 #include "ir/prove/falsification/depth_limits.h"
 
 #include "ir/prove/context/vehicle_rules.h"
+#include "support/check.h"
 
 #include <algorithm>
 #include <limits>
@@ -56,6 +57,7 @@ double DepthLimits::highest(double from, double to) const {
 }
 
 void DepthLimits::obey(const CommandRun& command, double now) {
+  CHECK(!command.refused, "a command with an unknown target, which the vehicle does not follow");
   const auto target = [&] { return command.arguments.at(0); };
   const auto after =
       VehicleRules(kDoubles, *platform_).obey(vehicle_, command.command, target, now);

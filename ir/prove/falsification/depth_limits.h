@@ -24,7 +24,7 @@ class DepthLimits {
   [[nodiscard]] double highest(double from, double to) const;
   /// The vehicle is there now.
   void moveTo(double depth_m) { vehicle_.depth = depth_m; }
-  /// Follows a command at mission time `now`, s.
+  /// Follows a command, which is not refused, at mission time `now`, s.
   void obey(const CommandRun& command, double now);
   /// V6: a behaviour in C may have commanded anything.
   void obeyAnything() { anything_ = true; }

@@ -9,6 +9,7 @@
 // change satisfy each of them. They come first, because everything could be proved from assumptions
 // that contradict each other.
 
+#include "ir/core/mission_writer.h"
 #include "ir/core/walk.h"
 #include "ir/prove/encoding/any_moment.h"
 #include "ir/prove/passes.h"
@@ -20,7 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -60,17 +60,18 @@ struct StatedCondition {
 /// Adds expressions about several conditions to a mission.
 class Conjunction {
  public:
-  Conjunction(Mission& mission, const std::vector<StatedCondition>& all) : m_(mission), all_(all) {}
+  Conjunction(Mission& mission, const std::vector<StatedCondition>& all)
+      : m_(mission), write_(mission), all_(all) {}
 
   /// That not all are true. Where the mission assumes or requires that something is known, or is
   /// not: that one is false, as without a reading few conditions are.
   ExprId contradiction() {
     ExprId together = all_.front().condition;
     for (const StatedCondition& one : all_) {
-      together = push(Op::And, {together, one.condition});
+      together = write_.both(together, one.condition);
     }
-    const ExprId broken = push(Op::Not, {together});
-    return asksWhatIsKnown() ? push(Op::And, {isKnown(broken), broken}) : broken;
+    const ExprId broken = write_.negation(together);
+    return asksWhatIsKnown() ? write_.both(isKnown(broken), broken) : broken;
   }
 
   [[nodiscard]] bool asksWhatIsKnown() const {
@@ -86,22 +87,13 @@ class Conjunction {
  private:
   /// Only numbers are asked whether they are known.
   ExprId isKnown(ExprId truth) {
-    const Type number{TypeKind::Quantity, support::dimension::number};
-    const ExprId any = push(Op::Constant, {}, number);
-    return push(Op::Known, {push(Op::Select, {truth, any, any}, number)});
+    const ExprId any = write_.number(0, plainNumber());
+    const ExprId chosen = write_.operation(Op::Select, plainNumber(), {truth, any, any});
+    return write_.operation(Op::Known, boolean(), {chosen});
   }
 
-  ExprId push(Op op, std::initializer_list<ExprId> operands,
-              const Type& type = {TypeKind::Bool, {}}) {
-    Expr expr;
-    expr.op = op;
-    expr.type = type;
-    std::ranges::copy(operands, expr.operands.begin());
-    m_.exprs.push_back(expr);
-    return {static_cast<uint32_t>(m_.exprs.size() - 1)};
-  }
-
-  Mission& m_;
+  const Mission& m_;
+  MissionWriter write_;
   const std::vector<StatedCondition>& all_;
 };
 

@@ -49,8 +49,8 @@ std::string problem(const Requirement& requirement, const ProofContext& proof_co
 }  // namespace
 
 std::string chcText(const AssumedWorld& world, const std::function<std::string(uint32_t)>& words) {
-  const auto& [mission, platform] = world;
-  const ProofContext proof_context(mission, platform);
+  const Mission& mission = world.mission;
+  const ProofContext proof_context(world);
   std::string text;
   for (uint32_t i = 0; i < mission.requirements.size(); ++i) {
     const Requirement& requirement = mission.requirements[i];

@@ -9,6 +9,7 @@
 // the mission may do makes it false nevertheless, it is refused. The rules for pilots are in
 // docs/verification.md, "What may be assumed".
 
+#include "ir/core/mission_writer.h"
 #include "ir/core/ops.h"
 #include "ir/core/walk.h"
 #include "ir/prove/abstract/state_depths.h"
@@ -24,7 +25,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -42,10 +42,13 @@ constexpr double kMetresPerBar = 10;
 class Projection {
  public:
   Projection(Mission& mission, const ProofContext& proof_context, unsigned effort, Budget& budget)
-      : m_(mission), proof_context_(proof_context), effort_(effort), budget_(budget) {
-    true_ = push(Op::True, {});
-    false_ = push(Op::False, {});
-  }
+      : m_(mission),
+        write_(mission),
+        proof_context_(proof_context),
+        effort_(effort),
+        budget_(budget),
+        true_(write_.truth(true)),
+        false_(write_.truth(false)) {}
 
   /// A condition that is false only where, for what the mission decides, no reading of the sea
   /// makes `condition` true (or false, if `wanted` is false).
@@ -74,7 +77,7 @@ class Projection {
     if (isTrue(a) || isTrue(b)) {
       return !both ? true_ : isTrue(a) ? b : a;
     }
-    return push(both ? Op::And : Op::Or, {a, b});
+    return both ? write_.both(a, b) : write_.either(a, b);
   }
 
   /// Whether a sensor works depends on the vehicle, for any quantity that it measures.
@@ -104,7 +107,7 @@ class Projection {
 
   /// Whether no readings make the condition true, or false: proved, so not if there is no answer.
   bool isNever(ExprId condition, bool wanted) {
-    const ExprId not_so = wanted ? push(Op::Not, {condition}) : condition;
+    const ExprId not_so = wanted ? write_.negation(condition) : condition;
     const ProofContext proof_context(m_, proof_context_.platform);
     const std::vector<StateBounds> anywhere(
         m_.states.size(), {0, kGreatestNumber, kGreatestNumber, kGreatestNumber, kGreatestNumber});
@@ -135,7 +138,7 @@ class Projection {
   ExprId withReadings(ExprId id, bool wanted, std::vector<SensorId> sea, std::vector<Read> fixed) {
     if (sea.empty()) {
       const ExprId atom = copy(id, fixed);
-      return wanted ? atom : push(Op::Not, {atom});
+      return wanted ? atom : write_.negation(atom);
     }
     const SensorId sensor = sea.back();
     sea.pop_back();
@@ -143,7 +146,7 @@ class Projection {
     ExprId any = false_;
     for (const double value : {all.lowest, (all.lowest + all.highest) / 2, all.highest}) {
       fixed.push_back({sensor, value});
-      any = push(Op::Or, {any, withReadings(id, wanted, sea, fixed)});
+      any = write_.either(any, withReadings(id, wanted, sea, fixed));
       fixed.pop_back();
     }
     return any;
@@ -164,22 +167,11 @@ class Projection {
     for (uint32_t i = 0; i < operandCount(e); ++i) {
       e.operands[i] = copy(e.operands[i], fixed);
     }
-    return add(std::move(e));
+    return write_.add(e);
   }
 
-  ExprId push(Op op, std::initializer_list<ExprId> operands) {
-    Expr e;
-    e.op = op;
-    e.type = {TypeKind::Bool, {}};
-    std::ranges::copy(operands, e.operands.begin());
-    return add(std::move(e));
-  }
-  ExprId add(Expr e) {
-    m_.exprs.push_back(std::move(e));
-    return {static_cast<uint32_t>(m_.exprs.size() - 1)};
-  }
-
-  Mission& m_;
+  const Mission& m_;
+  MissionWriter write_;
   const ProofContext& proof_context_;
   unsigned effort_;
   Budget& budget_;

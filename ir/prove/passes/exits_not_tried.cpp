@@ -7,6 +7,7 @@
 // most kMostSuspects are checked. A hint: that there is no bound with the case does not prove that
 // a flight never ends.
 
+#include "ir/core/mission_writer.h"
 #include "ir/core/ops.h"
 #include "ir/core/walk.h"
 #include "ir/prove/abstract/end_bound.h"
@@ -57,14 +58,7 @@ void suspectsOf(const Proof& proof, StateId state, const std::vector<Case>& case
 /// Whether the clocks end the mission if the suspects never fire, except `kept`.
 bool endsWithout(const Proof& proof, const std::vector<Suspect>& suspects, const Suspect* kept) {
   Mission without = proof.proof_context.mission;
-  const auto guard = std::ranges::find(without.exprs, Op::False, &Expr::op);
-  ExprId never{static_cast<uint32_t>(guard - without.exprs.begin())};
-  if (guard == without.exprs.end()) {
-    Expr expr;
-    expr.op = Op::False;
-    expr.type.kind = TypeKind::Bool;
-    without.exprs.push_back(expr);
-  }
+  const ExprId never = MissionWriter(without).truth(false);
   for (const Suspect& suspect : suspects) {
     if (&suspect != kept) {
       auto& cases = suspect.place.state.valid() ? without.states[suspect.place.state.index].cases

@@ -26,8 +26,7 @@ void checkWithoutAssumptions(Proof& proof) {
 }
 
 void checkUnderAssumptions(Proof& proof) {
-  const auto& [mission, platform] = proof.worlds.assumed;
-  const ProofContext proof_context(mission, platform);
+  const ProofContext proof_context(proof.worlds.assumed);
   Proof assuming{proof.context, proof.worlds,  proof_context,
                  proof.facts,   proof.options, proof.diagnostics};
   StrategyContext bare(proof);

@@ -7,6 +7,7 @@
 // truth values of the monitor follow by a fixpoint. Certain; some are missed, because a moment is
 // not a trace.
 
+#include "ir/core/mission_writer.h"
 #include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/encoding/any_moment.h"
 #include "ir/prove/passes.h"
@@ -36,12 +37,7 @@ class PossibleTruths {
       prepare(e.operands[0]);
       prepare(e.operands[1]);
     } else if (isAsked(e) && !negations_.contains(id.index)) {
-      Expr negation;
-      negation.op = Op::Not;
-      negation.type = e.type;
-      negation.operands[0] = id;
-      m_.exprs.push_back(negation);
-      negations_.emplace(id.index, ExprId{static_cast<uint32_t>(m_.exprs.size() - 1)});
+      negations_.emplace(id.index, MissionWriter(m_).negation(id));
     }
   }
 

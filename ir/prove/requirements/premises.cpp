@@ -35,7 +35,7 @@ class ContextUnderAssumptions {
   /// `plain`: without any.
   ContextUnderAssumptions(StrategyContext& plain, const std::vector<uint32_t>& kept)
       : world_(assuming(plain.proof.worlds.widest, kept)),
-        proof_context_(world_.mission, world_.platform),
+        proof_context_(world_),
         proof_{plain.proof.context, plain.proof.worlds,  proof_context_,
                plain.proof.facts,   plain.proof.options, plain.proof.diagnostics},
         context_(proof_, &plain) {}

@@ -3,6 +3,7 @@
 
 #include "ir/core/c_symbols.h"
 
+#include "ir/core/types.h"
 #include "ir/text/c_header.h"
 
 #include <gtest/gtest.h>
@@ -12,9 +13,6 @@ namespace {
 
 namespace dimension = support::dimension;
 
-Type quantity(support::Dimension of) {
-  return {TypeKind::Quantity, of};
-}
 const Type kOdd = quantity(*support::quotient(dimension::temperature,
                                               *support::product(dimension::time, dimension::time)));
 

@@ -4,6 +4,7 @@
 // What the passes must leave alone: calls that nothing reads, windows that differ in one thing,
 // sensors that something reads.
 
+#include "ir/core/monitor_writer.h"
 #include "ir/core/validate.h"
 #include "ir/opt/optimise.h"
 #include "ir/opt/passes.h"
@@ -154,6 +155,20 @@ TEST(DropDeadStates, KeepsThoseToWhichSomeCaseLeads) {
   EXPECT_EQ(names("always case (gt (sensor depth) 5:length) goto b\n" +
                   stateText("a", "case true exit") + stateText("b", "case true exit") + rest),
             "ab");
+}
+
+TEST(DropDeadStates, MonitorsFollowTheirVariables) {
+  Mission m =
+      missionOf(kHeader + "variable n: bool state of never\n" + stateText("a", "case true exit") +
+                "state never initial n true route drift () profile glide () case (var n) exit\n");
+  MonitorWriter monitor(m, "promise 1", {});
+  monitor.violation(monitor.observed(ObservationKind::Entered, {0}), "`a` was entered");
+  monitor.finish(m.requirements.emplace_back());
+  opt::dropDeadStates(m);
+  ASSERT_EQ(m.states.size(), 1U);
+  const VariableId seen = m.requirements[0].monitor.observations.at(0).variable;
+  EXPECT_EQ(m[seen].name, "promise 1.1.entered");
+  EXPECT_TRUE(validate(m).empty());
 }
 
 TEST(DropDeadCases, WhatFollowsATrueOneIsRemoved) {

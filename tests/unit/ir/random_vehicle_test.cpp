@@ -210,6 +210,13 @@ TEST(RandomVehicle, ShowsItsDepthRoughly) {
   EXPECT_NEAR(error.most, 0.9, 0.02);
 }
 
+/// Limits that are NaN would allow every depth.
+TEST(DepthLimits, OfACommandThatIsRefusedThereAreNone) {
+  DepthLimits limits(slocum(), 0);
+  const CommandRun refused{Command::Descend, {std::numeric_limits<double>::quiet_NaN()}, true};
+  EXPECT_DEATH(limits.obey(refused, 4), "unknown target");
+}
+
 TEST(RandomVehicle, WhatIsInCMayCommandAnything) {
   const Range range = depthsUnder({ActivityRun{ListKind::Profile, {0}, Phase::Tick, {}}});
   EXPECT_GT(range.most, 190);

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "ir/core/mission.h"
+#include "ir/worlds/worlds.h"
 #include "platforms/load/platform.h"
 #include "vehicles/slocum/mission_files/mission_file.h"
 #include "vehicles/slocum/rules/layers.h"
@@ -31,7 +31,7 @@ struct Disturbance {
 class MissionTimes {
  public:
   /// `starts_s`: of the vehicle's mission, when hookbeh is ready.
-  MissionTimes(const ir::Mission& mission, const platforms::Platform& platform, double starts_s);
+  MissionTimes(const ir::WidestWorld& world, double starts_s);
   /// Whether the mission may still fly at that time of the vehicle's mission, s.
   [[nodiscard]] bool fliesAt(double vehicle_s) const;
   /// Nothing is proved about when the mission ends.

@@ -14,10 +14,9 @@
 
 namespace glider::slocum::rules {
 
-MissionTimes::MissionTimes(const ir::Mission& mission, const platforms::Platform& platform,
-                           double starts_s)
-    : starts_s_(starts_s) {
-  const ir::prove::ProofContext proof_context(mission, platform);
+MissionTimes::MissionTimes(const ir::WidestWorld& world, double starts_s) : starts_s_(starts_s) {
+  const ir::Mission& mission = world.mission;
+  const ir::prove::ProofContext proof_context(world);
   const ir::prove::ProofContext powered = proof_context.withoutPowerCuts();
   const auto end = ir::prove::boundOf(powered, ir::prove::kLongestMission, ir::prove::Goal::Exit);
   ends_s_ = end.by;

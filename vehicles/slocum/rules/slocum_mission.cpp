@@ -21,7 +21,8 @@
 namespace glider::slocum::rules {
 namespace {
 
-using compiler::Checked;
+using ir::WidestWorld;
+using ir::WrittenWorld;
 using platforms::Platform;
 using support::DiagnosticEngine;
 
@@ -30,16 +31,16 @@ class FileOfSlocum final : public vehicles::OwnMission {
   FileOfSlocum(VehicleFile file, MissionFile behaviours)
       : file_(std::move(file)), behaviours_(std::move(behaviours)) {}
 
-  void checkLimits(const Checked& mission, DiagnosticEngine& diagnostics) const override {
-    checkVehicleLimits(mission, file_, diagnostics);
+  void checkLimits(const WrittenWorld& world, DiagnosticEngine& diagnostics) const override {
+    checkVehicleLimits(world, file_, diagnostics);
   }
 
-  void checkDisturbances(const Checked& mission, const Platform& platform,
-                         DiagnosticEngine& diagnostics) const override {
+  void checkDisturbances(const ir::Worlds& worlds, DiagnosticEngine& diagnostics) const override {
+    const Platform& platform = worlds.widest.platform;
     const auto layers = layersOf(behaviours_, platform);
-    checkGuards(mission, file_, layers, diagnostics);
-    checkSameDepth(mission, file_, diagnostics);
-    const MissionTimes times(mission.mission(), platform, std::max(0.0, file_.guards.start_secs));
+    checkGuards(worlds.written, file_, layers, diagnostics);
+    checkSameDepth(worlds.written, file_, diagnostics);
+    const MissionTimes times(worlds.widest, std::max(0.0, file_.guards.start_secs));
     for (const Disturbance& one : disturbances(behaviours_, layers, times, platform)) {
       const bool masks = one.kind == Disturbance::Kind::Masks;
       diagnostics.report(
@@ -51,9 +52,9 @@ class FileOfSlocum final : public vehicles::OwnMission {
     }
   }
 
-  std::vector<std::string> checkEndings(const Checked& mission, const Platform& platform,
+  std::vector<std::string> checkEndings(const WidestWorld& world,
                                         DiagnosticEngine& diagnostics) const override {
-    const Whole whole = wholeOf(mission.mission(), platform, behaviours_);
+    const Whole whole = wholeOf(world, behaviours_);
     for (const Ending& ending : whole.alike()) {
       if (!ending.proved()) {
         diagnostics.report(support::diagnostics::mayStayBelow, ending.range, ending.after,
@@ -63,13 +64,13 @@ class FileOfSlocum final : public vehicles::OwnMission {
     return wholeLines(whole);
   }
 
-  [[nodiscard]] std::string premiseOf(const Checked& mission,
+  [[nodiscard]] std::string premiseOf(const WidestWorld& world,
                                       const DiagnosticEngine& diagnostics) const override {
-    return premiseWith(mission, file_, diagnostics);
+    return premiseWith(world, file_, diagnostics);
   }
 
-  [[nodiscard]] std::optional<std::string> endlessLine(const Checked& mission) const override {
-    return rules::endlessLine(mission, file_);
+  [[nodiscard]] std::optional<std::string> endlessLine(const WrittenWorld& world) const override {
+    return rules::endlessLine(world, file_);
   }
 
   [[nodiscard]] vehicles::WayHome wayHomeFrom(double depth_m,
@@ -77,9 +78,8 @@ class FileOfSlocum final : public vehicles::OwnMission {
     return rules::wayHomeFrom(depth_m, platform, file_.silence);
   }
 
-  [[nodiscard]] std::vector<std::string> wayHomeLines(const ir::Mission& mission,
-                                                      const Platform& platform) const override {
-    return rules::wayHomeLines(mission, platform, file_.silence);
+  [[nodiscard]] std::vector<std::string> wayHomeLines(const WidestWorld& world) const override {
+    return rules::wayHomeLines(world, file_.silence);
   }
 
   [[nodiscard]] std::vector<std::string> refusedLines(
@@ -94,27 +94,28 @@ class FileOfSlocum final : public vehicles::OwnMission {
 
 class UsualSlocum final : public vehicles::OwnMission {
  public:
-  void checkLimits(const Checked& /*mission*/, DiagnosticEngine& /*diagnostics*/) const override {}
-  void checkDisturbances(const Checked& /*mission*/, const Platform& /*platform*/,
+  void checkLimits(const WrittenWorld& /*world*/,
+                   DiagnosticEngine& /*diagnostics*/) const override {}
+  void checkDisturbances(const ir::Worlds& /*worlds*/,
                          DiagnosticEngine& /*diagnostics*/) const override {}
-  std::vector<std::string> checkEndings(const Checked& /*mission*/, const Platform& /*platform*/,
+  std::vector<std::string> checkEndings(const WidestWorld& /*world*/,
                                         DiagnosticEngine& /*diagnostics*/) const override {
     return {};
   }
-  [[nodiscard]] std::string premiseOf(const Checked& /*mission*/,
+  [[nodiscard]] std::string premiseOf(const WidestWorld& /*world*/,
                                       const DiagnosticEngine& /*diagnostics*/) const override {
     return "";
   }
-  [[nodiscard]] std::optional<std::string> endlessLine(const Checked& /*mission*/) const override {
+  [[nodiscard]] std::optional<std::string> endlessLine(
+      const WrittenWorld& /*world*/) const override {
     return std::nullopt;
   }
   [[nodiscard]] vehicles::WayHome wayHomeFrom(double depth_m,
                                               const Platform& platform) const override {
     return rules::wayHomeFrom(depth_m, platform);
   }
-  [[nodiscard]] std::vector<std::string> wayHomeLines(const ir::Mission& mission,
-                                                      const Platform& platform) const override {
-    return rules::wayHomeLines(mission, platform, usualSilence());
+  [[nodiscard]] std::vector<std::string> wayHomeLines(const WidestWorld& world) const override {
+    return rules::wayHomeLines(world, usualSilence());
   }
   [[nodiscard]] std::vector<std::string> refusedLines(const ir::Mission& mission) const override {
     return rules::refusedLines(mission, usualLimits());

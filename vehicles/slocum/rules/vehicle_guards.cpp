@@ -39,10 +39,10 @@ constexpr double kHoverShowsDepth_s = 660;
 /// vehicle is taken to be healthy.
 class GuardCheck {
  public:
-  GuardCheck(const compiler::Checked& checked, const VehicleFile& file,
+  GuardCheck(const ir::WrittenWorld& world, const VehicleFile& file,
              support::DiagnosticEngine& diagnostics)
-      : m_(checked.mission()),
-        platform_(checked.platform()),
+      : m_(world.mission),
+        platform_(world.platform),
         file_(file),
         diagnostics_(diagnostics),
         deepest_(std::min(file.guards.greatest_depth_m, platform_.envelope.greatest_depth_m)),
@@ -218,21 +218,21 @@ class GuardCheck {
 
 }  // namespace
 
-void checkGuards(const compiler::Checked& mission, const VehicleFile& file,
+void checkGuards(const ir::WrittenWorld& world, const VehicleFile& file,
                  std::span<const Layer> layers, support::DiagnosticEngine& diagnostics) {
-  GuardCheck check(mission, file, diagnostics);
+  GuardCheck check(world, file, diagnostics);
   check.dives();
   check.layers(layers);
   check.avoidances();
 }
 
-void checkSameDepth(const compiler::Checked& checked, const VehicleFile& file,
+void checkSameDepth(const ir::WrittenWorld& world, const VehicleFile& file,
                     support::DiagnosticEngine& diagnostics) {
   if (!file.aborts.samedepth_for_s) {
     return;
   }
   const double allowed = *file.aborts.samedepth_for_s;
-  const ir::prove::ProofContext proof_context(checked.mission(), checked.platform());
+  const ir::prove::ProofContext proof_context(world);
   const auto end = ir::prove::boundOf(proof_context.withoutPowerCuts(), ir::prove::kLongestMission,
                                       ir::prove::Goal::Exit);
   for (const ir::prove::LongHover& hover : ir::prove::longHovers(proof_context, end)) {
@@ -240,7 +240,7 @@ void checkSameDepth(const compiler::Checked& checked, const VehicleFile& file,
     if (!(lasts > allowed)) {
       continue;
     }
-    const ir::State& state = checked.mission()[hover.state];
+    const ir::State& state = world.mission[hover.state];
     diagnostics.report(
         support::diagnostics::vehicleAborts, state.range,
         fmt::format("`{}` may stay at {:.4g} m {}, and abend allows {} at one depth (samedepth_for "

@@ -39,31 +39,31 @@ void checkDepth(const ir::Mission& mission, double overdepth, const std::string&
 }
 
 /// The latest end of the mission, if it has a proved one.
-std::optional<double> latestEnd(const compiler::Checked& checked) {
-  const ir::prove::ProofContext context(checked.mission(), checked.platform());
+std::optional<double> latestEnd(const ir::WrittenWorld& world) {
+  const ir::prove::ProofContext context(world);
   return ir::prove::boundOf(context.withoutPowerCuts(), ir::prove::kLongestMission,
                             ir::prove::Goal::Exit)
       .by;
 }
 
 /// `starts`: when hookbeh is ready, s of the vehicle's mission.
-void checkTime(const compiler::Checked& checked, double overtime, double starts,
+void checkTime(const ir::WrittenWorld& world, double overtime, double starts,
                const std::string& name, support::DiagnosticEngine& diagnostics) {
   if (starts > overtime) {
     diagnostics.report(
-        support::diagnostics::controlPrevented, beginningOf(checked.mission()),
+        support::diagnostics::controlPrevented, beginningOf(world.mission),
         fmt::format("hookbeh is ready {} after the vehicle's mission has begun, and abend aborts "
                     "after {} (start_secs and overtime in {})",
                     ir::prove::durationOf(starts), ir::prove::durationOf(overtime), name),
         "lower start_secs, or raise overtime");
     return;
   }
-  const std::optional<double> end = latestEnd(checked);
+  const std::optional<double> end = latestEnd(world);
   if (end && starts + *end > overtime) {
     const std::string from =
         starts > 0 ? fmt::format(" from {} on (start_secs)", ir::prove::durationOf(starts)) : "";
     diagnostics.report(
-        support::diagnostics::vehicleAborts, beginningOf(checked.mission()),
+        support::diagnostics::vehicleAborts, beginningOf(world.mission),
         fmt::format("the mission may last {}{}, and abend allows {} (overtime in {})",
                     ir::prove::durationOf(*end), from, ir::prove::durationOf(overtime), name),
         "end the mission earlier, or raise overtime");
@@ -72,9 +72,9 @@ void checkTime(const compiler::Checked& checked, double overtime, double starts,
 
 }  // namespace
 
-void checkVehicleLimits(const compiler::Checked& checked, const VehicleFile& file,
+void checkVehicleLimits(const ir::WrittenWorld& world, const VehicleFile& file,
                         support::DiagnosticEngine& diagnostics) {
-  const ir::Mission& mission = checked.mission();
+  const ir::Mission& mission = world.mission;
   for (const Refusal& one : refusalsOf(mission, file.commands)) {
     diagnostics.report(support::diagnostics::vehicleRefuses,
                        one.range.valid() ? one.range : beginningOf(mission), one.who, one.command,
@@ -84,10 +84,10 @@ void checkVehicleLimits(const compiler::Checked& checked, const VehicleFile& fil
     checkDepth(mission, *file.aborts.overdepth_m, file.name, diagnostics);
   }
   if (file.aborts.overtime_s) {
-    checkTime(checked, *file.aborts.overtime_s, std::max(0.0, file.guards.start_secs), file.name,
+    checkTime(world, *file.aborts.overtime_s, std::max(0.0, file.guards.start_secs), file.name,
               diagnostics);
   }
-  const double full = checked.platform().power.full_V;
+  const double full = world.platform.power.full_V;
   if (file.aborts.undervolts_V && full > 0 && *file.aborts.undervolts_V >= full) {
     diagnostics.report(support::diagnostics::vehicleAborts, beginningOf(mission),
                        fmt::format("its full batteries have {:.4g} V, and abend demands {:.4g} V "
@@ -97,8 +97,8 @@ void checkVehicleLimits(const compiler::Checked& checked, const VehicleFile& fil
   }
 }
 
-std::optional<std::string> endlessLine(const compiler::Checked& mission, const VehicleFile& file) {
-  if (!file.aborts.overtime_s || latestEnd(mission)) {
+std::optional<std::string> endlessLine(const ir::WrittenWorld& world, const VehicleFile& file) {
+  if (!file.aborts.overtime_s || latestEnd(world)) {
     return std::nullopt;
   }
   return fmt::format(

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "compiler/compilation.h"
+#include "ir/worlds/worlds.h"
 #include "support/diagnostics/engine.h"
 #include "vehicles/slocum/rules/vehicle_file.h"
 
@@ -14,11 +14,11 @@ namespace glider::slocum::rules {
 
 /// Reports what the vehicle of `file` would not do for the mission: commands that its hookbeh
 /// refuses (GL3124); depths, times and voltages at which its abend aborts (GL3125).
-void checkVehicleLimits(const compiler::Checked& mission, const VehicleFile& file,
+void checkVehicleLimits(const ir::WrittenWorld& world, const VehicleFile& file,
                         support::DiagnosticEngine& diagnostics);
 
 /// A line for the report if abend ends a mission whose end is not proved. That is not an error: the
 /// bound may merely not have been found.
-std::optional<std::string> endlessLine(const compiler::Checked& mission, const VehicleFile& file);
+std::optional<std::string> endlessLine(const ir::WrittenWorld& world, const VehicleFile& file);
 
 }  // namespace glider::slocum::rules

@@ -41,13 +41,13 @@ std::vector<std::string> doubtsIn(const support::DiagnosticEngine& diagnostics) 
 
 }  // namespace
 
-std::string premiseWith(const compiler::Checked& checked, const VehicleFile& file,
+std::string premiseWith(const ir::WidestWorld& world, const VehicleFile& file,
                         const support::DiagnosticEngine& diagnostics) {
   std::string text = "with " + file.name;
   if (file.guards.least_altitude_m >= 0) {
-    const platforms::Platform& platform = checked.worlds.widest.platform;
+    const platforms::Platform& platform = world.platform;
     const double deepest =
-        std::min(std::ranges::max(ir::prove::deepestByState({checked.mission(), platform})),
+        std::min(std::ranges::max(ir::prove::deepestByState(ir::prove::ProofContext(world))),
                  std::min(file.guards.greatest_depth_m, platform.envelope.greatest_depth_m) +
                      platform.envelope.inflection_overshoot_m);
     constexpr double kLeastAltitude_m = 2;  // of hookbeh (hooks/hookbeh/hull.cpp)

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "compiler/compilation.h"
+#include "ir/worlds/worlds.h"
 #include "support/diagnostics/engine.h"
 #include "vehicles/slocum/rules/vehicle_file.h"
 
@@ -13,7 +13,7 @@ namespace glider::slocum::rules {
 
 /// On what every proof about the flight rests with this mission file: that hookbeh's commands fly.
 /// "with skeleton.mi, in water of 35 m or more", or that findings in `diagnostics` doubt it.
-std::string premiseWith(const compiler::Checked& mission, const VehicleFile& file,
+std::string premiseWith(const ir::WidestWorld& world, const VehicleFile& file,
                         const support::DiagnosticEngine& diagnostics);
 
 }  // namespace glider::slocum::rules

@@ -56,9 +56,9 @@ WayHome wayHomeFrom(double depth_m, const platforms::Platform& platform, const S
           silence.source};
 }
 
-std::vector<std::string> wayHomeLines(const ir::Mission& mission,
-                                      const platforms::Platform& platform, const Silence& silence) {
-  const ir::prove::ProofContext context(mission, platform);
+std::vector<std::string> wayHomeLines(const ir::WidestWorld& world, const Silence& silence) {
+  const auto& [mission, platform] = world;
+  const ir::prove::ProofContext context(world);
   const auto depths = ir::prove::deepestByState(context);
   const auto climbs = ir::prove::climbTimes(context);
   const double deepest = std::ranges::max(depths);

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "ir/core/mission.h"
+#include "ir/worlds/worlds.h"
 #include "platforms/load/platform.h"
 #include "vehicles/own_mission.h"
 
@@ -29,7 +29,6 @@ vehicles::WayHome wayHomeFrom(double depth_m, const platforms::Platform& platfor
                               const Silence& silence = usualSilence());
 
 /// Lines for the report: the way home of a mission, and of states where it is shorter.
-std::vector<std::string> wayHomeLines(const ir::Mission& mission,
-                                      const platforms::Platform& platform, const Silence& silence);
+std::vector<std::string> wayHomeLines(const ir::WidestWorld& world, const Silence& silence);
 
 }  // namespace glider::slocum::rules

@@ -226,10 +226,9 @@ Whole wholeOf(const slocum::MissionFile& vehicle, const platforms::Platform& pla
   return Endings(vehicle, platform, deepest_m).all();
 }
 
-Whole wholeOf(const ir::Mission& mission, const platforms::Platform& platform,
-              const slocum::MissionFile& vehicle) {
-  return wholeOf(vehicle, platform,
-                 std::ranges::max(ir::prove::deepestByState({mission, platform})));
+Whole wholeOf(const ir::WidestWorld& world, const slocum::MissionFile& vehicle) {
+  const ir::prove::ProofContext context(world);
+  return wholeOf(vehicle, world.platform, std::ranges::max(ir::prove::deepestByState(context)));
 }
 
 }  // namespace glider::slocum::rules

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "ir/core/mission.h"
+#include "ir/worlds/worlds.h"
 #include "platforms/load/platform.h"
 #include "vehicles/slocum/mission_files/mission_file.h"
 
@@ -47,8 +47,7 @@ struct Whole {
 Whole wholeOf(const slocum::MissionFile& vehicle, const platforms::Platform& platform,
               double deepest_m);
 /// The same for a mission, with the depth that its commands lead to.
-Whole wholeOf(const ir::Mission& mission, const platforms::Platform& platform,
-              const slocum::MissionFile& vehicle);
+Whole wholeOf(const ir::WidestWorld& world, const slocum::MissionFile& vehicle);
 
 /// Lines for the report. Those for endings that are not proved are left out: they are errors.
 std::vector<std::string> wholeLines(const Whole& whole);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string_view>
 
 namespace glider::simulator {
@@ -23,11 +24,22 @@ bool is(uint32_t number, Value value) {
   return number == static_cast<uint32_t>(value);
 }
 
-/// A position as missions write it, ddmm.mmmm: the name of the value shows what it is.
+/// Half of a position, ddmm.mmmm, as missions write it: "39 10.561 N".
+std::string halfText(double ddmm, const char* letters) {
+  constexpr int64_t kDegree = 60000;  // thousandths of a minute
+  const double size = std::fabs(ddmm);
+  const double whole = std::floor(size / 100);
+  const int64_t thousandths = std::llround((whole * 60 + (size - whole * 100)) * 1000);
+  return fmt::format("{} {:06.3f} {}", thousandths / kDegree,
+                     static_cast<double>(thousandths % kDegree) / 1000,
+                     letters[std::signbit(ddmm) ? 1 : 0]);
+}
+
 std::string valueText(double value, const std::string& unit) {
-  return unit == "lat" || unit == "lon" ? fmt::format("{:.3f}", value)
-         : unit == "1"                  ? fmt::format("{:.6g}", value)
-                                        : fmt::format("{:.6g} {}", value, unit);
+  return unit == "lat"   ? halfText(value, "NS")
+         : unit == "lon" ? halfText(value, "EW")
+         : unit == "1"   ? fmt::format("{:.6g}", value)
+                         : fmt::format("{:.6g} {}", value, unit);
 }
 
 /// Why hookprog gives the SBC no link.

@@ -202,6 +202,7 @@ void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Le
   switch (rule) {
     case GliderParser::RuleTransition:
       return complainOfTransition(lexemeOf(before), found);
+    case GliderParser::RuleArgument:
     case GliderParser::RuleExpr:
     case GliderParser::RulePrimary:
       if (last == GliderParser::NUMBER) {

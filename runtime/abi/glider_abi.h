@@ -180,12 +180,13 @@ double gliderTan(double angle);
 double gliderAtan2(double y, double x);
 double gliderDistance(double latitude, double longitude, double to_latitude, double to_longitude);
 double gliderBearing(double latitude, double longitude, double to_latitude, double to_longitude);
-/* The remainder of x / y that is at least 0 and below y; unknown if y is not above 0, or if x / y is
-   2^31 or more in magnitude. */
+/* The remainder of x / y that is at least 0 and below y; unknown if y is not above 0, or if x / y
+   is 2^31 or more in magnitude. */
 double gliderRemainder(double x, double y);
 /* Practical salinity, and density in kg/m3 at that pressure, of sea water: conductivity in S/m,
-   temperature in degC (ITS-90), pressure in Pa above that of the air. Unknown where the formulas are
-   not defined: a salinity outside 0..45, a temperature outside -4..45, a pressure above 1200 bar. */
+   temperature in degC (ITS-90), pressure in Pa above that of the air. Unknown where the formulas
+   are not defined: a salinity outside 0..45, a temperature outside -4..45, a pressure above 1200
+   bar. */
 double gliderSalinity(double conductivity, double temperature, double pressure);
 double gliderDensity(double conductivity, double temperature, double pressure);
 double gliderOffsetLatitude(double latitude, double longitude, double bearing, double distance);

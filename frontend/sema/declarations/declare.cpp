@@ -133,6 +133,11 @@ class Declarations {
     declaration.name = &name;
     declaration.kind =
         kind == ast::BehaviourKind::Profile ? ir::BehaviourKind::Profile : ir::BehaviourKind::Route;
+    const auto known = scope_.behaviours.find(name.text);
+    if (known != scope_.behaviours.end() && scope_.inStandardLibrary(known->second.name->where) &&
+        !scope_.inStandardLibrary(name.where)) {
+      scope_.replaced_behaviours.insert(scope_.behaviours.extract(known));
+    }
     const auto [place, fresh] = scope_.behaviours.emplace(name.text, std::move(declaration));
     if (!fresh) {
       scope_.report(support::diagnostics::duplicateName, name.where, name.text)

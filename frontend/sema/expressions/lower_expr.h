@@ -209,9 +209,9 @@ class ExprLowering {
   std::vector<SensorRead> reads_;
 };
 
-/// Whether a name means a value of its own, such as `here` or `diving`: the mission does not use
-/// it.
-bool meansValue(std::string_view name, Scope& scope);
+/// Whether a name at `where` means a value of its own, such as `here` or `diving`: the mission does
+/// not use it.
+bool meansValue(std::string_view name, const support::SourceRange& where, Scope& scope);
 
 /// Whether an expression is certainly a position: a literal, the name of one, or a function.
 bool isPosition(const ast::Expr& expr, Scope& scope);

@@ -51,11 +51,11 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
   if (isEarthFunction(name)) {
     return stretched(node) ? std::nullopt : onEarth(node, expr);
   }
-  if (isPlaceFunction(name) && !scope_.declares(name)) {
+  if (isPlaceFunction(name) && !scope_.declares(name, expr.where)) {
     return stretched(node) ? std::nullopt : placeOf(node, expr);
   }
   const Function* function =
-      isReservedFunction(name) || !scope_.declares(name) ? findFunction(name) : nullptr;
+      isReservedFunction(name) || !scope_.declares(name, expr.where) ? findFunction(name) : nullptr;
   if (function == nullptr) {
     return inC(node, expr);
   }
@@ -90,7 +90,7 @@ ExprLowering::Result ExprLowering::inC(const ast::Invocation& node, const ast::E
     }
     const bool value = findClock(name) || scope_.findSensor(name) != nullptr ||
                        scope_.findConstant(name) != nullptr || scope_.findNamed(name) != nullptr ||
-                       meansValue(name, scope_);
+                       meansValue(name, expr.where, scope_);
     scope_.report(support::diagnostics::unknownFunction, node.function.where, name,
                   value ? "`" + name + "` is a value: write it without parentheses"
                         : suggestFunction(name, scope_));

@@ -15,13 +15,13 @@ bool isPosition(const ast::Expr& expr, Scope& scope) {
     return true;
   }
   if (const auto* call = std::get_if<ast::Invocation>(&expr.node)) {
-    return isPlaceFunction(call->function.text) && !scope.declares(call->function.text);
+    return isPlaceFunction(call->function.text) && !scope.declares(call->function.text, expr.where);
   }
   const auto* use = std::get_if<ast::NameUse>(&expr.node);
   if (use == nullptr) {
     return false;
   }
-  if (use->name == "here" && meansValue(use->name, scope)) {
+  if (use->name == "here" && meansValue(use->name, expr.where, scope)) {
     return true;
   }
   if (const Named* named = scope.findNamed(use->name)) {
@@ -62,7 +62,7 @@ ExprLowering::Result ExprLowering::visit(const ast::NameUse& node, const ast::Ex
   if (scope_.refused_names.contains(node.name)) {
     return std::nullopt;  // its declaration was refused
   }
-  if (meansValue(node.name, scope_)) {
+  if (meansValue(node.name, expr.where, scope_)) {
     return meantValue(node.name, expr.where);
   }
   if (node.name == "profiledone" || node.name == "routedone") {

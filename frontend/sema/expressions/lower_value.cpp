@@ -17,9 +17,9 @@ constexpr double kDay_s = 86400;
 
 }  // namespace
 
-bool meansValue(std::string_view name, Scope& scope) {
-  return (isValueName(name) || findSensorState(scope.platform(), name)) && !scope.declares(name) &&
-         scope.platform().find(name) == nullptr;
+bool meansValue(std::string_view name, const support::SourceRange& where, Scope& scope) {
+  return (isValueName(name) || findSensorState(scope.platform(), name)) &&
+         !scope.declares(name, where) && scope.platform().find(name) == nullptr;
 }
 
 ExprLowering::Result ExprLowering::meantValue(const std::string& name,
@@ -72,9 +72,9 @@ ExprLowering::Result ExprLowering::turned(const support::SourceRange& range) {
     return lower(became, std::nullopt);
   };
   for (const char* state : {"diving", "climbing"}) {
-    if (!meansValue(state, scope_)) {
+    if (!meansValue(state, range, scope_)) {
       scope_.report(support::diagnostics::unknownSensor, range, scope_.platform().name, "turned",
-                    scope_.declares(state)
+                    scope_.declares(state, range)
                         ? std::string("the mission uses the name `") + state + "` itself"
                         : "the vehicle does not report whether it dives or climbs");
       return std::nullopt;

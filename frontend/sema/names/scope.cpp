@@ -169,7 +169,24 @@ const Constant* Scope::findConstant(std::string_view name) const {
   return found == constants.end() ? nullptr : &found->second;
 }
 
-bool Scope::declares(std::string_view name) {
+bool Scope::inStandardLibrary(const support::SourceRange& range) const {
+  return !inputs_.library.empty() && inputs_.library.front()->file == range.file;
+}
+
+BehaviourDeclaration* Scope::findBehaviour(const ast::Name& name) {
+  if (inStandardLibrary(name.where)) {
+    if (const auto own = replaced_behaviours.find(name.text); own != replaced_behaviours.end()) {
+      return &own->second;
+    }
+  }
+  const auto found = behaviours.find(name.text);
+  return found == behaviours.end() ? nullptr : &found->second;
+}
+
+bool Scope::declares(std::string_view name, const support::SourceRange& where) {
+  if (inStandardLibrary(where)) {
+    return context.names != nullptr && context.names->contains(name);
+  }
   const auto ofState = [&](const StateDeclaration& state) { return state.names.contains(name); };
   return findNamed(name) != nullptr || names.contains(name) || constants.contains(name) ||
          functions.contains(name) || own_sensors.contains(name) || refused_names.contains(name) ||

@@ -139,9 +139,13 @@ class Scope {
   bool refuseSecond(const ast::Name& name);
   /// The parameter or variable that `name` refers to in `context`; null if there is none.
   Named* findNamed(std::string_view name);
-  /// Whether the mission itself uses `name` for a value or function, here or elsewhere: then the
-  /// name means nothing else in it.
-  [[nodiscard]] bool declares(std::string_view name);
+  /// Whether the text that has `name` at `where` uses it for a value or function, there or
+  /// elsewhere: then the name means nothing else in it.
+  [[nodiscard]] bool declares(std::string_view name, const support::SourceRange& where);
+  /// Whether a place is in the standard library.
+  [[nodiscard]] bool inStandardLibrary(const support::SourceRange& range) const;
+  /// The profile or route that `name` refers to where it is written; null if there is none.
+  BehaviourDeclaration* findBehaviour(const ast::Name& name);
   /// The constant that `name` refers to in `context`; null if there is none.
   const Constant* findConstant(std::string_view name) const;
   /// The parameters and variables visible from `context`.
@@ -204,6 +208,9 @@ class Scope {
   std::map<std::string, const ast::PlaceDeclaration*, std::less<>> places;
   std::vector<StateDeclaration> state_declarations;  ///< by StateId
   std::map<std::string, BehaviourDeclaration, std::less<>> behaviours;
+  /// Those of the standard library whose names the mission uses itself: the library still means
+  /// them.
+  std::map<std::string, BehaviourDeclaration, std::less<>> replaced_behaviours;
 
  private:
   /// The `extern sensor` or `extern function` that already has the name `name`.

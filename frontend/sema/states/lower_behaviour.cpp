@@ -164,12 +164,12 @@ void BehaviourLowering::checkChain() {
   const BehaviourDeclaration* next = &declaration_;
   for (size_t i = 0; i < scope_.behaviours.size(); ++i) {
     const ast::Use* other = otherOf(*next);
-    const auto found =
-        other != nullptr ? scope_.behaviours.find(other->name.text) : scope_.behaviours.end();
-    if (found == scope_.behaviours.end() || !found->second.usable) {
+    const BehaviourDeclaration* found =
+        other != nullptr ? scope_.findBehaviour(other->name) : nullptr;
+    if (found == nullptr || !found->usable) {
       return;
     }
-    next = &found->second;
+    next = found;
     if (next == &declaration_) {
       scope_.report(support::diagnostics::behaviourOfItself, declaration_.name->where,
                     declaration_.name->text, by_way_of);

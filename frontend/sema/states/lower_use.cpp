@@ -16,8 +16,8 @@ std::string_view word(ir::BehaviourKind kind) {
 }
 
 BehaviourDeclaration* findBehaviour(const ast::Use& use, ir::BehaviourKind kind, Scope& scope) {
-  const auto found = scope.behaviours.find(use.name.text);
-  if (found == scope.behaviours.end()) {
+  BehaviourDeclaration* found = scope.findBehaviour(use.name);
+  if (found == nullptr) {
     std::vector<std::string_view> names;
     for (const auto& [name, declaration] : scope.behaviours) {
       if (declaration.kind == kind) {
@@ -32,7 +32,7 @@ BehaviourDeclaration* findBehaviour(const ast::Use& use, ir::BehaviourKind kind,
                  use.name.text, didYouMean(use.name.text, names, all));
     return nullptr;
   }
-  BehaviourDeclaration& declaration = found->second;
+  BehaviourDeclaration& declaration = *found;
   if (declaration.kind != kind) {
     scope.report(support::diagnostics::wrongBehaviour, use.name.where, use.name.text,
                  word(declaration.kind), word(kind));

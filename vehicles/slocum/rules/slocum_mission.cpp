@@ -30,6 +30,14 @@ class FileOfSlocum final : public vehicles::OwnMission {
   FileOfSlocum(VehicleFile file, MissionFile behaviours)
       : file_(std::move(file)), behaviours_(std::move(behaviours)) {}
 
+  std::optional<double> raiseOvertime(double seconds) override {
+    const auto before = slocum::raiseOvertime(behaviours_, seconds);
+    if (before) {
+      file_.aborts.overtime_s = seconds;
+    }
+    return before;
+  }
+
   void checkLimits(const Checked& mission, DiagnosticEngine& diagnostics) const override {
     checkVehicleLimits(mission, file_, diagnostics);
   }

@@ -184,7 +184,7 @@ void addBriefCommand(CLI::App& app, int& status) {
       ->add_option("--mi,--skeleton", options->mi,
                    "The vehicle's mission file (.mi) with hookbeh; its silence_secs bounds the "
                    "time to the surface [24 s]")
-      ->option_text("FILE");
+      ->option_text("FILE.mi");
   addLaunchOptions(*command, options->launch);
   addLinkOption(*command, options->check.user_code);
   addFormatOption(*command, options->json);

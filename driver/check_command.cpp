@@ -384,7 +384,7 @@ void addVehicleOptions(CLI::App& command, CommandOptions& options) {
                   "its abend aborts, and a vehicle that may stay under water when control ends are "
                   "errors; with --report also in what time it comes to the surface [silence_secs "
                   "24 s, and no limits but the platform's]")
-      ->option_text("FILE");
+      ->option_text("FILE.mi");
   command
       .add_option("--scenario", options.check.scenario,
                   "The same for the mission file of a scenario, and for its start; the mission is "

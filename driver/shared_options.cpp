@@ -58,7 +58,7 @@ std::vector<std::string> trackColours() {
 CLI::Option* addPictureOptions(CLI::App& command, std::string& file, report::PictureStyle& style) {
   auto* picture = command.add_option("--picture", file,
                                      "Also draw the flight as an SVG, for a paper or a logbook");
-  picture->option_text("FILE");
+  picture->option_text("FILE.svg");
   addColourOption(command, style, picture,
                   "Quantity that colours the track [chlorophyll if measured, else temp]");
   return picture;

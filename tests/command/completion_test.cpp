@@ -26,7 +26,7 @@ bool isHere(const std::string& shell) {
 /// A folder with two missions, a scenario and another file.
 struct Files {
   Files() {
-    for (const char* name : {"one.mission", "two.mission", "sea.toml", "notes.txt"}) {
+    for (const char* name : {"one.mission", "two.mission", "sea.toml", "notes.txt", "own.mi"}) {
       (void)folder.write(name, "");
     }
     (void)runShell("mkdir " + (folder.path() / "sub").string());
@@ -79,6 +79,7 @@ TEST(Completion, OfBash) {
   EXPECT_EQ(inBash(files, "sim one.mission --scenario s", 4), "sea.toml\nshelf_slope\nsub\n");
   EXPECT_EQ(inBash(files, "build one.mission --target ''", 4), "host\nts5500\nts7800\n");
   EXPECT_EQ(inBash(files, "sim one.mission -o ''", 4), "sub\n") << "a folder";
+  EXPECT_EQ(inBash(files, "check one.mission --mi ''", 4), "own.mi\nsub\n");
   EXPECT_EQ(inBash(files, "completion ''", 2), "bash\nfish\nzsh\n");
   EXPECT_EQ(inBash(files, "help gra", 2), "graph\n");
   EXPECT_EQ(inBash(files, "new mo", 2), "mooring\n");

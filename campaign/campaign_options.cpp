@@ -68,6 +68,9 @@ support::Result<std::string> identityOf(const CampaignPlan& plan, const Campaign
   if (!skeleton || !world) {
     return std::unexpected(skeleton ? world.error() : skeleton.error());
   }
+  if (options.duration_s) {
+    all += fmt::format("lasts {} s\n", *options.duration_s);
+  }
   return codegen::digestOf(all + ownMissionsOf(plan) + *skeleton + *world);
 }
 
@@ -92,6 +95,9 @@ std::string commandOf(const CampaignOptions& options) {
   }
   if (options.scenario != CampaignOptions().scenario) {
     add("--scenario", options.scenario);
+  }
+  if (options.duration_s) {
+    add("--duration", fmt::format("{}s", *options.duration_s));
   }
   for (const std::string& setting : options.launch.settings) {
     add("--set", setting);

@@ -22,11 +22,13 @@ struct CampaignPart {
 struct CampaignOptions {
   std::vector<std::string> missions;
   std::string scenario = "default";
+  std::optional<double> duration_s;  ///< of the scenario; empty: as it says
   uint64_t flights = 1000;
   uint64_t seed = 1;
   unsigned jobs = 0;
   unsigned board_percent = 10;
   std::vector<std::string> faults;  ///< names of kinds; empty: all
+  bool strict = false;              ///< missions with warnings are not flown
   std::string csv;
   std::vector<std::string> resume;
   CampaignPart part;

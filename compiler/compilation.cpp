@@ -165,7 +165,16 @@ std::filesystem::path platformFile(const std::string& name) {
   return shareDirectory() / "platforms" / (name + ".toml");
 }
 
+std::string shownName(const std::string& path) {
+  return path == kStandardInput ? "standard input" : path;
+}
+
 Result<Compilation> compileMission(const std::filesystem::path& path) {
+  if (path == kStandardInput) {
+    auto text = support::readFile("/dev/stdin");
+    return text ? compileText(shownName(path), std::move(*text))
+                : Result<Compilation>(std::unexpected(text.error()));
+  }
   if (auto kind = requireKind(path, MissionKind::Language); !kind) {
     return std::unexpected(kind.error());
   }

@@ -78,9 +78,15 @@ struct Compilation {
   std::shared_ptr<const Checked> checked;  ///< null: it has errors
 };
 
-/// Reads, parses, analyses and verifies the file at `path`; a file ending in `.ir` is read as the
-/// IR's text form. The mission's errors are in Compilation::diagnostics; only a file that cannot be
-/// read, one of the vehicle's own (GL9368) and bad platform data are a Failure.
+/// What stands for standard input where a mission file is named.
+inline constexpr const char* kStandardInput = "-";
+/// `path` as messages name it: "standard input" for kStandardInput.
+std::string shownName(const std::string& path);
+
+/// Reads, parses, analyses and verifies the file at `path`, or standard input for kStandardInput; a
+/// file ending in `.ir` is read as the IR's text form. The mission's errors are in
+/// Compilation::diagnostics; only a file that cannot be read, one of the vehicle's own (GL9368) and
+/// bad platform data are a Failure.
 support::Result<Compilation> compileMission(const std::filesystem::path& path);
 
 /// The same for `text`, used instead of the file at `path`; it is file 0 of the sources.

@@ -8,6 +8,7 @@
 #include "compiler/boards.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/json_document.h"
 #include "driver/output/check_on_terminal.h"
 #include "driver/output/executable.h"
 #include "driver/output/print_pdf.h"
@@ -30,6 +31,7 @@ namespace glider::driver {
 namespace {
 
 struct BriefOptions {
+  bool json = false;
   std::string mission;
   std::string output;  ///< empty: named after the mission
   std::string target = kUsualTarget;
@@ -61,7 +63,29 @@ support::Result<report::Brief> gather(const BriefOptions& options, const Checked
                             std::string("glidercc ") + GLIDER_VERSION});
 }
 
-support::Result<void> write(const BriefOptions& options, const report::Brief& brief) {
+/// What the crew's page is about and where it is, and what is decided about the mission.
+void put(Json& document, const BriefOptions& options, const report::Brief& brief) {
+  document["mission"] = brief.mission;
+  document["platform"] = brief.platform;
+  document["page"] = options.output;
+  document["summary"] = brief.summary;
+  document["states"] = Json::array();
+  for (const report::BriefState& state : brief.states) {
+    document["states"].push_back({{"name", state.name}, {"deepest", state.deepest}});
+  }
+  document["requirements"] = Json::array();
+  for (const report::BriefRequirement& one : brief.requirements) {
+    document["requirements"].push_back(
+        {{"text", one.text}, {"verdict", one.verdict}, {"because", one.because}});
+  }
+  document["hashes"] = Json::array();
+  for (const report::BriefHash& hash : brief.hashes) {
+    document["hashes"].push_back({{"of", hash.of}, {"sha256", hash.sha256}});
+  }
+}
+
+support::Result<void> write(const BriefOptions& options, const report::Brief& brief,
+                            Json* document) {
   const std::string html = report::briefToHtml(brief);
   if (options.output == "-") {
     return printOut(html);
@@ -72,8 +96,12 @@ support::Result<void> write(const BriefOptions& options, const report::Brief& br
       !written) {
     return written;
   }
-  return printOut(fmt::format("{}: mission {}, {} state{}\n", options.output, brief.mission,
-                              brief.states.size(), brief.states.size() == 1 ? "" : "s"));
+  if (document != nullptr) {
+    put(*document, options, brief);
+    return {};
+  }
+  return printSuccess(fmt::format("{}: mission {}, {} state{}\n", options.output, brief.mission,
+                                  brief.states.size(), brief.states.size() == 1 ? "" : "s"));
 }
 
 /// The vehicle's mission file says how soon hookbeh takes over, and what it refuses.
@@ -96,7 +124,7 @@ const std::string* overwritten(const BriefOptions& options) {
   return nullptr;
 }
 
-int brief(BriefOptions options) {
+int brief(BriefOptions options, Json* document) {
   if (const auto board = compiler::loadTarget(options.target); !board) {
     return reportFailure(board.error());
   }
@@ -126,7 +154,7 @@ int brief(BriefOptions options) {
   if (!brief) {
     return reportFailure(brief.error());
   }
-  if (const auto written = write(options, *brief); !written) {
+  if (const auto written = write(options, *brief, document); !written) {
     return reportFailure(written.error());
   }
   return file.found.ok() ? kFine : kMissionHasErrors;
@@ -150,15 +178,23 @@ void addBriefCommand(CLI::App& app, int& status) {
       ->add_option("--target", options->target,
                    "Target of the executable whose digest is given, as listed by `glidercc "
                    "targets`")
+      ->type_name("TARGET")
       ->capture_default_str();
   command
       ->add_option("--mi,--skeleton", options->mi,
                    "The vehicle's mission file (.mi) with hookbeh; its silence_secs bounds the "
                    "time to the surface [24 s]")
-      ->option_text("FILE");
+      ->option_text("FILE.mi");
   addLaunchOptions(*command, options->launch);
   addLinkOption(*command, options->check.user_code);
-  command->callback([options, &status] { status = brief(*options); });
+  addFormatOption(*command, options->json);
+  command->callback([options, &status] {
+    if (options->json && options->output == "-") {
+      throw CLI::ValidationError("--format", "json goes to standard output: name a file with -o");
+    }
+    status =
+        inFormat(options->json, "brief", [&](Json* document) { return brief(*options, document); });
+  });
 }
 
 }  // namespace glider::driver

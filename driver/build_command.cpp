@@ -7,11 +7,13 @@
 #include "compiler/proving.h"
 #include "compiler/user_code.h"
 #include "driver/commands.h"
+#include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
 #include "driver/output/executable.h"
 #include "driver/output/symbols.h"
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
+#include "driver/usage/values.h"
 #include "frontend/ast/print.h"
 #include "ir/text/print.h"
 #include "support/diagnostics/ids/command.h"
@@ -45,6 +47,7 @@ constexpr codegen::Product kChc{
 constexpr const codegen::Product* kOfTheFrontEnd[] = {&kSyntaxTree, &kSymbols, &kChc};
 
 struct BuildOptions {
+  bool strict = false;  ///< warnings are errors
   std::string mission;
   std::string target = kUsualTarget;
   std::string emit = "exe";
@@ -200,7 +203,8 @@ int build(BuildOptions options) {
   }
   const compiler::Compilation& compilation = *compiled;
   reportDiagnostics(compilation.diagnostics, *compilation.sources);
-  if (!compilation.checked && &product != &kSymbols) {
+  const bool refused = options.strict && hasWarnings(compilation.diagnostics);
+  if ((!compilation.checked || refused) && &product != &kSymbols) {
     return kMissionHasErrors;
   }
   if (options.output.empty()) {
@@ -229,9 +233,10 @@ void addBuildCommand(CLI::App& app, int& status) {
   command
       ->add_option("--target", options->target,
                    "Target to build for, as listed by `glidercc targets`")
+      ->type_name("TARGET")
       ->capture_default_str();
   command->add_option("--emit", options->emit, "Output to write: " + emittedInWords() + " [exe]")
-      ->check(CLI::IsMember(namesOf(emitted())))
+      ->check(oneOf(namesOf(emitted())))
       ->option_text("STAGE");
   command
       ->add_option("--at", options->at,
@@ -250,8 +255,10 @@ void addBuildCommand(CLI::App& app, int& status) {
       ->add_option("--print-after", options->print_after,
                    "Print the IR to standard error after a pass: " +
                        fmt::format("{}", fmt::join(passes, ", ")) + " (not at -O0)")
-      ->check(CLI::IsMember(passes))
+      ->check(oneOf(passes))
       ->option_text("PASS ...");
+  command->add_flag("--strict", options->strict,
+                    "Exit with 1 also for warnings, and write nothing then");
   addLinkOption(*command, options->user_code);
   command
       ->add_option("-o", options->output,

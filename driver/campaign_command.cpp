@@ -7,8 +7,11 @@
 #include "driver/campaign/plan.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/json_document.h"
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
+#include "driver/usage/duration.h"
+#include "driver/usage/values.h"
 
 #include <CLI/CLI.hpp>
 
@@ -24,13 +27,17 @@ namespace {
 
 constexpr uint64_t kMostFlights = 10'000'000;
 
-int campaign(const campaign::CampaignOptions& options) {
+/// Flies it. `running` is set if its threads would not let the program end.
+int campaign(const campaign::CampaignOptions& options, Json* document, bool& running) {
   if (options.resume.size() > 1 && options.csv.empty()) {
     throw CLI::ValidationError("--resume", "several files need `--csv FILE` for all their flights");
   }
   if (const campaign::Launch launch = campaign::launchOf(); launch.size > 1) {
     if (options.only) {
       throw CLI::ValidationError("--only", "flies one flight: start it without mpirun or srun");
+    }
+    if (document != nullptr) {
+      throw CLI::ValidationError("--format", "json is for a campaign without mpirun or srun");
     }
     return campaignOnRanks(options, options.jobs != 0 ? options.jobs : 1, launch);
   }
@@ -41,16 +48,14 @@ int campaign(const campaign::CampaignOptions& options) {
     return status;
   }
   if (options.only) {
-    return flyOnly(plan, options);
+    return flyOnly(plan, options, document);
   }
   const auto identity = campaign::identityOf(plan, options);
   if (!identity) {
     return reportFailure(identity.error());
   }
-  const Flown flown = flyThem(plan, options, *identity, nullptr);
-  if (flown.running) {
-    std::_Exit(flown.status);  // its threads would not let the program end
-  }
+  const Flown flown = flyThem(plan, options, *identity, nullptr, document);
+  running = flown.running;
   return flown.status;
 }
 
@@ -107,7 +112,7 @@ void addFaultOption(CLI::App& command, campaign::CampaignOptions& options) {
   command
       .add_option("--fault", options.faults,
                   "Kind of fault to inject, as named in the table; may be repeated [all kinds]")
-      ->check(CLI::IsMember(names))
+      ->check(oneOf(names))
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->option_text("KIND");
@@ -119,7 +124,9 @@ void addOptions(CLI::App& command, campaign::CampaignOptions& options) {
   command
       .add_option("--scenario", options.scenario,
                   "Scenario to fly in: a .toml file, or the name of a bundled one")
+      ->type_name("SCENARIO")
       ->capture_default_str();
+  addFlightDuration(command, options.duration_s);
   command.add_option("--flights", options.flights, "Number of flights [1000]")
       ->check(CLI::Range(uint64_t{1}, kMostFlights))
       ->capture_default_str()
@@ -140,6 +147,8 @@ void addOptions(CLI::App& command, campaign::CampaignOptions& options) {
       ->capture_default_str()
       ->option_text("PERCENT");
   addFaultOption(command, options);
+  command.add_flag("--strict", options.strict,
+                   "Exit with 1 also for warnings, and fly nothing then");
   addFileOptions(command, options);
   addLaunchOptions(command, options.launch);
   addLinkOption(command, options.user_code);
@@ -153,7 +162,16 @@ void addCampaignCommand(CLI::App& app, int& status) {
       "campaign",
       "Fly missions thousands of times with injected faults and summarize the outcomes");
   addOptions(*command, *options);
-  command->callback([options, &status] { status = campaign(*options); });
+  auto json = std::make_shared<bool>(false);
+  addFormatOption(*command, *json);
+  command->callback([options, json, &status] {
+    bool running = false;
+    status = inFormat(*json, "campaign",
+                      [&](Json* document) { return campaign(*options, document, running); });
+    if (running) {
+      std::_Exit(status);  // its threads would not let the program end
+    }
+  });
 }
 
 }  // namespace glider::driver

@@ -11,6 +11,8 @@
 #include "driver/shared_options.h"
 #include "driver/slocum/against_logs.h"
 #include "driver/terminal.h"
+#include "driver/usage/duration.h"
+#include "driver/usage/values.h"
 #include "support/diagnostics/ids/command.h"
 #include "support/files.h"
 #include "vehicles/vehicle.h"
@@ -23,6 +25,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +48,8 @@ struct CommandOptions {
   std::string recheck;       ///< folder of certificates; empty: none
   std::string mi;            ///< the vehicle's mission file; empty: none
   AgainstOptions against;
+  bool strict = false;              ///< warnings and undecided requirements are failures
+  std::optional<double> timeout_s;  ///< of the proofs
 };
 
 /// "1 error, 2 warnings" of the diagnostics shown; empty if there are none of either.
@@ -74,6 +79,7 @@ std::string stackLine(const report::CheckedMission& found) {
 }
 
 constexpr unsigned kMostEffort = 100;
+constexpr double kShortestTimeout_s = 0.001;
 constexpr double kLongestTimeout_s = 1e6;
 
 /// ", 3 requirements proved with skeleton.mi, in water of 35 m or more"; empty if the mission
@@ -103,8 +109,20 @@ std::string verdict(const CheckedFile& checked) {
                      found.states.size() == 1 ? "" : "s", stackLine(found), provedLine(checked));
 }
 
-int exitCode(const report::CheckedMission& found) {
-  return found.failure ? kWorldFailed : found.ok() ? kFine : kMissionHasErrors;
+/// Whether it has a warning, or a requirement that is not proved: with --strict these are failures
+/// too.
+bool leavesDoubt(const report::CheckedMission& found) {
+  const auto warnings = std::ranges::count(found.diagnostics, support::Severity::Warning,
+                                           &support::Diagnostic::severity);
+  return warnings > 0 || std::ranges::any_of(found.requirements, [](const auto& requirement) {
+           return requirement.verdict != "proved";
+         });
+}
+
+int exitCode(const report::CheckedMission& found, bool strict) {
+  return found.failure                                   ? kWorldFailed
+         : !found.ok() || (strict && leavesDoubt(found)) ? kMissionHasErrors
+                                                         : kFine;
 }
 
 /// The verdict of each requirement.
@@ -237,10 +255,11 @@ int checkForPeople(const CommandOptions& options) {
     runAgainst(logs, options.against, checked);
     std::string text;
     tellPeople(checked, options.check, text);
-    status = std::max({status, exitCode(checked.found), writeFiles(options, logs, checked)});
+    status = std::max(
+        {status, exitCode(checked.found, options.strict), writeFiles(options, logs, checked)});
     // Immediately, so that it appears beside the errors of the same mission.
     if (options.output == "-") {
-      if (const auto printed = printOut(text); !printed) {
+      if (const auto printed = printSuccess(text); !printed) {
         return reportFailure(printed.error());
       }
     }
@@ -268,7 +287,8 @@ int checkForMachines(const CommandOptions& options) {
     all.push_back(checkOnTerminal(path, options.check));
     runAgainst(logs, options.against, all.back());
     found.push_back(all.back().found);
-    status = std::max({status, exitCode(found.back()), writeFiles(options, logs, all.back())});
+    status = std::max(
+        {status, exitCode(found.back(), options.strict), writeFiles(options, logs, all.back())});
     if (found.back().failure) {
       reportFailure(*found.back().failure);
     }
@@ -305,6 +325,7 @@ int check(CommandOptions& options) {
     return recheck(options);
   }
   options.check.evidence = !options.certificates.empty();
+  options.check.timeout_s = options.timeout_s.value_or(0);
   if (!options.mi.empty()) {
     if (auto read = vehicles::tryOwnMission(options.mi, reportDiagnostics); !read) {
       return reportFailure(read.error());
@@ -352,11 +373,8 @@ void addAgainstOptions(CLI::App& command, AgainstOptions& options) {
                       "With --against: draw depth and guards over time as an SVG, for one mission")
           ->option_text("FILE")
           ->needs(against);
-  command
-      .add_option("--colour", options.picture_style.colour,
-                  "Quantity that colours the track [one that the mission reads]")
-      ->check(CLI::IsMember(trackColours()))
-      ->needs(picture);
+  addColourOption(command, options.picture_style, picture,
+                  "Quantity that colours the track [one that the mission reads]");
 }
 
 void addVehicleOptions(CLI::App& command, CommandOptions& options) {
@@ -366,13 +384,14 @@ void addVehicleOptions(CLI::App& command, CommandOptions& options) {
                   "its abend aborts, and a vehicle that may stay under water when control ends are "
                   "errors; with --report also in what time it comes to the surface [silence_secs "
                   "24 s, and no limits but the platform's]")
-      ->option_text("FILE");
+      ->option_text("FILE.mi");
   command
       .add_option("--scenario", options.check.scenario,
                   "The same for the mission file of a scenario, and for its start; the mission is "
                   "also flown there once: the name of a scenario that comes with glidercc, or a "
                   ".toml file")
       ->option_text("SCENARIO");
+  addFlightDuration(command, options.check.duration_s)->needs("--scenario");
 }
 
 void addCertificateOptions(CLI::App& command, CommandOptions& options) {
@@ -394,7 +413,9 @@ void addCheckCommand(CLI::App& app, int& status) {
   auto options = std::make_shared<CommandOptions>();
   CLI::App* command = app.add_subcommand("check", "Check missions without building them");
   command
-      ->add_option("MISSION", options->missions, "Mission files (or the IR's text form, FILE.ir)")
+      ->add_option("MISSION", options->missions,
+                   "Mission files (or the IR's text form, FILE.ir); `-` is standard "
+                   "input")
       ->required();
   command
       ->add_option_function<std::string>(
@@ -402,7 +423,7 @@ void addCheckCommand(CLI::App& app, int& status) {
           [options](const std::string& format) { options->format = kCheckFormats.at(format); },
           "Output format: text, json, or sarif (SARIF 2.1.0, for editors and CI); json and sarif "
           "write one document with all findings [text]")
-      ->check(CLI::IsMember(std::vector<std::string>{"text", "json", "sarif"}))
+      ->check(oneOf({"text", "json", "sarif"}))
       ->option_text("FORMAT");
   command->add_option("-o", options->output, "Output file [`-`, standard output]")
       ->option_text("FILE");
@@ -420,13 +441,12 @@ void addCheckCommand(CLI::App& app, int& status) {
           "million all requirements of a mission [1]")
       ->check(CLI::Range(1U, kMostEffort))
       ->option_text("N");
-  command
-      ->add_option(
-          "--timeout", options->check.timeout_s,
-          "Begin no question of a proof later than S seconds after the first; what is left "
-          "is undecided [no limit in seconds]")
-      ->check(CLI::Range(0.001, kLongestTimeout_s))
-      ->option_text("S");
+  addDurationOption(*command, "--timeout", options->timeout_s, kShortestTimeout_s,
+                    kLongestTimeout_s,
+                    "Begin no question of a proof later than this after the first, as in 5s or "
+                    "2min; what is left is undecided [no limit]");
+  command->add_flag("--strict", options->strict,
+                    "Exit with 1 also for warnings and for requirements that are not proved");
   addVehicleOptions(*command, *options);
   acceptNoCache(*command);
   addLinkOption(*command, options->check.user_code);

@@ -12,6 +12,7 @@ namespace glider::driver {
 /// Each adds one subcommand to `app`; running it sets `status` to an ExitCode.
 void addCheckCommand(CLI::App& app, int& status);
 void addBuildCommand(CLI::App& app, int& status);
+void addNewCommand(CLI::App& app, int& status);
 void addParamsCommand(CLI::App& app, int& status);
 void addGraphCommand(CLI::App& app, int& status);
 void addSimCommand(CLI::App& app, int& status);

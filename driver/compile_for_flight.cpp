@@ -6,18 +6,26 @@
 #include "driver/exit_code.h"
 #include "driver/terminal.h"
 
+#include <algorithm>
+
 namespace glider::driver {
 
-std::shared_ptr<const compiler::Optimised> compileForFlight(const std::string& mission,
-                                                            int& status) {
+bool hasWarnings(const support::DiagnosticEngine& diagnostics) {
+  const auto all = diagnostics.sorted();
+  return std::ranges::count(all, support::Severity::Warning, &support::Diagnostic::severity) > 0;
+}
+
+std::shared_ptr<const compiler::Optimised> compileForFlight(const std::string& mission, int& status,
+                                                            bool strict) {
   const auto compiled = compiler::compileMission(mission);
   if (!compiled) {
     status = reportFailure(compiled.error());
     return nullptr;
   }
   reportDiagnostics(compiled->diagnostics, *compiled->sources);
-  status = compiled->checked ? kFine : kMissionHasErrors;
-  return compiled->checked
+  const bool refused = strict && hasWarnings(compiled->diagnostics);
+  status = compiled->checked && !refused ? kFine : kMissionHasErrors;
+  return status == kFine
              ? std::make_shared<const compiler::Optimised>(compiler::optimise(compiled->checked))
              : nullptr;
 }

@@ -11,8 +11,11 @@
 namespace glider::driver {
 
 /// Compiles `mission` as it is to be flown and shows its diagnostics; null with `status` set when
-/// it has errors or cannot be read.
-std::shared_ptr<const compiler::Optimised> compileForFlight(const std::string& mission,
-                                                            int& status);
+/// it has errors or cannot be read, or with `strict` if it has warnings.
+std::shared_ptr<const compiler::Optimised> compileForFlight(const std::string& mission, int& status,
+                                                            bool strict = false);
+
+/// Whether a warning is among them.
+bool hasWarnings(const support::DiagnosticEngine& diagnostics);
 
 }  // namespace glider::driver

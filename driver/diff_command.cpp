@@ -7,6 +7,7 @@
 #include "analysis/difference/parting.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/json_document.h"
 #include "driver/output/check_on_terminal.h"
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
@@ -18,13 +19,16 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace glider::driver {
 namespace {
 
 struct DiffOptions {
+  bool json = false;
   std::string before, after;
   CheckOptions check;
   bool fly = true;
@@ -114,42 +118,88 @@ std::string flightText(const analysis::PartingSearch& search) {
                    search.flights, search.random);
 }
 
-/// Prints what differs; returns the exit code.
-int tellDifference(const DiffOptions& options, const CheckedFile& before,
-                   const CheckedFile& after) {
+Json flightJson(const analysis::PartingSearch& search) {
+  Json flight = {{"simulated", search.flights}, {"random", search.random}, {"found", search.found}};
+  if (search.found) {
+    const analysis::Parting& parting = search.parting;
+    flight["flight"] = parting.flight;
+    flight["mission_time_s"] = parting.mission_time;
+    flight["state"] = parting.state;
+    flight["old"] = parting.old_does;
+    flight["new"] = parting.new_does;
+    flight["readings"] = parting.readings;
+  }
+  return flight;
+}
+
+/// All differences of two versions, in the sections in which they are shown.
+struct Differences {
+  std::vector<std::string> names;
+  std::vector<analysis::DifferentPart> parts;
+  std::vector<std::string> bounds, assumptions, requirements;
+  std::optional<analysis::PartingSearch> search;
+};
+
+std::string textOf(const Differences& found) {
+  std::string text = section("names", found.names);
+  for (const analysis::DifferentPart& part : found.parts) {
+    text += section(part.title, part.lines);
+  }
+  return text + section("bounds", found.bounds) + section("assumptions", found.assumptions) +
+         section("requirements", found.requirements) +
+         (found.search ? flightText(*found.search) : "") +
+         (found.parts.empty() ? "no difference in behaviour\n" : "");
+}
+
+void put(Json& document, const Differences& found) {
+  document["same"] = found.parts.empty();
+  document["names"] = found.names;
+  document["parts"] = Json::array();
+  for (const analysis::DifferentPart& part : found.parts) {
+    document["parts"].push_back({{"title", part.title}, {"lines", part.lines}});
+  }
+  document["bounds"] = found.bounds;
+  document["assumptions"] = found.assumptions;
+  document["requirements"] = found.requirements;
+  document["flight"] = found.search ? flightJson(*found.search) : Json();
+}
+
+/// Prints what differs, or puts it into the document; returns the exit code.
+int tellDifference(const DiffOptions& options, const CheckedFile& before, const CheckedFile& after,
+                   Json* document) {
   const auto was = checkedOf(before);
   const auto is = checkedOf(after);
   if (!was || !is) {
     return kWorldFailed;
   }
   const analysis::MissionDifference difference = analysis::compareMissions(*was, *is);
+  Differences found{difference.renamed,
+                    difference.parts,
+                    analysis::compareBounds(*was, *is),
+                    compareAssumptions(was->mission(), is->mission()),
+                    compareVerdicts(before.found, after.found),
+                    std::nullopt};
   const bool same = difference.parts.empty();
-  std::string text = section("names", difference.renamed);
-  for (const analysis::DifferentPart& part : difference.parts) {
-    text += section(part.title, part.lines);
-  }
-  text += section("bounds", analysis::compareBounds(*was, *is));
-  text += section("assumptions", compareAssumptions(was->mission(), is->mission()));
-  text += section("requirements", compareVerdicts(before.found, after.found));
   if (!same && options.fly) {
-    const auto search =
+    auto search =
         analysis::searchParting(compiler::optimise(was), compiler::optimise(is), difference);
     if (!search) {
       return reportFailure(search.error());
     }
-    text += flightText(*search);
+    found.search = std::move(*search);
   }
-  text += same ? "no difference in behaviour\n" : "";
-  if (auto printed = printOut(text); !printed) {
+  if (document != nullptr) {
+    put(*document, found);
+  } else if (auto printed = printOut(textOf(found)); !printed) {
     return reportFailure(printed.error());
   }
   return same ? kFine : kMissionHasErrors;
 }
 
-int diff(const DiffOptions& options) {
+int diff(const DiffOptions& options, Json* document) {
   const CheckedFile before = checkOnTerminal(options.before, options.check);
   const CheckedFile after = checkOnTerminal(options.after, options.check);
-  return tellDifference(options, before, after);
+  return tellDifference(options, before, after, document);
 }
 
 }  // namespace
@@ -167,7 +217,11 @@ void addDiffCommand(CLI::App& app, int& status) {
   command->footer(
       "Exit codes: 0 no difference in behaviour, 1 they differ, 2 usage error, a mission with "
       "errors, or a file failed.");
-  command->callback([options, &status] { status = diff(*options); });
+  addFormatOption(*command, options->json);
+  command->callback([options, &status] {
+    status =
+        inFormat(options->json, "diff", [&](Json* document) { return diff(*options, document); });
+  });
 }
 
 }  // namespace glider::driver

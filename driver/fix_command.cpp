@@ -5,6 +5,7 @@
 #include "compiler/vehicles_own.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/output/check_on_terminal.h"
 #include "driver/output/line_diff.h"
 #include "driver/output/rewrite.h"
 #include "driver/terminal.h"
@@ -18,7 +19,9 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace glider::driver {
@@ -28,43 +31,79 @@ using support::Diagnostic;
 using support::Fixing;
 using support::Result;
 
-std::string reportOf(const std::string& path, const Fixing& fixing) {
+/// A line for each change; empty if there is none.
+std::string reportOf(const std::string& name, const Fixing& fixing) {
   std::string out;
   for (const Fixing::Round& round : fixing.rounds) {
     support::SourceManager sources;
-    const uint32_t file = sources.add(path, round.before);
+    const uint32_t file = sources.add(name, round.before);
     for (const Diagnostic& diagnostic : round.fixed) {
       const support::LineColumn at = sources.place(file, diagnostic.range.begin);
-      out += fmt::format("{}:{}:{}: fixed [{} {}] {}\n", path, at.line, at.column,
+      out += fmt::format("{}:{}:{}: fixed [{} {}] {}\n", name, at.line, at.column,
                          support::code(diagnostic.id), support::catalogueRow(diagnostic.id).slug,
                          diagnostic.message);
     }
   }
-  return out.empty() ? path + ": nothing to fix\n" : out;
+  return out;
 }
 
-/// Replaces the file's text with the fixed text, or shows what that would change.
+/// Replaces the file's text with the fixed text, or shows what that would change. The text of
+/// standard input goes to standard output, where a report would spoil it.
 Result<void> put(const std::string& path, const std::string& before, const Fixing& fixing,
                  bool dry_run) {
+  const std::string name = compiler::shownName(path);
+  const std::string report = reportOf(name, fixing);
+  if (path == compiler::kStandardInput) {
+    tell(report);
+    return printOut(dry_run ? lineDiff(name, before, fixing.text) : fixing.text);
+  }
   if (!dry_run && fixing.text != before) {
     if (auto written = rewriteFile(path, fixing.text); !written) {
       return written;
     }
   }
-  return printOut(reportOf(path, fixing) + (dry_run ? lineDiff(path, before, fixing.text) : ""));
+  const auto told = printSuccess(report);
+  return told && dry_run ? printOut(lineDiff(path, before, fixing.text)) : told;
+}
+
+/// Reports the errors that remain, those of proofs too, and whether there was nothing to fix;
+/// returns the exit code.
+int reportRemaining(const std::string& path, compiler::Compilation last, bool changed) {
+  const std::string name = compiler::shownName(path);
+  const CheckedFile checked = checkOnTerminal(name, std::move(last), {});
+  reportDiagnostics(checked.compilation->diagnostics, *checked.compilation->sources);
+  if (checked.found.failure) {
+    return reportFailure(*checked.found.failure);
+  }
+  const auto errors = std::ranges::count(checked.found.diagnostics, support::Severity::Error,
+                                         &Diagnostic::severity);
+  if (errors > 0) {
+    tell(fmt::format("{}: {}{} error{} remain{}\n", name,
+                     changed ? "" : "nothing that can be fixed automatically; ", errors,
+                     errors == 1 ? "" : "s", errors == 1 ? "s" : ""));
+    return kMissionHasErrors;
+  }
+  const std::string nothing = changed ? "" : name + ": nothing to fix\n";
+  if (path == compiler::kStandardInput) {
+    tell(nothing);
+    return kFine;
+  }
+  const auto told = printSuccess(nothing);
+  return told ? kFine : reportFailure(told.error());
 }
 
 int fix(const std::string& path, bool dry_run) {
   if (auto kind = compiler::requireKind(path, compiler::MissionKind::Language); !kind) {
     return reportFailure(kind.error());
   }
-  const auto text = support::readFile(path);
+  const auto text =
+      support::readFile(path == compiler::kStandardInput ? std::string("/dev/stdin") : path);
   if (!text) {
     return reportFailure(text.error());
   }
   std::optional<compiler::Compilation> last;
   const auto check = [&](const std::string& candidate) -> Result<std::vector<Diagnostic>> {
-    auto compiled = compiler::compileText(path, candidate);
+    auto compiled = compiler::compileText(compiler::shownName(path), candidate);
     if (!compiled) {
       return std::unexpected(compiled.error());
     }
@@ -80,12 +119,10 @@ int fix(const std::string& path, bool dry_run) {
     reportFailure(support::fail(support::diagnostics::fixesNotKept, path).error());
     return kMissionHasErrors;
   }
-  const auto done = put(path, *text, *fixing, dry_run);
-  if (!done) {
+  if (const auto done = put(path, *text, *fixing, dry_run); !done) {
     return reportFailure(done.error());
   }
-  reportDiagnostics(last->diagnostics, *last->sources);
-  return last->diagnostics.hasErrors() ? kMissionHasErrors : kFine;
+  return reportRemaining(path, std::move(*last), !fixing->rounds.empty());
 }
 
 }  // namespace
@@ -95,7 +132,11 @@ void addFixCommand(CLI::App& app, int& status) {
   auto dry_run = std::make_shared<bool>(false);
   CLI::App* command =
       app.add_subcommand("fix", "Apply automatic fixes and report remaining errors");
-  command->add_option("FILE", *files, "Mission files")->required();
+  command
+      ->add_option(
+          "MISSION", *files,
+          "Mission files; `-` is standard input, and the fixed text goes to standard output")
+      ->required();
   command->add_flag("--dry-run", *dry_run, "Show what would change without writing files");
   command->callback([files, dry_run, &status] {
     for (const std::string& path : *files) {

@@ -71,7 +71,7 @@ int format(const FmtOptions& options, const std::string& path) {
 void addFmtCommand(CLI::App& app, int& status) {
   auto options = std::make_shared<FmtOptions>();
   CLI::App* command = app.add_subcommand("fmt", "Format mission files; comments are kept");
-  command->add_option("FILE", options->files, "Mission or library files; - is standard input")
+  command->add_option("MISSION", options->files, "Mission or library files; `-` is standard input")
       ->required();
   command->add_flag(
       "--check", options->check,

@@ -6,7 +6,9 @@
 #include "compiler/proving.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/output/executable.h"
 #include "driver/terminal.h"
+#include "driver/usage/values.h"
 #include "ir/verify/promela.h"
 #include "support/diagnostics/ids/command.h"
 #include "support/files.h"
@@ -66,8 +68,7 @@ std::string draw(const GraphOptions& options, const compiler::Compilation& compi
 /// The file to write if none is named: in the current folder, named after the mission.
 std::string outputName(const GraphOptions& options) {
   constexpr const char* kEndings[] = {".svg", ".dot", ".graph.json", ".pml"};
-  return std::filesystem::path(options.mission).stem().string() +
-         kEndings[static_cast<size_t>(options.format)];
+  return stemOf(options.mission) + kEndings[static_cast<size_t>(options.format)];
 }
 
 /// True if the picture would overwrite the mission.
@@ -92,9 +93,9 @@ support::Result<void> put(const GraphOptions& options, const compiler::Compilati
   if (auto written = support::writeFileAtomically(output, text); !written) {
     return written;
   }
-  return printOut(fmt::format("{}: mission {}, {} states\n", output,
-                              compilation.lowered->mission.name,
-                              compilation.lowered->mission.states.size()));
+  return printSuccess(fmt::format("{}: mission {}, {} states\n", output,
+                                  compilation.lowered->mission.name,
+                                  compilation.lowered->mission.states.size()));
 }
 
 int graph(const GraphOptions& options) {
@@ -120,7 +121,9 @@ void addGraphCommand(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("graph", "Draw the states of a mission and the transitions between them");
   command
-      ->add_option("MISSION", options->mission, "The mission file (or the IR's text form, FILE.ir)")
+      ->add_option("MISSION", options->mission,
+                   "The mission file (or the IR's text form, FILE.ir); `-` is standard "
+                   "input")
       ->required();
   command
       ->add_option_function<std::string>(
@@ -128,7 +131,7 @@ void addGraphCommand(CLI::App& app, int& status) {
           [options](const std::string& format) { options->format = kGraphFormats.at(format); },
           "Output format: svg, dot (Graphviz), json, or promela (a model of the structure for "
           "SPIN) [svg]")
-      ->check(CLI::IsMember(std::vector<std::string>{"svg", "dot", "json", "promela"}))
+      ->check(oneOf({"svg", "dot", "json", "promela"}))
       ->option_text("FORMAT");
   command->add_flag("--deepest", options->deepest, "Highlight the deepest call stack");
   command->add_option("-o", options->output, "Output file; `-` is standard output [MISSION.svg]")

@@ -3,6 +3,8 @@
 
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/json_document.h"
+#include "driver/output/log_json.h"
 #include "driver/shared_options.h"
 #include "driver/slocum/data_log.h"
 #include "driver/terminal.h"
@@ -17,6 +19,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace glider::driver {
 namespace {
@@ -46,14 +49,18 @@ Result<void> write(const LogOptions& options, const std::string& text) {
 }
 
 /// Shows the log of a mission.
-int showMissionLog(const std::string& file, const LogOptions& options) {
+int showMissionLog(const std::string& file, const LogOptions& options, Json* document) {
   const auto bytes = support::readFile(file);
   if (!bytes) {
     return reportFailure(bytes.error());
   }
   std::error_code ignored;
   std::string text = options.csv.empty() ? "" : logs::kLogCsvHead;
+  Json entries = Json::array();
   const logs::LogDamage damage = logs::readLog(*bytes, [&](const logs::LogEntry& entry) {
+    if (document != nullptr) {
+      entries.push_back(entryOf(entry));
+    }
     text += options.csv.empty() ? logs::textLine(entry) : logs::csvLines(entry);
   });
   if (damage.starts == 0) {
@@ -63,8 +70,15 @@ int showMissionLog(const std::string& file, const LogOptions& options) {
     }
     return reportFailure(support::fail(support::diagnostics::noLog, file, why).error());
   }
-  if (const auto written = write(options, text); !written) {
-    return reportFailure(written.error());
+  if (document != nullptr) {
+    (*document)["entries"] = std::move(entries);
+    (*document)["damage"] = damageOf(damage);
+  }
+  const bool to_file = !options.csv.empty() && options.csv != "-";
+  if (document == nullptr || to_file) {
+    if (const auto written = write(options, text); !written) {
+      return reportFailure(written.error());
+    }
   }
   if (const std::string harm = damageText(damage); !harm.empty()) {
     tell(fmt::format("glidercc: note: {}: records: {}\n", file, harm));
@@ -94,12 +108,12 @@ bool isForDataFiles(const LogOptions& options) {
          !options.report.empty() || !options.picture.empty();
 }
 
-int log(const LogOptions& options) {
+int log(const LogOptions& options, Json* document) {
   if (const std::string input = overwrittenInput(options); !input.empty()) {
     return reportFailure(support::fail(support::diagnostics::outputIsInput, input).error());
   }
   if (areDataFiles(options.files)) {
-    return showDataFiles(options);
+    return showDataFiles(options, document);
   }
   const std::string& file = options.files[0];
   if (isForDataFiles(options)) {
@@ -108,7 +122,7 @@ int log(const LogOptions& options) {
                                        "other options are for data files")
                              .error());
   }
-  return showMissionLog(file, options);
+  return showMissionLog(file, options, document);
 }
 
 constexpr const char* kLogFooter =
@@ -184,7 +198,15 @@ void addLogCommand(CLI::App& app, int& status) {
       ->allow_extra_args(false);
   addDrawingOptions(*command, *options);
   command->footer(kLogFooter);
-  command->callback([options, &status] { status = log(*options); });
+  auto json = std::make_shared<bool>(false);
+  addFormatOption(*command, *json);
+  command->callback([options, json, &status] {
+    if (*json && options->csv == "-") {
+      throw CLI::ValidationError("--format",
+                                 "json goes to standard output: name a file with --csv");
+    }
+    status = inFormat(*json, "log", [&](Json* document) { return log(*options, document); });
+  });
 }
 
 }  // namespace glider::driver

@@ -5,31 +5,25 @@
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/output/man_page.h"
+#include "driver/output/version.h"
 #include "driver/terminal.h"
+#include "driver/usage/common_options.h"
+#include "driver/usage/completion/completion.h"
+#include "driver/usage/help.h"
+#include "driver/usage/mistakes.h"
 
 #include <CLI/CLI.hpp>
 
 #include <csignal>
 #include <exception>
+#include <memory>
 #include <string>
 
 namespace {
 
 constexpr const char* kFooter =
     "Exit codes: 0 success, 1 the mission has errors (or its flight ended with a warning),\n"
-    "2 usage error, or a file, port or tool failed.\n"
-    "Try: glidercc check FILE.mission";
-
-/// Reports an unknown command by its name; CLI11 would only report that a command is required.
-int tellUnknownCommand(const CLI::App& app, const std::string& word) {
-  std::string names;
-  for (const CLI::App* command : app.get_subcommands({})) {
-    names += (names.empty() ? "" : ", ") + command->get_name();
-  }
-  glider::driver::tell("glidercc: error: there is no command `" + word +
-                       "`\n  hint: the commands are: " + names + "\n");
-  return glider::driver::kWorldFailed;
-}
+    "2 usage error, or a file, port or tool failed.";
 
 /// Prints what is wrong with the command line, or the help that it asks for; returns the exit code.
 int tellUsage(const CLI::App& app, int argc, char** argv, const CLI::ParseError& error) {
@@ -37,11 +31,13 @@ int tellUsage(const CLI::App& app, int argc, char** argv, const CLI::ParseError&
   if (glider::campaign::launchOf().rank > 0) {
     return kFine;  // rank 0 has the same command line
   }
-  const bool lacks = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
-  if (lacks && argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty()) {
-    return tellUnknownCommand(app, argv[1]);
+  if (error.get_exit_code() != 0) {
+    return tellMistake(app, argc, argv, error);
   }
-  return app.exit(error) == 0 ? kFine : kWorldFailed;
+  const CLI::App* command = app.get_subcommands().empty() ? &app : app.get_subcommands().front();
+  const bool help = dynamic_cast<const CLI::CallForHelp*>(&error) != nullptr;
+  const auto printed = printOut(help ? helpOf(*command) : std::string(error.what()) + "\n");
+  return printed ? kFine : reportFailure(printed.error());
 }
 
 int run(int argc, char** argv) {
@@ -51,13 +47,15 @@ int run(int argc, char** argv) {
       "payload bay, and flies\n"
       "them in a simulator.",
       "glidercc"};
-  app.set_version_flag("--version", std::string("glidercc ") + GLIDER_VERSION);
+  app.set_version_flag("--version", versionText);
   app.add_flag_callback(
-      "--man", [&app] { throw CLI::CallForVersion(manPage(app), 0); },
+      "--man", [&app] { throw CLI::CallForVersion(manPage(app, HelpFormatter()), 0); },
       "Print the manual page (`glidercc --man | man -l -`) and exit");
   app.require_subcommand(1);
+  app.formatter(std::make_shared<HelpFormatter>());
   app.footer(kFooter);
   int status = kFine;
+  addNewCommand(app, status);
   addCheckCommand(app, status);
   addDiffCommand(app, status);
   addBuildCommand(app, status);
@@ -73,6 +71,11 @@ int run(int argc, char** argv) {
   addExplainCommand(app, status);
   addTargetsCommand(app, status);
   addPlatformCommand(app, status);
+  addHelpCommand(app, status);
+  addCompletionCommand(app, status);
+  for (CLI::App* command : app.get_subcommands({})) {
+    addCommonOptions(*command);
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

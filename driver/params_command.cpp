@@ -6,6 +6,7 @@
 #include "driver/commands.h"
 #include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
+#include "driver/json_document.h"
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
 #include "flights/launch_choice.h"
@@ -22,6 +23,7 @@ namespace glider::driver {
 namespace {
 
 struct ParamsOptions {
+  bool json = false;
   std::string mission;
   flights::LaunchChoice launch;
 };
@@ -47,17 +49,13 @@ std::string table(const std::vector<Row>& rows) {
   return text;
 }
 
-support::Result<std::string> describe(const compiler::Optimised& mission,
-                                      const flights::LaunchChoice& choice) {
-  const auto parameters = analysis::parameterRows(mission, choice);
-  if (!parameters) {
-    return std::unexpected(parameters.error());
-  }
-  if (parameters->empty()) {
-    return fmt::format("mission {} has no parameters\n", mission.mission.name);
+std::string describe(const std::string& mission,
+                     const std::vector<analysis::ParameterRow>& parameters) {
+  if (parameters.empty()) {
+    return fmt::format("mission {} has no parameters\n", mission);
   }
   std::vector<Row> rows{{"name", "type", "default", "range", "set to"}};
-  for (const analysis::ParameterRow& one : *parameters) {
+  for (const analysis::ParameterRow& one : parameters) {
     rows.push_back({one.name, one.type, one.initial, one.range, one.set_to});
   }
   if (std::ranges::all_of(rows.begin() + 1, rows.end(),
@@ -67,17 +65,35 @@ support::Result<std::string> describe(const compiler::Optimised& mission,
   return table(rows);
 }
 
-int params(const ParamsOptions& options) {
+/// The members of the document: the texts as in the table; `set_to` is null for the default.
+void put(Json& document, const std::string& mission,
+         const std::vector<analysis::ParameterRow>& parameters) {
+  document["mission"] = mission;
+  document["parameters"] = Json::array();
+  for (const analysis::ParameterRow& one : parameters) {
+    document["parameters"].push_back({{"name", one.name},
+                                      {"type", one.type},
+                                      {"default", one.initial},
+                                      {"range", one.range.empty() ? Json() : Json(one.range)},
+                                      {"set_to", one.set_to.empty() ? Json() : Json(one.set_to)}});
+  }
+}
+
+int params(const ParamsOptions& options, Json* document) {
   int status = kFine;
   const auto mission = compileForFlight(options.mission, status);
   if (mission == nullptr) {
     return status;
   }
-  const auto text = describe(*mission, options.launch);
-  if (!text) {
-    return reportFailure(text.error());
+  const auto parameters = analysis::parameterRows(*mission, options.launch);
+  if (!parameters) {
+    return reportFailure(parameters.error());
   }
-  const auto printed = printOut(*text);
+  if (document != nullptr) {
+    put(*document, mission->mission.name, *parameters);
+    return kFine;
+  }
+  const auto printed = printOut(describe(mission->mission.name, *parameters));
   return printed ? kFine : reportFailure(printed.error());
 }
 
@@ -89,7 +105,11 @@ void addParamsCommand(CLI::App& app, int& status) {
       "params", "List a mission's parameters: types, defaults, ranges and changed values");
   command->add_option("MISSION", options->mission, "The mission file")->required();
   addLaunchOptions(*command, options->launch);
-  command->callback([options, &status] { status = params(*options); });
+  addFormatOption(*command, options->json);
+  command->callback([options, &status] {
+    status = inFormat(options->json, "params",
+                      [&](Json* document) { return params(*options, document); });
+  });
 }
 
 }  // namespace glider::driver

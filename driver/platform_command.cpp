@@ -4,6 +4,7 @@
 #include "compiler/vehicles.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/json_document.h"
 #include "driver/terminal.h"
 #include "ir/core/ops.h"
 #include "platforms/generate/sensor_header.h"
@@ -156,7 +157,8 @@ std::string json(const Platform& platform) {
 int show(const PlatformOptions& options) {
   const auto platform = compiler::loadVehicle(options.name);
   if (!platform) {
-    return reportFailure(platform.error());
+    return inFormat(options.json, "platform",
+                    [&](Json*) { return reportFailure(platform.error()); });
   }
   if (auto roles = platforms::checkRoles(*platform); options.header && !roles) {
     return reportFailure(roles.error());
@@ -175,11 +177,13 @@ void addPlatformCommand(CLI::App& app, int& status) {
   auto options = std::make_shared<PlatformOptions>();
   command->add_option("NAME", options->name,
                       fmt::format("Vehicle [{}]", platforms::kDefaultPlatform));
-  CLI::Option* as_json = command->add_flag("--json", options->json, "Write JSON");
+  CLI::Option* as_json = command->add_flag("--json", options->json, "The same as --format json");
+  addFormatOption(*command, options->json);
   command
       ->add_flag("--header", options->header,
                  "Write the C header of its sensors, for hooks and missions in C")
-      ->excludes(as_json);
+      ->excludes(as_json)
+      ->excludes("--format");
   command->callback([options, &status] { status = show(*options); });
 }
 

@@ -3,6 +3,8 @@
 
 #include "driver/shared_options.h"
 
+#include "driver/usage/values.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -56,13 +58,22 @@ std::vector<std::string> trackColours() {
 CLI::Option* addPictureOptions(CLI::App& command, std::string& file, report::PictureStyle& style) {
   auto* picture = command.add_option("--picture", file,
                                      "Also draw the flight as an SVG, for a paper or a logbook");
-  picture->option_text("FILE");
-  command
-      .add_option("--colour", style.colour,
-                  "Quantity that colours the track [chlorophyll if measured, else temp]")
-      ->check(CLI::IsMember(trackColours()))
-      ->needs(picture);
+  picture->option_text("FILE.svg");
+  addColourOption(command, style, picture,
+                  "Quantity that colours the track [chlorophyll if measured, else temp]");
   return picture;
+}
+
+void addColourOption(CLI::App& command, report::PictureStyle& style, CLI::Option* picture,
+                     const std::string& description) {
+  command.add_option("--colour-by", style.colour, description)
+      ->check(oneOf(trackColours()))
+      ->option_text("QUANTITY")
+      ->needs(picture);
+  command.add_option("--colour", style.colour)
+      ->check(oneOf(trackColours(), "the colour of messages is `--color`"))
+      ->needs(picture)
+      ->group("");
 }
 
 void acceptNoCache(CLI::App& command) {

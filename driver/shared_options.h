@@ -21,10 +21,14 @@ void addLaunchOptions(CLI::App& command, flights::LaunchChoice& choice);
 /// Adds --link FILE to `command`.
 void addLinkOption(CLI::App& command, std::vector<std::string>& files);
 
-/// The values of --colour: what can colour the track of a picture.
+/// The values of --colour-by: what can colour the track of a picture.
 std::vector<std::string> trackColours();
-/// Adds --picture FILE and --colour to `command`; returns the first.
+/// Adds --picture FILE and --colour-by to `command`; returns the first.
 CLI::Option* addPictureOptions(CLI::App& command, std::string& file, report::PictureStyle& style);
+/// Adds --colour-by, which needs the option `picture`. Its old name --colour, too easily taken for
+/// --color, goes on to work; --help does not show it.
+void addColourOption(CLI::App& command, report::PictureStyle& style, CLI::Option* picture,
+                     const std::string& description);
 
 /// `--no-cache`, which does nothing: every check searches its proofs itself. Scripts of earlier
 /// versions, which kept proofs, go on to work; --help does not show it.

@@ -6,12 +6,15 @@
 #include "driver/commands.h"
 #include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
+#include "driver/json_document.h"
 #include "driver/output/flight_files.h"
 #include "driver/output/flight_folder.h"
+#include "driver/output/track_colour.h"
 #include "driver/replay_trace.h"
 #include "driver/shared_options.h"
 #include "driver/sim_options.h"
 #include "driver/terminal.h"
+#include "driver/usage/duration.h"
 #include "flights/flight_setup.h"
 #include "flights/scenario_choice.h"
 #include "report/picture/picture.h"
@@ -25,9 +28,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -74,16 +75,19 @@ std::vector<support::Diagnostic> judge(const support::Trace& trace, const Flown&
 /// Writes all files of a flight to where the options say.
 support::Result<void> writeAll(const support::Trace& trace, const SimOptions& options,
                                const std::vector<support::Diagnostic>& reported,
-                               FlightFolder& folder) {
+                               FlightFolder& folder, Json* document) {
   if (auto written = writeFlight(trace, folder.staging(), reported); !written) {
     return written;
   }
   if (!options.picture.empty()) {
-    const std::string drawn = report::drawPicture(trace, options.picture_style);
+    const std::string drawn = report::drawPicture(trace, styleFor(trace, options.picture_style));
     if (auto written = support::writeFileAtomically(folder.placeOf(options.picture), drawn);
         !written) {
       return written;
     }
+  }
+  if (document != nullptr) {
+    document->update(Json::parse(flightToJson(trace, reported, folder.names())));
   }
   if (auto written = writeFlightSummary(trace, reported, folder.names(), folder.staging());
       !written) {
@@ -94,7 +98,7 @@ support::Result<void> writeAll(const support::Trace& trace, const SimOptions& op
 
 /// Flies and writes; the flight has been set up.
 int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options, const Flown& flown,
-                 FlightFolder& folder) {
+                 FlightFolder& folder, Json* document) {
   const simulator::Scenario scenario = setup.scenario;
   ProgressLine line;
   showProgress(setup, line);
@@ -106,13 +110,21 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options, co
     return reportFailure(trace.error());
   }
   const double end = trace->rowCount() == 0 ? 0 : trace->at(trace->rowCount() - 1, 0);
-  const auto printed = printOut(
-      report::summarize(*trace) +
-      fmt::format("\nflown {:.0f} s in {:.4f} s; report: {}\n", end, took.count(),
-                  (std::filesystem::path(outputFolder(options)) / "report.html").string()));
+  const auto printed =
+      document != nullptr
+          ? support::Result<void>{}
+          : printSuccess(
+                report::summarize(*trace) +
+                fmt::format(
+                    "\nflown {:.0f} s in {:.4f} s; report: {}\n", end, took.count(),
+                    (std::filesystem::path(outputFolder(options)) / "report.html").string()));
   const auto reported = judge(*trace, flown, scenario);
-  if (auto written = writeAll(*trace, options, reported, folder); !written) {
+  if (auto written = writeAll(*trace, options, reported, folder, document); !written) {
     return reportFailure(written.error());
+  }
+  if (document != nullptr) {
+    (*document)["flown_s"] = end;
+    (*document)["folder"] = outputFolder(options);
   }
   if (!printed) {
     return reportFailure(printed.error());
@@ -132,7 +144,27 @@ std::optional<flights::RequirementWatch> watchOf(const SimOptions& options,
   return can ? std::optional<flights::RequirementWatch>(*mission) : std::nullopt;
 }
 
-int sim(const SimOptions& options) {
+/// The scenario with the duration and the mission of the vehicle's own that the options name.
+support::Result<simulator::Scenario> scenarioFor(const SimOptions& options,
+                                                 const platforms::Platform& platform) {
+  auto scenario = flights::chooseScenario(options.scenario, platform, reportDiagnostics);
+  if (!scenario) {
+    return scenario;
+  }
+  if (options.duration_s) {
+    const std::string note = flights::setDuration(*scenario, platform, *options.duration_s);
+    tell(note.empty() ? "" : "glidercc: note: " + note + "\n");
+  }
+  if (isVehiclesOwn(options)) {
+    auto own = flights::flyVehiclesOwn(options.mission, platform, *scenario, reportDiagnostics);
+    if (!own) {
+      return std::unexpected(own.error());
+    }
+  }
+  return scenario;
+}
+
+int sim(const SimOptions& options, Json* document) {
   if (!options.replay.empty()) {
     return replayTrace(options);
   }
@@ -149,15 +181,9 @@ int sim(const SimOptions& options) {
   if (!platform) {
     return reportFailure(platform.error());
   }
-  auto scenario = flights::chooseScenario(options.scenario, *platform, reportDiagnostics);
+  auto scenario = scenarioFor(options, *platform);
   if (!scenario) {
     return reportFailure(scenario.error());
-  }
-  if (isVehiclesOwn(options)) {
-    auto own = flights::flyVehiclesOwn(options.mission, *platform, *scenario, reportDiagnostics);
-    if (!own) {
-      return reportFailure(own.error());
-    }
   }
   auto folder = FlightFolder::open(outputFolder(options));
   if (!folder) {
@@ -188,16 +214,16 @@ int sim(const SimOptions& options) {
     setup.mission_name = std::filesystem::path(options.mission).filename().string();
   }
   return flyAndReport(std::move(setup), options, {mission.get(), watch ? &*watch : nullptr},
-                      *folder);
+                      *folder, document);
 }
 
-/// The error if `text` is not a valid time of the flight, s.
-std::string checkTime(const std::string& text) {
-  double value = -1;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool good = error == std::errc() && end == text.data() + text.size() &&
-                    std::isfinite(value) && value >= 0;
-  return good ? "" : fmt::format("`{}` is not a time in seconds, 0 or more", text);
+void addFlightOptions(CLI::App& command, SimOptions& options) {
+  command.add_option("--seed", options.seed, "Seed of all noise [the scenario's]")
+      ->check(seedValidator())
+      ->option_text("N");
+  addDurationOption(command, "--kill-sbc-at", options.kill_sbc_at_s, 0, simulator::kLongestFlight_s,
+                    "Cut the SBC's power at this vehicle time, as in 600s or 10min");
+  addFlightDuration(command, options.duration_s);
 }
 
 void addOptions(CLI::App& command, SimOptions& options) {
@@ -208,11 +234,13 @@ void addOptions(CLI::App& command, SimOptions& options) {
   command
       .add_option("--scenario", options.scenario,
                   "Scenario to fly in: a .toml file, or the name of a bundled one")
+      ->type_name("SCENARIO")
       ->capture_default_str();
-  auto* board =
-      command.add_option("--board", options.board,
-                         "Run the binary for this target, as listed by `glidercc targets`, "
-                         "behind a serial line [run the mission inside glidercc]");
+  auto* board = command
+                    .add_option("--board", options.board,
+                                "Run the binary for this target, as listed by `glidercc targets`, "
+                                "behind a serial line [run the mission inside glidercc]")
+                    ->type_name("TARGET");
   auto* program =
       command
           .add_option("--sbc", options.program,
@@ -235,17 +263,11 @@ void addOptions(CLI::App& command, SimOptions& options) {
       ->capture_default_str()
       ->option_text("NAME")
       ->excludes(mission);
-  command.add_option("--seed", options.seed, "Seed of all noise [the scenario's]")
-      ->check(seedValidator())
-      ->option_text("N");
-  command
-      .add_option("--kill-sbc-at", options.kill_sbc_at_s,
-                  "Cut the SBC's power at this vehicle time, s")
-      ->check(CLI::Validator(checkTime, "", "time"))
-      ->option_text("SECONDS");
+  addFlightOptions(command, options);
   command
       .add_option("-o", options.output,
-                  "Output folder for report.html, trace.csv, events.csv and flight.json")
+                  "Output folder for report.html, trace.csv, events.csv and flight.json "
+                  "[MISSION-flight in the current folder]")
       ->option_text("FOLDER");
   command
       .add_option("--replay", options.replay,
@@ -254,6 +276,7 @@ void addOptions(CLI::App& command, SimOptions& options) {
       ->excludes("--scenario")
       ->excludes("--seed")
       ->excludes("--kill-sbc-at")
+      ->excludes("--duration")
       ->needs(mission);
   addPictureOptions(command, options.picture, options.picture_style)->excludes("--replay");
   program->excludes(board);
@@ -270,12 +293,15 @@ void addSimCommand(CLI::App& app, int& status) {
   addOptions(*command, *options);
   addLaunchOptions(*command, options->launch);
   addLinkOption(*command, options->user_code);
+  addFormatOption(*command, options->json);
+  command->get_option("--format")->excludes("--replay");
   command->callback([options, &status] {
     if (options->mission.empty() && options->program.empty() && options->serial.empty() &&
         !options->without_sbc) {
       throw CLI::RequiredError("MISSION (or --sbc PROGRAM, --serial DEVICE, or --no-sbc)");
     }
-    status = sim(*options);
+    status =
+        inFormat(options->json, "sim", [&](Json* document) { return sim(*options, document); });
   });
 }
 

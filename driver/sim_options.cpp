@@ -4,6 +4,7 @@
 #include "driver/sim_options.h"
 
 #include "compiler/vehicles_own.h"
+#include "driver/output/executable.h"
 #include "flights/sbc_choice.h"
 
 #include <filesystem>
@@ -13,11 +14,11 @@ namespace {
 
 /// The stem of this flight's file names: that of the mission's file, the program or the serial
 /// device, or another valid name.
-std::string stemOf(const SimOptions& options) {
+std::string flightName(const SimOptions& options) {
   const std::string named = !options.mission.empty()   ? options.mission
                             : !options.program.empty() ? options.program
                                                        : options.serial;
-  const std::string stem = std::filesystem::path(named).stem().string();
+  const std::string stem = stemOf(named);
   return stem.empty() ? "layered" : stem;
 }
 
@@ -33,7 +34,7 @@ bool isInProcess(const SimOptions& options) {
 }
 
 std::string outputFolder(const SimOptions& options) {
-  return options.output.empty() ? stemOf(options) + "-flight" : options.output;
+  return options.output.empty() ? flightName(options) + "-flight" : options.output;
 }
 
 support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
@@ -56,7 +57,7 @@ support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
     return flights::sbcInProcess(*mission, options.launch, options.user_code, keeps_time, watch);
   }
   return flights::sbcOnBoard(*mission, options.launch, options.user_code, options.board,
-                             stemOf(options), folder, watch);
+                             flightName(options), folder, watch);
 }
 
 }  // namespace glider::driver

@@ -21,6 +21,7 @@ namespace glider::driver {
 
 /// The options of `glidercc sim`.
 struct SimOptions {
+  bool json = false;  ///< --format json
   std::string mission;
   std::string scenario = "default";
   std::string platform{platforms::kDefaultPlatform};  ///< used if no mission names one
@@ -31,6 +32,7 @@ struct SimOptions {
   bool without_sbc = false;
   std::optional<uint64_t> seed;
   std::optional<double> kill_sbc_at_s;
+  std::optional<double> duration_s;  ///< of the flight at most; empty: the scenario's
   std::string output;
   std::string replay;   ///< the file of a trace; empty: none
   std::string picture;  ///< the file of a picture; empty: none

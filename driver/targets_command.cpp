@@ -5,6 +5,7 @@
 #include "compiler/share.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/json_document.h"
 #include "driver/terminal.h"
 
 #include <CLI/CLI.hpp>
@@ -13,18 +14,25 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace glider::driver {
 namespace {
 
-int listTargets() {
+int listTargets(Json* document) {
   std::string text;
+  Json targets = Json::array();
   for (const std::string& name : compiler::targetNames()) {
     const auto board = compiler::loadTarget(name);
     if (!board) {
       return reportFailure(board.error());
     }
     text += fmt::format("{:<10} {}\n", name, board->description);
+    targets.push_back({{"name", name}, {"description", board->description}});
+  }
+  if (document != nullptr) {
+    (*document)["targets"] = std::move(targets);
+    return kFine;
   }
   const auto printed = printOut(text);
   return printed ? kFine : reportFailure(printed.error());
@@ -76,6 +84,7 @@ int printFlags(const std::string& name, std::string (*flags)(const platforms::Bo
 }
 
 struct TargetsOptions {
+  bool json = false;
   std::string compile_for;
   std::string link_for;
 };
@@ -84,7 +93,8 @@ int runTargets(const TargetsOptions& options) {
   if (!options.compile_for.empty()) {
     return printFlags(options.compile_for, compilerFlags);
   }
-  return options.link_for.empty() ? listTargets() : printFlags(options.link_for, linkerFlags);
+  return options.link_for.empty() ? inFormat(options.json, "targets", listTargets)
+                                  : printFlags(options.link_for, linkerFlags);
 }
 
 }  // namespace
@@ -104,6 +114,8 @@ void addTargetsCommand(CLI::App& app, int& status) {
                    "after its objects")
       ->option_text("TARGET")
       ->excludes(compile);
+  addFormatOption(*command, options->json);
+  command->get_option("--format")->excludes("--cflags", "--libs");
   command->callback([options, &status] { status = runTargets(*options); });
 }
 

@@ -9,23 +9,66 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <unistd.h>
+#include <utility>
 
 namespace glider::driver {
 namespace {
 
+Colours colours = Colours::Auto;
+bool quiet = false;
+
 bool colourWanted() {
-  return ::isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
+  return colours == Colours::Auto
+             ? ::isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr
+             : colours == Colours::Always;
+}
+
+/// Standard output was closed at its other end, which is how `| head` ends a program.
+support::Failure closedPipe() {
+  return support::fail(support::diagnostics::cannotWrite, "standard output", std::strerror(EPIPE))
+      .error();
 }
 
 /// Where `tell` writes instead of standard error; null: nowhere else.
 std::string* kept = nullptr;
 
+/// Where reports are kept; null: nowhere.
+std::vector<Reported>* reports = nullptr;
+
+void keep(support::Severity severity, const support::Failure& failure) {
+  if (reports != nullptr) {
+    reports->push_back({severity, failure.id, failure.message, failure.hint, "", {}, {}});
+  }
+}
+
+void keepAll(const support::DiagnosticEngine& diagnostics, const support::SourceManager& sources) {
+  for (const support::Diagnostic& one : diagnostics.sorted()) {
+    Reported reported{one.severity, one.id, one.message, one.hint, "", {}, {}};
+    if (one.range.valid()) {
+      reported.file = sources.name(one.range.file);
+      reported.begin = sources.place(one.range.file, one.range.begin);
+      reported.end = sources.place(one.range.file, std::max(one.range.begin, one.range.end));
+    }
+    reports->push_back(std::move(reported));
+  }
+}
+
 }  // namespace
+
+void setColours(Colours when) {
+  colours = when;
+}
+
+void setQuiet() {
+  quiet = true;
+}
 
 KeptMessages::KeptMessages() {
   kept = &text_;
@@ -33,6 +76,14 @@ KeptMessages::KeptMessages() {
 
 KeptMessages::~KeptMessages() {
   kept = nullptr;
+}
+
+KeptReports::KeptReports() {
+  reports = &all_;
+}
+
+KeptReports::~KeptReports() {
+  reports = nullptr;
 }
 
 void tell(std::string_view text) {
@@ -47,6 +98,10 @@ void tell(std::string_view text) {
 }
 
 int reportFailure(const support::Failure& failure) {
+  if (failure.message == closedPipe().message) {
+    return kInterrupted + SIGPIPE;
+  }
+  keep(support::Severity::Error, failure);
   const auto& row = support::catalogueRow(failure.id);
   tell(fmt::format("glidercc: error: {} [{} {}]\n", failure.message, support::code(failure.id),
                    row.slug));
@@ -57,6 +112,10 @@ int reportFailure(const support::Failure& failure) {
 }
 
 void reportWarning(const support::Failure& warning) {
+  if (reports != nullptr) {
+    keep(support::Severity::Warning, warning);
+    return;
+  }
   const auto& row = support::catalogueRow(warning.id);
   tell(fmt::format("glidercc: warning: {} [{} {}]\n", warning.message, support::code(warning.id),
                    row.slug));
@@ -67,6 +126,10 @@ void reportWarning(const support::Failure& warning) {
 
 void reportDiagnostics(const support::DiagnosticEngine& diagnostics,
                        const support::SourceManager& sources) {
+  if (reports != nullptr) {
+    keepAll(diagnostics, sources);
+    return;
+  }
   tell(support::render(diagnostics, sources, colourWanted()));
 }
 
@@ -80,12 +143,26 @@ support::Result<void> printOut(std::string_view text) {
   return {};
 }
 
-ProgressLine::ProgressLine() : terminal_(::isatty(STDERR_FILENO) != 0) {}
+support::Result<void> printSuccess(std::string_view text) {
+  return quiet ? support::Result<void>{} : printOut(text);
+}
+
+ProgressLine::ProgressLine(std::chrono::milliseconds between)
+    : terminal_(::isatty(STDERR_FILENO) != 0), between_(between) {}
 
 void ProgressLine::show(std::string_view text) {
+  if (quiet) {
+    return;
+  }
   if (terminal_) {
     tell(fmt::format("\r\x1b[K{}", text));
     shown_ = true;
+    return;
+  }
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_ >= between_) {
+    tell(fmt::format("glidercc: {}\n", text));
+    last_ = now;
   }
 }
 

@@ -10,6 +10,7 @@
 #include "frontend/bare_positions.h"
 #include "ir/eval/interpreter.h"
 #include "runtime/launch/launch.h"
+#include "runtime/launch/quantity.h"
 #include "support/diagnostics/ids/flights.h"
 #include "support/files.h"
 
@@ -70,6 +71,27 @@ std::string longitudeFirst(const ParameterTable& table, const double* values, co
   return "";
 }
 
+/// How to write the parameter that `problem` begins with; empty if it begins with none.
+std::string hintFor(const ParameterTable& table, std::string_view problem) {
+  std::string hint = "`glidercc params MISSION` lists the parameters";
+  for (uint32_t i = 0; i < table.mission().parameter_count; ++i) {
+    const GliderParameterInfo& info = table[i];
+    if (problem.find(fmt::format("`{}` cannot be", info.name)) == std::string_view::npos) {
+      continue;
+    }
+    runtime::Units units(info.units);
+    if (runtime::isOnEarth(info.units)) {
+      hint +=
+          "; positions are degrees with a letter, such as `39.175 N`, or ddmm.mmmm, such as "
+          "`3910.5`";
+    } else if (units.next() && units.name().is("s")) {
+      hint +=
+          fmt::format("; a number alone is in seconds: write the unit, as in `{}=8h`", info.name);
+    }
+  }
+  return hint;
+}
+
 }  // namespace
 
 support::Result<std::vector<double>> chooseParameters(const ir::Mission& mission,
@@ -80,7 +102,9 @@ support::Result<std::vector<double>> chooseParameters(const ir::Mission& mission
     return runtime::Piece{text.data(), text.data() + text.size()};
   };
   auto refused = [&] {
-    return support::fail(support::diagnostics::badParameter, launch.problem());
+    auto failure = support::fail(support::diagnostics::badParameter, launch.problem());
+    failure.error().hint = hintFor(table, launch.problem());
+    return failure;
   };
   Given given;
   if (!choice.file.empty()) {

@@ -14,11 +14,20 @@
 #include <algorithm>
 
 namespace glider::flights {
+namespace {
+
+constexpr double kHour_s = 3600;
+
+std::filesystem::path bundledScenarios() {
+  return compiler::shareDirectory() / "scenarios";
+}
+
+}  // namespace
+
 std::vector<std::string> scenarioNames() {
   std::vector<std::string> names;
   std::error_code ignored;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(compiler::shareDirectory() / "scenarios", ignored)) {
+  for (const auto& entry : std::filesystem::directory_iterator(bundledScenarios(), ignored)) {
     if (entry.path().extension() == ".toml") {
       names.push_back(entry.path().stem().string());
     }
@@ -39,7 +48,7 @@ support::Result<std::filesystem::path> scenarioPath(const std::string& wanted) {
     return support::fail(support::diagnostics::unknownScenario, wanted,
                          fmt::to_string(fmt::join(names, ", ")));
   }
-  return compiler::shareDirectory() / "scenarios" / (wanted + ".toml");
+  return bundledScenarios() / (wanted + ".toml");
 }
 
 }  // namespace
@@ -53,11 +62,35 @@ support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
   }
   support::SourceManager sources;
   support::DiagnosticEngine diagnostics;
-  auto scenario = simulator::loadScenario(*path, platform, sources, diagnostics);
+  auto scenario =
+      simulator::loadScenario(*path, platform, sources, diagnostics, bundledScenarios());
   if (show) {
     show(diagnostics, sources);
   }
   return scenario;
+}
+
+bool hasBundledSkeleton(const simulator::Scenario& scenario) {
+  std::error_code error;
+  return std::filesystem::equivalent(scenario.skeleton_path.parent_path(), bundledScenarios(),
+                                     error) &&
+         !error;
+}
+
+std::string setDuration(simulator::Scenario& scenario, const platforms::Platform& platform,
+                        double duration_s) {
+  scenario.duration_s = duration_s;
+  const simulator::Family* family = simulator::familyOf(platform);
+  if (family == nullptr || !hasBundledSkeleton(scenario)) {
+    return "";
+  }
+  const auto before = family->raise_overtime(scenario.own, duration_s);
+  return before ? fmt::format(
+                      "overtime of the bundled {0} is raised from {1:g} h to {2:g} h for this "
+                      "duration; the vehicle's own mission file needs an overtime as long",
+                      scenario.skeleton_path.filename().string(), *before / kHour_s,
+                      duration_s / kHour_s)
+                : "";
 }
 
 support::Result<void> flyVehiclesOwn(const std::filesystem::path& file,

@@ -21,6 +21,16 @@ support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
                                                     const platforms::Platform& platform,
                                                     const support::ShowDiagnostics& show = {});
 
+/// Makes the flights of `scenario` last up to `duration_s`, for --duration. If its mission file of
+/// the vehicle is one that comes with glidercc and would end the flight sooner (overtime), that
+/// time is raised too; returns a note about that, empty otherwise. The warning that another file
+/// ends it sooner is not given here: the flight does.
+std::string setDuration(simulator::Scenario& scenario, const platforms::Platform& platform,
+                        double duration_s);
+
+/// Whether the vehicle's mission file of `scenario` comes with glidercc.
+bool hasBundledSkeleton(const simulator::Scenario& scenario);
+
 /// Makes the vehicle of `scenario` fly another mission of its own, from `file` with what belongs to
 /// it. Errors in it are shown. Fails as simulator::Family::load_own does.
 support::Result<void> flyVehiclesOwn(const std::filesystem::path& file,

@@ -94,9 +94,11 @@ std::string neverVisited(const Trace& trace) {
   }
   const size_t more = names.size() > kMostNames ? names.size() - kMostNames : 0;
   names.resize(names.size() - more);
-  return names.empty() ? ""
-                       : fmt::format("; never visited: {}{}", fmt::join(names, ", "),
-                                     more == 0 ? "" : fmt::format(" and {} more", more));
+  return names.empty()
+             ? ""
+             : fmt::format("; never visited (the time was too short, or no case led there): {}{}",
+                           fmt::join(names, ", "),
+                           more == 0 ? "" : fmt::format(" and {} more", more));
 }
 
 /// Vehicle time at which the mission took control; none: never.

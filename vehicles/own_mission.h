@@ -30,6 +30,10 @@ class OwnMission {
   OwnMission& operator=(const OwnMission&) = delete;
   virtual ~OwnMission() = default;
 
+  /// Raises the time after which it ends by itself to `seconds`, for a flight of that length, if it
+  /// is sooner; returns what it was, empty if it was not.
+  virtual std::optional<double> raiseOvertime(double /*seconds*/) { return std::nullopt; }
+
   /// Reports commands that the vehicle refuses (GL3124) and limits at which it ends the flight
   /// (GL3125).
   virtual void checkLimits(const ir::WrittenWorld& world,

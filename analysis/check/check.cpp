@@ -52,16 +52,23 @@ void tellFacts(const compiler::Checked& checked, report::CheckedMission& found) 
 
 CheckedFile checkMission(const std::string& path, const CheckOptions& options,
                          CheckObserver& observer) {
-  CheckedFile file;
-  report::CheckedMission& found = file.found;
-  found.path = path;
   observer.at("reading it");
   auto compiled = compiler::compileMission(path);
   if (!compiled) {
-    found.failure = compiled.error();
+    CheckedFile file;
+    file.found.path = compiler::shownName(path);
+    file.found.failure = compiled.error();
     return file;
   }
-  file.compilation = std::move(*compiled);
+  return checkCompilation(compiler::shownName(path), std::move(*compiled), options, observer);
+}
+
+CheckedFile checkCompilation(const std::string& name, compiler::Compilation compiled,
+                             const CheckOptions& options, CheckObserver& observer) {
+  CheckedFile file;
+  report::CheckedMission& found = file.found;
+  found.path = name;
+  file.compilation = std::move(compiled);
   const compiler::Compilation& compilation = *file.compilation;
   found.sources = compilation.sources.get();
   if (compilation.checked) {

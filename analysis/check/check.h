@@ -23,6 +23,7 @@ struct CheckOptions {
   /// The vehicle's mission file (`--mi`), without errors; empty: that of the scenario.
   std::string own_mission;
   std::string scenario;                ///< whose start and mission file apply; empty: none
+  std::optional<double> duration_s;    ///< of flights in the scenario; empty: as it says
   std::vector<std::string> user_code;  ///< of the budget: what has the mission's `extern` names
   unsigned effort = 1;                 ///< multiplies the resource limits of proofs
   double timeout_s = 0;                ///< of the proofs about a mission; 0: none
@@ -59,9 +60,14 @@ class CheckObserver {
                     const support::SourceManager& /*sources*/) {}
 };
 
-/// Checks the mission at `path`: its text, its structure, and what can be proved about it, in the
-/// steps of check_steps.def. An I/O or system error is in CheckedFile::found.
+/// Checks the mission at `path`, `-` for standard input: its text, its structure, and what can be
+/// proved about it, in the steps of check_steps.def. An I/O or system error is in
+/// CheckedFile::found.
 CheckedFile checkMission(const std::string& path, const CheckOptions& options,
                          CheckObserver& observer);
+
+/// The same for a mission that is compiled already; messages call it `name`.
+CheckedFile checkCompilation(const std::string& name, compiler::Compilation compiled,
+                             const CheckOptions& options, CheckObserver& observer);
 
 }  // namespace glider::analysis

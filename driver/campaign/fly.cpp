@@ -3,9 +3,11 @@
 
 #include "driver/campaign/fly.h"
 
+#include "driver/campaign/result_json.h"
 #include "driver/exit_code.h"
 #include "driver/interruption.h"
 #include "driver/output/flight_files.h"
+#include "driver/output/time_left.h"
 #include "driver/terminal.h"
 #include "support/diagnostics/ids/files.h"
 #include "support/files.h"
@@ -56,6 +58,12 @@ std::string fileOf(const campaign::CampaignOptions& options) {
   return options.csv.empty() && !options.resume.empty() ? options.resume.front() : options.csv;
 }
 
+/// "123 of 1000 flights, about 8 min left".
+std::string progressText(uint64_t over, uint64_t all, TimeLeft& left) {
+  const std::string estimate = left.of(over, all);
+  return fmt::format("{} of {} flights{}", over, all, estimate.empty() ? "" : ", " + estimate);
+}
+
 std::string flightsText(const campaign::CampaignPlan& plan) {
   if (plan.parts == 1) {
     return fmt::format("{} flights", plan.flights);
@@ -78,7 +86,8 @@ int statusOf(const campaign::CampaignResult& result) {
 
 /// Prints the result; sorts the file of flights by their numbers.
 int tellResult(const campaign::CampaignPlan& plan, const campaign::CampaignOptions& options,
-               const campaign::CampaignResult& result, const std::string& identity, double took_s) {
+               const campaign::CampaignResult& result, const std::string& identity, double took_s,
+               Json* document) {
   if (result.failure) {
     return reportFailure(*result.failure);
   }
@@ -93,9 +102,16 @@ int tellResult(const campaign::CampaignPlan& plan, const campaign::CampaignOptio
             ? ""
             : "; to continue, give the same options and --resume " + campaign::shellWord(file));
   }
+  if (document != nullptr) {
+    putResult(*document, plan, result);
+    (*document)["took_s"] = took_s;
+  }
   const auto printed =
-      printOut(campaign::campaignTable(plan, result) + campaign::requirementLines(plan, result) +
-               campaign::violationLines(plan, result, campaign::commandOf(options)) + last);
+      document != nullptr
+          ? support::Result<void>{}
+          : printOut(campaign::campaignTable(plan, result) +
+                     campaign::requirementLines(plan, result) +
+                     campaign::violationLines(plan, result, campaign::commandOf(options)) + last);
   // A pipe already has the rows, in the order in which the flights ended.
   const auto written =
       file.empty() || !support::isReplaceable(file)
@@ -108,7 +124,8 @@ int tellResult(const campaign::CampaignPlan& plan, const campaign::CampaignOptio
 
 }  // namespace
 
-int flyOnly(const campaign::CampaignPlan& plan, const campaign::CampaignOptions& options) {
+int flyOnly(const campaign::CampaignPlan& plan, const campaign::CampaignOptions& options,
+            Json* document) {
   const campaign::CampaignFlight flight = campaign::flightOf(plan, *options.only);
   support::Trace trace;
   const auto verdict = campaign::flyOne(plan, flight, &trace);
@@ -121,6 +138,11 @@ int flyOnly(const campaign::CampaignPlan& plan, const campaign::CampaignOptions&
     }
   }
   const bool violated = verdict->outcome == simulator::Verdict::Outcome::Violation;
+  if (document != nullptr) {
+    (*document)["flight"] = flightOf(plan, flight, *verdict);
+    (*document)["faults"] = campaign::drawnToText(campaign::faultsOf(plan, flight));
+    return violated ? kMissionHasErrors : kFine;
+  }
   const auto printed = printOut(fmt::format(
       "flight {}: {}, {}, {}, {}, --seed {}\n{}{}\n", flight.number,
       plan.missions[flight.mission].file, simulator::nameOf(flight.kind),
@@ -133,7 +155,7 @@ int flyOnly(const campaign::CampaignPlan& plan, const campaign::CampaignOptions&
 }
 
 Flown flyThem(const campaign::CampaignPlan& plan, const campaign::CampaignOptions& options,
-              const std::string& identity, campaign::Ranks* ranks) {
+              const std::string& identity, campaign::Ranks* ranks, Json* document) {
   campaign::CampaignResult known;
   known.verdicts.resize(plan.flights);
   for (const std::string& file : options.resume) {
@@ -149,18 +171,17 @@ Flown flyThem(const campaign::CampaignPlan& plan, const campaign::CampaignOption
   ProgressLine line;
   const auto begin = std::chrono::steady_clock::now();
   const campaign::FlightRange range = campaign::rangeOf(plan);
+  TimeLeft left;
   const campaign::CampaignListener listener = {
       [&](const campaign::CampaignFlight& flight, const simulator::Verdict& verdict) {
         return file->add(campaign::csvRow(plan, flight, verdict));
       },
-      [&](uint64_t over) {
-        line.show(fmt::format("{} of {} flights", over, range.end - range.begin));
-      },
+      [&](uint64_t over) { line.show(progressText(over, range.end - range.begin, left)); },
       [] { return Interruption::signal() != 0; }};
   const campaign::CampaignResult result = campaign::flyAll(plan, std::move(known), listener, ranks);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   line.clear();
-  return {tellResult(plan, options, result, identity, took.count()), true, result.running,
+  return {tellResult(plan, options, result, identity, took.count(), document), true, result.running,
           result.left_ranks};
 }
 

@@ -4,13 +4,16 @@
 #pragma once
 
 #include "campaign/campaign.h"
+#include "driver/json_document.h"
 
 #include <string>
 
 namespace glider::driver {
 
-/// Flies the one flight that `--only` names and prints how it went; returns the exit code.
-int flyOnly(const campaign::CampaignPlan& plan, const campaign::CampaignOptions& options);
+/// Flies the one flight that `--only` names and prints how it went, or puts it into `document`
+/// (null: none); returns the exit code.
+int flyOnly(const campaign::CampaignPlan& plan, const campaign::CampaignOptions& options,
+            Json* document);
 
 /// How a campaign went.
 struct Flown {
@@ -20,8 +23,8 @@ struct Flown {
   bool left_ranks = false;  ///< another rank does not end
 };
 /// Flies the campaign on this process and the other ranks, if any; writes its file and prints the
-/// table. `identity`: identityOf the plan.
+/// table, or puts it into `document` (null: none). `identity`: identityOf the plan.
 Flown flyThem(const campaign::CampaignPlan& plan, const campaign::CampaignOptions& options,
-              const std::string& identity, campaign::Ranks* ranks);
+              const std::string& identity, campaign::Ranks* ranks, Json* document);
 
 }  // namespace glider::driver

@@ -45,7 +45,7 @@ int lead(const campaign::CampaignOptions& options, unsigned jobs, campaign::Rank
     flown.status = identity ? awaitSame(*plan, *identity, ranks) : reportFailure(identity.error());
   }
   if (flown.status == kFine) {
-    flown = flyThem(*plan, options, *identity, &ranks);
+    flown = flyThem(*plan, options, *identity, &ranks, nullptr);
   }
   plan.reset();  // with it go the folders of the boards' binaries
   const bool ended = flown.begun ? !flown.left_ranks : campaign::dismissRanks(ranks);

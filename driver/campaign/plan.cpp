@@ -31,7 +31,8 @@ namespace {
 int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPlan& plan) {
   for (const std::string& file : options.missions) {
     int status = kFine;
-    const std::shared_ptr<const compiler::Optimised> compiled = compileForFlight(file, status);
+    const std::shared_ptr<const compiler::Optimised> compiled =
+        compileForFlight(file, status, options.strict);
     if (compiled == nullptr) {
       return status;
     }
@@ -48,6 +49,10 @@ int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPla
         plan.missions.empty() ? support::ShowDiagnostics(reportDiagnostics) : nullptr);
     if (!scenario) {
       return reportFailure(scenario.error());
+    }
+    if (options.duration_s) {
+      const std::string note = flights::setDuration(*scenario, platform, *options.duration_s);
+      tell(note.empty() || !plan.missions.empty() ? "" : "glidercc: note: " + note + "\n");
     }
     campaign::CampaignMission mission;
     mission.file = file;
@@ -123,10 +128,9 @@ support::Result<void> requireEnds(const campaign::CampaignPlan& plan, const std:
         support::diagnostics::scenarioTooShort, mission.file, durationOf(plan.scenario.duration_s),
         scenario, longest ? fmt::format(": it may last {}", durationOf(*longest)) : "",
         longest
-            ? fmt::format("copy the scenario, and set `duration_s` in the copy to at least {:.0f}",
-                          durationFor(*longest))
-            : "copy the scenario, and set `duration_s` in the copy to longer than the mission "
-              "lasts; if it never ends, add a case with `exit`");
+            ? fmt::format("fly longer with `--duration {:.0f}min`", durationFor(*longest) / 60)
+            : "fly longer than the mission lasts, with `--duration`; if it never ends, add a case "
+              "with `exit`");
   }
   return {};
 }

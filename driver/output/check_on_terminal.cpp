@@ -6,6 +6,8 @@
 #include "driver/output/check_progress.h"
 #include "driver/terminal.h"
 
+#include <utility>
+
 namespace glider::driver {
 namespace {
 
@@ -29,6 +31,12 @@ class ToTerminal final : public analysis::CheckObserver {
 CheckedFile checkOnTerminal(const std::string& path, const CheckOptions& options) {
   ToTerminal observer(path);
   return analysis::checkMission(path, options, observer);
+}
+
+CheckedFile checkOnTerminal(const std::string& name, compiler::Compilation compiled,
+                            const CheckOptions& options) {
+  ToTerminal observer(name);
+  return analysis::checkCompilation(name, std::move(compiled), options, observer);
 }
 
 }  // namespace glider::driver

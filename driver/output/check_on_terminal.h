@@ -15,5 +15,8 @@ using analysis::CheckOptions;
 /// analysis::checkMission with its progress on the last line of the terminal; errors in a scenario
 /// are printed.
 CheckedFile checkOnTerminal(const std::string& path, const CheckOptions& options);
+/// The same for a mission that is compiled already.
+CheckedFile checkOnTerminal(const std::string& name, compiler::Compilation compiled,
+                            const CheckOptions& options);
 
 }  // namespace glider::driver

@@ -42,9 +42,7 @@ std::string_view cut(std::string_view text, size_t bytes) {
 }  // namespace
 
 CheckProgress::CheckProgress(std::string mission) : mission_(std::move(mission)) {
-  if (line_.onTerminal()) {
-    teller_ = std::thread([this] { run(); });
-  }
+  teller_ = std::thread([this] { run(); });
 }
 
 CheckProgress::~CheckProgress() {
@@ -76,7 +74,7 @@ void CheckProgress::run() {
     const auto took = std::chrono::steady_clock::now() - begin_;
     const std::string after =
         fmt::format(", {} s", std::chrono::duration_cast<std::chrono::seconds>(took).count());
-    const size_t room = columns() - 1;
+    const size_t room = line_.onTerminal() ? columns() - 1 : std::string::npos;
     const size_t before = room > after.size() ? room - after.size() : 0;
     line_.show(fmt::format("{}{}", cut(fmt::format("{}: {}", mission_, work_), before), after));
   }

@@ -15,7 +15,7 @@ namespace glider::driver {
 
 /// The current step of a check, on the last line of a terminal, once the check has taken longer
 /// than a second: "survey.mission: proving 3 of 5: require exit within 90 min, 12 s". The line is
-/// removed at the end. Nothing is shown if standard error is not a terminal.
+/// removed at the end. In a file or a pipe it is a line a minute.
 class CheckProgress {
  public:
   /// `mission`: the file, as the user named it.

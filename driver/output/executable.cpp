@@ -25,10 +25,14 @@ codegen::CodegenOptions buildOptions(const compiler::Optimised& mission, unsigne
   return options;
 }
 
+std::string stemOf(const std::string& mission) {
+  return mission == compiler::kStandardInput ? "mission"
+                                             : std::filesystem::path(mission).stem().string();
+}
+
 std::string builtName(const std::string& mission, const std::string& target,
                       std::string_view suffix) {
-  return std::filesystem::path(mission).stem().string() + (target.empty() ? "" : "-" + target) +
-         std::string(suffix);
+  return stemOf(mission) + (target.empty() ? "" : "-" + target) + std::string(suffix);
 }
 
 support::Result<report::BriefHash> executableHash(const std::string& path,

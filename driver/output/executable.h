@@ -19,6 +19,8 @@ inline constexpr unsigned kUsualLevel = 2;
 
 /// How `build` compiles `mission`, which must outlive this.
 codegen::CodegenOptions buildOptions(const compiler::Optimised& mission, unsigned level);
+/// The name of `mission`, a file, without folder and ending: what is written is named after it.
+std::string stemOf(const std::string& mission);
 /// The file that `build` writes if none is named: "survey-ts7800".
 std::string builtName(const std::string& mission, const std::string& target,
                       std::string_view suffix);

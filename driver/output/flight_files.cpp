@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace glider::driver {
 namespace {
@@ -67,10 +68,9 @@ support::Result<void> writeFlight(const support::Trace& trace, const std::filesy
   return report::writeReport(trace, folder / "report.html", reported);
 }
 
-support::Result<void> writeFlightSummary(const support::Trace& trace,
-                                         const std::vector<support::Diagnostic>& reported,
-                                         std::vector<std::string> files,
-                                         const std::filesystem::path& folder) {
+std::string flightToJson(const support::Trace& trace,
+                         const std::vector<support::Diagnostic>& reported,
+                         std::vector<std::string> files) {
   using nlohmann::ordered_json;
   files.emplace_back(FlightFolder::kSummary);
   const ordered_json document = {
@@ -83,9 +83,15 @@ support::Result<void> writeFlightSummary(const support::Trace& trace,
        ordered_json::parse(report::warningsToJson(reported, report::flightWarnings(trace)))},
       {"figures", ordered_json::parse(report::figuresToJson(report::flightFigures(trace)))},
       {"files", files}};
-  return support::writeFileAtomically(
-      folder / FlightFolder::kSummary,
-      document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+  return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+support::Result<void> writeFlightSummary(const support::Trace& trace,
+                                         const std::vector<support::Diagnostic>& reported,
+                                         std::vector<std::string> files,
+                                         const std::filesystem::path& folder) {
+  return support::writeFileAtomically(folder / FlightFolder::kSummary,
+                                      flightToJson(trace, reported, std::move(files)));
 }
 
 }  // namespace glider::driver

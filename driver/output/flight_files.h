@@ -18,8 +18,13 @@ namespace glider::driver {
 support::Result<void> writeFlight(const support::Trace& trace, const std::filesystem::path& folder,
                                   const std::vector<support::Diagnostic>& reported = {});
 
-/// Writes flight.json into `folder`: which flight this is, whether it went well, the warnings, the
+/// The content of flight.json: which flight this is, whether it went well, the warnings, the
 /// figures, and the names of all its files: `files` and flight.json itself.
+std::string flightToJson(const support::Trace& trace,
+                         const std::vector<support::Diagnostic>& reported,
+                         std::vector<std::string> files);
+
+/// Writes flight.json into `folder`.
 support::Result<void> writeFlightSummary(const support::Trace& trace,
                                          const std::vector<support::Diagnostic>& reported,
                                          std::vector<std::string> files,

@@ -30,8 +30,7 @@ std::string escaped(std::string_view text) {
 }
 
 /// One option, or a positional argument, as an entry of a list.
-void addOption(std::string& page, const CLI::Option& option) {
-  const CLI::Formatter words;
+void addOption(std::string& page, const CLI::Option& option, const CLI::Formatter& words) {
   const bool positional = !option.nonpositional();
   page += fmt::format(
       ".TP\n\\fB{}\\fR{}\n{}\n", escaped(words.make_option_name(&option, positional)),
@@ -39,20 +38,20 @@ void addOption(std::string& page, const CLI::Option& option) {
 }
 
 /// First the positional arguments, then the options.
-void addOptions(std::string& page, const CLI::App& command) {
+void addOptions(std::string& page, const CLI::App& command, const CLI::Formatter& words) {
   for (const bool positional : {true, false}) {
     for (const CLI::Option* option : command.get_options()) {
       if (option->nonpositional() != positional) {
-        addOption(page, *option);
+        addOption(page, *option, words);
       }
     }
   }
 }
 
-void addCommand(std::string& page, const CLI::App& command) {
+void addCommand(std::string& page, const CLI::App& command, const CLI::Formatter& words) {
   page += fmt::format(".SS glidercc {}\n{}.\n", escaped(command.get_name()),
                       escaped(command.get_description()));
-  addOptions(page, command);
+  addOptions(page, command, words);
 }
 
 constexpr const char* kFiles =
@@ -65,7 +64,7 @@ constexpr const char* kFiles =
 
 }  // namespace
 
-std::string manPage(const CLI::App& app) {
+std::string manPage(const CLI::App& app, const CLI::Formatter& words) {
   std::string page = fmt::format(
       ".\\\" SPDX-FileCopyrightText: 2026 The glidercc authors\n"
       ".\\\" SPDX-License-Identifier: Apache-2.0\n"
@@ -74,10 +73,10 @@ std::string manPage(const CLI::App& app) {
       ".SH SYNOPSIS\n.B glidercc\n.I COMMAND\n[\\fIOPTIONS\\fR]\n"
       ".SH DESCRIPTION\n{1}\n.SH OPTIONS\n",
       GLIDER_VERSION, escaped(app.get_description()));
-  addOptions(page, app);
+  addOptions(page, app, words);
   page += ".SH COMMANDS\n";
   for (const CLI::App* command : app.get_subcommands({})) {
-    addCommand(page, *command);
+    addCommand(page, *command, words);
   }
   return page +
          ".SH EXIT STATUS\n0 success; 1 the mission has errors, or its flight ended with a "

@@ -4,6 +4,7 @@
 #include "driver/slocum/data_log.h"
 
 #include "driver/exit_code.h"
+#include "driver/slocum/data_json.h"
 #include "driver/slocum/log_report.h"
 #include "driver/terminal.h"
 #include "support/diagnostics/ids/command.h"
@@ -88,8 +89,8 @@ Result<void> writeTables(const std::vector<LogFile>& files, const DataLogOptions
   return options.netcdf.empty() ? Result<void>() : slocum::writeNetcdf(merged, options.netcdf);
 }
 
-Result<void> show(const std::vector<std::vector<LogFile>>& vehicles,
-                  const DataLogOptions& options) {
+Result<void> show(const std::vector<std::vector<LogFile>>& vehicles, const DataLogOptions& options,
+                  Json* document) {
   if (const auto known = checkPatterns(vehicles, options.sensors); !known) {
     return known;
   }
@@ -99,6 +100,10 @@ Result<void> show(const std::vector<std::vector<LogFile>>& vehicles,
       done = writeTables(vehicles[0], options);
     }
     return done && hasDrawings(options) ? drawLog(vehicles[0], options) : done;
+  }
+  if (document != nullptr) {
+    putVehicles(*document, vehicles, options.sensors);
+    return {};
   }
   std::string text;
   for (const auto& files : vehicles) {
@@ -123,7 +128,7 @@ bool areDataFiles(const std::vector<std::string>& files) {
          slocum::looksLikeDataFile(files[0], beginningOf(files[0]));
 }
 
-int showDataFiles(const DataLogOptions& options) {
+int showDataFiles(const DataLogOptions& options, Json* document) {
   slocum::SensorLists lists({options.caches.begin(), options.caches.end()});
   slocum::LogFiles logs = slocum::readLogFiles({options.files.begin(), options.files.end()}, lists);
   for (const std::string& why : logs.skipped) {
@@ -132,7 +137,8 @@ int showDataFiles(const DataLogOptions& options) {
   std::ranges::for_each(logs.warnings, reportWarning);
   int status = kFine;
   if (!logs.files.empty()) {
-    if (const auto shown = show(slocum::byVehicle(std::move(logs.files)), options); !shown) {
+    if (const auto shown = show(slocum::byVehicle(std::move(logs.files)), options, document);
+        !shown) {
       status = reportFailure(shown.error());
     }
   }

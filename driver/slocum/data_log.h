@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "driver/json_document.h"
 #include "report/picture/picture.h"
 
 #include <string>
@@ -25,7 +26,8 @@ struct DataLogOptions {
 
 /// True for data files of the vehicle; false for a single file of another kind.
 bool areDataFiles(const std::vector<std::string>& files);
-/// Shows the data files, or writes them as CSV and netCDF; returns the exit code.
-int showDataFiles(const DataLogOptions& options);
+/// Shows the data files, puts them into `document` (null: none), or writes them as CSV and netCDF;
+/// returns the exit code.
+int showDataFiles(const DataLogOptions& options, Json* document);
 
 }  // namespace glider::driver

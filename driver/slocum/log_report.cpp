@@ -3,6 +3,7 @@
 
 #include "driver/slocum/log_report.h"
 
+#include "driver/output/track_colour.h"
 #include "report/beside.h"
 #include "report/picture/picture.h"
 #include "report/report.h"
@@ -65,8 +66,9 @@ Result<void> drawLog(const std::vector<slocum::LogFile>& files, const DataLogOpt
   }
   return options.picture.empty()
              ? Result<void>()
-             : support::writeFileAtomically(options.picture,
-                                            report::drawPicture(*trace, options.picture_style));
+             : support::writeFileAtomically(
+                   options.picture,
+                   report::drawPicture(*trace, styleFor(*trace, options.picture_style)));
 }
 
 }  // namespace glider::driver

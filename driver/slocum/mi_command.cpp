@@ -4,9 +4,11 @@
 #include "compiler/vehicles_own.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/json_document.h"
 #include "driver/output/line_diff.h"
 #include "driver/output/rewrite.h"
 #include "driver/terminal.h"
+#include "frontend/spelling.h"
 #include "vehicles/slocum/mission_files/behaviour_catalogue.h"
 #include "vehicles/slocum/mission_files/edit.h"
 #include "vehicles/slocum/mission_files/load.h"
@@ -29,6 +31,7 @@ struct MiOptions {
   std::string file;
   std::vector<std::string> edits;
   bool diff = false;
+  bool json = false;
 };
 
 /// Files by their number, with their new texts.
@@ -107,6 +110,64 @@ class Listing {
   std::string out_;
 };
 
+Json settingOf(const slocum::Setting& setting, const support::SourceManager& sources) {
+  return {{"name", setting.name},
+          {"value", slocum::missionParameter(setting.value) ? Json(numberText(setting.value))
+                                                            : Json(setting.value)},
+          {"unit", setting.unit},
+          {"file", fileName(sources, setting)}};
+}
+
+/// The members of the document; a value that is a mission parameter is its name.
+void put(Json& document, const slocum::MissionFile& mission,
+         const support::SourceManager& sources) {
+  document["sensors"] = Json::array();
+  for (const slocum::Setting& sensor : mission.sensors) {
+    document["sensors"].push_back(settingOf(sensor, sources));
+  }
+  document["behaviours"] = Json::array();
+  for (const slocum::BehaviourBlock& block : mission.behaviours) {
+    Json one = {{"name", block.name}, {"arguments", Json::array()}, {"waypoints", Json::array()}};
+    for (const slocum::Setting& argument : block.arguments) {
+      one["arguments"].push_back(settingOf(argument, sources));
+    }
+    for (const slocum::Waypoint& waypoint : block.waypoints) {
+      one["waypoints"].push_back(
+          {{"longitude_ddmm", waypoint.longitude_ddmm}, {"latitude_ddmm", waypoint.latitude_ddmm}});
+    }
+    document["behaviours"].push_back(std::move(one));
+  }
+}
+
+/// "did you mean `yo.d_target_depth`?", or else to add a line.
+std::string adviceFor(const slocum::MissionFile& mission, const slocum::Edit& edit) {
+  std::vector<std::string> behaviours = {"sensor"};
+  std::vector<std::string> settings;
+  for (const slocum::BehaviourBlock& block : mission.behaviours) {
+    behaviours.push_back(block.name);
+    if (block.name == edit.behaviour) {
+      for (const slocum::Setting& argument : block.arguments) {
+        settings.push_back(argument.name);
+      }
+    }
+  }
+  if (edit.behaviour == "sensor") {
+    for (const slocum::Setting& sensor : mission.sensors) {
+      settings.push_back(sensor.name);
+    }
+  }
+  const auto near = [](const std::string& word, const std::vector<std::string>& all) {
+    return std::string(
+        frontend::closest(word, std::vector<std::string_view>(all.begin(), all.end())));
+  };
+  const bool known = std::ranges::find(behaviours, edit.behaviour) != behaviours.end();
+  const std::string behaviour = known ? edit.behaviour : near(edit.behaviour, behaviours);
+  const std::string setting = known ? near(edit.setting, settings) : edit.setting;
+  return behaviour.empty() || setting.empty()
+             ? "; add a line for it first"
+             : fmt::format("; did you mean `{}.{}`?", behaviour, setting);
+}
+
 /// Applies the edits from the last in a file to the first, so that places stay valid.
 NewTexts edited(const slocum::MissionFile& mission, const std::vector<slocum::Edit>& edits,
                 const support::SourceManager& sources) {
@@ -114,9 +175,9 @@ NewTexts edited(const slocum::MissionFile& mission, const std::vector<slocum::Ed
   for (const slocum::Edit& edit : edits) {
     const slocum::Setting* setting = slocum::findSetting(mission, edit);
     if (setting == nullptr) {
-      throw CLI::ValidationError("--set",
-                                 fmt::format("no file gives {}.{} a value; add a line for it first",
-                                             edit.behaviour, edit.setting));
+      throw CLI::ValidationError(
+          "--set", fmt::format("no file gives `{}.{}` a value{}", edit.behaviour, edit.setting,
+                               adviceFor(mission, edit)));
     }
     changes.emplace_back(setting->value_range, edit.value);
   }
@@ -151,7 +212,7 @@ void checkNames(const slocum::MissionFile& mission, support::SourceRange /*place
   }
 }
 
-int show(const MiOptions& options) {
+int show(const MiOptions& options, Json* document) {
   std::vector<slocum::Edit> edits;
   for (const std::string& text : options.edits) {
     edits.push_back(*slocum::readEdit(text));
@@ -166,6 +227,10 @@ int show(const MiOptions& options) {
   reportDiagnostics(diagnostics, sources);
   if (!mission) {
     return diagnostics.hasErrors() ? kMissionHasErrors : reportFailure(mission.error());
+  }
+  if (document != nullptr) {
+    put(*document, *mission, sources);
+    return kFine;
   }
   const auto done = edits.empty() ? printOut(Listing(*mission, sources).write())
                                   : put(options, sources, edited(*mission, edits, sources));
@@ -195,7 +260,12 @@ void addMiCommand(CLI::App& app, int& status) {
               "", "edit"));
   command->add_flag("--diff", options->diff, "Show what would change without writing files")
       ->needs(set);
-  command->callback([options, &status] { status = show(*options); });
+  addFormatOption(*command, options->json);
+  command->get_option("--format")->excludes(set);
+  command->callback([options, &status] {
+    status =
+        inFormat(options->json, "mi", [&](Json* document) { return show(*options, document); });
+  });
 }
 
 }  // namespace glider::driver

@@ -39,7 +39,9 @@ class Launch {
  private:
   bool refuse(Text& text);
   bool refuseUnknown(const Piece& name);
-  bool refuseValue(const GliderParameterInfo& parameter, const Piece& given, Reading reading);
+  /// `value`: what was read, if `reading` is Good.
+  bool refuseValue(const GliderParameterInfo& parameter, const Piece& given, Reading reading,
+                   double value);
   bool assign(uint32_t parameter, const Piece& given);
 
   static constexpr uint32_t kProblemBytes = 400;

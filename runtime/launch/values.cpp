@@ -28,6 +28,38 @@ void listUnits(const char* list, Text& text) {
   }
 }
 
+bool isTime(const char* list) {
+  Units units(list);
+  return units.next() && units.name().is("s");
+}
+
+/// Moves `units` to the first unit of the list; of times to the greatest in which `value` is a
+/// whole number: "6 h", not "21600 s". False if the list is empty.
+bool chooseUnit(Units& units, bool time, double value) {
+  if (!units.next()) {
+    return false;
+  }
+  if (!time) {
+    return true;
+  }
+  constexpr double kMost = 1e15;  // above, every double is a whole number
+  for (Units other = units; other.next();) {
+    const double count = value / other.factor();
+    const bool whole =
+        count >= 1 && count < kMost && static_cast<double>(static_cast<int64_t>(count)) == count;
+    if (whole && other.factor() > units.factor()) {
+      units = other;
+    }
+  }
+  return true;
+}
+
+/// Whether a number was written without a unit.
+bool isBare(const Piece& given) {
+  const char last = given.trimmed().empty() ? ' ' : given.trimmed().end[-1];
+  return (last >= '0' && last <= '9') || last == '.';
+}
+
 bool isLimited(const GliderParameterInfo& parameter) {
   return isFinite(parameter.lowest) || isFinite(parameter.highest);
 }
@@ -40,7 +72,7 @@ void writeQuantity(const GliderParameterInfo& parameter, double value, Text& tex
     return;
   }
   Units units(parameter.units);
-  const bool has_unit = units.next();
+  const bool has_unit = chooseUnit(units, isTime(parameter.units), value);
   if (isOnEarth(parameter.units) && value < 0.0) {
     units.next();  // S or W, and no minus
   }
@@ -71,19 +103,23 @@ bool Launch::assign(uint32_t parameter, const Piece& given) {
   double value = 0;
   const Reading reading = readQuantity(given, info.units, value);
   if (reading != Reading::Good || !(value >= info.lowest && value <= info.highest)) {
-    return refuseValue(info, given, reading);
+    return refuseValue(info, given, reading, value);
   }
   values_[parameter] = value;
   return true;
 }
 
-bool Launch::refuseValue(const GliderParameterInfo& parameter, const Piece& given,
-                         Reading reading) {
+bool Launch::refuseValue(const GliderParameterInfo& parameter, const Piece& given, Reading reading,
+                         double value) {
   Text text(problem_, kProblemBytes);
   quote(text, whole(parameter.name)).put(" cannot be ");
   quote(text, given);
   switch (reading) {
     case Reading::Good:
+      if (isBare(given) && isTime(parameter.units)) {  // 8 for 8 h is easily written
+        text.put(", which is ");
+        writeQuantity(parameter, value, text);
+      }
       text.put(": outside its range, ");
       writeRange(parameter, text);
       break;

@@ -12,6 +12,7 @@
 #include <any>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,6 +44,8 @@ struct Family {
   void (*apply_drawn)(const DrawnFaults& drawn, std::any& own);
   /// The time after which the own mission ends by itself, s; 0: never.
   double (*overtime_of)(const std::any& own);
+  /// Raises that time to `seconds` if it is sooner; returns what it was, empty if it was not.
+  std::optional<double> (*raise_overtime)(std::any& own, double seconds);
   std::unique_ptr<SimulatedSeat> (*make_seat)(const SeatSetup& setup);
 };
 

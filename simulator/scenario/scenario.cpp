@@ -41,8 +41,7 @@ void readHead(Fields& f, const ScenarioTables& tables, Scenario& scenario) {
   scenario.path = tables.file();
   scenario.skeleton_path = std::filesystem::path(tables.file()).parent_path() / r.text("skeleton");
   scenario.duration_s = r.number("duration_s");
-  constexpr double kLongestFlight = 60 * 86400;
-  if (!(scenario.duration_s > 0 && scenario.duration_s <= kLongestFlight)) {
+  if (!(scenario.duration_s > 0 && scenario.duration_s <= kLongestFlight_s)) {
     r.refuse("duration_s", "must be above 0 and at most 60 days");
   }
   scenario.isotherm_degC = r.numberOr("isotherm_degC", kNotGiven);
@@ -141,12 +140,39 @@ Scenario readScenario(ScenarioTables& tables, const platforms::Platform& platfor
   return scenario;
 }
 
+bool isThere(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::exists(file, ignored);
+}
+
+/// Looks for the own mission of `scenario` in `bundled` if it is not beside the scenario.
+void findSkeleton(Scenario& scenario, const std::filesystem::path& bundled) {
+  const std::filesystem::path there = bundled / scenario.skeleton_path.filename();
+  if (!bundled.empty() && !isThere(scenario.skeleton_path) && isThere(there)) {
+    scenario.skeleton_path = there;
+  }
+}
+
+/// `failure` of reading the own mission, with the folders that were searched if it is in none.
+support::Failure withFolders(support::Failure failure, const Scenario& scenario,
+                             const std::filesystem::path& bundled) {
+  if (!isThere(scenario.skeleton_path) && failure.hint.empty()) {
+    const std::filesystem::path folder = scenario.skeleton_path.parent_path();
+    failure.hint = "looked for it in `" + (folder.empty() ? "." : folder.string()) + "`" +
+                   (bundled.empty() ? "" : " and in `" + bundled.string() + "`") +
+                   ": copy it there, or name another with `skeleton` in `" +
+                   scenario.path.string() + "`";
+  }
+  return failure;
+}
+
 }  // namespace
 
 support::Result<Scenario> loadScenario(const std::filesystem::path& path,
                                        const platforms::Platform& platform,
                                        support::SourceManager& sources,
-                                       support::DiagnosticEngine& diagnostics) {
+                                       support::DiagnosticEngine& diagnostics,
+                                       const std::filesystem::path& bundled) {
   auto root = platforms::parseToml(path);
   if (!root) {
     return std::unexpected(root.error());
@@ -157,9 +183,10 @@ support::Result<Scenario> loadScenario(const std::filesystem::path& path,
     return std::unexpected(*tables.failure());
   }
   if (const Family* family = familyOf(platform)) {
+    findSkeleton(scenario, bundled);
     auto own = family->load_own(scenario.skeleton_path, sources, diagnostics, scenario.own);
     if (!own) {
-      return std::unexpected(own.error());
+      return std::unexpected(withFolders(own.error(), scenario, bundled));
     }
   }
   return scenario;

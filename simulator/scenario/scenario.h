@@ -27,6 +27,9 @@ struct Put {
   double value = 0;
 };
 
+/// The longest time that a scenario may last, s: 60 days.
+inline constexpr double kLongestFlight_s = 60 * 86400;
+
 /// An environment, and a vehicle in it with the mission file that it flies: scenarios/<name>.toml.
 struct Scenario {
   std::string name;
@@ -47,13 +50,15 @@ struct Scenario {
   Faults faults;
 };
 
-/// Reads and checks scenario `path`, and the vehicle's own mission, which is in the same folder, if
-/// the platform is of a family that the simulator knows. What the scenario does not say of the
-/// vehicle is `platform`'s. Fails with GL9001 or GL5001; errors in the mission files go to
-/// `diagnostics`, and the failure is then GL5120.
+/// Reads and checks scenario `path`, and the vehicle's own mission, if the platform is of a family
+/// that the simulator knows. Its file is looked for in the folder of the scenario and then in
+/// `bundled`, the folder of those that come with the program; empty: not there. What the scenario
+/// does not say of the vehicle is `platform`'s. Fails with GL9001 or GL5001; errors in the mission
+/// files go to `diagnostics`, and the failure is then GL5120.
 support::Result<Scenario> loadScenario(const std::filesystem::path& path,
                                        const platforms::Platform& platform,
                                        support::SourceManager& sources,
-                                       support::DiagnosticEngine& diagnostics);
+                                       support::DiagnosticEngine& diagnostics,
+                                       const std::filesystem::path& bundled = {});
 
 }  // namespace glider::simulator

@@ -78,6 +78,11 @@ double overtimeOf(const std::any& own) {
   return 0;
 }
 
+std::optional<double> raiseOvertime(std::any& own, double seconds) {
+  return own.has_value() ? slocum::raiseOvertime(std::any_cast<SlocumMission&>(own).file, seconds)
+                         : std::nullopt;
+}
+
 std::unique_ptr<SimulatedSeat> makeSeat(const SeatSetup& setup) {
   return std::make_unique<SlocumSeat>(setup);
 }
@@ -93,6 +98,7 @@ constinit const Family families::slocum = {.name = "slocum",
                                            .text_of = textOf,
                                            .apply_drawn = applyDrawnTo,
                                            .overtime_of = overtimeOf,
+                                           .raise_overtime = raiseOvertime,
                                            .make_seat = makeSeat};
 
 }  // namespace glider::simulator

@@ -137,7 +137,7 @@ TEST_F(BriefCommand, WarningsAreOnThePage) {
 
 TEST_F(BriefCommand, ValuesAtLaunch) {
   EXPECT_EQ(brief(kBriefMission, "--set limit=20min").status, 0);
-  EXPECT_THAT(textOf(page()), HasSubstr("limit time 30 min 10 min to 1 h 1200 s of the search"));
+  EXPECT_THAT(textOf(page()), HasSubstr("limit time 30 min 10 min to 1 h 20 min of the search"));
   const Outcome outcome = brief(kBriefMission, "--set limit=2h -o other.html");
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, HasSubstr("GL9052"));

@@ -4,6 +4,7 @@
 // glidercc check --report: what a mission needs of boards and lines.
 
 #include "tests/support/command.h"
+#include "tests/support/replaced.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -210,11 +211,6 @@ void linkAllBut(const fs::path& from, const std::string& name, const fs::path& t
     }
   }
   fs::create_directory(to / name);
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  EXPECT_NE(text.find(from), std::string::npos) << from;
-  return text.replace(text.find(from), from.size(), to);
 }
 
 TEST(CheckReport, TooMuchStackForABoardIsAnError) {

@@ -63,8 +63,8 @@ TEST(Command, HelpHasDefaultsAndTheNamesOfPasses) {
   const std::string help = runShell("$GLIDERCC build --help").out;
   EXPECT_THAT(help, testing::ContainsRegex("-O LEVEL +Optimisation level, 0 to 3 \\[2\\]"));
   // As CLI11 2.3 and 2.4 show a default.
-  EXPECT_THAT(help,
-              testing::AnyOf(HasSubstr("--target TEXT=host "), HasSubstr("--target TEXT [host] ")));
+  EXPECT_THAT(help, testing::AnyOf(HasSubstr("--target TARGET=host "),
+                                   HasSubstr("--target TARGET [host] ")));
   EXPECT_THAT(help, HasSubstr("after a pass: fold-constants, drop-dead-cases, drop-dead-states, "
                               "share-expressions, tabulate-guards (not at -O0)\n"));
 }
@@ -73,7 +73,7 @@ TEST(Command, AMisspelledCommandIsNamed) {
   const Outcome outcome = runShell("$GLIDERCC chek " + kFirstMission);
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, HasSubstr("`chek`"));
-  EXPECT_THAT(outcome.err, HasSubstr("check, diff, build"));
+  EXPECT_THAT(outcome.err, HasSubstr("new, check, diff, build"));
   const Outcome help = runShell("$GLIDERCC chek --help");
   EXPECT_EQ(help.status, 0);
   EXPECT_THAT(help.out, HasSubstr("SUBCOMMAND")) << "the help is what was asked for";
@@ -82,7 +82,7 @@ TEST(Command, AMisspelledCommandIsNamed) {
 TEST(Command, ACommandThatLacksItsFileIsNotAnUnknownOne) {
   const Outcome outcome = runShell("$GLIDERCC check");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.err, testing::StartsWith("MISSION is required"));
+  EXPECT_THAT(outcome.err, testing::StartsWith("glidercc: error: MISSION is required"));
 }
 
 TEST(Command, AnSbcProgramThatLiesHereNeedsNoDot) {
@@ -240,7 +240,8 @@ TEST(Command, TheStageToEmitIsOneByName) {
     const Outcome outcome = runShell("cd /tmp; $GLIDERCC build " + kFirstMission + " --emit " +
                                      stage + " -o /dev/null");
     EXPECT_EQ(outcome.status, 2) << stage;
-    EXPECT_THAT(outcome.err, HasSubstr("ast,symbols,chc,ir,header,llvm,asm,obj,exe")) << stage;
+    EXPECT_THAT(outcome.err, HasSubstr("ast, symbols, chc, ir, header, llvm, asm, obj, exe"))
+        << stage;
   }
 }
 
@@ -342,8 +343,8 @@ TEST(Command, AClosedPipeIsNotACrash) {
   const Outcome outcome =
       runShell("{ sleep 0.2; $GLIDERCC build " + kFirstMission + " --emit=asm -o -; echo $? >" +
                status + "; } | true; " + "until [ -s " + status + " ]; do sleep 0.05; done");
-  EXPECT_EQ(slurp(status), "2\n");
-  EXPECT_THAT(outcome.err, HasSubstr("cannot write `standard output`: Broken pipe [GL9002"));
+  EXPECT_EQ(slurp(status), "141\n") << "as of a program that SIGPIPE ends";
+  EXPECT_EQ(outcome.err, "");
 }
 
 TEST(Command, HostileMissionsEndInDiagnostics) {
@@ -438,7 +439,7 @@ TEST(Command, AMissionThatTheSimulatedTimeCutsShortIsCalledSo) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   const std::string head = outcome.out.substr(0, outcome.out.find("duration"));
   EXPECT_THAT(head, HasSubstr("the mission had not ended"));
-  EXPECT_THAT(head, HasSubstr("never visited: there\n"));
+  EXPECT_THAT(head, HasSubstr("or no case led there): there\n"));
 }
 
 TEST(Command, APortThatIsNotThereIsNamed) {

@@ -65,7 +65,7 @@ TEST_F(Sim, ACampaignOfAMissionLongerThanTheScenarioIsRefused) {
   EXPECT_EQ(refused.status, 1) << refused.out;
   EXPECT_THAT(refused.err, HasSubstr("does not end within the 2 h 0 min 0 s that scenario "
                                      "`figure5` lasts: it may last 20 h 0 min 20 s [GL9387"));
-  EXPECT_THAT(refused.err, HasSubstr("set `duration_s` in the copy to at least 74400"));
+  EXPECT_THAT(refused.err, HasSubstr("hint: fly longer with `--duration 1240min`"));
   EXPECT_EQ(refused.out, "") << "no flight is flown";
   const Outcome endless = campaign("depth > 500 m");
   EXPECT_EQ(endless.status, 1) << endless.out;

@@ -28,6 +28,7 @@ constinit const Family families::toy = {
                       std::any& own) { (void)std::any_cast<OwnOfAToy&>(own); },
     .overtime_of =
         [](const std::any& own) { return std::any_cast<OwnOfAToy>(&own) != nullptr ? 600.0 : 0.0; },
+    .raise_overtime = [](std::any& /*own*/, double /*seconds*/) { return std::optional<double>(); },
     .make_seat = [](const SeatSetup& setup) -> std::unique_ptr<SimulatedSeat> {
       return std::make_unique<ToySeat>(setup);
     }};

@@ -22,6 +22,13 @@ support::Result<void> scenario(Run& run) {
   } else if (!named.empty()) {
     return std::unexpected(loaded.error());
   }
+  if (run.scenario && run.options.duration_s) {
+    const std::string note =
+        flights::setDuration(*run.scenario, run.checked().platform(), *run.options.duration_s);
+    if (!note.empty()) {
+      run.remark(note);
+    }
+  }
   if (!named.empty()) {
     checkStart(run.checked(),
                {"scenario `" + run.scenario->name + "`",

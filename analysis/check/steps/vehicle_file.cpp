@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "analysis/check/run.h"
+#include "flights/scenario_choice.h"
 #include "support/diagnostics/ids/vehicle.h"
 #include "vehicles/vehicle.h"
 
@@ -38,6 +39,9 @@ support::Result<void> vehicleFile(Run& run) {
     return std::unexpected(own.error());
   }
   run.file.own_mission = std::move(*own);
+  if (of_scenario && run.options.duration_s && flights::hasBundledSkeleton(*run.scenario)) {
+    (void)run.file.own_mission->raiseOvertime(*run.options.duration_s);  // as the scenario's was
+  }
   return {};
 }
 

@@ -19,7 +19,7 @@ TEST(ManPage, HasEveryCommandAndItsOptionsInRoff) {
   check->add_flag("--quiet", quiet, "say a back\\slash");
   check->add_option("FILE", file, "the mission");
   (void)app.add_subcommand("sim", "fly it");
-  const std::string page = manPage(app);
+  const std::string page = manPage(app, CLI::Formatter());
   const auto at = [&](const std::string& text) {
     const size_t found = page.find(text);
     EXPECT_NE(found, std::string::npos) << text << "\n" << page;

@@ -211,8 +211,8 @@ TEST(Warnings, AnExitByACaseOfAlwaysIsAnEndToo) {
 TEST(Warnings, AMissionThatHadNotEndedIsUnusual) {
   auto trace = flight(1);
   trace.events = {makeEvent(100, EventId::TimeIsOver, {100.0})};
-  EXPECT_EQ(unusual(trace),
-            Lines{"the mission had not ended when the simulated time was up; never visited: s2"});
+  EXPECT_EQ(unusual(trace), Lines{"the mission had not ended when the simulated time was up; never "
+                                  "visited (the time was too short, or no case led there): s2"});
 }
 
 /// 20 transitions within 5 min; transitions that are further apart are a busy mission.
@@ -282,7 +282,8 @@ TEST(Warnings, AMissionThatHadNotEnded) {
   EXPECT_EQ(flightWarnings(trace), Lines{}) << "the layered control flew on";
   trace.events.erase(trace.events.begin());
   EXPECT_EQ(flightWarnings(trace),
-            Lines{"the mission had not ended when the simulated time was up; never visited: s2"});
+            Lines{"the mission had not ended when the simulated time was up; never visited (the "
+                  "time was too short, or no case led there): s2"});
 }
 
 TEST(Warnings, TheBottomIsReportedWithTheFirstContact) {

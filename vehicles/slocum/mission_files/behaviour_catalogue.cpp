@@ -141,6 +141,17 @@ double BehaviourBlock::value(std::string_view argument) const {
   return row->fallback;
 }
 
+std::optional<double> raiseOvertime(MissionFile& mission, double seconds) {
+  const auto abend = std::ranges::find(mission.behaviours, "abend", &BehaviourBlock::name);
+  if (abend == mission.behaviours.end()) {
+    return std::nullopt;
+  }
+  const auto overtime = std::ranges::find(abend->arguments, "overtime", &Setting::name);
+  const bool limits = overtime != abend->arguments.end() && overtime->value >= 0 &&
+                      overtime->value < seconds;  // below 0 there is no limit
+  return limits ? std::optional(std::exchange(overtime->value, seconds)) : std::nullopt;
+}
+
 void checkArguments(const BehaviourBlock& block, support::DiagnosticEngine& diagnostics) {
   const KnownBehaviour* known = findBehaviour(block.name);
   if (known == nullptr) {

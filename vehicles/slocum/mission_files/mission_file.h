@@ -73,6 +73,10 @@ struct MissionFile {
   std::vector<SetupLine> setup;
 };
 
+/// Raises `overtime` of abend to `seconds` if it is sooner; returns what it was, empty if it was
+/// not.
+std::optional<double> raiseOvertime(MissionFile& mission, double seconds);
+
 /// A .ma file.
 struct ArgumentFile {
   std::string behaviour;

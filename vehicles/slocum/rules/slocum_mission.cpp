@@ -31,6 +31,14 @@ class FileOfSlocum final : public vehicles::OwnMission {
   FileOfSlocum(VehicleFile file, MissionFile behaviours)
       : file_(std::move(file)), behaviours_(std::move(behaviours)) {}
 
+  std::optional<double> raiseOvertime(double seconds) override {
+    const auto before = slocum::raiseOvertime(behaviours_, seconds);
+    if (before) {
+      file_.aborts.overtime_s = seconds;
+    }
+    return before;
+  }
+
   void checkLimits(const WrittenWorld& world, DiagnosticEngine& diagnostics) const override {
     checkVehicleLimits(world, file_, diagnostics);
   }

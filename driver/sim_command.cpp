@@ -13,6 +13,8 @@
 #include "driver/sim_options.h"
 #include "driver/terminal.h"
 #include "flights/flight_setup.h"
+#include "flights/logged_values.h"
+#include "flights/mission_facts.h"
 #include "flights/scenario_choice.h"
 #include "report/picture/picture.h"
 #include "report/summary.h"
@@ -53,13 +55,14 @@ struct Flown {
 /// What went wrong in a flight: events of the vehicle, sensors that it did not carry, requirements
 /// that it violated.
 std::vector<support::Diagnostic> judge(const support::Trace& trace, const Flown& flown,
+                                       const std::vector<flights::FlownViolation>& violations,
                                        const simulator::Scenario& scenario) {
   support::DiagnosticEngine diagnostics;
   if (flown.mission != nullptr) {
     flights::reportMissingSensors(*flown.mission, scenario, diagnostics);
   }
   if (flown.watch != nullptr) {
-    flights::reportViolations(*flown.watch, trace, diagnostics);
+    flights::reportViolations(*flown.watch, violations, diagnostics);
   }
   report::reportFlight(trace, diagnostics);
   report::reportRestless(trace,
@@ -69,6 +72,21 @@ std::vector<support::Diagnostic> judge(const support::Trace& trace, const Flown&
   reportDiagnostics(diagnostics,
                     flown.mission != nullptr ? flown.mission->sources() : support::SourceManager());
   return diagnostics.sorted();
+}
+
+/// Adds to the trace what the mission says about its flight, and what it logged.
+void addFacts(const Flown& flown, const flights::LaunchChoice& launch,
+              const std::vector<flights::FlownViolation>& violations, support::Trace& trace) {
+  if (flown.mission == nullptr) {
+    return;
+  }
+  const auto parameters = flights::chooseParameters(flown.mission->checked->mission(), launch);
+  trace.facts = flights::missionFacts(*flown.mission, parameters.value_or(std::vector<double>()));
+  flights::addLoggedValues(*flown.mission, trace);
+  if (flown.watch != nullptr) {
+    trace.facts.promises =
+        flights::flownPromises(*flown.watch, *flown.mission->checked, violations);
+  }
 }
 
 /// Writes all files of a flight to where the options say.
@@ -99,7 +117,7 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options, co
   ProgressLine line;
   showProgress(setup, line);
   const auto begin = std::chrono::steady_clock::now();
-  const auto trace = simulator::simulate(std::move(setup));
+  auto trace = simulator::simulate(std::move(setup));
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   line.clear();
   if (!trace) {
@@ -110,7 +128,10 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options, co
       report::summarize(*trace) +
       fmt::format("\nflown {:.0f} s in {:.4f} s; report: {}\n", end, took.count(),
                   (std::filesystem::path(outputFolder(options)) / "report.html").string()));
-  const auto reported = judge(*trace, flown, scenario);
+  const auto violations = flown.watch != nullptr ? flown.watch->violations(*trace)
+                                                 : std::vector<flights::FlownViolation>();
+  const auto reported = judge(*trace, flown, violations, scenario);
+  addFacts(flown, options.launch, violations, *trace);
   if (auto written = writeAll(*trace, options, reported, folder); !written) {
     return reportFailure(written.error());
   }

@@ -16,6 +16,7 @@
 #include "flights/logged_values.h"
 #include "flights/mission_facts.h"
 #include "flights/scenario_choice.h"
+#include "report/export/export.h"
 #include "report/picture/picture.h"
 #include "report/summary.h"
 #include "report/warnings.h"
@@ -89,6 +90,26 @@ void addFacts(const Flown& flown, const flights::LaunchChoice& launch,
   }
 }
 
+/// Writes the flight in the formats of other programs.
+support::Result<void> writeForOthers(const support::Trace& trace, const SimOptions& options,
+                                     const FlightFolder& folder) {
+  if (!options.kml.empty()) {
+    const std::string text = report::flightToKml(trace);
+    if (auto written = support::writeFileAtomically(folder.placeOf(options.kml), text); !written) {
+      return written;
+    }
+  }
+  if (!options.geojson.empty()) {
+    const std::string text = report::flightToGeojson(trace);
+    if (auto written = support::writeFileAtomically(folder.placeOf(options.geojson), text);
+        !written) {
+      return written;
+    }
+  }
+  return options.netcdf.empty() ? support::Result<void>()
+                                : report::writeFlightNetcdf(trace, folder.placeOf(options.netcdf));
+}
+
 /// Writes all files of a flight to where the options say.
 support::Result<void> writeAll(const support::Trace& trace, const SimOptions& options,
                                const std::vector<support::Diagnostic>& reported,
@@ -102,6 +123,9 @@ support::Result<void> writeAll(const support::Trace& trace, const SimOptions& op
         !written) {
       return written;
     }
+  }
+  if (auto written = writeForOthers(trace, options, folder); !written) {
+    return written;
   }
   if (auto written = writeFlightSummary(trace, reported, folder.names(), folder.staging());
       !written) {
@@ -221,6 +245,26 @@ std::string checkTime(const std::string& text) {
   return good ? "" : fmt::format("`{}` is not a time in seconds, 0 or more", text);
 }
 
+/// The picture, and the formats of other programs.
+void addExportOptions(CLI::App& command, SimOptions& options) {
+  addPictureOptions(command, options.picture, options.picture_style)->excludes("--replay");
+  command
+      .add_option("--kml", options.kml,
+                  "Write the tracks, surfacings and waypoints of the flight as KML")
+      ->option_text("OUT.kml")
+      ->excludes("--replay");
+  command
+      .add_option("--geojson", options.geojson,
+                  "Write the tracks, surfacings and waypoints of the flight as GeoJSON")
+      ->option_text("OUT.geojson")
+      ->excludes("--replay");
+  command
+      .add_option("--netcdf", options.netcdf,
+                  "Write the trace of the flight as netCDF-4 by the CF conventions")
+      ->option_text("OUT.nc")
+      ->excludes("--replay");
+}
+
 void addOptions(CLI::App& command, SimOptions& options) {
   auto* mission =
       command.add_option("MISSION", options.mission,
@@ -276,7 +320,7 @@ void addOptions(CLI::App& command, SimOptions& options) {
       ->excludes("--seed")
       ->excludes("--kill-sbc-at")
       ->needs(mission);
-  addPictureOptions(command, options.picture, options.picture_style)->excludes("--replay");
+  addExportOptions(command, options);
   program->excludes(board);
   serial->excludes(board)->excludes(program)->excludes("--replay");
   without->excludes(mission)->excludes(board)->excludes(program)->excludes(serial);

@@ -55,6 +55,8 @@ int main(int argc, char** argv) {
       {"one_row", oneRow()},
       {"empty", {}},
       {"long", longTrace(100'000)},
+      {"science", scienceTrace()},
+      {"crowded", crowdedTrace()},
       {"log", logTrace()},
       {"log_gap", logWithGap()},
   };

@@ -53,7 +53,7 @@ std::string energyText(const EnergyFigures& energy) {
   std::string text = fmt::format("{:.1f} Wh used", energy.used_Wh);
   if (energy.capacity_Wh > 0) {
     constexpr double kPercent = 100;
-    text += fmt::format(", {:.2g} % of the pack; {:.0f} Wh to go ({:.0f} %)",
+    text += fmt::format(", {:.2g} % of the pack; {:.0f} Wh to go ({:.1f} %)",
                         kPercent * energy.used_Wh / energy.capacity_Wh, energy.to_go_Wh,
                         kPercent * energy.to_go_Wh / energy.capacity_Wh);
   }

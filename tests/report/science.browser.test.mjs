@@ -108,7 +108,33 @@ test("each chart is saved as a picture and as a table", () => withPage("science"
   assert.match(await page.eval("saved.names.join(' ')"), /thermoclinesurvey-depth\.png .*thermoclinesurvey-track\.csv/);
 }));
 
-test("the map has degrees, names, circles, currents and the bottom, and no word covers another", async () => {
+/** The first word of the map that is cut off or covers another; "": there is none. */
+const clash = (page) => page.eval(`(() => {
+  const boxes = [...document.querySelectorAll("#map text")].map((t) => ({ words: t.textContent, box: t.getBoundingClientRect() }));
+  const sheet = document.querySelector("#map > svg").getBoundingClientRect();
+  for (const { words, box } of boxes) {
+    if (box.left < sheet.left - 1 || box.right > sheet.right + 1 || box.top < sheet.top - 1 || box.bottom > sheet.bottom + 1) return words + " is cut off";
+  }
+  for (let i = 0; i < boxes.length; ++i) for (let j = i + 1; j < boxes.length; ++j) {
+    const [a, b] = [boxes[i].box, boxes[j].box];
+    if (a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1) return boxes[i].words + " covers " + boxes[j].words;
+  }
+  return "";
+})()`);
+
+test("no word of the map covers another or is cut off, however wide the page is", async () => {
+  for (const name of ["science", "sample", "short", "log"]) {
+    await withPage(name, async (page) => {
+      for (let width = 640; width <= 1400; width += 20) {
+        await page.send("Emulation.setDeviceMetricsOverride", { width, height: 1000, deviceScaleFactor: 1, mobile: false });
+        await page.eval("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))");
+        assert.equal(await clash(page), "", `${name} at ${width} px`);
+      }
+    });
+  }
+});
+
+test("the map has degrees, names, circles, currents and the bottom", async () => {
   for (const width of [1400, 800]) {
     await withPage("science", async (page) => {
       const words = await texts(page, "#map text");
@@ -119,19 +145,6 @@ test("the map has degrees, names, circles, currents and the bottom, and no word 
       assert.equal(await page.eval("document.querySelectorAll('#map .watch').length"), 1);
       assert.ok(await page.eval("document.querySelectorAll('#map .true-current').length") > 4);
       assert.ok(await page.eval("document.querySelectorAll('#map .contour').length") > 0);
-      const clash = await page.eval(`(() => {
-        const boxes = [...document.querySelectorAll("#map text")].map((t) => ({ words: t.textContent, box: t.getBoundingClientRect() }));
-        const sheet = document.querySelector("#map > svg").getBoundingClientRect();
-        for (const { words, box } of boxes) {
-          if (box.left < sheet.left - 1 || box.right > sheet.right + 1 || box.top < sheet.top - 1 || box.bottom > sheet.bottom + 1) return words + " is cut off";
-        }
-        for (let i = 0; i < boxes.length; ++i) for (let j = i + 1; j < boxes.length; ++j) {
-          const [a, b] = [boxes[i].box, boxes[j].box];
-          if (a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1) return boxes[i].words + " covers " + boxes[j].words;
-        }
-        return "";
-      })()`);
-      assert.equal(clash, "");
     }, width);
   }
 });

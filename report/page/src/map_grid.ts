@@ -42,8 +42,8 @@ function metreMarks(from: number, to: number, most: number): Mark[] {
 /** The marks along both axes, in m east and north. */
 function marksOf(frame: Frame): { across: Mark[]; up: Mark[] } {
   const { anchor } = frame;
-  const mostAcross = Math.max(1, Math.floor((frame.width - edge.left - edge.right) / 110));
-  const mostUp = Math.max(2, Math.floor((frame.height - edge.top - edge.bottom) / 60));
+  const mostAcross = Math.max(1, Math.floor((frame.width - edge.left - edge.right) / 130));
+  const mostUp = Math.max(4, Math.floor((frame.height - edge.top - edge.bottom) / 60));
   if (!anchor) return { across: metreMarks(frame.west, frame.east, mostAcross), up: metreMarks(frame.south, frame.north, mostUp) };
   const lon = (x: number) => anchor.lon + (x - anchor.x) / anchor.perLon;
   const lat = (y: number) => anchor.lat + (y - anchor.y) / anchor.perLat;

@@ -17,6 +17,8 @@ import { View } from "./view";
 
 /** The arrow of the fastest current, px. */
 const longestArrow = 60;
+/** Below this, m/s, arrows stay short: such a current is none. */
+const slowest = 0.05;
 /** More arrows than this cover the track. */
 const mostArrows = 24;
 /** A place further off than this many times the track's extent is only pointed at. */
@@ -115,7 +117,7 @@ function endMarks(frame: Frame, points: Point[], labels: Labels): SVGElement[] {
 
 /** Each current as an arrow from where it was, in proportion to its speed. */
 function arrows(chart: Chart, frame: Frame): SVGElement[] {
-  const fastest = fastestOf([...chart.currents, ...chart.trueCurrents]);
+  const fastest = Math.max(fastestOf([...chart.currents, ...chart.trueCurrents]), slowest);
   const one = (c: Current, kind: string, words: string) => {
     const speed = Math.hypot(c.east, c.north);
     const [size, turn] = [(longestArrow * speed) / fastest, (Math.atan2(-c.north, c.east) * 180) / Math.PI];

@@ -51,7 +51,8 @@ function rangeOf(lines: Line[], least: number): [number, number] {
     }
   }
   // A value that never changes still gets a range around it.
-  const half = Math.max((high - low) * 0.56, least / 2, high > low ? 0 : Math.max(Math.abs(high) * 1e-3, 1e-6));
+  const constant = high === 0 ? 1 : Math.abs(high) * 0.1;
+  const half = Math.max((high - low) * 0.56, least / 2, high > low ? 0 : constant);
   return [(low + high) / 2 - half, (low + high) / 2 + half];
 }
 

@@ -76,7 +76,7 @@ support::Result<void> reportTrialFlight(const compiler::Optimised& mission,
     return std::unexpected(trace.error());
   }
   if (watch) {
-    flights::reportViolations(*watch, *trace, diagnostics);
+    flights::reportViolations(*watch, watch->violations(*trace), diagnostics);
   }
   support::DiagnosticEngine of_flight;
   report::reportFlight(*trace, of_flight);

@@ -16,7 +16,10 @@
 #include "driver/terminal.h"
 #include "driver/usage/duration.h"
 #include "flights/flight_setup.h"
+#include "flights/logged_values.h"
+#include "flights/mission_facts.h"
 #include "flights/scenario_choice.h"
+#include "report/export/export.h"
 #include "report/picture/picture.h"
 #include "report/summary.h"
 #include "report/warnings.h"
@@ -54,13 +57,14 @@ struct Flown {
 /// What went wrong in a flight: events of the vehicle, sensors that it did not carry, requirements
 /// that it violated.
 std::vector<support::Diagnostic> judge(const support::Trace& trace, const Flown& flown,
+                                       const std::vector<flights::FlownViolation>& violations,
                                        const simulator::Scenario& scenario) {
   support::DiagnosticEngine diagnostics;
   if (flown.mission != nullptr) {
     flights::reportMissingSensors(*flown.mission, scenario, diagnostics);
   }
   if (flown.watch != nullptr) {
-    flights::reportViolations(*flown.watch, trace, diagnostics);
+    flights::reportViolations(*flown.watch, violations, diagnostics);
   }
   report::reportFlight(trace, diagnostics);
   report::reportRestless(trace,
@@ -70,6 +74,41 @@ std::vector<support::Diagnostic> judge(const support::Trace& trace, const Flown&
   reportDiagnostics(diagnostics,
                     flown.mission != nullptr ? flown.mission->sources() : support::SourceManager());
   return diagnostics.sorted();
+}
+
+/// Adds to the trace what the mission says about its flight, and what it logged.
+void addFacts(const Flown& flown, const flights::LaunchChoice& launch,
+              const std::vector<flights::FlownViolation>& violations, support::Trace& trace) {
+  if (flown.mission == nullptr) {
+    return;
+  }
+  const auto parameters = flights::chooseParameters(flown.mission->checked->mission(), launch);
+  trace.facts = flights::missionFacts(*flown.mission, parameters.value_or(std::vector<double>()));
+  flights::addLoggedValues(*flown.mission, trace);
+  if (flown.watch != nullptr) {
+    trace.facts.promises =
+        flights::flownPromises(*flown.watch, *flown.mission->checked, violations);
+  }
+}
+
+/// Writes the flight in the formats of other programs.
+support::Result<void> writeForOthers(const support::Trace& trace, const SimOptions& options,
+                                     const FlightFolder& folder) {
+  if (!options.kml.empty()) {
+    const std::string text = report::flightToKml(trace);
+    if (auto written = support::writeFileAtomically(folder.placeOf(options.kml), text); !written) {
+      return written;
+    }
+  }
+  if (!options.geojson.empty()) {
+    const std::string text = report::flightToGeojson(trace);
+    if (auto written = support::writeFileAtomically(folder.placeOf(options.geojson), text);
+        !written) {
+      return written;
+    }
+  }
+  return options.netcdf.empty() ? support::Result<void>()
+                                : report::writeFlightNetcdf(trace, folder.placeOf(options.netcdf));
 }
 
 /// Writes all files of a flight to where the options say.
@@ -89,6 +128,9 @@ support::Result<void> writeAll(const support::Trace& trace, const SimOptions& op
   if (document != nullptr) {
     document->update(Json::parse(flightToJson(trace, reported, folder.names())));
   }
+  if (auto written = writeForOthers(trace, options, folder); !written) {
+    return written;
+  }
   if (auto written = writeFlightSummary(trace, reported, folder.names(), folder.staging());
       !written) {
     return written;
@@ -103,7 +145,7 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options, co
   ProgressLine line;
   showProgress(setup, line);
   const auto begin = std::chrono::steady_clock::now();
-  const auto trace = simulator::simulate(std::move(setup));
+  auto trace = simulator::simulate(std::move(setup));
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   line.clear();
   if (!trace) {
@@ -118,7 +160,10 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options, co
                 fmt::format(
                     "\nflown {:.0f} s in {:.4f} s; report: {}\n", end, took.count(),
                     (std::filesystem::path(outputFolder(options)) / "report.html").string()));
-  const auto reported = judge(*trace, flown, scenario);
+  const auto violations = flown.watch != nullptr ? flown.watch->violations(*trace)
+                                                 : std::vector<flights::FlownViolation>();
+  const auto reported = judge(*trace, flown, violations, scenario);
+  addFacts(flown, options.launch, violations, *trace);
   if (auto written = writeAll(*trace, options, reported, folder, document); !written) {
     return reportFailure(written.error());
   }
@@ -226,6 +271,26 @@ void addFlightOptions(CLI::App& command, SimOptions& options) {
   addFlightDuration(command, options.duration_s);
 }
 
+/// The picture, and the formats of other programs.
+void addExportOptions(CLI::App& command, SimOptions& options) {
+  addPictureOptions(command, options.picture, options.picture_style)->excludes("--replay");
+  command
+      .add_option("--kml", options.kml,
+                  "Write the tracks, surfacings and waypoints of the flight as KML")
+      ->option_text("OUT.kml")
+      ->excludes("--replay");
+  command
+      .add_option("--geojson", options.geojson,
+                  "Write the tracks, surfacings and waypoints of the flight as GeoJSON")
+      ->option_text("OUT.geojson")
+      ->excludes("--replay");
+  command
+      .add_option("--netcdf", options.netcdf,
+                  "Write the trace of the flight as netCDF-4 by the CF conventions")
+      ->option_text("OUT.nc")
+      ->excludes("--replay");
+}
+
 void addOptions(CLI::App& command, SimOptions& options) {
   auto* mission =
       command.add_option("MISSION", options.mission,
@@ -278,7 +343,7 @@ void addOptions(CLI::App& command, SimOptions& options) {
       ->excludes("--kill-sbc-at")
       ->excludes("--duration")
       ->needs(mission);
-  addPictureOptions(command, options.picture, options.picture_style)->excludes("--replay");
+  addExportOptions(command, options);
   program->excludes(board);
   serial->excludes(board)->excludes(program)->excludes("--replay");
   without->excludes(mission)->excludes(board)->excludes(program)->excludes(serial);

@@ -36,6 +36,9 @@ struct SimOptions {
   std::string output;
   std::string replay;   ///< the file of a trace; empty: none
   std::string picture;  ///< the file of a picture; empty: none
+  std::string kml;      ///< these too
+  std::string geojson;
+  std::string netcdf;
   report::PictureStyle picture_style;
   flights::LaunchChoice launch;
   std::vector<std::string> user_code;

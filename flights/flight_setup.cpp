@@ -4,6 +4,7 @@
 #include "flights/flight_setup.h"
 
 #include "flights/explain_guard.h"
+#include "flights/mission_facts.h"
 #include "simulator/sensors/provided.h"
 #include "support/diagnostics/ids/vehicle.h"
 
@@ -49,6 +50,7 @@ bool needsCodeInC(const ir::Mission& mission) {
 void describeMission(simulator::SimulationSetup& setup, const compiler::Optimised& mission) {
   setup.mission_name = mission.mission.name;
   setup.state_names = compiler::stateNames(mission.mission);
+  setup.record = listedSensors(mission.mission);
   setup.explain = [&mission](uint32_t list, uint32_t state, uint32_t fired_case) {
     return explainGuard(mission, list, state, fired_case);
   };

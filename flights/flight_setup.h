@@ -16,8 +16,8 @@ void reportMissingSensors(const compiler::Optimised& mission, const simulator::S
 /// Whether a mission needs code in C of the pilot's own, which the interpreter does not have.
 bool needsCodeInC(const ir::Mission& mission);
 
-/// Puts the names of the mission and its states and the texts of its guards into `setup`; `mission`
-/// must outlive it.
+/// Puts the names of the mission and its states, the texts of its guards and the sensors that it
+/// lists into `setup`; `mission` must outlive it.
 void describeMission(simulator::SimulationSetup& setup, const compiler::Optimised& mission);
 
 }  // namespace glider::flights

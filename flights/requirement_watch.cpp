@@ -159,18 +159,18 @@ std::vector<std::string> watchedTexts(const compiler::Checked& mission) {
   return texts;
 }
 
-void reportViolations(const RequirementWatch& watch, const support::Trace& trace,
+void reportViolations(const RequirementWatch& watch, const std::vector<FlownViolation>& found,
                       support::DiagnosticEngine& diagnostics) {
   const ir::Mission& m = watch.mission();
-  for (const FlownViolation& found : watch.violations(trace)) {
-    const bool assumption = found.number >= m.requirements.size();
+  for (const FlownViolation& one : found) {
+    const bool assumption = one.number >= m.requirements.size();
     diagnostics.report(
         assumption ? support::diagnostics::assumptionFlown : support::diagnostics::requirementFlown,
-        assumption ? m.assumptions[found.number - m.requirements.size()].range
-                   : m.requirements[found.number].range,
-        fmt::format("at mission time {:.6g} s, in state `{}`{}{}{}{}", found.mission_time,
-                    found.state, found.words.empty() ? "" : ", ", found.words,
-                    found.after.empty() ? "" : "; ", found.after));
+        assumption ? m.assumptions[one.number - m.requirements.size()].range
+                   : m.requirements[one.number].range,
+        fmt::format("at mission time {:.6g} s, in state `{}`{}{}{}{}", one.mission_time, one.state,
+                    one.words.empty() ? "" : ", ", one.words, one.after.empty() ? "" : "; ",
+                    one.after));
   }
   if (const auto at = watch.departed()) {
     diagnostics.report(support::diagnostics::watchEnded, {}, fmt::format("{:.0f} s", *at));

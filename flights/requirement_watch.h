@@ -87,9 +87,9 @@ class RequirementWatch {
 /// FlownViolation::number.
 std::vector<std::string> watchedTexts(const compiler::Checked& mission);
 
-/// Reports each requirement that the flight of `trace` violates, and each assumption that it
-/// breaks.
-void reportViolations(const RequirementWatch& watch, const support::Trace& trace,
+/// Reports each requirement that a flight violates, and each assumption that it breaks; `found` are
+/// its violations.
+void reportViolations(const RequirementWatch& watch, const std::vector<FlownViolation>& found,
                       support::DiagnosticEngine& diagnostics);
 
 }  // namespace glider::flights

@@ -3,6 +3,8 @@
 
 #include "report/figures.h"
 
+#include "support/trace/submersions.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -133,6 +135,32 @@ void measureStates(const Trace& trace, int time, FlightFigures& figures) {
   }
 }
 
+double greatestDistance(const Trace& trace) {
+  const int x = trace.column("true_x"), y = trace.column("true_y");
+  const int reckoned_x = trace.column("m_x_lmc"), reckoned_y = trace.column("m_y_lmc");
+  double greatest = kNoFigure;
+  for (size_t row = 0;
+       row < trace.rowCount() && x >= 0 && y >= 0 && reckoned_x >= 0 && reckoned_y >= 0; ++row) {
+    greatest = std::fmax(greatest, std::hypot(trace.at(row, x) - trace.at(row, reckoned_x),
+                                              trace.at(row, y) - trace.at(row, reckoned_y)));
+  }
+  return greatest;
+}
+
+EnergyFigures energyOf(const Trace& trace, double duration_s) {
+  constexpr double kSecondsPerDay = 86400;
+  EnergyFigures energy{rangeOf(trace, trace.column("energy")).greatest, kNoFigure, kNoFigure,
+                       kNoFigure};
+  if (trace.battery) {
+    energy.capacity_Wh = trace.battery->capacity_Wh;
+    energy.to_go_Wh = energy.capacity_Wh - trace.battery->used_Wh - energy.used_Wh;
+    energy.days_left = energy.used_Wh > 0
+                           ? energy.to_go_Wh / energy.used_Wh * duration_s / kSecondsPerDay
+                           : kNoFigure;
+  }
+  return energy;
+}
+
 double lengthOfGaps(const Trace& trace) {
   double sum_s = 0;
   for (const support::TraceGap& gap :
@@ -140,6 +168,15 @@ double lengthOfGaps(const Trace& trace) {
     sum_s += gap.to_s - gap.from_s;
   }
   return sum_s;
+}
+
+/// The last row in which `column` is known; 0 if there is none.
+size_t lastKnown(const Trace& trace, int column) {
+  size_t row = trace.rowCount();
+  while (row > 1 && std::isnan(trace.at(row - 1, column))) {
+    --row;
+  }
+  return row == 0 ? 0 : row - 1;
 }
 
 const char* trackSourceName(TrackSource source) {
@@ -181,6 +218,43 @@ std::vector<TurningPoint> turningPoints(const Trace& trace) {
   return points;
 }
 
+std::vector<Yo> yosOf(const Trace& trace) {
+  const int depth = depthColumn(trace), time = trace.column("time");
+  const std::vector<TurningPoint> turns = turningPoints(trace);
+  std::vector<Yo> yos;
+  for (size_t i = 0; time >= 0 && i < turns.size(); ++i) {
+    if (!turns[i].at_bottom) {
+      continue;
+    }
+    const size_t bottom = turns[i].row;
+    const size_t begin = i == 0 ? 0 : turns[i - 1].row;
+    const size_t end = i + 1 < turns.size() ? turns[i + 1].row : lastKnown(trace, depth);
+    const double dive_s = trace.at(bottom, time) - trace.at(begin, time);
+    const double climb_s = trace.at(end, time) - trace.at(bottom, time);
+    const double deepest = trace.at(bottom, depth);
+    yos.push_back({.start_s = trace.at(begin, time),
+                   .duration_s = dive_s + climb_s,
+                   .deepest_m = deepest,
+                   .down_mps = (deepest - trace.at(begin, depth)) / dive_s,
+                   .up_mps = (deepest - trace.at(end, depth)) / climb_s,
+                   .surfaced = trace.at(end, depth) < support::kSurfaceDepth});
+  }
+  return yos;
+}
+
+std::string yosToJson(const std::vector<Yo>& yos) {
+  nlohmann::json out = nlohmann::json::array();
+  for (const Yo& yo : yos) {
+    out.push_back({{"start", yo.start_s},
+                   {"duration", yo.duration_s},
+                   {"deepest", yo.deepest_m},
+                   {"down", yo.down_mps},
+                   {"up", yo.up_mps},
+                   {"surfaced", yo.surfaced}});
+  }
+  return out.dump();
+}
+
 int depthColumn(const Trace& trace) {
   const int measured = trace.column("m_depth");
   return measured >= 0 ? measured : trace.column("true_depth");
@@ -215,6 +289,8 @@ FlightFigures flightFigures(const Trace& trace) {
   figures.warmest_degC = temperatures.greatest;
   figures.gaps_s = lengthOfGaps(trace);
   measureTrack(trace, figures);
+  figures.apart_m = greatestDistance(trace);
+  figures.energy = energyOf(trace, figures.duration_s);
   measureStates(trace, time, figures);
   for (const support::TraceEvent& event : trace.events) {
     ++figures.events[kindOf(event)];
@@ -238,6 +314,12 @@ std::string figuresToJson(const FlightFigures& figures) {
                     {"distance", figures.distance_m},
                     {"madeGood", figures.made_good_m},
                     {"track", trackSourceName(figures.track)},
+                    {"apart", figures.apart_m},
+                    {"energy",
+                     {{"used", figures.energy.used_Wh},
+                      {"capacity", figures.energy.capacity_Wh},
+                      {"toGo", figures.energy.to_go_Wh},
+                      {"daysLeft", figures.energy.days_left}}},
                     {"coldest", figures.coldest_degC},
                     {"warmest", figures.warmest_degC},
                     {"states", states},

@@ -23,6 +23,14 @@ struct StateFigures {
 /// The source of the distance over ground.
 enum class TrackSource : unsigned char { None, True, DeadReckoned };
 
+/// What the batteries gave in a flight, and how long they last at this rate.
+struct EnergyFigures {
+  double used_Wh = 0;
+  double capacity_Wh = 0;  ///< of a full pack; NaN, as what follows: not known
+  double to_go_Wh = 0;     ///< in the pack at the end
+  double days_left = 0;    ///< at the mean power of the flight
+};
+
 /// A flight summarised in a few numbers. NaN (or an empty list) where the trace has no column for
 /// it.
 struct FlightFigures {
@@ -35,6 +43,8 @@ struct FlightFigures {
   double distance_m = 0;   ///< over ground, along the track
   double made_good_m = 0;  ///< straight from the first position to the last, by the same positions
   TrackSource track = TrackSource::None;
+  double apart_m = 0;  ///< the greatest distance of the dead-reckoned position from the true one
+  EnergyFigures energy;
   double coldest_degC = 0;
   double warmest_degC = 0;
   std::vector<StateFigures> states;  ///< those that were entered, in the mission's order
@@ -64,6 +74,22 @@ struct TurningPoint {
 /// The turning points of the depth, with at least kYoDepth of change on both sides; the first may
 /// be the start.
 std::vector<TurningPoint> turningPoints(const support::Trace& trace);
+
+/// A dive and the climb after it, by the measured depth.
+struct Yo {
+  double start_s = 0;
+  double duration_s = 0;
+  double deepest_m = 0;
+  double down_mps = 0;    ///< mean rate of the dive, positive
+  double up_mps = 0;      ///< of the climb, positive
+  bool surfaced = false;  ///< it ends above support::kSurfaceDepth
+};
+
+/// The yos of the flight, in order: as many as FlightFigures::yos. The last one may have only begun
+/// to climb.
+std::vector<Yo> yosOf(const support::Trace& trace);
+/// The same as a JSON array.
+std::string yosToJson(const std::vector<Yo>& yos);
 
 /// The column that the report calls depth: m_depth, otherwise true_depth, otherwise -1.
 int depthColumn(const support::Trace& trace);

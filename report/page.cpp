@@ -4,6 +4,7 @@
 #include "report/page.h"
 
 #include "report/downsample.h"
+#include "report/facts_json.h"
 #include "report/figures.h"
 #include "report/warnings.h"
 
@@ -70,7 +71,8 @@ std::string renderPage(const support::Trace& trace,
   page += kPageParts[1];
   const std::string warnings = warningsToJson(reported, flightWarnings(trace));
   page += escapeForScript("{\"figures\":" + figures + ",\"warnings\":" + warnings +
-                          ",\"trace\":" + flight + "}");
+                          ",\"facts\":" + factsToJson(trace) +
+                          ",\"yos\":" + yosToJson(yosOf(trace)) + ",\"trace\":" + flight + "}");
   page += kPageParts[2];
   return page;
 }

@@ -43,6 +43,27 @@ std::string heading(const Trace& trace) {
   return wrapped(out, kWidth, 2);
 }
 
+std::string lengthText(double metres) {
+  constexpr double kKilometre = 1000;
+  return metres < kKilometre ? fmt::format("{:.0f} m", metres)
+                             : fmt::format("{:.1f} km", metres / kKilometre);
+}
+
+/// "12.3 Wh used, 0.6 % of the pack; 99 % to go, 45 days at this rate".
+std::string energyText(const EnergyFigures& energy) {
+  std::string text = fmt::format("{:.1f} Wh used", energy.used_Wh);
+  if (energy.capacity_Wh > 0) {
+    constexpr double kPercent = 100;
+    text += fmt::format(", {:.2g} % of the pack; {:.0f} Wh to go ({:.1f} %)",
+                        kPercent * energy.used_Wh / energy.capacity_Wh, energy.to_go_Wh,
+                        kPercent * energy.to_go_Wh / energy.capacity_Wh);
+  }
+  if (std::isfinite(energy.days_left)) {
+    text += fmt::format(", {:.0f} days at this rate", energy.days_left);
+  }
+  return text;
+}
+
 std::string figureLines(const FlightFigures& figures) {
   std::string out;
   const auto line = [&out](std::string_view label, const std::string& value) {
@@ -61,6 +82,13 @@ std::string figureLines(const FlightFigures& figures) {
          fmt::format("{:.0f} m over ground{}, {:.0f} m made good", figures.distance_m,
                      figures.track == TrackSource::DeadReckoned ? " (dead reckoned)" : "",
                      figures.made_good_m));
+  }
+  if (std::isfinite(figures.apart_m)) {
+    line("position", fmt::format("dead-reckoned and true position up to {} apart",
+                                 lengthText(figures.apart_m)));
+  }
+  if (std::isfinite(figures.energy.used_Wh)) {
+    line("energy", energyText(figures.energy));
   }
   if (std::isfinite(figures.warmest_degC)) {
     line("temperature",

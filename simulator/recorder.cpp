@@ -3,6 +3,9 @@
 
 #include "simulator/recorder.h"
 
+#include "simulator/geography/ddmm.h"
+#include "simulator/sensors/provided.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,12 +16,22 @@ namespace {
 
 constexpr double kNotRecorded = std::numeric_limits<double>::quiet_NaN();
 constexpr size_t kMissionTimeColumn = 1, kStateColumn = 2;
-constexpr size_t kMostTimes = 400, kDepths = 80;
+
+// The columns after all others: a column that is added keeps the places of the earlier ones.
+constexpr Column kLast[] = {
+    {"energy", "Wh",
+     [](const ColumnMoment& m) {
+       return m.vehicle.battery().usedJ() / kJoulesPerWattHour - m.used_at_start_Wh;
+     }},
+    {"true_current_x", "m/s", [](const ColumnMoment& m) { return m.current.east; }},
+    {"true_current_y", "m/s", [](const ColumnMoment& m) { return m.current.north; }},
+};
 
 }  // namespace
 
 Recorder::Recorder(support::Trace& trace, const World& world, const SimulatedSeat& seat,
-                   const platforms::Platform& platform, const Scenario& scenario)
+                   const platforms::Platform& platform, const Scenario& scenario,
+                   std::span<const std::string> also)
     : trace_(trace),
       ocean_(world.ocean()),
       frame_(world.frame()),
@@ -36,6 +49,8 @@ Recorder::Recorder(support::Trace& trace, const World& world, const SimulatedSea
   addInstruments(platform, scenario, true);
   add(seat.secondColumns());
   addInstruments(platform, scenario, false);
+  add(kLast);
+  addSensors(platform, also);
 }
 
 void Recorder::addInstruments(const platforms::Platform& platform, const Scenario& scenario,
@@ -46,22 +61,46 @@ void Recorder::addInstruments(const platforms::Platform& platform, const Scenari
     }
     for (const InstrumentSensor& sensor : instrument->sensors()) {
       if (sensor.column_unit != nullptr) {
-        columns_.push_back({nullptr, numberOf(platform, sensor.name)});
+        columns_.push_back({nullptr, numberOf(platform, sensor.name), true});
         trace_.columns.push_back({std::string(sensor.name), sensor.column_unit});
       }
     }
   }
 }
 
+void Recorder::addSensors(const platforms::Platform& platform, std::span<const std::string> names) {
+  for (const std::string& name : names) {
+    const platforms::PlatformSensor* sensor = platform.find(name);
+    if (sensor == nullptr || trace_.column(name) >= 0) {
+      continue;
+    }
+    const bool position = sensor->unit == "lat" || sensor->unit == "lon";
+    const bool science = sensor->computer == platforms::Computer::Science;
+    columns_.push_back({nullptr, sensor->id, science, position});
+    trace_.columns.push_back({name, position ? "deg" : sensor->unit == "1" ? "" : sensor->unit});
+  }
+}
+
+double Recorder::readingOf(const RecorderColumn& column) const {
+  const double value =
+      column.of_instrument ? seat_.recorded(column.sensor) : seat_.reading(column.sensor);
+  return column.degrees_minutes ? fromDdmm(value) : value;
+}
+
 void Recorder::row(double now_s, const Vehicle& vehicle) {
   const double x = vehicle.x(), y = vehicle.y();
   const double isotherm =
       std::isnan(isotherm_) ? kNotRecorded : ocean_.isothermDepth(isotherm_, x, y, now_s);
-  const ColumnMoment moment{
-      now_s, seat_, vehicle, frame_.position(x, y), isotherm, ocean_.waterDepth(x, y)};
+  const ColumnMoment moment{now_s,
+                            seat_,
+                            vehicle,
+                            frame_.position(x, y),
+                            isotherm,
+                            ocean_.waterDepth(x, y),
+                            ocean_.current(vehicle.depth(), x, y),
+                            trace_.battery ? trace_.battery->used_Wh : 0};
   for (const RecorderColumn& column : columns_) {
-    trace_.rows.push_back(column.value != nullptr ? column.value(moment)
-                                                  : seat_.recorded(column.sensor));
+    trace_.rows.push_back(column.value != nullptr ? column.value(moment) : readingOf(column));
   }
 }
 
@@ -69,34 +108,6 @@ void Recorder::mission(double mission_time_s, uint32_t state) {
   const size_t first = trace_.rows.size() - trace_.columns.size();
   trace_.rows[first + kMissionTimeColumn] = mission_time_s;
   trace_.rows[first + kStateColumn] = state;
-}
-
-void Recorder::field() {
-  const size_t rows = trace_.rowCount();
-  if (rows == 0) {
-    return;
-  }
-  const int time = trace_.column("time"), depth = trace_.column("true_depth");
-  const int x = trace_.column("true_x"), y = trace_.column("true_y");
-  double deepest = 1;
-  for (size_t i = 0; i < rows; ++i) {
-    deepest = std::max(deepest, trace_.at(i, depth));
-  }
-  constexpr double kMargin = 1.15;  // the field's depth as a multiple of the flight's
-  // The bottom may be deeper than at the start.
-  const double bottom = std::min(deepest * kMargin + 1, std::max(deepest, ocean_.waterDepth(0, 0)));
-  for (size_t j = 0; j < kDepths; ++j) {
-    trace_.field.depths_m.push_back(bottom * static_cast<double>(j) / (kDepths - 1));
-  }
-  const size_t times = std::min(rows, kMostTimes);
-  for (size_t i = 0; i < times; ++i) {
-    const size_t row = times == 1 ? 0 : i * (rows - 1) / (times - 1);
-    const double t = trace_.at(row, time);
-    trace_.field.times_s.push_back(t);
-    for (const double z : trace_.field.depths_m) {
-      trace_.field.values.push_back(ocean_.temperature(z, trace_.at(row, x), trace_.at(row, y), t));
-    }
-  }
 }
 
 }  // namespace glider::simulator

@@ -5,6 +5,7 @@
 
 #include "simulator/family/family.h"
 #include "simulator/sensors/noise.h"
+#include "simulator/surroundings.h"
 #include "support/diagnostics/ids/vehicle.h"
 
 #include <algorithm>
@@ -93,10 +94,13 @@ SimulatedVehicle::SimulatedVehicle(SimulationSetup setup, const World& world, ui
       link_(std::move(setup_.sbc), std::move(setup_.restart_sbc), faults(), seed_, sbc_line_,
             journal_),
       story_(setup_.platform, setup_.state_names, setup_.explain),
-      recorder_(trace_, world, *seat_, setup_.platform, setup_.scenario) {
+      recorder_(trace_, world, *seat_, setup_.platform, setup_.scenario, setup_.record) {
   seat_->startAt(vehicle_);
   link_.showTo(setup_.observer);
   start_J_ = vehicle_.battery().usedJ();
+  trace_.battery = {(start_J_ + vehicle_.battery().leftJ()) / kJoulesPerWattHour,
+                    start_J_ / kJoulesPerWattHour};
+  trace_.start_utc_s = seat_->clockAtStart();
 }
 
 support::Result<std::unique_ptr<SimulatedVehicle>> SimulatedVehicle::make(SimulationSetup setup,
@@ -207,7 +211,10 @@ support::Trace SimulatedVehicle::finish() {
   if (!seat_->end()) {
     journal_.add(cycle_s_, EventId::TimeIsOver, {duration_s_});
   }
-  recorder_.field();
+  if (trace_.rowCount() > 0) {
+    trace_.field = waterAlong(trace_, world_.ocean());
+    trace_.bottom = bottomAround(trace_, world_.ocean());
+  }
   trace_.events = std::move(journal_.events());
   std::ranges::stable_sort(trace_.events, {}, &support::TraceEvent::time_s);
   stampMissionTimes(trace_);

@@ -18,6 +18,8 @@ struct ColumnMoment {
   const Vehicle& vehicle;
   GeoPosition truth;
   double isotherm_m, water_depth_m;
+  Planar current;           ///< of the water around the vehicle, m/s
+  double used_at_start_Wh;  ///< of a full pack, when the flight began
 };
 
 /// A column of the trace.

@@ -66,6 +66,8 @@ class SimulatedSeat {
   [[nodiscard]] virtual double reading(uint16_t id) const = 0;
   /// The same for the trace: NaN while the instrument is off.
   [[nodiscard]] virtual double recorded(uint16_t id) const = 0;
+  /// Its clock when the flight begins, s since 1970.
+  [[nodiscard]] virtual double clockAtStart() const { return 0; }
   /// What it knows of the cycle that has just been run; the rest is the vehicle's and the world's.
   [[nodiscard]] virtual CycleView view(double now_s) const = 0;
   /// How the vehicle's mission ended; none while it is not over.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "simulator/seat/simulated_seat.h"
+#include "simulator/slocum/clock.h"
 #include "simulator/slocum/flight/flight_controller.h"
 #include "simulator/slocum/science/science_computer.h"
 
@@ -33,6 +34,7 @@ class SlocumSeat final : public SimulatedSeat {
 
   [[nodiscard]] double reading(uint16_t id) const override;
   [[nodiscard]] double recorded(uint16_t id) const override { return science_.recorded(id); }
+  [[nodiscard]] double clockAtStart() const override { return kStartOfMission; }
   [[nodiscard]] CycleView view(double now_s) const override;
   [[nodiscard]] const std::optional<News>& end() const override { return flight_.end(); }
 

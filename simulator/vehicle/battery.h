@@ -9,6 +9,8 @@
 
 namespace glider::simulator {
 
+inline constexpr double kJoulesPerWattHour = 3600;
+
 /// The pack and its loads.
 struct BatterySettings {
   double capacity_j = 1;

@@ -5,6 +5,7 @@
 
 #include "support/result.h"
 #include "support/trace/events.h"
+#include "support/trace/flight_facts.h"
 
 #include <cstdint>
 #include <optional>
@@ -60,6 +61,11 @@ struct Trace {
   std::vector<TraceEvent> events;       ///< in order of time
   TraceField field;
   std::optional<VehicleLog> log;  ///< empty for a simulated flight or a counterexample
+  // Of a simulated flight.
+  MissionFacts facts;                   ///< empty if no mission of the language flies
+  std::optional<BatteryFacts> battery;  ///< empty: not known
+  BottomGrid bottom;                    ///< empty if the bottom is flat
+  double start_utc_s = 0;               ///< the vehicle's clock at time 0, s since 1970
 
   [[nodiscard]] size_t rowCount() const {
     return columns.empty() ? 0 : rows.size() / columns.size();

@@ -289,6 +289,21 @@ TEST_F(Sim, ASecondFlightLeavesNothingOfTheFirst) {
   EXPECT_EQ(namesIn("."), (std::set<std::string>{"f", "m.mission"})) << "nothing beside it";
 }
 
+TEST_F(Sim, WritesFlightsForOtherPrograms) {
+  mission();
+  const Outcome outcome =
+      run("$GLIDERCC sim m.mission -o f --kml f/m.kml --geojson m.geojson --netcdf f/m.nc");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(namesIn("f").contains("m.kml"));
+  EXPECT_TRUE(namesIn("f").contains("m.nc"));
+  EXPECT_THAT(slurp(folder_.path() / "f" / "m.kml"), HasSubstr("<name>true track</name>"));
+  EXPECT_THAT(slurp(folder_.path() / "m.geojson"), HasSubstr("\"type\":\"FeatureCollection\""));
+  EXPECT_THAT(slurp(folder_.path() / "f" / "m.nc").substr(0, 8), HasSubstr("HDF"));
+  const Outcome lost = run("$GLIDERCC sim m.mission -o f --netcdf /nonexistent/m.nc");
+  EXPECT_EQ(lost.status, 2);
+  EXPECT_THAT(lost.err, HasSubstr("GL9002"));
+}
+
 TEST_F(Sim, AFolderWithOtherFilesIsNotTouched) {
   mission();
   ASSERT_EQ(run("mkdir f && echo mine > f/notes.txt").status, 0);

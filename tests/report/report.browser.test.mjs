@@ -55,6 +55,11 @@ const boxOf = (page, selector) => page.eval(`(() => {
   const { left, top, width, height } = document.querySelector(${JSON.stringify(selector)}).getBoundingClientRect();
   return { left, top, width, height };
 })()`);
+/** Chooses colour number `index` of the depth. */
+const chooseColour = async (page, index) => {
+  await page.eval(`(() => { const s = document.querySelector('.chooser select'); s.value = '${index}'; s.dispatchEvent(new Event('change')); })()`);
+  await settle(page);
+};
 const value = (page, column) => text(page, `[data-column="${column}"]`);
 
 describe("the sample flight", () => {
@@ -62,9 +67,9 @@ describe("the sample flight", () => {
     await ready(page);
     await settle(page);
     assert.equal(await page.eval("document.title"), "thermoclineSurvey: flight report");
-    assert.equal(await count(page, "canvas"), 6, "depth, pitch, heading, pump, vertical speed, battery");
-    assert.ok(await colours(page, 0) > 500, "the depth chart has no temperature field");
-    for (let i = 1; i < 6; ++i) assert.ok(await colours(page, i) > 3, `chart ${i} is blank`);
+    assert.equal(await count(page, "#charts-card canvas"), 7, "depth, temperature, pitch, heading, pump, vertical speed, battery");
+    assert.equal(await count(page, "#water-card canvas"), 2, "a section and profiles of temperature");
+    for (let i = 0; i < 9; ++i) assert.ok(await colours(page, i) > 3, `chart ${i} is blank`);
     assert.match(await text(page, "#header"), /scenario shelf-summer · flown in process · seed 7 · 28 events/);
     assert.match(await text(page, "#header"), /deepest\s*28\.8 m/);
     assert.match(await text(page, "#header"), /track 16:56, 1 visit/);
@@ -72,7 +77,7 @@ describe("the sample flight", () => {
     assert.match(await text(page, "#events tbody"), /search → track \(call\)/);
     assert.ok(await count(page, "#map .track path") >= 4, "the track has no states");
     assert.match(await text(page, "#map"), /39° 10\.500′ N/);
-    assert.match(await text(page, "#map"), /waypoint, 4696 m/);
+    assert.match(await text(page, "#map"), /waypoint 1, 4696 m/);
     await picture(page, "sample");
   }));
 
@@ -193,9 +198,9 @@ describe("other flights", () => {
     assert.doesNotMatch(head, /seed|layered/);
     assert.match(head, /a note/);
     assert.match(head, /energy used\s*6\.1 Wh/);
-    assert.equal(await count(page, "canvas"), 8, "depth, pitch, heading, pump, vertical speed, battery, power, energy");
+    assert.equal(await count(page, "#charts-card canvas"), 9, "depth, temperature, pitch, heading, pump, vertical speed, battery, power, energy");
     assert.match(await text(page, "#depth-head"), /simulated flight/);
-    assert.match(await text(page, "#map-legend"), /dead-reckoned track, in the state's colour\s*GPS fix\s*depth-averaged current, up to 0\.22 m\/s\s*simulated flight/);
+    assert.match(await text(page, "#map-legend"), /dead-reckoned track, in the state's colour\s*GPS fix\s*moved by a GPS fix\s*depth-averaged current, up to 0\.22 m\/s\s*simulated flight/);
     assert.equal(await count(page, "#map .fix"), 2);
     assert.equal(await count(page, "#map .current"), 2, "one arrow for each estimate");
     assert.equal(await count(page, "#map .simulated"), 1);
@@ -234,14 +239,26 @@ describe("other flights", () => {
     const pixels = "document.querySelector('canvas').toDataURL().length";
     const coloured = await page.eval(pixels);
     assert.equal(await page.eval("document.querySelector('.chooser select').selectedOptions[0].text"), "temperature");
-    await page.eval("(() => { const s = document.querySelector('.chooser select'); s.value = '-1'; s.dispatchEvent(new Event('change')); })()");
-    await settle(page);
+    await chooseColour(page, 1);
     assert.ok(await page.eval(pixels) < 0.7 * coloured, "the temperature is still drawn");
   }));
 
-  test("a simulated flight has no colours to choose", () => withPage("sample", async (page) => {
+  test("the depth of a simulated flight is coloured on white, or drawn on the field", () => withPage("sample", async (page) => {
     await ready(page);
-    assert.equal(await count(page, ".chooser"), 0);
+    await settle(page);
+    const titles = await page.eval("[...document.querySelector('.chooser select').options].map((o) => o.text)");
+    assert.deepEqual(titles, ["temperature", "temperature of all the water", "none"]);
+    // Whether the ground is white beside the line: half way down the plot at its left edge.
+    const ground = `(() => {
+      const canvas = document.querySelector("#depth canvas"), box = canvas.getBoundingClientRect();
+      const plot = document.querySelector("#depth .u-over").getBoundingClientRect(), scale = canvas.width / box.width;
+      const at = canvas.getContext("2d").getImageData((plot.left - box.left + 2) * scale, (plot.top - box.top + plot.height * 0.53) * scale, 1, 1).data;
+      return [...at].slice(0, 3);
+    })()`;
+    assert.deepEqual(await page.eval(ground), [255, 255, 255]);
+    await chooseColour(page, 1);
+    assert.ok(await colours(page, 0) > 500, "the depth chart has no temperature field");
+    assert.notDeepEqual(await page.eval(ground), [255, 255, 255]);
     assert.match(await text(page, "#map-legend"), /true track, in the state's colour\s*dead reckoned/);
   }));
 

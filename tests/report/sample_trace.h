@@ -25,6 +25,13 @@ support::Trace hostileTrace();
 /// The sample without field, states and events, with a gap of unknown depths.
 support::Trace bareTrace();
 
+/// The sample with chlorophyll, a varying conductivity, roll, energy, a current, a logged value,
+/// and what its mission says: it reads chlorophyll first.
+support::Trace scienceTrace();
+
+/// 20,000 rows that change the state every 10 rows, with 1000 transitions.
+support::Trace crowdedTrace();
+
 /// The same flight as the log of a vehicle would show it, beside a simulated one.
 support::Trace logTrace();
 

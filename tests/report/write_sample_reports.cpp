@@ -25,6 +25,14 @@ glider::support::Trace oneRow() {
   return trace;
 }
 
+/// The first part of the sample, on a map of a few hundred metres.
+glider::support::Trace shortFlight() {
+  glider::support::Trace trace = glider::report::sampleTrace();
+  constexpr size_t kRows = 380;
+  trace.rows.resize(trace.columns.size() * kRows);
+  return trace;
+}
+
 /// The log of a vehicle without the records of its second quarter.
 glider::support::Trace logWithGap() {
   glider::support::Trace trace = glider::report::logTrace();
@@ -54,7 +62,10 @@ int main(int argc, char** argv) {
       {"bare", bareTrace()},
       {"one_row", oneRow()},
       {"empty", {}},
+      {"short", shortFlight()},
       {"long", longTrace(100'000)},
+      {"science", scienceTrace()},
+      {"crowded", crowdedTrace()},
       {"log", logTrace()},
       {"log_gap", logWithGap()},
   };

@@ -1,37 +1,36 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-/** The main chart: depth over time on the temperature field, as in Figure 5 of the paper. */
+/** The main chart: depth over time in the colours of what was measured, or on the temperature field as in Figure 5 of the paper. */
 
 import uPlot from "uplot";
-import { colourChooser, Colouring, colouringsOf, paintColouring } from "./colouring";
+import { colourChooser, Colouring, colouringsOf, missionsOwn, paintColourBar, paintColouring } from "./colouring";
 import { FieldImage, fieldImage } from "./field_image";
 import { Flight, Values } from "./flight";
-import { fixed, niceStep, quantity, shownUnit } from "./format";
-import { css, theme, thermal } from "./palette";
+import { fixed, quantity } from "./format";
+import { theme, thermal } from "./palette";
 import { markedEvents, paintControl, paintEvents, paintStates, stripHeight } from "./strip";
 import { Line, TimeChart } from "./time_chart";
 import { View } from "./view";
 
 export const rightMargin = 74;
 
-function linesOf(flight: Flight, onField: boolean, coloured: boolean): Line[] {
+function linesOf(flight: Flight, coloured: () => boolean): Line[] {
   const lines: Line[] = [];
   const add = (name: string, line: Omit<Line, "values">) => {
     const values = flight.column(name);
-    if (values) lines.push({ ...line, values });
+    if (values) lines.push({ ...line, values, head: `${name} (m)` });
   };
   // On the field, light lines with a dark edge read on warm and on cold water alike.
-  const edge = (width: number) => (onField ? { halo: { colour: "rgb(7 12 22 / .78)", width } } : {});
-  const [main, commanded, pale] = onField ? ["#ffffff", "#9df5d8", "#ffffff"] : ["ink", "kind-hook", "muted"];
-  add("isotherm_depth", { label: "marked isotherm", colour: pale, width: 1.5, dash: [1.5, 4.5], ...edge(3) });
-  add("commanded_top", { label: "commanded range", colour: commanded, width: 1.5, stepped: true, ...edge(3.5) });
-  add("commanded_bottom", { label: "commanded range", colour: commanded, width: 1.5, stepped: true, ...edge(3.5) });
-  add("hook_depth", { label: "commanded target", colour: commanded, width: 1.5, dash: [6, 4], stepped: true, hidden: true, ...edge(3.5) });
+  const edge = (width: number) => (flight.field ? { halo: { colour: "depth-halo", width } } : {});
+  add("isotherm_depth", { label: "marked isotherm", colour: "depth-pale", width: 1.5, dash: [1.5, 4.5], ...edge(3) });
+  add("commanded_top", { label: "commanded range", colour: "depth-commanded", width: 1.5, stepped: true, ...edge(3.5) });
+  add("commanded_bottom", { label: "commanded range", colour: "depth-commanded", width: 1.5, stepped: true, ...edge(3.5) });
+  add("hook_depth", { label: "commanded target", colour: "depth-commanded", width: 1.5, dash: [6, 4], stepped: true, hidden: true, ...edge(3.5) });
   const measured = flight.column("m_depth") !== null;
-  add("true_depth", { label: "true depth", colour: measured ? "#ffb3c7" : main, width: measured ? 1.3 : 2.4, hidden: measured, ...edge(4.8) });
+  add("true_depth", { label: "true depth", colour: measured ? "depth-true" : "depth-line", width: measured ? 1.3 : 2.2, hidden: measured, ...edge(4.8) });
   add("sim_depth", { label: "simulated flight", colour: "simulated", width: 1.6, dash: [6, 3] });
-  add("m_depth", { label: "measured depth", colour: main, width: coloured ? 1 : 2.4, ...edge(5) });
+  add("m_depth", { label: "measured depth", colour: "depth-line", width: 1.4, onlyIfSparse: coloured, ...edge(4.5) });
   return lines;
 }
 
@@ -94,41 +93,24 @@ function paintSeabed(u: uPlot, times: number[], depths: Values): void {
   ctx.restore();
 }
 
-function paintColourBar(u: uPlot, [low, high]: [number, number], unit: string): void {
-  const { ctx } = u;
-  const scale = devicePixelRatio;
-  const { top, height } = u.bbox;
-  const left = u.bbox.left + u.bbox.width + 14 * scale;
-  const width = 13 * scale;
-  ctx.save();
-  const gradient = ctx.createLinearGradient(0, top, 0, top + height);
-  for (let i = 0; i <= 20; ++i) gradient.addColorStop(i / 20, css(thermal(1 - i / 20)));
-  ctx.fillStyle = gradient;
-  ctx.fillRect(left, top, width, height);
-  ctx.fillStyle = ctx.strokeStyle = theme("muted");
-  ctx.font = `${12 * scale}px system-ui, sans-serif`;
-  ctx.textBaseline = "middle";
-  ctx.textAlign = "left";
-  const step = niceStep(Math.max(high - low, 1e-6), 8);
-  const digits = Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
-  for (let value = Math.ceil(low / step) * step; high > low && value <= high + step * 1e-6; value += step) {
-    const y = top + height * (1 - (value - low) / (high - low));
-    ctx.fillRect(left + width, y - scale / 2, 4 * scale, scale);
-    ctx.fillText(fixed(value, digits), left + width + 8 * scale, y);
-  }
-  ctx.textBaseline = "alphabetic";
-  ctx.fillText(shownUnit(unit), left, top - 8 * scale);
-  ctx.restore();
+/** What the depth is drawn on or in: a quantity along it, the water's temperature at all depths, or nothing. */
+interface Ground { title: string; colouring?: Colouring; field?: FieldImage }
+
+function groundsOf(colourings: Colouring[], field: FieldImage | null): Ground[] {
+  return [...colourings.map((colouring) => ({ title: colouring.title, colouring })),
+    ...(field ? [{ title: "temperature of all the water", field }] : []), { title: "none" }];
 }
 
 /** `chooser`: what else belongs in the chart's head. */
-interface DepthChart { chart: TimeChart; lines: Line[]; onField: boolean; chooser: HTMLElement[] }
+interface DepthChart { chart: TimeChart; lines: Line[]; chooser: HTMLElement[] }
 
 export function depthChart(host: HTMLElement, flight: Flight, view: View): DepthChart {
   const field = flight.field ? fieldImage(flight.field) : null;
   const colourings = colouringsOf(flight);
-  let colouring: Colouring | undefined = colourings[0];
-  const lines = linesOf(flight, field !== null, colouring !== undefined);
+  const grounds = groundsOf(colourings, field);
+  const first = Math.max(missionsOwn(flight, colourings), 0);
+  let ground = grounds[first];
+  const lines = linesOf(flight, () => ground.colouring !== undefined);
   const seabed = flight.column("water_depth");
   const states = flight.log && !flight.column("state") ? [] : flight.spans((row) => flight.pilot(row));
   const control = flight.spans((row) => flight.inControl(row));
@@ -143,21 +125,26 @@ export function depthChart(host: HTMLElement, flight: Flight, view: View): Depth
     label: "Depth", height: 480, inverted: true, range: depthRange(lines), lines,
     top: stripHeight, right: rightMargin, describe,
     paintUnder: (u) => {
-      paintGround(u, field);
+      paintGround(u, ground.field ?? null);
       if (seabed) paintSeabed(u, flight.times, seabed);
-      if (colouring && depths) paintColouring(u, flight.times, depths, colouring);
+      if (ground.colouring && depths) paintColouring(u, flight.times, depths, ground.colouring);
     },
     paintOver: (u) => {
       paintStates(u, states, (pilot) => flight.pilotName(pilot));
       if (!flight.log) paintControl(u, control);
       paintEvents(u, events);
-      if (field && flight.field) paintColourBar(u, field.range, flight.field.unit);
-      if (colouring) paintColourBar(u, colouring.range, colouring.unit);
+      if (ground.field && flight.field) paintColourBar(u, ground.field.range, flight.field.unit, thermal);
+      if (ground.colouring) paintColourBar(u, ground.colouring.range, ground.colouring.unit, ground.colouring.scale);
     },
   });
   attachTips(chart.plot, flight, events);
-  const choose = (index: number) => { colouring = colourings[index]; chart.redraw(); };
-  return { chart, lines, onField: field !== null, chooser: colourings.length === 0 ? [] : [colourChooser(colourings, choose)] };
+  const choose = (index: number) => {
+    ground = grounds[index];
+    // Lines on the field are light with a dark edge, on white they are dark: custom properties of style.css.
+    document.documentElement.classList.toggle("on-field", ground.field !== undefined);
+    chart.redraw();
+  };
+  return { chart, lines, chooser: grounds.length < 2 ? [] : [colourChooser(grounds.map((g) => g.title), first, choose)] };
 }
 
 /** What happened under the pointer, as a small note beside it. */

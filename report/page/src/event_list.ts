@@ -33,7 +33,8 @@ function rowOf(event: FlightEvent, flight: Flight, view: View): HTMLElement {
 export function eventList(host: HTMLElement, flight: Flight, view: View): void {
   const counts = new Map<string, number>();
   flight.events.forEach((e) => counts.set(e.kind, (counts.get(e.kind) ?? 0) + 1));
-  const hidden = new Set<string>();
+  // Every command of a dive or a climb is one: they would hide all else.
+  const hidden = new Set([...counts.keys()].filter((kind) => kind === "steering" && counts.size > 1));
   let most = batch;
   const body = element("tbody");
   const more = element("button", { type: "button", class: "more" });
@@ -46,7 +47,7 @@ export function eventList(host: HTMLElement, flight: Flight, view: View): void {
   more.addEventListener("click", () => { most += batch; fill(); });
   const filters = element("div", { class: "filters", role: "group", "aria-label": "Kinds of events shown" });
   for (const [kind, count] of counts) {
-    const button = element("button", { type: "button", "aria-pressed": "true" }, badge(kind), element("span", { class: "count" }, String(count)));
+    const button = element("button", { type: "button", "aria-pressed": String(!hidden.has(kind)) }, badge(kind), element("span", { class: "count" }, String(count)));
     button.addEventListener("click", () => {
       if (!hidden.delete(kind)) hidden.add(kind);
       button.setAttribute("aria-pressed", String(!hidden.has(kind)));

@@ -27,6 +27,10 @@ export interface Figures {
   yos: number;
   distance: number | null;
   madeGood: number | null;
+  /** The greatest distance of the reckoned position from the true one, m. */
+  apart: number | null;
+  /** Wh; what is not known is null. */
+  energy: { used: number | null; capacity: number | null; toGo: number | null; daysLeft: number | null };
   track: "none" | "true" | "dead-reckoned";
   coldest: number | null;
   warmest: number | null;
@@ -34,6 +38,29 @@ export interface Figures {
   layered: number | null;
   stateless: number | null;
 }
+
+/** A requirement or an assumption of the mission, and what this flight did. */
+export interface Promised { text: string; verdict: "held" | "violated" | "not checked"; time: number | null; words: string }
+
+/** What the mission says about its flight, and the bottom around it. Columns have the vehicle's names. */
+export interface Facts {
+  /** The sensors that the mission lists. */
+  listed: string[];
+  /** Those that its conditions read, in order. */
+  read: string[];
+  logged: { column: string; text: string; value: string }[];
+  promises: Promised[];
+  places: { name: string; lat: number; lon: number }[];
+  /** Distances that the mission compares with; m. */
+  watches: { lat: number; lon: number; radius: number }[];
+  /** Depths on a grid east and north of the start, m: x by y, y fastest. Empty: it is flat. */
+  bottom: { x: number[]; y: number[]; depths: number[] };
+}
+
+/** A dive and the climb after it: s, m, m/s. */
+export interface Yo { start: number; duration: number; deepest: number; down: number | null; up: number | null; surfaced: boolean }
+
+const noFacts: Facts = { listed: [], read: [], logged: [], promises: [], places: [], watches: [], bottom: { x: [], y: [], depths: [] } };
 
 /** What went wrong (with a code), or what else to know of the flight. */
 export interface Warning { code: string; slug: string; message: string; hint: string }
@@ -72,6 +99,8 @@ export interface Span<T> { from: number; to: number; value: T }
 export class Flight {
   readonly figures: Figures;
   readonly warnings: Warning[];
+  readonly facts: Facts;
+  readonly yos: Yo[];
   readonly mission: string;
   readonly scenario: string;
   readonly way: string;
@@ -86,10 +115,12 @@ export class Flight {
   /** The columns that have a value somewhere. */
   private readonly values = new Map<string, Values>();
 
-  constructor(json: { figures: Figures; warnings?: Warning[]; trace: TraceJson }) {
+  constructor(json: { figures: Figures; warnings?: Warning[]; facts?: Facts; yos?: Yo[]; trace: TraceJson }) {
     const t = json.trace;
     this.figures = json.figures;
     this.warnings = json.warnings ?? [];
+    this.facts = json.facts ?? noFacts;
+    this.yos = json.yos ?? [];
     this.mission = t.mission;
     this.scenario = t.scenario;
     this.way = t.way;

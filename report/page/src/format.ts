@@ -48,7 +48,7 @@ export function degreesMinutes(degrees: number, positive: string, negative: stri
   return `${Math.floor(thousandths / 60000)}° ${minutes}′ ${degrees < 0 ? negative : positive}`;
 }
 
-const shownUnits = new Map([["degC", "°C"], ["ug/l", "µg/L"], ["uM", "µmol/L"], ["ntu", "NTU"], ["nodim", ""], ["cc", "cm³"], ["deg", "°"], ["rad", "°"], ["id", ""]]);
+const shownUnits = new Map([["degC", "°C"], ["ug/l", "µg/L"], ["ug/L", "µg/L"], ["uM", "µmol/L"], ["ntu", "NTU"], ["nodim", ""], ["kg/m3", "kg/m³"], ["cc", "cm³"], ["deg", "°"], ["rad", "°"], ["id", ""]]);
 
 /** The unit in which values of `unit` are shown: angles in degrees. */
 export function shownUnit(unit: string): string {
@@ -62,7 +62,7 @@ const digitsOf = new Map([["m", 1], ["rad", 1], ["degC", 2], ["s", 0], ["V", 2],
   ["dbar", 2], ["S/m", 3]]);
 
 /** Units of instruments that measure over several powers of ten: three significant digits. */
-const significant = new Set(["ug/l", "ntu", "uM"]);
+const significant = new Set(["ug/l", "ug/L", "ntu", "uM"]);
 
 function threeDigits(value: number): string {
   const digits = value === 0 ? 0 : Math.min(Math.max(2 - Math.floor(Math.log10(Math.abs(value))), 0), 6);

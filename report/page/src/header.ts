@@ -21,10 +21,10 @@ function figuresOf(f: Figures): [string, string][] {
   if (f.duration !== null) out.push(["duration", clock(f.duration)]);
   if (f.duration !== null && f.gaps > 0) out.push(["with records", clock(f.duration - f.gaps)]);
   if (f.deepest !== null) out.push(["deepest", `${fixed(f.deepest, 1)} m`]);
-  if (f.deepest !== null && f.shallowest !== null) out.push(["depth range", `${fixed(f.shallowest, 1)}–${fixed(f.deepest, 1)} m`]);
   out.push(["yos", String(f.yos)]);
   if (f.distance !== null) out.push([f.track === "dead-reckoned" ? "dead-reckoned track" : "over ground", length(f.distance)]);
   if (f.madeGood !== null) out.push(["made good", length(f.madeGood)]);
+  if (f.apart !== null) out.push(["dead-reckoned and true position", `up to ${f.apart < 1000 ? `${fixed(f.apart, 0)} m` : `${fixed(f.apart / 1000, 1)} km`} apart`]);
   if (f.warmest !== null && f.coldest !== null) out.push(["water measured", `${fixed(f.coldest, 1)}–${fixed(f.warmest, 1)} °C`]);
   return out;
 }
@@ -65,17 +65,24 @@ function origin(flight: Flight): string[] {
   return ["log of the vehicle", `${from} to ${from.slice(0, 10) === to.slice(0, 10) ? to.slice(11) : to} UTC`, beside];
 }
 
-/** What the vehicle has used up by its last record. */
-function energyOf(flight: Flight): [string, string][] {
-  const used = flight.column("energy")?.filter((v) => v !== null).pop() ?? null;
-  return used === null ? [] : [["energy used", quantity(used, "Wh")]];
+/** What the vehicle has used up by its last record, and how long the rest lasts. */
+function energyOf({ energy }: Figures): [string, string][] {
+  if (energy.used === null) return [];
+  const share = (part: number) => (energy.capacity === null ? "" : ` (${percent(part / energy.capacity)} of the pack)`);
+  return [
+    ["energy used", `${quantity(energy.used, "Wh")}${share(energy.used)}`],
+    ...(energy.toGo === null ? [] : [["energy to go", `${quantity(energy.toGo, "Wh")}${energy.capacity === null ? "" : ` (${percent(energy.toGo / energy.capacity)})`}`] as [string, string]]),
+    ...(energy.daysLeft === null ? [] : [["left at this rate", `${fixed(energy.daysLeft, energy.daysLeft < 10 ? 1 : 0)} days`] as [string, string]]),
+  ];
 }
+
+const percent = (part: number) => `${fixed(part * 100, part < 0.1 ? 2 : 1)} %`;
 
 export function header(host: HTMLElement, flight: Flight): void {
   const { title } = flight;
   document.title = `${title}: flight report`;
   const facts = [...origin(flight), `${flight.events.length} event${flight.events.length === 1 ? "" : "s"}`];
-  const tiles = element("dl", { class: "tiles" }, ...[...figuresOf(flight.figures), ...energyOf(flight)].map(([name, value]) =>
+  const tiles = element("dl", { class: "tiles" }, ...[...figuresOf(flight.figures), ...energyOf(flight.figures)].map(([name, value]) =>
     element("div", {}, element("dt", {}, name), element("dd", {}, value))));
   const shares = timeShares(flight);
   host.replaceChildren(element("h1", {}, title), element("p", { class: "facts" }, facts.filter((x) => x !== "").join(" · ")),

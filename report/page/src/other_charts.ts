@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-/** The charts below the depth: what was ordered beside what was measured, on the same time. */
+/** The charts below the depth, on the same time: what the mission lists and logs, and what was commanded beside what was measured. */
 
 import { Flight, Values } from "./flight";
 import { quantity, shownFactor, shownUnit } from "./format";
 import { rightMargin } from "./depth_chart";
+import { nameOf, quantitiesOf } from "./names";
 import { Line, TimeChart } from "./time_chart";
 import { View } from "./view";
 
@@ -17,6 +18,8 @@ interface Panel {
   least: number;
   /** Wraps round at 360°. */
   round?: boolean;
+  /** It has a value only now and then. */
+  points?: boolean;
 }
 
 const panels: Panel[] = [
@@ -47,25 +50,47 @@ function rangeOf(lines: Line[], least: number): [number, number] {
       high = Math.max(high, value);
     }
   }
-  const half = Math.max((high - low) * 0.56, least / 2);
+  // A value that never changes still gets a range around it.
+  const constant = high === 0 ? 1 : Math.abs(high) * 0.1;
+  const half = Math.max((high - low) * 0.56, least / 2, high > low ? 0 : constant);
   return [(low + high) / 2 - half, (low + high) / 2 + half];
 }
 
-export interface PanelChart { title: string; unit: string; host: HTMLElement; lines: Line[] }
+/** The charts of `panels`, then those of what the mission lists and of what instruments measured. */
+function panelsOf(flight: Flight): Panel[] {
+  const usual = panels.filter((p) => flight.column(p.measured));
+  const taken = new Set(["m_depth", ...usual.map((p) => p.measured)]);
+  const listed = [...flight.facts.listed, ...quantitiesOf(flight).map((q) => q.column)].flatMap((name) => {
+    const column = flight.columns.find((c) => c.name === name);
+    if (!column || taken.has(name) || !flight.column(name)) return [];
+    taken.add(name);
+    return [{ title: nameOf(flight, name), measured: name, least: 0 }];
+  });
+  const logged = flight.facts.logged.filter((l) => flight.column(l.column))
+    .map((l) => ({ title: `log ${nameOf(flight, l.column)}`, measured: l.column, least: 0, points: true }));
+  // What the mission is about comes first.
+  return [...listed, ...logged, ...usual];
+}
 
-/** One chart for each panel whose measured column has values, made in the host that `place` gives. */
-export function otherCharts(flight: Flight, view: View, place: (title: string, lines: Line[]) => HTMLElement): TimeChart[] {
-  return panels.filter((p) => flight.column(p.measured)).map((p) => {
+const capital = (text: string) => text[0].toUpperCase() + text.slice(1);
+
+/** What was commanded, if anything was, and what was measured, in the shown unit. */
+function linesOf(flight: Flight, p: Panel, unit: string): Line[] {
+  const line = (label: string, column: string, more: Partial<Line>): Line => ({
+    label, head: `${column}${shownUnit(unit) === "" ? "" : ` (${shownUnit(unit)})`}`,
+    values: shown(flight.column(column) as Values, unit, p.round ?? false), colour: "ink", width: 1.6, ...more });
+  const commanded = p.commanded && flight.column(p.commanded) ? [line("commanded", p.commanded, { colour: "commanded", stepped: true })] : [];
+  return [...commanded, line(p.points ? "logged" : "measured", p.measured, p.points ? { width: 0, points: true } : {})];
+}
+
+/** One chart for each quantity that is known, made in the host that `place` gives. */
+export function otherCharts(flight: Flight, view: View, place: (title: string, lines: Line[], chart: () => TimeChart) => HTMLElement): TimeChart[] {
+  return panelsOf(flight).map((p) => {
     const unit = flight.columns.find((c) => c.name === p.measured)?.unit ?? "";
     const measured = flight.column(p.measured) as Values;
-    const commanded = p.commanded ? flight.column(p.commanded) : null;
-    const lines: Line[] = [];
-    if (commanded) {
-      lines.push({ label: "commanded", values: shown(commanded, unit, p.round ?? false), colour: "commanded", width: 1.6, stepped: true });
-    }
-    lines.push({ label: "measured", values: shown(measured, unit, p.round ?? false), colour: "ink", width: 1.6 });
-    const title = shownUnit(unit) === "" ? p.title : `${p.title} (${shownUnit(unit)})`;
-    return new TimeChart(place(title, lines), flight, view, {
+    const lines = linesOf(flight, p, unit);
+    const title = capital(shownUnit(unit) === "" ? p.title : `${p.title} (${shownUnit(unit)})`);
+    const chart: TimeChart = new TimeChart(place(title, lines, () => chart), flight, view, {
       label: p.title, height: 132, top: 8, right: rightMargin, lines,
       range: rangeOf(lines, p.least * shownFactor(unit)),
       describe: (row) => {
@@ -73,5 +98,6 @@ export function otherCharts(flight: Flight, view: View, place: (title: string, l
         return value === null ? `${p.title} not known` : `${p.title} ${quantity(value, unit)}`;
       },
     });
+    return chart;
   });
 }

@@ -13,6 +13,12 @@ const thermalStops: [number, string][] = [
   [0.77, "#ec8549"], [0.9, "#f6bb4a"], [1, "#f5ee9a"],
 ];
 
+/** Little to much, for what lives or drifts in the water; and for all else. */
+const greenStops: [number, string][] = [[0, "#d8d27a"], [0.25, "#8fb84a"], [0.5, "#3f9150"], [0.75, "#1c6650"], [1, "#0d2f2b"]];
+const otherStops: [number, string][] = [[0, "#440154"], [0.25, "#3b528b"], [0.5, "#21918c"], [0.75, "#5ec962"], [1, "#d2c521"]];
+/** The end of the thermal scale is too pale for a line on white. */
+const palest = 0.93;
+
 const stateColours = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#f0e442"];
 export const layeredColour = "#98a2ac";
 
@@ -20,15 +26,31 @@ function parse(hex: string): Rgb {
   return [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16)) as Rgb;
 }
 
-const stops = thermalStops.map(([at, hex]) => ({ at, rgb: parse(hex) }));
+/** The colour at 0 (least) to 1 (most). */
+export type Scale = (x: number) => Rgb;
 
-/** The thermal scale at 0 (coldest) to 1 (warmest). */
-export function thermal(x: number): Rgb {
-  const clamped = Math.min(1, Math.max(0, x));
-  const upper = Math.max(1, stops.findIndex((s) => s.at >= clamped));
-  const [a, b] = [stops[upper - 1], stops[upper]];
-  const part = (clamped - a.at) / (b.at - a.at);
-  return a.rgb.map((v, i) => Math.round(v + (b.rgb[i] - v) * part)) as Rgb;
+function scaleOf(list: [number, string][]): Scale {
+  const stops = list.map(([at, hex]) => ({ at, rgb: parse(hex) }));
+  return (x) => {
+    const clamped = Math.min(1, Math.max(0, x));
+    const upper = Math.max(1, stops.findIndex((s) => s.at >= clamped));
+    const [a, b] = [stops[upper - 1], stops[upper]];
+    const part = (clamped - a.at) / (b.at - a.at);
+    return a.rgb.map((v, i) => Math.round(v + (b.rgb[i] - v) * part)) as Rgb;
+  };
+}
+
+/** The thermal scale, for the ground of a chart. */
+export const thermal = scaleOf(thermalStops);
+const thermalLine: Scale = (x) => thermal(x * palest);
+const greens = scaleOf(greenStops);
+/** For all that has no scale of its own. */
+export const otherScale = scaleOf(otherStops);
+
+/** The scale in which lines of a quantity are drawn. */
+export function scaleFor(title: string): Scale {
+  if (title === "temperature") return thermalLine;
+  return ["chlorophyll", "turbidity", "backscatter", "CDOM"].includes(title) ? greens : otherScale;
 }
 
 export const css = (rgb: Rgb): string => `rgb(${rgb[0]} ${rgb[1]} ${rgb[2]})`;

@@ -6,40 +6,10 @@
 import { element, swatch } from "./dom";
 import { Flight } from "./flight";
 import { clock, degreesMinutes, fixed, quantity, utcText } from "./format";
+import { groups, nameOf } from "./names";
 import { pilotColour } from "./palette";
 import { View } from "./view";
 
-const groups: [string, Record<string, string>][] = [
-  ["Depth and attitude", {
-    m_depth: "depth", true_depth: "true depth", sim_depth: "simulated depth", m_depth_rate: "depth rate", water_depth: "water depth", m_altitude: "altitude",
-    m_pitch: "pitch", c_pitch: "commanded pitch", m_roll: "roll", m_heading: "heading", c_heading: "commanded heading",
-  }],
-  ["Commands of the SBC", {
-    hook_active: "hookbeh", hook_vertical: "vertical", hook_depth: "target depth", commanded_top: "range from", commanded_bottom: "range to",
-    layer: "commanding layer",
-  }],
-  ["Water", {
-    sci_water_temp: "temperature", sci_water_cond: "conductivity", sci_water_pressure: "pressure", isotherm_depth: "marked isotherm",
-    sci_flbbcd_chlor_units: "chlorophyll", sci_flntu_chlor_units: "chlorophyll", sci_flntu_turb_units: "turbidity",
-    sci_flbbcd_bb_units: "backscatter", sci_flbbcd_cdom_units: "CDOM", sci_oxy4_oxygen: "oxygen", sci_oxy4_saturation: "oxygen saturation",
-    m_water_vx: "estimated current towards east", m_water_vy: "estimated current towards north",
-    current_x: "current towards east", current_y: "current towards north",
-  }],
-  ["Vehicle", {
-    m_ballast_pumped: "pump", c_ballast_pumped: "commanded pump volume", m_battpos: "battery position", m_battery: "battery", m_speed: "speed",
-    m_de_oil_vol: "oil volume", c_de_oil_vol: "commanded oil volume", m_fin: "fin", m_coulomb_current: "current drawn", power: "power",
-    energy: "energy used", m_lithium_battery_relative_charge: "battery charge", m_vacuum: "vacuum",
-  }],
-  ["Modes of control", {
-    cc_final_heading_mode: "heading", cc_final_pitch_mode: "pitch", cc_final_bpump_mode: "pump", x_dr_state: "dead reckoning",
-  }],
-  ["Position", {
-    m_lat: "latitude", m_lon: "longitude", true_lat: "true latitude", true_lon: "true longitude",
-    m_x_lmc: "east", m_y_lmc: "north", true_x: "true east", true_y: "true north",
-    dr_x: "east of start", dr_y: "north of start", m_gps_lat: "GPS latitude", m_gps_lon: "GPS longitude",
-    c_wpt_x_lmc: "waypoint east", c_wpt_y_lmc: "waypoint north", c_wpt_lat: "waypoint latitude", c_wpt_lon: "waypoint longitude",
-  }],
-];
 const apart = new Set(["time", "missiontime", "state", "dr_leg", "gps_x", "gps_y", "sim_x", "sim_y"]);
 /** The vehicle's own codes; 99 leaves the command of a lower behaviour as it is. */
 const codes: Record<string, Record<number, string>> = {
@@ -67,7 +37,7 @@ function present(flight: Flight): [string, { name: string; label: string; unit: 
     const at = left.findIndex((c) => c.name === name);
     return at < 0 ? [] : [{ name, label, unit: left.splice(at, 1)[0].unit }];
   })] as [string, { name: string; label: string; unit: string }[]]);
-  out.push(["Other", left.map((c) => ({ name: c.name, label: c.name, unit: c.unit }))]);
+  out.push(["Other", left.map((c) => ({ name: c.name, label: nameOf(flight, c.name), unit: c.unit }))]);
   return out.filter(([, list]) => list.length > 0);
 }
 

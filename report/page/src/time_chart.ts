@@ -13,6 +13,8 @@ import { View } from "./view";
 export interface Line {
   label: string;
   values: Values;
+  /** Its name in a saved table, with the unit. */
+  head?: string;
   /** A custom property of style.css, or a colour. */
   colour: string;
   width: number;
@@ -21,6 +23,10 @@ export interface Line {
   /** A wider line drawn under it, to lift it off a coloured ground. */
   halo?: { colour: string; width: number };
   hidden?: boolean;
+  /** Drawn as points: its values are far apart. */
+  points?: boolean;
+  /** Left out while many rows share a pixel and something else shows the same. */
+  onlyIfSparse?: () => boolean;
 }
 
 export interface ChartOptions {
@@ -53,7 +59,7 @@ function seriesOf(lines: Line[], logged: boolean): uPlot.Series[] {
     width,
     ...(line.dash && stroke === line.colour ? { dash: line.dash } : {}),
     ...(line.stepped && uPlot.paths.stepped ? { paths: uPlot.paths.stepped({ align: 1 }) } : {}),
-    points: { show: (u: uPlot) => (u.data[0].length < 2 || (logged && isSparse(line)) ? true : undefined) as boolean, size: 4 },
+    points: { show: (u: uPlot) => (u.data[0].length < 2 || line.points === true || (logged && isSparse(line)) ? true : undefined) as boolean, size: line.points ? 6 : 4 },
     spanGaps: false,
   });
   return lines.flatMap((line) => [
@@ -115,6 +121,15 @@ export class TimeChart {
     });
   }
 
+  /** The numbers of its lines, as they are shown. */
+  table(): { head: string[]; rows: (number | null)[][] } {
+    const { lines } = this.options;
+    return {
+      head: [this.flight.log ? "time (s since 1970)" : "time (s)", ...lines.map((line) => line.head ?? line.label)],
+      rows: this.flight.times.map((time, row) => [time + (this.flight.log?.utc ?? 0), ...lines.map((line) => line.values[row] ?? null)]),
+    };
+  }
+
   redraw(): void { this.plot.redraw(false, true); }
 
   /** As wide as a sheet of A4 or Letter between its margins, and drawn anew. */
@@ -145,8 +160,11 @@ export class TimeChart {
   private thinLines(u: uPlot): void {
     const [from, to] = this.view.range.map((time) => this.flight.rowAt(time));
     const dense = to - from > 3 * u.over.clientWidth;
-    const isHalo = this.options.lines.flatMap((line) => (line.halo ? [true, false] : [false]));
-    u.series.slice(1).forEach((series, i) => { series.alpha = !dense ? 1 : isHalo[i] ? 0 : 0.5; });
+    const parts = this.options.lines.flatMap((line) => (line.halo ? [{ line, halo: true }, { line, halo: false }] : [{ line, halo: false }]));
+    u.series.slice(1).forEach((series, i) => {
+      const { line, halo } = parts[i];
+      series.alpha = !dense ? 1 : halo || line.onlyIfSparse?.() ? 0 : 0.6;
+    });
   }
 
   private takeSelection(u: uPlot): void {

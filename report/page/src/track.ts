@@ -3,7 +3,7 @@
 
 /** Where the glider was, in metres east and north, whatever columns say so. */
 
-import { Flight, Values } from "./flight";
+import { Flight, lowerBound, Values } from "./flight";
 
 export interface Point { row: number; x: number; y: number }
 export interface Track { name: string; points: Point[] }
@@ -76,15 +76,38 @@ export function fixesOf(flight: Flight): Place[] { return pointsOf(flight, "gps_
 /** A depth-averaged current, m/s, and where the vehicle was when it had estimated it. */
 export interface Current extends Place { east: number; north: number }
 
-/** The estimates of the current, each once. */
+/** The vehicle's estimates of the current, each once. */
 export function currentsOf(flight: Flight): Current[] {
-  const [east, north] = [flight.column("current_x"), flight.column("current_y")];
-  if (!east || !north) return [];
-  const places = [...pointsOf(flight, "gps_x", "gps_y"), ...pointsOf(flight, "dr_x", "dr_y")].sort((a, b) => a.row - b.row);
-  return pairs(east, north).filter((p, i, all) => i === 0 || p.x !== all[i - 1].x || p.y !== all[i - 1].y).flatMap((p) => {
-    const at = places.find((place) => place.row >= p.row) ?? places[places.length - 1];
+  const [east, north] = flight.log ? ["current_x", "current_y"] : ["m_water_vx", "m_water_vy"];
+  const places = flight.log ? [...pointsOf(flight, "gps_x", "gps_y"), ...pointsOf(flight, "dr_x", "dr_y")].sort((a, b) => a.row - b.row)
+    : pointsOf(flight, "true_x", "true_y");
+  return pointsOf(flight, east, north).filter((p, i, all) => i === 0 || p.x !== all[i - 1].x || p.y !== all[i - 1].y).flatMap((p) => {
+    const at = places[lowerBound(places.map((place) => place.row), p.row)] ?? places[places.length - 1];
     return at ? [{ x: at.x, y: at.y, east: p.x, north: p.y }] : [];
   });
+}
+
+/** At how many points of the track the true current is shown. */
+const truePoints = 8;
+
+/** The mean current of each part of a simulated flight, at the part's middle. */
+export function trueCurrentsOf(flight: Flight): Current[] {
+  const places = pointsOf(flight, "true_x", "true_y");
+  const flow = new Map(pointsOf(flight, "true_current_x", "true_current_y").map((p) => [p.row, p]));
+  const part = Math.max(1, Math.ceil(places.length / truePoints));
+  const out: Current[] = [];
+  for (let from = 0; from < places.length; from += part) {
+    const of = places.slice(from, from + part).flatMap((p) => flow.get(p.row) ?? []);
+    const middle = places[Math.min(from + Math.floor(part / 2), places.length - 1)];
+    const mean = (value: (p: Point) => number) => of.reduce((sum, p) => sum + value(p), 0) / of.length;
+    if (of.length > 0) out.push({ x: middle.x, y: middle.y, east: mean((p) => p.x), north: mean((p) => p.y) });
+  }
+  return out;
+}
+
+/** A place on Earth in metres. */
+export function placeOf(anchor: Anchor, lat: number, lon: number): Place {
+  return { x: anchor.x + (lon - anchor.lon) * anchor.perLon, y: anchor.y + (lat - anchor.lat) * anchor.perLat };
 }
 
 /** The true track and the dead-reckoned one, those there are, the true one first. */

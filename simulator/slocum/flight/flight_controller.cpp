@@ -5,6 +5,7 @@
 
 #include "hooks/protocol/numbers.h"
 #include "simulator/geography/ddmm.h"
+#include "simulator/slocum/clock.h"
 #include "simulator/slocum/flight/hull.h"
 
 #include <fmt/format.h>
@@ -19,13 +20,11 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kTurn = 2 * std::numbers::pi;
-// The vehicle's clock at the mission's start: nothing may depend on the wall clock of the machine.
-constexpr double kStartOfMission = 1.25e9;  // s since 1970, in 2009
-constexpr double kAbortPitch = 0.4538;      // rad, the vehicle's nominal
-constexpr double kAbortPump = 1000;         // cc: as far out as it goes
-constexpr double kSettledAtSurface = 12;    // s; a mission ends only then
-constexpr double kVacuum = 8;               // inHg
-constexpr double kDryVoltage = 2.49;        // V, leak detector
+constexpr double kAbortPitch = 0.4538;    // rad, the vehicle's nominal
+constexpr double kAbortPump = 1000;       // cc: as far out as it goes
+constexpr double kSettledAtSurface = 12;  // s; a mission ends only then
+constexpr double kVacuum = 8;             // inHg
+constexpr double kDryVoltage = 2.49;      // V, leak detector
 
 DepthState depthState(const Situation& s) {
   return s.at_surface                               ? DepthState::Surface

@@ -4,14 +4,13 @@
 #include "simulator/slocum/science/science_computer.h"
 
 #include "hooks/protocol/numbers.h"
+#include "simulator/slocum/clock.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace glider::simulator {
-
-constexpr double kStartOfMission = 1.25e9;  // s since 1970: the flight controller's clock, in step
 
 ScienceComputer::ScienceComputer(const platforms::Platform& platform, uint64_t seed,
                                  const SensorSettings& settings, bool virtual_time)

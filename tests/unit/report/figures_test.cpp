@@ -8,8 +8,48 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <vector>
+
 namespace glider::report {
 namespace {
+
+TEST(Figures, ListsEachYo) {
+  const auto trace =
+      smallTrace({{"time", "s"}, {"m_depth", "m"}},
+                 {{0, 0}, {10, 5}, {110, 25}, {200, 7}, {300, 27}, {410, 5}, {420, 1}});
+  const std::vector<Yo> yos = yosOf(trace);
+  ASSERT_EQ(yos.size(), 2U);
+  EXPECT_EQ(yos.size(), flightFigures(trace).yos);
+  EXPECT_DOUBLE_EQ(yos[0].start_s, 0);
+  EXPECT_DOUBLE_EQ(yos[0].duration_s, 200);
+  EXPECT_DOUBLE_EQ(yos[0].deepest_m, 25);
+  EXPECT_DOUBLE_EQ(yos[0].down_mps, 25.0 / 110);
+  EXPECT_DOUBLE_EQ(yos[0].up_mps, 18.0 / 90);
+  EXPECT_FALSE(yos[0].surfaced);
+  EXPECT_DOUBLE_EQ(yos[1].start_s, 200);
+  EXPECT_DOUBLE_EQ(yos[1].down_mps, 0.2);
+  EXPECT_DOUBLE_EQ(yos[1].up_mps, 26.0 / 120);
+  EXPECT_TRUE(yos[1].surfaced) << "the last one ends at 1 m";
+  EXPECT_EQ(nlohmann::json::parse(yosToJson(yos)).at(1).at("surfaced"), true);
+}
+
+TEST(Figures, EnergyIsRelatedToThePack) {
+  auto trace = smallTrace({{"time", "s"}, {"energy", "Wh"}}, {{0, 0}, {43200, 10}});
+  EXPECT_TRUE(std::isnan(flightFigures(trace).energy.capacity_Wh)) << "of a log it is not known";
+  trace.battery = {1000, 90};
+  const EnergyFigures energy = flightFigures(trace).energy;
+  EXPECT_DOUBLE_EQ(energy.used_Wh, 10);
+  EXPECT_DOUBLE_EQ(energy.to_go_Wh, 900);
+  EXPECT_DOUBLE_EQ(energy.days_left, 45) << "10 Wh in half a day";
+}
+
+TEST(Figures, TheTracksAreApartWhereTheyAreFarthest) {
+  const auto trace = smallTrace(
+      {{"time", "s"}, {"true_x", "m"}, {"true_y", "m"}, {"m_x_lmc", "m"}, {"m_y_lmc", "m"}},
+      {{0, 0, 0, 0, 0}, {4, 10, 0, 13, 4}, {8, 20, 0, 20, 1}, {12, 30, 0, kUnknown, 0}});
+  EXPECT_DOUBLE_EQ(flightFigures(trace).apart_m, 5);
+}
 
 TEST(Figures, CountsVisitsAndTimeOfEachState) {
   auto trace =

@@ -5,11 +5,9 @@
 
 #include "support/diagnostics/ids/files.h"
 #include "support/files.h"
-#include "vehicles/slocum/data_tables/netcdf_library.h"
+#include "support/netcdf/memory_file.h"
 
-#include <cstdlib>
 #include <limits>
-#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
@@ -18,101 +16,7 @@
 namespace glider::slocum {
 namespace {
 
-constexpr int kDeflateLevel = 1;  // most of a column is fill values: more gains little
-
-/// A netCDF file in memory, so that it is written whole or not at all. After an error the calls do
-/// nothing, and the first error is kept.
-class MemoryFile {
- public:
-  /// `library` has all functions.
-  explicit MemoryFile(const NetcdfLibrary& library) : nc_(library) {
-    check(nc_.create_mem("glidercc", NC_NETCDF4 | NC_CLASSIC_MODEL, 0, &id_), "");
-    open_ = good();
-  }
-  ~MemoryFile() {
-    if (open_) {
-      nc_.abort(id_);
-    }
-  }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-
-  int dimension(const char* name, size_t size) {
-    int id = -1;
-    run([&] { return nc_.def_dim(id_, name, size, &id); }, name);
-    return id;
-  }
-  /// A compressed variable along `along`.
-  int variable(const std::string& name, nc_type type, int along) {
-    int id = -1;
-    run([&] { return nc_.def_var(id_, name.c_str(), type, 1, &along, &id); }, name);
-    run([&] { return nc_.def_var_deflate(id_, id, 1, 1, kDeflateLevel); }, name);
-    return id;
-  }
-  void attribute(int variable, const char* name, std::string_view text) {
-    run([&] { return nc_.put_att_text(id_, variable, name, text.size(), text.data()); }, name);
-  }
-  void fill(int variable, nc_type type, double value) {
-    run([&] { return nc_.put_att_double(id_, variable, "_FillValue", type, 1, &value); }, "");
-  }
-  void attributeBytes(int variable, const char* name, const std::vector<signed char>& values) {
-    run(
-        [&] {
-          return nc_.put_att_schar(id_, variable, name, NC_BYTE, values.size(), values.data());
-        },
-        name);
-  }
-  void endDefinitions() {
-    run([&] { return nc_.enddef(id_); }, "");
-  }
-  void put(int variable, const std::vector<double>& values, const std::string& name) {
-    const size_t start = 0, count = values.size();
-    if (count > 0) {
-      run([&] { return nc_.put_vara_double(id_, variable, &start, &count, values.data()); }, name);
-    }
-  }
-  /// The library refuses to make a float of an infinity: they come as floats, as they are stored.
-  void putFloats(int variable, const std::vector<double>& values, const std::string& name) {
-    const size_t start = 0, count = values.size();
-    std::vector<float> floats;
-    for (const double value : values) {
-      floats.push_back(static_cast<float>(value));
-    }
-    if (count > 0) {
-      run([&] { return nc_.put_vara_float(id_, variable, &start, &count, floats.data()); }, name);
-    }
-  }
-  /// The content of the finished file.
-  std::string close() {
-    NC_memio memory{};
-    if (good()) {
-      open_ = false;
-      check(nc_.close_memio(id_, &memory), "");
-    }
-    const std::unique_ptr<void, decltype(&std::free)> owner(memory.memory, &std::free);
-    return good() ? std::string(static_cast<const char*>(memory.memory), memory.size) : "";
-  }
-  [[nodiscard]] const std::string& error() const { return error_; }
-
- private:
-  [[nodiscard]] bool good() const { return error_.empty(); }
-  template <typename Call>
-  void run(Call call, const std::string& name) {
-    if (good()) {
-      check(call(), name);
-    }
-  }
-  void check(int status, const std::string& name) {
-    if (status != NC_NOERR) {
-      error_ = (name.empty() ? "" : "`" + name + "`: ") + nc_.strerror(status);
-    }
-  }
-
-  const NetcdfLibrary& nc_;
-  int id_ = -1;
-  bool open_ = false;
-  std::string error_;
-};
+using MemoryFile = support::NetcdfMemoryFile;
 
 /// How a sensor of some width is stored. Integers are one size larger, to have a fill value that no
 /// reading has.
@@ -203,11 +107,7 @@ void putRows(MemoryFile& out, const Merged& merged, const RowVariables& rows) {
 }  // namespace
 
 support::Result<void> writeNetcdf(const Merged& merged, const std::filesystem::path& path) {
-  const NetcdfLibrary& library = NetcdfLibrary::get();
-  if (!library.error.empty()) {
-    return support::fail(support::diagnostics::cannotWrite, path.string(), library.error);
-  }
-  MemoryFile out(library);
+  MemoryFile out;
   const int along = out.dimension("time", merged.rows.size());
   describeFile(out, merged.files);
   const RowVariables rows = defineRows(out, along);

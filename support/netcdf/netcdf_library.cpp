@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "vehicles/slocum/data_tables/netcdf_library.h"
+#include "support/netcdf/netcdf_library.h"
 
 #include <dlfcn.h>
 
-namespace glider::slocum {
+namespace glider::support {
 namespace {
 
 NetcdfLibrary load() {
@@ -22,7 +22,7 @@ NetcdfLibrary load() {
     }
   };
 #define FUNCTION(name) find(library.name, "nc_" #name);
-#include "vehicles/slocum/data_tables/netcdf_functions.def"
+#include "support/netcdf/netcdf_functions.def"
 #undef FUNCTION
   return library;
 }
@@ -34,4 +34,4 @@ const NetcdfLibrary& NetcdfLibrary::get() {
   return library;
 }
 
-}  // namespace glider::slocum
+}  // namespace glider::support

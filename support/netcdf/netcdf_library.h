@@ -7,7 +7,7 @@
 #include <netcdf_mem.h>
 #include <string>
 
-namespace glider::slocum {
+namespace glider::support {
 
 /// The functions of netCDF-C that glidercc calls, from the shared library, which is loaded when it
 /// is first needed: with the 40 libraries that it needs itself, loading takes longer than all else
@@ -17,9 +17,9 @@ struct NetcdfLibrary {
   static const NetcdfLibrary& get();
 
 #define FUNCTION(name) decltype(&::nc_##name) name = nullptr;
-#include "vehicles/slocum/data_tables/netcdf_functions.def"
+#include "support/netcdf/netcdf_functions.def"
 #undef FUNCTION
   std::string error;  ///< empty: all functions are there
 };
 
-}  // namespace glider::slocum
+}  // namespace glider::support

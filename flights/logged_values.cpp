@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "flights/logged_values.h"
+
+#include "hooks/protocol/messages.h"
+#include "ir/core/walk.h"
+#include "support/one_line.h"
+#include "support/units/units.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glider::flights {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// A column for one value of the statements that have the same text.
+struct ValueColumn {
+  support::LoggedValue value;
+  std::string unit;
+  double to_shown = 1;                            ///< factor from SI
+  std::vector<std::pair<size_t, double>> points;  ///< row, value
+};
+
+/// The `log` statements of one text and so many values.
+struct Statements {
+  std::string text;
+  std::vector<ValueColumn> columns;
+};
+
+/// "bloom at depth" as a part of a column's name, without what a table of commas cannot hold.
+std::string asName(std::string_view text) {
+  std::string name;
+  for (const char c : text) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (plain) {
+      name += c;
+    } else if (!name.empty() && name.back() != '_') {
+      name += '_';
+    }
+  }
+  name.erase(name.find_last_not_of('_') + 1);
+  return name;
+}
+
+/// The unit in which an expression's value is shown: that of the trace for a bare reading.
+void setUnit(const ir::Mission& m, ir::ExprId id, const support::Trace& trace,
+             ValueColumn& column) {
+  const ir::Expr& e = m[id];
+  if (e.type.kind == ir::TypeKind::Latitude || e.type.kind == ir::TypeKind::Longitude) {
+    column.unit = "deg";
+    return;
+  }
+  if (e.type.kind != ir::TypeKind::Quantity) {
+    return;
+  }
+  const int sensor = e.op == ir::Op::Sensor ? trace.column(m[e.sensor].vehicle_name) : -1;
+  if (e.type.dimension.dimensionless() && sensor >= 0) {
+    column.unit = trace.columns[static_cast<size_t>(sensor)].unit;
+    return;
+  }
+  column.unit = support::unitName(e.type.dimension);
+  const auto unit = support::parseUnit(column.unit);
+  column.to_shown = unit ? 1 / unit->to_si : 1;
+}
+
+/// All `log` statements of a mission, those of its profiles and routes too.
+void forEachLog(const ir::Mission& m, const std::function<void(const ir::Statement&)>& visit) {
+  for (const ir::Block& block : m.blocks) {
+    for (const ir::Statement& statement : block.statements) {
+      if (statement.kind == ir::StatementKind::Log && !statement.values.empty()) {
+        visit(statement);
+      }
+    }
+  }
+}
+
+std::vector<Statements> statementsOf(const compiler::Checked& mission,
+                                     const support::Trace& trace) {
+  const ir::Mission& m = mission.mission();
+  std::vector<Statements> all;
+  forEachLog(m, [&](const ir::Statement& statement) {
+    const auto same = std::ranges::find_if(all, [&](const Statements& other) {
+      return other.text == statement.text && other.columns.size() == statement.values.size();
+    });
+    if (same != all.end()) {
+      return;
+    }
+    Statements made{statement.text, {}};
+    for (const ir::ExprId id : statement.values) {
+      const support::SourceRange range = m[id].range;
+      ValueColumn column;
+      column.value.text = statement.text;
+      column.value.value = range.valid() ? support::onOneLine(mission.sources().text(range)) : "";
+      column.value.column = "log_" + asName(statement.text + " " + column.value.value);
+      setUnit(m, id, trace, column);
+      made.columns.push_back(std::move(column));
+    }
+    all.push_back(std::move(made));
+  });
+  return all;
+}
+
+/// The values at the end of a note of a statement with `text`, as runtime/core/tell_notes.cpp
+/// writes them; empty if it is another statement's.
+std::vector<double> valuesIn(std::string_view note, std::string_view text) {
+  std::vector<double> values;
+  if (!note.starts_with(text)) {
+    return values;
+  }
+  // What does not fit into a note is cut off, in the middle of a number even.
+  const bool cut = note.size() >= hooks::kMostNoteBytes;
+  note.remove_prefix(text.size());
+  while (note.starts_with(' ')) {
+    note.remove_prefix(1);
+    const std::string_view word = note.substr(0, note.find(' '));
+    double value = kUnknown;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (word != "unknown" && (error != std::errc() || end != word.data() + word.size())) {
+      return {};
+    }
+    note.remove_prefix(word.size());
+    if (cut && note.empty()) {
+      break;
+    }
+    values.push_back(word == "unknown" ? kUnknown : value);
+  }
+  return note.empty() ? values : std::vector<double>{};
+}
+
+/// The first row at or after `time_s`; the last one if there is none.
+size_t rowOf(const support::Trace& trace, double time_s) {
+  size_t low = 0, high = trace.rowCount() - 1;
+  while (low < high) {
+    const size_t middle = (low + high) / 2;
+    (trace.at(middle, 0) < time_s ? low : high) =
+        trace.at(middle, 0) < time_s ? middle + 1 : middle;
+  }
+  return low;
+}
+
+void readNotes(const support::Trace& trace, std::vector<Statements>& all) {
+  for (const support::TraceEvent& event : trace.events) {
+    if (event.id != support::EventId::Note || event.values.empty()) {
+      continue;
+    }
+    const auto& note = std::get<std::string>(event.values[0]);
+    for (Statements& statements : all) {
+      const std::vector<double> values = valuesIn(note, statements.text);
+      const bool whole = values.size() == statements.columns.size();
+      if (!whole && (values.empty() || note.size() < hooks::kMostNoteBytes)) {
+        continue;
+      }
+      for (size_t i = 0; i < std::min(values.size(), statements.columns.size()); ++i) {
+        ValueColumn& column = statements.columns[i];
+        column.points.emplace_back(rowOf(trace, event.time_s), values[i] * column.to_shown);
+      }
+      break;
+    }
+  }
+}
+
+std::string unusedName(const support::Trace& trace, const std::string& wanted) {
+  std::string name = wanted;
+  for (int i = 2; trace.column(name) >= 0; ++i) {
+    name = wanted + "_" + std::to_string(i);
+  }
+  return name;
+}
+
+/// Makes each row longer by `more` unknown values.
+void widen(support::Trace& trace, size_t more) {
+  const size_t width = trace.columns.size();
+  std::vector<double> rows;
+  rows.reserve(trace.rowCount() * (width + more));
+  for (size_t row = 0; row < trace.rowCount(); ++row) {
+    const auto begin = trace.rows.begin() + static_cast<std::ptrdiff_t>(row * width);
+    rows.insert(rows.end(), begin, begin + static_cast<std::ptrdiff_t>(width));
+    rows.insert(rows.end(), more, kUnknown);
+  }
+  trace.rows = std::move(rows);
+}
+
+}  // namespace
+
+void addLoggedValues(const compiler::Optimised& mission, support::Trace& trace) {
+  if (trace.rowCount() == 0) {
+    return;
+  }
+  std::vector<Statements> all = statementsOf(*mission.checked, trace);
+  readNotes(trace, all);
+  std::vector<ValueColumn> columns;
+  for (Statements& statements : all) {
+    std::ranges::move(statements.columns, std::back_inserter(columns));
+  }
+  widen(trace, columns.size());
+  const size_t first = trace.columns.size(), width = first + columns.size();
+  for (size_t i = 0; i < columns.size(); ++i) {
+    ValueColumn& column = columns[i];
+    column.value.column = unusedName(trace, column.value.column);
+    trace.columns.push_back({column.value.column, column.unit});
+    for (const auto& [row, value] : column.points) {
+      trace.rows[row * width + first + i] = value;
+    }
+    trace.facts.logged.push_back(column.value);
+  }
+}
+
+}  // namespace glider::flights

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glider::support {
+
+/// A position that the mission names; degrees, north and east positive.
+struct NamedPlace {
+  std::string name;
+  double latitude_deg = 0, longitude_deg = 0;
+};
+
+/// A condition of the mission compares the distance to the centre with the radius.
+struct WatchCircle {
+  double latitude_deg = 0, longitude_deg = 0;  ///< of the centre
+  double radius_m = 0;
+};
+
+/// A column with a value of a `log` statement.
+struct LoggedValue {
+  std::string column;
+  std::string text;   ///< of the statement
+  std::string value;  ///< the expression as it is written
+};
+
+enum class Verdict : uint8_t { Held, Violated, NotChecked };
+
+/// A requirement or an assumption of the mission, and what this flight did.
+struct FlownPromise {
+  std::string text;  ///< as it is written, on one line
+  Verdict verdict = Verdict::Held;
+  std::optional<double> vehicle_time_s;  ///< of the violation, or after which it was not checked
+  std::string words;                     ///< how it was violated, or why it was not checked
+};
+
+/// What the text of a mission says about its flight.
+struct MissionFacts {
+  std::vector<std::string> listed;  ///< the sensors of its `sensors` lists, by the vehicle's names
+  std::vector<std::string> read;    ///< those that its conditions read, those of cases first
+  std::vector<NamedPlace> places;
+  std::vector<WatchCircle> watch_circles;
+  std::vector<LoggedValue> logged;
+  std::vector<FlownPromise> promises;
+};
+
+/// The batteries at the start of a flight.
+struct BatteryFacts {
+  double capacity_Wh = 0;
+  double used_Wh = 0;  ///< of a full pack
+};
+
+/// Depths of the bottom on a grid around the flight; m, east and north of the start.
+struct BottomGrid {
+  std::vector<double> x_m, y_m;
+  std::vector<double> depths_m;  ///< x × y, y fastest
+};
+
+}  // namespace glider::support

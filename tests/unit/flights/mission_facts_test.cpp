@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "flights/mission_facts.h"
+
+#include "flights/launch_choice.h"
+#include "flights/logged_values.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace glider::flights {
+namespace {
+
+using support::EventId;
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+constexpr const char* kMission = R"(mission facts
+
+const home = 39.175 N 73.835 W
+const far  = 39.2 N 73.8 W
+param watch: length = 400 m in 200 m .. 5 km
+require exit within 2 h
+
+always
+  case missiontime >= 1 h exit
+
+state look
+begin
+  flightprofile yo(5 m, 30 m, 26 deg, 26 deg)
+  sensors       missiontime, depth, chlorophyll, roll
+  events
+    case distance(home) > 2 * watch goto leg(far)
+    case highest(chlorophyll, 5 min) > 2 do log "bloom, at", depth, chlorophyll, pitch end stay
+end
+
+state leg(corner: position)
+begin
+  flightroute   nav(corner)
+  flightprofile yo(5 m, 30 m, 26 deg, 26 deg)
+  events
+    case distance(corner) < 60 m || temp > 20 degC goto look
+end
+)";
+
+compiler::Optimised compiled() {
+  auto compilation = compiler::compileText("facts.mission", kMission);
+  EXPECT_TRUE(compilation);
+  EXPECT_NE(compilation->checked, nullptr);
+  return compiler::optimise(compilation->checked);
+}
+
+support::MissionFacts factsWith(std::vector<std::string> settings) {
+  const compiler::Optimised mission = compiled();
+  const auto parameters = chooseParameters(mission.checked->mission(), {std::move(settings), ""});
+  EXPECT_TRUE(parameters);
+  return missionFacts(mission, *parameters);
+}
+
+TEST(MissionFacts, ListsSensorsInTheOrderOfTheText) {
+  EXPECT_EQ(factsWith({}).listed,
+            (std::vector<std::string>{"m_depth", "sci_flbbcd_chlor_units", "m_roll"}))
+      << "a clock is not a sensor";
+}
+
+TEST(MissionFacts, ConditionsOfCasesComeBeforeThoseOfProfiles) {
+  const auto read = factsWith({}).read;
+  const std::vector<std::string> expected = {"m_lat", "m_lon", "sci_flbbcd_chlor_units",
+                                             "sci_water_temp", "m_depth"};
+  ASSERT_GE(read.size(), expected.size());
+  EXPECT_EQ(std::vector<std::string>(read.begin(), read.begin() + 5), expected);
+}
+
+TEST(MissionFacts, PlacesHaveTheNamesOfConstants) {
+  const auto places = factsWith({}).places;
+  ASSERT_EQ(places.size(), 2U);
+  EXPECT_EQ(places[0].name, "home");
+  EXPECT_DOUBLE_EQ(places[0].latitude_deg, 39.175);
+  EXPECT_DOUBLE_EQ(places[0].longitude_deg, -73.835);
+  EXPECT_EQ(places[1].name, "far");
+}
+
+TEST(MissionFacts, AWatchCircleHasTheRadiusOfTheLaunch) {
+  const auto watched = factsWith({"watch=1km"}).watch_circles;
+  ASSERT_EQ(watched.size(), 2U);
+  EXPECT_DOUBLE_EQ(watched[0].radius_m, 2000) << "2 * watch";
+  EXPECT_DOUBLE_EQ(watched[0].latitude_deg, 39.175);
+  EXPECT_DOUBLE_EQ(watched[1].radius_m, 60);
+  EXPECT_DOUBLE_EQ(watched[1].latitude_deg, 39.2) << "the place that the transition passes";
+}
+
+support::Trace noted(const std::vector<std::string>& notes) {
+  support::Trace trace;
+  trace.columns = {{"time", "s"}, {"m_depth", "m"}, {"sci_flbbcd_chlor_units", "ug/L"}};
+  trace.rows = {0, 1, 2, 4, 1, 2, 8, 1, 2};
+  double time = 3;
+  for (const std::string& note : notes) {
+    trace.events.push_back(support::makeEvent(time, EventId::Note, {note}));
+    time += 4;
+  }
+  return trace;
+}
+
+TEST(LoggedValues, AreColumnsWithUnits) {
+  support::Trace trace = noted({"bloom, at 11.5 2.25 -0.5", "another 1 2 3"});
+  addLoggedValues(compiled(), trace);
+  ASSERT_EQ(trace.columns.size(), 6U);
+  EXPECT_EQ(trace.columns[3].name, "log_bloom_at_depth") << "no comma: it is a field of the CSV";
+  EXPECT_EQ(trace.columns[3].unit, "m");
+  EXPECT_EQ(trace.columns[4].unit, "ug/L") << "a plain number to the language";
+  EXPECT_EQ(trace.columns[5].unit, "rad");
+  EXPECT_EQ(trace.at(1, 3), 11.5) << "the first row at or after 3 s";
+  EXPECT_EQ(trace.at(1, 4), 2.25);
+  EXPECT_EQ(trace.at(1, 5), -0.5);
+  EXPECT_TRUE(std::isnan(trace.at(0, 3)));
+  EXPECT_TRUE(std::isnan(trace.at(2, 3))) << "another note is not this statement's";
+  ASSERT_EQ(trace.facts.logged.size(), 3U);
+  EXPECT_EQ(trace.facts.logged[1].text, "bloom, at");
+  EXPECT_EQ(trace.facts.logged[1].value, "chlorophyll");
+}
+
+TEST(LoggedValues, WhatIsUnknownOrCutOffIsNoValue) {
+  support::Trace trace = noted({"bloom, at unknown 2.5 0.1", "bloom, at 1 2"});
+  addLoggedValues(compiled(), trace);
+  EXPECT_TRUE(std::isnan(trace.at(1, 3)));
+  EXPECT_EQ(trace.at(1, 4), 2.5);
+  EXPECT_TRUE(std::isnan(trace.at(2, 3))) << "the statement has three values";
+  support::Trace empty;
+  addLoggedValues(compiled(), empty);
+  EXPECT_TRUE(empty.columns.empty());
+}
+
+TEST(FlownPromises, SayWhatTheFlightDid) {
+  const compiler::Optimised mission = compiled();
+  const RequirementWatch watch(mission);
+  const auto held = flownPromises(watch, *mission.checked, {});
+  ASSERT_EQ(held.size(), 1U);
+  EXPECT_EQ(held[0].text, "require exit within 2 h");
+  EXPECT_EQ(held[0].verdict, support::Verdict::Held);
+  const auto violated =
+      flownPromises(watch, *mission.checked, {{0, 7204, 7210, "look", "still flying", ""}});
+  EXPECT_EQ(violated[0].verdict, support::Verdict::Violated);
+  EXPECT_EQ(violated[0].vehicle_time_s, 7210);
+  RequirementWatch departed(mission);
+  departed.depart(100);
+  EXPECT_EQ(flownPromises(departed, *mission.checked, {})[0].verdict, support::Verdict::NotChecked);
+}
+
+}  // namespace
+}  // namespace glider::flights

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "tests/unit/simulator/flights.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace glider::simulator {
+namespace {
+
+std::vector<std::string> namesOf(const support::Trace& trace) {
+  std::vector<std::string> names;
+  for (const support::TraceColumn& column : trace.columns) {
+    names.push_back(column.name);
+  }
+  return names;
+}
+
+TEST(Recorder, SensorsThatAreListedFollowAllOtherColumns) {
+  SimulationSetup setup = shippedSetup("layered");
+  setup.duration_s = 400;
+  SimulationSetup plain = shippedSetup("layered");
+  plain.duration_s = 400;
+  const std::vector<std::string> before = namesOf(fly(std::move(plain)));
+  setup.record = {"m_speed", "m_depth", "m_gps_lat", "sci_water_cond", "no_such_sensor"};
+  const support::Trace trace = fly(std::move(setup));
+  std::vector<std::string> expected = before;
+  expected.insert(expected.end(), {"m_speed", "m_gps_lat", "sci_water_cond"});
+  EXPECT_EQ(namesOf(trace), expected) << "a column that there is already is not added";
+  EXPECT_EQ(trace.columns[static_cast<size_t>(trace.column("m_speed"))].unit, "m/s");
+  EXPECT_EQ(trace.columns[static_cast<size_t>(trace.column("m_gps_lat"))].unit, "deg");
+  EXPECT_NEAR(valueAt(trace, "m_gps_lat", 300), 39.175, 0.01) << "degrees, not ddmm";
+  EXPECT_NEAR(valueAt(trace, "sci_water_cond", 300), 4, 1e-6);
+}
+
+TEST(Recorder, EnergyIsWhatThePackHasLost) {
+  SimulationSetup setup = shippedSetup("layered");
+  setup.duration_s = 1800;
+  setup.scenario.vehicle.battery.start_V = 13;
+  const BatterySettings pack = setup.scenario.vehicle.battery;
+  const support::Trace trace = fly(std::move(setup));
+  EXPECT_EQ(valueAt(trace, "energy", 0), 0);
+  const double volts = pack.full_V - pack.empty_V;
+  const double used_Wh = (pack.full_V - 13) / volts * pack.capacity_j / kJoulesPerWattHour;
+  ASSERT_TRUE(trace.battery);
+  EXPECT_NEAR(trace.battery->used_Wh, used_Wh, 1e-6);
+  EXPECT_NEAR(trace.battery->capacity_Wh, pack.capacity_j / kJoulesPerWattHour, 1e-6);
+  const double energy = valueAt(trace, "energy", 1800);
+  EXPECT_GT(energy, pack.hotel_W / 2 * 0.99) << "half an hour of the constant load at least";
+  const double seen_Wh =
+      (13 - valueAt(trace, "m_battery", 1800)) / volts * trace.battery->capacity_Wh;
+  EXPECT_NEAR(energy, seen_Wh, 0.2) << "as the voltage tells it";
+}
+
+TEST(Recorder, TheTrueCurrentIsTheScenarios) {
+  SimulationSetup setup = shippedSetup("default");
+  setup.duration_s = 60;
+  const support::Trace trace = fly(std::move(setup));
+  EXPECT_DOUBLE_EQ(valueAt(trace, "true_current_x", 40), 0.02);
+  EXPECT_DOUBLE_EQ(valueAt(trace, "true_current_y", 40), -0.03);
+  EXPECT_EQ(trace.start_utc_s, 1.25e9);
+}
+
+TEST(Recorder, TheBottomAroundTheTrackIsThatOfTheOcean) {
+  SimulationSetup setup = shippedSetup("shelf_slope");
+  setup.duration_s = 600;
+  const Ocean ocean(setup.scenario.ocean);
+  const support::Trace trace = fly(std::move(setup));
+  const support::BottomGrid& grid = trace.bottom;
+  ASSERT_EQ(grid.depths_m.size(), grid.x_m.size() * grid.y_m.size());
+  ASSERT_GT(grid.x_m.size(), 10U);
+  EXPECT_LT(grid.x_m.front(), valueAt(trace, "true_x", 0) - 90) << "half of 200 m around it";
+  EXPECT_GT(grid.y_m.back(), valueAt(trace, "true_y", 600) + 90);
+  for (const size_t i : {size_t{0}, size_t{7}, grid.x_m.size() - 1}) {
+    for (const size_t j : {size_t{0}, size_t{5}, grid.y_m.size() - 1}) {
+      EXPECT_DOUBLE_EQ(grid.depths_m[i * grid.y_m.size() + j],
+                       ocean.waterDepth(grid.x_m[i], grid.y_m[j]));
+    }
+  }
+  SimulationSetup flat = shippedSetup("figure5");
+  flat.duration_s = 60;
+  EXPECT_TRUE(fly(std::move(flat)).bottom.depths_m.empty());
+}
+
+}  // namespace
+}  // namespace glider::simulator

@@ -28,8 +28,8 @@ BehaviourDeclaration* findBehaviour(const ast::Use& use, ir::BehaviourKind kind,
     for (std::string_view name : names) {
       all += (all.empty() ? std::string(word(kind)) + "s: " : ", ") + std::string(name);
     }
-    scope.report(support::diagnostics::unknownProfileOrRoute, use.name.where, word(kind),
-                 use.name.text, didYouMean(use.name.text, names, all));
+    scope.reportUnknown(support::diagnostics::unknownProfileOrRoute, use.name.where,
+                        didYouMean(use.name.text, names, all), word(kind), use.name.text);
     return nullptr;
   }
   BehaviourDeclaration& declaration = found->second;
@@ -45,8 +45,12 @@ ir::Activity StateLowering::activity(const ast::Use& use, ir::BehaviourKind kind
   ir::Activity result;
   result.range = use.where;
   if (BehaviourDeclaration* declaration = findBehaviour(use, kind, scope_)) {
+    const size_t before = scope_.diagnostics().errorCount();
     result.behaviour = scope_.use(*declaration);
     lowerUse(use, *declaration, {id_, state_.name.text}, result, scope_);
+    if (scope_.diagnostics().errorCount() > before) {
+      result.behaviour = {};  // what it does is not known: nothing is said about when it is done
+    }
   }
   return result;
 }
@@ -58,6 +62,7 @@ void lowerUse(const ast::Use& use, BehaviourDeclaration& declaration, const User
   const Callee callee{use.name.text, declaration.signature, declaration.name};
   auto arguments = lowerArguments(use.arguments, callee, use.where, scope);
   if (!arguments) {
+    activity.behaviour = {};
     return;
   }
   if (declaration.body == nullptr) {

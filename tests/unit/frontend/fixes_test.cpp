@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(
         mission("temp <> 20 degC"), mission("temp ≠ 20 degC"),
         mission("depth > 5 m || temp > 3) && missiontime > 1 h",
                 "sensors missiontime, depth, temp"),
-        mission("temp > 20 degrees"), mission("5 m < depth > 3 m"), mission("(depth 5 m) > 3 m"),
+        mission("20 degrees < temp"), mission("5 m < depth > 3 m"), mission("(depth 5 m) > 3 m"),
         mission("depth > 5·3 m"), mission("depth > 5 m", kNav + "nav(-39.1 N, 73.8 W)"),
         mission("depth > 5 m", kNav + "nav(39.1 N, -73.8 W)"),
         mission("depth > 5 m", kNav + "nav(39.1, 53.8 W)"),
@@ -221,9 +221,7 @@ TEST(Fixes, AWordOfTheLineBeforeIsNotTheSameWordTwice) {
   EXPECT_NE(automatic(prose).find("\nmission test"), std::string::npos) << automatic(prose);
   const std::string bare = "and so ends the mission\n" + mission("depth > 5 m");
   EXPECT_NE(automatic(bare).find("\nmission test"), std::string::npos) << automatic(bare);
-  std::string once = mission("depth > 5 m");
-  once.insert(once.find(" test"), " ");
-  EXPECT_EQ(automatic("mission " + mission("depth > 5 m")), once);
+  EXPECT_EQ(automatic("mission " + mission("depth > 5 m")), mission("depth > 5 m"));
 }
 
 /// `events` is written before the first `case`, which stays on its line.

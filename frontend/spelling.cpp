@@ -122,7 +122,9 @@ Suggestion didYouMean(std::string_view word, const std::vector<std::string_view>
   Suggestion suggestion;
   suggestion.hint =
       found.empty() ? std::move(otherwise) : "did you mean `" + std::string(found) + "`?";
-  suggestion.fix = same.size() == 1 ? std::string(*same.begin()) : "";
+  // With capitals in the name itself, its definition may be what is wrong.
+  const bool certain = same.size() == 1 && *same.begin() == wanted;
+  suggestion.fix = certain ? wanted : "";
   return suggestion;
 }
 

@@ -27,7 +27,7 @@ struct Suggestion {
 };
 
 /// "did you mean `temp`?" for the candidate nearest to `word`, or `otherwise` if none is near. If
-/// only capitals differ, and from one candidate only, that one is certain.
+/// only capitals differ, from one candidate that has none, that one is certain.
 Suggestion didYouMean(std::string_view word, const std::vector<std::string_view>& candidates,
                       std::string otherwise);
 

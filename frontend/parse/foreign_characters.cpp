@@ -5,6 +5,8 @@
 
 #include "frontend/parse/token_kinds.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -88,6 +90,10 @@ const Lookalike* lookalikeOf(std::string_view text) {
 
 bool isLookalike(std::string_view text) {
   return blankOf(text) != nullptr || lookalikeOf(text) != nullptr;
+}
+
+std::string characterText(std::string_view text) {
+  return fmt::format("character `{}`", text);
 }
 
 bool isQuote(std::string_view text) {

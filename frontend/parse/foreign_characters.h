@@ -33,6 +33,8 @@ struct Blank {
 const Blank* blankOf(std::string_view text);
 const Lookalike* lookalikeOf(std::string_view text);
 bool isLookalike(std::string_view text);
+/// "character `é`", for messages.
+std::string characterText(std::string_view text);
 /// Quotation marks of word processors.
 bool isQuote(std::string_view text);
 

@@ -548,7 +548,8 @@ class StructureRepair {
   /// begins its line, or before the transition that was written inside a `do` block.
   void supplyEnd(support::DiagnosticBuilder& report, const Block& block, const Lexeme& found) {
     const uint32_t place = found.begin;
-    if (block.kind == BlockKind::Members && blocks_.size() == 1 && startsItem(found.type)) {
+    if (block.kind == BlockKind::Members && block.begun && blocks_.size() == 1 &&
+        startsItem(found.type) && endsWithTransition()) {
       const bool first = place == 0 || source_.text()[place - 1] == '\n';
       if (first) {
         report.fix({source_.file, place, place}, "end\n\n");
@@ -561,6 +562,14 @@ class StructureRepair {
         left_out_ = extra;
       }
     }
+  }
+
+  /// Whether what was read ends with a whole case.
+  [[nodiscard]] bool endsWithTransition() const {
+    const size_t n = out_.size();
+    const auto at = [&](size_t k) { return k < n ? out_[n - 1 - k].type : 0; };
+    return oneOf(at(0), {GliderLexer::RETURN, GliderLexer::EXIT, GliderLexer::STAY}) ||
+           (isAnyName(at(0)) && oneOf(at(1), {GliderLexer::GOTO, GliderLexer::CALL}));
   }
 
   /// The number of the `end` after the transition at the current token, if a case or another `end`

@@ -31,10 +31,11 @@ class Slips {
       return std::nullopt;
     }
     using Draw = std::optional<Slipped> (Slips::*)();
-    constexpr std::array<Draw, 11> kDraws = {
+    constexpr std::array<Draw, 15> kDraws = {
         &Slips::deleted,     &Slips::doubled,     &Slips::swapped, &Slips::misspelt,
         &Slips::replaced,    &Slips::punctuation, &Slips::header,  &Slips::header,
-        &Slips::lineChanged, &Slips::lookalike,   &Slips::idiom};
+        &Slips::lineChanged, &Slips::lookalike,   &Slips::idiom,   &Slips::idiom,
+        &Slips::idiom,       &Slips::comment,     &Slips::value};
     return (this->*kDraws.at(pick(random_, kDraws.size())))();
   }
 
@@ -228,7 +229,48 @@ class Slips {
         {"s", "sec"},
         {"deg", "°"},
         {"<", "below"},
-        {"exit", "end"}};
+        {"exit", "end"},
+        {">", "above"},
+        {">", "exceeds"},
+        {">", "is greater than"},
+        {"<", "is less than"},
+        {">=", "is at least"},
+        {"<=", "at most"},
+        {"!", "NOT "},
+        {"degC", "°C"},
+        {"degC", "degrees C"},
+        {"case", "When"},
+        {"case", "on"},
+        {"case", "IF"},
+        {"case", ""},
+        {"case", "CASE"},
+        {"goto", "=> goto"},
+        {"goto", "go to"},
+        {"goto", "goto state"},
+        {"goto", "Goto"},
+        {"call", "-> call"},
+        {"call", "call state"},
+        {"call", "jump"},
+        {"exit", ", exit"},
+        {"exit", "exit mission"},
+        {"exit", "EXIT"},
+        {"return", "return up"},
+        {"stay", "stay exit"},
+        {"=", ":="},
+        {"..", "to"},
+        {"..", "-"},
+        {"log", "print"},
+        {"do", ""},
+        {"then", ""},
+        {",", ",,"},
+        {")", ",)"},
+        {"]", ",]"},
+        {"N", "N,"},
+        {"&&", ","},
+        {"events", "EVENTS"},
+        {"set", "Set"},
+        {"true", "TRUE"},
+        {"sensors", "SENSORS:"}};
     std::vector<std::pair<size_t, std::string>> places;
     for (size_t n = 0; n < tokens_.all().size(); ++n) {
       const auto [first, last] = kIdioms.equal_range(text(n));
@@ -247,6 +289,45 @@ class Slips {
     }
     const auto& [n, by] = places[pick(random_, places.size())];
     return put("idiom", at(n).begin, at(n).end, by);
+  }
+
+  /// A comment as in other languages, or without any sign.
+  std::optional<Slipped> comment() {
+    constexpr std::array<std::string_view, 6> kSigns = {"%", "--", ";", "!", "REM", ""};
+    std::vector<size_t> places;
+    for (size_t at = mission_.find('#'); at != std::string::npos; at = mission_.find('#', at + 1)) {
+      places.push_back(at);
+    }
+    if (places.empty()) {
+      return std::nullopt;
+    }
+    const size_t at = places[pick(random_, places.size())];
+    const size_t line = std::min(mission_.find('\n', at), mission_.size());
+    Slipped slipped =
+        put("comment sign", at, at + 1, std::string(kSigns.at(pick(random_, kSigns.size()))));
+    slipped.end += line - at - 1;
+    return slipped;
+  }
+
+  /// A time of two parts, and values with the unit of another kind or system.
+  std::optional<Slipped> value() {
+    static const std::multimap<std::string, std::string, std::less<>> kValues = {
+        {"h", "h 30 min"}, {"h", "h30"},  {"h", "h and 5 min"}, {"min", "m"},
+        {"m", "degC"},     {"m", "ug/L"}, {"s", "ms"},          {"degC", "degF"},
+        {"W", "-1 W"},     {"W", "X"},    {"dbar", "hPa"}};
+    std::vector<std::pair<size_t, std::string>> places;
+    for (size_t n = 1; n < tokens_.all().size(); ++n) {
+      const auto [first, last] = kValues.equal_range(text(n));
+      const bool unit = std::isdigit(static_cast<unsigned char>(text(n - 1)[0])) != 0;
+      for (auto row = first; row != last && unit; ++row) {
+        places.emplace_back(n, row->second);
+      }
+    }
+    if (places.empty()) {
+      return std::nullopt;
+    }
+    const auto& [n, by] = places[pick(random_, places.size())];
+    return put("value", at(n).begin, at(n).end, by);
   }
 
   const std::string& mission_;

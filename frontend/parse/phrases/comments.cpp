@@ -93,8 +93,9 @@ size_t comment(Phrase& phrase) {
   const size_t line = phrase.tokensOfLine();
   const bool prose = isProse(phrase, sign, line);
   const bool list = phrase.keyword() == GliderLexer::SENSORS && !phrase.startsLine();
-  if (!phrase.open().empty() || !isComplete(phrase) || list || (!begins && !only_comment) ||
-      (!prose && !only_comment) || (sign == 2 && !begins)) {
+  const bool placed = begins || (prose && sign == 1);
+  if (!phrase.open().empty() || !isComplete(phrase) || list || !placed ||
+      (!prose && !only_comment) || (!begins && !only_comment)) {
     return 0;
   }
   // A sign before a keyword may have been meant otherwise, or to disable the line.

@@ -25,11 +25,12 @@ const ast::Literal* numberIn(const ast::Argument& argument) {
 }
 
 /// `39,175 N`: digits, a comma and digits without a space.
-bool isDecimalComma(const ast::Argument& first, const ast::Argument& second) {
+bool isDecimalComma(const ast::Argument& first, const ast::Argument& second, const Scope& scope) {
   const ast::Literal* whole = numberIn(first);
   const auto* rest = std::get_if<ast::Literal>(&second.value->node);
   return whole != nullptr && rest != nullptr && whole->unit.empty() && isWhole(*whole) &&
-         isWhole(*rest) && !first.of && second.value->where.begin == first.value->where.end + 1;
+         isWhole(*rest) && !first.of && second.value->where.begin == first.value->where.end + 1 &&
+         scope.fileText(first.value->where.file)[first.value->where.end] == ',';
 }
 
 }  // namespace
@@ -40,7 +41,7 @@ bool refuseDecimalCommas(const std::vector<ast::Argument>& arguments, Scope& sco
   std::vector<support::SourceRange> commas;
   for (size_t i = 0; i < arguments.size(); ++i) {
     read.push_back(arguments[i]);
-    if (i + 1 < arguments.size() && isDecimalComma(arguments[i], arguments[i + 1])) {
+    if (i + 1 < arguments.size() && isDecimalComma(arguments[i], arguments[i + 1], scope)) {
       const support::SourceRange& whole = arguments[i].value->where;
       commas.push_back({whole.file, whole.end, whole.end + 1});
       ++i;

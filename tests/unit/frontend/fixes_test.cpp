@@ -111,6 +111,19 @@ INSTANTIATE_TEST_SUITE_P(
         mission("depth > 5 m", kNav + "nav(73.8 W, 39.1 N)"),
         mission("depth > 5 m", kNav + "nav(73.8 W 39.1 N)"),
         mission("distance(3910.5 -7349.8 , 39.1 N 73.8 W) > 5 m", "sensors depth, lat, lon"),
+        // Which of two conditions, values or places is meant.
+        mission("depth > 5 m, temp > 3 degC"), mission("temp is 20 degC"), mission("after 1 h"),
+        mission("temp > 68 degF"),
+        mission("depth > 5 m").replace(0, 12, "mission test const k = (39.2, 73.8)"),
+        mission("depth > 5 m").replace(0, 12, "mission test const k = (39.2, -53.8)"),
+        mission("depth > 5 m", kNav + "along([39.2 N -73.8 W], 100 m)"),
+        mission("depth > 5 m", kNav + "nav(39.2, 73.8)"),
+        mission("depth > 5 m").replace(0, 12, "mission test\n% const k = 5 m"),
+        mission("depth > 5 m do if temp > 3 degC then log \"a\" elseif depth > 6 m then log \"b\" "
+                "end end",
+                "sensors depth, temp"),
+        mission("depth > 5 m do wait 10 min end"),
+        mission("depth > 5 m").replace(0, 12, "mission test\nlength top = 5 m"),
         mission("depth > 5 m").replace(0, 12, "mission test const k = 3910.6 -7349.9"),
         mission("depth > 5 m").replace(0, 12, "mission test const k = -3355.2 1825.4")));
 

@@ -49,6 +49,7 @@ TEST(Spelling, CertainSuggestions) {
   EXPECT_EQ(fix("Temp", {"depth", "temp"}), "temp");
   EXPECT_EQ(fix("tempp", {"temp"}), "");
   EXPECT_EQ(fix("UP", {"up", "Up"}), "") << "two are meant";
+  EXPECT_EQ(fix("up", {"Up"}), "") << "the definition may be wrong";
   EXPECT_EQ(fix("UP", {"up", "up"}), "up");
 }
 

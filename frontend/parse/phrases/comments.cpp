@@ -34,11 +34,14 @@ bool isProse(const Phrase& phrase, size_t sign, size_t line) {
          (line == sign + 1 || isAnyName(phrase.type(sign + 1)));
 }
 
-/// Whether a keyword may be meant: one letter is wrong, or two.
+/// Whether a keyword may be meant: one letter is wrong, or two of a
+/// long one.
 bool isNearKeyword(std::string_view word) {
-  return std::ranges::any_of(hardKeywords(), [&](std::string_view keyword) {
-    return keyword.size() > 3 && editDistance(word, keyword) <= 2;
-  });
+  const auto near = [&](std::string_view keyword) {
+    return keyword.size() > 3 && editDistance(word, keyword) <= (keyword.size() > 5 ? 2U : 1U);
+  };
+  return std::ranges::any_of(hardKeywords(), near) || near("assume") || near("place") ||
+         near("resume") || near("declination");
 }
 
 /// Whether all of the line is words, three or more, and the first is not a misspelt keyword.

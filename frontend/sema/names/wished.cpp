@@ -32,6 +32,7 @@ constexpr Wish kWishes[] = {
     {"dive_count", kCountHint, "depthrate"},
     {"yos", kCountHint, "depthrate"},
     {"dives", kCountHint, "depthrate"},
+    {"conductivity", "did you mean `cond`?", "cond"},
     {"density", "no sensor measures it: compare `temp` and `depth`", "temp"}};
 
 /// Points of the compass, as angles from true north.

@@ -45,12 +45,8 @@ ir::Activity StateLowering::activity(const ast::Use& use, ir::BehaviourKind kind
   ir::Activity result;
   result.range = use.where;
   if (BehaviourDeclaration* declaration = findBehaviour(use, kind, scope_)) {
-    const size_t before = scope_.diagnostics().errorCount();
     result.behaviour = scope_.use(*declaration);
     lowerUse(use, *declaration, {id_, state_.name.text}, result, scope_);
-    if (scope_.diagnostics().errorCount() > before) {
-      result.behaviour = {};  // what it does is not known: nothing is said about when it is done
-    }
   }
   return result;
 }
@@ -62,7 +58,7 @@ void lowerUse(const ast::Use& use, BehaviourDeclaration& declaration, const User
   const Callee callee{use.name.text, declaration.signature, declaration.name};
   auto arguments = lowerArguments(use.arguments, callee, use.where, scope);
   if (!arguments) {
-    activity.behaviour = {};
+    activity.behaviour = {};  // what it does is not known, nor whether it is ever done
     return;
   }
   if (declaration.body == nullptr) {

@@ -6,6 +6,7 @@
 #include "support/diagnostics/fixes.h"
 
 #include "frontend/constructs.h"
+#include "support/diagnostics/ids/meaning.h"
 #include "support/diagnostics/ids/syntax.h"
 #include "tests/unit/frontend/compile.h"
 
@@ -285,6 +286,39 @@ TEST(Fixes, APositionIsNotMadeFromWhatMayBeTwoThings) {
   }
   const std::string right = mission("depth > 5 m", "flightroute nav(39 deg N, 73 deg 30' W)");
   EXPECT_NE(automatic(right).find("nav(39.0 N, 73.5 W)"), std::string::npos) << automatic(right);
+}
+
+/// An `end` with a letter of another alphabet is there, wrong as it is.
+TEST(Fixes, AnEndWithAForeignLetterIsNotMissing) {
+  std::string text = mission("depth > 5 m");
+  const std::string right = text + text.substr(text.find("state s1")).replace(6, 2, "s2");
+  std::string wrong = right;
+  wrong.replace(wrong.find("\nend\n") + 1, 1, "\xd0\xb5");
+  EXPECT_EQ(automatic(wrong), wrong);
+  std::string none = right;
+  none.erase(none.find("\nend\n") + 1, 4);
+  EXPECT_EQ(automatic(none).find("exit\nend\n\nstate s2"), right.find("exit\nend\nstate s2"));
+}
+
+/// A line whose first word may be a misspelt keyword is not prose.
+TEST(Fixes, AMisspeltDeclarationIsNoComment) {
+  for (const std::string line : {"assnme no outage", "plase home somewhere else"}) {
+    const std::string text = "mission test\n" + line + "\n" + mission("depth > 5 m").substr(13);
+    EXPECT_EQ(automatic(text), text);
+  }
+  const std::string prose =
+      "mission test\nwarm water on the shelf\n" + mission("depth > 5 m").substr(13);
+  EXPECT_NE(automatic(prose).find("\n# warm water"), std::string::npos) << automatic(prose);
+}
+
+/// Commas are decimal commas only if the number of arguments then is right.
+TEST(Fixes, TooFewArgumentsHaveNoDecimalCommas) {
+  std::string text = mission("depth > 5 m");
+  text.replace(text.find("surfaced"), 8, "yo(5,20,26)");
+  FrontendRun run(text);
+  run.compile();
+  EXPECT_TRUE(run.says(support::diagnostics::wrongArgumentCount)) << run.said();
+  EXPECT_FALSE(run.says(support::diagnostics::decimalComma)) << run.said();
 }
 
 /// Which ocean was meant cannot be seen from a number that has lost its letter.

@@ -343,8 +343,10 @@ class StructureRepair {
 
   /// Whether a `begin` comes before the next state.
   [[nodiscard]] bool isBegunLater() const {
+    constexpr size_t kFarthest = 1000;
     size_t k = 0;
-    while (!startsItem(peek(k).type) && !oneOf(peek(k).type, {GliderLexer::BEGIN, kEof})) {
+    while (k < kFarthest && !startsItem(peek(k).type) &&
+           !oneOf(peek(k).type, {GliderLexer::BEGIN, kEof})) {
       ++k;
     }
     return peek(k).type == GliderLexer::BEGIN;

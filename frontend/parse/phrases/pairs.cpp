@@ -130,11 +130,12 @@ std::optional<Better> bare(const Phrase& phrase, const Pair& pair) {
 
 /// Whether a list of bare numbers is one of pairs: an even number of them, and nothing else.
 bool isListOfPairs(const Phrase& phrase) {
+  constexpr size_t kMostHalves = 200;
   size_t halves = 0;
   size_t k = 0;
   for (;; ++k) {
     const auto half = halfAt(phrase, k);
-    if (!half) {
+    if (!half || halves > kMostHalves) {
       return false;
     }
     ++halves;

@@ -12,6 +12,10 @@
 namespace glider::frontend {
 namespace {
 
+/// How many tokens are looked at ahead: no phrase is longer, and the time that a file takes then
+/// grows with its length only.
+constexpr size_t kFarthest = 300;
+
 bool isValueWord(uint32_t type) {
   return isOperator(type) || oneOf(type, {GliderLexer::TRUE, GliderLexer::FALSE,
                                           GliderLexer::AND_WORD, GliderLexer::OR_WORD});
@@ -62,7 +66,7 @@ bool Phrase::startsLine(size_t k) const {
 
 size_t Phrase::tokensOfLine() const {
   size_t k = 1;
-  while (at_ + k < in_.size() && type(k) != kEof && !startsLine(k)) {
+  while (k < kFarthest && at_ + k < in_.size() && type(k) != kEof && !startsLine(k)) {
     ++k;
   }
   return k;
@@ -72,15 +76,17 @@ Lexeme Phrase::whole(size_t first, size_t count, uint32_t type) const {
   return {type, token(first).begin, token(first + count - 1).end};
 }
 
-bool Phrase::isDeclared(std::string_view name) const {
-  for (size_t i = 0; i + 1 < in_.size(); ++i) {
-    const bool declares = (i > 0 && wantsName(in_[i - 1].type)) ||
-                          oneOf(in_[i + 1].type, {GliderLexer::COLON, GliderLexer::ASSIGN});
-    if (declares && source().text(in_[i]) == name) {
-      return true;
+bool Phrase::isDeclared(std::string_view name) {
+  if (!declared_) {
+    declared_.emplace();
+    for (size_t i = 0; i + 1 < in_.size(); ++i) {
+      if ((i > 0 && wantsName(in_[i - 1].type)) ||
+          oneOf(in_[i + 1].type, {GliderLexer::COLON, GliderLexer::ASSIGN})) {
+        declared_->insert(source().text(in_[i]));
+      }
     }
   }
-  return false;
+  return declared_->contains(name);
 }
 
 uint32_t Phrase::before(size_t k) const {
@@ -137,7 +143,7 @@ bool Phrase::afterTransition() const {
     return false;
   }
   size_t deep = 0;
-  for (size_t k = 0; before(k) != 0; ++k) {
+  for (size_t k = 0; k < kFarthest && before(k) != 0; ++k) {
     deep += before(k) == GliderLexer::RPAREN ? 1U : 0U;
     deep -= before(k) == GliderLexer::LPAREN ? 1U : 0U;
     if (deep == 0) {
@@ -205,6 +211,9 @@ size_t tokensOfValue(const Phrase& phrase, size_t first, bool conditions) {
                          word == "and" || word == "or";
     const bool value = startsValue(type) || isAnyName(type) || joins(type) ||
                        oneOf(type, {GliderLexer::LPAREN, GliderLexer::RPAREN, GliderLexer::COMMA});
+    if (k - first >= kFarthest) {
+      return 0;
+    }
     if (!value || (deep == 0 && ((logical && conditions) || type == GliderLexer::COMMA ||
                                  type == GliderLexer::RPAREN))) {
       return k - first;

@@ -41,7 +41,7 @@ class Phrase {
   [[nodiscard]] bool touches(size_t k) const;
   /// Whether only white space, or a comment, is on its line before token `k`.
   [[nodiscard]] bool startsLine(size_t k = 0) const;
-  /// The number of tokens from the current one to the end of its line.
+  /// The number of tokens from the current one to the end of its line, or of a few hundred.
   [[nodiscard]] size_t tokensOfLine() const;
   /// The tokens from `first` on, `count` of them, as one of type `type`.
   [[nodiscard]] Lexeme whole(size_t first, size_t count, uint32_t type = 0) const;
@@ -51,7 +51,7 @@ class Phrase {
   }
 
   /// Whether a name is declared in the file, or has a type or a value in it.
-  [[nodiscard]] bool isDeclared(std::string_view name) const;
+  [[nodiscard]] bool isDeclared(std::string_view name);
 
   // What was read, as repaired; 0 counts the last token.
   [[nodiscard]] uint32_t before(size_t k = 0) const;
@@ -89,6 +89,7 @@ class Phrase {
   std::vector<Lexeme> out_;
   std::vector<OpenList> open_;
   std::set<size_t> left_out_;
+  std::optional<std::set<std::string_view>> declared_;  ///< once it was needed
   uint32_t keyword_ = 0;
   bool in_range_ = false;
   bool case_may_begin_ = false;
@@ -104,7 +105,8 @@ using PhraseRepair = size_t (*)(Phrase&);
 bool readsAsValue(const Phrase& phrase, size_t first, size_t count);
 
 /// The tokens of the value that begins with token `first`: up to a comma or parenthesis that is not
-/// its own, a keyword or a sign that no value contains. `conditions` also ends it at `&&` and `||`.
+/// its own, a keyword or a sign that no value contains; 0 if it is longer than any phrase.
+/// `conditions` also ends it at `&&` and `||`.
 size_t tokensOfValue(const Phrase& phrase, size_t first, bool conditions);
 
 /// The number that `digits` are.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <utility>
 
 namespace glider::frontend {
@@ -22,10 +23,10 @@ constexpr std::pair<std::string_view, std::string_view> kUnitWords[] = {
     {"degree", "deg"},   {"degrees", "deg"},   {"degs", "deg"},     {"radian", "rad"},
     {"radians", "rad"},  {"c", "degC"},        {"celsius", "degC"}, {"degreec", "degC"},
     {"degc", "degC"},    {"knot", "kn"},       {"knots", "kn"},     {"kt", "kn"},
-    {"kts", "kn"},       {"bars", "bar"},      {"decibar", "dbar"}, {"volt", "V"},
-    {"volts", "V"},      {"v", "V"},           {"amp", "A"},        {"amps", "A"},
-    {"watt", "W"},       {"watts", "W"},       {"w", "W"},          {"joule", "J"},
-    {"joules", "J"},     {"percent", "%"},     {"mps", "m/s"}};
+    {"kts", "kn"},       {"bars", "bar"},      {"decibar", "dbar"}, {"db", "dbar"},
+    {"volt", "V"},       {"volts", "V"},       {"v", "V"},          {"amp", "A"},
+    {"amps", "A"},       {"watt", "W"},        {"watts", "W"},      {"w", "W"},
+    {"joule", "J"},      {"joules", "J"},      {"percent", "%"},    {"mps", "m/s"}};
 
 constexpr std::string_view kUnits[] = {
 #define UNIT(spelling, dim, to_si) spelling,
@@ -85,10 +86,46 @@ std::string_view closest(std::string_view word, const std::vector<std::string_vi
   return found;
 }
 
-std::string didYouMean(std::string_view word, const std::vector<std::string_view>& candidates,
-                       std::string otherwise) {
-  const std::string_view found = closest(word, candidates);
-  return found.empty() ? std::move(otherwise) : "did you mean `" + std::string(found) + "`?";
+std::string_view related(std::string_view word, const std::vector<std::string_view>& candidates) {
+  constexpr size_t kShortest = 3;   // `lat` of `latitude`
+  constexpr size_t kShortWord = 4;  // `hover` of `hover_at`
+  const std::string wanted = lower(word);
+  std::string_view found;
+  for (const std::string_view candidate : candidates) {
+    const std::string name = lower(candidate);
+    const bool within = name.size() >= kShortest && name.size() < wanted.size() &&
+                        (wanted.starts_with(name) || wanted.ends_with("_" + name));
+    const bool around = wanted.size() >= kShortWord && name.starts_with(wanted + "_");
+    if ((within || around) && candidate.size() > found.size()) {
+      found = candidate;
+    }
+  }
+  return found;
+}
+
+Suggestion didYouMean(std::string_view word, const std::vector<std::string_view>& candidates,
+                      std::string otherwise) {
+  const std::string wanted = lower(word);
+  std::set<std::string_view> same;
+  for (const std::string_view candidate : candidates) {
+    if (lower(candidate) == wanted) {
+      same.insert(candidate);
+    }
+  }
+  std::string_view found = closest(word, candidates);
+  const bool near = !found.empty() && editDistance(wanted, lower(found)) <= 1;
+  // Of `latitude`, `lat` is nearer than `altitude`: the first letter is seldom wrong.
+  const bool begins = near && lower(found)[0] == wanted[0];
+  if (const std::string_view other = related(word, candidates); !begins && !other.empty()) {
+    found = other;
+  }
+  Suggestion suggestion;
+  suggestion.hint =
+      found.empty() ? std::move(otherwise) : "did you mean `" + std::string(found) + "`?";
+  // With capitals in the name itself, its definition may be what is wrong.
+  const bool certain = same.size() == 1 && *same.begin() == wanted;
+  suggestion.fix = certain ? wanted : "";
+  return suggestion;
 }
 
 std::string_view unitForWord(std::string_view word) {

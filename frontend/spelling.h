@@ -16,9 +16,20 @@ size_t editDistance(std::string_view a, std::string_view b);
 /// distances it is the first.
 std::string_view closest(std::string_view word, const std::vector<std::string_view>& candidates);
 
-/// "did you mean `temp`?" for the candidate nearest to `word`, or `otherwise` if none is near.
-std::string didYouMean(std::string_view word, const std::vector<std::string_view>& candidates,
-                       std::string otherwise);
+/// The candidate whose words `word` also has: `temp` for `temperature` and `water_temp`, `hover_at`
+/// for `hover`; the longest one, and empty if there is none.
+std::string_view related(std::string_view word, const std::vector<std::string_view>& candidates);
+
+/// What to suggest for an unknown word.
+struct Suggestion {
+  std::string hint;
+  std::string fix;  ///< the word that was certainly meant; empty: none
+};
+
+/// "did you mean `temp`?" for the candidate nearest to `word`, or `otherwise` if none is near. If
+/// only capitals differ, from one candidate that has none, that one is certain.
+Suggestion didYouMean(std::string_view word, const std::vector<std::string_view>& candidates,
+                      std::string otherwise);
 
 /// The unit that a word such as "metres", "hours" or "C" means; empty if none.
 std::string_view unitForWord(std::string_view word);

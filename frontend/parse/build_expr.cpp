@@ -10,6 +10,17 @@ using grammar::GliderParser;
 
 namespace {
 
+/// The unit that repair has reported and left as it was written: `20°`, `20 deg C`, `20 °C`.
+std::string meantUnit(const std::string& written) {
+  if (written == "°" || written == "\xB0") {  // the second in Latin-1
+    return "deg";
+  }
+  const bool degrees = written.find("°") != std::string::npos ||
+                       written.find("º") != std::string::npos ||
+                       written.find_first_of(" \t") != std::string::npos;
+  return degrees ? "degC" : written;
+}
+
 ast::BinaryOp binaryOp(size_t token) {
   switch (token) {
     case GliderParser::TIMES:
@@ -119,10 +130,7 @@ ast::Expr AstBuilder::literal(Parser::LiteralContext* rule) {
   const antlr4::Token* digits = rule->NUMBER(0)->getSymbol();
   ast::Literal first{digitsOf(digits), "", where(digits)};
   if (rule->unit() != nullptr) {
-    first.unit = joined(rule->unit());
-    if (first.unit == "°") {
-      first.unit = "deg";  // the intended unit; repair has reported it
-    }
+    first.unit = meantUnit(joined(rule->unit()));
     first.unit_where = where(rule->unit());
   }
   if (rule->NUMBER().size() == 1) {

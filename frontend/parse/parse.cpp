@@ -4,6 +4,7 @@
 #include "frontend/frontend.h"
 #include "frontend/parse/build_ast.h"
 #include "frontend/parse/error_strategy.h"
+#include "frontend/parse/foreign_characters.h"
 #include "frontend/parse/lexeme_source.h"
 #include "frontend/parse/repair.h"
 #include "frontend/parse/token_kinds.h"
@@ -16,33 +17,6 @@ namespace glider::frontend {
 using grammar::GliderParser;
 
 namespace {
-
-/// The length of the UTF-8 character at `at`; 0 if there is none (RFC 3629, table 3-7 of the
-/// Unicode standard).
-size_t characterLength(std::string_view text, size_t at) {
-  auto byte = [&](size_t k) {
-    return at + k < text.size() ? static_cast<unsigned char>(text[at + k]) : 0U;
-  };
-  auto follows = [&](size_t k, unsigned low, unsigned high) {
-    return byte(k) >= low && byte(k) <= high;
-  };
-  const unsigned b = byte(0);
-  if (b < 0x80U) {
-    return 1;
-  }
-  if (b >= 0xC2U && b <= 0xDFU) {
-    return follows(1, 0x80, 0xBF) ? 2 : 0;
-  }
-  if (b >= 0xE0U && b <= 0xEFU) {
-    const bool second = follows(1, b == 0xE0U ? 0xA0 : 0x80, b == 0xEDU ? 0x9F : 0xBF);
-    return second && follows(2, 0x80, 0xBF) ? 3 : 0;
-  }
-  if (b >= 0xF0U && b <= 0xF4U) {
-    const bool second = follows(1, b == 0xF0U ? 0x90 : 0x80, b == 0xF4U ? 0x8F : 0xBF);
-    return second && follows(2, 0x80, 0xBF) && follows(3, 0x80, 0xBF) ? 4 : 0;
-  }
-  return 0;
-}
 
 /// Checks that the file is text. False if it is not worth reading.
 bool checkEncoding(const Source& source, SyntaxReporter& reporter) {

@@ -3,6 +3,8 @@
 
 #include "frontend/parse/repair.h"
 
+#include "frontend/parse/foreign_characters.h"
+#include "frontend/parse/phrases/phrases.h"
 #include "frontend/parse/repair_names.h"
 #include "frontend/parse/repair_superfluous.h"
 #include "frontend/parse/repair_values.h"
@@ -74,7 +76,9 @@ class StructureRepair {
 
   Repaired run() {
     for (at_ = 0; at_ < in_.size() && ok_; ++at_) {
-      step(in_[at_]);
+      if (at_ != left_out_ || at_ == 0) {
+        step(in_[at_]);
+      }
       ok_ = ok_ && !reporter_.full();
     }
     return {std::move(out_), ok_};
@@ -161,7 +165,8 @@ class StructureRepair {
   void dropComma(const Lexeme& t) {
     const Lexeme comma = out_.back();
     auto report = reporter_.at(comma, support::diagnostics::trailingComma, describe(source_, t));
-    if (values_.inSensors()) {
+    const bool leads = isTransition(t.type) || t.type == GliderLexer::DO;
+    if (values_.inSensors() || (inCases() && leads)) {
       report.fix(source_.range(comma), "");
     }
     out_.pop_back();
@@ -319,8 +324,13 @@ class StructureRepair {
         report.fix(source_.range(t), "begin");
       }
     } else {
-      reporter_.at(t, support::diagnostics::missingBegin, header_, describe(source_, t))
-          .note(source_.range(header_at_), header_ + " is named here");
+      auto report =
+          reporter_.at(t, support::diagnostics::missingBegin, header_, describe(source_, t));
+      report.note(source_.range(header_at_), header_ + " is named here");
+      if (startsMember(t.type) && !isBegunLater()) {
+        const uint32_t end = out_.back().end;
+        report.fix({source_.file, end, end}, onLaterLine(t) ? "\nbegin" : " begin");
+      }
     }
     values_.keyword({GliderLexer::BEGIN, t.begin, t.begin});
     open(BlockKind::Members, header_at_, header_);
@@ -329,6 +339,23 @@ class StructureRepair {
     blocks_.back().begun = misspelled;
     insert(GliderLexer::BEGIN);
     return misspelled;
+  }
+
+  /// Whether a `begin` comes before the next state.
+  [[nodiscard]] bool isBegunLater() const {
+    constexpr size_t kFarthest = 1000;
+    size_t k = 0;
+    while (k < kFarthest && !startsItem(peek(k).type) &&
+           !oneOf(peek(k).type, {GliderLexer::BEGIN, kEof})) {
+      ++k;
+    }
+    return peek(k).type == GliderLexer::BEGIN;
+  }
+
+  /// Whether `t` is on another line than what was read before it.
+  [[nodiscard]] bool onLaterLine(const Lexeme& t) const {
+    const uint32_t from = out_.empty() ? 0 : out_.back().end;
+    return source_.text().substr(from, t.begin - from).find('\n') != std::string_view::npos;
   }
 
   // --- blocks ---
@@ -444,7 +471,12 @@ class StructureRepair {
     }
     block.then = true;
     if (t.type != GliderLexer::THEN) {
-      reporter_.at(t, support::diagnostics::unexpectedToken, "`then`", describe(source_, t));
+      auto report =
+          reporter_.at(t, support::diagnostics::unexpectedToken, "`then`", describe(source_, t));
+      report.hint("write `then` after the condition");
+      if (oneOf(t.type, {GliderLexer::SET, GliderLexer::LOG}) && endsValue(previous())) {
+        report.fix({source_.file, t.begin, t.begin}, "then ");
+      }
       insert(GliderLexer::THEN);
     }
   }
@@ -514,13 +546,55 @@ class StructureRepair {
     closeUntil(keep, found);
   }
 
+  /// Where the missing `end` of `block` goes, if that is certain: before the next state, which
+  /// begins its line, or before the transition that was written inside a `do` block.
+  void supplyEnd(support::DiagnosticBuilder& report, const Block& block, const Lexeme& found) {
+    const uint32_t place = found.begin;
+    if (block.kind == BlockKind::Members && block.begun && blocks_.size() == 1 &&
+        startsItem(found.type) && endsWithTransition()) {
+      const bool first = place == 0 || source_.text()[place - 1] == '\n';
+      if (first) {
+        report.fix({source_.file, place, place}, "end\n\n");
+      }
+    }
+    if (block.kind == BlockKind::Do && isTransition(found.type)) {
+      report.fix({source_.file, place, place}, "end ");
+      if (const size_t extra = endAfterTransition(); extra != 0) {
+        report.fix(source_.range(in_[extra]), "");
+        left_out_ = extra;
+      }
+    }
+  }
+
+  /// Whether what was read ends with a whole case.
+  [[nodiscard]] bool endsWithTransition() const {
+    const size_t n = out_.size();
+    const auto at = [&](size_t k) { return k < n ? out_[n - 1 - k].type : 0; };
+    return oneOf(at(0), {GliderLexer::RETURN, GliderLexer::EXIT, GliderLexer::STAY}) ||
+           (isAnyName(at(0)) && oneOf(at(1), {GliderLexer::GOTO, GliderLexer::CALL}));
+  }
+
+  /// The number of the `end` after the transition at the current token, if a case or another `end`
+  /// follows it: the state is still open there. Otherwise 0.
+  [[nodiscard]] size_t endAfterTransition() const {
+    const bool leads = oneOf(peek(0).type, {GliderLexer::GOTO, GliderLexer::CALL});
+    const size_t k = leads ? afterFormals(2) : 1;
+    const bool extra = peek(k).type == GliderLexer::END &&
+                       oneOf(peek(k + 1).type, {GliderLexer::CASE, GliderLexer::END});
+    return extra ? at_ + k : 0;
+  }
+
   /// Closes the blocks above `keep`; each is reported as having no `end` before `found`.
   void closeUntil(size_t keep, const Lexeme& found) {
     while (blocks_.size() > keep) {
       const Block& block = blocks_.back();
       if (!cut_ && !block.silent) {
-        reporter_.at(found, support::diagnostics::missingEnd, block.what, describe(source_, found))
-            .note(source_.range(block.opener), block.what + " begins here");
+        auto report = reporter_.at(found, support::diagnostics::missingEnd, block.what,
+                                   describe(source_, found));
+        report.note(source_.range(block.opener), block.what + " begins here");
+        if (blocks_.size() == keep + 1) {
+          supplyEnd(report, block, found);
+        }
       }
       insert(GliderLexer::END);
       blocks_.pop_back();
@@ -539,6 +613,7 @@ class StructureRepair {
   std::vector<Block> blocks_;
   std::string header_;  ///< "state `s1`" until its `begin`
   Lexeme header_at_;
+  size_t left_out_ = 0;         ///< an `end` that was reported where it was missing
   size_t begin_at_ = SIZE_MAX;  ///< where in `in_` a `begin` is expected but missing
   bool in_always_ = false;
   bool skipping_ = false;  ///< what follows is outside every state: up to the next item
@@ -549,11 +624,12 @@ class StructureRepair {
 }  // namespace
 
 Repaired repair(const std::vector<Lexeme>& lexemes, SyntaxReporter& reporter) {
+  const Rephrased phrases = repairPhrases(separateForeign(lexemes, reporter.source()), reporter);
   WordRepair words(reporter);
   NameRepair names(reporter);
-  const std::vector<Lexeme> clean = names.run(words.run(lexemes));
+  const std::vector<Lexeme> clean = names.run(words.run(phrases.lexemes));
   Repaired repaired = StructureRepair(clean, words.cut(), reporter).run();
-  repaired.named = !names.guessed();
+  repaired.named = !names.guessed() && phrases.as_meant;
   repaired.parseable = repaired.parseable && !words.cut();
   return repaired;
 }

@@ -17,6 +17,12 @@ namespace glider::frontend {
 
 namespace {
 
+/// The keyword that `word` may be meant as. One of two letters is near every other.
+std::string_view keywordNear(std::string_view word) {
+  constexpr size_t kShortest = 3;
+  return word.size() < kShortest ? std::string_view() : closest(word, hardKeywords());
+}
+
 bool isKeywordInCapitals(std::string_view word) {
   std::string small(word);
   std::ranges::transform(small, small.begin(),
@@ -70,6 +76,9 @@ bool ValueRepair::take(Lexeme t, const Lexeme& next) {
       t = equals(t);
       break;
     case GliderLexer::COMMA:
+      if (previous() == GliderLexer::COMMA) {
+        dropComma(t);
+      }
       endOfItem();
       break;
     default:
@@ -101,12 +110,28 @@ bool ValueRepair::close(const Lexeme& t) {
     reporter_.at(t, support::diagnostics::strayParenthesis, source_.text(t), round ? "(" : "[");
     return true;
   }
+  if (previous() == GliderLexer::COMMA && parentheses_.back().lists) {
+    dropComma(t);
+  }
   endOfItem();
   const size_t inside = parentheses_.back().most;
   parentheses_.pop_back();
   (parentheses_.empty() ? operators_ : parentheses_.back().operators) += inside;
   out_.push_back(t);
   return true;
+}
+
+/// The comma just read has no value between it and `found`. Between two commas of a list of
+/// arguments a value may be missing, unless they touch.
+void ValueRepair::dropComma(const Lexeme& found) {
+  const Lexeme comma = out_.back();
+  auto report = reporter_.at(comma, support::diagnostics::trailingComma, describe(source_, found));
+  if (in_sensors_ || found.type != GliderLexer::COMMA || comma.end == found.begin) {
+    report.fix(source_.range(comma), "");
+  } else {
+    report.hint("write a value between the two commas, or delete one");
+  }
+  out_.pop_back();
 }
 
 void ValueRepair::endOfItem() {
@@ -163,8 +188,13 @@ bool ValueRepair::unknownUnit(const Lexeme& t, const Lexeme& next) {
   }
   const std::string_view word = source_.text(t);
   const std::string_view unit = unitForWord(word);
+  if (isLetterOfPosition(out_.size()) && word.size() == 1) {
+    reporter_.at(t, support::diagnostics::unknownUnit, word, "a longitude has `E` or `W`");
+    out_.push_back({GliderLexer::COMPASS, t.begin, t.end});
+    return true;
+  }
   const bool perhapsKeyword = isStateName(source_, word) || isAnyName(next.type) ||
-                              !closest(word, hardKeywords()).empty() || isKeywordInCapitals(word);
+                              !keywordNear(word).empty() || isKeywordInCapitals(word);
   if (unit.empty() && parentheses_.empty() && perhapsKeyword) {
     return false;  // `case depth > 5 jump s3`, `case depth > 5 retrun`: the parser knows what is
                    // expected there
@@ -172,14 +202,23 @@ bool ValueRepair::unknownUnit(const Lexeme& t, const Lexeme& next) {
   constexpr std::string_view kAll =
       "units: mm cm m km nmi ft, s min h day, rad deg, degC, m/s cm/s kn, bar dbar, S/m, V A W J "
       "kJ MJ Ah %";
+  if (unit == "deg" && t.end - t.begin > unit.size()) {
+    // Of an angle or a temperature: analysis knows which, and reports it.
+    out_.push_back({GliderLexer::UNIT, t.begin, t.end});
+    return true;
+  }
   auto report = reporter_.at(t, support::diagnostics::unknownUnit, word,
                              unit.empty() ? std::string(kAll) : fmt::format("write `{}`", unit));
-  if (unit == "deg" && t.end - t.begin > unit.size()) {
-    report.hint("write `deg` for an angle, `degC` for a temperature");  // the pilot knows which
-  } else if (!unit.empty()) {
+  if (!unit.empty()) {
     report.fix(source_.range(t), std::string(unit));
   }
   return true;
+}
+
+/// Whether the `end` tokens so far end with `39.2 N 73.8`.
+bool ValueRepair::isLetterOfPosition(size_t end) const {
+  return end > 2 && out_[end - 1].type == GliderLexer::NUMBER &&
+         out_[end - 2].type == GliderLexer::COMPASS && out_[end - 3].type == GliderLexer::NUMBER;
 }
 
 /// Two values next to each other in an argument list or a `sensors` list.
@@ -224,7 +263,10 @@ bool ValueRepair::belongTogether(const Lexeme& t, const Lexeme& next) const {
   };
   const bool letter = isPair(n);
   const bool second = letter && isPair(n - 2);
-  return letter && !second && t.type == GliderLexer::NUMBER && next.type == GliderLexer::COMPASS;
+  const bool letter_follows =
+      next.type == GliderLexer::COMPASS ||
+      (next.type == GliderLexer::NAME && next.end == next.begin + 1);  // `39.2 N 73.8 X`
+  return letter && !second && t.type == GliderLexer::NUMBER && letter_follows;
 }
 
 }  // namespace glider::frontend

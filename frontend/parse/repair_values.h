@@ -42,6 +42,8 @@ class ValueRepair {
   bool open(const Lexeme& t);
   bool close(const Lexeme& t);
   void endOfItem();
+  void dropComma(const Lexeme& found);
+  [[nodiscard]] bool isLetterOfPosition(size_t end) const;
   bool countOperator(const Lexeme& t);
   Lexeme equals(Lexeme t);
   [[nodiscard]] bool namesArgument() const;

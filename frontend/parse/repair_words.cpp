@@ -4,10 +4,12 @@
 #include "frontend/parse/repair_words.h"
 
 #include "frontend/bare_positions.h"
+#include "frontend/parse/foreign_characters.h"
 #include "frontend/parse/repair_positions.h"
 #include "frontend/parse/token_kinds.h"
 #include "support/diagnostics/ids/meaning.h"
 #include "support/diagnostics/ids/syntax.h"
+#include "support/word_byte.h"
 
 #include <fmt/format.h>
 
@@ -18,54 +20,6 @@ namespace glider::frontend {
 using support::DiagnosticId;
 
 namespace {
-
-/// A character that word processors and web pages put in place of ASCII, and the token that was
-/// meant (0: none).
-struct Lookalike {
-  std::string_view text;
-  std::string_view meant;
-  uint32_t type;
-};
-/// Characters that look like a space or like nothing, by their names in Unicode.
-struct Blank {
-  std::string_view text;
-  std::string_view name;
-  bool wide;  ///< it separates words
-};
-constexpr Blank kBlanks[] = {{"\xC2\xA0", "a no-break space (U+00A0)", true},
-                             {"\xE2\x80\xAF", "a narrow no-break space (U+202F)", true},
-                             {"\xE2\x80\x87", "a figure space (U+2007)", true},
-                             {"\xE2\x80\x89", "a thin space (U+2009)", true},
-                             {"\xE3\x80\x80", "an ideographic space (U+3000)", true},
-                             {"\xE2\x80\x8B", "a zero-width space (U+200B)", false},
-                             {"\xEF\xBB\xBF", "a byte order mark (U+FEFF)", false}};
-
-const Blank* blankOf(std::string_view text) {
-  const auto* const row = std::ranges::find(kBlanks, text, &Blank::text);
-  return row == std::end(kBlanks) ? nullptr : row;
-}
-
-/// Quotation marks of word processors.
-bool isQuote(std::string_view text) {
-  constexpr std::string_view kQuotes[] = {"“", "”", "„", "‟", "«", "»", "‘", "’"};
-  return std::ranges::find(kQuotes, text) != std::end(kQuotes);
-}
-
-const Lookalike kLookalikes[] = {{"≥", ">=", GliderLexer::GE},
-                                 {"≤", "<=", GliderLexer::LE},
-                                 {"≠", "!=", GliderLexer::NE},
-                                 {"–", "-", GliderLexer::MINUS},
-                                 {"−", "-", GliderLexer::MINUS},
-                                 {"×", "*", GliderLexer::TIMES},
-                                 {"·", "*", GliderLexer::TIMES},
-                                 {"°", "deg", GliderLexer::UNIT},
-                                 {"“", "\"", 0},
-                                 {"”", "\"", 0}};
-
-bool isLookalike(std::string_view text) {
-  return blankOf(text) != nullptr ||
-         std::ranges::find(kLookalikes, text, &Lookalike::text) != std::end(kLookalikes);
-}
 
 /// The intended text, with its type in the grammar.
 struct Meant {
@@ -185,6 +139,7 @@ void WordRepair::followOpen(const Lexeme& lexeme, const std::vector<Lexeme>& out
   if (oneOf(lexeme.type, {GliderLexer::LPAREN, GliderLexer::LBRACKET})) {
     open_.push_back(lexeme.type == GliderLexer::LPAREN && !out.empty() &&
                     isAnyName(out.back().type));
+    in_path_ = lexeme.type == GliderLexer::LBRACKET;
   } else if (oneOf(lexeme.type, {GliderLexer::RPAREN, GliderLexer::RBRACKET})) {
     open_.resize(open_.size() - (open_.empty() ? 0U : 1U));
   } else if (isHardKeyword(lexeme.type) && lexeme.type != GliderLexer::EVERY &&
@@ -198,8 +153,14 @@ void WordRepair::followOpen(const Lexeme& lexeme, const std::vector<Lexeme>& out
 size_t WordRepair::decimalComma(const std::vector<Lexeme>& lexemes, size_t at,
                                 std::vector<Lexeme>& out) {
   constexpr size_t kTokens = 3;
-  if (at + kTokens >= lexemes.size() || !open_.empty() ||
+  if (at + kTokens >= lexemes.size() ||
       oneOf(last_keyword_, {GliderLexer::LOG, GliderLexer::SENSORS})) {
+    return 0;
+  }
+  // In a path, only a number with a letter: `[39,175 N 73,83 W]`.
+  const bool path = !open_.empty() && !open_.back() && in_path_ &&
+                    lexemes[at + kTokens].type == GliderLexer::COMPASS;
+  if (!open_.empty() && !path) {
     return 0;
   }
   const Source& source = reporter_.source();
@@ -221,114 +182,6 @@ size_t WordRepair::decimalComma(const std::vector<Lexeme>& lexemes, size_t at,
       .fix(source.range(comma), ".");
   out.push_back(first);
   return kTokens;
-}
-
-/// A text in the quotation marks of word processors, on one line: the token is its text, each mark
-/// with one byte.
-size_t WordRepair::quotedText(const std::vector<Lexeme>& lexemes, size_t at,
-                              std::vector<Lexeme>& out) {
-  const Source& source = reporter_.source();
-  const Lexeme& open = lexemes[at];
-  if (open.type != GliderLexer::FOREIGN || !isQuote(source.text(open))) {
-    return 0;
-  }
-  for (size_t i = at + 1; i < lexemes.size() && lexemes[i].type != kEof; ++i) {
-    const Lexeme& close = lexemes[i];
-    const std::string_view between = source.text().substr(open.end, close.begin - open.end);
-    if (between.find_first_of("\n\"\\") != std::string_view::npos) {
-      return 0;
-    }
-    if (close.type == GliderLexer::FOREIGN && isQuote(source.text(close))) {
-      reporter_
-          .at({GliderLexer::STRING, open.begin, close.end}, support::diagnostics::foreignCharacter,
-              source.text(open), "write `\"` before and after the text")
-          .fix(source.range(open), "\"")
-          .fix(source.range(close), "\"");
-      out.push_back({GliderLexer::STRING, open.end - 1, close.begin + 1});
-      return i - at + 1;
-    }
-  }
-  return 0;
-}
-
-bool WordRepair::isBrace(const Lexeme& lexeme) const {
-  const std::string_view text = reporter_.source().text(lexeme);
-  return lexeme.type == GliderLexer::FOREIGN && (text == "{" || text == "}");
-}
-
-/// Where the `}` for the `{` at `at` is; 0: there is none.
-size_t WordRepair::closingBrace(const std::vector<Lexeme>& lexemes, size_t at) const {
-  size_t deep = 0;
-  for (size_t i = at; i < lexemes.size(); ++i) {
-    if (isBrace(lexemes[i])) {
-      const bool opens = reporter_.source().text(lexemes[i]) == "{";
-      deep += opens ? 1U : 0U;
-      if (!opens && --deep == 0) {
-        return i;
-      }
-    }
-  }
-  return 0;
-}
-
-/// What `{` and `}` were meant as after `before` (the tokens so far).
-WordRepair::Braces WordRepair::bracesAfter(const std::vector<Lexeme>& out) const {
-  const uint32_t last = out.empty() ? 0 : out.back().type;
-  if (oneOf(last, {GliderLexer::EVENTS, GliderLexer::BEGIN})) {
-    return {"", 0, "", 0};
-  }
-  if (oneOf(last, {GliderLexer::DO, GliderLexer::THEN})) {
-    return {"", 0, "end", GliderLexer::END};
-  }
-  if (last == GliderLexer::ENTRY || last_keyword_ == GliderLexer::CASE) {
-    return {"do", GliderLexer::DO, "end", GliderLexer::END};
-  }
-  const bool header = oneOf(
-      last_keyword_, {GliderLexer::STATE, GliderLexer::FLIGHTPROFILE, GliderLexer::FLIGHTROUTE});
-  const bool named = header && out.size() > 1 && out.back().type != last_keyword_;
-  return named ? Braces{"begin", GliderLexer::BEGIN, "end", GliderLexer::END}
-               : Braces{"?", 0, "", 0};
-}
-
-/// `{` and `}` are reported once, and read as the words that were meant.
-void WordRepair::brace(const std::vector<Lexeme>& lexemes, size_t at, std::vector<Lexeme>& out) {
-  const Source& source = reporter_.source();
-  const Lexeme& lexeme = lexemes[at];
-  if (const auto known = closing_.find(at); known != closing_.end()) {
-    if (known->second != 0) {
-      out.push_back({known->second, lexeme.begin, lexeme.end});
-      last_keyword_ = known->second;
-    }
-    return;
-  }
-  Braces meant = source.text(lexeme) == "{" ? bracesAfter(out) : Braces{"?", 0, "", 0};
-  if (meant.open_type != 0 &&
-      lexemes[std::min(at + 1, lexemes.size() - 1)].type == meant.open_type) {
-    meant = {"", 0, "", 0};  // `{ begin`: the word is there too
-  }
-  if (meant.open == "?") {
-    reporter_.at(lexeme, support::diagnostics::braces, source.text(lexeme),
-                 "blocks are written `begin … end` and `do … end`");
-    return;
-  }
-  const size_t close = closingBrace(lexemes, at);
-  const auto say = [](std::string_view word) {
-    return word.empty() ? std::string("nothing") : fmt::format("`{}`", word);
-  };
-  auto report = reporter_.at(
-      lexeme, support::diagnostics::braces, source.text(lexeme),
-      fmt::format("write {} for `{{`, and {} for `}}`", say(meant.open), say(meant.close)));
-  if (close != 0 || meant.close_type != GliderLexer::END || meant.open == "begin") {
-    report.fix(source.range(lexeme), std::string(meant.open));
-  }
-  if (close != 0) {
-    report.fix(source.range(lexemes[close]), std::string(meant.close));
-    closing_[close] = meant.close_type;
-  }
-  if (meant.open_type != 0) {
-    out.push_back({meant.open_type, lexeme.begin, lexeme.end});
-    last_keyword_ = meant.open_type;
-  }
 }
 
 /// `AND` or `OR` between two values.
@@ -390,6 +243,12 @@ bool WordRepair::partOfToken(const Lexeme& lexeme, const Lexeme& next, std::vect
     return false;
   }
   const std::string_view text = reporter_.source().text(lexeme);
+  if (text == "." && behind && pointInName(next, out)) {
+    return true;
+  }
+  if (text == "." && behind && pointForComma(lexeme, next, out)) {
+    return true;
+  }
   if (text == "." && behind && out.back().type == GliderLexer::NUMBER) {
     const Lexeme whole{GliderLexer::NUMBER, out.back().begin, lexeme.end};
     const std::string_view number = reporter_.source().text(out.back());
@@ -416,19 +275,27 @@ bool WordRepair::partOfToken(const Lexeme& lexeme, const Lexeme& next, std::vect
   return true;
 }
 
-/// A text without a closing quote was meant to end before a comma, or before the `end` of its
-/// block, on its line.
-void WordRepair::openString(const Lexeme& lexeme, std::vector<Lexeme>& out) {
-  reporter_.at(lexeme, support::diagnostics::openString);
-  const std::string_view text = reporter_.source().text(lexeme);
-  const size_t cut = std::min({text.find(','), text.find(" end"), text.size()});
-  const auto at = static_cast<uint32_t>(lexeme.begin + cut);
-  out.push_back({GliderLexer::STRING, lexeme.begin, at});
-  for (const Lexeme& rest : lex(reporter_.source().text().substr(0, lexeme.end), at)) {
-    if (rest.type != kEof) {
-      out.push_back(rest);
-    }
+/// `state look.deep`, which NameRepair reports.
+bool WordRepair::pointInName(const Lexeme& next, const std::vector<Lexeme>& out) {
+  return out.size() > 1 && out.back().end + 1 == next.begin && isAnyName(out.back().type) &&
+         isAnyName(next.type) &&
+         oneOf(out[out.size() - 2].type, {GliderLexer::STATE, GliderLexer::MISSION});
+}
+
+/// `20 m. 26 deg` in a list.
+bool WordRepair::pointForComma(const Lexeme& lexeme, const Lexeme& next, std::vector<Lexeme>& out) {
+  const bool list = !open_.empty() && open_.back() && endsValue(out.back().type) &&
+                    next.begin > lexeme.end &&
+                    oneOf(next.type, {GliderLexer::NUMBER, GliderLexer::MINUS});
+  if (!list || out.back().type == GliderLexer::NUMBER) {
+    return false;
   }
+  reporter_
+      .at(lexeme, support::diagnostics::foreignCharacter, characterText("."),
+          "write `,` between values")
+      .fix(reporter_.source().range(lexeme), ",");
+  out.push_back({GliderLexer::COMMA, lexeme.begin, lexeme.end});
+  return true;
 }
 
 std::optional<Lexeme> WordRepair::one(const Lexeme& lexeme) {
@@ -440,9 +307,6 @@ std::optional<Lexeme> WordRepair::one(const Lexeme& lexeme) {
     case GliderLexer::AND_WORD:
     case GliderLexer::OR_WORD:
       return replaced(lexeme, support::diagnostics::wordOperator, lexeme.type);
-    case GliderLexer::NOT_WORD:  // kept: it applies to more than `!` does
-      reporter_.at(lexeme, support::diagnostics::wordOperator, "not", "!(…)");
-      return lexeme;
     case GliderLexer::ONE_AMPERSAND:
     case GliderLexer::ONE_BAR:
       return replaced(lexeme, support::diagnostics::singleAmpersand, lexeme.type);
@@ -485,34 +349,59 @@ bool WordRepair::isRaisedPoint(const Lexeme& lexeme) const {
 
 std::optional<Lexeme> WordRepair::foreign(const Lexeme& lexeme) {
   const std::string_view text = reporter_.source().text(lexeme);
+  if (!isUtf8(text)) {  // reported once for the file; a degree sign of Latin-1 is read as one
+    return text == "\xB0" ? std::optional(Lexeme{GliderLexer::UNIT, lexeme.begin, lexeme.end})
+                          : std::nullopt;
+  }
   if (const Blank* blank = blankOf(text)) {
     reporter_
         .at(lexeme, support::diagnostics::foreignCharacter, blank->name,
             blank->wide ? "write an ordinary space" : "delete it")
-        .fix(reporter_.source().range(lexeme), blank->wide ? " " : "");
+        .fix(reporter_.source().range(lexeme),
+             std::string(blank->wide ? text.size() / blank->text.size() : 0, ' '));
     return std::nullopt;
   }
-  for (const Lookalike& row : kLookalikes) {
-    if (row.text == text) {
-      auto report = reporter_.at(lexeme, support::diagnostics::foreignCharacter, text,
-                                 fmt::format("write `{}`", row.meant));
-      if (row.type == 0) {
-        return std::nullopt;
-      }
-      if (!comparesExactly(row.type) && !isRaisedPoint(lexeme)) {
-        report.fix(reporter_.source().range(lexeme),
-                   (row.type == GliderLexer::UNIT ? " " : "") + std::string(row.meant));
-      }
-      return Lexeme{row.type, lexeme.begin, lexeme.end};
+  if (const Lookalike* row = lookalikeOf(text)) {
+    auto report = reporter_.at(lexeme, support::diagnostics::foreignCharacter, characterText(text),
+                               fmt::format("write `{}`", row->meant));
+    if (row->type == 0) {
+      return std::nullopt;
     }
+    if (!comparesExactly(row->type) && !isRaisedPoint(lexeme)) {
+      report.fix(reporter_.source().range(lexeme),
+                 (row->type == GliderLexer::UNIT ? " " : "") + std::string(row->meant));
+    }
+    return Lexeme{row->type, lexeme.begin, lexeme.end};
   }
   const bool ascii = static_cast<unsigned char>(text.front()) < 0x80U;
   const bool control = ascii && (text.front() < ' ' || text.front() == 0x7F);
   const std::string shown =
       control ? fmt::format("\\x{:02x}", text.front()) : std::string(text.substr(0, 40));
-  reporter_.at(lexeme, support::diagnostics::foreignCharacter, shown,
-               ascii ? "delete it" : "use only ASCII characters outside comments and strings");
+  const std::string word = ascii ? "" : plainSpelling(wordAround(lexeme));
+  reporter_.at(lexeme, support::diagnostics::foreignCharacter, characterText(shown),
+               ascii          ? "delete it"
+               : word.empty() ? "use only ASCII characters outside comments and strings"
+                              : fmt::format("names have only letters a to z, digits and `_`: "
+                                            "write `{}`",
+                                            word));
   return std::nullopt;
+}
+
+/// The word that a foreign letter belongs to.
+std::string_view WordRepair::wordAround(const Lexeme& lexeme) const {
+  const std::string_view text = reporter_.source().text();
+  const auto part = [&](size_t at) {
+    return support::isWordByte(text[at]) || static_cast<unsigned char>(text[at]) >= 0x80U;
+  };
+  size_t begin = lexeme.begin;
+  size_t end = lexeme.end;
+  while (begin > 0 && part(begin - 1)) {
+    --begin;
+  }
+  while (end < text.size() && part(end)) {
+    ++end;
+  }
+  return text.substr(begin, end - begin);
 }
 
 }  // namespace glider::frontend

@@ -27,6 +27,7 @@ class WordRepair {
   std::optional<Lexeme> one(const Lexeme& lexeme);
   static bool isOfPromise(const Lexeme& lexeme, const Lexeme& next);
   std::optional<Lexeme> foreign(const Lexeme& lexeme);
+  [[nodiscard]] std::string_view wordAround(const Lexeme& lexeme) const;
   std::optional<Lexeme> semicolon(const Lexeme& lexeme);
   void followOpen(const Lexeme& lexeme, const std::vector<Lexeme>& out);
   /// `3355.2 1825.4`: the number of tokens in the pair, which was reported and written as one
@@ -48,10 +49,12 @@ class WordRepair {
   };
   [[nodiscard]] bool isBrace(const Lexeme& lexeme) const;
   [[nodiscard]] size_t closingBrace(const std::vector<Lexeme>& lexemes, size_t at) const;
-  [[nodiscard]] Braces bracesAfter(const std::vector<Lexeme>& out) const;
+  [[nodiscard]] Braces bracesAfter(const std::vector<Lexeme>& out, uint32_t next) const;
   void brace(const std::vector<Lexeme>& lexemes, size_t at, std::vector<Lexeme>& out);
 
   [[nodiscard]] bool isRaisedPoint(const Lexeme& lexeme) const;
+  static bool pointInName(const Lexeme& next, const std::vector<Lexeme>& out);
+  bool pointForComma(const Lexeme& lexeme, const Lexeme& next, std::vector<Lexeme>& out);
   bool partOfToken(const Lexeme& lexeme, const Lexeme& next, std::vector<Lexeme>& out);
   void openString(const Lexeme& lexeme, std::vector<Lexeme>& out);
   Lexeme replaced(const Lexeme& lexeme, support::DiagnosticId id, uint32_t type);
@@ -60,6 +63,7 @@ class WordRepair {
   bool cut_ = false;
   /// The open parentheses and brackets, and whether each contains a function's arguments.
   std::vector<bool> open_;
+  bool in_path_ = false;  ///< the last that was opened is a bracket
   uint32_t last_keyword_ = 0;
   std::map<size_t, uint32_t> closing_;  ///< a `}`, by its number, and the type of its meaning
   uint32_t name_end_ = UINT32_MAX;      ///< where a name with foreign letters continues

@@ -82,7 +82,7 @@ PlatformSensor readSensor(TomlReader& reader, size_t id, double cycle_s) {
     reader.refuse("noise", "must not be below 0");
   }
   sensor.states = reader.textsOr("states");
-  sensor.counts = reader.flagOr("counts", !sensor.states.empty());
+  sensor.counts = reader.flagOr("counts", bytes == 1 || !sensor.states.empty());
   sensor.magnetic = reader.flagOr("magnetic", false);
   if ((sensor.magnetic || sensor.name == kVariationSensor) && sensor.unit != "rad") {
     reader.refuse("unit", "of a magnetic heading or `m_gps_mag_var` must be \"rad\"");

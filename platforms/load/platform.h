@@ -36,7 +36,7 @@ struct PlatformSensor {
   double noise = 0;   ///< two readings of the same water may differ by this, in the vehicle's unit
   uint8_t bytes = 4;  ///< width in the sensor array: 1 (int8), 4 (float32) or 8 (float64)
   std::string what;   ///< one line of explanation
-  bool counts = false;              ///< it has whole values, which can be compared exactly
+  bool counts = false;  ///< it has whole values, compared exactly; so has every sensor of one byte
   std::vector<std::string> states;  ///< conditions of the language: [i] is true at the value i
 };
 

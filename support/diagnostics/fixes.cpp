@@ -46,6 +46,28 @@ std::string apart(const FixIt& fix, std::string_view text) {
   return written;
 }
 
+bool isBlank(char c) {
+  return c == ' ' || c == '\t';
+}
+
+/// The bytes that a deletion also takes, from `begin` on: one of the blanks on both sides of it, or
+/// those before it at the end of a line.
+SourceRange withBlanks(const FixIt& fix, std::string_view text, uint32_t begin) {
+  SourceRange range = fix.range;
+  if (!fix.replacement.empty() || range.begin == range.end) {
+    return range;
+  }
+  const bool line_ends = range.end == text.size() || text[range.end] == '\n';
+  if (line_ends) {
+    while (range.begin > begin && isBlank(text[range.begin - 1])) {
+      --range.begin;
+    }
+  } else if (range.begin > 0 && isBlank(text[range.begin - 1]) && isBlank(text[range.end])) {
+    ++range.end;
+  }
+  return range;
+}
+
 /// The number of errors of each stage.
 using Errors = std::array<size_t, 3>;
 
@@ -256,8 +278,16 @@ FixedText applyFixes(std::string_view text, uint32_t file,
     }
   }
   std::ranges::sort(chosen, {}, [](const FixIt& fix) { return fix.range.begin; });
-  for (auto fix = chosen.rbegin(); fix != chosen.rend(); ++fix) {
-    result.text.replace(fix->range.begin, fix->range.end - fix->range.begin, apart(*fix, text));
+  std::string fixed;
+  uint32_t done = 0;  // bytes of the text that are in it, or gone
+  for (const FixIt& fix : chosen) {
+    const SourceRange range = withBlanks(fix, text, done);
+    fixed += text.substr(done, range.begin - done);
+    fixed += apart(fix, text);
+    done = range.end;
+  }
+  if (!chosen.empty()) {
+    result.text = fixed + std::string(text.substr(done));
   }
   return result;
 }

@@ -21,6 +21,88 @@ size_t pick(std::mt19937_64& random, size_t n) {
   return n == 0 ? 0 : random() % n;
 }
 
+/// What other languages and habits write in place of a word.
+constexpr std::pair<const char*, const char*> kIdioms[] = {{"&&", "AND"},
+                                                           {"&&", "and"},
+                                                           {"||", "OR"},
+                                                           {"||", "or"},
+                                                           {"&&", "&"},
+                                                           {"!", "not "},
+                                                           {">=", "=>"},
+                                                           {"=", "=="},
+                                                           {"end", "end state"},
+                                                           {"end", "end if"},
+                                                           {"end", "end look"},
+                                                           {"goto", "then goto"},
+                                                           {"call", ": call"},
+                                                           {"exit", ": exit"},
+                                                           {"exit", "then exit"},
+                                                           {"case", "if"},
+                                                           {"case", "when"},
+                                                           {"m", "metres"},
+                                                           {"m", "meter"},
+                                                           {"h", "hours"},
+                                                           {"min", "minutes"},
+                                                           {"deg", "degrees"},
+                                                           {"degC", "deg C"},
+                                                           {"degC", "C"},
+                                                           {"begin", "{"},
+                                                           {"end", "}"},
+                                                           {"do", "{"},
+                                                           {"flightprofile", "flightprofile ="},
+                                                           {"events", "events:"},
+                                                           {"sensors", "sensors ="},
+                                                           {">", "is above"},
+                                                           {"set", ""},
+                                                           {"flightprofile", "flightProfile"},
+                                                           {"state", "State"},
+                                                           {"begin", "BEGIN"},
+                                                           {"s", "sec"},
+                                                           {"deg", "°"},
+                                                           {"<", "below"},
+                                                           {"exit", "end"},
+                                                           {">", "above"},
+                                                           {">", "exceeds"},
+                                                           {">", "is greater than"},
+                                                           {"<", "is less than"},
+                                                           {">=", "is at least"},
+                                                           {"<=", "at most"},
+                                                           {"!", "NOT "},
+                                                           {"degC", "°C"},
+                                                           {"degC", "degrees C"},
+                                                           {"case", "When"},
+                                                           {"case", "on"},
+                                                           {"case", "IF"},
+                                                           {"case", ""},
+                                                           {"case", "CASE"},
+                                                           {"goto", "=> goto"},
+                                                           {"goto", "go to"},
+                                                           {"goto", "goto state"},
+                                                           {"goto", "Goto"},
+                                                           {"call", "-> call"},
+                                                           {"call", "call state"},
+                                                           {"call", "jump"},
+                                                           {"exit", ", exit"},
+                                                           {"exit", "exit mission"},
+                                                           {"exit", "EXIT"},
+                                                           {"return", "return up"},
+                                                           {"stay", "stay exit"},
+                                                           {"=", ":="},
+                                                           {"..", "to"},
+                                                           {"..", "-"},
+                                                           {"log", "print"},
+                                                           {"do", ""},
+                                                           {"then", ""},
+                                                           {",", ",,"},
+                                                           {")", ",)"},
+                                                           {"]", ",]"},
+                                                           {"N", "N,"},
+                                                           {"&&", ","},
+                                                           {"events", "EVENTS"},
+                                                           {"set", "Set"},
+                                                           {"true", "TRUE"},
+                                                           {"sensors", "SENSORS:"}};
+
 class Slips {
  public:
   Slips(const std::string& mission, std::mt19937_64& random)
@@ -31,10 +113,11 @@ class Slips {
       return std::nullopt;
     }
     using Draw = std::optional<Slipped> (Slips::*)();
-    constexpr std::array<Draw, 11> kDraws = {
+    constexpr std::array<Draw, 15> kDraws = {
         &Slips::deleted,     &Slips::doubled,     &Slips::swapped, &Slips::misspelt,
         &Slips::replaced,    &Slips::punctuation, &Slips::header,  &Slips::header,
-        &Slips::lineChanged, &Slips::lookalike,   &Slips::idiom};
+        &Slips::lineChanged, &Slips::lookalike,   &Slips::idiom,   &Slips::idiom,
+        &Slips::idiom,       &Slips::comment,     &Slips::value};
     return (this->*kDraws.at(pick(random_, kDraws.size())))();
   }
 
@@ -189,49 +272,11 @@ class Slips {
 
   /// What other languages and habits write.
   std::optional<Slipped> idiom() {
-    static const std::multimap<std::string, std::string, std::less<>> kIdioms = {
-        {"&&", "AND"},
-        {"&&", "and"},
-        {"||", "OR"},
-        {"||", "or"},
-        {"&&", "&"},
-        {"!", "not "},
-        {">=", "=>"},
-        {"=", "=="},
-        {"end", "end state"},
-        {"end", "end if"},
-        {"end", "end look"},
-        {"goto", "then goto"},
-        {"call", ": call"},
-        {"exit", ": exit"},
-        {"exit", "then exit"},
-        {"case", "if"},
-        {"case", "when"},
-        {"m", "metres"},
-        {"m", "meter"},
-        {"h", "hours"},
-        {"min", "minutes"},
-        {"deg", "degrees"},
-        {"degC", "deg C"},
-        {"degC", "C"},
-        {"begin", "{"},
-        {"end", "}"},
-        {"do", "{"},
-        {"flightprofile", "flightprofile ="},
-        {"events", "events:"},
-        {"sensors", "sensors ="},
-        {">", "is above"},
-        {"set", ""},
-        {"flightprofile", "flightProfile"},
-        {"state", "State"},
-        {"begin", "BEGIN"},
-        {"s", "sec"},
-        {"deg", "°"},
-        {"<", "below"},
-        {"exit", "end"}};
+    static const std::multimap<std::string, std::string, std::less<>> kByWord(std::begin(kIdioms),
+                                                                              std::end(kIdioms));
     std::vector<std::pair<size_t, std::string>> places;
     for (size_t n = 0; n < tokens_.all().size(); ++n) {
-      const auto [first, last] = kIdioms.equal_range(text(n));
+      const auto [first, last] = kByWord.equal_range(text(n));
       for (auto row = first; row != last; ++row) {
         places.emplace_back(n, row->second);
       }
@@ -247,6 +292,45 @@ class Slips {
     }
     const auto& [n, by] = places[pick(random_, places.size())];
     return put("idiom", at(n).begin, at(n).end, by);
+  }
+
+  /// A comment as in other languages, or without any sign.
+  std::optional<Slipped> comment() {
+    constexpr std::array<std::string_view, 6> kSigns = {"%", "--", ";", "!", "REM", ""};
+    std::vector<size_t> places;
+    for (size_t at = mission_.find('#'); at != std::string::npos; at = mission_.find('#', at + 1)) {
+      places.push_back(at);
+    }
+    if (places.empty()) {
+      return std::nullopt;
+    }
+    const size_t at = places[pick(random_, places.size())];
+    const size_t line = std::min(mission_.find('\n', at), mission_.size());
+    Slipped slipped =
+        put("comment sign", at, at + 1, std::string(kSigns.at(pick(random_, kSigns.size()))));
+    slipped.end += line - at - 1;
+    return slipped;
+  }
+
+  /// A time of two parts, and values with the unit of another kind or system.
+  std::optional<Slipped> value() {
+    static const std::multimap<std::string, std::string, std::less<>> kValues = {
+        {"h", "h 30 min"}, {"h", "h30"},  {"h", "h and 5 min"}, {"min", "m"},
+        {"m", "degC"},     {"m", "ug/L"}, {"s", "ms"},          {"degC", "degF"},
+        {"W", "-1 W"},     {"W", "X"},    {"dbar", "hPa"}};
+    std::vector<std::pair<size_t, std::string>> places;
+    for (size_t n = 1; n < tokens_.all().size(); ++n) {
+      const auto [first, last] = kValues.equal_range(text(n));
+      const bool unit = std::isdigit(static_cast<unsigned char>(text(n - 1)[0])) != 0;
+      for (auto row = first; row != last && unit; ++row) {
+        places.emplace_back(n, row->second);
+      }
+    }
+    if (places.empty()) {
+      return std::nullopt;
+    }
+    const auto& [n, by] = places[pick(random_, places.size())];
+    return put("value", at(n).begin, at(n).end, by);
   }
 
   const std::string& mission_;

@@ -79,7 +79,7 @@ class FixedGoldens : public testing::Test {
 
 TEST_F(FixedGoldens, AreNoWorse) {
   size_t fixed = 0;
-  for (const char* stage : {"parse", "sema", "verify"}) {
+  for (const char* stage : {"parse", "sema", "verify", "errors"}) {
     for (const auto& path :
          goldensIn(std::filesystem::path(GLIDER_SOURCE_DIR) / "tests" / "golden" / stage)) {
       fixed += fix(path) ? 1U : 0U;

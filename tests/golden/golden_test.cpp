@@ -92,6 +92,7 @@ INSTANTIATE_TEST_SUITE_P(Parse, Golden, of("parse"), testName);
 INSTANTIATE_TEST_SUITE_P(Sema, Golden, of("sema"), testName);
 INSTANTIATE_TEST_SUITE_P(Verify, Golden, of("verify"), testName);
 INSTANTIATE_TEST_SUITE_P(Prove, Golden, of("prove"), testName);
+INSTANTIATE_TEST_SUITE_P(Errors, Golden, of("errors"), testName);
 
 }  // namespace
 }  // namespace glider::golden

@@ -3,6 +3,7 @@
 
 #include "tests/golden/stages.h"
 
+#include "frontend/constructs.h"
 #include "frontend/frontend.h"
 #include "frontend/import/imports.h"
 #include "ir/core/validate.h"
@@ -11,10 +12,15 @@
 #include "ir/verify/verify.h"
 #include "platforms/load/load_platform.h"
 #include "support/check.h"
+#include "support/diagnostics/fixes.h"
 #include "support/diagnostics/render.h"
 #include "support/files.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <optional>
+#include <sstream>
 
 namespace glider::golden {
 namespace {
@@ -130,9 +136,49 @@ class Compilation {
   std::string product_;
 };
 
+/// The lines that the fixed text has in place of others, with their numbers.
+std::string changedLines(const std::string& before, const std::string& after) {
+  size_t begin = 0;  // where the first line begins that differs
+  for (size_t i = 0; i < before.size() && i < after.size() && before[i] == after[i]; ++i) {
+    begin = before[i] == '\n' ? i + 1 : begin;
+  }
+  size_t same = 0;  // bytes of whole lines at the end that do not differ
+  for (size_t i = 1; begin + i < before.size() && begin + i < after.size() &&
+                     before[before.size() - i] == after[after.size() - i];
+       ++i) {
+    same = before[before.size() - i] == '\n' ? i - 1 : same;
+  }
+  std::istringstream lines(after.substr(begin, after.size() - same - begin));
+  auto number = std::count(after.begin(), after.begin() + static_cast<ptrdiff_t>(begin), '\n');
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    text += fmt::format("--- {:5} | {}\n", ++number, line);
+  }
+  return text;
+}
+
+/// What `check` says of a mission, and what `fix` makes of it.
+Outcome judgeError(const std::string& name, const std::string& input) {
+  Outcome outcome = run("prove", name, input);
+  const auto check = [&](const std::string& text) {
+    return support::Result<std::vector<support::Diagnostic>>(run("verify", name, text).diagnostics);
+  };
+  const auto fixing = support::fixAll(input, 0, {check, frontend::constructsOf});
+  CHECK(fixing.has_value(), "the text of a golden can always be read");
+  if (const size_t proofs = outcome.text.find("--- "); proofs != std::string::npos) {
+    outcome.text.erase(proofs);
+  }
+  outcome.text += fixing->text == input ? "--- fix changes nothing\n"
+                                        : "--- fix writes\n" + changedLines(input, fixing->text);
+  return outcome;
+}
+
 }  // namespace
 
 Outcome run(const std::string& stage, const std::string& name, const std::string& input) {
+  if (stage == "errors") {
+    return judgeError(name, input);
+  }
   Compilation compilation(name, input);
   compilation.parse();
   if (stage != "parse") {

@@ -20,7 +20,7 @@ struct Outcome {
 };
 
 /// Runs the compiler up to `stage` ("parse", "sema", "verify", "prove") on `input`, called `name`
-/// in messages.
+/// in messages. "errors": all of it; the product is what `fix` writes.
 Outcome run(const std::string& stage, const std::string& name, const std::string& input);
 
 }  // namespace glider::golden

@@ -198,8 +198,8 @@ BehaviourDeclaration externalBehaviour(const ast::ExternBehaviour& node, Scope& 
     }
     declaration.usable = false;
     if (!scope.refused_names.contains(sensor.text)) {
-      scope.report(support::diagnostics::unknownSensor, sensor.where, scope.platform().name,
-                   sensor.text, scope.suggestSensor(sensor.text));
+      scope.reportUnknown(support::diagnostics::unknownSensor, sensor.where,
+                          scope.suggestSensor(sensor.text), scope.platform().name, sensor.text);
     }
   }
   return declaration;

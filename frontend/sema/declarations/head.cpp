@@ -4,6 +4,7 @@
 #include "frontend/sema/declarations/declarations.h"
 #include "support/diagnostics/ids/meaning.h"
 #include "support/diagnostics/ids/syntax.h"
+#include "support/word_byte.h"
 
 #include <algorithm>
 
@@ -65,6 +66,15 @@ class HeadCheck {
   size_t others_ = 0;
 };
 
+/// The name of a file as that of a mission: "hold_deep" of "dir/hold-deep.mission".
+std::string stemOf(std::string_view file) {
+  file.remove_prefix(file.find_last_of('/') + 1);  // of npos: 0
+  std::string name(file.substr(0, file.find('.')));
+  std::ranges::replace_if(name, [](char c) { return !support::isWordByte(c); }, '_');
+  const bool letter = !name.empty() && (name.front() < '0' || name.front() > '9');
+  return letter ? name : "survey";
+}
+
 }  // namespace
 
 void checkHead(const ast::File& file, Scope& scope) {
@@ -74,7 +84,9 @@ void checkHead(const ast::File& file, Scope& scope) {
   }
   const support::SourceRange start{file.file, 0, 0};
   if (check.mission() == nullptr) {
-    scope.report(support::diagnostics::noMissionLine, start);
+    const std::string name = stemOf(scope.fileName(file.file));
+    scope.report(support::diagnostics::noMissionLine, start)
+        .hint("begin the file with `mission` and a name, such as `mission " + name + "`");
   }
   const bool anyState = std::ranges::any_of(
       file.items, [](const ast::Item& item) { return std::holds_alternative<ast::State>(item); });

@@ -117,8 +117,8 @@ class RequirementLowering {
     for (const auto& [known, number] : scope_.states) {
       names.push_back(known);
     }
-    scope_.report(support::diagnostics::unknownState, name.where, name.text,
-                  didYouMean(name.text, names, ""));
+    scope_.reportUnknown(support::diagnostics::unknownState, name.where,
+                         didYouMean(name.text, names, ""), name.text);
     return false;
   }
 

@@ -3,6 +3,7 @@
 
 #include "frontend/sema/expressions/lower_arguments.h"
 
+#include "frontend/sema/expressions/decimal_commas.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/expressions/named_arguments.h"
 #include "support/diagnostics/ids/meaning.h"
@@ -27,7 +28,10 @@ class ArgumentLowering {
 
   std::optional<Arguments> run() {
     if (!plan()) {
-      if (!refusePath()) {
+      const auto fits = [this](const std::vector<ast::Argument>& read) {
+        return ArgumentLowering(read, callee_, where_, scope_).plan();
+      };
+      if (!refusePath() && !refuseDecimalCommas(arguments_, scope_, fits)) {
         wrongCount();
       }
       return std::nullopt;
@@ -83,7 +87,7 @@ class ArgumentLowering {
       return add(step.argument, {latitude(), true}, what);
     }
     const bool whole = step.arguments == 2 || latitudeAndLongitude(step.formal);
-    if (whole && longitudeFirst(step.argument)) {
+    if (whole && (longitudeFirst(step.argument) || decimalDegrees(step.argument))) {
       return false;
     }
     if (reported_ == step.argument) {
@@ -134,6 +138,15 @@ class ArgumentLowering {
     return swapped;
   }
 
+  /// Reports `39.175, -73.83`, once for both: what cannot be minutes is degrees.
+  bool decimalDegrees(size_t argument) {
+    const bool refused = argument + 1 < arguments_.size() &&
+                         ExprLowering(scope_).decimalDegrees(*arguments_[argument].value,
+                                                             *arguments_[argument + 1].value);
+    reported_ = refused ? argument + 1 : reported_;
+    return refused;
+  }
+
   static const ast::Binary* differenceIn(const ast::Argument& argument) {
     const auto* binary = std::get_if<ast::Binary>(&argument.value->node);
     return binary != nullptr && binary->op == ast::BinaryOp::Subtract ? binary : nullptr;
@@ -181,31 +194,10 @@ class ArgumentLowering {
         return;
       }
     }
-    const std::string point = filled_ > wanted ? decimalComma() : "";
     auto report =
         scope_.report(support::diagnostics::wrongArgumentCount, where_, callee_.name, takes,
                       arguments_.empty() ? "none" : countOf(filled_), callee_.signature.text);
-    if (!point.empty()) {
-      report.hint(point);
-    }
     noteDeclaration(report, "declared here");
-  }
-
-  /// The text to write if there is a `39,175 N` among the arguments; empty if there is none.
-  std::string decimalComma() {
-    for (size_t i = 0; i + 1 < arguments_.size(); ++i) {
-      const auto* whole = std::get_if<ast::Literal>(&arguments_[i].value->node);
-      const auto* rest = std::get_if<ast::Literal>(&arguments_[i + 1].value->node);
-      const support::SourceRange& left = arguments_[i].value->where;
-      const support::SourceRange& right = arguments_[i + 1].value->where;
-      if (whole != nullptr && rest != nullptr && whole->unit.empty() && !rest->unit.empty() &&
-          right.begin == left.end + 1 &&
-          rest->digits.find_first_not_of("0123456789") == std::string::npos) {
-        return fmt::format("use a decimal point: write `{}.{}`", scope_.text(left),
-                           scope_.text(right));
-      }
-    }
-    return "";
   }
 
   void noteDeclaration(support::DiagnosticBuilder& report, const std::string& message) {

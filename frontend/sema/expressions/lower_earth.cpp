@@ -61,8 +61,8 @@ ExprLowering::Result ExprLowering::here(const support::SourceRange& range) {
   for (const char* name : {"lat", "lon"}) {
     const platforms::PlatformSensor* found = scope_.platform().find(name);
     if (found == nullptr) {
-      scope_.report(support::diagnostics::unknownSensor, range, scope_.platform().name, name,
-                    scope_.suggestSensor(name));
+      scope_.reportUnknown(support::diagnostics::unknownSensor, range, scope_.suggestSensor(name),
+                           scope_.platform().name, name);
       return std::nullopt;
     }
     const Result half = sensor(*found, name, range);

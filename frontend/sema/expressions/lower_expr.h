@@ -56,6 +56,10 @@ class ExprLowering {
   bool longitudeFirst(const ast::Expr& first, const ast::Expr& second,
                       std::string_view between = ", ");
 
+  /// Refuses a pair of numbers without letters that are certainly decimal degrees, as one of them
+  /// cannot be minutes, and then returns true.
+  bool decimalDegrees(const ast::Expr& first, const ast::Expr& second);
+
   /// The sensors read since this was made.
   [[nodiscard]] const std::vector<SensorRead>& reads() const { return reads_; }
 
@@ -78,6 +82,9 @@ class ExprLowering {
   // Literals (lower_literal.cpp).
   Result bareLiteral(const ast::Literal& node, const support::SourceRange& range,
                      std::optional<ir::Type> want, bool negative);
+  /// Reports a unit that does not exist; that of `26 degrees` follows from the type that is
+  /// expected.
+  void refuseUnit(const ast::Literal& node, std::optional<ir::Type> want);
   Result barePosition(const ast::Literal& node, const support::SourceRange& range, ir::Type want,
                       bool negative);
   Result letterLiteral(const ast::Literal& node, const support::SourceRange& range,
@@ -111,6 +118,9 @@ class ExprLowering {
   };
   std::optional<Pair> alike(const ast::Expr& left, const ast::Expr& right,
                             std::optional<ir::Type> want, std::string_view op);
+  /// Adds the unit to write, if `value` is a number with a unit of another quantity than `other`.
+  static void suggestUnit(const ast::Expr& value, const ir::Type& other, std::string_view op,
+                          support::DiagnosticBuilder& report);
   /// Refuses a condition, a position and, unless `earth`, a latitude or longitude where `op` needs
   /// numbers.
   bool numeric(const Value& value, const ast::Expr& expr, std::string_view op, bool earth);

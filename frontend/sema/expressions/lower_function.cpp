@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "frontend/sema/expressions/decimal_commas.h"
 #include "frontend/sema/expressions/lower_arguments.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/expressions/named_arguments.h"
@@ -18,7 +19,7 @@ namespace glider::frontend {
 
 namespace {
 
-std::string suggestFunction(std::string_view wrong, const Scope& scope) {
+Suggestion suggestFunction(std::string_view wrong, const Scope& scope) {
   std::vector<std::string_view> names;
   for (const auto& [name, function] : scope.functions) {
     names.push_back(name);
@@ -62,7 +63,14 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
   if (stretched(node)) {
     return std::nullopt;
   }
-  if (const size_t wanted = function->argumentCount(); node.arguments.size() != wanted) {
+  const size_t wanted = function->argumentCount();
+  const auto fits = [wanted](const std::vector<ast::Argument>& read) {
+    return read.size() == wanted;
+  };
+  if (!fits(node.arguments) && refuseDecimalCommas(node.arguments, scope_, fits)) {
+    return std::nullopt;
+  }
+  if (!fits(node.arguments)) {
     scope_.report(support::diagnostics::wrongArgumentCount, expr.where, name,
                   countedArguments(wanted),
                   node.arguments.empty() ? "none" : countedArguments(node.arguments.size()),
@@ -91,9 +99,11 @@ ExprLowering::Result ExprLowering::inC(const ast::Invocation& node, const ast::E
     const bool value = findClock(name) || scope_.findSensor(name) != nullptr ||
                        scope_.findConstant(name) != nullptr || scope_.findNamed(name) != nullptr ||
                        meansValue(name, expr.where, scope_);
-    scope_.report(support::diagnostics::unknownFunction, node.function.where, name,
-                  value ? "`" + name + "` is a value: write it without parentheses"
-                        : suggestFunction(name, scope_));
+    scope_.reportUnknown(
+        support::diagnostics::unknownFunction, node.function.where,
+        value ? Suggestion{"`" + name + "` is a value: write it without parentheses", ""}
+              : suggestFunction(name, scope_),
+        name);
     return std::nullopt;
   }
   const FunctionDeclaration& function = found->second;

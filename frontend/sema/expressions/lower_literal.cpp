@@ -71,8 +71,7 @@ ExprLowering::Result ExprLowering::visit(const ast::Literal& node, const ast::Ex
   }
   const auto unit = support::parseUnit(node.unit);
   if (!unit) {
-    scope_.report(support::diagnostics::unknownUnit, node.unit_where, node.unit,
-                  "combine units with `*` and `/`, as in `degC/m`");
+    refuseUnit(node, want);
     return std::nullopt;
   }
   const double si = inSi(*value, unit->to_si);
@@ -83,10 +82,30 @@ ExprLowering::Result ExprLowering::visit(const ast::Literal& node, const ast::Ex
   return emitNumber(si, quantity(unit->dimension), expr.where);
 }
 
+void ExprLowering::refuseUnit(const ast::Literal& node, std::optional<ir::Type> want) {
+  if (unitForWord(node.unit) != "deg") {
+    scope_.report(support::diagnostics::unknownUnit, node.unit_where, node.unit,
+                  "combine units with `*` and `/`, as in `degC/m`");
+    return;
+  }
+  const bool angle = want && want->dimension == support::dimension::angle;
+  const bool temperature = want && want->dimension == support::dimension::temperature;
+  if (!angle && !temperature) {
+    scope_.report(support::diagnostics::unknownUnit, node.unit_where, node.unit,
+                  "write `deg` for an angle, `degC` for a temperature");
+    return;
+  }
+  const std::string unit = angle ? "deg" : "degC";
+  scope_
+      .report(support::diagnostics::unknownUnit, node.unit_where, node.unit,
+              fmt::format("write `{}`", unit))
+      .fix(node.unit_where, unit);
+}
+
 ExprLowering::Result ExprLowering::bareLiteral(const ast::Literal& node,
                                                const support::SourceRange& range,
                                                std::optional<ir::Type> want, bool negative) {
-  if (node.digits.find_first_of(" \t\r\n") != std::string::npos) {
+  if (node.digits.find_first_of(" \t\r\n,") != std::string::npos) {
     return std::nullopt;  // `3355.2 1825.4`, which the parser has refused
   }
   if (want && (want->kind == ir::TypeKind::Latitude || want->kind == ir::TypeKind::Longitude)) {

@@ -75,7 +75,47 @@ std::string otherwise(const Half& first, const Half& second, std::string_view be
   return "";
 }
 
+/// Whether the numbers are in order, so that the letters are more probably wrong: few gliders fly
+/// beyond 70 degrees.
+bool areLettersSwapped(const Half& first, const Half& second) {
+  return first.east() && second.north() && isLongitudeFirst(second.degrees(), first.degrees());
+}
+
+/// Whether it is a number without a letter that is not plainly ddmm.mmmm.
+bool mayBeDegrees(const Half& half) {
+  return half.bare() && !isPlainlyDdmm(half.literal->digits);
+}
+
 }  // namespace
+
+bool ExprLowering::decimalDegrees(const ast::Expr& first, const ast::Expr& second) {
+  constexpr double kMinutes = 60;
+  const auto one = halfOf(first);
+  const auto two = halfOf(second);
+  if (!one || !two || !mayBeDegrees(*one) || !mayBeDegrees(*two)) {
+    return false;
+  }
+  const auto north = parseDegreesMinutes(one->literal->digits);
+  const auto east = parseDegreesMinutes(two->literal->digits);
+  const Half& wrong = north && north->minutes >= kMinutes ? *one : *two;
+  const auto parts = &wrong == &*one ? north : east;
+  if (!north || !east || parts->minutes < kMinutes) {
+    return false;
+  }
+  const ast::Expr& place = &wrong == &*one ? first : second;
+  const std::string latitude = one->with(one->negative ? "S" : "N");
+  auto report = scope_.report(support::diagnostics::minutesOver60, place.where,
+                              scope_.text(place.where), parts->degrees, parts->minutes);
+  if (!two->negative) {  // no fix: only the pilot knows on which side a letter or a sign was lost
+    report.hint(fmt::format("write decimal degrees with letters: `{0}, {1}` or `{0}, {2}`",
+                            latitude, two->with("E"), two->with("W")));
+    return true;
+  }
+  report.hint(fmt::format("write decimal degrees with letters: `{}, {}`", latitude, two->with("W")))
+      .fix(first.where, latitude)
+      .fix(second.where, two->with("W"));
+  return true;
+}
 
 bool ExprLowering::longitudeFirst(const ast::Expr& first, const ast::Expr& second,
                                   std::string_view between) {
@@ -84,9 +124,16 @@ bool ExprLowering::longitudeFirst(const ast::Expr& first, const ast::Expr& secon
   if (!one || !two || !isSwapped(*one, *two)) {
     return false;
   }
-  scope_.report(support::diagnostics::longitudeFirst, first.where, scope_.text(first.where),
-                fmt::format("{}{}{}", two->text(), between, one->text()),
-                otherwise(*one, *two, between));
+  auto report = scope_.report(
+      support::diagnostics::longitudeFirst, first.where, scope_.text(first.where),
+      fmt::format("{}{}{}", two->text(), between, one->text()), otherwise(*one, *two, between));
+  if (areLettersSwapped(*one, *two)) {
+    report.hint(
+        fmt::format("the letters are probably swapped: write `{}{}{}`; if the numbers are, "
+                    "`{}{}{}`",
+                    one->with(two->literal->unit), between, two->with(one->literal->unit),
+                    two->text(), between, one->text()));
+  }
   return true;
 }
 

@@ -163,16 +163,20 @@ ExprLowering::Result ExprLowering::unknown(const ast::NameUse& node,
     return std::nullopt;
   }
   const auto function = scope_.functions.find(node.name);
-  const std::string hint =
+  const Suggestion hint =
       function != scope_.functions.end()
-          ? "it is a function: write `" + function->second.signature.text + "`"
-      : isFunctionName(node.name) ? "it is a function: give it arguments"
+          ? Suggestion{"it is a function: write `" + function->second.signature.text + "`", ""}
+      : isFunctionName(node.name) ? Suggestion{"it is a function: give it arguments", ""}
       : scope_.states.contains(node.name)
-          ? "`" + node.name + "` is a state: use it in `goto` or `call`"
+          ? Suggestion{"`" + node.name +
+                           "` is a state, which no condition reads: a case names it "
+                           "after `goto` or `call`, a requirement in `in " +
+                           node.name + ": …`",
+                       ""}
       : scope_.behaviours.contains(node.name)
-          ? "`" + node.name + "` controls how the vehicle flies; it has no value"
+          ? Suggestion{"`" + node.name + "` controls how the vehicle flies; it has no value", ""}
           : scope_.suggestName(node.name);
-  scope_.report(support::diagnostics::unknownName, range, node.name, hint);
+  scope_.reportUnknown(support::diagnostics::unknownName, range, hint, node.name);
   return std::nullopt;
 }
 

@@ -172,12 +172,35 @@ std::optional<ExprLowering::Pair> ExprLowering::alike(const ast::Expr& left, con
     auto say = [](const Value& v) {
       return v.longitude.valid() ? std::string("a position") : describe(v.type);
     };
-    scope_.report(support::diagnostics::typesDiffer,
-                  support::SourceRange{left.where.file, left.where.begin, right.where.end},
-                  scope_.text(left.where), say(l), scope_.text(right.where), say(r), op);
+    auto report =
+        scope_.report(support::diagnostics::typesDiffer,
+                      support::SourceRange{left.where.file, left.where.begin, right.where.end},
+                      scope_.text(left.where), say(l), scope_.text(right.where), say(r), op);
+    suggestUnit(right, l.type, op, report);
     return std::nullopt;
   }
   return rightFirst ? Pair{*two, *one} : Pair{*one, *two};
+}
+
+void ExprLowering::suggestUnit(const ast::Expr& value, const ir::Type& other, std::string_view op,
+                               support::DiagnosticBuilder& report) {
+  const auto* literal = std::get_if<ast::Literal>(&value.node);
+  const bool compares = op.find_first_of("<>=") != std::string_view::npos;
+  if (literal == nullptr || !compares || !support::parseUnit(literal->unit) ||
+      literal->unit.empty() || other.kind != ir::TypeKind::Quantity) {
+    return;
+  }
+  if (literal->unit == "m" && other.dimension == support::dimension::time) {
+    report.hint(fmt::format("write `{} min`: `m` is metres", literal->digits))
+        .fix(literal->unit_where, "min");
+    return;
+  }
+  const bool angle = other.dimension == support::dimension::angle;
+  const std::string unit = angle ? "deg" : std::string(support::unitName(other.dimension));
+  if (!unit.empty()) {
+    report.hint(fmt::format("both sides of `{}` must have the same kind of value, such as `{} {}`",
+                            op, literal->digits, unit));
+  }
 }
 
 bool ExprLowering::sideBySide(const ast::Binary& node, const ast::Expr& expr) {
@@ -201,9 +224,13 @@ bool ExprLowering::sideBySide(const ast::Binary& node, const ast::Expr& expr) {
   if (!better || !isPairByLooks(first->digits, second->digits, before, after)) {
     return false;
   }
-  scope_.report(support::diagnostics::barePosition, expr.where, scope_.text(expr.where),
-                fmt::format("`{}`; if a difference is meant, `({}) - {}`", *better,
-                            scope_.text(node.left->where), second->digits));
+  auto report =
+      scope_.report(support::diagnostics::barePosition, expr.where, scope_.text(expr.where),
+                    fmt::format("`{}`; if a difference is meant, `({}) - {}`", *better,
+                                scope_.text(node.left->where), second->digits));
+  if (scope_.context.constant == "a path" && before && !after) {
+    report.fix(expr.where, *better);  // an element of a path is never a difference
+  }
   return true;
 }
 
@@ -295,8 +322,9 @@ ExprLowering::Result ExprLowering::comparison(ir::Op op, const ast::Binary& node
 void ExprLowering::warnOfEquality(ir::Op op, const Value& left, const Value& right,
                                   const ast::Binary& node) {
   const bool equality = op == ir::Op::Equal || op == ir::Op::NotEqual;
-  const bool inexact = measured(scope_, left.id) || measured(scope_, right.id);
-  if (!equality || !inexact) {
+  // `=` has been reported: which comparison is meant is not known.
+  const bool written = scope_.text(node.op_where) != "=";
+  if (!equality || !written || !(measured(scope_, left.id) || measured(scope_, right.id))) {
     return;
   }
   scope_.report(support::diagnostics::measuredEquality, node.op_where,

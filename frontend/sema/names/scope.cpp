@@ -4,6 +4,7 @@
 #include "frontend/sema/names/scope.h"
 
 #include "frontend/sema/names/functions.h"
+#include "frontend/sema/names/wished.h"
 #include "frontend/spelling.h"
 #include "support/diagnostics/ids/meaning.h"
 #include "support/one_line.h"
@@ -61,21 +62,36 @@ const platforms::PlatformSensor* Scope::findSensor(std::string_view name) {
   return platform().find(name);
 }
 
-std::string Scope::suggestSensor(std::string_view wrong) const {
+namespace {
+
+/// The clocks, then the sensors by the names that missions use, then by the vehicle's.
+std::vector<std::string_view> readableNames(
+    const std::map<std::string, OwnSensor, std::less<>>& own,
+    const std::vector<platforms::PlatformSensor>& sensors) {
   std::vector<std::string_view> known(std::begin(kClocks), std::end(kClocks));
-  for (const auto& [name, sensor] : own_sensors) {
+  for (const auto& [name, sensor] : own) {
     known.push_back(name);
   }
-  for (const platforms::PlatformSensor& sensor : platform().sensors) {
+  for (const platforms::PlatformSensor& sensor : sensors) {
     known.push_back(sensor.alias.empty() ? sensor.name : sensor.alias);
   }
-  for (const platforms::PlatformSensor& sensor : platform().sensors) {
+  for (const platforms::PlatformSensor& sensor : sensors) {
     known.push_back(sensor.name);
   }
-  return didYouMean(wrong, known, "`glidercc platform " + platform().name + "` lists its sensors");
+  return known;
 }
 
-std::string Scope::suggestName(std::string_view wrong) const {
+}  // namespace
+
+Suggestion Scope::suggestSensor(std::string_view wrong) const {
+  if (auto wished = insteadOf(wrong, platform())) {
+    return std::move(*wished);
+  }
+  return didYouMean(wrong, readableNames(own_sensors, platform().sensors),
+                    "`glidercc platform " + platform().name + "` lists its sensors");
+}
+
+Suggestion Scope::suggestName(std::string_view wrong) const {
   std::vector<std::string_view> known;
   for (const Names* list : visibleNames()) {
     for (const auto& [name, named] : *list) {
@@ -87,8 +103,8 @@ std::string Scope::suggestName(std::string_view wrong) const {
       known.push_back(name);
     }
   }
-  const std::string near = didYouMean(wrong, known, "");
-  return near.empty() ? suggestSensor(wrong) : near;
+  Suggestion near = didYouMean(wrong, known, "");
+  return near.hint.empty() ? suggestSensor(wrong) : std::move(near);
 }
 
 std::string Scope::takenBy(std::string_view name) const {
@@ -242,8 +258,8 @@ std::optional<DeclaredType> Scope::declaredType(const ast::TypeName& name,
   for (std::string_view type : kTypes) {
     all += (all.empty() ? "types: " : ", ") + std::string(type);
   }
-  report(support::diagnostics::unknownType, name.where, name.text,
-         didYouMean(name.text, kTypes, all));
+  reportUnknown(support::diagnostics::unknownType, name.where, didYouMean(name.text, kTypes, all),
+                name.text);
   return std::nullopt;
 }
 

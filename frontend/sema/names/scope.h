@@ -7,6 +7,7 @@
 #include "frontend/sema/names/names.h"
 #include "frontend/sema/names/paths.h"
 #include "frontend/sema/names/types.h"
+#include "frontend/spelling.h"
 #include "ir/core/c_symbols.h"
 
 #include <map>
@@ -101,6 +102,23 @@ class Scope {
     builder.note(*context.use, "with what is given here");
     return builder;
   }
+  /// Reports an unknown name at `range`; the suggestion is the last argument of the message.
+  template <typename... Args>
+  support::DiagnosticBuilder reportUnknown(support::DiagnosticId id,
+                                           const support::SourceRange& range,
+                                           const Suggestion& suggestion, Args&&... args) {
+    auto builder = report(id, range, std::forward<Args>(args)..., suggestion.hint);
+    if (!suggestion.fix.empty()) {
+      builder.fix(range, suggestion.fix);
+    }
+    return builder;
+  }
+  [[nodiscard]] const std::string& fileName(uint32_t file) const {
+    return inputs_.sources.name(file);
+  }
+  [[nodiscard]] std::string_view fileText(uint32_t file) const {
+    return inputs_.sources.text(file);
+  }
   /// The source text of `range` on one line, without comments.
   [[nodiscard]] std::string wholeText(const support::SourceRange& range) const;
   /// The word of letters and `_` after `range` on its line; empty if there is none.
@@ -125,8 +143,8 @@ class Scope {
   /// Everything that is declared in C.
   [[nodiscard]] ir::CInterface declaredInC() const;
   /// "did you mean `temp`?" over sensors, clocks and constants.
-  [[nodiscard]] std::string suggestName(std::string_view wrong) const;
-  [[nodiscard]] std::string suggestSensor(std::string_view wrong) const;
+  [[nodiscard]] Suggestion suggestName(std::string_view wrong) const;
+  [[nodiscard]] Suggestion suggestSensor(std::string_view wrong) const;
   /// What this name already means in every mission, such as "a clock"; empty: nothing.
   [[nodiscard]] std::string takenBy(std::string_view name) const;
   /// True, and reported, if `name` is a value that is not visible from `context`.

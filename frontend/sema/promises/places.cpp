@@ -30,7 +30,7 @@ bool refuseUnknown(const std::string& name, const support::SourceRange& range, S
   for (const auto& [known, node] : scope.places) {
     names.push_back(known);
   }
-  scope.report(support::diagnostics::unknownState, range, name, didYouMean(name, names, ""));
+  scope.reportUnknown(support::diagnostics::unknownState, range, didYouMean(name, names, ""), name);
   return true;
 }
 

@@ -76,6 +76,24 @@ bool CaseLowering::allowed(const ast::Case& node) {
   return done || stay;
 }
 
+std::string CaseLowering::insteadOfState(const std::string& name) const {
+  std::vector<std::string_view> profiles;
+  for (const auto& [known, declaration] : scope_.behaviours) {
+    if (declaration.kind == ir::BehaviourKind::Profile) {
+      profiles.push_back(known);
+    }
+  }
+  const std::string_view profile = closest(name, profiles);
+  if (!profile.empty()) {
+    return "write a state with `flightprofile " + std::string(profile) + "`, and name that";
+  }
+  std::string all;
+  for (const auto& [state, id] : scope_.states) {
+    all += (all.empty() ? "states: " : ", ") + state;
+  }
+  return all;
+}
+
 void CaseLowering::lowerTarget(const ast::Use& target, ir::Case& lowered) {
   const auto found = scope_.states.find(target.name.text);
   if (found == scope_.states.end()) {
@@ -83,8 +101,9 @@ void CaseLowering::lowerTarget(const ast::Use& target, ir::Case& lowered) {
     for (const auto& [name, id] : scope_.states) {
       names.push_back(name);
     }
-    scope_.report(support::diagnostics::unknownState, target.name.where, target.name.text,
-                  didYouMean(target.name.text, names, ""));
+    scope_.reportUnknown(support::diagnostics::unknownState, target.name.where,
+                         didYouMean(target.name.text, names, insteadOfState(target.name.text)),
+                         target.name.text);
     return;
   }
   lowered.target = found->second;

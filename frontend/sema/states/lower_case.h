@@ -28,6 +28,8 @@ class CaseLowering {
   /// False, and reported, if the transition is not allowed in the list.
   bool allowed(const ast::Case& node);
   void lowerTarget(const ast::Use& target, ir::Case& lowered);
+  /// What to say about a target that is not a state, nor similar to one.
+  [[nodiscard]] std::string insteadOfState(const std::string& name) const;
 
   Scope& scope_;
 };

@@ -207,8 +207,9 @@ void StateLowering::lowerItem(const ast::SensorItem& item) {
       scope_.report(support::diagnostics::notLogged, item.name.where, item.name.text,
                     named != nullptr ? describe(named->kind) : "a constant");
     } else if (!scope_.refused_names.contains(item.name.text)) {
-      scope_.report(support::diagnostics::unknownSensor, item.name.where, scope_.platform().name,
-                    item.name.text, scope_.suggestSensor(item.name.text));
+      scope_.reportUnknown(support::diagnostics::unknownSensor, item.name.where,
+                           scope_.suggestSensor(item.name.text), scope_.platform().name,
+                           item.name.text);
     }
     return;
   }

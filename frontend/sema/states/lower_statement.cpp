@@ -132,9 +132,10 @@ void StatementLowering::refuseSet(const ast::Name& name) {
       }
     }
   }
-  scope_.report(
-      support::diagnostics::unknownVariable, name.where, name.text,
-      didYouMean(name.text, known, fmt::format("declare it: `var {}: type = value`", name.text)));
+  scope_.reportUnknown(
+      support::diagnostics::unknownVariable, name.where,
+      didYouMean(name.text, known, fmt::format("declare it: `var {}: type = value`", name.text)),
+      name.text);
 }
 
 void StatementLowering::visit(const ast::If& node, const ast::Statement& statement,
@@ -187,12 +188,15 @@ void StatementLowering::visit(const ast::Command& node, const ast::Statement& st
     }
     const bool function = isFunctionName(name);
     const bool behaviour = scope_.behaviours.contains(name);
-    scope_.report(
-        support::diagnostics::unknownCommand, node.call.function.where, name,
-        function ? "`" + name + "` is a function: use it in the value of a `set`"
-        : behaviour
-            ? "`" + name + "` controls how a state flies: use it in the state's `flight…` line"
-            : didYouMean(name, known, all));
+    scope_.reportUnknown(
+        support::diagnostics::unknownCommand, node.call.function.where,
+        function    ? Suggestion{"`" + name + "` is a function: use it in the value of a `set`", ""}
+        : behaviour ? Suggestion{"`" + name +
+                                     "` controls how a state flies: use it in the state's "
+                                     "`flight…` line",
+                                 ""}
+                    : didYouMean(name, known, all),
+        name);
     return;
   }
   ir::Statement result = statementOf(ir::StatementKind::Command, statement.where);

@@ -28,8 +28,8 @@ BehaviourDeclaration* findBehaviour(const ast::Use& use, ir::BehaviourKind kind,
     for (std::string_view name : names) {
       all += (all.empty() ? std::string(word(kind)) + "s: " : ", ") + std::string(name);
     }
-    scope.report(support::diagnostics::unknownProfileOrRoute, use.name.where, word(kind),
-                 use.name.text, didYouMean(use.name.text, names, all));
+    scope.reportUnknown(support::diagnostics::unknownProfileOrRoute, use.name.where,
+                        didYouMean(use.name.text, names, all), word(kind), use.name.text);
     return nullptr;
   }
   BehaviourDeclaration& declaration = *found;
@@ -58,6 +58,7 @@ void lowerUse(const ast::Use& use, BehaviourDeclaration& declaration, const User
   const Callee callee{use.name.text, declaration.signature, declaration.name};
   auto arguments = lowerArguments(use.arguments, callee, use.where, scope);
   if (!arguments) {
+    activity.behaviour = {};  // what it does is not known, nor whether it is ever done
     return;
   }
   if (declaration.body == nullptr) {

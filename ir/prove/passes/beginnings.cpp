@@ -8,15 +8,19 @@
 // S4), with one exception: the number of a place on a path is taken to be one of its rows if it may
 // be. Not checked: code in C.
 
+#include "ir/core/walk.h"
 #include "ir/prove/abstract/held_ranges.h"
 #include "ir/prove/context/commands.h"
 #include "ir/prove/context/never_unknown.h"
 #include "ir/prove/passes.h"
 #include "support/diagnostics/ids/verification.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -53,8 +57,37 @@ class BeginningCheck {
       return;
     }
     if (told_.emplace(activity.range.file, activity.range.begin).second) {
-      proof_.diagnostics.report(support::diagnostics::nothingCommanded, activity.range, who, what);
+      auto report = proof_.diagnostics.report(support::diagnostics::nothingCommanded,
+                                              activity.range, who, what);
+      if (const std::string reading = unknownReading(activity.entry, vertical); !reading.empty()) {
+        report.hint(fmt::format(
+            "`{}` may be unknown, and then a command with it has no effect: give a command without "
+            "it first{}",
+            reading, vertical ? "" : ", such as `drift()`"));
+      }
     }
+  }
+
+  /// The sensor because of which a command that the block always gives may have no effect; empty:
+  /// there is none.
+  std::string unknownReading(BlockId block, bool vertical) {
+    std::string reading;
+    if (!block.valid()) {
+      return reading;
+    }
+    for (const Statement& statement : m_[block].statements) {
+      if (statement.kind != StatementKind::Command || isVertical(statement.command) != vertical) {
+        continue;
+      }
+      for (const ExprId value : statement.values) {
+        forEachIn(m_, value, [&](const Expr& e) {
+          if (e.op == Op::Sensor && !isKnown(value)) {
+            reading = m_[e.sensor].name;
+          }
+        });
+      }
+    }
+    return reading;
   }
 
   /// Whether every path through the block gives a command.

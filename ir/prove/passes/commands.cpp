@@ -128,9 +128,17 @@ class CommandCheck {
       return;
     }
     const Type type = m_[statement.values.at(argument)].type;
-    proof_.diagnostics.report(support::diagnostics::commandBeyondEnvelope, where,
-                              shown(given, type),
-                              "beyond the vehicle's limit of " + shown(most, type));
+    auto report = proof_.diagnostics.report(support::diagnostics::commandBeyondEnvelope, where,
+                                            shown(given, type),
+                                            "beyond the vehicle's limit of " + shown(most, type));
+    if (isFixed(range(statement, argument))) {
+      report.hint(fmt::format("write at most `{}`", shown(most, type)));
+    }
+  }
+
+  /// Whether it is one value, as it is written.
+  static bool isFixed(const Interval& range) {
+    return !range.empty && range.lowest == range.highest;
   }
 
   /// A depth slightly above the surface is not a depth to fly to, but it is not an error either.
@@ -140,8 +148,11 @@ class CommandCheck {
     if (!depth.empty && depth.highest < 0 && isNew(where)) {
       in_the_air_.insert(place.begin);
       const Type type = m_[statement.values.at(0)].type;
-      proof_.diagnostics.report(support::diagnostics::commandBeyondEnvelope, where,
-                                shown(depth.highest, type), "above the surface");
+      auto report = proof_.diagnostics.report(support::diagnostics::commandBeyondEnvelope, where,
+                                              shown(depth.highest, type), "above the surface");
+      if (isFixed(depth)) {
+        report.hint(fmt::format("depths are positive: write `{}`", shown(-depth.highest, type)));
+      }
     }
   }
 
@@ -195,8 +206,12 @@ class CommandCheck {
     const bool judged =
         !down.empty && !up.empty && up.lowest <= kNoBound && down.highest >= -kNoBound;
     if (judged && (up.lowest >= down.highest || !(surelyTurns() || canTurn(state)))) {
-      proof_.diagnostics.report(support::diagnostics::profileTurnedRound, state.profile.range,
-                                depths(up), depths(down));
+      auto report = proof_.diagnostics.report(support::diagnostics::profileTurnedRound,
+                                              state.profile.range, depths(up), depths(down));
+      if (isFixed(up) && isFixed(down) && down.lowest < up.lowest) {
+        report.hint(fmt::format("put the shallower depth first: `{}` before `{}`", depths(down),
+                                depths(up)));
+      }
     }
   }
 

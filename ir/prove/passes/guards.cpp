@@ -12,6 +12,7 @@
 #include "ir/prove/encoding/reasons.h"
 #include "ir/prove/encoding/sampling.h"
 #include "ir/prove/passes.h"
+#include "ir/verify/value_text.h"
 #include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
@@ -164,6 +165,9 @@ class GuardCheck {
     }
     if (verdict.never) {
       auto warning = proof_.diagnostics.report(support::diagnostics::guardNeverTrue, range);
+      if (const std::string better = positive(m_[c.guard]); !better.empty()) {
+        warning.hint(better);
+      }
       noteReasons(warning, m_, verdict.facts, range);
     } else if (verdict.hidden) {
       auto warning = proof_.diagnostics.report(support::diagnostics::caseHidden, range);
@@ -175,6 +179,23 @@ class GuardCheck {
       auto warning = proof_.diagnostics.report(support::diagnostics::guardAlwaysTrue, range, where);
       noteReasons(warning, m_, verdict.facts, range);
     }
+  }
+
+  /// `depth < -20 m`, of a reading that is never negative: what to write; empty for any other
+  /// condition.
+  [[nodiscard]] std::string positive(const Expr& guard) const {
+    if (guard.op != Op::Less && guard.op != Op::LessEqual) {
+      return "";
+    }
+    const Expr& left = m_[guard.operands[0]];
+    const Interval& reading = proof_.proof_context.intervals[guard.operands[0].index];
+    const Interval& limit = proof_.proof_context.intervals[guard.operands[1].index];
+    const bool below = left.op == Op::Sensor && !reading.empty && reading.lowest >= 0 &&
+                       !limit.empty && limit.lowest == limit.highest && limit.highest < 0;
+    return below
+               ? fmt::format("`{0}` is never negative: write `{0} {1} {2}`", m_[left.sensor].name,
+                             guard.op == Op::Less ? ">" : ">=", withUnit(-limit.highest, left.type))
+               : "";
   }
 
   void gather(const Activity& activity) {

@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/parse/phrases/repairs.h"
+#include "frontend/parse/token_kinds.h"
+#include "support/diagnostics/ids/syntax.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace glider::frontend::phrases {
+namespace {
+
+/// What ends the condition of a case: its transition, or the block before it.
+struct Condition {
+  size_t tokens = 0;  ///< 0: there is no condition
+  size_t then = 0;    ///< a `then` after it: its number
+  size_t transition = 0;
+};
+
+bool isWord(const Phrase& phrase, size_t k, std::string_view keyword) {
+  return isAnyName(phrase.type(k)) || isHardKeyword(phrase.type(k)) ? phrase.lower(k) == keyword
+                                                                    : false;
+}
+
+/// The condition from token `first` on, if a transition follows on its line, perhaps after `then`
+/// or a block.
+Condition conditionFrom(const Phrase& phrase, size_t first) {
+  Condition found;
+  const size_t line = phrase.tokensOfLine();
+  size_t k = first;
+  while (k < line && !isTransition(phrase.type(k)) && phrase.type(k) != GliderLexer::DO &&
+         !isWord(phrase, k, "then")) {
+    ++k;
+  }
+  const size_t count = k - first;
+  const size_t value = tokensOfValue(phrase, first, false);
+  if (k >= line || count == 0 || value != count) {
+    return {};
+  }
+  if (isWord(phrase, k, "then")) {
+    found.then = k++;
+  }
+  const bool leads = isTransition(phrase.type(k)) || phrase.type(k) == GliderLexer::DO;
+  found.tokens = leads ? count : 0;
+  found.transition = k;
+  return found;
+}
+
+/// The tokens of the transition at `k`: `exit`, `call up`, `call up(5 m)`.
+size_t tokensOfTransition(const Phrase& phrase, size_t k) {
+  if (!oneOf(phrase.type(k), {GliderLexer::GOTO, GliderLexer::CALL})) {
+    return 1;
+  }
+  if (phrase.type(k + 2) != GliderLexer::LPAREN) {
+    return 2;
+  }
+  size_t end = k + 3;
+  while (!oneOf(phrase.type(end), {GliderLexer::RPAREN, kEof}) &&
+         !isHardKeyword(phrase.type(end))) {
+    ++end;
+  }
+  return end + 1 - k;
+}
+
+/// Whether the `end` at token `k` closes the `if` that is a case, and not the state: something that
+/// is still inside the state follows it.
+bool isEndOfIf(const Phrase& phrase, size_t k) {
+  constexpr std::array<std::string_view, 4> kWords = {"if", "when", "else", "case"};
+  return phrase.type(k) == GliderLexer::END &&
+         (phrase.type(k + 1) == GliderLexer::END ||
+          std::ranges::any_of(kWords, [&](auto word) { return isWord(phrase, k + 1, word); }));
+}
+
+/// `if`, `when`, `else if`: the tokens of what begins a condition in other languages.
+size_t tokensOfIf(const Phrase& phrase) {
+  constexpr std::array<std::string_view, 7> kWords = {"if",     "when", "whenever", "on",
+                                                      "elseif", "elif", "elsif"};
+  if (isWord(phrase, 0, "else") && isWord(phrase, 1, "if")) {
+    return 2;
+  }
+  return std::ranges::any_of(kWords, [&](auto word) { return isWord(phrase, 0, word); }) ? 1 : 0;
+}
+
+support::DiagnosticBuilder report(Phrase& phrase, size_t tokens) {
+  return phrase.reporter().at(phrase.whole(0, tokens), support::diagnostics::notACase,
+                              phrase.wholeText(0, tokens));
+}
+
+/// `if temp > 20 degC then call up end` is a case. The words around its condition go with it.
+size_t ifAsCase(Phrase& phrase, size_t tokens) {
+  const Condition condition = conditionFrom(phrase, tokens);
+  if (condition.tokens == 0) {
+    return 0;
+  }
+  const Source& source = phrase.source();
+  auto builder = report(phrase, tokens);
+  builder.hint(fmt::format("write `case {} …`", phrase.wholeText(tokens, condition.tokens)))
+      .fix(source.range(phrase.whole(0, tokens)), "case");
+  if (condition.then != 0) {
+    builder.fix(source.range(phrase.token(condition.then)), "");
+    phrase.leaveOut(condition.then);
+  }
+  const size_t end = condition.transition + tokensOfTransition(phrase, condition.transition);
+  if (condition.then != 0 && isEndOfIf(phrase, end)) {
+    builder.fix(source.range(phrase.token(end)), "");
+    phrase.leaveOut(end);
+  }
+  phrase.put(phrase.whole(0, tokens, GliderLexer::CASE));
+  return tokens;
+}
+
+/// `else stay`: a case that is always true.
+size_t elseAsCase(Phrase& phrase) {
+  constexpr std::array<std::string_view, 3> kWords = {"else", "otherwise", "default"};
+  const bool other =
+      std::ranges::any_of(kWords, [&](auto word) { return isWord(phrase, 0, word); });
+  if (!other || !(isTransition(phrase.type(1)) || phrase.type(1) == GliderLexer::DO)) {
+    return 0;
+  }
+  const Lexeme word = phrase.token();
+  report(phrase, 1)
+      .hint(fmt::format("write `case true {}` as the last case", phrase.text(1)))
+      .fix(phrase.source().range(word), "case true");
+  phrase.put({GliderLexer::CASE, word.begin, word.end});
+  phrase.put({GliderLexer::TRUE, word.begin, word.end});
+  return 1;
+}
+
+/// `every 30 min call up`, `after 1 h exit`: a clock does what the word says.
+size_t clockAsCase(Phrase& phrase) {
+  const bool every = phrase.type() == GliderLexer::EVERY;
+  if (!every && phrase.type() != GliderLexer::AFTER) {
+    return 0;
+  }
+  const size_t time = tokensOfNumber(phrase, 1);
+  if (time == 0 || !isTransition(phrase.type(1 + time))) {
+    return 0;
+  }
+  const Lexeme word = phrase.token();
+  report(phrase, 1).hint(fmt::format("write `case {} > {} …`", every ? "resumetime" : "statetime",
+                                     phrase.wholeText(1, time)));
+  phrase.put({GliderLexer::CASE, word.begin, word.end});
+  phrase.put(phrase.whole(1, time, GliderLexer::TRUE));
+  return 1 + time;
+}
+
+/// A whole line that is a condition and a transition.
+size_t conditionAlone(Phrase& phrase) {
+  const Condition condition = phrase.startsLine() ? conditionFrom(phrase, 0) : Condition{};
+  if (condition.tokens < 3 || !readsAsValue(phrase, 0, condition.tokens)) {
+    return 0;
+  }
+  const Lexeme first = phrase.token();
+  report(phrase, 1)
+      .hint(fmt::format("write `case {} …`", phrase.wholeText(0, condition.tokens)))
+      .fix({phrase.source().file, first.begin, first.begin}, "case ");
+  phrase.put({GliderLexer::CASE, first.begin, first.begin});
+  phrase.put(first);
+  return 1;
+}
+
+}  // namespace
+
+size_t caseWord(Phrase& phrase) {
+  const uint32_t type = phrase.type();
+  if (!phrase.mayBeginCase() || oneOf(type, {GliderLexer::CASE, GliderLexer::END})) {
+    return 0;
+  }
+  if (!phrase.startsLine() && !oneOf(phrase.before(), {GliderLexer::EVENTS, GliderLexer::ALWAYS})) {
+    return 0;
+  }
+  if (const size_t tokens = tokensOfIf(phrase)) {
+    return ifAsCase(phrase, tokens);
+  }
+  if (const size_t taken = elseAsCase(phrase)) {
+    return taken;
+  }
+  const size_t taken = clockAsCase(phrase);
+  return taken != 0 ? taken : conditionAlone(phrase);
+}
+
+size_t conditionWord(Phrase& phrase) {
+  if (phrase.before() != GliderLexer::CASE) {
+    return 0;
+  }
+  const Lexeme word = phrase.token();
+  const auto unexpected = [&] {
+    return phrase.reporter().at(word, support::diagnostics::unexpectedToken, "a condition",
+                                describe(phrase.source(), word));
+  };
+  if (word.type == GliderLexer::ALWAYS && isTransition(phrase.type(1))) {
+    unexpected().hint("write `true`").fix(phrase.source().range(word), "true");
+    phrase.put({GliderLexer::TRUE, word.begin, word.end});
+    return 1;
+  }
+  const size_t time =
+      oneOf(word.type, {GliderLexer::AFTER, GliderLexer::EVERY}) ? tokensOfNumber(phrase, 1) : 0;
+  if (time == 0) {
+    return 0;
+  }
+  const std::string_view duration = phrase.wholeText(1, time);
+  unexpected().hint(
+      word.type == GliderLexer::EVERY
+          ? fmt::format("write `resumetime > {}`", duration)
+          : fmt::format(
+                "write `missiontime > {0}`, or `statetime > {0}` for the time in this state",
+                duration));
+  phrase.put(phrase.whole(0, 1 + time, GliderLexer::TRUE));
+  return 1 + time;
+}
+
+}  // namespace glider::frontend::phrases

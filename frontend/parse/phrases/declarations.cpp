@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/parse/phrases/repairs.h"
+#include "frontend/parse/token_kinds.h"
+#include "support/diagnostics/ids/syntax.h"
+#include "support/units/units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace glider::frontend::phrases {
+namespace {
+
+/// The dimension of a value that is written out, as a type: "length"; empty: not known.
+std::string_view typeOf(const Phrase& phrase, size_t k) {
+  if (oneOf(phrase.type(k), {GliderLexer::TRUE, GliderLexer::FALSE})) {
+    return "bool";
+  }
+  const size_t tokens = tokensOfNumber(phrase, k);
+  const size_t number = k + (phrase.type(k) == GliderLexer::MINUS ? 1 : 0);
+  if (tokens == 0) {
+    return "";
+  }
+  const size_t next = k + tokens;
+  if (phrase.type(number + 1) == GliderLexer::COMPASS) {
+    return phrase.type(next) == GliderLexer::NUMBER && phrase.type(next + 1) == GliderLexer::COMPASS
+               ? "position"
+               : "";
+  }
+  std::string unit;
+  for (size_t i = number + 1; i < next; ++i) {
+    unit += phrase.text(i);
+  }
+  if (phrase.type(next) == GliderLexer::DIVIDE && isAnyName(phrase.type(next + 1))) {
+    unit += "/" + std::string(phrase.text(next + 1));
+  } else if (isOperator(phrase.type(next))) {
+    return "";
+  }
+  const auto known = support::parseUnit(unit);
+  if (!unit.empty() && !known) {
+    return "";
+  }
+#define DIMENSION(name, m, kg, s, a, k, rad, unit_)                     \
+  if ((unit.empty() ? support::dimension::number : known->dimension) == \
+      support::dimension::name) {                                       \
+    return #name;                                                       \
+  }
+#include "support/units/dimensions.def"
+#undef DIMENSION
+  return "";
+}
+
+/// `var n = 0`: analysis would ask for the type with every use.
+size_t withoutType(Phrase& phrase) {
+  const bool untyped =
+      oneOf(phrase.type(), {GliderLexer::VAR, GliderLexer::PARAM}) && isAnyName(phrase.type(1));
+  const bool both = phrase.type(2) == GliderLexer::COLON && phrase.type(3) == GliderLexer::ASSIGN;
+  if (!untyped || !(both || oneOf(phrase.type(2), {GliderLexer::ASSIGN, GliderLexer::EQ}))) {
+    return 0;
+  }
+  const size_t sign = both ? 3 : 2;
+  const std::string_view type = typeOf(phrase, sign + 1);
+  const Lexeme name = phrase.token(1);
+  const std::string_view written = phrase.text(1);
+  auto report = phrase.reporter().at(name, support::diagnostics::withoutType, written);
+  report.hint(fmt::format("write `{} {}: {} = …`", phrase.text(), written,
+                          type.empty() ? std::string_view("TYPE") : type));
+  if (!type.empty()) {
+    report.fix({phrase.source().file, name.end, phrase.token(sign).end},
+               fmt::format(": {} =", type));
+  }
+  phrase.put(phrase.token());
+  phrase.put(name);
+  phrase.put({GliderLexer::COLON, name.end, name.end});
+  phrase.put(name);  // in place of the type
+  const Lexeme& assign = phrase.token(sign);
+  phrase.put({GliderLexer::ASSIGN, assign.begin, assign.end});
+  phrase.notAsMeant();
+  return sign + 1;
+}
+
+bool isTypeName(std::string_view word) {
+  constexpr std::array kTypes = {
+      std::string_view("bool"),
+      std::string_view("position"),
+#define DIMENSION(name, m, kg, s, a, k, rad, unit) std::string_view(#name),
+#include "support/units/dimensions.def"
+#undef DIMENSION
+  };
+  return std::ranges::find(kTypes, word) != kTypes.end();
+}
+
+/// `length d = 5 m`.
+size_t typeFirst(Phrase& phrase) {
+  const bool begins =
+      phrase.before() == 0 || phrase.before() == GliderLexer::END || endsValue(phrase.before());
+  if (!isName(phrase.type()) || !begins || !phrase.startsLine() || !phrase.open().empty() ||
+      !isTypeName(phrase.text()) || !isName(phrase.type(1)) ||
+      phrase.type(2) != GliderLexer::ASSIGN) {
+    return 0;
+  }
+  const Lexeme type = phrase.token();
+  const std::string_view name = phrase.text(1);
+  phrase.reporter()
+      .at(phrase.whole(0, 2), support::diagnostics::missingKeyword, phrase.wholeText(0, 2), "const")
+      .hint(fmt::format("write `const {1} = …`, or `var {1}: {0} = …` if it changes", phrase.text(),
+                        name));
+  phrase.put({GliderLexer::CONST, type.begin, type.end});
+  return 1;
+}
+
+}  // namespace
+
+size_t untyped(Phrase& phrase) {
+  const size_t taken = withoutType(phrase);
+  return taken != 0 ? taken : typeFirst(phrase);
+}
+
+size_t range(Phrase& phrase) {
+  const bool number = phrase.type() == GliderLexer::NUMBER && phrase.inRange() &&
+                      oneOf(phrase.keyword(), {GliderLexer::VAR, GliderLexer::PARAM});
+  const size_t first = number ? tokensOfNumber(phrase, 0) : 0;
+  if (first == 0 || !oneOf(phrase.before(), {GliderLexer::IN, GliderLexer::MINUS})) {
+    return 0;
+  }
+  const std::string_view sign = phrase.text(first);
+  const bool other = oneOf(phrase.type(first), {GliderLexer::TO, GliderLexer::MINUS}) ||
+                     sign == "…" || sign == "–" || sign == "TO";
+  const size_t second = other ? tokensOfNumber(phrase, first + 1) : 0;
+  const uint32_t next = phrase.type(first + 1 + second);
+  if (second == 0 || isOperator(next) || next == GliderLexer::RANGE) {
+    return 0;
+  }
+  const Lexeme whole = phrase.whole(0, first + 1 + second);
+  const Lexeme separator = phrase.token(first);
+  phrase.reporter()
+      .at(whole, support::diagnostics::notARange, phrase.source().text(whole),
+          fmt::format("{} .. {}", phrase.wholeText(0, first), phrase.wholeText(first + 1, second)))
+      .fix(phrase.source().range(separator), "..");
+  for (size_t k = 0; k < first + 1 + second; ++k) {
+    phrase.put(k == first ? Lexeme{GliderLexer::RANGE, separator.begin, separator.end}
+                          : phrase.token(k));
+  }
+  return first + 1 + second;
+}
+
+size_t withoutParentheses(Phrase& phrase) {
+  const bool name = isAnyName(phrase.before()) &&
+                    oneOf(phrase.before(1), {GliderLexer::FLIGHTPROFILE, GliderLexer::FLIGHTROUTE});
+  if (!name || phrase.startsLine()) {
+    return 0;
+  }
+  const bool brackets = phrase.type() == GliderLexer::LBRACKET && phrase.touches(0);
+  if (!brackets && tokensOfNumber(phrase, 0) == 0) {
+    return 0;
+  }
+  const size_t line = phrase.tokensOfLine();
+  const size_t first = brackets ? 1 : 0;
+  const size_t end = brackets ? line - 1 : line;
+  if (brackets && phrase.type(line - 1) != GliderLexer::RBRACKET) {
+    return 0;
+  }
+  for (size_t k = first; k < end;) {  // value, comma, value, …
+    const size_t value = tokensOfValue(phrase, k, false);
+    if (value == 0 || !readsAsValue(phrase, k, value) ||
+        (k + value < end && phrase.type(k + value) != GliderLexer::COMMA)) {
+      return 0;
+    }
+    k += value + 1;
+  }
+  const Lexeme callee = *phrase.lexemeBefore();
+  const Lexeme list = phrase.whole(0, line);
+  const std::string better = fmt::format("({})", phrase.wholeText(first, end - first));
+  phrase.reporter()
+      .at(list, support::diagnostics::argumentsWithoutParentheses, phrase.source().text(callee),
+          std::string(phrase.source().text(callee)) + better)
+      .fix({phrase.source().file, callee.end, list.end}, better);
+  phrase.insert(GliderLexer::LPAREN);
+  for (size_t k = first; k < end; ++k) {
+    phrase.put(phrase.token(k));
+  }
+  phrase.insert(GliderLexer::RPAREN);
+  return line;
+}
+
+}  // namespace glider::frontend::phrases

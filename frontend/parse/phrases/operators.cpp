@@ -1,0 +1,326 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/parse/phrases/repairs.h"
+#include "frontend/parse/token_kinds.h"
+#include "support/diagnostics/ids/syntax.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace glider::frontend::phrases {
+namespace {
+
+/// Words that compare, with what they mean. `is` may stand before them, `or equal to` after them.
+struct ComparingWords {
+  std::string_view words;
+  std::string_view sign;
+  uint32_t type;
+  std::string_view or_equal;
+  uint32_t or_equal_type;
+};
+constexpr uint32_t kGreater = GliderLexer::GT;
+constexpr uint32_t kAtLeast = GliderLexer::GE;
+constexpr uint32_t kLess = GliderLexer::LT;
+constexpr uint32_t kAtMost = GliderLexer::LE;
+constexpr ComparingWords kComparing[] = {{"greater than", ">", kGreater, ">=", kAtLeast},
+                                         {"more than", ">", kGreater, ">=", kAtLeast},
+                                         {"larger than", ">", kGreater, ">=", kAtLeast},
+                                         {"bigger than", ">", kGreater, ">=", kAtLeast},
+                                         {"higher than", ">", kGreater, ">=", kAtLeast},
+                                         {"deeper than", ">", kGreater, ">=", kAtLeast},
+                                         {"warmer than", ">", kGreater, ">=", kAtLeast},
+                                         {"longer than", ">", kGreater, ">=", kAtLeast},
+                                         {"above", ">", kGreater, ">=", kAtLeast},
+                                         {"over", ">", kGreater, ">=", kAtLeast},
+                                         {"exceeds", ">", kGreater, ">=", kAtLeast},
+                                         {"exceed", ">", kGreater, ">=", kAtLeast},
+                                         {"less than", "<", kLess, "<=", kAtMost},
+                                         {"lower than", "<", kLess, "<=", kAtMost},
+                                         {"smaller than", "<", kLess, "<=", kAtMost},
+                                         {"fewer than", "<", kLess, "<=", kAtMost},
+                                         {"shallower than", "<", kLess, "<=", kAtMost},
+                                         {"colder than", "<", kLess, "<=", kAtMost},
+                                         {"cooler than", "<", kLess, "<=", kAtMost},
+                                         {"shorter than", "<", kLess, "<=", kAtMost},
+                                         {"below", "<", kLess, "<=", kAtMost},
+                                         {"under", "<", kLess, "<=", kAtMost},
+                                         {"at least", ">=", kAtLeast, "", 0},
+                                         {"at most", "<=", kAtMost, "", 0}};
+
+/// The number of tokens of `words` from token `k` on; 0: there are others.
+size_t tokensOfWords(const Phrase& phrase, size_t k, std::string_view words) {
+  size_t tokens = 0;
+  while (!words.empty()) {
+    const size_t end = std::min(words.find(' '), words.size());
+    const uint32_t type = phrase.type(k + tokens);
+    const bool word = isAnyName(type) || isHardKeyword(type);
+    if (!word || phrase.lower(k + tokens) != words.substr(0, end)) {
+      return 0;
+    }
+    words.remove_prefix(std::min(end + 1, words.size()));
+    ++tokens;
+  }
+  return tokens;
+}
+
+/// Whether conditions are read here, and a value was.
+bool afterValue(const Phrase& phrase) {
+  return endsValue(phrase.before()) &&
+         oneOf(phrase.keyword(), {GliderLexer::CASE, GliderLexer::IF, GliderLexer::ALWAYS,
+                                  GliderLexer::REQUIRE, GliderLexer::CONST, GliderLexer::SET});
+}
+
+bool beginsValue(uint32_t type) {
+  return startsValue(type) ||
+         oneOf(type, {GliderLexer::MINUS, GliderLexer::LPAREN, GliderLexer::MIN});
+}
+
+/// Whether a comparison begins after it.
+bool leadsToComparison(uint32_t type) {
+  return oneOf(type,
+               {GliderLexer::CASE, GliderLexer::IF, GliderLexer::ALWAYS, GliderLexer::LPAREN,
+                GliderLexer::AND, GliderLexer::OR, GliderLexer::AND_WORD, GliderLexer::OR_WORD});
+}
+
+/// `is 20 degC`, `equals 3`: whether readings may be compared exactly is for the pilot to say.
+size_t equalWords(Phrase& phrase) {
+  for (const std::string_view words : {"is equal to", "equal to", "equals", "is"}) {
+    const size_t tokens = tokensOfWords(phrase, 0, words);
+    if (tokens > 0 && beginsValue(phrase.type(tokens))) {
+      const Lexeme sign = phrase.whole(0, tokens, kAtLeast);
+      phrase.reporter()
+          .at(sign, support::diagnostics::wordOperator, phrase.source().text(sign), "")
+          .hint("write `>=` or `<=` for a reading or a clock, `==` only for a count");
+      phrase.put(sign);
+      return tokens;
+    }
+  }
+  return 0;
+}
+
+void putComparison(Phrase& phrase, const Lexeme& name, uint32_t sign, size_t first, size_t count) {
+  phrase.put(name);
+  const Lexeme& from = phrase.token(first);
+  phrase.put({sign, from.begin, from.begin});
+  for (size_t k = first; k < first + count; ++k) {
+    phrase.put(phrase.token(k));
+  }
+}
+
+struct Bounds {
+  size_t low = 0;
+  size_t low_tokens = 0;
+  size_t high = 0;
+  size_t high_tokens = 0;
+  [[nodiscard]] size_t end() const { return high + high_tokens; }
+};
+
+/// `A and B` or `A .. B` from token `first` on.
+std::optional<Bounds> boundsFrom(const Phrase& phrase, size_t first, bool range) {
+  Bounds bounds;
+  bounds.low = first;
+  bounds.low_tokens = tokensOfNumber(phrase, first);
+  const size_t between = first + bounds.low_tokens;
+  const bool good = range ? phrase.type(between) == GliderLexer::RANGE
+                          : oneOf(phrase.type(between), {GliderLexer::AND_WORD, GliderLexer::AND});
+  bounds.high = between + 1;
+  bounds.high_tokens = tokensOfNumber(phrase, bounds.high);
+  return good && bounds.low_tokens > 0 && bounds.high_tokens > 0 ? std::optional(bounds)
+                                                                 : std::nullopt;
+}
+
+}  // namespace
+
+size_t comparison(Phrase& phrase) {
+  if (!isAnyName(phrase.type()) || !afterValue(phrase)) {
+    return 0;
+  }
+  const size_t is = phrase.lower() == "is" ? 1 : 0;
+  const auto row = std::ranges::find_if(kComparing, [&](const ComparingWords& words) {
+    return tokensOfWords(phrase, is, words.words) > 0;
+  });
+  if (row == std::end(kComparing)) {
+    return equalWords(phrase);
+  }
+  if (phrase.keyword() == GliderLexer::REQUIRE && phrase.type() == GliderLexer::AT) {
+    return 0;  // `visit a at most 3 times` is a promise
+  }
+  size_t tokens = is + tokensOfWords(phrase, is, row->words);
+  const size_t to = tokensOfWords(phrase, tokens, "or equal to");
+  const size_t equal = to != 0 ? to : tokensOfWords(phrase, tokens, "or equal");
+  tokens += row->or_equal.empty() ? 0 : equal;
+  if (!beginsValue(phrase.type(tokens))) {
+    return 0;
+  }
+  const bool or_equal = equal != 0 && !row->or_equal.empty();
+  const Lexeme words = phrase.whole(0, tokens, or_equal ? row->or_equal_type : row->type);
+  const std::string sign(or_equal ? row->or_equal : row->sign);
+  phrase.reporter()
+      .at(words, support::diagnostics::wordOperator, phrase.source().text(words), sign)
+      .fix(phrase.source().range(words), sign);
+  phrase.put(words);
+  return tokens;
+}
+
+size_t between(Phrase& phrase) {
+  const bool in = phrase.type() == GliderLexer::IN;
+  const size_t is = phrase.lower() == "is" ? 1 : 0;
+  if (!(in || phrase.lower(is) == "between") || !isAnyName(phrase.type()) || !afterValue(phrase)) {
+    return 0;
+  }
+  const auto bounds = boundsFrom(phrase, 1 + is, in);
+  if (!bounds || !isName(phrase.before()) || !leadsToComparison(phrase.before(1))) {
+    return 0;
+  }
+  const Lexeme name = *phrase.lexemeBefore();
+  const Source& source = phrase.source();
+  const Lexeme word = phrase.whole(0, 1 + is);
+  const std::string_view low = phrase.wholeText(bounds->low, bounds->low_tokens);
+  const std::string_view high = phrase.wholeText(bounds->high, bounds->high_tokens);
+  const std::string better = fmt::format("{0} > {1} && {0} < {2}", source.text(name), low, high);
+  const Lexeme whole{0, name.begin, phrase.token(bounds->end() - 1).end};
+  phrase.reporter()
+      .at(word, support::diagnostics::wordOperator, source.text(word), better)
+      .fix(source.range(whole), better);
+  const Lexeme& first = phrase.token(bounds->low);
+  phrase.put({kGreater, word.begin, word.end});
+  for (size_t k = bounds->low; k < bounds->low + bounds->low_tokens; ++k) {
+    phrase.put(phrase.token(k));
+  }
+  phrase.put({GliderLexer::AND, first.begin, first.end});
+  putComparison(phrase, name, kLess, bounds->high, bounds->high_tokens);
+  return bounds->end();
+}
+
+size_t sameLeft(Phrase& phrase) {
+  const bool compares =
+      oneOf(phrase.type(), {GliderLexer::LT, GliderLexer::GT, GliderLexer::LE, GliderLexer::GE});
+  if (!compares || !oneOf(phrase.before(), {GliderLexer::AND, GliderLexer::OR,
+                                            GliderLexer::AND_WORD, GliderLexer::OR_WORD})) {
+    return 0;
+  }
+  // `depth > 5 m && < 10 m`: the name, its sign, a number and perhaps a unit before the `&&`.
+  const size_t unit = phrase.before(1) == GliderLexer::NUMBER ? 0 : 1;
+  const size_t sign = 2 + unit;
+  const bool known = phrase.before(1 + unit) == GliderLexer::NUMBER &&
+                     oneOf(phrase.before(sign), {kLess, kGreater, kAtLeast, kAtMost}) &&
+                     isName(phrase.before(sign + 1)) && leadsToComparison(phrase.before(sign + 2));
+  if (!known) {
+    return 0;
+  }
+  const Lexeme name = *phrase.lexemeBefore(sign + 1);
+  const Lexeme& found = phrase.token();
+  const std::string left(phrase.source().text(name));
+  phrase.reporter()
+      .at(found, support::diagnostics::unexpectedToken, "a value", describe(phrase.source(), found))
+      .hint(fmt::format("write `{} {} …`", left, phrase.text()))
+      .fix({phrase.source().file, found.begin, found.begin}, left + " ");
+  phrase.put(name);
+  phrase.put(found);
+  return 1;
+}
+
+size_t notWord(Phrase& phrase) {
+  const bool capital = phrase.type() == GliderLexer::NAME && phrase.lower() == "not" &&
+                       !endsValue(phrase.before()) && !wantsName(phrase.before());
+  if (phrase.type() != GliderLexer::NOT_WORD && !capital) {
+    return 0;
+  }
+  const Lexeme word = phrase.token();
+  const size_t count = tokensOfValue(phrase, 1, true);
+  auto report =
+      phrase.reporter().at(word, support::diagnostics::wordOperator, phrase.text(), "!(…)");
+  phrase.put({GliderLexer::NOT_WORD, word.begin, word.end});
+  if (count == 0 || !readsAsValue(phrase, 1, count)) {
+    return 1;
+  }
+  // `!` applies to one value only: a comparison goes in parentheses.
+  const bool name = count == 1;
+  const size_t open = phrase.type(1) == GliderLexer::LPAREN ? 1 : 2;
+  bool closed = phrase.type(open) == GliderLexer::LPAREN;
+  size_t deep = 0;
+  for (size_t k = open; closed && k < count; ++k) {
+    deep += phrase.type(k) == GliderLexer::LPAREN ? 1U : 0U;
+    deep -= phrase.type(k) == GliderLexer::RPAREN ? 1U : 0U;
+    closed = deep > 0;
+  }
+  const Lexeme operand = phrase.whole(1, count);
+  const Source& source = phrase.source();
+  const bool alone = name || closed;
+  report.hint(alone ? fmt::format("write `!{}`", source.text(operand))
+                    : fmt::format("write `!({})`", source.text(operand)));
+  report.fix({source.file, word.begin, operand.begin}, alone ? "!" : "!(");
+  if (!alone) {
+    report.fix({source.file, operand.end, operand.end}, ")");
+  }
+  return 1;
+}
+
+size_t foreignSign(Phrase& phrase) {
+  std::string_view better;
+  uint32_t meant = 0;
+  support::DiagnosticId id = support::diagnostics::wordOperator;
+  if (phrase.type() == GliderLexer::COLON && phrase.type(1) == GliderLexer::ASSIGN &&
+      phrase.touches(1)) {
+    better = "=";
+    meant = GliderLexer::ASSIGN;
+  } else if (oneOf(phrase.type(), {kGreater, kLess}) && phrase.type(1) == phrase.type() &&
+             phrase.touches(1)) {
+    better = phrase.text();
+    meant = phrase.type();
+    id = support::diagnostics::wrongComparison;
+  } else if (phrase.type() == GliderLexer::TO && phrase.keyword() == GliderLexer::SET &&
+             phrase.before(1) == GliderLexer::SET) {
+    better = "=";
+    meant = GliderLexer::ASSIGN;
+  } else {
+    return 0;
+  }
+  const size_t tokens = meant == GliderLexer::ASSIGN && phrase.type() == GliderLexer::TO ? 1 : 2;
+  const Lexeme sign = phrase.whole(0, tokens, meant);
+  phrase.reporter()
+      .at(sign, id, phrase.source().text(sign), better)
+      .fix(phrase.source().range(sign), std::string(better));
+  phrase.put(sign);
+  return tokens;
+}
+
+size_t commaAsAnd(Phrase& phrase) {
+  const bool condition =
+      phrase.keyword() == GliderLexer::CASE && phrase.open().empty() && endsValue(phrase.before());
+  if (phrase.type() != GliderLexer::COMMA || !condition || phrase.touches(1)) {
+    return 0;
+  }
+  const size_t count = tokensOfValue(phrase, 1, false);
+  if (count < 3 || !readsAsValue(phrase, 1, count) || !isTransition(phrase.type(1 + count))) {
+    return 0;
+  }
+  const Lexeme comma = phrase.token();
+  phrase.reporter()
+      .at(comma, support::diagnostics::wordOperator, ",", "&&")
+      .hint("write `&&` if both conditions must hold, `||` if one is enough");
+  phrase.put({GliderLexer::AND, comma.begin, comma.end});
+  return 1;
+}
+
+size_t plusOfTexts(Phrase& phrase) {
+  const bool text = phrase.before() == GliderLexer::STRING || phrase.type(1) == GliderLexer::STRING;
+  if (phrase.type() != GliderLexer::PLUS || phrase.keyword() != GliderLexer::LOG || !text ||
+      !phrase.open().empty() || !endsValue(phrase.before())) {
+    return 0;
+  }
+  const Lexeme sign = phrase.token();
+  const auto quoted = [&](const Lexeme& t) { return fmt::format("`{}`", phrase.source().text(t)); };
+  phrase.reporter()
+      .at(sign, support::diagnostics::missingComma, quoted(*phrase.lexemeBefore()),
+          quoted(phrase.token(1)))
+      .hint("write `,` for `+`")
+      .fix(phrase.source().range(sign), ",");
+  phrase.put({GliderLexer::COMMA, sign.begin, sign.end});
+  return 1;
+}
+
+}  // namespace glider::frontend::phrases

@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/bare_positions.h"
+#include "frontend/parse/phrases/repairs.h"
+#include "frontend/parse/token_kinds.h"
+#include "support/diagnostics/ids/syntax.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace glider::frontend::phrases {
+namespace {
+
+/// Half of a position: a number, perhaps with a sign before and a letter after it.
+struct Half {
+  size_t at = 0;  ///< its number
+  bool negative = false;
+  bool letter = false;
+  size_t end = 0;  ///< past its last token
+};
+
+std::optional<Half> halfAt(const Phrase& phrase, size_t k) {
+  Half half;
+  half.negative = phrase.type(k) == GliderLexer::MINUS;
+  half.at = k + (half.negative ? 1 : 0);
+  if (phrase.type(half.at) != GliderLexer::NUMBER) {
+    return std::nullopt;
+  }
+  half.letter = phrase.type(half.at + 1) == GliderLexer::COMPASS;
+  half.end = half.at + (half.letter ? 2 : 1);
+  return half;
+}
+
+/// Two halves as they are written outside the arguments of a name.
+struct Pair {
+  Half first;
+  Half second;
+  size_t end = 0;
+  bool comma = false;
+  bool enclosed = false;  ///< in `(…)` or `[…]`
+};
+
+std::optional<Pair> pairAt(const Phrase& phrase) {
+  Pair pair;
+  const uint32_t opener = phrase.type();
+  pair.enclosed =
+      opener == GliderLexer::LPAREN || (opener == GliderLexer::LBRACKET && !phrase.open().empty());
+  const auto first = halfAt(phrase, pair.enclosed ? 1 : 0);
+  if (!first) {
+    return std::nullopt;
+  }
+  pair.first = *first;
+  pair.comma = phrase.type(first->end) == GliderLexer::COMMA;
+  const auto second = halfAt(phrase, first->end + (pair.comma ? 1 : 0));
+  if (!second) {
+    return std::nullopt;
+  }
+  pair.second = *second;
+  pair.end = second->end + (pair.enclosed ? 1 : 0);
+  const uint32_t closer =
+      opener == GliderLexer::LPAREN ? GliderLexer::RPAREN : GliderLexer::RBRACKET;
+  const bool closed = !pair.enclosed || phrase.type(second->end) == closer;
+  return closed ? std::optional(pair) : std::nullopt;
+}
+
+/// The pair as the language writes it.
+struct Better {
+  std::string text;
+  bool certain = false;
+};
+
+/// With its letters: only the sign of a longitude that has a letter too may be wrong.
+std::optional<Better> lettered(const Phrase& phrase, const Pair& pair) {
+  const std::string_view north = phrase.text(pair.first.at + 1);
+  const std::string_view east = phrase.text(pair.second.at + 1);
+  if (!(north == "N" || north == "S") || !(east == "E" || east == "W")) {
+    return std::nullopt;
+  }
+  const auto write = [&](std::string_view n, std::string_view e) {
+    return fmt::format("{} {} {} {}", phrase.text(pair.first.at), n, phrase.text(pair.second.at),
+                       e);
+  };
+  if (!pair.first.negative && !pair.second.negative) {
+    return Better{fmt::format("`{}`", write(north, east)), true};
+  }
+  const auto other = [](std::string_view letter) {
+    constexpr std::string_view kLetters = "NSEW";
+    constexpr std::string_view kOpposite = "SNWE";
+    return kOpposite.substr(kLetters.find(letter), 1);
+  };
+  return Better{fmt::format("`{}` or `{}`", write(north, east),
+                            write(pair.first.negative ? other(north) : north,
+                                  pair.second.negative ? other(east) : east)),
+                false};
+}
+
+/// Without letters: degrees and minutes as the vehicle writes them, or decimal degrees. A minus
+/// says on which side a number is; without one, a letter may have been forgotten.
+std::optional<Better> bare(const Phrase& phrase, const Pair& pair) {
+  const std::string_view north = phrase.text(pair.first.at);
+  const std::string_view east = phrase.text(pair.second.at);
+  const bool signed_east = pair.second.negative;
+  if (isPlainlyDdmm(north) && isPlainlyDdmm(east)) {
+    const auto text = pairWithLetters({north, pair.first.negative}, {east, signed_east});
+    const bool ordered = !isLongitudeFirst(valueOf(north) / 100, valueOf(east) / 100);
+    return text ? std::optional(Better{fmt::format("`{}`", *text), signed_east && ordered})
+                : std::nullopt;
+  }
+  constexpr double kMostLatitude = 90;
+  constexpr double kMostLongitude = 180;
+  constexpr double kMinutes = 60;
+  const double a = valueOf(north);
+  const double b = valueOf(east);
+  if (a > kMostLatitude || b > kMostLongitude) {
+    return std::nullopt;
+  }
+  const auto write = [&](bool west) {
+    return fmt::format("{} {} {} {}", north, pair.first.negative ? 'S' : 'N', east,
+                       west ? 'W' : 'E');
+  };
+  // What cannot be minutes is degrees, and so is its other half.
+  const bool degrees = a >= kMinutes || b >= kMinutes;
+  const bool ordered = !isLongitudeFirst(a, b);
+  return Better{signed_east ? fmt::format("`{}`", write(true))
+                            : fmt::format("`{}` or `{}`", write(false), write(true)),
+                signed_east && degrees && ordered};
+}
+
+/// Whether a list of bare numbers is one of pairs: an even number of them, and nothing else.
+bool isListOfPairs(const Phrase& phrase) {
+  constexpr size_t kMostHalves = 200;
+  size_t halves = 0;
+  size_t k = 0;
+  for (;; ++k) {
+    const auto half = halfAt(phrase, k);
+    if (!half || halves > kMostHalves) {
+      return false;
+    }
+    ++halves;
+    k = half->end;
+    if (phrase.type(k) != GliderLexer::COMMA) {
+      return halves % 2 == 0 && phrase.type(k) == GliderLexer::RBRACKET;
+    }
+  }
+}
+
+/// Whether a pair without parentheses can be meant: between the values of a path, or as the whole
+/// value of a constant.
+bool mayBePair(const Phrase& phrase, const Pair& pair) {
+  const bool path = !phrase.open().empty() && phrase.open().back().type == GliderLexer::LBRACKET;
+  const bool fraction = phrase.text(pair.first.at).find('.') != std::string_view::npos &&
+                        phrase.text(pair.second.at).find('.') != std::string_view::npos;
+  const uint32_t next = phrase.type(pair.end);
+  const bool assigned = phrase.before() == GliderLexer::ASSIGN;
+  if (isOperator(next) || !(path || assigned)) {
+    return false;
+  }
+  const bool ends = path && oneOf(next, {GliderLexer::COMMA, GliderLexer::RBRACKET});
+  // `39.175 -73.83`: a sign that touches its number only.
+  const size_t sign = pair.second.at - 1;
+  const bool sign_of_number =
+      pair.second.negative && !phrase.touches(sign) && phrase.touches(sign + 1);
+  if (!pair.comma) {
+    return !pair.enclosed && ends && sign_of_number &&
+           (pair.first.letter || !isPlainlyDdmm(phrase.text(pair.first.at)));
+  }
+  if (pair.enclosed || assigned) {
+    return pair.first.letter || fraction;
+  }
+  return ends && (pair.first.letter || isListOfPairs(phrase));
+}
+
+void putPair(Phrase& phrase, const Pair& pair) {
+  if (pair.first.letter) {
+    for (const Half& half : {pair.first, pair.second}) {
+      phrase.put(phrase.token(half.at));
+      phrase.put(phrase.token(half.at + 1));
+    }
+    return;
+  }
+  // One number with a space or a comma in it: analysis knows that it was reported.
+  const size_t first = pair.first.at;
+  phrase.put(phrase.whole(first, pair.second.end - first, GliderLexer::NUMBER));
+}
+
+}  // namespace
+
+size_t pairOfNumbers(Phrase& phrase) {
+  const bool begins = oneOf(phrase.type(), {GliderLexer::LPAREN, GliderLexer::LBRACKET,
+                                            GliderLexer::NUMBER, GliderLexer::MINUS});
+  const bool place =
+      oneOf(phrase.before(), {GliderLexer::ASSIGN, GliderLexer::LBRACKET, GliderLexer::COMMA});
+  const auto pair = begins && place ? pairAt(phrase) : std::nullopt;
+  if (!pair || pair->first.letter != pair->second.letter || !mayBePair(phrase, *pair)) {
+    return 0;
+  }
+  const auto better = pair->first.letter ? lettered(phrase, *pair) : bare(phrase, *pair);
+  if (!better) {
+    return 0;
+  }
+  const Lexeme whole = phrase.whole(0, pair->end);
+  auto report = phrase.reporter().at(whole, support::diagnostics::positionForm,
+                                     phrase.source().text(whole), "");
+  report.hint("write " + better->text);
+  if (better->certain) {
+    report.fix(phrase.source().range(whole), better->text.substr(1, better->text.size() - 2));
+  }
+  putPair(phrase, *pair);
+  return pair->end;
+}
+
+size_t letterBefore(Phrase& phrase) {
+  const bool value = oneOf(phrase.before(), {GliderLexer::LPAREN, GliderLexer::LBRACKET,
+                                             GliderLexer::COMMA, GliderLexer::ASSIGN});
+  const bool second = phrase.before() == GliderLexer::COMPASS;
+  if (phrase.type() != GliderLexer::COMPASS || phrase.type(1) != GliderLexer::NUMBER ||
+      !(value || second) || phrase.startsLine(1)) {
+    return 0;
+  }
+  const uint32_t next = phrase.type(2);
+  if (!oneOf(next, {GliderLexer::COMMA, GliderLexer::RPAREN, GliderLexer::RBRACKET,
+                    GliderLexer::COMPASS}) ||
+      (next == GliderLexer::COMPASS && phrase.type(3) != GliderLexer::NUMBER)) {
+    return 0;
+  }
+  const Lexeme whole = phrase.whole(0, 2);
+  const std::string better = fmt::format("{} {}", phrase.text(1), phrase.text());
+  phrase.reporter()
+      .at(whole, support::diagnostics::positionForm, phrase.source().text(whole), better)
+      .hint(fmt::format("write `{}`", better))
+      .fix(phrase.source().range(whole), better);
+  phrase.put(phrase.token(1));
+  phrase.put(phrase.token());
+  return 2;
+}
+
+size_t compassPoint(Phrase& phrase) {
+  const bool alone =
+      phrase.before() == GliderLexer::LPAREN && phrase.type(1) == GliderLexer::RPAREN;
+  if (phrase.type() != GliderLexer::COMPASS || !alone || phrase.open().empty() ||
+      !phrase.open().back().arguments) {
+    return 0;
+  }
+  constexpr std::string_view kLetters = "NESW";
+  constexpr size_t kQuarter = 90;
+  const Lexeme point = phrase.token();
+  const std::string better = fmt::format("{} deg", kLetters.find(phrase.text()[0]) * kQuarter);
+  phrase.reporter()
+      .at(point, support::diagnostics::unexpectedToken, "a value", describe(phrase.source(), point))
+      .hint(fmt::format("write `{}`", better))
+      .fix(phrase.source().range(point), better);
+  phrase.put({GliderLexer::NUMBER, point.begin, point.end});
+  phrase.notAsMeant();
+  return 1;
+}
+
+}  // namespace glider::frontend::phrases

@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/parse/phrases/phrase.h"
+
+#include "frontend/parse/token_kinds.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+
+namespace glider::frontend {
+namespace {
+
+/// How many tokens are looked at ahead: no phrase is longer, and the time that a file takes then
+/// grows with its length only.
+constexpr size_t kFarthest = 300;
+
+bool isValueWord(uint32_t type) {
+  return isOperator(type) || oneOf(type, {GliderLexer::TRUE, GliderLexer::FALSE,
+                                          GliderLexer::AND_WORD, GliderLexer::OR_WORD});
+}
+
+/// Whether it may join two values, or stand before one.
+bool joins(uint32_t type) {
+  return isOperator(type) || oneOf(type, {GliderLexer::AND_WORD, GliderLexer::OR_WORD});
+}
+
+bool isUnit(uint32_t type) {
+  return oneOf(type, {GliderLexer::UNIT, GliderLexer::COMPASS, GliderLexer::MIN});
+}
+
+}  // namespace
+
+Phrase::Phrase(const std::vector<Lexeme>& in, SyntaxReporter& reporter)
+    : in_(in), reporter_(reporter) {
+  out_.reserve(in.size());
+}
+
+const Lexeme& Phrase::token(size_t k) const {
+  return in_[std::min(at_ + k, in_.size() - 1)];
+}
+
+std::string Phrase::lower(size_t k) const {
+  std::string word(text(k));
+  std::ranges::transform(word, word.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return word;
+}
+
+bool Phrase::atEnd() const {
+  return at_ >= in_.size();
+}
+
+bool Phrase::touches(size_t k) const {
+  const size_t n = at_ + k;
+  return n > 0 && n < in_.size() && in_[n - 1].end == in_[n].begin;
+}
+
+bool Phrase::startsLine(size_t k) const {
+  const size_t n = std::min(at_ + k, in_.size() - 1);
+  const uint32_t from = n == 0 ? 0 : in_[n - 1].end;
+  return n == 0 ||
+         source().text().substr(from, in_[n].begin - from).find('\n') != std::string_view::npos;
+}
+
+size_t Phrase::tokensOfLine() const {
+  size_t k = 1;
+  while (k < kFarthest && at_ + k < in_.size() && type(k) != kEof && !startsLine(k)) {
+    ++k;
+  }
+  return k;
+}
+
+Lexeme Phrase::whole(size_t first, size_t count, uint32_t type) const {
+  return {type, token(first).begin, token(first + count - 1).end};
+}
+
+bool Phrase::isDeclared(std::string_view name) {
+  if (!declared_) {
+    declared_.emplace();
+    for (size_t i = 0; i + 1 < in_.size(); ++i) {
+      if ((i > 0 && wantsName(in_[i - 1].type)) ||
+          oneOf(in_[i + 1].type, {GliderLexer::COLON, GliderLexer::ASSIGN})) {
+        declared_->insert(source().text(in_[i]));
+      }
+    }
+  }
+  return declared_->contains(name);
+}
+
+uint32_t Phrase::before(size_t k) const {
+  return k < out_.size() ? out_[out_.size() - 1 - k].type : 0;
+}
+
+const Lexeme* Phrase::lexemeBefore(size_t k) const {
+  return k < out_.size() ? &out_[out_.size() - 1 - k] : nullptr;
+}
+
+void Phrase::put(const Lexeme& lexeme) {
+  out_.push_back(lexeme);
+  follow(lexeme);
+}
+
+void Phrase::insert(uint32_t type) {
+  const uint32_t place = out_.empty() ? 0 : out_.back().end;
+  put({type, place, place});
+}
+
+bool Phrase::skip() {
+  const bool left_out = left_out_.contains(at_);
+  at_ += left_out ? 1U : 0U;
+  return left_out;
+}
+
+void Phrase::follow(const Lexeme& lexeme) {
+  const uint32_t type = lexeme.type;
+  if (oneOf(type, {GliderLexer::LPAREN, GliderLexer::LBRACKET})) {
+    open_.push_back({type, type == GliderLexer::LPAREN && isAnyName(before(1))});
+  } else if (oneOf(type, {GliderLexer::RPAREN, GliderLexer::RBRACKET})) {
+    open_.resize(open_.size() - (open_.empty() ? 0U : 1U));
+  } else if (isHardKeyword(type) && !isValueWord(type) && type != GliderLexer::EVERY) {
+    open_.clear();
+    keyword_ = type;
+    in_range_ = false;
+  }
+  in_range_ = in_range_ || type == GliderLexer::IN;
+  case_may_begin_ = type == GliderLexer::EVENTS ||
+                    (type == GliderLexer::ALWAYS && before(1) != GliderLexer::REQUIRE) ||
+                    afterTransition();
+}
+
+/// `exit`, `call up` or `call up(5 m)` is the last that was read.
+bool Phrase::afterTransition() const {
+  const auto leads = [](uint32_t t) { return oneOf(t, {GliderLexer::GOTO, GliderLexer::CALL}); };
+  if (isTransition(before()) && !leads(before()) && !wantsName(before(1))) {
+    return true;
+  }
+  if (isAnyName(before()) && leads(before(1))) {
+    return true;
+  }
+  if (before() != GliderLexer::RPAREN || !leads(keyword_)) {
+    return false;
+  }
+  size_t deep = 0;
+  for (size_t k = 0; k < kFarthest && before(k) != 0; ++k) {
+    deep += before(k) == GliderLexer::RPAREN ? 1U : 0U;
+    deep -= before(k) == GliderLexer::LPAREN ? 1U : 0U;
+    if (deep == 0) {
+      return isAnyName(before(k + 1)) && leads(before(k + 2));
+    }
+  }
+  return false;
+}
+
+bool readsAsValue(const Phrase& phrase, size_t first, size_t count) {
+  bool ends = false;  // whether the token before ends a value
+  size_t deep = 0;
+  uint32_t last = 0;
+  for (size_t k = first; k < first + count; ++k) {
+    const uint32_t type = phrase.type(k);
+    const bool unit = last == GliderLexer::NUMBER && isUnit(type);
+    const bool more_unit = last == GliderLexer::DIVIDE && isUnit(type);
+    if (type == GliderLexer::LPAREN) {
+      if (ends && !isAnyName(last)) {
+        return false;
+      }
+      ++deep;
+      ends = false;
+    } else if (type == GliderLexer::RPAREN) {
+      if (deep == 0) {
+        return false;
+      }
+      --deep;
+      ends = true;
+    } else if (type == GliderLexer::COMMA) {
+      if (deep == 0 || !ends) {
+        return false;
+      }
+      ends = false;
+    } else if (joins(type)) {
+      const bool sign = oneOf(type, {GliderLexer::MINUS, GliderLexer::NOT, GliderLexer::NOT_WORD});
+      if (!ends && !sign) {
+        return false;
+      }
+      ends = false;
+    } else if (unit || more_unit) {
+      ends = true;
+    } else if (startsValue(type) || type == GliderLexer::MIN) {
+      const bool second = isUnit(last) && type == GliderLexer::NUMBER;  // `39 N 73 W`
+      if (ends && !second) {
+        return false;
+      }
+      ends = true;
+    } else {
+      return false;
+    }
+    last = type;
+  }
+  return ends && deep == 0;
+}
+
+size_t tokensOfValue(const Phrase& phrase, size_t first, bool conditions) {
+  size_t deep = 0;
+  size_t k = first;
+  for (;; ++k) {
+    const uint32_t type = phrase.type(k);
+    const std::string word = type == GliderLexer::NAME ? phrase.lower(k) : "";
+    const bool logical = oneOf(type, {GliderLexer::AND, GliderLexer::OR, GliderLexer::AND_WORD,
+                                      GliderLexer::OR_WORD}) ||
+                         word == "and" || word == "or";
+    const bool value = startsValue(type) || isAnyName(type) || joins(type) ||
+                       oneOf(type, {GliderLexer::LPAREN, GliderLexer::RPAREN, GliderLexer::COMMA});
+    if (k - first >= kFarthest) {
+      return 0;
+    }
+    if (!value || (deep == 0 && ((logical && conditions) || type == GliderLexer::COMMA ||
+                                 type == GliderLexer::RPAREN))) {
+      return k - first;
+    }
+    deep += type == GliderLexer::LPAREN ? 1U : 0U;
+    deep -= type == GliderLexer::RPAREN ? 1U : 0U;
+  }
+}
+
+double valueOf(std::string_view digits) {
+  return std::strtod(std::string(digits).c_str(), nullptr);
+}
+
+size_t tokensOfNumber(const Phrase& phrase, size_t first) {
+  const size_t sign = phrase.type(first) == GliderLexer::MINUS ? 1 : 0;
+  if (phrase.type(first + sign) != GliderLexer::NUMBER) {
+    return 0;
+  }
+  return sign + (isUnit(phrase.type(first + sign + 1)) ? 2 : 1);
+}
+
+}  // namespace glider::frontend

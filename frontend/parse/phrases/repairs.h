@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "frontend/parse/phrases/phrase.h"
+
+/// The errors of several tokens, by what they are about.
+namespace glider::frontend::phrases {
+
+/// `% warm water`, `-- warm water`, and prose at the beginning of a line.
+size_t comment(Phrase& phrase);
+/// `CASE`, `Call`: a keyword with capitals.
+size_t capitals(Phrase& phrase);
+/// `if … then call up`, `when … call up`, `else stay`, a condition without `case`.
+size_t caseWord(Phrase& phrase);
+/// `call state up`, `go to up`.
+size_t target(Phrase& phrase);
+/// `exit mission`, `return look`, `call up exit`.
+size_t afterTransition(Phrase& phrase);
+/// `-> call up`, `=> call up`.
+size_t arrow(Phrase& phrase);
+/// `case after 1 h`, `case always`.
+size_t conditionWord(Phrase& phrase);
+/// `is above`, `exceeds`, `at least`.
+size_t comparison(Phrase& phrase);
+/// `depth between 5 m and 10 m`, `depth in 5 m .. 10 m`.
+size_t between(Phrase& phrase);
+/// `depth > 5 m && < 10 m`.
+size_t sameLeft(Phrase& phrase);
+/// `not (…)`, `NOT known(…)`.
+size_t notWord(Phrase& phrase);
+/// `:=`, `set n to 1`, `>>`.
+size_t foreignSign(Phrase& phrase);
+/// `case depth > 5 m, temp > 3 degC call up`.
+size_t commaAsAnd(Phrase& phrase);
+/// `log "d " + depth`.
+size_t plusOfTexts(Phrase& phrase);
+/// `20 deg C`, `20 °C`.
+size_t degreesCelsius(Phrase& phrase);
+/// `200 ug/L`, `5 hPa`: units of other systems.
+size_t foreignUnit(Phrase& phrase);
+/// `1h30`, `3 h 30 min`.
+size_t timeInParts(Phrase& phrase);
+/// `(39.175, -73.83)`, `39.175 N, 73.83 W`.
+size_t pairOfNumbers(Phrase& phrase);
+/// `N 39.175`.
+size_t letterBefore(Phrase& phrase);
+/// `heading(E)`.
+size_t compassPoint(Phrase& phrase);
+/// `set n += 1`, `n++`, `print "warm"`, `wait 10 min`.
+size_t statement(Phrase& phrase);
+/// `case … set n = 1 call up`.
+size_t actionWithoutDo(Phrase& phrase);
+/// `var n = 0`, `length d = 5 m`.
+size_t untyped(Phrase& phrase);
+/// `in 3 m to 8 m`.
+size_t range(Phrase& phrase);
+/// `yo 5 m, 20 m`, `yo[5 m, 20 m]`.
+size_t withoutParentheses(Phrase& phrase);
+
+}  // namespace glider::frontend::phrases

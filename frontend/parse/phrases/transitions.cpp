@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/parse/phrases/repairs.h"
+#include "frontend/parse/token_kinds.h"
+#include "support/diagnostics/ids/syntax.h"
+
+#include <fmt/format.h>
+
+namespace glider::frontend::phrases {
+namespace {
+
+bool leads(uint32_t type) {
+  return oneOf(type, {GliderLexer::GOTO, GliderLexer::CALL});
+}
+
+/// Whether a condition was read and nothing after it.
+bool afterCondition(const Phrase& phrase) {
+  return phrase.keyword() == GliderLexer::CASE && phrase.open().empty() &&
+         (endsValue(phrase.before()));
+}
+
+/// `call state up`.
+size_t stateBeforeTarget(Phrase& phrase) {
+  if (phrase.type() != GliderLexer::STATE || !leads(phrase.before()) || phrase.startsLine() ||
+      !isAnyName(phrase.type(1))) {
+    return 0;
+  }
+  phrase.reporter()
+      .at(phrase.token(), support::diagnostics::superfluousWord, phrase.text(),
+          fmt::format("after `{}`", phrase.source().text(*phrase.lexemeBefore())))
+      .fix(phrase.source().range(phrase.token()), "");
+  return 1;
+}
+
+/// `go to up`.
+size_t goTo(Phrase& phrase) {
+  if (phrase.type() != GliderLexer::NAME || phrase.lower() != "go" || !afterCondition(phrase) ||
+      phrase.lower(1) != "to" || !isStateName(phrase.source(), phrase.text(2))) {
+    return 0;
+  }
+  const Lexeme both = phrase.whole(0, 2, GliderLexer::GOTO);
+  phrase.reporter()
+      .at(both, support::diagnostics::wrongTransition, phrase.source().text(both))
+      .hint("write `goto`")
+      .fix(phrase.source().range(both), "goto");
+  phrase.put(both);
+  return 2;
+}
+
+/// `jump up`: only the pilot knows whether the state is to return.
+size_t jumpTo(Phrase& phrase) {
+  if (phrase.type() != GliderLexer::NAME || !afterCondition(phrase) ||
+      phrase.before() == GliderLexer::NUMBER) {
+    return 0;
+  }
+  const size_t name = phrase.lower(1) == "to" ? 2 : 1;
+  if (phrase.startsLine(name) || !isAnyName(phrase.type(name)) ||
+      !isStateName(phrase.source(), phrase.text(name))) {
+    return 0;
+  }
+  const std::string_view state = phrase.text(name);
+  const Lexeme word = phrase.whole(0, name, GliderLexer::GOTO);
+  if (keywordType(phrase.lower()) != 0) {
+    return 0;
+  }
+  phrase.reporter()
+      .at(word, support::diagnostics::wrongTransition, phrase.source().text(word))
+      .hint(fmt::format("write `goto {0}`, or `call {0}` to come back", state));
+  phrase.put(word);
+  return name;
+}
+
+/// The text of the transition that was just read.
+std::string_view transitionBefore(const Phrase& phrase) {
+  size_t k = 0;
+  while (phrase.before(k) != 0 && !isTransition(phrase.before(k))) {
+    ++k;
+  }
+  const Lexeme* keyword = phrase.lexemeBefore(k);
+  const Lexeme* last = phrase.lexemeBefore();
+  return keyword == nullptr
+             ? std::string_view()
+             : phrase.source().text().substr(keyword->begin, last->end - keyword->begin);
+}
+
+}  // namespace
+
+size_t target(Phrase& phrase) {
+  if (const size_t taken = stateBeforeTarget(phrase)) {
+    return taken;
+  }
+  const size_t taken = goTo(phrase);
+  return taken != 0 ? taken : jumpTo(phrase);
+}
+
+size_t afterTransition(Phrase& phrase) {
+  if (!phrase.mayBeginCase() || phrase.startsLine() || !isTransition(phrase.keyword())) {
+    return 0;
+  }
+  const size_t line = phrase.tokensOfLine();
+  const bool second = isTransition(phrase.type());
+  const size_t tokens = second && leads(phrase.type()) ? 2 : 1;
+  const bool word = phrase.type() == GliderLexer::MISSION ||
+                    (phrase.type() == GliderLexer::NAME && isTransition(phrase.before()));
+  if (line != tokens || !(second || word)) {
+    return 0;
+  }
+  const Lexeme extra = phrase.whole(0, tokens);
+  auto report = phrase.reporter().at(extra, support::diagnostics::superfluousWord,
+                                     phrase.source().text(extra),
+                                     fmt::format("after `{}`", transitionBefore(phrase)));
+  if (second) {
+    report.hint("a case has one transition: delete one of the two");
+  } else if (phrase.before() == GliderLexer::RETURN) {
+    report.hint("delete it: `return` goes to the state that called this one");
+  } else {
+    report.fix(phrase.source().range(extra), "");
+  }
+  return tokens;
+}
+
+size_t arrow(Phrase& phrase) {
+  if (!afterCondition(phrase)) {
+    return 0;
+  }
+  size_t tokens = 0;
+  if (phrase.type() == GliderLexer::MINUS) {
+    tokens = phrase.type(1) == GliderLexer::MINUS && phrase.touches(1) ? 2 : 1;
+    tokens = phrase.type(tokens) == GliderLexer::GT && phrase.touches(tokens) ? tokens + 1 : 0;
+  } else if (phrase.type() == GliderLexer::WRONG_COMPARISON && phrase.text() == "=>") {
+    tokens = 1;
+  } else if (phrase.type() == GliderLexer::FOREIGN &&
+             (phrase.text() == "→" || phrase.text() == "⇒")) {
+    tokens = 1;
+  } else if (phrase.type() == GliderLexer::NOT) {
+    tokens = 1;
+  }
+  const uint32_t next = phrase.type(tokens);
+  if (tokens == 0 || !(isTransition(next) || next == GliderLexer::DO)) {
+    return 0;
+  }
+  const Lexeme sign = phrase.whole(0, tokens);
+  phrase.reporter()
+      .at(sign, support::diagnostics::superfluousWord, phrase.source().text(sign),
+          "after the condition of a case")
+      .fix(phrase.source().range(sign), "");
+  return tokens;
+}
+
+}  // namespace glider::frontend::phrases

@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/parse/phrases/repairs.h"
+#include "frontend/parse/token_kinds.h"
+#include "frontend/spelling.h"
+#include "support/diagnostics/ids/syntax.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace glider::frontend::phrases {
+namespace {
+
+/// A unit of another system, with the unit of the language that takes its place: a value of `v`
+/// is `v * factor + offset` there.
+struct OtherUnit {
+  std::string_view unit;  ///< in lower case
+  std::string_view ours;  ///< empty: readings in it are plain numbers
+  double factor;
+  double offset;
+};
+constexpr OtherUnit kOtherUnits[] = {{"degf", "degC", 1 / 1.8, -32 / 1.8},
+                                     {"fahrenheit", "degC", 1 / 1.8, -32 / 1.8},
+                                     {"kelvin", "degC", 1, -273.15},
+                                     {"hpa", "bar", 0.001, 0},
+                                     {"mbar", "bar", 0.001, 0},
+                                     {"kpa", "bar", 0.01, 0},
+                                     {"psi", "bar", 0.0689476, 0},
+                                     {"ms", "s", 0.001, 0},
+                                     {"week", "day", 7, 0},
+                                     {"weeks", "day", 7, 0},
+                                     {"ms/cm", "S/m", 0.1, 0},
+                                     {"us/cm", "S/m", 0.0001, 0},
+                                     {"km/h", "m/s", 1 / 3.6, 0},
+                                     {"fathom", "m", 1.8288, 0},
+                                     {"fathoms", "m", 1.8288, 0},
+                                     {"mile", "km", 1.609344, 0},
+                                     {"miles", "km", 1.609344, 0},
+                                     {"um", "", 0, 0},
+                                     {"umol", "", 0, 0},
+                                     {"umol/kg", "", 0, 0},
+                                     {"umol/l", "", 0, 0},
+                                     {"ug/l", "", 0, 0},
+                                     {"mg/l", "", 0, 0},
+                                     {"ml/l", "", 0, 0},
+                                     {"psu", "", 0, 0},
+                                     {"ppb", "", 0, 0},
+                                     {"cc", "", 0, 0}};
+
+const OtherUnit* otherUnit(std::string unit) {
+  std::ranges::transform(unit, unit.begin(), [](unsigned char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : static_cast<char>(c);
+  });
+  const auto* row = std::ranges::find(kOtherUnits, unit, &OtherUnit::unit);
+  return row == std::end(kOtherUnits) ? nullptr : row;
+}
+
+bool isDegreeWord(const Phrase& phrase, size_t k) {
+  const uint32_t type = phrase.type(k);
+  return (type == GliderLexer::FOREIGN && (phrase.text(k) == "°" || phrase.text(k) == "º")) ||
+         (type == GliderLexer::UNIT && phrase.text(k) == "deg") ||
+         (type == GliderLexer::NAME && unitForWord(phrase.text(k)) == "deg");
+}
+
+/// Hours, minutes and seconds as they are written together: the factor to seconds; 0: no such unit.
+double secondsOf(std::string_view unit) {
+  const std::string_view known = unitForWord(unit);
+  return known == "s" ? 1 : known == "min" ? 60 : known == "h" ? 3600 : known == "day" ? 86400 : 0;
+}
+
+/// Part of a time: `3 h`.
+struct TimePart {
+  bool as_ours = false;  ///< its unit is written as in the language
+  double seconds = 0;
+  double unit = 0;  ///< in seconds
+  size_t tokens = 0;
+};
+
+TimePart timePart(const Phrase& phrase, size_t k) {
+  const bool unit = isAnyName(phrase.type(k + 1));
+  const double factor =
+      phrase.type(k) == GliderLexer::NUMBER && unit ? secondsOf(phrase.text(k + 1)) : 0;
+  return {unit && unitForWord(phrase.text(k + 1)) == phrase.text(k + 1),
+          valueOf(phrase.text(k)) * factor, factor, factor > 0 ? 2U : 0U};
+}
+
+/// `5400 s` as "90 min": in the smallest unit that was written.
+std::string timeText(double seconds, double unit) {
+  return fmt::format("{:.10g} {}", seconds / unit, unit < 60 ? "s" : unit < 3600 ? "min" : "h");
+}
+
+void reportTime(Phrase& phrase, size_t tokens, double seconds, double unit) {
+  const Lexeme whole = phrase.whole(0, tokens);
+  const std::string better = timeText(seconds, unit);
+  phrase.reporter()
+      .at(whole, support::diagnostics::timeInParts, phrase.source().text(whole), better)
+      .fix(phrase.source().range(whole), better);
+}
+
+/// `h30`, `h30min` after a number: the digits and the second unit, "30" and "min".
+std::optional<std::pair<std::string_view, std::string_view>> gluedTime(std::string_view word) {
+  constexpr std::string_view kDigits = "0123456789";
+  if (word.size() < 2 || (word[0] != 'h' && word[0] != 'H')) {
+    return std::nullopt;
+  }
+  const size_t end = std::min(word.find_first_not_of(kDigits, 1), word.size());
+  const std::string_view rest = word.substr(end);
+  const bool minutes = rest.empty() || unitForWord(rest) == "min" || rest == "m";
+  return end > 1 && minutes ? std::optional(std::pair(word.substr(1, end - 1), rest))
+                            : std::nullopt;
+}
+
+/// `1h30`, `1h30min`.
+size_t gluedTimeIn(Phrase& phrase) {
+  const auto glued = phrase.type(1) == GliderLexer::NAME ? gluedTime(phrase.text(1)) : std::nullopt;
+  if (!glued) {
+    return 0;
+  }
+  constexpr double kMinute = 60;
+  constexpr double kHour = 3600;
+  const Lexeme& word = phrase.token(1);
+  reportTime(phrase, 2, valueOf(phrase.text()) * kHour + valueOf(glued->first) * kMinute, kMinute);
+  phrase.put(phrase.token());
+  phrase.put({GliderLexer::UNIT, word.begin, word.begin + 1});
+  return 2;
+}
+
+}  // namespace
+
+size_t timeInParts(Phrase& phrase) {
+  if (phrase.type() != GliderLexer::NUMBER) {
+    return 0;
+  }
+  if (const size_t taken = gluedTimeIn(phrase)) {
+    return taken;
+  }
+  const TimePart first = timePart(phrase, 0);
+  size_t tokens = first.tokens;
+  double seconds = first.seconds;
+  double unit = first.unit;
+  bool as_ours = first.as_ours;  // `3 h 30 min` is a duration of the language
+  while (unit > 0) {
+    const bool joined = phrase.type(tokens) == GliderLexer::AND_WORD;
+    const TimePart next = timePart(phrase, tokens + (joined ? 1 : 0));
+    if (next.tokens == 0 || next.unit >= unit || phrase.startsLine(tokens)) {
+      break;
+    }
+    tokens += next.tokens + (joined ? 1 : 0);
+    seconds += next.seconds;
+    unit = next.unit;
+    as_ours = as_ours && next.as_ours && !joined;
+  }
+  if (tokens == first.tokens || as_ours) {
+    return 0;
+  }
+  // In a list a comma may be missing between two times.
+  const bool list = !phrase.open().empty() && (phrase.open().back().arguments ||
+                                               phrase.open().back().type == GliderLexer::LBRACKET);
+  if (list) {
+    return 0;
+  }
+  reportTime(phrase, tokens, seconds, unit);
+  phrase.put(phrase.token());
+  phrase.put({GliderLexer::UNIT, phrase.token(1).begin, phrase.token(1).end});
+  return tokens;
+}
+
+size_t degreesCelsius(Phrase& phrase) {
+  if (phrase.before() != GliderLexer::NUMBER || !isDegreeWord(phrase, 0) || phrase.startsLine(1)) {
+    return 0;
+  }
+  const std::string scale = phrase.lower(1);
+  const bool name = phrase.type(1) == GliderLexer::NAME;
+  const bool celsius = name && (scale == "c" || scale == "celsius");
+  const bool fahrenheit = name && (scale == "f" || scale == "fahrenheit");
+  if (!celsius && !fahrenheit) {
+    return 0;
+  }
+  const Lexeme unit = phrase.whole(0, 2, GliderLexer::UNIT);
+  const std::string_view number = phrase.source().text(*phrase.lexemeBefore());
+  const bool apart = phrase.lexemeBefore()->end < unit.begin;
+  const std::string written(phrase.source().text(unit));
+  const std::string better =
+      celsius ? "degC" : fmt::format("{:.4g} degC", (valueOf(number) - 32) / 1.8);
+  auto report = phrase.reporter().at(unit, support::diagnostics::unknownUnit, written,
+                                     fmt::format("write `{}`", better));
+  if (celsius) {
+    report.fix(phrase.source().range(unit), apart ? "degC" : " degC");
+    phrase.put(unit);  // AstBuilder reads it as degC
+  }
+  return 2;
+}
+
+size_t foreignUnit(Phrase& phrase) {
+  if (phrase.before() != GliderLexer::NUMBER || phrase.type() != GliderLexer::NAME ||
+      phrase.startsLine()) {
+    return 0;
+  }
+  const bool fraction = phrase.type(1) == GliderLexer::DIVIDE && isAnyName(phrase.type(2)) &&
+                        phrase.touches(1) && phrase.touches(2);
+  const size_t tokens = fraction ? 3 : 1;
+  const OtherUnit* other = otherUnit(std::string(phrase.wholeText(0, tokens)));
+  if (other == nullptr && !(fraction && unitForWord(phrase.text()).empty())) {
+    return 0;
+  }
+  const Lexeme unit = phrase.whole(0, tokens, GliderLexer::UNIT);
+  const bool negative = phrase.before(1) == GliderLexer::MINUS && !endsValue(phrase.before(2));
+  const double number = valueOf(phrase.source().text(*phrase.lexemeBefore()));
+  const double ours =
+      other == nullptr ? 0 : (negative ? -number : number) * other->factor + other->offset;
+  const std::string hint =
+      other == nullptr || other->ours.empty()
+          ? "write the number alone: readings of sensors without a unit here are plain numbers"
+          : fmt::format("write `{:.4g} {}`", ours, other->ours);
+  phrase.reporter().at(unit, support::diagnostics::unknownUnit, phrase.source().text(unit), hint);
+  return tokens;
+}
+
+}  // namespace glider::frontend::phrases

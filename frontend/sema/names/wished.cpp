@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/names/wished.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+namespace glider::frontend {
+namespace {
+
+/// A name that pilots expect.
+struct Wish {
+  std::string_view name;
+  std::string_view hint;
+  std::string_view sensor;  ///< what the hint names; empty: every platform has it
+};
+
+constexpr std::string_view kTimeHint =
+    "`missiontime` is the time since the mission began, `statetime` since the state began";
+constexpr std::string_view kCountHint =
+    "count in a `var` of the mission: `case became(depthrate < 0 m/s) do set n = n + 1 end stay`";
+constexpr std::string_view kCurrentHint =
+    "`m_water_vx` and `m_water_vy` are the current, estimated after each dive";
+constexpr Wish kWishes[] = {
+    {"now", kTimeHint, ""},
+    {"time", kTimeHint, ""},
+    {"clock", kTimeHint, ""},
+    {"current", kCurrentHint, "m_water_vx"},
+    {"yo_count", kCountHint, "depthrate"},
+    {"dive_count", kCountHint, "depthrate"},
+    {"yos", kCountHint, "depthrate"},
+    {"dives", kCountHint, "depthrate"},
+    {"conductivity", "did you mean `cond`?", "cond"}};
+
+/// Points of the compass, as angles from true north.
+struct Point {
+  std::string_view name;
+  std::string_view angle;
+};
+constexpr Point kPoints[] = {
+    {"north", "0 deg"},   {"northeast", "45 deg"},  {"east", "90 deg"},  {"southeast", "135 deg"},
+    {"south", "180 deg"}, {"southwest", "225 deg"}, {"west", "270 deg"}, {"northwest", "315 deg"}};
+
+}  // namespace
+
+std::optional<Suggestion> insteadOf(std::string_view wish, const platforms::Platform& platform) {
+  std::string name(wish);
+  std::ranges::transform(name, name.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (const auto* point = std::ranges::find(kPoints, name, &Point::name);
+      point != std::end(kPoints)) {
+    return Suggestion{"write `" + std::string(point->angle) + "`", std::string(point->angle)};
+  }
+  const auto* row = std::ranges::find(kWishes, name, &Wish::name);
+  if (row == std::end(kWishes) || (!row->sensor.empty() && platform.find(row->sensor) == nullptr)) {
+    return std::nullopt;
+  }
+  return Suggestion{std::string(row->hint), ""};
+}
+
+}  // namespace glider::frontend

@@ -214,8 +214,9 @@ bool ValueRepair::belongTogether(const Lexeme& t, const Lexeme& next) const {
       (previous() == GliderLexer::OF && n > 1 && endsValue(out_[n - 2].type))) {
     return true;
   }
-  if (t.type == GliderLexer::NUMBER && n > 1 && out_[n - 2].type == GliderLexer::NUMBER) {
-    return isSmallerTime(source_.text(out_.back()), source_.text(next));
+  if (t.type == GliderLexer::NUMBER && n > 1 && out_[n - 2].type == GliderLexer::NUMBER &&
+      isSmallerTime(source_.text(out_.back()), source_.text(next))) {
+    return true;
   }
   auto isPair = [&](size_t end) {
     return end >= 2 && out_[end - 1].type == GliderLexer::COMPASS &&

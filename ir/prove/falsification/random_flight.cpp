@@ -4,6 +4,7 @@
 #include "ir/prove/falsification/random_flight.h"
 
 #include "ir/core/inside.h"
+#include "ir/prove/context/place_read.h"
 #include "ir/prove/context/vehicle_clock.h"
 #include "ir/prove/falsification/random_place.h"
 #include "ir/prove/falsification/random_vehicle.h"
@@ -48,8 +49,9 @@ class RandomFlight {
     for (const Sensor& sensor : m_.sensors) {
       landmarks_.push_back(landmarksOf(sensor));
     }
-    const auto area = std::ranges::find_if_not(requirements, &std::vector<Geofence>::empty,
-                                               &Requirement::geofences);
+    const auto area = std::ranges::find_if(requirements, [&](const Requirement& requirement) {
+      return !requirement.geofences.empty() || isAboutPlace(requirement, proof_context);
+    });
     if (area != requirements.end()) {
       const auto start = startOf(*area);
       starts_nowhere_ = !start;
@@ -106,7 +108,7 @@ class RandomFlight {
   }
 
   /// A place in the area of the start that is assumed (none if none is found); otherwise a
-  /// waypoint, usually one on the right side; otherwise the middle of an area.
+  /// waypoint, usually one on the right side; otherwise the middle of an area, if there is one.
   std::optional<Position> startOf(const Requirement& requirement) {
     if (const auto assumed = assumedStart(m_)) {
       return placeInside(*assumed, dice_);
@@ -115,13 +117,16 @@ class RandomFlight {
     std::vector<Position> kept;
     std::ranges::copy_if(all, std::back_inserter(kept), [&](const Position& place) {
       return std::ranges::all_of(requirement.geofences, [&](const Geofence& fence) {
-        return AreaMap(fence.corners, {place}).clearance(fence, {place}).right_side;
+        return AreaMap(fence, {place}).clearance(fence, {place}).right_side;
       });
     });
     constexpr double kMostly = 0.8;
     const std::vector<Position>& from = !kept.empty() && dice_.chance(kMostly) ? kept : all;
     if (!from.empty()) {
       return from[dice_.below(from.size())];
+    }
+    if (requirement.geofences.empty()) {
+      return std::nullopt;
     }
     Position middle;
     const std::vector<Position>& corners = requirement.geofences.front().corners;
@@ -134,14 +139,12 @@ class RandomFlight {
 
   /// The reading of a sensor that reports the vehicle's position; empty for other sensors.
   std::optional<double> placeReading(const Sensor& sensor) const {
-    if (!place_ || !sensor.symbol.empty() || sensor.encoding != Encoding::DegreesMinutes) {
+    const PlaceRead read =
+        place_ ? placeReadBy(sensor, proof_context_.platform) : PlaceRead::Nothing;
+    if (read == PlaceRead::Nothing) {
       return std::nullopt;
     }
-    const platforms::PlatformSensor* row = proof_context_.platform.find(sensor.vehicle_name);
-    if (row == nullptr || (row->alias != "lat" && row->alias != "lon")) {
-      return std::nullopt;
-    }
-    return row->alias == "lat" ? place_->where().latitude : place_->where().longitude;
+    return read == PlaceRead::Latitude ? place_->where().latitude : place_->where().longitude;
   }
 
   /// Values within their ranges and conditions; the defaults if none are found.

@@ -28,6 +28,8 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFar = 1e9;  ///< of a range without an end
 constexpr double kLostTick = 0.01;
 constexpr double kPowerCut = 0.005;
+/// Nearer to a pole a RandomPlace does not move as a vehicle does, degrees.
+constexpr double kNearPole = 85;
 
 /// The value that a sensor reports for a while.
 struct HeldReading {
@@ -54,7 +56,7 @@ class RandomFlight {
     });
     if (area != requirements.end()) {
       const auto start = startOf(*area);
-      starts_nowhere_ = !start;
+      starts_nowhere_ = !start || std::fabs(start->latitude) > kNearPole;
       place_.emplace(start.value_or(Position{}), proof_context.platform, dice_);
       dark_left_s_ = proof_context.tick_gap_s;  // the geofence premise: all outages together
     }
@@ -243,7 +245,7 @@ class RandomFlight {
   RunRecorder recorder_;
   Rng dice_;
   RandomVehicle vehicle_;
-  bool starts_nowhere_ = false;       ///< no place in the area of the start is found
+  bool starts_nowhere_ = false;       ///< no place in the area of the start is found, or a pole
   std::optional<RandomPlace> place_;  ///< the vehicle's place, if the requirement asks for it
   double dark_left_s_ = std::numeric_limits<double>::infinity();  ///< of power cuts
   bool calm_ = dice_.chance(0.3);  ///< every sensor shows the same all the time

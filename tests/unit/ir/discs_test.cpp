@@ -252,6 +252,11 @@ TEST(Discs, AreWrittenAndReadAsTheyWere) {
   EXPECT_EQ(missionOf(text).requirements[0].geofences, mission.requirements[0].geofences);
 }
 
+TEST(Discs, AboutAPoleAreNotBrokenByAFlightThatJumps) {
+  const Position polar{89.99, 10};
+  EXPECT_FALSE(isBroken(missionOf(discText({polar}, polar, 9000, true)), 20, 300));
+}
+
 /// Readings alone do not violate a condition about the place that is not a geofence: the flight
 /// begins where the mission may.
 TEST(Discs, APlaceInAnotherConditionIsWhereAFlightMayBe) {

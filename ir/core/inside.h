@@ -9,8 +9,8 @@
 
 namespace glider::ir {
 
-/// Whether a place (degrees, north and east positive) is inside the corners of `area`, as `inside`
-/// of the language counts.
+/// Whether a place (degrees, north and east positive) is inside the corners of `area`, a polygon,
+/// as `inside` of the language counts.
 bool isInside(const Geofence& area, const Position& place);
 
 /// The area in which control is assumed to be given; none: nothing is assumed.

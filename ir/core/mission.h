@@ -310,11 +310,13 @@ struct Position {
   bool operator==(const Position&) const = default;
 };
 
-/// An area that the vehicle must stay in, or out of; its edges are straight in latitude and
-/// longitude.
+/// An area that the vehicle must stay in, or out of: a polygon whose edges are straight in latitude
+/// and longitude, or the disc of the places closer to a point than a radius.
 struct Geofence {
   bool keep_in = true;
-  std::vector<Position> corners;  ///< three at least
+  std::vector<Position> corners;  ///< three at least; of a disc one, its centre
+  double radius_m = 0;            ///< of a disc, as `distance` measures; of a polygon 0
+  [[nodiscard]] bool isDisc() const { return radius_m > 0; }
   bool operator==(const Geofence&) const = default;
 };
 

@@ -127,7 +127,11 @@ class CodeValidator {
   }
 
   static bool isArea(const Geofence& fence) {
-    return fence.corners.size() >= 3 && std::ranges::all_of(fence.corners, [](const Position& p) {
+    const size_t corners = fence.corners.size();
+    const bool outline =
+        fence.isDisc() ? corners == 1 && std::isfinite(fence.radius_m) : corners >= 3;
+    return outline && fence.radius_m >= 0 &&
+           std::ranges::all_of(fence.corners, [](const Position& p) {
              return std::fabs(p.latitude) <= 90 && std::fabs(p.longitude) <= 180;
            });
   }
@@ -149,7 +153,7 @@ class CodeValidator {
     require(std::isfinite(a.limit) && a.limit >= 0, a.range, "an assumption with the limit {}",
             a.limit);
     const bool inside = a.kind == AssumptionKind::StartInside;
-    require(!inside || (isArea(a.area) && a.area.keep_in), a.range,
+    require(!inside || (isArea(a.area) && a.area.keep_in && !a.area.isDisc()), a.range,
             "an assumption with an invalid area");
     const bool range = a.kind == AssumptionKind::Range;
     require(!range || (a.sensor.index < m_.sensors.size() && a.lowest <= a.highest), a.range,

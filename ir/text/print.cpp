@@ -248,7 +248,12 @@ void Printer::monitor(const Monitor& monitor) {
 }
 
 void Printer::geofence(const Geofence& fence) {
-  add(" {} (", fence.keep_in ? "inside" : "outside");
+  if (fence.isDisc()) {
+    add(" {} {}", fence.keep_in ? "closer" : "farther", fence.radius_m);
+  } else {
+    add(" {}", fence.keep_in ? "inside" : "outside");
+  }
+  add(" (");
   for (size_t i = 0; i < fence.corners.size(); ++i) {
     add("{}{}, {}", i == 0 ? "" : ", ", fence.corners[i].latitude, fence.corners[i].longitude);
   }

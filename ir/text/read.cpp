@@ -232,9 +232,26 @@ class Reader {
   }
 
   void geofences(Requirement& r) {
-    while (in_.peek().isWord("inside") || in_.peek().isWord("outside")) {
-      r.geofences.push_back(geofence());
+    while (true) {
+      if (in_.peek().isWord("inside") || in_.peek().isWord("outside")) {
+        r.geofences.push_back(geofence());
+      } else if (in_.peek().isWord("closer") || in_.peek().isWord("farther")) {
+        r.geofences.push_back(disc());
+      } else {
+        return;
+      }
     }
+  }
+
+  Geofence disc() {
+    Geofence disc;
+    disc.keep_in = in_.accept("closer");
+    if (!disc.keep_in) {
+      in_.expect("farther");
+    }
+    disc.radius_m = in_.number(false);
+    corners(disc);
+    return disc;
   }
 
   Geofence geofence() {
@@ -243,6 +260,11 @@ class Reader {
     if (!fence.keep_in) {
       in_.expect("outside");
     }
+    corners(fence);
+    return fence;
+  }
+
+  void corners(Geofence& fence) {
     in_.expect('(');
     do {
       Position corner;
@@ -252,7 +274,6 @@ class Reader {
       fence.corners.push_back(corner);
     } while (in_.accept(','));
     in_.expect(')');
-    return fence;
   }
 
   void sensor() {

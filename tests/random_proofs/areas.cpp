@@ -4,6 +4,7 @@
 #include "tests/random_proofs/areas.h"
 
 #include "ir/core/mission_writer.h"
+#include "ir/eval/arithmetic.h"
 #include "ir/prove/geometry/steering.h"
 
 #include <algorithm>
@@ -28,7 +29,52 @@ std::optional<ir::SensorId> find(const ir::Mission& mission, const char* vehicle
   return std::nullopt;
 }
 
+/// To keep `metres` off the track: within a disc about its middle, or out of one to its north.
+ir::Geofence discAbout(const Track& track, double metres, bool keep_in) {
+  constexpr double kIsle = 20000;
+  ir::Position centre{(track.south_west.latitude + track.north_east.latitude) / 2,
+                      (track.south_west.longitude + track.north_east.longitude) / 2};
+  if (!keep_in) {
+    centre.latitude = track.north_east.latitude + (kIsle + metres) / kMetresPerDegree;
+    return {false, {centre}, kIsle};
+  }
+  const ir::Position equatorward{
+      std::fabs(track.south_west.latitude) < std::fabs(track.north_east.latitude)
+          ? track.south_west.latitude
+          : track.north_east.latitude,
+      track.north_east.longitude};
+  return {true, {centre}, metres + ir::onEarth(Op::Distance, centre, equatorward)};
+}
+
 }  // namespace
+
+bool writeDisc(ir::Mission& mission, ir::Requirement& requirement, const Track& track,
+               Conditions& conditions, random_missions::Random& random) {
+  const auto lat = find(mission, "m_lat");
+  const auto lon = find(mission, "m_lon");
+  if (!lat || !lon) {
+    return false;
+  }
+  constexpr double kMargins[] = {0.9, 1.1, 1.2, 1.5};
+  const double metres = random.pick(kMargins) * track.off_legs_m;
+  const bool keep_in = random.chance(0.7);
+  const ir::Geofence disc = discAbout(track, metres, keep_in);
+  const ir::Position& centre = disc.corners.front();
+  if (std::fabs(centre.latitude) > 80) {
+    return false;
+  }
+  ir::MissionWriter write(mission);
+  const ExprId north = conditions.reading(*lat);
+  const ExprId east = conditions.reading(*lon);
+  const ExprId to_north = write.number(centre.latitude, mission[*lat].type);
+  const ExprId to_east = write.number(centre.longitude, mission[*lon].type);
+  const ir::Type length = ir::quantity(support::dimension::length);
+  const ExprId distance = write.operation(Op::Distance, length, {north, east, to_north, to_east});
+  requirement.condition = write.operation(keep_in ? Op::Less : Op::Greater, ir::boolean(),
+                                          {distance, write.number(disc.radius_m, length)});
+  requirement.geofences = {disc};
+  return true;
+}
 
 std::optional<Track> trackOf(const ir::prove::ProofContext& context, ir::prove::Ending& ending) {
   constexpr double kFarthest = 2;  // degrees

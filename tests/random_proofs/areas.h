@@ -17,4 +17,8 @@ std::optional<Track> trackOf(const ir::prove::ProofContext& context, ir::prove::
 bool writeArea(ir::Mission& mission, ir::Requirement& requirement, const Track& track,
                Conditions& conditions, random_missions::Random& random);
 
+/// The same for a disc.
+bool writeDisc(ir::Mission& mission, ir::Requirement& requirement, const Track& track,
+               Conditions& conditions, random_missions::Random& random);
+
 }  // namespace glider::random_proofs

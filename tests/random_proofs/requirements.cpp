@@ -197,11 +197,15 @@ class Maker {
   /// Or a condition, if there is no area.
   void area() {
     Requirement r = begun(RequirementKind::Always);
-    if (!bounds_.track || random_.chance(0.2) ||
-        !writeArea(made_.mission, r, *bounds_.track, conditions_, random_)) {
+    if (!bounds_.track || random_.chance(0.2)) {
       return always();
     }
-    add(std::move(r), "area");
+    const bool disc = random_.chance(0.4);
+    const auto write = disc ? writeDisc : writeArea;
+    if (!write(made_.mission, r, *bounds_.track, conditions_, random_)) {
+      return always();
+    }
+    add(std::move(r), disc ? "disc" : "area");
   }
 
   void pattern(uint32_t number) {

@@ -3,6 +3,7 @@
 
 #include "frontend/sema/declarations/lower_requirement.h"
 
+#include "frontend/sema/declarations/disc_of_distance.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/promises/lower_promise.h"
 #include "frontend/spelling.h"
@@ -57,6 +58,10 @@ class RequirementLowering {
     }
     if (e.op == (wanted ? ir::Op::And : ir::Op::Or)) {
       return gatherFences(e.operands[0], wanted) && gatherFences(e.operands[1], wanted);
+    }
+    if (auto disc = discOf(id, wanted, scope_)) {
+      result_.geofences.push_back(std::move(*disc));
+      return true;
     }
     const auto known = scope_.areas.find(id.index);
     if (known == scope_.areas.end() || known->second.range != e.range) {

@@ -4,6 +4,7 @@
 #include "ir/prove/falsification/random_flight.h"
 
 #include "ir/core/inside.h"
+#include "ir/prove/context/place_read.h"
 #include "ir/prove/context/vehicle_clock.h"
 #include "ir/prove/falsification/random_place.h"
 #include "ir/prove/falsification/random_vehicle.h"
@@ -27,6 +28,8 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFar = 1e9;  ///< of a range without an end
 constexpr double kLostTick = 0.01;
 constexpr double kPowerCut = 0.005;
+/// Nearer to a pole a RandomPlace does not move as a vehicle does, degrees.
+constexpr double kNearPole = 85;
 
 /// The value that a sensor reports for a while.
 struct HeldReading {
@@ -48,11 +51,12 @@ class RandomFlight {
     for (const Sensor& sensor : m_.sensors) {
       landmarks_.push_back(landmarksOf(sensor));
     }
-    const auto area = std::ranges::find_if_not(requirements, &std::vector<Geofence>::empty,
-                                               &Requirement::geofences);
+    const auto area = std::ranges::find_if(requirements, [&](const Requirement& requirement) {
+      return !requirement.geofences.empty() || isAboutPlace(requirement, proof_context);
+    });
     if (area != requirements.end()) {
       const auto start = startOf(*area);
-      starts_nowhere_ = !start;
+      starts_nowhere_ = !start || std::fabs(start->latitude) > kNearPole;
       place_.emplace(start.value_or(Position{}), proof_context.platform, dice_);
       dark_left_s_ = proof_context.tick_gap_s;  // the geofence premise: all outages together
     }
@@ -106,7 +110,7 @@ class RandomFlight {
   }
 
   /// A place in the area of the start that is assumed (none if none is found); otherwise a
-  /// waypoint, usually one on the right side; otherwise the middle of an area.
+  /// waypoint, usually one on the right side; otherwise the middle of an area, if there is one.
   std::optional<Position> startOf(const Requirement& requirement) {
     if (const auto assumed = assumedStart(m_)) {
       return placeInside(*assumed, dice_);
@@ -115,13 +119,16 @@ class RandomFlight {
     std::vector<Position> kept;
     std::ranges::copy_if(all, std::back_inserter(kept), [&](const Position& place) {
       return std::ranges::all_of(requirement.geofences, [&](const Geofence& fence) {
-        return AreaMap(fence.corners, {place}).clearance(fence, {place}).right_side;
+        return AreaMap(fence, {place}).clearance(fence, {place}).right_side;
       });
     });
     constexpr double kMostly = 0.8;
     const std::vector<Position>& from = !kept.empty() && dice_.chance(kMostly) ? kept : all;
     if (!from.empty()) {
       return from[dice_.below(from.size())];
+    }
+    if (requirement.geofences.empty()) {
+      return std::nullopt;
     }
     Position middle;
     const std::vector<Position>& corners = requirement.geofences.front().corners;
@@ -134,14 +141,12 @@ class RandomFlight {
 
   /// The reading of a sensor that reports the vehicle's position; empty for other sensors.
   std::optional<double> placeReading(const Sensor& sensor) const {
-    if (!place_ || !sensor.symbol.empty() || sensor.encoding != Encoding::DegreesMinutes) {
+    const PlaceRead read =
+        place_ ? placeReadBy(sensor, proof_context_.platform) : PlaceRead::Nothing;
+    if (read == PlaceRead::Nothing) {
       return std::nullopt;
     }
-    const platforms::PlatformSensor* row = proof_context_.platform.find(sensor.vehicle_name);
-    if (row == nullptr || (row->alias != "lat" && row->alias != "lon")) {
-      return std::nullopt;
-    }
-    return row->alias == "lat" ? place_->where().latitude : place_->where().longitude;
+    return read == PlaceRead::Latitude ? place_->where().latitude : place_->where().longitude;
   }
 
   /// Values within their ranges and conditions; the defaults if none are found.
@@ -240,7 +245,7 @@ class RandomFlight {
   RunRecorder recorder_;
   Rng dice_;
   RandomVehicle vehicle_;
-  bool starts_nowhere_ = false;       ///< no place in the area of the start is found
+  bool starts_nowhere_ = false;       ///< no place in the area of the start is found, or a pole
   std::optional<RandomPlace> place_;  ///< the vehicle's place, if the requirement asks for it
   double dark_left_s_ = std::numeric_limits<double>::infinity();  ///< of power cuts
   bool calm_ = dice_.chance(0.3);  ///< every sensor shows the same all the time

@@ -26,6 +26,8 @@ using Polygon = geometry::model::polygon<MapPoint>;
 /// The shortest degree of latitude on WGS 84, m: 110,574.3 at the equator. A degree of longitude is
 /// never shorter than the cosine of its latitude times this.
 constexpr double kShortestDegree = 110574;
+/// A degree on the sphere of `distance`, rounded up, m.
+constexpr double kLongestDegree = 6371009 * std::numbers::pi / 180;
 /// How far a vehicle may get beyond the named places, degrees of latitude.
 constexpr double kBeyond = 3;
 /// At higher latitudes the map's degrees of longitude would differ too much, degrees.
@@ -41,6 +43,8 @@ class Extent {
     most_ = std::max(most_, x);
   }
   [[nodiscard]] double size() const { return most_ - least_; }
+  /// The least magnitude of a number between them.
+  [[nodiscard]] double nearestToZero() const { return std::max({least_, -most_, 0.0}); }
 
  private:
   double least_ = std::numeric_limits<double>::infinity();
@@ -81,7 +85,45 @@ Line edgesOf(const std::vector<MapPoint>& corners) {
   return line;
 }
 
+std::vector<MapPoint> onMap(const AreaMap& map, const std::vector<Position>& places) {
+  std::vector<MapPoint> points;
+  for (const Position& place : places) {
+    const AreaMap::Point p = map.at(place);
+    points.emplace_back(p.east, p.north);
+  }
+  return points;
+}
+
+bool isInHull(const MapPoint& point, const Line& hull) {
+  Polygon within;
+  within.outer().assign(hull.begin(), hull.end());
+  geometry::correct(within);
+  return hull.size() > 3 && geometry::within(point, within);
+}
+
+/// No place of the map is closer to the centre than on the map.
+Clearance outOfDisc(const AreaMap& map, const Geofence& disc, const Line& hull) {
+  const MapPoint centre = onMap(map, disc.corners).front();
+  const double distance = geometry::distance(hull, centre) - disc.radius_m;
+  return {distance > 0 && !isInHull(centre, hull), distance};
+}
+
 }  // namespace
+
+std::vector<Position> outlineOf(const Geofence& fence) {
+  if (!fence.isDisc()) {
+    return fence.corners;
+  }
+  const Position& centre = fence.corners.front();
+  const double high = fence.radius_m / kShortestDegree;
+  // On a way of that length a degree of longitude is nowhere narrower than at the disc's latitude
+  // farthest from the equator.
+  const double outermost = std::min(std::fabs(centre.latitude) + high, 89.0);
+  const double wide = high / std::cos(outermost * std::numbers::pi / 180);
+  const double south = centre.latitude - high, north = centre.latitude + high;
+  const double west = centre.longitude - wide, east = centre.longitude + wide;
+  return {{south, west}, {south, east}, {north, east}, {north, west}};
+}
 
 AreaMap::AreaMap(const std::vector<Position>& corners, const std::vector<Position>& waypoints)
     : origin_(corners.front()) {
@@ -96,6 +138,7 @@ AreaMap::AreaMap(const std::vector<Position>& corners, const std::vector<Positio
     north.add(place.latitude);
     east.add(std::remainder(place.longitude - origin_.longitude, 360));
   }
+  nearest_ = north.nearestToZero();
   width_ = east.size();
   east_scale_ = kShortestDegree * std::cos(outermost());
   length_ = kMetresPerDegree *
@@ -104,6 +147,12 @@ AreaMap::AreaMap(const std::vector<Position>& corners, const std::vector<Positio
 
 double AreaMap::outermost() const {
   return std::min(farthest_ + kBeyond, 89.0) * std::numbers::pi / 180;
+}
+
+double AreaMap::stretch(double beyond) const {
+  const double innermost = std::max(nearest_ - beyond / kShortestDegree, 0.0);
+  return kLongestDegree / kShortestDegree * std::cos(innermost * std::numbers::pi / 180) /
+         std::cos(outermost());
 }
 
 double AreaMap::bend_m(double beyond) const {
@@ -121,25 +170,32 @@ bool AreaMap::holds(double metres) const {
 }
 
 Clearance AreaMap::clearance(const Geofence& fence, const std::vector<Position>& waypoints) const {
-  const auto onMap = [&](const std::vector<Position>& places) {
-    std::vector<MapPoint> points;
-    for (const Position& place : places) {
-      const Point p = at(place);
-      points.emplace_back(p.east, p.north);
-    }
-    return points;
-  };
-  const std::vector<MapPoint> corners = onMap(fence.corners);
-  const Line hull = lineRound(onMap(waypoints));
-  const Line edges = edgesOf(corners);
-  const double distance = geometry::distance(hull, edges);
-  Polygon within;
-  within.outer().assign(hull.begin(), hull.end());
-  geometry::correct(within);
+  const Line hull = lineRound(onMap(*this, waypoints));
+  if (fence.isDisc()) {
+    return fence.keep_in ? inDisc(fence, waypoints) : outOfDisc(*this, fence, hull);
+  }
+  const std::vector<MapPoint> corners = onMap(*this, fence.corners);
+  const double distance = geometry::distance(hull, edgesOf(corners));
   // If no edges cross, an area whose edge lies in the hull contains no part of the hull's border.
-  const bool around = hull.size() > 3 && geometry::within(corners.front(), within);
+  const bool around = isInHull(corners.front(), hull);
   const bool right_side = distance > 0 && !around && inside(corners, hull.front()) == fence.keep_in;
   return {right_side, distance};
+}
+
+/// The way from the centre that is straight on the map is at least as long as the shortest. Its
+/// length, were it all at the latitude nearest to the equator, is a norm, so in the hull a corner
+/// has the greatest.
+Clearance AreaMap::inDisc(const Geofence& disc, const std::vector<Position>& waypoints) const {
+  const Position& centre = disc.corners.front();
+  const double narrow = std::cos(nearest_ * std::numbers::pi / 180);
+  double farthest = 0;
+  for (const Position& place : waypoints) {
+    const double east = std::remainder(place.longitude - centre.longitude, 360);
+    const double north = place.latitude - centre.latitude;
+    farthest = std::max(farthest, kLongestDegree * std::hypot(north, narrow * east));
+  }
+  const double left = disc.radius_m - farthest;  // a margin that fits is no longer
+  return {left > 0, left / stretch(std::max(left, 0.0))};
 }
 
 }  // namespace glider::ir::prove

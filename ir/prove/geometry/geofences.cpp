@@ -66,7 +66,7 @@ GeofenceVerdict judgeGeofences(const std::vector<Geofence>& geofences,
     verdict.start_assumed = true;
   }
   for (const Geofence& fence : geofences) {
-    const AreaMap map(fence.corners, places);
+    const AreaMap map(fence, places);
     const Clearance found = map.clearance(fence, places);
     // For an area to stay in, the vehicle begins among its corners.
     const double start_within = fence.keep_in || verdict.start_assumed ? 0 : kStartWithin;
@@ -78,7 +78,9 @@ GeofenceVerdict judgeGeofences(const std::vector<Geofence>& geofences,
     if (!found.right_side || found.distance_m < margin) {
       return {false, 0, 0, reasonOf(proof_context, fence, steering, found, *end, margin)};
     }
-    verdict.margin_m = std::max(verdict.margin_m, margin);
+    // The pilot measures with `distance`.
+    const double measured = fence.isDisc() ? margin * map.stretch(margin) : margin;
+    verdict.margin_m = std::max(verdict.margin_m, measured);
     verdict.start_within_m = std::max(verdict.start_within_m, start_within);
   }
   return verdict;

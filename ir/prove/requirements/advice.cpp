@@ -4,21 +4,22 @@
 // Notes that say what to change where a requirement is not proved. In: the diagnostic that is being
 // reported, and the mission or the counterexample; out: notes on that diagnostic. A note about an
 // `exit` is added only if the end bound of the mission, with that case moved to the top, is proved;
-// so following it helps. Used by `requirements` (GL3111) and violation_report.cpp (GL3110).
+// so following it helps; that of a state that waits only if no such bound on the time in it is
+// found. Used by `requirements` (GL3111) and violation_report.cpp (GL3110).
 
 #include "ir/prove/requirements/advice.h"
 
 #include "ir/core/ops.h"
+#include "ir/core/walk.h"
 #include "ir/prove/abstract/end_bound.h"
-#include "ir/prove/abstract/state_depths.h"
-#include "ir/prove/abstract/surfacing.h"
-#include "ir/prove/context/duration_text.h"
+#include "ir/prove/context/sensors_read.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace glider::ir::prove {
@@ -62,6 +63,30 @@ std::vector<LateExit> lateExits(const Mission& m) {
   return found;
 }
 
+/// What a case does in the end: "goto home".
+std::string wordsOf(const Mission& m, const Case& c) {
+  switch (c.transition) {
+    case Transition::Goto:
+      return fmt::format("goto {}", m[c.target].name);
+    case Transition::Call:
+      return fmt::format("call {}", m[c.target].name);
+    case Transition::Return:
+      return "return";
+    case Transition::Stay:
+    case Transition::Done:
+    case Transition::Exit:
+      break;
+  }
+  return "exit";
+}
+
+bool endsInTime(const Mission& changed, double seconds, const ProofContext& proof_context) {
+  ProofContext context(changed, proof_context.platform);
+  context.tick_gap_s = proof_context.tick_gap_s;
+  const EndBound end = boundOf(context, kLongestMission, Goal::Exit);
+  return end.by && std::ranges::max(end.left_by) <= seconds;
+}
+
 /// Whether the mission ends in time if each of these cases comes first.
 bool endsWith(const std::vector<LateExit>& first, double seconds,
               const ProofContext& proof_context) {
@@ -72,19 +97,15 @@ bool endsWith(const std::vector<LateExit>& first, double seconds,
     const auto at = cases.begin() + static_cast<std::ptrdiff_t>(place.number);
     std::rotate(cases.begin(), at, at + 1);
   }
-  ProofContext context(changed, proof_context.platform);
-  context.tick_gap_s = proof_context.tick_gap_s;
-  const EndBound end = boundOf(context, kLongestMission, Goal::Exit);
-  return end.by && std::ranges::max(end.left_by) <= seconds;
+  return endsInTime(changed, seconds, proof_context);
 }
 
-}  // namespace
-
-void noteLateExits(support::DiagnosticBuilder& warning, double seconds,
-                   const ProofContext& proof_context) {
+/// The fewest of the late exits without which, at the top, there is no bound; none if all do not
+/// suffice.
+std::vector<LateExit> neededAtTheTop(double seconds, const ProofContext& proof_context) {
   std::vector<LateExit> late = lateExits(proof_context.mission);
   if (late.empty() || !endsWith(late, seconds, proof_context)) {
-    return;
+    return {};
   }
   for (size_t i = late.size(); i-- > 0 && late.size() > 1;) {
     std::vector<LateExit> fewer = late;
@@ -93,46 +114,83 @@ void noteLateExits(support::DiagnosticBuilder& warning, double seconds,
       late = std::move(fewer);
     }
   }
-  for (size_t i = 0; i < std::min(late.size(), kMostLateExits); ++i) {
-    const Case& c = listOf(proof_context.mission, late[i].state)[late[i].number];
-    warning.note(proof_context.mission[c.guard].range,
-                 "this `exit` is not tried while a case above it fires; move it to the top");
+  return late;
+}
+
+/// An exit of a state by mission time that would end the mission in time as the first case of
+/// `always`; of a state that is not valid: none.
+LateExit neededInAlways(double seconds, const ProofContext& proof_context) {
+  const Mission& m = proof_context.mission;
+  size_t tried = 0;
+  for (uint32_t s = 0; s < m.states.size(); ++s) {
+    for (size_t i = 0; i < m.states[s].cases.size(); ++i) {
+      const Case& c = m.states[s].cases[i];
+      const bool of_the_state =
+          anyIn(m, c.guard, [](const Expr& e) { return e.op == Op::Variable; });
+      if (!isTimedExit(m, c) || of_the_state || tried == kMostLateExits) {
+        continue;
+      }
+      ++tried;
+      Mission changed = m;
+      Case exit = c;
+      exit.action = {};
+      changed.always.insert(changed.always.begin(), exit);
+      if (endsInTime(changed, seconds, proof_context)) {
+        return {{s}, i};
+      }
+    }
+  }
+  return {};
+}
+
+/// Where no bound is found because a state may last for ever: names a case of it that waits for a
+/// reading.
+void noteEndlessStay(support::DiagnosticBuilder& diagnostic, const ProofContext& proof_context) {
+  const Mission& m = proof_context.mission;
+  const EndBound end = boundOf(proof_context.withoutPowerCuts(), kLongestMission, Goal::Exit);
+  if (end.by || !end.stays.valid()) {
+    return;
+  }
+  for (const Case& c : m[end.stays].cases) {
+    std::vector<std::string> names;
+    forEachSensorRead(m, c.guard, [&](SensorId id) {
+      const std::string name = fmt::format("`{}`", m[id].name);
+      if (std::ranges::find(names, name) == names.end()) {
+        names.push_back(name);
+      }
+    });
+    if (c.transition != Transition::Stay && !names.empty()) {
+      diagnostic.note(m[c.guard].range,
+                      fmt::format("this case waits for a reading of {}, perhaps for ever: no clock "
+                                  "is sure to end `{}`; add a case such as `case statetime >= 1 h "
+                                  "{}`",
+                                  fmt::join(names, ", "), m[end.stays].name, wordsOf(m, c)));
+      return;
+    }
   }
 }
 
-void noteShortSurfacings(support::DiagnosticBuilder& error, const Counterexample& run,
-                         const ProofContext& proof_context) {
+}  // namespace
+
+void noteLateEnd(support::DiagnosticBuilder& diagnostic, double seconds,
+                 const ProofContext& proof_context) {
   const Mission& m = proof_context.mission;
-  const platforms::EnvironmentModel& world = proof_context.platform.world;
-  const std::vector<double> climbs = climbTimes(proof_context);
-  const std::vector<double> depths = deepestByState(proof_context);
-  std::vector<bool> noted(m.states.size(), false);
-  const auto left = [&](StateId state, double stay, double depth) {
-    const double climb = climbs[state.index];
-    if (noted[state.index] || !std::isfinite(climb) || stay >= climb ||
-        !(depth > world.surface_depth_m)) {
-      return;
-    }
-    noted[state.index] = true;
-    const double reading = world.surface_depth_m - world.depth_error_m;
-    const std::string sensor = proof_context.depth && reading > 0
-                                   ? fmt::format(", or leave it only when `{} < {:.3g} m`",
-                                                 m[*proof_context.depth].name, reading)
-                                   : "";
-    error.note(m[state].range,
-               fmt::format("`{}` is left after {}, but the climb from {:.4g} m may take {}: stay "
-                           "that long{}",
-                           m[state].name, durationOf(stay), depths[state.index], durationOf(climb),
-                           sensor));
-  };
-  double since = 0;
-  for (size_t i = 1; i < run.ticks.size(); ++i) {
-    const ConcreteTick& before = run.ticks[i - 1];
-    const ConcreteTick& now = run.ticks[i];
-    if (now.state != before.state) {
-      left(before.state, now.mission_time - since, now.depth);
-      since = now.mission_time;
-    }
+  const std::vector<LateExit> late = neededAtTheTop(seconds, proof_context);
+  for (size_t i = 0; i < std::min(late.size(), kMostLateExits); ++i) {
+    diagnostic.note(m[listOf(m, late[i].state)[late[i].number].guard].range,
+                    "this `exit` is not tried while a case above it fires; move it to the top");
+  }
+  if (!late.empty()) {
+    return;
+  }
+  noteEndlessStay(diagnostic, proof_context);
+  const LateExit elsewhere = neededInAlways(seconds, proof_context);
+  if (elsewhere.state.valid()) {
+    const State& state = m[elsewhere.state];
+    diagnostic.note(m[state.cases[elsewhere.number].guard].range,
+                    fmt::format("this `exit` is tried only while `{}` is current; make it the "
+                                "first case of `always`",
+                                state.name));
   }
 }
 

@@ -10,10 +10,15 @@
 /// Notes that say what to change where a requirement is not proved.
 namespace glider::ir::prove {
 
-/// Where the mission has no end bound of `seconds`, but would have one if each of its exits by
-/// mission time were the first case of its list: names those that are not.
-void noteLateExits(support::DiagnosticBuilder& warning, double seconds,
-                   const ProofContext& proof_context);
+/// Why the mission may not end within `seconds`: names each exit by mission time that would end it
+/// in time as the first case of its list; or else a case that waits for a reading, perhaps for
+/// ever, and an exit that would end the mission in time as the first case of `always`.
+void noteLateEnd(support::DiagnosticBuilder& diagnostic, double seconds,
+                 const ProofContext& proof_context);
+
+/// Names, of each state that commands the surface, a case that may lead on under water before the
+/// slowest climb of the environment model is over.
+void noteEarlyLeaves(support::DiagnosticBuilder& diagnostic, const ProofContext& proof_context);
 
 /// Names each state that commands the surface and that `run` leaves under water, before the
 /// slowest climb of the environment model is over.

@@ -155,8 +155,11 @@ void RequirementCheck::settle(Judged& judged) {
   auto warning =
       context_.proof.diagnostics.report(support::diagnostics::requirementOpen, requirement.range);
   warning.note(requirement.range, judged.verdict.reason);
-  if (requirement.seconds > 0 && requirement.kind != RequirementKind::SurfacesEvery) {
-    noteLateExits(warning, requirement.seconds, context_.proof.proof_context);
+  const ProofContext& proof_context = context_.proof.proof_context;
+  if (requirement.kind == RequirementKind::SurfacesEvery) {
+    noteEarlyLeaves(warning, proof_context);
+  } else if (requirement.seconds > 0) {
+    noteLateEnd(warning, requirement.seconds, proof_context);
   }
 }
 

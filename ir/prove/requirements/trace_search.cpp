@@ -6,6 +6,8 @@
 
 #include "ir/prove/requirements/trace_search.h"
 
+#include "ir/core/inside.h"
+#include "ir/prove/context/place_read.h"
 #include "ir/prove/encoding/cone_of_influence.h"
 #include "ir/prove/encoding/known_roughly.h"
 #include "ir/prove/encoding/safety_properties.h"
@@ -79,7 +81,7 @@ TraceSearch searchTraces(const Requirement& requirement, const ProofContext& pro
                          StrategyContext& context) {
   return askTwice(requirement, proof_context, context, [&](RunsAnswer answer) {
     TraceSearch found{std::move(answer)};
-    if (found.answer.bad == Answer::Yes) {
+    if (found.answer.bad == Answer::Yes && !isAboutPlace(requirement, proof_context)) {
       found.run = concretize(*found.answer.run, proof_context, context.proof.facts.stack_depth,
                              requirement);
     }
@@ -96,6 +98,14 @@ RunsAnswer provenByTraces(const Requirement& requirement, const ProofContext& pr
 
 std::string whyUndecided(const Requirement& requirement, const RunsAnswer& answer,
                          const StrategyContext& context) {
+  if (isAboutPlace(requirement, context.proof.proof_context)) {
+    return fmt::format(
+        "places are decided only by geofences: write each area and each distance, with constant "
+        "places and radii, in a `require always` of its own{}",
+        assumedStart(context.mission)
+            ? ""
+            : ", and say where the mission starts with `assume start inside(…)`");
+  }
   if (answer.bad != Answer::Yes) {
     return requirement.kind == RequirementKind::Reach
                ? fmt::format(

@@ -3,8 +3,8 @@
 
 // How a refuted requirement is reported (GL3110). In: the requirement and its counterexample; out:
 // an error with the moment of the violation, the transitions on the way there, each power cut, and
-// for `surfaces every` what would help (advice.cpp). It decides nothing: the trace has been
-// replayed before.
+// for `surfaces every` and `exit within` what would help (advice.h). It decides nothing: the trace
+// has been replayed before.
 
 #include "ir/prove/requirements/violation_report.h"
 
@@ -97,6 +97,8 @@ void reportViolation(const Requirement& requirement, const Counterexample& run,
   notePowerCuts(error, requirement, run, proof_context);
   if (requirement.kind == RequirementKind::SurfacesEvery) {
     noteShortSurfacings(error, run, proof_context);
+  } else if (requirement.seconds > 0) {
+    noteLateEnd(error, requirement.seconds, proof_context);
   }
 }
 

@@ -116,20 +116,26 @@ TEST(Windows, RunAlongQuantitiesOnly) {
   }
 }
 
+/// What a requirement makes of the geofences of its condition.
+std::string geofences(const std::string& promise) {
+  const Guard g("missiontime > 20 min", "require always " + promise + "\n");
+  EXPECT_TRUE(g.mission) << promise << "\n" << g.run.said();
+  std::string found;
+  if (g.mission) {
+    for (const auto& fence : g.mission->requirements.at(0).geofences) {
+      found += fence.keep_in ? "in " : "out ";
+      found += fence.isDisc()
+                   ? fmt::format("{:g} m of {:g} {:g} ", fence.radius_m,
+                                 fence.corners.at(0).latitude, fence.corners.at(0).longitude)
+                   : "";
+    }
+  }
+  return found;
+}
+
 TEST(Areas, OnlyWhatMustHoldTogetherIsGathered) {
   const std::string here = "inside(39 N 74 W, 39 N 73 W, 40 N 73.5 W)";
   const std::string there = "inside(39.2 N 73.6 W, 39.2 N 73.4 W, 39.4 N 73.5 W)";
-  const auto geofences = [&](const std::string& promise) {
-    const Guard g("missiontime > 20 min", "require always " + promise + "\n");
-    EXPECT_TRUE(g.mission) << promise << "\n" << g.run.said();
-    std::string found;
-    if (g.mission) {
-      for (const auto& fence : g.mission->requirements.at(0).geofences) {
-        found += fence.keep_in ? "in " : "out ";
-      }
-    }
-    return found;
-  };
   EXPECT_EQ(geofences(here), "in ");
   EXPECT_EQ(geofences("!" + there), "out ");
   EXPECT_EQ(geofences(here + " && !" + there), "in out ");
@@ -137,6 +143,33 @@ TEST(Areas, OnlyWhatMustHoldTogetherIsGathered) {
   EXPECT_EQ(geofences("!(!" + here + " || " + there + ")"), "in out ");
   EXPECT_EQ(geofences("!(" + here + " && " + there + ")"), "");
   EXPECT_EQ(geofences(here + " && depth < 30 m"), "") << "there is more to it";
+}
+
+TEST(Areas, ADistanceToAPlaceIsADisc) {
+  const std::string here = "distance(39 N 74 W)";
+  const std::string in = "in 3000 m of 39 -74 ";
+  const std::string out = "out 3000 m of 39 -74 ";
+  for (const char* closer :
+       {"distance(39 N 74 W) < 3 km", "distance(39 N 74 W) <= 3 km", "3 km > distance(39 N 74 W)",
+        "3000 m >= distance(39 N 74 W)", "!(distance(39 N 74 W) > 3 km)",
+        "!(3 km <= distance(39 N 74 W))", "distance(lat, lon, 39 N 74 W) < 3 km",
+        "distance(39 N 74 W, lat, lon) < 1 km + 2 km"}) {
+    EXPECT_EQ(geofences(closer), in) << closer;
+  }
+  EXPECT_EQ(geofences(here + " > 3 km"), out);
+  EXPECT_EQ(geofences("3 km <= " + here), out);
+  EXPECT_EQ(geofences("!(" + here + " < 3 km)"), out);
+  EXPECT_EQ(geofences(here + " < 3 km && !(" + here +
+                      " <= 3 km || inside(39 N 74 W, 39 N 73 W, "
+                      "40 N 73.5 W))"),
+            in + out + "out ");
+  for (const char* other :
+       {"distance(39 N 74 W) < 3 km || depth < 30 m", "distance(39 N 74 W) < 3 km && depth < 30 m",
+        "distance(39 N 74 W) < depth * 100", "distance(gpslat, gpslon, 39 N 74 W) < 3 km",
+        "distance(39 N 74 W, 39 N 73 W) > 3 km", "distance(lat, lon, lat, lon) < 3 km",
+        "distance(39 N 74 W) >= 0 m", "distance(39 N 74 W) < 20100 km"}) {
+    EXPECT_EQ(geofences(other), "") << other;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Notes on a `surfaces every` that is not proved: which state leaves the surface before the climb
+// to it is over. In: the diagnostic that is being reported, and the mission or the counterexample;
+// out: notes on that diagnostic. Used by `requirements` (GL3111) and violation_report.cpp (GL3110).
+
+#include "ir/prove/abstract/abstract_evaluator.h"
+#include "ir/prove/abstract/bounds_by_state.h"
+#include "ir/prove/abstract/state_depths.h"
+#include "ir/prove/abstract/surfacing.h"
+#include "ir/prove/context/duration_text.h"
+#include "ir/prove/requirements/advice.h"
+#include "ir/verify/intervals.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glider::ir::prove {
+namespace {
+
+/// ", or leave it only when `depth < 1.1 m`": no deeper does a reading show the surface.
+std::string orAtTheSurface(const ProofContext& proof_context) {
+  const platforms::EnvironmentModel& world = proof_context.platform.world;
+  const double reading = world.surface_depth_m - world.depth_error_m;
+  return proof_context.depth && reading > 0
+             ? fmt::format(", or leave it only when `{} < {:.3g} m`",
+                           proof_context.mission[*proof_context.depth].name, reading)
+             : "";
+}
+
+/// Whether cases may fire under water, for any readings.
+class UnderWater {
+ public:
+  explicit UnderWater(const ProofContext& proof_context)
+      : proof_context_(proof_context), values_(anyValues(proof_context.mission)) {}
+
+  /// The least time in its state, s, to the second, after which the case may fire; none: it does
+  /// not before `latest`.
+  [[nodiscard]] std::optional<double> firesAfter(const Case& c, double latest) const {
+    double never = -1, fires = std::floor(latest);
+    if (!mayFire(c, fires)) {
+      return std::nullopt;
+    }
+    while (fires - never > 1) {
+      const double middle = std::floor((never + fires) / 2);
+      (mayFire(c, middle) ? fires : never) = middle;
+    }
+    return fires;
+  }
+
+ private:
+  [[nodiscard]] bool mayFire(const Case& c, double by) const {
+    const Interval ever{0, kLongestMission, false};
+    const Interval stay{0, by, false};
+    return AbstractEvaluator(proof_context_, values_, {ever, stay, stay}, deep())
+        .truth(c.guard)
+        .is_true;
+  }
+
+  [[nodiscard]] std::optional<AssumedReading> deep() const {
+    if (!proof_context_.depth) {
+      return std::nullopt;
+    }
+    const platforms::EnvironmentModel& world = proof_context_.platform.world;
+    const Interval& all = proof_context_.sensors[proof_context_.depth->index];
+    const double lowest = std::max(all.lowest, world.surface_depth_m - world.depth_error_m);
+    return AssumedReading{*proof_context_.depth,
+                          {lowest, all.highest, all.empty || lowest > all.highest}};
+  }
+
+  const ProofContext& proof_context_;
+  Valuation values_;
+};
+
+}  // namespace
+
+void noteEarlyLeaves(support::DiagnosticBuilder& diagnostic, const ProofContext& proof_context) {
+  const Mission& m = proof_context.mission;
+  const std::vector<double> climbs = climbTimes(proof_context);
+  const std::vector<double> depths = deepestByState(proof_context);
+  const UnderWater under(proof_context);
+  for (size_t i = 0; i < m.states.size(); ++i) {
+    for (const Case& c : m.states[i].cases) {
+      const bool leads_on = c.transition != Transition::Stay && c.transition != Transition::Exit;
+      const auto after =
+          leads_on && std::isfinite(climbs[i]) ? under.firesAfter(c, climbs[i]) : std::nullopt;
+      if (after && *after < climbs[i]) {
+        diagnostic.note(
+            m[c.guard].range,
+            fmt::format("this leaves `{}` after {}, but the climb from {:.4g} m may take {}: stay "
+                        "that long{}",
+                        m.states[i].name, durationOf(*after), depths[i], durationOf(climbs[i]),
+                        orAtTheSurface(proof_context)));
+        break;
+      }
+    }
+  }
+}
+
+void noteShortSurfacings(support::DiagnosticBuilder& error, const Counterexample& run,
+                         const ProofContext& proof_context) {
+  const Mission& m = proof_context.mission;
+  const platforms::EnvironmentModel& world = proof_context.platform.world;
+  const std::vector<double> climbs = climbTimes(proof_context);
+  const std::vector<double> depths = deepestByState(proof_context);
+  std::vector<bool> noted(m.states.size(), false);
+  const auto left = [&](StateId state, double stay, double depth) {
+    const double climb = climbs[state.index];
+    if (noted[state.index] || !std::isfinite(climb) || stay >= climb ||
+        !(depth > world.surface_depth_m)) {
+      return;
+    }
+    noted[state.index] = true;
+    error.note(m[state].range,
+               fmt::format("`{}` is left after {}, but the climb from {:.4g} m may take {}: stay "
+                           "that long{}",
+                           m[state].name, durationOf(stay), depths[state.index], durationOf(climb),
+                           orAtTheSurface(proof_context)));
+  };
+  double since = 0;
+  for (size_t i = 1; i < run.ticks.size(); ++i) {
+    const ConcreteTick& before = run.ticks[i - 1];
+    const ConcreteTick& now = run.ticks[i];
+    if (now.state != before.state) {
+      left(before.state, now.mission_time - since, now.depth);
+      since = now.mission_time;
+    }
+  }
+}
+
+}  // namespace glider::ir::prove

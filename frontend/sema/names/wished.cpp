@@ -23,16 +23,15 @@ constexpr std::string_view kCountHint =
     "count in a `var` of the mission: `case became(depthrate < 0 m/s) do set n = n + 1 end stay`";
 constexpr std::string_view kCurrentHint =
     "`m_water_vx` and `m_water_vy` are the current, estimated after each dive";
-constexpr Wish kWishes[] = {
-    {"now", kTimeHint, ""},
-    {"time", kTimeHint, ""},
-    {"clock", kTimeHint, ""},
-    {"current", kCurrentHint, "m_water_vx"},
-    {"yo_count", kCountHint, "depthrate"},
-    {"dive_count", kCountHint, "depthrate"},
-    {"yos", kCountHint, "depthrate"},
-    {"dives", kCountHint, "depthrate"},
-    {"conductivity", "did you mean `cond`?", "cond"}};
+constexpr Wish kWishes[] = {{"now", kTimeHint, ""},
+                            {"time", kTimeHint, ""},
+                            {"clock", kTimeHint, ""},
+                            {"current", kCurrentHint, "m_water_vx"},
+                            {"yo_count", kCountHint, "depthrate"},
+                            {"dive_count", kCountHint, "depthrate"},
+                            {"yos", kCountHint, "depthrate"},
+                            {"dives", kCountHint, "depthrate"},
+                            {"conductivity", "did you mean `cond`?", "cond"}};
 
 /// Points of the compass, as angles from true north.
 struct Point {

@@ -164,7 +164,9 @@ size_t timeInParts(Phrase& phrase) {
   }
   reportTime(phrase, tokens, seconds, unit);
   phrase.put(phrase.token());
-  phrase.put({GliderLexer::UNIT, phrase.token(1).begin, phrase.token(1).end});
+  if (first.as_ours) {  // `hours` is reported already
+    phrase.put({GliderLexer::UNIT, phrase.token(1).begin, phrase.token(1).end});
+  }
   return tokens;
 }
 

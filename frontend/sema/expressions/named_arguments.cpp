@@ -16,7 +16,7 @@ namespace glider::frontend {
 namespace {
 
 /// "parameters: top, bottom, dive, climb"
-std::string namesOf(const Signature& signature, std::string_view wrong) {
+Suggestion namesOf(const Signature& signature, std::string_view wrong) {
   std::vector<std::string_view> names;
   std::string all;
   for (const Signature::Formal& formal : signature.formals) {
@@ -44,8 +44,9 @@ std::optional<std::vector<ast::Argument>> inOrder(const std::vector<ast::Argumen
           std::ranges::find(formals, argument.parameter->text,
                             [](const Signature::Formal& formal) { return formal.name->text; });
       if (found == formals.end()) {
-        scope.report(support::diagnostics::unknownParameter, argument.parameter->where, callee.name,
-                     argument.parameter->text, namesOf(callee.signature, argument.parameter->text));
+        scope.reportUnknown(support::diagnostics::unknownParameter, argument.parameter->where,
+                            namesOf(callee.signature, argument.parameter->text), callee.name,
+                            argument.parameter->text);
         good = false;
         continue;
       }

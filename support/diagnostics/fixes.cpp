@@ -46,7 +46,7 @@ std::string apart(const FixIt& fix, std::string_view text) {
   return written;
 }
 
-bool isBlank(char c) {
+bool isSpaceOrTab(char c) {
   return c == ' ' || c == '\t';
 }
 
@@ -59,10 +59,11 @@ SourceRange withBlanks(const FixIt& fix, std::string_view text, uint32_t begin) 
   }
   const bool line_ends = range.end == text.size() || text[range.end] == '\n';
   if (line_ends) {
-    while (range.begin > begin && isBlank(text[range.begin - 1])) {
+    while (range.begin > begin && isSpaceOrTab(text[range.begin - 1])) {
       --range.begin;
     }
-  } else if (range.begin > 0 && isBlank(text[range.begin - 1]) && isBlank(text[range.end])) {
+  } else if (range.begin > 0 && isSpaceOrTab(text[range.begin - 1]) &&
+             isSpaceOrTab(text[range.end])) {
     ++range.end;
   }
   return range;

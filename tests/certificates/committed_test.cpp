@@ -4,9 +4,9 @@
 // What was proved about the example missions (tests/proofs/properties.txt) is accepted by the
 // second check.
 
-#include "support/files.h"
 #include "tests/certificates/issued.h"
 #include "tests/proofs/properties.h"
+#include "tests/unit/frontend/compile.h"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,8 @@ TEST_P(CommittedProofs, AreAcceptedByTheSecondCheck) {
   if (!solverIsInstalled()) {
     GTEST_SKIP() << "cvc5 is not installed";
   }
-  std::string text = *support::readFile(GLIDER_SOURCE_DIR "/missions/" + GetParam() + ".mission");
+  std::string text =
+      frontend::testing_support::readWithoutPromises("missions/" + GetParam() + ".mission");
   for (const std::string& requirement : proved().at(GetParam())) {
     text += "require " + requirement + "\n";
   }

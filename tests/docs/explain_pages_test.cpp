@@ -32,7 +32,9 @@ const std::set<DiagnosticId> kNotShown = {
     support::diagnostics::tooManyErrors, support::diagnostics::expressionTooLong,
     support::diagnostics::notInLibrary, support::diagnostics::importUnreadable,
     support::diagnostics::importCycle, support::diagnostics::importsTooDeep,
-    support::diagnostics::emptyImport, support::diagnostics::argumentRange,
+    support::diagnostics::emptyImport, support::diagnostics::waypointsNeedName,
+    support::diagnostics::nameForMission, support::diagnostics::waypointLine,
+    support::diagnostics::noWaypoints, support::diagnostics::argumentRange,
     support::diagnostics::parameterDefault, support::diagnostics::tooManyOwnSensors,
     // Another vehicle.
     support::diagnostics::declinationUnknown,

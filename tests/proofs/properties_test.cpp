@@ -21,7 +21,7 @@ class Properties : public testing::TestWithParam<Property> {};
 TEST_P(Properties, IsDecidedAsCommitted) {
   const Property& property = GetParam();
   frontend::testing_support::FrontendRun run(
-      frontend::testing_support::readSource("missions/" + property.mission + ".mission") +
+      frontend::testing_support::readWithoutPromises("missions/" + property.mission + ".mission") +
       "require " + property.requirement + "\n");
   const auto mission = run.compile();
   ASSERT_TRUE(mission.has_value()) << run.said();

@@ -287,8 +287,34 @@ ExprId ExpressionMaker::root(Type type, uint32_t depth) {
   return add(Op::Sqrt, {add(Op::Multiply, {a, b})});
 }
 
+/// Of a CTD's measurements, likely ones.
+ExprId ExpressionMaker::ofWater() {
+  using namespace support::dimension;
+  const auto measured = [&](support::Dimension dimension, double lowest, double highest) {
+    return plain({TypeKind::Quantity, dimension}, random_.uniform(lowest, highest));
+  };
+  const ExprId cond = measured(conductivity, 0, 7);
+  const ExprId temp = measured(temperature, -5, 40);
+  return add(random_.chance(0.5) ? Op::Salinity : Op::Density,
+             {cond, temp, measured(pressure, -1e5, 1e7)});
+}
+
 /// What runtime/numbers computes.
 std::optional<ExprId> ExpressionMaker::geometry(Type type, uint32_t depth) {
+  if (type.kind != TypeKind::Quantity) {
+    const ExprId north = number(kLatitudeType, depth);
+    const ExprId east = number(kLongitudeType, depth);
+    const ExprId bearing = number(kAngle, depth);
+    return add(type == kLatitudeType ? Op::OffsetLatitude : Op::OffsetLongitude,
+               {north, east, bearing, number(kLength, depth)});
+  }
+  if (random_.chance(0.15)) {
+    const ExprId whole = number(type, depth);
+    return add(Op::Remainder, {whole, number(type, depth)});
+  }
+  if (type == kNumber && random_.chance(0.2)) {
+    return ofWater();
+  }
   if (type == kNumber) {
     static const std::vector<Op> ops = functionsOfOneToNumber();
     const Op op = random_.pick(ops);

@@ -29,9 +29,9 @@ class Gallery : public testing::TestWithParam<std::string> {};
 
 TEST_P(Gallery, IsUnderstoodAndDecided) {
   NEEDS_CVC5();
-  const Mission mission = compiled(
-      frontend::testing_support::readSource("missions/gallery/" + GetParam() + ".mission") +
-      "require always depth <= 1000 m\n");
+  const Mission mission = compiled(frontend::testing_support::readWithoutPromises(
+                                       "missions/gallery/" + GetParam() + ".mission") +
+                                   "require always depth <= 1000 m\n");
   const bool has_layer = GetParam() == "thermocline";  // whose depths are variables without ranges
   const auto shallow = [&](const std::string&) -> std::string {
     return has_layer ? "(and (<= |deepest| 1000.0) (<= |var upper| 28.0) (<= |var lower| 28.0))"

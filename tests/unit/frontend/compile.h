@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <sstream>
 #include <string>
 
 namespace glider::frontend::testing_support {
@@ -19,6 +20,16 @@ inline std::string readSource(const std::string& path) {
   auto text = support::readFile(std::string(GLIDER_SOURCE_DIR "/") + path);
   EXPECT_TRUE(text.has_value()) << path;
   return text.value_or("");
+}
+
+/// A mission of the source tree without its own requirements, for tests that give it others.
+inline std::string readWithoutPromises(const std::string& path) {
+  std::istringstream in(readSource(path));
+  std::string text;
+  for (std::string line; std::getline(in, line);) {
+    text += line.starts_with("require ") ? "" : line + "\n";
+  }
+  return text;
 }
 
 /// One run of the frontend over a text, with all that it lives on.

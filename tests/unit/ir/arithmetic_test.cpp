@@ -55,12 +55,19 @@ TEST(Arithmetic, FunctionsAreWhatTheirNamesSay) {
       {Op::Atan2, {{2, -2}, 135 * degree}},
       {Op::Distance, {{0, 10, 0, 11}, 6371008.8 * degree}},
       {Op::Bearing, {{0, 10, 0, 11}, 90 * degree}},
+      {Op::OffsetLatitude, {{0, 10, 0, 6371008.8 * degree}, 1}},
+      {Op::OffsetLongitude, {{0, 10, 90 * degree, 6371008.8 * degree}, 11}},
+      {Op::Remainder, {{-1, 3}, 2}},
+      {Op::Salinity, {{4.2914, 15 / 1.00024, 0}, 35.000000173}},
+      {Op::Density, {{4.2914, 15 / 1.00024, 0}, 1025.97275}},
   };
   for (const OpInfo& row : kOps) {
     if (row.group == OpGroup::Function) {
       ASSERT_TRUE(examples.contains(row.op)) << "give an example of " << row.text;
       const Known& known = examples.at(row.op);
-      EXPECT_NEAR(function(row.op, known.operands), known.value, 1e-8) << row.text;
+      EXPECT_NEAR(function(row.op, known.operands), known.value,
+                  1e-8 * std::max(1.0, std::fabs(known.value)))
+          << row.text;
       for (size_t i = 0; i < row.operands; ++i) {
         std::vector<double> operands = known.operands;
         operands[i] = -Limits::quiet_NaN();

@@ -119,10 +119,14 @@ inline uint64_t digestOf(uint32_t count) {
     addPlaces(latitude, longitude, near, longitude + random.spread(-50, -3), digest);
     const double far = random.between(-90.0, 90.0);
     addPlaces(latitude, longitude, far, random.between(-180.0, 180.0), digest);
-    addOffset(latitude, longitude, random.between(-10.0, 10.0), random.spread(-60, 25), digest);
-    addWater(random.between(-0.1, 8.0), random.between(-5.0, 46.0), random.between(-1e5, 1.3e8),
-             digest);
-    digest.add(gliderRemainder(random.spread(-30, 40), random.spread(-20, 30)));
+    // One draw a line: compilers evaluate arguments in different orders.
+    const double bearing = random.between(-10.0, 10.0);
+    addOffset(latitude, longitude, bearing, random.spread(-60, 25), digest);
+    const double conductivity = random.between(-0.1, 8.0);
+    const double temperature = random.between(-5.0, 46.0);
+    addWater(conductivity, temperature, random.between(-1e5, 1.3e8), digest);
+    const double whole = random.spread(-30, 40);
+    digest.add(gliderRemainder(whole, random.spread(-20, 30)));
     const double tiny = random.spread(-1022, -40);
     addPlaces(tiny, random.spread(-1022, -40), far, tiny, digest);
   }

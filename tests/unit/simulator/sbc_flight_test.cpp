@@ -41,7 +41,8 @@ TEST(SbcFlight, TakesControlSteersAndReleases) {
   EXPECT_NEAR(valueAt(trace, "m_depth", turn->time_s), 20.4, 0.5);
   const auto* rise = findEvent(trace, "up → down (goto)");
   ASSERT_NE(rise, nullptr) << events;
-  EXPECT_TRUE(std::regex_search(rise->why, std::regex(R"( m, lat 39 10\.\d\d\d N\)$)"))) << rise->why;
+  EXPECT_TRUE(std::regex_search(rise->why, std::regex(R"( m, lat 39 10\.\d\d\d N\)$)")))
+      << rise->why;
   EXPECT_NE(findEvent(trace, "up → end (exit)"), nullptr) << events;
   const auto* back = findEvent(trace, EventId::SbcReleasesControl);
   ASSERT_NE(back, nullptr) << events;

@@ -20,7 +20,7 @@ namespace {
 bool refuseUnknown(const std::string& name, const support::SourceRange& range, Scope& scope) {
   if (scope.findNamed(name) != nullptr || scope.findConstant(name) != nullptr ||
       scope.findSensor(name) != nullptr || scope.refused_names.contains(name) ||
-      !scope.takenBy(name).empty()) {
+      !scope.takenBy(name).empty() || meansValue(name, range, scope)) {
     return false;
   }
   std::vector<std::string_view> names;

@@ -11,6 +11,7 @@
 #include "driver/json_document.h"
 #include "driver/output/check_on_terminal.h"
 #include "driver/output/executable.h"
+#include "driver/output/overwritten.h"
 #include "driver/output/print_pdf.h"
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
@@ -113,17 +114,6 @@ support::Result<void> readSkeleton(BriefOptions& options) {
   return vehicles::tryOwnMission(options.mi, reportDiagnostics);
 }
 
-/// The input that the page would overwrite; null: none.
-const std::string* overwritten(const BriefOptions& options) {
-  std::error_code error;  // a file that is not there yet is not an input
-  for (const std::string* input : {&options.mission, &options.mi, &options.launch.file}) {
-    if (!input->empty() && std::filesystem::equivalent(options.output, *input, error) && !error) {
-      return input;
-    }
-  }
-  return nullptr;
-}
-
 int brief(BriefOptions options, Json* document) {
   if (const auto board = compiler::loadTarget(options.target); !board) {
     return reportFailure(board.error());
@@ -134,7 +124,8 @@ int brief(BriefOptions options, Json* document) {
   if (options.output.empty()) {
     options.output = builtName(options.mission, "brief", ".html");
   }
-  if (const std::string* input = overwritten(options)) {
+  if (const auto input =
+          overwrittenInput({options.mission, options.mi, options.launch.file}, {options.output})) {
     return reportFailure(support::fail(support::diagnostics::outputIsInput, *input).error());
   }
   options.check.report = true;

@@ -7,6 +7,7 @@
 #include "driver/exit_code.h"
 #include "driver/output/check_on_terminal.h"
 #include "driver/output/explain_page.h"
+#include "driver/output/overwritten.h"
 #include "driver/output/run_trace.h"
 #include "driver/shared_options.h"
 #include "driver/slocum/against_logs.h"
@@ -301,22 +302,6 @@ int checkForMachines(const CommandOptions& options) {
   return done ? status : reportFailure(done.error());
 }
 
-/// The mission or data file that an output would overwrite; null: none.
-const std::string* overwritten(const CommandOptions& options) {
-  for (const auto* inputs : {&options.missions, &options.against.logs}) {
-    for (const std::string& input : *inputs) {
-      for (const std::string& output :
-           {options.output, options.against.picture, options.against.page}) {
-        std::error_code error;  // a file that does not exist yet is not an input
-        if (std::filesystem::equivalent(output, input, error) && !error) {
-          return &input;
-        }
-      }
-    }
-  }
-  return nullptr;
-}
-
 int check(CommandOptions& options) {
   if (sharesAFolder(options)) {
     return kWorldFailed;
@@ -337,7 +322,10 @@ int check(CommandOptions& options) {
     tell("glidercc: error: `--picture` and `--page` draw one mission; name only one\n");
     return kWorldFailed;
   }
-  if (const std::string* input = overwritten(options)) {
+  std::vector<std::string> inputs = options.missions;
+  inputs.insert(inputs.end(), options.against.logs.begin(), options.against.logs.end());
+  if (const auto input = overwrittenInput(
+          inputs, {options.output, options.against.picture, options.against.page})) {
     return reportFailure(support::fail(support::diagnostics::outputIsInput, *input).error());
   }
   return options.format == Format::Text ? checkForPeople(options) : checkForMachines(options);

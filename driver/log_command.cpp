@@ -5,6 +5,7 @@
 #include "driver/exit_code.h"
 #include "driver/json_document.h"
 #include "driver/output/log_json.h"
+#include "driver/output/overwritten.h"
 #include "driver/shared_options.h"
 #include "driver/slocum/data_log.h"
 #include "driver/terminal.h"
@@ -86,22 +87,6 @@ int showMissionLog(const std::string& file, const LogOptions& options, Json* doc
   return kFine;
 }
 
-/// The input that one of the outputs would overwrite; "" if there is none.
-std::string overwrittenInput(const LogOptions& options) {
-  std::vector<std::string> inputs = options.files;
-  inputs.push_back(options.beside);
-  std::error_code ignored;
-  for (const std::string& input : inputs) {
-    for (const std::string& output :
-         {options.csv, options.netcdf, options.report, options.picture}) {
-      if (!output.empty() && std::filesystem::equivalent(input, output, ignored)) {
-        return input;
-      }
-    }
-  }
-  return "";
-}
-
 /// True if there is an option that only data files have.
 bool isForDataFiles(const LogOptions& options) {
   return !options.sensors.empty() || !options.netcdf.empty() || !options.caches.empty() ||
@@ -109,8 +94,11 @@ bool isForDataFiles(const LogOptions& options) {
 }
 
 int log(const LogOptions& options, Json* document) {
-  if (const std::string input = overwrittenInput(options); !input.empty()) {
-    return reportFailure(support::fail(support::diagnostics::outputIsInput, input).error());
+  std::vector<std::string> inputs = options.files;
+  inputs.push_back(options.beside);
+  if (const auto input = overwrittenInput(
+          inputs, {options.csv, options.netcdf, options.report, options.picture})) {
+    return reportFailure(support::fail(support::diagnostics::outputIsInput, *input).error());
   }
   if (areDataFiles(options.files)) {
     return showDataFiles(options, document);

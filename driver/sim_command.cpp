@@ -9,6 +9,7 @@
 #include "driver/json_document.h"
 #include "driver/output/flight_files.h"
 #include "driver/output/flight_folder.h"
+#include "driver/output/overwritten.h"
 #include "driver/output/track_colour.h"
 #include "driver/replay_trace.h"
 #include "driver/shared_options.h"
@@ -24,6 +25,8 @@
 #include "report/summary.h"
 #include "report/warnings.h"
 #include "simulator/simulator.h"
+#include "support/diagnostics/ids/command.h"
+#include "support/diagnostics/ids/files.h"
 #include "support/files.h"
 #include "support/trace/trace.h"
 
@@ -32,8 +35,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace glider::driver {
@@ -209,9 +214,30 @@ support::Result<simulator::Scenario> scenarioFor(const SimOptions& options,
   return scenario;
 }
 
+/// Refuses outputs that would overwrite an input or each other.
+support::Result<void> checkOutputs(const SimOptions& options) {
+  const std::vector<std::string> outputs = {options.picture, options.kml, options.geojson,
+                                            options.netcdf};
+  if (const auto input =
+          overwrittenInput({options.mission, options.scenario, options.launch.file}, outputs)) {
+    return support::fail(support::diagnostics::outputIsInput, *input);
+  }
+  std::set<std::filesystem::path> seen;
+  for (const std::string& output : outputs) {
+    if (!output.empty() &&
+        !seen.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(output))).second) {
+      return support::fail(support::diagnostics::cannotWrite, output, "two outputs have this name");
+    }
+  }
+  return {};
+}
+
 int sim(const SimOptions& options, Json* document) {
   if (!options.replay.empty()) {
     return replayTrace(options);
+  }
+  if (const auto checked = checkOutputs(options); !checked) {
+    return reportFailure(checked.error());
   }
   int status = kFine;
   const std::shared_ptr<const compiler::Optimised> mission =

@@ -178,7 +178,7 @@ class PlaceFinder {
 
   /// Of a comparison of a distance from the vehicle with a fixed length.
   void addWatchedOf(const ir::Expr& e, support::MissionFacts& facts) const {
-    if (ir::operandCount(e) != 2) {
+    if (!ir::isComparison(e.op)) {
       return;
     }
     for (const size_t side : {0U, 1U}) {

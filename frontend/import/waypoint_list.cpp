@@ -3,6 +3,7 @@
 
 #include "frontend/import/waypoint_list.h"
 
+#include "frontend/bare_positions.h"
 #include "support/diagnostics/ids/meaning.h"
 #include "support/one_line.h"
 
@@ -45,7 +46,7 @@ std::optional<ast::Literal> half(std::string_view word, bool latitude) {
   word.remove_prefix(negative || word.starts_with('+') ? 1 : 0);
   const size_t whole = std::min(word.find_first_not_of(kDigits), word.size());
   const std::string_view rest = word.substr(whole);
-  const bool good = whole > 0 && whole <= kMost &&
+  const bool good = whole > 0 && whole <= kMost && isPlainlyDdmm(word) &&
                     (rest.empty() || (rest.front() == '.' && rest.find_first_not_of(kDigits, 1) ==
                                                                  std::string_view::npos));
   if (!good) {

@@ -26,10 +26,10 @@ size_t WordRepair::quotedText(const std::vector<Lexeme>& lexemes, size_t at,
   if (open.type != GliderLexer::FOREIGN || !(single || isQuote(source.text(open)))) {
     return 0;
   }
+  const size_t limit = source.text().find_first_of("\n\"\\", open.end);
   for (size_t i = at + 1; i < lexemes.size() && lexemes[i].type != kEof; ++i) {
     const Lexeme& close = lexemes[i];
-    const std::string_view between = source.text().substr(open.end, close.begin - open.end);
-    if (between.find_first_of("\n\"\\") != std::string_view::npos) {
+    if (close.begin > limit) {
       return 0;
     }
     if (close.type == GliderLexer::FOREIGN &&

@@ -365,5 +365,19 @@ TEST_F(Sim, PositionsAtLaunchAreReadAsTheLanguageDoes) {
   EXPECT_THAT(swapped.err, HasSubstr("the latitude comes first"));
 }
 
+TEST_F(Sim, NoOutputOverwritesAnInputOrAnother) {
+  const std::string text = slurp(std::string(GLIDER_SOURCE_DIR) + "/missions/figure2.mission");
+  (void)folder_.write("p.mission", text);
+  for (const char* option : {"--kml", "--geojson", "--netcdf", "--picture"}) {
+    const Outcome refused = run(std::string("$GLIDERCC sim p.mission ") + option + " ./p.mission");
+    EXPECT_EQ(refused.status, 2) << option;
+    EXPECT_THAT(refused.err, HasSubstr("[GL9350 output-is-input]")) << option;
+    EXPECT_EQ(slurp(folder_.path() / "p.mission"), text) << option;
+  }
+  const Outcome twice = run("$GLIDERCC sim p.mission --kml o.x --geojson ./o.x");
+  EXPECT_EQ(twice.status, 2);
+  EXPECT_THAT(twice.err, HasSubstr("two outputs have this name"));
+}
+
 }  // namespace
 }  // namespace glider::tests

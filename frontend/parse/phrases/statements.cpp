@@ -69,10 +69,15 @@ size_t changeOfVariable(Phrase& phrase) {
       change->value_tokens == 0 ? std::string_view("1")
                                 : phrase.wholeText(change->value, change->value_tokens));
   const Lexeme whole = phrase.whole(0, change->end);
-  phrase.reporter()
-      .at(whole, support::diagnostics::notAStatement, phrase.source().text(whole))
-      .hint(fmt::format("write `{}`", better))
-      .fix(phrase.source().range(whole), better);
+  // `n -= k + 1` is n - (k + 1): only the pilot can write where the value ends.
+  const bool goes_on = isOperator(phrase.type(change->end));
+  auto report =
+      phrase.reporter().at(whole, support::diagnostics::notAStatement, phrase.source().text(whole));
+  if (goes_on) {
+    report.hint(fmt::format("write `set {0} = {0} {1} (…)`", phrase.text(name), change->sign));
+  } else {
+    report.hint(fmt::format("write `{}`", better)).fix(phrase.source().range(whole), better);
+  }
   const Lexeme variable = phrase.token(name);
   phrase.put({GliderLexer::SET, whole.begin, whole.begin + 1});
   phrase.put(variable);

@@ -185,8 +185,9 @@ size_t degreesCelsius(Phrase& phrase) {
   const std::string_view number = phrase.source().text(*phrase.lexemeBefore());
   const bool apart = phrase.lexemeBefore()->end < unit.begin;
   const std::string written(phrase.source().text(unit));
-  const std::string better =
-      celsius ? "degC" : fmt::format("{:.4g} degC", (valueOf(number) - 32) / 1.8);
+  const bool negative = phrase.before(1) == GliderLexer::MINUS && !endsValue(phrase.before(2));
+  const double degrees = negative ? -valueOf(number) : valueOf(number);
+  const std::string better = celsius ? "degC" : fmt::format("{:.4g} degC", (degrees - 32) / 1.8);
   auto report = phrase.reporter().at(unit, support::diagnostics::unknownUnit, written,
                                      fmt::format("write `{}`", better));
   if (celsius) {

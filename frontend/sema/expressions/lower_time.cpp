@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "frontend/sema/expressions/literals.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "support/diagnostics/ids/meaning.h"
 #include "support/units/units.h"
 
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 // Times as they are written: `2026-11-25T12:00Z`, `3 h 30 min`.
@@ -59,16 +59,23 @@ ExprLowering::Result ExprLowering::visit(const ast::Duration& node, const ast::E
   double last = std::numeric_limits<double>::infinity();
   for (const ast::Literal& part : node.parts) {
     const auto unit = support::parseUnit(part.unit);
-    const auto number = parseNumber(part.digits);
+    const auto number = this->number(part, expr.where);
+    if (!number) {
+      return std::nullopt;
+    }
     const bool first = &part == &node.parts.front();
-    const bool fits = unit && unit->dimension == support::dimension::time && number &&
-                      unit->to_si < last && (first || *number * unit->to_si < last);
+    const bool fits = unit && unit->dimension == support::dimension::time && unit->to_si < last &&
+                      (first || *number * unit->to_si < last);
     if (!fits) {
       scope_.report(support::diagnostics::notADuration, expr.where, scope_.text(expr.where));
       return std::nullopt;
     }
     sum += *number * unit->to_si;
     last = unit->to_si;
+  }
+  if (!std::isfinite(sum)) {
+    scope_.report(support::diagnostics::numberTooLarge, expr.where, scope_.text(expr.where));
+    return std::nullopt;
   }
   return emitNumber(sum, quantity(support::dimension::time), expr.where);
 }

@@ -10,7 +10,8 @@
 namespace glider::frontend {
 namespace {
 
-/// No place on Earth is farther from another, m: a condition with a greater radius is decided.
+/// No place on the mission's sphere is farther from another, m: a condition with this radius, or a
+/// greater one, is decided, and no disc.
 constexpr double kFarthest = 20015000;
 
 /// Whether two expressions are the position of the vehicle.
@@ -55,8 +56,11 @@ std::optional<ir::Geofence> discOf(ir::ExprId id, bool wanted, Scope& scope) {
   if (!less && e.op != ir::Op::Greater && e.op != ir::Op::GreaterEqual) {
     return std::nullopt;
   }
-  const bool distance_first = scope.mission[e.operands[0]].op == ir::Op::Distance;
-  const auto centre = fromHere(e.operands[distance_first ? 0 : 1], scope);
+  auto centre = fromHere(e.operands[0], scope);
+  const bool distance_first = centre.has_value();
+  if (!distance_first) {
+    centre = fromHere(e.operands[1], scope);
+  }
   const auto radius = evaluate(scope.mission, e.operands[distance_first ? 1 : 0]);
   if (!centre || !radius || !(*radius > 0 && *radius < kFarthest)) {
     return std::nullopt;

@@ -3,7 +3,10 @@
 
 #include "ir/prove/context/place_read.h"
 
-#include "ir/prove/context/sensors_read.h"
+#include "ir/core/walk.h"
+
+#include <algorithm>
+#include <vector>
 
 namespace glider::ir::prove {
 
@@ -20,19 +23,103 @@ PlaceRead placeReadBy(const Sensor& sensor, const platforms::Platform& platform)
                                : PlaceRead::Nothing;
 }
 
-bool isAboutPlace(const Requirement& requirement, const ProofContext& proof_context) {
-  if (requirement.kind != RequirementKind::Always || !requirement.geofences.empty() ||
-      !requirement.condition.valid()) {
-    return false;
+namespace {
+
+/// Which halves of the vehicle's position a requirement's truth is computed from, also by way of
+/// variables that were set from them. Conditions under which a mission sets a variable do not
+/// count.
+class PlaceDependence {
+ public:
+  explicit PlaceDependence(const ProofContext& proof_context)
+      : proof_context_(proof_context), m_(proof_context.mission), seen_(m_.exprs.size()) {}
+
+  bool of(const Requirement& requirement) {
+    read(requirement.condition);
+    for (const Violation& violation : requirement.monitor.violations) {
+      read(violation.condition);
+    }
+    forEachStatement(m_, requirement.monitor.step,
+                     [&](const Statement& statement) { read(statement.value); });
+    for (size_t i = 0; i < variables_.size(); ++i) {
+      assignments(variables_[i]);
+    }
+    return north_ && east_;
   }
-  const Mission& m = proof_context.mission;
-  bool north = false, east = false;
-  forEachSensorRead(m, requirement.condition, [&](SensorId sensor) {
-    const PlaceRead read = placeReadBy(m[sensor], proof_context.platform);
-    north = north || read == PlaceRead::Latitude;
-    east = east || read == PlaceRead::Longitude;
-  });
-  return north && east;
+
+ private:
+  /// Adds what an expression reads; whether something is known does not depend on the place.
+  void read(ExprId root) {
+    std::vector<ExprId> open{root};
+    while (!open.empty()) {
+      const ExprId id = open.back();
+      open.pop_back();
+      if (!id.valid() || seen_[id.index]) {
+        continue;
+      }
+      seen_[id.index] = true;
+      const Expr& e = m_[id];
+      if (e.op == Op::Sensor) {
+        const PlaceRead half = placeReadBy(m_[e.sensor], proof_context_.platform);
+        north_ = north_ || half == PlaceRead::Latitude;
+        east_ = east_ || half == PlaceRead::Longitude;
+      } else if (e.op == Op::Temporal) {
+        open.push_back(m_[e.temporal].operand);
+      } else if (e.op != Op::Known) {
+        open.insert(open.end(), e.operands.begin(), e.operands.end());
+      }
+      if (e.variable.valid() && std::ranges::find(variables_, e.variable) == variables_.end()) {
+        variables_.push_back(e.variable);
+      }
+    }
+  }
+
+  /// Reads all that a variable is set to.
+  void assignments(VariableId variable) {
+    read(m_[variable].initial);
+    for (const Block& block : m_.blocks) {
+      for (const Statement& statement : block.statements) {
+        if (statement.kind == StatementKind::Set && statement.variable == variable) {
+          read(statement.value);
+        }
+      }
+    }
+    arguments(m_.always, variable);
+    for (const State& state : m_.states) {
+      arguments(state.cases, variable);
+    }
+  }
+
+  void arguments(const std::vector<Case>& cases, VariableId variable) {
+    for (const Case& c : cases) {
+      for (size_t i = 0; i < c.arguments.size(); ++i) {
+        if (m_[c.target].parameters[i] == variable) {
+          read(c.arguments[i]);
+        }
+      }
+    }
+  }
+
+  const ProofContext& proof_context_;
+  const Mission& m_;
+  std::vector<bool> seen_;             ///< of each expression: it was read
+  std::vector<VariableId> variables_;  ///< each that was read, once
+  bool north_ = false, east_ = false;
+};
+
+bool readsPlaces(const ProofContext& proof_context) {
+  const auto any = [&](PlaceRead half) {
+    return std::ranges::any_of(proof_context.mission.sensors, [&](const Sensor& sensor) {
+      return placeReadBy(sensor, proof_context.platform) == half;
+    });
+  };
+  return any(PlaceRead::Latitude) && any(PlaceRead::Longitude);
+}
+
+}  // namespace
+
+bool isAboutPlace(const Requirement& requirement, const ProofContext& proof_context) {
+  return requirement.kind == RequirementKind::Always && requirement.geofences.empty() &&
+         readsPlaces(proof_context) && PlaceDependence(proof_context).of(requirement);
 }
 
 }  // namespace glider::ir::prove

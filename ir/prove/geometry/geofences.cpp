@@ -78,9 +78,9 @@ GeofenceVerdict judgeGeofences(const std::vector<Geofence>& geofences,
     if (!found.right_side || found.distance_m < margin) {
       return {false, 0, 0, reasonOf(proof_context, fence, steering, found, *end, margin)};
     }
-    // The pilot measures with `distance`.
-    const double measured = fence.isDisc() ? margin * map.stretch(margin) : margin;
-    verdict.margin_m = std::max(verdict.margin_m, measured);
+    // The pilot measures with `distance`, at any place where control may be given.
+    const double stretch = fence.isDisc() ? map.stretch(margin + start_within) : 1;
+    verdict.margin_m = std::max(verdict.margin_m, margin * stretch);
     verdict.start_within_m = std::max(verdict.start_within_m, start_within);
   }
   return verdict;

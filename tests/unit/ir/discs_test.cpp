@@ -228,7 +228,14 @@ TEST(Discs, ThePremiseIsMeasuredAsDistanceMeasures) {
             off_legs * std::cos(60 * kRadianOfDegree) / std::cos(63 * kRadianOfDegree));
   EXPECT_LE(verdict.margin_m, 1.3 * off_legs);
   EXPECT_EQ(verdict.start_within_m, 0);
-  EXPECT_GT(judgedDisc(missionOf(discText({home}, {60.3, 5}, 5000, false))).start_within_m, 0);
+
+  const GeofenceVerdict out = judgedDisc(missionOf(discText({home}, {60.3, 5}, 5000, false)));
+  ASSERT_GT(out.start_within_m, 0);
+  const Geofence disc{false, {{60.3, 5}}, 5000};
+  const AreaMap map(disc, {home});
+  EXPECT_GE(out.margin_m,
+            (off_legs + map.bend_m(out.start_within_m)) * map.stretch(out.start_within_m))
+      << "control may be given far from the waypoints, where the map is narrower";
 }
 
 TEST(Discs, ContainAllOfTheStartThatIsAssumed) {

@@ -8,6 +8,7 @@
 #include "ir/verify/intervals.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace glider::ir::prove {
 namespace {
@@ -31,6 +32,36 @@ Cases neverPrevented(const Mission& mission) {
     found.push_back(&c);
   }
   return found;
+}
+
+std::vector<size_t> greatestLimits(const Mission& mission) {
+  constexpr size_t kNone = std::numeric_limits<size_t>::max();
+  std::vector<size_t> limits(mission.states.size());
+  std::vector<bool> entered(mission.states.size());
+  std::vector<uint32_t> open;
+  const auto raise = [&](StateId state, size_t limit) {
+    if (!entered[state.index] || limit > limits[state.index]) {
+      entered[state.index] = true;
+      limits[state.index] = limit;
+      open.push_back(state.index);
+    }
+  };
+  raise({0}, kNone);
+  for (size_t i = 0; i < mission.always.size(); ++i) {
+    if (mission.always[i].target.valid()) {
+      raise(mission.always[i].target, i);
+    }
+  }
+  // What is added to `open` meanwhile is followed too.
+  for (size_t next = 0; next < open.size(); ++next) {
+    const uint32_t at = open[next];
+    for (const Case& c : mission.states[at].cases) {
+      if (c.target.valid()) {
+        raise(c.target, c.transition == Transition::Call ? limits[at] : kNone);
+      }
+    }
+  }
+  return limits;
 }
 
 Valuation anyValues(const Mission& mission) {

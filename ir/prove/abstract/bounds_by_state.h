@@ -32,6 +32,10 @@ bool mayWait(const Mission& mission, StateId state);
 /// firing, so these are the cases before the first of those.
 Cases neverPrevented(const Mission& mission);
 
+/// For each state the greatest limit with which it may be current (L2 to L4): case i of `always`
+/// does not fire there if i is no less. 0 for a state that is never entered.
+std::vector<size_t> greatestLimits(const Mission& mission);
+
 /// Every value that the variables may have.
 Valuation anyValues(const Mission& mission);
 

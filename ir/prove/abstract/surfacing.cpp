@@ -6,6 +6,7 @@
 #include "ir/core/walk.h"
 #include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/abstract/state_depths.h"
+#include "ir/prove/abstract/timers.h"
 #include "ir/prove/context/commands.h"
 #include "ir/verify/intervals.h"
 
@@ -24,6 +25,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr size_t kMostWork = 4000000;
 /// A place that is raised more often is in a loop without a surfacing, or nearly so.
 constexpr unsigned kMostRaised = 200;
+/// One that is raised more often goes to what its timer allows at once.
+constexpr unsigned kSlow = 100;
 
 /// A sum rounded up.
 double sumOf(double a, double b) {
@@ -34,17 +37,25 @@ bool isVerticalCommand(const Statement& statement) {
   return statement.kind == StatementKind::Command && isVertical(statement.command);
 }
 
+/// A list of cases that a timer's case may be in, and the number of a case.
+struct CaseAt {
+  bool always = false;
+  size_t number = 0;
+};
+
 /// How the time since the last tick at the surface changes on the way to another place.
 struct Way {
   size_t to = 0;
-  bool surfaced = false;  ///< it becomes 0
-  double added = 0;       ///< otherwise this is added
+  bool surfaced = false;          ///< it becomes 0
+  double added = 0;               ///< otherwise this is added
+  std::optional<CaseAt> by = {};  ///< the case that leads there; none: as `return` went on
+  bool sets_timer = false;        ///< that case's `do` may
 };
 
 /// A state that has become current, or a state that returns: see Places.
 struct StatePlace {
   bool followed = false;
-  double longest = -1;          ///< since the last tick at the surface; negative: not reached
+  Submerged since;              ///< as it becomes current
   double stays = 0;             ///< what is added by its last tick under water
   double by = kGreatestNumber;  ///< mission time of its last tick
   unsigned raised = 0;
@@ -53,21 +64,28 @@ struct StatePlace {
 
 class SurfacingSearch {
  public:
-  SurfacingSearch(const ProofContext& proof_context, const EndBound& end, double limit)
+  /// With `timer`, its cases bound the time too.
+  SurfacingSearch(const ProofContext& proof_context, const EndBound& end, double limit,
+                  std::optional<Timer> timer)
       : proof_context_(proof_context),
         m_(proof_context.mission),
         end_(end),
         limit_(limit),
+        timer_(std::move(timer)),
         values_(anyValues(m_)),
         always_{neverPrevented(m_), false},
         depths_(deepestByState(proof_context)),
         count_(m_.states.size()),
-        places_(3 * count_ + 1),
+        places_(3 * count_),
+        limits_(greatestLimits(m_)),
         callers_(count_) {
     for (uint32_t i = 0; i < count_; ++i) {
       for (const Case& c : m_.states[i].cases) {
-        if (c.transition == Transition::Call) {
-          callers_[c.target.index].push_back(i);
+        addCaller(c, i);
+      }
+      for (size_t k = 0; k < m_.always.size(); ++k) {
+        if (mayInterrupt(k, i)) {
+          addCaller(m_.always[k], i);
         }
       }
     }
@@ -77,8 +95,9 @@ class SurfacingSearch {
     }
   }
 
+  /// The longest time under water, s; none: not found, or beyond the limit.
   std::optional<double> run() {
-    raise(entered(0), 0);
+    raise(entered(0), {0, 0});
     while (!open_.empty()) {
       const size_t at = open_.front();
       open_.pop_front();
@@ -87,13 +106,12 @@ class SurfacingSearch {
         place.followed = true;
         follow(at);
       }
-      const double last = std::min(sumOf(place.longest, place.stays), place.by);
-      longest_ = std::max(longest_, last);
+      longest_ = std::max(longest_, lastOf(at));
       if (longest_ > limit_ || work_ > kMostWork || place.raised > kMostRaised) {
         return std::nullopt;
       }
       for (const Way& way : place.ways) {
-        raise(way.to, way.surfaced ? 0 : std::min(sumOf(place.longest, way.added), place.by));
+        raise(way.to, after(at, way));
       }
     }
     return longest_;
@@ -108,37 +126,105 @@ class SurfacingSearch {
   }
 
   /// After a bound was found.
-  [[nodiscard]] std::vector<Submersion> submersions() const {
-    std::vector<Submersion> all;
+  [[nodiscard]] Submersions submersions() const {
+    Submersions all{{}, timer_ ? timer_->since : VariableId{}};
     for (uint32_t i = 0; i < count_; ++i) {
-      all.push_back({places_[entered(i)].longest, places_[resumed(i)].longest, climbOf(i)});
+      const double timed = timer_ && !timer_->set_under_water[i] ? timer_->longest(i) : kInfinity;
+      all.states.push_back({submergedAt(entered(i)), submergedAt(resumed(i)), climbOf(i), timed});
     }
     return all;
   }
 
+  /// The timers that may bound the time.
+  [[nodiscard]] std::vector<Timer> timers() const {
+    return timersOf(proof_context_, values_, end_.by.value_or(kInfinity), [&](ExprId guard) {
+      const Interval ever{0, kGreatestNumber, false};
+      return AbstractEvaluator(proof_context_, values_, {ever, ever, ever}, underWater())
+          .truth(guard)
+          .is_true;
+    });
+  }
+
  private:
-  // The places: each state as entered, each state as resumed, what each state returns to, and what
-  // a state that `always` calls returns to.
+  // The places: each state as entered, each state as resumed, and what each state returns to.
   [[nodiscard]] static size_t entered(size_t state) { return state; }
   [[nodiscard]] size_t resumed(size_t state) const { return count_ + state; }
   [[nodiscard]] size_t returning(size_t state) const { return 2 * count_ + state; }
-  [[nodiscard]] size_t returningAnywhere() const { return 3 * count_; }
 
-  void raise(size_t to, double longest) {
+  void raise(size_t to, const Submerged& since) {
     StatePlace& place = places_[to];
-    if (longest > place.longest) {
-      place.longest = longest;
+    if (since.longest > place.since.longest || since.ahead > place.since.ahead) {
+      place.since = {std::max(since.longest, place.since.longest),
+                     std::max(since.ahead, place.since.ahead)};
       ++place.raised;
       open_.push_back(to);
     }
   }
 
+  [[nodiscard]] bool isState(size_t at) const { return at < returning(0); }
+
+  /// Under water on the last tick before another place.
+  [[nodiscard]] double lastOf(size_t at) const {
+    const StatePlace& place = places_[at];
+    double last = std::min(sumOf(place.since.longest, place.stays), place.by);
+    if (isState(at)) {
+      last = std::min(last, latestByTimer(at, std::nullopt));
+    }
+    return last;
+  }
+
+  /// What is known at the end of a way.
+  [[nodiscard]] Submerged after(size_t at, const Way& way) const {
+    const StatePlace& place = places_[at];
+    double longest = way.surfaced ? 0 : std::min(sumOf(place.since.longest, way.added), place.by);
+    if (isState(at)) {
+      const double timed = latestByTimer(at, way.by);
+      // In a loop that adds little each time, what the timer allows is soon all that counts.
+      const bool slow = place.raised > kSlow && timed < kInfinity && !way.surfaced;
+      longest = slow ? std::min(timed, place.by) : std::min(longest, timed);
+    }
+    const double ahead = way.surfaced ? 0 : aheadIn(at);
+    return {longest, way.sets_timer ? std::max(longest, ahead) : ahead};
+  }
+
+  /// The timer's lead over the last tick at the surface while a place is current.
+  [[nodiscard]] double aheadIn(size_t at) const {
+    const StatePlace& place = places_[at];
+    const bool raised = timer_ && isState(at) && timer_->set_under_water[at % count_];
+    return raised ? std::max(place.since.ahead, lastOf(at)) : place.since.ahead;
+  }
+
+  /// The longest time under water on the tick on which the case `by` leads away, or on any tick, as
+  /// the timer's cases of the state allow: on the tick before, and on this one if they come first,
+  /// they were not true.
+  [[nodiscard]] double latestByTimer(size_t at, const std::optional<CaseAt>& by) const {
+    const size_t state = at % count_;
+    if (!timer_ || timer_->set_under_water[state]) {
+      return kInfinity;
+    }
+    const Submerged& since = places_[at].since;
+    const double gap = proof_context_.tick_gap_s;
+    const double at_once = sumOf(since.longest, gap);  // on the first tick
+    const auto bound = [&](const TimerCase& of, bool tried, bool may_be_first) {
+      const double later = sumOf(of.longest, since.ahead);
+      const double latest = tried ? later : sumOf(later, gap);
+      return may_be_first || !tried ? std::max(latest, at_once) : latest;
+    };
+    const TimerCase& own = timer_->own[state];
+    const TimerCase always = timer_->ofAlways(static_cast<uint32_t>(state));
+    const bool again = at >= resumed(0);  // then its own cases come first on the first tick
+    return std::min(bound(own, by && !by->always && by->number > own.number, false),
+                    bound(always, by && (!by->always || by->number > always.number),
+                          again && by && !by->always));
+  }
+
+  [[nodiscard]] Submerged submergedAt(size_t at) const {
+    const Submerged& since = places_[at].since;
+    return {since.longest, since.longest < 0 ? since.ahead : aheadIn(at)};
+  }
+
   void follow(size_t at) {
-    if (at == returningAnywhere()) {
-      for (size_t i = 0; i < count_; ++i) {
-        places_[at].ways.push_back({resumed(i), false, 0});
-      }
-    } else if (at >= returning(0)) {
+    if (at >= returning(0)) {
       for (const uint32_t caller : callers_[at - returning(0)]) {
         places_[at].ways.push_back({resumed(caller), false, 0});
       }
@@ -194,19 +280,19 @@ class SurfacingSearch {
     place.by = end_.by ? end_.left_by[number] : kGreatestNumber;
     place.stays = std::min(stay.by, climb);
     for (size_t i = 0; i < state.cases.size(); ++i) {
-      leave(place, state.cases[i], number, again, std::min(stay.latest[i], place.by), climb);
+      leave(place, {false, i}, number, again, std::min(stay.latest[i], place.by), climb);
     }
-    for (const Case& c : m_.always) {
-      const bool kept = c.target.valid() && c.target.index == number;
-      if (!kept && stay.interrupted >= 0) {
-        leave(place, c, number, again, std::min(stay.interrupted, place.by), climb);
+    for (size_t i = 0; i < m_.always.size(); ++i) {
+      if (mayInterrupt(i, number) && stay.interrupted >= 0) {
+        leave(place, {true, i}, number, again, std::min(stay.interrupted, place.by), climb);
       }
     }
   }
 
   /// The way of a case that does not fire later than `latest` after the state became current.
-  void leave(StatePlace& place, const Case& c, uint32_t state, bool again, double latest,
+  void leave(StatePlace& place, const CaseAt& by, uint32_t state, bool again, double latest,
              double climb) {
+    const Case& c = by.always ? m_.always[by.number] : m_.states[state].cases[by.number];
     if (c.transition == Transition::Stay || c.transition == Transition::Exit) {
       return;
     }
@@ -224,20 +310,22 @@ class SurfacingSearch {
     }
     const double under = std::min(latest, climb);
     const bool surfaced = !mayBeTrue({0, std::min(under, kGreatestNumber), false}, underWater());
-    if (c.transition == Transition::Return) {
-      place.ways.push_back({returning(state), surfaced, under});
-      if (isCalledByAlways(state)) {
-        place.ways.push_back({returningAnywhere(), surfaced, under});
-      }
-    } else {
-      place.ways.push_back({entered(c.target.index), surfaced, under});
-    }
+    const bool sets_timer = timer_ && sets(m_, c.action, timer_->since);
+    const size_t to =
+        c.transition == Transition::Return ? returning(state) : entered(c.target.index);
+    place.ways.push_back({to, surfaced, under, by, sets_timer});
   }
 
-  [[nodiscard]] bool isCalledByAlways(uint32_t state) const {
-    return std::ranges::any_of(m_.always, [&](const Case& c) {
-      return c.transition == Transition::Call && c.target.index == state;
-    });
+  /// Whether a case of `always` may fire while the state is current.
+  [[nodiscard]] bool mayInterrupt(size_t number, uint32_t state) const {
+    const StateId target = m_.always[number].target;
+    return number < limits_[state] && !(target.valid() && target.index == state);
+  }
+
+  void addCaller(const Case& c, uint32_t state) {
+    if (c.transition == Transition::Call) {
+      callers_[c.target.index].push_back(state);
+    }
   }
 
   /// Where the vehicle is deeper than the surface.
@@ -257,11 +345,13 @@ class SurfacingSearch {
   const Mission& m_;
   const EndBound& end_;
   double limit_;
+  std::optional<Timer> timer_;
   Valuation values_;
   Interruptions always_;
   std::vector<double> depths_;
   size_t count_;
   std::vector<StatePlace> places_;
+  std::vector<size_t> limits_;  ///< of each state
   std::vector<std::vector<uint32_t>> callers_;
   bool always_leads_down_ = false;
   std::deque<size_t> open_;
@@ -269,21 +359,44 @@ class SurfacingSearch {
   size_t work_ = 0;
 };
 
+struct Found {
+  double longest = kInfinity;
+  Submersions submersions;
+};
+
+/// The least bound, without a timer or with one of the mission's.
+Found leastOf(const ProofContext& proof_context, const EndBound& end, double limit) {
+  Found least;
+  const auto attempt = [&](std::optional<Timer> timer) {
+    SurfacingSearch search(proof_context, end, limit, std::move(timer));
+    const auto longest = search.run();
+    if (longest && *longest < least.longest) {
+      least = {*longest, search.submersions()};
+    }
+    return search.timers();
+  };
+  const std::vector<Timer> timers = attempt(std::nullopt);
+  for (const Timer& timer : timers) {
+    attempt(timer);
+  }
+  return least;
+}
+
 }  // namespace
 
 std::optional<double> longestSubmersion(const ProofContext& proof_context, const EndBound& end,
                                         double limit) {
-  return SurfacingSearch(proof_context, end, limit).run();
+  const double longest = leastOf(proof_context, end, limit).longest;
+  return longest < kInfinity ? std::optional(longest) : std::nullopt;
 }
 
 std::vector<double> climbTimes(const ProofContext& proof_context) {
   const EndBound none;
-  return SurfacingSearch(proof_context, none, kLongestMission).climbs();
+  return SurfacingSearch(proof_context, none, kLongestMission, std::nullopt).climbs();
 }
 
-std::vector<Submersion> submersionsOf(const ProofContext& proof_context, const EndBound& end) {
-  SurfacingSearch search(proof_context, end, kLongestMission);
-  return search.run() ? search.submersions() : std::vector<Submersion>();
+Submersions submersionsOf(const ProofContext& proof_context, const EndBound& end) {
+  return leastOf(proof_context, end, kLongestMission).submersions;
 }
 
 }  // namespace glider::ir::prove

@@ -27,8 +27,11 @@ namespace glider::ir::prove {
 /// reading of the depth that is further above than `depth_error_m` allows under water. Mission time
 /// bounds all: the vehicle is at the surface when control is given.
 ///
-/// Stacks are not followed: a `return` leads to every state that may wait for it (all of them, if
-/// `always` calls the state), and a case of `always` may fire in every state but its target.
+/// A mission's own timer (timers.h) bounds it too: since the last tick at the surface no more time
+/// has passed than since the timer was set, and from that tick to the setting.
+///
+/// Stacks are not followed: a `return` leads to every state that may wait for it, and a case of
+/// `always` may fire in every state but its target and those whose greatestLimits exclude it.
 std::optional<double> longestSubmersion(const ProofContext& proof_context, const EndBound& end,
                                         double limit);
 
@@ -36,15 +39,31 @@ std::optional<double> longestSubmersion(const ProofContext& proof_context, const
 /// infinite if the state does not only climb.
 std::vector<double> climbTimes(const ProofContext& proof_context);
 
-/// How long a trace may have been without a tick at the surface when a state becomes current, s.
-struct Submersion {
-  double entered = -1;  ///< by goto or call; negative: it is not entered
-  double resumed = -1;  ///< by return
-  /// From this time after it became current on, every tick is at the surface; infinite if not.
-  double climb = std::numeric_limits<double>::infinity();
+/// What is known of the time since the last tick at the surface as a state becomes current, s.
+struct Submerged {
+  double longest = -1;  ///< negative: nothing, as no trace comes here
+  /// With a timer: it is not set later than this after the last tick at the surface, as long as the
+  /// state is current.
+  double ahead = 0;
 };
 
-/// What longestSubmersion rests on, for each state; empty if it finds no bound.
-std::vector<Submersion> submersionsOf(const ProofContext& proof_context, const EndBound& end);
+/// What longestSubmersion rests on, for one state.
+struct Submersion {
+  Submerged entered;  ///< by goto or call
+  Submerged resumed;  ///< by return
+  /// From this time after it became current on, every tick is at the surface; infinite if not.
+  double climb = std::numeric_limits<double>::infinity();
+  /// With a timer: after each tick that leaves the state current, but the one on which it became
+  /// so, this at most after the timer was set, or at the surface; s.
+  double timed = std::numeric_limits<double>::infinity();
+};
+
+struct Submersions {
+  std::vector<Submersion> states;  ///< empty if no bound is found
+  VariableId timer;                ///< invalid: none
+};
+
+/// What longestSubmersion rests on.
+Submersions submersionsOf(const ProofContext& proof_context, const EndBound& end);
 
 }  // namespace glider::ir::prove

@@ -92,26 +92,51 @@ std::string Known::ofStays(const certify::Configuration& at) const {
   return anyOf(all);
 }
 
+std::string Known::timerName() const {
+  return certify::variableName(m_[submersions_.timer], "");
+}
+
+/// How long after the last tick at the surface a state became current, and the timer was set.
+std::string Known::grown(const Submerged& from) const {
+  FormulaParts parts;
+  parts.add(fmt::format("(<= (- |resumed| |surfaced|) {})", realText(from.longest)));
+  if (submersions_.timer.valid()) {
+    parts.add(fmt::format("(<= (- {} |surfaced|) {})", timerName(), realText(from.ahead)));
+  }
+  return parts.all();
+}
+
+std::string Known::timed(const Submersion& state) const {
+  FormulaParts parts;
+  parts.add(certify::variableName(m_[submersions_.timer], " known"));
+  parts.add(fmt::format("(<= {} |time|)", timerName()));
+  if (std::isfinite(state.timed)) {
+    parts.add(anyOf({"(= |time| |resumed|)", "(= |time| |surfaced|)",
+                     fmt::format("(<= (- |time| {}) {})", timerName(), realText(state.timed))}));
+  }
+  return parts.all();
+}
+
 std::string Known::surfacedIn(const certify::Configuration& at) const {
   FormulaParts parts;
   parts.add("(<= 0.0 |surfaced| |time|)");
-  if (submersions_.empty()) {
+  if (submersions_.states.empty()) {
     return parts.all();
   }
   parts.add("(=> |climbing| (<= |climbing since| |time|))");
-  const Submersion& state = submersions_[at.state.index];
-  const auto grown = [](double from) {
-    return fmt::format("(<= (- |resumed| |surfaced|) {})", realText(from));
-  };
+  const Submersion& state = submersions_.states[at.state.index];
   std::vector<std::string> ways;
-  if (state.entered >= 0 && !at.just_returned) {
+  if (state.entered.longest >= 0 && !at.just_returned) {
     ways.push_back(fmt::format("(and (= {} |resumed|) {})", certify::enteredName(at.stack.size()),
                                grown(state.entered)));
   }
-  if (state.resumed >= 0) {
+  if (state.resumed.longest >= 0) {
     ways.push_back(grown(state.resumed));
   }
   parts.add(anyOf(ways));
+  if (submersions_.timer.valid()) {
+    parts.add(timed(state));
+  }
   if (std::isfinite(state.climb)) {
     parts.add("|climbing|");
     parts.add("(<= |climbing since| |resumed|)");

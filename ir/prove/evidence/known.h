@@ -30,14 +30,17 @@ class Known {
  private:
   [[nodiscard]] std::string ofStays(const certify::Configuration& at) const;
   [[nodiscard]] std::string ofStay(const Stay& stay, bool just_returned) const;
+  [[nodiscard]] std::string timerName() const;
+  [[nodiscard]] std::string grown(const Submerged& from) const;
+  [[nodiscard]] std::string timed(const Submersion& state) const;
   [[nodiscard]] std::string ofTimes(const Stay& stay, bool just_returned) const;
 
   const ProofContext& proof_context_;
   const Mission& m_;
-  std::vector<StateBounds> bounds_;      ///< of every state
-  std::vector<Interval> held_;           ///< of every variable
-  std::vector<bool> commanded_;          ///< whether a depth depends on the variable
-  std::vector<Submersion> submersions_;  ///< of every state; may be empty
+  std::vector<StateBounds> bounds_;  ///< of every state
+  std::vector<Interval> held_;       ///< of every variable
+  std::vector<bool> commanded_;      ///< whether a depth depends on the variable
+  Submersions submersions_;
   std::vector<Stay> stays_;
   /// The stays in each configuration, by their numbers.
   std::map<certify::Configuration, std::vector<size_t>> here_;

@@ -61,14 +61,50 @@ std::string guardOf(random_missions::Random& random, bool up) {
   }
 }
 
+/// `missiontime` is later than a while after the timer, said in several ways.
+std::string timerOf(random_missions::Random& random) {
+  const std::string time = timeOf(random, 40);
+  switch (random.below(5)) {
+    case 0:
+      return "(ge missiontime (add (var t) " + time + "))";
+    case 1:
+      return "(lt " + time + " (sub missiontime (var t)))";
+    case 2:
+      return "(or (gt (sensor temp) 25:temperature) (gt (sub missiontime (var t)) " + time + "))";
+    case 3:
+      return "(and (gt (sensor temp) 8:temperature) (gt (sub missiontime (var t)) " + time + "))";
+    default:
+      return "(gt (sub missiontime (var t)) " + time + ")";
+  }
+}
+
+/// May set the timer.
+std::string setOf(random_missions::Random& random, uint64_t often) {
+  return random.below(10) < often ? "do set t missiontime end " : "";
+}
+
 /// A ring of states of which some climb to the surface; some call another for a while, and `always`
-/// may interrupt.
-std::string randomDives(uint64_t seed) {
+/// may interrupt. With `timed`, a variable holds when a case last set it.
+std::string randomDives(uint64_t seed, bool timed = false) {
   random_missions::Random random(seed);
   const auto states = 2 + random.below(3);
+  const auto timer = [&](uint64_t often, const std::string& transition) {
+    return timed && random.below(10) < often
+               ? "case " + timerOf(random) + " " + setOf(random, 7) + transition + " "
+               : std::string();
+  };
   const auto name = [&](uint64_t i) { return std::string(1, static_cast<char>('a' + i % states)); };
   std::string text = kDives;
-  if (random.below(4) == 0) {
+  if (timed) {
+    text += "variable t : time mission\ninitial t 0:time\nalways ";
+    text += random.below(5) == 0
+                ? "case (lt (sensor depth) " + std::string(random.below(2) == 0 ? "1" : "9") +
+                      ":length) do set t missiontime end stay "
+                : "";
+    text += random.below(5) == 0 ? "case (gt (sensor depth) 12:length) call z " : "";
+    text += timer(8, random.below(3) == 0 ? "goto a" : "call z");
+    text += random.below(5) == 0 ? "case (gt (sensor temp) 30:temperature) goto b " : "";
+  } else if (random.below(4) == 0) {
     text += "always case (gt (sensor depth) 12:length) call z ";
   } else if (random.below(6) == 0) {
     text +=
@@ -86,8 +122,10 @@ std::string randomDives(uint64_t seed) {
     if (random.below(4) == 0) {
       text += "case " + guardOf(random, false) + " call z ";
     }
-    text += "case " + guardOf(random, up) + " goto " + name(i + 1) + " ";
-    if (random.below(2) == 0) {
+    text += timer(3, "goto " + name(i + random.below(2)));
+    text += "case " + guardOf(random, up) + " " + (timed ? setOf(random, 1) : "") + "goto " +
+            name(i + 1) + " ";
+    if (random.below(timed ? 5 : 2) == 0) {
       text += "case (ge resumetime " + timeOf(random, 100) + ") goto " + name(i + random.below(2)) +
               " ";
     }
@@ -108,13 +146,15 @@ Requirement surfacesEvery(double seconds) {
 struct Tally {
   size_t bounded = 0;
   size_t near = 0;
+  size_t timed = 0;  ///< bounded by a timer
 };
 
 /// Flies missions against their bounds.
-Tally flyAgainstBounds(uint64_t missions, bool power_cuts) {
+Tally flyAgainstBounds(uint64_t missions, bool power_cuts, bool timed = false) {
   Tally tally;
   for (uint64_t seed = 1; seed <= missions; ++seed) {
-    const Mission mission = missionOf(randomDives(seed));
+    const std::string text = randomDives(seed, timed);
+    const Mission mission = missionOf(text);
     const ProofContext all(mission, slocum());
     const ProofContext proof_context = power_cuts ? all : all.withoutPowerCuts();
     const auto longest = longestSubmersion(proof_context, {}, kLong);
@@ -130,7 +170,10 @@ Tally flyAgainstBounds(uint64_t missions, bool power_cuts) {
     };
     for (uint64_t flight = 1; flight <= 6; ++flight) {
       EXPECT_FALSE(deeper(*longest, flight)) << "mission " << seed << " in " << *longest << " s\n"
-                                             << randomDives(seed);
+                                             << text;
+    }
+    if (timed && submersionsOf(proof_context, {}).timer.valid()) {
+      ++tally.timed;
     }
     tally.near += deeper(*longest * 0.4, 1) || deeper(*longest * 0.4, 2) ? 1U : 0U;
   }
@@ -146,6 +189,88 @@ TEST(Submersion, NoRandomFlightIsLonger) {
 TEST(Submersion, NoRandomFlightWithPowerCutsIsLonger) {
   const Tally tally = flyAgainstBounds(200, true);
   EXPECT_GT(tally.bounded, 20U);
+}
+
+TEST(Submersion, NoRandomFlightOfAMissionWithATimerIsLonger) {
+  const Tally tally = flyAgainstBounds(3000, false, true);
+  EXPECT_GT(tally.bounded, 200U);
+  EXPECT_GT(tally.near, 50U) << "the bounds are far off";
+  EXPECT_GT(tally.timed, 50U);
+}
+
+const std::string kDown = "descend (20:length, 0.4:angle)";
+
+std::string diveState(const std::string& name, const std::string& command,
+                      const std::string& cases) {
+  return "state " + name + " route way begin end profile yo begin entry do " + command +
+         " end end " + cases + "\n";
+}
+
+/// With an own timer t: the states a and b dive and have these cases, z climbs and returns, y dives
+/// for 7000 s and returns.
+Mission withTimer(const std::string& always, const std::string& of_a, const std::string& of_b) {
+  return missionOf(kDives + "variable t : time mission\ninitial t 0:time\n" + always +
+                   diveState("a", kDown, of_a) + diveState("b", kDown, of_b) +
+                   diveState("z", "surface ()", "case (ge statetime 2000:time) return ") +
+                   diveState("y", kDown, "case (ge statetime 7000:time) return "));
+}
+
+std::optional<double> longestWithTimer(const std::string& always, const std::string& of_a,
+                                       const std::string& of_b = "") {
+  const Mission mission = withTimer(always, of_a, of_b);
+  return longestSubmersion(ProofContext(mission, slocum()).withoutPowerCuts(), {}, kLong);
+}
+
+/// Less the time that the climb in z takes.
+double divesFor(const std::string& always, const std::string& of_a, const std::string& of_b = "") {
+  const Mission mission = withTimer(always, of_a, of_b);
+  const ProofContext proof_context = ProofContext(mission, slocum()).withoutPowerCuts();
+  return longestSubmersion(proof_context, {}, kLong).value_or(0) - climbTimes(proof_context)[2];
+}
+
+const std::string kTimer = "(gt (sub missiontime (var t)) 3000:time) do set t missiontime end ";
+
+TEST(Submersion, ATimersCaseIsTriedATickLate) {
+  const double gap = slocum().world.tick_gap_s;
+  EXPECT_NEAR(divesFor("always case " + kTimer + "call z\n", ""), 3000 + gap, 0.01);
+  EXPECT_NEAR(divesFor("", "case " + kTimer + "call z "), 3000 + gap, 0.01);
+  // Resumed, b is called again before the case of `always` is tried.
+  const std::string call = "case (ge statetime 0:time) call b ";
+  const std::string back = "case (ge statetime 0:time) return ";
+  EXPECT_NEAR(divesFor("always case " + kTimer + "call z\n", call, back), 3000 + 2 * gap, 0.01);
+}
+
+/// L3 and L4: a call by a state keeps its limit, a goto ends it.
+TEST(GreatestLimits, AreThoseOfTheWaysThere) {
+  const std::string a_goes = "case (ge statetime 9:time) goto b ";
+  const std::string b_calls = "case (ge statetime 9:time) call y ";
+  const std::string hot = "case (gt (sensor temp) 30:temperature) ";
+  const auto limits = [&](const std::string& always, const std::string& of_a,
+                          const std::string& of_b) {
+    return greatestLimits(withTimer(always, of_a, of_b));
+  };
+  constexpr size_t kNone = std::numeric_limits<size_t>::max();
+  const std::string always = "always " + hot + "call b " + hot + "goto z\n";
+  EXPECT_EQ(limits(always, "", ""), (std::vector<size_t>{kNone, 0, 1, 0}));
+  EXPECT_EQ(limits(always, "", b_calls + "case (ge statetime 99:time) goto z "),
+            (std::vector<size_t>{kNone, 0, kNone, 0}));
+  EXPECT_EQ(limits(always, a_goes, b_calls), (std::vector<size_t>{kNone, kNone, 1, kNone}));
+}
+
+TEST(Submersion, ATimersCaseMayNotBeTried) {
+  const std::string always = "always case " + kTimer + "call ";
+  const auto without_surfacing = longestWithTimer(always + "y\n", "");
+  EXPECT_FALSE(without_surfacing && *without_surfacing < 7000) << "y keeps it from firing";
+  const std::string every_tick = "case (ge resumetime 0:time) ";
+  EXPECT_FALSE(longestWithTimer(always + "z\n", every_tick + "do set t missiontime end stay "))
+      << "the timer is set again and again";
+  EXPECT_FALSE(longestWithTimer("", every_tick + "goto b case " + kTimer + "call z ",
+                                every_tick + "goto a case " + kTimer + "call z "))
+      << "another case is always first";
+  EXPECT_TRUE(longestWithTimer(always + "z\n", every_tick + "goto b ", every_tick + "goto a "))
+      << "`always` comes before it";
+  EXPECT_FALSE(longestWithTimer("always " + every_tick + "stay case " + kTimer + "call z\n", ""))
+      << "a case before it fires on every tick";
 }
 
 /// The route may command a depth too.

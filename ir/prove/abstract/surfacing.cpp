@@ -5,7 +5,9 @@
 
 #include "ir/core/walk.h"
 #include "ir/prove/abstract/bounds_by_state.h"
+#include "ir/prove/abstract/profile_surfacing.h"
 #include "ir/prove/abstract/state_depths.h"
+#include "ir/prove/abstract/timer_guards.h"
 #include "ir/prove/abstract/timers.h"
 #include "ir/prove/context/commands.h"
 #include "ir/verify/intervals.h"
@@ -47,6 +49,7 @@ struct CaseAt {
 struct Way {
   size_t to = 0;
   bool surfaced = false;          ///< it becomes 0
+  bool surfaced_before = false;   ///< it is no longer than `added`
   double added = 0;               ///< otherwise this is added
   std::optional<CaseAt> by = {};  ///< the case that leads there; none: as `return` went on
   bool sets_timer = false;        ///< that case's `do` may
@@ -79,7 +82,9 @@ class SurfacingSearch {
         places_(3 * count_),
         limits_(greatestLimits(m_)),
         callers_(count_) {
+    const TimerGuards guards(proof_context, values_, end.by.value_or(kInfinity));
     for (uint32_t i = 0; i < count_; ++i) {
+      profiles_.push_back(profileSurfacing(proof_context, guards, {i}, climbFrom(depths_[i])));
       for (const Case& c : m_.states[i].cases) {
         addCaller(c, i);
       }
@@ -130,7 +135,8 @@ class SurfacingSearch {
     Submersions all{{}, timer_ ? timer_->since : VariableId{}};
     for (uint32_t i = 0; i < count_; ++i) {
       const double timed = timer_ && !timer_->set_under_water[i] ? timer_->longest(i) : kInfinity;
-      all.states.push_back({submergedAt(entered(i)), submergedAt(resumed(i)), climbOf(i), timed});
+      all.states.push_back(
+          {submergedAt(entered(i)), submergedAt(resumed(i)), climbOf(i), timed, profiles_[i]});
     }
     return all;
   }
@@ -176,7 +182,8 @@ class SurfacingSearch {
   /// What is known at the end of a way.
   [[nodiscard]] Submerged after(size_t at, const Way& way) const {
     const StatePlace& place = places_[at];
-    double longest = way.surfaced ? 0 : std::min(sumOf(place.since.longest, way.added), place.by);
+    const double from = way.surfaced_before ? 0 : place.since.longest;
+    double longest = way.surfaced ? 0 : std::min(sumOf(from, way.added), place.by);
     if (isState(at)) {
       const double timed = latestByTimer(at, way.by);
       // In a loop that adds little each time, what the timer allows is soon all that counts.
@@ -226,7 +233,7 @@ class SurfacingSearch {
   void follow(size_t at) {
     if (at >= returning(0)) {
       for (const uint32_t caller : callers_[at - returning(0)]) {
-        places_[at].ways.push_back({resumed(caller), false, 0});
+        places_[at].ways.push_back({resumed(caller)});
       }
     } else {
       followState(at);
@@ -258,12 +265,13 @@ class SurfacingSearch {
 
   /// From this time in the state on every tick is at the surface.
   [[nodiscard]] double climbOf(uint32_t state) const {
+    return climbs(m_.states[state]) ? climbFrom(depths_[state]) : kInfinity;
+  }
+
+  [[nodiscard]] double climbFrom(double depth) const {
     const platforms::EnvironmentModel& world = proof_context_.platform.world;
-    if (!climbs(m_.states[state]) || !std::isfinite(depths_[state])) {
-      return kInfinity;
-    }
     constexpr double kRoundedUp = 1 + 0x1p-40;
-    const double way = std::max(0.0, depths_[state] - world.surface_depth_m);
+    const double way = std::max(0.0, depth - world.surface_depth_m);
     return (world.turn_s + way / world.slowest_climb_m_s) * kRoundedUp;
   }
 
@@ -278,7 +286,7 @@ class SurfacingSearch {
     work_ += stay.work;
     const double climb = climbOf(number);
     place.by = end_.by ? end_.left_by[number] : kGreatestNumber;
-    place.stays = std::min(stay.by, climb);
+    place.stays = std::min({stay.by, climb, profiles_[number].longest});
     for (size_t i = 0; i < state.cases.size(); ++i) {
       leave(place, {false, i}, number, again, std::min(stay.latest[i], place.by), climb);
     }
@@ -313,7 +321,12 @@ class SurfacingSearch {
     const bool sets_timer = timer_ && sets(m_, c.action, timer_->since);
     const size_t to =
         c.transition == Transition::Return ? returning(state) : entered(c.target.index);
-    place.ways.push_back({to, surfaced, under, by, sets_timer});
+    // A profile that surfaces by itself has done so if the case is not true before.
+    const double by_profile = profiles_[state].longest;
+    const bool surfaced_before =
+        by_profile < under && !mayBeTrue({0, by_profile, false}, std::nullopt);
+    place.ways.push_back(
+        {to, surfaced, surfaced_before, std::min(under, by_profile), by, sets_timer});
   }
 
   /// Whether a case of `always` may fire while the state is current.
@@ -351,7 +364,8 @@ class SurfacingSearch {
   std::vector<double> depths_;
   size_t count_;
   std::vector<StatePlace> places_;
-  std::vector<size_t> limits_;  ///< of each state
+  std::vector<size_t> limits_;              ///< of each state
+  std::vector<ProfileSurfacing> profiles_;  ///< of each state
   std::vector<std::vector<uint32_t>> callers_;
   bool always_leads_down_ = false;
   std::deque<size_t> open_;

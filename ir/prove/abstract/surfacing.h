@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ir/prove/abstract/end_bound.h"
+#include "ir/prove/abstract/profile_surfacing.h"
 
 #include <limits>
 #include <optional>
@@ -29,6 +30,9 @@ namespace glider::ir::prove {
 ///
 /// A mission's own timer (timers.h) bounds it too: since the last tick at the surface no more time
 /// has passed than since the timer was set, and from that tick to the setting.
+///
+/// So does a profile that comes to the surface by itself (profile_surfacing.h), while its state is
+/// current.
 ///
 /// Stacks are not followed: a `return` leads to every state that may wait for it, and a case of
 /// `always` may fire in every state but its target and those whose greatestLimits exclude it.
@@ -56,6 +60,7 @@ struct Submersion {
   /// With a timer: after each tick that leaves the state current, but the one on which it became
   /// so, this at most after the timer was set, or at the surface; s.
   double timed = std::numeric_limits<double>::infinity();
+  ProfileSurfacing profile = {};
 };
 
 struct Submersions {

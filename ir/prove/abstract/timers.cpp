@@ -3,7 +3,7 @@
 
 #include "ir/prove/abstract/timers.h"
 
-#include "ir/core/walk.h"
+#include "ir/prove/abstract/timer_guards.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,12 +19,8 @@ class TimerSearch {
   TimerSearch(const ProofContext& proof_context, const Valuation& values, double ends_by,
               const std::function<bool(ExprId)>& may_fire_under_water)
       : m_(proof_context.mission),
-        ends_by_(ends_by),
         may_fire_under_water_(may_fire_under_water),
-        evaluator_(proof_context, values,
-                   {{0, kGreatestNumber, false},
-                    {0, kGreatestNumber, false},
-                    {0, kGreatestNumber, false}}) {}
+        guards_(proof_context, values, ends_by) {}
 
   std::vector<Timer> all() {
     std::vector<Timer> found;
@@ -45,24 +41,7 @@ class TimerSearch {
     }
     const Expr& initial = m_[variable.initial];
     return initial.op == Op::Constant && initial.number <= 0 && isSetInCasesOnly(id) &&
-           setsOf(id, [&](ExprId value) { return m_[value].op == Op::MissionTime; });
-  }
-
-  /// Whether all values that are assigned to the variable, at least one, are so.
-  template <typename Predicate>
-  [[nodiscard]] bool setsOf(VariableId id, Predicate is) const {
-    bool any = false;
-    for (const Block& block : m_.blocks) {
-      for (const Statement& s : block.statements) {
-        if (s.kind == StatementKind::Set && s.variable == id) {
-          any = true;
-          if (!is(s.value)) {
-            return false;
-          }
-        }
-      }
-    }
-    return any;
+           holdsTimesOnly(m_, id);
   }
 
   /// Nothing that runs when a state becomes current, and nothing outside a case, sets it.
@@ -107,7 +86,7 @@ class TimerSearch {
         }
         continue;
       }
-      const double longest = trueAfter(cases[i].guard, since);
+      const double longest = guards_.trueAfter(cases[i].guard, since, [](ExprId) { return false; });
       if (std::isfinite(longest)) {
         return {i, longest};
       }
@@ -141,64 +120,9 @@ class TimerSearch {
     return kept;
   }
 
-  /// The guard is certainly true when the mission time is more than this after `since`, s; infinite
-  /// if that is not known. It reads `missiontime - since > T`, or compares so, or is an `||` of it.
-  // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
-  [[nodiscard]] double trueAfter(ExprId id, VariableId since) const {
-    const Expr& e = m_[id];
-    switch (e.op) {
-      case Op::Or:
-        return std::min(trueAfter(e.operands[0], since), trueAfter(e.operands[1], since));
-      case Op::Greater:
-      case Op::GreaterEqual:
-        return apart(e.operands[0], e.operands[1], since);
-      case Op::Less:
-      case Op::LessEqual:
-        return apart(e.operands[1], e.operands[0], since);
-      default:
-        return kNoEnd;
-    }
-  }
-
-  /// The longest time after `since` at which `more` > `less` may be false.
-  [[nodiscard]] double apart(ExprId more, ExprId less, VariableId since) const {
-    const Expr& a = m_[more];
-    const Expr& b = m_[less];
-    if (a.op == Op::Subtract && m_[a.operands[0]].op == Op::MissionTime &&
-        isSince(a.operands[1], since)) {
-      return mostOf(less);
-    }
-    if (a.op != Op::MissionTime || b.op != Op::Add) {
-      return kNoEnd;
-    }
-    const bool first = isSince(b.operands[0], since);
-    if (!first && !isSince(b.operands[1], since)) {
-      return kNoEnd;
-    }
-    // The sum, about the mission time, was rounded; the later, the more.
-    const double most = mostOf(b.operands[first ? 1 : 0]);
-    return most + (most + ends_by_) * 0x1p-50;
-  }
-
-  [[nodiscard]] bool isSince(ExprId id, VariableId since) const {
-    return m_[id].op == Op::Variable && m_[id].variable == since;
-  }
-
-  /// The greatest value of an expression that is never unknown, and what rounding adds at most.
-  [[nodiscard]] double mostOf(ExprId id) const {
-    constexpr double kRoundedUp = 1 + 0x1p-40;
-    constexpr double kSettled = 1e-6;
-    if (evaluator_.maybeUnknown(id)) {
-      return kNoEnd;
-    }
-    const double most = std::max(evaluator_.number(id).highest, 0.0);
-    return most < kGreatestNumber ? most * kRoundedUp + kSettled : kNoEnd;
-  }
-
   const Mission& m_;
-  double ends_by_;
   const std::function<bool(ExprId)>& may_fire_under_water_;
-  AbstractEvaluator evaluator_;
+  TimerGuards guards_;
 };
 
 }  // namespace
@@ -207,14 +131,6 @@ std::vector<Timer> timersOf(const ProofContext& proof_context, const Valuation& 
                             double ends_by,
                             const std::function<bool(ExprId)>& may_fire_under_water) {
   return TimerSearch(proof_context, values, ends_by, may_fire_under_water).all();
-}
-
-bool sets(const Mission& mission, BlockId block, VariableId variable) {
-  bool found = false;
-  forEachStatement(mission, block, [&](const Statement& s) {
-    found = found || (s.kind == StatementKind::Set && s.variable == variable);
-  });
-  return found;
 }
 
 }  // namespace glider::ir::prove

@@ -49,7 +49,4 @@ std::vector<Timer> timersOf(const ProofContext& proof_context, const Valuation& 
                             double ends_by,
                             const std::function<bool(ExprId)>& may_fire_under_water);
 
-/// Whether a block may set the variable; an invalid one does not.
-bool sets(const Mission& mission, BlockId block, VariableId variable);
-
 }  // namespace glider::ir::prove

@@ -8,6 +8,7 @@
 #include "ir/prove/abstract/held_ranges.h"
 #include "ir/prove/evidence/command_variables.h"
 #include "ir/prove/evidence/formula.h"
+#include "ir/prove/evidence/in_profile.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -117,6 +118,12 @@ std::string Known::timed(const Submersion& state) const {
   return parts.all();
 }
 
+void Known::addTimes(FormulaParts& parts, const ProfileSurfacing& profile) const {
+  if (!profile.modes.empty()) {
+    parts.add(timesOfProfile(m_, profile));
+  }
+}
+
 std::string Known::surfacedIn(const certify::Configuration& at) const {
   FormulaParts parts;
   parts.add("(<= 0.0 |surfaced| |time|)");
@@ -136,6 +143,13 @@ std::string Known::surfacedIn(const certify::Configuration& at) const {
   parts.add(anyOf(ways));
   if (submersions_.timer.valid()) {
     parts.add(timed(state));
+  }
+  for (const certify::Waiting& waiting : at.stack) {
+    addTimes(parts, submersions_.states[waiting.state.index].profile);
+  }
+  addTimes(parts, state.profile);
+  if (!state.profile.modes.empty()) {
+    parts.add(inProfile(m_, state.profile));
   }
   if (std::isfinite(state.climb)) {
     parts.add("|climbing|");

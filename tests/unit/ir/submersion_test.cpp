@@ -5,6 +5,7 @@
 // single moment.
 
 #include "ir/prove/abstract/bounds_by_state.h"
+#include "ir/prove/abstract/profile_surfacing.h"
 #include "ir/prove/abstract/surfacing.h"
 #include "ir/prove/encoding/any_moment.h"
 #include "ir/prove/falsification/random_flight.h"
@@ -14,6 +15,8 @@
 #include "tests/unit/ir/slocum.h"
 
 #include <fmt/format.h>
+
+#include <functional>
 
 namespace glider::ir::prove {
 namespace {
@@ -150,10 +153,11 @@ struct Tally {
 };
 
 /// Flies missions against their bounds.
-Tally flyAgainstBounds(uint64_t missions, bool power_cuts, bool timed = false) {
+Tally flyAgainstBounds(uint64_t missions, const std::function<std::string(uint64_t)>& textOf,
+                       bool power_cuts = false) {
   Tally tally;
   for (uint64_t seed = 1; seed <= missions; ++seed) {
-    const std::string text = randomDives(seed, timed);
+    const std::string text = textOf(seed);
     const Mission mission = missionOf(text);
     const ProofContext all(mission, slocum());
     const ProofContext proof_context = power_cuts ? all : all.withoutPowerCuts();
@@ -172,7 +176,7 @@ Tally flyAgainstBounds(uint64_t missions, bool power_cuts, bool timed = false) {
       EXPECT_FALSE(deeper(*longest, flight)) << "mission " << seed << " in " << *longest << " s\n"
                                              << text;
     }
-    if (timed && submersionsOf(proof_context, {}).timer.valid()) {
+    if (submersionsOf(proof_context, {}).timer.valid()) {
       ++tally.timed;
     }
     tally.near += deeper(*longest * 0.4, 1) || deeper(*longest * 0.4, 2) ? 1U : 0U;
@@ -181,18 +185,18 @@ Tally flyAgainstBounds(uint64_t missions, bool power_cuts, bool timed = false) {
 }
 
 TEST(Submersion, NoRandomFlightIsLonger) {
-  const Tally tally = flyAgainstBounds(1500, false);
+  const Tally tally = flyAgainstBounds(1500, [](uint64_t seed) { return randomDives(seed); });
   EXPECT_GT(tally.bounded, 200U);
   EXPECT_GT(tally.near, 50U) << "the bounds are far off";
 }
 
 TEST(Submersion, NoRandomFlightWithPowerCutsIsLonger) {
-  const Tally tally = flyAgainstBounds(200, true);
+  const Tally tally = flyAgainstBounds(200, [](uint64_t seed) { return randomDives(seed); }, true);
   EXPECT_GT(tally.bounded, 20U);
 }
 
 TEST(Submersion, NoRandomFlightOfAMissionWithATimerIsLonger) {
-  const Tally tally = flyAgainstBounds(3000, false, true);
+  const Tally tally = flyAgainstBounds(3000, [](uint64_t seed) { return randomDives(seed, true); });
   EXPECT_GT(tally.bounded, 200U);
   EXPECT_GT(tally.near, 50U) << "the bounds are far off";
   EXPECT_GT(tally.timed, 50U);
@@ -271,6 +275,167 @@ TEST(Submersion, ATimersCaseMayNotBeTried) {
       << "`always` comes before it";
   EXPECT_FALSE(longestWithTimer("always " + every_tick + "stay case " + kTimer + "call z\n", ""))
       << "a case before it fires on every tick";
+}
+
+/// A state whose profile dives and comes to the surface by itself, more or less; its cases come in
+/// any order, and some forget to set what they should.
+std::string randomProfile(uint64_t seed) {
+  random_missions::Random random(seed);
+  const auto maybe = [&](const std::string& text, uint64_t of = 8) {
+    return random.below(of) == 0 ? std::string() : text;
+  };
+  const std::string s = "\"a.profile.s\"";
+  const std::string d = "\"a.profile.d\"";
+  const std::string r = "\"a.profile.r\"";
+  const auto since = [&](const std::string& v) { return "(sub missiontime (var " + v + "))"; };
+  const std::string down = fmt::format("descend ({}:length, 0.4:angle) ", 5 + 5 * random.below(3));
+  const std::string up = random.below(8) == 0 ? "ascend (3:length, 0.4:angle) " : "surface () ";
+  std::vector<std::string> cases = {
+      "case (and (var " + s + ") " + maybe("(not (lt (sensor depth) 1:length))", 3) +
+          (random.below(3) == 0 ? "" : "") + ") do " + maybe("set " + r + " missiontime ") + up +
+          "end stay ",
+      "case (and (var " + s + ") (ge " + since(r) + " " + timeOf(random, 60) + ")) do set " + s +
+          " false " + maybe("set " + d + " missiontime ") + maybe(down) + "end stay ",
+      "case " + maybe("(and (not (var " + s + ")) ", 2) + "(ge " + since(random.below(6) ? d : r) +
+          " " + timeOf(random, 50) + ")",
+      "case (var " + s + ") do " + maybe(up) + "end stay ",
+      "case (ge (sensor depth) 8:length) do " +
+          std::string("ascend (3:length, 0.4:angle) end stay "),
+      "case (le (sensor depth) 4:length) do " + down + "end stay "};
+  // `(and x )` without a second operand is x; a case that begins with `(and (not` is closed.
+  for (std::string& text : cases) {
+    if (const auto empty = text.find(" )"); empty != std::string::npos) {
+      text.erase(empty, 2);
+      text.erase(text.find("(and "), 5);
+    }
+  }
+  std::string& surfaces = cases[2];
+  surfaces += surfaces.starts_with("case (and (not") ? ") " : " ";
+  surfaces +=
+      "do set " + s + " true " + maybe("set " + r + " missiontime ") + maybe(up, 20) + "end stay ";
+  for (int i = 0; i < 2; ++i) {
+    if (random.below(2) == 0) {
+      std::swap(cases[random.below(cases.size())], cases[random.below(cases.size())]);
+    }
+  }
+  std::string text =
+      kDives + "variable " + s + ": bool profile of a\nvariable " + d +
+      ": time profile of a\nvariable " + r + ": time profile of a\n" +
+      "state a route way begin end profile yo begin entry do initial " + s + " false initial " + d +
+      " missiontime initial " + r + " missiontime " +
+      (random.below(4) == 0 ? down : "if (var " + s + ") surface () else " + down + "end ") +
+      "end ";
+  for (const std::string& one : cases) {
+    text += one;
+  }
+  text += "end ";
+  if (random.below(3) == 0) {
+    text += "case (gt (sensor temp) 15:temperature) call z case (ge resumetime " +
+            timeOf(random, 90) + ") goto a ";
+  }
+  return text + "\nstate z route way begin end profile yo " +
+         profileOf(random, random.below(2) == 0) + "case (ge statetime " + timeOf(random, 40) +
+         ") return\n";
+}
+
+TEST(Submersion, NoRandomFlightOfAProfileThatSurfacesIsLonger) {
+  const Tally tally = flyAgainstBounds(1500, [](uint64_t seed) { return randomProfile(seed); });
+  EXPECT_GT(tally.bounded, 100U);
+  EXPECT_GT(tally.near, 50U) << "the bounds are far off";
+}
+
+/// A profile that dives for 3000 s and climbs, again and again, with more cases first or last.
+struct SurfacingProfile {
+  static constexpr double kClimb = 1000;
+
+  std::string first = "";
+  std::string last = "";
+  std::string entry = "if (var \"a.profile.s\") surface () else " + kDown + " end";
+  std::string wait = "2000:time";
+  std::string surfaces = "do set \"a.profile.s\" true set \"a.profile.r\" missiontime surface () ";
+  std::string stays = "case (var \"a.profile.s\") do surface () end stay ";
+  std::string route = "";
+  std::string own = "";
+
+  [[nodiscard]] Mission mission() const {
+    const std::string s = "\"a.profile.s\" ";
+    const std::string d = "\"a.profile.d\" ";
+    const std::string r = "\"a.profile.r\" ";
+    const std::string q = "\"a.profile.q\" ";
+    return missionOf(kDives + "variable " + s + ": bool profile of a\nvariable " + q +
+                     ": bool profile of a\nvariable " + d + ": time profile of a\nvariable " + r +
+                     ": time profile of a\nstate a route way begin " + route +
+                     "end profile yo begin entry do initial " + s + "false initial " + q +
+                     "false initial " + d + "missiontime initial " + r + "missiontime " + entry +
+                     " end " + first + "case (and (var " + s + ") (ge (sub missiontime (var " + r +
+                     ")) " + wait + ")) do set " + s + "false set " + d + "missiontime " + kDown +
+                     " end stay " + "case (and (not (var " + s + ")) (gt (sub missiontime (var " +
+                     d + ")) 3000:time)) " + surfaces + "end stay " + stays + last + "end " + own +
+                     "\n" + diveState("z", kDown, "case (ge statetime 0:time) return "));
+  }
+
+  [[nodiscard]] double longest() const {
+    const Mission m = mission();
+    const ProofContext proof_context = ProofContext(m, slocum()).withoutPowerCuts();
+    const Valuation values = anyValues(m);
+    const TimerGuards guards(proof_context, values, kLong);
+    return profileSurfacing(proof_context, guards, {0}, kClimb).longest;
+  }
+
+  [[nodiscard]] bool isBounded() const { return std::isfinite(longest()); }
+};
+
+TEST(ProfileSurfacing, IsBoundedByItsTimerAndTwoClimbs) {
+  // Resumed while it climbs, it may leave that climb at once, and set its timer under water.
+  EXPECT_NEAR(SurfacingProfile().longest(),
+              3000 + slocum().world.tick_gap_s + 2 * SurfacingProfile::kClimb, 0.1);
+}
+
+/// Each way around begins where the last one was at the surface, if the state lasts for that long.
+TEST(ProfileSurfacing, EndsTheWayBeforeIfItLastsLongEnough) {
+  const auto longest = [](const std::string& stay) {
+    const Mission m =
+        SurfacingProfile{.own = "case (ge statetime " + stay + ":time) goto a "}.mission();
+    return longestSubmersion(ProofContext(m, slocum()).withoutPowerCuts(), {}, kLong);
+  };
+  EXPECT_TRUE(longest("9000"));
+  EXPECT_FALSE(longest("2000"));
+}
+
+TEST(ProfileSurfacing, IsNotBoundedWhereItNeedNotSurface) {
+  const std::string warm = "(gt (sensor temp) 5:temperature)";
+  const std::string q = "(var \"a.profile.q\")";
+  const std::string set_d = "set \"a.profile.d\" missiontime ";
+  EXPECT_FALSE((SurfacingProfile{.first = "case (and (not (var \"a.profile.s\")) " + warm +
+                                          ") do " + kDown + " end stay "}
+                    .isBounded()))
+      << "a case that stays in the mode comes first";
+  EXPECT_TRUE(
+      (SurfacingProfile{.last = "case " + warm + " do " + kDown + " end stay "}.isBounded()));
+  EXPECT_FALSE(
+      (SurfacingProfile{.last = "case " + warm + " do " + set_d + "end stay "}.isBounded()))
+      << "the timer is set again and again";
+  EXPECT_FALSE(
+      (SurfacingProfile{.last = "case (and " + warm + " " + q + ") do " + set_d +
+                                "set \"a.profile.q\" false end stay case (and " + warm + " (not " +
+                                q + ")) do " + set_d + "set \"a.profile.q\" true end stay "}
+           .isBounded()))
+      << "it is set by going to and fro between two modes";
+  EXPECT_FALSE((SurfacingProfile{.wait = "100:time"}.isBounded()))
+      << "it leaves the climb too early";
+  EXPECT_FALSE(
+      (SurfacingProfile{.last = "case " + warm + " do set \"a.profile.r\" missiontime end stay ",
+                        .surfaces = "do set \"a.profile.s\" true surface () "}
+           .isBounded()))
+      << "the wait may have begun before the climb";
+  EXPECT_FALSE((SurfacingProfile{.entry = "if (not (var \"a.profile.s\")) " + kDown + " end",
+                                 .stays = "",
+                                 .own = "case " + warm + " call z "}
+                    .isBounded()))
+      << "resumed, it goes on as if it still climbed";
+  EXPECT_FALSE((SurfacingProfile{.route = "entry do " + kDown + " end "}.isBounded()));
+  EXPECT_FALSE(
+      (SurfacingProfile{.own = "case " + warm + " do " + kDown + " end stay "}.isBounded()));
 }
 
 /// The route may command a depth too.

@@ -48,7 +48,8 @@ TEST(Text, APositionIsNotBrokenOverLines) {
       EXPECT_NE(text.find(position), std::string::npos) << columns << ": " << text;
     }
   }
-  EXPECT_EQ(wrapped("one 12 34 two", 8, 2), "one 12\n  34 two\n") << "two numbers are not a position";
+  EXPECT_EQ(wrapped("one 12 34 two", 8, 2), "one 12\n  34 two\n")
+      << "two numbers are not a position";
   EXPECT_EQ(wrapped("39 10.5 N 73 49.8 W", 8, 2), "39 10.5 \n  N 73 4\n  9.8 W\n")
       << "no line is too long";
 }

@@ -5,8 +5,14 @@
 
 #include "flights/parameter_table.h"
 #include "runtime/launch/launch.h"
+#include "support/units/units.h"
+
+#include <fmt/format.h>
 
 #include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
 
 namespace glider::analysis {
 namespace {
@@ -33,13 +39,49 @@ std::string typeName(const ir::Type& type) {
   return support::describe(type.dimension);
 }
 
-ParameterRow rowOf(const ir::Variable& variable, const GliderParameterInfo& info, double value) {
-  auto quantity = [&](double of) {
-    return written([&](runtime::Text& text) { runtime::writeQuantity(info, of, text); });
-  };
-  return {variable.name, typeName(variable.type), quantity(info.initial),
-          written([&](runtime::Text& text) { runtime::writeRange(info, text); }),
-          value == info.initial ? "" : quantity(value)};
+/// The unit of the default in the mission's text, "km" of `5 km`; none: write what the launcher
+/// does, as for times, of which it chooses the unit.
+std::optional<support::Unit> writtenUnit(const compiler::Optimised& mission,
+                                         const ir::Variable& variable) {
+  constexpr support::Dimension kTime = support::dimension::time;
+  const support::SourceRange range = mission.mission[variable.initial].range;
+  if (variable.type.kind != ir::TypeKind::Quantity || variable.type.dimension == kTime ||
+      !range.valid()) {
+    return std::nullopt;
+  }
+  const std::string_view text = mission.checked->sources().text(range);
+  const auto unit = support::parseUnit(text.substr(text.find_last_of(' ') + 1));
+  return unit && unit->dimension == variable.type.dimension ? unit : std::nullopt;
+}
+
+/// The values of a parameter as they are shown.
+class Shown {
+ public:
+  Shown(const GliderParameterInfo& info, const std::optional<support::Unit>& unit)
+      : info_(info), unit_(unit) {}
+
+  [[nodiscard]] std::string value(double of) const {
+    return unit_ ? fmt::format("{:.10g} {}", of / unit_->to_si, unit_->spelling)
+                 : written([&](runtime::Text& text) { runtime::writeQuantity(info_, of, text); });
+  }
+  [[nodiscard]] std::string range() const {
+    if (!unit_ || !std::isfinite(info_.lowest) || !std::isfinite(info_.highest)) {
+      return written([&](runtime::Text& text) { runtime::writeRange(info_, text); });
+    }
+    return value(info_.lowest) + " to " + value(info_.highest);
+  }
+
+ private:
+  const GliderParameterInfo& info_;
+  const std::optional<support::Unit>& unit_;
+};
+
+ParameterRow rowOf(const compiler::Optimised& mission, const ir::Variable& variable,
+                   const GliderParameterInfo& info, double value) {
+  const std::optional<support::Unit> unit = writtenUnit(mission, variable);
+  const Shown shown(info, unit);
+  return {variable.name, typeName(variable.type), shown.value(info.initial), shown.range(),
+          value == info.initial ? "" : shown.value(value)};
 }
 
 }  // namespace
@@ -53,7 +95,7 @@ support::Result<std::vector<ParameterRow>> parameterRows(const compiler::Optimis
   }
   std::vector<ParameterRow> rows;
   for (size_t i = 0; i < values->size(); ++i) {
-    rows.push_back(rowOf(mission.mission.variables[i], table[i], values->at(i)));
+    rows.push_back(rowOf(mission, mission.mission.variables[i], table[i], values->at(i)));
   }
   return rows;
 }

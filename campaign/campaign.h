@@ -4,6 +4,7 @@
 #pragma once
 
 #include "campaign/campaign_boards.h"
+#include "campaign/campaign_counts.h"
 #include "campaign/campaign_csv.h"
 #include "campaign/campaign_options.h"
 #include "campaign/campaign_plan.h"

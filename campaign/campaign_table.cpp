@@ -3,11 +3,12 @@
 
 #include "campaign/campaign_table.h"
 
+#include "campaign/campaign_counts.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 namespace glider::campaign {
 
@@ -56,16 +57,6 @@ std::string head(const char* what) {
                      "after release", "released", "deepest (m)", "VIOLATION");
 }
 
-/// Calls `visit` with each flight that was flown, and its verdict.
-template <typename Visit>
-void eachFlown(const CampaignPlan& plan, const CampaignResult& result, const Visit& visit) {
-  for (uint64_t i = 0; i < result.verdicts.size(); ++i) {
-    if (result.verdicts[i]) {
-      visit(flightOf(plan, i), *result.verdicts[i]);
-    }
-  }
-}
-
 }  // namespace
 
 const char* outcomeName(const Verdict& verdict) {
@@ -106,27 +97,12 @@ std::string campaignTable(const CampaignPlan& plan, const CampaignResult& result
 
 std::string requirementLines(const CampaignPlan& plan, const CampaignResult& result) {
   std::string out;
-  for (size_t mission = 0; mission < plan.missions.size(); ++mission) {
-    const CampaignMission& flown = plan.missions[mission];
-    for (size_t i = 0; i < flown.requirements.size(); ++i) {
-      uint64_t flights = 0;
-      uint64_t violated = 0;
-      std::optional<uint64_t> first;
-      eachFlown(plan, result, [&](const CampaignFlight& flight, const Verdict& verdict) {
-        if (flight.mission != mission || flight.board) {
-          return;
-        }
-        ++flights;
-        if (std::ranges::find(verdict.requirements, i) != verdict.requirements.end()) {
-          ++violated;
-          first = first.value_or(flight.number);
-        }
-      });
-      const bool assumed = flown.isAssumption(i);
-      out += fmt::format("{}: `{}`: {} in {} of {} flights{}\n", flown.file, flown.requirements[i],
-                         assumed ? "broken" : "violated", violated, flights,
-                         first ? fmt::format(", first in flight {}", *first) : "");
-    }
+  for (const RequirementCount& count : requirementCounts(plan, result)) {
+    const CampaignMission& flown = plan.missions[count.mission];
+    out += fmt::format(
+        "{}: `{}`: {} in {} of {} flights{}\n", flown.file, flown.requirements[count.requirement],
+        flown.isAssumption(count.requirement) ? "broken" : "violated", count.violated,
+        count.flights, count.first ? fmt::format(", first in flight {}", *count.first) : "");
   }
   return out.empty() ? out : "\nrequirements and assumptions, with these faults\n" + out;
 }

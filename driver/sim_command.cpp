@@ -10,6 +10,7 @@
 #include "driver/output/flight_files.h"
 #include "driver/output/flight_folder.h"
 #include "driver/output/overwritten.h"
+#include "driver/output/time_left.h"
 #include "driver/output/track_colour.h"
 #include "driver/replay_trace.h"
 #include "driver/shared_options.h"
@@ -23,6 +24,7 @@
 #include "report/export/export.h"
 #include "report/picture/picture.h"
 #include "report/summary.h"
+#include "report/text.h"
 #include "report/warnings.h"
 #include "simulator/simulator.h"
 #include "support/diagnostics/ids/command.h"
@@ -44,12 +46,21 @@
 namespace glider::driver {
 namespace {
 
+/// "1:23:20 of at most 6:00:00, depth 12.3 m, state survey, at most about 8 min left".
+std::string progressText(const simulator::Progress& progress, TimeLeft& left) {
+  const std::string estimate =
+      left.of(static_cast<uint64_t>(progress.time_s), static_cast<uint64_t>(progress.duration_s));
+  return fmt::format("{} of at most {}, depth {:.1f} m{}{}{}{}", report::clockText(progress.time_s),
+                     report::clockText(progress.duration_s), progress.depth_m,
+                     progress.state.empty() ? "" : ", state ", progress.state,
+                     estimate.empty() ? "" : ", ", estimate);
+}
+
 void showProgress(simulator::SimulationSetup& setup, ProgressLine& line) {
-  setup.progress = [&line](const simulator::Progress& progress) {
-    line.show(fmt::format("{:6.0f} of at most {:.0f} s, depth {:5.1f} m{}{}", progress.time_s,
-                          progress.duration_s, progress.depth_m,
-                          progress.state.empty() ? "" : ", state ", progress.state));
-  };
+  setup.progress =
+      [&line, left = TimeLeft(TimeLeft::Of::AtMost)](const simulator::Progress& progress) mutable {
+        line.show(progressText(progress, left));
+      };
 }
 
 /// What flies: the mission of the language (null: none), and what watches it (null: it is not
@@ -156,6 +167,9 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options, co
   if (!trace) {
     return reportFailure(trace.error());
   }
+  const auto violations = flown.watch != nullptr ? flown.watch->violations(*trace)
+                                                 : std::vector<flights::FlownViolation>();
+  addFacts(flown, options.launch, violations, *trace);
   const double end = trace->rowCount() == 0 ? 0 : trace->at(trace->rowCount() - 1, 0);
   const auto printed =
       document != nullptr
@@ -165,10 +179,7 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options, co
                 fmt::format(
                     "\nflown {:.0f} s in {:.4f} s; report: {}\n", end, took.count(),
                     (std::filesystem::path(outputFolder(options)) / "report.html").string()));
-  const auto violations = flown.watch != nullptr ? flown.watch->violations(*trace)
-                                                 : std::vector<flights::FlownViolation>();
   const auto reported = judge(*trace, flown, violations, scenario);
-  addFacts(flown, options.launch, violations, *trace);
   if (auto written = writeAll(*trace, options, reported, folder, document); !written) {
     return reportFailure(written.error());
   }

@@ -5,8 +5,11 @@
 
 #include "flights/explain_guard.h"
 #include "flights/mission_facts.h"
+#include "flights/scenario_choice.h"
 #include "simulator/sensors/provided.h"
 #include "support/diagnostics/ids/vehicle.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -23,6 +26,13 @@ void reportUnsimulated(const compiler::Optimised& mission, support::DiagnosticEn
   }
 }
 
+/// "scenario `bloom`, whose vehicle carries it".
+std::string whereCarried(const platforms::Platform& platform, std::string_view sensor) {
+  const std::vector<std::string> names = scenariosWith(platform, sensor);
+  return names.empty() ? "a scenario whose vehicle carries it"
+                       : fmt::format("scenario `{}`, whose vehicle carries it", names.front());
+}
+
 }  // namespace
 
 void reportMissingSensors(const compiler::Optimised& mission, const simulator::Scenario& scenario,
@@ -33,7 +43,7 @@ void reportMissingSensors(const compiler::Optimised& mission, const simulator::S
     });
     if (read) {
       diagnostics.report(support::diagnostics::sensorNotCarried, {}, scenario.name, sensor.name,
-                         sensor.setting);
+                         sensor.setting, whereCarried(mission.platform(), sensor.name));
     }
   }
   reportUnsimulated(mission, diagnostics);

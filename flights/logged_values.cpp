@@ -8,11 +8,14 @@
 #include "support/one_line.h"
 #include "support/units/units.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -148,22 +151,52 @@ size_t rowOf(const support::Trace& trace, double time_s) {
   return low;
 }
 
-void readNotes(const support::Trace& trace, std::vector<Statements>& all) {
-  for (const support::TraceEvent& event : trace.events) {
+/// "11.779 m", "-73.82861 deg", "unknown"; angles in degrees.
+std::string shownValue(double value, const std::string& unit) {
+  constexpr double kLarge = 1e5;  // from here on five digits would need an exponent
+  constexpr std::string_view kUnnamed[] = {"", "nodim", "enum", "bool"};
+  if (std::isnan(value)) {
+    return "unknown";
+  }
+  if (unit == "rad") {
+    constexpr double kDegrees = 180 / std::numbers::pi;
+    return fmt::format("{:.1f} deg", value * kDegrees);
+  }
+  const std::string number = unit == "deg"                ? fmt::format("{:.5f}", value)
+                             : std::fabs(value) >= kLarge ? fmt::format("{:.0f}", value)
+                                                          : fmt::format("{:.5g}", value);
+  return std::ranges::find(kUnnamed, unit) == std::end(kUnnamed) ? number + " " + unit : number;
+}
+
+/// The note of `statements` with these values, in the unit of the columns, for people.
+std::string shownNote(const Statements& statements, const std::vector<double>& values) {
+  std::string list;
+  for (size_t i = 0; i < values.size(); ++i) {
+    list += (i == 0 ? "" : ", ") + shownValue(values[i], statements.columns[i].unit);
+  }
+  const char* rest = values.size() < statements.columns.size() ? ", …" : "";
+  return statements.text + (statements.text.empty() ? "" : " ") + list + rest;
+}
+
+void readNotes(support::Trace& trace, std::vector<Statements>& all) {
+  for (support::TraceEvent& event : trace.events) {
     if (event.id != support::EventId::Note || event.values.empty()) {
       continue;
     }
     const auto& note = std::get<std::string>(event.values[0]);
     for (Statements& statements : all) {
-      const std::vector<double> values = valuesIn(note, statements.text);
+      std::vector<double> values = valuesIn(note, statements.text);
       const bool whole = values.size() == statements.columns.size();
       if (!whole && (values.empty() || note.size() < hooks::kMostNoteBytes)) {
         continue;
       }
-      for (size_t i = 0; i < std::min(values.size(), statements.columns.size()); ++i) {
+      values.resize(std::min(values.size(), statements.columns.size()));
+      for (size_t i = 0; i < values.size(); ++i) {
         ValueColumn& column = statements.columns[i];
-        column.points.emplace_back(rowOf(trace, event.time_s), values[i] * column.to_shown);
+        values[i] *= column.to_shown;
+        column.points.emplace_back(rowOf(trace, event.time_s), values[i]);
       }
+      event.shown = shownNote(statements, values);
       break;
     }
   }

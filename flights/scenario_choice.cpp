@@ -5,6 +5,7 @@
 
 #include "compiler/share.h"
 #include "simulator/family/family.h"
+#include "simulator/sensors/provided.h"
 #include "simulator/simulator.h"
 #include "support/diagnostics/ids/flights.h"
 
@@ -68,6 +69,18 @@ support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
     show(diagnostics, sources);
   }
   return scenario;
+}
+
+std::vector<std::string> scenariosWith(const platforms::Platform& platform,
+                                       std::string_view sensor) {
+  std::vector<std::string> names = scenarioNames();
+  std::erase_if(names, [&](const std::string& name) {
+    const auto scenario = chooseScenario(name, platform);
+    return !scenario ||
+           std::ranges::any_of(simulator::sensorsNotCarried(*scenario),
+                               [&](const auto& missing) { return missing.name == sensor; });
+  });
+  return names;
 }
 
 bool hasBundledSkeleton(const simulator::Scenario& scenario) {

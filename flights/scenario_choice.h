@@ -8,12 +8,17 @@
 #include "support/result.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace glider::flights {
 
 /// The scenarios that come with glidercc, by name.
 std::vector<std::string> scenarioNames();
+
+/// Those of them whose vehicle carries a sensor.
+std::vector<std::string> scenariosWith(const platforms::Platform& platform,
+                                       std::string_view sensor);
 
 /// Loads the scenario that --scenario names, for a vehicle: a .toml file, or one that comes with
 /// glidercc. Errors in it are shown. GL9302, and as simulator::loadScenario.

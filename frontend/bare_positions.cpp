@@ -21,10 +21,6 @@ size_t wholeDigits(std::string_view digits) {
   return std::min(digits.find_first_not_of("0123456789"), digits.size());
 }
 
-double valueOf(std::string_view digits) {
-  return std::strtod(std::string(digits).c_str(), nullptr);
-}
-
 /// Degrees, if `digits` can be ddmm.mmmm; otherwise empty.
 std::optional<double> readDdmm(std::string_view digits) {
   constexpr size_t kFewest = 3;
@@ -40,6 +36,10 @@ std::optional<double> readDdmm(std::string_view digits) {
 }
 
 }  // namespace
+
+double valueOf(std::string_view digits) {
+  return std::strtod(std::string(digits).c_str(), nullptr);
+}
 
 bool isPlainlyDdmm(std::string_view digits) {
   return wholeDigits(digits) >= 3 || valueOf(digits) == 0 || valueOf(digits) >= 100;

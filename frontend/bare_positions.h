@@ -16,6 +16,9 @@ struct BareNumber {
   bool negative = false;
 };
 
+/// The number written as `digits`.
+double valueOf(std::string_view digits);
+
 /// Whether the digits show that ddmm.mmmm is meant: three or more before the point, or 0. `39.1`
 /// can be degrees or minutes; near the equator minutes are written as `0039.1`.
 bool isPlainlyDdmm(std::string_view digits);

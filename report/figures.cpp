@@ -147,15 +147,28 @@ double greatestDistance(const Trace& trace) {
   return greatest;
 }
 
-EnergyFigures energyOf(const Trace& trace, double duration_s) {
+/// How long `column` was known.
+double knownFor(const Trace& trace, int column, int time) {
+  double sum_s = 0;
+  for (size_t row = 1; column >= 0 && time >= 0 && row < trace.rowCount(); ++row) {
+    const double before = trace.at(row - 1, time), now = trace.at(row, time);
+    const bool known = !std::isnan(trace.at(row - 1, column)) && !std::isnan(trace.at(row, column));
+    sum_s += known && !trace.isGap(before, now) ? now - before : 0;
+  }
+  return sum_s;
+}
+
+EnergyFigures energyOf(const Trace& trace) {
   constexpr double kSecondsPerDay = 86400;
-  EnergyFigures energy{rangeOf(trace, trace.column("energy")).greatest, kNoFigure, kNoFigure,
+  const int column = trace.column("energy");
+  EnergyFigures energy{rangeOf(trace, column).greatest,
+                       knownFor(trace, column, trace.column("time")), kNoFigure, kNoFigure,
                        kNoFigure};
   if (trace.battery) {
     energy.capacity_Wh = trace.battery->capacity_Wh;
     energy.to_go_Wh = energy.capacity_Wh - trace.battery->used_Wh - energy.used_Wh;
     energy.days_left = energy.used_Wh > 0
-                           ? energy.to_go_Wh / energy.used_Wh * duration_s / kSecondsPerDay
+                           ? energy.to_go_Wh / energy.used_Wh * energy.known_s / kSecondsPerDay
                            : kNoFigure;
   }
   return energy;
@@ -290,7 +303,7 @@ FlightFigures flightFigures(const Trace& trace) {
   figures.gaps_s = lengthOfGaps(trace);
   measureTrack(trace, figures);
   figures.apart_m = greatestDistance(trace);
-  figures.energy = energyOf(trace, figures.duration_s);
+  figures.energy = energyOf(trace);
   measureStates(trace, time, figures);
   for (const support::TraceEvent& event : trace.events) {
     ++figures.events[kindOf(event)];
@@ -311,12 +324,14 @@ std::string figuresToJson(const FlightFigures& figures) {
                     {"shallowest", figures.shallowest_m},
                     {"deepest", figures.deepest_m},
                     {"yos", figures.yos},
+                    {"surfaceDepth", support::kSurfaceDepth},
                     {"distance", figures.distance_m},
                     {"madeGood", figures.made_good_m},
                     {"track", trackSourceName(figures.track)},
                     {"apart", figures.apart_m},
                     {"energy",
                      {{"used", figures.energy.used_Wh},
+                      {"known", figures.energy.known_s},
                       {"capacity", figures.energy.capacity_Wh},
                       {"toGo", figures.energy.to_go_Wh},
                       {"daysLeft", figures.energy.days_left}}},

@@ -49,17 +49,36 @@ std::string lengthText(double metres) {
                              : fmt::format("{:.1f} km", metres / kKilometre);
 }
 
-/// "12.3 Wh used, 0.6 % of the pack; 99 % to go, 45 days at this rate".
-std::string energyText(const EnergyFigures& energy) {
+/// "0.61 %", "22.4 %".
+std::string percentText(double share) {
+  constexpr double kPercent = 100, kSmall = 0.1;
+  return share < kSmall ? fmt::format("{:.2f} %", kPercent * share)
+                        : fmt::format("{:.1f} %", kPercent * share);
+}
+
+/// "3.9 h", "4.2 days", "20 days".
+std::string daysText(double days) {
+  constexpr double kHoursPerDay = 24, kFew = 2, kMany = 10;
+  return days < kFew    ? fmt::format("{:.1f} h", days * kHoursPerDay)
+         : days < kMany ? fmt::format("{:.1f} days", days)
+                        : fmt::format("{:.0f} days", days);
+}
+
+/// "12.3 Wh used, 0.61 % of the pack; 2208.6 Wh to go (99.4 %), 20 days at this rate".
+std::string energyText(const FlightFigures& figures) {
+  constexpr double kWhole = 0.95;  // records begin and end a little later than others
+  const EnergyFigures& energy = figures.energy;
   std::string text = fmt::format("{:.1f} Wh used", energy.used_Wh);
+  if (energy.known_s < kWhole * figures.duration_s) {
+    text += fmt::format(" in {} of the flight, not known for the rest", clockText(energy.known_s));
+  }
   if (energy.capacity_Wh > 0) {
-    constexpr double kPercent = 100;
-    text += fmt::format(", {:.2g} % of the pack; {:.0f} Wh to go ({:.1f} %)",
-                        kPercent * energy.used_Wh / energy.capacity_Wh, energy.to_go_Wh,
-                        kPercent * energy.to_go_Wh / energy.capacity_Wh);
+    text += fmt::format(", {} of the pack; {:.1f} Wh to go ({})",
+                        percentText(energy.used_Wh / energy.capacity_Wh), energy.to_go_Wh,
+                        percentText(energy.to_go_Wh / energy.capacity_Wh));
   }
   if (std::isfinite(energy.days_left)) {
-    text += fmt::format(", {:.0f} days at this rate", energy.days_left);
+    text += fmt::format(", {} at this rate", daysText(energy.days_left));
   }
   return text;
 }
@@ -88,7 +107,7 @@ std::string figureLines(const FlightFigures& figures) {
                                  lengthText(figures.apart_m)));
   }
   if (std::isfinite(figures.energy.used_Wh)) {
-    line("energy", energyText(figures.energy));
+    line("energy", energyText(figures));
   }
   if (std::isfinite(figures.warmest_degC)) {
     line("temperature",
@@ -136,7 +155,7 @@ std::string eventLine(const TraceEvent& event, bool with_kind) {
       fmt::format("  {:>9} {:>9}  ", secondsText(event.time_s), secondsText(event.mission_time_s));
   const std::string kind = with_kind ? padded(cut(plain(kindOf(event)), 12), 12) : "";
   const size_t indent = times.size() + width(kind);
-  const std::string what = plain(textOf(event));
+  const std::string what = plain(shownTextOf(event));
   const std::string why = plain(event.why);
   if (indent + width(what) + 2 + width(why) <= kWidth) {
     return fmt::format("{}{}{}{}\n", times, kind, what, why.empty() ? "" : "  " + why);

@@ -27,6 +27,61 @@ size_t bytesOf(std::string_view text, size_t columns) {
   return at;
 }
 
+/// The word that begins at `from` (or, backwards, ends before it), without brackets and commas.
+std::string_view wordFrom(std::string_view text, size_t from) {
+  const size_t end = std::min(text.find(' ', from), text.size());
+  const std::string_view word = text.substr(from, end - from);
+  return word.substr(0, word.find_last_not_of(",;:)") + 1);
+}
+
+std::string_view wordBefore(std::string_view text, size_t space) {
+  const size_t before = space == 0 ? std::string_view::npos : text.rfind(' ', space - 1);
+  const size_t begin = before == std::string_view::npos ? 0 : before + 1;
+  const std::string_view word = text.substr(begin, space - begin);
+  return word.substr(std::min(word.find_first_not_of('('), word.size()));
+}
+
+bool isNumber(std::string_view word) {
+  return !word.empty() && word.find_first_not_of("0123456789.") == std::string_view::npos;
+}
+
+bool isOneOf(std::string_view word, std::string_view letters) {
+  return word.size() == 1 && letters.find(word[0]) != std::string_view::npos;
+}
+
+/// Whether the space is inside a position, which stays on one line: "39 10.498 N 73 49.821 W".
+bool isInPosition(std::string_view text, size_t space) {
+  const std::string_view before = wordBefore(text, space);
+  const std::string_view after = wordFrom(text, space + 1);
+  if (isNumber(before) && isOneOf(after, "NSEW")) {
+    return true;
+  }
+  if (!isNumber(after)) {
+    return false;
+  }
+  const size_t next = text.find(' ', space + 1);
+  if (next == std::string_view::npos) {
+    return false;
+  }
+  const std::string_view third = wordFrom(text, next + 1);
+  if (isNumber(before)) {
+    return isOneOf(third, "NSEW");  // degrees and minutes
+  }
+  const bool minutes = isNumber(third) && text.find(' ', next + 1) != std::string_view::npos;
+  return isOneOf(before, "NS") &&
+         (isOneOf(third, "EW") ||
+          (minutes && isOneOf(wordFrom(text, text.find(' ', next + 1) + 1), "EW")));
+}
+
+/// The last space of `text` up to `most` at which a line may end.
+size_t lineEnd(std::string_view text, size_t most) {
+  size_t space = text.rfind(' ', most);
+  while (space != std::string_view::npos && space > 0 && isInPosition(text, space)) {
+    space = text.rfind(' ', space - 1);
+  }
+  return space;
+}
+
 }  // namespace
 
 std::string plain(std::string_view text) {
@@ -65,7 +120,7 @@ std::string wrapped(std::string_view text, size_t columns, size_t indent) {
   size_t used = 0;
   while (width(text) > columns - used) {
     const size_t fits = bytesOf(text, columns - used);
-    const size_t space = text.substr(0, fits + 1).rfind(' ');
+    const size_t space = lineEnd(text, fits);
     const size_t word = text.find_first_not_of(' ');
     const bool at_space = space != std::string_view::npos && space > word;
     const size_t end = at_space ? space : fits;

@@ -195,7 +195,7 @@ void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics) {
   if (const EventMention told = tell(trace, EventId::Aborts); told.first != nullptr) {
     const std::string why = told.first->why.empty() ? "" : ", " + plain(told.first->why);
     diagnostics.report(support::diagnostics::flightAborted, {}, told.at,
-                       plain(textOf(*told.first)) + why + told.more);
+                       plain(shownTextOf(*told.first)) + why + told.more);
   }
   reportEnd(trace, diagnostics);
   if (const EventMention told = tell(trace, EventId::TouchesBottom); told.first != nullptr) {

@@ -15,19 +15,9 @@ using campaign::CampaignPlan;
 using campaign::CampaignResult;
 using simulator::Verdict;
 
-/// Calls `take(flight, verdict)` for each flight that was flown.
-template <typename Take>
-void eachFlown(const CampaignPlan& plan, const CampaignResult& result, Take take) {
-  for (uint64_t number = 0; number < result.verdicts.size(); ++number) {
-    if (const auto& verdict = result.verdicts[number]) {
-      take(campaign::flightOf(plan, number), *verdict);
-    }
-  }
-}
-
 Json faultsOf(const CampaignPlan& plan, const CampaignResult& result) {
   Json faults = Json::object();
-  eachFlown(plan, result, [&](const CampaignFlight& flight, const Verdict& verdict) {
+  campaign::eachFlown(plan, result, [&](const CampaignFlight& flight, const Verdict& verdict) {
     Json& row = faults[std::string(simulator::nameOf(flight.kind))];
     if (row.is_null()) {
       row = {{"flights", 0}, {"deepest_m", 0.0}, {"outcomes", Json::object()}};
@@ -42,22 +32,12 @@ Json faultsOf(const CampaignPlan& plan, const CampaignResult& result) {
 
 Json requirementsOf(const CampaignPlan& plan, const CampaignResult& result) {
   Json requirements = Json::array();
-  for (size_t mission = 0; mission < plan.missions.size(); ++mission) {
-    const campaign::CampaignMission& flown = plan.missions[mission];
-    for (size_t i = 0; i < flown.requirements.size(); ++i) {
-      uint64_t flights = 0;
-      uint64_t violated = 0;
-      eachFlown(plan, result, [&](const CampaignFlight& flight, const Verdict& verdict) {
-        if (flight.mission == mission && !flight.board) {
-          ++flights;
-          violated += std::ranges::find(verdict.requirements, i) != verdict.requirements.end();
-        }
-      });
-      requirements.push_back({{"mission", flown.file},
-                              {"text", flown.requirements[i]},
-                              {"flights", flights},
-                              {"violated", violated}});
-    }
+  for (const campaign::RequirementCount& count : campaign::requirementCounts(plan, result)) {
+    const campaign::CampaignMission& flown = plan.missions[count.mission];
+    requirements.push_back({{"mission", flown.file},
+                            {"text", flown.requirements[count.requirement]},
+                            {"flights", count.flights},
+                            {"violated", count.violated}});
   }
   return requirements;
 }
@@ -90,7 +70,7 @@ void putResult(Json& document, const CampaignPlan& plan, const CampaignResult& r
   document["faults"] = faultsOf(plan, result);
   document["requirements"] = requirementsOf(plan, result);
   document["violations"] = Json::array();
-  eachFlown(plan, result, [&](const CampaignFlight& flight, const Verdict& verdict) {
+  campaign::eachFlown(plan, result, [&](const CampaignFlight& flight, const Verdict& verdict) {
     if (verdict.outcome == Verdict::Outcome::Violation) {
       document["violations"].push_back(flightOf(plan, flight, verdict));
     }

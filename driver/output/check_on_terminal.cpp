@@ -13,7 +13,8 @@ namespace {
 
 class ToTerminal final : public analysis::CheckObserver {
  public:
-  explicit ToTerminal(const std::string& mission) : progress_(mission) {}
+  ToTerminal(const std::string& mission, const CheckOptions& options)
+      : progress_(mission, options.timeout_s) {}
 
   void at(const std::string& work) override { progress_.at(work); }
   void show(const support::DiagnosticEngine& diagnostics,
@@ -29,13 +30,13 @@ class ToTerminal final : public analysis::CheckObserver {
 }  // namespace
 
 CheckedFile checkOnTerminal(const std::string& path, const CheckOptions& options) {
-  ToTerminal observer(path);
+  ToTerminal observer(path, options);
   return analysis::checkMission(path, options, observer);
 }
 
 CheckedFile checkOnTerminal(const std::string& name, compiler::Compilation compiled,
                             const CheckOptions& options) {
-  ToTerminal observer(name);
+  ToTerminal observer(name, options);
   return analysis::checkCompilation(name, std::move(compiled), options, observer);
 }
 

@@ -41,7 +41,8 @@ std::string_view cut(std::string_view text, size_t bytes) {
 
 }  // namespace
 
-CheckProgress::CheckProgress(std::string mission) : mission_(std::move(mission)) {
+CheckProgress::CheckProgress(std::string mission, double limit_s)
+    : mission_(std::move(mission)), limit_s_(limit_s) {
   teller_ = std::thread([this] { run(); });
 }
 
@@ -73,7 +74,8 @@ void CheckProgress::run() {
        !ended_.wait_for(lock, wait, [this] { return end_; }); wait = kBetween) {
     const auto took = std::chrono::steady_clock::now() - begin_;
     const std::string after =
-        fmt::format(", {} s", std::chrono::duration_cast<std::chrono::seconds>(took).count());
+        fmt::format(", {} s{}", std::chrono::duration_cast<std::chrono::seconds>(took).count(),
+                    limit_s_ > 0 ? fmt::format(" (proofs: at most {:g} s)", limit_s_) : "");
     const size_t room = line_.onTerminal() ? columns() - 1 : std::string::npos;
     const size_t before = room > after.size() ? room - after.size() : 0;
     line_.show(fmt::format("{}{}", cut(fmt::format("{}: {}", mission_, work_), before), after));

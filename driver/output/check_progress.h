@@ -14,12 +14,14 @@
 namespace glider::driver {
 
 /// The current step of a check, on the last line of a terminal, once the check has taken longer
-/// than a second: "survey.mission: proving 3 of 5: require exit within 90 min, 12 s". The line is
+/// than a second: "survey.mission: proving 3 of 5: require exit within 90 min, 12 s", and
+/// "(proofs: at most 60 s)" if there is a limit. The line is
 /// removed at the end. In a file or a pipe it is a line a minute.
 class CheckProgress {
  public:
   /// `mission`: the file, as the user named it.
-  explicit CheckProgress(std::string mission);
+  /// `limit_s`: how long its proofs may take; 0: no limit.
+  explicit CheckProgress(std::string mission, double limit_s = 0);
   CheckProgress(const CheckProgress&) = delete;
   CheckProgress& operator=(const CheckProgress&) = delete;
   ~CheckProgress();
@@ -34,6 +36,7 @@ class CheckProgress {
 
   ProgressLine line_;
   std::string mission_;
+  double limit_s_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::mutex mutex_;  // of what follows
   std::condition_variable ended_;

@@ -23,9 +23,11 @@ std::string TimeLeft::of(uint64_t done, uint64_t all, Clock::time_point now) {
     return "";
   }
   const double left_s = took_s / parts * static_cast<double>(all - done);
-  return left_s < kMinute_s ? fmt::format("about {:.0f} s left", std::ceil(left_s))
-         : left_s < kHour_s ? fmt::format("about {:.0f} min left", std::ceil(left_s / kMinute_s))
-                            : fmt::format("about {:.1f} h left", left_s / kHour_s);
+  const std::string text = left_s < kMinute_s ? fmt::format("{:.0f} s", std::ceil(left_s))
+                           : left_s < kHour_s
+                               ? fmt::format("{:.0f} min", std::ceil(left_s / kMinute_s))
+                               : fmt::format("{:.1f} h", left_s / kHour_s);
+  return fmt::format("{}about {} left", of_ == Of::AtMost ? "at most " : "", text);
 }
 
 }  // namespace glider::driver

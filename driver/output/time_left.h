@@ -10,13 +10,18 @@
 
 namespace glider::driver {
 
-/// Estimates when repeated work will be over, from how fast it went since it began.
+/// Estimates when long work will be over, from how fast it went since it began.
 class TimeLeft {
  public:
   using Clock = std::chrono::steady_clock;
+  /// Which part of the work is known.
+  enum class Of : uint8_t { All, AtMost };
 
-  /// "about 8 min left" when `done` of `all` parts are done; empty in the first seconds, and at the
-  /// end. The first call is the beginning: what is done then took no time.
+  explicit TimeLeft(Of of = Of::All) : of_(of) {}
+
+  /// "about 8 min left" (or "at most about 8 min left", if the work may end sooner) when `done` of
+  /// `all` parts are done; empty in the first seconds, and at the end. The first call is the
+  /// beginning: what is done then took no time.
   std::string of(uint64_t done, uint64_t all, Clock::time_point now = Clock::now());
 
  private:
@@ -24,6 +29,7 @@ class TimeLeft {
     uint64_t done;
     Clock::time_point when;
   };
+  Of of_;
   std::optional<Beginning> beginning_;
 };
 

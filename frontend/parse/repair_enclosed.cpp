@@ -92,6 +92,24 @@ WordRepair::Braces WordRepair::bracesAfter(const std::vector<Lexeme>& out, uint3
                : Braces{"?", 0, "", 0};
 }
 
+namespace {
+
+/// "write `begin` for `{`, and `end` for `}`".
+std::string insteadOfBraces(std::string_view open, std::string_view close) {
+  if (open.empty() && close.empty()) {
+    return "delete `{` and `}`";
+  }
+  const auto act = [](std::string_view word, const char* brace) {
+    return word.empty() ? fmt::format("delete `{}`", brace)
+                        : fmt::format("write `{}` for `{}`", word, brace);
+  };
+  return open.empty() || close.empty()
+             ? fmt::format("{}, and {}", act(open, "{"), act(close, "}"))
+             : fmt::format("write `{}` for `{{`, and `{}` for `}}`", open, close);
+}
+
+}  // namespace
+
 /// `{` and `}` are reported once, and read as the words that were meant.
 void WordRepair::brace(const std::vector<Lexeme>& lexemes, size_t at, std::vector<Lexeme>& out) {
   const Source& source = reporter_.source();
@@ -114,12 +132,8 @@ void WordRepair::brace(const std::vector<Lexeme>& lexemes, size_t at, std::vecto
     return;
   }
   const size_t close = closingBrace(lexemes, at);
-  const auto say = [](std::string_view word) {
-    return word.empty() ? std::string("nothing") : fmt::format("`{}`", word);
-  };
-  auto report = reporter_.at(
-      lexeme, support::diagnostics::braces, source.text(lexeme),
-      fmt::format("write {} for `{{`, and {} for `}}`", say(meant.open), say(meant.close)));
+  auto report = reporter_.at(lexeme, support::diagnostics::braces, source.text(lexeme),
+                             insteadOfBraces(meant.open, meant.close));
   if (close != 0 || meant.close_type != GliderLexer::END || meant.open == "begin") {
     report.fix(source.range(lexeme), std::string(meant.open));
   }

@@ -85,7 +85,7 @@ std::string superfluousWhere(const TokenContext& around, const Lexeme& t) {
   }
   const bool again = around.keyword && t.type == previous && isNeverTwice(t.type) &&
                      isRightAfterPrevious(around, t) && (!wantsName(t.type) || isAnyName(next));
-  return again ? "twice" : "";
+  return again ? "a second time" : "";
 }
 
 }  // namespace glider::frontend

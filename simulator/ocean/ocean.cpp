@@ -86,13 +86,13 @@ double Ocean::shape(double z, double water_depth) const {
   return water_depth > z0 ? (water_depth - z) / (water_depth - z0) : 0;
 }
 
-double Ocean::frontStep(double x, double y) const {
+double Ocean::beyondFront(double x, double y) const {
   const FrontSettings& f = settings_.front;
-  if (f.step_degC == 0) {
+  if (f.step_degC == 0 && f.step_salinity == 0) {
     return 0;
   }
   const double beyond = (x - f.x) * std::sin(f.bearing_rad) + (y - f.y) * std::cos(f.bearing_rad);
-  return f.step_degC / 2 * (1 + std::tanh(beyond / f.width_m));
+  return (1 + std::tanh(beyond / f.width_m)) / 2;
 }
 
 double Ocean::upperShare(double z, double x, double y, double t) const {
@@ -105,7 +105,16 @@ double Ocean::upperShare(double z, double x, double y, double t) const {
 
 double Ocean::temperature(double z, double x, double y, double t) const {
   const double contrast = settings_.surface_temperature - settings_.bottom_temperature;
-  return settings_.bottom_temperature + contrast * upperShare(z, x, y, t) + frontStep(x, y);
+  return settings_.bottom_temperature + contrast * upperShare(z, x, y, t) +
+         settings_.front.step_degC * beyondFront(x, y);
+}
+
+double Ocean::salinity(double z, double x, double y, double t) const {
+  const double contrast = settings_.surface_salinity - settings_.bottom_salinity;
+  const double upper = contrast == 0 ? 0 : contrast * upperShare(z, x, y, t);
+  const double step = settings_.front.step_salinity;
+  return std::max(0.0,
+                  settings_.bottom_salinity + upper + (step == 0 ? 0 : step * beyondFront(x, y)));
 }
 
 double Ocean::density(double z, double x, double y, double t) const {
@@ -133,7 +142,8 @@ double Ocean::verticalCurrent(double z, double x, double y, double t) const {
 
 double Ocean::isothermDepth(double temperature, double x, double y, double t) const {
   const double contrast = settings_.surface_temperature - settings_.bottom_temperature;
-  const double above_bottom = temperature - frontStep(x, y) - settings_.bottom_temperature;
+  const double step = settings_.front.step_degC * beyondFront(x, y);
+  const double above_bottom = temperature - step - settings_.bottom_temperature;
   const double inner = 1 - 2 * above_bottom / contrast;
   const double z0 = settings_.thermocline_depth_m;
   const double bottom = waterDepth(x, y);

@@ -14,14 +14,16 @@ double compression(double pressure_pa);
 
 /// The true ocean. Depth z in m down, x and y in m east and north of the world's origin, t in s
 /// since the world began. T(z) = Tb + (Ts - Tb)/2 (1 - tanh((z - z0 - eta)/d)), and a step across
-/// the front; eta(z, x, t) has the shape of the lowest mode between two layers: full at the
-/// thermocline and falling linearly to 0 at surface and bottom. Where the bottom rises to the
-/// thermocline the wave ends.
+/// the front; salinity in the same way; eta(z, x, t) has the shape of the lowest mode between two
+/// layers: full at the thermocline and falling linearly to 0 at surface and bottom. Where the
+/// bottom rises to the thermocline the wave ends.
 class Ocean {
  public:
   explicit Ocean(const OceanSettings& settings);
 
   [[nodiscard]] double temperature(double z, double x, double y, double t) const;  ///< degC
+  /// Practical salinity (PSS-78).
+  [[nodiscard]] double salinity(double z, double x, double y, double t) const;
   /// In situ, kg/m3: that of the layers at no pressure, and compressed by the water above.
   [[nodiscard]] double density(double z, double x, double y, double t) const;
   [[nodiscard]] Planar current(double z, double x, double y) const;
@@ -47,7 +49,8 @@ class Ocean {
   };
   [[nodiscard]] Wave wave(double x, double t, double water_depth) const;
   [[nodiscard]] double shape(double z, double water_depth) const;
-  [[nodiscard]] double frontStep(double x, double y) const;
+  /// 0 on the near side of the front, 1 far beyond it.
+  [[nodiscard]] double beyondFront(double x, double y) const;
 
   OceanSettings settings_;
   Bottom bottom_;

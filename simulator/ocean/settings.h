@@ -33,12 +33,14 @@ struct SwellSettings {
   double followed_share = 1;
 };
 
-/// A front: beyond it, along the bearing, the water is warmer by the step at every depth.
+/// A front: beyond it, along the bearing, the water is warmer and saltier by the steps at every
+/// depth.
 struct FrontSettings {
   double x = 0, y = 0;  ///< a place on it
   double bearing_rad = 0;
   double width_m = 500;  ///< scale of the tanh
-  double step_degC = 0;  ///< 0: no front
+  double step_degC = 0;
+  double step_salinity = 0;
 };
 
 /// A hill on the bottom: height · exp(-(r/radius)²).
@@ -62,6 +64,8 @@ struct BottomSettings {
 struct OceanSettings {
   double surface_temperature = 20;  ///< degC
   double bottom_temperature = 10;   ///< degC
+  double surface_salinity = 31.5;   ///< practical; these two are those of a shelf in summer
+  double bottom_salinity = 33;
   double thermocline_depth_m = 15;
   double thermocline_thickness_m = 3;  ///< scale d of the tanh
   WaveSettings wave;

@@ -16,6 +16,8 @@ namespace {
 std::vector<std::string_view> knownKeys() {
   std::vector<std::string_view> keys = {"surface_temp_degC",
                                         "bottom_temp_degC",
+                                        "surface_salinity",
+                                        "bottom_salinity",
                                         "thermocline_depth_m",
                                         "thermocline_thickness_m",
                                         "density_kgm3",
@@ -41,6 +43,14 @@ std::vector<std::string_view> knownKeys() {
 void readWater(Fields& f, OceanSettings& o) {
   f.number("surface_temp_degC", o.surface_temperature, -2, 40);
   f.number("bottom_temp_degC", o.bottom_temperature, -2, 40);
+  f.together("surface_salinity", "bottom_salinity");
+  f.number("surface_salinity", o.surface_salinity, 0, 42);
+  f.number("bottom_salinity", o.bottom_salinity, 0, 42);
+  for (const char* key : {"surface_salinity", "bottom_salinity"}) {
+    if (f.has(key) && f.has("conductivity_Spm")) {
+      f.reader().refuse(key, "has no effect with `conductivity_Spm`");
+    }
+  }
   f.number("water_depth_m", o.bottom.depth_m, 5, 11000);
   f.number("thermocline_depth_m", o.thermocline_depth_m, 0.1, 10000);
   f.number("thermocline_thickness_m", o.thermocline_thickness_m, 0.01, 1000);
@@ -92,9 +102,11 @@ void readSwell(Fields& f, SwellSettings& s) {
 }
 
 void readFront(Fields& f, FrontSettings& front) {
-  f.reader().only({"latitude_deg", "longitude_deg", "bearing_deg", "width_m", "step_degC"});
+  f.reader().only(
+      {"latitude_deg", "longitude_deg", "bearing_deg", "width_m", "step_degC", "step_salinity"});
   f.place(front.x, front.y);
   front.step_degC = f.required("step_degC", -20, 20);
+  f.number("step_salinity", front.step_salinity, -20, 20);
   f.reader().number("bearing_deg");
   f.bearing("bearing_deg", front.bearing_rad);
   f.number("width_m", front.width_m, 1, 1e6);

@@ -61,11 +61,9 @@ TraceEvent makeEvent(double time_s, EventId id, std::vector<EventValue> values, 
 
 TraceEvent unlistedEvent(double time_s, double mission_time_s, std::string kind, std::string text,
                          std::string why) {
-  return {time_s,
-          mission_time_s,
-          EventId::Unlisted,
-          {std::move(kind), std::move(text)},
-          std::move(why)};
+  return {
+      time_s, mission_time_s, EventId::Unlisted, {std::move(kind), std::move(text)}, std::move(why),
+      ""};
 }
 
 std::string textOf(const TraceEvent& event) {
@@ -78,6 +76,10 @@ std::string textOf(const TraceEvent& event) {
   }
   const std::string_view words = rowOf(event.id).words;
   return fmt::vformat(fmt::string_view(words.data(), words.size()), store);
+}
+
+std::string shownTextOf(const TraceEvent& event) {
+  return event.shown.empty() ? textOf(event) : event.shown;
 }
 
 std::string kindOf(const TraceEvent& event) {

@@ -38,6 +38,7 @@ struct TraceEvent {
   EventId id = EventId::Unlisted;
   std::vector<EventValue> values = {};  ///< in the order of the places in its words
   std::string why = {};  ///< one line: the guard and the values that fired it; "" if there is none
+  std::string shown = {};  ///< its text for people, with rounded numbers and units; "": textOf
 };
 
 /// An event of events.def with all values of its words.
@@ -49,6 +50,8 @@ TraceEvent unlistedEvent(double time_s, double mission_time_s, std::string kind,
 
 /// The event in words, one line: "s1 → s2 (call)".
 std::string textOf(const TraceEvent& event);
+/// The same as people read it in a summary or a report.
+std::string shownTextOf(const TraceEvent& event);
 /// The word for its kind: "transition", "control", "hook"…
 std::string kindOf(const TraceEvent& event);
 bool isOfKind(const TraceEvent& event, EventKind kind);

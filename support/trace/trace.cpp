@@ -67,7 +67,7 @@ json eventsToJson(const std::vector<TraceEvent>& events) {
     out.push_back({{"time", e.time_s},
                    {"missionTime", e.mission_time_s},
                    {"kind", kindOf(e)},
-                   {"what", textOf(e)},
+                   {"what", shownTextOf(e)},
                    {"why", e.why}});
   }
   return out;

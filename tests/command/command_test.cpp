@@ -455,6 +455,34 @@ TEST(Command, APortThatIsNotThereIsNamed) {
 const std::string kParameters = GLIDER_SOURCE_DIR "/tests/command/parameters.ir";
 const std::string kMissionOfThePaper = GLIDER_SOURCE_DIR "/missions/figure2.mission";
 
+TEST(Command, ParamsHaveTheUnitsOfTheMission) {
+  const TemporaryFolder folder;
+  const auto mission = folder.write("p.mission", R"(mission p
+param reach : length = 7.5 km in 1 km .. 20 km
+param near : length = 1500 m in 500 m .. 2 km
+param slow : speed = 0.5 kn in 0.1 kn .. 1 kn
+param far : length = 2 * 3 nmi
+param rest : time = 90 min in 5 min .. 3 h
+state s
+begin
+  flightprofile yo(3 m, 30 m, 26 deg, 26 deg)
+  sensors missiontime
+  events
+    case missiontime > rest exit
+end
+)");
+  const Outcome set =
+      runShell("$GLIDERCC params -q --set reach=7000m --set slow=0.25kn " + mission.string());
+  EXPECT_EQ(set.out,
+            "name   type    default  range            set to\n"
+            "reach  length  7.5 km   1 km to 20 km    7 km\n"
+            "near   length  1500 m   500 m to 2000 m\n"
+            "slow   speed   0.5 kn   0.1 kn to 1 kn   0.25 kn\n"
+            "far    length  6 nmi\n"
+            "rest   time    90 min   5 min to 3 h\n")
+      << set.err;
+}
+
 TEST(Command, ParamsListsThemAndWhatDiffers) {
   const Outcome plain = runShell("$GLIDERCC params " + kParameters);
   EXPECT_EQ(plain.status, 0) << plain.err;

@@ -48,6 +48,15 @@ TEST(DataLog, ShowsFilesAndSensors) {
             "  m_present_time  timestamp        2  1719946531  1719946535  1719946535\n");
 }
 
+TEST(DataLog, SaysThatAFileIsGivenTwice) {
+  const TemporaryFolder folder;
+  (void)folder.write("a.sbd", write(draftOf("unit")));
+  (void)folder.write("copy.sbd", write(draftOf("unit")));
+  EXPECT_EQ(logOf(folder, "a.sbd ./a.sbd").err, "glidercc: note: `./a.sbd` is given twice\n");
+  EXPECT_EQ(logOf(folder, "a.sbd copy.sbd").err,
+            "glidercc: note: `copy.sbd` is left out: `a.sbd` has the same segment\n");
+}
+
 /// The library of netCDF is found as any other. Here another file has its name.
 TEST(DataLog, SaysWhyItCannotWriteNetcdf) {
   const TemporaryFolder folder;

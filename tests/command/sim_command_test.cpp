@@ -243,12 +243,42 @@ TEST_F(Sim, AnAbortIsReportedAtTheEnd) {
   EXPECT_THAT(summary().at("warnings").dump(), HasSubstr("GL9370"));
 }
 
+/// The mission computes the salinity of the scenario's water from the CTD's readings.
+TEST_F(Sim, TheMissionMeasuresTheSalinityOfTheScenario) {
+  mission("20 m", "temp, cond, scipressure");
+  std::string text = slurp(folder_.path() / "m.mission");
+  const std::string when = "case missiontime >= 5 min exit";
+  text.replace(text.find(when), when.size(),
+               "case missiontime >= 5 min do log \"salt\", salinity end exit");
+  (void)folder_.write("m.mission", text);
+  (void)folder_.write("salt.toml",
+                      "name = \"salt\"\nskeleton = \"skeleton.mi\"\n"
+                      "duration_s = 3600\n[start]\nlatitude_deg = 39.175\n"
+                      "longitude_deg = -73.835\n[ocean]\nsurface_salinity = 35.5\n"
+                      "bottom_salinity = 35.5\n");
+  const Outcome flown = run("$GLIDERCC sim m.mission --scenario salt.toml -o f");
+  EXPECT_EQ(flown.status, 0) << flown.err;
+  EXPECT_THAT(flown.out, testing::ContainsRegex(" salt 35\\.(49|50)[0-9]?\n"));
+  EXPECT_THAT(slurp(folder_.path() / "f" / "trace.csv"), HasSubstr(",sci_water_cond (S/m)"));
+}
+
+TEST_F(Sim, LoggedValuesAreRoundedForPeopleOnly) {
+  const Outcome flown = run("$GLIDERCC sim " GLIDER_SOURCE_DIR
+                            "/missions/gallery/low_battery.mission --scenario low_battery -o f");
+  EXPECT_EQ(flown.status, 0) << flown.err;
+  EXPECT_THAT(flown.out, testing::ContainsRegex(" battery low 1[01]\\.[0-9]{1,3} V\n"));
+  EXPECT_THAT(slurp(folder_.path() / "f" / "events.csv"),
+              testing::ContainsRegex("\"battery low 1[01]\\.[0-9]{8,}\""));
+}
+
 TEST_F(Sim, ASensorThatTheVehicleDoesNotCarry) {
   mission("20 m", "sci_oxy4_oxygen");
   const Outcome without = run("$GLIDERCC sim m.mission -o f");
   EXPECT_EQ(without.status, 1);
   EXPECT_THAT(without.err, HasSubstr("scenario `default` does not carry `sci_oxy4_oxygen`"));
   EXPECT_THAT(without.err, HasSubstr("[GL5123 sensor-not-carried]"));
+  EXPECT_THAT(without.err, HasSubstr("hint: fly in scenario `bloom`, whose vehicle carries it, or "
+                                     "set `surface_oxygen_uM` and `bottom_oxygen_uM` in [ocean]"));
   const Outcome with = run("$GLIDERCC sim m.mission --scenario bloom -o f");
   EXPECT_EQ(with.status, 0) << with.err;
 }

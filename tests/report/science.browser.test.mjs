@@ -35,7 +35,7 @@ const text = async (page, selector) => page.eval(`document.querySelector(${JSON.
 
 test("what the mission lists and logs is drawn first, with units", () => withPage("science", async (page) => {
   const titles = await texts(page, "#others h3");
-  assert.deepEqual(titles.slice(0, 5), ["Chlorophyll (µg/L)", "Roll (°)", "Temperature (°C)", "Conductivity (S/m)", "Log “bloom, at”: depth (m)"]);
+  assert.deepEqual(titles.slice(0, 6), ["Chlorophyll (µg/L)", "Roll (°)", "True longitude (°)", "Temperature (°C)", "Conductivity (S/m)", "Log “bloom, at”: depth (m)"]);
   assert.ok(titles.includes("Energy used (Wh)"));
   const lit = await page.eval(`(() => {
     const charts = [...document.querySelectorAll("#others canvas")];
@@ -73,6 +73,46 @@ test("yos, energy to go and the requirements are told", () => withPage("science"
     ["held in this flight", "violated at 10:00: depth is 21 m", "not checked: it says what some flight can do"]);
 }));
 
+test("the numbers of the yos stand below their headings", () => withPage("science", async (page) => {
+  const edges = await page.eval(`(() => {
+    const right = (cell) => { const range = document.createRange(); range.selectNodeContents(cell); return range.getBoundingClientRect().right; };
+    const table = document.querySelector("#yos table");
+    return [...table.tHead.rows[0].cells].slice(0, 6).map((head, i) => right(head) - right(table.tBodies[0].rows[0].cells[i]));
+  })()`);
+  assert.ok(edges.every((off) => Math.abs(off) < 1), `${edges}`);
+  assert.equal((await texts(page, "#yos th")).at(-1), "to the surface (< 2 m)");
+}));
+
+test("no label of an axis is cut off, and all charts have one time scale", () => withPage("science", async (page) => {
+  const rooms = await page.eval(`[...document.querySelectorAll("#charts-card .u-wrap, #sections .u-wrap")].map((wrap) => {
+    const canvas = wrap.querySelector("canvas");
+    const left = wrap.querySelector(".u-over").offsetLeft;
+    // Ink in the first columns of the axis would be that of a label that begins further left.
+    const { data } = canvas.getContext("2d").getImageData(0, 0, 3 * devicePixelRatio, canvas.height);
+    return { left, cut: new Set(new Uint32Array(data.buffer)).size > 1 };
+  })`);
+  assert.ok(rooms.length > 5);
+  assert.deepEqual(rooms.filter((r) => r.cut), []);
+  assert.equal(new Set(rooms.map((r) => r.left)).size, 1);
+}));
+
+test("a position is not broken over lines", () => withPage("science", async (page) => {
+  const spans = await page.eval(`[...document.querySelectorAll("#events .unbroken")].map((s) => [s.textContent, s.getClientRects().length])`);
+  assert.deepEqual(spans, [["39 10.498 N 73 49.821 W", 1], ["39 10.498 N", 1]]);
+}, 640));
+
+test("a heading that passes north is in the saved table", () => withPage("science", async (page) => {
+  await page.eval(`window.saved = []; URL.createObjectURL = (blob) => { blob.text().then((text) => saved.push(text)); return "#"; };
+    document.addEventListener("click", (e) => { if (e.target.download) e.preventDefault(); }, true);`);
+  await page.eval(`[...document.querySelectorAll("#others .save button[aria-label^='save Heading'][aria-label$='CSV']")][0].click()`);
+  await page.until("saved.length > 0");
+  const cells = (await page.eval("saved[0]")).trim().split("\n").slice(1).map((row) => row.split(",").at(-1));
+  const known = await page.eval(`(() => { const { trace } = JSON.parse(document.getElementById("flight").textContent);
+    const at = trace.columns.findIndex((c) => c.name === "m_heading"), width = trace.columns.length;
+    return trace.rows.filter((v, i) => i % width === at && v !== null).length; })()`);
+  assert.equal(cells.filter((c) => c !== "").length, known);
+}));
+
 test("steering is hidden until it is asked for", () => withPage("science", async (page) => {
   const kinds = () => page.eval("new Set([...document.querySelectorAll('#events tbody tr')].map((r) => r.dataset.kind)).has('steering')");
   const button = "[...document.querySelectorAll('.filters button')].find((b) => b.innerText.includes('steering'))";
@@ -102,7 +142,7 @@ test("each chart is saved as a picture and as a table", () => withPage("science"
   const depth = await save("#depth-head .save button", "CSV");
   assert.match(depth.text, /^time \(s\),.*m_depth \(m\)\n0,/);
   assert.equal(depth.text.trim().split("\n").length, 1 + await page.eval("JSON.parse(document.getElementById('flight').textContent).figures.rows"));
-  const logged = await save("#others .head:nth-of-type(9) .save button", "CSV");
+  const logged = await save("#others .head:nth-of-type(11) .save button", "CSV");
   assert.match(logged.text, /^time \(s\),log_bloom_at_depth \(m\)\n/);
   assert.match((await save("#map-head .save button", "CSV")).text, /^time \(s\),east \(m\),north \(m\),latitude \(deg\),longitude \(deg\)\n0,/);
   assert.match(await page.eval("saved.names.join(' ')"), /thermoclinesurvey-depth\.png .*thermoclinesurvey-track\.csv/);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,7 @@ std::vector<double> addedTo(double depth, size_t row) {
 }
 
 void addFacts(Trace& trace) {
-  trace.facts.listed = {"m_depth", "sci_flbbcd_chlor_units", "m_roll"};
+  trace.facts.listed = {"m_depth", "sci_flbbcd_chlor_units", "m_roll", "true_lon"};
   trace.facts.read = {"m_lat", "m_depth", "sci_flbbcd_chlor_units", "sci_water_temp"};
   trace.facts.logged = {{"log_bloom_at_depth", "bloom, at", "depth"}};
   trace.facts.promises = {
@@ -57,10 +58,14 @@ Trace scienceTrace() {
   Trace trace = sampleTrace();
   const size_t width = trace.columns.size();
   const int depth = trace.column("m_depth");
+  const auto heading = static_cast<size_t>(trace.column("m_heading"));
+  constexpr double kToNorth = 2 * std::numbers::pi - 1.1;  // the sample's heading waves around 1.1
   std::vector<double> rows;
   for (size_t row = 0; row < trace.rowCount(); ++row) {
     const auto begin = trace.rows.begin() + static_cast<std::ptrdiff_t>(row * width);
     rows.insert(rows.end(), begin, begin + static_cast<std::ptrdiff_t>(width));
+    double& towards = rows[rows.size() - width + heading];
+    towards = std::fmod(towards + kToNorth, 2 * std::numbers::pi);
     const std::vector<double> added = addedTo(trace.at(row, depth), row);
     rows.insert(rows.end(), added.begin(), added.end());
   }
@@ -76,6 +81,9 @@ Trace scienceTrace() {
   addFacts(trace);
   trace.events.push_back(
       support::makeEvent(2400, support::EventId::Steers, {std::string("ascend"), 5.0}));
+  trace.events.push_back(support::unlistedEvent(2410, 2400, "log",
+                                                "steers to 39 10.498 N 73 49.821 W",
+                                                "distance(home) > watch (lat 39 10.498 N)"));
   return trace;
 }
 

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 
 namespace glider::frontend {
 namespace {
@@ -221,10 +220,6 @@ size_t tokensOfValue(const Phrase& phrase, size_t first, bool conditions) {
     deep += type == GliderLexer::LPAREN ? 1U : 0U;
     deep -= type == GliderLexer::RPAREN ? 1U : 0U;
   }
-}
-
-double valueOf(std::string_view digits) {
-  return std::strtod(std::string(digits).c_str(), nullptr);
 }
 
 size_t tokensOfNumber(const Phrase& phrase, size_t first) {

@@ -109,9 +109,6 @@ bool readsAsValue(const Phrase& phrase, size_t first, size_t count);
 /// `conditions` also ends it at `&&` and `||`.
 size_t tokensOfValue(const Phrase& phrase, size_t first, bool conditions);
 
-/// The number that `digits` are.
-double valueOf(std::string_view digits);
-
 /// `20 m`, `-5 deg`, `1`: the tokens of a number with its unit from token `first` on; 0: there is
 /// none.
 size_t tokensOfNumber(const Phrase& phrase, size_t first);

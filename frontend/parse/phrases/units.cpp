@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "frontend/bare_positions.h"
 #include "frontend/parse/phrases/repairs.h"
 #include "frontend/parse/token_kinds.h"
 #include "frontend/spelling.h"
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace glider::frontend::phrases {
@@ -87,8 +89,13 @@ TimePart timePart(const Phrase& phrase, size_t k) {
           valueOf(phrase.text(k)) * factor, factor, factor > 0 ? 2U : 0U};
 }
 
-/// `5400 s` as "90 min": in the smallest unit that was written.
+/// `5400 s` as "1 h 30 min", or in the smallest unit that was written.
 std::string timeText(double seconds, double unit) {
+  constexpr double kMinute = 60, kHour = 3600;
+  const double hours = std::floor(seconds / kHour), rest = seconds - hours * kHour;
+  if (unit == kMinute && hours >= 1 && rest > 0) {
+    return fmt::format("{:.10g} h {:.10g} min", hours, rest / kMinute);
+  }
   return fmt::format("{:.10g} {}", seconds / unit, unit < 60 ? "s" : unit < 3600 ? "min" : "h");
 }
 

@@ -12,6 +12,8 @@
 #include "support/diagnostics/ids/meaning.h"
 #include "support/diagnostics/ids/syntax.h"
 
+#include <fmt/format.h>
+
 namespace glider::frontend {
 
 std::vector<ir::Case> CaseLowering::lower(const std::vector<ast::Case>& cases,
@@ -85,7 +87,8 @@ std::string CaseLowering::insteadOfState(const std::string& name) const {
   }
   const std::string_view profile = closest(name, profiles);
   if (!profile.empty()) {
-    return "write a state with `flightprofile " + std::string(profile) + "`, and name that";
+    return fmt::format("`{0}` is a profile: write a state with `flightprofile {0}`, and name that",
+                       profile);
   }
   std::string all;
   for (const auto& [state, id] : scope_.states) {

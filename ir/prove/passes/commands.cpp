@@ -175,13 +175,34 @@ class CommandCheck {
     }
   }
 
-  /// An argument that is written at `place` itself, or all of `place`.
+  /// Where the value of a fixed argument is written in the call of a profile or route at `place`:
+  /// the one expression there that always has it; empty if there is none, or several.
+  [[nodiscard]] std::optional<support::SourceRange> writtenIn(const support::SourceRange& place,
+                                                              const Interval& fixed) const {
+    std::optional<support::SourceRange> found;
+    for (uint32_t i = 0; isFixed(fixed) && i < m_.exprs.size(); ++i) {
+      const support::SourceRange& own = m_.exprs[i].range;
+      const Interval& value = proof_.proof_context.intervals[i];
+      const bool inside =
+          own.valid() && own.file == place.file && own.begin > place.begin && own.end < place.end;
+      if (!inside || !isFixed(value) || value.lowest != fixed.lowest || own == found) {
+        continue;
+      }
+      if (found && !(own.begin <= found->begin && found->end <= own.end)) {
+        return std::nullopt;
+      }
+      found = own;  // the whole of `-(20 m)`
+    }
+    return found;
+  }
+
+  /// An argument that is written at `place` itself or in its call, or all of `place`.
   [[nodiscard]] support::SourceRange placeOf(const support::SourceRange& place,
                                              const Statement& statement, size_t argument) const {
     const support::SourceRange& own = m_[statement.values.at(argument)].range;
     const bool within = place == statement.range && own.file == place.file &&
                         own.begin >= place.begin && own.end <= place.end;
-    return within ? own : place;
+    return within ? own : writtenIn(place, range(statement, argument)).value_or(place);
   }
 
   /// One report for each profile, route and argument of a command.

@@ -21,6 +21,14 @@ export function svg<K extends keyof SVGElementTagNameMap>(
   return made;
 }
 
+const coordinate = String.raw`\d+(?:\.\d+)?(?: \d+(?:\.\d+)?)?`;
+const position = new RegExp(String.raw`(${coordinate} [NS](?: ${coordinate} [EW])?\b|${coordinate} [EW]\b)`);
+
+/** `text` with its positions, as `39 10.498 N`, each on one line. */
+export function unbroken(text: string): Child[] {
+  return text.split(position).map((part, i) => (i % 2 === 1 ? element("span", { class: "unbroken" }, part) : part));
+}
+
 /** The element of index.html with this id. */
 export function byId(id: string): HTMLElement {
   const found = document.getElementById(id);

@@ -3,7 +3,7 @@
 
 /** The table of events: filtered by kind; a row moves the cursor of the charts. */
 
-import { element } from "./dom";
+import { element, unbroken } from "./dom";
 import { Flight, FlightEvent } from "./flight";
 import { fixed } from "./format";
 import { kindOf } from "./kinds";
@@ -25,7 +25,7 @@ function rowOf(event: FlightEvent, flight: Flight, view: View): HTMLElement {
   const row = element("tr", { "data-kind": event.kind },
     element("td", { class: "number" }, when, element("span", { class: "aside" }, time === null ? "" : ` ${seconds(time)}`)),
     element("td", { class: "number" }, seconds(event.missionTime)), element("td", {}, badge(event.kind)),
-    element("td", { class: "what" }, event.what), element("td", { class: "why" }, event.why));
+    element("td", { class: "what" }, ...unbroken(event.what)), element("td", { class: "why" }, ...unbroken(event.why)));
   if (time !== null) row.addEventListener("click", () => view.moveTo(time, true));
   return row;
 }

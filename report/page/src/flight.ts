@@ -25,12 +25,14 @@ export interface Figures {
   shallowest: number | null;
   deepest: number | null;
   yos: number;
+  /** Above this depth, m, the vehicle is at the surface. */
+  surfaceDepth: number;
   distance: number | null;
   madeGood: number | null;
   /** The greatest distance of the reckoned position from the true one, m. */
   apart: number | null;
   /** Wh; what is not known is null. */
-  energy: { used: number | null; capacity: number | null; toGo: number | null; daysLeft: number | null };
+  energy: { used: number | null; known: number; capacity: number | null; toGo: number | null; daysLeft: number | null };
   track: "none" | "true" | "dead-reckoned";
   coldest: number | null;
   warmest: number | null;

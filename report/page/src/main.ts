@@ -103,6 +103,8 @@ function start(): void {
   const charts = timeCharts(flight, view);
   const { sections, plots } = water(flight, view);
   yoTable(flight, view);
+  // A long label of a later chart widens all axes, so that their times stay below each other. uPlot draws first in microtasks.
+  queueMicrotask(() => [...charts, ...sections].forEach((chart) => chart.redraw()));
   followTheme([...charts, ...sections], plots);
   if (flight.figures.rows > flight.times.length) {
     byId("thinned").textContent = `${flight.times.length} of ${flight.figures.rows} rows are drawn, including every inflection; ${flight.log ? "`glidercc log --csv` writes all records" : "the CSV trace has all rows"}.`;

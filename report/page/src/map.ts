@@ -12,7 +12,7 @@ import { edge, extentOf, Frame, frameFor, plotBox } from "./map_frame";
 import { graticule, scaleBar } from "./map_grid";
 import { Labels } from "./map_labels";
 import { pilotColour } from "./palette";
-import { Anchor, anchorOf, Current, currentsOf, fixesOf, Place, placeOf, Point, Track, tracksOf, trueCurrentsOf, waypointsOf } from "./track";
+import { Anchor, anchorOf, Current, currentsOf, fixesOf, Place, placeOf, Point, pointsOf, Track, tracksOf, trueCurrentsOf, waypointsOf } from "./track";
 import { View } from "./view";
 
 /** The arrow of the fastest current, px. */
@@ -135,7 +135,9 @@ const fastestOf = (currents: Current[]) => currents.reduce((most, c) => Math.max
 function legend(chart: Chart): HTMLElement[] {
   const entry = (shape: string, words: string) => element("span", {}, element("i", { class: `swatch ${shape}`, "aria-hidden": "true" }), words);
   const { flight } = chart;
-  const [fastest, fastestTrue] = [fastestOf(chart.currents), fastestOf(chart.trueCurrents)];
+  // The arrows of the true current are means.
+  const fastest = fastestOf(chart.currents);
+  const fastestTrue = fastestOf(pointsOf(flight, "true_current_x", "true_current_y").map((p) => ({ ...p, east: p.x, north: p.y })));
   const common = [
     ...(chart.circles.length > 0 ? [entry("watch-mark", "distance that the mission watches")] : []),
     ...(flight.facts.bottom.depths.length > 0 ? [entry("line contour-line", "water depth")] : []),

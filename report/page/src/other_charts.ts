@@ -78,7 +78,7 @@ const capital = (text: string) => text[0].toUpperCase() + text.slice(1);
 function linesOf(flight: Flight, p: Panel, unit: string): Line[] {
   const line = (label: string, column: string, more: Partial<Line>): Line => ({
     label, head: `${column}${shownUnit(unit) === "" ? "" : ` (${shownUnit(unit)})`}`,
-    values: shown(flight.column(column) as Values, unit, p.round ?? false), colour: "ink", width: 1.6, ...more });
+    values: shown(flight.column(column) as Values, unit, p.round ?? false), all: shown(flight.column(column) as Values, unit, false), colour: "ink", width: 1.6, ...more });
   const commanded = p.commanded && flight.column(p.commanded) ? [line("commanded", p.commanded, { colour: "commanded", stepped: true })] : [];
   return [...commanded, line(p.points ? "logged" : "measured", p.measured, p.points ? { width: 0, points: true } : {})];
 }

@@ -3,7 +3,7 @@
 
 /** The tables of the page: the yos of the flight, and what became of the mission's requirements. */
 
-import { byId, element } from "./dom";
+import { byId, element, unbroken } from "./dom";
 import { saveButtons } from "./downloads";
 import { Flight, Promised } from "./flight";
 import { clock, fixed } from "./format";
@@ -12,8 +12,9 @@ import { View } from "./view";
 const row = (cells: (string | Node)[], numbers: boolean) =>
   element("tr", {}, ...cells.map((c) => element("td", numbers ? { class: "number" } : {}, c)));
 
-function table(heads: string[], rows: HTMLElement[]): HTMLElement {
-  return element("table", {}, element("thead", {}, element("tr", {}, ...heads.map((h) => element("th", { scope: "col" }, h)))), element("tbody", {}, ...rows));
+function table(heads: string[], rows: HTMLElement[], numbers = false): HTMLElement {
+  const head = (text: string) => element("th", { scope: "col", ...(numbers ? { class: "number" } : {}) }, text);
+  return element("table", {}, element("thead", {}, element("tr", {}, ...heads.map(head))), element("tbody", {}, ...rows));
 }
 
 /** The yos, one a row; a row moves the cursor of the charts to its start. */
@@ -25,8 +26,8 @@ export function yoTable(flight: Flight, view: View): void {
     made.addEventListener("click", () => view.moveTo(yo.start, true));
     return made;
   });
-  const heads = ["yo", flight.log ? "start (UTC)" : "start", "deepest (m)", "duration", "down (m/s)", "up (m/s)", "to the surface"];
-  byId("yos").replaceChildren(element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Yos" }, table(heads, rows)));
+  const heads = ["yo", flight.log ? "start (UTC)" : "start", "deepest (m)", "duration", "down (m/s)", "up (m/s)", `to the surface (< ${flight.figures.surfaceDepth} m)`];
+  byId("yos").replaceChildren(element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Yos" }, table(heads, rows, true)));
   byId("yos-head").append(saveButtons(flight, {
     title: "yos",
     table: () => ({
@@ -47,7 +48,7 @@ export function promiseTable(flight: Flight): void {
   const { promises } = flight.facts;
   byId("promises-card").hidden = promises.length === 0;
   byId("promises").replaceChildren(table(["the mission's text", "in this flight"], promises.map((p) => {
-    const verdict = element("td", { class: `verdict ${p.verdict.replace(" ", "-")}` }, verdictOf(flight, p));
+    const verdict = element("td", { class: `verdict ${p.verdict.replace(" ", "-")}` }, ...unbroken(verdictOf(flight, p)));
     return element("tr", {}, element("td", {}, element("code", {}, p.text)), verdict);
   })));
 }

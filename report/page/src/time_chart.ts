@@ -13,6 +13,8 @@ import { View } from "./view";
 export interface Line {
   label: string;
   values: Values;
+  /** In a saved table, where `values` leaves some out. */
+  all?: Values;
   /** Its name in a saved table, with the unit. */
   head?: string;
   /** A custom property of style.css, or a colour. */
@@ -81,16 +83,31 @@ function timeAxis(flight: Flight): Partial<uPlot.Axis> {
   };
 }
 
+const labelFont = "12px system-ui, sans-serif";
+let ruler: CanvasRenderingContext2D | null = null;
+let room = 52;
+
+/** The width of every chart's axis of values, in CSS pixels: that of the longest label of the page so far. */
+function roomFor(labels: string[] | null): number {
+  const besides = 14;
+  ruler ??= document.createElement("canvas").getContext("2d");
+  if (ruler) {
+    ruler.font = labelFont;
+    for (const label of labels ?? []) room = Math.max(room, Math.ceil(ruler.measureText(label).width) + besides);
+  }
+  return room;
+}
+
 function axes(height: number, flight: Flight): uPlot.Axis[] {
   const common = {
     stroke: () => theme("muted"),
     grid: { stroke: () => theme("grid"), width: 1 },
     ticks: { stroke: () => theme("grid"), width: 1, size: 5 },
-    font: "12px system-ui, sans-serif",
+    font: labelFont,
   };
   return [
     { ...common, incrs: steps, space: 70, size: 30, ...timeAxis(flight) },
-    { ...common, size: 52, space: height > 200 ? 36 : 24, values: (_: uPlot, at: number[]) => {
+    { ...common, size: (_: uPlot, labels: string[] | null) => roomFor(labels), space: height > 200 ? 36 : 24, values: (_: uPlot, at: number[]) => {
       const digits = digitsFor(at.length > 1 ? Math.abs(at[1] - at[0]) : 1);
       return at.map((v) => fixed(v, digits));
     } },
@@ -126,7 +143,7 @@ export class TimeChart {
     const { lines } = this.options;
     return {
       head: [this.flight.log ? "time (s since 1970)" : "time (s)", ...lines.map((line) => line.head ?? line.label)],
-      rows: this.flight.times.map((time, row) => [time + (this.flight.log?.utc ?? 0), ...lines.map((line) => line.values[row] ?? null)]),
+      rows: this.flight.times.map((time, row) => [time + (this.flight.log?.utc ?? 0), ...lines.map((line) => (line.all ?? line.values)[row] ?? null)]),
     };
   }
 

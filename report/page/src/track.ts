@@ -31,7 +31,7 @@ function pairs(a: Values, b: Values): Point[] {
   return out;
 }
 
-function pointsOf(flight: Flight, east: string, north: string): Point[] {
+export function pointsOf(flight: Flight, east: string, north: string): Point[] {
   const [x, y] = [flight.column(east), flight.column(north)];
   return x && y ? pairs(x, y) : [];
 }

@@ -161,7 +161,7 @@ export function water(flight: Flight, view: View): { sections: TimeChart[]; plot
   const temperature = flight.column("sci_water_temp");
   const points = salt && temperature ? pointsOf(flight, salt.values, held(temperature, flight.times)) : [];
   const diagram = plot(byId("profiles"), flight, {
-    title: "T-S diagram", xTitle: "salinity", yTitle: "temperature (°C)", points, isolines: points.length === 0 ? [] : densityLines(points),
+    title: "T-S diagram", xTitle: "Salinity", yTitle: "Temperature (°C)", points, isolines: points.length === 0 ? [] : densityLines(points),
   });
   return { sections, plots: [...profiles, diagram].filter((p): p is XyChart => p !== null) };
 }

@@ -3,6 +3,8 @@
 
 #include "simulator/sensors/ctd/ctd.h"
 
+#include "simulator/ocean/seawater.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,6 +18,7 @@ constexpr InstrumentSensor kCtdSensors[] = {
 Ctd::Ctd(uint64_t seed, const CtdSettings& settings)
     : settings_(settings),
       temperature_noise_(seed, "sci_water_temp"),
+      conductivity_noise_(seed, "sci_water_cond"),
       dropout_(seed, "ctd dropout"),
       depth_noise_(seed, "ctd depth"),
       repeat_(seed, "ctd repeat") {}
@@ -26,7 +29,8 @@ std::span<const InstrumentSensor> Ctd::sensors() const {
 
 void Ctd::sample(const Sampling& at, std::span<double> readings) {
   const auto water = [&](double depth_m) {
-    return at.ocean.temperature(depth_m, at.x, at.y, at.time_s);
+    return Water{at.ocean.temperature(depth_m, at.x, at.y, at.time_s),
+                 at.ocean.salinity(depth_m, at.x, at.y, at.time_s)};
   };
   const double swell = at.ocean.swellPressure(at.depth_m, at.x, at.y, at.time_s);
   if (const auto reading = read(water, at.depth_m, at.time_s, swell)) {
@@ -63,14 +67,24 @@ double Ctd::renewed(double now_s) const {
   return stale.flush_s > 0 ? 1 - std::exp(-kPeriod / stale.flush_s) : 1;
 }
 
-void Ctd::flush(double outside_degC, double depth_m, double now_s) {
+void Ctd::flush(const Water& outside, double depth_m, double now_s) {
   noteClimb(depth_m, now_s);
   const double share = renewed(now_s);
-  if (share == 1 || std::isnan(in_duct_)) {
-    in_duct_ = outside_degC;
+  if (share == 1 || !in_duct_) {
+    in_duct_ = outside;
   } else {
-    in_duct_ += (outside_degC - in_duct_) * share;
+    in_duct_->temperature_degC += (outside.temperature_degC - in_duct_->temperature_degC) * share;
+    in_duct_->salinity += (outside.salinity - in_duct_->salinity) * share;
   }
+}
+
+double Ctd::conductivityInDuct(double dbar) {
+  if (!std::isnan(settings_.conductivity)) {
+    return settings_.conductivity;
+  }
+  const double noise = conductivity_noise_.normal(settings_.noise_Spm);
+  return std::max(0.0,
+                  conductivityOf(in_duct_->salinity, in_duct_->temperature_degC, dbar) + noise);
 }
 
 std::optional<Ctd::Reading> Ctd::due(double now_s) {
@@ -82,7 +96,7 @@ std::optional<Ctd::Reading> Ctd::due(double now_s) {
   return newest;
 }
 
-std::optional<Ctd::Reading> Ctd::read(const Water& water, double depth_m, double now_s,
+std::optional<Ctd::Reading> Ctd::read(const Column& water, double depth_m, double now_s,
                                       double swell_m) {
   const double noise = temperature_noise_.normal(settings_.noise_degC);
   const double off = depth_noise_.normal(settings_.non_monotonic_m);
@@ -90,7 +104,9 @@ std::optional<Ctd::Reading> Ctd::read(const Water& water, double depth_m, double
   const bool repeated = repeat_.uniform() < settings_.repeat_fraction;
   flush(water(std::max(0.0, depth_m + off)), depth_m, now_s);
   if (!lost) {
-    on_their_way_.push_back({now_s, {in_duct_ + noise, depth_m + swell_m, settings_.conductivity}});
+    const double pressed_m = depth_m + swell_m;  // as many decibars
+    on_their_way_.push_back(
+        {now_s, {in_duct_->temperature_degC + noise, pressed_m, conductivityInDuct(pressed_m)}});
   }
   const std::optional<Reading> now = due(now_s);
   if (!now || !repeated || !given_) {

@@ -34,12 +34,14 @@ struct StaleClimbs {
 
 struct CtdSettings {
   double noise_degC = 0.002;
+  double noise_Spm = 0.0002;   ///< of the conductivity: as much salinity as the temperature's
   double dropout = 0;          ///< share of readings that fail
   double repeat_fraction = 0;  ///< share of readings that repeat the previous one
   double late_s = 0;           ///< age of a reading when it is given
   /// How far above or below the vehicle the measured water is (standard deviation, m).
   double non_monotonic_m = 0;
-  double conductivity = 4;  ///< S/m, the same everywhere, as in the vehicle's own simulator
+  /// S/m, the same everywhere, as in the vehicle's own simulator; NaN: that of the water
+  double conductivity = std::numeric_limits<double>::quiet_NaN();
   std::vector<StaleWater> stale_water = {};
   StaleClimbs stale_climbs = {};
 
@@ -61,8 +63,12 @@ class Ctd final : public Instrument {
     double depth_m = 0;       ///< of the vehicle, from the CTD's own pressure
     double conductivity = 0;  ///< S/m
   };
-  /// The true temperature (degC) at a depth (m), where the vehicle is.
-  using Water = std::function<double(double depth_m)>;
+  struct Water {
+    double temperature_degC = 0;
+    double salinity = 0;
+  };
+  /// The true water at a depth (m), where the vehicle is.
+  using Column = std::function<Water(double depth_m)>;
 
   Ctd(uint64_t seed, const CtdSettings& settings);
 
@@ -71,7 +77,8 @@ class Ctd final : public Instrument {
   void sample(const Sampling& at, std::span<double> readings) override;
   /// The reading that the sensor gives at `now_s`; none when it fails or has none yet. `swell_m`:
   /// what a swell adds to its pressure.
-  std::optional<Reading> read(const Water& water, double depth_m, double now_s, double swell_m = 0);
+  std::optional<Reading> read(const Column& water, double depth_m, double now_s,
+                              double swell_m = 0);
 
  private:
   struct Measured {
@@ -79,19 +86,21 @@ class Ctd final : public Instrument {
     Reading reading;
   };
   /// Renews the water in the duct as far as it is flushed.
-  void flush(double outside_degC, double depth_m, double now_s);
+  void flush(const Water& outside, double depth_m, double now_s);
   /// The share of the water in the duct that is renewed at `now_s`.
   [[nodiscard]] double renewed(double now_s) const;
   void noteClimb(double depth_m, double now_s);
+  /// The conductivity (S/m) measured of the water in the duct at a pressure (dbar).
+  [[nodiscard]] double conductivityInDuct(double dbar);
   /// The newest of the readings that are old enough to be given.
   std::optional<Reading> due(double now_s);
 
   CtdSettings settings_;
-  Noise temperature_noise_, dropout_, depth_noise_, repeat_;
+  Noise temperature_noise_, conductivity_noise_, dropout_, depth_noise_, repeat_;
   ClimbWatch turns_;
   bool stale_climb_ = false;
   double stale_climbs_ = 0;
-  double in_duct_ = std::numeric_limits<double>::quiet_NaN();
+  std::optional<Water> in_duct_;
   std::deque<Measured> on_their_way_;
   std::optional<Reading> given_;
 };

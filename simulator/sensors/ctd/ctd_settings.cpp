@@ -22,13 +22,14 @@ void readStaleClimbs(Fields& f, StaleClimbs& stale) {
 }
 
 void readCtd(Fields& f, bool noise_given, CtdSettings& ctd) {
-  f.reader().only({"noise_degC", "repeat_fraction", "late_s", "non_monotonic_m", "stale_climb",
-                   "stale_climb_s", "stale_climb_flush_s", "stale_climb_after_s",
+  f.reader().only({"noise_degC", "noise_Spm", "repeat_fraction", "late_s", "non_monotonic_m",
+                   "stale_climb", "stale_climb_s", "stale_climb_flush_s", "stale_climb_after_s",
                    "stale_climb_count"});
   if (f.has("noise_degC") && noise_given) {
     f.reader().refuse("noise_degC", "repeats `temperature_degC` of [sensors]");
   }
   f.number("noise_degC", ctd.noise_degC, 0, 10);
+  f.number("noise_Spm", ctd.noise_Spm, 0, 1);
   f.number("repeat_fraction", ctd.repeat_fraction, 0, 1);
   f.number("late_s", ctd.late_s, 0, 600);
   f.number("non_monotonic_m", ctd.non_monotonic_m, 0, 100);

@@ -84,6 +84,37 @@ TEST(CampaignTable, OfNoFlightSaysSo) {
   EXPECT_EQ(campaignTable(tablePlan({FaultKind::Power}), result), "no flight was flown\n");
 }
 
+/// Flights of a mission are every second one; those of boards are not watched.
+TEST(RequirementCounts, AreOfTheFlightsOfTheMissionInThisProcess) {
+  CampaignPlan plan = tablePlan({FaultKind::Power});
+  plan.missions.resize(2);
+  plan.missions[0].requirements = {"require exit within 1 h", "require always depth < 9 m"};
+  plan.missions[0].assumptions_from = 1;
+  plan.missions[1].file = "n.mission";
+  plan.missions[1].requirements = {"require always depth < 5 m"};
+  plan.missions[1].assumptions_from = 1;
+  CampaignResult result;
+  result.verdicts = {kExited, kExited, kBroken, kBroken, std::nullopt, kBroken, kBroken};
+  result.verdicts[2]->requirements = {1};
+  result.verdicts[3]->requirements = {0};
+  result.verdicts[5]->requirements = {0};
+  result.verdicts[6]->requirements = {0, 1};
+  EXPECT_EQ(requirementLines(plan, result),
+            "\nrequirements and assumptions, with these faults\n"
+            "m.mission: `require exit within 1 h`: violated in 1 of 3 flights, first in flight 6\n"
+            "m.mission: `require always depth < 9 m`: broken in 2 of 3 flights, first in flight "
+            "2\n"
+            "n.mission: `require always depth < 5 m`: violated in 2 of 3 flights, first in flight "
+            "3\n");
+  plan.boards = {"ts7800"};
+  plan.board_percent = 100;
+  for (const RequirementCount& count : requirementCounts(plan, result)) {
+    EXPECT_EQ(count.flights, 0U);
+    EXPECT_EQ(count.violated, 0U);
+    EXPECT_FALSE(count.first);
+  }
+}
+
 TEST(CampaignTable, HasARowForEachBoard) {
   CampaignPlan plan = tablePlan({FaultKind::Power});
   plan.boards = {"ts5500", "ts7800"};

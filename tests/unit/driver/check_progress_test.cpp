@@ -26,14 +26,14 @@ using testing::StartsWith;
 
 /// What is written to standard error while that is a terminal of so many columns; 0: unknown width.
 std::string toldOn(unsigned short columns, const std::string& work,
-                   const std::function<void(CheckProgress&)>& then = {}) {
+                   const std::function<void(CheckProgress&)>& then = {}, double limit_s = 0) {
   int master = -1, slave = -1;
   const winsize size = {24, columns, 0, 0};
   EXPECT_EQ(::openpty(&master, &slave, nullptr, nullptr, &size), 0);
   const int usual = ::dup(STDERR_FILENO);
   ::dup2(slave, STDERR_FILENO);
   {
-    CheckProgress progress("survey.mission");
+    CheckProgress progress("survey.mission", limit_s);
     progress.at(work);
     std::this_thread::sleep_for(std::chrono::milliseconds(1150));
     if (then) {
@@ -58,6 +58,12 @@ TEST(CheckProgress, IsAsLongAsThereIsRoomAndGoneAtTheEnd) {
   const std::string told = toldOn(200, "proving 1 of 2:\nexit");
   EXPECT_THAT(told, StartsWith(kBegin + "survey.mission: proving 1 of 2: exit, 1 s" + kBegin));
   EXPECT_THAT(told, EndsWith(kBegin));
+}
+
+TEST(CheckProgress, SaysHowLongProofsMayTake) {
+  const std::string told = toldOn(200, "proving 1 of 2: exit", {}, 120);
+  EXPECT_THAT(told, HasSubstr(kBegin + "survey.mission: proving 1 of 2: exit, 1 s (proofs: at most "
+                                       "120 s)"));
 }
 
 TEST(CheckProgress, IsRemovedForWhatElseIsPrinted) {

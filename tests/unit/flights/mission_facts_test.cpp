@@ -125,6 +125,17 @@ TEST(LoggedValues, AreColumnsWithUnits) {
   EXPECT_EQ(trace.facts.logged[1].value, "chlorophyll");
 }
 
+TEST(LoggedValues, AreShownRoundedWithTheirUnits) {
+  support::Trace trace = noted({"bloom, at 11.7794151306 2.61221814156 -0.5",
+                                "bloom, at unknown 123456.789 0", "another 1.23456789012"});
+  addLoggedValues(compiled(), trace);
+  EXPECT_EQ(shownTextOf(trace.events[0]), "bloom, at 11.779 m, 2.6122 ug/L, -28.6 deg");
+  EXPECT_EQ(shownTextOf(trace.events[1]), "bloom, at unknown, 123457 ug/L, 0.0 deg");
+  EXPECT_EQ(shownTextOf(trace.events[2]), "another 1.23456789012") << "not of this mission";
+  EXPECT_EQ(textOf(trace.events[0]), "bloom, at 11.7794151306 2.61221814156 -0.5")
+      << "events.csv keeps all digits";
+}
+
 TEST(LoggedValues, WhatIsUnknownOrCutOffIsNoValue) {
   support::Trace trace = noted({"bloom, at unknown 2.5 0.1", "bloom, at 1 2"});
   addLoggedValues(compiled(), trace);

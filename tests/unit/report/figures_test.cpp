@@ -44,6 +44,17 @@ TEST(Figures, EnergyIsRelatedToThePack) {
   EXPECT_DOUBLE_EQ(energy.days_left, 45) << "10 Wh in half a day";
 }
 
+TEST(Figures, TheRateIsThatOfTheTimeInWhichTheEnergyIsKnown) {
+  auto trace = smallTrace({{"time", "s"}, {"energy", "Wh"}},
+                          {{0, kUnknown}, {43200, 0}, {64800, 4}, {86400, 10}});
+  trace.battery = {1000, 90};
+  const EnergyFigures energy = flightFigures(trace).energy;
+  EXPECT_DOUBLE_EQ(energy.known_s, 43200);
+  EXPECT_DOUBLE_EQ(energy.days_left, 45);
+  trace.log = support::VehicleLog{"comet", 0, "", {}, {{64800, 86400}}};
+  EXPECT_DOUBLE_EQ(flightFigures(trace).energy.known_s, 21600) << "not in a gap";
+}
+
 TEST(Figures, TheTracksAreApartWhereTheyAreFarthest) {
   const auto trace = smallTrace(
       {{"time", "s"}, {"true_x", "m"}, {"true_y", "m"}, {"m_x_lmc", "m"}, {"m_y_lmc", "m"}},

@@ -57,6 +57,37 @@ other events
 )");
 }
 
+TEST(Summary, ShowsHowLongTheEnergyLasts) {
+  auto flown = [](double used_Wh, double to_go_Wh) {
+    auto trace = smallTrace({{"time", "s"}, {"energy", "Wh"}}, {{0, 0}, {3600, used_Wh}});
+    trace.battery = {1000, 1000 - to_go_Wh - used_Wh};
+    return summarize(trace);
+  };
+  EXPECT_NE(flown(5, 19.5).find("5.0 Wh used, 0.50 % of the pack; 19.5 Wh to go (1.95 %), 3.9 h at "
+                                "this rate\n"),
+            std::string::npos)
+      << flown(5, 19.5);
+  EXPECT_NE(flown(5, 500).find(" to go (50.0 %), 4.2 days at this rate\n"), std::string::npos);
+  EXPECT_NE(flown(1, 500).find(", 21 days at this rate\n"), std::string::npos);
+}
+
+TEST(Summary, SaysInWhichTimeTheEnergyIsKnown) {
+  const auto trace = smallTrace({{"time", "s"}, {"energy", "Wh"}},
+                                {{0, kUnknown}, {3600, kUnknown}, {5400, 0}, {7200, 7.7}});
+  EXPECT_NE(summarize(trace).find("7.7 Wh used in 30:00 of the flight, not known for the rest\n"),
+            std::string::npos)
+      << summarize(trace);
+}
+
+TEST(Summary, ShowsAnEventInItsTextForPeople) {
+  support::Trace trace = smallTrace({{"time", "s"}}, {{0}, {4}});
+  trace.events = {unlistedEvent(1, 1, "log", "bloom at 11.7794151306", "")};
+  trace.events[0].shown = "bloom at 11.779 m";
+  const std::string text = summarize(trace);
+  EXPECT_NE(text.find("bloom at 11.779 m\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("7794151306"), std::string::npos);
+}
+
 TEST(Summary, OfNothingIsAWordAboutIt) {
   EXPECT_EQ(summarize({}), "flight, seed 0\n  nothing was recorded\n");
 }

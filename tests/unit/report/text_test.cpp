@@ -36,6 +36,24 @@ TEST(Text, WrapsAtSpacesAndInsideLongWords) {
       << "never breaks before a first word";
 }
 
+TEST(Text, APositionIsNotBrokenOverLines) {
+  EXPECT_EQ(wrapped("far (lat 39 10.498 N, lon 73 49.821 W)", 20, 2),
+            "far (lat\n  39 10.498 N, lon\n  73 49.821 W)\n");
+  for (size_t columns = 28; columns < 60; ++columns) {
+    for (const std::string position :
+         {"39 10.5 N 73 49.8 W", "39.175 N 73.83 W", "3910.5 N 7349.8 W", "10.5 S 7 0.25 E",
+          "73 49.8 W", "0 0 N"}) {
+      const std::string text =
+          wrapped("steers to the waypoint " + position + ", 5 N of it", columns, 2);
+      EXPECT_NE(text.find(position), std::string::npos) << columns << ": " << text;
+    }
+  }
+  EXPECT_EQ(wrapped("one 12 34 two", 8, 2), "one 12\n  34 two\n")
+      << "two numbers are not a position";
+  EXPECT_EQ(wrapped("39 10.5 N 73 49.8 W", 8, 2), "39 10.5 \n  N 73 4\n  9.8 W\n")
+      << "no line is too long";
+}
+
 TEST(Text, ClockShowsHoursOnlyWhenThereAreSome) {
   EXPECT_EQ(clockText(0), "0:00");
   EXPECT_EQ(clockText(59.6), "1:00");

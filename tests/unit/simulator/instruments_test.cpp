@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "runtime/abi/glider_abi.h"
 #include "simulator/sensors/provided.h"
 #include "simulator/sensors/sensor_list.h"
 #include "simulator/simulator.h"
@@ -79,7 +80,7 @@ TEST(Optode, FollowsTheThermocline) {
 
 TEST(Ctd, GivesNothingForAReadingThatItLoses) {
   const Ocean ocean(twoLayers());
-  Ctd broken(1, {.dropout = 1}), good(1, {.noise_degC = 0});
+  Ctd broken(1, {.dropout = 1}), good(1, {.noise_degC = 0, .noise_Spm = 0});
   std::vector<double> readings(3, NAN);
   broken.sample({0, 14, 0, 0, ocean}, readings);
   for (const double reading : readings) {
@@ -87,7 +88,8 @@ TEST(Ctd, GivesNothingForAReadingThatItLoses) {
   }
   good.sample({0, 14, 0, 0, ocean}, readings);
   EXPECT_NEAR(readings[0], 15, 1e-12);
-  EXPECT_EQ(readings[1], 4);
+  EXPECT_NEAR(gliderSalinity(readings[1], readings[0], readings[2] * 1e5), 32.25, 1e-9)
+      << "half way between the layers";
   EXPECT_EQ(readings[2], 1.4);
 }
 

@@ -44,6 +44,19 @@ TEST(Ocean, IsDenserBelowWhereThereIsAPycnocline) {
   EXPECT_LT(ocean.density(16, 0, 0, 260 + 300), ocean.density(16, 0, 0, 0)) << "the wave lowers it";
 }
 
+TEST(Ocean, IsSaltierBelowAsItIsColder) {
+  OceanSettings settings = layeredSettings();
+  settings.surface_salinity = 31;
+  settings.bottom_salinity = 34;
+  const Ocean ocean(settings);
+  for (const double t : {0.0, 560.0}) {  // without a wave and with one
+    for (double z = 0; z < 60; z += 2.5) {
+      const double share = (ocean.temperature(z, 0, 0, t) - 7) / (24 - 7);
+      EXPECT_NEAR(ocean.salinity(z, 0, 0, t), 34 - 3 * share, 1e-9) << z;
+    }
+  }
+}
+
 // Published: UNESCO technical papers in marine science 44 (1983), its check values and formula for
 // a salinity of 35. TEOS-10 differs by 0.004 kg/m3 from it.
 TEST(Ocean, IsCompressedByTheWaterAbove) {
@@ -165,8 +178,23 @@ TEST(Ocean, HasAFrontAcrossItsBearing) {
   EXPECT_NEAR(ocean.temperature(14, 700, 900, 0), 12.5, 1e-9) << "half the step on the front";
   EXPECT_NEAR(ocean.temperature(14, 780, 0, 0), 15.5 - 3 * (1 + std::tanh(1)), 1e-9);
   EXPECT_NEAR(ocean.temperature(60, 2000, 0, 0), 1, 1e-3);
+  EXPECT_EQ(ocean.salinity(14, 2000, 0, 0), ocean.salinity(14, 0, 0, 0));
   const double z = ocean.isothermDepth(12, 700, 0, 0);
   EXPECT_NEAR(ocean.temperature(z, 700, 0, 0), 12, 1e-9);
+}
+
+TEST(Ocean, IsSaltierBeyondAFrontOfSalt) {
+  OceanSettings settings = layeredSettings();
+  settings.front = {
+      .x = 700, .y = 0, .bearing_rad = std::numbers::pi / 2, .width_m = 80, .step_salinity = 1.5};
+  const Ocean ocean(settings);
+  const double here = ocean.salinity(30, 0, 0, 0);
+  EXPECT_NEAR(ocean.salinity(30, 700, 900, 0), here + 0.75, 1e-6);
+  EXPECT_NEAR(ocean.salinity(30, 2000, 0, 0), here + 1.5, 1e-6);
+  EXPECT_EQ(ocean.temperature(30, 2000, 0, 0), ocean.temperature(30, 0, 0, 0));
+  settings.front.step_salinity = -20;
+  settings.surface_salinity = settings.bottom_salinity = 5;
+  EXPECT_EQ(Ocean(settings).salinity(30, 2000, 0, 0), 0) << "fresh, not less";
 }
 
 TEST(Ocean, CurrentIsStraightBetweenSurfaceAndBottom) {

@@ -94,8 +94,9 @@ TEST_F(ScenarioFile, ReadsTheOceansTables) {
                  "[ocean]\nbottom_slope_m_per_km = 8\nbottom_slope_bearing_deg = 90\n"
                  "current_east_mps = 0.1\nbottom_current_north_mps = 0.2\n"
                  "surface_oxygen_uM = 260\nbottom_oxygen_uM = 170\n"
+                 "surface_salinity = 30.5\nbottom_salinity = 34\n"
                  "[ocean.front]\nlatitude_deg = 39\nlongitude_deg = -72.99\nbearing_deg = 90\n"
-                 "step_degC = -6\n"
+                 "step_degC = -6\nstep_salinity = -1.5\n"
                  "[[ocean.patch]]\nlatitude_deg = 39.01\nlongitude_deg = -73\nradius_m = 300\n"
                  "depth_m = 12\nthickness_m = 5\npeak_ugpl = 8\n"
                  "[[ocean.seamount]]\nlatitude_deg = 39\nlongitude_deg = -73.01\n"
@@ -110,6 +111,9 @@ TEST_F(ScenarioFile, ReadsTheOceansTables) {
   // At 39 N on the ellipsoid a degree of longitude has 86 627 m, one of latitude 111 015 m.
   EXPECT_NEAR(o.front.x, 866.3, 0.1);
   EXPECT_EQ(o.front.step_degC, -6);
+  EXPECT_EQ(o.front.step_salinity, -1.5);
+  EXPECT_EQ(o.surface_salinity, 30.5);
+  EXPECT_EQ(o.bottom_salinity, 34);
   const FluorometerSettings& fluorometer = scenario_.sensors.fluorometer;
   ASSERT_EQ(fluorometer.patches.size(), 1U);
   EXPECT_NEAR(fluorometer.patches[0].y, 1110.1, 0.2);
@@ -120,18 +124,20 @@ TEST_F(ScenarioFile, ReadsTheOceansTables) {
 }
 
 TEST_F(ScenarioFile, ReadsTheBatteryAndTheSensorsTables) {
-  ASSERT_EQ(load(kHead + kStart +
-                 "[vehicle.battery]\ncapacity_kJ = 400\nstart_V = 11\nsbc_W = 3.42\n"
-                 "[sensors.ctd]\nnoise_degC = 0.2\nrepeat_fraction = 0.1\nlate_s = 2\n"
-                 "non_monotonic_m = 0.7\nstale_climb = true\nstale_climb_count = 1\n"
-                 "[sensors.altimeter]\nrange_m = 40\ndropout = 0.1\n"),
-            "");
+  ASSERT_EQ(
+      load(kHead + kStart +
+           "[vehicle.battery]\ncapacity_kJ = 400\nstart_V = 11\nsbc_W = 3.42\n"
+           "[sensors.ctd]\nnoise_degC = 0.2\nnoise_Spm = 0.001\nrepeat_fraction = 0.1\nlate_s = 2\n"
+           "non_monotonic_m = 0.7\nstale_climb = true\nstale_climb_count = 1\n"
+           "[sensors.altimeter]\nrange_m = 40\ndropout = 0.1\n"),
+      "");
   EXPECT_EQ(scenario_.vehicle.battery.capacity_j, 4e5);
   EXPECT_EQ(scenario_.vehicle.battery.start_V, 11);
   EXPECT_EQ(scenario_.vehicle.battery.full_V, 14.4);
   EXPECT_EQ(scenario_.vehicle.battery.sbc_W, 3.42);
   const CtdSettings& ctd = scenario_.sensors.ctd;
   EXPECT_EQ(ctd.noise_degC, 0.2);
+  EXPECT_EQ(ctd.noise_Spm, 0.001);
   EXPECT_EQ(ctd.repeat_fraction, 0.1);
   EXPECT_EQ(ctd.late_s, 2);
   EXPECT_EQ(ctd.non_monotonic_m, 0.7);
@@ -152,6 +158,10 @@ TEST_F(ScenarioFile, RefusesWrongTablesWithTheirLine) {
       {"[ocean]\nbottom_slope_m_per_km = 8\n", "needs `bottom_slope_bearing_deg`"},
       {"[ocean]\nbottom_slope_bearing_deg = 361\nbottom_slope_m_per_km = 8\n", ":9:"},
       {"[ocean]\nsurface_oxygen_uM = 200\n", "needs `bottom_oxygen_uM`"},
+      {"[ocean]\nbottom_salinity = 35\n", "needs `surface_salinity`"},
+      {"[ocean]\nsurface_salinity = 43\nbottom_salinity = 35\n", ":9:"},
+      {"[ocean]\nsurface_salinity = 31\nbottom_salinity = 35\nconductivity_Spm = 4\n",
+       "has no effect with `conductivity_Spm`"},
       {"[ocean]\nchlorophyll_ugpl = -1\n", ":9:"},
       {"[ocean]\nbottom_current_east_mps = 5\n", ":9:"},
       {"[ocean]\nfront = 5\n", "`front` of [ocean] must be a table"},

@@ -124,9 +124,12 @@ void dropDuplicates(LogFiles& logs) {
       std::swap(loser, entry->second);
     }
     dropped[loser] = true;
-    logs.skipped.push_back(fmt::format("`{}` is left out: `{}` has the same segment",
-                                       logs.files[loser].path.string(),
-                                       logs.files[entry->second].path.string()));
+    const fs::path &left_out = logs.files[loser].path, &kept = logs.files[entry->second].path;
+    std::error_code ignored;
+    logs.skipped.push_back(fs::equivalent(left_out, kept, ignored)
+                               ? fmt::format("`{}` is given twice", left_out.string())
+                               : fmt::format("`{}` is left out: `{}` has the same segment",
+                                             left_out.string(), kept.string()));
   }
   size_t index = 0;
   std::erase_if(logs.files, [&](const LogFile&) { return dropped[index++]; });

@@ -185,8 +185,9 @@ class ModeSearch {
     }
   }
 
-  /// The first case of a mode that is certainly true when the timer says so. (A case before it that
-  /// stays in the mode is a way of its own, and one that may be taken again and again.)
+  /// The first case of a mode that is certainly true some time after the timer was set. (A case
+  /// before it that stays in the mode is a way of its own, and one that may be taken again and
+  /// again.)
   [[nodiscard]] TimedCase timedIn(const Mode& mode) const {
     const auto certain = [&](ExprId id) { return ways_.modes().judge(id, mode) == Truth::True; };
     for (size_t i = 0; i < profile_.cases.size(); ++i) {

@@ -48,16 +48,13 @@ double TimerGuards::onlyAfter(ExprId guard, VariableId since) const {
 }
 
 TimerGuards::Apart TimerGuards::compared(const Expr& e, VariableId since) const {
-  switch (e.op) {
-    case Op::Greater:
-    case Op::GreaterEqual:
-      return apart(e.operands[0], e.operands[1], since);
-    case Op::Less:
-    case Op::LessEqual:
-      return apart(e.operands[1], e.operands[0], since);
-    default:
-      return {0, kNotBounded};
+  if (e.op == Op::Greater || e.op == Op::GreaterEqual) {
+    return apart(e.operands[0], e.operands[1], since);
   }
+  if (e.op == Op::Less || e.op == Op::LessEqual) {
+    return apart(e.operands[1], e.operands[0], since);
+  }
+  return {0, kNotBounded};
 }
 
 TimerGuards::Apart TimerGuards::apart(ExprId more, ExprId less, VariableId since) const {

@@ -420,7 +420,7 @@ TEST(ProfileSurfacing, IsNotBoundedWhereItNeedNotSurface) {
                                 "set \"a.profile.q\" false end stay case (and " + warm + " (not " +
                                 q + ")) do " + set_d + "set \"a.profile.q\" true end stay "}
            .isBounded()))
-      << "it is set by going to and fro between two modes";
+      << "it is set by going back and forth between two modes";
   EXPECT_FALSE((SurfacingProfile{.wait = "100:time"}.isBounded()))
       << "it leaves the climb too early";
   EXPECT_FALSE(

@@ -50,16 +50,15 @@ end
 )";
 
 /// Flies it with a mission file whose first `surface` has these lines.
-Flight flyWith(const std::string& first, const std::string& mission = kSurfacing,
-               const std::string& faults = "") {
+Flight flyWith(const std::string& first, const std::string& faults = "", int overtime = 43200) {
   const TemporaryFolder folder;
   (void)folder.write("skeleton.mi",
-                     "behavior: abend\n" + argument("overtime", 43200) + argument("overdepth", 70) +
-                         surface(first) +
+                     "behavior: abend\n" + argument("overtime", overtime) +
+                         argument("overdepth", 70) + surface(first) +
                          surface(argument("start_when", 1) + argument("end_action", 2)) +
                          "\nbehavior: hookbeh\n    b_arg: max_depth(m) 60\n");
   const auto scenario = folder.write("s.toml", slurp(project("scenarios/default.toml")) + faults);
-  return fly(folder.write("m.mission", mission).string() + " --scenario " + scenario.string());
+  return fly(folder.write("m.mission", kSurfacing).string() + " --scenario " + scenario.string());
 }
 
 /// The times of the vehicle at which an event with this text happens.
@@ -132,9 +131,33 @@ TEST(Surfacing, OfTheVehicleIsAContact) {
   EXPECT_LT(calls[1] - calls[0], 4000);
 }
 
+/// Rule 4.
+TEST(Surfacing, AfterAnAbortTheMissionGetsNoControl) {
+  const Flight flight = flyWith(kNoContact + argument("end_action", 2), "", 4000);
+  EXPECT_THAT(flight.outcome.err, HasSubstr("OVERTIME"));
+  for (const Event& event : flight.events) {
+    if (event.time_s > 4004) {
+      EXPECT_EQ(event.what.find("takes control"), std::string::npos) << event.time_s;
+    }
+  }
+  EXPECT_EQ(flight.valueAt("hook_active", 4100), 0);
+  EXPECT_LT(flight.column("true_depth").back(), 0.5);
+}
+
+/// Rule 14: a case with `statetime` fires while the vehicle waits at the surface.
+TEST(Surfacing, TheClocksOfTheMissionGoOn) {
+  const Flight flight = flyWith(argument("start_when", 12) + argument("when_secs", 1500) +
+                                argument("end_action", 1) + argument("keystroke_wait_time", 3000));
+  const auto up = flight.transitions();
+  ASSERT_FALSE(up.empty());
+  EXPECT_EQ(up[0].what, "dive → up (call)");
+  EXPECT_NEAR(up[0].mission_time_s, 2404, 4) << "40 min after the start";
+  EXPECT_LT(flight.valueAt("true_depth", up[0].time_s), 0.5) << "it waits for a key meanwhile";
+}
+
 /// Rule 3.
 TEST(Surfacing, FollowsTheSilenceOfTheSbc) {
-  const Flight flight = flyWith(kNoContact + argument("end_action", 2), kSurfacing, R"(
+  const Flight flight = flyWith(kNoContact + argument("end_action", 2), R"(
 [[faults.power]]
 from_s = 1000
 to_s = 20000

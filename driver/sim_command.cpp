@@ -212,15 +212,17 @@ support::Result<simulator::Scenario> scenarioFor(const SimOptions& options,
   if (!scenario) {
     return scenario;
   }
-  if (options.duration_s) {
-    const std::string note = flights::setDuration(*scenario, platform, *options.duration_s);
-    tell(note.empty() ? "" : "glidercc: note: " + note + "\n");
-  }
-  if (isVehiclesOwn(options)) {
-    auto own = flights::flyVehiclesOwn(options.mission, platform, *scenario, reportDiagnostics);
+  const std::string& own_file = isVehiclesOwn(options) ? options.mission : options.mi;
+  if (!own_file.empty()) {
+    auto own = flights::flyVehiclesOwn(own_file, platform, *scenario, reportDiagnostics);
     if (!own) {
       return std::unexpected(own.error());
     }
+    scenario->skeleton_path = own_file;
+  }
+  if (options.duration_s) {
+    const std::string note = flights::setDuration(*scenario, platform, *options.duration_s);
+    tell(note.empty() ? "" : "glidercc: note: " + note + "\n");
   }
   return scenario;
 }
@@ -229,8 +231,8 @@ support::Result<simulator::Scenario> scenarioFor(const SimOptions& options,
 support::Result<void> checkOutputs(const SimOptions& options) {
   const std::vector<std::string> outputs = {options.picture, options.kml, options.geojson,
                                             options.netcdf};
-  if (const auto input =
-          overwrittenInput({options.mission, options.scenario, options.launch.file}, outputs)) {
+  if (const auto input = overwrittenInput(
+          {options.mission, options.scenario, options.mi, options.launch.file}, outputs)) {
     return support::fail(support::diagnostics::outputIsInput, *input);
   }
   std::set<std::filesystem::path> seen;
@@ -328,16 +330,26 @@ void addExportOptions(CLI::App& command, SimOptions& options) {
       ->excludes("--replay");
 }
 
-void addOptions(CLI::App& command, SimOptions& options) {
-  auto* mission =
-      command.add_option("MISSION", options.mission,
-                         "The mission file, or a mission of the vehicle's own (FILE.mi), "
-                         "which flies without an SBC");
+/// The sea, and the mission file of the vehicle.
+void addWorldOptions(CLI::App& command, SimOptions& options) {
   command
       .add_option("--scenario", options.scenario,
                   "Scenario to fly in: a .toml file, or the name of a bundled one")
       ->type_name("SCENARIO")
       ->capture_default_str();
+  command
+      .add_option(
+          "--mi", options.mi,
+          "The vehicle's mission file (.mi) with hookbeh, as in `check --mi` [the scenario's]")
+      ->option_text("FILE.mi");
+}
+
+void addOptions(CLI::App& command, SimOptions& options) {
+  auto* mission =
+      command.add_option("MISSION", options.mission,
+                         "The mission file, or a mission of the vehicle's own (FILE.mi), "
+                         "which flies without an SBC");
+  addWorldOptions(command, options);
   auto* board = command
                     .add_option("--board", options.board,
                                 "Run the binary for this target, as listed by `glidercc targets`, "
@@ -376,6 +388,7 @@ void addOptions(CLI::App& command, SimOptions& options) {
                   "Fly a counterexample written by `glidercc check --traces` instead of a scenario")
       ->option_text("TRACE")
       ->excludes("--scenario")
+      ->excludes("--mi")
       ->excludes("--seed")
       ->excludes("--kill-sbc-at")
       ->excludes("--duration")
@@ -401,6 +414,9 @@ void addSimCommand(CLI::App& app, int& status) {
     if (options->mission.empty() && options->program.empty() && options->serial.empty() &&
         !options->without_sbc) {
       throw CLI::RequiredError("MISSION (or --sbc PROGRAM, --serial DEVICE, or --no-sbc)");
+    }
+    if (isVehiclesOwn(*options) && !options->mi.empty()) {
+      throw CLI::ExcludesError("MISSION of the vehicle's own", "--mi");
     }
     status =
         inFormat(options->json, "sim", [&](Json* document) { return sim(*options, document); });

@@ -24,6 +24,7 @@ struct SimOptions {
   bool json = false;  ///< --format json
   std::string mission;
   std::string scenario = "default";
+  std::string mi;  ///< the vehicle's mission file; empty: the scenario's
   std::string platform{platforms::kDefaultPlatform};  ///< used if no mission names one
   std::string board;
   std::string program;

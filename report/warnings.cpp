@@ -263,8 +263,9 @@ std::vector<std::string> flightWarnings(const Trace& trace) {
         "as `declination -12 deg` to the mission (GL2162)");
   }
   if (wasCutShort(trace)) {
-    warnings.push_back(fmt::format("the mission had not ended when the simulated time was up{}",
-                                   neverVisited(trace)));
+    warnings.push_back(
+        "the mission had not ended when the simulated time was up (`--duration` flies longer)" +
+        neverVisited(trace));
   }
   return warnings;
 }

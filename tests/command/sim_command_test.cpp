@@ -409,5 +409,67 @@ TEST_F(Sim, NoOutputOverwritesAnInputOrAnother) {
   EXPECT_THAT(twice.err, HasSubstr("two outputs have this name"));
 }
 
+/// A mission that the scenario's mission file of the vehicle refuses, and the pilot's own allows.
+class SimWithOwnFile : public testing::Test {
+ protected:
+  SimWithOwnFile() {
+    (void)folder_.write("deep.mission", R"(mission deep
+state fly
+begin
+  flightprofile yo(5 m, 65 m, 26 deg, 26 deg)
+  sensors       missiontime, depth
+  events
+    case missiontime > 30 min exit
+end
+)");
+    (void)folder_.write("ours.mi", R"(behavior: abend
+    b_arg: overdepth(m)     75
+    b_arg: overtime(s)    3600
+behavior: surface
+    b_arg: start_when(enum)  1
+    b_arg: end_action(enum)  2
+    b_arg: gps_wait_time(s)  0
+behavior: hookbeh
+    b_arg: max_depth(m)     72
+)");
+  }
+  [[nodiscard]] Outcome sim(const std::string& options) const {
+    return runShell("cd " + folder_.path().string() + " && $GLIDERCC sim " + options);
+  }
+  const TemporaryFolder folder_;
+};
+
+TEST_F(SimWithOwnFile, FliesWithItsLimits) {
+  const Outcome bundled = sim("deep.mission");
+  EXPECT_EQ(bundled.status, 1);
+  EXPECT_THAT(bundled.err, testing::HasSubstr("`--mi FILE.mi` flies with yours"));
+  const Outcome own = sim("deep.mission --mi ours.mi");
+  EXPECT_EQ(own.status, 0) << own.err;
+  EXPECT_EQ(own.err, "");
+  EXPECT_THAT(own.out, testing::HasSubstr("fly → end (exit)"));
+}
+
+/// Its overtime is not raised for --duration, as that of a bundled file is.
+TEST_F(SimWithOwnFile, ItsOvertimeIsTheVehicles) {
+  (void)folder_.write("long.mission", R"(mission long
+state fly
+begin
+  flightprofile yo(5 m, 20 m, 26 deg, 26 deg)
+  sensors       missiontime, depth
+  events
+    case missiontime > 9 h exit
+end
+)");
+  const Outcome own = sim("long.mission --mi ours.mi --duration 10h");
+  EXPECT_THAT(own.err, testing::Not(testing::HasSubstr("overtime of the bundled")));
+  EXPECT_THAT(own.out, testing::HasSubstr("OVERTIME"));
+}
+
+TEST_F(SimWithOwnFile, IsRefusedWhereItCannotBeUsed) {
+  EXPECT_EQ(sim("ours.mi --mi ours.mi").status, 2);
+  EXPECT_EQ(sim("deep.mission --mi none.mi").status, 2);
+  EXPECT_EQ(sim("deep.mission --mi ours.mi --picture ours.mi").status, 2);
+}
+
 }  // namespace
 }  // namespace glider::tests

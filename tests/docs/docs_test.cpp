@@ -39,6 +39,9 @@ TEST(Documents, EveryMissionDoesWhatTheTextSays) {
   for (const Example& example : examples) {
     const TemporaryFolder folder;
     const auto path = folder.write("example.mission", example.text);
+    for (const auto& [name, text] : example.files) {
+      (void)folder.write(name, text);
+    }
     const Outcome outcome = runShell("$GLIDERCC check " + path.string());
     const std::string place =
         example.file + ":" + std::to_string(example.line) + "\n" + outcome.err;

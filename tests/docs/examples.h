@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Example {
   int line = 0;
   std::string expected;  ///< "" or an id
   std::string text;
+  std::map<std::string, std::string> files;  ///< the blocks ```mi NAME of the document
 };
 
 /// The examples of a Markdown file, in order.

@@ -33,11 +33,11 @@ const GalleryFlight kFlights[] = {
     {"isotherms", "default", "sample → end (exit)"},
     {"low_battery", "low_battery", "survey → give_back (goto, always case 1)"},
     {"surface_on_event", "default", "strong layer"},
-    {"survey_box", "default", "leg, metres to go 5"},
+    {"survey_box", "default", "leg, metres to go 4"},
     {"thermocline", "figure5", "the mission has ended normally"},
-    {"virtual_mooring", "default", "back → keep (return)"},
+    {"virtual_mooring", "default", "keep → end (exit)"},
     {"water_column", "default", "stop → up (goto)"},
-    {"way_points", "default", "waypoint reached 3"},
+    {"way_points", "default", "sail → end (exit)  routedone"},
 };
 
 std::string pathOf(const std::string& mission) {

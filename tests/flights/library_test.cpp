@@ -159,5 +159,81 @@ end
   }
 }
 
+/// Its depth is missing for a while as it comes up: it is not taken to have arrived.
+TEST(Library, AYoThatSurfacesGoesOnUpWhenItsDepthComesBack) {
+  const TemporaryFolder folder;
+  const auto scenario = folder.write("lost.toml", slurp(project("scenarios/default.toml")) + R"(
+[[faults.sensor]]
+sensor = "m_depth"
+from_s = 1510
+to_s = 1610
+missing = true
+)");
+  runShell("cp " + project("scenarios/skeleton.mi") + " " + folder.path().string());
+  const auto mission = folder.write("m.mission", R"(mission surfacing
+state look
+begin
+  flightprofile yo_and_surface(5 m, 50 m, 26 deg, 26 deg, period = 25 min, pause = 1 min)
+  sensors       missiontime, depth
+  events
+    case missiontime > 45 min exit
+end
+)");
+  const Flight flight = fly(mission.string() + " --scenario " + scenario.string());
+  const auto depth = flight.column("true_depth"), time = flight.column("time");
+  const auto commanded = flight.column("hook_depth");
+  size_t i = 0;
+  while (i < depth.size() && time[i] < 1520) {
+    ++i;
+  }
+  EXPECT_GT(depth[i], 30) << "it is deep when its depth goes missing";
+  for (; i < depth.size() && depth[i] >= 1; ++i) {
+    EXPECT_EQ(commanded[i], 0) << time[i];
+  }
+  EXPECT_LT(time[i], 1750) << "it surfaced";
+}
+
+/// At the surface its depth reads 0.5 m to 2.9 m, as in waves: it dives again after its pause.
+TEST(Library, AYoThatSurfacesLeavesInWaves) {
+  const TemporaryFolder folder;
+  const auto scenario = folder.write("waves.toml", slurp(project("scenarios/default.toml")) + R"(
+[[faults.sensor]]
+sensor = "m_depth"
+from_s = 900
+to_s = 20000
+offset = 1.7
+[[faults.sensor]]
+sensor = "m_depth"
+from_s = 900
+to_s = 20000
+sways = 1.2
+period_s = 40
+)");
+  runShell("cp " + project("scenarios/skeleton.mi") + " " + folder.path().string());
+  const auto mission = folder.write("m.mission", R"(mission waves
+state look
+begin
+  flightprofile yo_and_surface(5 m, 30 m, 26 deg, 26 deg, period = 20 min, pause = 3 min)
+  sensors       missiontime, depth
+  events
+    case missiontime > 1 h exit
+end
+)");
+  const Flight flight = fly(mission.string() + " --scenario " + scenario.string());
+  const auto depth = flight.column("true_depth"), time = flight.column("time");
+  size_t i = 0;
+  while (i < depth.size() && (time[i] < 1210 || depth[i] > 0.3)) {
+    ++i;
+  }
+  ASSERT_LT(i, depth.size());
+  const double arrived = time[i];
+  while (i < depth.size() && depth[i] < 10) {
+    ++i;
+  }
+  ASSERT_LT(i, depth.size()) << "it never dived again";
+  EXPECT_GT(time[i] - arrived, 180);
+  EXPECT_LT(time[i] - arrived, 180 + 240);
+}
+
 }  // namespace
 }  // namespace glider::tests

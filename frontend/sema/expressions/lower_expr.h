@@ -29,6 +29,8 @@ struct SensorRead {
   const platforms::PlatformSensor* sensor;
   std::string written;
   support::SourceRange range;
+  bool implied =
+      false;  ///< by a word with a meaning, such as `diving`: the mission does not name it
 };
 
 /// Checks the types of expressions and lowers them to IR. An error is reported once; the result is

@@ -50,6 +50,7 @@ ExprLowering::Result ExprLowering::meantValue(const std::string& name,
 ExprLowering::Result ExprLowering::inState(const SensorState& state,
                                            const support::SourceRange& range) {
   const Value value = *sensor(*state.sensor, state.sensor->name, range);
+  reads_.back().implied = true;
   return emit(ir::Op::Equal, boolean(), range,
               {value.id, emitNumber(state.value, value.type, range).id});
 }
@@ -61,7 +62,9 @@ ExprLowering::Result ExprLowering::utc(const support::SourceRange& range) {
                   "the vehicle reports no time of the calendar");
     return std::nullopt;
   }
-  return sensor(*clock, clock->name, range);
+  const Result time = sensor(*clock, clock->name, range);
+  reads_.back().implied = true;
+  return time;
 }
 
 /// `became(diving) || became(climbing)`

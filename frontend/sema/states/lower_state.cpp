@@ -257,7 +257,8 @@ void StateLowering::visit(const ast::EventsMember& node, const ast::Member& memb
 void StateLowering::warnOfUnlisted(const std::vector<SensorRead>& reads) {
   const auto list = seen_.find(indexOf<ast::SensorsMember>());
   for (const SensorRead& read : reads) {
-    if (listed_.contains(read.sensor->name) || !warned_.emplace(read.sensor->name, true).second) {
+    if (read.implied || listed_.contains(read.sensor->name) ||
+        !warned_.emplace(read.sensor->name, true).second) {
       continue;
     }
     auto warning = scope_.report(support::diagnostics::unlistedSensor, read.range, state_.name.text,

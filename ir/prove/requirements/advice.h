@@ -16,6 +16,14 @@ namespace glider::ir::prove {
 void noteLateEnd(support::DiagnosticBuilder& diagnostic, double seconds,
                  const ProofContext& proof_context);
 
+/// Why a mission that ends in time while the SBC has power may not be proved to end within
+/// `requirement.seconds`: the bound with power cuts, if it is later than that.
+void notePowerCutsCount(support::DiagnosticBuilder& warning, const Requirement& requirement,
+                        const ProofContext& proof_context);
+
+/// Names variables of the mission that are counted without a limit.
+void noteUnlimitedCounts(support::DiagnosticBuilder& warning, const ProofContext& proof_context);
+
 /// Names, of each state that commands the surface, a case that may lead on under water before the
 /// slowest climb of the environment model is over.
 void noteEarlyLeaves(support::DiagnosticBuilder& diagnostic, const ProofContext& proof_context);

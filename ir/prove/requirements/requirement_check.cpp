@@ -161,6 +161,10 @@ void RequirementCheck::settle(Judged& judged) {
   } else if (requirement.seconds > 0) {
     noteLateEnd(warning, requirement.seconds, proof_context);
   }
+  if (requirement.kind == RequirementKind::ExitWithin) {
+    notePowerCutsCount(warning, requirement, proof_context);
+  }
+  noteUnlimitedCounts(warning, proof_context);
 }
 
 /// A flight that reaches a state does so under any assumptions (but see prove()).

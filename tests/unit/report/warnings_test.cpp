@@ -282,8 +282,8 @@ TEST(Warnings, AMissionThatHadNotEnded) {
   EXPECT_EQ(flightWarnings(trace), Lines{}) << "the layered control flew on";
   trace.events.erase(trace.events.begin());
   EXPECT_EQ(flightWarnings(trace),
-            Lines{"the mission had not ended when the simulated time was up; never visited (the "
-                  "time was too short, or no case led there): s2"});
+            Lines{"the mission had not ended when the simulated time was up (`--duration` flies "
+                  "longer); never visited (the time was too short, or no case led there): s2"});
 }
 
 TEST(Warnings, TheBottomIsReportedWithTheFirstContact) {

@@ -229,7 +229,8 @@ class ControlSearch {
     } else {
       add(Kind::Masks, layer,
           fmt::format("{}, and brings the vehicle to the surface; {}", when, times_.endText()),
-          "let it start later than the mission ends, or move it below hookbeh");
+          "if it is meant, such as a call home, change nothing; otherwise let it start later than "
+          "the mission ends, or move it below hookbeh");
     }
   }
 

@@ -81,9 +81,9 @@ std::string hintFor(const ParameterTable& table, std::string_view problem) {
     }
     runtime::Units units(info.units);
     if (runtime::isOnEarth(info.units)) {
-      hint +=
-          "; positions are degrees with a letter, such as `39.175 N`, or ddmm.mmmm, such as "
-          "`3910.5`";
+      hint += info.units[0] == 'N'
+                  ? "; write it as `39.175 N`, as `39 10.5 N`, or in ddmm.mmmm, such as `3910.5`"
+                  : "; write it as `73.83 W`, as `73 49.8 W`, or in ddmm.mmmm, such as `-7349.8`";
     } else if (units.next() && units.name().is("s")) {
       hint +=
           fmt::format("; a number alone is in seconds: write the unit, as in `{}=8h`", info.name);

@@ -19,14 +19,14 @@ constexpr std::pair<std::string_view, std::string_view> kUnitWords[] = {
     {"nm", "nmi"},       {"feet", "ft"},       {"foot", "ft"},      {"sec", "s"},
     {"secs", "s"},       {"second", "s"},      {"seconds", "s"},    {"mins", "min"},
     {"minute", "min"},   {"minutes", "min"},   {"hr", "h"},         {"hrs", "h"},
-    {"hour", "h"},       {"hours", "h"},       {"d", "day"},        {"days", "day"},
-    {"degree", "deg"},   {"degrees", "deg"},   {"degs", "deg"},     {"radian", "rad"},
-    {"radians", "rad"},  {"c", "degC"},        {"celsius", "degC"}, {"degreec", "degC"},
-    {"degc", "degC"},    {"knot", "kn"},       {"knots", "kn"},     {"kt", "kn"},
-    {"kts", "kn"},       {"bars", "bar"},      {"decibar", "dbar"}, {"db", "dbar"},
-    {"volt", "V"},       {"volts", "V"},       {"v", "V"},          {"amp", "A"},
-    {"amps", "A"},       {"watt", "W"},        {"watts", "W"},      {"w", "W"},
-    {"joule", "J"},      {"joules", "J"},      {"percent", "%"},    {"mps", "m/s"}};
+    {"hour", "h"},       {"hours", "h"},       {"d", "day"},        {"degree", "deg"},
+    {"degrees", "deg"},  {"degs", "deg"},      {"radian", "rad"},   {"radians", "rad"},
+    {"c", "degC"},       {"celsius", "degC"},  {"degreec", "degC"}, {"degc", "degC"},
+    {"knot", "kn"},      {"knots", "kn"},      {"kts", "kn"},       {"bars", "bar"},
+    {"decibar", "dbar"}, {"db", "dbar"},       {"volt", "V"},       {"volts", "V"},
+    {"v", "V"},          {"amp", "A"},         {"amps", "A"},       {"watt", "W"},
+    {"watts", "W"},      {"w", "W"},           {"joule", "J"},      {"joules", "J"},
+    {"percent", "%"},    {"mps", "m/s"}};
 
 constexpr std::string_view kUnits[] = {
 #define UNIT(spelling, dim, to_si) spelling,

@@ -94,9 +94,10 @@ std::string CanonicalText::node(const ir::Expr& e) {
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
 std::string CanonicalText::temporal(const ir::Temporal& temporal) {
-  return fmt::format("{} {} {} {} {}", static_cast<int>(temporal.kind),
+  return fmt::format("{} {} {} {} {} {} {} {}", static_cast<int>(temporal.kind),
                      expression(temporal.operand), expression(temporal.duration), temporal.length,
-                     expression(temporal.along));
+                     expression(temporal.along), static_cast<int>(temporal.leg), temporal.dive,
+                     temporal.climb);
 }
 
 std::string CanonicalText::sensor(ir::SensorId id) const {

@@ -17,7 +17,8 @@ namespace {
 /// "s, min, h or day".
 std::string unitsOfTime() {
   std::string list;
-  const auto units = support::unitsOf(support::dimension::time);
+  auto units = support::unitsOf(support::dimension::time);
+  std::erase_if(units, [](const support::Unit& unit) { return unit.soft; });  // `days` is `day`
   for (size_t i = 0; i < units.size(); ++i) {
     list += i == 0 ? "" : i + 1 == units.size() ? " or " : ", ";
     list += units[i].spelling;

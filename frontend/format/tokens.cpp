@@ -4,6 +4,7 @@
 #include "frontend/format/tokens.h"
 
 #include "frontend/parse/lexeme.h"
+#include "support/units/units.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -104,10 +105,11 @@ class Classifier {
     Token& token = tokens_[i];
     if (token.is(":")) {
       chain_ = Chain::Type;
-    } else if (isUnit(i) && isNumber(last.text)) {
+    } else if (isNumber(last.text) && (isUnit(i) || isSoftUnit(i))) {
       chain_ = Chain::Unit;
     } else if (oneOf(token.text, {"*", "/"})) {
-      token.unit_part = chain_ == Chain::Type || (chain_ == Chain::Unit && unitFollows(i));
+      token.unit_part =
+          chain_ == Chain::Type || (chain_ == Chain::Unit && (unitFollows(i) || isFraction(i - 1)));
       chain_ = token.unit_part ? chain_ : Chain::None;
     } else if (last.unit_part && oneOf(last.text, {"*", "/"})) {
       token.unit_part = true;
@@ -117,6 +119,20 @@ class Classifier {
   }
   [[nodiscard]] bool isUnit(size_t i) const {
     return isAnyName(lexemes_[i].type) && !isName(lexemes_[i].type);
+  }
+  /// `kt`, or the beginning of `ug/L`, right after a number.
+  [[nodiscard]] bool isSoftUnit(size_t i) const {
+    const auto unit = support::findUnit(tokens_[i].text);
+    return (unit && unit->soft) || isFraction(i);
+  }
+  /// Whether tokens i to i + 2 are a unit of one word: `ug/L`.
+  [[nodiscard]] bool isFraction(size_t i) const {
+    if (i + 2 >= tokens_.size() || !tokens_[i + 1].is("/")) {
+      return false;
+    }
+    const auto unit =
+        support::findUnit(std::string(tokens_[i].text) + "/" + std::string(tokens_[i + 2].text));
+    return unit && unit->soft;
   }
   /// Not before `min(`, which is the function.
   [[nodiscard]] bool unitFollows(size_t i) const {

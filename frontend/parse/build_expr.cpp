@@ -12,6 +12,9 @@ namespace {
 
 /// The unit that repair has reported and left as it was written: `20°`, `20 deg C`, `20 °C`.
 std::string meantUnit(const std::string& written) {
+  if (written.ends_with("magnetic")) {
+    return written.substr(0, 3) + " magnetic";  // of `deg` or `rad`, with any space between
+  }
   if (written == "°" || written == "\xB0") {  // the second in Latin-1
     return "deg";
   }
@@ -19,6 +22,16 @@ std::string meantUnit(const std::string& written) {
                        written.find("º") != std::string::npos ||
                        written.find_first_of(" \t") != std::string::npos;
   return degrees ? "degC" : written;
+}
+
+/// `this leg` with one space for anything between the two words; any other name as it is.
+std::string oneSpaced(const std::string& name) {
+  constexpr std::string_view kOfWords =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+  const size_t end = name.find_first_not_of(kOfWords);
+  return end == std::string::npos
+             ? name
+             : name.substr(0, end) + " " + name.substr(name.find_last_not_of(kOfWords) + 1);
 }
 
 ast::BinaryOp binaryOp(size_t token) {
@@ -105,7 +118,7 @@ ast::Expr AstBuilder::primary(Parser::PrimaryContext* rule) {
 /// What begins with a name.
 ast::Expr AstBuilder::named(Parser::PrimaryContext* rule) {
   if (rule->children.size() == 1) {
-    return {ast::NameUse{text(rule)}, where(rule)};
+    return {ast::NameUse{oneSpaced(text(rule))}, where(rule)};
   }
   if (auto* index = dynamic_cast<Parser::IndexContext*>(rule)) {
     return {ast::Index{name(index->name()), expr(index->expr())}, where(rule)};

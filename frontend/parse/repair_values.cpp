@@ -33,7 +33,7 @@ bool isKeywordInCapitals(std::string_view word) {
 /// Whether both are units of time, and the second is smaller: `3 h 30 min` is one duration.
 bool isSmallerTime(std::string_view unit, std::string_view next) {
   constexpr std::array<std::string_view, 4> kTimes = {"day", "h", "min", "s"};
-  const auto* first = std::ranges::find(kTimes, unit);
+  const auto* first = std::ranges::find(kTimes, unit == "days" ? "day" : unit);
   const auto* second = std::ranges::find(kTimes, next);
   return second != kTimes.end() && first < second;
 }
@@ -200,8 +200,9 @@ bool ValueRepair::unknownUnit(const Lexeme& t, const Lexeme& next) {
                    // expected there
   }
   constexpr std::string_view kAll =
-      "units: mm cm m km nmi ft, s min h day, rad deg, degC, m/s cm/s kn, bar dbar, S/m, V A W J "
-      "kJ MJ Ah %";
+      "units: mm cm m km nmi ft, s min h day days, rad deg, degC, m/s cm/s kn kt, bar dbar, S/m, V "
+      "A "
+      "W J kJ MJ Ah %, uM ug/L";
   if (unit == "deg" && t.end - t.begin > unit.size()) {
     // Of an angle or a temperature: analysis knows which, and reports it.
     out_.push_back({GliderLexer::UNIT, t.begin, t.end});

@@ -36,6 +36,7 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
   }
   declare(mission, false, scope);
   declareValues(mission, scope);
+  lowerDeclination(mission, scope);
   declareStates(mission, scope);
   for (auto& [name, behaviour] : scope.behaviours) {
     if (behaviour.body != nullptr) {
@@ -49,7 +50,7 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
   lowerRequirements(mission, scope);
   lowerAssumptions(mission, scope);
   lowerResumption(mission, scope);
-  lowerDeclination(mission, scope);
+  lowerCompass(mission, scope);
   if (diagnostics.hasErrors()) {
     return std::nullopt;
   }

@@ -310,7 +310,11 @@ Range windowRange(TemporalKind kind, const Range& of) {
       return results(of.lowest - slack, of.highest + slack);
     case TemporalKind::Lowest:
     case TemporalKind::Highest:
+    case TemporalKind::AtLowest:
+    case TemporalKind::AtHighest:
       return of;
+    case TemporalKind::Number:
+      return between(0, kLargest);
     case TemporalKind::Spread:
       return results(0, of.highest - of.lowest);
     case TemporalKind::Slope:

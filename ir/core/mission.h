@@ -167,8 +167,18 @@ enum class TemporalKind : uint8_t {
   Mean,    ///< windows over the last `length` of time, or of what they are stretched along
   Lowest,
   Highest,
-  Spread,  ///< highest less lowest
-  Slope    ///< of the line of least squares against time, or against what it is stretched along
+  Spread,     ///< highest less lowest
+  Slope,      ///< of the line of least squares against time, or against what it is stretched along
+  AtLowest,   ///< of a leg only: `operand` where `duration` was lowest
+  AtHighest,  ///< of a leg only: `operand` where `duration` was highest
+  Number      ///< of legs that have begun
+};
+
+/// Which leg a window is over.
+enum class Leg : uint8_t {
+  None,  ///< a time or a stretch
+  This,  ///< the dive or climb under way, or the last one that was
+  Last   ///< the one before
 };
 
 struct Temporal {
@@ -176,9 +186,12 @@ struct Temporal {
   ListKind list = ListKind::State;
   StateId state;      ///< of every list but Always
   ExprId operand;     ///< a truth value; of a window a number; temporals in it precede this one
-  ExprId duration;    ///< of Held: a time
-  double length = 0;  ///< of a window: s, or the SI unit of `along`; positive
-  ExprId along;       ///< of a window over a stretch: an expression that is a Sensor
+  ExprId duration;    ///< of Held: a time; of AtLowest and AtHighest: the number that is compared
+  double length = 0;  ///< of a window: s, or the SI unit of `along`; positive; of a leg 0
+  ExprId along;       ///< of a window over a stretch or leg: an expression that is a Sensor
+  Leg leg = Leg::None;
+  double dive = 0;  ///< of a window over a leg: the values of `along` that are legs; may be equal
+  double climb = 0;
   support::SourceRange range;
 };
 

@@ -78,6 +78,9 @@ std::optional<Type> watched(const Mission& mission, const Temporal& t) {
   if (value.kind == TypeKind::Bool) {
     return std::nullopt;
   }
+  if (t.kind == TemporalKind::Number) {
+    return Type{TypeKind::Quantity, support::dimension::number};
+  }
   const Type along = t.along.valid() ? mission[t.along].type : kTimeType;
   if (t.kind == TemporalKind::Slope) {
     const bool quantities = value.kind == TypeKind::Quantity && along.kind == TypeKind::Quantity;

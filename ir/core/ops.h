@@ -81,6 +81,8 @@ enum class KnownRule : uint8_t {
   Bounded,   ///< the same, if it is too small to overflow
   Quotient,  ///< the same, if the divisor is also never 0
   Guarded,   ///< the same, and if one side checks that the other is known
+  Choice,    ///< the same, and if the first choice is a sensor and the condition is whether it is
+             ///< known
   Variable,  ///< as for the variable
   Maybe      ///< nothing is known of it
 };

@@ -287,7 +287,7 @@ class CodeValidator {
     for (uint32_t i = 0; i < m_.temporals.size(); ++i) {
       const Temporal& w = m_.temporals[i];
       const bool always = w.list == ListKind::Always;
-      if (w.list > ListKind::Route || w.kind > TemporalKind::Slope ||
+      if (w.list > ListKind::Route || w.kind > TemporalKind::Number || w.leg > Leg::Last ||
           (always ? w.state.valid() : w.state.index >= m_.states.size())) {
         require(false, w.range, "temporal {} has no list", i);
         continue;
@@ -307,20 +307,38 @@ class CodeValidator {
       expression(w.duration, w.state, kTime, w.range,
                  [&] { return fmt::format("the time of temporal {}", i); });
     }
-    require(
-        (w.kind == TemporalKind::Held || !w.duration.valid()) && !w.along.valid() && w.length == 0,
-        w.range, "temporal {} has what only others have", i);
+    require((w.kind == TemporalKind::Held || !w.duration.valid()) && !w.along.valid() &&
+                w.length == 0 && w.leg == Leg::None,
+            w.range, "temporal {} has what only others have", i);
   }
 
   void window(uint32_t i, const Temporal& w) {
     numberOrTruth(w.operand, w.state, w.range,
                   [&] { return fmt::format("what temporal {} watches", i); });
-    require(exists(w.operand) && m_[w.operand].type != kBool && !w.duration.valid(), w.range,
-            "window {} is not over a number", i);
+    const bool compares = w.kind == TemporalKind::AtLowest || w.kind == TemporalKind::AtHighest;
+    require(exists(w.operand) && m_[w.operand].type != kBool && w.duration.valid() == compares,
+            w.range, "window {} is not over a number", i);
     require(!w.along.valid() || (exists(w.along) && m_[w.along].op == Op::Sensor), w.range,
             "window {} is not stretched along a sensor", i);
+    if (w.leg != Leg::None) {
+      leg(i, w, compares);
+      return;
+    }
+    require(w.kind <= TemporalKind::Slope, w.range, "window {} is not over a leg", i);
     require(std::isfinite(w.length) && w.length > 0, w.range, "window {} has the length {}", i,
             w.length);
+  }
+
+  void leg(uint32_t i, const Temporal& w, bool compares) {
+    if (compares) {
+      numberOrTruth(w.duration, w.state, w.range,
+                    [&] { return fmt::format("what temporal {} compares", i); });
+      require(exists(w.duration) && m_[w.duration].type != kBool, w.range,
+              "window {} compares no numbers", i);
+    }
+    require(w.kind != TemporalKind::Slope && w.along.valid() && w.length == 0 &&
+                std::isfinite(w.dive) && std::isfinite(w.climb),
+            w.range, "window {} is not one over a leg", i);
   }
 
   /// Counts the uses of blocks by block `i`, which must come after them.

@@ -18,8 +18,9 @@ struct WindowShape {
   uint32_t bins = 0;  ///< the number of slots for the bins of a window
 };
 
-/// A window over a time has a bin for each flight cycle (4 s), at most 256. A window over a stretch
-/// has 32 bins in its length, and reaches that far to both sides.
+/// Of a window that is not over a leg. A window over a time has a bin for each flight cycle (4 s),
+/// at most 256. A window over a stretch has 32 bins in its length, and reaches that far to both
+/// sides.
 WindowShape windowShape(const Temporal& window);
 
 }  // namespace glider::ir

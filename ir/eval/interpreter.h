@@ -7,6 +7,7 @@
 #include "ir/core/ops.h"
 #include "ir/core/truth.h"
 #include "ir/eval/evaluate.h"
+#include "ir/eval/leg_window.h"
 #include "ir/eval/tick_result.h"
 #include "ir/eval/window.h"
 
@@ -86,7 +87,8 @@ class Interpreter {
     bool was_true = false;  ///< the operand, when this last advanced or started
     double since = 0;
     Value value = Truth::Unknown;
-    std::optional<PlainWindow> window;  ///< of a window
+    std::optional<PlainWindow> window;  ///< of a window over a time or a stretch
+    std::optional<PlainLegs> legs;      ///< of a window over a leg
   };
   enum class TemporalMoment : uint8_t { Start, Resume, Advance };
 
@@ -103,6 +105,7 @@ class Interpreter {
   void update(uint32_t temporal, TemporalMoment moment);
   void updateGuard(const Temporal& temporal, TemporalState& state, bool start);
   void updateWindow(const Temporal& temporal, TemporalState& state, bool start);
+  void updateLeg(const Temporal& temporal, TemporalState& state, bool start);
   [[nodiscard]] bool fresh(const Temporal& window) const;
 
   bool tryList(ListKind list);

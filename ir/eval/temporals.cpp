@@ -49,7 +49,9 @@ void Interpreter::startTemporals(bool always, TemporalMoment moment) {
 
 void Interpreter::update(uint32_t temporal, TemporalMoment moment) {
   const Temporal& t = mission_.temporals[temporal];
-  if (isWindow(t.kind)) {
+  if (t.leg != Leg::None) {
+    updateLeg(t, temporals_[temporal], moment == TemporalMoment::Start);
+  } else if (isWindow(t.kind)) {
     updateWindow(t, temporals_[temporal], moment == TemporalMoment::Start);
   } else {
     updateGuard(t, temporals_[temporal], moment != TemporalMoment::Advance);
@@ -82,12 +84,27 @@ void Interpreter::updateWindow(const Temporal& t, TemporalState& state, bool sta
   state.value = state.window->value();
 }
 
+void Interpreter::updateLeg(const Temporal& t, TemporalState& state, bool start) {
+  if (start) {
+    state.legs.emplace(t);
+    state.legs->start(mission_time_);
+  }
+  const double operand = number(t.operand);
+  const bool compares = t.duration.valid();
+  const double value = compares ? number(t.duration) : operand;
+  state.legs->advance(mission_time_, number(t.along), value, operand, fresh(t));
+  state.value = state.legs->value();
+}
+
 /// Whether the sensors that a window reads are new.
 bool Interpreter::fresh(const Temporal& window) const {
   std::set<uint32_t> sensors;
   addSensors(mission_, window.operand, sensors);
-  if (window.along.valid()) {
+  if (window.along.valid() && window.leg == Leg::None) {
     addSensors(mission_, window.along, sensors);
+  }
+  if (window.duration.valid()) {
+    addSensors(mission_, window.duration, sensors);
   }
   bool new_one = sensors.empty();
   for (uint32_t i : sensors) {

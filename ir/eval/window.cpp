@@ -102,6 +102,9 @@ double PlainWindow::workOut(double now) const {
       break;
     case TemporalKind::Became:
     case TemporalKind::Held:
+    case TemporalKind::AtLowest:
+    case TemporalKind::AtHighest:
+    case TemporalKind::Number:
       CHECK(false, "not a window");
   }
   const double below = subtract(multiply(count, along_along), multiply(alongs, alongs));

@@ -22,7 +22,8 @@ auto keyOf(const Expr& e) {
 /// Everything that makes two temporals the same.
 auto keyOf(const Temporal& t) {
   return std::tuple(t.kind, t.list, t.state, t.operand, t.duration,
-                    std::bit_cast<uint64_t>(t.length), t.along);
+                    std::bit_cast<uint64_t>(t.length), t.along, t.leg,
+                    std::bit_cast<uint64_t>(t.dive), std::bit_cast<uint64_t>(t.climb));
 }
 
 /// Goes through the expressions in the order of the vector, so that operands are shared before

@@ -69,8 +69,9 @@ bool CodeReader::definition() {
 }
 
 void CodeReader::temporal(SourceRange begin) {
-  constexpr auto kKinds = std::to_array<std::string_view>(
-      {"became", "held", "mean", "lowest", "highest", "spread", "slope"});
+  constexpr auto kKinds =
+      std::to_array<std::string_view>({"became", "held", "mean", "lowest", "highest", "spread",
+                                       "slope", "at_lowest", "at_highest", "number"});
   constexpr auto kLists = std::to_array<std::string_view>({"always", "state", "profile", "route"});
   Temporal t;
   const size_t kind = choose(in_, kKinds);
@@ -94,8 +95,17 @@ void CodeReader::temporal(SourceRange begin) {
     in_.expect("for");
     t.duration = expression();
   } else if (isWindow(t.kind)) {
+    if (in_.accept("where")) {
+      t.duration = expression();
+    }
     in_.expect("over");
-    t.length = in_.number(false);
+    t.leg = in_.accept("this") ? Leg::This : in_.accept("last") ? Leg::Last : Leg::None;
+    if (t.leg == Leg::None) {
+      t.length = in_.number(false);
+    } else {
+      t.dive = in_.number(false);
+      t.climb = in_.number(false);
+    }
     t.along = in_.accept("along") ? expression() : ExprId();
   }
   t.range = in_.since(begin);

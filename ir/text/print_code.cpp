@@ -13,8 +13,8 @@
 namespace glider::ir::text {
 
 void Printer::temporal(const Temporal& t) {
-  constexpr std::string_view kKinds[] = {"became",  "held",   "mean", "lowest",
-                                         "highest", "spread", "slope"};
+  constexpr std::string_view kKinds[] = {"became", "held",  "mean",      "lowest",     "highest",
+                                         "spread", "slope", "at_lowest", "at_highest", "number"};
   constexpr std::string_view kLists[] = {"always", "state", "profile", "route"};
   std::vector<ExprId> ids = {t.operand};
   for (ExprId id : {t.duration, t.along}) {
@@ -32,7 +32,13 @@ void Printer::temporal(const Temporal& t) {
     add(" for ");
     use(t.duration);
   }
-  if (isWindow(t.kind)) {
+  if (isWindow(t.kind) && t.duration.valid()) {
+    add(" where ");
+    use(t.duration);
+  }
+  if (t.leg != Leg::None) {
+    add(" over {} {} {}", t.leg == Leg::This ? "this" : "last", t.dive, t.climb);
+  } else if (isWindow(t.kind)) {
     add(" over {}", t.length);
   }
   if (t.along.valid()) {

@@ -190,7 +190,11 @@ class IntervalAnalysis {
     switch (t.kind) {
       case TemporalKind::Lowest:
       case TemporalKind::Highest:
+      case TemporalKind::AtLowest:
+      case TemporalKind::AtHighest:
         return x;
+      case TemporalKind::Number:
+        return between(0, kAny.highest);
       case TemporalKind::Spread:
         return x.empty ? x : between(0, x.highest - x.lowest);
       case TemporalKind::Mean:

@@ -116,12 +116,15 @@ typedef uint32_t(GliderCondition)(const GliderContext* context);
 typedef double(GliderPoll)(double mission_time);
 /* The function of a GliderCompass. With a frame, before its tick: stores in `variation` (NaN:
    unknown so far) the value among the updates, if any, and converts the magnetic headings among
-   them to true ones. With `updates` NULL, after each tick: converts the heading in force to
-   magnetic. If the vehicle has not reported the variation by then, the mission's `declination` line
-   gives it; without that line it is 0, and a note reports this. `context` is that of the running
-   mission, or NULL before it runs. */
-typedef void(GliderConvertHeadings)(const GliderMission* mission, GliderContext* context,
-                                    double* variation, GliderUpdate* updates, uint32_t count);
+   them to true ones. A variation that is not valid is replaced by the last one, and before the
+   mission runs the last one is added if there is room (kMostSubscriptions of the protocol): what
+   the mission reads is what headings are converted by. Returns the number of updates. With
+   `updates` NULL, after each tick: converts the heading in force to magnetic. If the vehicle has
+   not reported the variation by then, the mission's `declination` line gives it; without that line
+   it is 0, and a note reports this. `context` is that of the running mission, or NULL before it
+   runs. */
+typedef uint32_t(GliderConvertHeadings)(const GliderMission* mission, GliderContext* context,
+                                        double* variation, GliderUpdate* updates, uint32_t count);
 /* 1 if the guard of case `number` of a list is true. */
 typedef uint32_t(GliderHolds)(const GliderContext* context, uint32_t number);
 

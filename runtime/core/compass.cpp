@@ -6,6 +6,7 @@
 // New England, where the needle points west.
 
 #include "hooks/protocol/notices.h"
+#include "hooks/protocol/tick.h"
 #include "runtime/abi/runtime.h"
 #include "runtime/numbers/numbers.h"
 
@@ -45,9 +46,15 @@ bool isMagnetic(const GliderMission& mission, uint32_t id) {
 void take(const GliderMission& mission, double& variation, GliderUpdate* updates, uint32_t count) {
   const GliderCompass& compass = *mission.compass;
   for (uint32_t i = 0; i < count; ++i) {
-    // A comparison with NaN is false: an invalid value leaves the last one unchanged.
-    if (updates[i].id == compass.variation && magnitude(updates[i].value) <= kHalfTurn) {
+    if (updates[i].id != compass.variation) {
+      continue;
+    }
+    // A comparison with NaN is false: an invalid value leaves the last one unchanged, also for what
+    // the mission reads, so that `90 deg magnetic` is converted back as it was converted.
+    if (magnitude(updates[i].value) <= kHalfTurn) {
       variation = updates[i].value;
+    } else {
+      updates[i].value = variation;
     }
   }
   const double by = negated(isKnown(variation) ? variation : assumed(compass));
@@ -58,6 +65,22 @@ void take(const GliderMission& mission, double& variation, GliderUpdate* updates
       updates[i].value = turned(heading, by);
     }
   }
+}
+
+/// Adds a variation that was reported before the mission began to the frame that begins it. Returns
+/// the number of updates.
+uint32_t withVariation(const GliderMission& mission, double variation, GliderUpdate* updates,
+                       uint32_t count) {
+  for (uint32_t i = 0; i < count; ++i) {
+    if (updates[i].id == mission.compass->variation) {
+      return count;
+    }
+  }
+  if (!isKnown(variation) || count >= hooks::kMostSubscriptions) {
+    return count;
+  }
+  updates[count] = {variation, mission.compass->variation, 0};
+  return count + 1;
 }
 
 /// Converts the heading that a tick commands, after that tick.
@@ -78,14 +101,17 @@ void follow(GliderContext& context, double& variation) {
 }  // namespace
 }  // namespace glider::runtime
 
-extern "C" void gliderConvertHeadings(const GliderMission* mission, GliderContext* context,
-                                      double* variation, GliderUpdate* updates, uint32_t count) {
+extern "C" uint32_t gliderConvertHeadings(const GliderMission* mission, GliderContext* context,
+                                          double* variation, GliderUpdate* updates,
+                                          uint32_t count) {
   if (!glider::runtime::isKnown(*variation) && context != nullptr && updates != nullptr) {
     *variation = context->variation;  // from a checkpoint: the last known variation
   }
-  if (updates != nullptr) {
-    glider::runtime::take(*mission, *variation, updates, count);
-  } else {
+  if (updates == nullptr) {
     glider::runtime::follow(*context, *variation);
+    return count;
   }
+  glider::runtime::take(*mission, *variation, updates, count);
+  return context != nullptr ? count
+                            : glider::runtime::withVariation(*mission, *variation, updates, count);
 }

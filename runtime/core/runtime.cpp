@@ -202,17 +202,16 @@ uint32_t GliderRuntime::gatherUpdates() {
   for (uint32_t i = 0; i < tick.reading_count; ++i) {
     updates_[i] = {tick.readings[i].value, tick.readings[i].id, 0};
   }
-  convertHeadings(updates_, tick.reading_count);
-  return tick.reading_count;
+  return convertHeadings(updates_, tick.reading_count);
 }
 
 /// Converts the headings of a frame before its tick, or, without a frame, the commanded heading
-/// after a tick.
-__attribute__((noinline)) void GliderRuntime::convertHeadings(GliderUpdate* updates,
-                                                              uint32_t count) {
-  if (mission_.compass != nullptr) {
-    mission_.compass->convert(&mission_, context_, &variation_, updates, count);
-  }
+/// after a tick. Returns the number of updates.
+__attribute__((noinline)) uint32_t GliderRuntime::convertHeadings(GliderUpdate* updates,
+                                                                  uint32_t count) {
+  return mission_.compass == nullptr
+             ? count
+             : mission_.compass->convert(&mission_, context_, &variation_, updates, count);
 }
 
 /// Runs after each step of the mission, before its values are logged.

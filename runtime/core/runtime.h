@@ -52,7 +52,7 @@ struct GliderRuntime {
   void tellTransition(uint32_t from, const glider::runtime::StateTimes& times);
   void command();
   uint32_t gatherUpdates();
-  void convertHeadings(GliderUpdate* updates, uint32_t count);
+  uint32_t convertHeadings(GliderUpdate* updates, uint32_t count);
   void endStep();
   [[nodiscard]] bool finished() const { return context_ != nullptr && context_->finished != 0; }
   [[nodiscard]] glider::hooks::MissionStatus status() const;

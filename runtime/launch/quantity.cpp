@@ -129,6 +129,22 @@ bool fromDdmm(const Decimal& number, double& value) {
   return minutes < 60.0 && minutes > -60.0;
 }
 
+/// Turns `39 10.5 N` into degrees: a whole number, then minutes below 60. Takes the minutes from
+/// `text`.
+Reading addMinutes(Piece& text, const Decimal& degrees, double& value) {
+  const Decimal minutes = takeDecimal(text);
+  double plain = 0;
+  if (!toDouble(minutes, plain)) {
+    return Reading::TooManyDigits;
+  }
+  if (degrees.seen != degrees.whole || degrees.exponent != 0 || minutes.negative ||
+      !(plain < 60.0)) {
+    return Reading::NoSuchUnit;
+  }
+  value = gliderSettle(value + plain / 60.0);
+  return Reading::Good;
+}
+
 bool factorOf(const Piece& unit, const char* units, double& factor) {
   Units known(units);
   for (bool first = true; known.next(); first = false) {
@@ -140,6 +156,56 @@ bool factorOf(const Piece& unit, const char* units, double& factor) {
     }
   }
   return false;
+}
+
+/// A latitude or a longitude.
+Reading readHalf(Piece rest, const char* units, double& value) {
+  constexpr uint32_t kFewestDdmm = 4;  // 139.5 E is decimal degrees
+  const Decimal number = takeDecimal(rest);
+  if (number.seen == 0) {
+    return Reading::NotANumber;
+  }
+  double degrees = 0;
+  if (!toDouble(number, degrees)) {
+    return Reading::TooManyDigits;
+  }
+  rest = rest.trimmed();
+  if (rest.empty()) {
+    value = degrees;
+    return fromDdmm(number, value) ? Reading::Good : Reading::NoSuchUnit;
+  }
+  if (isDigit(*rest.begin) || *rest.begin == '.') {
+    const Reading minutes = addMinutes(rest, number, degrees);
+    if (minutes != Reading::Good) {
+      return minutes;
+    }
+    rest = rest.trimmed();
+  } else if (number.whole >= kFewestDdmm && !fromDdmm(number, degrees)) {
+    return Reading::NoSuchUnit;
+  }
+  double side = 1;
+  if (rest.empty() || number.negative || !factorOf(rest, units, side)) {
+    return Reading::NoSuchUnit;
+  }
+  value = gliderSettle(degrees * side);
+  return Reading::Good;
+}
+
+Reading readNumber(Piece rest, const char* units, double& value) {
+  const Decimal number = takeDecimal(rest);
+  if (number.seen == 0) {
+    return Reading::NotANumber;
+  }
+  double factor = 1;
+  if (!factorOf(rest.trimmed(), units, factor)) {
+    return Reading::NoSuchUnit;
+  }
+  double plain = 0;
+  if (!toDouble(number, plain)) {
+    return Reading::TooManyDigits;
+  }
+  value = gliderSettle(plain * factor);
+  return Reading::Good;
 }
 
 }  // namespace
@@ -171,23 +237,7 @@ Reading readQuantity(const Piece& text, const char* units, double& value) {
     value = rest.is("true") ? 1.0 : 0.0;
     return rest.is("true") || rest.is("false") ? Reading::Good : Reading::NotANumber;
   }
-  const bool earth = isOnEarth(units);
-  const Decimal number = takeDecimal(rest);
-  rest = rest.trimmed();
-  if (number.seen == 0) {
-    return Reading::NotANumber;
-  }
-  const bool ddmm = earth && rest.empty();
-  double factor = 1;
-  if (!factorOf(rest, units, factor) || (earth && number.negative && !ddmm)) {
-    return Reading::NoSuchUnit;
-  }
-  double plain = 0;
-  if (!toDouble(number, plain)) {
-    return Reading::TooManyDigits;
-  }
-  value = gliderSettle(plain * factor);
-  return !ddmm || fromDdmm(number, value) ? Reading::Good : Reading::NoSuchUnit;
+  return isOnEarth(units) ? readHalf(rest, units, value) : readNumber(rest, units, value);
 }
 
 }  // namespace glider::runtime

@@ -25,6 +25,7 @@ constexpr NamedDimension kDimensions[] = {
 
 constexpr Unit kUnits[] = {
 #define UNIT(spelling, dim, to_si) {spelling, dimension::dim, to_si},
+#define SOFT_UNIT(spelling, dim, to_si) {spelling, dimension::dim, to_si, true},
 #include "support/units/units.def"
 #undef UNIT
 };

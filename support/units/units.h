@@ -40,6 +40,7 @@ struct Unit {
   std::string_view spelling;
   Dimension dimension;
   double to_si;
+  bool soft = false;  ///< only a unit right after a number: elsewhere the word is a name
 };
 
 /// The unit spelled `spelling` as in the language ("degC", "m/s"); empty if there is none.

@@ -130,9 +130,9 @@ TEST(Containment, ShallowestCommands) {
 }
 
 /// The time since the vehicle was seen at the surface.
-class Submerged : public Rule {
+class TimeUnderWater : public Rule {
  public:
-  explicit Submerged(const ProofContext& context)
+  explicit TimeUnderWater(const ProofContext& context)
       : surface_m_(context.platform.world.surface_depth_m) {
     const EndBound end = boundOf(context, kLongestMission, Goal::Exit);
     longest_ = longestSubmersion(context, end, kLongestMission);
@@ -148,12 +148,12 @@ class Submerged : public Rule {
       ++steps;
       EXPECT_LE(now.time - surfaced_, *longest_);
     }
-    if (submersions_.empty() || flight.over()) {
+    if (submersions_.states.empty() || flight.over()) {
       return;
     }
-    const Submersion& of = submersions_[now.result.state.index];
+    const Submersion& of = submersions_.states[now.result.state.index];
     if (flight.arrived()) {
-      EXPECT_LE(now.time - surfaced_, now.result.just_returned ? of.resumed : of.entered);
+      EXPECT_LE(now.time - surfaced_, (now.result.just_returned ? of.resumed : of.entered).longest);
     } else if (now.time - now.resumed >= of.climb) {
       EXPECT_LE(now.depth, surface_m_) << "should have climbed";
     }
@@ -162,12 +162,12 @@ class Submerged : public Rule {
  private:
   double surface_m_;
   std::optional<double> longest_;
-  std::vector<Submersion> submersions_;
+  Submersions submersions_;
   double surfaced_ = 0;
 };
 
 TEST(Containment, LongestSubmersion) {
-  holds<Submerged>();
+  holds<TimeUnderWater>();
 }
 
 /// The last command about depth of a state that always commands the surface when it becomes

@@ -145,7 +145,7 @@ class Maker {
   void temporals() {
     for (uint32_t number = 0; number < 6; ++number) {
       const auto list = static_cast<ListKind>(random_.below(4));
-      const auto kind = static_cast<TemporalKind>(random_.below(7));
+      const auto kind = static_cast<TemporalKind>(random_.below(10));
       const std::optional<uint32_t> state =
           list == ListKind::Always ? std::nullopt : std::optional(random_.below(states_));
       constexpr const char* kLists[] = {"always", "state", "profile", "route"};
@@ -154,9 +154,10 @@ class Maker {
           state ? fmt::format("{} s{}", kLists[static_cast<size_t>(list)], *state) : kLists[0];
       text_ += watched(kind, where) + "\n";
       const bool truth = kind == TemporalKind::Became || kind == TemporalKind::Held;
-      const Kind gives = truth                         ? Kind::Truth
-                         : kind == TemporalKind::Slope ? Kind::Number
-                                                       : Kind::Length;
+      const Kind gives = truth ? Kind::Truth
+                         : kind == TemporalKind::Slope || kind == TemporalKind::Number
+                             ? Kind::Number
+                             : Kind::Length;
       expressions_.add({fmt::format("(temporal {})", number), gives, state, list});
     }
   }
@@ -169,13 +170,17 @@ class Maker {
     const std::string window =
         fmt::format("{} (sensor {}) over {}{}", where, random_.chance(0.5) ? "depth" : "altitude",
                     length, random_.pick(kAlong));
+    const std::string leg = fmt::format("over {} 0 {} along (sensor gap)",
+                                        random_.chance(0.5) ? "this" : "last", random_.below(2));
+    const std::string compared =
+        fmt::format("{} (sensor depth) where (sensor altitude) {}", where, leg);
     switch (kind) {
       case TemporalKind::Became:
         return fmt::format("temporal became {} {}", where, truth);
       case TemporalKind::Held:
         return fmt::format("temporal held {} {} for {}", where, truth, expressions_.duration());
       case TemporalKind::Mean:
-        return "temporal mean " + window;
+        return "temporal mean " + (random_.chance(0.3) ? where + " (sensor depth) " + leg : window);
       case TemporalKind::Lowest:
         return "temporal lowest " + window;
       case TemporalKind::Highest:
@@ -184,6 +189,12 @@ class Maker {
         return "temporal spread " + window;
       case TemporalKind::Slope:
         return fmt::format("temporal slope {} (sensor gap) over {}", where, length);
+      case TemporalKind::AtLowest:
+        return "temporal at_lowest " + compared;
+      case TemporalKind::AtHighest:
+        return "temporal at_highest " + compared;
+      case TemporalKind::Number:
+        return fmt::format("temporal number {} (sensor gap) {}", where, leg);
     }
     return {};
   }

@@ -109,6 +109,19 @@ TEST(Headings, WithoutEitherTheFlightIsOffByTheDeclinationAndReportsThat) {
   EXPECT_THAT(flyEast("", "heading(90 deg)").outcome.out, Not(HasSubstr("declination")));
 }
 
+TEST(Headings, MagneticEastIsEastOnTheCompassWhateverIsKnown) {
+  for (const char* line : {"", "declination -12.3 deg", "declination 40 deg"}) {
+    for (const char* route : {"heading(90 deg magnetic)", "heading(magnetic(100 deg - 10 deg))"}) {
+      for (const char* more : {"", kNoVariation}) {
+        const Flight flight = flyEast(line, route, more);
+        ASSERT_EQ(flight.outcome.status, 0) << flight.outcome.err;
+        const auto heading = flight.column("c_heading");
+        EXPECT_NEAR(heading[heading.size() / 2] * kDegPerRad, 90, 0.2) << line << route << more;
+      }
+    }
+  }
+}
+
 TEST(Headings, AWaypointIsReachedThroughTheSameWater) {
   // 2.2 km due east of the start.
   const Flight flight = flyEast("", "nav(39.175 N, 73.81 W)");

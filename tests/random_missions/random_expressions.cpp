@@ -191,6 +191,9 @@ std::optional<ExprId> ExpressionMaker::window(Type type) {
     return temporal(t);
   }
   t.operand = number(type, 1);
+  if (random_.chance(0.3)) {
+    return leg(t);
+  }
   if (random_.chance(0.5)) {
     t.along = add(Op::Sensor, {}, {random_.below(m_.sensors.size())});
   }
@@ -204,6 +207,27 @@ std::optional<ExprId> ExpressionMaker::window(Type type) {
                 ? ExprId{}
                 : add(Op::Sensor, {}, {random_.below(m_.sensors.size())});
   return add(random_.chance(0.5) ? Op::Min : Op::Max, {first, temporal(t)});
+}
+
+/// A window over a leg; the ends of a sensor's range, which streams often hold, are the legs.
+ExprId ExpressionMaker::leg(ir::Temporal t) {
+  const uint32_t along = random_.below(m_.sensors.size());
+  const ir::Sensor& sensor = m_.sensors[along];
+  t.length = 0;
+  t.leg = random_.chance(0.5) ? ir::Leg::This : ir::Leg::Last;
+  t.along = add(Op::Sensor, {}, {along});
+  const auto end = [&](double raw) {
+    constexpr double kFarthest = 1e3;  // of streams
+    const double reading = std::clamp(raw, -kFarthest, kFarthest) * sensor.to_si;
+    return std::isfinite(reading) ? reading : 0;
+  };
+  t.dive = end(sensor.lowest);
+  t.climb = random_.chance(0.7) ? end(sensor.highest) : t.dive;
+  if (random_.chance(0.4)) {
+    t.kind = random_.chance(0.5) ? ir::TemporalKind::AtLowest : ir::TemporalKind::AtHighest;
+    t.duration = number(kLength, 1);
+  }
+  return temporal(t);
 }
 
 /// A function is called although what it gives does not matter: `false && f()`.

@@ -69,7 +69,7 @@ MissionSize sizeOf(const Input& input) {
     size.window_bins = kLibraryWindowBins;
   }
   for (const ir::Temporal& temporal : mission.temporals) {
-    if (ir::isWindow(temporal.kind)) {
+    if (ir::isWindow(temporal.kind) && temporal.leg == ir::Leg::None) {
       size.window_bins = std::max<uint64_t>(size.window_bins, ir::windowShape(temporal).bins);
     }
   }

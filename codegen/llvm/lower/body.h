@@ -59,6 +59,8 @@ void lowerWindowStarts(Body& body, const std::vector<ir::TemporalId>& temporals)
 using Freshness = std::map<std::set<uint32_t>, llvm::Value*>;
 /// Advances a window. `fresh` holds the values already generated in the builder's block.
 void lowerWindow(Body& body, ir::TemporalId id, Freshness& fresh);
+/// The same for a window over a leg.
+void lowerLeg(Body& body, ir::TemporalId id, Freshness& fresh);
 
 /// Calls an activity's C function (runtime/abi/behaviour.h) with its arguments, evaluated here.
 void callBehaviour(Body& body, const ir::Activity& activity, uint32_t memory_block,

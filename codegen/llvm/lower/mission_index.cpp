@@ -5,6 +5,7 @@
 
 #include "ir/core/window_shape.h"
 #include "runtime/abi/glider_abi.h"
+#include "runtime/abi/leg.h"
 #include "runtime/abi/window.h"
 
 namespace glider::codegen {
@@ -23,7 +24,13 @@ uint32_t slotsOf(const ir::Temporal& temporal) {
     case ir::TemporalKind::Highest:
     case ir::TemporalKind::Spread:
     case ir::TemporalKind::Slope:
+    case ir::TemporalKind::AtLowest:
+    case ir::TemporalKind::AtHighest:
+    case ir::TemporalKind::Number:
       break;
+  }
+  if (temporal.leg != ir::Leg::None) {
+    return GLIDER_LEG_MEMORY;
   }
   return GLIDER_WINDOW_HEADER + GLIDER_WINDOW_SLOT * ir::windowShape(temporal).bins;
 }

@@ -84,7 +84,9 @@ void lowerTemporals(Body& body, const std::vector<ir::TemporalId>& temporals,
                     TemporalMoment moment) {
   Freshness fresh;
   for (const ir::TemporalId id : temporals) {
-    if (ir::isWindow(body.lowering.mission[id].kind)) {
+    if (body.lowering.mission[id].leg != ir::Leg::None) {
+      lowerLeg(body, id, fresh);
+    } else if (ir::isWindow(body.lowering.mission[id].kind)) {
       lowerWindow(body, id, fresh);
     } else {
       Guards(body).lower(id, moment);

@@ -4,6 +4,7 @@
 #include "codegen/llvm/lower/body.h"
 #include "ir/core/ops.h"
 #include "ir/core/window_shape.h"
+#include "runtime/abi/leg.h"
 #include "runtime/abi/window.h"
 
 #include <set>
@@ -21,9 +22,42 @@ static_assert(static_cast<int>(ir::TemporalKind::Slope) -
 /// The greatest age (s) of a sensor in a reading that a window takes: ir/README.md.
 constexpr double kFreshAge = 6;
 
-/// A constant GliderWindowShape.
-llvm::Constant* shapeOf(Lowering& lowering, const ir::Temporal& window) {
-  llvm::LLVMContext& context = lowering.module.getContext();
+GliderLegKind legKind(ir::TemporalKind kind) {
+  switch (kind) {
+    case ir::TemporalKind::Mean:
+      return kGliderLegMean;
+    case ir::TemporalKind::Lowest:
+      return kGliderLegLowest;
+    case ir::TemporalKind::Highest:
+      return kGliderLegHighest;
+    case ir::TemporalKind::Spread:
+      return kGliderLegSpread;
+    case ir::TemporalKind::AtLowest:
+      return kGliderLegAtLowest;
+    case ir::TemporalKind::AtHighest:
+      return kGliderLegAtHighest;
+    case ir::TemporalKind::Number:
+      return kGliderLegNumber;
+    case ir::TemporalKind::Became:
+    case ir::TemporalKind::Held:
+    case ir::TemporalKind::Slope:
+      break;
+  }
+  CHECK(false, "not a window over a leg");
+}
+
+/// The content of a GliderLegShape.
+llvm::Constant* legShapeOf(llvm::LLVMContext& context, const ir::Temporal& window) {
+  llvm::Type* number = llvm::Type::getDoubleTy(context);
+  llvm::Type* word = llvm::Type::getInt32Ty(context);
+  return llvm::ConstantStruct::getAnon(
+      {llvm::ConstantFP::get(number, window.dive), llvm::ConstantFP::get(number, window.climb),
+       llvm::ConstantInt::get(word, legKind(window.kind)),
+       llvm::ConstantInt::get(word, window.leg == ir::Leg::Last ? 1 : 0)});
+}
+
+/// The content of a GliderWindowShape.
+llvm::Constant* windowShapeOf(llvm::LLVMContext& context, const ir::Temporal& window) {
   const ir::WindowShape shape = ir::windowShape(window);
   auto number = [&](double value) {
     return llvm::ConstantFP::get(llvm::Type::getDoubleTy(context), value);
@@ -33,9 +67,16 @@ llvm::Constant* shapeOf(Lowering& lowering, const ir::Temporal& window) {
   };
   const uint32_t kind =
       static_cast<uint32_t>(shape.kind) - static_cast<uint32_t>(ir::TemporalKind::Mean);
-  llvm::Constant* value = llvm::ConstantStruct::getAnon({number(shape.length), number(shape.bin),
-                                                         word(shape.bins), word(kGliderMean + kind),
-                                                         word(shape.stretch ? 1 : 0), word(0)});
+  return llvm::ConstantStruct::getAnon({number(shape.length), number(shape.bin), word(shape.bins),
+                                        word(kGliderMean + kind), word(shape.stretch ? 1 : 0),
+                                        word(0)});
+}
+
+/// A constant GliderWindowShape or GliderLegShape.
+llvm::Constant* shapeOf(Lowering& lowering, const ir::Temporal& window) {
+  llvm::LLVMContext& context = lowering.module.getContext();
+  llvm::Constant* value =
+      window.leg == ir::Leg::None ? windowShapeOf(context, window) : legShapeOf(context, window);
   auto* variable = new llvm::GlobalVariable(lowering.module, value->getType(), true,
                                             llvm::GlobalValue::PrivateLinkage, value, "window");
   variable->setUnnamedAddr(llvm::GlobalValue::UnnamedAddr::Global);
@@ -103,12 +144,31 @@ void call(Body& body, const char* name, const std::vector<Value*>& arguments) {
 void lowerWindowStarts(Body& body, const std::vector<ir::TemporalId>& temporals) {
   for (const ir::TemporalId id : temporals) {
     const ir::Temporal& temporal = body.lowering.mission[id];
-    if (ir::isWindow(temporal.kind)) {
+    if (temporal.leg != ir::Leg::None) {
+      body.lowering.debug.locate(body.builder, temporal.range);
+      call(body, "gliderLegStart", {memoryOf(body, id), body.expressions.missionTime()});
+    } else if (ir::isWindow(temporal.kind)) {
       body.lowering.debug.locate(body.builder, temporal.range);
       call(body, "gliderWindowStart",
            {memoryOf(body, id), sharedShape(body, id), body.expressions.missionTime()});
     }
   }
+}
+
+void lowerLeg(Body& body, ir::TemporalId id, Freshness& fresh) {
+  const ir::Temporal& window = body.lowering.mission[id];
+  body.lowering.debug.locate(body.builder, window.range);
+  Value* operand = body.expressions.number(window.operand);
+  Value* value = window.duration.valid() ? body.expressions.number(window.duration) : operand;
+  Value* phase = body.expressions.number(window.along);
+  std::set<uint32_t> sensors;
+  addSensors(body.lowering.mission, window.operand, sensors);
+  addSensors(body.lowering.mission, window.duration, sensors);
+  Value*& taken = fresh[sensors];
+  taken = taken == nullptr ? freshness(body, sensors) : taken;
+  call(body, "gliderLegAdvance",
+       {memoryOf(body, id), sharedShape(body, id), body.expressions.missionTime(), phase, value,
+        operand, taken});
 }
 
 void lowerWindow(Body& body, ir::TemporalId id, Freshness& fresh) {

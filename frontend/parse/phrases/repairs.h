@@ -38,7 +38,13 @@ size_t commaAsAnd(Phrase& phrase);
 size_t plusOfTexts(Phrase& phrase);
 /// `20 deg C`, `20 °C`.
 size_t degreesCelsius(Phrase& phrase);
-/// `200 ug/L`, `5 hPa`: units of other systems.
+/// `highest(temp, last leg)`: the leg of a window.
+size_t leg(Phrase& phrase);
+/// `90 deg magnetic`.
+size_t magneticHeading(Phrase& phrase);
+/// `3 days`, `2 ug/L`: units that are names elsewhere.
+size_t softUnit(Phrase& phrase);
+/// `200 ml/L`, `5 hPa`: units of other systems.
 size_t foreignUnit(Phrase& phrase);
 /// `1h30`, `3 h 30 min`.
 size_t timeInParts(Phrase& phrase);

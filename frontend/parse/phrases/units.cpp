@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "support/units/units.h"
+
 #include "frontend/bare_positions.h"
 #include "frontend/parse/phrases/repairs.h"
 #include "frontend/parse/token_kinds.h"
@@ -41,11 +43,14 @@ constexpr OtherUnit kOtherUnits[] = {{"degf", "degC", 1 / 1.8, -32 / 1.8},
                                      {"fathoms", "m", 1.8288, 0},
                                      {"mile", "km", 1.609344, 0},
                                      {"miles", "km", 1.609344, 0},
-                                     {"um", "", 0, 0},
+                                     {"um", "uM", 1, 0},
                                      {"umol", "", 0, 0},
                                      {"umol/kg", "", 0, 0},
-                                     {"umol/l", "", 0, 0},
-                                     {"ug/l", "", 0, 0},
+                                     {"umol/l", "uM", 1, 0},
+                                     {"mmol/m3", "uM", 1, 0},
+                                     {"ug/l", "ug/L", 1, 0},
+                                     {"mg/m3", "ug/L", 1, 0},
+                                     {"magnetic", "deg magnetic", 1, 0},
                                      {"mg/l", "", 0, 0},
                                      {"ml/l", "", 0, 0},
                                      {"psu", "", 0, 0},
@@ -70,7 +75,11 @@ bool isDegreeWord(const Phrase& phrase, size_t k) {
 /// Hours, minutes and seconds as they are written together: the factor to seconds; 0: no such unit.
 double secondsOf(std::string_view unit) {
   const std::string_view known = unitForWord(unit);
-  return known == "s" ? 1 : known == "min" ? 60 : known == "h" ? 3600 : known == "day" ? 86400 : 0;
+  return known == "s"               ? 1
+         : known == "min"           ? 60
+         : known == "h"             ? 3600
+         : known.starts_with("day") ? 86400
+                                    : 0;
 }
 
 /// Part of a time: `3 h`.
@@ -202,6 +211,34 @@ size_t degreesCelsius(Phrase& phrase) {
     phrase.put(unit);  // AstBuilder reads it as degC
   }
   return 2;
+}
+
+size_t magneticHeading(Phrase& phrase) {
+  const bool angle =
+      phrase.type() == GliderLexer::UNIT && (phrase.text() == "deg" || phrase.text() == "rad");
+  if (phrase.before() != GliderLexer::NUMBER || !angle || phrase.type(1) != GliderLexer::NAME ||
+      phrase.text(1) != "magnetic" || phrase.type(2) == GliderLexer::LPAREN) {
+    return 0;
+  }
+  phrase.put(phrase.whole(0, 2, GliderLexer::UNIT));
+  return 2;
+}
+
+size_t softUnit(Phrase& phrase) {
+  if (phrase.before() != GliderLexer::NUMBER || phrase.type() != GliderLexer::NAME) {
+    return 0;
+  }
+  const bool fraction =
+      phrase.type(1) == GliderLexer::DIVIDE && phrase.type(2) == GliderLexer::NAME;
+  for (const size_t tokens : {3U, 1U}) {
+    const auto unit =
+        tokens == 1 || fraction ? support::findUnit(phrase.wholeText(0, tokens)) : std::nullopt;
+    if (unit && unit->soft && phrase.type(tokens) != GliderLexer::LPAREN) {
+      phrase.put(phrase.whole(0, tokens, GliderLexer::UNIT));
+      return tokens;
+    }
+  }
+  return 0;
 }
 
 size_t foreignUnit(Phrase& phrase) {

@@ -124,6 +124,7 @@ class Declarations {
     }
     constant.type = value.type;
     constant.number = *number;
+    constant.scale = value.scale;
     constant.position = value.longitude.valid();
     constant.second = constant.position ? *evaluate(scope_.mission, value.longitude) : 0;
     constant.valid = true;

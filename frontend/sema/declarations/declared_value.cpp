@@ -30,7 +30,9 @@ support::SourceRange whole(const ast::Range& range) {
 }  // namespace
 
 std::optional<Value> DeclaredValue::start(const ast::Expr& expr) {
-  return ExprLowering(scope_).lowerDeclared(expr, type_, "`" + name_.text + "`");
+  const auto value = ExprLowering(scope_).lowerDeclared(expr, type_, "`" + name_.text + "`");
+  scale_ = value && value->scale.written ? value->scale : Scale{};
+  return value;
 }
 
 std::optional<std::pair<double, double>> DeclaredValue::constant(const ast::Expr& expr,

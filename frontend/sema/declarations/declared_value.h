@@ -27,6 +27,8 @@ class DeclaredValue {
 
   /// Its initial value, of its type.
   std::optional<Value> start(const ast::Expr& expr);
+  /// What the value counts that was lowered last, where it is written with such a unit.
+  [[nodiscard]] const Scale& scale() const { return scale_; }
   /// A value of its type that must be known before the mission runs; `what` says what for. The
   /// second is a position's longitude. Leaves nothing lowered.
   std::optional<std::pair<double, double>> constant(const ast::Expr& expr, std::string_view what);
@@ -38,6 +40,7 @@ class DeclaredValue {
   const ast::Name& name_;
   const DeclaredType& type_;
   Scope& scope_;
+  Scale scale_;
 };
 
 }  // namespace glider::frontend

@@ -63,17 +63,21 @@ void lowerDeclination(const ast::File& file, Scope& scope) {
     scope.report(support::diagnostics::declinationTwice, again.where)
         .note(first.where, "the first is here");
   });
-  ir::Compass compass;
   if (line != nullptr) {
-    compass.declination = angleOf(*line, scope);
+    scope.declination = angleOf(*line, scope);
   }
+}
+
+void lowerCompass(const ast::File& file, Scope& scope) {
+  ir::Compass compass;
+  compass.declination = scope.declination;
   if (!hasHeadings(scope.mission)) {
     return;
   }
   const platforms::PlatformSensor* variation = scope.platform().find(platforms::kVariationSensor);
   if (variation != nullptr) {
     compass.variation = scope.subscribe(*variation, variation->name);
-  } else if (line == nullptr) {
+  } else if (!scope.declination) {
     scope.report(support::diagnostics::declinationUnknown, headOf(file));
   }
   scope.mission.compass = compass;

@@ -107,6 +107,7 @@ bool lowerVar(const ast::Var& node, const VariableOwner& owner, Named& named, Sc
   }
   const auto known = evaluate(scope.mission, start->id);
   named.starts_constant = known.has_value();
+  named.scale = lowering.scale();
   if (known && node.range && !lowering.inside(*known, *bounds, node.value, *node.range)) {
     return false;
   }
@@ -132,6 +133,7 @@ bool lowerParam(const ast::Param& node, Named& named, Scope& scope) {
       (node.range && !lowering.inside(start->first, *bounds, node.value, *node.range))) {
     return false;
   }
+  named.scale = lowering.scale();
   ir::Variable model;
   model.name = node.name.text;
   model.kind = ir::VariableKind::Parameter;

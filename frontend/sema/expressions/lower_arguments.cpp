@@ -57,9 +57,7 @@ class ArgumentLowering {
   }
 
   [[nodiscard]] bool latitudeAndLongitude(size_t formal) const {
-    return formal + 1 < formals().size() &&
-           formals()[formal].type == DeclaredType{latitude(), false} &&
-           formals()[formal + 1].type == DeclaredType{longitude(), false};
+    return isLatitudeAndLongitude(callee_.signature, formal);
   }
 
   /// False if there are too few or too many arguments.
@@ -217,6 +215,12 @@ class ArgumentLowering {
 };
 
 }  // namespace
+
+bool isLatitudeAndLongitude(const Signature& signature, size_t formal) {
+  const auto& formals = signature.formals;
+  return formal + 1 < formals.size() && formals[formal].type == DeclaredType{latitude(), false} &&
+         formals[formal + 1].type == DeclaredType{longitude(), false};
+}
 
 std::optional<Arguments> lowerArguments(const std::vector<ast::Argument>& arguments,
                                         const Callee& callee, const support::SourceRange& where,

@@ -33,4 +33,8 @@ std::optional<Arguments> lowerArguments(const std::vector<ast::Argument>& argume
                                         const Callee& callee, const support::SourceRange& where,
                                         Scope& scope);
 
+/// Whether a parameter and the next one are a latitude and a longitude: one position may be given
+/// for both.
+bool isLatitudeAndLongitude(const Signature& signature, size_t formal);
+
 }  // namespace glider::frontend

@@ -21,7 +21,8 @@ namespace glider::frontend {
 struct Value {
   ir::ExprId id;
   ir::Type type;
-  ir::ExprId longitude;  ///< valid for a position only
+  ir::ExprId longitude{};  ///< valid for a position only
+  Scale scale{};           ///< of a plain number
 };
 
 /// A sensor that an expression reads.
@@ -62,6 +63,11 @@ class ExprLowering {
   /// cannot be minutes, and then returns true.
   bool decimalDegrees(const ast::Expr& first, const ast::Expr& second);
 
+  /// Refuses two plain numbers of which one is written in a unit that is not that of the other, and
+  /// then returns true (scales.cpp). `op` is what they meet in.
+  bool scalesDiffer(const Value& left, const support::SourceRange& left_where, const Value& right,
+                    const support::SourceRange& right_where, std::string_view op);
+
   /// The sensors read since this was made.
   [[nodiscard]] const std::vector<SensorRead>& reads() const { return reads_; }
 
@@ -84,6 +90,8 @@ class ExprLowering {
   // Literals (lower_literal.cpp).
   Result bareLiteral(const ast::Literal& node, const support::SourceRange& range,
                      std::optional<ir::Type> want, bool negative);
+  /// Reports `-10 deg magnetic`: the minus would turn the true heading round.
+  Result refuseMagnetic(const ast::Literal& node, const support::SourceRange& range);
   /// Reports a unit that does not exist; that of `26 degrees` follows from the type that is
   /// expected.
   void refuseUnit(const ast::Literal& node, std::optional<ir::Type> want);
@@ -153,6 +161,21 @@ class ExprLowering {
   Result emitWindow(std::string_view name, const Value& operand, const WindowLength& length,
                     const support::SourceRange& range);
 
+  // Windows over a leg, and the number of the yo (lower_window.cpp).
+  struct LegWords {
+    ir::Leg leg;
+    bool dives;
+    bool climbs;
+  };
+  static std::optional<LegWords> legOf(const ast::Expr& length);
+  Result legWindow(const ast::Invocation& node, const LegWords& leg, const ast::Expr& expr);
+  /// The depth of `depth_of_highest(x, leg)`.
+  Result depthOf(const ast::Invocation& node, const ast::Expr& expr);
+  /// Adds the temporal over the legs of the vehicle; `written` is what needs them.
+  Result emitLeg(ir::Temporal temporal, const LegWords& leg, const std::string& written,
+                 const support::SourceRange& range);
+  Result yoNumber(const support::SourceRange& range);
+
   // Places (lower_earth.cpp, lower_inside.cpp).
   Result onEarth(const ast::Invocation& node, const ast::Expr& expr);
   Result betweenPlaces(ir::Op op, const ast::Invocation& node, const ast::Expr& expr);
@@ -167,6 +190,12 @@ class ExprLowering {
   Value wholePlace(const Value& place, const support::SourceRange& range);
   Result inside(const std::vector<Value>& corners, const support::SourceRange& range);
   friend class InsideLowering;
+
+  // Magnetic headings (lower_magnetic.cpp).
+  Result magnetic(const ast::Invocation& node, const ast::Expr& expr);
+  Result variationInForce(const support::SourceRange& range);
+  /// The true heading in [0, 2 pi) of a magnetic one in [0, 2 pi).
+  Result fromMagnetic(ir::ExprId heading, const support::SourceRange& range);
 
   // Paths (lower_path.cpp).
   std::optional<Path> lanes(const ast::Invocation& node, const ast::Expr& expr);
@@ -225,11 +254,17 @@ class ExprLowering {
 /// not use it.
 bool meansValue(std::string_view name, const support::SourceRange& where, Scope& scope);
 
+/// The scale of a sum, or of the greater, of two numbers.
+Scale commonScale(const Scale& a, const Scale& b);
+
 /// Whether an expression is certainly a position: a literal, the name of one, or a function.
 bool isPosition(const ast::Expr& expr, Scope& scope);
 
 /// Whether an expression is certainly a path: a list, the name of one, or lanes.
 bool isPath(const ast::Expr& expr, Scope& scope);
+
+/// Whether the unit of a literal is that of a magnetic heading: "deg magnetic".
+bool isMagneticUnit(std::string_view unit);
 
 /// Whether an expression is a bare number, or a sum of bare numbers: it has no unit of its own.
 bool takesUnitOfContext(const ast::Expr& expr);

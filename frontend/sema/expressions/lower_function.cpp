@@ -37,10 +37,10 @@ std::string countedArguments(size_t n) {
 ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast::Expr& expr,
                                          std::optional<ir::Type> want) {
   const std::string& name = node.function.text;
-  if (!scope_.functions.contains(name) && refuseNames(node, scope_)) {
+  if (isFunctionName(name) && !scope_.functions.contains(name) && refuseNames(node, scope_)) {
     return std::nullopt;
   }
-  if (findWindow(name)) {
+  if (findWindow(name) && (isReservedFunction(name) || !scope_.declares(name, expr.where))) {
     return window(node, expr);
   }
   if (name == "became" || name == "held") {
@@ -54,6 +54,9 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
   }
   if (isPlaceFunction(name) && !scope_.declares(name, expr.where)) {
     return stretched(node) ? std::nullopt : placeOf(node, expr);
+  }
+  if (isHeadingFunction(name) && !scope_.declares(name, expr.where)) {
+    return stretched(node) ? std::nullopt : magnetic(node, expr);
   }
   const Function* function =
       isReservedFunction(name) || !scope_.declares(name, expr.where) ? findFunction(name) : nullptr;
@@ -183,7 +186,9 @@ ExprLowering::Result ExprLowering::callOne(ir::Op op, const ast::Invocation& nod
     return emit(op, boolean(), expr.where, {value->id});
   }
   if (keeps) {
-    return emit(op, value->type, expr.where, {value->id});
+    Value result = emit(op, value->type, expr.where, {value->id});
+    result.scale = value->scale;
+    return result;
   }
   const auto root = support::squareRoot(value->type.dimension);
   if (!root) {
@@ -211,6 +216,7 @@ ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& no
     return std::nullopt;
   }
   std::vector<ir::ExprId> operands(node.arguments.size());
+  Scale scale = led->scale;
   bool good = true;
   for (size_t i = 0; i < node.arguments.size(); ++i) {
     const ast::Expr& argument = *node.arguments[i].value;
@@ -223,11 +229,19 @@ ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& no
                     value->longitude.valid() ? "a position" : describe(value->type),
                     node.function.text);
       good = false;
+    } else if (scalesDiffer(*led, model.where, *value, argument.where, node.function.text)) {
+      good = false;
     } else {
       operands[i] = value->id;
+      scale = commonScale(scale, value->scale);
     }
   }
-  return good ? Result(emitOf(op, expr.where, operands)) : std::nullopt;
+  if (!good) {
+    return std::nullopt;
+  }
+  Value result = emitOf(op, expr.where, operands);
+  result.scale = info.gives == ir::Gives::Same ? scale : Scale{};
+  return result;
 }
 
 }  // namespace glider::frontend

@@ -25,14 +25,44 @@ double inSi(double value, double to_si) {
   return parts > 1 && 1 / parts == to_si ? value / parts : value * to_si;
 }
 
+constexpr double kFullTurn = 6.283185307179586;
+
 constexpr ir::Type kLatitude{ir::TypeKind::Latitude, {}};
 constexpr ir::Type kLongitude{ir::TypeKind::Longitude, {}};
+
+/// What a number with this unit counts; nothing for a percentage or for a unit with a dimension.
+Scale scaleOf(std::string_view unit) {
+  const auto known = support::findUnit(unit);
+  return known && known->dimension.dimensionless() && unit != "%" ? Scale{known->spelling, true}
+                                                                  : Scale{};
+}
+
+/// The degrees of a magnetic heading, from 0 to below 360.
+double inTurn(const ast::Literal& node, bool negative) {
+  constexpr double kTurn = 360;
+  const double degrees = std::fmod(parseNumber(node.digits).value_or(0), kTurn);
+  return negative && degrees > 0 ? kTurn - degrees : degrees;
+}
 
 bool isLetter(const std::string& unit) {
   return unit == "N" || unit == "S" || unit == "E" || unit == "W";
 }
 
 }  // namespace
+
+bool isMagneticUnit(std::string_view unit) {
+  return unit.ends_with(" magnetic");
+}
+
+ExprLowering::Result ExprLowering::refuseMagnetic(const ast::Literal& node,
+                                                  const support::SourceRange& range) {
+  const bool negative = scope_.text(range).starts_with('-');
+  const std::string better = node.unit.starts_with("deg")
+                                 ? fmt::format("`{:.10g} deg magnetic`", inTurn(node, negative))
+                                 : "an angle from 0 deg to 360 deg";
+  scope_.report(support::diagnostics::magneticHeading, range, scope_.text(range), better);
+  return std::nullopt;
+}
 
 bool takesUnitOfContext(const ast::Expr& expr) {
   if (const auto* literal = std::get_if<ast::Literal>(&expr.node)) {
@@ -69,7 +99,9 @@ ExprLowering::Result ExprLowering::visit(const ast::Literal& node, const ast::Ex
   if (!value) {
     return std::nullopt;
   }
-  const auto unit = support::parseUnit(node.unit);
+  const bool magnetic = isMagneticUnit(node.unit);
+  const std::string written = magnetic ? node.unit.substr(0, node.unit.find(' ')) : node.unit;
+  const auto unit = support::parseUnit(written);
   if (!unit) {
     refuseUnit(node, want);
     return std::nullopt;
@@ -79,7 +111,12 @@ ExprLowering::Result ExprLowering::visit(const ast::Literal& node, const ast::Ex
     scope_.report(support::diagnostics::numberTooLarge, expr.where, scope_.text(expr.where));
     return std::nullopt;
   }
-  return emitNumber(si, quantity(unit->dimension), expr.where);
+  Value result = emitNumber(si, quantity(unit->dimension), expr.where);
+  if (magnetic) {
+    return si < kFullTurn ? fromMagnetic(result.id, expr.where) : refuseMagnetic(node, expr.where);
+  }
+  result.scale = scaleOf(node.unit);
+  return result;
 }
 
 void ExprLowering::refuseUnit(const ast::Literal& node, std::optional<ir::Type> want) {
@@ -127,10 +164,10 @@ ExprLowering::Result ExprLowering::bareLiteral(const ast::Literal& node,
     scope_.report(support::diagnostics::numberTooLarge, range, node.digits);
     return std::nullopt;
   }
-  constexpr double kFullTurn = 6.283185307179586;
   if (type.dimension == support::dimension::angle && si > kFullTurn) {
     const std::string text = (negative ? "-" : "") + node.digits;
-    if (unitForWord(scope_.wordAfter(range)).empty()) {  // `26 degrees` has already been reported
+    const std::string after = scope_.wordAfter(range);
+    if (unitForWord(after).empty() && after != "magnetic") {  // `26 degrees` has been reported
       scope_.report(support::diagnostics::bareAngle, range, text).fix(range, text + " deg");
     }
   }

@@ -100,7 +100,7 @@ ExprLowering::Result ExprLowering::variable(Named& named, const support::SourceR
     return value;
   }
   ir::MissionWriter write(scope_.mission, range);
-  Value value{write.read(named.variable), named.type.type, {}};
+  Value value{write.read(named.variable), named.type.type, {}, named.scale};
   if (named.type.position) {
     value.longitude = write.read(named.longitude);
   }
@@ -112,7 +112,11 @@ ExprLowering::Result ExprLowering::sensor(const platforms::PlatformSensor& senso
                                           const support::SourceRange& range) {
   const ir::SensorId id = scope_.subscribe(sensor, written);
   reads_.push_back({&sensor, written, range});
-  return valueOf(ir::MissionWriter(scope_.mission, range).read(id));
+  Value value = valueOf(ir::MissionWriter(scope_.mission, range).read(id));
+  if (value.type == plainNumber()) {
+    value.scale = {sensor.unit, false};
+  }
+  return value;
 }
 
 ExprLowering::Result ExprLowering::clock(Clock clock, const support::SourceRange& range) {
@@ -129,6 +133,7 @@ ExprLowering::Result ExprLowering::constant(const Constant& constant,
     return emit(constant.number != 0 ? ir::Op::True : ir::Op::False, boolean(), range, {});
   }
   Value value = emitNumber(constant.number, constant.type, range);
+  value.scale = constant.scale;
   if (constant.position) {
     value.longitude = emitNumber(constant.second, longitude(), range).id;
   }
@@ -164,7 +169,9 @@ ExprLowering::Result ExprLowering::unknown(const ast::NameUse& node,
   }
   const auto function = scope_.functions.find(node.name);
   const Suggestion hint =
-      function != scope_.functions.end()
+      legOf({node, range})
+          ? Suggestion{"it is the length of a window: `highest(temp, last leg)`", ""}
+      : function != scope_.functions.end()
           ? Suggestion{"it is a function: write `" + function->second.signature.text + "`", ""}
       : isFunctionName(node.name) ? Suggestion{"it is a function: give it arguments", ""}
       : scope_.states.contains(node.name)

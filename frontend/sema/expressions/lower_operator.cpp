@@ -102,6 +102,9 @@ ExprLowering::Result ExprLowering::visit(const ast::Unary& node, const ast::Expr
     if (literal->unit.empty()) {
       return bareLiteral(*literal, expr.where, want, true);
     }
+    if (isMagneticUnit(literal->unit)) {
+      return refuseMagnetic(*literal, expr.where);
+    }
   }
   const Result operand = lower(*node.operand, want);
   if (!operand) {
@@ -121,7 +124,9 @@ ExprLowering::Result ExprLowering::visit(const ast::Unary& node, const ast::Expr
   if (!numeric(*operand, *node.operand, "-", false)) {
     return std::nullopt;
   }
-  return emit(ir::Op::Negate, operand->type, expr.where, {operand->id});
+  Value negative = emit(ir::Op::Negate, operand->type, expr.where, {operand->id});
+  negative.scale = operand->scale;
+  return negative;
 }
 
 bool ExprLowering::numeric(const Value& value, const ast::Expr& expr, std::string_view op,
@@ -179,7 +184,9 @@ std::optional<ExprLowering::Pair> ExprLowering::alike(const ast::Expr& left, con
     suggestUnit(right, l.type, op, report);
     return std::nullopt;
   }
-  return rightFirst ? Pair{*two, *one} : Pair{*one, *two};
+  const Pair pair = rightFirst ? Pair{*two, *one} : Pair{*one, *two};
+  return scalesDiffer(pair.left, left.where, pair.right, right.where, op) ? std::nullopt
+                                                                          : std::optional(pair);
 }
 
 void ExprLowering::suggestUnit(const ast::Expr& value, const ir::Type& other, std::string_view op,
@@ -244,7 +251,9 @@ ExprLowering::Result ExprLowering::sum(ir::Op op, const ast::Binary& node, const
   if (!pair || !numeric(pair->left, *node.left, text, false)) {
     return std::nullopt;
   }
-  return emit(op, pair->left.type, expr.where, {pair->left.id, pair->right.id});
+  Value result = emit(op, pair->left.type, expr.where, {pair->left.id, pair->right.id});
+  result.scale = commonScale(pair->left.scale, pair->right.scale);
+  return result;
 }
 
 ExprLowering::Result ExprLowering::scaling(ir::Op op, const ast::Binary& node,

@@ -44,6 +44,9 @@ ExprLowering::Result ExprLowering::meantValue(const std::string& name,
   if (name == "turned") {
     return turned(range);
   }
+  if (name == "yo_number") {
+    return yoNumber(range);
+  }
   return ofWater(name == "salinity" ? ir::Op::Salinity : ir::Op::Density, range);
 }
 
@@ -101,7 +104,9 @@ ExprLowering::Result ExprLowering::ofWater(ir::Op op, const support::SourceRange
     }
     measured.at(i) = sensor(*found, kCtd.at(i), range)->id;
   }
-  return emitOf(op, range, measured);
+  Value result = emitOf(op, range, measured);
+  result.scale = {"1", false};
+  return result;
 }
 
 }  // namespace glider::frontend

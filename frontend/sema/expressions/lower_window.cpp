@@ -16,7 +16,9 @@ ExprLowering::Result ExprLowering::window(const ast::Invocation& node, const ast
     scope_.report(support::diagnostics::overTimeNowhere, expr.where, name);
     return std::nullopt;
   }
-  const std::string form = name + (name == "slope" ? "(x, 10 m of depth)" : "(x, 60 s)");
+  const std::string form = name + (name == "slope"            ? "(x, 10 m of depth)"
+                                   : isReservedFunction(name) ? "(x, 60 s)"
+                                                              : "(x, last leg)");
   if (node.arguments.size() != 2) {
     const size_t count = node.arguments.size();
     scope_.report(support::diagnostics::wrongArgumentCount, expr.where, name, "2 arguments",
@@ -32,6 +34,14 @@ ExprLowering::Result ExprLowering::window(const ast::Invocation& node, const ast
     return std::nullopt;
   }
   const ast::Argument& over = node.arguments.back();
+  if (const auto leg = legOf(*over.value); leg && !over.of) {
+    return legWindow(node, *leg, expr);
+  }
+  if (!isReservedFunction(name)) {
+    scope_.report(support::diagnostics::legExpected, over.value->where, name,
+                  scope_.text(over.value->where), scope_.text(node.arguments.front().value->where));
+    return std::nullopt;
+  }
   if (name == (over.of ? "rate" : "slope")) {
     scope_.report(support::diagnostics::rateOrSlope, expr.where, name,
                   over.of ? "a time" : "a distance", over.of ? "a distance" : "no distance",
@@ -44,7 +54,11 @@ ExprLowering::Result ExprLowering::window(const ast::Invocation& node, const ast
   if (!operand || !shape || !numeric(*operand, watched, name, false)) {
     return std::nullopt;
   }
-  return emitWindow(name, *operand, *shape, expr.where);
+  Result result = emitWindow(name, *operand, *shape, expr.where);
+  if (result && name != "rate" && name != "slope") {
+    result->scale = operand->scale;
+  }
+  return result;
 }
 
 std::optional<ExprLowering::WindowLength> ExprLowering::windowLength(const ast::Argument& over,
@@ -92,6 +106,95 @@ ExprLowering::Result ExprLowering::emitWindow(std::string_view name, const Value
     return std::nullopt;
   }
   return watch(temporal);
+}
+
+// Windows over a dive or climb, `highest(temp, last leg)`, and the number of the yo. What a leg is
+// the vehicle says, by the sensor that has the states `diving` and `climbing`.
+
+/// `this leg`, `last dive` and so on, which the parser has read as one name.
+std::optional<ExprLowering::LegWords> ExprLowering::legOf(const ast::Expr& length) {
+  const auto* use = std::get_if<ast::NameUse>(&length.node);
+  const size_t gap = use != nullptr ? use->name.find(' ') : std::string::npos;
+  if (gap == std::string::npos) {
+    return std::nullopt;
+  }
+  return LegWords{use->name.starts_with("this") ? ir::Leg::This : ir::Leg::Last,
+                  !use->name.ends_with("climb"), !use->name.ends_with("dive")};
+}
+
+ExprLowering::Result ExprLowering::legWindow(const ast::Invocation& node, const LegWords& leg,
+                                             const ast::Expr& expr) {
+  const std::string& name = node.function.text;
+  if (name == "rate" || name == "slope") {
+    scope_.report(support::diagnostics::notOverALeg, expr.where, name);
+    return std::nullopt;
+  }
+  const ast::Expr& watched = *node.arguments.front().value;
+  const Result value = lower(watched, std::nullopt);
+  if (!value || !numeric(*value, watched, name, false)) {
+    return std::nullopt;
+  }
+  ir::Temporal temporal;
+  temporal.kind = *findWindow(name);
+  temporal.operand = value->id;
+  if (isReservedFunction(name)) {
+    Result result = emitLeg(temporal, leg, name, expr.where);
+    if (result) {
+      result->scale = value->scale;
+    }
+    return result;
+  }
+  const Result depth = depthOf(node, expr);
+  if (!depth) {
+    return std::nullopt;
+  }
+  temporal.duration = value->id;
+  temporal.operand = depth->id;
+  return emitLeg(temporal, leg, name, expr.where);
+}
+
+ExprLowering::Result ExprLowering::depthOf(const ast::Invocation& node, const ast::Expr& expr) {
+  const platforms::PlatformSensor* depth = scope_.platform().find("depth");
+  if (depth == nullptr) {
+    scope_.report(support::diagnostics::unknownSensor, expr.where, scope_.platform().name,
+                  node.function.text, "the vehicle does not report its depth");
+    return std::nullopt;
+  }
+  return sensor(*depth, "depth", expr.where);
+}
+
+ExprLowering::Result ExprLowering::emitLeg(ir::Temporal temporal, const LegWords& leg,
+                                           const std::string& written,
+                                           const support::SourceRange& range) {
+  const auto dive = findSensorState(scope_.platform(), "diving");
+  const auto climb = findSensorState(scope_.platform(), "climbing");
+  if (!dive || !climb || dive->sensor != climb->sensor) {
+    scope_.report(support::diagnostics::unknownSensor, range, scope_.platform().name, written,
+                  "the vehicle does not report whether it dives or climbs");
+    return std::nullopt;
+  }
+  temporal.list = *scope_.context.list;
+  temporal.state = scope_.context.state;
+  temporal.along = sensor(*dive->sensor, dive->sensor->name, range)->id;
+  temporal.leg = leg.leg;
+  temporal.dive = leg.dives ? dive->value : climb->value;
+  temporal.climb = leg.climbs ? climb->value : dive->value;
+  temporal.range = range;
+  if (!temporal.operand.valid()) {
+    temporal.operand = temporal.along;
+  }
+  return watch(temporal);
+}
+
+/// How many dives have begun since the state was entered.
+ExprLowering::Result ExprLowering::yoNumber(const support::SourceRange& range) {
+  if (!scope_.context.list) {
+    scope_.report(support::diagnostics::overTimeNowhere, range, "yo_number");
+    return std::nullopt;
+  }
+  ir::Temporal temporal;
+  temporal.kind = ir::TemporalKind::Number;
+  return emitLeg(temporal, {ir::Leg::This, true, false}, "yo_number", range);
 }
 
 }  // namespace glider::frontend

@@ -3,6 +3,7 @@
 
 #include "frontend/sema/expressions/named_arguments.h"
 
+#include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/names/functions.h"
 #include "frontend/spelling.h"
 #include "support/diagnostics/ids/meaning.h"
@@ -26,54 +27,111 @@ Suggestion namesOf(const Signature& signature, std::string_view wrong) {
   return didYouMean(wrong, names, names.empty() ? "it has no parameters" : all);
 }
 
+/// Puts arguments of which some are named in the order of the parameters.
+class Ordering {
+ public:
+  Ordering(const std::vector<ast::Argument>& arguments, const Callee& callee, Scope& scope)
+      : arguments_(arguments),
+        callee_(callee),
+        scope_(scope),
+        places_(callee.signature.formals.size() + arguments.size()) {}
+
+  std::optional<std::vector<ast::Argument>> run(const support::SourceRange& where) {
+    for (size_t i = 0; i < arguments_.size(); ++i) {
+      if (arguments_[i].parameter) {
+        named_ = true;
+        takeNamed(arguments_[i]);
+      } else {
+        takeUnnamed(i);
+      }
+    }
+    return good_ ? ordered(where) : std::nullopt;
+  }
+
+ private:
+  /// What was given for a parameter: a position may be a latitude and a longitude, and one position
+  /// may be for the two.
+  struct Place {
+    std::vector<const ast::Argument*> given;
+    bool covered = false;  ///< by the position that was given for the latitude before
+    [[nodiscard]] bool filled() const { return covered || !given.empty(); }
+  };
+
+  [[nodiscard]] const std::vector<Signature::Formal>& formals() const {
+    return callee_.signature.formals;
+  }
+
+  void takeNamed(const ast::Argument& argument) {
+    const auto found =
+        std::ranges::find(formals(), argument.parameter->text,
+                          [](const Signature::Formal& formal) { return formal.name->text; });
+    if (found == formals().end()) {
+      scope_.reportUnknown(support::diagnostics::unknownParameter, argument.parameter->where,
+                           namesOf(callee_.signature, argument.parameter->text), callee_.name,
+                           argument.parameter->text);
+      good_ = false;
+      return;
+    }
+    Place& place = places_[static_cast<size_t>(found - formals().begin())];
+    if (place.filled()) {
+      scope_.report(support::diagnostics::argumentTwice, argument.parameter->where, callee_.name,
+                    argument.parameter->text);
+      good_ = false;
+    }
+    place.given = {&argument};
+  }
+
+  void takeUnnamed(size_t index) {
+    const ast::Argument& argument = arguments_[index];
+    if (named_) {
+      scope_.report(support::diagnostics::orderAfterName, argument.value->where,
+                    scope_.text(argument.value->where));
+      good_ = false;
+      return;
+    }
+    places_[next_].given.push_back(&argument);
+    const bool position = isPosition(*argument.value, scope_);
+    const bool first_half = next_ < formals().size() && places_[next_].given.size() == 1 &&
+                            formals()[next_].type.position && !position &&
+                            arguments_.size() - index > formals().size() - next_;
+    if (first_half) {
+      return;  // the longitude follows
+    }
+    const bool pair = position && isLatitudeAndLongitude(callee_.signature, next_);
+    places_[next_ + 1].covered = pair;
+    next_ += pair ? 2 : 1;
+  }
+
+  std::optional<std::vector<ast::Argument>> ordered(const support::SourceRange& where) {
+    std::vector<ast::Argument> all;
+    for (size_t i = 0; i < formals().size(); ++i) {
+      if (!places_[i].filled()) {
+        scope_.report(support::diagnostics::argumentMissing, where, callee_.name,
+                      formals()[i].name->text);
+        return std::nullopt;
+      }
+      for (const ast::Argument* argument : places_[i].given) {
+        all.push_back({argument->value, argument->of, {}});
+      }
+    }
+    return all;
+  }
+
+  const std::vector<ast::Argument>& arguments_;
+  const Callee& callee_;
+  Scope& scope_;
+  std::vector<Place> places_;
+  size_t next_ = 0;
+  bool named_ = false;
+  bool good_ = true;
+};
+
 }  // namespace
 
 std::optional<std::vector<ast::Argument>> inOrder(const std::vector<ast::Argument>& arguments,
                                                   const Callee& callee,
                                                   const support::SourceRange& where, Scope& scope) {
-  const auto& formals = callee.signature.formals;
-  std::vector<const ast::Argument*> places(std::max(formals.size(), arguments.size()), nullptr);
-  bool good = true;
-  bool named = false;
-  for (size_t i = 0; i < arguments.size(); ++i) {
-    const ast::Argument& argument = arguments[i];
-    size_t place = i;
-    if (argument.parameter) {
-      named = true;
-      const auto found =
-          std::ranges::find(formals, argument.parameter->text,
-                            [](const Signature::Formal& formal) { return formal.name->text; });
-      if (found == formals.end()) {
-        scope.reportUnknown(support::diagnostics::unknownParameter, argument.parameter->where,
-                            namesOf(callee.signature, argument.parameter->text), callee.name,
-                            argument.parameter->text);
-        good = false;
-        continue;
-      }
-      place = static_cast<size_t>(found - formals.begin());
-      if (places[place] != nullptr) {
-        scope.report(support::diagnostics::argumentTwice, argument.parameter->where, callee.name,
-                     argument.parameter->text);
-        good = false;
-      }
-    } else if (named) {
-      scope.report(support::diagnostics::orderAfterName, argument.value->where,
-                   scope.text(argument.value->where));
-      good = false;
-    }
-    places[place] = &argument;
-  }
-  std::vector<ast::Argument> ordered;
-  for (size_t i = 0; i < formals.size() && good; ++i) {
-    if (places[i] == nullptr) {
-      scope.report(support::diagnostics::argumentMissing, where, callee.name,
-                   formals[i].name->text);
-      good = false;
-    } else {
-      ordered.push_back({places[i]->value, places[i]->of, {}});
-    }
-  }
-  return good ? std::optional(std::move(ordered)) : std::nullopt;
+  return Ordering(arguments, callee, scope).run(where);
 }
 
 bool refuseNames(const ast::Invocation& node, Scope& scope) {

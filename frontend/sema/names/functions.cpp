@@ -28,6 +28,8 @@ constexpr std::string_view kEarth[] = {
 constexpr std::string_view kFree[] = {
 #define FREE_FUNCTION(name, ...) #name,
 #define PLACE_FUNCTION(name, ...) #name,
+#define HEADING_FUNCTION(name, ...) #name,
+#define LEG_FUNCTION(name, ...) #name,
 #include "frontend/sema/names/functions.def"
 };
 
@@ -36,8 +38,14 @@ constexpr std::string_view kPlaces[] = {
 #include "frontend/sema/names/functions.def"
 };
 
+constexpr std::string_view kHeadings[] = {
+#define HEADING_FUNCTION(name, ...) #name,
+#include "frontend/sema/names/functions.def"
+};
+
 constexpr WindowFunction kWindows[] = {
 #define WINDOW_FUNCTION(name, kind, use, what) {#name, ir::TemporalKind::kind},
+#define LEG_FUNCTION WINDOW_FUNCTION
 #include "frontend/sema/names/functions.def"
 };
 
@@ -65,6 +73,10 @@ bool isPlaceFunction(std::string_view name) {
   return std::ranges::find(kPlaces, name) != std::end(kPlaces);
 }
 
+bool isHeadingFunction(std::string_view name) {
+  return std::ranges::find(kHeadings, name) != std::end(kHeadings);
+}
+
 bool isReservedFunction(std::string_view name) {
   return isFunctionName(name) && std::ranges::find(kFree, name) == std::end(kFree);
 }
@@ -90,8 +102,10 @@ std::span<const FunctionText> functionTexts() {
 #define FREE_FUNCTION FUNCTION
 #define EARTH_FUNCTION(name, use, what) {#name, use, what},
 #define PLACE_FUNCTION(name, use, what) {#name, use, what},
+#define HEADING_FUNCTION(name, use, what) {#name, use, what},
 #define SPAN_FUNCTION(name, use, what) {#name, use, what},
 #define WINDOW_FUNCTION(name, kind, use, what) {#name, use, what},
+#define LEG_FUNCTION WINDOW_FUNCTION
 #include "frontend/sema/names/functions.def"
   };
   return kTexts;

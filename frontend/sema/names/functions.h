@@ -25,7 +25,7 @@ struct Function {
 /// The function called `name` that is one operation; null if there is none.
 const Function* findFunction(std::string_view name);
 
-/// The window function called `name`: mean, lowest, highest, spread, rate, slope.
+/// The window function called `name`: mean, lowest, depth_of_lowest, rate, slope and so on.
 std::optional<ir::TemporalKind> findWindow(std::string_view name);
 
 /// Whether `name` is a function that takes places.
@@ -33,6 +33,9 @@ bool isEarthFunction(std::string_view name);
 
 /// Whether `name` is a function that gives a place, unless the mission uses the name itself.
 bool isPlaceFunction(std::string_view name);
+
+/// Whether `name` is a function that gives a heading, unless the mission uses the name itself.
+bool isHeadingFunction(std::string_view name);
 
 /// Whether a mission cannot use `name` itself, as it is a function.
 bool isReservedFunction(std::string_view name);

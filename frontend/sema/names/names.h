@@ -32,6 +32,13 @@ std::string_view describe(NamedKind kind);
 bool isVariable(NamedKind kind);
 
 /// A name of one of these kinds. A position is two IR variables.
+/// What a plain number counts, as far as its text shows it: `uM`, `ug/L`; "1" for a reading
+/// without a unit; empty if that is not known.
+struct Scale {
+  std::string_view unit;
+  bool written = false;  ///< a number with this unit is part of it
+};
+
 struct Named {
   const ast::Name* name = nullptr;
   NamedKind kind = NamedKind::MissionVariable;
@@ -44,6 +51,7 @@ struct Named {
   /// a position, two.
   std::vector<Snippet> arguments;
   PathArgument path;  ///< the same for a path; where the behaviour is checked on its own, any path
+  Scale scale;        ///< of the value that it is declared with, if that has a unit
   bool starts_constant = false;
   bool read = false;  ///< by something else than a `set` of itself
   bool written = false;

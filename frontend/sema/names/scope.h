@@ -34,6 +34,7 @@ struct Constant {
   bool position = false;  ///< `number` is the latitude, `second` the longitude
   double number = 0;      ///< SI units or degrees; 1 and 0 for true and false
   double second = 0;
+  Scale scale;
   Path path;                ///< not empty: a path, and nothing else
   bool worked_out = false;  ///< its definition was reached
   bool valid = false;       ///< evaluated without errors; errors have been reported
@@ -213,6 +214,7 @@ class Scope {
   };
 
   ir::Mission mission;
+  std::optional<double> declination;    ///< rad, east positive; empty: no line gives it
   std::map<uint32_t, KnownArea> areas;  ///< by the expression that checks whether it is kept
   Context context;
   std::map<std::string, Constant, std::less<>> constants;

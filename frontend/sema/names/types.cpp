@@ -107,8 +107,8 @@ std::optional<DeclaredType> findType(std::string_view name) {
 }
 
 bool isUnitName(std::string_view name) {
-  return support::findUnit(name).has_value() || name == "N" || name == "S" || name == "E" ||
-         name == "W";
+  const auto unit = support::findUnit(name);
+  return (unit && !unit->soft) || name == "N" || name == "S" || name == "E" || name == "W";
 }
 
 }  // namespace glider::frontend

@@ -72,7 +72,9 @@ void StatementLowering::visit(const ast::Set& node, const ast::Statement& statem
   const auto value =
       lowering.lowerDeclared(node.value, named->type, "`" + node.variable.text + "`");
   named->read = read;  // only counting up does not count as a use of a variable
-  if (!value || !named->valid) {
+  if (!value || !named->valid ||
+      lowering.scalesDiffer({{}, {}, {}, named->scale}, node.variable.where, *value,
+                            node.value.where, "set")) {
     return;
   }
   ir::Statement set = statementOf(ir::StatementKind::Set, statement.where);

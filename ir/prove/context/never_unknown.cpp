@@ -35,6 +35,8 @@ class KnownExpressions {
         return operands && !mayBeZero(e.operands[1]) && isSmall(index);
       case KnownRule::Guarded:
         return operands || isGuarded(e, judged);
+      case KnownRule::Choice:
+        return operands || isDefaulted(e, judged);
       case KnownRule::Variable:
         return judged.variables[e.variable.index];
       case KnownRule::Maybe:
@@ -57,6 +59,15 @@ class KnownExpressions {
              (x.op == Op::Sensor && x.sensor == m_[asked.operands[0]].sensor);
     };
     return known(then.operands[0]) && known(then.operands[1]);
+  }
+
+  /// Such as `known(x) ? x : 0`.
+  bool isDefaulted(const Expr& choice, const GreatestFixpoint& judged) const {
+    const Expr& asked = m_[choice.operands[0]];
+    const Expr& first = m_[choice.operands[1]];
+    return asked.op == Op::Known && first.op == Op::Sensor &&
+           m_[asked.operands[0]].op == Op::Sensor && m_[asked.operands[0]].sensor == first.sensor &&
+           judged.expressions[choice.operands[2].index];
   }
 
   bool mayBeZero(ExprId id) const {

@@ -57,6 +57,9 @@ void expectSame(const Temporal& a, const Temporal& b) {
   EXPECT_EQ(std::tie(a.kind, a.list, a.state, a.operand, a.duration, a.along),
             std::tie(b.kind, b.list, b.state, b.operand, b.duration, b.along));
   EXPECT_EQ(bits(a.length), bits(b.length));
+  EXPECT_EQ(a.leg, b.leg);
+  EXPECT_EQ(bits(a.dive), bits(b.dive));
+  EXPECT_EQ(bits(a.climb), bits(b.climb));
 }
 
 void expectSame(const Statement& a, const Statement& b) {
@@ -261,6 +264,10 @@ state leg ("leg.to")
   end
   temporal mean route leg (sensor depth) over 10 along (sensor depth)
   case (gt (distance 1:latitude 2:longitude (var "leg.to") 3:longitude) (temporal 3)) return
+  temporal at_lowest route leg (sensor depth) where (sensor depth) over last 1 2.5 along (sensor depth)
+  case (gt (temporal 4) 2:length) return
+  temporal number route leg (sensor depth) over this 1 1 along (sensor depth)
+  case (gt (temporal 5) 2) return
 )";
 
 TEST(IrText, CompassesComeBack) {
@@ -287,7 +294,7 @@ TEST(IrText, CompassesComeBack) {
 TEST(IrText, WholeLanguageReadsLikeTheMission) {
   const Mission mission = missionOf(kWhole);
   EXPECT_EQ(print(mission), kWhole);
-  EXPECT_EQ(mission.temporals.size(), 4u);
+  EXPECT_EQ(mission.temporals.size(), 6u);
   EXPECT_EQ(mission.blocks.size(), 8u);
   EXPECT_EQ(mission.states[1].profile.cases[0].transition, Transition::Done);
 }

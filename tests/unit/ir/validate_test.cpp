@@ -215,6 +215,21 @@ const Damage kWholeDamages[] = {
     {"windowOfNoLength", [](Mission& m) { m.temporals[1].length = 0; }},
     {"windowNaN", [](Mission& m) { m.temporals[1].length = kInvalidNumber; }},
     {"windowOfTruth", [](Mission& m) { m.temporals[1].operand = m.temporals[0].operand; }},
+    {"legOfALength", [](Mission& m) { m.temporals[1].leg = Leg::This; }},
+    {"legWithoutSensor",
+     [](Mission& m) {
+       m.temporals[1].leg = Leg::Last;
+       m.temporals[1].length = 0;
+       m.temporals[1].along = {};
+     }},
+    {"legWithoutEnds",
+     [](Mission& m) {
+       m.temporals[1].leg = Leg::Last;
+       m.temporals[1].length = 0;
+       m.temporals[1].dive = kInvalidNumber;
+     }},
+    {"numberOfALength", [](Mission& m) { m.temporals[1].kind = TemporalKind::Number; }},
+    {"comparesNothing", [](Mission& m) { m.temporals[1].kind = TemporalKind::AtLowest; }},
     {"windowAlongAVariable", [](Mission& m) { m.temporals[1].along = m.variables[1].initial; }},
     {"tableEmpty", [](Mission& m) { m.tables[0].values.clear(); }},
     {"tableNaN", [](Mission& m) { m.tables[0].values[1] = kInvalidNumber; }},

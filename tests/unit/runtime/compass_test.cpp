@@ -50,8 +50,10 @@ class Compass : public ::testing::Test {
 
   /// The frame, as the mission gets it.
   std::vector<double> taken(std::vector<GliderUpdate> frame) {
-    gliderConvertHeadings(&mission_.mission, nullptr, &variation_, frame.data(),
-                          static_cast<uint32_t>(frame.size()));
+    const auto count = static_cast<uint32_t>(frame.size());
+    frame.resize(hooks::kMostSubscriptions);
+    frame.resize(
+        gliderConvertHeadings(&mission_.mission, nullptr, &variation_, frame.data(), count));
     std::vector<double> values;
     for (const GliderUpdate& u : frame) {
       values.push_back(u.value);
@@ -146,6 +148,28 @@ TEST_F(Compass, AnAbsurdVariationLeavesTheLast) {
     hear(absurd);
     EXPECT_DOUBLE_EQ(trueOf(1), 1 - kOffNewJersey) << absurd;
   }
+}
+
+TEST_F(Compass, WhatTheMissionReadsIsWhatHeadingsAreConvertedBy) {
+  hear(kOffNewJersey);
+  for (const double absurd : {kNoHeading, 3.15, 69696969.0}) {
+    EXPECT_EQ(taken({update(GLIDER_M_GPS_MAG_VAR, absurd)})[0], kOffNewJersey) << absurd;
+  }
+  std::vector<GliderUpdate> frame{update(GLIDER_M_HEADING, 1), {}};
+  const auto convert = [&](GliderContext* context, uint32_t count) {
+    return gliderConvertHeadings(&mission_.mission, context, &variation_, frame.data(), count);
+  };
+  EXPECT_EQ(convert(nullptr, 1), 2U) << "reported before the mission began";
+  EXPECT_EQ(frame[1].id, GLIDER_M_GPS_MAG_VAR);
+  EXPECT_EQ(frame[1].value, kOffNewJersey);
+  EXPECT_EQ(convert(nullptr, 2), 2U);
+  EXPECT_EQ(convert(mission_.start(), 1), 1U) << "the mission has it";
+  std::vector<GliderUpdate> full(hooks::kMostSubscriptions + 1, update(GLIDER_M_DEPTH, 1));
+  EXPECT_EQ(gliderConvertHeadings(&mission_.mission, nullptr, &variation_, full.data(),
+                                  hooks::kMostSubscriptions),
+            hooks::kMostSubscriptions);
+  variation_ = kNoHeading;
+  EXPECT_EQ(convert(nullptr, 1), 1U) << "never reported";
 }
 
 TEST_F(Compass, UntilTheVehicleReportsItTheMissionsDeclinationCounts) {

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Windows over a dive or climb: what they give, and that the runtime's sums are the readings.
+
+#include "runtime/abi/leg.h"
+
+#include "ir/eval/leg_window.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace glider::runtime::testing::legs {
+namespace {
+
+using ir::Leg;
+using ir::PlainLegs;
+using ir::Temporal;
+using ir::TemporalKind;
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kSurface = 0, kDive = 1, kClimb = 2, kHover = 3;
+
+constexpr std::pair<TemporalKind, GliderLegKind> kKinds[] = {
+    {TemporalKind::Mean, kGliderLegMean},         {TemporalKind::Lowest, kGliderLegLowest},
+    {TemporalKind::Highest, kGliderLegHighest},   {TemporalKind::Spread, kGliderLegSpread},
+    {TemporalKind::AtLowest, kGliderLegAtLowest}, {TemporalKind::AtHighest, kGliderLegAtHighest},
+    {TemporalKind::Number, kGliderLegNumber}};
+
+/// A window of the runtime, in ticks of 4 s; starts at 100 s in the state `phase`.
+class Window {
+ public:
+  explicit Window(GliderLegKind kind, Leg leg = Leg::This, double dive = kDive,
+                  double climb = kClimb)
+      : shape_{dive, climb, kind, leg == Leg::Last ? 1U : 0U} {
+    gliderLegStart(memory_.data(), time_);
+  }
+  double tick(double phase, double value, double at = 0, bool fresh = true) {
+    gliderLegAdvance(memory_.data(), &shape_, time_, phase, value, at, fresh ? 1 : 0);
+    time_ += 4;
+    return memory_[0];
+  }
+  /// A tick for each value; the last result.
+  double ticks(double phase, const std::vector<double>& values) {
+    double result = kNothing;
+    for (const double value : values) {
+      result = tick(phase, value, 10 * value);
+    }
+    return result;
+  }
+  void wait(double seconds) { time_ += seconds; }
+
+ private:
+  GliderLegShape shape_;
+  std::vector<double> memory_ = std::vector<double>(GLIDER_LEG_MEMORY, -7.0);
+  double time_ = 100;
+};
+
+TEST(Legs, OfEachKind) {
+  const double ofThis[] = {4, 1, 9, 8, 10, 90, 2};
+  const double ofLast[] = {5, 2, 8, 6, 20, 80, 2};
+  for (size_t i = 0; i < std::size(kKinds); ++i) {
+    for (const Leg leg : {Leg::This, Leg::Last}) {
+      Window window(kKinds[i].second, leg);
+      EXPECT_TRUE(std::isnan(window.tick(kSurface, 100))) << "the tick of the start";
+      window.ticks(kDive, {5, 8, 2});
+      EXPECT_EQ(window.ticks(kClimb, {2, 9, 1}), leg == Leg::This ? ofThis[i] : ofLast[i])
+          << i << (leg == Leg::This ? " this" : " last");
+    }
+  }
+}
+
+TEST(Legs, OnlyWholeLegsAreLast) {
+  for (const bool under_way : {true, false}) {
+    Window window(kGliderLegMean, Leg::Last);
+    window.ticks(under_way ? kDive : kSurface, {1});
+    window.ticks(kDive, {3, 5});
+    EXPECT_EQ(std::isnan(window.ticks(kClimb, {7, 9})), under_way);
+    EXPECT_EQ(window.ticks(kDive, {1}), 8);
+  }
+  Window called(kGliderLegMean, Leg::Last);
+  called.ticks(kSurface, {0});
+  called.ticks(kDive, {3, 5});
+  called.wait(57);  // with the tick, 61 s
+  called.ticks(kDive, {3});
+  EXPECT_TRUE(std::isnan(called.ticks(kClimb, {7})));
+  called.ticks(kDive, {3});
+  called.wait(56);
+  called.ticks(kDive, {5});
+  EXPECT_EQ(called.ticks(kClimb, {7}), 4);
+}
+
+TEST(Legs, BetweenTwoLegsThePresentOneIsTheOneBefore) {
+  Window dives(kGliderLegHighest, Leg::This, kDive, kDive);
+  Window last(kGliderLegHighest, Leg::Last, kDive, kDive);
+  for (Window* window : {&dives, &last}) {
+    window->ticks(kSurface, {9});
+    window->ticks(kDive, {3, 5});
+    window->ticks(kClimb, {7});
+    window->wait(1000);  // not a part of a dive
+    window->ticks(kHover, {8});
+  }
+  EXPECT_EQ(dives.ticks(kClimb, {8}), 5);
+  EXPECT_TRUE(std::isnan(last.ticks(kClimb, {8})));
+  EXPECT_EQ(dives.ticks(kDive, {4}), 4);
+  EXPECT_EQ(last.ticks(kDive, {4}), 5);
+}
+
+TEST(Legs, TheNumberCountsBeginnings) {
+  for (const double first : {kSurface, kDive, kNothing}) {
+    Window window(kGliderLegNumber, Leg::This, kDive, kDive);
+    window.tick(first, 0);
+    const double begun = first == kSurface ? 1 : 0;
+    EXPECT_EQ(window.ticks(kDive, {1, 1, 1}), begun) << "under way, or not known to begin";
+    EXPECT_EQ(window.ticks(kClimb, {1}), begun);
+    EXPECT_EQ(window.ticks(kDive, {kNothing}), begun + 1);
+    EXPECT_TRUE(std::isnan(window.tick(kNothing, 1)));
+    EXPECT_EQ(window.ticks(kDive, {1}), begun + 1);
+  }
+}
+
+TEST(Legs, UnknownAndOldReadingsAreLeftOut) {
+  Window window(kGliderLegMean);
+  window.tick(kSurface, 0);
+  EXPECT_TRUE(std::isnan(window.tick(kDive, kNothing)));
+  EXPECT_TRUE(std::isnan(window.tick(kDive, 5, 0, false)));
+  EXPECT_TRUE(std::isnan(window.tick(kDive, 5, kNothing)));
+  EXPECT_EQ(window.tick(kDive, 5), 5);
+  EXPECT_TRUE(std::isnan(window.tick(kNothing, 7)));
+  EXPECT_EQ(window.tick(kDive, 7), 6);
+}
+
+TEST(Legs, AMeanIsWithinItsReadings) {
+  Window window(kGliderLegMean);
+  window.tick(kSurface, 0);
+  for (int i = 0; i < 2000; ++i) {
+    EXPECT_EQ(window.tick(kDive, 0.1), 0.1);
+  }
+}
+
+/// The runtime's sums and the interpreter's readings give the same bits.
+TEST(Legs, AreWhatTheirReadingsSay) {
+  std::mt19937 random(7);
+  const auto chance = [&](double p) { return std::bernoulli_distribution(p)(random); };
+  size_t known = 0;
+  for (size_t flight = 0; flight < 400; ++flight) {
+    const auto& [kind, abi] = kKinds[flight % std::size(kKinds)];
+    Temporal temporal;
+    temporal.kind = kind;
+    temporal.leg = chance(0.5) ? Leg::This : Leg::Last;
+    temporal.dive = chance(0.7) ? kDive : kClimb;
+    temporal.climb = chance(0.7) ? kClimb : temporal.dive;
+    const GliderLegShape shape{temporal.dive, temporal.climb, abi,
+                               temporal.leg == Leg::Last ? 1U : 0U};
+    PlainLegs plain(temporal);
+    std::vector<double> memory(GLIDER_LEG_MEMORY, -7.0);
+    double time = 0;
+    double phase = kSurface;
+    for (int tick = 0; tick < 300; ++tick) {
+      if (tick == 0 || chance(0.005)) {
+        plain.start(time);
+        gliderLegStart(memory.data(), time);
+      }
+      phase = chance(0.1) ? std::uniform_int_distribution(0, 3)(random) : phase;
+      const double seen = chance(0.05) ? kNothing : phase;
+      const double value =
+          chance(0.1) ? kNothing : std::uniform_real_distribution(-3.0, 3.0)(random);
+      const double at = chance(0.1) ? kNothing : std::uniform_real_distribution(0.0, 9.0)(random);
+      const bool fresh = chance(0.9);
+      plain.advance(time, seen, value, at, fresh);
+      gliderLegAdvance(memory.data(), &shape, time, seen, value, at, fresh ? 1 : 0);
+      ASSERT_EQ(std::bit_cast<uint64_t>(plain.value()), std::bit_cast<uint64_t>(memory[0]))
+          << flight << " " << tick << " " << plain.value() << " " << memory[0];
+      known += std::isnan(memory[0]) ? 0U : 1U;
+      time += chance(0.02) ? 70 : chance(0.05) ? 0 : 4;
+    }
+  }
+  EXPECT_GT(known, 20000U);
+}
+
+}  // namespace
+}  // namespace glider::runtime::testing::legs

@@ -175,7 +175,11 @@ class TableBuilder {
   void resolve(const Outline& outline, const std::vector<SymbolBody>& bodies) {
     for (const OutlineUse& use : outline.uses) {
       const SymbolBody* body = use.body ? &bodies[*use.body] : nullptr;
-      if (const auto symbol = meanings_.find(use.naming, text(use.where), body)) {
+      auto symbol = meanings_.find(use.naming, text(use.where), body);
+      if (!symbol && use.naming == Naming::Value) {
+        symbol = meanings_.find(Naming::State, text(use.where), body);  // a place of a promise
+      }
+      if (symbol) {
         symbols_[*symbol].uses.push_back(use.where);
       }
     }

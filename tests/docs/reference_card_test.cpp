@@ -87,6 +87,8 @@ std::set<std::string> functions() {
 #define PLACE_FUNCTION(name, use, what) calls.insert(use);
 #define SPAN_FUNCTION(name, use, what) calls.insert(use);
 #define WINDOW_FUNCTION(name, kind, use, what) calls.insert(use);
+#define LEG_FUNCTION(name, kind, use, what) calls.insert(use);
+#define HEADING_FUNCTION(name, use, what) calls.insert(use);
 #include "frontend/sema/names/functions.def"
   return calls;
 }

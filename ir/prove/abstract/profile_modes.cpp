@@ -12,8 +12,9 @@
 
 namespace glider::ir::prove {
 
-ProfileModes::ProfileModes(const Mission& mission, const Activity& profile, Readings readings)
-    : m_(mission), profile_(profile), readings_(readings) {
+ProfileModes::ProfileModes(const Mission& mission, const Activity& profile,
+                           const GreatestFixpoint* known)
+    : m_(mission), profile_(profile), known_(known) {
   const auto gather = [&](const Statement& statement) {
     const bool sets = statement.kind == StatementKind::Set &&
                       m_[statement.variable].type.kind == TypeKind::Bool &&
@@ -62,6 +63,9 @@ std::set<Mode> ProfileModes::run(const Statement& statement, Mode mode) const {
   if (statement.kind == StatementKind::If) {
     const Truth condition = judge(statement.value, mode);
     std::set<Mode> after;
+    if (condition == Truth::Unknown && maybeUnknown(statement.value)) {
+      after.insert(mode);  // S2: neither branch runs
+    }
     if (condition != Truth::False) {
       after.merge(run(statement.then, {mode}));
     }
@@ -78,6 +82,10 @@ std::set<Mode> ProfileModes::run(const Statement& statement, Mode mode) const {
     mode.command = statement.command;
   }
   return {mode};
+}
+
+bool ProfileModes::maybeUnknown(ExprId id) const {
+  return known_ != nullptr && !known_->expressions[id.index];
 }
 
 /// Unknown represents either value.
@@ -102,7 +110,7 @@ Truth ProfileModes::judge(ExprId id, const Mode& mode) const {
     return truth(e.op != Op::False);
   }
   if (e.op == Op::Known) {
-    return readings_ == Readings::Known ? Truth::True : Truth::Unknown;
+    return maybeUnknown(e.operands[0]) ? Truth::Unknown : Truth::True;
   }
   if (groupOf(e.op) == OpGroup::Logic) {
     return logical(opIn<LogicOp>(e.op), operand);

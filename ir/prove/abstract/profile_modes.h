@@ -5,6 +5,7 @@
 
 #include "ir/core/mission.h"
 #include "ir/core/truth.h"
+#include "ir/verify/inherited.h"
 
 #include <optional>
 #include <set>
@@ -19,15 +20,12 @@ struct Mode {
   auto operator<=>(const Mode&) const = default;
 };
 
-/// Whether `known(…)` is taken to be true, or either.
-enum class Readings : uint8_t { Known, Any };
-
 /// How the statements of a profile lead from one of its modes to others. A comparison may have
 /// either result.
 class ProfileModes {
  public:
-  /// `mission` outlives this.
-  ProfileModes(const Mission& mission, const Activity& profile, Readings readings);
+  /// `known`: what is never unknown; null: everything is taken to be known. All outlive this.
+  ProfileModes(const Mission& mission, const Activity& profile, const GreatestFixpoint* known);
 
   /// The truth values that the profile sets itself.
   [[nodiscard]] const std::vector<VariableId>& own() const { return own_; }
@@ -39,12 +37,13 @@ class ProfileModes {
   [[nodiscard]] Truth judge(ExprId id, const Mode& mode) const;
 
  private:
+  [[nodiscard]] bool maybeUnknown(ExprId id) const;
   [[nodiscard]] std::set<Mode> run(const Statement& statement, Mode mode) const;
   static std::set<Mode> with(Mode mode, size_t number, Truth value);
 
   const Mission& m_;
   const Activity& profile_;
-  Readings readings_;
+  const GreatestFixpoint* known_;
   std::vector<VariableId> own_;
 };
 

@@ -39,12 +39,17 @@ struct TimedCase {
 /// The modes of a profile, and the ways between them.
 class ModeWays {
  public:
-  ModeWays(const Mission& mission, const Activity& profile)
-      : profile_(profile), modes_(mission, profile, Readings::Any) {}
+  ModeWays(const ProofContext& proof_context, const Activity& profile)
+      : known_(proof_context.known),
+        profile_(profile),
+        modes_(proof_context.mission, profile, &proof_context.known) {}
 
-  /// False if there are too many.
+  /// False if there are too many, or one of their truth values may be unknown, or is set by `done`.
   bool explore() {
-    if (modes_.own().size() > kMostTruths) {
+    const bool plain = std::ranges::all_of(modes_.own(), [&](VariableId id) {
+      return known_.variables[id.index] && id != profile_.done;
+    });
+    if (!plain || modes_.own().size() > kMostTruths) {
       return false;
     }
     std::vector<Mode> open;
@@ -82,6 +87,7 @@ class ModeWays {
   [[nodiscard]] const std::map<Mode, std::vector<ModeWay>>& all() const { return ways_; }
 
  private:
+  const GreatestFixpoint& known_;
   const Activity& profile_;
   ProfileModes modes_;
   std::map<Mode, std::vector<ModeWay>> ways_;
@@ -229,7 +235,7 @@ class ProfileSearch {
         id_(state),
         state_(m_[state]),
         climb_s_(climb_s),
-        ways_(m_, state_.profile) {}
+        ways_(proof_context, state_.profile) {}
 
   ProfileSurfacing run() {
     ProfileSurfacing best;
@@ -263,16 +269,21 @@ class ProfileSearch {
   [[nodiscard]] bool othersInterfere() const {
     bool found =
         !m_[state_.profile.behaviour].symbol.empty() || !m_[state_.route.behaviour].symbol.empty();
-    const auto look = [&](const Statement& s) {
-      found = found || (s.kind == StatementKind::Command && isVertical(s.command)) ||
-              (s.kind == StatementKind::Set && isOfProfile(s.variable));
+    const auto commands = [&](const Statement& s) {
+      found = found || (s.kind == StatementKind::Command && isVertical(s.command));
     };
-    forEachStatement(m_, state_.route.entry, look);
-    forEachStatement(m_, m_.every_tick, look);
+    const auto remembers = [&](const Statement& s) {
+      found = found || (s.kind == StatementKind::Set && isOfProfile(s.variable));
+    };
+    forEachStatement(m_, state_.route.entry, commands);
+    for (const BlockId block : {m_.every_tick, state_.entry, state_.route.entry}) {
+      forEachStatement(m_, block, remembers);
+    }
     for (const auto* cases : {&m_.always, &state_.cases, &state_.route.cases}) {
       for (const Case& c : *cases) {
+        forEachStatement(m_, c.action, remembers);
         if (c.transition == Transition::Stay || c.transition == Transition::Done) {
-          forEachStatement(m_, c.action, look);
+          forEachStatement(m_, c.action, commands);
         }
       }
     }

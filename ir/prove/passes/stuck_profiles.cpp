@@ -29,10 +29,7 @@ class ModeGraph {
  public:
   /// `resumes`: its state may be returned to, so that its entry runs again, in the current mode.
   ModeGraph(const Mission& mission, const Activity& profile, bool resumes)
-      : m_(mission),
-        profile_(profile),
-        resumes_(resumes),
-        modes_(mission, profile, Readings::Known) {}
+      : m_(mission), profile_(profile), resumes_(resumes), modes_(mission, profile, nullptr) {}
 
   /// False if there are too many.
   bool explore() {

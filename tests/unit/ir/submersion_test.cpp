@@ -355,6 +355,9 @@ struct SurfacingProfile {
   std::string surfaces = "do set \"a.profile.s\" true set \"a.profile.r\" missiontime surface () ";
   std::string stays = "case (var \"a.profile.s\") do surface () end stay ";
   std::string route = "";
+  std::string state_entry = "";
+  std::string done = "";
+  std::string initial = "false ";
   std::string own = "";
 
   [[nodiscard]] Mission mission() const {
@@ -364,13 +367,14 @@ struct SurfacingProfile {
     const std::string q = "\"a.profile.q\" ";
     return missionOf(kDives + "variable " + s + ": bool profile of a\nvariable " + q +
                      ": bool profile of a\nvariable " + d + ": time profile of a\nvariable " + r +
-                     ": time profile of a\nstate a route way begin " + route +
-                     "end profile yo begin entry do initial " + s + "false initial " + q +
-                     "false initial " + d + "missiontime initial " + r + "missiontime " + entry +
-                     " end " + first + "case (and (var " + s + ") (ge (sub missiontime (var " + r +
-                     ")) " + wait + ")) do set " + s + "false set " + d + "missiontime " + kDown +
-                     " end stay " + "case (and (not (var " + s + ")) (gt (sub missiontime (var " +
-                     d + ")) 3000:time)) " + surfaces + "end stay " + stays + last + "end " + own +
+                     ": time profile of a\nstate a route way begin " + route + "end " +
+                     state_entry + "profile yo " + done + "begin entry do initial " + s + initial +
+                     "initial " + q + "false initial " + d + "missiontime initial " + r +
+                     "missiontime " + entry + " end " + first + "case (and (var " + s +
+                     ") (ge (sub missiontime (var " + r + ")) " + wait + ")) do set " + s +
+                     "false set " + d + "missiontime " + kDown + " end stay " +
+                     "case (and (not (var " + s + ")) (gt (sub missiontime (var " + d +
+                     ")) 3000:time)) " + surfaces + "end stay " + stays + last + "end " + own +
                      "\n" + diveState("z", kDown, "case (ge statetime 0:time) return "));
   }
 
@@ -433,6 +437,19 @@ TEST(ProfileSurfacing, IsNotBoundedWhereItNeedNotSurface) {
                                  .own = "case " + warm + " call z "}
                     .isBounded()))
       << "resumed, it goes on as if it still climbed";
+  EXPECT_FALSE((SurfacingProfile{.surfaces = "do set \"a.profile.s\" true set \"a.profile.r\" "
+                                             "missiontime if " +
+                                             warm + " surface () else surface () end "}
+                    .isBounded()))
+      << "neither branch runs of an `if` whose condition is unknown";
+  EXPECT_FALSE((SurfacingProfile{.initial = "(gt (sensor depth) 5:length) "}.isBounded()))
+      << "what it remembers may be unknown";
+  const std::string set_s = "do set \"a.profile.s\" true end ";
+  EXPECT_FALSE((SurfacingProfile{.state_entry = "entry " + set_s}.isBounded()));
+  EXPECT_FALSE((SurfacingProfile{.own = "case " + warm + " " + set_s + "call z "}.isBounded()))
+      << "another list sets what it remembers";
+  EXPECT_FALSE((SurfacingProfile{.last = "case " + warm + " done ", .done = "done \"a.profile.s\" "}
+                    .isBounded()));
   EXPECT_FALSE((SurfacingProfile{.route = "entry do " + kDown + " end "}.isBounded()));
   EXPECT_FALSE(
       (SurfacingProfile{.own = "case " + warm + " do " + kDown + " end stay "}.isBounded()));

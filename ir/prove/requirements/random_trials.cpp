@@ -40,10 +40,11 @@ Trials trialsOf(const Requirement& requirement, const StrategyContext& context) 
 
 std::optional<Counterexample> tryAtRandom(const Requirement& requirement,
                                           const ProofContext& proof_context,
-                                          StrategyContext& context) {
+                                          StrategyContext& context, unsigned round) {
   const Trials trials = trialsOf(requirement, context);
   Budget& budget = context.proof.searches;
-  for (uint64_t seed = 1; seed <= trials.flights && !budget.isUsedUp(); ++seed) {
+  const uint64_t before = round * trials.flights;
+  for (uint64_t seed = before + 1; seed <= before + trials.flights && !budget.isUsedUp(); ++seed) {
     budget.spend(trials.ticks * trials.tick_steps);
     if (auto run = flyAtRandom(proof_context, context.proof.facts.stack_depth, requirement, seed,
                                trials.ticks)) {

@@ -9,11 +9,11 @@
 
 namespace glider::ir::prove {
 
-/// A random flight that violates `requirement` (Reach: satisfies): tries seeds 1, 2, …, until so
-/// many ticks are flown as the options and the budget allow. `proof_context`: with power cuts or
-/// without.
+/// A random flight that violates `requirement` (Reach: satisfies): tries one seed after the other
+/// until so many ticks are flown as the options and the budget allow. `proof_context`: with power
+/// cuts or without. `round`: 0, or more for that many other flights.
 std::optional<Counterexample> tryAtRandom(const Requirement& requirement,
                                           const ProofContext& proof_context,
-                                          StrategyContext& context);
+                                          StrategyContext& context, unsigned round = 0);
 
 }  // namespace glider::ir::prove

@@ -193,6 +193,54 @@ end
   EXPECT_LT(time[i], 1750) << "it surfaced";
 }
 
+/// The seconds of the first stay at the surface that begins after `from_s`.
+double firstStay(const Flight& flight, double from_s) {
+  const auto depth = flight.column("true_depth"), time = flight.column("time");
+  double arrived = -1;
+  for (size_t i = 0; i < depth.size(); ++i) {
+    if (arrived < 0 && time[i] > from_s && depth[i] < 0.5) {
+      arrived = time[i];
+    } else if (arrived >= 0 && depth[i] > 5) {
+      return time[i] - arrived;
+    }
+  }
+  return 0;
+}
+
+/// A call takes it down to 20 m for 20 min from where it is surfacing, on the way or at the
+/// surface.
+TEST(Library, AYoThatSurfacesBeginsItsSurfacingAgainAfterACall) {
+  for (const char* when : {"held(depth < 1 m && missiontime > 55 min, 8 s)", "missiontime > 61 min",
+                           "held(depth < 1 m && missiontime > 55 min, 4 min)"}) {
+    SCOPED_TRACE(when);
+    const Flight flight = flyText(std::string(R"(mission interrupted
+var calls: number = 0 in 0 .. 1
+state transect
+begin
+  flightroute   heading(90 deg)
+  flightprofile yo_and_surface(5 m, 40 m, 26 deg, 26 deg, period = 1 h, pause = 5 min)
+  sensors       missiontime, depth
+  events
+    case missiontime > 2 h exit
+    case calls < 1 && )") + when + R"( do set calls = 1 end call closer
+end
+state closer
+begin
+  flightroute   heading(90 deg)
+  flightprofile yo(top = 5 m, bottom = 20 m, dive = 26 deg, climb = 26 deg)
+  sensors       statetime, depth
+  events
+    case statetime > 20 min return
+end
+)");
+    const auto transitions = flight.transitions();
+    ASSERT_EQ(transitions.size(), 3U) << flight.outcome.err;
+    ASSERT_EQ(transitions[1].what, "closer → transect (return)");
+    EXPECT_GT(firstStay(flight, transitions[1].time_s), 290);
+    EXPECT_LT(firstStay(flight, transitions[1].time_s), 290 + 120);
+  }
+}
+
 /// At the surface its depth reads 0.5 m to 2.9 m, as in waves: it dives again after its pause.
 TEST(Library, AYoThatSurfacesLeavesInWaves) {
   const TemporaryFolder folder;

@@ -207,13 +207,9 @@ double firstStay(const Flight& flight, double from_s) {
   return 0;
 }
 
-/// A call takes it down to 20 m for 20 min from where it is surfacing, on the way or at the
-/// surface.
-TEST(Library, AYoThatSurfacesBeginsItsSurfacingAgainAfterACall) {
-  for (const char* when : {"held(depth < 1 m && missiontime > 55 min, 8 s)", "missiontime > 61 min",
-                           "held(depth < 1 m && missiontime > 55 min, 4 min)"}) {
-    SCOPED_TRACE(when);
-    const Flight flight = flyText(std::string(R"(mission interrupted
+/// A mission that surfaces after an hour, and once calls a state with `profile` for 20 min.
+std::string interrupted(const std::string& when, const std::string& profile) {
+  return R"(mission interrupted
 var calls: number = 0 in 0 .. 1
 state transect
 begin
@@ -222,22 +218,35 @@ begin
   sensors       missiontime, depth
   events
     case missiontime > 2 h exit
-    case calls < 1 && )") + when + R"( do set calls = 1 end call closer
+    case calls < 1 && )" +
+         when + R"( do set calls = 1 end call other
 end
-state closer
+state other
 begin
   flightroute   heading(90 deg)
-  flightprofile yo(top = 5 m, bottom = 20 m, dive = 26 deg, climb = 26 deg)
+  flightprofile )" +
+         profile + R"(
   sensors       statetime, depth
   events
     case statetime > 20 min return
 end
-)");
-    const auto transitions = flight.transitions();
-    ASSERT_EQ(transitions.size(), 3U) << flight.outcome.err;
-    ASSERT_EQ(transitions[1].what, "closer → transect (return)");
-    EXPECT_GT(firstStay(flight, transitions[1].time_s), 290);
-    EXPECT_LT(firstStay(flight, transitions[1].time_s), 290 + 120);
+)";
+}
+
+/// The call comes on the way up, as it arrives, and late in the pause; it returns at depth or at
+/// the surface.
+TEST(Library, AYoThatSurfacesBeginsItsSurfacingAgainAfterACall) {
+  for (const char* when : {"missiontime > 61 min", "held(depth < 1 m && missiontime > 55 min, 8 s)",
+                           "held(depth < 1 m && missiontime > 55 min, 4 min)"}) {
+    for (const char* profile : {"yo(5 m, 20 m, 26 deg, 26 deg)", "surfaced"}) {
+      SCOPED_TRACE(std::string(when) + ", " + profile);
+      const Flight flight = flyText(interrupted(when, profile));
+      const auto transitions = flight.transitions();
+      ASSERT_EQ(transitions.size(), 3U) << flight.outcome.err;
+      ASSERT_EQ(transitions[1].what, "other → transect (return)");
+      EXPECT_GT(firstStay(flight, transitions[1].time_s), 290);
+      EXPECT_LT(firstStay(flight, transitions[1].time_s), 290 + 120);
+    }
   }
 }
 

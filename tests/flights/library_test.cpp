@@ -250,6 +250,41 @@ TEST(Library, AYoThatSurfacesBeginsItsSurfacingAgainAfterACall) {
   }
 }
 
+/// A call takes it to the surface for longer than the hold: after the return it is not done there.
+/// Once it was done, it stays so.
+TEST(Library, ADiveThatHoldsBeginsItsHoldAgainAfterACall) {
+  const Flight flight = flyText(R"(mission held
+var calls: number = 0 in 0 .. 2
+state hold
+begin
+  flightprofile dive_and_hold(bottom = 15 m, dive = 26 deg, hold = 10 min)
+  sensors       missiontime, depth
+  events
+    case missiontime > 2 h exit
+    case calls < 1 && held(depth > 14 m, 2 min) do set calls = 1 end call up
+    case calls == 1 && profiledone do set calls = 2 log "done", missiontime end call up
+    case calls == 2 && profiledone exit
+end
+state up
+begin
+  flightprofile surfaced
+  sensors       depth, statetime
+  events
+    case statetime > 15 min return
+end
+)");
+  const auto transitions = flight.transitions();
+  ASSERT_EQ(transitions.size(), 5U) << flight.outcome.err;
+  const double returned = transitions[1].time_s, done = transitions[2].time_s;
+  const auto depth = flight.column("true_depth"), time = flight.column("time");
+  double held_from = done;
+  for (size_t i = time.size(); i-- > 0;) {
+    held_from = time[i] < done && time[i] > returned && depth[i] > 12 ? time[i] : held_from;
+  }
+  EXPECT_NEAR(done - held_from, 10 * 60, 60);
+  EXPECT_LT(transitions[4].time_s - transitions[3].time_s, 60) << "it was done before";
+}
+
 /// At the surface its depth reads 0.5 m to 2.9 m, as in waves: it dives again after its pause.
 TEST(Library, AYoThatSurfacesLeavesInWaves) {
   const TemporaryFolder folder;

@@ -31,6 +31,7 @@
 #include "support/diagnostics/ids/files.h"
 #include "support/files.h"
 #include "support/trace/trace.h"
+#include "vehicles/vehicle.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -217,6 +218,11 @@ support::Result<simulator::Scenario> scenarioFor(const SimOptions& options,
     auto own = flights::flyVehiclesOwn(own_file, platform, *scenario, reportDiagnostics);
     if (!own) {
       return std::unexpected(own.error());
+    }
+    if (!options.mi.empty()) {  // a mission needs hookbeh in it; other errors were shown above
+      if (auto usable = vehicles::tryOwnMission(options.mi, {}); !usable) {
+        return std::unexpected(usable.error());
+      }
     }
     scenario->skeleton_path = own_file;
   }

@@ -69,7 +69,7 @@ std::string renderPage(const support::Trace& trace,
   std::string page(kPageParts[0]);
   page += escapeHtml(flightTitle(trace));
   page += kPageParts[1];
-  const std::string warnings = warningsToJson(reported, flightWarnings(trace));
+  const std::string warnings = warningsToJson(reported, flightNotes(trace));
   page += escapeForScript("{\"figures\":" + figures + ",\"warnings\":" + warnings +
                           ",\"facts\":" + factsToJson(trace) +
                           ",\"yos\":" + yosToJson(yosOf(trace)) + ",\"trace\":" + flight + "}");

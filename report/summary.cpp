@@ -195,8 +195,8 @@ std::string eventLines(const Trace& trace, bool transitions) {
 std::string summarize(const Trace& trace) {
   const FlightFigures figures = flightFigures(trace);
   std::string out = heading(trace);
-  for (const std::string& warning : flightWarnings(trace)) {
-    out += wrapped("  warning: " + warning, kWidth, 4);
+  for (const std::string& note : flightNotes(trace)) {
+    out += wrapped("  note: " + note, kWidth, 4);
   }
   out += figures.rows == 0 ? "  nothing was recorded\n" : figureLines(figures);
   out += stateLines(figures);

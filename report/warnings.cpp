@@ -246,28 +246,28 @@ void reportUnusual(const Trace& trace, const std::string& hint,
   reportRestless(trace, hint, diagnostics);
 }
 
-std::vector<std::string> flightWarnings(const Trace& trace) {
-  std::vector<std::string> warnings;
+std::vector<std::string> flightNotes(const Trace& trace) {
+  std::vector<std::string> notes;
   if (trace.log) {
     return trace.log->notes;
   }
   if (const std::string other = otherMission(trace); !other.empty()) {
-    warnings.push_back(
+    notes.push_back(
         fmt::format("the SBC flies mission {}, not {}, so the state names shown are "
                     "wrong",
                     plain(other), plain(trace.mission)));
   }
   if (tell(trace, EventId::DeclinationUnknown).first != nullptr) {
-    warnings.emplace_back(
+    notes.emplace_back(
         "the magnetic declination was unknown, so headings were taken as magnetic; add a line such "
         "as `declination -12 deg` to the mission (GL2162)");
   }
   if (wasCutShort(trace)) {
-    warnings.push_back(
+    notes.push_back(
         "the mission had not ended when the simulated time was up (`--duration` flies longer)" +
         neverVisited(trace));
   }
-  return warnings;
+  return notes;
 }
 
 std::string warningsToJson(const std::vector<support::Diagnostic>& reported,

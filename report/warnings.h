@@ -39,8 +39,8 @@ void reportUnusual(const support::Trace& trace, const std::string& hint,
                    support::DiagnosticEngine& diagnostics);
 
 /// What else the reader must know before any figure of the flight: the mission was another one, or
-/// had not ended. One sentence each, without a full stop.
-std::vector<std::string> flightWarnings(const support::Trace& trace);
+/// had not ended. The flight may be as it was meant. One sentence each, without a full stop.
+std::vector<std::string> flightNotes(const support::Trace& trace);
 
 /// All of these as a JSON array, those of `reported` first: {"code", "slug", "message", "hint"};
 /// code and slug are empty for those that are not failures.

@@ -80,7 +80,7 @@ std::string flightToJson(const support::Trace& trace,
       {"seed", trace.seed},
       {"wentWell", reported.empty()},
       {"warnings",
-       ordered_json::parse(report::warningsToJson(reported, report::flightWarnings(trace)))},
+       ordered_json::parse(report::warningsToJson(reported, report::flightNotes(trace)))},
       {"figures", ordered_json::parse(report::figuresToJson(report::flightFigures(trace)))},
       {"files", files}};
   return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";

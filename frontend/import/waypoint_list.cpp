@@ -7,8 +7,11 @@
 #include "support/diagnostics/ids/meaning.h"
 #include "support/one_line.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -77,6 +80,8 @@ class ListReader {
       }
       if (words.front().text == "<end:waypoints>") {
         inside = false;
+      } else if (!inside && words.front().text == "b_arg:") {
+        noteBeginning(words);
       }
       good = (!inside || add(words)) && good;
       inside = inside || words.front().text == "<start:waypoints>";
@@ -89,6 +94,24 @@ class ListReader {
  private:
   [[nodiscard]] support::SourceRange range(const Piece& from, const Piece& to) const {
     return {file_, static_cast<uint32_t>(from.at), static_cast<uint32_t>(to.at + to.text.size())};
+  }
+
+  /// The vehicle chooses the first waypoint by `initial_wpt`; a path has an order only.
+  void noteBeginning(const std::vector<Piece>& words) {
+    constexpr int kNearest = -2, kAfterLastReached = -1, kFirst = 0;
+    if (words.size() < 3 || words[1].text.substr(0, words[1].text.find('(')) != "initial_wpt") {
+      return;
+    }
+    int which = kFirst;
+    const std::string_view value = words[2].text;
+    std::from_chars(value.data(), value.data() + value.size(), which);
+    if (which != kFirst) {
+      diagnostics_.report(support::diagnostics::listBeginsElsewhere, range(words[1], words[2]),
+                          which == kNearest ? "the nearest waypoint"
+                          : which == kAfterLastReached
+                              ? "the waypoint after the last one reached"
+                              : fmt::format("waypoint {}, counted from 0", which));
+    }
   }
 
   bool add(const std::vector<Piece>& words) {

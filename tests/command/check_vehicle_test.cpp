@@ -180,6 +180,22 @@ end
   EXPECT_THAT(restless.err, HasSubstr("see the flight with `glidercc sim "));
 }
 
+/// The command in the hint flies what `check` flew.
+TEST_F(CheckVehicle, AFlightWithTheMissionFileOfTheVehicleIsSeenBySim) {
+  const std::string own = vehicle("", "b_arg: max_depth(m) 60\n");
+  const Outcome checked = check("--scenario default --duration 20min --mi " + own, "");
+  EXPECT_THAT(checked.err, HasSubstr("had not ended"));
+  const std::string begin = "see the flight with `glidercc ";
+  const size_t from = checked.err.find(begin);
+  ASSERT_NE(from, std::string::npos) << checked.err;
+  const size_t at = from + begin.size();
+  const std::string command = checked.err.substr(at, checked.err.find('`', at) - at);
+  EXPECT_THAT(command, HasSubstr("--scenario default --mi " + own));
+  EXPECT_EQ(checked.err.substr(at + command.size() + 1, 1), "\n");
+  const Outcome flown = runShell("$GLIDERCC " + command + " -o " + (folder_.path() / "f").string());
+  EXPECT_THAT(flown.out, HasSubstr("flown 1200 s"));
+}
+
 /// The SBC starts again afterwards, as in `sim`.
 TEST_F(CheckVehicle, AFlightInAScenarioWithAPowerCutGoesOn) {
   const auto cut = scenarioWith(folder_, "[[faults.power]]\nfrom_s = 100\nto_s = 200\n");

@@ -468,6 +468,18 @@ end
 TEST_F(SimWithOwnFile, IsRefusedWhereItCannotBeUsed) {
   EXPECT_EQ(sim("ours.mi --mi ours.mi").status, 2);
   EXPECT_EQ(sim("deep.mission --mi none.mi").status, 2);
+  (void)folder_.write("without.mi", "behavior: surface\n    b_arg: start_when(enum) 1\n");
+  const Outcome without = sim("deep.mission --mi without.mi -o without");
+  EXPECT_EQ(without.status, 2) << without.out;
+  EXPECT_THAT(without.err, testing::HasSubstr("the mission `without.mi` has errors: it has no "
+                                              "behavior `hookbeh` [GL5120 skeleton-errors]"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "without"));
+  EXPECT_EQ(sim("without.mi -o alone").status, 0) << "a mission of the vehicle's own needs none";
+  (void)folder_.write("broken.mi", "behavior: hookbeh\n    b_arg: max_depth(m) deep\n");
+  const Outcome broken = sim("deep.mission --mi broken.mi");
+  EXPECT_EQ(broken.status, 2);
+  const std::string_view err = broken.err;
+  EXPECT_EQ(err.find("broken.mi:2"), err.rfind("broken.mi:2")) << "once: " << err;
   EXPECT_EQ(sim("deep.mission --mi ours.mi --picture ours.mi").status, 2);
 }
 

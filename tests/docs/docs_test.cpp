@@ -54,5 +54,26 @@ TEST(Documents, EveryMissionDoesWhatTheTextSays) {
   }
 }
 
+/// The vehicle would refuse or abort none of the missions of a page that shows its mission file.
+TEST(Documents, MissionsGoWithTheMissionFileOfTheirPage) {
+  constexpr const char* kVehicles = "slocum.mi";
+  int tried = 0;
+  for (const Example& example : allExamples()) {
+    if (!example.files.contains(kVehicles) || !example.expected.empty()) {
+      continue;
+    }
+    const TemporaryFolder folder;
+    for (const auto& [name, text] : example.files) {
+      (void)folder.write(name, text);
+    }
+    const auto path = folder.write("example.mission", example.text);
+    const Outcome outcome = runShell("cd " + folder.path().string() + " && $GLIDERCC check --mi " +
+                                     kVehicles + " " + path.string());
+    EXPECT_EQ(outcome.status, 0) << example.file << ":" << example.line << "\n" << outcome.err;
+    ++tried;
+  }
+  EXPECT_GE(tried, 13);
+}
+
 }  // namespace
 }  // namespace glider::tests

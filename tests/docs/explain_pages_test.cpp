@@ -34,8 +34,9 @@ const std::set<DiagnosticId> kNotShown = {
     support::diagnostics::importCycle, support::diagnostics::importsTooDeep,
     support::diagnostics::emptyImport, support::diagnostics::waypointsNeedName,
     support::diagnostics::nameForMission, support::diagnostics::waypointLine,
-    support::diagnostics::noWaypoints, support::diagnostics::argumentRange,
-    support::diagnostics::parameterDefault, support::diagnostics::tooManyOwnSensors,
+    support::diagnostics::noWaypoints, support::diagnostics::listBeginsElsewhere,
+    support::diagnostics::argumentRange, support::diagnostics::parameterDefault,
+    support::diagnostics::tooManyOwnSensors,
     // Another vehicle.
     support::diagnostics::declinationUnknown,
     // The vehicle's mission file: vehicle_missions_test.cpp tries the page.

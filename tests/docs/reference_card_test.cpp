@@ -11,7 +11,6 @@
 #include <cctype>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -96,15 +95,13 @@ std::set<std::string> functions() {
 /// "yo(top, bottom, dive, climb)", of each profile, or each route, of the library.
 std::set<std::string> library(const std::string& kind) {
   std::set<std::string> calls;
-  std::istringstream lines(source("missions/library/standard.mission"));
-  const std::regex declaration(kind + " (\\w+)(\\((.*)\\))?");
-  for (std::string line; std::getline(lines, line);) {
-    std::smatch found;
-    if (std::regex_match(line, found, declaration)) {
-      const std::string names =
-          std::regex_replace(found[3].str(), std::regex(": *\\w+(/\\w+)?"), "");
-      calls.insert(found[1].str() + (names.empty() ? "" : "(" + names + ")"));
-    }
+  const std::string text = source("missions/library/standard.mission");
+  const std::regex declaration("\n" + kind + " (\\w+)(\\(([^)]*)\\))?");
+  for (std::sregex_iterator at(text.begin(), text.end(), declaration), end; at != end; ++at) {
+    const std::string without_types =
+        std::regex_replace((*at)[3].str(), std::regex(": *\\w+(/\\w+)?"), "");
+    const std::string names = std::regex_replace(without_types, std::regex(",\\s+"), ", ");
+    calls.insert((*at)[1].str() + (names.empty() ? "" : "(" + names + ")"));
   }
   return calls;
 }

@@ -193,6 +193,98 @@ end
   EXPECT_LT(time[i], 1750) << "it surfaced";
 }
 
+/// The seconds of the first stay at the surface that begins after `from_s`.
+double firstStay(const Flight& flight, double from_s) {
+  const auto depth = flight.column("true_depth"), time = flight.column("time");
+  double arrived = -1;
+  for (size_t i = 0; i < depth.size(); ++i) {
+    if (arrived < 0 && time[i] > from_s && depth[i] < 0.5) {
+      arrived = time[i];
+    } else if (arrived >= 0 && depth[i] > 5) {
+      return time[i] - arrived;
+    }
+  }
+  return 0;
+}
+
+/// A mission that surfaces after an hour, and once calls a state with `profile` for 20 min.
+std::string interrupted(const std::string& when, const std::string& profile) {
+  return R"(mission interrupted
+var calls: number = 0 in 0 .. 1
+state transect
+begin
+  flightroute   heading(90 deg)
+  flightprofile yo_and_surface(5 m, 40 m, 26 deg, 26 deg, period = 1 h, pause = 5 min)
+  sensors       missiontime, depth
+  events
+    case missiontime > 2 h exit
+    case calls < 1 && )" +
+         when + R"( do set calls = 1 end call other
+end
+state other
+begin
+  flightroute   heading(90 deg)
+  flightprofile )" +
+         profile + R"(
+  sensors       statetime, depth
+  events
+    case statetime > 20 min return
+end
+)";
+}
+
+/// The call comes on the way up, as it arrives, and late in the pause; it returns at depth or at
+/// the surface.
+TEST(Library, AYoThatSurfacesBeginsItsSurfacingAgainAfterACall) {
+  for (const char* when : {"missiontime > 61 min", "held(depth < 1 m && missiontime > 55 min, 8 s)",
+                           "held(depth < 1 m && missiontime > 55 min, 4 min)"}) {
+    for (const char* profile : {"yo(5 m, 20 m, 26 deg, 26 deg)", "surfaced"}) {
+      SCOPED_TRACE(std::string(when) + ", " + profile);
+      const Flight flight = flyText(interrupted(when, profile));
+      const auto transitions = flight.transitions();
+      ASSERT_EQ(transitions.size(), 3U) << flight.outcome.err;
+      ASSERT_EQ(transitions[1].what, "other → transect (return)");
+      EXPECT_GT(firstStay(flight, transitions[1].time_s), 290);
+      EXPECT_LT(firstStay(flight, transitions[1].time_s), 290 + 120);
+    }
+  }
+}
+
+/// A call takes it to the surface for longer than the hold: after the return it is not done there.
+/// Once it was done, it stays so.
+TEST(Library, ADiveThatHoldsBeginsItsHoldAgainAfterACall) {
+  const Flight flight = flyText(R"(mission held
+var calls: number = 0 in 0 .. 2
+state hold
+begin
+  flightprofile dive_and_hold(bottom = 15 m, dive = 26 deg, hold = 10 min)
+  sensors       missiontime, depth
+  events
+    case missiontime > 2 h exit
+    case calls < 1 && held(depth > 14 m, 2 min) do set calls = 1 end call up
+    case calls == 1 && profiledone do set calls = 2 log "done", missiontime end call up
+    case calls == 2 && profiledone exit
+end
+state up
+begin
+  flightprofile surfaced
+  sensors       depth, statetime
+  events
+    case statetime > 15 min return
+end
+)");
+  const auto transitions = flight.transitions();
+  ASSERT_EQ(transitions.size(), 5U) << flight.outcome.err;
+  const double returned = transitions[1].time_s, done = transitions[2].time_s;
+  const auto depth = flight.column("true_depth"), time = flight.column("time");
+  double held_from = done;
+  for (size_t i = time.size(); i-- > 0;) {
+    held_from = time[i] < done && time[i] > returned && depth[i] > 12 ? time[i] : held_from;
+  }
+  EXPECT_NEAR(done - held_from, 10 * 60, 60);
+  EXPECT_LT(transitions[4].time_s - transitions[3].time_s, 60) << "it was done before";
+}
+
 /// At the surface its depth reads 0.5 m to 2.9 m, as in waves: it dives again after its pause.
 TEST(Library, AYoThatSurfacesLeavesInWaves) {
   const TemporaryFolder folder;

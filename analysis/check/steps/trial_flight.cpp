@@ -20,17 +20,20 @@ support::Result<void> trialFlight(Run& run) {
   }
   run.observer.at("flying in the scenario");
   simulator::Scenario world = *run.scenario;
-  std::string hint = fmt::format("see the flight with `glidercc sim {} --scenario {}`",
-                                 run.file.found.path, options.scenario);
+  std::string command =
+      fmt::format("glidercc sim {} --scenario {}", run.file.found.path, options.scenario);
   if (!options.own_mission.empty()) {
     auto own = flights::flyVehiclesOwn(options.own_mission, run.checked().platform(), world);
     if (!own) {
       return std::unexpected(own.error());
     }
-    hint += fmt::format(", which flies with the usual mission file instead of `{}`",
-                        options.own_mission);
+    command += " --mi " + options.own_mission;
   }
-  return reportTrialFlight(run.optimised(), world, options.user_code, hint, run.diagnostics());
+  if (options.duration_s) {
+    command += fmt::format(" --duration {:.0f}s", *options.duration_s);
+  }
+  return reportTrialFlight(run.optimised(), world, options.user_code,
+                           fmt::format("see the flight with `{}`", command), run.diagnostics());
 }
 
 }  // namespace glider::analysis::check

@@ -23,8 +23,8 @@ support::Trace flight(double active) {
 }
 
 TEST(Warnings, AFlightThatWentWellHasNone) {
-  EXPECT_EQ(flightWarnings(flight(1)), Lines{});
-  EXPECT_EQ(flightWarnings({}), Lines{});
+  EXPECT_EQ(flightNotes(flight(1)), Lines{});
+  EXPECT_EQ(flightNotes({}), Lines{});
 }
 
 /// The messages of reportFlight, each with its code.
@@ -140,13 +140,12 @@ TEST(Warnings, AnotherMissionThanThatWhoseStatesAreNamed) {
   auto trace = flight(1);
   trace.mission = "front";
   trace.events.push_back(makeEvent(4, EventId::SbcAnswers, {"front"}));
-  EXPECT_EQ(flightWarnings(trace), Lines{});
+  EXPECT_EQ(flightNotes(trace), Lines{});
   trace.events.back() = makeEvent(4, EventId::SbcAnswers, {"patch"});
-  EXPECT_EQ(flightWarnings(trace),
-            Lines{"the SBC flies mission patch, not front, so the state names "
-                  "shown are wrong"});
+  EXPECT_EQ(flightNotes(trace), Lines{"the SBC flies mission patch, not front, so the state names "
+                                      "shown are wrong"});
   trace.state_names.clear();
-  EXPECT_EQ(flightWarnings(trace), Lines{}) << "none was named";
+  EXPECT_EQ(flightNotes(trace), Lines{}) << "none was named";
 }
 
 TEST(Warnings, ALongNameIsTheSameAsFarAsTheLineShowsIt) {
@@ -154,7 +153,7 @@ TEST(Warnings, ALongNameIsTheSameAsFarAsTheLineShowsIt) {
     auto trace = flight(1);
     trace.mission = flown;
     trace.events.push_back(makeEvent(4, EventId::SbcAnswers, {told}));
-    return flightWarnings(trace).size();
+    return flightNotes(trace).size();
   };
   const std::string name(60, 'n');
   EXPECT_EQ(warnings(name, name.substr(0, 47)), 0U) << "47 bytes go over the line";
@@ -239,9 +238,9 @@ TEST(Warnings, ManyStatesThatWereNeverVisitedAreCounted) {
   for (int i = 0; i <= 20; ++i) {
     trace.state_names.push_back("s" + std::to_string(i));
   }
-  EXPECT_TRUE(flightWarnings(trace).at(0).ends_with(", s19, s20")) << "20 are named";
+  EXPECT_TRUE(flightNotes(trace).at(0).ends_with(", s19, s20")) << "20 are named";
   trace.state_names.emplace_back("s21");
-  EXPECT_TRUE(flightWarnings(trace).at(0).ends_with(", s20 and 1 more"));
+  EXPECT_TRUE(flightNotes(trace).at(0).ends_with(", s20 and 1 more"));
 }
 
 TEST(Warnings, InControlAtAnyTimeIsInControl) {
@@ -272,16 +271,16 @@ TEST(Warnings, AnUnknownDeclination) {
   auto trace = flight(1);
   trace.events.push_back(
       makeEvent(8, EventId::DeclinationUnknown, {"declination unknown: headings are magnetic"}));
-  ASSERT_EQ(flightWarnings(trace).size(), 1U);
-  EXPECT_NE(flightWarnings(trace)[0].find("`declination -12 deg`"), std::string::npos);
+  ASSERT_EQ(flightNotes(trace).size(), 1U);
+  EXPECT_NE(flightNotes(trace)[0].find("`declination -12 deg`"), std::string::npos);
 }
 
 TEST(Warnings, AMissionThatHadNotEnded) {
   auto trace = flight(1);
   trace.events.push_back(makeEvent(100, EventId::TimeIsOver, {100.0}));
-  EXPECT_EQ(flightWarnings(trace), Lines{}) << "the layered control flew on";
+  EXPECT_EQ(flightNotes(trace), Lines{}) << "the layered control flew on";
   trace.events.erase(trace.events.begin());
-  EXPECT_EQ(flightWarnings(trace),
+  EXPECT_EQ(flightNotes(trace),
             Lines{"the mission had not ended when the simulated time was up (`--duration` flies "
                   "longer); never visited (the time was too short, or no case led there): s2"});
 }
@@ -300,7 +299,7 @@ TEST(Warnings, OfALogHaveItsNotesAndTimesOfUtc) {
   trace.way = "";
   trace.log = support::VehicleLog{"comet", 1565364272, "", {"a note"}};
   trace.events = {makeEvent(30.5, EventId::Aborts, {"too deep"}, "mission status 7")};
-  EXPECT_EQ(flightWarnings(trace), Lines{"a note"});
+  EXPECT_EQ(flightNotes(trace), Lines{"a note"});
   EXPECT_EQ(reported(trace),
             Lines{"GL9370 the vehicle aborted at 2019-08-09 15:25:02 UTC: too deep, "
                   "mission status 7"});

@@ -3,6 +3,7 @@
 
 #include "frontend/parse/build_ast.h"
 #include "support/check.h"
+#include "support/units/units.h"
 
 namespace glider::frontend {
 
@@ -10,8 +11,20 @@ using grammar::GliderParser;
 
 namespace {
 
-/// The unit that repair has reported and left as it was written: `20°`, `20 deg C`, `20 °C`.
+constexpr std::string_view kOfWords =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+
+/// The unit that repair has made of several words, `ug / L`, or reported and left as it was
+/// written: `20°`, `20 deg C`, `20 °C`.
 std::string meantUnit(const std::string& written) {
+  const size_t gap = written.find_first_not_of(kOfWords);
+  if (gap != std::string::npos) {
+    const std::string fraction =
+        written.substr(0, gap) + "/" + written.substr(written.find_last_not_of(kOfWords) + 1);
+    if (const auto unit = support::findUnit(fraction); unit && unit->soft) {
+      return fraction;
+    }
+  }
   if (written.ends_with("magnetic")) {
     return written.substr(0, 3) + " magnetic";  // of `deg` or `rad`, with any space between
   }
@@ -26,8 +39,6 @@ std::string meantUnit(const std::string& written) {
 
 /// `this leg` with one space for anything between the two words; any other name as it is.
 std::string oneSpaced(const std::string& name) {
-  constexpr std::string_view kOfWords =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
   const size_t end = name.find_first_not_of(kOfWords);
   return end == std::string::npos
              ? name

@@ -36,7 +36,10 @@ void PlainLegs::advance(double time, double phase, double value, double at, bool
     return;
   }
   const bool watched = binary(Op::Subtract, time, time_) <= kLongestGap;
-  present_.whole = present_.whole && (watched || !isLeg(phase_));
+  if (!watched) {  // legs may have come and gone
+    present_ = {};
+    last_ = {};
+  }
   if (isLeg(phase) && phase != phase_) {
     last_ = present_.whole ? std::move(present_) : Part();
     present_ = {};

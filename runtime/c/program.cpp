@@ -192,13 +192,13 @@ bool Program::takeTick() {
   for (uint32_t i = 0; i < tick.reading_count; ++i) {
     updates_[i] = {tick.readings[i].value, tick.readings[i].id, 0};
   }
-  compass_.convert(&mission_, started_ ? context_ : nullptr, &variation_, updates_,
-                   tick.reading_count);
+  const uint32_t updates = compass_.convert(&mission_, started_ ? context_ : nullptr, &variation_,
+                                            updates_, tick.reading_count);
   if (started_) {
     const double time = clock_.atFrame(tick.vehicle_time_s, tick.cycle, sbc_time);
-    gliderStep(context_, time, updates_, tick.reading_count);
+    gliderStep(context_, time, updates_, updates);
   } else if (!persistence_->isUndecided() && !control_.released() && control_.mayTake()) {
-    start(tick.vehicle_time_s, sbc_time);
+    start(tick.vehicle_time_s, sbc_time, updates);
   }
   if (started_) {
     record();
@@ -208,9 +208,9 @@ bool Program::takeTick() {
   return started_ && !finished_ && context_->failed_checks == 0;
 }
 
-void Program::start(double vehicle_time, double sbc_time) {
+void Program::start(double vehicle_time, double sbc_time, uint32_t updates) {
   clock_.start(vehicle_time, sbc_time);
-  context_ = gliderStart(memory_, &mission_, nullptr, updates_, client_->tick().reading_count);
+  context_ = gliderStart(memory_, &mission_, nullptr, updates_, updates);
   keepCommands(wanted_, *context_);
   log_->begin(*context_);
   persistence_->begun();

@@ -102,7 +102,7 @@ class Program {
   bool takeTick();
   bool tickOfClockAlone();
   void tryToGoOn(const hooks::VehicleTick& tick, double sbc_time);
-  void start(double vehicle_time, double sbc_time);
+  void start(double vehicle_time, double sbc_time, uint32_t updates);
   void record();
   void tellNow();
   bool isBroken();

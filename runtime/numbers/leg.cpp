@@ -47,11 +47,12 @@ class Leg {
       memory_.phase = phase;
       return;
     }
-    if (gliderSettle(time - memory_.time) > GLIDER_LEG_GAP_S) {
-      memory_.whole = isLeg(memory_.phase) ? 0.0 : memory_.whole;
+    const bool watched = gliderSettle(time - memory_.time) <= GLIDER_LEG_GAP_S;
+    if (!watched) {
+      forget();
     }
     if (isLeg(phase) && phase != memory_.phase) {
-      begin(gliderSettle(time - memory_.time) <= GLIDER_LEG_GAP_S);
+      begin(watched);
     }
     memory_.phase = phase;
     memory_.time = time;
@@ -107,6 +108,9 @@ class Leg {
   }
 
  private:
+  /// Legs may have come and gone that were not watched: no leg is certainly the one before.
+  void forget() { memory_.whole = memory_.present.count = memory_.last.count = 0.0; }
+
   /// A leg that was under way when the state of the vehicle became known is not counted, nor whole.
   void begin(bool watched) {
     if (memory_.whole == 1.0) {

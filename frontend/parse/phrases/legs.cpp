@@ -3,20 +3,56 @@
 
 #include "frontend/parse/phrases/repairs.h"
 #include "frontend/parse/token_kinds.h"
+#include "support/diagnostics/ids/syntax.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
 
 namespace glider::frontend::phrases {
+namespace {
+
+bool isName(const Phrase& phrase, size_t k, std::initializer_list<std::string_view> words) {
+  return phrase.type(k) == GliderLexer::NAME &&
+         std::ranges::find(words, phrase.text(k)) != words.end();
+}
+
+/// Whether two names after a comma can only be meant as a leg: `highest(temp, last yo)`.
+bool isMeantAsLeg(const Phrase& phrase) {
+  return isName(phrase, 0, {"this", "last", "previous"}) && phrase.type(1) == GliderLexer::NAME &&
+         !phrase.open().empty() && phrase.open().back().arguments;
+}
+
+/// Reports what is like a leg: `previous leg`, `last yo`, `this leg of depth`.
+void refuseLeg(Phrase& phrase, size_t tokens, bool known) {
+  const std::string which = phrase.text() == "this" ? "this" : "last";
+  const Lexeme written = phrase.whole(0, tokens);
+  const std::string better = known ? fmt::format("`{} {}`", which, phrase.text(1))
+                                   : fmt::format("`{0} leg`, `{0} dive` or `{0} climb`", which);
+  phrase.reporter().at(written, support::diagnostics::notALeg, phrase.source().text(written),
+                       better);
+  phrase.notAsMeant();
+}
+
+}  // namespace
 
 size_t leg(Phrase& phrase) {
-  const auto isName = [&](size_t k, std::initializer_list<std::string_view> words) {
-    return phrase.type(k) == GliderLexer::NAME &&
-           std::ranges::find(words, phrase.text(k)) != words.end();
-  };
-  if (phrase.before() != GliderLexer::COMMA || !isName(0, {"this", "last"}) ||
-      !isName(1, {"leg", "dive", "climb"}) || phrase.type(2) != GliderLexer::RPAREN) {
+  if (phrase.before() != GliderLexer::COMMA || phrase.type(1) != GliderLexer::NAME) {
     return 0;
   }
+  const bool known = isName(phrase, 1, {"leg", "dive", "climb"});
+  const bool which = isName(phrase, 0, {"this", "last"});
+  const bool of = phrase.type(2) == GliderLexer::OF && phrase.type(3) == GliderLexer::NAME;
+  if (!isMeantAsLeg(phrase) && !(which && known && phrase.type(2) == GliderLexer::RPAREN)) {
+    return 0;
+  }
+  const size_t tokens = of ? 4 : 2;
+  if (!which || !known || of) {
+    refuseLeg(phrase, tokens, known);
+  }
   phrase.put(phrase.whole(0, 2, GliderLexer::NAME));
-  return 2;
+  return tokens;
 }
 
 }  // namespace glider::frontend::phrases

@@ -231,8 +231,12 @@ size_t softUnit(Phrase& phrase) {
   const bool fraction =
       phrase.type(1) == GliderLexer::DIVIDE && phrase.type(2) == GliderLexer::NAME;
   for (const size_t tokens : {3U, 1U}) {
-    const auto unit =
-        tokens == 1 || fraction ? support::findUnit(phrase.wholeText(0, tokens)) : std::nullopt;
+    if (tokens == 3 && !fraction) {
+      continue;
+    }
+    const std::string written = tokens == 1 ? std::string(phrase.text())
+                                            : fmt::format("{}/{}", phrase.text(), phrase.text(2));
+    const auto unit = support::findUnit(written);
     if (unit && unit->soft && phrase.type(tokens) != GliderLexer::LPAREN) {
       phrase.put(phrase.whole(0, tokens, GliderLexer::UNIT));
       return tokens;

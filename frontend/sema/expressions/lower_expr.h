@@ -23,6 +23,8 @@ struct Value {
   ir::Type type;
   ir::ExprId longitude{};  ///< valid for a position only
   Scale scale{};           ///< of a plain number
+  /// Valid for `90 deg magnetic` itself: that angle, of which `id` is the true heading.
+  ir::ExprId on_compass{};
 };
 
 /// A sensor that an expression reads.
@@ -196,6 +198,13 @@ class ExprLowering {
   Result variationInForce(const support::SourceRange& range);
   /// The true heading in [0, 2 pi) of a magnetic one in [0, 2 pi).
   Result fromMagnetic(ir::ExprId heading, const support::SourceRange& range);
+  /// What the vehicle's compass shows on this heading, in [0, 2 pi).
+  ir::ExprId onCompass(const Value& heading, const support::SourceRange& range);
+  /// Replaces both sides of `heading > 90 deg magnetic`, but not of `==`, by what the compass
+  /// shows.
+  void compareOnCompass(ir::Op op, Pair& pair, const ast::Binary& node);
+  /// In [0, 2 pi), of an angle that is less than a turn outside it.
+  ir::ExprId wrapped(ir::ExprId sum, const support::SourceRange& range);
 
   // Paths (lower_path.cpp).
   std::optional<Path> lanes(const ast::Invocation& node, const ast::Expr& expr);

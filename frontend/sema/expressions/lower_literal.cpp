@@ -59,7 +59,7 @@ ExprLowering::Result ExprLowering::refuseMagnetic(const ast::Literal& node,
   const bool negative = scope_.text(range).starts_with('-');
   const std::string better = node.unit.starts_with("deg")
                                  ? fmt::format("`{:.10g} deg magnetic`", inTurn(node, negative))
-                                 : "an angle from 0 deg to 360 deg";
+                                 : "an angle from 0 deg to below 360 deg";
   scope_.report(support::diagnostics::magneticHeading, range, scope_.text(range), better);
   return std::nullopt;
 }

@@ -10,9 +10,15 @@
 // take off the variation by which the runtime will make them magnetic again (runtime/core/compass):
 // the last that the vehicle has reported, until then that of the `declination` line, without a line
 // 0. So `heading(90 deg magnetic)` is 90 deg on the vehicle's compass for any variation,
-// and is never unknown.
+// and is never unknown. `heading > 90 deg magnetic` compares what the compass shows: the order of
+// true headings is another one, as they begin again at true north.
 
 namespace glider::frontend {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+}  // namespace
 
 ExprLowering::Result ExprLowering::magnetic(const ast::Invocation& node, const ast::Expr& expr) {
   if (node.arguments.size() != 1) {
@@ -40,6 +46,20 @@ ExprLowering::Result ExprLowering::variationInForce(const support::SourceRange& 
   return emit(ir::Op::Select, angle, range, {known.id, reading, assumed.id});
 }
 
+ir::ExprId ExprLowering::wrapped(ir::ExprId sum, const support::SourceRange& range) {
+  const ir::Type angle = quantity(support::dimension::angle);
+  const ir::ExprId zero = emitNumber(0, angle, range).id;
+  const ir::ExprId turn = emitNumber(kTurn, angle, range).id;
+  const auto choose = [&](ir::Op op, ir::ExprId limit, ir::Op change, ir::ExprId value) {
+    const ir::ExprId beyond = emit(op, boolean(), range, {value, limit}).id;
+    const ir::ExprId changed = emit(change, angle, range, {value, turn}).id;
+    return emit(ir::Op::Select, angle, range, {beyond, changed, value}).id;
+  };
+  // In this order: a sum just below 0 is rounded up to a full turn, which is 0.
+  const ir::ExprId positive = choose(ir::Op::Less, zero, ir::Op::Add, sum);
+  return choose(ir::Op::GreaterEqual, turn, ir::Op::Subtract, positive);
+}
+
 ExprLowering::Result ExprLowering::fromMagnetic(ir::ExprId heading,
                                                 const support::SourceRange& range) {
   if (!scope_.context.constant.empty()) {
@@ -49,19 +69,33 @@ ExprLowering::Result ExprLowering::fromMagnetic(ir::ExprId heading,
         .hint("use it where the heading is given: `heading(90 deg magnetic)`");
     return std::nullopt;
   }
-  constexpr double kTurn = 2 * std::numbers::pi;
   const ir::Type angle = quantity(support::dimension::angle);
-  const auto number = [&](double value) { return emitNumber(value, angle, range).id; };
-  const auto choose = [&](ir::ExprId condition, ir::ExprId a, ir::ExprId b) {
-    return emit(ir::Op::Select, angle, range, {condition, a, b}).id;
-  };
   const ir::ExprId variation = variationInForce(range)->id;
   const ir::ExprId plain = emit(ir::Op::Subtract, angle, range, {heading, variation}).id;
-  const ir::ExprId below = emit(ir::Op::Less, boolean(), range, {plain, number(0)}).id;
-  const ir::ExprId above = emit(ir::Op::GreaterEqual, boolean(), range, {plain, number(kTurn)}).id;
-  const ir::ExprId more = emit(ir::Op::Add, angle, range, {plain, number(kTurn)}).id;
-  const ir::ExprId less = emit(ir::Op::Subtract, angle, range, {plain, number(kTurn)}).id;
-  return valueOf(choose(below, more, choose(above, less, plain)));
+  Value result = valueOf(wrapped(plain, range));
+  result.on_compass = heading;
+  return result;
+}
+
+ir::ExprId ExprLowering::onCompass(const Value& heading, const support::SourceRange& range) {
+  if (heading.on_compass.valid()) {
+    return heading.on_compass;
+  }
+  const ir::Type angle = quantity(support::dimension::angle);
+  const ir::ExprId variation = variationInForce(range)->id;
+  // Where the compass shows 0, the runtime has made (2 pi - v) of it, rounded by at most half a
+  // unit in the last place of 2 pi, which is even: with v added, the sum rounds to 2 pi, and that
+  // is 0.
+  return wrapped(emit(ir::Op::Add, angle, range, {heading.id, variation}).id, range);
+}
+
+void ExprLowering::compareOnCompass(ir::Op op, Pair& pair, const ast::Binary& node) {
+  const bool orders = op != ir::Op::Equal && op != ir::Op::NotEqual;
+  if (!orders || (!pair.left.on_compass.valid() && !pair.right.on_compass.valid())) {
+    return;
+  }
+  pair.left.id = onCompass(pair.left, node.left->where);
+  pair.right.id = onCompass(pair.right, node.right->where);
 }
 
 }  // namespace glider::frontend

@@ -316,7 +316,7 @@ ExprLowering::Result ExprLowering::comparison(ir::Op op, const ast::Binary& node
     return std::nullopt;
   }
   const std::string_view text = rowOf(node.op).text;
-  const auto pair = alike(*node.left, *node.right, std::nullopt, text);
+  auto pair = alike(*node.left, *node.right, std::nullopt, text);
   if (!pair || !numeric(pair->left, *node.left, text, true)) {
     return std::nullopt;
   }
@@ -325,6 +325,7 @@ ExprLowering::Result ExprLowering::comparison(ir::Op op, const ast::Binary& node
     return std::nullopt;
   }
   warnOfEquality(op, pair->left, pair->right, node);
+  compareOnCompass(op, *pair, node);
   return emit(op, boolean(), expr.where, {pair->left.id, pair->right.id});
 }
 

@@ -4,7 +4,7 @@
 #include "ir/prove/abstract/end_depends_on.h"
 
 #include "ir/prove/abstract/end_bound.h"
-#include "ir/prove/context/sensors_read.h"
+#include "ir/prove/context/sensors_awaited.h"
 
 namespace glider::ir::prove {
 namespace {
@@ -37,7 +37,7 @@ class Sensors {
 
  private:
   void add(ExprId guard) {
-    forEachSensorRead(m_, guard, [&](SensorId id) { read_[id.index] = true; });
+    forEachSensorAwaited(m_, guard, [&](SensorId id) { read_[id.index] = true; });
   }
 
   const Mission& m_;

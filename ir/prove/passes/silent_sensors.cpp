@@ -11,7 +11,7 @@
 #include "ir/prove/abstract/abstract_evaluator.h"
 #include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/context/commands.h"
-#include "ir/prove/context/sensors_read.h"
+#include "ir/prove/context/sensors_awaited.h"
 #include "ir/prove/passes.h"
 #include "support/diagnostics/ids/verification.h"
 
@@ -111,7 +111,7 @@ class SilenceCheck {
 
   [[nodiscard]] bool readsSensor(ExprId guard) const {
     bool reads = false;
-    forEachSensorRead(m_, guard, [&](SensorId) { reads = true; });
+    forEachSensorAwaited(m_, guard, [&](SensorId) { reads = true; });
     return reads;
   }
 
@@ -121,7 +121,7 @@ class SilenceCheck {
     const auto add = [&](const std::vector<Case>& cases) {
       for (const Case& c : cases) {
         if (c.transition != Transition::Stay) {
-          forEachSensorRead(m_, c.guard, [&](SensorId id) { read[id.index] = true; });
+          forEachSensorAwaited(m_, c.guard, [&](SensorId id) { read[id.index] = true; });
         }
       }
     };

@@ -12,7 +12,7 @@
 #include "ir/core/ops.h"
 #include "ir/core/walk.h"
 #include "ir/prove/abstract/end_bound.h"
-#include "ir/prove/context/sensors_read.h"
+#include "ir/prove/context/sensors_awaited.h"
 
 #include <fmt/format.h>
 
@@ -153,7 +153,7 @@ void noteEndlessStay(support::DiagnosticBuilder& diagnostic, const ProofContext&
   }
   for (const Case& c : m[end.stays].cases) {
     std::vector<std::string> names;
-    forEachSensorRead(m, c.guard, [&](SensorId id) {
+    forEachSensorAwaited(m, c.guard, [&](SensorId id) {
       const std::string name = fmt::format("`{}`", m[id].name);
       if (std::ranges::find(names, name) == names.end()) {
         names.push_back(name);

@@ -547,6 +547,36 @@ TEST(CProgram, HeadingsAreTrueWithTheDeclinationSet) {
   });
 }
 
+TEST(CProgram, ReadsTheVariationThatWasReportedBeforeItBegan) {
+  alone([] {
+    VehicleBench vehicle({.start_secs = 60, .silence_secs = 24}, false);
+    vehicle.set(GLIDER_M_GPS_MAG_VAR, 0.5);
+    vehicle.reports = {GLIDER_M_GPS_MAG_VAR};
+    eventList list = everyTick();
+    EXPECT_EQ(useSensor(GLIDER_M_GPS_MAG_VAR), 0);
+    dive();
+    static bool under_water = false;
+    bench = &vehicle;
+    Program::instance().attach({vehicle.sbcEnd(),
+                                {nullptr, [](void*) { return bench->now(); }},
+                                [] {
+                                  bench->run(bench->now() + 1);
+                                  if (bench->now() > 40) {
+                                    bench->reports.clear();
+                                    under_water = true;
+                                  }
+                                  return bench->now() < 200 ? 1 : 0;
+                                },
+                                "test",
+                                {},
+                                {},
+                                0});
+    ticks(list, 1);
+    EXPECT_TRUE(under_water);
+    EXPECT_EQ(gliderSensor(GLIDER_M_GPS_MAG_VAR), 0.5);
+  });
+}
+
 TEST(CProgram, ReleasesControlOnRequest) {
   alone([] {
     VehicleBench vehicle({}, false);

@@ -95,6 +95,33 @@ TEST(Legs, OnlyWholeLegsAreLast) {
   EXPECT_EQ(called.ticks(kClimb, {7}), 4);
 }
 
+/// In a call or a power cut, legs come and go: the one before is another.
+TEST(Legs, NoneIsKnownAfterAGap) {
+  for (const double seconds : {56, 57}) {  // with the tick, 60 s and 61 s
+    for (const double after : {kDive, kClimb, kHover}) {
+      const bool gap = seconds > 56;
+      Window last(kGliderLegHighest, Leg::Last);
+      Window present(kGliderLegHighest, Leg::This);
+      Window dives(kGliderLegHighest, Leg::Last, kDive, kDive);
+      for (Window* window : {&last, &present, &dives}) {
+        window->ticks(kSurface, {1});
+        window->ticks(kDive, {2, 3});
+        window->ticks(kClimb, {5, 4});
+        window->ticks(kDive, {7, 6});
+        window->ticks(kClimb, {9, 8});
+        window->wait(seconds);
+      }
+      SCOPED_TRACE(::testing::Message() << seconds << " s, then in the state " << after);
+      EXPECT_EQ(std::isnan(last.tick(after, 1)), gap);
+      EXPECT_EQ(std::isnan(dives.tick(after, kNothing)), gap);
+      EXPECT_EQ(std::isnan(present.tick(after, kNothing)), gap || after == kDive);
+      // A leg of which the beginning was not watched is not the last one either.
+      EXPECT_EQ(std::isnan(last.ticks(after == kDive ? kClimb : kDive, {5})), gap);
+      EXPECT_FALSE(std::isnan(last.ticks(after == kDive ? kDive : kClimb, {5})));
+    }
+  }
+}
+
 TEST(Legs, BetweenTwoLegsThePresentOneIsTheOneBefore) {
   Window dives(kGliderLegHighest, Leg::This, kDive, kDive);
   Window last(kGliderLegHighest, Leg::Last, kDive, kDive);
@@ -102,7 +129,6 @@ TEST(Legs, BetweenTwoLegsThePresentOneIsTheOneBefore) {
     window->ticks(kSurface, {9});
     window->ticks(kDive, {3, 5});
     window->ticks(kClimb, {7});
-    window->wait(1000);  // not a part of a dive
     window->ticks(kHover, {8});
   }
   EXPECT_EQ(dives.ticks(kClimb, {8}), 5);

@@ -210,7 +210,7 @@ bool ValueRepair::unknownUnit(const Lexeme& t, const Lexeme& next) {
   }
   auto report = reporter_.at(t, support::diagnostics::unknownUnit, word,
                              unit.empty() ? std::string(kAll) : fmt::format("write `{}`", unit));
-  if (!unit.empty()) {
+  if (!unit.empty() && !isStateName(source_, word)) {  // `2 h 26 c`: perhaps `goto c` was meant
     report.fix(source_.range(t), std::string(unit));
   }
   return true;

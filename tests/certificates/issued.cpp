@@ -47,7 +47,7 @@ analysis::Rechecked Issued::rechecked(uint32_t requirement, const std::string& f
   return *found;
 }
 
-Issued issue(const std::string& text) {
+Issued issue(const std::string& text, ir::prove::Options options) {
   const auto path =
       std::filesystem::path(testing::TempDir()) /
       (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".mission");
@@ -59,7 +59,6 @@ Issued issue(const std::string& text) {
     ADD_FAILURE() << "the mission has errors";
     return issued;
   }
-  ir::prove::Options options;
   options.evidence = true;
   issued.findings = compiler::prove(*compiled->checked, options, compiled->diagnostics);
   issued.mission = std::make_shared<compiler::Optimised>(compiler::optimise(compiled->checked));

@@ -25,8 +25,8 @@ struct Issued {
   [[nodiscard]] analysis::Rechecked rechecked(uint32_t requirement, const std::string& file) const;
 };
 
-/// Proves the mission with this text.
-Issued issue(const std::string& text);
+/// Proves the mission with this text. `options`: the effort of its proofs.
+Issued issue(const std::string& text, ir::prove::Options options = {});
 
 /// Whether the solver of the second check can be run.
 bool solverIsInstalled();

@@ -97,6 +97,17 @@ bool climbs(const Mode& mode) {
   return mode.command == Command::Surface;
 }
 
+/// Whether a climb to the surface goes on through these statements: another command about depth
+/// would end it, and the next `surface()` begin a new one (V3, V4).
+bool goesOn(const Mission& mission, BlockId action) {
+  bool only_surface = true;
+  forEachStatement(mission, action, [&](const Statement& s) {
+    const bool about_depth = s.kind == StatementKind::Command && isVertical(s.command);
+    only_surface = only_surface && (!about_depth || s.command == Command::Surface);
+  });
+  return only_surface;
+}
+
 /// The longest way through the modes, by one timer.
 class ModeSearch {
  public:
@@ -181,7 +192,7 @@ class ModeSearch {
       const TimedCase timed = timedIn(at.mode);
       const double here = way.by > timed.number ? roundedSum(timed.longest, found.ahead) : last;
       raise({way.to, false}, {here, sets_timer ? std::max(here, found.ahead) : found.ahead});
-    } else if (climbs(way.to)) {
+    } else if (climbs(way.to) && goesOn(m_, profile_.cases[way.by].action)) {
       raise({way.to, at.from_start},
             {found.longest, sets_timer ? std::max(last, found.ahead) : found.ahead});
     } else if (!at.from_start && waitsForSurface(way.by)) {
@@ -308,12 +319,16 @@ class ProfileSearch {
     return initial.op == Op::MissionTime || (initial.op == Op::Constant && initial.number <= 0);
   }
 
-  /// Whether every case that leads from a mode that does not climb to one that does sets it.
+  /// Whether every case that begins a climb sets it.
   [[nodiscard]] bool isSetByEachClimb(VariableId id) const {
+    const auto keeps = [&](const Mode& from, const ModeWay& way) {
+      const BlockId action = state_.profile.cases[way.by].action;
+      const bool begins = climbs(way.to) && !(climbs(from) && goesOn(m_, action));
+      return !begins || setsForSure(action, id);
+    };
     return std::ranges::all_of(ways_.all(), [&](const auto& entry) {
-      return climbs(entry.first) || std::ranges::all_of(entry.second, [&](const ModeWay& way) {
-               return !climbs(way.to) || setsForSure(state_.profile.cases[way.by].action, id);
-             });
+      return std::ranges::all_of(entry.second,
+                                 [&](const ModeWay& way) { return keeps(entry.first, way); });
     });
   }
 

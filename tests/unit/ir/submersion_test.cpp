@@ -277,6 +277,15 @@ TEST(Submersion, ATimersCaseMayNotBeTried) {
       << "a case before it fires on every tick";
 }
 
+/// A command to surface, or one that looks like it.
+std::string climbOf(random_missions::Random& random) {
+  const char* climbs[] = {"ascend (3:length, 0.4:angle) ",
+                          "ascend (3:length, 0.4:angle) surface () ",
+                          "if (gt (sensor temp) 10:temperature) surface () else surface () end "};
+  const auto kind = random.below(10);
+  return kind < 3 ? climbs[kind] : "surface () ";
+}
+
 /// A state whose profile dives and comes to the surface by itself, more or less; its cases come in
 /// any order, and some forget to set what they should.
 std::string randomProfile(uint64_t seed) {
@@ -289,11 +298,10 @@ std::string randomProfile(uint64_t seed) {
   const std::string r = "\"a.profile.r\"";
   const auto since = [&](const std::string& v) { return "(sub missiontime (var " + v + "))"; };
   const std::string down = fmt::format("descend ({}:length, 0.4:angle) ", 5 + 5 * random.below(3));
-  const std::string up = random.below(8) == 0 ? "ascend (3:length, 0.4:angle) " : "surface () ";
+  const std::string up = climbOf(random);
   std::vector<std::string> cases = {
-      "case (and (var " + s + ") " + maybe("(not (lt (sensor depth) 1:length))", 3) +
-          (random.below(3) == 0 ? "" : "") + ") do " + maybe("set " + r + " missiontime ") + up +
-          "end stay ",
+      "case (and (var " + s + ") " + maybe("(not (lt (sensor depth) 1:length))", 3) + ") do " +
+          maybe("set " + r + " missiontime ") + up + "end stay ",
       "case (and (var " + s + ") (ge " + since(r) + " " + timeOf(random, 60) + ")) do set " + s +
           " false " + maybe("set " + d + " missiontime ") + maybe(down) + "end stay ",
       "case " + maybe("(and (not (var " + s + ")) ", 2) + "(ge " + since(random.below(6) ? d : r) +
@@ -444,6 +452,13 @@ TEST(ProfileSurfacing, IsNotBoundedWhereItNeedNotSurface) {
       << "neither branch runs of an `if` whose condition is unknown";
   EXPECT_FALSE((SurfacingProfile{.initial = "(gt (sensor depth) 5:length) "}.isBounded()))
       << "what it remembers may be unknown";
+  EXPECT_FALSE(
+      (SurfacingProfile{.stays = "case (var \"a.profile.s\") do " + kDown + " surface () end stay "}
+           .isBounded()))
+      << "each tick begins a new climb";
+  EXPECT_FALSE((SurfacingProfile{.stays = "case (and (var \"a.profile.s\") " + warm +
+                                          ") do ascend (4:length, 0.4:angle) surface () end stay "}
+                    .isBounded()));
   const std::string set_s = "do set \"a.profile.s\" true end ";
   EXPECT_FALSE((SurfacingProfile{.state_entry = "entry " + set_s}.isBounded()));
   EXPECT_FALSE((SurfacingProfile{.own = "case " + warm + " " + set_s + "call z "}.isBounded()))

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The time under water that is proved of random profiles that come to the surface by themselves,
+// The time under water that is proved about random profiles that come to the surface by themselves,
 // more or less, and of missions with a timer: the second check accepts it.
 
 #include "tests/certificates/issued.h"

@@ -16,6 +16,11 @@ enum class Transition : uint8_t {
 #include "hooks/protocol/notices.def"
 };
 
+/// Whether the state stays current; otherwise it, or the mission, ends.
+constexpr bool staysIn(Transition transition) {
+  return transition == Transition::Stay || transition == Transition::Done;
+}
+
 /// The four lists of cases that a tick tries. All but Always belong to a state.
 enum class ListKind : uint8_t {
 #define CASE_LIST(name, number, word) name = number,

@@ -463,7 +463,7 @@ class CodeValidator {
     action(c.action, state, c.range);
     const bool behaviour = list == ListKind::Profile || list == ListKind::Route;
     const bool allowed = behaviour
-                             ? c.transition == Transition::Stay || c.transition == Transition::Done
+                             ? staysIn(c.transition)
                              : c.transition < Transition::Done &&
                                    (list == ListKind::State || c.transition != Transition::Return);
     require(allowed, c.range, "a case of {} has a transition it cannot have", where);

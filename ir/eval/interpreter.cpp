@@ -264,7 +264,7 @@ bool Interpreter::fire(CaseOf of, const Case& fired) {
   if (fired.transition == Transition::Done) {
     variables_.at(activity(of.list).done.index) = 1;
   }
-  if (fired.transition == Transition::Stay || fired.transition == Transition::Done) {
+  if (staysIn(fired.transition)) {
     return false;
   }
   told_.moved = of;

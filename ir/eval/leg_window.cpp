@@ -7,6 +7,7 @@
 #include "support/check.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace glider::ir {
 namespace {

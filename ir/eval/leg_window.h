@@ -5,7 +5,6 @@
 
 #include "ir/core/mission.h"
 
-#include <optional>
 #include <vector>
 
 namespace glider::ir {

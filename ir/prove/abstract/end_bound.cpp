@@ -195,7 +195,7 @@ class EndSearch {
   void forgetWhatStaysChange(const State& state, Valuation& values) const {
     for (const auto* cases : {&m_.always, &state.cases, &state.profile.cases, &state.route.cases}) {
       for (const Case& c : *cases) {
-        if (c.transition == Transition::Stay || c.transition == Transition::Done) {
+        if (staysIn(c.transition)) {
           run_.forget(c.action, values);
         }
       }

@@ -14,7 +14,7 @@ constexpr size_t kMostTried = 12;
 
 class Sensors {
  public:
-  explicit Sensors(const Mission& mission) : m_(mission), read_(mission.sensors.size(), false) {}
+  explicit Sensors(const Mission& mission) : m_(mission), awaited_(mission.sensors.size(), false) {}
 
   /// The cases that lead away.
   void add(const std::vector<Case>& cases) {
@@ -27,8 +27,8 @@ class Sensors {
 
   [[nodiscard]] std::vector<SensorId> all() const {
     std::vector<SensorId> found;
-    for (uint32_t i = 0; i < read_.size(); ++i) {
-      if (read_[i]) {
+    for (uint32_t i = 0; i < awaited_.size(); ++i) {
+      if (awaited_[i]) {
         found.push_back({i});
       }
     }
@@ -37,11 +37,11 @@ class Sensors {
 
  private:
   void add(ExprId guard) {
-    forEachSensorAwaited(m_, guard, [&](SensorId id) { read_[id.index] = true; });
+    forEachSensorAwaited(m_, guard, [&](SensorId id) { awaited_[id.index] = true; });
   }
 
   const Mission& m_;
-  std::vector<bool> read_;
+  std::vector<bool> awaited_;
 };
 
 /// Whether the mission ends by its clocks if the sensor reports nothing: none of its values is in

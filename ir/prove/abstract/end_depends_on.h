@@ -11,8 +11,8 @@ namespace glider::ir::prove {
 
 /// For a mission without an end bound: the sensors that its end depends on, in the order of the
 /// mission. If one of them never reported anything, the clocks alone would end the mission; if
-/// there is no such sensor, those that the cases read which lead out of `states`, where it may
-/// stay.
+/// there is no such sensor, those that the cases await (sensors_awaited.h) which lead out of
+/// `states`, where it may stay.
 std::vector<SensorId> endDependsOn(const ProofContext& proof_context,
                                    const std::vector<StateId>& states);
 

@@ -242,7 +242,7 @@ class HoverSearch {
     };
     for (const auto* cases : {&m_.always, &state.cases, &state.profile.cases, &state.route.cases}) {
       for (const Case& c : *cases) {
-        if (c.transition == Transition::Stay || c.transition == Transition::Done) {
+        if (staysIn(c.transition)) {
           look(c.action);
         }
       }

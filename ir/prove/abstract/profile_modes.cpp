@@ -78,7 +78,7 @@ std::set<Mode> ProfileModes::run(const Statement& statement, Mode mode) const {
   if (statement.kind == StatementKind::Set && own != own_.end()) {
     return with(mode, static_cast<size_t>(own - own_.begin()), judge(statement.value, mode));
   }
-  if (statement.kind == StatementKind::Command && isVertical(statement.command)) {
+  if (isVertical(statement)) {
     mode.command = statement.command;
   }
   return {mode};

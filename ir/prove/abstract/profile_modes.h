@@ -24,6 +24,9 @@ struct Mode {
 /// either result.
 class ProfileModes {
  public:
+  /// Of a profile with more truth values, the modes are not worth following.
+  static constexpr size_t kMostTruths = 5;
+
   /// `known`: what is never unknown; null: everything is taken to be known. All outlive this.
   ProfileModes(const Mission& mission, const Activity& profile, const GreatestFixpoint* known);
 

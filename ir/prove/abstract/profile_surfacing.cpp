@@ -16,7 +16,6 @@ namespace glider::ir::prove {
 namespace {
 
 constexpr double kNeverSurfaces = std::numeric_limits<double>::infinity();
-constexpr size_t kMostTruths = 5;
 /// A mode that is raised more often is in a loop without a surfacing.
 constexpr unsigned kMostRaises = 100;
 
@@ -28,12 +27,6 @@ double roundedSum(double a, double b) {
 struct ModeWay {
   Mode to;
   size_t by = 0;  ///< the case
-};
-
-/// The case of a mode that a timer makes certain; infinite: none.
-struct TimedCase {
-  size_t number = 0;
-  double longest = kNeverSurfaces;
 };
 
 /// The modes of a profile, and the ways between them.
@@ -49,7 +42,7 @@ class ModeWays {
     const bool plain = std::ranges::all_of(modes_.own(), [&](VariableId id) {
       return known_.variables[id.index] && id != profile_.done;
     });
-    if (!plain || modes_.own().size() > kMostTruths) {
+    if (!plain || modes_.own().size() > ProfileModes::kMostTruths) {
       return false;
     }
     std::vector<Mode> open;
@@ -102,8 +95,7 @@ bool climbs(const Mode& mode) {
 bool goesOn(const Mission& mission, BlockId action) {
   bool only_surface = true;
   forEachStatement(mission, action, [&](const Statement& s) {
-    const bool about_depth = s.kind == StatementKind::Command && isVertical(s.command);
-    only_surface = only_surface && (!about_depth || s.command == Command::Surface);
+    only_surface = only_surface && (!isVertical(s) || s.command == Command::Surface);
   });
   return only_surface;
 }
@@ -147,7 +139,7 @@ class ModeSearch {
   [[nodiscard]] std::vector<ModeBound> bounds() const {
     std::vector<ModeBound> all;
     for (const auto& [place, found] : found_) {
-      all.push_back({place.mode, place.from_start, found.longest, found.ahead,
+      all.push_back({place.mode, place.from_start, found.since.longest, found.since.ahead,
                      climbs(place.mode) ? 0 : timedIn(place.mode).longest});
     }
     return all;
@@ -159,37 +151,38 @@ class ModeSearch {
     bool from_start = false;
     auto operator<=>(const Place&) const = default;
   };
-  struct Known {
-    double longest = -1, ahead = 0;
+  struct Reached {
+    Submerged since;
     unsigned raised = 0;
   };
 
-  void raise(const Place& to, const std::pair<double, double>& known) {
-    Known& found = found_[to];
-    if (known.first > found.longest || known.second > found.ahead) {
-      found = {std::max(known.first, found.longest), std::max(known.second, found.ahead),
-               found.raised + 1};
+  void raise(const Place& to, const Submerged& since) {
+    Reached& found = found_[to];
+    if (since.longest > found.since.longest || since.ahead > found.since.ahead) {
+      found = {
+          {std::max(since.longest, found.since.longest), std::max(since.ahead, found.since.ahead)},
+          found.raised + 1};
       open_.push_back(to);
     }
   }
 
   /// Under water on the last tick in this mode.
   [[nodiscard]] double lastOf(const Place& at) const {
-    const Known& found = found_.at(at);
+    const Submerged& found = found_.at(at).since;
     if (climbs(at.mode)) {
       return roundedSum(found.longest, climb_s_);
     }
-    const TimedCase timed = timedIn(at.mode);
+    const TimerCase timed = timedIn(at.mode);
     return std::max(roundedSum(roundedSum(timed.longest, found.ahead), gap_),
                     roundedSum(found.longest, gap_));
   }
 
   void follow(const Place& at, const ModeWay& way) {
-    const Known& found = found_.at(at);
+    const Submerged& found = found_.at(at).since;
     const bool sets_timer = sets(m_, profile_.cases[way.by].action, since_);
     const double last = lastOf(at);
     if (!climbs(at.mode)) {
-      const TimedCase timed = timedIn(at.mode);
+      const TimerCase timed = timedIn(at.mode);
       const double here = way.by > timed.number ? roundedSum(timed.longest, found.ahead) : last;
       raise({way.to, false}, {here, sets_timer ? std::max(here, found.ahead) : found.ahead});
     } else if (climbs(way.to) && goesOn(m_, profile_.cases[way.by].action)) {
@@ -205,7 +198,7 @@ class ModeSearch {
   /// The first case of a mode that is certainly true some time after the timer was set. (A case
   /// before it that stays in the mode is a way of its own, and one that may be taken again and
   /// again.)
-  [[nodiscard]] TimedCase timedIn(const Mode& mode) const {
+  [[nodiscard]] TimerCase timedIn(const Mode& mode) const {
     const auto certain = [&](ExprId id) { return ways_.modes().judge(id, mode) == Truth::True; };
     for (size_t i = 0; i < profile_.cases.size(); ++i) {
       const double longest = guards_.trueAfter(profile_.cases[i].guard, since_, certain);
@@ -232,7 +225,7 @@ class ModeSearch {
   VariableId since_;
   const std::vector<VariableId>& waits_;
   double climb_s_;
-  std::map<Place, Known> found_;
+  std::map<Place, Reached> found_;
   std::vector<Place> open_;
 };
 
@@ -280,9 +273,7 @@ class ProfileSearch {
   [[nodiscard]] bool othersInterfere() const {
     bool found =
         !m_[state_.profile.behaviour].symbol.empty() || !m_[state_.route.behaviour].symbol.empty();
-    const auto commands = [&](const Statement& s) {
-      found = found || (s.kind == StatementKind::Command && isVertical(s.command));
-    };
+    const auto commands = [&](const Statement& s) { found = found || isVertical(s); };
     const auto remembers = [&](const Statement& s) {
       found = found || (s.kind == StatementKind::Set && isOfProfile(s.variable));
     };
@@ -293,7 +284,7 @@ class ProfileSearch {
     for (const auto* cases : {&m_.always, &state_.cases, &state_.route.cases}) {
       for (const Case& c : *cases) {
         forEachStatement(m_, c.action, remembers);
-        if (c.transition == Transition::Stay || c.transition == Transition::Done) {
+        if (staysIn(c.transition)) {
           forEachStatement(m_, c.action, commands);
         }
       }
@@ -308,7 +299,7 @@ class ProfileSearch {
       const Variable& variable = m_.variables[i];
       if (isOfProfile({i}) && variable.type.kind == TypeKind::Quantity &&
           !std::isfinite(variable.lowest) && !std::isfinite(variable.highest) &&
-          beginsAsTime(m_[variable.initial]) && holdsTimesOnly(m_, {i})) {
+          beginsAsTime(m_[variable.initial]) && guards_.holdsTimesOnly({i})) {
         found.push_back({i});
       }
     }

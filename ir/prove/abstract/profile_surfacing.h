@@ -11,6 +11,15 @@
 
 namespace glider::ir::prove {
 
+/// What is known of the time since the last tick at the surface as a state (or a mode of
+/// its profile) becomes current, s.
+struct Submerged {
+  double longest = -1;  ///< negative: nothing, as no trace comes here
+  /// With a timer: it is not set later than this after the last tick at the surface, as long as the
+  /// state is current.
+  double ahead = 0;
+};
+
 /// What is known while a profile is in a mode. Times begin when its state became current or the
 /// vehicle was last at the surface, whichever was later.
 struct ModeBound {

@@ -27,16 +27,14 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr size_t kMostWork = 4000000;
 /// A place that is raised more often is in a loop without a surfacing, or nearly so.
 constexpr unsigned kMostRaised = 200;
+/// Of a mission with more timers, only the first are tried.
+constexpr size_t kMostTimers = 8;
 /// One that is raised more often goes to what its timer allows at once.
 constexpr unsigned kSlow = 100;
 
 /// A sum rounded up.
 double sumOf(double a, double b) {
   return a + b == a && b == 0 ? a : std::nextafter(a + b, kInfinity);
-}
-
-bool isVerticalCommand(const Statement& statement) {
-  return statement.kind == StatementKind::Command && isVertical(statement.command);
 }
 
 /// A list of cases that a timer's case may be in, and the number of a case.
@@ -67,24 +65,20 @@ struct StatePlace {
 
 class SurfacingSearch {
  public:
-  /// With `timer`, its cases bound the time too.
-  SurfacingSearch(const ProofContext& proof_context, const EndBound& end, double limit,
-                  std::optional<Timer> timer)
+  SurfacingSearch(const ProofContext& proof_context, const EndBound& end, double limit)
       : proof_context_(proof_context),
         m_(proof_context.mission),
         end_(end),
         limit_(limit),
-        timer_(std::move(timer)),
         values_(anyValues(m_)),
         always_{neverPrevented(m_), false},
         depths_(deepestByState(proof_context)),
         count_(m_.states.size()),
         places_(3 * count_),
         limits_(greatestLimits(m_)),
+        profiles_(count_),
         callers_(count_) {
-    const TimerGuards guards(proof_context, values_, end.by.value_or(kInfinity));
     for (uint32_t i = 0; i < count_; ++i) {
-      profiles_.push_back(profileSurfacing(proof_context, guards, {i}, climbFrom(depths_[i])));
       for (const Case& c : m_.states[i].cases) {
         addCaller(c, i);
       }
@@ -99,6 +93,16 @@ class SurfacingSearch {
           always_leads_down_ || (c.transition == Transition::Stay && tells(c.action));
     }
   }
+
+  /// Before run(): profiles that come to the surface by themselves bound the time too.
+  void findProfiles() {
+    const TimerGuards guards(proof_context_, values_, end_.by.value_or(kInfinity));
+    for (uint32_t i = 0; i < count_; ++i) {
+      profiles_[i] = profileSurfacing(proof_context_, guards, {i}, climbFrom(depths_[i]));
+    }
+  }
+  /// Before run(): the cases of the timer bound the time too.
+  void use(Timer timer) { timer_ = std::move(timer); }
 
   /// The longest time under water, s; none: not found, or beyond the limit.
   std::optional<double> run() {
@@ -242,7 +246,7 @@ class SurfacingSearch {
 
   [[nodiscard]] bool tells(BlockId block) const {
     bool found = false;
-    forEachStatement(m_, block, [&](const Statement& s) { found = found || isVerticalCommand(s); });
+    forEachStatement(m_, block, [&](const Statement& s) { found = found || isVertical(s); });
     return found;
   }
 
@@ -254,8 +258,7 @@ class SurfacingSearch {
     }
     for (const auto* cases : {&state.cases, &state.profile.cases, &state.route.cases}) {
       for (const Case& c : *cases) {
-        const bool stays = c.transition == Transition::Stay || c.transition == Transition::Done;
-        if (stays && tells(c.action)) {
+        if (staysIn(c.transition) && tells(c.action)) {
           return false;
         }
       }
@@ -381,17 +384,21 @@ struct Found {
 /// The least bound, without a timer or with one of the mission's.
 Found leastOf(const ProofContext& proof_context, const EndBound& end, double limit) {
   Found least;
-  const auto attempt = [&](std::optional<Timer> timer) {
-    SurfacingSearch search(proof_context, end, limit, std::move(timer));
+  const auto attempt = [&](SurfacingSearch search) {
     const auto longest = search.run();
     if (longest && *longest < least.longest) {
       least = {*longest, search.submersions()};
     }
-    return search.timers();
   };
-  const std::vector<Timer> timers = attempt(std::nullopt);
-  for (const Timer& timer : timers) {
-    attempt(timer);
+  SurfacingSearch plain(proof_context, end, limit);
+  plain.findProfiles();
+  attempt(plain);
+  std::vector<Timer> timers = plain.timers();
+  timers.resize(std::min(timers.size(), kMostTimers), Timer{});
+  for (Timer& timer : timers) {
+    SurfacingSearch timed = plain;
+    timed.use(std::move(timer));
+    attempt(std::move(timed));
   }
   return least;
 }
@@ -406,7 +413,7 @@ std::optional<double> longestSubmersion(const ProofContext& proof_context, const
 
 std::vector<double> climbTimes(const ProofContext& proof_context) {
   const EndBound none;
-  return SurfacingSearch(proof_context, none, kLongestMission, std::nullopt).climbs();
+  return SurfacingSearch(proof_context, none, kLongestMission).climbs();
 }
 
 Submersions submersionsOf(const ProofContext& proof_context, const EndBound& end) {

@@ -43,14 +43,6 @@ std::optional<double> longestSubmersion(const ProofContext& proof_context, const
 /// infinite if the state does not only climb.
 std::vector<double> climbTimes(const ProofContext& proof_context);
 
-/// What is known of the time since the last tick at the surface as a state becomes current, s.
-struct Submerged {
-  double longest = -1;  ///< negative: nothing, as no trace comes here
-  /// With a timer: it is not set later than this after the last tick at the surface, as long as the
-  /// state is current.
-  double ahead = 0;
-};
-
 /// What longestSubmersion rests on, for one state.
 struct Submersion {
   Submerged entered;  ///< by goto or call

@@ -15,12 +15,31 @@ namespace {
 constexpr double kNotBounded = std::numeric_limits<double>::infinity();
 constexpr Interval kAnyTime{0, kGreatestNumber, false};
 
+/// Of each variable, whether all that is assigned to it, something at least, is `missiontime`.
+std::vector<bool> variablesOfTimes(const Mission& mission) {
+  std::vector<bool> times(mission.variables.size());
+  std::vector<bool> others(mission.variables.size());
+  for (const Block& block : mission.blocks) {
+    for (const Statement& s : block.statements) {
+      if (s.kind == StatementKind::Set) {
+        const bool time = mission[s.value].op == Op::MissionTime;
+        (time ? times : others)[s.variable.index] = true;
+      }
+    }
+  }
+  for (size_t i = 0; i < times.size(); ++i) {
+    times[i] = times[i] && !others[i];
+  }
+  return times;
+}
+
 }  // namespace
 
 TimerGuards::TimerGuards(const ProofContext& proof_context, const Valuation& values, double ends_by)
     : m_(proof_context.mission),
       ends_by_(ends_by),
-      evaluator_(proof_context, values, {kAnyTime, kAnyTime, kAnyTime}) {}
+      evaluator_(proof_context, values, {kAnyTime, kAnyTime, kAnyTime}),
+      times_(variablesOfTimes(m_)) {}
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
 double TimerGuards::trueAfter(ExprId guard, VariableId since, const Certain& certain) const {
@@ -90,21 +109,6 @@ TimerGuards::Apart TimerGuards::boundsOf(ExprId id) const {
   const double most = std::max(value.highest, 0.0);
   const bool bounded = !evaluator_.maybeUnknown(id) && most < kGreatestNumber;
   return {value.empty ? 0 : least, bounded ? most * (1 + kRounding) + kSettled : kNotBounded};
-}
-
-bool holdsTimesOnly(const Mission& mission, VariableId variable) {
-  bool any = false;
-  for (const Block& block : mission.blocks) {
-    for (const Statement& s : block.statements) {
-      if (s.kind == StatementKind::Set && s.variable == variable) {
-        any = true;
-        if (mission[s.value].op != Op::MissionTime) {
-          return false;
-        }
-      }
-    }
-  }
-  return any;
 }
 
 bool sets(const Mission& mission, BlockId block, VariableId variable) {

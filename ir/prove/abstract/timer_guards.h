@@ -6,8 +6,17 @@
 #include "ir/prove/abstract/abstract_evaluator.h"
 
 #include <functional>
+#include <limits>
+#include <vector>
 
 namespace glider::ir::prove {
+
+/// A case that leads away when enough time has passed since something: it is certainly true when
+/// the mission time is more than `longest` after that, s. Infinite: there is none.
+struct TimerCase {
+  size_t number = 0;  ///< in its list
+  double longest = std::numeric_limits<double>::infinity();
+};
 
 /// What guards say of the time since a variable: `missiontime - since > T`, or the same sum. The
 /// variable is never unknown, and never after the mission time.
@@ -25,6 +34,8 @@ class TimerGuards {
   [[nodiscard]] double trueAfter(ExprId guard, VariableId since, const Certain& certain) const;
   /// It may be true only when the mission time is at least this after `since`, s.
   [[nodiscard]] double onlyAfter(ExprId guard, VariableId since) const;
+  /// Whether all that is assigned to the variable, something at least, is `missiontime`.
+  [[nodiscard]] bool holdsTimesOnly(VariableId id) const { return times_[id.index]; }
 
  private:
   /// The bounds of T in a comparison `more` > `less` of that form.
@@ -40,10 +51,8 @@ class TimerGuards {
   const Mission& m_;
   double ends_by_;
   AbstractEvaluator evaluator_;
+  std::vector<bool> times_;  ///< of each variable: holdsTimesOnly
 };
-
-/// Whether all that is assigned to the variable, something at least, is `missiontime`.
-bool holdsTimesOnly(const Mission& mission, VariableId variable);
 
 /// Whether a block may set the variable; an invalid one does not.
 bool sets(const Mission& mission, BlockId block, VariableId variable);

@@ -3,11 +3,12 @@
 
 #include "ir/prove/abstract/timers.h"
 
-#include "ir/prove/abstract/timer_guards.h"
+#include "ir/core/walk.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace glider::ir::prove {
 namespace {
@@ -20,13 +21,29 @@ class TimerSearch {
               const std::function<bool(ExprId)>& may_fire_under_water)
       : m_(proof_context.mission),
         may_fire_under_water_(may_fire_under_water),
-        guards_(proof_context, values, ends_by) {}
+        guards_(proof_context, values, ends_by),
+        set_outside_(m_.variables.size()) {
+    const auto note = [&](const Statement& s) {
+      if (s.kind == StatementKind::Set) {
+        set_outside_[s.variable.index] = true;
+      }
+    };
+    forEachStatement(m_, m_.every_tick, note);
+    for (const State& state : m_.states) {
+      for (const BlockId entry : {state.entry, state.profile.entry, state.route.entry}) {
+        forEachStatement(m_, entry, note);
+      }
+    }
+  }
 
   std::vector<Timer> all() {
     std::vector<Timer> found;
     for (uint32_t i = 0; i < m_.variables.size(); ++i) {
       if (isTimer({i})) {
-        found.push_back(timer({i}));
+        Timer one = timer({i});
+        if (one.bounds()) {
+          found.push_back(std::move(one));
+        }
       }
     }
     return found;
@@ -40,16 +57,8 @@ class TimerSearch {
       return false;
     }
     const Expr& initial = m_[variable.initial];
-    return initial.op == Op::Constant && initial.number <= 0 && isSetInCasesOnly(id) &&
-           holdsTimesOnly(m_, id);
-  }
-
-  /// Nothing that runs when a state becomes current, and nothing outside a case, sets it.
-  [[nodiscard]] bool isSetInCasesOnly(VariableId id) const {
-    return !sets(m_, m_.every_tick, id) && std::ranges::none_of(m_.states, [&](const State& state) {
-      return sets(m_, state.entry, id) || sets(m_, state.profile.entry, id) ||
-             sets(m_, state.route.entry, id);
-    });
+    return initial.op == Op::Constant && initial.number <= 0 && !set_outside_[id.index] &&
+           guards_.holdsTimesOnly(id);
   }
 
   Timer timer(VariableId since) {
@@ -68,19 +77,15 @@ class TimerSearch {
   /// Whether a case that does not lead away may set it under water.
   [[nodiscard]] bool stayingSets(const std::vector<Case>& cases, VariableId since) const {
     return std::ranges::any_of(cases, [&](const Case& c) {
-      return staysIn(c) && sets(m_, c.action, since) && may_fire_under_water_(c.guard);
+      return staysIn(c.transition) && sets(m_, c.action, since) && may_fire_under_water_(c.guard);
     });
-  }
-
-  static bool staysIn(const Case& c) {
-    return c.transition == Transition::Stay || c.transition == Transition::Done;
   }
 
   /// The first case of a list that leads away when enough time has passed, if no case before it
   /// may fire under water and stay: then the list is tried no further.
   [[nodiscard]] TimerCase firstThatLeads(const std::vector<Case>& cases, VariableId since) const {
     for (size_t i = 0; i < cases.size(); ++i) {
-      if (staysIn(cases[i])) {
+      if (staysIn(cases[i].transition)) {
         if (may_fire_under_water_(cases[i].guard)) {
           break;
         }
@@ -123,6 +128,7 @@ class TimerSearch {
   const Mission& m_;
   const std::function<bool(ExprId)>& may_fire_under_water_;
   TimerGuards guards_;
+  std::vector<bool> set_outside_;  ///< of each variable: something but a case sets it
 };
 
 }  // namespace

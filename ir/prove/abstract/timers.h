@@ -3,21 +3,14 @@
 
 #pragma once
 
-#include "ir/prove/abstract/abstract_evaluator.h"
+#include "ir/prove/abstract/timer_guards.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
-#include <limits>
 #include <vector>
 
 namespace glider::ir::prove {
-
-/// A case that leads away when enough time has passed since something: it is certainly true when
-/// the mission time is more than `longest` after that, s. Infinite: there is none.
-struct TimerCase {
-  size_t number = 0;  ///< in its list
-  double longest = std::numeric_limits<double>::infinity();
-};
 
 /// A variable of a mission that holds when something last happened: `var talked: time = 0 s`, to
 /// which nothing is assigned but `missiontime`, in a case's `do`. It starts at 0 or before, so it
@@ -37,14 +30,19 @@ struct Timer {
   [[nodiscard]] double longest(uint32_t state) const {
     return std::min(own[state].longest, ofAlways(state).longest);
   }
+  /// Whether a case of any list is known.
+  [[nodiscard]] bool bounds() const {
+    const auto is = [](const TimerCase& c) { return std::isfinite(c.longest); };
+    return is(always) || std::ranges::any_of(own, is);
+  }
   [[nodiscard]] TimerCase ofAlways(uint32_t state) const {
     return kept[state] ? TimerCase{} : always;
   }
 };
 
-/// The timers of a mission that has ended by `ends_by` (mission time, s; infinite if that is not
-/// known). `may_fire_under_water` says of a guard whether it may be true while the vehicle is under
-/// water.
+/// The timers that bound something, of a mission that has ended by `ends_by` (mission time, s;
+/// infinite if that is not known). `may_fire_under_water` says of a guard whether it may be true
+/// while the vehicle is under water.
 std::vector<Timer> timersOf(const ProofContext& proof_context, const Valuation& values,
                             double ends_by,
                             const std::function<bool(ExprId)>& may_fire_under_water);

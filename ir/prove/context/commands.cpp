@@ -76,21 +76,22 @@ std::vector<Position> pathTargets(const Mission& mission, const Statement& state
 }
 
 bool commandsSurface(const Mission& mission, const State& state) {
-  const auto commandsDepth = [](const Statement& s) {
-    return s.kind == StatementKind::Command && isVertical(s.command);
-  };
   const Statement* last = nullptr;
   if (state.profile.entry.valid()) {
     for (const Statement& statement : mission[state.profile.entry].statements) {
-      const bool tells = statement.kind == StatementKind::If || commandsDepth(statement);
+      const bool tells = statement.kind == StatementKind::If || isVertical(statement);
       last = tells ? &statement : last;
     }
   }
   bool route = !mission[state.route.behaviour].symbol.empty();
   forEachStatement(mission, state.route.entry,
-                   [&](const Statement& s) { route = route || commandsDepth(s); });
+                   [&](const Statement& s) { route = route || isVertical(s); });
   return !route && last != nullptr && last->kind == StatementKind::Command &&
          last->command == Command::Surface;
+}
+
+bool isVertical(const Statement& statement) {
+  return statement.kind == StatementKind::Command && isVertical(statement.command);
 }
 
 bool isVertical(Command command) {

@@ -35,5 +35,7 @@ bool commandsSurface(const Mission& mission, const State& state);
 
 /// Whether a command is about depth and pitch; otherwise it is about the heading.
 bool isVertical(Command command);
+/// Whether it gives such a command.
+bool isVertical(const Statement& statement);
 
 }  // namespace glider::ir::prove

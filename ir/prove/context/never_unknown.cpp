@@ -4,6 +4,7 @@
 #include "ir/prove/context/never_unknown.h"
 
 #include "ir/core/ops.h"
+#include "ir/prove/context/sensors_awaited.h"
 #include "ir/verify/inherited.h"
 
 #include <algorithm>
@@ -63,11 +64,7 @@ class KnownExpressions {
 
   /// Such as `known(x) ? x : 0`.
   bool isDefaulted(const Expr& choice, const GreatestFixpoint& judged) const {
-    const Expr& asked = m_[choice.operands[0]];
-    const Expr& first = m_[choice.operands[1]];
-    return asked.op == Op::Known && first.op == Op::Sensor &&
-           m_[asked.operands[0]].op == Op::Sensor && m_[asked.operands[0]].sensor == first.sensor &&
-           judged.expressions[choice.operands[2].index];
+    return isSensorOrElse(m_, choice) && judged.expressions[choice.operands[2].index];
   }
 
   bool mayBeZero(ExprId id) const {

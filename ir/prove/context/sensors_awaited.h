@@ -11,8 +11,8 @@
 
 namespace glider::ir::prove {
 
-/// Whether an expression is such as `known(x) ? x : 0.2`, for a sensor x: x may stay unknown.
-inline bool hasDefault(const Mission& mission, const Expr& e) {
+/// Whether an expression is such as `known(x) ? x : y`, for a sensor x.
+inline bool isSensorOrElse(const Mission& mission, const Expr& e) {
   if (e.op != Op::Select) {
     return false;
   }
@@ -20,8 +20,12 @@ inline bool hasDefault(const Mission& mission, const Expr& e) {
   const Expr& first = mission[e.operands[1]];
   return asked.op == Op::Known && first.op == Op::Sensor &&
          mission[asked.operands[0]].op == Op::Sensor &&
-         mission[asked.operands[0]].sensor == first.sensor &&
-         mission[e.operands[2]].op == Op::Constant;
+         mission[asked.operands[0]].sensor == first.sensor;
+}
+
+/// The same with a constant y: x may stay unknown.
+inline bool hasDefault(const Mission& mission, const Expr& e) {
+  return isSensorOrElse(mission, e) && mission[e.operands[2]].op == Op::Constant;
 }
 
 /// Calls `visit` with each sensor without whose readings an expression, or what its temporals

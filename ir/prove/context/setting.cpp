@@ -27,7 +27,7 @@ class Marks {
   /// Another list is tried only after `stay` and `done`.
   void staying(const std::vector<Case>& cases) {
     for (const Case& c : cases) {
-      if (c.transition == Transition::Stay || c.transition == Transition::Done) {
+      if (staysIn(c.transition)) {
         block(c.action);
       }
     }

@@ -61,6 +61,9 @@ std::string inMode(const Mission& mission, const ProfileSurfacing& profile,
 }  // namespace
 
 std::string inProfile(const Mission& mission, const ProfileSurfacing& profile) {
+  if (profile.modes.empty()) {
+    return "true";
+  }
   std::vector<std::string> modes;
   for (const ModeBound& bound : profile.modes) {
     modes.push_back(inMode(mission, profile, bound));
@@ -69,6 +72,9 @@ std::string inProfile(const Mission& mission, const ProfileSurfacing& profile) {
 }
 
 std::string timesOfProfile(const Mission& mission, const ProfileSurfacing& profile) {
+  if (profile.modes.empty()) {
+    return "true";
+  }
   std::vector<VariableId> times = profile.waits;
   times.push_back(profile.since);
   FormulaParts parts;

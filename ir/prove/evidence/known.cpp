@@ -118,12 +118,6 @@ std::string Known::timed(const Submersion& state) const {
   return parts.all();
 }
 
-void Known::addTimes(FormulaParts& parts, const ProfileSurfacing& profile) const {
-  if (!profile.modes.empty()) {
-    parts.add(timesOfProfile(m_, profile));
-  }
-}
-
 std::string Known::surfacedIn(const certify::Configuration& at) const {
   FormulaParts parts;
   parts.add("(<= 0.0 |surfaced| |time|)");
@@ -145,12 +139,10 @@ std::string Known::surfacedIn(const certify::Configuration& at) const {
     parts.add(timed(state));
   }
   for (const certify::Waiting& waiting : at.stack) {
-    addTimes(parts, submersions_.states[waiting.state.index].profile);
+    parts.add(timesOfProfile(m_, submersions_.states[waiting.state.index].profile));
   }
-  addTimes(parts, state.profile);
-  if (!state.profile.modes.empty()) {
-    parts.add(inProfile(m_, state.profile));
-  }
+  parts.add(timesOfProfile(m_, state.profile));
+  parts.add(inProfile(m_, state.profile));
   if (std::isfinite(state.climb)) {
     parts.add("|climbing|");
     parts.add("(<= |climbing since| |resumed|)");

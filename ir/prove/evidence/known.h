@@ -6,7 +6,6 @@
 #include "ir/prove/abstract/end_bound.h"
 #include "ir/prove/abstract/surfacing.h"
 #include "ir/prove/context/state_bounds.h"
-#include "ir/prove/evidence/formula.h"
 
 #include <map>
 #include <string>
@@ -34,7 +33,6 @@ class Known {
   [[nodiscard]] std::string timerName() const;
   [[nodiscard]] std::string grown(const Submerged& from) const;
   [[nodiscard]] std::string timed(const Submersion& state) const;
-  void addTimes(FormulaParts& parts, const ProfileSurfacing& profile) const;
   [[nodiscard]] std::string ofTimes(const Stay& stay, bool just_returned) const;
 
   const ProofContext& proof_context_;

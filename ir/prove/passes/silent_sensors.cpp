@@ -79,7 +79,7 @@ class SilenceCheck {
 
   void run() {
     // Most missions have an exit by a clock; this finds it without looking at values.
-    if (Reached(m_, [&](ExprId guard) { return !readsSensor(guard); }).exits ||
+    if (Reached(m_, [&](ExprId guard) { return !awaitsSensor(guard); }).exits ||
         !Reached(m_, [](ExprId) { return true; }).exits) {
       return;
     }
@@ -109,19 +109,19 @@ class SilenceCheck {
     return false;
   }
 
-  [[nodiscard]] bool readsSensor(ExprId guard) const {
-    bool reads = false;
-    forEachSensorAwaited(m_, guard, [&](SensorId) { reads = true; });
-    return reads;
+  [[nodiscard]] bool awaitsSensor(ExprId guard) const {
+    bool awaits = false;
+    forEachSensorAwaited(m_, guard, [&](SensorId) { awaits = true; });
+    return awaits;
   }
 
   /// Names the sensors on which the cases hang that lead away from where the mission stays.
   void tell(const Reached& reached) {
-    std::vector<bool> read(m_.sensors.size());
+    std::vector<bool> awaited(m_.sensors.size());
     const auto add = [&](const std::vector<Case>& cases) {
       for (const Case& c : cases) {
         if (c.transition != Transition::Stay) {
-          forEachSensorAwaited(m_, c.guard, [&](SensorId id) { read[id.index] = true; });
+          forEachSensorAwaited(m_, c.guard, [&](SensorId id) { awaited[id.index] = true; });
         }
       }
     };
@@ -132,7 +132,7 @@ class SilenceCheck {
     std::vector<std::string> names;
     std::vector<std::string> of_science;
     for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
-      if (!read[i]) {
+      if (!awaited[i]) {
         continue;
       }
       names.push_back(fmt::format("`{}`", m_.sensors[i].name));

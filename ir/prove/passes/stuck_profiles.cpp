@@ -5,14 +5,13 @@
 // good (GL3112). In: the profiles of the mission, not of the library; out: a warning at the case
 // that leads there. Every combination of a profile's own truth values and its latest command is
 // visited, comparisons having either result. A hint in one respect: whether some flight reaches the
-// combination is not known. More than kMostTruths truth values: not checked.
+// combination is not known. More than ProfileModes::kMostTruths truth values: not checked.
 
 #include "ir/prove/abstract/profile_modes.h"
 #include "ir/prove/context/commands.h"
 #include "ir/prove/passes.h"
 #include "support/diagnostics/ids/verification.h"
 
-#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -33,7 +32,7 @@ class ModeGraph {
 
   /// False if there are too many.
   bool explore() {
-    if (modes_.own().size() > kMostTruths) {
+    if (modes_.own().size() > ProfileModes::kMostTruths) {
       return false;
     }
     for (const Mode& mode : modes_.begin()) {
@@ -64,8 +63,6 @@ class ModeGraph {
   }
 
  private:
-  static constexpr size_t kMostTruths = 5;
-
   void arrive(const Mode& mode, const support::SourceRange& by) {
     if (arrivals_.emplace(mode, by).second) {
       pending_.push_back(mode);

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "ir/prove/abstract/end_bound.h"
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/falsification/counterexample.h"
 #include "support/diagnostics/engine.h"
@@ -19,7 +20,7 @@ void noteLateEnd(support::DiagnosticBuilder& diagnostic, double seconds,
 /// Why a mission that ends in time while the SBC has power may not be proved to end within
 /// `requirement.seconds`: the bound with power cuts, if it is later than that.
 void notePowerCutsCount(support::DiagnosticBuilder& warning, const Requirement& requirement,
-                        const ProofContext& proof_context);
+                        const ProofContext& proof_context, Ending& ending);
 
 /// Names variables of the mission that are counted without a limit.
 void noteUnlimitedCounts(support::DiagnosticBuilder& warning, const ProofContext& proof_context);

@@ -44,13 +44,12 @@ std::vector<VariableId> unlimitedCounts(const Mission& m) {
 }  // namespace
 
 void notePowerCutsCount(support::DiagnosticBuilder& warning, const Requirement& requirement,
-                        const ProofContext& proof_context) {
-  const EndBound always_powered =
-      boundOf(proof_context.withoutPowerCuts(), kLongestMission, Goal::Exit);
+                        const ProofContext& proof_context, Ending& ending) {
+  const EndBound& always_powered = ending.boundWithoutPowerCuts();
   if (!always_powered.by || *always_powered.by > requirement.seconds) {
     return;
   }
-  const EndBound end = boundOf(proof_context, kLongestMission, Goal::Exit);
+  const EndBound& end = ending.bound();
   if (end.by && *end.by > requirement.seconds) {
     warning.note(
         requirement.range,

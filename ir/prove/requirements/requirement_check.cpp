@@ -162,7 +162,7 @@ void RequirementCheck::settle(Judged& judged) {
     noteLateEnd(warning, requirement.seconds, proof_context);
   }
   if (requirement.kind == RequirementKind::ExitWithin) {
-    notePowerCutsCount(warning, requirement, proof_context);
+    notePowerCutsCount(warning, requirement, proof_context, context_.proof.ending);
   }
   noteUnlimitedCounts(warning, proof_context);
 }

@@ -40,10 +40,10 @@ class RandomFlights final : public Strategy {
     if (!run) {
       return std::nullopt;
     }
-    run = withoutUselessPowerCuts(std::move(run), attempt, context);
     return attempt.requirement.kind == RequirementKind::Reach
                ? RequirementVerdict{attempt.number, Verdict::Proved, std::move(run)}
-               : refutedBy(std::move(*run), attempt.requirement, context);
+               : refutedBy(withoutUselessPowerCuts(std::move(*run), attempt, context),
+                           attempt.requirement, context);
   }
 
   [[nodiscard]] std::optional<Evidence> evidence(const Requirement&, bool,
@@ -54,18 +54,16 @@ class RandomFlights final : public Strategy {
  private:
   /// Another violation without power cuts, if a few more flights find one: it is easier to
   /// understand than one with cuts that do not matter. Otherwise `found`.
-  static std::optional<Counterexample> withoutUselessPowerCuts(std::optional<Counterexample> found,
-                                                               const Attempt& attempt,
-                                                               StrategyContext& context) {
-    if (!context.powerCutsMatter() || attempt.holds_without_power_cuts ||
-        attempt.requirement.kind == RequirementKind::Reach) {
+  static Counterexample withoutUselessPowerCuts(Counterexample found, const Attempt& attempt,
+                                                StrategyContext& context) {
+    if (!context.powerCutsMatter() || attempt.holds_without_power_cuts) {
       return found;
     }
     constexpr unsigned kRounds = 6;
     const ProofContext powered = context.proof.proof_context.withoutPowerCuts();
     for (unsigned round = 1; round <= kRounds; ++round) {
       if (auto simpler = tryAtRandom(attempt.requirement, powered, context, round)) {
-        return simpler;
+        return *std::move(simpler);
       }
     }
     return found;

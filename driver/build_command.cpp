@@ -10,6 +10,7 @@
 #include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
 #include "driver/output/executable.h"
+#include "driver/output/overwritten.h"
 #include "driver/output/symbols.h"
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
@@ -25,6 +26,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -148,18 +150,14 @@ support::Result<void> buildProduct(const codegen::Product& product, const BuildO
   return writeProduct(product, options, mission.input(), board, how);
 }
 
-/// True if the build would overwrite a file that it reads.
-bool overwritesInput(const BuildOptions& options, const codegen::Product& product) {
-  std::error_code error;  // a file that is not there yet is not the mission
+/// The first file that the build reads and would overwrite.
+std::optional<std::string> overwrittenBy(const BuildOptions& options,
+                                         const codegen::Product& product) {
   std::vector<std::string> inputs = options.user_code;
   inputs.push_back(options.mission);
-  const auto isInput = [&](const std::string& file) {
-    return std::ranges::any_of(inputs, [&](const std::string& input) {
-      return std::filesystem::equivalent(file, input, error) && !error;
-    });
-  };
-  return isInput(options.output) ||
-         (!product.beside.empty() && isInput(options.output + std::string(product.beside)));
+  const std::string beside =
+      product.beside.empty() ? "" : options.output + std::string(product.beside);
+  return overwrittenInput(inputs, {options.output, beside});
 }
 
 /// The mission as it is built; the IR is printed to standard error after the passes that
@@ -211,9 +209,8 @@ int build(BuildOptions options) {
     options.output =
         builtName(options.mission, product.for_board ? options.target : "", product.suffix);
   }
-  if (overwritesInput(options, product)) {
-    return reportFailure(
-        support::fail(support::diagnostics::outputIsInput, options.output).error());
+  if (const auto input = overwrittenBy(options, product)) {
+    return reportFailure(support::fail(support::diagnostics::outputIsInput, *input).error());
   }
   const auto written = write(product, options, *board, compilation);
   return !written              ? reportFailure(written.error())

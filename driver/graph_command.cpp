@@ -7,6 +7,7 @@
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/output/executable.h"
+#include "driver/output/overwritten.h"
 #include "driver/terminal.h"
 #include "driver/usage/values.h"
 #include "ir/verify/promela.h"
@@ -16,7 +17,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -71,16 +71,10 @@ std::string outputName(const GraphOptions& options) {
   return stemOf(options.mission) + kEndings[static_cast<size_t>(options.format)];
 }
 
-/// True if the picture would overwrite the mission.
-bool overwritesMission(const std::string& output, const std::string& mission) {
-  std::error_code error;  // a file that is not there yet is not the mission
-  return std::filesystem::equivalent(output, mission, error) && !error;
-}
-
 support::Result<void> put(const GraphOptions& options, const compiler::Compilation& compilation) {
   const std::string output = options.output.empty() ? outputName(options) : options.output;
-  if (overwritesMission(output, options.mission)) {
-    return support::fail(support::diagnostics::outputIsInput, options.mission);
+  if (const auto input = overwrittenInput({options.mission}, {output})) {
+    return support::fail(support::diagnostics::outputIsInput, *input);
   }
   // Nothing can be proved about a mission with errors; its known structure is drawn.
   const DeadCases dead = compilation.checked && options.format != GraphFormat::Promela

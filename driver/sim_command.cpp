@@ -43,11 +43,12 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <system_error>
 
 namespace glider::driver {
 namespace {
 
-/// "1:23:20 of at most 6:00:00, depth 12.3 m, state survey, at most about 8 min left".
+/// "1:23:20 of at most 6:00:00, depth 12.3 m, state survey, about 8 min left".
 std::string progressText(const simulator::Progress& progress, TimeLeft& left) {
   const std::string estimate =
       left.of(static_cast<uint64_t>(progress.time_s), static_cast<uint64_t>(progress.duration_s));
@@ -58,10 +59,9 @@ std::string progressText(const simulator::Progress& progress, TimeLeft& left) {
 }
 
 void showProgress(simulator::SimulationSetup& setup, ProgressLine& line) {
-  setup.progress =
-      [&line, left = TimeLeft(TimeLeft::Of::AtMost)](const simulator::Progress& progress) mutable {
-        line.show(progressText(progress, left));
-      };
+  setup.progress = [&line, left = TimeLeft()](const simulator::Progress& progress) mutable {
+    line.show(progressText(progress, left));
+  };
 }
 
 /// What flies: the mission of the language (null: none), and what watches it (null: it is not
@@ -224,7 +224,6 @@ support::Result<simulator::Scenario> scenarioFor(const SimOptions& options,
         return std::unexpected(usable.error());
       }
     }
-    scenario->skeleton_path = own_file;
   }
   if (options.duration_s) {
     const std::string note = flights::setDuration(*scenario, platform, *options.duration_s);
@@ -243,8 +242,11 @@ support::Result<void> checkOutputs(const SimOptions& options) {
   }
   std::set<std::filesystem::path> seen;
   for (const std::string& output : outputs) {
-    if (!output.empty() &&
-        !seen.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(output))).second) {
+    std::error_code error;  // reported when the file is written
+    const std::filesystem::path absolute = std::filesystem::absolute(output, error);
+    const std::filesystem::path real =
+        error ? std::filesystem::path() : std::filesystem::weakly_canonical(absolute, error);
+    if (!output.empty() && !error && !seen.insert(real).second) {
       return support::fail(support::diagnostics::cannotWrite, output, "two outputs have this name");
     }
   }

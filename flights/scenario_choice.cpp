@@ -120,6 +120,9 @@ support::Result<void> flyVehiclesOwn(const std::filesystem::path& file,
   if (show) {
     show(diagnostics, sources);
   }
+  if (loaded) {
+    scenario.skeleton_path = file;
+  }
   return loaded;
 }
 

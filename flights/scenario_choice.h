@@ -37,7 +37,8 @@ std::string setDuration(simulator::Scenario& scenario, const platforms::Platform
 bool hasBundledSkeleton(const simulator::Scenario& scenario);
 
 /// Makes the vehicle of `scenario` fly another mission of its own, from `file` with what belongs to
-/// it. Errors in it are shown. Fails as simulator::Family::load_own does.
+/// it, and names that file in `scenario`. Errors in it are shown. Fails as
+/// simulator::Family::load_own does.
 support::Result<void> flyVehiclesOwn(const std::filesystem::path& file,
                                      const platforms::Platform& platform,
                                      simulator::Scenario& scenario,

@@ -158,12 +158,17 @@ double knownFor(const Trace& trace, int column, int time) {
   return sum_s;
 }
 
-EnergyFigures energyOf(const Trace& trace) {
+EnergyFigures energyOf(const Trace& trace, double duration_s) {
   constexpr double kSecondsPerDay = 86400;
+  constexpr double kWhole = 0.95;  // records begin and end a little later than others
   const int column = trace.column("energy");
-  EnergyFigures energy{rangeOf(trace, column).greatest,
-                       knownFor(trace, column, trace.column("time")), kNoFigure, kNoFigure,
-                       kNoFigure};
+  const double known_s = knownFor(trace, column, trace.column("time"));
+  EnergyFigures energy{.used_Wh = rangeOf(trace, column).greatest,
+                       .known_s = known_s,
+                       .partly_known = known_s < kWhole * duration_s,
+                       .capacity_Wh = kNoFigure,
+                       .to_go_Wh = kNoFigure,
+                       .days_left = kNoFigure};
   if (trace.battery) {
     energy.capacity_Wh = trace.battery->capacity_Wh;
     energy.to_go_Wh = energy.capacity_Wh - trace.battery->used_Wh - energy.used_Wh;
@@ -303,7 +308,7 @@ FlightFigures flightFigures(const Trace& trace) {
   figures.gaps_s = lengthOfGaps(trace);
   measureTrack(trace, figures);
   figures.apart_m = greatestDistance(trace);
-  figures.energy = energyOf(trace);
+  figures.energy = energyOf(trace, figures.duration_s);
   measureStates(trace, time, figures);
   for (const support::TraceEvent& event : trace.events) {
     ++figures.events[kindOf(event)];
@@ -332,6 +337,7 @@ std::string figuresToJson(const FlightFigures& figures) {
                     {"energy",
                      {{"used", figures.energy.used_Wh},
                       {"known", figures.energy.known_s},
+                      {"partlyKnown", figures.energy.partly_known},
                       {"capacity", figures.energy.capacity_Wh},
                       {"toGo", figures.energy.to_go_Wh},
                       {"daysLeft", figures.energy.days_left}}},

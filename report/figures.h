@@ -26,10 +26,11 @@ enum class TrackSource : unsigned char { None, True, DeadReckoned };
 /// What the batteries gave in a flight, and how long they last at this rate.
 struct EnergyFigures {
   double used_Wh = 0;
-  double known_s = 0;      ///< the time in which a log has records of it
-  double capacity_Wh = 0;  ///< of a full pack; NaN, as what follows: not known
-  double to_go_Wh = 0;     ///< in the pack at the end
-  double days_left = 0;    ///< at the mean power of that time
+  double known_s = 0;         ///< the time in which a log has records of it
+  bool partly_known = false;  ///< that is less than the flight
+  double capacity_Wh = 0;     ///< of a full pack; NaN, as what follows: not known
+  double to_go_Wh = 0;        ///< in the pack at the end
+  double days_left = 0;       ///< at the mean power of that time
 };
 
 /// A flight summarised in a few numbers. NaN (or an empty list) where the trace has no column for

@@ -65,11 +65,9 @@ std::string daysText(double days) {
 }
 
 /// "12.3 Wh used, 0.61 % of the pack; 2208.6 Wh to go (99.4 %), 20 days at this rate".
-std::string energyText(const FlightFigures& figures) {
-  constexpr double kWhole = 0.95;  // records begin and end a little later than others
-  const EnergyFigures& energy = figures.energy;
+std::string energyText(const EnergyFigures& energy) {
   std::string text = fmt::format("{:.1f} Wh used", energy.used_Wh);
-  if (energy.known_s < kWhole * figures.duration_s) {
+  if (energy.partly_known) {
     text += fmt::format(" in {} of the flight, not known for the rest", clockText(energy.known_s));
   }
   if (energy.capacity_Wh > 0) {
@@ -107,7 +105,7 @@ std::string figureLines(const FlightFigures& figures) {
                                  lengthText(figures.apart_m)));
   }
   if (std::isfinite(figures.energy.used_Wh)) {
-    line("energy", energyText(figures));
+    line("energy", energyText(figures.energy));
   }
   if (std::isfinite(figures.warmest_degC)) {
     line("temperature",

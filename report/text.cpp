@@ -27,13 +27,14 @@ size_t bytesOf(std::string_view text, size_t columns) {
   return at;
 }
 
-/// The word that begins at `from` (or, backwards, ends before it), without brackets and commas.
+/// The word that begins at `from`, without the punctuation after it.
 std::string_view wordFrom(std::string_view text, size_t from) {
   const size_t end = std::min(text.find(' ', from), text.size());
   const std::string_view word = text.substr(from, end - from);
   return word.substr(0, word.find_last_not_of(",;:)") + 1);
 }
 
+/// The word that ends at `space`, without the bracket before it.
 std::string_view wordBefore(std::string_view text, size_t space) {
   const size_t before = space == 0 ? std::string_view::npos : text.rfind(' ', space - 1);
   const size_t begin = before == std::string_view::npos ? 0 : before + 1;

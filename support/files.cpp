@@ -143,7 +143,8 @@ Result<StagedFile> StagedFile::write(const std::filesystem::path& path, std::str
   auto failed = [&] {
     return fail(support::diagnostics::cannotWrite, path.string(), std::strerror(errno));
   };
-  if (std::filesystem::is_symlink(staged.path_)) {
+  std::error_code error;  // of a folder on the way, which mkostemp meets too
+  if (std::filesystem::is_symlink(staged.path_, error)) {
     errno = ELOOP;
     return failed();
   }

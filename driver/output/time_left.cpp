@@ -27,7 +27,7 @@ std::string TimeLeft::of(uint64_t done, uint64_t all, Clock::time_point now) {
                            : left_s < kHour_s
                                ? fmt::format("{:.0f} min", std::ceil(left_s / kMinute_s))
                                : fmt::format("{:.1f} h", left_s / kHour_s);
-  return fmt::format("{}about {} left", of_ == Of::AtMost ? "at most " : "", text);
+  return fmt::format("about {} left", text);
 }
 
 }  // namespace glider::driver

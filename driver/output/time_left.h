@@ -14,14 +14,9 @@ namespace glider::driver {
 class TimeLeft {
  public:
   using Clock = std::chrono::steady_clock;
-  /// Which part of the work is known.
-  enum class Of : uint8_t { All, AtMost };
 
-  explicit TimeLeft(Of of = Of::All) : of_(of) {}
-
-  /// "about 8 min left" (or "at most about 8 min left", if the work may end sooner) when `done` of
-  /// `all` parts are done; empty in the first seconds, and at the end. The first call is the
-  /// beginning: what is done then took no time.
+  /// "about 8 min left" when `done` of `all` parts are done; empty in the first seconds, and at the
+  /// end. The first call is the beginning: what is done then took no time.
   std::string of(uint64_t done, uint64_t all, Clock::time_point now = Clock::now());
 
  private:
@@ -29,7 +24,6 @@ class TimeLeft {
     uint64_t done;
     Clock::time_point when;
   };
-  Of of_;
   std::optional<Beginning> beginning_;
 };
 

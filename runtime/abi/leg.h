@@ -24,8 +24,8 @@ typedef enum GliderLegKind {
 } GliderLegKind;
 
 typedef struct GliderLegShape {
-  double dive;   /* the values of the vehicle's state that are legs; may be equal */
-  double climb;  /* */
+  double dive; /* the values of the vehicle's state that are legs; may be equal */
+  double climb;
   uint32_t kind; /* GliderLegKind */
   uint32_t last; /* 0: the present leg; 1: the one before */
 } GliderLegShape;

@@ -105,6 +105,15 @@ TEST_F(CertificatesCommand, RemovesThoseOfEarlierProofs) {
   EXPECT_TRUE(std::filesystem::exists(certificates() + "/requirement-2.json"));
 }
 
+/// It is not that they are missing.
+TEST_F(CertificatesCommand, BehindALoopOfLinksCannotBeRead) {
+  std::filesystem::create_symlink("proofs", certificates());
+  const Outcome found = check("--recheck");
+  EXPECT_EQ(found.status, 2) << found.out;
+  EXPECT_THAT(found.err, HasSubstr("Too many levels of symbolic links [GL9001 cannot-read]"));
+  EXPECT_THAT(found.err, testing::Not(HasSubstr("internal error")));
+}
+
 TEST_F(CertificatesCommand, SaysWhatIsDamagedOrNotInstalled) {
   ASSERT_EQ(check("--certificates").status, 0);
   const Outcome missing = check("--recheck", "PATH=/nowhere ");

@@ -219,7 +219,9 @@ TEST(Command, ABuildNeverOverwritesItsSource) {
       runShell("ln " + (folder.path() / "g.mission").string() + " " +
                (folder.path() / "hard").string() + "; " + here + "g.mission --emit ir -o hard"),
       2, "GL9350");
-  expectFailure(runShell(here + "h.debug -o h"), 2, "GL9350");
+  const Outcome beside = runShell(here + "h.debug -o h");
+  expectFailure(beside, 2, "GL9350");
+  EXPECT_NE(beside.err.find("would overwrite its input `h.debug`"), std::string::npos);
   EXPECT_EQ(slurp(folder.path() / "g.mission"), source);
   EXPECT_EQ(slurp(folder.path() / "h.debug"), source);
   EXPECT_EQ(runShell(here + "g.mission -o g").status, 0);

@@ -89,6 +89,22 @@ TEST(Duration, AFileOfThePilotKeepsItsOvertime) {
   EXPECT_THAT(outcome.err, Not(HasSubstr("is raised")));
 }
 
+/// The scenario's file does not fly, so nothing is said about it.
+TEST(Duration, AFileOfThePilotKeepsItsOvertimeInACheckToo) {
+  const auto check = [](const Long& mission) {
+    return mission.run(
+        "--version; cp $(dirname $GLIDERCC)/../share/glidercc/scenarios/skeleton.mi "
+        "own.mi; $GLIDERCC check --scenario default --mi own.mi --duration 1day "
+        "long.mission");
+  };
+  const Outcome refused = check(Long("20 h"));
+  EXPECT_THAT(refused.err, HasSubstr("abend allows 12 h 0 min 0 s (overtime in own.mi)"));
+  const Outcome fine = check(Long("1 h"));
+  EXPECT_EQ(fine.status, 0) << fine.err;
+  EXPECT_THAT(fine.out, HasSubstr("long.mission: fine"));
+  EXPECT_THAT(fine.out, Not(HasSubstr("is raised")));
+}
+
 TEST(Duration, ASkeletonThatIsNotBesideItsScenarioIsTheBundledOne) {
   const Long one("1 h");
   ASSERT_EQ(one.run("--version; cp $(dirname $GLIDERCC)/../share/glidercc/scenarios/default.toml "

@@ -409,19 +409,24 @@ TEST_F(Sim, NoOutputOverwritesAnInputOrAnother) {
   EXPECT_THAT(twice.err, HasSubstr("two outputs have this name"));
 }
 
+/// Such a path has no real name to compare with those of other outputs.
+TEST_F(Sim, AnOutputBehindALoopOfLinksCannotBeWritten) {
+  mission();
+  std::filesystem::create_symlink("loop", folder_.path() / "loop");
+  for (const char* output : {"loop/o.kml", "loop"}) {
+    const Outcome outcome = run(std::string("$GLIDERCC sim m.mission --kml ") + output);
+    EXPECT_EQ(outcome.status, 2) << output;
+    EXPECT_THAT(outcome.err, HasSubstr("[GL9002 cannot-write]")) << output;
+    EXPECT_THAT(outcome.err, HasSubstr("Too many levels of symbolic links")) << output;
+    EXPECT_THAT(outcome.err, Not(HasSubstr("internal error"))) << output;
+  }
+}
+
 /// A mission that the scenario's mission file of the vehicle refuses, and the pilot's own allows.
 class SimWithOwnFile : public testing::Test {
  protected:
   SimWithOwnFile() {
-    (void)folder_.write("deep.mission", R"(mission deep
-state fly
-begin
-  flightprofile yo(5 m, 65 m, 26 deg, 26 deg)
-  sensors       missiontime, depth
-  events
-    case missiontime > 30 min exit
-end
-)");
+    mission("deep", "65 m", "30 min");
     (void)folder_.write("ours.mi", R"(behavior: abend
     b_arg: overdepth(m)     75
     b_arg: overtime(s)    3600
@@ -431,6 +436,18 @@ behavior: surface
     b_arg: gps_wait_time(s)  0
 behavior: hookbeh
     b_arg: max_depth(m)     72
+)");
+  }
+  /// Writes `name`.mission, which dives to `bottom` again and again for the time `until`.
+  void mission(const std::string& name, const std::string& bottom, const std::string& until) const {
+    (void)folder_.write(name + ".mission", "mission " + name + R"(
+state fly
+begin
+  flightprofile yo(5 m, )" + bottom + R"(, 26 deg, 26 deg)
+  sensors       missiontime, depth
+  events
+    case missiontime > )" + until + R"( exit
+end
 )");
   }
   [[nodiscard]] Outcome sim(const std::string& options) const {
@@ -451,15 +468,7 @@ TEST_F(SimWithOwnFile, FliesWithItsLimits) {
 
 /// Its overtime is not raised for --duration, as that of a bundled file is.
 TEST_F(SimWithOwnFile, ItsOvertimeIsTheVehicles) {
-  (void)folder_.write("long.mission", R"(mission long
-state fly
-begin
-  flightprofile yo(5 m, 20 m, 26 deg, 26 deg)
-  sensors       missiontime, depth
-  events
-    case missiontime > 9 h exit
-end
-)");
+  mission("long", "20 m", "9 h");
   const Outcome own = sim("long.mission --mi ours.mi --duration 10h");
   EXPECT_THAT(own.err, testing::Not(testing::HasSubstr("overtime of the bundled")));
   EXPECT_THAT(own.out, testing::HasSubstr("OVERTIME"));

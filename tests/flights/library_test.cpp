@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 
 namespace glider::tests {
 namespace {
@@ -159,27 +160,36 @@ end
   }
 }
 
+/// A flight that surfaces at `times`, with these faults beside the default scenario.
+Flight flyWithFaults(const std::string& faults, const std::string& bottom, const std::string& times,
+                     const std::string& until) {
+  const TemporaryFolder folder;
+  const auto scenario =
+      folder.write("faults.toml", slurp(project("scenarios/default.toml")) + faults);
+  std::filesystem::copy(project("scenarios/skeleton.mi"), folder.path());
+  const auto mission = folder.write("m.mission", R"(mission surfacing
+state look
+begin
+  flightprofile yo_and_surface(5 m, )" + bottom + ", 26 deg, 26 deg, " +
+                                                     times + R"()
+  sensors       missiontime, depth
+  events
+    case missiontime > )" + until + R"( exit
+end
+)");
+  return fly(mission.string() + " --scenario " + scenario.string());
+}
+
 /// Its depth is missing for a while as it comes up: it is not taken to have arrived.
 TEST(Library, AYoThatSurfacesGoesOnUpWhenItsDepthComesBack) {
-  const TemporaryFolder folder;
-  const auto scenario = folder.write("lost.toml", slurp(project("scenarios/default.toml")) + R"(
+  const Flight flight = flyWithFaults(R"(
 [[faults.sensor]]
 sensor = "m_depth"
 from_s = 1510
 to_s = 1610
 missing = true
-)");
-  runShell("cp " + project("scenarios/skeleton.mi") + " " + folder.path().string());
-  const auto mission = folder.write("m.mission", R"(mission surfacing
-state look
-begin
-  flightprofile yo_and_surface(5 m, 50 m, 26 deg, 26 deg, period = 25 min, pause = 1 min)
-  sensors       missiontime, depth
-  events
-    case missiontime > 45 min exit
-end
-)");
-  const Flight flight = fly(mission.string() + " --scenario " + scenario.string());
+)",
+                                      "50 m", "period = 25 min, pause = 1 min", "45 min");
   const auto depth = flight.column("true_depth"), time = flight.column("time");
   const auto commanded = flight.column("hook_depth");
   size_t i = 0;
@@ -287,8 +297,7 @@ end
 
 /// At the surface its depth reads 0.5 m to 2.9 m, as in waves: it dives again after its pause.
 TEST(Library, AYoThatSurfacesLeavesInWaves) {
-  const TemporaryFolder folder;
-  const auto scenario = folder.write("waves.toml", slurp(project("scenarios/default.toml")) + R"(
+  const Flight flight = flyWithFaults(R"(
 [[faults.sensor]]
 sensor = "m_depth"
 from_s = 900
@@ -300,18 +309,8 @@ from_s = 900
 to_s = 20000
 sways = 1.2
 period_s = 40
-)");
-  runShell("cp " + project("scenarios/skeleton.mi") + " " + folder.path().string());
-  const auto mission = folder.write("m.mission", R"(mission waves
-state look
-begin
-  flightprofile yo_and_surface(5 m, 30 m, 26 deg, 26 deg, period = 20 min, pause = 3 min)
-  sensors       missiontime, depth
-  events
-    case missiontime > 1 h exit
-end
-)");
-  const Flight flight = fly(mission.string() + " --scenario " + scenario.string());
+)",
+                                      "30 m", "period = 20 min, pause = 3 min", "1 h");
   const auto depth = flight.column("true_depth"), time = flight.column("time");
   size_t i = 0;
   while (i < depth.size() && (time[i] < 1210 || depth[i] > 0.3)) {

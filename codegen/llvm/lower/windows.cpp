@@ -116,6 +116,16 @@ Value* freshness(Body& body, const std::set<uint32_t>& sensors) {
   return builder.CreateZExt(builder.CreateAnd(none_old, one_new), builder.getInt32Ty());
 }
 
+/// The same for a window that reads `first` and `second`; generated once for the same sensors.
+Value* freshnessOf(Body& body, ir::ExprId first, ir::ExprId second, Freshness& fresh) {
+  std::set<uint32_t> sensors;
+  addSensors(body.lowering.mission, first, sensors);
+  addSensors(body.lowering.mission, second, sensors);
+  Value*& taken = fresh[sensors];
+  taken = taken == nullptr ? freshness(body, sensors) : taken;
+  return taken;
+}
+
 /// The one constant that describes the window.
 llvm::Constant* sharedShape(Body& body, ir::TemporalId id) {
   llvm::Constant*& shape = body.lowering.window_shapes.at(id.index);
@@ -161,11 +171,7 @@ void lowerLeg(Body& body, ir::TemporalId id, Freshness& fresh) {
   Value* operand = body.expressions.number(window.operand);
   Value* value = window.duration.valid() ? body.expressions.number(window.duration) : operand;
   Value* phase = body.expressions.number(window.along);
-  std::set<uint32_t> sensors;
-  addSensors(body.lowering.mission, window.operand, sensors);
-  addSensors(body.lowering.mission, window.duration, sensors);
-  Value*& taken = fresh[sensors];
-  taken = taken == nullptr ? freshness(body, sensors) : taken;
+  Value* taken = freshnessOf(body, window.operand, window.duration, fresh);
   call(body, "gliderLegAdvance",
        {memoryOf(body, id), sharedShape(body, id), body.expressions.missionTime(), phase, value,
         operand, taken});
@@ -177,11 +183,7 @@ void lowerWindow(Body& body, ir::TemporalId id, Freshness& fresh) {
   Value* value = body.expressions.number(window.operand);
   Value* now = body.expressions.missionTime();
   Value* along = window.along.valid() ? body.expressions.number(window.along) : now;
-  std::set<uint32_t> sensors;
-  addSensors(body.lowering.mission, window.operand, sensors);
-  addSensors(body.lowering.mission, window.along, sensors);
-  Value*& taken = fresh[sensors];
-  taken = taken == nullptr ? freshness(body, sensors) : taken;
+  Value* taken = freshnessOf(body, window.operand, window.along, fresh);
   call(body, "gliderWindowAdvance",
        {memoryOf(body, id), sharedShape(body, id), now, along, value, taken});
 }

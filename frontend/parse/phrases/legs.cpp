@@ -13,15 +13,16 @@
 namespace glider::frontend::phrases {
 namespace {
 
-bool isName(const Phrase& phrase, size_t k, std::initializer_list<std::string_view> words) {
+bool isNamedOneOf(const Phrase& phrase, size_t k, std::initializer_list<std::string_view> words) {
   return phrase.type(k) == GliderLexer::NAME &&
          std::ranges::find(words, phrase.text(k)) != words.end();
 }
 
 /// Whether two names after a comma can only be meant as a leg: `highest(temp, last yo)`.
 bool isMeantAsLeg(const Phrase& phrase) {
-  return isName(phrase, 0, {"this", "last", "previous"}) && phrase.type(1) == GliderLexer::NAME &&
-         !phrase.open().empty() && phrase.open().back().arguments;
+  return isNamedOneOf(phrase, 0, {"this", "last", "previous"}) &&
+         phrase.type(1) == GliderLexer::NAME && !phrase.open().empty() &&
+         phrase.open().back().arguments;
 }
 
 /// Reports what is like a leg: `previous leg`, `last yo`, `this leg of depth`.
@@ -41,8 +42,8 @@ size_t leg(Phrase& phrase) {
   if (phrase.before() != GliderLexer::COMMA || phrase.type(1) != GliderLexer::NAME) {
     return 0;
   }
-  const bool known = isName(phrase, 1, {"leg", "dive", "climb"});
-  const bool which = isName(phrase, 0, {"this", "last"});
+  const bool known = isNamedOneOf(phrase, 1, {"leg", "dive", "climb"});
+  const bool which = isNamedOneOf(phrase, 0, {"this", "last"});
   const bool of = phrase.type(2) == GliderLexer::OF && phrase.type(3) == GliderLexer::NAME;
   if (!isMeantAsLeg(phrase) && !(which && known && phrase.type(2) == GliderLexer::RPAREN)) {
     return 0;

@@ -3,6 +3,7 @@
 
 #include "frontend/sema/declarations/lower_assumption.h"
 
+#include "frontend/sema/expressions/literals.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/promises/lower_promise.h"
 #include "ir/core/monitor_writer.h"
@@ -12,7 +13,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -195,7 +195,7 @@ class AssumptionLowering {
       return refuse(premise.range.lowest, ": the range would end before it begins",
                     heading ? kAcrossNorth : "assume temp in 2 degC .. 28 degC");
     }
-    constexpr double kTurn = 2 * std::numbers::pi * (1 + 1e-12);
+    constexpr double kTurn = kFullTurn * (1 + 1e-12);
     if (heading && (*lowest < 0 || *highest > kTurn)) {
       return refuse(*lowest < 0 ? premise.range.lowest : premise.range.highest,
                     ": readings of a heading are from 0 deg to 360 deg", kAcrossNorth);

@@ -3,10 +3,14 @@
 
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <string_view>
 
 namespace glider::frontend {
+
+/// 360 deg, in radians.
+inline constexpr double kFullTurn = 2 * std::numbers::pi;
 
 /// The number written as `digits`; empty if it is too large for a double. Too small for a double
 /// gives 0.

@@ -25,8 +25,6 @@ double inSi(double value, double to_si) {
   return parts > 1 && 1 / parts == to_si ? value / parts : value * to_si;
 }
 
-constexpr double kFullTurn = 6.283185307179586;
-
 constexpr ir::Type kLatitude{ir::TypeKind::Latitude, {}};
 constexpr ir::Type kLongitude{ir::TypeKind::Longitude, {}};
 

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "frontend/sema/expressions/literals.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "support/diagnostics/ids/meaning.h"
-
-#include <numbers>
 
 // Magnetic headings: `90 deg magnetic`, `magnetic(course)`. All values are true headings, so these
 // take off the variation by which the runtime will make them magnetic again (runtime/core/compass):
@@ -14,11 +13,6 @@
 // true headings is another one, as they begin again at true north.
 
 namespace glider::frontend {
-namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
-
-}  // namespace
 
 ExprLowering::Result ExprLowering::magnetic(const ast::Invocation& node, const ast::Expr& expr) {
   if (node.arguments.size() != 1) {
@@ -49,7 +43,7 @@ ExprLowering::Result ExprLowering::variationInForce(const support::SourceRange& 
 ir::ExprId ExprLowering::wrapped(ir::ExprId sum, const support::SourceRange& range) {
   const ir::Type angle = quantity(support::dimension::angle);
   const ir::ExprId zero = emitNumber(0, angle, range).id;
-  const ir::ExprId turn = emitNumber(kTurn, angle, range).id;
+  const ir::ExprId turn = emitNumber(kFullTurn, angle, range).id;
   const auto choose = [&](ir::Op op, ir::ExprId limit, ir::Op change, ir::ExprId value) {
     const ir::ExprId beyond = emit(op, boolean(), range, {value, limit}).id;
     const ir::ExprId changed = emit(change, angle, range, {value, turn}).id;

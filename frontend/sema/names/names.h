@@ -31,7 +31,6 @@ std::string_view describe(NamedKind kind);
 /// Whether `set` may change it.
 bool isVariable(NamedKind kind);
 
-/// A name of one of these kinds. A position is two IR variables.
 /// What a plain number counts, as far as its text shows it: `uM`, `ug/L`; "1" for a reading
 /// without a unit; empty if that is not known.
 struct Scale {
@@ -39,6 +38,7 @@ struct Scale {
   bool written = false;  ///< a number with this unit is part of it
 };
 
+/// A name of one of these kinds. A position is two IR variables.
 struct Named {
   const ast::Name* name = nullptr;
   NamedKind kind = NamedKind::MissionVariable;

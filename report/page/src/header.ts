@@ -66,11 +66,11 @@ function origin(flight: Flight): string[] {
 }
 
 /** What the vehicle has used up by its last record, and how long the rest lasts. */
-function energyOf({ energy, duration }: Figures): [string, string][] {
+function energyOf({ energy }: Figures): [string, string][] {
   if (energy.used === null) return [];
   const share = (part: number) => (energy.capacity === null ? "" : ` (${percent(part / energy.capacity)} of the pack)`);
   return [
-    [energy.known < 0.95 * (duration ?? 0) ? `energy used in ${clock(energy.known)}, not known for the rest` : "energy used",
+    [energy.partlyKnown ? `energy used in ${clock(energy.known)}, not known for the rest` : "energy used",
       `${quantity(energy.used, "Wh")}${share(energy.used)}`],
     ...(energy.toGo === null ? [] : [["energy to go", `${quantity(energy.toGo, "Wh")}${energy.capacity === null ? "" : ` (${percent(energy.toGo / energy.capacity)})`}`] as [string, string]]),
     ...(energy.daysLeft === null ? [] : [["left at this rate", days(energy.daysLeft)] as [string, string]]),

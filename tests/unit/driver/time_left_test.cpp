@@ -30,11 +30,11 @@ TEST(TimeLeft, IsByHowFastItWent) {
   EXPECT_EQ(left.of(10, 110, begin + seconds(1000)), "") << "nothing is done";
 }
 
-TEST(TimeLeft, IsABoundOfWorkThatMayEndSooner) {
+TEST(TimeLeft, OfAFlightIsByItsSeconds) {
   const TimeLeft::Clock::time_point begin;
-  TimeLeft left(TimeLeft::Of::AtMost);
+  TimeLeft left;
   EXPECT_EQ(left.of(0, 21600, begin), "");
-  EXPECT_EQ(left.of(3600, 21600, begin + seconds(10)), "at most about 50 s left");
+  EXPECT_EQ(left.of(3600, 21600, begin + seconds(10)), "about 50 s left");
 }
 
 TEST(ProgressLine, IsALineFromTimeToTimeInAFile) {

@@ -42,6 +42,7 @@ TEST(Figures, EnergyIsRelatedToThePack) {
   EXPECT_DOUBLE_EQ(energy.used_Wh, 10);
   EXPECT_DOUBLE_EQ(energy.to_go_Wh, 900);
   EXPECT_DOUBLE_EQ(energy.days_left, 45) << "10 Wh in half a day";
+  EXPECT_FALSE(energy.partly_known);
 }
 
 TEST(Figures, TheRateIsThatOfTheTimeInWhichTheEnergyIsKnown) {
@@ -50,9 +51,26 @@ TEST(Figures, TheRateIsThatOfTheTimeInWhichTheEnergyIsKnown) {
   trace.battery = {1000, 90};
   const EnergyFigures energy = flightFigures(trace).energy;
   EXPECT_DOUBLE_EQ(energy.known_s, 43200);
+  EXPECT_TRUE(energy.partly_known);
   EXPECT_DOUBLE_EQ(energy.days_left, 45);
   trace.log = support::VehicleLog{"comet", 0, "", {}, {{64800, 86400}}};
   EXPECT_DOUBLE_EQ(flightFigures(trace).energy.known_s, 21600) << "not in a gap";
+}
+
+/// In a log of 1000 s, records of the energy that begin `late_s` after the others.
+bool isPartlyKnown(double late_s) {
+  const auto trace = smallTrace({{"time", "s"}, {"energy", "Wh"}},
+                                {{0, kUnknown}, {late_s, 0}, {500, 4}, {1000, 10}});
+  const FlightFigures figures = flightFigures(trace);
+  const auto json = nlohmann::json::parse(figuresToJson(figures));
+  EXPECT_EQ(json.at("energy").at("partlyKnown"), figures.energy.partly_known);
+  return figures.energy.partly_known;
+}
+
+TEST(Figures, TheEnergyIsPartlyKnownIfLessThan95Percent) {
+  EXPECT_FALSE(isPartlyKnown(40));
+  EXPECT_FALSE(isPartlyKnown(50));
+  EXPECT_TRUE(isPartlyKnown(60));
 }
 
 TEST(Figures, TheTracksAreApartWhereTheyAreFarthest) {

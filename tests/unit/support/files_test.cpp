@@ -49,6 +49,9 @@ TEST(Files, ALinkStaysALinkAndItsTargetIsWritten) {
   EXPECT_EQ(*readFile(folder.path() / "not-yet"), "there");
   fs::create_symlink("round", folder.path() / "round");
   EXPECT_FALSE(writeFileAtomically(folder.path() / "round", "x")) << "a link to itself";
+  const auto behind = writeFileAtomically(folder.path() / "round" / "file", "x");
+  ASSERT_FALSE(behind) << "in a folder that is a link to itself";
+  EXPECT_NE(behind.error().message.find("Too many levels of symbolic links"), std::string::npos);
 }
 
 /// As `-o /dev/stdout` when standard output is a file; here by a descriptor's name in a folder of

@@ -225,11 +225,11 @@ class ControlSearch {
       add(Kind::Prevents, layer,
           fmt::format("{}, and at the surface it ends the vehicle's mission ({}); {}", when,
                       has(block, {"end_action"}), times_.endText()),
-          "let it start later than the mission ends, or give it end_action 2");
+          "start it after the mission ends, or give it end_action 2");
     } else {
       add(Kind::Masks, layer,
           fmt::format("{}, and brings the vehicle to the surface; {}", when, times_.endText()),
-          "if it is meant, such as a call home, change nothing; otherwise let it start later than "
+          "if this is intended, for example to call home, change nothing; otherwise start it after "
           "the mission ends, or move it below hookbeh");
     }
   }

@@ -3,9 +3,11 @@
 
 #pragma once
 
+#include "runtime/abi/port_mission.h"
 #include "support/source_manager.h"
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace glider::codegen {
@@ -21,6 +23,9 @@ struct CodegenOptions {
   const support::SourceManager* sources = nullptr;
   /// Objects and archives for the board that define the mission's extern behaviours.
   std::vector<std::filesystem::path> further_inputs;
+  /// For a vehicle without the hooks: the program speaks the port for a backseat driver. None: it
+  /// speaks to hookprog.
+  std::optional<GliderPortMission> port;
   /// Nothing is linked in this process after this, which makes linking a little faster.
   bool last_link = false;
 };

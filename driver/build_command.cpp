@@ -13,7 +13,9 @@
 #include "driver/output/overwritten.h"
 #include "driver/output/symbols.h"
 #include "driver/shared_options.h"
+#include "driver/slocum/port_folder.h"
 #include "driver/terminal.h"
+#include "driver/usage/duration.h"
 #include "driver/usage/values.h"
 #include "frontend/ast/print.h"
 #include "ir/text/print.h"
@@ -48,6 +50,8 @@ constexpr codegen::Product kChc{
     .note = "the questions about its requirements, as constrained Horn clauses in SMT-LIB 2"};
 constexpr const codegen::Product* kOfTheFrontEnd[] = {&kSyntaxTree, &kSymbols, &kChc};
 
+constexpr const char* kPortDialect = "extctl";
+
 struct BuildOptions {
   bool strict = false;  ///< warnings are errors
   std::string mission;
@@ -57,7 +61,9 @@ struct BuildOptions {
   std::vector<std::string> print_after;
   std::vector<std::string> user_code;
   std::string output;
-  std::string at;  ///< of the symbols: `LINE:COLUMN`; empty: all
+  std::string dialect = "hooks";
+  PortOptions port;  ///< of dialect extctl
+  std::string at;    ///< of the symbols: `LINE:COLUMN`; empty: all
 };
 
 /// What `--emit` can name; with a `board`, for that board only.
@@ -174,6 +180,15 @@ compiler::Optimised optimise(const BuildOptions& options,
   });
 }
 
+/// The folder for a vehicle without the hooks.
+int buildForPort(const BuildOptions& options, const platforms::Board& board,
+                 const compiler::Compilation& compilation) {
+  const compiler::Optimised mission = optimise(options, compilation.checked);
+  const auto written = writePortFolder(options.port, options.output, options.mission, board,
+                                       options.user_code, mission);
+  return !written ? reportFailure(written.error()) : *written ? kFine : kMissionHasErrors;
+}
+
 support::Result<void> write(const codegen::Product& product, const BuildOptions& options,
                             const platforms::Board& board,
                             const compiler::Compilation& compilation) {
@@ -205,6 +220,9 @@ int build(BuildOptions options) {
   if ((!compilation.checked || refused) && &product != &kSymbols) {
     return kMissionHasErrors;
   }
+  if (options.dialect == kPortDialect) {
+    return buildForPort(options, *board, compilation);
+  }
   if (options.output.empty()) {
     options.output =
         builtName(options.mission, product.for_board ? options.target : "", product.suffix);
@@ -216,6 +234,44 @@ int build(BuildOptions options) {
   return !written              ? reportFailure(written.error())
          : compilation.checked ? kFine
                                : kMissionHasErrors;
+}
+
+}  // namespace
+
+namespace {
+
+/// What the vehicle speaks to the SBC.
+void addDialectOptions(CLI::App& command, BuildOptions& options) {
+  CLI::Option* dialect =
+      command
+          .add_option("--dialect", options.dialect,
+                      "What the vehicle speaks: hooks (hookprog and hookbeh are built into it), or "
+                      "extctl (its port for a backseat driver: -o names a folder for all files)")
+          ->check(oneOf({"hooks", kPortDialect}))
+          ->capture_default_str();
+  command
+      .add_option("--release", options.port.release,
+                  "With --dialect extctl: how the vehicle's software reads start_when: 10.05, or "
+                  "mission-mode (15 is a bit of u_mission_mode)")
+      ->check(oneOf({"10.05", "mission-mode"}))
+      ->capture_default_str()
+      ->needs(dialect);
+  command
+      .add_option("--max-depth", options.port.greatest_depth_m,
+                  "With --dialect extctl: deeper targets are refused, m [the deepest that MISSION "
+                  "commands]")
+      ->check(CLI::PositiveNumber)
+      ->option_text("METRES")
+      ->needs(dialect);
+  addDurationOption(command, "--surface-after", options.port.surface_after_s, 600, 7 * 86400,
+                    "With --dialect extctl: without contact for this long the vehicle comes up by "
+                    "itself [4h]");
+  command
+      .add_option("--port-sensors", options.port.sensors,
+                  "With --dialect extctl: how many sensors the port takes, 32 or 64 [32]")
+      ->check(CLI::IsMember({32, 64}))
+      ->option_text("N")
+      ->needs(dialect);
 }
 
 }  // namespace
@@ -261,7 +317,11 @@ void addBuildCommand(CLI::App& app, int& status) {
       ->add_option("-o", options->output,
                    "Output file; `-` is standard output [named after MISSION]")
       ->option_text("FILE");
+  addDialectOptions(*command, *options);
   command->callback([options, &status] {
+    if (options->dialect == kPortDialect && options->output.empty()) {
+      throw CLI::RequiredError("-o FOLDER (with --dialect extctl)");
+    }
     if (!options->at.empty() && options->emit != kSymbols.name) {
       throw CLI::ValidationError("--at", "is for --emit symbols only");
     }

@@ -15,6 +15,7 @@
 #include "driver/replay_trace.h"
 #include "driver/shared_options.h"
 #include "driver/sim_options.h"
+#include "driver/slocum/port_folder.h"
 #include "driver/terminal.h"
 #include "driver/usage/duration.h"
 #include "flights/flight_setup.h"
@@ -219,7 +220,12 @@ support::Result<simulator::Scenario> scenarioFor(const SimOptions& options,
     if (!own) {
       return std::unexpected(own.error());
     }
-    if (!options.mi.empty()) {  // a mission needs hookbeh in it; other errors were shown above
+    if (!options.port_folder.empty()) {
+      if (auto used = useRelease(options.port_folder, *scenario); !used) {
+        return std::unexpected(used.error());
+      }
+    } else if (!options.mi
+                    .empty()) {  // a mission needs hookbeh in it; other errors were shown above
       if (auto usable = vehicles::tryOwnMission(options.mi, {}); !usable) {
         return std::unexpected(usable.error());
       }
@@ -355,8 +361,8 @@ void addWorldOptions(CLI::App& command, SimOptions& options) {
 void addOptions(CLI::App& command, SimOptions& options) {
   auto* mission =
       command.add_option("MISSION", options.mission,
-                         "The mission file, or a mission of the vehicle's own (FILE.mi), "
-                         "which flies without an SBC");
+                         "The mission file, a mission of the vehicle's own (FILE.mi), which flies "
+                         "without an SBC, or a folder of `build --dialect extctl`");
   addWorldOptions(command, options);
   auto* board = command
                     .add_option("--board", options.board,
@@ -409,6 +415,25 @@ void addOptions(CLI::App& command, SimOptions& options) {
 
 }  // namespace
 
+namespace {
+
+/// If MISSION is a folder for a vehicle's port, what is in it is flown.
+support::Result<void> lookIntoFolder(SimOptions& options) {
+  if (!isPortFolder(options.mission)) {
+    return {};
+  }
+  const auto folder = openPortFolder(options.mission);
+  if (!folder) {
+    return std::unexpected(folder.error());
+  }
+  options.port_folder = options.mission;
+  options.mission = folder->mission.string();
+  options.mi = folder->vehicle_mission.string();
+  return {};
+}
+
+}  // namespace
+
 void addSimCommand(CLI::App& app, int& status) {
   auto options = std::make_shared<SimOptions>();
   CLI::App* command =
@@ -425,6 +450,10 @@ void addSimCommand(CLI::App& app, int& status) {
     }
     if (isVehiclesOwn(*options) && !options->mi.empty()) {
       throw CLI::ExcludesError("MISSION of the vehicle's own", "--mi");
+    }
+    if (const auto looked = lookIntoFolder(*options); !looked) {
+      status = reportFailure(looked.error());
+      return;
     }
     status =
         inFormat(options->json, "sim", [&](Json* document) { return sim(*options, document); });

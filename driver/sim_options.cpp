@@ -5,6 +5,7 @@
 
 #include "compiler/vehicles_own.h"
 #include "driver/output/executable.h"
+#include "driver/slocum/port_folder.h"
 #include "flights/sbc_choice.h"
 
 #include <filesystem>
@@ -53,11 +54,20 @@ support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
                ? flights::sbcProgramOf(*mission, options.user_code, options.program, watch)
                : flights::sbcProgram(options.program);
   }
+  std::optional<flights::PortEnd> port;
+  if (!options.port_folder.empty()) {
+    auto end = portEndOf(options.port_folder, *mission);
+    if (!end) {
+      return std::unexpected(end.error());
+    }
+    port = *end;
+  }
   if (isInProcess(options)) {
-    return flights::sbcInProcess(*mission, options.launch, options.user_code, keeps_time, watch);
+    return flights::sbcInProcess(*mission, options.launch, options.user_code, keeps_time, watch,
+                                 port);
   }
   return flights::sbcOnBoard(*mission, options.launch, options.user_code, options.board,
-                             flightName(options), folder, watch);
+                             flightName(options), folder, watch, port);
 }
 
 }  // namespace glider::driver

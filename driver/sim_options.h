@@ -24,6 +24,8 @@ struct SimOptions {
   bool json = false;  ///< --format json
   std::string mission;
   std::string scenario = "default";
+  /// MISSION, if it is a folder for a vehicle's port: `mission` and `mi` are those in it.
+  std::string port_folder;
   std::string mi;  ///< the vehicle's mission file; empty: the scenario's
   std::string platform{platforms::kDefaultPlatform};  ///< used if no mission names one
   std::string board;

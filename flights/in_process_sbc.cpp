@@ -26,7 +26,7 @@ std::string exitReasonOf(uint32_t failed_check) {
 
 InProcessSbc::InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission,
                            std::vector<double> parameters, std::shared_ptr<Card> card,
-                           bool keeps_time)
+                           bool keeps_time, const std::optional<GliderPortMission>& port)
     : mission_(std::move(mission)),
       parameters_(std::move(parameters)),
       card_(std::move(card)),
@@ -37,6 +37,11 @@ InProcessSbc::InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission
   const GliderStore store{this, readCard, writeCard, [](void*) { return 0; }};
   kept_ = findKept();
   const GliderRuntimeOptions options{{}, parameters_.data(), store, 0};
+  if (port) {
+    backseat_ = std::make_unique<runtime::extctl::Backseat>(
+        mission_->mission(), *port, GliderByteStream{this, readBytes, writeBytes},
+        runtime::extctl::BackseatOptions{.may_resume = kept_.has_value()});
+  }
   runtime_ = mission_->init(runtime_memory_.get(), context_memory_.get(), &options);
 }
 
@@ -134,7 +139,8 @@ void InProcessSbc::showToWatcher() const {
 void InProcessSbc::run() {
   // A poll handles a frame of what was delivered, or one of the few time-outs that may be due.
   constexpr int kMostPolls = 10000;
-  const GliderByteStream stream{this, readBytes, writeBytes};
+  const GliderByteStream stream =
+      backseat_ ? backseat_->stream() : GliderByteStream{this, readBytes, writeBytes};
   const GliderClock clock{this, now};
   for (int i = 0; i < kMostPolls && alive() && !finished_; ++i) {
     const GliderRuntimeStatus status = mission_->poll(runtime_, stream, clock);
@@ -164,7 +170,8 @@ std::vector<uint8_t> InProcessSbc::collect() {
   run();
   lockstep_.fromSbc(from_sbc_.data(), static_cast<uint32_t>(from_sbc_.size()));
   // Ends as the program on a board does; the vehicle notices when it does not answer any more.
-  if (finished_ && !lockstep_.settled()) {
+  const bool owes = backseat_ ? taken_ != to_sbc_.size() : !lockstep_.settled();
+  if (finished_ && owes) {
     end("exited with status 0");
   }
   to_sbc_.erase(to_sbc_.begin(), to_sbc_.begin() + static_cast<ptrdiff_t>(taken_));

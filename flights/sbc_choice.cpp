@@ -22,7 +22,7 @@ using support::Result;
 Result<NewWatchedFlight> flightsInProcess(const compiler::Optimised& mission,
                                           const LaunchChoice& launch,
                                           const std::vector<std::string>& user_code,
-                                          bool keeps_time) {
+                                          bool keeps_time, const std::optional<PortEnd>& port) {
   auto loaded = loadHere(mission, user_code);
   if (!loaded) {
     return std::unexpected(loaded.error());
@@ -32,16 +32,18 @@ Result<NewWatchedFlight> flightsInProcess(const compiler::Optimised& mission,
     return std::unexpected(parameters.error());
   }
   auto shared = std::make_shared<const codegen::LoadedMission>(std::move(*loaded));
-  return [shared, values = std::move(*parameters), keeps_time](RequirementWatch* watch) {
-    return startInProcess(shared, values, keeps_time, watch);
+  return [shared, values = std::move(*parameters), keeps_time, port](RequirementWatch* watch) {
+    return startInProcess(shared, values, keeps_time, watch, port);
   };
 }
 
 StartSbc startInProcess(std::shared_ptr<const codegen::LoadedMission> mission,
-                        std::vector<double> parameters, bool keeps_time, RequirementWatch* watch) {
-  return [mission = std::move(mission), parameters = std::move(parameters), keeps_time, watch,
+                        std::vector<double> parameters, bool keeps_time, RequirementWatch* watch,
+                        const std::optional<PortEnd>& port) {
+  return [mission = std::move(mission), parameters = std::move(parameters), keeps_time, watch, port,
           card = std::make_shared<Card>()]() -> Result<std::unique_ptr<SbcPort>> {
-    auto sbc = std::make_unique<InProcessSbc>(mission, parameters, card, keeps_time);
+    auto sbc = std::make_unique<InProcessSbc>(mission, parameters, card, keeps_time,
+                                              port ? std::optional(port->mission) : std::nullopt);
     if (watch != nullptr) {
       sbc->watch(watch->watcher(parameters, sbc->kept()));
     }
@@ -51,18 +53,20 @@ StartSbc startInProcess(std::shared_ptr<const codegen::LoadedMission> mission,
 
 Result<StartSbc> sbcInProcess(const compiler::Optimised& mission, const LaunchChoice& launch,
                               const std::vector<std::string>& user_code, bool keeps_time,
-                              RequirementWatch* watch) {
-  const auto flights = flightsInProcess(mission, launch, user_code, keeps_time);
+                              RequirementWatch* watch, const std::optional<PortEnd>& port) {
+  const auto flights = flightsInProcess(mission, launch, user_code, keeps_time, port);
   return flights ? Result<StartSbc>((*flights)(watch)) : std::unexpected(flights.error());
 }
 
 namespace {
 
 StartSbc starterOf(std::string way, std::vector<std::string> command,
-                   std::filesystem::path card = {}, double hang_secs = ProcessSbcPort::kHangSecs) {
-  return [way = std::move(way), command = std::move(command), card = std::move(card),
-          hang_secs]() -> Result<std::unique_ptr<SbcPort>> {
-    return ProcessSbcPort::start(way, command, hang_secs, card);
+                   std::filesystem::path card = {}, double hang_secs = ProcessSbcPort::kHangSecs,
+                   const std::optional<PortEnd>& port = {}) {
+  return [way = std::move(way), command = std::move(command), card = std::move(card), hang_secs,
+          port]() -> Result<std::unique_ptr<SbcPort>> {
+    return ProcessSbcPort::start(way, command, hang_secs, card,
+                                 port ? simulator::portTurns(port->clock) : simulator::hookTurns());
   };
 }
 
@@ -72,7 +76,8 @@ Result<std::vector<std::string>> buildOnBoard(const compiler::Optimised& mission
                                               const LaunchChoice& launch,
                                               const std::vector<std::string>& user_code,
                                               const std::string& board,
-                                              const std::filesystem::path& binary) {
+                                              const std::filesystem::path& binary,
+                                              const std::optional<PortEnd>& port) {
   // Before the board's program refuses them.
   if (auto allowed = chooseParameters(mission.mission, launch); !allowed) {
     return std::unexpected(allowed.error());
@@ -87,6 +92,7 @@ Result<std::vector<std::string>> buildOnBoard(const compiler::Optimised& mission
   }
   codegen::CodegenOptions options;
   options.sources = &mission.sources();
+  options.port = port ? std::optional(port->mission) : std::nullopt;
   code->addTo(options);
   const auto built = codegen::linkExecutable(mission.input(), *target, options, binary);
   if (!built) {
@@ -99,7 +105,8 @@ Result<std::vector<std::string>> buildOnBoard(const compiler::Optimised& mission
 
 StartSbc startOnBoard(const std::string& board, std::vector<std::string> command,
                       const LaunchChoice& launch, const std::filesystem::path& folder,
-                      const std::string& name, double hang_secs) {
+                      const std::string& name, double hang_secs,
+                      const std::optional<PortEnd>& port) {
   const std::filesystem::path log = folder / "mission.log";
   const std::filesystem::path checkpoints = folder / (name + ".checkpoint");
   std::error_code ignored;
@@ -114,24 +121,24 @@ StartSbc startOnBoard(const std::string& board, std::vector<std::string> command
   for (const std::string& setting : launch.settings) {
     command.insert(command.end(), {"--set", setting});
   }
-  return starterOf(board, std::move(command), checkpoints, hang_secs);
+  return starterOf(board, std::move(command), checkpoints, hang_secs, port);
 }
 
 Result<StartSbc> sbcOnBoard(const compiler::Optimised& mission, const LaunchChoice& launch,
                             const std::vector<std::string>& user_code, const std::string& board,
                             const std::string& name, const std::filesystem::path& folder,
-                            RequirementWatch* watch) {
+                            RequirementWatch* watch, const std::optional<PortEnd>& port) {
   const std::string full_name = name + "-" + board;
-  auto command = buildOnBoard(mission, launch, user_code, board, folder / full_name);
+  auto command = buildOnBoard(mission, launch, user_code, board, folder / full_name, port);
   if (!command) {
     return std::unexpected(command.error());
   }
   StartSbc flown = startOnBoard(board, std::move(*command), launch, folder, full_name,
-                                ProcessSbcPort::kHangSecs);
+                                ProcessSbcPort::kHangSecs, port);
   if (watch == nullptr) {
     return flown;
   }
-  auto shadow = sbcInProcess(mission, launch, user_code, false, watch);
+  auto shadow = sbcInProcess(mission, launch, user_code, false, watch, port);
   return shadow ? Result<StartSbc>(shadowed(std::move(flown), std::move(*shadow), *watch))
                 : std::unexpected(shadow.error());
 }

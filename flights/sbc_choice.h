@@ -6,16 +6,24 @@
 #include "compiler/compilation.h"
 #include "flights/launch_choice.h"
 #include "flights/requirement_watch.h"
+#include "runtime/abi/port_mission.h"
 #include "simulator/ports/sbc_port.h"
 #include "support/result.h"
 
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace glider::flights {
+
+/// The SBC is at the vehicle's port for a backseat driver, not at hookprog's.
+struct PortEnd {
+  GliderPortMission mission;
+  uint32_t clock;  ///< the index on the port of the vehicle's clock
+};
 
 /// Returns, for each flight, what starts its SBC with a card of its own.
 using NewFlight = std::function<simulator::StartSbc()>;
@@ -28,20 +36,24 @@ using NewWatchedFlight = std::function<simulator::StartSbc(RequirementWatch* wat
 support::Result<NewWatchedFlight> flightsInProcess(const compiler::Optimised& mission,
                                                    const LaunchChoice& launch,
                                                    const std::vector<std::string>& user_code,
-                                                   bool keeps_time);
+                                                   bool keeps_time,
+                                                   const std::optional<PortEnd>& port = {});
 
 // Each returns what starts the SBC of one flight, again each time that its power returns.
 
-/// As flightsInProcess, for one flight. `watch` (null: none) watches it and outlives it.
+/// As flightsInProcess, for one flight. `watch` (null: none) watches it and outlives it. `port`: as
+/// for InProcessSbc.
 support::Result<simulator::StartSbc> sbcInProcess(const compiler::Optimised& mission,
                                                   const LaunchChoice& launch,
                                                   const std::vector<std::string>& user_code,
-                                                  bool keeps_time, RequirementWatch* watch);
+                                                  bool keeps_time, RequirementWatch* watch,
+                                                  const std::optional<PortEnd>& port = {});
 
-/// For a mission that is already loaded.
+/// For a mission that is already loaded. `port`: as for InProcessSbc.
 simulator::StartSbc startInProcess(std::shared_ptr<const codegen::LoadedMission> mission,
                                    std::vector<double> parameters, bool keeps_time,
-                                   RequirementWatch* watch = nullptr);
+                                   RequirementWatch* watch = nullptr,
+                                   const std::optional<PortEnd>& port = {});
 
 /// The program of sbcProgram, which should be `mission` with its default parameters and keep
 /// checkpoints. `watch` (null: none) watches the same mission in this process beside it.
@@ -56,13 +68,15 @@ support::Result<std::vector<std::string>> buildOnBoard(const compiler::Optimised
                                                        const LaunchChoice& launch,
                                                        const std::vector<std::string>& user_code,
                                                        const std::string& board,
-                                                       const std::filesystem::path& binary);
+                                                       const std::filesystem::path& binary,
+                                                       const std::optional<PortEnd>& port = {});
 /// Starts the binary of buildOnBoard, with its log and its checkpoints (`name`.checkpoint) in
 /// `folder`; those of an earlier flight are removed. It counts as hung after `hang_secs` of real
 /// time without an answer.
 simulator::StartSbc startOnBoard(const std::string& board, std::vector<std::string> command,
                                  const LaunchChoice& launch, const std::filesystem::path& folder,
-                                 const std::string& name, double hang_secs);
+                                 const std::string& name, double hang_secs,
+                                 const std::optional<PortEnd>& port = {});
 
 /// Builds the mission's binary for `board` into `folder` as `name`-`board`, to be started behind a
 /// pseudo-terminal, under the board's emulator if it has one. `watch` (null: none) watches the same
@@ -72,7 +86,8 @@ support::Result<simulator::StartSbc> sbcOnBoard(const compiler::Optimised& missi
                                                 const std::vector<std::string>& user_code,
                                                 const std::string& board, const std::string& name,
                                                 const std::filesystem::path& folder,
-                                                RequirementWatch* watch = nullptr);
+                                                RequirementWatch* watch = nullptr,
+                                                const std::optional<PortEnd>& port = {});
 
 /// A program that the user has built, with `--port PTY` as its only arguments.
 simulator::StartSbc sbcProgram(const std::string& program);

@@ -15,7 +15,6 @@
 namespace glider::simulator {
 namespace {
 
-constexpr double kSbcBaud = 115200;
 constexpr int kStepsPerSecond = 4;
 constexpr int64_t kProgressCycles = 25;
 constexpr double kAfloat = 1;  // m
@@ -90,7 +89,8 @@ SimulatedVehicle::SimulatedVehicle(SimulationSetup setup, const World& world, ui
       seat_(familyOf(setup_.platform)
                 ->make_seat(SeatSetup{setup_.platform, setup_.scenario, world, seed_, real_time_,
                                       journal_})),
-      sbc_line_(kSbcBaud, damageOf(LineWay::FromSbc, kSbcBaud), damageOf(LineWay::ToSbc, kSbcBaud)),
+      sbc_line_(seat_->sbcBaud(), damageOf(LineWay::FromSbc, seat_->sbcBaud()),
+                damageOf(LineWay::ToSbc, seat_->sbcBaud())),
       link_(std::move(setup_.sbc), std::move(setup_.restart_sbc), faults(), seed_, sbc_line_,
             journal_),
       story_(setup_.platform, setup_.state_names, setup_.explain),

@@ -7,6 +7,7 @@
 #include "runtime/board/arithmetic.h"
 #include "runtime/board/card.h"
 #include "runtime/board/checkpoints.h"
+#include "runtime/board/dialect.h"
 #include "runtime/board/files.h"
 #include "runtime/board/kernel.h"
 #include "runtime/board/line.h"
@@ -52,7 +53,7 @@ int run(const Options& options) {
       {openLogOf(options), openCheckpoints(options.checkpoints, gliderMission.context_bytes),
        holdCheckpoints, reopenLog},
       gliderMission.context_bytes);
-  const OpenPort line = openLine(options);
+  OpenPort line = openLine(options);
   if (line.problem != nullptr) {
     return kNoLink;
   }
@@ -66,6 +67,7 @@ int run(const Options& options) {
     tell("error: this mission was made for another runtime");
     return kWrongUse;
   }
+  line.stream = framesOver(line.stream, runtime->hasCheckpoint());
   return fly(runtime, line, card);
 }
 

@@ -47,8 +47,8 @@ pid_t startSilently(const std::vector<std::string>& command) {
 }  // namespace
 
 support::Result<std::unique_ptr<ProcessSbcPort>> ProcessSbcPort::start(
-    std::string way, std::vector<std::string> command, double hang_secs,
-    std::filesystem::path card) {
+    std::string way, std::vector<std::string> command, double hang_secs, std::filesystem::path card,
+    std::unique_ptr<LineTurns> turns) {
   auto pty = hooks::Pty::open();
   if (!pty) {
     return std::unexpected(pty.error());
@@ -62,7 +62,7 @@ support::Result<std::unique_ptr<ProcessSbcPort>> ProcessSbcPort::start(
     return support::fail(support::diagnostics::sbcNotStarted, "", "no program is named");
   }
   std::unique_ptr<ProcessSbcPort> port(
-      new ProcessSbcPort(std::move(way), std::move(*pty), hang_secs));
+      new ProcessSbcPort(std::move(way), std::move(*pty), hang_secs, std::move(turns)));
   port->card_ = std::move(card);
   port->pid_ = startSilently(command);
   if (port->pid_ < 0) {
@@ -140,7 +140,7 @@ void ProcessSbcPort::read() {
   int32_t count = 0;
   while ((count = stream.read(stream.self, bytes.data(), static_cast<uint32_t>(bytes.size()))) >
          0) {
-    lockstep_.fromSbc(bytes.data(), static_cast<uint32_t>(count));
+    turns_->fromSbc(bytes.data(), static_cast<uint32_t>(count));
     received_.insert(received_.end(), bytes.begin(), bytes.begin() + count);
     if (!heard_) {
       heard_ = true;
@@ -170,11 +170,11 @@ void ProcessSbcPort::deliver(std::span<const uint8_t> bytes, double /*now_s*/) {
     if (taken < 0) {
       // The line is closed. This is detected by the missing answer to a whole frame, just as if the
       // program had taken a little longer to end.
-      lockstep_.toSbc(bytes.data(), static_cast<uint32_t>(bytes.size()));
+      turns_->toSbc(bytes.data(), static_cast<uint32_t>(bytes.size()));
       return;
     }
     if (taken > 0) {
-      lockstep_.toSbc(bytes.data(), static_cast<uint32_t>(taken));
+      turns_->toSbc(bytes.data(), static_cast<uint32_t>(taken));
       bytes = bytes.subspan(static_cast<size_t>(taken));
       last_progress = Clock::now();
     } else if (secondsSince(last_progress) > hang_secs_) {
@@ -187,7 +187,7 @@ void ProcessSbcPort::deliver(std::span<const uint8_t> bytes, double /*now_s*/) {
 
 std::vector<uint8_t> ProcessSbcPort::collect() {
   const auto start = Clock::now();
-  while (alive() && !lockstep_.settled()) {
+  while (alive() && !turns_->settled()) {
     if (secondsSince(start) > hang_secs_) {
       destroy("hung");
     } else {

@@ -40,6 +40,8 @@ class SimulatedSeat {
   SimulatedSeat& operator=(const SimulatedSeat&) = delete;
   virtual ~SimulatedSeat() = default;
 
+  /// The speed of the line to the SBC, bits/s.
+  [[nodiscard]] virtual double sbcBaud() const { return 115200; }
   /// The vehicle starts at its place in the world.
   virtual void startAt(const Vehicle& vehicle) = 0;
   /// A step begins: faults of its computers and sensors act from now on.

@@ -8,6 +8,7 @@
 #include "simulator/slocum/flight/skeleton.h"
 #include "simulator/slocum/own_mission.h"
 #include "simulator/slocum/slocum_seat.h"
+#include "support/files.h"
 
 #include <fmt/format.h>
 
@@ -28,14 +29,42 @@ SlocumMission& missionIn(std::any& own) {
   return std::any_cast<SlocumMission&>(own);
 }
 
+bool hasHookbeh(const slocum::MissionFile& mission) {
+  return std::ranges::any_of(mission.behaviours,
+                             [](const auto& behaviour) { return behaviour.name == "hookbeh"; });
+}
+
+/// The list of the sensors on the port for a backseat driver, if it is in `config` beside the
+/// mission file or beside its folder, as on the vehicle.
+support::Result<void> loadExtctl(const std::filesystem::path& path, SlocumMission& mission) {
+  for (const char* folder : {"config", "../config"}) {
+    const std::filesystem::path file = path.parent_path() / folder / "extctl.ini";
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored)) {
+      continue;
+    }
+    const auto text = support::readFile(file);
+    auto read = text ? slocum::readExtctlFile(file.string(), *text)
+                     : support::Result<slocum::ExtctlFile>(std::unexpected(text.error()));
+    if (!read) {
+      return std::unexpected(read.error());
+    }
+    mission.extctl = std::move(*read);
+    return {};
+  }
+  return {};
+}
+
 support::Result<void> loadOwn(const std::filesystem::path& path, support::SourceManager& sources,
                               support::DiagnosticEngine& diagnostics, std::any& own) {
   auto file = loadMissionFile(path, sources, diagnostics);
   if (!file) {
     return std::unexpected(file.error());
   }
-  missionIn(own).file = std::move(*file);
-  return {};
+  SlocumMission& mission = missionIn(own);
+  mission.file = std::move(*file);
+  mission.extctl.reset();
+  return hasHookbeh(mission.file) ? support::Result<void>() : loadExtctl(path, mission);
 }
 
 /// What code 15 of start_when and stop_when means to the vehicle's release.

@@ -5,7 +5,10 @@
 
 #include "simulator/scenario/scenario.h"
 #include "simulator/slocum/flight/when.h"
+#include "vehicles/slocum/mission_files/extctl_file.h"
 #include "vehicles/slocum/mission_files/mission_file.h"
+
+#include <optional>
 
 namespace glider::simulator {
 
@@ -13,6 +16,8 @@ namespace glider::simulator {
 struct SlocumMission {
   slocum::MissionFile file;
   Code15 code_15 = Code15::FarFromWaypoint;
+  /// The vehicle has no hooks, and serves the SBC by its port for a backseat driver.
+  std::optional<slocum::ExtctlFile> extctl;
 };
 
 /// The Slocum's mission in a scenario: an empty one is put there if it has none yet. The scenario

@@ -4,6 +4,7 @@
 #include "simulator/slocum/slocum_seat.h"
 
 #include "simulator/slocum/own_mission.h"
+#include "simulator/slocum/science/extctl_proglet.h"
 
 #include <algorithm>
 #include <iterator>
@@ -27,7 +28,7 @@ SlocumSeat::SlocumSeat(const SeatSetup& setup)
       flight_(setup.platform, missionFileOf(setup.scenario), setup.scenario.sensors, setup.seed,
               setup.world.frame(), setup.world.year(), setup.journal,
               slocumMissionOf(setup.scenario).code_15),
-      science_(setup.platform, setup.seed, setup.scenario.sensors, !setup.real_time),
+      science_(setup.platform, setup.seed, setup.scenario.sensors, progletFor(setup)),
       damage_(faultsOf(false), setup.seed, NoiseStream::SensorJumps),
       science_damage_(faultsOf(true), setup.seed, NoiseStream::ScienceSensorJumps),
       line_(kFlightScienceBaud, damageOf(setup, LineWay::ToFlight),
@@ -37,6 +38,31 @@ SlocumSeat::SlocumSeat(const SeatSetup& setup)
   for (const Leftover& leftover : faults().leftover) {
     flight_.leaveOver(leftover);
   }
+}
+
+double SlocumSeat::sbcBaud() const {
+  const std::optional<slocum::ExtctlFile>& extctl = slocumMissionOf(scenario_).extctl;
+  return extctl ? extctl->baud : SimulatedSeat::sbcBaud();
+}
+
+/// hookprog, or the vendor's proglet on a vehicle without the hooks.
+MakeProglet SlocumSeat::progletFor(const SeatSetup& setup) {
+  if (!slocumMissionOf(setup.scenario).extctl) {
+    return makeHookprog(!setup.real_time);
+  }
+  return [this, setup](const GliderDictionary& dictionary) {
+    return std::make_unique<ExtctlProglet>(
+        dictionary, setup.platform, *slocumMissionOf(setup.scenario).extctl,
+        ExtctlVehicle{
+            .value = [this](const std::string& sensor) { return valueOf(sensor); },
+            .put = [this](const std::string& sensor, double value) { flight_.put(sensor, value); }},
+        ExtctlProglet::Settings{.seed = setup.seed, .virtual_time = !setup.real_time});
+  };
+}
+
+/// Of the flight controller, of those that no platform file lists.
+double SlocumSeat::valueOf(const std::string& sensor) const {
+  return sensor == "x_in_gliderdos" ? (flight_.end() ? 1 : 0) : flight_.setting(sensor);
 }
 
 /// The faults of the sensors that the science computer reads, or of the others. What the flight
@@ -104,6 +130,10 @@ bool SlocumSeat::serve(double now_s, const Vehicle& vehicle, SerialLine& sbc) {
   }
   science_.run(now_s, world_.ocean(), {vehicle.depth(), vehicle.x(), vehicle.y()}, sbc.left(),
                line_.right());
+  if (slocumMissionOf(scenario_).extctl) {
+    const hooks::SbcView view = science_.sbc();
+    flight_.noteBackseat(view.known && view.phase == hooks::MissionPhase::Flying);
+  }
   return true;
 }
 

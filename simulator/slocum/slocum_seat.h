@@ -20,6 +20,7 @@ class SlocumSeat final : public SimulatedSeat {
  public:
   explicit SlocumSeat(const SeatSetup& setup);
 
+  [[nodiscard]] double sbcBaud() const override;
   void startAt(const Vehicle& vehicle) override { flight_.startAt(vehicle.x(), vehicle.y()); }
   void begin(double now_s, SerialLine& sbc) override;
   bool isDown(double now_s) override;
@@ -47,6 +48,8 @@ class SlocumSeat final : public SimulatedSeat {
   [[nodiscard]] const Faults& faults() const { return scenario_.faults; }
   [[nodiscard]] std::vector<SensorFault> faultsOf(bool science) const;
   void failDevices(double now_s, SerialLine& sbc);
+  MakeProglet progletFor(const SeatSetup& setup);
+  [[nodiscard]] double valueOf(const std::string& sensor) const;
 
   const platforms::Platform& platform_;
   const Scenario& scenario_;

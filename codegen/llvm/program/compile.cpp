@@ -7,6 +7,7 @@
 #include "codegen/llvm/program/emit.h"
 #include "codegen/llvm/program/optimise.h"
 #include "codegen/llvm/program/parts.h"
+#include "codegen/llvm/program/port_mission.h"
 #include "codegen/llvm/program/program.h"
 #include "platforms/load/dictionary.h"
 #include "runtime/abi/glider_abi.h"
@@ -81,14 +82,19 @@ std::string parameterPart(const Recipe& recipe) {
   return indexMission(recipe.input.mission).parameter_count == 0 ? "no_parameters" : "parameters";
 }
 
+/// The part of the runtime that speaks to the vehicle.
+std::string dialectPart(const Recipe& recipe) {
+  return recipe.options.port ? "extctl" : "hooks";
+}
+
 Result<void> bringTogether(llvm::Module& module, const Recipe& recipe,
                            const std::vector<std::string>& visible) {
   const std::filesystem::path& folder = recipe.board.folder;
   if (recipe.options.optimisation_level >= kWholeProgramLevel) {
-    return joinRuntime(
-        module,
-        {folder / "system.bc", folder / "tick.bc", folder / (parameterPart(recipe) + ".bc")},
-        visible);
+    return joinRuntime(module,
+                       {folder / (dialectPart(recipe) + ".bc"), folder / "system.bc",
+                        folder / "tick.bc", folder / (parameterPart(recipe) + ".bc")},
+                       visible);
   }
   return recipe.options.optimisation_level >= kImportLevel
              ? importRuntime(module, folder / "inline.bc")
@@ -101,6 +107,9 @@ Result<std::string> compilePart(const Recipe& recipe, const MissionPart& part,
   auto unit = lower(recipe, part);
   if (!unit) {
     return std::unexpected(unit.error());
+  }
+  if (part.head && recipe.options.port) {
+    addPortMission(*unit->module, *recipe.options.port);
   }
   if (auto together = bringTogether(*unit->module, recipe, visible); !together) {
     return std::unexpected(together.error());
@@ -142,6 +151,7 @@ Result<Program> compileProgram(const Input& input, const Board& board,
   if (!whole) {
     program.further_inputs.push_back(board.folder / "runtime.o");
     program.further_inputs.push_back(board.folder / (parameterPart(recipe) + ".o"));
+    program.further_inputs.push_back(board.folder / (dialectPart(recipe) + ".o"));
   }
   return program;
 }

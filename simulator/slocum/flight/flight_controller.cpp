@@ -59,8 +59,9 @@ FlightController::FlightController(const platforms::Platform& platform,
       cycle_s_(platform.envelope.cycle_s) {}
 
 bool FlightController::hookActive() const {
-  return layers_->hookbeh() != nullptr && abort_ == Abort::None &&
-         layers_->hookbeh()->hookState() == hooks::HookState::Active;
+  return abort_ == Abort::None && (layers_->hookbeh() != nullptr
+                                       ? layers_->hookbeh()->hookState() == hooks::HookState::Active
+                                       : backseat_flies_);
 }
 
 hooks::HookState FlightController::hookState() const {

@@ -81,6 +81,13 @@ class FlightController {
   void noteTransition();
   /// The operator or the science computer sets a sensor of the mission's, as u_mission_param_a.
   void put(const std::string& sensor, double value) { variables_.set(sensor, value); }
+  /// What the mission file or a put() has set a sensor of the mission's to; NaN: nothing has.
+  [[nodiscard]] double setting(const std::string& sensor) const {
+    return variables_.find(sensor).value_or(std::numeric_limits<double>::quiet_NaN());
+  }
+  /// Without hookbeh nothing on the vehicle can take control away: an SBC at the port for a
+  /// backseat driver has it while its mission `flies`.
+  void noteBackseat(bool flies) { backseat_flies_ = flies; }
   /// A device fails: the mission is aborted.
   void failDevice(double now_s);
   /// Restarts its mission at `now_s`, as after a restart of the computer; with `keeps_array`, as
@@ -121,6 +128,7 @@ class FlightController {
   void countInflections(const Situation& situation);
 
   slocum::MissionFile mission_;
+  bool backseat_flies_ = false;
   Code15 code_15_;
   MissionVariables variables_;
   SensorArray array_;

@@ -13,11 +13,11 @@
 namespace glider::simulator {
 
 ScienceComputer::ScienceComputer(const platforms::Platform& platform, uint64_t seed,
-                                 const SensorSettings& settings, bool virtual_time)
-    : virtual_time_(virtual_time),
+                                 const SensorSettings& settings, MakeProglet make)
+    : make_proglet_(std::move(make)),
       numbers_(platform),
       dictionary_(platform),
-      hookprog_(dictionary_.get(), {.virtual_time = virtual_time}),
+      proglet_(make_proglet_(dictionary_.get())),
       values_(platform.sensors.size(), std::numeric_limits<double>::quiet_NaN()),
       fresh_(platform.sensors.size(), 0) {
   for (std::unique_ptr<Instrument>& instrument : makeInstruments(seed, settings)) {
@@ -59,7 +59,7 @@ double ScienceComputer::recorded(uint16_t id) const {
 }
 
 void ScienceComputer::restart() {
-  hookprog_ = hooks::Hookprog(dictionary_.get(), {.virtual_time = virtual_time_});
+  proglet_ = make_proglet_(dictionary_.get());
   std::ranges::fill(values_, std::numeric_limits<double>::quiet_NaN());
   std::ranges::fill(fresh_, uint8_t{0});
 }
@@ -110,7 +110,7 @@ void ScienceComputer::run(double now_s, const Ocean& ocean, const Place& place,
       sample(one, {now_s, place.depth_m, place.x, place.y, ocean});
     }
   }
-  hookprog_.run(now_s, {this, get}, sbc, flight);
+  proglet_->run(now_s, {this, get}, sbc, flight);
 }
 
 }  // namespace glider::simulator

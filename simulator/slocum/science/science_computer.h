@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include "hooks/hookprog/hookprog.h"
 #include "platforms/load/dictionary.h"
 #include "platforms/load/platform.h"
 #include "simulator/faults/sensor_damage.h"
@@ -12,6 +11,7 @@
 #include "simulator/sensors/provided.h"
 #include "simulator/sensors/sensor_list.h"
 #include "simulator/slocum/science/sample_periods.h"
+#include "simulator/slocum/science/sbc_proglet.h"
 
 #include <functional>
 #include <limits>
@@ -21,12 +21,11 @@
 
 namespace glider::simulator {
 
-/// The science computer: runs its sensors and hookprog once a second.
+/// The science computer: runs its sensors and the proglet that serves the SBC once a second.
 class ScienceComputer {
  public:
-  /// `virtual_time`: reported to the SBC, whose clock then waits.
   ScienceComputer(const platforms::Platform& platform, uint64_t seed,
-                  const SensorSettings& settings, bool virtual_time = true);
+                  const SensorSettings& settings, MakeProglet make);
 
   /// Where the vehicle is: m down, east and north of the world's origin.
   struct Place {
@@ -45,8 +44,8 @@ class ScienceComputer {
   [[nodiscard]] bool reads(uint16_t id) const;
   /// Sets what its sensors report from now on instead of the truth.
   void damageBy(SensorDamage* damage) { damage_ = damage; }
-  [[nodiscard]] hooks::SeatEvent nextEvent() { return hookprog_.nextEvent(); }
-  [[nodiscard]] hooks::SbcView sbc() const { return hookprog_.sbc(); }
+  [[nodiscard]] hooks::SeatEvent nextEvent() { return proglet_->nextEvent(); }
+  [[nodiscard]] hooks::SbcView sbc() const { return proglet_->sbc(); }
   /// The newest good reading of one of its own sensors, NaN before the first and of others.
   [[nodiscard]] double value(uint16_t id) const {
     return id < values_.size() ? values_[id] : std::numeric_limits<double>::quiet_NaN();
@@ -70,10 +69,10 @@ class ScienceComputer {
 
   std::vector<OnBoard> instruments_;
   SensorDamage* damage_ = nullptr;
-  bool virtual_time_;
+  MakeProglet make_proglet_;
   SensorNumbers numbers_;
   platforms::Dictionary dictionary_;
-  hooks::Hookprog hookprog_;
+  std::unique_ptr<SbcProglet> proglet_;
   std::vector<double> values_;  ///< by number
   std::vector<uint8_t> fresh_;
 };

@@ -293,7 +293,7 @@ TEST(Sampling, TheScienceComputerKeepsToThePeriods) {
   const auto platform =
       platforms::loadPlatform(fs::path(GLIDER_SOURCE_DIR) / "platforms/slocum.toml");
   ASSERT_TRUE(platform);
-  ScienceComputer science(*platform, 1, {});
+  ScienceComputer science(*platform, 1, {}, makeHookprog(true));
   const Ocean ocean(OceanSettings{});
   hooks::MemoryLine sbc, flight;
   double now = 0, last = kNoSample;

@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/slocum/port_folder.h"
+
+#include "codegen/codegen.h"
+#include "codegen/digest.h"
+#include "compiler/user_code.h"
+#include "driver/output/executable.h"
+#include "driver/slocum/port_page.h"
+#include "driver/terminal.h"
+#include "platforms/load/toml_reader.h"
+#include "simulator/slocum/own_mission.h"
+#include "support/diagnostics/ids/files.h"
+#include "support/diagnostics/ids/target.h"
+#include "support/files.h"
+#include "vehicles/slocum/port_files/mission_port.h"
+#include "vehicles/slocum/rules/port_commands.h"
+#include "vehicles/slocum/rules/refused_commands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+namespace glider::driver {
+namespace {
+
+constexpr const char* kDescription = "port.toml";
+
+/// The file names of a folder.
+struct Names {
+  explicit Names(const std::string& stem, const std::string& vehicle_file)
+      : mission(stem + ".mission"),
+        program("sbc/" + stem),
+        vehicle_mission("vehicle/missions/" + vehicle_file + ".mi") {}
+  std::string mission, program, vehicle_mission;
+  std::string sensors = "vehicle/config/extctl.ini";
+  std::string proglet = "vehicle/config/proglets.txt";
+  std::string page = "README.md";
+};
+
+slocum::Release releaseOf(const std::string& name) {
+  return name == "mission-mode" ? slocum::Release::MissionModes : slocum::Release::Common;
+}
+
+/// The deepest that the mission commands, if that is known and the vehicle goes there.
+double depthFor(const compiler::Optimised& mission) {
+  const double most = mission.platform().envelope.greatest_depth_m;
+  double deepest = 0;
+  for (const auto& dive : slocum::rules::divesOf(mission.mission)) {
+    deepest = std::max(deepest, dive.depth_m);
+  }
+  return deepest > 0 ? std::min(deepest, most) : most;
+}
+
+slocum::PortChoice choiceOf(const PortOptions& options, const compiler::Optimised& mission) {
+  slocum::PortChoice choice;
+  choice.release = releaseOf(options.release);
+  choice.greatest_depth_m = options.greatest_depth_m.value_or(depthFor(mission));
+  choice.surface_after_s = options.surface_after_s.value_or(choice.surface_after_s);
+  choice.most_sensors = options.sensors;
+  return choice;
+}
+
+std::string descriptionOf(const Names& names, const slocum::PortChoice& choice,
+                          const PortOptions& options) {
+  return fmt::format(
+      "# Written by glidercc build --dialect extctl: how the files of this folder belong "
+      "together.\n"
+      "mission = \"{}\"\nvehicle_mission = \"{}\"\nrelease = \"{}\"\ngreatest_depth_m = {}\n"
+      "least_altitude_m = {}\nsurface_after_s = {}\nport_sensors = {}\n",
+      names.mission, names.vehicle_mission, options.release, choice.greatest_depth_m,
+      choice.least_altitude_m, choice.surface_after_s, choice.most_sensors);
+}
+
+/// False, with the errors shown, if the port cannot give all commands of the mission.
+bool canBeFlown(const compiler::Optimised& mission) {
+  support::DiagnosticEngine diagnostics;
+  slocum::rules::checkPortCommands(mission.mission, diagnostics);
+  reportDiagnostics(diagnostics, mission.sources());
+  return diagnostics.errorCount() == 0;
+}
+
+support::Result<void> makeFolders(const std::filesystem::path& folder) {
+  std::error_code error;
+  for (const char* part : {"sbc", "vehicle/missions", "vehicle/config"}) {
+    std::filesystem::create_directories(folder / part, error);
+    if (error) {
+      return support::fail(support::diagnostics::cannotWrite, (folder / part).string(),
+                           error.message());
+    }
+  }
+  return {};
+}
+
+support::Result<void> writeTexts(const std::filesystem::path& folder,
+                                 const std::vector<std::pair<std::string, std::string>>& texts) {
+  std::vector<support::StagedFile> staged;
+  for (const auto& [name, text] : texts) {
+    auto file = support::StagedFile::write(folder / name, text, support::FileKind::Document);
+    if (!file) {
+      return std::unexpected(file.error());
+    }
+    staged.push_back(std::move(*file));
+  }
+  for (support::StagedFile& file : staged) {
+    if (auto published = file.publish(); !published) {
+      return published;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+support::Result<bool> writePortFolder(const PortOptions& options,
+                                      const std::filesystem::path& folder,
+                                      const std::string& mission_file,
+                                      const platforms::Board& board,
+                                      const std::vector<std::string>& user_code,
+                                      const compiler::Optimised& mission) {
+  if (!canBeFlown(mission)) {
+    return false;
+  }
+  const slocum::PortChoice choice = choiceOf(options, mission);
+  const auto plan = slocum::planFor(mission, choice);
+  const auto code = compiler::loadUserCode(user_code, mission.mission, board);
+  const auto source = support::readFile(mission_file);
+  for (const auto* failure : {plan ? nullptr : &plan.error(), code ? nullptr : &code.error(),
+                              source ? nullptr : &source.error()}) {
+    if (failure != nullptr) {
+      return std::unexpected(*failure);
+    }
+  }
+  if (auto made = makeFolders(folder); !made) {
+    return std::unexpected(made.error());
+  }
+  const Names names(stemOf(mission_file), plan->file);
+  codegen::CodegenOptions how = buildOptions(mission, kUsualLevel);
+  how.port = plan->port;
+  code->addTo(how);
+  if (auto linked = codegen::linkExecutable(mission.input(), board, how, folder / names.program);
+      !linked) {
+    return std::unexpected(linked.error());
+  }
+  const std::string comment =
+      fmt::format("The sensors on the port of the mission {}.", plan->mission);
+  const auto written =
+      writeTexts(folder, {{names.mission, *source},
+                          {names.vehicle_mission, slocum::printPortMission(*plan)},
+                          {names.sensors, slocum::printExtctlFile(plan->extctl, comment)},
+                          {names.proglet, slocum::printProglet(*plan)},
+                          {names.page, portPage(*plan, {names.program, names.vehicle_mission,
+                                                        names.sensors, names.proglet, board.name})},
+                          {kDescription, descriptionOf(names, choice, options)}});
+  return written ? support::Result<bool>(true) : std::unexpected(written.error());
+}
+
+bool isPortFolder(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path / kDescription, ignored);
+}
+
+namespace {
+
+/// port.toml.
+struct Description {
+  PortFolder missions;
+  slocum::PortChoice choice;
+};
+
+support::Result<Description> readDescription(const std::filesystem::path& folder) {
+  const auto table = platforms::parseToml(folder / kDescription);
+  if (!table) {
+    return std::unexpected(table.error());
+  }
+  platforms::TomlReader reader((folder / kDescription).string(), *table, "");
+  Description read;
+  read.missions.mission = folder / reader.text("mission");
+  read.missions.vehicle_mission = folder / reader.text("vehicle_mission");
+  read.choice.release = releaseOf(reader.text("release"));
+  read.choice.greatest_depth_m = reader.number("greatest_depth_m");
+  read.choice.least_altitude_m = reader.number("least_altitude_m");
+  read.choice.surface_after_s = reader.number("surface_after_s");
+  read.choice.most_sensors = static_cast<uint32_t>(reader.integer("port_sensors"));
+  return reader.failure() ? support::Result<Description>(std::unexpected(*reader.failure()))
+                          : std::move(read);
+}
+
+}  // namespace
+
+support::Result<PortFolder> openPortFolder(const std::filesystem::path& path) {
+  auto read = readDescription(path);
+  return read ? support::Result<PortFolder>(read->missions) : std::unexpected(read.error());
+}
+
+support::Result<void> useRelease(const std::filesystem::path& folder,
+                                 simulator::Scenario& scenario) {
+  const auto read = readDescription(folder);
+  if (!read) {
+    return std::unexpected(read.error());
+  }
+  simulator::slocumMissionOf(scenario).code_15 =
+      read->choice.release == slocum::Release::MissionModes ? simulator::Code15::MissionMode
+                                                            : simulator::Code15::FarFromWaypoint;
+  return {};
+}
+
+support::Result<flights::PortEnd> portEndOf(const std::filesystem::path& folder,
+                                            const compiler::Optimised& mission) {
+  const auto read = readDescription(folder);
+  if (!read) {
+    return std::unexpected(read.error());
+  }
+  const auto plan = slocum::planFor(mission, read->choice);
+  if (!plan) {
+    return std::unexpected(plan.error());
+  }
+  const auto text = support::readFile(read->missions.vehicle_mission);
+  if (!text) {
+    return std::unexpected(text.error());
+  }
+  // Pilots add their own behaviours; the number says that the rest belongs together.
+  const std::string mark = fmt::format("u_mission_param_l(nodim) {}\n", plan->port.program);
+  if (text->find(mark) == std::string::npos) {
+    return support::fail(support::diagnostics::notPortFolder, folder.string(),
+                         fmt::format("`{}` was written for another mission, or with other options",
+                                     read->missions.vehicle_mission.filename().string()));
+  }
+  return flights::PortEnd{plan->port, static_cast<uint32_t>(plan->extctl.sensors().size()) - 1};
+}
+
+}  // namespace glider::driver

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "compiler/compilation.h"
+#include "flights/sbc_choice.h"
+#include "platforms/load/board.h"
+#include "simulator/scenario/scenario.h"
+#include "support/result.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glider::driver {
+
+/// The options of `glidercc build --dialect extctl`.
+struct PortOptions {
+  std::string release = "10.05";
+  std::optional<double> greatest_depth_m;  ///< empty: the deepest that the mission commands
+  std::optional<double> surface_after_s;
+  uint32_t sensors = 32;
+};
+
+/// The missions in a folder that build has written.
+struct PortFolder {
+  std::filesystem::path mission;          ///< of the language
+  std::filesystem::path vehicle_mission;  ///< of the vehicle
+};
+
+/// Writes everything with which a Slocum without the hooks flies the mission into `folder`: all
+/// files, or none. Shows what the port cannot do. GL4015 is counted in the result: false, and
+/// nothing is written.
+support::Result<bool> writePortFolder(const PortOptions& options,
+                                      const std::filesystem::path& folder,
+                                      const std::string& mission_file,
+                                      const platforms::Board& board,
+                                      const std::vector<std::string>& user_code,
+                                      const compiler::Optimised& mission);
+
+/// Whether `path` is a folder with what writePortFolder writes.
+bool isPortFolder(const std::filesystem::path& path);
+/// Reads it. GL5001, GL9001.
+support::Result<PortFolder> openPortFolder(const std::filesystem::path& path);
+
+/// The vehicle of `scenario` reads its mission file as the release for which `folder` was written.
+support::Result<void> useRelease(const std::filesystem::path& folder,
+                                 simulator::Scenario& scenario);
+
+/// The program's end of the port, for the mission in `folder`. GL4016 if the vehicle's mission file
+/// there was written for another one, or with other options.
+support::Result<flights::PortEnd> portEndOf(const std::filesystem::path& folder,
+                                            const compiler::Optimised& mission);
+
+}  // namespace glider::driver

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "vehicles/slocum/port_files/port_plan.h"
+
+#include <string>
+
+namespace glider::driver {
+
+/// The files that the page speaks of, by their names in the folder.
+struct PortPageFiles {
+  std::string program, vehicle_mission, sensors, proglet;
+  std::string board;  ///< that the program is for
+};
+
+/// The page that says what goes where and what to type at the dock, as Markdown.
+std::string portPage(const slocum::PortPlan& plan, const PortPageFiles& files);
+
+}  // namespace glider::driver

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/extctl/sentence.h"
+
+#include "hooks/extctl/decimal.h"
+
+namespace glider::hooks::extctl {
+namespace {
+
+constexpr uint8_t kNoDigit = 0xFF;
+
+uint8_t digitOf(uint8_t byte) {
+  const uint8_t lower = byte | 0x20;
+  return byte >= '0' && byte <= '9'     ? static_cast<uint8_t>(byte - '0')
+         : lower >= 'a' && lower <= 'f' ? static_cast<uint8_t>(lower - 'a' + 10)
+                                        : kNoDigit;
+}
+
+}  // namespace
+
+void SentenceReader::begin() {
+  part_ = Part::Body;
+  size_ = 0;
+  sum_ = 0;
+}
+
+bool SentenceReader::discard() {
+  ++bad_;
+  part_ = Part::Outside;
+  return false;
+}
+
+void SentenceReader::takeBody(uint8_t byte) {
+  if (byte == '*') {
+    part_ = Part::FirstDigit;
+  } else if (byte < ' ' || byte > '~' || size_ == kMostBody) {
+    discard();
+  } else {
+    body_[size_++] = static_cast<char>(byte);
+    sum_ ^= byte;
+  }
+}
+
+bool SentenceReader::push(uint8_t byte) {
+  if (byte == '$') {  // no body has one: the sentence before, if any, was cut off
+    bad_ += part_ == Part::Outside ? 0 : 1;
+    begin();
+    return false;
+  }
+  switch (part_) {
+    case Part::Outside:
+      break;
+    case Part::Body:
+      takeBody(byte);
+      break;
+    case Part::FirstDigit:
+    case Part::SecondDigit: {
+      const uint8_t digit = digitOf(byte);
+      if (digit == kNoDigit) {
+        return discard();
+      }
+      if (part_ == Part::FirstDigit) {
+        told_ = static_cast<uint8_t>(digit << 4);
+        part_ = Part::SecondDigit;
+        return false;
+      }
+      part_ = Part::Outside;
+      return (told_ | digit) == sum_ || discard();
+    }
+  }
+  return false;
+}
+
+void SentenceWriter::put(char c) {
+  if (size_ < capacity_) {
+    bytes_[size_] = c;
+  }
+  sum_ ^= size_ == 0 ? 0 : static_cast<uint8_t>(c);
+  ++size_;
+}
+
+void SentenceWriter::put(const char* text) {
+  for (; *text != '\0'; ++text) {
+    put(*text);
+  }
+}
+
+void SentenceWriter::put(uint32_t number) {
+  constexpr uint32_t kMostDigits = 10;
+  char digits[kMostDigits];
+  uint32_t count = 0;
+  do {
+    digits[count++] = static_cast<char>('0' + number % 10);
+    number /= 10;
+  } while (number != 0);
+  while (count != 0) {
+    put(digits[--count]);
+  }
+}
+
+void SentenceWriter::put(double value) {
+  char text[kMostDecimal];
+  const uint32_t count = writeDecimal(value, text);
+  for (uint32_t i = 0; i < count; ++i) {
+    put(text[i]);
+  }
+}
+
+uint32_t SentenceWriter::end() {
+  static constexpr char kHex[] = "0123456789abcdef";
+  const uint8_t sum = sum_;
+  put('*');
+  put(kHex[sum >> 4]);
+  put(kHex[sum & 0xF]);
+  put('\r');
+  put('\n');
+  return size_ <= capacity_ ? size_ : 0;
+}
+
+}  // namespace glider::hooks::extctl

@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/extctl/backseat.h"
+
+#include "hooks/protocol/numbers.h"
+#include "runtime/extctl/subscribed.h"
+
+#include <string.h>
+
+namespace glider::runtime::extctl {
+
+using hooks::extctl::PortSensor;
+
+/// What a simulator adds to the `HI` that begins a session: it waits for each answer.
+static constexpr char kVirtualTimeText[] = "HI,virtual-time";
+
+Backseat::Backseat(const GliderMission& mission, const GliderPortMission& port,
+                   const GliderByteStream& line, const BackseatOptions& options)
+    : dictionary_(*mission.dictionary),
+      mission_(port),
+      line_(line),
+      port_(portOf(mission)),
+      reported_(port_.count()),
+      stand_in_(port, options.may_resume),
+      writer_(port, !options.may_resume),
+      seat_(*mission.dictionary) {
+  stock_.dive_pitch_rad = -kUsualPitch;
+  stock_.climb_pitch_rad = kUsualPitch;
+  stock_.climb_depth_m = 0;
+  stock_.dive_depth_m = port.hold_m;
+}
+
+GliderByteStream Backseat::stream() {
+  return {this, read, write};
+}
+
+double Backseat::reported(GliderRole role) const {
+  const uint32_t index = port_.indexOf(hooks::sensorOf(dictionary_, role));
+  return index < port_.count() ? reported_.value(index) : __builtin_nan("");
+}
+
+/// What has arrived on the port, as frames for the program.
+int32_t Backseat::read(void* self, uint8_t* bytes, uint32_t capacity) {
+  auto& seat = *static_cast<Backseat*>(self);
+  const GliderByteStream inner = seat.inner_.right();
+  int32_t count = inner.read(inner.self, bytes, capacity);
+  if (count == 0) {
+    seat.hear();
+    count = inner.read(inner.self, bytes, capacity);
+  }
+  if (count == 0 && seat.line_closed_) {
+    return kGliderStreamClosed;
+  }
+  return count;
+}
+
+int32_t Backseat::readInner(void* self, uint8_t* bytes, uint32_t capacity) {
+  const GliderByteStream inner = static_cast<Backseat*>(self)->inner_.left();
+  return inner.read(inner.self, bytes, capacity);
+}
+
+/// What the seat sends; the program owes an answer from now on.
+int32_t Backseat::writeInner(void* self, const uint8_t* bytes, uint32_t count) {
+  auto& seat = *static_cast<Backseat*>(self);
+  const GliderByteStream inner = seat.inner_.left();
+  const int32_t taken = inner.write(inner.self, bytes, count);
+  seat.lockstep_.toSbc(bytes, taken > 0 ? static_cast<uint32_t>(taken) : 0);
+  return taken;
+}
+
+int32_t Backseat::write(void* self, const uint8_t* bytes, uint32_t count) {
+  auto& seat = *static_cast<Backseat*>(self);
+  const GliderByteStream inner = seat.inner_.right();
+  const int32_t taken = inner.write(inner.self, bytes, count);
+  const GliderByteStream outer = seat.outer();
+  seat.seat_.serve(seat.reported(kGliderRoleClock), seat.state(), seat.vehicle(), outer);
+  seat.seat_.finish(outer, 0);
+  const bool owed = !seat.lockstep_.settled();
+  seat.lockstep_.fromSbc(bytes, static_cast<uint32_t>(taken));
+  if (owed && seat.lockstep_.settled()) {
+    seat.answer();
+  }
+  return taken;
+}
+
+/// Reads what is there into the empty buffer; false if there is nothing.
+bool Backseat::fill() {
+  const int32_t count = line_.read(line_.self, in_, sizeof in_);
+  line_closed_ = line_closed_ || count < 0;
+  in_next_ = 0;
+  in_end_ = count > 0 ? static_cast<uint32_t>(count) : 0;
+  return in_end_ != 0;
+}
+
+/// Takes what has arrived on the port until a cycle is complete or nothing is left. Bounded, so
+/// that a port full of noise cannot keep the program from its other work.
+void Backseat::hear() {
+  flush();
+  constexpr uint32_t kMostBytesAtOnce = 4096;
+  const uint32_t before = cycles_;
+  for (uint32_t i = 0; i < kMostBytesAtOnce && cycles_ == before; ++i) {
+    if (in_next_ == in_end_ && !fill()) {
+      return;
+    }
+    if (sentences_.push(in_[in_next_++])) {
+      takeSentence();
+    }
+  }
+}
+
+void Backseat::takeSentence() {
+  const char* body = sentences_.body();
+  const uint32_t size = sentences_.size();
+  const auto is = [&](const char* name) {
+    return size >= 2 && body[0] == name[0] && body[1] == name[1] && (size == 2 || body[2] == ',');
+  };
+  if (is("SD")) {
+    if (size > 3 && reported_.take(body + 3, size - 3)) {
+      takeCycle();
+    }
+  } else if (is("HI") || is("BY")) {
+    writer_.forget();
+    const uint32_t told = sizeof(kVirtualTimeText) - 1;
+    if (!virtual_time_ && size == told && memcmp(body, kVirtualTimeText, told) == 0) {
+      useVirtualTime();
+    }
+  }
+}
+
+/// Only before there is a link: a simulator says it first of all.
+void Backseat::useVirtualTime() {
+  virtual_time_ = true;
+  seat_ = hooks::Seat(dictionary_, {.virtual_time = true});
+}
+
+/// All readings of a control cycle are there.
+void Backseat::takeCycle() {
+  cycles_ = (cycles_ + 1) % hooks::kMostSession;
+  stand_in_.observe({.time_s = reported(kGliderRoleMissionTime),
+                     .program = reported_.value(PortSensor::Program),
+                     .in_glider_dos = reported_.value(PortSensor::InGliderDos)});
+  const GliderByteStream outer = this->outer();
+  seat_.serve(reported(kGliderRoleClock), state(), vehicle(), outer);
+  seat_.watch(state());
+  seat_.tick(state(), vehicle());
+  seat_.finish(outer, 0);
+}
+
+/// The program has answered a cycle: sends the vehicle what is in force now.
+void Backseat::answer() {
+  if (const hooks::Instruction* command = stand_in_.inForce()) {
+    follow(*command, mission_,
+           {reported(kGliderRoleLatitude), reported(kGliderRoleLongitude),
+            reported(kGliderRoleMagneticVariation)},
+           stock_);
+  }
+  if (stand_in_.released()) {
+    stock_.surface = true;
+    stock_.modes = kGliderPortModeSurface;
+  }
+  const bool steers = stand_in_.state() == hooks::HookState::Active || stand_in_.released();
+  if (steers) {
+    writer_.tell(stock_, reported(kGliderRoleClock));
+  }
+  if (out_next_ == out_end_) {  // else the line is stuck, and what matters is written again
+    const hooks::SbcView view = seat_.sbc();
+    const uint32_t text = writeText(out_, sizeof out_ - PortWriter::kMostBytes);
+    out_next_ = 0;
+    const bool flies = view.phase == hooks::MissionPhase::Flying;
+    out_end_ = text + writer_.write({flies ? view.state + 1 : 0, view.mission_time_s}, out_ + text,
+                                    sizeof out_ - text);
+  }
+  flush();
+}
+
+/// What has happened in the mission, for the vehicle's log, as far as there is room; returns the
+/// size.
+uint32_t Backseat::writeText(char* text, uint32_t capacity) {
+  uint32_t size = 0;
+  for (hooks::SeatEvent event = seat_.nextEvent(); event.kind != hooks::SeatEvent::Kind::None;
+       event = seat_.nextEvent()) {
+    hooks::extctl::SentenceWriter sentence(text + size, capacity - size);
+    if (event.kind == hooks::SeatEvent::Kind::SbcTransition) {
+      sentence.put("TXT,transition,");
+      sentence.put(event.mission_time_s);
+      const uint32_t numbers[] = {event.a, event.b, event.c, event.d, event.e};
+      for (const uint32_t number : numbers) {
+        sentence.put(',');
+        sentence.put(number);
+      }
+    } else if (event.kind == hooks::SeatEvent::Kind::SbcHello) {
+      sentence.put("TXT,mission,");
+      sentence.put(event.text);
+    } else if (event.kind == hooks::SeatEvent::Kind::SbcNote) {
+      sentence.put("TXT,note,");
+      sentence.put(event.mission_time_s);
+      sentence.put(',');
+      sentence.put(event.a);
+      sentence.put(',');
+      sentence.put(event.text);
+    } else {
+      continue;
+    }
+    size += sentence.end();
+  }
+  return size;
+}
+
+void Backseat::flush() {
+  while (out_next_ < out_end_) {
+    const int32_t taken = line_.write(
+        line_.self, reinterpret_cast<const uint8_t*>(out_) + out_next_, out_end_ - out_next_);
+    if (taken <= 0) {
+      return;
+    }
+    out_next_ += static_cast<uint32_t>(taken);
+  }
+}
+
+bool Backseat::reading(void* self, uint16_t id, double* value) {
+  auto& seat = *static_cast<Backseat*>(self);
+  const uint32_t index = seat.port_.indexOf(id);
+  return index < seat.port_.count() && seat.reported_.takeReport(index, value);
+}
+
+void Backseat::instruct(void* self, const hooks::SensorList& instruction) {
+  auto& seat = *static_cast<Backseat*>(self);
+  hooks::InstructionWords words;
+  for (const hooks::InstructionWord& word : hooks::kInstructionWords) {
+    for (uint32_t i = 0; i < instruction.count; ++i) {
+      if (instruction.values[i].id == hooks::sensorOf(seat.dictionary_, word.role)) {
+        words.*word.word = instruction.values[i].value;
+      }
+    }
+  }
+  hooks::Instruction decoded;
+  if (hooks::instructionOf(words, &decoded)) {
+    seat.stand_in_.instruct(decoded);
+  }
+}
+
+hooks::SeatState Backseat::state() const {
+  constexpr double kMostSeconds = 4294967295.0;
+  const double clock = reported(kGliderRoleClock);
+  const double time = reported(kGliderRoleMissionTime);
+  hooks::SeatState state;
+  state.vehicle_time_s = hooks::isFinite(time) ? time : 0;
+  state.cycle = cycles_;
+  state.hook_state = stand_in_.state();
+  state.answer = stand_in_.answer();
+  state.answered_sequence = stand_in_.answered();
+  state.session = stand_in_.session();
+  state.clock_s = clock > 0 && clock < kMostSeconds ? static_cast<uint32_t>(clock) : 0;
+  return state;
+}
+
+}  // namespace glider::runtime::extctl

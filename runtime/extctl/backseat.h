@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/extctl/port.h"
+#include "hooks/extctl/sentence.h"
+#include "hooks/protocol/lockstep.h"
+#include "hooks/seat/seat.h"
+#include "hooks/transport/byte_stream.h"
+#include "hooks/transport/memory.h"
+#include "runtime/abi/glider_abi.h"
+#include "runtime/abi/port_mission.h"
+#include "runtime/extctl/port_writer.h"
+#include "runtime/extctl/reported.h"
+#include "runtime/extctl/stand_in.h"
+
+#include <stdint.h>
+
+namespace glider::runtime::extctl {
+
+struct BackseatOptions {
+  bool may_resume = false;  ///< the program has a checkpoint
+};
+
+/// Joins a mission's program to a vehicle without the hooks, by the port that it has for a backseat
+/// driver. To the program it is a vehicle that speaks the hook protocol: a stream() of its frames.
+/// To the vehicle it is a backseat driver: sentences on `line`. No heap; it must not move.
+class Backseat {
+ public:
+  /// `line` is the port. `mission` outlives this.
+  Backseat(const GliderMission& mission, const GliderPortMission& port,
+           const GliderByteStream& line, const BackseatOptions& options);
+  Backseat(const Backseat&) = delete;
+  Backseat& operator=(const Backseat&) = delete;
+
+  /// The program's end.
+  [[nodiscard]] GliderByteStream stream();
+
+ private:
+  static constexpr uint32_t kMostBytes = 1024;  ///< of an answer
+  static int32_t read(void* self, uint8_t* bytes, uint32_t capacity);
+  static int32_t write(void* self, const uint8_t* bytes, uint32_t count);
+  static int32_t readInner(void* self, uint8_t* bytes, uint32_t capacity);
+  static int32_t writeInner(void* self, const uint8_t* bytes, uint32_t count);
+  static bool reading(void* self, uint16_t id, double* value);
+  static void instruct(void* self, const hooks::SensorList& instruction);
+  static void beat(void* /*self*/, uint32_t /*heartbeat*/) {}
+
+  [[nodiscard]] GliderByteStream outer() { return {this, readInner, writeInner}; }
+  void hear();
+  bool fill();
+  void takeSentence();
+  void takeCycle();
+  void answer();
+  uint32_t writeText(char* text, uint32_t capacity);
+  void useVirtualTime();
+  void flush();
+  [[nodiscard]] double reported(GliderRole role) const;
+  [[nodiscard]] hooks::SeatState state() const;
+  [[nodiscard]] hooks::SeatVehicle vehicle() { return {this, reading, instruct, beat}; }
+
+  const GliderDictionary& dictionary_;
+  GliderPortMission mission_;
+  GliderByteStream line_;
+  bool line_closed_ = false;
+  hooks::extctl::Port port_;
+  hooks::extctl::SentenceReader sentences_;
+  Reported reported_;
+  StandIn stand_in_;
+  StockCommand stock_;
+  PortWriter writer_;
+  hooks::Seat seat_;
+  hooks::MemoryLine inner_;  ///< its left end is the seat's, its right end the program's
+  hooks::Lockstep lockstep_;
+  uint32_t cycles_ = 0;
+  bool virtual_time_ = false;
+  char out_[kMostBytes];
+  uint32_t out_next_ = 0, out_end_ = 0;
+  uint8_t in_[64];
+  uint32_t in_next_ = 0, in_end_ = 0;
+};
+
+}  // namespace glider::runtime::extctl

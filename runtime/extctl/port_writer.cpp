@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/extctl/port_writer.h"
+
+#include "hooks/extctl/decimal.h"
+#include "hooks/extctl/sentence.h"
+#include "hooks/protocol/numbers.h"
+
+namespace glider::runtime::extctl {
+namespace {
+
+using hooks::extctl::PortSensor;
+using hooks::extctl::SentenceWriter;
+
+/// All bits that the program may set.
+constexpr uint32_t kAllModes = kGliderPortModeSurface | kGliderPortModeWaypoint;
+/// Counts from 1 again after this many, which six decimals hold.
+constexpr uint32_t kMostBeats = 1'000'000;
+
+}  // namespace
+
+PortWriter::PortWriter(const GliderPortMission& port, bool knows_start)
+    : modes_(port.mission_modes != 0) {
+  if (!knows_start) {
+    return;
+  }
+  at(PortSensor::DiveDepth).told = hooks::extctl::kFirstDiveDepth;
+  at(PortSensor::ClimbDepth).told = hooks::extctl::kFirstClimbDepth;
+  dives_.tell(hooks::extctl::kFirstDiveDepth, 0);
+  climbs_.tell(hooks::extctl::kFirstClimbDepth, 0);
+  at(PortSensor::WantsSurface).told = kSurfaceNow;
+  mode_.told = static_cast<double>(kGliderPortModeSurface);
+}
+
+/// A clock that was set back counts as over.
+bool PortWriter::isOver(double since_s, double seconds) const {
+  return now_s_ - since_s >= seconds || now_s_ < since_s;
+}
+
+void PortWriter::want(Value& value, double wanted) {
+  if (value.wanted == value.told || value.wanted != value.wanted) {
+    value.pending_s = now_s_;
+  }
+  value.wanted = hooks::extctl::asSixDecimals(wanted);
+}
+
+void PortWriter::tellNow(Value& value) {
+  if (value.wanted != value.told) {
+    value.told = value.wanted;
+    value.due = kTimes;
+  }
+}
+
+void PortWriter::InForce::tell(double depth_m, double now_s) {
+  if (count_ == kMost) {
+    for (uint32_t i = 1; i < kMost; ++i) {
+      depths_m_[i - 1] = depths_m_[i];
+      until_s_[i - 1] = until_s_[i];
+    }
+    --count_;
+  }
+  if (count_ != 0) {
+    until_s_[count_ - 1] = now_s;
+  }
+  depths_m_[count_++] = depth_m;
+}
+
+bool PortWriter::InForce::range(double now_s, double* shallowest, double* deepest) const {
+  if (count_ == 0) {
+    return false;
+  }
+  *shallowest = *deepest = depths_m_[count_ - 1];
+  for (uint32_t i = 0; i + 1 < count_; ++i) {
+    if (now_s - until_s_[i] < kSettleSecs) {
+      *shallowest = hooks::atMost(depths_m_[i], *shallowest);
+      *deepest = hooks::atLeast(depths_m_[i], *deepest);
+    }
+  }
+  return true;
+}
+
+void PortWriter::tellDepths(const StockCommand& command) {
+  Value& dive = at(PortSensor::DiveDepth);
+  Value& climb = at(PortSensor::ClimbDepth);
+  want(dive, command.dive_depth_m);
+  want(climb, command.climb_depth_m);
+  double shallowest = 0, deepest = 0;
+  // The deeper end first: what it leaves room for is then decided with it.
+  if (dive.wanted != dive.told &&
+      (!climbs_.range(now_s_, &shallowest, &deepest) || dive.wanted > deepest)) {
+    tellNow(dive);
+    dives_.tell(dive.told, now_s_);
+  }
+  if (climb.wanted != climb.told &&
+      (!dives_.range(now_s_, &shallowest, &deepest) || climb.wanted < shallowest)) {
+    tellNow(climb);
+    climbs_.tell(climb.told, now_s_);
+  }
+}
+
+/// Up at once; down once the vehicle knows for which depths.
+void PortWriter::tellWhetherToSurface(const StockCommand& command) {
+  Value& wish = at(PortSensor::WantsSurface);
+  want(wish, command.surface ? kSurfaceNow : 0);
+  want(mode_, static_cast<double>(command.modes));
+  Value* values[] = {&wish, &mode_};
+  for (Value* value : values) {
+    const bool first = value->told != value->told;
+    if (command.surface || first || isOver(value->pending_s, kSettleSecs)) {
+      tellNow(*value);
+    }
+  }
+}
+
+void PortWriter::tell(const StockCommand& command, double now_s) {
+  now_s_ = now_s;
+  const struct {
+    PortSensor sensor;
+    double value;
+  } kAtOnce[] = {
+      {PortSensor::Heading, command.heading_rad},
+      {PortSensor::WaypointLongitude, command.waypoint_longitude_ddmm},
+      {PortSensor::WaypointLatitude, command.waypoint_latitude_ddmm},
+      {PortSensor::DivePitch, command.dive_pitch_rad},
+      {PortSensor::ClimbPitch, command.climb_pitch_rad},
+  };
+  for (const auto& [sensor, value] : kAtOnce) {
+    want(at(sensor), value);
+    tellNow(at(sensor));
+  }
+  tellDepths(command);
+  tellWhetherToSurface(command);
+}
+
+void PortWriter::forget() {
+  all_s_ = now_s_ - kAgainSecs;
+}
+
+uint32_t PortWriter::write(const Mission& mission, char* text, uint32_t capacity) {
+  beat_ = beat_ % kMostBeats + 1;
+  const struct {
+    PortSensor sensor;
+    double value;
+  } kEachTime[] = {{PortSensor::State, static_cast<double>(mission.state)},
+                   {PortSensor::Beat, static_cast<double>(beat_)},
+                   {PortSensor::Time, mission.time_s}};
+  for (const auto& [sensor, value] : kEachTime) {
+    at(sensor).told = at(sensor).wanted = value;
+    at(sensor).due = 1;
+  }
+  if (isOver(all_s_, kAgainSecs)) {
+    all_s_ = now_s_;
+    mode_.due = mode_.due == 0 ? 1 : mode_.due;
+    for (Value& value : values_) {
+      value.due = value.due == 0 ? 1 : value.due;
+    }
+  }
+  const uint32_t modes = writeModes(text, capacity);
+  return modes + writeValues(text + modes, capacity - modes);
+}
+
+uint32_t PortWriter::writeModes(char* text, uint32_t capacity) {
+  if (!modes_ || mode_.due == 0 || mode_.told != mode_.told || mode_.wanted != mode_.wanted) {
+    return 0;
+  }
+  --mode_.due;
+  SentenceWriter sentence(text, capacity);
+  sentence.put("MD,");
+  sentence.put(kAllModes);
+  sentence.put(',');
+  sentence.put(static_cast<uint32_t>(mode_.told));
+  return sentence.end();
+}
+
+uint32_t PortWriter::writeValues(char* text, uint32_t capacity) {
+  SentenceWriter sentence(text, capacity);
+  sentence.put("SW");
+  for (uint32_t i = 0; i < hooks::extctl::kWrittenSensors; ++i) {
+    Value& value = values_[i];
+    // Nothing is written that no command has asked for: another mission file may be flying.
+    if (value.due == 0 || value.told != value.told || value.wanted != value.wanted) {
+      continue;
+    }
+    --value.due;
+    sentence.put(',');
+    sentence.put(i);
+    sentence.put(':');
+    sentence.put(value.told);
+  }
+  return sentence.end();
+}
+
+}  // namespace glider::runtime::extctl

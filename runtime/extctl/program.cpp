@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/abi/port_mission.h"
+#include "runtime/board/dialect.h"
+#include "runtime/extctl/backseat.h"
+
+#include <new>
+
+extern "C" const GliderPortMission gliderPort;
+
+GliderByteStream glider::runtime::framesOver(const GliderByteStream& line, bool may_resume) {
+  // It lives as long as the program: no exit handler.
+  alignas(extctl::Backseat) static uint8_t memory[sizeof(extctl::Backseat)];
+  auto* backseat =
+      ::new (memory) extctl::Backseat(gliderMission, gliderPort, line, {.may_resume = may_resume});
+  return backseat->stream();
+}

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/hookbeh/args.h"
+#include "hooks/protocol/instruction.h"
+#include "hooks/seat/seat.h"
+#include "runtime/abi/port_mission.h"
+
+#include <stdint.h>
+
+namespace glider::runtime::extctl {
+
+/// What the vehicle says of the mission that it flies; NaN: not reported yet.
+struct VehicleMission {
+  double time_s = __builtin_nan("");   ///< m_present_secs_into_mission
+  double program = __builtin_nan("");  ///< u_mission_param_l
+  double in_glider_dos = __builtin_nan("");
+};
+
+/// Answers the mission's instructions where the vehicle has no hookbeh to do it: refuses those that
+/// are out of bounds and keeps the one that is in force. A vehicle reports changes only, so a
+/// program that was started in mid-flight may never learn which mission file flies.
+class StandIn {
+ public:
+  /// `may_resume`: the program has a checkpoint, so that it may have steered this flight before.
+  StandIn(const GliderPortMission& port, bool may_resume);
+
+  /// A control cycle of the vehicle.
+  void observe(const VehicleMission& vehicle);
+  /// An instruction of the program's own mission.
+  void instruct(const hooks::Instruction& instruction);
+
+  [[nodiscard]] hooks::HookState state() const { return state_; }
+  [[nodiscard]] hooks::HookAnswer answer() const { return answer_; }
+  /// The number of the instruction that has the answer, 0 before the first.
+  [[nodiscard]] uint16_t answered() const { return answered_; }
+  /// In control, 0 for none.
+  [[nodiscard]] uint32_t session() const { return session_; }
+  /// The command in force; null before the first. It stays in force when the session ends: so does
+  /// what the vehicle has received.
+  [[nodiscard]] const hooks::Instruction* inForce() const {
+    return has_command_ ? &command_ : nullptr;
+  }
+  /// The mission has ended: the vehicle is to come up. The release is answered only after
+  /// kReleaseCycles, since the program ends then and what was lost is not repeated.
+  [[nodiscard]] bool released() const {
+    return releasing_ != 0 || state_ == hooks::HookState::Complete;
+  }
+  static constexpr uint32_t kReleaseCycles = 8;
+
+ private:
+  [[nodiscard]] hooks::HookState stateOf(const VehicleMission& vehicle) const;
+  [[nodiscard]] bool isRelease(const hooks::Instruction& instruction) const;
+  [[nodiscard]] hooks::HookAnswer decide(const hooks::Instruction& instruction);
+  void loseSession();
+  void finishRelease();
+
+  GliderPortMission port_;
+  hooks::HookbehArgs bounds_;
+  bool may_resume_;
+  hooks::HookState state_ = hooks::HookState::Absent;
+  double time_s_ = 0;
+  hooks::Instruction command_;
+  bool has_command_ = false;
+  uint32_t session_ = 0;
+  uint32_t lost_session_ = 0;
+  uint16_t answered_ = 0;
+  uint32_t releasing_ = 0;  ///< cycles since the release was asked for, 0: it was not
+  uint16_t release_ = 0;    ///< its number
+  hooks::HookAnswer answer_ = hooks::HookAnswer::None;
+};
+
+}  // namespace glider::runtime::extctl

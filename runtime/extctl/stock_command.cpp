@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/extctl/stock_command.h"
+
+#include "runtime/abi/behaviour.h"
+#include "runtime/numbers/numbers.h"
+
+namespace glider::runtime::extctl {
+namespace {
+
+using hooks::HookLateral;
+using hooks::HookVertical;
+
+/// Degrees of a position as ddmm.mmmm.
+double degreesOf(double ddmm) {
+  const double size = magnitude(ddmm);
+  const double minutes = restOf(size, 100.0);
+  const double degrees = (size - minutes) / 100.0 + minutes / 60.0;
+  return ddmm < 0 ? -degrees : degrees;
+}
+
+/// The magnetic heading from `at` to the instruction's waypoint, rad; unknown if the place is.
+double headingTo(const hooks::Instruction& instruction, const Whereabouts& at) {
+  const double bearing =
+      gliderBearing(degreesOf(at.latitude_ddmm), degreesOf(at.longitude_ddmm),
+                    degreesOf(instruction.latitude_ddmm), degreesOf(instruction.longitude_ddmm));
+  const double variation = isKnown(at.variation_rad) ? at.variation_rad : 0;
+  const double heading = bearing + variation;
+  return heading < 0 ? heading + kTwoPi : heading >= kTwoPi ? heading - kTwoPi : heading;
+}
+
+void followLateral(const hooks::Instruction& instruction, const GliderPortMission& port,
+                   const Whereabouts& at, StockCommand& stock) {
+  stock.modes &= ~static_cast<uint32_t>(kGliderPortModeWaypoint);
+  if (instruction.lateral == HookLateral::Heading) {
+    stock.heading_rad = instruction.heading_rad;
+  } else if (instruction.lateral == HookLateral::Waypoint) {
+    stock.waypoint_latitude_ddmm = instruction.latitude_ddmm;
+    stock.waypoint_longitude_ddmm = instruction.longitude_ddmm;
+    const double heading = headingTo(instruction, at);
+    stock.heading_rad = isKnown(heading) ? heading : stock.heading_rad;
+    stock.modes |= port.mission_modes != 0 ? kGliderPortModeWaypoint : 0;
+  }
+}
+
+void dive(const hooks::Instruction& instruction, const GliderPortMission& port,
+          StockCommand& stock) {
+  const double half = instruction.depth_m / 2;
+  stock.dive_depth_m = instruction.depth_m;
+  stock.climb_depth_m = instruction.depth_m - (port.hold_m < half ? port.hold_m : half);
+  stock.dive_pitch_rad = instruction.pitch_rad;
+}
+
+void climb(const hooks::Instruction& instruction, const GliderPortMission& port,
+           StockCommand& stock) {
+  const double below = instruction.depth_m + port.hold_m;
+  stock.climb_depth_m = instruction.depth_m;
+  stock.dive_depth_m = below < port.greatest_depth_m ? below : port.greatest_depth_m;
+  stock.climb_pitch_rad = instruction.pitch_rad;
+}
+
+}  // namespace
+
+void follow(const hooks::Instruction& instruction, const GliderPortMission& port,
+            const Whereabouts& at, StockCommand& stock) {
+  followLateral(instruction, port, at, stock);
+  stock.surface = instruction.vertical == HookVertical::Surface;
+  stock.modes &= ~static_cast<uint32_t>(kGliderPortModeSurface);
+  switch (instruction.vertical) {
+    case HookVertical::Descend:
+      dive(instruction, port, stock);
+      break;
+    case HookVertical::Ascend:
+      climb(instruction, port, stock);
+      break;
+    case HookVertical::Surface:
+      stock.modes |= kGliderPortModeSurface;
+      break;
+    case HookVertical::Hover:  // refused before
+    case HookVertical::None:
+      break;
+  }
+}
+
+}  // namespace glider::runtime::extctl

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/extctl/port.h"
+#include "runtime/abi/glider_abi.h"
+
+namespace glider::runtime::extctl {
+
+/// The port of a compiled mission: the sensors of the vehicle that it reads, and the depth, which
+/// decides whether it may begin.
+inline hooks::extctl::Port portOf(const GliderMission& mission) {
+  hooks::Subscription sensors[hooks::kMostSubscriptions + 1];
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < mission.sensor_count && count < hooks::kMostSubscriptions; ++i) {
+    if (mission.sensors[i].poll == nullptr) {
+      sensors[count++].id = static_cast<uint16_t>(mission.sensors[i].id);
+    }
+  }
+  sensors[count++].id = hooks::sensorOf(*mission.dictionary, kGliderRoleDepth);
+  return {*mission.dictionary, sensors, count};
+}
+
+}  // namespace glider::runtime::extctl

@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/slocum/science/extctl_proglet.h"
+
+#include "hooks/extctl/decimal.h"
+#include "hooks/protocol/notices.h"
+#include "simulator/sensors/provided.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+namespace glider::simulator {
+namespace {
+
+using hooks::SeatEvent;
+
+/// The line of the vendor's port, and of files in base64.
+constexpr size_t kMostLine = 820;
+/// An SBC that has written this is a backseat driver of glidercc: its state and a count.
+constexpr std::string_view kState = "sci_generic_a", kTime = "sci_generic_c";
+
+/// Takes the text before the first `separator` off `text`; all of it if there is none.
+std::string_view takePart(std::string_view& text, char separator) {
+  const size_t end = std::min(text.find(separator), text.size());
+  const std::string_view part = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return part;
+}
+
+bool readWhole(std::string_view text, uint32_t& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+bool readReal(std::string_view text, double& value) {
+  return hooks::extctl::readDecimal(text.data(), static_cast<uint32_t>(text.size()), &value);
+}
+
+bool isSame(double a, double b) {
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+}  // namespace
+
+ExtctlProglet::ExtctlProglet(const GliderDictionary& dictionary,
+                             const platforms::Platform& platform, const slocum::ExtctlFile& file,
+                             ExtctlVehicle vehicle, const Settings& settings)
+    : platform_(platform),
+      vehicle_(std::move(vehicle)),
+      link_(dictionary),
+      flight_values_(platform.sensors.size(), std::numeric_limits<double>::quiet_NaN()),
+      noise_(settings.seed, "extctl"),
+      virtual_time_(settings.virtual_time) {
+  const size_t first_reported = file.parameters.size() + file.written.size();
+  for (const slocum::ExtctlSensor& sensor : file.sensors()) {
+    rows_.push_back({.name = sensor.name,
+                     .id = numberOf(platform, sensor.name),
+                     .reported = rows_.size() >= first_reported});
+  }
+}
+
+SeatEvent ExtctlProglet::nextEvent() {
+  if (events_.empty()) {
+    return {};
+  }
+  const SeatEvent event = events_.front();
+  events_.pop_front();
+  return event;
+}
+
+void ExtctlProglet::run(double now_s, const hooks::ScienceSensors& own, const GliderByteStream& sbc,
+                        const GliderByteStream& flight) {
+  if (!std::exchange(begun_, true)) {
+    say(virtual_time_ ? "HI,virtual-time" : "HI");
+  }
+  takeFlight(flight);
+  hear(now_s, sbc);
+  arrive(now_s);
+  watch(now_s);
+  refresh(own);
+  report();
+  flush(sbc);
+}
+
+/// The vendor's proglet does not watch the SBC: this is for the flight's story only.
+void ExtctlProglet::watch(double now_s) {
+  if (view_.known && now_s - heard_s_ > kSilence) {
+    view_ = {};
+  }
+}
+
+void ExtctlProglet::takeFlight(const GliderByteStream& flight) {
+  std::array<hooks::SensorUpdate, hooks::FlightScienceLink::kMostUpdates> updates;
+  constexpr int kMostRounds = 16;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const uint32_t count =
+        link_.poll(flight, updates.data(), static_cast<uint32_t>(updates.size()));
+    for (uint32_t i = 0; i < count; ++i) {
+      flight_values_.at(updates[i].id) = hooks::extctl::asSixDecimals(updates[i].value);
+    }
+    if (count == 0) {
+      return;
+    }
+  }
+}
+
+void ExtctlProglet::hear(double now_s, const GliderByteStream& sbc) {
+  std::array<uint8_t, 256> bytes;
+  constexpr int kMostReads = 16;
+  for (int reads = 0; reads < kMostReads; ++reads) {
+    const int32_t count = sbc.read(sbc.self, bytes.data(), static_cast<uint32_t>(bytes.size()));
+    for (int32_t i = 0; i < count; ++i) {
+      if (reader_.push(bytes.at(static_cast<size_t>(i)))) {
+        obey(now_s);
+      }
+    }
+    if (count <= 0) {
+      return;
+    }
+  }
+}
+
+void ExtctlProglet::obey(double now_s) {
+  std::string_view body(reader_.body(), reader_.size());
+  const std::string_view name = takePart(body, ',');
+  if (name == "SW") {
+    heard_s_ = now_s;
+    writePairs(now_s, body);
+  } else if (name == "MD") {
+    setModes(now_s, body);
+  } else if (name == "TXT") {
+    takeText(body);
+  }
+}
+
+/// Pairs `index:value`; what is none is ignored, as is a sensor that the SBC may not write.
+void ExtctlProglet::writePairs(double now_s, std::string_view pairs) {
+  while (!pairs.empty()) {
+    std::string_view pair = takePart(pairs, ',');
+    uint32_t index = 0;
+    double value = 0;
+    const bool good = readWhole(takePart(pair, ':'), index) && readReal(pair, value) &&
+                      index < rows_.size() && !rows_[index].reported && std::isfinite(value);
+    if (!good) {
+      continue;
+    }
+    const Row& row = rows_[index];
+    if (row.name.starts_with("sci_generic_")) {
+      takeOwnWrite(row, value);
+    } else {
+      pass(now_s, row.name, value);
+    }
+  }
+}
+
+/// A sensor of the science computer's own, for its log.
+void ExtctlProglet::takeOwnWrite(const Row& row, double value) {
+  if (row.name == kTime) {
+    view_.mission_time_s = value;
+  }
+  if (row.name != kState) {
+    return;
+  }
+  view_.known = true;
+  view_.phase = value > 0 ? hooks::MissionPhase::Flying : hooks::MissionPhase::Waiting;
+  view_.state = value > 0 ? static_cast<uint32_t>(value) - 1 : 0;
+}
+
+void ExtctlProglet::setModes(double now_s, std::string_view numbers) {
+  uint32_t mask = 0, value = 0;
+  if (readWhole(takePart(numbers, ','), mask) && readWhole(numbers, value)) {
+    modes_ = (modes_ & ~mask) | (value & mask);
+    pass(now_s, "u_mission_mode", modes_);
+  }
+}
+
+/// What the SBC says of its mission: its name, a transition, a note of it; or anything, to people.
+void ExtctlProglet::takeText(std::string_view text) {
+  SeatEvent event;
+  std::string_view rest = text;
+  const std::string_view word = takePart(rest, ',');
+  bool whole = true;
+  if (word == "mission") {
+    event.kind = SeatEvent::Kind::SbcHello;
+    text = rest;
+  } else if (word == "transition") {
+    event.kind = SeatEvent::Kind::SbcTransition;
+    whole = readReal(takePart(rest, ','), event.mission_time_s);
+    for (uint32_t* number : {&event.a, &event.b, &event.c, &event.d, &event.e}) {
+      whole = whole && readWhole(takePart(rest, ','), *number);
+    }
+  } else if (word == "note") {
+    event.kind = SeatEvent::Kind::SbcNote;
+    whole = readReal(takePart(rest, ','), event.mission_time_s) &&
+            readWhole(takePart(rest, ','), event.a);
+    text = rest;
+  }
+  if (!whole || event.kind == SeatEvent::Kind::None) {
+    event = {};
+    event.kind = SeatEvent::Kind::SbcNote;
+    event.mission_time_s = view_.mission_time_s;
+  }
+  text.copy(event.text, event.kind == SeatEvent::Kind::SbcHello ? hooks::kMostNameBytes
+                                                                : hooks::kMostNoteBytes);
+  events_.push_back(event);
+}
+
+/// The data memories exchange the newest value of each sensor: an older one never overtakes it.
+void ExtctlProglet::pass(double now_s, const std::string& name, double value) {
+  double due_s = now_s + kLeastDelay + (kMostDelay - kLeastDelay) * noise_.uniform();
+  for (const Passing& before : passing_) {
+    due_s = before.name == name ? std::max(due_s, before.due_s) : due_s;
+  }
+  passing_.push_back({due_s, name, value});
+}
+
+void ExtctlProglet::arrive(double now_s) {
+  for (const Passing& one : passing_) {
+    if (one.due_s <= now_s) {
+      vehicle_.put(one.name, one.value);
+    }
+  }
+  std::erase_if(passing_, [&](const Passing& one) { return one.due_s <= now_s; });
+}
+
+void ExtctlProglet::refresh(const hooks::ScienceSensors& own) {
+  for (Row& row : rows_) {
+    if (!row.reported) {
+      continue;
+    }
+    double value = row.value;
+    if (row.id == hooks::kNoSensor) {
+      value = vehicle_.value(row.name);
+    } else if (platform_.sensors[row.id].computer == platforms::Computer::Science) {
+      bool fresh = false;
+      value = own.get(own.self, row.id, &fresh);
+    } else {
+      value = flight_values_[row.id];
+    }
+    row.told = row.told && isSame(value, row.value);
+    row.value = value;
+  }
+}
+
+/// In sentences as long as a line may be.
+void ExtctlProglet::report() {
+  std::string body;
+  for (size_t index = 0; index < rows_.size(); ++index) {
+    Row& row = rows_[index];
+    if (!row.reported || row.told || std::isnan(row.value)) {
+      continue;
+    }
+    const std::string pair = fmt::format(",{}:{:.12f}", index, row.value);
+    if (body.size() + pair.size() > kMostLine) {
+      say("SD" + std::exchange(body, {}));
+    }
+    body += pair;
+    row.told = true;
+  }
+  if (!body.empty()) {
+    say("SD" + body);
+  }
+}
+
+void ExtctlProglet::say(const std::string& body) {
+  uint8_t sum = 0;
+  for (const char c : body) {
+    sum ^= static_cast<uint8_t>(c);
+  }
+  // What the line has no room for is lost.
+  constexpr size_t kMostQueued = 8192;
+  if (out_.size() < kMostQueued) {
+    out_ += fmt::format("${}*{:02x}\r\n", body, sum);
+  }
+}
+
+void ExtctlProglet::flush(const GliderByteStream& sbc) {
+  const int32_t taken = sbc.write(sbc.self, reinterpret_cast<const uint8_t*>(out_.data()),
+                                  static_cast<uint32_t>(out_.size()));
+  out_.erase(0, static_cast<size_t>(std::max(taken, 0)));
+}
+
+}  // namespace glider::simulator

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// From a mission to a folder for a vehicle without the hooks, and a flight from that folder.
+
+#include "tests/support/command.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <string>
+
+namespace glider::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class PortCommand : public testing::Test {
+ protected:
+  PortCommand() {
+    fs::copy_file(GLIDER_SOURCE_DIR "/missions/figure2.mission", path() / "figure2.mission");
+  }
+  [[nodiscard]] const fs::path& path() const { return folder_.path(); }
+  [[nodiscard]] Outcome run(const std::string& command) const {
+    return runShell("cd " + path().string() + " && $GLIDERCC " + command);
+  }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(path() / name) << text;
+  }
+  [[nodiscard]] std::string read(const std::string& name) const { return slurp(path() / name); }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(PortCommand, AFolderIsBuiltAndFlownFromItAlone) {
+  const Outcome built = run("build figure2.mission --dialect extctl -o port");
+  EXPECT_EQ(built.status, 0) << built.err;
+  EXPECT_EQ(built.err, "");
+  for (const char* name :
+       {"README.md", "port.toml", "figure2.mission", "sbc/figure2", "vehicle/config/extctl.ini",
+        "vehicle/config/proglets.txt", "vehicle/missions/samplemi.mi"}) {
+    EXPECT_TRUE(fs::exists(path() / "port" / name)) << name;
+  }
+  fs::remove(path() / "figure2.mission");
+  const Outcome here = run("sim port -o here");
+  EXPECT_EQ(here.status, 0) << here.err;
+  EXPECT_THAT(here.out, HasSubstr("s2 → s1 (return)"));
+  EXPECT_THAT(here.out, HasSubstr("start_when 11: the science computer asks for it"));
+  const Outcome board = run("sim port -o board --board host");
+  EXPECT_EQ(board.status, 0) << board.err;
+  EXPECT_EQ(read("here/trace.csv"), read("board/trace.csv"))
+      << "a program behind a terminal flies as in process";
+}
+
+TEST_F(PortCommand, TheReleaseDecidesWhatStartsBehaviours) {
+  EXPECT_EQ(run("build figure2.mission --dialect extctl --release mission-mode -o port").status, 0);
+  const std::string mission = read("port/vehicle/missions/samplemi.mi");
+  EXPECT_THAT(mission, HasSubstr("behavior: goto_wpt"));
+  EXPECT_THAT(mission, HasSubstr("u_mission_mode"));
+  const Outcome flown = run("sim port -o flight");
+  EXPECT_EQ(flown.status, 0) << flown.err;
+  EXPECT_THAT(flown.out, HasSubstr("start_when 15: u_mission_mode has a bit of 1"));
+}
+
+TEST_F(PortCommand, TheBoundOfThePageIsThatOfTheOptions) {
+  EXPECT_EQ(
+      run("build figure2.mission --dialect extctl --surface-after 90min --max-depth 40 -o port")
+          .status,
+      0);
+  const std::string page = read("port/README.md");
+  EXPECT_THAT(page, HasSubstr("after 90 min without contact"));
+  EXPECT_THAT(page, HasSubstr("from 40 m"));
+  EXPECT_THAT(read("port/vehicle/missions/samplemi.mi"), HasSubstr("when_secs(s) 5400"));
+}
+
+// accepts: GL4015
+TEST_F(PortCommand, WhatThePortCannotCommandIsAnErrorWithTheNearest) {
+  write("hover.mission",
+        "mission hovers\n\nstate s\nbegin\n  flightprofile dive_and_hold(20 m, 26 deg, 10 "
+        "min)\n"
+        "  sensors missiontime\n  events\n    case missiontime > 1 h exit\nend\n");
+  const Outcome built = run("build hover.mission --dialect extctl -o port");
+  EXPECT_EQ(built.status, 1);
+  EXPECT_THAT(built.err, HasSubstr("GL4015"));
+  EXPECT_THAT(built.err, HasSubstr("descend(to = DEPTH, pitch = ANGLE)"));
+  EXPECT_FALSE(fs::exists(path() / "port")) << "nothing is written";
+}
+
+// accepts: GL5131
+TEST_F(PortCommand, MoreSensorsThanThePortHasAreAnError) {
+  std::string text =
+      "mission many\n\nstate s\nbegin\n  flightprofile yo(4 m, 20 m, 26 deg, 26 deg)\n  sensors "
+      "missiontime";
+  for (const char* sensor :
+       {"m_pitch", "m_roll", "m_heading", "m_altitude", "m_battery", "m_vacuum", "m_speed",
+        "m_water_depth", "m_gps_lat", "m_gps_lon", "m_depth_rate", "m_pressure", "m_fin",
+        "m_battpos", "m_ballast_pumped", "m_leakdetect_voltage", "m_water_vx", "m_water_vy"}) {
+    text += std::string(", ") + sensor;
+  }
+  write("many.mission", text + "\n  events\n    case missiontime > 1 h exit\nend\n");
+  const Outcome refused = run("build many.mission --dialect extctl -o port");
+  EXPECT_EQ(refused.status, 2) << refused.out;
+  EXPECT_THAT(refused.err, HasSubstr("GL5131"));
+  EXPECT_THAT(refused.err, HasSubstr("--port-sensors 64"));
+  EXPECT_EQ(run("build many.mission --dialect extctl --port-sensors 64 -o port").status, 0);
+}
+
+// accepts: GL4016
+TEST_F(PortCommand, FilesOfDifferentMissionsDoNotFly) {
+  EXPECT_EQ(run("build figure2.mission --dialect extctl -o port").status, 0);
+  const fs::path mission = path() / "port/figure2.mission";
+  std::string text = slurp(mission);
+  const size_t at = text.find("1500");
+  ASSERT_NE(at, std::string::npos);
+  std::ofstream(mission) << text.replace(at, 4, "1501");
+  const Outcome flown = run("sim port -o flight");
+  EXPECT_EQ(flown.status, 2);
+  EXPECT_THAT(flown.err, HasSubstr("GL4016"));
+}
+
+// accepts: GL5130
+TEST_F(PortCommand, AListOfSensorsWithAnErrorIsNamed) {
+  EXPECT_EQ(run("build figure2.mission --dialect extctl -o port").status, 0);
+  std::ofstream(path() / "port/vehicle/config/extctl.ini") << "mp\nu_mission_param_a rad extra\n";
+  const Outcome flown = run("sim port -o flight");
+  EXPECT_EQ(flown.status, 2);
+  EXPECT_THAT(flown.err, AllOf(HasSubstr("GL5130"),
+                               HasSubstr("extctl.ini: line 2: expected a sensor and its unit")));
+}
+
+TEST_F(PortCommand, AFolderMustBeNamed) {
+  const Outcome built = run("build figure2.mission --dialect extctl");
+  EXPECT_EQ(built.status, 2);
+  EXPECT_THAT(built.err, HasSubstr("-o FOLDER"));
+}
+
+}  // namespace
+}  // namespace glider::tests

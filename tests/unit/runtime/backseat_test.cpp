@@ -1,0 +1,361 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// A mission's program at the port of a vehicle that has no hooks.
+
+#include "runtime/extctl/backseat.h"
+
+#include "hooks/extctl/sentence.h"
+#include "runtime/library/library.h"
+#include "tests/unit/runtime/bench_mission.h"
+#include "tests/unit/runtime/vehicle_bench.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glider::runtime::extctl {
+namespace {
+
+using hooks::extctl::PortSensor;
+using testing::BenchMission;
+
+constexpr GliderPortMission kPort{60, 0.7854, 0.19, 10, 4711, 0};
+
+/// A mission of two states that change with the temperature, each with a depth of its own.
+struct TwoStates : BenchMission {
+  TwoStates() {
+    sensors = {testing::depthSensor(), testing::temperatureSensor()};
+    states = {testing::benchState("warm", &to_cold, 1), testing::benchState("cold", &to_warm, 1)};
+    guards = [this](const GliderContext& c) {
+      if (c.mission_time >= end_s) {
+        return GLIDER_NO_CASE;
+      }
+      const double temperature = c.readings[1].value;
+      return (c.state == 0 ? temperature < 12 : temperature > 14) ? 0U : GLIDER_NO_CASE;
+    };
+    always = {exit_case};
+    always_guards = [this](const GliderContext& c, uint32_t) {
+      return c.mission_time >= end_s ? 0U : GLIDER_NO_CASE;
+    };
+    fly = [](GliderContext& c, uint32_t phase) {
+      if (phase != kGliderTick) {
+        gliderDescend(&c, c.state == 0 ? 20 : 40, -0.4);
+        gliderSteer(&c, 1.5);
+      }
+    };
+    finish(2);
+  }
+  GliderCaseInfo to_cold{kGliderGoto, 1}, to_warm{kGliderGoto, 0};
+  GliderCaseInfo exit_case{kGliderExit, 0};
+  double end_s = 1e9;
+};
+
+/// A vehicle's port: reports what changes, and keeps what the SBC writes.
+class PortBench {
+ public:
+  PortBench(const GliderMission& mission, bool may_resume = false)
+      : port_(portIndices(mission)),
+        memory_(gliderRuntimeSize() / sizeof(double) + 1),
+        context_(mission.context_bytes / sizeof(double) + 1),
+        backseat_(std::make_unique<Backseat>(mission, kPort, GliderByteStream{this, read, write},
+                                             BackseatOptions{.may_resume = may_resume})),
+        runtime_(gliderRuntimeInit(memory_.data(), context_.data(), &mission, nullptr)) {}
+
+  /// Bytes arrive at the SBC; it works until it has nothing to do.
+  void send(std::string_view bytes) {
+    to_sbc_ += bytes;
+    const GliderClock clock{this, [](void*) { return 0.0; }};
+    const GliderByteStream stream = backseat_->stream();
+    while (!finished_) {
+      const GliderRuntimeStatus status = gliderRuntimePoll(runtime_, &stream, &clock);
+      finished_ = status == kGliderRuntimeFinished;
+      if (status != kGliderRuntimeProgressed) {
+        break;
+      }
+    }
+  }
+  void say(const std::string& body) {
+    char text[1200];
+    hooks::extctl::SentenceWriter writer(text, sizeof text);
+    writer.put(body.c_str());
+    send({text, writer.end()});
+  }
+  void begin(bool tells_program = true) {
+    say("HI");
+    say(fmt::format("SD,{}:0", index(PortSensor::InGliderDos)));
+    if (tells_program) {
+      say(fmt::format("SD,{}:{}", index(PortSensor::Program), kPort.program));
+    }
+  }
+  void cycle(double now_s, double depth, double temperature) {
+    const std::string clock = fmt::format("{}:{:.12f}", port_.count() - 1, 1.7e9 + now_s);
+    say(fmt::format("SD,{}:{:.12f},{}:{:.12f},{}:{:.12f},{}",
+                    ofSensor(GLIDER_M_PRESENT_SECS_INTO_MISSION), now_s, ofSensor(GLIDER_M_DEPTH),
+                    depth, ofSensor(GLIDER_SCI_WATER_TEMP), temperature, clock));
+  }
+  [[nodiscard]] double written(PortSensor sensor) const {
+    const auto found = values.find(index(sensor));
+    return found == values.end() ? NAN : found->second;
+  }
+  [[nodiscard]] const GliderContext* context() const { return gliderRuntimeContext(runtime_); }
+  [[nodiscard]] bool finished() const { return finished_; }
+  [[nodiscard]] uint32_t ofSensor(uint16_t id) const { return port_.indexOf(id); }
+  [[nodiscard]] uint32_t clock() const { return port_.count() - 1; }
+
+  std::map<uint32_t, double> values;  ///< written by the SBC
+  std::vector<std::string> texts;
+  std::vector<std::string> others;
+  bool line_is_cut = false;
+
+  static uint32_t index(PortSensor sensor) { return static_cast<uint32_t>(sensor); }
+
+ private:
+  static hooks::extctl::Port portIndices(const GliderMission& mission) {
+    std::vector<hooks::Subscription> all;
+    for (uint32_t i = 0; i < mission.sensor_count; ++i) {
+      all.push_back({.id = static_cast<uint16_t>(mission.sensors[i].id)});
+    }
+    all.push_back({.id = GLIDER_M_DEPTH});
+    return {gliderDictionary, all.data(), static_cast<uint32_t>(all.size())};
+  }
+  static int32_t read(void* self, uint8_t* bytes, uint32_t capacity) {
+    auto& bench = *static_cast<PortBench*>(self);
+    if (bench.line_is_cut) {
+      return kGliderStreamClosed;
+    }
+    const size_t count = bench.to_sbc_.copy(reinterpret_cast<char*>(bytes), capacity);
+    bench.to_sbc_.erase(0, count);
+    return static_cast<int32_t>(count);
+  }
+  static int32_t write(void* self, const uint8_t* bytes, uint32_t count) {
+    auto& bench = *static_cast<PortBench*>(self);
+    for (uint32_t i = 0; i < count; ++i) {
+      if (bench.from_sbc_.push(bytes[i])) {
+        bench.take({bench.from_sbc_.body(), bench.from_sbc_.size()});
+      }
+    }
+    EXPECT_EQ(bench.from_sbc_.bad(), 0U);
+    return static_cast<int32_t>(count);
+  }
+  void take(const std::string& body) {
+    if (body.starts_with("TXT,")) {
+      texts.push_back(body.substr(4));
+    } else if (body.starts_with("SW,")) {
+      for (size_t at = 2; at != std::string::npos; at = body.find(',', at + 1)) {
+        values[static_cast<uint32_t>(std::stoul(body.substr(at + 1)))] =
+            std::stod(body.substr(body.find(':', at) + 1));
+      }
+    } else {
+      others.push_back(body);
+    }
+  }
+
+  hooks::extctl::Port port_;
+  std::string to_sbc_;
+  hooks::extctl::SentenceReader from_sbc_;
+  std::vector<double> memory_, context_;
+  std::unique_ptr<Backseat> backseat_;
+  GliderRuntime* runtime_;
+  bool finished_ = false;
+};
+
+TEST(Backseat, SteersWhileItsMissionFileFlies) {
+  TwoStates mission;
+  PortBench bench(mission.mission);
+  bench.begin();
+  for (double now = 0; now <= 40; now += 4) {
+    bench.cycle(now, 1 + now / 64, 20);
+  }
+  ASSERT_NE(bench.context(), nullptr);
+  EXPECT_EQ(bench.written(PortSensor::DiveDepth), 20);
+  EXPECT_EQ(bench.written(PortSensor::ClimbDepth), 10);
+  EXPECT_EQ(bench.written(PortSensor::WantsSurface), 0);
+  EXPECT_EQ(bench.written(PortSensor::Heading), 1.5);
+  EXPECT_EQ(bench.written(PortSensor::State), 1);
+  EXPECT_EQ(bench.written(PortSensor::Beat), 11) << "one a cycle";
+  EXPECT_EQ(bench.texts.front(), "mission,bench");
+}
+
+TEST(Backseat, LeavesAnotherMissionFileAlone) {
+  for (const bool tells : {true, false}) {
+    TwoStates mission;
+    PortBench bench(mission.mission);
+    bench.begin(false);
+    if (tells) {
+      bench.say(fmt::format("SD,{}:4712", PortBench::index(PortSensor::Program)));
+    }
+    for (double now = 0; now <= 100; now += 4) {
+      bench.cycle(now, 1 + now / 64, 20);
+    }
+    EXPECT_EQ(bench.context(), nullptr);
+    EXPECT_TRUE(std::isnan(bench.written(PortSensor::DiveDepth)));
+  }
+}
+
+TEST(Backseat, DoesNotSteerAtTheVehiclesPrompt) {
+  TwoStates mission;
+  PortBench bench(mission.mission);
+  bench.begin();
+  bench.say(fmt::format("SD,{}:1", PortBench::index(PortSensor::InGliderDos)));
+  for (double now = 0; now <= 40; now += 4) {
+    bench.cycle(now, 1 + now / 64, 20);
+  }
+  EXPECT_EQ(bench.context(), nullptr);
+}
+
+TEST(Backseat, EndsAtTheSurfaceAndSaysSoForHalfAMinute) {
+  TwoStates mission;
+  mission.end_s = 60;
+  PortBench bench(mission.mission);
+  bench.begin();
+  double ended_s = NAN;
+  for (double now = 0; now <= 200 && !bench.finished(); now += 4) {
+    bench.cycle(now, 1 + now / 64, 20);
+    if (std::isnan(ended_s) && bench.context() != nullptr && bench.context()->finished != 0) {
+      ended_s = now;
+      EXPECT_EQ(bench.written(PortSensor::WantsSurface), kSurfaceNow) << "at once";
+    }
+    if (bench.finished()) {
+      EXPECT_GE(now - ended_s, 4 * StandIn::kReleaseCycles);
+    }
+  }
+  EXPECT_TRUE(bench.finished());
+  EXPECT_EQ(bench.written(PortSensor::WantsSurface), kSurfaceNow);
+}
+
+TEST(Backseat, TwoSentencesInAReadGarbageAndAnyCase) {
+  TwoStates mission;
+  PortBench bench(mission.mission);
+  bench.begin();
+  bench.send(std::string_view("\0boot\r\n$B$HI*01$SD,3*", 21));
+  for (double now = 0; now <= 40; now += 4) {
+    bench.cycle(now, 1 + now / 64, 20);
+  }
+  EXPECT_EQ(bench.written(PortSensor::DiveDepth), 20);
+}
+
+TEST(Backseat, IndicesAndPairsThatAreNoneAreIgnored) {
+  TwoStates mission;
+  PortBench bench(mission.mission);
+  bench.begin();
+  bench.say("SD");
+  bench.say("SD,");
+  bench.say("SD,:5,x:1,5,99:1,4294967296:3,8:5:,-1:2,0,25*");
+  bench.say("FI,AAAA");
+  bench.say("NEXT");
+  bench.say("ER,none");
+  bench.say(std::string("TT"));
+  for (double now = 0; now <= 40; now += 4) {
+    bench.cycle(now, 1 + now / 64, 20);
+  }
+  EXPECT_EQ(bench.written(PortSensor::DiveDepth), 20);
+}
+
+TEST(Backseat, WhatWasSaidBeforeTheLinkIsNotLost) {
+  TwoStates mission;
+  PortBench bench(mission.mission);
+  bench.begin();
+  bench.cycle(0, 1, 20);
+  for (double now = 4; now <= 16; now += 4) {  // depth and temperature do not change any more
+    bench.say(fmt::format("SD,{}:{},{}:{}", bench.ofSensor(GLIDER_M_PRESENT_SECS_INTO_MISSION), now,
+                          bench.clock(), 1.7e9 + now));
+  }
+  ASSERT_NE(bench.context(), nullptr) << "it begins only at the surface, as the depth says";
+  EXPECT_EQ(bench.context()->readings[1].raw, 20);
+}
+
+TEST(Backseat, ARestartedPortIsToldEverythingAgain) {
+  TwoStates mission;
+  PortBench bench(mission.mission);
+  bench.begin();
+  for (double now = 0; now <= 40; now += 4) {
+    bench.cycle(now, 1 + now / 64, 20);
+  }
+  for (const char* word : {"BY", "HI"}) {
+    bench.values.clear();
+    bench.say(word);
+    bench.cycle(word[0] == 'B' ? 44 : 48, 5, 20);
+    EXPECT_EQ(bench.values.size(), hooks::extctl::kWrittenSensors) << word;
+  }
+}
+
+TEST(Backseat, ACutLineEndsTheProgram) {
+  TwoStates mission;
+  PortBench bench(mission.mission);
+  bench.begin();
+  bench.cycle(0, 1, 20);
+  bench.line_is_cut = true;
+  bench.send("");
+  EXPECT_FALSE(bench.finished());
+}
+
+/// A temperature that crosses both limits many times; exact in six decimals and in a float.
+double temperatureAt(double now_s) {
+  return 13 + std::round(64 * 3 * std::sin(now_s / 37)) / 64 + std::fmod(now_s, 8) / 512;
+}
+double depthAt(double now_s) {
+  return 1 + std::round(now_s) / 256;
+}
+
+/// The vehicle's times of the transitions, s, and where to.
+using Moves = std::vector<std::pair<double, uint32_t>>;
+
+Moves movesOverPort() {
+  TwoStates mission;
+  PortBench bench(mission.mission);
+  bench.begin();
+  Moves moves;
+  for (double now = 0; now < 2000; now += 4) {
+    const size_t before = bench.texts.size();
+    bench.cycle(now, depthAt(now), temperatureAt(now));
+    for (size_t i = before; i < bench.texts.size(); ++i) {
+      if (bench.texts[i].starts_with("transition,")) {
+        moves.emplace_back(now, bench.context()->state);
+      }
+    }
+  }
+  return moves;
+}
+
+Moves movesOverHooks() {
+  TwoStates mission;
+  testing::VehicleBench vehicle({.start_secs = 0, .greatest_depth_m = 60});
+  vehicle.depth = depthAt;
+  vehicle.temperature = temperatureAt;
+  vehicle.reports = {GLIDER_M_DEPTH};
+  std::vector<double> memory(gliderRuntimeSize() / sizeof(double) + 1);
+  std::vector<double> context(mission.mission.context_bytes / sizeof(double) + 1);
+  GliderRuntime* runtime =
+      gliderRuntimeInit(memory.data(), context.data(), &mission.mission, nullptr);
+  Moves moves;
+  vehicle.sbc = [&] {
+    const GliderClock clock{nullptr, [](void*) { return 0.0; }};
+    const GliderByteStream stream = vehicle.sbcEnd();
+    const GliderContext* now = gliderRuntimeContext(runtime);
+    const uint32_t before = now == nullptr ? 0 : now->state;
+    while (gliderRuntimePoll(runtime, &stream, &clock) == kGliderRuntimeProgressed) {
+    }
+    now = gliderRuntimeContext(runtime);
+    if (now != nullptr && now->state != before) {
+      moves.emplace_back(vehicle.now() - std::fmod(vehicle.now(), 4), now->state);
+    }
+  };
+  vehicle.run(2000);
+  return moves;
+}
+
+TEST(Backseat, TheSameTransitionsOnTheSameTicksAsOverTheHooks) {
+  const Moves port = movesOverPort(), hooks = movesOverHooks();
+  EXPECT_GT(port.size(), 10U);
+  EXPECT_EQ(port, hooks);
+}
+
+}  // namespace
+}  // namespace glider::runtime::extctl

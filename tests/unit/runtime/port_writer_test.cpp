@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What is written to the vehicle's port, as the vehicle receives it: each value by itself, late,
+// and sometimes not at all.
+
+#include "runtime/extctl/port_writer.h"
+
+#include "hooks/extctl/decimal.h"
+#include "hooks/extctl/sentence.h"
+#include "runtime/extctl/stock_command.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glider::runtime::extctl {
+namespace {
+
+using hooks::extctl::PortSensor;
+
+constexpr GliderPortMission kCommon{60, 0.7854, 0.19, 10, 4711, 0};
+constexpr GliderPortMission kModes{60, 0.7854, 0.19, 10, 4711, 1};
+
+/// What a sentence or two write: values by index, and the mode bits under -1.
+std::map<int, double> valuesIn(std::string_view bytes) {
+  std::map<int, double> values;
+  hooks::extctl::SentenceReader reader;
+  for (const char c : bytes) {
+    if (!reader.push(static_cast<uint8_t>(c))) {
+      continue;
+    }
+    const std::string body(reader.body(), reader.size());
+    if (body.starts_with("MD,")) {
+      values[-1] = std::stod(body.substr(body.rfind(',') + 1));
+      continue;
+    }
+    EXPECT_TRUE(body.starts_with("SW,")) << body;
+    for (size_t at = 2; at != std::string::npos; at = body.find(',', at + 1)) {
+      values[std::stoi(body.substr(at + 1))] = std::stod(body.substr(body.find(':', at) + 1));
+    }
+  }
+  return values;
+}
+
+std::map<int, double> answerOf(PortWriter& writer) {
+  char text[PortWriter::kMostBytes];
+  return valuesIn({text, writer.write({1, 0}, text, sizeof text)});
+}
+
+StockCommand between(double climb_m, double dive_m) {
+  StockCommand command;
+  command.climb_depth_m = climb_m;
+  command.dive_depth_m = dive_m;
+  command.surface = false;
+  command.modes = 0;
+  return command;
+}
+
+bool has(const std::map<int, double>& values, PortSensor sensor) {
+  return values.contains(static_cast<int>(sensor));
+}
+
+double of(const std::map<int, double>& values, PortSensor sensor) {
+  const auto found = values.find(static_cast<int>(sensor));
+  return found == values.end() ? NAN : found->second;
+}
+
+TEST(PortWriter, WritesEverythingFirstAndEverySixteenSeconds) {
+  PortWriter writer(kCommon, true);
+  int all = 0;
+  for (int second = 0; second < 64; second += 4) {
+    writer.tell(between(5, 40), second);
+    const auto values = answerOf(writer);
+    EXPECT_TRUE(has(values, PortSensor::Beat));
+    all += values.size() == hooks::extctl::kWrittenSensors ? 1 : 0;
+    EXPECT_FALSE(values.contains(-1)) << "the release has no modes";
+  }
+  EXPECT_GE(all, 64 / 16);
+}
+
+TEST(PortWriter, AValueThatChangesIsWrittenThreeTimes) {
+  PortWriter writer(kCommon, true);
+  double now = 0;
+  for (; now < 20; now += 4) {
+    writer.tell(between(5, 40), now);
+    (void)answerOf(writer);
+  }
+  StockCommand turned = between(5, 40);
+  turned.heading_rad = 1.25;
+  int times = 0;
+  for (const double until = now + 12; now < until; now += 4) {
+    writer.tell(turned, now);
+    times += of(answerOf(writer), PortSensor::Heading) == 1.25 ? 1 : 0;
+  }
+  EXPECT_EQ(times, 3);
+}
+
+TEST(PortWriter, ARestartOfTheOtherEndGetsEverythingAgain) {
+  PortWriter writer(kCommon, true);
+  for (double now = 0; now <= 4; now += 4) {
+    writer.tell(between(5, 40), now);
+    (void)answerOf(writer);
+  }
+  writer.tell(between(5, 40), 8);
+  writer.forget();
+  EXPECT_EQ(answerOf(writer).size(), hooks::extctl::kWrittenSensors);
+}
+
+TEST(PortWriter, UpAtOnceAndDownOnlyWhenTheDepthsHaveArrived) {
+  PortWriter writer(kModes, true);
+  StockCommand up = between(5, 40);
+  up.surface = true;
+  up.modes = kGliderPortModeSurface;
+  writer.tell(up, 0);
+  auto values = answerOf(writer);
+  EXPECT_EQ(of(values, PortSensor::WantsSurface), kSurfaceNow);
+  EXPECT_EQ(values.at(-1), kGliderPortModeSurface);
+  double left_s = NAN;
+  for (double now = 4; now < 80; now += 4) {
+    writer.tell(between(20, 30), now);
+    values = answerOf(writer);
+    if (std::isnan(left_s) && of(values, PortSensor::WantsSurface) == 0) {
+      left_s = now;
+    }
+  }
+  EXPECT_GE(left_s, 4 + PortWriter::kSettleSecs);
+  EXPECT_LE(left_s, 4 + 3 * PortWriter::kSettleSecs);
+  writer.tell(up, 80);
+  EXPECT_EQ(of(answerOf(writer), PortSensor::WantsSurface), kSurfaceNow) << "not later";
+}
+
+/// A value on its way.
+struct Passing {
+  double due_s;
+  int index;
+  double value;
+};
+
+/// Flies random commands over a line that delays each value by up to `most_delay_s` and loses many
+/// sentences, up to two in a row; returns how often the targets that had arrived contradicted each
+/// other.
+int contradictions(uint64_t seed, double most_delay_s) {
+  std::mt19937_64 random(seed);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  PortWriter writer(kCommon, true);
+  std::vector<Passing> passing;
+  std::map<int, double> last_due_s;  // a sensor's older value never overtakes a newer one
+  std::map<int, double> arrived = {
+      {static_cast<int>(PortSensor::DiveDepth), hooks::extctl::kFirstDiveDepth},
+      {static_cast<int>(PortSensor::ClimbDepth), hooks::extctl::kFirstClimbDepth}};
+  StockCommand command = between(5, 40);
+  int wrong = 0, lost = 0;
+  for (double now = 0; now < 2000; now += 4) {
+    if (uniform(0, 1) < 0.05) {
+      const double target = uniform(4, 55);
+      const hooks::Instruction instruction{.vertical = uniform(0, 1) < 0.5
+                                                           ? hooks::HookVertical::Descend
+                                                           : hooks::HookVertical::Ascend,
+                                           .depth_m = target};
+      follow(instruction, kCommon, {}, command);
+    }
+    writer.tell(command, now);
+    const auto values = answerOf(writer);
+    lost = now != 0 && lost < 2 && uniform(0, 1) < 0.2 ? lost + 1 : 0;
+    if (lost == 0) {
+      for (const auto& [index, value] : values) {
+        double& due_s = last_due_s[index];
+        due_s = std::max(due_s, now + uniform(1, most_delay_s));
+        passing.push_back({due_s, index, value});
+      }
+    }
+    for (const Passing& one : passing) {
+      if (one.due_s <= now) {
+        arrived[one.index] = one.value;
+      }
+    }
+    std::erase_if(passing, [&](const Passing& one) { return one.due_s <= now; });
+    const double dive = of(arrived, PortSensor::DiveDepth),
+                 climb = of(arrived, PortSensor::ClimbDepth);
+    wrong += dive <= climb ? 1 : 0;
+  }
+  return wrong;
+}
+
+TEST(PortWriter, NoMixtureOfOldAndNewContradictsItself) {
+  int wrong = 0;
+  for (uint64_t seed = 0; seed < 200; ++seed) {
+    wrong += contradictions(seed, 8);
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST(StockCommand, ATargetIsOneEndOfAYo) {
+  StockCommand command;
+  follow({.vertical = hooks::HookVertical::Descend, .depth_m = 50, .pitch_rad = -0.4}, kCommon, {},
+         command);
+  EXPECT_EQ(command.dive_depth_m, 50);
+  EXPECT_EQ(command.climb_depth_m, 40);
+  EXPECT_EQ(command.dive_pitch_rad, -0.4);
+  EXPECT_FALSE(command.surface);
+  follow({.vertical = hooks::HookVertical::Ascend, .depth_m = 12, .pitch_rad = 0.5}, kCommon, {},
+         command);
+  EXPECT_EQ(command.climb_depth_m, 12);
+  EXPECT_EQ(command.dive_depth_m, 22);
+  EXPECT_EQ(command.climb_pitch_rad, 0.5);
+  EXPECT_EQ(command.dive_pitch_rad, -0.4) << "stays";
+  follow({.vertical = hooks::HookVertical::Descend, .depth_m = 6}, kCommon, {}, command);
+  EXPECT_EQ(command.climb_depth_m, 3) << "not above the surface";
+  follow({.vertical = hooks::HookVertical::Ascend, .depth_m = 55}, kCommon, {}, command);
+  EXPECT_EQ(command.dive_depth_m, 60) << "not below the greatest depth";
+}
+
+TEST(StockCommand, AWaypointIsABearingWhereTheReleaseHasNoModes) {
+  const hooks::Instruction east{.vertical = hooks::HookVertical::Surface,
+                                .lateral = hooks::HookLateral::Waypoint,
+                                .latitude_ddmm = 0,
+                                .longitude_ddmm = 130.0};
+  StockCommand command;
+  follow(east, kCommon, {0, 100, 0.25}, command);
+  EXPECT_NEAR(command.heading_rad, 1.5708 + 0.25, 1e-3) << "from magnetic north";
+  EXPECT_EQ(command.modes & kGliderPortModeWaypoint, 0U);
+  follow(east, kCommon, {}, command);
+  EXPECT_NEAR(command.heading_rad, 1.5708 + 0.25, 1e-3) << "an unknown place: the heading stays";
+  follow(east, kModes, {0, 100, 0.25}, command);
+  EXPECT_NE(command.modes & kGliderPortModeWaypoint, 0U);
+  EXPECT_EQ(command.waypoint_longitude_ddmm, 130.0);
+  follow({.vertical = hooks::HookVertical::Surface,
+          .lateral = hooks::HookLateral::Heading,
+          .heading_rad = 3},
+         kModes, {}, command);
+  EXPECT_EQ(command.modes, static_cast<uint32_t>(kGliderPortModeSurface));
+  EXPECT_EQ(command.heading_rad, 3);
+}
+
+}  // namespace
+}  // namespace glider::runtime::extctl

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Who decides on instructions where the vehicle has no hookbeh.
+
+#include "runtime/extctl/stand_in.h"
+
+#include <gtest/gtest.h>
+
+namespace glider::runtime::extctl {
+namespace {
+
+using hooks::HookAnswer;
+using hooks::HookControl;
+using hooks::HookState;
+using hooks::HookVertical;
+using hooks::Instruction;
+
+constexpr GliderPortMission kPort{60, 0.7854, 0.19, 10, 4711, 0};
+
+Instruction dive(uint16_t sequence, uint32_t session = 5, HookControl control = HookControl::Take) {
+  return {.session = session,
+          .sequence = sequence,
+          .control = control,
+          .vertical = HookVertical::Descend,
+          .depth_m = 40,
+          .pitch_rad = -0.4};
+}
+
+VehicleMission flying(double time_s) {
+  return {.time_s = time_s, .program = 4711, .in_glider_dos = 0};
+}
+
+TEST(StandIn, IsReadyForItsOwnMissionFileOnly) {
+  StandIn stand_in(kPort, false);
+  EXPECT_EQ(stand_in.state(), HookState::Absent);
+  stand_in.observe({.time_s = 4, .program = 4711});
+  EXPECT_EQ(stand_in.state(), HookState::Ready);
+  stand_in.observe({.time_s = 8, .program = 12});
+  EXPECT_EQ(stand_in.state(), HookState::Absent);
+  stand_in.observe({.time_s = 12, .program = 4711, .in_glider_dos = 1});
+  EXPECT_EQ(stand_in.state(), HookState::Absent);
+  stand_in.observe({.program = 4711});
+  EXPECT_EQ(stand_in.state(), HookState::Absent) << "no mission time";
+}
+
+TEST(StandIn, AnUnknownMissionFileIsItsOwnOnlyAfterARestart) {
+  StandIn fresh(kPort, false);
+  fresh.observe({.time_s = 400});
+  EXPECT_EQ(fresh.state(), HookState::Waiting);
+  fresh.instruct(dive(1));
+  EXPECT_EQ(fresh.answer(), HookAnswer::NotReady);
+  StandIn restarted(kPort, true);
+  restarted.observe({.time_s = 400});
+  EXPECT_EQ(restarted.state(), HookState::Silent);
+  restarted.instruct(dive(1));
+  EXPECT_EQ(restarted.answer(), HookAnswer::Accepted);
+  restarted.observe({.time_s = 404});
+  EXPECT_EQ(restarted.state(), HookState::Active);
+}
+
+TEST(StandIn, RefusesWhatIsOutOfBoundsAndKeepsWhatIsInForce) {
+  StandIn stand_in(kPort, false);
+  stand_in.observe(flying(4));
+  stand_in.instruct(dive(1));
+  EXPECT_EQ(stand_in.answer(), HookAnswer::Accepted);
+  Instruction deep = dive(2, 5, HookControl::Steer);
+  deep.depth_m = 60.5;
+  stand_in.instruct(deep);
+  EXPECT_EQ(stand_in.answer(), HookAnswer::TooDeep);
+  EXPECT_EQ(stand_in.inForce()->depth_m, 40);
+  Instruction flat = dive(3, 5, HookControl::Steer);
+  flat.pitch_rad = -0.1;
+  stand_in.instruct(flat);
+  EXPECT_EQ(stand_in.answer(), HookAnswer::BadPitch);
+  Instruction hover = dive(4, 5, HookControl::Steer);
+  hover.vertical = HookVertical::Hover;
+  stand_in.instruct(hover);
+  EXPECT_EQ(stand_in.answer(), HookAnswer::BadCommand);
+  stand_in.instruct(dive(5, 6, HookControl::Steer));
+  EXPECT_EQ(stand_in.answer(), HookAnswer::WrongSession);
+  stand_in.instruct(dive(4));
+  EXPECT_EQ(stand_in.answer(), HookAnswer::OldSequence);
+}
+
+TEST(StandIn, ANewMissionOfTheVehicleEndsTheSession) {
+  StandIn stand_in(kPort, false);
+  stand_in.observe(flying(400));
+  stand_in.instruct(dive(1));
+  stand_in.observe(flying(404));
+  EXPECT_EQ(stand_in.state(), HookState::Active);
+  stand_in.observe(flying(3));
+  EXPECT_EQ(stand_in.state(), HookState::Ready);
+  EXPECT_EQ(stand_in.session(), 0U);
+  stand_in.instruct(dive(2, 5));
+  EXPECT_EQ(stand_in.answer(), HookAnswer::WrongSession) << "a session that was lost";
+  stand_in.instruct(dive(3, 6));
+  EXPECT_EQ(stand_in.answer(), HookAnswer::Accepted);
+}
+
+TEST(StandIn, AReleaseIsAnsweredWhenItHasBeenToldOftenEnough) {
+  StandIn stand_in(kPort, false);
+  stand_in.observe(flying(4));
+  stand_in.instruct(dive(1));
+  stand_in.observe(flying(8));
+  const Instruction release{.session = 5, .sequence = 2, .control = HookControl::Release};
+  uint32_t cycles = 0;
+  for (double now = 12; stand_in.answered() != 2 && cycles < 100; now += 4, ++cycles) {
+    stand_in.instruct(release);
+    EXPECT_TRUE(stand_in.released());
+    stand_in.observe(flying(now));
+  }
+  EXPECT_EQ(cycles, StandIn::kReleaseCycles);
+  EXPECT_EQ(stand_in.answer(), HookAnswer::Accepted);
+  EXPECT_EQ(stand_in.state(), HookState::Complete);
+  stand_in.observe(flying(400));
+  EXPECT_EQ(stand_in.state(), HookState::Complete);
+  stand_in.observe(flying(2));
+  EXPECT_EQ(stand_in.state(), HookState::Ready) << "the vehicle's next mission";
+}
+
+}  // namespace
+}  // namespace glider::runtime::extctl

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Missions on a vehicle without the hooks: its own layered control flies the mission file that was
+// written with the program, and nothing on it watches the SBC.
+
+#include "flights/in_process_sbc.h"
+#include "flights/sbc_choice.h"
+#include "ir/prove/falsification/rng.h"
+#include "simulator/simulator.h"
+#include "simulator/slocum/flight/skeleton.h"
+#include "simulator/slocum/own_mission.h"
+#include "support/files.h"
+#include "tests/world/fleet.h"
+#include "vehicles/slocum/port_files/mission_port.h"
+#include "vehicles/slocum/rules/port_commands.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <unistd.h>
+
+namespace glider::tests {
+namespace {
+
+constexpr double kSurfaceAfter = 3600;  // s
+
+/// The files of a mission's port, and its scenario.
+struct PortFlight {
+  slocum::PortPlan plan;
+  simulator::Scenario scenario;
+};
+
+PortFlight planned(const FlyingMission& mission, simulator::Scenario scenario,
+                   slocum::Release release) {
+  const auto plan = slocum::planFor(
+      *mission.flown,
+      {.release = release, .greatest_depth_m = 60, .surface_after_s = kSurfaceAfter});
+  EXPECT_TRUE(plan.has_value());
+  support::SourceManager sources;
+  support::DiagnosticEngine diagnostics;
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() /
+      fmt::format("glider-port-{}-{}.mi", ::getpid(), static_cast<int>(release));
+  EXPECT_TRUE(support::writeFileAtomically(file, slocum::printPortMission(*plan)));
+  auto own = simulator::loadMissionFile(file, sources, diagnostics);
+  std::filesystem::remove(file);
+  EXPECT_TRUE(own.has_value());
+  EXPECT_TRUE(diagnostics.sorted().empty()) << diagnostics.sorted().front().message;
+  simulator::SlocumMission& flown = simulator::slocumMissionOf(scenario);
+  flown.file = std::move(*own);
+  flown.extctl = plan->extctl;
+  flown.code_15 = release == slocum::Release::MissionModes ? simulator::Code15::MissionMode
+                                                           : simulator::Code15::FarFromWaypoint;
+  return {*plan, std::move(scenario)};
+}
+
+/// An abort turns the vehicle round within this much below the depth at which it comes, m: abend
+/// looks every 15 s, and the vehicle overshoots.
+constexpr double kBelowAbort = 12;
+
+/// Looks at the true depth: never too deep, and not under water for longer than the bound after
+/// the SBC's death.
+class PortWatch final : public simulator::FlightObserver {
+ public:
+  PortWatch(double deepest_m, double killed_s, double bound_s)
+      : deepest_m_(deepest_m), killed_s_(killed_s), bound_s_(bound_s) {}
+
+  void said(std::span<const uint8_t>, double) override { ++answers_; }
+  bool cycle(const simulator::CycleView& view) override {
+    dived_ = dived_ || view.true_depth_m > 3;
+    most_m_ = std::max(most_m_, view.true_depth_m);
+    up_s_ = view.true_depth_m < 1 ? view.time_s : up_s_;
+    if (view.time_s > killed_s_) {
+      longest_s_ = std::max(longest_s_, view.time_s - std::max(up_s_, killed_s_));
+    }
+    return true;
+  }
+  [[nodiscard]] bool dived() const { return dived_; }
+  [[nodiscard]] bool tooDeep() const { return most_m_ > deepest_m_; }
+  [[nodiscard]] double deepest() const { return most_m_; }
+  [[nodiscard]] bool late() const { return longest_s_ > bound_s_; }
+  [[nodiscard]] double longest() const { return longest_s_; }
+  [[nodiscard]] int answers() const { return answers_; }
+
+ private:
+  double deepest_m_, killed_s_, bound_s_;
+  bool dived_ = false;
+  int answers_ = 0;
+  double most_m_ = 0, up_s_ = 0, longest_s_ = 0;
+};
+
+/// The time to come up by the page of the port: from the greatest depth at the slowest climb.
+double boundOf(const slocum::PortPlan& plan) {
+  const double deepest = plan.choice.greatest_depth_m + plan.overshoot_m;
+  return plan.choice.surface_after_s + slocum().world.turn_s +
+         deepest / slocum().world.slowest_climb_m_s;
+}
+
+struct Drawn {
+  double killed_s = simulator::kForever;
+  simulator::Faults faults = {};
+  uint64_t seed = 1;
+};
+
+PortWatch fly(const FlyingMission& mission, const PortFlight& flight, const Drawn& drawn,
+              double duration_s) {
+  // A damaged sentence in 256 passes its sum: then the vehicle's own abend is the bound.
+  const bool damaged = !drawn.faults.lines.empty();
+  const double deepest_m = damaged ? flight.plan.overdepth_m + kBelowAbort
+                                   : flight.plan.choice.greatest_depth_m + flight.plan.overshoot_m;
+  PortWatch watch(deepest_m, drawn.killed_s, boundOf(flight.plan));
+  simulator::SimulationSetup setup;
+  setup.platform = slocum();
+  setup.scenario = flight.scenario;
+  setup.scenario.faults = drawn.faults;
+  setup.seed = drawn.seed;
+  setup.duration_s = duration_s;
+  setup.observer = &watch;
+  if (drawn.killed_s < duration_s) {
+    setup.kill_sbc_at_s = drawn.killed_s;
+  }
+  const flights::PortEnd port{flight.plan.port,
+                              static_cast<uint32_t>(flight.plan.extctl.sensors().size()) - 1};
+  auto start = flights::startInProcess(
+      mission.loaded, *flights::chooseParameters(mission.flown->mission, {}), true, nullptr, port);
+  setup.sbc = *start();
+  setup.restart_sbc = std::move(start);
+  EXPECT_TRUE(simulator::simulate(std::move(setup)).has_value());
+  return watch;
+}
+
+/// The missions that the port can fly.
+std::vector<FlyingMission> portMissions() {
+  auto all = missions(6, 1);
+  std::erase_if(all, [](const FlyingMission& mission) {
+    support::DiagnosticEngine diagnostics;
+    slocum::rules::checkPortCommands(mission.flown->mission, diagnostics);
+    return diagnostics.errorCount() != 0;
+  });
+  return all;
+}
+
+TEST(PortFlights, AKilledSbcLeavesTheVehicleToItsOwnTimer) {
+  constexpr uint64_t kFew = 40;
+  const uint64_t count = wanted("GLIDER_PORT_FLIGHTS", kFew);
+  const auto all = portMissions();
+  const auto worlds = scenarios();
+  ASSERT_GT(all.size(), 3U);
+  uint64_t counted = 0;
+  double longest = 0;
+  for (uint64_t i = 0; i < count; ++i) {
+    const FlyingMission& mission = all[i % all.size()];
+    const auto release = i % 2 == 0 ? slocum::Release::Common : slocum::Release::MissionModes;
+    const PortFlight flight = planned(mission, worlds[i % worlds.size()], release);
+    ir::prove::Rng dice(i + 1);
+    const PortWatch watch =
+        fly(mission, flight, {.killed_s = dice.within(60, 5400), .faults = {}, .seed = i + 1},
+            5400 + 3 * boundOf(flight.plan));
+    counted += watch.dived() ? 1U : 0U;
+    longest = std::max(longest, watch.longest());
+    EXPECT_FALSE(watch.tooDeep()) << mission.name << " seed " << i + 1 << ": " << watch.deepest();
+    EXPECT_FALSE(watch.late()) << mission.name << " seed " << i + 1 << ": " << watch.longest();
+  }
+  EXPECT_GT(counted, count / 2);
+  EXPECT_GT(longest, kSurfaceAfter) << "the timer was what brought it up";
+}
+
+/// Line noise, cuts, power cuts of the SBC, restarts of the science computer.
+simulator::Faults drawFaults(ir::prove::Rng& dice, double duration_s) {
+  simulator::Faults faults;
+  const auto span = [&](double longest_s) {
+    const double from_s = dice.within(0, duration_s);
+    return simulator::Span{from_s, from_s + dice.within(1, longest_s)};
+  };
+  for (const auto way : {simulator::LineWay::ToSbc, simulator::LineWay::FromSbc}) {
+    simulator::LineFault fault;
+    faults.lines.push_back({.way = way,
+                            .when = span(duration_s),
+                            .loss = dice.within(0, 0.01),
+                            .flips = dice.within(0, 0.01),
+                            .doubled = dice.within(0, 0.05)});
+  }
+  faults.power.push_back(span(600));
+  faults.science.push_back(span(120));
+  return faults;
+}
+
+TEST(PortFlights, UnderFaultsOfTheLineItIsNeverTooDeep) {
+  constexpr uint64_t kFew = 40;
+  const uint64_t count = wanted("GLIDER_PORT_FLIGHTS", kFew);
+  const auto all = portMissions();
+  const auto worlds = scenarios();
+  constexpr double kDuration = 2 * 3600;
+  uint64_t dived = 0;
+  for (uint64_t i = 0; i < count; ++i) {
+    const FlyingMission& mission = all[i % all.size()];
+    const auto release = i % 2 == 0 ? slocum::Release::Common : slocum::Release::MissionModes;
+    const PortFlight flight = planned(mission, worlds[i % worlds.size()], release);
+    ir::prove::Rng dice(1000 + i);
+    const PortWatch watch =
+        fly(mission, flight, {.faults = drawFaults(dice, kDuration), .seed = i + 1}, kDuration);
+    dived += watch.dived() ? 1U : 0U;
+    EXPECT_FALSE(watch.tooDeep()) << mission.name << " seed " << i + 1 << ": " << watch.deepest();
+  }
+  EXPECT_GT(dived, count / 2);
+}
+
+}  // namespace
+}  // namespace glider::tests

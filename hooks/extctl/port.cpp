@@ -6,8 +6,7 @@
 namespace glider::hooks::extctl {
 
 Port::Port(const GliderDictionary& dictionary, const Subscription* sensors, uint32_t count) {
-  constexpr GliderRole kOwn[] = {kGliderRoleMissionTime, kGliderRoleMagneticVariation,
-                                 kGliderRoleLatitude, kGliderRoleLongitude};
+  constexpr GliderRole kOwn[] = {kGliderRoleMissionTime, kGliderRoleMagneticVariation};
   const uint16_t clock = sensorOf(dictionary, kGliderRoleClock);
   for (const GliderRole role : kOwn) {
     add(sensorOf(dictionary, role));

@@ -38,7 +38,7 @@ inline constexpr uint32_t kMostSensors = 64;
 /// of a cycle.
 class Port {
  public:
-  /// `sensors`: the mission's. The dictionary is not kept.
+  /// `sensors`: the mission's, and others that the program needs. The dictionary is not kept.
   Port(const GliderDictionary& dictionary, const Subscription* sensors, uint32_t count);
 
   /// All sensors with an index, the fixed ones too. More than kMostSensors: they have none.

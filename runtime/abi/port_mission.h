@@ -12,8 +12,10 @@ typedef struct GliderPortMission {
   double greatest_depth_m;
   double steepest_pitch_rad;   /* magnitude */
   double shallowest_pitch_rad; /* magnitude */
-  double hold_m;    /* the yo between a target depth and this much beside it holds the depth */
-  uint32_t program; /* in u_mission_param_l while that mission file flies */
+  double hold_m;     /* the yo between a target depth and this much beside it holds the depth */
+  uint32_t program;  /* in u_mission_param_l while that mission file flies */
+  uint32_t latitude; /* numbers of these sensors in the platform file */
+  uint32_t longitude;
   uint32_t mission_modes; /* 1: the release starts behaviours by bits of u_mission_mode */
 } GliderPortMission;
 

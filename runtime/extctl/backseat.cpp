@@ -20,7 +20,7 @@ Backseat::Backseat(const GliderMission& mission, const GliderPortMission& port,
     : dictionary_(*mission.dictionary),
       mission_(port),
       line_(line),
-      port_(portOf(mission)),
+      port_(portOf(mission, port)),
       reported_(port_.count()),
       stand_in_(port, options.may_resume),
       writer_(port, !options.may_resume),
@@ -36,7 +36,11 @@ GliderByteStream Backseat::stream() {
 }
 
 double Backseat::reported(GliderRole role) const {
-  const uint32_t index = port_.indexOf(hooks::sensorOf(dictionary_, role));
+  return reported(uint32_t{hooks::sensorOf(dictionary_, role)});
+}
+
+double Backseat::reported(uint32_t sensor) const {
+  const uint32_t index = port_.indexOf(static_cast<uint16_t>(sensor));
   return index < port_.count() ? reported_.value(index) : __builtin_nan("");
 }
 
@@ -151,7 +155,7 @@ void Backseat::takeCycle() {
 void Backseat::answer() {
   if (const hooks::Instruction* command = stand_in_.inForce()) {
     follow(*command, mission_,
-           {reported(kGliderRoleLatitude), reported(kGliderRoleLongitude),
+           {reported(mission_.latitude), reported(mission_.longitude),
             reported(kGliderRoleMagneticVariation)},
            stock_);
   }

@@ -57,6 +57,7 @@ class Backseat {
   void useVirtualTime();
   void flush();
   [[nodiscard]] double reported(GliderRole role) const;
+  [[nodiscard]] double reported(uint32_t sensor) const;
   [[nodiscard]] hooks::SeatState state() const;
   [[nodiscard]] hooks::SeatVehicle vehicle() { return {this, reading, instruct, beat}; }
 

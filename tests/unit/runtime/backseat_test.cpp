@@ -26,7 +26,7 @@ namespace {
 using hooks::extctl::PortSensor;
 using testing::BenchMission;
 
-constexpr GliderPortMission kPort{60, 0.7854, 0.19, 10, 4711, 0};
+constexpr GliderPortMission kPort{60, 0.7854, 0.19, 10, 4711, GLIDER_M_LAT, GLIDER_M_LON, 0};
 
 /// A mission of two states that change with the temperature, each with a depth of its own.
 struct TwoStates : BenchMission {
@@ -118,7 +118,7 @@ class PortBench {
 
  private:
   static hooks::extctl::Port portIndices(const GliderMission& mission) {
-    std::vector<hooks::Subscription> all;
+    std::vector<hooks::Subscription> all = {{.id = GLIDER_M_LAT}, {.id = GLIDER_M_LON}};
     for (uint32_t i = 0; i < mission.sensor_count; ++i) {
       all.push_back({.id = static_cast<uint16_t>(mission.sensors[i].id)});
     }

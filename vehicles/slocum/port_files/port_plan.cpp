@@ -37,6 +37,13 @@ uint32_t numberOf(std::string_view content) {
   return crc % kMost + 1;
 }
 
+/// Of a sensor of the vehicle; hooks::kNoSensor if it lacks it.
+uint16_t sensorNumber(const platforms::Platform& platform, std::string_view name) {
+  const auto found = std::ranges::find(platform.sensors, name, &platforms::PlatformSensor::name);
+  return found == platform.sensors.end() ? hooks::kNoSensor
+                                         : static_cast<uint16_t>(found - platform.sensors.begin());
+}
+
 ExtctlFile listSensors(const Port& port, const platforms::Platform& platform) {
   ExtctlFile file;
 #define PARAMETER(name, sensor, unit) file.parameters.push_back({#sensor, #unit});
@@ -50,8 +57,10 @@ ExtctlFile listSensors(const Port& port, const platforms::Platform& platform) {
   return file;
 }
 
-Port portFor(const platforms::Dictionary& dictionary, const std::vector<uint16_t>& sensors) {
-  std::vector<hooks::Subscription> all;
+Port portFor(const platforms::Platform& platform, const platforms::Dictionary& dictionary,
+             const std::vector<uint16_t>& sensors) {
+  std::vector<hooks::Subscription> all = {{.id = sensorNumber(platform, "m_lat")},
+                                          {.id = sensorNumber(platform, "m_lon")}};
   for (const uint16_t id : sensors) {
     all.push_back({.id = id});
   }
@@ -69,6 +78,8 @@ GliderPortMission programFor(std::string_view content, const platforms::Platform
           .shallowest_pitch_rad = platform.envelope.shallowest_pitch_rad,
           .hold_m = hold,
           .program = numberOf(content),
+          .latitude = sensorNumber(platform, "m_lat"),
+          .longitude = sensorNumber(platform, "m_lon"),
           .mission_modes = choice.release == Release::MissionModes ? 1U : 0U};
 }
 
@@ -78,7 +89,7 @@ support::Result<PortPlan> planPort(const std::string& name, std::string_view con
                                    const platforms::Platform& platform,
                                    const std::vector<uint16_t>& sensors, const PortChoice& choice) {
   const platforms::Dictionary dictionary(platform);
-  const Port port = portFor(dictionary, sensors);
+  const Port port = portFor(platform, dictionary, sensors);
   const uint32_t needed = hooks::extctl::kFixedSensors + static_cast<uint32_t>(sensors.size());
   if (!port.fits() || port.count() > choice.most_sensors) {
     return support::fail(support::diagnostics::portTooSmall, needed, choice.most_sensors);

@@ -35,7 +35,8 @@ double gliderMissionTime(const GliderContext* context);
 
 /* Vehicle commands. A command equal to the one in force has no effect; one with an unknown (NaN)
    value has no effect and is counted and logged. Depths in m, pitch in rad (magnitude; the sign
-   follows from the direction), heading in rad clockwise from north, positions in degrees. */
+   follows from the direction), heading in rad clockwise from north, positions in degrees, the
+   angle of the fin in rad, positive to turn to starboard. */
 void gliderDescend(GliderContext* context, double depth, double pitch);
 void gliderAscend(GliderContext* context, double depth, double pitch);
 void gliderHover(GliderContext* context, double depth);
@@ -43,6 +44,7 @@ void gliderSurface(GliderContext* context);
 void gliderDriftFree(GliderContext* context);
 void gliderSteer(GliderContext* context, double heading);
 void gliderSteerTo(GliderContext* context, double latitude, double longitude);
+void gliderFin(GliderContext* context, double angle);
 
 #ifdef __cplusplus
 }

@@ -341,14 +341,14 @@ std::string CommandJudge::judgeFin(const HookbehOutputs& out) const {
   const bool held = out.heading_mode == hooks::HeadingMode::Fin;
   const bool wanted = in_force_.lateral == HookLateral::Fin;
   if (held != wanted) {
-    return wanted ? fmt::format("the fin is not held though {} rad is commanded",
+    return wanted ? fmt::format("the fin is not held though {:.4g} rad is commanded",
                                 in_force_.heading_rad)
                   : "the fin is held though no angle of it is commanded";
   }
   return !held || out.fin_rad == in_force_.heading_rad
              ? ""
-             : fmt::format("the fin is held at {} rad though {} rad is commanded", out.fin_rad,
-                           in_force_.heading_rad);
+             : fmt::format("the fin is held at {:.4g} rad though {:.4g} rad is commanded",
+                           out.fin_rad, in_force_.heading_rad);
 }
 
 std::string CommandJudge::judgeFollowing(const CycleView& view, double reading) {

@@ -58,6 +58,12 @@ std::string_view unitOf(const PlatformSensor& sensor) {
                                                           : std::string_view(sensor.unit);
 }
 
+std::string finText(const Envelope& envelope) {
+  return envelope.fin_rad > 0
+             ? fmt::format("{:.4g} deg to either side", envelope.fin_rad * 180 / std::numbers::pi)
+             : "none to command";
+}
+
 std::string envelopeText(const Envelope& envelope) {
   return fmt::format(
       "  greatest depth          {:.6g} m\n"
@@ -65,11 +71,12 @@ std::string envelopeText(const Envelope& envelope) {
       "  pitches                 {:.4g} to {:.4g} deg\n"
       "  inflection overshoot    {:.6g} m\n"
       "  strongest current       {:.6g} m/s\n"
+      "  fin                     {}\n"
       "  control cycle           {:.6g} s\n",
       envelope.greatest_depth_m, envelope.vertical_rate_m_s,
       envelope.shallowest_pitch_rad * 180 / std::numbers::pi,
       envelope.steepest_pitch_rad * 180 / std::numbers::pi, envelope.inflection_overshoot_m,
-      envelope.drift_m_s, envelope.cycle_s);
+      envelope.drift_m_s, finText(envelope), envelope.cycle_s);
 }
 
 std::string worldText(const platforms::EnvironmentModel& world) {
@@ -138,6 +145,7 @@ std::string json(const Platform& platform) {
                            {"vertical_rate_m_s", envelope.vertical_rate_m_s},
                            {"inflection_overshoot_m", envelope.inflection_overshoot_m},
                            {"drift_m_s", envelope.drift_m_s},
+                           {"fin_rad", envelope.fin_rad},
                            {"cycle_s", envelope.cycle_s}}},
                          {"world",
                           {{"start_depth_m", platform.world.start_depth_m},

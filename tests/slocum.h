@@ -12,9 +12,12 @@
 /// The Slocum as the hooks of its own software have it, and the protocol as this vehicle speaks it.
 namespace glider::hooks {
 
-inline constexpr Hull kHull{GLIDER_HULL_GREATEST_DEPTH_M, GLIDER_HULL_STEEPEST_PITCH_RAD,
-                            GLIDER_HULL_SHALLOWEST_PITCH_RAD, GLIDER_HULL_VERTICAL_RATE_M_S,
-                            GLIDER_HULL_PUMP_CC};
+inline constexpr Hull kHull{GLIDER_HULL_GREATEST_DEPTH_M,
+                            GLIDER_HULL_STEEPEST_PITCH_RAD,
+                            GLIDER_HULL_SHALLOWEST_PITCH_RAD,
+                            GLIDER_HULL_VERTICAL_RATE_M_S,
+                            GLIDER_HULL_PUMP_CC,
+                            GLIDER_HULL_FIN_RAD};
 
 inline uint32_t sensorWidth(uint16_t id) {
   return sensorWidth(gliderDictionary, id);

@@ -70,6 +70,7 @@ void RunVehicle::obey(const ir::CommandRun& command, double now) {
     case ir::Command::Steer:
     case ir::Command::SteerTo:
     case ir::Command::Drift:
+    case ir::Command::Fin:
       return;
   }
 }

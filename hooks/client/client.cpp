@@ -286,7 +286,7 @@ ClientPart Client::brokenPart() const {
       {offsetof(Client, note_count_), kMostNotes, 4},
       {offsetof(Client, pending_.control), static_cast<uint16_t>(HookControl::Release), 1},
       {offsetof(Client, pending_.vertical), static_cast<uint16_t>(HookVertical::Surface), 1},
-      {offsetof(Client, pending_.lateral), static_cast<uint16_t>(HookLateral::Waypoint), 1},
+      {offsetof(Client, pending_.lateral), static_cast<uint16_t>(HookLateral::Fin), 1},
   };
   if (out_.held() > SendQueue::kCapacity) {
     return ClientPart::SendQueue;

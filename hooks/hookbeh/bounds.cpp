@@ -56,7 +56,7 @@ HookAnswer checkVertical(const Instruction& instruction, const HookbehArgs& args
   return HookAnswer::BadCommand;
 }
 
-HookAnswer checkLateral(const Instruction& instruction) {
+HookAnswer checkLateral(const Instruction& instruction, const HookbehArgs& args) {
   switch (instruction.lateral) {
     case HookLateral::Drift:
       return HookAnswer::Accepted;
@@ -69,6 +69,10 @@ HookAnswer checkLateral(const Instruction& instruction) {
       return isAngle(instruction.latitude_ddmm, 90) && isAngle(instruction.longitude_ddmm, 180)
                  ? HookAnswer::Accepted
                  : HookAnswer::NotOnEarth;
+    case HookLateral::Fin:
+      return magnitude(instruction.heading_rad) <= asFloat32(args.greatest_fin_rad)
+                 ? HookAnswer::Accepted
+                 : HookAnswer::BadFin;
   }
   return HookAnswer::BadCommand;
 }
@@ -77,7 +81,7 @@ HookAnswer checkLateral(const Instruction& instruction) {
 
 HookAnswer checkBounds(const Instruction& instruction, const HookbehArgs& args) {
   const HookAnswer vertical = checkVertical(instruction, args);
-  return vertical == HookAnswer::Accepted ? checkLateral(instruction) : vertical;
+  return vertical == HookAnswer::Accepted ? checkLateral(instruction, args) : vertical;
 }
 
 }  // namespace glider::hooks

@@ -9,7 +9,7 @@
 
 namespace glider::hooks {
 
-enum class HeadingMode : uint8_t { CentreFin, Heading, Waypoint };
+enum class HeadingMode : uint8_t { CentreFin, Heading, Waypoint, Fin };
 
 /// The pitch and pump that a sub-behaviour commands in one cycle.
 struct VerticalCommand {
@@ -18,12 +18,13 @@ struct VerticalCommand {
   Doing doing = Doing::Nothing;
 };
 
-/// The heading commanded in one cycle.
+/// The heading or fin commanded in one cycle.
 struct LateralCommand {
   HeadingMode mode = HeadingMode::CentreFin;
   double heading_rad = 0;
   double latitude_ddmm = 0;
   double longitude_ddmm = 0;
+  double fin_rad = 0;  ///< positive to turn to starboard
 };
 
 /// What the vehicle knows about its own situation in one cycle; NaN for unknown.

@@ -207,6 +207,7 @@ void Hookbeh::command(const Surroundings& now, bool masked, HookbehOutputs& outp
   outputs.heading_rad = lateral.heading_rad;
   outputs.latitude_ddmm = lateral.latitude_ddmm;
   outputs.longitude_ddmm = lateral.longitude_ddmm;
+  outputs.fin_rad = lateral.fin_rad;
   outputs.pitch_rad = vertical.pitch_rad;
   outputs.pump_cc = vertical.pump_cc;
   outputs.doing = vertical.doing;

@@ -45,6 +45,7 @@ struct HookbehOutputs {
   HeadingMode heading_mode = HeadingMode::CentreFin;
   double heading_rad = 0;
   double latitude_ddmm = 0, longitude_ddmm = 0;
+  double fin_rad = 0;  ///< positive to turn to starboard
   double pitch_rad = 0;
   double pump_cc = 0;
   // Written back to the sensor array:

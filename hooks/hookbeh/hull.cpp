@@ -31,6 +31,8 @@ HookbehArgs within(const HookbehArgs& args, const Hull& hull) {
                                      hull.shallowest_pitch_rad, hull.steepest_pitch_rad);
   out.steepest_pitch_rad = between(orUsual(args.steepest_pitch_rad, usual.steepest_pitch_rad),
                                    hull.shallowest_pitch_rad, hull.steepest_pitch_rad);
+  out.greatest_fin_rad =
+      between(orUsual(args.greatest_fin_rad, usual.greatest_fin_rad), 0, hull.fin_rad);
   const double dive = magnitude(orUsual(args.dive_pump_cc, usual.dive_pump_cc));
   const double climb = magnitude(orUsual(args.climb_pump_cc, usual.climb_pump_cc));
   const bool whole_dive = args.dive_pump_mode == PumpMode::Autoballast;

@@ -179,6 +179,9 @@ LateralCommand Pilot::lateral(const Surroundings& now) const {
     const double heading = in_force_.heading_rad;
     return {HeadingMode::Heading, heading < 0 ? heading + kFullCircle : heading};
   }
+  if (in_force_.lateral == HookLateral::Fin) {
+    return {HeadingMode::Fin, 0, 0, 0, in_force_.heading_rad};
+  }
   // A vehicle that does not know its position cannot steer to a place: go straight ahead until it
   // does.
   const bool knows_place = isFinite(now.latitude_ddmm) && isFinite(now.longitude_ddmm);

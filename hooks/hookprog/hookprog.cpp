@@ -3,16 +3,26 @@
 
 #include "hooks/hookprog/hookprog.h"
 
+#include "hooks/protocol/features.h"
+
 namespace glider::hooks {
 namespace {
 
 constexpr GliderRole kReportsOfHookbeh[] = {kGliderRoleHookState, kGliderRoleHookAnswered,
                                             kGliderRoleHookAnswer, kGliderRoleHookInControl};
 
+/// The commands that hookbeh obeys beyond those of every version.
+SeatOptions withHookbeh(SeatOptions options) {
+  options.obeys |= kFeatureFixedFin;
+  return options;
+}
+
 }  // namespace
 
 Hookprog::Hookprog(const GliderDictionary& dictionary, const SeatOptions& options)
-    : dictionary_(&dictionary), flight_science_link_(dictionary), seat_(dictionary, options) {
+    : dictionary_(&dictionary),
+      flight_science_link_(dictionary),
+      seat_(dictionary, withHookbeh(options)) {
   for (double& value : values_) {
     value = __builtin_nan("");
   }

@@ -21,8 +21,8 @@ struct Instruction {
   HookVertical vertical = HookVertical::None;
   HookLateral lateral = HookLateral::Drift;
   double depth_m = 0;
-  double pitch_rad = 0;  ///< nose up positive: negative to descend
-  double heading_rad = 0;
+  double pitch_rad = 0;    ///< nose up positive: negative to descend
+  double heading_rad = 0;  ///< of Fin: the fin's angle, positive to turn to starboard
   double latitude_ddmm = 0;
   double longitude_ddmm = 0;
 };

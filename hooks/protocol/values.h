@@ -31,6 +31,7 @@ enum class HookAnswer : uint8_t {
   WrongSession = 7,  ///< not from the session in control, or from one that was lost
   NotReady = 8,      ///< hookbeh waits or is complete
   OldSequence = 9,  ///< its number is older than one that was decided on: an instruction sent again
+  BadFin = 10,      ///< beyond the b_arg for the fin
 };
 
 /// Whether a number on the line is a valid one of these values.
@@ -38,7 +39,7 @@ inline bool isHookState(uint8_t value) {
   return value <= static_cast<uint8_t>(HookState::Complete);
 }
 inline bool isHookAnswer(uint8_t value) {
-  return value <= static_cast<uint8_t>(HookAnswer::OldSequence);
+  return value <= static_cast<uint8_t>(HookAnswer::BadFin);
 }
 
 /// `sci_hook_control`.
@@ -53,7 +54,7 @@ enum class HookControl : uint8_t {
 enum class HookVertical : uint8_t { None = 0, Descend = 1, Ascend = 2, Hover = 3, Surface = 4 };
 
 /// `sci_hook_lateral`.
-enum class HookLateral : uint8_t { Drift = 0, Heading = 1, Waypoint = 2 };
+enum class HookLateral : uint8_t { Drift = 0, Heading = 1, Waypoint = 2, Fin = 3 };
 
 /// `x_hook_masked`, a sum: which of hookbeh's commands a behaviour above it replaced in the
 /// previous cycle.

@@ -88,7 +88,7 @@ bool Seat::handleOfLink(const Frame& frame) {
 
 Features Seat::features() const {
   const uint16_t time = options_.virtual_time ? kFeatureVirtualTime : 0;
-  return {.offers = time, .needs = time};
+  return {.offers = static_cast<uint16_t>(time | options_.obeys), .needs = time};
 }
 
 /// No link; reported once for each reason.

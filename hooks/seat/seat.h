@@ -41,6 +41,7 @@ struct SeatVehicle {
 
 struct SeatOptions {
   bool virtual_time = false;  ///< the SBC must offer it
+  uint16_t obeys = 0;         ///< features that are commands which this vehicle obeys
 };
 
 /// What the SBC has last said of its mission: valid when `known`.

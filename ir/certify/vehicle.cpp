@@ -108,6 +108,7 @@ Vehicle commanded(const Setting& setting, SmtText& out, const Vehicle& before, C
     case Command::Steer:
     case Command::SteerTo:
     case Command::Drift:
+    case Command::Fin:
       return before;
   }
   CHECK(false, "a command without a meaning");

@@ -169,7 +169,6 @@ constexpr std::pair<const char*, double Motion::*> kMotion[] = {
     {"pump_rate_cc_s", &Motion::pump_rate_cc_s},
     {"pitch_battery_limit_in", &Motion::pitch_battery_limit_in},
     {"pitch_battery_rate_in_s", &Motion::pitch_battery_rate_in_s},
-    {"fin_limit_rad", &Motion::fin_limit_rad},
     {"fin_rate_rad_s", &Motion::fin_rate_rad_s},
     {"trim_pump_per_m3", &Motion::trim_pump_per_m3},
     {"trim_battery_per_m", &Motion::trim_battery_per_m},
@@ -194,6 +193,20 @@ constexpr std::pair<const char*, double Power::*> kPower[] = {{"capacity_kJ", &P
                                                               {"full_V", &Power::full_V},
                                                               {"empty_V", &Power::empty_V},
                                                               {"hotel_W", &Power::hotel_W}};
+
+/// A vehicle may have no fin; `flies`: the simulator turns it by one.
+Envelope readEnvelope(TomlReader& reader, bool flies) {
+  auto envelope = readNumbers(reader, kEnvelope, {"fin_rad"});
+  envelope.fin_rad = reader.numberOr("fin_rad", 0);
+  constexpr double kQuarterTurn = 1.5707963267948966;
+  if (!(envelope.fin_rad >= 0 && envelope.fin_rad <= kQuarterTurn)) {
+    reader.refuse("fin_rad", "must be between 0 and a quarter of a turn");
+  }
+  if (flies && envelope.fin_rad == 0) {
+    reader.refuse("fin_rad", "must be above 0: the simulator turns the vehicle by its fin");
+  }
+  return envelope;
+}
 
 EnvironmentModel readWorld(TomlReader& reader) {
   auto world = readNumbers<EnvironmentModel>(reader, kWorld);
@@ -266,7 +279,7 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
     return TomlReader(path.string(), table != nullptr ? *table : kNone, title);
   };
   TomlReader envelope = part((*root)["envelope"], "[envelope]");
-  platform.envelope = readNumbers(envelope, kEnvelope);
+  platform.envelope = readEnvelope(envelope, root->contains("motion"));
   TomlReader world = part((*root)["world"], "[world]");
   platform.world = readWorld(world);
   TomlReader motion = part((*root)["motion"], "[motion]");

@@ -48,6 +48,7 @@ struct Envelope {
   double inflection_overshoot_m = 0;  ///< how far it goes past a target depth while it turns
   double drift_m_s = 0;               ///< the strongest current that missions account for
   double pump_cc = 0;                 ///< of the buoyancy pump, in either direction
+  double fin_rad = 0;                 ///< of the fin, to either side; 0: missions have no fin
   double cycle_s = 0;                 ///< of the flight controller
 };
 
@@ -94,8 +95,7 @@ struct Motion {
   double pump_rate_cc_s = 0;  ///< its range is Envelope::pump_cc
   double pitch_battery_limit_in = 0;
   double pitch_battery_rate_in_s = 0;
-  double fin_limit_rad = 0;
-  double fin_rate_rad_s = 0;
+  double fin_rate_rad_s = 0;  ///< its range is Envelope::fin_rad
   // Trim: tan pitch = trim_pump V - trim_battery x + trim_offset; V in m3, x in m.
   double trim_pump_per_m3 = 0;
   double trim_battery_per_m = 0;

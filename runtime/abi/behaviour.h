@@ -35,7 +35,9 @@ double gliderMissionTime(const GliderContext* context);
 
 /* Vehicle commands. A command equal to the one in force has no effect; one with an unknown (NaN)
    value has no effect and is counted and logged. Depths in m, pitch in rad (magnitude; the sign
-   follows from the direction), heading in rad clockwise from north, positions in degrees. */
+   follows from the direction), heading in rad clockwise from north, positions in degrees, the
+   angle of the fin in rad, positive to turn to starboard. What code in C commands is not known when
+   a mission is compiled: a vehicle from before gliderFin refuses that command, not the link. */
 void gliderDescend(GliderContext* context, double depth, double pitch);
 void gliderAscend(GliderContext* context, double depth, double pitch);
 void gliderHover(GliderContext* context, double depth);
@@ -43,6 +45,7 @@ void gliderSurface(GliderContext* context);
 void gliderDriftFree(GliderContext* context);
 void gliderSteer(GliderContext* context, double heading);
 void gliderSteerTo(GliderContext* context, double latitude, double longitude);
+void gliderFin(GliderContext* context, double angle);
 
 #ifdef __cplusplus
 }

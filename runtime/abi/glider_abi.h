@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-#define GLIDER_ABI_VERSION 8u
+#define GLIDER_ABI_VERSION 9u
 /* Gives a function declared in C the symbol that a mission looks for; ir/core/c_symbols.h says how
    the symbol encodes the function's types. */
 #define GLIDER_SYMBOL(name) __asm__(name)
@@ -74,9 +74,10 @@ typedef enum GliderVertical {
 } GliderVertical;
 
 typedef enum GliderLateral {
-  kGliderDrift,   /* no heading commanded: fin centred */
-  kGliderHeading, /* heading */
-  kGliderWaypoint /* latitude, longitude */
+  kGliderDrift,    /* no heading commanded: fin centred */
+  kGliderHeading,  /* heading */
+  kGliderWaypoint, /* latitude, longitude */
+  kGliderFin       /* the fin at a fixed angle, which takes the place of the heading */
 } GliderLateral;
 
 typedef struct GliderContext GliderContext;

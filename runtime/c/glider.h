@@ -132,6 +132,9 @@ void hoverAt(double depth);
 void surface(void);
 void steer(double heading);
 void steerTo(double latitude, double longitude);
+/* The fin at a fixed angle, positive to turn to starboard. A program that calls this is refused by
+ * a vehicle that does not obey it. */
+void holdFin(double angle);
 void drift(void);
 
 /* Thermocline: a difference of `dtemp` within `ddepth` metres. */

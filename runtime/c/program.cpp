@@ -5,6 +5,7 @@
 
 #include "runtime/abi/behaviour.h"
 #include "runtime/abi/context_layout.h"
+#include "runtime/c/glider.h"
 #include "runtime/c/vehicle.h"
 #include "runtime/core/instruction.h"
 #include "runtime/core/lay_out.h"
@@ -13,6 +14,9 @@
 
 #include <new>
 #include <string.h>
+
+/// Linked only if the mission calls it.
+extern "C" __attribute__((weak)) void holdFin(double angle);
 
 namespace glider::runtime {
 namespace {
@@ -32,6 +36,7 @@ void keepCommands(const GliderContext& from, GliderContext& to) {
   to.depth = from.depth;
   to.pitch = from.pitch;
   to.heading = from.heading;
+  to.magnetic = from.magnetic;
   to.latitude = from.latitude;
   to.longitude = from.longitude;
   to.refused_commands = from.refused_commands;
@@ -83,6 +88,7 @@ void Program::open() {
   options.mission_name = link_.mission_name;
   options.sensors = subscription_;
   options.sensor_count = mission_.sensor_count;
+  options.features.needs = holdFin != nullptr ? hooks::kFeatureFixedFin : 0;
   mission_.name = link_.mission_name;
   client_ = ::new (client_memory_) hooks::Client(*gliderVehicle.dictionary, options);
   log_ = ::new (log_memory_) MissionLog(link_.log, mission_);

@@ -25,6 +25,14 @@ void setVertical(GliderContext& context, GliderVertical vertical, double depth, 
   context.pitch = pitch;
 }
 
+/// A dive or climb at a pitch. Not inlined: it is shared by both, and a board has little room.
+__attribute__((noinline)) void setSlope(GliderContext& context, GliderVertical vertical,
+                                        double depth, double pitch) {
+  if (known(context, depth, pitch)) {
+    setVertical(context, vertical, depth, pitch);
+  }
+}
+
 void setLateral(GliderContext& context, GliderLateral lateral, double heading, double latitude,
                 double longitude) {
   context.lateral = lateral;
@@ -48,18 +56,15 @@ using glider::runtime::known;
 using glider::runtime::magnitude;
 using glider::runtime::negated;
 using glider::runtime::setLateral;
+using glider::runtime::setSlope;
 using glider::runtime::setVertical;
 
 extern "C" void gliderDescend(GliderContext* context, double depth, double pitch) {
-  if (known(*context, depth, pitch)) {
-    setVertical(*context, kGliderDescend, depth, negated(magnitude(pitch)));
-  }
+  setSlope(*context, kGliderDescend, depth, negated(magnitude(pitch)));
 }
 
 extern "C" void gliderAscend(GliderContext* context, double depth, double pitch) {
-  if (known(*context, depth, pitch)) {
-    setVertical(*context, kGliderAscend, depth, magnitude(pitch));
-  }
+  setSlope(*context, kGliderAscend, depth, magnitude(pitch));
 }
 
 extern "C" void gliderHover(GliderContext* context, double depth) {
@@ -85,5 +90,11 @@ extern "C" void gliderSteer(GliderContext* context, double heading) {
 extern "C" void gliderSteerTo(GliderContext* context, double latitude, double longitude) {
   if (known(*context, latitude, longitude)) {
     setLateral(*context, kGliderWaypoint, 0.0, latitude, longitude);
+  }
+}
+
+extern "C" void gliderFin(GliderContext* context, double angle) {
+  if (known(*context, angle, 0.0)) {
+    setLateral(*context, kGliderFin, angle, 0.0, 0.0);
   }
 }

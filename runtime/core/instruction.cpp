@@ -30,6 +30,8 @@ hooks::HookLateral lateralOf(uint32_t lateral) {
       return hooks::HookLateral::Heading;
     case kGliderWaypoint:
       return hooks::HookLateral::Waypoint;
+    case kGliderFin:
+      return hooks::HookLateral::Fin;
     case kGliderDrift:
       break;
   }
@@ -60,8 +62,8 @@ hooks::Instruction instructionFor(const GliderContext& context) {
   instruction.latitude_ddmm = degreesMinutesOf(context.latitude);
   instruction.longitude_ddmm = degreesMinutesOf(context.longitude);
   hooks::Instruction rounded = hooks::roundToArray(instruction);
-  if (rounded.heading_rad >=
-      kTwoPi) {  // just under a full turn, rounded up past the sensor's range
+  // Just under a full turn, rounded up past the sensor's range.
+  if (rounded.lateral == hooks::HookLateral::Heading && rounded.heading_rad >= kTwoPi) {
     rounded.heading_rad = 0.0;
   }
   return rounded;

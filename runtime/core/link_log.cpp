@@ -38,6 +38,7 @@ static_assert(sameNumber(LogDetail::NotOnEarth, HookAnswer::NotOnEarth));
 static_assert(sameNumber(LogDetail::WrongSession, HookAnswer::WrongSession));
 static_assert(sameNumber(LogDetail::NotReady, HookAnswer::NotReady));
 static_assert(sameNumber(LogDetail::OldSequence, HookAnswer::OldSequence));
+static_assert(sameNumber(LogDetail::BadFin, HookAnswer::BadFin));
 
 /// Feature `bit` of the protocol, which is missing.
 constexpr LogDetail featureDetail(uint8_t bit) {

@@ -73,6 +73,7 @@ glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& missi
   glider::hooks::ClientOptions options;
   options.mission_name = mission.name;
   options.sensors = sensors;
+  options.features.needs = static_cast<uint16_t>(mission.needs);
   for (uint32_t i = 0; i < mission.sensor_count; ++i) {
     const auto id = static_cast<uint16_t>(mission.sensors[i].id);
     if (mission.sensors[i].poll == nullptr) {  // the vehicle's

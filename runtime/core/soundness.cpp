@@ -61,7 +61,7 @@ Check brokenNumber(const GliderContext& context) {
       {offsetof(GliderContext, finished), 1, 4},
       {offsetof(GliderContext, just_returned), 1, 4},
       {offsetof(GliderContext, vertical), kGliderSurface, 4},
-      {offsetof(GliderContext, lateral), kGliderWaypoint, 4},
+      {offsetof(GliderContext, lateral), kGliderFin, 4},
   };
   constexpr uint32_t kCount = sizeof kBounds / sizeof kBounds[0];
   static_assert(firstOf(Check::FinishedFlag, kCount - 1, kCount) == Check::LateralCommand);

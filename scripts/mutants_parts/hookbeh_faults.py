@@ -64,6 +64,8 @@ PLANTED = [
             "if (instruction.control == HookControl::Release) {\n    return release();\n  }",
             "if (instruction.control == HookControl::Release) { return release(); } pilot_.follow(instruction);"),
     Planted("HB-6", "depths beyond max_depth are accepted", BOUNDS, "depth <= asFloat32(args.greatest_depth_m)", "true"),
+    Planted("HB-6", "an angle of the fin is refused that max_fin allows", BOUNDS, "magnitude(instruction.heading_rad) <= asFloat32(args.greatest_fin_rad)",
+            "instruction.heading_rad < asFloat32(args.greatest_fin_rad)"),
     Planted("HB-6", "pitches beyond max_pitch are accepted", BOUNDS, "pitch <= asFloat32(args.steepest_pitch_rad)", "true"),
     Planted("HB-7", "no guard against depth", GUARD, "!(depth_m_ <= args.greatest_depth_m)", "false", SENSORS + ("tight limits",)),
     Planted("HB-7", "no guard against the bottom", GUARD, "!clearOfBottom(args, depth_m_)", "false"),
@@ -106,6 +108,8 @@ PLANTED = [
     Planted("HB-28", "the pump may go beyond its stroke", HULL, "-between(dive, 0, hull.pump_cc)", "-dive"),
     Planted("HB-29", "a pump with the wrong sign", HULL, "magnitude(orUsual(args.climb_pump_cc, usual.climb_pump_cc))",
             "orUsual(args.climb_pump_cc, usual.climb_pump_cc)"),
+    Planted("HB-53", "the fin is held to the other side", PILOT, "in_force_.heading_rad};", "-in_force_.heading_rad};"),
+    Planted("HB-53", "a held fin is centred", PILOT, "in_force_.lateral == HookLateral::Fin", "false"),
     Planted("HB-30", "a guard has no number", HOOKBEH, "outputs.state = state_;",
             "outputs.state = state_; outputs.guard = HookGuard::None;"),
 ]

@@ -167,7 +167,7 @@ def deleted_route(m):
             yield i, [(i, end, "")]
 
 
-COMMANDS = ("descend", "ascend", "hover", "surface", "steer", "steer_to", "drift")
+COMMANDS = ("descend", "ascend", "hover", "surface", "steer", "steer_to", "drift", "fin")
 
 
 @kind("deleted-command")

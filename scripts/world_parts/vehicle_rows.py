@@ -121,6 +121,12 @@ def pump(log, platform):
     yield from ((abs(value), time) for time, value in log.series("m_ballast_pumped"))
 
 
+@row("envelope", "fin_rad", MOST, "m_fin")
+def fin(log, platform):
+    """The farthest position of the fin on either side (m_fin)."""
+    yield from ((abs(value), time) for time, value in log.series("m_fin"))
+
+
 @row("envelope", "cycle_s", LEAST, "every cycle")
 def cycle(log, platform):
     """The usual length of a control cycle: the median time between the records of flight files with every cycle. The bounds on the

@@ -31,10 +31,11 @@ void limitDepth(VehicleState& s, double water_depth_m) {
 
 }  // namespace
 
-GliderModel::GliderModel(const platforms::Motion& motion, double pump_cc,
+GliderModel::GliderModel(const platforms::Motion& motion, const platforms::Envelope& envelope,
                          const VehicleSettings& settings)
     : motion_(motion),
-      pump_cc_(pump_cc),
+      pump_cc_(envelope.pump_cc),
+      fin_rad_(envelope.fin_rad),
       settings_(settings),
       pitch_share_(share(motion.pitch_lag_s)),
       yaw_share_(share(motion.yaw_lag_s)),
@@ -49,7 +50,7 @@ VehicleState GliderModel::start() const {
   state.pump = {pump_cc_, pump_cc_, motion_.pump_rate_cc_s, -pump_cc_, pump_cc_};
   state.pitch_battery = {0, 0, motion_.pitch_battery_rate_in_s, -motion_.pitch_battery_limit_in,
                          motion_.pitch_battery_limit_in};
-  state.fin = {0, 0, motion_.fin_rate_rad_s, -motion_.fin_limit_rad, motion_.fin_limit_rad};
+  state.fin = {0, 0, motion_.fin_rate_rad_s, -fin_rad_, fin_rad_};
   state.battery = Battery(settings_.battery);
   return state;
 }

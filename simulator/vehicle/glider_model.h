@@ -10,8 +10,9 @@ namespace glider::simulator {
 /// A buoyancy glider: a pump, a battery that moves to change the pitch, and a fin.
 class GliderModel final : public VehicleModel {
  public:
-  /// `pump_cc`: how far the pump moves in either direction.
-  GliderModel(const platforms::Motion& motion, double pump_cc, const VehicleSettings& settings);
+  /// `envelope`: how far pump and fin move in either direction.
+  GliderModel(const platforms::Motion& motion, const platforms::Envelope& envelope,
+              const VehicleSettings& settings);
 
   [[nodiscard]] VehicleState start() const override;
   void step(VehicleState& state, const VehicleCommand& command, const Ocean& ocean,
@@ -25,7 +26,7 @@ class GliderModel final : public VehicleModel {
   void turn(VehicleState& state, double speed_mps) const;
 
   platforms::Motion motion_;
-  double pump_cc_;
+  double pump_cc_, fin_rad_;
   VehicleSettings settings_;
   double pitch_share_, yaw_share_, speed_share_;  ///< the share of each lag that one step covers
 };

@@ -11,7 +11,7 @@ Vehicle::Vehicle(const platforms::Platform& platform, const VehicleSettings& set
     : model_(makeModel(platform, settings)) {
   CHECK(model_, "a vehicle without a model");
   limits_ = {platform.envelope.pump_cc, platform.motion->pitch_battery_limit_in,
-             platform.motion->fin_limit_rad};
+             platform.envelope.fin_rad};
   state_ = model_->start();
   command_.pump_cc = state_.pump.position;  // nothing moves before it is commanded
 }

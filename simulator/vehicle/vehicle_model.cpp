@@ -30,7 +30,7 @@ std::unique_ptr<const VehicleModel> makeModel(const platforms::Platform& platfor
   if (!platform.motion || !isModel(platform.motion->model)) {
     return nullptr;
   }
-  return std::make_unique<GliderModel>(*platform.motion, platform.envelope.pump_cc, settings);
+  return std::make_unique<GliderModel>(*platform.motion, platform.envelope, settings);
 }
 
 }  // namespace glider::simulator

@@ -65,6 +65,21 @@ TEST_F(CheckVehicle, WhatHookbehRefusesIsAnError) {
   expectFine(with("", "b_arg: max_depth(m) 25\nb_arg: max_pitch(rad) 0.46\n"));
 }
 
+TEST_F(CheckVehicle, AFinBeyondThatOfHookbehIsAnError) {
+  const auto with_fin = [&](const std::string& hookbeh) {
+    const auto fin = folder_.write("fin.mission",
+                                   "mission m\nstate survey\nbegin\n"
+                                   "  flightprofile yo(5 m, 20 m, 26 deg, 26 deg)\n"
+                                   "  flightroute fixed_fin(-20 deg)\n  sensors missiontime\n"
+                                   "  events case missiontime >= 1 h exit\nend\n");
+    return runShell("$GLIDERCC check --mi " + vehicle("", hookbeh) + " " + fin.string());
+  };
+  expectError(with_fin("b_arg: max_fin(rad) 0.3\n"),
+              "`survey` may command a fin angle of 20 deg, but hookbeh refuses more than 17.2 deg");
+  expectFine(with_fin("b_arg: max_fin(rad) 0.35\n"));
+  expectFine(with_fin(""));
+}
+
 /// Not `always` of a mission that has none.
 TEST_F(CheckVehicle, OnlyWhatCommandsADepthIsNamed) {
   const Outcome outcome = with("", "b_arg: max_depth(m) -10\n");

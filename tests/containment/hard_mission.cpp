@@ -259,7 +259,8 @@ class Maker {
   }
 
   std::string command(Command command) {
-    const bool heading = command == Command::Steer || command == Command::Drift;
+    const bool heading =
+        command == Command::Steer || command == Command::Drift || command == Command::Fin;
     switch (only_waypoints_ && heading ? Command::SteerTo : command) {
       case Command::Descend:
         return fmt::format("descend ({}, 0.4:angle)\n", commandedDepth());
@@ -275,6 +276,8 @@ class Maker {
         return steerTo();
       case Command::Drift:
         return "drift ()\n";
+      case Command::Fin:
+        return fmt::format("fin ({})\n", expressions_.of(Kind::Angle, 1));
     }
     return {};
   }
@@ -368,7 +371,7 @@ class Maker {
       return fmt::format("{} inc ()\n", profile ? "profile" : "route");
     }
     constexpr Command kHeadings[] = {Command::Steer, Command::SteerTo, Command::Drift,
-                                     Command::SteerTo};
+                                     Command::SteerTo, Command::Fin};
     constexpr Command kDepths[] = {Command::Descend, Command::Ascend, Command::Hover,
                                    Command::Surface, Command::Surface};
     std::string entry =

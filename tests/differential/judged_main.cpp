@@ -256,6 +256,9 @@ extern "C" void gliderSteerTo(GliderContext*, double latitude, double longitude)
 extern "C" void gliderDriftFree(GliderContext*) {
   putCommand(6, 0, nullptr);
 }
+extern "C" void gliderFin(GliderContext*, double angle) {
+  putCommand(7, 1, &angle);
+}
 
 int main(int argc, char** argv) {
   glider::runtime::useDoublePrecision();

@@ -65,6 +65,19 @@ TEST_F(SecondFamily, FliesAMissionToItsExit) {
   EXPECT_GT(greatest("f", "missiontime (s)"), 1150);
 }
 
+/// The toy does not obey a fixed fin, like a vehicle from before that command: the link is refused
+/// before the mission has control.
+TEST_F(SecondFamily, RefusesAMissionThatNeedsMoreByName) {
+  (void)folder_.write("fin.mission",
+                      "mission m\nplatform toy\nstate s\nbegin\n"
+                      "  flightprofile yo(5 m, 20 m, 26 deg, 26 deg)\n"
+                      "  flightroute fixed_fin(10 deg)\n  sensors missiontime, depth\n"
+                      "  events\n    case missiontime >= 20 min exit\nend\n");
+  const Outcome flown = withAToy("sim fin.mission -o f");
+  EXPECT_THAT(flown.out + flown.err, HasSubstr("fixed-fin"));
+  EXPECT_LT(greatest("f", "m_depth (m)"), 1);
+}
+
 TEST_F(SecondFamily, IsCheckedByItsOwnRules) {
   const Outcome report = withAToy("check toy.mission --report");
   EXPECT_EQ(report.status, 0) << report.err;

@@ -4,6 +4,7 @@
 #include "codegen/llvm/lower/context_size.h"
 #include "codegen/llvm/lower/guard_table.h"
 #include "codegen/llvm/lower/lowering.h"
+#include "hooks/protocol/features.h"
 #include "ir/core/parameter_info.h"
 #include "ir/worlds/start_depth.h"
 #include "platforms/load/dictionary.h"
@@ -45,6 +46,17 @@ llvm::GlobalVariable* placeOfState(Lowering& lowering, uint32_t state) {
 size_t startDepthCm(const Lowering& lowering) {
   constexpr double kCmPerM = 100;
   return static_cast<size_t>(ir::startReading(lowering.mission, lowering.platform) * kCmPerM);
+}
+
+/// What the vehicle must offer. What a profile or route in C commands is not known.
+size_t neededFeatures(const ir::Mission& mission) {
+  const auto holds_fin = [](const ir::Statement& statement) {
+    return statement.kind == ir::StatementKind::Command && statement.command == ir::Command::Fin;
+  };
+  const bool fin = std::ranges::any_of(mission.blocks, [&](const ir::Block& block) {
+    return std::ranges::any_of(block.statements, holds_fin);
+  });
+  return fin ? hooks::kFeatureFixedFin : 0;
 }
 
 /// Makes the constants.
@@ -245,6 +257,7 @@ llvm::Constant* Tables::mission(const MissionFunctions& functions) {
                                     word(mission.uses.size()),
                                     number(mission.resume_within_s),
                                     word(mission.new_after_restart ? 1 : 0),
+                                    word(neededFeatures(mission)),
                                     word(startDepthCm(lowering_)),
                                     text(mission.name),
                                     states(),

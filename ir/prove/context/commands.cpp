@@ -104,6 +104,7 @@ bool isVertical(Command command) {
     case Command::Steer:
     case Command::SteerTo:
     case Command::Drift:
+    case Command::Fin:
       return false;
   }
   return false;

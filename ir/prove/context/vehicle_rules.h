@@ -72,6 +72,7 @@ class VehicleRules {
       case Command::Steer:
       case Command::SteerTo:
       case Command::Drift:
+      case Command::Fin:
         break;
     }
     return std::nullopt;  // V5

@@ -5,6 +5,7 @@
 
 #include "ir/core/inside.h"
 #include "ir/eval/arithmetic.h"
+#include "ir/prove/context/commands.h"
 #include "ir/prove/geometry/sphere.h"
 
 #include <algorithm>
@@ -59,16 +60,22 @@ void RandomPlace::obey(const std::vector<Action>& actions) {
       // A profile or route in C may command anything.
       heading_ = dice_.within(0, kTurn);
       target_.reset();
-    } else if (run->refused) {
-      continue;
-    } else if (run->command == Command::SteerTo) {
-      target_ = Position{run->arguments.at(0), run->arguments.at(1)};
-    } else if (run->command == Command::Steer) {
-      target_.reset();
-      heading_ = run->arguments.at(0);
-    } else if (run->command == Command::Drift) {
-      target_.reset();
+      turn_ = 0;
+    } else if (!run->refused && !isVertical(run->command)) {
+      steer(*run);
     }
+  }
+}
+
+void RandomPlace::steer(const CommandRun& run) {
+  target_.reset();
+  turn_ = 0;
+  if (run.command == Command::SteerTo) {
+    target_ = Position{run.arguments.at(0), run.arguments.at(1)};
+  } else if (run.command == Command::Steer) {
+    heading_ = run.arguments.at(0);
+  } else if (run.command == Command::Fin && platform_.motion) {
+    turn_ = platform_.motion->yaw_gain_rad_s_m2 * std::sin(run.arguments.at(0)) * speed_ * speed_;
   }
 }
 
@@ -82,6 +89,7 @@ double RandomPlace::course() {
 
 void RandomPlace::move(double seconds, bool at_surface, bool dark) {
   const double way = speed_ * seconds;
+  heading_ += turn_ * seconds;
   if (dark) {
     go(dice_.within(0, kTurn), way);
   } else {

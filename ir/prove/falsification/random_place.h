@@ -33,6 +33,8 @@ class RandomPlace {
   void move(double seconds, bool at_surface, bool dark);
 
  private:
+  /// A command about the heading, with known arguments.
+  void steer(const CommandRun& run);
   [[nodiscard]] double course();
   void go(double course, double metres);
 
@@ -41,6 +43,7 @@ class RandomPlace {
   Position place_;
   std::optional<Position> target_;
   double heading_ = 0;  ///< rad, while it steers to no waypoint
+  double turn_ = 0;     ///< rad/s, while its fin is held
   double speed_ = 0;    ///< through the water, m/s
   double set_ = 0;      ///< direction in which the current sets it, rad
   double drift_ = 0;    ///< under water, m/s

@@ -57,13 +57,15 @@ GeofenceVerdict judgeGeofences(const std::vector<Geofence>& geofences,
   const Steering steering = steeringOf(proof_context);
   const double off_legs = offLegs(proof_context, steering.by_heading, *end, dark_s);
   GeofenceVerdict verdict{true, off_legs, 0, ""};
-  if (steering.waypoints.empty()) {
-    return {false, 0, 0, "it does not steer to a waypoint, so its track has no bound"};
-  }
   std::vector<Position> places = steering.waypoints;
   if (const auto start = assumedStart(proof_context.mission)) {
     places.insert(places.end(), start->corners.begin(), start->corners.end());
     verdict.start_assumed = true;
+  }
+  if (places.empty()) {
+    return {false, 0, 0,
+            "it does not steer to a waypoint, so its track has no bound unless it assumes where it "
+            "starts: `assume start inside(…)`"};
   }
   for (const Geofence& fence : geofences) {
     const AreaMap map(fence, places);

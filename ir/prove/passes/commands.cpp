@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The pass `commands`: depths and pitches beyond the vehicle's envelope, or above the surface
-// (GL3104), pitches that the vehicle refuses (GL3108), and profiles that never turn (GL3105). In:
-// the interval of each argument, and the guards before it, which are computed only if the plain
-// interval is too wide. No report is a proof for commands with known ranges. An error may name a
-// value that no flight commands: the pilot then narrows a range or adds a condition. Not checked:
-// code in C, numbers without a range.
+// The pass `commands`: depths, pitches and fin angles beyond the vehicle's envelope, or above the
+// surface (GL3104), pitches that the vehicle refuses (GL3108), and profiles that never turn
+// (GL3105). In: the interval of each argument, and the guards before it, which are computed only if
+// the plain interval is too wide. No report is a proof for commands with known ranges. An error may
+// name a value that no flight commands: the pilot then narrows a range or adds a condition. Not
+// checked: code in C, numbers without a range.
 
 #include "ir/prove/context/commands.h"
 
@@ -95,8 +95,8 @@ class CommandCheck {
     });
   }
 
-  /// Checks depth and pitch of each command; a number without a range is not checked. `place`: of
-  /// all of them.
+  /// Checks depth, pitch and fin of each command; a number without a range is not checked. `place`:
+  /// of all of them.
   void checkEnvelope(const std::vector<const Statement*>& commands,
                      const support::SourceRange& place) {
     for (const Statement* statement : commands) {
@@ -105,6 +105,9 @@ class CommandCheck {
       if (sloped || statement->command == Command::Hover) {
         hold(place, *statement, 0, envelope_.greatest_depth_m);
         holdUnderWater(place, *statement);
+      }
+      if (statement->command == Command::Fin) {
+        hold(place, *statement, 0, envelope_.fin_rad);
       }
       if (sloped) {
         hold(place, *statement, 1, envelope_.steepest_pitch_rad);
@@ -128,10 +131,13 @@ class CommandCheck {
       return;
     }
     const Type type = m_[statement.values.at(argument)].type;
-    auto report = proof_.diagnostics.report(support::diagnostics::commandBeyondEnvelope, where,
-                                            shown(given, type),
-                                            "beyond the vehicle's limit of " + shown(most, type));
-    if (isFixed(range(statement, argument))) {
+    const bool fin = statement.command == Command::Fin;
+    auto report = proof_.diagnostics.report(
+        support::diagnostics::commandBeyondEnvelope, where,
+        (fin ? "a fin angle of " : "") + shown(given, type),
+        most > 0 ? "beyond the vehicle's limit of " + shown(most, type)
+                 : "but its platform has no `fin_rad`: the vehicle has no fin to command");
+    if (most > 0 && isFixed(range(statement, argument))) {
       report.hint(fmt::format("write at most `{}`", shown(most, type)));
     }
   }

@@ -15,7 +15,8 @@ inline hooks::Hull hullOf(const platforms::Platform& platform) {
           .steepest_pitch_rad = envelope.steepest_pitch_rad,
           .shallowest_pitch_rad = envelope.shallowest_pitch_rad,
           .vertical_rate_m_s = envelope.vertical_rate_m_s,
-          .pump_cc = envelope.pump_cc};
+          .pump_cc = envelope.pump_cc,
+          .fin_rad = envelope.fin_rad};
 }
 
 }  // namespace glider::simulator

@@ -118,6 +118,7 @@ TEST_F(VehicleRules, V5UnknownArgumentsAndSteering) {
     EXPECT_TRUE(is(v.deepest, 30) && is(v.since, 50) && is(v.top, 9) && isTrue(v.climbing));
   }
   EXPECT_TRUE(is(after(at(10, 30), Command::Steer, 2).deepest, 30));
+  EXPECT_TRUE(is(after(at(10, 30), Command::Fin, 0.2).deepest, 30));
 }
 
 TEST_F(VehicleRules, V6CodeInCMayCommandAnything) {

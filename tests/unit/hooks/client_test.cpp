@@ -151,6 +151,17 @@ TEST_F(ClientTest, AFeatureThatTheProgramNeedsMustBeOffered) {
   }
 }
 
+/// A mission that holds the fin, and a vehicle of before that command.
+TEST_F(ClientTest, AFixedFinThatTheVehicleDoesNotObeyIsRefusedByName) {
+  ClientOptions options;
+  options.features = {.offers = kAllFeatures, .needs = kFeatureFixedFin};
+  Client client(gliderDictionary, options);
+  const Features old{.offers = kFeatureVirtualTime, .needs = kFeatureVirtualTime};
+  say(Beacon{kProtocolVersion, old, gliderDictionary.hash, HookState::Ready});
+  EXPECT_EQ(client.poll(sbc_, clock_.clock()), ClientEvent::Refused);
+  EXPECT_STREQ(featureName(lowestFeature(client.refusal().missing_features)), "fixed-fin");
+}
+
 TEST_F(ClientTest, AWelcomeToItsOwnLinkEndsARefusal) {
   link();
   tick();

@@ -74,6 +74,30 @@ TEST(HookbehBounds, HeadingWithinACircle) {
   EXPECT_EQ(heading(kNan), HookAnswer::BadCommand);
 }
 
+TEST(HookbehBounds, FinUpToTheFarthest) {
+  const auto fin = [](double angle, const HookbehArgs& args = {}) {
+    Instruction instruction = Bench::descend(20);
+    instruction.lateral = HookLateral::Fin;
+    instruction.heading_rad = angle;
+    return answerTo(instruction, args);
+  };
+  HookbehArgs args;
+  args.greatest_fin_rad = 0.3;  // no float32: 0.3F is larger
+  for (const double side : {-1.0, 1.0}) {
+    EXPECT_EQ(fin(side * 0.45), HookAnswer::Accepted) << side;
+    EXPECT_EQ(fin(side * 0.4501), HookAnswer::BadFin) << side;
+    EXPECT_EQ(fin(side * 0.3, args), HookAnswer::Accepted) << side;
+    EXPECT_EQ(fin(side * 0.3001, args), HookAnswer::BadFin) << side;
+    EXPECT_EQ(fin(side * 6.283185307179586), HookAnswer::BadFin) << "a full turn is not 0";
+    EXPECT_EQ(fin(side * 1e300), HookAnswer::BadFin) << side;
+  }
+  EXPECT_EQ(fin(0), HookAnswer::Accepted);
+  EXPECT_EQ(fin(kNan), HookAnswer::BadFin);
+  args.greatest_fin_rad = 0;
+  EXPECT_EQ(fin(0, args), HookAnswer::Accepted);
+  EXPECT_EQ(fin(0.01, args), HookAnswer::BadFin) << "no fin";
+}
+
 TEST(HookbehBounds, WaypointsOnEarth) {
   auto waypoint = [](double latitude, double longitude) {
     Instruction instruction = Bench::descend(20);
@@ -105,7 +129,7 @@ TEST(HookbehBounds, NoSuchCommand) {
   EXPECT_EQ(bench.give(Bench::vertical(static_cast<HookVertical>(5), 10)).answer,
             HookAnswer::BadCommand);
   instruction = Bench::descend(20);
-  instruction.lateral = static_cast<HookLateral>(3);
+  instruction.lateral = static_cast<HookLateral>(4);
   EXPECT_EQ(bench.give(instruction).answer, HookAnswer::BadCommand);
 }
 

@@ -434,6 +434,11 @@ TEST(HookbehPilot, LateralCommandsAtTheirEdges) {
   now = {};
   now.latitude_ddmm = kNan;
   EXPECT_EQ(PilotBench(instruction).pilot.lateral(now).mode, HeadingMode::CentreFin);
+  instruction.lateral = HookLateral::Fin;
+  instruction.heading_rad = -0.25;
+  const LateralCommand held = PilotBench(instruction).pilot.lateral(now);
+  EXPECT_EQ(held.mode, HeadingMode::Fin);
+  EXPECT_EQ(held.fin_rad, -0.25) << "no heading: nothing is added";
   instruction.lateral = HookLateral::Drift;
   EXPECT_EQ(PilotBench(instruction).pilot.lateral({}).mode, HeadingMode::CentreFin);
 }

@@ -24,6 +24,7 @@ TEST(HookbehHull, IsThatOfThePlatformFile) {
   EXPECT_EQ(kHull.shallowest_pitch_rad, 0.19);
   EXPECT_EQ(kHull.vertical_rate_m_s, 0.4);
   EXPECT_EQ(kHull.pump_cc, 233);
+  EXPECT_EQ(kHull.fin_rad, 0.45);
 }
 
 TEST(HookbehHull, NoArgDivesDeeperThanTheHull) {
@@ -99,6 +100,23 @@ TEST(HookbehHull, NoPumpGoesBeyondItsStrokeNorIsTooWeakToClimb) {
   EXPECT_EQ(within(args, kHull).climb_pump_cc, 233);
 }
 
+TEST(HookbehHull, NoArgHoldsTheFinFartherThanTheHull) {
+  const auto narrowed = [](double wild, double hull_rad = kHull.fin_rad) {
+    HookbehArgs args;
+    args.greatest_fin_rad = wild;
+    Hull hull = kHull;
+    hull.fin_rad = hull_rad;
+    return within(args, hull).greatest_fin_rad;
+  };
+  EXPECT_EQ(narrowed(0.46), 0.45);
+  EXPECT_EQ(narrowed(kInfinite), 0.45);
+  EXPECT_EQ(narrowed(0.2), 0.2);
+  EXPECT_EQ(narrowed(-0.2), 0);
+  EXPECT_EQ(narrowed(kNan), 0.45) << "the default";
+  EXPECT_EQ(narrowed(kNan, 0.3), 0.3);
+  EXPECT_EQ(narrowed(0.2, 0), 0) << "a vehicle without a fin";
+}
+
 TEST(HookbehHull, NoAltitudeIsBelowTheRangeOfTheAltimeter) {
   HookbehArgs args;
   args.least_altitude_m = 0.1;
@@ -132,6 +150,7 @@ TEST(HookbehHull, NarrowerArgsCount) {
   EXPECT_EQ(same.least_altitude_m, usual.least_altitude_m);
   EXPECT_EQ(same.steepest_pitch_rad, usual.steepest_pitch_rad);
   EXPECT_EQ(same.shallowest_pitch_rad, usual.shallowest_pitch_rad);
+  EXPECT_EQ(same.greatest_fin_rad, usual.greatest_fin_rad);
   EXPECT_EQ(same.silence_secs, usual.silence_secs);
   EXPECT_EQ(same.dive_pump_cc, usual.dive_pump_cc);
   EXPECT_EQ(same.climb_pump_cc, usual.climb_pump_cc);

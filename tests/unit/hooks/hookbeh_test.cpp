@@ -232,6 +232,24 @@ TEST(Hookbeh, LateralCommands) {
   EXPECT_EQ(out.longitude_ddmm, -7349.8058);
   bench.inputs.latitude_ddmm = kNan;
   EXPECT_EQ(bench.cycle().heading_mode, HeadingMode::CentreFin) << "who is lost goes straight on";
+  instruction.lateral = HookLateral::Fin;
+  for (const double angle : {-0.25, 0.25}) {  // exact as float32
+    instruction.heading_rad = angle;
+    out = bench.give(instruction);
+    EXPECT_EQ(out.answer, HookAnswer::Accepted);
+    EXPECT_EQ(out.heading_mode, HeadingMode::Fin);
+    EXPECT_EQ(out.fin_rad, angle);
+    EXPECT_EQ(out.heading_rad, 0);
+    EXPECT_EQ(bench.cycle().fin_rad, angle) << "held, also by a vehicle that is lost";
+  }
+  instruction.heading_rad = 0.5;
+  out = bench.give(instruction);
+  EXPECT_EQ(out.answer, HookAnswer::BadFin);
+  EXPECT_EQ(out.fin_rad, 0.25) << "the one before stays in force";
+  instruction.lateral = HookLateral::Drift;
+  out = bench.give(instruction);
+  EXPECT_EQ(out.heading_mode, HeadingMode::CentreFin);
+  EXPECT_EQ(out.fin_rad, 0);
 }
 
 TEST(Hookbeh, TakesEffectOnlyWhenTheSequenceChanges) {

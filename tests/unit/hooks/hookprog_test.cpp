@@ -26,7 +26,8 @@ TEST_F(HookprogTest, BeaconsOnceAFlightCycleUntilThereIsALink) {
     ASSERT_EQ(typesOf(frames), (std::vector{Type::Beacon}));
     Beacon beacon;
     ASSERT_TRUE(decode(frames[0], beacon));
-    EXPECT_EQ(beacon.features, (Features{kFeatureVirtualTime, kFeatureVirtualTime}));
+    EXPECT_EQ(beacon.features,
+              (Features{kFeatureVirtualTime | kFeatureFixedFin, kFeatureVirtualTime}));
     EXPECT_EQ(beacon.dictionary, gliderDictionary.hash);
     EXPECT_EQ(beacon.hook_state, HookState::Ready);
   }
@@ -87,6 +88,16 @@ TEST_F(HookprogTest, AnSbcThatLacksAFeatureIsRefusedForEachOnce) {
   say(hello);
   run();
   EXPECT_EQ(typesOf(atSbc()), (std::vector{Type::Welcome})) << "what it offers beyond is unused";
+}
+
+TEST_F(HookprogTest, AMissionThatNeedsAFixedFinIsWelcome) {
+  Hello hello;
+  hello.dictionary = gliderDictionary.hash;
+  hello.link = 7;
+  hello.features = {.offers = kAllFeatures, .needs = kFeatureFixedFin};
+  say(hello);
+  run();
+  EXPECT_EQ(typesOf(atSbc()), (std::vector{Type::Welcome}));
 }
 
 TEST_F(HookprogTest, NothingGoesToFlightWithoutAHookbeh) {

@@ -63,6 +63,22 @@ TEST(Hostile, DamagedGoodFrames) {
   }
 }
 
+/// Numbers by `any`, codes that may be unknown; rarely one that may `release` control.
+template <typename Any>
+Instruction wildInstruction(std::mt19937_64& random, const Any& any, bool release) {
+  Instruction instruction;
+  instruction.session = 1 + static_cast<uint32_t>(random() % 3);
+  instruction.control = static_cast<HookControl>(1 + random() % (release ? 4 : 2));
+  instruction.vertical = static_cast<HookVertical>(random() % 6);
+  instruction.lateral = static_cast<HookLateral>(random() % 5);
+  instruction.depth_m = any();
+  instruction.pitch_rad = any();
+  instruction.heading_rad = any();
+  instruction.latitude_ddmm = any();
+  instruction.longitude_ddmm = any();
+  return instruction;
+}
+
 TEST(Hostile, InstructionsWithRightChecksAndWildValues) {
   std::mt19937_64 random(9);
   const double wild[] = {kNan,
@@ -84,22 +100,14 @@ TEST(Hostile, InstructionsWithRightChecksAndWildValues) {
   const auto any = [&] { return wild[random() % std::size(wild)]; };
   HookbehBench bench;
   uint32_t accepted = 0;
+  uint32_t held = 0;
   for (int i = 0; i < 300000 / kShare; ++i) {
     if (i % 1000 == 0) {
       bench = HookbehBench();
       bench.raw_depth = true;  // no dive leads to such depths
       bench.cycle();
     }
-    Instruction instruction;
-    instruction.session = 1 + static_cast<uint32_t>(random() % 3);
-    instruction.control = static_cast<HookControl>(1 + random() % (i % 100 == 99 ? 4 : 2));
-    instruction.vertical = static_cast<HookVertical>(random() % 6);
-    instruction.lateral = static_cast<HookLateral>(random() % 4);
-    instruction.depth_m = any();
-    instruction.pitch_rad = any();
-    instruction.heading_rad = any();
-    instruction.latitude_ddmm = any();
-    instruction.longitude_ddmm = any();
+    const Instruction instruction = wildInstruction(random, any, i % 100 == 99);
     bench.inputs.depth_m = random() % 8 == 0 ? any() : static_cast<double>(random() % 40);
     bench.inputs.depth_rate_mps = any();
     bench.inputs.altitude_m = any();
@@ -115,11 +123,15 @@ TEST(Hostile, InstructionsWithRightChecksAndWildValues) {
     ASSERT_LE(std::abs(out.pump_cc), out.guard == HookGuard::None ? 230 : kHull.pump_cc);
     ASSERT_GE(out.heading_rad, 0);
     ASSERT_LE(out.heading_rad, 6.2831854);
+    ASSERT_LE(std::abs(out.fin_rad), kHull.fin_rad);
+    ASSERT_TRUE(out.heading_mode == HeadingMode::Fin || out.fin_rad == 0);
+    held += out.fin_rad != 0 ? 1 : 0;
     if (!(bench.inputs.depth_m <= 30)) {
       ASSERT_EQ(out.pump_cc, kHull.pump_cc) << "deeper than allowed, or unknown, it climbs";
     }
   }
   EXPECT_GT(accepted, 1000U);
+  EXPECT_GT(held, 100U) << "also a fin";
 }
 
 }  // namespace

@@ -320,6 +320,7 @@ TEST(Geofences, CommandsSteerWhereverTheyAreWritten) {
     EXPECT_FALSE(judged(withCommandAt(at, steerTo(far))).proved) << at;
     EXPECT_TRUE(steered(withCommandAt(at, "steer (1:angle)")).by_heading) << at;
     EXPECT_TRUE(steered(withCommandAt(at, "drift ()")).by_heading) << at;
+    EXPECT_TRUE(steered(withCommandAt(at, "fin (0.1:angle)")).by_heading) << at;
     EXPECT_FALSE(steered(withCommandAt(at, "surface ()")).by_heading) << at;
   }
 }
@@ -340,6 +341,39 @@ TEST(Geofences, RandomFlightsFollowCommandsOfCases) {
   };
   EXPECT_EQ(leaves(""), 0);
   EXPECT_GT(leaves(steerTo({39, -72.9})), 3);
+}
+
+/// The bearings of the way of each of three legs of 4 s, rad, in still water.
+std::array<double, 3> waysUnder(const CommandRun& command) {
+  platforms::Platform still = slocum();
+  still.envelope.drift_m_s = still.world.surface_drift_m_s = 0;
+  Rng rng(1);
+  RandomPlace place({39, -73}, still, rng);
+  place.obey({command});
+  std::array<double, 3> ways{};
+  for (double& way : ways) {
+    const Position before = place.where();
+    place.move(4, false, false);
+    way = onEarth(Op::Bearing, before, place.where());
+  }
+  return ways;
+}
+
+TEST(Geofences, RandomFlightsTurnUnderAHeldFin) {
+  const auto turns = [](const CommandRun& command) {
+    const auto ways = waysUnder(command);
+    const double first = std::remainder(ways[1] - ways[0], 2 * std::numbers::pi);
+    const double second = std::remainder(ways[2] - ways[1], 2 * std::numbers::pi);
+    EXPECT_NEAR(first, second, 1e-3) << "steadily";
+    return first;
+  };
+  EXPECT_GT(turns({Command::Fin, {0.2}}), 0.01);
+  EXPECT_LT(turns({Command::Fin, {-0.2}}), -0.01);
+  EXPECT_NEAR(turns({Command::Fin, {0.4}}) / turns({Command::Fin, {0.2}}),
+              std::sin(0.4) / std::sin(0.2), 0.02);
+  EXPECT_NEAR(turns({Command::Fin, {0}}), 0, 1e-3);
+  EXPECT_NEAR(turns({Command::Drift, {}}), 0, 1e-3);
+  EXPECT_NEAR(turns({Command::Steer, {1}}), 0, 1e-3);
 }
 
 /// A mission whose first route has this entry; `variables` stand above.

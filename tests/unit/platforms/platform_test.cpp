@@ -87,6 +87,31 @@ TEST(Platform, ValuesOutsideTheirMeaningAreRefused) {
   EXPECT_FALSE(with("\"flight\"", "\"kitchen\""));
 }
 
+TEST(Platform, AVehicleMayHaveNoFin) {
+  const auto with = [](const std::string& line) {
+    std::string text = std::string(kHead) + kSensor;
+    text.insert(text.find("cycle_s"), line);
+    return loadText(text);
+  };
+  EXPECT_EQ(with("")->envelope.fin_rad, 0);
+  EXPECT_EQ(with("fin_rad = 0.3\n")->envelope.fin_rad, 0.3);
+  for (const char* bad : {"-0.1", "1.6", "nan", "inf", "\"wide\""}) {
+    EXPECT_FALSE(with(std::string("fin_rad = ") + bad + "\n")) << bad;
+  }
+}
+
+/// The simulator turns a vehicle by its fin.
+TEST(Platform, ASimulatedVehicleHasAFin) {
+  std::string text = tests::slurp(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
+  const tests::TemporaryFolder folder;
+  ASSERT_TRUE(loadPlatform(folder.write("slocum.toml", text)));
+  text.erase(text.find("fin_rad ="), std::string("fin_rad = 0.45\n").size());
+  const auto platform = loadPlatform(folder.write("slocum.toml", text));
+  ASSERT_FALSE(platform);
+  EXPECT_NE(platform.error().message.find("turns the vehicle by its fin"), std::string::npos)
+      << platform.error().message;
+}
+
 // accepts: GL5001
 TEST(Platform, ItsNameIsThatOfItsFileAndAWordOfTheLanguage) {
   const tests::TemporaryFolder folder;

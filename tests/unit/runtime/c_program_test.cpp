@@ -344,6 +344,9 @@ TEST(CProgram, CommandsAreThoseInForce) {
     EXPECT_EQ(context().lateral, static_cast<uint32_t>(kGliderWaypoint));
     EXPECT_EQ(context().latitude, 39.5);
     EXPECT_EQ(context().longitude, -73.25);
+    holdFin(-0.25);
+    EXPECT_EQ(context().lateral, static_cast<uint32_t>(kGliderFin));
+    EXPECT_EQ(context().heading, -0.25);
     drift();
     EXPECT_EQ(context().lateral, static_cast<uint32_t>(kGliderDrift));
     diveTo(15);
@@ -364,6 +367,21 @@ TEST(CProgram, DepthsAndPitchesHaveDefaults) {
     EXPECT_EQ(context().depth, 3);
     EXPECT_EQ(context().pitch, 0.454);
   });
+}
+
+TEST(CProgram, AFinHeldBeforeTheFirstTickIsHeld) {
+  for (const double angle : {-0.25, 0.25}) {
+    alone([&] {
+      VehicleBench vehicle({}, false);
+      eventList list = everyTick();
+      holdFin(angle);
+      diveTo(15);
+      open(vehicle);
+      ticks(list, 4);
+      EXPECT_EQ(vehicle.array(GLIDER_SCI_HOOK_LATERAL), 3);
+      EXPECT_EQ(vehicle.array(GLIDER_SCI_HOOK_HEADING), angle);
+    });
+  }
 }
 
 TEST(CProgram, WhatIsCommandedBeforeTheFirstTickIsItsFirstInstruction) {

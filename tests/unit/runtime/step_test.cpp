@@ -234,8 +234,13 @@ TEST_F(StepTest, CommandsSetWhatIsInForce) {
   gliderSteerTo(c, 39.175, -73.83);
   EXPECT_EQ(c->lateral, static_cast<uint32_t>(kGliderWaypoint));
   EXPECT_EQ(c->heading, 0);
+  gliderFin(c, -0.25);
+  EXPECT_EQ(c->lateral, static_cast<uint32_t>(kGliderFin));
+  EXPECT_EQ(c->heading, -0.25) << "an angle, not wrapped";
+  EXPECT_EQ(c->latitude, 0);
   gliderDriftFree(c);
   EXPECT_EQ(c->lateral, static_cast<uint32_t>(kGliderDrift));
+  EXPECT_EQ(c->heading, 0);
   EXPECT_EQ(c->refused_commands, 0U);
 }
 
@@ -269,7 +274,9 @@ TEST_F(StepTest, AnUnknownCommandChangesNothingAndIsCounted) {
   gliderHover(c, kInfinity);
   gliderSteer(c, kNaN);
   gliderSteerTo(c, 39, kNaN);
-  EXPECT_EQ(c->refused_commands, 5U);
+  gliderFin(c, kNaN);
+  gliderFin(c, -kInfinity);
+  EXPECT_EQ(c->refused_commands, 7U);
   EXPECT_EQ(c->vertical, static_cast<uint32_t>(kGliderDescend));
   EXPECT_EQ(c->depth, 20);
   EXPECT_EQ(c->lateral, static_cast<uint32_t>(kGliderHeading));
@@ -294,6 +301,12 @@ TEST(Instruction, IsInTheArraysUnits) {
   EXPECT_EQ(instructionFor(c).heading_rad, 0);
   gliderSteer(&c, std::nextafter(2 * std::numbers::pi, 0));
   EXPECT_EQ(instructionFor(c).heading_rad, 0) << "float32 would round it up past a full turn";
+  for (const double angle : {-0.25, 0.25, 2 * std::numbers::pi}) {
+    gliderFin(&c, angle);
+    EXPECT_EQ(instructionFor(c).lateral, hooks::HookLateral::Fin);
+    EXPECT_EQ(instructionFor(c).heading_rad, static_cast<double>(static_cast<float>(angle)))
+        << "a fin that the vehicle must refuse is not 0";
+  }
 }
 
 }  // namespace

@@ -70,6 +70,48 @@ class JudgedCommand : public testing::Test {
   uint8_t masked_ = 0;
 };
 
+TEST_F(JudgedCommand, AFinThatIsNotHeldAsCommandedIsSeen) {
+  hooks::Instruction instruction;
+  instruction.control = hooks::HookControl::Take;
+  instruction.vertical = hooks::HookVertical::Descend;
+  instruction.depth_m = 57;
+  instruction.pitch_rad = -0.4538;
+  instruction.lateral = hooks::HookLateral::Fin;
+  instruction.heading_rad = -0.25;
+  EXPECT_EQ(judge_.answered(instruction, hooks::HookAnswer::Accepted), "");
+  command(-0.4538, -230, Doing::DiveTo);
+  const auto held = [&](hooks::HeadingMode mode, double angle) {
+    out_.heading_mode = mode;
+    out_.fin_rad = angle;
+    return cycle(10, false);
+  };
+  using Mode = hooks::HeadingMode;
+  EXPECT_EQ(held(Mode::Fin, -0.25), "");
+  EXPECT_EQ(held(Mode::Fin, 0.25), "the fin is held at 0.25 rad though -0.25 rad is commanded");
+  EXPECT_EQ(held(Mode::CentreFin, 0), "the fin is not held though -0.25 rad is commanded");
+  EXPECT_EQ(held(Mode::Heading, 0), "the fin is not held though -0.25 rad is commanded");
+  EXPECT_EQ(held(Mode::Fin, 0.5), "a fin of 0.50 rad is commanded under max_fin 0.45");
+  instruction.control = hooks::HookControl::Steer;
+  instruction.lateral = hooks::HookLateral::Drift;
+  EXPECT_EQ(judge_.answered(instruction, hooks::HookAnswer::Accepted), "");
+  EXPECT_EQ(held(Mode::CentreFin, 0), "");
+  EXPECT_EQ(held(Mode::Fin, -0.25), "the fin is held though no angle of it is commanded");
+}
+
+TEST_F(JudgedCommand, AFinBeyondItsLimitMustBeRefused) {
+  hooks::Instruction instruction;
+  instruction.control = hooks::HookControl::Take;
+  instruction.vertical = hooks::HookVertical::Surface;
+  instruction.lateral = hooks::HookLateral::Fin;
+  for (const double side : {-1.0, 1.0}) {
+    instruction.heading_rad = side * 0.46;
+    EXPECT_NE(judge_.answered(instruction, hooks::HookAnswer::Accepted), "") << side;
+    EXPECT_EQ(judge_.answered(instruction, hooks::HookAnswer::BadFin), "") << side;
+    instruction.heading_rad = side * 0.44;
+    EXPECT_NE(judge_.answered(instruction, hooks::HookAnswer::BadFin), "") << side;
+  }
+}
+
 TEST_F(JudgedCommand, AGuardThatClimbsOnAndOnIsSeen) {
   obey(hooks::HookVertical::Descend, 57, -0.4538);
   command(-0.4538, -230, Doing::DiveTo);

@@ -104,6 +104,10 @@ HookAnswer CommandJudge::boundsOf(const Instruction& instruction) const {
       !(isAngle(instruction.latitude_ddmm, 9000) && isAngle(instruction.longitude_ddmm, 18000))) {
     return HookAnswer::NotOnEarth;
   }
+  if (instruction.lateral == HookLateral::Fin) {
+    const double most = hooks::asFloat32(s_.args.greatest_fin_rad);
+    return std::fabs(instruction.heading_rad) <= most ? HookAnswer::Accepted : HookAnswer::BadFin;
+  }
   const bool turns = instruction.lateral == HookLateral::Heading;
   return turns && !(std::fabs(instruction.heading_rad) <= kFullCircle) ? HookAnswer::BadCommand
                                                                        : HookAnswer::Accepted;
@@ -113,7 +117,7 @@ std::string CommandJudge::answered(const Instruction& instruction, HookAnswer an
   const bool steers = instruction.control != HookControl::Release;
   const HookAnswer bounds = steers ? boundsOf(instruction) : HookAnswer::Accepted;
   const bool of_bounds = answer == HookAnswer::TooDeep || answer == HookAnswer::BadPitch ||
-                         answer == HookAnswer::NotOnEarth;
+                         answer == HookAnswer::NotOnEarth || answer == HookAnswer::BadFin;
   if (answer == HookAnswer::Accepted && bounds != HookAnswer::Accepted) {
     return fmt::format("instruction {} is obeyed though it is outside the b_args",
                        instruction.sequence);
@@ -143,7 +147,8 @@ std::string CommandJudge::judgeWhole(const CycleView& view) const {
   const HookbehOutputs& out = *view.hookbeh;
   const bool whole = out.commanding && view.commanded_whole && std::isfinite(out.pitch_rad) &&
                      std::isfinite(out.pump_cc) && std::isfinite(out.heading_rad) &&
-                     std::isfinite(out.latitude_ddmm) && std::isfinite(out.longitude_ddmm);
+                     std::isfinite(out.latitude_ddmm) && std::isfinite(out.longitude_ddmm) &&
+                     std::isfinite(out.fin_rad);
   if (!whole) {
     return "heading, pitch and pump are not all commanded";
   }
@@ -158,6 +163,10 @@ std::string CommandJudge::judgeWhole(const CycleView& view) const {
   if (std::fabs(out.pitch_rad) > s_.args.steepest_pitch_rad + kPitchError) {
     return fmt::format("a pitch of {:.2f} rad is commanded under max_pitch {}", out.pitch_rad,
                        s_.args.steepest_pitch_rad);
+  }
+  if (std::fabs(out.fin_rad) > s_.args.greatest_fin_rad + kPitchError) {
+    return fmt::format("a fin of {:.2f} rad is commanded under max_fin {}", out.fin_rad,
+                       s_.args.greatest_fin_rad);
   }
   // Its own climbs use the full pump range.
   const double most_cc = climbsByItself(out) ? s_.pump_cc : s_.args.climb_pump_cc;
@@ -328,8 +337,25 @@ std::string CommandJudge::judgeStaying(const CycleView& view, double reading) {
   return far_cycles_ > kFarCycles ? fmt::format("hovers {:.1f} m from its depth", off) : "";
 }
 
+std::string CommandJudge::judgeFin(const HookbehOutputs& out) const {
+  const bool held = out.heading_mode == hooks::HeadingMode::Fin;
+  const bool wanted = in_force_.lateral == HookLateral::Fin;
+  if (held != wanted) {
+    return wanted ? fmt::format("the fin is not held though {:.4g} rad is commanded",
+                                in_force_.heading_rad)
+                  : "the fin is held though no angle of it is commanded";
+  }
+  return !held || out.fin_rad == in_force_.heading_rad
+             ? ""
+             : fmt::format("the fin is held at {:.4g} rad though {:.4g} rad is commanded",
+                           out.fin_rad, in_force_.heading_rad);
+}
+
 std::string CommandJudge::judgeFollowing(const CycleView& view, double reading) {
   const HookbehOutputs& out = *view.hookbeh;
+  if (std::string wrong = judgeFin(out); !wrong.empty()) {
+    return wrong;
+  }
   std::string wrong;
   switch (in_force_.vertical) {
     case HookVertical::None:

@@ -36,6 +36,8 @@ class CommandJudge {
   std::string judgeLimits(const CycleView& view, double reading);
   std::string judgeBlind(const CycleView& view, double reading);
   std::string judgeGuard(const CycleView& view);
+  /// Checks that the fin is held at the commanded angle, and only then.
+  [[nodiscard]] std::string judgeFin(const hooks::HookbehOutputs& out) const;
   std::string judgeFollowing(const CycleView& view, double reading);
   std::string judgeDive(const hooks::HookbehOutputs& out, double reading);
   std::string judgeClimb(const hooks::HookbehOutputs& out, double reading);

@@ -32,11 +32,19 @@ struct Extremes {
   double steepest = 0;
   double shallowest = kEndless;
   double deepest = -kEndless;  ///< that: it commands no depth
+  double farthest_fin = 0;
 };
 
 Extremes extremesOf(const Commands& commands, const std::vector<ir::Interval>& held) {
   Extremes all;
   for (const ir::Statement* command : commands) {
+    if (command->command == ir::Command::Fin) {
+      const ir::Interval& fin = held[command->values.at(0).index];
+      if (!fin.empty && fin.highest - fin.lowest < kNoBound) {
+        all.farthest_fin = std::max({all.farthest_fin, fin.highest, -fin.lowest});
+      }
+      continue;
+    }
     const bool sloped =
         command->command == ir::Command::Descend || command->command == ir::Command::Ascend;
     if (!sloped && command->command != ir::Command::Hover) {
@@ -68,6 +76,10 @@ void addRefused(const Refusal& of, const Extremes& all, const CommandLimits& lim
     add("a pitch of " + degrees(all.shallowest),
         "less than " + degrees(limits.shallowest_pitch_rad));
   }
+  if (all.farthest_fin > limits.greatest_fin_rad) {
+    add("a fin angle of " + degrees(all.farthest_fin),
+        "more than " + degrees(limits.greatest_fin_rad));
+  }
   if (limits.greatest_depth_m && all.deepest > *limits.greatest_depth_m) {
     add(fmt::format("a depth of {:.4g} m", all.deepest),
         fmt::format("more than {:.4g} m", *limits.greatest_depth_m));
@@ -78,9 +90,9 @@ void addRefused(const Refusal& of, const Extremes& all, const CommandLimits& lim
 
 CommandLimits usualLimits() {
   const hooks::HookbehArgs args;
-  return {args.steepest_pitch_rad, args.shallowest_pitch_rad, std::nullopt,
-          fmt::format("assuming max_pitch {:.4g} and min_pitch {:.4g}; see --mi",
-                      args.steepest_pitch_rad, args.shallowest_pitch_rad)};
+  return {args.steepest_pitch_rad, args.shallowest_pitch_rad, args.greatest_fin_rad, std::nullopt,
+          fmt::format("assuming max_pitch {:.4g}, min_pitch {:.4g} and max_fin {:.4g}; see --mi",
+                      args.steepest_pitch_rad, args.shallowest_pitch_rad, args.greatest_fin_rad)};
 }
 
 std::vector<Refusal> refusalsOf(const ir::Mission& mission, const CommandLimits& limits) {

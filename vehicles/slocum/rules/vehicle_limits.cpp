@@ -25,8 +25,9 @@ support::SourceRange beginningOf(const ir::Mission& mission) {
 void checkDepth(const ir::Mission& mission, double overdepth, const std::string& name,
                 support::DiagnosticEngine& diagnostics) {
   CommandLimits limits = usualLimits();
-  limits.steepest_pitch_rad = 10;  // of pitches abend knows nothing
+  limits.steepest_pitch_rad = 10;  // of pitches and fins abend knows nothing
   limits.shallowest_pitch_rad = 0;
+  limits.greatest_fin_rad = 10;
   limits.greatest_depth_m = overdepth;
   for (const Refusal& one : refusalsOf(mission, limits)) {
     diagnostics.report(support::diagnostics::vehicleAborts,

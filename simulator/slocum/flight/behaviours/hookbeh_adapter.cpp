@@ -48,6 +48,8 @@ HeadingCommand heading(const hooks::HookbehOutputs& out) {
       return {HeadingCommand::Mode::Heading, out.heading_rad, 0, 0};
     case hooks::HeadingMode::Waypoint:
       return {HeadingCommand::Mode::Waypoint, 0, out.latitude_ddmm, out.longitude_ddmm};
+    case hooks::HeadingMode::Fin:
+      return {HeadingCommand::Mode::Fin, out.fin_rad, 0, 0};
     case hooks::HeadingMode::CentreFin:
       break;
   }
@@ -103,6 +105,7 @@ hooks::HookbehArgs hookbehArgs(const slocum::BehaviourBlock& block) {
   args.least_altitude_m = block.value("min_altitude");
   args.steepest_pitch_rad = block.value("max_pitch");
   args.shallowest_pitch_rad = block.value("min_pitch");
+  args.greatest_fin_rad = block.value("max_fin");
   args.silence_secs = block.value("silence_secs");
   args.dive_pump_mode = static_cast<hooks::PumpMode>(block.value("d_use_bpump"));
   args.climb_pump_mode = static_cast<hooks::PumpMode>(block.value("c_use_bpump"));

@@ -69,6 +69,9 @@ std::string refusalText(HookAnswer answer, const hooks::HookbehInputs& in,
       return "hookbeh is not ready";
     case HookAnswer::OldSequence:
       return "its number is older than one already processed";
+    case HookAnswer::BadFin:
+      return fmt::format("max_fin {} refuses a fin at {}", degrees(args.greatest_fin_rad),
+                         degrees(in.hook_heading_rad));
     case HookAnswer::None:
       return "it is from before hookbeh started";
     case HookAnswer::Accepted:

@@ -96,7 +96,8 @@ HookAnswer StandIn::decide(const hooks::Instruction& instruction) {
     return HookAnswer::WrongSession;
   }
   if (instruction.vertical == hooks::HookVertical::Hover ||
-      instruction.vertical == hooks::HookVertical::None) {
+      instruction.vertical == hooks::HookVertical::None ||
+      instruction.lateral == hooks::HookLateral::Fin) {
     return HookAnswer::BadCommand;  // no stock behaviour that the port can start does this
   }
   const HookAnswer within = hooks::checkBounds(instruction, bounds_);

@@ -91,6 +91,16 @@ TEST_F(PortCommand, WhatThePortCannotCommandIsAnErrorWithTheNearest) {
   EXPECT_FALSE(fs::exists(path() / "port")) << "nothing is written";
 }
 
+TEST_F(PortCommand, AHeldFinIsOneOfThem) {
+  write("spiral.mission",
+        "mission spiral\n\nstate s\nbegin\n  flightroute fixed_fin(10 deg)\n"
+        "  flightprofile yo(4 m, 20 m, 26 deg, 26 deg)\n"
+        "  sensors missiontime\n  events\n    case missiontime > 1 h exit\nend\n");
+  const Outcome built = run("build spiral.mission --dialect extctl -o port");
+  EXPECT_EQ(built.status, 1);
+  EXPECT_THAT(built.err, AllOf(HasSubstr("GL4015"), HasSubstr("`fin`")));
+}
+
 // accepts: GL5131
 TEST_F(PortCommand, MoreSensorsThanThePortHasAreAnError) {
   std::string text =

@@ -77,7 +77,11 @@ TEST(StandIn, RefusesWhatIsOutOfBoundsAndKeepsWhatIsInForce) {
   hover.vertical = HookVertical::Hover;
   stand_in.instruct(hover);
   EXPECT_EQ(stand_in.answer(), HookAnswer::BadCommand);
-  stand_in.instruct(dive(5, 6, HookControl::Steer));
+  Instruction fin = dive(5, 5, HookControl::Steer);
+  fin.lateral = hooks::HookLateral::Fin;
+  stand_in.instruct(fin);
+  EXPECT_EQ(stand_in.answer(), HookAnswer::BadCommand);
+  stand_in.instruct(dive(6, 6, HookControl::Steer));
   EXPECT_EQ(stand_in.answer(), HookAnswer::WrongSession);
   stand_in.instruct(dive(4));
   EXPECT_EQ(stand_in.answer(), HookAnswer::OldSequence);

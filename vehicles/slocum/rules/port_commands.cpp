@@ -6,19 +6,37 @@
 #include "ir/prove/context/commands.h"
 #include "support/diagnostics/ids/target.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace glider::slocum::rules {
 namespace {
 
+/// A command that no stock behaviour that the port can start carries out.
+struct Missing {
+  ir::Command command;
+  const char* word;
+  const char* nearest;
+};
+
+constexpr Missing kMissing[] = {
+    {ir::Command::Hover, "hover",
+     "the port holds a depth by a yo, so `descend(to = DEPTH, pitch = ANGLE)` is the nearest: the "
+     "vehicle then stays between DEPTH and a few metres above"},
+    {ir::Command::Fin, "fin",
+     "the nearest is `steer` with a heading that is changed each time that the vehicle has reached "
+     "it"},
+};
+
 void check(const std::vector<const ir::Statement*>& commands, const support::SourceRange& otherwise,
            support::DiagnosticEngine& diagnostics) {
-  for (const ir::Statement* command : commands) {
-    if (command->command == ir::Command::Hover) {
-      diagnostics.report(
-          support::diagnostics::notOnPort,
-          command->range.end > command->range.begin ? command->range : otherwise, "hover",
-          "the port holds a depth by a yo, so `descend(to = DEPTH, pitch = ANGLE)` is "
-          "the nearest: the vehicle then stays between DEPTH and a few metres above");
-      return;  // one of a profile is enough
+  for (const Missing& missing : kMissing) {
+    const auto found = std::ranges::find(commands, missing.command, &ir::Statement::command);
+    if (found != commands.end()) {  // one of a profile is enough
+      const support::SourceRange& range = (*found)->range;
+      diagnostics.report(support::diagnostics::notOnPort,
+                         range.end > range.begin ? range : otherwise, missing.word,
+                         missing.nearest);
     }
   }
 }

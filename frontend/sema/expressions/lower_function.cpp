@@ -40,6 +40,13 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
   if (isFunctionName(name) && !scope_.functions.contains(name) && refuseNames(node, scope_)) {
     return std::nullopt;
   }
+  if (Named* refused = onlyRefusedArray(node)) {
+    (void)readable(*refused, expr.where);
+    return std::nullopt;
+  }
+  if (const auto array = onlyArray(node); array && isReservedFunction(name) && name != "count") {
+    return ofArray(*array, node, expr);
+  }
   if (findWindow(name) && (isReservedFunction(name) || !scope_.declares(name, expr.where))) {
     return window(node, expr);
   }

@@ -112,7 +112,9 @@ ExprLowering::Result ExprLowering::inC(const ast::Invocation& node, const ast::E
     scope_.reportUnknown(
         support::diagnostics::unknownFunction, node.function.where,
         value ? Suggestion{"`" + name + "` is a value: write it without parentheses", ""}
-              : suggestFunction(name, scope_),
+        : onlyArray(node)
+            ? Suggestion{"functions of an array: count highest lowest mean spread", ""}
+            : suggestFunction(name, scope_),
         name);
     return std::nullopt;
   }

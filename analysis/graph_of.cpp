@@ -148,7 +148,7 @@ class GraphMaker {
   /// The statements, shortened to what they act on.
   [[nodiscard]] std::string action(const ir::Block& block) const {
     std::string list;
-    std::set<std::pair<uint32_t, uint32_t>> told;  // the passes of a loop are told once
+    std::set<std::pair<uint32_t, uint32_t>> told;  // the passes of a loop are reported once
     for (const ir::Statement& statement : block.statements) {
       const support::SourceRange& range = statement.range;
       if (!range.valid() || told.emplace(range.begin, range.end).second) {

@@ -86,7 +86,7 @@ std::string InWords::oneAsIs(const ir::Statement& statement, const WrittenLoop* 
   return "commands " + written(statement.range);
 }
 
-/// What comes from one place of the text is told once: the passes of a loop, both halves of a
+/// What comes from one place of the text is reported once: the passes of a loop, both halves of a
 /// position, the elements of an array.
 std::string InWords::list(std::span<const ir::Statement> statements,
                           const WrittenLoop* around) const {

@@ -100,6 +100,32 @@ size_t withoutType(Phrase& phrase) {
   return sign + 1;
 }
 
+/// `var recent: temperature[8] = …`
+size_t sizeAfterType(Phrase& phrase) {
+  const bool typed = oneOf(phrase.type(), {GliderLexer::VAR, GliderLexer::PARAM}) &&
+                     isAnyName(phrase.type(1)) && phrase.type(2) == GliderLexer::COLON &&
+                     isName(phrase.type(3));
+  const size_t size = typed ? tokensOfSize(phrase, 4) : 0;
+  if (size == 0) {
+    return 0;
+  }
+  const Lexeme& found = phrase.token(4);
+  const std::string better =
+      fmt::format("{}{}: {}", phrase.text(1), phrase.wholeText(4, size), phrase.text(3));
+  phrase.reporter()
+      .at(found, support::diagnostics::unexpectedToken, "`=`", describe(phrase.source(), found))
+      .hint(fmt::format("write `{} {} = …`", phrase.text(), better))
+      .fix(phrase.source().range(phrase.whole(1, 3 + size)), better);
+  phrase.put(phrase.token());
+  phrase.put(phrase.token(1));
+  for (size_t k = 4; k < 4 + size; ++k) {
+    phrase.put(phrase.token(k));
+  }
+  phrase.put(phrase.token(2));
+  phrase.put(phrase.token(3));
+  return 4 + size;
+}
+
 bool isTypeName(std::string_view word) {
   constexpr std::array kTypes = {
       std::string_view("bool"),
@@ -133,8 +159,12 @@ size_t typeFirst(Phrase& phrase) {
 }  // namespace
 
 size_t untyped(Phrase& phrase) {
-  const size_t taken = withoutType(phrase);
-  return taken != 0 ? taken : typeFirst(phrase);
+  for (const PhraseRepair repair : {withoutType, sizeAfterType, typeFirst}) {
+    if (const size_t taken = repair(phrase)) {
+      return taken;
+    }
+  }
+  return 0;
 }
 
 size_t range(Phrase& phrase) {

@@ -71,6 +71,53 @@ size_t counting(Phrase& phrase) {
   return tokens;
 }
 
+/// `for i in recent do`, `for i in 8 do`: read as a range of that value alone.
+size_t withoutRange(Phrase& phrase) {
+  const bool header = phrase.type() == GliderLexer::FOR && isAnyName(phrase.type(1)) &&
+                      phrase.type(2) == GliderLexer::IN && phrase.type(4) == GliderLexer::DO;
+  const bool number = phrase.type(3) == GliderLexer::NUMBER;
+  if (!header || !(number || isName(phrase.type(3)))) {
+    return 0;
+  }
+  const Lexeme whole = phrase.whole(0, 4);
+  const std::string last =
+      number ? fmt::format("{} - 1", phrase.text(3)) : fmt::format("count({}) - 1", phrase.text(3));
+  phrase.reporter()
+      .at(whole, support::diagnostics::notAStatement, phrase.source().text(whole))
+      .hint(fmt::format("write `for {} in 0 .. {} do … end`", phrase.text(1), last));
+  for (size_t k = 0; k < 4; ++k) {
+    phrase.put(phrase.token(k));
+  }
+  phrase.insert(GliderLexer::RANGE);
+  phrase.put(phrase.token(3));
+  phrase.notAsMeant();
+  return 4;
+}
+
+/// `set recent(0) = temp`
+size_t elementInParentheses(Phrase& phrase) {
+  const bool element = phrase.type() == GliderLexer::SET && isName(phrase.type(1)) &&
+                       phrase.type(2) == GliderLexer::LPAREN && phrase.touches(2) &&
+                       phrase.type(4) == GliderLexer::RPAREN &&
+                       phrase.type(5) == GliderLexer::ASSIGN;
+  if (!element) {
+    return 0;
+  }
+  const Lexeme& open = phrase.token(2);
+  const Lexeme& close = phrase.token(4);
+  const std::string better = fmt::format("{}[{}]", phrase.text(1), phrase.text(3));
+  phrase.reporter()
+      .at(open, support::diagnostics::unexpectedToken, "`[`", describe(phrase.source(), open))
+      .hint(fmt::format("write `{}`", better))
+      .fix(phrase.source().range(phrase.whole(1, 4)), better);
+  phrase.put(phrase.token());
+  phrase.put(phrase.token(1));
+  phrase.put({GliderLexer::LBRACKET, open.begin, open.end});
+  phrase.put(phrase.token(3));
+  phrase.put({GliderLexer::RBRACKET, close.begin, close.end});
+  return 5;
+}
+
 /// `while depth < 5 m do`: read as an `if`, to keep the blocks in order.
 size_t repeating(Phrase& phrase) {
   const bool word = phrase.type() == GliderLexer::NAME && phrase.lower() == "while";
@@ -102,8 +149,12 @@ size_t loop(Phrase& phrase) {
   if (!beginsStatement(phrase)) {
     return 0;
   }
-  const size_t taken = counting(phrase);
-  return taken != 0 ? taken : repeating(phrase);
+  for (const PhraseRepair repair : {counting, withoutRange, elementInParentheses, repeating}) {
+    if (const size_t taken = repair(phrase)) {
+      return taken;
+    }
+  }
+  return 0;
 }
 
 }  // namespace glider::frontend::phrases

@@ -9,6 +9,9 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <string>
+
 namespace glider::frontend::phrases {
 namespace {
 
@@ -71,6 +74,15 @@ size_t counting(Phrase& phrase) {
   return tokens;
 }
 
+/// "7" for "8".
+std::string oneLess(std::string_view number) {
+  uint32_t value = 0;
+  const char* const last = number.data() + number.size();
+  const auto [end, error] = std::from_chars(number.data(), last, value);
+  const bool whole = error == std::errc() && end == last && value > 0;
+  return whole ? std::to_string(value - 1) : fmt::format("{} - 1", number);
+}
+
 /// `for i in recent do`, `for i in 8 do`: read as a range of that value alone.
 size_t withoutRange(Phrase& phrase) {
   const bool header = phrase.type() == GliderLexer::FOR && isAnyName(phrase.type(1)) &&
@@ -81,7 +93,7 @@ size_t withoutRange(Phrase& phrase) {
   }
   const Lexeme whole = phrase.whole(0, 4);
   const std::string last =
-      number ? fmt::format("{} - 1", phrase.text(3)) : fmt::format("count({}) - 1", phrase.text(3));
+      number ? oneLess(phrase.text(3)) : fmt::format("count({}) - 1", phrase.text(3));
   phrase.reporter()
       .at(whole, support::diagnostics::notAStatement, phrase.source().text(whole))
       .hint(fmt::format("write `for {} in 0 .. {} do … end`", phrase.text(1), last));

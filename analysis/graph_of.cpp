@@ -3,6 +3,7 @@
 
 #include "analysis/graph_of.h"
 
+#include "analysis/as_written.h"
 #include "ir/verify/structure.h"
 #include "support/one_line.h"
 
@@ -147,15 +148,28 @@ class GraphMaker {
   /// The statements, shortened to what they act on.
   [[nodiscard]] std::string action(const ir::Block& block) const {
     std::string list;
+    std::set<std::pair<uint32_t, uint32_t>> told;  // the passes of a loop are reported once
     for (const ir::Statement& statement : block.statements) {
-      const std::string one = statement.kind == ir::StatementKind::Set
-                                  ? "set " + mission_[statement.variable].name
-                              : statement.kind == ir::StatementKind::If  ? "if …"
-                              : statement.kind == ir::StatementKind::Log ? "log"
-                                                                         : line(statement.range);
-      list += (list.empty() ? "" : ", ") + one;
+      const support::SourceRange& range = statement.range;
+      if (!range.valid() || told.emplace(range.begin, range.end).second) {
+        list += (list.empty() ? "" : ", ") + shortened(statement);
+      }
     }
     return list;
+  }
+
+  [[nodiscard]] std::string shortened(const ir::Statement& statement) const {
+    const std::string written = line(statement.range);
+    if (isPush(written)) {
+      return "push";
+    }
+    if (const auto set = in_the_language_ ? asSet(written) : std::nullopt) {
+      return "set " + set->target;
+    }
+    return statement.kind == ir::StatementKind::Set   ? "set " + mission_[statement.variable].name
+           : statement.kind == ir::StatementKind::If  ? "if …"
+           : statement.kind == ir::StatementKind::Log ? "log"
+                                                      : written;
   }
 
   const support::SourceManager& sources_;

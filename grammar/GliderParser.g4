@@ -19,8 +19,10 @@ platformLine : PLATFORM name ;
 importLine : IMPORT STRING (AS name)? ;
 
 constant : CONST anyName (COLON type)? ASSIGN expr ;
-parameter : PARAM anyName COLON type ASSIGN expr range? (WHERE expr)? ;
-variable : VAR anyName COLON type ASSIGN expr range? ;
+parameter : PARAM anyName size? COLON type ASSIGN expr range? (WHERE expr)? ;
+variable : VAR anyName size? COLON type ASSIGN expr range? ;
+// How many elements an array has.
+size : LBRACKET expr RBRACKET ;
 range : IN expr RANGE expr ;
 type : name ((TIMES | DIVIDE) name)* ;
 
@@ -47,8 +49,9 @@ transition : GOTO target | CALL target | RETURN | EXIT | STAY | DONE ;
 
 block : DO statement* END ;
 statement
-  : SET name ASSIGN expr                                   # setStatement
+  : SET name (LBRACKET expr RBRACKET)? ASSIGN expr         # setStatement
   | IF expr THEN statement* (ELSE statement*)? END         # ifStatement
+  | FOR anyName IN expr RANGE expr block                   # forStatement
   | LOG STRING (COMMA expr)*                               # logStatement
   | NAME arguments                                         # commandStatement
   ;

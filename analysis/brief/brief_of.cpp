@@ -43,7 +43,7 @@ class BriefMaker {
         checked_(*source.compilation.checked),
         m_(checked_.mission()),
         written_(source.compilation),
-        words_(*checked_.lowered),
+        words_(*checked_.lowered, loopsOf(source.compilation.parsed.get())),
         depths_(ir::prove::deepestByState(ir::prove::ProofContext(checked_.worlds.widest))),
         climbs_(ir::prove::climbTimes(ir::prove::ProofContext(checked_.worlds.widest))) {}
 

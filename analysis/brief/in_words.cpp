@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -39,7 +40,30 @@ std::string InWords::values(const std::vector<ir::ExprId>& values) const {
   return listed(all);
 }
 
-std::string InWords::statement(const ir::Statement& statement) const {
+const WrittenLoop* InWords::loopOf(const ir::Statement& statement,
+                                   const WrittenLoop* around) const {
+  for (const WrittenLoop& loop : loops_) {
+    const bool inside = around == nullptr || (&loop != around && isIn(loop.whole, around->whole));
+    if (inside && isIn(statement.range, loop.whole)) {
+      return &loop;
+    }
+  }
+  return nullptr;
+}
+
+std::string InWords::statement(const ir::Statement& statement, const WrittenLoop* around) const {
+  const std::string_view text =
+      statement.range.valid() ? sources_.text(statement.range) : std::string_view();
+  if (isPush(text)) {
+    return "does " + written(statement.range);
+  }
+  if (const auto set = asSet(text)) {
+    return fmt::format("sets {} to {}", inCode(set->target), inCode(set->value));
+  }
+  return oneAsIs(statement, around);
+}
+
+std::string InWords::oneAsIs(const ir::Statement& statement, const WrittenLoop* around) const {
   switch (statement.kind) {
     case ir::StatementKind::Set:
       return fmt::format("sets {} to {}", inCode(m_[statement.variable].name),
@@ -51,9 +75,9 @@ std::string InWords::statement(const ir::Statement& statement) const {
                          values(statement.values));
     }
     case ir::StatementKind::If: {
-      const std::string otherwise = block(statement.otherwise);
+      const std::string otherwise = block(statement.otherwise, around);
       return fmt::format("(if {}: {}{}{})", written(m_[statement.value].range),
-                         block(statement.then),
+                         block(statement.then, around),
                          otherwise.empty() ? "" : "; otherwise: ", otherwise);
     }
     case ir::StatementKind::Command:
@@ -62,13 +86,38 @@ std::string InWords::statement(const ir::Statement& statement) const {
   return "commands " + written(statement.range);
 }
 
-std::string InWords::block(ir::BlockId block) const {
+/// What comes from one place of the text is reported once: the passes of a loop, both halves of a
+/// position, the elements of an array.
+std::string InWords::list(std::span<const ir::Statement> statements,
+                          const WrittenLoop* around) const {
   std::string text;
-  for (const ir::Statement& one :
-       block.valid() ? m_[block].statements : std::vector<ir::Statement>()) {
-    text += (text.empty() ? "" : ", ") + statement(one);
+  std::set<std::pair<uint32_t, uint32_t>> told;
+  while (!statements.empty()) {
+    const ir::Statement& first = statements.front();
+    const WrittenLoop* loop = loopOf(first, around);
+    const support::SourceRange& range = loop != nullptr ? loop->whole : first.range;
+    size_t count = 1;
+    while (loop != nullptr && count < statements.size() &&
+           isIn(statements[count].range, loop->whole)) {
+      ++count;
+    }
+    if (!range.valid() || told.emplace(range.begin, range.end).second) {
+      text += text.empty() ? "" : ", ";
+      text += loop != nullptr ? fmt::format("({}: {})", written(loop->header),
+                                            list(statements.first(count), loop))
+                              : statement(first, around);
+    }
+    statements = statements.subspan(count);
   }
   return text;
+}
+
+std::string InWords::block(ir::BlockId block, const WrittenLoop* around) const {
+  return block.valid() ? list(m_[block].statements, around) : "";
+}
+
+std::string InWords::block(ir::BlockId block) const {
+  return this->block(block, nullptr);
 }
 
 std::string InWords::nameIn(const ir::State& state, size_t parameter) const {

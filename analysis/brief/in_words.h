@@ -3,10 +3,13 @@
 
 #pragma once
 
+#include "analysis/as_written.h"
 #include "compiler/compilation.h"
 #include "report/brief/brief.h"
 
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace glider::analysis {
@@ -14,9 +17,9 @@ namespace glider::analysis {
 /// The statements and cases of a mission in words, for report::Brief.
 class InWords {
  public:
-  /// `lowered` outlives this.
-  explicit InWords(const compiler::Lowered& lowered)
-      : m_(lowered.mission), sources_(*lowered.sources) {}
+  /// `lowered` outlives this; `loops` are those of its text.
+  explicit InWords(const compiler::Lowered& lowered, std::vector<WrittenLoop> loops = {})
+      : m_(lowered.mission), sources_(*lowered.sources), loops_(std::move(loops)) {}
 
   /// "sets `n` to `n + 1`, logs “warm” with `n`"; empty for an invalid block.
   [[nodiscard]] std::string block(ir::BlockId block) const;
@@ -27,7 +30,16 @@ class InWords {
 
  private:
   [[nodiscard]] std::string written(support::SourceRange range) const;
-  [[nodiscard]] std::string statement(const ir::Statement& statement) const;
+  [[nodiscard]] std::string statement(const ir::Statement& statement,
+                                      const WrittenLoop* around) const;
+  [[nodiscard]] std::string oneAsIs(const ir::Statement& statement,
+                                    const WrittenLoop* around) const;
+  [[nodiscard]] std::string list(std::span<const ir::Statement> statements,
+                                 const WrittenLoop* around) const;
+  [[nodiscard]] std::string block(ir::BlockId block, const WrittenLoop* around) const;
+  /// The outermost loop in `around` that a statement was written out from; null if there is none.
+  [[nodiscard]] const WrittenLoop* loopOf(const ir::Statement& statement,
+                                          const WrittenLoop* around) const;
   [[nodiscard]] std::string values(const std::vector<ir::ExprId>& values) const;
   /// "corner.latitude" of the variable "leg.corner.latitude".
   [[nodiscard]] std::string nameIn(const ir::State& state, size_t parameter) const;
@@ -35,6 +47,7 @@ class InWords {
 
   const ir::Mission& m_;
   const support::SourceManager& sources_;
+  std::vector<WrittenLoop> loops_;
 };
 
 /// "a", "a and b", "a, b and c".

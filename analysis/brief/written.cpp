@@ -158,18 +158,32 @@ report::BriefUse Written::use(const std::string& state, ir::BehaviourKind kind,
   return told;
 }
 
+namespace {
+
+/// Whether `name` is the parameter, or an element of it: "depths[0]".
+bool isOf(const std::string& name, const ast::Param& param) {
+  const std::string& whole = param.name.text;
+  return param.size ? name.starts_with(whole + "[") && name.ends_with("]") : name == whole;
+}
+
+}  // namespace
+
 void Written::describe(std::vector<BriefValue>& parameters) const {
   for (const ast::Item& item : items()) {
     const auto* param = as<ast::Param>(item);
-    const auto row = param == nullptr
-                         ? parameters.end()
-                         : std::ranges::find(parameters, param->name.text, &BriefValue::name);
-    if (row != parameters.end()) {
-      row->value = line(param->value.where);
-      row->range = param->range ? fmt::format("{} to {}", line(param->range->lowest.where),
-                                              line(param->range->highest.where))
-                                : row->range;
-      row->meaning = about(param->where);
+    size_t element = 0;
+    for (BriefValue& row : parameters) {
+      if (param == nullptr || !isOf(row.name, *param)) {
+        continue;
+      }
+      const auto* list = std::get_if<ast::List>(&param->value.node);
+      row.value =
+          line(param->size && list != nullptr ? list->items.at(element).where : param->value.where);
+      row.range = param->range ? fmt::format("{} to {}", line(param->range->lowest.where),
+                                             line(param->range->highest.where))
+                               : row.range;
+      row.meaning = about(param->where);
+      ++element;
     }
   }
 }
@@ -198,7 +212,8 @@ std::vector<BriefValue> Written::values() const {
       const std::string range = var->range ? fmt::format("{} to {}", line(var->range->lowest.where),
                                                          line(var->range->highest.where))
                                            : "";
-      all.push_back({.name = var->name.text,
+      const std::string size = var->size ? "[" + line(var->size->where) + "]" : "";
+      all.push_back({.name = var->name.text + size,
                      .kind = "variable",
                      .value = line(var->value.where),
                      .range = range,

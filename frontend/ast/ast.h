@@ -169,6 +169,7 @@ struct Statement;
 struct Set {
   Name variable;
   Expr value;
+  std::optional<Expr> index = {};  ///< of an array: which element
   bool operator==(const Set&) const = default;
 };
 struct If {
@@ -176,6 +177,14 @@ struct If {
   std::vector<Statement> then;
   std::optional<std::vector<Statement>> otherwise;
   bool operator==(const If&) const;
+};
+/// `for i in 0 .. 7 do … end`
+struct For {
+  Name index;
+  Expr first;
+  Expr last;
+  std::vector<Statement> body;
+  bool operator==(const For&) const;
 };
 struct Log {
   std::string text;  ///< with its quotes, as written
@@ -188,13 +197,17 @@ struct Command {
 };
 
 struct Statement {
-  std::variant<Set, If, Log, Command> node;
+  std::variant<Set, If, For, Log, Command> node;
   Where where;
   bool operator==(const Statement&) const = default;
 };
 
 inline bool If::operator==(const If& other) const {
   return condition == other.condition && then == other.then && otherwise == other.otherwise;
+}
+
+inline bool For::operator==(const For& other) const {
+  return index == other.index && first == other.first && last == other.last && body == other.body;
 }
 
 /// `do … end`
@@ -237,6 +250,7 @@ struct Param {
   std::optional<Range> range;
   std::optional<Expr> condition;
   Where where;
+  std::optional<Expr> size = {};  ///< of an array
   bool operator==(const Param&) const = default;
 };
 struct Var {
@@ -245,6 +259,7 @@ struct Var {
   Expr value;
   std::optional<Range> range;
   Where where;
+  std::optional<Expr> size = {};  ///< of an array
   bool operator==(const Var&) const = default;
 };
 

@@ -39,6 +39,11 @@ std::string printRange(const std::optional<Range>& range) {
   return range ? fmt::format(" in {} .. {}", print(range->lowest), print(range->highest)) : "";
 }
 
+/// The size or the index of an array.
+std::string inBrackets(const std::optional<Expr>& expr) {
+  return expr ? "[" + print(*expr) + "]" : "";
+}
+
 class FilePrinter {
  public:
   void item(const Item& node) {
@@ -63,12 +68,12 @@ class FilePrinter {
   }
   void write(const Param& n) {
     const std::string where = n.condition ? " where " + print(*n.condition) : "";
-    line(fmt::format("param {}: {} = {}{}{}", n.name.text, n.type.text, print(n.value),
-                     printRange(n.range), where));
+    line(fmt::format("param {}{}: {} = {}{}{}", n.name.text, inBrackets(n.size), n.type.text,
+                     print(n.value), printRange(n.range), where));
   }
   void write(const Var& n) {
-    line(fmt::format("var {}: {} = {}{}", n.name.text, n.type.text, print(n.value),
-                     printRange(n.range)));
+    line(fmt::format("var {}{}: {} = {}{}", n.name.text, inBrackets(n.size), n.type.text,
+                     print(n.value), printRange(n.range)));
   }
   void write(const Always& n) {
     gap();
@@ -239,7 +244,12 @@ class FilePrinter {
     --indent_;
   }
   void writeStatement(const Set& n) {
-    line(fmt::format("set {} = {}", n.variable.text, print(n.value)));
+    line(fmt::format("set {}{} = {}", n.variable.text, inBrackets(n.index), print(n.value)));
+  }
+  void writeStatement(const For& n) {
+    line(fmt::format("for {} in {} .. {} do", n.index.text, print(n.first), print(n.last)));
+    statements(n.body);
+    line("end");
   }
   void writeStatement(const If& n) {
     line("if " + print(n.condition) + " then");

@@ -119,6 +119,8 @@ class Layout {
       if (token().is("if")) {
         frames_.push_back({Kind::Block, lines_.back().indent, frame.flat || fits(at_)});
       }
+    } else if (token().is("do")) {  // of a loop
+      frames_.push_back({Kind::Block, lines_.back().indent, frames_.back().flat || fits(at_)});
     }
   }
 
@@ -145,7 +147,12 @@ class Layout {
     const Token& last = tokens_[i - 1];
     const bool command = tokens_[i].depth == 0 && tokens_[i].name && tokens_[i + 1].is("(") &&
                          (last.ends_value || tokenIsOneOf(last, {"do", "then", "else", "end"}));
-    return command || tokenIsOneOf(tokens_[i], {"set", "if", "log"});
+    return command || startsLoop(i) || tokenIsOneOf(tokens_[i], {"set", "if", "log"});
+  }
+  /// At `for i in`: where it is a name, no other name follows it.
+  [[nodiscard]] bool startsLoop(size_t i) const {
+    return i + 2 < tokens_.size() && tokens_[i].is("for") && tokens_[i + 2].is("in") &&
+           !tokens_[i + 1].is("in");
   }
 
   /// Whether the `do` or `if` at `open` was written on one line up to its `end`, has at most one
@@ -170,7 +177,9 @@ class Layout {
       }
       ++i;
     } while (!statements.empty());
-    return fitsWhole(tokens_[open].is("do") && !after({"entry"}) ? pastTransition(i) : i);
+    const bool of_case = tokens_[open].is("do") && !after({"entry"}) &&
+                         (frames_.empty() || frames_.back().kind == Kind::Body);
+    return fitsWhole(of_case ? pastTransition(i) : i);
   }
 
   /// The token after the transition that begins at `i`.

@@ -115,13 +115,17 @@ ast::Param AstBuilder::parameter(Parser::ParameterContext* rule) {
   if (rule->expr().size() > 1) {
     condition = expr(rule->expr(1));
   }
-  return {name(rule->anyName()), type(rule->type()),   expr(rule->expr(0)),
-          range(rule->range()),  std::move(condition), where(rule)};
+  return {name(rule->anyName()), type(rule->type()), expr(rule->expr(0)), range(rule->range()),
+          std::move(condition),  where(rule),        size(rule->size())};
 }
 
 ast::Var AstBuilder::variable(Parser::VariableContext* rule) {
-  return {name(rule->anyName()), type(rule->type()), expr(rule->expr()), range(rule->range()),
-          where(rule)};
+  return {name(rule->anyName()), type(rule->type()), expr(rule->expr()),
+          range(rule->range()),  where(rule),        size(rule->size())};
+}
+
+std::optional<ast::Expr> AstBuilder::size(Parser::SizeContext* rule) {
+  return rule == nullptr ? std::nullopt : std::optional(expr(rule->expr()));
 }
 
 std::optional<std::vector<ast::Formal>> AstBuilder::formals(Parser::FormalsContext* rule) {
@@ -285,10 +289,19 @@ std::vector<ast::Statement> AstBuilder::statements(
 
 ast::Statement AstBuilder::statement(Parser::StatementContext* rule) {
   if (auto* s = dynamic_cast<Parser::SetStatementContext*>(rule)) {
-    return {ast::Set{name(s->name()), expr(s->expr())}, where(rule)};
+    std::optional<ast::Expr> index;
+    if (s->LBRACKET() != nullptr) {
+      index = expr(s->expr(0));
+    }
+    return {ast::Set{name(s->name()), expr(s->expr().back()), std::move(index)}, where(rule)};
   }
   if (auto* s = dynamic_cast<Parser::IfStatementContext*>(rule)) {
     return {ifStatement(s), where(rule)};
+  }
+  if (auto* s = dynamic_cast<Parser::ForStatementContext*>(rule)) {
+    return {ast::For{name(s->anyName()), expr(s->expr(0)), expr(s->expr(1)),
+                     statements(s->block()->statement())},
+            where(rule)};
   }
   if (auto* s = dynamic_cast<Parser::LogStatementContext*>(rule)) {
     ast::Log log{text(s->STRING()->getSymbol()), {}};

@@ -34,6 +34,7 @@ class AstBuilder {
   ast::Const constant(Parser::ConstantContext* rule);
   ast::Param parameter(Parser::ParameterContext* rule);
   ast::Var variable(Parser::VariableContext* rule);
+  std::optional<ast::Expr> size(Parser::SizeContext* rule);
   ast::State state(Parser::StateContext* rule);
   ast::Behaviour behaviour(Parser::BehaviourContext* rule);
   ast::Item external(Parser::ExternalContext* rule);

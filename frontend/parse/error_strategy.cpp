@@ -246,7 +246,8 @@ void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Le
     case GliderParser::RuleStatement: {
       const auto set = parser->getExpectedTokens();
       const bool statement = set.contains(size_t{GliderParser::SET});
-      return expected(statement ? "`set`, `if`, `log`, a command or `end`" : listOf(set), found);
+      return expected(statement ? "`set`, `if`, `for`, `log`, a command or `end`" : listOf(set),
+                      found);
     }
     case GliderParser::RuleName:
     case GliderParser::RuleAnyName:

@@ -26,6 +26,7 @@ struct OutlineDeclaration {
   support::SourceRange where;    ///< up to where its end is certain: for states up to the body
   std::optional<uint32_t> body;  ///< the one that contains it
   bool external = false;         ///< after `extern`
+  std::string size;              ///< of an array: "[8]"
   bool typed = false;            ///< it has a colon
   std::string type;              ///< the type after the colon, without spaces; empty: missing
   bool parenthesised = false;

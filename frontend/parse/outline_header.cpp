@@ -17,6 +17,9 @@ class HeaderReader {
     if (takesFormals(declaration) && take(GliderLexer::LPAREN)) {
       formals(declaration);
     }
+    if (takesSize(declaration) && type() == GliderLexer::LBRACKET) {
+      declaration.size = size();
+    }
     if (take(GliderLexer::COLON)) {
       declaration.typed = true;
       declaration.type = typeName();
@@ -30,7 +33,25 @@ class HeaderReader {
            declaration.kind == SymbolKind::Route || declaration.kind == SymbolKind::Function;
   }
 
+  static bool takesSize(const OutlineDeclaration& declaration) {
+    return declaration.kind == SymbolKind::Variable || declaration.kind == SymbolKind::Parameter;
+  }
+
   [[nodiscard]] uint32_t type() const { return lexemes_[at_].type; }
+
+  /// "[8]", with its brackets; "" if they do not close.
+  std::string size() {
+    const size_t begin = at_;
+    while (!oneOf(type(), {GliderLexer::RBRACKET, GliderLexer::COLON, kEof}) &&
+           !isHardKeyword(type())) {
+      ++at_;
+    }
+    if (!take(GliderLexer::RBRACKET)) {
+      return "";
+    }
+    const Lexeme whole{0, lexemes_[begin].begin, lexemes_[at_ - 1].end};
+    return std::string(source_.text(whole));
+  }
 
   /// The last token, the end of the file, is never taken.
   bool take(uint32_t wanted) {

@@ -238,26 +238,39 @@ class StructureRepair {
                            : std::string_view{};
   }
 
+  /// Where the name before this `=` is, which may have an index: `x[2] = 5`.
+  [[nodiscard]] size_t assignedName() const {
+    size_t at = out_.size() - 1;
+    if (out_[at].type == GliderLexer::RBRACKET) {
+      while (at > 1 && out_[at].type != GliderLexer::LBRACKET) {
+        --at;
+      }
+      --at;
+    }
+    return at;
+  }
+
   /// `x = 5` without `set` or `const`: the name before this `=` begins a line.
   void supplyKeyword() {
-    const size_t n = out_.size();
-    if (n == 0 || !isName(out_[n - 1].type) || values_.inParentheses()) {
+    const size_t at = out_.empty() ? 0 : assignedName();
+    if (out_.empty() || !isName(out_[at].type) || values_.inParentheses()) {
       return;
     }
-    const uint32_t before = n == 1 ? uint32_t{GliderLexer::END} : out_[n - 2].type;
+    const uint32_t before = at == 0 ? uint32_t{GliderLexer::END} : out_[at - 1].type;
     const bool action = !blocks_.empty() && blocks_.back().kind != BlockKind::Members;
     const bool begins = endsValue(before) || oneOf(before, {GliderLexer::END, GliderLexer::DO,
                                                             GliderLexer::THEN, GliderLexer::ELSE});
-    if (!begins || before == GliderLexer::PLACE || (!action && !blocks_.empty())) {
+    const bool indexed = at + 1 < out_.size();
+    if (!begins || before == GliderLexer::PLACE || (!action && (indexed || !blocks_.empty()))) {
       return;
     }
-    const Lexeme name = out_.back();
+    const Lexeme name{out_[at].type, out_[at].begin, out_.back().end};
     const std::string_view keyword = action ? "set" : "const";
     reporter_.at(name, support::diagnostics::missingKeyword, source_.text(name), keyword)
         .fix({source_.file, name.begin, name.begin}, std::string(keyword) + " ");
-    out_.back() = {keywordType(keyword), name.begin, name.begin};
-    values_.keyword(out_.back());
-    out_.push_back(name);
+    const Lexeme supplied{keywordType(keyword), name.begin, name.begin};
+    values_.keyword(supplied);
+    out_.insert(out_.begin() + static_cast<std::ptrdiff_t>(at), supplied);
   }
 
   // --- names ---

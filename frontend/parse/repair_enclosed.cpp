@@ -70,6 +70,26 @@ size_t WordRepair::closingBrace(const std::vector<Lexeme>& lexemes, size_t at) c
   return 0;
 }
 
+namespace {
+
+/// Whether `for i in 0 .. 7` was read last.
+bool endsLoopHeader(const std::vector<Lexeme>& out) {
+  constexpr size_t kLongest = 12;
+  const size_t n = out.size();
+  for (size_t k = 2; k < std::min(n, kLongest); ++k) {
+    if (out[n - k].type == GliderLexer::RANGE) {
+      for (size_t i = k + 3; i < std::min(n + 1, k + kLongest); ++i) {
+        if (out[n - i].type == GliderLexer::FOR && out[n - i + 2].type == GliderLexer::IN) {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 /// What `{` and `}` were meant as after `before` (the tokens so far).
 WordRepair::Braces WordRepair::bracesAfter(const std::vector<Lexeme>& out, uint32_t next) const {
   const uint32_t last = out.empty() ? 0 : out.back().type;
@@ -78,6 +98,9 @@ WordRepair::Braces WordRepair::bracesAfter(const std::vector<Lexeme>& out, uint3
   }
   if (oneOf(last, {GliderLexer::DO, GliderLexer::THEN})) {
     return {"", 0, "end", GliderLexer::END};
+  }
+  if (endsLoopHeader(out)) {
+    return {"do", GliderLexer::DO, "end", GliderLexer::END};
   }
   if (last_keyword_ == GliderLexer::CASE && isTransition(next)) {
     return {"", 0, "", 0};

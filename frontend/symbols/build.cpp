@@ -94,7 +94,7 @@ class TableBuilder {
     symbol.kind = declaration.kind;
     symbol.name = text(declaration.name);
     symbol.type = typeOf(declaration);
-    symbol.unit = unitOf(symbol.type);
+    symbol.unit = unitOf(symbol.type.substr(0, symbol.type.find('[')));
     symbol.description = describe(inputs_.sources, declaration.where);
     symbol.where = declaration.name;
     SymbolBody* holder = declaration.body ? &bodies[*declaration.body] : nullptr;
@@ -138,7 +138,8 @@ class TableBuilder {
       return text(declaration.name);
     }
     if (declaration.typed || declaration.kind != SymbolKind::Constant) {
-      return knownType(declaration.type);
+      const std::string type = knownType(declaration.type);
+      return type.empty() ? type : type + declaration.size;
     }
     const auto found =
         constant_types_.find(std::pair(declaration.name.file, declaration.name.begin));

@@ -76,6 +76,8 @@ std::vector<Symbol> builtIn(const platforms::Platform& platform) {
     all.push_back(symbol(SymbolKind::Command, command.name, command.signature.text,
                          "command, in force until the next of its kind"));
   }
+  all.push_back(symbol(SymbolKind::Command, "push", "push(array, value)",
+                       "puts a value at the front of an array and forgets the oldest"));
   return all;
 }
 

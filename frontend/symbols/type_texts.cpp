@@ -7,6 +7,8 @@
 #include "frontend/sema/names/scope.h"
 #include "ir/core/type_name.h"
 
+#include <fmt/format.h>
+
 namespace glider::frontend {
 namespace {
 
@@ -37,6 +39,9 @@ std::string typeOf(const ir::Type& type) {
 }
 
 std::string typeOf(const Constant& constant) {
+  if (!constant.elements.empty()) {
+    return fmt::format("{}[{}]", typeOf(constant.type), constant.elements.size());
+  }
   return !constant.path.empty() ? "path" : constant.position ? "position" : typeOf(constant.type);
 }
 

@@ -83,6 +83,7 @@ enum class KnownRule : uint8_t {
   Guarded,   ///< the same, and if one side checks that the other is known
   Choice,    ///< the same, and if the first choice is a sensor and the condition is whether it is
              ///< known
+  Row,       ///< the same, if it is a whole number that the table has
   Variable,  ///< as for the variable
   Maybe      ///< nothing is known of it
 };

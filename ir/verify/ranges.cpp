@@ -13,6 +13,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace glider::ir {
@@ -97,8 +98,8 @@ class RangeCheck {
   void assignments() {
     for (const Block& block : m_.blocks) {
       for (size_t i = 0; i < block.statements.size(); ++i) {
-        if (leaves({&block, i})) {
-          const Statement& s = block.statements[i];
+        const Statement& s = block.statements[i];
+        if (leaves({&block, i}) && firstOfArray(s)) {
           report(support::diagnostics::assignmentRange, s.range, m_[s.variable], s.value);
         }
       }
@@ -107,6 +108,12 @@ class RangeCheck {
     for (const State& s : m_.states) {
       reportArguments(s.cases);
     }
+  }
+
+  /// False for a statement of the text that was reported for another element of the same array.
+  bool firstOfArray(const Statement& s) {
+    const std::string& name = m_[s.variable].name;
+    return told_.emplace(s.range.file, s.range.begin, name.substr(0, name.find('['))).second;
   }
 
   [[nodiscard]] bool leaves(const AssignmentPlace& place) const {
@@ -135,6 +142,7 @@ class RangeCheck {
   std::vector<Interval> intervals_;
   std::set<AssignmentPlace> doubtful_;
   std::set<AssignmentPlace> kept_;  ///< those of them that their guards keep in range
+  std::set<std::tuple<uint32_t, uint32_t, std::string>> told_;
 };
 
 }  // namespace

@@ -29,8 +29,8 @@ std::vector<std::string> templates() {
 
 TEST(New, EveryTemplateChecksCleanAndFlies) {
   const auto names = templates();
-  EXPECT_THAT(names, testing::IsSupersetOf({"hover", "mooring", "surface_on_event", "thermocline",
-                                            "transect", "yo"}));
+  EXPECT_THAT(names, testing::IsSupersetOf({"holds", "hover", "mooring", "surface_on_event",
+                                            "thermocline", "transect", "yo"}));
   for (const std::string& name : names) {
     const TemporaryFolder folder;
     const std::string here = "cd " + folder.path().string() + "; $GLIDERCC ";

@@ -63,4 +63,15 @@ void holdsFor(const MakeRule& make, const Plan& plan) {
   testing::Test::RecordProperty("said", static_cast<int>(said));
 }
 
+void holdsOn(std::span<const ir::Mission> missions, const MakeRule& make, const Plan& plan) {
+  size_t steps = 0;
+  for (size_t i = 0; i < missions.size() && !testing::Test::HasFailure(); ++i) {
+    const ir::prove::ProofContext context(missions[i], ir::slocum());
+    const std::unique_ptr<Rule> rule = make(context);
+    fly(*rule, Flight(context, i, plan.power_cuts), plan.ticks);
+    steps += rule->steps;
+  }
+  EXPECT_GT(steps, 0U);
+}
+
 }  // namespace glider::containment

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 
 namespace glider::containment {
 
@@ -38,6 +39,9 @@ struct Plan {
 /// Flies missions until the rule has been compared with GLIDER_CONTAINMENT steps (5000), or fails;
 /// seeds from GLIDER_CONTAINMENT_SEED (0) on.
 void holdsFor(const MakeRule& make, const Plan& plan = {});
+
+/// The same for one flight of each of these missions.
+void holdsOn(std::span<const ir::Mission> missions, const MakeRule& make, const Plan& plan);
 
 /// The same for a class that is made from the context.
 template <typename R>

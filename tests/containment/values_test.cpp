@@ -9,11 +9,16 @@
 #include "ir/prove/abstract/abstract_run.h"
 #include "ir/prove/abstract/held_ranges.h"
 #include "tests/containment/rule.h"
+#include "tests/random_missions/random_arrays.h"
+#include "tests/unit/frontend/compile.h"
+#include "tests/unit/ir/slocum.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <type_traits>
 
 namespace glider::containment {
 namespace {
@@ -205,6 +210,49 @@ class Evaluation : public Values {
 
 TEST(Containment, AbstractEvaluation) {
   holds<Evaluation>();
+}
+
+/// Missions of the language with arrays and loops, whose tables and choices random missions of the
+/// IR have rarely. The index `w` always has an element, `half` never.
+std::vector<Mission> missionsWithArrays() {
+  constexpr size_t kMissions = 12;
+  constexpr size_t kLargest = 1200;  // expressions: each is evaluated on every tick
+  std::vector<Mission> missions;
+  for (uint64_t seed = 0; missions.size() < kMissions; ++seed) {
+    const auto program = random_missions::randomArrays(seed);
+    frontend::testing_support::FrontendRun run(
+        "mission m\n" + program.declarations +
+        "var w: number = 0 in 0 .. 1\nvar half: number = 0.5 in 0 .. 1\nstate s begin "
+        "flightprofile surfaced sensors missiontime, "
+        "chlorophyll events case known(chlorophyll) || missiontime >= 0 s do\n" +
+        program.statements +
+        "set w = 1 - w log \"w\", c[w], a[w], c[half] end stay case missiontime > 1 h exit end\n");
+    auto mission = run.compile();
+    if (mission && mission->exprs.size() < kLargest) {
+      missions.push_back(std::move(*mission));
+    }
+  }
+  return missions;
+}
+
+TEST(Containment, ValuesOfArrays) {
+  const std::vector<Mission> missions = missionsWithArrays();
+  const Plan plan{.flights = 1, .ticks = 30};
+  const auto rule = [&]<typename R>(std::type_identity<R>) {
+    holdsOn(
+        missions, [](const ProofContext& context) { return std::make_unique<R>(context); }, plan);
+  };
+  rule(std::type_identity<Intervals>());
+  rule(std::type_identity<NeverUnknown>());
+  rule(std::type_identity<WholeNumbers>());
+  rule(std::type_identity<Evaluation>());
+  for (const Mission& mission : missions) {
+    const ProofContext context(mission, slocum());
+    EXPECT_TRUE(std::ranges::any_of(mission.exprs, [&](const Expr& e) {
+      const auto number = static_cast<size_t>(&e - mission.exprs.data());
+      return e.op == Op::Element && context.known.expressions[number];
+    }));
+  }
 }
 
 /// A transition by a state's own case, from the very values of the variables.

@@ -53,18 +53,35 @@ std::string_view typeOf(const Phrase& phrase, size_t k) {
   return "";
 }
 
+/// The tokens of the size `[8]` of an array, from token `first` on; 0: there is none.
+size_t tokensOfSize(const Phrase& phrase, size_t first) {
+  constexpr size_t kLongest = 8;
+  if (phrase.type(first) != GliderLexer::LBRACKET) {
+    return 0;
+  }
+  for (size_t k = first + 1; k < first + kLongest; ++k) {
+    if (phrase.type(k) == GliderLexer::RBRACKET) {
+      return k + 1 - first;
+    }
+  }
+  return 0;
+}
+
 /// `var n = 0`: analysis would ask for the type with every use.
 size_t withoutType(Phrase& phrase) {
   const bool untyped =
       oneOf(phrase.type(), {GliderLexer::VAR, GliderLexer::PARAM}) && isAnyName(phrase.type(1));
-  const bool both = phrase.type(2) == GliderLexer::COLON && phrase.type(3) == GliderLexer::ASSIGN;
-  if (!untyped || !(both || oneOf(phrase.type(2), {GliderLexer::ASSIGN, GliderLexer::EQ}))) {
+  const size_t end = 2 + (untyped ? tokensOfSize(phrase, 2) : 0);
+  const bool both =
+      phrase.type(end) == GliderLexer::COLON && phrase.type(end + 1) == GliderLexer::ASSIGN;
+  if (!untyped || !(both || oneOf(phrase.type(end), {GliderLexer::ASSIGN, GliderLexer::EQ}))) {
     return 0;
   }
-  const size_t sign = both ? 3 : 2;
-  const std::string_view type = typeOf(phrase, sign + 1);
-  const Lexeme name = phrase.token(1);
-  const std::string_view written = phrase.text(1);
+  const size_t sign = both ? end + 1 : end;
+  const size_t list = phrase.type(sign + 1) == GliderLexer::LBRACKET && end > 2 ? 1 : 0;
+  const std::string_view type = typeOf(phrase, sign + 1 + list);
+  const Lexeme name = phrase.whole(1, end - 1);
+  const std::string_view written = phrase.wholeText(1, end - 1);
   auto report = phrase.reporter().at(name, support::diagnostics::withoutType, written);
   report.hint(fmt::format("write `{} {}: {} = …`", phrase.text(), written,
                           type.empty() ? std::string_view("TYPE") : type));
@@ -72,14 +89,41 @@ size_t withoutType(Phrase& phrase) {
     report.fix({phrase.source().file, name.end, phrase.token(sign).end},
                fmt::format(": {} =", type));
   }
-  phrase.put(phrase.token());
-  phrase.put(name);
+  for (size_t k = 0; k < end; ++k) {
+    phrase.put(phrase.token(k));
+  }
   phrase.put({GliderLexer::COLON, name.end, name.end});
-  phrase.put(name);  // in place of the type
+  phrase.put(phrase.token(1));  // in place of the type
   const Lexeme& assign = phrase.token(sign);
   phrase.put({GliderLexer::ASSIGN, assign.begin, assign.end});
   phrase.notAsMeant();
   return sign + 1;
+}
+
+/// `var recent: temperature[8] = …`
+size_t sizeAfterType(Phrase& phrase) {
+  const bool typed = oneOf(phrase.type(), {GliderLexer::VAR, GliderLexer::PARAM}) &&
+                     isAnyName(phrase.type(1)) && phrase.type(2) == GliderLexer::COLON &&
+                     isName(phrase.type(3));
+  const size_t size = typed ? tokensOfSize(phrase, 4) : 0;
+  if (size == 0) {
+    return 0;
+  }
+  const Lexeme& found = phrase.token(4);
+  const std::string better =
+      fmt::format("{}{}: {}", phrase.text(1), phrase.wholeText(4, size), phrase.text(3));
+  phrase.reporter()
+      .at(found, support::diagnostics::unexpectedToken, "`=`", describe(phrase.source(), found))
+      .hint(fmt::format("write `{} {} = …`", phrase.text(), better))
+      .fix(phrase.source().range(phrase.whole(1, 3 + size)), better);
+  phrase.put(phrase.token());
+  phrase.put(phrase.token(1));
+  for (size_t k = 4; k < 4 + size; ++k) {
+    phrase.put(phrase.token(k));
+  }
+  phrase.put(phrase.token(2));
+  phrase.put(phrase.token(3));
+  return 4 + size;
 }
 
 bool isTypeName(std::string_view word) {
@@ -115,8 +159,12 @@ size_t typeFirst(Phrase& phrase) {
 }  // namespace
 
 size_t untyped(Phrase& phrase) {
-  const size_t taken = withoutType(phrase);
-  return taken != 0 ? taken : typeFirst(phrase);
+  for (const PhraseRepair repair : {withoutType, sizeAfterType, typeFirst}) {
+    if (const size_t taken = repair(phrase)) {
+      return taken;
+    }
+  }
+  return 0;
 }
 
 size_t range(Phrase& phrase) {

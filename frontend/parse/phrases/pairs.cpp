@@ -146,6 +146,24 @@ bool isListOfPairs(const Phrase& phrase) {
   }
 }
 
+/// Whether the list that is being read is the value of a declaration of something else than a path.
+bool isOfAnArray(const Phrase& phrase) {
+  bool assigned = false;
+  for (size_t k = 0;; ++k) {
+    const Lexeme* before = phrase.lexemeBefore(k);
+    if (before == nullptr || before->type == GliderLexer::LPAREN) {
+      return false;
+    }
+    if (oneOf(before->type, {GliderLexer::CONST, GliderLexer::VAR, GliderLexer::PARAM})) {
+      return assigned;
+    }
+    assigned = assigned || before->type == GliderLexer::ASSIGN;
+    if (phrase.source().text(*before) == "path" && phrase.before(k + 1) == GliderLexer::COLON) {
+      return false;
+    }
+  }
+}
+
 /// Whether a pair without parentheses can be meant: between the values of a path, or as the whole
 /// value of a constant.
 bool mayBePair(const Phrase& phrase, const Pair& pair) {
@@ -169,7 +187,7 @@ bool mayBePair(const Phrase& phrase, const Pair& pair) {
   if (pair.enclosed || assigned) {
     return pair.first.letter || fraction;
   }
-  return ends && (pair.first.letter || isListOfPairs(phrase));
+  return ends && (pair.first.letter || (isListOfPairs(phrase) && !isOfAnArray(phrase)));
 }
 
 void putPair(Phrase& phrase, const Pair& pair) {

@@ -13,6 +13,7 @@ namespace {
 /// is anything else.
 constexpr PhraseRepair kRepairs[] = {phrases::comment,
                                      phrases::caseWord,
+                                     phrases::loop,
                                      phrases::afterTransition,
                                      phrases::target,
                                      phrases::capitals,

@@ -56,6 +56,8 @@ size_t letterBefore(Phrase& phrase);
 size_t compassPoint(Phrase& phrase);
 /// `set n += 1`, `n++`, `print "warm"`, `wait 10 min`.
 size_t statement(Phrase& phrase);
+/// `for i = 1 to 8`, `while depth < 5 m do`.
+size_t loop(Phrase& phrase);
 /// `case … set n = 1 call up`.
 size_t actionWithoutDo(Phrase& phrase);
 /// `var n = 0`, `length d = 5 m`.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "frontend/sema/arrays/declared_array.h"
 #include "frontend/sema/declarations/declarations.h"
 #include "frontend/sema/declarations/externals.h"
 #include "frontend/sema/declarations/variables.h"
@@ -8,6 +9,9 @@
 #include "frontend/sema/expressions/lower_expr.h"
 #include "support/diagnostics/ids/meaning.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -34,8 +38,11 @@ class Declarations {
     if (place == scope_.constants.end() || place->second.name != &node.name) {
       return;  // refused
     }
-    if (isPath(node.value, scope_) || (node.type && node.type->text == "path")) {
+    const bool path = node.type && node.type->text == "path";
+    if (path || isPath(node.value, scope_)) {
       workPath(node, place->second);
+    } else if (const auto* list = std::get_if<ast::List>(&node.value.node)) {
+      workArray(node, *list, place->second);
     } else {
       const auto type = node.type ? scope_.declaredType(*node.type, "") : std::nullopt;
       if (!node.type || type) {
@@ -93,6 +100,60 @@ class Declarations {
       settleConstant(node, *value, constant);
     }
     scope_.mission.exprs.resize(before);
+  }
+
+  /// A list of values of one type: that of the declaration, or of the first value with a unit.
+  void workArray(const ast::Const& node, const ast::List& list, Constant& constant) {
+    if (!arrayFits(node, list)) {
+      return;
+    }
+    auto type = node.type ? scope_.declaredType(*node.type, "") : std::nullopt;
+    if (node.type && !type) {
+      return;
+    }
+    const auto leader = std::ranges::find_if_not(list.items, takesUnitOfContext);
+    if (!type && leader != list.items.end()) {
+      Constant first;
+      work({node.name, {}, *leader, node.where}, std::nullopt, first);
+      if (!first.valid) {
+        return;
+      }
+      type = DeclaredType{first.type, first.position};
+    }
+    std::vector<double> elements;
+    for (const ast::Expr& item : list.items) {
+      Constant element;
+      work({node.name, {}, item, node.where}, type.value_or(DeclaredType{plainNumber()}), element);
+      if (!element.valid || !sameScale(constant, element, list.items.front(), item)) {
+        return;
+      }
+      elements.push_back(element.number);
+    }
+    constant.type = type ? type->type : plainNumber();
+    constant.elements = std::move(elements);
+    constant.valid = true;
+  }
+
+  bool arrayFits(const ast::Const& node, const ast::List& list) {
+    const size_t size = list.items.size();
+    if (size < kFewestElements || size > kMostElements) {
+      scope_.report(support::diagnostics::arraySize, node.value.where, kMostElements,
+                    size == 1 ? "1 value" : fmt::format("{} values", size));
+      return false;
+    }
+    return true;
+  }
+
+  /// Takes the scale of the first element that has one.
+  bool sameScale(Constant& constant, const Constant& element, const ast::Expr& first,
+                 const ast::Expr& item) {
+    const Value one{{}, element.type, {}, element.scale};
+    if (ExprLowering(scope_).scalesDiffer({{}, element.type, {}, constant.scale}, first.where, one,
+                                          item.where, "[…]")) {
+      return false;
+    }
+    constant.scale = constant.scale.unit.empty() ? element.scale : constant.scale;
+    return true;
   }
 
   void workPath(const ast::Const& node, Constant& constant) {

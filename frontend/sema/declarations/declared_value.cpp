@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace glider::frontend {
 
 namespace {
@@ -28,6 +30,33 @@ support::SourceRange whole(const ast::Range& range) {
 }
 
 }  // namespace
+
+bool isUnknown(const ast::Expr& expr, Scope& scope) {
+  const auto* use = std::get_if<ast::NameUse>(&expr.node);
+  return use != nullptr && use->name == "unknown" && !scope.declares(use->name, expr.where);
+}
+
+Value DeclaredValue::unknown(const Bounds& bounds, const support::SourceRange& range) {
+  ir::MissionWriter write(scope_.mission, range);
+  const bool truth = type_.type == boolean();
+  // Element 1 of a table that has only element 0.
+  const auto missing = [&](const ir::Type& type) {
+    const double some = std::isfinite(bounds.lowest)    ? bounds.lowest
+                        : std::isfinite(bounds.highest) ? bounds.highest
+                                                        : 0;
+    return write.element(scope_.table({type, {some}}), write.number(1, plainNumber()));
+  };
+  Value value{missing(truth ? plainNumber() : type_.type), type_.type};
+  if (truth) {
+    const ir::ExprId zero = write.number(0, plainNumber());
+    value.id = write.operation(ir::Op::Equal, boolean(), {value.id, zero});
+  }
+  if (type_.position) {
+    value.longitude = missing(longitude());
+  }
+  scale_ = {};
+  return value;
+}
 
 std::optional<Value> DeclaredValue::start(const ast::Expr& expr) {
   const auto value = ExprLowering(scope_).lowerDeclared(expr, type_, "`" + name_.text + "`");

@@ -19,6 +19,9 @@ struct Bounds {
   double highest = ir::Variable::kEndless;
 };
 
+/// Whether an expression is the word `unknown`, which the mission uses for nothing else.
+bool isUnknown(const ast::Expr& expr, Scope& scope);
+
 /// Lowers the parts of a value's declaration other than its name.
 class DeclaredValue {
  public:
@@ -27,6 +30,8 @@ class DeclaredValue {
 
   /// Its initial value, of its type.
   std::optional<Value> start(const ast::Expr& expr);
+  /// An unknown initial value; within `bounds` for whoever asks what it could be.
+  Value unknown(const Bounds& bounds, const support::SourceRange& range);
   /// What the value counts that was lowered last, where it is written with such a unit.
   [[nodiscard]] const Scale& scale() const { return scale_; }
   /// A value of its type that must be known before the mission runs; `what` says what for. The

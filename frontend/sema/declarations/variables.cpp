@@ -3,6 +3,7 @@
 
 #include "frontend/sema/declarations/variables.h"
 
+#include "frontend/sema/arrays/declared_array.h"
 #include "frontend/sema/declarations/declared_value.h"
 #include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/expressions/lower_expr.h"
@@ -31,8 +32,9 @@ ir::VariableId push(ir::Variable variable, Scope& scope) {
   return ir::MissionWriter(scope.mission).add(std::move(variable));
 }
 
-/// The IR variables of `named`, like `model` except for what belongs to the halves of a position.
-void make(Named& named, ir::Variable model, ir::ExprId longitude_start, Scope& scope) {
+/// An IR variable like `model`, or two if it is a position: `longitude_start` belongs to the
+/// second.
+Element makeOne(const Named& named, ir::Variable model, ir::ExprId longitude_start, Scope& scope) {
   model.type = named.type.type;
   model.range = named.name->where;
   ir::Variable second = model;
@@ -42,10 +44,18 @@ void make(Named& named, ir::Variable model, ir::ExprId longitude_start, Scope& s
     second.initial = longitude_start;
     model.name += ".latitude";
   }
-  named.variable = push(std::move(model), scope);
+  Element made;
+  made.variable = push(std::move(model), scope);
   if (named.type.position) {
-    named.longitude = push(std::move(second), scope);
+    made.longitude = push(std::move(second), scope);
   }
+  return made;
+}
+
+void make(Named& named, ir::Variable model, ir::ExprId longitude_start, Scope& scope) {
+  const Element made = makeOne(named, std::move(model), longitude_start, scope);
+  named.variable = made.variable;
+  named.longitude = made.longitude;
   named.reached = true;
 }
 
@@ -92,59 +102,116 @@ ir::ExprId constantExpr(double value, const ir::Type& type, const support::Sourc
   return type == boolean() ? write.truth(value != 0) : write.number(value, type);
 }
 
+/// The number of its elements; 0 for what is not an array. Empty, and reported, if it is wrong.
+std::optional<size_t> sizeOf(const std::optional<ast::Expr>& size, Named& named, Scope& scope) {
+  named.array = size.has_value();
+  return size ? arraySize(*size, scope) : std::optional(size_t{0});
+}
+
+/// The names in the IR of `named` and of its elements: "temps[3]".
+std::string nameOf(std::string name, bool array, size_t i) {
+  return array ? fmt::format("{}[{}]", name, i) : std::move(name);
+}
+
+/// Keeps the variable that was made for `named`, or for its next element.
+void keep(const Element& made, Named& named) {
+  if (named.array) {
+    named.elements.push_back(made);
+  } else {
+    named.variable = made.variable;
+    named.longitude = made.longitude;
+  }
+  named.reached = true;
+}
+
+/// The initial value `expr` of the variable `node`, or of one of its elements. Empty, and reported,
+/// if something is wrong.
+std::optional<Value> startOf(const ast::Expr& expr, const ast::Var& node, const Bounds& bounds,
+                             DeclaredValue& lowering, Scope& scope) {
+  if (isUnknown(expr, scope)) {
+    return lowering.unknown(bounds, expr.where);
+  }
+  const auto start = lowering.start(expr);
+  const bool mission = scope.context.at_start;
+  if (!start || (mission && !knownAtStart(start->id, scope)) || !knownOnEntry(start->id, scope)) {
+    return std::nullopt;
+  }
+  const auto known = evaluate(scope.mission, start->id);
+  return known && node.range && !lowering.inside(*known, bounds, expr, *node.range) ? std::nullopt
+                                                                                    : start;
+}
+
 /// Lowers into `named`; false, and reported, if something is wrong.
 bool lowerVar(const ast::Var& node, const VariableOwner& owner, Named& named, Scope& scope) {
-  if (!typed(named, node.type, scope)) {
+  const auto size = sizeOf(node.size, named, scope);
+  if (!typed(named, node.type, scope) || !size) {
     return false;
   }
   DeclaredValue lowering(node.name, named.type, scope);
   const auto bounds = lowering.bounds(node.range);
-  const auto start = lowering.start(node.value);
-  const bool mission = owner.kind == ir::VariableKind::Mission;
-  if (!bounds || !start || (mission && !knownAtStart(start->id, scope)) ||
-      !knownOnEntry(start->id, scope)) {
+  const auto starts = startsOf(node.name, *size, node.value, scope);
+  if (!bounds || !starts) {
     return false;
   }
-  const auto known = evaluate(scope.mission, start->id);
-  named.starts_constant = known.has_value();
-  named.scale = lowering.scale();
-  if (known && node.range && !lowering.inside(*known, *bounds, node.value, *node.range)) {
-    return false;
+  named.starts_constant = true;
+  for (size_t i = 0; i < starts->size(); ++i) {
+    const auto start = startOf(*(*starts)[i], node, *bounds, lowering, scope);
+    if (!start) {
+      return false;
+    }
+    named.starts_constant &= evaluate(scope.mission, start->id).has_value();
+    named.scale = lowering.scale();
+    ir::Variable model;
+    model.name = nameOf(owner.prefix + node.name.text, named.array, i);
+    model.kind = owner.kind;
+    model.owner = owner.state;
+    model.initial = start->id;
+    model.lowest = bounds->lowest;
+    model.highest = bounds->highest;
+    keep(makeOne(named, std::move(model), start->longitude, scope), named);
   }
-  ir::Variable model;
-  model.name = owner.prefix + node.name.text;
-  model.kind = owner.kind;
-  model.owner = owner.state;
-  model.initial = start->id;
-  model.lowest = bounds->lowest;
-  model.highest = bounds->highest;
-  make(named, std::move(model), start->longitude, scope);
   return true;
 }
 
 bool lowerParam(const ast::Param& node, Named& named, Scope& scope) {
-  if (!typed(named, node.type, scope)) {
+  const auto size = sizeOf(node.size, named, scope);
+  if (!typed(named, node.type, scope) || !size) {
     return false;
   }
   DeclaredValue lowering(node.name, named.type, scope);
   const auto bounds = lowering.bounds(node.range);
-  const auto start = lowering.constant(node.value, "the value of a parameter");
-  if (!bounds || !start ||
-      (node.range && !lowering.inside(start->first, *bounds, node.value, *node.range))) {
+  const auto starts = startsOf(node.name, *size, node.value, scope);
+  if (!bounds || !starts) {
     return false;
   }
-  named.scale = lowering.scale();
-  ir::Variable model;
-  model.name = node.name.text;
-  model.kind = ir::VariableKind::Parameter;
-  model.initial = constantExpr(start->first, named.type.type, node.value.where, scope);
-  model.lowest = bounds->lowest;
-  model.highest = bounds->highest;
-  const ir::ExprId second = named.type.position
-                                ? constantExpr(start->second, longitude(), node.value.where, scope)
-                                : ir::ExprId();
-  make(named, std::move(model), second, scope);
+  for (size_t i = 0; i < starts->size(); ++i) {
+    const ast::Expr& expr = *(*starts)[i];
+    const auto start = lowering.constant(expr, "the value of a parameter");
+    if (!start || (node.range && !lowering.inside(start->first, *bounds, expr, *node.range))) {
+      return false;
+    }
+    named.scale = lowering.scale();
+    ir::Variable model;
+    model.name = nameOf(node.name.text, named.array, i);
+    model.kind = ir::VariableKind::Parameter;
+    model.initial = constantExpr(start->first, named.type.type, expr.where, scope);
+    model.lowest = bounds->lowest;
+    model.highest = bounds->highest;
+    const ir::ExprId second = named.type.position
+                                  ? constantExpr(start->second, longitude(), expr.where, scope)
+                                  : ir::ExprId();
+    keep(makeOne(named, std::move(model), second, scope), named);
+  }
   return true;
+}
+
+/// Its declaration was lowered, or refused: then it has no elements, not even those before the
+/// error.
+void settle(Named& named) {
+  named.reached = true;
+  if (!named.valid) {
+    named.elements.clear();
+  }
 }
 
 /// The entry of `name` if this declaration has made it.
@@ -178,7 +245,7 @@ void makeParameter(Named& named, ir::VariableKind kind, ir::StateId state, const
 void lowerVariable(const ast::Var& node, const VariableOwner& owner, Names& names, Scope& scope) {
   if (Named* named = entryOf(node.name, names)) {
     named->valid = lowerVar(node, owner, *named, scope);
-    named->reached = true;
+    settle(*named);
   }
 }
 
@@ -197,7 +264,7 @@ ir::VariableId makeDone(const VariableOwner& owner, const support::SourceRange& 
 void lowerMissionParameter(const ast::Param& node, Scope& scope) {
   if (Named* named = entryOf(node.name, scope.names)) {
     named->valid = lowerParam(node, *named, scope);
-    named->reached = true;
+    settle(*named);
   }
 }
 

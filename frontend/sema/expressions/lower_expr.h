@@ -27,6 +27,31 @@ struct Value {
   ir::ExprId on_compass{};
 };
 
+/// An array that a name refers to: a variable, a parameter or a constant.
+struct Array {
+  std::string name;
+  DeclaredType type;  ///< of each element
+  Scale scale;
+  size_t size = 0;
+  Named* named = nullptr;              ///< null for a constant
+  const Constant* constant = nullptr;  ///< null for a variable or parameter
+};
+
+/// The array that `name` refers to in the scope's context; empty if there is none, or if its
+/// declaration was refused.
+std::optional<Array> findArray(std::string_view name, Scope& scope);
+
+/// "an array of 8 elements"
+std::string describe(const Array& array);
+
+/// Which element of an array is meant.
+struct ElementIndex {
+  std::optional<size_t> known;  ///< known when the mission is compiled
+  ir::ExprId written;
+  ir::ExprId
+      number;  ///< unless it is known: as written, but unknown where there is no such element
+};
+
 /// A sensor that an expression reads.
 struct SensorRead {
   const platforms::PlatformSensor* sensor;
@@ -55,6 +80,8 @@ class ExprLowering {
   std::optional<Path> lowerPath(const ast::Expr& expr);
   /// A guard or an operand of `&&`.
   std::optional<ir::ExprId> lowerCondition(const ast::Expr& expr);
+  /// The index of an element of `array` (arrays/lower_array.cpp).
+  std::optional<ElementIndex> lowerIndex(const ast::Expr& expr, const Array& array);
 
   /// Refuses the halves of a position in the wrong order, as far as numbers and letters show it,
   /// and then returns true (lower_longitude_first.cpp).
@@ -206,6 +233,21 @@ class ExprLowering {
   /// In [0, 2 pi), of an angle that is less than a turn outside it.
   ir::ExprId wrapped(ir::ExprId sum, const support::SourceRange& range);
 
+  // Arrays (arrays/lower_array.cpp, arrays/lower_array_function.cpp).
+  Result element(const Array& array, const ast::Index& node, const ast::Expr& expr);
+  Value elementAt(const Array& array, size_t i, const support::SourceRange& range);
+  std::vector<Value> elements(const Array& array, const support::SourceRange& range);
+  /// The one of `all` with that number; unknown where there is none.
+  Value oneOf(const std::vector<Value>& all, ir::ExprId number, const support::SourceRange& range);
+  void warnOfIndex(ir::ExprId number, const ast::Expr& expr, const Array& array);
+  void refuseArray(const Array& array, const support::SourceRange& range);
+  /// The array that is the only argument.
+  std::optional<Array> onlyArray(const ast::Invocation& node);
+  /// The same, for one whose declaration was refused or comes later; null: it is another argument.
+  Named* onlyRefusedArray(const ast::Invocation& node);
+  /// `mean(temps)`, `lowest(temps)` and so on.
+  Result ofArray(const Array& array, const ast::Invocation& node, const ast::Expr& expr);
+
   // Paths (lower_path.cpp).
   std::optional<Path> lanes(const ast::Invocation& node, const ast::Expr& expr);
   void refuseLanes(const LaneProblem& problem, const ast::Expr& area);
@@ -213,6 +255,8 @@ class ExprLowering {
   Result chosen(const Path& path, const Value& index, const support::SourceRange& range);
   Value emitPlace(const Place& place, const support::SourceRange& range);
   void refusePath(const ast::Expr& expr);
+  /// For an index of what is neither a path nor an array.
+  void refuseIndexed(const ast::Name& name);
   std::optional<Place> constantPlace(const ast::Expr& expr);
 
   // Names with a meaning of their own (lower_value.cpp).
@@ -224,6 +268,8 @@ class ExprLowering {
 
   // Names (lower_name.cpp).
   Result variable(Named& named, const support::SourceRange& range);
+  /// False, and reported, if its value is not known where it is read.
+  bool readable(Named& named, const support::SourceRange& range);
   Result sensor(const platforms::PlatformSensor& sensor, const std::string& written,
                 const support::SourceRange& range);
   Result finished(const ast::NameUse& node, const support::SourceRange& range);

@@ -40,6 +40,13 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
   if (isFunctionName(name) && !scope_.functions.contains(name) && refuseNames(node, scope_)) {
     return std::nullopt;
   }
+  if (Named* refused = onlyRefusedArray(node)) {
+    (void)readable(*refused, expr.where);
+    return std::nullopt;
+  }
+  if (const auto array = onlyArray(node); array && isReservedFunction(name) && name != "count") {
+    return ofArray(*array, node, expr);
+  }
   if (findWindow(name) && (isReservedFunction(name) || !scope_.declares(name, expr.where))) {
     return window(node, expr);
   }
@@ -105,7 +112,9 @@ ExprLowering::Result ExprLowering::inC(const ast::Invocation& node, const ast::E
     scope_.reportUnknown(
         support::diagnostics::unknownFunction, node.function.where,
         value ? Suggestion{"`" + name + "` is a value: write it without parentheses", ""}
-              : suggestFunction(name, scope_),
+        : onlyArray(node)
+            ? Suggestion{"functions of an array: count highest lowest mean spread", ""}
+            : suggestFunction(name, scope_),
         name);
     return std::nullopt;
   }

@@ -10,9 +10,12 @@
 namespace glider::frontend {
 
 bool isPosition(const ast::Expr& expr, Scope& scope) {
-  if (std::holds_alternative<ast::Position>(expr.node) ||
-      std::holds_alternative<ast::Index>(expr.node)) {
+  if (std::holds_alternative<ast::Position>(expr.node)) {
     return true;
+  }
+  if (const auto* index = std::get_if<ast::Index>(&expr.node)) {
+    const auto array = findArray(index->list.text, scope);
+    return !array || array->type.position;
   }
   if (const auto* call = std::get_if<ast::Invocation>(&expr.node)) {
     return isPlaceFunction(call->function.text) && !scope.declares(call->function.text, expr.where);
@@ -39,6 +42,10 @@ ExprLowering::Result ExprLowering::visit(const ast::NameUse& node, const ast::Ex
       refusePath(expr);
       return std::nullopt;
     }
+    if (const auto array = findArray(node.name, scope_)) {
+      refuseArray(*array, expr.where);
+      return std::nullopt;
+    }
     return variable(*named, expr.where);
   }
   if (const Constant* found = scope_.findConstant(node.name)) {
@@ -49,6 +56,10 @@ ExprLowering::Result ExprLowering::visit(const ast::NameUse& node, const ast::Ex
     }
     if (!found->path.empty()) {
       refusePath(expr);
+      return std::nullopt;
+    }
+    if (const auto array = findArray(node.name, scope_)) {
+      refuseArray(*array, expr.where);
       return std::nullopt;
     }
     return constant(*found, expr.where);
@@ -71,25 +82,32 @@ ExprLowering::Result ExprLowering::visit(const ast::NameUse& node, const ast::Ex
   return unknown(node, expr.where);
 }
 
-ExprLowering::Result ExprLowering::variable(Named& named, const support::SourceRange& range) {
+bool ExprLowering::readable(Named& named, const support::SourceRange& range) {
   named.read = true;
   if (!named.valid) {
-    return std::nullopt;
+    return false;
   }
   if (!scope_.context.constant.empty()) {
     scope_
         .report(support::diagnostics::notConstant, range, named.name->text, scope_.context.constant)
         .note(named.name->where, fmt::format("it is {}", describe(named.kind)));
-    return std::nullopt;
+    return false;
   }
   if (scope_.context.at_start && named.kind != NamedKind::Parameter) {
     scope_.report(support::diagnostics::notAtStart, range, named.name->text)
         .note(named.name->where, fmt::format("it is {}", describe(named.kind)));
-    return std::nullopt;
+    return false;
   }
   if (!named.reached) {
     scope_.report(support::diagnostics::usedBeforeDefined, range, named.name->text)
         .note(named.name->where, "it is defined here");
+    return false;
+  }
+  return true;
+}
+
+ExprLowering::Result ExprLowering::variable(Named& named, const support::SourceRange& range) {
+  if (!readable(named, range)) {
     return std::nullopt;
   }
   if (!named.arguments.empty()) {

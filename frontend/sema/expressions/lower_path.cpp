@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace glider::frontend {
@@ -37,12 +38,23 @@ bool wasRefused(const ast::Expr& expr, Scope& scope) {
   return found != nullptr && found->worked_out && !found->valid;
 }
 
+/// Whether it is half a position: `39.2 N`.
+bool hasLetter(const ast::Expr& expr) {
+  const auto* literal = std::get_if<ast::Literal>(&expr.node);
+  return literal != nullptr && (literal->unit == "N" || literal->unit == "S" ||
+                                literal->unit == "E" || literal->unit == "W");
+}
+
 }  // namespace
 
 bool isPath(const ast::Expr& expr, Scope& scope) {
+  if (const auto* list = std::get_if<ast::List>(&expr.node)) {
+    return list->items.empty() || std::ranges::any_of(list->items, [&](const ast::Expr& item) {
+             return isPosition(item, scope) || hasLetter(item);
+           });
+  }
   const auto* call = std::get_if<ast::Invocation>(&expr.node);
-  return std::holds_alternative<ast::List>(expr.node) || findPath(expr, scope) != nullptr ||
-         (call != nullptr && call->function.text == kLanes);
+  return findPath(expr, scope) != nullptr || (call != nullptr && call->function.text == kLanes);
 }
 
 std::optional<Path> ExprLowering::lowerPath(const ast::Expr& expr) {
@@ -103,6 +115,14 @@ Value ExprLowering::emitPlace(const Place& place, const support::SourceRange& ra
 }
 
 void ExprLowering::refusePath(const ast::Expr& expr) {
+  if (const auto* list = std::get_if<ast::List>(&expr.node);
+      list != nullptr && !isPath(expr, scope_)) {
+    const std::string what = fmt::format("a list of {} values", list->items.size());
+    scope_.report(
+        support::diagnostics::arrayAsValue, expr.where, scope_.text(expr.where), what,
+        "a list gives the values of an array: `var depths[3]: length = [10 m, 20 m, 30 m]`");
+    return;
+  }
   scope_.report(support::diagnostics::pathAsValue, expr.where, scope_.text(expr.where));
 }
 
@@ -113,6 +133,12 @@ ExprLowering::Result ExprLowering::visit(const ast::List&, const ast::Expr& expr
 }
 
 ExprLowering::Result ExprLowering::countOfPath(const ast::Invocation& node, const ast::Expr& expr) {
+  if (const auto array = onlyArray(node)) {
+    if (array->named != nullptr) {
+      array->named->read = true;
+    }
+    return emitNumber(static_cast<double>(array->size), plainNumber(), expr.where);
+  }
   if (node.arguments.size() != 1) {
     scope_.report(support::diagnostics::wrongArgumentCount, expr.where, "count", "1 argument",
                   node.arguments.empty() ? "none" : fmt::format("{}", node.arguments.size()),
@@ -126,7 +152,15 @@ ExprLowering::Result ExprLowering::countOfPath(const ast::Invocation& node, cons
 
 ExprLowering::Result ExprLowering::visit(const ast::Index& node, const ast::Expr& expr,
                                          std::optional<ir::Type>) {
-  const auto path = lowerPath({ast::NameUse{node.list.text}, node.list.where});
+  if (const auto array = findArray(node.list.text, scope_)) {
+    return element(*array, node, expr);
+  }
+  const ast::Expr list{ast::NameUse{node.list.text}, node.list.where};
+  if (findPath(list, scope_) == nullptr && !wasRefused(list, scope_)) {
+    refuseIndexed(node.list);
+    return std::nullopt;
+  }
+  const auto path = lowerPath(list);
   const auto number =
       lowerAs(*node.position, plainNumber(), "the number in `" + node.list.text + "[…]`");
   if (!path || !number) {

@@ -38,7 +38,13 @@ struct Scale {
   bool written = false;  ///< a number with this unit is part of it
 };
 
-/// A name of one of these kinds. A position is two IR variables.
+/// An element of an array.
+struct Element {
+  ir::VariableId variable;
+  ir::VariableId longitude;  ///< of a position
+};
+
+/// A name of one of these kinds. A position is two IR variables, an array those of its elements.
 struct Named {
   const ast::Name* name = nullptr;
   NamedKind kind = NamedKind::MissionVariable;
@@ -47,6 +53,8 @@ struct Named {
   bool valid = true;     ///< false: its declaration was refused, which has been reported
   ir::VariableId variable;
   ir::VariableId longitude;
+  std::vector<Element> elements;  ///< of an array whose declaration was lowered
+  bool array = false;             ///< it is declared with a size
   /// For a behaviour's parameter where the behaviour is used: the argument, one expression or, for
   /// a position, two.
   std::vector<Snippet> arguments;
@@ -56,6 +64,8 @@ struct Named {
   bool read = false;  ///< by something else than a `set` of itself
   bool written = false;
 };
+
+struct LoopPass;
 
 /// By name, as written.
 using Names = std::map<std::string, Named, std::less<>>;
@@ -89,6 +99,7 @@ struct Context {
   /// In the body of a behaviour: the use that it is lowered for. Warnings were given at its
   /// definition.
   std::optional<support::SourceRange> use;
+  const LoopPass* pass = nullptr;  ///< of the innermost loop around it
 
   /// Whether it is in a behaviour that is checked on its own, whose parameters have no values.
   [[nodiscard]] bool checkedAlone() const { return isolated && !state.valid(); }

@@ -180,9 +180,27 @@ Named* Scope::findNamed(std::string_view name) {
   return found == names.end() ? nullptr : &found->second;
 }
 
+const LoopPass* Scope::findPass(std::string_view name) const {
+  const LoopPass* pass = context.pass;
+  while (pass != nullptr && pass->index.name->text != name) {
+    pass = pass->outer;
+  }
+  return pass;
+}
+
 const Constant* Scope::findConstant(std::string_view name) const {
+  if (const LoopPass* pass = findPass(name)) {
+    return &pass->index;
+  }
   const auto found = context.isolated ? constants.end() : constants.find(name);
   return found == constants.end() ? nullptr : &found->second;
+}
+
+void Scope::notePass(support::DiagnosticBuilder& report) const {
+  for (const LoopPass* pass = context.pass; pass != nullptr; pass = pass->outer) {
+    report.note(pass->index.name->where,
+                fmt::format("where `{}` is {}", pass->index.name->text, pass->index.number));
+  }
 }
 
 bool Scope::inStandardLibrary(const support::SourceRange& range) const {
@@ -200,6 +218,9 @@ BehaviourDeclaration* Scope::findBehaviour(const ast::Name& name) {
 }
 
 bool Scope::declares(std::string_view name, const support::SourceRange& where) {
+  if (findPass(name) != nullptr) {
+    return true;
+  }
   if (inStandardLibrary(where)) {
     return context.names != nullptr && context.names->contains(name);
   }

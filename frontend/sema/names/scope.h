@@ -35,9 +35,27 @@ struct Constant {
   double number = 0;      ///< SI units or degrees; 1 and 0 for true and false
   double second = 0;
   Scale scale;
-  Path path;                ///< not empty: a path, and nothing else
-  bool worked_out = false;  ///< its definition was reached
-  bool valid = false;       ///< evaluated without errors; errors have been reported
+  Path path;                     ///< not empty: a path, and nothing else
+  std::vector<double> elements;  ///< not empty: an array of values of `type`, and nothing else
+  bool worked_out = false;       ///< its definition was reached
+  bool valid = false;            ///< evaluated without errors; errors have been reported
+};
+
+/// One pass of a `for`, in which its index is a constant.
+struct LoopPass {
+  Constant index;
+  bool again = false;  ///< its text was lowered before: warnings were given then
+  const LoopPass* outer = nullptr;
+};
+
+/// What the loops of a mission have become so far.
+struct LoopSizes {
+  std::set<const ast::For*> seen;  ///< those whose text was lowered
+  size_t statements = 0;           ///< lowered in passes of loops; each pass also counts as one
+  size_t begin = 0;                ///< operations of the mission where the outermost loop begins
+  /// If the outermost loop becomes too large: about how many operations the loop becomes that was
+  /// lowered last.
+  std::optional<double> too_large;
 };
 
 /// A flightprofile or flightroute that a mission may use.
@@ -88,19 +106,25 @@ class Scope {
   Scope(const AnalysisInputs& inputs, support::DiagnosticEngine& diagnostics)
       : inputs_(inputs), diagnostics_(diagnostics) {}
 
-  /// Reports. In the body of a behaviour that is lowered for a use of it, a warning is dropped (it
-  /// was given at the definition) and an error names the use.
+  /// Reports. In the body of a behaviour that is lowered for a use of it, and in a later pass of a
+  /// loop, a warning is dropped (it was given before) and an error names the use or the pass.
   template <typename... Args>
   support::DiagnosticBuilder report(support::DiagnosticId id, const support::SourceRange& range,
                                     Args&&... args) {
-    if (!context.use) {
+    const bool again = context.pass != nullptr && context.pass->again;
+    if (!context.use && !again) {
       return diagnostics_.report(id, range, std::forward<Args>(args)...);
     }
     if (support::catalogueRow(id).severity != support::Severity::Error) {
       return support::DiagnosticBuilder(dropped_ = {});
     }
     auto builder = diagnostics_.report(id, range, std::forward<Args>(args)...);
-    builder.note(*context.use, "with what is given here");
+    if (again) {
+      notePass(builder);
+    }
+    if (context.use) {
+      builder.note(*context.use, "with what is given here");
+    }
     return builder;
   }
   /// Reports an unknown name at `range`; the suggestion is the last argument of the message.
@@ -165,8 +189,11 @@ class Scope {
   [[nodiscard]] bool inStandardLibrary(const support::SourceRange& range) const;
   /// The profile or route that `name` refers to where it is written; null if there is none.
   BehaviourDeclaration* findBehaviour(const ast::Name& name);
-  /// The constant that `name` refers to in `context`; null if there is none.
+  /// The constant that `name` refers to in `context`, which may be the index of a loop; null if
+  /// there is none.
   const Constant* findConstant(std::string_view name) const;
+  /// The pass of the loop around `context` whose index is called `name`; null if there is none.
+  [[nodiscard]] const LoopPass* findPass(std::string_view name) const;
   /// The parameters and variables visible from `context`.
   [[nodiscard]] std::vector<const Names*> visibleNames() const;
   /// `wish`, or if a variable already has that name, a similar unused name.
@@ -217,6 +244,7 @@ class Scope {
   std::optional<double> declination;    ///< rad, east positive; empty: no line gives it
   std::map<uint32_t, KnownArea> areas;  ///< by the expression that checks whether it is kept
   Context context;
+  LoopSizes loops;
   std::map<std::string, Constant, std::less<>> constants;
   Names names;  ///< the mission's parameters and variables
   std::set<std::string, std::less<>>
@@ -233,6 +261,8 @@ class Scope {
   std::map<std::string, BehaviourDeclaration, std::less<>> replaced_behaviours;
 
  private:
+  /// Says what the indices of the loops around are.
+  void notePass(support::DiagnosticBuilder& report) const;
   /// The `extern sensor` or `extern function` that already has the name `name`.
   [[nodiscard]] const ast::Name* findExternal(std::string_view name) const;
 

@@ -27,25 +27,27 @@ constexpr std::string_view kCtdHint =
     "it is computed from `cond`, `temp` and `scipressure`: list those";
 constexpr std::string_view kStateHint = "it is a value of `m_depth_state`: list that to log it";
 constexpr std::string_view kClockHint = "it is `m_present_time`: list that to log it";
-constexpr Wish kWishes[] = {{"now", kTimeHint, ""},
-                            {"time", kTimeHint, ""},
-                            {"clock", kTimeHint, ""},
-                            {"current", kCurrentHint, "m_water_vx"},
-                            {"yo_count", kCountHint, "depthrate"},
-                            {"dive_count", kCountHint, "depthrate"},
-                            {"yos", kCountHint, "depthrate"},
-                            {"dives", kCountHint, "depthrate"},
-                            {"conductivity", "did you mean `cond`?", "cond"},
-                            {"salinity", kCtdHint, "cond"},
-                            {"density", kCtdHint, "cond"},
-                            {"diving", kStateHint, "m_depth_state"},
-                            {"climbing", kStateHint, "m_depth_state"},
-                            {"hovering", kStateHint, "m_depth_state"},
-                            {"at_surface", kStateHint, "m_depth_state"},
-                            {"turned", kStateHint, "m_depth_state"},
-                            {"utc", kClockHint, "m_present_time"},
-                            {"timeofday", kClockHint, "m_present_time"},
-                            {"here", "list `lat` and `lon`", "lat"}};
+constexpr Wish kWishes[] = {
+    {"now", kTimeHint, ""},
+    {"time", kTimeHint, ""},
+    {"clock", kTimeHint, ""},
+    {"current", kCurrentHint, "m_water_vx"},
+    {"yo_count", kCountHint, "depthrate"},
+    {"dive_count", kCountHint, "depthrate"},
+    {"yos", kCountHint, "depthrate"},
+    {"dives", kCountHint, "depthrate"},
+    {"unknown", "write `known(…)` or `!known(…)`; only a variable begins `= unknown`", ""},
+    {"conductivity", "did you mean `cond`?", "cond"},
+    {"salinity", kCtdHint, "cond"},
+    {"density", kCtdHint, "cond"},
+    {"diving", kStateHint, "m_depth_state"},
+    {"climbing", kStateHint, "m_depth_state"},
+    {"hovering", kStateHint, "m_depth_state"},
+    {"at_surface", kStateHint, "m_depth_state"},
+    {"turned", kStateHint, "m_depth_state"},
+    {"utc", kClockHint, "m_present_time"},
+    {"timeofday", kClockHint, "m_present_time"},
+    {"here", "list `lat` and `lon`", "lat"}};
 
 /// Points of the compass, as angles from true north.
 struct Point {

@@ -20,13 +20,6 @@ namespace glider::frontend {
 
 namespace {
 
-ir::Statement statementOf(ir::StatementKind kind, const support::SourceRange& range) {
-  ir::Statement result;
-  result.kind = kind;
-  result.range = range;
-  return result;
-}
-
 /// The text between the quotes, or where a backslash precedes anything but `"` or `\`.
 struct Unquoted {
   std::string text;
@@ -48,96 +41,24 @@ Unquoted unquote(std::string_view quoted) {
 
 }  // namespace
 
+ir::Statement statementOf(ir::StatementKind kind, const support::SourceRange& range) {
+  ir::Statement result;
+  result.kind = kind;
+  result.range = range;
+  return result;
+}
+
 ir::BlockId StatementLowering::lower(const std::vector<ast::Statement>& statements) {
   ir::Block block;
-  for (const ast::Statement& statement : statements) {
-    std::visit([&](const auto& node) { visit(node, statement, block); }, statement.node);
-  }
+  lowerInto(block, statements);
   return ir::MissionWriter(scope_.mission).add(std::move(block));
 }
 
-void StatementLowering::visit(const ast::Set& node, const ast::Statement& statement,
-                              ir::Block& block) {
-  Named* named = settable(node.variable);
-  if (named == nullptr) {
-    return;
+void StatementLowering::lowerInto(ir::Block& block, const std::vector<ast::Statement>& statements) {
+  for (const ast::Statement& statement : statements) {
+    scope_.loops.statements += scope_.context.pass != nullptr ? 1U : 0U;
+    std::visit([&](const auto& node) { visit(node, statement, block); }, statement.node);
   }
-  named->written = true;
-  const auto* use = std::get_if<ast::NameUse>(&node.value.node);
-  if (use != nullptr && use->name == node.variable.text) {
-    scope_.report(support::diagnostics::setToItself, statement.where, node.variable.text);
-  }
-  const bool read = named->read;
-  ExprLowering lowering(scope_);
-  const auto value =
-      lowering.lowerDeclared(node.value, named->type, "`" + node.variable.text + "`");
-  named->read = read;  // only counting up does not count as a use of a variable
-  if (!value || !named->valid ||
-      lowering.scalesDiffer({{}, {}, {}, named->scale}, node.variable.where, *value,
-                            node.value.where, "set")) {
-    return;
-  }
-  ir::Statement set = statementOf(ir::StatementKind::Set, statement.where);
-  set.variable = named->variable;
-  set.value = value->id;
-  block.statements.push_back(set);
-  if (named->type.position) {
-    set.variable = named->longitude;
-    set.value = value->longitude;
-    block.statements.push_back(set);
-  }
-}
-
-Named* StatementLowering::settable(const ast::Name& name) {
-  Named* named = scope_.findNamed(name.text);
-  if (named != nullptr && isVariable(named->kind)) {
-    return named;
-  }
-  if (named == nullptr) {
-    refuseSet(name);
-    return nullptr;
-  }
-  const bool parameter = named->kind == NamedKind::Parameter;
-  scope_
-      .report(support::diagnostics::cannotSet, name.where, name.text, describe(named->kind),
-              parameter ? "make it a `var`, or `set` a `var` that has it as its initial value"
-                        : "declare a `var` with this initial value, and `set` that")
-      .note(named->name->where, "it is declared here");
-  return nullptr;
-}
-
-void StatementLowering::refuseSet(const ast::Name& name) {
-  if (const Constant* constant = scope_.findConstant(name.text)) {
-    scope_
-        .report(support::diagnostics::cannotSet, name.where, name.text, "a constant",
-                "declare it with `var` and a type")
-        .note(constant->name->where, "it is declared here");
-    return;
-  }
-  if (scope_.refused_names.contains(name.text)) {
-    return;
-  }
-  const bool own = scope_.own_sensors.contains(name.text);
-  if (const std::string what = own ? "a sensor" : scope_.takenBy(name.text); !what.empty()) {
-    scope_.report(support::diagnostics::cannotSet, name.where, name.text, what,
-                  "use a `var` for a value of your own");
-    return;
-  }
-  if (scope_.refuseUnseen(name.text, name.where)) {
-    return;
-  }
-  std::vector<std::string_view> known;
-  for (const Names* list : scope_.visibleNames()) {
-    for (const auto& [text, named] : *list) {
-      if (isVariable(named.kind)) {
-        known.push_back(text);
-      }
-    }
-  }
-  scope_.reportUnknown(
-      support::diagnostics::unknownVariable, name.where,
-      didYouMean(name.text, known, fmt::format("declare it: `var {}: type = value`", name.text)),
-      name.text);
 }
 
 void StatementLowering::visit(const ast::If& node, const ast::Statement& statement,
@@ -179,6 +100,9 @@ void StatementLowering::visit(const ast::Log& node, const ast::Statement& statem
 void StatementLowering::visit(const ast::Command& node, const ast::Statement& statement,
                               ir::Block& block) {
   const std::string& name = node.call.function.text;
+  if (name == "push") {
+    return push(node.call, statement, block);
+  }
   const auto& commands = vehicleCommands();
   const auto command = std::ranges::find(commands, name, &VehicleCommand::name);
   if (command == commands.end()) {

@@ -6,6 +6,7 @@
 #include "ir/core/ops.h"
 #include "ir/prove/context/sensors_awaited.h"
 #include "ir/verify/inherited.h"
+#include "ir/verify/whole_numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,10 @@ constexpr double kOverflowsFrom = 1e300;
 class KnownExpressions {
  public:
   KnownExpressions(const Mission& mission, const std::vector<Interval>& intervals)
-      : m_(mission), intervals_(intervals) {}
+      : m_(mission),
+        intervals_(intervals),
+        whole_(mission.tables.empty() ? std::vector<bool>()
+                                      : wholeExpressions(mission, intervals)) {}
 
   bool isKnown(size_t index, const GreatestFixpoint& judged) const {
     const Expr& e = m_.exprs[index];
@@ -38,6 +42,8 @@ class KnownExpressions {
         return operands || isGuarded(e, judged);
       case KnownRule::Choice:
         return operands || isDefaulted(e, judged);
+      case KnownRule::Row:
+        return operands && isRow(e);
       case KnownRule::Variable:
         return judged.variables[e.variable.index];
       case KnownRule::Maybe:
@@ -67,6 +73,12 @@ class KnownExpressions {
     return isSensorOrElse(m_, choice) && judged.expressions[choice.operands[2].index];
   }
 
+  bool isRow(const Expr& element) const {
+    const uint32_t number = element.operands[0].index;
+    const auto count = static_cast<double>(m_[element.table].values.size());
+    return whole_[number] && intervals_[number].within(0, count - 1);
+  }
+
   bool mayBeZero(ExprId id) const {
     const Interval& x = intervals_[id.index];
     return x.lowest <= 0 && x.highest >= 0;
@@ -79,6 +91,7 @@ class KnownExpressions {
 
   const Mission& m_;
   const std::vector<Interval>& intervals_;
+  std::vector<bool> whole_;  ///< empty if there is no table
 };
 
 bool beginsKnown(const Variable& variable, bool initial) {

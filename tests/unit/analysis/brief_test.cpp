@@ -151,6 +151,40 @@ TEST_F(BriefOf, EventsAreSentencesInTheirOrder) {
   EXPECT_EQ(of.states[2].events.at(0).then, "returns to the state that called");
 }
 
+TEST_F(BriefOf, ArraysAndLoopsAreToldAsTheyAreWritten) {
+  auto compiled = compiler::compileText("m.mission", R"(mission m
+var peaks[3]: temperature = 0 degC in -5 degC .. 45 degC
+var n : number = 0 in 0 .. 2
+var p : position = 39 N 74 W
+state s
+begin
+  flightprofile surfaced
+  sensors temp, lat, lon, missiontime
+  events
+    case temp > peaks[n] do
+      push(peaks, temp) set peaks[n] = temp set p = here
+      for i in 0 .. 1 do
+        set peaks[i + 1] = temp
+        for j in 0 .. i do if peaks[j] == temp then log "same", j end end
+      end
+      set n = min(n + 1, 2)
+    end stay
+    case missiontime > 1 h || distance(p) > 1 km exit
+end
+)");
+  ASSERT_TRUE(compiled);
+  compilation_ = std::move(*compiled);
+  ASSERT_TRUE(compilation_.checked);
+  const report::Brief of = brief();
+  ASSERT_EQ(of.states.size(), 1U);
+  EXPECT_EQ(
+      of.states[0].events.at(0).then,
+      "does `push(peaks, temp)`, sets `peaks[n]` to `temp`, sets `p` to `here`, (`for i in 0 "
+      ".. 1`: sets `peaks[i + 1]` to `temp`, (`for j in 0 .. i`: (if `peaks[j] == temp`: logs "
+      "“same” with `j`))), sets `n` to `min(n + 1, 2)`; then stays");
+  EXPECT_EQ(of.values.at(0).name, "peaks[3]");
+}
+
 TEST_F(BriefOf, SensorsSayFromWhereAndWhenTheyAreUnknown) {
   const report::Brief of = brief();
   const auto depth = std::ranges::find(of.sensors, "depth", &report::BriefSensor::name);

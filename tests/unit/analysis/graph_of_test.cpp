@@ -125,6 +125,16 @@ TEST_F(GraphOf, HasEveryTransitionWithItsTarget) {
   EXPECT_EQ(of.always[0].guard, "depth > 50 m");
 }
 
+TEST_F(GraphOf, TellsArraysAndLoopsAsTheyAreWritten) {
+  const report::Graph of = graph(
+      "mission m\nvar a[3]: temperature = 0 degC\nvar n: number = 0 in 0 .. 2\nstate s\nbegin\n"
+      "  flightprofile surfaced\n  sensors temp, missiontime\n  events\n"
+      "    case temp > a[n] do push(a, temp) set a[n] = temp\n"
+      "      for i in 0 .. 2 do set a[i] = temp log \"i\", i end set n = min(n + 1, 2) end stay\n"
+      "    case missiontime > 1 h exit\nend\n");
+  EXPECT_EQ(of.states.at(0).cases.at(0).action, "push, set a[n], set a[i], log, set n");
+}
+
 TEST_F(GraphOf, SaysWhyACaseNeverFires) {
   const report::Graph of =
       graph(kMission, {{{ir::StateId{0}, 1}, true}, {{ir::StateId{0}, 2}, false}});

@@ -120,6 +120,17 @@ TEST(Format, OtherBlocksHaveALineAStatement) {
               "    end exit\n"));
 }
 
+TEST(Format, Loops) {
+  expectFormat(
+      inState(
+          "case true do for i in 0..3 do set a [i]=i for j in 0 .. i do log \"j\", j end end end "
+          "stay\ncase for>1 do set for=for+1 for k in 0 .. 1 do push(a,k) end end stay\n"),
+      inState("    case true do\n      for i in 0 .. 3 do\n        set a[i] = i\n"
+              "        for j in 0 .. i do log \"j\", j end\n      end\n    end stay\n"
+              "    case for > 1 do\n      set for = for + 1\n"
+              "      for k in 0 .. 1 do push(a, k) end\n    end stay\n"));
+}
+
 TEST(Format, CommentsKeepTheirPlace) {
   expectFormat(
       "# head  \n\n\n// second\nmission m# name\n   /* of s */ state s /* s */ # why\n"

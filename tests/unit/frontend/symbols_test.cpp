@@ -49,6 +49,18 @@ require never leg after start
 require reach leg
 )";
 
+TEST(Symbols, OfArrays) {
+  const SymbolsRun run{
+      "mission m\nvar recent[8]: temperature = unknown\nconst depths = [10 m, 20 m]\n"
+      "param n[2]: number = 0\nstate s begin flightprofile surfaced events\n"
+      "case true do set recent[0] = temp for i in 0 .. 1 do set recent[n[i]] = temp end end stay\n"
+      "end\n"};
+  EXPECT_THAT(run.declared(),
+              HasSubstr("variable recent: temperature[8] [degC] at 2:5, used 6:18 6:58\n"
+                        "constant depths: length[2] [m] at 3:7\n"
+                        "parameter n: number[2] at 4:7, used 6:65\n"));
+}
+
 TEST(Symbols, OfARightMission) {
   const SymbolsRun run{std::string(kMission)};
   EXPECT_EQ(run.declared(), R"(mission tour: tour at 1:9

@@ -82,7 +82,9 @@ TEST(NeverUnknown, NumbersThatAreMadeOfKnownOnes) {
                             "(div 1 (var up))",
                             "(div 1 (var down))",
                             "(mul 2e299 (var up))",
-                            "(mul -2e299 (var up))"}) {
+                            "(mul -2e299 (var up))",
+                            "(element 0 1)",
+                            "(element 0 (min (var n) 1))"}) {
     EXPECT_TRUE(isNumberKnown(known)) << known;
   }
 }
@@ -109,6 +111,9 @@ TEST(NeverUnknown, NumbersThatMayBe) {
                               "(div 1 (sub (var up) 2))",
                               "(sqrt (var up))",
                               "(element 0 (var n))",
+                              "(element 0 (sub (min (var n) 1) 1))",
+                              "(element 0 (min (var half) 1))",
+                              "(element 0 (min (sub (var up) 1) 1))",
                               "(mul 1e300 (var up))",
                               "(mul -1e300 (var up))",
                               "(mul 1e300 1)",

@@ -156,6 +156,7 @@ struct Variable {
   double lowest = -kEndless;  ///< its value, when known, lies between these (SI units, degrees)
   double highest = kEndless;
   support::SourceRange range;
+  std::string unit{};  ///< of a Parameter that is a number of this unit, such as "uM"; else empty
 
   static constexpr double kEndless = std::numeric_limits<double>::infinity();
 };

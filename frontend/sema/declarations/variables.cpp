@@ -137,6 +137,7 @@ bool lowerParam(const ast::Param& node, Named& named, Scope& scope) {
   ir::Variable model;
   model.name = node.name.text;
   model.kind = ir::VariableKind::Parameter;
+  model.unit = named.scale.unit;
   model.initial = constantExpr(start->first, named.type.type, node.value.where, scope);
   model.lowest = bounds->lowest;
   model.highest = bounds->highest;

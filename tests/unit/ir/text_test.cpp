@@ -272,6 +272,10 @@ state leg ("leg.to")
   case (gt (temporal 4) 2:length) return
   temporal number route leg (sensor depth) over this 1 1 along (sensor depth)
   case (gt (temporal 5) 2) return
+  temporal steepest route leg (sensor depth) where (sensor depth) over this 1 2 along (sensor depth)
+  case (gt (temporal 6) 2) return
+  temporal at_steepest route leg (sensor depth) where (sensor depth) over this 1 2 along (sensor depth)
+  case (gt (temporal 7) 2:length) return
 )";
 
 TEST(IrText, CompassesComeBack) {
@@ -298,7 +302,7 @@ TEST(IrText, CompassesComeBack) {
 TEST(IrText, WholeLanguageReadsLikeTheMission) {
   const Mission mission = missionOf(kWhole);
   EXPECT_EQ(print(mission), kWhole);
-  EXPECT_EQ(mission.temporals.size(), 6u);
+  EXPECT_EQ(mission.temporals.size(), 8u);
   EXPECT_EQ(mission.blocks.size(), 8u);
   EXPECT_EQ(mission.states[1].profile.cases[0].transition, Transition::Done);
 }

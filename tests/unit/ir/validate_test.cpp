@@ -248,6 +248,7 @@ const Damage kWholeDamages[] = {
      }},
     {"numberOfALength", [](Mission& m) { m.temporals[1].kind = TemporalKind::Number; }},
     {"comparesNothing", [](Mission& m) { m.temporals[1].kind = TemporalKind::AtLowest; }},
+    {"steepestOfNothing", [](Mission& m) { m.temporals[1].kind = TemporalKind::Steepest; }},
     {"windowAlongAVariable", [](Mission& m) { m.temporals[1].along = m.variables[1].initial; }},
     {"tableEmpty", [](Mission& m) { m.tables[0].values.clear(); }},
     {"tableNaN", [](Mission& m) { m.tables[0].values[1] = kInvalidNumber; }},

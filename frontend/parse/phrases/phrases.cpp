@@ -11,34 +11,17 @@ namespace {
 
 /// In this order: what is prose is not read as anything else, and a keyword is a keyword before it
 /// is anything else.
-constexpr PhraseRepair kRepairs[] = {phrases::comment,
-                                     phrases::caseWord,
-                                     phrases::afterTransition,
-                                     phrases::target,
-                                     phrases::capitals,
-                                     phrases::arrow,
-                                     phrases::conditionWord,
-                                     phrases::comparison,
-                                     phrases::between,
-                                     phrases::sameLeft,
-                                     phrases::notWord,
-                                     phrases::foreignSign,
-                                     phrases::degreesCelsius,
-                                     phrases::timeInParts,
-                                     phrases::leg,
-                                     phrases::magneticHeading,
-                                     phrases::softUnit,
-                                     phrases::foreignUnit,
-                                     phrases::letterBefore,
-                                     phrases::pairOfNumbers,
-                                     phrases::compassPoint,
-                                     phrases::statement,
-                                     phrases::actionWithoutDo,
-                                     phrases::untyped,
-                                     phrases::range,
-                                     phrases::withoutParentheses,
-                                     phrases::commaAsAnd,
-                                     phrases::plusOfTexts};
+constexpr PhraseRepair kRepairs[] = {
+    phrases::comment,        phrases::caseWord,        phrases::afterTransition,
+    phrases::target,         phrases::capitals,        phrases::arrow,
+    phrases::conditionWord,  phrases::comparison,      phrases::between,
+    phrases::sameLeft,       phrases::notWord,         phrases::foreignSign,
+    phrases::degreesCelsius, phrases::timeInParts,     phrases::leg,
+    phrases::part,           phrases::magneticHeading, phrases::softUnit,
+    phrases::foreignUnit,    phrases::letterBefore,    phrases::pairOfNumbers,
+    phrases::compassPoint,   phrases::statement,       phrases::actionWithoutDo,
+    phrases::untyped,        phrases::range,           phrases::withoutParentheses,
+    phrases::commaAsAnd,     phrases::plusOfTexts};
 
 /// The number of tokens that a phrase at the current one took, or 0.
 size_t repairOne(Phrase& phrase) {

@@ -33,8 +33,8 @@ typedef struct GliderLegShape {
 } GliderLegShape;
 
 /* Doubles of memory. memory[0] is the window's value. */
-#define GLIDER_LEG_MEMORY 20u
-#define GLIDER_STEEPEST_MEMORY 24u
+#define GLIDER_LEG_MEMORY 21u
+#define GLIDER_STEEPEST_MEMORY 25u
 /* Slopes are those between layers of readings, each this thick in the other value, m. */
 #define GLIDER_LEG_LAYER 2.0
 /* A leg is not whole if it has a longer time without a tick, s: a call, or a power cut. */

@@ -19,8 +19,11 @@ struct LegMemory {
   double time;   ///< of that tick, s
   double whole;  ///< 1: the present leg has been watched since it began
   double begun;  ///< the number of legs that have begun
-  Part present;
-  Part last;
+  double odd;    ///< 1: parts[1] is of the present leg, and parts[0] of the last; 0: the other way
+  Part parts[2];
+
+  Part& present() { return parts[odd != 0.0 ? 1 : 0]; }
+  Part& last() { return parts[odd != 0.0 ? 0 : 1]; }
 };
 
 template <typename Part>
@@ -31,9 +34,11 @@ class LegWindow {
 
   static void start(double* memory, double time) {
     auto& window = *reinterpret_cast<LegMemory<Part>*>(memory);
-    window = {unknown(), time, unknown(), time, 0.0, 0.0, {}, {}};
-    window.present.clear();
-    window.last.clear();
+    window.value = window.phase = unknown();
+    window.since = window.time = time;
+    window.whole = window.begun = window.odd = 0.0;
+    window.present().clear();
+    window.last().clear();
   }
 
   /// A tick: gliderLegAdvance.
@@ -45,7 +50,7 @@ class LegWindow {
     const bool starts = time == memory_.since;
     starts ? void(memory_.phase = phase) : follow(time, phase);
     if (!starts && fresh && isLeg(phase) && value == value && at == at) {
-      memory_.present.take(value, at);
+      memory_.present().take(value, at);
     }
     memory_.value = starts ? unknown() : worth();
   }
@@ -57,7 +62,7 @@ class LegWindow {
       forget();
     }
     if (!isLeg(phase)) {
-      memory_.present.finish();
+      memory_.present().finish();
     } else if (phase != memory_.phase) {
       begin(watched);
     }
@@ -72,25 +77,26 @@ class LegWindow {
       return memory_.begun;
     }
     const auto kind = static_cast<GliderLegKind>(shape_.kind);
-    return (shape_.last != 0 ? memory_.last : memory_.present).worth(kind);
+    return (shape_.last != 0 ? memory_.last() : memory_.present()).worth(kind);
   }
 
   /// Legs may have come and gone that were not watched: no leg is certainly the one before.
   void forget() {
     memory_.whole = 0.0;
-    memory_.present.clear();
-    memory_.last.clear();
+    memory_.present().clear();
+    memory_.last().clear();
   }
 
   /// A leg that was under way when the state of the vehicle became known is not counted, nor whole.
   void begin(bool watched) {
     if (memory_.whole == 1.0) {
-      memory_.present.finish();
-      memory_.last = memory_.present;
+      memory_.present().finish();
+      memory_.odd =
+          memory_.odd == 0.0 ? 1.0 : 0.0;  // nothing is copied: a copy is a loop on some boards
     } else {
-      memory_.last.clear();
+      memory_.last().clear();
     }
-    memory_.present.clear();
+    memory_.present().clear();
     memory_.whole = watched && isKnown(memory_.phase) ? 1.0 : 0.0;
     memory_.begun += isKnown(memory_.phase) ? 1.0 : 0.0;
   }

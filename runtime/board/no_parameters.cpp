@@ -8,8 +8,13 @@
 
 namespace glider::runtime {
 
-bool Launch::assign(const Piece& name, const Piece& /*given*/) {
-  return refuseUnknown(name);
+uint32_t Launch::find(const Piece& /*name*/) const {
+  return kMostParameters;
+}
+
+/// Not reached: there is no parameter.
+bool Launch::assign(uint32_t /*parameter*/, const Piece& /*name*/, const Piece& /*given*/) {
+  return false;
 }
 
 void Launch::listNames(Text& /*text*/) const {}

@@ -21,11 +21,12 @@ void writePosition(const GliderMission& mission, uint32_t latitude, Text& text) 
 void writeParameter(const GliderParameterInfo& parameter, Text& text) {
   text.put(parameter.name).put(" = ");
   writeQuantity(parameter, parameter.initial, text);
-  const uint32_t before = text.size();
-  text.put(", ");
-  const uint32_t after = text.size();
-  writeRange(parameter, text);
-  text.cut(text.size() == after ? before : text.size());
+  char bytes[100];
+  Text range(bytes, sizeof bytes);
+  writeRange(parameter, range);
+  if (range.size() > 0) {
+    text.put(", ").put(range.bytes(), range.size());
+  }
 }
 
 }  // namespace

@@ -22,7 +22,11 @@ bool Launch::set(const Piece& setting) {
     quote(text, setting.trimmed()).put(" sets nothing; write `name=value`");
     return refuse(text);
   }
-  return assign(Piece{setting.begin, equals}.trimmed(), Piece{equals + 1, setting.end}.trimmed());
+  const Piece name = Piece{setting.begin, equals}.trimmed();
+  const uint32_t parameter = find(name);
+  return parameter == kMostParameters
+             ? refuseUnknown(name)
+             : assign(parameter, name, Piece{equals + 1, setting.end}.trimmed());
 }
 
 bool Launch::setAll(const char* file_name, const Piece& content) {

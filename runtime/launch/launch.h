@@ -45,8 +45,11 @@ class Launch {
   /// `value`: what was read, if `reading` is Good.
   bool refuseValue(const GliderParameterInfo& parameter, const Piece& given, Reading reading,
                    double value);
-  /// Sets what has this name, a parameter or a position.
-  bool assign(const Piece& name, const Piece& given);
+  // What differs in programs of missions without parameters (board/no_parameters.cpp).
+  /// The parameter of this name, or the latitude of the position; kMostParameters: there is none.
+  [[nodiscard]] uint32_t find(const Piece& name) const;
+  /// Sets what has this name: `parameter`, or the position of which it is the latitude.
+  bool assign(uint32_t parameter, const Piece& name, const Piece& given);
   bool assignOne(uint32_t parameter, const Piece& given);
   /// Sets the parameter `latitude` and the next one, a longitude.
   bool assignPosition(uint32_t latitude, const Piece& given);

@@ -114,18 +114,21 @@ const char* whyNot(Reading reading) {
   return nullptr;
 }
 
-bool Launch::assign(const Piece& name, const Piece& given) {
+uint32_t Launch::find(const Piece& name) const {
   for (uint32_t i = 0; i < mission_.parameter_count && i < kMostParameters; ++i) {
-    if (name.is(mission_.parameters[i].name)) {
-      return assignOne(i, given);
-    }
     const Piece position = positionOf(mission_, i);
-    if (!name.empty() && position.size() == name.size() &&
-        memcmp(position.begin, name.begin, name.size()) == 0) {
-      return assignPosition(i, given);
+    const bool of_position = !name.empty() && position.size() == name.size() &&
+                             memcmp(position.begin, name.begin, name.size()) == 0;
+    if (of_position || name.is(mission_.parameters[i].name)) {
+      return i;
     }
   }
-  return refuseUnknown(name);
+  return kMostParameters;
+}
+
+bool Launch::assign(uint32_t parameter, const Piece& name, const Piece& given) {
+  return name.is(mission_.parameters[parameter].name) ? assignOne(parameter, given)
+                                                      : assignPosition(parameter, given);
 }
 
 void Launch::listNames(Text& text) const {

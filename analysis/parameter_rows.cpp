@@ -13,6 +13,7 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace glider::analysis {
 namespace {
@@ -84,6 +85,17 @@ ParameterRow rowOf(const compiler::Optimised& mission, const ir::Variable& varia
           value == info.initial ? "" : shown.value(value)};
 }
 
+/// The row of a position. Every position on Earth is in its range.
+ParameterRow together(std::string name, const ParameterRow& latitude,
+                      const ParameterRow& longitude) {
+  const auto set = [](const ParameterRow& half) {
+    return half.set_to.empty() ? half.initial : half.set_to;
+  };
+  const bool both_default = latitude.set_to.empty() && longitude.set_to.empty();
+  return {std::move(name), "position", latitude.initial + " " + longitude.initial, "",
+          both_default ? "" : set(latitude) + " " + set(longitude)};
+}
+
 }  // namespace
 
 support::Result<std::vector<ParameterRow>> parameterRows(const compiler::Optimised& mission,
@@ -95,7 +107,13 @@ support::Result<std::vector<ParameterRow>> parameterRows(const compiler::Optimis
   }
   std::vector<ParameterRow> rows;
   for (size_t i = 0; i < values->size(); ++i) {
+    const runtime::Piece position = runtime::positionOf(table.mission(), static_cast<uint32_t>(i));
     rows.push_back(rowOf(mission, mission.mission.variables[i], table[i], values->at(i)));
+    if (!position.empty()) {
+      ++i;
+      rows.back() = together({position.begin, position.end}, rows.back(),
+                             rowOf(mission, mission.mission.variables[i], table[i], values->at(i)));
+    }
   }
   return rows;
 }

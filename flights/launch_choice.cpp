@@ -37,7 +37,10 @@ std::string trimmed(const std::string& text) {
 void addSetting(const std::string& setting, Given& given) {
   const size_t equals = setting.find('=');
   if (equals != std::string::npos) {
-    given[trimmed(setting.substr(0, equals))] = trimmed(setting.substr(equals + 1));
+    const std::string name = trimmed(setting.substr(0, equals));
+    given[name] = trimmed(setting.substr(equals + 1));
+    given.erase(name + ".latitude");  // of a position that is set as a whole
+    given.erase(name + ".longitude");
   }
 }
 

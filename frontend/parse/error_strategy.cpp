@@ -81,6 +81,11 @@ std::string listOf(const antlr4::misc::IntervalSet& set) {
   return out;
 }
 
+/// What is between the quotation marks.
+std::string unquoted(std::string_view string) {
+  return string.size() < 2 ? "" : std::string(string.substr(1, string.size() - 2));
+}
+
 }  // namespace
 
 void ErrorStrategy::reportMatch(antlr4::Parser* parser) {
@@ -161,8 +166,42 @@ void ErrorStrategy::complain(antlr4::Parser* parser, const antlr4::Token* found)
 }
 
 void ErrorStrategy::expected(std::string_view what, const Lexeme& found) {
-  reporter_.at(found, support::diagnostics::unexpectedToken, what,
-               describe(reporter_.source(), found));
+  const Source& source = reporter_.source();
+  auto report =
+      reporter_.at(found, support::diagnostics::unexpectedToken, what, describe(source, found));
+  const std::string text = found.type == GliderLexer::STRING ? unquoted(source.text(found)) : "";
+  if (!text.empty() && what.starts_with("a value") && text.front() >= '0' && text.front() <= '9') {
+    report.hint(fmt::format("write it without quotes: `{}`", text)).fix(source.range(found), text);
+  }
+}
+
+/// `param d: length` and `set n 1`: the error is where the value is missing, which may be lines
+/// before what was found.
+void ErrorStrategy::expectedValue(const Lexeme& before, const Lexeme& found) {
+  const Source& source = reporter_.source();
+  const std::string_view last = source.text(before);
+  if (oneOf(found.type, {GliderLexer::NUMBER, GliderLexer::NAME, GliderLexer::STRING,
+                         GliderLexer::MINUS, GliderLexer::LPAREN})) {
+    reporter_.at(found, support::diagnostics::unexpectedToken, "`=`", describe(source, found))
+        .hint(fmt::format("write `=` after `{}`", last))
+        .fix({source.file, before.end, before.end}, " =");
+    return;
+  }
+  reporter_
+      .at(before, support::diagnostics::unexpectedToken,
+          fmt::format("`=` and a value after `{}`", last), describe(source, found))
+      .hint(fmt::format("write `{} = …`", last));
+}
+
+/// `log deep`.
+void ErrorStrategy::expectedText(const Lexeme& found) {
+  const Source& source = reporter_.source();
+  auto report = reporter_.at(found, support::diagnostics::unexpectedToken, "a text in quotes",
+                             describe(source, found));
+  if (found.type == GliderLexer::NAME) {
+    report.hint(fmt::format("write `log \"{0}\"`, or `log \"{0}\", {0}` to log its value",
+                            source.text(found)));
+  }
 }
 
 bool ErrorStrategy::misspelled(const Lexeme& found, const std::vector<std::string_view>& keywords) {
@@ -194,6 +233,19 @@ void ErrorStrategy::complainOfTransition(const Lexeme& before, const Lexeme& fou
   } else {
     expected("an operator, or `goto`, `call`, `return`, `exit` or `stay`", found);
   }
+}
+
+void ErrorStrategy::complainOfValue(antlr4::Parser* parser, const antlr4::Token* before,
+                                    const Lexeme& found) {
+  const auto set = parser->getExpectedTokens();
+  if (before != nullptr && before->getType() == GliderParser::LOG) {
+    return expectedText(found);
+  }
+  if (before != nullptr && set.contains(size_t{GliderParser::ASSIGN})) {
+    return expectedValue(lexemeOf(before), found);
+  }
+  const bool statement = set.contains(size_t{GliderParser::SET});
+  expected(statement ? "`set`, `if`, `for`, `log`, a command or `end`" : listOf(set), found);
 }
 
 void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Lexeme& found) {
@@ -242,13 +294,12 @@ void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Le
       return;
     case GliderParser::RuleMember:
       return expected("`case` or `end`", found);
+    case GliderParser::RuleConstant:
+    case GliderParser::RuleParameter:
+    case GliderParser::RuleVariable:
     case GliderParser::RuleBlock:
-    case GliderParser::RuleStatement: {
-      const auto set = parser->getExpectedTokens();
-      const bool statement = set.contains(size_t{GliderParser::SET});
-      return expected(statement ? "`set`, `if`, `for`, `log`, a command or `end`" : listOf(set),
-                      found);
-    }
+    case GliderParser::RuleStatement:
+      return complainOfValue(parser, before, found);
     case GliderParser::RuleName:
     case GliderParser::RuleAnyName:
       return expected("a name", found);

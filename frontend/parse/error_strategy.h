@@ -28,7 +28,11 @@ class ErrorStrategy final : public antlr4::DefaultErrorStrategy {
   void complain(antlr4::Parser* parser, const antlr4::Token* found);
   void complainInRule(antlr4::Parser* parser, size_t rule, const Lexeme& found);
   void complainOfTransition(const Lexeme& before, const Lexeme& found);
+  /// In a declaration, a block or a statement.
+  void complainOfValue(antlr4::Parser* parser, const antlr4::Token* before, const Lexeme& found);
   void expected(std::string_view what, const Lexeme& found);
+  void expectedValue(const Lexeme& before, const Lexeme& found);
+  void expectedText(const Lexeme& found);
   bool misspelled(const Lexeme& found, const std::vector<std::string_view>& keywords);
 
   SyntaxReporter& reporter_;

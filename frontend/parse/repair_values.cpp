@@ -38,11 +38,67 @@ bool isSmallerTime(std::string_view unit, std::string_view next) {
   return second != kTimes.end() && first < second;
 }
 
+bool isComparison(uint32_t type) {
+  return type >= GliderLexer::EQ && type <= GliderLexer::GT;
+}
+
 }  // namespace
 
 void ValueRepair::insert(uint32_t type) {
   const uint32_t place = out_.empty() ? 0 : out_.back().end;
   out_.push_back({type, place, place});
+}
+
+/// Where in `out_` the operator is before which the innermost parenthesis was meant to close:
+/// `abs(depth > 5 m`. 0: it was meant to close at the end, or that is not known.
+size_t ValueRepair::comparisonInside() const {
+  size_t at = out_.size();
+  size_t found = 0;
+  for (size_t deep = 0; at > 0; --at) {
+    const uint32_t type = out_[at - 1].type;
+    const bool closes = oneOf(type, {GliderLexer::RPAREN, GliderLexer::RBRACKET});
+    const bool opens = oneOf(type, {GliderLexer::LPAREN, GliderLexer::LBRACKET});
+    if (opens && deep == 0) {
+      break;
+    }
+    deep += closes ? 1U : 0U;
+    deep -= opens ? 1U : 0U;
+    found = deep == 0 && isComparison(type) ? at - 1 : found;
+  }
+  if (at < 2 || found == at || !isAnyName(out_[at - 2].type)) {
+    return 0;
+  }
+  const std::string_view function = source_.text(out_[at - 2]);
+  return function == "became" || function == "held" ? 0 : found;
+}
+
+/// Reports the innermost parenthesis, and closes it where it was meant to close.
+void ValueRepair::closeBefore(const Lexeme& found) {
+  const Parenthesis& left = parentheses_.back();
+  const bool round = left.opener.type == GliderLexer::LPAREN;
+  const char* sign = round ? ")" : "]";
+  auto report = reporter_.at(left.opener, support::diagnostics::missingParenthesis,
+                             source_.text(left.opener), sign, describe(source_, found));
+  const uint32_t type = round ? GliderLexer::RPAREN : GliderLexer::RBRACKET;
+  if (const size_t at = comparisonInside(); at != 0) {
+    report.hint(fmt::format("write `{}` before `{}`", sign, source_.text(out_[at])));
+    const uint32_t place = out_[at - 1].end;
+    out_.insert(out_.begin() + static_cast<std::ptrdiff_t>(at), {type, place, place});
+    return;
+  }
+  if (left.lists && left.operators == 0 && endsValue(previous())) {
+    report.hint(fmt::format("write `{}` after `{}`", sign, lastValue()));
+  }
+  insert(type);
+}
+
+/// The last number with its unit, or the last word.
+std::string_view ValueRepair::lastValue() const {
+  const Lexeme& last = out_.back();
+  const bool unit = oneOf(last.type, {GliderLexer::UNIT, GliderLexer::COMPASS});
+  const bool both = unit && out_.size() > 1 && out_[out_.size() - 2].type == GliderLexer::NUMBER;
+  const uint32_t begin = both ? out_[out_.size() - 2].begin : last.begin;
+  return source_.text().substr(begin, last.end - begin);
 }
 
 void ValueRepair::keyword(const Lexeme& found) {
@@ -51,11 +107,7 @@ void ValueRepair::keyword(const Lexeme& found) {
     return;
   }
   while (!parentheses_.empty()) {
-    const Lexeme opener = parentheses_.back().opener;
-    const bool round = opener.type == GliderLexer::LPAREN;
-    reporter_.at(opener, support::diagnostics::missingParenthesis, source_.text(opener),
-                 round ? ")" : "]", describe(source_, found));
-    insert(round ? GliderLexer::RPAREN : GliderLexer::RBRACKET);
+    closeBefore(found);
     parentheses_.pop_back();
   }
   in_sensors_ = found.type == GliderLexer::SENSORS;

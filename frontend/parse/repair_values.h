@@ -53,6 +53,9 @@ class ValueRepair {
   [[nodiscard]] bool belongTogether(const Lexeme& t, const Lexeme& next) const;
   [[nodiscard]] uint32_t previous() const { return out_.empty() ? 0 : out_.back().type; }
   void insert(uint32_t type);
+  [[nodiscard]] std::string_view lastValue() const;
+  [[nodiscard]] size_t comparisonInside() const;
+  void closeBefore(const Lexeme& found);
 
   SyntaxReporter& reporter_;
   const Source& source_;

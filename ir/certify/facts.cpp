@@ -318,6 +318,8 @@ Range windowRange(TemporalKind kind, const Range& of) {
     case TemporalKind::Spread:
       return results(0, of.highest - of.lowest);
     case TemporalKind::Slope:
+    case TemporalKind::Steepest:
+    case TemporalKind::AtSteepest:
     case TemporalKind::Became:
     case TemporalKind::Held:
       break;

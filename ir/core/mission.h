@@ -156,6 +156,7 @@ struct Variable {
   double lowest = -kEndless;  ///< its value, when known, lies between these (SI units, degrees)
   double highest = kEndless;
   support::SourceRange range;
+  std::string unit{};  ///< of a Parameter that is a number of this unit, such as "uM"; else empty
 
   static constexpr double kEndless = std::numeric_limits<double>::infinity();
 };
@@ -167,11 +168,13 @@ enum class TemporalKind : uint8_t {
   Mean,    ///< windows over the last `length` of time, or of what they are stretched along
   Lowest,
   Highest,
-  Spread,     ///< highest less lowest
-  Slope,      ///< of the line of least squares against time, or against what it is stretched along
-  AtLowest,   ///< of a leg only: `operand` where `duration` was lowest
-  AtHighest,  ///< of a leg only: `operand` where `duration` was highest
-  Number      ///< of legs that have begun
+  Spread,      ///< highest less lowest
+  Slope,       ///< of the line of least squares against time, or against what it is stretched along
+  AtLowest,    ///< of a leg only: `operand` where `duration` was lowest
+  AtHighest,   ///< of a leg only: `operand` where `duration` was highest
+  Steepest,    ///< of a leg only: the steepest slope of `operand` against `duration`
+  AtSteepest,  ///< of a leg only: `operand` where the slope of `duration` against it was steepest
+  Number       ///< of legs that have begun
 };
 
 /// Which leg a window is over.
@@ -184,9 +187,11 @@ enum class Leg : uint8_t {
 struct Temporal {
   TemporalKind kind = TemporalKind::Became;
   ListKind list = ListKind::State;
-  StateId state;      ///< of every list but Always
-  ExprId operand;     ///< a truth value; of a window a number; temporals in it precede this one
-  ExprId duration;    ///< of Held: a time; of AtLowest and AtHighest: the number that is compared
+  StateId state;   ///< of every list but Always
+  ExprId operand;  ///< a truth value; of a window a number; temporals in it precede this one
+  /// Of Held a time; of AtLowest and AtHighest the number that is compared; of Steepest and
+  /// AtSteepest the other of the two numbers.
+  ExprId duration;
   double length = 0;  ///< of a window: s, or the SI unit of `along`; positive; of a leg 0
   ExprId along;       ///< of a window over a stretch or leg: an expression that is a Sensor
   Leg leg = Leg::None;

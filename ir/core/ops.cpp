@@ -81,8 +81,10 @@ std::optional<Type> watched(const Mission& mission, const Temporal& t) {
   if (t.kind == TemporalKind::Number) {
     return Type{TypeKind::Quantity, support::dimension::number};
   }
-  const Type along = t.along.valid() ? mission[t.along].type : kTimeType;
-  if (t.kind == TemporalKind::Slope) {
+  const bool steepest = t.kind == TemporalKind::Steepest;
+  const ExprId over = steepest ? t.duration : t.along;
+  const Type along = over.valid() ? mission[over].type : kTimeType;
+  if (t.kind == TemporalKind::Slope || steepest) {
     const bool quantities = value.kind == TypeKind::Quantity && along.kind == TypeKind::Quantity;
     return quantities ? quantity(support::quotient(value.dimension, along.dimension))
                       : std::nullopt;
@@ -211,6 +213,10 @@ Op mirrored(Op comparison) {
 
 bool isWindow(TemporalKind kind) {
   return kind != TemporalKind::Became && kind != TemporalKind::Held;
+}
+
+bool isOfSteepest(TemporalKind kind) {
+  return kind == TemporalKind::Steepest || kind == TemporalKind::AtSteepest;
 }
 
 const OpInfo* findOp(std::string_view text) {

@@ -223,6 +223,8 @@ Op mirrored(Op comparison);
 
 /// Whether it is a window: a number, not a truth value.
 bool isWindow(TemporalKind kind);
+/// Whether it is the steepest slope over a leg, or where that was.
+bool isOfSteepest(TemporalKind kind);
 
 /// A row of commands.def.
 struct CommandInfo {

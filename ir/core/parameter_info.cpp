@@ -64,11 +64,14 @@ std::vector<ParameterInfo> parameterInfos(const Mission& mission) {
     const Expr& initial = mission[parameter.initial];
     const double truth = initial.op == Op::True ? 1 : 0;
     const double most = mostOnEarth(parameter.type);
-    infos.push_back({.name = parameter.name,
-                     .initial = initial.op == Op::Constant ? initial.number : truth,
-                     .lowest = std::max(parameter.lowest, -most),
-                     .highest = std::min(parameter.highest, most),
-                     .units = unitFactors(parameter.type)});
+    infos.push_back(
+        {.name = parameter.name,
+         .initial = initial.op == Op::Constant ? initial.number : truth,
+         .lowest = std::max(parameter.lowest, -most),
+         .highest = std::min(parameter.highest, most),
+         .units = parameter.unit.empty()
+                      ? unitFactors(parameter.type)
+                      : row(parameter.unit, support::findUnit(parameter.unit).value().to_si)});
   }
   return infos;
 }

@@ -24,6 +24,13 @@ bool sound(Type type) {
   return support::product(type.dimension, {}).has_value();
 }
 
+/// Whether `unit` of a variable is that of a plain number, and the variable a parameter.
+bool counts(const Variable& v) {
+  const auto unit = support::findUnit(v.unit);
+  return v.kind == VariableKind::Parameter && v.type == Type{TypeKind::Quantity, {}} &&
+         unit.has_value() && unit->dimension.dimensionless();
+}
+
 /// Checks what does not depend on the code of the mission: sensors, behaviours, expressions.
 class Validator {
  public:
@@ -118,6 +125,8 @@ class Validator {
       const bool endless = v.lowest == -Variable::kEndless && v.highest == Variable::kEndless;
       require(v.type.kind == TypeKind::Bool ? endless : v.lowest <= v.highest, v.range,
               "variable `{}` has the range {} to {}", v.name, v.lowest, v.highest);
+      require(v.unit.empty() || counts(v), v.range, "variable `{}` cannot have the unit `{}`",
+              v.name, v.unit);
     }
   }
 

@@ -315,7 +315,8 @@ class CodeValidator {
   void window(uint32_t i, const Temporal& w) {
     numberOrTruth(w.operand, w.state, w.range,
                   [&] { return fmt::format("what temporal {} watches", i); });
-    const bool compares = w.kind == TemporalKind::AtLowest || w.kind == TemporalKind::AtHighest;
+    const bool compares = w.kind == TemporalKind::AtLowest || w.kind == TemporalKind::AtHighest ||
+                          isOfSteepest(w.kind);
     require(exists(w.operand) && m_[w.operand].type != kBool && w.duration.valid() == compares,
             w.range, "window {} is not over a number", i);
     require(!w.along.valid() || (exists(w.along) && m_[w.along].op == Op::Sensor), w.range,

@@ -13,6 +13,11 @@ namespace glider::ir {
 /// runtime's running sums.
 class PlainLegs {
  public:
+  struct Reading {
+    double value = 0;
+    double at = 0;
+  };
+
   explicit PlainLegs(const Temporal& window) : window_(window) {}
 
   /// Empties the window and starts it at mission time `time`, s.
@@ -23,10 +28,6 @@ class PlainLegs {
   [[nodiscard]] double value() const { return value_; }
 
  private:
-  struct Reading {
-    double value = 0;
-    double at = 0;
-  };
   struct Part {
     std::vector<Reading> readings;
     bool whole = false;

@@ -90,9 +90,10 @@ void Interpreter::updateLeg(const Temporal& t, TemporalState& state, bool start)
     state.legs->start(mission_time_);
   }
   const double operand = number(t.operand);
-  const bool compares = t.duration.valid();
-  const double value = compares ? number(t.duration) : operand;
-  state.legs->advance(mission_time_, number(t.along), value, operand, fresh(t));
+  const double other = t.duration.valid() ? number(t.duration) : operand;
+  const bool of_operand = t.kind == TemporalKind::Steepest;
+  state.legs->advance(mission_time_, number(t.along), of_operand ? operand : other,
+                      of_operand ? other : operand, fresh(t));
   state.value = state.legs->value();
 }
 

@@ -104,6 +104,8 @@ double PlainWindow::workOut(double now) const {
     case TemporalKind::Held:
     case TemporalKind::AtLowest:
     case TemporalKind::AtHighest:
+    case TemporalKind::Steepest:
+    case TemporalKind::AtSteepest:
     case TemporalKind::Number:
       CHECK(false, "not a window");
   }

@@ -69,9 +69,9 @@ bool CodeReader::definition() {
 }
 
 void CodeReader::temporal(SourceRange begin) {
-  constexpr auto kKinds =
-      std::to_array<std::string_view>({"became", "held", "mean", "lowest", "highest", "spread",
-                                       "slope", "at_lowest", "at_highest", "number"});
+  constexpr auto kKinds = std::to_array<std::string_view>(
+      {"became", "held", "mean", "lowest", "highest", "spread", "slope", "at_lowest", "at_highest",
+       "steepest", "at_steepest", "number"});
   constexpr auto kLists = std::to_array<std::string_view>({"always", "state", "profile", "route"});
   Temporal t;
   const size_t kind = choose(in_, kKinds);

@@ -120,6 +120,9 @@ void Printer::variable(const Variable& v) {
   if (v.lowest != -Variable::kEndless || v.highest != Variable::kEndless) {
     add(" lowest {} highest {}", v.lowest, v.highest);
   }
+  if (!v.unit.empty()) {
+    add(" unit {}", nameText(v.unit));
+  }
 }
 
 void Printer::table(const Table& t) {

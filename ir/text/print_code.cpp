@@ -13,8 +13,9 @@
 namespace glider::ir::text {
 
 void Printer::temporal(const Temporal& t) {
-  constexpr std::string_view kKinds[] = {"became", "held",  "mean",      "lowest",     "highest",
-                                         "spread", "slope", "at_lowest", "at_highest", "number"};
+  constexpr std::string_view kKinds[] = {"became",     "held",     "mean",        "lowest",
+                                         "highest",    "spread",   "slope",       "at_lowest",
+                                         "at_highest", "steepest", "at_steepest", "number"};
   constexpr std::string_view kLists[] = {"always", "state", "profile", "route"};
   std::vector<ExprId> ids = {t.operand};
   for (ExprId id : {t.duration, t.along}) {

@@ -357,6 +357,9 @@ class Reader {
       in_.expect("highest");
       v.highest = in_.number(true);
     }
+    if (in_.accept("unit")) {
+      v.unit = in_.name("the unit of the parameter");
+    }
     MissionWriter(m_).add(std::move(v));
   }
 

@@ -12,7 +12,8 @@ namespace {
 void reportCalls(Verification& v, const std::vector<Edge>& edges) {
   for (const Edge& edge : edges) {
     const State& target = v.structure.mission.states[edge.to];
-    const bool for_good = edge.call && !v.structure.moves[edge.to].return_case;
+    const bool itself = &edges != &v.structure.always.edges && edge.to == edge.from;  // an error
+    const bool for_good = edge.call && !itself && !v.structure.moves[edge.to].return_case;
     if (!for_good || !v.structure.reached(edge.to) || v.structure.deadEnd(edge.to)) {
       continue;
     }

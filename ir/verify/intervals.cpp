@@ -199,6 +199,8 @@ class IntervalAnalysis {
         return x.empty ? x : between(0, x.highest - x.lowest);
       case TemporalKind::Mean:
       case TemporalKind::Slope:
+      case TemporalKind::Steepest:
+      case TemporalKind::AtSteepest:
       case TemporalKind::Became:
       case TemporalKind::Held:
         break;

@@ -20,7 +20,9 @@ typedef enum GliderLegKind {
   kGliderLegSpread,    /* highest less lowest */
   kGliderLegAtLowest,  /* the other value where the lowest was */
   kGliderLegAtHighest, /* the other value where the highest was */
-  kGliderLegNumber     /* of legs that have begun */
+  kGliderLegSteepest, /* gliderSteepestAdvance: the steepest slope of the value against the other */
+  kGliderLegAtSteepest, /* gliderSteepestAdvance: the other value in the middle of that slope */
+  kGliderLegNumber      /* of legs that have begun */
 } GliderLegKind;
 
 typedef struct GliderLegShape {
@@ -31,7 +33,10 @@ typedef struct GliderLegShape {
 } GliderLegShape;
 
 /* Doubles of memory. memory[0] is the window's value. */
-#define GLIDER_LEG_MEMORY 20u
+#define GLIDER_LEG_MEMORY 21u
+#define GLIDER_STEEPEST_MEMORY 25u
+/* Slopes are those between layers of readings, each this thick in the other value, m. */
+#define GLIDER_LEG_LAYER 2.0
 /* A leg is not whole if it has a longer time without a tick, s: a call, or a power cut. */
 #define GLIDER_LEG_GAP_S 60.0
 
@@ -43,6 +48,11 @@ void gliderLegStart(double* memory, double time);
    which the window starts it takes none, and its value is unknown. */
 void gliderLegAdvance(double* memory, const GliderLegShape* shape, double time, double phase,
                       double value, double at, uint32_t fresh);
+
+/* The same for the windows of the kinds kGliderLegSteepest and kGliderLegAtSteepest. */
+void gliderSteepestStart(double* memory, double time);
+void gliderSteepestAdvance(double* memory, const GliderLegShape* shape, double time, double phase,
+                           double value, double at, uint32_t fresh);
 
 #ifdef __cplusplus
 }

@@ -23,12 +23,10 @@ bool Launch::set(const Piece& setting) {
     return refuse(text);
   }
   const Piece name = Piece{setting.begin, equals}.trimmed();
-  for (uint32_t i = 0; i < mission_.parameter_count && i < kMostParameters; ++i) {
-    if (name.is(mission_.parameters[i].name)) {
-      return assign(i, Piece{equals + 1, setting.end}.trimmed());
-    }
-  }
-  return refuseUnknown(name);
+  const uint32_t parameter = find(name);
+  return parameter == kMostParameters
+             ? refuseUnknown(name)
+             : assign(parameter, name, Piece{equals + 1, setting.end}.trimmed());
 }
 
 bool Launch::setAll(const char* file_name, const Piece& content) {
@@ -71,9 +69,7 @@ bool Launch::refuseUnknown(const Piece& name) {
   text.put("the mission has no parameter ");
   quote(text, name);
   text.put(mission_.parameter_count == 0 ? "; it has none" : "; it has ");
-  for (uint32_t i = 0; i < mission_.parameter_count; ++i) {
-    text.put(i == 0 ? "" : ", ").put(mission_.parameters[i].name);
-  }
+  listNames(text);
   return refuse(text);
 }
 

@@ -114,19 +114,19 @@ bool toDouble(const Decimal& number, double& value) {
 
 /// Turns `value`, ddmm.mmmm, into degrees. Three digits or more before the point distinguish it
 /// from decimal degrees.
-bool fromDdmm(const Decimal& number, double& value) {
+Reading fromDdmm(const Decimal& number, double& value) {
   constexpr uint32_t kFewest = 3;
   constexpr uint32_t kMost = 5;
   if (number.significant == 0) {
-    return true;
+    return Reading::Good;
   }
   if (number.whole < kFewest || number.whole > kMost || number.exponent > 0) {
-    return false;
+    return Reading::NoSuchUnit;
   }
   const double degrees = static_cast<int32_t>(value / 100.0);
   const double minutes = value - degrees * 100.0;
   value = degrees + minutes / 60.0;
-  return minutes < 60.0 && minutes > -60.0;
+  return minutes < 60.0 && minutes > -60.0 ? Reading::Good : Reading::SixtyMinutes;
 }
 
 /// Turns `39 10.5 N` into degrees: a whole number, then minutes below 60. Takes the minutes from
@@ -137,9 +137,11 @@ Reading addMinutes(Piece& text, const Decimal& degrees, double& value) {
   if (!toDouble(minutes, plain)) {
     return Reading::TooManyDigits;
   }
-  if (degrees.seen != degrees.whole || degrees.exponent != 0 || minutes.negative ||
-      !(plain < 60.0)) {
+  if (degrees.seen != degrees.whole || degrees.exponent != 0 || minutes.negative) {
     return Reading::NoSuchUnit;
+  }
+  if (!(plain < 60.0)) {
+    return Reading::SixtyMinutes;
   }
   value = gliderSettle(value + plain / 60.0);
   return Reading::Good;
@@ -172,20 +174,24 @@ Reading readHalf(Piece rest, const char* units, double& value) {
   rest = rest.trimmed();
   if (rest.empty()) {
     value = degrees;
-    return fromDdmm(number, value) ? Reading::Good : Reading::NoSuchUnit;
+    return fromDdmm(number, value);
   }
+  Reading reading = Reading::Good;
   if (isDigit(*rest.begin) || *rest.begin == '.') {
-    const Reading minutes = addMinutes(rest, number, degrees);
-    if (minutes != Reading::Good) {
-      return minutes;
-    }
+    reading = addMinutes(rest, number, degrees);
     rest = rest.trimmed();
-  } else if (number.whole >= kFewestDdmm && !fromDdmm(number, degrees)) {
-    return Reading::NoSuchUnit;
+  } else if (number.whole >= kFewestDdmm) {
+    reading = fromDdmm(number, degrees);
+  }
+  if (reading != Reading::Good) {
+    return reading;
   }
   double side = 1;
-  if (rest.empty() || number.negative || !factorOf(rest, units, side)) {
+  if (rest.empty() || !factorOf(rest, units, side)) {
     return Reading::NoSuchUnit;
+  }
+  if (number.negative) {
+    return Reading::SignAndLetter;
   }
   value = gliderSettle(degrees * side);
   return Reading::Good;

@@ -47,6 +47,8 @@ enum class Reading : uint8_t {
   NotANumber,
   TooManyDigits,  ///< more than can be read the same on every board
   NoSuchUnit,     ///< of a latitude or longitude also: neither ddmm.mmmm nor with one letter
+  SixtyMinutes,   ///< of a degree, or more
+  SignAndLetter,  ///< a minus sign and N, S, E or W
 };
 
 /// Reads "20", "20 m", "-1.5e3cm", "39.2 N", "39 10.5 N", "3910.5 N", or of a truth value "true" or

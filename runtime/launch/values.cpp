@@ -98,7 +98,52 @@ void writeRange(const GliderParameterInfo& parameter, Text& text) {
   }
 }
 
-bool Launch::assign(uint32_t parameter, const Piece& given) {
+const char* whyNot(Reading reading) {
+  switch (reading) {
+    case Reading::TooManyDigits:
+      return "more than 15 digits, or too large or small";
+    case Reading::SixtyMinutes:
+      return "a degree has only 60 minutes";
+    case Reading::SignAndLetter:
+      return "write a minus sign or a letter, not both";
+    case Reading::Good:
+    case Reading::NotANumber:
+    case Reading::NoSuchUnit:
+      break;
+  }
+  return nullptr;
+}
+
+uint32_t Launch::find(const Piece& name) const {
+  for (uint32_t i = 0; i < mission_.parameter_count && i < kMostParameters; ++i) {
+    const Piece position = positionOf(mission_, i);
+    const bool of_position = !name.empty() && position.size() == name.size() &&
+                             memcmp(position.begin, name.begin, name.size()) == 0;
+    if (of_position || name.is(mission_.parameters[i].name)) {
+      return i;
+    }
+  }
+  return kMostParameters;
+}
+
+bool Launch::assign(uint32_t parameter, const Piece& name, const Piece& given) {
+  return name.is(mission_.parameters[parameter].name) ? assignOne(parameter, given)
+                                                      : assignPosition(parameter, given);
+}
+
+void Launch::listNames(Text& text) const {
+  for (uint32_t i = 0; i < mission_.parameter_count; ++i) {
+    text.put(i == 0 ? "" : ", ");
+    if (const Piece position = positionOf(mission_, i); !position.empty()) {
+      text.put(position.begin, position.size());
+      ++i;
+    } else {
+      text.put(mission_.parameters[i].name);
+    }
+  }
+}
+
+bool Launch::assignOne(uint32_t parameter, const Piece& given) {
   const GliderParameterInfo& info = mission_.parameters[parameter];
   double value = 0;
   const Reading reading = readQuantity(given, info.units, value);
@@ -124,7 +169,9 @@ bool Launch::refuseValue(const GliderParameterInfo& parameter, const Piece& give
       writeRange(parameter, text);
       break;
     case Reading::TooManyDigits:
-      text.put(": more than 15 digits, or too large or small");
+    case Reading::SixtyMinutes:
+    case Reading::SignAndLetter:
+      text.put(": ").put(whyNot(reading));
       break;
     case Reading::NoSuchUnit:
       text.put(": write a value with a unit: ");

@@ -154,9 +154,4 @@ Text& Text::putCount(uint32_t value) {
   return put(number, formatCount(value, number));
 }
 
-void Text::cut(uint32_t size) {
-  size_ = size;
-  full_ = false;
-}
-
 }  // namespace glider::runtime

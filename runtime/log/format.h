@@ -26,8 +26,6 @@ class Text {
   Text& put(const char* text, uint32_t most = UINT32_MAX);
   Text& put(double value);
   Text& putCount(uint32_t value);
-  /// Removes what was put after the first `size` bytes.
-  void cut(uint32_t size);
   [[nodiscard]] const char* bytes() const { return bytes_; }
   [[nodiscard]] uint32_t size() const { return size_; }
   [[nodiscard]] bool full() const { return full_; }

@@ -180,6 +180,26 @@ TEST(CheckReport, TooMuchForABoardIsAnError) {
   EXPECT_EQ(runShell("$GLIDERCC check " + mission).status, 0) << "not asked for";
 }
 
+/// No window over a leg copies what it keeps of one: on some boards that would be a loop.
+TEST(CheckReport, WindowsOverLegsHaveABoundOnEachBoard) {
+  const TemporaryFolder folder;
+  for (const char* window :
+       {"mean(temp, last leg) > 25 degC", "depth_of_highest(temp, this dive) > 5 m",
+        "steepest(temp, last dive) > 1 degC/m", "depth_of_steepest(temp, this leg) > 5 m"}) {
+    std::string text =
+        "mission legs\nstate s\nbegin\n  flightprofile yo(5 m, 20 m, 26 deg, 26 deg)\n"
+        "  sensors missiontime, temp, depth, m_depth_state\n  events\n    case ";
+    text += window;
+    text += " exit\n    case missiontime > 1 h exit\nend\n";
+    const std::string mission = folder.write("legs.mission", text).string();
+    const Outcome outcome = runShell("$GLIDERCC check --report " + mission);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, testing::ContainsRegex("tick instructions +[0-9,]+ of 3,300,000"));
+    EXPECT_THAT(outcome.out,
+                testing::ContainsRegex("tick instructions +[0-9],[0-9,]+ of 12,500,000"));
+  }
+}
+
 TEST(CheckReport, OfAMissionWithCodeInCItNeedsTheCode) {
   const std::string mission = GLIDER_SOURCE_DIR "/missions/examples/sensor/optode.mission";
   const Outcome without = runShell("$GLIDERCC check --report --target ts7800 " + mission);

@@ -105,6 +105,20 @@ TEST(Duration, AFileOfThePilotKeepsItsOvertimeInACheckToo) {
   EXPECT_THAT(fine.out, Not(HasSubstr("is raised")));
 }
 
+/// `sim` flies it so too.
+TEST(Duration, TheBundledFileIsRaisedInACheckThatNamesIt) {
+  const Long twenty("20 h");
+  const std::string words =
+      " --scenario default --duration 1day long.mission "
+      "--mi $(dirname $GLIDERCC)/../share/glidercc/scenarios/skeleton.mi";
+  const Outcome checked = twenty.run("check" + words);
+  EXPECT_EQ(checked.status, 0) << checked.err;
+  EXPECT_THAT(checked.out, HasSubstr("is raised from 12 h to 24 h"));
+  const Outcome flown = twenty.run("sim" + words);
+  EXPECT_EQ(flown.status, 0) << flown.err;
+  EXPECT_THAT(flown.err, HasSubstr("is raised from 12 h to 24 h"));
+}
+
 TEST(Duration, ASkeletonThatIsNotBesideItsScenarioIsTheBundledOne) {
   const Long one("1 h");
   ASSERT_EQ(one.run("--version; cp $(dirname $GLIDERCC)/../share/glidercc/scenarios/default.toml "

@@ -50,6 +50,35 @@ TEST(Values, ATimeWithoutAUnitIsNamedInSeconds) {
   EXPECT_THAT(length, Not(HasSubstr("seconds")));
 }
 
+/// A number that counts one thing is not another.
+TEST(Values, AParameterWithAUnitTakesNoOther) {
+  const TemporaryFolder folder;
+  const std::string text =
+      "mission bloom\nparam low: number = 2.5 ug/L in 0 .. 10 ug/L\nparam factor: number = 2\n"
+      "state s\nbegin\n  flightprofile yo(5 m, 20 m, 26 deg, 26 deg)\n"
+      "  sensors missiontime, chlorophyll\n  events\n    case chlorophyll > factor * low exit\n"
+      "    case missiontime > 1 h exit\nend\n";
+  const std::string mission = folder.write("m.mission", text).string();
+  const std::string params = "$GLIDERCC params " + mission;
+  EXPECT_THAT(runShell(params + " --set 'low=3 ug/L'").out,
+              testing::ContainsRegex("low +plain number +2.5 ug/L +0 ug/L to 10 ug/L +3 ug/L\n"));
+  EXPECT_THAT(runShell(params + " --set low=3").out, HasSubstr("3 ug/L"));
+  for (const char* wrong : {"3 uM", "3uM", "3 %"}) {
+    const std::string set = " --set 'low=" + std::string(wrong) + "'";
+    EXPECT_THAT(runShell(params + set).err, HasSubstr("write a value with a unit: ug/L")) << wrong;
+    const std::string file = folder.write("p.txt", "low = " + std::string(wrong)).string();
+    EXPECT_EQ(runShell(params + " --parameters " + file).status, 2) << wrong;
+  }
+  EXPECT_EQ(runShell(params + " --set factor=3%").status, 0);
+  EXPECT_EQ(runShell(params + " --set factor=3uM").status, 0);
+  // The text of the IR keeps the unit.
+  const std::string ir =
+      folder.write("m.ir", runShell("$GLIDERCC build " + mission + " --emit ir -o - ").out)
+          .string();
+  EXPECT_THAT(runShell("$GLIDERCC params " + ir + " --set 'low=3 uM'").err,
+              HasSubstr("write a value with a unit: ug/L"));
+}
+
 TEST(Values, AMisspeltArgumentOfTheVehiclesMissionIsNamed) {
   const TemporaryFolder folder;
   const std::string mi =

@@ -145,7 +145,7 @@ class Maker {
   void temporals() {
     for (uint32_t number = 0; number < 6; ++number) {
       const auto list = static_cast<ListKind>(random_.below(4));
-      const auto kind = static_cast<TemporalKind>(random_.below(10));
+      const auto kind = static_cast<TemporalKind>(random_.below(12));
       const std::optional<uint32_t> state =
           list == ListKind::Always ? std::nullopt : std::optional(random_.below(states_));
       constexpr const char* kLists[] = {"always", "state", "profile", "route"};
@@ -155,7 +155,8 @@ class Maker {
       text_ += watched(kind, where) + "\n";
       const bool truth = kind == TemporalKind::Became || kind == TemporalKind::Held;
       const Kind gives = truth ? Kind::Truth
-                         : kind == TemporalKind::Slope || kind == TemporalKind::Number
+                         : kind == TemporalKind::Slope || kind == TemporalKind::Steepest ||
+                                 kind == TemporalKind::Number
                              ? Kind::Number
                              : Kind::Length;
       expressions_.add({fmt::format("(temporal {})", number), gives, state, list});
@@ -193,6 +194,10 @@ class Maker {
         return "temporal at_lowest " + compared;
       case TemporalKind::AtHighest:
         return "temporal at_highest " + compared;
+      case TemporalKind::Steepest:
+        return "temporal steepest " + compared;
+      case TemporalKind::AtSteepest:
+        return "temporal at_steepest " + compared;
       case TemporalKind::Number:
         return fmt::format("temporal number {} (sensor gap) {}", where, leg);
     }

@@ -226,8 +226,21 @@ ExprId ExpressionMaker::leg(ir::Temporal t) {
   if (random_.chance(0.4)) {
     t.kind = random_.chance(0.5) ? ir::TemporalKind::AtLowest : ir::TemporalKind::AtHighest;
     t.duration = number(kLength, 1);
+  } else if (random_.chance(0.4)) {
+    return steepest(t);
   }
   return temporal(t);
+}
+
+/// The same for the steepest change of it with a length, in the type of the operand.
+ExprId ExpressionMaker::steepest(ir::Temporal t) {
+  t.duration = number(kLength, 1);
+  if (m_[t.operand].type.kind != ir::TypeKind::Quantity || random_.chance(0.5)) {
+    t.kind = ir::TemporalKind::AtSteepest;
+    return temporal(t);
+  }
+  t.kind = ir::TemporalKind::Steepest;
+  return add(Op::Multiply, {temporal(t), plain(kLength, random_.uniform(0, 2))});
 }
 
 /// A function is called although what it gives does not matter: `false && f()`.

@@ -61,6 +61,7 @@ class ExpressionMaker {
   ir::ExprId watched(uint32_t depth);
   std::optional<ir::ExprId> window(ir::Type type);
   ir::ExprId leg(ir::Temporal t);
+  ir::ExprId steepest(ir::Temporal t);
   ir::ExprId temporal(ir::Temporal temporal);
   ir::ExprId ofWater();
   std::optional<ir::ExprId> geometry(ir::Type type, uint32_t depth);

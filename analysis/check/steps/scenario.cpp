@@ -8,22 +8,6 @@
 #include <utility>
 
 namespace glider::analysis::check {
-namespace {
-
-/// Makes the flight of the scenario as long as the options say.
-void setDuration(Run& run) {
-  if (!run.options.own_mission.empty()) {  // the scenario's file does not fly
-    run.scenario->duration_s = *run.options.duration_s;
-    return;
-  }
-  const std::string note =
-      flights::setDuration(*run.scenario, run.checked().platform(), *run.options.duration_s);
-  if (!note.empty()) {
-    run.remark(note);
-  }
-}
-
-}  // namespace
 
 /// Loads the scenario, the usual one if none is named, and warns of a start that the mission does
 /// not assume. Fails if the one that is named cannot be loaded.
@@ -37,9 +21,6 @@ support::Result<void> scenario(Run& run) {
     run.scenario = std::move(*loaded);
   } else if (!named.empty()) {
     return std::unexpected(loaded.error());
-  }
-  if (run.scenario && run.options.duration_s) {
-    setDuration(run);
   }
   if (!named.empty()) {
     checkStart(run.checked(),

@@ -19,20 +19,15 @@ support::Result<void> trialFlight(Run& run) {
     return {};
   }
   run.observer.at("flying in the scenario");
-  simulator::Scenario world = *run.scenario;
   std::string command =
       fmt::format("glidercc sim {} --scenario {}", run.file.found.path, options.scenario);
   if (!options.own_mission.empty()) {
-    auto own = flights::flyVehiclesOwn(options.own_mission, run.checked().platform(), world);
-    if (!own) {
-      return std::unexpected(own.error());
-    }
     command += " --mi " + options.own_mission;
   }
   if (options.duration_s) {
     command += fmt::format(" --duration {:.0f}s", *options.duration_s);
   }
-  return reportTrialFlight(run.optimised(), world, options.user_code,
+  return reportTrialFlight(run.optimised(), *run.scenario, options.user_code,
                            fmt::format("see the flight with `{}`", command), run.diagnostics());
 }
 

@@ -12,10 +12,11 @@
 #include <utility>
 
 namespace glider::analysis::check {
+namespace {
 
 /// Reads the vehicle's mission file, if the options name one, or a scenario that has one; else
 /// takes what is usual for its family.
-support::Result<void> vehicleFile(Run& run) {
+support::Result<void> readFile(Run& run) {
   const bool of_scenario = run.options.own_mission.empty() && !run.options.scenario.empty() &&
                            run.scenario->own.has_value();
   const std::string path =
@@ -39,8 +40,41 @@ support::Result<void> vehicleFile(Run& run) {
     return std::unexpected(own.error());
   }
   run.file.own_mission = std::move(*own);
-  if (of_scenario && run.options.duration_s && flights::hasBundledSkeleton(*run.scenario)) {
-    (void)run.file.own_mission->raiseOvertime(*run.options.duration_s);  // as the scenario's was
+  return {};
+}
+
+/// Makes the flight of the scenario as long as the options say, and what is checked of the file
+/// agree with what flies.
+void setDuration(Run& run) {
+  const double duration_s = *run.options.duration_s;
+  const std::string note =
+      flights::setDuration(*run.scenario, run.checked().platform(), duration_s);
+  if (!note.empty()) {
+    run.remark(note);
+  }
+  if (run.file.own_mission != nullptr && flights::hasBundledSkeleton(*run.scenario)) {
+    (void)run.file.own_mission->raiseOvertime(duration_s);
+  }
+}
+
+}  // namespace
+
+/// Reads the vehicle's mission file, which also flies in the scenario, for as long as the options
+/// say.
+support::Result<void> vehicleFile(Run& run) {
+  if (auto read = readFile(run); !read) {
+    return read;
+  }
+  const CheckOptions& options = run.options;
+  if (!options.own_mission.empty() && !options.scenario.empty()) {
+    if (auto own =
+            flights::flyVehiclesOwn(options.own_mission, run.checked().platform(), *run.scenario);
+        !own) {
+      return own;
+    }
+  }
+  if (run.scenario && options.duration_s) {
+    setDuration(run);
   }
   return {};
 }

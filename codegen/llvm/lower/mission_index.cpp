@@ -3,6 +3,7 @@
 
 #include "codegen/llvm/lower/mission_index.h"
 
+#include "ir/core/ops.h"
 #include "ir/core/window_shape.h"
 #include "runtime/abi/glider_abi.h"
 #include "runtime/abi/leg.h"
@@ -26,11 +27,13 @@ uint32_t slotsOf(const ir::Temporal& temporal) {
     case ir::TemporalKind::Slope:
     case ir::TemporalKind::AtLowest:
     case ir::TemporalKind::AtHighest:
+    case ir::TemporalKind::Steepest:
+    case ir::TemporalKind::AtSteepest:
     case ir::TemporalKind::Number:
       break;
   }
   if (temporal.leg != ir::Leg::None) {
-    return GLIDER_LEG_MEMORY;
+    return ir::isOfSteepest(temporal.kind) ? GLIDER_STEEPEST_MEMORY : GLIDER_LEG_MEMORY;
   }
   return GLIDER_WINDOW_HEADER + GLIDER_WINDOW_SLOT * ir::windowShape(temporal).bins;
 }

@@ -36,6 +36,10 @@ GliderLegKind legKind(ir::TemporalKind kind) {
       return kGliderLegAtLowest;
     case ir::TemporalKind::AtHighest:
       return kGliderLegAtHighest;
+    case ir::TemporalKind::Steepest:
+      return kGliderLegSteepest;
+    case ir::TemporalKind::AtSteepest:
+      return kGliderLegAtSteepest;
     case ir::TemporalKind::Number:
       return kGliderLegNumber;
     case ir::TemporalKind::Became:
@@ -156,7 +160,8 @@ void lowerWindowStarts(Body& body, const std::vector<ir::TemporalId>& temporals)
     const ir::Temporal& temporal = body.lowering.mission[id];
     if (temporal.leg != ir::Leg::None) {
       body.lowering.debug.locate(body.builder, temporal.range);
-      call(body, "gliderLegStart", {memoryOf(body, id), body.expressions.missionTime()});
+      call(body, ir::isOfSteepest(temporal.kind) ? "gliderSteepestStart" : "gliderLegStart",
+           {memoryOf(body, id), body.expressions.missionTime()});
     } else if (ir::isWindow(temporal.kind)) {
       body.lowering.debug.locate(body.builder, temporal.range);
       call(body, "gliderWindowStart",
@@ -169,12 +174,13 @@ void lowerLeg(Body& body, ir::TemporalId id, Freshness& fresh) {
   const ir::Temporal& window = body.lowering.mission[id];
   body.lowering.debug.locate(body.builder, window.range);
   Value* operand = body.expressions.number(window.operand);
-  Value* value = window.duration.valid() ? body.expressions.number(window.duration) : operand;
+  Value* other = window.duration.valid() ? body.expressions.number(window.duration) : operand;
   Value* phase = body.expressions.number(window.along);
   Value* taken = freshnessOf(body, window.operand, window.duration, fresh);
-  call(body, "gliderLegAdvance",
-       {memoryOf(body, id), sharedShape(body, id), body.expressions.missionTime(), phase, value,
-        operand, taken});
+  const bool of_operand = window.kind == ir::TemporalKind::Steepest;
+  call(body, ir::isOfSteepest(window.kind) ? "gliderSteepestAdvance" : "gliderLegAdvance",
+       {memoryOf(body, id), sharedShape(body, id), body.expressions.missionTime(), phase,
+        of_operand ? operand : other, of_operand ? other : operand, taken});
 }
 
 void lowerWindow(Body& body, ir::TemporalId id, Freshness& fresh) {

@@ -91,10 +91,9 @@ Result<void> bringTogether(llvm::Module& module, const Recipe& recipe,
                            const std::vector<std::string>& visible) {
   const std::filesystem::path& folder = recipe.board.folder;
   if (recipe.options.optimisation_level >= kWholeProgramLevel) {
-    return joinRuntime(module,
-                       {folder / (dialectPart(recipe) + ".bc"), folder / "system.bc",
-                        folder / "tick.bc", folder / (parameterPart(recipe) + ".bc")},
-                       visible);
+    return joinRuntime(
+        module, {folder / (dialectPart(recipe) + ".bc"), folder / "system.bc", folder / "tick.bc"},
+        visible, {folder / (parameterPart(recipe) + ".bc")});
   }
   return recipe.options.optimisation_level >= kImportLevel
              ? importRuntime(module, folder / "inline.bc")

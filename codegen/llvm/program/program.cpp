@@ -65,9 +65,10 @@ void wantSymbol(llvm::Module& module, const std::string& name) {
   }
 }
 
-/// Adds what `mission` needs of the bitcode file `part`.
+/// Adds what `mission` needs of the bitcode file `part`, or with the flags None all of it.
 support::Result<void> joinPart(llvm::Module& mission, const std::string& part,
-                               const std::string& trouble) {
+                               const std::string& trouble,
+                               unsigned flags = llvm::Linker::LinkOnlyNeeded) {
   auto bitcode = support::readFile(part);
   if (!bitcode) {
     return std::unexpected(bitcode.error());
@@ -78,7 +79,7 @@ support::Result<void> joinPart(llvm::Module& mission, const std::string& part,
     return support::fail(support::diagnostics::badRuntime, part,
                          llvm::toString(module.takeError()));
   }
-  if (llvm::Linker::linkModules(mission, std::move(*module), llvm::Linker::LinkOnlyNeeded)) {
+  if (llvm::Linker::linkModules(mission, std::move(*module), flags)) {
     return support::fail(support::diagnostics::badRuntime, part, trouble);
   }
   return {};
@@ -116,10 +117,18 @@ support::Result<void> importRuntime(llvm::Module& mission, const std::filesystem
 
 support::Result<void> joinRuntime(llvm::Module& mission,
                                   const std::vector<std::filesystem::path>& parts,
-                                  const std::vector<std::string>& visible) {
+                                  const std::vector<std::string>& visible,
+                                  const std::vector<std::filesystem::path>& whole) {
   const Listening listening(mission.getContext());
   for (const std::string& name : visible) {
     wantSymbol(mission, name);
+  }
+  for (const std::filesystem::path& part : whole) {
+    if (auto joined =
+            joinPart(mission, part.string(), listening.heard(), llvm::Linker::Flags::None);
+        !joined) {
+      return joined;
+    }
   }
   for (const std::filesystem::path& part : parts) {
     if (auto joined = joinPart(mission, part.string(), listening.heard()); !joined) {

@@ -14,12 +14,14 @@
 namespace glider::codegen {
 
 /// Adds to the mission what it and the symbols `visible` need of the bitcode files `parts` of the
-/// runtime, users before what they use. Makes all symbols but `visible` internal, so that
-/// everything is optimised as one program. GL9001 if a file cannot be read, GL9050 if it is not
-/// valid, or if together the files do not define all of `visible`.
+/// runtime, users before what they use, and of `whole` everything: files that use what also uses
+/// them. Makes all symbols but `visible` internal, so that everything is optimised as one program.
+/// GL9001 if a file cannot be read, GL9050 if it is not valid, or if together the files do not
+/// define all of `visible`.
 support::Result<void> joinRuntime(llvm::Module& mission,
                                   const std::vector<std::filesystem::path>& parts,
-                                  const std::vector<std::string>& visible);
+                                  const std::vector<std::string>& visible,
+                                  const std::vector<std::filesystem::path>& whole = {});
 
 /// Lets the mission be optimised with what it needs of the bitcode file `part`. The functions are
 /// in the module to be inlined and analysed, but their code is that of the runtime's object, which

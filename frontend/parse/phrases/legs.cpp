@@ -56,4 +56,18 @@ size_t leg(Phrase& phrase) {
   return tokens;
 }
 
+size_t part(Phrase& phrase) {
+  const bool parts = isAnyName(phrase.type()) && phrase.type(1) == GliderLexer::FOREIGN &&
+                     phrase.text(1) == "." && phrase.touches(1) && isAnyName(phrase.type(2)) &&
+                     phrase.touches(2);
+  if (!parts || wantsName(phrase.before())) {
+    return 0;
+  }
+  const Lexeme whole = phrase.whole(0, 3);
+  phrase.reporter().at(whole, support::diagnostics::nameNotOneWord, phrase.source().text(whole),
+                       fmt::format("write `{}`", phrase.text(2)));
+  phrase.put(phrase.token(2));
+  return 3;
+}
+
 }  // namespace glider::frontend::phrases

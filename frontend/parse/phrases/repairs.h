@@ -40,6 +40,8 @@ size_t plusOfTexts(Phrase& phrase);
 size_t degreesCelsius(Phrase& phrase);
 /// `highest(temp, last leg)`: the leg of a window.
 size_t leg(Phrase& phrase);
+/// `here.lat`: no value has parts.
+size_t part(Phrase& phrase);
 /// `90 deg magnetic`.
 size_t magneticHeading(Phrase& phrase);
 /// `3 days`, `2 ug/L`: units that are names elsewhere.

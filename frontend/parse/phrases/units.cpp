@@ -214,11 +214,21 @@ size_t degreesCelsius(Phrase& phrase) {
 }
 
 size_t magneticHeading(Phrase& phrase) {
-  const bool angle =
-      phrase.type() == GliderLexer::UNIT && (phrase.text() == "deg" || phrase.text() == "rad");
-  if (phrase.before() != GliderLexer::NUMBER || !angle || phrase.type(1) != GliderLexer::NAME ||
-      phrase.text(1) != "magnetic" || phrase.type(2) == GliderLexer::LPAREN) {
+  if (phrase.before() != GliderLexer::NUMBER || phrase.type() != GliderLexer::UNIT ||
+      phrase.type(1) != GliderLexer::NAME || phrase.text(1) != "magnetic" ||
+      phrase.type(2) == GliderLexer::LPAREN) {
     return 0;
+  }
+  if (phrase.text() != "deg" && phrase.text() != "rad") {
+    const std::string value =
+        fmt::format("{} {}", phrase.source().text(*phrase.lexemeBefore()), phrase.text());
+    phrase.reporter()
+        .at(phrase.token(1), support::diagnostics::superfluousWord, "magnetic",
+            fmt::format("after `{}`", value))
+        .hint("delete it: only an angle is magnetic")
+        .fix(phrase.source().range(phrase.token(1)), "");
+    phrase.put(phrase.token());
+    return 2;
   }
   phrase.put(phrase.whole(0, 2, GliderLexer::UNIT));
   return 2;

@@ -59,8 +59,17 @@ Value DeclaredValue::unknown(const Bounds& bounds, const support::SourceRange& r
 }
 
 std::optional<Value> DeclaredValue::start(const ast::Expr& expr) {
-  const auto value = ExprLowering(scope_).lowerDeclared(expr, type_, "`" + name_.text + "`");
-  scale_ = value && value->scale.written ? value->scale : Scale{};
+  ExprLowering lowering(scope_);
+  const auto value = lowering.lowerDeclared(expr, type_, "`" + name_.text + "`");
+  if (!value || !value->scale.written) {
+    return value;
+  }
+  if (scaled_ != nullptr &&
+      lowering.scalesDiffer({{}, {}, {}, scale_}, scaled_->where, *value, expr.where, "in")) {
+    return std::nullopt;
+  }
+  scale_ = value->scale;
+  scaled_ = &expr;
   return value;
 }
 

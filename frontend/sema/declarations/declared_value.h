@@ -28,11 +28,12 @@ class DeclaredValue {
   DeclaredValue(const ast::Name& name, const DeclaredType& type, Scope& scope)
       : name_(name), type_(type), scope_(scope) {}
 
-  /// Its initial value, of its type.
+  /// Its initial value, of its type. Empty, and reported, if it is not one, or if it counts
+  /// something else than the range.
   std::optional<Value> start(const ast::Expr& expr);
   /// An unknown initial value; within `bounds` for whoever asks what it could be.
   Value unknown(const Bounds& bounds, const support::SourceRange& range);
-  /// What the value counts that was lowered last, where it is written with such a unit.
+  /// What the value counts, if it or an end of its range is written with such a unit.
   [[nodiscard]] const Scale& scale() const { return scale_; }
   /// A value of its type that must be known before the mission runs; `what` says what for. The
   /// second is a position's longitude. Leaves nothing lowered.
@@ -46,6 +47,7 @@ class DeclaredValue {
   const DeclaredType& type_;
   Scope& scope_;
   Scale scale_;
+  const ast::Expr* scaled_ = nullptr;  ///< the part that is written with it
 };
 
 }  // namespace glider::frontend

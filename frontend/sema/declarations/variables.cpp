@@ -194,6 +194,7 @@ bool lowerParam(const ast::Param& node, Named& named, Scope& scope) {
     ir::Variable model;
     model.name = nameOf(node.name.text, named.array, i);
     model.kind = ir::VariableKind::Parameter;
+    model.unit = named.scale.unit;
     model.initial = constantExpr(start->first, named.type.type, expr.where, scope);
     model.lowest = bounds->lowest;
     model.highest = bounds->highest;

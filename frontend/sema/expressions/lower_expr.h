@@ -177,6 +177,7 @@ class ExprLowering {
   Result ageOf(const ast::Invocation& node, const ast::Expr& expr);
 
   // Over time (lower_temporal.cpp).
+  bool timeFirst(const ast::Invocation& node);
   Result overTime(ir::TemporalKind kind, const ast::Invocation& node, const ast::Expr& expr);
 
   // Windows (lower_window.cpp).

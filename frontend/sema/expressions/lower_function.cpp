@@ -233,10 +233,16 @@ ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& no
     if (!value) {
       good = false;
     } else if (value->longitude.valid() || value->type != led->type) {
-      scope_.report(support::diagnostics::typesDiffer, argument.where, scope_.text(model.where),
-                    describe(led->type), scope_.text(argument.where),
-                    value->longitude.valid() ? "a position" : describe(value->type),
-                    node.function.text);
+      auto report = scope_.report(
+          support::diagnostics::typesDiffer, argument.where, scope_.text(model.where),
+          describe(led->type), scope_.text(argument.where),
+          value->longitude.valid() ? "a position" : describe(value->type), node.function.text);
+      const bool window = value->type == quantity(support::dimension::time) && i == 1;
+      if (window && (op == ir::Op::Min || op == ir::Op::Max)) {  // meant over time
+        report.hint(fmt::format("over time it is `{}({}, {})`",
+                                op == ir::Op::Min ? "lowest" : "highest", scope_.text(model.where),
+                                scope_.text(argument.where)));
+      }
       good = false;
     } else if (scalesDiffer(*led, model.where, *value, argument.where, node.function.text)) {
       good = false;

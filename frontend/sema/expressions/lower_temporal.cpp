@@ -7,7 +7,31 @@
 
 #include <fmt/format.h>
 
+#include <variant>
+
 namespace glider::frontend {
+
+/// `held(30 s, temp > 20 degC)`: refused once, not as two arguments.
+bool ExprLowering::timeFirst(const ast::Invocation& node) {
+  const ast::Expr& time = *node.arguments.front().value;
+  const ast::Expr& condition = *node.arguments.back().value;
+  const auto written = [](const ast::Expr& expr) {
+    return std::holds_alternative<ast::Literal>(expr.node);
+  };
+  if (!written(time) || written(condition)) {
+    return false;
+  }
+  const Result value = lower(time, std::nullopt);
+  if (value) {
+    const std::string first = scope_.text(time.where);
+    const std::string second = scope_.text(condition.where);
+    scope_.report(support::diagnostics::notACondition, time.where, first, describe(value->type))
+        .hint(fmt::format("the condition comes first: write `held({}, {})`", second, first))
+        .fix(time.where, second)
+        .fix(condition.where, first);
+  }
+  return true;
+}
 
 /// `became(g)` and `held(g, 30 s)`.
 ExprLowering::Result ExprLowering::overTime(ir::TemporalKind kind, const ast::Invocation& node,
@@ -25,6 +49,9 @@ ExprLowering::Result ExprLowering::overTime(ir::TemporalKind kind, const ast::In
                                          : fmt::format("{} argument{}", node.arguments.size(),
                                                        node.arguments.size() == 1 ? "" : "s"),
                   held ? "held(condition, 30 s)" : "became(condition)");
+    return std::nullopt;
+  }
+  if (held && timeFirst(node)) {
     return std::nullopt;
   }
   ir::Temporal temporal;

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace glider::frontend {
 
 /// `mean(x, 60 s)`, `slope(x, 10 m of depth)`.
@@ -103,6 +105,7 @@ ExprLowering::Result ExprLowering::emitWindow(std::string_view name, const Value
   temporal.range = range;
   if (temporal.kind == ir::TemporalKind::Slope &&
       !support::quotient(operand.type.dimension, length.dimension)) {
+    scope_.report(support::diagnostics::noSuchQuantity, range, scope_.text(range));
     return std::nullopt;
   }
   return watch(temporal);
@@ -126,7 +129,9 @@ ExprLowering::Result ExprLowering::legWindow(const ast::Invocation& node, const 
                                              const ast::Expr& expr) {
   const std::string& name = node.function.text;
   if (name == "rate" || name == "slope") {
-    scope_.report(support::diagnostics::notOverALeg, expr.where, name);
+    scope_.report(support::diagnostics::notOverALeg, expr.where, name,
+                  scope_.text(node.arguments.front().value->where),
+                  scope_.text(node.arguments.back().value->where));
     return std::nullopt;
   }
   const ast::Expr& watched = *node.arguments.front().value;
@@ -150,6 +155,13 @@ ExprLowering::Result ExprLowering::legWindow(const ast::Invocation& node, const 
   }
   temporal.duration = value->id;
   temporal.operand = depth->id;
+  if (temporal.kind == ir::TemporalKind::Steepest) {
+    if (!support::quotient(value->type.dimension, depth->type.dimension)) {
+      scope_.report(support::diagnostics::noSuchQuantity, expr.where, scope_.text(expr.where));
+      return std::nullopt;
+    }
+    std::swap(temporal.operand, temporal.duration);
+  }
   return emitLeg(temporal, leg, name, expr.where);
 }
 

@@ -20,7 +20,7 @@ struct Wish {
 constexpr std::string_view kTimeHint =
     "`missiontime` is the time since the mission began, `statetime` since the state began";
 constexpr std::string_view kCountHint =
-    "count in a `var` of the mission: `case became(depthrate < 0 m/s) do set n = n + 1 end stay`";
+    "write `yo_number`, the number of dives that have begun since the state was entered";
 constexpr std::string_view kCurrentHint =
     "`m_water_vx` and `m_water_vy` are the current, estimated after each dive";
 constexpr std::string_view kCtdHint =
@@ -32,10 +32,10 @@ constexpr Wish kWishes[] = {
     {"time", kTimeHint, ""},
     {"clock", kTimeHint, ""},
     {"current", kCurrentHint, "m_water_vx"},
-    {"yo_count", kCountHint, "depthrate"},
-    {"dive_count", kCountHint, "depthrate"},
-    {"yos", kCountHint, "depthrate"},
-    {"dives", kCountHint, "depthrate"},
+    {"yo_count", kCountHint, "m_depth_state"},
+    {"dive_count", kCountHint, "m_depth_state"},
+    {"yos", kCountHint, "m_depth_state"},
+    {"dives", kCountHint, "m_depth_state"},
     {"unknown", "write `known(…)` or `!known(…)`; only a variable begins `= unknown`", ""},
     {"conductivity", "did you mean `cond`?", "cond"},
     {"salinity", kCtdHint, "cond"},

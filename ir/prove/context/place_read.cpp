@@ -3,6 +3,7 @@
 
 #include "ir/prove/context/place_read.h"
 
+#include "ir/core/ops.h"
 #include "ir/core/walk.h"
 
 #include <algorithm>
@@ -25,6 +26,19 @@ PlaceRead placeReadBy(const Sensor& sensor, const platforms::Platform& platform)
 
 namespace {
 
+/// Whether the ranges of both sides show that a comparison is never false: `distance(p) >= 0 m`.
+bool isFalseNowhere(const ProofContext& proof_context, const Expr& e) {
+  if (opInfo(e.op).group != OpGroup::Comparison) {
+    return false;
+  }
+  const Interval& left = proof_context.intervals[e.operands[0].index];
+  const Interval& right = proof_context.intervals[e.operands[1].index];
+  return (e.op == Op::GreaterEqual && left.lowest >= right.highest) ||
+         (e.op == Op::Greater && left.lowest > right.highest) ||
+         (e.op == Op::LessEqual && left.highest <= right.lowest) ||
+         (e.op == Op::Less && left.highest < right.lowest);
+}
+
 /// Which halves of the vehicle's position a requirement's truth is computed from, also by way of
 /// variables that were set from them. Conditions under which a mission sets a variable do not
 /// count.
@@ -34,7 +48,7 @@ class PlaceDependence {
       : proof_context_(proof_context), m_(proof_context.mission), seen_(m_.exprs.size()) {}
 
   bool of(const Requirement& requirement) {
-    read(requirement.condition);
+    condition(requirement.condition);
     for (const Violation& violation : requirement.monitor.violations) {
       read(violation.condition);
     }
@@ -47,6 +61,20 @@ class PlaceDependence {
   }
 
  private:
+  /// What a condition is computed from, except for parts of `&&` that are false nowhere.
+  void condition(ExprId root) {
+    std::vector<ExprId> open{root};
+    while (!open.empty()) {
+      const ExprId id = open.back();
+      open.pop_back();
+      if (id.valid() && m_[id].op == Op::And) {
+        open.insert(open.end(), m_[id].operands.begin(), m_[id].operands.begin() + 2);
+      } else if (id.valid() && !isFalseNowhere(proof_context_, m_[id])) {
+        read(id);
+      }
+    }
+  }
+
   /// Adds what an expression reads; whether something is known does not depend on the place.
   void read(ExprId root) {
     std::vector<ExprId> open{root};

@@ -41,7 +41,7 @@ struct HeldReading {
 class RandomFlight {
  public:
   RandomFlight(const ProofContext& proof_context, uint32_t stack_depth,
-               std::span<const Requirement> requirements, uint64_t seed)
+               std::span<const Requirement> requirements, const Requirement* place, uint64_t seed)
       : proof_context_(proof_context),
         m_(proof_context.mission),
         recorder_(proof_context, stack_depth, requirements),
@@ -51,11 +51,8 @@ class RandomFlight {
     for (const Sensor& sensor : m_.sensors) {
       landmarks_.push_back(landmarksOf(sensor));
     }
-    const auto area = std::ranges::find_if(requirements, [&](const Requirement& requirement) {
-      return !requirement.geofences.empty() || isAboutPlace(requirement, proof_context);
-    });
-    if (area != requirements.end()) {
-      const auto start = startOf(*area);
+    if (place != nullptr) {
+      const auto start = startOf(*place);
       starts_nowhere_ = !start || std::fabs(start->latitude) > kNearPole;
       place_.emplace(start.value_or(Position{}), proof_context.platform, dice_);
       dark_left_s_ = proof_context.tick_gap_s;  // the geofence premise: all outages together
@@ -258,7 +255,24 @@ class RandomFlight {
 std::optional<Counterexample> flyAtRandom(const ProofContext& proof_context, uint32_t stack_depth,
                                           std::span<const Requirement> requirements, uint64_t seed,
                                           size_t ticks) {
-  return RandomFlight(proof_context, stack_depth, requirements, seed).fly(ticks);
+  return RandomFlight(proof_context, stack_depth, requirements,
+                      aboutPlaceOf(proof_context, requirements), seed)
+      .fly(ticks);
+}
+
+const Requirement* aboutPlaceOf(const ProofContext& proof_context,
+                                std::span<const Requirement> requirements) {
+  const auto found = std::ranges::find_if(requirements, [&](const Requirement& requirement) {
+    return !requirement.geofences.empty() || isAboutPlace(requirement, proof_context);
+  });
+  return found == requirements.end() ? nullptr : &*found;
+}
+
+std::optional<Counterexample> flyAtRandom(const ProofContext& proof_context, uint32_t stack_depth,
+                                          const Requirement& requirement, const Requirement* place,
+                                          uint64_t seed, size_t ticks) {
+  return RandomFlight(proof_context, stack_depth, std::span(&requirement, 1), place, seed)
+      .fly(ticks);
 }
 
 }  // namespace glider::ir::prove

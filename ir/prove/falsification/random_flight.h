@@ -25,6 +25,16 @@ std::optional<Counterexample> flyAtRandom(const ProofContext& proof_context, uin
                                           std::span<const Requirement> requirements, uint64_t seed,
                                           size_t ticks);
 
+/// The first of `requirements` that asks for the place of the vehicle, of which a flight then has
+/// one; null if none does.
+const Requirement* aboutPlaceOf(const ProofContext& proof_context,
+                                std::span<const Requirement> requirements);
+
+/// The same for one requirement; `place` is aboutPlaceOf it, computed once for many flights.
+std::optional<Counterexample> flyAtRandom(const ProofContext& proof_context, uint32_t stack_depth,
+                                          const Requirement& requirement, const Requirement* place,
+                                          uint64_t seed, size_t ticks);
+
 /// The same for one requirement.
 inline std::optional<Counterexample> flyAtRandom(const ProofContext& proof_context,
                                                  uint32_t stack_depth,

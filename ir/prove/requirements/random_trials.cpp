@@ -43,11 +43,12 @@ std::optional<Counterexample> tryAtRandom(const Requirement& requirement,
                                           StrategyContext& context, unsigned round) {
   const Trials trials = trialsOf(requirement, context);
   Budget& budget = context.proof.searches;
+  const Requirement* place = aboutPlaceOf(proof_context, std::span(&requirement, 1));
   const uint64_t before = round * trials.flights;
   for (uint64_t seed = before + 1; seed <= before + trials.flights && !budget.isUsedUp(); ++seed) {
     budget.spend(trials.ticks * trials.tick_steps);
-    if (auto run = flyAtRandom(proof_context, context.proof.facts.stack_depth, requirement, seed,
-                               trials.ticks)) {
+    if (auto run = flyAtRandom(proof_context, context.proof.facts.stack_depth, requirement, place,
+                               seed, trials.ticks)) {
       return run;
     }
   }

@@ -42,6 +42,34 @@ std::vector<std::string> namesIn(const fs::path& folder) {
   return names;
 }
 
+/// The exit status of a board's program, and what it says.
+std::pair<int, std::string> runOn(const platforms::Board& target, const fs::path& program,
+                                  const std::string& arguments) {
+  std::string command;
+  for (const std::string& word : target.emulator) {
+    command += word + " ";
+  }
+  const std::string said = program.string() + ".said";
+  const int status =
+      std::system((command + program.string() + " " + arguments + " > " + said + " 2>&1").c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, support::readFile(said).value_or("")};
+}
+
+/// A mission with parameters, two of which are a position.
+Checked withParameters() {
+  std::string text =
+      support::readFile(GLIDER_SOURCE_DIR "/tests/command/parameters.ir").value_or("");
+  const auto add = [&](const std::string& after, const std::string& lines) {
+    text.insert(text.find(after) + after.size(), lines);
+  };
+  add("variable eager: bool parameter\n",
+      "variable \"home.latitude\": latitude parameter lowest -90 highest 90\n"
+      "variable \"home.longitude\": longitude parameter lowest -180 highest 180\n");
+  add("initial eager false\n",
+      "initial \"home.latitude\" 39.175:latitude\ninitial \"home.longitude\" -73.83:longitude\n");
+  return codegen_tests::checkedMission(text);
+}
+
 class OnBoard : public testing::TestWithParam<std::tuple<const char*, int>> {};
 
 TEST_P(OnBoard, Figure2FitsAndStarts) {
@@ -61,16 +89,36 @@ TEST_P(OnBoard, Figure2FitsAndStarts) {
     EXPECT_THAT(symbols, testing::Not(testing::HasSubstr("malloc"))) << "a board has no heap";
   }
   // Without a port to open it ends by itself, and says why: it ran to its own code.
-  std::string command;
-  for (const std::string& word : target.emulator) {
-    command += word + " ";
+  const auto [status, said] = runOn(target, output, "--port /nonexistent/port");
+  EXPECT_GT(status, 0);
+  EXPECT_THAT(said, testing::HasSubstr("/nonexistent/port"));
+  EXPECT_THAT(runOn(target, output, "--set top=5m").second,
+              testing::HasSubstr("no parameter `top`; it has none"));
+}
+
+/// The part of the runtime for parameters uses others that no other mission needs.
+TEST_P(OnBoard, AMissionWithParametersTakesThem) {
+  const auto [name, level] = GetParam();
+  const Checked checked = withParameters();
+  const platforms::Board target = board(name);
+  const fs::path output = testFolder() / "parameters";
+  const auto built =
+      codegen::linkExecutable(checked.input(), target, optionsFor(checked, level), output);
+  ASSERT_TRUE(built.has_value()) << built.error().message;
+  const std::string help = runOn(target, output, "--help").second;
+  EXPECT_THAT(help, testing::HasSubstr("\n  bottom = 25 m, 10 m to 30 m\n"));
+  EXPECT_THAT(help, testing::HasSubstr("\n  eager = false\n"));
+  EXPECT_THAT(help, testing::HasSubstr("\n  home = 39.175 N 73.83 W\n"));
+  for (const auto& [setting, problem] :
+       {std::pair("bottom=40m", "outside its range, 10 m to 30 m"),
+        std::pair("botom=20m", "it has bottom, top, eager, home"),
+        std::pair("'home=73 W 39 N'", "the latitude comes first")}) {
+    const auto [status, said] = runOn(target, output, std::string("--set ") + setting);
+    EXPECT_EQ(status, 2) << setting;
+    EXPECT_THAT(said, testing::HasSubstr(problem));
   }
-  const std::string said = output.string() + ".said";
-  const int status = std::system(
-      (command + output.string() + " --port /nonexistent/port > " + said + " 2>&1").c_str());
-  EXPECT_TRUE(WIFEXITED(status));
-  EXPECT_NE(WEXITSTATUS(status), 0);
-  EXPECT_THAT(support::readFile(said).value_or(""), testing::HasSubstr("/nonexistent/port"));
+  EXPECT_THAT(runOn(target, output, "--port /nonexistent/port --set 'home=39 10 N 73 W'").second,
+              testing::HasSubstr("/nonexistent/port"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Boards, OnBoard,

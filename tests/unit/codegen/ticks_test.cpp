@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <tuple>
 #include <vector>
 
 namespace glider::codegen_tests {
@@ -82,6 +83,36 @@ TEST(Ticks, AWindowTakesAReadingWhenTheVehicleHasMovedAlong) {
   EXPECT_TRUE(isTrue("temporal highest always (sensor temp) over 4 along (sensor depth)\n",
                      "(gt (temporal 0) 15:temperature)",
                      {{4, {{20, kTemp, 0}, {1, kDepth, 0}}}, {8, {{6, kDepth, 0}}}}));
+}
+
+/// Each kind of window over a leg, on one dive and after it; `warm` says what the vehicle does.
+TEST(Ticks, WindowsOverALeg) {
+  const std::vector<Tick> dive = {{4, {{0, kWarm, 0}}},
+                                  {8, {{1, kWarm, 0}, {0, kDepth, 0}, {20, kTemp, 0}}},
+                                  {12, {{1, kWarm, 0}, {3, kDepth, 0}, {20, kTemp, 0}}},
+                                  {16, {{1, kWarm, 0}, {6, kDepth, 0}, {14, kTemp, 0}}},
+                                  {20, {{1, kWarm, 0}, {9, kDepth, 0}, {13, kTemp, 0}}},
+                                  {24, {{0, kWarm, 0}}}};
+  const std::string depth_where = " always (sensor depth) where (sensor temp)";
+  const std::tuple<std::string, std::string, std::string> rows[] = {
+      {"mean always (sensor temp)", "16.75", "temperature"},
+      {"lowest always (sensor temp)", "13", "temperature"},
+      {"highest always (sensor temp)", "20", "temperature"},
+      {"spread always (sensor temp)", "7", "temperature"},
+      {"at_lowest" + depth_where, "9", "length"},
+      {"at_highest" + depth_where, "0", "length"},
+      {"steepest always (sensor temp) where (sensor depth)", "-2", "dim(-1,0,0,0,1,0)"},
+      {"at_steepest" + depth_where, "4.5", "length"}};
+  for (const auto& [window, value, type] : rows) {
+    const std::string text = "temporal " + window + " over this 1 2 along (sensor warm)\n";
+    const std::string guard = fmt::format(
+        "(and (gt (sensor depth) 8:length) (and (le (temporal 0) {0}:{1}) (ge (temporal "
+        "0) {0}:{1})))",
+        value, type);
+    EXPECT_TRUE(isTrue(text, guard, dive)) << window;
+  }
+  EXPECT_TRUE(isTrue("temporal number always (sensor warm) over this 1 1 along (sensor warm)\n",
+                     "(gt (temporal 0) 0.5)", dive));
 }
 
 TEST(Ticks, HeldForAnUnknownTime) {

@@ -174,5 +174,33 @@ TEST(InterpreterDeathTest, RefusesWhatVerificationRulesOut) {
   EXPECT_DEATH(tick(k, 4), "deeper than");
 }
 
+/// The operand and the number after `where` have different places in different windows.
+TEST(Interpreter, WindowsOverALegThatComputeFromTwoNumbers) {
+  constexpr SensorId kPhase{2};
+  const std::pair<const char*, double> rows[] = {
+      {"at_lowest always (sensor depth) where (sensor temp)", 9},
+      {"at_highest always (sensor depth) where (sensor temp)", 0},
+      {"steepest always (sensor temp) where (sensor depth)", -2},
+      {"at_steepest always (sensor depth) where (sensor temp)", 4.5}};
+  for (const auto& [window, value] : rows) {
+    const Mission m = missionOf(
+        kHeader +
+        "sensor doing: number vehicle m_depth_state id 3 encoding linear to_si 1 lowest 0 highest "
+        "99 stale_after 20\ntemporal " +
+        window + " over this 1 2 along (sensor doing)\n" +
+        "state a route drift () profile glide () case (known (temporal 0)) stay\n");
+    Interpreter i(m, 0);
+    i.start();
+    tick(i, 4, {{kPhase, 0}});
+    double time = 8;
+    for (const auto& [depth, temp] : {std::pair(0.0, 20.0), {3, 20}, {6, 14}, {9, 13}}) {
+      tick(i, time, {{kPhase, 1}, {kDepthSensor, depth}, {kTemp, temp}});
+      time += 4;
+    }
+    tick(i, time, {{kPhase, 0}});
+    EXPECT_EQ(i.number(m[m.states[0].cases[0].guard].operands[0]), value) << window;
+  }
+}
+
 }  // namespace
 }  // namespace glider::ir

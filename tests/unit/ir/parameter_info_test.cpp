@@ -98,6 +98,16 @@ TEST(ParameterInfos, APositionWithoutLimitsIsOnEarth) {
   EXPECT_EQ(length.highest, Variable::kEndless);
 }
 
+/// What counts in one unit is not to be set in another.
+TEST(ParameterInfos, ANumberOfAUnitTakesNoOther) {
+  Expr initial;
+  initial.op = Op::Constant;
+  Mission mission = withParameter("p", {TypeKind::Quantity, {}}, initial);
+  EXPECT_NE(parameterInfos(mission).at(0).units.find("uM="), std::string::npos);
+  mission.variables[0].unit = "ug/L";
+  EXPECT_EQ(parameterInfos(mission).at(0).units, "ug/L=3ff0000000000000");
+}
+
 TEST(ParameterInfos, ATruthIsZeroOrOne) {
   Expr initial;
   initial.op = Op::True;

@@ -47,8 +47,8 @@ void expectSame(const State& a, const State& b) {
 }
 
 void expectSame(const Variable& a, const Variable& b) {
-  EXPECT_EQ(std::tie(a.name, a.type, a.kind, a.owner, a.initial),
-            std::tie(b.name, b.type, b.kind, b.owner, b.initial));
+  EXPECT_EQ(std::tie(a.name, a.type, a.kind, a.owner, a.initial, a.unit),
+            std::tie(b.name, b.type, b.kind, b.owner, b.initial, b.unit));
   EXPECT_EQ(bits(a.lowest), bits(b.lowest));
   EXPECT_EQ(bits(a.highest), bits(b.highest));
 }
@@ -213,12 +213,16 @@ sensor depth: length vehicle m_depth id 1 encoding linear to_si 1 lowest -1 high
 behaviour profile yo symbol "" () reads ()
 behaviour route drift symbol gliderRouteDrift () reads ()
 variable bottom: length parameter lowest 10 highest 30
+variable bloom: number parameter lowest 0 highest 10 unit "ug/L"
+variable low: number parameter unit uM
 variable fast: bool mission
 variable upper: length mission lowest 3 highest 24
 variable "leg.to": latitude argument of leg lowest -90 highest 90
 variable "leg.count": number state of leg
 variable "leg.profile.done": bool profile of leg
 initial bottom 25:length
+initial bloom 2.5
+initial low 180
 initial fast false
 initial upper (min 5:length (var bottom))
 condition (ge (var bottom) (mul 2 5:length))
@@ -268,6 +272,10 @@ state leg ("leg.to")
   case (gt (temporal 4) 2:length) return
   temporal number route leg (sensor depth) over this 1 1 along (sensor depth)
   case (gt (temporal 5) 2) return
+  temporal steepest route leg (sensor depth) where (sensor depth) over this 1 2 along (sensor depth)
+  case (gt (temporal 6) 2) return
+  temporal at_steepest route leg (sensor depth) where (sensor depth) over this 1 2 along (sensor depth)
+  case (gt (temporal 7) 2:length) return
 )";
 
 TEST(IrText, CompassesComeBack) {
@@ -294,7 +302,7 @@ TEST(IrText, CompassesComeBack) {
 TEST(IrText, WholeLanguageReadsLikeTheMission) {
   const Mission mission = missionOf(kWhole);
   EXPECT_EQ(print(mission), kWhole);
-  EXPECT_EQ(mission.temporals.size(), 6u);
+  EXPECT_EQ(mission.temporals.size(), 8u);
   EXPECT_EQ(mission.blocks.size(), 8u);
   EXPECT_EQ(mission.states[1].profile.cases[0].transition, Transition::Done);
 }

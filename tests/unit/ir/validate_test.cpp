@@ -45,6 +45,24 @@ TEST(Validate, AcceptsASoundMission) {
   EXPECT_TRUE(validate(whole()).empty());
 }
 
+/// Only a parameter that is a plain number counts something.
+TEST(Validate, TheUnitOfAVariable) {
+  const auto valid = [](const std::string& variable, const std::string& initial,
+                        const std::string& unit) {
+    Mission m = missionOf(kHeader + "variable v: " + variable + " initial v " + initial +
+                          " state a route drift () profile glide () case true exit");
+    m.variables[0].unit = unit;
+    return validate(m).empty();
+  };
+  EXPECT_TRUE(valid("number parameter", "1", "uM"));
+  EXPECT_TRUE(valid("number parameter", "1", "ug/L"));
+  EXPECT_FALSE(valid("number parameter", "1", "m"));
+  EXPECT_FALSE(valid("number parameter", "1", "mol"));
+  EXPECT_FALSE(valid("number mission", "1", "uM"));
+  EXPECT_FALSE(valid("length parameter", "1:length", "uM"));
+  EXPECT_FALSE(valid("length parameter", "1:length", "m"));
+}
+
 struct Damage {
   const char* name;
   std::function<void(Mission&)> make;
@@ -230,6 +248,7 @@ const Damage kWholeDamages[] = {
      }},
     {"numberOfALength", [](Mission& m) { m.temporals[1].kind = TemporalKind::Number; }},
     {"comparesNothing", [](Mission& m) { m.temporals[1].kind = TemporalKind::AtLowest; }},
+    {"steepestOfNothing", [](Mission& m) { m.temporals[1].kind = TemporalKind::Steepest; }},
     {"windowAlongAVariable", [](Mission& m) { m.temporals[1].along = m.variables[1].initial; }},
     {"tableEmpty", [](Mission& m) { m.tables[0].values.clear(); }},
     {"tableNaN", [](Mission& m) { m.tables[0].values[1] = kInvalidNumber; }},

@@ -30,7 +30,10 @@ class LaunchTest : public ::testing::Test {
         {"deep", 0, 0, 1, "bool"},
         {"lat", 39, -90, 90, "N=3ff0000000000000 S=bff0000000000000"},
         {"lon", -73.5, -180, 180, "E=3ff0000000000000 W=bff0000000000000"},
-        {"gain", 0.5, -kEndless, kEndless, "=3ff0000000000000 %=3f847ae147ae147b"}};
+        {"gain", 0.5, -kEndless, kEndless, "=3ff0000000000000 %=3f847ae147ae147b"},
+        {"home.latitude", 39, -90, 90, "N=3ff0000000000000 S=bff0000000000000"},
+        {"home.longitude", -73.5, -180, 180, "E=3ff0000000000000 W=bff0000000000000"},
+        {"far.latitude", 0, -90, 90, "N=3ff0000000000000 S=bff0000000000000"}};
     bench_.condition = [](const GliderContext& c) {
       return c.variables[0] >= c.variables[1] + 5 ? GLIDER_NO_CASE : 0U;
     };
@@ -97,7 +100,8 @@ TEST_F(LaunchTest, SaysWhatIsWrongAndChangesNothing) {
   Launch launch(bench_.mission);
   const std::pair<const char*, const char*> table[] = {
       {"botom=20m",
-       "the mission has no parameter `botom`; it has bottom, survey.top, deep, lat, lon, gain"},
+       "the mission has no parameter `botom`; it has bottom, survey.top, deep, lat, lon, gain, "
+       "home, far.latitude"},
       {"bottom", "`bottom` sets nothing; write `name=value`"},
       {"", "`` sets nothing; write `name=value`"},
       {"bottom=40m", "`bottom` cannot be `40m`: outside its range, 10 m to 30 m"},
@@ -116,19 +120,19 @@ TEST_F(LaunchTest, SaysWhatIsWrongAndChangesNothing) {
       {"gain=1e99999999999",
        "`gain` cannot be `1e99999999999`: more than 15 digits, or too large or small"},
       {"lat=39.2", "`lat` cannot be `39.2`: write a value with a unit: N, S, or ddmm.mmmm"},
-      {"lat=-39.2 N", "`lat` cannot be `-39.2 N`: write a value with a unit: N, S, or ddmm.mmmm"},
+      {"lat=-39.2 N", "`lat` cannot be `-39.2 N`: write a minus sign or a letter, not both"},
       {"lat=73.8 W", "`lat` cannot be `73.8 W`: write a value with a unit: N, S, or ddmm.mmmm"},
-      {"lat=3960", "`lat` cannot be `3960`: write a value with a unit: N, S, or ddmm.mmmm"},
+      {"lat=3960", "`lat` cannot be `3960`: a degree has only 60 minutes"},
       {"lat=39,175 N", "`lat` cannot be `39,175 N`: write a value with a unit: N, S, or ddmm.mmmm"},
-      {"lat=39 60 N", "`lat` cannot be `39 60 N`: write a value with a unit: N, S, or ddmm.mmmm"},
+      {"lat=39 60 N", "`lat` cannot be `39 60 N`: a degree has only 60 minutes"},
       {"lat=39.5 10 N",
        "`lat` cannot be `39.5 10 N`: write a value with a unit: N, S, or ddmm.mmmm"},
-      {"lat=-39 10 N", "`lat` cannot be `-39 10 N`: write a value with a unit: N, S, or ddmm.mmmm"},
+      {"lat=-39 10 N", "`lat` cannot be `-39 10 N`: write a minus sign or a letter, not both"},
       {"lat=39 -10 N", "`lat` cannot be `39 -10 N`: write a value with a unit: N, S, or ddmm.mmmm"},
       {"lat=39 10", "`lat` cannot be `39 10`: write a value with a unit: N, S, or ddmm.mmmm"},
       {"lat=39 10 20 N",
        "`lat` cannot be `39 10 20 N`: write a value with a unit: N, S, or ddmm.mmmm"},
-      {"lat=3960 N", "`lat` cannot be `3960 N`: write a value with a unit: N, S, or ddmm.mmmm"},
+      {"lat=3960 N", "`lat` cannot be `3960 N`: a degree has only 60 minutes"},
       {"lat=90 30 N", "`lat` cannot be `90 30 N`: outside its range, 90 S to 90 N"},
       {"lat=39 1e-30 N",
        "`lat` cannot be `39 1e-30 N`: more than 15 digits, or too large or small"},
@@ -143,6 +147,69 @@ TEST_F(LaunchTest, SaysWhatIsWrongAndChangesNothing) {
     EXPECT_EQ(set(launch, setting), problem);
     EXPECT_EQ(launch.values()[0], 25);
   }
+}
+
+TEST_F(LaunchTest, TakesAPositionAsTheLanguageWritesIt) {
+  const std::pair<const char*, std::pair<double, double>> table[] = {
+      {"home=39.175 N 73.83 W", {39.175, -73.83}},
+      {" home = 39 10.5 N 73 49.8 W ", {39 + 10.5 / 60, -(73 + 49.8 / 60)}},
+      {"home=3910.5 N 7349.8 W", {39 + 10.5 / 60, -(73 + 49.8 / 60)}},
+      {"home=3910.5S\t17349.8E", {-(39 + 10.5 / 60), 173 + 49.8 / 60}},
+      {"home=39.175 S 73 49.8 W", {-39.175, -(73 + 49.8 / 60)}},
+      {"home=0 N 0 W", {0, 0}},
+      {"home=90 S 180 E", {-90, 180}}};
+  for (const auto& [setting, values] : table) {
+    Launch launch(bench_.mission);
+    EXPECT_EQ(set(launch, setting), "") << setting;
+    EXPECT_NEAR(launch.values()[6], values.first, 1e-13) << setting;
+    EXPECT_NEAR(launch.values()[7], values.second, 1e-13) << setting;
+  }
+}
+
+/// Of two settings the later one counts, also where one is of a half.
+TEST_F(LaunchTest, AHalfOfAPositionMayBeSetAlone) {
+  Launch launch(bench_.mission);
+  EXPECT_EQ(set(launch, "home.longitude = 10 E"), "");
+  EXPECT_EQ(set(launch, "home = 39 N 74 W"), "");
+  EXPECT_EQ(set(launch, "home.latitude = 40 N"), "");
+  EXPECT_EQ(launch.values()[6], 40);
+  EXPECT_EQ(launch.values()[7], -74);
+}
+
+TEST_F(LaunchTest, SaysWhatIsWrongWithAPosition) {
+  Launch launch(bench_.mission);
+  const std::pair<const char*, const char*> table[] = {
+      {"39.175 N", ": the longitude is missing"},
+      {"73.83 W", ": the latitude comes first"},
+      {"73.83 W 39.175 N", ": the latitude comes first"},
+      {"39.175 N, 73.83 W", ": write no comma"},
+      {"3910.5 -7349.8", ": write it with letters"},
+      {"39.175 73.83", ": write it with letters"},
+      {"", ": write it with letters"},
+      {"39.175 N 73.83", ": the longitude needs its letter, E or W"},
+      {"39.175 N -7349.8", ": the longitude needs its letter, E or W"},
+      {"39.175 N 40 S", ": the longitude needs its letter, E or W"},
+      {"91 N 73.83 W", ": latitudes are from 90 S to 90 N"},
+      {"39.175 N 181 W", ": longitudes are from 180 W to 180 E"},
+      {"39 60 N 73 W", ": a degree has only 60 minutes"},
+      {"3910.5 N 7360 W", ": a degree has only 60 minutes"},
+      {"-39.175 N 73.83 W", ": write a minus sign or a letter, not both"},
+      {"39.175 N -73.83 W", ": write a minus sign or a letter, not both"},
+      {"39.1234567890123456 N 73 W", ": more than 15 digits, or too large or small"},
+      {"N W", ""},
+      {"39,175 N 73,83 W", ""},
+      {"39.175 N 73.83 W 5 W", ""},
+      {"39.175 N north W", ""}};
+  for (const auto& [value, why] : table) {
+    EXPECT_EQ(set(launch, std::string("home=") + value),
+              std::string("`home` cannot be `") + value + "`" + why +
+                  "; a position is written `39.175 N 73.83 W`, `39 10.5 N 73 49.8 W` or "
+                  "`3910.5 N 7349.8 W`");
+    EXPECT_EQ(launch.values()[6], 39);
+    EXPECT_EQ(launch.values()[7], -73.5);
+  }
+  EXPECT_NE(set(launch, "far=39 N 73 W"), "") << "it is not a position";
+  EXPECT_NE(set(launch, "=39 N 73 W"), "");
 }
 
 TEST_F(LaunchTest, APilotsNovelIsCutShort) {

@@ -30,18 +30,33 @@ constexpr std::pair<TemporalKind, GliderLegKind> kKinds[] = {
     {TemporalKind::Mean, kGliderLegMean},         {TemporalKind::Lowest, kGliderLegLowest},
     {TemporalKind::Highest, kGliderLegHighest},   {TemporalKind::Spread, kGliderLegSpread},
     {TemporalKind::AtLowest, kGliderLegAtLowest}, {TemporalKind::AtHighest, kGliderLegAtHighest},
+    {TemporalKind::Steepest, kGliderLegSteepest}, {TemporalKind::AtSteepest, kGliderLegAtSteepest},
     {TemporalKind::Number, kGliderLegNumber}};
+
+/// The functions of the runtime for windows of one kind.
+struct Functions {
+  explicit Functions(GliderLegKind kind)
+      : steepest(kind == kGliderLegSteepest || kind == kGliderLegAtSteepest),
+        memory(steepest ? GLIDER_STEEPEST_MEMORY : GLIDER_LEG_MEMORY),
+        start(steepest ? gliderSteepestStart : gliderLegStart),
+        advance(steepest ? gliderSteepestAdvance : gliderLegAdvance) {}
+
+  bool steepest;
+  size_t memory;
+  decltype(&gliderLegStart) start;
+  decltype(&gliderLegAdvance) advance;
+};
 
 /// A window of the runtime, in ticks of 4 s; starts at 100 s in the state `phase`.
 class Window {
  public:
   explicit Window(GliderLegKind kind, Leg leg = Leg::This, double dive = kDive,
                   double climb = kClimb)
-      : shape_{dive, climb, kind, leg == Leg::Last ? 1U : 0U} {
-    gliderLegStart(memory_.data(), time_);
+      : functions_(kind), shape_{dive, climb, kind, leg == Leg::Last ? 1U : 0U} {
+    functions_.start(memory_.data(), time_);
   }
   double tick(double phase, double value, double at = 0, bool fresh = true) {
-    gliderLegAdvance(memory_.data(), &shape_, time_, phase, value, at, fresh ? 1 : 0);
+    functions_.advance(memory_.data(), &shape_, time_, phase, value, at, fresh ? 1 : 0);
     time_ += 4;
     return memory_[0];
   }
@@ -56,14 +71,15 @@ class Window {
   void wait(double seconds) { time_ += seconds; }
 
  private:
+  Functions functions_;
   GliderLegShape shape_;
-  std::vector<double> memory_ = std::vector<double>(GLIDER_LEG_MEMORY, -7.0);
+  std::vector<double> memory_ = std::vector<double>(functions_.memory, -7.0);
   double time_ = 100;
 };
 
 TEST(Legs, OfEachKind) {
-  const double ofThis[] = {4, 1, 9, 8, 10, 90, 2};
-  const double ofLast[] = {5, 2, 8, 6, 20, 80, 2};
+  const double ofThis[] = {4, 1, 9, 8, 10, 90, 0.1, 55, 2};
+  const double ofLast[] = {5, 2, 8, 6, 20, 80, 0.1, 65, 2};
   for (size_t i = 0; i < std::size(kKinds); ++i) {
     for (const Leg leg : {Leg::This, Leg::Last}) {
       Window window(kKinds[i].second, leg);
@@ -169,6 +185,103 @@ TEST(Legs, AMeanIsWithinItsReadings) {
   }
 }
 
+/// The steepest slope of readings at depths, and its depth, over the dive under way or ended.
+class Profile {
+ public:
+  explicit Profile(double phase = kDive) : phase_(phase) {
+    slope_.tick(kSurface, 0);
+    depth_.tick(kSurface, 0);
+  }
+  void reading(double value, double at) { tick(phase_, value, at); }
+  void hover() { tick(kHover, 0, 0); }
+  [[nodiscard]] double slope() const { return found_.first; }
+  [[nodiscard]] double depth() const { return found_.second; }
+
+ private:
+  void tick(double phase, double value, double at) {
+    found_ = {slope_.tick(phase, value, at), depth_.tick(phase, value, at)};
+  }
+
+  double phase_;
+  Window slope_{kGliderLegSteepest};
+  Window depth_{kGliderLegAtSteepest};
+  std::pair<double, double> found_{kNothing, kNothing};
+};
+
+/// Compared with the slope of the water itself, which is steepest at 30 m: -1.25 degC/m there, and
+/// from 28 m to 32 m never less steep than -0.98 degC/m.
+TEST(SteepestOfALeg, IsThatOfAThermoclineDespiteNoise) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> temperature_noise(0, 0.02);
+  std::uniform_real_distribution<double> depth_noise(-0.1, 0.1);
+  for (int flight = 0; flight < 100; ++flight) {
+    const bool down = flight % 2 == 0;
+    Profile profile(down ? kDive : kClimb);
+    const double step = std::uniform_real_distribution(0.3, 0.9)(random);  // a tick's, m
+    for (double way = 0; way < 60; way += step) {
+      const double depth = down ? way : 60 - way;
+      profile.reading(20 - 5 * std::tanh((depth - 30) / 4) + temperature_noise(random),
+                      depth + depth_noise(random));
+    }
+    EXPECT_LT(profile.slope(), -0.95) << flight;
+    EXPECT_GT(profile.slope(), -1.4) << flight;
+    EXPECT_NEAR(profile.depth(), 30, 2.1) << flight;
+  }
+}
+
+/// A vehicle that stays at a depth, or goes back over the edge of a layer, measures how the water
+/// changes with time: that is not a slope.
+TEST(SteepestOfALeg, RepeatedDepthsHaveNoSlope) {
+  Profile still;
+  for (int i = 0; i < 100; ++i) {
+    still.reading(20 - 0.1 * i, 10 + 0.9 * (i % 2));
+  }
+  EXPECT_TRUE(std::isnan(still.slope()));
+  Profile edge;
+  for (const double depth : {10.0, 10.9, 11.9, 12.0, 11.9, 10.1, 10.2}) {
+    edge.reading(depth < 12 ? 20 : 15, depth);
+  }
+  edge.hover();
+  EXPECT_TRUE(std::isnan(edge.slope())) << "the layers' means are less than 1 m apart";
+}
+
+TEST(SteepestOfALeg, TheLastLayerCountsWhenTheLegIsOver) {
+  Profile profile;
+  for (const double depth : {0, 1, 2, 3}) {
+    profile.reading(20 - depth, depth);
+  }
+  EXPECT_TRUE(std::isnan(profile.slope())) << "one complete layer";
+  profile.reading(9, 4);
+  EXPECT_EQ(profile.slope(), -1);
+  EXPECT_EQ(profile.depth(), 1.5);
+  profile.hover();
+  EXPECT_EQ(profile.slope(), (9 - 17.5) / 1.5);
+  EXPECT_EQ(profile.depth(), 3.25);
+}
+
+TEST(SteepestOfALeg, TheFirstOfTwoCounts) {
+  for (const double sign : {-1, 1}) {
+    Profile profile;
+    for (int layer = 0; layer < 5; ++layer) {
+      profile.reading(sign * (layer % 2), 3.0 * layer);
+    }
+    EXPECT_EQ(profile.slope(), sign / 3);
+    EXPECT_EQ(profile.depth(), 1.5);
+  }
+}
+
+/// A slope beyond all numbers is none.
+TEST(SteepestOfALeg, WhatOverflowsIsLeftOut) {
+  Profile profile;
+  const std::pair<double, double> readings[] = {{2, 0}, {5, 3}, {-1.7e308, 6}, {1.7e308, 9}};
+  for (const auto& [value, at] : readings) {
+    profile.reading(value, at);
+  }
+  profile.hover();
+  EXPECT_EQ(profile.slope(), -1.7e308 / 3);
+  EXPECT_EQ(profile.depth(), 4.5);
+}
+
 /// The runtime's sums and the interpreter's readings give the same bits.
 TEST(Legs, AreWhatTheirReadingsSay) {
   std::mt19937 random(7);
@@ -184,13 +297,14 @@ TEST(Legs, AreWhatTheirReadingsSay) {
     const GliderLegShape shape{temporal.dive, temporal.climb, abi,
                                temporal.leg == Leg::Last ? 1U : 0U};
     PlainLegs plain(temporal);
-    std::vector<double> memory(GLIDER_LEG_MEMORY, -7.0);
+    const Functions functions(abi);
+    std::vector<double> memory(functions.memory, -7.0);
     double time = 0;
     double phase = kSurface;
     for (int tick = 0; tick < 300; ++tick) {
       if (tick == 0 || chance(0.005)) {
         plain.start(time);
-        gliderLegStart(memory.data(), time);
+        functions.start(memory.data(), time);
       }
       phase = chance(0.1) ? std::uniform_int_distribution(0, 3)(random) : phase;
       const double seen = chance(0.05) ? kNothing : phase;
@@ -199,7 +313,7 @@ TEST(Legs, AreWhatTheirReadingsSay) {
       const double at = chance(0.1) ? kNothing : std::uniform_real_distribution(0.0, 9.0)(random);
       const bool fresh = chance(0.9);
       plain.advance(time, seen, value, at, fresh);
-      gliderLegAdvance(memory.data(), &shape, time, seen, value, at, fresh ? 1 : 0);
+      functions.advance(memory.data(), &shape, time, seen, value, at, fresh ? 1 : 0);
       ASSERT_EQ(std::bit_cast<uint64_t>(plain.value()), std::bit_cast<uint64_t>(memory[0]))
           << flight << " " << tick << " " << plain.value() << " " << memory[0];
       known += std::isnan(memory[0]) ? 0U : 1U;

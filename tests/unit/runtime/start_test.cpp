@@ -175,11 +175,14 @@ class Parameters : public Folder {
     constexpr double kEndless = std::numeric_limits<double>::infinity();
     constexpr const char* kLength = "m=3ff0000000000000 km=408f400000000000";
     bench_.states = {benchState("a")};
-    bench_.parameters = {{"a_long_name_of_a_depth", 25.5, 10, 30, kLength},
-                         {"top", 5, 1, kEndless, kLength},
-                         {"low", 5, -kEndless, 9, kLength},
-                         {"deep", 0, 0, 1, "bool"},
-                         {"gain", 0.5, -kEndless, kEndless, "=3ff0000000000000"}};
+    bench_.parameters = {
+        {"a_long_name_of_a_depth", 25.5, 10, 30, kLength},
+        {"top", 5, 1, kEndless, kLength},
+        {"low", 5, -kEndless, 9, kLength},
+        {"deep", 0, 0, 1, "bool"},
+        {"gain", 0.5, -kEndless, kEndless, "=3ff0000000000000"},
+        {"home.latitude", 39.175, -90, 90, "N=3ff0000000000000 S=bff0000000000000"},
+        {"home.longitude", -73.83, -180, 180, "E=3ff0000000000000 W=bff0000000000000"}};
     bench_.condition = [](const GliderContext& c) {
       return c.variables[0] > c.variables[1] ? GLIDER_NO_CASE : 0U;
     };
@@ -204,7 +207,8 @@ TEST_F(Parameters, AreListedWithTheirRanges) {
             "  top = 5 m, at least 1 m\n"
             "  low = 5 m, at most 9 m\n"
             "  deep = false\n"
-            "  gain = 0.5\n");
+            "  gain = 0.5\n"
+            "  home = 39.175 N 73.83 W\n");
 }
 
 TEST_F(Parameters, OfALongNameAreListedUpToTheEndOfALine) {

@@ -40,7 +40,7 @@ InProcessSbc::InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission
   if (port) {
     backseat_ = std::make_unique<runtime::extctl::Backseat>(
         mission_->mission(), *port, GliderByteStream{this, readBytes, writeBytes},
-        runtime::extctl::BackseatOptions{.may_resume = kept_.has_value()});
+        runtime::extctl::BackseatOptions{.checkpoint = kept_ ? &kept_link_ : nullptr});
   }
   runtime_ = mission_->init(runtime_memory_.get(), context_memory_.get(), &options);
 }
@@ -51,10 +51,9 @@ std::optional<double> InProcessSbc::findKept() {
   const GliderStore store{this, readCard, writeCard, [](void*) { return 0; }};
   const auto* bytes = reinterpret_cast<const uint8_t*>(parameters_.data());
   const uint32_t count = mission.parameter_count * sizeof(double);
-  runtime::LinkFacts facts;
   GliderContext* context = runtime::layOut(context_memory_.get(), mission);
   const bool found =
-      runtime::Checkpoint(store, hooks::crc32c(bytes, count, 0)).find(*context, facts) ==
+      runtime::Checkpoint(store, hooks::crc32c(bytes, count, 0)).find(*context, kept_link_) ==
       runtime::Checkpoint::Found::Good;
   return found ? std::optional(context->mission_time) : std::nullopt;
 }

@@ -8,6 +8,7 @@
 #include "hooks/transport/byte_stream.h"
 #include "runtime/abi/port_mission.h"
 #include "runtime/abi/runtime.h"
+#include "runtime/checkpoint/checkpoint.h"
 #include "runtime/extctl/backseat.h"
 #include "simulator/ports/sbc_port.h"
 
@@ -81,6 +82,7 @@ class InProcessSbc final : public simulator::SbcPort {
   double now_s_ = 0;          ///< by its own clock
   double vehicle_now_s_ = 0;  ///< by that of the simulated world
   std::optional<double> kept_;
+  runtime::LinkFacts kept_link_;  ///< of that checkpoint
   bool keeps_time_;
   bool plugged_ = true;
   bool finished_ = false;    ///< the mission has released control: a program would end here

@@ -165,13 +165,18 @@ std::string eventLine(const TraceEvent& event, bool with_kind) {
   return out;
 }
 
+/// Routine steering would hide what matters; it is in the report. So would the turns of the
+/// vehicle's own yo, while the SBC's mission sets its depths.
+bool isRoutine(const TraceEvent& event) {
+  return isOfKind(event, EventKind::Steering) ||
+         (event.id == EventId::LegOver && std::isfinite(event.mission_time_s));
+}
+
 std::string eventLines(const Trace& trace, bool transitions) {
   std::string out;
   size_t count = 0;
   for (const TraceEvent& event : trace.events) {
-    // Routine steering would hide what matters; it is in the report.
-    if (isOfKind(event, EventKind::Transition) != transitions ||
-        isOfKind(event, EventKind::Steering)) {
+    if (isOfKind(event, EventKind::Transition) != transitions || isRoutine(event)) {
       continue;
     }
     if (++count <= kMostEvents) {

@@ -45,14 +45,17 @@ slocum::Release releaseOf(const std::string& name) {
   return name == "mission-mode" ? slocum::Release::MissionModes : slocum::Release::Common;
 }
 
-/// The deepest that the mission commands, if that is known and the vehicle goes there.
+/// The deepest that the mission commands, if that is known and the vehicle goes there. What code in
+/// C commands is not known.
 double depthFor(const compiler::Optimised& mission) {
   const double most = mission.platform().envelope.greatest_depth_m;
+  const bool in_c = std::ranges::any_of(
+      mission.mission.behaviours, [](const auto& behaviour) { return !behaviour.symbol.empty(); });
   double deepest = 0;
   for (const auto& dive : slocum::rules::divesOf(mission.mission)) {
     deepest = std::max(deepest, dive.depth_m);
   }
-  return deepest > 0 ? std::min(deepest, most) : most;
+  return deepest > 0 && !in_c ? std::min(deepest, most) : most;
 }
 
 slocum::PortChoice choiceOf(const PortOptions& options, const compiler::Optimised& mission) {

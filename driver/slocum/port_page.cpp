@@ -5,17 +5,19 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <string_view>
 
 namespace glider::driver {
 namespace {
 
-/// "4 h", "90 min".
+/// "4 h", "90 min": never less than it is.
 std::string timeText(double seconds) {
-  constexpr double kHour = 3600, kMinute = 60;
-  return seconds >= 2 * kHour ? fmt::format("{:.3g} h", seconds / kHour)
-                              : fmt::format("{:.3g} min", seconds / kMinute);
+  constexpr double kHour = 3600, kMinute = 60, kParts = 100;
+  const bool long_time = seconds >= 2 * kHour;
+  const double parts = std::ceil(seconds / (long_time ? kHour : kMinute) * kParts - 1e-6);
+  return fmt::format("{:.6g} {}", parts / kParts, long_time ? "h" : "min");
 }
 
 std::string whereTable(const slocum::PortPlan& plan, const PortPageFiles& files) {
@@ -33,18 +35,17 @@ std::string whereTable(const slocum::PortPlan& plan, const PortPageFiles& files)
 }
 
 std::string boundText(const slocum::PortPlan& plan) {
-  constexpr double kSlowestClimb = 0.05;  // m/s, as the vehicle's environment model says
-  const double climb_s = (plan.choice.greatest_depth_m + plan.overshoot_m) / kSlowestClimb;
+  const std::string after = timeText(plan.choice.surface_after_s);
   return fmt::format(
       "The vehicle keeps the last depths and heading that it has received, for ever: nothing on it "
-      "monitors "
-      "the port. What brings it up then is its own `surface` with `start_when` 12: after {} "
-      "without "
-      "contact it climbs, which takes {} at most from {:.4g} m, and waits for its operator. So "
-      "**it is at the "
-      "surface {} after its last contact, at the latest**, if its depth sensor and pump work.\n",
-      timeText(plan.choice.surface_after_s), timeText(climb_s), plan.choice.greatest_depth_m,
-      timeText(plan.choice.surface_after_s + climb_s));
+      "monitors the port. What brings it up then is its own `surface` with `start_when` 12: after "
+      "{0} without contact it climbs, which takes {1} at most from {2:.4g} m. So **it is at the "
+      "surface {3} after its last contact, at the latest**, if its depth sensor and pump work.\n\n"
+      "There it waits {4} for its operator, goes on between the last depths if none answers, and "
+      "comes up again {0} later. End the mission in that call if the computer does not answer: "
+      "`report ++ sci_generic_b` no longer counts.\n",
+      after, timeText(plan.climb_s), plan.choice.greatest_depth_m,
+      timeText(plan.choice.surface_after_s + plan.climb_s), timeText(slocum::kOperatorWait));
 }
 
 }  // namespace
@@ -57,13 +58,14 @@ std::string portPage(const slocum::PortPlan& plan, const PortPageFiles& files) {
       "`{1}.mi`, whose `u_mission_param_l` is {2}.\n\n"
       "## What goes where\n\n{3}\n"
       "## At the dock\n\n"
-      "| step | type at the vehicle | see |\n|---|---|---|\n"
-      "| the port | `put c_extctl_on 1` | the program's lights, or its log: `the link` |\n"
-      "| what arrives | `report ++ sci_generic_b` | a number that counts up every 4 s while the "
-      "program answers |\n"
-      "| the arguments | `report ++ u_mission_param_d` | the depth to dive to, once the mission "
-      "has begun |\n"
-      "| go | `run {1}.mi` | the vehicle stays at the surface until the program steers |\n\n"
+      "| step | do | see |\n|---|---|---|\n"
+      "| 1 | switch the computer in the payload bay on | the program waits for the vehicle |\n"
+      "| 2 | at the vehicle: `put c_extctl_on 1`, `report ++ sci_generic_b` | a number that counts "
+      "up every 4 s: the program answers |\n"
+      "| 3 | at the vehicle: `run {1}.mi` | it stays at the surface until the program steers |\n"
+      "| 4 | at the vehicle: `report ++ sci_generic_a`, `report ++ u_mission_param_d` | the state "
+      "of "
+      "the mission, from 1; the depth to dive to, m |\n\n"
       "## If the computer in the payload bay fails\n\n{4}",
       plan.mission, plan.file, plan.port.program, whereTable(plan, files), boundText(plan));
 }

@@ -81,9 +81,10 @@ std::string listOf(const antlr4::misc::IntervalSet& set) {
   return out;
 }
 
-/// What is between the quotation marks.
+/// What is between the quotation marks; empty if the second is missing.
 std::string unquoted(std::string_view string) {
-  return string.size() < 2 ? "" : std::string(string.substr(1, string.size() - 2));
+  const bool whole = string.size() >= 2 && string.back() == '"';
+  return whole ? std::string(string.substr(1, string.size() - 2)) : "";
 }
 
 }  // namespace

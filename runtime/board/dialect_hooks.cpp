@@ -3,6 +3,7 @@
 
 #include "runtime/board/dialect.h"
 
-GliderByteStream glider::runtime::framesOver(const GliderByteStream& line, bool /*may_resume*/) {
+GliderByteStream glider::runtime::framesOver(const GliderByteStream& line,
+                                             const LinkFacts* /*checkpoint*/) {
   return line;
 }

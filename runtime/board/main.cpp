@@ -67,7 +67,7 @@ int run(const Options& options) {
     tell("error: this mission was made for another runtime");
     return kWrongUse;
   }
-  line.stream = framesOver(line.stream, runtime->hasCheckpoint());
+  line.stream = framesOver(line.stream, runtime->checkpoint());
   return fly(runtime, line, card);
 }
 

@@ -35,6 +35,8 @@ class Persistence {
   /// True if there is a checkpoint, and hookbeh has not yet reported the state of its flight: the
   /// mission neither begins nor continues.
   [[nodiscard]] bool isUndecided() const { return found_; }
+  /// That checkpoint's link; null: there is none.
+  [[nodiscard]] const LinkFacts* undecided() const { return found_ ? &facts_ : nullptr; }
   /// Takes in a tick while it is undecided, before Control does. True if the mission continues in
   /// this tick from `context`, which look() filled.
   bool decide(const hooks::VehicleTick& tick, const GliderContext& context, double sbc_time);

@@ -28,8 +28,11 @@ struct GliderRuntime {
 
   GliderRuntimeStatus poll(const GliderByteStream& stream, const GliderClock& clock);
   [[nodiscard]] const GliderContext* context() const { return context_; }
-  /// True until it is decided whether to continue from the checkpoint that it has found.
-  [[nodiscard]] bool hasCheckpoint() const { return persistence_.isUndecided(); }
+  /// The link as the checkpoint has it that it has found; null: none, or it is decided already
+  /// whether to continue from it.
+  [[nodiscard]] const glider::runtime::LinkFacts* checkpoint() const {
+    return persistence_.undecided();
+  }
   /// True when the vehicle reported that its time is virtual: it waits for every answer.
   [[nodiscard]] bool virtualTime() const { return client_.virtualTime(); }
   /// The number of the first check of its own memory that failed (log/checks.def); 0: none.

@@ -15,21 +15,44 @@ using hooks::extctl::PortSensor;
 /// What a simulator adds to the `HI` that begins a session: it waits for each answer.
 static constexpr char kVirtualTimeText[] = "HI,virtual-time";
 
+namespace {
+
+/// As the checkpoint has it; the clock unknown if it was.
+VehicleMission heardBefore(const LinkFacts& facts) {
+  return {.time_s = facts.vehicle_time,
+          .clock_s = facts.clock != 0 ? static_cast<double>(facts.clock) : __builtin_nan("")};
+}
+
+/// Nothing is known of the heading that is in force, so none is written.
+StockCommand firstCommand(const GliderPortMission& port) {
+  StockCommand stock;
+  stock.heading_rad = __builtin_nan("");
+  stock.dive_pitch_rad = -kUsualPitch;
+  stock.climb_pitch_rad = kUsualPitch;
+  stock.dive_depth_m = port.hold_m;
+  return stock;
+}
+
+StandIn standInFor(const GliderPortMission& port, const LinkFacts* checkpoint) {
+  const VehicleMission last = checkpoint != nullptr ? heardBefore(*checkpoint) : VehicleMission{};
+  return {port, checkpoint != nullptr ? &last : nullptr};
+}
+
+}  // namespace
+
 Backseat::Backseat(const GliderMission& mission, const GliderPortMission& port,
                    const GliderByteStream& line, const BackseatOptions& options)
     : dictionary_(*mission.dictionary),
+      compass_(mission.compass),
       mission_(port),
+      resumes_(options.checkpoint != nullptr),
       line_(line),
       port_(portOf(mission, port)),
       reported_(port_.count()),
-      stand_in_(port, options.may_resume),
-      writer_(port, !options.may_resume),
-      seat_(*mission.dictionary) {
-  stock_.dive_pitch_rad = -kUsualPitch;
-  stock_.climb_pitch_rad = kUsualPitch;
-  stock_.climb_depth_m = 0;
-  stock_.dive_depth_m = port.hold_m;
-}
+      stand_in_(standInFor(port, options.checkpoint)),
+      stock_(firstCommand(port)),
+      writer_(port, options.checkpoint == nullptr),
+      seat_(*mission.dictionary) {}
 
 GliderByteStream Backseat::stream() {
   return {this, read, write};
@@ -81,7 +104,7 @@ int32_t Backseat::write(void* self, const uint8_t* bytes, uint32_t count) {
   seat.seat_.serve(seat.reported(kGliderRoleClock), seat.state(), seat.vehicle(), outer);
   seat.seat_.finish(outer, 0);
   const bool owed = !seat.lockstep_.settled();
-  seat.lockstep_.fromSbc(bytes, static_cast<uint32_t>(taken));
+  seat.lockstep_.fromSbc(bytes, taken > 0 ? static_cast<uint32_t>(taken) : 0);
   if (owed && seat.lockstep_.settled()) {
     seat.answer();
   }
@@ -142,8 +165,13 @@ void Backseat::useVirtualTime() {
 void Backseat::takeCycle() {
   cycles_ = (cycles_ + 1) % hooks::kMostSession;
   stand_in_.observe({.time_s = reported(kGliderRoleMissionTime),
+                     .clock_s = reported(kGliderRoleClock),
                      .program = reported_.value(PortSensor::Program),
-                     .in_glider_dos = reported_.value(PortSensor::InGliderDos)});
+                     .in_glider_dos = reported_.value(PortSensor::InGliderDos)},
+                    out_next_ == out_end_);
+  if (stand_in_.takeRestart()) {
+    beginMission();
+  }
   const GliderByteStream outer = this->outer();
   seat_.serve(reported(kGliderRoleClock), state(), vehicle(), outer);
   seat_.watch(state());
@@ -151,30 +179,48 @@ void Backseat::takeCycle() {
   seat_.finish(outer, 0);
 }
 
-/// The program has answered a cycle: sends the vehicle what is in force now.
+/// The vehicle flies its mission file from the start: what was written before is void.
+void Backseat::beginMission() {
+  writer_ = PortWriter(mission_, !resumes_);
+  stock_ = firstCommand(mission_);
+  resumes_ = false;
+}
+
+/// The variation as the mission's compass takes it: a value beyond half a turn is none, and until
+/// there is one the mission's own declination counts.
+Whereabouts Backseat::whereabouts() const {
+  constexpr double kHalfTurn = 3.141592653589793;
+  const double told = reported(kGliderRoleMagneticVariation);
+  const double assumed = compass_ != nullptr ? -compass_->declination : __builtin_nan("");
+  return {reported(mission_.latitude), reported(mission_.longitude),
+          hooks::magnitude(told) <= kHalfTurn ? told : assumed};
+}
+
+/// The program has answered a cycle: sends the vehicle what is in force now. While the line is
+/// stuck nothing counts as written; what matters is written again.
 void Backseat::answer() {
+  if (out_next_ != out_end_) {
+    flush();
+    return;
+  }
   if (const hooks::Instruction* command = stand_in_.inForce()) {
-    follow(*command, mission_,
-           {reported(mission_.latitude), reported(mission_.longitude),
-            reported(kGliderRoleMagneticVariation)},
-           stock_);
+    follow(*command, mission_, whereabouts(), stock_);
   }
   if (stand_in_.released()) {
     stock_.surface = true;
     stock_.modes = kGliderPortModeSurface;
+    writer_.insist();
   }
   const bool steers = stand_in_.state() == hooks::HookState::Active || stand_in_.released();
   if (steers) {
     writer_.tell(stock_, reported(kGliderRoleClock));
   }
-  if (out_next_ == out_end_) {  // else the line is stuck, and what matters is written again
-    const hooks::SbcView view = seat_.sbc();
-    const uint32_t text = writeText(out_, sizeof out_ - PortWriter::kMostBytes);
-    out_next_ = 0;
-    const bool flies = view.phase == hooks::MissionPhase::Flying;
-    out_end_ = text + writer_.write({flies ? view.state + 1 : 0, view.mission_time_s}, out_ + text,
-                                    sizeof out_ - text);
-  }
+  const hooks::SbcView view = seat_.sbc();
+  const bool flies = view.phase == hooks::MissionPhase::Flying;
+  const uint32_t text = writeText(out_, sizeof out_ - PortWriter::kMostBytes);
+  out_next_ = 0;
+  out_end_ = text + writer_.write({flies ? view.state + 1 : 0, view.mission_time_s}, steers,
+                                  out_ + text, sizeof out_ - text);
   flush();
 }
 

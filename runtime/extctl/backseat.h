@@ -11,6 +11,7 @@
 #include "hooks/transport/memory.h"
 #include "runtime/abi/glider_abi.h"
 #include "runtime/abi/port_mission.h"
+#include "runtime/checkpoint/checkpoint.h"
 #include "runtime/extctl/port_writer.h"
 #include "runtime/extctl/reported.h"
 #include "runtime/extctl/stand_in.h"
@@ -20,7 +21,9 @@
 namespace glider::runtime::extctl {
 
 struct BackseatOptions {
-  bool may_resume = false;  ///< the program has a checkpoint
+  /// The program has a checkpoint: when it last heard the vehicle, by the time of the vehicle's
+  /// mission and by its clock. Null: there is none.
+  const LinkFacts* checkpoint = nullptr;
 };
 
 /// Joins a mission's program to a vehicle without the hooks, by the port that it has for a backseat
@@ -53,6 +56,8 @@ class Backseat {
   void takeSentence();
   void takeCycle();
   void answer();
+  void beginMission();
+  [[nodiscard]] Whereabouts whereabouts() const;
   uint32_t writeText(char* text, uint32_t capacity);
   void useVirtualTime();
   void flush();
@@ -62,7 +67,9 @@ class Backseat {
   [[nodiscard]] hooks::SeatVehicle vehicle() { return {this, reading, instruct, beat}; }
 
   const GliderDictionary& dictionary_;
+  const GliderCompass* compass_;  ///< null: the mission has no headings
   GliderPortMission mission_;
+  bool resumes_;  ///< the first mission of the vehicle is one that an earlier program steered
   GliderByteStream line_;
   bool line_closed_ = false;
   hooks::extctl::Port port_;

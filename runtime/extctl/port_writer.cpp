@@ -21,16 +21,27 @@ constexpr uint32_t kMostBeats = 1'000'000;
 }  // namespace
 
 PortWriter::PortWriter(const GliderPortMission& port, bool knows_start)
-    : modes_(port.mission_modes != 0) {
-  if (!knows_start) {
-    return;
+    : modes_(port.mission_modes != 0),
+      greatest_depth_m_(port.greatest_depth_m),
+      knows_start_(knows_start) {}
+
+/// What may be in force at first. After a restart of the program that is any yo of this mission:
+/// its climb is then made the shallowest that there is, before anything else is written.
+void PortWriter::begin() {
+  begun_ = true;
+  Value& dive = at(PortSensor::DiveDepth);
+  Value& climb = at(PortSensor::ClimbDepth);
+  dives_.tell(hooks::extctl::kFirstDiveDepth, now_s_);
+  if (!knows_start_) {
+    climbs_.tell(greatest_depth_m_, now_s_);
+    climb.due = kTimes;
+  } else {
+    dive.told = hooks::extctl::kFirstDiveDepth;
+    at(PortSensor::WantsSurface).told = kSurfaceNow;
+    mode_.told = static_cast<double>(kGliderPortModeSurface);
   }
-  at(PortSensor::DiveDepth).told = hooks::extctl::kFirstDiveDepth;
-  at(PortSensor::ClimbDepth).told = hooks::extctl::kFirstClimbDepth;
-  dives_.tell(hooks::extctl::kFirstDiveDepth, 0);
-  climbs_.tell(hooks::extctl::kFirstClimbDepth, 0);
-  at(PortSensor::WantsSurface).told = kSurfaceNow;
-  mode_.told = static_cast<double>(kGliderPortModeSurface);
+  climb.told = hooks::extctl::kFirstClimbDepth;
+  climbs_.tell(hooks::extctl::kFirstClimbDepth, now_s_);
 }
 
 /// A clock that was set back counts as over.
@@ -72,12 +83,20 @@ bool PortWriter::InForce::range(double now_s, double* shallowest, double* deepes
   }
   *shallowest = *deepest = depths_m_[count_ - 1];
   for (uint32_t i = 0; i + 1 < count_; ++i) {
-    if (now_s - until_s_[i] < kSettleSecs) {
+    const double age_s = now_s - until_s_[i];
+    if (age_s >= 0 && age_s < kSettleSecs) {
       *shallowest = hooks::atMost(depths_m_[i], *shallowest);
       *deepest = hooks::atLeast(depths_m_[i], *deepest);
     }
   }
   return true;
+}
+
+void PortWriter::InForce::unsettle(double then_s, double now_s) {
+  for (uint32_t i = 0; i + 1 < count_; ++i) {
+    const double age_s = then_s - until_s_[i];
+    until_s_[i] = age_s >= 0 && age_s < kSettleSecs ? now_s : until_s_[i];
+  }
 }
 
 void PortWriter::tellDepths(const StockCommand& command) {
@@ -114,7 +133,15 @@ void PortWriter::tellWhetherToSurface(const StockCommand& command) {
 }
 
 void PortWriter::tell(const StockCommand& command, double now_s) {
+  if (forgets_) {
+    forgets_ = false;
+    dives_.unsettle(now_s_, now_s);
+    climbs_.unsettle(now_s_, now_s);
+  }
   now_s_ = now_s;
+  if (!begun_) {
+    begin();
+  }
   const struct {
     PortSensor sensor;
     double value;
@@ -135,9 +162,15 @@ void PortWriter::tell(const StockCommand& command, double now_s) {
 
 void PortWriter::forget() {
   all_s_ = now_s_ - kAgainSecs;
+  forgets_ = true;
 }
 
-uint32_t PortWriter::write(const Mission& mission, char* text, uint32_t capacity) {
+void PortWriter::insist() {
+  at(PortSensor::WantsSurface).due = kTimes;
+  mode_.due = kTimes;
+}
+
+uint32_t PortWriter::write(const Mission& mission, bool steers, char* text, uint32_t capacity) {
   beat_ = beat_ % kMostBeats + 1;
   const struct {
     PortSensor sensor;
@@ -149,15 +182,16 @@ uint32_t PortWriter::write(const Mission& mission, char* text, uint32_t capacity
     at(sensor).told = at(sensor).wanted = value;
     at(sensor).due = 1;
   }
-  if (isOver(all_s_, kAgainSecs)) {
+  if (steers && isOver(all_s_, kAgainSecs)) {
     all_s_ = now_s_;
     mode_.due = mode_.due == 0 ? 1 : mode_.due;
     for (Value& value : values_) {
       value.due = value.due == 0 ? 1 : value.due;
     }
   }
-  const uint32_t modes = writeModes(text, capacity);
-  return modes + writeValues(text + modes, capacity - modes);
+  const uint32_t modes = steers ? writeModes(text, capacity) : 0;
+  return modes + writeValues(steers ? 0 : static_cast<uint32_t>(PortSensor::State), text + modes,
+                             capacity - modes);
 }
 
 uint32_t PortWriter::writeModes(char* text, uint32_t capacity) {
@@ -173,10 +207,10 @@ uint32_t PortWriter::writeModes(char* text, uint32_t capacity) {
   return sentence.end();
 }
 
-uint32_t PortWriter::writeValues(char* text, uint32_t capacity) {
+uint32_t PortWriter::writeValues(uint32_t first, char* text, uint32_t capacity) {
   SentenceWriter sentence(text, capacity);
   sentence.put("SW");
-  for (uint32_t i = 0; i < hooks::extctl::kWrittenSensors; ++i) {
+  for (uint32_t i = first; i < hooks::extctl::kWrittenSensors; ++i) {
     Value& value = values_[i];
     // Nothing is written that no command has asked for: another mission file may be flying.
     if (value.due == 0 || value.told != value.told || value.wanted != value.wanted) {

@@ -23,15 +23,19 @@ class PortWriter {
 
   /// The command at `now_s` by the vehicle's clock.
   void tell(const StockCommand& command, double now_s);
-  /// All of it is written again with the next answer: the vehicle's end of the port has restarted.
+  /// All of it is written again with the next answer, and takes its time again: the vehicle's end
+  /// of the port has restarted, and what was on its way is lost.
   void forget();
+  /// The wish to surface is written in each answer from now on.
+  void insist();
   /// What the SBC says of its mission in each answer, for the vehicle's log.
   struct Mission {
     uint32_t state = 0;  ///< from 1; 0: it does not fly
     double time_s = 0;
   };
-  /// The sentences that end the answer to a control cycle, into `text`; returns their size.
-  uint32_t write(const Mission& mission, char* text, uint32_t capacity);
+  /// The sentences that end the answer to a control cycle, into `text`; returns their size. Without
+  /// `steers` they have only what the SBC says of its mission.
+  uint32_t write(const Mission& mission, bool steers, char* text, uint32_t capacity);
 
   /// The most that write() needs.
   static constexpr uint32_t kMostBytes = 512;
@@ -57,9 +61,11 @@ class PortWriter {
     void tell(double depth_m, double now_s);
     /// The deepest and the shallowest of them; false if there is none.
     bool range(double now_s, double* shallowest, double* deepest) const;
+    /// What had not settled at `then_s` settles anew from `now_s` on.
+    void unsettle(double then_s, double now_s);
 
    private:
-    static constexpr uint32_t kMost = 8;  ///< more than there are control cycles in kSettleSecs
+    static constexpr uint32_t kMost = 24;  ///< more than there are control cycles in kSettleSecs
     double depths_m_[kMost];
     double until_s_[kMost];  ///< replaced then; that of the newest does not count
     uint32_t count_ = 0;
@@ -71,15 +77,20 @@ class PortWriter {
   [[nodiscard]] bool isOver(double since_s, double seconds) const;
   void want(Value& value, double wanted);
   void tellNow(Value& value);
+  void begin();
   void tellDepths(const StockCommand& command);
   void tellWhetherToSurface(const StockCommand& command);
-  uint32_t writeValues(char* text, uint32_t capacity);
+  uint32_t writeValues(uint32_t first, char* text, uint32_t capacity);
   uint32_t writeModes(char* text, uint32_t capacity);
 
   bool modes_;
+  double greatest_depth_m_;
   Value values_[hooks::extctl::kWrittenSensors];
   Value mode_;
   InForce dives_, climbs_;
+  bool knows_start_;
+  bool begun_ = false;    ///< a command was told
+  bool forgets_ = false;  ///< forget() since then
   double now_s_ = 0;
   double all_s_ = -kAgainSecs;  ///< when all were last written
   uint32_t beat_ = 0;

@@ -41,7 +41,12 @@ bool Reported::take(const char* pairs, uint32_t size) {
     }
   }
   const double now = values_[count_ - 1];
-  return now == now && now != clock;
+  const bool whole = now == now && now != clock;
+  for (uint32_t i = 0; whole && i < count_; ++i) {
+    heard_s_[i] = recent_[i] ? now : heard_s_[i];  // a report is of the cycle that it completes
+    recent_[i] = false;
+  }
+  return whole;
 }
 
 void Reported::takePair(const char* pair, uint32_t size) {
@@ -53,8 +58,7 @@ void Reported::takePair(const char* pair, uint32_t size) {
     return;
   }
   values_[index] = value;
-  fresh_[index] = true;
-  heard_s_[index] = values_[count_ - 1];
+  fresh_[index] = recent_[index] = true;
 }
 
 bool Reported::takeReport(uint32_t index, double* value) {

@@ -39,6 +39,7 @@ class Reported {
   double values_[hooks::extctl::kMostSensors];
   double heard_s_[hooks::extctl::kMostSensors] = {};  ///< by the vehicle's clock
   bool fresh_[hooks::extctl::kMostSensors] = {};
+  bool recent_[hooks::extctl::kMostSensors] = {};  ///< reported since the last whole cycle
   uint32_t count_;
   uint32_t bad_ = 0;
 };

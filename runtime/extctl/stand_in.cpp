@@ -9,49 +9,73 @@
 
 namespace glider::runtime::extctl {
 
+/// A yo above this depth is none, m.
+constexpr double kLeastDive = 2;
+
 using hooks::HookAnswer;
 using hooks::HookControl;
 using hooks::HookState;
 
-StandIn::StandIn(const GliderPortMission& port, bool may_resume)
-    : port_(port), may_resume_(may_resume) {
+StandIn::StandIn(const GliderPortMission& port, const VehicleMission* last)
+    : port_(port), last_(last != nullptr ? *last : VehicleMission{}) {
   bounds_.greatest_depth_m = port.greatest_depth_m;
   bounds_.steepest_pitch_rad = port.steepest_pitch_rad;
   bounds_.shallowest_pitch_rad = port.shallowest_pitch_rad;
 }
 
-/// Without a session. A program with a checkpoint decides by the time since then whether this is
-/// still its flight: to it the vehicle is Silent, as one that has lost its SBC.
+/// The time of the vehicle's mission and its clock have advanced by the same since the checkpoint:
+/// the mission that the program steered then still flies.
+bool StandIn::isSameFlight(const VehicleMission& vehicle) const {
+  const double by_mission = vehicle.time_s - last_.time_s;
+  const double by_clock = vehicle.clock_s - last_.clock_s;
+  return by_mission >= 0 && hooks::magnitude(by_clock - by_mission) < kSameFlightSecs;
+}
+
+/// Without a session. A program that was started again decides by the time since its checkpoint
+/// whether it goes on: to it the vehicle is Silent, as one that has lost its SBC.
 HookState StandIn::stateOf(const VehicleMission& vehicle) const {
-  const bool flies = hooks::isFinite(vehicle.time_s) && vehicle.in_glider_dos != 1;
-  if (!flies) {
+  if (!hooks::isFinite(vehicle.time_s) || vehicle.in_glider_dos == 1) {
     return HookState::Absent;
   }
-  if (hooks::isFinite(vehicle.program)) {
-    return vehicle.program == static_cast<double>(port_.program) ? HookState::Ready
-                                                                 : HookState::Absent;
+  if (!hooks::isFinite(vehicle.program)) {
+    return isSameFlight(vehicle) ? HookState::Silent : HookState::Waiting;
   }
-  return may_resume_ ? HookState::Silent : HookState::Waiting;
+  return vehicle.program != static_cast<double>(port_.program) ? HookState::Absent
+         : vehicle.time_s < kBeginSecs                         ? HookState::Waiting
+                                                               : HookState::Ready;
 }
 
-void StandIn::observe(const VehicleMission& vehicle) {
+/// Of a session. The number of the mission file does not change within a mission: another one is a
+/// damaged sentence, which the vehicle would never correct.
+bool StandIn::isOver(const VehicleMission& vehicle) const {
+  return !hooks::isFinite(vehicle.time_s) || vehicle.in_glider_dos == 1 ||
+         (session_ == 0 && stateOf(vehicle) == HookState::Absent);
+}
+
+void StandIn::observe(const VehicleMission& vehicle, bool answered) {
   const bool restarted = vehicle.time_s < time_s_;
   time_s_ = hooks::isFinite(vehicle.time_s) ? vehicle.time_s : time_s_;
-  const HookState without = stateOf(vehicle);
-  const bool over = without == HookState::Absent;
-  if (restarted || over) {
+  restarted_ = restarted_ || restarted;
+  if (restarted || isOver(vehicle)) {
     loseSession();
     releasing_ = 0;
-    state_ = without;
+    state_ = stateOf(vehicle);
   } else if (releasing_ != 0) {
-    finishRelease();
+    finishRelease(answered);
   } else if (state_ != HookState::Complete) {
-    state_ = session_ != 0 ? HookState::Active : without;
+    state_ = session_ != 0 ? HookState::Active : stateOf(vehicle);
   }
 }
 
-void StandIn::finishRelease() {
-  if (++releasing_ > kReleaseCycles) {
+bool StandIn::takeRestart() {
+  const bool restarted = restarted_;
+  restarted_ = false;
+  return restarted;
+}
+
+void StandIn::finishRelease(bool answered) {
+  releasing_ += answered ? 1 : 0;
+  if (releasing_ > kReleaseCycles) {
     releasing_ = 0;
     answered_ = release_;
     answer_ = HookAnswer::Accepted;
@@ -97,7 +121,8 @@ HookAnswer StandIn::decide(const hooks::Instruction& instruction) {
   }
   if (instruction.vertical == hooks::HookVertical::Hover ||
       instruction.vertical == hooks::HookVertical::None ||
-      instruction.lateral == hooks::HookLateral::Fin) {
+      instruction.lateral == hooks::HookLateral::Fin ||
+      (instruction.vertical == hooks::HookVertical::Descend && instruction.depth_m < kLeastDive)) {
     return HookAnswer::BadCommand;  // no stock behaviour that the port can start does this
   }
   const HookAnswer within = hooks::checkBounds(instruction, bounds_);

@@ -15,6 +15,7 @@ namespace glider::runtime::extctl {
 /// What the vehicle says of the mission that it flies; NaN: not reported yet.
 struct VehicleMission {
   double time_s = __builtin_nan("");   ///< m_present_secs_into_mission
+  double clock_s = __builtin_nan("");  ///< m_present_time
   double program = __builtin_nan("");  ///< u_mission_param_l
   double in_glider_dos = __builtin_nan("");
 };
@@ -24,11 +25,13 @@ struct VehicleMission {
 /// program that was started in mid-flight may never learn which mission file flies.
 class StandIn {
  public:
-  /// `may_resume`: the program has a checkpoint, so that it may have steered this flight before.
-  StandIn(const GliderPortMission& port, bool may_resume);
+  /// `last`: when the vehicle was last heard according to the checkpoint; null: there is none.
+  StandIn(const GliderPortMission& port, const VehicleMission* last);
 
-  /// A control cycle of the vehicle.
-  void observe(const VehicleMission& vehicle);
+  /// A control cycle of the vehicle. `answered`: everything that was to be written before has left.
+  void observe(const VehicleMission& vehicle, bool answered = true);
+  /// The vehicle has begun another mission since the last call: what it was sent before is void.
+  bool takeRestart();
   /// An instruction of the program's own mission.
   void instruct(const hooks::Instruction& instruction);
 
@@ -49,17 +52,25 @@ class StandIn {
     return releasing_ != 0 || state_ == hooks::HookState::Complete;
   }
   static constexpr uint32_t kReleaseCycles = 8;
+  /// Not before this time of the vehicle's mission: what was written into an earlier one may still
+  /// be on its way, and so may the number of the mission file, s.
+  static constexpr double kBeginSecs = 20;
+  /// How much the two clocks of the vehicle may differ over an outage of the program, s.
+  static constexpr double kSameFlightSecs = 60;
 
  private:
   [[nodiscard]] hooks::HookState stateOf(const VehicleMission& vehicle) const;
+  [[nodiscard]] bool isSameFlight(const VehicleMission& vehicle) const;
+  [[nodiscard]] bool isOver(const VehicleMission& vehicle) const;
   [[nodiscard]] bool isRelease(const hooks::Instruction& instruction) const;
   [[nodiscard]] hooks::HookAnswer decide(const hooks::Instruction& instruction);
   void loseSession();
-  void finishRelease();
+  void finishRelease(bool answered);
 
   GliderPortMission port_;
   hooks::HookbehArgs bounds_;
-  bool may_resume_;
+  VehicleMission last_;
+  bool restarted_ = true;
   hooks::HookState state_ = hooks::HookState::Absent;
   double time_s_ = 0;
   hooks::Instruction command_;

@@ -55,8 +55,9 @@ void dive(const hooks::Instruction& instruction, const GliderPortMission& port,
 void climb(const hooks::Instruction& instruction, const GliderPortMission& port,
            StockCommand& stock) {
   const double below = instruction.depth_m + port.hold_m;
-  stock.climb_depth_m = instruction.depth_m;
   stock.dive_depth_m = below < port.greatest_depth_m ? below : port.greatest_depth_m;
+  const double above = stock.dive_depth_m - port.hold_m;
+  stock.climb_depth_m = instruction.depth_m < above || above < 0 ? instruction.depth_m : above;
   stock.climb_pitch_rad = instruction.pitch_rad;
 }
 

@@ -33,18 +33,31 @@ class PortTurns final : public LineTurns {
 
   void toSbc(const uint8_t* bytes, uint32_t count) override {
     for (uint32_t i = 0; i < count; ++i) {
-      owed_ += to_sbc_.push(bytes[i]) && has(to_sbc_, "SD", cycle_) ? 1U : 0U;
+      if (to_sbc_.push(bytes[i]) && isNewCycle()) {
+        owed_ = true;
+      }
     }
   }
   void fromSbc(const uint8_t* bytes, uint32_t count) override {
     for (uint32_t i = 0; i < count; ++i) {
-      const bool answers = from_sbc_.push(bytes[i]) && has(from_sbc_, "SW", answer_);
-      owed_ -= answers && owed_ > 0 ? 1U : 0U;
+      if (from_sbc_.push(bytes[i]) && has(from_sbc_, "SW", answer_)) {
+        owed_ = false;
+      }
     }
   }
-  [[nodiscard]] bool settled() const override { return owed_ == 0; }
+  [[nodiscard]] bool settled() const override { return !owed_; }
 
  private:
+  /// A cycle that the line has doubled is one: the clock has not changed.
+  bool isNewCycle() {
+    const std::string_view body(to_sbc_.body(), to_sbc_.size());
+    if (!has(to_sbc_, "SD", cycle_)) {
+      return false;
+    }
+    const size_t at = body.find(cycle_) + cycle_.size();
+    const std::string_view clock = body.substr(at, body.find(',', at) - at);
+    return clock != std::exchange(clock_, std::string(clock));
+  }
   static bool has(const hooks::extctl::SentenceReader& sentence, std::string_view name,
                   std::string_view pair) {
     const std::string_view body(sentence.body(), sentence.size());
@@ -53,7 +66,8 @@ class PortTurns final : public LineTurns {
 
   std::string cycle_, answer_;
   hooks::extctl::SentenceReader to_sbc_, from_sbc_;
-  uint32_t owed_ = 0;
+  std::string clock_;  ///< in the newest cycle
+  bool owed_ = false;
 };
 
 }  // namespace

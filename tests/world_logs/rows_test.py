@@ -53,6 +53,7 @@ BREAKS = {
     "inflection_overshoot_m": {"beyond_m": 5.6, "turns_s": 60},
     "drift_m_s": {"water_mps": 0.51},
     "pump_cc": {"pump_cc": 234},
+    "fin_rad": {"fin_rad": 0.46},
     "cycle_s": {"cycle_s": 3.9},
     "start_depth_m": {"control_m": 3.1},
     "surface_depth_m": {"floats_m": 2.1, "control_m": 0},

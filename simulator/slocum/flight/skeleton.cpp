@@ -124,7 +124,8 @@ void warnOfInstruments(const slocum::BehaviourBlock& block, DiagnosticEngine& di
   for (const slocum::Setting& given : block.arguments) {
     const bool proglet = given.name.starts_with("c_") && given.name.ends_with("_on");
     const bool known = isDeviceSetting(given.name) || isScienceSwitch(given.name);
-    if (block.name == "sensors_in" && proglet && !known && switchesOn(given)) {
+    const bool port = given.name == "c_extctl_on";  // of the SBC: it is always on
+    if (block.name == "sensors_in" && proglet && !known && !port && switchesOn(given)) {
       warn(given, "the simulated science computer has no such instrument");
     }
   }

@@ -51,7 +51,7 @@ std::map<int, double> valuesIn(std::string_view bytes) {
 
 std::map<int, double> answerOf(PortWriter& writer) {
   char text[PortWriter::kMostBytes];
-  return valuesIn({text, writer.write({1, 0}, text, sizeof text)});
+  return valuesIn({text, writer.write({1, 0}, true, text, sizeof text)});
 }
 
 StockCommand between(double climb_m, double dive_m) {

@@ -32,36 +32,57 @@ VehicleMission flying(double time_s) {
 }
 
 TEST(StandIn, IsReadyForItsOwnMissionFileOnly) {
-  StandIn stand_in(kPort, false);
+  StandIn stand_in(kPort, nullptr);
   EXPECT_EQ(stand_in.state(), HookState::Absent);
   stand_in.observe({.time_s = 4, .program = 4711});
+  EXPECT_EQ(stand_in.state(), HookState::Waiting) << "what an earlier mission was sent may arrive";
+  stand_in.observe({.time_s = 24, .program = 4711});
   EXPECT_EQ(stand_in.state(), HookState::Ready);
-  stand_in.observe({.time_s = 8, .program = 12});
+  stand_in.observe({.time_s = 28, .program = 12});
   EXPECT_EQ(stand_in.state(), HookState::Absent);
-  stand_in.observe({.time_s = 12, .program = 4711, .in_glider_dos = 1});
+  stand_in.observe({.time_s = 32, .program = 4711, .in_glider_dos = 1});
   EXPECT_EQ(stand_in.state(), HookState::Absent);
   stand_in.observe({.program = 4711});
   EXPECT_EQ(stand_in.state(), HookState::Absent) << "no mission time";
 }
 
-TEST(StandIn, AnUnknownMissionFileIsItsOwnOnlyAfterARestart) {
-  StandIn fresh(kPort, false);
-  fresh.observe({.time_s = 400});
+TEST(StandIn, AnUnknownMissionFileIsItsOwnOnlyIfBothClocksSaySo) {
+  StandIn fresh(kPort, nullptr);
+  fresh.observe({.time_s = 400, .clock_s = 9400});
   EXPECT_EQ(fresh.state(), HookState::Waiting);
   fresh.instruct(dive(1));
   EXPECT_EQ(fresh.answer(), HookAnswer::NotReady);
-  StandIn restarted(kPort, true);
-  restarted.observe({.time_s = 400});
+  const VehicleMission last{.time_s = 300, .clock_s = 9300};
+  StandIn restarted(kPort, &last);
+  restarted.observe({.time_s = 400, .clock_s = 9400});
   EXPECT_EQ(restarted.state(), HookState::Silent);
   restarted.instruct(dive(1));
   EXPECT_EQ(restarted.answer(), HookAnswer::Accepted);
-  restarted.observe({.time_s = 404});
+  restarted.observe({.time_s = 404, .clock_s = 9404});
   EXPECT_EQ(restarted.state(), HookState::Active);
+  const VehicleMission others[] = {{.time_s = 400, .clock_s = 9400 + 86400},  // the next day
+                                   {.time_s = 4, .clock_s = 9400},            // the next mission
+                                   {.time_s = 400}};
+  for (const VehicleMission& now : others) {
+    StandIn stand_in(kPort, &last);
+    stand_in.observe(now);
+    EXPECT_EQ(stand_in.state(), HookState::Waiting) << now.time_s << " " << now.clock_s;
+  }
+}
+
+TEST(StandIn, ADamagedNumberDoesNotEndASession) {
+  StandIn stand_in(kPort, nullptr);
+  stand_in.observe(flying(100));
+  stand_in.instruct(dive(1));
+  stand_in.observe({.time_s = 104, .program = 17});
+  EXPECT_EQ(stand_in.state(), HookState::Active);
+  stand_in.observe({.time_s = 2, .program = 17});
+  EXPECT_EQ(stand_in.state(), HookState::Absent) << "another mission of the vehicle";
 }
 
 TEST(StandIn, RefusesWhatIsOutOfBoundsAndKeepsWhatIsInForce) {
-  StandIn stand_in(kPort, false);
-  stand_in.observe(flying(4));
+  StandIn stand_in(kPort, nullptr);
+  stand_in.observe(flying(40));
   stand_in.instruct(dive(1));
   EXPECT_EQ(stand_in.answer(), HookAnswer::Accepted);
   Instruction deep = dive(2, 5, HookControl::Steer);
@@ -88,14 +109,18 @@ TEST(StandIn, RefusesWhatIsOutOfBoundsAndKeepsWhatIsInForce) {
 }
 
 TEST(StandIn, ANewMissionOfTheVehicleEndsTheSession) {
-  StandIn stand_in(kPort, false);
+  StandIn stand_in(kPort, nullptr);
   stand_in.observe(flying(400));
   stand_in.instruct(dive(1));
   stand_in.observe(flying(404));
   EXPECT_EQ(stand_in.state(), HookState::Active);
+  EXPECT_TRUE(stand_in.takeRestart()) << "the first that it sees";
+  EXPECT_FALSE(stand_in.takeRestart());
   stand_in.observe(flying(3));
-  EXPECT_EQ(stand_in.state(), HookState::Ready);
+  EXPECT_TRUE(stand_in.takeRestart());
+  EXPECT_EQ(stand_in.state(), HookState::Waiting);
   EXPECT_EQ(stand_in.session(), 0U);
+  stand_in.observe(flying(23));
   stand_in.instruct(dive(2, 5));
   EXPECT_EQ(stand_in.answer(), HookAnswer::WrongSession) << "a session that was lost";
   stand_in.instruct(dive(3, 6));
@@ -103,24 +128,35 @@ TEST(StandIn, ANewMissionOfTheVehicleEndsTheSession) {
 }
 
 TEST(StandIn, AReleaseIsAnsweredWhenItHasBeenToldOftenEnough) {
-  StandIn stand_in(kPort, false);
-  stand_in.observe(flying(4));
+  StandIn stand_in(kPort, nullptr);
+  stand_in.observe(flying(40));
   stand_in.instruct(dive(1));
-  stand_in.observe(flying(8));
+  stand_in.observe(flying(44));
   const Instruction release{.session = 5, .sequence = 2, .control = HookControl::Release};
   uint32_t cycles = 0;
-  for (double now = 12; stand_in.answered() != 2 && cycles < 100; now += 4, ++cycles) {
+  for (double now = 48; stand_in.answered() != 2 && cycles < 100; now += 4, ++cycles) {
     stand_in.instruct(release);
     EXPECT_TRUE(stand_in.released());
     stand_in.observe(flying(now));
   }
   EXPECT_EQ(cycles, StandIn::kReleaseCycles);
+  StandIn stuck(kPort, nullptr);
+  stuck.observe(flying(40));
+  stuck.instruct(dive(1));
+  stuck.observe(flying(44));
+  for (double now = 48; now < 400; now += 4) {
+    stuck.instruct(release);
+    stuck.observe(flying(now), false);
+  }
+  EXPECT_EQ(stuck.answered(), 1) << "nothing of it has left";
   EXPECT_EQ(stand_in.answer(), HookAnswer::Accepted);
   EXPECT_EQ(stand_in.state(), HookState::Complete);
   stand_in.observe(flying(400));
   EXPECT_EQ(stand_in.state(), HookState::Complete);
   stand_in.observe(flying(2));
-  EXPECT_EQ(stand_in.state(), HookState::Ready) << "the vehicle's next mission";
+  EXPECT_EQ(stand_in.state(), HookState::Waiting) << "the vehicle's next mission";
+  stand_in.observe(flying(22));
+  EXPECT_EQ(stand_in.state(), HookState::Ready);
 }
 
 }  // namespace

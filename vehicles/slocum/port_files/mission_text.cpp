@@ -112,7 +112,7 @@ void guards(const PortPlan& plan, Text& text) {
   text.argument("when_secs", "s", plan.choice.surface_after_s);
   text.argument("end_action", "enum", 1);
   text.argument("gps_wait_time", "s", 300);
-  text.argument("keystroke_wait_time", "s", 600);
+  text.argument("keystroke_wait_time", "s", kOperatorWait);
   climb(text);
 }
 
@@ -175,6 +175,7 @@ void sensing(Text& text) {
   text.argument("c_att_time", "s", 0);
   text.argument("c_pressure_time", "s", 0);
   text.argument("c_alt_time", "s", 0);
+  text.argument("c_extctl_on", "s", 1);
 }
 
 }  // namespace

@@ -101,7 +101,11 @@ support::Result<PortPlan> planPort(const std::string& name, std::string_view con
       .port = programFor(content, platform, choice),
       .extctl = listSensors(port, platform),
       .overshoot_m = platform.envelope.inflection_overshoot_m,
-      .overdepth_m = choice.greatest_depth_m + 2 * platform.envelope.inflection_overshoot_m};
+      .overdepth_m = choice.greatest_depth_m + 2 * platform.envelope.inflection_overshoot_m,
+      .climb_s = 0};
+  // Also from a depth that a damaged sentence has set, which abend has not stopped yet.
+  plan.climb_s = platform.world.turn_s +
+                 (plan.overdepth_m + plan.overshoot_m) / platform.world.slowest_climb_m_s;
   plan.extctl.baud = choice.baud;
   return plan;
 }

@@ -33,6 +33,9 @@ struct PortChoice {
   uint32_t baud = ExtctlFile::kUsualBaud;
 };
 
+/// The vehicle waits this long for its operator after it has come up by itself, s.
+inline constexpr double kOperatorWait = 600;
+
 /// Everything that the files say.
 struct PortPlan {
   std::string mission;  ///< its name
@@ -42,6 +45,7 @@ struct PortPlan {
   ExtctlFile extctl;
   double overshoot_m = 0;  ///< past a target depth, at most
   double overdepth_m = 0;  ///< the vehicle aborts its mission below: the last bound
+  double climb_s = 0;      ///< from the greatest depth to the surface, at most
 };
 
 /// Plans the files for a mission called `name` of a vehicle `platform`, which reads its sensors

@@ -201,6 +201,59 @@ TEST(Backseat, LeavesAnotherMissionFileAlone) {
   }
 }
 
+TEST(Backseat, WritesNothingIntoAnotherMissionAfterItsOwn) {
+  TwoStates mission;
+  PortBench bench(mission.mission);
+  bench.begin();
+  for (double now = 0; now <= 80; now += 4) {
+    bench.cycle(now, 1 + now / 64, 20);
+  }
+  ASSERT_EQ(bench.written(PortSensor::ClimbDepth), 10);
+  bench.say(fmt::format("SD,{}:1", PortBench::index(PortSensor::InGliderDos)));
+  bench.cycle(84, 1, 20);
+  bench.values.clear();
+  bench.say("HI");
+  for (double now = 88; now <= 200; now += 4) {
+    bench.cycle(now, 1 + now / 256, 20);
+  }
+  EXPECT_TRUE(bench.values.contains(PortBench::index(PortSensor::Beat)));
+  for (uint32_t i = 0; i < PortBench::index(PortSensor::State); ++i) {
+    EXPECT_FALSE(bench.values.contains(i)) << i;
+  }
+}
+
+TEST(Backseat, KnowsThatANewMissionOfTheVehicleHasItsFirstDepthsAgain) {
+  TwoStates mission;
+  PortBench bench(mission.mission);
+  bench.begin();
+  for (double now = 0; now <= 100; now += 4) {
+    bench.cycle(now, 1 + now / 64, 20);
+  }
+  bench.values.clear();
+  double dive_s = NAN, climb_s = NAN;
+  for (double now = -kBegun; now <= 100; now += 4) {
+    bench.cycle(now, 1 + now / 256, 20);
+    dive_s = std::isnan(dive_s) && bench.written(PortSensor::DiveDepth) == 20 ? now : dive_s;
+    climb_s = std::isnan(climb_s) && bench.written(PortSensor::ClimbDepth) == 10 ? now : climb_s;
+  }
+  EXPECT_GE(dive_s, StandIn::kBeginSecs - kBegun);
+  EXPECT_GE(climb_s, dive_s + PortWriter::kSettleSecs) << "the dive to 3 m may still be in force";
+}
+
+TEST(Backseat, AReportAfterAPauseIsNotOld) {
+  TwoStates mission;
+  PortBench bench(mission.mission);
+  bench.begin();
+  for (double now = 0; now <= 40; now += 4) {
+    bench.cycle(now, 1 + now / 64, 20);
+  }
+  bench.say(fmt::format("SD,{}:17.5", bench.ofSensor(GLIDER_SCI_WATER_TEMP)));
+  bench.say(fmt::format("SD,{}:{},{}:{}", bench.ofSensor(GLIDER_M_PRESENT_SECS_INTO_MISSION),
+                        100 + kBegun, bench.clock(), 1.7e9 + 100));
+  ASSERT_NE(bench.context(), nullptr);
+  EXPECT_EQ(bench.context()->readings[1].raw, 17.5);
+}
+
 TEST(Backseat, DoesNotSteerAtTheVehiclesPrompt) {
   TwoStates mission;
   PortBench bench(mission.mission);
@@ -218,8 +271,11 @@ TEST(Backseat, EndsAtTheSurfaceAndSaysSoForHalfAMinute) {
   PortBench bench(mission.mission);
   bench.begin();
   double ended_s = NAN;
+  int surfaces = 0;
   for (double now = 0; now <= 200 && !bench.finished(); now += 4) {
+    bench.values.erase(PortBench::index(PortSensor::WantsSurface));
     bench.cycle(now, 1 + now / 64, 20);
+    surfaces += bench.written(PortSensor::WantsSurface) == kSurfaceNow ? 1 : 0;
     if (std::isnan(ended_s) && bench.context() != nullptr && bench.context()->finished != 0) {
       ended_s = now;
       EXPECT_EQ(bench.written(PortSensor::WantsSurface), kSurfaceNow) << "at once";
@@ -229,7 +285,7 @@ TEST(Backseat, EndsAtTheSurfaceAndSaysSoForHalfAMinute) {
     }
   }
   EXPECT_TRUE(bench.finished());
-  EXPECT_EQ(bench.written(PortSensor::WantsSurface), kSurfaceNow);
+  EXPECT_GE(surfaces, static_cast<int>(StandIn::kReleaseCycles)) << "in each answer";
 }
 
 TEST(Backseat, TwoSentencesInAReadGarbageAndAnyCase) {

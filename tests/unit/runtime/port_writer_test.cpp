@@ -113,6 +113,55 @@ TEST(PortWriter, ARestartOfTheOtherEndGetsEverythingAgain) {
   EXPECT_EQ(answerOf(writer).size(), hooks::extctl::kWrittenSensors);
 }
 
+/// When `sensor` is first written with `value`, s; a command is in force from `from_s` on.
+double firstWritten(PortWriter& writer, const StockCommand& command, double from_s,
+                    PortSensor sensor, double value) {
+  for (double now = from_s; now < from_s + 200; now += 4) {
+    writer.tell(command, now);
+    if (of(answerOf(writer), sensor) == value) {
+      return now;
+    }
+  }
+  return NAN;
+}
+
+TEST(PortWriter, WhatIsLostInARestartOfThePortSettlesAnew) {
+  PortWriter writer(kCommon, true);
+  (void)firstWritten(writer, between(30, 40), 0, PortSensor::ClimbDepth, 30);
+  for (double now = 60; now < 100; now += 4) {
+    writer.tell(between(30, 40), now);
+  }
+  writer.tell(between(5, 15), 100);
+  EXPECT_EQ(of(answerOf(writer), PortSensor::ClimbDepth), 5);
+  writer.forget();  // the port is away for a minute
+  EXPECT_GE(firstWritten(writer, between(5, 15), 160, PortSensor::DiveDepth, 15),
+            160 + PortWriter::kSettleSecs)
+      << "the climb at 30 m may still be in force";
+}
+
+TEST(PortWriter, AnUnknownStartIsMadeTheShallowestClimbFirst) {
+  PortWriter writer(kCommon, false);
+  writer.tell(between(30, 40), 0);
+  const auto first = answerOf(writer);
+  EXPECT_EQ(of(first, PortSensor::ClimbDepth), hooks::extctl::kFirstClimbDepth);
+  EXPECT_FALSE(of(first, PortSensor::DiveDepth) == 40);
+  const double dive = firstWritten(writer, between(30, 40), 4, PortSensor::DiveDepth, 40);
+  EXPECT_GE(dive, PortWriter::kSettleSecs);
+  EXPECT_GE(firstWritten(writer, between(30, 40), dive, PortSensor::ClimbDepth, 30),
+            dive + PortWriter::kSettleSecs);
+}
+
+TEST(PortWriter, AClockThatIsSetBackBlocksNothing) {
+  PortWriter writer(kCommon, true);
+  for (double now = 5000; now < 5100; now += 4) {
+    writer.tell(between(30, 40), now);
+    (void)answerOf(writer);
+  }
+  writer.tell(between(28, 38), 5100);
+  EXPECT_LE(firstWritten(writer, between(5, 15), 1000, PortSensor::DiveDepth, 15),
+            1000 + PortWriter::kSettleSecs + 4);
+}
+
 TEST(PortWriter, UpAtOnceAndDownOnlyWhenTheDepthsHaveArrived) {
   PortWriter writer(kModes, true);
   StockCommand up = between(5, 40);

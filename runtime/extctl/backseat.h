@@ -21,7 +21,7 @@
 namespace glider::runtime::extctl {
 
 struct BackseatOptions {
-  /// The program has a checkpoint: when it last heard the vehicle, by the time of the vehicle's
+  /// The program has a checkpoint: when the vehicle last reported, by the time of the vehicle's
   /// mission and by its clock. Null: there is none.
   const LinkFacts* checkpoint = nullptr;
 };

@@ -61,7 +61,7 @@ class PortWriter {
     void tell(double depth_m, double now_s);
     /// The deepest and the shallowest of them; false if there is none.
     bool range(double now_s, double* shallowest, double* deepest) const;
-    /// What had not settled at `then_s` settles anew from `now_s` on.
+    /// What had not settled at `then_s` settles again from `now_s` on.
     void unsettle(double then_s, double now_s);
 
    private:
@@ -89,7 +89,7 @@ class PortWriter {
   Value mode_;
   InForce dives_, climbs_;
   bool knows_start_;
-  bool begun_ = false;    ///< a command was told
+  bool begun_ = false;    ///< a command was written
   bool forgets_ = false;  ///< forget() since then
   double now_s_ = 0;
   double all_s_ = -kAgainSecs;  ///< when all were last written

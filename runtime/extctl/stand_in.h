@@ -25,7 +25,7 @@ struct VehicleMission {
 /// program that was started in mid-flight may never learn which mission file flies.
 class StandIn {
  public:
-  /// `last`: when the vehicle was last heard according to the checkpoint; null: there is none.
+  /// `last`: when the vehicle last reported according to the checkpoint; null: there is none.
   StandIn(const GliderPortMission& port, const VehicleMission* last);
 
   /// A control cycle of the vehicle. `answered`: everything that was to be written before has left.

@@ -81,9 +81,10 @@ std::string listOf(const antlr4::misc::IntervalSet& set) {
   return out;
 }
 
-/// What is between the quotation marks; empty if the second is missing.
+/// What is between the quotation marks, typewritten or typeset; empty if the second is missing.
 std::string unquoted(std::string_view string) {
-  const bool whole = string.size() >= 2 && string.back() == '"';
+  const bool typeset = !string.empty() && (static_cast<unsigned char>(string.back()) & 0x80) != 0;
+  const bool whole = string.size() >= 2 && (string.back() == '"' || typeset);
   return whole ? std::string(string.substr(1, string.size() - 2)) : "";
 }
 

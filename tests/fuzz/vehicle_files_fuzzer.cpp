@@ -6,6 +6,7 @@
 
 #include "support/check.h"
 #include "support/diagnostics/render.h"
+#include "vehicles/slocum/mission_files/extctl_file.h"
 #include "vehicles/slocum/mission_files/read.h"
 
 #include <cstddef>
@@ -35,5 +36,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   feed("fuzz.ma", bytes, [](const auto& sources, uint32_t file, auto& diagnostics) {
     return slocum::readArguments(sources, file, diagnostics).has_value();
   });
+  if (const auto list = slocum::readExtctlFile("fuzz.ini", bytes)) {
+    const auto again = slocum::readExtctlFile("again.ini", slocum::printExtctlFile(*list, ""));
+    CHECK(again && again->sensors().size() == list->sensors().size(), "what is printed is read");
+  }
   return 0;
 }

@@ -126,8 +126,11 @@ class CommandCheck {
       return;
     }
     const double given = greatest(guardedRange(statement, argument));
+    if (given <= most) {
+      return;
+    }
     const support::SourceRange where = placeOf(place, statement, argument);
-    if (given <= most || !isNew(where)) {
+    if (!isNew(where)) {
       return;
     }
     const Type type = m_[statement.values.at(argument)].type;
@@ -150,8 +153,11 @@ class CommandCheck {
   /// A depth slightly above the surface is not a depth to fly to, but it is not an error either.
   void holdUnderWater(const support::SourceRange& place, const Statement& statement) {
     const Interval& depth = range(statement, 0);
+    if (depth.empty || depth.highest >= 0) {
+      return;
+    }
     const support::SourceRange where = placeOf(place, statement, 0);
-    if (!depth.empty && depth.highest < 0 && isNew(where)) {
+    if (isNew(where)) {
       in_the_air_.insert(place.begin);
       const Type type = m_[statement.values.at(0)].type;
       auto report = proof_.diagnostics.report(support::diagnostics::commandBeyondEnvelope, where,
@@ -172,8 +178,11 @@ class CommandCheck {
       return;
     }
     const Interval given = guardedRange(statement, 1);
+    if (given.empty || least(given) >= envelope_.shallowest_pitch_rad) {
+      return;
+    }
     const support::SourceRange where = placeOf(place, statement, 1);
-    if (!given.empty && least(given) < envelope_.shallowest_pitch_rad && isNew(where)) {
+    if (isNew(where)) {
       const Type type = m_[statement.values.at(1)].type;
       proof_.diagnostics.report(support::diagnostics::pitchTooShallow, where,
                                 shown(least(given), type),
@@ -202,7 +211,8 @@ class CommandCheck {
     return found;
   }
 
-  /// An argument that is written at `place` itself or in its call, or all of `place`.
+  /// An argument that is written at `place` itself or in its call, or all of `place`. It looks at
+  /// all expressions: only for what is reported.
   [[nodiscard]] support::SourceRange placeOf(const support::SourceRange& place,
                                              const Statement& statement, size_t argument) const {
     const support::SourceRange& own = m_[statement.values.at(argument)].range;

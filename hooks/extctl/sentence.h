@@ -12,6 +12,10 @@ namespace glider::hooks::extctl {
 /// The longest body that is read. Lines of 820 characters occur: a chunk of a file in base64.
 inline constexpr uint32_t kMostBody = 1000;
 
+/// The body with which a simulated vehicle begins a session: it waits for each answer. A real one
+/// says `HI`.
+inline constexpr char kVirtualTimeHello[] = "HI,virtual-time";
+
 /// Finds the sentences in what arrives. What surrounds them is passed over: bytes before a `$`,
 /// NULs, a sentence that is cut off by the next one.
 class SentenceReader {

@@ -12,9 +12,6 @@ namespace glider::runtime::extctl {
 
 using hooks::extctl::PortSensor;
 
-/// What a simulator adds to the `HI` that begins a session: it waits for each answer.
-static constexpr char kVirtualTimeText[] = "HI,virtual-time";
-
 namespace {
 
 /// As the checkpoint has it; the clock unknown if it was.
@@ -148,8 +145,9 @@ void Backseat::takeSentence() {
     }
   } else if (is("HI") || is("BY")) {
     writer_.forget();
-    const uint32_t told = sizeof(kVirtualTimeText) - 1;
-    if (!virtual_time_ && size == told && memcmp(body, kVirtualTimeText, told) == 0) {
+    using hooks::extctl::kVirtualTimeHello;
+    const uint32_t length = sizeof(kVirtualTimeHello) - 1;
+    if (!virtual_time_ && size == length && memcmp(body, kVirtualTimeHello, length) == 0) {
       useVirtualTime();
     }
   }

@@ -77,10 +77,7 @@ void PortWriter::InForce::tell(double depth_m, double now_s) {
   depths_m_[count_++] = depth_m;
 }
 
-bool PortWriter::InForce::range(double now_s, double* shallowest, double* deepest) const {
-  if (count_ == 0) {
-    return false;
-  }
+void PortWriter::InForce::range(double now_s, double* shallowest, double* deepest) const {
   *shallowest = *deepest = depths_m_[count_ - 1];
   for (uint32_t i = 0; i + 1 < count_; ++i) {
     const double age_s = now_s - until_s_[i];
@@ -89,7 +86,6 @@ bool PortWriter::InForce::range(double now_s, double* shallowest, double* deepes
       *deepest = hooks::atLeast(depths_m_[i], *deepest);
     }
   }
-  return true;
 }
 
 void PortWriter::InForce::unsettle(double then_s, double now_s) {
@@ -106,13 +102,13 @@ void PortWriter::tellDepths(const StockCommand& command) {
   want(climb, command.climb_depth_m);
   double shallowest = 0, deepest = 0;
   // The deeper end first: what it leaves room for is then decided with it.
-  if (dive.wanted != dive.told &&
-      (!climbs_.range(now_s_, &shallowest, &deepest) || dive.wanted > deepest)) {
+  climbs_.range(now_s_, &shallowest, &deepest);
+  if (dive.wanted != dive.told && dive.wanted > deepest) {
     tellNow(dive);
     dives_.tell(dive.told, now_s_);
   }
-  if (climb.wanted != climb.told &&
-      (!dives_.range(now_s_, &shallowest, &deepest) || climb.wanted < shallowest)) {
+  dives_.range(now_s_, &shallowest, &deepest);
+  if (climb.wanted != climb.told && climb.wanted < shallowest) {
     tellNow(climb);
     climbs_.tell(climb.told, now_s_);
   }

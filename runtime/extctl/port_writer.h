@@ -59,8 +59,8 @@ class PortWriter {
   class InForce {
    public:
     void tell(double depth_m, double now_s);
-    /// The deepest and the shallowest of them; false if there is none.
-    bool range(double now_s, double* shallowest, double* deepest) const;
+    /// The deepest and the shallowest of them; there is at least one.
+    void range(double now_s, double* shallowest, double* deepest) const;
     /// What had not settled at `then_s` settles again from `now_s` on.
     void unsettle(double then_s, double now_s);
 

@@ -3,7 +3,7 @@
 
 #include "frontend/sema/arrays/declared_array.h"
 
-#include "frontend/sema/expressions/evaluate.h"
+#include "frontend/sema/arrays/constant_number.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "support/diagnostics/ids/meaning.h"
 
@@ -15,20 +15,8 @@
 namespace glider::frontend {
 
 std::optional<size_t> arraySize(const ast::Expr& size, Scope& scope) {
-  Context context = scope.context;
-  context.constant = "the size of an array";
-  context.list.reset();
-  const Scope::Within within(scope, context);
-  const size_t before = scope.mission.exprs.size();
-  const auto number = ExprLowering(scope).lowerAs(size, plainNumber(), "the size of an array");
-  const auto known = number ? evaluate(scope.mission, *number) : std::nullopt;
-  scope.mission.exprs.resize(before);
-  if (!number) {
-    return std::nullopt;
-  }
+  const auto known = constantNumber(size, "the size of an array", scope);
   if (!known) {
-    scope.report(support::diagnostics::notConstant, size.where, scope.text(size.where),
-                 "the size of an array");
     return std::nullopt;
   }
   if (!(*known >= kFewestElements && *known <= kMostElements && *known == std::floor(*known))) {

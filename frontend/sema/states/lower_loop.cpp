@@ -4,7 +4,7 @@
 // `for i in 0 .. 7 do … end`: the body is lowered once for each pass, in which the index is a
 // constant. So nothing after the frontend knows loops, and each of them ends.
 
-#include "frontend/sema/expressions/evaluate.h"
+#include "frontend/sema/arrays/constant_number.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/states/lower_statement.h"
 #include "support/diagnostics/ids/meaning.h"
@@ -30,19 +30,8 @@ size_t operationsOf(const Scope& scope) {
 /// number.
 std::optional<double> StatementLowering::bound(const ast::Expr& expr) {
   constexpr double kGreatest = 1e15;  // up to there every whole number is a double
-  Context context = scope_.context;
-  context.constant = "the range of a loop";
-  context.list.reset();
-  const Scope::Within within(scope_, context);
-  const size_t before = scope_.mission.exprs.size();
-  const auto number = ExprLowering(scope_).lowerAs(expr, plainNumber(), "the range of a loop");
-  const auto known = number ? evaluate(scope_.mission, *number) : std::nullopt;
-  scope_.mission.exprs.resize(before);
-  if (number && !known) {
-    scope_.report(support::diagnostics::notConstant, expr.where, scope_.text(expr.where),
-                  "the range of a loop");
-  }
-  if (!number || !known) {
+  const auto known = constantNumber(expr, "the range of a loop", scope_);
+  if (!known) {
     return std::nullopt;
   }
   if (!(std::fabs(*known) <= kGreatest && *known == std::floor(*known))) {

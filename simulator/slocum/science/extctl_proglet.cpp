@@ -78,7 +78,7 @@ SeatEvent ExtctlProglet::nextEvent() {
 void ExtctlProglet::run(double now_s, const hooks::ScienceSensors& own, const GliderByteStream& sbc,
                         const GliderByteStream& flight) {
   if (!std::exchange(begun_, true)) {
-    say(virtual_time_ ? "HI,virtual-time" : "HI");
+    say(virtual_time_ ? hooks::extctl::kVirtualTimeHello : "HI");
   }
   takeFlight(flight);
   hear(now_s, sbc);

@@ -202,6 +202,14 @@ Result<Compilation> compileText(const std::filesystem::path& path, std::string t
   return compilation;
 }
 
+std::shared_ptr<const Checked> onVehicle(const Checked& checked,
+                                         const std::function<void(platforms::Platform&)>& change) {
+  auto lowered = std::make_shared<Lowered>(*checked.lowered);
+  change(lowered->platform);
+  return std::make_shared<const Checked>(
+      Checked{lowered, checked.facts, {lowered->mission, lowered->platform}});
+}
+
 Optimised optimise(std::shared_ptr<const Checked> checked,
                    const std::function<void(const ir::OptPass&, const ir::Mission&)>& after) {
   ir::Mission mission = ir::optimise(checked->mission(), after);

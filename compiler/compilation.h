@@ -92,6 +92,10 @@ support::Result<Compilation> compileMission(const std::filesystem::path& path);
 /// The same for `text`, used instead of the file at `path`; it is file 0 of the sources.
 support::Result<Compilation> compileText(const std::filesystem::path& path, std::string text);
 
+/// The same mission on a vehicle that differs in what `change` makes of its platform.
+std::shared_ptr<const Checked> onVehicle(const Checked& checked,
+                                         const std::function<void(platforms::Platform&)>& change);
+
 /// The mission as `glidercc build` compiles it; `after` is that of ir::optimise.
 Optimised optimise(std::shared_ptr<const Checked> checked,
                    const std::function<void(const ir::OptPass&, const ir::Mission&)>& after = {});

@@ -15,7 +15,7 @@
 #include "driver/shared_options.h"
 #include "driver/slocum/port_folder.h"
 #include "driver/terminal.h"
-#include "driver/usage/duration.h"
+#include "driver/usage/quantity.h"
 #include "driver/usage/values.h"
 #include "frontend/ast/print.h"
 #include "ir/text/print.h"
@@ -256,12 +256,10 @@ void addDialectOptions(CLI::App& command, BuildOptions& options) {
       ->check(oneOf({"10.05", "mission-mode"}))
       ->capture_default_str()
       ->needs(dialect);
-  command
-      .add_option("--max-depth", options.port.greatest_depth_m,
-                  "With --dialect extctl: deeper targets are refused, m [the deepest that MISSION "
-                  "commands]")
-      ->check(CLI::PositiveNumber)
-      ->option_text("METRES")
+  addDepthOption(
+      command, "--max-depth", options.port.greatest_depth_m, 5, 2000,
+      "With --dialect extctl: the program refuses deeper targets, and the vehicle aborts "
+      "some metres below [the deepest that MISSION commands; at most what the vehicle can]")
       ->needs(dialect);
   addDurationOption(command, "--surface-after", options.port.surface_after_s, 600, 7 * 86400,
                     "With --dialect extctl: without contact for this long the vehicle comes up by "

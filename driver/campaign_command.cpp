@@ -10,7 +10,7 @@
 #include "driver/json_document.h"
 #include "driver/shared_options.h"
 #include "driver/terminal.h"
-#include "driver/usage/duration.h"
+#include "driver/usage/quantity.h"
 #include "driver/usage/values.h"
 
 #include <CLI/CLI.hpp>

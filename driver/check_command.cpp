@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "compiler/compilation.h"
 #include "driver/certificates/recheck.h"
 #include "driver/certificates/write.h"
 #include "driver/commands.h"
@@ -11,8 +12,9 @@
 #include "driver/output/run_trace.h"
 #include "driver/shared_options.h"
 #include "driver/slocum/against_logs.h"
+#include "driver/slocum/port_folder.h"
 #include "driver/terminal.h"
-#include "driver/usage/duration.h"
+#include "driver/usage/quantity.h"
 #include "driver/usage/values.h"
 #include "support/diagnostics/ids/command.h"
 #include "support/files.h"
@@ -241,8 +243,9 @@ int writeFiles(const CommandOptions& options, const VehicleLogs& logs, const Che
 int recheck(const CommandOptions& options) {
   int status = kFine;
   for (const std::string& mission : options.missions) {
-    status =
-        std::max(status, recheckCertificates(mission, folderOf(options, options.recheck, mission)));
+    status = std::max(
+        status,
+        recheckCertificates(mission, folderOf(options, options.recheck, mission), options.mi));
   }
   return status;
 }
@@ -302,7 +305,32 @@ int checkForMachines(const CommandOptions& options) {
   return done ? status : reportFailure(done.error());
 }
 
+/// If the only MISSION is a folder for a vehicle's port, what is in it is checked together.
+support::Result<void> lookIntoFolder(CommandOptions& options) {
+  if (options.missions.size() != 1 || !isPortFolder(options.missions.front())) {
+    return {};
+  }
+  const std::filesystem::path path = options.missions.front();
+  const auto folder = openPortFolder(path);
+  if (!folder) {
+    return std::unexpected(folder.error());
+  }
+  options.missions = {folder->mission.string()};
+  if (options.mi.empty()) {
+    options.mi = folder->vehicle_mission.string();
+  }
+  const auto compiled = compiler::compileMission(folder->mission);
+  if (!compiled || !compiled->checked) {
+    return {};  // the check says why
+  }
+  const auto end = portEndOf(path, compiler::optimise(compiled->checked));
+  return end ? support::Result<void>() : std::unexpected(end.error());
+}
+
 int check(CommandOptions& options) {
+  if (const auto looked = lookIntoFolder(options); !looked) {
+    return reportFailure(looked.error());
+  }
   if (sharesAFolder(options)) {
     return kWorldFailed;
   }
@@ -401,9 +429,10 @@ void addCheckCommand(CLI::App& app, int& status) {
   auto options = std::make_shared<CommandOptions>();
   CLI::App* command = app.add_subcommand("check", "Check missions without building them");
   command
-      ->add_option("MISSION", options->missions,
-                   "Mission files (or the IR's text form, FILE.ir); `-` is standard "
-                   "input")
+      ->add_option(
+          "MISSION", options->missions,
+          "Mission files (or the IR's text form, FILE.ir), or a folder of `build --dialect "
+          "extctl`; `-` is standard input")
       ->required();
   command
       ->add_option_function<std::string>(

@@ -17,7 +17,7 @@
 #include "driver/sim_options.h"
 #include "driver/slocum/port_folder.h"
 #include "driver/terminal.h"
-#include "driver/usage/duration.h"
+#include "driver/usage/quantity.h"
 #include "flights/flight_setup.h"
 #include "flights/logged_values.h"
 #include "flights/mission_facts.h"
@@ -226,7 +226,7 @@ support::Result<simulator::Scenario> scenarioFor(const SimOptions& options,
       }
     } else if (!options.mi
                     .empty()) {  // a mission needs hookbeh in it; other errors were shown above
-      if (auto usable = vehicles::tryOwnMission(options.mi, {}); !usable) {
+      if (auto usable = vehicles::tryInFlight(options.mi); !usable) {
         return std::unexpected(usable.error());
       }
     }

@@ -30,6 +30,11 @@ class OwnMission {
   OwnMission& operator=(const OwnMission&) = delete;
   virtual ~OwnMission() = default;
 
+  /// Why a mission cannot be flown with it in a scenario of its own; empty: it can.
+  [[nodiscard]] virtual std::string whyNotFlown() const { return ""; }
+  /// Widens `platform` to what a vehicle may do that flies this.
+  virtual void widen(platforms::Platform& /*platform*/) const {}
+
   /// Raises the time after which it ends by itself to `seconds`, for a flight of that length, if it
   /// is sooner; returns what it was, empty if it was not.
   virtual std::optional<double> raiseOvertime(double /*seconds*/) { return std::nullopt; }

@@ -3,6 +3,8 @@
 
 #include "vehicles/vehicle.h"
 
+#include "support/diagnostics/ids/vehicle.h"
+
 #include <algorithm>
 #include <cctype>
 #include <string>
@@ -42,6 +44,17 @@ support::Result<void> tryOwnMission(const std::string& path, const support::Show
     return std::unexpected(own.error());
   }
   return {};
+}
+
+support::Result<void> tryInFlight(const std::string& path) {
+  support::SourceManager sources;
+  const auto own = vehicleOfFile(path).read_own_mission(path, sources, {});
+  if (!own) {
+    return std::unexpected(own.error());
+  }
+  const std::string why = (*own)->whyNotFlown();
+  return why.empty() ? support::Result<void>()
+                     : support::fail(support::diagnostics::skeletonErrors, path, why);
 }
 
 }  // namespace glider::vehicles

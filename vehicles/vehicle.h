@@ -53,6 +53,8 @@ const Vehicle& vehicleOfFile(std::string_view path, const Vehicle* other = nullp
 
 /// Whether the vehicle's own mission at `path` can be read; its errors are shown with `show`.
 support::Result<void> tryOwnMission(const std::string& path, const support::ShowDiagnostics& show);
+/// Whether it can, and missions can be flown with it in any scenario.
+support::Result<void> tryInFlight(const std::string& path);
 
 /// The vehicles of vehicles.def.
 namespace families {

@@ -85,9 +85,9 @@ std::string wayHome(const platforms::Platform& platform, const vehicles::OwnMiss
   const std::string takes_over =
       fmt::format("If the payload computer (SBC) fails, the vehicle takes control within {}",
                   durationOf(home.lets_go_s));
-  return std::isfinite(deepest_m)
+  return std::isfinite(home.surface_s)
              ? fmt::format("{} and is at the surface within {}, from at most {:.4g} m ({}).",
-                           takes_over, durationOf(home.surface_s), deepest_m, source)
+                           takes_over, durationOf(home.surface_s), home.depth_m, source)
              : fmt::format("{} ({}); when it is at the surface is not known.", takes_over, source);
 }
 

@@ -34,7 +34,7 @@ RunVehicle::Depths RunVehicle::later(double from, double to) const {
     return depths;
   }
   depths.greatest = std::min(depths.greatest, deepest_);
-  const double climbed = to - since_ - platform_.world.turn_s;
+  const double climbed = to - since_ - platform_.world.command_s - platform_.world.turn_s;
   if (climbing_ && climbed >= 0) {
     const double reached = deepest_ - platform_.world.slowest_climb_m_s * climbed;
     depths.greatest = std::min(depths.greatest, std::max({top_, 0.0, reached}));
@@ -42,8 +42,14 @@ RunVehicle::Depths RunVehicle::later(double from, double to) const {
   return depths;
 }
 
+/// From now on, until a command that ends a dive is obeyed, and while the vehicle then turns.
+double RunVehicle::turnsWithin() const {
+  return platform_.envelope.vertical_rate_m_s * platform_.world.command_s +
+         platform_.envelope.inflection_overshoot_m;
+}
+
 double RunVehicle::endOfDive() const {
-  return std::min(deepest_, depth_ + platform_.envelope.inflection_overshoot_m);
+  return std::min(deepest_, depth_ + turnsWithin());
 }
 
 void RunVehicle::obey(const std::vector<ir::Action>& actions, double now) {
@@ -78,7 +84,7 @@ void RunVehicle::obey(const ir::CommandRun& command, double now) {
 /// V3. After a behaviour in C the dive before may have been to any depth.
 void RunVehicle::descend(double target) {
   const double overshoot = platform_.envelope.inflection_overshoot_m;
-  const double before = anything_ ? depth_ + overshoot : endOfDive();
+  const double before = anything_ ? depth_ + turnsWithin() : endOfDive();
   deepest_ = std::max(target + overshoot, before);
   climbing_ = false;
   anything_ = false;
@@ -87,8 +93,10 @@ void RunVehicle::descend(double target) {
 /// V4. After a behaviour in C the climb may go on that it began, at any time and from any depth.
 void RunVehicle::ascend(double target, double now) {
   const bool dives = target >= kSurface;
-  const double top = dives ? target + platform_.envelope.inflection_overshoot_m : target;
-  const bool goes_on = climbing_ && top >= top_;
+  const double hold = platform_.world.climb_hold_m + platform_.envelope.inflection_overshoot_m;
+  const double top = dives ? target + hold : target;
+  const bool goes_on =
+      climbing_ && top >= top_ && (top == top_ || now >= since_ + platform_.world.command_s);
   const double end = goes_on ? deepest_ : endOfDive();
   deepest_ = dives ? std::max(top, end) : end;
   since_ = goes_on ? since_ : now;

@@ -9,6 +9,7 @@
 #include "driver/terminal.h"
 #include "support/files.h"
 #include "support/one_line.h"
+#include "vehicles/vehicle.h"
 
 #include <fmt/format.h>
 
@@ -64,13 +65,31 @@ Result<Line> rechecked(const compiler::Optimised& mission, uint32_t number,
       true};
 }
 
+/// The mission on a vehicle that flies its own mission of the file.
+Result<compiler::Optimised> obeyedAsIn(const std::string& own_mission,
+                                       const compiler::Optimised& mission) {
+  support::SourceManager sources;
+  const auto own = vehicles::vehicleOfFile(own_mission).read_own_mission(own_mission, sources, {});
+  if (!own) {
+    return std::unexpected(own.error());
+  }
+  return compiler::optimise(
+      compiler::onVehicle(*mission.checked, [&](auto& vehicle) { (*own)->widen(vehicle); }));
+}
+
 }  // namespace
 
-int recheckCertificates(const std::string& path, const std::filesystem::path& folder) {
+int recheckCertificates(const std::string& path, const std::filesystem::path& folder,
+                        const std::string& own_mission) {
   int status = kFine;
-  const auto mission = compileForFlight(path, status);
+  const auto written = compileForFlight(path, status);
   if (status != kFine) {
     return status;
+  }
+  const auto mission = own_mission.empty() ? Result<compiler::Optimised>(*written)
+                                           : obeyedAsIn(own_mission, *written);
+  if (!mission) {
+    return reportFailure(mission.error());
   }
   const size_t all = mission->checked->mission().requirements.size();
   size_t accepted = 0;

@@ -13,8 +13,10 @@
 #include "simulator/slocum/own_mission.h"
 #include "support/diagnostics/ids/files.h"
 #include "support/diagnostics/ids/target.h"
+#include "support/diagnostics/ids/verification.h"
 #include "support/files.h"
 #include "vehicles/slocum/port_files/mission_port.h"
+#include "vehicles/slocum/rules/port/port_whole.h"
 #include "vehicles/slocum/rules/port_commands.h"
 #include "vehicles/slocum/rules/refused_commands.h"
 
@@ -61,7 +63,8 @@ double depthFor(const compiler::Optimised& mission) {
 slocum::PortChoice choiceOf(const PortOptions& options, const compiler::Optimised& mission) {
   slocum::PortChoice choice;
   choice.release = releaseOf(options.release);
-  choice.greatest_depth_m = options.greatest_depth_m.value_or(depthFor(mission));
+  choice.greatest_depth_m = std::min(options.greatest_depth_m.value_or(depthFor(mission)),
+                                     mission.platform().envelope.greatest_depth_m);
   choice.surface_after_s = options.surface_after_s.value_or(choice.surface_after_s);
   choice.most_sensors = options.sensors;
   return choice;
@@ -78,10 +81,24 @@ std::string descriptionOf(const Names& names, const slocum::PortChoice& choice,
       choice.least_altitude_m, choice.surface_after_s, choice.most_sensors);
 }
 
+/// Commands that the program would refuse at sea (GL3124).
+void checkDepths(const ir::Mission& mission, double greatest_depth_m,
+                 support::DiagnosticEngine& diagnostics) {
+  for (const auto& dive : slocum::rules::divesOf(mission)) {
+    if (dive.depth_m > greatest_depth_m) {
+      diagnostics.report(support::diagnostics::vehicleRefuses,
+                         dive.range.valid() ? dive.range : mission.states.front().range, dive.who,
+                         fmt::format("a depth of {:.4g} m", dive.depth_m), "its program",
+                         fmt::format("more than {:.4g} m", greatest_depth_m), "`--max-depth`");
+    }
+  }
+}
+
 /// False, with the errors shown, if the port cannot give all commands of the mission.
-bool canBeFlown(const compiler::Optimised& mission) {
+bool canBeFlown(const compiler::Optimised& mission, const slocum::PortChoice& choice) {
   support::DiagnosticEngine diagnostics;
   slocum::rules::checkPortCommands(mission.mission, diagnostics);
+  checkDepths(mission.checked->mission(), choice.greatest_depth_m, diagnostics);
   reportDiagnostics(diagnostics, mission.sources());
   return diagnostics.errorCount() == 0;
 }
@@ -124,10 +141,10 @@ support::Result<bool> writePortFolder(const PortOptions& options,
                                       const platforms::Board& board,
                                       const std::vector<std::string>& user_code,
                                       const compiler::Optimised& mission) {
-  if (!canBeFlown(mission)) {
+  const slocum::PortChoice choice = choiceOf(options, mission);
+  if (!canBeFlown(mission, choice)) {
     return false;
   }
-  const slocum::PortChoice choice = choiceOf(options, mission);
   const auto plan = slocum::planFor(mission, choice);
   const auto code = compiler::loadUserCode(user_code, mission.mission, board);
   const auto source = support::readFile(mission_file);
@@ -150,13 +167,16 @@ support::Result<bool> writePortFolder(const PortOptions& options,
   }
   const std::string comment =
       fmt::format("The sensors on the port of the mission {}.", plan->mission);
+  const slocum::rules::Whole whole = slocum::rules::portWhole(*plan, mission.platform());
   const auto written =
       writeTexts(folder, {{names.mission, *source},
                           {names.vehicle_mission, slocum::printPortMission(*plan)},
                           {names.sensors, slocum::printExtctlFile(plan->extctl, comment)},
                           {names.proglet, slocum::printProglet(*plan)},
-                          {names.page, portPage(*plan, {names.program, names.vehicle_mission,
-                                                        names.sensors, names.proglet, board.name})},
+                          {names.page, portPage(*plan,
+                                                {names.program, names.vehicle_mission,
+                                                 names.sensors, names.proglet, board.name},
+                                                whole.endings.front())},
                           {kDescription, descriptionOf(names, choice, options)}});
   return written ? support::Result<bool>(true) : std::unexpected(written.error());
 }

@@ -3,11 +3,15 @@
 
 #include "driver/slocum/port_page.h"
 
+#include "ir/prove/context/duration_text.h"
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 namespace glider::driver {
 namespace {
@@ -34,23 +38,34 @@ std::string whereTable(const slocum::PortPlan& plan, const PortPageFiles& files)
       plan.extctl.baud, files.sensors, files.proglet, files.vehicle_mission);
 }
 
-std::string boundText(const slocum::PortPlan& plan) {
-  const std::string after = timeText(plan.choice.surface_after_s);
+/// "no contact for 14400 s + turn 120 s + …".
+std::string sumText(const slocum::rules::Ending& silence) {
+  std::vector<std::string> parts;
+  for (const slocum::rules::Part& part : silence.parts) {
+    parts.push_back(fmt::format("{} {:.0f} s", part.what, part.seconds));
+  }
+  return fmt::format("{}", fmt::join(parts, " + "));
+}
+
+std::string boundText(const slocum::PortPlan& plan, const slocum::rules::Ending& silence) {
   return fmt::format(
       "The vehicle keeps the last depths and heading that it has received, for ever: nothing on it "
-      "monitors the port. What brings it up then is its own `surface` with `start_when` 12: after "
-      "{0} without contact it climbs, which takes {1} at most from {2:.4g} m. So **it is at the "
-      "surface {3} after its last contact, at the latest**, if its depth sensor and pump work.\n\n"
+      "monitors the port. What brings it up then is its own `surface` with `start_when` 12, after "
+      "{0} without contact. So **it is at the surface {1} after its last contact, at the latest**, "
+      "if its depth sensor and pump work: {2}. The depth is the greatest at which its `abend` may "
+      "find it (`overdepth` {3:.4g}), for any last command. `glidercc check` on this folder "
+      "proves it again, also after you have added behaviours to the mission file.\n\n"
       "There it waits {4} for its operator, goes on between the last depths if none answers, and "
       "comes up again {0} later. End the mission in that call if the computer does not answer: "
       "`report ++ sci_generic_b` no longer counts.\n",
-      after, timeText(plan.climb_s), plan.choice.greatest_depth_m,
-      timeText(plan.choice.surface_after_s + plan.climb_s), timeText(slocum::kOperatorWait));
+      timeText(plan.choice.surface_after_s), ir::prove::durationOf(silence.seconds()),
+      sumText(silence), plan.overdepth_m, timeText(slocum::kOperatorWait));
 }
 
 }  // namespace
 
-std::string portPage(const slocum::PortPlan& plan, const PortPageFiles& files) {
+std::string portPage(const slocum::PortPlan& plan, const PortPageFiles& files,
+                     const slocum::rules::Ending& silence) {
   return fmt::format(
       "# {0} by the port for a backseat driver\n\n"
       "Written by `glidercc build --dialect extctl`. These files belong together: the program "
@@ -67,7 +82,8 @@ std::string portPage(const slocum::PortPlan& plan, const PortPageFiles& files) {
       "of "
       "the mission, from 1; the depth to dive to, m |\n\n"
       "## If the computer in the payload bay fails\n\n{4}",
-      plan.mission, plan.file, plan.port.program, whereTable(plan, files), boundText(plan));
+      plan.mission, plan.file, plan.port.program, whereTable(plan, files),
+      boundText(plan, silence));
 }
 
 }  // namespace glider::driver

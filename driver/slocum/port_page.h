@@ -4,6 +4,7 @@
 #pragma once
 
 #include "vehicles/slocum/port_files/port_plan.h"
+#include "vehicles/slocum/rules/whole.h"
 
 #include <string>
 
@@ -15,7 +16,9 @@ struct PortPageFiles {
   std::string board;  ///< that the program is for
 };
 
-/// The page that says what goes where and what to type at the dock, as Markdown.
-std::string portPage(const slocum::PortPlan& plan, const PortPageFiles& files);
+/// The page that says what goes where, what to type at the dock, and what `silence` of the SBC
+/// leads to, as Markdown. That is proved about the mission file.
+std::string portPage(const slocum::PortPlan& plan, const PortPageFiles& files,
+                     const slocum::rules::Ending& silence);
 
 }  // namespace glider::driver

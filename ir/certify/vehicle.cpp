@@ -21,9 +21,11 @@ Term smaller(SmtText& out, const Term& a, const Term& b) {
   return out.real(choice(operation("<=", {a, b}), a, b));
 }
 
-/// Where a dive that ends now may still get.
-Term endOfDive(SmtText& out, const Vehicle& v, const Term& overshoot) {
-  return smaller(out, v.deepest, operation("+", {v.depth, overshoot}));
+/// Where a dive may still get that a command ends now: the vehicle obeys it later.
+Term endOfDive(const Setting& setting, SmtText& out, const Vehicle& v) {
+  const double on = setting.platform.world.command_s * setting.platform.envelope.vertical_rate_m_s;
+  const double turns = on + setting.platform.envelope.inflection_overshoot_m;
+  return smaller(out, v.deepest, operation("+", {v.depth, literal(turns)}));
 }
 
 /// V3.
@@ -31,7 +33,7 @@ Vehicle descended(const Setting& setting, SmtText& out, const Vehicle& before, c
   const Term overshoot = literal(setting.platform.envelope.inflection_overshoot_m);
   Vehicle after = before;
   after.deepest =
-      greater(out, out.real(operation("+", {x, overshoot})), endOfDive(out, before, overshoot));
+      greater(out, out.real(operation("+", {x, overshoot})), endOfDive(setting, out, before));
   after.climbing = "false";
   return after;
 }
@@ -39,13 +41,19 @@ Vehicle descended(const Setting& setting, SmtText& out, const Vehicle& before, c
 /// V4.
 Vehicle ascended(const Setting& setting, SmtText& out, const Vehicle& before, const Term& x,
                  const Term& now) {
-  const Term overshoot = literal(setting.platform.envelope.inflection_overshoot_m);
+  const double below =
+      setting.platform.envelope.inflection_overshoot_m + setting.platform.world.climb_hold_m;
   const Term dives = out.boolean(operation(">=", {x, literal(kSurface)}));
   Vehicle after = before;
-  after.top = out.real(choice(dives, operation("+", {x, overshoot}), x));
+  after.top = out.real(choice(dives, operation("+", {x, literal(below)}), x));
+  // A climb to elsewhere that is not obeyed yet may never be.
+  const Term obeyed = disjunction(
+      {operation("=", {after.top, before.top}),
+       operation(">=", {now, operation("+", {before.since,
+                                             literal(setting.platform.world.command_s)})})});
   const Term on =
-      out.boolean(conjunction({before.climbing, operation(">=", {after.top, before.top})}));
-  const Term end = out.real(choice(on, before.deepest, endOfDive(out, before, overshoot)));
+      out.boolean(conjunction({before.climbing, operation(">=", {after.top, before.top}), obeyed}));
+  const Term end = out.real(choice(on, before.deepest, endOfDive(setting, out, before)));
   after.deepest = out.real(choice(dives, greater(out, after.top, end), end));
   after.since = out.real(choice(on, before.since, now));
   after.climbing = "true";
@@ -80,7 +88,8 @@ Vehicle vehicleLater(const Setting& setting, SmtText& out, const Vehicle& before
   out.require(operation("<=", {"0.0", after.depth, before.deepest}));
   out.require(operation("<=", {operation("-", {before.depth, way}), after.depth,
                                operation("+", {before.depth, way})}));
-  const Term climbed = out.real(operation("-", {to, before.since, literal(world.turn_s)}));
+  const Term climbed =
+      out.real(operation("-", {to, before.since, literal(world.command_s + world.turn_s)}));
   const Term reached =
       operation("-", {before.deepest, operation("*", {literal(world.slowest_climb_m_s), climbed})});
   out.require(implication(conjunction({before.climbing, operation(">=", {climbed, "0.0"})}),

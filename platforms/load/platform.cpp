@@ -209,7 +209,14 @@ Envelope readEnvelope(TomlReader& reader, bool flies) {
 }
 
 EnvironmentModel readWorld(TomlReader& reader) {
-  auto world = readNumbers<EnvironmentModel>(reader, kWorld);
+  auto world = readNumbers<EnvironmentModel>(reader, kWorld, {"command_s", "climb_hold_m"});
+  for (const auto& [key, field] : {std::pair{"command_s", &EnvironmentModel::command_s},
+                                   std::pair{"climb_hold_m", &EnvironmentModel::climb_hold_m}}) {
+    world.*field = reader.numberOr(key, 0);
+    if (!(world.*field >= 0)) {
+      reader.refuse(key, "must not be below 0");
+    }
+  }
   if (const double least = world.depth_error_m + kSurfaceReadingM; world.start_depth_m < least) {
     reader.refuse(
         "start_depth_m",

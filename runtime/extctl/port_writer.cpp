@@ -81,7 +81,7 @@ void PortWriter::InForce::range(double now_s, double* shallowest, double* deepes
   *shallowest = *deepest = depths_m_[count_ - 1];
   for (uint32_t i = 0; i + 1 < count_; ++i) {
     const double age_s = now_s - until_s_[i];
-    if (age_s >= 0 && age_s < kSettleSecs) {
+    if (age_s >= 0 && age_s < hooks::extctl::kSettleSecs) {
       *shallowest = hooks::atMost(depths_m_[i], *shallowest);
       *deepest = hooks::atLeast(depths_m_[i], *deepest);
     }
@@ -91,7 +91,7 @@ void PortWriter::InForce::range(double now_s, double* shallowest, double* deepes
 void PortWriter::InForce::unsettle(double then_s, double now_s) {
   for (uint32_t i = 0; i + 1 < count_; ++i) {
     const double age_s = then_s - until_s_[i];
-    until_s_[i] = age_s >= 0 && age_s < kSettleSecs ? now_s : until_s_[i];
+    until_s_[i] = age_s >= 0 && age_s < hooks::extctl::kSettleSecs ? now_s : until_s_[i];
   }
 }
 
@@ -122,7 +122,7 @@ void PortWriter::tellWhetherToSurface(const StockCommand& command) {
   Value* values[] = {&wish, &mode_};
   for (Value* value : values) {
     const bool first = value->told != value->told;
-    if (command.surface || first || isOver(value->pending_s, kSettleSecs)) {
+    if (command.surface || first || isOver(value->pending_s, hooks::extctl::kSettleSecs)) {
       tellNow(*value);
     }
   }

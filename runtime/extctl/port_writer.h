@@ -42,9 +42,6 @@ class PortWriter {
   /// How often a value that has changed is written.
   static constexpr uint8_t kTimes = 3;
   static constexpr double kAgainSecs = 16;
-  /// How long a value may need from the SBC to the behaviours: two sentences lost, and 8 s between
-  /// the vehicle's computers. What must not overtake it waits as long.
-  static constexpr double kSettleSecs = 20;
 
  private:
   struct Value {
@@ -65,7 +62,7 @@ class PortWriter {
     void unsettle(double then_s, double now_s);
 
    private:
-    static constexpr uint32_t kMost = 24;  ///< more than there are control cycles in kSettleSecs
+    static constexpr uint32_t kMost = 24;  ///< more than there are control cycles in that time
     double depths_m_[kMost];
     double until_s_[kMost];  ///< replaced then; that of the newest does not count
     uint32_t count_ = 0;

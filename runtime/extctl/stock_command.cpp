@@ -12,6 +12,9 @@ namespace {
 using hooks::HookLateral;
 using hooks::HookVertical;
 
+/// Commands to climb to less than this depth mean the surface, m.
+constexpr double kFloats = 1;
+
 /// Degrees of a position as ddmm.mmmm.
 double degreesOf(double ddmm) {
   const double size = magnitude(ddmm);
@@ -66,9 +69,12 @@ void climb(const hooks::Instruction& instruction, const GliderPortMission& port,
 void follow(const hooks::Instruction& instruction, const GliderPortMission& port,
             const Whereabouts& at, StockCommand& stock) {
   followLateral(instruction, port, at, stock);
-  stock.surface = instruction.vertical == HookVertical::Surface;
+  // As hookbeh does: where waves hide the depth, nothing is held.
+  const bool floats = instruction.vertical == HookVertical::Ascend && instruction.depth_m < kFloats;
+  const HookVertical vertical = floats ? HookVertical::Surface : instruction.vertical;
+  stock.surface = vertical == HookVertical::Surface;
   stock.modes &= ~static_cast<uint32_t>(kGliderPortModeSurface);
-  switch (instruction.vertical) {
+  switch (vertical) {
     case HookVertical::Descend:
       dive(instruction, port, stock);
       break;

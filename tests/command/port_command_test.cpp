@@ -74,8 +74,56 @@ TEST_F(PortCommand, TheBoundOfThePageIsThatOfTheOptions) {
       0);
   const std::string page = read("port/README.md");
   EXPECT_THAT(page, HasSubstr("after 90 min without contact"));
-  EXPECT_THAT(page, HasSubstr("from 40 m"));
+  EXPECT_THAT(page, HasSubstr("1 h 53 min 20 s after its last contact"));
+  EXPECT_THAT(page, HasSubstr("climb from 63 m 1260 s"));
   EXPECT_THAT(read("port/vehicle/missions/samplemi.mi"), HasSubstr("when_secs(s) 5400"));
+}
+
+// accepts: GL3124
+TEST_F(PortCommand, ADepthThatTheProgramWouldRefuseIsAnError) {
+  const Outcome built = run("build figure2.mission --dialect extctl --max-depth 10m -o port");
+  EXPECT_EQ(built.status, 1);
+  EXPECT_THAT(built.err, AllOf(HasSubstr("but its program refuses more than 10 m"),
+                               HasSubstr("change `--max-depth`")));
+  EXPECT_FALSE(fs::exists(path() / "port"));
+  EXPECT_EQ(run("build figure2.mission --dialect extctl --max-depth 3000m -o port").status, 2);
+}
+
+// accepts: GL3127 GL4016
+TEST_F(PortCommand, TheFolderIsCheckedTogether) {
+  ASSERT_EQ(run("build figure2.mission --dialect extctl -o port").status, 0);
+  const Outcome fine = run("check port --report");
+  EXPECT_EQ(fine.status, 0) << fine.err;
+  EXPECT_THAT(fine.out,
+              AllOf(HasSubstr("by behaviour 2 `surface` (start_when 12, when_secs 14400)"),
+                    HasSubstr("without hookbeh nothing on the vehicle watches the SBC")));
+  std::string mission = read("port/vehicle/missions/samplemi.mi");
+  const auto timer = mission.find("start_when(enum) 12");
+  ASSERT_NE(timer, std::string::npos);
+  write("port/vehicle/missions/samplemi.mi", mission.replace(timer, 19, "start_when(enum) 5"));
+  const Outcome unsafe = run("check port");
+  EXPECT_EQ(unsafe.status, 1);
+  EXPECT_THAT(unsafe.err, AllOf(HasSubstr("GL3127"), HasSubstr("silence of the SBC")));
+  write("port/figure2.mission", slurp(path() / "figure2.mission") + "\n# another text\n");
+  EXPECT_NE(run("check port").status, 2) << "a comment changes no program";
+  const auto number = mission.find("u_mission_param_l(nodim) ");
+  ASSERT_NE(number, std::string::npos);
+  write("port/vehicle/missions/samplemi.mi", mission.insert(number + 25, "1"));
+  const Outcome other = run("check port");
+  EXPECT_EQ(other.status, 2);
+  EXPECT_THAT(other.err, HasSubstr("GL4016"));
+}
+
+// accepts: GL5120
+TEST_F(PortCommand, ItsMissionFileIsNotFlownWithTheHooks) {
+  ASSERT_EQ(run("build figure2.mission --dialect extctl -o port").status, 0);
+  for (const char* command : {"sim figure2.mission --mi port/vehicle/missions/samplemi.mi -o f",
+                              "check figure2.mission --scenario default --mi "
+                              "port/vehicle/missions/samplemi.mi"}) {
+    const Outcome refused = run(command);
+    EXPECT_EQ(refused.status, 2) << command;
+    EXPECT_THAT(refused.err, HasSubstr("steered by its port, not by hookbeh")) << command;
+  }
 }
 
 // accepts: GL4015

@@ -55,14 +55,25 @@ ir::Mission missionOf(uint64_t seed) {
   return seed % kShare == 0 ? random_missions::randomMission(seed) : containment::hardMission(seed);
 }
 
+/// Some vehicles obey late, as by their port.
+platforms::Platform vehicleOf(uint64_t seed) {
+  platforms::Platform vehicle = ir::slocum();
+  if (seed % 3 == 0) {
+    vehicle.world.command_s = 60;
+    vehicle.world.climb_hold_m = 10;
+  }
+  return vehicle;
+}
+
 /// One mission, what is said of it, and flights of it.
 class Trial {
  public:
   Trial(uint64_t seed, Tally& tally)
       : seed_(seed),
         tally_(tally),
-        required_(withRequirements(missionOf(seed), ir::slocum(), seed)),
-        worlds_(required_.mission, ir::slocum()),
+        vehicle_(vehicleOf(seed)),
+        required_(withRequirements(missionOf(seed), vehicle_, seed)),
+        worlds_(required_.mission, vehicle_),
         wide_(worlds_.widest.mission, worlds_.widest.platform),
         narrow_(worlds_.written.mission, worlds_.assumed.platform) {}
 
@@ -217,6 +228,7 @@ class Trial {
 
   uint64_t seed_;
   Tally& tally_;
+  platforms::Platform vehicle_;
   Required required_;
   ir::Worlds worlds_;
   ir::prove::ProofContext wide_, narrow_;

@@ -70,10 +70,15 @@ void EnvironmentCheck::begin(double time_s, double depth_m, bool from_surface) {
   climb_.reset();
 }
 
+/// How far a dive goes on until the command that ends it is obeyed, m.
+double EnvironmentCheck::goesOn() const {
+  return world_.command_s * envelope_.vertical_rate_m_s;
+}
+
 void EnvironmentCheck::commandDown(double target_m, double depth_m) {
   // It may still reach what the previous command allowed, but not further beyond where it is.
   const double beyond = envelope_.inflection_overshoot_m;
-  deepest_m_ = std::max(target_m + beyond, std::min(deepest_m_, depth_m + beyond));
+  deepest_m_ = std::max(target_m + beyond, std::min(deepest_m_, depth_m + goesOn() + beyond));
   climb_.reset();
 }
 
@@ -83,9 +88,11 @@ void EnvironmentCheck::commandUp(double target_m, double depth_m, double time_s)
   // is above it sinks to it.
   constexpr double kToTheSurface = 1;
   const bool hovers = target_m >= kToTheSurface;
-  const double lowest_m = hovers ? target_m + beyond : target_m;
-  if (!climb_ || lowest_m < climb_->lowest_m) {  // it may have hovered: a new climb
-    deepest_m_ = std::min(deepest_m_, depth_m + beyond);
+  const double lowest_m = hovers ? target_m + beyond + world_.climb_hold_m : target_m;
+  // It may have hovered, or not have obeyed the climb before: a new climb.
+  const bool early = climb_ && time_s - climb_->since_s < world_.command_s;
+  if (!climb_ || lowest_m < climb_->lowest_m || (early && lowest_m > climb_->lowest_m)) {
+    deepest_m_ = std::min(deepest_m_, depth_m + goesOn() + beyond);
     climb_ = Climb{time_s, lowest_m};
   }
   climb_->lowest_m = lowest_m;
@@ -108,7 +115,8 @@ void EnvironmentCheck::moved(double time_s, double depth_m) {
 }
 
 void EnvironmentCheck::holdClimb(double time_s, double depth_m) {
-  const double climbs_s = climb_ ? time_s - climb_->since_s - world_.turn_s : -1;
+  const double obeys_s = world_.command_s + world_.turn_s;
+  const double climbs_s = climb_ ? time_s - climb_->since_s - obeys_s : -1;
   if (climbs_s < 0) {
     return;
   }

@@ -11,14 +11,21 @@
 #include "simulator/slocum/flight/skeleton.h"
 #include "simulator/slocum/own_mission.h"
 #include "support/files.h"
+#include "tests/slocum.h"
+#include "tests/world/environment_check.h"
 #include "tests/world/fleet.h"
 #include "vehicles/slocum/port_files/mission_port.h"
+#include "vehicles/slocum/rules/port/port_file.h"
+#include "vehicles/slocum/rules/port/port_whole.h"
 #include "vehicles/slocum/rules/port_commands.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <unistd.h>
@@ -95,7 +102,7 @@ class PortWatch final : public simulator::FlightObserver {
 
 /// The time to come up that the page of the port states.
 double boundOf(const slocum::PortPlan& plan) {
-  return plan.choice.surface_after_s + plan.climb_s;
+  return slocum::rules::portWhole(plan, slocum()).endings.front().seconds();
 }
 
 struct Drawn {
@@ -209,6 +216,110 @@ TEST(PortFlights, UnderFaultsOfTheLineItIsNeverTooDeep) {
     EXPECT_FALSE(watch.tooDeep()) << mission.name << " seed " << i + 1 << ": " << watch.deepest();
   }
   EXPECT_GT(dived, count / 2);
+}
+
+/// Compares a flight with the world in which proofs by the port hold.
+class PortWorld final : public simulator::FlightObserver {
+ public:
+  explicit PortWorld(const platforms::Platform& platform) : world_(platform) {}
+
+  void said(std::span<const uint8_t>, double) override {}
+  bool cycle(const simulator::CycleView& view) override {
+    now_s_ = view.time_s;
+    depth_m_ = view.true_depth_m;
+    depths_.emplace_back(now_s_, depth_m_);
+    if (begun_ && !over_) {
+      world_.moved(now_s_, depth_m_);
+    }
+    return !world_.broken() && !over_;
+  }
+  void polled(const GliderContext& context) {
+    if (context.mission_time == mission_time_ || over_) {
+      return;
+    }
+    if (!begun_) {
+      begun_ = true;
+      began_s_ = now_s_;
+      world_.begin(now_s_, depth_m_, true);
+    }
+    mission_time_ = context.mission_time;
+    ++ticks_;
+    command(static_cast<GliderVertical>(context.vertical), context.depth);
+    over_ = context.finished != 0;
+    look(context);
+  }
+
+  EnvironmentCheck& world() { return world_; }
+  [[nodiscard]] uint64_t ticks() const { return ticks_; }
+
+ private:
+  void command(GliderVertical vertical, double target_m) {
+    if (vertical == kGliderDescend || vertical == kGliderHover) {
+      world_.commandDown(target_m, depth_m_);
+    } else if (vertical == kGliderAscend || vertical == kGliderSurface) {
+      world_.commandUp(vertical == kGliderSurface ? 0 : target_m, depth_m_, now_s_);
+    }
+  }
+  /// The reading of a tick counts as that of its time.
+  void look(const GliderContext& context) {
+    for (uint32_t i = 0; i < context.mission->sensor_count; ++i) {
+      const double reading = context.readings[i].value;
+      if (context.mission->sensors[i].id == GLIDER_M_DEPTH && !std::isnan(reading)) {
+        world_.sees(now_s_, reading, depth_m_);
+      }
+    }
+  }
+
+  EnvironmentCheck world_;
+  std::vector<std::pair<double, double>> depths_;
+  double now_s_ = 0, depth_m_ = 0, began_s_ = 0;
+  double mission_time_ = -1;
+  uint64_t ticks_ = 0;
+  bool begun_ = false, over_ = false;
+};
+
+TEST(PortFlights, StayWithinTheWorldThatProofsByThePortAssume) {
+  constexpr uint64_t kFew = 30;
+  const uint64_t count = wanted("GLIDER_PORT_FLIGHTS", kFew);
+  const auto all = portMissions();
+  const auto worlds = scenarios();
+  platforms::Platform platform = slocum();
+  slocum::rules::widenForPort(platform);
+  uint64_t ticks = 0;
+  std::array<Use, kRules> most;
+  for (uint64_t i = 0; i < count; ++i) {
+    const FlyingMission& mission = all[i % all.size()];
+    const auto release = i % 2 == 0 ? slocum::Release::Common : slocum::Release::MissionModes;
+    const PortFlight flight = planned(mission, worlds[i % worlds.size()], release);
+    PortWorld watch(platform);
+    simulator::SimulationSetup setup;
+    setup.platform = slocum();
+    setup.scenario = flight.scenario;
+    setup.scenario.faults = {};
+    setup.seed = i + 1;
+    setup.duration_s = 3 * 3600;
+    setup.observer = &watch;
+    auto sbc = std::make_unique<flights::InProcessSbc>(
+        mission.loaded, *flights::chooseParameters(mission.flown->mission, {}),
+        std::make_shared<flights::Card>(), false, flight.plan.port);
+    sbc->watch([&watch](const GliderContext& context, double) { watch.polled(context); });
+    setup.sbc = std::move(sbc);
+    ASSERT_TRUE(simulator::simulate(std::move(setup)).has_value());
+    const auto& broken = watch.world().broken();
+    EXPECT_FALSE(broken) << mission.name << " seed " << i + 1 << " at " << broken->time_s << ": "
+                         << nameOf(broken->rule) << ": " << broken->what;
+    ticks += watch.ticks();
+    for (const Rule rule : kAllRules) {
+      Use& use = most.at(static_cast<size_t>(rule));
+      use.most = std::max(use.most, watch.world().use(rule).most);
+      use.looks += watch.world().use(rule).looks;
+    }
+  }
+  EXPECT_GT(ticks, count * 100);
+  for (const Rule rule : {Rule::Deepest, Rule::Climb, Rule::Reading, Rule::Rate}) {
+    EXPECT_GT(most.at(static_cast<size_t>(rule)).looks, count) << nameOf(rule);
+    std::printf("%s: %g\n", nameOf(rule), most.at(static_cast<size_t>(rule)).most);
+  }
 }
 
 }  // namespace

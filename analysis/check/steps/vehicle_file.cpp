@@ -57,6 +57,22 @@ void setDuration(Run& run) {
   }
 }
 
+/// What is proved holds for a vehicle that obeys as its own mission lets it.
+support::Result<void> widen(Run& run) {
+  const vehicles::OwnMission* own = run.file.own_mission.get();
+  if (own == nullptr) {
+    return {};
+  }
+  if (const std::string why = own->whyNotFlown(); !why.empty() && !run.options.scenario.empty()) {
+    return support::fail(support::diagnostics::skeletonErrors, run.options.own_mission, why);
+  }
+  auto& checked = run.file.compilation->checked;
+  checked =
+      compiler::onVehicle(*checked, [&](platforms::Platform& vehicle) { own->widen(vehicle); });
+  run.file.compilation->lowered = checked->lowered;
+  return {};
+}
+
 }  // namespace
 
 /// Reads the vehicle's mission file, which also flies in the scenario, for as long as the options
@@ -64,6 +80,9 @@ void setDuration(Run& run) {
 support::Result<void> vehicleFile(Run& run) {
   if (auto read = readFile(run); !read) {
     return read;
+  }
+  if (auto obeyed = widen(run); !obeyed) {
+    return obeyed;
   }
   const CheckOptions& options = run.options;
   if (!options.own_mission.empty() && !options.scenario.empty()) {

@@ -70,7 +70,9 @@ class Depths {
     const auto look = [&](const Statement& statement) {
       if (leadsDown(statement)) {
         const Interval& target = held_[statement.values.at(0).index];
-        const double depth = target.highest < kUnbounded ? target.highest : kWhateverDepth;
+        const bool climbs = statement.command == Command::Ascend;
+        const double below = climbs ? proof_context_.platform.world.climb_hold_m : 0;
+        const double depth = target.highest < kUnbounded ? target.highest + below : kWhateverDepth;
         deepest = std::max(deepest, target.empty ? deepest : depth);
       }
     };

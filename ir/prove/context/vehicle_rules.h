@@ -46,7 +46,8 @@ class VehicleRules {
   template <typename Vehicle, typename Number, typename Limits>
   void move(const Vehicle& before, const Number& from, const Number& to, Limits& limits) const {
     const Number way = number(platform_.envelope.vertical_rate_m_s) * (to - from);
-    const Number climbs = to - before.since - number(platform_.world.turn_s);
+    const Number climbs =
+        to - before.since - number(platform_.world.command_s + platform_.world.turn_s);
     const Number lifted = before.deepest - number(platform_.world.slowest_climb_m_s) * climbs;
     limits.atLeast(number(0));
     limits.atMost(before.deepest);
@@ -82,7 +83,7 @@ class VehicleRules {
   template <typename Vehicle, typename Number>
   [[nodiscard]] Vehicle downTo(const Vehicle& before, const Number& target) const {
     Vehicle after = before;
-    after.deepest = larger(target + overshoot_, smaller(before.deepest, before.depth + overshoot_));
+    after.deepest = larger(target + overshoot_, endOfDive(before));
     after.climbing = algebra_.truth(false);
     return after;
   }
@@ -92,10 +93,10 @@ class VehicleRules {
   [[nodiscard]] Vehicle upTo(const Vehicle& before, const Number& target, const Number& now) const {
     Vehicle after = before;
     const auto hovers = target >= number(kFloats);
-    after.top = algebra_.choose(hovers, target + overshoot_, target);
-    const auto goes_on = before.climbing && after.top >= before.top;
-    const Number turned = algebra_.choose(goes_on, before.deepest,
-                                          smaller(before.deepest, before.depth + overshoot_));
+    const double hold = platform_.world.climb_hold_m + platform_.envelope.inflection_overshoot_m;
+    after.top = algebra_.choose(hovers, target + number(hold), target);
+    const auto goes_on = before.climbing && after.top >= before.top && isObeyed(before, after, now);
+    const Number turned = algebra_.choose(goes_on, before.deepest, endOfDive(before));
     after.deepest = algebra_.choose(hovers, larger(after.top, turned), turned);
     after.since = algebra_.choose(goes_on, before.since, now);
     after.climbing = algebra_.truth(true);
@@ -104,6 +105,25 @@ class VehicleRules {
 
  private:
   [[nodiscard]] auto number(double value) const { return algebra_.number(value); }
+
+  /// Where the dive before may still get: it goes on until the next command is obeyed, and then
+  /// while the vehicle turns.
+  template <typename Vehicle>
+  [[nodiscard]] auto endOfDive(const Vehicle& before) const {
+    const auto& envelope = platform_.envelope;
+    const double still = envelope.vertical_rate_m_s * platform_.world.command_s;
+    return smaller(before.deepest, before.depth + number(still + envelope.inflection_overshoot_m));
+  }
+
+  /// Whether the climb of `before` is obeyed at `now`: if not, the command that leads to `after`
+  /// takes its place, unless it is the same climb.
+  template <typename Vehicle, typename Number>
+  [[nodiscard]] auto isObeyed(const Vehicle& before, const Vehicle& after,
+                              const Number& now) const {
+    const double late = platform_.world.command_s;
+    return late > 0 ? now >= before.since + number(late) || after.top == before.top
+                    : algebra_.truth(true);
+  }
 
   template <typename Number>
   [[nodiscard]] Number smaller(const Number& a, const Number& b) const {

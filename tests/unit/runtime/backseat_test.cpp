@@ -237,7 +237,8 @@ TEST(Backseat, KnowsThatANewMissionOfTheVehicleHasItsFirstDepthsAgain) {
     climb_s = std::isnan(climb_s) && bench.written(PortSensor::ClimbDepth) == 10 ? now : climb_s;
   }
   EXPECT_GE(dive_s, StandIn::kBeginSecs - kBegun);
-  EXPECT_GE(climb_s, dive_s + PortWriter::kSettleSecs) << "the dive to 3 m may still be in force";
+  EXPECT_GE(climb_s, dive_s + hooks::extctl::kSettleSecs)
+      << "the dive to 3 m may still be in force";
 }
 
 TEST(Backseat, AReportAfterAPauseIsNotOld) {

@@ -135,7 +135,7 @@ TEST(PortWriter, WhatIsLostInARestartOfThePortSettlesAnew) {
   EXPECT_EQ(of(answerOf(writer), PortSensor::ClimbDepth), 5);
   writer.forget();  // the port is away for a minute
   EXPECT_GE(firstWritten(writer, between(5, 15), 160, PortSensor::DiveDepth, 15),
-            160 + PortWriter::kSettleSecs)
+            160 + hooks::extctl::kSettleSecs)
       << "the climb at 30 m may still be in force";
 }
 
@@ -146,9 +146,9 @@ TEST(PortWriter, AnUnknownStartIsMadeTheShallowestClimbFirst) {
   EXPECT_EQ(of(first, PortSensor::ClimbDepth), hooks::extctl::kFirstClimbDepth);
   EXPECT_FALSE(of(first, PortSensor::DiveDepth) == 40);
   const double dive = firstWritten(writer, between(30, 40), 4, PortSensor::DiveDepth, 40);
-  EXPECT_GE(dive, PortWriter::kSettleSecs);
+  EXPECT_GE(dive, hooks::extctl::kSettleSecs);
   EXPECT_GE(firstWritten(writer, between(30, 40), dive, PortSensor::ClimbDepth, 30),
-            dive + PortWriter::kSettleSecs);
+            dive + hooks::extctl::kSettleSecs);
 }
 
 TEST(PortWriter, AClockThatIsSetBackBlocksNothing) {
@@ -159,7 +159,7 @@ TEST(PortWriter, AClockThatIsSetBackBlocksNothing) {
   }
   writer.tell(between(28, 38), 5100);
   EXPECT_LE(firstWritten(writer, between(5, 15), 1000, PortSensor::DiveDepth, 15),
-            1000 + PortWriter::kSettleSecs + 4);
+            1000 + hooks::extctl::kSettleSecs + 4);
 }
 
 TEST(PortWriter, UpAtOnceAndDownOnlyWhenTheDepthsHaveArrived) {
@@ -179,8 +179,8 @@ TEST(PortWriter, UpAtOnceAndDownOnlyWhenTheDepthsHaveArrived) {
       left_s = now;
     }
   }
-  EXPECT_GE(left_s, 4 + PortWriter::kSettleSecs);
-  EXPECT_LE(left_s, 4 + 3 * PortWriter::kSettleSecs);
+  EXPECT_GE(left_s, 4 + hooks::extctl::kSettleSecs);
+  EXPECT_LE(left_s, 4 + 3 * hooks::extctl::kSettleSecs);
   writer.tell(up, 80);
   EXPECT_EQ(of(answerOf(writer), PortSensor::WantsSurface), kSurfaceNow) << "not later";
 }
@@ -246,6 +246,55 @@ TEST(PortWriter, NoMixtureOfOldAndNewContradictsItself) {
     wrong += contradictions(seed, 8);
   }
   EXPECT_EQ(wrong, 0);
+}
+
+/// What proofs assume of the port (widenForPort): a command that stays for this long is written.
+TEST(PortWriter, ACommandIsHeldBackNoLongerThanItsDepthsNeedToSettle) {
+  double longest_s = 0;
+  for (uint64_t seed = 0; seed < 300; ++seed) {
+    std::mt19937_64 random(seed);
+    const auto uniform = [&](double low, double high) {
+      return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    PortWriter writer(kCommon, true);
+    StockCommand command = between(5, 40);
+    std::map<int, double> last;
+    double now = 0;
+    for (int number = 0; number < 40; ++number) {
+      const auto vertical = uniform(0, 1) < 0.2   ? hooks::HookVertical::Surface
+                            : uniform(0, 1) < 0.5 ? hooks::HookVertical::Descend
+                                                  : hooks::HookVertical::Ascend;
+      follow({.vertical = vertical, .depth_m = uniform(2, 60)}, kCommon, {}, command);
+      const double from = now, until = now + uniform(0, 90);
+      for (bool there = false; now <= until; now += uniform(3, 5)) {
+        writer.tell(command, now);
+        for (const auto& [index, value] : answerOf(writer)) {
+          last[index] = value;
+        }
+        const bool surfaces = of(last, PortSensor::WantsSurface) == kSurfaceNow;
+        const auto near = [](double a, double b) { return std::fabs(a - b) < 1e-5; };
+        there =
+            there ||
+            (surfaces == command.surface &&
+             (command.surface || (near(of(last, PortSensor::DiveDepth), command.dive_depth_m) &&
+                                  near(of(last, PortSensor::ClimbDepth), command.climb_depth_m))));
+        longest_s = there ? longest_s : std::max(longest_s, now - from);
+      }
+    }
+  }
+  EXPECT_LE(longest_s, hooks::extctl::kSettleSecs + 20) << "and one cycle of the longest";
+  EXPECT_GT(longest_s, hooks::extctl::kSettleSecs / 2);
+}
+
+TEST(StockCommand, AClimbToLessThanAMetreIsToTheSurface) {
+  StockCommand command;
+  follow({.vertical = hooks::HookVertical::Ascend, .depth_m = 0.9, .pitch_rad = 0.5}, kModes, {},
+         command);
+  EXPECT_TRUE(command.surface) << "hookbeh does not hover there either";
+  EXPECT_EQ(command.modes, static_cast<uint32_t>(kGliderPortModeSurface));
+  follow({.vertical = hooks::HookVertical::Ascend, .depth_m = 1, .pitch_rad = 0.5}, kModes, {},
+         command);
+  EXPECT_FALSE(command.surface);
 }
 
 TEST(StockCommand, ATargetIsOneEndOfAYo) {

@@ -70,13 +70,10 @@ Port portFor(const platforms::Platform& platform, const platforms::Dictionary& d
 
 GliderPortMission programFor(std::string_view content, const platforms::Platform& platform,
                              const PortChoice& choice) {
-  // Twice what the vehicle overshoots: less, and it would turn at the first end of the yo that
-  // holds a depth before it has turned at the other.
-  const double hold = 2 * platform.envelope.inflection_overshoot_m;
   return {.greatest_depth_m = choice.greatest_depth_m,
           .steepest_pitch_rad = platform.envelope.steepest_pitch_rad,
           .shallowest_pitch_rad = platform.envelope.shallowest_pitch_rad,
-          .hold_m = hold,
+          .hold_m = holdOf(platform),
           .program = numberOf(content),
           .latitude = sensorNumber(platform, "m_lat"),
           .longitude = sensorNumber(platform, "m_lon"),
@@ -84,6 +81,12 @@ GliderPortMission programFor(std::string_view content, const platforms::Platform
 }
 
 }  // namespace
+
+/// Twice what the vehicle overshoots: less, and it would turn at the first end of the yo that holds
+/// a depth before it has turned at the other.
+double holdOf(const platforms::Platform& platform) {
+  return 2 * platform.envelope.inflection_overshoot_m;
+}
 
 support::Result<PortPlan> planPort(const std::string& name, std::string_view content,
                                    const platforms::Platform& platform,
@@ -94,18 +97,14 @@ support::Result<PortPlan> planPort(const std::string& name, std::string_view con
   if (!port.fits() || port.count() > choice.most_sensors) {
     return support::fail(support::diagnostics::portTooSmall, needed, choice.most_sensors);
   }
-  PortPlan plan{
-      .mission = name,
-      .file = shortName(name),
-      .choice = choice,
-      .port = programFor(content, platform, choice),
-      .extctl = listSensors(port, platform),
-      .overshoot_m = platform.envelope.inflection_overshoot_m,
-      .overdepth_m = choice.greatest_depth_m + 2 * platform.envelope.inflection_overshoot_m,
-      .climb_s = 0};
-  // Also from a depth that a damaged sentence has set, which abend has not stopped yet.
-  plan.climb_s = platform.world.turn_s +
-                 (plan.overdepth_m + plan.overshoot_m) / platform.world.slowest_climb_m_s;
+  PortPlan plan{.mission = name,
+                .file = shortName(name),
+                .choice = choice,
+                .port = programFor(content, platform, choice),
+                .extctl = listSensors(port, platform),
+                .overshoot_m = platform.envelope.inflection_overshoot_m,
+                .overdepth_m = choice.greatest_depth_m +
+                               kAbortsBelow * platform.envelope.inflection_overshoot_m};
   plan.extctl.baud = choice.baud;
   return plan;
 }

@@ -36,6 +36,12 @@ struct PortChoice {
 /// The vehicle waits this long for its operator after it has come up by itself, s.
 inline constexpr double kOperatorWait = 600;
 
+/// overdepth of abend is this many overshoots of the vehicle below the greatest depth.
+inline constexpr double kAbortsBelow = 2;
+
+/// Between the ends of the yo that holds a depth, m.
+double holdOf(const platforms::Platform& platform);
+
 /// Everything that the files say.
 struct PortPlan {
   std::string mission;  ///< its name
@@ -45,7 +51,6 @@ struct PortPlan {
   ExtctlFile extctl;
   double overshoot_m = 0;  ///< past a target depth, at most
   double overdepth_m = 0;  ///< the vehicle aborts its mission below: the last bound
-  double climb_s = 0;      ///< from the greatest depth to the surface, at most
 };
 
 /// Plans the files for a mission called `name` of a vehicle `platform`, which reads its sensors

@@ -44,8 +44,9 @@ constexpr auto kHarmless = std::to_array<std::string_view>({
     // What is written to the logs.
     "u_dbd_sensor_list_xmit_control",
     "u_sci_dbd_sensor_list_xmit_control",
-    // Only code 15 of start_when reads it, on which nothing relies.
+    // Only the codes 15 and 11 of start_when read them, on which nothing relies.
     "u_mission_mode",
+    "sci_wants_surface",
 });
 
 /// u_mission_param_a to z: what depends on a b_arg that reads one is refused.

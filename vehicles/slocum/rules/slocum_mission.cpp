@@ -7,6 +7,8 @@
 #include "vehicles/slocum/mission_files/load.h"
 #include "vehicles/slocum/rules/control.h"
 #include "vehicles/slocum/rules/hookbeh_needs.h"
+#include "vehicles/slocum/rules/port/port_file.h"
+#include "vehicles/slocum/rules/port/port_mission.h"
 #include "vehicles/slocum/rules/refused_commands.h"
 #include "vehicles/slocum/rules/vehicle_file.h"
 #include "vehicles/slocum/rules/vehicle_guards.h"
@@ -63,12 +65,7 @@ class FileOfSlocum final : public vehicles::OwnMission {
   std::vector<std::string> checkEndings(const WidestWorld& world,
                                         DiagnosticEngine& diagnostics) const override {
     const Whole whole = wholeOf(world, behaviours_);
-    for (const Ending& ending : whole.alike()) {
-      if (!ending.proved()) {
-        diagnostics.report(support::diagnostics::mayStayBelow, ending.range, ending.after,
-                           ending.why_not, ending.change);
-      }
-    }
+    reportEndings(whole, diagnostics);
     return wholeLines(whole);
   }
 
@@ -142,6 +139,9 @@ support::Result<std::unique_ptr<vehicles::OwnMission>> readSlocumMission(
       show(diagnostics, sources);
     }
     return std::unexpected(behaviours.error());
+  }
+  if (isPortFile(*behaviours)) {
+    return portMission(std::move(*behaviours), path);
   }
   auto file = vehicleFileOf(*behaviours, path);
   if (!file) {

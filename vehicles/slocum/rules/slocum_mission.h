@@ -13,7 +13,8 @@
 
 namespace glider::slocum::rules {
 
-/// A mission file of the vehicle, with its argument files, in `sources`. It must have a hookbeh.
+/// A mission file of the vehicle, with its argument files, in `sources`. It must have a hookbeh, or
+/// a `yo` of the port.
 support::Result<std::unique_ptr<vehicles::OwnMission>> readSlocumMission(
     const std::string& path, support::SourceManager& sources, const support::ShowDiagnostics& show);
 

@@ -28,6 +28,8 @@ std::optional<double> limitOf(const BehaviourBlock& abend, const char* argument)
   return value >= 0 && !slocum::missionParameter(value) ? std::optional(value) : std::nullopt;
 }
 
+}  // namespace
+
 AbortLimits abortsOf(const slocum::MissionFile& file) {
   const BehaviourBlock* abend = find(file, "abend");
   return abend == nullptr
@@ -35,8 +37,6 @@ AbortLimits abortsOf(const slocum::MissionFile& file) {
              : AbortLimits{limitOf(*abend, "overdepth"), limitOf(*abend, "overtime"),
                            limitOf(*abend, "undervolts"), limitOf(*abend, "samedepth_for")};
 }
-
-}  // namespace
 
 support::Result<VehicleFile> vehicleFileOf(const MissionFile& file, const std::string& path) {
   const BehaviourBlock* hookbeh = find(file, "hookbeh");
@@ -62,6 +62,8 @@ support::Result<VehicleFile> vehicleFileOf(const MissionFile& file, const std::s
                       fmt::format("max_pitch {:.4g}, min_pitch {:.4g}, max_fin {:.4g} and "
                                   "max_depth {:.4g} in {}",
                                   steepest, shallowest, farthest, deepest, name)},
+                     "hookbeh",
+                     "the argument of hookbeh in " + name,
                      abortsOf(file),
                      {deepest, hookbeh->value("min_altitude"), hookbeh->value("start_secs")}};
 }

@@ -35,9 +35,14 @@ struct VehicleFile {
   std::string name;  ///< of the file, without its folder
   Silence silence;
   CommandLimits commands;
+  std::string refuser;    ///< what refuses other commands: "hookbeh"
+  std::string limits_at;  ///< where they are: "the argument of hookbeh in skeleton.mi"
   AbortLimits aborts;
   GuardLimits guards;
 };
+
+/// Where the `abend` of a mission file aborts.
+AbortLimits abortsOf(const MissionFile& file);
 
 /// Of the .mi file that was read from `path`. GL5120 if there is no hookbeh or its silence is not a
 /// valid time.

@@ -79,7 +79,7 @@ void checkVehicleLimits(const ir::WrittenWorld& world, const VehicleFile& file,
   for (const Refusal& one : refusalsOf(mission, file.commands)) {
     diagnostics.report(support::diagnostics::vehicleRefuses,
                        one.range.valid() ? one.range : beginningOf(mission), one.who, one.command,
-                       one.limit, file.name);
+                       file.refuser, one.limit, file.limits_at);
   }
   if (file.aborts.overdepth_m) {
     checkDepth(mission, *file.aborts.overdepth_m, file.name, diagnostics);

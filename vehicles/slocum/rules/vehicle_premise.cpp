@@ -54,10 +54,13 @@ std::string premiseWith(const ir::WidestWorld& world, const VehicleFile& file,
     const double altitude = std::max(file.guards.least_altitude_m, kLeastAltitude_m);
     text += fmt::format(", in water of {:.0f} m or more", std::ceil(deepest + altitude));
   }
-  if (const auto doubts = doubtsIn(diagnostics); !doubts.empty()) {
-    text += fmt::format(", and only while hookbeh's commands fly: see {}", fmt::join(doubts, ", "));
-  }
-  return text;
+  return text + onlyWhile("hookbeh's commands fly", diagnostics);
+}
+
+std::string onlyWhile(const char* what, const support::DiagnosticEngine& diagnostics) {
+  const auto doubts = doubtsIn(diagnostics);
+  return doubts.empty() ? ""
+                        : fmt::format(", and only while {}: see {}", what, fmt::join(doubts, ", "));
 }
 
 }  // namespace glider::slocum::rules

@@ -16,4 +16,7 @@ namespace glider::slocum::rules {
 std::string premiseWith(const ir::WidestWorld& world, const VehicleFile& file,
                         const support::DiagnosticEngine& diagnostics);
 
+/// ", and only while `what`: see GL3125"; empty if nothing that was reported casts a doubt on it.
+std::string onlyWhile(const char* what, const support::DiagnosticEngine& diagnostics);
+
 }  // namespace glider::slocum::rules

@@ -23,6 +23,11 @@ double sum(const std::vector<Part>& parts) {
                          [](double total, const Part& part) { return total + part.seconds; });
 }
 
+/// "start_when 12": its when_secs is the time itself.
+std::string waitOf(const Layer& surface) {
+  return surface.start_text.substr(0, surface.start_text.find(','));
+}
+
 class WayUpSearch {
  public:
   WayUpSearch(std::span<const Layer> layers, const slocum::MissionFile& vehicle,
@@ -87,7 +92,7 @@ class WayUpSearch {
     if (surface.start == Start::Idle && allEnd()) {
       addFlights(way);
     } else if (surface.start == Start::InTime) {
-      way.parts.push_back({surface.start_text, surface.starts_within_s});
+      way.parts.push_back({waitOf(surface), surface.starts_within_s});
       way.parts.push_back({"1 cycle", platform_.world.tick_gap_s});
       addWaits(way);
     } else {

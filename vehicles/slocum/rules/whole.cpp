@@ -7,13 +7,12 @@
 #include "hooks/hookbeh/hull.h"
 #include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/context/proof_context.h"
-#include "vehicles/slocum/mission_files/behaviour_catalogue.h"
+#include "vehicles/slocum/rules/aborts.h"
 #include "vehicles/slocum/rules/layers.h"
 #include "vehicles/slocum/rules/settings.h"
 #include "vehicles/slocum/rules/way_up.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +58,7 @@ class Endings {
     findDeepest(*hookbeh);
     leftByTheSbc(*hookbeh);
     maskedFromAbove();
-    aborts();
+    addAborts(vehicle_, layers_, platform_, all_.deepest_m, all_.endings);
     return std::move(all_);
   }
 
@@ -136,57 +135,6 @@ class Endings {
             "move it below hookbeh");
       }
     }
-  }
-
-  /// After an abort no behaviour is called: the vehicle itself climbs.
-  void aborts() {
-    const BehaviourBlock* abend = blockOf(vehicle_, "abend");
-    if (abend == nullptr) {
-      return;
-    }
-    std::vector<std::string> others;
-    for (const slocum::KnownArgument& limit : slocum::findBehaviour("abend")->arguments) {
-      const double value = abend->value(limit.name);
-      const bool off = value < 0 || (value == 0 && limit.unit == "bool");
-      std::string text = fmt::format("{} {:.7g}", limit.name, value);
-      if (slocum::missionParameter(value)) {
-        parameterIn(*abend, limit.name, text);
-        continue;
-      }
-      if (off || limit.name.ends_with("sample_time")) {
-        continue;
-      }
-      if (limit.name == "overdepth") {
-        aborted(text, std::max(all_.deepest_m, overdepth(*abend)));
-      } else {
-        others.push_back(std::move(text));
-      }
-    }
-    aborted(fmt::format("{}", fmt::join(others, ", ")), all_.deepest_m);
-  }
-  /// overtime counts for the layers, so it is theirs to tell.
-  void parameterIn(const BehaviourBlock& abend, std::string_view limit, const std::string& text) {
-    if (limit != "overtime") {
-      const auto at = static_cast<size_t>(&abend - vehicle_.behaviours.data());
-      const Doubt doubt = changesInFlight(abend, layers_[at].label(), limit);
-      unproved(fmt::format("an abort ({})", text), &layers_[at], doubt.why, doubt.change);
-    }
-  }
-  void aborted(const std::string& limits, double from_m) {
-    all_.endings.push_back({fmt::format("an abort ({})", limits),
-                            climbParts(platform_, from_m),
-                            "the vehicle itself",
-                            "",
-                            "",
-                            {}});
-  }
-
-  /// How deep the vehicle may be when the depth is found to be greater than overdepth.
-  [[nodiscard]] double overdepth(const BehaviourBlock& abend) const {
-    const auto& hull = platform_.envelope;
-    return std::min(abend.value("overdepth"), hull.greatest_depth_m) + hull.inflection_overshoot_m +
-           hull.vertical_rate_m_s *
-               std::max(abend.value("overdepth_sample_time"), platform_.world.tick_gap_s);
   }
 
   const slocum::MissionFile& vehicle_;

@@ -5,6 +5,7 @@
 
 #include "ir/worlds/worlds.h"
 #include "platforms/load/platform.h"
+#include "support/diagnostics/engine.h"
 #include "vehicles/slocum/mission_files/mission_file.h"
 
 #include <string>
@@ -48,6 +49,9 @@ Whole wholeOf(const slocum::MissionFile& vehicle, const platforms::Platform& pla
               double deepest_m);
 /// The same for a mission, with the depth that its commands lead to.
 Whole wholeOf(const ir::WidestWorld& world, const slocum::MissionFile& vehicle);
+
+/// Reports the endings that are not proved (GL3127).
+void reportEndings(const Whole& whole, support::DiagnosticEngine& diagnostics);
 
 /// Lines for the report. Those for endings that are not proved are left out: they are errors.
 std::vector<std::string> wholeLines(const Whole& whole);

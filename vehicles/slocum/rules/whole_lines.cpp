@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/prove/context/duration_text.h"
+#include "support/diagnostics/ids/verification.h"
 #include "vehicles/slocum/rules/whole.h"
 
 #include <fmt/format.h>
@@ -19,6 +20,15 @@ std::string sumOf(const Ending& ending) {
 }
 
 }  // namespace
+
+void reportEndings(const Whole& whole, support::DiagnosticEngine& diagnostics) {
+  for (const Ending& ending : whole.alike()) {
+    if (!ending.proved()) {
+      diagnostics.report(support::diagnostics::mayStayBelow, ending.range, ending.after,
+                         ending.why_not, ending.change);
+    }
+  }
+}
 
 std::vector<std::string> wholeLines(const Whole& whole) {
   std::vector<std::string> lines;

@@ -12,7 +12,9 @@
 
 #include <algorithm>
 #include <deque>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <string>
@@ -151,6 +153,15 @@ inline vehicles::DockCheck checkNamed(const vehicles::DockResult& result, std::s
   const auto found = std::ranges::find(result.checks, id, &vehicles::DockCheck::id);
   EXPECT_NE(found, result.checks.end()) << id;
   return found == result.checks.end() ? vehicles::DockCheck{} : *found;
+}
+
+/// Each check is explained in the page for people.
+inline void expectOnPage(const vehicles::DockResult& result) {
+  std::ifstream file(GLIDER_SOURCE_DIR "/docs/at-the-dock.md");
+  const std::string page((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  for (const vehicles::DockCheck& check : result.checks) {
+    EXPECT_NE(page.find("\n| " + check.what + " |"), std::string::npos) << check.what;
+  }
 }
 
 /// The ids of what has this verdict.

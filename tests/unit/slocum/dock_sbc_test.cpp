@@ -129,6 +129,7 @@ TEST(DockSbc, AllIsGoodForTheProgramOfTheFolder) {
   EXPECT_THAT(withVerdict(result, DockVerdict::NotGood), IsEmpty());
   EXPECT_THAT(withVerdict(result, DockVerdict::NotChecked), IsEmpty());
   EXPECT_EQ(result.checks.size(), 12U);
+  expectOnPage(result);
   EXPECT_TRUE(result.has_begun);
   EXPECT_THAT(checkNamed(result, "program").measured,
               HasSubstr(fmt::format("u_mission_param_l {}", bench.plan.port.program)));

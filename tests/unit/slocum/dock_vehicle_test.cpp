@@ -269,6 +269,7 @@ TEST(DockVehicle, WritesOnlyAfterTheUserHasAgreed) {
       continue;
     }
     EXPECT_EQ(vehicle.received.find("$MD"), std::string::npos);
+    expectOnPage(result);
     EXPECT_EQ(checkNamed(result, "steering").verdict, DockVerdict::Good)
         << checkNamed(result, "steering").measured;
     EXPECT_THAT(checkNamed(result, "steering").measured, HasSubstr("followed 3 times, "));

@@ -130,6 +130,8 @@ TEST(DockSbc, AllIsGoodForTheProgramOfTheFolder) {
   EXPECT_THAT(withVerdict(result, DockVerdict::NotChecked), IsEmpty());
   EXPECT_EQ(result.checks.size(), 12U);
   expectOnPage(result);
+  EXPECT_NE(bench.written.find("$BY*1b\r\n$HI*01\r\n$SD,"), std::string::npos)
+      << "the port is closed and opened once";
   EXPECT_TRUE(result.has_begun);
   EXPECT_THAT(checkNamed(result, "program").measured,
               HasSubstr(fmt::format("u_mission_param_l {}", bench.plan.port.program)));

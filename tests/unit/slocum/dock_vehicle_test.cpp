@@ -3,6 +3,7 @@
 
 // The check at the dock plays the SBC: the proglet of a vehicle is at the other end.
 
+#include "hooks/extctl/port.h"
 #include "hooks/transport/memory.h"
 #include "simulator/slocum/science/extctl_proglet.h"
 #include "tests/unit/slocum/dock_bench.h"
@@ -128,6 +129,24 @@ class Vehicle final : public OtherEnd {
   bool ended_ = false;
   std::unique_ptr<simulator::ExtctlProglet> proglet_;
 };
+
+TEST(DockVehicleItself, ItsMarksCrossBetweenItsComputersLate) {
+  DockBench bench;
+  Vehicle vehicle(bench, bench.plan.extctl);
+  const std::string mark =
+      fmt::format("{}:{}.000000", static_cast<uint32_t>(hooks::extctl::PortSensor::Program), 77);
+  double reported_s = NAN;
+  for (double now_s = 0; now_s < 60; now_s += 0.5) {
+    if (now_s == 30) {
+      vehicle.values["u_mission_param_l"] = 77;
+    }
+    const std::string said = vehicle.run(now_s, "");
+    reported_s =
+        std::isnan(reported_s) && said.find(mark) != std::string::npos ? now_s : reported_s;
+  }
+  EXPECT_GE(reported_s, 30 + simulator::ExtctlProglet::kLeastDelay);
+  EXPECT_LE(reported_s, 31 + simulator::ExtctlProglet::kMostDelay);
+}
 
 /// With the sensor that follows a written heading.
 struct WithHeading : DockBench {

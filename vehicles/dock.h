@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,8 +54,14 @@ struct DockResult {
 /// What a check has of this computer.
 struct DockHost {
   GliderByteStream line;
-  std::string device;           ///< its name
-  uint32_t baud = 0;            ///< at which the line was opened
+  std::string device;  ///< its name
+  uint32_t baud = 0;   ///< at which the line was opened
+  /// Bytes that the device has counted as lost or damaged since it was plugged in; empty: it does
+  /// not count.
+  struct DeviceErrors {
+    uint32_t overruns = 0, framing = 0;
+  };
+  std::function<std::optional<DeviceErrors>()> errors;
   std::function<double()> now;  ///< of a clock that is never set back, s
   std::function<void(double)> sleep;
   std::function<bool()> stop;  ///< true: end now, and report what is known

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <poll.h>
 #include <string>
 #include <thread>
@@ -81,6 +82,12 @@ vehicles::DockHost hostFor(const DockOptions& options, uint32_t baud, const hook
   host.device = options.device;
   host.baud = baud;
   host.now = [] { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); };
+  host.errors = [&port]() -> std::optional<vehicles::DockHost::DeviceErrors> {
+    const auto errors = port.errors();
+    return errors
+               ? std::optional(vehicles::DockHost::DeviceErrors{errors->overruns, errors->framing})
+               : std::nullopt;
+  };
   host.sleep = [](double seconds) {
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
   };
@@ -133,8 +140,8 @@ int tellResult(const vehicles::DockResult& result, const DockHeading& heading,
 int dock(const DockOptions& options, Json* document) {
   if (!isPortFolder(options.folder)) {
     return reportFailure(support::fail(support::diagnostics::notPortFolder, options.folder,
-                                       "it has no `port.toml`. A program for the hooks is tried "
-                                       "with `glidercc sim MISSION --serial DEVICE`")
+                                       "it has no `port.toml`; for a program with the hooks use "
+                                       "`glidercc sim MISSION --serial DEVICE`")
                              .error());
   }
   const auto folder = openPortFolder(options.folder);

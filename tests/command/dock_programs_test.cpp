@@ -102,6 +102,7 @@ vehicles::DockResult check(
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
   };
   host.stop = [] { return false; };
+  host.errors = [] { return std::nullopt; };
   host.progress = [](const std::string&) {};
   slocum::DockTimes times;
   times.listen_s = 1;

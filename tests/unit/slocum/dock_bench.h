@@ -17,6 +17,7 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -83,6 +84,7 @@ class DockBench {
     host.stop = [this] { return now_s >= stop_s; };
     host.progress = [this](const std::string& text) { progress.push_back(text); };
     host.confirm = confirm;
+    host.errors = errors;
     return checkAtDock(setup, host);
   }
 
@@ -96,6 +98,9 @@ class DockBench {
   double now_s = 0;
   double stop_s = 1e9, unplug_s = 1e9;
   std::function<bool(const std::string&)> confirm;
+  std::function<std::optional<vehicles::DockHost::DeviceErrors>()> errors = [] {
+    return std::nullopt;
+  };
   /// What the line does to each byte towards this computer.
   std::function<uint8_t(uint8_t)> damage = [](uint8_t byte) { return byte; };
   std::vector<std::string> progress;

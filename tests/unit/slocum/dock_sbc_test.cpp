@@ -323,6 +323,26 @@ TEST(DockSbc, ALineThatIsTooSlowIsNotGood) {
   EXPECT_THAT(checkNamed(result, "load").measured, HasSubstr("of what 300 baud carry"));
 }
 
+TEST(DockSbc, WhatTheDeviceCountsMeanwhileIsReported) {
+  for (const uint32_t overruns : {0U, 2U}) {
+    for (const uint32_t framing : {0U, 3U}) {
+      DockBench bench;
+      Sbc sbc(bench.plan.port);
+      bench.errors = [&] {
+        const bool late = bench.now_s > 60;
+        return vehicles::DockHost::DeviceErrors{7 + (late ? overruns : 0),
+                                                1 + (late ? framing : 0)};
+      };
+      const auto result = bench.check(sbc);
+      const auto device = checkNamed(result, "device-errors");
+      EXPECT_EQ(device.verdict, overruns + framing == 0 ? DockVerdict::Good : DockVerdict::NotGood);
+      EXPECT_EQ(device.measured, fmt::format("{} overruns, {} framing errors", overruns, framing));
+      EXPECT_EQ(device.todo.find("baud") != std::string::npos, framing > 0);
+      expectOnPage(result);
+    }
+  }
+}
+
 TEST(DockSbc, NobodyIsFoundOutInTime) {
   DockBench bench;
   Says nothing([](double, const std::string&) { return ""; });

@@ -36,6 +36,7 @@ DockPart findPart(DockRun& run, std::vector<std::string>& heard) {
 vehicles::DockResult checkAtDock(const DockSetup& setup, const vehicles::DockHost& host) {
   vehicles::DockResult result;
   DockRun run(setup, host);
+  const auto errors = host.errors();
   result.checks = {listFinding(setup), baudFinding(setup, host.baud)};
   const bool told = setup.part != DockPart::Auto;
   std::vector<std::string> heard;
@@ -46,6 +47,10 @@ vehicles::DockResult checkAtDock(const DockSetup& setup, const vehicles::DockHos
     playVehicle(run, told, result);
   }
   result.end = run.end();
+  const auto errors_now = host.errors();
+  if (errors && errors_now) {
+    result.checks.push_back(deviceFinding(*errors, *errors_now));
+  }
   if (result.end == DockEnd::LineGone) {
     result.checks.push_back(goneFinding(run.now()));
   }

@@ -40,6 +40,9 @@ vehicles::DockCheck lineFinding(const DockLine& line);
 /// counted.
 vehicles::DockCheck loadFinding(uint32_t baud, double most_bytes, double cycle_s,
                                 const std::string& text);
+/// What the device has counted from `before` to `after`.
+vehicles::DockCheck deviceFinding(const vehicles::DockHost::DeviceErrors& before,
+                                  const vehicles::DockHost::DeviceErrors& after);
 /// The device went away.
 vehicles::DockCheck goneFinding(double now_s);
 /// Nothing that can be understood came in `seconds`, although this computer played `part`.

@@ -160,6 +160,21 @@ DockCheck loadFinding(uint32_t baud, double most_bytes, double cycle_s, const st
                        "the program");
 }
 
+DockCheck deviceFinding(const vehicles::DockHost::DeviceErrors& before,
+                        const vehicles::DockHost::DeviceErrors& after) {
+  const std::string what = "errors that the device counts";
+  const uint32_t overruns = after.overruns - before.overruns;
+  const uint32_t framing = after.framing - before.framing;
+  const std::string text =
+      fmt::format("{}, {}", counted(overruns, "overrun"), counted(framing, "framing error"));
+  return overruns + framing == 0
+             ? good("device-errors", what, text)
+             : notGood("device-errors", what, text,
+                       overruns > framing
+                           ? "this computer is too busy or its adapter too slow: use another port"
+                           : "check that both ends have the same baud rate and levels");
+}
+
 DockCheck goneFinding(double now_s) {
   return notGood("device", "the device",
                  fmt::format("it was closed or unplugged after {:.1f} s", now_s),

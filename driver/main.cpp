@@ -64,6 +64,7 @@ int run(int argc, char** argv) {
   addBriefCommand(app, status);
   addSimCommand(app, status);
   addCampaignCommand(app, status);
+  addDockCommand(app, status);
   addLogCommand(app, status);
   addMiCommand(app, status);
   addFmtCommand(app, status);

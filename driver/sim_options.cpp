@@ -46,14 +46,6 @@ support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
   if (options.without_sbc || (isVehiclesOwn(options) && !other_sbc)) {
     return simulator::StartSbc();
   }
-  if (!options.serial.empty()) {
-    return flights::sbcOnSerialLine(options.serial, options.lockstep);
-  }
-  if (!options.program.empty()) {
-    return mission != nullptr
-               ? flights::sbcProgramOf(*mission, options.user_code, options.program, watch)
-               : flights::sbcProgram(options.program);
-  }
   std::optional<flights::PortEnd> port;
   if (!options.port_folder.empty()) {
     auto end = portEndOf(options.port_folder, *mission);
@@ -61,6 +53,14 @@ support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
       return std::unexpected(end.error());
     }
     port = *end;
+  }
+  if (!options.serial.empty()) {
+    return flights::sbcOnSerialLine(options.serial, options.lockstep, port);
+  }
+  if (!options.program.empty()) {
+    return mission != nullptr
+               ? flights::sbcProgramOf(*mission, options.user_code, options.program, watch, port)
+               : flights::sbcProgram(options.program);
   }
   if (isInProcess(options)) {
     return flights::sbcInProcess(*mission, options.launch, options.user_code, keeps_time, watch,

@@ -143,29 +143,32 @@ Result<StartSbc> sbcOnBoard(const compiler::Optimised& mission, const LaunchChoi
                 : std::unexpected(shadow.error());
 }
 
-StartSbc sbcOnSerialLine(const std::string& device, bool lockstep) {
+StartSbc sbcOnSerialLine(const std::string& device, bool lockstep,
+                         const std::optional<PortEnd>& port) {
   const auto pace = lockstep ? SerialSbcPort::Pace::Lockstep : SerialSbcPort::Pace::RealTime;
-  return [device, pace]() -> Result<std::unique_ptr<SbcPort>> {
-    return SerialSbcPort::open(device, pace);
+  return [device, pace, port]() -> Result<std::unique_ptr<SbcPort>> {
+    return port ? SerialSbcPort::open(device, pace, port->baud, simulator::portTurns(port->clock))
+                : SerialSbcPort::open(device, pace);
   };
 }
 
-StartSbc sbcProgram(const std::string& program) {
+StartSbc sbcProgram(const std::string& program, const std::optional<PortEnd>& port) {
   // A file in the current folder takes precedence over one of that name in PATH.
   std::error_code ignored;
   const bool here = std::filesystem::is_regular_file(program, ignored);
-  return starterOf("program", {here ? std::filesystem::absolute(program).string() : program,
-                               "--port", "{port}"});
+  return starterOf(
+      "program", {here ? std::filesystem::absolute(program).string() : program, "--port", "{port}"},
+      {}, ProcessSbcPort::kHangSecs, port);
 }
 
 Result<StartSbc> sbcProgramOf(const compiler::Optimised& mission,
                               const std::vector<std::string>& user_code, const std::string& program,
-                              RequirementWatch* watch) {
+                              RequirementWatch* watch, const std::optional<PortEnd>& port) {
   if (watch == nullptr) {
-    return sbcProgram(program);
+    return sbcProgram(program, port);
   }
-  auto shadow = sbcInProcess(mission, {}, user_code, false, watch);
-  return shadow ? Result<StartSbc>(shadowed(sbcProgram(program), std::move(*shadow), *watch))
+  auto shadow = sbcInProcess(mission, {}, user_code, false, watch, port);
+  return shadow ? Result<StartSbc>(shadowed(sbcProgram(program, port), std::move(*shadow), *watch))
                 : std::unexpected(shadow.error());
 }
 

@@ -23,6 +23,7 @@ namespace glider::flights {
 struct PortEnd {
   GliderPortMission mission;
   uint32_t clock;  ///< the index on the port of the vehicle's clock
+  uint32_t baud;   ///< of the line, as the vehicle's list of sensors says
 };
 
 /// Returns, for each flight, what starts its SBC with a card of its own.
@@ -60,7 +61,8 @@ simulator::StartSbc startInProcess(std::shared_ptr<const codegen::LoadedMission>
 support::Result<simulator::StartSbc> sbcProgramOf(const compiler::Optimised& mission,
                                                   const std::vector<std::string>& user_code,
                                                   const std::string& program,
-                                                  RequirementWatch* watch);
+                                                  RequirementWatch* watch,
+                                                  const std::optional<PortEnd>& port = {});
 
 /// Builds the mission's binary for `board` at `binary`; returns the command that runs it here,
 /// without its arguments.
@@ -90,10 +92,11 @@ support::Result<simulator::StartSbc> sbcOnBoard(const compiler::Optimised& missi
                                                 const std::optional<PortEnd>& port = {});
 
 /// A program that the user has built, with `--port PTY` as its only arguments.
-simulator::StartSbc sbcProgram(const std::string& program);
+simulator::StartSbc sbcProgram(const std::string& program, const std::optional<PortEnd>& port = {});
 
 /// A real SBC at the other end of the serial line at `device`, in real time or, with `lockstep`, as
-/// fast as it answers.
-simulator::StartSbc sbcOnSerialLine(const std::string& device, bool lockstep);
+/// fast as it answers. `port`: as for InProcessSbc; empty: the line is hookprog's.
+simulator::StartSbc sbcOnSerialLine(const std::string& device, bool lockstep,
+                                    const std::optional<PortEnd>& port = {});
 
 }  // namespace glider::flights

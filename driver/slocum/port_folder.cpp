@@ -30,6 +30,7 @@ namespace glider::driver {
 namespace {
 
 constexpr const char* kDescription = "port.toml";
+constexpr const char* kSensors = "vehicle/config/extctl.ini";
 
 /// The file names of a folder.
 struct Names {
@@ -38,7 +39,7 @@ struct Names {
         program("sbc/" + stem),
         vehicle_mission("vehicle/missions/" + vehicle_file + ".mi") {}
   std::string mission, program, vehicle_mission;
-  std::string sensors = "vehicle/config/extctl.ini";
+  std::string sensors = kSensors;
   std::string proglet = "vehicle/config/proglets.txt";
   std::string page = "README.md";
 };
@@ -231,8 +232,8 @@ support::Result<void> useRelease(const std::filesystem::path& folder,
   return {};
 }
 
-support::Result<flights::PortEnd> portEndOf(const std::filesystem::path& folder,
-                                            const compiler::Optimised& mission) {
+support::Result<FolderPort> readFolderPort(const std::filesystem::path& folder,
+                                           const compiler::Optimised& mission) {
   const auto read = readDescription(folder);
   if (!read) {
     return std::unexpected(read.error());
@@ -252,7 +253,22 @@ support::Result<flights::PortEnd> portEndOf(const std::filesystem::path& folder,
                          fmt::format("`{}` was written for another mission, or with other options",
                                      read->missions.vehicle_mission.filename().string()));
   }
-  return flights::PortEnd{plan->port, static_cast<uint32_t>(plan->extctl.sensors().size()) - 1};
+  const std::filesystem::path list = folder / kSensors;
+  const auto lines = support::readFile(list);
+  auto sensors = lines ? slocum::readExtctlFile(list.string(), *lines)
+                       : support::Result<slocum::ExtctlFile>(std::unexpected(lines.error()));
+  return sensors ? support::Result<FolderPort>(FolderPort{*plan, std::move(*sensors)})
+                 : std::unexpected(sensors.error());
+}
+
+support::Result<flights::PortEnd> portEndOf(const std::filesystem::path& folder,
+                                            const compiler::Optimised& mission) {
+  const auto port = readFolderPort(folder, mission);
+  if (!port) {
+    return std::unexpected(port.error());
+  }
+  const auto last = static_cast<uint32_t>(port->plan.extctl.sensors().size()) - 1;
+  return flights::PortEnd{port->plan.port, last, port->sensors.baud};
 }
 
 }  // namespace glider::driver

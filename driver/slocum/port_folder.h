@@ -8,6 +8,7 @@
 #include "platforms/load/board.h"
 #include "simulator/scenario/scenario.h"
 #include "support/result.h"
+#include "vehicles/slocum/port_files/port_plan.h"
 
 #include <filesystem>
 #include <optional>
@@ -48,6 +49,17 @@ support::Result<PortFolder> openPortFolder(const std::filesystem::path& path);
 /// The vehicle of `scenario` reads its mission file as the release for which `folder` was written.
 support::Result<void> useRelease(const std::filesystem::path& folder,
                                  simulator::Scenario& scenario);
+
+/// What a folder says of the port.
+struct FolderPort {
+  slocum::PortPlan plan;       ///< what the program knows
+  slocum::ExtctlFile sensors;  ///< what the vehicle is to be given
+};
+
+/// For the mission in `folder`. GL4016 if the vehicle's mission file there was written for another
+/// one, or with other options; GL5130.
+support::Result<FolderPort> readFolderPort(const std::filesystem::path& folder,
+                                           const compiler::Optimised& mission);
 
 /// The program's end of the port, for the mission in `folder`. GL4016 if the vehicle's mission file
 /// there was written for another one, or with other options.

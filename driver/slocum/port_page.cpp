@@ -74,6 +74,8 @@ std::string portPage(const slocum::PortPlan& plan, const PortPageFiles& files,
       "## What goes where\n\n{3}\n"
       "## At the dock\n\n"
       "| step | do | see |\n|---|---|---|\n"
+      "| | before they are in one hull, each of the two computers at the other end of a cable: "
+      "`glidercc dock FOLDER --port DEVICE` | no line is `NOT GOOD` |\n"
       "| 1 | switch the computer in the payload bay on | the program waits for the vehicle |\n"
       "| 2 | at the vehicle: `put c_extctl_on 1`, `report ++ sci_generic_b` | a number that counts "
       "up every 4 s: the program answers |\n"

@@ -101,6 +101,8 @@ class Client {
   [[nodiscard]] bool virtualTime() const { return virtual_time_; }
 
   [[nodiscard]] const Refusal& refusal() const { return refusal_; }
+  /// Frames that arrived damaged, since the start.
+  [[nodiscard]] uint32_t badFrames() const { return reader_.badFrames(); }
   /// True while the vehicle serves this program's subscription.
   [[nodiscard]] bool linked() const { return linked_; }
 

@@ -10,8 +10,15 @@ namespace glider::runtime {
 
 /// What the vehicle at the other end of the line speaks is chosen when the program is linked:
 /// dialect_hooks.cpp here, or
-/// runtime/extctl/program.cpp. Returns the stream of the hook protocol's frames over
-/// `line`. `checkpoint`: the one that the program has found; null: none. Once per program.
-GliderByteStream framesOver(const GliderByteStream& line, const LinkFacts* checkpoint);
+/// runtime/extctl/program.cpp.
+struct FrameLine {
+  GliderByteStream stream;  ///< of the hook protocol's frames
+  /// Counts what arrives damaged; null: that are frames of the stream.
+  const uint32_t* damaged = nullptr;
+};
+
+/// The frames over `line`. `checkpoint`: the one that the program has found; null: none. Once per
+/// program.
+FrameLine framesOver(const GliderByteStream& line, const LinkFacts* checkpoint);
 
 }  // namespace glider::runtime

@@ -3,7 +3,7 @@
 
 #include "runtime/board/dialect.h"
 
-GliderByteStream glider::runtime::framesOver(const GliderByteStream& line,
-                                             const LinkFacts* /*checkpoint*/) {
-  return line;
+glider::runtime::FrameLine glider::runtime::framesOver(const GliderByteStream& line,
+                                                       const LinkFacts* /*checkpoint*/) {
+  return {line, nullptr};
 }

@@ -67,7 +67,9 @@ int run(const Options& options) {
     tell("error: this mission was made for another runtime");
     return kWrongUse;
   }
-  line.stream = framesOver(line.stream, runtime->checkpoint());
+  const FrameLine frames = framesOver(line.stream, runtime->checkpoint());
+  line.stream = frames.stream;
+  runtime->countDamageBy(frames.damaged);
   return fly(runtime, line, card);
 }
 

@@ -75,6 +75,15 @@ void LinkLog::refusedCommands(const GliderContext& context) {
   }
 }
 
+void LinkLog::damagedInput(const GliderContext& context, uint32_t sum) {
+  if (sum != told_damages_ && context.mission_time - told_damages_s_ >= kBetweenDamagesSecs) {
+    log_.event(context.mission_time, LogEvent::DamagedInput, LogDetail::None,
+               static_cast<double>(sum - told_damages_));
+    told_damages_ = sum;
+    told_damages_s_ = context.mission_time;
+  }
+}
+
 void LinkLog::refusedLink(const hooks::Refusal& refusal) {
   if (refusal.version != hooks::kProtocolVersion) {
     log_.event(0.0, LogEvent::LinkRefused, LogDetail::OtherVersion, refusal.version);

@@ -25,12 +25,18 @@ class LinkLog {
   void resume(const GliderContext& context) { told_refusals_ = context.refused_commands; }
   /// The link was refused. Written at once, because no tick may follow.
   void refusedLink(const hooks::Refusal& refusal);
+  /// What has arrived damaged since the start, as a sum. What is new is logged, at most once a
+  /// minute: noise must not fill the log.
+  void damagedInput(const GliderContext& context, uint32_t sum);
+  static constexpr double kBetweenDamagesSecs = 60;
   /// A tick of the SBC's own clock.
   void silence(const GliderContext& context);
 
  private:
   MissionLog& log_;
   uint32_t told_refusals_ = 0;
+  uint32_t told_damages_ = 0;
+  double told_damages_s_ = -kBetweenDamagesSecs;
 };
 
 }  // namespace glider::runtime

@@ -6,21 +6,11 @@
 #include "runtime/abi/behaviour.h"
 #include "runtime/abi/order.h"
 #include "runtime/core/assert.h"
+#include "runtime/numbers/degrees.h"
 #include "runtime/numbers/numbers.h"
 
 namespace glider::runtime {
 namespace {
-
-/// Converts ddmm.mmmm to degrees; keeps the sign; unknown from 60 minutes on.
-double degreesOf(double raw) {
-  const double size = magnitude(raw);
-  const double minutes = restOf(size, 100.0);
-  const double degrees = (size - minutes) / 100.0;  // exact: a multiple of 100
-  if (!(minutes < 60.0)) {
-    return unknown();
-  }
-  return gliderSettle(doubleOf(bitsOf(degrees + minutes / 60.0) | (bitsOf(raw) & kSignBit)));
-}
 
 /// gliderOrder, except that -0 gives 0.
 int64_t orderOf(double value) {
@@ -40,7 +30,7 @@ double readingOf(const GliderSensorInfo& sensor, double raw) {
     return unknown();
   }
   if (sensor.encoding == kGliderDegreesMinutes) {
-    return degreesOf(raw);
+    return degreesOfPosition(raw);
   }
   return gliderSettle(bitsOf(sensor.to_si) == kOne ? raw : raw * sensor.to_si);
 }

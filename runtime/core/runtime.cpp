@@ -160,6 +160,7 @@ void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) 
     command();
     link_log_.news(*context_, news);
     link_log_.unanswered(*context_, tick);
+    link_log_.damagedInput(*context_, damaged_ != nullptr ? *damaged_ : client_.badFrames());
   }
   persistence_.commit(context_);
   if (!hasFailed()) {

@@ -35,6 +35,9 @@ struct GliderRuntime {
   }
   /// True when the vehicle reported that its time is virtual: it waits for every answer.
   [[nodiscard]] bool virtualTime() const { return client_.virtualTime(); }
+  /// The client's frames come from within the program: `damaged` counts what arrives damaged. It
+  /// outlives this.
+  void countDamageBy(const uint32_t* damaged) { damaged_ = damaged; }
   /// The number of the first check of its own memory that failed (log/checks.def); 0: none.
   [[nodiscard]] uint32_t failedCheck() const { return glider::runtime::firstFailedCheck(memory()); }
 
@@ -73,6 +76,7 @@ struct GliderRuntime {
   glider::runtime::MissionClock clock_;
   glider::runtime::MissionLog log_;
   glider::runtime::LinkLog link_log_;
+  const uint32_t* damaged_ = nullptr;  ///< null: the client counts
   GliderUpdate updates_[glider::hooks::kMostSubscriptions] = {};
   double variation_;  ///< in a mission with a compass: the last that the vehicle reported, else NaN
   glider::runtime::StartDepth start_depth_;

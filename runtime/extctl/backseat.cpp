@@ -128,6 +128,7 @@ void Backseat::hear() {
       return;
     }
     if (sentences_.push(in_[in_next_++])) {
+      damaged_ = sentences_.bad() + reported_.bad();  // before the cycle that this may end
       takeSentence();
     }
   }

@@ -39,6 +39,8 @@ class Backseat {
 
   /// The program's end.
   [[nodiscard]] GliderByteStream stream();
+  /// Counts the sentences and pairs that arrived damaged, or that no list of sensors explains.
+  [[nodiscard]] const uint32_t* damaged() const { return &damaged_; }
 
  private:
   static constexpr uint32_t kMostBytes = 1024;  ///< of an answer
@@ -72,6 +74,7 @@ class Backseat {
   bool resumes_;  ///< the first mission of the vehicle is one that an earlier program steered
   GliderByteStream line_;
   bool line_closed_ = false;
+  uint32_t damaged_ = 0;
   hooks::extctl::Port port_;
   hooks::extctl::SentenceReader sentences_;
   Reported reported_;

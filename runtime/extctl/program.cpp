@@ -9,11 +9,11 @@
 
 extern "C" const GliderPortMission gliderPort;
 
-GliderByteStream glider::runtime::framesOver(const GliderByteStream& line,
-                                             const LinkFacts* checkpoint) {
+glider::runtime::FrameLine glider::runtime::framesOver(const GliderByteStream& line,
+                                                       const LinkFacts* checkpoint) {
   // It lives as long as the program: no exit handler.
   alignas(extctl::Backseat) static uint8_t memory[sizeof(extctl::Backseat)];
   auto* backseat =
       ::new (memory) extctl::Backseat(gliderMission, gliderPort, line, {.checkpoint = checkpoint});
-  return backseat->stream();
+  return {backseat->stream(), backseat->damaged()};
 }

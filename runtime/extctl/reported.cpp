@@ -3,25 +3,9 @@
 
 #include "runtime/extctl/reported.h"
 
-#include "hooks/extctl/decimal.h"
+#include "hooks/extctl/pairs.h"
 
 namespace glider::runtime::extctl {
-namespace {
-
-using hooks::extctl::kMostSensors;
-
-/// The number before the colon of a pair; `size` if there is none. `end`: the colon.
-bool readIndex(const char* pair, uint32_t size, uint32_t* index, uint32_t* end) {
-  uint32_t number = 0, at = 0;
-  for (; at < size && pair[at] >= '0' && pair[at] <= '9'; ++at) {
-    number = number < kMostSensors ? number * 10 + static_cast<uint32_t>(pair[at] - '0') : number;
-  }
-  *index = number;
-  *end = at;
-  return at > 0 && at < size && pair[at] == ':';
-}
-
-}  // namespace
 
 Reported::Reported(uint32_t count) : count_(count) {
   for (double& value : values_) {
@@ -31,14 +15,14 @@ Reported::Reported(uint32_t count) : count_(count) {
 
 bool Reported::take(const char* pairs, uint32_t size) {
   const double clock = values_[count_ - 1];
-  uint32_t begin = 0;
-  for (uint32_t at = 0; at <= size; ++at) {
-    if (at == size || pairs[at] == ',') {
-      if (at > begin) {
-        takePair(pairs + begin, at - begin);
-      }
-      begin = at + 1;
+  hooks::extctl::PairReader reader(pairs, size);
+  for (hooks::extctl::Pair pair; reader.next(&pair);) {
+    if (!pair.good || pair.index >= count_) {
+      ++bad_;
+      continue;
     }
+    values_[pair.index] = pair.value;
+    fresh_[pair.index] = recent_[pair.index] = true;
   }
   const double now = values_[count_ - 1];
   const bool whole = now == now && now != clock;
@@ -47,18 +31,6 @@ bool Reported::take(const char* pairs, uint32_t size) {
     recent_[i] = false;
   }
   return whole;
-}
-
-void Reported::takePair(const char* pair, uint32_t size) {
-  uint32_t index = 0, colon = 0;
-  double value = 0;
-  if (!readIndex(pair, size, &index, &colon) || index >= count_ ||
-      !hooks::extctl::readDecimal(pair + colon + 1, size - colon - 1, &value)) {
-    ++bad_;
-    return;
-  }
-  values_[index] = value;
-  fresh_[index] = recent_[index] = true;
 }
 
 bool Reported::takeReport(uint32_t index, double* value) {

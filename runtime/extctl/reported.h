@@ -34,8 +34,6 @@ class Reported {
   [[nodiscard]] uint32_t bad() const { return bad_; }
 
  private:
-  void takePair(const char* pair, uint32_t size);
-
   double values_[hooks::extctl::kMostSensors];
   double heard_s_[hooks::extctl::kMostSensors] = {};  ///< by the vehicle's clock
   bool fresh_[hooks::extctl::kMostSensors] = {};

@@ -4,6 +4,7 @@
 #include "runtime/extctl/stock_command.h"
 
 #include "runtime/abi/behaviour.h"
+#include "runtime/numbers/degrees.h"
 #include "runtime/numbers/numbers.h"
 
 namespace glider::runtime::extctl {
@@ -15,19 +16,11 @@ using hooks::HookVertical;
 /// Commands to climb to less than this depth mean the surface, m.
 constexpr double kFloats = 1;
 
-/// Degrees of a position as ddmm.mmmm.
-double degreesOf(double ddmm) {
-  const double size = magnitude(ddmm);
-  const double minutes = restOf(size, 100.0);
-  const double degrees = (size - minutes) / 100.0 + minutes / 60.0;
-  return ddmm < 0 ? -degrees : degrees;
-}
-
 /// The magnetic heading from `at` to the instruction's waypoint, rad; unknown if the place is.
 double headingTo(const hooks::Instruction& instruction, const Whereabouts& at) {
-  const double bearing =
-      gliderBearing(degreesOf(at.latitude_ddmm), degreesOf(at.longitude_ddmm),
-                    degreesOf(instruction.latitude_ddmm), degreesOf(instruction.longitude_ddmm));
+  const double bearing = gliderBearing(
+      degreesOfPosition(at.latitude_ddmm), degreesOfPosition(at.longitude_ddmm),
+      degreesOfPosition(instruction.latitude_ddmm), degreesOfPosition(instruction.longitude_ddmm));
   const double variation = isKnown(at.variation_rad) ? at.variation_rad : 0;
   const double heading = bearing + variation;
   return heading < 0 ? heading + kTwoPi : heading >= kTwoPi ? heading - kTwoPi : heading;

@@ -10,18 +10,18 @@
 namespace glider::simulator {
 namespace {
 
-constexpr uint32_t kBaud = 115200;
 constexpr auto kPause = std::chrono::milliseconds(1);
 
 }  // namespace
 
-support::Result<std::unique_ptr<SerialSbcPort>> SerialSbcPort::open(const std::string& device,
-                                                                    Pace pace) {
-  auto port = hooks::SerialPort::open(device, kBaud);
+support::Result<std::unique_ptr<SerialSbcPort>> SerialSbcPort::open(
+    const std::string& device, Pace pace, uint32_t baud, std::unique_ptr<LineTurns> turns) {
+  auto port = hooks::SerialPort::open(device, baud);
   if (!port) {
     return std::unexpected(port.error());
   }
-  return std::unique_ptr<SerialSbcPort>(new SerialSbcPort(std::move(*port), pace));
+  return std::unique_ptr<SerialSbcPort>(
+      new SerialSbcPort(std::move(*port), pace, std::move(turns)));
 }
 
 void SerialSbcPort::end(const char* exit_reason) {
@@ -58,7 +58,7 @@ void SerialSbcPort::deliver(std::span<const uint8_t> bytes, double now_s) {
     if (taken < 0) {
       end("the serial line is gone");
     } else if (taken > 0) {
-      lockstep_.toSbc(bytes.data(), static_cast<uint32_t>(taken));
+      turns_->toSbc(bytes.data(), static_cast<uint32_t>(taken));
       bytes = bytes.subspan(static_cast<size_t>(taken));
     } else if (Clock::now() - start > patience) {
       end("the serial line accepts no data");
@@ -74,7 +74,7 @@ void SerialSbcPort::read() {
   int32_t count = 0;
   while ((count = stream.read(stream.self, bytes.data(), static_cast<uint32_t>(bytes.size()))) >
          0) {
-    lockstep_.fromSbc(bytes.data(), static_cast<uint32_t>(count));
+    turns_->fromSbc(bytes.data(), static_cast<uint32_t>(count));
     received_.insert(received_.end(), bytes.begin(), bytes.begin() + count);
   }
   if (count < 0) {
@@ -85,7 +85,7 @@ void SerialSbcPort::read() {
 std::vector<uint8_t> SerialSbcPort::collect() {
   const auto start = Clock::now();
   const std::chrono::duration<double> patience(this->patience());
-  for (read(); alive() && plugged_ && !lockstep_.settled(); read()) {
+  for (read(); alive() && plugged_ && !turns_->settled(); read()) {
     if (Clock::now() - start > patience) {
       if (pace_ == Pace::Lockstep) {
         end("it no longer answers");

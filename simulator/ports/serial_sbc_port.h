@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "hooks/protocol/lockstep.h"
 #include "hooks/transport/host/serial_port.h"
+#include "simulator/ports/line_turns.h"
 #include "simulator/ports/sbc_port.h"
 #include "support/result.h"
 
@@ -26,8 +26,13 @@ class SerialSbcPort final : public SbcPort {
   /// Real time without an answer in lockstep after which the SBC counts as hung, s.
   static constexpr double kHangSecs = 10;
 
-  /// Opens `device` at the 115200 baud of the science computer's line. GL9100 to GL9105.
-  static support::Result<std::unique_ptr<SerialSbcPort>> open(const std::string& device, Pace pace);
+  /// The line of the science computer's hookprog, bits/s.
+  static constexpr uint32_t kHookBaud = 115200;
+
+  /// Opens `device`. `turns`: of what is spoken on the line. GL9100 to GL9105.
+  static support::Result<std::unique_ptr<SerialSbcPort>> open(
+      const std::string& device, Pace pace, uint32_t baud = kHookBaud,
+      std::unique_ptr<LineTurns> turns = hookTurns());
 
   [[nodiscard]] std::string way() const override { return "serial"; }
   void deliver(std::span<const uint8_t> bytes, double now_s) override;
@@ -42,7 +47,8 @@ class SerialSbcPort final : public SbcPort {
  private:
   using Clock = std::chrono::steady_clock;
 
-  SerialSbcPort(hooks::SerialPort port, Pace pace) : port_(std::move(port)), pace_(pace) {}
+  SerialSbcPort(hooks::SerialPort port, Pace pace, std::unique_ptr<LineTurns> turns)
+      : port_(std::move(port)), pace_(pace), turns_(std::move(turns)) {}
   void waitFor(double now_s);
   void read();
   void end(const char* exit_reason);
@@ -51,7 +57,7 @@ class SerialSbcPort final : public SbcPort {
 
   hooks::SerialPort port_;
   Pace pace_;
-  hooks::Lockstep lockstep_;
+  std::unique_ptr<LineTurns> turns_;
   std::vector<uint8_t> received_;
   std::optional<Clock::time_point> origin_;  ///< vehicle time 0
   bool plugged_ = true;

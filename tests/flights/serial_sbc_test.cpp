@@ -22,11 +22,20 @@ namespace {
 class SerialSbc : public testing::Test {
  protected:
   void connect(const std::string& mission) {
+    join("$GLIDERCC build " + mission + " --target host -o program");
+  }
+  /// For the port for a backseat driver: the folder `p`.
+  void connectPort(const std::string& mission) {
+    join("$GLIDERCC build " + mission +
+         " --dialect extctl -o p && cp p/sbc/figure2 program && echo ' --baud 9600' > options");
+  }
+  void join(const std::string& build) {
     const Outcome begun = runShell(
-        "cd " + folder() + " && $GLIDERCC build " + mission +
-        " --target host -o program && { socat pty,raw,echo=0,link=a pty,raw,echo=0,link=b & "
+        "cd " + folder() + " && touch options && " + build +
+        " && { socat pty,raw,echo=0,link=a pty,raw,echo=0,link=b & "
         "echo $! > pids; for i in $(seq 200); do test -e a && test -e b && break; sleep 0.05; "
-        "done; ./program --port b & echo $! >> pids; } > /dev/null 2>&1 < /dev/null");
+        "done; ./program --port b $(cat options) & echo $! >> pids; } > /dev/null 2>&1 < "
+        "/dev/null");
     ASSERT_EQ(begun.status, 0) << begun.err;
   }
   void TearDown() override { runShell("kill $(cat " + folder() + "/pids)"); }
@@ -73,6 +82,24 @@ TEST_F(SerialSbc, InRealTimeASecondIsASecondAndTheClockOfTheSbcCounts) {
   ASSERT_EQ(transitions.size(), 1U) << flight.outcome.out;
   EXPECT_GE(transitions[0].mission_time_s, 4);
   EXPECT_LE(transitions[0].mission_time_s, 9);
+}
+
+TEST_F(SerialSbc, AFolderForThePortFliesInLockstepAsInProcess) {
+  connectPort(project("missions/figure2.mission"));
+  const Flight serial = fly(folder() + "/p --serial " + device() + " --lockstep");
+  EXPECT_EQ(serial.outcome.status, 0) << serial.outcome.err;
+  EXPECT_GE(serial.transitions().size(), 3U);
+  EXPECT_EQ(serial.csv, fly(folder() + "/p").csv);
+}
+
+TEST_F(SerialSbc, AFolderForThePortFliesInRealTime) {
+  connectPort(project("missions/figure2.mission"));
+  const auto begin = std::chrono::steady_clock::now();
+  const Flight flight = fly(folder() + "/p --serial " + device() + " --duration 45s");
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  EXPECT_GE(took.count(), 45);
+  EXPECT_EQ(flight.outcome.err.find("GL9372"), std::string::npos)
+      << "the program was in control: " << flight.outcome.err;
 }
 
 TEST(SerialDeviceOfSim, IsRefusedWithAWordIfItIsNotThere) {

@@ -12,7 +12,9 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <linux/serial.h>
 #include <sys/file.h>
+#include <sys/ioctl.h>
 #include <system_error>
 
 namespace glider::hooks {
@@ -57,6 +59,7 @@ class SerialPort::Port {
   Port& operator=(const Port&) = delete;
   virtual ~Port() = default;
   virtual GliderByteStream stream() = 0;
+  [[nodiscard]] virtual int descriptor() const = 0;
 };
 
 class SerialPort::TerminalPort final : public SerialPort::Port {
@@ -67,6 +70,7 @@ class SerialPort::TerminalPort final : public SerialPort::Port {
     return error != 0 ? error : lock(device_.descriptor()) ? 0 : EBUSY;
   }
   GliderByteStream stream() override { return device_.stream(); }
+  [[nodiscard]] int descriptor() const override { return device_.descriptor(); }
 
  private:
   SerialDevice device_;
@@ -103,14 +107,18 @@ class SerialPort::LibraryPort final : public SerialPort::Port {
     return set ? 0 : EIO;
   }
   GliderByteStream stream() override { return {this, &LibraryPort::read, &LibraryPort::write}; }
+  [[nodiscard]] int descriptor() const override {
+    int descriptor = -1;
+    sp_get_port_handle(port_, &descriptor);
+    return descriptor;
+  }
 
  private:
   static int32_t read(void* self, uint8_t* bytes, uint32_t capacity) {
     sp_port* port = static_cast<LibraryPort*>(self)->port_;
     const auto got = sp_nonblocking_read(port, bytes, capacity);
-    int descriptor = -1;
-    sp_get_port_handle(port, &descriptor);
-    if (got == 0 && isHungUp(descriptor)) {  // an unplugged adapter
+    if (got == 0 &&
+        isHungUp(static_cast<LibraryPort*>(self)->descriptor())) {  // an unplugged adapter
       return kGliderStreamClosed;
     }
     return got >= 0 ? static_cast<int32_t>(got) : kGliderStreamFailed;
@@ -149,6 +157,16 @@ SerialPort::SerialPort(std::unique_ptr<Port> port) : port_(std::move(port)) {}
 SerialPort::SerialPort(SerialPort&&) noexcept = default;
 SerialPort& SerialPort::operator=(SerialPort&&) noexcept = default;
 SerialPort::~SerialPort() = default;
+
+std::optional<SerialPort::Errors> SerialPort::errors() const {
+  serial_icounter_struct counts{};
+  if (::ioctl(port_->descriptor(), TIOCGICOUNT, &counts) != 0) {
+    return std::nullopt;
+  }
+  return Errors{
+      .overruns = static_cast<uint32_t>(counts.overrun) + static_cast<uint32_t>(counts.buf_overrun),
+      .framing = static_cast<uint32_t>(counts.frame)};
+}
 
 GliderByteStream SerialPort::stream() const {
   return port_->stream();

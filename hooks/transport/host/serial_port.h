@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace glider::hooks {
@@ -25,6 +26,14 @@ class SerialPort {
   SerialPort(SerialPort&&) noexcept;
   SerialPort& operator=(SerialPort&&) noexcept;
   ~SerialPort();
+
+  /// Counts of the device since it was plugged in, for what its driver counts.
+  struct Errors {
+    uint32_t overruns = 0;  ///< bytes that this computer took too late
+    uint32_t framing = 0;   ///< bytes without a stop bit, as at another baud rate
+  };
+  /// Empty: the device does not count. A pseudo-terminal does not.
+  [[nodiscard]] std::optional<Errors> errors() const;
 
   /// Valid while this object, or one it was moved to, lives.
   [[nodiscard]] GliderByteStream stream() const;

@@ -57,6 +57,7 @@ ExtctlProglet::ExtctlProglet(const GliderDictionary& dictionary,
       link_(dictionary),
       flight_values_(platform.sensors.size(), std::numeric_limits<double>::quiet_NaN()),
       noise_(settings.seed, "extctl"),
+      mark_noise_(settings.seed, "extctl marks"),
       virtual_time_(settings.virtual_time) {
   const size_t first_reported = file.parameters.size() + file.written.size();
   for (const slocum::ExtctlSensor& sensor : file.sensors()) {
@@ -84,7 +85,7 @@ void ExtctlProglet::run(double now_s, const hooks::ScienceSensors& own, const Gl
   hear(now_s, sbc);
   arrive(now_s);
   watch(now_s);
-  refresh(own);
+  refresh(now_s, own);
   report();
   flush(sbc);
 }
@@ -230,14 +231,25 @@ void ExtctlProglet::arrive(double now_s) {
   std::erase_if(passing_, [&](const Passing& one) { return one.due_s <= now_s; });
 }
 
-void ExtctlProglet::refresh(const hooks::ScienceSensors& own) {
+/// A sensor that no mission reads crosses between the computers as late as one that the SBC writes.
+double ExtctlProglet::cross(double now_s, Row& row) {
+  const double value = vehicle_.value(row.name);
+  const bool waits = !isSame(row.newest, row.value);
+  if (!waits && !isSame(value, row.value)) {
+    row.due_s = now_s + kLeastDelay + (kMostDelay - kLeastDelay) * mark_noise_.uniform();
+  }
+  row.newest = value;
+  return now_s >= row.due_s ? value : row.value;
+}
+
+void ExtctlProglet::refresh(double now_s, const hooks::ScienceSensors& own) {
   for (Row& row : rows_) {
     if (!row.reported) {
       continue;
     }
     double value = row.value;
     if (row.id == hooks::kNoSensor) {
-      value = vehicle_.value(row.name);
+      value = cross(now_s, row);
     } else if (platform_.sensors[row.id].computer == platforms::Computer::Science) {
       bool fresh = false;
       value = own.get(own.self, row.id, &fresh);

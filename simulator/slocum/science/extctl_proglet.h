@@ -57,6 +57,9 @@ class ExtctlProglet final : public SbcProglet {
     uint16_t id = 0;        ///< in the platform file; kNoSensor: only the flight controller has it
     bool reported = false;  ///< section is
     double value = std::numeric_limits<double>::quiet_NaN();
+    /// Of the flight controller, on its way here until `due_s`; only without an id.
+    double newest = std::numeric_limits<double>::quiet_NaN();
+    double due_s = 0;
     bool told = false;  ///< the SBC has `value`, as far as the vehicle knows
   };
   /// A value on its way to the flight controller.
@@ -76,7 +79,8 @@ class ExtctlProglet final : public SbcProglet {
   void takeOwnWrite(const Row& row, double value);
   void pass(double now_s, const std::string& name, double value);
   void arrive(double now_s);
-  void refresh(const hooks::ScienceSensors& own);
+  void refresh(double now_s, const hooks::ScienceSensors& own);
+  double cross(double now_s, Row& row);
   void report();
   void say(const std::string& body);
   void flush(const GliderByteStream& sbc);
@@ -90,6 +94,7 @@ class ExtctlProglet final : public SbcProglet {
   std::deque<Passing> passing_;
   uint32_t modes_ = 0;
   Noise noise_;
+  Noise mark_noise_;
   std::string out_;
   std::deque<hooks::SeatEvent> events_;
   hooks::SbcView view_;

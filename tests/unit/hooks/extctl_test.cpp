@@ -4,6 +4,8 @@
 // The text of the vehicle's port for a backseat driver.
 
 #include "hooks/extctl/decimal.h"
+#include "hooks/extctl/pairs.h"
+#include "hooks/extctl/port.h"
 #include "hooks/extctl/sentence.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +16,7 @@
 #include <random>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace glider::hooks::extctl {
@@ -72,6 +75,28 @@ TEST(ExtctlSentence, LinesAsLongAsTheVehiclesAndNoLonger) {
   uint32_t bad = 0;
   EXPECT_EQ(sentencesIn(std::string(text, writer.end()) + "$HI*01\r\n", &bad), Bodies{"HI"});
   EXPECT_EQ(bad, 1U);
+}
+
+TEST(ExtctlPairs, AreReadOneByOneAndWhatIsNoneIsTold) {
+  constexpr std::string_view kText = ",0:1.5,,12:-2,:5,x:1,7,8:5:,64:1,640:1,99999999999:1,3:nan,";
+  PairReader reader(kText.data(), static_cast<uint32_t>(kText.size()));
+  std::vector<std::pair<uint32_t, double>> good;
+  uint32_t none = 0;
+  for (Pair pair; reader.next(&pair);) {
+    none += pair.good ? 0 : 1;
+    if (pair.good && pair.index < kMostSensors) {
+      good.emplace_back(pair.index, pair.value);
+    }
+  }
+  EXPECT_EQ(none, 4U) << ":5, x:1, 7 and 8:5:";
+  ASSERT_EQ(good.size(), 3U);
+  EXPECT_EQ(good[0], (std::pair<uint32_t, double>{0, 1.5}));
+  EXPECT_EQ(good[1], (std::pair<uint32_t, double>{12, -2}));
+  EXPECT_EQ(good[2].first, 3U);
+  EXPECT_TRUE(std::isnan(good[2].second));
+  PairReader empty("", 0);
+  Pair pair;
+  EXPECT_FALSE(empty.next(&pair));
 }
 
 TEST(ExtctlSentence, WritesWhatItReads) {

@@ -11,11 +11,14 @@
 #include <libserialport.h>
 
 #include <cerrno>
+#include <cstdarg>
 #include <fcntl.h>
+#include <linux/serial.h>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <sys/file.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace {
@@ -26,6 +29,7 @@ struct Line {
   std::string fails;
   int error = 0;                ///< of the failure
   std::optional<int> transfer;  ///< what reading and writing answer instead of carrying bytes
+  std::optional<int> overruns;  ///< that the driver counts; empty: it does not
   std::string name;
   int opened = 0, closed = 0, freed = 0;
   int mode = 0, baud = 0, bits = 0, parity = -1, stop_bits = 0, flow_control = -1;
@@ -100,6 +104,23 @@ sp_return __wrap_sp_nonblocking_write(sp_port* /*port*/, const void* bytes, size
   return static_cast<sp_return>(
       line->transfer.value_or(static_cast<int>(::write(line->descriptor, bytes, count))));
 }
+
+int __real_ioctl(int descriptor, unsigned long request, ...);
+int __wrap_ioctl(int descriptor, unsigned long request, ...);
+int __wrap_ioctl(int descriptor, unsigned long request, ...) {
+  va_list more;
+  va_start(more, request);
+  void* argument = va_arg(more, void*);
+  va_end(more);
+  if (line == nullptr || request != TIOCGICOUNT) {
+    return __real_ioctl(descriptor, request, argument);
+  }
+  auto* counts = static_cast<serial_icounter_struct*>(argument);
+  counts->overrun = line->overruns.value_or(0);
+  counts->buf_overrun = 1;
+  counts->frame = 5;
+  return line->overruns && descriptor == line->descriptor ? 0 : -1;
+}
 }
 
 namespace glider::hooks {
@@ -162,6 +183,24 @@ TEST_F(LibraryPort, CarriesBytesBothWays) {
   EXPECT_EQ(near.read(near.self, got + 2, 2), 1);
   EXPECT_EQ(got[1], 2);
   EXPECT_EQ(got[2], 0);
+}
+
+TEST_F(LibraryPort, HasTheCountsOfADriverThatCounts) {
+  const auto port = SerialPort::open(kDevice, 9600);
+  ASSERT_TRUE(port);
+  EXPECT_FALSE(port->errors());
+  line_.overruns = 2;
+  const auto errors = port->errors();
+  ASSERT_TRUE(errors);
+  EXPECT_EQ(errors->overruns, 3U) << "of the device and of the driver";
+  EXPECT_EQ(errors->framing, 5U);
+}
+
+TEST(TerminalPort, CountsNothing) {
+  const auto far_end = Pty::open();
+  const auto port = SerialPort::open(far_end->name(), 9600);
+  ASSERT_TRUE(port);
+  EXPECT_FALSE(port->errors());
 }
 
 TEST_F(LibraryPort, TellsAFailureFromAFullLineAndFromTheEnd) {

@@ -109,6 +109,7 @@ class PortBench {
   [[nodiscard]] const GliderContext* context() const { return gliderRuntimeContext(runtime_); }
   [[nodiscard]] bool finished() const { return finished_; }
   [[nodiscard]] uint32_t ofSensor(uint16_t id) const { return port_.indexOf(id); }
+  [[nodiscard]] uint32_t damaged() const { return *backseat_->damaged(); }
   [[nodiscard]] uint32_t clock() const { return port_.count() - 1; }
 
   std::map<uint32_t, double> values;  ///< written by the SBC
@@ -315,6 +316,20 @@ TEST(Backseat, IndicesAndPairsThatAreNoneAreIgnored) {
     bench.cycle(now, 1 + now / 64, 20);
   }
   EXPECT_EQ(bench.written(PortSensor::DiveDepth), 20);
+}
+
+TEST(Backseat, CountsWhatArrivesDamaged) {
+  TwoStates mission;
+  PortBench bench(mission.mission);
+  bench.begin();
+  bench.cycle(0, 1, 20);
+  EXPECT_EQ(bench.damaged(), 0U);
+  bench.send("$SD,0:1*01\r\n$B");
+  bench.say("SD,99:1,x:2");
+  for (double now = 4; now <= 40; now += 4) {
+    bench.cycle(now, 1 + now / 64, 20);
+  }
+  EXPECT_EQ(bench.damaged(), 4U) << "a sum, a sentence cut off, two pairs";
 }
 
 TEST(Backseat, WhatWasSaidBeforeTheLinkIsNotLost) {

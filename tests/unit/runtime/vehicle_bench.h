@@ -53,6 +53,12 @@ class VehicleBench {
 
   [[nodiscard]] GliderByteStream sbcEnd() { return sbc_line_.right(); }
   void closeLine() { sbc_line_.close(); }
+  /// Bytes of no frame arrive at the SBC.
+  void disturb(const std::string& bytes) {
+    const GliderByteStream line = sbc_line_.left();
+    line.write(line.self, reinterpret_cast<const uint8_t*>(bytes.data()),
+               static_cast<uint32_t>(bytes.size()));
+  }
   [[nodiscard]] double now() const { return now_; }
   [[nodiscard]] const hooks::HookbehOutputs& hookbeh() const { return outputs_; }
   [[nodiscard]] double array(uint16_t id) const { return array_[id]; }

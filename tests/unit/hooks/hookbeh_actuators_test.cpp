@@ -148,6 +148,18 @@ TEST(HookbehActuators, ATrimmedVehicleShowsItsDepthByAShortClimbLikeAHover) {
   }
 }
 
+/// 200 cc are not a depth of 200 m, to which the vehicle would sink by itself.
+TEST(HookbehActuators, DoNotEndAClimbThatGainsNoHeight) {
+  Bench bench = moved(20, 0);
+  HookbehOutputs out = bench.give(Bench::vertical(HookVertical::Surface));
+  for (int i = 0; i < 70 && out.guard == HookGuard::None; ++i) {
+    bench.inputs.depth_m = i % 2 == 0 ? 10.01 : 10.02;
+    out = bench.cycle();
+  }
+  ASSERT_EQ(out.guard, HookGuard::NoHeightGained);
+  expectClimb(bench.give(Bench::actuators(200, 0)), "climb: no height gained");
+}
+
 TEST(HookbehActuators, GoOnAfterACheckOfTheDepth) {
   Bench bench = moved(20, 0);
   HookbehOutputs out;

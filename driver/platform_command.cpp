@@ -64,6 +64,11 @@ std::string finText(const Envelope& envelope) {
              : "none to command";
 }
 
+std::string batteryText(const Envelope& envelope) {
+  return envelope.battery_in > 0 ? fmt::format("{:.4g} inch to either side", envelope.battery_in)
+                                 : "none to command";
+}
+
 std::string envelopeText(const Envelope& envelope) {
   return fmt::format(
       "  greatest depth          {:.6g} m\n"
@@ -72,11 +77,14 @@ std::string envelopeText(const Envelope& envelope) {
       "  inflection overshoot    {:.6g} m\n"
       "  strongest current       {:.6g} m/s\n"
       "  fin                     {}\n"
+      "  pump                    {:.6g} cc to either side\n"
+      "  pitch battery           {}\n"
       "  control cycle           {:.6g} s\n",
       envelope.greatest_depth_m, envelope.vertical_rate_m_s,
       envelope.shallowest_pitch_rad * 180 / std::numbers::pi,
       envelope.steepest_pitch_rad * 180 / std::numbers::pi, envelope.inflection_overshoot_m,
-      envelope.drift_m_s, finText(envelope), envelope.cycle_s);
+      envelope.drift_m_s, finText(envelope), envelope.pump_cc, batteryText(envelope),
+      envelope.cycle_s);
 }
 
 std::string worldText(const platforms::EnvironmentModel& world) {
@@ -146,6 +154,8 @@ std::string json(const Platform& platform) {
                            {"inflection_overshoot_m", envelope.inflection_overshoot_m},
                            {"drift_m_s", envelope.drift_m_s},
                            {"fin_rad", envelope.fin_rad},
+                           {"pump_cc", envelope.pump_cc},
+                           {"battery_in", envelope.battery_in},
                            {"cycle_s", envelope.cycle_s}}},
                          {"world",
                           {{"start_depth_m", platform.world.start_depth_m},

@@ -17,7 +17,8 @@ inline constexpr Hull kHull{GLIDER_HULL_GREATEST_DEPTH_M,
                             GLIDER_HULL_SHALLOWEST_PITCH_RAD,
                             GLIDER_HULL_VERTICAL_RATE_M_S,
                             GLIDER_HULL_PUMP_CC,
-                            GLIDER_HULL_FIN_RAD};
+                            GLIDER_HULL_FIN_RAD,
+                            GLIDER_HULL_BATTERY_IN};
 
 inline uint32_t sensorWidth(uint16_t id) {
   return sensorWidth(gliderDictionary, id);

@@ -73,6 +73,9 @@ void RunVehicle::obey(const ir::CommandRun& command, double now) {
       return ascend(command.arguments.at(0), now);
     case ir::Command::Surface:
       return ascend(0, now);
+    case ir::Command::Pump:
+    case ir::Command::Battery:  // V8
+      return descend(platform_.envelope.greatest_depth_m);
     case ir::Command::Steer:
     case ir::Command::SteerTo:
     case ir::Command::Drift:

@@ -24,6 +24,7 @@ struct CommandInfo {
 namespace types {
 constexpr ir::Type length{ir::TypeKind::Quantity, support::dimension::length};
 constexpr ir::Type angle{ir::TypeKind::Quantity, support::dimension::angle};
+constexpr ir::Type volume{ir::TypeKind::Quantity, support::dimension::volume};
 constexpr ir::Type latitude{ir::TypeKind::Latitude, {}};
 constexpr ir::Type longitude{ir::TypeKind::Longitude, {}};
 }  // namespace types
@@ -49,6 +50,10 @@ std::string valueText(double value, const ir::Type& type) {
 
 std::string commandText(const ir::CommandRun& run) {
   const CommandInfo& info = infoOf(run.command);
+  if (run.command == ir::Command::Battery && ir::isKnown(run.arguments.at(0))) {
+    constexpr double kMetresPerInch = 0.0254;
+    return fmt::format("{}({:.6g} inch)", info.text, run.arguments.at(0) / kMetresPerInch);
+  }
   std::vector<std::string> arguments;
   for (size_t i = 0; i < run.arguments.size(); ++i) {
     arguments.push_back(valueText(run.arguments[i], info.parameters.at(i)));

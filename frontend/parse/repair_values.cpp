@@ -252,8 +252,9 @@ bool ValueRepair::unknownUnit(const Lexeme& t, const Lexeme& next) {
                    // expected there
   }
   constexpr std::string_view kAll =
-      "units: mm cm m km nmi ft, s min h day days, rad deg, degC, m/s cm/s kn kt, bar dbar, S/m, "
-      "V A W J kJ MJ Ah %, uM ug/L";
+      "units: mm cm m km nmi ft inch, s min h day days, rad deg, degC, m/s cm/s kn kt, bar dbar, "
+      "S/m, "
+      "V A W J kJ MJ Ah, cc ml, % uM ug/L";
   if (unit == "deg" && t.end - t.begin > unit.size()) {
     // Of an angle or a temperature: analysis knows which, and reports it.
     out_.push_back({GliderLexer::UNIT, t.begin, t.end});

@@ -285,7 +285,7 @@ ClientPart Client::brokenPart() const {
       {offsetof(Client, notice_count_), kMostNotices, 4},
       {offsetof(Client, note_count_), kMostNotes, 4},
       {offsetof(Client, pending_.control), static_cast<uint16_t>(HookControl::Release), 1},
-      {offsetof(Client, pending_.vertical), static_cast<uint16_t>(HookVertical::Surface), 1},
+      {offsetof(Client, pending_.vertical), static_cast<uint16_t>(HookVertical::Actuators), 1},
       {offsetof(Client, pending_.lateral), static_cast<uint16_t>(HookLateral::Fin), 1},
   };
   if (out_.held() > SendQueue::kCapacity) {

@@ -21,8 +21,10 @@ struct HookbehArgs {
   double least_altitude_m = 5;  ///< closer to the bottom it climbs; negative: no altimeter is used
   double steepest_pitch_rad = 0.61;  ///< magnitude
   double shallowest_pitch_rad = 0.19;
-  double greatest_fin_rad = 0.45;  ///< magnitude; a fin farther out is refused
-  double silence_secs = 24;        ///< without a changed heartbeat for this long the SBC is lost
+  double greatest_fin_rad = 0.45;    ///< magnitude; a fin farther out is refused
+  double greatest_pump_cc = 233;     ///< commanded by the SBC, to either side; more is refused
+  double greatest_battery_in = 0.6;  ///< of the pitch battery, the same
+  double silence_secs = 24;          ///< without a changed heartbeat for this long the SBC is lost
   PumpMode dive_pump_mode = PumpMode::Absolute;
   PumpMode climb_pump_mode = PumpMode::Absolute;
   double dive_pump_cc = -230;

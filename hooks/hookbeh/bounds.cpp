@@ -41,6 +41,13 @@ HookAnswer checkSlope(double depth, double steepness, const HookbehArgs& args) {
   return pitchFits(steepness, args) ? HookAnswer::Accepted : HookAnswer::BadPitch;
 }
 
+HookAnswer checkActuators(double pump_cc, double battery_in, const HookbehArgs& args) {
+  // Written so that a NaN is refused.
+  return !(magnitude(pump_cc) <= asFloat32(args.greatest_pump_cc))         ? HookAnswer::BadPump
+         : !(magnitude(battery_in) <= asFloat32(args.greatest_battery_in)) ? HookAnswer::BadBattery
+                                                                           : HookAnswer::Accepted;
+}
+
 HookAnswer checkVertical(const Instruction& instruction, const HookbehArgs& args) {
   switch (instruction.vertical) {
     case HookVertical::None:
@@ -52,6 +59,8 @@ HookAnswer checkVertical(const Instruction& instruction, const HookbehArgs& args
       return checkSlope(instruction.depth_m, instruction.pitch_rad, args);
     case HookVertical::Hover:
       return checkDepth(instruction.depth_m, args);
+    case HookVertical::Actuators:
+      return checkActuators(instruction.depth_m, instruction.pitch_rad, args);
   }
   return HookAnswer::BadCommand;
 }

@@ -11,11 +11,15 @@ namespace glider::hooks {
 
 enum class HeadingMode : uint8_t { CentreFin, Heading, Waypoint, Fin };
 
+enum class PitchMode : uint8_t { Servo, Battery };
+
 /// The pitch and pump that a sub-behaviour commands in one cycle.
 struct VerticalCommand {
-  double pitch_rad = 0;  ///< nose up positive
+  double pitch_rad = 0;  ///< nose up positive; of a battery position: what the guards assume
   double pump_cc = 0;    ///< positive lifts
   Doing doing = Doing::Nothing;
+  PitchMode pitch_mode = PitchMode::Servo;
+  double battery_in = 0;  ///< positive lowers the nose
 };
 
 /// The heading or fin commanded in one cycle.

@@ -59,8 +59,10 @@ constexpr double kAliveSecs = 60;
 /// s; the longest until a depth that repeats its zero at the surface is tried again.
 constexpr double kMostHomeSecs = 7200;
 
+/// A depth to fly to.
 bool hasTarget(const Instruction& in_force) {
-  return in_force.vertical != HookVertical::None && in_force.vertical != HookVertical::Surface;
+  return in_force.vertical == HookVertical::Descend || in_force.vertical == HookVertical::Ascend ||
+         in_force.vertical == HookVertical::Hover;
 }
 
 bool isDepthDoubt(HookGuard guard) {
@@ -248,6 +250,9 @@ bool Guard::clearOfBottom(const HookbehArgs& args, double depth_m) const {
 }
 
 bool Guard::mayGoOn(const HookbehArgs& args, const Instruction& in_force) const {
+  if (in_force.vertical == HookVertical::Actuators) {
+    return false;  // wherever they lead
+  }
   // This also holds for an ascend: once the vehicle is above its target, hovering there leads down.
   return !hasTarget(in_force) || keepsLimits(args, in_force.depth_m + kClearM);
 }

@@ -45,10 +45,10 @@ HookbehOutputs Hookbeh::cycle(const HookbehInputs& inputs) {
   readInstruction(inputs);
 
   HookbehOutputs outputs;
+  last_ = {0, __builtin_nan("")};
   if (state_ == HookState::Active) {
     command(now, (masked & (kMaskedPitch | kMaskedPump)) != 0, outputs);
   }
-  last_ = {outputs.pitch_rad, outputs.commanding ? outputs.pump_cc : __builtin_nan("")};
   outputs.state = state_;
   outputs.answered_sequence = answered_sequence_;
   outputs.answer = answer_;
@@ -208,9 +208,13 @@ void Hookbeh::command(const Surroundings& now, bool masked, HookbehOutputs& outp
   outputs.latitude_ddmm = lateral.latitude_ddmm;
   outputs.longitude_ddmm = lateral.longitude_ddmm;
   outputs.fin_rad = lateral.fin_rad;
-  outputs.pitch_rad = vertical.pitch_rad;
+  const bool servo = vertical.pitch_mode == PitchMode::Servo;
+  outputs.pitch_mode = vertical.pitch_mode;
+  outputs.pitch_rad = servo ? vertical.pitch_rad : 0;
+  outputs.battery_in = vertical.battery_in;
   outputs.pump_cc = vertical.pump_cc;
   outputs.doing = vertical.doing;
+  last_ = vertical;
 }
 
 }  // namespace glider::hooks

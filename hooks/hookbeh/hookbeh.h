@@ -46,7 +46,9 @@ struct HookbehOutputs {
   double heading_rad = 0;
   double latitude_ddmm = 0, longitude_ddmm = 0;
   double fin_rad = 0;  ///< positive to turn to starboard
-  double pitch_rad = 0;
+  PitchMode pitch_mode = PitchMode::Servo;
+  double pitch_rad = 0;   ///< of the servo; 0 with a battery position
+  double battery_in = 0;  ///< of the pitch battery, positive lowers the nose
   double pump_cc = 0;
   // Written back to the sensor array:
   HookState state = HookState::Waiting;

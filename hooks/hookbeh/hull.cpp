@@ -33,6 +33,10 @@ HookbehArgs within(const HookbehArgs& args, const Hull& hull) {
                                    hull.shallowest_pitch_rad, hull.steepest_pitch_rad);
   out.greatest_fin_rad =
       between(orUsual(args.greatest_fin_rad, usual.greatest_fin_rad), 0, hull.fin_rad);
+  out.greatest_pump_cc =
+      between(orUsual(args.greatest_pump_cc, usual.greatest_pump_cc), 0, hull.pump_cc);
+  out.greatest_battery_in =
+      between(orUsual(args.greatest_battery_in, usual.greatest_battery_in), 0, hull.battery_in);
   const double dive = magnitude(orUsual(args.dive_pump_cc, usual.dive_pump_cc));
   const double climb = magnitude(orUsual(args.climb_pump_cc, usual.climb_pump_cc));
   const bool whole_dive = args.dive_pump_mode == PumpMode::Autoballast;

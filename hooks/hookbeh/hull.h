@@ -17,6 +17,7 @@ struct Hull {
   double vertical_rate_m_s = 0;     ///< the fastest it sinks or climbs
   double pump_cc = 0;               ///< in either direction
   double fin_rad = 0;               ///< to either side; 0: there is no fin to command
+  double battery_in = 0;  ///< of the pitch battery, to either side; 0: there is none to command
 };
 
 /// m; a depth outside this range is not a valid reading of a depth sensor: it is above the surface,
@@ -28,10 +29,10 @@ inline constexpr double kDeepestShare = 1.5;
 /// that may be dead.
 inline constexpr double kMostSilenceSecs = 600;
 
-/// `args` narrowed to the hull, each to the safer of the two. Pump, pitch and fin values that are
-/// not numbers are replaced by their defaults; the sign of a pump value with the wrong sign is
-/// reversed, and one too weak to bring the vehicle up is strengthened. A greatest depth or least
-/// altitude that is NaN stays NaN: a broken limit.
+/// `args` narrowed to the hull, each to the safer of the two. Pump, battery, pitch and fin values
+/// that are not numbers are replaced by their defaults; the sign of a pump value with the wrong
+/// sign is reversed, and one too weak to bring the vehicle up is strengthened. A greatest depth or
+/// least altitude that is NaN stays NaN: a broken limit.
 HookbehArgs within(const HookbehArgs& args, const Hull& hull);
 
 }  // namespace glider::hooks

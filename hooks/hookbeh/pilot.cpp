@@ -74,6 +74,8 @@ VerticalCommand Pilot::vertical(const Surroundings& now, double step_s, const Ho
       return hold_.command();
     case Stage::Hovering:
       return hover_.command(now, step_s, args);
+    case Stage::Actuators:
+      return actuators_.command(args);
     case Stage::Choose:
     case Stage::Surfacing:
       break;
@@ -94,6 +96,10 @@ void Pilot::choose(const Surroundings& now, const HookbehArgs& args) {
       break;
     case HookVertical::Hover:
       approach(now, args);
+      break;
+    case HookVertical::Actuators:
+      actuators_ = {want.depth_m, want.pitch_rad};
+      stage_ = Stage::Actuators;
       break;
     case HookVertical::None:
     case HookVertical::Surface:
@@ -167,6 +173,8 @@ Way Pilot::way(double depth_m) const {
                                                        : Way::None;
     case Stage::Surfacing:
       return depth_m > kNearSurfaceM ? Way::Up : Way::None;
+    case Stage::Actuators:
+      return actuators_.dives() ? Way::Down : Way::None;
     case Stage::Holding:  // no dive by more than a metre
     case Stage::Choose:
       break;

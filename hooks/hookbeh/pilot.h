@@ -30,13 +30,13 @@ class Pilot {
   /// The commands for pitch and pump in this cycle, `step_s` after the previous one.
   VerticalCommand vertical(const Surroundings& now, double step_s, const HookbehArgs& args);
   /// Which way it drives the vehicle at `depth_m`. A hover drives it if it is farther from its
-  /// depth than its pump alone explains.
+  /// depth than its pump alone explains, and a commanded pump if it is far in.
   [[nodiscard]] Way way(double depth_m) const;
   [[nodiscard]] LateralCommand lateral(const Surroundings& now) const;
   [[nodiscard]] const Instruction& inForce() const { return in_force_; }
 
  private:
-  enum class Stage : uint8_t { Choose, Dive, Climb, Holding, Hovering, Surfacing };
+  enum class Stage : uint8_t { Choose, Dive, Climb, Holding, Hovering, Surfacing, Actuators };
   void choose(const Surroundings& now, const HookbehArgs& args);
   void approach(const Surroundings& now, const HookbehArgs& args);
   void arrive(const VerticalCommand& kept, const HookbehArgs& args);
@@ -51,6 +51,7 @@ class Pilot {
   Hold hold_;
   Hover hover_;
   SurfaceNow surface_;
+  FixedActuators actuators_;
 };
 
 }  // namespace glider::hooks

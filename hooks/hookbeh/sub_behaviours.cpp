@@ -16,6 +16,16 @@ VerticalCommand SurfaceNow::command(const HookbehArgs& args) const {
   return {usualPitch(args), args.climb_pump_cc, Doing::Surface};
 }
 
+/// What its pitch will be depends on a trim that hookbeh does not know. The guards assume a
+/// dive whose pitch is the share of the battery's way, and a vehicle that is never driven up.
+VerticalCommand FixedActuators::command(const HookbehArgs& args) const {
+  const double share = args.greatest_battery_in > 0
+                           ? between(magnitude(battery_in) / args.greatest_battery_in, 0, 1)
+                           : 0;
+  const double steep = atLeast(share * args.steepest_pitch_rad, args.shallowest_pitch_rad);
+  return {dives() ? -steep : 0, pump_cc, Doing::Actuators, PitchMode::Battery, battery_in};
+}
+
 VerticalCommand climbNow(Doing doing, const HookbehArgs& args, const Hull& hull) {
   return {usualPitch(args), hull.pump_cc, doing};
 }

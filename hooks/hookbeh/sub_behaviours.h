@@ -44,6 +44,20 @@ struct SurfaceNow {
   [[nodiscard]] VerticalCommand command(const HookbehArgs& args) const;
 };
 
+/// Keeps pump and pitch battery where the SBC has commanded them: no depth, no pitch.
+struct FixedActuators {
+  double pump_cc = 0;
+  double battery_in = 0;
+  /// A pump that is far in drives the vehicle down as a dive does, and what guards a dive guards
+  /// this. With less the vehicle may sink, rise or stay, by its trim, as in a hover.
+  [[nodiscard]] bool dives() const { return pump_cc <= -kFarInCc; }
+  [[nodiscard]] VerticalCommand command(const HookbehArgs& args) const;
+
+ private:
+  /// cc; with less, the pump only trims the vehicle (DepthWatch).
+  static constexpr double kFarInCc = 100;
+};
+
 /// The command with which hookbeh climbs by its own limits: the hull's full pump range, regardless
 /// of the b_args for ordinary climbs.
 VerticalCommand climbNow(Doing doing, const HookbehArgs& args, const Hull& hull);

@@ -13,7 +13,7 @@ constexpr GliderRole kReportsOfHookbeh[] = {kGliderRoleHookState, kGliderRoleHoo
 
 /// The commands that hookbeh obeys beyond those of every version.
 SeatOptions withHookbeh(SeatOptions options) {
-  options.obeys |= kFeatureFixedFin;
+  options.obeys |= kFeatureFixedFin | kFeatureActuators;
   return options;
 }
 

@@ -20,8 +20,9 @@ struct Instruction {
   HookControl control = HookControl::None;
   HookVertical vertical = HookVertical::None;
   HookLateral lateral = HookLateral::Drift;
-  double depth_m = 0;
-  double pitch_rad = 0;    ///< nose up positive: negative to descend
+  double depth_m = 0;      ///< of Actuators: the pump, cc, positive to lift
+  double pitch_rad = 0;    ///< nose up positive: negative to descend; of Actuators: the pitch
+                           ///< battery, inches, positive to lower the nose
   double heading_rad = 0;  ///< of Fin: the fin's angle, positive to turn to starboard
   double latitude_ddmm = 0;
   double longitude_ddmm = 0;

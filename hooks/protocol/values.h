@@ -32,6 +32,8 @@ enum class HookAnswer : uint8_t {
   NotReady = 8,      ///< hookbeh waits or is complete
   OldSequence = 9,  ///< its number is older than one that was decided on: an instruction sent again
   BadFin = 10,      ///< beyond the b_arg for the fin
+  BadPump = 11,     ///< beyond the b_arg for the pump
+  BadBattery = 12,  ///< beyond the b_arg for the pitch battery
 };
 
 /// Whether a number on the line is a valid one of these values.
@@ -39,7 +41,7 @@ inline bool isHookState(uint8_t value) {
   return value <= static_cast<uint8_t>(HookState::Complete);
 }
 inline bool isHookAnswer(uint8_t value) {
-  return value <= static_cast<uint8_t>(HookAnswer::BadFin);
+  return value <= static_cast<uint8_t>(HookAnswer::BadBattery);
 }
 
 /// `sci_hook_control`.
@@ -51,7 +53,14 @@ enum class HookControl : uint8_t {
 };
 
 /// `sci_hook_vertical`.
-enum class HookVertical : uint8_t { None = 0, Descend = 1, Ascend = 2, Hover = 3, Surface = 4 };
+enum class HookVertical : uint8_t {
+  None = 0,
+  Descend = 1,
+  Ascend = 2,
+  Hover = 3,
+  Surface = 4,
+  Actuators = 5,  ///< pump and pitch battery, in place of depth and pitch
+};
 
 /// `sci_hook_lateral`.
 enum class HookLateral : uint8_t { Drift = 0, Heading = 1, Waypoint = 2, Fin = 3 };

@@ -114,6 +114,11 @@ Vehicle commanded(const Setting& setting, SmtText& out, const Vehicle& before, C
       return whereKnown(out, all, ascended(setting, out, before, arguments[0].value, now), before);
     case Command::Surface:
       return ascended(setting, out, before, "0.0", now);
+    case Command::Pump:
+    case Command::Battery: {  // V8
+      const Term limit = literal(setting.platform.envelope.greatest_depth_m);
+      return whereKnown(out, all, descended(setting, out, before, limit), before);
+    }
     case Command::Steer:
     case Command::SteerTo:
     case Command::Drift:

@@ -30,12 +30,13 @@ int encoding(const PlatformSensor& sensor) {
 /// The limits of the hull as constants, for code that must not be given other limits.
 std::string hull(const Envelope& envelope) {
   return fmt::format(
-      "/* The hull: m, rad, rad, m/s, cc and rad to either side */\n"
+      "/* The hull: m, rad, rad, m/s; cc, rad and in to either side */\n"
       "#define GLIDER_HULL_GREATEST_DEPTH_M {}\n#define GLIDER_HULL_STEEPEST_PITCH_RAD {}\n"
       "#define GLIDER_HULL_SHALLOWEST_PITCH_RAD {}\n#define GLIDER_HULL_VERTICAL_RATE_M_S {}\n"
-      "#define GLIDER_HULL_PUMP_CC {}\n#define GLIDER_HULL_FIN_RAD {}\n\n",
+      "#define GLIDER_HULL_PUMP_CC {}\n#define GLIDER_HULL_FIN_RAD {}\n"
+      "#define GLIDER_HULL_BATTERY_IN {}\n\n",
       envelope.greatest_depth_m, envelope.steepest_pitch_rad, envelope.shallowest_pitch_rad,
-      envelope.vertical_rate_m_s, envelope.pump_cc, envelope.fin_rad);
+      envelope.vertical_rate_m_s, envelope.pump_cc, envelope.fin_rad, envelope.battery_in);
 }
 
 /// The dictionary for software that builds the hooks into the vehicle.

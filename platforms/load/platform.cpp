@@ -194,9 +194,9 @@ constexpr std::pair<const char*, double Power::*> kPower[] = {{"capacity_kJ", &P
                                                               {"empty_V", &Power::empty_V},
                                                               {"hotel_W", &Power::hotel_W}};
 
-/// A vehicle may have no fin; `flies`: the simulator turns it by one.
+/// A vehicle may have no fin and no pitch battery; `flies`: the simulator turns it by one.
 Envelope readEnvelope(TomlReader& reader, bool flies) {
-  auto envelope = readNumbers(reader, kEnvelope, {"fin_rad"});
+  auto envelope = readNumbers(reader, kEnvelope, {"fin_rad", "battery_in"});
   envelope.fin_rad = reader.numberOr("fin_rad", 0);
   constexpr double kQuarterTurn = 1.5707963267948966;
   if (!(envelope.fin_rad >= 0 && envelope.fin_rad <= kQuarterTurn)) {
@@ -204,6 +204,10 @@ Envelope readEnvelope(TomlReader& reader, bool flies) {
   }
   if (flies && envelope.fin_rad == 0) {
     reader.refuse("fin_rad", "must be above 0: the simulator turns the vehicle by its fin");
+  }
+  envelope.battery_in = reader.numberOr("battery_in", 0);
+  if (!(envelope.battery_in >= 0)) {
+    reader.refuse("battery_in", "must not be below 0");
   }
   return envelope;
 }

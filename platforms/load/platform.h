@@ -49,7 +49,8 @@ struct Envelope {
   double drift_m_s = 0;               ///< the strongest current that missions account for
   double pump_cc = 0;                 ///< of the buoyancy pump, in either direction
   double fin_rad = 0;                 ///< of the fin, to either side; 0: missions have no fin
-  double cycle_s = 0;                 ///< of the flight controller
+  double battery_in = 0;  ///< of the pitch battery, to either side; 0: missions have none
+  double cycle_s = 0;     ///< of the flight controller
 };
 
 /// What proofs assume about the vehicle and the water, in addition to the envelope and the sensors'

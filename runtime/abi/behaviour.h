@@ -36,8 +36,11 @@ double gliderMissionTime(const GliderContext* context);
 /* Vehicle commands. A command equal to the one in force has no effect; one with an unknown (NaN)
    value has no effect and is counted and logged. Depths in m, pitch in rad (magnitude; the sign
    follows from the direction), heading in rad clockwise from north, positions in degrees, the
-   angle of the fin in rad, positive to turn to starboard. What code in C commands is not known when
-   a mission is compiled: a vehicle from before gliderFin refuses that command, not the link. */
+   angle of the fin in rad, positive to turn to starboard, the volume of the pump in m3, positive to
+   lift, the position of the pitch battery in m, positive to lower the nose. Pump and battery are in
+   force together, in place of a command about depth; the one that has not been commanded since the
+   last of these is in the middle, at 0. What code in C commands is not known when a mission is
+   compiled: a vehicle from before gliderFin or gliderPump refuses that command, not the link. */
 void gliderDescend(GliderContext* context, double depth, double pitch);
 void gliderAscend(GliderContext* context, double depth, double pitch);
 void gliderHover(GliderContext* context, double depth);
@@ -46,6 +49,8 @@ void gliderDriftFree(GliderContext* context);
 void gliderSteer(GliderContext* context, double heading);
 void gliderSteerTo(GliderContext* context, double latitude, double longitude);
 void gliderFin(GliderContext* context, double angle);
+void gliderPump(GliderContext* context, double volume);
+void gliderBattery(GliderContext* context, double position);
 
 #ifdef __cplusplus
 }

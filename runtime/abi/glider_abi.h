@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-#define GLIDER_ABI_VERSION 9u
+#define GLIDER_ABI_VERSION 10u
 /* Gives a function declared in C the symbol that a mission looks for; ir/core/c_symbols.h says how
    the symbol encodes the function's types. */
 #define GLIDER_SYMBOL(name) __asm__(name)
@@ -67,10 +67,12 @@ typedef enum GliderPhase { kGliderEnter, kGliderResume, kGliderTick } GliderPhas
 
 typedef enum GliderVertical {
   kGliderNoVertical,
-  kGliderDescend, /* to depth at pitch (negative), pump in; does not level off */
-  kGliderAscend,  /* to depth at pitch (positive), pump out; does not level off */
-  kGliderHover,   /* at depth */
-  kGliderSurface  /* climb to the surface and stay */
+  kGliderDescend,  /* to depth at pitch (negative), pump in; does not level off */
+  kGliderAscend,   /* to depth at pitch (positive), pump out; does not level off */
+  kGliderHover,    /* at depth */
+  kGliderSurface,  /* climb to the surface and stay */
+  kGliderActuators /* pump and pitch battery at fixed positions, which take the places of depth and
+                      pitch */
 } GliderVertical;
 
 typedef enum GliderLateral {

@@ -45,7 +45,9 @@ int tellWish(const Options& options, const char* mission_name) {
       tellHelp(mission_name);
       return kDone;
     case Options::Wish::Version: {
-      const char abi[] = {static_cast<char>('0' + GLIDER_ABI_VERSION), '\0'};
+      static_assert(GLIDER_ABI_VERSION >= 10 && GLIDER_ABI_VERSION < 100);
+      const char abi[] = {static_cast<char>('0' + GLIDER_ABI_VERSION / 10),
+                          static_cast<char>('0' + GLIDER_ABI_VERSION % 10), '\0'};
       tell("mission ", mission_name, ", glidercc runtime, ABI ", abi);
       return kDone;
     }

@@ -135,6 +135,12 @@ void steerTo(double latitude, double longitude);
 /* The fin at a fixed angle, positive to turn to starboard. A program that calls this is refused by
  * a vehicle that does not obey it. */
 void holdFin(double angle);
+/* The buoyancy pump, cc, positive to lift, and the pitch battery, inches, positive to lower the
+ * nose: in place of a depth, together; the one that is not set since the last command about depth
+ * is in the middle, at 0. Nothing then keeps a depth: end the descent yourself. A program that
+ * calls one of them is refused by a vehicle that does not obey it. */
+void setPump(double cc);
+void setPitchBattery(double inches);
 void drift(void);
 
 /* Thermocline: a difference of `dtemp` within `ddepth` metres. */

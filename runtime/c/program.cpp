@@ -15,8 +15,9 @@
 #include <new>
 #include <string.h>
 
-/// Linked only if the mission calls it.
+/// Linked only if the mission calls them, or setPitchBattery.
 extern "C" __attribute__((weak)) void holdFin(double angle);
+extern "C" __attribute__((weak)) void setPump(double cc);
 
 namespace glider::runtime {
 namespace {
@@ -88,7 +89,9 @@ void Program::open() {
   options.mission_name = link_.mission_name;
   options.sensors = subscription_;
   options.sensor_count = mission_.sensor_count;
-  options.features.needs = holdFin != nullptr ? hooks::kFeatureFixedFin : 0;
+  options.features.needs =
+      static_cast<uint16_t>((holdFin != nullptr ? hooks::kFeatureFixedFin : 0) |
+                            (setPump != nullptr ? hooks::kFeatureActuators : 0));
   mission_.name = link_.mission_name;
   client_ = ::new (client_memory_) hooks::Client(*gliderVehicle.dictionary, options);
   log_ = ::new (log_memory_) MissionLog(link_.log, mission_);

@@ -49,12 +49,29 @@ double wrapped(double heading) {
   return positive < kTwoPi ? positive : 0.0;
 }
 
+/// Pump (cc) and pitch battery (inches), of which one is commanded: the other stays if it is in
+/// force, and is in the middle otherwise.
+__attribute__((noinline)) void setActuator(GliderContext& context,
+                                           double GliderContext::* commanded, double value) {
+  if (!known(context, value, 0.0)) {
+    return;
+  }
+  if (context.vertical != kGliderActuators) {
+    setVertical(context, kGliderActuators, 0.0, 0.0);
+  }
+  context.*commanded = value;
+}
+
+constexpr double kCcPerCubicMetre = 1e6;
+constexpr double kMetresPerInch = 0.0254;
+
 }  // namespace
 }  // namespace glider::runtime
 
 using glider::runtime::known;
 using glider::runtime::magnitude;
 using glider::runtime::negated;
+using glider::runtime::setActuator;
 using glider::runtime::setLateral;
 using glider::runtime::setSlope;
 using glider::runtime::setVertical;
@@ -97,4 +114,12 @@ extern "C" void gliderFin(GliderContext* context, double angle) {
   if (known(*context, angle, 0.0)) {
     setLateral(*context, kGliderFin, angle, 0.0, 0.0);
   }
+}
+
+extern "C" void gliderPump(GliderContext* context, double volume) {
+  setActuator(*context, &GliderContext::depth, volume * glider::runtime::kCcPerCubicMetre);
+}
+
+extern "C" void gliderBattery(GliderContext* context, double position) {
+  setActuator(*context, &GliderContext::pitch, position / glider::runtime::kMetresPerInch);
 }

@@ -150,7 +150,7 @@ bool Control::chooseRelease(hooks::Instruction& out) {
 
 Check Control::brokenPart() const {
   constexpr auto kControls = static_cast<uint16_t>(HookControl::Release);
-  constexpr auto kVerticals = static_cast<uint16_t>(hooks::HookVertical::Surface);
+  constexpr auto kVerticals = static_cast<uint16_t>(hooks::HookVertical::Actuators);
   constexpr auto kLaterals = static_cast<uint16_t>(hooks::HookLateral::Fin);
   // In the order of log/checks.def.
   static constexpr hooks::Bound kBounds[] = {

@@ -18,6 +18,8 @@ hooks::HookVertical verticalOf(uint32_t vertical) {
       return hooks::HookVertical::Hover;
     case kGliderSurface:
       return hooks::HookVertical::Surface;
+    case kGliderActuators:
+      return hooks::HookVertical::Actuators;
     case kGliderNoVertical:
       break;
   }

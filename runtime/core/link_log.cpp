@@ -39,6 +39,8 @@ static_assert(sameNumber(LogDetail::WrongSession, HookAnswer::WrongSession));
 static_assert(sameNumber(LogDetail::NotReady, HookAnswer::NotReady));
 static_assert(sameNumber(LogDetail::OldSequence, HookAnswer::OldSequence));
 static_assert(sameNumber(LogDetail::BadFin, HookAnswer::BadFin));
+static_assert(sameNumber(LogDetail::BadPump, HookAnswer::BadPump));
+static_assert(sameNumber(LogDetail::BadBattery, HookAnswer::BadBattery));
 
 /// Feature `bit` of the protocol, which is missing.
 constexpr LogDetail featureDetail(uint8_t bit) {

@@ -60,7 +60,7 @@ Check brokenNumber(const GliderContext& context) {
   static constexpr hooks::Bound kBounds[] = {
       {offsetof(GliderContext, finished), 1, 4},
       {offsetof(GliderContext, just_returned), 1, 4},
-      {offsetof(GliderContext, vertical), kGliderSurface, 4},
+      {offsetof(GliderContext, vertical), kGliderActuators, 4},
       {offsetof(GliderContext, lateral), kGliderFin, 4},
   };
   constexpr uint32_t kCount = sizeof kBounds / sizeof kBounds[0];

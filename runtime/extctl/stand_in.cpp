@@ -121,6 +121,7 @@ HookAnswer StandIn::decide(const hooks::Instruction& instruction) {
   }
   if (instruction.vertical == hooks::HookVertical::Hover ||
       instruction.vertical == hooks::HookVertical::None ||
+      instruction.vertical == hooks::HookVertical::Actuators ||
       instruction.lateral == hooks::HookLateral::Fin ||
       (instruction.vertical == hooks::HookVertical::Descend && instruction.depth_m < kLeastDive)) {
     return HookAnswer::BadCommand;  // no stock behaviour that the port can start does this

@@ -77,7 +77,8 @@ void follow(const hooks::Instruction& instruction, const GliderPortMission& port
     case HookVertical::Surface:
       stock.modes |= kGliderPortModeSurface;
       break;
-    case HookVertical::Hover:  // refused before
+    case HookVertical::Hover:  // these are refused before
+    case HookVertical::Actuators:
     case HookVertical::None:
       break;
   }

@@ -23,6 +23,7 @@ class Planted:
 
 HOOKBEH = "hooks/hookbeh/hookbeh.cpp"
 GUARD = "hooks/hookbeh/guard.cpp"
+SUBS = "hooks/hookbeh/sub_behaviours.cpp"
 PILOT = "hooks/hookbeh/pilot.cpp"
 BOUNDS = "hooks/hookbeh/bounds.cpp"
 VALUES = "hooks/protocol/values.cpp"
@@ -110,6 +111,14 @@ PLANTED = [
             "orUsual(args.climb_pump_cc, usual.climb_pump_cc)"),
     Planted("HB-53", "the fin is held to the other side", PILOT, "in_force_.heading_rad};", "-in_force_.heading_rad};"),
     Planted("HB-53", "a held fin is centred", PILOT, "in_force_.lateral == HookLateral::Fin", "false"),
+    Planted("HB-6", "a pump is accepted that max_pump refuses", BOUNDS, "!(magnitude(pump_cc) <= asFloat32(args.greatest_pump_cc))", "false"),
+    Planted("HB-6", "a battery is refused that max_battery allows", BOUNDS, "magnitude(battery_in) <= asFloat32(args.greatest_battery_in)",
+            "magnitude(battery_in) < asFloat32(args.greatest_battery_in) / 2"),
+    Planted("HB-54", "the pump goes to the other side", SUBS, "pump_cc, Doing::Actuators", "-pump_cc, Doing::Actuators"),
+    Planted("HB-54", "the battery stays in the middle", SUBS, "PitchMode::Battery, battery_in}", "PitchMode::Battery, 0}"),
+    Planted("HB-54", "actuators fly as the surface", PILOT, "actuators_ = {want.depth_m, want.pitch_rad};\n      stage_ = Stage::Actuators;",
+            "stage_ = Stage::Surfacing;"),
+    Planted("HB-55", "a guard ends while actuators are in force", GUARD, "return false;  // wherever they lead", "return true;"),
     Planted("HB-30", "a guard has no number", HOOKBEH, "outputs.state = state_;",
             "outputs.state = state_; outputs.guard = HookGuard::None;"),
 ]

@@ -167,7 +167,7 @@ def deleted_route(m):
             yield i, [(i, end, "")]
 
 
-COMMANDS = ("descend", "ascend", "hover", "surface", "steer", "steer_to", "drift", "fin")
+COMMANDS = ("descend", "ascend", "hover", "surface", "steer", "steer_to", "drift", "fin", "pump", "battery")
 
 
 @kind("deleted-command")

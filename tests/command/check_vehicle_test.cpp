@@ -80,6 +80,26 @@ TEST_F(CheckVehicle, AFinBeyondThatOfHookbehIsAnError) {
   expectFine(with_fin(""));
 }
 
+TEST_F(CheckVehicle, APumpOrBatteryBeyondThatOfHookbehIsAnError) {
+  const auto trimmed =
+      folder_.write("trim.mission",
+                    "mission m\nstate survey\nbegin\n  flightroute noheading\n"
+                    "  flightprofile fixed_trim(-120 cc, 0.4 inch)\n  sensors depth\n"
+                    "  events\n    case depth > 9 m || depth < -1 m exit\n    case missiontime >= "
+                    "1 h exit\nend\n");
+  const auto with_args = [&](const std::string& abend, const std::string& hookbeh) {
+    return runShell("$GLIDERCC check --mi " + vehicle(abend, hookbeh) + " " + trimmed.string());
+  };
+  expectError(with_args("", "b_arg: max_pump(cc) 119\n"),
+              "`survey` may command a pump volume of 120 cc, but hookbeh refuses more than 119 cc");
+  expectError(with_args("", "b_arg: max_battery(in) 0.39\n"),
+              "`survey` may command a battery position of 0.4 inch, but hookbeh refuses more than "
+              "0.39 inch");
+  EXPECT_EQ(
+      with_args("", "b_arg: max_pump(cc) 120\nb_arg: max_battery(in) 0.4\n").err.find("GL3124"),
+      std::string::npos);
+}
+
 /// Not `always` of a mission that has none.
 TEST_F(CheckVehicle, OnlyWhatCommandsADepthIsNamed) {
   const Outcome outcome = with("", "b_arg: max_depth(m) -10\n");

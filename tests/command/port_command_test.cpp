@@ -149,6 +149,18 @@ TEST_F(PortCommand, AHeldFinIsOneOfThem) {
   EXPECT_THAT(built.err, AllOf(HasSubstr("GL4015"), HasSubstr("`fin`")));
 }
 
+TEST_F(PortCommand, PumpAndBatteryAreOthers) {
+  write("trim.mission",
+        "mission trim\n\nstate s\nbegin\n  flightroute noheading\n"
+        "  flightprofile fixed_trim(-50 cc, 2 mm)\n"
+        "  sensors missiontime, depth\n  events\n    case depth > 9 m exit\n    case missiontime > "
+        "1 h "
+        "exit\nend\n");
+  const Outcome built = run("build trim.mission --dialect extctl -o port");
+  EXPECT_EQ(built.status, 1);
+  EXPECT_THAT(built.err, AllOf(HasSubstr("GL4015"), HasSubstr("`pump`"), HasSubstr("`battery`")));
+}
+
 // accepts: GL5131
 TEST_F(PortCommand, MoreSensorsThanThePortHasAreAnError) {
   std::string text =

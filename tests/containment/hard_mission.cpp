@@ -281,6 +281,10 @@ class Maker {
         return steerTo();
       case Command::Drift:
         return "drift ()\n";
+      case Command::Pump:
+        return fmt::format("pump ({})\n", random_.pick(kPumps));
+      case Command::Battery:
+        return fmt::format("battery ({})\n", random_.pick(kBatteries));
       case Command::Fin:
         return fmt::format("fin ({})\n", expressions_.of(Kind::Angle, 1));
     }
@@ -377,8 +381,9 @@ class Maker {
     }
     constexpr Command kHeadings[] = {Command::Steer, Command::SteerTo, Command::Drift,
                                      Command::SteerTo, Command::Fin};
-    constexpr Command kDepths[] = {Command::Descend, Command::Ascend, Command::Hover,
-                                   Command::Surface, Command::Surface};
+    constexpr Command kDepths[] = {Command::Descend, Command::Ascend,  Command::Hover,
+                                   Command::Surface, Command::Surface, Command::Pump,
+                                   Command::Battery};
     std::string entry =
         fmt::format("log \"deep\" ((le (sensor depth) {}:length))\n", random_.between(5, 200));
     entry += random_.chance(0.3) ? block(1) : "";
@@ -431,6 +436,9 @@ class Maker {
   }
 
   static constexpr double kTops[] = {0, 3, 10};
+  static constexpr const char* kPumps[] = {"-0.000233:volume", "-5e-05:volume", "0:volume",
+                                           "0.000233:volume", "0/0:volume"};
+  static constexpr const char* kBatteries[] = {"-0.02:length", "0:length", "0.02:length"};
   static constexpr double kDeeps[] = {10, 30, 90.5};
 
   random_missions::Random random_;

@@ -260,6 +260,13 @@ extern "C" void gliderFin(GliderContext*, double angle) {
   putCommand(7, 1, &angle);
 }
 
+extern "C" void gliderPump(GliderContext*, double volume) {
+  putCommand(8, 1, &volume);
+}
+extern "C" void gliderBattery(GliderContext*, double position) {
+  putCommand(9, 1, &position);
+}
+
 int main(int argc, char** argv) {
   glider::runtime::useDoublePrecision();
   if (argc != 3 || (streams = fopen(argv[1], "rb")) == nullptr ||

@@ -203,7 +203,10 @@ inline void feedHookbeh(const uint8_t* bytes, uint32_t count) {
     require(out.pitch_rad >= -args.steepest_pitch_rad - 1e-6 &&
             out.pitch_rad <= args.steepest_pitch_rad + 1e-6);
     require(out.fin_rad >= -kHull.fin_rad && out.fin_rad <= kHull.fin_rad);
-    require(out.pump_cc >= args.dive_pump_cc && out.pump_cc <= args.climb_pump_cc);
+    const bool actuators = out.pitch_mode == PitchMode::Battery;
+    require(out.pump_cc >= (actuators ? -kHull.pump_cc : args.dive_pump_cc) &&
+            out.pump_cc <= (actuators ? kHull.pump_cc : args.climb_pump_cc));
+    require(out.battery_in >= -kHull.battery_in && out.battery_in <= kHull.battery_in);
     require(!out.commanding || inputs.depth_m <= args.greatest_depth_m ||
             out.pump_cc == args.climb_pump_cc);
   }

@@ -78,6 +78,18 @@ TEST_F(SecondFamily, RefusesAMissionThatNeedsMoreByName) {
   EXPECT_LT(greatest("f", "m_depth (m)"), 1);
 }
 
+TEST_F(SecondFamily, RefusesAMissionThatCommandsThePumpByName) {
+  (void)folder_.write(
+      "pump.mission",
+      "mission m\nplatform toy\nflightprofile in\nbegin\n  entry do pump(-20 cc) end\n"
+      "end\nstate s\nbegin\n  flightprofile in\n  flightroute noheading\n"
+      "  sensors missiontime, depth\n  events\n    case depth > 5 m exit\n"
+      "    case missiontime >= 20 min exit\nend\n");
+  const Outcome flown = withAToy("sim pump.mission -o f");
+  EXPECT_THAT(flown.out + flown.err, HasSubstr("actuators"));
+  EXPECT_LT(greatest("f", "m_depth (m)"), 1);
+}
+
 TEST_F(SecondFamily, IsCheckedByItsOwnRules) {
   const Outcome report = withAToy("check toy.mission --report");
   EXPECT_EQ(report.status, 0) << report.err;

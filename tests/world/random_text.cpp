@@ -49,7 +49,10 @@ class Text {
     const std::string bottom = dice_.chance(0.3)
                                    ? fmt::format("{:.1f} m + bottom / 2", top)
                                    : fmt::format("{:.1f} m", dice_.within(top + 3, kDeepest));
-    switch (dice_.below(9)) {
+    switch (dice_.below(10)) {
+      case 9:
+        return fmt::format("fixed_trim({:.0f} cc, {:.2f} inch)", dice_.within(-233, 233),
+                           dice_.within(-0.6, 0.6));
       case 0:
         return fmt::format("thermotrackyo({:.1f} m, {}, {}, {}, 4 degC, 5 m)", top, bottom, pitch(),
                            pitch());

@@ -83,6 +83,9 @@ void WorldWatch::command(uint32_t vertical, double target_m, double depth_m, dou
     case kGliderSurface:
       world_.commandUp(0, depth_m, time_s);
       break;
+    case kGliderActuators:  // V8
+      world_.commandDown(platform_.envelope.greatest_depth_m, depth_m);
+      break;
     case kGliderNoVertical:
       break;
   }

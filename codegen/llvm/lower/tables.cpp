@@ -48,15 +48,35 @@ size_t startDepthCm(const Lowering& lowering) {
   return static_cast<size_t>(ir::startReading(lowering.mission, lowering.platform) * kCmPerM);
 }
 
+/// The feature of a command that not every vehicle obeys.
+size_t neededFor(ir::Command command) {
+  switch (command) {
+    case ir::Command::Fin:
+      return hooks::kFeatureFixedFin;
+    case ir::Command::Pump:
+    case ir::Command::Battery:
+      return hooks::kFeatureActuators;
+    case ir::Command::Descend:
+    case ir::Command::Ascend:
+    case ir::Command::Hover:
+    case ir::Command::Surface:
+    case ir::Command::Steer:
+    case ir::Command::SteerTo:
+    case ir::Command::Drift:
+      break;
+  }
+  return 0;
+}
+
 /// What the vehicle must offer. What a profile or route in C commands is not known.
 size_t neededFeatures(const ir::Mission& mission) {
-  const auto holds_fin = [](const ir::Statement& statement) {
-    return statement.kind == ir::StatementKind::Command && statement.command == ir::Command::Fin;
-  };
-  const bool fin = std::ranges::any_of(mission.blocks, [&](const ir::Block& block) {
-    return std::ranges::any_of(block.statements, holds_fin);
-  });
-  return fin ? hooks::kFeatureFixedFin : 0;
+  size_t needs = 0;
+  for (const ir::Block& block : mission.blocks) {
+    for (const ir::Statement& statement : block.statements) {
+      needs |= statement.kind == ir::StatementKind::Command ? neededFor(statement.command) : 0U;
+    }
+  }
+  return needs;
 }
 
 /// Makes the constants.

@@ -46,6 +46,8 @@ size_t part(Phrase& phrase);
 size_t magneticHeading(Phrase& phrase);
 /// `3 days`, `2 ug/L`: units that are names elsewhere.
 size_t softUnit(Phrase& phrase);
+/// `0.5 in)`: `in` is not a unit.
+size_t rangeWordAsUnit(Phrase& phrase);
 /// `200 ml/L`, `5 hPa`: units of other systems.
 size_t foreignUnit(Phrase& phrase);
 /// `1h30`, `3 h 30 min`.

@@ -55,7 +55,13 @@ constexpr OtherUnit kOtherUnits[] = {{"degf", "degC", 1 / 1.8, -32 / 1.8},
                                      {"ml/l", "", 0, 0},
                                      {"psu", "", 0, 0},
                                      {"ppb", "", 0, 0},
-                                     {"cc", "", 0, 0}};
+                                     {"inches", "inch", 1, 0},
+                                     {"ccm", "cc", 1, 0},
+                                     {"cm3", "cc", 1, 0},
+                                     {"litre", "cc", 1000, 0},
+                                     {"litres", "cc", 1000, 0},
+                                     {"liter", "cc", 1000, 0},
+                                     {"liters", "cc", 1000, 0}};
 
 const OtherUnit* otherUnit(std::string unit) {
   std::ranges::transform(unit, unit.begin(), [](unsigned char c) {
@@ -253,6 +259,21 @@ size_t softUnit(Phrase& phrase) {
     }
   }
   return 0;
+}
+
+/// `0.5 in)`: `in` begins a range, and a range begins with a value.
+size_t rangeWordAsUnit(Phrase& phrase) {
+  const uint32_t next = phrase.type(1);
+  const bool ends = next == GliderLexer::RPAREN || next == GliderLexer::RBRACKET ||
+                    next == GliderLexer::COMMA || next == GliderLexer::RANGE;
+  if (phrase.before() != GliderLexer::NUMBER || phrase.type() != GliderLexer::IN || !ends) {
+    return 0;
+  }
+  phrase.reporter()
+      .at(phrase.token(), support::diagnostics::unknownUnit, "in",
+          "write `inch`: `in` begins a range of values")
+      .fix(phrase.source().range(phrase.token()), "inch");
+  return 1;
 }
 
 size_t foreignUnit(Phrase& phrase) {

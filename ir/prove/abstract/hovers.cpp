@@ -203,6 +203,9 @@ class HoverSearch {
     std::optional<Interval> depth;
     std::optional<ExprId> target;
     for (const Statement* command : commandsOf(m_, state)) {
+      if (movesActuators(command->command)) {
+        return std::nullopt;
+      }
       if (command->command != Command::Descend && command->command != Command::Ascend &&
           command->command != Command::Hover) {
         continue;

@@ -80,6 +80,9 @@ std::optional<Shallowest> ShallowestCommands::of(StateId id) const {
   const platforms::Platform& platform = seen_.platform;
   std::optional<Shallowest> least;
   for (const Statement* command : commands) {
+    if (movesActuators(command->command)) {
+      return std::nullopt;  // they may lead to the surface
+    }
     const Interval target =
         command->command == Command::Surface ? Interval{} : held_[command->values.at(0).index];
     if (target.empty || target.lowest <= platform.world.surface_depth_m) {

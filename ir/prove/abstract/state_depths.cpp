@@ -5,6 +5,7 @@
 
 #include "ir/core/walk.h"
 #include "ir/prove/abstract/held_ranges.h"
+#include "ir/prove/context/commands.h"
 
 #include <algorithm>
 #include <limits>
@@ -68,7 +69,9 @@ class Depths {
     }
     double deepest = proof_context_.platform.world.start_depth_m;
     const auto look = [&](const Statement& statement) {
-      if (leadsDown(statement)) {
+      if (statement.kind == StatementKind::Command && movesActuators(statement.command)) {
+        deepest = std::max(deepest, proof_context_.platform.envelope.greatest_depth_m);  // V8
+      } else if (leadsDown(statement)) {
         const Interval& target = held_[statement.values.at(0).index];
         const bool climbs = statement.command == Command::Ascend;
         const double below = climbs ? proof_context_.platform.world.climb_hold_m : 0;

@@ -94,12 +94,18 @@ bool isVertical(const Statement& statement) {
   return statement.kind == StatementKind::Command && isVertical(statement.command);
 }
 
+bool movesActuators(Command command) {
+  return command == Command::Pump || command == Command::Battery;
+}
+
 bool isVertical(Command command) {
   switch (command) {
     case Command::Descend:
     case Command::Ascend:
     case Command::Hover:
     case Command::Surface:
+    case Command::Pump:
+    case Command::Battery:
       return true;
     case Command::Steer:
     case Command::SteerTo:

@@ -33,6 +33,8 @@ std::vector<Position> pathTargets(const Mission& mission, const Statement& state
 /// last command, and the route commands no depth.
 bool commandsSurface(const Mission& mission, const State& state);
 
+/// Whether a command is `pump` or `battery`: about the depth, but without a depth to fly to.
+bool movesActuators(Command command);
 /// Whether a command is about depth and pitch; otherwise it is about the heading.
 bool isVertical(Command command);
 /// Whether it gives such a command.

@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
-/// The rules V1 to V5 of the vehicle (docs/verification.md, "The rules of the vehicle"), once for
-/// questions and flights: a template over an algebra of numbers and truths.
+/// The rules V1 to V5 and V8 of the vehicle (docs/verification.md, "The rules of the vehicle"),
+/// once for questions and flights: a template over an algebra of numbers and truths.
 ///
 /// An Algebra has `number(double)`, `truth(bool)` and `choose(truth, a, b)`; its numbers and truths
 /// have the operators of C++. Terms of Z3 are one (encoding/world.cpp), doubles another
@@ -57,8 +57,8 @@ class VehicleRules {
                     larger(larger(before.top, number(0)), lifted));
   }
 
-  /// V3 to V5: after `command` at mission time `now`, all of whose arguments are known; `target()`
-  /// is the first of them. None: the command changes nothing.
+  /// V3 to V5 and V8: after `command` at mission time `now`, all of whose arguments are known;
+  /// `target()` is the first of them. None: the command changes nothing.
   template <typename Vehicle, typename Number, typename Target>
   [[nodiscard]] std::optional<Vehicle> obey(const Vehicle& before, Command command,
                                             const Target& target, const Number& now) const {
@@ -70,6 +70,9 @@ class VehicleRules {
         return upTo(before, target(), now);
       case Command::Surface:
         return upTo(before, number(0), now);
+      case Command::Pump:
+      case Command::Battery:
+        return downTo(before, number(platform_.envelope.greatest_depth_m));  // V8
       case Command::Steer:
       case Command::SteerTo:
       case Command::Drift:

@@ -114,6 +114,9 @@ class AvoidanceCheck {
   [[nodiscard]] double deepest(const Commands& commands) const {
     double depth = 0;
     for (const Statement* command : commands) {
+      if (movesActuators(command->command)) {
+        return kNoEnd;
+      }
       if (leadsDown(*command)) {
         const Interval& target = held_[command->values.at(0).index];
         depth = target.empty ? depth : std::max(depth, target.highest);

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The pass `commands`: depths, pitches and fin angles beyond the vehicle's envelope, or above the
-// surface (GL3104), pitches that the vehicle refuses (GL3108), and profiles that never turn
-// (GL3105). In: the interval of each argument, and the guards before it, which are computed only if
-// the plain interval is too wide. No report is a proof for commands with known ranges. An error may
-// name a value that no flight commands: the pilot then narrows a range or adds a condition. Not
-// checked: code in C, numbers without a range.
+// The pass `commands`: depths, pitches, fin angles, pump volumes and battery positions beyond the
+// vehicle's envelope, or above the surface (GL3104), pitches that the vehicle refuses (GL3108), and
+// profiles that never turn (GL3105). In: the interval of each argument, and the guards before it,
+// which are computed only if the plain interval is too wide. No report is a proof for commands with
+// known ranges. An error may name a value that no flight commands: the pilot then narrows a range
+// or adds a condition. Not checked: code in C, numbers without a range.
 
 #include "ir/prove/context/commands.h"
 
@@ -43,6 +43,43 @@ constexpr double kNoBound = 1e300;
 std::string shown(double value, Type type) {
   const bool angle = type.dimension == support::dimension::angle;
   return angle ? fmt::format("{:.4g} deg", value * 180 / std::numbers::pi) : withUnit(value, type);
+}
+
+constexpr double kCubicMetresPerCc = 1e-6;
+constexpr double kMetresPerInch = 0.0254;
+/// The vehicle holds both as float32: what their conversion adds is not more than the limit.
+constexpr double kRounded = 1 + 1e-9;
+
+/// The limit of a part that a command moves, and how it is written.
+struct Part {
+  double most;                   ///< in SI units
+  std::string_view what = {};    ///< before a value that is too far
+  std::string_view lacks = {};   ///< of a vehicle whose limit is 0
+  double unit = 0;               ///< in which values are shown; 0: that of the type
+  std::string_view symbol = {};  ///< of that unit
+};
+
+std::optional<Part> partMoved(Command command, const platforms::Envelope& envelope) {
+  switch (command) {
+    case Command::Fin:
+      return Part{envelope.fin_rad, "a fin angle of ",
+                  "its platform has no `fin_rad`: the vehicle has no fin to command"};
+    case Command::Pump:
+      return Part{envelope.pump_cc * kCubicMetresPerCc * kRounded, "a pump volume of ", ""};
+    case Command::Battery:
+      return Part{envelope.battery_in * kMetresPerInch * kRounded, "a battery position of ",
+                  "its platform has no `battery_in`: the vehicle has no pitch battery to command",
+                  kMetresPerInch, "inch"};
+    case Command::Descend:
+    case Command::Ascend:
+    case Command::Hover:
+    case Command::Surface:
+    case Command::Steer:
+    case Command::SteerTo:
+    case Command::Drift:
+      break;
+  }
+  return std::nullopt;
 }
 
 /// Checks the commands of every state and of `always`, with the ranges of all that they are made
@@ -95,38 +132,38 @@ class CommandCheck {
     });
   }
 
-  /// Checks depth, pitch and fin of each command; a number without a range is not checked. `place`:
-  /// of all of them.
+  /// Checks depth, pitch, fin, pump and battery of each command; a number without a range is not
+  /// checked. `place`: of all of them.
   void checkEnvelope(const std::vector<const Statement*>& commands,
                      const support::SourceRange& place) {
     for (const Statement* statement : commands) {
       const bool sloped =
           statement->command == Command::Descend || statement->command == Command::Ascend;
       if (sloped || statement->command == Command::Hover) {
-        hold(place, *statement, 0, envelope_.greatest_depth_m);
+        hold(place, *statement, 0, {envelope_.greatest_depth_m});
         holdUnderWater(place, *statement);
       }
-      if (statement->command == Command::Fin) {
-        hold(place, *statement, 0, envelope_.fin_rad);
+      if (const auto part = partMoved(statement->command, envelope_)) {
+        hold(place, *statement, 0, *part);
       }
       if (sloped) {
-        hold(place, *statement, 1, envelope_.steepest_pitch_rad);
+        hold(place, *statement, 1, {envelope_.steepest_pitch_rad});
         holdSteepEnough(place, *statement);
       }
     }
   }
 
   void hold(const support::SourceRange& place, const Statement& statement, size_t argument,
-            double most) {
+            const Part& part) {
     const auto greatest = [](const Interval& given) {
       return given.empty ? 0 : std::max(given.highest, -given.lowest);
     };
     const double plain = greatest(range(statement, argument));
-    if (plain >= kNoBound || plain <= most) {
+    if (plain >= kNoBound || plain <= part.most) {
       return;
     }
     const double given = greatest(guardedRange(statement, argument));
-    if (given <= most) {
+    if (given <= part.most) {
       return;
     }
     const support::SourceRange where = placeOf(place, statement, argument);
@@ -134,14 +171,17 @@ class CommandCheck {
       return;
     }
     const Type type = m_[statement.values.at(argument)].type;
-    const bool fin = statement.command == Command::Fin;
-    auto report = proof_.diagnostics.report(
-        support::diagnostics::commandBeyondEnvelope, where,
-        (fin ? "a fin angle of " : "") + shown(given, type),
-        most > 0 ? "beyond the vehicle's limit of " + shown(most, type)
-                 : "but its platform has no `fin_rad`: the vehicle has no fin to command");
-    if (most > 0 && isFixed(range(statement, argument))) {
-      report.hint(fmt::format("write at most `{}`", shown(most, type)));
+    const auto text = [&](double value) {
+      return part.unit > 0 ? fmt::format("{:.4g} {}", value / part.unit, part.symbol)
+                           : shown(value, type);
+    };
+    auto report =
+        proof_.diagnostics.report(support::diagnostics::commandBeyondEnvelope, where,
+                                  fmt::format("{}{}", part.what, text(given)),
+                                  part.most > 0 ? "beyond the vehicle's limit of " + text(part.most)
+                                                : fmt::format("but {}", part.lacks));
+    if (part.most > 0 && isFixed(range(statement, argument))) {
+      report.hint(fmt::format("write at most `{}`", text(part.most)));
     }
   }
 

@@ -19,7 +19,7 @@ const codes: Record<string, Record<number, string>> = {
   x_dr_state: { 0: "mission start", 1: "under water", 2: "waiting for a fix", 3: "waiting for the second fix", 4: "waiting to dive" },
 };
 const noCommand: Record<number, string> = { [-1]: "not commanded", 99: "ignored" };
-const verticals = ["none", "descend", "ascend", "hover", "surface"];
+const verticals = ["none", "descend", "ascend", "hover", "surface", "pump and battery"];
 
 function valueText(name: string, unit: string, value: number): string {
   if (name === "hook_active") return value > 0 ? "in control" : "not in control";

@@ -101,6 +101,8 @@ constexpr auto kBounds = std::to_array<Bounds>({
     {"hookbeh", "max_pitch", 0.1, kSteep},
     {"hookbeh", "min_pitch", 0, kSteep},
     {"hookbeh", "max_fin", 0, kSteep},
+    {"hookbeh", "max_pump", 0, 1000},
+    {"hookbeh", "max_battery", 0, 3},
     {"hookbeh", "silence_secs", 8, 3600},
     {"hookbeh", "hold_secs", 0, 3600},
     {"hookbeh", "d_bpump_value", -1000, 0},

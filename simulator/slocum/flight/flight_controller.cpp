@@ -327,7 +327,9 @@ void FlightController::noteInstruction() {
     return;  // turns only: the vertical command in force stays
   }
   obeyed_.vertical = array_.get(Sensor::sci_hook_vertical);
-  obeyed_.depth_m = array_.get(Sensor::sci_hook_depth);
+  const bool actuators =
+      obeyed_.vertical == static_cast<double>(hooks::HookVertical::Actuators);  // no depth
+  obeyed_.depth_m = actuators ? kNaN : array_.get(Sensor::sci_hook_depth);
   noteRange();
 }
 

@@ -16,7 +16,8 @@ inline hooks::Hull hullOf(const platforms::Platform& platform) {
           .shallowest_pitch_rad = envelope.shallowest_pitch_rad,
           .vertical_rate_m_s = envelope.vertical_rate_m_s,
           .pump_cc = envelope.pump_cc,
-          .fin_rad = envelope.fin_rad};
+          .fin_rad = envelope.fin_rad,
+          .battery_in = envelope.battery_in};
 }
 
 }  // namespace glider::simulator

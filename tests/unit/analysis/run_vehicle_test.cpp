@@ -33,7 +33,8 @@ class ThreeVehicles {
 
   void command() {
     constexpr std::array kCommands = {Command::Descend, Command::Hover, Command::Ascend,
-                                      Command::Surface, Command::Drift};
+                                      Command::Surface, Command::Drift, Command::Pump,
+                                      Command::Battery};
     const Command command = kCommands.at(random_() % kCommands.size());
     CommandRun run{command, {}, false};
     std::vector<Number> arguments;

@@ -121,6 +121,19 @@ TEST_F(VehicleRules, V5UnknownArgumentsAndSteering) {
   EXPECT_TRUE(is(after(at(10, 30), Command::Fin, 0.2).deepest, 30));
 }
 
+TEST_F(VehicleRules, V8PumpAndBatteryLeadAsDeepAsTheHullAllows) {
+  for (const Command command : {Command::Pump, Command::Battery}) {
+    const Vehicle v = after(climbing(10, 30, 50, 5), command, 0.0001);
+    EXPECT_TRUE(is(v.deepest, 205));
+    EXPECT_EQ(v.climbing, "false");
+    EXPECT_TRUE(is(after(at(300, 500), command, -1).deepest, 305)) << "where the dive before ends";
+    const std::vector<Number> unknown{{"0.0", "false"}};
+    const Vehicle same =
+        commanded(setting_, out_, climbing(10, 30, 50, 9), command, unknown, "100.0");
+    EXPECT_TRUE(is(same.deepest, 30) && isTrue(same.climbing)) << "an unknown one";
+  }
+}
+
 TEST_F(VehicleRules, V6CodeInCMayCommandAnything) {
   const Vehicle v = commandedInC(out_, climbing(10, 30, 50, 9));
   EXPECT_TRUE(can(fmt::format("(and (= {} 500.0) (not {}))", v.deepest, v.climbing)));

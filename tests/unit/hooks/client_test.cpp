@@ -162,6 +162,17 @@ TEST_F(ClientTest, AFixedFinThatTheVehicleDoesNotObeyIsRefusedByName) {
   EXPECT_STREQ(featureName(lowestFeature(client.refusal().missing_features)), "fixed-fin");
 }
 
+TEST_F(ClientTest, ActuatorsThatTheVehicleDoesNotObeyAreRefusedByName) {
+  ClientOptions options;
+  options.features = {.offers = kAllFeatures, .needs = kFeatureActuators};
+  Client client(gliderDictionary, options);
+  const uint16_t before = kFeatureVirtualTime | kFeatureFixedFin;
+  say(Beacon{
+      kProtocolVersion, {before, kFeatureVirtualTime}, gliderDictionary.hash, HookState::Ready});
+  EXPECT_EQ(client.poll(sbc_, clock_.clock()), ClientEvent::Refused);
+  EXPECT_STREQ(featureName(lowestFeature(client.refusal().missing_features)), "actuators");
+}
+
 TEST_F(ClientTest, AWelcomeToItsOwnLinkEndsARefusal) {
   link();
   tick();

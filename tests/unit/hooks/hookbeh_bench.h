@@ -88,6 +88,11 @@ class HookbehBench {
     instruction.vertical = vertical;
     return instruction;
   }
+  static Instruction actuators(double pump_cc, double battery_in) {
+    Instruction instruction = vertical(HookVertical::Actuators, pump_cc);
+    instruction.pitch_rad = battery_in;
+    return instruction;
+  }
   static Instruction take(double depth = 20, uint32_t session = 1) {
     return descend(depth, HookControl::Take, session);
   }

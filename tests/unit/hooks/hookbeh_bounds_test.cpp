@@ -98,6 +98,30 @@ TEST(HookbehBounds, FinUpToTheFarthest) {
   EXPECT_EQ(fin(0.01, args), HookAnswer::BadFin) << "no fin";
 }
 
+TEST(HookbehBounds, PumpAndBatteryUpToTheFarthest) {
+  const auto moved = [](double pump_cc, double battery_in, const HookbehArgs& args = {}) {
+    return answerTo(Bench::actuators(pump_cc, battery_in), args);
+  };
+  HookbehArgs args;
+  args.greatest_pump_cc = 100.1;  // no float32, as 0.3
+  args.greatest_battery_in = 0.3;
+  for (const double side : {-1.0, 1.0}) {
+    EXPECT_EQ(moved(side * 233, -side * 0.6), HookAnswer::Accepted) << side;
+    EXPECT_EQ(moved(side * 233.1, 0), HookAnswer::BadPump) << side;
+    EXPECT_EQ(moved(0, side * 0.601), HookAnswer::BadBattery) << side;
+    EXPECT_EQ(moved(side * 100.1, side * 0.3, args), HookAnswer::Accepted) << side;
+    EXPECT_EQ(moved(side * 100.2, 0, args), HookAnswer::BadPump) << side;
+    EXPECT_EQ(moved(0, side * 0.301, args), HookAnswer::BadBattery) << side;
+    EXPECT_EQ(moved(side * 1e300, 0), HookAnswer::BadPump) << side;
+  }
+  EXPECT_EQ(moved(kNan, 0), HookAnswer::BadPump);
+  EXPECT_EQ(moved(0, kNan), HookAnswer::BadBattery);
+  args.greatest_pump_cc = args.greatest_battery_in = 0;
+  EXPECT_EQ(moved(0, 0, args), HookAnswer::Accepted);
+  EXPECT_EQ(moved(1, 0, args), HookAnswer::BadPump);
+  EXPECT_EQ(moved(0, 0.01, args), HookAnswer::BadBattery) << "no battery to command";
+}
+
 TEST(HookbehBounds, WaypointsOnEarth) {
   auto waypoint = [](double latitude, double longitude) {
     Instruction instruction = Bench::descend(20);
@@ -126,7 +150,7 @@ TEST(HookbehBounds, NoSuchCommand) {
   instruction = Bench::descend(20);
   instruction.control = HookControl::None;
   EXPECT_EQ(bench.give(instruction).answer, HookAnswer::BadCommand);
-  EXPECT_EQ(bench.give(Bench::vertical(static_cast<HookVertical>(5), 10)).answer,
+  EXPECT_EQ(bench.give(Bench::vertical(static_cast<HookVertical>(6), 10)).answer,
             HookAnswer::BadCommand);
   instruction = Bench::descend(20);
   instruction.lateral = static_cast<HookLateral>(4);

@@ -25,6 +25,7 @@ TEST(HookbehHull, IsThatOfThePlatformFile) {
   EXPECT_EQ(kHull.vertical_rate_m_s, 0.4);
   EXPECT_EQ(kHull.pump_cc, 233);
   EXPECT_EQ(kHull.fin_rad, 0.45);
+  EXPECT_EQ(kHull.battery_in, 0.6);
 }
 
 TEST(HookbehHull, NoArgDivesDeeperThanTheHull) {
@@ -117,6 +118,29 @@ TEST(HookbehHull, NoArgHoldsTheFinFartherThanTheHull) {
   EXPECT_EQ(narrowed(0.2, 0), 0) << "a vehicle without a fin";
 }
 
+TEST(HookbehHull, NoArgMovesPumpOrBatteryFartherThanTheHull) {
+  const auto narrowed = [](double wild, const Hull& hull = kHull) {
+    HookbehArgs args;
+    args.greatest_pump_cc = args.greatest_battery_in = wild;
+    return within(args, hull);
+  };
+  for (const double wild : {300.0, kInfinite}) {
+    EXPECT_EQ(narrowed(wild).greatest_pump_cc, 233);
+    EXPECT_EQ(narrowed(wild).greatest_battery_in, 0.6);
+  }
+  EXPECT_EQ(narrowed(0.5).greatest_pump_cc, 0.5);
+  EXPECT_EQ(narrowed(0.5).greatest_battery_in, 0.5);
+  EXPECT_EQ(narrowed(-1).greatest_pump_cc, 0);
+  EXPECT_EQ(narrowed(-1).greatest_battery_in, 0);
+  EXPECT_EQ(narrowed(kNan).greatest_pump_cc, 233) << "the default";
+  EXPECT_EQ(narrowed(kNan).greatest_battery_in, 0.6);
+  Hull small = kHull;
+  small.pump_cc = 100;
+  small.battery_in = 0;
+  EXPECT_EQ(narrowed(kNan, small).greatest_pump_cc, 100);
+  EXPECT_EQ(narrowed(0.5, small).greatest_battery_in, 0) << "a vehicle without a pitch battery";
+}
+
 TEST(HookbehHull, NoAltitudeIsBelowTheRangeOfTheAltimeter) {
   HookbehArgs args;
   args.least_altitude_m = 0.1;
@@ -151,6 +175,8 @@ TEST(HookbehHull, NarrowerArgsCount) {
   EXPECT_EQ(same.steepest_pitch_rad, usual.steepest_pitch_rad);
   EXPECT_EQ(same.shallowest_pitch_rad, usual.shallowest_pitch_rad);
   EXPECT_EQ(same.greatest_fin_rad, usual.greatest_fin_rad);
+  EXPECT_EQ(same.greatest_pump_cc, usual.greatest_pump_cc);
+  EXPECT_EQ(same.greatest_battery_in, usual.greatest_battery_in);
   EXPECT_EQ(same.silence_secs, usual.silence_secs);
   EXPECT_EQ(same.dive_pump_cc, usual.dive_pump_cc);
   EXPECT_EQ(same.climb_pump_cc, usual.climb_pump_cc);

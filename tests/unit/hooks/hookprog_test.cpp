@@ -26,8 +26,8 @@ TEST_F(HookprogTest, BeaconsOnceAFlightCycleUntilThereIsALink) {
     ASSERT_EQ(typesOf(frames), (std::vector{Type::Beacon}));
     Beacon beacon;
     ASSERT_TRUE(decode(frames[0], beacon));
-    EXPECT_EQ(beacon.features,
-              (Features{kFeatureVirtualTime | kFeatureFixedFin, kFeatureVirtualTime}));
+    EXPECT_EQ(beacon.features, (Features{kFeatureVirtualTime | kFeatureFixedFin | kFeatureActuators,
+                                         kFeatureVirtualTime}));
     EXPECT_EQ(beacon.dictionary, gliderDictionary.hash);
     EXPECT_EQ(beacon.hook_state, HookState::Ready);
   }
@@ -90,11 +90,11 @@ TEST_F(HookprogTest, AnSbcThatLacksAFeatureIsRefusedForEachOnce) {
   EXPECT_EQ(typesOf(atSbc()), (std::vector{Type::Welcome})) << "what it offers beyond is unused";
 }
 
-TEST_F(HookprogTest, AMissionThatNeedsAFixedFinIsWelcome) {
+TEST_F(HookprogTest, AMissionThatNeedsAFixedFinAndActuatorsIsWelcome) {
   Hello hello;
   hello.dictionary = gliderDictionary.hash;
   hello.link = 7;
-  hello.features = {.offers = kAllFeatures, .needs = kFeatureFixedFin};
+  hello.features = {.offers = kAllFeatures, .needs = kFeatureFixedFin | kFeatureActuators};
   say(hello);
   run();
   EXPECT_EQ(typesOf(atSbc()), (std::vector{Type::Welcome}));

@@ -69,7 +69,7 @@ Instruction wildInstruction(std::mt19937_64& random, const Any& any, bool releas
   Instruction instruction;
   instruction.session = 1 + static_cast<uint32_t>(random() % 3);
   instruction.control = static_cast<HookControl>(1 + random() % (release ? 4 : 2));
-  instruction.vertical = static_cast<HookVertical>(random() % 6);
+  instruction.vertical = static_cast<HookVertical>(random() % 7);
   instruction.lateral = static_cast<HookLateral>(random() % 5);
   instruction.depth_m = any();
   instruction.pitch_rad = any();
@@ -77,6 +77,10 @@ Instruction wildInstruction(std::mt19937_64& random, const Any& any, bool releas
   instruction.latitude_ddmm = any();
   instruction.longitude_ddmm = any();
   return instruction;
+}
+
+bool obeysActuators(const Instruction& instruction, const HookbehOutputs& out) {
+  return out.answer == HookAnswer::Accepted && instruction.vertical == HookVertical::Actuators;
 }
 
 TEST(Hostile, InstructionsWithRightChecksAndWildValues) {
@@ -101,6 +105,7 @@ TEST(Hostile, InstructionsWithRightChecksAndWildValues) {
   HookbehBench bench;
   uint32_t accepted = 0;
   uint32_t held = 0;
+  uint32_t actuated = 0;
   for (int i = 0; i < 300000 / kShare; ++i) {
     if (i % 1000 == 0) {
       bench = HookbehBench();
@@ -115,16 +120,20 @@ TEST(Hostile, InstructionsWithRightChecksAndWildValues) {
     bench.alive = random() % 16 != 0;
     const HookbehOutputs out = bench.give(instruction);
     accepted += out.answer == HookAnswer::Accepted ? 1 : 0;
+    actuated += obeysActuators(instruction, out) ? 1U : 0U;
     ASSERT_EQ(out.commanding, out.state == HookState::Active);
     if (!out.commanding) {
       continue;
     }
     ASSERT_LE(std::abs(out.pitch_rad), 0.61 + 1e-6);
-    ASSERT_LE(std::abs(out.pump_cc), out.guard == HookGuard::None ? 230 : kHull.pump_cc);
+    const bool full = out.guard != HookGuard::None || out.pitch_mode == PitchMode::Battery;
+    ASSERT_LE(std::abs(out.pump_cc), full ? kHull.pump_cc : 230);
     ASSERT_GE(out.heading_rad, 0);
     ASSERT_LE(out.heading_rad, 6.2831854);
     ASSERT_LE(std::abs(out.fin_rad), kHull.fin_rad);
     ASSERT_TRUE(out.heading_mode == HeadingMode::Fin || out.fin_rad == 0);
+    ASSERT_LE(std::abs(out.battery_in), kHull.battery_in);
+    ASSERT_TRUE(out.pitch_mode == PitchMode::Battery || out.battery_in == 0);
     held += out.fin_rad != 0 ? 1 : 0;
     if (!(bench.inputs.depth_m <= 30)) {
       ASSERT_EQ(out.pump_cc, kHull.pump_cc) << "deeper than allowed, or unknown, it climbs";
@@ -132,6 +141,7 @@ TEST(Hostile, InstructionsWithRightChecksAndWildValues) {
   }
   EXPECT_GT(accepted, 1000U);
   EXPECT_GT(held, 100U) << "also a fin";
+  EXPECT_GT(actuated, 100U) << "also pump and battery";
 }
 
 }  // namespace

@@ -53,11 +53,11 @@ TEST(UnitFactors, TheBareUnitComesFirstAndNoneTwice) {
 }
 
 TEST(UnitFactors, ACompoundWithoutAUnitOfItsOwnIsItsName) {
-  support::Dimension volume = support::dimension::length;
-  for (auto& exponent : volume.exponents) {
-    exponent = static_cast<std::remove_reference_t<decltype(exponent)>>(3 * exponent);
+  support::Dimension area = support::dimension::length;
+  for (auto& exponent : area.exponents) {
+    exponent = static_cast<std::remove_reference_t<decltype(exponent)>>(2 * exponent);
   }
-  const Rows rows = factorsOf({TypeKind::Quantity, volume});
+  const Rows rows = factorsOf({TypeKind::Quantity, area});
   ASSERT_FALSE(rows.empty());
   EXPECT_EQ(rows[0].second, 1);
 }

@@ -75,6 +75,9 @@ TEST(RandomVehicle, BeginsNearTheSurface) {
 TEST(RandomVehicle, SinksToWhatIsCommanded) {
   expectUpTo(25, depthsUnder({commanded(Command::Descend, {20, 0.4})}));
   expectUpTo(25, depthsUnder({commanded(Command::Hover, {20})}));
+  expectUpTo(205, depthsUnder({commanded(Command::Pump, {-0.0001})}));
+  expectUpTo(205, depthsUnder({commanded(Command::Battery, {0})}));
+  expectUpTo(8, depthsUnder({commanded(Command::Pump, {0}, true)}));
   expectUpTo(8, depthsUnder({commanded(Command::Descend, {20, 0.4}, true)}));
   expectUpTo(8, depthsUnder({commanded(Command::Drift)}));
   expectUpTo(25, depthsUnder({commanded(Command::Descend, {50, 0.4}),

@@ -94,6 +94,10 @@ TEST(Platform, AVehicleMayHaveNoFin) {
     return loadText(text);
   };
   EXPECT_EQ(with("")->envelope.fin_rad, 0);
+  EXPECT_EQ(with("")->envelope.battery_in, 0);
+  EXPECT_EQ(with("battery_in = 0.5\n")->envelope.battery_in, 0.5);
+  EXPECT_FALSE(with("battery_in = -0.1\n"));
+  EXPECT_FALSE(with("battery_in = nan\n"));
   EXPECT_EQ(with("fin_rad = 0.3\n")->envelope.fin_rad, 0.3);
   for (const char* bad : {"-0.1", "1.6", "nan", "inf", "\"wide\""}) {
     EXPECT_FALSE(with(std::string("fin_rad = ") + bad + "\n")) << bad;

@@ -344,6 +344,11 @@ TEST(CProgram, CommandsAreThoseInForce) {
     EXPECT_EQ(context().lateral, static_cast<uint32_t>(kGliderWaypoint));
     EXPECT_EQ(context().latitude, 39.5);
     EXPECT_EQ(context().longitude, -73.25);
+    setPump(-120);
+    setPitchBattery(0.5);
+    EXPECT_EQ(context().vertical, static_cast<uint32_t>(kGliderActuators));
+    EXPECT_NEAR(context().depth, -120, 1e-9);
+    EXPECT_NEAR(context().pitch, 0.5, 1e-12);
     holdFin(-0.25);
     EXPECT_EQ(context().lateral, static_cast<uint32_t>(kGliderFin));
     EXPECT_EQ(context().heading, -0.25);

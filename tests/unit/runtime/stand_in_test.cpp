@@ -102,7 +102,11 @@ TEST(StandIn, RefusesWhatIsOutOfBoundsAndKeepsWhatIsInForce) {
   fin.lateral = hooks::HookLateral::Fin;
   stand_in.instruct(fin);
   EXPECT_EQ(stand_in.answer(), HookAnswer::BadCommand);
-  stand_in.instruct(dive(6, 6, HookControl::Steer));
+  Instruction pump = dive(7, 5, HookControl::Steer);
+  pump.vertical = HookVertical::Actuators;
+  stand_in.instruct(pump);
+  EXPECT_EQ(stand_in.answer(), HookAnswer::BadCommand);
+  stand_in.instruct(dive(8, 6, HookControl::Steer));
   EXPECT_EQ(stand_in.answer(), HookAnswer::WrongSession);
   stand_in.instruct(dive(4));
   EXPECT_EQ(stand_in.answer(), HookAnswer::OldSequence);

@@ -229,6 +229,21 @@ TEST_F(StepTest, CommandsSetWhatIsInForce) {
   gliderSurface(c);
   EXPECT_EQ(c->vertical, static_cast<uint32_t>(kGliderSurface));
   EXPECT_EQ(c->depth, 0);
+  gliderPump(c, -150e-6);
+  EXPECT_EQ(c->vertical, static_cast<uint32_t>(kGliderActuators));
+  EXPECT_NEAR(c->depth, -150, 1e-9);
+  EXPECT_EQ(c->pitch, 0) << "the battery is in the middle";
+  gliderBattery(c, 0.5 * 0.0254);
+  EXPECT_NEAR(c->pitch, 0.5, 1e-12);
+  EXPECT_NEAR(c->depth, -150, 1e-9) << "both are in force";
+  gliderPump(c, 40e-6);
+  EXPECT_NEAR(c->depth, 40, 1e-9);
+  EXPECT_NEAR(c->pitch, 0.5, 1e-12);
+  gliderHover(c, 7);
+  gliderBattery(c, -0.25 * 0.0254);
+  EXPECT_EQ(c->vertical, static_cast<uint32_t>(kGliderActuators));
+  EXPECT_EQ(c->depth, 0) << "the pump is in the middle, not at 7";
+  EXPECT_NEAR(c->pitch, -0.25, 1e-12);
   gliderSteer(c, -std::numbers::pi / 2);
   EXPECT_NEAR(c->heading, 1.5 * std::numbers::pi, 1e-15);
   gliderSteerTo(c, 39.175, -73.83);
@@ -276,7 +291,10 @@ TEST_F(StepTest, AnUnknownCommandChangesNothingAndIsCounted) {
   gliderSteerTo(c, 39, kNaN);
   gliderFin(c, kNaN);
   gliderFin(c, -kInfinity);
-  EXPECT_EQ(c->refused_commands, 7U);
+  gliderPump(c, kNaN);
+  gliderBattery(c, kNaN);
+  gliderBattery(c, kInfinity);
+  EXPECT_EQ(c->refused_commands, 10U);
   EXPECT_EQ(c->vertical, static_cast<uint32_t>(kGliderDescend));
   EXPECT_EQ(c->depth, 20);
   EXPECT_EQ(c->lateral, static_cast<uint32_t>(kGliderHeading));
@@ -307,6 +325,11 @@ TEST(Instruction, IsInTheArraysUnits) {
     EXPECT_EQ(instructionFor(c).heading_rad, static_cast<double>(static_cast<float>(angle)))
         << "a fin that the vehicle must refuse is not 0";
   }
+  gliderPump(&c, 233 * 1e-6);
+  gliderBattery(&c, -0.6 * 0.0254);
+  EXPECT_EQ(instructionFor(c).vertical, hooks::HookVertical::Actuators);
+  EXPECT_EQ(instructionFor(c).depth_m, 233) << "not a bit more, which would be refused";
+  EXPECT_EQ(instructionFor(c).pitch_rad, static_cast<double>(-0.6F));
 }
 
 }  // namespace

@@ -98,6 +98,58 @@ TEST_F(JudgedCommand, AFinThatIsNotHeldAsCommandedIsSeen) {
   EXPECT_EQ(held(Mode::Fin, -0.25), "the fin is held though no angle of it is commanded");
 }
 
+TEST_F(JudgedCommand, PumpAndBatteryThatAreNotWhereTheyAreCommandedAreSeen) {
+  hooks::Instruction instruction;
+  instruction.control = hooks::HookControl::Take;
+  instruction.vertical = hooks::HookVertical::Actuators;
+  instruction.depth_m = -50;
+  instruction.pitch_rad = 0.25;
+  EXPECT_EQ(judge_.answered(instruction, hooks::HookAnswer::Accepted), "");
+  const auto moved = [&](hooks::PitchMode mode, double pump_cc, double battery_in) {
+    command(0, pump_cc, Doing::Actuators);
+    out_.pitch_mode = mode;
+    out_.battery_in = battery_in;
+    return cycle(10, false);
+  };
+  using Mode = hooks::PitchMode;
+  const std::string elsewhere =
+      "pump and battery are not at -50 cc and 0.25 in though this is in force";
+  EXPECT_EQ(moved(Mode::Battery, -50, 0.25), "");
+  EXPECT_EQ(moved(Mode::Battery, 50, 0.25), elsewhere);
+  EXPECT_EQ(moved(Mode::Battery, -50, -0.25), elsewhere);
+  EXPECT_EQ(moved(Mode::Servo, -50, 0), elsewhere);
+  EXPECT_EQ(moved(Mode::Battery, -240, 0.25),
+            "a pump of -240 cc and a battery of 0.25 in are commanded");
+  EXPECT_EQ(moved(Mode::Battery, -50, 0.9),
+            "a pump of -50 cc and a battery of 0.90 in are commanded");
+  instruction.control = hooks::HookControl::Steer;
+  instruction.vertical = hooks::HookVertical::Surface;
+  EXPECT_EQ(judge_.answered(instruction, hooks::HookAnswer::Accepted), "");
+  command(0.4538, 230, Doing::Surface);
+  out_.pitch_mode = Mode::Battery;
+  out_.battery_in = 0.25;
+  EXPECT_EQ(cycle(10, false), "the pitch battery is held though no position of it is commanded");
+}
+
+TEST_F(JudgedCommand, APumpOrBatteryBeyondItsLimitMustBeRefused) {
+  hooks::Instruction instruction;
+  instruction.control = hooks::HookControl::Take;
+  instruction.vertical = hooks::HookVertical::Actuators;
+  using hooks::HookAnswer;
+  for (const double side : {-1.0, 1.0}) {
+    instruction.pitch_rad = 0;
+    instruction.depth_m = side * 234;
+    EXPECT_NE(judge_.answered(instruction, HookAnswer::Accepted), "") << side;
+    EXPECT_NE(judge_.answered(instruction, HookAnswer::BadBattery), "") << side;
+    EXPECT_EQ(judge_.answered(instruction, HookAnswer::BadPump), "") << side;
+    instruction.depth_m = side * 232;
+    EXPECT_NE(judge_.answered(instruction, HookAnswer::BadPump), "") << side;
+    instruction.pitch_rad = side * 0.61;
+    EXPECT_NE(judge_.answered(instruction, HookAnswer::Accepted), "") << side;
+    EXPECT_EQ(judge_.answered(instruction, HookAnswer::BadBattery), "") << side;
+  }
+}
+
 TEST_F(JudgedCommand, AFinBeyondItsLimitMustBeRefused) {
   hooks::Instruction instruction;
   instruction.control = hooks::HookControl::Take;

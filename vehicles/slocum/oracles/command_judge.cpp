@@ -59,6 +59,7 @@ constexpr double kHeardSecs = 40;    // s: hookbeh's own, for which an echo coun
 constexpr double kStands = 0.3;      // m; a smaller gain counts as none
 constexpr double kCtdFades = 300;    // s; after a fault the CTD must agree again, at the surface
 constexpr double kExcused = 600;     // s after such a climb: to the surface, and back to the depth
+constexpr double kFarInCc = 100;     // a commanded pump that counts as a dive
 constexpr double kFullCircle = 6.283186;
 
 bool isAngle(double ddmm, double most) {
@@ -100,6 +101,14 @@ HookAnswer CommandJudge::boundsOf(const Instruction& instruction) const {
       (instruction.vertical == HookVertical::Ascend && !fits(instruction.pitch_rad))) {
     return HookAnswer::BadPitch;
   }
+  if (instruction.vertical == HookVertical::Actuators) {
+    if (!(std::fabs(depth) <= hooks::asFloat32(s_.args.greatest_pump_cc))) {
+      return HookAnswer::BadPump;
+    }
+    if (!(std::fabs(instruction.pitch_rad) <= hooks::asFloat32(s_.args.greatest_battery_in))) {
+      return HookAnswer::BadBattery;
+    }
+  }
   if (instruction.lateral == HookLateral::Waypoint &&
       !(isAngle(instruction.latitude_ddmm, 9000) && isAngle(instruction.longitude_ddmm, 18000))) {
     return HookAnswer::NotOnEarth;
@@ -117,7 +126,8 @@ std::string CommandJudge::answered(const Instruction& instruction, HookAnswer an
   const bool steers = instruction.control != HookControl::Release;
   const HookAnswer bounds = steers ? boundsOf(instruction) : HookAnswer::Accepted;
   const bool of_bounds = answer == HookAnswer::TooDeep || answer == HookAnswer::BadPitch ||
-                         answer == HookAnswer::NotOnEarth || answer == HookAnswer::BadFin;
+                         answer == HookAnswer::NotOnEarth || answer == HookAnswer::BadFin ||
+                         answer == HookAnswer::BadPump || answer == HookAnswer::BadBattery;
   if (answer == HookAnswer::Accepted && bounds != HookAnswer::Accepted) {
     return fmt::format("instruction {} is obeyed though it is outside the b_args",
                        instruction.sequence);
@@ -148,7 +158,7 @@ std::string CommandJudge::judgeWhole(const CycleView& view) const {
   const bool whole = out.commanding && view.commanded_whole && std::isfinite(out.pitch_rad) &&
                      std::isfinite(out.pump_cc) && std::isfinite(out.heading_rad) &&
                      std::isfinite(out.latitude_ddmm) && std::isfinite(out.longitude_ddmm) &&
-                     std::isfinite(out.fin_rad);
+                     std::isfinite(out.fin_rad) && std::isfinite(out.battery_in);
   if (!whole) {
     return "heading, pitch and pump are not all commanded";
   }
@@ -167,6 +177,13 @@ std::string CommandJudge::judgeWhole(const CycleView& view) const {
   if (std::fabs(out.fin_rad) > s_.args.greatest_fin_rad + kPitchError) {
     return fmt::format("a fin of {:.2f} rad is commanded under max_fin {}", out.fin_rad,
                        s_.args.greatest_fin_rad);
+  }
+  if (out.pitch_mode == hooks::PitchMode::Battery) {
+    const bool within = std::fabs(out.pump_cc) <= s_.args.greatest_pump_cc + kPumpError &&
+                        std::fabs(out.battery_in) <= s_.args.greatest_battery_in + kPitchError;
+    return within ? ""
+                  : fmt::format("a pump of {:.0f} cc and a battery of {:.2f} in are commanded",
+                                out.pump_cc, out.battery_in);
   }
   // Its own climbs use the full pump range.
   const double most_cc = climbsByItself(out) ? s_.pump_cc : s_.args.climb_pump_cc;
@@ -205,7 +222,9 @@ std::string CommandJudge::judgeLimits(const CycleView& view, double reading) {
 
 /// Checks for dives by a depth that is frozen, wrong or does not increase.
 std::string CommandJudge::judgeBlind(const CycleView& view, double reading) {
-  const bool dives = view.hookbeh->pitch_rad < 0 && !view.overridden();
+  const HookbehOutputs& out = *view.hookbeh;
+  const bool sinks = out.pitch_mode == hooks::PitchMode::Battery && out.pump_cc <= -kFarInCc;
+  const bool dives = (out.pitch_rad < 0 || sinks) && !view.overridden();
   const auto lasts = [&](double& seconds, bool so) {
     seconds = dives && so ? seconds + s_.cycle_s : 0;
     return seconds;
@@ -351,13 +370,33 @@ std::string CommandJudge::judgeFin(const HookbehOutputs& out) const {
                            out.fin_rad, in_force_.heading_rad);
 }
 
+std::string CommandJudge::judgeActuators(const HookbehOutputs& out) const {
+  const bool wanted = in_force_.vertical == HookVertical::Actuators;
+  const bool held = out.pitch_mode == hooks::PitchMode::Battery;
+  if (!wanted) {
+    return held ? "the pitch battery is held though no position of it is commanded" : "";
+  }
+  if (checksDepth(out)) {
+    return "";
+  }
+  return held && out.pump_cc == in_force_.depth_m && out.battery_in == in_force_.pitch_rad
+             ? ""
+             : fmt::format(
+                   "pump and battery are not at {:.4g} cc and {:.4g} in though this is in "
+                   "force",
+                   in_force_.depth_m, in_force_.pitch_rad);
+}
+
 std::string CommandJudge::judgeFollowing(const CycleView& view, double reading) {
   const HookbehOutputs& out = *view.hookbeh;
-  if (std::string wrong = judgeFin(out); !wrong.empty()) {
+  std::string wrong = judgeFin(out);
+  wrong = wrong.empty() ? judgeActuators(out) : wrong;
+  if (!wrong.empty()) {
     return wrong;
   }
-  std::string wrong;
   switch (in_force_.vertical) {
+    case HookVertical::Actuators:
+      return "";
     case HookVertical::None:
     case HookVertical::Surface:
       return climbs(out) ? "" : "no way up though it is in force";

@@ -38,6 +38,8 @@ class CommandJudge {
   std::string judgeGuard(const CycleView& view);
   /// Checks that the fin is held at the commanded angle, and only then.
   [[nodiscard]] std::string judgeFin(const hooks::HookbehOutputs& out) const;
+  /// Checks that pump and battery are where they are commanded.
+  [[nodiscard]] std::string judgeActuators(const hooks::HookbehOutputs& out) const;
   std::string judgeFollowing(const CycleView& view, double reading);
   std::string judgeDive(const hooks::HookbehOutputs& out, double reading);
   std::string judgeClimb(const hooks::HookbehOutputs& out, double reading);

@@ -29,6 +29,8 @@ hooks::HookbehArgs withinHull(hooks::HookbehArgs args, const platforms::Envelope
   args.shallowest_pitch_rad =
       std::clamp(args.shallowest_pitch_rad, hull.shallowest_pitch_rad, hull.steepest_pitch_rad);
   args.greatest_fin_rad = std::clamp(args.greatest_fin_rad, 0.0, hull.fin_rad);
+  args.greatest_pump_cc = std::clamp(args.greatest_pump_cc, 0.0, hull.pump_cc);
+  args.greatest_battery_in = std::clamp(args.greatest_battery_in, 0.0, hull.battery_in);
   args.dive_pump_cc = -std::min(std::fabs(args.dive_pump_cc), hull.pump_cc);
   args.climb_pump_cc =
       std::clamp(std::fabs(args.climb_pump_cc), kLeastClimb * hull.pump_cc, hull.pump_cc);

@@ -23,6 +23,13 @@ constexpr Missing kMissing[] = {
     {ir::Command::Hover, "hover",
      "the port holds a depth by a yo, so `descend(to = DEPTH, pitch = ANGLE)` is the nearest: the "
      "vehicle then stays between DEPTH and a few metres above"},
+    {ir::Command::Pump, "pump",
+     "the port moves the pump only by its dives and climbs, so `descend(to = DEPTH, pitch = "
+     "ANGLE)` "
+     "or `ascend(to = DEPTH, pitch = ANGLE)` is the nearest"},
+    {ir::Command::Battery, "battery",
+     "the port sets a pitch, and the vehicle moves the battery to it: `descend(to = DEPTH, pitch = "
+     "ANGLE)` or `ascend(to = DEPTH, pitch = ANGLE)` is the nearest"},
     {ir::Command::Fin, "fin",
      "the nearest is `steer` with a heading that is changed each time that the vehicle has reached "
      "it"},

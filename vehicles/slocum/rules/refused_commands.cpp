@@ -23,6 +23,9 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 /// A greater bound means that the number has no range.
 constexpr double kNoBound = 1e300;
 
+constexpr double kCcPerCubicMetre = 1e6;
+constexpr double kMetresPerInch = 0.0254;
+
 std::string degrees(double angle) {
   return fmt::format("{:.3g} deg", angle * 180 / std::numbers::pi);
 }
@@ -33,15 +36,37 @@ struct Extremes {
   double shallowest = kEndless;
   double deepest = -kEndless;  ///< that: it commands no depth
   double farthest_fin = 0;
+  double farthest_pump = 0, farthest_battery = 0;  ///< m3, m
 };
+
+/// Where a command moves a part to, for commands that do.
+double* partOf(const ir::Statement& command, Extremes& all) {
+  switch (command.command) {
+    case ir::Command::Fin:
+      return &all.farthest_fin;
+    case ir::Command::Pump:
+      return &all.farthest_pump;
+    case ir::Command::Battery:
+      return &all.farthest_battery;
+    case ir::Command::Descend:
+    case ir::Command::Ascend:
+    case ir::Command::Hover:
+    case ir::Command::Surface:
+    case ir::Command::Steer:
+    case ir::Command::SteerTo:
+    case ir::Command::Drift:
+      break;
+  }
+  return nullptr;
+}
 
 Extremes extremesOf(const Commands& commands, const std::vector<ir::Interval>& held) {
   Extremes all;
   for (const ir::Statement* command : commands) {
-    if (command->command == ir::Command::Fin) {
-      const ir::Interval& fin = held[command->values.at(0).index];
-      if (!fin.empty && fin.highest - fin.lowest < kNoBound) {
-        all.farthest_fin = std::max({all.farthest_fin, fin.highest, -fin.lowest});
+    if (double* farthest = partOf(*command, all)) {
+      const ir::Interval& to = held[command->values.at(0).index];
+      if (!to.empty && to.highest - to.lowest < kNoBound) {
+        *farthest = std::max({*farthest, to.highest, -to.lowest});
       }
       continue;
     }
@@ -80,6 +105,18 @@ void addRefused(const Refusal& of, const Extremes& all, const CommandLimits& lim
     add("a fin angle of " + degrees(all.farthest_fin),
         "more than " + degrees(limits.greatest_fin_rad));
   }
+  // As commands and limits are rounded: 0.6 inch are not more than 0.6 in.
+  constexpr double kRounded = 1 + 1e-9;
+  const double pump_cc = all.farthest_pump * kCcPerCubicMetre;
+  if (pump_cc > limits.greatest_pump_cc * kRounded) {
+    add(fmt::format("a pump volume of {:.4g} cc", pump_cc),
+        fmt::format("more than {:.4g} cc", limits.greatest_pump_cc));
+  }
+  const double battery_in = all.farthest_battery / kMetresPerInch;
+  if (battery_in > limits.greatest_battery_in * kRounded) {
+    add(fmt::format("a battery position of {:.4g} inch", battery_in),
+        fmt::format("more than {:.4g} inch", limits.greatest_battery_in));
+  }
   if (limits.greatest_depth_m && all.deepest > *limits.greatest_depth_m) {
     add(fmt::format("a depth of {:.4g} m", all.deepest),
         fmt::format("more than {:.4g} m", *limits.greatest_depth_m));
@@ -90,9 +127,17 @@ void addRefused(const Refusal& of, const Extremes& all, const CommandLimits& lim
 
 CommandLimits usualLimits() {
   const hooks::HookbehArgs args;
-  return {args.steepest_pitch_rad, args.shallowest_pitch_rad, args.greatest_fin_rad, std::nullopt,
-          fmt::format("assuming max_pitch {:.4g}, min_pitch {:.4g} and max_fin {:.4g}; see --mi",
-                      args.steepest_pitch_rad, args.shallowest_pitch_rad, args.greatest_fin_rad)};
+  return {
+      args.steepest_pitch_rad,
+      args.shallowest_pitch_rad,
+      args.greatest_fin_rad,
+      args.greatest_pump_cc,
+      args.greatest_battery_in,
+      std::nullopt,
+      fmt::format("assuming max_pitch {:.4g}, min_pitch {:.4g}, max_fin {:.4g}, max_pump {:.4g} "
+                  "and max_battery {:.4g}; see --mi",
+                  args.steepest_pitch_rad, args.shallowest_pitch_rad, args.greatest_fin_rad,
+                  args.greatest_pump_cc, args.greatest_battery_in)};
 }
 
 std::vector<Refusal> refusalsOf(const ir::Mission& mission, const CommandLimits& limits) {

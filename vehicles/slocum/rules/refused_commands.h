@@ -18,11 +18,13 @@ struct CommandLimits {
   double steepest_pitch_rad = 0;
   double shallowest_pitch_rad = 0;
   double greatest_fin_rad = 0;
+  double greatest_pump_cc = 0;
+  double greatest_battery_in = 0;
   std::optional<double> greatest_depth_m;  ///< none: it depends too much on the mission file
-  std::string source;  ///< "assuming max_pitch 0.61, min_pitch 0.19 and max_fin 0.45"
+  std::string source;                      ///< "assuming max_pitch 0.61, min_pitch 0.19, …"
 };
 
-/// The limits of pitch and fin that hookbeh uses if its mission file gives none.
+/// The limits of pitch, fin, pump and battery that hookbeh uses if its mission file gives none.
 CommandLimits usualLimits();
 
 /// Commands that hookbeh refuses, for some values of parameters and variables.

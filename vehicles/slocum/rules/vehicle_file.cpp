@@ -55,13 +55,15 @@ support::Result<VehicleFile> vehicleFileOf(const MissionFile& file, const std::s
   const double shallowest = hookbeh->value("min_pitch");
   const double deepest = hookbeh->value("max_depth");
   const double farthest = hookbeh->value("max_fin");
+  const double pump = hookbeh->value("max_pump");
+  const double battery = hookbeh->value("max_battery");
   return VehicleFile{path,
                      name,
                      {seconds, fmt::format("silence_secs {:.4g} from {}", seconds, name)},
-                     {steepest, shallowest, farthest, deepest,
-                      fmt::format("max_pitch {:.4g}, min_pitch {:.4g}, max_fin {:.4g} and "
-                                  "max_depth {:.4g} in {}",
-                                  steepest, shallowest, farthest, deepest, name)},
+                     {steepest, shallowest, farthest, pump, battery, deepest,
+                      fmt::format("max_pitch {:.4g}, min_pitch {:.4g}, max_fin {:.4g}, max_pump "
+                                  "{:.4g}, max_battery {:.4g} and max_depth {:.4g} in {}",
+                                  steepest, shallowest, farthest, pump, battery, deepest, name)},
                      "hookbeh",
                      "the argument of hookbeh in " + name,
                      abortsOf(file),

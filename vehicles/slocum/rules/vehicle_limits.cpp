@@ -4,12 +4,14 @@
 #include "vehicles/slocum/rules/vehicle_limits.h"
 
 #include "ir/prove/abstract/end_bound.h"
+#include "ir/prove/context/commands.h"
 #include "ir/prove/context/duration_text.h"
 #include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <ranges>
 #include <vector>
@@ -22,12 +24,34 @@ support::SourceRange beginningOf(const ir::Mission& mission) {
   return mission.states.front().range;
 }
 
+/// A commanded pump or battery leads as deep as hookbeh lets it.
+void checkActuators(const ir::Mission& mission, const VehicleFile& file,
+                    support::DiagnosticEngine& diagnostics) {
+  const double overdepth = *file.aborts.overdepth_m;
+  for (const ir::State& state : mission.states) {
+    const auto commands = ir::prove::commandsOf(mission, state);
+    const bool moves = std::ranges::any_of(commands, [](const ir::Statement* command) {
+      return ir::prove::movesActuators(command->command);
+    });
+    if (moves && file.guards.greatest_depth_m > overdepth) {
+      diagnostics.report(
+          support::diagnostics::vehicleAborts, state.range,
+          fmt::format("`{}` commands the pump or the battery, hookbeh ends a descent "
+                      "at {:.4g} m, and abend allows no more than {:.4g} m "
+                      "(max_depth and overdepth in {})",
+                      state.name, file.guards.greatest_depth_m, overdepth, file.name),
+          "raise overdepth, or lower max_depth");
+    }
+  }
+}
+
 void checkDepth(const ir::Mission& mission, double overdepth, const std::string& name,
                 support::DiagnosticEngine& diagnostics) {
   CommandLimits limits = usualLimits();
-  limits.steepest_pitch_rad = 10;  // of pitches and fins abend knows nothing
+  limits.steepest_pitch_rad = 10;  // of anything but depths abend knows nothing
   limits.shallowest_pitch_rad = 0;
   limits.greatest_fin_rad = 10;
+  limits.greatest_pump_cc = limits.greatest_battery_in = std::numeric_limits<double>::infinity();
   limits.greatest_depth_m = overdepth;
   for (const Refusal& one : refusalsOf(mission, limits)) {
     diagnostics.report(support::diagnostics::vehicleAborts,
@@ -83,6 +107,7 @@ void checkVehicleLimits(const ir::WrittenWorld& world, const VehicleFile& file,
   }
   if (file.aborts.overdepth_m) {
     checkDepth(mission, *file.aborts.overdepth_m, file.name, diagnostics);
+    checkActuators(mission, file, diagnostics);
   }
   if (file.aborts.overtime_s) {
     checkTime(world, *file.aborts.overtime_s, std::max(0.0, file.guards.start_secs), file.name,

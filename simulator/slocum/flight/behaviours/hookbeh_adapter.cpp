@@ -106,6 +106,8 @@ hooks::HookbehArgs hookbehArgs(const slocum::BehaviourBlock& block) {
   args.steepest_pitch_rad = block.value("max_pitch");
   args.shallowest_pitch_rad = block.value("min_pitch");
   args.greatest_fin_rad = block.value("max_fin");
+  args.greatest_pump_cc = block.value("max_pump");
+  args.greatest_battery_in = block.value("max_battery");
   args.silence_secs = block.value("silence_secs");
   args.dive_pump_mode = static_cast<hooks::PumpMode>(block.value("d_use_bpump"));
   args.climb_pump_mode = static_cast<hooks::PumpMode>(block.value("c_use_bpump"));
@@ -159,7 +161,9 @@ Behaviour::Outcome HookbehAdapter::fly(const Situation& situation, Commands& com
   array.set(Sensor::x_hook_masked, out.masked);
   if (out.commanding) {
     commands.steer(heading(out));
-    commands.point({PitchCommand::Mode::Servo, out.pitch_rad});
+    const bool servo = out.pitch_mode == hooks::PitchMode::Servo;
+    commands.point(servo ? PitchCommand{PitchCommand::Mode::Servo, out.pitch_rad}
+                         : PitchCommand{PitchCommand::Mode::BatteryPosition, out.battery_in});
     commands.pump(out.pump_cc);
     commands.altimeter = commands.altimeter || out.altimeter;
   }

@@ -72,6 +72,12 @@ std::string refusalText(HookAnswer answer, const hooks::HookbehInputs& in,
     case HookAnswer::BadFin:
       return fmt::format("max_fin {} refuses a fin at {}", degrees(args.greatest_fin_rad),
                          degrees(in.hook_heading_rad));
+    case HookAnswer::BadPump:
+      return fmt::format("max_pump {:.4g} cc refuses a pump at {:.4g} cc", args.greatest_pump_cc,
+                         in.hook_depth_m);
+    case HookAnswer::BadBattery:
+      return fmt::format("max_battery {:.4g} in refuses a pitch battery at {:.4g} in",
+                         args.greatest_battery_in, in.hook_pitch_rad);
     case HookAnswer::None:
       return "it is from before hookbeh started";
     case HookAnswer::Accepted:

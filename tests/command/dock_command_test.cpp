@@ -94,6 +94,7 @@ TEST_F(DockCommand, NobodyThereIsOneLineAndExitCode1) {
 
 TEST_F(DockCommand, IsInterruptedWithAReport) {
   connect();
+  // timeout sends the signal twice: to the program, and to its group.
   const Outcome outcome =
       run("timeout -s INT 5 $GLIDERCC dock p --port a --format json -o report.txt");
   EXPECT_EQ(outcome.status, 124) << "of timeout";

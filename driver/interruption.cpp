@@ -16,23 +16,23 @@ void note(int number) {
   came = number;
 }
 
-void handle(void (*handler)(int)) {
+void handle(void (*handler)(int), int flags) {
   struct sigaction action{};
   action.sa_handler = handler;
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  action.sa_flags = flags;
   ::sigaction(SIGINT, &action, nullptr);
   ::sigaction(SIGTERM, &action, nullptr);
 }
 
 }  // namespace
 
-Interruption::Interruption() {
+Interruption::Interruption(Second second) {
   came = 0;
-  handle(note);
+  handle(note, static_cast<int>(SA_RESTART | (second == Second::Ends ? SA_RESETHAND : 0U)));
 }
 
 Interruption::~Interruption() {
-  handle(SIG_DFL);
+  handle(SIG_DFL, 0);
 }
 
 int Interruption::signal() {

@@ -6,10 +6,12 @@
 namespace glider::driver {
 
 /// While this exists, the first SIGINT (Ctrl-C) or SIGTERM is recorded instead of ending the
-/// program; a second one ends it.
+/// program.
 class Interruption {
  public:
-  Interruption();
+  /// What a second one does. Ignored is for what must be finished, and soon is.
+  enum class Second : unsigned char { Ends, Ignored };
+  explicit Interruption(Second second = Second::Ends);
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
   ~Interruption();

@@ -163,7 +163,8 @@ int dock(const DockOptions& options, Json* document) {
     return reportFailure(port.error());
   }
   constexpr double kMinute = 60;
-  const Interruption interruption;
+  // What was written to a vehicle is taken back, and the report is written.
+  const Interruption interruption(Interruption::Second::Ignored);
   ProgressLine line;
   const auto result =
       checkPortAtDock(*folder, *contents, *mission, playedPart(options.part),

@@ -94,6 +94,7 @@ TEST_F(DockCommand, NobodyThereIsOneLineAndExitCode1) {
 
 TEST_F(DockCommand, IsInterruptedWithAReport) {
   connect();
+  // timeout sends the signal twice: to the program, and to its group.
   const Outcome outcome =
       run("timeout -s INT 5 $GLIDERCC dock p --port a --format json -o report.txt");
   EXPECT_EQ(outcome.status, 124) << "of timeout";
@@ -127,10 +128,11 @@ TEST_F(DockCommand, SteersOnlyWithATerminalAndAYes) {
   EXPECT_THAT(piped.err, HasSubstr("--steer: needs a terminal"));
   EXPECT_EQ(run("$GLIDERCC dock p --port a --steer --as vehicle").status, 2);
   connect();
-  run("{ $GLIDERCC sim p --serial b --duration 50s -o f > sim.txt 2>&1 & echo $! >> pids; } ");
+  run("{ $GLIDERCC sim p --serial b --duration 90s -o f > sim.txt 2>&1 & echo $! >> pids; } ");
   // A terminal of its own, at which a person types.
-  const auto typed = [&](const std::string& answer, const std::string& seconds) {
-    return run("{ sleep 2; echo " + answer + "; sleep " + seconds +
+  const auto typed = [&](const std::string& answer, const std::string& seconds,
+                         const std::string& more = "") {
+    return run("{ sleep 2; echo " + answer + "; sleep " + seconds + more +
                "; } | timeout 40 script -qefc \"$GLIDERCC dock p --port a --as sbc --steer "
                "--minutes 0.1\" /dev/null");
   };
@@ -141,6 +143,10 @@ TEST_F(DockCommand, SteersOnlyWithATerminalAndAYes) {
   const Outcome yes = typed("yes", "16");
   EXPECT_THAT(yes.out, AllOf(HasSubstr("what was written is taken back: written three times"),
                              HasSubstr("report ++ sci_generic_b")));
+  // Ctrl-C while it writes, and once more while it takes that back.
+  const Outcome twice = typed("yes", "8", "; printf '\\003'; sleep 1; printf '\\003'; sleep 4");
+  EXPECT_THAT(twice.out, AllOf(HasSubstr("what was written is taken back: written three times"),
+                               HasSubstr("interrupted before its end")));
 }
 
 TEST_F(DockCommand, AListThatLacksASensorIsNotGood) {

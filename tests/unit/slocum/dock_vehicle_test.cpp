@@ -162,7 +162,7 @@ TEST(DockVehicle, AllIsGoodForAVehicleThatFliesTheMissionFile) {
   EXPECT_THAT(withVerdict(result, DockVerdict::NotChecked), IsEmpty());
   EXPECT_EQ(result.checks.size(), 10U);
   EXPECT_EQ(vehicle.received, "") << "nothing is written unless it is asked for";
-  EXPECT_THAT(checkNamed(result, "cycles").measured, HasSubstr("one in 4 s, none missing"));
+  EXPECT_THAT(checkNamed(result, "cycles").measured, HasSubstr("one each 4 s, none missing"));
   EXPECT_FALSE(result.has_begun);
 }
 
@@ -256,7 +256,7 @@ TEST(DockVehicle, TheEndOfItsPortIsNoticed) {
     EXPECT_EQ(checkNamed(result, "port-restarts").verdict,
               returns ? DockVerdict::Good : DockVerdict::NotGood);
     EXPECT_THAT(checkNamed(result, "port-restarts").measured,
-                AllOf(HasSubstr("1 end ($BY), last at 60."),
+                AllOf(HasSubstr("closed 1 time ($BY), last at 60."),
                       HasSubstr(returns ? "it reports again" : "nothing after that")));
   }
 }

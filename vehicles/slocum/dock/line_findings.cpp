@@ -99,8 +99,10 @@ std::string wordsOf(const std::string& bytes) {
 std::string silenceTodo(const DockRun& run, DockPart part) {
   const std::string wires =
       "check that TX of each end is wired to RX of the other, and ground to ground";
-  const std::string sbc =
-      fmt::format("start the program on the SBC with `--port DEVICE --baud {}`", run.host().baud);
+  const std::string sbc = fmt::format(
+      "start `{}` of the folder on the SBC with `--port DEVICE --baud {}` (that of another folder "
+      "may expect more sensors, and stay silent)",
+      run.setup().program, run.host().baud);
   const std::string vehicle =
       "at the vehicle type `put c_extctl_on 1`, and check `uart` in its proglets.dat";
   return part == DockPart::Vehicle ? fmt::format("{}; {}", sbc, wires)
@@ -151,8 +153,8 @@ DockCheck loadFinding(uint32_t baud, double most_bytes, double cycle_s, const st
   const double needs_s = most_bytes * kBitsOfByte / baud;
   const double share = needs_s / cycle_s;
   const std::string measured = fmt::format(
-      "{}; the fullest control cycle needs {} of {:.3g} s, {:.0f} % of what {} baud carry", text,
-      timeText(needs_s), cycle_s, 100 * share, baud);
+      "{}; the fullest control cycle needs {} of {:.3g} s, {:.0f} % of the capacity at {} baud",
+      text, timeText(needs_s), cycle_s, 100 * share, baud);
   return share <= kMostShare
              ? good("load", "load of the line", measured)
              : notGood("load", "load of the line", measured,

@@ -93,7 +93,7 @@ DockCheck timeFinding(const DockSetup& setup, uint32_t baud, const DockLine& lin
   std::ranges::sort(times);
   const auto bytes = static_cast<double>(line.counts().bytes + line.counts().sent_bytes);
   const std::string text =
-      fmt::format("{} in the middle, {} at most; the line itself needs about {}",
+      fmt::format("median {}, longest {}; the line itself needs about {}",
                   timeText(times[times.size() / 2]), timeText(times.back()),
                   timeText(bytes / static_cast<double>(record.cycles.size()) * kBitsOfByte / baud));
   return times.back() <= setup.times.cycle_s / 2
@@ -157,8 +157,7 @@ DockCheck programFinding(const DockSetup& setup, const SbcRecord& record) {
                             setup.plan.port.program, first->cycle.mission_s));
   }
   const bool waited = std::ranges::any_of(record.cycles, [](const AnsweredCycle& cycle) {
-    return cycle.cycle.scene == DockScene::OwnMission && cycle.cycle.mission_s >= kToTakeControl &&
-           cycle.answered_s;
+    return cycle.cycle.scene == DockScene::OwnMission && cycle.cycle.mission_s >= kToTakeControl;
   });
   return waited ? notGood("program", what,
                           fmt::format("not that of this folder: it does not steer the mission file "

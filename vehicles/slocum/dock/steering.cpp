@@ -106,6 +106,7 @@ void Steering::steer() {
 /// Nothing is acknowledged: three times, as the program does.
 void Steering::takeBack() {
   constexpr int kTimes = 3;
+  run_.host().progress("setting back what was written");
   for (int i = 0; i < kTimes && !run_.line().gone(); ++i) {
     run_.line().say(fmt::format("SW,{}:0.000000{},{}:0.000000,{}:0.000000,{}:0.000000",
                                 at(PortSensor::Heading), restText(), at(PortSensor::State),

@@ -44,7 +44,7 @@ DockCheck cyclesFinding(const VehicleRecord& record) {
   const double usual = median(steps);
   const auto gaps =
       std::ranges::count_if(steps, [&](double step) { return step > 1.5 * usual || step <= 0; });
-  const std::string text = fmt::format("{}, one in {:.3g} s", record.cycles.size(), usual);
+  const std::string text = fmt::format("{}, one each {:.3g} s", record.cycles.size(), usual);
   return gaps == 0 ? good("cycles", what, text + ", none missing")
                    : notGood("cycles", what,
                              fmt::format("{}; {} before the next", text,
@@ -109,11 +109,11 @@ DockCheck valuesFinding(const VehicleRecord& record) {
   if (heard == 0) {
     return notChecked("values", what, "no sensor was reported");
   }
-  return wrong.empty() ? good("values", what,
-                              fmt::format("those of {} can be of their sensor and unit",
-                                          counted(heard, "sensor")))
-                       : notGood("values", what, "not possible: " + wrong,
-                                 std::string(kOtherList) + "; or the sensor is broken");
+  return wrong.empty()
+             ? good("values", what,
+                    fmt::format("{}, each in the range of its sensor", counted(heard, "sensor")))
+             : notGood("values", what, "not possible: " + wrong,
+                       std::string(kOtherList) + "; or the sensor is broken");
 }
 
 DockCheck missionFinding(const DockSetup& setup, const VehicleRecord& record) {
@@ -146,11 +146,11 @@ DockCheck restartsFinding(const VehicleRecord& record) {
     return good("port-restarts", what,
                 record.hellos_s.empty()
                     ? "stayed open"
-                    : fmt::format("began at {:.1f} s ($HI)", record.hellos_s.front()));
+                    : fmt::format("opened at {:.1f} s ($HI)", record.hellos_s.front()));
   }
   const double last = record.byes_s.back();
   const std::string ended =
-      fmt::format("{} ($BY), last at {:.1f} s", counted(record.byes_s.size(), "end"), last);
+      fmt::format("closed {} ($BY), last at {:.1f} s", counted(record.byes_s.size(), "time"), last);
   return record.newest_report_s > last
              ? good("port-restarts", what, ended + "; it reports again")
              : notGood("port-restarts", what, ended + "; nothing after that",

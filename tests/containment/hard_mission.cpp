@@ -437,7 +437,7 @@ class Maker {
 
   static constexpr double kTops[] = {0, 3, 10};
   static constexpr const char* kPumps[] = {"-0.000233:volume", "-5e-05:volume", "0:volume",
-                                           "0.000233:volume", "0/0:volume"};
+                                           "0.000233:volume"};
   static constexpr const char* kBatteries[] = {"-0.02:length", "0:length", "0.02:length"};
   static constexpr double kDeeps[] = {10, 30, 90.5};
 

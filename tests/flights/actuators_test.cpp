@@ -21,8 +21,8 @@ std::string mission(const std::string& volume, const std::string& position,
          "state trim\nbegin\n  flightroute   heading(90 deg)\n"
          "  flightprofile fixed_trim(" +
          volume + ", " + position +
-         ")\n  sensors       missiontime, statetime, depth, m_battpos, x_hook_guard\n  events\n" + events +
-         "end\nstate up\nbegin\n  flightroute   noheading\n  flightprofile surfaced\n" +
+         ")\n  sensors       missiontime, statetime, depth, m_battpos, x_hook_guard\n  events\n" +
+         events + "end\nstate up\nbegin\n  flightroute   noheading\n  flightprofile surfaced\n" +
          "  sensors       depth\n  events\n    case depth < 1 m exit\nend\n";
 }
 

@@ -42,8 +42,15 @@ RunVehicle::Depths RunVehicle::later(double from, double to) const {
   return depths;
 }
 
+/// From its depth when a command ends it: that command is late by the line and a cycle.
+double RunVehicle::farthestFrom(double depth_m) const {
+  const double late_s = platform_.world.line_lag_s + platform_.envelope.cycle_s;
+  return depth_m + platform_.envelope.vertical_rate_m_s * late_s +
+         platform_.envelope.inflection_overshoot_m;
+}
+
 double RunVehicle::endOfDive() const {
-  return std::min(deepest_, depth_ + platform_.envelope.inflection_overshoot_m);
+  return std::min(deepest_, farthestFrom(depth_));
 }
 
 void RunVehicle::obey(const std::vector<ir::Action>& actions, double now) {
@@ -78,7 +85,7 @@ void RunVehicle::obey(const ir::CommandRun& command, double now) {
 /// V3. After a behaviour in C the dive before may have been to any depth.
 void RunVehicle::descend(double target) {
   const double overshoot = platform_.envelope.inflection_overshoot_m;
-  const double before = anything_ ? depth_ + overshoot : endOfDive();
+  const double before = anything_ ? farthestFrom(depth_) : endOfDive();
   deepest_ = std::max(target + overshoot, before);
   climbing_ = false;
   anything_ = false;

@@ -21,9 +21,14 @@ Term smaller(SmtText& out, const Term& a, const Term& b) {
   return out.real(choice(operation("<=", {a, b}), a, b));
 }
 
-/// Where a dive that ends now may still get.
-Term endOfDive(SmtText& out, const Vehicle& v, const Term& overshoot) {
-  return smaller(out, v.deepest, operation("+", {v.depth, overshoot}));
+/// Where a dive that is ended now may still get: the command needs its time, and the vehicle sinks
+/// on.
+Term endOfDive(const Setting& setting, SmtText& out, const Vehicle& v) {
+  const platforms::Envelope& envelope = setting.platform.envelope;
+  const double late_s = envelope.cycle_s + setting.platform.world.line_lag_s;
+  const Term sinks = operation("*", {literal(envelope.vertical_rate_m_s), literal(late_s)});
+  return smaller(out, v.deepest,
+                 operation("+", {v.depth, literal(envelope.inflection_overshoot_m), sinks}));
 }
 
 /// V3.
@@ -31,7 +36,7 @@ Vehicle descended(const Setting& setting, SmtText& out, const Vehicle& before, c
   const Term overshoot = literal(setting.platform.envelope.inflection_overshoot_m);
   Vehicle after = before;
   after.deepest =
-      greater(out, out.real(operation("+", {x, overshoot})), endOfDive(out, before, overshoot));
+      greater(out, out.real(operation("+", {x, overshoot})), endOfDive(setting, out, before));
   after.climbing = "false";
   return after;
 }
@@ -45,7 +50,7 @@ Vehicle ascended(const Setting& setting, SmtText& out, const Vehicle& before, co
   after.top = out.real(choice(dives, operation("+", {x, overshoot}), x));
   const Term on =
       out.boolean(conjunction({before.climbing, operation(">=", {after.top, before.top})}));
-  const Term end = out.real(choice(on, before.deepest, endOfDive(out, before, overshoot)));
+  const Term end = out.real(choice(on, before.deepest, endOfDive(setting, out, before)));
   after.deepest = out.real(choice(dives, greater(out, after.top, end), end));
   after.since = out.real(choice(on, before.since, now));
   after.climbing = "true";

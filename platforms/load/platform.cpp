@@ -209,7 +209,11 @@ Envelope readEnvelope(TomlReader& reader, bool flies) {
 }
 
 EnvironmentModel readWorld(TomlReader& reader) {
-  auto world = readNumbers<EnvironmentModel>(reader, kWorld);
+  auto world = readNumbers<EnvironmentModel>(reader, kWorld, {"line_lag_s"});
+  world.line_lag_s = reader.numberOr("line_lag_s", 0);
+  if (!(world.line_lag_s >= 0)) {
+    reader.refuse("line_lag_s", "must not be below 0");
+  }
   if (const double least = world.depth_error_m + kSurfaceReadingM; world.start_depth_m < least) {
     reader.refuse(
         "start_depth_m",

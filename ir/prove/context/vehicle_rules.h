@@ -33,7 +33,11 @@ class VehicleRules {
   VehicleRules(const Algebra& algebra, const platforms::Platform& platform)
       : algebra_(algebra),
         platform_(platform),
-        overshoot_(algebra.number(platform.envelope.inflection_overshoot_m)) {}
+        overshoot_(algebra.number(platform.envelope.inflection_overshoot_m)),
+        late_overshoot_(
+            algebra.number(platform.envelope.inflection_overshoot_m +
+                           platform.envelope.vertical_rate_m_s *
+                               (platform.world.line_lag_s + platform.envelope.cycle_s))) {}
 
   /// V1: the deepest of a vehicle that begins at `depth`.
   template <typename Number>
@@ -82,7 +86,8 @@ class VehicleRules {
   template <typename Vehicle, typename Number>
   [[nodiscard]] Vehicle downTo(const Vehicle& before, const Number& target) const {
     Vehicle after = before;
-    after.deepest = larger(target + overshoot_, smaller(before.deepest, before.depth + overshoot_));
+    after.deepest =
+        larger(target + overshoot_, smaller(before.deepest, before.depth + late_overshoot_));
     after.climbing = algebra_.truth(false);
     return after;
   }
@@ -95,7 +100,7 @@ class VehicleRules {
     after.top = algebra_.choose(hovers, target + overshoot_, target);
     const auto goes_on = before.climbing && after.top >= before.top;
     const Number turned = algebra_.choose(goes_on, before.deepest,
-                                          smaller(before.deepest, before.depth + overshoot_));
+                                          smaller(before.deepest, before.depth + late_overshoot_));
     after.deepest = algebra_.choose(hovers, larger(after.top, turned), turned);
     after.since = algebra_.choose(goes_on, before.since, now);
     after.climbing = algebra_.truth(true);
@@ -118,6 +123,9 @@ class VehicleRules {
   const Algebra& algebra_;
   const platforms::Platform& platform_;
   decltype(std::declval<const Algebra&>().number(0)) overshoot_;
+  /// Of a dive that a command ends: it sinks on until that has crossed the vehicle's line and the
+  /// next control cycle has come.
+  decltype(std::declval<const Algebra&>().number(0)) late_overshoot_;
 };
 
 }  // namespace glider::ir::prove

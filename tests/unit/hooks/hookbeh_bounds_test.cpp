@@ -12,7 +12,7 @@ namespace {
 using Bench = HookbehBench;
 
 HookAnswer answerTo(const Instruction& instruction, const HookbehArgs& args = {}) {
-  return checkBounds(roundToArray(instruction), args);
+  return checkBounds(inSteps(instruction), args);
 }
 
 TEST(HookbehBounds, DepthUpToTheGreatest) {

@@ -39,7 +39,7 @@ TEST(Joined, DamagedLinesNeverGiveAWrongOrDoubledCommand) {
     for (int i = 0; i < 1600; ++i) {
       if (i == 1250) {
         vehicle.sbc_line.setDamage(0);
-        vehicle.flight_line.setDamage(0);
+        vehicle.flight_line.setLoss(0);
       }
       vehicle.second(&mission);
       witness.look(vehicle.flight, mission);
@@ -192,7 +192,7 @@ TEST(Joined, CommandsThatNeverArriveEndControlInTimeThoughTheHeartBeats) {
   double silent_at = 0;
   for (int i = 0; i < 600; ++i) {
     if (i == 400) {
-      vehicle.flight_line.setLongestToRight(40);  // heartbeats yes, instructions no
+      vehicle.flight_line.drop({GLIDER_SCI_HOOK_SEQUENCE});  // heartbeats yes, instructions no
     }
     const size_t told = mission.told.size();
     vehicle.second(&mission);
@@ -216,7 +216,7 @@ TEST(Joined, ACutFlightScienceLinkIsSilence) {
     vehicle.second(&mission);
   }
   EXPECT_EQ(vehicle.flight.outputs.state, HookState::Active);
-  vehicle.flight_line.setDamage(1);
+  vehicle.flight_line.setLoss(1);
   for (int i = 0; i < 32; ++i) {
     vehicle.second(&mission);
   }

@@ -31,13 +31,14 @@ platforms::Platform hull() {
   platform.world.tick_gap_s = 20;
   platform.world.start_depth_m = 3;
   platform.world.surface_depth_m = 2;
+  platform.world.line_lag_s = 8;
   return platform;
 }
 
-constexpr double kDeepest = 25;       // m, of the mission's commands
-constexpr double kLetsGo = 24 + 40;   // s: silence_secs and two cycles
-constexpr double kUnanswered = 120;   // s: six ticks
-constexpr double kClimb = 120 + 500;  // s, from 25 m
+constexpr double kDeepest = 25;          // m, of the mission's commands
+constexpr double kLetsGo = 24 + 40 + 8;  // s: silence_secs, two cycles and the line
+constexpr double kUnanswered = 120;      // s: six ticks
+constexpr double kClimb = 120 + 500;     // s, from 25 m
 
 class WholeOf : public ::testing::Test {
  protected:

@@ -59,7 +59,10 @@ constexpr double kHeardSecs = 40;    // s: hookbeh's own, for which an echo coun
 constexpr double kStands = 0.3;      // m; a smaller gain counts as none
 constexpr double kCtdFades = 300;    // s; after a fault the CTD must agree again, at the surface
 constexpr double kExcused = 600;     // s after such a climb: to the surface, and back to the depth
-constexpr double kFullCircle = 6.283186;
+constexpr double kFullCircle = 6.283191;
+/// Instructions, and the limits that they are compared with, are whole numbers of so many parts of
+/// a radian and of a metre.
+constexpr double kAngle = 100000, kDepth = 1000;
 
 bool isAngle(double ddmm, double most) {
   return std::fabs(ddmm) <= most && std::fmod(std::fabs(ddmm), 100) <= 60;
@@ -83,8 +86,8 @@ bool sameVertical(const Instruction& a, const Instruction& b) {
 /// Accepted, or the reason for a refusal, according to the b_args.
 HookAnswer CommandJudge::boundsOf(const Instruction& instruction) const {
   const auto fits = [&](double pitch) {
-    return pitch >= hooks::asFloat32(s_.args.shallowest_pitch_rad) &&
-           pitch <= hooks::asFloat32(s_.args.steepest_pitch_rad);
+    return std::round(pitch * kAngle) >= std::round(s_.args.shallowest_pitch_rad * kAngle) &&
+           std::round(pitch * kAngle) <= std::round(s_.args.steepest_pitch_rad * kAngle);
   };
   const double depth = instruction.depth_m;
   const bool deep = instruction.vertical == HookVertical::Descend ||
@@ -93,7 +96,7 @@ HookAnswer CommandJudge::boundsOf(const Instruction& instruction) const {
   if (deep && !(depth >= 0 && std::isfinite(depth))) {
     return HookAnswer::BadCommand;
   }
-  if (deep && depth > hooks::asFloat32(s_.args.greatest_depth_m)) {
+  if (deep && std::round(depth * kDepth) > std::round(s_.args.greatest_depth_m * kDepth)) {
     return HookAnswer::TooDeep;
   }
   if ((instruction.vertical == HookVertical::Descend && !fits(-instruction.pitch_rad)) ||
@@ -105,8 +108,9 @@ HookAnswer CommandJudge::boundsOf(const Instruction& instruction) const {
     return HookAnswer::NotOnEarth;
   }
   if (instruction.lateral == HookLateral::Fin) {
-    const double most = hooks::asFloat32(s_.args.greatest_fin_rad);
-    return std::fabs(instruction.heading_rad) <= most ? HookAnswer::Accepted : HookAnswer::BadFin;
+    const double most = std::round(s_.args.greatest_fin_rad * kAngle);
+    return std::round(std::fabs(instruction.heading_rad) * kAngle) <= most ? HookAnswer::Accepted
+                                                                           : HookAnswer::BadFin;
   }
   const bool turns = instruction.lateral == HookLateral::Heading;
   return turns && !(std::fabs(instruction.heading_rad) <= kFullCircle) ? HookAnswer::BadCommand

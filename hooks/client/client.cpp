@@ -377,18 +377,19 @@ void Client::queueSubscribe() {
 }
 
 void Client::queueInstruction() {
-  // On the line the words go in the order of their roles, the sequence last.
-  const InstructionWords carried = wordsOf(pending_);
-  SensorValue words[sizeof kInstructionWords / sizeof kInstructionWords[0]];
+  double words[sizeof kInstructionWords / sizeof kInstructionWords[0]];
 #define WORD(role, sensor, word, field, bytes, steps, line) \
-  words[line] = {sensorOf(*dictionary_, kGliderRole##role), carried.word};
+  words[line] = static_cast<double>(pending_.field);
 #define CHECK_WORD(role, sensor, word, line) \
-  words[line] = {sensorOf(*dictionary_, kGliderRole##role), carried.word};
+  words[line] = static_cast<double>(checkValue(pending_));
 #include "hooks/protocol/instruction.def"
   Frame frame;
   encodeEmptyList(frame);
-  for (const SensorValue& word : words) {
-    (void)appendValue(*dictionary_, frame, word);
+  // On the line the words go in the order of their roles.
+  uint32_t role = kGliderRoleHookSession;
+  for (const double word : words) {
+    const uint16_t id = sensorOf(*dictionary_, static_cast<GliderRole>(role++));
+    (void)appendValue(*dictionary_, frame, {id, word});
   }
   queue(frame);
   due_ = false;

@@ -3,6 +3,7 @@
 
 #include "hooks/hookbeh/bounds.h"
 
+#include "hooks/protocol/numbers.h"
 #include "hooks/protocol/steps.h"
 
 namespace glider::hooks {

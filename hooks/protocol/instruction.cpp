@@ -13,22 +13,37 @@ namespace {
 
 constexpr uint32_t kMostCode = 127;  // a one-byte sensor
 
-/// A field under the check value: numbers and codes in as many bytes, real numbers in steps.
+/// The real numbers of an instruction, in their order.
+struct RealField {
+  double Instruction::* field = nullptr;
+  uint32_t steps = 0;
+  int32_t most = 0;
+};
+struct RealFields {
+  RealField all[8];
+  uint32_t count = 0;
+
+  constexpr void add(double Instruction::* field, uint32_t bytes, uint32_t steps) {
+    all[count++] = {field, steps, mostSteps(bytes)};
+  }
+  template <typename Field>
+  constexpr void add(Field Instruction::* /*field*/, uint32_t /*bytes*/, uint32_t /*steps*/) {}
+};
+constexpr RealFields realFields() {
+  RealFields fields;
+#define WORD(role, sensor, word, field, bytes, steps, line) \
+  fields.add(&Instruction::field, bytes, steps);
+#include "hooks/protocol/instruction.def"
+  return fields;
+}
+constexpr RealFields kReals = realFields();
+
+/// A whole number or code under the check value; real numbers come behind these, in steps.
 template <typename Field>
-void write(ByteWriter& out, uint32_t bytes, uint32_t /*steps*/, Field field) {
+void write(ByteWriter& out, uint32_t bytes, Field field) {
   out.bits(static_cast<uint64_t>(field), bytes);
 }
-void write(ByteWriter& out, uint32_t bytes, uint32_t steps, double field) {
-  out.u32(static_cast<uint32_t>(wholeSteps(field, steps, mostSteps(bytes))));
-}
-
-template <typename Field>
-Field asCarried(uint32_t /*bytes*/, uint32_t /*steps*/, Field field) {
-  return field;
-}
-double asCarried(uint32_t bytes, uint32_t steps, double field) {
-  return static_cast<double>(wholeSteps(field, steps, mostSteps(bytes))) / steps;
-}
+void write(ByteWriter& /*out*/, uint32_t /*bytes*/, double /*field*/) {}
 
 bool read(double word, uint32_t /*bytes*/, uint32_t /*steps*/, uint32_t* session) {
   return isWhole(word, 1, kMostSession, session);
@@ -40,7 +55,7 @@ bool read(double word, uint32_t /*bytes*/, uint32_t /*steps*/, uint16_t* sequenc
   return good;
 }
 bool read(double word, uint32_t bytes, uint32_t steps, double* number) {
-  *number = asCarried(bytes, steps, word);
+  *number = static_cast<double>(wholeSteps(word, steps, mostSteps(bytes))) / steps;
   return isFinite(word);
 }
 template <typename Code>
@@ -80,10 +95,12 @@ bool instructionOf(const InstructionWords& words, Instruction* instruction) {
 }
 
 Instruction inSteps(const Instruction& instruction) {
-  Instruction carried;
-#define WORD(role, sensor, word, field, bytes, steps, line) \
-  carried.field = asCarried(bytes, steps, instruction.field);
-#include "hooks/protocol/instruction.def"
+  Instruction carried = instruction;
+  for (uint32_t i = 0; i < kReals.count; ++i) {
+    const RealField& real = kReals.all[i];
+    double& number = carried.*real.field;
+    number = static_cast<double>(wholeSteps(number, real.steps, real.most)) / real.steps;
+  }
   return carried;
 }
 
@@ -94,9 +111,12 @@ uint32_t checkValue(const Instruction& instruction) {
       ;
   uint8_t bytes[kBytes];
   ByteWriter out(bytes, kBytes);
-#define WORD(role, sensor, word, field, width, steps, line) \
-  write(out, width, steps, instruction.field);
+#define WORD(role, sensor, word, field, width, ...) write(out, width, instruction.field);
 #include "hooks/protocol/instruction.def"
+  for (uint32_t i = 0; i < kReals.count; ++i) {
+    const RealField& real = kReals.all[i];
+    out.u32(static_cast<uint32_t>(wholeSteps(instruction.*real.field, real.steps, real.most)));
+  }
   return crc32c(bytes, kBytes);
 }
 

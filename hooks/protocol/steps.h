@@ -3,8 +3,6 @@
 
 #pragma once
 
-#include "hooks/protocol/numbers.h"
-
 #include <stdint.h>
 
 /// The real numbers of an instruction cross the vehicle's own line as text with six decimals, and
@@ -25,12 +23,6 @@ constexpr int32_t mostSteps(uint32_t bytes) {
 
 /// `value` in whole steps, `per_unit` of which make its unit; the nearest in -most…most, -most for
 /// NaN, so that an unknown value is outside every limit.
-inline int32_t wholeSteps(double value, uint32_t per_unit, int32_t most = mostSteps(8)) {
-  const double steps = value * per_unit;
-  if (!(steps > -most)) {
-    return -most;
-  }
-  return steps < most ? static_cast<int32_t>(steps < 0 ? steps - 0.5 : steps + 0.5) : most;
-}
+int32_t wholeSteps(double value, uint32_t per_unit, int32_t most = mostSteps(8));
 
 }  // namespace glider::hooks

@@ -26,9 +26,8 @@ Term smaller(SmtText& out, const Term& a, const Term& b) {
 Term endOfDive(const Setting& setting, SmtText& out, const Vehicle& v) {
   const platforms::Envelope& envelope = setting.platform.envelope;
   const double late_s = envelope.cycle_s + setting.platform.world.line_lag_s;
-  const Term sinks = operation("*", {literal(envelope.vertical_rate_m_s), literal(late_s)});
-  return smaller(out, v.deepest,
-                 operation("+", {v.depth, literal(envelope.inflection_overshoot_m), sinks}));
+  const double beyond = envelope.inflection_overshoot_m + envelope.vertical_rate_m_s * late_s;
+  return smaller(out, v.deepest, operation("+", {v.depth, literal(beyond)}));
 }
 
 /// V3.

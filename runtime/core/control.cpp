@@ -73,10 +73,10 @@ ControlNews Control::refused(HookAnswer answer) {
   if (answer == HookAnswer::BadCheck) {
     // Its words come one by one; what is lost the client sends again. It is news only if that takes
     // longer than the vehicle's line.
-    constexpr uint8_t kMostTicks = 5;
-    garbled_ticks_ = static_cast<uint8_t>(garbled_ticks_ + (garbled_ticks_ < kMostTicks ? 1 : 0));
-    return garbled_ticks_ == kMostTicks - 1 ? ControlNews{Kind::Refused, pending_sequence_, answer}
-                                            : ControlNews{};
+    constexpr uint8_t kMostTicks = 4;
+    garbled_ticks_ += garbled_ticks_ <= kMostTicks ? 1 : 0;
+    return garbled_ticks_ == kMostTicks ? ControlNews{Kind::Refused, pending_sequence_, answer}
+                                        : ControlNews{};
   }
   if (pending_ == HookControl::Release) {
     released_ = true;  // no longer ours: there is no control to release

@@ -64,6 +64,13 @@ TEST_F(HookprogTest, AnotherDictionaryOrVersionIsRefusedAndReportedOnce) {
   EXPECT_EQ(events(), (std::vector{Kind::SbcRefused}));
   EXPECT_EQ(last_event_.a, 9U);
   EXPECT_EQ(last_event_.b, 0U) << "of another version no dictionary is read";
+  hello.version = 5;
+  hello.dictionary = gliderDictionary.hash;
+  say(hello);
+  run();
+  EXPECT_TRUE(atSbc().empty()) << "the check value of version 5 is another";
+  EXPECT_EQ(events(), (std::vector{Kind::SbcRefused}));
+  EXPECT_EQ(last_event_.a, 5U);
 }
 
 TEST_F(HookprogTest, AnSbcThatLacksAFeatureIsRefusedForEachOnce) {

@@ -27,7 +27,7 @@ class VehicleLine {
  public:
   explicit VehicleLine(uint32_t seed = 1) : random_(seed) {}
 
-  /// Every value is as late as `least` to `most` seconds, each by itself.
+  /// What science sets is as late as `least` to `most` seconds, each value by itself.
   void setLag(double least, double most) {
     least_s_ = least;
     most_s_ = most;
@@ -90,7 +90,8 @@ class VehicleLine {
     }
   }
   void pass(Way& way, const SensorUpdate& update) {
-    double due_s = now_s_ + least_s_ + (most_s_ - least_s_) * chance_(random_);
+    const bool is_late = &way == &to_flight_;
+    double due_s = now_s_ + (is_late ? least_s_ + (most_s_ - least_s_) * chance_(random_) : 0);
     for (const Passing& before : way.passing) {
       due_s = before.update.id == update.id ? std::max(due_s, before.due_s) : due_s;
     }

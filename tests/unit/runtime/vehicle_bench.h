@@ -65,10 +65,11 @@ class VehicleBench {
       }
       const auto own = [this](uint16_t id, bool* fresh) { return scienceSensor(id, fresh); };
       hookprog_.run(now_, line_.memory(own), sbc_line_.left());
+      hookprog_.run(now_ + 1, line_.memory(own), sbc_line_.left());  // nothing more has come
       if (!line_is_cut) {
         sbc();
       }
-      hookprog_.run(now_, line_.memory(own), sbc_line_.left());
+      hookprog_.run(now_ + 1, line_.memory(own), sbc_line_.left());
       for (hooks::SeatEvent e = hookprog_.nextEvent(); e.kind != hooks::SeatEvent::Kind::None;
            e = hookprog_.nextEvent()) {
         events.push_back(e);

@@ -151,8 +151,8 @@ TEST_F(WholeOf, TheLinesNameTheBehaviourTheTimeAndItsParts) {
   ASSERT_EQ(lines.size(), 6U);
   EXPECT_EQ(lines[0],
             "after `exit`, instructions that get no answer the vehicle is at the surface within "
-            "13 min 24 s, by behaviour 3 `surface` (start_when 1): 6 ticks without an answer 120 s "
-            "+ silence_secs 24 s + 2 cycles 40 s + turn 120 s + climb from 25 m 500 s");
+            "13 min 32 s, by behaviour 3 `surface` (start_when 1): 6 ticks without an answer 120 s "
+            "+ silence_secs 24 s + 2 cycles 40 s + line 8 s + turn 120 s + climb from 25 m 500 s");
 }
 
 TEST_F(WholeOf, ASkeletonWithoutTheIdleSurfaceIsAborted) {
@@ -424,7 +424,7 @@ TEST_F(WholeOf, TheSilenceMustBeAValidTime) {
     EXPECT_NE(refusal(kIdle + behaviour("hookbeh", std::string("silence_secs(s) ") + wrong)), "")
         << wrong;
   }
-  EXPECT_DOUBLE_EQ(seconds(kIdle + behaviour("hookbeh", "silence_secs(s) 100")), 100 + 40 + kClimb);
+  EXPECT_DOUBLE_EQ(seconds(kIdle + behaviour("hookbeh", "silence_secs(s) 100")), 100 + 48 + kClimb);
 }
 
 TEST_F(WholeOf, ThereIsOneHookbeh) {

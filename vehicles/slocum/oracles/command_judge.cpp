@@ -57,6 +57,7 @@ constexpr double kCreepsSecs = 380;  // one that gains it slowly: hookbeh may wa
 constexpr double kCommandJump = 4;   // m per cycle
 constexpr double kHeardSecs = 40;    // s: hookbeh's own, for which an echo counts fully
 constexpr double kStands = 0.3;      // m; a smaller gain counts as none
+constexpr double kLateSecs = 3;      // s, beyond the usual 8: in 11 s the vehicle sinks by 5 m
 constexpr double kCtdFades = 300;    // s; after a fault the CTD must agree again, at the surface
 constexpr double kExcused = 600;     // s after such a climb: to the surface, and back to the depth
 constexpr double kFullCircle = 6.283191;
@@ -381,11 +382,12 @@ std::string CommandJudge::judgeFollowing(const CycleView& view, double reading) 
 namespace {
 
 /// Whether frames are repeated on the line to the flight computer, or were until recently: they
-/// carry old readings of the CTD, which the hooks cannot distinguish from new ones.
+/// carry old readings of the CTD, which the hooks cannot distinguish from new ones, as does a line
+/// that is late.
 bool oldFramesReachFlight(const Faults& faults, double now_s) {
   return std::ranges::any_of(faults.lines, [&](const LineFault& fault) {
-    return fault.way == LineWay::ToFlight && fault.replayed > 0 && now_s >= fault.when.from_s &&
-           now_s < fault.when.to_s + kOldReading;
+    return fault.way == LineWay::ToFlight && (fault.replayed > 0 || fault.delay_s > kLateSecs) &&
+           now_s >= fault.when.from_s && now_s < fault.when.to_s + kOldReading;
   });
 }
 

@@ -74,7 +74,9 @@ ControlNews Control::refused(HookAnswer answer) {
     // Its words come one by one; what is lost the client sends again. It is news only if that takes
     // longer than the vehicle's line.
     constexpr uint8_t kMostTicks = 4;
-    garbled_ticks_ += garbled_ticks_ <= kMostTicks ? 1 : 0;
+    if (garbled_ticks_ <= kMostTicks) {
+      ++garbled_ticks_;
+    }
     return garbled_ticks_ == kMostTicks ? ControlNews{Kind::Refused, pending_sequence_, answer}
                                         : ControlNews{};
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "hooks/protocol/instruction.h"
+#include "hooks/protocol/numbers.h"
 #include "hooks/protocol/steps.h"
 
 #include <gtest/gtest.h>

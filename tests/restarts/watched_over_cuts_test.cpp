@@ -91,6 +91,9 @@ TEST(WatchedOverCuts, WhatAMissionDoesTwiceFromAnOlderCheckpointCountsOnce) {
     // part of the card that is lost depends on how many were written.
     const double at_s = 906 + 600.0 * (lost % 5);
     simulator::Faults faults = cuts({{at_s + lost % 4, at_s + 20}});
+    if (lost % 2 == 0) {
+      faults.power.insert(faults.power.begin(), {at_s - 60 - lost % 7, at_s - 40});
+    }
     faults.card.push_back(
         {at_s + 6, simulator::CardFault::Kind::Cut, 0.2 + 0.01 * static_cast<double>(lost)});
     const RestartFlight flight =

@@ -35,20 +35,16 @@ bool exceeds(const Quantity& quantity) {
 Budget linesBudget(const compiler::Optimised& mission, support::DiagnosticEngine& diagnostics) {
   const ir::LinkBytes bytes = ir::linkBytes(mission.mission, mission.platform());
   const std::string unit = "bytes a cycle";
-  const std::string fast = "115200 baud: ", slow = "9600 baud: ";
+  const std::string fast = "115200 baud: ";
   Budget budget{
       "lines",
       {{"to_payload", bytes.to_sbc, bytes.fast_line, unit,
         fast + "readings of the subscribed sensors"},
-       {"from_payload", bytes.from_sbc, bytes.fast_line, unit, fast + "the SBC's longest answer"},
-       {"to_science", bytes.to_science, bytes.slow_line, unit,
-        slow + "all sensors of the flight controller"},
-       {"to_flight", bytes.to_flight, bytes.slow_line, unit,
-        slow + "one instruction and the heartbeat"}}};
+       {"from_payload", bytes.from_sbc, bytes.fast_line, unit, fast + "the SBC's longest answer"}}};
   for (const Quantity& quantity : budget.quantities) {
     if (exceeds(quantity)) {
-      diagnostics.report(support::diagnostics::lineOverloaded, {}, *quantity.value,
-                         quantity.remark.starts_with(slow) ? 9600 : 115200, *quantity.limit);
+      diagnostics.report(support::diagnostics::lineOverloaded, {}, *quantity.value, 115200,
+                         *quantity.limit);
     }
   }
   return budget;

@@ -95,10 +95,11 @@ std::string worldText(const platforms::EnvironmentModel& world) {
       "  error of depth          at most {:.6g} m\n"
       "  time between ticks      at most {:.6g} s\n"
       "  speed through water     at most {:.6g} m/s, {:.6g} m off the straight leg\n"
-      "  drift at the surface    at most {:.6g} m/s\n",
+      "  drift at the surface    at most {:.6g} m/s\n"
+      "  line between computers  at most {:.6g} s late\n",
       world.start_depth_m, world.surface_depth_m, world.slowest_climb_m_s, world.turn_s,
       world.depth_error_m, world.tick_gap_s, world.through_water_m_s, world.steering_error_m,
-      world.surface_drift_m_s);
+      world.surface_drift_m_s, world.line_lag_s);
 }
 
 std::string text(const Platform& platform) {
@@ -166,7 +167,8 @@ std::string json(const Platform& platform) {
                            {"tick_gap_s", platform.world.tick_gap_s},
                            {"through_water_m_s", platform.world.through_water_m_s},
                            {"steering_error_m", platform.world.steering_error_m},
-                           {"surface_drift_m_s", platform.world.surface_drift_m_s}}},
+                           {"surface_drift_m_s", platform.world.surface_drift_m_s},
+                           {"line_lag_s", platform.world.line_lag_s}}},
                          {"commands", commands},
                          {"sensors", sensors}};
   return all.dump(2) + "\n";

@@ -133,12 +133,13 @@ std::string assumptionsOf(const platforms::Platform& platform, const ir::Mission
       "m/s or faster from {:.4g} s after the command, overshoots a target depth by at most {:.4g} "
       "m, and reads its depth with an error of at most {:.4g} m; which moves through the water at "
       "most at {:.4g} m/s, in a current of at most {:.4g} m/s, and drifts at the surface at most "
-      "at {:.4g} m/s. Ticks of the mission are at most {:.4g} s apart, except in a power cut of up "
+      "at {:.4g} m/s. A command takes effect within {:.4g} s. Ticks of the mission are at most "
+      "{:.4g} s apart, except in a power cut of up "
       "to {}.",
       world.start_depth_m, envelope.vertical_rate_m_s, world.slowest_climb_m_s, world.turn_s,
       envelope.inflection_overshoot_m, world.depth_error_m, world.through_water_m_s,
-      envelope.drift_m_s, world.surface_drift_m_s, world.tick_gap_s,
-      durationOf(mission.resume_within_s));
+      envelope.drift_m_s, world.surface_drift_m_s, world.line_lag_s + envelope.cycle_s,
+      world.tick_gap_s, durationOf(mission.resume_within_s));
   std::string own;
   const bool unwatched = !std::ranges::all_of(mission.assumptions, &ir::Assumption::isWatched);
   for (const ir::Assumption& assumption : mission.assumptions) {

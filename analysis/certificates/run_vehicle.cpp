@@ -42,9 +42,15 @@ RunVehicle::Depths RunVehicle::later(double from, double to) const {
   return depths;
 }
 
+/// The time in which the vehicle obeys a command: the line, a cycle, and what the seat adds.
+double RunVehicle::lateBy() const {
+  const platforms::EnvironmentModel& world = platform_.world;
+  return world.line_lag_s + platform_.envelope.cycle_s + world.command_s;
+}
+
 /// From now on, until a command that ends a dive is obeyed, and while the vehicle then turns.
 double RunVehicle::turnsWithin() const {
-  return platform_.envelope.vertical_rate_m_s * platform_.world.command_s +
+  return platform_.envelope.vertical_rate_m_s * lateBy() +
          platform_.envelope.inflection_overshoot_m;
 }
 
@@ -98,8 +104,7 @@ void RunVehicle::ascend(double target, double now) {
   const bool dives = target >= kSurface;
   const double hold = platform_.world.climb_hold_m + platform_.envelope.inflection_overshoot_m;
   const double top = dives ? target + hold : target;
-  const bool goes_on =
-      climbing_ && top >= top_ && (top == top_ || now >= since_ + platform_.world.command_s);
+  const bool goes_on = climbing_ && top >= top_ && (top == top_ || now >= since_ + lateBy());
   const double end = goes_on ? deepest_ : endOfDive();
   deepest_ = dives ? std::max(top, end) : end;
   since_ = goes_on ? since_ : now;

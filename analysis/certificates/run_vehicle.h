@@ -40,6 +40,7 @@ class RunVehicle {
   void descend(double target);
   void ascend(double target, double now);
   /// Where a dive that ends now may still get.
+  [[nodiscard]] double lateBy() const;
   [[nodiscard]] double turnsWithin() const;
   [[nodiscard]] double endOfDive() const;
 

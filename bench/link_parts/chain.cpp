@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace glider::bench {
 namespace {
@@ -20,13 +21,17 @@ std::vector<double> Chain::latencies(size_t count) {
   for (double now = 0; latencies_.size() < count; now += kStep) {
     now_ = now;
     sbc_line_.setNow(now);
-    flight_science_link_.setNow(now);
+    line_.setNow(now);
     if (std::fmod(now, kCycle) == 0) {
       flightCycle();
     }
     if (std::fmod(now, 1) == 0) {
       maybeChange(isScienceSensor(watched_));
-      hookprog_.run(now, {this, science}, science_side_.stream(), prog_side_.stream());
+      while (const auto one = line_.to_science.next()) {
+        memory_[one->id] = one->value;
+        fresh_[one->id] = true;
+      }
+      hookprog_.run(now, {this, get, set}, science_side_.stream());
     }
     pollClient();
   }
@@ -34,9 +39,14 @@ std::vector<double> Chain::latencies(size_t count) {
   return latencies_;
 }
 
-double Chain::science(void* self, uint16_t id, bool* fresh) {
-  *fresh = true;
-  return id == static_cast<Chain*>(self)->watched_ ? static_cast<Chain*>(self)->value_ : 1;
+double Chain::get(void* self, uint16_t id, bool* fresh) {
+  auto& chain = *static_cast<Chain*>(self);
+  *fresh = isScienceSensor(id) || std::exchange(chain.fresh_[id], false);
+  return !isScienceSensor(id) ? chain.memory_[id] : id == chain.watched_ ? chain.value_ : 1;
+}
+
+void Chain::set(void* self, uint16_t id, double value) {
+  static_cast<Chain*>(self)->line_.to_flight.send({.id = id, .value = value});
 }
 
 void Chain::maybeChange(bool its_time) {
@@ -51,10 +61,8 @@ void Chain::maybeChange(bool its_time) {
 void Chain::flightCycle() {
   ++cycle_;
   maybeChange(!isScienceSensor(watched_));
-  std::array<SensorUpdate, 64> updates{};
-  const uint32_t count = flight_.poll(flight_side_.stream(), updates.data(), updates.size());
-  for (uint32_t i = 0; i < count; ++i) {
-    array_[updates[i].id] = updates[i].value;
+  while (const auto one = line_.to_flight.next()) {
+    array_[one->id] = one->value;
   }
   const HookbehOutputs out = hookbeh_.cycle(inputs());
   state_ = out.state;
@@ -90,24 +98,18 @@ HookbehInputs Chain::inputs() const {
 }
 
 void Chain::report(const HookbehOutputs& out) {
-  std::vector<SensorUpdate> updates;
   for (uint16_t id = 0; id < GLIDER_SENSOR_COUNT; ++id) {
-    const bool last = id == GLIDER_M_PRESENT_SECS_INTO_MISSION || id == GLIDER_M_CYCLE_NUMBER;
-    if (!isScienceSensor(id) && !last) {
-      const double value = id == watched_                 ? value_
+    if (!isScienceSensor(id)) {
+      const double value = id == watched_                             ? value_
+                           : id == GLIDER_M_PRESENT_SECS_INTO_MISSION ? now_
                            : id == GLIDER_X_HOOK_STATE    ? static_cast<double>(out.state)
                            : id == GLIDER_X_HOOK_ANSWER   ? static_cast<double>(out.answer)
                            : id == GLIDER_X_HOOK_SEQUENCE ? out.answered_sequence
                            : id == GLIDER_X_HOOK_SESSION  ? out.session
                                                           : cycle_;
-      updates.push_back({id, value});
+      line_.to_science.send({.id = id, .value = value});
     }
   }
-  updates.push_back({GLIDER_M_PRESENT_SECS_INTO_MISSION, now_});
-  updates.push_back({GLIDER_M_CYCLE_NUMBER, cycle_});
-  flight_.send(updates.data(), static_cast<uint32_t>(updates.size()));
-  std::array<SensorUpdate, 1> none{};
-  flight_.poll(flight_side_.stream(), none.data(), 0);
 }
 
 void Chain::pollClient() {

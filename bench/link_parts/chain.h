@@ -5,9 +5,9 @@
 
 #include "bench/link_parts/line.h"
 #include "hooks/client/client.h"
-#include "hooks/flight_science_link/flight_science_link.h"
 #include "hooks/hookbeh/hookbeh.h"
 #include "hooks/hookprog/hookprog.h"
+#include "simulator/slocum/line/flight_science_line.h"
 #include "tests/slocum.h"
 
 #include <array>
@@ -27,20 +27,16 @@ class Chain {
         noise_(seed, 10),
         science_side_(sbc_line_.left(), damage, Noise(seed, 11)),
         sbc_side_(sbc_line_.right(), damage, Noise(seed, 12)),
-        flight_side_(flight_science_link_.left(), damage, Noise(seed, 13)),
-        prog_side_(flight_science_link_.right(), damage, Noise(seed, 14)) {
+        line_({}, seed) {
     array_.fill(kNaN);
   }
 
   /// Cycles from each of `count` changes of the sensor to the command, sorted.
   std::vector<double> latencies(size_t count);
-  /// How long that took, and the bytes on the flight-science serial link meanwhile.
-  [[nodiscard]] double seconds() const { return now_; }
-  [[nodiscard]] uint64_t toScience() const { return flight_side_.written; }
-  [[nodiscard]] uint64_t toFlight() const { return prog_side_.written; }
 
  private:
-  static double science(void* self, uint16_t id, bool* fresh);
+  static double get(void* self, uint16_t id, bool* fresh);
+  static void set(void* self, uint16_t id, double value);
   /// The watched sensor changes now and then, once the chain is at rest.
   void maybeChange(bool its_time);
   void flightCycle();
@@ -55,9 +51,11 @@ class Chain {
 
   uint16_t watched_;
   Noise noise_;
-  SerialLine sbc_line_{kFastBaud}, flight_science_link_{kSlowBaud};
-  Tap science_side_, sbc_side_, flight_side_, prog_side_;
-  FlightScienceLink flight_{gliderDictionary};
+  SerialLine sbc_line_{kFastBaud};
+  Tap science_side_, sbc_side_;
+  simulator::FlightScienceLine line_;
+  std::array<double, GLIDER_SENSOR_COUNT> memory_{};  ///< of the science computer
+  std::array<bool, GLIDER_SENSOR_COUNT> fresh_{};
   Hookprog hookprog_{gliderDictionary};
   Hookbeh hookbeh_{HookbehArgs{}, kHull};
   std::array<double, GLIDER_SENSOR_COUNT> array_{};

@@ -16,7 +16,7 @@ using simulator::Noise;
 using simulator::SerialLine;
 
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-inline constexpr double kFastBaud = 115200, kSlowBaud = 9600;
+inline constexpr double kFastBaud = 115200;
 
 /// Passes bytes on, counts them, and damages some: a flipped bit or a lost byte.
 class Tap {

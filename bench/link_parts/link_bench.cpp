@@ -28,15 +28,6 @@ void latency(const char* name, uint16_t watched, double damage, uint64_t seed) {
              name, 100 * damage, at(0.5), at(0.99), sorted.back());
 }
 
-void slowLine(uint64_t seed) {
-  const auto chain = std::make_unique<Chain>(GLIDER_M_DEPTH, 0, seed);
-  (void)chain->latencies(1000);
-  const double capacity = chain->seconds() * kSlowBaud / 10;
-  fmt::print("  to science {:.1f} % of it, to flight {:.1f} %\n",
-             100 * static_cast<double>(chain->toScience()) / capacity,
-             100 * static_cast<double>(chain->toFlight()) / capacity);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -47,11 +38,6 @@ int main(int argc, char** argv) {
     std::make_unique<Saturation>(sensors, 1)->run(kSeconds);
   }
   std::make_unique<Saturation>(64, 0.25)->run(kSeconds);
-  fmt::print(
-      "\n9600 baud, 8N1, a usual flight: every flight sensor in each cycle of 4 s, "
-      "instructions:\n");
-  slowLine(seed);
-  slowSaturation();
   fmt::print(
       "\nFrom a sensor's change on board to hookbeh obeying the instruction that it caused, 10,000 "
       "changes, seed {}:\n",

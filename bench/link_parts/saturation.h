@@ -5,14 +5,13 @@
 
 #include "bench/link_parts/line.h"
 #include "hooks/client/client.h"
-#include "hooks/flight_science_link/flight_science_link.h"
 #include "hooks/hookprog/hookprog.h"
-#include "hooks/transport/memory.h"
 #include "tests/slocum.h"
 
+#include <set>
 #include <vector>
 
-/// What the lines carry when they are never idle.
+/// What the line carries when it is never idle.
 namespace glider::bench {
 
 using namespace glider::hooks;
@@ -31,7 +30,8 @@ class Saturation {
   static constexpr double kWarmUp = 5;
   static constexpr uint64_t kUnderWay = 1200;
 
-  static double science(void* self, uint16_t id, bool* fresh);
+  static double get(void* self, uint16_t id, bool* fresh);
+  static void set(void* self, uint16_t id, double value);
   [[nodiscard]] bool changes(uint16_t id) const;
   /// A one-byte sensor holds small numbers only.
   [[nodiscard]] double valueOf(uint16_t id) const;
@@ -47,13 +47,9 @@ class Saturation {
   Hookprog hookprog_{gliderDictionary};
   SerialLine line_{kFastBaud};
   Tap tap_{line_.left(), 0, Noise(1, 0)};
-  MemoryLine memory_;
-  FlightScienceLink flight_{gliderDictionary};
+  std::set<uint16_t> fresh_;  ///< in the science computer's memory
   double now_ = 0, cycle_ = 0, ticks_ = 0, value_bytes_ = 0;
   uint64_t read_ = 0, written_before_ = 0;
 };
-
-/// Reports of 4-byte sensors as fast as the 9600 line takes them.
-void slowSaturation();
 
 }  // namespace glider::bench

@@ -64,7 +64,6 @@ ClientEvent Client::handle(const Frame& frame, const GliderByteStream& stream) {
     case MessageType::Transition:
     case MessageType::Done:
     case MessageType::Note:
-    case MessageType::Sensors:
     case MessageType::Log:
       break;  // not addressed to the SBC; perhaps an echo of its own frames
   }
@@ -239,7 +238,7 @@ uint16_t Client::instruct(Instruction instruction) {
   }
   claims_ = true;
   instruction.session = session_;
-  pending_ = roundToArray(instruction);
+  pending_ = inSteps(instruction);
   renumber();
   waiting_ = true;
   due_ = true;
@@ -378,20 +377,19 @@ void Client::queueSubscribe() {
 }
 
 void Client::queueInstruction() {
-  struct Word {
-    GliderRole role;
-    double value;
-  };
-  Word words[sizeof kInstructionWords / sizeof kInstructionWords[0]];
-#define WORD(role, sensor, word, field, bytes, line) \
-  words[line] = {kGliderRole##role, static_cast<double>(pending_.field)};
+  double words[sizeof kInstructionWords / sizeof kInstructionWords[0]];
+#define WORD(role, sensor, word, field, bytes, steps, line) \
+  words[line] = static_cast<double>(pending_.field);
 #define CHECK_WORD(role, sensor, word, line) \
-  words[line] = {kGliderRole##role, static_cast<double>(checkValue(pending_))};
+  words[line] = static_cast<double>(checkValue(pending_));
 #include "hooks/protocol/instruction.def"
   Frame frame;
-  encodeEmptyList(MessageType::Write, frame);
-  for (const Word& word : words) {
-    (void)appendValue(*dictionary_, frame, {sensorOf(*dictionary_, word.role), word.value});
+  encodeEmptyList(frame);
+  // On the line the words go in the order of their roles.
+  uint32_t role = kGliderRoleHookSession;
+  for (const double word : words) {
+    const uint16_t id = sensorOf(*dictionary_, static_cast<GliderRole>(role++));
+    (void)appendValue(*dictionary_, frame, {id, word});
   }
   queue(frame);
   due_ = false;

@@ -108,9 +108,9 @@ class Client {
 
   /// Adds to the answer of this tick, or of the next one when called between ticks. `instruction`:
   /// session, sequence and check are filled in by the client (Take opens a new session; a Steer of
-  /// a session whose Take was never accepted goes as Take); its numbers are rounded to the sensor
-  /// array. If there are several, only the newest is sent; it is repeated until hookbeh answers it.
-  /// Returns its sequence number: answered when tick().answered_sequence equals it (see
+  /// a session whose Take was never accepted goes as Take); its real numbers go in whole steps. If
+  /// there are several, only the newest is sent; it is repeated until hookbeh answers it. Returns
+  /// its sequence number: answered when tick().answered_sequence equals it (see
   /// VehicleTick::instruction_sequence).
   uint16_t instruct(Instruction instruction);
   /// Reports a transition with the answer of this tick; notices beyond kMostNotices in one answer

@@ -4,16 +4,26 @@
 #include "hooks/hookbeh/bounds.h"
 
 #include "hooks/protocol/numbers.h"
+#include "hooks/protocol/steps.h"
 
 namespace glider::hooks {
 namespace {
 
 constexpr double kCircleRad = 6.283185307179586;
 
+// Limits are compared in the whole steps in which instructions come: 26 degrees, written as
+// 0.453786 rad in a mission file, must not refuse 26 degrees.
+int32_t inMillimetres(double metres) {
+  return wholeSteps(metres, kMetreSteps);
+}
+int32_t inAngleSteps(double radians) {
+  return wholeSteps(radians, kRadianSteps);
+}
+
 /// `pitch` is the steepness in the commanded direction, positive.
 bool pitchFits(double pitch, const HookbehArgs& args) {
-  return pitch >= asFloat32(args.shallowest_pitch_rad) &&
-         pitch <= asFloat32(args.steepest_pitch_rad);
+  return inAngleSteps(pitch) >= inAngleSteps(args.shallowest_pitch_rad) &&
+         inAngleSteps(pitch) <= inAngleSteps(args.steepest_pitch_rad);
 }
 
 /// A position as ddmm.mmmm. Sixty minutes are accepted: rounding turns 59.99999999 into 60.
@@ -30,7 +40,8 @@ HookAnswer checkDepth(double depth, const HookbehArgs& args) {
   if (!isFinite(depth) || depth < 0) {
     return HookAnswer::BadCommand;
   }
-  return depth <= asFloat32(args.greatest_depth_m) ? HookAnswer::Accepted : HookAnswer::TooDeep;
+  return inMillimetres(depth) <= inMillimetres(args.greatest_depth_m) ? HookAnswer::Accepted
+                                                                      : HookAnswer::TooDeep;
 }
 
 HookAnswer checkSlope(double depth, double steepness, const HookbehArgs& args) {
@@ -70,16 +81,16 @@ HookAnswer checkLateral(const Instruction& instruction, const HookbehArgs& args)
     case HookLateral::Drift:
       return HookAnswer::Accepted;
     case HookLateral::Heading: {
-      const double heading = instruction.heading_rad;
-      const double limit = asFloat32(kCircleRad);
-      return heading >= -limit && heading <= limit ? HookAnswer::Accepted : HookAnswer::BadCommand;
+      return inAngleSteps(magnitude(instruction.heading_rad)) <= inAngleSteps(kCircleRad)
+                 ? HookAnswer::Accepted
+                 : HookAnswer::BadCommand;
     }
     case HookLateral::Waypoint:
       return isAngle(instruction.latitude_ddmm, 90) && isAngle(instruction.longitude_ddmm, 180)
                  ? HookAnswer::Accepted
                  : HookAnswer::NotOnEarth;
     case HookLateral::Fin:
-      return magnitude(instruction.heading_rad) <= asFloat32(args.greatest_fin_rad)
+      return inAngleSteps(magnitude(instruction.heading_rad)) <= inAngleSteps(args.greatest_fin_rad)
                  ? HookAnswer::Accepted
                  : HookAnswer::BadFin;
   }

@@ -4,6 +4,7 @@
 #include "hooks/hookprog/hookprog.h"
 
 #include "hooks/protocol/features.h"
+#include "hooks/protocol/numbers.h"
 
 namespace glider::hooks {
 namespace {
@@ -20,27 +21,28 @@ SeatOptions withHookbeh(SeatOptions options) {
 }  // namespace
 
 Hookprog::Hookprog(const GliderDictionary& dictionary, const SeatOptions& options)
-    : dictionary_(&dictionary),
-      flight_science_link_(dictionary),
-      seat_(dictionary, withHookbeh(options)) {
+    : dictionary_(&dictionary), seat_(dictionary, withHookbeh(options)) {
   for (double& value : values_) {
     value = __builtin_nan("");
   }
 }
 
-void Hookprog::run(double science_time_s, const ScienceSensors& own, const GliderByteStream& sbc,
-                   const GliderByteStream& flight) {
-  own_ = &own;
+void Hookprog::run(double science_time_s, const ScienceMemory& memory,
+                   const GliderByteStream& sbc) {
+  memory_ = &memory;
   const SeatVehicle vehicle{this, reading, write, beat};
   seat_.serve(science_time_s, state(), vehicle, sbc);
-  takeFlight(flight);
+  const bool something_came = takeFlight();
+  const bool complete = cycleIsComplete(something_came, science_time_s);
+  if (complete) {
+    takeAnswer();
+  }
   seat_.watch(state());
-  if (time_is_new_ && cycle_is_new_) {
+  if (complete) {
     time_is_new_ = false;
     cycle_is_new_ = false;
     watchHookbeh();
     if (cycles_.isNext(newestWhole(kGliderRoleCycleNumber))) {
-      forwardPressure();
       seat_.tick(state(), vehicle);
     } else {
       seat_.passOverStaleReport();
@@ -49,69 +51,94 @@ void Hookprog::run(double science_time_s, const ScienceSensors& own, const Glide
       fresh = false;
     }
   }
-  seat_.finish(sbc, flight_science_link_.badFrames());
-  own_ = nullptr;
+  seat_.finish(sbc, 0);
+  memory_ = nullptr;
 }
 
 SeatEvent Hookprog::nextEvent() {
   return seat_.nextEvent();
 }
 
-void Hookprog::takeFlight(const GliderByteStream& flight) {
-  constexpr uint32_t kMostUpdates = 1024;  // more than the line transmits in a second, 960 bytes
-  SensorUpdate update;
-  for (uint32_t i = 0; i < kMostUpdates && flight_science_link_.poll(flight, &update, 1) == 1;
-       ++i) {
-    takeUpdate(update);
+/// True if the flight controller has set any sensor since the last call.
+bool Hookprog::takeFlight() {
+  bool something_came = false;
+  for (uint32_t id = 0; id < dictionary_->count && id < GLIDER_MOST_SENSORS; ++id) {
+    const auto number = static_cast<uint16_t>(id);
+    if (isScienceSensor(*dictionary_, number)) {
+      continue;
+    }
+    bool fresh = false;
+    const double value = memory_->get(memory_->self, number, &fresh);
+    if (fresh) {
+      takeUpdate(number, value);
+      something_came = true;
+    }
   }
+  return something_came;
 }
 
-void Hookprog::takeUpdate(const SensorUpdate& update) {
-  if (update.id == sensor(kGliderRoleMissionTime)) {
-    time_is_new_ = update.value - update.value == 0;
+void Hookprog::takeUpdate(uint16_t id, double value) {
+  if (id == sensor(kGliderRoleMissionTime)) {
+    time_is_new_ = isFinite(value);
   }
-  if (update.id == sensor(kGliderRoleCycleNumber) &&
-      update.value != newest(kGliderRoleCycleNumber)) {
-    cycle_is_new_ = update.value == update.value;
+  if (id == sensor(kGliderRoleCycleNumber) && value != newest(kGliderRoleCycleNumber)) {
+    cycle_is_new_ = value == value;
   }
-  values_[update.id] = update.value;
-  fresh_[update.id] = true;
+  values_[id] = value;
+  fresh_[id] = true;
+}
+
+/// Nothing marks the end of a flight cycle's report: it is over when no more of it comes.
+bool Hookprog::cycleIsComplete(bool something_came, double now_s) {
+  if (something_came) {
+    settled_.begin(now_s);
+  }
+  if (!time_is_new_ || !cycle_is_new_) {
+    waits_ = false;
+    return false;
+  }
+  if (!waits_) {
+    waits_ = true;
+    unsettled_.begin(now_s);
+  }
+  const bool complete =
+      settled_.lasts(now_s) >= kSettledSecs || unsettled_.lasts(now_s) >= kMostUnsettledSecs;
+  waits_ = !complete;
+  return complete;
 }
 
 void Hookprog::write(void* self, const SensorList& instruction) {
   static_cast<Hookprog*>(self)->forward(instruction);
 }
 
-/// With its sequence last, which is what makes hookbeh read the rest.
+/// Of two values that come by themselves one may be lost: the answer to an earlier instruction must
+/// not be shown under the number of this one.
+void Hookprog::takeAnswer() {
+  if (fresh_[sensor(kGliderRoleHookAnswered)] && fresh_[sensor(kGliderRoleHookAnswer)]) {
+    answered_sequence_ = newestWhole(kGliderRoleHookAnswered);
+    const uint32_t answer = newestWhole(kGliderRoleHookAnswer);
+    answer_ = answer <= UINT8_MAX && isHookAnswer(static_cast<uint8_t>(answer))
+                  ? static_cast<HookAnswer>(answer)
+                  : HookAnswer::None;
+  }
+}
+
+/// Its words may arrive in any order: hookbeh reads them when all are there.
 void Hookprog::forward(const SensorList& instruction) {
   if (hookState() == HookState::Absent) {
     return;
   }
-  SensorUpdate ordered[kMostListed];
-  uint32_t count = 0;
-  const SensorUpdate* sequence = nullptr;
   for (uint32_t i = 0; i < instruction.count; ++i) {
     const SensorValue& value = instruction.values[i];
-    if (value.id == sensor(kGliderRoleHookSequence)) {
-      sequence = &value;
-    } else {
-      ordered[count++] = value;
-    }
+    memory_->set(memory_->self, value.id, value.value);
   }
-  if (sequence != nullptr) {
-    ordered[count++] = *sequence;
-  }
-  (void)flight_science_link_.send(ordered,
-                                  count);  // no room: the SBC gets no answer and writes it again
 }
 
 void Hookprog::beat(void* self, uint32_t heartbeat) {
-  auto& hookprog = *static_cast<Hookprog*>(self);
+  const auto& hookprog = *static_cast<const Hookprog*>(self);
   if (hookprog.hookState() != HookState::Absent) {
-    const SensorUpdate beat{hookprog.sensor(kGliderRoleHookHeartbeat),
-                            static_cast<double>(heartbeat)};
-    // No room: the line is stuck, as hookbeh's timer detects.
-    (void)hookprog.flight_science_link_.send(&beat, 1);
+    const ScienceMemory& memory = *hookprog.memory_;
+    memory.set(memory.self, hookprog.sensor(kGliderRoleHookHeartbeat), heartbeat);
   }
 }
 
@@ -133,18 +160,8 @@ void Hookprog::watchHookbeh() {
     for (const GliderRole role : kReportsOfHookbeh) {
       values_[sensor(role)] = __builtin_nan("");
     }
-  }
-}
-
-/// hookbeh compares the vehicle's depth with the CTD's.
-void Hookprog::forwardPressure() {
-  if (sensor(kGliderRoleWaterPressure) == kNoSensor) {
-    return;
-  }
-  pressure_ = own_->get(own_->self, sensor(kGliderRoleWaterPressure), &pressure_is_new_);
-  if (pressure_is_new_ && hookState() != HookState::Absent) {
-    const SensorUpdate update{sensor(kGliderRoleWaterPressure), pressure_};
-    (void)flight_science_link_.send(&update, 1);  // no room: the next cycle's is newer
+    answered_sequence_ = 0;
+    answer_ = HookAnswer::None;
   }
 }
 
@@ -154,12 +171,8 @@ bool Hookprog::reading(void* self, uint16_t id, double* value) {
     *value = hookprog.values_[id];
     return hookprog.fresh_[id];
   }
-  if (id == hookprog.sensor(kGliderRoleWaterPressure)) {
-    *value = hookprog.pressure_;
-    return hookprog.pressure_is_new_;
-  }
   bool fresh = false;
-  *value = hookprog.own_->get(hookprog.own_->self, id, &fresh);
+  *value = hookprog.memory_->get(hookprog.memory_->self, id, &fresh);
   return fresh;
 }
 
@@ -168,11 +181,8 @@ SeatState Hookprog::state() const {
   state.vehicle_time_s = missionTime();
   state.cycle = newestWhole(kGliderRoleCycleNumber);
   state.hook_state = hookState();
-  const uint32_t answer = newestWhole(kGliderRoleHookAnswer);
-  state.answer = answer <= UINT8_MAX && isHookAnswer(static_cast<uint8_t>(answer))
-                     ? static_cast<HookAnswer>(answer)
-                     : HookAnswer::None;
-  state.answered_sequence = newestWhole(kGliderRoleHookAnswered);
+  state.answer = answer_;
+  state.answered_sequence = answered_sequence_;
   state.session = newestWhole(kGliderRoleHookInControl);
   const double clock = newest(kGliderRoleClock);
   state.clock_s = clock >= 1 && clock < UINT32_MAX ? static_cast<uint32_t>(clock) : 0;

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include "hooks/flight_science_link/flight_science_link.h"
 #include "hooks/hookprog/cycle_watch.h"
 #include "hooks/protocol/values.h"
 #include "hooks/seat/seat.h"
@@ -11,29 +10,31 @@
 
 #include <stdint.h>
 
-/// The proglet `hookprog` on the science computer: proxy of the SBC (115200 baud) for the flight
-/// controller's data memory (9600 baud). Portable: no heap, no libc. It forwards nothing to the
-/// flight controller until the flight controller reports a hookbeh.
+/// The proglet `hookprog` on the science computer: proxy of the SBC (115200 baud) for the vehicle's
+/// sensors. Portable: no heap, no libc. It writes nothing until the flight controller reports a
+/// hookbeh.
 namespace glider::hooks {
 
-/// The science computer's own sensors, as hookprog sees them.
-struct ScienceSensors {
+/// The data memory of the science computer: its own sensors, and those of the flight controller as
+/// far as they have come over the vehicle's own line.
+struct ScienceMemory {
   void* self;
   /// The newest value of sensor `id`; NaN if never set. Sets `fresh` if it was updated since the
   /// last call for this sensor.
   double (*get)(void* self, uint16_t id, bool* fresh);
+  /// Sets a sensor of the science computer, which the vehicle takes to the flight controller: with
+  /// six decimals, in its own time, and in any order.
+  void (*set)(void* self, uint16_t id, double value);
 };
 
-/// The seat of the SBC on a Slocum: what the seat reads and writes is the flight controller's, over
-/// the flight-science link.
+/// The seat of the SBC on a Slocum: it reads and writes sensors of the science computer's memory.
 class Hookprog {
  public:
   /// `dictionary` outlives this, and has all required roles.
   explicit Hookprog(const GliderDictionary& dictionary, const SeatOptions& options = {});
-  /// One science cycle (1 s): takes the flight controller's updates, serves the SBC, forwards its
-  /// writes.
-  void run(double science_time_s, const ScienceSensors& own, const GliderByteStream& sbc,
-           const GliderByteStream& flight);
+  /// One science cycle (1 s): takes the flight controller's updates, serves the SBC, writes what it
+  /// instructs.
+  void run(double science_time_s, const ScienceMemory& memory, const GliderByteStream& sbc);
   /// Takes the oldest event; Kind::None when there is none.
   SeatEvent nextEvent();
   /// The mission's last heartbeat, for the trace.
@@ -45,12 +46,17 @@ class Hookprog {
   /// The same after mission time and cycle number have gone back, as they do when another mission
   /// starts.
   static constexpr uint32_t kMostCyclesOfAnotherMission = 2;
+  /// s. The sensors of a flight cycle arrive in any order: a cycle is complete when its time and
+  /// number are there and nothing of it has come for the first time; when something comes all the
+  /// time, after the second.
+  static constexpr double kSettledSecs = 1, kMostUnsettledSecs = 3;
 
  private:
-  void takeFlight(const GliderByteStream& flight);
-  void takeUpdate(const SensorUpdate& update);
+  bool takeFlight();
+  void takeAnswer();
+  void takeUpdate(uint16_t id, double value);
+  [[nodiscard]] bool cycleIsComplete(bool something_came, double now_s);
   void watchHookbeh();
-  void forwardPressure();
   void forward(const SensorList& instruction);
   /// What the seat asks for: SeatVehicle.
   static bool reading(void* self, uint16_t id, double* value);
@@ -66,20 +72,23 @@ class Hookprog {
   [[nodiscard]] double missionTime() const;
 
   const GliderDictionary* dictionary_;
-  FlightScienceLink flight_science_link_;
   Seat seat_;
-  const ScienceSensors* own_ = nullptr;  // during run
+  const ScienceMemory* memory_ = nullptr;  // during run
 
   // The flight controller's data memory, as far as it has been reported.
   double values_[GLIDER_MOST_SENSORS];
   bool fresh_[GLIDER_MOST_SENSORS] = {};
   bool time_is_new_ = false;
   bool cycle_is_new_ = false;
+  Since settled_;       // since something of the flight controller has come
+  Since unsettled_;     // since time and number of a cycle are there
+  bool waits_ = false;  // for the rest of that cycle
   CycleWatch cycles_;
   double cycle_time_s_ = 0;    // mission time of the newest complete cycle
   uint32_t cycle_number_ = 0;  // its number
-  double pressure_ = 0;        // of the CTD, in this cycle
-  bool pressure_is_new_ = false;
+  // hookbeh's newest answer: number and answer came in the same cycle.
+  uint32_t answered_sequence_ = 0;
+  HookAnswer answer_ = HookAnswer::None;
   uint32_t cycles_without_hookbeh_ = 0;
   uint32_t most_without_hookbeh_ = kMostCyclesWithoutHookbeh;
 };

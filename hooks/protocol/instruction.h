@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hooks/protocol/dictionary.h"
+#include "hooks/protocol/steps.h"
 #include "hooks/protocol/values.h"
 
 #include <stdint.h>
@@ -11,9 +12,8 @@
 /// What the SBC writes into the vehicle's sensor array: the only way in which it steers.
 namespace glider::hooks {
 
-/// One instruction, in the units of the sensor array (m, rad, ddmm.mmmm). Its numbers must be as
-/// the array can hold them (float32, except for the position), or the check value cannot match: see
-/// roundToArray.
+/// One instruction, in the units of the sensor array (m, rad, ddmm.mmmm). Its real numbers cross
+/// the line in whole steps (steps.h): see inSteps.
 struct Instruction {
   uint32_t session = 0;   ///< 1…16777215
   uint16_t sequence = 0;  ///< 1…65535, then 1 again: 0 is "none yet"
@@ -46,7 +46,7 @@ inline constexpr InstructionWord kInstructionWords[] = {
 #include "hooks/protocol/instruction.def"
 };
 
-#define WORD(role, sensor, word, field, bytes, line) \
+#define WORD(role, sensor, word, field, bytes, steps, line) \
   static_assert(kGliderRole##role - kGliderRoleHookSession == (line));
 #define CHECK_WORD(role, sensor, word, line) \
   static_assert(kGliderRole##role - kGliderRoleHookSession == (line));
@@ -54,13 +54,17 @@ inline constexpr InstructionWord kInstructionWords[] = {
 
 /// With its check value.
 InstructionWords wordsOf(const Instruction& instruction);
-/// False if the words cannot be those of any instruction, or the check value does not match.
+/// Takes the words as they are after any path that keeps six decimals: real numbers go to the
+/// nearest step. False if they cannot be those of any instruction, or the check value does not
+/// match.
 [[nodiscard]] bool instructionOf(const InstructionWords& words, Instruction* instruction);
 
-/// The same instruction with every number as the sensor array stores it.
-Instruction roundToArray(const Instruction& instruction);
-/// `sci_hook_check`: CRC-16/CCITT-FALSE over all fields, sequence included, in the byte layout of
-/// protocol/README.md.
-uint16_t checkValue(const Instruction& instruction);
+/// The same instruction with every real number in whole steps, as hookbeh gets it. What a word
+/// cannot carry becomes the number farthest out that it can, and NaN the lowest: hookbeh refuses
+/// both.
+Instruction inSteps(const Instruction& instruction);
+/// `sci_hook_check`: CRC-32C over all fields in whole numbers, sequence included, in the byte
+/// layout of protocol/README.md.
+uint32_t checkValue(const Instruction& instruction);
 
 }  // namespace glider::hooks

@@ -15,7 +15,7 @@
 /// another type, of a wrong length, or with a value that no sender of this protocol writes.
 namespace glider::hooks {
 
-inline constexpr uint8_t kProtocolVersion = 5;
+inline constexpr uint8_t kProtocolVersion = 6;
 inline constexpr uint32_t kMostNameBytes = 47;
 inline constexpr uint32_t kMostNoteBytes = 60;
 inline constexpr uint32_t kMostSession = 16777215;  ///< exact in a float32 sensor

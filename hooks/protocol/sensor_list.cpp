@@ -7,8 +7,8 @@
 
 namespace glider::hooks {
 
-void encodeEmptyList(MessageType type, Frame& frame) {
-  ByteWriter out = startPayload(frame, type);
+void encodeEmptyList(Frame& frame) {
+  ByteWriter out = startPayload(frame, MessageType::Write);
   out.u8(0);
   finishPayload(frame, out);
 }
@@ -28,8 +28,7 @@ bool appendValue(const GliderDictionary& dictionary, Frame& frame, const SensorV
 
 bool decodeList(const GliderDictionary& dictionary, const Frame& frame, SensorList& list) {
   list.count = 0;
-  if ((frame.type != MessageType::Write && frame.type != MessageType::Sensors) ||
-      frame.size > kMostListPayload) {
+  if (frame.type != MessageType::Write || frame.size > kMostListPayload) {
     return false;
   }
   ByteReader in = payloadOf(frame);

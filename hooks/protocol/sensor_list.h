@@ -8,11 +8,10 @@
 
 #include <stdint.h>
 
-/// Lists of sensors with their values: a Write of the SBC, or a Sensors frame on the flight-science
-/// serial link.
+/// Lists of sensors with their values: a Write of the SBC.
 namespace glider::hooks {
 
-/// Lists are shorter than a frame may be, so that a damaged frame costs less time on the slow line.
+/// Lists are shorter than a frame may be: an instruction takes 93 bytes.
 inline constexpr uint32_t kMostListPayload = 250;
 /// More values than any list can hold (1-byte sensors).
 inline constexpr uint32_t kMostListed = kMostListPayload / 3;
@@ -22,12 +21,12 @@ struct SensorList {
   SensorValue values[kMostListed] = {};
 };
 
-/// An empty Write or Sensors frame: append to it with appendValue.
-void encodeEmptyList(MessageType type, Frame& frame);
+/// An empty Write: append to it with appendValue.
+void encodeEmptyList(Frame& frame);
 /// Appends one value in the sensor's width. False, with nothing changed, when it does not fit or
 /// there is no such sensor.
 bool appendValue(const GliderDictionary& dictionary, Frame& frame, const SensorValue& value);
-/// Of a Write or a Sensors frame.
+/// Of a Write.
 [[nodiscard]] bool decodeList(const GliderDictionary& dictionary, const Frame& frame,
                               SensorList& list);
 

@@ -79,7 +79,6 @@ bool Seat::handleOfLink(const Frame& frame) {
     case MessageType::Beacon:
     case MessageType::Welcome:
     case MessageType::Tick:
-    case MessageType::Sensors:
     case MessageType::Log:
       break;
   }
@@ -230,7 +229,7 @@ bool Seat::noteProgress(const Done& done) {
 void Seat::watch(const SeatState& state) {
   state_ = state;
   answers_.answered(state.answered_sequence);
-  if (answers_.isOverdue(kLostSecs, now_s_)) {
+  if (answers_.isOverdue(kUnansweredSecs, now_s_)) {
     event(Kind::SbcUnanswered, answers_.instruction());
   }
   const bool old = state.answer == HookAnswer::OldSequence;

@@ -81,6 +81,9 @@ class Seat {
 
   /// Seconds without an answer after which the SBC is lost.
   static constexpr double kLostSecs = 12;
+  /// The same without an answer of the vehicle to an instruction: its own lines may need 8 s, and
+  /// two control cycles pass.
+  static constexpr double kUnansweredSecs = 24;
 
  private:
   void begin();

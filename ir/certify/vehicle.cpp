@@ -21,11 +21,19 @@ Term smaller(SmtText& out, const Term& a, const Term& b) {
   return out.real(choice(operation("<=", {a, b}), a, b));
 }
 
-/// Where a dive may still get that a command ends now: the vehicle obeys it later.
+/// The time in which the vehicle obeys a command.
+double lateBy(const Setting& setting) {
+  const platforms::EnvironmentModel& world = setting.platform.world;
+  return world.line_lag_s + setting.platform.envelope.cycle_s + world.command_s;
+}
+
+/// Where a dive that is ended now may still get: the command needs its time, and the vehicle sinks
+/// on.
 Term endOfDive(const Setting& setting, SmtText& out, const Vehicle& v) {
-  const double on = setting.platform.world.command_s * setting.platform.envelope.vertical_rate_m_s;
-  const double turns = on + setting.platform.envelope.inflection_overshoot_m;
-  return smaller(out, v.deepest, operation("+", {v.depth, literal(turns)}));
+  const platforms::Envelope& envelope = setting.platform.envelope;
+  const double beyond =
+      envelope.vertical_rate_m_s * lateBy(setting) + envelope.inflection_overshoot_m;
+  return smaller(out, v.deepest, operation("+", {v.depth, literal(beyond)}));
 }
 
 /// V3.
@@ -49,8 +57,7 @@ Vehicle ascended(const Setting& setting, SmtText& out, const Vehicle& before, co
   // A climb to elsewhere that is not obeyed yet may never be.
   const Term obeyed = disjunction(
       {operation("=", {after.top, before.top}),
-       operation(">=", {now, operation("+", {before.since,
-                                             literal(setting.platform.world.command_s)})})});
+       operation(">=", {now, operation("+", {before.since, literal(lateBy(setting))})})});
   const Term on =
       out.boolean(conjunction({before.climbing, operation(">=", {after.top, before.top}), obeyed}));
   const Term end = out.real(choice(on, before.deepest, endOfDive(setting, out, before)));

@@ -15,7 +15,7 @@ constexpr uint64_t kFrame = 6;  // type, sequence, CRC
 constexpr uint64_t kMostList = 250, kTickHead = 24, kListHead = 1, kNumber = 2, kSubscription = 7;
 constexpr uint64_t kDone = 18, kTransition = 22, kNote = 70;
 constexpr uint64_t kMostNotices = 8, kMostNotes = 8;
-constexpr double kFastBaud = 115200, kSlowBaud = 9600, kBitsAByte = 10;
+constexpr double kFastBaud = 115200, kBitsAByte = 10;
 
 /// The bytes of a frame with a payload of this size, with COBS's bytes and the final zero.
 uint64_t onTheLine(uint64_t payload) {
@@ -103,34 +103,14 @@ uint64_t answer(const Mission& mission, const platforms::Platform& platform) {
          onTheLine(kDone);
 }
 
-/// For any order and any parts in which they are sent: only the last frame of a part has room for
-/// one more.
-uint64_t report(const platforms::Platform& platform) {
-  constexpr uint64_t kWidest = 8, kMostParts = 3;
-  uint64_t bytes = 0;
-  for (const platforms::PlatformSensor& sensor : platform.sensors) {
-    bytes += sensor.computer == platforms::Computer::Flight ? kNumber + sensor.bytes : 0;
-  }
-  const uint64_t least_full = kMostList - kListHead - (kNumber + kWidest) + 1;
-  return bytes + (bytes / least_full + kMostParts) * (onTheLine(kMostList) - kMostList + kListHead);
-}
-
-uint64_t heartbeat(const platforms::Platform& platform) {
-  const platforms::PlatformSensor* beat = platform.find("sci_hook_heartbeat");
-  return beat == nullptr ? 0 : onTheLine(kListHead + kNumber + beat->bytes);
-}
-
 }  // namespace
 
 LinkBytes linkBytes(const Mission& mission, const platforms::Platform& platform) {
   LinkBytes bytes;
   bytes.to_sbc = tick(mission, platform);
   bytes.from_sbc = answer(mission, platform);
-  bytes.to_science = report(platform);
-  bytes.to_flight = instruction(platform) + heartbeat(platform);
   const double cycle = platform.envelope.cycle_s;
   bytes.fast_line = static_cast<uint64_t>(cycle * kFastBaud / kBitsAByte);
-  bytes.slow_line = static_cast<uint64_t>(cycle * kSlowBaud / kBitsAByte);
   return bytes;
 }
 

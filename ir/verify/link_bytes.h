@@ -11,14 +11,12 @@
 namespace glider::ir {
 
 /// Upper bounds of the bytes in one cycle of the vehicle, by hooks/protocol/README.md: frames with
-/// all their overhead. Each direction has the whole line.
+/// all their overhead. Each direction has the whole line. (The line between the vehicle's own
+/// computers is the vendor's.)
 struct LinkBytes {
-  uint64_t to_sbc = 0;      ///< 115200 baud: the tick with every subscribed sensor
-  uint64_t from_sbc = 0;    ///< the longest answer
-  uint64_t to_science = 0;  ///< 9600 baud: all sensors of the flight controller
-  uint64_t to_flight = 0;   ///< an instruction and a heartbeat
-  uint64_t fast_line = 0;   ///< what each direction of the 115200-baud line carries in a cycle
-  uint64_t slow_line = 0;   ///< of the 9600-baud line
+  uint64_t to_sbc = 0;     ///< 115200 baud: the tick with every subscribed sensor
+  uint64_t from_sbc = 0;   ///< the longest answer
+  uint64_t fast_line = 0;  ///< what each direction of the 115200-baud line carries in a cycle
 };
 
 /// `platform` is the one that the mission names. The bound includes retries after lost frames, but

@@ -67,6 +67,7 @@ struct EnvironmentModel {
   double through_water_m_s = 0;  ///< the greatest horizontal speed through the water
   double steering_error_m = 0;   ///< the farthest that turning takes it off the straight course
   double surface_drift_m_s = 0;  ///< the fastest drift at the surface by current, wind and waves
+  double line_lag_s = 0;         ///< the longest that a value needs between the vehicle's computers
 };
 
 /// The steady flight of a winged hull (simulator/vehicle/flight_model.h has its formulas).

@@ -70,10 +70,15 @@ ControlNews Control::settlePending(const hooks::VehicleTick& tick) {
 }
 
 ControlNews Control::refused(HookAnswer answer) {
-  if (answer == HookAnswer::BadCheck) {  // damaged on the way: the client sends it again
-    const bool told = garbled_told_;
-    garbled_told_ = true;
-    return told ? ControlNews{} : ControlNews{Kind::Refused, pending_sequence_, answer};
+  if (answer == HookAnswer::BadCheck) {
+    // Its words come one by one; what is lost the client sends again. It is news only if that takes
+    // longer than the vehicle's line.
+    constexpr uint8_t kMostTicks = 4;
+    if (garbled_ticks_ <= kMostTicks) {
+      ++garbled_ticks_;
+    }
+    return garbled_ticks_ == kMostTicks ? ControlNews{Kind::Refused, pending_sequence_, answer}
+                                        : ControlNews{};
   }
   if (pending_ == HookControl::Release) {
     released_ = true;  // no longer ours: there is no control to release
@@ -175,7 +180,7 @@ void Control::sent(const hooks::Instruction& instruction, uint16_t sequence) {
                      (instruction.control == HookControl::Steer && !ours_);
   pending_ = takes ? HookControl::Take : instruction.control;
   pending_sequence_ = sequence;
-  garbled_told_ = false;
+  garbled_ticks_ = 0;
   if (instruction.control != HookControl::Release) {
     out_of_bounds_ = false;
     instructed_ = instruction;

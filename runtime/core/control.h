@@ -74,7 +74,7 @@ class Control {
   hooks::HookControl pending_ =
       hooks::HookControl::None;  ///< the instruction that has no answer yet
   uint16_t pending_sequence_ = 0;
-  bool garbled_told_ = false;   ///< a refusal of the pending one was reported
+  uint8_t garbled_ticks_ = 0;   ///< in which the pending one had not arrived whole
   bool ours_ = false;           ///< a handshake of ours was accepted
   bool out_of_bounds_ = false;  ///< the handshake's command was refused: only a different command
                                 ///< justifies a new handshake

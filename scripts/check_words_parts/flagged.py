@@ -10,7 +10,7 @@ _TABLE = (
     (r"the house\b", "architecture"),
     (r"\bepitaphs?\b", "exit reason"),
     (r"\bshoe-?box\b", "simulator"),
-    (r"\bclotheslines?\b", "flight-science serial link"),
+    (r"\bclotheslines?\b", "flight-science link"),
     (r"(?<!great\s)\bcircles\b", "strongly connected components"),
     (r"\bfences?\b", "geofence"),
     (r"\bbounces?\b", "livelock, chattering"),

@@ -228,3 +228,13 @@ def tick_gap(log, platform):
         for begin, end in zip(log.flight_times, log.flight_times[1:]):
             gap = end - begin
             yield gap if gap <= OWN_SILENCE + log.cycle() else OWN_SILENCE, begin
+
+
+@row("world", "line_lag_s", MOST, "m_science_clothesline_lag under water")
+def line_lag(log, platform):
+    """How late the science computer's values are on the flight controller: m_science_clothesline_lag, which compares the two clocks, in
+    cycles deeper than surface_depth_m. At the surface, where the computers begin and a console may suspend the line, it can be longer."""
+    for time, lag in log.series("m_science_clothesline_lag"):
+        depth = log.value("m_depth", time)
+        if depth is not None and depth > platform["world"]["surface_depth_m"]:
+            yield lag, time

@@ -66,6 +66,8 @@ void addLine(LineFaultKind kind, Draw& draw, Faults& faults) {
       break;
     case LineFaultKind::OldFrames:
       fault.replayed = draw.between(0.05, 0.5);
+      // The flight controller repeats no earlier value.
+      fault.way = fault.way == LineWay::FromFlight ? LineWay::ToFlight : fault.way;
       break;
     case LineFaultKind::HalfOpen:
       fault.way = draw.chance(0.5) ? LineWay::ToSbc : LineWay::FromSbc;
@@ -78,6 +80,10 @@ void addLine(LineFaultKind kind, Draw& draw, Faults& faults) {
     case LineFaultKind::BaudMismatch:
       fault.heard_at_baud = draw.chance(0.5) ? 57600 : 230400;
       ways = {LineWay::ToSbc, LineWay::FromSbc};
+      break;
+    case LineFaultKind::LateLine:
+      fault.delay_s = draw.between(2, 40);
+      fault.way = LineWay::ToFlight;
       break;
     case LineFaultKind::FlightScience:
       fault.cut = true;
@@ -148,6 +154,8 @@ void addOne(FaultKind kind, Draw& draw, DrawnFaults& drawn) {
       return addWindows(draw.windows(), faults.stuck);
     case FaultKind::Science:
       return addWindows(draw.passing(2, 300), faults.science);
+    case FaultKind::Console:
+      return addWindows(draw.passing(2, 300), faults.console);
     case FaultKind::Checkpoints:
       return addCheckpoints(draw, faults);
     case FaultKind::FlightRestart:

@@ -56,6 +56,7 @@ std::vector<FaultKind> kindsOf(const Faults& faults) {
   add(!faults.port.empty(), FaultKind::Port);
   add(!faults.stuck.empty(), FaultKind::Stuck);
   add(!faults.science.empty(), FaultKind::Science);
+  add(!faults.console.empty(), FaultKind::Console);
   add(!faults.clock.empty(), FaultKind::Clock);
   add(!faults.card.empty(), FaultKind::Checkpoints);
   add(!faults.flight.empty(), FaultKind::FlightRestart);

@@ -17,15 +17,15 @@ constexpr double kOvershoot = 5;  // m, the platform's inflection_overshoot_m
 constexpr double kTenMetres = 10;
 constexpr double kOneAndAHalf = 1.5;
 
-std::string controlText(Control control, double silence_s, double cycle_s) {
+std::string controlText(Control control, const ControlTimes& times) {
   switch (control) {
     case Control::Kept:
       return "kept until the exit";
     case Control::Unanswered:
       return fmt::format("ends within {:.0f} s if an instruction gets no answer",
-                         releaseSecs(control, silence_s, cycle_s));
+                         releaseSecs(control, times));
     case Control::Silent:
-      return fmt::format("ends within {:.0f} s", releaseSecs(control, silence_s, cycle_s));
+      return fmt::format("ends within {:.0f} s", releaseSecs(control, times));
     case Control::AtOnce:
       return "ends at once, until a new handshake";
     case Control::ForGood:
@@ -109,21 +109,21 @@ double deepestAllowed(Deepest deepest, double limit_m) {
              : limit_m + (deepest == Deepest::TenMetres ? kTenMetres : kOvershoot);
 }
 
-double releaseSecs(Control control, double silence_s, double cycle_s) {
-  const double silent = silence_s + 2 * cycle_s;
-  return control == Control::Unanswered ? silent + kUnansweredTicks * cycle_s : silent;
+double releaseSecs(Control control, const ControlTimes& times) {
+  // The last heartbeat may still be on the line.
+  const double silent = times.lag_s + times.silence_s + 2 * times.cycle_s;
+  return control == Control::Unanswered ? silent + kUnansweredTicks * times.cycle_s : silent;
 }
 
-std::string promiseTable(double silence_s, double cycle_s) {
+std::string promiseTable(const ControlTimes& times) {
   std::string table;
   for (uint32_t i = 0; i < kFaultKinds; ++i) {
     const auto kind = static_cast<FaultKind>(i);
     const Promise promise = promiseOf(kind);
-    table +=
-        fmt::format("| {} | {} | {} | {} | {} |\n", nameOf(kind),
-                    controlText(promise.control, silence_s, cycle_s), deepestText(promise.deepest),
-                    promise.clearance ? "kept" : "one contact a place, without an echo",
-                    promise.follows ? "yes" : "not guaranteed");
+    table += fmt::format("| {} | {} | {} | {} | {} |\n", nameOf(kind),
+                         controlText(promise.control, times), deepestText(promise.deepest),
+                         promise.clearance ? "kept" : "one contact a place, without an echo",
+                         promise.follows ? "yes" : "not guaranteed");
   }
   return table;
 }

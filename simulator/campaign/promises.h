@@ -72,11 +72,17 @@ bool isOfSensors(FaultKind kind);
 
 /// The greatest true depth allowed while `limit_m` is in force, m.
 double deepestAllowed(Deepest deepest, double limit_m);
-/// The time after which control has ended, s: for Unanswered and Silent, without the line's delay.
-double releaseSecs(Control control, double silence_s, double cycle_s);
+/// The times that what becomes of control depends on, s.
+struct ControlTimes {
+  double silence_s = 0;  ///< hookbeh's `silence_secs`
+  double cycle_s = 0;    ///< of the flight controller
+  double lag_s = 0;      ///< `line_lag_s` of the vehicle
+};
+/// The time after which control has ended, s: for Unanswered and Silent, without a line's delay by
+/// a fault.
+double releaseSecs(Control control, const ControlTimes& times);
 
-/// The rows of the table in scenarios/README.md, as Markdown: for a hookbeh whose `silence_secs` is
-/// `silence_s` and whose cycle takes `cycle_s`.
-std::string promiseTable(double silence_s, double cycle_s);
+/// The rows of the table in scenarios/README.md, as Markdown.
+std::string promiseTable(const ControlTimes& times);
 
 }  // namespace glider::simulator

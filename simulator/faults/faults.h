@@ -20,7 +20,7 @@ struct Span {
 };
 
 /// The directions of the serial lines, seen from the science computer: of the line to the SBC
-/// (115200 baud) and of the flight-science serial link (9600 baud).
+/// (115200 baud) and of the flight-science link (9600 baud), the vehicle's own.
 enum class LineWay : uint8_t { ToSbc, FromSbc, ToFlight, FromFlight };
 
 /// What a line does to its bytes for some time. Shares are from 0 to 1.
@@ -91,6 +91,8 @@ struct Faults {
   std::vector<Span> port;     ///< the SBC's serial port is missing
   std::vector<Span> stuck;    ///< the SBC answers, but its mission does not advance
   std::vector<Span> science;  ///< the science computer restarts during this time
+  /// An operator has a console on the science computer: nothing crosses the flight-science link.
+  std::vector<Span> console;
   std::vector<ClockJump> clock;
   std::vector<double> aborts;  ///< the flight controller aborts its mission at these times
   std::vector<CardFault> card;

@@ -10,15 +10,6 @@
 #include <iterator>
 
 namespace glider::simulator {
-namespace {
-
-constexpr double kFlightScienceBaud = 9600;
-
-LineDamage damageOf(const SeatSetup& setup, LineWay way) {
-  return {setup.scenario.faults.lines, way, setup.seed, kFlightScienceBaud};
-}
-
-}  // namespace
 
 SlocumSeat::SlocumSeat(const SeatSetup& setup)
     : platform_(setup.platform),
@@ -31,8 +22,7 @@ SlocumSeat::SlocumSeat(const SeatSetup& setup)
       science_(setup.platform, setup.seed, setup.scenario.sensors, progletFor(setup)),
       damage_(faultsOf(false), setup.seed, NoiseStream::SensorJumps),
       science_damage_(faultsOf(true), setup.seed, NoiseStream::ScienceSensorJumps),
-      line_(kFlightScienceBaud, damageOf(setup, LineWay::ToFlight),
-            damageOf(setup, LineWay::FromFlight)) {
+      line_(setup.scenario.faults, setup.seed) {
   flight_.damageBy(&damage_);
   science_.damageBy(&science_damage_);
   for (const Leftover& leftover : faults().leftover) {
@@ -50,13 +40,15 @@ MakeProglet SlocumSeat::progletFor(const SeatSetup& setup) {
   if (!slocumMissionOf(setup.scenario).extctl) {
     return makeHookprog(!setup.real_time);
   }
-  return [this, setup](const GliderDictionary& dictionary) {
+  return [this, setup](const GliderDictionary&) {
     return std::make_unique<ExtctlProglet>(
-        dictionary, setup.platform, *slocumMissionOf(setup.scenario).extctl,
-        ExtctlVehicle{
-            .value = [this](const std::string& sensor) { return valueOf(sensor); },
-            .put = [this](const std::string& sensor, double value) { flight_.put(sensor, value); }},
-        ExtctlProglet::Settings{.seed = setup.seed, .virtual_time = !setup.real_time});
+        setup.platform, *slocumMissionOf(setup.scenario).extctl,
+        ExtctlVehicle{.value = [this](const std::string& sensor) { return valueOf(sensor); },
+                      .put =
+                          [this](const std::string& sensor, double value) {
+                            line_.to_flight.send({.name = sensor, .value = value});
+                          }},
+        ExtctlProglet::Settings{.virtual_time = !setup.real_time});
   };
 }
 
@@ -96,7 +88,8 @@ void SlocumSeat::failDevices(double now_s, SerialLine& sbc) {
     science_.restart();
   }
   if (down) {  // what arrives meanwhile is lost
-    line_.dropRight();
+    line_.to_science.dropArrived();
+    line_.to_flight.dropUnsent();
     sbc.dropLeft();
   }
   science_down_ = down;
@@ -113,14 +106,15 @@ bool SlocumSeat::isDown(double now_s) {
   }
   flight_down_ = down;
   if (down != nullptr) {
-    line_.dropLeft();
+    line_.to_flight.dropArrived();
+    line_.to_science.dropUnsent();
   }
   return down != nullptr;
 }
 
 void SlocumSeat::cycle(double now_s, bool sbc_gone, Vehicle& vehicle) {
   flight_.noteSbcGone(sbc_gone);
-  flight_.cycle(now_s, world_.ocean(), vehicle, line_.left());
+  flight_.cycle(now_s, world_.ocean(), vehicle, line_);
   science_.sampleEvery(flight_.samplePeriods());
 }
 
@@ -129,7 +123,7 @@ bool SlocumSeat::serve(double now_s, const Vehicle& vehicle, SerialLine& sbc) {
     return false;
   }
   science_.run(now_s, world_.ocean(), {vehicle.depth(), vehicle.x(), vehicle.y()}, sbc.left(),
-               line_.right());
+               line_);
   if (slocumMissionOf(scenario_).extctl) {
     const hooks::SbcView view = science_.sbc();
     flight_.noteBackseat(view.known && view.phase == hooks::MissionPhase::Flying);

@@ -14,7 +14,7 @@
 
 namespace glider::simulator {
 
-/// The two computers of a Slocum and the serial line between them: the flight controller with its
+/// The two computers of a Slocum and the line between them: the flight controller with its
 /// mission file and hookbeh, the science computer with hookprog, to which the SBC is connected.
 class SlocumSeat final : public SimulatedSeat {
  public:
@@ -59,7 +59,7 @@ class SlocumSeat final : public SimulatedSeat {
   ScienceComputer science_;
   SensorDamage damage_;          ///< of the flight controller's sensors
   SensorDamage science_damage_;  ///< of those that the science computer reads
-  SerialLine line_;              ///< between the two
+  FlightScienceLine line_;       ///< between the two
   bool science_down_ = false;
   const FlightRestart* flight_down_ = nullptr;
 };

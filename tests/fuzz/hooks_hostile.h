@@ -4,7 +4,6 @@
 #pragma once
 
 #include "hooks/client/client.h"
-#include "hooks/flight_science_link/flight_science_link.h"
 #include "hooks/hookbeh/hookbeh.h"
 #include "hooks/hookprog/hookprog.h"
 #include "hooks/protocol/messages.h"
@@ -42,6 +41,30 @@ struct HostileStream {
               return static_cast<int32_t>(n);
             },
             [](void*, const uint8_t*, uint32_t size) { return static_cast<int32_t>(size); }};
+  }
+};
+
+/// A data memory with the hostile bytes in its sensors, some of them new in each cycle.
+struct HostileMemory {
+  const uint8_t* bytes;
+  uint32_t count;
+  uint32_t at = 0;
+
+  ScienceMemory memory() {
+    return {this,
+            [](void* self, uint16_t, bool* fresh) {
+              auto& hostile = *static_cast<HostileMemory*>(self);
+              double value = 0;
+              if (hostile.count < sizeof value) {
+                *fresh = false;
+                return value;
+              }
+              hostile.at = (hostile.at + 1) % (hostile.count - uint32_t{sizeof value} + 1);
+              std::memcpy(&value, hostile.bytes + hostile.at, sizeof value);
+              *fresh = hostile.bytes[hostile.at] % 2 == 0;
+              return value;
+            },
+            [](void*, uint16_t id, double) { require(isScienceSensor(id)); }};
   }
 };
 
@@ -178,13 +201,9 @@ inline void feedClient(const uint8_t* bytes, uint32_t count) {
 inline void feedHookprog(const uint8_t* bytes, uint32_t count) {
   Hookprog hookprog(gliderDictionary);
   HostileStream sbc{bytes, count};
-  HostileStream flight{bytes, count};
-  const ScienceSensors own{nullptr, [](void*, uint16_t, bool* fresh) {
-                             *fresh = true;
-                             return 1.0;
-                           }};
-  for (int second = 0; second < 4; ++second) {
-    hookprog.run(second, own, sbc.stream(), flight.stream());
+  HostileMemory memory{bytes, count};
+  for (int second = 0; second < 6; ++second) {
+    hookprog.run(second, memory.memory(), sbc.stream());
     while (hookprog.nextEvent().kind != SeatEvent::Kind::None) {
     }
   }

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The code does what the model does: the client, hookprog, flight-science link and hookbeh go
+// The code does what the model does: the client, hookprog and hookbeh go
 // through random flights of hooks/protocol/model/control.pml, with the same losses and restarts,
 // and must put the same frames on the lines and be in the same states.
 
 #include "hooks/client/client.h"
-#include "hooks/flight_science_link/flight_science_link.h"
 #include "hooks/hookbeh/hookbeh.h"
 #include "hooks/hookprog/hookprog.h"
 #include "tests/model/kept_sbc.h"
@@ -16,10 +15,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <deque>
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace glider::tests {
 namespace {
@@ -53,13 +55,9 @@ const char* nameOf(MessageType type) {
   return "?";
 }
 
-double valueOf(const SensorList& list, uint16_t id) {
-  for (uint32_t i = 0; i < list.count; ++i) {
-    if (list.values[i].id == id) {
-      return list.values[i].value;
-    }
-  }
-  return 0;
+double valueOf(std::span<const SensorValue> values, uint16_t id) {
+  const auto found = std::ranges::find(values, id, &SensorValue::id);
+  return found == values.end() ? 0 : found->value;
 }
 
 /// A frame of the code in the model's words.
@@ -70,7 +68,6 @@ ModelFrame inWords(const Frame& frame) {
   TickHead tick;
   Hello hello;
   Done done;
-  SensorList list;
   if (decode(frame, welcome)) {
     words.link = welcome.link;
     words.session = welcome.newest_session;
@@ -82,16 +79,63 @@ ModelFrame inWords(const Frame& frame) {
     words.link = hello.link;
   } else if (decode(frame, done)) {
     words.session = done.session;
-  } else if (decodeList(frame, list)) {
-    const double session =
-        valueOf(list, GLIDER_SCI_HOOK_SESSION) + valueOf(list, GLIDER_X_HOOK_SESSION);
-    const double sequence =
-        valueOf(list, GLIDER_SCI_HOOK_SEQUENCE) + valueOf(list, GLIDER_X_HOOK_SEQUENCE);
-    words.session = static_cast<uint32_t>(session);
-    words.sequence = static_cast<uint32_t>(sequence);
+  } else if (SensorList list; decodeList(frame, list)) {
+    words.session =
+        static_cast<uint32_t>(valueOf({list.values, list.count}, GLIDER_SCI_HOOK_SESSION));
+    words.sequence =
+        static_cast<uint32_t>(valueOf({list.values, list.count}, GLIDER_SCI_HOOK_SEQUENCE));
   }
   return words;
 }
+
+/// What the model's message between the two computers stands for: a report of the flight
+/// controller, an instruction, or a heartbeat. Here its values arrive together: how they may be
+/// spread is scripts/soak/line's.
+using Values = std::vector<SensorValue>;
+
+ModelFrame inWords(const Values& values) {
+  ModelFrame words;
+  words.type = "Sensors";
+  words.session = static_cast<uint32_t>(valueOf(values, GLIDER_SCI_HOOK_SESSION) +
+                                        valueOf(values, GLIDER_X_HOOK_SESSION));
+  words.sequence = static_cast<uint32_t>(valueOf(values, GLIDER_SCI_HOOK_SEQUENCE) +
+                                         valueOf(values, GLIDER_X_HOOK_SEQUENCE));
+  return words;
+}
+
+/// One direction of the vehicle's own line.
+struct ValueWire {
+  std::vector<Values> written;
+  std::deque<Values> there;
+  bool held = false;
+  int before_held = 0;  ///< that still arrive
+  Values recorded;
+
+  [[nodiscard]] bool comes() const { return !there.empty() && !(held && before_held == 0); }
+  Values take() {
+    Values values = there.front();
+    there.pop_front();
+    before_held -= before_held > 0 ? 1 : 0;
+    return values;
+  }
+  void carry(const std::vector<ModelFrame>& model, size_t& next) {
+    for (const Values& values : written) {
+      ASSERT_LT(next, model.size()) << "the model sends no values";
+      const ModelFrame words = inWords(values);
+      const ModelFrame& expected = model[next++];
+      ASSERT_EQ(words.type, expected.type);
+      EXPECT_EQ(words.session, expected.session);
+      EXPECT_EQ(words.sequence, expected.sequence);
+      for (int copy = 0; copy < expected.copies; ++copy) {
+        there.push_back(values);
+      }
+      if (expected.recorded) {
+        recorded = values;
+      }
+    }
+    written.clear();
+  }
+};
 
 /// One direction of a line, which does to each frame what the model did to it.
 struct Wire {
@@ -185,11 +229,12 @@ class Replay {
   void round(const ModelRound& model) {
     size_t next[kDirections] = {};
     flightCycle();
-    wires_[kFromFlight].carry(model.frames[kFromFlight], next[kFromFlight]);
+    from_flight_.carry(model.frames[kFromFlight], next[kFromFlight]);
     scienceRun(model, next, 1);
+    scienceRun(model, next, 2);
     sbcRun(model);
     wires_[kFromSbc].carry(model.frames[kFromSbc], next[kFromSbc]);
-    scienceRun(model, next, 2);
+    scienceRun(model, next, 3);
     for (size_t i = 0; i < kDirections; ++i) {
       EXPECT_EQ(next[i], model.frames[i].size()) << "the code sends less in direction " << i;
     }
@@ -200,6 +245,7 @@ class Replay {
     for (Wire& wire : wires_) {
       wire.held = false;
     }
+    to_flight_.held = from_flight_.held = false;
     for (const std::string& what : model.after) {
       happen(what);
     }
@@ -208,23 +254,19 @@ class Replay {
 
  private:
   void flightCycle() {
-    SensorUpdate updates[64];
-    for (uint32_t count = 64; count == 64;) {
-      count = flight_.poll(at_flight_.stream(), updates, 64);
-      for (uint32_t i = 0; i < count; ++i) {
-        array_[updates[i].id] = updates[i].value;
+    while (to_flight_.comes()) {
+      for (const SensorValue& one : to_flight_.take()) {
+        array_[one.id] = one.value;
       }
     }
     outputs_ = hookbeh_->cycle(inputs());
-    const SensorUpdate report[] = {
-        {GLIDER_X_HOOK_STATE, static_cast<double>(outputs_.state)},
-        {GLIDER_X_HOOK_SEQUENCE, static_cast<double>(outputs_.answered_sequence)},
-        {GLIDER_X_HOOK_ANSWER, static_cast<double>(outputs_.answer)},
-        {GLIDER_X_HOOK_SESSION, static_cast<double>(outputs_.session)},
-        {GLIDER_M_PRESENT_SECS_INTO_MISSION, kCycle * cycle_},
-        {GLIDER_M_CYCLE_NUMBER, 1.0 * cycle_}};
-    ASSERT_TRUE(flight_.send(report, std::size(report)));
-    flight_.poll(at_flight_.stream(), updates, 0);
+    from_flight_.written.push_back(
+        {{GLIDER_X_HOOK_STATE, static_cast<double>(outputs_.state)},
+         {GLIDER_X_HOOK_SEQUENCE, static_cast<double>(outputs_.answered_sequence)},
+         {GLIDER_X_HOOK_ANSWER, static_cast<double>(outputs_.answer)},
+         {GLIDER_X_HOOK_SESSION, static_cast<double>(outputs_.session)},
+         {GLIDER_M_PRESENT_SECS_INTO_MISSION, kCycle * cycle_},
+         {GLIDER_M_CYCLE_NUMBER, 1.0 * cycle_}});
   }
 
   [[nodiscard]] double array(uint16_t id) const {
@@ -252,16 +294,38 @@ class Replay {
     return in;
   }
 
-  /// The first run of a cycle is a second after the flight controller's, the other when the SBC has
-  /// answered.
+  /// The first run of a cycle is a second after the flight controller's, the next a second later,
+  /// when nothing more of its report comes, and the last when the SBC has answered: the model makes
+  /// the first two in one.
   void scienceRun(const ModelRound& model, size_t* next, int second) {
-    const ScienceSensors own{nullptr, [](void*, uint16_t, bool* fresh) {
-                               *fresh = false;
-                               return 0.0;
-                             }};
-    hookprog_->run(kCycle * cycle_ + second, own, at_prog_sbc_.stream(), at_prog_flight_.stream());
+    while (from_flight_.comes()) {
+      for (const SensorValue& one : from_flight_.take()) {
+        memory_[one.id] = {one.value, true};
+      }
+    }
+    hookprog_->run(kCycle * cycle_ + second, {this, get, set}, at_prog_sbc_.stream());
     wires_[kToSbc].carry(model.frames[kToSbc], next[kToSbc]);
-    wires_[kToFlight].carry(model.frames[kToFlight], next[kToFlight]);
+    to_flight_.carry(model.frames[kToFlight], next[kToFlight]);
+  }
+
+  static double get(void* self, uint16_t id, bool* fresh) {
+    auto& memory = static_cast<Replay*>(self)->memory_;
+    const auto found = memory.find(id);
+    if (found == memory.end()) {
+      *fresh = false;
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    *fresh = std::exchange(found->second.second, false);
+    return found->second.first;
+  }
+
+  /// The last word of an instruction is its sequence.
+  static void set(void* self, uint16_t id, double value) {
+    auto& replay = *static_cast<Replay*>(self);
+    replay.set_.push_back({id, value});
+    if (id == GLIDER_SCI_HOOK_SEQUENCE || !isInstructionSensor(id)) {
+      replay.to_flight_.written.push_back(std::exchange(replay.set_, {}));
+    }
   }
 
   void sbcRun(const ModelRound& model) {
@@ -330,12 +394,25 @@ class Replay {
 
   void happen(const std::string& what) {
     if (what.starts_with("hold ")) {
-      Wire& wire = wires_[static_cast<size_t>(what[5] - '0')];
-      wire.held = true;
-      wire.frames_before_held = what[7] - '0';
+      const auto direction = static_cast<size_t>(what[5] - '0');
+      const int before = what[7] - '0';
+      if (direction == kToFlight || direction == kFromFlight) {
+        ValueWire& wire = direction == kToFlight ? to_flight_ : from_flight_;
+        wire.held = true;
+        wire.before_held = before;
+      } else {
+        wires_[direction].held = true;
+        wires_[direction].frames_before_held = before;
+      }
     } else if (what.starts_with("replay ")) {
-      Wire& wire = wires_[static_cast<size_t>(what[7] - '0')];
-      wire.there.insert(wire.there.end(), wire.recorded.begin(), wire.recorded.end());
+      const auto direction = static_cast<size_t>(what[7] - '0');
+      if (direction == kToFlight || direction == kFromFlight) {
+        ValueWire& wire = direction == kToFlight ? to_flight_ : from_flight_;
+        wire.there.push_back(wire.recorded);
+      } else {
+        Wire& wire = wires_[direction];
+        wire.there.insert(wire.there.end(), wire.recorded.begin(), wire.recorded.end());
+      }
     } else if (what == "sbc off") {
       client_.reset();
       stuck_ = false;
@@ -351,6 +428,7 @@ class Replay {
       hookbeh_.emplace(HookbehArgs{}, kHull);
     } else if (what == "restart science") {
       hookprog_.emplace(gliderDictionary);
+      memory_.clear();
     } else {
       FAIL() << "the model tells of `" << what << "`";
     }
@@ -366,9 +444,9 @@ class Replay {
   Wire wires_[kDirections];
   End at_sbc_{wires_[kToSbc], wires_[kFromSbc]};
   End at_prog_sbc_{wires_[kFromSbc], wires_[kToSbc]};
-  End at_prog_flight_{wires_[kFromFlight], wires_[kToFlight]};
-  End at_flight_{wires_[kToFlight], wires_[kFromFlight]};
-  FlightScienceLink flight_{gliderDictionary};
+  ValueWire to_flight_, from_flight_;
+  Values set_;                                          ///< of an instruction that is being written
+  std::map<uint16_t, std::pair<double, bool>> memory_;  ///< of the science computer; true: fresh
   std::optional<Hookprog> hookprog_;
   std::optional<Hookbeh> hookbeh_;
   std::optional<Client> client_;

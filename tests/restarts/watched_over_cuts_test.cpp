@@ -87,9 +87,15 @@ TEST(WatchedOverCuts, NothingIsCountedTwice) {
 TEST(WatchedOverCuts, WhatAMissionDoesTwiceFromAnOlderCheckpointCountsOnce) {
   size_t twice = 0;
   for (uint32_t lost = 1; lost < 40; ++lost) {
-    simulator::Faults faults = cuts({{907.0 + lost % 3, 925}});
+    // A while after one of the times at which it goes to b: whether the newest checkpoint is in the
+    // part of the card that is lost depends on how many were written.
+    const double at_s = 906 + 600.0 * (lost % 5);
+    simulator::Faults faults = cuts({{at_s + lost % 4, at_s + 20}});
+    if (lost % 2 == 0) {
+      faults.power.insert(faults.power.begin(), {at_s - 60 - lost % 7, at_s - 40});
+    }
     faults.card.push_back(
-        {912, simulator::CardFault::Kind::Cut, 0.2 + 0.01 * static_cast<double>(lost)});
+        {at_s + 6, simulator::CardFault::Kind::Cut, 0.2 + 0.01 * static_cast<double>(lost)});
     const RestartFlight flight =
         flyRestarts(inTurn("require visit b at most 6 times\n"), faults, kFlight);
     EXPECT_TRUE(flight.violations.empty()) << lost;

@@ -94,7 +94,8 @@ Conditions drawConditions(const ir::Mission& mission, const simulator::Scenario&
   }
   const simulator::Faults& faults = drawn.scenario.faults;
   drawn.program_runs = leavesProgram(faults);
-  drawn.whole = drawn.program_runs && faults.lines.empty() && faults.science.empty();
+  drawn.whole = drawn.program_runs && faults.lines.empty() && faults.science.empty() &&
+                faults.console.empty();
   const auto& behaviours = simulator::missionFileOf(drawn.scenario).behaviours;
   drawn.from_surface = std::ranges::none_of(
       behaviours, [](const auto& behaviour) { return behaviour.name == "yo"; });

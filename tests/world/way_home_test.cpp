@@ -131,7 +131,7 @@ TEST(WayHome, OfAKilledSbcIsNoLongerThanStated) {
 TEST(WayHome, IsTheSumOfItsParts) {
   const WayHome home = slocum::rules::wayHomeFrom(31, slocum());
   EXPECT_EQ(home.depth_m, 31);
-  EXPECT_NEAR(home.surface_s, 24 + 2 * 20 + 120 + 31 / 0.05, 1e-9);
+  EXPECT_NEAR(home.surface_s, 24 + 2 * 20 + 8 + 120 + 31 / 0.05, 1e-9);
   EXPECT_TRUE(std::isinf(slocum::rules::wayHomeFrom(INFINITY, slocum()).surface_s));
 }
 

@@ -9,7 +9,8 @@ PLATFORM = {
     "envelope": {"greatest_depth_m": 60.0, "steepest_pitch_rad": 0.7854, "shallowest_pitch_rad": 0.19, "vertical_rate_m_s": 0.4,
                  "inflection_overshoot_m": 5.0, "drift_m_s": 0.5, "pump_cc": 233.0, "fin_rad": 0.45, "cycle_s": 4.0},
     "world": {"start_depth_m": 3.0, "surface_depth_m": 2.0, "slowest_climb_m_s": 0.05, "turn_s": 120.0, "depth_error_m": 0.5,
-              "tick_gap_s": 20.0, "through_water_m_s": 0.6, "steering_error_m": 200.0, "surface_drift_m_s": 0.8},
+              "tick_gap_s": 20.0, "through_water_m_s": 0.6, "steering_error_m": 200.0, "surface_drift_m_s": 0.8,
+              "line_lag_s": 8.0},
     "sensor": [{"name": "m_depth", "unit": "m", "stale_after_s": 20.0, "noise": 0.1, "lowest": 0.0, "highest": 1200.0}],
 }
 START = 1.5e9  # UTC, s
@@ -38,6 +39,7 @@ class Flight:
     speed_mps: float = 0.3
     off_m: float = 0           # from the line to the waypoint
     drifts_mps: float = 0.5
+    lag_s: float = 4.2         # of the line between the computers
     floats_s: float = 300      # after the climb
     without: tuple = ()        # names of sensors
 
@@ -88,7 +90,7 @@ class Flight:
         mode = 0 if time < dive else 1 if time < climb else 2 if time < floats - 20 else 0
         row = {"m_depth": depth, "cc_final_depth_state_mode": mode, "m_ballast_pumped": -self.pump_cc if mode == 1 else self.pump_cc, "m_fin": -self.fin_rad,
                "cc_final_pitch_mode": 3, "cc_final_pitch_value": -self.pitch_rad if mode == 1 else self.pitch_rad,
-               "m_speed": self.speed_mps if mode else 0, "x_hook_state": 3 if time >= dive and self.depth(time) >= self.control_m
+               "m_speed": self.speed_mps if mode else 0, "m_science_clothesline_lag": self.lag_s, "x_hook_state": 3 if time >= dive and self.depth(time) >= self.control_m
                or time > climb else 2}
         if time < dive or time > floats:
             row["m_gps_lat"] = 5400 + self.drifts_mps * time / METRES_PER_MINUTE

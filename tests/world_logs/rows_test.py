@@ -64,6 +64,7 @@ BREAKS = {
     "through_water_m_s": {"speed_mps": 0.62},
     "steering_error_m": {"off_m": 600},
     "surface_drift_m_s": {"drifts_mps": 0.82},
+    "line_lag_s": {"lag_s": 8.1},
 }
 
 

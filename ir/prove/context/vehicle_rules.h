@@ -33,7 +33,10 @@ class VehicleRules {
   VehicleRules(const Algebra& algebra, const platforms::Platform& platform)
       : algebra_(algebra),
         platform_(platform),
-        overshoot_(algebra.number(platform.envelope.inflection_overshoot_m)) {}
+        overshoot_(algebra.number(platform.envelope.inflection_overshoot_m)),
+        late_s_(platform.world.line_lag_s + platform.envelope.cycle_s + platform.world.command_s),
+        late_overshoot_(algebra.number(platform.envelope.vertical_rate_m_s * late_s_ +
+                                       platform.envelope.inflection_overshoot_m)) {}
 
   /// V1: the deepest of a vehicle that begins at `depth`.
   template <typename Number>
@@ -113,9 +116,7 @@ class VehicleRules {
   /// while the vehicle turns.
   template <typename Vehicle>
   [[nodiscard]] auto endOfDive(const Vehicle& before) const {
-    const auto& envelope = platform_.envelope;
-    const double still = envelope.vertical_rate_m_s * platform_.world.command_s;
-    return smaller(before.deepest, before.depth + number(still + envelope.inflection_overshoot_m));
+    return smaller(before.deepest, before.depth + late_overshoot_);
   }
 
   /// Whether the climb of `before` is obeyed at `now`: if not, the command that leads to `after`
@@ -123,9 +124,7 @@ class VehicleRules {
   template <typename Vehicle, typename Number>
   [[nodiscard]] auto isObeyed(const Vehicle& before, const Vehicle& after,
                               const Number& now) const {
-    const double late = platform_.world.command_s;
-    return late > 0 ? now >= before.since + number(late) || after.top == before.top
-                    : algebra_.truth(true);
+    return now >= before.since + number(late_s_) || after.top == before.top;
   }
 
   template <typename Number>
@@ -141,6 +140,10 @@ class VehicleRules {
   const Algebra& algebra_;
   const platforms::Platform& platform_;
   decltype(std::declval<const Algebra&>().number(0)) overshoot_;
+  double late_s_;  ///< the time in which a command is obeyed
+  /// Of a dive that a command ends: it sinks on until that has crossed the vehicle's line and the
+  /// next control cycle has come.
+  decltype(std::declval<const Algebra&>().number(0)) late_overshoot_;
 };
 
 }  // namespace glider::ir::prove

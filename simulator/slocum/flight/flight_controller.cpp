@@ -53,8 +53,6 @@ FlightController::FlightController(const platforms::Platform& platform,
       gps_(seed, sensors.gps),
       hull_(hullOf(platform)),
       layers_(std::make_unique<LayeredControl>(mission, hull_, variables_, code_15)),
-      dictionary_(platform),
-      flight_science_link_(dictionary_.get()),
       journal_(journal),
       cycle_s_(platform.envelope.cycle_s) {}
 
@@ -230,38 +228,23 @@ void FlightController::noteCurrent(double now_s, bool at_surface,
   }
 }
 
-void FlightController::receive(const GliderByteStream& stream) {
-  std::array<hooks::SensorUpdate, hooks::FlightScienceLink::kMostUpdates> updates;
-  // The line carries at most a few frames per cycle; the bound protects against a line that never
-  // falls silent.
-  constexpr int kMostRounds = 16;
-  for (int round = 0; round < kMostRounds; ++round) {
-    const uint32_t count =
-        flight_science_link_.poll(stream, updates.data(), static_cast<uint32_t>(updates.size()));
-    for (uint32_t i = 0; i < count; ++i) {
-      const uint16_t id = updates[i].id;
+void FlightController::receive(LineDirection& line) {
+  while (const std::optional<PassingValue> one = line.next()) {
+    if (one->id == hooks::kNoSensor) {
+      put(one->name, one->value);
+    } else if (one->id < array_.size() && array_.ofScience(one->id)) {
       // Science may write its own sensors only.
-      if (id < array_.size() && array_.ofScience(id)) {
-        array_.set(id, updates[i].value);
-      }
-    }
-    if (count == 0) {
-      return;
+      array_.set(one->id, one->value);
     }
   }
 }
 
-void FlightController::send(const GliderByteStream& stream) {
-  std::array<hooks::SensorUpdate, hooks::FlightScienceLink::kMostUpdates> updates;
-  uint32_t count = 0;
-  for (uint16_t id = 0; id < array_.size() && count < updates.size(); ++id) {
-    if (!array_.ofScience(id) && array_.fresh(id) && !std::isnan(array_.get(id))) {
-      updates[count++] = {id, array_.get(id)};
+void FlightController::send(LineDirection& line) const {
+  for (uint16_t id = 0; id < array_.size(); ++id) {
+    if (!array_.ofScience(id) && array_.fresh(id)) {
+      line.send({.id = id, .value = array_.get(id)});
     }
   }
-  // A full queue drops this cycle's whole report: the next one has newer values.
-  flight_science_link_.send(updates.data(), count);
-  flight_science_link_.poll(stream, updates.data(), 0);
 }
 
 Situation FlightController::situation(double now_s) {
@@ -373,7 +356,6 @@ void FlightController::restart(double now_s, bool keeps_array) {
   journal_.add(now_s, keeps_array ? EventId::MissionRestarts : EventId::FlightRestarts);
   if (!keeps_array) {
     array_.clear();
-    flight_science_link_ = hooks::FlightScienceLink(dictionary_.get());
     dynamics_ = DynamicControl();
   }
   variables_ = MissionVariables(mission_);
@@ -396,10 +378,10 @@ void FlightController::leaveOver(const Leftover& leftover) {
   instruction.vertical = hooks::HookVertical::Descend;
   instruction.depth_m = leftover.depth_m;
   instruction.pitch_rad = -kAbortPitch;
-  instruction = hooks::roundToArray(instruction);
+  instruction = hooks::inSteps(instruction);
   const hooks::InstructionWords words = hooks::wordsOf(instruction);
   std::array<std::pair<Sensor, double>, std::size(hooks::kInstructionWords)> on_line;
-#define WORD(role, sensor, word, field, bytes, line) \
+#define WORD(role, sensor, word, field, bytes, steps, line) \
   on_line.at(line) = {Sensor::sensor, words.word};
 #define CHECK_WORD(role, sensor, word, line) on_line.at(line) = {Sensor::sensor, words.word};
 #include "hooks/protocol/instruction.def"
@@ -480,19 +462,19 @@ void FlightController::judgeEnd(const Situation& s) {
 }
 
 void FlightController::cycle(double now_s, const Ocean& ocean, Vehicle& vehicle,
-                             const GliderByteStream& line) {
+                             FlightScienceLine& line) {
   took_s_ = cycles_ == 0 ? cycle_s_ : now_s - cycle_at_s_;
   cycle_at_s_ = now_s;
   array_.beginCycle();
   readSensors(now_s, ocean, vehicle);
-  receive(line);
+  receive(line.to_flight);
   const Situation s = situation(now_s);
   const Commands commands = decide(s);
   altimeter_needed_ = commands.altimeter;
   noteInstruction();
   control(commands, s, vehicle);
   judgeEnd(s);
-  send(line);
+  send(line.to_science);
   ++cycles_;
 }
 

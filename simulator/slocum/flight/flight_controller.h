@@ -3,8 +3,6 @@
 
 #pragma once
 
-#include "hooks/flight_science_link/flight_science_link.h"
-#include "platforms/load/dictionary.h"
 #include "simulator/faults/faults.h"
 #include "simulator/journal.h"
 #include "simulator/magnetism/declination.h"
@@ -16,6 +14,7 @@
 #include "simulator/slocum/flight/layered_control.h"
 #include "simulator/slocum/flight/mission_variables.h"
 #include "simulator/slocum/flight/navigator.h"
+#include "simulator/slocum/line/flight_science_line.h"
 
 #include <limits>
 #include <memory>
@@ -33,7 +32,7 @@ struct ObeyedInstruction {
 };
 
 /// The flight controller: every four seconds sensors → layered control → dynamic control → devices
-/// → flight-science serial link.
+/// → flight-science link.
 class FlightController {
  public:
   /// `year`, with its fraction, is for the magnetic field.
@@ -44,7 +43,7 @@ class FlightController {
   /// The vehicle starts at (x, y) of the frame instead of its origin.
   void startAt(double x, double y) { navigator_.startAt(x, y); }
   /// The control cycle at time `now_s` of the mission.
-  void cycle(double now_s, const Ocean& ocean, Vehicle& vehicle, const GliderByteStream& line);
+  void cycle(double now_s, const Ocean& ocean, Vehicle& vehicle, FlightScienceLine& line);
 
   [[nodiscard]] const SensorArray& array() const { return array_; }
   /// m_x_lmc and m_y_lmc as metres true east and north of where the flight started.
@@ -115,8 +114,8 @@ class FlightController {
   /// The value of `sensor` after `truth` was stored: `truth`, with all its digits, unless the
   /// sensor is damaged.
   [[nodiscard]] double felt(Sensor sensor, double truth) const;
-  void receive(const GliderByteStream& line);
-  void send(const GliderByteStream& line);
+  void receive(LineDirection& line);
+  void send(LineDirection& line) const;
   [[nodiscard]] Situation situation(double now_s);
   void noteInstruction();
   void noteRange();
@@ -148,8 +147,6 @@ class FlightController {
   hooks::Hull hull_;
   std::unique_ptr<LayeredControl> layers_;
   DynamicControl dynamics_;
-  platforms::Dictionary dictionary_;
-  hooks::FlightScienceLink flight_science_link_;
   Journal& journal_;
   double cycle_s_;         ///< the platform's
   double cycle_at_s_ = 0;  ///< when the newest cycle began

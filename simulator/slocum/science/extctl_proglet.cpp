@@ -21,6 +21,8 @@ namespace {
 
 using hooks::SeatEvent;
 
+/// A sensor that only the flight controller has needs so long until it is here, s.
+constexpr double kLeastDelay = 1, kMostDelay = 8;
 /// The line of the vendor's port, and of files in base64.
 constexpr size_t kMostLine = 820;
 /// An SBC that has written this is a backseat driver of glidercc: its state and a count.
@@ -49,14 +51,9 @@ bool isSame(double a, double b) {
 
 }  // namespace
 
-ExtctlProglet::ExtctlProglet(const GliderDictionary& dictionary,
-                             const platforms::Platform& platform, const slocum::ExtctlFile& file,
+ExtctlProglet::ExtctlProglet(const platforms::Platform& platform, const slocum::ExtctlFile& file,
                              ExtctlVehicle vehicle, const Settings& settings)
-    : platform_(platform),
-      vehicle_(std::move(vehicle)),
-      link_(dictionary),
-      flight_values_(platform.sensors.size(), std::numeric_limits<double>::quiet_NaN()),
-      noise_(settings.seed, "extctl"),
+    : vehicle_(std::move(vehicle)),
       mark_noise_(settings.seed, "extctl marks"),
       virtual_time_(settings.virtual_time) {
   const size_t first_reported = file.parameters.size() + file.written.size();
@@ -76,16 +73,14 @@ SeatEvent ExtctlProglet::nextEvent() {
   return event;
 }
 
-void ExtctlProglet::run(double now_s, const hooks::ScienceSensors& own, const GliderByteStream& sbc,
-                        const GliderByteStream& flight) {
+void ExtctlProglet::run(double now_s, const hooks::ScienceMemory& memory,
+                        const GliderByteStream& sbc) {
   if (!std::exchange(begun_, true)) {
     say(virtual_time_ ? hooks::extctl::kVirtualTimeHello : "HI");
   }
-  takeFlight(flight);
   hear(now_s, sbc);
-  arrive(now_s);
   watch(now_s);
-  refresh(now_s, own);
+  refresh(now_s, memory);
   report();
   flush(sbc);
 }
@@ -94,21 +89,6 @@ void ExtctlProglet::run(double now_s, const hooks::ScienceSensors& own, const Gl
 void ExtctlProglet::watch(double now_s) {
   if (view_.known && now_s - heard_s_ > kSilence) {
     view_ = {};
-  }
-}
-
-void ExtctlProglet::takeFlight(const GliderByteStream& flight) {
-  std::array<hooks::SensorUpdate, hooks::FlightScienceLink::kMostUpdates> updates;
-  constexpr int kMostRounds = 16;
-  for (int round = 0; round < kMostRounds; ++round) {
-    const uint32_t count =
-        link_.poll(flight, updates.data(), static_cast<uint32_t>(updates.size()));
-    for (uint32_t i = 0; i < count; ++i) {
-      flight_values_.at(updates[i].id) = hooks::extctl::asSixDecimals(updates[i].value);
-    }
-    if (count == 0) {
-      return;
-    }
   }
 }
 
@@ -133,16 +113,16 @@ void ExtctlProglet::obey(double now_s) {
   const std::string_view name = takePart(body, ',');
   if (name == "SW") {
     heard_s_ = now_s;
-    writePairs(now_s, body);
+    writePairs(body);
   } else if (name == "MD") {
-    setModes(now_s, body);
+    setModes(body);
   } else if (name == "TXT") {
     takeText(body);
   }
 }
 
 /// Pairs `index:value`; what is none is ignored, as is a sensor that the SBC may not write.
-void ExtctlProglet::writePairs(double now_s, std::string_view pairs) {
+void ExtctlProglet::writePairs(std::string_view pairs) {
   while (!pairs.empty()) {
     std::string_view pair = takePart(pairs, ',');
     uint32_t index = 0;
@@ -156,7 +136,7 @@ void ExtctlProglet::writePairs(double now_s, std::string_view pairs) {
     if (row.name.starts_with("sci_generic_")) {
       takeOwnWrite(row, value);
     } else {
-      pass(now_s, row.name, value);
+      vehicle_.put(row.name, value);
     }
   }
 }
@@ -174,11 +154,11 @@ void ExtctlProglet::takeOwnWrite(const Row& row, double value) {
   view_.state = value > 0 ? static_cast<uint32_t>(value) - 1 : 0;
 }
 
-void ExtctlProglet::setModes(double now_s, std::string_view numbers) {
+void ExtctlProglet::setModes(std::string_view numbers) {
   uint32_t mask = 0, value = 0;
   if (readWhole(takePart(numbers, ','), mask) && readWhole(numbers, value)) {
     modes_ = (modes_ & ~mask) | (value & mask);
-    pass(now_s, "u_mission_mode", modes_);
+    vehicle_.put("u_mission_mode", modes_);
   }
 }
 
@@ -213,24 +193,6 @@ void ExtctlProglet::takeText(std::string_view text) {
   events_.push_back(event);
 }
 
-/// The data memories exchange the newest value of each sensor: an older one never overtakes it.
-void ExtctlProglet::pass(double now_s, const std::string& name, double value) {
-  double due_s = now_s + kLeastDelay + (kMostDelay - kLeastDelay) * noise_.uniform();
-  for (const Passing& before : passing_) {
-    due_s = before.name == name ? std::max(due_s, before.due_s) : due_s;
-  }
-  passing_.push_back({due_s, name, value});
-}
-
-void ExtctlProglet::arrive(double now_s) {
-  for (const Passing& one : passing_) {
-    if (one.due_s <= now_s) {
-      vehicle_.put(one.name, one.value);
-    }
-  }
-  std::erase_if(passing_, [&](const Passing& one) { return one.due_s <= now_s; });
-}
-
 /// A sensor that no mission reads crosses between the computers as late as one that the SBC writes.
 double ExtctlProglet::cross(double now_s, Row& row) {
   const double value = vehicle_.value(row.name);
@@ -242,7 +204,7 @@ double ExtctlProglet::cross(double now_s, Row& row) {
   return now_s >= row.due_s ? value : row.value;
 }
 
-void ExtctlProglet::refresh(double now_s, const hooks::ScienceSensors& own) {
+void ExtctlProglet::refresh(double now_s, const hooks::ScienceMemory& memory) {
   for (Row& row : rows_) {
     if (!row.reported) {
       continue;
@@ -250,11 +212,9 @@ void ExtctlProglet::refresh(double now_s, const hooks::ScienceSensors& own) {
     double value = row.value;
     if (row.id == hooks::kNoSensor) {
       value = cross(now_s, row);
-    } else if (platform_.sensors[row.id].computer == platforms::Computer::Science) {
-      bool fresh = false;
-      value = own.get(own.self, row.id, &fresh);
     } else {
-      value = flight_values_[row.id];
+      bool fresh = false;
+      value = memory.get(memory.self, row.id, &fresh);
     }
     row.told = row.told && isSame(value, row.value);
     row.value = value;

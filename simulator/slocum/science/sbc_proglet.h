@@ -22,8 +22,8 @@ class SbcProglet {
 
   /// A science cycle at `now_s` of the flight: takes the flight controller's updates, serves the
   /// SBC.
-  virtual void run(double now_s, const hooks::ScienceSensors& own, const GliderByteStream& sbc,
-                   const GliderByteStream& flight) = 0;
+  virtual void run(double now_s, const hooks::ScienceMemory& memory,
+                   const GliderByteStream& sbc) = 0;
   virtual hooks::SeatEvent nextEvent() = 0;
   [[nodiscard]] virtual hooks::SbcView sbc() const = 0;
 };
@@ -37,9 +37,8 @@ class HookprogProglet final : public SbcProglet {
   HookprogProglet(const GliderDictionary& dictionary, const hooks::SeatOptions& options)
       : hookprog_(dictionary, options) {}
 
-  void run(double now_s, const hooks::ScienceSensors& own, const GliderByteStream& sbc,
-           const GliderByteStream& flight) override {
-    hookprog_.run(now_s, own, sbc, flight);
+  void run(double now_s, const hooks::ScienceMemory& memory, const GliderByteStream& sbc) override {
+    hookprog_.run(now_s, memory, sbc);
   }
   hooks::SeatEvent nextEvent() override { return hookprog_.nextEvent(); }
   [[nodiscard]] hooks::SbcView sbc() const override { return hookprog_.sbc(); }

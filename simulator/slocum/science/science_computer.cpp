@@ -20,6 +20,10 @@ ScienceComputer::ScienceComputer(const platforms::Platform& platform, uint64_t s
       proglet_(make_proglet_(dictionary_.get())),
       values_(platform.sensors.size(), std::numeric_limits<double>::quiet_NaN()),
       fresh_(platform.sensors.size(), 0) {
+  for (const auto& sensor : platform.sensors) {
+    bytes_.push_back(sensor.bytes);
+    of_flight_.push_back(sensor.computer == platforms::Computer::Flight ? 1 : 0);
+  }
   for (std::unique_ptr<Instrument>& instrument : makeInstruments(seed, settings)) {
     if (instrument->carried()) {
       fit(platform, std::move(instrument));
@@ -75,9 +79,33 @@ void ScienceComputer::set(uint16_t id, double value) {
     }
     value = *reading;
   }
-  // Rounded to a 4-byte sensor; the clock is the only wider one.
-  values_[id] = id == numbers_[Sensor::sci_m_present_time] ? value : hooks::asFloat32(value);
+  store(id, value);
+  if (line_ != nullptr) {
+    line_->to_flight.send({.id = id, .value = values_[id]});
+  }
+}
+
+void ScienceComputer::store(uint16_t id, double value) {
+  values_[id] = bytes_[id] == 4 ? hooks::asFloat32(value) : value;
   fresh_[id] = 1;
+}
+
+/// What the flight controller has set; only its own sensors.
+void ScienceComputer::receive() {
+  while (const std::optional<PassingValue> one = line_->to_science.next()) {
+    if (one->id < values_.size() && of_flight_[one->id] != 0) {
+      store(one->id, one->value);
+    }
+  }
+}
+
+/// A proglet sets a sensor, which the vehicle's software takes to the flight controller.
+void ScienceComputer::write(void* self, uint16_t id, double value) {
+  auto& science = *static_cast<ScienceComputer*>(self);
+  if (id < science.values_.size()) {
+    science.store(id, value);
+    science.line_->to_flight.send({.id = id, .value = science.values_[id]});
+  }
 }
 
 double ScienceComputer::get(void* self, uint16_t id, bool* fresh) {
@@ -102,7 +130,9 @@ void ScienceComputer::sample(OnBoard& one, const Sampling& at) {
 }
 
 void ScienceComputer::run(double now_s, const Ocean& ocean, const Place& place,
-                          const GliderByteStream& sbc, const GliderByteStream& flight) {
+                          const GliderByteStream& sbc, FlightScienceLine& line) {
+  line_ = &line;
+  receive();
   set(numbers_[Sensor::sci_m_present_time], kStartOfMission + now_s);
   for (OnBoard& one : instruments_) {
     if (one.period_s >= 0 && now_s - one.sampled_s >= one.period_s) {
@@ -110,7 +140,8 @@ void ScienceComputer::run(double now_s, const Ocean& ocean, const Place& place,
       sample(one, {now_s, place.depth_m, place.x, place.y, ocean});
     }
   }
-  proglet_->run(now_s, {this, get}, sbc, flight);
+  proglet_->run(now_s, {this, get, write}, sbc);
+  line_ = nullptr;
 }
 
 }  // namespace glider::simulator

@@ -10,6 +10,7 @@
 #include "simulator/ocean/ocean.h"
 #include "simulator/sensors/provided.h"
 #include "simulator/sensors/sensor_list.h"
+#include "simulator/slocum/line/flight_science_line.h"
 #include "simulator/slocum/science/sample_periods.h"
 #include "simulator/slocum/science/sbc_proglet.h"
 
@@ -31,10 +32,10 @@ class ScienceComputer {
   struct Place {
     double depth_m = 0, x = 0, y = 0;
   };
-  /// The science cycle at time `now_s`. `sbc` is the 115200 line, `flight` the flight-science
-  /// serial link.
+  /// The science cycle at time `now_s`. `sbc` is the 115200 line, `line` the one to the flight
+  /// controller.
   void run(double now_s, const Ocean& ocean, const Place& place, const GliderByteStream& sbc,
-           const GliderByteStream& flight);
+           FlightScienceLine& line);
 
   /// From now on each instrument samples that often; until this is called, in each cycle.
   void sampleEvery(const SamplePeriods& periods);
@@ -65,6 +66,10 @@ class ScienceComputer {
   void fit(const platforms::Platform& platform, std::unique_ptr<Instrument> instrument);
   void sample(OnBoard& one, const Sampling& at);
   void set(uint16_t id, double value);
+  /// What a sensor keeps: rounded to its width.
+  void store(uint16_t id, double value);
+  void receive();
+  static void write(void* self, uint16_t id, double value);
   static double get(void* self, uint16_t id, bool* fresh);
 
   std::vector<OnBoard> instruments_;
@@ -74,7 +79,8 @@ class ScienceComputer {
   platforms::Dictionary dictionary_;
   std::unique_ptr<SbcProglet> proglet_;
   std::vector<double> values_;  ///< by number
-  std::vector<uint8_t> fresh_;
+  std::vector<uint8_t> fresh_, bytes_, of_flight_;
+  FlightScienceLine* line_ = nullptr;  ///< during run
 };
 
 }  // namespace glider::simulator

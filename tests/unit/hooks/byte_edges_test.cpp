@@ -4,7 +4,6 @@
 // Bytes, queues, lists and frames at the very edge of their limits: the last that fits, the first
 // that does not.
 
-#include "hooks/flight_science_link/flight_science_link.h"
 #include "hooks/protocol/bytes.h"
 #include "hooks/protocol/crc.h"
 #include "hooks/protocol/messages.h"
@@ -234,7 +233,7 @@ TEST(SensorList, HoldsExactlyItsBytesInEachWidth) {
            {GLIDER_X_HOOK_STATE, 1}, {GLIDER_M_DEPTH, 4}, {GLIDER_M_LAT, 8}}) {
     ASSERT_EQ(sensorWidth(id), width);
     Frame frame;
-    encodeEmptyList(MessageType::Sensors, frame);
+    encodeEmptyList(frame);
     uint32_t count = 0;
     while (appendValue(frame, {id, 1})) {
       ++count;
@@ -249,7 +248,7 @@ TEST(SensorList, HoldsExactlyItsBytesInEachWidth) {
   }
   // 1 + 22 * 10 + 4 * 6 + 3 = 248, and 1 + 24 * 10 + 3 * 3 = 250: to the last byte.
   Frame full;
-  encodeEmptyList(MessageType::Sensors, full);
+  encodeEmptyList(full);
   for (int i = 0; i < 24; ++i) {
     ASSERT_TRUE(appendValue(full, {GLIDER_M_LAT, 1}));
   }
@@ -266,7 +265,7 @@ TEST(SensorList, HoldsExactlyItsBytesInEachWidth) {
 
 TEST(SensorList, ACountThatIsNotTheListsIsRefused) {
   Frame frame;
-  encodeEmptyList(MessageType::Write, frame);
+  encodeEmptyList(frame);
   ASSERT_TRUE(appendValue(frame, {GLIDER_M_DEPTH, 1}));
   SensorList list;
   ASSERT_TRUE(decodeList(frame, list));
@@ -277,7 +276,7 @@ TEST(SensorList, ACountThatIsNotTheListsIsRefused) {
   frame.payload[0] = 1;
   frame.type = MessageType::Tick;
   EXPECT_FALSE(decodeList(frame, list));
-  encodeEmptyList(MessageType::Sensors, frame);
+  encodeEmptyList(frame);
   EXPECT_TRUE(decodeList(frame, list));
   EXPECT_EQ(list.count, 0U);
   frame.payload[1] = 0xFF;
@@ -289,7 +288,7 @@ TEST(SensorList, ACountThatIsNotTheListsIsRefused) {
 
 TEST(SensorList, MoreBytesThanAListMayHaveOrMoreValuesAreRefused) {
   Frame frame;
-  encodeEmptyList(MessageType::Write, frame);
+  encodeEmptyList(frame);
   while (appendValue(frame, {GLIDER_X_HOOK_STATE, 1})) {
   }
   SensorList list;
@@ -418,102 +417,6 @@ TEST(FrameEdges, AnEqualCheckWithAnotherNumberIsAnotherFrame) {
   EXPECT_EQ(decoder.frame().sequence, 2);
   EXPECT_FALSE(whole(other));
   EXPECT_EQ(decoder.doubles(), 1U);
-}
-
-TEST(FlightScienceLinkEdges, AGroupThatIsTooLongGoesOnInTheNextFrame) {
-  // 24 of 10 bytes fill a frame's 249.
-  MemoryLine line;
-  FlightScienceLink flight{gliderDictionary}, science{gliderDictionary};
-  std::vector<SensorUpdate> updates;
-  for (int i = 0; i < 60; ++i) {
-    updates.push_back({GLIDER_M_LAT, 3900.0 + i});
-  }
-  ASSERT_TRUE(flight.send(updates.data(), 60));
-  SensorUpdate none[1];
-  EXPECT_EQ(flight.poll(line.left(), none, 1), 0U);
-  SensorUpdate got[128];
-  const uint32_t count = science.poll(line.right(), got, 128);
-  ASSERT_EQ(count, 60U);
-  for (uint32_t i = 0; i < count; ++i) {
-    EXPECT_EQ(got[i].value, 3900.0 + i);
-  }
-  EXPECT_EQ(science.badFrames(), 0U);
-}
-
-TEST(FlightScienceLinkEdges, CountsFramesOfBothKindsThatItThrowsAway) {
-  MemoryLine line;
-  FlightScienceLink science{gliderDictionary};
-  putMessage(line.left(), Beacon{}, 1);
-  const uint8_t noise[] = {5, 5, 5, 0};
-  (void)line.left().write(line.left().self, noise, 4);
-  SensorUpdate got[4];
-  EXPECT_EQ(science.poll(line.right(), got, 4), 0U);
-  EXPECT_EQ(science.badFrames(), 2U);
-}
-
-TEST(FlightScienceLinkEdges, ALineThatTakesAPartKeepsTheRest) {
-  MemoryLine line;
-  FlightScienceLink flight{gliderDictionary}, science{gliderDictionary};
-  const SensorUpdate update{GLIDER_M_DEPTH, 12.5};
-  struct Narrow {
-    GliderByteStream to;
-  } narrow{line.left()};
-  const GliderByteStream stream{&narrow, [](void*, uint8_t*, uint32_t) -> int32_t { return 0; },
-                                [](void* self, const uint8_t* bytes, uint32_t count) -> int32_t {
-                                  const GliderByteStream& to = static_cast<Narrow*>(self)->to;
-                                  return to.write(to.self, bytes, count < 3 ? count : 3);
-                                }};
-  for (int i = 0; i < 3; ++i) {
-    ASSERT_TRUE(flight.send(&update, 1));
-    SensorUpdate none[1];
-    (void)flight.poll(stream, none, 0);
-  }
-  SensorUpdate got[8];
-  EXPECT_EQ(science.poll(line.right(), got, 8), 3U);
-}
-
-TEST(FlightScienceLinkEdges, NothingOfAListThatIsBadIsGiven) {
-  MemoryLine line;
-  FlightScienceLink science{gliderDictionary};
-  Frame frame;
-  encodeEmptyList(MessageType::Sensors, frame);
-  ASSERT_TRUE(appendValue(frame, {GLIDER_M_DEPTH, 12.5}));
-  frame.payload[0] = 2;  // and one more, of a sensor that is none
-  frame.payload[frame.size] = frame.payload[frame.size + 1] = 0xFF;
-  frame.size = static_cast<uint16_t>(frame.size + 2);
-  put(line.left(), frame);
-  SensorUpdate got[4];
-  EXPECT_EQ(science.poll(line.right(), got, 4), 0U);
-  EXPECT_EQ(science.badFrames(), 1U);
-}
-
-TEST(FlightScienceLinkEdges, TheRestOfAFrameIsItsRestAndNoMore) {
-  // A long frame leaves its bytes in the buffer; of the short one after it the line takes three
-  // bytes first.
-  MemoryLine line;
-  FlightScienceLink flight{gliderDictionary}, science{gliderDictionary};
-  struct Slow {
-    GliderByteStream to;
-    bool slow = false;
-  } slow{line.left()};
-  const GliderByteStream stream{&slow, [](void*, uint8_t*, uint32_t) -> int32_t { return 0; },
-                                [](void* self, const uint8_t* bytes, uint32_t count) -> int32_t {
-                                  auto* line_end = static_cast<Slow*>(self);
-                                  const uint32_t most = line_end->slow && count > 3 ? 3 : count;
-                                  line_end->slow = false;
-                                  return line_end->to.write(line_end->to.self, bytes, most);
-                                }};
-  const std::vector<SensorUpdate> twenty(20, {GLIDER_M_LAT, 3910.5});
-  SensorUpdate got[32];
-  ASSERT_TRUE(flight.send(twenty.data(), 20));
-  (void)flight.poll(stream, got, 0);
-  slow.slow = true;
-  ASSERT_TRUE(flight.send(twenty.data(), 1));
-  (void)flight.poll(stream, got, 0);
-  EXPECT_EQ(science.poll(line.right(), got, 32), 21U);
-  uint8_t left = 0;
-  EXPECT_EQ(line.right().read(line.right().self, &left, 1), 0);
-  EXPECT_EQ(science.badFrames(), 0U);
 }
 
 }  // namespace

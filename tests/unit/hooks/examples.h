@@ -62,17 +62,13 @@ inline std::vector<std::pair<std::string, Frame>> exampleFrames() {
   });
   add("Subscribe", 2, [](Frame& f) { encode(exampleSubscription(), f); });
   add("Write", 3, [](Frame& f) {
-    encodeEmptyList(MessageType::Write, f);
+    encodeEmptyList(f);
     (void)appendValue(f, {GLIDER_SCI_HOOK_CONTROL, 2});
     (void)appendValue(f, {GLIDER_SCI_HOOK_DEPTH, 20});
     (void)appendValue(f, {GLIDER_SCI_HOOK_SEQUENCE, 258});
   });
   add("Transition", 4, [](Frame& f) { encode(TransitionNotice{500, 1, 0, 1, 1, 0}, f); });
   add("Done", 5, [](Frame& f) { encode(Done{3, 7, {500, 1, 1, MissionPhase::Flying}}, f); });
-  add("Sensors", 6, [](Frame& f) {
-    encodeEmptyList(MessageType::Sensors, f);
-    (void)appendValue(f, {GLIDER_SCI_HOOK_HEARTBEAT, 42});
-  });
   add("Note", 7, [](Frame& f) {
     MissionNote note;
     note.mission_time_s = 500;

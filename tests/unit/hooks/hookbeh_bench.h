@@ -48,7 +48,7 @@ class HookbehBench {
   /// Writes an instruction to the sensor array, with the next sequence number.
   void write(Instruction instruction) {
     instruction.sequence = ++sequence;
-    instruction = roundToArray(instruction);
+    instruction = inSteps(instruction);
     inputs.session = instruction.session;
     inputs.sequence = instruction.sequence;
     inputs.control = static_cast<double>(instruction.control);

@@ -12,7 +12,7 @@ namespace {
 using Bench = HookbehBench;
 
 HookAnswer answerTo(const Instruction& instruction, const HookbehArgs& args = {}) {
-  return checkBounds(roundToArray(instruction), args);
+  return checkBounds(inSteps(instruction), args);
 }
 
 TEST(HookbehBounds, DepthUpToTheGreatest) {
@@ -155,6 +155,27 @@ TEST(HookbehBounds, NoSuchCommand) {
   instruction = Bench::descend(20);
   instruction.lateral = static_cast<HookLateral>(4);
   EXPECT_EQ(bench.give(instruction).answer, HookAnswer::BadCommand);
+}
+
+TEST(HookbehBounds, LimitsThatAFileRoundsRefuseNothingThatTheyAllow) {
+  constexpr double kTwentySixDegrees = 0.4537856055185257;
+  Instruction instruction;
+  instruction.control = HookControl::Take;
+  instruction.vertical = HookVertical::Descend;
+  instruction.depth_m = 20;
+  instruction.pitch_rad = -kTwentySixDegrees;
+  HookbehArgs args;
+  args.steepest_pitch_rad = 0.453786;
+  EXPECT_EQ(checkBounds(inSteps(instruction), args), HookAnswer::Accepted);
+  args.steepest_pitch_rad = 0.4537;
+  EXPECT_EQ(checkBounds(inSteps(instruction), args), HookAnswer::BadPitch);
+  args = {};
+  args.shallowest_pitch_rad = 0.453793;
+  EXPECT_EQ(checkBounds(inSteps(instruction), args), HookAnswer::Accepted);
+  args.greatest_depth_m = 19.9996;
+  EXPECT_EQ(checkBounds(inSteps(instruction), args), HookAnswer::Accepted);
+  args.greatest_depth_m = 19.999;
+  EXPECT_EQ(checkBounds(inSteps(instruction), args), HookAnswer::TooDeep);
 }
 
 }  // namespace

@@ -108,7 +108,7 @@ TEST(HookbehGuard, ADescendThatHadArrivedDivesAgain) {
   bench.inputs.altitude_m = 60;
   HookbehOutputs out = bench.cycle();
   EXPECT_STREQ(wordsFor(out.doing), "dive_to");
-  EXPECT_EQ(out.pitch_rad, static_cast<double>(-0.4F)) << "as instructed";
+  EXPECT_EQ(out.pitch_rad, -0.4) << "as instructed";
   bench.inputs.depth_m = 20;
   EXPECT_STREQ(wordsFor(bench.cycle().doing), "hold");
 }

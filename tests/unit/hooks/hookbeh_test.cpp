@@ -53,7 +53,7 @@ TEST(Hookbeh, TakeActivatesAndCommandsInTheSameCycle) {
   EXPECT_EQ(out.session, 1U);
   ASSERT_TRUE(out.commanding);
   EXPECT_EQ(out.pump_cc, -230);
-  EXPECT_EQ(out.pitch_rad, static_cast<double>(-0.4F));
+  EXPECT_EQ(out.pitch_rad, -0.4);
   EXPECT_STREQ(wordsFor(out.doing), "dive_to");
 }
 

@@ -6,6 +6,7 @@
 #include "hooks/hookprog/hookprog.h"
 #include "tests/slocum.h"
 #include "tests/unit/hooks/line_ends.h"
+#include "tests/unit/hooks/vehicle_line.h"
 
 #include <gtest/gtest.h>
 
@@ -21,33 +22,27 @@ class HookprogBench : public testing::Test {
 
   void run(double seconds = 1) {
     now_ += seconds;
-    const ScienceSensors own{this, [](void* self, uint16_t id, bool* fresh) {
-                               auto& values = static_cast<HookprogBench*>(self)->science_;
-                               const auto found = values.find(id);
-                               *fresh = found != values.end();
-                               const double value = *fresh ? found->second : 0;
-                               values.erase(id);
-                               return value;
-                             }};
-    hookprog_.run(now_, own, sbc_line_.left(), flight_line_.left());
+    const auto own = [this](uint16_t id, bool* fresh) {
+      const auto found = science_.find(id);
+      *fresh = found != science_.end();
+      const double value = *fresh ? found->second : 0;
+      science_.erase(id);
+      return value;
+    };
+    hookprog_.run(now_, line_.memory(own), sbc_line_.left());
   }
 
-  /// The flight controller reports `values`, then time and cycle.
+  /// The flight controller reports `values`, time and cycle; nothing more of it comes.
   void cycle(std::vector<SensorUpdate> values = {}) {
     ++cycle_;
     values.push_back({GLIDER_M_PRESENT_SECS_INTO_MISSION, 4.0 * cycle_});
     values.push_back({GLIDER_M_CYCLE_NUMBER, cycle_});
-    ASSERT_TRUE(flight_.send(values.data(), static_cast<uint32_t>(values.size())));
-    SensorUpdate unused[1];
-    flight_.poll(flight_line_.right(), unused, 0);
+    line_.fromFlight(values);
+    run(0);
     run();
   }
 
-  std::vector<SensorUpdate> atFlight() {
-    std::vector<SensorUpdate> all(64);
-    all.resize(flight_.poll(flight_line_.right(), all.data(), 64));
-    return all;
-  }
+  std::vector<SensorUpdate> atFlight() { return line_.atFlight(); }
 
   std::vector<Frame> atSbc() { return framesAt(sbc_line_.right()); }
 
@@ -95,7 +90,7 @@ class HookprogBench : public testing::Test {
 
   void write(const std::vector<SensorValue>& values) {
     Frame frame;
-    encodeEmptyList(MessageType::Write, frame);
+    encodeEmptyList(frame);
     for (const auto& value : values) {
       ASSERT_TRUE(appendValue(frame, value));
     }
@@ -114,8 +109,7 @@ class HookprogBench : public testing::Test {
   }
 
   MemoryLine sbc_line_;
-  MemoryLine flight_line_;
-  FlightScienceLink flight_{gliderDictionary};
+  VehicleLine line_;
   Hookprog hookprog_;
   std::map<uint16_t, double> science_;
   double now_ = 0;

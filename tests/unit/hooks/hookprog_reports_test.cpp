@@ -56,11 +56,11 @@ TEST_F(HookprogReportsTest, OneTickACycleHoweverOftenItRuns) {
 TEST_F(HookprogReportsTest, ATickNeedsANewTimeAndCycle) {
   hello();
   atSbc();
-  const SensorUpdate only_cycle[] = {{GLIDER_M_CYCLE_NUMBER, 5}};
-  flight_.send(only_cycle, 1);
-  atFlight();
+  const std::vector<SensorUpdate> only_cycle = {{GLIDER_M_CYCLE_NUMBER, 5}};
+  line_.fromFlight(only_cycle);
   run();
-  EXPECT_TRUE(atSbc().empty()) << "the frame with the time was lost";
+  run();
+  EXPECT_TRUE(atSbc().empty()) << "the time was lost";
 }
 
 TEST_F(HookprogReportsTest, OnlyWhatTheSbcDoesNotHoldIsSentOnceItHasAnswered) {

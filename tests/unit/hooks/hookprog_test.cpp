@@ -64,6 +64,13 @@ TEST_F(HookprogTest, AnotherDictionaryOrVersionIsRefusedAndReportedOnce) {
   EXPECT_EQ(events(), (std::vector{Kind::SbcRefused}));
   EXPECT_EQ(last_event_.a, 9U);
   EXPECT_EQ(last_event_.b, 0U) << "of another version no dictionary is read";
+  hello.version = 5;
+  hello.dictionary = gliderDictionary.hash;
+  say(hello);
+  run();
+  EXPECT_TRUE(atSbc().empty()) << "the check value of version 5 is another";
+  EXPECT_EQ(events(), (std::vector{Kind::SbcRefused}));
+  EXPECT_EQ(last_event_.a, 5U);
 }
 
 TEST_F(HookprogTest, AnSbcThatLacksAFeatureIsRefusedForEachOnce) {
@@ -108,30 +115,7 @@ TEST_F(HookprogTest, NothingGoesToFlightWithoutAHookbeh) {
   for (int i = 0; i < 10; ++i) {
     cycle({{GLIDER_X_HOOK_STATE, 0}});
   }
-  uint8_t byte = 0;
-  const GliderByteStream flight = flight_line_.right();
-  EXPECT_EQ(flight.read(flight.self, &byte, 1), 0) << "not one byte";
-}
-
-/// What goes to the flight controller when the SBC writes an instruction and answers.
-TEST_F(HookprogTest, TheCtdsPressureGoesToFlightOnceACycle) {
-  science_[GLIDER_SCI_WATER_PRESSURE] = 2.5;
-  cycle();
-  run();
-  EXPECT_TRUE(atFlight().empty()) << "no hookbeh";
-  cycle({{GLIDER_X_HOOK_STATE, 2}});
-  atFlight();
-  science_[GLIDER_SCI_WATER_PRESSURE] = 2.75;
-  cycle({{GLIDER_X_HOOK_STATE, 2}});
-  run();
-  const auto sent = atFlight();
-  ASSERT_EQ(sent.size(), 1U);
-  EXPECT_EQ(sent[0].id, GLIDER_SCI_WATER_PRESSURE);
-  EXPECT_EQ(sent[0].value, 2.75);
-  run();
   EXPECT_TRUE(atFlight().empty());
-  cycle({{GLIDER_X_HOOK_STATE, 2}});
-  EXPECT_TRUE(atFlight().empty()) << "nothing new";
 }
 
 class HookprogMissionsTest : public HookprogBench {
@@ -208,11 +192,9 @@ TEST_F(HookprogMissionsTest, OneFalseReadingOfTheTimeIsNotAnotherMission) {
   for (int i = 0; i < 10; ++i) {
     flyWithHookbeh();
   }
-  const SensorUpdate early[] = {{GLIDER_M_PRESENT_SECS_INTO_MISSION, 3},
-                                {GLIDER_M_CYCLE_NUMBER, static_cast<double>(++cycle_)}};
-  ASSERT_TRUE(flight_.send(early, 2));
-  SensorUpdate unused[1];
-  flight_.poll(flight_line_.right(), unused, 0);
+  line_.fromFlight({{GLIDER_M_PRESENT_SECS_INTO_MISSION, 3},
+                    {GLIDER_M_CYCLE_NUMBER, static_cast<double>(++cycle_)}});
+  run();
   run();
   for (int i = 0; i < 4; ++i) {
     flyWithout();
@@ -248,7 +230,7 @@ TEST_F(HookprogMissionsTest, ASilentFlightControllerForgetsNothing) {
   EXPECT_EQ(told().hook_state, HookState::Active);
 }
 
-TEST_F(HookprogTest, WritesGoOnWithTheSequenceLast) {
+TEST_F(HookprogTest, EachWordOfAnInstructionIsWrittenIntoItsSensor) {
   hello();
   cycle({{GLIDER_X_HOOK_STATE, 2}});
   atFlight();
@@ -256,9 +238,12 @@ TEST_F(HookprogTest, WritesGoOnWithTheSequenceLast) {
   run();
   const auto got = atFlight();
   ASSERT_EQ(got.size(), 3U);
-  EXPECT_EQ(got[0].id, GLIDER_SCI_HOOK_SESSION);
-  EXPECT_EQ(got[1].id, GLIDER_SCI_HOOK_DEPTH);
-  EXPECT_EQ(got[2].id, GLIDER_SCI_HOOK_SEQUENCE);
+  EXPECT_EQ(got[0].id, GLIDER_SCI_HOOK_SEQUENCE);
+  EXPECT_EQ(got[0].value, 3);
+  EXPECT_EQ(got[1].id, GLIDER_SCI_HOOK_SESSION);
+  EXPECT_EQ(got[1].value, 7);
+  EXPECT_EQ(got[2].id, GLIDER_SCI_HOOK_DEPTH);
+  EXPECT_EQ(got[2].value, 20);
 }
 
 TEST_F(HookprogTest, TheSbcMayWriteTheHooksSensorsOnly) {
@@ -332,7 +317,7 @@ TEST_F(HookprogTest, AnInstructionThatComesAgainDoesNotHideOneWithoutAnswer) {
   cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SEQUENCE, 6}});
   hello();
   events();
-  for (int i = 0; i < 14; ++i) {
+  for (int i = 0; i < 26; ++i) {
     write({{GLIDER_SCI_HOOK_SESSION, 4}, {GLIDER_SCI_HOOK_SEQUENCE, 7}});
     write({{GLIDER_SCI_HOOK_SESSION, 4}, {GLIDER_SCI_HOOK_SEQUENCE, 6}});
     run();
@@ -433,15 +418,15 @@ TEST_F(HookprogTest, AnInstructionThatHookbehDoesNotAnswerIsReportedOnce) {
   cycle({{GLIDER_X_HOOK_STATE, 3}, {GLIDER_X_HOOK_SEQUENCE, 6}});
   hello();
   events();
-  for (int i = 0; i < 30; ++i) {
-    write({{GLIDER_SCI_HOOK_SESSION, 4}, {GLIDER_SCI_HOOK_SEQUENCE, i < 15 ? 7.0 : 8.0}});
+  for (int i = 0; i < 50; ++i) {
+    write({{GLIDER_SCI_HOOK_SESSION, 4}, {GLIDER_SCI_HOOK_SEQUENCE, i < 30 ? 7.0 : 8.0}});
     say(answered());
     cycle({{GLIDER_X_HOOK_STATE, 3}});
-    EXPECT_EQ(events().size(), i == 12 ? 1U : 0U) << i;
+    EXPECT_EQ(events().size(), i == 23 ? 1U : 0U) << i;
   }
   EXPECT_EQ(last_event_.kind, Kind::SbcUnanswered);
   EXPECT_EQ(last_event_.a, 7U);
-  cycle({{GLIDER_X_HOOK_SEQUENCE, 8}});
+  cycle({{GLIDER_X_HOOK_SEQUENCE, 8}, {GLIDER_X_HOOK_ANSWER, 1}});
   for (int i = 0; i < 20; ++i) {
     say(answered());
     cycle();
@@ -527,10 +512,10 @@ TEST_F(HookprogTest, AClockThatIsSetBackDoesNotHideAnInstructionWithoutAnswer) {
   run();
   events();
   now_ = 6400;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 40; ++i) {
     say(answered());
     run();
-    EXPECT_EQ(events().size(), i == 12 ? 1U : 0U) << i;
+    EXPECT_EQ(events().size(), i == 24 ? 1U : 0U) << i;
   }
   EXPECT_EQ(last_event_.kind, Kind::SbcUnanswered);
 }

@@ -8,6 +8,7 @@
 #include "hooks/hookprog/hookprog.h"
 #include "tests/slocum.h"
 #include "tests/unit/hooks/line_ends.h"
+#include "tests/unit/hooks/vehicle_line.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,8 @@
 #include <set>
 #include <string>
 
-/// Client, hookprog, flight-science link and hookbeh joined over lines that lose and flip bytes.
+/// Client, hookprog and hookbeh joined: over a line that loses and flips bytes, and over the
+/// vehicle's own, whose values are late, each by itself.
 namespace glider::hooks {
 
 /// A serial line with a speed and noise, between two ends in memory.
@@ -42,8 +44,6 @@ class NoisyLine {
   void setDelay(double seconds) { delay_ = seconds; }
   /// Behind so great a share of the frames one that came before comes again, however old.
   void setReplays(double share) { replays_ = share; }
-  /// Longer frames do not get through to the right end.
-  void setLongestToRight(size_t bytes) { to_right_.longest = bytes; }
 
  private:
   struct UnderWay {
@@ -53,7 +53,6 @@ class NoisyLine {
   struct Way {
     std::vector<uint8_t> frame;  ///< as far as it has come
     std::deque<UnderWay> bytes;
-    size_t longest = SIZE_MAX;
     std::vector<std::vector<uint8_t>> earlier;
   };
 
@@ -81,8 +80,7 @@ class NoisyLine {
       }
       way.frame.push_back(byte);
       if (byte == 0) {
-        for (const uint8_t one :
-             way.frame.size() <= way.longest ? way.frame : std::vector<uint8_t>()) {
+        for (const uint8_t one : way.frame) {
           way.bytes.push_back({one, now_ + delay_});
         }
         replay(way);
@@ -104,8 +102,7 @@ class NoisyLine {
   MemoryLine right_;
 };
 
-/// The flight controller: a sensor array, hookbeh, a flight-science link, and a vehicle that moves
-/// as commanded.
+/// The flight controller: a sensor array, hookbeh, and a vehicle that moves as commanded.
 class FlightController {
  public:
   explicit FlightController(bool with_hookbeh = true)
@@ -117,17 +114,13 @@ class FlightController {
     return args;
   }
 
-  void cycle(const GliderByteStream& line) {
+  void cycle(VehicleLine& line) {
     time += 4;
     ++cycle_;
     depth = std::max(0.0, depth + (outputs.commanding ? (outputs.pump_cc < 0 ? 0.8 : -0.8) : 0.0));
-    SensorUpdate updates[64];
-    for (uint32_t count = 64; count == 64;) {
-      count = flight_science_link_.poll(line, updates, 64);
-      for (uint32_t i = 0; i < count; ++i) {
-        array_[updates[i].id] = updates[i].value;
-      }
-      received += count;
+    for (const SensorUpdate& update : line.atFlight()) {
+      array_[update.id] = update.value;
+      ++received;
     }
     if (with_hookbeh_) {
       outputs = hookbeh_.cycle(inputs());
@@ -171,7 +164,7 @@ class FlightController {
     return in;
   }
 
-  void report(const GliderByteStream& line) {
+  void report(VehicleLine& line) {
     std::vector<SensorUpdate> report{
         {GLIDER_M_DEPTH, depth}, {GLIDER_M_PITCH, 0.1}, {GLIDER_M_LAT, latitude()}};
     reported[static_cast<uint32_t>(cycle_)] = {static_cast<double>(static_cast<float>(depth)),
@@ -184,15 +177,12 @@ class FlightController {
     }
     report.push_back({GLIDER_M_PRESENT_SECS_INTO_MISSION, time});
     report.push_back({GLIDER_M_CYCLE_NUMBER, cycle_});
-    flight_science_link_.send(report.data(), static_cast<uint32_t>(report.size()));
-    SensorUpdate unused[1];
-    flight_science_link_.poll(line, unused, 0);
+    line.fromFlight(report);
   }
 
   /// Changes now and then, back and forth.
   double latitude() const { return 3910 + std::floor(cycle_ / 3) - 2 * std::floor(cycle_ / 6); }
 
-  FlightScienceLink flight_science_link_{gliderDictionary};
   Hookbeh hookbeh_;
   bool with_hookbeh_;
   std::map<uint16_t, double> array_;
@@ -278,7 +268,7 @@ class Mission {
     turn_ = (turn_ + 1) % 20;
     instruction.pitch_rad = (down_ ? -1 : 1) * (0.2 + 0.01 * turn_);
     const uint16_t sequence = client_.instruct(instruction);
-    told[sequence] = roundToArray(instruction);
+    told[sequence] = inSteps(instruction);
   }
 
   double give_back_s_;
@@ -293,24 +283,20 @@ class Mission {
 /// The whole vehicle for some seconds.
 class Vehicle {
  public:
+  /// `damage`: share of the bytes between SBC and science computer, and of the values between the
+  /// two computers of the vehicle.
   Vehicle(double damage, uint32_t seed, bool with_hookbeh = true)
-      : sbc_line(11520, damage, seed),
-        flight_line(960, damage, seed + 1000),
-        flight(with_hookbeh) {}
+      : sbc_line(11520, damage, seed), flight_line(seed + 1000), flight(with_hookbeh) {
+    flight_line.setLoss(damage);
+  }
 
   /// One second; `mission` may be null: no SBC.
   void second(Mission* mission) {
     if (now_ % 4 == 0) {
-      flight.cycle(flight_line.right());
+      flight.cycle(flight_line);
     }
-    flight_line.carry(1);
-    hookprog.run(now_,
-                 {nullptr,
-                  [](void*, uint16_t, bool* fresh) {
-                    *fresh = false;
-                    return 0.0;
-                  }},
-                 sbc_line.left(), flight_line.left());
+    flight_line.passTime(1);
+    hookprog.run(now_, flight_line.memory(), sbc_line.left());
     sbc_line.carry(0.5);
     if (mission != nullptr) {
       mission->step(sbc_line.right(), now_);
@@ -320,7 +306,7 @@ class Vehicle {
   }
 
   NoisyLine sbc_line;
-  NoisyLine flight_line;
+  VehicleLine flight_line;
   FlightController flight;
   Hookprog hookprog{gliderDictionary};
 

@@ -177,7 +177,7 @@ TEST(Messages, ValuesThatNoSenderWritesAreRefused) {
     EXPECT_FALSE(decode(frame, subscribe));
   }
 
-  encodeEmptyList(MessageType::Write, frame);
+  encodeEmptyList(frame);
   EXPECT_FALSE(appendValue(frame, {GLIDER_SENSOR_COUNT, 1}));
   EXPECT_EQ(frame.size, 1);
 }
@@ -202,7 +202,7 @@ TEST(Messages, WidthsKeepWhatTheSensorArrayKeeps) {
   };
   for (const Row& row : rows) {
     Frame frame;
-    encodeEmptyList(MessageType::Sensors, frame);
+    encodeEmptyList(frame);
     ASSERT_TRUE(appendValue(frame, {row.id, row.in}));
     SensorList list;
     ASSERT_TRUE(decodeList(frame, list));
@@ -217,7 +217,7 @@ TEST(Messages, WidthsKeepWhatTheSensorArrayKeeps) {
 
 TEST(Messages, AFullListReportsItAndStaysWhole) {
   Frame frame;
-  encodeEmptyList(MessageType::Sensors, frame);
+  encodeEmptyList(frame);
   uint32_t count = 0;
   while (appendValue(frame, {GLIDER_X_HOOK_STATE, 1})) {
     ++count;

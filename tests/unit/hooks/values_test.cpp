@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "hooks/protocol/instruction.h"
+#include "hooks/protocol/numbers.h"
+#include "hooks/protocol/steps.h"
 
 #include <gtest/gtest.h>
+
+#include <tuple>
 
 namespace glider::hooks {
 namespace {
@@ -23,22 +27,81 @@ Instruction example() {
   return instruction;
 }
 
-TEST(Values, RoundingIsWhatTheArrayDoesAndDoneOnce) {
-  const Instruction rounded = roundToArray(example());
-  EXPECT_EQ(rounded.depth_m, static_cast<double>(20.1F));
-  EXPECT_EQ(rounded.pitch_rad, static_cast<double>(-0.454F));
-  EXPECT_EQ(rounded.latitude_ddmm, 3910.5);
-  EXPECT_EQ(rounded.longitude_ddmm, -7349.8058);
-  EXPECT_EQ(roundToArray(rounded).depth_m, rounded.depth_m);
-  EXPECT_EQ(checkValue(rounded), checkValue(example()));
+TEST(Values, RealNumbersGoInWholeStepsOnceAndForAll) {
+  Instruction exact = example();
+  exact.depth_m = 20.10049;
+  exact.pitch_rad = -0.4537856;
+  exact.longitude_ddmm = -7349.805814;
+  const Instruction carried = inSteps(exact);
+  EXPECT_EQ(carried.depth_m, 20.1) << "a millimetre";
+  EXPECT_EQ(carried.pitch_rad, -0.45379);
+  EXPECT_EQ(carried.latitude_ddmm, 3910.5);
+  EXPECT_EQ(carried.longitude_ddmm, -7349.80581);
+  EXPECT_EQ(inSteps(carried).pitch_rad, carried.pitch_rad);
+  EXPECT_EQ(checkValue(carried), checkValue(exact));
+  EXPECT_NE(checkValue(carried), checkValue(example()));
+}
+
+TEST(Values, WhatAWordCannotCarryIsFarOut) {
+  const double nan = __builtin_nan("");
+  const double infinity = __builtin_inf();
+  Instruction instruction = example();
+  for (const auto& [value, depth, latitude] : {std::tuple{nan, -3000.0, -20000.0},
+                                               {infinity, 3000.0, 20000.0},
+                                               {-infinity, -3000.0, -20000.0},
+                                               {1e300, 3000.0, 20000.0}}) {
+    instruction.depth_m = instruction.latitude_ddmm = value;
+    EXPECT_EQ(inSteps(instruction).depth_m, depth);
+    EXPECT_EQ(inSteps(instruction).latitude_ddmm, latitude);
+    Instruction got;
+    EXPECT_TRUE(instructionOf(wordsOf(instruction), &got)) << "hookbeh refuses it by its limits";
+  }
+}
+
+TEST(Values, WordsThatAreNotOfAnInstructionAreNone) {
+  Instruction got;
+  ASSERT_TRUE(instructionOf(wordsOf(example()), &got));
+  for (const InstructionWord& one : kInstructionWords) {
+    InstructionWords words = wordsOf(example());
+    words.*one.word = __builtin_nan("");
+    EXPECT_FALSE(instructionOf(words, &got));
+    words = wordsOf(example());
+    words.*one.word += 1;
+    EXPECT_FALSE(instructionOf(words, &got));
+  }
+  InstructionWords words = wordsOf(example());
+  words.session += 0.25;
+  EXPECT_FALSE(instructionOf(words, &got)) << "not a whole number";
+}
+
+// In the middle between two steps, and a hair from there, after six decimals and a float32: each
+// word goes back to the step that was sent.
+TEST(Values, EveryStepSurvivesSixDecimalsAndTheArray) {
+  const auto cut = [](double x) {
+    return static_cast<double>(static_cast<int64_t>(x * 1e6)) / 1e6;
+  };
+  const auto survives = [&](double step, uint32_t per_unit, uint32_t bytes, double least,
+                            double most) {
+    const int64_t first = wholeSteps(least, per_unit);
+    const int64_t last = wholeSteps(most, per_unit);
+    for (int64_t i = first; i <= last; i += (last - first) / 100000 + 1) {
+      const double sent = static_cast<double>(i) / per_unit;
+      const double kept = bytes == 4 ? asFloat32(sent) : sent;
+      ASSERT_EQ(wholeSteps(cut(kept), per_unit, mostSteps(bytes)), i) << step;
+      ASSERT_EQ(wholeSteps(asFloat32(bytes == 4 ? cut(kept) : 0), per_unit), bytes == 4 ? i : 0);
+    }
+  };
+  survives(0.001, kMetreSteps, 4, 0, 1200);
+  survives(0.00001, kRadianSteps, 4, -6.28319, 6.28319);
+  survives(0.00001, kMinuteSteps, 8, -18000, 18000);
 }
 
 TEST(Values, TheReadmesCheckValue) {
-  EXPECT_EQ(checkValue(example()), 0x5F41);
+  EXPECT_EQ(checkValue(example()), 0xB9A4178BU);
 }
 
 TEST(Values, EveryFieldCounts) {
-  const uint16_t check = checkValue(example());
+  const uint32_t check = checkValue(example());
   auto changed = [&](auto&& change) {
     Instruction other = example();
     change(other);

@@ -81,7 +81,7 @@ TEST(LinkBytes, AnAnswerHoldsAllThatCanBeSaid) {
   encode(hooks::TransitionNotice{}, frame);
   bytes += 8 * onTheLine(frame);  // Client::kMostNotices
   uint64_t instruction = 0;
-  encodeEmptyList(hooks::MessageType::Write, frame);
+  encodeEmptyList(frame);
   for (const platforms::PlatformSensor& sensor : slocum().sensors) {
     if (hooks::isInstructionSensor(sensor.id)) {
       EXPECT_TRUE(appendValue(frame, {sensor.id, 1}));
@@ -101,39 +101,6 @@ TEST(LinkBytes, AnAnswerHoldsAllThatCanBeSaid) {
   }
   encode(note, frame);
   EXPECT_EQ(linkBytes(mission, slocum()).from_sbc, bytes + 8 * onTheLine(frame));
-}
-
-TEST(LinkBytes, TheSlowLineCarriesAllSensorsAndAnInstruction) {
-  uint64_t report = 0, instruction = 0;
-  hooks::Frame frame;
-  encodeEmptyList(hooks::MessageType::Sensors, frame);
-  for (const platforms::PlatformSensor& sensor : slocum().sensors) {
-    if (sensor.computer != platforms::Computer::Flight) {
-      continue;
-    }
-    if (!appendValue(frame, {sensor.id, 1})) {
-      report += onTheLine(frame);
-      encodeEmptyList(hooks::MessageType::Sensors, frame);
-      EXPECT_TRUE(appendValue(frame, {sensor.id, 1}));
-    }
-  }
-  report += onTheLine(frame);
-  encodeEmptyList(hooks::MessageType::Sensors, frame);
-  for (const platforms::PlatformSensor& sensor : slocum().sensors) {
-    if (hooks::isInstructionSensor(sensor.id)) {
-      EXPECT_TRUE(appendValue(frame, {sensor.id, 1}));
-    }
-  }
-  instruction = onTheLine(frame);
-  encodeEmptyList(hooks::MessageType::Sensors, frame);
-  EXPECT_TRUE(appendValue(frame, {slocum().find("sci_hook_heartbeat")->id, 1}));
-  const LinkBytes bytes = linkBytes(subscribing(1), slocum());
-  EXPECT_GE(bytes.to_science, report);
-  EXPECT_LE(bytes.to_science, report + 4 * 9)
-      << "a frame more for each part, one for another order, and no more";
-  EXPECT_EQ(bytes.to_flight, instruction + onTheLine(frame));
-  EXPECT_EQ(bytes.slow_line, 3840u);
-  EXPECT_EQ(bytes.fast_line, 46080u);
 }
 
 }  // namespace

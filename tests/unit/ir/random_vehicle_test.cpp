@@ -96,8 +96,8 @@ TEST(RandomVehicle, GoesOnFromWhereItIs) {
 }
 
 TEST(RandomVehicle, OvershootsWhereItIsTurned) {
-  // 80 s of sinking by 0.4 m/s, and the overshoot.
-  expectUpTo(3 + 32 + 5, depthsAfter([](RandomVehicle& vehicle) {
+  // 80 s of sinking by 0.4 m/s, 12 s more until the command takes effect, and the overshoot.
+  expectUpTo(3 + 32 + 4.8 + 5, depthsAfter([](RandomVehicle& vehicle) {
                vehicle.obey({commanded(Command::Descend, {50, 0.4})}, 0);
                fly(vehicle, 0, 80);
                vehicle.obey({commanded(Command::Descend, {20, 0.4})}, 80);

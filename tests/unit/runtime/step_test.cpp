@@ -307,8 +307,8 @@ TEST(Instruction, IsInTheArraysUnits) {
   gliderSteerTo(&c, 39.175, -73.83);
   const hooks::Instruction i = instructionFor(c);
   EXPECT_EQ(i.vertical, hooks::HookVertical::Descend);
-  EXPECT_EQ(i.depth_m, static_cast<double>(12.3F));
-  EXPECT_EQ(i.pitch_rad, static_cast<double>(-.454F));
+  EXPECT_EQ(i.depth_m, 12.3);
+  EXPECT_EQ(i.pitch_rad, -.454);
   EXPECT_NEAR(i.latitude_ddmm, 3910.5, 1e-9);
   EXPECT_NEAR(i.longitude_ddmm, -7349.8, 1e-9);
   EXPECT_EQ(degreesMinutesOf(std::nextafter(180.0, 0)), 18000) << "never 60 minutes";
@@ -318,11 +318,11 @@ TEST(Instruction, IsInTheArraysUnits) {
   gliderDriftFree(&c);
   EXPECT_EQ(instructionFor(c).heading_rad, 0);
   gliderSteer(&c, std::nextafter(2 * std::numbers::pi, 0));
-  EXPECT_EQ(instructionFor(c).heading_rad, 0) << "float32 would round it up past a full turn";
+  EXPECT_EQ(instructionFor(c).heading_rad, 0) << "the next whole step is past a full turn";
   for (const double angle : {-0.25, 0.25, 2 * std::numbers::pi}) {
     gliderFin(&c, angle);
     EXPECT_EQ(instructionFor(c).lateral, hooks::HookLateral::Fin);
-    EXPECT_EQ(instructionFor(c).heading_rad, static_cast<double>(static_cast<float>(angle)))
+    EXPECT_NEAR(instructionFor(c).heading_rad, angle, 0.000005)
         << "a fin that the vehicle must refuse is not 0";
   }
   gliderPump(&c, 233 * 1e-6);

@@ -3,18 +3,18 @@
 
 #pragma once
 
-#include "hooks/flight_science_link/flight_science_link.h"
 #include "hooks/hookbeh/hookbeh.h"
 #include "hooks/hookprog/hookprog.h"
 #include "hooks/transport/memory.h"
 #include "tests/slocum.h"
+#include "tests/unit/hooks/vehicle_line.h"
 
 #include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
 
-/// A vehicle on the bench: sensor array, hookbeh, flight-science link and hookprog as they are on
+/// A vehicle on the bench: sensor array, hookbeh and hookprog as they are on
 /// board, with no water round them. The SBC is polled after every second.
 namespace glider::runtime::testing {
 
@@ -69,12 +69,13 @@ class VehicleBench {
       if (std::fmod(now_, 4) == 0) {
         controlCycle();
       }
-      const hooks::ScienceSensors own{this, &VehicleBench::scienceSensor};
-      hookprog_.run(now_, own, sbc_line_.left(), flight_science_link_.left());
+      const auto own = [this](uint16_t id, bool* fresh) { return scienceSensor(id, fresh); };
+      hookprog_.run(now_, line_.memory(own), sbc_line_.left());
+      hookprog_.run(now_ + 1, line_.memory(own), sbc_line_.left());  // nothing more has come
       if (!line_is_cut) {
         sbc();
       }
-      hookprog_.run(now_, own, sbc_line_.left(), flight_science_link_.left());
+      hookprog_.run(now_ + 1, line_.memory(own), sbc_line_.left());
       for (hooks::SeatEvent e = hookprog_.nextEvent(); e.kind != hooks::SeatEvent::Kind::None;
            e = hookprog_.nextEvent()) {
         events.push_back(e);
@@ -90,10 +91,9 @@ class VehicleBench {
  private:
   double noise_ = 0;
 
-  static double scienceSensor(void* self, uint16_t id, bool* fresh) {
-    auto& bench = *static_cast<VehicleBench*>(self);
+  double scienceSensor(uint16_t id, bool* fresh) {
     *fresh = id == GLIDER_SCI_WATER_TEMP;
-    return id == GLIDER_SCI_WATER_TEMP ? bench.temperature(bench.now_) : NAN;
+    return id == GLIDER_SCI_WATER_TEMP ? temperature(now_) : NAN;
   }
 
   void controlCycle() {
@@ -121,13 +121,9 @@ class VehicleBench {
   }
 
   void receive() {
-    hooks::SensorUpdate updates[64];
-    for (uint32_t count = 64; count == 64;) {
-      count = flight_.poll(flight_science_link_.right(), updates, 64);
-      for (uint32_t i = 0; i < count; ++i) {
-        if (!forgets_sequence || updates[i].id != GLIDER_SCI_HOOK_SEQUENCE) {
-          array_[updates[i].id] = updates[i].value;
-        }
+    for (const hooks::SensorUpdate& update : line_.atFlight()) {
+      if (!forgets_sequence || update.id != GLIDER_SCI_HOOK_SEQUENCE) {
+        array_[update.id] = update.value;
       }
     }
   }
@@ -148,9 +144,7 @@ class VehicleBench {
     for (const uint16_t id : reports) {
       updates.push_back({id, array_[id]});
     }
-    (void)flight_.send(updates.data(), static_cast<uint32_t>(updates.size()));
-    hooks::SensorUpdate none[1];
-    (void)flight_.poll(flight_science_link_.right(), none, 0);
+    line_.fromFlight(updates);
   }
 
   [[nodiscard]] hooks::HookbehInputs inputs() const {
@@ -182,9 +176,8 @@ class VehicleBench {
   double array_[GLIDER_SENSOR_COUNT];
   hooks::Hookbeh hookbeh_;
   hooks::Hookprog hookprog_;
-  hooks::FlightScienceLink flight_{gliderDictionary};
   hooks::MemoryLine sbc_line_;
-  hooks::MemoryLine flight_science_link_;
+  hooks::VehicleLine line_;
   hooks::HookbehOutputs outputs_;
 };
 

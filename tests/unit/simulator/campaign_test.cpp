@@ -28,6 +28,7 @@ namespace {
 
 using Outcome = Verdict::Outcome;
 
+constexpr double kLag = 8;  // line_lag_s of the Slocum
 constexpr double kSilence = 24, kCampaignCycle = 4;
 
 constexpr FlightTimes kTimes = {1000, 30, 900, 30};
@@ -101,7 +102,8 @@ TEST(DrawFaults, EachKindOfTheLineIsThatAndNothingElse) {
       {FaultKind::Bursts, "bursts"},         {FaultKind::Delay, "delay"},
       {FaultKind::DoubledFrames, "doubled"}, {FaultKind::OldFrames, "replayed"},
       {FaultKind::HalfOpen, "cut"},          {FaultKind::LineCut, "cut"},
-      {FaultKind::BaudMismatch, "baud"},     {FaultKind::FlightScience, "cut"}};
+      {FaultKind::BaudMismatch, "baud"},     {FaultKind::FlightScience, "cut"},
+      {FaultKind::LateLine, "delay"}};
   for (const auto& [kind, wrong] : kinds) {
     for (uint64_t seed = 0; seed < 20; ++seed) {
       for (const LineFault& fault : drawFaults(kind, Manner::Once, seed, kTimes).faults.lines) {
@@ -219,7 +221,7 @@ TEST(Promises, AreThoseOfTheDocumentWordForWord) {
   ASSERT_NE(at, std::string::npos);
   const size_t begin = at + head.size();
   EXPECT_EQ(text.substr(begin, text.find("\n\n", begin) + 1 - begin),
-            promiseTable(kSilence, kCampaignCycle));
+            promiseTable({kSilence, kCampaignCycle, kLag}));
 }
 
 TEST(Promises, OfFaultsThatComeTogetherAreTheWeaker) {
@@ -244,13 +246,13 @@ TEST(StatedTimes, AreThoseOfTheWatchdogs) {
   faults.power = {{100, 200}};
   faults.lines = {{.when = {300, kForever}, .cut = true}, {.when = {0, 50}, .delay_s = 2}};
   faults.aborts = {500};
-  const StatedTimes stated = statedTimes(faults, kSilence, kCampaignCycle);
+  const StatedTimes stated = statedTimes(faults, {kSilence, kCampaignCycle, kLag});
   ASSERT_EQ(stated.releases.size(), 3U);
-  EXPECT_EQ(stated.releases[0].when.from_s, 100 + 32 + 2);
+  EXPECT_EQ(stated.releases[0].when.from_s, 100 + 40 + 2);
   EXPECT_EQ(stated.releases[0].when.to_s, 200);
-  EXPECT_EQ(stated.releases[1].when.from_s, 300 + 32 + 2);
+  EXPECT_EQ(stated.releases[1].when.from_s, 300 + 40 + 2);
   EXPECT_EQ(stated.releases[2].when.from_s, 500);
-  EXPECT_EQ(stated.most_standstill_s, 56 + 2);
+  EXPECT_EQ(stated.most_standstill_s, 64 + 2);
 }
 
 TEST(JudgedFlight, OfTheFakePilotIsGood) {

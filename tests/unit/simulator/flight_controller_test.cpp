@@ -3,8 +3,8 @@
 
 #include "simulator/slocum/flight/flight_controller.h"
 
+#include "hooks/extctl/decimal.h"
 #include "hooks/protocol/numbers.h"
-#include "hooks/transport/memory.h"
 #include "simulator/slocum/flight/skeleton.h"
 #include "simulator/slocum/own_mission.h"
 #include "tests/slocum.h"
@@ -56,7 +56,8 @@ class Controller {
   void fly(double seconds, const std::function<void()>& after) {
     for (const double end = now + seconds; now < end && !controller.end(); now += 4) {
       depth = vehicle.depth();
-      controller.cycle(now, ocean, vehicle, line.left());
+      line.setNow(now);
+      controller.cycle(now, ocean, vehicle, line);
       after();
       for (int i = 0; i < 16; ++i) {
         vehicle.step(ocean, now + 0.25 * i);
@@ -80,7 +81,7 @@ class Controller {
  public:
   Ocean ocean;
   Vehicle vehicle = slocumVehicle();
-  hooks::MemoryLine line;
+  FlightScienceLine line{{}, 1};
   Journal journal;
   FlightController controller;
   double now = 0, depth = 0;
@@ -158,15 +159,13 @@ TEST(FlightController, DepthStateByTheRateThatItReports) {
 
 TEST(FlightController, ScienceWritesItsOwnSensorsOnly) {
   Controller c(kFlownSurface + kFlownYo, 100);
-  hooks::FlightScienceLink science{gliderDictionary};
-  const hooks::SensorUpdate updates[] = {{GLIDER_M_BATTERY, 1.5},
-                                         {GLIDER_SCI_WATER_TEMP, 17.5},
-                                         {GLIDER_M_WATER_DEPTH, 3},
-                                         {GLIDER_X_MISSION_STATUS, 9}};
-  ASSERT_TRUE(science.send(updates, 4));
-  hooks::SensorUpdate none[1];
-  (void)science.poll(c.line.right(), none, 0);
-  c.fly(4, [] {});
+  for (const auto& [id, value] : {std::pair<uint16_t, double>{GLIDER_M_BATTERY, 1.5},
+                                  {GLIDER_SCI_WATER_TEMP, 17.5},
+                                  {GLIDER_M_WATER_DEPTH, 3},
+                                  {GLIDER_X_MISSION_STATUS, 9}}) {
+    c.line.to_flight.send({.id = id, .value = value});
+  }
+  c.fly(12, [] {});
   EXPECT_EQ(c.read(GLIDER_SCI_WATER_TEMP), 17.5);
   EXPECT_GT(c.read(GLIDER_M_BATTERY), 14);
   EXPECT_TRUE(std::isnan(c.read(GLIDER_M_WATER_DEPTH)));
@@ -175,21 +174,18 @@ TEST(FlightController, ScienceWritesItsOwnSensorsOnly) {
 
 TEST(FlightController, SendsWhatIsFreshOfItsOwn) {
   Controller c(kFlownSurface + kFlownYo, 100);
-  hooks::FlightScienceLink science{gliderDictionary};
   c.fly(200, [&] {
     std::map<uint16_t, double> got;
-    hooks::SensorUpdate updates[hooks::FlightScienceLink::kMostUpdates];
-    while (const uint32_t count = science.poll(c.line.right(), updates, 128)) {
-      for (uint32_t i = 0; i < count; ++i) {
-        got[updates[i].id] = updates[i].value;
-      }
+    c.line.setNow(c.now + 1);
+    while (const auto one = c.line.to_science.next()) {
+      got[one->id] = one->value;
     }
     const SensorArray& array = c.controller.array();
     for (uint16_t id = 0; id < array.size(); ++id) {
       const bool goes = !array.ofScience(id) && array.fresh(id) && !std::isnan(array.get(id));
       ASSERT_EQ(got.contains(id), goes) << id;
       if (goes) {
-        ASSERT_EQ(got[id], array.get(id)) << id;
+        ASSERT_EQ(got[id], hooks::extctl::asSixDecimals(array.get(id))) << id;
       }
     }
   });

@@ -295,7 +295,8 @@ TEST(Sampling, TheScienceComputerKeepsToThePeriods) {
   ASSERT_TRUE(platform);
   ScienceComputer science(*platform, 1, {}, makeHookprog(true));
   const Ocean ocean(OceanSettings{});
-  hooks::MemoryLine sbc, flight;
+  hooks::MemoryLine sbc;
+  FlightScienceLine line({}, 1);
   double now = 0, last = kNoSample;
   const auto readings = [&](double period_s) {
     SamplePeriods periods;
@@ -303,7 +304,7 @@ TEST(Sampling, TheScienceComputerKeepsToThePeriods) {
     science.sampleEvery(periods);
     int found = 0;
     for (const double end = now + 60; now < end; ++now) {
-      science.run(now, ocean, {10, 0, 0}, sbc.left(), flight.left());
+      science.run(now, ocean, {10, 0, 0}, sbc.left(), line);
       const double value = science.value(GLIDER_SCI_WATER_TEMP);
       found += !std::isnan(value) && value != last ? 1 : 0;
       last = value;

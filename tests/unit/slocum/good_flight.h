@@ -51,7 +51,7 @@ class GoodFlight {
   void instruct(uint32_t session, uint16_t sequence, hooks::HookControl control,
                 hooks::HookVertical vertical, double depth, bool arrives = true) {
     hooks::Frame frame;
-    hooks::encodeEmptyList(hooks::MessageType::Write, frame);
+    hooks::encodeEmptyList(frame);
     const double pitch = vertical == hooks::HookVertical::Ascend ? 0.4538 : -0.4538;
     const std::pair<uint16_t, double> words[] = {
         {GLIDER_SCI_HOOK_SESSION, session},

@@ -63,31 +63,31 @@ TEST_F(Judged, ANumberThatIsUsedForAnotherInstructionIsSeen) {
 TEST_F(Judged, ALostInstructionIsSeen) {
   take();
   instruct(1, 2, hooks::HookControl::Steer, 5);
-  fly(now_ + 56);
+  fly(now_ + 64);
   cycle(HookState::Silent);
   EXPECT_EQ(violation(), "") << "released in time";
   climb();  // nothing is in force
-  fly(now_ + 64);
-  EXPECT_EQ(violation(), "instruction 2 of session 1 is lost: no answer for 60 s");
+  fly(now_ + 72);
+  EXPECT_EQ(violation(), "instruction 2 of session 1 is lost: no answer for 68 s");
 }
 
 TEST_F(Judged, AMissionThatMakesNoProgressInControlIsSeen) {
   take();
-  for (int i = 0; i < 13; ++i) {
+  for (int i = 0; i < 15; ++i) {
     cycle(HookState::Active);
   }
   EXPECT_EQ(violation().find("made no progress"), std::string::npos);
   cycle(HookState::Active);
-  EXPECT_NE(violation().find("made no progress for 60 s"), std::string::npos) << violation();
+  EXPECT_NE(violation().find("made no progress for 68 s"), std::string::npos) << violation();
 }
 
 TEST_F(Judged, ControlBeyondTheStatedTimeIsSeen) {
   take();
-  fly(232);
+  fly(240);
   EXPECT_EQ(violation().find("no power"), std::string::npos);
-  fly(236);
+  fly(244);
   EXPECT_EQ(violation(), "the SBC is in control though the SBC has no power");
-  EXPECT_EQ(judge_.verdict().violation_s, 236);
+  EXPECT_EQ(judge_.verdict().violation_s, 244);
 }
 
 TEST_F(Judged, ControlWithoutAHandshakeIsSeen) {

@@ -41,7 +41,7 @@ class Judged : public testing::Test {
                 hooks::HookVertical vertical = hooks::HookVertical::Descend,
                 double pitch = kPitch) {
     hooks::Frame frame;
-    hooks::encodeEmptyList(hooks::MessageType::Write, frame);
+    hooks::encodeEmptyList(frame);
     const std::pair<uint16_t, double> words[] = {
         {GLIDER_SCI_HOOK_SESSION, session},
         {GLIDER_SCI_HOOK_CONTROL, static_cast<double>(control)},

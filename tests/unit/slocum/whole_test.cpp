@@ -31,13 +31,14 @@ platforms::Platform hull() {
   platform.world.tick_gap_s = 20;
   platform.world.start_depth_m = 3;
   platform.world.surface_depth_m = 2;
+  platform.world.line_lag_s = 8;
   return platform;
 }
 
-constexpr double kDeepest = 25;       // m, of the mission's commands
-constexpr double kLetsGo = 24 + 40;   // s: silence_secs and two cycles
-constexpr double kUnanswered = 120;   // s: six ticks
-constexpr double kClimb = 120 + 500;  // s, from 25 m
+constexpr double kDeepest = 25;          // m, of the mission's commands
+constexpr double kLetsGo = 24 + 40 + 8;  // s: silence_secs, two cycles and the line
+constexpr double kUnanswered = 120;      // s: six ticks
+constexpr double kClimb = 120 + 500;     // s, from 25 m
 
 class WholeOf : public ::testing::Test {
  protected:
@@ -150,8 +151,8 @@ TEST_F(WholeOf, TheLinesNameTheBehaviourTheTimeAndItsParts) {
   ASSERT_EQ(lines.size(), 6U);
   EXPECT_EQ(lines[0],
             "after `exit`, instructions that get no answer the vehicle is at the surface within "
-            "13 min 24 s, by behaviour 3 `surface` (start_when 1): 6 ticks without an answer 120 s "
-            "+ silence_secs 24 s + 2 cycles 40 s + turn 120 s + climb from 25 m 500 s");
+            "13 min 32 s, by behaviour 3 `surface` (start_when 1): 6 ticks without an answer 120 s "
+            "+ silence_secs 24 s + 2 cycles 40 s + line 8 s + turn 120 s + climb from 25 m 500 s");
 }
 
 TEST_F(WholeOf, ASkeletonWithoutTheIdleSurfaceIsAborted) {
@@ -423,7 +424,7 @@ TEST_F(WholeOf, TheSilenceMustBeAValidTime) {
     EXPECT_NE(refusal(kIdle + behaviour("hookbeh", std::string("silence_secs(s) ") + wrong)), "")
         << wrong;
   }
-  EXPECT_DOUBLE_EQ(seconds(kIdle + behaviour("hookbeh", "silence_secs(s) 100")), 100 + 40 + kClimb);
+  EXPECT_DOUBLE_EQ(seconds(kIdle + behaviour("hookbeh", "silence_secs(s) 100")), 100 + 48 + kClimb);
 }
 
 TEST_F(WholeOf, ThereIsOneHookbeh) {

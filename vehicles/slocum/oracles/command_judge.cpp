@@ -57,10 +57,14 @@ constexpr double kCreepsSecs = 380;  // one that gains it slowly: hookbeh may wa
 constexpr double kCommandJump = 4;   // m per cycle
 constexpr double kHeardSecs = 40;    // s: hookbeh's own, for which an echo counts fully
 constexpr double kStands = 0.3;      // m; a smaller gain counts as none
+constexpr double kLateSecs = 3;      // s, beyond the usual 8: in 11 s the vehicle sinks by 5 m
 constexpr double kCtdFades = 300;    // s; after a fault the CTD must agree again, at the surface
 constexpr double kExcused = 600;     // s after such a climb: to the surface, and back to the depth
 constexpr double kFarInCc = 100;     // a commanded pump that counts as a dive
-constexpr double kFullCircle = 6.283186;
+constexpr double kFullCircle = 6.283191;
+/// Instructions, and the limits that they are compared with, are whole numbers of so many parts of
+/// a radian and of a metre.
+constexpr double kAngle = 100000, kDepth = 1000;
 
 bool isAngle(double ddmm, double most) {
   return std::fabs(ddmm) <= most && std::fmod(std::fabs(ddmm), 100) <= 60;
@@ -84,8 +88,8 @@ bool sameVertical(const Instruction& a, const Instruction& b) {
 /// Accepted, or the reason for a refusal, according to the b_args.
 HookAnswer CommandJudge::boundsOf(const Instruction& instruction) const {
   const auto fits = [&](double pitch) {
-    return pitch >= hooks::asFloat32(s_.args.shallowest_pitch_rad) &&
-           pitch <= hooks::asFloat32(s_.args.steepest_pitch_rad);
+    return std::round(pitch * kAngle) >= std::round(s_.args.shallowest_pitch_rad * kAngle) &&
+           std::round(pitch * kAngle) <= std::round(s_.args.steepest_pitch_rad * kAngle);
   };
   const double depth = instruction.depth_m;
   const bool deep = instruction.vertical == HookVertical::Descend ||
@@ -94,7 +98,7 @@ HookAnswer CommandJudge::boundsOf(const Instruction& instruction) const {
   if (deep && !(depth >= 0 && std::isfinite(depth))) {
     return HookAnswer::BadCommand;
   }
-  if (deep && depth > hooks::asFloat32(s_.args.greatest_depth_m)) {
+  if (deep && std::round(depth * kDepth) > std::round(s_.args.greatest_depth_m * kDepth)) {
     return HookAnswer::TooDeep;
   }
   if ((instruction.vertical == HookVertical::Descend && !fits(-instruction.pitch_rad)) ||
@@ -114,8 +118,9 @@ HookAnswer CommandJudge::boundsOf(const Instruction& instruction) const {
     return HookAnswer::NotOnEarth;
   }
   if (instruction.lateral == HookLateral::Fin) {
-    const double most = hooks::asFloat32(s_.args.greatest_fin_rad);
-    return std::fabs(instruction.heading_rad) <= most ? HookAnswer::Accepted : HookAnswer::BadFin;
+    const double most = std::round(s_.args.greatest_fin_rad * kAngle);
+    return std::round(std::fabs(instruction.heading_rad) * kAngle) <= most ? HookAnswer::Accepted
+                                                                           : HookAnswer::BadFin;
   }
   const bool turns = instruction.lateral == HookLateral::Heading;
   return turns && !(std::fabs(instruction.heading_rad) <= kFullCircle) ? HookAnswer::BadCommand
@@ -416,11 +421,12 @@ std::string CommandJudge::judgeFollowing(const CycleView& view, double reading) 
 namespace {
 
 /// Whether frames are repeated on the line to the flight computer, or were until recently: they
-/// carry old readings of the CTD, which the hooks cannot distinguish from new ones.
+/// carry old readings of the CTD, which the hooks cannot distinguish from new ones, as does a line
+/// that is late.
 bool oldFramesReachFlight(const Faults& faults, double now_s) {
   return std::ranges::any_of(faults.lines, [&](const LineFault& fault) {
-    return fault.way == LineWay::ToFlight && fault.replayed > 0 && now_s >= fault.when.from_s &&
-           now_s < fault.when.to_s + kOldReading;
+    return fault.way == LineWay::ToFlight && (fault.replayed > 0 || fault.delay_s > kLateSecs) &&
+           now_s >= fault.when.from_s && now_s < fault.when.to_s + kOldReading;
   });
 }
 

@@ -31,7 +31,7 @@ hooks::Instruction instructionIn(const hooks::InstructionWords& words) {
 #define WORD(role, sensor, word, field, ...) \
   instruction.field = static_cast<decltype(instruction.field)>(words.word);
 #include "hooks/protocol/instruction.def"
-  return instruction;
+  return hooks::inSteps(instruction);
 }
 
 bool same(const hooks::InstructionWords& one, const hooks::InstructionWords& other) {
@@ -56,7 +56,7 @@ FlightJudge::FlightJudge(JudgeSetup setup)
       surface_(setup_),
       handshake_(setup_),
       last_end_s_(setup_.faults.lastEnd()),
-      stated_(statedTimes(setup_.faults, setup_.args.silence_secs, setup_.cycle_s)) {
+      stated_(statedTimes(setup_.faults, setup_.controlTimes())) {
   for_ever_ = std::ranges::any_of(
       stated_.releases, [](const Release& release) { return release.when.to_s == kForever; });
 }
@@ -216,7 +216,7 @@ void FlightJudge::judgeGarbled(const CycleView& view) {
       view.hook == HookState::Active &&
       view.array.get(Sensor::x_hook_answer) == static_cast<double>(hooks::HookAnswer::BadCheck);
   garbled_since_s_ = !garbled ? -1 : garbled_since_s_ < 0 ? view.time_s : garbled_since_s_;
-  const double most = releaseSecs(Control::Silent, setup_.args.silence_secs, setup_.cycle_s);
+  const double most = releaseSecs(Control::Silent, setup_.hookbehTimes());
   if (garbled && view.time_s - garbled_since_s_ > most) {
     violate(JudgeId::Times, view.time_s,
             fmt::format("the SBC is in control though its instruction is garbled "

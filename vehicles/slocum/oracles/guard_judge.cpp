@@ -150,7 +150,7 @@ std::string GuardJudge::judgeHeartbeat(const CycleView& view) {
   if (was_active && view.hook == HookState::Silent && isTooSoon(view, silent_s)) {
     return fmt::format("control ends after {:.0f} s of silence", silent_s);
   }
-  const double most = releaseSecs(Control::Silent, s_.args.silence_secs, s_.cycle_s);
+  const double most = releaseSecs(Control::Silent, s_.hookbehTimes());
   return wrong_clocks_ == 0 && view.hook == HookState::Active && silent_s > most
              ? fmt::format("the SBC is in control without a newer heartbeat for {:.0f} s", silent_s)
              : "";

@@ -37,7 +37,7 @@ std::string HandshakeJudge::cycle(const CycleView& view) {
   const bool waits = may_take && asks && !view.aborted && view.time_s > last_fault_s_ + kSettled &&
                      !isAnswered(view);
   waits_since_s_ = !waits ? -1 : waits_since_s_ < 0 ? view.time_s : waits_since_s_;
-  const double most = releaseSecs(Control::Unanswered, s_.args.silence_secs, s_.cycle_s);
+  const double most = releaseSecs(Control::Unanswered, s_.controlTimes());
   return waits && view.time_s - waits_since_s_ > most
              ? fmt::format("the SBC asks for control for {:.0f} s and gets no answer",
                            view.time_s - waits_since_s_)

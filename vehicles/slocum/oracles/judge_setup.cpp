@@ -113,6 +113,7 @@ JudgeSetup judgeSetup(const platforms::Platform& platform, const Scenario& scena
   setup.pump_cc = platform.envelope.pump_cc;
   setup.dictionary = std::make_shared<const platforms::Dictionary>(platform);
   setup.cycle_s = platform.envelope.cycle_s;
+  setup.line_lag_s = platform.world.line_lag_s;
   setup.turn_s = platform.world.turn_s;
   setup.slowest_climb_mps = platform.world.slowest_climb_m_s;
   setup.through_water_mps = platform.world.through_water_m_s;

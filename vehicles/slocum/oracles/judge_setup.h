@@ -31,6 +31,7 @@ struct JudgeSetup {
   double pump_cc = 0;        ///< the range of its pump
   std::shared_ptr<const platforms::Dictionary> dictionary;  ///< of its sensors; not null
   double cycle_s = 4;
+  double line_lag_s = 8;       ///< of the line between the vehicle's computers, at most
   double longest_cycle_s = 4;  ///< of a running flight controller
   double turn_s = 120;         ///< from the command to climb until the vehicle climbs
   double slowest_climb_mps = 0.05;
@@ -44,6 +45,12 @@ struct JudgeSetup {
   /// What holds while no sensor of the vehicle is wrong; empty: as `promise`.
   std::optional<Promise> whole;
 
+  /// The times of control, as the SBC sees them.
+  [[nodiscard]] ControlTimes controlTimes() const {
+    return {args.silence_secs, cycle_s, line_lag_s};
+  }
+  /// The same as hookbeh sees them: after the line.
+  [[nodiscard]] ControlTimes hookbehTimes() const { return {args.silence_secs, cycle_s, 0}; }
   /// What must hold at `now_s`. Before the first sensor is wrong, and some time after the last one,
   /// it is what holds without that fault; but what a mission does may depend on what it has read.
   [[nodiscard]] Promise promiseAt(double now_s) const;

@@ -17,9 +17,9 @@ bool isDead(const LineFault& fault) {
 
 }  // namespace
 
-StatedTimes statedTimes(const Faults& faults, double silence_s, double cycle_s) {
+StatedTimes statedTimes(const Faults& faults, const ControlTimes& times) {
   StatedTimes stated;
-  const double silent_after = releaseSecs(Control::Silent, silence_s, cycle_s);
+  const double silent_after = releaseSecs(Control::Silent, times);
   double delay_s = 0;
   for (const LineFault& fault : faults.lines) {
     delay_s += fault.delay_s;
@@ -35,6 +35,7 @@ StatedTimes statedTimes(const Faults& faults, double silence_s, double cycle_s) 
   all_dead(faults.port, "the SBC has no port");
   all_dead(faults.stuck, "the SBC's mission is stuck");
   all_dead(faults.science, "the science computer is down");
+  all_dead(faults.console, "a console suspends the line");
   for (const LineFault& fault : faults.lines) {
     if (isDead(fault)) {
       dead(fault.when, "a line is dead");
@@ -43,7 +44,7 @@ StatedTimes statedTimes(const Faults& faults, double silence_s, double cycle_s) 
   for (const double at_s : faults.aborts) {
     stated.releases.push_back({{at_s, kForever}, "the flight controller has aborted"});
   }
-  stated.most_standstill_s = releaseSecs(Control::Unanswered, silence_s, cycle_s) + delay_s;
+  stated.most_standstill_s = releaseSecs(Control::Unanswered, times) + delay_s;
   stated.most_unanswered_s = stated.most_standstill_s;
   return stated;
 }

@@ -26,7 +26,6 @@ struct StatedTimes {
   double most_unanswered_s = 0;
 };
 
-/// For a hookbeh whose `silence_secs` is `silence_s` and whose cycle takes `cycle_s`.
-StatedTimes statedTimes(const Faults& faults, double silence_s, double cycle_s);
+StatedTimes statedTimes(const Faults& faults, const ControlTimes& times);
 
 }  // namespace glider::slocum::oracles

@@ -25,9 +25,9 @@ using ir::prove::durationOf;
 constexpr size_t kMostStates = 6;
 
 /// The cycles are the longest possible: in the logs of real vehicles, one in 900 is three times as
-/// long as `cycle_s`.
+/// long as `cycle_s`. The last heartbeat is still on the line when the SBC fails.
 double letsGoWithin(const platforms::Platform& platform, const Silence& silence) {
-  return silence.seconds + 2 * platform.world.tick_gap_s;
+  return silence.seconds + 2 * platform.world.tick_gap_s + platform.world.line_lag_s;
 }
 
 std::string silentLine(const WayHome& home, const platforms::Platform& platform,

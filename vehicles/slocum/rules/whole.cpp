@@ -99,7 +99,10 @@ class Endings {
     const double gap = platform_.world.tick_gap_s;
     const uint32_t unanswered = hooks::Client::kMostUnansweredTicks;
     const Part heard{fmt::format("{} ticks without an answer", unanswered), unanswered * gap};
-    const std::vector<Part> let_go = {{"silence_secs", silence}, {"2 cycles", 2 * gap}};
+    std::vector<Part> let_go = {{"silence_secs", silence}, {"2 cycles", 2 * gap}};
+    if (platform_.world.line_lag_s > 0) {  // the last heartbeat is still on its way
+      let_go.push_back({"line", platform_.world.line_lag_s});
+    }
     const WayUp up = wayUp(layers_, vehicle_, platform_, all_.deepest_m);
     // A release that is lost is written again; if no answer comes, the SBC claims no control.
     add("`exit`", {heard}, let_go, up);

@@ -130,13 +130,7 @@ void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOu
     news_.push_back(out.masked == 0 ? News{EventId::CommandsFly}
                                     : News{EventId::CommandsMasked, {channels(out.masked)}});
   }
-  const bool decided = out.answer != HookAnswer::Accepted && out.answer != HookAnswer::None;
-  if (out.answered_sequence != answered_ && decided) {
-    const double number = out.answered_sequence;
-    news_.push_back(
-        {isOfTheLink(out.answer) ? EventId::InstructionIgnored : EventId::InstructionRefused,
-         {number, refusalText(out.answer, in, limits_)}});
-  }
+  noteAnswer(in, out);
   if (out.commanding && doing_ != out.doing) {
     const bool guards = out.guard != hooks::HookGuard::None;
     news_.push_back(
@@ -144,8 +138,30 @@ void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOu
   }
   state_ = out.state;
   masked_now_ = out.masked;
-  answered_ = out.answered_sequence;
   doing_ = out.commanding ? out.doing : hooks::Doing::Nothing;
+}
+
+/// The words of an instruction arrive one by one: it is news only if they stay incomplete for
+/// longer than the line takes.
+void HookbehAdapter::noteAnswer(const hooks::HookbehInputs& in, const hooks::HookbehOutputs& out) {
+  constexpr double kMostSpread = 12;  // s: the lag of the line, and a cycle
+  const bool garbled = out.answer == HookAnswer::BadCheck;
+  if (!garbled || out.answered_sequence != garbled_sequence_) {
+    garbled_since_s_ = in.time_s;
+    garbled_sequence_ = garbled ? out.answered_sequence : uint16_t{0};
+  }
+  if (garbled && in.time_s - garbled_since_s_ <= kMostSpread) {
+    return;
+  }
+  const bool news = out.answered_sequence != answered_ || out.answer != answer_;
+  if (news && out.answer != HookAnswer::Accepted && out.answer != HookAnswer::None) {
+    const double number = out.answered_sequence;
+    news_.push_back(
+        {isOfTheLink(out.answer) ? EventId::InstructionIgnored : EventId::InstructionRefused,
+         {number, refusalText(out.answer, in, limits_)}});
+  }
+  answered_ = out.answered_sequence;
+  answer_ = out.answer;
 }
 
 Behaviour::Outcome HookbehAdapter::fly(const Situation& situation, Commands& commands) {

@@ -33,6 +33,7 @@ class HookbehAdapter final : public Behaviour {
 
  private:
   void note(const hooks::HookbehInputs& in, const hooks::HookbehOutputs& out);
+  void noteAnswer(const hooks::HookbehInputs& in, const hooks::HookbehOutputs& out);
 
   hooks::HookbehArgs limits_;  ///< in effect
   hooks::Hookbeh hookbeh_;
@@ -40,6 +41,9 @@ class HookbehAdapter final : public Behaviour {
   hooks::HookState state_ = hooks::HookState::Waiting;
   uint8_t masked_now_ = 0;  ///< as last written to the journal
   uint16_t answered_ = 0;
+  hooks::HookAnswer answer_ = hooks::HookAnswer::None;
+  double garbled_since_s_ = 0;  ///< the words of `garbled_sequence_` do not fit together
+  uint16_t garbled_sequence_ = 0;
   hooks::Doing doing_ = hooks::Doing::Nothing;
   std::vector<News> news_;
 };

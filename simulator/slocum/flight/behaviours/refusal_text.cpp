@@ -49,7 +49,7 @@ std::string refusalText(HookAnswer answer, const hooks::HookbehInputs& in,
                         const hooks::HookbehArgs& args) {
   switch (answer) {
     case HookAnswer::BadCheck:
-      return "its check value does not match";
+      return "its words have not arrived whole: the check value does not match";
     case HookAnswer::TooDeep:
       return fmt::format("max_depth {:.6g} m refuses {} to {:.6g} m", args.greatest_depth_m,
                          wordFor(in.vertical), in.hook_depth_m);

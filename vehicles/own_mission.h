@@ -32,8 +32,9 @@ class OwnMission {
 
   /// Why a mission cannot be flown with it in a scenario of its own; empty: it can.
   [[nodiscard]] virtual std::string whyNotFlown() const { return ""; }
-  /// Widens `platform` to what a vehicle may do that flies this.
-  virtual void widen(platforms::Platform& /*platform*/) const {}
+  /// Widens `platform` to what a vehicle may do that flies this, with a mission that goes on after
+  /// an outage of its program of up to `outage_s`.
+  virtual void widen(platforms::Platform& /*platform*/, double /*outage_s*/) const {}
 
   /// Raises the time after which it ends by itself to `seconds`, for a flight of that length, if it
   /// is sooner; returns what it was, empty if it was not.

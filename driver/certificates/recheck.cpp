@@ -74,7 +74,9 @@ Result<compiler::Optimised> obeyedAsIn(const std::string& own_mission,
     return std::unexpected(own.error());
   }
   return compiler::optimise(
-      compiler::onVehicle(*mission.checked, [&](auto& vehicle) { (*own)->widen(vehicle); }));
+      compiler::onVehicle(*mission.checked, [&](platforms::Platform& vehicle) {
+        (*own)->widen(vehicle, mission.checked->mission().resume_within_s);
+      }));
 }
 
 }  // namespace

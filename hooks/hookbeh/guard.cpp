@@ -229,7 +229,8 @@ bool Guard::mayRelease(const HookbehArgs& args, const Instruction& in_force) con
     return hasClimbedFar() || ((alive || tries) && unseen_.deepest() <= kAtSurfaceM);
   }
   if (tripped_ == HookGuard::NoHeightGained) {
-    return tripped_depth_m_ - depth_m_ >= kClearM ||
+    const bool there = in_force.vertical == HookVertical::Actuators && depth_m_ <= kAtSurfaceM;
+    return tripped_depth_m_ - depth_m_ >= kClearM || there ||
            (hasTarget(in_force) && in_force.depth_m > depth_m_);
   }
   // At the surface it can climb no farther, wherever the limit was broken.

@@ -124,7 +124,9 @@ void UnseenSink::reckon(double step_s, const VerticalCommand& last) {
     reckonUnanswered(0, kClimbMps * step_s);
     in_dive_m_ = steeply_m_ = 0;
   } else if (since_up_s_ > kLiftsSecs) {
-    const double sunk_m = (sinks_ ? rateAt(last.pitch_rad) : kAdriftMps) * step_s;
+    // A battery at a fixed place may hold the nose down, and a hull that is not level sinks faster.
+    const bool level = !sinks_ && last.pitch_mode != PitchMode::Battery;
+    const double sunk_m = (level ? kAdriftMps : rateAt(last.pitch_rad)) * step_s;
     deepest_m_ += sunk_m;
     reckonUnanswered(sunk_m, 0);
     in_dive_m_ += dives ? rateAt(last.pitch_rad) * step_s : 0;

@@ -55,9 +55,11 @@ Vehicle ascended(const Setting& setting, SmtText& out, const Vehicle& before, co
   Vehicle after = before;
   after.top = out.real(choice(dives, operation("+", {x, literal(below)}), x));
   // A climb to elsewhere that is not obeyed yet may never be.
+  const Term old = operation(">=", {now, operation("+", {before.since, literal(lateBy(setting))})});
+  const bool by_port = setting.platform.world.command_s > 0;  // then a surfacing may end in a dive
+  const Term dived = operation(">=", {before.top, literal(kSurface)});
   const Term obeyed = disjunction(
-      {operation("=", {after.top, before.top}),
-       operation(">=", {now, operation("+", {before.since, literal(lateBy(setting))})})});
+      {operation("=", {after.top, before.top}), by_port ? conjunction({old, dived}) : old});
   const Term on =
       out.boolean(conjunction({before.climbing, operation(">=", {after.top, before.top}), obeyed}));
   const Term end = out.real(choice(on, before.deepest, endOfDive(setting, out, before)));

@@ -9,9 +9,6 @@
 
 namespace glider::runtime::extctl {
 
-/// A yo above this depth is none, m.
-constexpr double kLeastDive = 2;
-
 using hooks::HookAnswer;
 using hooks::HookControl;
 using hooks::HookState;
@@ -122,8 +119,7 @@ HookAnswer StandIn::decide(const hooks::Instruction& instruction) {
   if (instruction.vertical == hooks::HookVertical::Hover ||
       instruction.vertical == hooks::HookVertical::None ||
       instruction.vertical == hooks::HookVertical::Actuators ||
-      instruction.lateral == hooks::HookLateral::Fin ||
-      (instruction.vertical == hooks::HookVertical::Descend && instruction.depth_m < kLeastDive)) {
+      instruction.lateral == hooks::HookLateral::Fin) {
     return HookAnswer::BadCommand;  // no stock behaviour that the port can start does this
   }
   const HookAnswer within = hooks::checkBounds(instruction, bounds_);

@@ -15,6 +15,15 @@ using hooks::HookVertical;
 
 /// Commands to climb to less than this depth mean the surface, m.
 constexpr double kFloats = 1;
+/// So do commands to dive to less: a yo above this depth is none, m. To refuse them would leave a
+/// deeper dive in force.
+constexpr double kLeastDive = 2;
+
+/// As hookbeh does: where waves hide the depth, nothing is held.
+bool floats(const hooks::Instruction& instruction) {
+  return (instruction.vertical == HookVertical::Ascend && instruction.depth_m < kFloats) ||
+         (instruction.vertical == HookVertical::Descend && instruction.depth_m < kLeastDive);
+}
 
 /// The magnetic heading from `at` to the instruction's waypoint, rad; unknown if the place is.
 double headingTo(const hooks::Instruction& instruction, const Whereabouts& at) {
@@ -62,9 +71,7 @@ void climb(const hooks::Instruction& instruction, const GliderPortMission& port,
 void follow(const hooks::Instruction& instruction, const GliderPortMission& port,
             const Whereabouts& at, StockCommand& stock) {
   followLateral(instruction, port, at, stock);
-  // As hookbeh does: where waves hide the depth, nothing is held.
-  const bool floats = instruction.vertical == HookVertical::Ascend && instruction.depth_m < kFloats;
-  const HookVertical vertical = floats ? HookVertical::Surface : instruction.vertical;
+  const HookVertical vertical = floats(instruction) ? HookVertical::Surface : instruction.vertical;
   stock.surface = vertical == HookVertical::Surface;
   stock.modes &= ~static_cast<uint32_t>(kGliderPortModeSurface);
   switch (vertical) {

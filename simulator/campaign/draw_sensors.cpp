@@ -44,7 +44,7 @@ constexpr auto kHookSensors = std::to_array<Plausible>({
     {"sci_hook_heartbeat", 0, 100},
     {"sci_hook_session", 1, 4},
     {"sci_hook_control", 0, 3},
-    {"sci_hook_vertical", 0, 4},
+    {"sci_hook_vertical", 0, 5},
     {"sci_hook_depth", 0, 60},
     {"sci_hook_pitch", -0.6, 0.6},
     {"sci_hook_heading", 0, 6},

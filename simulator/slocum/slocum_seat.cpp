@@ -48,7 +48,7 @@ MakeProglet SlocumSeat::progletFor(const SeatSetup& setup) {
                           [this](const std::string& sensor, double value) {
                             line_.to_flight.send({.name = sensor, .value = value});
                           }},
-        ExtctlProglet::Settings{.virtual_time = !setup.real_time});
+        ExtctlProglet::Settings{.seed = setup.seed, .virtual_time = !setup.real_time});
   };
 }
 

@@ -129,7 +129,8 @@ PortWatch fly(const FlyingMission& mission, const PortFlight& flight, const Draw
     setup.kill_sbc_at_s = drawn.killed_s;
   }
   const flights::PortEnd port{flight.plan.port,
-                              static_cast<uint32_t>(flight.plan.extctl.sensors().size()) - 1};
+                              static_cast<uint32_t>(flight.plan.extctl.sensors().size()) - 1,
+                              flight.plan.extctl.baud};
   auto start = flights::startInProcess(
       mission.loaded, *flights::chooseParameters(mission.flown->mission, {}), true, nullptr, port);
   setup.sbc = *start();
@@ -284,7 +285,7 @@ TEST(PortFlights, StayWithinTheWorldThatProofsByThePortAssume) {
   const auto all = portMissions();
   const auto worlds = scenarios();
   platforms::Platform platform = slocum();
-  slocum::rules::widenForPort(platform);
+  slocum::rules::widenForPort(platform, 0);
   uint64_t ticks = 0;
   std::array<Use, kRules> most;
   for (uint64_t i = 0; i < count; ++i) {

@@ -67,8 +67,9 @@ support::Result<void> widen(Run& run) {
     return support::fail(support::diagnostics::skeletonErrors, run.options.own_mission, why);
   }
   auto& checked = run.file.compilation->checked;
-  checked =
-      compiler::onVehicle(*checked, [&](platforms::Platform& vehicle) { own->widen(vehicle); });
+  checked = compiler::onVehicle(*checked, [&](platforms::Platform& vehicle) {
+    own->widen(vehicle, run.mission().resume_within_s);
+  });
   run.file.compilation->lowered = checked->lowered;
   return {};
 }

@@ -89,7 +89,9 @@ std::optional<Shallowest> ShallowestCommands::of(StateId id) const {
       return std::nullopt;
     }
     const bool hovers = command->command == Command::Hover;
-    const double rise = hovers ? kHovering : platform.envelope.inflection_overshoot_m;
+    // By the port, what holds a depth is a yo.
+    const double rise =
+        hovers ? kHovering : platform.envelope.inflection_overshoot_m + platform.world.climb_hold_m;
     const double reading = target.lowest - rise - platform.world.depth_error_m;
     if (!least || reading < least->reading_m) {
       least = Shallowest{target.lowest, reading};

@@ -124,7 +124,11 @@ class VehicleRules {
   template <typename Vehicle, typename Number>
   [[nodiscard]] auto isObeyed(const Vehicle& before, const Vehicle& after,
                               const Number& now) const {
-    return now >= before.since + number(late_s_) || after.top == before.top;
+    const auto same = after.top == before.top;
+    const auto old = now >= before.since + number(late_s_);
+    // Where each depth crosses by itself, what follows a surfacing may begin with a dive.
+    return platform_.world.command_s > 0 ? (old && before.top >= number(kFloats)) || same
+                                         : old || same;
   }
 
   template <typename Number>

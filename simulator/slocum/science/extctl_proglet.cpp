@@ -21,8 +21,6 @@ namespace {
 
 using hooks::SeatEvent;
 
-/// A sensor that only the flight controller has needs so long until it is here, s.
-constexpr double kLeastDelay = 1, kMostDelay = 8;
 /// The line of the vendor's port, and of files in base64.
 constexpr size_t kMostLine = 820;
 /// An SBC that has written this is a backseat driver of glidercc: its state and a count.

@@ -5,6 +5,7 @@
 
 #include "hooks/extctl/sentence.h"
 #include "platforms/load/platform.h"
+#include "simulator/sensors/noise.h"
 #include "simulator/slocum/science/sbc_proglet.h"
 #include "vehicles/slocum/mission_files/extctl_file.h"
 
@@ -42,6 +43,8 @@ class ExtctlProglet final : public SbcProglet {
 
   /// An SBC that has written nothing for this long is lost, s.
   static constexpr double kSilence = 12;
+  /// A sensor that only the flight controller has needs so long until it is here, s.
+  static constexpr double kLeastDelay = 1, kMostDelay = 8;
 
  private:
   /// A sensor with an index on the port.

@@ -295,6 +295,8 @@ TEST(StockCommand, AClimbToLessThanAMetreIsToTheSurface) {
   follow({.vertical = hooks::HookVertical::Ascend, .depth_m = 1, .pitch_rad = 0.5}, kModes, {},
          command);
   EXPECT_FALSE(command.surface);
+  follow({.vertical = hooks::HookVertical::Descend, .depth_m = 1.9}, kModes, {}, command);
+  EXPECT_TRUE(command.surface) << "a yo above 2 m is none, and a deeper dive must not go on";
 }
 
 TEST(StockCommand, ATargetIsOneEndOfAYo) {

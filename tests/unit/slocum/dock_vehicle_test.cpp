@@ -28,8 +28,7 @@ using vehicles::DockVerdict;
 /// A vehicle that floats, with the vendor's proglet for the list `file`.
 class Vehicle final : public OtherEnd {
  public:
-  Vehicle(const DockBench& bench, const ExtctlFile& file)
-      : bench_(bench), file_(file), flight_(gliderDictionary) {
+  Vehicle(const DockBench& bench, const ExtctlFile& file) : bench_(bench), file_(file) {
     values["u_mission_param_l"] = bench.plan.port.program;
     start();
   }
@@ -60,7 +59,7 @@ class Vehicle final : public OtherEnd {
     if (ended_) {
       return "";
     }
-    proglet_->run(now_s, {this, own}, {this, read, write}, line_.right());
+    proglet_->run(now_s, {this, get, set}, {this, read, write});
     return changed(std::exchange(from_science_, {}), change);
   }
 
@@ -78,7 +77,7 @@ class Vehicle final : public OtherEnd {
  private:
   void start() {
     proglet_ = std::make_unique<simulator::ExtctlProglet>(
-        gliderDictionary, bench_.platform, file_,
+        bench_.platform, file_,
         simulator::ExtctlVehicle{
             .value =
                 [this](const std::string& name) {
@@ -90,21 +89,24 @@ class Vehicle final : public OtherEnd {
   }
   void cycle(double now_s) {
     const double heading = values.contains("u_mission_param_a") ? values["u_mission_param_a"] : 0;
-    const hooks::SensorUpdate updates[] = {{GLIDER_M_PRESENT_SECS_INTO_MISSION, now_s},
-                                           {GLIDER_M_GPS_MAG_VAR, 0.2},
-                                           {GLIDER_M_LAT, 3910.5 + now_s / 1e4},
-                                           {GLIDER_M_LON, -7346.8},
-                                           {GLIDER_M_DEPTH, depth_m},
-                                           {GLIDER_C_HEADING, obeys ? heading : 0.5},
-                                           {GLIDER_M_PRESENT_TIME, 1.79e9 + now_s}};
-    flight_.send(updates, static_cast<uint32_t>(std::size(updates)));
-    hooks::SensorUpdate none[8];
-    flight_.poll(line_.left(), none, 8);
+    memory_ = {{GLIDER_M_PRESENT_SECS_INTO_MISSION, now_s},
+               {GLIDER_M_GPS_MAG_VAR, 0.2},
+               {GLIDER_M_LAT, 3910.5 + now_s / 1e4},
+               {GLIDER_M_LON, -7346.8},
+               {GLIDER_M_DEPTH, depth_m},
+               {GLIDER_C_HEADING, obeys ? heading : 0.5},
+               {GLIDER_M_PRESENT_TIME, 1.79e9 + now_s}};
   }
-  static double own(void* self, uint16_t id, bool* fresh) {
+  static double get(void* self, uint16_t id, bool* fresh) {
+    const auto& vehicle = *static_cast<Vehicle*>(self);
     *fresh = true;
-    return id == GLIDER_SCI_WATER_TEMP ? 15 + static_cast<Vehicle*>(self)->science_s_ / 1000 : NAN;
+    const auto found = vehicle.memory_.find(id);
+    return id == GLIDER_SCI_WATER_TEMP      ? 15 + vehicle.science_s_ / 1000
+           : found == vehicle.memory_.end() ? NAN
+                                            : found->second;
   }
+  /// The program writes nothing that the science computer itself takes.
+  static void set(void* /*self*/, uint16_t /*id*/, double /*value*/) {}
   static int32_t read(void* self, uint8_t* bytes, uint32_t capacity) {
     auto& vehicle = *static_cast<Vehicle*>(self);
     uint32_t count = 0;
@@ -121,8 +123,7 @@ class Vehicle final : public OtherEnd {
 
   const DockBench& bench_;
   ExtctlFile file_;
-  hooks::FlightScienceLink flight_;
-  hooks::MemoryLine line_;
+  std::map<uint16_t, double> memory_;  ///< of the science computer, from the flight controller
   std::deque<uint8_t> to_science_;
   std::string from_science_;
   double science_s_ = -1, flight_s_ = -4;

@@ -10,6 +10,7 @@
 #include "platforms/load/load_platform.h"
 #include "support/source_manager.h"
 #include "vehicles/slocum/mission_files/read.h"
+#include "vehicles/slocum/rules/port/port_doubts.h"
 #include "vehicles/slocum/rules/port/port_masks.h"
 
 #include <gtest/gtest.h>
@@ -97,9 +98,18 @@ TEST(PortWhole, AYoAboveTheTimerIsRefused) {
 
 /// A damaged sentence may command any depth.
 TEST(PortWhole, AFileWithoutAFixedOverdepthIsRefused) {
-  for (const char* value : {"-1", "1000003"}) {
+  for (const char* value : {"-1", "1000003", "10000"}) {
     const std::string overdepth = std::string("overdepth(m) ") + value;
     EXPECT_THAT(refusal(changed(written(), "overdepth(m) 50", overdepth)), HasSubstr("any depth"))
+        << value;
+  }
+}
+
+TEST(PortWhole, AnOverdepthThatIsSeldomLookedAtIsRefused) {
+  for (const char* value : {"-1", "3600"}) {
+    EXPECT_THAT(refusal(changed(written(), "overdepth_sample_time(s) 15",
+                                std::string("overdepth_sample_time(s) ") + value)),
+                HasSubstr("any depth"))
         << value;
   }
 }
@@ -115,6 +125,54 @@ TEST(PortWhole, ADiveAboveTheSbcsYoIsRefused) {
 
 TEST(PortWhole, ASettingThatIsNotKnownIsRefused) {
   EXPECT_THAT(refusal("sensor: u_pitch_max(rad) 0.1\n" + written()), HasSubstr("u_pitch_max"));
+}
+
+/// What `text` keeps from being obeyed, the first of it.
+std::string doubtIn(const std::string& text) {
+  const MissionFile file = read(text);
+  const auto doubts = portDoubts(file, portFileOf(file, slocum()), slocum());
+  return doubts.empty() ? "" : doubts.front().what;
+}
+
+TEST(PortDoubts, TheWrittenFilesHaveNone) {
+  EXPECT_EQ(doubtIn(written()), "");
+  const auto modes = planPort("survey", "text", slocum(), {},
+                              {.release = Release::MissionModes, .greatest_depth_m = 200});
+  EXPECT_EQ(doubtIn(printPortMission(*modes)), "");
+  EXPECT_EQ(refusal(printPortMission(*modes)), "");
+}
+
+TEST(PortDoubts, AYoThatDoesNotFlyWhatTheSbcCommandsIsNamed) {
+  const struct {
+    const char* what;
+    const char* by;
+    const char* named;
+  } rows[] = {
+      {"c_bpump_value(X) 1000\n    b_arg: c_use_pitch(enum) 3\n    b_arg: c_pitch_value(X) 1000006",
+       "c_bpump_value(X) -1000\n    b_arg: c_use_pitch(enum) 3\n    b_arg: c_pitch_value(X) "
+       "1000006",
+       "c_bpump_value -1000"},
+      {"d_bpump_value(X) -1000", "d_bpump_value(X) -50", "d_bpump_value -50"},
+      {"c_pitch_value(X) 1000006", "c_pitch_value(X) 1000005", "takes its c_pitch_value"},
+      {"c_target_altitude(m) -1", "c_target_altitude(m) 5", "c_target_altitude 5"},
+      {"num_half_cycles_to_do(nodim) -1", "num_half_cycles_to_do(nodim) 4",
+       "num_half_cycles_to_do 4"},
+      {"d_use_pitch(enum) 3\n    b_arg: d_pitch_value(X) 1000005",
+       "d_use_pitch(enum) 3\n    b_arg: c_stop_when_stalled_for(s) 0\n    b_arg: "
+       "d_pitch_value(X) 1000005",
+       "c_stop_when_stalled_for 0"},
+      {"heading_value(X) 1000000", "heading_value(X) 1000001", "no `set_heading`"},
+      {"start_when(enum) 11", "start_when(enum) 5", "no `surface` starts"},
+      {"start_when(enum) 11", "start_when(enum) 15", "no `surface` starts"},
+      {"start_when(enum) 11\n    b_arg: end_action(enum) 2",
+       "start_when(enum) 11\n    b_arg: end_action(enum) 0", "end_action 0"},
+      {"u_mission_param_d(m) 3", "u_mission_param_d(m) 60", "u_mission_param_d is 60"},
+      {"u_mission_param_e(m) 1", "u_mission_param_e(m) 50", "u_mission_param_e is 50"},
+      {"sci_wants_surface(enum) 2", "sci_wants_surface(enum) 0", "sci_wants_surface is 0"},
+  };
+  for (const auto& [what, by, named] : rows) {
+    EXPECT_THAT(doubtIn(changed(written(), what, by)), HasSubstr(named)) << by;
+  }
 }
 
 TEST(PortMasks, WhatReplacesTheSbcsCommandsForATimeIsNamed) {
@@ -145,8 +203,8 @@ TEST(PortFile, AFileWithHookbehOrWithoutTheNumberIsNotOne) {
 
 TEST(PortFile, ByThePortTheVehicleObeysLaterAndHoldsBelow) {
   platforms::Platform wide = slocum();
-  widenForPort(wide);
-  EXPECT_EQ(wide.world.command_s, 2 * hooks::extctl::kSettleSecs + slocum().world.tick_gap_s);
+  widenForPort(wide, 300);
+  EXPECT_EQ(wide.world.command_s, 2 * hooks::extctl::kSettleSecs + slocum().world.tick_gap_s + 300);
   EXPECT_EQ(wide.world.climb_hold_m, 10);
   EXPECT_DOUBLE_EQ(wide.world.depth_error_m, 0.9 + 0.4 * 8);
 }

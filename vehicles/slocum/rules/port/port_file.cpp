@@ -25,6 +25,16 @@ bool isFrom(const BehaviourBlock& block, const char* argument, PortSensor parame
   return missionParameter(block.value(argument)) == static_cast<int>(parameter);
 }
 
+/// Whether overdepth bounds the depth: a number that the vehicle can reach, and looks at.
+bool isBound(const BehaviourBlock& abend, const platforms::Platform& platform) {
+  const double overdepth = abend.value("overdepth");
+  const double every = abend.value("overdepth_sample_time");
+  return overdepth >= 0 &&
+         overdepth <= platform.envelope.greatest_depth_m +
+                          kAbortsBelow * platform.envelope.inflection_overshoot_m &&
+         every >= 0 && every <= platform.world.tick_gap_s;
+}
+
 /// The `yo` between the two depths of the SBC.
 bool isDriven(const BehaviourBlock& block) {
   return block.name == "yo" && isFrom(block, "d_target_depth", PortSensor::DiveDepth) &&
@@ -40,11 +50,15 @@ bool isPortFile(const MissionFile& file) {
 
 PortFile portFileOf(const MissionFile& file, const platforms::Platform& platform) {
   PortFile port;
-  port.overdepth_m = abortsOf(file).overdepth_m;
+  const auto abend = std::ranges::find(file.behaviours, "abend", &BehaviourBlock::name);
+  if (abend != file.behaviours.end() && isBound(*abend, platform)) {
+    port.overdepth_m = abend->value("overdepth");
+  }
   port.deepest_m = std::numeric_limits<double>::infinity();
   if (port.overdepth_m) {
-    const auto abend = std::ranges::find(file.behaviours, "abend", &BehaviourBlock::name);
-    port.deepest_m = abortsWithin(*abend, platform);
+    // The hull's own limit is not kept by anything here.
+    const double below_m = *port.overdepth_m - platform.envelope.greatest_depth_m;
+    port.deepest_m = abortsWithin(*abend, platform) + std::max(0.0, below_m);
   }
   port.layers = layersOf(file, platform);
   for (Layer& layer : port.layers) {
@@ -82,8 +96,8 @@ VehicleFile portVehicleFile(const MissionFile& file, const std::string& path,
   return vehicle;
 }
 
-void widenForPort(platforms::Platform& platform) {
-  platform.world.command_s = 2 * hooks::extctl::kSettleSecs + platform.world.tick_gap_s;
+void widenForPort(platforms::Platform& platform, double outage_s) {
+  platform.world.command_s = 2 * hooks::extctl::kSettleSecs + platform.world.tick_gap_s + outage_s;
   platform.world.climb_hold_m = holdOf(platform);
   platform.world.depth_error_m += platform.envelope.vertical_rate_m_s * hooks::extctl::kCrossSecs;
 }

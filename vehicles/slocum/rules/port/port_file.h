@@ -37,8 +37,9 @@ VehicleFile portVehicleFile(const MissionFile& file, const std::string& path,
 
 /// Widens the vehicle to one that obeys by the port. The SBC's end needs time until a command is
 /// obeyed: a depth waits for a cycle in which those that it must not meet at the other end of the
-/// yo are over, and then crosses. A depth to which the vehicle has climbed is held by a yo below
-/// it. And what is read at a tick was so some seconds ago.
-void widenForPort(platforms::Platform& platform);
+/// yo are over, and then crosses. An outage of the program of up to `outage_s` may come between the
+/// two ends. A depth to which the vehicle has climbed is held by a yo below it. And what is read at
+/// a tick was so some seconds ago.
+void widenForPort(platforms::Platform& platform, double outage_s);
 
 }  // namespace glider::slocum::rules

@@ -3,7 +3,9 @@
 
 #include "vehicles/slocum/rules/port/port_mission.h"
 
+#include "ir/prove/context/duration_text.h"
 #include "support/diagnostics/ids/verification.h"
+#include "vehicles/slocum/rules/port/port_doubts.h"
 #include "vehicles/slocum/rules/port/port_file.h"
 #include "vehicles/slocum/rules/port/port_masks.h"
 #include "vehicles/slocum/rules/port/port_whole.h"
@@ -31,7 +33,9 @@ class PortOfSlocum final : public vehicles::OwnMission {
     return "in it the vehicle is steered by its port, not by hookbeh: `glidercc sim FOLDER` flies "
            "the folder that it belongs to";
   }
-  void widen(Platform& platform) const override { widenForPort(platform); }
+  void widen(Platform& platform, double outage_s) const override {
+    widenForPort(platform, outage_s);
+  }
 
   std::optional<double> raiseOvertime(double seconds) override {
     return slocum::raiseOvertime(behaviours_, seconds);
@@ -43,7 +47,12 @@ class PortOfSlocum final : public vehicles::OwnMission {
   }
 
   void checkDisturbances(const ir::Worlds& worlds, DiagnosticEngine& diagnostics) const override {
-    for (const Disturbance& one : portMasks(behaviours_, portOn(worlds.widest.platform))) {
+    const Platform& platform = worlds.widest.platform;
+    const PortFile port = portOn(platform);
+    for (const Disturbance& one : portDoubts(behaviours_, port, platform)) {
+      diagnostics.report(support::diagnostics::controlPrevented, one.range, one.what, one.change);
+    }
+    for (const Disturbance& one : portMasks(behaviours_, port)) {
       diagnostics.report(support::diagnostics::commandsMasked, one.range, one.what, one.change);
     }
   }
@@ -57,8 +66,8 @@ class PortOfSlocum final : public vehicles::OwnMission {
 
   [[nodiscard]] std::string premiseOf(const ir::WidestWorld& world,
                                       const DiagnosticEngine& diagnostics) const override {
-    return fmt::format("with {} by the port, which obeys within {:.0f} s{}",
-                       fileOn(world.platform).name, world.platform.world.command_s,
+    return fmt::format("with {} by the port, which obeys within {}{}", fileOn(world.platform).name,
+                       ir::prove::durationOf(world.platform.world.command_s),
                        onlyWhile("the SBC's commands fly", diagnostics));
   }
 

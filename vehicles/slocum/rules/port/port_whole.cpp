@@ -48,13 +48,15 @@ Whole portWhole(const MissionFile& vehicle, const PortFile& port,
     return all;
   }
   if (std::isinf(port.deepest_m)) {
-    all.endings.push_back({"any loss of control",
-                           {},
-                           "",
-                           "a damaged sentence on the line may command any depth, and abend has no "
-                           "fixed `overdepth`",
-                           "give abend an `overdepth` below the greatest depth of the mission",
-                           port.layers[port.driven - 1].range});
+    all.endings.push_back(
+        {"any loss of control",
+         {},
+         "",
+         "a damaged sentence on the line may command any depth, and abend has no "
+         "fixed `overdepth` that bounds it",
+         "give abend an `overdepth` of at most 10 m below what the vehicle can, and an "
+         "`overdepth_sample_time` of 15 s",
+         port.layers[port.driven - 1].range});
     return all;
   }
   const WayUp up = wayUp(port.layers, vehicle, platform, port.deepest_m);

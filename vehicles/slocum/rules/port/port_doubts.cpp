@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "vehicles/slocum/rules/port/port_doubts.h"
+
+#include "hooks/extctl/port.h"
+#include "runtime/abi/port_mission.h"
+#include "vehicles/slocum/mission_files/behaviour_catalogue.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+namespace glider::slocum::rules {
+namespace {
+
+using hooks::extctl::PortSensor;
+
+/// A b_arg that reads a mission parameter of the SBC.
+struct Read {
+  const char* argument;
+  PortSensor parameter;
+};
+constexpr Read kYoReads[] = {{"d_target_depth", PortSensor::DiveDepth},
+                             {"d_pitch_value", PortSensor::DivePitch},
+                             {"c_target_depth", PortSensor::ClimbDepth},
+                             {"c_pitch_value", PortSensor::ClimbPitch}};
+
+/// A b_arg that has this value, or is left out where that is what the vehicle takes.
+struct Fixed {
+  const char* argument;
+  double value;
+};
+constexpr Fixed kYoHas[] = {
+    {"start_when", 2},  {"stop_when", 5},         {"num_half_cycles_to_do", -1},
+    {"d_use_bpump", 2}, {"d_use_pitch", 3},       {"c_use_bpump", 2},
+    {"c_use_pitch", 3}, {"c_target_altitude", -1}};
+constexpr Fixed kHeadingHas[] = {{"use_heading", 1}, {"start_when", 0}, {"stop_when", 5}};
+
+/// What is in force before the first command: at the surface, and just below it.
+constexpr struct {
+  PortSensor parameter;
+  double value;
+} kAtFirst[] = {{PortSensor::DiveDepth, hooks::extctl::kFirstDiveDepth},
+                {PortSensor::ClimbDepth, hooks::extctl::kFirstClimbDepth}};
+
+class DoubtSearch {
+ public:
+  DoubtSearch(const MissionFile& vehicle, const PortFile& port, const platforms::Platform& platform)
+      : vehicle_(vehicle), port_(port), platform_(platform) {}
+
+  std::vector<Disturbance> run() {
+    yo(vehicle_.behaviours[port_.driven - 1], port_.layers[port_.driven - 1]);
+    heading();
+    surfacing();
+    atFirst();
+    return std::move(found_);
+  }
+
+ private:
+  void add(const support::SourceRange& range, std::string what) {
+    found_.push_back({Disturbance::Kind::Prevents, range, std::move(what),
+                      "write it as `glidercc build --dialect extctl` does"});
+  }
+
+  [[nodiscard]] static bool reads(const BehaviourBlock& block, const Read& read) {
+    return missionParameter(block.value(read.argument)) == static_cast<int>(read.parameter);
+  }
+  /// Compares what the arguments are with what they must be.
+  void fixed(const BehaviourBlock& block, const Layer& layer, const Fixed& fixed) {
+    const double value = block.value(fixed.argument);
+    if (value != fixed.value) {
+      add(layer.range, fmt::format("{} has {} {:.7g}, not {:.7g}", layer.label(), fixed.argument,
+                                   value, fixed.value));
+    }
+  }
+
+  void yo(const BehaviourBlock& block, const Layer& layer) {
+    for (const Read& read : kYoReads) {
+      if (!reads(block, read)) {
+        add(layer.range,
+            fmt::format("{} takes its {} not from the SBC's", layer.label(), read.argument));
+      }
+    }
+    for (const Fixed& one : kYoHas) {
+      fixed(block, layer, one);
+    }
+    for (const auto& [argument, sign] :
+         {std::pair{"d_bpump_value", -1.0}, {"c_bpump_value", 1.0}}) {
+      if (!(sign * block.value(argument) >= platform_.envelope.pump_cc / 2)) {
+        add(layer.range, fmt::format("{} has {} {:.7g}, which is less than half of the pump's way",
+                                     layer.label(), argument, block.value(argument)));
+      }
+    }
+    // A leg that is over too soon turns the vehicle where the SBC has not commanded it.
+    for (const char* argument : {"d_stop_when_stalled_for", "c_stop_when_stalled_for",
+                                 "d_stop_when_hover_for", "c_stop_when_hover_for"}) {
+      const KnownArgument* known = findBehaviour("yo")->find(argument);
+      if (known != nullptr && !(block.value(argument) >= known->fallback)) {
+        add(layer.range, fmt::format("{} has {} {:.7g}, less than the usual {:.7g}", layer.label(),
+                                     argument, block.value(argument), known->fallback));
+      }
+    }
+  }
+
+  void heading() {
+    for (const Layer& layer : port_.layers) {
+      const BehaviourBlock& block = vehicle_.behaviours[layer.number - 1];
+      if (block.name == "set_heading" && !block.lacks_file &&
+          reads(block, {"heading_value", PortSensor::Heading})) {
+        for (const Fixed& one : kHeadingHas) {
+          fixed(block, layer, one);
+        }
+        return;
+      }
+    }
+    add(port_.layers[port_.driven - 1].range,
+        "no `set_heading` takes its heading_value from the SBC's");
+  }
+
+  /// Started by sci_wants_surface or, where the vehicle has mission modes, by a bit of them.
+  [[nodiscard]] bool isWished(const BehaviourBlock& block) const {
+    const double code = block.value("start_when");
+    const bool modes = settingOf("u_mission_mode") != nullptr;
+    return modes ? code == 15 &&
+                       block.value("when_secs") == static_cast<double>(kGliderPortModeSurface)
+                 : code == 11;
+  }
+  void surfacing() {
+    for (const Layer& layer : port_.layers) {
+      const BehaviourBlock& block = vehicle_.behaviours[layer.number - 1];
+      if (layer.role != Role::Surfaces || !isWished(block)) {
+        continue;
+      }
+      constexpr double kResumes = 2;
+      if (block.value("end_action") != kResumes) {
+        fixed(block, layer, {"end_action", kResumes});
+      } else if (layer.number > port_.driven) {
+        add(layer.range, layer.label() + " stands below the `yo` of the SBC, which replaces it");
+      }
+      return;
+    }
+    add(port_.layers[port_.driven - 1].range,
+        "no `surface` starts when the SBC commands the surface");
+  }
+
+  [[nodiscard]] const Setting* settingOf(std::string_view name) const {
+    const auto found = std::ranges::find(vehicle_.sensors, name, &Setting::name);
+    return found == vehicle_.sensors.end() ? nullptr : &*found;
+  }
+  void atFirst() {
+    for (const auto& [parameter, value] : kAtFirst) {
+      const std::string name =
+          fmt::format("u_mission_param_{}", static_cast<char>('a' + static_cast<int>(parameter)));
+      initial(name, value);
+    }
+    if (settingOf("u_mission_mode") != nullptr) {
+      initial("u_mission_mode", static_cast<double>(kGliderPortModeSurface));
+    } else {
+      initial("sci_wants_surface", 2);
+    }
+  }
+  void initial(const std::string& name, double value) {
+    const Setting* setting = settingOf(name);
+    if (setting == nullptr || setting->value != value) {
+      add(setting != nullptr ? setting->value_range : port_.layers[port_.driven - 1].range,
+          fmt::format(
+              "before the SBC's first command {} is {}, not {:.7g}", name,
+              setting != nullptr ? fmt::format("{:.7g}", setting->value) : std::string("not set"),
+              value));
+    }
+  }
+
+  const MissionFile& vehicle_;
+  const PortFile& port_;
+  const platforms::Platform& platform_;
+  std::vector<Disturbance> found_;
+};
+
+}  // namespace
+
+std::vector<Disturbance> portDoubts(const MissionFile& vehicle, const PortFile& port,
+                                    const platforms::Platform& platform) {
+  return DoubtSearch(vehicle, port, platform).run();
+}
+
+}  // namespace glider::slocum::rules

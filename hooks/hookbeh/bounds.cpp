@@ -53,10 +53,13 @@ HookAnswer checkSlope(double depth, double steepness, const HookbehArgs& args) {
 }
 
 HookAnswer checkActuators(double pump_cc, double battery_in, const HookbehArgs& args) {
-  // Written so that a NaN is refused.
-  return !(magnitude(pump_cc) <= asFloat32(args.greatest_pump_cc))         ? HookAnswer::BadPump
-         : !(magnitude(battery_in) <= asFloat32(args.greatest_battery_in)) ? HookAnswer::BadBattery
-                                                                           : HookAnswer::Accepted;
+  // The words of the depth and the pitch, in their steps.
+  if (!isFinite(pump_cc) ||
+      inMillimetres(magnitude(pump_cc)) > inMillimetres(args.greatest_pump_cc)) {
+    return HookAnswer::BadPump;
+  }
+  const bool far = inAngleSteps(magnitude(battery_in)) > inAngleSteps(args.greatest_battery_in);
+  return !isFinite(battery_in) || far ? HookAnswer::BadBattery : HookAnswer::Accepted;
 }
 
 HookAnswer checkVertical(const Instruction& instruction, const HookbehArgs& args) {

@@ -165,7 +165,8 @@ TEST(HookbehActuators, GoOnAfterACheckOfTheDepth) {
   HookbehOutputs out;
   int checks = 0;
   for (int i = 0; i < 900; ++i) {
-    bench.inputs.depth_m += out.doing == Doing::CheckDepth ? -0.4 : 0.03;
+    const double step_m = out.doing == Doing::CheckDepth ? -0.4 : 0.03;
+    bench.inputs.depth_m = std::max(1.5, bench.inputs.depth_m + step_m);
     const Doing before = out.doing;
     out = bench.cycle();
     checks += before == Doing::CheckDepth && out.doing == Doing::Actuators ? 1 : 0;
@@ -173,6 +174,47 @@ TEST(HookbehActuators, GoOnAfterACheckOfTheDepth) {
         << wordsFor(out.doing);
   }
   EXPECT_GE(checks, 2);
+}
+
+/// A battery at a fixed place may hold the nose down: the vehicle may sink faster than a level
+/// hull.
+TEST(HookbehActuators, ANoseThatMayBeDownIsCheckedSoonerThanAHover) {
+  const auto cyclesTo = [](const Instruction& instruction) {
+    Bench bench = moved(0, 0);
+    bench.give(instruction);
+    for (int i = 1; i < 600; ++i) {
+      bench.inputs.depth_m = 20 + (i % 2 == 0 ? 0.01 : 0.02);
+      if (bench.cycle().doing == Doing::CheckDepth) {
+        return i;
+      }
+    }
+    return 600;
+  };
+  const int trimmed = cyclesTo(Bench::actuators(-59, 0.6));
+  Instruction hover = Bench::descend(20);
+  hover.vertical = HookVertical::Hover;
+  EXPECT_LT(trimmed, 0.8 * cyclesTo(hover));
+}
+
+/// There a climb can gain no height.
+TEST(HookbehActuators, DiveAfterAClimbThatGainedNoHeightAtTheSurface) {
+  Bench bench = moved(20, 0);
+  Instruction up = Bench::vertical(HookVertical::Ascend);
+  up.depth_m = 0.2;
+  up.pitch_rad = 0.4;
+  HookbehOutputs out = bench.give(up);
+  for (int i = 0; i < 90 && out.guard == HookGuard::None; ++i) {
+    bench.inputs.depth_m = i % 2 == 0 ? 0.6 : 0.61;  // it floats there: a swell, or an offset
+    out = bench.cycle();
+  }
+  ASSERT_EQ(out.guard, HookGuard::NoHeightGained);
+  out = bench.give(Bench::actuators(-200, 0));
+  for (int i = 0; i < 5; ++i) {
+    bench.inputs.depth_m = i % 2 == 0 ? 0.6 : 0.61;
+    out = bench.cycle();
+  }
+  EXPECT_EQ(out.guard, HookGuard::None);
+  EXPECT_EQ(out.doing, Doing::Actuators);
 }
 
 }  // namespace

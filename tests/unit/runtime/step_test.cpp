@@ -329,7 +329,7 @@ TEST(Instruction, IsInTheArraysUnits) {
   gliderBattery(&c, -0.6 * 0.0254);
   EXPECT_EQ(instructionFor(c).vertical, hooks::HookVertical::Actuators);
   EXPECT_EQ(instructionFor(c).depth_m, 233) << "not a bit more, which would be refused";
-  EXPECT_EQ(instructionFor(c).pitch_rad, static_cast<double>(-0.6F));
+  EXPECT_DOUBLE_EQ(instructionFor(c).pitch_rad, -0.6);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include "vehicles/slocum/rules/port/port_doubts.h"
 
 #include "hooks/extctl/port.h"
-#include "runtime/abi/port_mission.h"
 #include "vehicles/slocum/mission_files/behaviour_catalogue.h"
 
 #include <fmt/format.h>
@@ -18,6 +17,9 @@ namespace glider::slocum::rules {
 namespace {
 
 using hooks::extctl::PortSensor;
+
+/// The bit of u_mission_mode that commands the surface (kGliderPortModeSurface of the program).
+constexpr double kSurfaceMode = 1;
 
 /// A b_arg that reads a mission parameter of the SBC.
 struct Read {
@@ -125,9 +127,7 @@ class DoubtSearch {
   [[nodiscard]] bool isWished(const BehaviourBlock& block) const {
     const double code = block.value("start_when");
     const bool modes = settingOf("u_mission_mode") != nullptr;
-    return modes ? code == 15 &&
-                       block.value("when_secs") == static_cast<double>(kGliderPortModeSurface)
-                 : code == 11;
+    return modes ? code == 15 && block.value("when_secs") == kSurfaceMode : code == 11;
   }
   void surfacing() {
     for (const Layer& layer : port_.layers) {
@@ -158,7 +158,7 @@ class DoubtSearch {
       initial(name, value);
     }
     if (settingOf("u_mission_mode") != nullptr) {
-      initial("u_mission_mode", static_cast<double>(kGliderPortModeSurface));
+      initial("u_mission_mode", kSurfaceMode);
     } else {
       initial("sci_wants_surface", 2);
     }

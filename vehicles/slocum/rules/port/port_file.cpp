@@ -83,7 +83,7 @@ VehicleFile portVehicleFile(const MissionFile& file, const std::string& path,
   vehicle.commands.steepest_pitch_rad = hull.steepest_pitch_rad;
   vehicle.commands.shallowest_pitch_rad = hull.shallowest_pitch_rad;
   vehicle.commands.greatest_fin_rad = hull.fin_rad;
-  // The port has neither: checkPortCommands() says so.
+  // The port has neither: checkPortCommands() reports them.
   vehicle.commands.greatest_pump_cc = std::numeric_limits<double>::infinity();
   vehicle.commands.greatest_battery_in = std::numeric_limits<double>::infinity();
   if (vehicle.aborts.overdepth_m) {

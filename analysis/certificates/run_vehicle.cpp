@@ -105,8 +105,8 @@ void RunVehicle::ascend(double target, double now) {
   const double hold = platform_.world.climb_hold_m + platform_.envelope.inflection_overshoot_m;
   const double top = dives ? target + hold : target;
   // By the port each depth crosses by itself: what follows a surfacing may begin with a dive.
-  const bool settled = platform_.world.command_s <= 0 || top_ >= kSurface;
-  const bool old = settled && now >= since_ + lateBy();
+  const bool by_port = platform_.world.command_s > 0;
+  const bool old = !by_port || (top_ >= kSurface && now >= since_ + lateBy());
   const bool goes_on = climbing_ && top >= top_ && (top == top_ || old);
   const double end = goes_on ? deepest_ : endOfDive();
   deepest_ = dives ? std::max(top, end) : end;

@@ -54,12 +54,15 @@ Vehicle ascended(const Setting& setting, SmtText& out, const Vehicle& before, co
   const Term dives = out.boolean(operation(">=", {x, literal(kSurface)}));
   Vehicle after = before;
   after.top = out.real(choice(dives, operation("+", {x, literal(below)}), x));
-  // A climb to elsewhere that is not obeyed yet may never be.
-  const Term old = operation(">=", {now, operation("+", {before.since, literal(lateBy(setting))})});
-  const bool by_port = setting.platform.world.command_s > 0;  // then a surfacing may end in a dive
+  // By the port a climb to elsewhere that is not obeyed yet may never be, and each depth crosses by
+  // itself: what follows a surfacing may begin with a dive.
+  const Term old =
+      operation(">=", {now, operation("+", {before.since, literal(lateBy(setting))})});
   const Term dived = operation(">=", {before.top, literal(kSurface)});
-  const Term obeyed = disjunction(
-      {operation("=", {after.top, before.top}), by_port ? conjunction({old, dived}) : old});
+  const Term obeyed =
+      setting.platform.world.command_s > 0
+          ? disjunction({operation("=", {after.top, before.top}), conjunction({old, dived})})
+          : Term("true");
   const Term on =
       out.boolean(conjunction({before.climbing, operation(">=", {after.top, before.top}), obeyed}));
   const Term end = out.real(choice(on, before.deepest, endOfDive(setting, out, before)));

@@ -25,16 +25,15 @@ void tellHelp(const char* mission_name) {
        "  --port PATH  the line to the science computer (else ",
        defaultPort(),
        ")\n"
-       "  --baud N     its speed, bits/s (else 115200)\n"
-       "  --stdio      standard input and output instead\n"
-       "  --log FILE   write the log, for `glidercc log`\n"
-       "  --log-limit N  at N bytes (4096 or more) it becomes FILE.old (else 32 MiB)\n"
-       "  --checkpoint FILE  keep what a restart needs to go on\n"
-       "  --set NAME=VALUE   a parameter, as in --set bottom=20m\n"
-       "  --parameters FILE  the same in lines of a file; --set goes before it\n"
-       "  --version    which mission and runtime this is\n"
-       "status: 0 the mission ended, 1 wrong use, 2 wrong parameters, no port or its link lost,\n"
-       "  3 an internal check failed");
+       "  --baud N  its speed (115200)\n"
+       "  --stdio  standard input and output\n"
+       "  --log FILE  for `glidercc log`\n"
+       "  --log-limit N  bytes; then it becomes FILE.old (32 MiB)\n"
+       "  --checkpoint FILE  what a restart needs to go on\n"
+       "  --set NAME=VALUE  a parameter: bottom=20m\n"
+       "  --parameters FILE  the same, a line each\n"
+       "  --version\n"
+       "status: 0 ended, 1 wrong use, 2 parameters, port or link, 3 internal check");
 }
 
 }  // namespace

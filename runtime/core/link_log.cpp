@@ -78,11 +78,13 @@ void LinkLog::refusedCommands(const GliderContext& context) {
 }
 
 void LinkLog::damagedInput(const GliderContext& context, uint32_t sum) {
-  if (sum != told_damages_ && context.mission_time - told_damages_s_ >= kBetweenDamagesSecs) {
+  if (sum != told_damages_ && damage_told_ticks_ == 0) {
     log_.event(context.mission_time, LogEvent::DamagedInput, LogDetail::None,
                static_cast<double>(sum - told_damages_));
     told_damages_ = sum;
-    told_damages_s_ = context.mission_time;
+    damage_told_ticks_ = kBetweenDamages;
+  } else if (damage_told_ticks_ != 0) {
+    --damage_told_ticks_;
   }
 }
 

@@ -28,7 +28,7 @@ class LinkLog {
   /// What has arrived damaged since the start, as a sum. What is new is logged, at most once a
   /// minute: noise must not fill the log.
   void damagedInput(const GliderContext& context, uint32_t sum);
-  static constexpr double kBetweenDamagesSecs = 60;
+  static constexpr uint32_t kBetweenDamages = 15;
   /// A tick of the SBC's own clock.
   void silence(const GliderContext& context);
 
@@ -36,7 +36,7 @@ class LinkLog {
   MissionLog& log_;
   uint32_t told_refusals_ = 0;
   uint32_t told_damages_ = 0;
-  double told_damages_s_ = -kBetweenDamagesSecs;
+  uint32_t damage_told_ticks_ = 0;  ///< until more of it is logged
 };
 
 }  // namespace glider::runtime

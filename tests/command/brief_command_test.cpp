@@ -150,7 +150,7 @@ TEST_F(BriefCommand, TheSkeletonSaysWhenTheVehicleTakesOver) {
                       "b_arg: start_when(enum) 1\n");
   const Outcome outcome = brief(kBriefMission, "--skeleton skeleton.mi");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_THAT(textOf(page()), HasSubstr("the vehicle takes control within 2 min 20 s"));
+  EXPECT_THAT(textOf(page()), HasSubstr("the vehicle takes control within 2 min 28 s"));
 }
 
 TEST_F(BriefCommand, MissingCodeInCLeavesTheDigestOut) {

@@ -63,9 +63,9 @@ TEST(CheckReport, SaysTheWayHome) {
                         "power cuts of the SBC of up to 5 min 0 s, after at most 46 min 40 s\n"));
   EXPECT_THAT(
       outcome.out,
-      HasSubstr("\nif the SBC stops responding, hookbeh revokes control within 64 s (assuming "
+      HasSubstr("\nif the SBC stops responding, hookbeh revokes control within 72 s (assuming "
                 "silence_secs 24; see --mi); from at most 25 m deep, "
-                "the vehicle is at the surface within 11 min 24 s\n"));
+                "the vehicle is at the surface within 11 min 32 s\n"));
 }
 
 TEST(CheckReport, TakesTheSilenceFromTheVehiclesMissionFile) {
@@ -78,8 +78,8 @@ TEST(CheckReport, TakesTheSilenceFromTheVehiclesMissionFile) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(
       outcome.out,
-      HasSubstr("hookbeh revokes control within 340 s (silence_secs 300 from patient.mi); from at "
-                "most 25 m deep, the vehicle is at the surface within 16 min 0 s\n"));
+      HasSubstr("hookbeh revokes control within 348 s (silence_secs 300 from patient.mi); from at "
+                "most 25 m deep, the vehicle is at the surface within 16 min 8 s\n"));
 }
 
 TEST(CheckReport, RefusesAMissionFileThatSaysNoSilence) {
@@ -137,7 +137,7 @@ TEST(CheckReport, SaysWhereTheWayHomeIsShorter) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
               HasSubstr("from at most 35 m deep, the vehicle is at the surface within 14 min"));
-  EXPECT_THAT(outcome.out, HasSubstr("\n  in `first`: from at most 15 m, within 8 min 4 s\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("\n  in `first`: from at most 15 m, within 8 min 12 s\n"));
   EXPECT_THAT(outcome.out, testing::Not(HasSubstr("in `up`"))) << "it comes there from `deep`";
 }
 
@@ -264,7 +264,7 @@ TEST(CheckReport, TooMuchForALineIsAnError) {
       runShell("GLIDERCC_SHARE=" + share.string() + " $GLIDERCC check --report " + kReported);
   EXPECT_EQ(outcome.status, 1) << outcome.out;
   EXPECT_THAT(outcome.err, HasSubstr("[GL4014 line-overloaded]"));
-  EXPECT_THAT(outcome.err, HasSubstr("9600 baud"));
+  EXPECT_THAT(outcome.err, HasSubstr("115200 baud"));
 }
 
 }  // namespace

@@ -138,7 +138,7 @@ TEST(WholeGoldens, TheReportHasALineForEachEnding) {
                kMission);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, testing::HasSubstr("\nafter silence of the SBC the vehicle is at the "
-                                              "surface within 14 min 4 s, by behaviour 3 "
+                                              "surface within 14 min 12 s, by behaviour 3 "
                                               "`surface` (start_when 1): silence_secs 24 s"));
 }
 

@@ -112,7 +112,7 @@ TEST_P(CutTrim, IsCommandedAgainAfterAPowerCut) {
   const Flight flight =
       flyTrimmed(text, "\n[[faults.power]]\nfrom_s = 400\nto_s = 600\n", GetParam());
   ASSERT_EQ(flight.outcome.status, 0) << flight.outcome.err;
-  const auto before = during(flight, "m_ballast_pumped", 300, 395);
+  const auto before = during(flight, "m_ballast_pumped", 250, 300);
   EXPECT_NEAR(before.back(), -40, 1);
   EXPECT_GT(during(flight, "m_ballast_pumped", 500, 590).back(), 100) << "its own mission climbs";
   EXPECT_NEAR(during(flight, "m_ballast_pumped", 700, 800).back(), -40, 1);

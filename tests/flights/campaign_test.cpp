@@ -79,7 +79,7 @@ TEST(Campaign, FliesOneAgainAndItsFaultsAreAScenarios) {
   const std::string out = (folder.path() / "one").string();
   const std::string mission = project("missions/figure2.mission");
   const Outcome outcome =
-      runShell("$GLIDERCC campaign " + mission + " --boards 0 --only 12 -o " + out);
+      runShell("$GLIDERCC campaign " + mission + " --boards 0 --only 13 -o " + out);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("SBC power cut"));
   EXPECT_THAT(slurp(out + "/events.csv"), HasSubstr("the SBC is gone"));
@@ -317,7 +317,7 @@ TEST(Campaign, AViolationIsReportedAndIsAnError) {
   world.replace(world.find("21600"), 5, "2560");
   const auto scenario = folder.write("short.toml", world);
   const Outcome outcome = runShell("$GLIDERCC campaign " + project("missions/figure2.mission") +
-                                   " --flights 40 --boards 0 --scenario " + scenario.string());
+                                   " --flights 100 --boards 0 --scenario " + scenario.string());
   EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("the flight does not end in time"));
   EXPECT_THAT(outcome.out, HasSubstr("glidercc campaign " + project("missions/figure2.mission")));

@@ -73,7 +73,7 @@ std::vector<double> timesOf(const Flight& flight, const std::string& text) {
 }
 
 const std::string kNoContact =
-    argument("start_when", 12) + argument("when_secs", 5400) + argument("keystroke_wait_time", 300);
+    argument("start_when", 12) + argument("when_secs", 4500) + argument("keystroke_wait_time", 300);
 
 /// Rules 6 to 8.
 TEST(Surfacing, OfTheMissionHasAFixButNoContact) {
@@ -81,8 +81,8 @@ TEST(Surfacing, OfTheMissionHasAFixButNoContact) {
   const auto fixes = timesOf(flight, "fix"), calls = timesOf(flight, "surface_2 started");
   ASSERT_GE(fixes.size(), 2U);
   ASSERT_GE(calls.size(), 1U);
-  EXPECT_LT(fixes[0], 5400) << "the mission was up before";
-  EXPECT_NEAR(calls[0], 5408, 8) << "and yet there was no contact";
+  EXPECT_LT(fixes[0], 4500) << "the mission was up before";
+  EXPECT_NEAR(calls[0], 4508, 8) << "and yet there was no contact";
   // From the antenna's arrival to the fix.
   const auto depth = flight.column("true_depth"), time = flight.column("time");
   for (const double fix : fixes) {

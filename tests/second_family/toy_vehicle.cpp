@@ -24,7 +24,7 @@ class ToyMission final : public OwnMission {
     const auto depths = ir::prove::deepestByState(ir::prove::ProofContext(world));
     if (const double deepest = std::ranges::max(depths); deepest > deepest_m_) {
       diagnostics.report(support::diagnostics::vehicleRefuses, world.mission.states.front().range,
-                         "this mission", fmt::format("a depth of {:.4g} m", deepest),
+                         "this mission", fmt::format("a depth of {:.4g} m", deepest), "the toy",
                          fmt::format("more than {:.4g} m", deepest_m_), "the toy's file");
     }
   }

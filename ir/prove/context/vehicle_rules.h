@@ -124,11 +124,10 @@ class VehicleRules {
   template <typename Vehicle, typename Number>
   [[nodiscard]] auto isObeyed(const Vehicle& before, const Vehicle& after,
                               const Number& now) const {
-    const auto same = after.top == before.top;
-    const auto old = now >= before.since + number(late_s_);
-    // Where each depth crosses by itself, what follows a surfacing may begin with a dive.
-    return platform_.world.command_s > 0 ? (old && before.top >= number(kFloats)) || same
-                                         : old || same;
+    // By the port each depth crosses by itself: what follows a surfacing may begin with a dive.
+    const auto dived = before.top >= number(kFloats);
+    const auto old = now >= before.since + number(late_s_) && dived;
+    return platform_.world.command_s > 0 ? old || after.top == before.top : algebra_.truth(true);
   }
 
   template <typename Number>

@@ -224,7 +224,7 @@ TEST(FaultFlight, AfterAnAbortEachReportSaysThatHookbehIsComplete) {
   AbortOnlooker observer;
   setup.observer = &observer;
   fly(std::move(setup));
-  EXPECT_GT(observer.reports, 10);
+  EXPECT_GE(observer.reports, 10);
   EXPECT_GE(observer.complete + 1, observer.reports) << "the first may have been on its way";
 }
 

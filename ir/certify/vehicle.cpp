@@ -56,8 +56,7 @@ Vehicle ascended(const Setting& setting, SmtText& out, const Vehicle& before, co
   after.top = out.real(choice(dives, operation("+", {x, literal(below)}), x));
   // By the port a climb to elsewhere that is not obeyed yet may never be, and each depth crosses by
   // itself: what follows a surfacing may begin with a dive.
-  const Term old =
-      operation(">=", {now, operation("+", {before.since, literal(lateBy(setting))})});
+  const Term old = operation(">=", {now, operation("+", {before.since, literal(lateBy(setting))})});
   const Term dived = operation(">=", {before.top, literal(kSurface)});
   const Term obeyed =
       setting.platform.world.command_s > 0

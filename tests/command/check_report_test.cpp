@@ -107,7 +107,7 @@ TEST(CheckReport, TheWayHomeKnowsWhereVariablesAreEverSetTo) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out,
               HasSubstr("from at most 33 m deep, the vehicle is at the surface within 14 min "
-                        "4 s\n"));
+                        "12 s\n"));
 }
 
 TEST(CheckReport, SaysThatNoBoundIsKnownOfADepthThatMayBeAnything) {

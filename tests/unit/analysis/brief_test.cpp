@@ -228,14 +228,15 @@ TEST_F(BriefOf, VerdictsKeepTheirWordsPremisesAndReasons) {
 TEST_F(BriefOf, TheSummarySaysDepthStackAndWayHome) {
   EXPECT_THAT(
       brief().summary,
-      ElementsAre("The mission states no requirements.",
-                  "The commands lead at most 25 m deep, which includes an overshoot of up to 5 m "
-                  "when the vehicle turns.",
-                  "At most 1 state waits on the call stack (`first` calls `third`).",
-                  "If the payload computer (SBC) fails, the vehicle takes control within 1 min 12 s "
-                  "and is at the surface within 11 min 32 s, from at most 25 m (assuming "
-                  "silence_secs 24).",
-                  HasSubstr("After a power cut of the payload computer of up to 5 min 0 s")));
+      ElementsAre(
+          "The mission states no requirements.",
+          "The commands lead at most 25 m deep, which includes an overshoot of up to 5 m "
+          "when the vehicle turns.",
+          "At most 1 state waits on the call stack (`first` calls `third`).",
+          "If the payload computer (SBC) fails, the vehicle takes control within 1 min 12 s "
+          "and is at the surface within 11 min 32 s, from at most 25 m (assuming "
+          "silence_secs 24).",
+          HasSubstr("After a power cut of the payload computer of up to 5 min 0 s")));
 }
 
 TEST_F(BriefOf, DigestsAreOfTheTextsAndTheBinary) {

@@ -307,19 +307,20 @@ int checkForMachines(const CommandOptions& options) {
 
 /// If the only MISSION is a folder for a vehicle's port, what is in it is checked together.
 support::Result<void> lookIntoFolder(CommandOptions& options) {
-  if (options.missions.size() != 1 || !isPortFolder(options.missions.front())) {
+  const std::filesystem::path path = options.missions.front();
+  const auto found = portFolderAt(path);
+  if (!found) {
+    return std::unexpected(found.error());
+  }
+  if (options.missions.size() != 1 || !*found) {
     return {};
   }
-  const std::filesystem::path path = options.missions.front();
-  const auto folder = openPortFolder(path);
-  if (!folder) {
-    return std::unexpected(folder.error());
-  }
-  options.missions = {folder->mission.string()};
+  const PortFolder& folder = **found;
+  options.missions = {folder.mission.string()};
   if (options.mi.empty()) {
-    options.mi = folder->vehicle_mission.string();
+    options.mi = folder.vehicle_mission.string();
   }
-  const auto compiled = compiler::compileMission(folder->mission);
+  const auto compiled = compiler::compileMission(folder.mission);
   if (!compiled || !compiled->checked) {
     return {};  // the check says why
   }

@@ -419,16 +419,16 @@ namespace {
 
 /// If MISSION is a folder for a vehicle's port, what is in it is flown.
 support::Result<void> lookIntoFolder(SimOptions& options) {
-  if (!isPortFolder(options.mission)) {
-    return {};
-  }
-  const auto folder = openPortFolder(options.mission);
+  const auto folder = portFolderAt(options.mission);
   if (!folder) {
     return std::unexpected(folder.error());
   }
+  if (!*folder) {
+    return {};
+  }
   options.port_folder = options.mission;
-  options.mission = folder->mission.string();
-  options.mi = folder->vehicle_mission.string();
+  options.mission = (*folder)->mission.string();
+  options.mi = (*folder)->vehicle_mission.string();
   return {};
 }
 

@@ -34,7 +34,7 @@ RunVehicle::Depths RunVehicle::later(double from, double to) const {
     return depths;
   }
   depths.greatest = std::min(depths.greatest, deepest_);
-  const double climbed = to - since_ - platform_.world.command_s - platform_.world.turn_s;
+  const double climbed = to - since_ - platform_.world.command_delay_s - platform_.world.turn_s;
   if (climbing_ && climbed >= 0) {
     const double reached = deepest_ - platform_.world.slowest_climb_m_s * climbed;
     depths.greatest = std::min(depths.greatest, std::max({top_, 0.0, reached}));
@@ -45,7 +45,7 @@ RunVehicle::Depths RunVehicle::later(double from, double to) const {
 /// The time in which the vehicle obeys a command: the line, a cycle, and what the seat adds.
 double RunVehicle::lateBy() const {
   const platforms::EnvironmentModel& world = platform_.world;
-  return world.line_lag_s + platform_.envelope.cycle_s + world.command_s;
+  return world.line_lag_s + platform_.envelope.cycle_s + world.command_delay_s;
 }
 
 /// From now on, until a command that ends a dive is obeyed, and while the vehicle then turns.
@@ -105,7 +105,7 @@ void RunVehicle::ascend(double target, double now) {
   const double hold = platform_.world.climb_hold_m + platform_.envelope.inflection_overshoot_m;
   const double top = dives ? target + hold : target;
   // By the port each depth crosses by itself: what follows a surfacing may begin with a dive.
-  const bool by_port = platform_.world.command_s > 0;
+  const bool by_port = platform_.world.command_delay_s > 0;
   const bool old = !by_port || (top_ >= kSurface && now >= since_ + lateBy());
   const bool goes_on = climbing_ && top >= top_ && (top == top_ || old);
   const double end = goes_on ? deepest_ : endOfDive();

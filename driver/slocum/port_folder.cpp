@@ -220,6 +220,15 @@ support::Result<PortFolder> openPortFolder(const std::filesystem::path& path) {
   return read ? support::Result<PortFolder>(read->missions) : std::unexpected(read.error());
 }
 
+support::Result<std::optional<PortFolder>> portFolderAt(const std::filesystem::path& path) {
+  if (!isPortFolder(path)) {
+    return std::nullopt;
+  }
+  auto folder = openPortFolder(path);
+  return folder ? support::Result<std::optional<PortFolder>>(std::move(*folder))
+                : std::unexpected(folder.error());
+}
+
 support::Result<void> useRelease(const std::filesystem::path& folder,
                                  simulator::Scenario& scenario) {
   const auto read = readDescription(folder);

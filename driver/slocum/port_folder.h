@@ -45,6 +45,8 @@ support::Result<bool> writePortFolder(const PortOptions& options,
 bool isPortFolder(const std::filesystem::path& path);
 /// Reads it. GL5001, GL9001.
 support::Result<PortFolder> openPortFolder(const std::filesystem::path& path);
+/// If `path` is such a folder, reads it; empty if it is not.
+support::Result<std::optional<PortFolder>> portFolderAt(const std::filesystem::path& path);
 
 /// The vehicle of `scenario` reads its mission file as the release for which `folder` was written.
 support::Result<void> useRelease(const std::filesystem::path& folder,

@@ -13,17 +13,17 @@
 namespace glider::driver {
 namespace {
 
-/// What the value of an option is: "a time", its unit alone "seconds", and an example.
+/// What the value of an option is: "time", its unit alone "seconds", and an example.
 struct Kind {
   support::Dimension dimension;
   const char* word;   ///< of --help
-  const char* noun;   ///< with its article
+  const char* noun;   ///< "time"
   const char* plain;  ///< what a number alone is in
   const char* unit;   ///< of the bounds in messages
   const char* example;
 };
-constexpr Kind kTime = {support::dimension::time, "TIME", "a time", "seconds", "s", "90min"};
-constexpr Kind kDepth = {support::dimension::length, "DEPTH", "a depth", "metres", "m", "60m"};
+constexpr Kind kTime = {support::dimension::time, "TIME", "time", "seconds", "s", "90min"};
+constexpr Kind kDepth = {support::dimension::length, "DEPTH", "depth", "metres", "m", "60m"};
 
 /// "s, min, h or day".
 std::string unitNames(support::Dimension dimension) {
@@ -51,15 +51,15 @@ CLI::Option* addOption(CLI::App& command, const std::string& name, const Kind& k
             const auto number = quantityIn(text, kind.dimension);
             if (!number) {
               return fmt::format(
-                  "`{}` is not {}: write a number with {}, as in {}; a number alone is in {}", text,
-                  kind.noun, unitNames(kind.dimension), kind.example, kind.plain);
+                  "`{}` is not a {}: write a number with {}, as in {}; a number alone is in {}",
+                  text, kind.noun, unitNames(kind.dimension), kind.example, kind.plain);
             }
             return *number >= least && *number <= most
                        ? ""
                        : fmt::format("`{}` is not from {:g} {} to {:g} {}", text, least, kind.unit,
                                      most, kind.unit);
           },
-          "", kind.noun + 2));
+          "", kind.noun));
 }
 
 }  // namespace

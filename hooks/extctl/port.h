@@ -29,11 +29,8 @@ inline constexpr uint32_t kWrittenSensors = static_cast<uint32_t>(PortSensor::Pr
 inline constexpr double kFirstDiveDepth = 3;
 inline constexpr double kFirstClimbDepth = 1;
 
-/// How long a value may need between the vehicle's computers, s.
-inline constexpr double kCrossSecs = 8;
-
-/// How long a value may need from the SBC to the behaviours, s: two sentences lost, and then
-/// kCrossSecs. What must not overtake it waits as long.
+/// How long a value may need from the SBC to the behaviours, s: two sentences lost, and 8 s
+/// between the vehicle's computers. What must not overtake it waits as long.
 inline constexpr double kSettleSecs = 20;
 
 /// Vehicles take this many, newer ones twice as many.

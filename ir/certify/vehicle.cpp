@@ -24,7 +24,7 @@ Term smaller(SmtText& out, const Term& a, const Term& b) {
 /// The time in which the vehicle obeys a command.
 double lateBy(const Setting& setting) {
   const platforms::EnvironmentModel& world = setting.platform.world;
-  return world.line_lag_s + setting.platform.envelope.cycle_s + world.command_s;
+  return world.line_lag_s + setting.platform.envelope.cycle_s + world.command_delay_s;
 }
 
 /// Where a dive that is ended now may still get: the command needs its time, and the vehicle sinks
@@ -59,7 +59,7 @@ Vehicle ascended(const Setting& setting, SmtText& out, const Vehicle& before, co
   const Term old = operation(">=", {now, operation("+", {before.since, literal(lateBy(setting))})});
   const Term dived = operation(">=", {before.top, literal(kSurface)});
   const Term obeyed =
-      setting.platform.world.command_s > 0
+      setting.platform.world.command_delay_s > 0
           ? disjunction({operation("=", {after.top, before.top}), conjunction({old, dived})})
           : Term("true");
   const Term on =
@@ -100,7 +100,7 @@ Vehicle vehicleLater(const Setting& setting, SmtText& out, const Vehicle& before
   out.require(operation("<=", {operation("-", {before.depth, way}), after.depth,
                                operation("+", {before.depth, way})}));
   const Term climbed =
-      out.real(operation("-", {to, before.since, literal(world.command_s + world.turn_s)}));
+      out.real(operation("-", {to, before.since, literal(world.command_delay_s + world.turn_s)}));
   const Term reached =
       operation("-", {before.deepest, operation("*", {literal(world.slowest_climb_m_s), climbed})});
   out.require(implication(conjunction({before.climbing, operation(">=", {climbed, "0.0"})}),

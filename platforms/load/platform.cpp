@@ -213,10 +213,10 @@ Envelope readEnvelope(TomlReader& reader, bool flies) {
 }
 
 EnvironmentModel readWorld(TomlReader& reader) {
-  auto world =
-      readNumbers<EnvironmentModel>(reader, kWorld, {"line_lag_s", "command_s", "climb_hold_m"});
+  auto world = readNumbers<EnvironmentModel>(reader, kWorld,
+                                             {"line_lag_s", "command_delay_s", "climb_hold_m"});
   for (const auto& [key, field] : {std::pair{"line_lag_s", &EnvironmentModel::line_lag_s},
-                                   std::pair{"command_s", &EnvironmentModel::command_s},
+                                   std::pair{"command_delay_s", &EnvironmentModel::command_delay_s},
                                    std::pair{"climb_hold_m", &EnvironmentModel::climb_hold_m}}) {
     world.*field = reader.numberOr(key, 0);
     if (!(world.*field >= 0)) {

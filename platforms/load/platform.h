@@ -60,7 +60,8 @@ struct EnvironmentModel {
   double surface_depth_m = 0;    ///< down to this depth the vehicle is at the surface
   double slowest_climb_m_s = 0;  ///< the slowest vertical speed of a climb
   double turn_s = 0;             ///< from obeying the command to climb until it climbs
-  double command_s = 0;          ///< from a command of the mission until the vehicle obeys it
+  /// How much later than over the vehicle's line (line_lag_s and a cycle) a command is obeyed.
+  double command_delay_s = 0;
   double climb_hold_m = 0;       ///< how far below the end of a climb it may sink to hold it
   double depth_error_m = 0;      ///< the greatest error of a depth reading
   double tick_gap_s = 0;         ///< the longest time between two ticks of a mission

@@ -48,7 +48,7 @@ constexpr auto kHookSensors = std::to_array<Plausible>({
     {"sci_hook_depth", 0, 60},
     {"sci_hook_pitch", -0.6, 0.6},
     {"sci_hook_heading", 0, 6},
-    {"sci_hook_check", 0, 65535},
+    {"sci_hook_check", 0, 4294967295},
     {"sci_hook_sequence", 1, 65535},
 });
 /// Readings that none of these sensors can give.

@@ -59,7 +59,7 @@ ir::Mission missionOf(uint64_t seed) {
 platforms::Platform vehicleOf(uint64_t seed) {
   platforms::Platform vehicle = ir::slocum();
   if (seed % 3 == 0) {
-    vehicle.world.command_s = 60;
+    vehicle.world.command_delay_s = 60;
     vehicle.world.climb_hold_m = 10;
   }
   return vehicle;

@@ -72,7 +72,7 @@ void EnvironmentCheck::begin(double time_s, double depth_m, bool from_surface) {
 
 /// How far a dive goes on until the command that ends it is obeyed, m.
 double EnvironmentCheck::goesOn() const {
-  return world_.command_s * envelope_.vertical_rate_m_s;
+  return world_.command_delay_s * envelope_.vertical_rate_m_s;
 }
 
 void EnvironmentCheck::commandDown(double target_m, double depth_m) {
@@ -90,7 +90,7 @@ void EnvironmentCheck::commandUp(double target_m, double depth_m, double time_s)
   const bool hovers = target_m >= kToTheSurface;
   const double lowest_m = hovers ? target_m + beyond + world_.climb_hold_m : target_m;
   // It may have hovered, or not have obeyed the climb before: a new climb.
-  const bool early = climb_ && time_s - climb_->since_s < world_.command_s;
+  const bool early = climb_ && time_s - climb_->since_s < world_.command_delay_s;
   if (!climb_ || lowest_m < climb_->lowest_m || (early && lowest_m > climb_->lowest_m)) {
     deepest_m_ = std::min(deepest_m_, depth_m + goesOn() + beyond);
     climb_ = Climb{time_s, lowest_m};
@@ -115,7 +115,7 @@ void EnvironmentCheck::moved(double time_s, double depth_m) {
 }
 
 void EnvironmentCheck::holdClimb(double time_s, double depth_m) {
-  const double obeys_s = world_.command_s + world_.turn_s;
+  const double obeys_s = world_.command_delay_s + world_.turn_s;
   const double climbs_s = climb_ ? time_s - climb_->since_s - obeys_s : -1;
   if (climbs_s < 0) {
     return;

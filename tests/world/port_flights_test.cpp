@@ -25,7 +25,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <unistd.h>
@@ -228,7 +227,6 @@ class PortWorld final : public simulator::FlightObserver {
   bool cycle(const simulator::CycleView& view) override {
     now_s_ = view.time_s;
     depth_m_ = view.true_depth_m;
-    depths_.emplace_back(now_s_, depth_m_);
     if (begun_ && !over_) {
       world_.moved(now_s_, depth_m_);
     }
@@ -240,7 +238,6 @@ class PortWorld final : public simulator::FlightObserver {
     }
     if (!begun_) {
       begun_ = true;
-      began_s_ = now_s_;
       world_.begin(now_s_, depth_m_, true);
     }
     mission_time_ = context.mission_time;
@@ -272,8 +269,7 @@ class PortWorld final : public simulator::FlightObserver {
   }
 
   EnvironmentCheck world_;
-  std::vector<std::pair<double, double>> depths_;
-  double now_s_ = 0, depth_m_ = 0, began_s_ = 0;
+  double now_s_ = 0, depth_m_ = 0;
   double mission_time_ = -1;
   uint64_t ticks_ = 0;
   bool begun_ = false, over_ = false;
@@ -319,7 +315,6 @@ TEST(PortFlights, StayWithinTheWorldThatProofsByThePortAssume) {
   EXPECT_GT(ticks, count * 100);
   for (const Rule rule : {Rule::Deepest, Rule::Climb, Rule::Reading, Rule::Rate}) {
     EXPECT_GT(most.at(static_cast<size_t>(rule)).looks, count) << nameOf(rule);
-    std::printf("%s: %g\n", nameOf(rule), most.at(static_cast<size_t>(rule)).most);
   }
 }
 

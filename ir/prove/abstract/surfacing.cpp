@@ -275,7 +275,7 @@ class SurfacingSearch {
     const platforms::EnvironmentModel& world = proof_context_.platform.world;
     constexpr double kRoundedUp = 1 + 0x1p-40;
     const double way = std::max(0.0, depth - world.surface_depth_m);
-    return (world.command_s + world.turn_s + way / world.slowest_climb_m_s) * kRoundedUp;
+    return (world.command_delay_s + world.turn_s + way / world.slowest_climb_m_s) * kRoundedUp;
   }
 
   void followState(size_t at) {

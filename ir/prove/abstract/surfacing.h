@@ -20,7 +20,7 @@ namespace glider::ir::prove {
 /// since the last such tick grows, at most until the state is left (stayOf). A state *climbs* if it
 /// commands the surface whenever it becomes current, and no other depth while it is. From
 ///
-///     command_s + turn_s + (its greatest depth - surface_depth_m) / slowest_climb_m_s
+///     command_delay_s + turn_s + (its greatest depth - surface_depth_m) / slowest_climb_m_s
 ///
 /// after it became current on, every tick is one at the surface (ir/prove/encoding/world.h). So a
 /// state that climbs adds no more than that, and a trace that leaves it later starts from 0. The

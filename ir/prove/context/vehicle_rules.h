@@ -34,7 +34,8 @@ class VehicleRules {
       : algebra_(algebra),
         platform_(platform),
         overshoot_(algebra.number(platform.envelope.inflection_overshoot_m)),
-        late_s_(platform.world.line_lag_s + platform.envelope.cycle_s + platform.world.command_s),
+        late_s_(platform.world.line_lag_s + platform.envelope.cycle_s +
+                platform.world.command_delay_s),
         late_overshoot_(algebra.number(platform.envelope.vertical_rate_m_s * late_s_ +
                                        platform.envelope.inflection_overshoot_m)) {}
 
@@ -50,7 +51,7 @@ class VehicleRules {
   void move(const Vehicle& before, const Number& from, const Number& to, Limits& limits) const {
     const Number way = number(platform_.envelope.vertical_rate_m_s) * (to - from);
     const Number climbs =
-        to - before.since - number(platform_.world.command_s + platform_.world.turn_s);
+        to - before.since - number(platform_.world.command_delay_s + platform_.world.turn_s);
     const Number lifted = before.deepest - number(platform_.world.slowest_climb_m_s) * climbs;
     limits.atLeast(number(0));
     limits.atMost(before.deepest);
@@ -127,7 +128,8 @@ class VehicleRules {
     // By the port each depth crosses by itself: what follows a surfacing may begin with a dive.
     const auto dived = before.top >= number(kFloats);
     const auto old = now >= before.since + number(late_s_) && dived;
-    return platform_.world.command_s > 0 ? old || after.top == before.top : algebra_.truth(true);
+    return platform_.world.command_delay_s > 0 ? old || after.top == before.top
+                                               : algebra_.truth(true);
   }
 
   template <typename Number>

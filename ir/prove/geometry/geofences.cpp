@@ -26,7 +26,7 @@ double offLegs(const ProofContext& proof_context, bool by_heading, double time, 
   const platforms::EnvironmentModel& world = proof_context.platform.world;
   const double set =
       std::max(proof_context.platform.envelope.drift_m_s, world.surface_drift_m_s) * time;
-  const double astray = by_heading ? time : std::min(time, dark + world.command_s);
+  const double astray = by_heading ? time : std::min(time, dark + world.command_delay_s);
   return world.steering_error_m + set + world.through_water_m_s * astray;
 }
 

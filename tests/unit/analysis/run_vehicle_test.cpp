@@ -22,7 +22,7 @@ class ThreeVehicles {
  public:
   /// `late_s`: until it obeys a command.
   ThreeVehicles(uint64_t seed, double late_s) : platform_(slocum()), random_(seed) {
-    platform_.world.command_s = late_s;
+    platform_.world.command_delay_s = late_s;
     platform_.world.climb_hold_m = late_s / 4;
     const double depth = within(0, platform_.world.start_depth_m);
     rules_ = vehicleAtStart(setting_, out_);

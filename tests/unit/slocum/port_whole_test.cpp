@@ -204,7 +204,8 @@ TEST(PortFile, AFileWithHookbehOrWithoutTheNumberIsNotOne) {
 TEST(PortFile, ByThePortTheVehicleObeysLaterAndHoldsBelow) {
   platforms::Platform wide = slocum();
   widenForPort(wide, 300);
-  EXPECT_EQ(wide.world.command_s, 2 * hooks::extctl::kSettleSecs + slocum().world.tick_gap_s + 300);
+  EXPECT_EQ(wide.world.command_delay_s,
+            2 * hooks::extctl::kSettleSecs + slocum().world.tick_gap_s + 300);
   EXPECT_EQ(wide.world.climb_hold_m, 10);
   EXPECT_DOUBLE_EQ(wide.world.depth_error_m, 0.9 + 0.4 * 8);
 }

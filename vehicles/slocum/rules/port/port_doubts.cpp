@@ -5,6 +5,7 @@
 
 #include "hooks/extctl/port.h"
 #include "vehicles/slocum/mission_files/behaviour_catalogue.h"
+#include "vehicles/slocum/port_files/port_plan.h"
 
 #include <fmt/format.h>
 
@@ -18,8 +19,8 @@ namespace {
 
 using hooks::extctl::PortSensor;
 
-/// The bit of u_mission_mode that commands the surface (kGliderPortModeSurface of the program).
-constexpr double kSurfaceMode = 1;
+/// The bit of u_mission_mode that commands the surface.
+constexpr auto kSurfaceMode = static_cast<double>(kGliderPortModeSurface);
 
 /// A b_arg that reads a mission parameter of the SBC.
 struct Read {
@@ -71,12 +72,12 @@ class DoubtSearch {
   [[nodiscard]] static bool reads(const BehaviourBlock& block, const Read& read) {
     return missionParameter(block.value(read.argument)) == static_cast<int>(read.parameter);
   }
-  /// Compares what the arguments are with what they must be.
-  void fixed(const BehaviourBlock& block, const Layer& layer, const Fixed& fixed) {
-    const double value = block.value(fixed.argument);
-    if (value != fixed.value) {
-      add(layer.range, fmt::format("{} has {} {:.7g}, not {:.7g}", layer.label(), fixed.argument,
-                                   value, fixed.value));
+  /// Reports an argument that is not as it must be.
+  void compare(const BehaviourBlock& block, const Layer& layer, const Fixed& wanted) {
+    const double value = block.value(wanted.argument);
+    if (value != wanted.value) {
+      add(layer.range, fmt::format("{} has {} {:.7g}, not {:.7g}", layer.label(), wanted.argument,
+                                   value, wanted.value));
     }
   }
 
@@ -88,7 +89,7 @@ class DoubtSearch {
       }
     }
     for (const Fixed& one : kYoHas) {
-      fixed(block, layer, one);
+      compare(block, layer, one);
     }
     for (const auto& [argument, sign] :
          {std::pair{"d_bpump_value", -1.0}, {"c_bpump_value", 1.0}}) {
@@ -114,7 +115,7 @@ class DoubtSearch {
       if (block.name == "set_heading" && !block.lacks_file &&
           reads(block, {"heading_value", PortSensor::Heading})) {
         for (const Fixed& one : kHeadingHas) {
-          fixed(block, layer, one);
+          compare(block, layer, one);
         }
         return;
       }
@@ -137,7 +138,7 @@ class DoubtSearch {
       }
       constexpr double kResumes = 2;
       if (block.value("end_action") != kResumes) {
-        fixed(block, layer, {"end_action", kResumes});
+        compare(block, layer, {"end_action", kResumes});
       } else if (layer.number > port_.driven) {
         add(layer.range, layer.label() + " stands below the `yo` of the SBC, which replaces it");
       }

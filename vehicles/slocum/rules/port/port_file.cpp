@@ -51,13 +51,10 @@ bool isPortFile(const MissionFile& file) {
 PortFile portFileOf(const MissionFile& file, const platforms::Platform& platform) {
   PortFile port;
   const auto abend = std::ranges::find(file.behaviours, "abend", &BehaviourBlock::name);
-  if (abend != file.behaviours.end() && isBound(*abend, platform)) {
-    port.overdepth_m = abend->value("overdepth");
-  }
   port.deepest_m = std::numeric_limits<double>::infinity();
-  if (port.overdepth_m) {
+  if (abend != file.behaviours.end() && isBound(*abend, platform)) {
     // The hull's own limit is not kept by anything here.
-    const double below_m = *port.overdepth_m - platform.envelope.greatest_depth_m;
+    const double below_m = abend->value("overdepth") - platform.envelope.greatest_depth_m;
     port.deepest_m = abortsWithin(*abend, platform) + std::max(0.0, below_m);
   }
   port.layers = layersOf(file, platform);
@@ -97,9 +94,10 @@ VehicleFile portVehicleFile(const MissionFile& file, const std::string& path,
 }
 
 void widenForPort(platforms::Platform& platform, double outage_s) {
-  platform.world.command_s = 2 * hooks::extctl::kSettleSecs + platform.world.tick_gap_s + outage_s;
+  platform.world.command_delay_s =
+      2 * hooks::extctl::kSettleSecs + platform.world.tick_gap_s + outage_s;
   platform.world.climb_hold_m = holdOf(platform);
-  platform.world.depth_error_m += platform.envelope.vertical_rate_m_s * hooks::extctl::kCrossSecs;
+  platform.world.depth_error_m += platform.envelope.vertical_rate_m_s * platform.world.line_lag_s;
 }
 
 }  // namespace glider::slocum::rules

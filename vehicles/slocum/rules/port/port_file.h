@@ -9,7 +9,6 @@
 #include "vehicles/slocum/rules/vehicle_file.h"
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,8 +17,6 @@ namespace glider::slocum::rules {
 /// A mission file of the vehicle whose `yo` takes its arguments from mission parameters, which the
 /// SBC sets by the port for a backseat driver. Nothing in it watches the SBC.
 struct PortFile {
-  /// The vehicle aborts below it; empty: abend has no fixed overdepth.
-  std::optional<double> overdepth_m;
   std::vector<Layer> layers;  ///< the SBC's `yo` flies, without an end, to deepest_m
   size_t driven = 0;          ///< the number of the SBC's `yo`, from 1
   double deepest_m = 0;       ///< for any command of the SBC; infinite without an overdepth

@@ -67,7 +67,7 @@ class PortOfSlocum final : public vehicles::OwnMission {
   [[nodiscard]] std::string premiseOf(const ir::WidestWorld& world,
                                       const DiagnosticEngine& diagnostics) const override {
     return fmt::format("with {} by the port, which obeys within {}{}", fileOn(world.platform).name,
-                       ir::prove::durationOf(world.platform.world.command_s),
+                       ir::prove::durationOf(world.platform.world.command_delay_s),
                        onlyWhile("the SBC's commands fly", diagnostics));
   }
 

@@ -72,7 +72,8 @@ void EnvironmentCheck::begin(double time_s, double depth_m, bool from_surface) {
 
 /// How far a dive goes on until the command that ends it is obeyed, m.
 double EnvironmentCheck::goesOn() const {
-  return world_.command_delay_s * envelope_.vertical_rate_m_s;
+  const double late_s = world_.line_lag_s + envelope_.cycle_s + world_.command_delay_s;
+  return late_s * envelope_.vertical_rate_m_s;
 }
 
 void EnvironmentCheck::commandDown(double target_m, double depth_m) {

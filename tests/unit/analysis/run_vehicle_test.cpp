@@ -31,8 +31,8 @@ class ThreeVehicles {
     limits_ = prove::DepthLimits(platform_, depth);
   }
 
-  /// A dive, a climb, and within the time in which that is obeyed another climb, which is no
-  /// higher: the first may never be obeyed.
+  /// A dive, a climb, and within the time in which that is obeyed another climb to a deeper
+  /// end: the first may never be obeyed.
   void climbTwice() {
     obey(Command::Descend, within(30, 60));
     move(600);

@@ -1,87 +1,112 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#pragma once
+#ifndef GLIDER_HOOKS_PROTOCOL_BYTES_H
+#define GLIDER_HOOKS_PROTOCOL_BYTES_H
 
-#include <stdint.h>
+#include "hooks/protocol/language.h"
 
 /// Little-endian numbers in byte arrays, the same on every board.
+GLIDER_HOOKS_BEGIN
+
+/// The bits of a number; one NaN on the line, for any NaN of the CPU.
+uint32_t hookBitsOfFloat(float value);
+uint64_t hookBitsOfDouble(double value);
+float hookFloatOf(uint32_t bits);
+double hookDoubleOf(uint64_t bits);
+
+/// Appends to a byte array; what does not fit is dropped and `fits` becomes false.
+typedef struct HookByteWriter {
+  uint8_t* bytes;
+  uint32_t capacity;
+  uint32_t size;
+  bool fits;
+} HookByteWriter;
+
+HookByteWriter hookWriterTo(uint8_t* bytes, uint32_t capacity);
+/// The lowest `width` bytes of `value`.
+void hookWrite(HookByteWriter* writer, uint64_t value, uint32_t width);
+void hookWriteF32(HookByteWriter* writer, float value);
+void hookWriteF64(HookByteWriter* writer, double value);
+
+/// Reads a byte array; past its end every number is zero and `good` becomes false.
+typedef struct HookByteReader {
+  const uint8_t* bytes;
+  uint32_t count;
+  uint32_t at;
+  bool good;
+} HookByteReader;
+
+HookByteReader hookReaderOf(const uint8_t* bytes, uint32_t count);
+/// A number of `width` bytes.
+uint64_t hookRead(HookByteReader* reader, uint32_t width);
+uint8_t hookReadU8(HookByteReader* reader);
+uint16_t hookReadU16(HookByteReader* reader);
+uint32_t hookReadU24(HookByteReader* reader);
+uint32_t hookReadU32(HookByteReader* reader);
+float hookReadF32(HookByteReader* reader);
+double hookReadF64(HookByteReader* reader);
+void hookSkip(HookByteReader* reader, uint32_t count);
+/// True when every number was there and nothing is left over.
+bool hookIsAllRead(const HookByteReader* reader);
+
+GLIDER_HOOKS_END
+
+#ifdef __cplusplus
 namespace glider::hooks {
 
 inline uint32_t bitsOf(float value) {
-  if (value != value) {
-    return 0x7FC00000U;  // one NaN on the line, for any NaN of the CPU
-  }
-  uint32_t bits = 0;
-  __builtin_memcpy(&bits, &value, sizeof bits);
-  return bits;
+  return hookBitsOfFloat(value);
 }
-
 inline uint64_t bitsOf(double value) {
-  if (value != value) {
-    return 0x7FF8000000000000U;
-  }
-  uint64_t bits = 0;
-  __builtin_memcpy(&bits, &value, sizeof bits);
-  return bits;
+  return hookBitsOfDouble(value);
 }
 
-inline float floatOf(uint32_t bits) {
-  float value = 0;
-  __builtin_memcpy(&value, &bits, sizeof value);
-  return value;
-}
-
-inline double doubleOf(uint64_t bits) {
-  double value = 0;
-  __builtin_memcpy(&value, &bits, sizeof value);
-  return value;
-}
-
-/// Appends to a byte array; what does not fit is dropped and `fits` becomes false.
+/// HookByteWriter.
 class ByteWriter {
  public:
-  ByteWriter(uint8_t* bytes, uint32_t capacity) : bytes_(bytes), capacity_(capacity) {}
+  ByteWriter(uint8_t* bytes, uint32_t capacity) : writer_(hookWriterTo(bytes, capacity)) {}
   void u8(uint8_t value) { bits(value, 1); }
   void u16(uint16_t value) { bits(value, 2); }
   void u24(uint32_t value) { bits(value, 3); }
   void u32(uint32_t value) { bits(value, 4); }
-  void f32(float value) { bits(bitsOf(value), 4); }
-  void f64(double value) { bits(bitsOf(value), 8); }
-  /// The lowest `width` bytes of `value`.
-  void bits(uint64_t value, uint32_t width);
-  [[nodiscard]] uint32_t size() const { return size_; }
-  [[nodiscard]] bool fits() const { return fits_; }
+  void f32(float value) { hookWriteF32(&writer_, value); }
+  void f64(double value) { hookWriteF64(&writer_, value); }
+  void bits(uint64_t value, uint32_t width) { hookWrite(&writer_, value, width); }
+  [[nodiscard]] uint32_t size() const { return writer_.size; }
+  [[nodiscard]] bool fits() const { return writer_.fits; }
 
  private:
-  uint8_t* bytes_;
-  uint32_t capacity_;
-  uint32_t size_ = 0;
-  bool fits_ = true;
+  HookByteWriter writer_;
 };
 
-/// Reads a byte array; past its end every number is zero and `good` becomes false.
+/// HookByteReader.
 class ByteReader {
  public:
-  ByteReader(const uint8_t* bytes, uint32_t count) : bytes_(bytes), count_(count) {}
-  uint8_t u8() { return static_cast<uint8_t>(bits(1)); }
-  uint16_t u16() { return static_cast<uint16_t>(bits(2)); }
-  uint32_t u24() { return static_cast<uint32_t>(bits(3)); }
-  uint32_t u32() { return static_cast<uint32_t>(bits(4)); }
-  float f32() { return floatOf(u32()); }
-  double f64() { return doubleOf(bits(8)); }
-  /// A number of `width` bytes.
-  uint64_t bits(uint32_t width);
-  void skip(uint32_t count);
-  [[nodiscard]] bool good() const { return good_; }
-  /// True when every number was there and nothing is left over.
-  [[nodiscard]] bool exact() const { return good_ && at_ == count_; }
+  ByteReader(const uint8_t* bytes, uint32_t count) : reader_(hookReaderOf(bytes, count)) {}
+  uint8_t u8() { return hookReadU8(&reader_); }
+  uint16_t u16() { return hookReadU16(&reader_); }
+  uint32_t u24() { return hookReadU24(&reader_); }
+  uint32_t u32() { return hookReadU32(&reader_); }
+  float f32() { return hookReadF32(&reader_); }
+  double f64() { return hookReadF64(&reader_); }
+  uint64_t bits(uint32_t width) { return hookRead(&reader_, width); }
+  void skip(uint32_t count) { hookSkip(&reader_, count); }
+  [[nodiscard]] bool good() const { return reader_.good; }
+  [[nodiscard]] bool exact() const { return hookIsAllRead(&reader_); }
 
  private:
-  const uint8_t* bytes_;
-  uint32_t count_;
-  uint32_t at_ = 0;
-  bool good_ = true;
+  HookByteReader reader_;
 };
 
+// Names to go:
+inline float floatOf(uint32_t bits) {
+  return hookFloatOf(bits);
+}
+inline double doubleOf(uint64_t bits) {
+  return hookDoubleOf(bits);
+}
 }  // namespace glider::hooks
+#endif
+
+#endif

@@ -192,16 +192,4 @@ bool expectsAnswer(const Frame& frame) {
   return false;
 }
 
-uint32_t nextSession(uint32_t session) {
-  return session >= kMostSession ? 1 : session + 1;
-}
-
-bool isNewerSession(uint32_t session, uint32_t other) {
-  if (other == 0) {
-    return session != 0;
-  }
-  const uint32_t ahead = session >= other ? session - other : session + kMostSession - other;
-  return ahead != 0 && ahead <= kMostSession / 2;
-}
-
 }  // namespace glider::hooks

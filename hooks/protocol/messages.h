@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "hooks/protocol/values.h"
 #include "hooks/protocol/features.h"
 #include "hooks/protocol/frame.h"
 #include "hooks/protocol/values.h"
@@ -18,7 +19,6 @@ namespace glider::hooks {
 inline constexpr uint8_t kProtocolVersion = 6;
 inline constexpr uint32_t kMostNameBytes = 47;
 inline constexpr uint32_t kMostNoteBytes = 60;
-inline constexpr uint32_t kMostSession = 16777215;  ///< exact in a float32 sensor
 
 /// From a vehicle without a link: asks an SBC to open one.
 struct Beacon {
@@ -95,10 +95,5 @@ void encode(const MissionNote& note, Frame& frame);
 
 /// True when the SBC owes a Done for this frame: Beacon, Welcome and Tick.
 bool expectsAnswer(const Frame& frame);
-/// The session after `session`: counts to kMostSession, then 1 again.
-uint32_t nextSession(uint32_t session);
-/// True when `session` was opened after `other`, wrapping at kMostSession: less than half the
-/// number range ahead. 0 means none yet: every session is newer.
-bool isNewerSession(uint32_t session, uint32_t other);
 
 }  // namespace glider::hooks

@@ -1,47 +1,94 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#pragma once
+#ifndef GLIDER_HOOKS_PROTOCOL_NUMBERS_H
+#define GLIDER_HOOKS_PROTOCOL_NUMBERS_H
 
-#include <stdint.h>
+#include "hooks/protocol/language.h"
 
 /// The few functions of a math library that are needed on board.
-namespace glider::hooks {
+GLIDER_HOOKS_BEGIN
+
+/// A value that is not known: a quiet NaN.
+GLIDER_INLINE double hookUnknown(void) {
+#ifdef __GNUC__
+  return __builtin_nan("");
+#else
+  union {
+    uint64_t bits;
+    double value;
+  } quiet = {UINT64_C(0x7FF8000000000000)};
+  return quiet.value;
+#endif
+}
 
 /// False for NaN and the infinities.
-inline bool isFinite(double value) {
+GLIDER_INLINE bool hookIsFinite(double value) {
   return value - value == 0;
 }
 
-inline double magnitude(double value) {
+GLIDER_INLINE double hookMagnitude(double value) {
+#ifdef __GNUC__
   return __builtin_fabs(value);
+#else
+  return value < 0 ? -value : value;
+#endif
 }
 
 /// The greater and the lesser of two; the bound where `value` is NaN.
-inline double atLeast(double value, double least) {
+GLIDER_INLINE double hookAtLeast(double value, double least) {
   return value > least ? value : least;
 }
-inline double atMost(double value, double most) {
+GLIDER_INLINE double hookAtMost(double value, double most) {
   return value < most ? value : most;
 }
 
 /// NaN where `value` is NaN.
-inline double between(double value, double lowest, double highest) {
+GLIDER_INLINE double hookBetween(double value, double lowest, double highest) {
   return value < lowest ? lowest : value > highest ? highest : value;
 }
 
 /// The value that a 4-byte sensor would keep.
-inline double asFloat32(double value) {
-  return static_cast<double>(static_cast<float>(value));
+GLIDER_INLINE double hookAsFloat32(double value) {
+  return (double)(float)value;
 }
 
 /// Whether `value` is a whole number from `lowest` to `highest`, which is then in `whole`.
-inline bool isWhole(double value, uint32_t lowest, uint32_t highest, uint32_t* whole) {
+GLIDER_INLINE bool hookIsWhole(double value, uint32_t lowest, uint32_t highest, uint32_t* whole) {
   if (!(value >= lowest && value <= highest)) {
     return false;
   }
-  *whole = static_cast<uint32_t>(value);
-  return static_cast<double>(*whole) == value;
+  *whole = (uint32_t)value;
+  return (double)*whole == value;
 }
 
+GLIDER_HOOKS_END
+
+#ifdef __cplusplus
+namespace glider::hooks {
+// Names to go:
+inline bool isFinite(double value) {
+  return hookIsFinite(value);
+}
+inline double magnitude(double value) {
+  return hookMagnitude(value);
+}
+inline double atLeast(double value, double least) {
+  return hookAtLeast(value, least);
+}
+inline double atMost(double value, double most) {
+  return hookAtMost(value, most);
+}
+inline double between(double value, double lowest, double highest) {
+  return hookBetween(value, lowest, highest);
+}
+inline double asFloat32(double value) {
+  return hookAsFloat32(value);
+}
+inline bool isWhole(double value, uint32_t lowest, uint32_t highest, uint32_t* whole) {
+  return hookIsWhole(value, lowest, highest, whole);
+}
 }  // namespace glider::hooks
+#endif
+
+#endif

@@ -1,80 +1,106 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#pragma once
+#ifndef GLIDER_HOOKS_PROTOCOL_VALUES_H
+#define GLIDER_HOOKS_PROTOCOL_VALUES_H
 
-#include <stdint.h>
+#include "hooks/protocol/language.h"
 
-/// The values that cross the hook, as they are in the vehicle's sensor array. One list for both
-/// sides.
-namespace glider::hooks {
-
-/// `x_hook_state`: what hookbeh is doing. Absent: the mission file has no hookbeh.
+/// The values that cross the hook, as they are in the vehicle's sensor array: values.def. In C
+/// HookState is a number of one byte, with its values as kHookStateAbsent and so on.
+#ifdef __cplusplus
 enum class HookState : uint8_t {
-  Absent = 0,
-  Waiting = 1,   ///< its start condition is not met yet
-  Ready = 2,     ///< expects the handshake
-  Active = 3,    ///< commands heading, pitch and pump as the SBC instructs
-  Silent = 4,    ///< lost the SBC; only a new handshake re-activates it
-  Complete = 5,  ///< the SBC released control
+#define HOOK_STATE(name, number) name = number,
+#include "hooks/protocol/values.def"
 };
-
-/// `x_hook_answer`: hookbeh's answer to the instruction with `x_hook_sequence`.
 enum class HookAnswer : uint8_t {
-  None = 0,
-  Accepted = 1,
-  BadCheck = 2,      ///< the check value does not match: something was lost on the way
-  TooDeep = 3,       ///< beyond the b_arg for greatest depth
-  BadPitch = 4,      ///< outside the b_args for pitch
-  BadCommand = 5,    ///< an unknown control, vertical or lateral, or a value that is not finite
-  NotOnEarth = 6,    ///< the waypoint is not a valid position
-  WrongSession = 7,  ///< not from the session in control, or from one that was lost
-  NotReady = 8,      ///< hookbeh waits or is complete
-  OldSequence = 9,  ///< its number is older than one that was decided on: an instruction sent again
-  BadFin = 10,      ///< beyond the b_arg for the fin
-  BadPump = 11,     ///< beyond the b_arg for the pump
-  BadBattery = 12,  ///< beyond the b_arg for the pitch battery
+#define HOOK_ANSWER(name, number) name = number,
+#include "hooks/protocol/values.def"
 };
-
-/// Whether a number on the line is a valid one of these values.
-inline bool isHookState(uint8_t value) {
-  return value <= static_cast<uint8_t>(HookState::Complete);
-}
-inline bool isHookAnswer(uint8_t value) {
-  return value <= static_cast<uint8_t>(HookAnswer::BadBattery);
-}
-
-/// `sci_hook_control`.
 enum class HookControl : uint8_t {
-  None = 0,
-  Take = 1,     ///< the handshake: with the first instruction of a new session
-  Steer = 2,    ///< a further instruction
-  Release = 3,  ///< `exit`: the layered control takes over
+#define HOOK_CONTROL(name, number) name = number,
+#include "hooks/protocol/values.def"
 };
-
-/// `sci_hook_vertical`.
 enum class HookVertical : uint8_t {
-  None = 0,
-  Descend = 1,
-  Ascend = 2,
-  Hover = 3,
-  Surface = 4,
-  Actuators = 5,  ///< pump and pitch battery, in place of depth and pitch
+#define HOOK_VERTICAL(name, number) name = number,
+#include "hooks/protocol/values.def"
 };
+enum class HookLateral : uint8_t {
+#define HOOK_LATERAL(name, number) name = number,
+#include "hooks/protocol/values.def"
+};
+#else
+typedef uint8_t HookState;
+typedef uint8_t HookAnswer;
+typedef uint8_t HookControl;
+typedef uint8_t HookVertical;
+typedef uint8_t HookLateral;
+enum {
+#define HOOK_STATE(name, number) kHookState##name = number,
+#define HOOK_ANSWER(name, number) kHookAnswer##name = number,
+#define HOOK_CONTROL(name, number) kHookControl##name = number,
+#define HOOK_VERTICAL(name, number) kHookVertical##name = number,
+#define HOOK_LATERAL(name, number) kHookLateral##name = number,
+#include "hooks/protocol/values.def"
+};
+#endif
 
-/// `sci_hook_lateral`.
-enum class HookLateral : uint8_t { Drift = 0, Heading = 1, Waypoint = 2, Fin = 3 };
+GLIDER_HOOKS_BEGIN
 
 /// `x_hook_masked`, a sum: which of hookbeh's commands a behaviour above it replaced in the
 /// previous cycle.
-constexpr uint8_t kMaskedHeading = 1;
-constexpr uint8_t kMaskedPitch = 2;
-constexpr uint8_t kMaskedPump = 4;
+enum { kHookMaskedHeading = 1, kHookMaskedPitch = 2, kHookMaskedPump = 4 };
+
+/// Whether a number on the line is a valid one of these values.
+bool hookIsState(uint8_t value);
+bool hookIsAnswer(uint8_t value);
 
 /// The number after `sequence`: counts to 65535, then 1 again.
-uint16_t nextSequence(uint16_t sequence);
+uint16_t hookNextSequence(uint16_t sequence);
 /// True when `sequence` was given after `other`, wrapping at 65535: at most half the number range
 /// (32767) ahead. 0 means none yet: every number is newer.
-bool isNewerSequence(uint16_t sequence, uint16_t other);
+bool hookIsNewerSequence(uint16_t sequence, uint16_t other);
 
+enum { kHookMostSession = 16777215 };  ///< exact in a float32 sensor
+
+/// The session after `session`: counts to kHookMostSession, then 1 again.
+uint32_t hookNextSession(uint32_t session);
+/// True when `session` was opened after `other`, wrapping at kHookMostSession: less than half the
+/// number range ahead. 0 means none yet: every session is newer.
+bool hookIsNewerSession(uint32_t session, uint32_t other);
+
+GLIDER_HOOKS_END
+
+#ifdef __cplusplus
+namespace glider::hooks {
+using ::HookAnswer;
+using ::HookControl;
+using ::HookLateral;
+using ::HookState;
+using ::HookVertical;
+// Names to go:
+inline bool isHookState(uint8_t value) {
+  return hookIsState(value);
+}
+inline bool isHookAnswer(uint8_t value) {
+  return hookIsAnswer(value);
+}
+inline uint16_t nextSequence(uint16_t sequence) {
+  return hookNextSequence(sequence);
+}
+inline bool isNewerSequence(uint16_t sequence, uint16_t other) {
+  return hookIsNewerSequence(sequence, other);
+}
+inline constexpr uint32_t kMostSession = kHookMostSession;
+inline uint32_t nextSession(uint32_t session) {
+  return hookNextSession(session);
+}
+inline bool isNewerSession(uint32_t session, uint32_t other) {
+  return hookIsNewerSession(session, other);
+}
+inline constexpr uint8_t kMaskedHeading = kHookMaskedHeading, kMaskedPitch = kHookMaskedPitch,
+                         kMaskedPump = kHookMaskedPump;
 }  // namespace glider::hooks
+#endif
+
+#endif

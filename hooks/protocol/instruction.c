@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "hooks/protocol/instruction.h"
+
+#include "hooks/protocol/bytes.h"
+#include "hooks/protocol/crc.h"
+#include "hooks/protocol/numbers.h"
+
+#define WORD(role, sensor, word, field, bytes, steps, line) \
+  GLIDER_STATIC_ASSERT(role, kGliderRole##role - kGliderRoleHookSession == (line));
+#define CHECK_WORD(role, sensor, word, line) \
+  GLIDER_STATIC_ASSERT(role, kGliderRole##role - kGliderRoleHookSession == (line));
+#include "hooks/protocol/instruction.def"
+
+enum {
+  kMostCode = 127,  // a one-byte sensor
+  kCheckedBytes = 0
+#define WORD(role, sensor, word, field, bytes, ...) +(bytes)
+#define REAL_WORD(role, ...) +4
+#include "hooks/protocol/instruction.def"
+};
+
+/// A word that is no real number: a session, the sequence, or a code. The first two count from 1.
+static bool readWhole(double word, uint32_t bytes, uint32_t* whole) {
+  return hookIsWhole(word, bytes == 1 ? 0 : 1,
+                     bytes == 1   ? kMostCode
+                     : bytes == 2 ? UINT16_MAX
+                                  : kHookMostSession,
+                     whole);
+}
+
+static double inSteps(double number, uint32_t bytes, uint32_t steps) {
+  return (double)hookWholeSteps(number, steps, hookMostSteps(bytes)) / steps;
+}
+
+HookInstructionWords hookWordsOf(const HookInstruction* instruction) {
+  const HookInstruction carried = hookInSteps(instruction);
+  HookInstructionWords words;
+#define WORD(role, sensor, word, field, ...) words.word = (double)carried.field;
+#define CHECK_WORD(role, sensor, word, line) words.word = (double)hookCheckValue(&carried);
+#include "hooks/protocol/instruction.def"
+  return words;
+}
+
+bool hookInstructionOf(const HookInstructionWords* words, HookInstruction* instruction) {
+  bool good = true;
+  uint32_t whole = 0;
+#define WORD(role, sensor, word, field, bytes, ...)     \
+  good = readWhole(words->word, bytes, &whole) && good; \
+  instruction->field = (HOOK_TYPE_OF_##bytes)whole;
+#define REAL_WORD(role, sensor, word, field, bytes, steps, line) \
+  good = hookIsFinite(words->word) && good;                      \
+  instruction->field = inSteps(words->word, bytes, steps);
+#define HOOK_TYPE_OF_1 uint8_t
+#define HOOK_TYPE_OF_2 uint16_t
+#define HOOK_TYPE_OF_4 uint32_t
+#include "hooks/protocol/instruction.def"
+  return good && words->check == (double)hookCheckValue(instruction);
+}
+
+HookInstruction hookInSteps(const HookInstruction* instruction) {
+  HookInstruction carried = *instruction;
+#define WORD(...)
+#define REAL_WORD(role, sensor, word, field, bytes, steps, line) \
+  carried.field = inSteps(carried.field, bytes, steps);
+#include "hooks/protocol/instruction.def"
+  return carried;
+}
+
+uint32_t hookCheckValue(const HookInstruction* instruction) {
+  uint8_t bytes[kCheckedBytes];
+  HookByteWriter out = hookWriterTo(bytes, kCheckedBytes);
+#define WORD(role, sensor, word, field, width, ...) hookWrite(&out, instruction->field, width);
+#define REAL_WORD(...)
+#include "hooks/protocol/instruction.def"
+  // Real numbers come behind those, in steps.
+#define WORD(...)
+#define REAL_WORD(role, sensor, word, field, width, steps, line) \
+  hookWrite(&out, (uint32_t)hookWholeSteps(instruction->field, steps, hookMostSteps(width)), 4);
+#include "hooks/protocol/instruction.def"
+  return hookCrc32c(bytes, kCheckedBytes, kHookCrc32cStart);
+}

@@ -30,12 +30,6 @@ typedef struct HookFeatures {
 /// The features that one of the two needs and the other does not offer.
 uint16_t hookMissingFeatures(const HookFeatures* one, const HookFeatures* other);
 
-/// The number of the lowest feature in `features`, which must not be empty.
-uint8_t hookLowestFeature(uint16_t features);
-
-/// "virtual-time"; null for a feature of later versions.
-const char* hookFeatureName(uint8_t bit);
-
 GLIDER_HOOKS_END
 
 #ifdef __cplusplus
@@ -48,12 +42,27 @@ inline constexpr uint16_t kAllFeatures = kHookAllFeatures;
 inline uint16_t missingFeatures(const Features& one, const Features& other) {
   return hookMissingFeatures(&one, &other);
 }
-inline uint8_t lowestFeature(uint16_t features) {
-  return hookLowestFeature(features);
+/// The number of the lowest feature in `features`, which must not be empty.
+constexpr uint8_t lowestFeature(uint16_t features) {
+  uint8_t bit = 0;
+  while (bit < 15 && (static_cast<unsigned>(features) >> bit & 1U) == 0) {
+    ++bit;
+  }
+  return bit;
 }
-inline const char* featureName(uint8_t bit) {
-  return hookFeatureName(bit);
+
+/// "virtual-time"; null for a feature of later versions.
+constexpr const char* featureName(uint8_t bit) {
+  switch (bit) {
+#define FEATURE(name, number, text) \
+  case number:                      \
+    return text;
+#include "hooks/protocol/features.def"
+    default:
+      return nullptr;
+  }
 }
+
 }  // namespace glider::hooks
 #endif
 

@@ -34,13 +34,12 @@ static double inSteps(double number, uint32_t bytes, uint32_t steps) {
   return (double)hookWholeSteps(number, steps, hookMostSteps(bytes)) / steps;
 }
 
-HookInstructionWords hookWordsOf(const HookInstruction* instruction) {
-  const HookInstruction carried = hookInSteps(instruction);
-  HookInstructionWords words;
-#define WORD(role, sensor, word, field, ...) words.word = (double)carried.field;
-#define CHECK_WORD(role, sensor, word, line) words.word = (double)hookCheckValue(&carried);
+void hookWordsOf(const HookInstruction* instruction, HookInstructionWords* words) {
+  HookInstruction carried;
+  hookInSteps(instruction, &carried);
+#define WORD(role, sensor, word, field, ...) words->word = (double)carried.field;
+#define CHECK_WORD(role, sensor, word, line) words->word = (double)hookCheckValue(&carried);
 #include "hooks/protocol/instruction.def"
-  return words;
 }
 
 bool hookInstructionOf(const HookInstructionWords* words, HookInstruction* instruction) {
@@ -59,13 +58,12 @@ bool hookInstructionOf(const HookInstructionWords* words, HookInstruction* instr
   return good && words->check == (double)hookCheckValue(instruction);
 }
 
-HookInstruction hookInSteps(const HookInstruction* instruction) {
-  HookInstruction carried = *instruction;
+void hookInSteps(const HookInstruction* instruction, HookInstruction* carried) {
+  *carried = *instruction;
 #define WORD(...)
 #define REAL_WORD(role, sensor, word, field, bytes, steps, line) \
-  carried.field = inSteps(carried.field, bytes, steps);
+  carried->field = inSteps(instruction->field, bytes, steps);
 #include "hooks/protocol/instruction.def"
-  return carried;
 }
 
 uint32_t hookCheckValue(const HookInstruction* instruction) {

@@ -35,16 +35,16 @@ typedef struct HookInstructionWords {
 } HookInstructionWords;
 
 /// With its check value.
-HookInstructionWords hookWordsOf(const HookInstruction* instruction);
+void hookWordsOf(const HookInstruction* instruction, HookInstructionWords* words);
 /// Takes the words as they are after any path that keeps six decimals: real numbers go to the
 /// nearest step. False if they cannot be those of any instruction, or the check value does not
 /// match.
 bool hookInstructionOf(const HookInstructionWords* words, HookInstruction* instruction);
 
-/// The same instruction with every real number in whole steps, as hookbeh gets it. What a word
-/// cannot carry becomes the number farthest out that it can, and NaN the lowest: hookbeh refuses
-/// both.
-HookInstruction hookInSteps(const HookInstruction* instruction);
+/// Into `carried` the same instruction with every real number in whole steps, as hookbeh gets it.
+/// What a word cannot carry becomes the number farthest out that it can, and NaN the lowest:
+/// hookbeh refuses both.
+void hookInSteps(const HookInstruction* instruction, HookInstruction* carried);
 /// `sci_hook_check`: CRC-32C over all fields in whole numbers, sequence included, in the byte
 /// layout of protocol/README.md.
 uint32_t hookCheckValue(const HookInstruction* instruction);
@@ -68,13 +68,17 @@ inline constexpr InstructionWord kInstructionWords[] = {
 };
 // Names to go:
 inline InstructionWords wordsOf(const Instruction& instruction) {
-  return hookWordsOf(&instruction);
+  InstructionWords words;
+  hookWordsOf(&instruction, &words);
+  return words;
 }
 inline bool instructionOf(const InstructionWords& words, Instruction* instruction) {
   return hookInstructionOf(&words, instruction);
 }
 inline Instruction inSteps(const Instruction& instruction) {
-  return hookInSteps(&instruction);
+  Instruction carried;
+  hookInSteps(&instruction, &carried);
+  return carried;
 }
 inline uint32_t checkValue(const Instruction& instruction) {
   return hookCheckValue(&instruction);

@@ -6,12 +6,15 @@
 #include "ir/prove/falsification/random_flight.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace glider::ir::prove {
 namespace {
 
 /// For a requirement without a time, s.
 constexpr double kLongFlight = 4 * 3600;
+/// Flights without a simpler counterexample after which the simplest is taken.
+constexpr uint64_t kSimplerTries = 200;
 
 struct Trials {
   size_t ticks;         ///< of a flight
@@ -36,6 +39,12 @@ Trials trialsOf(const Requirement& requirement, const StrategyContext& context) 
   return {ticks, std::max<size_t>(1, most / ticks), tick + judged};
 }
 
+/// Fewer transitions are easier to follow, then less time.
+bool isSimpler(const Counterexample& one, const Counterexample& other) {
+  return std::pair(one.story.size(), one.ticks.size()) <
+         std::pair(other.story.size(), other.ticks.size());
+}
+
 }  // namespace
 
 std::optional<Counterexample> tryAtRandom(const Requirement& requirement,
@@ -49,10 +58,35 @@ std::optional<Counterexample> tryAtRandom(const Requirement& requirement,
     budget.spend(trials.ticks * trials.tick_steps);
     if (auto run = flyAtRandom(proof_context, context.proof.facts.stack_depth, requirement, place,
                                seed, trials.ticks)) {
-      return run;
+      return simplest(*std::move(run), requirement, proof_context, context);
     }
   }
   return std::nullopt;
+}
+
+Counterexample simplest(Counterexample found, const Requirement& requirement,
+                        const ProofContext& proof_context, StrategyContext& context) {
+  if (requirement.kind == RequirementKind::ExitWithin ||
+      requirement.kind == RequirementKind::SurfacesEvery) {
+    return found;  // it lasts as long as the requirement allows
+  }
+  const Trials trials = trialsOf(requirement, context);
+  Budget& budget = context.proof.searches;
+  const Requirement* place = aboutPlaceOf(proof_context, std::span(&requirement, 1));
+  size_t left = context.proof.options.random_ticks / 4;
+  uint64_t last = kSimplerTries;
+  for (uint64_t seed = 1; seed <= last && !budget.isUsedUp(); ++seed) {
+    const size_t ticks = std::min({found.ticks.size(), trials.ticks, left});
+    budget.spend(ticks * trials.tick_steps);
+    left -= ticks;
+    auto run = flyAtRandom(proof_context, context.proof.facts.stack_depth, requirement, place, seed,
+                           ticks);
+    if (run && isSimpler(*run, found)) {
+      found = *std::move(run);
+      last = seed + kSimplerTries;
+    }
+  }
+  return found;
 }
 
 }  // namespace glider::ir::prove

@@ -9,11 +9,17 @@
 
 namespace glider::ir::prove {
 
-/// A random flight that violates `requirement` (Reach: satisfies): tries one seed after the other
-/// until so many ticks are flown as the options and the budget allow. `proof_context`: with power
-/// cuts or without. `round`: 0, or more for that many other flights.
+/// A random flight that violates `requirement` (Reach: satisfies), and the simplest that is found:
+/// tries one seed after the other until so many ticks are flown as the options and the budget
+/// allow. `proof_context`: with power cuts or without. `round`: 0, or more for that many other
+/// flights.
 std::optional<Counterexample> tryAtRandom(const Requirement& requirement,
                                           const ProofContext& proof_context,
                                           StrategyContext& context, unsigned round = 0);
+
+/// `found`, a violation of `requirement` (Reach: how it is satisfied), or one with fewer
+/// transitions, or as many in less time, if random flights that are no longer find one soon.
+Counterexample simplest(Counterexample found, const Requirement& requirement,
+                        const ProofContext& proof_context, StrategyContext& context);
 
 }  // namespace glider::ir::prove

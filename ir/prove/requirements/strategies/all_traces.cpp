@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/prove/requirements/random_trials.h"
 #include "ir/prove/requirements/strategy.h"
 #include "ir/prove/requirements/trace_search.h"
 
@@ -29,7 +30,9 @@ class AllTraces final : public Strategy {
       attempt.with_power_cuts = std::move(found.run);
     } else {
       keepSubmersion(attempt.requirement, found, context);
-      return refutedBy(std::move(*found.run), attempt.requirement, context);
+      return refutedBy(simplest(*std::move(found.run), attempt.requirement,
+                                context.proof.proof_context, context),
+                       attempt.requirement, context);
     }
     return std::nullopt;
   }

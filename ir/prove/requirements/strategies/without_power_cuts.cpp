@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/prove/requirements/random_trials.h"
 #include "ir/prove/requirements/strategy.h"
 #include "ir/prove/requirements/trace_search.h"
 
@@ -29,7 +30,9 @@ class WithoutPowerCuts final : public Strategy {
       found = searchTraces(attempt.requirement, insight.context(), context);
       keepSubmersion(attempt.requirement, found, context);
       if (found.run) {
-        return refutedBy(std::move(*found.run), attempt.requirement, context);
+        const ProofContext powered = context.proof.proof_context.withoutPowerCuts();
+        return refutedBy(simplest(*std::move(found.run), attempt.requirement, powered, context),
+                         attempt.requirement, context);
       }
       if (found.answer.bad != Answer::No) {
         return std::nullopt;

@@ -39,10 +39,11 @@ Trials trialsOf(const Requirement& requirement, const StrategyContext& context) 
   return {ticks, std::max<size_t>(1, most / ticks), tick + judged};
 }
 
-/// Fewer transitions are easier to follow, then less time.
+/// Fewer transitions are easier to follow, then less time. A flight that starts in the wrong place
+/// shows nothing about the mission.
 bool isSimpler(const Counterexample& one, const Counterexample& other) {
-  return std::pair(one.story.size(), one.ticks.size()) <
-         std::pair(other.story.size(), other.ticks.size());
+  return (one.when > 0 || other.when <= 0) &&
+         std::pair(one.story.size(), one.when) < std::pair(other.story.size(), other.when);
 }
 
 }  // namespace

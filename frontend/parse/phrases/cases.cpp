@@ -21,7 +21,7 @@ struct Condition {
 };
 
 bool isWord(const Phrase& phrase, size_t k, std::string_view keyword) {
-  return isAnyName(phrase.type(k)) || isHardKeyword(phrase.type(k)) ? phrase.lower(k) == keyword
+  return isAnyName(phrase.type(k)) || isHardKeyword(phrase.type(k)) ? phrase.says(k, keyword)
                                                                     : false;
 }
 

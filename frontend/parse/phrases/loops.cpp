@@ -132,7 +132,7 @@ size_t elementInParentheses(Phrase& phrase) {
 
 /// `while depth < 5 m do`: read as an `if`, to keep the blocks in order.
 size_t repeating(Phrase& phrase) {
-  const bool word = phrase.type() == GliderLexer::NAME && phrase.lower() == "while";
+  const bool word = phrase.type() == GliderLexer::NAME && phrase.says(0, "while");
   const size_t line = word ? phrase.tokensOfLine() : 0;
   size_t end = 1;
   while (end < line && phrase.type(end) != GliderLexer::DO) {

@@ -57,7 +57,7 @@ size_t tokensOfWords(const Phrase& phrase, size_t k, std::string_view words) {
     const size_t end = std::min(words.find(' '), words.size());
     const uint32_t type = phrase.type(k + tokens);
     const bool word = isAnyName(type) || isHardKeyword(type);
-    if (!word || phrase.lower(k + tokens) != words.substr(0, end)) {
+    if (!word || !phrase.says(k + tokens, words.substr(0, end))) {
       return 0;
     }
     words.remove_prefix(std::min(end + 1, words.size()));
@@ -135,10 +135,10 @@ std::optional<Bounds> boundsFrom(const Phrase& phrase, size_t first, bool range)
 }  // namespace
 
 size_t comparison(Phrase& phrase) {
-  if (!isAnyName(phrase.type()) || !afterValue(phrase)) {
+  if (!isAnyName(phrase.type()) || phrase.type() == GliderLexer::UNIT || !afterValue(phrase)) {
     return 0;
   }
-  const size_t is = phrase.lower() == "is" ? 1 : 0;
+  const size_t is = phrase.says(0, "is") ? 1 : 0;
   const auto row = std::ranges::find_if(kComparing, [&](const ComparingWords& words) {
     return tokensOfWords(phrase, is, words.words) > 0;
   });
@@ -167,8 +167,8 @@ size_t comparison(Phrase& phrase) {
 
 size_t between(Phrase& phrase) {
   const bool in = phrase.type() == GliderLexer::IN;
-  const size_t is = phrase.lower() == "is" ? 1 : 0;
-  if (!(in || phrase.lower(is) == "between") || !isAnyName(phrase.type()) || !afterValue(phrase)) {
+  const size_t is = phrase.says(0, "is") ? 1 : 0;
+  if (!(in || phrase.says(is, "between")) || !isAnyName(phrase.type()) || !afterValue(phrase)) {
     return 0;
   }
   const auto bounds = boundsFrom(phrase, 1 + is, in);
@@ -224,7 +224,7 @@ size_t sameLeft(Phrase& phrase) {
 }
 
 size_t notWord(Phrase& phrase) {
-  const bool capital = phrase.type() == GliderLexer::NAME && phrase.lower() == "not" &&
+  const bool capital = phrase.type() == GliderLexer::NAME && phrase.says(0, "not") &&
                        !endsValue(phrase.before()) && !wantsName(phrase.before());
   if (phrase.type() != GliderLexer::NOT_WORD && !capital) {
     return 0;

@@ -36,15 +36,18 @@ Phrase::Phrase(const std::vector<Lexeme>& in, SyntaxReporter& reporter)
   out_.reserve(in.size());
 }
 
-const Lexeme& Phrase::token(size_t k) const {
-  return in_[std::min(at_ + k, in_.size() - 1)];
-}
-
 std::string Phrase::lower(size_t k) const {
   std::string word(text(k));
   std::ranges::transform(word, word.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return word;
+}
+
+bool Phrase::says(size_t k, std::string_view word) const {
+  const std::string_view said = text(k);
+  return said.size() == word.size() && std::ranges::equal(said, word, {}, [](unsigned char c) {
+           return static_cast<char>(std::tolower(c));
+         });
 }
 
 bool Phrase::atEnd() const {
@@ -204,10 +207,10 @@ size_t tokensOfValue(const Phrase& phrase, size_t first, bool conditions) {
   size_t k = first;
   for (;; ++k) {
     const uint32_t type = phrase.type(k);
-    const std::string word = type == GliderLexer::NAME ? phrase.lower(k) : "";
+    const bool name = type == GliderLexer::NAME;
     const bool logical = oneOf(type, {GliderLexer::AND, GliderLexer::OR, GliderLexer::AND_WORD,
                                       GliderLexer::OR_WORD}) ||
-                         word == "and" || word == "or";
+                         (name && (phrase.says(k, "and") || phrase.says(k, "or")));
     const bool value = startsValue(type) || isAnyName(type) || joins(type) ||
                        oneOf(type, {GliderLexer::LPAREN, GliderLexer::RPAREN, GliderLexer::COMMA});
     if (k - first >= kFarthest) {

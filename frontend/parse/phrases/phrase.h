@@ -6,6 +6,7 @@
 #include "frontend/parse/lexeme.h"
 #include "frontend/parse/reporter.h"
 
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <string>
@@ -31,11 +32,15 @@ class Phrase {
   [[nodiscard]] SyntaxReporter& reporter() { return reporter_; }
 
   // The text from the current token on; after its end, the end of the file.
-  [[nodiscard]] const Lexeme& token(size_t k = 0) const;
+  [[nodiscard]] const Lexeme& token(size_t k = 0) const {
+    return in_[std::min(at_ + k, in_.size() - 1)];
+  }
   [[nodiscard]] uint32_t type(size_t k = 0) const { return token(k).type; }
   [[nodiscard]] std::string_view text(size_t k = 0) const { return source().text(token(k)); }
   /// In lower case.
   [[nodiscard]] std::string lower(size_t k = 0) const;
+  /// Whether token `k` is `word`, which is in lower case, in any case.
+  [[nodiscard]] bool says(size_t k, std::string_view word) const;
   [[nodiscard]] bool atEnd() const;
   /// Whether token `k` stands immediately after the token before it.
   [[nodiscard]] bool touches(size_t k) const;

@@ -35,8 +35,8 @@ size_t stateBeforeTarget(Phrase& phrase) {
 
 /// `go to up`.
 size_t goTo(Phrase& phrase) {
-  if (phrase.type() != GliderLexer::NAME || phrase.lower() != "go" || !afterCondition(phrase) ||
-      phrase.lower(1) != "to" || !isStateName(phrase.source(), phrase.text(2))) {
+  if (phrase.type() != GliderLexer::NAME || !phrase.says(0, "go") || !afterCondition(phrase) ||
+      !phrase.says(1, "to") || !isStateName(phrase.source(), phrase.text(2))) {
     return 0;
   }
   const Lexeme both = phrase.whole(0, 2, GliderLexer::GOTO);
@@ -54,7 +54,7 @@ size_t jumpTo(Phrase& phrase) {
       phrase.before() == GliderLexer::NUMBER) {
     return 0;
   }
-  const size_t name = phrase.lower(1) == "to" ? 2 : 1;
+  const size_t name = phrase.says(1, "to") ? 2 : 1;
   if (phrase.startsLine(name) || !isAnyName(phrase.type(name)) ||
       !isStateName(phrase.source(), phrase.text(name))) {
     return 0;

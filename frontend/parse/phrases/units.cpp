@@ -97,11 +97,12 @@ struct TimePart {
 };
 
 TimePart timePart(const Phrase& phrase, size_t k) {
-  const bool unit = isAnyName(phrase.type(k + 1));
-  const double factor =
-      phrase.type(k) == GliderLexer::NUMBER && unit ? secondsOf(phrase.text(k + 1)) : 0;
-  return {unit && unitForWord(phrase.text(k + 1)) == phrase.text(k + 1),
-          valueOf(phrase.text(k)) * factor, factor, factor > 0 ? 2U : 0U};
+  if (phrase.type(k) != GliderLexer::NUMBER || !isAnyName(phrase.type(k + 1))) {
+    return {};
+  }
+  const double factor = secondsOf(phrase.text(k + 1));
+  return {unitForWord(phrase.text(k + 1)) == phrase.text(k + 1), valueOf(phrase.text(k)) * factor,
+          factor, factor > 0 ? 2U : 0U};
 }
 
 /// `5400 s` as "1 h 30 min", or in the smallest unit that was written.

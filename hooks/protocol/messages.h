@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include "hooks/protocol/values.h"
 #include "hooks/protocol/features.h"
 #include "hooks/protocol/frame.h"
 #include "hooks/protocol/values.h"

@@ -16,6 +16,7 @@
 #include "driver/shared_options.h"
 #include "driver/sim_options.h"
 #include "driver/slocum/port_folder.h"
+#include "driver/slocum/science_program.h"
 #include "driver/terminal.h"
 #include "driver/usage/quantity.h"
 #include "flights/flight_setup.h"
@@ -231,6 +232,11 @@ support::Result<simulator::Scenario> scenarioFor(const SimOptions& options,
       }
     }
   }
+  if (options.science) {
+    if (auto used = useScienceProgram(*options.science, platform, *scenario); !used) {
+      return std::unexpected(used.error());
+    }
+  }
   if (options.duration_s) {
     const std::string note = flights::setDuration(*scenario, platform, *options.duration_s);
     tell(note.empty() ? "" : "glidercc: note: " + note + "\n");
@@ -384,6 +390,14 @@ void addOptions(CLI::App& command, SimOptions& options) {
       .add_flag("--lockstep", options.lockstep,
                 "With --serial: wait for each answer instead of running in real time")
       ->needs(serial);
+  auto* science =
+      command
+          .add_option(
+              "--science", options.science,
+              "Run this program as the vehicle's science computer: hookprog as built from the "
+              "kit for integrators, here or under an emulator")
+          ->option_text("COMMAND")
+          ->excludes(serial);
   auto* without = command.add_flag("--no-sbc", options.without_sbc, "Fly without an SBC");
   command
       .add_option("--platform", options.platform,
@@ -410,6 +424,7 @@ void addOptions(CLI::App& command, SimOptions& options) {
   addExportOptions(command, options);
   program->excludes(board);
   serial->excludes(board)->excludes(program)->excludes("--replay");
+  science->excludes("--replay");
   without->excludes(mission)->excludes(board)->excludes(program)->excludes(serial);
 }
 

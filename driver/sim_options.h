@@ -32,6 +32,7 @@ struct SimOptions {
   std::string program;
   std::string serial;     ///< the device to which a real SBC is connected; empty: none
   bool lockstep = false;  ///< with --serial: not in real time
+  std::optional<std::string> science;  ///< the program that acts as the science computer
   bool without_sbc = false;
   std::optional<uint64_t> seed;
   std::optional<double> kill_sbc_at_s;

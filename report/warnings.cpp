@@ -192,6 +192,10 @@ void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics) {
                            : "the SBC never used this version of the hook protocol: check that the "
                              "program or device runs a mission");
   }
+  if (const EventMention told = tell(trace, EventId::ScienceProgramEnds); told.first != nullptr) {
+    diagnostics.report(support::diagnostics::scienceProgramEnds, {}, told.at,
+                       plain(textValue(*told.first, 0)) + told.more);
+  }
   if (const EventMention told = tell(trace, EventId::Aborts); told.first != nullptr) {
     const std::string why = told.first->why.empty() ? "" : ", " + plain(told.first->why);
     diagnostics.report(support::diagnostics::flightAborted, {}, told.at,

@@ -9,6 +9,8 @@
 #include "vehicles/slocum/mission_files/mission_file.h"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace glider::simulator {
 
@@ -18,6 +20,8 @@ struct SlocumMission {
   Code15 code_15 = Code15::FarFromWaypoint;
   /// The vehicle has no hooks, and serves the SBC by its port for a backseat driver.
   std::optional<slocum::ExtctlFile> extctl;
+  /// The program that acts as its science computer, and its arguments; empty: the simulator's own.
+  std::vector<std::string> science_program;
 };
 
 /// The Slocum's mission in a scenario: an empty one is put there if it has none yet. The scenario

@@ -5,6 +5,7 @@
 
 #include "simulator/slocum/own_mission.h"
 #include "simulator/slocum/science/extctl_proglet.h"
+#include "simulator/slocum/science/science_program.h"
 
 #include <algorithm>
 #include <iterator>
@@ -35,9 +36,22 @@ double SlocumSeat::sbcBaud() const {
   return extctl ? extctl->baud : SimulatedSeat::sbcBaud();
 }
 
-/// hookprog, or the vendor's proglet on a vehicle without the hooks.
+/// hookprog, here or in a program of its own, or the vendor's proglet on a vehicle without the
+/// hooks.
 MakeProglet SlocumSeat::progletFor(const SeatSetup& setup) {
-  if (!slocumMissionOf(setup.scenario).extctl) {
+  const SlocumMission& mission = slocumMissionOf(setup.scenario);
+  if (!mission.extctl && !mission.science_program.empty()) {
+    return [this, virtual_time = !setup.real_time](const GliderDictionary& dictionary) {
+      return std::make_unique<ScienceProgram>(
+          ScienceProgram::Setup{.command = slocumMissionOf(scenario_).science_program,
+                                .dictionary = dictionary,
+                                .virtual_time = virtual_time,
+                                .ended = [this](const std::string& why) {
+                                  journal_.add(now_s_, EventId::ScienceProgramEnds, {why});
+                                }});
+    };
+  }
+  if (!mission.extctl) {
     return makeHookprog(!setup.real_time);
   }
   return [this, setup](const GliderDictionary&) {
@@ -68,6 +82,7 @@ std::vector<SensorFault> SlocumSeat::faultsOf(bool science) const {
 }
 
 void SlocumSeat::begin(double now_s, SerialLine& sbc) {
+  now_s_ = now_s;
   line_.setNow(now_s);
   damage_.setNow(now_s);
   science_damage_.setNow(now_s);

@@ -55,6 +55,7 @@ class SlocumSeat final : public SimulatedSeat {
   const Scenario& scenario_;
   const World& world_;
   Journal& journal_;
+  double now_s_ = 0;
   FlightController flight_;
   ScienceComputer science_;
   SensorDamage damage_;          ///< of the flight controller's sensors

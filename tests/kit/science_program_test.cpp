@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The kit's example proglet, built by a C99 compiler for this computer and for the vehicle's, flies
+// as the simulator's science computer: the same flight, byte for byte, as with the simulator's own.
+
+#include "tests/support/command.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <gmock/gmock.h>
+#include <string>
+
+namespace glider::tests {
+namespace {
+
+using testing::HasSubstr;
+
+std::string flown(const TemporaryFolder& folder, const std::string& name,
+                  const std::string& arguments) {
+  const auto out = folder.path() / name;
+  const Outcome outcome =
+      runShell("$GLIDERCC sim " + arguments + " -o " + out.string() + " >/dev/null");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  return slurp(out / "trace.csv") + slurp(out / "events.csv");
+}
+
+class ScienceProgram : public testing::TestWithParam<std::string> {};
+
+TEST_P(ScienceProgram, FliesAsTheSimulatorsOwn) {
+  const TemporaryFolder folder;
+  const std::string own = flown(folder, "own", GetParam());
+  ASSERT_GT(own.size(), 10000U);
+  EXPECT_TRUE(own == flown(folder, "host", GetParam() + " --science '" GLIDER_SCIENCE_HOST "'"));
+  EXPECT_TRUE(own == flown(folder, "m68k", GetParam() + " --science '" GLIDER_SCIENCE_M68K "'"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Flights, ScienceProgram,
+    testing::Values(GLIDER_SOURCE_DIR "/missions/gallery/thermocline.mission --scenario figure5",
+                    GLIDER_SOURCE_DIR "/missions/gallery/bloom.mission --scenario bloom",
+                    GLIDER_SOURCE_DIR "/missions/gallery/survey_box.mission --seed 5",
+                    GLIDER_SOURCE_DIR "/missions/figure2.mission --kill-sbc-at 900",
+                    GLIDER_SOURCE_DIR
+                    "/missions/gallery/hull_sweep.mission --scenario " GLIDER_SOURCE_DIR
+                    "/tests/kit/troubled.toml"),
+    [](const auto& info) { return "of" + std::to_string(info.index); });
+
+TEST(ScienceProgram, ThatCannotServeIsRefusedByName) {
+  const std::string sim = "$GLIDERCC sim " GLIDER_SOURCE_DIR
+                          "/missions/gallery/thermocline.mission -o /dev/null/none --science ";
+  for (const auto& [command, why] : {std::pair("false", "it ended with status 1"),
+                                     {"/nonexistent", "No such file or directory"},
+                                     {"cat", "it answers otherwise than a program of the kit"},
+                                     {"''", "no program is named"}}) {
+    const Outcome outcome = runShell(sim + command);
+    EXPECT_EQ(outcome.status, 2) << command;
+    EXPECT_THAT(outcome.err, HasSubstr(why)) << command;
+    EXPECT_THAT(outcome.err, HasSubstr("GL9151")) << command;
+  }
+}
+
+TEST(ScienceProgram, ThatEndsInAFlightIsAnErrorAndHookbehTakesOver) {
+  const TemporaryFolder folder;
+  const Outcome outcome = runShell("$GLIDERCC sim " GLIDER_SOURCE_DIR
+                                   "/missions/gallery/thermocline.mission --duration 1800 -o " +
+                                   (folder.path() / "flight").string() +
+                                   " --science '" GLIDER_SOURCE_DIR
+                                   "/tests/kit/ends_after 400 " GLIDER_SCIENCE_HOST "'");
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("it ended with status 3 [GL9379"));
+  EXPECT_THAT(outcome.out, HasSubstr("hookbeh: the SBC is silent, control revoked"));
+}
+
+}  // namespace
+}  // namespace glider::tests

@@ -108,10 +108,13 @@ double scaled(double digits, int exponent) {
   return digits;
 }
 
-/// In millionths, to the nearest.
+/// In millionths, to the nearest. The whole part is taken off first: of a large number, millions
+/// would have no room for halves.
 int64_t millionths(double value) {
-  const double within = between(value, -kMost, kMost);
-  return static_cast<int64_t>(within * kMillion + (within < 0 ? -0.5 : 0.5));
+  const double within = hookBetween(value, -kMost, kMost);
+  const auto whole = static_cast<int64_t>(within);
+  const double part = within - static_cast<double>(whole);
+  return whole * 1'000'000 + static_cast<int64_t>(part * kMillion + (within < 0 ? -0.5 : 0.5));
 }
 
 }  // namespace

@@ -293,7 +293,7 @@ ClientPart Client::brokenPart() const {
   if (reader_.held() > FrameReader::kBytes) {
     return ClientPart::Reader;
   }
-  constexpr auto kFirst = static_cast<uint32_t>(ClientPart::Subscription);
+  constexpr auto kFirst = static_cast<uint32_t>(ClientPart::Subscribed);
   constexpr uint32_t kCount = sizeof kBounds / sizeof kBounds[0];
   static_assert(kFirst + kCount == static_cast<uint32_t>(ClientPart::Lateral) + 1);
   const uint32_t past = firstPast(this, kBounds);

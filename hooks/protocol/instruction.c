@@ -21,7 +21,7 @@ enum {
 #include "hooks/protocol/instruction.def"
 };
 
-/// A word that is no real number: a session, the sequence, or a code. The first two count from 1.
+/// A word that is a whole number: a session, the sequence, or a code. The first two count from 1.
 static bool readWhole(double word, uint32_t bytes, uint32_t* whole) {
   return hookIsWhole(word, bytes == 1 ? 0 : 1,
                      bytes == 1   ? kMostCode

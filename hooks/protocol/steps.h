@@ -33,7 +33,9 @@ namespace glider::hooks {
 // Names to go:
 inline constexpr uint32_t kMetreSteps = kHookMetreSteps, kRadianSteps = kHookRadianSteps,
                           kMinuteSteps = kHookMinuteSteps;
-inline int32_t mostSteps(uint32_t bytes) { return hookMostSteps(bytes); }
+inline int32_t mostSteps(uint32_t bytes) {
+  return hookMostSteps(bytes);
+}
 inline int32_t wholeSteps(double value, uint32_t per_unit, int32_t most = 2000000000) {
   return hookWholeSteps(value, per_unit, most);
 }

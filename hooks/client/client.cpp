@@ -238,7 +238,7 @@ uint16_t Client::instruct(Instruction instruction) {
   }
   claims_ = true;
   instruction.session = session_;
-  pending_ = inSteps(instruction);
+  hookInSteps(&instruction, &pending_);
   renumber();
   waiting_ = true;
   due_ = true;

@@ -13,8 +13,8 @@ enum {
 };
 
 static void writeFeatures(HookByteWriter* out, const HookFeatures* features) {
-  hookWrite(out, features->offers, 2);
-  hookWrite(out, features->needs, 2);
+  hookWriteU16(out, features->offers);
+  hookWriteU16(out, features->needs);
 }
 
 static void readFeatures(HookByteReader* in, HookFeatures* features) {
@@ -28,9 +28,9 @@ static void writeText(HookByteWriter* out, const char* text, uint32_t most) {
   while (length < most && text[length] != 0) {
     ++length;
   }
-  hookWrite(out, length, 1);
+  hookWriteU8(out, length);
   for (uint32_t i = 0; i < length; ++i) {
-    hookWrite(out, (uint8_t)text[i], 1);
+    hookWriteU8(out, (uint8_t)text[i]);
   }
 }
 
@@ -49,27 +49,27 @@ static bool readText(HookByteReader* in, char* text, uint32_t most) {
 
 void hookEncodeBeacon(const HookBeacon* beacon, HookFrame* frame) {
   HookByteWriter out = hookStartPayload(frame, kHookMessageTypeBeacon);
-  hookWrite(&out, beacon->version, 1);
+  hookWriteU8(&out, beacon->version);
   writeFeatures(&out, &beacon->features);
-  hookWrite(&out, beacon->dictionary, 4);
-  hookWrite(&out, beacon->hook_state, 1);
+  hookWriteU32(&out, beacon->dictionary);
+  hookWriteU8(&out, beacon->hook_state);
   hookFinishPayload(frame, &out);
 }
 
 void hookEncodeWelcome(const HookWelcome* welcome, HookFrame* frame) {
   HookByteWriter out = hookStartPayload(frame, kHookMessageTypeWelcome);
-  hookWrite(&out, welcome->virtual_time ? kHookFlagVirtualTime : 0, 1);
-  hookWrite(&out, welcome->link, 3);
-  hookWrite(&out, welcome->newest_session, 3);
+  hookWriteU8(&out, welcome->virtual_time ? kHookFlagVirtualTime : 0);
+  hookWriteU24(&out, welcome->link);
+  hookWriteU24(&out, welcome->newest_session);
   hookFinishPayload(frame, &out);
 }
 
 void hookEncodeHello(const HookHello* hello, HookFrame* frame) {
   HookByteWriter out = hookStartPayload(frame, kHookMessageTypeHello);
-  hookWrite(&out, hello->version, 1);
+  hookWriteU8(&out, hello->version);
   writeFeatures(&out, &hello->features);
-  hookWrite(&out, hello->dictionary, 4);
-  hookWrite(&out, hello->link, 3);
+  hookWriteU32(&out, hello->dictionary);
+  hookWriteU24(&out, hello->link);
   writeText(&out, hello->mission_name, kHookMostNameBytes);
   hookFinishPayload(frame, &out);
 }
@@ -77,7 +77,7 @@ void hookEncodeHello(const HookHello* hello, HookFrame* frame) {
 void hookEncodeNote(const HookMissionNote* note, HookFrame* frame) {
   HookByteWriter out = hookStartPayload(frame, kHookMessageTypeNote);
   hookWriteF64(&out, note->mission_time_s);
-  hookWrite(&out, note->kind, 1);
+  hookWriteU8(&out, note->kind);
   writeText(&out, note->text, kHookMostNoteBytes);
   hookFinishPayload(frame, &out);
 }
@@ -85,22 +85,22 @@ void hookEncodeNote(const HookMissionNote* note, HookFrame* frame) {
 void hookEncodeTransition(const HookTransitionNotice* notice, HookFrame* frame) {
   HookByteWriter out = hookStartPayload(frame, kHookMessageTypeTransition);
   hookWriteF64(&out, notice->mission_time_s);
-  hookWrite(&out, notice->transition, 1);
-  hookWrite(&out, notice->from, 4);
-  hookWrite(&out, notice->to, 4);
-  hookWrite(&out, notice->fired_case, 4);
-  hookWrite(&out, notice->list, 1);
+  hookWriteU8(&out, notice->transition);
+  hookWriteU32(&out, notice->from);
+  hookWriteU32(&out, notice->to);
+  hookWriteU32(&out, notice->fired_case);
+  hookWriteU8(&out, notice->list);
   hookFinishPayload(frame, &out);
 }
 
 void hookEncodeDone(const HookDone* done, HookFrame* frame) {
   HookByteWriter out = hookStartPayload(frame, kHookMessageTypeDone);
-  hookWrite(&out, done->answered, 1);
-  hookWrite(&out, done->session, 3);
+  hookWriteU8(&out, done->answered);
+  hookWriteU24(&out, done->session);
   hookWriteF64(&out, done->status.mission_time_s);
-  hookWrite(&out, done->status.state, 4);
-  hookWrite(&out, done->status.stack_depth, 1);
-  hookWrite(&out, done->status.phase, 1);
+  hookWriteU32(&out, done->status.state);
+  hookWriteU8(&out, done->status.stack_depth);
+  hookWriteU8(&out, done->status.phase);
   hookFinishPayload(frame, &out);
 }
 
@@ -126,7 +126,7 @@ bool hookDecodeWelcome(const HookFrame* frame, HookWelcome* welcome) {
   welcome->link = hookReadU24(&in);
   welcome->newest_session = hookReadU24(&in);
   return frame->type == kHookMessageTypeWelcome && hookIsAllRead(&in) &&
-         (flags | kHookFlagVirtualTime) == kHookFlagVirtualTime;
+         (flags & ~(uint32_t)kHookFlagVirtualTime) == 0;
 }
 
 bool hookDecodeHello(const HookFrame* frame, HookHello* hello) {

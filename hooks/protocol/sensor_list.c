@@ -7,7 +7,7 @@
 
 void hookEncodeEmptyList(HookFrame* frame) {
   HookByteWriter out = hookStartPayload(frame, kHookMessageTypeWrite);
-  hookWrite(&out, 0, 1);
+  hookWriteU8(&out, 0);
   hookFinishPayload(frame, &out);
 }
 
@@ -18,7 +18,7 @@ bool hookAppendValue(const GliderDictionary* dictionary, HookFrame* frame,
     return false;
   }
   HookByteWriter out = hookWriterTo(frame->payload + frame->size, 2 + width);
-  hookWrite(&out, value->id, 2);
+  hookWriteU16(&out, value->id);
   hookWrite(&out, hookToWire(width, value->value), width);
   frame->size = (uint16_t)(frame->size + out.size);
   ++frame->payload[0];

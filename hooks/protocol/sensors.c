@@ -12,7 +12,7 @@ static uint8_t toByte(double value) {
 }
 
 static double fromByte(uint8_t byte) {
-  const int whole = byte > 127 ? byte - 256 : byte;
+  const int whole = (byte ^ 0x80) - 0x80;  // in two's complement
   return whole == -128 ? hookUnknown() : whole;
 }
 

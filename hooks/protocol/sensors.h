@@ -65,11 +65,6 @@ inline bool isScienceSensor(const GliderDictionary& dictionary, uint16_t id) {
 inline bool isInstructionSensor(const GliderDictionary& dictionary, uint16_t id) {
   return hookIsInstructionSensor(&dictionary, id);
 }
-inline Subscription usualSubscription(const GliderDictionary& dictionary, uint16_t id) {
-  Subscription subscription;
-  hookUsualSubscription(&dictionary, id, &subscription);
-  return subscription;
-}
 inline uint64_t toWire(uint32_t width, double value) {
   return hookToWire(width, value);
 }

@@ -39,7 +39,7 @@ static uint32_t mapBytes(uint32_t count) {
 
 static void writeMap(HookByteWriter* out, const BitMap* map, uint32_t count) {
   for (uint32_t i = 0; i < mapBytes(count); ++i) {
-    hookWrite(out, map->bytes[i], 1);
+    hookWriteU8(out, map->bytes[i]);
   }
 }
 
@@ -63,8 +63,8 @@ static uint32_t countOf(const HookSubscribe* subscribe) {
 static void writeList(HookByteWriter* out, const HookSubscribe* subscribe) {
   for (uint32_t i = 0; i < countOf(subscribe); ++i) {
     const HookSubscription* wanted = &subscribe->sensors[i];
-    hookWrite(out, wanted->id, 2);
-    hookWrite(out, wanted->every, 1);
+    hookWriteU16(out, wanted->id);
+    hookWriteU8(out, wanted->every);
     hookWriteF32(out, wanted->dead_band);
   }
 }
@@ -75,21 +75,21 @@ static bool isSubscription(const GliderDictionary* dictionary, const HookSubscri
 }
 
 static void writeHead(HookByteWriter* out, const HookTickHead* head) {
-  hookWrite(out, head->virtual_time ? kHookFlagVirtualTime : 0, 1);
-  hookWrite(out, head->link, 3);
+  hookWriteU8(out, head->virtual_time ? kHookFlagVirtualTime : 0);
+  hookWriteU24(out, head->link);
   hookWriteF32(out, (float)head->vehicle_time_s);
-  hookWrite(out, head->cycle, 3);
-  hookWrite(out, head->subscription, 2);
-  hookWrite(out, head->hook_state, 1);
-  hookWrite(out, head->answer, 1);
-  hookWrite(out, head->answered_sequence, 2);
-  hookWrite(out, head->session, 3);
-  hookWrite(out, head->clock_s, 4);
+  hookWriteU24(out, head->cycle);
+  hookWriteU16(out, head->subscription);
+  hookWriteU8(out, head->hook_state);
+  hookWriteU8(out, head->answer);
+  hookWriteU16(out, head->answered_sequence);
+  hookWriteU24(out, head->session);
+  hookWriteU32(out, head->clock_s);
 }
 
 void hookEncodeSubscribe(const HookSubscribe* subscribe, HookFrame* frame) {
   HookByteWriter out = hookStartPayload(frame, kHookMessageTypeSubscribe);
-  hookWrite(&out, countOf(subscribe), 1);
+  hookWriteU8(&out, countOf(subscribe));
   writeList(&out, subscribe);
   hookFinishPayload(frame, &out);
 }
@@ -161,9 +161,8 @@ bool hookDecodeTickHead(const HookFrame* frame, HookTickHead* head) {
   head->session = hookReadU24(&in);
   head->clock_s = hookReadU32(&in);
   return frame->type == kHookMessageTypeTick && in.good &&
-         (flags | kHookFlagVirtualTime) == kHookFlagVirtualTime &&
-         hookIsFinite(head->vehicle_time_s) && hookIsState(head->hook_state) &&
-         hookIsAnswer(head->answer);
+         (flags & ~(uint32_t)kHookFlagVirtualTime) == 0 && hookIsFinite(head->vehicle_time_s) &&
+         hookIsState(head->hook_state) && hookIsAnswer(head->answer);
 }
 
 bool hookDecodeTickReadings(const GliderDictionary* dictionary, const HookFrame* frame,
@@ -178,6 +177,7 @@ bool hookDecodeTickReadings(const GliderDictionary* dictionary, const HookFrame*
     return false;
   }
   for (uint32_t i = 0; i < count; ++i) {
+    const uint16_t id = subscription->sensors[i].id;
     readings->told[i] = !hasBit(&reported, i)    ? kHookReadingReportNothing
                         : hasBit(&with_value, i) ? kHookReadingReportValue
                                                  : kHookReadingReportUnchanged;
@@ -185,7 +185,7 @@ bool hookDecodeTickReadings(const GliderDictionary* dictionary, const HookFrame*
       if (!hasBit(&reported, i)) {
         return false;
       }
-      const uint32_t width = hookSensorWidth(dictionary, subscription->sensors[i].id);
+      const uint32_t width = hookSensorWidth(dictionary, id);
       readings->values[i] = hookFromWire(width, hookRead(&in, width));
     }
   }

@@ -259,4 +259,43 @@ def unanswered():
     return s.steps
 
 
-SESSIONS = [("a flight", False, flown()), ("refusals", True, refused()), ("no answer", False, unanswered())]
+def long():
+    """Values that are sent again, Ticks without an answer, a flight controller that never pauses, many notes, a hookbeh that is gone."""
+    s = Session(300)
+    s.cycle(4.0, 1, x_hook_state=2).beacon()
+    s.second().link(3, "long").subscribe(("m_depth", 1, 0)).done(s.out, 0, 0, 0, 0, 0).beats()
+    for number in range(2, 20):  # R4: the first Tick has the value, and that 16 Ticks later
+        s.cycle(4.0 * number, number, x_hook_state=2, m_depth=5).tick((4, 5) if number in (2, 18) else "same")
+        s.second().done(s.out, 0, 0, 0, 0, 0).beats()
+    # R1: an answer to a Tick is none to the value that went since.
+    s.cycle(80.0, 20, x_hook_state=2, m_depth=6).tick((4, 6))
+    answered = s.out
+    s.cycle(84.0, 21, x_hook_state=2, m_depth=7).tick((4, 7))
+    s.second().done(answered, 0, 0, 0, 0, 0).beats()
+    s.cycle(88.0, 22, x_hook_state=2, m_depth=7).tick((4, 7))
+    s.second().done(s.out, 0, 0, 0, 0, 0).beats()
+    s.second().flight(m_present_secs_into_mission=92.0, m_cycle_number=23, x_hook_state=2)
+    for depth in (8, 8.5, 9):
+        s.second().flight(m_depth=depth)
+    s.report.update(time=92.0, cycle=23)
+    s.tick((4, 9))
+    s.second().done(s.out, 0, 0, 0, 0, 0).beats()
+    s.second()
+    for number in range(20):
+        s.sbc("Note", wire.PAYLOADS["Note"](0.0, 0, f"note {number}"))
+        if number < 16:
+            s.event("SbcNote", 0, time=0.0, text=f"note {number}")
+    s.sbc("Transition", wire.PAYLOADS["Transition"](0.0, 1, 2, 3, 4, 0)).event("SbcTransition", 1, 2, 3, 4, 0, time=0.0)
+    for number in range(24, 30):
+        s.report["state"] = 0 if number == 29 else 2
+        s.cycle(4.0 * number, number).tick(None)
+        s.second().done(s.out, 0, 0, 0, 0, 0)
+        if number < 29:
+            s.beats()
+    return s.steps
+
+
+ALL_AT_ONCE = 2048
+# (name, in virtual time, bytes that the line takes in a second, seconds)
+SESSIONS = [("a flight", False, ALL_AT_ONCE, flown()), ("a slow line", False, 11, flown()), ("refusals", True, ALL_AT_ONCE, refused()),
+            ("no answer", False, ALL_AT_ONCE, unanswered()), ("a long link", False, ALL_AT_ONCE, long())]

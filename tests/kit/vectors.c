@@ -102,6 +102,7 @@ typedef struct Second {
 typedef struct Session {
   const char* name;
   bool virtual_time;
+  uint32_t room; /* bytes that the line takes in a second */
   Span seconds;
 } Session;
 
@@ -374,7 +375,7 @@ typedef struct Bench {
   bool fresh[kSensorCount];
   Span received;      /* what the SBC has sent and hookprog has not read */
   uint8_t sent[2048]; /* by hookprog */
-  uint32_t sent_count;
+  uint32_t sent_count, room;
   HookSensorValue sets[64]; /* by hookprog, in order */
   uint32_t set_count;
 } Bench;
@@ -406,7 +407,7 @@ static int32_t readLine(void* self, uint8_t* bytes, uint32_t capacity) {
 
 static int32_t writeLine(void* self, const uint8_t* bytes, uint32_t count) {
   Bench* bench = self;
-  const uint32_t room = (uint32_t)sizeof bench->sent - bench->sent_count;
+  const uint32_t room = bench->room - bench->sent_count;
   const uint32_t taken = count < room ? count : room;
   memcpy(bench->sent + bench->sent_count, bytes, taken);
   bench->sent_count += taken;
@@ -456,6 +457,7 @@ static void checkSession(const Session* session) {
   static Hookprog hookprog;
   static Bench bench;
   memset(&bench, 0, sizeof bench);
+  bench.room = session->room;
   for (uint32_t id = 0; id < kSensorCount; ++id) {
     bench.values[id] = hookDoubleOf(UINT64_C(0x7FF8000000000000));
   }

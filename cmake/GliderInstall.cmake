@@ -7,6 +7,7 @@
 #   lib/libglider.a                      missions in C, for this computer (those of the boards: share/glidercc/boards/BOARD)
 #   lib/cmake/glidercc lib/pkgconfig     find_package(glidercc), toolchains of the boards, pkg-config
 #   share/man share/doc/glidercc         manual pages, the documents, examples
+# With `--component vehicle`, and only then: the hooks in C99 for who builds a vehicle's software (hooks/kit/README.md).
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -66,6 +67,27 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY missions/examples missions/gallery DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY missions/detector DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
 install(DIRECTORY editors/vscode DESTINATION ${CMAKE_INSTALL_DOCDIR}/editors)
+
+# For the vehicle's own computers: what is C, and all that it includes.
+get_property(portable GLOBAL PROPERTY GLIDER_HOOKS_PORTABLE_SOURCES)
+list(FILTER portable INCLUDE REGEX "[.]c$")
+foreach(source ${portable})
+  file(RELATIVE_PATH name ${CMAKE_SOURCE_DIR} ${source})
+  cmake_path(GET name PARENT_PATH folder)
+  list(APPEND kit_folders ${folder})
+  install(FILES ${source} DESTINATION ${folder} COMPONENT vehicle EXCLUDE_FROM_ALL)
+endforeach()
+list(REMOVE_DUPLICATES kit_folders)
+foreach(folder ${kit_folders})
+  install(DIRECTORY ${folder}/ DESTINATION ${folder} COMPONENT vehicle EXCLUDE_FROM_ALL
+    FILES_MATCHING PATTERN *.h PATTERN *.def PATTERN README.md PATTERN model EXCLUDE
+    # C++, of the SBC's side
+    PATTERN bounds.h EXCLUDE PATTERN lockstep.h EXCLUDE)
+endforeach()
+install(FILES hooks/transport/byte_stream.h DESTINATION hooks/transport COMPONENT vehicle EXCLUDE_FROM_ALL)
+install(FILES ${CMAKE_BINARY_DIR}/generated/platforms/slocum_sensors.h DESTINATION platforms COMPONENT vehicle EXCLUDE_FROM_ALL)
+install(FILES tests/kit/vectors.c tests/kit/vectors.def DESTINATION tests/kit COMPONENT vehicle EXCLUDE_FROM_ALL)
+install(FILES hooks/kit/Makefile hooks/kit/README.md LICENSE DESTINATION . COMPONENT vehicle EXCLUDE_FROM_ALL)
 
 # `cpack -G DEB` packs what is installed; it builds nothing.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)

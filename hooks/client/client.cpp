@@ -238,7 +238,7 @@ uint16_t Client::instruct(Instruction instruction) {
   }
   claims_ = true;
   instruction.session = session_;
-  pending_ = inSteps(instruction);
+  hookInSteps(&instruction, &pending_);
   renumber();
   waiting_ = true;
   due_ = true;
@@ -293,7 +293,7 @@ ClientPart Client::brokenPart() const {
   if (reader_.held() > FrameReader::kBytes) {
     return ClientPart::Reader;
   }
-  constexpr auto kFirst = static_cast<uint32_t>(ClientPart::Subscription);
+  constexpr auto kFirst = static_cast<uint32_t>(ClientPart::Subscribed);
   constexpr uint32_t kCount = sizeof kBounds / sizeof kBounds[0];
   static_assert(kFirst + kCount == static_cast<uint32_t>(ClientPart::Lateral) + 1);
   const uint32_t past = firstPast(this, kBounds);

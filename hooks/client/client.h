@@ -79,7 +79,7 @@ enum class ClientPart : uint8_t {
   None,
   SendQueue,
   Reader,
-  Subscription,
+  Subscribed,
   Readings,
   Notices,
   Notes,

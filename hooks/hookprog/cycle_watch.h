@@ -1,25 +1,26 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#pragma once
+#ifndef GLIDER_HOOKS_HOOKPROG_CYCLE_WATCH_H
+#define GLIDER_HOOKS_HOOKPROG_CYCLE_WATCH_H
 
-#include <stdint.h>
+#include "hooks/protocol/language.h"
 
-namespace glider::hooks {
+GLIDER_HOOKS_BEGIN
 
 /// Checks whether a report of the flight controller is from a later cycle than those before it. A
 /// report from an earlier cycle is a repetition; two in order show that the vehicle has restarted
-/// its count.
-class CycleWatch {
- public:
-  /// `cycle` wraps at 2^24.
-  bool isNext(uint32_t cycle);
+/// its count. It begins with all bytes zero.
+typedef struct HookprogCycleWatch {
+  uint32_t newest GLIDER_IS(0);
+  uint32_t earlier GLIDER_IS(0);  ///< of the newest report, when `was_earlier`
+  bool known GLIDER_IS(false);
+  bool was_earlier GLIDER_IS(false);
+} HookprogCycleWatch;
 
- private:
-  uint32_t newest_ = 0;
-  uint32_t earlier_ = 0;  ///< of the newest report, when `was_earlier_`
-  bool known_ = false;
-  bool was_earlier_ = false;
-};
+/// `cycle` wraps at 2^24.
+bool hookprogCycleIsNext(HookprogCycleWatch* watch, uint32_t cycle);
 
-}  // namespace glider::hooks
+GLIDER_HOOKS_END
+
+#endif

@@ -44,6 +44,22 @@ void hookWrite(HookByteWriter* writer, uint64_t value, uint32_t width) {
   }
 }
 
+void hookWriteU8(HookByteWriter* writer, uint32_t value) {
+  hookWrite(writer, value, 1);
+}
+
+void hookWriteU16(HookByteWriter* writer, uint32_t value) {
+  hookWrite(writer, value, 2);
+}
+
+void hookWriteU24(HookByteWriter* writer, uint32_t value) {
+  hookWrite(writer, value, 3);
+}
+
+void hookWriteU32(HookByteWriter* writer, uint32_t value) {
+  hookWrite(writer, value, 4);
+}
+
 void hookWriteF32(HookByteWriter* writer, float value) {
   hookWrite(writer, hookBitsOfFloat(value), 4);
 }

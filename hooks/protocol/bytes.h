@@ -26,6 +26,11 @@ typedef struct HookByteWriter {
 HookByteWriter hookWriterTo(uint8_t* bytes, uint32_t capacity);
 /// The lowest `width` bytes of `value`.
 void hookWrite(HookByteWriter* writer, uint64_t value, uint32_t width);
+/// The same of 1 to 4 bytes: calls of these are short on a board with 32-bit registers.
+void hookWriteU8(HookByteWriter* writer, uint32_t value);
+void hookWriteU16(HookByteWriter* writer, uint32_t value);
+void hookWriteU24(HookByteWriter* writer, uint32_t value);
+void hookWriteU32(HookByteWriter* writer, uint32_t value);
 void hookWriteF32(HookByteWriter* writer, float value);
 void hookWriteF64(HookByteWriter* writer, double value);
 
@@ -66,10 +71,10 @@ inline uint64_t bitsOf(double value) {
 class ByteWriter {
  public:
   ByteWriter(uint8_t* bytes, uint32_t capacity) : writer_(hookWriterTo(bytes, capacity)) {}
-  void u8(uint8_t value) { bits(value, 1); }
-  void u16(uint16_t value) { bits(value, 2); }
-  void u24(uint32_t value) { bits(value, 3); }
-  void u32(uint32_t value) { bits(value, 4); }
+  void u8(uint8_t value) { hookWriteU8(&writer_, value); }
+  void u16(uint16_t value) { hookWriteU16(&writer_, value); }
+  void u24(uint32_t value) { hookWriteU24(&writer_, value); }
+  void u32(uint32_t value) { hookWriteU32(&writer_, value); }
   void f32(float value) { hookWriteF32(&writer_, value); }
   void f64(double value) { hookWriteF64(&writer_, value); }
   void bits(uint64_t value, uint32_t width) { hookWrite(&writer_, value, width); }

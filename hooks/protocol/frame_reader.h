@@ -1,54 +1,64 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#pragma once
+#ifndef GLIDER_HOOKS_PROTOCOL_FRAME_READER_H
+#define GLIDER_HOOKS_PROTOCOL_FRAME_READER_H
 
 #include "hooks/protocol/frame.h"
 #include "hooks/transport/byte_stream.h"
 
-#include <stdint.h>
+#ifdef __cplusplus
+enum class HookFrameReading : uint8_t {
+#define FRAME_READING(name) name,
+#include "hooks/protocol/messages.def"
+};
+#else
+typedef uint8_t HookFrameReading;
+enum {
+#define FRAME_READING(name) kHookFrameReading##name,
+#include "hooks/protocol/messages.def"
+};
+#endif
 
-namespace glider::hooks {
+GLIDER_HOOKS_BEGIN
+
+enum { kHookReaderBytes = 256 };
 
 /// Splits a stream into whole frames, one at a time; bytes after a frame wait for the next call.
+/// It begins with all bytes zero.
+typedef struct HookFrameReader {
+  HookFrameDecoder decoder;
+  uint8_t bytes[kHookReaderBytes] GLIDER_IS({});
+  uint32_t at GLIDER_IS(0);
+  uint32_t count GLIDER_IS(0);  ///< of the bytes that it holds: more only if its memory is broken
+} HookFrameReader;
+
+/// The next whole frame, if all its bytes have arrived: it is in decoder.frame until the next call.
+/// Reads a bounded number of bytes, so that a stream full of noise cannot block its reader.
+HookFrameReading hookFrameReaderNext(HookFrameReader* reader, const GliderByteStream* stream);
+
+GLIDER_HOOKS_END
+
+#ifdef __cplusplus
+namespace glider::hooks {
+
+/// HookFrameReader.
 class FrameReader {
  public:
-  enum class Result : uint8_t { Nothing, Frame, Closed };
+  using Result = HookFrameReading;
+  static constexpr uint32_t kBytes = kHookReaderBytes;
 
-  /// The next whole frame, if all its bytes have arrived. Reads at most `kMostBytes`, so that a
-  /// stream full of noise cannot block its reader. Closed: the other end is gone and everything it
-  /// sent has been read.
-  Result next(const GliderByteStream& stream) {
-    for (uint32_t looked = 0; looked < kMostBytes; ++looked) {
-      if (at_ >= count_) {
-        const int32_t got = stream.read(stream.self, bytes_, sizeof bytes_);
-        if (got <= 0) {
-          return got < 0 ? Result::Closed : Result::Nothing;
-        }
-        at_ = 0;
-        count_ =
-            static_cast<uint32_t>(got) < sizeof bytes_ ? static_cast<uint32_t>(got) : sizeof bytes_;
-      }
-      if (decoder_.push(bytes_[at_++])) {
-        return Result::Frame;
-      }
-    }
-    return Result::Nothing;
-  }
-
-  [[nodiscard]] const Frame& frame() const { return decoder_.frame(); }
-  [[nodiscard]] uint32_t badFrames() const { return decoder_.badFrames(); }
+  Result next(const GliderByteStream& stream) { return hookFrameReaderNext(&reader_, &stream); }
+  [[nodiscard]] const Frame& frame() const { return reader_.decoder.frame; }
+  [[nodiscard]] uint32_t badFrames() const { return reader_.decoder.bad_frames; }
   /// How many bytes it holds: at most kBytes, unless its memory is broken.
-  [[nodiscard]] uint32_t held() const { return count_; }
-  static constexpr uint32_t kBytes = 256;
+  [[nodiscard]] uint32_t held() const { return reader_.count; }
 
  private:
-  static constexpr uint32_t kMostBytes = 8192;
-
-  FrameDecoder decoder_;
-  uint8_t bytes_[kBytes] = {};
-  uint32_t at_ = 0;
-  uint32_t count_ = 0;
+  HookFrameReader reader_;
 };
 
 }  // namespace glider::hooks
+#endif
+
+#endif

@@ -69,13 +69,16 @@ void hookInSteps(const HookInstruction* instruction, HookInstruction* carried) {
 uint32_t hookCheckValue(const HookInstruction* instruction) {
   uint8_t bytes[kCheckedBytes];
   HookByteWriter out = hookWriterTo(bytes, kCheckedBytes);
-#define WORD(role, sensor, word, field, width, ...) hookWrite(&out, instruction->field, width);
+#define WORD(role, sensor, word, field, width, ...) HOOK_WRITE_##width(&out, instruction->field);
+#define HOOK_WRITE_1 hookWriteU8
+#define HOOK_WRITE_2 hookWriteU16
+#define HOOK_WRITE_4 hookWriteU32
 #define REAL_WORD(...)
 #include "hooks/protocol/instruction.def"
   // Real numbers come behind those, in steps.
 #define WORD(...)
 #define REAL_WORD(role, sensor, word, field, width, steps, line) \
-  hookWrite(&out, (uint32_t)hookWholeSteps(instruction->field, steps, hookMostSteps(width)), 4);
+  hookWriteU32(&out, (uint32_t)hookWholeSteps(instruction->field, steps, hookMostSteps(width)));
 #include "hooks/protocol/instruction.def"
   return hookCrc32c(bytes, kCheckedBytes, kHookCrc32cStart);
 }

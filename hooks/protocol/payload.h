@@ -1,29 +1,47 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#pragma once
+#ifndef GLIDER_HOOKS_PROTOCOL_PAYLOAD_H
+#define GLIDER_HOOKS_PROTOCOL_PAYLOAD_H
 
 #include "hooks/protocol/bytes.h"
 #include "hooks/protocol/frame.h"
 
 /// How the encoders and decoders of messages begin and end.
-namespace glider::hooks {
+GLIDER_HOOKS_BEGIN
 
-inline ByteWriter startPayload(Frame& frame, MessageType type, uint32_t most = kMostPayload) {
-  frame.type = type;
-  frame.size = 0;
-  return {frame.payload, most};
+/// Flags of Beacon, Welcome and Tick.
+enum { kHookFlagVirtualTime = 4 };
+
+GLIDER_INLINE HookByteWriter hookStartPayload(HookFrame* frame, HookMessageType type) {
+  frame->type = type;
+  frame->size = 0;
+  return hookWriterTo(frame->payload, kHookMostPayload);
 }
 
+GLIDER_INLINE void hookFinishPayload(HookFrame* frame, const HookByteWriter* writer) {
+  frame->size = (uint16_t)writer->size;
+}
+
+GLIDER_INLINE HookByteReader hookPayloadOf(const HookFrame* frame) {
+  return hookReaderOf(frame->payload, frame->size);
+}
+
+GLIDER_HOOKS_END
+
+#ifdef __cplusplus
+namespace glider::hooks {
+
+inline ByteWriter startPayload(Frame& frame, MessageType type) {
+  frame.type = type;
+  frame.size = 0;
+  return {frame.payload, kMostPayload};
+}
 inline void finishPayload(Frame& frame, const ByteWriter& writer) {
   frame.size = static_cast<uint16_t>(writer.size());
 }
 
-inline ByteReader payloadOf(const Frame& frame) {
-  return {frame.payload, frame.size};
-}
-
-/// Flags of Beacon, Welcome and Tick.
-inline constexpr uint8_t kFlagVirtualTime = 4;
-
 }  // namespace glider::hooks
+#endif
+
+#endif

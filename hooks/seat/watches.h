@@ -1,63 +1,62 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#pragma once
+#ifndef GLIDER_HOOKS_SEAT_WATCHES_H
+#define GLIDER_HOOKS_SEAT_WATCHES_H
 
-#include <stdint.h>
+#include "hooks/protocol/language.h"
 
 /// What the seat monitors about the SBC and the vehicle's answers, in the time of the computer that
 /// it is on.
-namespace glider::hooks {
+GLIDER_HOOKS_BEGIN
 
 /// Measures how long a condition has lasted. If the clock is set back (by GPS), counting starts
 /// from that moment: an alarm is late by the time that had passed, not by the amount of the change.
-class Since {
- public:
-  void begin(double now_s) { begun_s_ = now_s; }
-  /// Must be called often enough to notice that the clock is set back.
-  double lasts(double now_s) {
-    if (!(begun_s_ <= now_s)) {
-      begun_s_ = now_s;
-    }
-    return now_s - begun_s_;
-  }
+typedef struct HookSince {
+  double begun_s GLIDER_IS(0);
+} HookSince;
 
- private:
-  double begun_s_ = 0;
-};
+GLIDER_INLINE void hookSinceBegin(HookSince* since, double now_s) {
+  since->begun_s = now_s;
+}
+/// Must be called often enough to notice that the clock is set back.
+GLIDER_INLINE double hookSinceLasts(HookSince* since, double now_s) {
+  if (!(since->begun_s <= now_s)) {
+    since->begun_s = now_s;
+  }
+  return now_s - since->begun_s;
+}
 
 /// Checks whether the mission in control makes progress.
-class ProgressWatch {
- public:
-  /// `session`, which is in control, has reported its mission time. True if that has advanced; a
-  /// new link does not change this.
-  bool hasGoneOn(uint32_t session, double mission_time_s, double now_s);
-  /// True once when it has reported the same time for `limit_s`.
-  bool isStuck(double limit_s, double now_s);
+typedef struct HookProgressWatch {
+  uint32_t session GLIDER_IS(0);
+  double latest_s GLIDER_IS(-1);  ///< mission time that it has reported
+  HookSince same;
+  bool told GLIDER_IS(false);
+} HookProgressWatch;
 
- private:
-  uint32_t session_ = 0;
-  double latest_s_ = -1;  // mission time that it has reported
-  Since same_;
-  bool told_ = false;
-};
+void hookProgressWatchInit(HookProgressWatch* watch);
+/// `session`, which is in control, has reported its mission time. True if that has advanced; a
+/// new link does not change this.
+bool hookProgressWatchHasGoneOn(HookProgressWatch* watch, uint32_t session, double mission_time_s,
+                                double now_s);
+/// True once when it has reported the same time for `limit_s`.
+bool hookProgressWatchIsStuck(HookProgressWatch* watch, double limit_s, double now_s);
 
-/// Checks whether the vehicle answers instructions.
-class AnswerWatch {
- public:
-  /// The instruction with this number was forwarded.
-  void written(double sequence, double now_s);
-  /// The vehicle's newest answer is to number `sequence`.
-  void answered(uint32_t sequence);
-  /// True once when no instruction has been answered for `limit_s`.
-  bool isOverdue(double limit_s, double now_s);
-  /// The newest without an answer, 0 for none.
-  [[nodiscard]] uint16_t instruction() const { return instruction_; }
+/// Checks whether the vehicle answers instructions. It begins with all bytes zero.
+typedef struct HookAnswerWatch {
+  uint16_t instruction GLIDER_IS(0);  ///< the newest without an answer, 0 for none
+  HookSince unanswered;
+  bool told GLIDER_IS(false);
+} HookAnswerWatch;
 
- private:
-  uint16_t instruction_ = 0;
-  Since unanswered_;
-  bool told_ = false;
-};
+/// The instruction with this number was forwarded.
+void hookAnswerWatchWritten(HookAnswerWatch* watch, double sequence, double now_s);
+/// The vehicle's newest answer is to number `sequence`.
+void hookAnswerWatchAnswered(HookAnswerWatch* watch, uint32_t sequence);
+/// True once when no instruction has been answered for `limit_s`.
+bool hookAnswerWatchIsOverdue(HookAnswerWatch* watch, double limit_s, double now_s);
 
-}  // namespace glider::hooks
+GLIDER_HOOKS_END
+
+#endif

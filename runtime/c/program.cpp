@@ -76,8 +76,8 @@ bool Program::use(uint32_t sensor) {
       mission_.sensor_count == kMost) {
     return false;
   }
-  subscription_[mission_.sensor_count] =
-      hooks::usualSubscription(*gliderVehicle.dictionary, static_cast<uint16_t>(sensor));
+  hookUsualSubscription(gliderVehicle.dictionary, static_cast<uint16_t>(sensor),
+                        &subscription_[mission_.sensor_count]);
   sensors_[mission_.sensor_count] = gliderVehicle.sensors[sensor];
   ++mission_.sensor_count;
   return true;

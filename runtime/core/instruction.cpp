@@ -63,7 +63,8 @@ hooks::Instruction instructionFor(const GliderContext& context) {
   instruction.heading_rad = context.magnetic;
   instruction.latitude_ddmm = degreesMinutesOf(context.latitude);
   instruction.longitude_ddmm = degreesMinutesOf(context.longitude);
-  hooks::Instruction rounded = hooks::inSteps(instruction);
+  hooks::Instruction rounded;
+  hookInSteps(&instruction, &rounded);
   // Just under a full turn, rounded up past the sensor's range.
   if (rounded.lateral == hooks::HookLateral::Heading && rounded.heading_rad >= kTwoPi) {
     rounded.heading_rad = 0.0;

@@ -77,12 +77,12 @@ glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& missi
   for (uint32_t i = 0; i < mission.sensor_count; ++i) {
     const auto id = static_cast<uint16_t>(mission.sensors[i].id);
     if (mission.sensors[i].poll == nullptr) {  // the vehicle's
-      sensors[options.sensor_count++] = glider::hooks::usualSubscription(*mission.dictionary, id);
+      hookUsualSubscription(mission.dictionary, id, &sensors[options.sensor_count++]);
     }
   }
   if (StartDepth(mission).needsDepth()) {
     const auto depth = static_cast<uint16_t>(mission.dictionary->roles[kGliderRoleDepth]);
-    sensors[options.sensor_count++] = glider::hooks::usualSubscription(*mission.dictionary, depth);
+    hookUsualSubscription(mission.dictionary, depth, &sensors[options.sensor_count++]);
   }
   return options;
 }

@@ -273,13 +273,13 @@ bool Backseat::reading(void* self, uint16_t id, double* value) {
   return index < seat.port_.count() && seat.reported_.takeReport(index, value);
 }
 
-void Backseat::instruct(void* self, const hooks::SensorList& instruction) {
+void Backseat::instruct(void* self, const hooks::SensorList* instruction) {
   auto& seat = *static_cast<Backseat*>(self);
   hooks::InstructionWords words;
   for (const hooks::InstructionWord& word : hooks::kInstructionWords) {
-    for (uint32_t i = 0; i < instruction.count; ++i) {
-      if (instruction.values[i].id == hooks::sensorOf(seat.dictionary_, word.role)) {
-        words.*word.word = instruction.values[i].value;
+    for (uint32_t i = 0; i < instruction->count; ++i) {
+      if (instruction->values[i].id == hooks::sensorOf(seat.dictionary_, word.role)) {
+        words.*word.word = instruction->values[i].value;
       }
     }
   }

@@ -49,7 +49,7 @@ class Backseat {
   static int32_t readInner(void* self, uint8_t* bytes, uint32_t capacity);
   static int32_t writeInner(void* self, const uint8_t* bytes, uint32_t count);
   static bool reading(void* self, uint16_t id, double* value);
-  static void instruct(void* self, const hooks::SensorList& instruction);
+  static void instruct(void* self, const hooks::SensorList* instruction);
   static void beat(void* /*self*/, uint32_t /*heartbeat*/) {}
 
   [[nodiscard]] GliderByteStream outer() { return {this, readInner, writeInner}; }

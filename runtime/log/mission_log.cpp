@@ -36,7 +36,7 @@ hooks::ByteWriter MissionLog::open(LogRecord kind) {
 hooks::ByteWriter MissionLog::start(LogRecord kind) {
   ++frame_.sequence;
   urgent_ = urgent_ || kind != LogRecord::Values;
-  hooks::ByteWriter writer = startPayload(frame_, hooks::MessageType::Log);
+  hooks::ByteWriter writer = hooks::startPayload(frame_, hooks::MessageType::Log);
   writer.u8(static_cast<uint8_t>(kind));
   return writer;
 }
@@ -45,11 +45,11 @@ void MissionLog::close(const hooks::ByteWriter& writer) {
   if (sink_.write == nullptr) {
     return;
   }
-  finishPayload(frame_, writer);
+  hooks::finishPayload(frame_, writer);
   if (kBytes - size_ < hooks::encodedBound(frame_.size)) {
     (void)handOver();
   }
-  size_ += encodeFrame(frame_, bytes_ + size_);
+  size_ += hooks::encodeFrame(frame_, bytes_ + size_);
 }
 
 /// What a reader needs: the name that each number stands for.

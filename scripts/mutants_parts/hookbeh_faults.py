@@ -26,9 +26,9 @@ GUARD = "hooks/hookbeh/guard.cpp"
 SUBS = "hooks/hookbeh/sub_behaviours.cpp"
 PILOT = "hooks/hookbeh/pilot.cpp"
 BOUNDS = "hooks/hookbeh/bounds.cpp"
-VALUES = "hooks/protocol/values.cpp"
-WATCHES = "hooks/seat/watches.cpp"
-INSTRUCTION = "hooks/protocol/instruction.cpp"
+VALUES = "hooks/protocol/values.c"
+WATCHES = "hooks/seat/watches.c"
+INSTRUCTION = "hooks/protocol/instruction.c"
 DEPTH = "hooks/hookbeh/depth_source.cpp"
 WATCH = "hooks/hookbeh/depth_watch.cpp"
 UNSEEN_SINK = "hooks/hookbeh/unseen_sink.cpp"
@@ -53,7 +53,7 @@ PLANTED = [
             "outputs.doing = vertical.doing; outputs.commanding = vertical.doing != Doing::Hold;"),
     Planted("HB-2", "no pump while hovering", HOOKBEH, "outputs.pump_cc = vertical.pump_cc;",
             "outputs.pump_cc = vertical.pitch_rad == 0 ? __builtin_nan(\"\") : vertical.pump_cc;"),
-    Planted("HB-3", "the check is ignored", INSTRUCTION, "words.check == checkValue(*instruction)", "true"),
+    Planted("HB-3", "the check is ignored", INSTRUCTION, "words->check == (double)hookCheckValue(instruction)", "true"),
     Planted("HB-32", "an earlier instruction counts", HOOKBEH, "!isNewerSequence(sequence, settled_sequence_)", "false"),
     Planted("HB-4", "what lies in the array at the start is followed", HOOKBEH, "!settled_known_", "!(settled_known_ = true)"),
     Planted("HB-5", "an instruction is not answered", HOOKBEH, "outputs.answered_sequence = answered_sequence_;",
@@ -74,7 +74,7 @@ PLANTED = [
     Planted("HB-8", "commands go on in silence", HOOKBEH, "outputs.state = state_;",
             "if (state_ == HookState::Silent) { command(now, outputs); } outputs.state = state_;"),
     Planted("HB-15", "garbled instructions are waited for without an end", HOOKBEH, "!(garbled_s_ < args_.silence_secs)", "false"),
-    Planted("HB-16", "a mission that does not advance keeps the heartbeat going", WATCHES, "!(mission_time_s > latest_s_)", "false"),
+    Planted("HB-16", "a mission that does not advance keeps the heartbeat going", WATCHES, "!(mission_time_s > watch->latest_s)", "false"),
     Planted("HB-9", "a lost session may take control again", HOOKBEH, "!isNewerSession(instruction.session, lost_session_)", "false"),
     Planted("HB-10", "ready again after Release", HOOKBEH, "state_ = HookState::Complete;", "state_ = HookState::Ready;"),
     Planted("HB-11", "any session steers", HOOKBEH, "instruction.session != session_", "false"),

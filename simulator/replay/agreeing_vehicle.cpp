@@ -111,14 +111,14 @@ bool AgreeingVehicle::reading(void* self, uint16_t id, double* value) {
 }
 
 /// Accepts every instruction, and answers it in the next cycle.
-void AgreeingVehicle::write(void* self, const hooks::SensorList& instruction) {
+void AgreeingVehicle::write(void* self, const hooks::SensorList* instruction) {
   auto& vehicle = *static_cast<AgreeingVehicle*>(self);
-  for (uint32_t i = 0; i < instruction.count; ++i) {
-    const hooks::SensorValue& word = instruction.values[i];
+  for (uint32_t i = 0; i < instruction->count; ++i) {
+    const hooks::SensorValue& word = instruction->values[i];
     if (word.id == vehicle.numbers_[Sensor::sci_hook_session]) {
-      (void)hooks::isWhole(word.value, 0, hooks::kMostSession, &vehicle.session_);
+      (void)hookIsWhole(word.value, 0, kHookMostSession, &vehicle.session_);
     } else if (word.id == vehicle.numbers_[Sensor::sci_hook_sequence]) {
-      (void)hooks::isWhole(word.value, 0, UINT16_MAX, &vehicle.sequence_);
+      (void)hookIsWhole(word.value, 0, UINT16_MAX, &vehicle.sequence_);
     }
   }
 }

@@ -49,7 +49,7 @@ class AgreeingVehicle {
   void carry(double time);
   void passOverEvents();
   static bool reading(void* self, uint16_t id, double* value);
-  static void write(void* self, const hooks::SensorList& instruction);
+  static void write(void* self, const hooks::SensorList* instruction);
 
   SbcPort& sbc_;
   SensorNumbers numbers_;

@@ -470,9 +470,9 @@ double defined(const std::string& file, const std::string& name) {
 
 TEST(Model, HasTheCodesTimeouts) {
   EXPECT_EQ(defined("control.pml", "SILENCE") * kCycle, HookbehArgs{}.silence_secs);
-  EXPECT_EQ(defined("control.pml", "LOST") * kCycle, Seat::kLostSecs);
+  EXPECT_EQ(defined("control.pml", "LOST") * kCycle, double{kHookSeatLostSecs});
   EXPECT_EQ(defined("control.pml", "UNANSWERED"), Client::kMostUnansweredTicks);
-  EXPECT_EQ(defined("readings.pml", "LOST") * kCycle, Seat::kLostSecs);
+  EXPECT_EQ(defined("readings.pml", "LOST") * kCycle, double{kHookSeatLostSecs});
   EXPECT_LE(defined("readings.pml", "REMEMBERED"), 8);
 }
 

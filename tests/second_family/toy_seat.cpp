@@ -90,15 +90,15 @@ bool ToySeat::reading(void* self, uint16_t id, double* value) {
   return array.fresh(id);
 }
 
-void ToySeat::write(void* self, const hooks::SensorList& instruction) {
+void ToySeat::write(void* self, const hooks::SensorList* instruction) {
   auto& toy = *static_cast<ToySeat*>(self);
   const GliderDictionary& dictionary = toy.dictionary_.get();
   hooks::InstructionWords words;
   for (const hooks::InstructionWord& one : hooks::kInstructionWords) {
     const uint16_t id = hooks::sensorOf(dictionary, one.role);
-    for (uint32_t i = 0; i < instruction.count; ++i) {
+    for (uint32_t i = 0; i < instruction->count; ++i) {
       words.*one.word =
-          instruction.values[i].id == id ? instruction.values[i].value : words.*one.word;
+          instruction->values[i].id == id ? instruction->values[i].value : words.*one.word;
     }
   }
   if (hooks::Instruction heard; hooks::instructionOf(words, &heard)) {

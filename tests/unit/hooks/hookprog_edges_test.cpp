@@ -412,60 +412,61 @@ TEST(Hookprog, AsksOnlyForSensorsOfTheVehicle) {
 }
 
 TEST(HookprogWatches, CyclesWrapAroundAndTwoInSequenceBegin) {
-  CycleWatch half;
-  EXPECT_TRUE(half.isNext(1));
-  EXPECT_TRUE(half.isNext(1 + 0x7FFFFF)) << "half of the round";
-  CycleWatch more;
-  EXPECT_TRUE(more.isNext(1));
-  EXPECT_FALSE(more.isNext(1 + 0x800000));
+  HookprogCycleWatch half;
+  EXPECT_TRUE(hookprogCycleIsNext(&half, 1));
+  EXPECT_TRUE(hookprogCycleIsNext(&half, 1 + 0x7FFFFF)) << "half of the round";
+  HookprogCycleWatch more;
+  EXPECT_TRUE(hookprogCycleIsNext(&more, 1));
+  EXPECT_FALSE(hookprogCycleIsNext(&more, 1 + 0x800000));
   for (const uint32_t lost : {8U, 9U}) {
-    CycleWatch watch;
-    EXPECT_TRUE(watch.isNext(1000));
-    EXPECT_FALSE(watch.isNext(500));
-    EXPECT_EQ(watch.isNext(500 + lost), lost == 8) << lost;
+    HookprogCycleWatch watch;
+    EXPECT_TRUE(hookprogCycleIsNext(&watch, 1000));
+    EXPECT_FALSE(hookprogCycleIsNext(&watch, 500));
+    EXPECT_EQ(hookprogCycleIsNext(&watch, 500 + lost), lost == 8) << lost;
   }
-  CycleWatch again;
-  EXPECT_TRUE(again.isNext(1000));
-  EXPECT_FALSE(again.isNext(500));
-  EXPECT_FALSE(again.isNext(500)) << "twice the same is not a sequence";
+  HookprogCycleWatch again;
+  EXPECT_TRUE(hookprogCycleIsNext(&again, 1000));
+  EXPECT_FALSE(hookprogCycleIsNext(&again, 500));
+  EXPECT_FALSE(hookprogCycleIsNext(&again, 500)) << "twice the same is not a sequence";
 }
 
 TEST(HookprogWatches, AnInstructionWaitsFromOneToTheLargestNumber) {
   for (const auto& [sequence, waits] :
        {std::pair{0.0, 0}, {1.0, 1}, {65535.0, 65535}, {65536.0, 0}}) {
-    AnswerWatch watch;
-    watch.written(sequence, 10);
-    EXPECT_EQ(watch.instruction(), waits);
-    EXPECT_FALSE(watch.isOverdue(12, 21.75));
-    EXPECT_EQ(watch.isOverdue(12, 22), waits != 0);
-    EXPECT_FALSE(watch.isOverdue(12, 23)) << "told";
+    HookAnswerWatch watch;
+    hookAnswerWatchWritten(&watch, sequence, 10);
+    EXPECT_EQ(watch.instruction, waits);
+    EXPECT_FALSE(hookAnswerWatchIsOverdue(&watch, 12, 21.75));
+    EXPECT_EQ(hookAnswerWatchIsOverdue(&watch, 12, 22), waits != 0);
+    EXPECT_FALSE(hookAnswerWatchIsOverdue(&watch, 12, 23)) << "told";
   }
 }
 
 TEST(HookprogWatches, AnInstructionWithoutANumberDoesNotEndTheWait) {
-  AnswerWatch watch;
-  watch.written(7, 10);
-  EXPECT_TRUE(watch.isOverdue(12, 30));
-  watch.written(8, 31);
-  EXPECT_FALSE(watch.isOverdue(12, 50)) << "told, and still waiting since then";
-  watch.answered(7);
-  EXPECT_EQ(watch.instruction(), 8);
-  watch.answered(8);
-  watch.written(9, 60);
-  EXPECT_FALSE(watch.isOverdue(12, 71));
-  EXPECT_TRUE(watch.isOverdue(12, 72));
+  HookAnswerWatch watch;
+  hookAnswerWatchWritten(&watch, 7, 10);
+  EXPECT_TRUE(hookAnswerWatchIsOverdue(&watch, 12, 30));
+  hookAnswerWatchWritten(&watch, 8, 31);
+  EXPECT_FALSE(hookAnswerWatchIsOverdue(&watch, 12, 50)) << "told, and still waiting since then";
+  hookAnswerWatchAnswered(&watch, 7);
+  EXPECT_EQ(watch.instruction, 8);
+  hookAnswerWatchAnswered(&watch, 8);
+  hookAnswerWatchWritten(&watch, 9, 60);
+  EXPECT_FALSE(hookAnswerWatchIsOverdue(&watch, 12, 71));
+  EXPECT_TRUE(hookAnswerWatchIsOverdue(&watch, 12, 72));
 }
 
 TEST(HookprogWatches, ProgressIsALaterTimeOfTheSessionInControl) {
-  ProgressWatch watch;
-  EXPECT_TRUE(watch.hasGoneOn(4, 0, 10));
-  EXPECT_FALSE(watch.hasGoneOn(4, 0, 11));
-  EXPECT_FALSE(watch.isStuck(12, 21.75));
-  EXPECT_TRUE(watch.isStuck(12, 22));
-  EXPECT_FALSE(watch.isStuck(12, 30)) << "told";
-  EXPECT_TRUE(watch.hasGoneOn(5, 0, 31));
-  EXPECT_FALSE(watch.isStuck(12, 42));
-  EXPECT_TRUE(watch.isStuck(12, 43));
+  HookProgressWatch watch;
+  hookProgressWatchInit(&watch);
+  EXPECT_TRUE(hookProgressWatchHasGoneOn(&watch, 4, 0, 10));
+  EXPECT_FALSE(hookProgressWatchHasGoneOn(&watch, 4, 0, 11));
+  EXPECT_FALSE(hookProgressWatchIsStuck(&watch, 12, 21.75));
+  EXPECT_TRUE(hookProgressWatchIsStuck(&watch, 12, 22));
+  EXPECT_FALSE(hookProgressWatchIsStuck(&watch, 12, 30)) << "told";
+  EXPECT_TRUE(hookProgressWatchHasGoneOn(&watch, 5, 0, 31));
+  EXPECT_FALSE(hookProgressWatchIsStuck(&watch, 12, 42));
+  EXPECT_TRUE(hookProgressWatchIsStuck(&watch, 12, 43));
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ uint64_t tickBytes(const Mission& mission) {
     readings.values[i] = 1.5;
   }
   hooks::Frame frame;
-  encode(hooks::TickHead{}, subscriptionOf(mission), readings, frame);
+  hooks::encode(hooks::TickHead{}, subscriptionOf(mission), readings, frame);
   return onTheLine(frame);
 }
 
@@ -76,19 +76,19 @@ TEST(LinkBytes, AnAnswerHoldsAllThatCanBeSaid) {
   Mission mission = subscribing(4);
   hooks::Frame frame;
   uint64_t bytes = 0;
-  encode(subscriptionOf(mission), frame);
+  hooks::encode(subscriptionOf(mission), frame);
   bytes += onTheLine(frame);
-  encode(hooks::TransitionNotice{}, frame);
+  hooks::encode(hooks::TransitionNotice{}, frame);
   bytes += 8 * onTheLine(frame);  // Client::kMostNotices
   uint64_t instruction = 0;
-  encodeEmptyList(frame);
+  hooks::encodeEmptyList(frame);
   for (const platforms::PlatformSensor& sensor : slocum().sensors) {
     if (hooks::isInstructionSensor(sensor.id)) {
-      EXPECT_TRUE(appendValue(frame, {sensor.id, 1}));
+      EXPECT_TRUE(hooks::appendValue(frame, {sensor.id, 1}));
     }
   }
   instruction = onTheLine(frame);
-  encode(hooks::Done{}, frame);
+  hooks::encode(hooks::Done{}, frame);
   bytes += instruction + onTheLine(frame);
   EXPECT_EQ(linkBytes(mission, slocum()).from_sbc, bytes);
   // A `log` statement adds the most notes of an answer, Client::kMostNotes.
@@ -99,7 +99,7 @@ TEST(LinkBytes, AnAnswerHoldsAllThatCanBeSaid) {
   for (uint32_t i = 0; i < hooks::kMostNoteBytes; ++i) {
     note.text[i] = 'x';
   }
-  encode(note, frame);
+  hooks::encode(note, frame);
   EXPECT_EQ(linkBytes(mission, slocum()).from_sbc, bytes + 8 * onTheLine(frame));
 }
 

@@ -35,8 +35,8 @@ REVEAL(ClientTick, glider::hooks::Client, glider::hooks::VehicleTick, tick_);
 REVEAL(ClientNotices, glider::hooks::Client, uint32_t, notice_count_);
 REVEAL(ClientNotes, glider::hooks::Client, uint32_t, note_count_);
 REVEAL(ClientPending, glider::hooks::Client, glider::hooks::Instruction, pending_);
-REVEAL(QueueEnd, glider::hooks::SendQueue, uint32_t, end_);
-REVEAL(ReaderCount, glider::hooks::FrameReader, uint32_t, count_);
+REVEAL(QueueState, glider::hooks::SendQueue, HookSendQueue, queue_);
+REVEAL(ReaderState, glider::hooks::FrameReader, HookFrameReader, reader_);
 REVEAL(ControlState, glider::runtime::Control, glider::hooks::HookState, state_);
 REVEAL(ControlPending, glider::runtime::Control, glider::hooks::HookControl, pending_);
 REVEAL(ControlUnconfirmed, glider::runtime::Control, uint32_t, unconfirmed_);
@@ -319,25 +319,26 @@ std::vector<Flip> ofTables() {
 
 /// In the link to the vehicle.
 std::vector<Flip> ofLink() {
-  return {
-      {Check::SendQueue,
-       [](CheckBench& b) { flip(b.client().*memberOf(ClientQueue{}).*memberOf(QueueEnd{}), 30); }},
-      {Check::ReceivedBytes,
-       [](CheckBench& b) {
-         flip(b.client().*memberOf(ClientReader{}).*memberOf(ReaderCount{}), 11);
-       }},
-      {Check::Subscription,
-       [](CheckBench& b) { flip((b.client().*memberOf(ClientSubscription{})).count, 7); }},
-      {Check::TickReadings,
-       [](CheckBench& b) { flip((b.client().*memberOf(ClientTick{})).reading_count, 7); }},
-      {Check::Notices, [](CheckBench& b) { flip(b.client().*memberOf(ClientNotices{}), 16); }},
-      {Check::Notes, [](CheckBench& b) { flip(b.client().*memberOf(ClientNotes{}), 4); }},
-      {Check::WaitingControl,
-       [](CheckBench& b) { flip((b.client().*memberOf(ClientPending{})).control, 3); }},
-      {Check::WaitingVertical,
-       [](CheckBench& b) { flip((b.client().*memberOf(ClientPending{})).vertical, 3); }},
-      {Check::WaitingLateral,
-       [](CheckBench& b) { flip((b.client().*memberOf(ClientPending{})).lateral, 2); }}};
+  return {{Check::SendQueue,
+           [](CheckBench& b) {
+             flip((b.client().*memberOf(ClientQueue{}).*memberOf(QueueState{})).end, 30);
+           }},
+          {Check::ReceivedBytes,
+           [](CheckBench& b) {
+             flip((b.client().*memberOf(ClientReader{}).*memberOf(ReaderState{})).count, 11);
+           }},
+          {Check::Subscription,
+           [](CheckBench& b) { flip((b.client().*memberOf(ClientSubscription{})).count, 7); }},
+          {Check::TickReadings,
+           [](CheckBench& b) { flip((b.client().*memberOf(ClientTick{})).reading_count, 7); }},
+          {Check::Notices, [](CheckBench& b) { flip(b.client().*memberOf(ClientNotices{}), 16); }},
+          {Check::Notes, [](CheckBench& b) { flip(b.client().*memberOf(ClientNotes{}), 4); }},
+          {Check::WaitingControl,
+           [](CheckBench& b) { flip((b.client().*memberOf(ClientPending{})).control, 3); }},
+          {Check::WaitingVertical,
+           [](CheckBench& b) { flip((b.client().*memberOf(ClientPending{})).vertical, 3); }},
+          {Check::WaitingLateral,
+           [](CheckBench& b) { flip((b.client().*memberOf(ClientPending{})).lateral, 2); }}};
 }
 
 /// In the bookkeeping of control, and in the log.

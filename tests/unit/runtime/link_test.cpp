@@ -278,9 +278,9 @@ TEST_F(LinkTest, ARefusedLinkIsLoggedBelowTheHeaderWithItsReason) {
   std::string expected = "time_s,record,name,value,from,to\n0,start,bench,,,\n";
   for (const auto& [beacon, reason] : refused) {
     hooks::Frame frame;
-    encode(beacon, frame);
+    hooks::encode(beacon, frame);
     uint8_t bytes[hooks::kMostEncodedBytes];
-    const uint32_t size = encodeFrame(frame, bytes);
+    const uint32_t size = hooks::encodeFrame(frame, bytes);
     const GliderByteStream vehicle = line.left();
     vehicle.write(vehicle.self, bytes, size);
     const GliderByteStream stream = line.right();

@@ -168,7 +168,8 @@ static void commandVertical(Hookbeh* hookbeh, const HookSurroundings* now, HookG
   if ((hookbeh->guarding || hookbeh->masked) && !climbs && !masked) {
     hookPilotGoBack(&hookbeh->pilot, now, &hookbeh->args, hookbeh->checked);
   }
-  hookbeh->checked = shows;
+  // A climb that began for a guard does more than to check the depth.
+  hookbeh->checked = shows && guard == kHookGuardNone && (hookbeh->checked || !hookbeh->guarding);
   hookbeh->guarding = climbs;
   hookbeh->masked = masked;
   hookPilotVertical(&hookbeh->pilot, now, masked ? 0 : hookbeh->clock.step_s, &hookbeh->args,

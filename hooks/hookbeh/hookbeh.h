@@ -76,7 +76,7 @@ typedef struct Hookbeh {
   HookPilot pilot;
   HookCycleClock clock;
   bool guarding;             ///< in the previous cycle
-  bool checked;              ///< it climbed then to check the depth
+  bool checked;              ///< it climbed then only to check the depth
   bool masked;               ///< pitch or pump were not its own
   HookVerticalCommand last;  ///< it commanded then; pump NaN: nothing
 

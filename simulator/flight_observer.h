@@ -10,8 +10,10 @@
 #include <cstdint>
 #include <span>
 
-namespace glider::hooks {
 struct HookbehOutputs;
+
+namespace glider::hooks {
+using ::HookbehOutputs;
 }  // namespace glider::hooks
 
 namespace glider::simulator {

@@ -83,17 +83,17 @@ HookbehInputs Chain::inputs() const {
   in.depth_m = 10;
   in.altitude_m = kNaN;
   in.heartbeat = a[GLIDER_SCI_HOOK_HEARTBEAT];
-  in.session = a[GLIDER_SCI_HOOK_SESSION];
-  in.sequence = a[GLIDER_SCI_HOOK_SEQUENCE];
-  in.control = a[GLIDER_SCI_HOOK_CONTROL];
-  in.vertical = a[GLIDER_SCI_HOOK_VERTICAL];
-  in.lateral = a[GLIDER_SCI_HOOK_LATERAL];
-  in.hook_depth_m = a[GLIDER_SCI_HOOK_DEPTH];
-  in.hook_pitch_rad = a[GLIDER_SCI_HOOK_PITCH];
-  in.hook_heading_rad = a[GLIDER_SCI_HOOK_HEADING];
-  in.hook_latitude_ddmm = a[GLIDER_SCI_HOOK_LAT];
-  in.hook_longitude_ddmm = a[GLIDER_SCI_HOOK_LON];
-  in.check = a[GLIDER_SCI_HOOK_CHECK];
+  in.words.session = a[GLIDER_SCI_HOOK_SESSION];
+  in.words.sequence = a[GLIDER_SCI_HOOK_SEQUENCE];
+  in.words.control = a[GLIDER_SCI_HOOK_CONTROL];
+  in.words.vertical = a[GLIDER_SCI_HOOK_VERTICAL];
+  in.words.lateral = a[GLIDER_SCI_HOOK_LATERAL];
+  in.words.hook_depth_m = a[GLIDER_SCI_HOOK_DEPTH];
+  in.words.hook_pitch_rad = a[GLIDER_SCI_HOOK_PITCH];
+  in.words.hook_heading_rad = a[GLIDER_SCI_HOOK_HEADING];
+  in.words.hook_latitude_ddmm = a[GLIDER_SCI_HOOK_LAT];
+  in.words.hook_longitude_ddmm = a[GLIDER_SCI_HOOK_LON];
+  in.words.check = a[GLIDER_SCI_HOOK_CHECK];
   return in;
 }
 

@@ -1,38 +1,49 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#pragma once
+#ifndef GLIDER_HOOKS_HOOKBEH_HULL_H
+#define GLIDER_HOOKS_HOOKBEH_HULL_H
 
 #include "hooks/hookbeh/args.h"
 
-namespace glider::hooks {
+GLIDER_HOOKS_BEGIN
 
 /// The limits of the hull: the constants GLIDER_HULL_… of the header that is generated from the
 /// vehicle's platform file. They are fixed when hookbeh is built into the vehicle's software;
 /// b_args and instructions may narrow them, never widen them.
-struct Hull {
-  double greatest_depth_m = 0;
-  double steepest_pitch_rad = 0;    ///< magnitude
-  double shallowest_pitch_rad = 0;  ///< flatter than this it does not glide
-  double vertical_rate_m_s = 0;     ///< the fastest it sinks or climbs
-  double pump_cc = 0;               ///< in either direction
-  double fin_rad = 0;               ///< to either side; 0: there is no fin to command
-  double battery_in = 0;  ///< of the pitch battery, to either side; 0: there is none to command
-};
-
-/// m; a depth outside this range is not a valid reading of a depth sensor: it is above the surface,
-/// or far below what the hull survives.
-inline constexpr double kHighestDepthM = -5;
-inline constexpr double kDeepestShare = 1.5;
+typedef struct HookHull {
+  double greatest_depth_m GLIDER_IS(0);
+  double steepest_pitch_rad GLIDER_IS(0);    ///< magnitude
+  double shallowest_pitch_rad GLIDER_IS(0);  ///< flatter than this it does not glide
+  double vertical_rate_m_s GLIDER_IS(0);     ///< the fastest it sinks or climbs
+  double pump_cc GLIDER_IS(0);               ///< in either direction
+  double fin_rad GLIDER_IS(0);               ///< to either side; 0: there is no fin to command
+  double battery_in GLIDER_IS(0);  ///< of the pitch battery, to either side; 0: there is none to
+                                   ///< command
+} HookHull;
 
 /// s; the longest wait for an SBC. Meanwhile the vehicle follows the last instruction of an SBC
 /// that may be dead.
-inline constexpr double kMostSilenceSecs = 600;
+enum { kHookbehMostSilenceSecs = 600 };
 
-/// `args` narrowed to the hull, each to the safer of the two. Pump, battery, pitch and fin values
-/// that are not numbers are replaced by their defaults; the sign of a pump value with the wrong
-/// sign is reversed, and one too weak to bring the vehicle up is strengthened. A greatest depth or
-/// least altitude that is NaN stays NaN: a broken limit.
-HookbehArgs within(const HookbehArgs& args, const Hull& hull);
+/// Into `out` the `args` narrowed to the hull, each to the safer of the two. Pump, battery, pitch
+/// and fin values that are not numbers are replaced by their defaults; the sign of a pump value
+/// with the wrong sign is reversed, and one too weak to bring the vehicle up is strengthened. A
+/// greatest depth or least altitude that is NaN stays NaN: a broken limit.
+void hookbehWithin(const HookbehArgs* args, const HookHull* hull, HookbehArgs* out);
 
+GLIDER_HOOKS_END
+
+#ifdef __cplusplus
+namespace glider::hooks {
+using Hull = ::HookHull;
+inline constexpr double kMostSilenceSecs = kHookbehMostSilenceSecs;
+inline HookbehArgs within(const HookbehArgs& args, const Hull& hull) {
+  HookbehArgs out;
+  hookbehWithin(&args, &hull, &out);
+  return out;
+}
 }  // namespace glider::hooks
+#endif
+
+#endif

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#pragma once
+#ifndef GLIDER_HOOKS_HOOKBEH_PILOT_H
+#define GLIDER_HOOKS_HOOKBEH_PILOT_H
 
 #include "hooks/hookbeh/args.h"
 #include "hooks/hookbeh/command.h"
@@ -10,48 +11,40 @@
 #include "hooks/hookbeh/sub_behaviours.h"
 #include "hooks/protocol/instruction.h"
 
-#include <stdint.h>
-
-namespace glider::hooks {
+GLIDER_HOOKS_BEGIN
 
 /// Turns the instruction in force into a sequence of sub-behaviours and runs them. Expects
-/// instructions that passed checkBounds.
-class Pilot {
- public:
-  /// A new session: nothing is in force but `instruction`.
-  void begin(const Instruction& instruction);
-  /// A further instruction. If its vertical part is None or equals the one in force, that part
-  /// changes nothing.
-  void follow(const Instruction& instruction);
-  /// The guard has stopped climbing: from its current depth the vehicle goes back to a depth that
-  /// it had reached before; a hover that has only checked its depth (`checked`) by its pump alone,
-  /// if that is near. Must be called before vertical().
-  void goBack(const Surroundings& now, const HookbehArgs& args, bool checked);
-  /// The commands for pitch and pump in this cycle, `step_s` after the previous one.
-  VerticalCommand vertical(const Surroundings& now, double step_s, const HookbehArgs& args);
-  /// Which way it drives the vehicle at `depth_m`. A hover drives it if it is farther from its
-  /// depth than its pump alone explains, and a commanded pump if it is far in.
-  [[nodiscard]] Way way(double depth_m) const;
-  [[nodiscard]] LateralCommand lateral(const Surroundings& now) const;
-  [[nodiscard]] const Instruction& inForce() const { return in_force_; }
+/// instructions that passed hookbehCheckBounds().
+typedef struct HookPilot {
+  HookInstruction in_force;
+  uint8_t stage;
+  HookSlope dive;
+  HookSlope climb;
+  HookHold hold;
+  HookHover hover;
+  HookFixedActuators actuators;
+} HookPilot;
 
- private:
-  enum class Stage : uint8_t { Choose, Dive, Climb, Holding, Hovering, Surfacing, Actuators };
-  void choose(const Surroundings& now, const HookbehArgs& args);
-  void approach(const Surroundings& now, const HookbehArgs& args);
-  void arrive(const VerticalCommand& kept, const HookbehArgs& args);
-  void hoverOrSurface();
-  void stopDive(const Surroundings& now);
-  void advance(const Surroundings& now, double step_s, const HookbehArgs& args);
+void hookPilotInit(HookPilot* pilot);
+/// A new session: nothing is in force but `instruction`.
+void hookPilotBegin(HookPilot* pilot, const HookInstruction* instruction);
+/// A further instruction. If its vertical part is None or equals the one in force, that part
+/// changes nothing.
+void hookPilotFollow(HookPilot* pilot, const HookInstruction* instruction);
+/// The guard has stopped climbing: from its current depth the vehicle goes back to a depth that
+/// it had reached before; a hover that has only checked its depth (`checked`) by its pump alone,
+/// if that is near. Must be called before hookPilotVertical().
+void hookPilotGoBack(HookPilot* pilot, const HookSurroundings* now, const HookbehArgs* args,
+                     bool checked);
+/// The commands for pitch and pump in this cycle, `step_s` after the previous one.
+void hookPilotVertical(HookPilot* pilot, const HookSurroundings* now, double step_s,
+                       const HookbehArgs* args, HookVerticalCommand* command);
+/// Which way it drives the vehicle at `depth_m`. A hover drives it if it is farther from its
+/// depth than its pump alone explains, and a commanded pump if it is far in.
+HookWay hookPilotWay(const HookPilot* pilot, double depth_m);
+void hookPilotLateral(const HookPilot* pilot, const HookSurroundings* now,
+                      HookLateralCommand* command);
 
-  Instruction in_force_;
-  Stage stage_ = Stage::Choose;
-  DiveTo dive_;
-  ClimbTo climb_;
-  Hold hold_;
-  Hover hover_;
-  SurfaceNow surface_;
-  FixedActuators actuators_;
-};
+GLIDER_HOOKS_END
 
-}  // namespace glider::hooks
+#endif

@@ -1,21 +1,26 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#pragma once
+#ifndef GLIDER_HOOKS_HOOKBEH_POSITION_H
+#define GLIDER_HOOKS_HOOKBEH_POSITION_H
 
-namespace glider::hooks {
+#include "hooks/protocol/language.h"
+
+GLIDER_HOOKS_BEGIN
 
 /// A position as the vehicle's sensors give it, in ddmm.mmmm; NaN for unknown.
-struct Position {
-  double latitude_ddmm = __builtin_nan("");
-  double longitude_ddmm = __builtin_nan("");
-};
+typedef struct HookPosition {
+  double latitude_ddmm;
+  double longitude_ddmm;
+} HookPosition;
 
 /// False if it is unknown or not on Earth.
-bool isKnown(const Position& at);
+bool hookIsPositionKnown(HookPosition at);
 /// How far apart two positions are, m: the greater of the distances along the meridian and along
 /// the parallel, so at most three tenths too little and never too much. 0 if either is unknown or
 /// not on Earth: an unknown position counts as near.
-double distanceBetween(const Position& a, const Position& b);
+double hookDistanceBetween(HookPosition a, HookPosition b);
 
-}  // namespace glider::hooks
+GLIDER_HOOKS_END
+
+#endif

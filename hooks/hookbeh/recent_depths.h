@@ -1,29 +1,31 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#pragma once
+#ifndef GLIDER_HOOKS_HOOKBEH_RECENT_DEPTHS_H
+#define GLIDER_HOOKS_HOOKBEH_RECENT_DEPTHS_H
 
-#include <stdint.h>
+#include "hooks/protocol/language.h"
 
-namespace glider::hooks {
+GLIDER_HOOKS_BEGIN
+
+enum { kHookRecentDepths = 10 };
 
 /// The depths of the last 20 s, for comparison with the delayed readings of another sensor.
-class RecentDepths {
- public:
-  /// Takes in one cycle, `step_s` after the previous one. NaN: there was no depth.
-  void observe(double depth_m, double step_s);
-  /// How far `depth_m` is outside the depths of these seconds, m; 0 if within them, NaN if there
-  /// are none.
-  [[nodiscard]] double distanceTo(double depth_m) const;
+typedef struct HookRecentDepths {
+  struct {
+    double depth_m;
+    double age_s;
+  } samples[kHookRecentDepths];
+  uint8_t next;
+} HookRecentDepths;
 
- private:
-  struct Sample {
-    double depth_m = __builtin_nan("");
-    double age_s = 0;
-  };
-  static constexpr uint8_t kCount = 10;
-  Sample samples_[kCount];
-  uint8_t next_ = 0;
-};
+void hookRecentDepthsInit(HookRecentDepths* recent);
+/// Takes in one cycle, `step_s` after the previous one. NaN: there was no depth.
+void hookRecentDepthsObserve(HookRecentDepths* recent, double depth_m, double step_s);
+/// How far `depth_m` is outside the depths of these seconds, m; 0 if within them, NaN if there are
+/// none.
+double hookRecentDepthsDistanceTo(const HookRecentDepths* recent, double depth_m);
 
-}  // namespace glider::hooks
+GLIDER_HOOKS_END
+
+#endif

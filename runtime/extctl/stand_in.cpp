@@ -122,7 +122,7 @@ HookAnswer StandIn::decide(const hooks::Instruction& instruction) {
       instruction.lateral == hooks::HookLateral::Fin) {
     return HookAnswer::BadCommand;  // no stock behaviour that the port can start does this
   }
-  const HookAnswer within = hooks::checkBounds(instruction, bounds_);
+  const HookAnswer within = hookbehCheckBounds(&instruction, &bounds_);
   if (within != HookAnswer::Accepted) {
     return within;
   }

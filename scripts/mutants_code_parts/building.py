@@ -92,7 +92,7 @@ class Build:
             made = scratch / "objects" / name.replace("/", "_")
             made.parent.mkdir(exist_ok=True)
             # A switch that lacks an enumerator does not compile in the build either.
-            source = planted if planted.exists() else self._united(scratch, pathlib.Path(file), made.with_suffix(".cxx"))
+            source = planted if planted.exists() else self._united(scratch, pathlib.Path(file), made.with_suffix(pathlib.Path(file).suffix))
             command = kept + ["-Wno-error", "-Werror=switch", "-iquote", str(scratch / "tree"), "-O1", "-o", str(made), "-c", str(source)]
             if subprocess.run(command, cwd=self.folder, capture_output=True, check=False, timeout=300).returncode != 0:
                 return False

@@ -123,8 +123,10 @@ def extremes(source):
 def check_of_number(source):
     """abs, isnan, isfinite are left out"""
     always = {"isnan": "false", "isinf": "false", "isfinite": "true", "isNan": "false", "isFinite": "true",
-              "isKnown": "true", "isUnknown": "false"}
-    for m in re.finditer(r"\b(?:std::)?(isnan|isinf|isfinite|isNan|isFinite|isKnown|isUnknown|abs|fabs)\(", source.code):
+              "isKnown": "true", "isUnknown": "false", "hookIsFinite": "true", "hookIsFloorKnown": "true",
+              "hookIsPositionKnown": "true"}
+    for m in re.finditer(r"\b(?:std::)?(isnan|isinf|isfinite|isNan|isFinite|isKnown|isUnknown|hookIsFinite|hookIsFloorKnown"
+                         r"|hookIsPositionKnown|hookMagnitude|abs|fabs)\(", source.code):
         close = source.closing(m.end() - 1)
         before = source.code[max(0, m.start() - 8):m.start()]
         if close < 0 or re.search(r"(bool|double) $", before):

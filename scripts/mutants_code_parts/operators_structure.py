@@ -48,14 +48,21 @@ def returns(source):
             yield m.start(1), m.end(1), "false"
 
 
+_ENUMERATOR = re.compile(r"\b([A-Z]\w+)::([A-Z]\w*)\b(?![(<:{])")
+# C's constants: kHookGuardTooDeep is one of HookGuard. The longest type that fits is theirs.
+_C_ENUMERATOR = re.compile(r"\bk(Hook(?:DepthReading|HeadingMode|PitchMode|PumpMode|Answer|Control|Doing|Guard|Lateral|State|Vertical|Way)"
+                           r"|Stage)([A-Z]\w*)\b")
+
+
 def enumerator(source):
     """an enumerator becomes its neighbour among those of its type in the file"""
+    pattern = _C_ENUMERATOR if source.path.endswith(".c") else _ENUMERATOR
     members = {}
-    for m in re.finditer(r"\b([A-Z]\w+)::([A-Z]\w*)\b(?![(<:{])", source.code):
+    for m in pattern.finditer(source.code):
         members.setdefault(m[1], [])
         if m[2] not in members[m[1]]:
             members[m[1]].append(m[2])
-    for m in re.finditer(r"\b([A-Z]\w+)::([A-Z]\w*)\b(?![(<:{])", source.code):
+    for m in pattern.finditer(source.code):
         others = members[m[1]]
         if len(others) > 1 and not re.search(r"case (?:\w+::)*$", source.code[max(0, m.start() - 40):m.start()]):
             yield m.start(2), m.end(2), others[(others.index(m[2]) + 1) % len(others)]

@@ -42,7 +42,7 @@ class Mutant:
 def files(only=()):
     """The sources and headers of the folders that have tests here; `only`: files or folders."""
     listed = subprocess.run(["git", "-C", ROOT, "ls-files", *FOLDERS], capture_output=True, text=True, check=True).stdout
-    chosen = [f for f in listed.splitlines() if f.endswith((".cpp", ".h", ".def")) and suites_of(f)]
+    chosen = [f for f in listed.splitlines() if f.endswith((".cpp", ".h", ".c", ".def")) and suites_of(f)]
     if only:
         chosen = [f for f in chosen if any(f == o or f.startswith(o.rstrip("/") + "/") for o in only)]
     return [f for f in chosen if (ROOT / f).is_file()]

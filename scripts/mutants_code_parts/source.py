@@ -128,4 +128,4 @@ def _without_debug(code):
         else:
             kept.append(" " * len(line) if hidden else line)
     code = "\n".join(kept)
-    return re.sub(r"\b(?:static_assert|CHECK|assert)\s*\((?:[^;\"]|\n)*?\);", _blank, code)
+    return re.sub(r"\b(?:static_assert|GLIDER_STATIC_ASSERT|CHECK|assert)\s*\((?:[^;\"]|\n)*?\);", _blank, code)

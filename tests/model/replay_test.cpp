@@ -280,17 +280,17 @@ class Replay {
     in.depth_m = 10;
     in.altitude_m = std::numeric_limits<double>::quiet_NaN();
     in.heartbeat = array(GLIDER_SCI_HOOK_HEARTBEAT);
-    in.session = array(GLIDER_SCI_HOOK_SESSION);
-    in.sequence = array(GLIDER_SCI_HOOK_SEQUENCE);
-    in.control = array(GLIDER_SCI_HOOK_CONTROL);
-    in.vertical = array(GLIDER_SCI_HOOK_VERTICAL);
-    in.lateral = array(GLIDER_SCI_HOOK_LATERAL);
-    in.hook_depth_m = array(GLIDER_SCI_HOOK_DEPTH);
-    in.hook_pitch_rad = array(GLIDER_SCI_HOOK_PITCH);
-    in.hook_heading_rad = array(GLIDER_SCI_HOOK_HEADING);
-    in.hook_latitude_ddmm = array(GLIDER_SCI_HOOK_LAT);
-    in.hook_longitude_ddmm = array(GLIDER_SCI_HOOK_LON);
-    in.check = array(GLIDER_SCI_HOOK_CHECK);
+    in.words.session = array(GLIDER_SCI_HOOK_SESSION);
+    in.words.sequence = array(GLIDER_SCI_HOOK_SEQUENCE);
+    in.words.control = array(GLIDER_SCI_HOOK_CONTROL);
+    in.words.vertical = array(GLIDER_SCI_HOOK_VERTICAL);
+    in.words.lateral = array(GLIDER_SCI_HOOK_LATERAL);
+    in.words.hook_depth_m = array(GLIDER_SCI_HOOK_DEPTH);
+    in.words.hook_pitch_rad = array(GLIDER_SCI_HOOK_PITCH);
+    in.words.hook_heading_rad = array(GLIDER_SCI_HOOK_HEADING);
+    in.words.hook_latitude_ddmm = array(GLIDER_SCI_HOOK_LAT);
+    in.words.hook_longitude_ddmm = array(GLIDER_SCI_HOOK_LON);
+    in.words.check = array(GLIDER_SCI_HOOK_CHECK);
     return in;
   }
 

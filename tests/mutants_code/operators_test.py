@@ -91,7 +91,7 @@ class Operators(unittest.TestCase):
         self.assertTrue(all(" | f | " in key for key in one))
 
     def test_the_choice_hangs_on_the_seed_alone(self):
-        found = list(planting_code.mutants_of(Source("hooks/hookbeh/guard.cpp")))
+        found = list(planting_code.mutants_of(Source("hooks/hookbeh/guard.c")))
         first = [m.key for m in planting_code.pick(found, 20, 1)]
         self.assertEqual(first, [m.key for m in planting_code.pick(list(reversed(found)), 20, 1)])
         self.assertNotEqual(first, [m.key for m in planting_code.pick(found, 20, 2)])

@@ -7,6 +7,7 @@
 #include "hooks/hookbeh/hull.h"
 #include "hooks/hookbeh/recent_depths.h"
 #include "tests/slocum.h"
+#include "tests/unit/hooks/begun.h"
 
 #include <gtest/gtest.h>
 
@@ -16,13 +17,13 @@
 namespace glider::hooks {
 namespace {
 
-using Reading = DepthSource::Reading;
+using Reading = HookDepthReading;
 constexpr double kNoReading = std::numeric_limits<double>::quiet_NaN();
 
 Reading firstReading(double depth_m) {
-  DepthSource source{kHull};
-  source.observe(depth_m, 4);
-  return source.reading();
+  HookDepthSource source = begun(hookDepthSourceInit, &kHull);
+  hookDepthSourceObserve(&source, depth_m, 4);
+  return source.reading;
 }
 
 TEST(DepthSourceEdges, ADepthIsOneFromFiveMetresAboveToHalfAsMuchAgainAsTheHullBears) {
@@ -36,108 +37,108 @@ TEST(DepthSourceEdges, ADepthIsOneFromFiveMetresAboveToHalfAsMuchAgainAsTheHullB
 TEST(DepthSourceEdges, ItJumpsBeyondWhatTheVehicleMakesAndNoiseAdds) {
   const double reach = 2.5 + 0.4 * 4;
   for (const double way : {1.0, -1.0}) {
-    DepthSource source{kHull};
-    source.observe(0, 4);
-    DepthSource other = source;
-    source.observe(way * reach, 4);
-    EXPECT_EQ(source.reading(), Reading::Good) << way;
-    other.observe(way * std::nextafter(reach, 9), 4);
-    EXPECT_EQ(other.reading(), Reading::Jumped) << way;
+    HookDepthSource source = begun(hookDepthSourceInit, &kHull);
+    hookDepthSourceObserve(&source, 0, 4);
+    HookDepthSource other = source;
+    hookDepthSourceObserve(&source, way * reach, 4);
+    EXPECT_EQ(source.reading, Reading::Good) << way;
+    hookDepthSourceObserve(&other, way * std::nextafter(reach, 9), 4);
+    EXPECT_EQ(other.reading, Reading::Jumped) << way;
   }
 }
 
 TEST(DepthSourceEdges, BeforeItsCadenceIsKnownAReadingMayHaveBeenKeptForLong) {
-  DepthSource source{kHull};
+  HookDepthSource source = begun(hookDepthSourceInit, &kHull);
   for (int i = 0; i < 8; ++i) {
-    source.observe(2, 4);
+    hookDepthSourceObserve(&source, 2, 4);
   }
-  source.observe(2.5 + 0.4 * 30, 4);
-  EXPECT_EQ(source.reading(), Reading::Good);
+  hookDepthSourceObserve(&source, 2.5 + 0.4 * 30, 4);
+  EXPECT_EQ(source.reading, Reading::Good);
 }
 
 TEST(DepthSourceEdges, AReadingThatJumpsCountsAsOneCycleHoweverLongItsCycleWas) {
-  DepthSource source{kHull};
-  source.observe(2, 4);
-  source.observe(30, 15);
-  EXPECT_EQ(source.jumpedFor(), 4);
+  HookDepthSource source = begun(hookDepthSourceInit, &kHull);
+  hookDepthSourceObserve(&source, 2, 4);
+  hookDepthSourceObserve(&source, 30, 15);
+  EXPECT_EQ(source.jumped_s, 4);
 }
 
 TEST(DepthSourceEdges, AnOldDepthReachesFarther) {
-  DepthSource source{kHull};
-  source.observe(0, 4);
-  source.observe(kNoReading, 4);
-  EXPECT_EQ(source.reading(), Reading::Missing);
-  EXPECT_EQ(source.age(), 4);
-  source.observe(2.5 + 0.4 * 8, 4);
-  EXPECT_EQ(source.reading(), Reading::Good);
-  EXPECT_EQ(source.age(), 0);
+  HookDepthSource source = begun(hookDepthSourceInit, &kHull);
+  hookDepthSourceObserve(&source, 0, 4);
+  hookDepthSourceObserve(&source, kNoReading, 4);
+  EXPECT_EQ(source.reading, Reading::Missing);
+  EXPECT_EQ(source.age_s, 4);
+  hookDepthSourceObserve(&source, 2.5 + 0.4 * 8, 4);
+  EXPECT_EQ(source.reading, Reading::Good);
+  EXPECT_EQ(source.age_s, 0);
 }
 
 TEST(DepthSourceEdges, ReadingsOfTheFirstMinuteAreNotKeptAfterAJump) {
   for (const int seconds : {59, 60}) {
-    DepthSource source{kHull};
+    HookDepthSource source = begun(hookDepthSourceInit, &kHull);
     for (int i = 0; i < seconds; ++i) {
-      source.observe(10, 1);
+      hookDepthSourceObserve(&source, 10, 1);
     }
-    source.observe(50, 1);
-    EXPECT_EQ(source.reading(), Reading::Jumped);
-    EXPECT_EQ(source.depth(), seconds < 60 ? 50 : 10) << seconds;
-    EXPECT_EQ(source.age(), seconds < 60 ? 0 : 1) << seconds;
+    hookDepthSourceObserve(&source, 50, 1);
+    EXPECT_EQ(source.reading, Reading::Jumped);
+    EXPECT_EQ(source.depth_m, seconds < 60 ? 50 : 10) << seconds;
+    EXPECT_EQ(source.age_s, seconds < 60 ? 0 : 1) << seconds;
   }
 }
 
 TEST(DepthSourceEdges, GoodReadingsTakeHalfOfTheirTimeFromJumps) {
-  DepthSource source{kHull};
+  HookDepthSource source = begun(hookDepthSourceInit, &kHull);
   for (int i = 0; i < 60; ++i) {
-    source.observe(10, 1);
+    hookDepthSourceObserve(&source, 10, 1);
   }
-  source.observe(50, 4);
-  source.observe(50.5, 1);
-  EXPECT_EQ(source.jumpedFor(), 5);
+  hookDepthSourceObserve(&source, 50, 4);
+  hookDepthSourceObserve(&source, 50.5, 1);
+  EXPECT_EQ(source.jumped_s, 5);
   for (const double left : {4.5, 4.0, 3.5, 3.0, 2.5, 2.0, 1.5, 1.0, 0.5, 0.0, 0.0}) {
-    source.observe(10, 1);
-    EXPECT_EQ(source.jumpedFor(), left);
+    hookDepthSourceObserve(&source, 10, 1);
+    EXPECT_EQ(source.jumped_s, left);
   }
-  source.observe(50, 3);
-  source.observe(kNoReading, 3);
-  EXPECT_EQ(source.jumpedFor(), 3) << "one that is missing says nothing";
+  hookDepthSourceObserve(&source, 50, 3);
+  hookDepthSourceObserve(&source, kNoReading, 3);
+  EXPECT_EQ(source.jumped_s, 3) << "one that is missing says nothing";
 }
 
 TEST(DepthSourceEdges, ReadingsAreTheSameOnlyIfAllBitsAre) {
-  DepthSource source{kHull};
-  source.observe(10, 4);
-  EXPECT_EQ(source.sameFor(), 0);
-  source.observe(10, 3);
-  EXPECT_EQ(source.sameFor(), 3);
-  source.observe(kNoReading, 3);
-  EXPECT_EQ(source.sameFor(), 3);
-  source.observe(10, 2);
-  EXPECT_EQ(source.sameFor(), 5);
-  source.observe(std::nextafter(10, 11), 2);
-  EXPECT_EQ(source.sameFor(), 0);
+  HookDepthSource source = begun(hookDepthSourceInit, &kHull);
+  hookDepthSourceObserve(&source, 10, 4);
+  EXPECT_EQ(source.same_s, 0);
+  hookDepthSourceObserve(&source, 10, 3);
+  EXPECT_EQ(source.same_s, 3);
+  hookDepthSourceObserve(&source, kNoReading, 3);
+  EXPECT_EQ(source.same_s, 3);
+  hookDepthSourceObserve(&source, 10, 2);
+  EXPECT_EQ(source.same_s, 5);
+  hookDepthSourceObserve(&source, std::nextafter(10, 11), 2);
+  EXPECT_EQ(source.same_s, 0);
 }
 
 TEST(RecentDepthsEdges, ADepthIsRecentForTwentySeconds) {
-  RecentDepths recent;
-  recent.observe(10, 4);
-  recent.observe(kNoReading, 20);
-  EXPECT_EQ(recent.distanceTo(12), 2);
-  EXPECT_EQ(recent.distanceTo(7), 3);
-  recent.observe(kNoReading, 1);
-  EXPECT_TRUE(std::isnan(recent.distanceTo(10)));
+  HookRecentDepths recent = begun(hookRecentDepthsInit);
+  hookRecentDepthsObserve(&recent, 10, 4);
+  hookRecentDepthsObserve(&recent, kNoReading, 20);
+  EXPECT_EQ(hookRecentDepthsDistanceTo(&recent, 12), 2);
+  EXPECT_EQ(hookRecentDepthsDistanceTo(&recent, 7), 3);
+  hookRecentDepthsObserve(&recent, kNoReading, 1);
+  EXPECT_TRUE(std::isnan(hookRecentDepthsDistanceTo(&recent, 10)));
 }
 
 TEST(RecentDepthsEdges, TheNewestTenCount) {
-  RecentDepths recent;
-  recent.observe(30, 1);
+  HookRecentDepths recent = begun(hookRecentDepthsInit);
+  hookRecentDepthsObserve(&recent, 30, 1);
   for (int i = 0; i < 9; ++i) {
-    EXPECT_EQ(recent.distanceTo(30), 0) << i;
-    recent.observe(10, 1);
+    EXPECT_EQ(hookRecentDepthsDistanceTo(&recent, 30), 0) << i;
+    hookRecentDepthsObserve(&recent, 10, 1);
   }
-  EXPECT_EQ(recent.distanceTo(30), 0);
-  recent.observe(10, 1);
-  EXPECT_EQ(recent.distanceTo(30), 20);
-  EXPECT_EQ(recent.distanceTo(10), 0);
+  EXPECT_EQ(hookRecentDepthsDistanceTo(&recent, 30), 0);
+  hookRecentDepthsObserve(&recent, 10, 1);
+  EXPECT_EQ(hookRecentDepthsDistanceTo(&recent, 30), 20);
+  EXPECT_EQ(hookRecentDepthsDistanceTo(&recent, 10), 0);
 }
 
 }  // namespace

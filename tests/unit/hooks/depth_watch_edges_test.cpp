@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Where exactly each limit of DepthWatch lies, in cycles of a second.
+// Where exactly each limit of HookDepthWatch lies, in cycles of a second.
 
 #include "hooks/hookbeh/depth_watch.h"
 #include "tests/slocum.h"
+#include "tests/unit/hooks/begun.h"
 
 #include <gtest/gtest.h>
 
@@ -30,9 +31,9 @@ class Sensors {
       Surroundings now;
       now.depth_m = own_m - (own_still || flicker_ < 0 ? 0 : kFlicker);
       now.ctd_depth_m = ctd_m - (ctd_still || flicker_ < 0 ? 0 : kFlicker);
-      watch.observe(now, step_s, pump_cc);
+      hookDepthWatchObserve(&watch, &now, step_s, pump_cc);
     }
-    return watch.doubt();
+    return hookDepthWatchDoubt(&watch);
   }
   /// Until there is no doubt; how many cycles that took, at most 1000.
   int untilNoDoubt() {
@@ -42,7 +43,7 @@ class Sensors {
     }
     return cycles;
   }
-  DepthWatch watch{kHull};
+  HookDepthWatch watch = begun(hookDepthWatchInit, &kHull);
 
  private:
   static constexpr double kFlicker = 1.0 / 1024;
@@ -135,9 +136,9 @@ TEST(DepthWatchEdges, WithoutACtdNothingAgrees) {
   sensors.own_m = 0.5;
   sensors.own_still = true;
   sensors.run(16);
-  EXPECT_EQ(sensors.watch.aliveFor(), 16);
+  EXPECT_EQ(sensors.watch.alive_s, 16);
   sensors.run();
-  EXPECT_EQ(sensors.watch.aliveFor(), 0) << "the same for 16 s";
+  EXPECT_EQ(sensors.watch.alive_s, 0) << "the same for 16 s";
 }
 
 /// A CTD that is 4 m deeper than the depth, has agreed and is then stuck.
@@ -147,7 +148,7 @@ Sensors withCtdStuckBelow() {
   sensors.ctd_m = 24.01;
   sensors.own_still = true;
   sensors.run();
-  EXPECT_EQ(sensors.watch.deepest(), 24.01);
+  EXPECT_EQ(hookDepthWatchDeepest(&sensors.watch), 24.01);
   return sensors;
 }
 
@@ -155,18 +156,18 @@ TEST(DepthWatchEdges, ACtdIsFrozenAfterSixteenSecondsInWhichTheDepthMovedByThree
   Sensors sensors = withCtdStuckBelow();
   sensors.own_m = 22.9;  // within reach of the CTD
   sensors.run(15);
-  EXPECT_EQ(sensors.watch.deepest(), 24.01) << "moved by less";
+  EXPECT_EQ(hookDepthWatchDeepest(&sensors.watch), 24.01) << "moved by less";
   sensors.run(10);
-  EXPECT_EQ(sensors.watch.deepest(), 24.01);
+  EXPECT_EQ(hookDepthWatchDeepest(&sensors.watch), 24.01);
   sensors.own_m = 23;
   sensors.run();
-  EXPECT_EQ(sensors.watch.deepest(), 23) << "by 3 m";
+  EXPECT_EQ(hookDepthWatchDeepest(&sensors.watch), 23) << "by 3 m";
   sensors.own_m = 20.5;
   sensors.run();
-  EXPECT_EQ(sensors.watch.deepest(), 20.5) << "until it moves";
+  EXPECT_EQ(hookDepthWatchDeepest(&sensors.watch), 20.5) << "until it moves";
   sensors.ctd_m = 24.02;
   sensors.run();
-  EXPECT_EQ(sensors.watch.deepest(), 24.02);
+  EXPECT_EQ(hookDepthWatchDeepest(&sensors.watch), 24.02);
 }
 
 TEST(DepthWatchEdges, ACtdIsNotFrozenInLess) {
@@ -175,9 +176,9 @@ TEST(DepthWatchEdges, ACtdIsNotFrozenInLess) {
   sensors.run();
   sensors.own_m = 23.5;
   sensors.run(14);
-  EXPECT_EQ(sensors.watch.deepest(), 24.01) << "15 s";
+  EXPECT_EQ(hookDepthWatchDeepest(&sensors.watch), 24.01) << "15 s";
   sensors.run();
-  EXPECT_EQ(sensors.watch.deepest(), 23.5) << "16 s";
+  EXPECT_EQ(hookDepthWatchDeepest(&sensors.watch), 23.5) << "16 s";
 }
 
 /// Whether a CTD that agrees for `cycles`, then does as in `between`, then agrees for 9 cycles more
@@ -190,7 +191,7 @@ bool isKnownAfter(int cycles, void (*between)(Sensors&)) {
   sensors.own_m = 20;
   sensors.ctd_m = 24;
   sensors.run(9);
-  return sensors.watch.deepest() > 22;
+  return hookDepthWatchDeepest(&sensors.watch) > 22;
 }
 
 TEST(DepthWatchEdges, ACtdIsKnownOnceItHasAgreedForTenSecondsOnEnd) {
@@ -243,23 +244,23 @@ TEST(DepthWatchEdges, ACtdThatFallsSilentDoesNotHaveTheLastWord) {
 TEST(DepthWatchEdges, TheDepthIsConfirmedByANewCtdReadingThatAgrees) {
   Sensors sensors;
   sensors.run();
-  EXPECT_FALSE(sensors.watch.isSeenByAnother());
+  EXPECT_FALSE(hookDepthWatchIsSeenByAnother(&sensors.watch));
   sensors.ctd_m = 20;
   sensors.run();
-  EXPECT_TRUE(sensors.watch.isSeenByAnother());
+  EXPECT_TRUE(hookDepthWatchIsSeenByAnother(&sensors.watch));
   sensors.ctd_m = kMissing;
   sensors.run();
-  EXPECT_FALSE(sensors.watch.isSeenByAnother()) << "there is none";
+  EXPECT_FALSE(hookDepthWatchIsSeenByAnother(&sensors.watch)) << "there is none";
   sensors.ctd_m = 20;
   sensors.ctd_still = true;
   sensors.run(2);
-  EXPECT_FALSE(sensors.watch.isSeenByAnother()) << "it is stuck";
+  EXPECT_FALSE(hookDepthWatchIsSeenByAnother(&sensors.watch)) << "it is stuck";
   sensors.ctd_m = 25.01;
   sensors.run();
-  EXPECT_FALSE(sensors.watch.isSeenByAnother()) << "it differs";
+  EXPECT_FALSE(hookDepthWatchIsSeenByAnother(&sensors.watch)) << "it differs";
   sensors.ctd_m = 24;
   sensors.run();
-  EXPECT_TRUE(sensors.watch.isSeenByAnother());
+  EXPECT_TRUE(hookDepthWatchIsSeenByAnother(&sensors.watch));
 }
 
 TEST(DepthWatchEdges, WithoutADepthTheCtdIsNone) {
@@ -267,9 +268,9 @@ TEST(DepthWatchEdges, WithoutADepthTheCtdIsNone) {
   sensors.own_m = kMissing;
   sensors.ctd_m = 20;
   sensors.run();
-  sensors.watch.believeCtd();
+  hookDepthWatchBelieveCtd(&sensors.watch);
   EXPECT_EQ(sensors.run(), HookGuard::DepthUnknown);
-  EXPECT_TRUE(std::isnan(sensors.watch.deepest()));
+  EXPECT_TRUE(std::isnan(hookDepthWatchDeepest(&sensors.watch)));
 }
 
 TEST(DepthWatchEdges, ADepthThatJumpedForTenSecondsIsNotBelievedWhenItIsBack) {
@@ -291,8 +292,8 @@ Sensors frozenAt(double own_m) {
   sensors.own_still = true;
   sensors.own_m += 1.0 / 512;
   sensors.run(17);
-  EXPECT_EQ(sensors.watch.doubt(), HookGuard::DepthFrozen);
-  EXPECT_TRUE(std::isnan(sensors.watch.depth()));
+  EXPECT_EQ(hookDepthWatchDoubt(&sensors.watch), HookGuard::DepthFrozen);
+  EXPECT_TRUE(std::isnan(hookDepthWatchDepth(&sensors.watch)));
   sensors.own_still = false;
   sensors.own_m = own_m;
   return sensors;
@@ -428,22 +429,22 @@ TEST(DepthWatchEdges, AfterDepthsDisagreedTheCtdAloneIsNotEnough) {
 
 TEST(DepthWatchEdges, ADepthIsAliveWhileItIsKnownAndChanges) {
   Sensors sensors = sea();
-  EXPECT_EQ(sensors.watch.aliveFor(), 100);
+  EXPECT_EQ(sensors.watch.alive_s, 100);
   sensors.own_m = kMissing;
   sensors.run();
-  EXPECT_EQ(sensors.watch.aliveFor(), 0);
+  EXPECT_EQ(sensors.watch.alive_s, 0);
   sensors.own_m = 20;
   sensors.run(5);
-  EXPECT_EQ(sensors.watch.aliveFor(), 5);
+  EXPECT_EQ(sensors.watch.alive_s, 5);
   sensors.own_still = true;
   sensors.own_m = 20.01;
   sensors.run(16);
-  EXPECT_EQ(sensors.watch.aliveFor(), 21);
+  EXPECT_EQ(sensors.watch.alive_s, 21);
   sensors.run();
-  EXPECT_EQ(sensors.watch.aliveFor(), 0);
+  EXPECT_EQ(sensors.watch.alive_s, 0);
   sensors.ctd_m = 20;
   sensors.run();
-  EXPECT_EQ(sensors.watch.aliveFor(), 1) << "the CTD agrees";
+  EXPECT_EQ(sensors.watch.alive_s, 1) << "the CTD agrees";
 }
 
 TEST(DepthWatchEdges, TheCtdsDepthIsThereWhereItIsNewAndFollows) {
@@ -451,15 +452,15 @@ TEST(DepthWatchEdges, TheCtdsDepthIsThereWhereItIsNewAndFollows) {
   sensors.ctd_still = true;
   sensors.ctd_m = 20;
   sensors.run();
-  EXPECT_EQ(sensors.watch.ctdDepth(), 20);
+  EXPECT_EQ(hookDepthWatchCtdDepth(&sensors.watch), 20);
   sensors.ctd_m = kMissing;
   sensors.run();
-  EXPECT_TRUE(std::isnan(sensors.watch.ctdDepth()));
+  EXPECT_TRUE(std::isnan(hookDepthWatchCtdDepth(&sensors.watch)));
   sensors.ctd_m = 50;
   sensors.run();
-  EXPECT_TRUE(std::isnan(sensors.watch.ctdDepth())) << "it jumped";
+  EXPECT_TRUE(std::isnan(hookDepthWatchCtdDepth(&sensors.watch))) << "it jumped";
   sensors.run();
-  EXPECT_EQ(sensors.watch.ctdDepth(), 50);
+  EXPECT_EQ(hookDepthWatchCtdDepth(&sensors.watch), 50);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "hooks/hookbeh/guard.h"
 #include "tests/slocum.h"
+#include "tests/unit/hooks/begun.h"
 #include "tests/unit/hooks/hookbeh_bench.h"
 
 #include <gtest/gtest.h>
@@ -25,8 +26,9 @@ struct StillVehicle {
 
   HookGuard cycle(double step_s = 1) {
     flicker = -flicker;
-    guard.observe(args, {depth + flicker, 0, kNan, ctd + flicker}, step_s, last, way);
-    return guard.mustClimb(args, in_force);
+    hookbehGuardObserve(&guard, &args, given(Surroundings{depth + flicker, 0, kNan, ctd + flicker}),
+                        step_s, &last, way);
+    return hookbehGuardMustClimb(&guard, &args, &in_force);
   }
   HookGuard run(int cycles) {
     HookGuard found = HookGuard::None;
@@ -37,7 +39,7 @@ struct StillVehicle {
   }
   bool shows(double step_s = 1) {
     cycle(step_s);
-    return guard.mustShowDepth(args, in_force);
+    return hookbehGuardMustShowDepth(&guard, &args, &in_force);
   }
   /// Cycles until there is this guard, or none; at most 1000.
   int until(HookGuard wanted) {
@@ -48,18 +50,18 @@ struct StillVehicle {
     return cycles;
   }
 
-  Guard guard{kHull};
+  HookbehGuard guard = begun(hookbehGuardInit, &kHull);
   HookbehArgs args;
   Instruction in_force = Bench::vertical(HookVertical::Hover, 10);
   VerticalCommand last = kOtherSub;
-  Way way = Way::None;
+  HookWay way = HookWay::None;
   double depth, ctd = kNan, flicker = 1.0 / 1024;
 };
 
 TEST(GuardSinkEdges, ADiveHas180SecondsForAMetreAndAClimb240) {
   for (const bool up : {false, true}) {
     StillVehicle vehicle(10);
-    vehicle.way = up ? Way::Up : Way::Down;
+    vehicle.way = up ? HookWay::Up : HookWay::Down;
     EXPECT_EQ(vehicle.run(up ? 240 : 180), HookGuard::None);
     EXPECT_EQ(vehicle.cycle(), up ? HookGuard::NoHeightGained : HookGuard::NoDepthGained);
   }
@@ -68,9 +70,9 @@ TEST(GuardSinkEdges, ADiveHas180SecondsForAMetreAndAClimb240) {
 /// A dive at the surface has gained no depth.
 StillVehicle idle() {
   StillVehicle vehicle(0.5);
-  vehicle.way = Way::Down;
+  vehicle.way = HookWay::Down;
   EXPECT_EQ(vehicle.run(181), HookGuard::NoDepthGained);
-  vehicle.way = Way::None;
+  vehicle.way = HookWay::None;
   return vehicle;
 }
 
@@ -89,10 +91,10 @@ TEST(GuardSinkEdges, ANewSessionForgetsALimitButNotThatNoDepthWasGained) {
   EXPECT_EQ(vehicle.cycle(), HookGuard::TooDeep);
   vehicle.depth = 29.5;
   EXPECT_EQ(vehicle.cycle(), HookGuard::TooDeep);
-  vehicle.guard.reset();
+  hookbehGuardReset(&vehicle.guard);
   EXPECT_EQ(vehicle.cycle(), HookGuard::None);
   StillVehicle other = idle();
-  other.guard.reset();
+  hookbehGuardReset(&other.guard);
   EXPECT_EQ(other.cycle(), HookGuard::NoDepthGained);
 }
 
@@ -114,7 +116,7 @@ bool diveEnds(double greatest_m, double depth_m, double dive_m) {
   StillVehicle vehicle(depth_m);
   vehicle.args.greatest_depth_m = greatest_m;
   vehicle.ctd = depth_m;
-  vehicle.way = Way::Down;
+  vehicle.way = HookWay::Down;
   vehicle.cycle();
   vehicle.last = kSteep;
   const double step_s = dive_m / kSteepMps;

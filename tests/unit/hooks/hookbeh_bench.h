@@ -23,9 +23,9 @@ class HookbehBench {
     inputs.altitude_m = kNan;
     inputs.latitude_ddmm = 3910;
     inputs.longitude_ddmm = -7350;
-    inputs.heartbeat = inputs.session = inputs.sequence = inputs.control = inputs.vertical =
-        inputs.lateral = kNan;
-    inputs.check = kNan;
+    inputs.heartbeat = inputs.words.session = inputs.words.sequence = inputs.words.control =
+        inputs.words.vertical = inputs.words.lateral = kNan;
+    inputs.words.check = kNan;
   }
 
   HookbehOutputs cycle() {
@@ -48,18 +48,19 @@ class HookbehBench {
   /// Writes an instruction to the sensor array, with the next sequence number.
   void write(Instruction instruction) {
     instruction.sequence = ++sequence;
-    instruction = inSteps(instruction);
-    inputs.session = instruction.session;
-    inputs.sequence = instruction.sequence;
-    inputs.control = static_cast<double>(instruction.control);
-    inputs.vertical = static_cast<double>(instruction.vertical);
-    inputs.lateral = static_cast<double>(instruction.lateral);
-    inputs.hook_depth_m = instruction.depth_m;
-    inputs.hook_pitch_rad = instruction.pitch_rad;
-    inputs.hook_heading_rad = instruction.heading_rad;
-    inputs.hook_latitude_ddmm = instruction.latitude_ddmm;
-    inputs.hook_longitude_ddmm = instruction.longitude_ddmm;
-    inputs.check = checkValue(instruction);
+    Instruction carried;
+    hookInSteps(&instruction, &carried);
+    inputs.words.session = carried.session;
+    inputs.words.sequence = carried.sequence;
+    inputs.words.control = static_cast<double>(carried.control);
+    inputs.words.vertical = static_cast<double>(carried.vertical);
+    inputs.words.lateral = static_cast<double>(carried.lateral);
+    inputs.words.hook_depth_m = carried.depth_m;
+    inputs.words.hook_pitch_rad = carried.pitch_rad;
+    inputs.words.hook_heading_rad = carried.heading_rad;
+    inputs.words.hook_latitude_ddmm = carried.latitude_ddmm;
+    inputs.words.hook_longitude_ddmm = carried.longitude_ddmm;
+    inputs.words.check = hookCheckValue(&carried);
   }
 
   HookbehOutputs give(const Instruction& instruction) {

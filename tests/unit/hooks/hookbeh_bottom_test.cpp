@@ -5,6 +5,7 @@
 
 #include "hooks/hookbeh/bottom.h"
 #include "hooks/hookbeh/echo_floor.h"
+#include "tests/unit/hooks/begun.h"
 #include "tests/unit/hooks/hookbeh_shallow_sea.h"
 
 #include <gtest/gtest.h>
@@ -138,18 +139,18 @@ TEST(HookbehBottom, ATouchedBottomIsRememberedByRareReadings) {
 TEST(HookbehBottom, AStopIsConfirmedByAReadingThatTheVehicleCanHaveReached) {
   for (const auto& [climbed_m, confirmed] : {std::pair{9.0, true}, {10.0, false}}) {
     const Surroundings now{40, 0, kNan, kNan, 3910, -7350};
-    Bottom bottom;
+    HookBottom bottom = begun(hookBottomInit);
     const auto cycle = [&](double depth_m) {
-      bottom.observe(now, depth_m, 5, 4);
-      bottom.follow(4);
+      hookBottomObserve(&bottom, &now, depth_m, 5, 4);
+      hookBottomFollow(&bottom, 4);
     };
     cycle(40);
-    bottom.noteStop();
+    hookBottomNoteStop(&bottom);
     for (int i = 0; i < 3; ++i) {
       cycle(40);
     }
     cycle(40 - climbed_m);
-    EXPECT_EQ(isKnown(bottom.touchedFloor()), confirmed) << climbed_m;
+    EXPECT_EQ(hookIsFloorKnown(hookBottomTouchedFloor(&bottom)), confirmed) << climbed_m;
   }
 }
 
@@ -334,12 +335,14 @@ TEST(HookbehBottom, WhereTheVehicleCannotDiveItTriesAgainAfterHalfAnHour) {
 
 /// Some echoes in a row may come by chance.
 TEST(EchoFloor, IsNotRuledOutSoonerAfterSomeShortGaps) {
-  EchoFloor echoes;
+  HookEchoFloor echoes = begun(hookEchoFloorInit);
   double altitude = 15;
-  const auto echo = [&] { echoes.observe(15, altitude = 30 - altitude + 0.01, 15, 4); };
+  const auto echo = [&] {
+    hookEchoFloorObserve(&echoes, 15, altitude = 30 - altitude + 0.01, 15, 4);
+  };
   const auto silence = [&](int cycles) {
     for (int i = 0; i < cycles; ++i) {
-      echoes.observe(15, altitude, 15, 4);
+      hookEchoFloorObserve(&echoes, 15, altitude, 15, 4);
     }
   };
   for (int i = 0; i < 20; ++i) {
@@ -350,9 +353,9 @@ TEST(EchoFloor, IsNotRuledOutSoonerAfterSomeShortGaps) {
     echo();
   }
   silence(60);
-  EXPECT_LT(echoes.floor(), 31);
+  EXPECT_LT(echoes.floor_m, 31);
   silence(80);
-  EXPECT_GT(echoes.floor(), 31);
+  EXPECT_GT(echoes.floor_m, 31);
 }
 
 /// A reading is missing, and hookbeh climbs for that cycle: the dive turns, and stands for a while
@@ -487,12 +490,12 @@ TEST(HookbehBottom, BubblesNearTheSurfaceDoNotKeepTheVehicleUp) {
 }
 
 TEST(HookbehBottom, AtTheSurfaceAnOldEchoIsNotForgotten) {
-  EchoFloor echoes;
-  echoes.observe(15, 5, 15, 4);
+  HookEchoFloor echoes = begun(hookEchoFloorInit);
+  hookEchoFloorObserve(&echoes, 15, 5, 15, 4);
   for (int i = 0; i < 2000; ++i) {
-    echoes.observe(0.5, kNan, 15, 4);
+    hookEchoFloorObserve(&echoes, 0.5, kNan, 15, 4);
   }
-  EXPECT_LT(echoes.floor(), 21) << "at the surface the altimeter receives nothing";
+  EXPECT_LT(echoes.floor_m, 21) << "at the surface the altimeter receives nothing";
 }
 
 TEST(HookbehBottom, TheAltimeterIsAskedForWhileHookbehCommands) {

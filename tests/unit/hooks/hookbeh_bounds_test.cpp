@@ -12,7 +12,9 @@ namespace {
 using Bench = HookbehBench;
 
 HookAnswer answerTo(const Instruction& instruction, const HookbehArgs& args = {}) {
-  return checkBounds(inSteps(instruction), args);
+  Instruction carried;
+  hookInSteps(&instruction, &carried);
+  return hookbehCheckBounds(&carried, &args);
 }
 
 TEST(HookbehBounds, DepthUpToTheGreatest) {
@@ -166,16 +168,16 @@ TEST(HookbehBounds, LimitsThatAFileRoundsRefuseNothingThatTheyAllow) {
   instruction.pitch_rad = -kTwentySixDegrees;
   HookbehArgs args;
   args.steepest_pitch_rad = 0.453786;
-  EXPECT_EQ(checkBounds(inSteps(instruction), args), HookAnswer::Accepted);
+  EXPECT_EQ(answerTo(instruction, args), HookAnswer::Accepted);
   args.steepest_pitch_rad = 0.4537;
-  EXPECT_EQ(checkBounds(inSteps(instruction), args), HookAnswer::BadPitch);
+  EXPECT_EQ(answerTo(instruction, args), HookAnswer::BadPitch);
   args = {};
   args.shallowest_pitch_rad = 0.453793;
-  EXPECT_EQ(checkBounds(inSteps(instruction), args), HookAnswer::Accepted);
+  EXPECT_EQ(answerTo(instruction, args), HookAnswer::Accepted);
   args.greatest_depth_m = 19.9996;
-  EXPECT_EQ(checkBounds(inSteps(instruction), args), HookAnswer::Accepted);
+  EXPECT_EQ(answerTo(instruction, args), HookAnswer::Accepted);
   args.greatest_depth_m = 19.999;
-  EXPECT_EQ(checkBounds(inSteps(instruction), args), HookAnswer::TooDeep);
+  EXPECT_EQ(answerTo(instruction, args), HookAnswer::TooDeep);
 }
 
 }  // namespace

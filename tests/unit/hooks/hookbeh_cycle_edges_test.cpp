@@ -7,6 +7,7 @@
 #include "hooks/hookbeh/hull.h"
 #include "hooks/hookbeh/pilot.h"
 #include "hooks/protocol/numbers.h"
+#include "tests/unit/hooks/begun.h"
 #include "tests/unit/hooks/hookbeh_bench.h"
 
 #include <gtest/gtest.h>
@@ -92,7 +93,7 @@ TEST(HookbehCycleEdges, AHeartbeatThatIsNotThereIsNotCountedFrom) {
 /// Writes an instruction that cannot be understood.
 void garble(Bench& bench, double depth) {
   bench.write(Bench::descend(depth));
-  bench.inputs.check += 1;
+  bench.inputs.words.check += 1;
 }
 
 TEST(HookbehCycleEdges, TheTimeOfGarbledInstructionsCountsFromTheLastGoodOne) {
@@ -104,7 +105,7 @@ TEST(HookbehCycleEdges, TheTimeOfGarbledInstructionsCountsFromTheLastGoodOne) {
       ASSERT_EQ(bench.cycle().state, HookState::Active) << round << " " << i;
       i += 1;
     }
-    bench.inputs.check -= 1;
+    bench.inputs.words.check -= 1;
     ASSERT_EQ(bench.cycle().answer, HookAnswer::Accepted);
   }
 }
@@ -114,7 +115,7 @@ TEST(HookbehCycleEdges, OldInstructionsCountAsGarbledOnlyAfterAGarbledOne) {
   const HookbehInputs take = bench.inputs;
   bench.give(Bench::descend(15));
   const auto old = [&] {
-    bench.inputs.sequence = take.sequence;
+    bench.inputs.words.sequence = take.words.sequence;
     return bench.cycle();
   };
   for (int i = 0; i < 30; ++i) {
@@ -135,11 +136,11 @@ TEST(HookbehCycleEdges, OldInstructionsCountAsGarbledAfterAShortGarbledOne) {
   const HookbehInputs garbled = bench.inputs;
   bench.inputs.time_s -= 3.5;
   ASSERT_EQ(bench.cycle().answer, HookAnswer::BadCheck) << "for 0.5 s";
-  bench.inputs.sequence = take.sequence;
+  bench.inputs.words.sequence = take.words.sequence;
   for (int i = 1; i <= 6; ++i) {
     ASSERT_EQ(bench.cycle().answer, HookAnswer::OldSequence) << i;
   }
-  bench.inputs.sequence = garbled.sequence;
+  bench.inputs.words.sequence = garbled.words.sequence;
   EXPECT_EQ(bench.cycle().state, HookState::Silent);
 }
 
@@ -430,44 +431,47 @@ TEST(HookbehBoundsEdges, AWholeCircleIsAHeadingToEitherSide) {
   const double circle = 6.283185307179586;
   for (const double way : {1.0, -1.0}) {
     instruction.heading_rad = way * circle;
-    EXPECT_EQ(checkBounds(instruction, {}), HookAnswer::Accepted) << way;
+    EXPECT_EQ(hookbehCheckBounds(&instruction, given(HookbehArgs{})), HookAnswer::Accepted) << way;
     instruction.heading_rad = way * (circle + 0.00001);
-    EXPECT_EQ(checkBounds(instruction, {}), HookAnswer::BadCommand) << way;
+    EXPECT_EQ(hookbehCheckBounds(&instruction, given(HookbehArgs{})), HookAnswer::BadCommand)
+        << way;
   }
 }
 
 TEST(HookbehClockEdges, AStepOfLessThanASecondIsOne) {
-  CycleClock clock;
-  clock.advance(1000, kNan, kNan);
-  clock.advance(1000.5, kNan, kNan);
-  EXPECT_EQ(clock.step(), 0.5);
-  EXPECT_TRUE(clock.follows());
+  HookCycleClock clock = begun(hookCycleClockInit);
+  hookCycleClockAdvance(&clock, 1000, kNan, kNan);
+  hookCycleClockAdvance(&clock, 1000.5, kNan, kNan);
+  EXPECT_EQ(clock.step_s, 0.5);
+  EXPECT_TRUE(clock.follows);
   clock = {};
-  clock.advance(1000, 5000, kNan);
-  clock.advance(1000.5, 5001.5, kNan);
-  EXPECT_EQ(clock.step(), 0.5) << "they agree";
+  hookCycleClockAdvance(&clock, 1000, 5000, kNan);
+  hookCycleClockAdvance(&clock, 1000.5, 5001.5, kNan);
+  EXPECT_EQ(clock.step_s, 0.5) << "they agree";
 }
 
 /// A pilot under one instruction, with the depth the test gives.
 struct FlownEdge {
   explicit FlownEdge(const Instruction& instruction, HookbehArgs with = {}) : args(with) {
-    pilot.begin(instruction);
+    hookPilotBegin(&pilot, &instruction);
   }
   VerticalCommand at(double depth_m, double step_s = 4) {
-    return pilot.vertical({depth_m}, step_s, args);
+    VerticalCommand command;
+    hookPilotVertical(&pilot, given(Surroundings{depth_m}), step_s, &args, &command);
+    return command;
   }
   VerticalCommand goBackFrom(double depth_m) {
-    pilot.goBack({depth_m}, args, false);
+    hookPilotGoBack(&pilot, given(Surroundings{depth_m}), &args, false);
     return at(depth_m);
   }
   HookbehArgs args;
-  Pilot pilot;
+  HookPilot pilot = begun(hookPilotInit);
 };
 
 TEST(HookbehPilotEdges, WhereOnlyTheVerticalIsAnotherItIsAnotherInstruction) {
   FlownEdge flown(Bench::descend(20));
   EXPECT_STREQ(wordsFor(flown.at(10).doing), "dive_to");
-  flown.pilot.follow(Bench::vertical(HookVertical::Surface, 20));
+  hookPilotFollow(&flown.pilot, given(Bench::vertical(HookVertical::Surface, 20)));
   EXPECT_STREQ(wordsFor(flown.at(10).doing), "surface");
 }
 
@@ -475,9 +479,9 @@ TEST(HookbehPilotEdges, NoVerticalKeepsAllOfTheOneInForce) {
   FlownEdge flown(Bench::descend(20));
   Instruction none = Bench::vertical(HookVertical::None, 99);
   none.pitch_rad = 1;
-  flown.pilot.follow(none);
-  EXPECT_EQ(flown.pilot.inForce().depth_m, 20);
-  EXPECT_EQ(flown.pilot.inForce().pitch_rad, -0.4);
+  hookPilotFollow(&flown.pilot, &none);
+  EXPECT_EQ(flown.pilot.in_force.depth_m, 20);
+  EXPECT_EQ(flown.pilot.in_force.pitch_rad, -0.4);
 }
 
 TEST(HookbehPilotEdges, WithinTwoMetresNothingIsGoneBackTo) {

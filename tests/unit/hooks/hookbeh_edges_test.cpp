@@ -11,6 +11,7 @@
 #include "hooks/hookbeh/sub_behaviours.h"
 #include "hooks/protocol/numbers.h"
 #include "tests/slocum.h"
+#include "tests/unit/hooks/begun.h"
 #include "tests/unit/hooks/hookbeh_bench.h"
 
 #include <gtest/gtest.h>
@@ -21,165 +22,172 @@ namespace glider::hooks {
 namespace {
 
 using Bench = HookbehBench;
-using Reading = DepthSource::Reading;
+using Reading = HookDepthReading;
 
 TEST(HookbehHeadway, AMetreIsHeadway) {
-  Headway headway;
-  headway.observe(Way::Down, 10, 4);
-  EXPECT_EQ(headway.idleFor(), 0);
-  headway.observe(Way::Down, 10.75, 4);
-  EXPECT_EQ(headway.idleFor(), 4);
-  headway.observe(Way::Down, 9, 4);
-  EXPECT_EQ(headway.idleFor(), 8) << "the wrong way";
-  headway.observe(Way::Down, 11, 4);
-  EXPECT_EQ(headway.idleFor(), 0);
-  headway.observe(Way::Down, 11.75, 4);
-  EXPECT_EQ(headway.idleFor(), 4) << "from the 11 m on";
+  HookHeadway headway = begun(hookHeadwayInit);
+  hookHeadwayObserve(&headway, HookWay::Down, 10, 4);
+  EXPECT_EQ(headway.idle_s, 0);
+  hookHeadwayObserve(&headway, HookWay::Down, 10.75, 4);
+  EXPECT_EQ(headway.idle_s, 4);
+  hookHeadwayObserve(&headway, HookWay::Down, 9, 4);
+  EXPECT_EQ(headway.idle_s, 8) << "the wrong way";
+  hookHeadwayObserve(&headway, HookWay::Down, 11, 4);
+  EXPECT_EQ(headway.idle_s, 0);
+  hookHeadwayObserve(&headway, HookWay::Down, 11.75, 4);
+  EXPECT_EQ(headway.idle_s, 4) << "from the 11 m on";
 }
 
 TEST(HookbehHeadway, ADiveMayHaveStoppedAfterAMinuteOfItsOwn) {
-  Headway headway;
+  HookHeadway headway = begun(hookHeadwayInit);
   for (int s = 0; s <= 60; s += 4) {
-    headway.observe(Way::Down, 20, 4);
-    EXPECT_EQ(headway.mayHaveStopped(), s >= 60) << s;
+    hookHeadwayObserve(&headway, HookWay::Down, 20, 4);
+    EXPECT_EQ(hookHeadwayMayHaveStopped(&headway), s >= 60) << s;
   }
-  headway.observe(Way::None, 20, 4);
-  headway.observe(Way::Down, 20, 4);
-  EXPECT_FALSE(headway.mayHaveStopped());
+  hookHeadwayObserve(&headway, HookWay::None, 20, 4);
+  hookHeadwayObserve(&headway, HookWay::Down, 20, 4);
+  EXPECT_FALSE(hookHeadwayMayHaveStopped(&headway));
   for (int s = 4; s <= 180; s += 4) {
-    headway.interrupt();
-    headway.observe(Way::Down, 20, 4);
-    EXPECT_FALSE(headway.standsInDive()) << "a vehicle that turns stands for a while";
-    EXPECT_EQ(headway.mayHaveStopped(), s >= 180) << s;
+    hookHeadwayInterrupt(&headway);
+    hookHeadwayObserve(&headway, HookWay::Down, 20, 4);
+    EXPECT_FALSE(std::isfinite(hookHeadwayStandsAt(&headway)))
+        << "a vehicle that turns stands for a while";
+    EXPECT_EQ(hookHeadwayMayHaveStopped(&headway), s >= 180) << s;
   }
 }
 
 TEST(HookbehHeadway, AMetreLessIsHeadwayOfAClimb) {
-  Headway headway;
-  headway.observe(Way::Up, 10, 4);
-  headway.observe(Way::Up, 9.25, 4);
-  EXPECT_EQ(headway.idleFor(), 4);
-  headway.observe(Way::Up, 9, 4);
-  EXPECT_EQ(headway.idleFor(), 0);
-  headway.observe(Way::Up, 8.5, 4);
-  headway.observe(Way::Down, 8.5, 4);
-  EXPECT_EQ(headway.way(), Way::Down);
-  EXPECT_EQ(headway.idleFor(), 0) << "it has only turned";
+  HookHeadway headway = begun(hookHeadwayInit);
+  hookHeadwayObserve(&headway, HookWay::Up, 10, 4);
+  hookHeadwayObserve(&headway, HookWay::Up, 9.25, 4);
+  EXPECT_EQ(headway.idle_s, 4);
+  hookHeadwayObserve(&headway, HookWay::Up, 9, 4);
+  EXPECT_EQ(headway.idle_s, 0);
+  hookHeadwayObserve(&headway, HookWay::Up, 8.5, 4);
+  hookHeadwayObserve(&headway, HookWay::Down, 8.5, 4);
+  EXPECT_EQ(headway.way, HookWay::Down);
+  EXPECT_EQ(headway.idle_s, 0) << "it has only turned";
 }
 
 TEST(HookbehHeadway, BeginsWithoutADirection) {
-  Headway headway;
-  EXPECT_EQ(headway.way(), Way::None);
-  headway.observe(Way::None, 0, 4);
-  EXPECT_EQ(headway.idleFor(), 4);
+  HookHeadway headway = begun(hookHeadwayInit);
+  EXPECT_EQ(headway.way, HookWay::None);
+  hookHeadwayObserve(&headway, HookWay::None, 0, 4);
+  EXPECT_EQ(headway.idle_s, 4);
 }
 
 TEST(HookbehDepthSource, ReadsFromFiveMetresAboveTheSurfaceToHalfAsDeepAgainAsTheHull) {
   for (const double depth : {-5.0, 300.0}) {
-    DepthSource source{kHull};
-    source.observe(depth, 4);
-    EXPECT_EQ(source.reading(), Reading::Good) << depth;
-    EXPECT_EQ(source.depth(), depth);
+    HookDepthSource source = begun(hookDepthSourceInit, &kHull);
+    hookDepthSourceObserve(&source, depth, 4);
+    EXPECT_EQ(source.reading, Reading::Good) << depth;
+    EXPECT_EQ(source.depth_m, depth);
   }
   for (const double depth : {-5.25, 300.25, kNan}) {
-    DepthSource source{kHull};
-    source.observe(depth, 4);
-    EXPECT_EQ(source.reading(), Reading::Missing) << depth;
-    EXPECT_TRUE(std::isnan(source.depth()));
+    HookDepthSource source = begun(hookDepthSourceInit, &kHull);
+    hookDepthSourceObserve(&source, depth, 4);
+    EXPECT_EQ(source.reading, Reading::Missing) << depth;
+    EXPECT_TRUE(std::isnan(source.depth_m));
   }
 }
 
 TEST(HookbehDepthSource, FollowsAsFarAsTheVehicleAndItsNoiseGo) {
   for (const double way : {1.0, -1.0}) {
-    DepthSource source{kHull};
-    source.observe(10, 4);
-    source.observe(10 + way * 3.5, 2.5);  // 2.5 m, and 1 m at 0.4 m/s
-    EXPECT_EQ(source.reading(), Reading::Good) << way;
-    source.observe(10 + way * 7.25, 2.5);
-    EXPECT_EQ(source.reading(), Reading::Jumped) << way;
+    HookDepthSource source = begun(hookDepthSourceInit, &kHull);
+    hookDepthSourceObserve(&source, 10, 4);
+    hookDepthSourceObserve(&source, 10 + way * 3.5, 2.5);  // 2.5 m, and 1 m at 0.4 m/s
+    EXPECT_EQ(source.reading, Reading::Good) << way;
+    hookDepthSourceObserve(&source, 10 + way * 7.25, 2.5);
+    EXPECT_EQ(source.reading, Reading::Jumped) << way;
   }
 }
 
 TEST(HookbehDepthSource, WhatWasMissingMayHaveChangedInTheMeantime) {
-  DepthSource source{kHull};
-  source.observe(10, 4);
-  source.observe(kNan, 4);
-  source.observe(kNan, 6);
-  EXPECT_EQ(source.age(), 10);
-  EXPECT_EQ(source.depth(), 10);
-  source.observe(17.5, 2.5);  // 2.5 m, and 5 m in 12.5 s
-  EXPECT_EQ(source.reading(), Reading::Good);
-  EXPECT_EQ(source.age(), 0);
+  HookDepthSource source = begun(hookDepthSourceInit, &kHull);
+  hookDepthSourceObserve(&source, 10, 4);
+  hookDepthSourceObserve(&source, kNan, 4);
+  hookDepthSourceObserve(&source, kNan, 6);
+  EXPECT_EQ(source.age_s, 10);
+  EXPECT_EQ(source.depth_m, 10);
+  hookDepthSourceObserve(&source, 17.5, 2.5);  // 2.5 m, and 5 m in 12.5 s
+  EXPECT_EQ(source.reading, Reading::Good);
+  EXPECT_EQ(source.age_s, 0);
 }
 
 /// What has given 10 m for so many cycles of 4 s, and then jumped.
-DepthSource jumpedAfter(int cycles) {
-  DepthSource source{kHull};
+HookDepthSource jumpedAfter(int cycles) {
+  HookDepthSource source = begun(hookDepthSourceInit, &kHull);
   for (int i = 0; i < cycles; ++i) {
-    source.observe(10, 4);
+    hookDepthSourceObserve(&source, 10, 4);
   }
-  source.observe(50, 4);
-  EXPECT_EQ(source.reading(), Reading::Jumped);
+  hookDepthSourceObserve(&source, 50, 4);
+  EXPECT_EQ(source.reading, Reading::Jumped);
   return source;
 }
 
 TEST(HookbehDepthSource, ItsFirstMinuteDoesNotCount) {
-  EXPECT_EQ(jumpedAfter(14).depth(), 50);
-  EXPECT_EQ(jumpedAfter(14).age(), 0);
-  DepthSource nearly{kHull};
+  EXPECT_EQ(jumpedAfter(14).depth_m, 50);
+  EXPECT_EQ(jumpedAfter(14).age_s, 0);
+  HookDepthSource nearly = begun(hookDepthSourceInit, &kHull);
   for (int i = 0; i < 119; ++i) {
-    nearly.observe(10, 0.5);
+    hookDepthSourceObserve(&nearly, 10, 0.5);
   }
-  nearly.observe(50, 0.5);
-  EXPECT_EQ(nearly.depth(), 50) << "59.5 s";
-  EXPECT_EQ(jumpedAfter(15).depth(), 10);
-  EXPECT_EQ(jumpedAfter(15).age(), 4);
+  hookDepthSourceObserve(&nearly, 50, 0.5);
+  EXPECT_EQ(nearly.depth_m, 50) << "59.5 s";
+  EXPECT_EQ(jumpedAfter(15).depth_m, 10);
+  EXPECT_EQ(jumpedAfter(15).age_s, 4);
 }
 
 TEST(HookbehDepthSource, GoodReadingsTakeAwayHalfOfTheirTime) {
-  DepthSource source = jumpedAfter(20);
-  EXPECT_EQ(source.jumpedFor(), 4);
-  source.observe(51, 4);
-  EXPECT_EQ(source.jumpedFor(), 8);
-  source.observe(10, 4);
-  EXPECT_EQ(source.jumpedFor(), 6);
-  source.observe(10, 20);
-  EXPECT_EQ(source.jumpedFor(), 0) << "and no more";
+  HookDepthSource source = jumpedAfter(20);
+  EXPECT_EQ(source.jumped_s, 4);
+  hookDepthSourceObserve(&source, 51, 4);
+  EXPECT_EQ(source.jumped_s, 8);
+  hookDepthSourceObserve(&source, 10, 4);
+  EXPECT_EQ(source.jumped_s, 6);
+  hookDepthSourceObserve(&source, 10, 20);
+  EXPECT_EQ(source.jumped_s, 0) << "and no more";
 }
 
 TEST(HookbehDepthSource, CountsTheTimeOfEqualReadings) {
-  DepthSource source{kHull};
+  HookDepthSource source = begun(hookDepthSourceInit, &kHull);
   for (int i = 0; i < 4; ++i) {
-    EXPECT_EQ(source.sameFor(), 0) << i;
-    source.observe(10 + i, 4);
+    EXPECT_EQ(source.same_s, 0) << i;
+    hookDepthSourceObserve(&source, 10 + i, 4);
   }
-  source.observe(13, 4);
-  source.observe(kNan, 4);
-  source.observe(13, 2);
-  EXPECT_EQ(source.sameFor(), 6) << "of what it said";
+  hookDepthSourceObserve(&source, 13, 4);
+  hookDepthSourceObserve(&source, kNan, 4);
+  hookDepthSourceObserve(&source, 13, 2);
+  EXPECT_EQ(source.same_s, 6) << "of what it said";
 }
 
 TEST(RecentDepths, HoldsTenForTwentySeconds) {
-  RecentDepths recent;
-  recent.observe(10, 100);
-  recent.observe(12, 12);
-  recent.observe(13, 8);
-  EXPECT_EQ(recent.distanceTo(10), 0) << "20 s ago";
-  recent.observe(13, 0.25);
-  EXPECT_EQ(recent.distanceTo(10), 2);
+  HookRecentDepths recent = begun(hookRecentDepthsInit);
+  hookRecentDepthsObserve(&recent, 10, 100);
+  hookRecentDepthsObserve(&recent, 12, 12);
+  hookRecentDepthsObserve(&recent, 13, 8);
+  EXPECT_EQ(hookRecentDepthsDistanceTo(&recent, 10), 0) << "20 s ago";
+  hookRecentDepthsObserve(&recent, 13, 0.25);
+  EXPECT_EQ(hookRecentDepthsDistanceTo(&recent, 10), 2);
   for (int i = 0; i < 7; ++i) {
-    recent.observe(13, 0.25);
+    hookRecentDepthsObserve(&recent, 13, 0.25);
   }
-  EXPECT_EQ(recent.distanceTo(12), 0) << "one of ten";
-  recent.observe(13, 0.25);
-  EXPECT_EQ(recent.distanceTo(12), 1) << "one of eleven";
-  EXPECT_EQ(recent.distanceTo(15), 2);
+  EXPECT_EQ(hookRecentDepthsDistanceTo(&recent, 12), 0) << "one of ten";
+  hookRecentDepthsObserve(&recent, 13, 0.25);
+  EXPECT_EQ(hookRecentDepthsDistanceTo(&recent, 12), 1) << "one of eleven";
+  EXPECT_EQ(hookRecentDepthsDistanceTo(&recent, 15), 2);
+}
+
+VerticalCommand commandOf(HookHover& hover, const Surroundings& now, double step_s = 4) {
+  VerticalCommand command;
+  hookHoverCommand(&hover, &now, step_s, given(HookbehArgs{}), &command);
+  return command;
 }
 
 /// One command of a hover at 20 m that begins so.
 double firstPump(double depth_m, double rate_mps) {
-  Hover hover(20);
-  const VerticalCommand command = hover.command({depth_m, rate_mps}, 4, HookbehArgs{});
+  HookHover hover = begun(hookHoverInit, 20);
+  const VerticalCommand command = commandOf(hover, {depth_m, rate_mps});
   EXPECT_EQ(command.pitch_rad, 0);
   return command.pump_cc;
 }
@@ -195,25 +203,23 @@ TEST(HookbehHover, PumpsByDepthAndRate) {
 }
 
 TEST(HookbehHover, RestsUntilThePumpIsWantedFartherAway) {
-  const HookbehArgs args;
-  Hover hover(20);
-  EXPECT_EQ(hover.command({20, 0}, 4, args).pump_cc, 0);
-  EXPECT_EQ(hover.command({20.01, 0}, 4, args).pump_cc, 0);
-  EXPECT_GT(hover.command({23, 0}, 4, args).pump_cc, 25);
+  HookHover hover = begun(hookHoverInit, 20);
+  EXPECT_EQ(commandOf(hover, {20, 0}).pump_cc, 0);
+  EXPECT_EQ(commandOf(hover, {20.01, 0}).pump_cc, 0);
+  EXPECT_GT(commandOf(hover, {23, 0}).pump_cc, 25);
 }
 
 TEST(HookbehHover, FollowsAMotionAndNotTheSwell) {
-  const HookbehArgs args;
-  Hover sinks(20), swell(20);
+  HookHover sinks = begun(hookHoverInit, 20);
+  HookHover swell = begun(hookHoverInit, 20);
   double pump = 0, strokes_cc = 0, before = 0;
   for (int i = 0; i < 100; ++i) {
-    pump = sinks.command({20 + 0.05 * 4 * i, kNan}, 4, args).pump_cc;
+    pump = commandOf(sinks, {20 + 0.05 * 4 * i, kNan}).pump_cc;
     if (i == 20) {
       EXPECT_NEAR(pump, 40 * 4.0 + 1000 * 0.05, 25 + 1) << "4 m too deep, at 5 cm/s";
     }
     // A period of 9 s.
-    const double waves =
-        swell.command({20 + 0.5 * __builtin_sin(0.7 * 4 * i), kNan}, 4, args).pump_cc;
+    const double waves = commandOf(swell, {20 + 0.5 * __builtin_sin(0.7 * 4 * i), kNan}).pump_cc;
     strokes_cc += magnitude(waves - before);
     before = waves;
   }
@@ -222,43 +228,49 @@ TEST(HookbehHover, FollowsAMotionAndNotTheSwell) {
 }
 
 TEST(HookbehHover, TakesNoReadingTwiceAndWaitsWhileItIsMasked) {
-  const HookbehArgs args;
-  Hover hover(20);
+  HookHover hover = begun(hookHoverInit, 20);
   for (const double depth_m : {20.0, 20.8, 21.6}) {  // 0.05 m/s, a reading every 16 s
-    (void)hover.command({depth_m, kNan}, 4, args);
+    commandOf(hover, {depth_m, kNan});
     for (int i = 0; i < 3; ++i) {
-      (void)hover.command({depth_m, kNan}, 4, args);
+      commandOf(hover, {depth_m, kNan});
     }
   }
-  EXPECT_NEAR(hover.command({22.4, kNan}, 4, args).pump_cc, 40 * 2.4 + 1000 * 0.05, 26);
-  const double kept = hover.command({22.4, kNan}, 0, args).pump_cc;
-  EXPECT_EQ(hover.command({22.5, kNan}, 0, args).pump_cc, kept);
+  EXPECT_NEAR(commandOf(hover, {22.4, kNan}).pump_cc, 40 * 2.4 + 1000 * 0.05, 26);
+  const double kept = commandOf(hover, {22.4, kNan}, 0).pump_cc;
+  EXPECT_EQ(commandOf(hover, {22.5, kNan}, 0).pump_cc, kept);
 }
 
 TEST(HookbehUsualPitch, LiesInTheBArgs) {
   HookbehArgs args;
-  EXPECT_EQ(usualPitch(args), 0.4538);
+  EXPECT_EQ(hookUsualPitch(&args), 0.4538);
   args.steepest_pitch_rad = 0.25;
-  EXPECT_EQ(usualPitch(args), 0.25);
+  EXPECT_EQ(hookUsualPitch(&args), 0.25);
   args.steepest_pitch_rad = 0.7;
   args.shallowest_pitch_rad = 0.5;
-  EXPECT_EQ(usualPitch(args), 0.5);
+  EXPECT_EQ(hookUsualPitch(&args), 0.5);
 }
 
 /// A pilot under one instruction, with the depth the test gives.
 struct PilotBench {
   explicit PilotBench(const Instruction& instruction, HookbehArgs with = {}) : args(with) {
-    pilot.begin(instruction);
+    hookPilotBegin(&pilot, &instruction);
   }
   VerticalCommand at(double depth_m, double step_s = 4) {
-    return pilot.vertical({depth_m}, step_s, args);
+    VerticalCommand command;
+    hookPilotVertical(&pilot, given(Surroundings{depth_m}), step_s, &args, &command);
+    return command;
   }
   const char* goBackFrom(double depth_m, bool checked = false) {
-    pilot.goBack({depth_m}, args, checked);
+    hookPilotGoBack(&pilot, given(Surroundings{depth_m}), &args, checked);
     return wordsFor(at(depth_m).doing);
   }
+  HookLateralCommand lateral(const Surroundings& now = {}) {
+    HookLateralCommand command;
+    hookPilotLateral(&pilot, &now, &command);
+    return command;
+  }
   HookbehArgs args;
-  Pilot pilot;
+  HookPilot pilot = begun(hookPilotInit);
 };
 
 TEST(HookbehPilot, WithinTwoMetresItHovers) {
@@ -271,7 +283,7 @@ TEST(HookbehPilot, WithinTwoMetresItHovers) {
   PilotBench above(Bench::vertical(HookVertical::Hover, 20));
   EXPECT_STREQ(wordsFor(above.at(22.25).doing), "climb_to");
   EXPECT_EQ(above.at(22.25).pitch_rad, 0.4538);
-  EXPECT_EQ(above.pilot.way(22.25), Way::Up);
+  EXPECT_EQ(hookPilotWay(&above.pilot, 22.25), HookWay::Up);
   EXPECT_STREQ(wordsFor(above.at(22).doing), "hover")
       << "no climb was commanded that might be held";
 }
@@ -337,7 +349,7 @@ TEST(HookbehPilot, HoldsForItsTimeWhereItArrived) {
     EXPECT_STREQ(wordsFor(hold.doing), "hold") << i;
     EXPECT_EQ(hold.pitch_rad, dive.pitch_rad);
     EXPECT_EQ(hold.pump_cc, dive.pump_cc);
-    EXPECT_EQ(bench.pilot.way(21), Way::None);
+    EXPECT_EQ(hookPilotWay(&bench.pilot, 21), HookWay::None);
   }
   EXPECT_STREQ(wordsFor(bench.at(21).doing), "hover") << "12 s";
   PilotBench nearly(Bench::descend(20));
@@ -368,43 +380,44 @@ TEST(HookbehPilot, ShallowerThanAMetreHoveringIsFloating) {
   EXPECT_STREQ(wordsFor(PilotBench(Bench::vertical(HookVertical::Hover, 1)).at(1).doing), "hover");
   PilotBench bench(Bench::vertical(HookVertical::Hover, 0.75));
   EXPECT_STREQ(wordsFor(bench.at(1).doing), "surface");
-  EXPECT_EQ(bench.pilot.way(3), Way::None);
-  EXPECT_EQ(bench.pilot.way(3.25), Way::Up);
+  EXPECT_EQ(hookPilotWay(&bench.pilot, 3), HookWay::None);
+  EXPECT_EQ(hookPilotWay(&bench.pilot, 3.25), HookWay::Up);
 }
 
 TEST(HookbehPilot, AHoverDrivesWhereItIsSixMetresOff) {
   PilotBench bench(Bench::vertical(HookVertical::Hover, 20));
   bench.at(20);
-  EXPECT_EQ(bench.pilot.way(14), Way::None);
-  EXPECT_EQ(bench.pilot.way(26), Way::None);
-  EXPECT_EQ(bench.pilot.way(13.75), Way::Down);
-  EXPECT_EQ(bench.pilot.way(26.25), Way::Up);
-  EXPECT_EQ(PilotBench(Bench::descend(20)).pilot.way(0), Way::None) << "not before it has chosen";
+  EXPECT_EQ(hookPilotWay(&bench.pilot, 14), HookWay::None);
+  EXPECT_EQ(hookPilotWay(&bench.pilot, 26), HookWay::None);
+  EXPECT_EQ(hookPilotWay(&bench.pilot, 13.75), HookWay::Down);
+  EXPECT_EQ(hookPilotWay(&bench.pilot, 26.25), HookWay::Up);
+  EXPECT_EQ(hookPilotWay(given(PilotBench(Bench::descend(20)).pilot), 0), HookWay::None)
+      << "not before it has chosen";
 }
 
 TEST(HookbehPilot, ANewInstructionIsChosenOnlyWhereItsVerticalPartIsAnother) {
   PilotBench bench(Bench::descend(20));
   EXPECT_STREQ(wordsFor(bench.at(20).doing), "hold");
-  bench.pilot.follow(Bench::descend(20));
+  hookPilotFollow(&bench.pilot, given(Bench::descend(20)));
   EXPECT_STREQ(wordsFor(bench.at(19).doing), "hold") << "the same";
   Instruction none = Bench::vertical(HookVertical::None);
   none.pitch_rad = 0;
-  bench.pilot.follow(none);
+  hookPilotFollow(&bench.pilot, &none);
   EXPECT_STREQ(wordsFor(bench.at(19).doing), "hold") << "none";
-  EXPECT_EQ(bench.pilot.inForce().vertical, HookVertical::Descend);
-  EXPECT_EQ(bench.pilot.inForce().depth_m, 20);
-  EXPECT_EQ(bench.pilot.inForce().pitch_rad, -0.4);
-  bench.pilot.follow(Bench::descend(20.5));
+  EXPECT_EQ(bench.pilot.in_force.vertical, HookVertical::Descend);
+  EXPECT_EQ(bench.pilot.in_force.depth_m, 20);
+  EXPECT_EQ(bench.pilot.in_force.pitch_rad, -0.4);
+  hookPilotFollow(&bench.pilot, given(Bench::descend(20.5)));
   EXPECT_STREQ(wordsFor(bench.at(19).doing), "dive_to") << "deeper";
   EXPECT_STREQ(wordsFor(bench.at(20.5).doing), "hold");
   Instruction steeper = Bench::descend(20.5);
   steeper.pitch_rad = -0.5;
-  bench.pilot.follow(steeper);
+  hookPilotFollow(&bench.pilot, &steeper);
   EXPECT_EQ(bench.at(19).pitch_rad, -0.5) << "steeper";
   EXPECT_EQ(bench.at(10).pitch_rad, -0.5);
   Instruction hover = steeper;
   hover.vertical = HookVertical::Hover;
-  bench.pilot.follow(hover);
+  hookPilotFollow(&bench.pilot, &hover);
   EXPECT_EQ(bench.at(10).pitch_rad, -0.4538) << "a hover";
 }
 
@@ -413,7 +426,7 @@ TEST(HookbehPilot, LateralCommandsAtTheirEdges) {
   instruction.lateral = HookLateral::Heading;
   const auto heading = [&](double rad) {
     instruction.heading_rad = rad;
-    const LateralCommand command = PilotBench(instruction).pilot.lateral({});
+    const HookLateralCommand command = PilotBench(instruction).lateral();
     EXPECT_EQ(command.mode, HeadingMode::Heading);
     return command.heading_rad;
   };
@@ -424,23 +437,23 @@ TEST(HookbehPilot, LateralCommandsAtTheirEdges) {
   instruction.latitude_ddmm = 3910;
   instruction.longitude_ddmm = -7350;
   Surroundings now;
-  const LateralCommand there = PilotBench(instruction).pilot.lateral(now);
+  const HookLateralCommand there = PilotBench(instruction).lateral(now);
   EXPECT_EQ(there.mode, HeadingMode::Waypoint);
   EXPECT_EQ(there.heading_rad, 0);
   EXPECT_EQ(there.latitude_ddmm, 3910);
   EXPECT_EQ(there.longitude_ddmm, -7350);
   now.longitude_ddmm = kNan;
-  EXPECT_EQ(PilotBench(instruction).pilot.lateral(now).mode, HeadingMode::CentreFin);
+  EXPECT_EQ(PilotBench(instruction).lateral(now).mode, HeadingMode::CentreFin);
   now = {};
   now.latitude_ddmm = kNan;
-  EXPECT_EQ(PilotBench(instruction).pilot.lateral(now).mode, HeadingMode::CentreFin);
+  EXPECT_EQ(PilotBench(instruction).lateral(now).mode, HeadingMode::CentreFin);
   instruction.lateral = HookLateral::Fin;
   instruction.heading_rad = -0.25;
-  const LateralCommand held = PilotBench(instruction).pilot.lateral(now);
+  const HookLateralCommand held = PilotBench(instruction).lateral(now);
   EXPECT_EQ(held.mode, HeadingMode::Fin);
   EXPECT_EQ(held.fin_rad, -0.25) << "no heading: nothing is added";
   instruction.lateral = HookLateral::Drift;
-  EXPECT_EQ(PilotBench(instruction).pilot.lateral({}).mode, HeadingMode::CentreFin);
+  EXPECT_EQ(PilotBench(instruction).lateral().mode, HeadingMode::CentreFin);
 }
 
 }  // namespace

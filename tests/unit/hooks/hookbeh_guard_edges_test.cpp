@@ -5,6 +5,7 @@
 
 #include "hooks/hookbeh/guard.h"
 #include "tests/slocum.h"
+#include "tests/unit/hooks/begun.h"
 #include "tests/unit/hooks/hookbeh_bench.h"
 
 #include <gtest/gtest.h>
@@ -28,15 +29,16 @@ struct GuardBench {
   HookGuard at(double depth_m, double altitude_m = kNan) {
     for (double far = depth_m - depth; std::fabs(far) > 2; far = depth_m - depth) {
       depth += std::copysign(2, far);
-      guard.observe(args, {depth, 0, kNan, kNan}, 4, kOther, Way::None);
-      guard.mustClimb(args, in_force);
+      hookbehGuardObserve(&guard, &args, given(Surroundings{depth, 0, kNan, kNan}), 4, &kOther,
+                          HookWay::None);
+      hookbehGuardMustClimb(&guard, &args, &in_force);
     }
     depth = std::isnan(depth_m) ? depth : depth_m;
     return cycle({depth_m, 0, altitude_m, ctd_m});
   }
   HookGuard cycle(const Surroundings& now) {
-    guard.observe(args, now, step_s, last, way);
-    return guard.mustClimb(args, in_force);
+    hookbehGuardObserve(&guard, &args, &now, step_s, &last, way);
+    return hookbehGuardMustClimb(&guard, &args, &in_force);
   }
   /// Cycles at `depth_m` that flickers in its last bits until `wanted`; at most 1000.
   int until(HookGuard wanted, double depth_m, double flicker = 0) {
@@ -48,11 +50,11 @@ struct GuardBench {
     return 0;
   }
 
-  Guard guard{kHull};
+  HookbehGuard guard = begun(hookbehGuardInit, &kHull);
   HookbehArgs args;
   Instruction in_force;
   VerticalCommand last = kOther;
-  Way way = Way::None;
+  HookWay way = HookWay::None;
   double step_s = 4;
   double depth = 10;
   double ctd_m = kNan;
@@ -154,8 +156,8 @@ TEST(HookbehGuardEdges, HalfOfTheDepthOrFiveMetresAreFar) {
 }
 
 TEST(HookbehGuardEdges, ADiveHasThreeMinutesForAMetreAndAClimbFour) {
-  for (const auto& [way, guard, cycles] : {std::tuple{Way::Down, HookGuard::NoDepthGained, 181},
-                                           {Way::Up, HookGuard::NoHeightGained, 241}}) {
+  for (const auto& [way, guard, cycles] : {std::tuple{HookWay::Down, HookGuard::NoDepthGained, 181},
+                                           {HookWay::Up, HookGuard::NoHeightGained, 241}}) {
     GuardBench bench;
     bench.at(10);
     bench.way = way;
@@ -170,7 +172,7 @@ TEST(HookbehGuardEdges, ADepthThatIsNotKnownDoesNotCountNorDoesTheCycleAfterIt) 
     for (int i = 0; i < 20; ++i) {
       bench.at(10 + (i % 2) * 1e-7);
     }
-    bench.way = Way::Down;
+    bench.way = HookWay::Down;
     for (int i = 0; i < 10; ++i) {
       bench.at(10 + (i % 2) * 1e-7);
     }
@@ -183,9 +185,9 @@ TEST(HookbehGuardEdges, AMetreOfHeightOrATargetBelowEndsAClimbThatGainedNone) {
   const auto stalled = [] {
     GuardBench bench(Bench::ascend(5));
     bench.at(10);
-    bench.way = Way::Up;
+    bench.way = HookWay::Up;
     EXPECT_NE(bench.until(HookGuard::NoHeightGained, 10, 1e-7), 0);
-    bench.way = Way::None;
+    bench.way = HookWay::None;
     return bench;
   };
   GuardBench bench = stalled();
@@ -202,9 +204,9 @@ TEST(HookbehGuardEdges, AMetreOfHeightOrATargetBelowEndsAClimbThatGainedNone) {
 GuardBench idleAt(double depth_m) {
   GuardBench bench(Bench::descend(20));
   bench.depth = depth_m;
-  bench.way = Way::Down;
+  bench.way = HookWay::Down;
   EXPECT_EQ(bench.until(HookGuard::NoDepthGained, depth_m), 46);
-  bench.way = Way::None;
+  bench.way = HookWay::None;
   bench.step_s = 1;
   return bench;
 }
@@ -235,7 +237,7 @@ int untilItShows(const Instruction& in_force, double shown_m, bool has_moved) {
   EXPECT_EQ(bench.at(shown_m), HookGuard::None) << "it may rise for 12 s";
   for (int cycles = 1; cycles <= 1000; ++cycles) {
     bench.at(shown_m);
-    if (bench.guard.mustShowDepth(bench.args, in_force)) {
+    if (hookbehGuardMustShowDepth(&bench.guard, &bench.args, &in_force)) {
       return cycles;
     }
   }
@@ -264,21 +266,21 @@ TEST(HookbehGuardEdges, OneThatHasShownItsDepthShowsItNoLonger) {
   bench.last = kAdrift;
   for (int i = 0; i < 20; ++i) {
     bench.at(20 + i % 2 * 1e-7);
-    bench.guard.mustShowDepth(bench.args, hover);
+    hookbehGuardMustShowDepth(&bench.guard, &bench.args, &hover);
   }
   bench.step_s = 4;
   bench.last = kOther;
   bench.at(18.5);
-  EXPECT_TRUE(bench.guard.mustShowDepth(bench.args, hover)) << "1.5 m are noise";
+  EXPECT_TRUE(hookbehGuardMustShowDepth(&bench.guard, &bench.args, &hover)) << "1.5 m are noise";
   bench.at(17);
-  EXPECT_FALSE(bench.guard.mustShowDepth(bench.args, hover));
+  EXPECT_FALSE(hookbehGuardMustShowDepth(&bench.guard, &bench.args, &hover));
 }
 
 TEST(HookbehGuardEdges, ResetForgetsTheLimitThatWasExceeded) {
   GuardBench bench(Bench::descend(40));
   EXPECT_EQ(bench.at(30.25), HookGuard::TooDeep);
   EXPECT_EQ(bench.at(29.5), HookGuard::TooDeep);
-  bench.guard.reset();
+  hookbehGuardReset(&bench.guard);
   EXPECT_EQ(bench.at(29.5), HookGuard::None);
 }
 
@@ -297,7 +299,7 @@ int secondsOfADive(double greatest_m, double shown_m, double pitch_rad, bool ctd
   for (int seconds = 1; seconds <= 1000; ++seconds) {
     const double depth = shown_m + seconds % 2 * 1e-7;
     bench.cycle({depth, 0, kNan, ctd_sees ? depth : kNan});
-    if (bench.guard.mustShowDepth(bench.args, bench.in_force)) {
+    if (hookbehGuardMustShowDepth(&bench.guard, &bench.args, &bench.in_force)) {
       return seconds;
     }
   }
@@ -314,8 +316,8 @@ TEST(HookbehGuardEdges, ItsPitchMayBeWrongForEighteenMetres) {
 }
 
 TEST(HookbehGuardEdges, SaysNothingWhereItDoesNotClimb) {
-  EXPECT_STREQ(wordsFor(climbFor(HookGuard::None)), "");
-  EXPECT_STREQ(wordsFor(climbFor(HookGuard::NoHeightGained)), "climb: no height gained");
+  EXPECT_STREQ(wordsFor(hookClimbFor(HookGuard::None)), "");
+  EXPECT_STREQ(wordsFor(hookClimbFor(HookGuard::NoHeightGained)), "climb: no height gained");
 }
 
 /// The depth stays at 10 m except in its last bits, and the CTD's increases from there.

@@ -186,5 +186,47 @@ TEST(HookbehRelease, NothingButATargetEndsTheClimbOfAVehicleThatDoesNotRise) {
   }
 }
 
+/// A slow vehicle that hovers at 20 m until its depth has to be checked soon. In the last cycles
+/// there is no reading, and so it climbs for a guard.
+HookbehSea hoverUntilACheck(int cycles, int missing) {
+  HookbehSea sea;
+  sea.diveTo(18, 20);
+  sea.bench.write(HookbehBench::vertical(HookVertical::Hover, 20));
+  sea.run(cycles, kNothing);
+  sea.full_mps = 0.15;
+  for (int i = 0; i < missing; ++i) {
+    EXPECT_EQ(sea.cycle([](HookbehInputs& in) { in.depth_m = kNan; }).guard,
+              HookGuard::DepthUnknown);
+  }
+  return sea;
+}
+
+/// What it does where the check ends, 2 to 6 m above the depth of its hover.
+Doing afterTheCheck(HookbehSea& sea) {
+  for (int i = 0; i < 60 && sea.out.doing == Doing::CheckDepth; ++i) {
+    sea.cycle();
+  }
+  EXPECT_GT(sea.truth, 14);
+  EXPECT_LT(sea.truth, 18);
+  return sea.out.doing;
+}
+
+TEST(HookbehRelease, ACheckOfTheDepthAloneIsFollowedByTheHover) {
+  HookbehSea sea = hoverUntilACheck(97, 0);
+  for (int i = 0; i < 60 && sea.out.doing != Doing::CheckDepth; ++i) {
+    sea.cycle();
+  }
+  EXPECT_EQ(afterTheCheck(sea), Doing::Hover);
+}
+
+TEST(HookbehRelease, ACheckOfTheDepthThatFollowsOnAGuardIsFollowedByADive) {
+  for (const auto& [cycles, missing] :
+       {std::pair{97, 1}, {98, 1}, {100, 1}, {101, 1}, {95, 2}, {97, 2}, {100, 2}}) {
+    HookbehSea sea = hoverUntilACheck(cycles, missing);
+    EXPECT_EQ(sea.cycle().doing, Doing::CheckDepth) << cycles << " " << missing;
+    EXPECT_EQ(afterTheCheck(sea), Doing::DiveTo) << cycles << " " << missing;
+  }
+}
+
 }  // namespace
 }  // namespace glider::hooks

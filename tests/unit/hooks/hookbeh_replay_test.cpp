@@ -185,7 +185,7 @@ TEST_F(HookbehReplay, OldOnesAmongGarbledOnesDoNotHideThatTheSbcIsNotUnderstood)
   give(Bench::take(20));
   give(Bench::descend(25));
   bench_.write(Bench::ascend(5));
-  bench_.inputs.check = bench_.inputs.check == 1 ? 2 : 1;
+  bench_.inputs.words.check = bench_.inputs.words.check == 1 ? 2 : 1;
   const HookbehInputs garbled = bench_.inputs;
   recorded_.push_back(garbled);
   HookbehOutputs out;

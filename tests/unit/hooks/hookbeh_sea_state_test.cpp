@@ -9,6 +9,7 @@
 #include "hooks/hookbeh/trend.h"
 #include "hooks/hookbeh/unseen_sink.h"
 #include "tests/slocum.h"
+#include "tests/unit/hooks/begun.h"
 
 #include <gtest/gtest.h>
 
@@ -26,23 +27,23 @@ constexpr double kNoDepth = std::numeric_limits<double>::quiet_NaN();
 constexpr VerticalCommand kSeaDive{-0.4538, -230}, kLift{0.4538, 230}, kHover{0, 0};
 
 TEST(Cadence, AReadingThatTheArrayKeepsIsNotNew) {
-  Cadence cadence;
+  HookCadence cadence = begun(hookCadenceInit);
   const double depths[] = {20, 20, 20, 20.5, kNoDepth, 20.5, 21};
   const bool news[] = {true, false, false, true, false, false, true};
   for (size_t i = 0; i < std::size(depths); ++i) {
-    cadence.observe(depths[i], 4);
-    EXPECT_EQ(cadence.isNew(), news[i]) << i;
+    hookCadenceObserve(&cadence, depths[i], 4);
+    EXPECT_EQ(cadence.is_new, news[i]) << i;
   }
-  EXPECT_EQ(cadence.gap(), 12);
+  EXPECT_EQ(cadence.since_s, 12);
 }
 
 /// The usual gap after `count` readings every `gap_s`.
 double usualAfter(int count, double gap_s) {
-  Cadence cadence;
+  HookCadence cadence = begun(hookCadenceInit);
   for (int i = 0; i < count; ++i) {
-    cadence.observe(20 + i * 0.1, gap_s);
+    hookCadenceObserve(&cadence, 20 + i * 0.1, gap_s);
   }
-  return cadence.usual();
+  return cadence.usual_s;
 }
 
 TEST(Cadence, IsLearnedFromTheFifthReadingOn) {
@@ -52,22 +53,22 @@ TEST(Cadence, IsLearnedFromTheFifthReadingOn) {
 }
 
 TEST(Cadence, FollowsASensorThatFailsSlowly) {
-  Cadence cadence;
+  HookCadence cadence = begun(hookCadenceInit);
   for (int i = 0; i < 200; ++i) {
-    cadence.observe(20 + i * 0.1, 4);
+    hookCadenceObserve(&cadence, 20 + i * 0.1, 4);
   }
   for (int i = 0; i < 3; ++i) {
-    cadence.observe(50 + i, 16);
+    hookCadenceObserve(&cadence, 50 + i, 16);
   }
-  EXPECT_LT(cadence.usual(), 9);
+  EXPECT_LT(cadence.usual_s, 9);
 }
 
 TEST(Cadence, TheZeroOfTheSurfaceIsNoCadence) {
-  Cadence cadence;
+  HookCadence cadence = begun(hookCadenceInit);
   for (int i = 0; i < 20; ++i) {
-    cadence.observe(i % 10 == 0 ? i * 0.01 : 0, 4);
+    hookCadenceObserve(&cadence, i % 10 == 0 ? i * 0.01 : 0, 4);
   }
-  EXPECT_EQ(cadence.usual(), 4);
+  EXPECT_EQ(cadence.usual_s, 4);
 }
 
 /// A climb that checks the depth of a hover, and the way back, with the pressure read every 12 s:
@@ -77,35 +78,35 @@ TEST(UnseenSink, ATurnIsNotRough) {
       {kHover, {48.4, 48.3, 48.4, 48.4, 48.3, 48.4, 48.3, 48.4}},
       {kLift, {48.1, 46.5, 44.1}},
       {kSeaDive, {42.3, 42.5, 43.5, 45.1}}};
-  UnseenSink sink{kHull};
+  HookUnseenSink sink = begun(hookUnseenSinkInit, &kHull);
   for (const auto& [command, depths] : legs) {
     for (const double depth : depths) {
       for (int i = 0; i < 3; ++i) {
-        sink.observe(depth, 4, command);
+        hookUnseenSinkObserve(&sink, depth, 4, &command);
       }
     }
   }
-  EXPECT_EQ(sink.shown(), 45.1) << "2.8 m down from where it turned";
+  EXPECT_EQ(sink.shown_m, 45.1) << "2.8 m down from where it turned";
 }
 
 TEST(DepthSource, APatienceIsTwiceTheUsualGap) {
   for (const double gap : {4.0, 10.0, 16.0}) {
-    DepthSource source{kHull};
+    HookDepthSource source = begun(hookDepthSourceInit, &kHull);
     for (int i = 0; i < 20; ++i) {
-      source.observe(20 + i * 0.1, gap);
+      hookDepthSourceObserve(&source, 20 + i * 0.1, gap);
     }
-    EXPECT_EQ(source.patience(), gap == 4 ? 16 : 2 * gap + 4);
+    EXPECT_EQ(hookDepthSourcePatience(&source), gap == 4 ? 16 : 2 * gap + 4);
   }
 }
 
 TEST(DepthSource, AReadingAfterARareOneIsNoJump) {
-  DepthSource source{kHull};
+  HookDepthSource source = begun(hookDepthSourceInit, &kHull);
   for (int i = 0; i < 40; ++i) {  // 0.38 m/s, read every fourth cycle
-    source.observe(20 + 0.38 * 16 * (i / 4), 4);
-    ASSERT_EQ(source.reading(), DepthSource::Reading::Good) << i;
+    hookDepthSourceObserve(&source, 20 + 0.38 * 16 * (i / 4), 4);
+    ASSERT_EQ(source.reading, HookDepthReading::Good) << i;
   }
-  source.observe(20 + 0.38 * 16 * 10 + 12, 4);
-  EXPECT_EQ(source.reading(), DepthSource::Reading::Jumped);
+  hookDepthSourceObserve(&source, 20 + 0.38 * 16 * 10 + 12, 4);
+  EXPECT_EQ(source.reading, HookDepthReading::Jumped);
 }
 
 /// A dive at `mps` in swell, read at every `every`-th cycle. The longest that its depth did not
@@ -117,7 +118,7 @@ struct SeaState {
   double long_share = 0;  ///< of the cycles, which take 15 s
 };
 double mostUnseen(const SeaState& sea) {
-  UnseenSink sink{kHull};
+  HookUnseenSink sink = begun(hookUnseenSinkInit, &kHull);
   double time = 0, depth = 5, most = 0, draw = 0.7;
   for (int i = 0; i < 400; ++i) {
     draw = 3.99 * draw * (1 - draw);
@@ -127,9 +128,9 @@ double mostUnseen(const SeaState& sea) {
     if (i % sea.every == 0) {
       depth = true_m + sea.swell_m * std::sin(2 * std::numbers::pi * time / sea.period_s);
     }
-    sink.observe(depth, step, kSeaDive);
+    hookUnseenSinkObserve(&sink, depth, step, &kSeaDive);
     if (time > 200) {
-      most = std::max(most, sink.deepest() - sink.shown() - sink.lateBy());
+      most = std::max(most, sink.deepest_m - sink.shown_m - hookUnseenSinkLateBy(&sink));
     }
   }
   return most;
@@ -163,14 +164,14 @@ TEST(UnseenSink, ADiveShowsItselfInUnequalCycles) {
 
 /// How often an hour of a stuck depth that flickers by up to `by` shows the vehicle.
 int shownInAnHour(double by, const VerticalCommand& command) {
-  UnseenSink sink{kHull};
+  HookUnseenSink sink = begun(hookUnseenSinkInit, &kHull);
   double draw = 0.3;
   int shown = 0;
   for (int i = 0; i < 900; ++i) {
     draw = 3.99 * draw * (1 - draw);
-    const double before = sink.deepest();
-    sink.observe(20 + by * (2 * draw - 1), 4, command);
-    shown += sink.deepest() < before - 0.5;
+    const double before = sink.deepest_m;
+    hookUnseenSinkObserve(&sink, 20 + by * (2 * draw - 1), 4, &command);
+    shown += sink.deepest_m < before - 0.5;
   }
   return shown;
 }
@@ -184,32 +185,32 @@ TEST(UnseenSink, AStuckDepthThatFlickersDoesNotShowADive) {
 
 TEST(UnseenSink, AnswersCountOnlyWhatMovesAsThePitchDrivesIt) {
   for (const VerticalCommand& command : {kSeaDive, kHover, kLift}) {
-    UnseenSink sink{kHull};
+    HookUnseenSink sink = begun(hookUnseenSinkInit, &kHull);
     double depth = 20;
     for (int i = 0; i < 20; ++i) {
-      sink.observe(depth += i % 2 * 0.01, 4, kHover);
+      hookUnseenSinkObserve(&sink, depth += i % 2 * 0.01, 4, &kHover);
     }
-    const double before = sink.unanswered();
+    const double before = sink.unanswered_m;
     EXPECT_GT(before, 5) << "0.1 m/s adrift";
-    sink.confirm(depth);
-    EXPECT_EQ(sink.unanswered(), before) << "another sensor is not an answer";
+    hookUnseenSinkConfirm(&sink, depth);
+    EXPECT_EQ(sink.unanswered_m, before) << "another sensor is not an answer";
     for (int i = 0; i < 12; ++i) {
-      sink.observe(depth += command.pitch_rad > 0 ? -0.5 : 0.5, 4, command);
+      hookUnseenSinkObserve(&sink, depth += command.pitch_rad > 0 ? -0.5 : 0.5, 4, &command);
     }
-    EXPECT_EQ(sink.unanswered() < before, command.pitch_rad != 0);
+    EXPECT_EQ(sink.unanswered_m < before, command.pitch_rad != 0);
   }
 }
 
 TEST(UnseenSink, WhatItDidBeforeItWasDrivenUpIsNotAnAnswer) {
-  UnseenSink sink{kHull};
+  HookUnseenSink sink = begun(hookUnseenSinkInit, &kHull);
   double depth = 20;
   for (int i = 0; i < 20; ++i) {
-    sink.observe(depth -= 0.1, 4, kHover);
+    hookUnseenSinkObserve(&sink, depth -= 0.1, 4, &kHover);
   }
   for (int i = 0; i < 10; ++i) {
-    sink.observe(depth + i % 2 * 0.01, 4, kLift);
+    hookUnseenSinkObserve(&sink, depth + i % 2 * 0.01, 4, &kLift);
   }
-  EXPECT_GT(sink.unanswered(), 0);
+  EXPECT_GT(sink.unanswered_m, 0);
 }
 
 }  // namespace

@@ -96,21 +96,21 @@ TEST(HookbehSession, GarbledInstructionsCountTogetherUntilAGoodOne) {
   Bench bench = inControl(patient());
   const auto garble = [&](int cycles) {
     bench.write(Bench::descend(20));
-    const double good = bench.inputs.check;
-    ++bench.inputs.check;
+    const double good = bench.inputs.words.check;
+    ++bench.inputs.words.check;
     for (int i = 0; i < cycles; ++i) {
       ASSERT_EQ(bench.cycle().answer, HookAnswer::BadCheck);
       ASSERT_EQ(bench.cycle().state, HookState::Active) << i;
       ++i;
     }
-    bench.inputs.check = good;
+    bench.inputs.words.check = good;
   };
   garble(4);
   EXPECT_EQ(bench.cycle().answer, HookAnswer::Accepted);
   garble(4);
   EXPECT_EQ(bench.cycle().answer, HookAnswer::Accepted);
   bench.write(Bench::descend(20));
-  ++bench.inputs.check;
+  ++bench.inputs.words.check;
   expectFiveCyclesMore(bench);
 }
 
@@ -119,11 +119,11 @@ TEST(HookbehSession, AGoodOneThatLiesThereEndsTheGarbledToo) {
   const HookbehInputs good = bench.inputs;
   for (int round = 0; round < 2; ++round) {
     bench.write(Bench::descend(20));
-    ++bench.inputs.check;
+    ++bench.inputs.words.check;
     for (int i = 0; i < 5; ++i) {
       ASSERT_EQ(bench.cycle().answer, HookAnswer::BadCheck);
     }
-    bench.inputs.sequence = good.sequence;
+    bench.inputs.words.sequence = good.words.sequence;
     ASSERT_EQ(bench.cycle().state, HookState::Active) << round;
   }
 }
@@ -132,12 +132,12 @@ TEST(HookbehSession, OldInstructionsAreNotGarbled) {
   Bench bench = inControl(patient());
   bench.sequence = 99;
   bench.give(Bench::descend(20));
-  bench.inputs.sequence = 50;
+  bench.inputs.words.sequence = 50;
   for (int i = 0; i < 40; ++i) {
     ASSERT_EQ(bench.cycle().answer, HookAnswer::OldSequence);
   }
   bench.write(Bench::descend(20));
-  ++bench.inputs.check;
+  ++bench.inputs.words.check;
   expectFiveCyclesMore(bench);
 }
 
@@ -153,11 +153,11 @@ HookAnswer answerTo(int control, int vertical, int lateral, uint32_t session = 1
   instruction.lateral = static_cast<HookLateral>(lateral);
   const Instruction rounded = inSteps(instruction);
   instruction.pitch_rad = rounded.pitch_rad;
-  bench.inputs.session = session;
-  bench.inputs.control = control;
-  bench.inputs.vertical = vertical;
-  bench.inputs.lateral = lateral;
-  bench.inputs.check = checkValue(instruction);
+  bench.inputs.words.session = session;
+  bench.inputs.words.control = control;
+  bench.inputs.words.vertical = vertical;
+  bench.inputs.words.lateral = lateral;
+  bench.inputs.words.check = checkValue(instruction);
   return bench.cycle().answer;
 }
 

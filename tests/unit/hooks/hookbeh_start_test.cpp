@@ -30,9 +30,9 @@ TEST(HookbehStart, AWholeTakeFromBeforeIsNeverFollowed) {
 TEST(HookbehStart, AGarbledTakeFromBeforeIsNeverFollowed) {
   Bench bench;
   bench.write(Bench::take());
-  bench.inputs.check += 1;
+  bench.inputs.words.check += 1;
   HookbehOutputs out = bench.cycle();
-  bench.inputs.check -= 1;  // and heals
+  bench.inputs.words.check -= 1;  // and heals
   for (int i = 0; i < 20; ++i) {
     out = bench.cycle();
     ASSERT_EQ(out.state, HookState::Ready) << "cycle " << i;
@@ -44,7 +44,7 @@ TEST(HookbehStart, AnEmptyArrayIsNotTheNumberZero) {
   Bench bench;
   HookbehOutputs out = bench.cycle();
   EXPECT_EQ(out.answered_sequence, 0);
-  bench.inputs.sequence = 0;  // no number that an SBC gives
+  bench.inputs.words.sequence = 0;  // no number that an SBC gives
   out = bench.cycle();
   EXPECT_EQ(out.answered_sequence, 0);
   EXPECT_EQ(out.answer, HookAnswer::None) << "nothing was instructed";
@@ -56,7 +56,7 @@ TEST(HookbehStart, AnInvalidSequenceNumberIsNotAnInstruction) {
   ASSERT_EQ(bench.give(Bench::take()).answer, HookAnswer::Accepted);
   const uint16_t answered = bench.cycle().answered_sequence;
   for (const double none : {0.0, 65536.0, 1.5, kNan}) {
-    bench.inputs.sequence = none;
+    bench.inputs.words.sequence = none;
     const HookbehOutputs out = bench.cycle();
     EXPECT_EQ(out.answer, HookAnswer::Accepted) << none;
     EXPECT_EQ(out.answered_sequence, answered) << none;
@@ -69,7 +69,7 @@ TEST(HookbehStart, GarbledForExactlyTheTimeOfSilenceReleasesControl) {
   bench.cycle();
   ASSERT_EQ(bench.give(Bench::take()).state, HookState::Active);
   bench.write(Bench::descend(15));
-  bench.inputs.check += 1;
+  bench.inputs.words.check += 1;
   for (int i = 1; i < 6; ++i) {
     ASSERT_EQ(bench.cycle().state, HookState::Active) << 4 * i << " s";
   }
@@ -84,11 +84,11 @@ TEST(HookbehStart, AGoodInstructionBetweenGarbledOnesCountsFromTheStart) {
   for (int round = 0; round < 2; ++round) {
     bench.cycle();  // quiet: what lies there is settled
     bench.write(Bench::descend(15 + round));
-    bench.inputs.check += 1;
+    bench.inputs.words.check += 1;
     for (int i = 1; i < 7; ++i) {
       ASSERT_EQ(bench.cycle().state, HookState::Active) << round << " " << 4 * i << " s";
     }
-    bench.inputs.check -= 1;
+    bench.inputs.words.check -= 1;
     ASSERT_EQ(bench.cycle().answer, HookAnswer::Accepted);
   }
 }

@@ -257,7 +257,7 @@ TEST(Hookbeh, TakesEffectOnlyWhenTheSequenceChanges) {
   bench.cycle();
   bench.give(Bench::take(20));
   bench.write(Bench::ascend(5));
-  bench.inputs.sequence = 1;  // its number has not arrived
+  bench.inputs.words.sequence = 1;  // its number has not arrived
   const HookbehOutputs out = bench.cycle();
   EXPECT_STREQ(wordsFor(out.doing), "dive_to");
   EXPECT_EQ(out.answer, HookAnswer::Accepted);
@@ -269,13 +269,13 @@ TEST(Hookbeh, BadCheckIsAnsweredAndHealsWhenTheRestArrives) {
   bench.cycle();
   bench.give(Bench::take(20));
   bench.write(Bench::ascend(5));
-  const double arrived = bench.inputs.hook_depth_m;
-  bench.inputs.hook_depth_m = 20;  // this part was lost
+  const double arrived = bench.inputs.words.hook_depth_m;
+  bench.inputs.words.hook_depth_m = 20;  // this part was lost
   HookbehOutputs out = bench.cycle();
   EXPECT_EQ(out.answer, HookAnswer::BadCheck);
   EXPECT_EQ(out.answered_sequence, 2);
   EXPECT_STREQ(wordsFor(out.doing), "dive_to");
-  bench.inputs.hook_depth_m = arrived;  // written again with the same number
+  bench.inputs.words.hook_depth_m = arrived;  // written again with the same number
   out = bench.cycle();
   EXPECT_EQ(out.answer, HookAnswer::Accepted);
   EXPECT_EQ(out.answered_sequence, 2);
@@ -453,8 +453,14 @@ TEST(Hookbeh, NothingButNansDoesNothing) {
   Bench bench;
   bench.cycle();
   bench.give(Bench::take(20));
-  bench.inputs = HookbehInputs{kNan, kNan, kNan, kNan, kNan, kNan, kNan, kNan, kNan,
-                               kNan, kNan, kNan, kNan, kNan, kNan, kNan, kNan, kNan};
+  bench.inputs = HookbehInputs{{kNan, kNan, kNan, kNan, kNan, kNan, kNan, kNan, kNan, kNan, kNan},
+                               kNan,
+                               kNan,
+                               kNan,
+                               kNan,
+                               kNan,
+                               kNan,
+                               kNan};
   bench.alive = false;
   HookbehOutputs out = bench.cycle();
   EXPECT_EQ(out.state, HookState::Active);
@@ -498,21 +504,21 @@ TEST(Hookbeh, HalfWrittenNumbersAreNotAnInstruction) {
   Bench bench;
   bench.cycle();
   bench.give(Bench::take(29));
-  const double wrong[] = {kNan, -1, 0.5, 1e30, static_cast<double>(kMostSession) + 1};
-  double HookbehInputs::* const fields[] = {&HookbehInputs::session, &HookbehInputs::control,
-                                            &HookbehInputs::vertical, &HookbehInputs::lateral,
-                                            &HookbehInputs::check};
+  const double wrong[] = {kNan, -1, 0.5, 1e30, static_cast<double>(kHookMostSession) + 1};
+  double InstructionWords::* const fields[] = {
+      &InstructionWords::session, &InstructionWords::control, &InstructionWords::vertical,
+      &InstructionWords::lateral, &InstructionWords::check};
   for (const double value : wrong) {
     for (const auto field : fields) {
       bench.inputs.depth_m += 0.2;
       bench.write(Bench::ascend(5));
-      bench.inputs.*field = value;
+      bench.inputs.words.*field = value;
       const HookbehOutputs out = bench.cycle();
       EXPECT_EQ(out.answer, HookAnswer::BadCheck);
       EXPECT_STREQ(wordsFor(out.doing), "dive_to");
     }
     bench.write(Bench::ascend(5));
-    bench.inputs.sequence = value;
+    bench.inputs.words.sequence = value;
     EXPECT_STREQ(wordsFor(bench.cycle().doing), "dive_to");
   }
 }
@@ -522,7 +528,7 @@ TEST(Hookbeh, AnInstructionThatStaysGarbledIsSilenceThoughTheHeartBeats) {
   bench.cycle();
   bench.give(HookbehBench::take());
   bench.write(HookbehBench::ascend(5));
-  bench.inputs.hook_pitch_rad = 0.5;  // torn
+  bench.inputs.words.hook_pitch_rad = 0.5;  // torn
   double garbled_s = 0;
   while (bench.cycle().state == HookState::Active) {
     garbled_s += 4;
@@ -539,12 +545,12 @@ TEST(Hookbeh, AGarbledInstructionThatHealsInTimeIsObeyed) {
   bench.give(HookbehBench::take());
   for (int round = 0; round < 10; ++round) {
     bench.write(HookbehBench::ascend(5 + round));
-    const double right = bench.inputs.check;
-    bench.inputs.check = right + 1;
+    const double right = bench.inputs.words.check;
+    bench.inputs.words.check = right + 1;
     for (int i = 0; i < 5; ++i) {
       ASSERT_EQ(bench.cycle().answer, HookAnswer::BadCheck);
     }
-    bench.inputs.check = right;
+    bench.inputs.words.check = right;
     ASSERT_EQ(bench.cycle().answer, HookAnswer::Accepted);
   }
 }

@@ -8,6 +8,7 @@
 #include "hooks/hookbeh/recent_depths.h"
 #include "hooks/hookbeh/unseen_sink.h"
 #include "tests/slocum.h"
+#include "tests/unit/hooks/begun.h"
 #include "tests/unit/hooks/hookbeh_sea.h"
 
 #include <gtest/gtest.h>
@@ -446,87 +447,87 @@ TEST(HookbehDepthSource, GoodReadingsInBetweenDoNotHideOneThatJumps) {
 }
 
 TEST(RecentDepths, HoldsWhatWasWithinTwentySeconds) {
-  RecentDepths recent;
-  EXPECT_TRUE(std::isnan(recent.distanceTo(10)));
+  HookRecentDepths recent = begun(hookRecentDepthsInit);
+  EXPECT_TRUE(std::isnan(hookRecentDepthsDistanceTo(&recent, 10)));
   for (const double depth : {10.0, 12.0, kNan, 11.0}) {
-    recent.observe(depth, 4);
+    hookRecentDepthsObserve(&recent, depth, 4);
   }
-  EXPECT_EQ(recent.distanceTo(10), 0);
-  EXPECT_EQ(recent.distanceTo(9), 1);
-  EXPECT_EQ(recent.distanceTo(15), 3);
-  EXPECT_EQ(recent.distanceTo(11.3), 0);
-  recent.observe(11, 10);
-  EXPECT_EQ(recent.distanceTo(10), 1) << "the 10 m are 22 s old";
-  recent.observe(30, 100);
-  EXPECT_EQ(recent.distanceTo(12), 18);
+  EXPECT_EQ(hookRecentDepthsDistanceTo(&recent, 10), 0);
+  EXPECT_EQ(hookRecentDepthsDistanceTo(&recent, 9), 1);
+  EXPECT_EQ(hookRecentDepthsDistanceTo(&recent, 15), 3);
+  EXPECT_EQ(hookRecentDepthsDistanceTo(&recent, 11.3), 0);
+  hookRecentDepthsObserve(&recent, 11, 10);
+  EXPECT_EQ(hookRecentDepthsDistanceTo(&recent, 10), 1) << "the 10 m are 22 s old";
+  hookRecentDepthsObserve(&recent, 30, 100);
+  EXPECT_EQ(hookRecentDepthsDistanceTo(&recent, 12), 18);
 }
 
 constexpr VerticalCommand kDown{-0.4, -230}, kSteepDown{-0.7854, -230}, kUp{0.4, 230},
     kCentred{0, 0}, kUncommanded{0, kNan};
 
 /// `cycles` of 4 s in which this was commanded.
-void drive(UnseenSink& sink, int cycles, double depth_m, const VerticalCommand& command) {
+void drive(HookUnseenSink& sink, int cycles, double depth_m, const VerticalCommand& command) {
   for (int i = 0; i < cycles; ++i) {
-    sink.observe(depth_m, 4, command);
+    hookUnseenSinkObserve(&sink, depth_m, 4, &command);
   }
 }
 
 /// One that has stood at 20 m while the vehicle turned to what is `commanded`.
-UnseenSink stoodAt20(const VerticalCommand& commanded) {
-  UnseenSink sink{kHull};
+HookUnseenSink stoodAt20(const VerticalCommand& commanded) {
+  HookUnseenSink sink = begun(hookUnseenSinkInit, &kHull);
   drive(sink, 20, 20, commanded);
   return sink;
 }
 
 TEST(UnseenSink, AssumesTheRateAtWhichTheVehicleSinks) {
-  UnseenSink sink = stoodAt20(kUncommanded);
-  EXPECT_EQ(sink.deepest(), 20);
+  HookUnseenSink sink = stoodAt20(kUncommanded);
+  EXPECT_EQ(sink.deepest_m, 20);
   drive(sink, 3, 20, kSteepDown);
-  EXPECT_EQ(sink.deepest(), 20) << "it has not turned yet";
+  EXPECT_EQ(sink.deepest_m, 20) << "it has not turned yet";
   drive(sink, 10, 20, kSteepDown);
-  EXPECT_NEAR(sink.deepest(), 20 + 40 * 0.44, 1e-9) << "0.44 m/s at 45 degrees";
-  const double before = sink.deepest();
+  EXPECT_NEAR(sink.deepest_m, 20 + 40 * 0.44, 1e-9) << "0.44 m/s at 45 degrees";
+  const double before = sink.deepest_m;
   drive(sink, 10, 20, kCentred);
-  EXPECT_NEAR(sink.deepest(), before + 4, 1e-9) << "0.1 m/s adrift";
+  EXPECT_NEAR(sink.deepest_m, before + 4, 1e-9) << "0.1 m/s adrift";
   drive(sink, 10, 20, {0, -61});
-  EXPECT_NEAR(sink.deepest(), before + 4 + 40 * 0.44 * 0.3 / 0.7854, 1e-9) << "flat";
-  EXPECT_EQ(sink.shown(), 20);
-  EXPECT_FALSE(sink.hasMoved());
+  EXPECT_NEAR(sink.deepest_m, before + 4 + 40 * 0.44 * 0.3 / 0.7854, 1e-9) << "flat";
+  EXPECT_EQ(sink.shown_m, 20);
+  EXPECT_FALSE(sink.has_moved);
 }
 
 TEST(UnseenSink, ADiveSinksWithAnyPump) {
-  UnseenSink sink = stoodAt20(kUncommanded);
+  HookUnseenSink sink = stoodAt20(kUncommanded);
   drive(sink, 13, 20, {-0.7854, -30});
-  EXPECT_NEAR(sink.deepest(), 20 + 40 * 0.44, 1e-9);
+  EXPECT_NEAR(sink.deepest_m, 20 + 40 * 0.44, 1e-9);
 }
 
 TEST(UnseenSink, TakesNothingBackBeforeTheVehicleRisesAndThenLittle) {
-  UnseenSink sink = stoodAt20(kSteepDown);
-  const double before = sink.deepest();
+  HookUnseenSink sink = stoodAt20(kSteepDown);
+  const double before = sink.deepest_m;
   drive(sink, 5, 20, {0.7854, 230});
-  EXPECT_NEAR(sink.deepest(), before + 20 * 0.44, 1e-9) << "20 s in which the pump goes out";
+  EXPECT_NEAR(sink.deepest_m, before + 20 * 0.44, 1e-9) << "20 s in which the pump goes out";
   drive(sink, 10, 20, {0.7854, 230});
-  EXPECT_NEAR(sink.deepest(), before + 20 * 0.44 - 4, 1e-9) << "0.1 m/s";
+  EXPECT_NEAR(sink.deepest_m, before + 20 * 0.44 - 4, 1e-9) << "0.1 m/s";
   drive(sink, 1000, 20, {0.7854, 230});
-  EXPECT_EQ(sink.deepest(), 0) << "no higher than the surface";
+  EXPECT_EQ(sink.deepest_m, 0) << "no higher than the surface";
 }
 
 TEST(UnseenSink, AWeakPumpOrALevelPitchDoesNotLift) {
   for (const VerticalCommand& weak : {VerticalCommand{0.4, 110}, {0, 230}}) {
-    UnseenSink sink = stoodAt20(kCentred);
-    const double before = sink.deepest();
+    HookUnseenSink sink = stoodAt20(kCentred);
+    const double before = sink.deepest_m;
     drive(sink, 20, 20, weak);
-    EXPECT_GT(sink.deepest(), before) << weak.pump_cc;
+    EXPECT_GT(sink.deepest_m, before) << weak.pump_cc;
   }
 }
 
 TEST(UnseenSink, OtherBehavioursLeaveItAsItIsAndUnknownDepthsDoNot) {
-  UnseenSink sink = stoodAt20(kDown);
-  const double before = sink.deepest();
+  HookUnseenSink sink = stoodAt20(kDown);
+  const double before = sink.deepest_m;
   drive(sink, 10, 20.5, kUncommanded);
-  EXPECT_EQ(sink.deepest(), before);
+  EXPECT_EQ(sink.deepest_m, before);
   drive(sink, 1, kNan, kDown);
-  EXPECT_GT(sink.deepest(), before);
+  EXPECT_GT(sink.deepest_m, before);
 }
 
 TEST(UnseenSink, ADepthThatMovesAsTheVehicleIsDrivenIsShown) {
@@ -543,15 +544,15 @@ TEST(UnseenSink, ADepthThatMovesAsTheVehicleIsDrivenIsShown) {
                         {kCentred, -0.1, true},
                         {kDown, 0.01, false},
                         {kUncommanded, 0.2, true}}) {
-    UnseenSink sink = stoodAt20(c.command);
+    HookUnseenSink sink = stoodAt20(c.command);
     double depth = 20;
     for (int i = 0; i < 10; ++i) {
-      sink.observe(depth += 4 * c.mps, 4, c.command);
+      hookUnseenSinkObserve(&sink, depth += 4 * c.mps, 4, &c.command);
     }
-    EXPECT_EQ(sink.hasMoved(), c.shows) << c.command.pump_cc << " " << c.mps;
-    EXPECT_EQ(sink.shown() != 20, c.shows) << c.command.pump_cc << " " << c.mps;
+    EXPECT_EQ(sink.has_moved, c.shows) << c.command.pump_cc << " " << c.mps;
+    EXPECT_EQ(sink.shown_m != 20, c.shows) << c.command.pump_cc << " " << c.mps;
     if (c.shows) {
-      EXPECT_NEAR(sink.deepest(), depth, 5) << c.command.pump_cc << " " << c.mps;
+      EXPECT_NEAR(sink.deepest_m, depth, 5) << c.command.pump_cc << " " << c.mps;
     }
   }
 }
@@ -560,50 +561,50 @@ TEST(UnseenSink, WhatFlickersSwapsOrIsRoughShowsNothing) {
   constexpr auto kFlicker = [](int i) { return i % 3 - 1; };
   for (const double by : {0.01, 0.5, 1.1, 1.4, 2.2, 5.0}) {
     for (const VerticalCommand& command : {kDown, kCentred}) {
-      UnseenSink sink = stoodAt20(command);
+      HookUnseenSink sink = stoodAt20(command);
       for (int i = 0; i < 200; ++i) {
-        sink.observe(20 + by * kFlicker(i), 4, command);
+        hookUnseenSinkObserve(&sink, 20 + by * kFlicker(i), 4, &command);
       }
       // Before it is known to be rough, its first readings may count.
-      EXPECT_GT(sink.deepest(), 20 + 190 * 4 * 0.1) << by;
+      EXPECT_GT(sink.deepest_m, 20 + 190 * 4 * 0.1) << by;
     }
   }
   for (const int cycles : {3, 10, 40}) {
-    UnseenSink sink = stoodAt20(kCentred);
+    HookUnseenSink sink = stoodAt20(kCentred);
     for (int i = 0; i < 400; ++i) {
-      sink.observe(20 + 3 * (i / cycles % 2), 4, kCentred);
+      hookUnseenSinkObserve(&sink, 20 + 3 * (i / cycles % 2), 4, &kCentred);
     }
-    EXPECT_FALSE(sink.hasMoved()) << "3 m back and forth, each " << cycles << " cycles";
+    EXPECT_FALSE(sink.has_moved) << "3 m back and forth, each " << cycles << " cycles";
   }
 }
 
 TEST(UnseenSink, WhatComesBackElsewhereAfterAGapShowsNothing) {
   for (const int gap : {6, 40}) {
-    UnseenSink sink = stoodAt20(kUp);
+    HookUnseenSink sink = stoodAt20(kUp);
     drive(sink, gap, kNan, kUp);
     drive(sink, 20, 12, kUp);
-    EXPECT_FALSE(sink.hasMoved()) << gap;
+    EXPECT_FALSE(sink.has_moved) << gap;
   }
 }
 
 TEST(UnseenSink, AnotherSensorsWordCountsButNotForOneDive) {
-  UnseenSink sink = stoodAt20(kDown);
-  const double in_dive = sink.sunkInDive();
+  HookUnseenSink sink = stoodAt20(kDown);
+  const double in_dive = sink.in_dive_m;
   EXPECT_NEAR(in_dive, (20 - 3) * 4 * 0.44 * 0.4 / 0.7854, 1e-9);
-  EXPECT_NEAR(sink.sunkSteeply(), (20 - 3) * 4 * 0.44, 1e-9) << "its pitch may be wrong";
-  sink.confirm(21);
-  EXPECT_EQ(sink.deepest(), 21);
-  EXPECT_FALSE(sink.hasMoved());
-  EXPECT_EQ(sink.sunkInDive(), in_dive);
-  EXPECT_EQ(sink.sunkSteeply(), 0);
+  EXPECT_NEAR(sink.steeply_m, (20 - 3) * 4 * 0.44, 1e-9) << "its pitch may be wrong";
+  hookUnseenSinkConfirm(&sink, 21);
+  EXPECT_EQ(sink.deepest_m, 21);
+  EXPECT_FALSE(sink.has_moved);
+  EXPECT_EQ(sink.in_dive_m, in_dive);
+  EXPECT_EQ(sink.steeply_m, 0);
   drive(sink, 1, 20, kDown);
-  EXPECT_GT(sink.sunkSteeply(), 0);
-  UnseenSink other = sink;
+  EXPECT_GT(sink.steeply_m, 0);
+  HookUnseenSink other = sink;
   drive(sink, 6, 20, kUp);
-  EXPECT_EQ(sink.sunkInDive(), 0) << "another dive";
-  EXPECT_EQ(sink.sunkSteeply(), 0);
+  EXPECT_EQ(sink.in_dive_m, 0) << "another dive";
+  EXPECT_EQ(sink.steeply_m, 0);
   drive(other, 1, 20, kUncommanded);
-  EXPECT_EQ(other.sunkInDive(), 0) << "another behaviour's";
+  EXPECT_EQ(other.in_dive_m, 0) << "another behaviour's";
 }
 
 }  // namespace

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// DepthWatch and UnseenSink by themselves, at the very edges of what they believe.
+// HookDepthWatch and HookUnseenSink by themselves, at the very edges of what they believe.
 
 #include "hooks/hookbeh/depth_watch.h"
 #include "hooks/hookbeh/unseen_sink.h"
 #include "tests/slocum.h"
+#include "tests/unit/hooks/begun.h"
 #include "tests/unit/hooks/hookbeh_bench.h"
 
 #include <gtest/gtest.h>
@@ -22,8 +23,8 @@ struct WatchBench {
     Surroundings now;
     now.depth_m = own_m + (own_frozen ? 0 : flicker);
     now.ctd_depth_m = ctd_m + (ctd_frozen ? 0 : flicker);
-    watch.observe(now, step_s, pump_cc);
-    return watch.doubt();
+    hookDepthWatchObserve(&watch, &now, step_s, pump_cc);
+    return hookDepthWatchDoubt(&watch);
   }
   /// A vehicle whose depths have agreed for a long time.
   static WatchBench agreed(double depth_m = 20) {
@@ -50,7 +51,7 @@ struct WatchBench {
     return until(HookGuard::DepthsDisagree, own_m, ctd_m);
   }
 
-  DepthWatch watch{kHull};
+  HookDepthWatch watch = begun(hookDepthWatchInit, &kHull);
   double pump_cc = 0;
   bool own_frozen = false, ctd_frozen = false;
   double flicker = 0;
@@ -263,11 +264,11 @@ TEST(HookbehDepthWatch, ACtdThatJumpedAndFellSilentHasNotAgreed) {
   for (int i = 0; i < 20; ++i) {
     bench.at(20, 20);
   }
-  EXPECT_GT(bench.watch.aliveFor(), 0);
+  EXPECT_GT(bench.watch.alive_s, 0);
   bench.at(20, 60, 1);
-  EXPECT_EQ(bench.watch.aliveFor(), 0);
+  EXPECT_EQ(bench.watch.alive_s, 0);
   bench.at(20, kNan, 1);
-  EXPECT_EQ(bench.watch.aliveFor(), 0);
+  EXPECT_EQ(bench.watch.alive_s, 0);
 }
 
 TEST(HookbehDepthWatch, ClimbingCountsFromWhereItThawed) {
@@ -319,48 +320,48 @@ TEST(HookbehDepthWatch, TheCtdMustHaveAgreedForAMinute) {
 TEST(HookbehDepthWatch, TheDeeperCountsWhereTheCtdIsKnownAndNew) {
   WatchBench bench = WatchBench::agreed();
   bench.at(20, 22);
-  EXPECT_NEAR(bench.watch.deepest(), 22, 1e-6);
+  EXPECT_NEAR(hookDepthWatchDeepest(&bench.watch), 22, 1e-6);
   bench.at(20, 18);
-  EXPECT_NEAR(bench.watch.deepest(), 20, 1e-6) << "the own one is deeper";
+  EXPECT_NEAR(hookDepthWatchDeepest(&bench.watch), 20, 1e-6) << "the own one is deeper";
   bench.at(20, 22);
   bench.at(20, kNan);
-  EXPECT_NEAR(bench.watch.deepest(), 20, 1e-6) << "it fell silent";
+  EXPECT_NEAR(hookDepthWatchDeepest(&bench.watch), 20, 1e-6) << "it fell silent";
   WatchBench strange;
   strange.at(20, 22);
-  EXPECT_NEAR(strange.watch.deepest(), 20, 1e-6) << "it is not known yet";
+  EXPECT_NEAR(hookDepthWatchDeepest(&strange.watch), 20, 1e-6) << "it is not known yet";
   bench = WatchBench::agreed();
   bench.at(20, 60);
-  EXPECT_NEAR(bench.watch.deepest(), 20, 1e-6) << "it jumps";
+  EXPECT_NEAR(hookDepthWatchDeepest(&bench.watch), 20, 1e-6) << "it jumps";
 }
 
 TEST(HookbehDepthWatch, TheCtdsDepthIsTheOneOfThisCycle) {
   WatchBench bench = WatchBench::agreed();
   bench.at(20, 21);
-  EXPECT_NEAR(bench.watch.ctdDepth(), 21, 1e-6);
+  EXPECT_NEAR(hookDepthWatchCtdDepth(&bench.watch), 21, 1e-6);
   bench.at(20, kNan);
-  EXPECT_TRUE(std::isnan(bench.watch.ctdDepth())) << "silent";
+  EXPECT_TRUE(std::isnan(hookDepthWatchCtdDepth(&bench.watch))) << "silent";
   bench.at(20, 60);
-  EXPECT_TRUE(std::isnan(bench.watch.ctdDepth())) << "it jumps";
+  EXPECT_TRUE(std::isnan(hookDepthWatchCtdDepth(&bench.watch))) << "it jumps";
 }
 
 TEST(HookbehDepthWatch, IsSeenByAnotherWhereThatIsNewAndAgrees) {
   WatchBench bench = WatchBench::agreed();
   bench.at(20, 20.5);
-  EXPECT_TRUE(bench.watch.isSeenByAnother());
+  EXPECT_TRUE(hookDepthWatchIsSeenByAnother(&bench.watch));
   bench.at(20, kNan);
-  EXPECT_FALSE(bench.watch.isSeenByAnother()) << "silent";
+  EXPECT_FALSE(hookDepthWatchIsSeenByAnother(&bench.watch)) << "silent";
   bench.ctd_frozen = true;
   bench.at(20, 20.5);
   bench.at(20, 20.5);
-  EXPECT_FALSE(bench.watch.isSeenByAnother()) << "the same once more";
+  EXPECT_FALSE(hookDepthWatchIsSeenByAnother(&bench.watch)) << "the same once more";
   bench.ctd_frozen = false;
   bench.at(20, 23.5);
-  EXPECT_TRUE(bench.watch.isSeenByAnother());
+  EXPECT_TRUE(hookDepthWatchIsSeenByAnother(&bench.watch));
   bench.at(20, 27);
-  EXPECT_FALSE(bench.watch.isSeenByAnother()) << "it differs";
+  EXPECT_FALSE(hookDepthWatchIsSeenByAnother(&bench.watch)) << "it differs";
   bench = WatchBench::agreed();
   bench.at(kNan, 20.5);
-  EXPECT_FALSE(bench.watch.isSeenByAnother()) << "of nothing";
+  EXPECT_FALSE(hookDepthWatchIsSeenByAnother(&bench.watch)) << "of nothing";
 }
 
 TEST(HookbehDepthWatch, ACtdIsAvailableForTwentySecondsAfterItsLastReading) {
@@ -371,37 +372,37 @@ TEST(HookbehDepthWatch, ACtdIsAvailableForTwentySecondsAfterItsLastReading) {
       bench.at(20, 20);
     }
     bench.at(20, kNan, silence);
-    EXPECT_EQ(bench.watch.aliveFor() > 0, silence == 20) << "what agreed agrees on";
+    EXPECT_EQ(bench.watch.alive_s > 0, silence == 20) << "what agreed agrees on";
   }
 }
 
 TEST(HookbehDepthWatch, ADepthIsAliveWhileItChangesOrTheCtdAgrees) {
   WatchBench bench;
   bench.at(20, kNan, 4);
-  EXPECT_EQ(bench.watch.aliveFor(), 4);
+  EXPECT_EQ(bench.watch.alive_s, 4);
   bench.at(kNan, kNan, 4);
-  EXPECT_EQ(bench.watch.aliveFor(), 0) << "there is no depth";
+  EXPECT_EQ(bench.watch.alive_s, 0) << "there is no depth";
   bench.at(20, kNan, 4);
   bench.at(60, kNan, 1);
-  EXPECT_EQ(bench.watch.aliveFor(), 0) << "it jumps";
+  EXPECT_EQ(bench.watch.alive_s, 0) << "it jumps";
   bench = WatchBench();
   bench.own_frozen = true;
   bench.at(20, kNan, 4);
   bench.at(20, kNan, 15.75);
-  EXPECT_EQ(bench.watch.aliveFor(), 19.75);
+  EXPECT_EQ(bench.watch.alive_s, 19.75);
   bench.at(20, kNan, 0.25);
-  EXPECT_EQ(bench.watch.aliveFor(), 0) << "the same for 16 s";
+  EXPECT_EQ(bench.watch.alive_s, 0) << "the same for 16 s";
   bench = WatchBench::agreed();
   bench.own_frozen = true;
-  const double before = bench.watch.aliveFor();
+  const double before = bench.watch.alive_s;
   for (int i = 0; i < 20; ++i) {
     bench.at(20, 20, 4);
   }
-  EXPECT_EQ(bench.watch.aliveFor(), before + 80);
+  EXPECT_EQ(bench.watch.alive_s, before + 80);
   bench.at(20, kNan, 30);
-  EXPECT_EQ(bench.watch.aliveFor(), 0);
+  EXPECT_EQ(bench.watch.alive_s, 0);
   bench.at(20, 20, 0.5);
-  EXPECT_EQ(bench.watch.aliveFor(), 0.5) << "it agrees again";
+  EXPECT_EQ(bench.watch.alive_s, 0.5) << "it agrees again";
 }
 
 TEST(HookbehDepthWatch, ACtdThatIsStuckWhileTheVehicleMovesIsNotUsedBeforeItMoves) {
@@ -416,20 +417,20 @@ TEST(HookbehDepthWatch, ACtdThatIsStuckWhileTheVehicleMovesIsNotUsedBeforeItMove
     }
     bench.at(changed_at + way, 21, 1);
     // Deeper than the own depth it counts, if it lives.
-    const double deepest = bench.watch.deepest();
+    const double deepest = hookDepthWatchDeepest(&bench.watch);
     EXPECT_EQ(deepest, changed_at + way) << way;
     bench.at(changed_at + way - 2.5, 21, 1);
     bench.at(changed_at + way - 2.5, 21, 1);
-    EXPECT_EQ(bench.watch.deepest() == 21, way < 3) << way;
+    EXPECT_EQ(hookDepthWatchDeepest(&bench.watch) == 21, way < 3) << way;
   }
 }
 
 constexpr VerticalCommand kClimbs{0.4, 230}, kOtherPump{0, kNan};
 
-void driveFor(UnseenSink& sink, int cycles, double depth_m, const VerticalCommand& command,
+void driveFor(HookUnseenSink& sink, int cycles, double depth_m, const VerticalCommand& command,
               double step_s = 1) {
   for (int i = 0; i < cycles; ++i) {
-    sink.observe(depth_m, step_s, command);
+    hookUnseenSinkObserve(&sink, depth_m, step_s, &command);
   }
 }
 
@@ -450,44 +451,44 @@ TEST(UnseenSinkEdges, FromWhatPumpAndPitchItIsDriven) {
                         {{0.09, 116.5}, 0.1},
                         {{-0.5, -230}, 0.44 * 0.5 / 0.7854},
                         {{0.5, 116.5}, 0.44 * 0.5 / 0.7854}}) {
-    UnseenSink sink{kHull};
+    HookUnseenSink sink = begun(hookUnseenSinkInit, &kHull);
     driveFor(sink, 1, 20, kOtherPump);
     driveFor(sink, 12, 20, c.command);
-    EXPECT_EQ(sink.deepest(), 20);
+    EXPECT_EQ(sink.deepest_m, 20);
     driveFor(sink, 1, 20, c.command);
-    EXPECT_NEAR(sink.deepest(), 20 + c.mps, 1e-9)
+    EXPECT_NEAR(sink.deepest_m, 20 + c.mps, 1e-9)
         << c.command.pitch_rad << " " << c.command.pump_cc;
   }
 }
 
 TEST(UnseenSinkEdges, RisesAfterTwentySecondsAndSinksAgainAfterTwelve) {
-  UnseenSink sink{kHull};
+  HookUnseenSink sink = begun(hookUnseenSinkInit, &kHull);
   driveFor(sink, 1, 20, kOtherPump);
   driveFor(sink, 20, 20, kClimbs);
-  const double before = sink.deepest();
+  const double before = sink.deepest_m;
   driveFor(sink, 1, 20, kClimbs);
-  EXPECT_NEAR(sink.deepest(), before - 0.1, 1e-9);
+  EXPECT_NEAR(sink.deepest_m, before - 0.1, 1e-9);
   driveFor(sink, 12, 20, {-0.5, -230});
-  EXPECT_NEAR(sink.deepest(), before - 0.1, 1e-9);
-  EXPECT_EQ(sink.sunkInDive(), 0);
+  EXPECT_NEAR(sink.deepest_m, before - 0.1, 1e-9);
+  EXPECT_EQ(sink.in_dive_m, 0);
   driveFor(sink, 1, 20, {-0.5, -230});
-  EXPECT_NEAR(sink.deepest(), before - 0.1 + 0.44 * 0.5 / 0.7854, 1e-9);
-  EXPECT_NEAR(sink.sunkInDive(), 0.44 * 0.5 / 0.7854, 1e-9);
-  EXPECT_NEAR(sink.sunkSteeply(), 0.44, 1e-9);
+  EXPECT_NEAR(sink.deepest_m, before - 0.1 + 0.44 * 0.5 / 0.7854, 1e-9);
+  EXPECT_NEAR(sink.in_dive_m, 0.44 * 0.5 / 0.7854, 1e-9);
+  EXPECT_NEAR(sink.steeply_m, 0.44, 1e-9);
   driveFor(sink, 1, 20, {0, -230});
-  EXPECT_NEAR(sink.sunkSteeply(), 0.44, 1e-9) << "level it is not a dive";
+  EXPECT_NEAR(sink.steeply_m, 0.44, 1e-9) << "level it is not a dive";
 }
 
 /// Whether a depth that has stood at 20 m, not driven by anything, is shown at `depth_m` so long
 /// after.
 bool showsAt(double depth_m, double gap_s, double middle_m = kNan) {
-  UnseenSink sink{kHull};
+  HookUnseenSink sink = begun(hookUnseenSinkInit, &kHull);
   for (int i = 0; i < 13; ++i) {
-    sink.observe(20 + i % 2 * 1e-9, 1, kOtherPump);
+    hookUnseenSinkObserve(&sink, 20 + i % 2 * 1e-9, 1, &kOtherPump);
   }
-  sink.observe(middle_m, gap_s / 2, kOtherPump);
-  sink.observe(depth_m, gap_s / 2, kOtherPump);
-  return sink.hasMoved();
+  hookUnseenSinkObserve(&sink, middle_m, gap_s / 2, &kOtherPump);
+  hookUnseenSinkObserve(&sink, depth_m, gap_s / 2, &kOtherPump);
+  return sink.has_moved;
 }
 
 TEST(UnseenSinkEdges, MovesByTwoAndAHalfMetresAsFastAsAVehicle) {
@@ -505,13 +506,13 @@ TEST(UnseenSinkEdges, MovesByTwoAndAHalfMetresAsFastAsAVehicle) {
 
 TEST(UnseenSinkEdges, DrivenUpForTwelveSecondsItMayRise) {
   for (const int seconds : {11, 12}) {
-    UnseenSink sink{kHull};
+    HookUnseenSink sink = begun(hookUnseenSinkInit, &kHull);
     driveFor(sink, 5, 20, kOtherPump);
     driveFor(sink, seconds - 3, 20, kClimbs);
     for (const double depth : {19.25, 18.375, 17.5}) {
       driveFor(sink, 1, depth, kClimbs);
     }
-    EXPECT_EQ(sink.hasMoved(), seconds == 12) << seconds;
+    EXPECT_EQ(sink.has_moved, seconds == 12) << seconds;
   }
 }
 

@@ -150,17 +150,17 @@ class FlightController {
     in.depth_m = depth;
     in.altitude_m = std::numeric_limits<double>::quiet_NaN();
     in.heartbeat = get(GLIDER_SCI_HOOK_HEARTBEAT);
-    in.session = get(GLIDER_SCI_HOOK_SESSION);
-    in.sequence = get(GLIDER_SCI_HOOK_SEQUENCE);
-    in.control = get(GLIDER_SCI_HOOK_CONTROL);
-    in.vertical = get(GLIDER_SCI_HOOK_VERTICAL);
-    in.lateral = get(GLIDER_SCI_HOOK_LATERAL);
-    in.hook_depth_m = get(GLIDER_SCI_HOOK_DEPTH);
-    in.hook_pitch_rad = get(GLIDER_SCI_HOOK_PITCH);
-    in.hook_heading_rad = get(GLIDER_SCI_HOOK_HEADING);
-    in.hook_latitude_ddmm = get(GLIDER_SCI_HOOK_LAT);
-    in.hook_longitude_ddmm = get(GLIDER_SCI_HOOK_LON);
-    in.check = get(GLIDER_SCI_HOOK_CHECK);
+    in.words.session = get(GLIDER_SCI_HOOK_SESSION);
+    in.words.sequence = get(GLIDER_SCI_HOOK_SEQUENCE);
+    in.words.control = get(GLIDER_SCI_HOOK_CONTROL);
+    in.words.vertical = get(GLIDER_SCI_HOOK_VERTICAL);
+    in.words.lateral = get(GLIDER_SCI_HOOK_LATERAL);
+    in.words.hook_depth_m = get(GLIDER_SCI_HOOK_DEPTH);
+    in.words.hook_pitch_rad = get(GLIDER_SCI_HOOK_PITCH);
+    in.words.hook_heading_rad = get(GLIDER_SCI_HOOK_HEADING);
+    in.words.hook_latitude_ddmm = get(GLIDER_SCI_HOOK_LAT);
+    in.words.hook_longitude_ddmm = get(GLIDER_SCI_HOOK_LON);
+    in.words.check = get(GLIDER_SCI_HOOK_CHECK);
     return in;
   }
 

@@ -106,8 +106,9 @@ class VehicleBench {
     noise_ = noise_ == 0 ? kNoise : 0;
     array_[GLIDER_M_DEPTH] = depth(now_) + noise_;
     outputs_ = hookbeh_.cycle(inputs());
-    if (outputs_.commanding && (doings.empty() || doings.back() != wordsFor(outputs_.doing))) {
-      doings.emplace_back(wordsFor(outputs_.doing));
+    if (outputs_.commanding &&
+        (doings.empty() || doings.back() != hookWordsForDoing(outputs_.doing))) {
+      doings.emplace_back(hookWordsForDoing(outputs_.doing));
     }
     if (outputs_.answer != hooks::HookAnswer::None &&
         outputs_.answered_sequence != array_[GLIDER_X_HOOK_SEQUENCE]) {
@@ -156,17 +157,17 @@ class VehicleBench {
     in.latitude_ddmm = 3910;
     in.longitude_ddmm = -7349;
     in.heartbeat = array_[GLIDER_SCI_HOOK_HEARTBEAT];
-    in.session = array_[GLIDER_SCI_HOOK_SESSION];
-    in.sequence = array_[GLIDER_SCI_HOOK_SEQUENCE];
-    in.control = array_[GLIDER_SCI_HOOK_CONTROL];
-    in.vertical = array_[GLIDER_SCI_HOOK_VERTICAL];
-    in.lateral = array_[GLIDER_SCI_HOOK_LATERAL];
-    in.hook_depth_m = array_[GLIDER_SCI_HOOK_DEPTH];
-    in.hook_pitch_rad = array_[GLIDER_SCI_HOOK_PITCH];
-    in.hook_heading_rad = array_[GLIDER_SCI_HOOK_HEADING];
-    in.hook_latitude_ddmm = array_[GLIDER_SCI_HOOK_LAT];
-    in.hook_longitude_ddmm = array_[GLIDER_SCI_HOOK_LON];
-    in.check = array_[GLIDER_SCI_HOOK_CHECK];
+    in.words.session = array_[GLIDER_SCI_HOOK_SESSION];
+    in.words.sequence = array_[GLIDER_SCI_HOOK_SEQUENCE];
+    in.words.control = array_[GLIDER_SCI_HOOK_CONTROL];
+    in.words.vertical = array_[GLIDER_SCI_HOOK_VERTICAL];
+    in.words.lateral = array_[GLIDER_SCI_HOOK_LATERAL];
+    in.words.hook_depth_m = array_[GLIDER_SCI_HOOK_DEPTH];
+    in.words.hook_pitch_rad = array_[GLIDER_SCI_HOOK_PITCH];
+    in.words.hook_heading_rad = array_[GLIDER_SCI_HOOK_HEADING];
+    in.words.hook_latitude_ddmm = array_[GLIDER_SCI_HOOK_LAT];
+    in.words.hook_longitude_ddmm = array_[GLIDER_SCI_HOOK_LON];
+    in.words.check = array_[GLIDER_SCI_HOOK_CHECK];
     return in;
   }
 

@@ -192,7 +192,7 @@ class Flight {
     }
     hooks::HookbehInputs in;
     for (const InstructionWord& one : hooks::kInstructionWords) {
-      in.*one.word = array_.get(hooks::sensorOf(gliderDictionary, one.role));
+      in.words.*one.word = array_.get(hooks::sensorOf(gliderDictionary, one.role));
     }
     in.time_s = now_s_;
     in.depth_m = 10 + between(-0.1, 0.1);
@@ -200,7 +200,7 @@ class Flight {
     in.heartbeat = ++beats_;
     out_ = hookbeh_.cycle(in);
     mixtures += out_.answer == hooks::HookAnswer::BadCheck ? 1 : 0;
-    judge(in);
+    judge(in.words);
   }
 
   void judge(const InstructionWords& words) {

@@ -44,7 +44,7 @@ class JudgedOldFrames : public Judged {
     climb();
     out_.pump_cc = hooks::kHull.pump_cc;
     out_.guard = guard;
-    out_.doing = hooks::climbFor(guard);
+    out_.doing = hookClimbFor(guard);
     for (double depth = 10; depth > 0; depth -= 0.4) {  // to the surface, against any instruction
       done(1);
       cycle(HookState::Active, depth);

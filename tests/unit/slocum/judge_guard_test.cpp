@@ -58,7 +58,7 @@ class JudgedGuard : public testing::Test {
   void guard(HookGuard guard) {
     climb();
     out_.guard = guard;
-    out_.doing = hooks::climbFor(guard);
+    out_.doing = hookClimbFor(guard);
     out_.pump_cc = 233;
   }
 

@@ -167,10 +167,10 @@ std::string CommandJudge::judgeWhole(const CycleView& view) const {
   if (!whole) {
     return "heading, pitch and pump are not all commanded";
   }
-  const bool named = isGuard(out.doing);
+  const bool named = hookIsGuard(out.doing);
   if (named != (out.guard != hooks::HookGuard::None) ||
       view.array.get(Sensor::x_hook_guard) != static_cast<double>(out.guard)) {
-    return fmt::format("x_hook_guard does not show `{}`", wordsFor(out.doing));
+    return fmt::format("x_hook_guard does not show `{}`", hookWordsForDoing(out.doing));
   }
   if (view.mission_s < s_.args.start_secs) {
     return "the SBC is in control before start_secs";
@@ -271,7 +271,7 @@ std::string CommandJudge::judgeGuard(const CycleView& view) {
     if (!near && !was_before && !turns &&
         !(stalled && view.time_s - overridden_s_ < kAfterOverride)) {
       wrong = fmt::format("the guard intervenes ({}), but no limit is near",
-                          wordsFor(view.hookbeh->doing));
+                          hookWordsForDoing(view.hookbeh->doing));
     }
     // In water too shallow for such a climb the vehicle surfaces, and waits until the echo is
     // forgotten.

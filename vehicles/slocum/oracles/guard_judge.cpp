@@ -60,7 +60,8 @@ std::string GuardJudge::judgePump(const CycleView& view) const {
   const bool weak =
       climbsByItself(*view.hookbeh) && view.hookbeh->pump_cc < s_.pump_cc - kPumpError;
   return weak ? fmt::format("{} with {:.0f} cc, and the pump has {:.0f}",
-                            wordsFor(view.hookbeh->doing), view.hookbeh->pump_cc, s_.pump_cc)
+                            hookWordsForDoing(view.hookbeh->doing), view.hookbeh->pump_cc,
+                            s_.pump_cc)
               : "";
 }
 
@@ -103,7 +104,7 @@ std::string GuardJudge::judgeOverridden(const CycleView& view) {
   // A guard lasts over sessions.
   stalled_ = view.hookbeh->commanding ? stalled : stalled_;
   return wrong ? fmt::format("the guard intervenes ({}) while another behaviour has the pump",
-                             wordsFor(view.hookbeh->doing))
+                             hookWordsForDoing(view.hookbeh->doing))
                : "";
 }
 

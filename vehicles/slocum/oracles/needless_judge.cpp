@@ -57,7 +57,7 @@ std::string NeedlessJudge::cycle(const CycleView& view) {
   guarding_ = guards;
   if (climbs_ > limits::kNeedlessMore + limits::kNeedlessAnHour * active_s_ / kAnHour) {
     return fmt::format("{} climbs of guards in {:.0f} s though the vehicle was safe, now `{}`",
-                       climbs_, active_s_, guards ? wordsFor(view.hookbeh->doing) : "");
+                       climbs_, active_s_, guards ? hookWordsForDoing(view.hookbeh->doing) : "");
   }
   return climb_s_ > limits::kNeedlessSecs + limits::kNeedlessShare * active_s_
              ? fmt::format(

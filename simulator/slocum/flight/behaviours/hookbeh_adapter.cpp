@@ -36,8 +36,8 @@ hooks::HookbehInputs inputs(const Situation& s) {
   in.latitude_ddmm = s.latitude_ddmm;
   in.longitude_ddmm = s.longitude_ddmm;
   in.heartbeat = a.get(Sensor::sci_hook_heartbeat);
-#define WORD(role, sensor, word, ...) in.word = a.get(Sensor::sensor);
-#define CHECK_WORD(role, sensor, word, line) in.word = a.get(Sensor::sensor);
+#define WORD(role, sensor, word, ...) in.words.word = a.get(Sensor::sensor);
+#define CHECK_WORD(role, sensor, word, line) in.words.word = a.get(Sensor::sensor);
 #include "hooks/protocol/instruction.def"
   return in;
 }
@@ -74,12 +74,12 @@ EventId changeTo(HookState state) {
   return EventId::SbcReleasesControl;
 }
 
-/// "heading, pitch and pump" for kMaskedHeading….
+/// "heading, pitch and pump" for kHookMaskedHeading….
 std::string channels(uint8_t masked) {
   std::vector<std::string_view> names;
-  for (const auto& [bit, name] : {std::pair(hooks::kMaskedHeading, "heading"),
-                                  {hooks::kMaskedPitch, "pitch"},
-                                  {hooks::kMaskedPump, "pump"}}) {
+  for (const auto& [bit, name] : {std::pair(kHookMaskedHeading, "heading"),
+                                  {kHookMaskedPitch, "pitch"},
+                                  {kHookMaskedPump, "pump"}}) {
     if ((masked & bit) != 0) {
       names.emplace_back(name);
     }
@@ -133,8 +133,8 @@ void HookbehAdapter::note(const hooks::HookbehInputs& in, const hooks::HookbehOu
   noteAnswer(in, out);
   if (out.commanding && doing_ != out.doing) {
     const bool guards = out.guard != hooks::HookGuard::None;
-    news_.push_back(
-        {guards ? EventId::GuardClimbs : EventId::Steers, {wordsFor(out.doing), in.depth_m}});
+    news_.push_back({guards ? EventId::GuardClimbs : EventId::Steers,
+                     {hookWordsForDoing(out.doing), in.depth_m}});
   }
   state_ = out.state;
   masked_now_ = out.masked;

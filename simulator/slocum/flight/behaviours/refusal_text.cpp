@@ -31,16 +31,16 @@ std::string degrees(double rad) {
 
 /// A dive is commanded with its nose down; the limits are magnitudes in the commanded direction.
 std::string pitchText(const hooks::HookbehInputs& in, const hooks::HookbehArgs& args) {
-  const bool dives = is(in.vertical, HookVertical::Descend);
-  const double steepness = dives ? -in.hook_pitch_rad : in.hook_pitch_rad;
+  const bool dives = is(in.words.vertical, HookVertical::Descend);
+  const double steepness = dives ? -in.words.hook_pitch_rad : in.words.hook_pitch_rad;
   if (!(steepness > 0)) {
-    return fmt::format("{} at a pitch of {} points the wrong way", wordFor(in.vertical),
-                       degrees(in.hook_pitch_rad));
+    return fmt::format("{} at a pitch of {} points the wrong way", wordFor(in.words.vertical),
+                       degrees(in.words.hook_pitch_rad));
   }
   const bool steep = steepness > args.steepest_pitch_rad;
   return fmt::format("{} {} refuses {} at {}", steep ? "max_pitch" : "min_pitch",
                      degrees(steep ? args.steepest_pitch_rad : args.shallowest_pitch_rad),
-                     wordFor(in.vertical), degrees(steepness));
+                     wordFor(in.words.vertical), degrees(steepness));
 }
 
 }  // namespace
@@ -52,17 +52,18 @@ std::string refusalText(HookAnswer answer, const hooks::HookbehInputs& in,
       return "its words have not arrived whole: the check value does not match";
     case HookAnswer::TooDeep:
       return fmt::format("max_depth {:.6g} m refuses {} to {:.6g} m", args.greatest_depth_m,
-                         wordFor(in.vertical), in.hook_depth_m);
+                         wordFor(in.words.vertical), in.words.hook_depth_m);
     case HookAnswer::BadPitch:
       return pitchText(in, args);
     case HookAnswer::BadCommand:
       return fmt::format(
           "vertical {:.6g}, depth {:.6g} m, lateral {:.6g}, heading {} is not a valid "
           "command",
-          in.vertical, in.hook_depth_m, in.lateral, degrees(in.hook_heading_rad));
+          in.words.vertical, in.words.hook_depth_m, in.words.lateral,
+          degrees(in.words.hook_heading_rad));
     case HookAnswer::NotOnEarth:
       return fmt::format("waypoint {:.8g}, {:.8g} (ddmm.mmmm) is not a position on Earth",
-                         in.hook_latitude_ddmm, in.hook_longitude_ddmm);
+                         in.words.hook_latitude_ddmm, in.words.hook_longitude_ddmm);
     case HookAnswer::WrongSession:
       return "it is from a session that is not in control";
     case HookAnswer::NotReady:
@@ -71,13 +72,13 @@ std::string refusalText(HookAnswer answer, const hooks::HookbehInputs& in,
       return "its number is older than one already processed";
     case HookAnswer::BadFin:
       return fmt::format("max_fin {} refuses a fin at {}", degrees(args.greatest_fin_rad),
-                         degrees(in.hook_heading_rad));
+                         degrees(in.words.hook_heading_rad));
     case HookAnswer::BadPump:
       return fmt::format("max_pump {:.4g} cc refuses a pump at {:.4g} cc", args.greatest_pump_cc,
-                         in.hook_depth_m);
+                         in.words.hook_depth_m);
     case HookAnswer::BadBattery:
       return fmt::format("max_battery {:.4g} in refuses a pitch battery at {:.4g} in",
-                         args.greatest_battery_in, in.hook_pitch_rad);
+                         args.greatest_battery_in, in.words.hook_pitch_rad);
     case HookAnswer::None:
       return "it is from before hookbeh started";
     case HookAnswer::Accepted:

@@ -3,46 +3,42 @@
 
 #include "hooks/hookbeh/doing.h"
 
-namespace glider::hooks {
-
-const char* wordsFor(Doing doing) {
+const char* hookWordsForDoing(HookDoing doing) {
   switch (doing) {
 #define DOING(name, words) \
-  case Doing::name:        \
+  case kHookDoing##name:   \
     return words;
 #include "hooks/hookbeh/doings.def"
 #define GUARD(name, number, words) \
-  case Doing::name:                \
+  case kHookDoing##name:           \
     return words;
 #include "hooks/hookbeh/doings.def"
   }
   return "";
 }
 
-Doing climbFor(HookGuard guard) {
+HookDoing hookClimbFor(HookGuard guard) {
   switch (guard) {
-    case HookGuard::None:
+    case kHookGuardNone:
       break;
 #define GUARD(name, number, words) \
-  case HookGuard::name:            \
-    return Doing::name;
+  case kHookGuard##name:           \
+    return kHookDoing##name;
 #include "hooks/hookbeh/doings.def"
   }
-  return Doing::Nothing;
+  return kHookDoingNothing;
 }
 
-bool isGuard(Doing doing) {
+bool hookIsGuard(HookDoing doing) {
   switch (doing) {
 #define DOING(name, words) \
-  case Doing::name:        \
+  case kHookDoing##name:   \
     return false;
 #include "hooks/hookbeh/doings.def"
 #define GUARD(name, number, words) \
-  case Doing::name:                \
+  case kHookDoing##name:           \
     return true;
 #include "hooks/hookbeh/doings.def"
   }
   return false;
 }
-
-}  // namespace glider::hooks

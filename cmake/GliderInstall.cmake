@@ -7,7 +7,7 @@
 #   lib/libglider.a                      missions in C, for this computer (those of the boards: share/glidercc/boards/BOARD)
 #   lib/cmake/glidercc lib/pkgconfig     find_package(glidercc), toolchains of the boards, pkg-config
 #   share/man share/doc/glidercc         manual pages, the documents, examples
-# With `--component vehicle`, and only then: the hooks in C99 for who builds a vehicle's software (hooks/kit/README.md).
+# With `--component vehicle`, and only then: the hooks in C99 for who builds a vehicle's software (kit/README.md).
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -87,7 +87,7 @@ endforeach()
 install(FILES hooks/transport/byte_stream.h DESTINATION hooks/transport COMPONENT vehicle EXCLUDE_FROM_ALL)
 install(FILES ${CMAKE_BINARY_DIR}/generated/platforms/slocum_sensors.h DESTINATION platforms COMPONENT vehicle EXCLUDE_FROM_ALL)
 install(FILES tests/kit/vectors.c tests/kit/vectors.def DESTINATION tests/kit COMPONENT vehicle EXCLUDE_FROM_ALL)
-install(FILES hooks/kit/Makefile hooks/kit/README.md LICENSE DESTINATION . COMPONENT vehicle EXCLUDE_FROM_ALL)
+install(FILES kit/Makefile kit/README.md LICENSE DESTINATION . COMPONENT vehicle EXCLUDE_FROM_ALL)
 
 # `cpack -G DEB` packs what is installed; it builds nothing.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)

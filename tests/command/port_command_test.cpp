@@ -114,6 +114,36 @@ TEST_F(PortCommand, TheFolderIsCheckedTogether) {
   EXPECT_THAT(other.err, HasSubstr("GL4016"));
 }
 
+// accepts: GL3125 GL3133 GL4016
+TEST_F(PortCommand, AChangedLineOfTheMissionFileIsReported) {
+  ASSERT_EQ(run("build figure2.mission --dialect extctl -o port").status, 0);
+  const std::string mission = read("port/vehicle/missions/samplemi.mi");
+  const struct {
+    const char* line;
+    const char* by;
+    const char* reported;
+  } rows[] = {
+      {"    b_arg: c_extctl_on(s) 1\n", "", "no `sensors_in` switches the SBC's port on"},
+      {"c_extctl_on(s) 1", "c_extctl_on(s) -1", "c_extctl_on is -1, not 1"},
+      {"when_secs(s) 14400", "when_secs(s) 0", "no contact for 0 s (when_secs)"},
+      {"when_secs(s) 14400", "when_secs(s) -1", "no contact for -1 s (when_secs)"},
+      {"end_action(enum) 1", "end_action(enum) 0", "end_action 0"},
+      {"d_target_altitude(m) 5", "d_target_altitude(m) -1", "d_target_altitude -1"},
+      {"overdepth(m) ", "overdepth(m) 0 # ", "GL3125"},
+      {"d_target_depth(m) 1000003", "d_target_depth(m) 30", "no `yo` with the d_target_depth"},
+      {"u_mission_param_l(nodim) ", "u_mission_param_l(nodim) 7", "GL4016"},
+  };
+  for (const auto& [line, by, reported] : rows) {
+    std::string twin = mission;
+    const auto at = twin.find(line);
+    ASSERT_NE(at, std::string::npos) << line;
+    write("port/vehicle/missions/samplemi.mi", twin.replace(at, std::string(line).size(), by));
+    const Outcome checked = run("check port");
+    EXPECT_NE(checked.status, 0) << by;
+    EXPECT_THAT(checked.err, HasSubstr(reported)) << by;
+  }
+}
+
 // accepts: GL5120
 TEST_F(PortCommand, ItsMissionFileIsNotFlownWithTheHooks) {
   ASSERT_EQ(run("build figure2.mission --dialect extctl -o port").status, 0);

@@ -41,7 +41,10 @@ support::Result<std::string> identityOf(const CampaignPlan& plan, const Campaign
   std::string all =
       fmt::format("{}\n{} {} {} {}\n{}\n", compiler::buildId(), plan.flights, plan.seed,
                   plan.board_percent, fmt::join(plan.boards, " "), fmt::join(options.faults, ","));
-  std::vector<std::string> files = options.missions;
+  std::vector<std::string> files;
+  for (const CampaignMission& mission : plan.missions) {
+    files.push_back(mission.file);
+  }
   files.insert(files.end(), options.user_code.begin(), options.user_code.end());
   if (!options.launch.file.empty()) {
     files.push_back(options.launch.file);

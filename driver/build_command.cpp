@@ -261,7 +261,8 @@ void addDialectOptions(CLI::App& command, BuildOptions& options) {
       "With --dialect extctl: the program refuses deeper targets, and the vehicle aborts "
       "some metres below [the deepest that MISSION commands; at most what the vehicle can]")
       ->needs(dialect);
-  addDurationOption(command, "--surface-after", options.port.surface_after_s, 600, 7 * 86400,
+  addDurationOption(command, "--surface-after", options.port.surface_after_s,
+                    slocum::kLeastSurfaceAfter, slocum::kMostSurfaceAfter,
                     "With --dialect extctl: without contact for this long the vehicle comes up by "
                     "itself [4h]");
   command

@@ -120,7 +120,10 @@ void addFaultOption(CLI::App& command, campaign::CampaignOptions& options) {
 
 void addOptions(CLI::App& command, campaign::CampaignOptions& options) {
   constexpr unsigned kMostJobs = 1024;
-  command.add_option("MISSION", options.missions, "Mission files, flown in turn")->required();
+  command
+      .add_option("MISSION", options.missions,
+                  "Mission files, or folders of `build --dialect extctl`, flown in turn")
+      ->required();
   command
       .add_option("--scenario", options.scenario,
                   "Scenario to fly in: a .toml file, or the name of a bundled one")

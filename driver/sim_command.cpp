@@ -71,6 +71,7 @@ void showProgress(simulator::SimulationSetup& setup, ProgressLine& line) {
 struct Flown {
   const compiler::Optimised* mission = nullptr;
   const flights::RequirementWatch* watch = nullptr;
+  std::string port_folder;  ///< empty: not by the port
 };
 
 /// What went wrong in a flight: events of the vehicle, sensors that it did not carry, requirements
@@ -85,7 +86,7 @@ std::vector<support::Diagnostic> judge(const support::Trace& trace, const Flown&
   if (flown.watch != nullptr) {
     flights::reportViolations(*flown.watch, violations, diagnostics);
   }
-  report::reportFlight(trace, diagnostics);
+  report::reportFlight(trace, diagnostics, flown.port_folder);
   report::reportRestless(trace,
                          "a condition that is still true after a transition causes the next one: "
                          "see the events for the cases, and `glidercc explain GL9378`",
@@ -317,8 +318,9 @@ int sim(const SimOptions& options, Json* document) {
   } else if (isVehiclesOwn(options)) {
     setup.mission_name = std::filesystem::path(options.mission).filename().string();
   }
-  return flyAndReport(std::move(setup), options, {mission.get(), watch ? &*watch : nullptr},
-                      *folder, document);
+  return flyAndReport(std::move(setup), options,
+                      {mission.get(), watch ? &*watch : nullptr, options.port_folder}, *folder,
+                      document);
 }
 
 void addFlightOptions(CLI::App& command, SimOptions& options) {

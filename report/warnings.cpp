@@ -184,13 +184,20 @@ size_t refusedInstructions(const Trace& trace) {
       std::ranges::count(trace.events, EventId::InstructionRefused, &TraceEvent::id));
 }
 
-void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics) {
+void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics,
+                  const std::string& port_folder) {
   if (wasNeverInControl(trace)) {
-    diagnostics.report(support::diagnostics::neverInControl, {},
-                       spokeTheProtocol(trace)
-                           ? "see the events for how far the SBC and the vehicle got"
-                           : "the SBC never used this version of the hook protocol: check that the "
-                             "program or device runs a mission");
+    const bool spoke = spokeTheProtocol(trace);
+    const std::string hint =
+        spoke ? "see the events for how far the SBC and the vehicle got"
+        : port_folder.empty()
+            ? "the SBC never used this version of the hook protocol: check that the program or "
+              "device runs a mission"
+            : fmt::format(
+                  "the SBC never wrote to the port: `glidercc dock {} --port DEVICE` checks "
+                  "the program and the line",
+                  port_folder);
+    diagnostics.report(support::diagnostics::neverInControl, {}, hint);
   }
   if (const EventMention told = tell(trace, EventId::ScienceProgramEnds); told.first != nullptr) {
     diagnostics.report(support::diagnostics::scienceProgramEnds, {}, told.at,

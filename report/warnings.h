@@ -25,8 +25,10 @@ bool spokeTheProtocol(const support::Trace& trace);
 /// Reports what went wrong in a flight: the vehicle aborted (GL9370), a command was refused
 /// (GL9371), the mission was never in control (GL9372), hookbeh intervened (GL9375), the vehicle
 /// touched the bottom (GL9376), ended on it (GL5215), or was not up at the end after an abort
-/// (GL5216). Of several of a kind only the first is reported, with their number.
-void reportFlight(const support::Trace& trace, support::DiagnosticEngine& diagnostics);
+/// (GL5216). Of several of a kind only the first is reported, with their number. `port_folder`: the
+/// folder that flew, of a vehicle that is steered by its port; empty: none.
+void reportFlight(const support::Trace& trace, support::DiagnosticEngine& diagnostics,
+                  const std::string& port_folder = {});
 
 /// Reports a mission that changed its state 20 times within 5 min (GL9378). `hint`: what to do.
 void reportRestless(const support::Trace& trace, const std::string& hint,

@@ -6,6 +6,7 @@
 #include "codegen/digest.h"
 #include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
+#include "driver/slocum/port_folder.h"
 #include "driver/terminal.h"
 #include "flights/flight_setup.h"
 #include "flights/launch_choice.h"
@@ -16,10 +17,12 @@
 #include "ir/text/print.h"
 #include "support/diagnostics/ids/flights.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -27,10 +30,71 @@
 namespace glider::driver {
 namespace {
 
+/// The vehicle of `scenario` flies the mission file of a folder for its port.
+support::Result<void> useFolder(const std::string& path, const PortFolder& folder,
+                                const platforms::Platform& platform,
+                                simulator::Scenario& scenario) {
+  auto own = flights::flyVehiclesOwn(folder.vehicle_mission, platform, scenario, reportDiagnostics);
+  return own ? useRelease(path, scenario) : own;
+}
+
+/// Flights of a mission in this process; with `folder`, by the vehicle's port.
+support::Result<flights::NewWatchedFlight> startsFor(const campaign::CampaignOptions& options,
+                                                     const compiler::Optimised& mission,
+                                                     const std::string& folder) {
+  std::optional<flights::PortEnd> port;
+  if (!folder.empty()) {
+    const auto end = portEndOf(folder, mission);
+    if (!end) {
+      return std::unexpected(end.error());
+    }
+    port = *end;
+  }
+  return flights::flightsInProcess(mission, options.launch, options.user_code, true, port);
+}
+
+/// Whether one of the missions is a folder for a vehicle's port.
+bool hasFolder(const campaign::CampaignOptions& options) {
+  return std::ranges::any_of(options.missions,
+                             [](const std::string& file) { return isPortFolder(file); });
+}
+
+/// The faults about which a vehicle without the hooks keeps something: those of the SBC, its line
+/// and the science computer, and a bottom that is not where it was. Nothing on it notices a wrong
+/// sensor, and there is no handshake.
+bool isOfPort(simulator::FaultKind kind) {
+  using enum simulator::FaultKind;
+  constexpr simulator::FaultKind kKinds[] = {
+      None,    ByteLoss,     BitFlips,      Bursts,      Delay,       DoubledFrames, HalfOpen,
+      LineCut, BaudMismatch, FlightScience, LateLine,    Port,        Power,         Checkpoints,
+      Stuck,   Science,      Console,       FlightAbort, ShallowWater};
+  return std::ranges::find(kKinds, kind) != std::end(kKinds);
+}
+
+/// What is known of a mission before its flights.
+campaign::CampaignMission missionOf(const std::string& file,
+                                    const std::shared_ptr<const compiler::Optimised>& compiled,
+                                    const simulator::Scenario& scenario) {
+  campaign::CampaignMission mission;
+  mission.file = file;
+  mission.compiled = compiled;
+  mission.program =
+      codegen::digestOf(ir::print(compiled->mission) + ir::print(compiled->checked->mission()));
+  mission.platform = compiled->platform();
+  mission.vehicle = scenario.vehicle;
+  mission.own = scenario.own;
+  return mission;
+}
+
 /// Compiles and loads all missions into `plan`; a value other than kFine if one fails.
 int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPlan& plan) {
-  for (const std::string& file : options.missions) {
+  for (const std::string& given : options.missions) {
     int status = kFine;
+    const auto folder = portFolderAt(given);
+    if (!folder) {
+      return reportFailure(folder.error());
+    }
+    const std::string file = *folder ? (*folder)->mission.string() : given;
     const std::shared_ptr<const compiler::Optimised> compiled =
         compileForFlight(file, status, options.strict);
     if (compiled == nullptr) {
@@ -40,7 +104,7 @@ int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPla
     if (auto flown = simulator::checkPlatform(platform); !flown) {
       return reportFailure(flown.error());
     }
-    auto start = flights::flightsInProcess(*compiled, options.launch, options.user_code, true);
+    auto start = startsFor(options, *compiled, *folder ? given : "");
     if (!start) {
       return reportFailure(start.error());
     }
@@ -50,18 +114,16 @@ int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPla
     if (!scenario) {
       return reportFailure(scenario.error());
     }
+    if (*folder) {
+      if (auto own = useFolder(given, **folder, platform, *scenario); !own) {
+        return reportFailure(own.error());
+      }
+    }
     if (options.duration_s) {
       const std::string note = flights::setDuration(*scenario, platform, *options.duration_s);
       tell(note.empty() || !plan.missions.empty() ? "" : "glidercc: note: " + note + "\n");
     }
-    campaign::CampaignMission mission;
-    mission.file = file;
-    mission.compiled = compiled;
-    mission.program =
-        codegen::digestOf(ir::print(compiled->mission) + ir::print(compiled->checked->mission()));
-    mission.platform = platform;
-    mission.vehicle = scenario->vehicle;
-    mission.own = scenario->own;
+    campaign::CampaignMission mission = missionOf(file, compiled, *scenario);
     plan.scenario = std::move(*scenario);
     mission.new_flight = [flight = *start] { return flight(nullptr); };
     if (flights::RequirementWatch::canWatch(*compiled)) {
@@ -149,7 +211,14 @@ int makePlan(const campaign::CampaignOptions& options, unsigned jobs,
     });
   }
   plan.jobs = jobs;
-  chooseBoards(options, plan);
+  if (hasFolder(options)) {
+    std::erase_if(plan.kinds, [](simulator::FaultKind kind) { return !isOfPort(kind); });
+    if (plan.kinds.empty()) {
+      throw CLI::ValidationError("--fault", "a vehicle without the hooks keeps nothing in it");
+    }
+  } else {
+    chooseBoards(options, plan);
+  }
   if (const int status = loadMissions(options, plan); status != kFine) {
     return status;
   }

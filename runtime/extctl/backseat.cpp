@@ -14,6 +14,10 @@ using hooks::extctl::PortSensor;
 
 namespace {
 
+/// In heights of the yo that holds a depth: it goes up to its upper end, and past that.
+constexpr double kForget = 1.5;
+constexpr double kCmPerM = 100;
+
 /// As the checkpoint has it; the clock unknown if it was.
 VehicleMission heardBefore(const LinkFacts& facts) {
   return {.time_s = facts.vehicle_time,
@@ -30,6 +34,13 @@ StockCommand firstCommand(const GliderPortMission& port) {
   return stock;
 }
 
+/// As before the first command in the mission file: at the surface, and just below it.
+StockCommand safeCommand(const GliderPortMission& port) {
+  StockCommand stock = firstCommand(port);
+  stock.dive_depth_m = hooks::extctl::kFirstDiveDepth;
+  return stock;
+}
+
 StandIn standInFor(const GliderPortMission& port, const LinkFacts* checkpoint) {
   const VehicleMission last = checkpoint != nullptr ? heardBefore(*checkpoint) : VehicleMission{};
   return {port, checkpoint != nullptr ? &last : nullptr};
@@ -42,11 +53,12 @@ Backseat::Backseat(const GliderMission& mission, const GliderPortMission& port,
     : dictionary_(*mission.dictionary),
       compass_(mission.compass),
       mission_(port),
-      resumes_(options.checkpoint != nullptr),
+      start_depth_cm_(mission.start_depth_cm),
       line_(line),
       port_(portOf(mission, port)),
       reported_(port_.count()),
       stand_in_(standInFor(port, options.checkpoint)),
+      depth_seen_(kForget * port.hold_m),
       stock_(firstCommand(port)),
       writer_(port, options.checkpoint == nullptr),
       seat_(*mission.dictionary) {}
@@ -146,6 +158,7 @@ void Backseat::takeSentence() {
     }
   } else if (is("HI") || is("BY")) {
     writer_.forget();
+    stand_in_.forget();
     using hooks::extctl::kVirtualTimeHello;
     const uint32_t length = sizeof(kVirtualTimeHello) - 1;
     if (!virtual_time_ && size == length && memcmp(body, kVirtualTimeHello, length) == 0) {
@@ -166,8 +179,11 @@ void Backseat::takeCycle() {
   stand_in_.observe({.time_s = reported(kGliderRoleMissionTime),
                      .clock_s = reported(kGliderRoleClock),
                      .program = reported_.value(PortSensor::Program),
-                     .in_glider_dos = reported_.value(PortSensor::InGliderDos)},
+                     .in_glider_dos = reported_.value(PortSensor::InGliderDos),
+                     .at_surface = start_depth_cm_ == 0 ||
+                                   reported(kGliderRoleDepth) * kCmPerM <= start_depth_cm_},
                     out_next_ == out_end_);
+  depth_seen_.look(reported(kGliderRoleDepth));
   if (stand_in_.takeRestart()) {
     beginMission();
   }
@@ -180,9 +196,8 @@ void Backseat::takeCycle() {
 
 /// The vehicle flies its mission file from the start: what was written before is void.
 void Backseat::beginMission() {
-  writer_ = PortWriter(mission_, !resumes_);
+  writer_ = PortWriter(mission_, stand_in_.knowsStart());
   stock_ = firstCommand(mission_);
-  resumes_ = false;
 }
 
 /// The variation as the mission's compass takes it: a value beyond half a turn is none, and until
@@ -192,7 +207,7 @@ Whereabouts Backseat::whereabouts() const {
   const double told = reported(kGliderRoleMagneticVariation);
   const double assumed = compass_ != nullptr ? -compass_->declination : __builtin_nan("");
   return {reported(mission_.latitude), reported(mission_.longitude),
-          hooks::magnitude(told) <= kHalfTurn ? told : assumed};
+          hooks::magnitude(told) <= kHalfTurn ? told : assumed, depth_seen_.deep()};
 }
 
 /// The program has answered a cycle: sends the vehicle what is in force now. While the line is
@@ -210,7 +225,11 @@ void Backseat::answer() {
     stock_.modes = kGliderPortModeSurface;
     writer_.insist();
   }
-  const bool steers = stand_in_.state() == hooks::HookState::Active || stand_in_.released();
+  if (stand_in_.makesSafe()) {
+    stock_ = safeCommand(mission_);
+  }
+  const bool steers = stand_in_.state() == hooks::HookState::Active || stand_in_.released() ||
+                      stand_in_.makesSafe();
   if (steers) {
     writer_.tell(stock_, reported(kGliderRoleClock));
   }

@@ -12,6 +12,7 @@
 #include "runtime/abi/glider_abi.h"
 #include "runtime/abi/port_mission.h"
 #include "runtime/checkpoint/checkpoint.h"
+#include "runtime/extctl/depth_seen.h"
 #include "runtime/extctl/port_writer.h"
 #include "runtime/extctl/reported.h"
 #include "runtime/extctl/stand_in.h"
@@ -71,7 +72,7 @@ class Backseat {
   const GliderDictionary& dictionary_;
   const GliderCompass* compass_;  ///< null: the mission has no headings
   GliderPortMission mission_;
-  bool resumes_;  ///< the first mission of the vehicle is one that an earlier program steered
+  uint32_t start_depth_cm_;  ///< no mission begins below; 0: at any depth
   GliderByteStream line_;
   bool line_closed_ = false;
   uint32_t damaged_ = 0;
@@ -79,6 +80,7 @@ class Backseat {
   hooks::extctl::SentenceReader sentences_;
   Reported reported_;
   StandIn stand_in_;
+  DepthSeen depth_seen_;
   StockCommand stock_;
   PortWriter writer_;
   hooks::Seat seat_;

@@ -26,7 +26,8 @@ PortWriter::PortWriter(const GliderPortMission& port, bool knows_start)
       knows_start_(knows_start) {}
 
 /// What may be in force at first. After a restart of the program that is any yo of this mission:
-/// its climb is then made the shallowest that there is, before anything else is written.
+/// its climb is then made the shallowest that there is, before anything else is written. Its dive
+/// counts as the shallowest until another is written, so that no climb is deeper.
 void PortWriter::begin() {
   begun_ = true;
   Value& dive = at(PortSensor::DiveDepth);
@@ -104,6 +105,9 @@ void PortWriter::tellDepths(const StockCommand& command) {
   // The deeper end first: what it leaves room for is then decided with it.
   climbs_.range(now_s_, &shallowest, &deepest);
   if (dive.wanted != dive.told && dive.wanted > deepest) {
+    if (dive.told != dive.told) {
+      dives_.tell(greatest_depth_m_, now_s_);  // the one that this replaces
+    }
     tellNow(dive);
     dives_.tell(dive.told, now_s_);
   }
@@ -114,15 +118,26 @@ void PortWriter::tellDepths(const StockCommand& command) {
   }
 }
 
+/// Once no dive deeper than the newest can be in force. A target that changes all the time does not
+/// keep the vehicle up for ever.
+bool PortWriter::mayDive(const Value& value) {
+  const Value& dive = at(PortSensor::DiveDepth);
+  double shallowest = 0, deepest = 0;
+  dives_.range(now_s_, &shallowest, &deepest);
+  const bool settled = dive.told == dive.wanted && deepest <= dive.wanted;
+  return isOver(value.pending_s, (settled ? 1 : 2) * hooks::extctl::kSettleSecs);
+}
+
 /// Up at once; down once the vehicle knows for which depths.
 void PortWriter::tellWhetherToSurface(const StockCommand& command) {
   Value& wish = at(PortSensor::WantsSurface);
   want(wish, command.surface ? kSurfaceNow : 0);
   want(mode_, static_cast<double>(command.modes));
+  const bool dives = !command.surface && wish.told != 0;  // or may: the start is unknown
   Value* values[] = {&wish, &mode_};
   for (Value* value : values) {
-    const bool first = value->told != value->told;
-    if (command.surface || first || isOver(value->pending_s, hooks::extctl::kSettleSecs)) {
+    if (command.surface ||
+        (dives ? mayDive(*value) : isOver(value->pending_s, hooks::extctl::kSettleSecs))) {
       tellNow(*value);
     }
   }

@@ -76,6 +76,7 @@ class PortWriter {
   void tellNow(Value& value);
   void begin();
   void tellDepths(const StockCommand& command);
+  [[nodiscard]] bool mayDive(const Value& value);
   void tellWhetherToSurface(const StockCommand& command);
   uint32_t writeValues(uint32_t first, char* text, uint32_t capacity);
   uint32_t writeModes(char* text, uint32_t capacity);

@@ -6,6 +6,7 @@
 #include "hooks/hookbeh/bounds.h"
 #include "hooks/protocol/messages.h"
 #include "hooks/protocol/numbers.h"
+#include "runtime/core/continuation.h"
 
 namespace glider::runtime::extctl {
 
@@ -38,8 +39,25 @@ HookState StandIn::stateOf(const VehicleMission& vehicle) const {
     return isSameFlight(vehicle) ? HookState::Silent : HookState::Waiting;
   }
   return vehicle.program != static_cast<double>(port_.program) ? HookState::Absent
-         : vehicle.time_s < kBeginSecs                         ? HookState::Waiting
+         : vehicle.time_s < kBeginSecs || makesSafe()          ? HookState::Waiting
                                                                : HookState::Ready;
+}
+
+/// By its checkpoint. One that is older than this is of an earlier flight, also to the program.
+bool StandIn::goesOn(const VehicleMission& vehicle) const {
+  return isSameFlight(vehicle) && vehicle.time_s - last_.time_s < kAnotherFlight;
+}
+
+/// Without a session.
+void StandIn::lookWhetherSafe(const VehicleMission& vehicle) {
+  const bool flies = vehicle.program == static_cast<double>(port_.program) &&
+                     vehicle.in_glider_dos != 1 && hooks::isFinite(vehicle.time_s);
+  if (!flies || knowsStart() || goesOn(vehicle)) {
+    making_s_ = __builtin_nan("");
+    return;
+  }
+  making_s_ = making_s_ == making_s_ ? making_s_ : vehicle.time_s;
+  safe_ = safe_ || (vehicle.at_surface && vehicle.time_s - making_s_ >= kSafeSecs);
 }
 
 /// Of a session. The number of the mission file does not change within a mission: another one is a
@@ -53,6 +71,14 @@ void StandIn::observe(const VehicleMission& vehicle, bool answered) {
   const bool restarted = vehicle.time_s < time_s_;
   time_s_ = hooks::isFinite(vehicle.time_s) ? vehicle.time_s : time_s_;
   restarted_ = restarted_ || restarted;
+  if (restarted || first_s_ != first_s_) {
+    first_s_ = vehicle.time_s;
+    safe_ = false;
+    forget();
+  }
+  if (session_ == 0 && releasing_ == 0 && state_ != HookState::Complete) {
+    lookWhetherSafe(vehicle);
+  }
   if (restarted || isOver(vehicle)) {
     loseSession();
     releasing_ = 0;

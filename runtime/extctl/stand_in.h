@@ -18,6 +18,7 @@ struct VehicleMission {
   double clock_s = __builtin_nan("");  ///< m_present_time
   double program = __builtin_nan("");  ///< u_mission_param_l
   double in_glider_dos = __builtin_nan("");
+  bool at_surface = true;  ///< so near that a mission may begin
 };
 
 /// Answers the mission's instructions where the vehicle has no hookbeh to do it: refuses those that
@@ -32,6 +33,14 @@ class StandIn {
   void observe(const VehicleMission& vehicle, bool answered = true);
   /// The vehicle has begun another mission since the last call: what it was sent before is void.
   bool takeRestart();
+  /// Whether no program can have steered the vehicle's present mission before this one.
+  [[nodiscard]] bool knowsStart() const { return first_s_ < kBeginSecs; }
+  /// Whether the vehicle is to come up before control is given. A program that begins in the midst
+  /// of the vehicle's mission, without a checkpoint of it, does not know which targets an earlier
+  /// one has left, and the vehicle would dive to them until the first command is obeyed.
+  [[nodiscard]] bool makesSafe() const { return making_s_ == making_s_ && !safe_; }
+  /// What was written may be lost.
+  void forget() { making_s_ = __builtin_nan(""); }
   /// An instruction of the program's own mission.
   void instruct(const hooks::Instruction& instruction);
 
@@ -55,12 +64,17 @@ class StandIn {
   /// Not before this time of the vehicle's mission: what was written into an earlier one may still
   /// be on its way, and so may the number of the mission file, s.
   static constexpr double kBeginSecs = 20;
+  /// The wish to surface and the shallowest yo have arrived: its dive is written when every climb
+  /// that may have been in force is over (kSettleSecs of hooks/extctl/port.h, twice), s.
+  static constexpr double kSafeSecs = 44;
   /// How much the two clocks of the vehicle may differ over an outage of the program, s.
   static constexpr double kSameFlightSecs = 60;
 
  private:
   [[nodiscard]] hooks::HookState stateOf(const VehicleMission& vehicle) const;
   [[nodiscard]] bool isSameFlight(const VehicleMission& vehicle) const;
+  [[nodiscard]] bool goesOn(const VehicleMission& vehicle) const;
+  void lookWhetherSafe(const VehicleMission& vehicle);
   [[nodiscard]] bool isOver(const VehicleMission& vehicle) const;
   [[nodiscard]] bool isRelease(const hooks::Instruction& instruction) const;
   [[nodiscard]] hooks::HookAnswer decide(const hooks::Instruction& instruction);
@@ -73,6 +87,9 @@ class StandIn {
   bool restarted_ = true;
   hooks::HookState state_ = hooks::HookState::Absent;
   double time_s_ = 0;
+  double first_s_ = __builtin_nan("");   ///< of the vehicle's mission, when it was first seen
+  double making_s_ = __builtin_nan("");  ///< since when it is brought up; NaN: it is not
+  bool safe_ = false;
   hooks::Instruction command_;
   bool has_command_ = false;
   uint32_t session_ = 0;

@@ -3,6 +3,7 @@
 
 #include "runtime/extctl/stock_command.h"
 
+#include "hooks/protocol/numbers.h"
 #include "runtime/abi/behaviour.h"
 #include "runtime/numbers/degrees.h"
 #include "runtime/numbers/numbers.h"
@@ -49,20 +50,35 @@ void followLateral(const hooks::Instruction& instruction, const GliderPortMissio
   }
 }
 
+/// The upper end of the yo, which holds a depth at `held_m`, m. Half of that yo is room enough to
+/// turn in. Where the last dive ended above, it met the bottom, or something else turned it: then
+/// the upper end is a whole yo above that.
+double upperEnd(double held_m, const GliderPortMission& port, const Whereabouts& at,
+                const StockCommand& stock) {
+  if (at.deep_m >= (held_m + stock.dive_depth_m) / 2) {
+    return held_m;
+  }
+  const double kept_m = hooks::atMost(stock.climb_depth_m, held_m);
+  return hooks::atLeast(hooks::atMost(at.deep_m - port.hold_m, kept_m),
+                        hooks::extctl::kFirstClimbDepth);
+}
+
 void dive(const hooks::Instruction& instruction, const GliderPortMission& port,
-          StockCommand& stock) {
+          const Whereabouts& at, StockCommand& stock) {
   const double half = instruction.depth_m / 2;
   stock.dive_depth_m = instruction.depth_m;
-  stock.climb_depth_m = instruction.depth_m - (port.hold_m < half ? port.hold_m : half);
+  const double held_m = instruction.depth_m - (port.hold_m < half ? port.hold_m : half);
+  stock.climb_depth_m = upperEnd(held_m, port, at, stock);
   stock.dive_pitch_rad = instruction.pitch_rad;
 }
 
 void climb(const hooks::Instruction& instruction, const GliderPortMission& port,
-           StockCommand& stock) {
+           const Whereabouts& at, StockCommand& stock) {
   const double below = instruction.depth_m + port.hold_m;
   stock.dive_depth_m = below < port.greatest_depth_m ? below : port.greatest_depth_m;
   const double above = stock.dive_depth_m - port.hold_m;
-  stock.climb_depth_m = instruction.depth_m < above || above < 0 ? instruction.depth_m : above;
+  const double held_m = instruction.depth_m < above || above < 0 ? instruction.depth_m : above;
+  stock.climb_depth_m = upperEnd(held_m, port, at, stock);
   stock.climb_pitch_rad = instruction.pitch_rad;
 }
 
@@ -76,13 +92,14 @@ void follow(const hooks::Instruction& instruction, const GliderPortMission& port
   stock.modes &= ~static_cast<uint32_t>(kGliderPortModeSurface);
   switch (vertical) {
     case HookVertical::Descend:
-      dive(instruction, port, stock);
+      dive(instruction, port, at, stock);
       break;
     case HookVertical::Ascend:
-      climb(instruction, port, stock);
+      climb(instruction, port, at, stock);
       break;
     case HookVertical::Surface:
       stock.modes |= kGliderPortModeSurface;
+      stock.climb_depth_m = hooks::extctl::kFirstClimbDepth;  // of the dive that follows
       break;
     case HookVertical::Hover:  // these are refused before
     case HookVertical::Actuators:

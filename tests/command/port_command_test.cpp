@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <gmock/gmock.h>
@@ -112,6 +113,81 @@ TEST_F(PortCommand, TheFolderIsCheckedTogether) {
   const Outcome other = run("check port");
   EXPECT_EQ(other.status, 2);
   EXPECT_THAT(other.err, HasSubstr("GL4016"));
+}
+
+// accepts: GL3125 GL3133 GL4016
+TEST_F(PortCommand, AChangedLineOfTheMissionFileIsReported) {
+  ASSERT_EQ(run("build figure2.mission --dialect extctl -o port").status, 0);
+  const std::string mission = read("port/vehicle/missions/samplemi.mi");
+  const struct {
+    const char* line;
+    const char* by;
+    const char* reported;
+  } rows[] = {
+      {"    b_arg: c_extctl_on(s) 1\n", "", "no `sensors_in` switches the SBC's port on"},
+      {"c_extctl_on(s) 1", "c_extctl_on(s) -1", "c_extctl_on is -1, not 1"},
+      {"when_secs(s) 14400", "when_secs(s) 0", "no contact for 0 s (when_secs)"},
+      {"when_secs(s) 14400", "when_secs(s) -1", "no contact for -1 s (when_secs)"},
+      {"end_action(enum) 1", "end_action(enum) 0", "end_action 0"},
+      {"d_target_altitude(m) 5", "d_target_altitude(m) -1", "d_target_altitude -1"},
+      {"overdepth(m) ", "overdepth(m) 0 # ", "GL3125"},
+      {"d_target_depth(m) 1000003", "d_target_depth(m) 30", "no `yo` with the d_target_depth"},
+      {"u_mission_param_l(nodim) ", "u_mission_param_l(nodim) 7", "GL4016"},
+  };
+  for (const auto& [line, by, reported] : rows) {
+    std::string twin = mission;
+    const auto at = twin.find(line);
+    ASSERT_NE(at, std::string::npos) << line;
+    write("port/vehicle/missions/samplemi.mi", twin.replace(at, std::string(line).size(), by));
+    const Outcome checked = run("check port");
+    EXPECT_NE(checked.status, 0) << by;
+    EXPECT_THAT(checked.err, HasSubstr(reported)) << by;
+  }
+}
+
+TEST_F(PortCommand, ACampaignFliesTheFolder) {
+  ASSERT_EQ(run("build figure2.mission --dialect extctl --surface-after 1h -o port").status, 0);
+  const Outcome flown = run("campaign port --flights 38 --csv flights.csv");
+  EXPECT_EQ(flown.status, 0) << flown.out << flown.err;
+  for (const char* kind : {"none ", "bit flips ", "SBC power cut ", "damaged checkpoints ",
+                           "science reboot ", "console on science ", "shallow water "}) {
+    EXPECT_THAT(flown.out, HasSubstr(kind));
+  }
+  EXPECT_THAT(flown.out, testing::Not(HasSubstr("sensor frozen"))) << "nothing notices it";
+  EXPECT_EQ(std::ranges::count(read("flights.csv"), '\n'), 38 + 2);
+  const Outcome resumed = run("campaign port --flights 38 --resume flights.csv");
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_EQ(run("campaign port --flights 2 --fault 'sensor frozen'").status, 2);
+  EXPECT_EQ(run("campaign port --only 1 -o flight").status, 0);
+  EXPECT_TRUE(fs::exists(path() / "flight/report.html"));
+}
+
+/// A campaign that sees nothing would be worse than none.
+TEST_F(PortCommand, ACampaignSeesWhatAMissionFileDoesWrong) {
+  ASSERT_EQ(run("build figure2.mission --dialect extctl --surface-after 1h -o port").status, 0);
+  const std::string mission = read("port/vehicle/missions/samplemi.mi");
+  const struct {
+    const char* line;
+    const char* by;
+    const char* options;
+    const char* seen;
+  } rows[] = {
+      {"overdepth(m) ", "overdepth(m) 8 # ", "--fault none", "m deep, at most"},
+      {"overtime(s) -1", "overtime(s) 600", "--fault none", "aborted its mission"},
+      {"d_target_altitude(m) 5", "d_target_altitude(m) -1", "--fault 'shallow water'",
+       "on the bottom at"},
+      {"start_when(enum) 12", "start_when(enum) 5", "--fault 'SBC power cut'", "under water for"},
+      {"when_secs(s) 3600", "when_secs(s) 1e9", "--fault 'SBC power cut'", "under water for"},
+  };
+  for (const auto& [line, by, options, seen] : rows) {
+    std::string twin = mission;
+    const auto at = twin.find(line);
+    ASSERT_NE(at, std::string::npos) << line;
+    write("port/vehicle/missions/samplemi.mi", twin.replace(at, std::string(line).size(), by));
+    const Outcome flown = run(std::string("campaign port --flights 24 ") + options);
+    EXPECT_EQ(flown.status, 1) << by << flown.out << flown.err;
+    EXPECT_THAT(flown.out, HasSubstr(seen)) << by;
+  }
 }
 
 // accepts: GL5120

@@ -5,63 +5,31 @@
 // written with the program, and nothing on it watches the SBC.
 
 #include "flights/in_process_sbc.h"
-#include "flights/sbc_choice.h"
 #include "ir/prove/falsification/rng.h"
 #include "simulator/simulator.h"
-#include "simulator/slocum/flight/skeleton.h"
-#include "simulator/slocum/own_mission.h"
-#include "support/files.h"
 #include "tests/slocum.h"
 #include "tests/world/environment_check.h"
 #include "tests/world/fleet.h"
-#include "vehicles/slocum/port_files/mission_port.h"
+#include "tests/world/port_flight.h"
 #include "vehicles/slocum/rules/port/port_file.h"
 #include "vehicles/slocum/rules/port/port_whole.h"
 #include "vehicles/slocum/rules/port_commands.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <optional>
-#include <unistd.h>
 
 namespace glider::tests {
 namespace {
 
 constexpr double kSurfaceAfter = 3600;  // s
 
-/// The files of a mission's port, and its scenario.
-struct PortFlight {
-  slocum::PortPlan plan;
-  simulator::Scenario scenario;
-};
-
-PortFlight planned(const FlyingMission& mission, simulator::Scenario scenario,
-                   slocum::Release release) {
-  const auto plan = slocum::planFor(
-      *mission.flown,
-      {.release = release, .greatest_depth_m = 60, .surface_after_s = kSurfaceAfter});
-  EXPECT_TRUE(plan.has_value());
-  support::SourceManager sources;
-  support::DiagnosticEngine diagnostics;
-  const std::filesystem::path file =
-      std::filesystem::temp_directory_path() /
-      fmt::format("glider-port-{}-{}.mi", ::getpid(), static_cast<int>(release));
-  EXPECT_TRUE(support::writeFileAtomically(file, slocum::printPortMission(*plan)));
-  auto own = simulator::loadMissionFile(file, sources, diagnostics);
-  std::filesystem::remove(file);
-  EXPECT_TRUE(own.has_value());
-  EXPECT_TRUE(diagnostics.sorted().empty()) << diagnostics.sorted().front().message;
-  simulator::SlocumMission& flown = simulator::slocumMissionOf(scenario);
-  flown.file = std::move(*own);
-  flown.extctl = plan->extctl;
-  flown.code_15 = release == slocum::Release::MissionModes ? simulator::Code15::MissionMode
-                                                           : simulator::Code15::FarFromWaypoint;
-  return {*plan, std::move(scenario)};
+/// The port of a flight for a release.
+slocum::PortChoice choiceFor(slocum::Release release) {
+  return {.release = release, .greatest_depth_m = 60, .surface_after_s = kSurfaceAfter};
 }
 
 /// An abort turns the vehicle round within this much below the depth at which it comes, m: abend
@@ -117,23 +85,13 @@ PortWatch fly(const FlyingMission& mission, const PortFlight& flight, const Draw
   const double deepest_m = damaged ? flight.plan.overdepth_m + kBelowAbort
                                    : flight.plan.choice.greatest_depth_m + flight.plan.overshoot_m;
   PortWatch watch(deepest_m, drawn.killed_s, boundOf(flight.plan));
-  simulator::SimulationSetup setup;
-  setup.platform = slocum();
-  setup.scenario = flight.scenario;
+  simulator::SimulationSetup setup = setupOf(mission, flight, drawn.seed);
   setup.scenario.faults = drawn.faults;
-  setup.seed = drawn.seed;
   setup.duration_s = duration_s;
   setup.observer = &watch;
   if (drawn.killed_s < duration_s) {
     setup.kill_sbc_at_s = drawn.killed_s;
   }
-  const flights::PortEnd port{flight.plan.port,
-                              static_cast<uint32_t>(flight.plan.extctl.sensors().size()) - 1,
-                              flight.plan.extctl.baud};
-  auto start = flights::startInProcess(
-      mission.loaded, *flights::chooseParameters(mission.flown->mission, {}), true, nullptr, port);
-  setup.sbc = *start();
-  setup.restart_sbc = std::move(start);
   EXPECT_TRUE(simulator::simulate(std::move(setup)).has_value());
   return watch;
 }
@@ -160,7 +118,7 @@ TEST(PortFlights, AKilledSbcLeavesTheVehicleToItsOwnTimer) {
   for (uint64_t i = 0; i < count; ++i) {
     const FlyingMission& mission = all[i % all.size()];
     const auto release = i % 2 == 0 ? slocum::Release::Common : slocum::Release::MissionModes;
-    const PortFlight flight = planned(mission, worlds[i % worlds.size()], release);
+    const PortFlight flight = planned(mission, worlds[i % worlds.size()], choiceFor(release));
     ir::prove::Rng dice(i + 1);
     const PortWatch watch =
         fly(mission, flight, {.killed_s = dice.within(60, 5400), .faults = {}, .seed = i + 1},
@@ -207,7 +165,7 @@ TEST(PortFlights, UnderFaultsOfTheLineItIsNeverTooDeep) {
   for (uint64_t i = 0; i < count; ++i) {
     const FlyingMission& mission = all[i % all.size()];
     const auto release = i % 2 == 0 ? slocum::Release::Common : slocum::Release::MissionModes;
-    const PortFlight flight = planned(mission, worlds[i % worlds.size()], release);
+    const PortFlight flight = planned(mission, worlds[i % worlds.size()], choiceFor(release));
     ir::prove::Rng dice(1000 + i);
     const PortWatch watch =
         fly(mission, flight, {.faults = drawFaults(dice, kDuration, i % 4 < 2), .seed = i + 1},
@@ -287,13 +245,10 @@ TEST(PortFlights, StayWithinTheWorldThatProofsByThePortAssume) {
   for (uint64_t i = 0; i < count; ++i) {
     const FlyingMission& mission = all[i % all.size()];
     const auto release = i % 2 == 0 ? slocum::Release::Common : slocum::Release::MissionModes;
-    const PortFlight flight = planned(mission, worlds[i % worlds.size()], release);
+    const PortFlight flight = planned(mission, worlds[i % worlds.size()], choiceFor(release));
     PortWorld watch(platform);
-    simulator::SimulationSetup setup;
-    setup.platform = slocum();
-    setup.scenario = flight.scenario;
+    simulator::SimulationSetup setup = setupOf(mission, flight, i + 1);
     setup.scenario.faults = {};
-    setup.seed = i + 1;
     setup.duration_s = 3 * 3600;
     setup.observer = &watch;
     auto sbc = std::make_unique<flights::InProcessSbc>(

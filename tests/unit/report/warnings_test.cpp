@@ -136,6 +136,13 @@ TEST(Warnings, AsJson) {
   EXPECT_EQ(warningsToJson({}, {}), "[]");
 }
 
+TEST(Warnings, AFolderForThePortIsCheckedAtTheDock) {
+  support::DiagnosticEngine diagnostics;
+  reportFlight(flight(0), diagnostics, "survey-port");
+  EXPECT_NE(diagnostics.sorted().front().hint.find("glidercc dock survey-port --port DEVICE"),
+            std::string::npos);
+}
+
 TEST(Warnings, AnotherMissionThanThatWhoseStatesAreNamed) {
   auto trace = flight(1);
   trace.mission = "front";

@@ -178,12 +178,15 @@ TEST(Backseat, SteersWhileItsMissionFileFlies) {
   }
   ASSERT_NE(bench.context(), nullptr);
   EXPECT_EQ(bench.written(PortSensor::DiveDepth), 20);
-  EXPECT_EQ(bench.written(PortSensor::ClimbDepth), 10);
+  EXPECT_EQ(bench.written(PortSensor::ClimbDepth), hooks::extctl::kFirstClimbDepth)
+      << "the vehicle has not been there: it may have to turn";
   EXPECT_EQ(bench.written(PortSensor::WantsSurface), 0);
   EXPECT_EQ(bench.written(PortSensor::Heading), 1.5);
   EXPECT_EQ(bench.written(PortSensor::State), 1);
   EXPECT_EQ(bench.written(PortSensor::Beat), 11) << "one a cycle";
   EXPECT_EQ(bench.texts.front(), "mission,bench");
+  bench.cycle(44, 19, 20);
+  EXPECT_EQ(bench.written(PortSensor::ClimbDepth), 10) << "holds the depth";
 }
 
 TEST(Backseat, LeavesAnotherMissionFileAlone) {
@@ -207,7 +210,7 @@ TEST(Backseat, WritesNothingIntoAnotherMissionAfterItsOwn) {
   PortBench bench(mission.mission);
   bench.begin();
   for (double now = 0; now <= 80; now += 4) {
-    bench.cycle(now, 1 + now / 64, 20);
+    bench.cycle(now, 1 + now / 4, 20);
   }
   ASSERT_EQ(bench.written(PortSensor::ClimbDepth), 10);
   bench.say(fmt::format("SD,{}:1", PortBench::index(PortSensor::InGliderDos)));
@@ -233,13 +236,71 @@ TEST(Backseat, KnowsThatANewMissionOfTheVehicleHasItsFirstDepthsAgain) {
   bench.values.clear();
   double dive_s = NAN, climb_s = NAN;
   for (double now = -kBegun; now <= 100; now += 4) {
-    bench.cycle(now, 1 + now / 256, 20);
+    bench.cycle(now, now < 0 ? 1 : 1 + now / 4, 20);
     dive_s = std::isnan(dive_s) && bench.written(PortSensor::DiveDepth) == 20 ? now : dive_s;
     climb_s = std::isnan(climb_s) && bench.written(PortSensor::ClimbDepth) == 10 ? now : climb_s;
   }
   EXPECT_GE(dive_s, StandIn::kBeginSecs - kBegun);
   EXPECT_GE(climb_s, dive_s + hooks::extctl::kSettleSecs)
       << "the dive to 3 m may still be in force";
+}
+
+TEST(Backseat, BeginsInTheMidstAtTheSurfaceOnly) {
+  TwoStates mission;
+  mission.mission.start_depth_cm = 210;
+  PortBench bench(mission.mission);
+  bench.begin();
+  double now = 400;
+  for (; now <= 600; now += 4) {
+    bench.cycle(now, 30 - (now - 400) / 8, 20);
+    EXPECT_EQ(bench.written(PortSensor::WantsSurface), kSurfaceNow);
+    EXPECT_EQ(bench.written(PortSensor::ClimbDepth), hooks::extctl::kFirstClimbDepth);
+    EXPECT_EQ(bench.context(), nullptr);
+  }
+  EXPECT_EQ(bench.written(PortSensor::DiveDepth), hooks::extctl::kFirstDiveDepth);
+  bench.values.clear();
+  double dive_s = NAN, down_s = NAN;
+  for (const double until = now + 120; now <= until; now += 4) {
+    bench.cycle(now, 1 + now / 4096, 20);
+    dive_s = std::isnan(dive_s) && bench.written(PortSensor::DiveDepth) == 20 ? now : dive_s;
+    down_s = std::isnan(down_s) && bench.written(PortSensor::WantsSurface) == 0 ? now : down_s;
+  }
+  EXPECT_LT(dive_s, down_s);
+  EXPECT_GE(down_s, dive_s + hooks::extctl::kSettleSecs);
+}
+
+TEST(Backseat, AnotherSurfacingOfTheVehicleMakesTheDiveAfterItANewOne) {
+  TwoStates mission;
+  PortBench bench(mission.mission);
+  bench.begin();
+  double now = 0;
+  const auto fly = [&](double to_m) {
+    for (double depth_m = 1; now < 400 && depth_m < to_m; depth_m += 1, now += 4) {
+      bench.cycle(now, depth_m, 20);
+    }
+  };
+  fly(21);
+  EXPECT_EQ(bench.written(PortSensor::ClimbDepth), 10);
+  bench.cycle(now += 400, 0.25, 20);  // by its own timer
+  EXPECT_EQ(bench.written(PortSensor::ClimbDepth), hooks::extctl::kFirstClimbDepth);
+  bench.cycle(now += 4, 2, 20);
+  EXPECT_EQ(bench.written(PortSensor::ClimbDepth), hooks::extctl::kFirstClimbDepth);
+}
+
+TEST(Backseat, WhatTheVehicleHasSeenFarBelowDoesNotCount) {
+  TwoStates mission;
+  PortBench bench(mission.mission);
+  bench.begin();
+  double now = 0;
+  for (double depth_m = 1; depth_m <= 40; depth_m += 1, now += 4) {
+    bench.cycle(now, depth_m, 10);  // the state whose dive is to 40 m
+  }
+  EXPECT_EQ(bench.written(PortSensor::ClimbDepth), 30);
+  for (double depth_m = 40; depth_m >= 3; depth_m -= 1, now += 4) {
+    bench.cycle(now, depth_m, 10);
+  }
+  EXPECT_LE(bench.written(PortSensor::ClimbDepth), 3 + 1.5 * kPort.hold_m - kPort.hold_m)
+      << "a yo lies above what is known of the water";
 }
 
 TEST(Backseat, AReportAfterAPauseIsNotOld) {

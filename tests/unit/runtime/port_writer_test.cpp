@@ -63,6 +63,11 @@ StockCommand between(double climb_m, double dive_m) {
   return command;
 }
 
+/// How deep the vehicle has just been.
+Whereabouts having(double deep_m) {
+  return {.deep_m = deep_m};
+}
+
 bool has(const std::map<int, double>& values, PortSensor sensor) {
   return values.contains(static_cast<int>(sensor));
 }
@@ -151,6 +156,44 @@ TEST(PortWriter, AnUnknownStartIsMadeTheShallowestClimbFirst) {
             dive + hooks::extctl::kSettleSecs);
 }
 
+TEST(PortWriter, NorDoesAnUnknownStartDiveBeforeItsTargetHasArrived) {
+  PortWriter writer(kModes, false);
+  const double down = firstWritten(writer, between(1, 6), 0, PortSensor::WantsSurface, 0);
+  PortWriter twin(kModes, false);
+  const double dive = firstWritten(twin, between(1, 6), 0, PortSensor::DiveDepth, 6);
+  EXPECT_GE(down, dive + hooks::extctl::kSettleSecs) << "a dive to 60 m may be in force";
+}
+
+TEST(PortWriter, AKnownDeepTargetIsOverBeforeTheVehicleLeavesTheSurface) {
+  PortWriter writer(kModes, true);
+  (void)firstWritten(writer, between(30, 40), 0, PortSensor::ClimbDepth, 30);
+  StockCommand up = between(1, 40);
+  up.surface = true;
+  for (double now = 200; now < 300; now += 4) {
+    writer.tell(up, now);
+    (void)answerOf(writer);
+  }
+  double dive_s = NAN, down_s = NAN;
+  for (double now = 300; now < 400; now += 4) {
+    writer.tell(between(1, 6), now);
+    const auto values = answerOf(writer);
+    dive_s = std::isnan(dive_s) && of(values, PortSensor::DiveDepth) == 6 ? now : dive_s;
+    down_s = std::isnan(down_s) && of(values, PortSensor::WantsSurface) == 0 ? now : down_s;
+  }
+  EXPECT_GE(down_s, dive_s + hooks::extctl::kSettleSecs);
+}
+
+TEST(PortWriter, ATargetThatChangesAllTheTimeDoesNotKeepTheVehicleUp) {
+  PortWriter writer(kModes, true);
+  double down_s = NAN;
+  for (double now = 0; now < 200; now += 4) {
+    writer.tell(between(1, 60 - now / 8), now);
+    const auto values = answerOf(writer);
+    down_s = std::isnan(down_s) && of(values, PortSensor::WantsSurface) == 0 ? now : down_s;
+  }
+  EXPECT_LE(down_s, 2 * hooks::extctl::kSettleSecs + 4);
+}
+
 TEST(PortWriter, AClockThatIsSetBackBlocksNothing) {
   PortWriter writer(kCommon, true);
   for (double now = 5000; now < 5100; now += 4) {
@@ -215,7 +258,7 @@ int contradictions(uint64_t seed, double most_delay_s) {
                                                            ? hooks::HookVertical::Descend
                                                            : hooks::HookVertical::Ascend,
                                            .depth_m = target};
-      follow(instruction, kCommon, {}, command);
+      follow(instruction, kCommon, having(uniform(0, 60)), command);
     }
     writer.tell(command, now);
     const auto values = answerOf(writer);
@@ -264,20 +307,21 @@ TEST(PortWriter, ACommandIsHeldBackNoLongerThanItsDepthsNeedToSettle) {
       const auto vertical = uniform(0, 1) < 0.2   ? hooks::HookVertical::Surface
                             : uniform(0, 1) < 0.5 ? hooks::HookVertical::Descend
                                                   : hooks::HookVertical::Ascend;
-      follow({.vertical = vertical, .depth_m = uniform(2, 60)}, kCommon, {}, command);
+      follow({.vertical = vertical, .depth_m = uniform(2, 60)}, kCommon, having(uniform(0, 60)),
+             command);
       const double from = now, until = now + uniform(0, 90);
       for (bool there = false; now <= until; now += uniform(3, 5)) {
         writer.tell(command, now);
         for (const auto& [index, value] : answerOf(writer)) {
           last[index] = value;
         }
-        const bool surfaces = of(last, PortSensor::WantsSurface) == kSurfaceNow;
+        // That it may go down again waits for the depths; nothing depends on it.
+        const bool surfaces = !command.surface || of(last, PortSensor::WantsSurface) == kSurfaceNow;
         const auto near = [](double a, double b) { return std::fabs(a - b) < 1e-5; };
-        there =
-            there ||
-            (surfaces == command.surface &&
-             (command.surface || (near(of(last, PortSensor::DiveDepth), command.dive_depth_m) &&
-                                  near(of(last, PortSensor::ClimbDepth), command.climb_depth_m))));
+        there = there ||
+                (surfaces && (command.surface ||
+                              (near(of(last, PortSensor::DiveDepth), command.dive_depth_m) &&
+                               near(of(last, PortSensor::ClimbDepth), command.climb_depth_m))));
         longest_s = there ? longest_s : std::max(longest_s, now - from);
       }
     }
@@ -301,22 +345,56 @@ TEST(StockCommand, AClimbToLessThanAMetreIsToTheSurface) {
 
 TEST(StockCommand, ATargetIsOneEndOfAYo) {
   StockCommand command;
-  follow({.vertical = hooks::HookVertical::Descend, .depth_m = 50, .pitch_rad = -0.4}, kCommon, {},
-         command);
+  follow({.vertical = hooks::HookVertical::Descend, .depth_m = 50, .pitch_rad = -0.4}, kCommon,
+         having(48), command);
   EXPECT_EQ(command.dive_depth_m, 50);
   EXPECT_EQ(command.climb_depth_m, 40);
   EXPECT_EQ(command.dive_pitch_rad, -0.4);
   EXPECT_FALSE(command.surface);
-  follow({.vertical = hooks::HookVertical::Ascend, .depth_m = 12, .pitch_rad = 0.5}, kCommon, {},
-         command);
+  follow({.vertical = hooks::HookVertical::Ascend, .depth_m = 12, .pitch_rad = 0.5}, kCommon,
+         having(50), command);
   EXPECT_EQ(command.climb_depth_m, 12);
   EXPECT_EQ(command.dive_depth_m, 22);
   EXPECT_EQ(command.climb_pitch_rad, 0.5);
   EXPECT_EQ(command.dive_pitch_rad, -0.4) << "stays";
-  follow({.vertical = hooks::HookVertical::Descend, .depth_m = 6}, kCommon, {}, command);
+  follow({.vertical = hooks::HookVertical::Descend, .depth_m = 6}, kCommon, having(20), command);
   EXPECT_EQ(command.climb_depth_m, 3) << "not above the surface";
-  follow({.vertical = hooks::HookVertical::Ascend, .depth_m = 55}, kCommon, {}, command);
+  follow({.vertical = hooks::HookVertical::Ascend, .depth_m = 55}, kCommon, having(60), command);
   EXPECT_EQ(command.dive_depth_m, 60) << "not below the greatest depth";
+}
+
+TEST(StockCommand, ADiveKeepsTheUpperEndUntilTheVehicleCanTurnBelowAnother) {
+  StockCommand command;
+  const hooks::Instruction deep{.vertical = hooks::HookVertical::Descend, .depth_m = 60};
+  follow({.vertical = hooks::HookVertical::Ascend, .depth_m = 4}, kCommon, having(30), command);
+  EXPECT_EQ(command.climb_depth_m, 4);
+  for (const double deep_m : {18.0, 30.0, 54.9}) {
+    follow(deep, kCommon, having(deep_m), command);
+    EXPECT_EQ(command.climb_depth_m, 4) << deep_m;
+  }
+  follow(deep, kCommon, having(55), command);
+  EXPECT_EQ(command.climb_depth_m, 50);
+  follow(deep, kCommon, having(52), command);
+  EXPECT_EQ(command.climb_depth_m, 42) << "the bottom has risen";
+  follow(deep, kCommon, having(54), command);
+  EXPECT_EQ(command.climb_depth_m, 42);
+  follow(deep, kCommon, having(8), command);
+  EXPECT_EQ(command.climb_depth_m, hooks::extctl::kFirstClimbDepth);
+  follow(deep, kCommon, having(60), command);
+  EXPECT_EQ(command.climb_depth_m, 50);
+  follow({.vertical = hooks::HookVertical::Surface}, kCommon, having(60), command);
+  follow(deep, kCommon, having(30), command);
+  EXPECT_EQ(command.climb_depth_m, hooks::extctl::kFirstClimbDepth) << "from the surface";
+}
+
+TEST(StockCommand, AClimbToADepthAboveWhichTheVehicleIsIsADive) {
+  StockCommand command;
+  const hooks::Instruction to{.vertical = hooks::HookVertical::Ascend, .depth_m = 30};
+  follow(to, kCommon, having(2), command);
+  EXPECT_EQ(command.dive_depth_m, 40);
+  EXPECT_EQ(command.climb_depth_m, hooks::extctl::kFirstClimbDepth);
+  follow(to, kCommon, having(35), command);
+  EXPECT_EQ(command.climb_depth_m, 30);
 }
 
 TEST(StockCommand, AWaypointIsABearingWhereTheReleaseHasNoModes) {

@@ -31,6 +31,13 @@ VehicleMission flying(double time_s) {
   return {.time_s = time_s, .program = 4711, .in_glider_dos = 0};
 }
 
+/// Has seen the vehicle's mission from its beginning.
+StandIn watching() {
+  StandIn stand_in(kPort, nullptr);
+  stand_in.observe(flying(4));
+  return stand_in;
+}
+
 TEST(StandIn, IsReadyForItsOwnMissionFileOnly) {
   StandIn stand_in(kPort, nullptr);
   EXPECT_EQ(stand_in.state(), HookState::Absent);
@@ -71,7 +78,7 @@ TEST(StandIn, AnUnknownMissionFileIsItsOwnOnlyIfBothClocksSaySo) {
 }
 
 TEST(StandIn, ADamagedNumberDoesNotEndASession) {
-  StandIn stand_in(kPort, nullptr);
+  StandIn stand_in = watching();
   stand_in.observe(flying(100));
   stand_in.instruct(dive(1));
   stand_in.observe({.time_s = 104, .program = 17});
@@ -81,7 +88,7 @@ TEST(StandIn, ADamagedNumberDoesNotEndASession) {
 }
 
 TEST(StandIn, RefusesWhatIsOutOfBoundsAndKeepsWhatIsInForce) {
-  StandIn stand_in(kPort, nullptr);
+  StandIn stand_in = watching();
   stand_in.observe(flying(40));
   stand_in.instruct(dive(1));
   EXPECT_EQ(stand_in.answer(), HookAnswer::Accepted);
@@ -113,7 +120,7 @@ TEST(StandIn, RefusesWhatIsOutOfBoundsAndKeepsWhatIsInForce) {
 }
 
 TEST(StandIn, ANewMissionOfTheVehicleEndsTheSession) {
-  StandIn stand_in(kPort, nullptr);
+  StandIn stand_in = watching();
   stand_in.observe(flying(400));
   stand_in.instruct(dive(1));
   stand_in.observe(flying(404));
@@ -132,7 +139,7 @@ TEST(StandIn, ANewMissionOfTheVehicleEndsTheSession) {
 }
 
 TEST(StandIn, AReleaseIsAnsweredWhenItHasBeenToldOftenEnough) {
-  StandIn stand_in(kPort, nullptr);
+  StandIn stand_in = watching();
   stand_in.observe(flying(40));
   stand_in.instruct(dive(1));
   stand_in.observe(flying(44));
@@ -144,7 +151,7 @@ TEST(StandIn, AReleaseIsAnsweredWhenItHasBeenToldOftenEnough) {
     stand_in.observe(flying(now));
   }
   EXPECT_EQ(cycles, StandIn::kReleaseCycles);
-  StandIn stuck(kPort, nullptr);
+  StandIn stuck = watching();
   stuck.observe(flying(40));
   stuck.instruct(dive(1));
   stuck.observe(flying(44));
@@ -161,6 +168,78 @@ TEST(StandIn, AReleaseIsAnsweredWhenItHasBeenToldOftenEnough) {
   EXPECT_EQ(stand_in.state(), HookState::Waiting) << "the vehicle's next mission";
   stand_in.observe(flying(22));
   EXPECT_EQ(stand_in.state(), HookState::Ready);
+}
+
+VehicleMission at(double time_s, bool at_surface) {
+  VehicleMission vehicle = flying(time_s);
+  vehicle.at_surface = at_surface;
+  return vehicle;
+}
+
+TEST(StandIn, AProgramThatBeginsInTheMidstBringsTheVehicleUpFirst) {
+  StandIn late(kPort, nullptr);
+  double now = 400;
+  for (; now < 600; now += 4) {
+    late.observe(at(now, false));
+    ASSERT_EQ(late.state(), HookState::Waiting) << now;
+    EXPECT_TRUE(late.makesSafe());
+    late.instruct(dive(1));
+    EXPECT_EQ(late.answer(), HookAnswer::NotReady);
+  }
+  late.observe(at(now, true));
+  EXPECT_EQ(late.state(), HookState::Ready);
+  EXPECT_FALSE(late.makesSafe());
+
+  StandIn floats(kPort, nullptr);
+  for (now = 400; now < 400 + StandIn::kSafeSecs; now += 4) {
+    floats.observe(at(now, true));
+    EXPECT_EQ(floats.state(), HookState::Waiting) << "what it was sent may not have arrived";
+  }
+  floats.observe(at(now, true));
+  EXPECT_EQ(floats.state(), HookState::Ready);
+}
+
+TEST(StandIn, APortThatRestartsMeanwhileBeginsThatAgain) {
+  StandIn late(kPort, nullptr);
+  for (double now = 400; now < 440; now += 4) {
+    late.observe(at(now, true));
+  }
+  late.forget();
+  late.observe(at(460, true));
+  EXPECT_TRUE(late.makesSafe());
+  late.observe(at(460 + StandIn::kSafeSecs, true));
+  EXPECT_EQ(late.state(), HookState::Ready);
+}
+
+TEST(StandIn, OneThatGoesOnFromItsCheckpointDoesNot) {
+  const VehicleMission last{.time_s = 300, .clock_s = 9300};
+  VehicleMission now = at(400, false);
+  now.clock_s = 9400;
+  StandIn restarted(kPort, &last);
+  restarted.observe(now);
+  EXPECT_EQ(restarted.state(), HookState::Ready);
+  now.time_s += 13 * 3600;
+  now.clock_s += 13 * 3600;
+  StandIn old(kPort, &last);
+  old.observe(now);
+  EXPECT_TRUE(old.makesSafe()) << "an old checkpoint is of another flight";
+  now.clock_s += 86400;
+  StandIn other(kPort, &last);
+  other.observe(now);
+  EXPECT_TRUE(other.makesSafe());
+}
+
+TEST(StandIn, NorDoesAVehicleThatFliesAnotherMissionFile) {
+  VehicleMission now = at(400, false);
+  now.program = 12;
+  StandIn other(kPort, nullptr);
+  other.observe(now);
+  EXPECT_FALSE(other.makesSafe());
+  now.program = 4711;
+  now.in_glider_dos = 1;
+  other.observe(now);
+  EXPECT_FALSE(other.makesSafe());
+  EXPECT_EQ(other.state(), HookState::Absent);
 }
 
 }  // namespace

@@ -33,6 +33,9 @@ struct PortChoice {
   uint32_t baud = ExtctlFile::kUsualBaud;
 };
 
+/// surface_after_s of a port that can be planned, s.
+inline constexpr double kLeastSurfaceAfter = 600, kMostSurfaceAfter = 7 * 86400;
+
 /// The vehicle waits this long for its operator after it has come up by itself, s.
 inline constexpr double kOperatorWait = 600;
 

@@ -41,8 +41,13 @@ AbortLimits abortsOf(const slocum::MissionFile& file) {
 support::Result<VehicleFile> vehicleFileOf(const MissionFile& file, const std::string& path) {
   const BehaviourBlock* hookbeh = find(file, "hookbeh");
   if (hookbeh == nullptr) {
+    // The number by which a program knows its mission file.
+    const bool of_port =
+        std::ranges::find(file.sensors, "u_mission_param_l", &Setting::name) != file.sensors.end();
     return support::fail(support::diagnostics::skeletonErrors, path,
-                         "it has no behavior `hookbeh`");
+                         of_port ? "it has no `yo` with the d_target_depth and c_target_depth of "
+                                   "the SBC, u_mission_param_d (1000003) and _e (1000004)"
+                                 : "it has no behavior `hookbeh`");
   }
   const double seconds = hookbeh->value("silence_secs");
   if (!(seconds > 0 && seconds <= hooks::kMostSilenceSecs)) {

@@ -6,6 +6,7 @@
 #include "hooks/extctl/port.h"
 #include "vehicles/slocum/mission_files/behaviour_catalogue.h"
 #include "vehicles/slocum/port_files/port_plan.h"
+#include "vehicles/slocum/rules/settings.h"
 
 #include <fmt/format.h>
 
@@ -41,6 +42,13 @@ constexpr Fixed kYoHas[] = {
     {"start_when", 2},  {"stop_when", 5},         {"num_half_cycles_to_do", -1},
     {"d_use_bpump", 2}, {"d_use_pitch", 3},       {"c_use_bpump", 2},
     {"c_use_pitch", 3}, {"c_target_altitude", -1}};
+constexpr Read kWaypointReads[] = {{"wpt_x", PortSensor::WaypointLongitude},
+                                   {"wpt_y", PortSensor::WaypointLatitude}};
+constexpr Fixed kWaypointHas[] = {{"start_when", 15},
+                                  {"stop_when", 15},
+                                  {"when_secs", kGliderPortModeWaypoint},
+                                  {"wpt_units", 2},
+                                  {"end_action", 2}};
 constexpr Fixed kHeadingHas[] = {{"use_heading", 1}, {"start_when", 0}, {"stop_when", 5}};
 
 /// What is in force before the first command: at the surface, and just below it.
@@ -50,6 +58,13 @@ constexpr struct {
 } kAtFirst[] = {{PortSensor::DiveDepth, hooks::extctl::kFirstDiveDepth},
                 {PortSensor::ClimbDepth, hooks::extctl::kFirstClimbDepth}};
 
+/// A dive that ends at an altitude of more ends where an altimeter first receives an echo, m.
+constexpr double kMostAltitude = 100;
+/// A `surface` without contact: its start_when, and the end_actions after which the mission goes
+/// on.
+constexpr double kNoContact = 12;
+constexpr std::initializer_list<double> kResumes = {1, 2, 4};
+
 class DoubtSearch {
  public:
   DoubtSearch(const MissionFile& vehicle, const PortFile& port, const platforms::Platform& platform)
@@ -58,7 +73,10 @@ class DoubtSearch {
   std::vector<Disturbance> run() {
     yo(vehicle_.behaviours[port_.driven - 1], port_.layers[port_.driven - 1]);
     heading();
+    waypoints();
     surfacing();
+    timers();
+    port();
     atFirst();
     return std::move(found_);
   }
@@ -81,12 +99,16 @@ class DoubtSearch {
     }
   }
 
+  void compareRead(const BehaviourBlock& block, const Layer& layer, const Read& read) {
+    if (!reads(block, read)) {
+      add(layer.range,
+          fmt::format("{} takes its {} not from the SBC's", layer.label(), read.argument));
+    }
+  }
+
   void yo(const BehaviourBlock& block, const Layer& layer) {
     for (const Read& read : kYoReads) {
-      if (!reads(block, read)) {
-        add(layer.range,
-            fmt::format("{} takes its {} not from the SBC's", layer.label(), read.argument));
-      }
+      compareRead(block, layer, read);
     }
     for (const Fixed& one : kYoHas) {
       compare(block, layer, one);
@@ -97,6 +119,13 @@ class DoubtSearch {
         add(layer.range, fmt::format("{} has {} {:.7g}, which is less than half of the pump's way",
                                      layer.label(), argument, block.value(argument)));
       }
+    }
+    const double altitude = block.value("d_target_altitude");
+    if (!(altitude > 0 && altitude <= kMostAltitude)) {
+      add(layer.range,
+          fmt::format("{} has d_target_altitude {:.7g}, not a height of up to {:.7g} m above the "
+                      "bottom, and nothing else keeps the vehicle off it",
+                      layer.label(), altitude, kMostAltitude));
     }
     // A leg that is over too soon turns the vehicle where the SBC has not commanded it.
     for (const char* argument : {"d_stop_when_stalled_for", "c_stop_when_stalled_for",
@@ -124,6 +153,61 @@ class DoubtSearch {
         "no `set_heading` takes its heading_value from the SBC's");
   }
 
+  /// One that takes anything from the SBC steers by its waypoint alone.
+  void waypoints() {
+    for (const Layer& layer : port_.layers) {
+      const BehaviourBlock& block = vehicle_.behaviours[layer.number - 1];
+      const bool sbcs = std::ranges::any_of(block.arguments, [](const Setting& argument) {
+        return missionParameter(argument.value).has_value();
+      });
+      if (block.name != "goto_wpt" || block.lacks_file || !sbcs) {
+        continue;
+      }
+      for (const Read& read : kWaypointReads) {
+        compareRead(block, layer, read);
+      }
+      for (const Fixed& one : kWaypointHas) {
+        compare(block, layer, one);
+      }
+    }
+  }
+
+  /// Each is to come up now and then, and to go on.
+  void timers() {
+    for (const Layer& layer : port_.layers) {
+      const BehaviourBlock& block = vehicle_.behaviours[layer.number - 1];
+      if (block.name != "surface" || block.lacks_file || block.value("start_when") != kNoContact) {
+        continue;
+      }
+      const double secs = block.value("when_secs");
+      if (!missionParameter(secs) && !(secs >= kLeastSurfaceAfter && secs <= kMostSurfaceAfter)) {
+        add(layer.range,
+            fmt::format(
+                "{} brings the vehicle up when it has had no contact for {:.7g} s (when_secs), "
+                "which is not between {:.7g} s and {:.7g} s",
+                layer.label(), secs, kLeastSurfaceAfter, kMostSurfaceAfter));
+      }
+      if (!isOneOf(block.value("end_action"), kResumes)) {
+        add(layer.range, fmt::format("{} has end_action {:.7g}, after which the SBC's mission does "
+                                     "not go on",
+                                     layer.label(), block.value("end_action")));
+      }
+    }
+  }
+
+  /// The proglet runs by c_extctl_on, which is how often.
+  void port() {
+    const SettingInForce on = settingInForce(vehicle_, "c_extctl_on");
+    if (!(on.value > 0 && on.value <= platform_.envelope.cycle_s)) {
+      const bool given = on.range.valid();
+      add(given ? on.range : port_.layers[port_.driven - 1].range,
+          given ? fmt::format("c_extctl_on is {:.7g}, not 1: the vehicle does not read the SBC's "
+                              "port in each cycle",
+                              on.value)
+                : "no `sensors_in` switches the SBC's port on (c_extctl_on)");
+    }
+  }
+
   /// Started by sci_wants_surface or, where the vehicle has mission modes, by a bit of them.
   [[nodiscard]] bool isWished(const BehaviourBlock& block) const {
     const double code = block.value("start_when");
@@ -136,9 +220,9 @@ class DoubtSearch {
       if (layer.role != Role::Surfaces || !isWished(block)) {
         continue;
       }
-      constexpr double kResumes = 2;
-      if (block.value("end_action") != kResumes) {
-        compare(block, layer, {"end_action", kResumes});
+      constexpr double kAtOnce = 2;
+      if (block.value("end_action") != kAtOnce) {
+        compare(block, layer, {"end_action", kAtOnce});
       } else if (layer.number > port_.driven) {
         add(layer.range, layer.label() + " stands below the `yo` of the SBC, which replaces it");
       }

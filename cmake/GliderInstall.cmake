@@ -88,6 +88,8 @@ install(FILES hooks/transport/byte_stream.h DESTINATION hooks/transport COMPONEN
 install(FILES ${CMAKE_BINARY_DIR}/generated/platforms/slocum_sensors.h DESTINATION platforms COMPONENT vehicle EXCLUDE_FROM_ALL)
 install(FILES tests/kit/vectors.c tests/kit/vectors.def DESTINATION tests/kit COMPONENT vehicle EXCLUDE_FROM_ALL)
 install(FILES kit/Makefile kit/README.md LICENSE DESTINATION . COMPONENT vehicle EXCLUDE_FROM_ALL)
+install(FILES kit/example_behaviour.c kit/example_behaviour.h kit/example_proglet.c kit/example_proglet.h kit/science_bench.c
+  DESTINATION kit COMPONENT vehicle EXCLUDE_FROM_ALL)
 
 # `cpack -G DEB` packs what is installed; it builds nothing.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)

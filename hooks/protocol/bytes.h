@@ -104,7 +104,7 @@ class ByteReader {
   HookByteReader reader_;
 };
 
-// Names to go:
+// What these are called in C++:
 inline float floatOf(uint32_t bits) {
   return hookFloatOf(bits);
 }

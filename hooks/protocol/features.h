@@ -35,7 +35,7 @@ GLIDER_HOOKS_END
 #ifdef __cplusplus
 namespace glider::hooks {
 using Features = HookFeatures;
-// Names to go:
+// What these are called in C++:
 #define FEATURE(name, bit, text) inline constexpr uint16_t kFeature##name = kHookFeature##name;
 #include "hooks/protocol/features.def"
 inline constexpr uint16_t kAllFeatures = kHookAllFeatures;

@@ -66,7 +66,7 @@ GLIDER_HOOKS_END
 
 #ifdef __cplusplus
 namespace glider::hooks {
-// Names to go:
+// What these are called in C++:
 inline bool isFinite(double value) {
   return hookIsFinite(value);
 }

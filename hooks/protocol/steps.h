@@ -30,7 +30,7 @@ GLIDER_HOOKS_END
 
 #ifdef __cplusplus
 namespace glider::hooks {
-// Names to go:
+// What these are called in C++:
 inline constexpr uint32_t kMetreSteps = kHookMetreSteps, kRadianSteps = kHookRadianSteps,
                           kMinuteSteps = kHookMinuteSteps;
 inline int32_t mostSteps(uint32_t bytes) {

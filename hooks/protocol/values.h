@@ -78,7 +78,7 @@ using ::HookControl;
 using ::HookLateral;
 using ::HookState;
 using ::HookVertical;
-// Names to go:
+// What these are called in C++:
 inline bool isHookState(uint8_t value) {
   return hookIsState(value);
 }

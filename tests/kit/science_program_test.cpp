@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(
                     GLIDER_SOURCE_DIR
                     "/missions/gallery/hull_sweep.mission --scenario " GLIDER_SOURCE_DIR
                     "/tests/kit/troubled.toml"),
-    [](const auto& info) { return "of" + std::to_string(info.index); });
+    [](const auto& flight) { return "of" + std::to_string(flight.index); });
 
 TEST(ScienceProgram, ThatCannotServeIsRefusedByName) {
   const std::string sim = "$GLIDERCC sim " GLIDER_SOURCE_DIR

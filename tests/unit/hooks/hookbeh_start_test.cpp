@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <cstring>
+
 /// What lies in the sensor array from before is not followed: not in the first cycle, nor in any
 /// after it.
 namespace glider::hooks {
@@ -91,6 +94,26 @@ TEST(HookbehStart, AGoodInstructionBetweenGarbledOnesCountsFromTheStart) {
     bench.inputs.words.check -= 1;
     ASSERT_EQ(bench.cycle().answer, HookAnswer::Accepted);
   }
+}
+
+TEST(HookbehStart, CBeginsWithTheSameArgsAndInputsAsCpp) {
+  HookbehArgs args;
+  args.hold_secs = args.start_secs = kNan;
+  hookbehUsualArgs(&args);
+  const HookbehArgs usual;
+#define ARG(name, value)                \
+  EXPECT_EQ(args.name, value) << #name; \
+  EXPECT_EQ(usual.name, value) << #name;
+#define PUMP_MODE(name, value)                    \
+  EXPECT_EQ(args.name, PumpMode::value) << #name; \
+  EXPECT_EQ(usual.name, PumpMode::value) << #name;
+#include "hooks/hookbeh/args.def"
+  HookbehInputs inputs;
+  inputs.time_s = inputs.words.check = inputs.masked = 1;
+  inputs.ctd_bar = inputs.wall_time_s = 1;
+  hookbehNoInputs(&inputs);
+  const HookbehInputs none;
+  EXPECT_EQ(std::memcmp(&inputs, &none, offsetof(HookbehInputs, masked) + 1), 0);
 }
 
 }  // namespace

@@ -366,6 +366,14 @@ void addWorldOptions(CLI::App& command, SimOptions& options) {
       ->option_text("FILE.mi");
 }
 
+CLI::Option* addScienceOption(CLI::App& command, SimOptions& options) {
+  return command
+      .add_option("--science", options.science,
+                  "Run this program as the vehicle's science computer: hookprog as built from the "
+                  "kit for integrators, here or under an emulator")
+      ->option_text("COMMAND");
+}
+
 void addOptions(CLI::App& command, SimOptions& options) {
   auto* mission =
       command.add_option("MISSION", options.mission,
@@ -392,14 +400,7 @@ void addOptions(CLI::App& command, SimOptions& options) {
       .add_flag("--lockstep", options.lockstep,
                 "With --serial: wait for each answer instead of running in real time")
       ->needs(serial);
-  auto* science =
-      command
-          .add_option(
-              "--science", options.science,
-              "Run this program as the vehicle's science computer: hookprog as built from the "
-              "kit for integrators, here or under an emulator")
-          ->option_text("COMMAND")
-          ->excludes(serial);
+  auto* science = addScienceOption(command, options)->excludes(serial);
   auto* without = command.add_flag("--no-sbc", options.without_sbc, "Fly without an SBC");
   command
       .add_option("--platform", options.platform,

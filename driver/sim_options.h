@@ -30,8 +30,8 @@ struct SimOptions {
   std::string platform{platforms::kDefaultPlatform};  ///< used if no mission names one
   std::string board;
   std::string program;
-  std::string serial;     ///< the device to which a real SBC is connected; empty: none
-  bool lockstep = false;  ///< with --serial: not in real time
+  std::string serial;                  ///< the device to which a real SBC is connected; empty: none
+  bool lockstep = false;               ///< with --serial: not in real time
   std::optional<std::string> science;  ///< the program that acts as the science computer
   bool without_sbc = false;
   std::optional<uint64_t> seed;

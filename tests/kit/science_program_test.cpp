@@ -28,7 +28,7 @@ std::string flown(const TemporaryFolder& folder, const std::string& name,
 
 class ScienceProgram : public testing::TestWithParam<std::string> {};
 
-TEST_P(ScienceProgram, FliesAsTheSimulatorsOwn) {
+TEST_P(ScienceProgram, FliesAsTheSimulatorsOwn) {  // accepts: GL9151 GL9379
   const TemporaryFolder folder;
   const std::string own = flown(folder, "own", GetParam());
   ASSERT_GT(own.size(), 10000U);

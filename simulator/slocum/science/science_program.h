@@ -26,7 +26,7 @@ class ScienceProgram final : public SbcProglet {
     GliderDictionary dictionary;       ///< what it points to outlives the program
     bool virtual_time = true;
     /// Called once, with the reason, if the program ends or answers wrongly: from then on the
-    /// science computer serves nobody.
+    /// science computer does nothing.
     std::function<void(const std::string&)> ended;
   };
   explicit ScienceProgram(Setup setup);
@@ -49,7 +49,7 @@ class ScienceProgram final : public SbcProglet {
 
   Setup setup_;
   std::unique_ptr<ProgramLines> lines_;  ///< null: it has ended
-  std::string cycle_;                    ///< what it is told in this cycle
+  std::string cycle_;                    ///< what it receives in this cycle
   std::vector<uint8_t> to_sbc_;          ///< that the line has not taken yet
   std::deque<hooks::SeatEvent> events_;
   hooks::SbcView view_;

@@ -190,8 +190,10 @@ TEST(ExtctlDecimal, WritesSixDecimals) {
   EXPECT_EQ(written(std::nan("")), "nan");
   EXPECT_EQ(asSixDecimals(1.23456789), 1.234568);
   EXPECT_EQ(asSixDecimals(asSixDecimals(3910.5001234)), asSixDecimals(3910.5001234));
-  // A number so large that millions of it have no halves: it does not creep upwards as it is passed on.
-  for (const double large : {4444444444.13444, -4444444444.13444, 8999999999.999999, 123456789012.25}) {
+  // A number so large that millions of it have no halves: it does not creep upwards as it is passed
+  // on.
+  for (const double large :
+       {4444444444.13444, -4444444444.13444, 8999999999.999999, 123456789012.25}) {
     EXPECT_EQ(asSixDecimals(large), large);
   }
 }

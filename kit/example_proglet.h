@@ -8,6 +8,10 @@
 /// calls. Yours has these names, or its own; what it calls of the kit is the same.
 #include "hooks/hookprog/hookprog.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// What the vehicle's software gives a proglet.
 typedef struct ExampleBoard {
   HookScienceMemory memory;  ///< its sensors
@@ -19,7 +23,8 @@ typedef struct ExampleBoard {
 void exampleProgletBegin(const ExampleBoard* board, bool virtual_time);
 /// When the proglet is switched on: its UART is open from now on.
 void exampleProgletStart(void);
-/// Once a second; `science_time_s`: the science computer's clock, s.
+/// Once a second; `science_time_s`: a clock that goes on while the computer restarts, such as s
+/// since 1970: the heartbeat begins with it.
 void exampleProgletRun(double science_time_s);
 /// When it is switched off: until it starts again it neither reads nor writes. The SBC then has no
 /// answer, and hookbeh takes over after `silence_secs`.
@@ -29,5 +34,9 @@ void exampleProgletEnd(void);
 bool exampleProgletNextEvent(HookSeatEvent* event);
 /// What the SBC has last said of its mission.
 const HookSbcView* exampleProgletSbc(void);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

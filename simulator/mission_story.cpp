@@ -145,7 +145,7 @@ bool MissionStory::follow(double now_s, double cycle_s, SimulatedSeat& seat, Jou
         journal.add(now_s, EventId::SbcStuck, {}, "its time has not advanced for 12 s");
         break;
       case Kind::SbcUnanswered:
-        journal.add(now_s, EventId::InstructionUnanswered, {number}, "none for 12 s");
+        journal.add(now_s, EventId::InstructionUnanswered, {number}, "none for 24 s");
         break;
       case Kind::SbcTransition:
         transition(now_s, event, seat, journal);

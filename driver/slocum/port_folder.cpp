@@ -23,6 +23,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <regex>
 #include <system_error>
 #include <utility>
 
@@ -241,6 +242,26 @@ support::Result<void> useRelease(const std::filesystem::path& folder,
   return {};
 }
 
+static std::vector<std::string> namesOf(const slocum::ExtctlFile& list) {
+  std::vector<std::string> names;
+  for (const slocum::ExtctlSensor& sensor : list.sensors()) {
+    names.push_back(sensor.name);
+  }
+  return names;
+}
+
+/// The number of the program in a mission file, as it is written: the vehicle takes the last line.
+static std::string programNumberIn(const std::string& text) {
+  static const std::regex line(
+      "(^|\n)[ \t]*sensor:[ \t]*u_mission_param_l[ \t]*\\([^)\n]*\\)[ \t]*([^ \t\r\n#]*)",
+      std::regex::icase);
+  std::string number;
+  for (std::sregex_iterator at(text.begin(), text.end(), line), end; at != end; ++at) {
+    number = (*at)[2];
+  }
+  return number;
+}
+
 support::Result<FolderPort> readFolderPort(const std::filesystem::path& folder,
                                            const compiler::Optimised& mission) {
   const auto read = readDescription(folder);
@@ -256,8 +277,7 @@ support::Result<FolderPort> readFolderPort(const std::filesystem::path& folder,
     return std::unexpected(text.error());
   }
   // Pilots add their own behaviours; the number says that the rest belongs together.
-  const std::string mark = fmt::format("u_mission_param_l(nodim) {}\n", plan->port.program);
-  if (text->find(mark) == std::string::npos) {
+  if (programNumberIn(*text) != std::to_string(plan->port.program)) {
     return support::fail(support::diagnostics::notPortFolder, folder.string(),
                          fmt::format("`{}` was written for another mission, or with other options",
                                      read->missions.vehicle_mission.filename().string()));
@@ -266,8 +286,10 @@ support::Result<FolderPort> readFolderPort(const std::filesystem::path& folder,
   const auto lines = support::readFile(list);
   auto sensors = lines ? slocum::readExtctlFile(list.string(), *lines)
                        : support::Result<slocum::ExtctlFile>(std::unexpected(lines.error()));
-  return sensors ? support::Result<FolderPort>(FolderPort{*plan, std::move(*sensors)})
-                 : std::unexpected(sensors.error());
+  if (!sensors) {
+    return std::unexpected(sensors.error());
+  }
+  return FolderPort{*plan, std::move(*sensors)};
 }
 
 support::Result<flights::PortEnd> portEndOf(const std::filesystem::path& folder,
@@ -275,6 +297,14 @@ support::Result<flights::PortEnd> portEndOf(const std::filesystem::path& folder,
   const auto port = readFolderPort(folder, mission);
   if (!port) {
     return std::unexpected(port.error());
+  }
+  // Both sides name sensors by their place in the list.
+  if (port->sensors.baud != port->plan.extctl.baud ||
+      namesOf(port->sensors) != namesOf(port->plan.extctl)) {
+    return support::fail(support::diagnostics::notPortFolder, folder.string(),
+                         fmt::format("`{}` lists other sensors, or another speed, than the program "
+                                     "was built with",
+                                     std::filesystem::path(kSensors).filename().string()));
   }
   const auto last = static_cast<uint32_t>(port->plan.extctl.sensors().size()) - 1;
   return flights::PortEnd{port->plan.port, last, port->sensors.baud};

@@ -69,8 +69,9 @@ typedef struct Hookprog {
 void hookprogInit(Hookprog* hookprog, const GliderDictionary* dictionary,
                   const HookSeatOptions* options);
 /// One science cycle (1 s): takes the flight controller's updates, serves the SBC, writes what it
-/// instructs. `science_time_s`: s by the science computer's clock, which may be set back; `sbc`:
-/// the line to the SBC.
+/// instructs. `science_time_s`: s by a clock that goes on while the computer restarts, such as s
+/// since 1970 (the heartbeat begins with it, and hookbeh ignores one that is behind); it may be set
+/// back. `sbc`: the line to the SBC.
 void hookprogRun(Hookprog* hookprog, double science_time_s, const HookScienceMemory* memory,
                  const GliderByteStream* sbc);
 /// Takes the oldest event. False, and an event without a kind, when there is none.

@@ -26,4 +26,8 @@
 #define GLIDER_STATIC_ASSERT(name, condition) typedef char hookAssert##name[(condition) ? 1 : -1]
 #endif
 
+/// What the code needs of a compiler: constants above 32767, and doubles that cross the line.
+GLIDER_STATIC_ASSERT(IntHas32Bits, sizeof(int) >= 4 && sizeof(uint32_t) == 4);
+GLIDER_STATIC_ASSERT(DoubleHas64Bits, sizeof(float) == 4 && sizeof(double) == 8);
+
 #endif

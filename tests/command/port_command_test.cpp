@@ -143,6 +143,9 @@ TEST_F(PortCommand, AChangedLineOfTheMissionFileIsReported) {
     EXPECT_NE(checked.status, 0) << by;
     EXPECT_THAT(checked.err, HasSubstr(reported)) << by;
   }
+  // The vehicle takes the last line.
+  write("port/vehicle/missions/samplemi.mi", mission + "sensor: u_mission_param_l(nodim) 7\n");
+  EXPECT_THAT(run("check port").err, HasSubstr("GL4016"));
 }
 
 TEST_F(PortCommand, ACampaignFliesTheFolder) {
@@ -270,6 +273,25 @@ TEST_F(PortCommand, FilesOfDifferentMissionsDoNotFly) {
 }
 
 // accepts: GL5130
+// accepts: GL4016
+TEST_F(PortCommand, AListOfOtherSensorsOrAnotherOrderIsRefused) {
+  ASSERT_EQ(run("build figure2.mission --dialect extctl -o port").status, 0);
+  const std::string list = read("port/vehicle/config/extctl.ini");
+  const auto refused = [&](const std::string& twin) {
+    ASSERT_NE(twin, list);
+    write("port/vehicle/config/extctl.ini", twin);
+    const Outcome checked = run("check port");
+    EXPECT_EQ(checked.status, 2) << twin;
+    EXPECT_THAT(checked.err, HasSubstr("lists other sensors, or another speed"));
+  };
+  std::string twin = list;
+  const size_t d = twin.find("u_mission_param_d"), e = twin.find("u_mission_param_e");
+  std::swap(twin.at(d + 16), twin.at(e + 16));
+  refused(twin);
+  const size_t line = list.find("u_mission_param_f");
+  refused(list.substr(0, line) + list.substr(list.find('\n', line) + 1));
+}
+
 TEST_F(PortCommand, AListOfSensorsWithAnErrorIsNamed) {
   EXPECT_EQ(run("build figure2.mission --dialect extctl -o port").status, 0);
   std::ofstream(path() / "port/vehicle/config/extctl.ini") << "mp\nu_mission_param_a rad extra\n";

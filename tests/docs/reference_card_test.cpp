@@ -192,10 +192,8 @@ TEST(ReferenceCard, HasEverySubcommandAndNoOptionThatIsNone) {
 /// The states of hookbeh on the page for the dock.
 TEST(OnMyGlider, HasTheStatesOfHookbeh) {
   const std::string page = source("docs/on-my-glider.md");
-  const std::string values = source("hooks/protocol/values.h");
-  const size_t begin = values.find("enum class HookState");
-  const std::string list = values.substr(begin, values.find("};", begin) - begin);
-  const std::regex state("\n  (\\w+) = ([1-9]),");
+  const std::string list = source("hooks/protocol/values.def");
+  const std::regex state("\nHOOK_STATE\\((\\w+), ([1-9])\\)");
   int states = 0;
   for (std::sregex_iterator at(list.begin(), list.end(), state), end; at != end; ++at, ++states) {
     const std::string row = "| " + (*at)[2].str() + " | " + (*at)[1].str() + " |";

@@ -61,6 +61,28 @@ TEST(ScienceProgram, ThatCannotServeIsRefusedByName) {
   }
 }
 
+/// A program that answers the greeting, and then runs `script` of a shell.
+std::string afterHello(const TemporaryFolder& folder, const std::string& script) {
+  return "sh " +
+         folder.write("p", "read hello\necho $hello | cut -d' ' -f1-3\n" + script + "\n").string();
+}
+
+TEST(ScienceProgram, ThatAnswersWithoutAnEndIsLeftBehind) {
+  const TemporaryFolder folder;
+  for (const auto& [script, why] :
+       {std::pair("yes 'event 6 0 1 2 3 4 5 41'", "its answer has no end"),
+        {"yes done", "it has not answered for 10 s"},
+        {"trap '' TERM; exec >&- <&-; sleep 60", "it has closed its output, and goes on"},
+        {"cat >/dev/null", "it has not answered for 10 s"}}) {
+    const Outcome outcome = runShell("$GLIDERCC sim " GLIDER_SOURCE_DIR
+                                     "/missions/gallery/thermocline.mission --duration 600 -o " +
+                                     (folder.path() / "flight").string() + " --science '" +
+                                     afterHello(folder, script) + "' 2>&1");
+    EXPECT_EQ(outcome.status, 1) << script;
+    EXPECT_THAT(outcome.out, HasSubstr(std::string(why) + " [GL9379")) << script;
+  }
+}
+
 TEST(ScienceProgram, ThatEndsInAFlightIsAnErrorAndHookbehTakesOver) {
   const TemporaryFolder folder;
   const Outcome outcome = runShell("$GLIDERCC sim " GLIDER_SOURCE_DIR

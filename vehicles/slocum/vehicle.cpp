@@ -17,6 +17,14 @@ namespace {
 
 /// A vehicle that is steered by its port: null if the flight's is not. What bounds its depth is
 /// what the SBC may command, unless the line damages it: then it is its own abend.
+/// Whether a line changes or loses bytes, so that a wrong sentence can pass its sum, which is
+/// short. A line that is cut, late or repeats itself says nothing wrong.
+bool damagesSentences(const simulator::Faults& faults) {
+  return std::ranges::any_of(faults.lines, [](const simulator::LineFault& line) {
+    return line.loss > 0 || line.flips > 0 || line.bursts > 0 || line.heard_at_baud > 0;
+  });
+}
+
 std::unique_ptr<simulator::Judge> makePortJudge(const FlightToJudge& flight) {
   const slocum::MissionFile* const own = slocum::oracles::portFileIn(flight.scenario);
   if (own == nullptr || !slocum::rules::isPortFile(*own)) {
@@ -27,7 +35,7 @@ std::unique_ptr<simulator::Judge> makePortJudge(const FlightToJudge& flight) {
   const slocum::rules::VehicleFile file = slocum::rules::portVehicleFile(*own, "", platform);
   const slocum::rules::Ending silence =
       slocum::rules::portWhole(*own, port, platform).endings.front();
-  const bool damaged = !flight.scenario.faults.lines.empty();
+  const bool damaged = damagesSentences(flight.scenario.faults);
   slocum::oracles::PortPromise promise;
   const simulator::Faults& faults = flight.scenario.faults;
   if (!faults.sensors.empty() || !faults.clock.empty() || !faults.flight.empty()) {

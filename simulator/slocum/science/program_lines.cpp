@@ -19,7 +19,10 @@
 namespace glider::simulator {
 namespace {
 
-constexpr size_t kLongestLine = 1U << 16U;
+using Clock = std::chrono::steady_clock;
+/// How long a program may need to end once its output is closed: so many times so many us.
+constexpr int kEndingSlices = 100;
+constexpr useconds_t kEndingSlice = 10000;
 
 }  // namespace
 
@@ -49,10 +52,31 @@ ProgramLines::~ProgramLines() {
   }
 }
 
+bool ProgramLines::wait(short events) {
+  using std::chrono::milliseconds;
+  for (;;) {
+    const auto left = std::chrono::duration_cast<milliseconds>(until_ - Clock::now());
+    pollfd poll{socket_, events, 0};
+    const int ready = left > milliseconds(0) ? ::poll(&poll, 1, static_cast<int>(left.count())) : 0;
+    if (ready > 0) {
+      return true;
+    }
+    if (ready == 0) {
+      trouble_ = fmt::format("it has not answered for {} s", kHangSecs);
+      return false;
+    }
+    if (errno != EINTR) {
+      return false;
+    }
+  }
+}
+
 bool ProgramLines::send(std::string_view lines) {
+  until_ = Clock::now() + std::chrono::seconds(kHangSecs);
+  received_ = 0;
   while (!lines.empty()) {
-    const ssize_t sent = ::send(socket_, lines.data(), lines.size(), MSG_NOSIGNAL);
-    if (sent < 0 && errno != EINTR) {
+    const ssize_t sent = ::send(socket_, lines.data(), lines.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (sent < 0 && errno != EINTR && (errno != EAGAIN || !wait(POLLOUT))) {
       return false;
     }
     lines.remove_prefix(sent < 0 ? 0 : static_cast<size_t>(sent));
@@ -62,33 +86,36 @@ bool ProgramLines::send(std::string_view lines) {
 
 bool ProgramLines::receive(std::string& line) {
   for (;;) {
+    if (received_ > kMostAnswer) {
+      trouble_ = "its answer has no end";
+      return false;
+    }
     if (const size_t end = unread_.find('\n'); end != std::string::npos) {
       line = unread_.substr(0, end);
       unread_.erase(0, end + 1);
       return true;
     }
-    pollfd poll{socket_, POLLIN, 0};
-    const int ready = ::poll(&poll, 1, kHangSecs * 1000);
-    if (ready < 0 && errno == EINTR) {
-      continue;
-    }
     std::array<char, 4096> part{};
-    const ssize_t got = ready > 0 ? ::recv(socket_, part.data(), part.size(), 0) : 0;
-    hung_ = ready == 0 || unread_.size() > kLongestLine;
-    if (got <= 0 || hung_) {
+    const ssize_t got = wait(POLLIN) ? ::recv(socket_, part.data(), part.size(), 0) : 0;
+    if (got <= 0) {
       return false;
     }
+    received_ += static_cast<size_t>(got);
     unread_.append(part.data(), static_cast<size_t>(got));
   }
 }
 
 std::string ProgramLines::trouble() {
-  if (hung_ || pid_ <= 0) {
-    return fmt::format("it has not answered for {} s", kHangSecs);
+  if (!trouble_.empty() || pid_ <= 0) {
+    return trouble_;
   }
+  // It has closed its output: it ends, or should.
   int status = 0;
-  ::kill(pid_, SIGTERM);  // it has closed its output: it ends, or should
-  while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  for (int i = 0; i < kEndingSlices && ::waitpid(pid_, &status, WNOHANG) == 0; ++i) {
+    if (i + 1 == kEndingSlices) {
+      return "it has closed its output, and goes on";
+    }
+    ::usleep(kEndingSlice);
   }
   pid_ = 0;
   return WIFEXITED(status) ? fmt::format("it ended with status {}", WEXITSTATUS(status))

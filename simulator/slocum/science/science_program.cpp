@@ -13,7 +13,6 @@
 #include <array>
 #include <cinttypes>
 #include <cstdio>
-#include <cstring>
 #include <optional>
 
 namespace glider::simulator {
@@ -53,7 +52,7 @@ std::optional<hooks::SeatEvent> eventOf(const std::string& line) {
   event.mission_time_s = valueOf(time);
   const std::vector<uint8_t> said =
       bytesOf(std::string_view(line).substr(static_cast<size_t>(text)));
-  std::memcpy(event.text, said.data(), std::min(said.size(), sizeof event.text - 1));
+  std::copy_n(said.begin(), std::min(said.size(), sizeof event.text - 1), event.text);
   return event;
 }
 

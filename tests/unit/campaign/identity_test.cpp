@@ -28,7 +28,6 @@ class Identity : public ::testing::Test {
     write("world.toml", "a world");
     write("skeleton.mi", "a mission file");
     write("p", "bottom = 1");
-    options_.missions = {write("a.mission", "a"), write("b.mission", "b")};
     options_.user_code = {write("code.o", "code")};
     options_.launch = {{"x=1", "y=2"}, write("parameters", "z = 3")};
     options_.faults = {"byte loss"};
@@ -40,7 +39,11 @@ class Identity : public ::testing::Test {
     plan_.scenario.skeleton_path = folder_.path() / "skeleton.mi";
     simulator::missionFileOf(plan_.scenario).behaviours = {
         {"abend", {}, {{"overdepth", "m", 70, {}, {}}}}};
-    plan_.missions.resize(1);
+    plan_.missions.resize(2);
+    plan_.missions[0].file = write("a.mission", "a");
+    plan_.missions[1].file = write("b.mission", "b");
+    plan_.missions[1].platform.name = "slocum";
+    plan_.missions[1].platform.family = "slocum";
     plan_.missions[0].platform.name = "slocum";
     plan_.missions[0].platform.family = "slocum";
     plan_.missions[0].program = "its digest";
@@ -77,8 +80,8 @@ TEST_F(Identity, IsDifferentAfterAnyChange) {
       [&] { ++plan_.flights; }, [&] { ++plan_.seed; }, [&] { ++plan_.board_percent; },
       [&] { plan_.boards.emplace_back("ts7800"); },
       [&] { options_.faults.emplace_back("line cut"); }, [&] { write("a.mission", "changed"); },
-      [&] { std::swap(options_.missions[0], options_.missions[1]); },
-      [&] { options_.missions.pop_back(); }, [&] { write("code.o", "changed"); },
+      [&] { std::swap(plan_.missions[0].file, plan_.missions[1].file); },
+      [&] { plan_.missions.pop_back(); }, [&] { write("code.o", "changed"); },
       [&] { options_.user_code.clear(); }, [&] { write("parameters", "z = 4"); },
       [&] { options_.launch.file.clear(); }, [&] { options_.launch.settings[1] = "y=3"; },
       [&] { options_.launch.settings.pop_back(); },

@@ -32,10 +32,13 @@ TEST_P(Gallery, IsUnderstoodAndDecided) {
   const Mission mission = compiled(frontend::testing_support::readWithoutPromises(
                                        "missions/gallery/" + GetParam() + ".mission") +
                                    "require always depth <= 1000 m\n");
-  const bool has_layer = GetParam() == "thermocline";  // whose depths are variables without ranges
-  const auto shallow = [&](const std::string&) -> std::string {
-    return has_layer ? "(and (<= |deepest| 1000.0) (<= |var upper| 28.0) (<= |var lower| 28.0))"
-                     : "(<= |deepest| 1000.0)";
+  // Whose depths are variables without ranges, of one state.
+  const bool has_layer = GetParam() == "thermocline";
+  const auto shallow = [&](const std::string& state) -> std::string {
+    return has_layer && state == "`track`"
+               ? "(and (<= |deepest| 1000.0) (<= |var track.upper| 28.0) "
+                 "(<= |var track.lower| 28.0))"
+               : "(<= |deepest| 1000.0)";
   };
   const std::vector<Invariant> invariants = invariantsOf(mission, shallow);
   const auto scripts =

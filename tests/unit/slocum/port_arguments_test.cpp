@@ -208,5 +208,19 @@ TEST(PortArguments, EachChangeIsReportedOrHarmless) {
   EXPECT_EQ(silentChanges(Release::MissionModes), harmless(true));
 }
 
+TEST(PortArguments, AnAltitudeAtWhichNoVehicleTurnsInTimeIsReported) {
+  std::vector<std::string> lines = linesFor(Release::Common);
+  const auto altitude = std::ranges::find_if(lines, [](const std::string& line) {
+    return line.find("d_target_altitude") != std::string::npos;
+  });
+  ASSERT_NE(altitude, lines.end());
+  for (const char* value : {"0.01", "4.9", "101"}) {
+    *altitude = altitude->substr(0, altitude->rfind(' ') + 1) + value;
+    EXPECT_NE(finding(lines), "") << value;
+  }
+  *altitude = altitude->substr(0, altitude->rfind(' ') + 1) + "20";
+  EXPECT_EQ(finding(lines), "");
+}
+
 }  // namespace
 }  // namespace glider::slocum::rules

@@ -121,11 +121,13 @@ class DoubtSearch {
       }
     }
     const double altitude = block.value("d_target_altitude");
-    if (!(altitude > 0 && altitude <= kMostAltitude)) {
+    const double least = PortChoice{}.least_altitude_m;
+    if (!(altitude >= least && altitude <= kMostAltitude)) {
       add(layer.range,
-          fmt::format("{} has d_target_altitude {:.7g}, not a height of up to {:.7g} m above the "
-                      "bottom, and nothing else keeps the vehicle off it",
-                      layer.label(), altitude, kMostAltitude));
+          fmt::format(
+              "{} has d_target_altitude {:.7g}, not a height of {:.7g} to {:.7g} m above the "
+              "bottom, and nothing else keeps the vehicle off it",
+              layer.label(), altitude, least, kMostAltitude));
     }
     // A leg that is over too soon turns the vehicle where the SBC has not commanded it.
     for (const char* argument : {"d_stop_when_stalled_for", "c_stop_when_stalled_for",

@@ -3,6 +3,9 @@
 
 #include "kit/example_behaviour.h"
 
+#include "hooks/protocol/sensors.h"
+
+#define GLIDER_DEFINE_DICTIONARY
 #include "platforms/slocum_sensors.h"
 
 static Hookbeh the_hookbeh;  // not on a stack
@@ -16,32 +19,30 @@ static void report(uint16_t sensor, double value) {
   the_flight.set(the_flight.self, sensor, value);
 }
 
+void exampleHull(HookHull* hull) {
+  hull->greatest_depth_m = GLIDER_HULL_GREATEST_DEPTH_M;
+  hull->steepest_pitch_rad = GLIDER_HULL_STEEPEST_PITCH_RAD;
+  hull->shallowest_pitch_rad = GLIDER_HULL_SHALLOWEST_PITCH_RAD;
+  hull->vertical_rate_m_s = GLIDER_HULL_VERTICAL_RATE_M_S;
+  hull->pump_cc = GLIDER_HULL_PUMP_CC;
+  hull->fin_rad = GLIDER_HULL_FIN_RAD;
+  hull->battery_in = GLIDER_HULL_BATTERY_IN;
+}
+
 void exampleBehaviourInit(const ExampleFlight* flight, const HookbehArgs* args) {
-  // The limits of the hull are built in: no mission file widens them.
   HookHull hull;
-  hull.greatest_depth_m = GLIDER_HULL_GREATEST_DEPTH_M;
-  hull.steepest_pitch_rad = GLIDER_HULL_STEEPEST_PITCH_RAD;
-  hull.shallowest_pitch_rad = GLIDER_HULL_SHALLOWEST_PITCH_RAD;
-  hull.vertical_rate_m_s = GLIDER_HULL_VERTICAL_RATE_M_S;
-  hull.pump_cc = GLIDER_HULL_PUMP_CC;
-  hull.fin_rad = GLIDER_HULL_FIN_RAD;
-  hull.battery_in = GLIDER_HULL_BATTERY_IN;
+  exampleHull(&hull);
   the_flight = *flight;
   hookbehInit(&the_hookbeh, args, &hull);
 }
 
+/// The sensor of each word is that of its role.
 static void readInstruction(HookInstructionWords* words) {
-  words->session = valueOf(GLIDER_SCI_HOOK_SESSION);
-  words->sequence = valueOf(GLIDER_SCI_HOOK_SEQUENCE);
-  words->control = valueOf(GLIDER_SCI_HOOK_CONTROL);
-  words->vertical = valueOf(GLIDER_SCI_HOOK_VERTICAL);
-  words->lateral = valueOf(GLIDER_SCI_HOOK_LATERAL);
-  words->hook_depth_m = valueOf(GLIDER_SCI_HOOK_DEPTH);
-  words->hook_pitch_rad = valueOf(GLIDER_SCI_HOOK_PITCH);
-  words->hook_heading_rad = valueOf(GLIDER_SCI_HOOK_HEADING);
-  words->hook_latitude_ddmm = valueOf(GLIDER_SCI_HOOK_LAT);
-  words->hook_longitude_ddmm = valueOf(GLIDER_SCI_HOOK_LON);
-  words->check = valueOf(GLIDER_SCI_HOOK_CHECK);
+#define WORD(role, sensor, word, ...) \
+  words->word = valueOf(hookSensorOf(&gliderDictionary, kGliderRole##role));
+#define CHECK_WORD(role, sensor, word, line) \
+  words->word = valueOf(hookSensorOf(&gliderDictionary, kGliderRole##role));
+#include "hooks/protocol/instruction.def"
 }
 
 static void readSensors(HookbehInputs* inputs) {

@@ -27,6 +27,8 @@ typedef struct ExampleFlight {
   void (*command)(void* self, const HookbehOutputs* outputs);
 } ExampleFlight;
 
+/// The limits of the hull, which are built in: no mission file widens them.
+void exampleHull(HookHull* hull);
 /// When a mission that has the behaviour begins. `args`: its b_args, in the mission file's units;
 /// those that it does not name are as hookbehUsualArgs has them.
 void exampleBehaviourInit(const ExampleFlight* flight, const HookbehArgs* args);

@@ -17,6 +17,8 @@
 //   event KIND TIME A B C D E TEXT
 //   view KNOWN TIME STATE DEPTH PHASE
 
+#include "hooks/protocol/bytes.h"
+#include "hooks/protocol/numbers.h"
 #include "kit/example_proglet.h"
 
 #define GLIDER_DEFINE_DICTIONARY
@@ -35,18 +37,6 @@ static uint8_t received[kMostBytes];
 static uint32_t received_count, received_at;
 static bool is_closed;
 
-static double valueOf(uint64_t bits) {
-  double value = 0;
-  memcpy(&value, &bits, sizeof value);
-  return value;
-}
-
-static uint64_t bitsOf(double value) {
-  uint64_t bits = 0;
-  memcpy(&bits, &value, sizeof bits);
-  return bits;
-}
-
 static double get(void* self, uint16_t id, bool* is_fresh) {
   (void)self;
   *is_fresh = fresh[id];
@@ -57,7 +47,7 @@ static double get(void* self, uint16_t id, bool* is_fresh) {
 /// The vehicle keeps what a proglet sets, and tells it as it tells any sensor.
 static void set(void* self, uint16_t id, double value) {
   (void)self;
-  printf("set %u %016" PRIx64 "\n", (unsigned)id, bitsOf(value));
+  printf("set %u %016" PRIx64 "\n", (unsigned)id, hookBitsOfDouble(value));
 }
 
 static int32_t readSbc(void* self, uint8_t* bytes, uint32_t capacity) {
@@ -104,8 +94,8 @@ static void showEvents(void) {
   HookSeatEvent event;
   while (exampleProgletNextEvent(&event)) {
     printf("event %u %016" PRIx64 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " ",
-           (unsigned)event.kind, bitsOf(event.mission_time_s), event.a, event.b, event.c, event.d,
-           event.e);
+           (unsigned)event.kind, hookBitsOfDouble(event.mission_time_s), event.a, event.b, event.c,
+           event.d, event.e);
     for (const char* text = event.text; *text != 0; ++text) {
       printf("%02x", (unsigned)(uint8_t)*text);
     }
@@ -118,7 +108,7 @@ static void run(double time_s) {
   showEvents();
   const HookSbcView* view = exampleProgletSbc();
   printf("view %d %016" PRIx64 " %" PRIu32 " %u %u\ndone\n", view->known ? 1 : 0,
-         bitsOf(view->mission_time_s), view->state, (unsigned)view->stack_depth,
+         hookBitsOfDouble(view->mission_time_s), view->state, (unsigned)view->stack_depth,
          (unsigned)view->phase);
 }
 
@@ -131,7 +121,7 @@ static void hello(unsigned version, uint32_t hash, int virtual_time) {
     fail("the vehicle has other sensors");
   }
   for (uint32_t i = 0; i < GLIDER_MOST_SENSORS; ++i) {
-    values[i] = valueOf(UINT64_C(0x7FF8000000000000));
+    values[i] = hookUnknown();
   }
   exampleProgletBegin(&board, virtual_time != 0);
   exampleProgletStart();
@@ -144,10 +134,10 @@ static void obey(const char* line) {
   int flag = 0;
   uint64_t bits = 0;
   if (sscanf(line, "sensor %u %" SCNx64, &number, &bits) == 2 && number < GLIDER_MOST_SENSORS) {
-    values[number] = valueOf(bits);
+    values[number] = hookDoubleOf(bits);
     fresh[number] = true;
   } else if (sscanf(line, "run %" SCNx64, &bits) == 1) {
-    run(valueOf(bits));
+    run(hookDoubleOf(bits));
   } else if (strncmp(line, "bytes ", 6) == 0) {
     receive(line + 6);
   } else if (sscanf(line, "hello %u %" SCNx32 " %d", &number, &hash, &flag) == 3) {

@@ -135,6 +135,27 @@ support::Result<void> writeTexts(const std::filesystem::path& folder,
   return {};
 }
 
+/// Its sensors, by index.
+std::vector<std::string> namesOf(const slocum::ExtctlFile& list) {
+  std::vector<std::string> names;
+  for (const slocum::ExtctlSensor& sensor : list.sensors()) {
+    names.push_back(sensor.name);
+  }
+  return names;
+}
+
+/// The number of the program in a mission file, as it is written: the vehicle takes the last line.
+std::string programNumberIn(const std::string& text) {
+  static const std::regex line(
+      "(^|\n)[ \t]*sensor:[ \t]*u_mission_param_l[ \t]*\\([^)\n]*\\)[ \t]*([^ \t\r\n#]*)",
+      std::regex::icase);
+  std::string number;
+  for (std::sregex_iterator at(text.begin(), text.end(), line), end; at != end; ++at) {
+    number = (*at)[2];
+  }
+  return number;
+}
+
 }  // namespace
 
 support::Result<bool> writePortFolder(const PortOptions& options,
@@ -240,26 +261,6 @@ support::Result<void> useRelease(const std::filesystem::path& folder,
       read->choice.release == slocum::Release::MissionModes ? simulator::Code15::MissionMode
                                                             : simulator::Code15::FarFromWaypoint;
   return {};
-}
-
-static std::vector<std::string> namesOf(const slocum::ExtctlFile& list) {
-  std::vector<std::string> names;
-  for (const slocum::ExtctlSensor& sensor : list.sensors()) {
-    names.push_back(sensor.name);
-  }
-  return names;
-}
-
-/// The number of the program in a mission file, as it is written: the vehicle takes the last line.
-static std::string programNumberIn(const std::string& text) {
-  static const std::regex line(
-      "(^|\n)[ \t]*sensor:[ \t]*u_mission_param_l[ \t]*\\([^)\n]*\\)[ \t]*([^ \t\r\n#]*)",
-      std::regex::icase);
-  std::string number;
-  for (std::sregex_iterator at(text.begin(), text.end(), line), end; at != end; ++at) {
-    number = (*at)[2];
-  }
-  return number;
 }
 
 support::Result<FolderPort> readFolderPort(const std::filesystem::path& folder,

@@ -223,15 +223,15 @@ void Client::lookForAnswer() {
 }
 
 void Client::learnSession(uint32_t session) {
-  if (!isNewerSession(next_session_, session)) {
-    next_session_ = nextSession(session);
+  if (!hookIsNewerSession(next_session_, session)) {
+    next_session_ = hookNextSession(session);
   }
 }
 
 uint16_t Client::instruct(Instruction instruction) {
   if (instruction.control == HookControl::Take) {
     session_ = next_session_;
-    next_session_ = nextSession(next_session_);
+    next_session_ = hookNextSession(next_session_);
     taken_ = false;
   } else if (instruction.control == HookControl::Steer && !taken_) {
     instruction.control = HookControl::Take;
@@ -249,10 +249,10 @@ void Client::renumber() {
   // `theirs` is at least as new as any number of an earlier program that hookbeh has decided on or
   // that is in the sensor array.
   const uint16_t theirs = settled_ != 0 ? settled_ : tick_.answered_sequence;
-  if (isNewerSequence(theirs, sequence_)) {
+  if (hookIsNewerSequence(theirs, sequence_)) {
     sequence_ = theirs;
   }
-  sequence_ = nextSequence(sequence_);
+  sequence_ = hookNextSequence(sequence_);
   pending_.sequence = sequence_;
 }
 
@@ -345,7 +345,7 @@ void Client::askForLink() {
   if (link_ == 0) {
     link_ = next_session_;
   } else if (link_used_) {
-    link_ = nextSession(link_);
+    link_ = hookNextSession(link_);
   }
   link_used_ = false;
   cycle_known_ = false;

@@ -95,7 +95,7 @@ double scaled(double digits, int exponent) {
                               1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                               1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
   constexpr int kLast = 22;
-  while (exponent > 0 && digits != 0 && isFinite(digits)) {
+  while (exponent > 0 && digits != 0 && hookIsFinite(digits)) {
     const int step = exponent < kLast ? exponent : kLast;
     digits *= kTens[step];
     exponent -= step;
@@ -131,7 +131,7 @@ bool readDecimal(const char* text, uint32_t count, double* value) {
     return false;
   }
   const double size = scaled(static_cast<double>(number.digits), number.exponent);
-  *value = !isFinite(size) ? __builtin_nan("") : negative ? -size : size;
+  *value = !hookIsFinite(size) ? __builtin_nan("") : negative ? -size : size;
   return true;
 }
 

@@ -4,7 +4,7 @@
 #include "hooks/hookbeh/hookbeh.h"
 
 #include "hooks/hookbeh/bounds.h"
-#include "hooks/protocol/memory.h"
+#include "hooks/protocol/c_library.h"
 #include "hooks/protocol/numbers.h"
 
 /// 10 m of water are 1 bar: the vehicle's own conversion.

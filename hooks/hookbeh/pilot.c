@@ -3,7 +3,7 @@
 
 #include "hooks/hookbeh/pilot.h"
 
-#include "hooks/protocol/memory.h"
+#include "hooks/protocol/c_library.h"
 #include "hooks/protocol/numbers.h"
 
 static const double kFullCircle = 6.283185307179586;

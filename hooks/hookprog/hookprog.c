@@ -3,8 +3,8 @@
 
 #include "hooks/hookprog/hookprog.h"
 
+#include "hooks/protocol/c_library.h"
 #include "hooks/protocol/features.h"
-#include "hooks/protocol/memory.h"
 #include "hooks/protocol/numbers.h"
 
 static const GliderRole kReportsOfHookbeh[] = {kGliderRoleHookState, kGliderRoleHookAnswered,

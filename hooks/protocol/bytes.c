@@ -3,7 +3,7 @@
 
 #include "hooks/protocol/bytes.h"
 
-#include "hooks/protocol/memory.h"
+#include "hooks/protocol/c_library.h"
 
 uint32_t hookBitsOfFloat(float value) {
   uint32_t bits = 0;

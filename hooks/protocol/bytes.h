@@ -104,13 +104,6 @@ class ByteReader {
   HookByteReader reader_;
 };
 
-// What these are called in C++:
-inline float floatOf(uint32_t bits) {
-  return hookFloatOf(bits);
-}
-inline double doubleOf(uint64_t bits) {
-  return hookDoubleOf(bits);
-}
 }  // namespace glider::hooks
 #endif
 

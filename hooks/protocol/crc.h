@@ -24,7 +24,7 @@ GLIDER_HOOKS_END
 
 #ifdef __cplusplus
 namespace glider::hooks {
-// What these are called in C++:
+// With the start of each by itself.
 inline uint16_t crc16(const uint8_t* bytes, uint32_t count, uint16_t before = 0xFFFF) {
   return hookCrc16(bytes, count, before);
 }

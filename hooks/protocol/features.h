@@ -35,7 +35,7 @@ GLIDER_HOOKS_END
 #ifdef __cplusplus
 namespace glider::hooks {
 using Features = HookFeatures;
-// What these are called in C++:
+// Of the type that a set of features has.
 #define FEATURE(name, bit, text) inline constexpr uint16_t kFeature##name = kHookFeature##name;
 #include "hooks/protocol/features.def"
 inline constexpr uint16_t kAllFeatures = kHookAllFeatures;

@@ -3,8 +3,8 @@
 
 #include "hooks/protocol/frame.h"
 
+#include "hooks/protocol/c_library.h"
 #include "hooks/protocol/crc.h"
-#include "hooks/protocol/memory.h"
 
 enum { kHead = 2 };  // type, sequence
 

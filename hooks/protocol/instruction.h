@@ -66,7 +66,7 @@ inline constexpr InstructionWord kInstructionWords[] = {
 #define CHECK_WORD(role, sensor, word, line) {kGliderRole##role, &InstructionWords::word},
 #include "hooks/protocol/instruction.def"
 };
-// What these are called in C++:
+// By reference, and by value.
 inline InstructionWords wordsOf(const Instruction& instruction) {
   InstructionWords words;
   hookWordsOf(&instruction, &words);

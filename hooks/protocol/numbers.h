@@ -64,31 +64,4 @@ GLIDER_INLINE bool hookIsWhole(double value, uint32_t lowest, uint32_t highest, 
 
 GLIDER_HOOKS_END
 
-#ifdef __cplusplus
-namespace glider::hooks {
-// What these are called in C++:
-inline bool isFinite(double value) {
-  return hookIsFinite(value);
-}
-inline double magnitude(double value) {
-  return hookMagnitude(value);
-}
-inline double atLeast(double value, double least) {
-  return hookAtLeast(value, least);
-}
-inline double atMost(double value, double most) {
-  return hookAtMost(value, most);
-}
-inline double between(double value, double lowest, double highest) {
-  return hookBetween(value, lowest, highest);
-}
-inline double asFloat32(double value) {
-  return hookAsFloat32(value);
-}
-inline bool isWhole(double value, uint32_t lowest, uint32_t highest, uint32_t* whole) {
-  return hookIsWhole(value, lowest, highest, whole);
-}
-}  // namespace glider::hooks
-#endif
-
 #endif

@@ -28,18 +28,4 @@ int32_t hookWholeSteps(double value, uint32_t per_unit, int32_t most);
 
 GLIDER_HOOKS_END
 
-#ifdef __cplusplus
-namespace glider::hooks {
-// What these are called in C++:
-inline constexpr uint32_t kMetreSteps = kHookMetreSteps, kRadianSteps = kHookRadianSteps,
-                          kMinuteSteps = kHookMinuteSteps;
-inline int32_t mostSteps(uint32_t bytes) {
-  return hookMostSteps(bytes);
-}
-inline int32_t wholeSteps(double value, uint32_t per_unit, int32_t most = 2000000000) {
-  return hookWholeSteps(value, per_unit, most);
-}
-}  // namespace glider::hooks
-#endif
-
 #endif

@@ -78,26 +78,8 @@ using ::HookControl;
 using ::HookLateral;
 using ::HookState;
 using ::HookVertical;
-// What these are called in C++:
-inline bool isHookState(uint8_t value) {
-  return hookIsState(value);
-}
-inline bool isHookAnswer(uint8_t value) {
-  return hookIsAnswer(value);
-}
-inline uint16_t nextSequence(uint16_t sequence) {
-  return hookNextSequence(sequence);
-}
-inline bool isNewerSequence(uint16_t sequence, uint16_t other) {
-  return hookIsNewerSequence(sequence, other);
-}
+// Of the types that these have on the line.
 inline constexpr uint32_t kMostSession = kHookMostSession;
-inline uint32_t nextSession(uint32_t session) {
-  return hookNextSession(session);
-}
-inline bool isNewerSession(uint32_t session, uint32_t other) {
-  return hookIsNewerSession(session, other);
-}
 inline constexpr uint8_t kMaskedHeading = kHookMaskedHeading, kMaskedPitch = kHookMaskedPitch,
                          kMaskedPump = kHookMaskedPump;
 }  // namespace glider::hooks

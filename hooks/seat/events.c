@@ -3,7 +3,7 @@
 
 #include "hooks/seat/events.h"
 
-#include "hooks/protocol/memory.h"
+#include "hooks/protocol/c_library.h"
 
 /// Notes leave this much room for what matters more.
 enum { kRoomBesideNotes = 16 };

@@ -3,7 +3,7 @@
 
 #include "hooks/seat/handle.h"
 
-#include "hooks/protocol/memory.h"
+#include "hooks/protocol/c_library.h"
 
 /// No link; reported once for each reason.
 static void refuse(HookSeat* seat, const HookHello* hello, uint16_t missing) {

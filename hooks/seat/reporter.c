@@ -3,7 +3,7 @@
 
 #include "hooks/seat/reporter.h"
 
-#include "hooks/protocol/memory.h"
+#include "hooks/protocol/c_library.h"
 #include "hooks/protocol/numbers.h"
 
 void hookReporterInit(HookReporter* reporter, const GliderDictionary* dictionary) {

@@ -3,7 +3,7 @@
 
 #include "hooks/seat/seat.h"
 
-#include "hooks/protocol/memory.h"
+#include "hooks/protocol/c_library.h"
 #include "hooks/protocol/numbers.h"
 #include "hooks/seat/handle.h"
 

@@ -207,7 +207,7 @@ Whereabouts Backseat::whereabouts() const {
   const double told = reported(kGliderRoleMagneticVariation);
   const double assumed = compass_ != nullptr ? -compass_->declination : __builtin_nan("");
   return {reported(mission_.latitude), reported(mission_.longitude),
-          hooks::magnitude(told) <= kHalfTurn ? told : assumed, depth_seen_.deep()};
+          hookMagnitude(told) <= kHalfTurn ? told : assumed, depth_seen_.deep()};
 }
 
 /// The program has answered a cycle: sends the vehicle what is in force now. While the line is
@@ -313,7 +313,7 @@ hooks::SeatState Backseat::state() const {
   const double clock = reported(kGliderRoleClock);
   const double time = reported(kGliderRoleMissionTime);
   hooks::SeatState state;
-  state.vehicle_time_s = hooks::isFinite(time) ? time : 0;
+  state.vehicle_time_s = hookIsFinite(time) ? time : 0;
   state.cycle = cycles_;
   state.hook_state = stand_in_.state();
   state.answer = stand_in_.answer();

@@ -24,7 +24,7 @@ void DepthSeen::turn(double depth_m) {
 }
 
 void DepthSeen::look(double depth_m) {
-  if (!hooks::isFinite(depth_m)) {
+  if (!hookIsFinite(depth_m)) {
     return;
   }
   const double back_m = climbs_ ? depth_m - extreme_m_ : extreme_m_ - depth_m;
@@ -34,7 +34,7 @@ void DepthSeen::look(double depth_m) {
     extreme_m_ = depth_m;
   }
   const double most_m = depth_m < kSurface ? 0 : depth_m + forget_m_;
-  deep_m_ = hooks::atMost(hooks::atLeast(depth_m, deep_m_), most_m);
+  deep_m_ = hookAtMost(hookAtLeast(depth_m, deep_m_), most_m);
 }
 
 }  // namespace glider::runtime::extctl

@@ -83,8 +83,8 @@ void PortWriter::InForce::range(double now_s, double* shallowest, double* deepes
   for (uint32_t i = 0; i + 1 < count_; ++i) {
     const double age_s = now_s - until_s_[i];
     if (age_s >= 0 && age_s < hooks::extctl::kSettleSecs) {
-      *shallowest = hooks::atMost(depths_m_[i], *shallowest);
-      *deepest = hooks::atLeast(depths_m_[i], *deepest);
+      *shallowest = hookAtMost(depths_m_[i], *shallowest);
+      *deepest = hookAtLeast(depths_m_[i], *deepest);
     }
   }
 }

@@ -26,16 +26,16 @@ StandIn::StandIn(const GliderPortMission& port, const VehicleMission* last)
 bool StandIn::isSameFlight(const VehicleMission& vehicle) const {
   const double by_mission = vehicle.time_s - last_.time_s;
   const double by_clock = vehicle.clock_s - last_.clock_s;
-  return by_mission >= 0 && hooks::magnitude(by_clock - by_mission) < kSameFlightSecs;
+  return by_mission >= 0 && hookMagnitude(by_clock - by_mission) < kSameFlightSecs;
 }
 
 /// Without a session. A program that was started again decides by the time since its checkpoint
 /// whether it goes on: to it the vehicle is Silent, as one that has lost its SBC.
 HookState StandIn::stateOf(const VehicleMission& vehicle) const {
-  if (!hooks::isFinite(vehicle.time_s) || vehicle.in_glider_dos == 1) {
+  if (!hookIsFinite(vehicle.time_s) || vehicle.in_glider_dos == 1) {
     return HookState::Absent;
   }
-  if (!hooks::isFinite(vehicle.program)) {
+  if (!hookIsFinite(vehicle.program)) {
     return isSameFlight(vehicle) ? HookState::Silent : HookState::Waiting;
   }
   return vehicle.program != static_cast<double>(port_.program) ? HookState::Absent
@@ -51,7 +51,7 @@ bool StandIn::goesOn(const VehicleMission& vehicle) const {
 /// Without a session.
 void StandIn::lookWhetherSafe(const VehicleMission& vehicle) {
   const bool flies = vehicle.program == static_cast<double>(port_.program) &&
-                     vehicle.in_glider_dos != 1 && hooks::isFinite(vehicle.time_s);
+                     vehicle.in_glider_dos != 1 && hookIsFinite(vehicle.time_s);
   if (!flies || knowsStart() || goesOn(vehicle)) {
     making_s_ = __builtin_nan("");
     return;
@@ -63,13 +63,13 @@ void StandIn::lookWhetherSafe(const VehicleMission& vehicle) {
 /// Of a session. The number of the mission file does not change within a mission: another one is a
 /// damaged sentence, which the vehicle would never correct.
 bool StandIn::isOver(const VehicleMission& vehicle) const {
-  return !hooks::isFinite(vehicle.time_s) || vehicle.in_glider_dos == 1 ||
+  return !hookIsFinite(vehicle.time_s) || vehicle.in_glider_dos == 1 ||
          (session_ == 0 && stateOf(vehicle) == HookState::Absent);
 }
 
 void StandIn::observe(const VehicleMission& vehicle, bool answered) {
   const bool restarted = vehicle.time_s < time_s_;
-  time_s_ = hooks::isFinite(vehicle.time_s) ? vehicle.time_s : time_s_;
+  time_s_ = hookIsFinite(vehicle.time_s) ? vehicle.time_s : time_s_;
   restarted_ = restarted_ || restarted;
   if (restarted || first_s_ != first_s_) {
     first_s_ = vehicle.time_s;
@@ -113,7 +113,7 @@ void StandIn::loseSession() {
 }
 
 void StandIn::instruct(const hooks::Instruction& instruction) {
-  if (answered_ != 0 && !hooks::isNewerSequence(instruction.sequence, answered_)) {
+  if (answered_ != 0 && !hookIsNewerSequence(instruction.sequence, answered_)) {
     if (instruction.sequence != answered_) {
       answer_ = HookAnswer::OldSequence;
     }
@@ -138,7 +138,7 @@ HookAnswer StandIn::decide(const hooks::Instruction& instruction) {
   if (state_ == HookState::Absent || state_ == HookState::Waiting || released()) {
     return HookAnswer::NotReady;
   }
-  if (takes ? lost_session_ != 0 && !hooks::isNewerSession(instruction.session, lost_session_)
+  if (takes ? lost_session_ != 0 && !hookIsNewerSession(instruction.session, lost_session_)
             : instruction.session != session_) {
     return HookAnswer::WrongSession;
   }

@@ -58,9 +58,8 @@ double upperEnd(double held_m, const GliderPortMission& port, const Whereabouts&
   if (at.deep_m >= (held_m + stock.dive_depth_m) / 2) {
     return held_m;
   }
-  const double kept_m = hooks::atMost(stock.climb_depth_m, held_m);
-  return hooks::atLeast(hooks::atMost(at.deep_m - port.hold_m, kept_m),
-                        hooks::extctl::kFirstClimbDepth);
+  const double kept_m = hookAtMost(stock.climb_depth_m, held_m);
+  return hookAtLeast(hookAtMost(at.deep_m - port.hold_m, kept_m), hooks::extctl::kFirstClimbDepth);
 }
 
 void dive(const hooks::Instruction& instruction, const GliderPortMission& port,

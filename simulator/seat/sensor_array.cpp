@@ -34,7 +34,7 @@ void SensorArray::set(uint16_t id, double value) {
   }
   constexpr double kLowest = -128, kHighest = 127;
   if (bytes_[id] == 4) {
-    value = hooks::asFloat32(value);
+    value = hookAsFloat32(value);
   } else if (bytes_[id] == 1 && !std::isnan(value)) {
     value = std::clamp(std::nearbyint(value), kLowest, kHighest);
   }

@@ -5,6 +5,9 @@
 
 #include "kit/example_behaviour.h"
 
+#include "hooks/protocol/sensors.h"
+
+#define GLIDER_DEFINE_DICTIONARY
 #include "platforms/slocum_sensors.h"
 
 #include <gtest/gtest.h>
@@ -40,32 +43,12 @@ ExampleFlight flightOn(Array& array) {
           }};
 }
 
-HookHull hull() {
-  HookHull hull;
-  hull.greatest_depth_m = GLIDER_HULL_GREATEST_DEPTH_M;
-  hull.steepest_pitch_rad = GLIDER_HULL_STEEPEST_PITCH_RAD;
-  hull.shallowest_pitch_rad = GLIDER_HULL_SHALLOWEST_PITCH_RAD;
-  hull.vertical_rate_m_s = GLIDER_HULL_VERTICAL_RATE_M_S;
-  hull.pump_cc = GLIDER_HULL_PUMP_CC;
-  hull.fin_rad = GLIDER_HULL_FIN_RAD;
-  hull.battery_in = GLIDER_HULL_BATTERY_IN;
-  return hull;
-}
-
 void putInstruction(Array& array, const HookInstruction& instruction) {
   HookInstructionWords words;
   hookWordsOf(&instruction, &words);
-  array.values[GLIDER_SCI_HOOK_SESSION] = words.session;
-  array.values[GLIDER_SCI_HOOK_SEQUENCE] = words.sequence;
-  array.values[GLIDER_SCI_HOOK_CONTROL] = words.control;
-  array.values[GLIDER_SCI_HOOK_VERTICAL] = words.vertical;
-  array.values[GLIDER_SCI_HOOK_LATERAL] = words.lateral;
-  array.values[GLIDER_SCI_HOOK_DEPTH] = words.hook_depth_m;
-  array.values[GLIDER_SCI_HOOK_PITCH] = words.hook_pitch_rad;
-  array.values[GLIDER_SCI_HOOK_HEADING] = words.hook_heading_rad;
-  array.values[GLIDER_SCI_HOOK_LAT] = words.hook_latitude_ddmm;
-  array.values[GLIDER_SCI_HOOK_LON] = words.hook_longitude_ddmm;
-  array.values[GLIDER_SCI_HOOK_CHECK] = words.check;
+  for (const hooks::InstructionWord& one : hooks::kInstructionWords) {
+    array.values.at(hookSensorOf(&gliderDictionary, one.role)) = words.*one.word;
+  }
 }
 
 /// What hookbeh must read from the array.
@@ -84,17 +67,9 @@ HookbehInputs inputsFrom(const Array& array) {
   in.commanded_pump_cc = v[GLIDER_C_BALLAST_PUMPED];
   in.ctd_bar =
       array.fresh[GLIDER_SCI_WATER_PRESSURE] ? v[GLIDER_SCI_WATER_PRESSURE] : hookUnknown();
-  in.words = {.session = v[GLIDER_SCI_HOOK_SESSION],
-              .sequence = v[GLIDER_SCI_HOOK_SEQUENCE],
-              .control = v[GLIDER_SCI_HOOK_CONTROL],
-              .vertical = v[GLIDER_SCI_HOOK_VERTICAL],
-              .lateral = v[GLIDER_SCI_HOOK_LATERAL],
-              .hook_depth_m = v[GLIDER_SCI_HOOK_DEPTH],
-              .hook_pitch_rad = v[GLIDER_SCI_HOOK_PITCH],
-              .hook_heading_rad = v[GLIDER_SCI_HOOK_HEADING],
-              .hook_latitude_ddmm = v[GLIDER_SCI_HOOK_LAT],
-              .hook_longitude_ddmm = v[GLIDER_SCI_HOOK_LON],
-              .check = v[GLIDER_SCI_HOOK_CHECK]};
+  for (const hooks::InstructionWord& one : hooks::kInstructionWords) {
+    in.words.*one.word = v.at(hookSensorOf(&gliderDictionary, one.role));
+  }
   return in;
 }
 
@@ -119,7 +94,8 @@ TEST(ExampleBehaviour, DoesWhatHookbehDoes) {
   Array array;
   array.values.fill(hookUnknown());
   HookbehArgs args;
-  const HookHull limits = hull();
+  HookHull limits;
+  exampleHull(&limits);
   const ExampleFlight flight = flightOn(array);
   exampleBehaviourInit(&flight, &args);
   ::Hookbeh same;

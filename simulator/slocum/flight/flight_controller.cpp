@@ -77,7 +77,7 @@ double FlightController::variation() const {
 
 double FlightController::felt(Sensor sensor, double truth) const {
   const double held = array_.get(sensor);
-  return held == hooks::asFloat32(truth) ? truth : held;
+  return held == hookAsFloat32(truth) ? truth : held;
 }
 
 /// Depth is computed from pressure, and its rate from depth: a fault of one is also in what is

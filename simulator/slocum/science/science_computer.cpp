@@ -86,7 +86,7 @@ void ScienceComputer::set(uint16_t id, double value) {
 }
 
 void ScienceComputer::store(uint16_t id, double value) {
-  values_[id] = bytes_[id] == 4 ? hooks::asFloat32(value) : value;
+  values_[id] = bytes_[id] == 4 ? hookAsFloat32(value) : value;
   fresh_[id] = 1;
 }
 

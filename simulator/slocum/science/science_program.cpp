@@ -31,10 +31,6 @@ std::vector<uint8_t> bytesOf(std::string_view hex) {
   return bytes;
 }
 
-double valueOf(uint64_t bits) {
-  return hookDoubleOf(bits);
-}
-
 /// An event as a line of it tells; none: it is not one.
 std::optional<hooks::SeatEvent> eventOf(const std::string& line) {
   hooks::SeatEvent event;
@@ -49,7 +45,7 @@ std::optional<hooks::SeatEvent> eventOf(const std::string& line) {
     return std::nullopt;
   }
   event.kind = static_cast<hooks::SeatEvent::Kind>(kind);
-  event.mission_time_s = valueOf(time);
+  event.mission_time_s = hookDoubleOf(time);
   const std::vector<uint8_t> said =
       bytesOf(std::string_view(line).substr(static_cast<size_t>(text)));
   std::copy_n(said.begin(), std::min(said.size(), sizeof event.text - 1), event.text);
@@ -66,7 +62,7 @@ std::optional<hooks::SbcView> viewOf(const std::string& line) {
     return std::nullopt;
   }
   view.known = known != 0;
-  view.mission_time_s = valueOf(time);
+  view.mission_time_s = hookDoubleOf(time);
   view.stack_depth = static_cast<uint8_t>(depth);
   view.phase = static_cast<hooks::MissionPhase>(phase);
   return view;
@@ -152,7 +148,7 @@ bool ScienceProgram::obey(const std::string& line, const hooks::ScienceMemory& m
   uint64_t bits = 0;
   if (std::sscanf(line.c_str(), "set %u %" SCNx64, &id, &bits) == 2 &&
       id < setup_.dictionary.count) {
-    memory.set(memory.self, static_cast<uint16_t>(id), valueOf(bits));
+    memory.set(memory.self, static_cast<uint16_t>(id), hookDoubleOf(bits));
   } else if (line.starts_with("bytes ")) {
     const std::vector<uint8_t> bytes = bytesOf(std::string_view(line).substr(6));
     to_sbc_.insert(to_sbc_.end(), bytes.begin(), bytes.end());

@@ -190,7 +190,7 @@ TEST_F(ClientTest, ANumberThatIsOldIsGivenUpForANewerOne) {
       const auto list = written(tick().at(0));
       head_.answered_sequence = static_cast<uint16_t>(list.values[10].value);
       EXPECT_EQ(client_.tick().instruction_sequence, head_.answered_sequence);
-      if (isNewerSequence(head_.answered_sequence, static_cast<uint16_t>(settled))) {
+      if (hookIsNewerSequence(head_.answered_sequence, static_cast<uint16_t>(settled))) {
         break;
       }
     }

@@ -220,7 +220,7 @@ TEST(HookbehHover, FollowsAMotionAndNotTheSwell) {
     }
     // A period of 9 s.
     const double waves = commandOf(swell, {20 + 0.5 * __builtin_sin(0.7 * 4 * i), kNan}).pump_cc;
-    strokes_cc += magnitude(waves - before);
+    strokes_cc += hookMagnitude(waves - before);
     before = waves;
   }
   EXPECT_EQ(pump, 230);

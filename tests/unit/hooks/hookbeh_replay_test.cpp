@@ -123,12 +123,12 @@ TEST_F(HookbehReplay, NewerIsLessThanHalfTheCircleAhead) {
                            {1, 32769, true},
                            {7, 0, true},
                            {65535, 0, true}}) {
-    EXPECT_EQ(isNewerSequence(pair.sequence, pair.other), pair.newer)
+    EXPECT_EQ(hookIsNewerSequence(pair.sequence, pair.other), pair.newer)
         << pair.sequence << " after " << pair.other;
   }
-  EXPECT_EQ(nextSequence(0), 1);
-  EXPECT_EQ(nextSequence(65534), 65535);
-  EXPECT_EQ(nextSequence(65535), 1);
+  EXPECT_EQ(hookNextSequence(0), 1);
+  EXPECT_EQ(hookNextSequence(65534), 65535);
+  EXPECT_EQ(hookNextSequence(65535), 1);
 }
 
 TEST_F(HookbehReplay, RoundTheCircleOldOnesStayOld) {

@@ -260,10 +260,10 @@ TEST(MessageEdges, TextsUpToTheirLongest) {
 
 TEST(MessageEdges, NewerIsLessThanHalfOfTheRoundAhead) {
   const uint32_t half = kMostSession / 2;
-  EXPECT_TRUE(isNewerSession(1 + half - 1, 1));
-  EXPECT_FALSE(isNewerSession(1 + half + 1, 1));
-  EXPECT_TRUE(isNewerSession(10, kMostSession - 10)) << "20 ahead, counting round";
-  EXPECT_FALSE(isNewerSession(kMostSession - 10, 10));
+  EXPECT_TRUE(hookIsNewerSession(1 + half - 1, 1));
+  EXPECT_FALSE(hookIsNewerSession(1 + half + 1, 1));
+  EXPECT_TRUE(hookIsNewerSession(10, kMostSession - 10)) << "20 ahead, counting round";
+  EXPECT_FALSE(hookIsNewerSession(kMostSession - 10, 10));
 }
 
 }  // namespace

@@ -229,16 +229,16 @@ TEST(Messages, AFullListReportsItAndStaysWhole) {
 }
 
 TEST(Messages, SessionsCountRound) {
-  EXPECT_EQ(nextSession(1), 2U);
-  EXPECT_EQ(nextSession(kMostSession), 1U);
-  EXPECT_TRUE(isNewerSession(1, 0));
-  EXPECT_TRUE(isNewerSession(kMostSession, 0));
-  EXPECT_FALSE(isNewerSession(0, 0));
-  EXPECT_TRUE(isNewerSession(6, 5));
-  EXPECT_FALSE(isNewerSession(5, 5));
-  EXPECT_FALSE(isNewerSession(4, 5));
-  EXPECT_TRUE(isNewerSession(1, kMostSession));
-  EXPECT_FALSE(isNewerSession(kMostSession, 1));
+  EXPECT_EQ(hookNextSession(1), 2U);
+  EXPECT_EQ(hookNextSession(kMostSession), 1U);
+  EXPECT_TRUE(hookIsNewerSession(1, 0));
+  EXPECT_TRUE(hookIsNewerSession(kMostSession, 0));
+  EXPECT_FALSE(hookIsNewerSession(0, 0));
+  EXPECT_TRUE(hookIsNewerSession(6, 5));
+  EXPECT_FALSE(hookIsNewerSession(5, 5));
+  EXPECT_FALSE(hookIsNewerSession(4, 5));
+  EXPECT_TRUE(hookIsNewerSession(1, kMostSession));
+  EXPECT_FALSE(hookIsNewerSession(kMostSession, 1));
 }
 
 TEST(Messages, LockstepWaitsForTheDoneOfTheNewestFrame) {

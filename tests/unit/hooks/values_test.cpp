@@ -82,18 +82,20 @@ TEST(Values, EveryStepSurvivesSixDecimalsAndTheArray) {
   };
   const auto survives = [&](double step, uint32_t per_unit, uint32_t bytes, double least,
                             double most) {
-    const int64_t first = wholeSteps(least, per_unit);
-    const int64_t last = wholeSteps(most, per_unit);
+    const int64_t first = hookWholeSteps(least, per_unit, hookMostSteps(8));
+    const int64_t last = hookWholeSteps(most, per_unit, hookMostSteps(8));
     for (int64_t i = first; i <= last; i += (last - first) / 100000 + 1) {
       const double sent = static_cast<double>(i) / per_unit;
-      const double kept = bytes == 4 ? asFloat32(sent) : sent;
-      ASSERT_EQ(wholeSteps(cut(kept), per_unit, mostSteps(bytes)), i) << step;
-      ASSERT_EQ(wholeSteps(asFloat32(bytes == 4 ? cut(kept) : 0), per_unit), bytes == 4 ? i : 0);
+      const double kept = bytes == 4 ? hookAsFloat32(sent) : sent;
+      ASSERT_EQ(hookWholeSteps(cut(kept), per_unit, hookMostSteps(bytes)), i) << step;
+      ASSERT_EQ(
+          hookWholeSteps(hookAsFloat32(bytes == 4 ? cut(kept) : 0), per_unit, hookMostSteps(8)),
+          bytes == 4 ? i : 0);
     }
   };
-  survives(0.001, kMetreSteps, 4, 0, 1200);
-  survives(0.00001, kRadianSteps, 4, -6.28319, 6.28319);
-  survives(0.00001, kMinuteSteps, 8, -18000, 18000);
+  survives(0.001, kHookMetreSteps, 4, 0, 1200);
+  survives(0.00001, kHookRadianSteps, 4, -6.28319, 6.28319);
+  survives(0.00001, kHookMinuteSteps, 8, -18000, 18000);
 }
 
 TEST(Values, TheReadmesCheckValue) {
@@ -120,12 +122,12 @@ TEST(Values, EveryFieldCounts) {
 }
 
 TEST(Sequences, NumbersAreNewerUpToHalfOfTheRoundAhead) {
-  EXPECT_FALSE(isNewerSequence(0, 0));
-  EXPECT_FALSE(isNewerSequence(0, 65534)) << "no number of an instruction";
-  EXPECT_TRUE(isNewerSequence(1, 0));
-  EXPECT_TRUE(isNewerSequence(32768, 1)) << "half of the round";
-  EXPECT_FALSE(isNewerSequence(32769, 1));
-  EXPECT_FALSE(isNewerSequence(9, 9));
+  EXPECT_FALSE(hookIsNewerSequence(0, 0));
+  EXPECT_FALSE(hookIsNewerSequence(0, 65534)) << "no number of an instruction";
+  EXPECT_TRUE(hookIsNewerSequence(1, 0));
+  EXPECT_TRUE(hookIsNewerSequence(32768, 1)) << "half of the round";
+  EXPECT_FALSE(hookIsNewerSequence(32769, 1));
+  EXPECT_FALSE(hookIsNewerSequence(9, 9));
 }
 
 }  // namespace

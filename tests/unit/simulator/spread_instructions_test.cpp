@@ -46,11 +46,11 @@ double over(Path path, double value) {
     case Path::CutOff:
       return cut(value);
     case Path::Narrow:
-      return hooks::asFloat32(value);
+      return hookAsFloat32(value);
     case Path::NarrowAndCutOff:
-      return cut(hooks::asFloat32(value));
+      return cut(hookAsFloat32(value));
     case Path::Twice:
-      return hooks::asFloat32(cut(hooks::asFloat32(value)));
+      return hookAsFloat32(cut(hookAsFloat32(value)));
   }
   return value;
 }
@@ -71,7 +71,7 @@ class RandomInstructions {
     before_ = newest_;
     Instruction next = newest_;
     next.session = 7;
-    next.sequence = hooks::nextSequence(next.sequence);
+    next.sequence = hookNextSequence(next.sequence);
     const bool deeper = chance(2);
     if (chance(2)) {
       next.vertical = deeper ? hooks::HookVertical::Descend : hooks::HookVertical::Ascend;

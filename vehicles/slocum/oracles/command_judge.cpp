@@ -106,10 +106,10 @@ HookAnswer CommandJudge::boundsOf(const Instruction& instruction) const {
     return HookAnswer::BadPitch;
   }
   if (instruction.vertical == HookVertical::Actuators) {
-    if (!(std::fabs(depth) <= hooks::asFloat32(s_.args.greatest_pump_cc))) {
+    if (!(std::fabs(depth) <= hookAsFloat32(s_.args.greatest_pump_cc))) {
       return HookAnswer::BadPump;
     }
-    if (!(std::fabs(instruction.pitch_rad) <= hooks::asFloat32(s_.args.greatest_battery_in))) {
+    if (!(std::fabs(instruction.pitch_rad) <= hookAsFloat32(s_.args.greatest_battery_in))) {
       return HookAnswer::BadBattery;
     }
   }

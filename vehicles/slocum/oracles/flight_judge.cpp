@@ -164,8 +164,8 @@ void FlightJudge::judgeSession(const CycleView& view, Number number, const Words
   if (begins && view.hook == HookState::Active) {
     if (words_obeyed.control != kTake) {
       violate(JudgeId::Instructions, view.time_s, "control is taken without a handshake");
-    } else if (lost_session_ != 0 && !hooks::isNewerSession(static_cast<uint32_t>(number.first),
-                                                            static_cast<uint32_t>(lost_session_))) {
+    } else if (lost_session_ != 0 && !hookIsNewerSession(static_cast<uint32_t>(number.first),
+                                                         static_cast<uint32_t>(lost_session_))) {
       violate(JudgeId::Instructions, view.time_s,
               fmt::format("session {} takes control though session {} has lost it", number.first,
                           lost_session_));

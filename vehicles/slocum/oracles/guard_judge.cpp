@@ -133,8 +133,8 @@ bool GuardJudge::isTooSoon(const CycleView& view, double silent_s) const {
 std::string GuardJudge::judgeHeartbeat(const CycleView& view) {
   const double beat = view.array.get(Sensor::sci_hook_heartbeat);
   const bool whole = beat >= 0 && beat <= hooks::kMostSession && std::floor(beat) == beat;
-  const bool newer = whole && hooks::isNewerSession(static_cast<uint32_t>(beat),
-                                                    static_cast<uint32_t>(heartbeat_));
+  const bool newer =
+      whole && hookIsNewerSession(static_cast<uint32_t>(beat), static_cast<uint32_t>(heartbeat_));
   const bool was_active = hook_ == HookState::Active;
   if (!was_active || newer) {
     heartbeat_ = whole ? beat : heartbeat_;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#ifndef GLIDER_HOOKS_PROTOCOL_MEMORY_H
-#define GLIDER_HOOKS_PROTOCOL_MEMORY_H
+#ifndef GLIDER_HOOKS_PROTOCOL_C_LIBRARY_H
+#define GLIDER_HOOKS_PROTOCOL_C_LIBRARY_H
 
 /// The functions of the C library that the hooks call, for compilers that come without its headers
 /// (freestanding C99 has no string.h). Only for C sources.

@@ -181,6 +181,9 @@ TEST_F(PortCommand, ACampaignSeesWhatAMissionFileDoesWrong) {
        "on the bottom at"},
       {"start_when(enum) 12", "start_when(enum) 5", "--fault 'SBC power cut'", "under water for"},
       {"when_secs(s) 3600", "when_secs(s) 1e9", "--fault 'SBC power cut'", "under water for"},
+      // A line that says nothing wrong excuses nothing.
+      {"overtime(s) -1", "overtime(s) 600", "--fault 'line cut'", "aborted its mission"},
+      {"overtime(s) -1", "overtime(s) 600", "--fault delay", "aborted its mission"},
   };
   for (const auto& [line, by, options, seen] : rows) {
     std::string twin = mission;
@@ -191,6 +194,14 @@ TEST_F(PortCommand, ACampaignSeesWhatAMissionFileDoesWrong) {
     EXPECT_EQ(flown.status, 1) << by << flown.out << flown.err;
     EXPECT_THAT(flown.out, HasSubstr(seen)) << by;
   }
+  // Without a limit of depth, the time up is that from the hull's.
+  std::string twin = mission;
+  const auto limit = twin.find("    b_arg: overdepth(m) ");
+  twin.erase(limit, twin.find('\n', limit) + 1 - limit);
+  const auto timer = twin.find("start_when(enum) 12");
+  write("port/vehicle/missions/samplemi.mi", twin.replace(timer, 19, "start_when(enum) 5"));
+  EXPECT_THAT(run("campaign port --flights 24 --fault 'SBC power cut'").out,
+              HasSubstr("under water for"));
 }
 
 // accepts: GL5120

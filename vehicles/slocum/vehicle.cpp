@@ -10,6 +10,8 @@
 #include "vehicles/slocum/rules/port/port_whole.h"
 #include "vehicles/slocum/rules/slocum_mission.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace glider::vehicles {
@@ -41,13 +43,16 @@ std::unique_ptr<simulator::Judge> makePortJudge(const FlightToJudge& flight) {
   if (!faults.sensors.empty() || !faults.clock.empty() || !faults.flight.empty()) {
     return std::make_unique<slocum::oracles::PortJudge>(promise);  // nothing on it notices those
   }
-  promise.deepest_m = damaged ? port.deepest_m
-                              : file.commands.greatest_depth_m.value_or(port.deepest_m) +
+  // A file without overdepth, which `check` refuses: then the hull's depth.
+  const double deepest_m =
+      std::isfinite(port.deepest_m) ? port.deepest_m : platform.envelope.greatest_depth_m;
+  promise.deepest_m = damaged ? deepest_m
+                              : file.commands.greatest_depth_m.value_or(deepest_m) +
                                     platform.envelope.inflection_overshoot_m;
   // A file that does not bring it up, which `check` refuses, is to be seen in flights too: it is
   // compared with the usual one.
   const double usual_s = slocum::PortChoice{}.surface_after_s + platform.world.turn_s +
-                         port.deepest_m / platform.world.slowest_climb_m_s;
+                         deepest_m / platform.world.slowest_climb_m_s;
   const bool stated =
       silence.proved() && silence.parts.front().seconds <= slocum::kMostSurfaceAfter;
   promise.under_s = stated ? silence.seconds() : usual_s;

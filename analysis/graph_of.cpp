@@ -41,7 +41,7 @@ class GraphMaker {
  public:
   GraphMaker(const compiler::Lowered& lowered, const std::map<ir::CasePlace, bool>& dead)
       : sources_(*lowered.sources),
-        in_the_language_(lowered.standard_library.has_value()),
+        in_the_language_(!lowered.standard_library.empty()),
         mission_(lowered.mission),
         dead_(dead),
         led_(mission_),

@@ -67,11 +67,16 @@ support::Result<void> reportTrialFlight(const compiler::Optimised& mission,
   if (flights::RequirementWatch::canWatch(mission)) {
     watch.emplace(mission);
   }
-  const auto trace = fly(
-      mission,
-      flights::startInProcess(std::make_shared<const codegen::LoadedMission>(std::move(*loaded)),
-                              *parameters, !scenario.faults.empty(), watch ? &*watch : nullptr),
-      {scenario, scenario.seed});
+  const auto end = flights::usualEnd(mission.platform());
+  if (!end) {
+    return std::unexpected(end.error());
+  }
+  const auto trace =
+      fly(mission,
+          flights::startInProcess(
+              std::make_shared<const codegen::LoadedMission>(std::move(*loaded)), *parameters,
+              !scenario.faults.empty(), watch ? &*watch : nullptr, *end),
+          {scenario, scenario.seed});
   if (!trace) {
     return std::unexpected(trace.error());
   }

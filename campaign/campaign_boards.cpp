@@ -60,8 +60,13 @@ class Binary {
         return std::unexpected(made.error());
       }
       folder_.emplace(std::move(*made));
+      auto end = flights::usualEnd(mission_->platform());
+      if (!end) {
+        return std::unexpected(end.error());
+      }
+      port_ = *end;
       auto built = flights::buildOnBoard(*mission_, launch_, user_code_, board_,
-                                         folder_->path() / mission_->mission.name);
+                                         folder_->path() / mission_->mission.name, port_);
       if (!built) {
         return std::unexpected(built.error());
       }
@@ -69,12 +74,13 @@ class Binary {
     }
     constexpr double kHangSecs = 120;  // the machine is busy, and a verdict must not depend on it
     return flights::startOnBoard(board_, command_, launch_, folder, mission_->mission.name,
-                                 kHangSecs);
+                                 kHangSecs, port_);
   }
 
  private:
   std::shared_ptr<const compiler::Optimised> mission_;
   flights::LaunchChoice launch_;
+  std::optional<flights::PortEnd> port_;
   std::vector<std::string> user_code_;
   std::string board_;
   std::optional<ScratchFolder> folder_;

@@ -3,6 +3,7 @@
 
 #include "compiler/compilation.h"
 
+#include "compiler/library.h"
 #include "compiler/share.h"
 #include "compiler/vehicles_own.h"
 #include "frontend/frontend.h"
@@ -60,20 +61,22 @@ Result<std::optional<platforms::Platform>> choosePlatform(const ast::File& missi
   return std::move(*platform);
 }
 
-/// Adds the standard library to `parsed`; false if it does not parse. The file is part of glidercc,
-/// but an error in it is shown like any other.
+/// Adds the standard library to `parsed`; false if it does not parse. The files are part of
+/// glidercc, but an error in one is shown like any other.
 Result<bool> addLibrary(Parsed& parsed, support::SourceManager& sources,
                         support::DiagnosticEngine& diagnostics) {
-  const auto file = addSource(sources, shareDirectory() / "library" / "standard.mission");
-  if (!file) {
-    return std::unexpected(file.error());
+  for (const LibraryFile& part : libraryFor(parsed.platform)) {
+    const auto file = addSource(sources, part.path);
+    if (!file) {
+      return std::unexpected(file.error());
+    }
+    auto library = frontend::parse(sources, *file, diagnostics);
+    if (!library) {
+      return false;
+    }
+    addPart(part, std::move(*library), parsed);
   }
-  parsed.standard_library = *file;
-  auto library = frontend::parse(sources, *file, diagnostics);
-  if (library) {
-    parsed.libraries.push_back(std::move(*library));
-  }
-  return library.has_value();
+  return true;
 }
 
 /// Empty if its structure could not be recognised, or a file that it needs is missing.
@@ -106,7 +109,7 @@ Result<std::shared_ptr<const Parsed>> parse(uint32_t file, support::SourceManage
 std::shared_ptr<const Lowered> lower(const Parsed& parsed,
                                      std::shared_ptr<const support::SourceManager> sources,
                                      support::DiagnosticEngine& diagnostics) {
-  frontend::AnalysisInputs inputs{parsed.platform, {}, *sources};
+  frontend::AnalysisInputs inputs{parsed.platform, {}, *sources, parsed.standard_library.size()};
   for (const ast::File& library : parsed.libraries) {
     inputs.library.push_back(&library);
   }

@@ -14,6 +14,7 @@
 #include "support/result.h"
 #include "support/source_manager.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -29,9 +30,9 @@ namespace glider::compiler {
 /// A mission's text as its syntax tree, and what its names can mean.
 struct Parsed {
   ast::File mission;
-  uint32_t standard_library = 0;     ///< number of its file
-  std::vector<ast::File> libraries;  ///< the standard one first, then the imported ones
-  platforms::Platform platform;      ///< the one that the mission names
+  std::vector<uint32_t> standard_library;  ///< numbers of its files
+  std::vector<ast::File> libraries;        ///< the standard ones first, then the imported ones
+  platforms::Platform platform;            ///< the one that the mission names
 };
 
 /// A mission in which every name and type is known; its structure may still have errors.
@@ -40,7 +41,11 @@ struct Lowered {
   ir::Mission mission;
   ir::CInterface in_c;  ///< what it declares in C
   platforms::Platform platform;
-  std::optional<uint32_t> standard_library;  ///< number of its file; none for the IR's text form
+  std::vector<uint32_t> standard_library;  ///< numbers of its files; none for the IR's text form
+
+  [[nodiscard]] bool inStandardLibrary(uint32_t file) const {
+    return std::ranges::find(standard_library, file) != standard_library.end();
+  }
 };
 
 /// A mission without errors.

@@ -3,6 +3,7 @@
 
 #include "compiler/symbols.h"
 
+#include "compiler/library.h"
 #include "compiler/share.h"
 #include "frontend/import/imports.h"
 #include "platforms/load/load_platform.h"
@@ -38,20 +39,21 @@ Result<Parsed> readIntact(support::SourceManager& sources) {
     return std::unexpected(platform.error());
   }
   parsed.platform = std::move(*platform);
-  const std::filesystem::path library = shareDirectory() / "library" / "standard.mission";
-  auto text = support::readFile(library);
-  if (!text) {
-    return std::unexpected(text.error());
+  for (const LibraryFile& part : libraryFor(parsed.platform)) {
+    auto text = support::readFile(part.path);
+    if (!text) {
+      return std::unexpected(text.error());
+    }
+    const uint32_t file = sources.add(part.path.string(), std::move(*text));
+    addPart(part, frontend::parseIntact(sources, file), parsed);
   }
-  parsed.standard_library = sources.add(library.string(), std::move(*text));
-  parsed.libraries.push_back(frontend::parseIntact(sources, parsed.standard_library));
   std::ranges::move(frontend::loadIntactImports(parsed.mission, sources),
                     std::back_inserter(parsed.libraries));
   return parsed;
 }
 
 Symbols namesOf(const Parsed& parsed, std::shared_ptr<const support::SourceManager> sources) {
-  frontend::AnalysisInputs inputs{parsed.platform, {}, *sources};
+  frontend::AnalysisInputs inputs{parsed.platform, {}, *sources, parsed.standard_library.size()};
   for (const ast::File& library : parsed.libraries) {
     inputs.library.push_back(&library);
   }

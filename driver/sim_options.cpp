@@ -53,6 +53,12 @@ support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
       return std::unexpected(end.error());
     }
     port = *end;
+  } else if (mission != nullptr) {
+    auto end = flights::usualEnd(mission->platform());
+    if (!end) {
+      return std::unexpected(end.error());
+    }
+    port = *end;
   }
   if (!options.serial.empty()) {
     return flights::sbcOnSerialLine(options.serial, options.lockstep, port);

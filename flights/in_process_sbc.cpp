@@ -26,7 +26,7 @@ std::string exitReasonOf(uint32_t failed_check) {
 
 InProcessSbc::InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission,
                            std::vector<double> parameters, std::shared_ptr<Card> card,
-                           bool keeps_time, const std::optional<GliderPortMission>& port)
+                           bool keeps_time, const std::optional<SeatSettings>& port)
     : mission_(std::move(mission)),
       parameters_(std::move(parameters)),
       card_(std::move(card)),
@@ -38,9 +38,8 @@ InProcessSbc::InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission
   kept_ = findKept();
   const GliderRuntimeOptions options{{}, parameters_.data(), store, 0};
   if (port) {
-    backseat_ = std::make_unique<runtime::extctl::Backseat>(
-        mission_->mission(), *port, GliderByteStream{this, readBytes, writeBytes},
-        runtime::extctl::BackseatOptions{.checkpoint = kept_ ? &kept_link_ : nullptr});
+    seat_ = makeSeat(*port, mission_->mission(), GliderByteStream{this, readBytes, writeBytes},
+                     kept_ ? &kept_link_ : nullptr);
   }
   runtime_ = mission_->init(runtime_memory_.get(), context_memory_.get(), &options);
 }
@@ -139,7 +138,7 @@ void InProcessSbc::run() {
   // A poll handles a frame of what was delivered, or one of the few time-outs that may be due.
   constexpr int kMostPolls = 10000;
   const GliderByteStream stream =
-      backseat_ ? backseat_->stream() : GliderByteStream{this, readBytes, writeBytes};
+      seat_.holder ? seat_.stream : GliderByteStream{this, readBytes, writeBytes};
   const GliderClock clock{this, now};
   for (int i = 0; i < kMostPolls && alive() && !finished_; ++i) {
     const GliderRuntimeStatus status = mission_->poll(runtime_, stream, clock);
@@ -169,7 +168,7 @@ std::vector<uint8_t> InProcessSbc::collect() {
   run();
   lockstep_.fromSbc(from_sbc_.data(), static_cast<uint32_t>(from_sbc_.size()));
   // Ends as the program on a board does; the vehicle notices when it does not answer any more.
-  const bool owes = backseat_ ? taken_ != to_sbc_.size() : !lockstep_.settled();
+  const bool owes = seat_.holder ? taken_ != to_sbc_.size() : !lockstep_.settled();
   if (finished_ && owes) {
     end("exited with status 0");
   }

@@ -4,12 +4,11 @@
 #pragma once
 
 #include "codegen/load/loaded_mission.h"
+#include "flights/seat_on_board.h"
 #include "hooks/protocol/lockstep.h"
 #include "hooks/transport/byte_stream.h"
-#include "runtime/abi/port_mission.h"
 #include "runtime/abi/runtime.h"
 #include "runtime/checkpoint/checkpoint.h"
-#include "runtime/extctl/backseat.h"
 #include "simulator/ports/sbc_port.h"
 
 #include <cstdint>
@@ -30,11 +29,11 @@ class InProcessSbc final : public simulator::SbcPort {
  public:
   /// `parameters`: one value each, as the mission allows them. `keeps_time`: its clock is the
   /// vehicle's, and time-outs expire; otherwise its clock does not advance between frames. `card`:
-  /// where it stores its checkpoints. `port`: it is at the vehicle's port for a backseat driver;
-  /// none: at hookprog's.
+  /// where it stores its checkpoints. `port`: it is at another port of the vehicle; none: at
+  /// hookprog's.
   InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission,
                std::vector<double> parameters, std::shared_ptr<Card> card, bool keeps_time = false,
-               const std::optional<GliderPortMission>& port = {});
+               const std::optional<SeatSettings>& port = {});
 
   /// Calls `watcher` each time that the runtime has been polled, once its mission has started, with
   /// the runtime's context and the vehicle's time, s.
@@ -77,7 +76,7 @@ class InProcessSbc final : public simulator::SbcPort {
   std::vector<uint8_t> to_sbc_;
   size_t taken_ = 0;  ///< bytes of to_sbc_ already read
   std::vector<uint8_t> from_sbc_;
-  std::unique_ptr<runtime::extctl::Backseat> backseat_;  ///< null: hookprog's frames
+  SeatOnBoard seat_;
   hooks::Lockstep lockstep_;
   double now_s_ = 0;          ///< by its own clock
   double vehicle_now_s_ = 0;  ///< by that of the simulated world

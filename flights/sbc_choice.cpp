@@ -4,6 +4,7 @@
 #include "flights/sbc_choice.h"
 
 #include "codegen/codegen.h"
+#include "codegen/front_seats/imc_mission.h"
 #include "compiler/boards.h"
 #include "compiler/user_code.h"
 #include "flights/in_process_sbc.h"
@@ -18,6 +19,23 @@ using simulator::SbcPort;
 using simulator::SerialSbcPort;
 using simulator::StartSbc;
 using support::Result;
+
+std::unique_ptr<simulator::LineTurns> PortEnd::turns() const {
+  return std::holds_alternative<GliderImcMission>(mission) ? simulator::imcTurns()
+                                                           : simulator::portTurns(clock);
+}
+
+Result<std::optional<PortEnd>> usualEnd(const platforms::Platform& platform) {
+  if (!codegen::speaksImc(platform)) {
+    return std::nullopt;
+  }
+  auto imc = codegen::imcMissionOf(platform);
+  if (!imc) {
+    return std::unexpected(imc.error());
+  }
+  constexpr uint32_t kBaud = 115200;  // of a serial line, where one takes the place of the network
+  return PortEnd{*imc, 0, kBaud};
+}
 
 Result<NewWatchedFlight> flightsInProcess(const compiler::Optimised& mission,
                                           const LaunchChoice& launch,
@@ -66,7 +84,7 @@ StartSbc starterOf(std::string way, std::vector<std::string> command,
   return [way = std::move(way), command = std::move(command), card = std::move(card), hang_secs,
           port]() -> Result<std::unique_ptr<SbcPort>> {
     return ProcessSbcPort::start(way, command, hang_secs, card,
-                                 port ? simulator::portTurns(port->clock) : simulator::hookTurns());
+                                 port ? port->turns() : simulator::hookTurns());
   };
 }
 
@@ -92,7 +110,8 @@ Result<std::vector<std::string>> buildOnBoard(const compiler::Optimised& mission
   }
   codegen::CodegenOptions options;
   options.sources = &mission.sources();
-  options.port = port ? std::optional(port->mission) : std::nullopt;
+  const auto* slocum = port ? std::get_if<GliderPortMission>(&port->mission) : nullptr;
+  options.port = slocum != nullptr ? std::optional(*slocum) : std::nullopt;
   code->addTo(options);
   const auto built = codegen::linkExecutable(mission.input(), *target, options, binary);
   if (!built) {
@@ -147,7 +166,7 @@ StartSbc sbcOnSerialLine(const std::string& device, bool lockstep,
                          const std::optional<PortEnd>& port) {
   const auto pace = lockstep ? SerialSbcPort::Pace::Lockstep : SerialSbcPort::Pace::RealTime;
   return [device, pace, port]() -> Result<std::unique_ptr<SbcPort>> {
-    return port ? SerialSbcPort::open(device, pace, port->baud, simulator::portTurns(port->clock))
+    return port ? SerialSbcPort::open(device, pace, port->baud, port->turns())
                 : SerialSbcPort::open(device, pace);
   };
 }

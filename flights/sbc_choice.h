@@ -6,7 +6,9 @@
 #include "compiler/compilation.h"
 #include "flights/launch_choice.h"
 #include "flights/requirement_watch.h"
-#include "runtime/abi/port_mission.h"
+#include "flights/seat_on_board.h"
+#include "platforms/load/platform.h"
+#include "simulator/ports/line_turns.h"
 #include "simulator/ports/sbc_port.h"
 #include "support/result.h"
 
@@ -19,12 +21,18 @@
 
 namespace glider::flights {
 
-/// The SBC is at the vehicle's port for a backseat driver, not at hookprog's.
+/// The SBC is at a port of the vehicle that is not hookprog's: the Slocum's for a backseat driver,
+/// or one that speaks IMC.
 struct PortEnd {
-  GliderPortMission mission;
-  uint32_t clock;  ///< the index on the port of the vehicle's clock
-  uint32_t baud;   ///< of the line, as the vehicle's list of sensors says
+  SeatSettings mission;
+  uint32_t clock = 0;  ///< the index on a Slocum's port of the vehicle's clock
+  uint32_t baud = 0;   ///< of the line, as the vehicle's list of sensors says
+
+  [[nodiscard]] std::unique_ptr<simulator::LineTurns> turns() const;
 };
+
+/// The end for a vehicle that has no hookprog; empty: hookprog's.
+support::Result<std::optional<PortEnd>> usualEnd(const platforms::Platform& platform);
 
 /// Returns, for each flight, what starts its SBC with a card of its own.
 using NewFlight = std::function<simulator::StartSbc()>;

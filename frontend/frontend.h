@@ -31,8 +31,9 @@ ast::File parseIntact(const support::SourceManager& sources, uint32_t file);
 /// The inputs of a mission's analysis.
 struct AnalysisInputs {
   const platforms::Platform& platform;    ///< the one that platformName() names
-  std::vector<const ast::File*> library;  ///< parsed library files, the standard one first
+  std::vector<const ast::File*> library;  ///< parsed library files, the standard ones first
   const support::SourceManager& sources;  ///< holds the texts of the mission and the library
+  size_t standard = 1;                    ///< how many of them are the standard library's
 };
 
 /// The platform that `mission` names: platforms::kDefaultPlatform if it names none.

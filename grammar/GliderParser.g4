@@ -30,7 +30,7 @@ always : ALWAYS eventCase+ ;
 state : STATE anyName formals? BEGIN member* END ;
 behaviour : (FLIGHTPROFILE | FLIGHTROUTE) name formals? BEGIN member* END ;
 formals : LPAREN (formal (COMMA formal)*)? RPAREN ;
-formal : anyName COLON type ;
+formal : anyName COLON type (ASSIGN expr)? ;
 
 member
   : FLIGHTROUTE use       # routeMember

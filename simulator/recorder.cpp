@@ -3,6 +3,7 @@
 
 #include "simulator/recorder.h"
 
+#include "hooks/protocol/sensors.h"
 #include "simulator/geography/ddmm.h"
 #include "simulator/sensors/provided.h"
 
@@ -60,7 +61,8 @@ void Recorder::addInstruments(const platforms::Platform& platform, const Scenari
       continue;
     }
     for (const InstrumentSensor& sensor : instrument->sensors()) {
-      if (sensor.column_unit != nullptr) {
+      const bool there = numberOf(platform, sensor.name) != hooks::kNoSensor;
+      if (sensor.column_unit != nullptr && there) {
         columns_.push_back({nullptr, numberOf(platform, sensor.name), true});
         trace_.columns.push_back({std::string(sensor.name), sensor.column_unit});
       }

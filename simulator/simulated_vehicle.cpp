@@ -138,6 +138,7 @@ void SimulatedVehicle::step(double now) {
   }
   link_.pump(now);
   vehicle_.feedSbc(link_.alive());
+  seat_->steer(now, vehicle_);
   vehicle_.step(world_.ocean(), now);
   bottom_.look(now + Vehicle::kStep, vehicle_.depth(),
                world_.ocean().waterDepth(vehicle_.x(), vehicle_.y()), journal_);

@@ -193,8 +193,7 @@ std::vector<WatchedCase> watchedCases(const compiler::Checked& checked) {
   const auto add = [&](ListKind list, ir::StateId state) {
     const std::vector<ir::Case>& cases = casesIn(mission, list, state);
     for (uint32_t i = 0; i < cases.size(); ++i) {
-      if (!checked.lowered->standard_library ||
-          cases[i].range.file != *checked.lowered->standard_library) {
+      if (!checked.lowered->inStandardLibrary(cases[i].range.file)) {
         all.push_back({list, state, i, readsOf(mission, checked.sources(), cases[i].guard)});
       }
     }

@@ -200,7 +200,7 @@ class BriefMaker {
 
   void hashes(Brief& brief) const {
     for (const uint32_t file : written_.files()) {
-      const bool standard = checked_.lowered->standard_library == file;
+      const bool standard = checked_.lowered->inStandardLibrary(file);
       const std::string name = standard ? "the standard library" : checked_.sources().name(file);
       brief.hashes.push_back({name, codegen::digestOf(checked_.sources().text(file)), ""});
     }

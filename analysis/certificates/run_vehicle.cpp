@@ -73,9 +73,11 @@ void RunVehicle::obey(const std::vector<ir::Action>& actions, double now) {
 void RunVehicle::obey(const ir::CommandRun& command, double now) {
   switch (command.command) {
     case ir::Command::Descend:
+    case ir::Command::DescendAt:
     case ir::Command::Hover:
       return descend(command.arguments.at(0));
     case ir::Command::Ascend:
+    case ir::Command::AscendAt:
       return ascend(command.arguments.at(0), now);
     case ir::Command::Surface:
       return ascend(0, now);

@@ -25,6 +25,7 @@ namespace types {
 constexpr ir::Type length{ir::TypeKind::Quantity, support::dimension::length};
 constexpr ir::Type angle{ir::TypeKind::Quantity, support::dimension::angle};
 constexpr ir::Type volume{ir::TypeKind::Quantity, support::dimension::volume};
+constexpr ir::Type speed{ir::TypeKind::Quantity, support::dimension::speed};
 constexpr ir::Type latitude{ir::TypeKind::Latitude, {}};
 constexpr ir::Type longitude{ir::TypeKind::Longitude, {}};
 }  // namespace types

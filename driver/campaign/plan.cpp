@@ -49,6 +49,12 @@ support::Result<flights::NewWatchedFlight> startsFor(const campaign::CampaignOpt
       return std::unexpected(end.error());
     }
     port = *end;
+  } else {
+    const auto end = flights::usualEnd(mission.platform());
+    if (!end) {
+      return std::unexpected(end.error());
+    }
+    port = *end;
   }
   return flights::flightsInProcess(mission, options.launch, options.user_code, true, port);
 }

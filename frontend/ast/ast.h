@@ -145,6 +145,7 @@ struct TypeName {
 struct Formal {
   Name name;
   TypeName type;
+  std::optional<Expr> usual = {};  ///< the argument if none is given
   bool operator==(const Formal&) const = default;
 };
 

@@ -18,6 +18,7 @@ std::string printFormals(const std::vector<Formal>& formals) {
   std::string out;
   for (const Formal& formal : formals) {
     out += fmt::format("{}{}: {}", out.empty() ? "" : ", ", formal.name.text, formal.type.text);
+    out += formal.usual ? " = " + print(*formal.usual) : "";
   }
   return "(" + out + ")";
 }

@@ -13,10 +13,11 @@
 
 namespace glider::frontend {
 
-/// `depth: length`; the type is empty if it is missing.
+/// `depth: length` or `pitch: angle = 26 deg`; the type is empty if it is missing.
 struct OutlineFormal {
   support::SourceRange name;
   std::string type;
+  support::SourceRange usual = {};  ///< the argument if none is given; not valid: there is none
 };
 
 /// The part of a declaration before its value or body.

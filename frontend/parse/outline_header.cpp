@@ -83,10 +83,26 @@ class HeaderReader {
     if (take(GliderLexer::COLON)) {
       formal.type = typeName();
     }
+    if (take(GliderLexer::ASSIGN)) {
+      formal.usual = passValue();
+    }
     declaration.formals.push_back(std::move(formal));
     const bool separated =
         take(GliderLexer::COMMA) ? type() != GliderLexer::RPAREN : type() == GliderLexer::RPAREN;
     declaration.formals_broken = declaration.formals_broken || !separated;
+  }
+
+  /// Passes what ends before the next comma or parenthesis of this list.
+  support::SourceRange passValue() {
+    support::SourceRange value = source_.range(lexemes_[at_]);
+    for (int inner = 0; type() != kEof && !isHardKeyword(type()); ++at_) {
+      if (inner == 0 && oneOf(type(), {GliderLexer::COMMA, GliderLexer::RPAREN})) {
+        break;
+      }
+      inner += type() == GliderLexer::LPAREN ? 1 : type() == GliderLexer::RPAREN ? -1 : 0;
+      value.end = source_.range(lexemes_[at_]).end;
+    }
+    return value;
   }
 
   /// `temperature/length`

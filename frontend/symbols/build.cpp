@@ -153,6 +153,7 @@ class TableBuilder {
     for (const OutlineFormal& formal : declaration.formals) {
       known = known && !knownType(formal.type).empty();
       all += fmt::format("{}{}: {}", all.empty() ? "" : ", ", text(formal.name), formal.type);
+      all += formal.usual.valid() ? " = " + text(formal.usual) : "";
     }
     std::string result = text(declaration.name);
     result += declaration.parenthesised ? "(" + all + ")" : "";

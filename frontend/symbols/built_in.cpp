@@ -72,7 +72,7 @@ std::vector<Symbol> builtIn(const platforms::Platform& platform) {
   for (const FunctionText& function : functionTexts()) {
     all.push_back(symbol(SymbolKind::Function, function.name, function.use, function.what));
   }
-  for (const VehicleCommand& command : vehicleCommands()) {
+  for (const VehicleCommand& command : vehicleCommands(platform)) {
     all.push_back(symbol(SymbolKind::Command, command.name, command.signature.text,
                          "command, in force until the next of its kind"));
   }

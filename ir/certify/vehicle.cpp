@@ -119,9 +119,11 @@ Vehicle commanded(const Setting& setting, SmtText& out, const Vehicle& before, C
   const Term all = out.boolean(conjunction(known));
   switch (command) {
     case Command::Descend:
+    case Command::DescendAt:
     case Command::Hover:
       return whereKnown(out, all, descended(setting, out, before, arguments[0].value), before);
     case Command::Ascend:
+    case Command::AscendAt:
       return whereKnown(out, all, ascended(setting, out, before, arguments[0].value, now), before);
     case Command::Surface:
       return ascended(setting, out, before, "0.0", now);

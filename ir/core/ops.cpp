@@ -234,7 +234,8 @@ uint32_t operandCount(const Expr& expr) {
 
 const std::vector<CommandInfo>& commands() {
   constexpr Type length = kLength, angle = kAngle, latitude = kLatitude, longitude = kLongitude,
-                 volume = {TypeKind::Quantity, support::dimension::volume};
+                 volume = {TypeKind::Quantity, support::dimension::volume},
+                 speed = {TypeKind::Quantity, support::dimension::speed};
   static const std::vector<CommandInfo> kCommands = {
 #define PARAMETER(name, type) Parameter{#name, type},
 #define COMMAND(name, text, symbol, ...) {Command::name, text, symbol, {__VA_ARGS__}},

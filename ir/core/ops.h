@@ -237,6 +237,14 @@ struct CommandInfo {
 /// The rows of commands.def, in the order of Command.
 const std::vector<CommandInfo>& commands();
 
+/// Whether it is a command to go down to a depth, at a pitch or at a speed; the same, up.
+inline bool isDescent(Command command) {
+  return command == Command::Descend || command == Command::DescendAt;
+}
+inline bool isAscent(Command command) {
+  return command == Command::Ascend || command == Command::AscendAt;
+}
+
 /// The type that each operand must have; empty if `takes` leaves a choice, or has several.
 std::optional<Type> operandType(Takes takes);
 

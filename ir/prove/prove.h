@@ -11,6 +11,7 @@
 #include "platforms/load/platform.h"
 #include "support/diagnostics/engine.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -43,8 +44,11 @@ struct Options {
   size_t random_ticks = 120000;
   /// A time limit on top, which depends on the machine: no question begins after it.
   std::optional<std::chrono::steady_clock::time_point> until;
-  /// The standard library's file: findings in it are not the pilot's errors.
-  std::optional<uint32_t> library;
+  /// The standard library's files: findings in them are not the pilot's errors.
+  std::vector<uint32_t> library;
+  [[nodiscard]] bool inLibrary(const support::SourceRange& range) const {
+    return std::ranges::find(library, range.file) != library.end();
+  }
   /// Also report what is not an error but useful to know: Findings::lines.
   bool report = false;
   /// Where vehicles are known to start: a waypoint that is far from all of them, but near one with

@@ -13,19 +13,24 @@ namespace glider::platforms {
 namespace {
 
 struct Role {
-  const char* sensor;  ///< the vehicle's name
+  std::string_view name;
+  std::string_view sensor;  ///< of a Slocum
   bool required;
 };
 
 constexpr bool Required = true, Optional = false;
 constexpr Role kRoles[] = {
-#define ROLE(role, sensor, need) {#sensor, need},
+#define ROLE(role, sensor, need) {#role, #sensor, need},
 #include "hooks/protocol/roles.def"
 #undef ROLE
 };
 
-uint32_t numberOf(const Platform& platform, std::string_view name) {
-  const auto found = std::ranges::find(platform.sensors, name, &PlatformSensor::name);
+/// The sensor that the file gives the role, or else the one with the name that a Slocum's has.
+uint32_t numberOf(const Platform& platform, const Role& role) {
+  auto found = std::ranges::find(platform.sensors, role.name, &PlatformSensor::role);
+  if (found == platform.sensors.end()) {
+    found = std::ranges::find(platform.sensors, role.sensor, &PlatformSensor::name);
+  }
   return found == platform.sensors.end() ? GLIDER_NO_SENSOR : found->id;
 }
 
@@ -45,9 +50,13 @@ uint32_t hashOf(const Platform& platform) {
 
 }  // namespace
 
+bool isRole(std::string_view name) {
+  return std::ranges::find(kRoles, name, &Role::name) != std::end(kRoles);
+}
+
 support::Result<void> checkRoles(const Platform& platform) {
   for (const Role& role : kRoles) {
-    if (role.required && numberOf(platform, role.sensor) == GLIDER_NO_SENSOR) {
+    if (role.required && numberOf(platform, role) == GLIDER_NO_SENSOR) {
       return support::fail(
           support::diagnostics::badDataFile, fmt::format("platform `{}`", platform.name),
           fmt::format(
@@ -67,7 +76,7 @@ Dictionary::Dictionary(const Platform& platform) {
                         .reserved = 0});
   }
   for (const Role& role : kRoles) {
-    roles_.push_back(numberOf(platform, role.sensor));
+    roles_.push_back(numberOf(platform, role));
   }
   dictionary_ = {.sensors = formats_.data(),
                  .roles = roles_.data(),

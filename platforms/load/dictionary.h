@@ -11,6 +11,9 @@
 
 namespace glider::platforms {
 
+/// Whether `name` is a role of hooks/protocol/roles.def.
+bool isRole(std::string_view name);
+
 /// GL5001 if missions for the platform cannot fly: it lacks a sensor that hooks need
 /// (hooks/protocol/roles.def).
 support::Result<void> checkRoles(const Platform& platform);

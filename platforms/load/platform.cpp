@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "hooks/protocol/dictionary.h"
+#include "platforms/load/dictionary.h"
 #include "platforms/load/load_platform.h"
+#include "platforms/load/seat_sensors.h"
+#include "platforms/load/sensor_unit.h"
 #include "platforms/load/surface_reading.h"
 #include "platforms/load/toml_reader.h"
 #include "support/diagnostics/ids/vehicle.h"
@@ -11,28 +14,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace glider::platforms {
 namespace {
-
-/// Sets kind, dimension and factor from the sensor's unit; false when the unit is not a valid one.
-bool interpretUnit(PlatformSensor& sensor) {
-  if (sensor.unit == "lat" || sensor.unit == "lon") {
-    sensor.kind = sensor.unit == "lat" ? SensorKind::Latitude : SensorKind::Longitude;
-    return true;
-  }
-  if (sensor.unit == "1" || sensor.unit == "timestamp") {
-    sensor.dimension = sensor.unit == "1" ? support::dimension::number : support::dimension::time;
-    return true;
-  }
-  const auto unit = support::parseUnit(sensor.unit);
-  if (unit) {
-    sensor.dimension = unit->dimension;
-    sensor.to_si = unit->to_si;
-  }
-  return unit.has_value();
-}
 
 /// Reads how often and how exactly the sensor is reported to the SBC.
 void readReporting(TomlReader& reader, double cycle_s, PlatformSensor& sensor) {
@@ -53,7 +39,8 @@ void readReporting(TomlReader& reader, double cycle_s, PlatformSensor& sensor) {
 
 PlatformSensor readSensor(TomlReader& reader, size_t id, double cycle_s) {
   reader.only({"name", "alias", "unit", "lowest", "highest", "stale_after_s", "every_s",
-               "dead_band", "computer", "bytes", "noise", "magnetic", "what", "counts", "states"});
+               "dead_band", "computer", "bytes", "noise", "magnetic", "what", "counts", "states",
+               "role", "source"});
   PlatformSensor sensor;
   sensor.id = static_cast<uint16_t>(id);
   sensor.name = reader.text("name");
@@ -68,6 +55,11 @@ PlatformSensor readSensor(TomlReader& reader, size_t id, double cycle_s) {
   sensor.bytes = static_cast<uint8_t>(bytes);
   sensor.noise = reader.numberOr("noise", 0);
   sensor.what = reader.text("what");
+  sensor.role = reader.textOr("role", "");
+  sensor.source = reader.textOr("source", "");
+  if (!sensor.role.empty() && !isRole(sensor.role)) {
+    reader.refuse("role", "is none of hooks/protocol/roles.def");
+  }
   if (!interpretUnit(sensor)) {
     reader.refuse("unit", "is not a unit of the language, `lat`, `lon`, `timestamp` or `1`");
   }
@@ -146,13 +138,22 @@ T readNumbers(TomlReader& reader, const std::pair<const char*, double T::*> (&fi
 
 constexpr std::pair<const char*, double Envelope::*> kEnvelope[] = {
     {"greatest_depth_m", &Envelope::greatest_depth_m},
-    {"steepest_pitch_rad", &Envelope::steepest_pitch_rad},
-    {"shallowest_pitch_rad", &Envelope::shallowest_pitch_rad},
     {"vertical_rate_m_s", &Envelope::vertical_rate_m_s},
     {"inflection_overshoot_m", &Envelope::inflection_overshoot_m},
     {"drift_m_s", &Envelope::drift_m_s},
-    {"pump_cc", &Envelope::pump_cc},
     {"cycle_s", &Envelope::cycle_s}};
+
+/// Of a vehicle that glides.
+constexpr std::pair<const char*, double Envelope::*> kGlides[] = {
+    {"steepest_pitch_rad", &Envelope::steepest_pitch_rad},
+    {"shallowest_pitch_rad", &Envelope::shallowest_pitch_rad},
+    {"pump_cc", &Envelope::pump_cc}};
+
+/// Of a vehicle with a propeller.
+constexpr std::pair<const char*, double Envelope::*> kDrives[] = {
+    {"slowest_m_s", &Envelope::slowest_m_s},
+    {"usual_speed_m_s", &Envelope::usual_speed_m_s},
+    {"fastest_m_s", &Envelope::fastest_m_s}};
 
 constexpr std::pair<const char*, double EnvironmentModel::*> kWorld[] = {
     {"start_depth_m", &EnvironmentModel::start_depth_m},
@@ -194,15 +195,60 @@ constexpr std::pair<const char*, double Power::*> kPower[] = {{"capacity_kJ", &P
                                                               {"empty_V", &Power::empty_V},
                                                               {"hotel_W", &Power::hotel_W}};
 
+/// Sets the fields of `rows`, each above 0.
+template <typename T, size_t kCount>
+void readInto(TomlReader& reader, const std::pair<const char*, double T::*> (&rows)[kCount],
+              T& numbers) {
+  for (const auto& [key, field] : rows) {
+    numbers.*field = reader.number(key);
+    if (!(numbers.*field > 0)) {
+      reader.refuse(key, "must be above 0");
+    }
+  }
+}
+
+/// Reads by which of pitch and speed the vehicle is told how to go to a depth.
+void readSlope(TomlReader& reader, Envelope& envelope) {
+  const auto within = [&](const char* key, double value, double least, double most) {
+    if (!(value >= least && value <= most)) {
+      reader.refuse(key, "must be between the slowest or shallowest and the fastest or steepest");
+    }
+  };
+  if (reader.numberOr("fastest_m_s", 0) != 0) {
+    readInto(reader, kDrives, envelope);
+    within("usual_speed_m_s", envelope.usual_speed_m_s, envelope.slowest_m_s, envelope.fastest_m_s);
+  } else {
+    readInto(reader, kGlides, envelope);
+    constexpr double kUsualPitch = 0.4537856055185257;  // 26 degrees
+    envelope.usual_pitch_rad = reader.numberOr(
+        "usual_pitch_rad",
+        std::clamp(kUsualPitch, envelope.shallowest_pitch_rad,
+                   std::max(envelope.shallowest_pitch_rad, envelope.steepest_pitch_rad)));
+    within("usual_pitch_rad", envelope.usual_pitch_rad, envelope.shallowest_pitch_rad,
+           envelope.steepest_pitch_rad);
+  }
+}
+
 /// A vehicle may have no fin and no pitch battery; `flies`: the simulator turns it by one.
 Envelope readEnvelope(TomlReader& reader, bool flies) {
-  auto envelope = readNumbers(reader, kEnvelope, {"fin_rad", "battery_in"});
+  std::vector<std::string_view> others = {"fin_rad", "battery_in"};
+  const bool drives = reader.numberOr("fastest_m_s", 0) != 0;
+  if (drives) {
+    std::ranges::transform(kDrives, std::back_inserter(others),
+                           [](const auto& row) { return row.first; });
+  } else {
+    std::ranges::transform(kGlides, std::back_inserter(others),
+                           [](const auto& row) { return row.first; });
+    others.emplace_back("usual_pitch_rad");
+  }
+  auto envelope = readNumbers(reader, kEnvelope, others);
+  readSlope(reader, envelope);
   envelope.fin_rad = reader.numberOr("fin_rad", 0);
   constexpr double kQuarterTurn = 1.5707963267948966;
   if (!(envelope.fin_rad >= 0 && envelope.fin_rad <= kQuarterTurn)) {
     reader.refuse("fin_rad", "must be between 0 and a quarter of a turn");
   }
-  if (flies && envelope.fin_rad == 0) {
+  if (flies && !drives && envelope.fin_rad == 0) {
     reader.refuse("fin_rad", "must be above 0: the simulator turns the vehicle by its fin");
   }
   envelope.battery_in = reader.numberOr("battery_in", 0);
@@ -270,6 +316,10 @@ const PlatformSensor* Platform::find(std::string_view wanted) const {
   return found == sensors.end() ? nullptr : &*found;
 }
 
+bool Platform::seatIsOnBoard() const {
+  return !front_seats.empty() && front_seats.front() != "hooks";
+}
+
 support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
   auto root = parseToml(path);
   if (!root) {
@@ -277,7 +327,8 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
   }
   Platform platform;
   TomlReader reader(path.string(), *root, "the platform");
-  reader.only({"name", "description", "family", "envelope", "world", "motion", "power", "sensor"});
+  reader.only({"name", "description", "family", "front_seats", "envelope", "world", "motion",
+               "power", "sensor"});
   platform.name = reader.text("name");
   if (!isName(platform.name)) {
     reader.refuse("name", "must be letters, digits and `_`, and begin with a letter");
@@ -286,6 +337,7 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
   }
   platform.description = reader.text("description");
   platform.family = reader.textOr("family", "");
+  platform.front_seats = reader.textsOr("front_seats");
   static const toml::table kNone;
   auto part = [&](const toml::node_view<toml::node>& node, const char* title) {
     const toml::table* table = node.as_table();
@@ -311,6 +363,9 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
   }
   if (auto read = readSensors(path.string(), *root, platform); !read) {
     return std::unexpected(read.error());
+  }
+  if (platform.seatIsOnBoard()) {
+    addSeatSensors(platform);
   }
   return platform;
 }

@@ -33,7 +33,9 @@ struct PlatformSensor {
   double dead_band = 0;  ///< a change of at most this size is not sent; in the vehicle's unit
   Computer computer = Computer::Flight;
   bool magnetic = false;  ///< a heading from magnetic north; missions see it from true north
-  double noise = 0;   ///< two readings of the same water may differ by this, in the vehicle's unit
+  double noise = 0;    ///< two readings of the same water may differ by this, in the vehicle's unit
+  std::string source;  ///< where the front seat reads it, in its own words; empty: by its name
+  std::string role;   ///< of hooks/protocol/roles.def; empty: the role of its name, if there is one
   uint8_t bytes = 4;  ///< width in the sensor array: 1 (int8), 4 (float32) or 8 (float64)
   std::string what;   ///< one line of explanation
   bool counts = false;  ///< it has whole values, compared exactly; so has every sensor of one byte
@@ -51,6 +53,15 @@ struct Envelope {
   double fin_rad = 0;                 ///< of the fin, to either side; 0: missions have no fin
   double battery_in = 0;  ///< of the pitch battery, to either side; 0: missions have none
   double cycle_s = 0;     ///< of the flight controller
+  // What a command to go to a depth also says: of a vehicle that glides its pitch, of one with a
+  // propeller its speed. The usual one is taken where a mission names none; 0: there is none.
+  double usual_pitch_rad = 0;
+  double usual_speed_m_s = 0;
+  double slowest_m_s = 0;  ///< through the water, under command
+  double fastest_m_s = 0;  ///< 0: it is not told a speed
+
+  /// Whether it is told a speed, not a pitch.
+  [[nodiscard]] bool steersBySpeed() const { return fastest_m_s > 0; }
 };
 
 /// What proofs assume about the vehicle and the water, in addition to the envelope and the sensors'
@@ -125,12 +136,18 @@ struct Platform {
   std::string name;
   std::string description;
   std::string family;  ///< of vehicles/vehicles.def, whose code flies it; may be empty
+  /// Ways from the SBC to the vehicle, by the names of `build --dialect`: the first is the usual
+  /// one.
+  std::vector<std::string> front_seats;
   Envelope envelope;
   EnvironmentModel world;
   std::optional<Motion> motion;  ///< empty: missions for it can be checked and built, not simulated
   Power power;                   ///< means something with `motion`
   std::vector<PlatformSensor> sensors;  ///< sensors[i].id == i
 
+  /// Whether the SBC's own program answers its frames of the hook protocol: the vehicle has
+  /// neither of the hooks, and another port.
+  [[nodiscard]] bool seatIsOnBoard() const;
   /// The sensor called `name` by the vehicle or by the language; null if there is none.
   [[nodiscard]] const PlatformSensor* find(std::string_view name) const;
 };

@@ -37,12 +37,16 @@ double gliderMissionTime(const GliderContext* context);
    value has no effect and is counted and logged. Depths in m, pitch in rad (magnitude; the sign
    follows from the direction), heading in rad clockwise from north, positions in degrees, the
    angle of the fin in rad, positive to turn to starboard, the volume of the pump in m3, positive to
-   lift, the position of the pitch battery in m, positive to lower the nose. Pump and battery are in
+   lift, the position of the pitch battery in m, positive to lower the nose. The two with a speed,
+   m/s through the water, are those of a vehicle with a propeller, the others about depth and fin
+   those of one that glides. Pump and battery are in
    force together, in place of a command about depth; the one that has not been commanded since the
    last of these is in the middle, at 0. What code in C commands is not known when a mission is
    compiled: a vehicle from before gliderFin or gliderPump refuses that command, not the link. */
 void gliderDescend(GliderContext* context, double depth, double pitch);
 void gliderAscend(GliderContext* context, double depth, double pitch);
+void gliderDescendAt(GliderContext* context, double depth, double speed);
+void gliderAscendAt(GliderContext* context, double depth, double speed);
 void gliderHover(GliderContext* context, double depth);
 void gliderSurface(GliderContext* context);
 void gliderDriftFree(GliderContext* context);

@@ -25,7 +25,8 @@ void setVertical(GliderContext& context, GliderVertical vertical, double depth, 
   context.pitch = pitch;
 }
 
-/// A dive or climb at a pitch. Not inlined: it is shared by both, and a board has little room.
+/// A dive or climb at a pitch or speed. Not inlined: it is shared by both, and a board has little
+/// room.
 __attribute__((noinline)) void setSlope(GliderContext& context, GliderVertical vertical,
                                         double depth, double pitch) {
   if (known(context, depth, pitch)) {
@@ -82,6 +83,14 @@ extern "C" void gliderDescend(GliderContext* context, double depth, double pitch
 
 extern "C" void gliderAscend(GliderContext* context, double depth, double pitch) {
   setSlope(*context, kGliderAscend, depth, magnitude(pitch));
+}
+
+extern "C" void gliderDescendAt(GliderContext* context, double depth, double speed) {
+  setSlope(*context, kGliderDescend, depth, magnitude(speed));
+}
+
+extern "C" void gliderAscendAt(GliderContext* context, double depth, double speed) {
+  setSlope(*context, kGliderAscend, depth, magnitude(speed));
 }
 
 extern "C" void gliderHover(GliderContext* context, double depth) {

@@ -5,9 +5,12 @@
 
 #include "hooks/extctl/port.h"
 #include "hooks/extctl/sentence.h"
+#include "hooks/imc/codec.h"
+#include "hooks/imc/packet_reader.h"
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -70,6 +73,39 @@ class PortTurns final : public LineTurns {
   bool owed_ = false;
 };
 
+class ImcTurns final : public LineTurns {
+ public:
+  void toSbc(const uint8_t* bytes, uint32_t count) override {
+    each(to_sbc_, bytes, count, [&](const hooks::imc::Packet& packet) {
+      const bool state = packet.id == hooks::imc::EstimatedState::kId;
+      owed_ = owed_ || (state && std::floor(packet.header.time_s) !=
+                                     std::exchange(second_, std::floor(packet.header.time_s)));
+    });
+  }
+  void fromSbc(const uint8_t* bytes, uint32_t count) override {
+    each(from_sbc_, bytes, count, [&](const hooks::imc::Packet& packet) {
+      owed_ = owed_ && packet.id != hooks::imc::Heartbeat::kId;
+    });
+  }
+  [[nodiscard]] bool settled() const override { return !owed_; }
+
+ private:
+  template <typename Work>
+  static void each(hooks::imc::PacketReader& reader, const uint8_t* bytes, uint32_t count,
+                   Work work) {
+    for (uint32_t taken = 0; taken < count;) {
+      taken += reader.push(bytes + taken, count - taken);
+      for (hooks::imc::Packet packet; reader.next(&packet);) {
+        work(packet);
+      }
+    }
+  }
+
+  hooks::imc::PacketReader to_sbc_, from_sbc_;
+  double second_ = -1;  ///< of the newest cycle
+  bool owed_ = false;
+};
+
 }  // namespace
 
 std::unique_ptr<LineTurns> hookTurns() {
@@ -78,6 +114,10 @@ std::unique_ptr<LineTurns> hookTurns() {
 
 std::unique_ptr<LineTurns> portTurns(uint32_t clock) {
   return std::make_unique<PortTurns>(clock);
+}
+
+std::unique_ptr<LineTurns> imcTurns() {
+  return std::make_unique<ImcTurns>();
 }
 
 }  // namespace glider::simulator

@@ -31,4 +31,7 @@ std::unique_ptr<LineTurns> hookTurns();
 /// control cycle, and a sentence with the SBC's count answers it.
 std::unique_ptr<LineTurns> portTurns(uint32_t clock);
 
+/// Packets of IMC: the first state of a second is a cycle, and the SBC's Heartbeat ends its answer.
+std::unique_ptr<LineTurns> imcTurns();
+
 }  // namespace glider::simulator

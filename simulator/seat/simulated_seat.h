@@ -50,6 +50,8 @@ class SimulatedSeat {
   virtual bool isDown(double now_s) = 0;
   /// The operator, or another program on board, sets a sensor.
   virtual void put(const std::string& sensor, double value) = 0;
+  /// A step of the model begins, of a vehicle that steers between its cycles too.
+  virtual void steer(double /*now_s*/, Vehicle& /*vehicle*/) {}
   /// The control cycle at `now_s`; `sbc_gone`: the SBC will not come back.
   virtual void cycle(double now_s, bool sbc_gone, Vehicle& vehicle) = 0;
   /// Serves the SBC, which is at the right end of `sbc`: once a second. False if it cannot now.

@@ -90,7 +90,7 @@ class Compilation {
   void prove() {
     if (mission_ && !diagnostics_.hasErrors()) {
       ir::prove::Options options;
-      options.library = 1;
+      options.library = {1};
       options.report = true;
       show(ir::prove::prove(*mission_, facts_, platform_, options, diagnostics_));
     }

@@ -58,6 +58,8 @@ size_t neededFor(ir::Command command) {
       return hooks::kFeatureActuators;
     case ir::Command::Descend:
     case ir::Command::Ascend:
+    case ir::Command::DescendAt:
+    case ir::Command::AscendAt:
     case ir::Command::Hover:
     case ir::Command::Surface:
     case ir::Command::Steer:

@@ -3,8 +3,10 @@
 
 #include "codegen/llvm/program/compile.h"
 
+#include "codegen/front_seats/imc_mission.h"
 #include "codegen/llvm/lower/context_size.h"
 #include "codegen/llvm/program/emit.h"
+#include "codegen/llvm/program/imc_mission.h"
 #include "codegen/llvm/program/optimise.h"
 #include "codegen/llvm/program/parts.h"
 #include "codegen/llvm/program/port_mission.h"
@@ -84,7 +86,7 @@ std::string parameterPart(const Recipe& recipe) {
 
 /// The part of the runtime that speaks to the vehicle.
 std::string dialectPart(const Recipe& recipe) {
-  return recipe.options.port ? "extctl" : "hooks";
+  return recipe.options.port ? "extctl" : speaksImc(recipe.input.platform) ? "imc" : "hooks";
 }
 
 Result<void> bringTogether(llvm::Module& module, const Recipe& recipe,
@@ -109,6 +111,13 @@ Result<std::string> compilePart(const Recipe& recipe, const MissionPart& part,
   }
   if (part.head && recipe.options.port) {
     addPortMission(*unit->module, *recipe.options.port);
+  }
+  if (part.head && dialectPart(recipe) == "imc") {
+    const auto imc = imcMissionOf(recipe.input.platform);
+    if (!imc) {
+      return std::unexpected(imc.error());
+    }
+    addImcMission(*unit->module, *imc);
   }
   if (auto together = bringTogether(*unit->module, recipe, visible); !together) {
     return std::unexpected(together.error());

@@ -111,8 +111,7 @@ platforms::SensorKind kindOf(const ir::Type& type) {
 }  // namespace
 
 void enterExternal(const ast::ExternFunction& node, Scope& scope) {
-  const auto& commands = vehicleCommands();
-  if (std::ranges::find(commands, node.name.text, &VehicleCommand::name) != commands.end()) {
+  if (isCommandName(node.name.text)) {
     scope.report(support::diagnostics::nameTaken, node.name.where, node.name.text, "a command");
     scope.refused_names.insert(node.name.text);
   } else if (!refuse(node.name, "a function", scope)) {

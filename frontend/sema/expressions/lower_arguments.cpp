@@ -6,6 +6,7 @@
 #include "frontend/sema/expressions/decimal_commas.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/expressions/named_arguments.h"
+#include "frontend/sema/expressions/usual_argument.h"
 #include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
@@ -49,7 +50,7 @@ class ArgumentLowering {
     size_t formal;
     size_t formals;  ///< 2: a position for a latitude and a longitude
     size_t argument;
-    size_t arguments;  ///< 2: a latitude and a longitude for a position
+    size_t arguments;  ///< 2: a latitude and a longitude for a position; 0: the usual one
   };
 
   [[nodiscard]] const std::vector<Signature::Formal>& formals() const {
@@ -75,12 +76,21 @@ class ArgumentLowering {
       argument += steps_.back().arguments;
     }
     filled_ = formal + (arguments_.size() - std::min(argument, arguments_.size()));
+    while (formal < formals().size() && formals()[formal].usual != nullptr) {
+      steps_.push_back({formal++, 1, argument, 0});
+    }
     return formal == formals().size() && argument == arguments_.size();
   }
 
   bool lower(const Step& step) {
     const Signature::Formal& formal = formals()[step.formal];
     const std::string what = fmt::format("`{}` of `{}`", formal.name->text, callee_.name);
+    const bool usual =
+        step.arguments == 0 ||
+        (formal.usual != nullptr && arguments_[step.argument].value->where == formal.usual->where);
+    if (usual) {
+      return addUsual(formal, what);
+    }
     if (step.formals == 2) {
       return add(step.argument, {latitude(), true}, what);
     }
@@ -102,6 +112,14 @@ class ArgumentLowering {
       return false;
     }
     return add(step.argument, formal.type, what);
+  }
+
+  bool addUsual(const Signature::Formal& formal, const std::string& what) {
+    const auto value = lowerUsual(formal, what, where_, scope_);
+    if (value) {
+      result_.values.push_back(value->id);
+    }
+    return value.has_value();
   }
 
   bool add(size_t index, const DeclaredType& type, const std::string& what) {
@@ -225,6 +243,9 @@ bool isLatitudeAndLongitude(const Signature& signature, size_t formal) {
 std::optional<Arguments> lowerArguments(const std::vector<ast::Argument>& arguments,
                                         const Callee& callee, const support::SourceRange& where,
                                         Scope& scope) {
+  if (refuseOtherSlope(arguments, callee, scope)) {
+    return std::nullopt;
+  }
   const auto named = [](const ast::Argument& argument) { return argument.parameter.has_value(); };
   if (std::ranges::none_of(arguments, named)) {
     return ArgumentLowering(arguments, callee, where, scope).run();

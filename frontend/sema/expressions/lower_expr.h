@@ -76,6 +76,9 @@ class ExprLowering {
   /// As lowerAs, also for a position.
   std::optional<Value> lowerDeclared(const ast::Expr& expr, const DeclaredType& want,
                                      const std::string& what);
+  /// The usual speed or pitch of the vehicle (lower_value.cpp); empty, and reported, if it is told
+  /// the other to go to a depth.
+  std::optional<Value> usualSlope(bool speed, const support::SourceRange& range);
   /// A list of positions, or the name of one; refuses anything else.
   std::optional<Path> lowerPath(const ast::Expr& expr);
   /// A guard or an operand of `&&`.

@@ -8,7 +8,7 @@
 #include <array>
 
 // Names with a meaning unless the mission uses them itself: `here`, `utc`, `timeofday`, `salinity`,
-// `density`, `turned`, and the states of a sensor, such as `diving`.
+// `density`, `usual_pitch`, `usual_speed`, `turned`, and the states of a sensor, such as `diving`.
 
 namespace glider::frontend {
 namespace {
@@ -44,10 +44,28 @@ ExprLowering::Result ExprLowering::meantValue(const std::string& name,
   if (name == "turned") {
     return turned(range);
   }
+  if (name == "usual_pitch" || name == "usual_speed") {
+    return usualSlope(name == "usual_speed", range);
+  }
   if (name == "yo_number") {
     return yoNumber(range);
   }
   return ofWater(name == "salinity" ? ir::Op::Salinity : ir::Op::Density, range);
+}
+
+/// What the vehicle is told of the way to a depth, if it is told that.
+ExprLowering::Result ExprLowering::usualSlope(bool speed, const support::SourceRange& range) {
+  const platforms::Envelope& envelope = scope_.platform().envelope;
+  if (envelope.steersBySpeed() != speed) {
+    scope_.report(support::diagnostics::otherSlope, range, scope_.platform().name,
+                  speed ? "goes to a depth at a pitch, not at a speed"
+                        : "goes to a depth at a speed, not at a pitch",
+                  speed ? "usual_speed" : "usual_pitch",
+                  speed ? "write `usual_pitch`" : "write `usual_speed`");
+    return std::nullopt;
+  }
+  return speed ? emitNumber(envelope.usual_speed_m_s, quantity(support::dimension::speed), range)
+               : emitNumber(envelope.usual_pitch_rad, quantity(support::dimension::angle), range);
 }
 
 ExprLowering::Result ExprLowering::inState(const SensorState& state,

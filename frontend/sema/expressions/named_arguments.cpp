@@ -105,6 +105,10 @@ class Ordering {
   std::optional<std::vector<ast::Argument>> ordered(const support::SourceRange& where) {
     std::vector<ast::Argument> all;
     for (size_t i = 0; i < formals().size(); ++i) {
+      if (!places_[i].filled() && formals()[i].usual != nullptr) {
+        all.push_back({*formals()[i].usual, {}, {}});
+        continue;
+      }
       if (!places_[i].filled()) {
         scope_.report(support::diagnostics::argumentMissing, where, callee_.name,
                       formals()[i].name->text);

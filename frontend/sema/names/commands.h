@@ -18,7 +18,11 @@ struct VehicleCommand {
   Signature signature;
 };
 
-/// The commands of ir/core/commands.def, in its order.
-const std::vector<VehicleCommand>& vehicleCommands();
+/// The commands of ir/core/commands.def that a vehicle has, in its order: one that is told a speed
+/// to go to a depth, or one that is told a pitch.
+const std::vector<VehicleCommand>& vehicleCommands(const platforms::Platform& platform);
+
+/// Whether `name` is a command of some vehicle.
+bool isCommandName(std::string_view name);
 
 }  // namespace glider::frontend

@@ -75,6 +75,7 @@ struct Signature {
   struct Formal {
     const ast::Name* name = nullptr;
     DeclaredType type;
+    const ast::Expr* usual = nullptr;  ///< the argument if none is given; null: one must be
   };
   std::vector<Formal> formals;
   std::vector<ir::Parameter> slots;  ///< as in the IR: a position is two

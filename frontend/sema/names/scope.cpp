@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 namespace glider::frontend {
 
@@ -204,7 +205,9 @@ void Scope::notePass(support::DiagnosticBuilder& report) const {
 }
 
 bool Scope::inStandardLibrary(const support::SourceRange& range) const {
-  return !inputs_.library.empty() && inputs_.library.front()->file == range.file;
+  const size_t count = std::min(inputs_.standard, inputs_.library.size());
+  return std::ranges::any_of(std::span(inputs_.library).first(count),
+                             [&](const ast::File* file) { return file->file == range.file; });
 }
 
 BehaviourDeclaration* Scope::findBehaviour(const ast::Name& name) {
@@ -290,13 +293,18 @@ Signature Scope::signatureOf(const ast::Name& name, std::span<const ast::Formal>
   for (const ast::Formal& formal : formals) {
     result.text += fmt::format("{}{}: {}", result.text.empty() ? "" : ", ", formal.name.text,
                                formal.type.text);
+    result.text += formal.usual ? fmt::format(" = {}", text(formal.usual->where)) : "";
   }
   result.text = name.text + (result.text.empty() ? "" : "(" + result.text + ")");
   for (const ast::Formal& formal : formals) {
     const auto type = declaredType(formal.type, holder);
     result.valid = result.valid && type.has_value();
     const DeclaredType known = type.value_or(DeclaredType{plainNumber(), false});
-    result.formals.push_back({&formal.name, known});
+    result.formals.push_back({&formal.name, known, formal.usual ? &*formal.usual : nullptr});
+    if (formal.usual && !holder.empty()) {
+      report(support::diagnostics::usualNotHere, formal.usual->where, holder);
+      result.valid = false;
+    }
     if (known.path) {
       continue;
     }

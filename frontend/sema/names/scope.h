@@ -202,7 +202,8 @@ class Scope {
   /// `holder` ("a variable") cannot be. An empty holder can.
   std::optional<DeclaredType> declaredType(const ast::TypeName& name, std::string_view holder);
   /// Resolves the types of the parameters of `name`, each a `holder`; they must outlive the
-  /// signature. Their names are checked where they are entered.
+  /// signature. Their names are checked where they are entered. A usual argument is reported and
+  /// refused if `holder` is not empty: only profiles and routes have some.
   Signature signatureOf(const ast::Name& name, std::span<const ast::Formal> formals,
                         std::string_view holder);
 

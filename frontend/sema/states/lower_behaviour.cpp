@@ -5,6 +5,7 @@
 
 #include "frontend/sema/declarations/variables.h"
 #include "frontend/sema/expressions/lower_arguments.h"
+#include "frontend/sema/expressions/usual_argument.h"
 #include "frontend/sema/states/lower_case.h"
 #include "frontend/sema/states/lower_statement.h"
 #include "support/check.h"
@@ -190,6 +191,9 @@ void BehaviourLowering::enterParameters() {
         continue;
       }
       makeParameter(*named, variableKind(), {}, formal.name->text, scope_);
+      if (formal.usual != nullptr) {
+        (void)lowerUsual(formal, "`" + formal.name->text + "`", formal.usual->where, scope_);
+      }
     }
   }
 }

@@ -39,6 +39,15 @@ Unquoted unquote(std::string_view quoted) {
   return result;
 }
 
+/// "commands: descend, ascend, …"
+std::string commandsText(const std::vector<VehicleCommand>& commands) {
+  std::string all;
+  for (const VehicleCommand& each : commands) {
+    all += (all.empty() ? "commands: " : ", ") + each.name;
+  }
+  return all;
+}
+
 }  // namespace
 
 ir::Statement statementOf(ir::StatementKind kind, const support::SourceRange& range) {
@@ -103,15 +112,19 @@ void StatementLowering::visit(const ast::Command& node, const ast::Statement& st
   if (name == "push") {
     return push(node.call, statement, block);
   }
-  const auto& commands = vehicleCommands();
+  const auto& commands = vehicleCommands(scope_.platform());
   const auto command = std::ranges::find(commands, name, &VehicleCommand::name);
+  if (command == commands.end() && isCommandName(name)) {
+    scope_.report(support::diagnostics::commandOfAnother, node.call.function.where, name,
+                  scope_.platform().name, commandsText(commands));
+    return;
+  }
   if (command == commands.end()) {
     std::vector<std::string_view> known;
-    std::string all;
     for (const VehicleCommand& each : commands) {
       known.push_back(each.name);
-      all += (all.empty() ? "commands: " : ", ") + each.name;
     }
+    const std::string all = commandsText(commands);
     const bool function = isFunctionName(name);
     const bool behaviour = scope_.behaviours.contains(name);
     scope_.reportUnknown(

@@ -206,7 +206,7 @@ class HoverSearch {
       if (movesActuators(command->command)) {
         return std::nullopt;
       }
-      if (command->command != Command::Descend && command->command != Command::Ascend &&
+      if (!isDescent(command->command) && !isAscent(command->command) &&
           command->command != Command::Hover) {
         continue;
       }

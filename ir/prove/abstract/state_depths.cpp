@@ -21,8 +21,8 @@ constexpr double kUnbounded = 1e300;
 /// Also under a command to climb, which ends in hovering at its target.
 bool leadsDown(const Statement& statement) {
   return statement.kind == StatementKind::Command &&
-         (statement.command == Command::Descend || statement.command == Command::Hover ||
-          statement.command == Command::Ascend);
+         (isDescent(statement.command) || statement.command == Command::Hover ||
+          isAscent(statement.command));
 }
 
 class Depths {
@@ -73,7 +73,7 @@ class Depths {
         deepest = std::max(deepest, proof_context_.platform.envelope.greatest_depth_m);  // V8
       } else if (leadsDown(statement)) {
         const Interval& target = held_[statement.values.at(0).index];
-        const bool climbs = statement.command == Command::Ascend;
+        const bool climbs = isAscent(statement.command);
         const double below = climbs ? proof_context_.platform.world.climb_hold_m : 0;
         const double depth = target.highest < kUnbounded ? target.highest + below : kWhateverDepth;
         deepest = std::max(deepest, target.empty ? deepest : depth);

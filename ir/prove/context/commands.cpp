@@ -102,6 +102,8 @@ bool isVertical(Command command) {
   switch (command) {
     case Command::Descend:
     case Command::Ascend:
+    case Command::DescendAt:
+    case Command::AscendAt:
     case Command::Hover:
     case Command::Surface:
     case Command::Pump:

@@ -68,9 +68,11 @@ class VehicleRules {
                                             const Target& target, const Number& now) const {
     switch (command) {
       case Command::Descend:
+      case Command::DescendAt:
       case Command::Hover:
         return downTo(before, target());
       case Command::Ascend:
+      case Command::AscendAt:
         return upTo(before, target(), now);
       case Command::Surface:
         return upTo(before, number(0), now);

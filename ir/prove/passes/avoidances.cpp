@@ -34,7 +34,7 @@ using Commands = std::vector<const Statement*>;
 
 /// A command to climb is not counted, although it may end in sinking to its depth.
 bool leadsDown(const Statement& command) {
-  return command.command == Command::Descend || command.command == Command::Hover;
+  return isDescent(command.command) || command.command == Command::Hover;
 }
 
 /// Looks for cases that fire near the bottom, or in shallow water, and then dive deeper than what

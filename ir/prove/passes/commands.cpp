@@ -72,6 +72,8 @@ std::optional<Part> partMoved(Command command, const platforms::Envelope& envelo
                   kMetresPerInch, "inch"};
     case Command::Descend:
     case Command::Ascend:
+    case Command::DescendAt:
+    case Command::AscendAt:
     case Command::Hover:
     case Command::Surface:
     case Command::Steer:
@@ -137,8 +139,7 @@ class CommandCheck {
   void checkEnvelope(const std::vector<const Statement*>& commands,
                      const support::SourceRange& place) {
     for (const Statement* statement : commands) {
-      const bool sloped =
-          statement->command == Command::Descend || statement->command == Command::Ascend;
+      const bool sloped = isDescent(statement->command) || isAscent(statement->command);
       if (sloped || statement->command == Command::Hover) {
         hold(place, *statement, 0, {envelope_.greatest_depth_m});
         holdUnderWater(place, *statement);
@@ -146,9 +147,13 @@ class CommandCheck {
       if (const auto part = partMoved(statement->command, envelope_)) {
         hold(place, *statement, 0, *part);
       }
-      if (sloped) {
+      if (sloped && envelope_.steersBySpeed()) {
+        hold(place, *statement, 1, {envelope_.fastest_m_s, "a speed of "});
+        holdLeast(place, *statement, envelope_.slowest_m_s, support::diagnostics::speedTooSlow);
+      } else if (sloped) {
         hold(place, *statement, 1, {envelope_.steepest_pitch_rad});
-        holdSteepEnough(place, *statement);
+        holdLeast(place, *statement, envelope_.shallowest_pitch_rad,
+                  support::diagnostics::pitchTooShallow);
       }
     }
   }
@@ -208,25 +213,24 @@ class CommandCheck {
     }
   }
 
-  void holdSteepEnough(const support::SourceRange& place, const Statement& statement) {
-    const auto least = [](const Interval& pitch) {
-      return std::max({pitch.lowest, -pitch.highest, 0.0});
+  /// The magnitude of a pitch or speed must be `limit` or more.
+  void holdLeast(const support::SourceRange& place, const Statement& statement, double limit,
+                 support::DiagnosticId below) {
+    const auto least = [](const Interval& given) {
+      return std::max({given.lowest, -given.highest, 0.0});
     };
     const Interval& plain = range(statement, 1);
-    if (plain.empty || plain.highest - plain.lowest >= kNoBound ||
-        least(plain) >= envelope_.shallowest_pitch_rad) {
+    if (plain.empty || plain.highest - plain.lowest >= kNoBound || least(plain) >= limit) {
       return;
     }
     const Interval given = guardedRange(statement, 1);
-    if (given.empty || least(given) >= envelope_.shallowest_pitch_rad) {
+    if (given.empty || least(given) >= limit) {
       return;
     }
     const support::SourceRange where = placeOf(place, statement, 1);
     if (isNew(where)) {
       const Type type = m_[statement.values.at(1)].type;
-      proof_.diagnostics.report(support::diagnostics::pitchTooShallow, where,
-                                shown(least(given), type),
-                                shown(envelope_.shallowest_pitch_rad, type));
+      proof_.diagnostics.report(below, where, shown(least(given), type), shown(limit, type));
     }
   }
 
@@ -274,9 +278,9 @@ class CommandCheck {
     Interval down{kEndless, -kEndless, true};
     Interval up = down;
     for (const Statement* statement : commands_) {
-      if (statement->command == Command::Descend) {
+      if (isDescent(statement->command)) {
         widen(down, range(*statement, 0));
-      } else if (statement->command == Command::Ascend) {
+      } else if (isAscent(statement->command)) {
         widen(up, range(*statement, 0));
       }
     }
@@ -299,9 +303,9 @@ class CommandCheck {
       return proof_.proof_context.known.expressions[statement->values.at(0).index];
     };
     return std::ranges::any_of(commands_, [&](const Statement* up) {
-      return up->command == Command::Ascend && known(up) &&
+      return isAscent(up->command) && known(up) &&
              std::ranges::any_of(commands_, [&](const Statement* down) {
-               return down->command == Command::Descend && known(down) &&
+               return isDescent(down->command) && known(down) &&
                       range(*up, 0).highest < range(*down, 0).lowest;
              });
     });
@@ -318,7 +322,7 @@ class CommandCheck {
     z3::expr turns = proof_.context.bool_val(false);
     for (const Statement* up : commands_) {
       for (const Statement* down : commands_) {
-        if (up->command == Command::Ascend && down->command == Command::Descend) {
+        if (isAscent(up->command) && isDescent(down->command)) {
           const NumberTerm top = climbing.number(up->values.at(0));
           const NumberTerm bottom = diving.number(down->values.at(0));
           turns = turns || (top.known && bottom.known && top.value < bottom.value);

@@ -59,7 +59,7 @@ class ComparisonCheck {
 
   void look(ExprId root) {
     forEachIn(m_, root, [&](const Expr& e) {
-      if (isOrdering(e.op) && e.range.file != proof_.options.library && isMeasured(e)) {
+      if (isOrdering(e.op) && !proof_.options.inLibrary(e.range) && isMeasured(e)) {
         note(e);
       }
     });

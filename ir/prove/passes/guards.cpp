@@ -199,7 +199,7 @@ class GuardCheck {
   }
 
   void gather(const Activity& activity) {
-    if (activity.cases.empty() || activity.cases.front().range.file == proof_.options.library) {
+    if (activity.cases.empty() || proof_.options.inLibrary(activity.cases.front().range)) {
       return;
     }
     const std::vector<GuardVerdict> verdicts = judge(activity.cases);

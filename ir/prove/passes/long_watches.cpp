@@ -92,7 +92,7 @@ class WatchCheck {
       lasts = end.by ? end.left_by[temporal.state.index] : kGreatestNumber;
     }
     const State& state = m_[temporal.state];
-    const bool elsewhere = temporal.range.file == proof_.options.library;
+    const bool elsewhere = proof_.options.inLibrary(temporal.range);
     const support::SourceRange range = elsewhere ? state.profile.range : temporal.range;
     if (!(needed > lasts) || lasts <= 0 || proof_.said.cover(range) ||
         !told_.emplace(range.file, range.begin, temporal.state).second) {

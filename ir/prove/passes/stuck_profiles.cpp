@@ -54,7 +54,7 @@ class ModeGraph {
   /// A mode from which only its own command is given, up or down, and the profile is never done.
   [[nodiscard]] std::optional<Trap> trap() const {
     for (const auto& [mode, range] : arrivals_) {
-      const bool sloped = mode.command == Command::Descend || mode.command == Command::Ascend;
+      const bool sloped = mode.command && (isDescent(*mode.command) || isAscent(*mode.command));
       if (sloped && !leadsToAnother(mode)) {
         return Trap{*mode.command, range};
       }
@@ -131,8 +131,8 @@ bool goesBothWays(const Mission& mission, const Activity& profile) {
   bool down = false;
   bool up = false;
   for (const Statement* statement : commandsOf(mission, profile)) {
-    down = down || statement->command == Command::Descend || statement->command == Command::Hover;
-    up = up || statement->command == Command::Ascend || statement->command == Command::Surface;
+    down = down || isDescent(statement->command) || statement->command == Command::Hover;
+    up = up || isAscent(statement->command) || statement->command == Command::Surface;
   }
   return down && up;
 }
@@ -155,15 +155,15 @@ void passes::stuckProfiles(Proof& proof) {
   const bool always_calls = mayCall(proof, StateId(), m.always);
   for (uint32_t i = 0; i < m.states.size(); ++i) {
     const State& state = m.states[i];
-    const bool own = !state.profile.cases.empty() &&
-                     state.profile.cases.front().range.file != proof.options.library;
+    const bool own =
+        !state.profile.cases.empty() && !proof.options.inLibrary(state.profile.cases.front().range);
     ModeGraph modes(m, state.profile, always_calls || mayCall(proof, {i}, state.cases));
     if (!own || !goesBothWays(m, state.profile) || !modes.explore()) {
       continue;
     }
     const auto trap = modes.trap();
     if (trap && told.emplace(trap->range.file, trap->range.begin).second) {
-      const bool dives = trap->command == Command::Descend;
+      const bool dives = isDescent(trap->command);
       proof.diagnostics.report(support::diagnostics::profileStuck, trap->range,
                                dives ? "dive" : "climb", dives ? "climb" : "dive");
     }

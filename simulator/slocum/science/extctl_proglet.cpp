@@ -5,6 +5,7 @@
 
 #include "hooks/extctl/decimal.h"
 #include "hooks/protocol/notices.h"
+#include "simulator/seat/told.h"
 #include "simulator/sensors/provided.h"
 
 #include <fmt/format.h>
@@ -25,23 +26,6 @@ using hooks::SeatEvent;
 constexpr size_t kMostLine = 820;
 /// An SBC that has written this is a backseat driver of glidercc: its state and a count.
 constexpr std::string_view kState = "sci_generic_a", kTime = "sci_generic_c";
-
-/// Takes the text before the first `separator` off `text`; all of it if there is none.
-std::string_view takePart(std::string_view& text, char separator) {
-  const size_t end = std::min(text.find(separator), text.size());
-  const std::string_view part = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
-  return part;
-}
-
-bool readWhole(std::string_view text, uint32_t& value) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size();
-}
-
-bool readReal(std::string_view text, double& value) {
-  return hooks::extctl::readDecimal(text.data(), static_cast<uint32_t>(text.size()), &value);
-}
 
 bool isSame(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b));
@@ -162,33 +146,7 @@ void ExtctlProglet::setModes(std::string_view numbers) {
 
 /// What the SBC says of its mission: its name, a transition, a note of it; or anything, to people.
 void ExtctlProglet::takeText(std::string_view text) {
-  SeatEvent event;
-  std::string_view rest = text;
-  const std::string_view word = takePart(rest, ',');
-  bool whole = true;
-  if (word == "mission") {
-    event.kind = SeatEvent::Kind::SbcHello;
-    text = rest;
-  } else if (word == "transition") {
-    event.kind = SeatEvent::Kind::SbcTransition;
-    whole = readReal(takePart(rest, ','), event.mission_time_s);
-    for (uint32_t* number : {&event.a, &event.b, &event.c, &event.d, &event.e}) {
-      whole = whole && readWhole(takePart(rest, ','), *number);
-    }
-  } else if (word == "note") {
-    event.kind = SeatEvent::Kind::SbcNote;
-    whole = readReal(takePart(rest, ','), event.mission_time_s) &&
-            readWhole(takePart(rest, ','), event.a);
-    text = rest;
-  }
-  if (!whole || event.kind == SeatEvent::Kind::None) {
-    event = {};
-    event.kind = SeatEvent::Kind::SbcNote;
-    event.mission_time_s = view_.mission_time_s;
-  }
-  text.copy(event.text, event.kind == SeatEvent::Kind::SbcHello ? hooks::kMostNameBytes
-                                                                : hooks::kMostNoteBytes);
-  events_.push_back(event);
+  events_.push_back(toldIn(text, view_.mission_time_s));
 }
 
 /// A sensor that no mission reads crosses between the computers as late as one that the SBC writes.

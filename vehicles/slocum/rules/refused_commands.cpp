@@ -50,6 +50,8 @@ double* partOf(const ir::Statement& command, Extremes& all) {
       return &all.farthest_battery;
     case ir::Command::Descend:
     case ir::Command::Ascend:
+    case ir::Command::DescendAt:
+    case ir::Command::AscendAt:
     case ir::Command::Hover:
     case ir::Command::Surface:
     case ir::Command::Steer:
@@ -70,8 +72,7 @@ Extremes extremesOf(const Commands& commands, const std::vector<ir::Interval>& h
       }
       continue;
     }
-    const bool sloped =
-        command->command == ir::Command::Descend || command->command == ir::Command::Ascend;
+    const bool sloped = ir::isDescent(command->command) || ir::isAscent(command->command);
     if (!sloped && command->command != ir::Command::Hover) {
       continue;
     }

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/transport/byte_stream.h"
+#include "runtime/abi/glider_abi.h"
+#include "runtime/abi/imc_mission.h"
+#include "runtime/abi/port_mission.h"
+#include "runtime/checkpoint/checkpoint.h"
+
+#include <memory>
+#include <variant>
+
+namespace glider::flights {
+
+/// What the SBC's program knows of a vehicle that has no hookprog, by the way in which it is
+/// steered.
+using SeatSettings = std::variant<GliderPortMission, GliderImcMission>;
+
+/// The part of the program that stands between it and such a vehicle, in this process.
+struct SeatOnBoard {
+  std::shared_ptr<void> holder;  ///< null: there is none, and the line is hookprog's
+  GliderByteStream stream{};     ///< the program's end
+};
+
+/// `line` is the vehicle's end; `mission` outlives it. `checkpoint`: of the program that it goes on
+/// from; null: none.
+SeatOnBoard makeSeat(const SeatSettings& settings, const GliderMission& mission,
+                     const GliderByteStream& line, const runtime::LinkFacts* checkpoint);
+
+}  // namespace glider::flights

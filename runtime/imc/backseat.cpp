@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/imc/backseat.h"
+
+#include "hooks/imc/values.h"
+#include "hooks/protocol/numbers.h"
+#include "hooks/protocol/sensors.h"
+#include "runtime/imc/bounds.h"
+#include "runtime/imc/story.h"
+#include "runtime/imc/virtual_time.h"
+
+namespace glider::runtime::imc {
+
+using hooks::HookAnswer;
+using hooks::HookControl;
+using hooks::HookState;
+using hooks::imc::EstimatedState;
+using hooks::imc::Packet;
+
+namespace {
+
+/// By the vehicle's clock. As the checkpoint has it: when the mission began.
+double beginOf(const LinkFacts* checkpoint) {
+  return checkpoint != nullptr && checkpoint->clock != 0
+             ? static_cast<double>(checkpoint->clock) - checkpoint->vehicle_time
+             : __builtin_nan("");
+}
+
+}  // namespace
+
+Backseat::Backseat(const GliderMission& mission, const GliderImcMission& imc,
+                   const VehicleLine& line, const LinkFacts* checkpoint)
+    : dictionary_(*mission.dictionary),
+      imc_(imc),
+      line_(line),
+      plan_(imc),
+      course_(imc),
+      vehicle_(static_cast<uint16_t>(imc.vehicle)),
+      began_s_(beginOf(checkpoint)),
+      inner_(*mission.dictionary, {this, hear, answer, closed, reading, instruct, state, clock}) {}
+
+double Backseat::clock(void* self) {
+  return static_cast<Backseat*>(self)->readings_.value(Reading::Clock);
+}
+
+/// The vehicle has no mission of its own whose time could be told.
+double Backseat::missionTime() const {
+  const double time = readings_.value(Reading::Clock) - began_s_;
+  return time > 0 ? time : 0;
+}
+
+/// Takes what has arrived until a cycle is complete or nothing is left. Bounded, so that a line
+/// full of noise cannot keep the program from its other work.
+void Backseat::hear(void* self) {
+  auto& seat = *static_cast<Backseat*>(self);
+  seat.flush();
+  constexpr uint32_t kMostBytesAtOnce = 16384;
+  const uint32_t before = seat.inner_.cycles();
+  for (uint32_t taken = 0; taken < kMostBytesAtOnce && seat.inner_.cycles() == before;) {
+    Packet packet;
+    if (seat.packets_.next(&packet)) {
+      seat.take(packet);
+      continue;
+    }
+    seat.damaged_ = seat.packets_.skippedBytes();
+    uint8_t bytes[64];
+    const int32_t count = seat.line_.stream.read(seat.line_.stream.self, bytes, sizeof bytes);
+    seat.line_closed_ = seat.line_closed_ || count < 0;
+    if (count <= 0) {
+      return;
+    }
+    taken += static_cast<uint32_t>(count);
+    // What next() left over has room for it.
+    (void)seat.packets_.push(bytes, static_cast<uint32_t>(count));
+  }
+}
+
+/// The vehicle repeats to a back seat what that has sent: only what it says itself counts.
+void Backseat::take(const Packet& packet) {
+  if (isVirtualTime(packet)) {
+    virtual_time_ = true;
+    inner_.useVirtualTime();
+  }
+  const bool first =
+      vehicle_ == 0 && packet.id == EstimatedState::kId && packet.header.source != kOwnAddress;
+  vehicle_ = first ? packet.header.source : vehicle_;
+  if (packet.header.source != vehicle_ || !hookIsFinite(packet.header.time_s)) {
+    return;
+  }
+  readings_.take(packet);
+  plan_.take(packet);
+  if (packet.id == EstimatedState::kId) {
+    lookAtCycle();
+  }
+}
+
+/// A cycle is complete with the first state of a second: the vehicle sends several of them.
+void Backseat::lookAtCycle() {
+  const double clock = readings_.value(Reading::Clock);
+  constexpr double kMost = 4294967295.0;
+  const double second =
+      clock > 0 && clock < kMost ? static_cast<double>(static_cast<uint32_t>(clock)) : 0;
+  if (second == newest_cycle_s_) {
+    return;
+  }
+  newest_cycle_s_ = second;
+  began_s_ = began_s_ == began_s_ && clock >= began_s_ ? began_s_ : clock;
+  followPlan();
+  inner_.cycle();
+}
+
+/// Without a session.
+HookState Backseat::free() const {
+  return plan_.follows()   ? HookState::Ready
+         : plan_.wasLost() ? HookState::Silent
+         : plan_.isTaken() ? HookState::Absent
+                           : HookState::Waiting;
+}
+
+/// Control is lost with the plan, whoever ended it.
+void Backseat::followPlan() {
+  if (session_ != 0 && !plan_.follows() && releasing_ == 0) {
+    lost_session_ = session_;
+    session_ = 0;
+    course_.surface();
+  }
+  if (state_ != HookState::Complete) {
+    state_ = session_ != 0 ? HookState::Active : free();
+  }
+}
+
+hooks::SeatState Backseat::state(void* self) {
+  const auto& seat = *static_cast<Backseat*>(self);
+  hooks::SeatState state;
+  state.vehicle_time_s = seat.missionTime();
+  state.hook_state = seat.state_;
+  state.answer = seat.answer_;
+  state.answered_sequence = seat.answered_;
+  state.session = seat.session_;
+  return state;
+}
+
+bool Backseat::reading(void* self, uint16_t id, double* value) {
+  auto& seat = *static_cast<Backseat*>(self);
+  if (id == hooks::sensorOf(seat.dictionary_, kGliderRoleMissionTime)) {
+    *value = seat.missionTime();
+    return true;
+  }
+  for (uint32_t i = 0; i < seat.imc_.count; ++i) {
+    if (seat.imc_.sensors[i] == id) {
+      return seat.readings_.takeReport(static_cast<Reading>(seat.imc_.sources[i]), value);
+    }
+  }
+  return false;
+}
+
+void Backseat::instruct(void* self, const hooks::Instruction& instruction) {
+  auto& seat = *static_cast<Backseat*>(self);
+  if (seat.answered_ != 0 && !hookIsNewerSequence(instruction.sequence, seat.answered_)) {
+    if (instruction.sequence != seat.answered_) {
+      seat.answer_ = HookAnswer::OldSequence;
+    }
+    return;
+  }
+  const bool release = instruction.control == HookControl::Release && seat.session_ != 0 &&
+                       instruction.session == seat.session_;
+  if (release) {
+    seat.release_ = instruction.sequence;
+    seat.releasing_ = seat.releasing_ == 0 ? 1 : seat.releasing_;
+    seat.plan_.end();
+    return;
+  }
+  seat.answered_ = instruction.sequence;
+  seat.answer_ = seat.decide(instruction);
+}
+
+HookAnswer Backseat::decide(const hooks::Instruction& instruction) {
+  const bool takes = instruction.control == HookControl::Take;
+  if (!plan_.follows() || releasing_ != 0 || state_ == HookState::Complete) {
+    return HookAnswer::NotReady;
+  }
+  if (takes ? lost_session_ != 0 && !hookIsNewerSession(instruction.session, lost_session_)
+            : instruction.session != session_) {
+    return HookAnswer::WrongSession;
+  }
+  const HookAnswer within = checkBounds(instruction, imc_);
+  if (within != HookAnswer::Accepted) {
+    return within;
+  }
+  course_.steer(instruction, here(), readings_.value(Reading::Heading));
+  session_ = takes ? instruction.session : session_;
+  state_ = HookState::Active;
+  return HookAnswer::Accepted;
+}
+
+template <typename Message>
+void Backseat::send(const Message& message) {
+  const hooks::imc::Header header{.time_s = readings_.value(Reading::Clock),
+                                  .source = kOwnAddress,
+                                  .source_entity = hooks::imc::kAnyEntity,
+                                  .destination = vehicle_,
+                                  .destination_entity = hooks::imc::kAnyEntity};
+  out_end_ += encode(header, message, out_ + out_end_, kMostBytes - out_end_);
+}
+
+void Backseat::sendReference() {
+  hooks::imc::Reference reference;
+  if (course_.reference(here(), reference)) {
+    send(reference);
+    plan_.noteReference(readings_.value(Reading::Clock));
+  }
+}
+
+/// What has happened, for the vehicle's log; a simulated vehicle also wants to know the state.
+void Backseat::tell() {
+  char text[kMostStory];
+  const auto enter = [&](uint32_t size) {
+    if (size != 0) {
+      send(hooks::imc::LogBookEntry{.type = hooks::imc::LogEntryType::Information,
+                                    .htime = readings_.value(Reading::Clock),
+                                    .context = hooks::imc::textOf("glidercc"),
+                                    .text = {text, static_cast<uint16_t>(size)}});
+    }
+  };
+  for (uint32_t i = 0; i < kMostTold; ++i) {
+    enter(storyOf(inner_.nextEvent(), text));
+  }
+  if (virtual_time_) {
+    enter(stateStory(inner_.sbc(), text));
+  }
+}
+
+/// The program has answered a cycle: sends the vehicle what is in force now, and a Heartbeat, which
+/// ends it. While the line is stuck nothing counts as sent.
+void Backseat::answer(void* self) {
+  auto& seat = *static_cast<Backseat*>(self);
+  const double now_s = clock(self);
+  if (seat.out_next_ != seat.out_end_ || seat.vehicle_ == 0) {
+    seat.flush();
+    return;
+  }
+  seat.out_next_ = seat.out_end_ = 0;
+  if (seat.releasing_ != 0) {
+    seat.send(seat.plan_.stop());
+    if (++seat.releasing_ > kReleaseCycles || seat.plan_.isOver()) {
+      seat.releasing_ = 0;
+      seat.answered_ = seat.release_;
+      seat.answer_ = HookAnswer::Accepted;
+      seat.lost_session_ = seat.session_;
+      seat.session_ = 0;
+      seat.state_ = HookState::Complete;
+    }
+  } else if (seat.plan_.asksForStart(now_s, seat.readings_.value(Reading::Depth))) {
+    seat.send(seat.plan_.start());
+  } else if (seat.plan_.follows()) {
+    seat.sendReference();
+  }
+  seat.tell();
+  seat.send(hooks::imc::Heartbeat());
+  if (seat.plan_.isInDoubt(now_s) && seat.line_.renew != nullptr) {
+    seat.packets_.reset();
+    seat.line_.renew(seat.line_.self);
+  }
+  seat.flush();
+}
+
+void Backseat::flush() {
+  while (out_next_ < out_end_) {
+    const int32_t taken =
+        line_.stream.write(line_.stream.self, out_ + out_next_, out_end_ - out_next_);
+    if (taken <= 0) {
+      return;
+    }
+    out_next_ += static_cast<uint32_t>(taken);
+  }
+}
+
+}  // namespace glider::runtime::imc

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/imc/codec.h"
+#include "hooks/protocol/instruction.h"
+#include "runtime/abi/imc_mission.h"
+#include "runtime/imc/position.h"
+
+namespace glider::runtime::imc {
+
+/// Makes the vehicle's References from instructions. A Reference has a place, a speed and a depth,
+/// and no heading: a heading is a place far ahead (README.md, rules M6 to M8).
+class Course {
+ public:
+  explicit Course(const GliderImcMission& mission) : mission_(mission) {}
+
+  /// A new command. `here`: where the vehicle is; `heading`: rad, for a command that keeps it.
+  void steer(const hooks::Instruction& command, const Place& here, double heading);
+  /// At the surface, where it is: until the first command and after the last.
+  void surface() { has_command_ = false; }
+  /// What it is told now. False if its place is not known.
+  [[nodiscard]] bool reference(const Place& here, hooks::imc::Reference& reference);
+
+  /// How far ahead the place of a heading is, and how near it may come, m.
+  static constexpr double kAhead_m = 2000;
+  static constexpr double kNear_m = 500;
+
+ private:
+  void aimAhead(const Place& here);
+
+  GliderImcMission mission_;
+  hooks::Instruction command_;
+  bool has_command_ = false;
+  double heading_ = __builtin_nan("");  ///< of a place that is far ahead; NaN: the place is fixed
+  Place aim_;
+};
+
+}  // namespace glider::runtime::imc

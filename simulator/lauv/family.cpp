@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/family/family.h"
+
+#include "simulator/lauv/lauv_seat.h"
+
+#include <algorithm>
+
+namespace glider::simulator {
+namespace {
+
+/// What a LAUV flies by itself: nothing. A scenario names a mission file of the glider that it was
+/// written for, which means nothing here.
+struct OwnOfLauv {};
+
+constexpr std::string_view kSources[] = {"clock", "EstimatedState.depth", "EstimatedState.lat",
+                                         "EstimatedState.lon", "EstimatedState.psi"};
+
+std::string_view missingSensor(const platforms::Platform& platform) {
+  for (const std::string_view source : kSources) {
+    if (std::ranges::find(platform.sensors, source, &platforms::PlatformSensor::source) ==
+        platform.sensors.end()) {
+      return source;
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+constinit const Family families::lauv = {
+    .name = "lauv",
+    .missing_sensor = missingSensor,
+    .load_own =
+        [](const std::filesystem::path& /*path*/, support::SourceManager& /*sources*/,
+           support::DiagnosticEngine& /*diagnostics*/, std::any& own) {
+          own = OwnOfLauv();
+          return support::Result<void>();
+        },
+    .vehicle_keys = {},
+    .read_vehicle = [](Fields& /*fields*/, std::any& /*own*/) {},
+    .text_of = [](const std::any& /*own*/) { return std::string("a LAUV"); },
+    .apply_drawn = [](const DrawnFaults& /*drawn*/, std::any& /*own*/) {},
+    .overtime_of = [](const std::any& /*own*/) { return 0.0; },
+    .raise_overtime = [](std::any& /*own*/, double /*seconds*/) { return std::optional<double>(); },
+    .make_seat = [](const SeatSetup& setup) -> std::unique_ptr<SimulatedSeat> {
+      return std::make_unique<LauvSeat>(setup);
+    }};
+
+}  // namespace glider::simulator

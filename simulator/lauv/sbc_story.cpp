@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/lauv/sbc_story.h"
+
+#include "hooks/imc/codec.h"
+#include "simulator/seat/told.h"
+
+namespace glider::simulator::lauv {
+
+void SbcStory::take(const hooks::imc::Packet& packet, double now_s) {
+  hooks::imc::LogBookEntry entry;
+  if (packet.id == hooks::imc::LogBookEntry::kId && decode(packet, entry) &&
+      entry.context == hooks::imc::textOf("glidercc")) {
+    takeText({entry.text.bytes, entry.text.size});
+  }
+  heard_s_ = now_s;
+}
+
+void SbcStory::takeText(std::string_view text) {
+  constexpr std::string_view kState = "state,";
+  if (!text.starts_with(kState)) {
+    events_.push_back(toldIn(text, view_.mission_time_s));
+    return;
+  }
+  text.remove_prefix(kState.size());
+  uint32_t state = 0;
+  double time_s = 0;
+  if (readWhole(takePart(text, ','), state) && readReal(text, time_s)) {
+    view_.known = true;
+    view_.phase = state > 0 ? hooks::MissionPhase::Flying : hooks::MissionPhase::Waiting;
+    view_.state = state > 0 ? state - 1 : 0;
+    view_.mission_time_s = time_s;
+  }
+}
+
+void SbcStory::look(double now_s) {
+  constexpr double kSilence = 12;
+  if (view_.known && now_s - heard_s_ > kSilence) {
+    view_ = {};
+    hooks::SeatEvent lost;
+    lost.kind = hooks::SeatEvent::Kind::SbcLost;
+    events_.push_back(lost);
+  }
+}
+
+hooks::SeatEvent SbcStory::nextEvent() {
+  if (events_.empty()) {
+    return {};
+  }
+  const hooks::SeatEvent event = events_.front();
+  events_.pop_front();
+  return event;
+}
+
+}  // namespace glider::simulator::lauv

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <stdint.h>
+
+/// What the fields of a message are: the types that messages.def names. No heap.
+namespace glider::hooks::imc {
+
+using u8 = uint8_t;
+using u16 = uint16_t;
+using u32 = uint32_t;
+using i16 = int16_t;
+using i32 = int32_t;
+using f32 = float;
+using f64 = double;
+
+/// In place of the id of a message: there is none.
+inline constexpr uint16_t kNoMessage = 65535;
+
+/// Bytes without a zero at the end. Of a decoded message they are in its packet; what is to be
+/// encoded stays where it is until then.
+struct Text {
+  const char* bytes = nullptr;
+  uint16_t size = 0;
+
+  friend constexpr bool operator==(const Text& one, const Text& other) {
+    bool same = one.size == other.size;
+    for (uint32_t i = 0; same && i < one.size; ++i) {
+      same = one.bytes[i] == other.bytes[i];
+    }
+    return same;
+  }
+};
+
+/// A text that a zero ends, without it.
+constexpr Text textOf(const char* text) {
+  Text found{text, 0};
+  while (found.size < UINT16_MAX && text[found.size] != '\0') {
+    ++found.size;
+  }
+  return found;
+}
+
+/// A message within another, or none. One of another kind there makes the whole unreadable.
+template <typename Message>
+struct Maybe {
+  bool present = false;
+  Message value{};
+};
+
+/// Any message within another, or none. A message within another has no length, so one that cannot
+/// be read hides all that follows it: the fields behind it then have their defaults.
+template <typename Message>
+struct AnyMessage {
+  uint16_t id = kNoMessage;  ///< of what was there, also if it could not be read; not encoded
+  bool present = false;      ///< it is a Message, and was read as a whole
+  Message value{};
+};
+
+/// A list of messages with at most one, of this kind. With more the whole is unreadable.
+template <typename Message>
+struct AtMostOne {
+  bool present = false;
+  Message value{};
+};
+
+/// A list without elements. With any the whole is unreadable.
+struct EmptyList {};
+
+}  // namespace glider::hooks::imc

@@ -23,6 +23,10 @@ struct SystemType {
   enum : uint8_t { ControlStation = 0, UnderwaterVehicle = 2 };
 };
 
+struct LogEntryType {
+  enum : uint8_t { Information = 0 };
+};
+
 struct GpsValidity {
   enum : uint16_t { Position = 4 };
 };

@@ -9,7 +9,6 @@
 namespace glider::runtime::imc {
 namespace {
 
-constexpr double kDegreesPerRadian = 180.0 / 3.141592653589793;
 constexpr double kRadius_m = 6378137.0;            // WGS 84: half the greater axis
 constexpr double kSquared = 6.69437999014131e-03;  // and its first eccentricity, squared
 

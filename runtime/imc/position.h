@@ -5,6 +5,8 @@
 
 namespace glider::runtime::imc {
 
+inline constexpr double kDegreesPerRadian = 180.0 / 3.141592653589793;
+
 /// A place on WGS 84, degrees; NaN: unknown.
 struct Place {
   double latitude = __builtin_nan("");

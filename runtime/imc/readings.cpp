@@ -12,7 +12,6 @@ namespace {
 
 using namespace hooks::imc;
 
-constexpr double kDegreesPerRadian = 180.0 / 3.141592653589793;
 constexpr double kBarPerHectopascal = 1e-3;
 constexpr double kQuarterTurn = kTwoPi / 4;
 

@@ -17,7 +17,7 @@ struct OwnOfLauv {};
 constexpr std::string_view kSources[] = {"clock", "EstimatedState.depth", "EstimatedState.lat",
                                          "EstimatedState.lon", "EstimatedState.psi"};
 
-std::string_view missingSensor(const platforms::Platform& platform) {
+std::string_view missingSource(const platforms::Platform& platform) {
   for (const std::string_view source : kSources) {
     if (std::ranges::find(platform.sensors, source, &platforms::PlatformSensor::source) ==
         platform.sensors.end()) {
@@ -31,7 +31,7 @@ std::string_view missingSensor(const platforms::Platform& platform) {
 
 constinit const Family families::lauv = {
     .name = "lauv",
-    .missing_sensor = missingSensor,
+    .missing_sensor = missingSource,
     .load_own =
         [](const std::filesystem::path& /*path*/, support::SourceManager& /*sources*/,
            support::DiagnosticEngine& /*diagnostics*/, std::any& own) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "frontend/sema/names/names.h"
+#include "platforms/load/platform.h"
 
 #include <string>
 #include <string_view>

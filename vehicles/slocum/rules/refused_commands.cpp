@@ -4,6 +4,7 @@
 #include "vehicles/slocum/rules/refused_commands.h"
 
 #include "hooks/hookbeh/args.h"
+#include "ir/core/ops.h"
 #include "ir/prove/abstract/held_ranges.h"
 #include "ir/prove/context/commands.h"
 

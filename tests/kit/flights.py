@@ -17,6 +17,29 @@ from flight import (ACTUATORS, ASCEND, BAD_BATTERY, BAD_CHECK, BAD_COMMAND, BAD_
 SINKS_UNSEEN = 0.44 * 26 / 45
 
 
+def line_end(depths, before_m, rate_mps):
+    """Depth and rate at the end of the line through `depths`, one a cycle, and an endless line before them; each counts 0.6 times as
+    much as the next one (6 s of smoothing: 6 / (6 + 4))."""
+    points = [(4 * n, depth) for n, depth in enumerate(depths, 1)] + [(-4 * n, before_m - 4 * n * rate_mps) for n in range(100)]
+    weights = [0.6 ** (len(depths) - time / 4) for time, _ in points]
+    mean_t, mean_d = (sum(w * p[axis] for w, p in zip(weights, points, strict=True)) / sum(weights) for axis in (0, 1))
+    slope = (sum(w * (t - mean_t) * (d - mean_d) for w, (t, d) in zip(weights, points, strict=True)) /
+             sum(w * (t - mean_t) ** 2 for w, (t, _) in zip(weights, points, strict=True)))
+    return mean_d + slope * (4 * len(depths) - mean_t), slope
+
+
+def hover_volumes(target_m, before_m, rate_mps, depths):
+    """Each of `depths`, one a cycle, and the pump in it, of a hover that began at `before_m`."""
+    pump = 40 * (before_m - target_m) + 1000 * rate_mps
+    for count, depth in enumerate(depths, 1):
+        fresh = [one for one, _ in itertools.groupby([before_m, *depths[:count]])][1:]  # the array keeps a depth
+        at, rate = line_end(fresh, before_m, rate_mps)
+        volume = max(-230, min(230, 40 * (at - target_m) + 1000 * rate))
+        assert abs(abs(volume - pump) - 25) > 0.1, f"cycle {count}: {volume} is too near to rest or move"
+        pump = pump if abs(volume - pump) <= 25 else volume
+        yield depth, pump
+
+
 def a_session():
     """Waiting, Ready, Active, Complete. What is in the array at the start is not followed, nor what comes before its time."""
     f = Flight("a session", start_secs=20)
@@ -246,6 +269,31 @@ def depths_disagree():
     return f
 
 
+def stuck_ctd():
+    """A CTD that gives one value while the depth changes by 3 m is not used: it ends no dive."""
+    f, take = taken("a stuck CTD", DESCEND, 28, -USUAL_PITCH)
+    f.dives().cycle(**take)
+    for number in range(1, 40):
+        f.cycle(depth_m=number / 2, ctd_bar=min(number / 2, 6) / 10)
+    return f
+
+
+def checks_depth():
+    """A hover that may have sunk to the greatest depth climbs until its depth follows by 2.5 m, and returns by its pump."""
+    f, take = taken("a hover that checks its depth", ASCEND, 20, USUAL_PITCH, depth=26.5, greatest_depth_m=29.875, hold_secs=0)
+    f.flies("ClimbTo", USUAL_PITCH, 230).cycle(depth_m=26, **take).through(25, 21, -1)
+    f.flies("Hover", 0, 0).cycle(depth_m=20)
+    cycles = math.ceil((12 + (29.875 - 20) / 0.1) / 4)  # it sinks by 0.1 m/s at most, and not in the first 12 s after the climb
+    rests = [20 - (number + 1) % 2 / 8 for number in range(cycles - 1)]
+    climbs = [20 - number / 8 for number in range(20)]
+    for number, (depth, volume) in enumerate(hover_volumes(20, 20, 0, rests + climbs + [17.5, 16.5]), 1):
+        f.flies("Hover", 0, volume)
+        if cycles <= number < cycles + len(climbs):
+            f.flies("CheckDepth", USUAL_PITCH, 233)
+        f.cycle(depth_m=depth)
+    return f
+
+
 def no_headway():
     """Guard 7 ends a dive that gains less than a metre in 180 s, though the CTD agrees."""
     f, take = taken("no depth gained", DESCEND, 100, -USUAL_PITCH, greatest_depth_m=200)
@@ -287,30 +335,12 @@ def no_height():
     return f.flies("ClimbTo", USUAL_PITCH, 230).cycle(depth_m=19)
 
 
-def line_end(depths, before_m, rate_mps):
-    """Depth and rate at the end of the line through `depths`, one a cycle, and an endless line before them; each counts 0.6 times as
-    much as the next one (6 s of smoothing: 6 / (6 + 4))."""
-    points = [(4 * n, depth) for n, depth in enumerate(depths, 1)] + [(-4 * n, before_m - 4 * n * rate_mps) for n in range(100)]
-    weights = [0.6 ** (len(depths) - time / 4) for time, _ in points]
-    mean_t, mean_d = (sum(w * p[axis] for w, p in zip(weights, points, strict=True)) / sum(weights) for axis in (0, 1))
-    slope = (sum(w * (t - mean_t) * (d - mean_d) for w, (t, d) in zip(weights, points, strict=True)) /
-             sum(w * (t - mean_t) ** 2 for w, (t, _) in zip(weights, points, strict=True)))
-    return mean_d + slope * (4 * len(depths) - mean_t), slope
-
-
 def hover():
     """A hover is level; its pump is 40 cc a metre and 1000 cc a metre a second, and rests until it differs by more than 25 cc."""
     f, take = taken("hover", HOVER, 10, depth=9)
-    depths = [9.5, 9.75, 10, 10.5, 10.25, 10.75, 10.5, 10.75, 10.125, 9.375] + 8 * [9.125]
-    pump = 40 * (9.25 - 10) + 1000 * 0.0625
-    f.flies("Hover", 0, pump).cycle(depth_m=9.25, depth_rate_mps=0.0625, **take)
-    for count, depth in enumerate(depths, 1):
-        fresh = [one for one, _ in itertools.groupby(depths[:count])]  # the array keeps a depth
-        at, rate = line_end(fresh, 9.25, 0.0625)
-        volume = 40 * (at - 10) + 1000 * rate
-        assert abs(abs(volume - pump) - 25) > 1, f"cycle {count}: {volume} is too near to rest or move"
-        pump = pump if abs(volume - pump) <= 25 else volume
-        f.flies("Hover", 0, pump).cycle(depth_m=depth)
+    f.flies("Hover", 0, 40 * (9.25 - 10) + 1000 * 0.0625).cycle(depth_m=9.25, depth_rate_mps=0.0625, **take)
+    for depth, volume in hover_volumes(10, 9.25, 0.0625, [9.5, 9.75, 10, 10.5, 10.25, 10.75, 10.5, 10.75, 10.125, 9.375] + 8 * [9.125]):
+        f.flies("Hover", 0, volume).cycle(depth_m=depth)
     return f
 
 
@@ -354,5 +384,5 @@ def whole_stroke():
 def all_flights():
     return [a_session(), refusals(), silence(), garbled(), clocks(), false_time(), steering(), actuators(), too_deep(), no_limit(),
             near_the_bottom(), touched("a bottom that the altimeter does not show", 5, 40), touched("a bottom without an altimeter", -1, 12),
-            unknown_depth(), depth_jumps(), depth_freezes(), depths_disagree(), no_headway(), unseen(), swell(), no_height(), hover(),
-            masked(), hull(), whole_stroke()]
+            unknown_depth(), depth_jumps(), depth_freezes(), depths_disagree(), stuck_ctd(), checks_depth(), no_headway(), unseen(),
+            swell(), no_height(), hover(), masked(), hull(), whole_stroke()]

@@ -86,7 +86,8 @@ foreach(folder ${kit_folders})
 endforeach()
 install(FILES hooks/transport/byte_stream.h DESTINATION hooks/transport COMPONENT vehicle EXCLUDE_FROM_ALL)
 install(FILES ${CMAKE_BINARY_DIR}/generated/platforms/slocum_sensors.h DESTINATION platforms COMPONENT vehicle EXCLUDE_FROM_ALL)
-install(FILES tests/kit/vectors.c tests/kit/vectors.def DESTINATION tests/kit COMPONENT vehicle EXCLUDE_FROM_ALL)
+install(FILES tests/kit/vectors.c tests/kit/vectors.def tests/kit/vectors.h tests/kit/hookbeh_vectors.c tests/kit/hookbeh_vectors.def
+  DESTINATION tests/kit COMPONENT vehicle EXCLUDE_FROM_ALL)
 install(FILES kit/Makefile kit/README.md LICENSE DESTINATION . COMPONENT vehicle EXCLUDE_FROM_ALL)
 install(FILES kit/example_behaviour.c kit/example_behaviour.h kit/example_proglet.c kit/example_proglet.h kit/science_bench.c
   DESTINATION kit COMPONENT vehicle EXCLUDE_FROM_ALL)

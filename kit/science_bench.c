@@ -24,7 +24,6 @@
 #define GLIDER_DEFINE_DICTIONARY
 #include "platforms/slocum_sensors.h"
 
-#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -44,10 +43,23 @@ static double get(void* self, uint16_t id, bool* is_fresh) {
   return values[id];
 }
 
+/// The bits of a double in two halves: the C library of a small computer may have no numbers of 64
+/// bits in printf and scanf.
+static void showNumber(double value) {
+  const uint64_t bits = hookBitsOfDouble(value);
+  printf("%08lx%08lx", (unsigned long)(bits >> 32U), (unsigned long)(bits & UINT32_MAX));
+}
+
+static double numberOf(unsigned long high, unsigned long low) {
+  return hookDoubleOf((uint64_t)high << 32U | low);
+}
+
 /// The vehicle keeps what a proglet sets, and tells it as it tells any sensor.
 static void set(void* self, uint16_t id, double value) {
   (void)self;
-  printf("set %u %016" PRIx64 "\n", (unsigned)id, hookBitsOfDouble(value));
+  printf("set %u ", (unsigned)id);
+  showNumber(value);
+  printf("\n");
 }
 
 static int32_t readSbc(void* self, uint8_t* bytes, uint32_t capacity) {
@@ -93,9 +105,10 @@ static void receive(const char* hex) {
 static void showEvents(void) {
   HookSeatEvent event;
   while (exampleProgletNextEvent(&event)) {
-    printf("event %u %016" PRIx64 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " %" PRIu32 " ",
-           (unsigned)event.kind, hookBitsOfDouble(event.mission_time_s), event.a, event.b, event.c,
-           event.d, event.e);
+    printf("event %u ", (unsigned)event.kind);
+    showNumber(event.mission_time_s);
+    printf(" %lu %lu %lu %lu %lu ", (unsigned long)event.a, (unsigned long)event.b,
+           (unsigned long)event.c, (unsigned long)event.d, (unsigned long)event.e);
     for (const char* text = event.text; *text != 0; ++text) {
       printf("%02x", (unsigned)(uint8_t)*text);
     }
@@ -107,12 +120,13 @@ static void run(double time_s) {
   exampleProgletRun(time_s);
   showEvents();
   const HookSbcView* view = exampleProgletSbc();
-  printf("view %d %016" PRIx64 " %" PRIu32 " %u %u\ndone\n", view->known ? 1 : 0,
-         hookBitsOfDouble(view->mission_time_s), view->state, (unsigned)view->stack_depth,
+  printf("view %d ", view->known ? 1 : 0);
+  showNumber(view->mission_time_s);
+  printf(" %lu %u %u\ndone\n", (unsigned long)view->state, (unsigned)view->stack_depth,
          (unsigned)view->phase);
 }
 
-static void hello(unsigned version, uint32_t hash, int virtual_time) {
+static void hello(unsigned version, unsigned long hash, int virtual_time) {
   const ExampleBoard board = {{NULL, get, set}, {NULL, readSbc, writeSbc}};
   if (version != kVersion) {
     fail("other lines are spoken: build it with the kit of this glidercc");
@@ -125,22 +139,22 @@ static void hello(unsigned version, uint32_t hash, int virtual_time) {
   }
   exampleProgletBegin(&board, virtual_time != 0);
   exampleProgletStart();
-  printf("hello %u %08" PRIx32 "\n", (unsigned)kVersion, gliderDictionary.hash);
+  printf("hello %u %08lx\n", (unsigned)kVersion, (unsigned long)gliderDictionary.hash);
 }
 
 static void obey(const char* line) {
   unsigned number = 0;
-  uint32_t hash = 0;
+  unsigned long hash = 0, high = 0, low = 0;
   int flag = 0;
-  uint64_t bits = 0;
-  if (sscanf(line, "sensor %u %" SCNx64, &number, &bits) == 2 && number < GLIDER_MOST_SENSORS) {
-    values[number] = hookDoubleOf(bits);
+  if (sscanf(line, "sensor %u %8lx%8lx", &number, &high, &low) == 3 &&
+      number < GLIDER_MOST_SENSORS) {
+    values[number] = numberOf(high, low);
     fresh[number] = true;
-  } else if (sscanf(line, "run %" SCNx64, &bits) == 1) {
-    run(hookDoubleOf(bits));
+  } else if (sscanf(line, "run %8lx%8lx", &high, &low) == 2) {
+    run(numberOf(high, low));
   } else if (strncmp(line, "bytes ", 6) == 0) {
     receive(line + 6);
-  } else if (sscanf(line, "hello %u %" SCNx32 " %d", &number, &hash, &flag) == 3) {
+  } else if (sscanf(line, "hello %u %lx %d", &number, &hash, &flag) == 3) {
     hello(number, hash, flag);
   } else if (strcmp(line, "closed\n") == 0) {
     is_closed = true;

@@ -47,9 +47,9 @@ static HookAnswer checkActuators(double pump_cc, double battery_in, const Hookbe
       inMillimetres(hookMagnitude(pump_cc)) > inMillimetres(args->greatest_pump_cc)) {
     return kHookAnswerBadPump;
   }
-  const bool far =
+  const bool beyond =
       inAngleSteps(hookMagnitude(battery_in)) > inAngleSteps(args->greatest_battery_in);
-  return !hookIsFinite(battery_in) || far ? kHookAnswerBadBattery : kHookAnswerAccepted;
+  return !hookIsFinite(battery_in) || beyond ? kHookAnswerBadBattery : kHookAnswerAccepted;
 }
 
 static HookAnswer checkVertical(const HookInstruction* instruction, const HookbehArgs* args) {

@@ -57,9 +57,9 @@ static void watchCtd(HookDepthWatch* watch, double step_s) {
                       (watch->ctd.same_s >= hookDepthSourcePatience(&watch->ctd) && moved);
   const bool own_good = watch->own.reading == kHookDepthReadingGood;
   const double apart = hookRecentDepthsDistanceTo(&watch->own_lately, watch->ctd.depth_m);
-  const bool near = watch->ctd.age_s == 0 && apart <= kAgreeM;
+  const bool agrees = watch->ctd.age_s == 0 && apart <= kAgreeM;
   watch->ctd_jumped =
-      watch->ctd.reading == kHookDepthReadingJumped || (watch->ctd_jumped && !(own_good && near));
+      watch->ctd.reading == kHookDepthReadingJumped || (watch->ctd_jumped && !(own_good && agrees));
   if (!ctdLives(watch)) {
     watch->agree_s = watch->disagree_s = 0;
     return;
@@ -73,8 +73,8 @@ static void watchCtd(HookDepthWatch* watch, double step_s) {
   const double kept_s =
       hookAtMost(watch->own.same_s, hookDepthSourcePatience(&watch->own) - kUsualPatienceSecs);
   const bool beyond = apart > kAgreeM + watch->hull.vertical_rate_m_s * kept_s;
-  if (watch->ctd.age_s == 0 && (near || beyond)) {
-    watch->differs = !near;
+  if (watch->ctd.age_s == 0 && (agrees || beyond)) {
+    watch->differs = !agrees;
   }
   watch->agree_s = watch->differs ? 0 : watch->agree_s + step_s;
   watch->disagree_s = watch->differs ? watch->disagree_s + step_s : 0;

@@ -88,10 +88,11 @@ double hookTrendMoved(const HookTrend* trend, double roughness_m, double fastest
     const Line line = lineThrough(trend, count);
     const double secs = readingBack(trend, 0)->at_s - readingBack(trend, count - 1)->at_s;
     const double moved = line.slope_mps * secs;
-    const double far = hookMagnitude(moved);
+    const double distance = hookMagnitude(moved);
     const double off = farthestFrom(trend, &line, count);
-    if (far >= kTrendMovesM && far <= fastest_mps * secs + kTrendSwellM && off <= kFarthestM &&
-        far >= clearOf(count) * off && far >= kClearOfRough * roughness_m) {
+    if (distance >= kTrendMovesM && distance <= fastest_mps * secs + kTrendSwellM &&
+        off <= kFarthestM && distance >= clearOf(count) * off &&
+        distance >= kClearOfRough * roughness_m) {
       return moved;
     }
   }

@@ -84,11 +84,31 @@ def pick(found, count, seed):
 
 def exempt():
     """Key → (verdict, reason) of what cannot or need not die: `equivalent`, or `accepted` with a reason."""
-    if not EXEMPT.is_file():
-        return {}
+    return {" | ".join((r["file"], r["function"], r["operator"], r["before"], r["after"])): (r["verdict"], r["reason"])
+            for r in _exempt_rows()}
+
+
+def _exempt_rows():
     with EXEMPT.open(newline="", encoding="utf-8") as table:
-        return {" | ".join((r["file"], r["function"], r["operator"], r["before"], r["after"])): (r["verdict"], r["reason"])
-                for r in csv.DictReader(table)}
+        return list(csv.DictReader(table))
+
+
+def unknown_names(table, named):
+    """What a table names and the sources do not have. `named`: pairs of a file and a function in it."""
+    functions = {}
+    for path, function in named:
+        functions.setdefault(path, set()).add(function)
+    for path, names in functions.items():
+        if not (ROOT / path).is_file():
+            yield f"{table}: there is no file {path}"
+            continue
+        for name in sorted(names - Source(path).functions()):
+            yield f"{table}: {path} has no function {name}"
+
+
+def unknown_exempt():
+    """The files and functions of exempt.csv that are not there."""
+    return unknown_names(EXEMPT.relative_to(ROOT), ((row["file"], row["function"]) for row in _exempt_rows()))
 
 
 def outlived(found, paths):

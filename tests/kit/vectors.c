@@ -2,9 +2,12 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 
 /* Whether a build of the vehicle's side of the hooks answers as it must: check values, frames,
-   messages, numbers, and hookprog with an SBC, second by second. Needs C99 and stdio.h, and no
-   vehicle. Prints a line for each group, and each difference; ends with 1 if there is any.
+   messages, numbers, hookprog with an SBC, second by second, and hookbeh, cycle by cycle
+   (hookbeh_vectors.c). Needs C99 and stdio.h, and no vehicle. Prints a line for each group, and
+   each difference; ends with 1 if there is any.
    vectors.def has what is asked and what must come, from tests/kit/make_vectors. */
+#include "tests/kit/vectors.h"
+
 #include "hooks/hookprog/hookprog.h"
 #include "hooks/protocol/bytes.h"
 #include "hooks/protocol/crc.h"
@@ -13,9 +16,6 @@
 #include <stdio.h>
 #include <string.h>
 
-typedef struct Span {
-  uint32_t first, count;
-} Span;
 typedef struct CrcVector {
   Span given;
   uint16_t crc16;
@@ -108,18 +108,20 @@ typedef struct Session {
 
 #include "tests/kit/vectors.def"
 
-#define COUNT_OF(array) ((uint32_t)(sizeof(array) / sizeof((array)[0])))
-
 static uint32_t differences;
 
-static void want(bool holds, const char* group, const char* what, uint32_t vector) {
+void want(bool holds, const char* group, const char* what, uint32_t vector) {
   if (!holds) {
     ++differences;
     printf("DIFFERENT: %s, %s, vector %lu\n", group, what, (unsigned long)vector);
   }
 }
 
-static void report(const char* group, uint32_t vectors, uint32_t before) {
+uint32_t differencesSoFar(void) {
+  return differences;
+}
+
+void report(const char* group, uint32_t vectors, uint32_t before) {
   printf("%s: %lu vectors, %lu differences\n", group, (unsigned long)vectors,
          (unsigned long)(differences - before));
 }
@@ -481,6 +483,7 @@ int main(void) {
   for (uint32_t i = 0; i < COUNT_OF(kSessions); ++i) {
     checkSession(&kSessions[i]);
   }
+  checkHookbeh();
   if (differences != 0) {
     printf("This build differs in %lu places.\n", (unsigned long)differences);
     return 1;

@@ -22,6 +22,14 @@ def planted(operator, text, path="hooks/x.cpp"):
     return sorted(" ".join((text[:b] + new + text[e:]).split()) for b, e, new in OPERATORS[operator](source))
 
 
+class Names(unittest.TestCase):
+    def test_a_table_that_names_what_is_gone(self):
+        named = [("hooks/hookbeh/guard.c", "mayGoOn"), ("hooks/hookbeh/guard.cpp", "mayGoOn"),
+                 ("hooks/hookbeh/guard.cpp", "mayStay"), ("hooks/hookbeh/guard.c", "mayStay")]
+        self.assertEqual(list(planting_code.unknown_names("t.csv", named)),
+                         ["t.csv: hooks/hookbeh/guard.c has no function mayStay", "t.csv: there is no file hooks/hookbeh/guard.cpp"])
+
+
 class Operators(unittest.TestCase):
     def check(self, operator, text, *expected):
         self.assertEqual(planted(operator, text), sorted(" ".join(e.split()) for e in expected))

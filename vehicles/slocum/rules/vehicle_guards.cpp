@@ -27,7 +27,7 @@ constexpr double kSurelyPast_m = 0.5;
 /// How far the vehicle sinks between the reading of an altitude and the end of the dive that the
 /// mission then ends, m: a cycle and the turn, 2.6 m in real logs.
 constexpr double kSinksOn_m = 3;
-/// hookbeh uses no smaller min_altitude (hooks/hookbeh/hull.cpp).
+/// hookbeh uses no smaller min_altitude (hooks/hookbeh/hull.c).
 constexpr double kLeastAltitude_m = 2;
 /// A hover is never longer at one depth than this, s: every 300 to 600 s hookbeh shows by a climb
 /// of 4 to 5 m that its depth answers (hooks/hookbeh/README.md), and abend then counts from the

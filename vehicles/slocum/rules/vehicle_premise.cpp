@@ -50,7 +50,7 @@ std::string premiseWith(const ir::WidestWorld& world, const VehicleFile& file,
         std::min(std::ranges::max(ir::prove::deepestByState(ir::prove::ProofContext(world))),
                  std::min(file.guards.greatest_depth_m, platform.envelope.greatest_depth_m) +
                      platform.envelope.inflection_overshoot_m);
-    constexpr double kLeastAltitude_m = 2;  // of hookbeh (hooks/hookbeh/hull.cpp)
+    constexpr double kLeastAltitude_m = 2;  // of hookbeh (hooks/hookbeh/hull.c)
     const double altitude = std::max(file.guards.least_altitude_m, kLeastAltitude_m);
     text += fmt::format(", in water of {:.0f} m or more", std::ceil(deepest + altitude));
   }

@@ -64,6 +64,11 @@ std::string finText(const Envelope& envelope) {
              : "none to command";
 }
 
+std::string pumpText(const Envelope& envelope) {
+  return envelope.pump_cc > 0 ? fmt::format("{:.6g} cc to either side", envelope.pump_cc)
+                              : "none to command";
+}
+
 std::string batteryText(const Envelope& envelope) {
   return envelope.battery_in > 0 ? fmt::format("{:.4g} inch to either side", envelope.battery_in)
                                  : "none to command";
@@ -77,13 +82,13 @@ std::string envelopeText(const Envelope& envelope) {
       "  inflection overshoot    {:.6g} m\n"
       "  strongest current       {:.6g} m/s\n"
       "  fin                     {}\n"
-      "  pump                    {:.6g} cc to either side\n"
+      "  pump                    {}\n"
       "  pitch battery           {}\n"
       "  control cycle           {:.6g} s\n",
       envelope.greatest_depth_m, envelope.vertical_rate_m_s,
       envelope.shallowest_pitch_rad * 180 / std::numbers::pi,
       envelope.steepest_pitch_rad * 180 / std::numbers::pi, envelope.inflection_overshoot_m,
-      envelope.drift_m_s, finText(envelope), envelope.pump_cc, batteryText(envelope),
+      envelope.drift_m_s, finText(envelope), pumpText(envelope), batteryText(envelope),
       envelope.cycle_s);
 }
 

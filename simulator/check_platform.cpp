@@ -24,8 +24,8 @@ support::Result<void> checkMotion(const platforms::Platform& platform) {
   if (!isModel(platform.motion->model)) {
     return support::fail(support::diagnostics::badDataFile, file,
                          fmt::format("the simulator cannot fly this vehicle: it has no model `{}`, "
-                                     "only `glider`",
-                                     platform.motion->model));
+                                     "{}",
+                                     platform.motion->model, knownModels()));
   }
   return {};
 }

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "platforms/load/propeller_motion.h"
 #include "support/units/units.h"
 
 #include <cstdint>
@@ -49,8 +50,8 @@ struct Envelope {
   double vertical_rate_m_s = 0;       ///< the fastest it sinks or climbs
   double inflection_overshoot_m = 0;  ///< how far it goes past a target depth while it turns
   double drift_m_s = 0;               ///< the strongest current that missions account for
-  double pump_cc = 0;                 ///< of the buoyancy pump, in either direction
-  double fin_rad = 0;                 ///< of the fin, to either side; 0: missions have no fin
+  double pump_cc = 0;     ///< of the buoyancy pump, in either direction; 0: missions have none
+  double fin_rad = 0;     ///< of the fin, to either side; 0: missions have no fin
   double battery_in = 0;  ///< of the pitch battery, to either side; 0: missions have none
   double cycle_s = 0;     ///< of the flight controller
   // What a command to go to a depth also says: of a vehicle that glides its pitch, of one with a
@@ -100,13 +101,16 @@ struct Power {
   double full_V = 0;
   double empty_V = 0;
   double hotel_W = 0;
-  double sbc_W = 0;  ///< added while the SBC is alive
+  double sbc_W = 0;          ///< added while the SBC is alive
+  PropellerPower propeller;  ///< added; empty without one
 };
 
 /// How the vehicle moves, for the simulator. Signs: pump positive outwards, battery positive
 /// forward, pitch nose up, fin positive to turn to starboard.
 struct Motion {
-  std::string model;  ///< which of the simulator's models flies it: "glider"
+  std::string model;  ///< which of the simulator's models flies it: "glider", "propeller"
+  /// Of the model "propeller", which uses nothing else of this; empty for any other.
+  std::optional<PropellerMotion> propelled;
   // The motors: their range on either side of the middle, and their rate.
   double pump_rate_cc_s = 0;  ///< its range is Envelope::pump_cc
   double pitch_battery_limit_in = 0;

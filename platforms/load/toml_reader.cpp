@@ -61,6 +61,22 @@ double TomlReader::numberOr(std::string_view key, double fallback) {
   return table_.contains(key) ? number(key) : fallback;
 }
 
+std::vector<double> TomlReader::numbers(std::string_view key) {
+  const toml::node* found = node(key);
+  const toml::array* list = found != nullptr ? found->as_array() : nullptr;
+  std::vector<double> numbers;
+  for (size_t i = 0; list != nullptr && i < list->size(); ++i) {
+    const auto value = list->get(i)->value<double>();
+    if (value && list->get(i)->is_number() && *value - *value == 0) {
+      numbers.push_back(*value);
+    }
+  }
+  if (found != nullptr && (list == nullptr || numbers.size() != list->size())) {
+    refuse(key, "must be a list of finite numbers");
+  }
+  return numbers;
+}
+
 int64_t TomlReader::integer(std::string_view key) {
   const toml::node* found = node(key);
   const auto value = found != nullptr ? found->value_exact<int64_t>() : std::nullopt;
@@ -104,6 +120,13 @@ void TomlReader::only(std::span<const std::string_view> known) {
       fail(&value, fmt::format("{} has an unknown key `{}`", where_, key.str()));
     }
   }
+}
+
+TomlReader tableOf(std::string file, const toml::node_view<const toml::node>& node,
+                   std::string title) {
+  static const toml::table kNone;
+  const toml::table* table = node.as_table();
+  return {std::move(file), table != nullptr ? *table : kNone, std::move(title)};
 }
 
 support::Result<toml::table> parseToml(const std::filesystem::path& path) {

@@ -29,6 +29,8 @@ class TomlReader {
   std::string textOr(std::string_view key, std::string fallback);
   double number(std::string_view key);
   double numberOr(std::string_view key, double fallback);
+  /// A list of finite numbers, which may be empty.
+  std::vector<double> numbers(std::string_view key);
   int64_t integer(std::string_view key);
   bool flagOr(std::string_view key, bool fallback);
   /// A list of texts, which may be empty.
@@ -52,6 +54,10 @@ class TomlReader {
   std::string where_;
   std::optional<support::Failure> failure_;
 };
+
+/// Reads a table that may be missing, which then has no keys; `title` is for messages: "[power]".
+TomlReader tableOf(std::string file, const toml::node_view<const toml::node>& node,
+                   std::string title);
 
 /// Parses a whole TOML file. GL9001, GL5001.
 support::Result<toml::table> parseToml(const std::filesystem::path& path);

@@ -65,18 +65,27 @@ void readStart(Fields& f, Scenario& scenario) {
   f.number("year", scenario.year, kFirstMagneticYear, kLastMagneticYear);
 }
 
-void readVehicle(Fields& f, const Family* family, Scenario& scenario) {
+/// The keys of [vehicle] for any vehicle of this kind.
+std::vector<std::string_view> vehicleKeys(bool propelled) {
+  if (propelled) {
+    return {"positive_buoyancy_kg", "battery", "cycle"};
+  }
+  return {"mass_kg",
+          "hull_volume_m3",
+          "drag",
+          "induced_drag",
+          "wing_lift",
+          "hull_lift",
+          "reference_area_m2",
+          "compressibility_per_Pa",
+          "battery",
+          "cycle"};
+}
+
+void readVehicle(Fields& f, const platforms::Platform& platform, Scenario& scenario) {
+  const Family* family = familyOf(platform);
   FlightCoefficients& c = scenario.vehicle.flight;
-  std::vector<std::string_view> keys = {"mass_kg",
-                                        "hull_volume_m3",
-                                        "drag",
-                                        "induced_drag",
-                                        "wing_lift",
-                                        "hull_lift",
-                                        "reference_area_m2",
-                                        "compressibility_per_Pa",
-                                        "battery",
-                                        "cycle"};
+  std::vector<std::string_view> keys = vehicleKeys(platform.motion && platform.motion->propelled);
   if (family != nullptr) {
     keys.insert(keys.end(), family->vehicle_keys.begin(), family->vehicle_keys.end());
   }
@@ -84,6 +93,7 @@ void readVehicle(Fields& f, const Family* family, Scenario& scenario) {
   if (family != nullptr) {
     family->read_vehicle(f, scenario.own);
   }
+  f.number("positive_buoyancy_kg", scenario.vehicle.positive_buoyancy_kg, -5, 5);
   f.number("mass_kg", c.mass_kg, 30, 200);
   // Neutrally buoyant, unless the scenario says otherwise.
   c.hull_volume_m3 = c.mass_kg / scenario.ocean.density;
@@ -131,7 +141,7 @@ Scenario readScenario(ScenarioTables& tables, const platforms::Platform& platfor
   }
   tables.startAt(scenario.latitude_deg, scenario.longitude_deg);
   readOcean(tables, scenario);
-  tables.table("vehicle", [&](Fields& f) { readVehicle(f, familyOf(platform), scenario); });
+  tables.table("vehicle", [&](Fields& f) { readVehicle(f, platform, scenario); });
   tables.part("vehicle", "battery", [&](Fields& f) { readBattery(f, scenario.vehicle.battery); });
   tables.part("vehicle", "cycle", [&](Fields& f) { readCycle(f, scenario.cycles); });
   scenario.sensors.read(tables);

@@ -12,6 +12,11 @@ Vehicle::Vehicle(const platforms::Platform& platform, const VehicleSettings& set
   CHECK(model_, "a vehicle without a model");
   limits_ = {platform.envelope.pump_cc, platform.motion->pitch_battery_limit_in,
              platform.envelope.fin_rad};
+  if (const auto& propelled = platform.motion->propelled) {
+    limits_ = {.fin_rad = propelled->fins.rudder_rad,
+               .rpm = propelled->propeller.greatest_rpm,
+               .stern_plane_rad = propelled->fins.stern_plane_rad};
+  }
   state_ = model_->start();
   command_.pump_cc = state_.pump.position;  // nothing moves before it is commanded
 }

@@ -9,11 +9,14 @@
 
 namespace glider::simulator {
 
-/// How far the motors can be commanded in either direction.
+/// How far the motors can be commanded in either direction, the propeller ahead; 0: the vehicle
+/// has none.
 struct MotorLimits {
   double pump_cc = 0;
   double pitch_battery_in = 0;
   double fin_rad = 0;
+  double rpm = 0;
+  double stern_plane_rad = 0;
 };
 
 /// The true vehicle in the true ocean: a model, its state and the last commands to its devices.
@@ -26,7 +29,10 @@ class Vehicle {
 
   void commandPump(double cc) { command_.pump_cc = cc; }
   void commandBatteryPosition(double inches) { command_.pitch_battery_in = inches; }
+  /// The fin of a glider, the rudder of a vehicle with a propeller.
   void commandFin(double rad) { command_.fin_rad = rad; }
+  void commandPropeller(double rpm) { command_.rpm = rpm; }
+  void commandSternPlane(double rad) { command_.stern_plane_rad = rad; }
   /// Sets whether the SBC draws its power.
   void feedSbc(bool alive) { command_.sbc_alive = alive; }
 
@@ -44,6 +50,14 @@ class Vehicle {
   [[nodiscard]] double pumpedCc() const { return state_.pump.position; }
   [[nodiscard]] double batteryPositionIn() const { return state_.pitch_battery.position; }
   [[nodiscard]] double fin() const { return state_.fin.position; }
+  [[nodiscard]] double rpm() const { return state_.rpm.position; }
+  [[nodiscard]] double sternPlane() const { return state_.stern_plane.position; }
+  /// Velocity through the water: horizontally ahead, up, and clockwise.
+  [[nodiscard]] double aheadMps() const { return state_.ahead_mps; }
+  [[nodiscard]] double upMps() const { return state_.up_mps; }
+  [[nodiscard]] double turnRate() const { return state_.turn_rate_rad_s; }
+  /// The same along the axes of the hull, of a vehicle with a propeller.
+  [[nodiscard]] const BodyVelocity& bodyVelocity() const { return state_.body; }
   [[nodiscard]] const Battery& battery() const { return state_.battery; }
 
  private:

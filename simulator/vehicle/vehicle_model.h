@@ -6,6 +6,7 @@
 #include "platforms/load/platform.h"
 #include "simulator/ocean/ocean.h"
 #include "simulator/vehicle/battery.h"
+#include "simulator/vehicle/body_velocity.h"
 #include "simulator/vehicle/flight_model.h"
 #include "simulator/vehicle/rate_limited.h"
 
@@ -16,7 +17,8 @@ namespace glider::simulator {
 
 /// What a scenario specifies about the vehicle.
 struct VehicleSettings {
-  FlightCoefficients flight;
+  FlightCoefficients flight;        ///< of a vehicle with a propeller only mass and volume
+  double positive_buoyancy_kg = 0;  ///< of a vehicle with a propeller, on top of that volume
   double initial_heading_rad = 0;
   double start_x_m = 0, start_y_m = 0;  ///< east and north of the world's origin
   BatterySettings battery = {};
@@ -35,7 +37,10 @@ struct VehicleState {
   double ahead_mps = 0, up_mps = 0;  ///< velocity through the water
   RateLimited pump;                  ///< cc
   RateLimited pitch_battery;         ///< in
-  RateLimited fin;                   ///< rad
+  RateLimited fin;                   ///< rad; the rudder
+  RateLimited rpm;                   ///< of the propeller
+  RateLimited stern_plane;           ///< rad
+  BodyVelocity body;                 ///< of a vehicle with a propeller
   Battery battery;
 };
 
@@ -44,6 +49,8 @@ struct VehicleCommand {
   double pump_cc = 0;
   double pitch_battery_in = 0;
   double fin_rad = 0;
+  double rpm = 0;
+  double stern_plane_rad = 0;
   bool sbc_alive = false;  ///< the SBC draws its power
 };
 
@@ -65,5 +72,7 @@ std::unique_ptr<const VehicleModel> makeModel(const platforms::Platform& platfor
                                               const VehicleSettings& settings);
 /// Whether there is a model called `name`.
 bool isModel(std::string_view name);
+/// "only `glider` and `propeller`".
+std::string_view knownModels();
 
 }  // namespace glider::simulator

@@ -251,7 +251,8 @@ TEST_F(PlatformOfFlights, WithoutAModelOrFamilyItIsCheckedAndBuiltAndNotFlown) {
                 HasSubstr("platform `mine`: the simulator cannot fly this vehicle: " + why));
   };
   refused("/^\\[motion\\]/,/^hotel_W/d", "its file has no [motion]");
-  refused("s/^model = .*/model = \"propeller\"/", "it has no model `propeller`, only `glider`");
+  refused("s/^model = .*/model = \"balloon\"/",
+          "it has no model `balloon`, only `glider` and `propeller`");
   const std::string unknown = "its file names no `family` that it knows, only `slocum`";
   refused("/^family = /d", unknown);
   refused("s/^family = .*/family = \"propelled\"/", unknown);

@@ -65,7 +65,8 @@ std::optional<Part> partMoved(Command command, const platforms::Envelope& envelo
       return Part{envelope.fin_rad, "a fin angle of ",
                   "its platform has no `fin_rad`: the vehicle has no fin to command"};
     case Command::Pump:
-      return Part{envelope.pump_cc * kCubicMetresPerCc * kRounded, "a pump volume of ", ""};
+      return Part{envelope.pump_cc * kCubicMetresPerCc * kRounded, "a pump volume of ",
+                  "its platform has no `pump_cc`: the vehicle has no pump to command"};
     case Command::Battery:
       return Part{envelope.battery_in * kMetresPerInch * kRounded, "a battery position of ",
                   "its platform has no `battery_in`: the vehicle has no pitch battery to command",

@@ -41,8 +41,8 @@ void readReporting(TomlReader& reader, double cycle_s, PlatformSensor& sensor) {
 
 PlatformSensor readSensor(TomlReader& reader, size_t id, double cycle_s) {
   reader.only({"name", "alias", "unit", "lowest", "highest", "stale_after_s", "every_s",
-               "dead_band", "computer", "bytes", "noise", "magnetic", "what", "counts", "states", "role",
-               "source"});
+               "dead_band", "computer", "bytes", "noise", "magnetic", "what", "counts", "states",
+               "role", "source"});
   PlatformSensor sensor;
   sensor.id = static_cast<uint16_t>(id);
   sensor.name = reader.text("name");
@@ -179,7 +179,8 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
   }
   Platform platform;
   TomlReader reader(path.string(), *root, "the platform");
-  reader.only({"name", "description", "family", "front_seats", "envelope", "world", "motion", "power", "sensor"});
+  reader.only({"name", "description", "family", "front_seats", "envelope", "world", "motion",
+               "power", "sensor"});
   platform.name = reader.text("name");
   if (!isName(platform.name)) {
     reader.refuse("name", "must be letters, digits and `_`, and begin with a letter");

@@ -52,9 +52,8 @@ void readPitches(TomlReader& reader, Envelope& envelope) {
   readInto(reader, kGlides, envelope);
   constexpr double kUsualPitch = 0.4537856055185257;  // 26 degrees
   const double steepest = std::max(envelope.shallowest_pitch_rad, envelope.steepest_pitch_rad);
-  envelope.usual_pitch_rad =
-      reader.numberOr("usual_pitch_rad",
-                      std::clamp(kUsualPitch, envelope.shallowest_pitch_rad, steepest));
+  envelope.usual_pitch_rad = reader.numberOr(
+      "usual_pitch_rad", std::clamp(kUsualPitch, envelope.shallowest_pitch_rad, steepest));
   if (!(envelope.usual_pitch_rad >= envelope.shallowest_pitch_rad &&
         envelope.usual_pitch_rad <= steepest)) {
     reader.refuse("usual_pitch_rad",

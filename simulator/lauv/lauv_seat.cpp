@@ -220,7 +220,7 @@ void LauvSeat::sendAll(const Vehicle& vehicle) {
   if (plans_.executes()) {
     send(plans_.followState(doing_));
   }
-  VehicleState vehicle_state;
+  hooks::imc::VehicleState vehicle_state;
   vehicle_state.op_mode = plans_.executes() ? OperationMode::Maneuver : OperationMode::Service;
   send(vehicle_state);
   VehicleMedium medium;

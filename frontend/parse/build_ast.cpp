@@ -5,9 +5,16 @@
 
 #include "support/check.h"
 
+#include <algorithm>
+#include <typeinfo>
+
 namespace glider::frontend {
 
 using grammar::GliderParser;
+
+bool AstBuilder::isWord(const antlr4::tree::ParseTree* node) {
+  return typeid(*node) == typeid(antlr4::tree::TerminalNodeImpl);
+}
 
 ast::Where AstBuilder::where(const antlr4::Token* token) const {
   return support::SourceRange{source_.file, static_cast<uint32_t>(token->getStartIndex()),
@@ -29,14 +36,13 @@ std::string AstBuilder::text(const Rule* rule) const {
   return std::string(source_.sources.text(where(rule)));
 }
 
-std::string AstBuilder::joined(Rule* rule) const {
+std::string AstBuilder::joined(const Rule* rule) const {
   if (rule->children.size() == 1) {
     return text(rule);
   }
   std::string out;
   for (antlr4::tree::ParseTree* child : rule->children) {
-    auto* word = dynamic_cast<antlr4::tree::TerminalNode*>(child);
-    out += word != nullptr ? text(word->getSymbol()) : joined(dynamic_cast<Rule*>(child));
+    out += isWord(child) ? text(wordOf(child)) : joined(ruleOf(child));
   }
   return out;
 }
@@ -67,8 +73,7 @@ ast::Item AstBuilder::item(Parser::ItemContext* rule) {
     case GliderParser::RuleVariable:
       return variable(static_cast<Parser::VariableContext*>(child));
     case GliderParser::RuleAlways:
-      return ast::Always{cases(static_cast<Parser::AlwaysContext*>(child)->eventCase()),
-                         where(child->start)};
+      return ast::Always{cases(child), where(child->start)};
     case GliderParser::RuleState:
       return state(static_cast<Parser::StateContext*>(child));
     case GliderParser::RuleBehaviour:
@@ -141,22 +146,24 @@ std::optional<std::vector<ast::Formal>> AstBuilder::formals(Parser::FormalsConte
   return list;
 }
 
-ast::State AstBuilder::state(Parser::StateContext* rule) {
-  ast::State result{name(rule->anyName()), formals(rule->formals()), {}, where(rule)};
-  for (auto* m : rule->member()) {
-    result.members.push_back(member(m));
+std::vector<ast::Member> AstBuilder::members(const Rule* rule) {
+  std::vector<ast::Member> list;
+  for (antlr4::tree::ParseTree* child : rule->children) {
+    if (!isWord(child) && ruleOf(child)->getRuleIndex() == GliderParser::RuleMember) {
+      list.push_back(member(static_cast<Parser::MemberContext*>(child)));
+    }
   }
-  return result;
+  return list;
+}
+
+ast::State AstBuilder::state(Parser::StateContext* rule) {
+  return {name(rule->anyName()), formals(rule->formals()), members(rule), where(rule)};
 }
 
 ast::Behaviour AstBuilder::behaviour(Parser::BehaviourContext* rule) {
   const auto kind =
       rule->FLIGHTPROFILE() != nullptr ? ast::BehaviourKind::Profile : ast::BehaviourKind::Route;
-  ast::Behaviour result{kind, name(rule->name()), formals(rule->formals()), {}, where(rule)};
-  for (auto* m : rule->member()) {
-    result.members.push_back(member(m));
-  }
-  return result;
+  return {kind, name(rule->name()), formals(rule->formals()), members(rule), where(rule)};
 }
 
 ast::Item AstBuilder::external(Parser::ExternalContext* rule) {
@@ -215,65 +222,81 @@ ast::Requirement AstBuilder::requirement(Parser::RequirementContext* rule) {
 ast::Member AstBuilder::member(Parser::MemberContext* rule) {
   const ast::Where whole = where(rule);
   const ast::Where keyword = where(rule->start);
-  if (auto* m = dynamic_cast<Parser::RouteMemberContext*>(rule)) {
-    return {ast::RouteMember{use(m->use(), m->use()->name(), m->use()->arguments())}, whole,
-            keyword};
+  switch (rule->start->getType()) {
+    case GliderParser::FLIGHTROUTE:
+      return {ast::RouteMember{use(ruleOf(rule->children[1]))}, whole, keyword};
+    case GliderParser::FLIGHTPROFILE:
+      return {ast::ProfileMember{use(ruleOf(rule->children[1]))}, whole, keyword};
+    case GliderParser::SENSORS:
+      return {sensors(rule), whole, keyword};
+    case GliderParser::VAR:
+      return {variable(static_cast<Parser::VariableContext*>(rule->children[0])), whole, keyword};
+    case GliderParser::ENTRY:
+      return {ast::EntryMember{block(static_cast<Parser::BlockContext*>(rule->children[1]))}, whole,
+              keyword};
+    default:
+      CHECK(rule->start->getType() == GliderParser::EVENTS, "a member that the grammar lacks");
+      return {ast::EventsMember{cases(rule)}, whole, keyword};
   }
-  if (auto* m = dynamic_cast<Parser::ProfileMemberContext*>(rule)) {
-    return {ast::ProfileMember{use(m->use(), m->use()->name(), m->use()->arguments())}, whole,
-            keyword};
-  }
-  if (auto* m = dynamic_cast<Parser::SensorsMemberContext*>(rule)) {
-    ast::SensorsMember list;
-    for (auto* item : m->sensorItem()) {
-      std::optional<ast::Expr> every;
-      if (item->expr() != nullptr) {
-        every = expr(item->expr());
-      }
-      list.items.push_back({name(item->anyName()), std::move(every)});
-    }
-    return {std::move(list), whole, keyword};
-  }
-  if (auto* m = dynamic_cast<Parser::VariableMemberContext*>(rule)) {
-    return {variable(m->variable()), whole, keyword};
-  }
-  if (auto* m = dynamic_cast<Parser::EntryMemberContext*>(rule)) {
-    return {ast::EntryMember{block(m->block())}, whole, keyword};
-  }
-  auto* m = dynamic_cast<Parser::EventsMemberContext*>(rule);
-  CHECK(m != nullptr, "a member that the grammar lacks");
-  return {ast::EventsMember{cases(m->eventCase())}, whole, keyword};
 }
 
-ast::Use AstBuilder::use(Rule* whole, Rule* name, Parser::ArgumentsContext* list) {
-  ast::Use result{this->name(name), list != nullptr, {}, where(whole)};
-  if (list != nullptr) {
-    result.arguments = arguments(list);
+/// Every second part is an item, the others are `sensors` and commas.
+ast::SensorsMember AstBuilder::sensors(const Rule* rule) {
+  ast::SensorsMember list;
+  for (size_t i = 1; i < rule->children.size(); i += 2) {
+    const Rule* item = ruleOf(rule->children[i]);  // a name, perhaps `every` and a time
+    std::optional<ast::Expr> every;
+    if (item->children.size() > 1) {
+      every = expr(static_cast<Parser::ExprContext*>(item->children[2]));
+    }
+    list.items.push_back({name(ruleOf(item->children[0])), std::move(every)});
+  }
+  return list;
+}
+
+/// Of a `use` or a `target`: a name, perhaps with arguments.
+ast::Use AstBuilder::use(const Rule* rule) {
+  const bool list = rule->children.size() > 1;
+  ast::Use result{name(ruleOf(rule->children[0])), list, {}, where(rule)};
+  if (list) {
+    result.arguments = arguments(static_cast<Parser::ArgumentsContext*>(rule->children[1]));
   }
   return result;
 }
 
-std::vector<ast::Case> AstBuilder::cases(const std::vector<Parser::EventCaseContext*>& rules) {
+/// All that follows the first word of `rule`.
+std::vector<ast::Case> AstBuilder::cases(const Rule* rule) {
   std::vector<ast::Case> list;
-  for (auto* rule : rules) {
-    ast::Case result{expr(rule->expr()), std::nullopt, ast::Transition::Stay,
-                     std::nullopt,       {},           where(rule)};
-    if (rule->block() != nullptr) {
-      result.action = block(rule->block());
-    }
-    Parser::TransitionContext* transition = rule->transition();
-    result.transition_where = where(transition->start);
-    // The grammar lists the transitions in the order of the enumeration.
-    const bool done = transition->DONE() != nullptr;
-    result.transition =
-        done ? ast::Transition::Done
-             : static_cast<ast::Transition>(transition->start->getType() - GliderParser::GOTO);
-    if (auto* target = transition->target()) {
-      result.target = use(target, target->anyName(), target->arguments());
-    }
-    list.push_back(std::move(result));
+  list.reserve(rule->children.size() - 1);
+  for (size_t i = 1; i < rule->children.size(); ++i) {
+    list.push_back(eventCase(ruleOf(rule->children[i])));
   }
   return list;
+}
+
+/// `case`, a condition, perhaps a block, a transition.
+ast::Case AstBuilder::eventCase(const Rule* rule) {
+  const auto& parts = rule->children;
+  const Rule* transition = ruleOf(parts.back());
+  ast::Case result{expr(static_cast<Parser::ExprContext*>(parts[1])),
+                   std::nullopt,
+                   ast::Transition::Done,
+                   std::nullopt,
+                   where(transition->start),
+                   where(rule)};
+  constexpr size_t kPartsWithBlock = 4;
+  if (parts.size() == kPartsWithBlock) {
+    result.action = block(static_cast<Parser::BlockContext*>(parts[2]));
+  }
+  // The grammar lists the transitions in the order of the enumeration.
+  if (transition->start->getType() != GliderParser::DONE) {
+    result.transition =
+        static_cast<ast::Transition>(transition->start->getType() - GliderParser::GOTO);
+  }
+  if (transition->children.size() > 1) {
+    result.target = use(ruleOf(transition->children[1]));
+  }
+  return result;
 }
 
 ast::Block AstBuilder::block(Parser::BlockContext* rule) {
@@ -290,32 +313,39 @@ std::vector<ast::Statement> AstBuilder::statements(
 }
 
 ast::Statement AstBuilder::statement(Parser::StatementContext* rule) {
-  if (auto* s = dynamic_cast<Parser::SetStatementContext*>(rule)) {
-    std::optional<ast::Expr> index;
-    if (s->LBRACKET() != nullptr) {
-      index = expr(s->expr(0));
+  switch (rule->start->getType()) {
+    case GliderParser::SET: {
+      auto* s = static_cast<Parser::SetStatementContext*>(rule);
+      std::optional<ast::Expr> index;
+      if (s->LBRACKET() != nullptr) {
+        index = expr(s->expr(0));
+      }
+      return {ast::Set{name(s->name()), expr(s->expr().back()), std::move(index)}, where(rule)};
     }
-    return {ast::Set{name(s->name()), expr(s->expr().back()), std::move(index)}, where(rule)};
-  }
-  if (auto* s = dynamic_cast<Parser::IfStatementContext*>(rule)) {
-    return {ifStatement(s), where(rule)};
-  }
-  if (auto* s = dynamic_cast<Parser::ForStatementContext*>(rule)) {
-    return {ast::For{name(s->anyName()), expr(s->expr(0)), expr(s->expr(1)),
-                     statements(s->block()->statement())},
-            where(rule)};
-  }
-  if (auto* s = dynamic_cast<Parser::LogStatementContext*>(rule)) {
-    ast::Log log{text(s->STRING()->getSymbol()), {}};
-    for (auto* value : s->expr()) {
-      log.values.push_back(expr(value));
+    case GliderParser::IF:
+      return {ifStatement(static_cast<Parser::IfStatementContext*>(rule)), where(rule)};
+    case GliderParser::FOR: {
+      auto* s = static_cast<Parser::ForStatementContext*>(rule);
+      return {ast::For{name(s->anyName()), expr(s->expr(0)), expr(s->expr(1)),
+                       statements(s->block()->statement())},
+              where(rule)};
     }
-    return {std::move(log), where(rule)};
+    case GliderParser::LOG: {
+      auto* s = static_cast<Parser::LogStatementContext*>(rule);
+      ast::Log log{text(s->STRING()->getSymbol()), {}};
+      for (auto* value : s->expr()) {
+        log.values.push_back(expr(value));
+      }
+      return {std::move(log), where(rule)};
+    }
+    default: {
+      CHECK(rule->start->getType() == GliderParser::NAME, "a statement that the grammar lacks");
+      auto* s = static_cast<Parser::CommandStatementContext*>(rule);
+      const antlr4::Token* command = s->start;
+      return {ast::Command{{{text(command), where(command)}, arguments(s->arguments())}},
+              where(rule)};
+    }
   }
-  auto* s = dynamic_cast<Parser::CommandStatementContext*>(rule);
-  CHECK(s != nullptr, "a statement that the grammar lacks");
-  const antlr4::Token* command = s->NAME()->getSymbol();
-  return {ast::Command{{{text(command), where(command)}, arguments(s->arguments())}}, where(rule)};
 }
 
 ast::If AstBuilder::ifStatement(Parser::IfStatementContext* rule) {

@@ -21,13 +21,22 @@ class AstBuilder {
   using Parser = grammar::GliderParser;
   using Rule = antlr4::ParserRuleContext;
 
+  // Parts of a rule, by what the grammar puts in their place. ANTLR's own accessors try a
+  // dynamic_cast on each part.
+  /// Whether it is a word, and no rule; trees without errors have nothing else.
+  static bool isWord(const antlr4::tree::ParseTree* node);
+  static Rule* ruleOf(antlr4::tree::ParseTree* node) { return static_cast<Rule*>(node); }
+  static const antlr4::Token* wordOf(antlr4::tree::ParseTree* node) {
+    return static_cast<antlr4::tree::TerminalNode*>(node)->getSymbol();
+  }
+
   // Places and words.
   [[nodiscard]] ast::Where where(const Rule* rule) const;
   [[nodiscard]] ast::Where where(const antlr4::Token* token) const;
   [[nodiscard]] std::string text(const Rule* rule) const;
   [[nodiscard]] std::string text(const antlr4::Token* token) const;
   /// The words of `rule` without the spaces between them.
-  [[nodiscard]] std::string joined(Rule* rule) const;
+  [[nodiscard]] std::string joined(const Rule* rule) const;
   [[nodiscard]] ast::Name name(const Rule* rule) const { return {text(rule), where(rule)}; }
 
   // Items.
@@ -55,8 +64,11 @@ class AstBuilder {
 
   // What stands inside states.
   ast::Member member(Parser::MemberContext* rule);
-  ast::Use use(Rule* whole, Rule* name, Parser::ArgumentsContext* arguments);
-  std::vector<ast::Case> cases(const std::vector<Parser::EventCaseContext*>& rules);
+  std::vector<ast::Member> members(const Rule* rule);
+  ast::SensorsMember sensors(const Rule* rule);
+  ast::Use use(const Rule* rule);
+  std::vector<ast::Case> cases(const Rule* rule);
+  ast::Case eventCase(const Rule* rule);
   ast::Block block(Parser::BlockContext* rule);
   std::vector<ast::Statement> statements(const std::vector<Parser::StatementContext*>& rules);
   ast::Statement statement(Parser::StatementContext* rule);
@@ -67,10 +79,11 @@ class AstBuilder {
   ast::Expr primary(Parser::PrimaryContext* rule);
   ast::Expr named(Parser::PrimaryContext* rule);
   ast::Import import(Parser::ImportLineContext* rule);
-  ast::Expr literal(Parser::LiteralContext* rule);
-  ast::Expr duration(Parser::DurationContext* rule);
+  ast::Expr literal(const Rule* rule);
+  ast::Expr duration(const Rule* rule);
   [[nodiscard]] std::string digitsOf(const antlr4::Token* number) const;
   std::vector<ast::Argument> arguments(Parser::ArgumentsContext* rule);
+  ast::Argument argument(const Rule* rule);
 
   Source source_;
 };

@@ -5,6 +5,8 @@
 #include "support/check.h"
 #include "support/units/units.h"
 
+#include <typeinfo>
+
 namespace glider::frontend {
 
 using grammar::GliderParser;
@@ -91,8 +93,7 @@ ast::Expr AstBuilder::expr(Parser::ExprContext* rule) {
     }
     default: {
       CHECK(rule->children.size() == 3, "an expression that the grammar lacks");
-      const antlr4::Token* op =
-          static_cast<antlr4::tree::TerminalNode*>(rule->children[1])->getSymbol();
+      const antlr4::Token* op = wordOf(rule->children[1]);
       ast::Expr left = expr(part(0));
       return {ast::Binary{binaryOp(op->getType()), std::move(left), expr(part(2)), where(op)},
               where(rule)};
@@ -105,10 +106,7 @@ ast::Expr AstBuilder::primary(Parser::PrimaryContext* rule) {
     case GliderParser::INSTANT:
       return {ast::Instant{text(rule)}, where(rule)};
     case GliderParser::NUMBER:
-      if (auto* parts = dynamic_cast<Parser::DurationContext*>(rule)) {
-        return duration(parts);
-      }
-      return literal(static_cast<Parser::LiteralContext*>(rule));
+      return typeid(*rule) == typeid(Parser::DurationContext) ? duration(rule) : literal(rule);
     case GliderParser::TRUE:
     case GliderParser::FALSE:
       return {ast::Truth{rule->start->getType() == GliderParser::TRUE}, where(rule)};
@@ -131,7 +129,8 @@ ast::Expr AstBuilder::named(Parser::PrimaryContext* rule) {
   if (rule->children.size() == 1) {
     return {ast::NameUse{oneSpaced(text(rule))}, where(rule)};
   }
-  if (auto* index = dynamic_cast<Parser::IndexContext*>(rule)) {
+  if (rule->children.size() > 2) {
+    auto* index = static_cast<Parser::IndexContext*>(rule);
     return {ast::Index{name(index->name()), expr(index->expr())}, where(rule)};
   }
   const antlr4::Token* function = rule->start;
@@ -150,18 +149,21 @@ std::string AstBuilder::digitsOf(const antlr4::Token* number) const {
              : digits.substr(0, gap) + " " + digits.substr(digits.find_first_not_of(kBlanks, gap));
 }
 
-ast::Expr AstBuilder::literal(Parser::LiteralContext* rule) {
-  const antlr4::Token* digits = rule->NUMBER(0)->getSymbol();
+/// A number, perhaps a unit, perhaps a number and a letter.
+ast::Expr AstBuilder::literal(const Rule* rule) {
+  const auto& parts = rule->children;
+  const antlr4::Token* digits = rule->start;
   ast::Literal first{digitsOf(digits), "", where(digits)};
-  if (rule->unit() != nullptr) {
-    first.unit = meantUnit(joined(rule->unit()));
-    first.unit_where = where(rule->unit());
+  if (parts.size() % 2 == 0) {
+    const Rule* unit = ruleOf(parts[1]);
+    first.unit = meantUnit(joined(unit));
+    first.unit_where = where(unit);
   }
-  if (rule->NUMBER().size() == 1) {
+  if (parts.size() <= 2) {
     return {std::move(first), where(rule)};
   }
-  const antlr4::Token* second = rule->NUMBER(1)->getSymbol();
-  const antlr4::Token* letter = rule->COMPASS()->getSymbol();
+  const antlr4::Token* second = wordOf(parts[parts.size() - 2]);
+  const antlr4::Token* letter = wordOf(parts.back());
   ast::Where left = where(digits);
   left.end = first.unit_where.end;
   ast::Where right = where(second);
@@ -170,33 +172,42 @@ ast::Expr AstBuilder::literal(Parser::LiteralContext* rule) {
   return {ast::Position{std::move(first), std::move(other), left, right}, where(rule)};
 }
 
-ast::Expr AstBuilder::duration(Parser::DurationContext* rule) {
+ast::Expr AstBuilder::duration(const Rule* rule) {
   ast::Duration all;
   for (size_t i = 0; i + 1 < rule->children.size(); i += 2) {
-    const antlr4::Token* digits =
-        static_cast<antlr4::tree::TerminalNode*>(rule->children[i])->getSymbol();
-    auto* rest = dynamic_cast<antlr4::tree::TerminalNode*>(rule->children[i + 1]);
-    const antlr4::Token* unit =
-        rest != nullptr ? rest->getSymbol() : static_cast<Rule*>(rule->children[i + 1])->start;
+    const antlr4::Token* digits = wordOf(rule->children[i]);
+    antlr4::tree::ParseTree* rest = rule->children[i + 1];
+    const antlr4::Token* unit = isWord(rest) ? wordOf(rest) : ruleOf(rest)->start;
     all.parts.push_back({digitsOf(digits), text(unit), where(unit)});
   }
   return {std::move(all), where(rule)};
 }
 
+/// Every second part is an argument, the others are parentheses and commas.
 std::vector<ast::Argument> AstBuilder::arguments(Parser::ArgumentsContext* rule) {
   std::vector<ast::Argument> list;
-  for (auto* argument : rule->argument()) {
-    std::optional<ast::Name> of;
-    std::optional<ast::Name> parameter;
-    if (argument->OF() != nullptr) {
-      of = name(argument->name().back());
-    }
-    if (argument->ASSIGN() != nullptr) {
-      parameter = name(argument->name().front());
-    }
-    list.push_back({expr(argument->expr()), std::move(of), std::move(parameter)});
+  list.reserve(rule->children.size() / 2);
+  for (size_t i = 1; i + 1 < rule->children.size(); i += 2) {
+    list.push_back(argument(ruleOf(rule->children[i])));
   }
   return list;
+}
+
+/// Perhaps a name and `=`, a value, perhaps `of` and a name.
+ast::Argument AstBuilder::argument(const Rule* rule) {
+  const auto& parts = rule->children;
+  const bool named = ruleOf(parts[0])->getRuleIndex() == GliderParser::RuleName;
+  const size_t value = named ? 2 : 0;
+  std::optional<ast::Name> of;
+  std::optional<ast::Name> parameter;
+  if (value + 1 < parts.size()) {
+    of = name(ruleOf(parts.back()));
+  }
+  if (named) {
+    parameter = name(ruleOf(parts[0]));
+  }
+  return {expr(static_cast<Parser::ExprContext*>(parts[value])), std::move(of),
+          std::move(parameter)};
 }
 
 }  // namespace glider::frontend

@@ -3,7 +3,7 @@
 
 #include "frontend/parse/error_strategy.h"
 
-#include "frontend/parse/lexeme_source.h"
+#include "frontend/parse/lexeme_stream.h"
 #include "frontend/parse/token_kinds.h"
 #include "frontend/spelling.h"
 #include "grammar/GliderParser.h"

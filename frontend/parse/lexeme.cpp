@@ -4,6 +4,7 @@
 #include "frontend/parse/lexeme.h"
 
 #include "frontend/parse/byte_char_stream.h"
+#include "frontend/parse/lexer_table.h"
 #include "frontend/spelling.h"
 #include "grammar/GliderLexer.h"
 
@@ -31,20 +32,29 @@ std::vector<Lexeme> lex(std::string_view text, size_t start) {
   ByteCharStream stream(text, start);
   GliderLexer lexer(&stream);
   lexer.removeErrorListeners();
+  LexerTable table(lexer);
   constexpr size_t kBytesPerToken = 4;
   std::vector<Lexeme> lexemes;
   lexemes.reserve(text.size() / kBytesPerToken + 1);
-  for (;;) {
-    stream.seek(pastBlanks(text, stream.index()));
+  const auto end = static_cast<uint32_t>(text.size());
+  for (size_t at = pastBlanks(text, start); at < end; at = pastBlanks(text, at)) {
+    if (const auto known = table.tokenAt(text, at)) {
+      if (known->type != 0) {
+        lexemes.push_back(
+            {known->type, static_cast<uint32_t>(at), static_cast<uint32_t>(known->end)});
+      }
+      at = known->end;
+      continue;
+    }
+    stream.seek(at);
     const auto token = lexer.nextToken();
     if (token->getType() == antlr4::Token::EOF) {
       break;
     }
+    at = token->getStopIndex() + 1;
     lexemes.push_back({static_cast<uint32_t>(token->getType()),
-                       static_cast<uint32_t>(token->getStartIndex()),
-                       static_cast<uint32_t>(token->getStopIndex() + 1)});
+                       static_cast<uint32_t>(token->getStartIndex()), static_cast<uint32_t>(at)});
   }
-  const auto end = static_cast<uint32_t>(text.size());
   lexemes.push_back({static_cast<uint32_t>(antlr4::Token::EOF), end, end});
   return lexemes;
 }
@@ -74,22 +84,25 @@ bool isStateName(const Source& source, std::string_view word) {
   return false;
 }
 
-bool isHardKeyword(uint32_t type) {
-  return type >= GliderLexer::MISSION && type <= GliderLexer::NOT_WORD;
-}
+namespace detail {
 
-bool isName(uint32_t type) {
-  return type == GliderLexer::NAME || isSoftKeyword(type);
-}
+constinit const std::array<uint8_t, kMostTypes> kGroups = [] {
+  static_assert(GliderLexer::FOREIGN < kMostTypes);
+  std::array<uint8_t, kMostTypes> groups{};
+  const auto mark = [&](size_t first, size_t last, uint8_t group) {
+    for (size_t type = first; type <= last; ++type) {
+      groups[type] = static_cast<uint8_t>(groups[type] | group);
+    }
+  };
+  mark(GliderLexer::MISSION, GliderLexer::NOT_WORD, kHardKeyword);
+  mark(GliderLexer::IN, GliderLexer::CHANGES, kSoftKeyword | kName | kAnyName);
+  mark(GliderLexer::NAME, GliderLexer::NAME, kName | kAnyName);
+  mark(GliderLexer::MIN, GliderLexer::MIN, kAnyName);
+  mark(GliderLexer::UNIT, GliderLexer::COMPASS, kAnyName);
+  return groups;
+}();
 
-bool isSoftKeyword(uint32_t type) {
-  return type >= GliderLexer::IN && type <= GliderLexer::CHANGES;
-}
-
-bool isAnyName(uint32_t type) {
-  return isName(type) || type == GliderLexer::UNIT || type == GliderLexer::COMPASS ||
-         type == GliderLexer::MIN;
-}
+}  // namespace detail
 
 namespace {
 

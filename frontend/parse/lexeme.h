@@ -5,6 +5,7 @@
 
 #include "support/source_manager.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -46,13 +47,31 @@ std::vector<Lexeme> lex(std::string_view text, size_t start);
 /// The tokens of `source`, without its byte order mark.
 std::vector<Lexeme> lex(const Source& source);
 
-bool isHardKeyword(uint32_t type);
+/// Groups of token types, as bits; repair asks for them several times for each token.
+namespace detail {
+inline constexpr size_t kMostTypes = 192;
+enum Group : uint8_t { kHardKeyword = 1, kSoftKeyword = 2, kName = 4, kAnyName = 8 };
+extern const std::array<uint8_t, kMostTypes> kGroups;
+inline bool isIn(uint32_t type, Group group) {
+  return type < kMostTypes && (kGroups[type] & group) != 0;
+}
+}  // namespace detail
+
+inline bool isHardKeyword(uint32_t type) {
+  return detail::isIn(type, detail::kHardKeyword);
+}
 /// Whether it may be used where the grammar says `name` (including soft keywords).
-bool isName(uint32_t type);
+inline bool isName(uint32_t type) {
+  return detail::isIn(type, detail::kName);
+}
 /// Whether it may be used where the grammar says `anyName` (including units).
-bool isAnyName(uint32_t type);
+inline bool isAnyName(uint32_t type) {
+  return detail::isIn(type, detail::kAnyName);
+}
 /// Whether it is a word of the language in some places and a name elsewhere, such as `in`.
-bool isSoftKeyword(uint32_t type);
+inline bool isSoftKeyword(uint32_t type) {
+  return detail::isIn(type, detail::kSoftKeyword);
+}
 /// All hard keywords, as written.
 const std::vector<std::string_view>& hardKeywords();
 /// The type of the hard keyword spelled `word`; 0 if there is none.

@@ -7,6 +7,7 @@
 #include "frontend/parse/outline_naming.h"
 #include "frontend/parse/token_kinds.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace glider::frontend {

@@ -5,7 +5,8 @@
 #include "frontend/parse/build_ast.h"
 #include "frontend/parse/error_strategy.h"
 #include "frontend/parse/foreign_characters.h"
-#include "frontend/parse/lexeme_source.h"
+#include "frontend/parse/lexeme_stream.h"
+#include "frontend/parse/prediction_table.h"
 #include "frontend/parse/repair.h"
 #include "frontend/parse/token_kinds.h"
 #include "support/diagnostics/ids/syntax.h"
@@ -55,12 +56,9 @@ bool checkEncoding(const Source& source, SyntaxReporter& reporter) {
 class Parse {
  public:
   Parse(const std::vector<Lexeme>& lexemes, SyntaxReporter& reporter)
-      : source_(lexemes),
-        tokens_(&source_),
-        parser_(&tokens_),
-        reporter_(reporter),
-        builder_(reporter.source()) {
+      : tokens_(lexemes), parser_(&tokens_), reporter_(reporter), builder_(reporter.source()) {
     parser_.removeErrorListeners();
+    parser_.setInterpreter(new PredictionTable(parser_, tokens_));  // the parser owns it
   }
 
   /// Empty if the tokens are not a valid mission, which is reported.
@@ -147,8 +145,7 @@ class Parse {
     return file;
   }
 
-  LexemeSource source_;
-  antlr4::CommonTokenStream tokens_;
+  LexemeStream tokens_;
   GliderParser parser_;
   SyntaxReporter& reporter_;
   AstBuilder builder_;

@@ -92,6 +92,10 @@ std::optional<ForeignPosition> foreignPosition(const std::vector<Lexeme>& lexeme
   if (lexemes[at].type != GliderLexer::NUMBER) {
     return letterFirst(lexemes, at, source);
   }
+  // The last token is the file's end. Most numbers are followed by neither.
+  if (lexemes[at + 1].type != GliderLexer::NUMBER && !isDegreeSign(source.text(lexemes[at + 1]))) {
+    return std::nullopt;
+  }
   double degrees = 0;
   double part = 1;
   bool certain = true;

@@ -6,9 +6,8 @@
 #include "frontend/parse/lexeme.h"
 #include "grammar/GliderLexer.h"
 
-#include <algorithm>
 #include <cstdint>
-#include <initializer_list>
+#include <utility>
 
 /// Groups of tokens that repair and recovery use.
 namespace glider::frontend {
@@ -17,8 +16,12 @@ using grammar::GliderLexer;
 
 inline constexpr auto kEof = static_cast<uint32_t>(antlr4::Token::EOF);
 
-inline bool oneOf(uint32_t type, std::initializer_list<uint32_t> types) {
-  return std::ranges::find(types, type) != types.end();
+/// The number of types is known to the compiler, which makes comparisons of it and no loop.
+template <size_t N>
+constexpr bool oneOf(uint32_t type, const uint32_t (&types)[N]) {
+  return [&]<size_t... I>(std::index_sequence<I...>) {
+    return ((type == types[I]) || ...);
+  }(std::make_index_sequence<N>());
 }
 
 /// Whether it begins an item that is only allowed at the top level.

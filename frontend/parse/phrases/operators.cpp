@@ -166,9 +166,12 @@ size_t comparison(Phrase& phrase) {
 }
 
 size_t between(Phrase& phrase) {
+  if (!isAnyName(phrase.type()) || !afterValue(phrase)) {
+    return 0;
+  }
   const bool in = phrase.type() == GliderLexer::IN;
   const size_t is = phrase.says(0, "is") ? 1 : 0;
-  if (!(in || phrase.says(is, "between")) || !isAnyName(phrase.type()) || !afterValue(phrase)) {
+  if (!in && !phrase.says(is, "between")) {
     return 0;
   }
   const auto bounds = boundsFrom(phrase, 1 + is, in);

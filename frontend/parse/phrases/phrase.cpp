@@ -91,10 +91,6 @@ bool Phrase::isDeclared(std::string_view name) {
   return declared_->contains(name);
 }
 
-uint32_t Phrase::before(size_t k) const {
-  return k < out_.size() ? out_[out_.size() - 1 - k].type : 0;
-}
-
 const Lexeme* Phrase::lexemeBefore(size_t k) const {
   return k < out_.size() ? &out_[out_.size() - 1 - k] : nullptr;
 }

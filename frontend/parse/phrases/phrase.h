@@ -59,7 +59,9 @@ class Phrase {
   [[nodiscard]] bool isDeclared(std::string_view name);
 
   // What was read, as repaired; 0 counts the last token.
-  [[nodiscard]] uint32_t before(size_t k = 0) const;
+  [[nodiscard]] uint32_t before(size_t k = 0) const {
+    return k < out_.size() ? out_[out_.size() - 1 - k].type : 0;
+  }
   [[nodiscard]] const Lexeme* lexemeBefore(size_t k = 0) const;
   /// The last keyword that is neither an operator nor a value.
   [[nodiscard]] uint32_t keyword() const { return keyword_; }

@@ -9,43 +9,90 @@
 namespace glider::frontend {
 namespace {
 
+/// A kind of error, with the tokens that it may begin with. The repair looks at its first token
+/// itself: this saves the call for all others.
+struct Row {
+  PhraseRepair repair;
+  bool (*begins)(uint32_t type);
+};
+
+bool anyToken(uint32_t) {
+  return true;
+}
+
+bool plainName(uint32_t type) {
+  return type == GliderLexer::NAME;
+}
+
+template <uint32_t... Types>
+bool among(uint32_t type) {
+  return ((type == Types) || ...);
+}
+
 /// In this order: what is prose is not read as anything else, and a keyword is a keyword before it
 /// is anything else.
-constexpr PhraseRepair kRepairs[] = {phrases::comment,
-                                     phrases::caseWord,
-                                     phrases::loop,
-                                     phrases::afterTransition,
-                                     phrases::target,
-                                     phrases::capitals,
-                                     phrases::arrow,
-                                     phrases::conditionWord,
-                                     phrases::comparison,
-                                     phrases::between,
-                                     phrases::sameLeft,
-                                     phrases::notWord,
-                                     phrases::foreignSign,
-                                     phrases::degreesCelsius,
-                                     phrases::timeInParts,
-                                     phrases::leg,
-                                     phrases::part,
-                                     phrases::magneticHeading,
-                                     phrases::softUnit,
-                                     phrases::rangeWordAsUnit,
-                                     phrases::foreignUnit,
-                                     phrases::letterBefore,
-                                     phrases::pairOfNumbers,
-                                     phrases::compassPoint,
-                                     phrases::statement,
-                                     phrases::actionWithoutDo,
-                                     phrases::untyped,
-                                     phrases::range,
-                                     phrases::withoutParentheses,
-                                     phrases::commaAsAnd,
-                                     phrases::plusOfTexts};
+constexpr Row kRows[] = {
+    {phrases::comment, among<GliderLexer::MINUS, GliderLexer::UNIT, GliderLexer::SEMICOLON,
+                             GliderLexer::NOT, GliderLexer::NAME>},
+    {phrases::caseWord, anyToken},
+    {phrases::loop, among<GliderLexer::FOR, GliderLexer::SET, GliderLexer::NAME>},
+    {phrases::afterTransition, anyToken},
+    {phrases::target, among<GliderLexer::STATE, GliderLexer::NAME>},
+    {phrases::capitals, plainName},
+    {phrases::arrow, among<GliderLexer::MINUS, GliderLexer::WRONG_COMPARISON, GliderLexer::FOREIGN,
+                           GliderLexer::NOT>},
+    {phrases::conditionWord, among<GliderLexer::ALWAYS, GliderLexer::AFTER, GliderLexer::EVERY>},
+    {phrases::comparison, isAnyName},
+    {phrases::between, isAnyName},
+    {phrases::sameLeft, among<GliderLexer::LT, GliderLexer::GT, GliderLexer::LE, GliderLexer::GE>},
+    {phrases::notWord, among<GliderLexer::NAME, GliderLexer::NOT_WORD>},
+    {phrases::foreignSign,
+     among<GliderLexer::COLON, GliderLexer::GT, GliderLexer::LT, GliderLexer::TO>},
+    {phrases::degreesCelsius, among<GliderLexer::FOREIGN, GliderLexer::UNIT, GliderLexer::NAME>},
+    {phrases::timeInParts, among<GliderLexer::NUMBER>},
+    {phrases::leg, plainName},
+    {phrases::part, isAnyName},
+    {phrases::magneticHeading, among<GliderLexer::UNIT>},
+    {phrases::softUnit, plainName},
+    {phrases::rangeWordAsUnit, among<GliderLexer::IN>},
+    {phrases::foreignUnit, plainName},
+    {phrases::letterBefore, among<GliderLexer::COMPASS>},
+    {phrases::pairOfNumbers,
+     among<GliderLexer::LPAREN, GliderLexer::LBRACKET, GliderLexer::NUMBER, GliderLexer::MINUS>},
+    {phrases::compassPoint, among<GliderLexer::COMPASS>},
+    {phrases::statement, [](uint32_t type) { return isName(type) || type == GliderLexer::SET; }},
+    {phrases::actionWithoutDo, among<GliderLexer::SET, GliderLexer::LOG>},
+    {phrases::untyped,
+     [](uint32_t type) {
+       return isName(type) || oneOf(type, {GliderLexer::VAR, GliderLexer::PARAM});
+     }},
+    {phrases::range, among<GliderLexer::NUMBER>},
+    {phrases::withoutParentheses,
+     among<GliderLexer::LBRACKET, GliderLexer::NUMBER, GliderLexer::MINUS>},
+    {phrases::commaAsAnd, among<GliderLexer::COMMA>},
+    {phrases::plusOfTexts, among<GliderLexer::PLUS>}};
+
+/// The repairs of each type of token.
+using Repairs = std::vector<std::vector<PhraseRepair>>;
+
+const Repairs& repairsByType() {
+  static const Repairs all = [] {
+    Repairs repairs(GliderLexer::FOREIGN + 1);
+    for (uint32_t type = 0; type < repairs.size(); ++type) {
+      for (const Row& row : kRows) {
+        if (row.begins(type)) {
+          repairs[type].push_back(row.repair);
+        }
+      }
+    }
+    return repairs;
+  }();
+  return all;
+}
 
 /// The number of tokens that a phrase at the current one took, or 0.
-size_t repairOne(Phrase& phrase) {
-  for (const PhraseRepair repair : kRepairs) {
+size_t repairOne(Phrase& phrase, const Repairs& repairs) {
+  for (const PhraseRepair repair : repairs.at(phrase.type())) {
     if (const size_t taken = repair(phrase)) {
       return taken;
     }
@@ -56,6 +103,7 @@ size_t repairOne(Phrase& phrase) {
 }  // namespace
 
 Rephrased repairPhrases(const std::vector<Lexeme>& lexemes, SyntaxReporter& reporter) {
+  const Repairs& repairs = repairsByType();
   Phrase phrase(lexemes, reporter);
   bool reading = true;  // after a comment without an end, nothing is text
   while (!phrase.atEnd()) {
@@ -63,7 +111,7 @@ Rephrased repairPhrases(const std::vector<Lexeme>& lexemes, SyntaxReporter& repo
     if (phrase.skip()) {
       continue;
     }
-    const size_t taken = reading && phrase.type() != kEof ? repairOne(phrase) : 0;
+    const size_t taken = reading && phrase.type() != kEof ? repairOne(phrase, repairs) : 0;
     if (taken == 0) {
       phrase.put(phrase.token());
     }

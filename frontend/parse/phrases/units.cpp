@@ -160,6 +160,9 @@ size_t timeInParts(Phrase& phrase) {
   if (const size_t taken = gluedTimeIn(phrase)) {
     return taken;
   }
+  if (!oneOf(phrase.type(2), {GliderLexer::NUMBER, GliderLexer::AND_WORD})) {
+    return 0;  // a number with its unit alone
+  }
   const TimePart first = timePart(phrase, 0);
   size_t tokens = first.tokens;
   double seconds = first.seconds;

@@ -37,7 +37,8 @@ bool isClock(Op op) {
 /// The leaves of a guard, each with the values to try. `whole` is false if one of them cannot be
 /// tried.
 struct Guard {
-  std::map<Leaf, std::vector<double>> leaves;
+  Evaluation evaluation;  ///< of the guard itself, which is tried many times
+  std::map<Leaf, std::vector<double>> leaves = {};
   bool whole = true;
 };
 
@@ -63,7 +64,7 @@ class Sampling {
 
  private:
   Guard guardOf(ExprId root) {
-    Guard guard;
+    Guard guard{Evaluation(m_, root)};
     std::vector<ExprId> open = {root};
     std::vector<ExprId> done;
     while (!open.empty()) {
@@ -213,11 +214,12 @@ class Sampling {
   }
 
   [[nodiscard]] bool isTrue(size_t number) const {
-    return std::get<Truth>(worth(cases_[number].guard)) == Truth::True;
+    return std::get<Truth>(worth(guards_[number].evaluation)) == Truth::True;
   }
 
-  [[nodiscard]] Value worth(ExprId id) const {
-    return evaluate(m_, id, [this](const Expr& e, std::span<const double>) {
+  [[nodiscard]] Value worth(ExprId id) const { return worth(Evaluation(m_, id)); }
+  [[nodiscard]] Value worth(const Evaluation& evaluation) const {
+    return evaluation([this](const Expr& e, std::span<const double>) {
       return isClock(e.op)          ? Value(clock(e.op))
              : e.op == Op::Temporal ? watched(e)
                                     : asValue(valueOf(e), e.type);

@@ -115,13 +115,14 @@ ComparedMoment atTheStart(const platforms::Platform& platform) {
       fmt::format("at the start, at mission time 0 s and a depth of at most {:g} m, ", deepest)};
 }
 
-/// Reports if no readings satisfy all conditions then; false if so. `mission` may have fewer
+/// Reports if no readings satisfy all conditions then; false if so. `compared` may have fewer
 /// readings than the one that is checked.
-bool compare(Proof& proof, Mission mission, const std::vector<StatedCondition>& all,
+bool compare(Proof& proof, const Mission& compared, const std::vector<StatedCondition>& all,
              const ComparedMoment& when, DiagnosticId id) {
   if (all.empty()) {
     return true;
   }
+  Mission mission = compared;
   Conjunction together(mission, all);
   const ExprId contradiction = together.contradiction();
   const ProofContext proof_context(mission, proof.proof_context.platform);

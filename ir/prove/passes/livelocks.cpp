@@ -27,6 +27,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -75,6 +76,7 @@ class LivelockCheck {
   /// Checks the times that are named, and the first tick that the state can have if there is a
   /// livelock at an earlier one.
   void look(StateId state) {
+    guards_.clear();  // of other states: most are not met again
     bool too_early = false;
     for (const double time : timesOf(state)) {
       if (lookAt(state, time, too_early)) {
@@ -206,15 +208,19 @@ class LivelockCheck {
 
   /// The truth according to the clocks alone, for any other values; Unknown: either is possible.
   /// `known` would treat a missing value as false.
-  Truth judge(ExprId guard, const ClockedControl& at) const {
-    if (anyIn(m_, guard, [](const Expr& e) { return e.op == Op::Known; })) {
+  Truth judge(ExprId guard, const ClockedControl& at) {
+    const auto [known, added] = guards_.try_emplace(guard.index);
+    if (added && !anyIn(m_, guard, [](const Expr& e) { return e.op == Op::Known; })) {
+      known->second.emplace(m_, guard);
+    }
+    const std::optional<Evaluation>& evaluation = known->second;
+    if (!evaluation) {
       return Truth::Unknown;
     }
-    return std::get<Truth>(
-        evaluate(m_, guard, [&](const Expr& e, std::span<const double>) -> Value {
-          return groupOf(e.op) == OpGroup::Clock ? clock(opIn<ClockOp>(e.op), at)
-                                                 : asValue(kUnknown, e.type);
-        }));
+    return std::get<Truth>((*evaluation)([&](const Expr& e, std::span<const double>) -> Value {
+      return groupOf(e.op) == OpGroup::Clock ? clock(opIn<ClockOp>(e.op), at)
+                                             : asValue(kUnknown, e.type);
+    }));
   }
 
   static double clock(ClockOp op, const ClockedControl& at) {
@@ -272,6 +278,8 @@ class LivelockCheck {
   std::set<double> always_times_;
   std::vector<double> entries_;  ///< the earliest entry of every state, once it is needed
   std::set<std::set<StateId>> told_;
+  /// How each guard is evaluated, which is done for many times; none if it asks what is known.
+  std::unordered_map<uint32_t, std::optional<Evaluation>> guards_;
 };
 
 }  // namespace

@@ -204,6 +204,9 @@ std::optional<ExprId> causeOf(const Mission& m, const Requirement& requirement) 
 
 void passes::vacuous(Proof& proof) {
   const Mission& written = proof.proof_context.mission;
+  if (proof.findings.requirements.empty()) {
+    return;
+  }
   Mission mission = written;
   PossibleTruths possible(mission);
   std::vector<std::pair<const Requirement*, Vacuity>> asked;

@@ -190,7 +190,7 @@ TEST_F(ReadLog, TheValueOfAnEventHasItsUnitAndIsInTheSingularAfterOne) {
       {15, 64, 2, "(2 failed checks)\n"},
       {14, 0, 12.25, "mission waits for the surface (12.25 m deep)\n"},
       {10, 0, 35, "mission resumed (after an outage of 35 s)\n"},
-      {2, 3, 41, "instruction refused: too deep (instruction 41)\n"},
+      {2, 3, 41, "instruction refused: too deep (number 41)\n"},
       {17, 27, 60,
        "surface commanded before the mission begins: an earlier program may have left targets "
        "(for 60 s)\n"},

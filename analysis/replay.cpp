@@ -7,6 +7,7 @@
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/context/requirement_monitor.h"
 #include "simulator/replay/replay.h"
+#include "support/counted.h"
 #include "support/diagnostics/ids/flights.h"
 
 #include <fmt/format.h>
@@ -59,7 +60,7 @@ class Replay {
     for (size_t row = 0; row < trace_.rowCount(); ++row) {
       const ir::TickResult expected = step(row, parameters);
       if (row >= answers.size()) {
-        return differs(fmt::format("it ends after {} ticks", answers.size()));
+        return differs("it ends after " + support::counted(answers.size(), "tick"));
       }
       if (auto same = compare(answers[row], expected, time(row)); !same) {
         return std::unexpected(same.error());
@@ -149,7 +150,8 @@ Result<void> checkTrace(const support::Trace& trace, const std::string& name,
         fmt::format("it is for mission `{}`, but this is `{}`", trace.mission, mission.name));
   }
   if (*trace.requirement >= mission.requirements.size()) {
-    return refuse(fmt::format("the mission has only {} requirements", mission.requirements.size()));
+    return refuse("the mission has only " +
+                  support::counted(mission.requirements.size(), "requirement"));
   }
   if (trace.column("missiontime") != 1) {
     return refuse("it has no mission times");

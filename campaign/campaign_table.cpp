@@ -4,6 +4,7 @@
 #include "campaign/campaign_table.h"
 
 #include "campaign/campaign_counts.h"
+#include "support/counted.h"
 
 #include <fmt/format.h>
 
@@ -99,10 +100,11 @@ std::string requirementLines(const CampaignPlan& plan, const CampaignResult& res
   std::string out;
   for (const RequirementCount& count : requirementCounts(plan, result)) {
     const CampaignMission& flown = plan.missions[count.mission];
-    out += fmt::format(
-        "{}: `{}`: {} in {} of {} flights{}\n", flown.file, flown.requirements[count.requirement],
-        flown.isAssumption(count.requirement) ? "broken" : "violated", count.violated,
-        count.flights, count.first ? fmt::format(", first in flight {}", *count.first) : "");
+    out += fmt::format("{}: `{}`: {} in {} of {}{}\n", flown.file,
+                       flown.requirements[count.requirement],
+                       flown.isAssumption(count.requirement) ? "broken" : "violated",
+                       count.violated, support::counted(count.flights, "flight"),
+                       count.first ? fmt::format(", first in flight {}", *count.first) : "");
   }
   return out.empty() ? out : "\nrequirements and assumptions, with these faults\n" + out;
 }

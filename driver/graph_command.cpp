@@ -11,6 +11,7 @@
 #include "driver/terminal.h"
 #include "driver/usage/values.h"
 #include "ir/verify/promela.h"
+#include "support/counted.h"
 #include "support/diagnostics/ids/command.h"
 #include "support/files.h"
 
@@ -87,9 +88,9 @@ support::Result<void> put(const GraphOptions& options, const compiler::Compilati
   if (auto written = support::writeFileAtomically(output, text); !written) {
     return written;
   }
-  return printSuccess(fmt::format("{}: mission {}, {} states\n", output,
-                                  compilation.lowered->mission.name,
-                                  compilation.lowered->mission.states.size()));
+  return printSuccess(
+      fmt::format("{}: mission {}, {}\n", output, compilation.lowered->mission.name,
+                  support::counted(compilation.lowered->mission.states.size(), "state")));
 }
 
 int graph(const GraphOptions& options) {

@@ -10,6 +10,7 @@
 #include "driver/terminal.h"
 #include "flights/launch_choice.h"
 #include "flights/sbc_choice.h"
+#include "support/counted.h"
 #include "support/files.h"
 #include "support/trace/trace.h"
 
@@ -32,13 +33,13 @@ int tellReplay(const support::Trace& trace, const analysis::Replayed& replayed,
       text += textOf(event) + "\n";
     }
   }
+  const std::string ticks = support::counted(replayed.ticks, "tick");
   text += replayed.broken
               ? fmt::format(
                     "at {:.6g} s the mission violates `{}`: {} followed the counterexample, "
-                    "tick by tick ({} ticks)\n",
-                    replayed.when, trace.scenario, way, replayed.ticks)
-              : fmt::format("`{}` holds in this flight ({} ticks, {})\n", trace.scenario,
-                            replayed.ticks, way);
+                    "tick by tick ({})\n",
+                    replayed.when, trace.scenario, way, ticks)
+              : fmt::format("`{}` holds in this flight ({}, {})\n", trace.scenario, ticks, way);
   const auto printed = printOut(text);
   if (!printed) {
     return reportFailure(printed.error());

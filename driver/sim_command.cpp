@@ -223,7 +223,7 @@ support::Result<simulator::Scenario> scenarioFor(const SimOptions& options,
       return std::unexpected(own.error());
     }
     if (!options.port_folder.empty()) {
-      if (auto used = useRelease(options.port_folder, *scenario); !used) {
+      if (auto used = useChoice(options.port_folder, *scenario); !used) {
         return std::unexpected(used.error());
       }
     } else if (!options.mi

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
 
 namespace glider::logs {
 
@@ -21,14 +22,19 @@ using runtime::LogRecord;
 
 namespace {
 
-std::string eventText(uint8_t number) {
-  switch (number) {
-#define LOG_EVENT(name, value, text) \
-  case value:                        \
-    return text;
+/// What an event is called, and its value as people read it.
+struct EventWords {
+  std::string name, value;
+};
+
+EventWords wordsOf(uint8_t event) {
+  switch (event) {
+#define LOG_EVENT(name, number, text, value) \
+  case number:                               \
+    return {text, value};
 #include "runtime/log/records.def"
     default:
-      return "event " + std::to_string(number);
+      return {"event " + std::to_string(event), "{}"};
   }
 }
 
@@ -112,12 +118,18 @@ class Reader {
         return note(in, frame);
       case LogRecord::Event:
         entry_.time = in.f64();
-        entry_.name = eventText(in.u8());
+        event(in.u8());
         entry_.detail = detailText(in.u8());
         entry_.value = in.f64();
         return in.exact();
     }
     return false;
+  }
+
+  void event(uint8_t number) {
+    EventWords words = wordsOf(number);
+    entry_.name = std::move(words.name);
+    entry_.value_words = std::move(words.value);
   }
 
   bool name(ByteReader& in, const hooks::Frame& frame) {

@@ -19,13 +19,14 @@ namespace glider::logs {
 /// One entry of the log, with the names that the log defines.
 struct LogEntry {
   runtime::LogRecord kind = runtime::LogRecord::Start;
-  double time = 0;           ///< mission time, s; 0 for Start and Begin
-  std::string name;          ///< the mission, the transition, the text of a note, the event
-  std::string detail;        ///< of an event; for a transition the state left
-  std::string to;            ///< for a transition: the state entered; empty after exit
-  uint32_t number = 0;       ///< for a transition: its case, from 1
-  bool unknown_set = false;  ///< a note that a `set` changed nothing
-  double value = 0;          ///< of an event; NaN: none
+  double time = 0;                 ///< mission time, s; 0 for Start and Begin
+  std::string name;                ///< the mission, the transition, the text of a note, the event
+  std::string detail;              ///< of an event; for a transition the state left
+  std::string to;                  ///< for a transition: the state entered; empty after exit
+  uint32_t number = 0;             ///< for a transition: its case, from 1
+  bool unknown_set = false;        ///< a note that a `set` changed nothing
+  double value = 0;                ///< of an event; NaN: none
+  std::string value_words = "{}";  ///< its words, as in runtime/log/records.def
   /// Items of Values, parameters of Begin, values of a note (without names); for a transition
   /// statetime, resumetime and every sensor's reading; NaN: unknown.
   std::vector<std::pair<std::string, double>> values;

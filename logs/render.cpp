@@ -65,6 +65,17 @@ std::string valueList(const LogEntry& entry) {
   return list;
 }
 
+/// "3 times", "1 time": the words of an event's value.
+std::string valueText(const LogEntry& entry) {
+  std::string text = entry.value_words;
+  const auto place = text.find("{}");
+  text.replace(place, place == std::string::npos ? 0 : 2, known(entry.value));
+  for (auto plural = text.find("(s)"); plural != std::string::npos; plural = text.find("(s)")) {
+    text.replace(plural, 3, entry.value == 1 ? "" : "s");
+  }
+  return text;
+}
+
 std::string withList(std::string text, const std::string& list) {
   return list.empty() ? text : text + ": " + list;
 }
@@ -85,7 +96,7 @@ std::string story(const LogEntry& entry) {
                                : withList("log " + report::plain(entry.name), valueList(entry));
     case LogRecord::Event:
       return entry.name + (entry.detail.empty() ? "" : ": " + entry.detail) +
-             (std::isnan(entry.value) ? "" : fmt::format(" ({})", known(entry.value)));
+             (std::isnan(entry.value) ? "" : fmt::format(" ({})", valueText(entry)));
     case LogRecord::Values:
     case LogRecord::Name:
       break;

@@ -42,6 +42,9 @@ struct Vehicle {
   std::unique_ptr<OwnMission> (*usual_own_mission)();
   /// Checks a flight of a campaign.
   std::unique_ptr<simulator::Judge> (*make_judge)(const FlightToJudge& flight);
+  /// Whether that check expects anything of the vehicle in `scenario` with a fault of this kind.
+  /// The kinds of which it expects nothing are not drawn alone.
+  bool (*promises)(simulator::FaultKind kind, const simulator::Scenario& scenario);
 };
 
 /// The family of a platform; null if it names none that is known.

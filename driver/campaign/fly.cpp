@@ -9,6 +9,7 @@
 #include "driver/output/flight_files.h"
 #include "driver/output/time_left.h"
 #include "driver/terminal.h"
+#include "support/counted.h"
 #include "support/diagnostics/ids/files.h"
 #include "support/files.h"
 
@@ -61,16 +62,17 @@ std::string fileOf(const campaign::CampaignOptions& options) {
 /// "123 of 1000 flights, about 8 min left".
 std::string progressText(uint64_t over, uint64_t all, TimeLeft& left) {
   const std::string estimate = left.of(over, all);
-  return fmt::format("{} of {} flights{}", over, all, estimate.empty() ? "" : ", " + estimate);
+  return fmt::format("{} of {}{}", over, support::counted(all, "flight"),
+                     estimate.empty() ? "" : ", " + estimate);
 }
 
 std::string flightsText(const campaign::CampaignPlan& plan) {
   if (plan.parts == 1) {
-    return fmt::format("{} flights", plan.flights);
+    return support::counted(plan.flights, "flight");
   }
   const campaign::FlightRange range = campaign::rangeOf(plan);
-  return fmt::format("part {} of {}: {} of {} flights", plan.part, plan.parts,
-                     range.end - range.begin, plan.flights);
+  return fmt::format("part {} of {}: {} of {}", plan.part, plan.parts, range.end - range.begin,
+                     support::counted(plan.flights, "flight"));
 }
 
 int statusOf(const campaign::CampaignResult& result) {
@@ -96,11 +98,11 @@ int tellResult(const campaign::CampaignPlan& plan, const campaign::CampaignOptio
   const std::string file = fileOf(options);
   std::string last = fmt::format("{}, seed {}, {:.1f} s\n", flightsText(plan), plan.seed, took_s);
   if (result.interrupted) {
-    last = fmt::format(
-        "interrupted after {} of {} flights, seed {}{}\n", flown, plan.flights, plan.seed,
-        file.empty()
-            ? ""
-            : "; to continue, give the same options and --resume " + campaign::shellWord(file));
+    last = fmt::format("interrupted after {} of {}, seed {}{}\n", flown,
+                       support::counted(plan.flights, "flight"), plan.seed,
+                       file.empty() ? ""
+                                    : "; to continue, give the same options and --resume " +
+                                          campaign::shellWord(file));
   }
   if (document != nullptr) {
     putResult(*document, plan, result);

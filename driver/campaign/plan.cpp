@@ -16,13 +16,13 @@
 #include "ir/prove/context/duration_text.h"
 #include "ir/text/print.h"
 #include "support/diagnostics/ids/flights.h"
+#include "vehicles/vehicle.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -35,7 +35,7 @@ support::Result<void> useFolder(const std::string& path, const PortFolder& folde
                                 const platforms::Platform& platform,
                                 simulator::Scenario& scenario) {
   auto own = flights::flyVehiclesOwn(folder.vehicle_mission, platform, scenario, reportDiagnostics);
-  return own ? useRelease(path, scenario) : own;
+  return own ? useChoice(path, scenario) : own;
 }
 
 /// Flights of a mission in this process; with `folder`, by the vehicle's port.
@@ -65,16 +65,16 @@ bool hasFolder(const campaign::CampaignOptions& options) {
                              [](const std::string& file) { return isPortFolder(file); });
 }
 
-/// The faults about which a vehicle without the hooks keeps something: those of the SBC, its line
-/// and the science computer, and a bottom that is not where it was. Nothing on it notices a wrong
-/// sensor, and there is no handshake.
-bool isOfPort(simulator::FaultKind kind) {
-  using enum simulator::FaultKind;
-  constexpr simulator::FaultKind kKinds[] = {
-      None,    ByteLoss,     BitFlips,      Bursts,      Delay,       DoubledFrames, HalfOpen,
-      LineCut, BaudMismatch, FlightScience, LateLine,    Port,        Power,         Checkpoints,
-      Stuck,   Science,      Console,       FlightAbort, ShallowWater};
-  return std::ranges::find(kKinds, kind) != std::end(kKinds);
+/// Leaves out the kinds of faults with which the vehicle of one of the missions promises nothing.
+void leaveUnpromised(campaign::CampaignPlan& plan) {
+  simulator::Scenario scenario = plan.scenario;
+  for (const campaign::CampaignMission& mission : plan.missions) {
+    const vehicles::Vehicle* const vehicle = vehicles::vehicleOf(mission.platform);
+    scenario.own = mission.own.has_value() ? mission.own : plan.scenario.own;
+    std::erase_if(plan.kinds, [&](simulator::FaultKind kind) {
+      return vehicle != nullptr && !vehicle->promises(kind, scenario);
+    });
+  }
 }
 
 /// What is known of a mission before its flights.
@@ -217,16 +217,15 @@ int makePlan(const campaign::CampaignOptions& options, unsigned jobs,
     });
   }
   plan.jobs = jobs;
-  if (hasFolder(options)) {
-    std::erase_if(plan.kinds, [](simulator::FaultKind kind) { return !isOfPort(kind); });
-    if (plan.kinds.empty()) {
-      throw CLI::ValidationError("--fault", "a vehicle without the hooks keeps nothing in it");
-    }
-  } else {
+  if (!hasFolder(options)) {
     chooseBoards(options, plan);
   }
   if (const int status = loadMissions(options, plan); status != kFine) {
     return status;
+  }
+  leaveUnpromised(plan);
+  if (plan.kinds.empty()) {
+    throw CLI::ValidationError("--fault", "the vehicle promises nothing about flights with it");
   }
   if (auto measured = campaign::measureMissions(plan); !measured) {
     return reportFailure(measured.error());

@@ -7,6 +7,7 @@
 #include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
 #include "driver/terminal.h"
+#include "support/counted.h"
 #include "support/files.h"
 #include "support/one_line.h"
 #include "vehicles/vehicle.h"
@@ -53,9 +54,11 @@ Result<Line> rechecked(const compiler::Optimised& mission, uint32_t number,
   }
   const std::string shown =
       certificate->run
-          ? fmt::format("a run of {} ticks, replayed on the compiled mission", found->obligations)
-          : fmt::format("{} configuration{}, {} obligations met", certificate->invariants.size(),
-                        certificate->invariants.size() == 1 ? "" : "s", found->obligations);
+          ? fmt::format("a run of {}, replayed on the compiled mission",
+                        support::counted(found->obligations, "tick"))
+          : fmt::format("{}, {} met",
+                        support::counted(certificate->invariants.size(), "configuration"),
+                        support::counted(found->obligations, "obligation"));
   ir::prove::RequirementVerdict rests;
   rests.assumptions = found->assumptions;
   const std::string premises = ir::prove::premisesOf(rests, mission.checked->mission());
@@ -105,8 +108,8 @@ int recheckCertificates(const std::string& path, const std::filesystem::path& fo
       return reportFailure(printed.error());
     }
   }
-  tell(fmt::format("{}: {} of {} certificates accepted, checked with {}\n", path, accepted, all,
-                   analysis::kSolver));
+  tell(fmt::format("{}: {} of {} accepted, checked with {}\n", path, accepted,
+                   support::counted(all, "certificate"), analysis::kSolver));
   return accepted == all ? kFine : kMissionHasErrors;
 }
 

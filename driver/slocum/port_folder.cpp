@@ -251,15 +251,17 @@ support::Result<std::optional<PortFolder>> portFolderAt(const std::filesystem::p
                 : std::unexpected(folder.error());
 }
 
-support::Result<void> useRelease(const std::filesystem::path& folder,
-                                 simulator::Scenario& scenario) {
+support::Result<void> useChoice(const std::filesystem::path& folder,
+                                simulator::Scenario& scenario) {
   const auto read = readDescription(folder);
   if (!read) {
     return std::unexpected(read.error());
   }
-  simulator::slocumMissionOf(scenario).code_15 =
-      read->choice.release == slocum::Release::MissionModes ? simulator::Code15::MissionMode
-                                                            : simulator::Code15::FarFromWaypoint;
+  simulator::SlocumMission& flown = simulator::slocumMissionOf(scenario);
+  flown.code_15 = read->choice.release == slocum::Release::MissionModes
+                      ? simulator::Code15::MissionMode
+                      : simulator::Code15::FarFromWaypoint;
+  flown.program_depth_m = read->choice.greatest_depth_m;
   return {};
 }
 

@@ -48,9 +48,10 @@ support::Result<PortFolder> openPortFolder(const std::filesystem::path& path);
 /// If `path` is such a folder, reads it; empty if it is not.
 support::Result<std::optional<PortFolder>> portFolderAt(const std::filesystem::path& path);
 
-/// The vehicle of `scenario` reads its mission file as the release for which `folder` was written.
-support::Result<void> useRelease(const std::filesystem::path& folder,
-                                 simulator::Scenario& scenario);
+/// The vehicle of `scenario` is as `folder` says: it reads its mission file as the release for
+/// which that was written, and the program at its port commands at most the depth with which it was
+/// built.
+support::Result<void> useChoice(const std::filesystem::path& folder, simulator::Scenario& scenario);
 
 /// What a folder says of the port.
 struct FolderPort {

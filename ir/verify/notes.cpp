@@ -33,8 +33,10 @@ void notePath(support::DiagnosticBuilder& report, const Structure& structure, co
     const support::SourceRange range = structure.caseOf(path[i]).range;
     if (!path.keeps(i + 1) && i + 1 < path.size()) {
       const size_t left_out = path.size() - Path::kLast - i;
-      report.note(range,
-                  fmt::format("{} transitions not shown, of which this is the first", left_out));
+      report.note(range, left_out == 1
+                             ? "transition not shown"
+                             : fmt::format("{} transitions not shown, of which this is the first",
+                                           left_out));
       i += left_out - 1;
     } else {
       report.note(range, step(structure, path[i]));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "report/findings/against.h"
+#include "support/counted.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,9 +21,7 @@ constexpr size_t kMostSteps = 30;    ///< of the mission that follows the files
 constexpr size_t kMostStays = 3;     ///< in a row, one by one
 constexpr size_t kMostFlickers = 3;  ///< of a case
 
-std::string counted(size_t number, const char* word) {
-  return fmt::format("{} {}{}", number, word, number == 1 ? "" : "s");
-}
+using support::counted;
 
 /// "83 %"; 0 and 100 only if that is exact.
 std::string share(uint32_t part, uint32_t all) {

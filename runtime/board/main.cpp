@@ -70,6 +70,7 @@ int run(const Options& options) {
   const FrameLine frames = framesOver(line.stream, runtime->checkpoint());
   line.stream = frames.stream;
   runtime->countDamageBy(frames.damaged);
+  runtime->reportComingUp(frames.comes_up_for_s);
   return fly(runtime, line, card);
 }
 

@@ -93,6 +93,13 @@ void Persistence::waits(double depth) {
   tellVehicle(0.0, "the mission waits for the surface");
 }
 
+void Persistence::bringsUp(double seconds) {
+  parts_.log.event(0.0, LogEvent::SurfaceFirst, LogDetail::EarlierTargets, seconds);
+  if (!(seconds > 0)) {
+    tellVehicle(0.0, "the SBC commands the surface before the mission begins");
+  }
+}
+
 void Persistence::begun() {
   if (begins_anew_ != LogDetail::None) {
     parts_.log.event(0.0, LogEvent::BeginsAnew, begins_anew_, unknown());

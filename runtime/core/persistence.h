@@ -42,6 +42,9 @@ class Persistence {
   bool decide(const hooks::VehicleTick& tick, const GliderContext& context, double sbc_time);
   /// The mission does not begin at this depth, m: reports it.
   void waits(double depth);
+  /// For `seconds` the vehicle has been brought to the surface before the mission may begin:
+  /// reports it in the log, and at first in the vehicle's.
+  void bringsUp(double seconds);
   /// The mission has begun: logs why an existing checkpoint was not used.
   void begun();
   /// Writes the results of this tick to log and checkpoint; `context` is null before the mission

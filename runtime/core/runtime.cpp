@@ -162,6 +162,9 @@ void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) 
     link_log_.unanswered(*context_, tick);
     link_log_.damagedInput(*context_, damaged_ != nullptr ? *damaged_ : client_.badFrames());
   }
+  if (comes_up_for_s_ != nullptr && wait_times_.isDue(*comes_up_for_s_)) {
+    persistence_.bringsUp(*comes_up_for_s_);
+  }
   persistence_.commit(context_);
   if (!hasFailed()) {
     client_.done(status(), stream);

@@ -17,6 +17,8 @@ namespace {
 /// In heights of the yo that holds a depth: it goes up to its upper end, and past that.
 constexpr double kForget = 1.5;
 constexpr double kCmPerM = 100;
+/// What has left within this time counts as written when it was made, s.
+constexpr double kPrompt = 10;
 
 /// As the checkpoint has it; the clock unknown if it was.
 VehicleMission heardBefore(const LinkFacts& facts) {
@@ -159,6 +161,7 @@ void Backseat::takeSentence() {
   } else if (is("HI") || is("BY")) {
     writer_.forget();
     stand_in_.forget();
+    brings_up_ = false;
     using hooks::extctl::kVirtualTimeHello;
     const uint32_t length = sizeof(kVirtualTimeHello) - 1;
     if (!virtual_time_ && size == length && memcmp(body, kVirtualTimeHello, length) == 0) {
@@ -217,6 +220,10 @@ void Backseat::answer() {
     flush();
     return;
   }
+  const double now_s = reported(kGliderRoleClock);
+  if (now_s - stuck_since_s_ > kPrompt) {
+    writer_.forget();  // it did not settle while it was stuck here
+  }
   if (const hooks::Instruction* command = stand_in_.inForce()) {
     follow(*command, mission_, whereabouts(), stock_);
   }
@@ -225,13 +232,14 @@ void Backseat::answer() {
     stock_.modes = kGliderPortModeSurface;
     writer_.insist();
   }
-  if (stand_in_.makesSafe()) {
+  brings_up_ = stand_in_.makesSafe();
+  if (brings_up_) {
     stock_ = safeCommand(mission_);
   }
   const bool steers = stand_in_.state() == hooks::HookState::Active || stand_in_.released() ||
                       stand_in_.makesSafe();
   if (steers) {
-    writer_.tell(stock_, reported(kGliderRoleClock));
+    writer_.tell(stock_, now_s);
   }
   const hooks::SbcView view = seat_.sbc();
   const bool flies = view.phase == hooks::MissionPhase::Flying;
@@ -240,6 +248,7 @@ void Backseat::answer() {
   out_end_ = text + writer_.write({flies ? view.state + 1 : 0, view.mission_time_s}, steers,
                                   out_ + text, sizeof out_ - text);
   flush();
+  stuck_since_s_ = out_next_ == out_end_ ? __builtin_nan("") : now_s;
 }
 
 /// What has happened in the mission, for the vehicle's log, as far as there is room; returns the
@@ -283,6 +292,10 @@ void Backseat::flush() {
       return;
     }
     out_next_ += static_cast<uint32_t>(taken);
+  }
+  if (brings_up_) {
+    brings_up_ = false;
+    stand_in_.toldToComeUp();
   }
 }
 

@@ -42,6 +42,9 @@ class Backseat {
   [[nodiscard]] GliderByteStream stream();
   /// Counts the sentences and pairs that arrived damaged, or that no list of sensors explains.
   [[nodiscard]] const uint32_t* damaged() const { return &damaged_; }
+  /// For how long the vehicle has been brought to the surface before the mission may begin, s; NaN:
+  /// it is not.
+  [[nodiscard]] const double* comesUpFor() const { return stand_in_.comesUpFor(); }
 
  private:
   static constexpr uint32_t kMostBytes = 1024;  ///< of an answer
@@ -90,6 +93,8 @@ class Backseat {
   bool virtual_time_ = false;
   char out_[kMostBytes];
   uint32_t out_next_ = 0, out_end_ = 0;
+  bool brings_up_ = false;                    ///< what is in it brings the vehicle up
+  double stuck_since_s_ = __builtin_nan("");  ///< it did not leave at once; NaN: it did
   uint8_t in_[64];
   uint32_t in_next_ = 0, in_end_ = 0;
 };

@@ -148,6 +148,10 @@ void PortWriter::tell(const StockCommand& command, double now_s) {
     forgets_ = false;
     dives_.unsettle(now_s_, now_s);
     climbs_.unsettle(now_s_, now_s);
+    for (Value& value : values_) {
+      value.pending_s = now_s;
+    }
+    mode_.pending_s = now_s;
   }
   now_s_ = now_s;
   if (!begun_) {

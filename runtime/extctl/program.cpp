@@ -15,5 +15,5 @@ glider::runtime::FrameLine glider::runtime::framesOver(const GliderByteStream& l
   alignas(extctl::Backseat) static uint8_t memory[sizeof(extctl::Backseat)];
   auto* backseat =
       ::new (memory) extctl::Backseat(gliderMission, gliderPort, line, {.checkpoint = checkpoint});
-  return {backseat->stream(), backseat->damaged()};
+  return {backseat->stream(), backseat->damaged(), backseat->comesUpFor()};
 }

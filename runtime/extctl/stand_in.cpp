@@ -52,12 +52,27 @@ bool StandIn::goesOn(const VehicleMission& vehicle) const {
 void StandIn::lookWhetherSafe(const VehicleMission& vehicle) {
   const bool flies = vehicle.program == static_cast<double>(port_.program) &&
                      vehicle.in_glider_dos != 1 && hookIsFinite(vehicle.time_s);
-  if (!flies || knowsStart() || goesOn(vehicle)) {
-    making_s_ = __builtin_nan("");
-    return;
+  const bool unsafe = flies && !knowsStart() && !goesOn(vehicle);
+  if (unsafe && told_ && told_s_ != told_s_) {
+    told_s_ = vehicle.time_s;
   }
-  making_s_ = making_s_ == making_s_ ? making_s_ : vehicle.time_s;
-  safe_ = safe_ || (vehicle.at_surface && vehicle.time_s - making_s_ >= kSafeSecs);
+  safe_ = safe_ || (vehicle.at_surface && vehicle.time_s - told_s_ >= kSafeSecs);
+  setMakesSafe(unsafe && !safe_);
+}
+
+void StandIn::setMakesSafe(bool makes) {
+  const double nan = __builtin_nan("");
+  comes_up_s_ = !makes ? nan : makes_safe_ ? comes_up_s_ : time_s_;
+  comes_up_for_s_ = time_s_ - comes_up_s_;
+  makes_safe_ = makes;
+  if (!makes) {
+    forget();
+  }
+}
+
+void StandIn::forget() {
+  told_ = false;
+  told_s_ = __builtin_nan("");
 }
 
 /// Of a session. The number of the mission file does not change within a mission: another one is a
@@ -74,7 +89,7 @@ void StandIn::observe(const VehicleMission& vehicle, bool answered) {
   if (restarted || first_s_ != first_s_) {
     first_s_ = vehicle.time_s;
     safe_ = false;
-    forget();
+    setMakesSafe(false);
   }
   if (session_ == 0 && releasing_ == 0 && state_ != HookState::Complete) {
     lookWhetherSafe(vehicle);

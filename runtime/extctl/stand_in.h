@@ -38,9 +38,13 @@ class StandIn {
   /// Whether the vehicle is to come up before control is given. A program that begins in the midst
   /// of the vehicle's mission, without a checkpoint of it, does not know which targets an earlier
   /// one has left, and the vehicle would dive to them until the first command is obeyed.
-  [[nodiscard]] bool makesSafe() const { return making_s_ == making_s_ && !safe_; }
+  [[nodiscard]] bool makesSafe() const { return makes_safe_; }
+  /// An answer has left with which the vehicle is to come up.
+  void toldToComeUp() { told_ = makes_safe_; }
+  /// For how long it has been brought up, s of its mission; NaN: it is not.
+  [[nodiscard]] const double* comesUpFor() const { return &comes_up_for_s_; }
   /// What was written may be lost.
-  void forget() { making_s_ = __builtin_nan(""); }
+  void forget();
   /// An instruction of the program's own mission.
   void instruct(const hooks::Instruction& instruction);
 
@@ -64,8 +68,9 @@ class StandIn {
   /// Not before this time of the vehicle's mission: what was written into an earlier one may still
   /// be on its way, and so may the number of the mission file, s.
   static constexpr double kBeginSecs = 20;
-  /// The wish to surface and the shallowest yo have arrived: its dive is written when every climb
-  /// that may have been in force is over (kSettleSecs of hooks/extctl/port.h, twice), s.
+  /// After the first answer with them that has left, the wish to surface and the shallowest yo have
+  /// arrived: its dive is written when every climb that may have been in force is over (kSettleSecs
+  /// of hooks/extctl/port.h, twice), s.
   static constexpr double kSafeSecs = 44;
   /// How much the two clocks of the vehicle may differ over an outage of the program, s.
   static constexpr double kSameFlightSecs = 60;
@@ -75,6 +80,7 @@ class StandIn {
   [[nodiscard]] bool isSameFlight(const VehicleMission& vehicle) const;
   [[nodiscard]] bool goesOn(const VehicleMission& vehicle) const;
   void lookWhetherSafe(const VehicleMission& vehicle);
+  void setMakesSafe(bool makes);
   [[nodiscard]] bool isOver(const VehicleMission& vehicle) const;
   [[nodiscard]] bool isRelease(const hooks::Instruction& instruction) const;
   [[nodiscard]] hooks::HookAnswer decide(const hooks::Instruction& instruction);
@@ -87,9 +93,13 @@ class StandIn {
   bool restarted_ = true;
   hooks::HookState state_ = hooks::HookState::Absent;
   double time_s_ = 0;
-  double first_s_ = __builtin_nan("");   ///< of the vehicle's mission, when it was first seen
-  double making_s_ = __builtin_nan("");  ///< since when it is brought up; NaN: it is not
+  double first_s_ = __builtin_nan("");  ///< of the vehicle's mission, when it was first seen
+  bool makes_safe_ = false;
   bool safe_ = false;
+  double comes_up_s_ = __builtin_nan("");      ///< since when it is brought up; NaN: it is not
+  double comes_up_for_s_ = __builtin_nan("");  ///< until now
+  bool told_ = false;                          ///< an answer with that has left
+  double told_s_ = __builtin_nan("");          ///< since when, as the vehicle's reports show
   hooks::Instruction command_;
   bool has_command_ = false;
   uint32_t session_ = 0;

@@ -21,7 +21,7 @@ enum class LogNamed : uint8_t {
 };
 
 enum class LogEvent : uint8_t {
-#define LOG_EVENT(name, number, text) name = number,
+#define LOG_EVENT(name, number, text, value) name = number,
 #include "runtime/log/records.def"
 };
 

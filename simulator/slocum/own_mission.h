@@ -20,6 +20,8 @@ struct SlocumMission {
   Code15 code_15 = Code15::FarFromWaypoint;
   /// The vehicle has no hooks, and serves the SBC by its port for a backseat driver.
   std::optional<slocum::ExtctlFile> extctl;
+  /// The greatest depth that the program at that port commands, m; empty: only its builder knows.
+  std::optional<double> program_depth_m;
   /// The program that acts as its science computer, and its arguments; empty: the simulator's own.
   std::vector<std::string> science_program;
 };

@@ -194,6 +194,21 @@ TEST_F(PortCommand, ACampaignSeesWhatAMissionFileDoesWrong) {
     EXPECT_EQ(flown.status, 1) << by << flown.out << flown.err;
     EXPECT_THAT(flown.out, HasSubstr(seen)) << by;
   }
+  // A file that allows more than the program was built for: the flight keeps to the latter.
+  std::string deep = mission;
+  const auto abend = deep.find("overdepth(m) 30");
+  deep.replace(abend, 15, "overdepth(m) 120");
+  deep.insert(deep.find("# Between the two depths"),
+              "behavior: yo\n    b_arg: start_when(enum) 0\n"
+              "    b_arg: num_half_cycles_to_do(nodim) -1\n    b_arg: d_target_depth(m) 60\n"
+              "    b_arg: d_use_pitch(enum) 3\n    b_arg: d_pitch_value(X) -0.45\n"
+              "    b_arg: c_target_depth(m) 5\n\n");
+  write("port/vehicle/missions/samplemi.mi", deep);
+  for (const char* fault : {"none", "'bit flips'", "'line cut'"}) {
+    const Outcome flown = run(std::string("campaign port --flights 4 --fault ") + fault);
+    EXPECT_EQ(flown.status, 1) << fault << flown.out << flown.err;
+    EXPECT_THAT(flown.out, HasSubstr("m deep, at most")) << fault;
+  }
   // Without a limit of depth, the time up is that from the hull's.
   std::string twin = mission;
   const auto limit = twin.find("    b_arg: overdepth(m) ");

@@ -112,6 +112,8 @@ constinit const Vehicle families::toy = {
     },
     .make_judge = [](const FlightToJudge& /*flight*/) -> std::unique_ptr<simulator::Judge> {
       return std::make_unique<ToyJudge>();
-    }};
+    },
+    .promises = [](simulator::FaultKind /*kind*/,
+                   const simulator::Scenario& /*scenario*/) { return true; }};
 
 }  // namespace glider::vehicles

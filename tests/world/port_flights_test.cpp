@@ -37,7 +37,10 @@ slocum::PortChoice choiceFor(slocum::Release release) {
 constexpr double kBelowAbort = 12;
 
 /// Looks at the true depth: never too deep, and not under water for longer than the bound after
-/// the SBC's death.
+/// the SBC's death. The check of campaigns (vehicles/slocum/oracles/port_judge.h) does much the
+/// same, and is not used here on purpose: it is part of what is tested. Its bounds are read from
+/// the mission file by the rules of `check`, those here come from the plan; and it counts from the
+/// last surfacing, which hides how long the timer took after the SBC's death.
 class PortWatch final : public simulator::FlightObserver {
  public:
   PortWatch(double deepest_m, double killed_s, double bound_s)

@@ -13,6 +13,7 @@
 #include "ir/prove/encoding/sampling.h"
 #include "ir/prove/passes.h"
 #include "ir/verify/value_text.h"
+#include "support/counted.h"
 #include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
@@ -58,9 +59,10 @@ class GuardCheck {
     if (proof_.options.report && unchecked_ > 0) {
       proof_.findings.lines.push_back(
           {{},
-           fmt::format("whether they can fire was not checked for {} cases: all checks together "
-                       "reached their limit (--effort)",
-                       unchecked_)});
+           fmt::format(
+               "whether {} can fire was not checked: all checks together reached their limit "
+               "(--effort)",
+               support::counted(unchecked_, "case"))});
     }
   }
 

@@ -5,6 +5,7 @@
 
 #include "logs/reader.h"
 
+#include "logs/render.h"
 #include "tests/unit/logs/written_log.h"
 
 #include <gtest/gtest.h>
@@ -175,6 +176,34 @@ TEST_F(ReadLog, AnEventHasItsWordsAndItsNumber) {
   EXPECT_EQ(entry.name, "instruction refused");
   EXPECT_EQ(entry.detail, "too deep");
   EXPECT_EQ(entry.value, 41);
+}
+
+TEST_F(ReadLog, TheValueOfAnEventHasItsUnitAndIsInTheSingularAfterOne) {
+  const struct {
+    uint8_t event, detail;
+    double value;
+    const char* line;
+  } rows[] = {
+      {16, 0, 1, "damaged input on the line (1 time)\n"},
+      {16, 0, 3, "damaged input on the line (3 times)\n"},
+      {9, 0, 1, "notes lost (1 note)\n"},
+      {15, 64, 2, "(2 failed checks)\n"},
+      {14, 0, 12.25, "mission waits for the surface (12.25 m deep)\n"},
+      {10, 0, 35, "mission resumed (after an outage of 35 s)\n"},
+      {2, 3, 41, "instruction refused: too deep (number 41)\n"},
+      {17, 27, 60,
+       "surface commanded before the mission begins: an earlier program may have left targets "
+       "(for 60 s)\n"},
+      {200, 0, 5, "event 200 (5)\n"},
+  };
+  for (const auto& row : rows) {
+    WrittenLog log;
+    log.start();
+    log.event(4, row.event, row.detail, row.value);
+    std::string text;
+    readLog(log.bytes, [&](const LogEntry& entry) { text = textLine(entry); });
+    EXPECT_TRUE(text.ends_with(row.line)) << text;
+  }
 }
 
 TEST_F(ReadLog, EventsOfALaterProgramAreShownByTheirNumber) {

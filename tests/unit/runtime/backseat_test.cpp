@@ -116,6 +116,7 @@ class PortBench {
   std::vector<std::string> texts;
   std::vector<std::string> others;
   bool line_is_cut = false;
+  bool line_is_stuck = false;  ///< takes nothing
 
   static uint32_t index(PortSensor sensor) { return static_cast<uint32_t>(sensor); }
 
@@ -139,6 +140,9 @@ class PortBench {
   }
   static int32_t write(void* self, const uint8_t* bytes, uint32_t count) {
     auto& bench = *static_cast<PortBench*>(self);
+    if (bench.line_is_stuck) {
+      return 0;
+    }
     for (uint32_t i = 0; i < count; ++i) {
       if (bench.from_sbc_.push(bytes[i])) {
         bench.take({bench.from_sbc_.body(), bench.from_sbc_.size()});
@@ -267,6 +271,77 @@ TEST(Backseat, BeginsInTheMidstAtTheSurfaceOnly) {
   }
   EXPECT_LT(dive_s, down_s);
   EXPECT_GE(down_s, dive_s + hooks::extctl::kSettleSecs);
+}
+
+/// When the mission begins of a program that begins in mid-mission, at the surface, and can write
+/// nothing from 400 s to `stuck_s`; the vehicle is silent from `silent_s` to then.
+double beginsAfter(double stuck_s, double silent_s) {
+  TwoStates mission;
+  mission.mission.start_depth_cm = 210;
+  PortBench bench(mission.mission);
+  bench.begin();
+  bench.line_is_stuck = true;
+  double now = 400;
+  for (; now < stuck_s; now += 4) {
+    if (now < silent_s) {
+      bench.cycle(now, 1 + now / 4096, 20);
+    }
+    EXPECT_EQ(bench.context(), nullptr) << now;
+  }
+  EXPECT_TRUE(bench.values.empty());
+  bench.line_is_stuck = false;
+  for (; bench.context() == nullptr && now < stuck_s + 400; now += 4) {
+    bench.cycle(now, 1 + now / 4096, 20);
+  }
+  return now - 4;
+}
+
+TEST(Backseat, WhatCouldNotBeWrittenHasNotMadeTheVehicleSafe) {
+  for (const double stuck_s : {404.0, 420.0, 500.0, 1000.0}) {
+    for (const double silent_s : {stuck_s, 404.0}) {
+      const double begins_s = beginsAfter(stuck_s, silent_s);
+      EXPECT_GE(begins_s, stuck_s + StandIn::kSafeSecs) << stuck_s << " " << silent_s;
+      EXPECT_LE(begins_s, stuck_s + StandIn::kSafeSecs + 12) << stuck_s << " " << silent_s;
+    }
+  }
+}
+
+/// From the shallower climb until the shallower dive, s: written after the line has been stuck, and
+/// the vehicle silent, for `stuck_s`.
+double fromClimbToDive(double stuck_s, bool silent) {
+  TwoStates mission;
+  PortBench bench(mission.mission);
+  bench.begin();
+  double now = kBegun;
+  for (; now < kBegun + 200; now += 4) {
+    bench.cycle(now, 35, 10);
+  }
+  EXPECT_EQ(bench.written(PortSensor::DiveDepth), 40);
+  EXPECT_EQ(bench.written(PortSensor::ClimbDepth), 30);
+  bench.line_is_stuck = true;
+  const double from_s = now;
+  for (; now < from_s + stuck_s; now += 4) {
+    if (!silent || now == from_s) {
+      bench.cycle(now, 35, 20);
+    }
+  }
+  bench.line_is_stuck = false;
+  double climb_s = NAN, dive_s = NAN;
+  for (const double until = now + 120; now < until; now += 4) {
+    bench.cycle(now, 35 + now / 4096, 20);
+    climb_s = std::isnan(climb_s) && bench.written(PortSensor::ClimbDepth) == 10 ? now : climb_s;
+    dive_s = std::isnan(dive_s) && bench.written(PortSensor::DiveDepth) == 20 ? now : dive_s;
+  }
+  return dive_s - climb_s;
+}
+
+TEST(Backseat, WhatWasStuckOnTheLineSettlesFromWhenItHasLeft) {
+  for (const double stuck_s : {0.0, 12.0, 24.0, 40.0, 100.0}) {
+    for (const bool silent : {false, true}) {
+      EXPECT_GE(fromClimbToDive(stuck_s, silent), hooks::extctl::kSettleSecs)
+          << stuck_s << " " << silent;
+    }
+  }
 }
 
 TEST(Backseat, AnotherSurfacingOfTheVehicleMakesTheDiveAfterItANewOne) {

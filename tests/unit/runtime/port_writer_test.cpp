@@ -144,6 +144,22 @@ TEST(PortWriter, WhatIsLostInARestartOfThePortSettlesAnew) {
       << "the climb at 30 m may still be in force";
 }
 
+TEST(PortWriter, SoDoesWhetherItIsToSurface) {
+  PortWriter writer(kCommon, true);
+  StockCommand up = between(1, 6);
+  up.surface = true;
+  for (double now = 0; now < 100; now += 4) {
+    writer.tell(up, now);
+    (void)answerOf(writer);
+  }
+  writer.tell(between(1, 20), 100);
+  EXPECT_EQ(of(answerOf(writer), PortSensor::DiveDepth), 20);
+  writer.forget();  // the port is away for a minute
+  EXPECT_GE(firstWritten(writer, between(1, 20), 160, PortSensor::WantsSurface, 0),
+            160 + hooks::extctl::kSettleSecs)
+      << "the dive may not have arrived";
+}
+
 TEST(PortWriter, AnUnknownStartIsMadeTheShallowestClimbFirst) {
   PortWriter writer(kCommon, false);
   writer.tell(between(30, 40), 0);

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace glider::runtime::extctl {
 namespace {
 
@@ -183,6 +185,7 @@ TEST(StandIn, AProgramThatBeginsInTheMidstBringsTheVehicleUpFirst) {
     late.observe(at(now, false));
     ASSERT_EQ(late.state(), HookState::Waiting) << now;
     EXPECT_TRUE(late.makesSafe());
+    late.toldToComeUp();
     late.instruct(dive(1));
     EXPECT_EQ(late.answer(), HookAnswer::NotReady);
   }
@@ -191,7 +194,9 @@ TEST(StandIn, AProgramThatBeginsInTheMidstBringsTheVehicleUpFirst) {
   EXPECT_FALSE(late.makesSafe());
 
   StandIn floats(kPort, nullptr);
+  floats.observe(at(396, true));
   for (now = 400; now < 400 + StandIn::kSafeSecs; now += 4) {
+    floats.toldToComeUp();
     floats.observe(at(now, true));
     EXPECT_EQ(floats.state(), HookState::Waiting) << "what it was sent may not have arrived";
   }
@@ -199,14 +204,39 @@ TEST(StandIn, AProgramThatBeginsInTheMidstBringsTheVehicleUpFirst) {
   EXPECT_EQ(floats.state(), HookState::Ready);
 }
 
+TEST(StandIn, ItsTimeCountsFromTheFirstAnswerThatHasLeft) {
+  StandIn floats(kPort, nullptr);
+  EXPECT_TRUE(std::isnan(*floats.comesUpFor()));
+  double now = 400;
+  for (; now < 400 + 3 * StandIn::kSafeSecs; now += 4) {
+    floats.observe(at(now, true));
+    EXPECT_EQ(floats.state(), HookState::Waiting) << now << ": nothing has been written";
+    EXPECT_EQ(*floats.comesUpFor(), now - 400);
+  }
+  floats.toldToComeUp();
+  const double heard_s = now + 100;  // the vehicle was silent meanwhile
+  for (now = heard_s; now < heard_s + StandIn::kSafeSecs; now += 4) {
+    floats.observe(at(now, true));
+    EXPECT_EQ(floats.state(), HookState::Waiting) << now;
+  }
+  floats.observe(at(now, true));
+  EXPECT_EQ(floats.state(), HookState::Ready);
+  EXPECT_TRUE(std::isnan(*floats.comesUpFor()));
+}
+
 TEST(StandIn, APortThatRestartsMeanwhileBeginsThatAgain) {
   StandIn late(kPort, nullptr);
   for (double now = 400; now < 440; now += 4) {
     late.observe(at(now, true));
+    late.toldToComeUp();
   }
   late.forget();
-  late.observe(at(460, true));
+  late.observe(at(456, true));
   EXPECT_TRUE(late.makesSafe());
+  late.toldToComeUp();
+  late.observe(at(460, true));
+  late.observe(at(460 + StandIn::kSafeSecs - 1, true));
+  EXPECT_EQ(late.state(), HookState::Waiting);
   late.observe(at(460 + StandIn::kSafeSecs, true));
   EXPECT_EQ(late.state(), HookState::Ready);
 }

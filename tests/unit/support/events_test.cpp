@@ -59,7 +59,7 @@ TEST(Events, AreWrittenAsTheyAreRead) {
   EXPECT_EQ(textOf(makeEvent(0, EventId::Steers, {"dive_to", 3.14})),
             "hookbeh: dive_to (m_depth 3.1 m)");
   EXPECT_EQ(textOf(makeEvent(0, EventId::FramesDamaged, {3.0})),
-            "3 damaged frames on the serial lines");
+            "damaged frames on the serial lines: 3");
   EXPECT_EQ(textOf(makeEvent(0, EventId::TimeIsOver, {14400.0})),
             "the simulated time of 14400 s is over");
   EXPECT_EQ(textOf(makeEvent(0, EventId::OperatorPuts, {"u_mission_mode", 2.5})),

@@ -3,6 +3,7 @@
 
 #include "vehicles/slocum/data_tables/log_files.h"
 
+#include "support/counted.h"
 #include "support/diagnostics/ids/vehicle.h"
 #include "vehicles/slocum/data_files/header.h"
 #include "vehicles/slocum/data_files/read.h"
@@ -96,7 +97,8 @@ class Collector {
     for (const Damage& damage : data.damage) {
       out.failures.push_back(support::fail(support::diagnostics::dataFileDamaged, path.string(),
                                            damage.offset, damage.what,
-                                           fmt::format("{} records were read", data.records))
+                                           support::counted(data.records, "record") +
+                                               (data.records == 1 ? " was read" : " were read"))
                                  .error());
     }
     out.files.push_back(logFile(path, std::move(data)));

@@ -3,6 +3,7 @@
 
 #include "vehicles/slocum/data_tables/summary.h"
 
+#include "support/counted.h"
 #include "support/utc.h"
 #include "vehicles/slocum/data_files/header.h"
 #include "vehicles/slocum/data_tables/merge.h"
@@ -51,10 +52,10 @@ std::string filesText(const std::vector<LogFile>& files) {
     const auto [begin, end] = file.span();
     const double opened = timeOf(file.data.header.opened).value_or(NAN);
     fmt::format_to(
-        std::back_inserter(text), "  {:{}}  {:7}  {:{}}  segment {}, {} to {}, {} records\n",
+        std::back_inserter(text), "  {:{}}  {:7}  {:{}}  segment {}, {} to {}, {}\n",
         file.path.filename().string(), name, word(file.data.computer), file.data.header.mission,
         mission, file.data.header.full_name, utcText(std::isnan(begin) ? opened : begin),
-        utcText(std::isnan(end) ? opened : end), file.data.records);
+        utcText(std::isnan(end) ? opened : end), support::counted(file.data.records, "record"));
   }
   return text;
 }

@@ -60,7 +60,8 @@ DockCheck answersFinding(const SbcRecord& record) {
       record.cycles, [](const AnsweredCycle& cycle) { return cycle.answered_s.has_value(); });
   const size_t missing = record.cycles.size() - static_cast<size_t>(answered);
   const Counting counting = countingOf(record.cycles);
-  std::string text = fmt::format("{} of {} reports answered", answered, record.cycles.size());
+  std::string text =
+      fmt::format("{} of {} answered", answered, counted(record.cycles.size(), "report"));
   if (counting.starts > 0) {
     return notGood(
         "answers", what,

@@ -34,6 +34,10 @@ const MissionFile* portFileIn(const simulator::Scenario& scenario) {
   return own.extctl ? &own.file : nullptr;
 }
 
+std::optional<double> programDepthIn(const simulator::Scenario& scenario) {
+  return simulator::slocumMissionOf(scenario).program_depth_m;
+}
+
 void PortJudge::said(std::span<const uint8_t> bytes, double now_s) {
   for (const uint8_t byte : bytes) {
     if (sentences_.push(byte) &&

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -32,6 +33,8 @@ struct PortPromise {
 
 /// The mission file of a vehicle that has a list of the sensors on its port; null: it has none.
 const MissionFile* portFileIn(const simulator::Scenario& scenario);
+/// The greatest depth that the program at that port commands, m; empty: it is not known.
+std::optional<double> programDepthIn(const simulator::Scenario& scenario);
 
 /// Checks a flight of such a vehicle by its true position, and by what the SBC writes, seen at its
 /// own end of the line: depth, bottom, time under water, aborts.

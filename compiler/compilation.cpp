@@ -138,7 +138,7 @@ Result<std::shared_ptr<const Lowered>> readIr(uint32_t file,
   ir::CInterface in_c = ir::usedInC(*mission);
   return std::make_shared<const Lowered>(Lowered{std::move(sources), std::move(*mission),
                                                  std::move(in_c), std::move(*platform),
-                                                 std::nullopt});
+                                                 {}});
 }
 
 /// Everything up to the IR.

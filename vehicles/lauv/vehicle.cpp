@@ -27,12 +27,36 @@ std::unique_ptr<simulator::Judge> makeJudge(const FlightToJudge& flight) {
                         .rises_m_s = platform.world.slowest_climb_m_s});
 }
 
+/// Faults of the SBC, of its line and of the vehicle's computer. Those of hooks, of a science
+/// computer and of their line are none that this vehicle can have.
+bool promises(simulator::FaultKind kind, const simulator::Scenario& /*scenario*/) {
+  using simulator::FaultKind;
+  switch (kind) {
+    case FaultKind::None:
+    case FaultKind::ByteLoss:
+    case FaultKind::BitFlips:
+    case FaultKind::Bursts:
+    case FaultKind::Delay:
+    case FaultKind::HalfOpen:
+    case FaultKind::LineCut:
+    case FaultKind::Port:
+    case FaultKind::Power:
+    case FaultKind::Checkpoints:
+    case FaultKind::FlightRestart:
+    case FaultKind::ShallowWater:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 constinit const Vehicle families::lauv = {.name = "lauv",
                                           .own_mission_ending = ".ini",
                                           .read_own_mission = readOwnMission,
                                           .usual_own_mission = glider::lauv::usualLauv,
-                                          .make_judge = makeJudge};
+                                          .make_judge = makeJudge,
+                                          .promises = promises};
 
 }  // namespace glider::vehicles

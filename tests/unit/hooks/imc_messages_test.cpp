@@ -306,6 +306,7 @@ TEST(ImcMessages, TextsAreCompared) {
   EXPECT_FALSE(textOf("abc") == textOf("abd"));
   EXPECT_FALSE(textOf("abc") == textOf("ab"));
   EXPECT_EQ(Text{}, textOf(""));
+  EXPECT_EQ(textOf(std::string(70000, 'x').c_str()).size, 65535) << "its size has 16 bits";
 }
 
 }  // namespace

@@ -16,13 +16,13 @@ class FieldWriter {
  public:
   explicit FieldWriter(HookByteWriter* out) : out_(out) {}
 
-  void take(u8 value) { hookWriteU8(out_, value); }
-  void take(u16 value) { hookWriteU16(out_, value); }
-  void take(u32 value) { hookWriteU32(out_, value); }
-  void take(i16 value) { hookWriteU16(out_, static_cast<uint16_t>(value)); }
-  void take(i32 value) { hookWriteU32(out_, static_cast<uint32_t>(value)); }
-  void take(f32 value) { hookWriteF32(out_, value); }
-  void take(f64 value) { hookWriteF64(out_, value); }
+  void take(U8 value) { hookWriteU8(out_, value); }
+  void take(U16 value) { hookWriteU16(out_, value); }
+  void take(U32 value) { hookWriteU32(out_, value); }
+  void take(I16 value) { hookWriteU16(out_, static_cast<uint16_t>(value)); }
+  void take(I32 value) { hookWriteU32(out_, static_cast<uint32_t>(value)); }
+  void take(F32 value) { hookWriteF32(out_, value); }
+  void take(F64 value) { hookWriteF64(out_, value); }
   void take(const Text& text) {
     take(text.size);
     for (uint32_t i = 0; i < text.size; ++i) {
@@ -37,16 +37,18 @@ class FieldWriter {
   void take(const AnyMessage<Message>& inner) {
     takeInner(inner.present, inner.value);
     // Without it this would be another message than the one that was decoded.
-    out_->fits = out_->fits && (inner.present || inner.id == kNoMessage);
+    if (!inner.present && inner.id != kNoMessage) {
+      out_->fits = false;
+    }
   }
   template <typename Message>
   void take(const AtMostOne<Message>& list) {
-    take(static_cast<u16>(list.present ? 1 : 0));
+    take(static_cast<U16>(list.present ? 1 : 0));
     if (list.present) {
       takeInner(true, list.value);
     }
   }
-  void take(const EmptyList&) { take(u16{0}); }
+  void take(const EmptyList&) { take(U16{0}); }
 
  private:
   template <typename Message>
@@ -104,13 +106,13 @@ class FieldReader {
     value = static_cast<Number>(number(sizeof value));
   }
 
-  void read(u8& value) { readWhole(value); }
-  void read(u16& value) { readWhole(value); }
-  void read(u32& value) { readWhole(value); }
-  void read(i16& value) { readWhole(value); }
-  void read(i32& value) { readWhole(value); }
-  void read(f32& value) { value = hookFloatOf(static_cast<uint32_t>(number(sizeof value))); }
-  void read(f64& value) { value = hookDoubleOf(number(sizeof value)); }
+  void read(U8& value) { readWhole(value); }
+  void read(U16& value) { readWhole(value); }
+  void read(U32& value) { readWhole(value); }
+  void read(I16& value) { readWhole(value); }
+  void read(I32& value) { readWhole(value); }
+  void read(F32& value) { value = hookFloatOf(static_cast<uint32_t>(number(sizeof value))); }
+  void read(F64& value) { value = hookDoubleOf(number(sizeof value)); }
   void read(Text& text) {
     const auto size = static_cast<uint16_t>(number(sizeof text.size));
     const uint8_t* const found = bytes(size);
@@ -129,7 +131,7 @@ class FieldReader {
   template <typename Message>
   void read(AnyMessage<Message>& inner) {
     inner.id = static_cast<uint16_t>(number(sizeof kNoMessage));
-    if (!good() || inner.id == kNoMessage) {
+    if (inner.id == kNoMessage) {
       return;
     }
     readInner(inner.id, inner.value);

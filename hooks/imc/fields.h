@@ -8,13 +8,13 @@
 /// What the fields of a message are: the types that messages.def names. No heap.
 namespace glider::hooks::imc {
 
-using u8 = uint8_t;
-using u16 = uint16_t;
-using u32 = uint32_t;
-using i16 = int16_t;
-using i32 = int32_t;
-using f32 = float;
-using f64 = double;
+using U8 = uint8_t;
+using U16 = uint16_t;
+using U32 = uint32_t;
+using I16 = int16_t;
+using I32 = int32_t;
+using F32 = float;
+using F64 = double;
 
 /// In place of the id of a message: there is none.
 inline constexpr uint16_t kNoMessage = 65535;

@@ -9,7 +9,7 @@
 namespace glider::hooks::imc {
 namespace {
 
-constexpr uint32_t kSyncBytes = 2;
+constexpr uint32_t kLeastPacket = kHeaderBytes + kCrcBytes;
 // Where in a packet.
 constexpr uint32_t kId = 2;
 constexpr uint32_t kSize = 4;
@@ -46,7 +46,7 @@ Header headerAt(const uint8_t* packet, ByteOrder order) {
 }  // namespace
 
 uint32_t PacketReader::push(const uint8_t* bytes, uint32_t count) {
-  if (end_ == sizeof bytes_ && begin_ != 0) {
+  if (end_ == sizeof bytes_) {
     for (uint32_t i = begin_; i < end_; ++i) {
       bytes_[i - begin_] = bytes_[i];
     }
@@ -70,14 +70,14 @@ void PacketReader::skip(uint32_t count) {
   skipped_bytes_ += count;
 }
 
-/// Drops what comes before the next sync. False if there is none with a whole header.
+/// Drops what comes before the next sync that a whole packet may follow. False if there is none.
 bool PacketReader::findSync(ByteOrder* order) {
-  for (; held() >= kSyncBytes; skip(1)) {
+  for (; held() >= kLeastPacket; skip(1)) {
     const uint8_t* const begin = bytes_ + begin_;
     const bool little = u16At(begin, ByteOrder::Little) == kSync;
     if (little || u16At(begin, ByteOrder::Big) == kSync) {
       *order = little ? ByteOrder::Little : ByteOrder::Big;
-      return held() >= kHeaderBytes;
+      return true;
     }
   }
   return false;

@@ -32,7 +32,7 @@ class PacketReader {
   [[nodiscard]] uint32_t badCrcs() const { return bad_crcs_; }
   /// Headers of a packet with a payload above kMostPayload.
   [[nodiscard]] uint32_t tooLong() const { return too_long_; }
-  /// Bytes that may still become part of a packet.
+  /// Bytes that may still become part of a packet, or were too few to look at.
   [[nodiscard]] uint32_t held() const { return end_ - begin_; }
 
  private:

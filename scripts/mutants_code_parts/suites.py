@@ -16,6 +16,7 @@ class Suite:
 GLIDERCC = {"runs": (("GLIDERCC", "bin/glidercc"),), "itself": False}
 
 HOOKS = Suite("tests/hooks_test")
+IMC = Suite("tests/imc_test")
 POSIX = Suite("tests/hooks_posix_test")
 RUNTIME = Suite("tests/runtime_test")
 NUMBERS = Suite("tests/numbers_test")
@@ -53,6 +54,7 @@ FLOWN_LOGS = Suite("tests/flights_test", "MissionLog.*", **GLIDERCC)
 # The longest prefix that fits a file has the say.
 SUITES = {
     "hooks": (HOOKS, RUNTIME),
+    "hooks/imc": (IMC,),
     "hooks/transport": (POSIX, HOOKS, CARD, C_MISSION),
     "runtime": (RUNTIME, CARD, C_MISSION, OPERATIONS, JUDGED),
     "runtime/c": (C_MISSION, CARD, RUNTIME),

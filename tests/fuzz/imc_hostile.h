@@ -37,7 +37,7 @@ class SlowReader {
 
   std::vector<Place> places() {
     std::vector<Place> found;
-    for (size_t at = 0; at + 20 <= bytes_.size();) {
+    for (size_t at = 0; at + 22 <= bytes_.size();) {
       const size_t size = sizeAt(at);
       if (size != 0 && at + size > bytes_.size()) {
         break;  // the rest may still become this packet

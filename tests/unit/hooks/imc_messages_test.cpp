@@ -145,6 +145,22 @@ TEST(ImcMessages, AreAsLongAsTheReaderTakesAndNoLonger) {
   }
 }
 
+/// The second codec compares bits, which do not tell whether a number may be negative.
+TEST(ImcMessages, NumbersMayBeNegative) {
+  Rpm rpm;
+  ASSERT_TRUE(decode(packetWith(Rpm::kId, {0xD4, 0xFE}), rpm));
+  EXPECT_EQ(int{rpm.value}, -300);
+  PlanControlState state;
+  state.plan_eta = -1;
+  state.man_eta = -86400;
+  const Leaves leaves = leavesOfMessage(state);
+  EXPECT_EQ(std::get<uint64_t>(leaves.at("plan_eta")), 0xFFFFFFFFU);
+  EXPECT_LT(state.man_eta, 0);
+  FollowReference follow;
+  follow.control_src = 0xFFFF;
+  EXPECT_GT(follow.control_src, 0);
+}
+
 TEST(ImcMessages, AnyNanIsWrittenAsOne) {
   constexpr uint32_t kOther = 0xFFC12345;
   Temperature temperature;
@@ -290,6 +306,7 @@ TEST(ImcMessages, TextsAreCompared) {
   EXPECT_FALSE(textOf("abc") == textOf("abd"));
   EXPECT_FALSE(textOf("abc") == textOf("ab"));
   EXPECT_EQ(Text{}, textOf(""));
+  EXPECT_EQ(textOf(std::string(70000, 'x').c_str()).size, 65535) << "its size has 16 bits";
 }
 
 }  // namespace

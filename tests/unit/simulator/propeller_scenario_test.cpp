@@ -56,7 +56,7 @@ TEST(PropelledScenario, HasNoUseForTheNumbersOfAGlider) {
   ASSERT_TRUE(scenario) << scenario.error().message;
   EXPECT_EQ(scenario->vehicle.flight.mass_kg, 24);
   EXPECT_EQ(scenario->vehicle.flight.hull_volume_m3, 24.0 / 1025);
-  EXPECT_FALSE(load("[vehicle]\ndrag = -1.0\n")) << "they are checked all the same";
+  EXPECT_FALSE(load("[vehicle]\ndrag = -1.0\n")) << "they are checked, too";
 }
 
 /// The commands of a seat reach the devices.

@@ -65,38 +65,10 @@ void readStart(Fields& f, Scenario& scenario) {
   f.number("year", scenario.year, kFirstMagneticYear, kLastMagneticYear);
 }
 
-/// The keys of [vehicle] for any vehicle of this kind.
-std::vector<std::string_view> vehicleKeys(bool propelled) {
-  if (propelled) {
-    return {"positive_buoyancy_kg", "battery", "cycle"};
-  }
-  return {"mass_kg",
-          "hull_volume_m3",
-          "drag",
-          "induced_drag",
-          "wing_lift",
-          "hull_lift",
-          "reference_area_m2",
-          "compressibility_per_Pa",
-          "battery",
-          "cycle"};
-}
-
-void readVehicle(Fields& f, const platforms::Platform& platform, Scenario& scenario) {
-  const Family* family = familyOf(platform);
-  FlightCoefficients& c = scenario.vehicle.flight;
-  std::vector<std::string_view> keys = vehicleKeys(platform.motion && platform.motion->propelled);
-  if (family != nullptr) {
-    keys.insert(keys.end(), family->vehicle_keys.begin(), family->vehicle_keys.end());
-  }
-  f.reader().only(keys);
-  if (family != nullptr) {
-    family->read_vehicle(f, scenario.own);
-  }
-  f.number("positive_buoyancy_kg", scenario.vehicle.positive_buoyancy_kg, -5, 5);
+/// Neutrally buoyant, unless the scenario says otherwise.
+void readGlider(Fields& f, double density, FlightCoefficients& c) {
   f.number("mass_kg", c.mass_kg, 30, 200);
-  // Neutrally buoyant, unless the scenario says otherwise.
-  c.hull_volume_m3 = c.mass_kg / scenario.ocean.density;
+  c.hull_volume_m3 = c.mass_kg / density;
   f.number("hull_volume_m3", c.hull_volume_m3, 0.02, 0.3);
   f.number("drag", c.drag, 0.01, 2);
   f.number("induced_drag", c.induced_drag, 0.1, 100);
@@ -104,6 +76,39 @@ void readVehicle(Fields& f, const platforms::Platform& platform, Scenario& scena
   f.number("hull_lift", c.hull_lift, 0, 20);
   f.number("reference_area_m2", c.reference_area_m2, 0.01, 1);
   f.number("compressibility_per_Pa", c.compressibility_per_pa, 0, 1e-8);
+}
+
+void readVehicle(Fields& f, const platforms::Platform& platform, Scenario& scenario) {
+  const Family* family = familyOf(platform);
+  const bool propelled = platform.motion && platform.motion->propelled;
+  std::vector<std::string_view> keys = {"mass_kg",
+                                        "hull_volume_m3",
+                                        "drag",
+                                        "induced_drag",
+                                        "wing_lift",
+                                        "hull_lift",
+                                        "reference_area_m2",
+                                        "compressibility_per_Pa",
+                                        "battery",
+                                        "cycle"};
+  if (propelled) {
+    keys.emplace_back("positive_buoyancy_kg");
+  }
+  if (family != nullptr) {
+    keys.insert(keys.end(), family->vehicle_keys.begin(), family->vehicle_keys.end());
+  }
+  f.reader().only(keys);
+  if (family != nullptr) {
+    family->read_vehicle(f, scenario.own);
+  }
+  FlightCoefficients& c = scenario.vehicle.flight;
+  // One scenario serves vehicles of both kinds: a propeller's has no use for the glider's numbers.
+  FlightCoefficients unused = c;
+  readGlider(f, scenario.ocean.density, propelled ? unused : c);
+  if (propelled) {
+    c.hull_volume_m3 = c.mass_kg / scenario.ocean.density;
+    f.number("positive_buoyancy_kg", scenario.vehicle.positive_buoyancy_kg, -5, 5);
+  }
 }
 
 void readBattery(Fields& f, BatterySettings& battery) {

@@ -6,6 +6,7 @@
 #include "platforms/load/load_platform.h"
 #include "simulator/vehicle/propeller_model.h"
 
+#include <algorithm>
 #include <numbers>
 #include <string>
 
@@ -67,6 +68,14 @@ class PropelledFlight {
     }
   }
 };
+
+/// DUNE's control of depth and pitch, by its gains; `steepest_rad`: the pitch that it may take.
+inline void steerToDepth(PropelledFlight& flight, double depth_m, double steepest_rad) {
+  const double pitch =
+      std::clamp(0.6 * (flight.state.depth_m - depth_m), -steepest_rad, steepest_rad);
+  flight.command.stern_plane_rad =
+      1.5 * (pitch - flight.state.pitch_rad) - 1.1 * flight.state.body.pitch;
+}
 
 inline double buoyancyOf(const std::string& name) {
   return propelledPlatform(name).motion->propelled->hull.positive_buoyancy_kg;

@@ -97,14 +97,6 @@ TEST(PropellerReference, TheNumbersOfTheRemusFollowFromItsShape) {
               1e-4);
 }
 
-/// DUNE's control of depth and pitch, by its gains: no faster than the pitch may change.
-void steerToDepth(PropelledFlight& flight, double depth) {
-  const double off = depth - flight.state.depth_m;
-  const double pitch = std::clamp(-0.6 * off, -15 * kDegree, 15 * kDegree);
-  flight.command.stern_plane_rad =
-      1.5 * (pitch - flight.state.pitch_rad) - 1.1 * flight.state.body.pitch;
-}
-
 /// The yo between 10 and 1 m that DUNE's simulated LAUV flew: 150 m north in 118 s, pitches of
 /// -14.8 and 13.9 degrees, 0.35 m/s down and up; the turns were commanded at 9 and 2 m, and it
 /// turned at 9.12 and 1.71 m.
@@ -115,7 +107,7 @@ TEST(PropellerReference, TheLauvFliesTheYoThatWasMeasured) {
   double deepest = 0, shallowest = 10, down = 0, up = 0, nose_down = 0, nose_up = 0;
   for (int i = 0; i < 118 * 4; ++i) {
     dives = dives ? lauv.state.depth_m < 9 : lauv.state.depth_m <= 2;
-    steerToDepth(lauv, dives ? 10 : 1);
+    steerToDepth(lauv, dives ? 10 : 1, 15 * kDegree);
     lauv.fly(0.25);
     deepest = std::max(deepest, lauv.state.depth_m);
     nose_down = std::min(nose_down, lauv.state.pitch_rad);
@@ -146,7 +138,8 @@ void flyWithSecond(const std::string& name, double buoyancy_kg,
   PropelledFlight one(name, buoyancy_kg, propelledWater(5000), 2000);
   SecondPropelled second(motion);
   SecondPropelled::State two{};
-  double down = 2000, now = 0;
+  Triple place{0, 0, 2000};  // north, east, down
+  double heading = 0, now = 0;
   const double density = Ocean(propelledWater(5000)).density(2000, 0, 0, 0);
   second.lift = 9.81 * (density * (motion.hull.mass_kg + buoyancy_kg) / 1025 - motion.hull.mass_kg);
   for (const PropelledLeg& leg : legs) {
@@ -162,7 +155,11 @@ void flyWithSecond(const std::string& name, double buoyancy_kg,
         for (size_t n = 0; n < two.size(); ++n) {
           two[n] += rate[n] * 0.001;
         }
-        down += (two[2] * std::cos(two[5]) - two[0] * std::sin(two[5])) * 0.001;
+        const Triple moves = SecondPropelled::toEarth({two[0], two[1], two[2]}, two[5], heading);
+        for (size_t n = 0; n < place.size(); ++n) {
+          place[n] += moves[n] * 0.001;
+        }
+        heading += two[4] / std::cos(two[5]) * 0.001;
       }
       // The first moves its motors a substep before its hull.
       const BodyVelocity& v = one.state.body;
@@ -172,7 +169,10 @@ void flyWithSecond(const std::string& name, double buoyancy_kg,
       }
     }
   }
-  EXPECT_NEAR(one.state.depth_m, down, 0.02 * std::fabs(down - 2000) + 0.1);
+  EXPECT_NEAR(one.state.depth_m, place[2], 0.02 * std::fabs(place[2] - 2000) + 0.1) << name;
+  EXPECT_NEAR(std::remainder(one.state.heading_rad - heading, 2 * std::numbers::pi), 0, 0.05);
+  EXPECT_NEAR(one.state.y_m, place[0], 2) << name;
+  EXPECT_NEAR(one.state.x_m, place[1], 2) << name;
 }
 
 TEST(PropellerReference, ASecondVehicleFliesTheSame) {

@@ -143,6 +143,18 @@ TEST_P(Propelled, AHeavyOneLiesOnTheBottom) {
   EXPECT_NEAR(one.state.y_m, y, 1e-3);
 }
 
+TEST_P(Propelled, ItLosesItsWayOnTheBottom) {
+  PropelledFlight one(GetParam(), -1, propelledWater(20), 19);
+  one.command.rpm = 1000;
+  while (one.state.depth_m < 20) {
+    one.fly(0.25);
+  }
+  ASSERT_GT(one.state.ahead_mps, 0.2);
+  one.command.rpm = 0;
+  one.fly(20);
+  EXPECT_LT(one.state.ahead_mps, 0.01);
+}
+
 TEST_P(Propelled, ItsMotorsLagAndStop) {
   const auto& motion = *propelledPlatform(GetParam()).motion->propelled;
   PropelledFlight one = flight();
@@ -229,6 +241,49 @@ TEST_P(Propelled, StaysSaneAtExtremes) {
     ASSERT_GE(s.heading_rad, 0);
     ASSERT_LT(s.heading_rad, 2 * std::numbers::pi);
   }
+}
+
+/// The environment model of its platform: after a dive that a command or a stopped motor ends, it
+/// goes no further and climbs no later than proofs assume, and at full speed no faster.
+TEST_P(Propelled, StaysWithinWhatProofsAssume) {
+  const platforms::Platform& platform = propelledPlatform(GetParam());
+  const double steepest = platform.envelope.steepest_pitch_rad;
+  constexpr double kTimeOut = 15;  // s without commands before the motor is stopped
+  for (const bool stops : {true, false}) {
+    PropelledFlight one = flight();
+    one.command.rpm = platform.motion->propelled->propeller.greatest_rpm;
+    double fastest = 0, vertical = 0;
+    for (int i = 0; i < 4 * 100; ++i) {
+      steerToDepth(one, 400, steepest);
+      one.fly(0.25);
+      fastest = std::max(fastest, one.state.ahead_mps);
+      vertical = std::max(vertical, std::fabs(one.state.up_mps));
+    }
+    EXPECT_LT(fastest, platform.world.through_water_m_s);
+    EXPECT_LT(vertical, platform.envelope.vertical_rate_m_s);
+    const double began = one.now, from = one.state.depth_m;
+    double deepest = from, climbs = 0;
+    for (int i = 0; i < 4 * 60; ++i) {
+      steerToDepth(one, 5, steepest);
+      one.command = stops ? VehicleCommand{} : one.command;
+      one.fly(0.25);
+      deepest = std::max(deepest, one.state.depth_m);
+      climbs = one.state.up_mps < platform.world.slowest_climb_m_s ? one.now - began : climbs;
+    }
+    EXPECT_LT(deepest - from, platform.envelope.inflection_overshoot_m) << stops;
+    EXPECT_LT(climbs, platform.world.turn_s - kTimeOut) << stops;
+    EXPECT_GT(one.state.up_mps, platform.world.slowest_climb_m_s) << stops;
+  }
+  PropelledFlight one = flight();
+  one.command.rpm = platform.motion->propelled->propeller.greatest_rpm;
+  double deepest = 0;
+  for (int i = 0; i < 4 * 200; ++i) {
+    steerToDepth(one, 40, steepest);
+    one.fly(0.25);
+    deepest = std::max(deepest, one.state.depth_m);
+  }
+  EXPECT_LT(deepest, 40 + platform.envelope.inflection_overshoot_m) << "past a commanded depth";
+  EXPECT_GT(deepest, 39.5);
 }
 
 /// Hard over at full speed it would loop.

@@ -41,6 +41,15 @@ class SecondPropelled {
     approach(stern, stern_to, m_.fins.lag_s, m_.fins.rate_rad_s);
   }
 
+  /// A velocity along the axes of the hull as one to the north, to the east and down: pitched, then
+  /// turned.
+  static Triple toEarth(const Triple& hull, double pitch, double heading) {
+    const double level = hull[0] * std::cos(pitch) + hull[2] * std::sin(pitch);
+    const double down = -hull[0] * std::sin(pitch) + hull[2] * std::cos(pitch);
+    return {level * std::cos(heading) - hull[1] * std::sin(heading),
+            level * std::sin(heading) + hull[1] * std::cos(heading), down};
+  }
+
   [[nodiscard]] State rate(const State& s) const {
     const double u = s[0], v = s[1], w = s[2], q = s[3], r = s[4], pitch = s[5];
     const auto& hull = m_.hull;

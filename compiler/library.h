@@ -7,6 +7,7 @@
 #include "platforms/load/platform.h"
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 namespace glider::compiler {
@@ -15,6 +16,7 @@ namespace glider::compiler {
 struct LibraryFile {
   std::filesystem::path path;
   bool routes_only = false;  ///< its profiles are those of another kind of vehicle
+  std::string_view without;  ///< a route that needs what that kind has
 };
 
 /// The files for a vehicle: profiles say how it goes to a depth, so those of one that glides are

@@ -6,6 +6,7 @@
 #include "flights/explain_guard.h"
 #include "flights/mission_facts.h"
 #include "flights/scenario_choice.h"
+#include "simulator/family/family.h"
 #include "simulator/sensors/provided.h"
 #include "support/diagnostics/ids/vehicle.h"
 
@@ -18,8 +19,11 @@ namespace glider::flights {
 namespace {
 
 void reportUnsimulated(const compiler::Optimised& mission, support::DiagnosticEngine& diagnostics) {
+  const simulator::Family* family = simulator::familyOf(mission.platform());
   for (const ir::Sensor& used : mission.mission.sensors) {
-    if (used.symbol.empty() && !simulator::isProvided(used.vehicle_name)) {
+    const platforms::PlatformSensor* sensor = mission.platform().find(used.vehicle_name);
+    const bool simulated = family != nullptr && sensor != nullptr && family->provides(*sensor);
+    if (used.symbol.empty() && !simulated) {
       diagnostics.report(support::diagnostics::sensorNotSimulated, {}, mission.platform().name,
                          used.vehicle_name);
     }

@@ -214,10 +214,22 @@ bool ValueRepair::namesArgument() const {
          oneOf(out_[n - 2].type, {GliderLexer::LPAREN, GliderLexer::COMMA});
 }
 
+/// Whether the type of a parameter was read, whose usual argument may follow: `yo(dive: angle`.
+bool ValueRepair::typesParameter() const {
+  size_t n = out_.size();
+  while (n > 0 && (isName(out_[n - 1].type) ||
+                   oneOf(out_[n - 1].type, {GliderLexer::TIMES, GliderLexer::DIVIDE}))) {
+    --n;
+  }
+  return !parentheses_.empty() && parentheses_.back().opener.type == GliderLexer::LPAREN && n > 2 &&
+         n < out_.size() && out_[n - 1].type == GliderLexer::COLON && isAnyName(out_[n - 2].type) &&
+         oneOf(out_[n - 3].type, {GliderLexer::LPAREN, GliderLexer::COMMA});
+}
+
 /// The first `=` after `const`, `param`, `var`, `set` and `place` assigns a value; every other was
 /// meant as a comparison.
 Lexeme ValueRepair::equals(Lexeme t) {
-  if (t.type == GliderLexer::ASSIGN && namesArgument()) {
+  if (t.type == GliderLexer::ASSIGN && (namesArgument() || typesParameter())) {
     return t;
   }
   const bool gives = assignable_ && parentheses_.empty();

@@ -47,6 +47,7 @@ class ValueRepair {
   bool countOperator(const Lexeme& t);
   Lexeme equals(Lexeme t);
   [[nodiscard]] bool namesArgument() const;
+  [[nodiscard]] bool typesParameter() const;
   bool unknownUnit(const Lexeme& t, const Lexeme& next);
   void missingComma(const Lexeme& t, const Lexeme& next);
   [[nodiscard]] bool listsValues() const;

@@ -50,30 +50,36 @@ double Backseat::missionTime() const {
   return time > 0 ? time : 0;
 }
 
-/// Takes what has arrived until a cycle is complete or nothing is left. Bounded, so that a line
-/// full of noise cannot keep the program from its other work.
+/// Takes what has arrived until a cycle is complete or nothing is left. Bounded, so that a line full
+/// of noise cannot keep the program from its other work.
 void Backseat::hear(void* self) {
   auto& seat = *static_cast<Backseat*>(self);
   seat.flush();
   constexpr uint32_t kMostBytesAtOnce = 16384;
   const uint32_t before = seat.inner_.cycles();
   for (uint32_t taken = 0; taken < kMostBytesAtOnce && seat.inner_.cycles() == before;) {
-    Packet packet;
-    if (seat.packets_.next(&packet)) {
+    if (Packet packet; seat.packets_.next(&packet)) {
       seat.take(packet);
       continue;
     }
     seat.damaged_ = seat.packets_.skippedBytes();
-    uint8_t bytes[64];
-    const int32_t count = seat.line_.stream.read(seat.line_.stream.self, bytes, sizeof bytes);
-    seat.line_closed_ = seat.line_closed_ || count < 0;
-    if (count <= 0) {
+    if (seat.in_next_ == seat.in_end_ && !seat.fill()) {
       return;
     }
-    taken += static_cast<uint32_t>(count);
-    // What next() left over has room for it.
-    (void)seat.packets_.push(bytes, static_cast<uint32_t>(count));
+    const uint32_t pushed =
+        seat.packets_.push(seat.in_ + seat.in_next_, seat.in_end_ - seat.in_next_);
+    seat.in_next_ += pushed;
+    taken += pushed;
   }
+}
+
+/// Reads what is there into the empty buffer; false if there is nothing.
+bool Backseat::fill() {
+  const int32_t count = line_.stream.read(line_.stream.self, in_, sizeof in_);
+  line_closed_ = line_closed_ || count < 0;
+  in_next_ = 0;
+  in_end_ = count > 0 ? static_cast<uint32_t>(count) : 0;
+  return in_end_ != 0;
 }
 
 /// The vehicle repeats to a back seat what that has sent: only what it says itself counts.

@@ -64,6 +64,7 @@ class Backseat {
   void send(const Message& message);
   void sendReference();
   void tell();
+  bool fill();
   void flush();
 
   const GliderDictionary& dictionary_;
@@ -91,6 +92,8 @@ class Backseat {
   static constexpr uint32_t kMostBytes = 2048;  ///< of an answer
   uint8_t out_[kMostBytes];
   uint32_t out_next_ = 0, out_end_ = 0;
+  uint8_t in_[64];
+  uint32_t in_next_ = 0, in_end_ = 0;
   InnerSeat inner_;
 };
 

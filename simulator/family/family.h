@@ -29,6 +29,8 @@ struct Family {
   std::string_view name;
   /// The first sensor that its simulated computers need and a platform lacks; empty: none.
   std::string_view (*missing_sensor)(const platforms::Platform& platform);
+  /// Whether they set a sensor of the platform.
+  bool (*provides)(const platforms::PlatformSensor& sensor);
   /// Reads the vehicle's own mission from `path`, with what belongs to it, into `own`, which keeps
   /// what `read_vehicle` has set, and checks that the simulator can fly it. Fails with GL9001;
   /// errors in the files go to `diagnostics`, and the failure is then GL5120.

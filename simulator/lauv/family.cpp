@@ -32,6 +32,7 @@ std::string_view missingSource(const platforms::Platform& platform) {
 constinit const Family families::lauv = {
     .name = "lauv",
     .missing_sensor = missingSource,
+    .provides = [](const platforms::PlatformSensor& sensor) { return !sensor.source.empty(); },
     .load_own =
         [](const std::filesystem::path& /*path*/, support::SourceManager& /*sources*/,
            support::DiagnosticEngine& /*diagnostics*/, std::any& own) {

@@ -38,9 +38,6 @@ void SbcStory::look(double now_s) {
   constexpr double kSilence = 12;
   if (view_.known && now_s - heard_s_ > kSilence) {
     view_ = {};
-    hooks::SeatEvent lost;
-    lost.kind = hooks::SeatEvent::Kind::SbcLost;
-    events_.push_back(lost);
   }
 }
 

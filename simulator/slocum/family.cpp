@@ -116,11 +116,16 @@ std::unique_ptr<SimulatedSeat> makeSeat(const SeatSetup& setup) {
   return std::make_unique<SlocumSeat>(setup);
 }
 
+bool providesByName(const platforms::PlatformSensor& sensor) {
+  return isProvided(sensor.name);
+}
+
 }  // namespace
 
 // A constant of the program: initialisers that run before main() find it complete.
 constinit const Family families::slocum = {.name = "slocum",
                                            .missing_sensor = missingSensor,
+                                           .provides = providesByName,
                                            .load_own = loadOwn,
                                            .vehicle_keys = kVehicleKeys,
                                            .read_vehicle = readCode15,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "simulator/family/family.h"
+#include "simulator/sensors/provided.h"
 #include "tests/second_family/toy_seat.h"
 
 namespace glider::simulator {
@@ -12,6 +13,7 @@ struct OwnOfAToy {};
 constinit const Family families::toy = {
     .name = "toy",
     .missing_sensor = [](const platforms::Platform& /*platform*/) { return std::string_view(); },
+    .provides = [](const platforms::PlatformSensor& sensor) { return isProvided(sensor.name); },
     .load_own =
         [](const std::filesystem::path& /*path*/, support::SourceManager& /*sources*/,
            support::DiagnosticEngine& /*diagnostics*/, std::any& own) {

@@ -82,12 +82,17 @@ class ArgumentLowering {
     return formal == formals().size() && argument == arguments_.size();
   }
 
+  /// Whether named arguments were completed by it: it stands where the parameter does.
+  static bool isUsual(const Signature::Formal& formal, const ast::Argument& argument) {
+    const support::SourceRange& given = argument.value->where;
+    return formal.usual != nullptr && given.valid() &&
+           given == static_cast<const support::SourceRange&>(formal.usual->where);
+  }
+
   bool lower(const Step& step) {
     const Signature::Formal& formal = formals()[step.formal];
     const std::string what = fmt::format("`{}` of `{}`", formal.name->text, callee_.name);
-    const bool usual =
-        step.arguments == 0 ||
-        (formal.usual != nullptr && arguments_[step.argument].value->where == formal.usual->where);
+    const bool usual = step.arguments == 0 || isUsual(formal, arguments_[step.argument]);
     if (usual) {
       return addUsual(formal, what);
     }

@@ -6,7 +6,7 @@
 #include "driver/exit_code.h"
 #include "driver/json_document.h"
 #include "driver/terminal.h"
-#include "ir/core/ops.h"
+#include "frontend/sema/names/commands.h"
 #include "platforms/generate/sensor_header.h"
 #include "platforms/load/default_platform.h"
 #include "platforms/load/dictionary.h"
@@ -14,6 +14,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -33,19 +34,6 @@ struct PlatformOptions {
   bool json = false;
   bool header = false;
 };
-
-/// "descend(to: length, pitch: angle)"
-std::string signatureOf(const ir::CommandInfo& command) {
-  std::string out;
-  for (const ir::Parameter& parameter : command.parameters) {
-    const std::string type = parameter.type.kind == ir::TypeKind::Latitude ? "latitude"
-                             : parameter.type.kind == ir::TypeKind::Longitude
-                                 ? "longitude"
-                                 : support::describe(parameter.type.dimension);
-    out += fmt::format("{}{}: {}", out.empty() ? "" : ", ", parameter.name, type);
-  }
-  return fmt::format("{}({})", command.text, out);
-}
 
 std::string_view computerOf(const PlatformSensor& sensor) {
   return sensor.computer == platforms::Computer::Science ? "science" : "flight";
@@ -74,22 +62,33 @@ std::string batteryText(const Envelope& envelope) {
                                  : "none to command";
 }
 
+/// What a command to go to a depth also says.
+std::string slopeText(const Envelope& envelope) {
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  return envelope.steersBySpeed()
+             ? fmt::format(
+                   "speeds                  {:.4g} to {:.4g} m/s, {:.4g} m/s if none is named",
+                   envelope.slowest_m_s, envelope.fastest_m_s, envelope.usual_speed_m_s)
+             : fmt::format(
+                   "pitches                 {:.4g} to {:.4g} deg, {:.4g} deg if none is named",
+                   envelope.shallowest_pitch_rad * kDegrees, envelope.steepest_pitch_rad * kDegrees,
+                   envelope.usual_pitch_rad * kDegrees);
+}
+
 std::string envelopeText(const Envelope& envelope) {
   return fmt::format(
       "  greatest depth          {:.6g} m\n"
       "  fastest vertical rate   {:.6g} m/s\n"
-      "  pitches                 {:.4g} to {:.4g} deg\n"
+      "  {}\n"
       "  inflection overshoot    {:.6g} m\n"
       "  strongest current       {:.6g} m/s\n"
       "  fin                     {}\n"
       "  pump                    {}\n"
       "  pitch battery           {}\n"
       "  control cycle           {:.6g} s\n",
-      envelope.greatest_depth_m, envelope.vertical_rate_m_s,
-      envelope.shallowest_pitch_rad * 180 / std::numbers::pi,
-      envelope.steepest_pitch_rad * 180 / std::numbers::pi, envelope.inflection_overshoot_m,
-      envelope.drift_m_s, finText(envelope), pumpText(envelope), batteryText(envelope),
-      envelope.cycle_s);
+      envelope.greatest_depth_m, envelope.vertical_rate_m_s, slopeText(envelope),
+      envelope.inflection_overshoot_m, envelope.drift_m_s, finText(envelope), pumpText(envelope),
+      batteryText(envelope), envelope.cycle_s);
 }
 
 std::string worldText(const platforms::EnvironmentModel& world) {
@@ -107,12 +106,20 @@ std::string worldText(const platforms::EnvironmentModel& world) {
       world.surface_drift_m_s, world.line_lag_s);
 }
 
+/// "hooks, extctl".
+std::string seatsText(const Platform& platform) {
+  return platform.front_seats.empty()
+             ? "no way is known: missions can be checked, not built or flown"
+             : fmt::format("{}", fmt::join(platform.front_seats, ", "));
+}
+
 std::string text(const Platform& platform) {
   std::string out = fmt::format(
-      "{}: {}\n\nEnvelope\n{}\nEnvironment model of proofs\n{}\nCommands\n", platform.name,
-      platform.description, envelopeText(platform.envelope), worldText(platform.world));
-  for (const ir::CommandInfo& command : ir::commands()) {
-    out += fmt::format("  {}\n", signatureOf(command));
+      "{}: {}\n\nFrom the SBC: {}\n\nEnvelope\n{}\nEnvironment model of proofs\n{}\nCommands\n",
+      platform.name, platform.description, seatsText(platform), envelopeText(platform.envelope),
+      worldText(platform.world));
+  for (const frontend::VehicleCommand& command : frontend::vehicleCommands(platform)) {
+    out += fmt::format("  {}\n", command.signature.text);
   }
   out +=
       fmt::format("\nSensors\n  {:<12} {:<27} {:<8} {:>12} {:>12} {:>10} {:>9} {:>10}  {:<8} {}\n",
@@ -147,15 +154,20 @@ std::string json(const Platform& platform) {
     sensors.push_back(std::move(row));
   }
   ordered_json commands = ordered_json::array();
-  for (const ir::CommandInfo& command : ir::commands()) {
-    commands.push_back(signatureOf(command));
+  for (const frontend::VehicleCommand& command : frontend::vehicleCommands(platform)) {
+    commands.push_back(command.signature.text);
   }
   const ordered_json all{{"name", platform.name},
                          {"description", platform.description},
+                         {"front_seats", platform.front_seats},
                          {"envelope",
                           {{"greatest_depth_m", envelope.greatest_depth_m},
                            {"steepest_pitch_rad", envelope.steepest_pitch_rad},
                            {"shallowest_pitch_rad", envelope.shallowest_pitch_rad},
+                           {"usual_pitch_rad", envelope.usual_pitch_rad},
+                           {"slowest_m_s", envelope.slowest_m_s},
+                           {"usual_speed_m_s", envelope.usual_speed_m_s},
+                           {"fastest_m_s", envelope.fastest_m_s},
                            {"vertical_rate_m_s", envelope.vertical_rate_m_s},
                            {"inflection_overshoot_m", envelope.inflection_overshoot_m},
                            {"drift_m_s", envelope.drift_m_s},

@@ -50,8 +50,8 @@ double Backseat::missionTime() const {
   return time > 0 ? time : 0;
 }
 
-/// Takes what has arrived until a cycle is complete or nothing is left. Bounded, so that a line full
-/// of noise cannot keep the program from its other work.
+/// Takes what has arrived until a cycle is complete or nothing is left. Bounded, so that a line
+/// full of noise cannot keep the program from its other work.
 void Backseat::hear(void* self) {
   auto& seat = *static_cast<Backseat*>(self);
   seat.flush();

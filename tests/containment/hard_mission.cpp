@@ -271,6 +271,10 @@ class Maker {
         return fmt::format("descend ({}, 0.4:angle)\n", commandedDepth());
       case Command::Ascend:
         return fmt::format("ascend ({}, 0.4:angle)\n", commandedDepth());
+      case Command::DescendAt:
+        return fmt::format("descend_at ({}, 1.2:speed)\n", commandedDepth());
+      case Command::AscendAt:
+        return fmt::format("ascend_at ({}, 1.2:speed)\n", commandedDepth());
       case Command::Hover:
         return fmt::format("hover ({})\n", commandedDepth());
       case Command::Surface:

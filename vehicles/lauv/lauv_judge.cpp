@@ -20,8 +20,6 @@ using simulator::Verdict;
 
 /// Above, the vehicle is at the surface, m.
 constexpr double kSurface_m = 1;
-/// At any time it may be so deep: it floats in waves, and a stopped one swings, m.
-constexpr double kSwings_m = 1;
 /// A flight is over when its plan has ended and the vehicle has floated for so long, s.
 constexpr double kSettled_s = 60;
 
@@ -86,11 +84,11 @@ void LauvJudge::checkSilence(const simulator::CycleView& view) {
   if (stopped_m_ < 0) {
     stopped_m_ = view.true_depth_m;
     stopped_s_ = view.time_s;
-    ++verdict_.releases;
+    verdict_.releases += ended_ ? 0 : 1;
   }
   const double rising_s = std::max(0.0, view.time_s - stopped_s_ - promise_.turn_s);
   const double most_m =
-      std::max(kSurface_m, stopped_m_ + kSwings_m - promise_.rises_m_s * rising_s);
+      std::max(kSurface_m, stopped_m_ + promise_.overshoot_m - promise_.rises_m_s * rising_s);
   if (view.true_depth_m > most_m) {
     violate(JudgeId::Ascent, view.time_s,
             fmt::format("{:.1f} m deep, {:.0f} s after the last Reference, at most {:.1f} m",

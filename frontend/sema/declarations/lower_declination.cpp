@@ -46,6 +46,12 @@ bool hasHeadings(const ir::Mission& mission) {
          });
 }
 
+/// A vehicle that is not steered through its sensor array, and reports headings from true north.
+bool hasTrueHeadings(const platforms::Platform& platform) {
+  return platform.seatIsOnBoard() &&
+         std::ranges::none_of(platform.sensors, &platforms::PlatformSensor::magnetic);
+}
+
 /// The `mission` line, which a mission without errors has.
 support::SourceRange headOf(const ast::File& file) {
   for (const ast::Item& item : file.items) {
@@ -71,7 +77,7 @@ void lowerDeclination(const ast::File& file, Scope& scope) {
 void lowerCompass(const ast::File& file, Scope& scope) {
   ir::Compass compass;
   compass.declination = scope.declination;
-  if (!hasHeadings(scope.mission)) {
+  if (!hasHeadings(scope.mission) || hasTrueHeadings(scope.platform())) {
     return;
   }
   const platforms::PlatformSensor* variation = scope.platform().find(platforms::kVariationSensor);

@@ -136,9 +136,8 @@ Result<std::shared_ptr<const Lowered>> readIr(uint32_t file,
     return std::unexpected(platform.error());
   }
   ir::CInterface in_c = ir::usedInC(*mission);
-  return std::make_shared<const Lowered>(Lowered{std::move(sources), std::move(*mission),
-                                                 std::move(in_c), std::move(*platform),
-                                                 {}});
+  return std::make_shared<const Lowered>(
+      Lowered{std::move(sources), std::move(*mission), std::move(in_c), std::move(*platform), {}});
 }
 
 /// Everything up to the IR.

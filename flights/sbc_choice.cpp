@@ -4,7 +4,7 @@
 #include "flights/sbc_choice.h"
 
 #include "codegen/codegen.h"
-#include "codegen/front_seats/imc_mission.h"
+#include "codegen/imc_mission.h"
 #include "compiler/boards.h"
 #include "compiler/user_code.h"
 #include "flights/in_process_sbc.h"

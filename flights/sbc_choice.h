@@ -7,7 +7,6 @@
 #include "flights/launch_choice.h"
 #include "flights/requirement_watch.h"
 #include "flights/seat_on_board.h"
-#include "platforms/load/platform.h"
 #include "simulator/ports/line_turns.h"
 #include "simulator/ports/sbc_port.h"
 #include "support/result.h"
@@ -18,6 +17,10 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace glider::platforms {
+struct Platform;
+}  // namespace glider::platforms
 
 namespace glider::flights {
 

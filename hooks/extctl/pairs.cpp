@@ -3,8 +3,8 @@
 
 #include "hooks/extctl/pairs.h"
 
-#include "hooks/extctl/decimal.h"
 #include "hooks/extctl/port.h"
+#include "hooks/protocol/decimal.h"
 
 namespace glider::hooks::extctl {
 namespace {

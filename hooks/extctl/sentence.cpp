@@ -3,7 +3,7 @@
 
 #include "hooks/extctl/sentence.h"
 
-#include "hooks/extctl/decimal.h"
+#include "hooks/protocol/decimal.h"
 
 namespace glider::hooks::extctl {
 namespace {

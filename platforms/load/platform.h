@@ -59,9 +59,9 @@ struct Envelope {
   double usual_pitch_rad = 0;
   double usual_speed_m_s = 0;
   double slowest_m_s = 0;  ///< through the water, under command
-  double fastest_m_s = 0;  ///< 0: it is not told a speed
+  double fastest_m_s = 0;  ///< 0: it takes no speed
 
-  /// Whether it is told a speed, not a pitch.
+  /// Whether it takes a speed, not a pitch.
   [[nodiscard]] bool steersBySpeed() const { return fastest_m_s > 0; }
 };
 

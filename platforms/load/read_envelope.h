@@ -8,7 +8,7 @@
 
 namespace glider::platforms {
 
-/// Reads [envelope]: with `fastest_m_s` of a vehicle that is told a speed, else of one that glides.
+/// Reads [envelope]: with `fastest_m_s` of a vehicle that takes a speed, else of one that glides.
 /// Either may have no fin, and a glider no pitch battery. Failures are the reader's.
 Envelope readEnvelope(TomlReader& reader);
 

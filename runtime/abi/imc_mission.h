@@ -19,7 +19,7 @@ typedef struct GliderImcMission {
   double timeout_s;     /* after so long without a Reference the vehicle stops and floats up */
   double loiter_m;      /* radius of the circle at a waypoint */
   double start_depth_m; /* the plan is not started while the vehicle is deeper */
-  uint32_t vehicle;     /* its address; 0: of what is heard first */
+  uint32_t vehicle;     /* its address; 0: of the first that reports */
   uint32_t count;       /* of the readings */
   uint16_t sensors[GLIDER_MOST_IMC_READINGS]; /* their numbers in the platform file */
   uint16_t sources[GLIDER_MOST_IMC_READINGS]; /* rows of runtime/imc/readings.def */

@@ -3,9 +3,9 @@
 
 #include "runtime/extctl/port_writer.h"
 
-#include "hooks/extctl/decimal.h"
 #include "hooks/extctl/sentence.h"
 #include "hooks/protocol/numbers.h"
+#include "hooks/protocol/decimal.h"
 
 namespace glider::runtime::extctl {
 namespace {
@@ -54,7 +54,7 @@ void PortWriter::want(Value& value, double wanted) {
   if (value.wanted == value.told || value.wanted != value.wanted) {
     value.pending_s = now_s_;
   }
-  value.wanted = hooks::extctl::asSixDecimals(wanted);
+  value.wanted = hooks::asSixDecimals(wanted);
 }
 
 void PortWriter::tellNow(Value& value) {

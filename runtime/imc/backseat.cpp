@@ -38,13 +38,14 @@ Backseat::Backseat(const GliderMission& mission, const GliderImcMission& imc,
       course_(imc),
       vehicle_(static_cast<uint16_t>(imc.vehicle)),
       began_s_(beginOf(checkpoint)),
+      resumes_(checkpoint != nullptr),
       inner_(*mission.dictionary, {this, hear, answer, closed, reading, instruct, state, clock}) {}
 
 double Backseat::clock(void* self) {
   return static_cast<Backseat*>(self)->readings_.value(Reading::Clock);
 }
 
-/// The vehicle has no mission of its own whose time could be told.
+/// The vehicle has no mission of its own whose time could be read.
 double Backseat::missionTime() const {
   const double time = readings_.value(Reading::Clock) - began_s_;
   return time > 0 ? time : 0;
@@ -84,13 +85,20 @@ bool Backseat::fill() {
 
 /// The vehicle repeats to a back seat what that has sent: only what it says itself counts.
 void Backseat::take(const Packet& packet) {
-  if (isVirtualTime(packet)) {
+  if (!virtual_time_ && inner_.cycles() == 0 && isVirtualTime(packet)) {
     virtual_time_ = true;
     inner_.useVirtualTime();
+  }
+  const bool ours =
+      packet.header.destination == vehicle_ || packet.header.destination == hooks::imc::kThisDune;
+  if (packet.id == hooks::imc::Abort::kId && ours) {
+    plan_.takeAway();  // whoever sends it
   }
   const bool first =
       vehicle_ == 0 && packet.id == EstimatedState::kId && packet.header.source != kOwnAddress;
   vehicle_ = first ? packet.header.source : vehicle_;
+  another_vehicle_ =
+      another_vehicle_ || (packet.id == EstimatedState::kId && packet.header.source != vehicle_);
   if (packet.header.source != vehicle_ || !hookIsFinite(packet.header.time_s)) {
     return;
   }
@@ -116,12 +124,33 @@ void Backseat::lookAtCycle() {
   inner_.cycle();
 }
 
-/// Without a session.
-HookState Backseat::free() const {
-  return plan_.follows()   ? HookState::Ready
-         : plan_.wasLost() ? HookState::Silent
-         : plan_.isTaken() ? HookState::Absent
-                           : HookState::Waiting;
+/// Without a session. To a program that goes on from a checkpoint, or has steered, the vehicle has
+/// lost its SBC: the program decides by the time since then whether it goes on, and only when it
+/// asks for control the plan is started. While it waits for the plan, nothing is asked of it.
+HookState Backseat::unheld() const {
+  const bool goes_on = resumes_ || lost_session_ != 0;
+  return plan_.isTaken()      ? HookState::Absent
+         : plan_.follows()    ? goes_on ? HookState::Silent : HookState::Ready
+         : goes_on && !asked_ ? HookState::Silent
+                              : HookState::Waiting;
+}
+
+/// Everything that has arrived was taken: what the vehicle said last is how it is now.
+bool Backseat::isUpToDate() {
+  return in_next_ == in_end_ && !fill();
+}
+
+bool Backseat::startsPlan() {
+  const bool goes_on = resumes_ || lost_session_ != 0;
+  const double medium = readings_.value(Reading::Medium);
+  constexpr double kSurface = hooks::imc::Medium::WaterSurface,
+                   kUnder = hooks::imc::Medium::UnderWater;
+  const bool in_water = medium == kSurface || medium == kUnder;
+  // What goes on may begin at any depth: the vehicle floats up since its plan has timed out.
+  const double depth_m = readings_.value(Reading::Depth);
+  return (asked_ || !goes_on) && in_water && !another_vehicle_ && isUpToDate() &&
+         plan_.asksForStart(readings_.value(Reading::Clock),
+                            goes_on && hookIsFinite(depth_m) ? 0 : depth_m);
 }
 
 /// Control is lost with the plan, whoever ended it.
@@ -129,10 +158,11 @@ void Backseat::followPlan() {
   if (session_ != 0 && !plan_.follows() && releasing_ == 0) {
     lost_session_ = session_;
     session_ = 0;
+    asked_ = false;
     course_.surface();
   }
   if (state_ != HookState::Complete) {
-    state_ = session_ != 0 ? HookState::Active : free();
+    state_ = session_ != 0 ? HookState::Active : unheld();
   }
 }
 
@@ -183,6 +213,7 @@ void Backseat::instruct(void* self, const hooks::Instruction& instruction) {
 
 HookAnswer Backseat::decide(const hooks::Instruction& instruction) {
   const bool takes = instruction.control == HookControl::Take;
+  asked_ = asked_ || takes;
   if (!plan_.follows() || releasing_ != 0 || state_ == HookState::Complete) {
     return HookAnswer::NotReady;
   }
@@ -218,7 +249,24 @@ void Backseat::sendReference() {
   }
 }
 
-/// What has happened, for the vehicle's log; a simulated vehicle also wants to know the state.
+/// Ends the plan, unless the vehicle says that it flies another: a request to stop does not name
+/// one.
+void Backseat::release() {
+  const bool over = plan_.isOver() || plan_.isTaken();
+  if (!over) {
+    send(plan_.stop());
+  }
+  if (over || ++releasing_ > kReleaseCycles) {
+    releasing_ = 0;
+    answered_ = release_;
+    answer_ = HookAnswer::Accepted;
+    lost_session_ = session_;
+    session_ = 0;
+    state_ = HookState::Complete;
+  }
+}
+
+/// What has happened, for the vehicle's log; a simulated vehicle also gets the state.
 void Backseat::tell() {
   char text[kMostStory];
   const auto enter = [&](uint32_t size) {
@@ -248,18 +296,10 @@ void Backseat::answer(void* self) {
   }
   seat.out_next_ = seat.out_end_ = 0;
   if (seat.releasing_ != 0) {
-    seat.send(seat.plan_.stop());
-    if (++seat.releasing_ > kReleaseCycles || seat.plan_.isOver()) {
-      seat.releasing_ = 0;
-      seat.answered_ = seat.release_;
-      seat.answer_ = HookAnswer::Accepted;
-      seat.lost_session_ = seat.session_;
-      seat.session_ = 0;
-      seat.state_ = HookState::Complete;
-    }
-  } else if (seat.plan_.asksForStart(now_s, seat.readings_.value(Reading::Depth))) {
+    seat.release();
+  } else if (seat.startsPlan()) {
     seat.send(seat.plan_.start());
-  } else if (seat.plan_.follows()) {
+  } else if (seat.plan_.runs()) {
     seat.sendReference();
   }
   seat.tell();

@@ -56,7 +56,10 @@ class Backseat {
   void take(const hooks::imc::Packet& packet);
   void lookAtCycle();
   void followPlan();
-  [[nodiscard]] hooks::HookState free() const;
+  [[nodiscard]] hooks::HookState unheld() const;
+  [[nodiscard]] bool isUpToDate();
+  bool startsPlan();
+  void release();
   [[nodiscard]] hooks::HookAnswer decide(const hooks::Instruction& instruction);
   [[nodiscard]] double missionTime() const;
   [[nodiscard]] Place here() const { return {readings_.latitude(), readings_.longitude()}; }
@@ -77,8 +80,12 @@ class Backseat {
   Readings readings_;
   Plan plan_;
   Course course_;
-  uint16_t vehicle_;            ///< its address; 0: not known yet
-  double began_s_;              ///< by the vehicle's clock; NaN: not yet
+  uint16_t vehicle_;    ///< its address; 0: not known yet
+  double began_s_;      ///< by the vehicle's clock; NaN: not yet
+  bool resumes_;        ///< it goes on from a checkpoint
+  bool asked_ = false;  ///< the program has asked for control since it lost it
+  bool another_vehicle_ =
+      false;  ///< states of two vehicles arrive: whose plan it would be is not known
   double newest_cycle_s_ = -1;  ///< whole seconds of the vehicle's clock
 
   hooks::HookState state_ = hooks::HookState::Absent;

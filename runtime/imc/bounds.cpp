@@ -48,9 +48,10 @@ HookAnswer checkLateral(const hooks::Instruction& instruction) {
                      magnitude(degreesOfPosition(instruction.longitude_ddmm)) <= kHalfTurn
                  ? HookAnswer::Accepted
                  : HookAnswer::NotOnEarth;
-    default:
-      return HookAnswer::BadCommand;
+    case HookLateral::Fin:
+      break;
   }
+  return HookAnswer::BadCommand;
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 namespace glider::runtime::imc {
 
-/// Whether the vehicle may be told that. It does not refuse what is beyond its limits but flies
+/// Whether the vehicle may be given that. It does not refuse what is beyond its limits but flies
 /// something else, so they are kept here.
 hooks::HookAnswer checkBounds(const hooks::Instruction& instruction,
                               const GliderImcMission& mission);

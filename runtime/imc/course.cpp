@@ -15,6 +15,8 @@ using namespace hooks::imc;
 using hooks::HookLateral;
 using hooks::HookVertical;
 
+/// The vehicle settles some decimetres below a depth: one above this is the surface, m.
+constexpr double kFloats_m = 1;
 constexpr double kRadiansPerDegree = 3.141592653589793 / 180.0;
 
 bool isKnownPlace(const Place& place) {
@@ -45,6 +47,14 @@ void Course::steer(const hooks::Instruction& command, const Place& here, double 
   }
 }
 
+/// Whether the place of a heading is still so far ahead; a fix may have moved the vehicle past it.
+bool Course::isAhead(const Place& here) const {
+  constexpr double kCosine = 0.5;  // 60 degrees to either side
+  const double away = gliderDistance(here.latitude, here.longitude, aim_.latitude, aim_.longitude);
+  const double course = gliderBearing(here.latitude, here.longitude, aim_.latitude, aim_.longitude);
+  return away >= kNear_m && gliderCos(course - heading_) > kCosine;
+}
+
 void Course::aimAhead(const Place& here) {
   if (isKnown(heading_) && isKnownPlace(here)) {
     aim_ = displaced(here, kAhead_m * gliderCos(heading_), kAhead_m * gliderSin(heading_));
@@ -52,8 +62,7 @@ void Course::aimAhead(const Place& here) {
 }
 
 bool Course::reference(const Place& here, Reference& reference) {
-  if (has_command_ && isKnown(heading_) && isKnownPlace(here) &&
-      !(gliderDistance(here.latitude, here.longitude, aim_.latitude, aim_.longitude) >= kNear_m)) {
+  if (has_command_ && isKnown(heading_) && isKnownPlace(here) && !isAhead(here)) {
     aimAhead(here);
   }
   const Place& place = has_command_ && isKnownPlace(aim_) ? aim_ : here;
@@ -70,7 +79,7 @@ bool Course::reference(const Place& here, Reference& reference) {
   reference.speed.value.speed_units = SpeedUnits::MetresPerSecond;
   reference.z.present = true;
   reference.z.value.value =
-      to_depth && command_.depth_m > 0 ? static_cast<float>(command_.depth_m) : 0;
+      to_depth && command_.depth_m >= kFloats_m ? static_cast<float>(command_.depth_m) : 0;
   reference.z.value.z_units = ZUnits::Depth;
   return true;
 }

@@ -20,7 +20,7 @@ class Course {
   void steer(const hooks::Instruction& command, const Place& here, double heading);
   /// At the surface, where it is: until the first command and after the last.
   void surface() { has_command_ = false; }
-  /// What it is told now. False if its place is not known.
+  /// What it is given now. False if its place is not known.
   [[nodiscard]] bool reference(const Place& here, hooks::imc::Reference& reference);
 
   /// How far ahead the place of a heading is, and how near it may come, m.
@@ -29,6 +29,7 @@ class Course {
 
  private:
   void aimAhead(const Place& here);
+  [[nodiscard]] bool isAhead(const Place& here) const;
 
   GliderImcMission mission_;
   hooks::Instruction command_;

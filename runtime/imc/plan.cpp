@@ -17,10 +17,12 @@ const Text kManeuver = textOf("follow");
 }  // namespace
 
 void Plan::take(const Packet& packet) {
-  // What it has said of a time-out meanwhile was not heard.
+  // What it has reported of a time-out meanwhile was not received.
   constexpr double kSpread = 2;
-  timed_out_ = timed_out_ || packet.header.time_s - now_s_ >= mission_.timeout_s - kSpread;
+  timed_out_ =
+      timed_out_ || (now_s_ > 0 && packet.header.time_s - now_s_ >= mission_.timeout_s - kSpread);
   now_s_ = packet.header.time_s;
+  asked_s_ = asked_s_ > now_s_ ? -kStartSecs : asked_s_;  // its clock was set back
   if (packet.id == PlanControlState::kId) {
     PlanControlState said;
     if (decode(packet, said)) {
@@ -47,14 +49,25 @@ void Plan::takeState(const PlanControlState& said) {
     ours_runs_ = true;
     return;
   }
-  const bool free = state_ == State::Away || (state_ == State::Taken && !flew_);
-  if (ours_runs_) {
+  const bool blocked = said.state == PlanState::Blocked;
+  const bool idle = state_ == State::Away || (state_ == State::Taken && !flew_);
+  if (blocked && (ours_runs_ || state_ == State::Lost)) {
+    takeAway();
+  } else if (ours_runs_) {
     endOfPlan();
-  } else if (free && said.state == PlanState::Ready) {
+  } else if (idle && said.state == PlanState::Ready) {
     state_ = State::Ready;
-  } else if (said.state == PlanState::Blocked && state_ == State::Ready) {
+  } else if (blocked && state_ == State::Ready) {
     state_ = State::Away;
   }
+}
+
+/// An operator has aborted what flies, or blocks what is to fly.
+void Plan::takeAway() {
+  ours_runs_ = false;
+  timed_out_ = false;
+  flew_ = true;
+  state_ = State::Taken;
 }
 
 /// Ours has ended without our having asked for it: for want of References, or by somebody.
@@ -79,6 +92,9 @@ void Plan::takeFollowing(const FollowRefState& said) {
 }
 
 bool Plan::asksForStart(double now_s, double depth_m) {
+  if (ours_runs_) {
+    return false;  // it has begun, and the vehicle does not say yet that it follows
+  }
   const bool begins = state_ == State::Ready && depth_m <= mission_.start_depth_m;
   const bool again = state_ == State::Lost;
   if (over_ || !(begins || again) || now_s - asked_s_ < kStartSecs) {

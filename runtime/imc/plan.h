@@ -26,7 +26,8 @@ class Plan {
   [[nodiscard]] bool follows() const { return state_ == State::Following; }
   /// It is in somebody else's hands: another plan flies, or ours was ended by somebody.
   [[nodiscard]] bool isTaken() const { return state_ == State::Taken; }
-  /// Our plan ended because the vehicle did not hear us: it may be started again, at any depth.
+  /// Our plan ended because it did not receive our References: it may be started again, at any
+  /// depth.
   [[nodiscard]] bool wasLost() const { return state_ == State::Lost; }
   /// Whether to ask for the start now; notes that it is.
   bool asksForStart(double now_s, double depth_m);
@@ -34,6 +35,10 @@ class Plan {
   void noteReference(double now_s) { sent_s_ = now_s; }
   /// No answer to our References for so long that the vehicle may not read what we send.
   [[nodiscard]] bool isInDoubt(double now_s) const;
+  /// The vehicle executes our plan.
+  [[nodiscard]] bool runs() const { return ours_runs_; }
+  /// An operator has ended everything: nothing is started again.
+  void takeAway();
   /// The plan is to end: nothing of it is started again.
   void end() { over_ = true; }
   [[nodiscard]] bool isOver() const { return over_ && state_ != State::Following; }
@@ -44,7 +49,7 @@ class Plan {
 
   /// The vehicle may need so long for a start, s: it is asked for again after that.
   static constexpr double kStartSecs = 6;
-  /// Without a FollowRefState for so long it is in doubt whether the vehicle hears us, s.
+  /// Without a FollowRefState for so long it is in doubt whether the vehicle receives ours, s.
   static constexpr double kDoubtSecs = 5;
 
  private:

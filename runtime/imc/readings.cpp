@@ -13,12 +13,19 @@ namespace {
 using namespace hooks::imc;
 
 constexpr double kBarPerHectopascal = 1e-3;
+/// A depth of -1 means that it is not known; one just above the surface is a reading.
+constexpr float kInvalid_m = -0.9F;
 constexpr double kQuarterTurn = kTwoPi / 4;
 
-/// In [0, 2 pi).
+/// Between -180 and 180.
+double longitudeOf(double degrees) {
+  return degrees > 180 ? degrees - 360 : degrees < -180 ? degrees + 360 : degrees;
+}
+
+/// In [0, 2 pi); unknown stays so.
 double turnOf(double angle) {
   const double positive = angle < 0 ? angle + kTwoPi : angle;
-  return positive < kTwoPi ? positive : 0.0;
+  return positive < kTwoPi || positive != positive ? positive : 0.0;
 }
 
 bool isOnEarth(double latitude_rad, double longitude_rad) {
@@ -52,11 +59,15 @@ void Readings::takeState(const EstimatedState& state) {
     const Place place = displaced({state.lat * kDegreesPerRadian, state.lon * kDegreesPerRadian},
                                   static_cast<double>(state.x), static_cast<double>(state.y));
     latitude_ = place.latitude;
-    longitude_ = place.longitude;
+    longitude_ = longitudeOf(place.longitude);
     set(Reading::Latitude, ddmmOf(latitude_));
     set(Reading::Longitude, ddmmOf(longitude_));
   }
-  set(Reading::Depth, static_cast<double>(state.depth));
+  if (state.depth > kInvalid_m) {
+    set(Reading::Depth, static_cast<double>(state.depth));
+  } else {
+    values_[index(Reading::Depth)] = __builtin_nan("");
+  }
   set(Reading::DepthRate, static_cast<double>(state.vz));
   if (state.alt >= 0) {  // -1: unknown
     set(Reading::Altitude, static_cast<double>(state.alt));
@@ -70,69 +81,57 @@ void Readings::takeState(const EstimatedState& state) {
 void Readings::takeFix(const GpsFix& fix) {
   if ((fix.validity & GpsValidity::Position) != 0 && isOnEarth(fix.lat, fix.lon)) {
     set(Reading::FixLatitude, ddmmOf(fix.lat * kDegreesPerRadian));
-    set(Reading::FixLongitude, ddmmOf(fix.lon * kDegreesPerRadian));
+    set(Reading::FixLongitude, ddmmOf(longitudeOf(fix.lon * kDegreesPerRadian)));
   }
 }
 
-void Readings::take(const Packet& packet) {
-  set(Reading::Clock, packet.header.time_s);
-  const auto number = [&](auto message, Reading reading, double factor) {
+/// A message with one number.
+void Readings::takeNumber(const Packet& packet) {
+  const auto number = [&](auto message, Reading reading, double factor = 1) {
     if (decode(packet, message)) {
       set(reading, static_cast<double>(message.value) * factor);
     }
   };
   switch (packet.id) {
-    case EstimatedState::kId: {
-      EstimatedState state;
-      if (decode(packet, state)) {
-        takeState(state);
-      }
-      break;
-    }
-    case GpsFix::kId: {
-      GpsFix fix;
-      if (decode(packet, fix)) {
-        takeFix(fix);
-      }
-      break;
-    }
-    case VehicleMedium::kId: {
-      VehicleMedium medium;
-      if (decode(packet, medium)) {
-        set(Reading::Medium, medium.medium);
-      }
-      break;
-    }
-    case EstimatedStreamVelocity::kId: {
-      EstimatedStreamVelocity water;
-      if (decode(packet, water)) {
-        set(Reading::CurrentNorth, water.x);
-        set(Reading::CurrentEast, water.y);
-      }
-      break;
-    }
     case Temperature::kId:
-      return number(Temperature(), Reading::Temperature, 1);
+      return number(Temperature(), Reading::Temperature);
     case Salinity::kId:
-      return number(Salinity(), Reading::Salinity, 1);
+      return number(Salinity(), Reading::Salinity);
     case Conductivity::kId:
-      return number(Conductivity(), Reading::Conductivity, 1);
+      return number(Conductivity(), Reading::Conductivity);
     case Pressure::kId:
       return number(Pressure(), Reading::Pressure, kBarPerHectopascal);
     case FuelLevel::kId:
-      return number(FuelLevel(), Reading::FuelLevel, 1);
+      return number(FuelLevel(), Reading::FuelLevel);
     case Voltage::kId:
-      return number(Voltage(), Reading::Voltage, 1);
+      return number(Voltage(), Reading::Voltage);
     case Rpm::kId:
-      return number(Rpm(), Reading::Rpm, 1);
+      return number(Rpm(), Reading::Rpm);
     case Chlorophyll::kId:
-      return number(Chlorophyll(), Reading::Chlorophyll, 1);
+      return number(Chlorophyll(), Reading::Chlorophyll);
     case Turbidity::kId:
-      return number(Turbidity(), Reading::Turbidity, 1);
+      return number(Turbidity(), Reading::Turbidity);
     case DissolvedOxygen::kId:
-      return number(DissolvedOxygen(), Reading::Oxygen, 1);
+      return number(DissolvedOxygen(), Reading::Oxygen);
     default:
       break;
+  }
+}
+
+void Readings::take(const Packet& packet) {
+  set(Reading::Clock, packet.header.time_s);
+  if (EstimatedState state; packet.id == EstimatedState::kId && decode(packet, state)) {
+    takeState(state);
+  } else if (GpsFix fix; packet.id == GpsFix::kId && decode(packet, fix)) {
+    takeFix(fix);
+  } else if (VehicleMedium in; packet.id == VehicleMedium::kId && decode(packet, in)) {
+    set(Reading::Medium, in.medium);
+  } else if (EstimatedStreamVelocity water;
+             packet.id == EstimatedStreamVelocity::kId && decode(packet, water)) {
+    set(Reading::CurrentNorth, water.x);
+    set(Reading::CurrentEast, water.y);
+  } else {
+    takeNumber(packet);
   }
 }
 

@@ -39,6 +39,7 @@ class Readings {
   void set(Reading reading, double value);
   void takeState(const hooks::imc::EstimatedState& state);
   void takeFix(const hooks::imc::GpsFix& fix);
+  void takeNumber(const hooks::imc::Packet& packet);
 
   double values_[kReadings];
   bool fresh_[kReadings] = {};

@@ -3,7 +3,7 @@
 
 #include "runtime/imc/story.h"
 
-#include "hooks/extctl/decimal.h"
+#include "hooks/protocol/decimal.h"
 
 namespace glider::runtime::imc {
 namespace {
@@ -21,8 +21,8 @@ class Words {
     return *this;
   }
   Words& number(double value) {
-    char digits[hooks::extctl::kMostDecimal + 1];
-    digits[hooks::extctl::writeDecimal(value, digits)] = '\0';
+    char digits[hooks::kMostDecimal + 1];
+    digits[hooks::writeDecimal(value, digits)] = '\0';
     return word(digits);
   }
   Words& whole(uint32_t value) {
@@ -51,19 +51,14 @@ class Words {
 
 uint32_t storyOf(const hooks::SeatEvent& event, char* text) {
   Words words(text);
-  switch (event.kind) {
-    case hooks::SeatEvent::Kind::SbcTransition:
-      words.word("transition").number(event.mission_time_s);
-      words.whole(event.a).whole(event.b).whole(event.c).whole(event.d).whole(event.e);
-      break;
-    case hooks::SeatEvent::Kind::SbcHello:
-      words.word("mission").word(event.text);
-      break;
-    case hooks::SeatEvent::Kind::SbcNote:
-      words.word("note").number(event.mission_time_s).whole(event.a).word(event.text);
-      break;
-    default:
-      break;
+  using Kind = hooks::SeatEvent::Kind;
+  if (event.kind == Kind::SbcTransition) {
+    words.word("transition").number(event.mission_time_s);
+    words.whole(event.a).whole(event.b).whole(event.c).whole(event.d).whole(event.e);
+  } else if (event.kind == Kind::SbcHello) {
+    words.word("mission").word(event.text);
+  } else if (event.kind == Kind::SbcNote) {
+    words.word("note").number(event.mission_time_s).whole(event.a).word(event.text);
   }
   return words.size();
 }

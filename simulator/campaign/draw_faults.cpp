@@ -234,9 +234,8 @@ bool DrawnFaults::lasts() const {
 
 void DrawnFaults::applyTo(const platforms::Platform& platform, Scenario& scenario) const {
   Faults possible = faults;  // those of sensors that this vehicle lacks are none
-  std::erase_if(possible.sensors, [&](const SensorFault& fault) {
-    return platform.find(fault.name) == nullptr;
-  });
+  std::erase_if(possible.sensors,
+                [&](const SensorFault& fault) { return platform.find(fault.name) == nullptr; });
   scenario.faults.add(possible);
   if (vehicle.no_ctd) {
     scenario.sensors.ctd.dropout = 1;

@@ -17,7 +17,7 @@ struct LauvMoment : ColumnMoment {
   explicit LauvMoment(const ColumnMoment& moment)
       : ColumnMoment(moment), lauv(static_cast<const LauvSeat&>(moment.seat)) {}
   [[nodiscard]] double get(const char* source) const { return lauv.newest(source); }
-  /// Of what the vehicle is told; unknown while it is told nothing.
+  /// Of what the vehicle is given; unknown while there is nothing.
   template <typename Value>
   [[nodiscard]] double told(Value value) const {
     const auto* reference = lauv.reference();

@@ -142,7 +142,7 @@ void LauvSeat::cycle(double now_s, bool sbc_gone, Vehicle& vehicle) {
   noteEnd(sbc_gone);
 }
 
-/// Whether nothing is left to fly: the plan has ended, and nobody will start it again.
+/// Whether nothing is left to fly: the plan has ended, and no one will start it again.
 void LauvSeat::noteEnd(bool sbc_gone) {
   if (const auto how = plans_.takeEnd()) {
     over_ = *how != lauv::PlanEnd::TimedOut;
@@ -202,14 +202,13 @@ EstimatedState LauvSeat::stateOf(const Vehicle& vehicle) const {
 /// Once a second. The vehicle sends most of this more often; the state is last, since it completes
 /// a cycle of the back seat.
 void LauvSeat::sendAll(const Vehicle& vehicle) {
-  if (virtual_time_ && !announced_) {
+  if (virtual_time_) {
     Announce announce;
     announce.sys_name = textOf("lauv-glidercc");
     announce.sys_type = SystemType::UnderwaterVehicle;
     announce.services = textOf("glidercc+virtual-time");
     send(announce);
   }
-  announced_ = true;
   if (plans_.takeTimeout()) {
     send(plans_.followState(FollowState::Timeout));
   }

@@ -21,7 +21,7 @@
 namespace glider::simulator {
 
 /// The computer of a LAUV: it flies the plan of a back seat, which speaks IMC with it. Without a
-/// plan the propeller stands still and the vehicle floats up.
+/// plan the propeller stops and the vehicle floats up.
 class LauvSeat final : public SimulatedSeat {
  public:
   explicit LauvSeat(const SeatSetup& setup);
@@ -53,7 +53,7 @@ class LauvSeat final : public SimulatedSeat {
   [[nodiscard]] Planar reckoned() const { return reckoning_.place(); }
   /// The newest value of the sensor with that source in the platform file; NaN before the first.
   [[nodiscard]] double newest(std::string_view source) const;
-  /// What it is told now; null: nothing.
+  /// What it is given now; null: nothing.
   [[nodiscard]] const hooks::imc::Reference* reference() const { return plans_.reference(); }
 
  private:
@@ -93,7 +93,6 @@ class LauvSeat final : public SimulatedSeat {
   std::optional<Ctd::Reading> water_;
   std::optional<GeoPosition> fix_;
   uint8_t doing_ = 0;  ///< FollowState
-  bool announced_ = false;
   bool over_ = false;  ///< the plan was ended by a back seat or an operator
   bool lost_ = false;  ///< by its time-out
   std::optional<News> end_;

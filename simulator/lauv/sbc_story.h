@@ -17,7 +17,7 @@ class SbcStory {
  public:
   /// Takes a packet of the SBC.
   void take(const hooks::imc::Packet& packet, double now_s);
-  /// Without a word for a while, nothing is known of its mission.
+  /// Without a message for a while, nothing is known of its mission.
   void look(double now_s);
 
   hooks::SeatEvent nextEvent();

@@ -3,7 +3,7 @@
 
 #include "simulator/seat/told.h"
 
-#include "hooks/extctl/decimal.h"
+#include "hooks/protocol/decimal.h"
 
 #include <algorithm>
 #include <charconv>
@@ -25,7 +25,7 @@ bool readWhole(std::string_view text, uint32_t& value) {
 }
 
 bool readReal(std::string_view text, double& value) {
-  return hooks::extctl::readDecimal(text.data(), static_cast<uint32_t>(text.size()), &value);
+  return hooks::readDecimal(text.data(), static_cast<uint32_t>(text.size()), &value);
 }
 
 SeatEvent toldIn(std::string_view text, double mission_time_s) {

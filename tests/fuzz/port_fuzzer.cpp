@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "hooks/extctl/decimal.h"
 #include "hooks/extctl/sentence.h"
+#include "hooks/protocol/decimal.h"
 #include "runtime/extctl/reported.h"
 
 #include <cmath>

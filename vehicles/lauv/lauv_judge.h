@@ -14,9 +14,9 @@ namespace glider::lauv {
 
 /// What a LAUV keeps, with any program and any faults of the SBC and its line.
 struct LauvPromise {
-  double greatest_depth_m = 0;  ///< that it can be told
+  double greatest_depth_m = 0;  ///< that it can be given
   double overshoot_m = 0;       ///< past a depth
-  double lets_go_s = 0;         ///< from the last Reference until the propeller stands still
+  double lets_go_s = 0;         ///< from the last Reference until the propeller stops
   double turn_s = 0;            ///< from then until it floats up
   double rises_m_s = 0;         ///< at least so fast
 };
@@ -41,8 +41,9 @@ class LauvJudge final : public simulator::Judge {
   hooks::imc::PacketReader packets_;
   simulator::Verdict verdict_;
   double deepest_told_m_ = 0;
-  double told_s_ = -1;     ///< the newest Reference; negative: none
-  double stopped_m_ = -1;  ///< the depth when the propeller must stand still; negative: it need not
+  double told_s_ = -1;  ///< the newest Reference; negative: none
+  double stopped_m_ =
+      -1;  ///< the depth when the propeller must have stopped; negative: it need not
   double stopped_s_ = 0;
   double floats_s_ = -1;  ///< since when it is at the surface; negative: it is not
   bool ended_ = false;    ///< the SBC has ended the plan

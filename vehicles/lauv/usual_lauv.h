@@ -9,7 +9,7 @@
 
 namespace glider::lauv {
 
-/// Upper bound from the SBC's last Reference until the propeller stands still, s.
+/// Upper bound from the SBC's last Reference until the propeller stops, s.
 double letsGoWithin(const platforms::Platform& platform);
 
 /// What a LAUV flies by itself: nothing. Without References it stops and floats up.

@@ -7,6 +7,9 @@
 #include "vehicles/lauv/lauv_judge.h"
 #include "vehicles/lauv/usual_lauv.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace glider::vehicles {
 namespace {
 
@@ -31,23 +34,11 @@ std::unique_ptr<simulator::Judge> makeJudge(const FlightToJudge& flight) {
 /// computer and of their line are none that this vehicle can have.
 bool promises(simulator::FaultKind kind, const simulator::Scenario& /*scenario*/) {
   using simulator::FaultKind;
-  switch (kind) {
-    case FaultKind::None:
-    case FaultKind::ByteLoss:
-    case FaultKind::BitFlips:
-    case FaultKind::Bursts:
-    case FaultKind::Delay:
-    case FaultKind::HalfOpen:
-    case FaultKind::LineCut:
-    case FaultKind::Port:
-    case FaultKind::Power:
-    case FaultKind::Checkpoints:
-    case FaultKind::FlightRestart:
-    case FaultKind::ShallowWater:
-      return true;
-    default:
-      return false;
-  }
+  constexpr FaultKind kPromised[] = {
+      FaultKind::None,  FaultKind::ByteLoss,    FaultKind::BitFlips,      FaultKind::Bursts,
+      FaultKind::Delay, FaultKind::HalfOpen,    FaultKind::LineCut,       FaultKind::Port,
+      FaultKind::Power, FaultKind::Checkpoints, FaultKind::FlightRestart, FaultKind::ShallowWater};
+  return std::ranges::find(kPromised, kind) != std::end(kPromised);
 }
 
 }  // namespace

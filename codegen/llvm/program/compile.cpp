@@ -3,7 +3,7 @@
 
 #include "codegen/llvm/program/compile.h"
 
-#include "codegen/front_seats/imc_mission.h"
+#include "codegen/imc_mission.h"
 #include "codegen/llvm/lower/context_size.h"
 #include "codegen/llvm/program/emit.h"
 #include "codegen/llvm/program/imc_mission.h"

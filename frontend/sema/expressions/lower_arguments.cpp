@@ -6,8 +6,8 @@
 #include "frontend/sema/expressions/decimal_commas.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/expressions/named_arguments.h"
-#include "frontend/sema/expressions/usual_argument.h"
 #include "support/diagnostics/ids/meaning.h"
+#include "support/units/units.h"
 
 #include <fmt/format.h>
 
@@ -19,6 +19,13 @@ namespace {
 
 std::string countOf(size_t n) {
   return n == 0 ? "no arguments" : n == 1 ? "1 argument" : fmt::format("{} arguments", n);
+}
+
+/// Whether it is a number with a unit of that dimension.
+bool isLiteralOf(const ast::Argument& argument, const support::Dimension& dimension) {
+  const auto* literal = std::get_if<ast::Literal>(&argument.value->node);
+  const auto unit = literal != nullptr ? support::parseUnit(literal->unit) : std::nullopt;
+  return unit && unit->dimension == dimension;
 }
 
 class ArgumentLowering {
@@ -208,7 +215,10 @@ class ArgumentLowering {
 
   void wrongCount() {
     const size_t wanted = formals().size();
-    const std::string takes = countOf(wanted);
+    const auto needed = static_cast<size_t>(std::ranges::count(
+        formals(), nullptr, [](const Signature::Formal& formal) { return formal.usual; }));
+    const std::string takes =
+        needed == wanted ? countOf(wanted) : fmt::format("{} to {}", needed, countOf(wanted));
     for (const ast::Argument& argument : arguments_) {
       if (differenceIn(argument) != nullptr && filled_ + 1 == wanted) {
         reportMissingComma(argument, takes);
@@ -257,6 +267,39 @@ std::optional<Arguments> lowerArguments(const std::vector<ast::Argument>& argume
   }
   const auto ordered = inOrder(arguments, callee, where, scope);
   return ordered ? ArgumentLowering(*ordered, callee, where, scope).run() : std::nullopt;
+}
+
+std::optional<Value> lowerUsual(const Signature::Formal& formal, const std::string& what,
+                                const support::SourceRange& where, Scope& scope) {
+  if (!formal.usual->where.valid()) {
+    return ExprLowering(scope).usualSlope(scope.platform().envelope.steersBySpeed(), where);
+  }
+  Context context;
+  context.isolated = true;
+  context.constant = "a usual argument";
+  const Scope::Within within(scope, context);
+  return ExprLowering(scope).lowerDeclared(*formal.usual, formal.type, what);
+}
+
+bool refuseOtherSlope(const std::vector<ast::Argument>& arguments, const Callee& callee,
+                      Scope& scope) {
+  const bool speed = scope.platform().envelope.steersBySpeed();
+  const auto& told = speed ? support::dimension::speed : support::dimension::angle;
+  const bool takes = std::ranges::any_of(callee.signature.formals, [&](const auto& formal) {
+    return formal.usual != nullptr && formal.type.type == quantity(told);
+  });
+  const auto& other = speed ? support::dimension::angle : support::dimension::speed;
+  const auto wrong = std::ranges::find_if(
+      arguments, [&](const ast::Argument& argument) { return isLiteralOf(argument, other); });
+  if (!takes || wrong == arguments.end()) {
+    return false;
+  }
+  scope.report(support::diagnostics::otherSlope, wrong->value->where, scope.platform().name,
+               speed ? "goes to a depth at a speed, not at a pitch"
+                     : "goes to a depth at a pitch, not at a speed",
+               scope.text(wrong->value->where),
+               fmt::format("leave it out, or write `{}`", callee.signature.text));
+  return true;
 }
 
 }  // namespace glider::frontend

@@ -12,6 +12,8 @@
 
 namespace glider::frontend {
 
+struct Value;
+
 /// What receives the arguments.
 struct Callee {
   const std::string& name;
@@ -36,5 +38,16 @@ std::optional<Arguments> lowerArguments(const std::vector<ast::Argument>& argume
 /// Whether a parameter and the next one are a latitude and a longitude: one position may be given
 /// for both.
 bool isLatitudeAndLongitude(const Signature& signature, size_t formal);
+
+/// The argument that a parameter has if none is given: of a use at `where`, to be shown as `what`.
+/// It is made from literals, `usual_pitch` and `usual_speed` alone, so it means the same at each
+/// use. Empty, and reported, if it does not fit the parameter.
+std::optional<Value> lowerUsual(const Signature::Formal& formal, const std::string& what,
+                                const support::SourceRange& where, Scope& scope);
+
+/// True, and reported (GL2196), if an argument is an angle where the vehicle takes a speed to go
+/// to a depth, or a speed where it takes a pitch.
+bool refuseOtherSlope(const std::vector<ast::Argument>& arguments, const Callee& callee,
+                      Scope& scope);
 
 }  // namespace glider::frontend

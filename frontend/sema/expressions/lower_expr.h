@@ -76,8 +76,8 @@ class ExprLowering {
   /// As lowerAs, also for a position.
   std::optional<Value> lowerDeclared(const ast::Expr& expr, const DeclaredType& want,
                                      const std::string& what);
-  /// The usual speed or pitch of the vehicle (lower_value.cpp); empty, and reported, if it is told
-  /// the other to go to a depth.
+  /// The usual speed or pitch of the vehicle (lower_value.cpp); empty, and reported, if a
+  /// command to go to a depth has the other.
   std::optional<Value> usualSlope(bool speed, const support::SourceRange& range);
   /// A list of positions, or the name of one; refuses anything else.
   std::optional<Path> lowerPath(const ast::Expr& expr);

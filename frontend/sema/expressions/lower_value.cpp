@@ -53,7 +53,7 @@ ExprLowering::Result ExprLowering::meantValue(const std::string& name,
   return ofWater(name == "salinity" ? ir::Op::Salinity : ir::Op::Density, range);
 }
 
-/// What the vehicle is told of the way to a depth, if it is told that.
+/// What a command to go to a depth also says, if that is what the vehicle takes.
 ExprLowering::Result ExprLowering::usualSlope(bool speed, const support::SourceRange& range) {
   const platforms::Envelope& envelope = scope_.platform().envelope;
   if (envelope.steersBySpeed() != speed) {

@@ -58,8 +58,8 @@ VehicleCommand build(const CommandRow& row, std::string_view name) {
   return result;
 }
 
-/// What a mission calls the command on a vehicle that is told a speed, or a pitch; empty: it does
-/// not have it.
+/// What a mission calls the command on a vehicle that takes a speed, or a pitch; empty: it does not
+/// have it.
 std::string_view nameOf(const CommandRow& row, bool by_speed) {
   switch (row.command) {
     case ir::Command::Descend:

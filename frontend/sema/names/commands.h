@@ -19,8 +19,8 @@ struct VehicleCommand {
   Signature signature;
 };
 
-/// The commands of ir/core/commands.def that a vehicle has, in its order: one that is told a speed
-/// to go to a depth, or one that is told a pitch.
+/// The commands of ir/core/commands.def that a vehicle has, in its order: one that takes a speed to
+/// go to a depth, or one that takes a pitch.
 const std::vector<VehicleCommand>& vehicleCommands(const platforms::Platform& platform);
 
 /// Whether `name` is a command of some vehicle.

@@ -5,7 +5,7 @@
 
 #include "frontend/sema/declarations/variables.h"
 #include "frontend/sema/expressions/lower_arguments.h"
-#include "frontend/sema/expressions/usual_argument.h"
+#include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/states/lower_case.h"
 #include "frontend/sema/states/lower_statement.h"
 #include "support/check.h"

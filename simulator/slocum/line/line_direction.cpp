@@ -3,7 +3,7 @@
 
 #include "simulator/slocum/line/line_direction.h"
 
-#include "hooks/extctl/decimal.h"
+#include "hooks/protocol/decimal.h"
 
 #include <algorithm>
 #include <array>
@@ -22,8 +22,8 @@ bool isOfOneSensor(const PassingValue& a, const PassingValue& b) {
 }
 
 double charactersOf(double value) {
-  std::array<char, hooks::extctl::kMostDecimal> text;
-  return kMoreCharacters + hooks::extctl::writeDecimal(value, text.data());
+  std::array<char, hooks::kMostDecimal> text;
+  return kMoreCharacters + hooks::writeDecimal(value, text.data());
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ void LineDirection::send(PassingValue value) {
   if (std::isnan(value.value)) {
     return;
   }
-  value.value = hooks::extctl::asSixDecimals(value.value);
+  value.value = hooks::asSixDecimals(value.value);
   const double more_s = lag();
   if (!getsThrough(value)) {
     return;

@@ -3,10 +3,10 @@
 
 // The text of the vehicle's port for a backseat driver.
 
-#include "hooks/extctl/decimal.h"
 #include "hooks/extctl/pairs.h"
 #include "hooks/extctl/port.h"
 #include "hooks/extctl/sentence.h"
+#include "hooks/protocol/decimal.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 
 #include "runtime/extctl/port_writer.h"
 
-#include "hooks/extctl/decimal.h"
 #include "hooks/extctl/sentence.h"
+#include "hooks/protocol/decimal.h"
 #include "runtime/extctl/stock_command.h"
 
 #include <gtest/gtest.h>

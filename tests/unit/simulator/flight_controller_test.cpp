@@ -3,8 +3,8 @@
 
 #include "simulator/slocum/flight/flight_controller.h"
 
-#include "hooks/extctl/decimal.h"
 #include "hooks/protocol/numbers.h"
+#include "hooks/protocol/decimal.h"
 #include "simulator/slocum/flight/skeleton.h"
 #include "simulator/slocum/own_mission.h"
 #include "tests/slocum.h"
@@ -185,7 +185,7 @@ TEST(FlightController, SendsWhatIsFreshOfItsOwn) {
       const bool goes = !array.ofScience(id) && array.fresh(id) && !std::isnan(array.get(id));
       ASSERT_EQ(got.contains(id), goes) << id;
       if (goes) {
-        ASSERT_EQ(got[id], hooks::extctl::asSixDecimals(array.get(id))) << id;
+        ASSERT_EQ(got[id], hooks::asSixDecimals(array.get(id))) << id;
       }
     }
   });

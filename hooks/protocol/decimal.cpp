@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "hooks/extctl/decimal.h"
+#include "hooks/protocol/decimal.h"
 
 #include "hooks/protocol/numbers.h"
 
-namespace glider::hooks::extctl {
+namespace glider::hooks {
 namespace {
 
 constexpr double kMost = 1e12;
@@ -169,4 +169,4 @@ double asSixDecimals(double value) {
   return readDecimal(text, count, &read) ? read : __builtin_nan("");
 }
 
-}  // namespace glider::hooks::extctl
+}  // namespace glider::hooks

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "codegen/front_seats/imc_mission.h"
+#include "codegen/imc_mission.h"
 
 #include "runtime/imc/usual.h"
 #include "support/diagnostics/ids/vehicle.h"

@@ -5,8 +5,8 @@
 
 #include <stdint.h>
 
-/// Numbers as text, as they cross the vehicle's port for a backseat driver. No heap, no libc.
-namespace glider::hooks::extctl {
+/// Numbers as text, as they cross a line. No heap, no libc.
+namespace glider::hooks {
 
 /// Reads `count` characters as a decimal number: a sign, digits with at most one point, and perhaps
 /// an exponent; "nan" and "inf" in either case are unknown (NaN). Returns false for anything else.
@@ -23,4 +23,4 @@ uint32_t writeDecimal(double value, char* text);
 /// `value` as it arrives after it was written and read: rounded to six decimals.
 double asSixDecimals(double value);
 
-}  // namespace glider::hooks::extctl
+}  // namespace glider::hooks

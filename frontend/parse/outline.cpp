@@ -116,6 +116,9 @@ class OutlineReader {
     declaration.external = first.type == GliderLexer::EXTERN;
     ++at_;
     at_ = readHeader(source_, lexemes_, at_, declaration);
+    for (const support::SourceRange& name : declaration.usual_names) {
+      outline_.uses.push_back({Naming::Value, name, std::nullopt});
+    }
     outline_.declarations.push_back(std::move(declaration));
     declaration_ = &outline_.declarations.back();
     extend(lexemes_[at_ - 1]);

@@ -33,6 +33,7 @@ struct OutlineDeclaration {
   bool parenthesised = false;
   bool formals_broken = false;
   std::vector<OutlineFormal> formals;
+  std::vector<support::SourceRange> usual_names;  ///< that usual arguments use
 };
 
 /// The text of a state, profile or route from its keyword to its `end`, or to what comes next if

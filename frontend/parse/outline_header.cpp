@@ -84,7 +84,7 @@ class HeaderReader {
       formal.type = typeName();
     }
     if (take(GliderLexer::ASSIGN)) {
-      formal.usual = passValue();
+      formal.usual = passValue(declaration);
     }
     declaration.formals.push_back(std::move(formal));
     const bool separated =
@@ -93,11 +93,14 @@ class HeaderReader {
   }
 
   /// Passes what ends before the next comma or parenthesis of this list.
-  support::SourceRange passValue() {
+  support::SourceRange passValue(OutlineDeclaration& declaration) {
     support::SourceRange value = source_.range(lexemes_[at_]);
     for (int inner = 0; type() != kEof && !isHardKeyword(type()); ++at_) {
       if (inner == 0 && oneOf(type(), {GliderLexer::COMMA, GliderLexer::RPAREN})) {
         break;
+      }
+      if (isName(type())) {
+        declaration.usual_names.push_back(source_.range(lexemes_[at_]));
       }
       inner += type() == GliderLexer::LPAREN ? 1 : type() == GliderLexer::RPAREN ? -1 : 0;
       value.end = source_.range(lexemes_[at_]).end;

@@ -99,7 +99,7 @@ std::set<std::string> library(const std::string& kind) {
   const std::regex declaration("\n" + kind + " (\\w+)(\\(([^)]*)\\))?");
   for (std::sregex_iterator at(text.begin(), text.end(), declaration), end; at != end; ++at) {
     const std::string without_types =
-        std::regex_replace((*at)[3].str(), std::regex(": *\\w+(/\\w+)?"), "");
+        std::regex_replace((*at)[3].str(), std::regex(": *\\w+(/\\w+)?( = \\w+)?"), "");
     const std::string names = std::regex_replace(without_types, std::regex(",\\s+"), ", ");
     calls.insert((*at)[1].str() + (names.empty() ? "" : "(" + names + ")"));
   }
@@ -116,6 +116,9 @@ std::set<std::string> commands() {
     }
     // A position is one argument of the language.
     names = names == "latitude, longitude" ? "where" : names;
+    if (row.find("_at\"") != std::string::npos) {
+      continue;  // of a vehicle with a propeller, where missions write them without that ending
+    }
     calls.insert(matches(row, "\"(\\w+)\", \"").at(0) + "(" + names + ")");
   }
   return calls;

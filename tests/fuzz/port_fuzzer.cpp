@@ -59,15 +59,15 @@ std::string asReports(std::string_view text) {
 /// What was read and is written again is read as the same.
 void checkNumber(std::string_view text) {
   double value = 0;
-  if (!readDecimal(text.data(), static_cast<uint32_t>(text.size()), &value)) {
+  if (!glider::hooks::readDecimal(text.data(), static_cast<uint32_t>(text.size()), &value)) {
     return;
   }
-  char written[kMostDecimal];
-  if (writeDecimal(value, written) > kMostDecimal) {
+  char written[glider::hooks::kMostDecimal];
+  if (glider::hooks::writeDecimal(value, written) > glider::hooks::kMostDecimal) {
     std::abort();
   }
-  const double once = asSixDecimals(value);
-  if (once == once && asSixDecimals(once) != once) {
+  const double once = glider::hooks::asSixDecimals(value);
+  if (once == once && glider::hooks::asSixDecimals(once) != once) {
     std::abort();
   }
 }

@@ -314,7 +314,7 @@ TEST(Fixes, AMisspeltDeclarationIsNoComment) {
 /// Commas are decimal commas only if the number of arguments then is right.
 TEST(Fixes, TooFewArgumentsHaveNoDecimalCommas) {
   std::string text = mission("depth > 5 m");
-  text.replace(text.find("surfaced"), 8, "yo(5,20,26)");
+  text.replace(text.find("surfaced"), 8, "yo_above(5,20)");
   FrontendRun run(text);
   run.compile();
   EXPECT_TRUE(run.says(support::diagnostics::wrongArgumentCount)) << run.said();

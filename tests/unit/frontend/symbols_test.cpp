@@ -89,8 +89,9 @@ TEST(Symbols, BuiltInNamesAreUsedToo) {
   EXPECT_EQ(run.at("descend"), "command descend: descend(to: length, pitch: angle), used 14:35");
   EXPECT_EQ(run.at("distance"), "function distance: distance(p [, q]), used 30:10");
   EXPECT_EQ(run.at("missiontime"), "clock missiontime: time [s], used 20:11");
-  EXPECT_THAT(run.at("flightprofile yo"), HasSubstr("profile yo: yo(top: length, bottom: length, "
-                                                    "dive: angle, climb: angle) at "));
+  EXPECT_THAT(run.at("flightprofile yo"),
+              HasSubstr("profile yo: yo(top: length, bottom: length, "
+                        "dive: angle = usual_pitch, climb: angle = usual_pitch) at "));
   EXPECT_EQ(run.at("5 m"), "nothing");
 }
 

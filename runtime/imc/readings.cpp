@@ -15,10 +15,10 @@ using namespace hooks::imc;
 constexpr double kBarPerHectopascal = 1e-3;
 constexpr double kQuarterTurn = kTwoPi / 4;
 
-/// In [0, 2 pi).
+/// In [0, 2 pi), if it is in [-pi, pi]; what is no number stays none.
 double turnOf(double angle) {
   const double positive = angle < 0 ? angle + kTwoPi : angle;
-  return positive < kTwoPi ? positive : 0.0;
+  return positive == kTwoPi ? 0.0 : positive;
 }
 
 bool isOnEarth(double latitude_rad, double longitude_rad) {

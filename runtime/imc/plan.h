@@ -65,7 +65,7 @@ class Plan {
   bool flew_ = false;       ///< this program has steered: what somebody ends stays ended
   bool over_ = false;
   uint16_t request_ = 0;
-  double now_s_ = 0;  ///< of the newest packet
+  double now_s_ = __builtin_nan("");  ///< of the newest packet; NaN before the first
   double asked_s_ = -kStartSecs;
   double sent_s_ = __builtin_nan("");   ///< the newest Reference
   double heard_s_ = __builtin_nan("");  ///< the newest FollowRefState

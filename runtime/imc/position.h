@@ -14,7 +14,7 @@ struct Place {
 };
 
 /// The place that is `north` and `east` of another, m: along its meridian and its parallel, by the
-/// radii of curvature of the ellipsoid half way (Torge, Geodesy, 4.1.3). Within 0.1 m to 20 km,
+/// radii of curvature of the ellipsoid half way (Torge, Geodesy, 4.1.3). Within 0.3 m to 20 km,
 /// below 70 degrees.
 Place displaced(const Place& from, double north_m, double east_m);
 

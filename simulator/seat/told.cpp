@@ -46,7 +46,7 @@ SeatEvent toldIn(std::string_view text, double mission_time_s) {
     event.kind = SeatEvent::Kind::SbcNote;
     whole = readReal(takePart(rest, ','), event.mission_time_s) &&
             readWhole(takePart(rest, ','), event.a);
-    text = rest;
+    text = whole ? rest : text;
   }
   if (!whole || event.kind == SeatEvent::Kind::None) {
     event = {};

@@ -3,6 +3,7 @@
 
 #include "tests/golden/stages.h"
 
+#include "compiler/library.h"
 #include "frontend/constructs.h"
 #include "frontend/frontend.h"
 #include "frontend/import/imports.h"
@@ -19,24 +20,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 namespace glider::golden {
 namespace {
 
-const platforms::Platform& slocum() {
-  static const platforms::Platform platform = [] {
-    auto loaded = platforms::loadPlatform(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
-    CHECK(loaded.has_value(), "platforms/slocum.toml does not load");
-    return *loaded;
-  }();
-  return platform;
+const platforms::Platform& platformNamed(const std::string& name) {
+  static std::map<std::string, platforms::Platform> loaded;
+  if (!loaded.contains(name)) {
+    auto platform = platforms::loadPlatform(GLIDER_SOURCE_DIR "/platforms/" + name + ".toml");
+    CHECK(platform.has_value(), "the file of a platform does not load");
+    loaded.emplace(name, std::move(*platform));
+  }
+  return loaded.at(name);
 }
 
-/// The vehicle that an input is for: a line `//@without SENSOR` takes a sensor from it.
+/// The vehicle that an input is for: the LAUV with a line `platform lauv`, else the Slocum; a line
+/// `//@without SENSOR` takes a sensor from it.
 platforms::Platform platformFor(const std::string& input) {
-  platforms::Platform platform = slocum();
+  const bool lauv = input.find("\nplatform lauv\n") != std::string::npos;
+  platforms::Platform platform = platformNamed(lauv ? "lauv" : "slocum");
   constexpr std::string_view kWithout = "\n//@without ";
   if (const size_t at = input.find(kWithout); at != std::string::npos) {
     const size_t from = at + kWithout.size();
@@ -64,14 +70,13 @@ class Compilation {
   }
 
   void analyse() {
-    auto text = support::readFile(GLIDER_SOURCE_DIR "/missions/library/standard.mission");
-    CHECK(text.has_value(), "the standard library cannot be read");
-    const uint32_t library = sources_.add("standard.mission", *text);
-    const auto standard = frontend::parse(sources_, library, diagnostics_);
-    CHECK(standard.has_value(), "the standard library does not parse");
+    parseLibrary();
     const auto imports = ast_ ? frontend::loadImports(*ast_, sources_, diagnostics_) : std::nullopt;
     if (imports) {
-      frontend::AnalysisInputs inputs{platform_, {&*standard}, sources_};
+      frontend::AnalysisInputs inputs{platform_, {}, sources_};
+      for (const ast::File& part : library_.libraries) {
+        inputs.library.push_back(&part);
+      }
       for (const ast::File& import : *imports) {
         inputs.library.push_back(&import);
       }
@@ -90,7 +95,7 @@ class Compilation {
   void prove() {
     if (mission_ && !diagnostics_.hasErrors()) {
       ir::prove::Options options;
-      options.library = {1};
+      options.library = library_.standard_library;
       options.report = true;
       show(ir::prove::prove(*mission_, facts_, platform_, options, diagnostics_));
     }
@@ -103,6 +108,17 @@ class Compilation {
   }
 
  private:
+  void parseLibrary() {
+    for (const compiler::LibraryFile& part : compiler::libraryFor(platform_)) {
+      const std::string name = part.path.filename().string();
+      auto text = support::readFile(GLIDER_SOURCE_DIR "/missions/library/" + name);
+      CHECK(text.has_value(), "the standard library cannot be read");
+      auto parsed = frontend::parse(sources_, sources_.add(name, *text), diagnostics_);
+      CHECK(parsed.has_value(), "the standard library does not parse");
+      compiler::addPart(part, std::move(*parsed), library_);
+    }
+  }
+
   void show(const ir::prove::Findings& findings) {
     for (const auto& line : findings.lines) {
       product_ += "--- " + line.text + "\n";
@@ -131,6 +147,7 @@ class Compilation {
   uint32_t file_;
   support::DiagnosticEngine diagnostics_;
   std::optional<ast::File> ast_;
+  compiler::Parsed library_;  ///< only its standard library
   std::optional<ir::Mission> mission_;
   ir::MissionFacts facts_;
   std::string product_;

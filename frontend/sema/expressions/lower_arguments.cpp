@@ -218,7 +218,9 @@ class ArgumentLowering {
     const auto needed = static_cast<size_t>(std::ranges::count(
         formals(), nullptr, [](const Signature::Formal& formal) { return formal.usual; }));
     const std::string takes =
-        needed == wanted ? countOf(wanted) : fmt::format("{} to {}", needed, countOf(wanted));
+        needed == wanted
+            ? countOf(wanted)
+            : fmt::format("{} {} {}", needed, needed + 1 == wanted ? "or" : "to", countOf(wanted));
     for (const ast::Argument& argument : arguments_) {
       if (differenceIn(argument) != nullptr && filled_ + 1 == wanted) {
         reportMissingComma(argument, takes);

@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// A mission's program at a vehicle that is steered by IMC: runtime/imc/README.md.
+
+#include "tests/unit/runtime/imc_vehicle.h"
+
+#include <utility>
+
+namespace glider::runtime::imc {
+namespace {
+
+using namespace hooks::imc;
+using testing::ImcVehicle;
+using testing::TwoDepths;
+
+/// From nothing to a mission that flies.
+void begin(ImcVehicle& vehicle) {
+  vehicle.seconds(12);
+  ASSERT_EQ(vehicle.starts, 1);
+  ASSERT_EQ(vehicle.plan, "glidercc");
+  ASSERT_NE(vehicle.context(), nullptr);
+  ASSERT_EQ(vehicle.toldDepth(), 20);
+}
+
+TEST(ImcBackseat, FliesAMissionFromTheStartOfItsPlanToItsEnd) {
+  TwoDepths mission;
+  mission.end_s = 60;
+  ImcVehicle vehicle(mission.mission);
+  begin(vehicle);
+  EXPECT_EQ(vehicle.told.speed.value.value, 1.25);
+  vehicle.depth_m = 18;
+  vehicle.temperature = 10;
+  vehicle.seconds(3);
+  EXPECT_EQ(vehicle.toldDepth(), 40);
+  EXPECT_EQ(vehicle.count("mission,bench"), 1);
+  EXPECT_EQ(vehicle.count("transition,"), 1);
+  EXPECT_EQ(vehicle.references + vehicle.starts, vehicle.heartbeats - 1)
+      << "in each answer but the first, in which nothing was known of the vehicle";
+  vehicle.seconds(70);
+  EXPECT_TRUE(vehicle.finished);
+  EXPECT_GE(vehicle.stops, 1);
+  EXPECT_LE(vehicle.stops, 2) << "the vehicle said that it was stopped";
+  EXPECT_EQ(vehicle.plan, std::nullopt);
+  EXPECT_EQ(vehicle.starts, 1);
+}
+
+TEST(ImcBackseat, TheEndIsAskedForAgainWhileTheVehicleDoesNotHear) {
+  TwoDepths mission;
+  mission.end_s = 30;
+  ImcVehicle vehicle(mission.mission);
+  begin(vehicle);
+  vehicle.seconds(15);
+  ASSERT_FALSE(vehicle.finished);
+  for (int second = 0; second < 30 && !vehicle.finished; ++second) {
+    vehicle.plan = "glidercc";  // it did not obey
+    vehicle.second();
+  }
+  EXPECT_TRUE(vehicle.finished);
+  EXPECT_GE(vehicle.stops, static_cast<int>(Backseat::kReleaseCycles));
+  EXPECT_LE(vehicle.stops, static_cast<int>(Backseat::kReleaseCycles) + 1);
+}
+
+TEST(ImcBackseat, DoesNotStartUnderWater) {
+  TwoDepths mission;
+  ImcVehicle vehicle(mission.mission);
+  vehicle.depth_m = 2.5;
+  vehicle.seconds(60);
+  EXPECT_EQ(vehicle.starts, 0);
+  EXPECT_EQ(vehicle.context(), nullptr);
+  vehicle.depth_m = 0.5;
+  vehicle.seconds(12);
+  EXPECT_EQ(vehicle.starts, 1);
+  EXPECT_NE(vehicle.context(), nullptr);
+}
+
+TEST(ImcBackseat, IsToldToStayAtTheSurfaceUntilItsFirstCommand) {
+  TwoDepths mission;
+  ImcVehicle vehicle(mission.mission);
+  while (vehicle.context() == nullptr && vehicle.now_s < 1.7e9 + 60) {
+    vehicle.second();
+    if (vehicle.context() == nullptr && vehicle.references > 0) {
+      EXPECT_EQ(vehicle.toldDepth(), 0);
+      EXPECT_NEAR(vehicle.told.lat, 0.72, 1e-9);
+    }
+  }
+  EXPECT_NE(vehicle.context(), nullptr);
+}
+
+/// All that the vehicle obeyed in a flight, with its bytes in pieces.
+struct Told {
+  std::vector<std::pair<double, double>> depths;
+  std::vector<std::string> texts;
+  bool operator==(const Told&) const = default;
+};
+Told flownInPieces(size_t piece) {
+  TwoDepths mission;
+  mission.end_s = 300;
+  ImcVehicle vehicle(mission.mission);
+  vehicle.piece = piece;
+  Told told;
+  for (int second = 0; second < 340; ++second) {
+    vehicle.depth_m = second < 5 ? 0 : 10 + 5 * std::sin(second / 20.0);
+    vehicle.temperature = 13 + 3 * std::sin(second / 15.0);
+    vehicle.second();
+    told.depths.emplace_back(vehicle.now_s, vehicle.toldDepth());
+  }
+  EXPECT_TRUE(vehicle.finished) << piece;
+  EXPECT_EQ(vehicle.damaged(), 0U) << piece;
+  told.texts = vehicle.texts;
+  return told;
+}
+
+TEST(ImcBackseat, FliesTheSameHoweverTheBytesArrive) {
+  const Told whole = flownInPieces(1U << 20U);
+  EXPECT_GT(whole.texts.size(), 5U);
+  for (const size_t piece : {1U, 7U, 64U, 1000U}) {
+    EXPECT_EQ(flownInPieces(piece), whole) << piece;
+  }
+}
+
+TEST(ImcBackseat, ALostPacketIsMissedAndNothingElse) {
+  for (const uint16_t lost :
+       {PlanControlState::kId, FollowRefState::kId, Temperature::kId, EstimatedState::kId}) {
+    TwoDepths mission;
+    ImcVehicle vehicle(mission.mission);
+    begin(vehicle);
+    for (int times = 0; times < 10; ++times) {
+      vehicle.lose(lost);
+      vehicle.second();
+      vehicle.lose({});
+      vehicle.seconds(2);
+    }
+    EXPECT_EQ(vehicle.starts, 1) << lost;
+    EXPECT_EQ(vehicle.plan, "glidercc") << lost;
+    EXPECT_EQ(vehicle.toldDepth(), 20) << lost;
+    EXPECT_EQ(vehicle.renewed, 0) << lost;
+    vehicle.temperature = 10;
+    vehicle.seconds(3);
+    EXPECT_EQ(vehicle.toldDepth(), 40) << lost;
+  }
+}
+
+TEST(ImcBackseat, GarbageBetweenPacketsIsCountedAndSkipped) {
+  TwoDepths mission;
+  ImcVehicle vehicle(mission.mission);
+  begin(vehicle);
+  EXPECT_EQ(vehicle.damaged(), 0U);
+  vehicle.sayBytes({1, 2, 3, 4, 5});
+  vehicle.seconds(3);
+  EXPECT_EQ(vehicle.damaged(), 5U);
+  EXPECT_EQ(vehicle.toldDepth(), 20);
+}
+
+TEST(ImcBackseat, AnothersPlanIsLeftAlone) {
+  TwoDepths mission;
+  ImcVehicle vehicle(mission.mission);
+  vehicle.plan = "survey";
+  for (int second = 0; second < 60; ++second) {
+    vehicle.heard_s = vehicle.now_s;
+    vehicle.second();
+  }
+  EXPECT_EQ(vehicle.starts, 0);
+  EXPECT_EQ(vehicle.references, 0);
+  EXPECT_EQ(vehicle.stops, 0);
+  EXPECT_EQ(vehicle.context(), nullptr);
+  vehicle.plan.reset();
+  begin(vehicle);
+}
+
+TEST(ImcBackseat, AnothersPlanEndsOurs) {
+  for (const bool stopped : {false, true}) {
+    TwoDepths mission;
+    ImcVehicle vehicle(mission.mission);
+    begin(vehicle);
+    const int told = vehicle.references;
+    for (int second = 0; second < 120; ++second) {
+      vehicle.plan = stopped ? std::nullopt : std::optional<std::string>("survey");
+      vehicle.heard_s = vehicle.now_s;
+      vehicle.second();
+    }
+    EXPECT_EQ(vehicle.starts, 1) << stopped;
+    EXPECT_EQ(vehicle.stops, 0) << stopped;
+    EXPECT_LE(vehicle.references, told + 1) << stopped;
+    EXPECT_EQ(vehicle.plan, stopped ? std::nullopt : std::optional<std::string>("survey"));
+  }
+}
+
+TEST(ImcBackseat, APlanLostUnderWaterIsStartedAgainAndTheMissionGoesOn) {
+  TwoDepths mission;
+  ImcVehicle vehicle(mission.mission);
+  begin(vehicle);
+  vehicle.depth_m = 18;
+  vehicle.temperature = 10;
+  vehicle.seconds(5);
+  ASSERT_EQ(vehicle.toldDepth(), 40);
+  vehicle.deaf = true;
+  vehicle.seconds(17);
+  EXPECT_EQ(vehicle.plan, std::nullopt);
+  vehicle.deaf = false;
+  vehicle.seconds(20);
+  EXPECT_EQ(vehicle.plan, "glidercc");
+  EXPECT_EQ(vehicle.toldDepth(), 40) << "the state that it was in";
+  EXPECT_EQ(vehicle.count("mission,bench"), 1);
+  EXPECT_EQ(vehicle.count("transition,"), 1);
+}
+
+TEST(ImcBackseat, WhatItSaidItselfIsNotTheVehicles) {
+  TwoDepths mission;
+  ImcVehicle vehicle(mission.mission);
+  EstimatedState state;
+  state.depth = 30;
+  vehicle.say(state, kOwnAddress);
+  vehicle.hand();
+  begin(vehicle);
+  for (const uint16_t source : {kOwnAddress, uint16_t{0x1F}}) {
+    for (int second = 0; second < 5; ++second) {
+      vehicle.lose({});
+      vehicle.say(Temperature{.value = 5}, source);
+      vehicle.say(testing::planState(PlanState::Ready), source);
+      vehicle.lose(Temperature::kId);  // the newest is that of another
+      vehicle.second();
+    }
+    vehicle.lose({});
+    EXPECT_EQ(vehicle.toldDepth(), 20) << "a temperature of another";
+    EXPECT_EQ(vehicle.plan, "glidercc");
+    EXPECT_EQ(vehicle.starts, 1);
+  }
+}
+
+TEST(ImcBackseat, SeveralStatesInASecondAreOneCycle) {
+  TwoDepths mission;
+  ImcVehicle vehicle(mission.mission);
+  begin(vehicle);
+  const int before = vehicle.heartbeats;
+  EstimatedState state;
+  state.lat = 0.72;
+  state.lon = -0.15;
+  for (int second = 0; second < 10; ++second) {
+    vehicle.second();
+    for (int more = 0; more < 4; ++more) {
+      vehicle.say(state);
+      vehicle.hand();
+    }
+  }
+  EXPECT_EQ(vehicle.heartbeats, before + 10);
+}
+
+TEST(ImcBackseat, ADeafVehicleIsConnectedAgain) {
+  TwoDepths mission;
+  ImcVehicle vehicle(mission.mission);
+  begin(vehicle);
+  vehicle.lose(FollowRefState::kId);
+  vehicle.seconds(5);
+  EXPECT_EQ(vehicle.renewed, 0);
+  vehicle.seconds(2);
+  EXPECT_GE(vehicle.renewed, 1);
+  vehicle.lose({});
+  vehicle.seconds(1);
+  const int renewed = vehicle.renewed;
+  vehicle.seconds(30);
+  EXPECT_EQ(vehicle.renewed, renewed);
+  EXPECT_EQ(vehicle.toldDepth(), 20);
+}
+
+TEST(ImcBackseat, ADepthBeyondTheVehiclesIsNeverSent) {
+  TwoDepths mission;
+  ImcVehicle vehicle(mission.mission, testing::imcOf(30));
+  begin(vehicle);
+  vehicle.temperature = 10;
+  for (int second = 0; second < 30; ++second) {
+    vehicle.second();
+    EXPECT_LE(vehicle.toldDepth(), 30);
+  }
+}
+
+TEST(ImcBackseat, OnlyASimulatedVehicleIsToldTheState) {
+  for (const bool simulated : {false, true}) {
+    TwoDepths mission;
+    ImcVehicle vehicle(mission.mission);
+    if (simulated) {
+      Announce announce;
+      announce.sys_name = textOf("lauv");
+      announce.services = textOf("glidercc+virtual-time");
+      vehicle.say(announce);
+    }
+    vehicle.seconds(20);
+    EXPECT_EQ(vehicle.count("state,") > 0, simulated);
+  }
+}
+
+}  // namespace
+}  // namespace glider::runtime::imc

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "runtime/imc/backseat.h"
+#include "runtime/library/library.h"
+#include "tests/unit/runtime/bench_mission.h"
+#include "tests/unit/runtime/imc_packets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// A mission's program at a vehicle made of packets.
+namespace glider::runtime::testing {
+
+/// A mission of two states that change with the temperature, each with a depth of its own.
+struct TwoDepths : BenchMission {
+  TwoDepths() {
+    sensors = {depthSensor(), temperatureSensor()};
+    states = {benchState("warm", &to_cold, 1), benchState("cold", &to_warm, 1)};
+    guards = [this](const GliderContext& c) {
+      if (c.mission_time >= end_s) {
+        return GLIDER_NO_CASE;
+      }
+      const double temperature = c.readings[1].value;
+      return (c.state == 0 ? temperature < 12 : temperature > 14) ? 0U : GLIDER_NO_CASE;
+    };
+    always = {exit_case};
+    always_guards = [this](const GliderContext& c, uint32_t) {
+      return c.mission_time >= end_s ? 0U : GLIDER_NO_CASE;
+    };
+    fly = [this](GliderContext& c, uint32_t phase) {
+      if (phase != kGliderTick) {
+        gliderDescendAt(&c, c.state == 0 ? 20 : deeper_m, 1.25);
+        gliderSteer(&c, 1.5);
+      }
+    };
+    finish(2);
+  }
+  GliderCaseInfo to_cold{kGliderGoto, 1}, to_warm{kGliderGoto, 0};
+  GliderCaseInfo exit_case{kGliderExit, 0};
+  double end_s = 1e9;
+  double deeper_m = 40;
+};
+
+inline GliderImcMission imcOf(double greatest_depth_m = 50) {
+  GliderImcMission imc = kImcLimits;
+  imc.greatest_depth_m = greatest_depth_m;
+  imc.count = 2;
+  imc.sensors[0] = GLIDER_M_DEPTH;
+  imc.sources[0] = static_cast<uint16_t>(imc::Reading::Depth);
+  imc.sensors[1] = GLIDER_SCI_WATER_TEMP;
+  imc.sources[1] = static_cast<uint16_t>(imc::Reading::Temperature);
+  return imc;
+}
+
+/// Says once a second what a vehicle says, and obeys packets as DUNE does.
+class ImcVehicle {
+ public:
+  explicit ImcVehicle(const GliderMission& mission, const GliderImcMission& imc = imcOf())
+      : memory_(gliderRuntimeSize() / sizeof(double) + 1),
+        context_(mission.context_bytes / sizeof(double) + 1),
+        backseat_(std::make_unique<imc::Backseat>(
+            mission, imc,
+            imc::VehicleLine{.stream = {this, read, write}, .renew = renew, .self = this},
+            nullptr)),
+        runtime_(gliderRuntimeInit(memory_.data(), context_.data(), &mission, nullptr)) {}
+
+  /// A second passes.
+  void second() {
+    now_s += 1;
+    if (plan && now_s - heard_s > 15) {
+      say(followState(hooks::imc::FollowState::Timeout, hooks::imc::kAllSystems));
+      plan.reset();
+    }
+    say(planState(plan ? hooks::imc::PlanState::Executing : hooks::imc::PlanState::Ready,
+                  plan ? plan->c_str() : ""));
+    if (plan == "glidercc") {
+      say(followState(hooks::imc::FollowState::Goto));
+    }
+    say(hooks::imc::Temperature{.value = static_cast<float>(temperature)});
+    hooks::imc::EstimatedState state;
+    state.lat = 0.72;
+    state.lon = -0.15;
+    state.depth = static_cast<float>(depth_m);
+    state.alt = -1;
+    say(state);
+    hand();
+  }
+  void seconds(int count) {
+    for (int i = 0; i < count; ++i) {
+      second();
+    }
+  }
+  template <typename Message>
+  void say(const Message& message, uint16_t source = kVehicleAddress) {
+    const auto bytes = packetBytes(message, now_s, source);
+    if (lost_packet_ && *lost_packet_ == Message::kId) {
+      return;
+    }
+    to_sbc_.insert(to_sbc_.end(), bytes.begin(), bytes.end());
+  }
+  /// The packets of that message do not arrive from now on.
+  void lose(std::optional<uint16_t> message) { lost_packet_ = message; }
+  /// Gives the program what was said, `piece` bytes at a time.
+  void hand() {
+    do {
+      ready_ += std::min(piece, to_sbc_.size() - ready_);
+      work();
+    } while (ready_ < to_sbc_.size());
+    to_sbc_.clear();
+    ready_ = taken_ = 0;
+  }
+  void sayBytes(const std::vector<uint8_t>& bytes) {
+    to_sbc_.insert(to_sbc_.end(), bytes.begin(), bytes.end());
+  }
+  [[nodiscard]] const GliderContext* context() const { return gliderRuntimeContext(runtime_); }
+  [[nodiscard]] uint32_t damaged() const { return *backseat_->damaged(); }
+  [[nodiscard]] double toldDepth() const { return static_cast<double>(told.z.value.value); }
+  [[nodiscard]] int count(const std::string& begin) const {
+    return static_cast<int>(std::ranges::count_if(
+        texts, [&](const std::string& text) { return text.starts_with(begin); }));
+  }
+
+  double now_s = 1.7e9, depth_m = 0.2, temperature = 20;
+  size_t piece = 1U << 20U;
+  bool deaf = false;                ///< takes nothing of what is sent
+  std::optional<std::string> plan;  ///< that it executes
+  hooks::imc::Reference told{};     ///< the newest
+  double heard_s = 0;
+  int references = 0, starts = 0, stops = 0, heartbeats = 0, renewed = 0;
+  std::vector<std::string> texts;  ///< entries for its log
+  bool finished = false;
+
+ private:
+  void work() {
+    const GliderClock clock{this, [](void*) { return 0.0; }};
+    const GliderByteStream stream = backseat_->stream();
+    while (!finished) {
+      const GliderRuntimeStatus status = gliderRuntimePoll(runtime_, &stream, &clock);
+      finished = status == kGliderRuntimeFinished;
+      if (status != kGliderRuntimeProgressed) {
+        break;
+      }
+    }
+  }
+  static int32_t read(void* self, uint8_t* bytes, uint32_t capacity) {
+    auto& vehicle = *static_cast<ImcVehicle*>(self);
+    const size_t count = std::min<size_t>(capacity, vehicle.ready_ - vehicle.taken_);
+    std::copy_n(vehicle.to_sbc_.begin() + static_cast<ptrdiff_t>(vehicle.taken_), count, bytes);
+    vehicle.taken_ += count;
+    return static_cast<int32_t>(count);
+  }
+  static int32_t write(void* self, const uint8_t* bytes, uint32_t count) {
+    auto& vehicle = *static_cast<ImcVehicle*>(self);
+    for (uint32_t taken = 0; taken < count && !vehicle.deaf;) {
+      taken += vehicle.from_sbc_.push(bytes + taken, count - taken);
+      for (hooks::imc::Packet packet; vehicle.from_sbc_.next(&packet);) {
+        vehicle.obey(packet);
+      }
+    }
+    EXPECT_EQ(vehicle.from_sbc_.skippedBytes(), 0U);
+    return static_cast<int32_t>(count);
+  }
+  static void renew(void* self) { ++static_cast<ImcVehicle*>(self)->renewed; }
+  void obey(const hooks::imc::Packet& packet) {
+    hooks::imc::PlanControl request;
+    hooks::imc::Reference reference;
+    hooks::imc::LogBookEntry entry;
+    EXPECT_EQ(packet.header.source, imc::kOwnAddress);
+    EXPECT_EQ(packet.header.time_s, now_s) << "by the vehicle's clock";
+    if (decode(packet, request)) {
+      EXPECT_EQ(packet.header.destination, kVehicleAddress) << "else DUNE does not start it";
+      starts += request.op == hooks::imc::PlanOperation::Start ? 1 : 0;
+      stops += request.op == hooks::imc::PlanOperation::Stop ? 1 : 0;
+      plan = request.op == hooks::imc::PlanOperation::Start
+                 ? std::optional(std::string(request.plan_id.bytes, request.plan_id.size))
+                 : std::nullopt;
+      heard_s = now_s;
+    } else if (decode(packet, reference)) {
+      told = reference;
+      heard_s = now_s;
+      ++references;
+    } else if (decode(packet, entry)) {
+      EXPECT_TRUE(entry.context == hooks::imc::textOf("glidercc"));
+      texts.emplace_back(entry.text.bytes, entry.text.size);
+    } else if (packet.id == hooks::imc::Heartbeat::kId) {
+      ++heartbeats;
+    }
+  }
+
+  std::vector<uint8_t> to_sbc_;
+  size_t ready_ = 0, taken_ = 0;  ///< of to_sbc_: has arrived, was read
+  std::optional<uint16_t> lost_packet_;
+  hooks::imc::PacketReader from_sbc_;
+  std::vector<double> memory_, context_;
+  std::unique_ptr<imc::Backseat> backseat_;
+  GliderRuntime* runtime_;
+};
+
+}  // namespace glider::runtime::testing

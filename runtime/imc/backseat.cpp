@@ -89,8 +89,9 @@ void Backseat::take(const Packet& packet) {
     virtual_time_ = true;
     inner_.useVirtualTime();
   }
+  const uint16_t to = packet.header.destination;
   const bool ours =
-      packet.header.destination == vehicle_ || packet.header.destination == hooks::imc::kThisDune;
+      to == vehicle_ || to == hooks::imc::kThisDune || to == hooks::imc::kAllSystems;
   if (packet.id == hooks::imc::Abort::kId && ours) {
     plan_.takeAway();  // whoever sends it
   }
@@ -98,7 +99,8 @@ void Backseat::take(const Packet& packet) {
       vehicle_ == 0 && packet.id == EstimatedState::kId && packet.header.source != kOwnAddress;
   vehicle_ = first ? packet.header.source : vehicle_;
   another_vehicle_ =
-      another_vehicle_ || (packet.id == EstimatedState::kId && packet.header.source != vehicle_);
+      another_vehicle_ || (packet.id == EstimatedState::kId && packet.header.source != vehicle_ &&
+                           packet.header.source != kOwnAddress);
   if (packet.header.source != vehicle_ || !hookIsFinite(packet.header.time_s)) {
     return;
   }

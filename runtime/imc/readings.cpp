@@ -25,7 +25,7 @@ double longitudeOf(double degrees) {
 /// In [0, 2 pi); unknown stays so.
 double turnOf(double angle) {
   const double positive = angle < 0 ? angle + kTwoPi : angle;
-  return positive < kTwoPi || positive != positive ? positive : 0.0;
+  return positive == kTwoPi ? 0.0 : positive;
 }
 
 bool isOnEarth(double latitude_rad, double longitude_rad) {
@@ -63,10 +63,10 @@ void Readings::takeState(const EstimatedState& state) {
     set(Reading::Latitude, ddmmOf(latitude_));
     set(Reading::Longitude, ddmmOf(longitude_));
   }
-  if (state.depth > kInvalid_m) {
-    set(Reading::Depth, static_cast<double>(state.depth));
-  } else {
+  if (state.depth <= kInvalid_m) {
     values_[index(Reading::Depth)] = __builtin_nan("");
+  } else {
+    set(Reading::Depth, static_cast<double>(state.depth));
   }
   set(Reading::DepthRate, static_cast<double>(state.vz));
   if (state.alt >= 0) {  // -1: unknown

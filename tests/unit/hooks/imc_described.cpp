@@ -13,6 +13,7 @@ namespace {
 /// `?Name` is a message or none, `one Name` a list with at most one, `empty` a list with none.
 constexpr char kDescription[] = R"(
 50 SimulatedState: f64 lat, f64 lon, f32 height, f32 x, f32 y, f32 z, f32 phi, f32 theta, f32 psi, f32 u, f32 v, f32 w, f32 p, f32 q, f32 r, f32 svx, f32 svy, f32 svz
+103 LogBookEntry: u8 type, f64 htime, text context, text text
 150 Heartbeat:
 151 Announce: text sys_name, u8 sys_type, u16 owner, f64 lat, f64 lon, f32 height, text services
 250 Rpm: i16 value

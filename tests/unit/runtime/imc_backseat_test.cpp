@@ -228,6 +228,43 @@ TEST(ImcBackseat, WhatItSaidItselfIsNotTheVehicles) {
   }
 }
 
+TEST(ImcBackseat, StartsNothingOutOfTheWater) {
+  TwoDepths mission;
+  ImcVehicle vehicle(mission.mission);
+  for (const uint8_t medium : {Medium::Ground, Medium::Air, Medium::Unknown}) {
+    vehicle.medium = medium;
+    vehicle.seconds(20);
+    EXPECT_EQ(vehicle.starts, 0) << int{medium};
+  }
+  vehicle.medium = Medium::WaterSurface;
+  begin(vehicle);
+}
+
+TEST(ImcBackseat, StartsNothingWhileTwoVehiclesReport) {
+  TwoDepths mission;
+  ImcVehicle vehicle(mission.mission);
+  vehicle.second();
+  EstimatedState state;
+  state.depth = 0.1F;
+  vehicle.say(state, 0x00D2);
+  vehicle.hand();
+  vehicle.seconds(30);
+  EXPECT_EQ(vehicle.starts, 0);
+}
+
+/// Whoever aborts: what flew is not started again.
+TEST(ImcBackseat, IsTheOperatorsAfterAnAbort) {
+  TwoDepths mission;
+  ImcVehicle vehicle(mission.mission);
+  begin(vehicle);
+  vehicle.say(Abort{}, 0x4002);
+  vehicle.hand();
+  vehicle.plan.reset();
+  vehicle.seconds(120);
+  EXPECT_EQ(vehicle.starts, 1);
+  EXPECT_EQ(vehicle.plan, std::nullopt);
+}
+
 TEST(ImcBackseat, SeveralStatesInASecondAreOneCycle) {
   TwoDepths mission;
   ImcVehicle vehicle(mission.mission);

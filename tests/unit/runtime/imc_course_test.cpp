@@ -161,7 +161,7 @@ TEST(ImcCourse, DepthAndSpeedAreThoseOfTheCommand) {
       instruction.vertical = vertical;
       course.steer(instruction, kPorto, 0);
       const Reference reference = told(course, kPorto);
-      EXPECT_EQ(reference.z.value.value, depth_m > 0 ? static_cast<float>(depth_m) : 0.0F);
+      EXPECT_EQ(reference.z.value.value, depth_m >= 1 ? static_cast<float>(depth_m) : 0.0F);
       EXPECT_FALSE(std::signbit(reference.z.value.value));
       EXPECT_EQ(reference.speed.value.value, 0.9);
     }

@@ -84,6 +84,7 @@ class ImcVehicle {
       say(followState(hooks::imc::FollowState::Goto));
     }
     say(hooks::imc::Temperature{.value = static_cast<float>(temperature)});
+    say(hooks::imc::VehicleMedium{.medium = medium});
     hooks::imc::EstimatedState state;
     state.lat = 0.72;
     state.lon = -0.15;
@@ -128,6 +129,7 @@ class ImcVehicle {
   }
 
   double now_s = 1.7e9, depth_m = 0.2, temperature = 20;
+  uint8_t medium = hooks::imc::Medium::WaterSurface;
   size_t piece = 1U << 20U;
   bool deaf = false;                ///< takes nothing of what is sent
   std::optional<std::string> plan;  ///< that it executes

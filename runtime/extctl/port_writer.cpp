@@ -4,8 +4,8 @@
 #include "runtime/extctl/port_writer.h"
 
 #include "hooks/extctl/sentence.h"
-#include "hooks/protocol/numbers.h"
 #include "hooks/protocol/decimal.h"
+#include "hooks/protocol/numbers.h"
 
 namespace glider::runtime::extctl {
 namespace {

@@ -90,8 +90,7 @@ void Backseat::take(const Packet& packet) {
     inner_.useVirtualTime();
   }
   const uint16_t to = packet.header.destination;
-  const bool ours =
-      to == vehicle_ || to == hooks::imc::kThisDune || to == hooks::imc::kAllSystems;
+  const bool ours = to == vehicle_ || to == hooks::imc::kThisDune || to == hooks::imc::kAllSystems;
   if (packet.id == hooks::imc::Abort::kId && ours) {
     plan_.takeAway();  // whoever sends it
   }

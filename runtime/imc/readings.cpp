@@ -63,7 +63,7 @@ void Readings::takeState(const EstimatedState& state) {
     set(Reading::Latitude, ddmmOf(latitude_));
     set(Reading::Longitude, ddmmOf(longitude_));
   }
-  if (state.depth <= kInvalid_m) {
+  if (isFinite(static_cast<double>(state.depth)) && state.depth <= kInvalid_m) {
     values_[index(Reading::Depth)] = __builtin_nan("");
   } else {
     set(Reading::Depth, static_cast<double>(state.depth));

@@ -3,8 +3,8 @@
 
 #include "simulator/slocum/science/extctl_proglet.h"
 
-#include "hooks/protocol/notices.h"
 #include "hooks/protocol/decimal.h"
+#include "hooks/protocol/notices.h"
 #include "simulator/seat/told.h"
 #include "simulator/sensors/provided.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// A judge that sees nothing would be worse than none.
+// Checks of a flight that see nothing would be worse than none.
 
 #include "vehicles/lauv/lauv_judge.h"
 
@@ -39,7 +39,7 @@ Reference referenceTo(double depth_m) {
   return reference;
 }
 
-/// A flight of which the judge sees each second.
+/// A flight that is looked at each second.
 struct JudgedFlight {
   LauvJudge judge{kPromise};
   simulator::SensorArray array{lauv()};
@@ -164,8 +164,12 @@ TEST(LauvJudge, AFlightThatGoesOnAfterASilenceIsJudgedFromThen) {
   for (int silent_s = 0; silent_s < 40; ++silent_s) {
     flight.second(20);
   }
-  flight.follow(20, 20, 300);
-  EXPECT_TRUE(flight.isFine());
+  flight.follow(40, 40, 300);
+  for (int silent_s = 0; silent_s < 40; ++silent_s) {
+    flight.second(40);
+  }
+  EXPECT_TRUE(flight.isFine()) << "the depth where it was silent before does not count";
+  EXPECT_EQ(flight.judge.verdict().releases, 2U);
 }
 
 }  // namespace

@@ -231,7 +231,7 @@ TEST(ImcBackseat, WhatItSaidItselfIsNotTheVehicles) {
 TEST(ImcBackseat, StartsNothingOutOfTheWater) {
   TwoDepths mission;
   ImcVehicle vehicle(mission.mission);
-  for (const uint8_t medium : {Medium::Ground, Medium::Air, Medium::Unknown}) {
+  for (const uint8_t medium : {Medium::OnGround, Medium::InAir, Medium::Unknown}) {
     vehicle.medium = medium;
     vehicle.seconds(20);
     EXPECT_EQ(vehicle.starts, 0) << int{medium};

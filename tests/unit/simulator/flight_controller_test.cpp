@@ -3,8 +3,8 @@
 
 #include "simulator/slocum/flight/flight_controller.h"
 
-#include "hooks/protocol/numbers.h"
 #include "hooks/protocol/decimal.h"
+#include "hooks/protocol/numbers.h"
 #include "simulator/slocum/flight/skeleton.h"
 #include "simulator/slocum/own_mission.h"
 #include "tests/slocum.h"

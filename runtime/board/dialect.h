@@ -5,18 +5,18 @@
 
 #include "hooks/transport/byte_stream.h"
 #include "runtime/checkpoint/checkpoint.h"
+#include "runtime/core/after_tick.h"
 
 namespace glider::runtime {
 
 /// What the vehicle at the other end of the line speaks is chosen when the program is linked:
-/// dialect_hooks.cpp here, or runtime/extctl/program.cpp.
+/// dialect_hooks.cpp here, runtime/extctl/program.cpp or
+/// runtime/imc/program.cpp.
 struct FrameLine {
   GliderByteStream stream;  ///< of the hook protocol's frames
   /// Counts what arrives damaged; null: that are frames of the stream.
   const uint32_t* damaged = nullptr;
-  /// For how long the vehicle has been brought to the surface before the mission may begin, s; NaN:
-  /// it is not. Null: it never is.
-  const double* comes_up_for_s = nullptr;
+  AfterTick after_tick = {};
 };
 
 /// The frames over `line`. `checkpoint`: the one that the program has found; null: none. Once per

@@ -70,7 +70,7 @@ int run(const Options& options) {
   const FrameLine frames = framesOver(line.stream, runtime->checkpoint());
   line.stream = frames.stream;
   runtime->countDamageBy(frames.damaged);
-  runtime->reportComingUp(frames.comes_up_for_s);
+  runtime->afterTick(frames.after_tick);
   return fly(runtime, line, card);
 }
 

@@ -162,8 +162,8 @@ void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) 
     link_log_.unanswered(*context_, tick);
     link_log_.damagedInput(*context_, damaged_ != nullptr ? *damaged_ : client_.badFrames());
   }
-  if (comes_up_for_s_ != nullptr && wait_times_.isDue(*comes_up_for_s_)) {
-    persistence_.bringsUp(*comes_up_for_s_);
+  if (after_tick_.report != nullptr) {
+    after_tick_.report(after_tick_.self, persistence_);
   }
   persistence_.commit(context_);
   if (!hasFailed()) {

@@ -5,13 +5,13 @@
 
 #include "hooks/client/client.h"
 #include "runtime/abi/runtime.h"
+#include "runtime/core/after_tick.h"
 #include "runtime/core/assert.h"
 #include "runtime/core/control.h"
 #include "runtime/core/link_log.h"
 #include "runtime/core/mission_clock.h"
 #include "runtime/core/persistence.h"
 #include "runtime/core/start_depth.h"
-#include "runtime/core/wait_times.h"
 #include "runtime/log/mission_log.h"
 
 /// Joins the link to the mission: every tick of the vehicle is a step of the mission, its commands,
@@ -39,9 +39,7 @@ struct GliderRuntime {
   /// The client's frames come from within the program: `damaged` counts what arrives damaged. It
   /// outlives this.
   void countDamageBy(const uint32_t* damaged) { damaged_ = damaged; }
-  /// The log reports that the vehicle is brought to the surface before the mission may begin, and
-  /// how long that has lasted: `for_s`, s; NaN: it is not. Null: it never is. It outlives this.
-  void reportComingUp(const double* for_s) { comes_up_for_s_ = for_s; }
+  void afterTick(const glider::runtime::AfterTick& after_tick) { after_tick_ = after_tick; }
   /// The number of the first check of its own memory that failed (log/checks.def); 0: none.
   [[nodiscard]] uint32_t failedCheck() const { return glider::runtime::firstFailedCheck(memory()); }
 
@@ -81,8 +79,7 @@ struct GliderRuntime {
   glider::runtime::MissionLog log_;
   glider::runtime::LinkLog link_log_;
   const uint32_t* damaged_ = nullptr;  ///< null: the client counts
-  const double* comes_up_for_s_ = nullptr;
-  glider::runtime::WaitTimes wait_times_;
+  glider::runtime::AfterTick after_tick_;
   GliderUpdate updates_[glider::hooks::kMostSubscriptions] = {};
   double variation_;  ///< in a mission with a compass: the last that the vehicle reported, else NaN
   glider::runtime::StartDepth start_depth_;

@@ -4,6 +4,7 @@
 #include "runtime/abi/port_mission.h"
 #include "runtime/board/dialect.h"
 #include "runtime/extctl/backseat.h"
+#include "runtime/extctl/coming_up.h"
 
 #include <new>
 
@@ -15,5 +16,6 @@ glider::runtime::FrameLine glider::runtime::framesOver(const GliderByteStream& l
   alignas(extctl::Backseat) static uint8_t memory[sizeof(extctl::Backseat)];
   auto* backseat =
       ::new (memory) extctl::Backseat(gliderMission, gliderPort, line, {.checkpoint = checkpoint});
-  return {backseat->stream(), backseat->damaged(), backseat->comesUpFor()};
+  static extctl::ComingUp coming_up(backseat->comesUpFor());
+  return {backseat->stream(), backseat->damaged(), coming_up.afterTick()};
 }

@@ -322,7 +322,7 @@ TEST(Command, ManyErrorsAreReportedInOneRun) {
   const TemporaryFolder folder;
   const auto mission = folder.write(
       "m.mission",
-      "mission m\nstate s\nbegin\n  flightprofile yo(5, 10, .4)\n  sensors deepth\n"
+      "mission m\nstate s\nbegin\n  flightprofile yo(5)\n  sensors deepth\n"
       "  events\n    case missiontime = 5 exit\n    case depth > 3 s goto nowhere\nend\n");
   const Outcome outcome = runShell("$GLIDERCC check " + mission.string());
   EXPECT_EQ(outcome.status, 1);

@@ -266,6 +266,14 @@ extern "C" void gliderPump(GliderContext*, double volume) {
 extern "C" void gliderBattery(GliderContext*, double position) {
   putCommand(9, 1, &position);
 }
+extern "C" void gliderDescendAt(GliderContext*, double depth, double speed) {
+  const double arguments[] = {depth, speed};
+  putCommand(10, 2, arguments);
+}
+extern "C" void gliderAscendAt(GliderContext*, double depth, double speed) {
+  const double arguments[] = {depth, speed};
+  putCommand(11, 2, arguments);
+}
 
 int main(int argc, char** argv) {
   glider::runtime::useDoublePrecision();

@@ -38,7 +38,8 @@ const std::set<DiagnosticId> kNotShown = {
     support::diagnostics::argumentRange, support::diagnostics::parameterDefault,
     support::diagnostics::tooManyOwnSensors,
     // Another vehicle.
-    support::diagnostics::declinationUnknown,
+    support::diagnostics::declinationUnknown, support::diagnostics::commandOfAnother,
+    support::diagnostics::speedTooSlow,
     // The vehicle's mission file: vehicle_missions_test.cpp tries the page.
     support::diagnostics::mayStayBelow, support::diagnostics::vehicleRefuses,
     support::diagnostics::vehicleAborts, support::diagnostics::startUnassumed,

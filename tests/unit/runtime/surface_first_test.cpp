@@ -6,6 +6,7 @@
 
 #include "runtime/core/runtime.h"
 #include "runtime/core/wait_times.h"
+#include "runtime/extctl/coming_up.h"
 #include "tests/unit/runtime/resume_bench.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +55,8 @@ class SurfaceFirst : public ResumeBench {
 TEST_F(SurfaceFirst, IsInTheLogWithItsTimeAndOnceInTheVehicles) {
   double for_s = kNone;
   boot(vehicle_);
-  runtime_->reportComingUp(&for_s);
+  extctl::ComingUp coming_up(&for_s);
+  runtime_->afterTick(coming_up.afterTick());
   vehicle_.run(40);
   EXPECT_EQ(logCsv().find("surface commanded"), std::string::npos);
   for (double now = 44; now <= 200; now += 4) {

@@ -91,18 +91,17 @@ bool takeExponent(Rest& rest, int* exponent) {
 
 /// One rounding while the digits and the power of ten are exact, a few in all.
 double scaled(double digits, int exponent) {
-  constexpr double kTens[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                              1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                              1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+  constexpr double kTens[] = {1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                              1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
   constexpr int kLast = 22;
   while (exponent > 0 && digits != 0 && hookIsFinite(digits)) {
     const int step = exponent < kLast ? exponent : kLast;
-    digits *= kTens[step];
+    digits *= kTens[step - 1];
     exponent -= step;
   }
   while (exponent < 0 && digits != 0) {
     const int step = -exponent < kLast ? -exponent : kLast;
-    digits /= kTens[step];
+    digits /= kTens[step - 1];
     exponent += step;
   }
   return digits;

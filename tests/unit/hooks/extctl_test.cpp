@@ -38,6 +38,17 @@ std::vector<std::string> sentencesIn(std::string_view bytes, uint32_t* bad = nul
 
 using Bodies = std::vector<std::string>;
 
+TEST(Decimal, EachPowerOfTenIsExact) {
+  for (int power = 0; power <= 22; ++power) {
+    for (const char* sign : {"", "-"}) {
+      const std::string text = "1e" + std::string(sign) + std::to_string(power);
+      double value = 0;
+      ASSERT_TRUE(hooks::readDecimal(text.data(), static_cast<uint32_t>(text.size()), &value));
+      EXPECT_EQ(value, std::strtod(text.c_str(), nullptr)) << text;
+    }
+  }
+}
+
 TEST(ExtctlSentence, ReadsWhatVehiclesHaveSent) {
   EXPECT_EQ(sentencesIn("$HI*01\r\n"), Bodies{"HI"});
   EXPECT_EQ(sentencesIn("$SD,0:658.165286680912*2e\r\n"), Bodies{"SD,0:658.165286680912"});

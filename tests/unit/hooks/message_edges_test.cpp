@@ -66,6 +66,20 @@ TEST(TickEdges, ReadingsOfAnotherFrameAreNotRead) {
   EXPECT_FALSE(decode(frame, subscription, readings));
 }
 
+/// What lies behind those that are subscribed is not part of a Tick.
+TEST(TickEdges, OnlyWhatIsSubscribedIsReported) {
+  const Subscribe subscription = exampleSubscription();
+  TickReadings more;
+  for (uint32_t i = subscription.count; i < kMostSubscriptions; ++i) {
+    more.told[i] = HookReadingReport::Value;
+  }
+  Frame frame, same;
+  encode(TickHead{}, subscription, TickReadings{}, frame);
+  encode(TickHead{}, subscription, more, same);
+  ASSERT_EQ(frame.size, same.size);
+  EXPECT_EQ(std::memcmp(frame.payload, same.payload, frame.size), 0);
+}
+
 TEST(MessageEdges, ATextLongerThanItsMostIsRefused) {
   for (const uint32_t over : {0U, 1U}) {
     Frame frame;

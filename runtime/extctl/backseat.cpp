@@ -63,10 +63,10 @@ Backseat::Backseat(const GliderMission& mission, const GliderPortMission& port,
       depth_seen_(kForget * port.hold_m),
       stock_(firstCommand(port)),
       writer_(port, options.checkpoint == nullptr),
-      seat_(*mission.dictionary) {}
+      inner_(*mission.dictionary, {this, hear, answer, closed, reading, instruct, state, clock}) {}
 
-GliderByteStream Backseat::stream() {
-  return {this, read, write};
+double Backseat::clock(void* self) {
+  return static_cast<Backseat*>(self)->reported(kGliderRoleClock);
 }
 
 double Backseat::reported(GliderRole role) const {
@@ -76,50 +76,6 @@ double Backseat::reported(GliderRole role) const {
 double Backseat::reported(uint32_t sensor) const {
   const uint32_t index = port_.indexOf(static_cast<uint16_t>(sensor));
   return index < port_.count() ? reported_.value(index) : __builtin_nan("");
-}
-
-/// What has arrived on the port, as frames for the program.
-int32_t Backseat::read(void* self, uint8_t* bytes, uint32_t capacity) {
-  auto& seat = *static_cast<Backseat*>(self);
-  const GliderByteStream inner = seat.inner_.right();
-  int32_t count = inner.read(inner.self, bytes, capacity);
-  if (count == 0) {
-    seat.hear();
-    count = inner.read(inner.self, bytes, capacity);
-  }
-  if (count == 0 && seat.line_closed_) {
-    return kGliderStreamClosed;
-  }
-  return count;
-}
-
-int32_t Backseat::readInner(void* self, uint8_t* bytes, uint32_t capacity) {
-  const GliderByteStream inner = static_cast<Backseat*>(self)->inner_.left();
-  return inner.read(inner.self, bytes, capacity);
-}
-
-/// What the seat sends; the program owes an answer from now on.
-int32_t Backseat::writeInner(void* self, const uint8_t* bytes, uint32_t count) {
-  auto& seat = *static_cast<Backseat*>(self);
-  const GliderByteStream inner = seat.inner_.left();
-  const int32_t taken = inner.write(inner.self, bytes, count);
-  seat.lockstep_.toSbc(bytes, taken > 0 ? static_cast<uint32_t>(taken) : 0);
-  return taken;
-}
-
-int32_t Backseat::write(void* self, const uint8_t* bytes, uint32_t count) {
-  auto& seat = *static_cast<Backseat*>(self);
-  const GliderByteStream inner = seat.inner_.right();
-  const int32_t taken = inner.write(inner.self, bytes, count);
-  const GliderByteStream outer = seat.outer();
-  seat.seat_.serve(seat.reported(kGliderRoleClock), seat.state(), seat.vehicle(), outer);
-  seat.seat_.finish(outer, 0);
-  const bool owed = !seat.lockstep_.settled();
-  seat.lockstep_.fromSbc(bytes, taken > 0 ? static_cast<uint32_t>(taken) : 0);
-  if (owed && seat.lockstep_.settled()) {
-    seat.answer();
-  }
-  return taken;
 }
 
 /// Reads what is there into the empty buffer; false if there is nothing.
@@ -133,17 +89,19 @@ bool Backseat::fill() {
 
 /// Takes what has arrived on the port until a cycle is complete or nothing is left. Bounded, so
 /// that a port full of noise cannot keep the program from its other work.
-void Backseat::hear() {
-  flush();
+void Backseat::hear(void* self) {
+  auto& seat = *static_cast<Backseat*>(self);
+  seat.flush();
   constexpr uint32_t kMostBytesAtOnce = 4096;
-  const uint32_t before = cycles_;
-  for (uint32_t i = 0; i < kMostBytesAtOnce && cycles_ == before; ++i) {
-    if (in_next_ == in_end_ && !fill()) {
+  const uint32_t before = seat.inner_.cycles();
+  for (uint32_t i = 0; i < kMostBytesAtOnce && seat.inner_.cycles() == before; ++i) {
+    if (seat.in_next_ == seat.in_end_ && !seat.fill()) {
       return;
     }
-    if (sentences_.push(in_[in_next_++])) {
-      damaged_ = sentences_.bad() + reported_.bad();  // before the cycle that this may end
-      takeSentence();
+    if (seat.sentences_.push(seat.in_[seat.in_next_++])) {
+      // Before the cycle that this may end.
+      seat.damaged_ = seat.sentences_.bad() + seat.reported_.bad();
+      seat.takeSentence();
     }
   }
 }
@@ -165,20 +123,14 @@ void Backseat::takeSentence() {
     using hooks::extctl::kVirtualTimeHello;
     const uint32_t length = sizeof(kVirtualTimeHello) - 1;
     if (!virtual_time_ && size == length && memcmp(body, kVirtualTimeHello, length) == 0) {
-      useVirtualTime();
+      virtual_time_ = true;  // a simulator says it first of all
+      inner_.useVirtualTime();
     }
   }
 }
 
-/// Only before there is a link: a simulator says it first of all.
-void Backseat::useVirtualTime() {
-  virtual_time_ = true;
-  seat_ = hooks::Seat(dictionary_, {.virtual_time = true});
-}
-
 /// All readings of a control cycle are there.
 void Backseat::takeCycle() {
-  cycles_ = (cycles_ + 1) % hooks::kMostSession;
   stand_in_.observe({.time_s = reported(kGliderRoleMissionTime),
                      .clock_s = reported(kGliderRoleClock),
                      .program = reported_.value(PortSensor::Program),
@@ -190,11 +142,7 @@ void Backseat::takeCycle() {
   if (stand_in_.takeRestart()) {
     beginMission();
   }
-  const GliderByteStream outer = this->outer();
-  seat_.serve(reported(kGliderRoleClock), state(), vehicle(), outer);
-  seat_.watch(state());
-  seat_.tick(state(), vehicle());
-  seat_.finish(outer, 0);
+  inner_.cycle();
 }
 
 /// The vehicle flies its mission file from the start: what was written before is void.
@@ -215,7 +163,11 @@ Whereabouts Backseat::whereabouts() const {
 
 /// The program has answered a cycle: sends the vehicle what is in force now. While the line is
 /// stuck nothing counts as written; what matters is written again.
-void Backseat::answer() {
+void Backseat::answer(void* self) {
+  static_cast<Backseat*>(self)->answerCycle();
+}
+
+void Backseat::answerCycle() {
   if (out_next_ != out_end_) {
     flush();
     return;
@@ -241,7 +193,7 @@ void Backseat::answer() {
   if (steers) {
     writer_.tell(stock_, now_s);
   }
-  const hooks::SbcView view = seat_.sbc();
+  const hooks::SbcView view = inner_.sbc();
   const bool flies = view.phase == hooks::MissionPhase::Flying;
   const uint32_t text = writeText(out_, sizeof out_ - PortWriter::kMostBytes);
   out_next_ = 0;
@@ -255,8 +207,8 @@ void Backseat::answer() {
 /// size.
 uint32_t Backseat::writeText(char* text, uint32_t capacity) {
   uint32_t size = 0;
-  for (hooks::SeatEvent event = seat_.nextEvent(); event.kind != hooks::SeatEvent::Kind::None;
-       event = seat_.nextEvent()) {
+  for (hooks::SeatEvent event = inner_.nextEvent(); event.kind != hooks::SeatEvent::Kind::None;
+       event = inner_.nextEvent()) {
     hooks::extctl::SentenceWriter sentence(text + size, capacity - size);
     if (event.kind == hooks::SeatEvent::Kind::SbcTransition) {
       sentence.put("TXT,transition,");
@@ -305,34 +257,19 @@ bool Backseat::reading(void* self, uint16_t id, double* value) {
   return index < seat.port_.count() && seat.reported_.takeReport(index, value);
 }
 
-void Backseat::instruct(void* self, const hooks::SensorList* instruction) {
-  auto& seat = *static_cast<Backseat*>(self);
-  hooks::InstructionWords words;
-  for (const hooks::InstructionWord& word : hooks::kInstructionWords) {
-    for (uint32_t i = 0; i < instruction->count; ++i) {
-      if (instruction->values[i].id == hooks::sensorOf(seat.dictionary_, word.role)) {
-        words.*word.word = instruction->values[i].value;
-      }
-    }
-  }
-  hooks::Instruction decoded;
-  if (hooks::instructionOf(words, &decoded)) {
-    seat.stand_in_.instruct(decoded);
-  }
+void Backseat::instruct(void* self, const hooks::Instruction& instruction) {
+  static_cast<Backseat*>(self)->stand_in_.instruct(instruction);
 }
 
-hooks::SeatState Backseat::state() const {
-  constexpr double kMostSeconds = 4294967295.0;
-  const double clock = reported(kGliderRoleClock);
-  const double time = reported(kGliderRoleMissionTime);
+hooks::SeatState Backseat::state(void* self) {
+  const auto& seat = *static_cast<Backseat*>(self);
+  const double time = seat.reported(kGliderRoleMissionTime);
   hooks::SeatState state;
   state.vehicle_time_s = hookIsFinite(time) ? time : 0;
-  state.cycle = cycles_;
-  state.hook_state = stand_in_.state();
-  state.answer = stand_in_.answer();
-  state.answered_sequence = stand_in_.answered();
-  state.session = stand_in_.session();
-  state.clock_s = clock > 0 && clock < kMostSeconds ? static_cast<uint32_t>(clock) : 0;
+  state.hook_state = seat.stand_in_.state();
+  state.answer = seat.stand_in_.answer();
+  state.answered_sequence = seat.stand_in_.answered();
+  state.session = seat.stand_in_.session();
   return state;
 }
 

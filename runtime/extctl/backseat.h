@@ -5,10 +5,7 @@
 
 #include "hooks/extctl/port.h"
 #include "hooks/extctl/sentence.h"
-#include "hooks/protocol/lockstep.h"
-#include "hooks/seat/seat.h"
 #include "hooks/transport/byte_stream.h"
-#include "hooks/transport/memory.h"
 #include "runtime/abi/glider_abi.h"
 #include "runtime/abi/port_mission.h"
 #include "runtime/checkpoint/checkpoint.h"
@@ -16,6 +13,7 @@
 #include "runtime/extctl/port_writer.h"
 #include "runtime/extctl/reported.h"
 #include "runtime/extctl/stand_in.h"
+#include "runtime/front_seat/inner_seat.h"
 
 #include <stdint.h>
 
@@ -39,7 +37,7 @@ class Backseat {
   Backseat& operator=(const Backseat&) = delete;
 
   /// The program's end.
-  [[nodiscard]] GliderByteStream stream();
+  [[nodiscard]] GliderByteStream stream() { return inner_.stream(); }
   /// Counts the sentences and pairs that arrived damaged, or that no list of sensors explains.
   [[nodiscard]] const uint32_t* damaged() const { return &damaged_; }
   /// For how long the vehicle has been brought to the surface before the mission may begin, s; NaN:
@@ -48,29 +46,24 @@ class Backseat {
 
  private:
   static constexpr uint32_t kMostBytes = 1024;  ///< of an answer
-  static int32_t read(void* self, uint8_t* bytes, uint32_t capacity);
-  static int32_t write(void* self, const uint8_t* bytes, uint32_t count);
-  static int32_t readInner(void* self, uint8_t* bytes, uint32_t capacity);
-  static int32_t writeInner(void* self, const uint8_t* bytes, uint32_t count);
+  static void hear(void* self);
+  static void answer(void* self);
+  static bool closed(void* self) { return static_cast<Backseat*>(self)->line_closed_; }
   static bool reading(void* self, uint16_t id, double* value);
-  static void instruct(void* self, const hooks::SensorList* instruction);
-  static void beat(void* /*self*/, uint32_t /*heartbeat*/) {}
+  static void instruct(void* self, const hooks::Instruction& instruction);
+  static hooks::SeatState state(void* self);
+  static double clock(void* self);
 
-  [[nodiscard]] GliderByteStream outer() { return {this, readInner, writeInner}; }
-  void hear();
   bool fill();
   void takeSentence();
   void takeCycle();
-  void answer();
+  void answerCycle();
   void beginMission();
   [[nodiscard]] Whereabouts whereabouts() const;
   uint32_t writeText(char* text, uint32_t capacity);
-  void useVirtualTime();
   void flush();
   [[nodiscard]] double reported(GliderRole role) const;
   [[nodiscard]] double reported(uint32_t sensor) const;
-  [[nodiscard]] hooks::SeatState state() const;
-  [[nodiscard]] hooks::SeatVehicle vehicle() { return {this, reading, instruct, beat}; }
 
   const GliderDictionary& dictionary_;
   const GliderCompass* compass_;  ///< null: the mission has no headings
@@ -86,10 +79,6 @@ class Backseat {
   DepthSeen depth_seen_;
   StockCommand stock_;
   PortWriter writer_;
-  hooks::Seat seat_;
-  hooks::MemoryLine inner_;  ///< its left end is the seat's, its right end the program's
-  hooks::Lockstep lockstep_;
-  uint32_t cycles_ = 0;
   bool virtual_time_ = false;
   char out_[kMostBytes];
   uint32_t out_next_ = 0, out_end_ = 0;
@@ -97,6 +86,7 @@ class Backseat {
   double stuck_since_s_ = __builtin_nan("");  ///< it did not leave at once; NaN: it did
   uint8_t in_[64];
   uint32_t in_next_ = 0, in_end_ = 0;
+  InnerSeat inner_;
 };
 
 }  // namespace glider::runtime::extctl

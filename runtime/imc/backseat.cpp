@@ -129,11 +129,10 @@ void Backseat::lookAtCycle() {
 /// lost its SBC: the program decides by the time since then whether it goes on, and only when it
 /// asks for control the plan is started. While it waits for the plan, nothing is asked of it.
 HookState Backseat::unheld() const {
-  const bool goes_on = resumes_ || lost_session_ != 0;
-  return plan_.isTaken()      ? HookState::Absent
-         : plan_.follows()    ? goes_on ? HookState::Silent : HookState::Ready
-         : goes_on && !asked_ ? HookState::Silent
-                              : HookState::Waiting;
+  return plan_.isTaken()       ? HookState::Absent
+         : plan_.follows()     ? goesOn() ? HookState::Silent : HookState::Ready
+         : goesOn() && !asked_ ? HookState::Silent
+                               : HookState::Waiting;
 }
 
 /// Everything that has arrived was taken: what the vehicle said last is how it is now.
@@ -142,16 +141,15 @@ bool Backseat::isUpToDate() {
 }
 
 bool Backseat::startsPlan() {
-  const bool goes_on = resumes_ || lost_session_ != 0;
   const double medium = readings_.value(Reading::Medium);
   constexpr double kSurface = hooks::imc::Medium::WaterSurface,
                    kUnder = hooks::imc::Medium::UnderWater;
   const bool in_water = medium == kSurface || medium == kUnder;
   // What goes on may begin at any depth: the vehicle floats up since its plan has timed out.
   const double depth_m = readings_.value(Reading::Depth);
-  return (asked_ || !goes_on) && in_water && !another_vehicle_ && isUpToDate() &&
+  return (asked_ || !goesOn()) && in_water && !another_vehicle_ && isUpToDate() &&
          plan_.asksForStart(readings_.value(Reading::Clock),
-                            goes_on && hookIsFinite(depth_m) ? 0 : depth_m);
+                            goesOn() && hookIsFinite(depth_m) ? 0 : depth_m);
 }
 
 /// Control is lost with the plan, whoever ended it.

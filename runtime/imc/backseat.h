@@ -56,6 +56,8 @@ class Backseat {
   void take(const hooks::imc::Packet& packet);
   void lookAtCycle();
   void followPlan();
+  /// The program has steered before: it goes on, rather than begins.
+  [[nodiscard]] bool goesOn() const { return resumes_ || lost_session_ != 0; }
   [[nodiscard]] hooks::HookState unheld() const;
   [[nodiscard]] bool isUpToDate();
   bool startsPlan();

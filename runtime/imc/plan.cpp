@@ -96,7 +96,7 @@ bool Plan::asksForStart(double now_s, double depth_m) {
     return false;  // it has begun, and the vehicle does not say yet that it follows
   }
   const bool begins = state_ == State::Ready && depth_m <= mission_.start_depth_m;
-  const bool again = state_ == State::Lost;
+  const bool again = wasLost();
   if (over_ || !(begins || again) || now_s - asked_s_ < kStartSecs) {
     return false;
   }
@@ -110,12 +110,17 @@ bool Plan::isInDoubt(double now_s) const {
   return follows() && sent_s_ == sent_s_ && heard_s_ == heard_s_ && now_s - heard_s_ > kDoubtSecs;
 }
 
-PlanControl Plan::start() {
+PlanControl Plan::request(uint8_t operation) {
   PlanControl request;
   request.type = PlanControlType::Request;
-  request.op = PlanOperation::Start;
+  request.op = operation;
   request.request_id = ++request_;
   request.plan_id = kPlan;
+  return request;
+}
+
+PlanControl Plan::start() {
+  PlanControl request = this->request(PlanOperation::Start);
   request.arg.present = true;
   PlanSpecification& plan = request.arg.value;
   plan.plan_id = kPlan;
@@ -134,12 +139,7 @@ PlanControl Plan::start() {
 }
 
 PlanControl Plan::stop() {
-  PlanControl request;
-  request.type = PlanControlType::Request;
-  request.op = PlanOperation::Stop;
-  request.request_id = ++request_;
-  request.plan_id = kPlan;
-  return request;
+  return request(PlanOperation::Stop);
 }
 
 }  // namespace glider::runtime::imc

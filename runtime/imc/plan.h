@@ -57,6 +57,7 @@ class Plan {
   void takeState(const hooks::imc::PlanControlState& said);
   void takeFollowing(const hooks::imc::FollowRefState& said);
   void endOfPlan();
+  [[nodiscard]] hooks::imc::PlanControl request(uint8_t operation);
 
   GliderImcMission mission_;
   State state_ = State::Away;

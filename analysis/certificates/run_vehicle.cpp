@@ -42,20 +42,22 @@ RunVehicle::Depths RunVehicle::later(double from, double to) const {
   return depths;
 }
 
-/// The time in which the vehicle obeys a command: the line, a cycle, and what the seat adds.
+/// The line and a cycle.
+double RunVehicle::crossing() const {
+  return platform_.world.line_lag_s + platform_.envelope.cycle_s;
+}
+
+/// The time in which the vehicle obeys a command that waits for no other: with what the seat adds.
 double RunVehicle::lateBy() const {
-  const platforms::EnvironmentModel& world = platform_.world;
-  return world.line_lag_s + platform_.envelope.cycle_s + world.command_delay_s;
+  return crossing() + platform_.world.command_delay_s;
 }
 
-/// From now on, until a command that ends a dive is obeyed, and while the vehicle then turns.
-double RunVehicle::turnsWithin() const {
-  return platform_.envelope.vertical_rate_m_s * lateBy() +
-         platform_.envelope.inflection_overshoot_m;
-}
-
-double RunVehicle::endOfDive() const {
-  return std::min(deepest_, depth_ + turnsWithin());
+/// From now on, until a command that ends a dive is obeyed after `late_s`, and while the vehicle
+/// then turns. After a behaviour in C the dive before may have been to any depth.
+double RunVehicle::endOfDive(double late_s) const {
+  const double way =
+      platform_.envelope.vertical_rate_m_s * late_s + platform_.envelope.inflection_overshoot_m;
+  return anything_ ? depth_ + way : std::min(deepest_, depth_ + way);
 }
 
 void RunVehicle::obey(const std::vector<ir::Action>& actions, double now) {
@@ -92,11 +94,10 @@ void RunVehicle::obey(const ir::CommandRun& command, double now) {
   }
 }
 
-/// V3. After a behaviour in C the dive before may have been to any depth.
+/// V3. The command may have to wait for one that is on its way.
 void RunVehicle::descend(double target) {
   const double overshoot = platform_.envelope.inflection_overshoot_m;
-  const double before = anything_ ? depth_ + turnsWithin() : endOfDive();
-  deepest_ = std::max(target + overshoot, before);
+  deepest_ = std::max(target + overshoot, endOfDive(crossing() + lateBy()));
   climbing_ = false;
   anything_ = false;
 }
@@ -110,7 +111,7 @@ void RunVehicle::ascend(double target, double now) {
   const bool by_port = platform_.world.command_delay_s > 0;
   const bool old = !by_port || (top_ >= kSurface && now >= since_ + lateBy());
   const bool goes_on = climbing_ && top >= top_ && (top == top_ || old);
-  const double end = goes_on ? deepest_ : endOfDive();
+  const double end = goes_on ? deepest_ : endOfDive(lateBy());
   deepest_ = dives ? std::max(top, end) : end;
   since_ = goes_on ? since_ : now;
   top_ = top;

@@ -35,6 +35,9 @@ class Control {
   /// If a mission could not release control within this many ticks, the vehicle's own time-out is
   /// left to end it.
   static constexpr uint32_t kReleaseTicks = 15;
+  /// An instruction that nothing replaces is obeyed within this time, s: what the slowest vehicle's
+  /// line needs, and a control cycle (`line_lag_s` of platforms/slocum.toml).
+  static constexpr double kObeyedSecs = 12;
 
   /// Control is ours already: the previous program took it, and the vehicle obeys its session.
   void resume() {
@@ -48,9 +51,10 @@ class Control {
   /// True if the vehicle would accept a handshake now.
   [[nodiscard]] bool mayTake() const;
   /// The instruction for this tick, into `out`; false if there is none to send. `wanted` is the
-  /// command in force; a mission that has commanded no vertical yet sends nothing. If the vehicle
-  /// refuses it, control is taken with the last command that it accepted. Once `finished`, control
-  /// is released.
+  /// command in force; a mission that has commanded no vertical yet sends nothing, and one that
+  /// changes its command faster than the vehicle obeys sends the newest once it may (mustWait()).
+  /// If the vehicle refuses it, control is taken with the last command that it accepted. Once
+  /// `finished`, control is released.
   bool choose(const hooks::Instruction& wanted, bool finished, hooks::Instruction& out);
   /// Must follow a choose() that returned true: the number under which `instruction` was sent.
   void sent(const hooks::Instruction& instruction, uint16_t sequence);
@@ -64,6 +68,7 @@ class Control {
   ControlNews settlePending(const hooks::VehicleTick& tick);
   ControlNews refused(hooks::HookAnswer answer);
   ControlNews noticeLoss();
+  [[nodiscard]] bool mustWait(const hooks::Instruction& wanted) const;
   bool chooseTake(const hooks::Instruction& wanted, hooks::Instruction& out) const;
   bool chooseRelease(hooks::Instruction& out);
 
@@ -74,6 +79,8 @@ class Control {
   hooks::HookControl pending_ =
       hooks::HookControl::None;  ///< the instruction that has no answer yet
   uint16_t pending_sequence_ = 0;
+  double now_s_ = 0;            ///< the vehicle's time in the newest tick
+  double sent_s_ = 0;           ///< when the pending one was sent first
   uint8_t garbled_ticks_ = 0;   ///< in which the pending one had not arrived whole
   bool ours_ = false;           ///< a handshake of ours was accepted
   bool out_of_bounds_ = false;  ///< the handshake's command was refused: only a different command

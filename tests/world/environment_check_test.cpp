@@ -6,6 +6,8 @@
 
 #include "tests/world/environment_check.h"
 
+#include "platforms/load/longest_crossing.h"
+#include "runtime/core/control.h"
 #include "tests/world/fleet.h"
 
 #include <gtest/gtest.h>
@@ -72,6 +74,10 @@ struct CheckedFlight {
     world.floatsAlong(time, floats_mps);
   }
 };
+
+TEST(EnvironmentCheck, AnInstructionIsLeftAloneAsLongAsTheLineMayNeed) {
+  EXPECT_EQ(runtime::Control::kObeyedSecs, platforms::kLongestCrossingS);
+}
 
 TEST(EnvironmentCheck, AFlightThatKeepsAllIsFineAndEachRuleIsLookedAt) {
   const EnvironmentCheck world = CheckedFlight{}.fly();

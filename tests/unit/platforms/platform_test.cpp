@@ -84,6 +84,8 @@ TEST(Platform, ValuesOutsideTheirMeaningAreRefused) {
   EXPECT_FALSE(with("steering_error_m = 200.0", ""));
   EXPECT_FALSE(with("surface_drift_m_s = 0.8", "surface_drift_m_s = -0.8"));
   EXPECT_FALSE(with("surface_drift_m_s = 0.8", ""));
+  EXPECT_TRUE(with("surface_drift_m_s = 0.8", "surface_drift_m_s = 0.8\nline_lag_s = 8.0"));
+  EXPECT_FALSE(with("surface_drift_m_s = 0.8", "surface_drift_m_s = 0.8\nline_lag_s = 8.1"));
   EXPECT_FALSE(with("\"flight\"", "\"kitchen\""));
 }
 

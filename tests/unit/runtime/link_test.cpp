@@ -177,10 +177,10 @@ class HandMadeTicks {
   Control control;
   /// The instruction that goes with the answer to this tick, under the next number; true if one
   /// does.
-  bool answer(double depth) {
+  bool answer(double depth, hooks::HookVertical vertical = hooks::HookVertical::Descend) {
     news = control.observe(tick);
     hooks::Instruction wanted;
-    wanted.vertical = hooks::HookVertical::Descend;
+    wanted.vertical = vertical;
     wanted.depth_m = depth;
     hooks::Instruction out;
     const bool sends = control.choose(wanted, false, out);
@@ -191,6 +191,11 @@ class HandMadeTicks {
     }
     return sends;
   }
+  /// As answer, of the tick at `time_s`.
+  bool at(double time_s, double depth, hooks::HookVertical vertical) {
+    tick.vehicle_time_s = time_s;
+    return answer(depth, vertical);
+  }
   uint16_t sequence = 0;
   hooks::Instruction sent;
   ControlNews news;
@@ -200,6 +205,7 @@ TEST(Control, ARefusalThatOvertakesTheAnswerToTheHandshakeLeavesControlOurs) {
   HandMadeTicks vehicle;
   vehicle.tick.hook_state = hooks::HookState::Ready;
   ASSERT_TRUE(vehicle.answer(12));
+  vehicle.tick.vehicle_time_s = 12;
   ASSERT_TRUE(vehicle.answer(5000)) << "another command before the first was answered";
   vehicle.tick.hook_state = hooks::HookState::Active;
   vehicle.tick.obeys_us = true;
@@ -211,6 +217,62 @@ TEST(Control, ARefusalThatOvertakesTheAnswerToTheHandshakeLeavesControlOurs) {
   EXPECT_EQ(vehicle.news.kind, ControlNews::Kind::Refused);
   ASSERT_TRUE(vehicle.answer(15)) << "the next command";
   EXPECT_EQ(vehicle.sent.control, hooks::HookControl::Steer) << "of the same session";
+}
+
+using hooks::HookVertical;
+
+TEST(Control, AnInstructionIsReplacedOnceItIsAnswered) {
+  HandMadeTicks vehicle;
+  vehicle.tick.hook_state = hooks::HookState::Ready;
+  ASSERT_TRUE(vehicle.at(100, 12, HookVertical::Descend));
+  EXPECT_FALSE(vehicle.at(104, 14, HookVertical::Descend)) << "the words of both would mix";
+  EXPECT_FALSE(vehicle.at(107.9, 0, HookVertical::Hover));
+  vehicle.tick.answered_sequence = 1;
+  vehicle.tick.answer = hooks::HookAnswer::Accepted;
+  EXPECT_TRUE(vehicle.at(108, 16, HookVertical::Descend));
+  EXPECT_EQ(vehicle.sent.depth_m, 16) << "the newest; the others were replaced here";
+}
+
+TEST(Control, AnInstructionThatIsNotAnsweredIsReplacedOnceItHasHadItsTime) {
+  HandMadeTicks vehicle;
+  vehicle.tick.hook_state = hooks::HookState::Ready;
+  ASSERT_TRUE(vehicle.at(100, 12, HookVertical::Descend));
+  EXPECT_FALSE(vehicle.at(111.9, 14, HookVertical::Descend));
+  EXPECT_TRUE(vehicle.at(112, 14, HookVertical::Descend));
+  EXPECT_FALSE(vehicle.at(116, 15, HookVertical::Descend)) << "counted from the newest";
+  EXPECT_TRUE(vehicle.at(124, 15, HookVertical::Descend));
+}
+
+TEST(Control, AClimbDoesNotWaitForADiveButForAClimb) {
+  for (const HookVertical climb : {HookVertical::Ascend, HookVertical::Surface}) {
+    for (const HookVertical other :
+         {HookVertical::Descend, HookVertical::Hover, HookVertical::Actuators}) {
+      HandMadeTicks vehicle;
+      vehicle.tick.hook_state = hooks::HookState::Ready;
+      ASSERT_TRUE(vehicle.at(100, 12, other));
+      ASSERT_TRUE(vehicle.at(104, 3, climb));
+      EXPECT_FALSE(vehicle.at(108, 20, other)) << "the climb is to be obeyed first";
+      EXPECT_FALSE(vehicle.at(112, 2, HookVertical::Ascend));
+      EXPECT_FALSE(vehicle.at(112, 2, HookVertical::Surface));
+      EXPECT_TRUE(vehicle.at(116, 20, other));
+    }
+  }
+}
+
+TEST(Control, NothingWaitsForAnInstructionOfBeforeARestartOfTheVehiclesMission) {
+  HandMadeTicks vehicle;
+  vehicle.tick.hook_state = hooks::HookState::Ready;
+  ASSERT_TRUE(vehicle.at(4000, 12, HookVertical::Descend));
+  EXPECT_TRUE(vehicle.at(4, 14, HookVertical::Descend)) << "its clock began anew";
+}
+
+TEST(Control, AReleaseDoesNotWait) {
+  HandMadeTicks vehicle;
+  vehicle.tick.hook_state = hooks::HookState::Ready;
+  ASSERT_TRUE(vehicle.at(100, 12, HookVertical::Descend));
+  hooks::Instruction release;
+  EXPECT_TRUE(vehicle.control.choose({}, true, release));
+  EXPECT_EQ(release.control, hooks::HookControl::Release);
 }
 
 /// Answer and state may come in different frames: how many ticks the state may lag.

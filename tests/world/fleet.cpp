@@ -19,51 +19,6 @@ namespace {
 
 const std::filesystem::path kSource = GLIDER_SOURCE_DIR;
 
-/// Ends each dive by commands to climb of which each replaces the one of the tick before, so that a
-/// vehicle that obeyed only what is left alone for three ticks would go on diving.
-constexpr const char* kRestless = R"(mission restless
-
-flightprofile up(top: length)
-begin
-  entry do ascend(top, 26 deg) end
-end
-
-flightprofile down(bottom: length)
-begin
-  entry do descend(bottom, 26 deg) end
-end
-
-always
-  case missiontime >= 2 h exit
-
-state diving
-begin
-  flightprofile down(55 m)
-  sensors missiontime, depth, statetime
-  events
-    case depth > 20 m goto one
-    case statetime > 20 min goto one
-end
-
-state one
-begin
-  flightprofile up(4 m)
-  sensors missiontime, depth, statetime
-  events
-    case depth < 5 m goto diving
-    case statetime > 0 s goto other
-end
-
-state other
-begin
-  flightprofile up(3 m)
-  sensors missiontime, depth, statetime
-  events
-    case depth < 5 m goto diving
-    case statetime > 0 s goto one
-end
-)";
-
 }  // namespace
 
 uint64_t wanted(const char* name, uint64_t standard) {
@@ -91,7 +46,6 @@ std::vector<FlyingMission> missions(uint64_t random, uint64_t seed) {
   for (const auto& file : files) {
     all.push_back(*loadMission(file.string(), *support::readFile(file)));
   }
-  all.push_back(*loadMission("restless", kRestless));
   for (uint64_t i = 0; i < random; ++i) {
     all.push_back(*loadMission(fmt::format("random {}", seed + i), randomMissionText(seed + i)));
   }

@@ -34,7 +34,8 @@ Flight::Flight(const ir::prove::ProofContext& context, uint64_t seed, const Flig
       seed_(seed),
       style_(style),
       dice_(seed),
-      vehicle_(context.platform, dice_, style.late),
+      vehicle_(context.platform, dice_,
+               style.late ? ir::prove::Manner::Late : ir::prove::Manner::Any),
       interpreter_(m_, static_cast<uint32_t>(2 * m_.states.size()), externalsFor(style)),
       showing_(m_.sensors.size()) {}
 

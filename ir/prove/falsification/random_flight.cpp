@@ -46,7 +46,7 @@ class RandomFlight {
         m_(proof_context.mission),
         recorder_(proof_context, stack_depth, requirements),
         dice_(seed),
-        vehicle_(proof_context.platform, dice_),
+        vehicle_(proof_context.platform, dice_, mannerOf(requirements, seed)),
         showing_(m_.sensors.size()) {
     for (const Sensor& sensor : m_.sensors) {
       landmarks_.push_back(landmarksOf(sensor));
@@ -79,6 +79,17 @@ class RandomFlight {
   }
 
  private:
+  /// A vehicle that happens to surface on its own refutes no promise of when it surfaces. Other
+  /// dice than those of the readings.
+  static Manner mannerOf(std::span<const Requirement> requirements, uint64_t seed) {
+    constexpr uint64_t kOthers = 0x9e3779b97f4a7c15;
+    Rng dice(seed ^ kOthers);
+    const bool surfaces = std::ranges::any_of(requirements, [](const Requirement& requirement) {
+      return requirement.kind == RequirementKind::SurfacesEvery;
+    });
+    return surfaces && dice.chance(0.5) ? Manner::Shy : Manner::Any;
+  }
+
   /// s; a power cut may have any length after which the mission continues.
   double untilNextTick() {
     const platforms::Platform& platform = proof_context_.platform;

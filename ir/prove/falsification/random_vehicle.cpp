@@ -3,15 +3,17 @@
 
 #include "ir/prove/falsification/random_vehicle.h"
 
+#include "ir/prove/context/vehicle_rules.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace glider::ir::prove {
 
-RandomVehicle::RandomVehicle(const platforms::Platform& platform, Rng& dice, bool late)
+RandomVehicle::RandomVehicle(const platforms::Platform& platform, Rng& dice, Manner manner)
     : platform_(platform),
       dice_(dice),
-      late_(late),
+      manner_(manner),
       limits_(platform, dice.within(0, platform.world.start_depth_m)) {}
 
 /// V7.
@@ -34,6 +36,17 @@ void RandomVehicle::obey(const std::vector<Action>& actions, double now) {
   }
 }
 
+bool RandomVehicle::isAsLateAsItMay() const {
+  const bool surfaces = limits_.climbs() && limits_.top() < kFloats;
+  return manner_ == Manner::Late || (manner_ == Manner::Shy && surfaces);
+}
+
+/// The least depth that it makes for, m.
+double RandomVehicle::highestAim() const {
+  const double beyond = platform_.envelope.inflection_overshoot_m + platform_.world.climb_hold_m;
+  return manner_ == Manner::Shy && limits_.climbs() ? limits_.top() - beyond : 0;
+}
+
 void RandomVehicle::move(double from, double to) {
   if (from >= speed_until_) {
     // As often an extreme value as one in between.
@@ -44,13 +57,13 @@ void RandomVehicle::move(double from, double to) {
   const double highest = limits_.highest(from, to);
   const bool down =
       !limits_.climbs() || (sinks_on_ && !rose_) || (depth() < limits_.top() && dice_.chance(0.5));
-  if (late_) {  // it sinks on as long as it may, and climbs as slowly as it may
+  if (isAsLateAsItMay()) {
     limits_.moveTo(highest);
     return;
   }
   const double before = depth();
-  limits_.moveTo(
-      std::lerp(std::min(depth(), highest), down ? highest : limits_.lowest(from, to), speed_));
+  const double aim = std::min(highest, std::max(limits_.lowest(from, to), highestAim()));
+  limits_.moveTo(std::lerp(std::min(depth(), highest), down ? highest : aim, speed_));
   rose_ = limits_.climbs() && (rose_ || depth() < before);
 }
 

@@ -34,11 +34,11 @@ struct Range {
 using VehicleFlight = std::function<void(RandomVehicle&)>;
 
 /// Where it is after a flight, of many vehicles.
-Range depthsAfter(const VehicleFlight& flight) {
+Range depthsAfter(const VehicleFlight& flight, Manner manner = Manner::Any) {
   Range all;
   for (uint64_t seed = 1; seed <= 300; ++seed) {
     Rng dice(seed);
-    RandomVehicle vehicle(slocum(), dice);
+    RandomVehicle vehicle(slocum(), dice, manner);
     flight(vehicle);
     all.least = std::min(all.least, vehicle.depth());
     all.most = std::max(all.most, vehicle.depth());
@@ -96,8 +96,8 @@ TEST(RandomVehicle, GoesOnFromWhereItIs) {
 }
 
 TEST(RandomVehicle, OvershootsWhereItIsTurned) {
-  // 80 s of sinking by 0.4 m/s, 12 s more until the command takes effect, and the overshoot.
-  expectUpTo(3 + 32 + 4.8 + 5, depthsAfter([](RandomVehicle& vehicle) {
+  // 80 s of sinking by 0.4 m/s, 24 s more until the command takes effect, and the overshoot.
+  expectUpTo(3 + 32 + 9.6 + 5, depthsAfter([](RandomVehicle& vehicle) {
                vehicle.obey({commanded(Command::Descend, {50, 0.4})}, 0);
                fly(vehicle, 0, 80);
                vehicle.obey({commanded(Command::Descend, {20, 0.4})}, 80);
@@ -106,13 +106,14 @@ TEST(RandomVehicle, OvershootsWhereItIsTurned) {
 }
 
 /// From 50 m and what is overshot, `seconds` after a command to climb.
-Range depthsAfterClimb(const Action& climb, double seconds) {
-  return depthsAfter([&](RandomVehicle& vehicle) {
+Range depthsAfterClimb(const Action& climb, double seconds, Manner manner = Manner::Any) {
+  const auto flight = [&](RandomVehicle& vehicle) {
     vehicle.obey({commanded(Command::Descend, {50, 0.4})}, 0);
     fly(vehicle, 0, kLongFlight);
     vehicle.obey({climb}, kLongFlight);
     fly(vehicle, kLongFlight, kLongFlight + seconds);
-  });
+  };
+  return depthsAfter(flight, manner);
 }
 
 TEST(RandomVehicle, ClimbsAtLeastAsFastAsItMust) {
@@ -129,6 +130,25 @@ TEST(RandomVehicle, ClimbsToWhatIsCommanded) {
   const Range there = depthsAfterClimb(commanded(Command::Ascend, {20, 0.4}), kLongFlight);
   expectUpTo(25, there);
   EXPECT_EQ(depthsAfterClimb(commanded(Command::Ascend, {0, 0.4}), kLongFlight).most, 0);
+}
+
+TEST(RandomVehicle, AShyOneComesNoNearerToTheSurfaceThanCommanded) {
+  const Action climb = commanded(Command::Ascend, {5, 0.4});
+  EXPECT_GE(depthsAfterClimb(climb, 400, Manner::Shy).least, 5);
+  EXPECT_LT(depthsAfterClimb(climb, 400, Manner::Shy).least, 5.5) << "it does come there";
+  EXPECT_LT(depthsAfterClimb(climb, 400).least, 4) << "another may go on";
+}
+
+TEST(RandomVehicle, AShyOneClimbsToTheSurfaceAsLateAsItMay) {
+  const Action surface = commanded(Command::Surface);
+  for (const double seconds : {220.0, 500.0, 1120.0}) {
+    const double latest = 55 - 0.05 * (seconds - 120);
+    EXPECT_GT(depthsAfterClimb(surface, seconds, Manner::Shy).most, latest - 0.5);
+    EXPECT_LE(depthsAfterClimb(surface, seconds, Manner::Shy).most, latest);
+  }
+  EXPECT_EQ(depthsAfterClimb(surface, 120, Manner::Shy).least,
+            depthsAfterClimb(surface, 100, Manner::Shy).least)
+      << "before it must, none climbs";
 }
 
 TEST(RandomVehicle, DoesNotTurnBackOnItsWayUp) {

@@ -42,22 +42,22 @@ RunVehicle::Depths RunVehicle::later(double from, double to) const {
   return depths;
 }
 
-/// The line and a cycle.
-double RunVehicle::crossing() const {
-  return platform_.world.line_lag_s + platform_.envelope.cycle_s;
-}
-
-/// The time in which the vehicle obeys a command that waits for no other: with what the seat adds.
+/// The time in which the vehicle obeys a command: the line and a cycle, for which it may have
+/// waited before, and what the seat adds.
 double RunVehicle::lateBy() const {
-  return crossing() + platform_.world.command_delay_s;
+  const platforms::EnvironmentModel& world = platform_.world;
+  const double line_s = world.line_lag_s + platform_.envelope.cycle_s;
+  return 2 * line_s + world.command_delay_s;
 }
 
-/// From now on, until a command that ends a dive is obeyed after `late_s`, and while the vehicle
-/// then turns. After a behaviour in C the dive before may have been to any depth.
-double RunVehicle::endOfDive(double late_s) const {
-  const double way =
-      platform_.envelope.vertical_rate_m_s * late_s + platform_.envelope.inflection_overshoot_m;
-  return anything_ ? depth_ + way : std::min(deepest_, depth_ + way);
+/// From now on, until a command that ends a dive is obeyed, and while the vehicle then turns.
+double RunVehicle::turnsWithin() const {
+  return platform_.envelope.vertical_rate_m_s * lateBy() +
+         platform_.envelope.inflection_overshoot_m;
+}
+
+double RunVehicle::endOfDive() const {
+  return std::min(deepest_, depth_ + turnsWithin());
 }
 
 void RunVehicle::obey(const std::vector<ir::Action>& actions, double now) {
@@ -94,10 +94,11 @@ void RunVehicle::obey(const ir::CommandRun& command, double now) {
   }
 }
 
-/// V3. The command may have to wait for one that is on its way.
+/// V3. After a behaviour in C the dive before may have been to any depth.
 void RunVehicle::descend(double target) {
   const double overshoot = platform_.envelope.inflection_overshoot_m;
-  deepest_ = std::max(target + overshoot, endOfDive(crossing() + lateBy()));
+  const double before = anything_ ? depth_ + turnsWithin() : endOfDive();
+  deepest_ = std::max(target + overshoot, before);
   climbing_ = false;
   anything_ = false;
 }
@@ -111,7 +112,7 @@ void RunVehicle::ascend(double target, double now) {
   const bool by_port = platform_.world.command_delay_s > 0;
   const bool old = !by_port || (top_ >= kSurface && now >= since_ + lateBy());
   const bool goes_on = climbing_ && top >= top_ && (top == top_ || old);
-  const double end = goes_on ? deepest_ : endOfDive(lateBy());
+  const double end = goes_on ? deepest_ : endOfDive();
   deepest_ = dives ? std::max(top, end) : end;
   since_ = goes_on ? since_ : now;
   top_ = top;

@@ -40,9 +40,9 @@ class RunVehicle {
   void descend(double target);
   void ascend(double target, double now);
   /// Where a dive that ends now may still get.
-  [[nodiscard]] double crossing() const;
   [[nodiscard]] double lateBy() const;
-  [[nodiscard]] double endOfDive(double late_s) const;
+  [[nodiscard]] double turnsWithin() const;
+  [[nodiscard]] double endOfDive() const;
 
   const platforms::Platform& platform_;
   double depth_ = 0;

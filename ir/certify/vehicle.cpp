@@ -21,30 +21,29 @@ Term smaller(SmtText& out, const Term& a, const Term& b) {
   return out.real(choice(operation("<=", {a, b}), a, b));
 }
 
-/// The time in which a command is on its way to the vehicle's control.
-double crossing(const Setting& setting) {
-  return setting.platform.world.line_lag_s + setting.platform.envelope.cycle_s;
-}
-
-/// The time in which the vehicle obeys a command that has not waited for another.
+/// The time in which the vehicle obeys a command: it crosses the line, after it may have waited as
+/// long for one before.
 double lateBy(const Setting& setting) {
-  return crossing(setting) + setting.platform.world.command_delay_s;
+  const platforms::EnvironmentModel& world = setting.platform.world;
+  const double crossing = world.line_lag_s + setting.platform.envelope.cycle_s;
+  return crossing + crossing + world.command_delay_s;
 }
 
-/// Where a dive that is ended now may still get: the command needs `late_s`, and the vehicle sinks
+/// Where a dive that is ended now may still get: the command needs its time, and the vehicle sinks
 /// on.
-Term endOfDive(const Setting& setting, SmtText& out, const Vehicle& v, double late_s) {
+Term endOfDive(const Setting& setting, SmtText& out, const Vehicle& v) {
   const platforms::Envelope& envelope = setting.platform.envelope;
-  const double beyond = envelope.vertical_rate_m_s * late_s + envelope.inflection_overshoot_m;
+  const double beyond =
+      envelope.vertical_rate_m_s * lateBy(setting) + envelope.inflection_overshoot_m;
   return smaller(out, v.deepest, operation("+", {v.depth, literal(beyond)}));
 }
 
-/// V3. The command may have to wait for one that is on its way.
+/// V3.
 Vehicle descended(const Setting& setting, SmtText& out, const Vehicle& before, const Term& x) {
   const Term overshoot = literal(setting.platform.envelope.inflection_overshoot_m);
   Vehicle after = before;
-  const Term end = endOfDive(setting, out, before, crossing(setting) + lateBy(setting));
-  after.deepest = greater(out, out.real(operation("+", {x, overshoot})), end);
+  after.deepest =
+      greater(out, out.real(operation("+", {x, overshoot})), endOfDive(setting, out, before));
   after.climbing = "false";
   return after;
 }
@@ -67,8 +66,7 @@ Vehicle ascended(const Setting& setting, SmtText& out, const Vehicle& before, co
           : Term("true");
   const Term on =
       out.boolean(conjunction({before.climbing, operation(">=", {after.top, before.top}), obeyed}));
-  const Term turned = endOfDive(setting, out, before, lateBy(setting));
-  const Term end = out.real(choice(on, before.deepest, turned));
+  const Term end = out.real(choice(on, before.deepest, endOfDive(setting, out, before)));
   after.deepest = out.real(choice(dives, greater(out, after.top, end), end));
   after.since = out.real(choice(on, before.since, now));
   after.climbing = "true";

@@ -4,7 +4,7 @@
 #include "hooks/protocol/dictionary.h"
 #include "platforms/load/dictionary.h"
 #include "platforms/load/load_platform.h"
-#include "platforms/load/longest_crossing.h"
+#include "platforms/load/longest_lag.h"
 #include "platforms/load/read_envelope.h"
 #include "platforms/load/read_motion.h"
 #include "platforms/load/read_numbers.h"
@@ -195,10 +195,11 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
   platform.envelope = readEnvelope(envelope);
   TomlReader world = tableOf(path.string(), std::as_const(*root)["world"], "[world]");
   platform.world = readWorld(world);
-  if (!(platform.world.line_lag_s + platform.envelope.cycle_s <= kLongestCrossingS)) {
-    world.refuse("line_lag_s", fmt::format("and `cycle_s` must be at most {:g} s together: so long "
-                                           "a program leaves an instruction alone",
-                                           kLongestCrossingS));
+  if (!(platform.world.line_lag_s <= kLongestLagCycles * platform.envelope.cycle_s)) {
+    world.refuse("line_lag_s",
+                 fmt::format("must be at most {:g} times `cycle_s`: so long a program "
+                             "leaves an instruction alone",
+                             kLongestLagCycles));
   }
   for (const TomlReader* read : {&reader, &envelope, &world}) {
     if (read->failure()) {

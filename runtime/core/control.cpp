@@ -16,18 +16,9 @@ using hooks::HookControl;
 using hooks::HookState;
 using Kind = ControlNews::Kind;
 
-namespace {
-
-bool leadsUp(const hooks::Instruction& instruction) {
-  return instruction.vertical == hooks::HookVertical::Ascend ||
-         instruction.vertical == hooks::HookVertical::Surface;
-}
-
-}  // namespace
-
 ControlNews Control::observe(const hooks::VehicleTick& tick) {
   state_ = tick.hook_state;
-  now_s_ = tick.vehicle_time_s;
+  cycle_ = tick.cycle;
   if (tick.instruction_sequence != 0) {
     pending_sequence_ = tick.instruction_sequence;
   }
@@ -138,17 +129,19 @@ bool Control::choose(const hooks::Instruction& wanted, bool finished, hooks::Ins
   out = wanted;
   // While the session is still being taken, the client turns this into a handshake.
   out.control = HookControl::Steer;
-  return !sameCommand(wanted, instructed_) && !mustWait(wanted);
+  const bool waits = mustWait();
+  const bool differs = !sameCommand(wanted, instructed_);
+  waited_ = waited_ || (differs && waits);
+  return differs && !waits;
 }
 
 /// The words of two instructions that cross the vehicle's line at the same time mix, and hookbeh
-/// obeys neither until those of the newer have arrived: a mission that commands something else on
-/// each tick would never be obeyed. So an instruction is replaced only once it has been answered or
-/// has had its time; but one that leads up does not wait for one that leads down.
-bool Control::mustWait(const hooks::Instruction& wanted) const {
-  const double passed = now_s_ - sent_s_;
-  const bool crosses = pending_ != HookControl::None && passed >= 0 && passed < kObeyedSecs;
-  return crosses && (leadsUp(instructed_) || !leadsUp(wanted));
+/// obeys neither until those of the newer have arrived: of a mission that commands something else
+/// on each tick none would be. So an instruction that has replaced one on its way, or has waited
+/// for one, stands until it is answered or has had its time.
+bool Control::mustWait() const {
+  const uint32_t passed = (cycle_ - sent_cycle_) & hooks::kMostSession;
+  return stands_ && pending_ != HookControl::None && passed < kObeyedCycles;
 }
 
 bool Control::chooseTake(const hooks::Instruction& wanted, hooks::Instruction& out) const {
@@ -198,9 +191,11 @@ Check Control::brokenPart() const {
 void Control::sent(const hooks::Instruction& instruction, uint16_t sequence) {
   const bool takes = instruction.control == HookControl::Take ||
                      (instruction.control == HookControl::Steer && !ours_);
+  stands_ = waited_ || pending_ != HookControl::None;
+  waited_ = false;
   pending_ = takes ? HookControl::Take : instruction.control;
   pending_sequence_ = sequence;
-  sent_s_ = now_s_;
+  sent_cycle_ = cycle_;
   garbled_ticks_ = 0;
   if (instruction.control != HookControl::Release) {
     out_of_bounds_ = false;

@@ -35,14 +35,15 @@ class Control {
   /// If a mission could not release control within this many ticks, the vehicle's own time-out is
   /// left to end it.
   static constexpr uint32_t kReleaseTicks = 15;
-  /// An instruction that nothing replaces is obeyed within this time, s: what the slowest vehicle's
-  /// line needs, and a control cycle (`line_lag_s` of platforms/slocum.toml).
-  static constexpr double kObeyedSecs = 12;
+  /// An instruction that nothing replaces is obeyed within so many control cycles of the vehicle:
+  /// its words cross the vehicle's line in two (platforms/load/longest_lag.h), and the next obeys.
+  static constexpr uint32_t kObeyedCycles = 3;
 
   /// Control is ours already: the previous program took it, and the vehicle obeys its session.
   void resume() {
     ours_ = true;
     unconfirmed_ = kConfirmTicks;
+    waited_ = true;  // that program's newest instruction may be on its way
   }
   /// Control is left to the vehicle for good.
   void release() { released_ = true; }
@@ -68,7 +69,7 @@ class Control {
   ControlNews settlePending(const hooks::VehicleTick& tick);
   ControlNews refused(hooks::HookAnswer answer);
   ControlNews noticeLoss();
-  [[nodiscard]] bool mustWait(const hooks::Instruction& wanted) const;
+  [[nodiscard]] bool mustWait() const;
   bool chooseTake(const hooks::Instruction& wanted, hooks::Instruction& out) const;
   bool chooseRelease(hooks::Instruction& out);
 
@@ -79,8 +80,10 @@ class Control {
   hooks::HookControl pending_ =
       hooks::HookControl::None;  ///< the instruction that has no answer yet
   uint16_t pending_sequence_ = 0;
-  double now_s_ = 0;            ///< the vehicle's time in the newest tick
-  double sent_s_ = 0;           ///< when the pending one was sent first
+  uint32_t cycle_ = 0;          ///< of the newest tick
+  uint32_t sent_cycle_ = 0;     ///< in which the pending one was sent first
+  bool waited_ = false;         ///< the next one has waited for the pending one
+  bool stands_ = false;         ///< the pending one may not be replaced before it has had its time
   uint8_t garbled_ticks_ = 0;   ///< in which the pending one had not arrived whole
   bool ours_ = false;           ///< a handshake of ours was accepted
   bool out_of_bounds_ = false;  ///< the handshake's command was refused: only a different command

@@ -70,18 +70,16 @@ void EnvironmentCheck::begin(double time_s, double depth_m, bool from_surface) {
   climb_.reset();
 }
 
-/// How far a dive goes on until the command that ends it is obeyed, m; `waits`: the command may
-/// have waited for another that was on its way.
-double EnvironmentCheck::goesOn(bool waits) const {
-  const double crossing_s = world_.line_lag_s + envelope_.cycle_s;
-  const double late_s = crossing_s + world_.command_delay_s + (waits ? crossing_s : 0);
+/// How far a dive goes on until the command that ends it is obeyed, m.
+double EnvironmentCheck::goesOn() const {
+  const double late_s = 2 * (world_.line_lag_s + envelope_.cycle_s) + world_.command_delay_s;
   return late_s * envelope_.vertical_rate_m_s;
 }
 
 void EnvironmentCheck::commandDown(double target_m, double depth_m) {
   // It may still reach what the previous command allowed, but not further beyond where it is.
   const double beyond = envelope_.inflection_overshoot_m;
-  deepest_m_ = std::max(target_m + beyond, std::min(deepest_m_, depth_m + goesOn(true) + beyond));
+  deepest_m_ = std::max(target_m + beyond, std::min(deepest_m_, depth_m + goesOn() + beyond));
   climb_.reset();
 }
 
@@ -95,7 +93,7 @@ void EnvironmentCheck::commandUp(double target_m, double depth_m, double time_s)
   // It may have hovered, or not have obeyed the climb before: a new climb.
   const bool early = climb_ && time_s - climb_->since_s < world_.command_delay_s;
   if (!climb_ || lowest_m < climb_->lowest_m || (early && lowest_m > climb_->lowest_m)) {
-    deepest_m_ = std::min(deepest_m_, depth_m + goesOn(false) + beyond);
+    deepest_m_ = std::min(deepest_m_, depth_m + goesOn() + beyond);
     climb_ = Climb{time_s, lowest_m};
   }
   climb_->lowest_m = lowest_m;

@@ -84,7 +84,7 @@ class EnvironmentCheck {
 
  private:
   void hold(Rule rule, double time_s, double value, double limit, const char* what);
-  [[nodiscard]] double goesOn(bool waits) const;
+  [[nodiscard]] double goesOn() const;
   void holdClimb(double time_s, double depth_m);
 
   const platforms::Envelope& envelope_;

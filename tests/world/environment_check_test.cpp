@@ -6,7 +6,7 @@
 
 #include "tests/world/environment_check.h"
 
-#include "platforms/load/longest_crossing.h"
+#include "platforms/load/longest_lag.h"
 #include "runtime/core/control.h"
 #include "tests/world/fleet.h"
 
@@ -76,7 +76,7 @@ struct CheckedFlight {
 };
 
 TEST(EnvironmentCheck, AnInstructionIsLeftAloneAsLongAsTheLineMayNeed) {
-  EXPECT_EQ(runtime::Control::kObeyedSecs, platforms::kLongestCrossingS);
+  EXPECT_EQ(runtime::Control::kObeyedCycles, platforms::kLongestLagCycles + 1);
 }
 
 TEST(EnvironmentCheck, AFlightThatKeepsAllIsFineAndEachRuleIsLookedAt) {
@@ -140,9 +140,9 @@ TEST(EnvironmentCheck, ACommandToClimbStopsADive) {
     }
     return world;
   };
-  EXPECT_FALSE(sinksOn(9.6).broken().has_value());
-  ASSERT_TRUE(sinksOn(10.5).broken().has_value());
-  EXPECT_EQ(sinksOn(10.5).broken()->rule, Rule::Deepest);
+  EXPECT_FALSE(sinksOn(14.4).broken().has_value());
+  ASSERT_TRUE(sinksOn(15.3).broken().has_value());
+  EXPECT_EQ(sinksOn(15.3).broken()->rule, Rule::Deepest);
 }
 
 }  // namespace

@@ -34,10 +34,10 @@ class VehicleRules {
       : algebra_(algebra),
         platform_(platform),
         overshoot_(algebra.number(platform.envelope.inflection_overshoot_m)),
-        line_s_(platform.world.line_lag_s + platform.envelope.cycle_s),
-        late_s_(line_s_ + platform.world.command_delay_s),
-        ends_by_climb_(algebra.number(wayOfTurn(late_s_))),
-        ends_by_dive_(algebra.number(wayOfTurn(line_s_ + late_s_))) {}
+        late_s_(2 * (platform.world.line_lag_s + platform.envelope.cycle_s) +
+                platform.world.command_delay_s),
+        late_overshoot_(algebra.number(platform.envelope.vertical_rate_m_s * late_s_ +
+                                       platform.envelope.inflection_overshoot_m)) {}
 
   /// V1: the deepest of a vehicle that begins at `depth`.
   template <typename Number>
@@ -92,7 +92,7 @@ class VehicleRules {
   template <typename Vehicle, typename Number>
   [[nodiscard]] Vehicle downTo(const Vehicle& before, const Number& target) const {
     Vehicle after = before;
-    after.deepest = larger(target + overshoot_, endOfDive(before, ends_by_dive_));
+    after.deepest = larger(target + overshoot_, endOfDive(before));
     after.climbing = algebra_.truth(false);
     return after;
   }
@@ -105,8 +105,7 @@ class VehicleRules {
     const double hold = platform_.world.climb_hold_m + platform_.envelope.inflection_overshoot_m;
     after.top = algebra_.choose(hovers, target + number(hold), target);
     const auto goes_on = before.climbing && after.top >= before.top && isObeyed(before, after, now);
-    const Number turned =
-        algebra_.choose(goes_on, before.deepest, endOfDive(before, ends_by_climb_));
+    const Number turned = algebra_.choose(goes_on, before.deepest, endOfDive(before));
     after.deepest = algebra_.choose(hovers, larger(after.top, turned), turned);
     after.since = algebra_.choose(goes_on, before.since, now);
     after.climbing = algebra_.truth(true);
@@ -116,17 +115,11 @@ class VehicleRules {
  private:
   [[nodiscard]] auto number(double value) const { return algebra_.number(value); }
 
-  /// How far a dive goes on (m) that a command ends which is obeyed `late_s` later.
-  [[nodiscard]] double wayOfTurn(double late_s) const {
-    return platform_.envelope.vertical_rate_m_s * late_s +
-           platform_.envelope.inflection_overshoot_m;
-  }
-
   /// Where the dive before may still get: it goes on until the next command is obeyed, and then
   /// while the vehicle turns.
-  template <typename Vehicle, typename Number>
-  [[nodiscard]] auto endOfDive(const Vehicle& before, const Number& way) const {
-    return smaller(before.deepest, before.depth + way);
+  template <typename Vehicle>
+  [[nodiscard]] auto endOfDive(const Vehicle& before) const {
+    return smaller(before.deepest, before.depth + late_overshoot_);
   }
 
   /// Whether the climb of `before` is obeyed at `now`: if not, the command that leads to `after`
@@ -154,12 +147,12 @@ class VehicleRules {
   const Algebra& algebra_;
   const platforms::Platform& platform_;
   decltype(std::declval<const Algebra&>().number(0)) overshoot_;
-  double line_s_;  ///< in which a command crosses the vehicle's line, and the next cycle comes
-  double late_s_;  ///< the time in which a command is obeyed that does not wait for another
-  /// Of a dive that a climb ends, which waits for no other command.
-  decltype(std::declval<const Algebra&>().number(0)) ends_by_climb_;
-  /// Of a dive that another ends: its command waits until the one before has crossed the line.
-  decltype(std::declval<const Algebra&>().number(0)) ends_by_dive_;
+  /// The time in which a command is obeyed: until it has crossed the vehicle's line and the next
+  /// control cycle has come; and so long it may wait before, or another may replace it that is
+  /// obeyed in its place (runtime/core/control.h).
+  double late_s_;
+  /// Of a dive that a command ends: so long it sinks on.
+  decltype(std::declval<const Algebra&>().number(0)) late_overshoot_;
 };
 
 }  // namespace glider::ir::prove

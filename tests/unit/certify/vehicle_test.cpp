@@ -95,7 +95,7 @@ TEST_F(VehicleRules, V3ToDescendOrHover) {
 
 TEST_F(VehicleRules, V4ToAscend) {
   const Vehicle v = after(at(10, 30), Command::Ascend, 4);
-  EXPECT_TRUE(is(v.top, 9) && is(v.deepest, 19.8) && is(v.since, 100) && isTrue(v.climbing));
+  EXPECT_TRUE(is(v.top, 9) && is(v.deepest, 24.6) && is(v.since, 100) && isTrue(v.climbing));
   EXPECT_TRUE(is(after(at(1, 6), Command::Ascend, 4).deepest, 9)) << "it may sink to the top";
   const Vehicle surface = after(at(10, 12), Command::Surface, 0);
   EXPECT_TRUE(is(surface.top, 0) && is(surface.deepest, 12) && isTrue(surface.climbing));
@@ -107,7 +107,7 @@ TEST_F(VehicleRules, V4AClimbGoesOn) {
   const Vehicle same = after(climbing(10, 30, 50, 9), Command::Ascend, 4);
   EXPECT_TRUE(is(same.since, 50) && is(same.deepest, 30) && is(same.top, 9));
   const Vehicle higher = after(climbing(10, 30, 50, 9), Command::Ascend, 3);
-  EXPECT_TRUE(is(higher.since, 100) && is(higher.deepest, 19.8) && is(higher.top, 8));
+  EXPECT_TRUE(is(higher.since, 100) && is(higher.deepest, 24.6) && is(higher.top, 8));
   const Vehicle lower = after(climbing(10, 30, 50, 9), Command::Ascend, 6);
   EXPECT_TRUE(is(lower.since, 50) && is(lower.top, 11));
 }

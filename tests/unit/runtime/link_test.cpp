@@ -177,10 +177,10 @@ class HandMadeTicks {
   Control control;
   /// The instruction that goes with the answer to this tick, under the next number; true if one
   /// does.
-  bool answer(double depth, hooks::HookVertical vertical = hooks::HookVertical::Descend) {
+  bool answer(double depth) {
     news = control.observe(tick);
     hooks::Instruction wanted;
-    wanted.vertical = vertical;
+    wanted.vertical = hooks::HookVertical::Descend;
     wanted.depth_m = depth;
     hooks::Instruction out;
     const bool sends = control.choose(wanted, false, out);
@@ -191,10 +191,10 @@ class HandMadeTicks {
     }
     return sends;
   }
-  /// As answer, of the tick at `time_s`.
-  bool at(double time_s, double depth, hooks::HookVertical vertical) {
-    tick.vehicle_time_s = time_s;
-    return answer(depth, vertical);
+  /// As answer, of the tick in that cycle of the vehicle.
+  bool at(uint32_t cycle, double depth) {
+    tick.cycle = cycle;
+    return answer(depth);
   }
   uint16_t sequence = 0;
   hooks::Instruction sent;
@@ -205,7 +205,6 @@ TEST(Control, ARefusalThatOvertakesTheAnswerToTheHandshakeLeavesControlOurs) {
   HandMadeTicks vehicle;
   vehicle.tick.hook_state = hooks::HookState::Ready;
   ASSERT_TRUE(vehicle.answer(12));
-  vehicle.tick.vehicle_time_s = 12;
   ASSERT_TRUE(vehicle.answer(5000)) << "another command before the first was answered";
   vehicle.tick.hook_state = hooks::HookState::Active;
   vehicle.tick.obeys_us = true;
@@ -219,57 +218,65 @@ TEST(Control, ARefusalThatOvertakesTheAnswerToTheHandshakeLeavesControlOurs) {
   EXPECT_EQ(vehicle.sent.control, hooks::HookControl::Steer) << "of the same session";
 }
 
-using hooks::HookVertical;
-
-TEST(Control, AnInstructionIsReplacedOnceItIsAnswered) {
+TEST(Control, OneInstructionInARowIsReplacedBeforeItIsAnswered) {
   HandMadeTicks vehicle;
   vehicle.tick.hook_state = hooks::HookState::Ready;
-  ASSERT_TRUE(vehicle.at(100, 12, HookVertical::Descend));
-  EXPECT_FALSE(vehicle.at(104, 14, HookVertical::Descend)) << "the words of both would mix";
-  EXPECT_FALSE(vehicle.at(107.9, 0, HookVertical::Hover));
-  vehicle.tick.answered_sequence = 1;
+  ASSERT_TRUE(vehicle.at(100, 12));
+  EXPECT_TRUE(vehicle.at(101, 14));
+  EXPECT_FALSE(vehicle.at(102, 16)) << "it would never be obeyed, nor would any other";
+  EXPECT_FALSE(vehicle.at(103, 18));
+  EXPECT_TRUE(vehicle.at(104, 20)) << "that which stood has had its time";
+  EXPECT_EQ(vehicle.sent.depth_m, 20) << "the newest; the others were replaced here";
+}
+
+TEST(Control, WhatHasWaitedIsNotReplacedEither) {
+  HandMadeTicks vehicle;
+  vehicle.tick.hook_state = hooks::HookState::Ready;
+  ASSERT_TRUE(vehicle.at(100, 12));
+  ASSERT_TRUE(vehicle.at(101, 14));
+  ASSERT_FALSE(vehicle.at(102, 16));
+  vehicle.tick.answered_sequence = 2;
   vehicle.tick.answer = hooks::HookAnswer::Accepted;
-  EXPECT_TRUE(vehicle.at(108, 16, HookVertical::Descend));
-  EXPECT_EQ(vehicle.sent.depth_m, 16) << "the newest; the others were replaced here";
+  EXPECT_TRUE(vehicle.at(103, 16)) << "an answer ends the wait";
+  EXPECT_FALSE(vehicle.at(104, 18)) << "or 16 m would be obeyed 28 s after it was commanded";
+  EXPECT_FALSE(vehicle.at(105, 18));
+  EXPECT_TRUE(vehicle.at(106, 18));
 }
 
-TEST(Control, AnInstructionThatIsNotAnsweredIsReplacedOnceItHasHadItsTime) {
+TEST(Control, AfterAnAnswerTheNextIsSentAtOnce) {
   HandMadeTicks vehicle;
   vehicle.tick.hook_state = hooks::HookState::Ready;
-  ASSERT_TRUE(vehicle.at(100, 12, HookVertical::Descend));
-  EXPECT_FALSE(vehicle.at(111.9, 14, HookVertical::Descend));
-  EXPECT_TRUE(vehicle.at(112, 14, HookVertical::Descend));
-  EXPECT_FALSE(vehicle.at(116, 15, HookVertical::Descend)) << "counted from the newest";
-  EXPECT_TRUE(vehicle.at(124, 15, HookVertical::Descend));
+  ASSERT_TRUE(vehicle.at(100, 12));
+  ASSERT_TRUE(vehicle.at(101, 14));
+  vehicle.tick.answered_sequence = 2;
+  vehicle.tick.answer = hooks::HookAnswer::Accepted;
+  EXPECT_TRUE(vehicle.at(102, 16));
+  EXPECT_TRUE(vehicle.at(103, 18)) << "the first in a new row";
 }
 
-TEST(Control, AClimbDoesNotWaitForADiveButForAClimb) {
-  for (const HookVertical climb : {HookVertical::Ascend, HookVertical::Surface}) {
-    for (const HookVertical other :
-         {HookVertical::Descend, HookVertical::Hover, HookVertical::Actuators}) {
-      HandMadeTicks vehicle;
-      vehicle.tick.hook_state = hooks::HookState::Ready;
-      ASSERT_TRUE(vehicle.at(100, 12, other));
-      ASSERT_TRUE(vehicle.at(104, 3, climb));
-      EXPECT_FALSE(vehicle.at(108, 20, other)) << "the climb is to be obeyed first";
-      EXPECT_FALSE(vehicle.at(112, 2, HookVertical::Ascend));
-      EXPECT_FALSE(vehicle.at(112, 2, HookVertical::Surface));
-      EXPECT_TRUE(vehicle.at(116, 20, other));
-    }
-  }
+TEST(Control, TheFirstOfAProgramThatGoesOnStands) {
+  HandMadeTicks vehicle;
+  vehicle.control.resume();
+  vehicle.tick.hook_state = hooks::HookState::Active;
+  ASSERT_TRUE(vehicle.at(100, 12)) << "one of the program before may be on its way";
+  EXPECT_FALSE(vehicle.at(101, 14));
+  EXPECT_FALSE(vehicle.at(102, 14));
+  EXPECT_TRUE(vehicle.at(103, 14));
 }
 
 TEST(Control, NothingWaitsForAnInstructionOfBeforeARestartOfTheVehiclesMission) {
   HandMadeTicks vehicle;
   vehicle.tick.hook_state = hooks::HookState::Ready;
-  ASSERT_TRUE(vehicle.at(4000, 12, HookVertical::Descend));
-  EXPECT_TRUE(vehicle.at(4, 14, HookVertical::Descend)) << "its clock began anew";
+  ASSERT_TRUE(vehicle.at(1000, 12));
+  ASSERT_TRUE(vehicle.at(1001, 13));
+  EXPECT_TRUE(vehicle.at(1, 14)) << "its cycles count anew";
 }
 
 TEST(Control, AReleaseDoesNotWait) {
   HandMadeTicks vehicle;
   vehicle.tick.hook_state = hooks::HookState::Ready;
-  ASSERT_TRUE(vehicle.at(100, 12, HookVertical::Descend));
+  ASSERT_TRUE(vehicle.at(100, 12));
+  ASSERT_TRUE(vehicle.at(101, 13));
   hooks::Instruction release;
   EXPECT_TRUE(vehicle.control.choose({}, true, release));
   EXPECT_EQ(release.control, hooks::HookControl::Release);

@@ -31,7 +31,7 @@ void tellHelp(const char* mission_name) {
        "  --log-limit N  bytes; then it becomes FILE.old (32 MiB)\n"
        "  --checkpoint FILE  what a restart needs to go on\n"
        "  --set NAME=VALUE  a parameter: bottom=20m\n"
-       "  --parameters FILE  the same, a line each\n"
+       "  --parameters FILE  the same, one a line\n"
        "  --version\n"
        "status: 0 ended, 1 wrong use, 2 parameters, port or link, 3 internal check");
 }

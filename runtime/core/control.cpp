@@ -18,7 +18,9 @@ using Kind = ControlNews::Kind;
 
 ControlNews Control::observe(const hooks::VehicleTick& tick) {
   state_ = tick.hook_state;
-  cycle_ = tick.cycle;
+  if (standing_ > 0) {
+    --standing_;
+  }
   if (tick.instruction_sequence != 0) {
     pending_sequence_ = tick.instruction_sequence;
   }
@@ -129,10 +131,7 @@ bool Control::choose(const hooks::Instruction& wanted, bool finished, hooks::Ins
   out = wanted;
   // While the session is still being taken, the client turns this into a handshake.
   out.control = HookControl::Steer;
-  const bool waits = mustWait();
-  const bool differs = !sameCommand(wanted, instructed_);
-  waited_ = waited_ || (differs && waits);
-  return differs && !waits;
+  return !sameCommand(wanted, instructed_) && !mustWait();
 }
 
 /// The words of two instructions that cross the vehicle's line at the same time mix, and hookbeh
@@ -140,8 +139,7 @@ bool Control::choose(const hooks::Instruction& wanted, bool finished, hooks::Ins
 /// on each tick none would be. So an instruction that has replaced one on its way, or has waited
 /// for one, stands until it is answered or has had its time.
 bool Control::mustWait() const {
-  const uint32_t passed = (cycle_ - sent_cycle_) & hooks::kMostSession;
-  return stands_ && pending_ != HookControl::None && passed < kObeyedCycles;
+  return standing_ > 1 && pending_ != HookControl::None;
 }
 
 bool Control::chooseTake(const hooks::Instruction& wanted, hooks::Instruction& out) const {
@@ -191,11 +189,10 @@ Check Control::brokenPart() const {
 void Control::sent(const hooks::Instruction& instruction, uint16_t sequence) {
   const bool takes = instruction.control == HookControl::Take ||
                      (instruction.control == HookControl::Steer && !ours_);
-  stands_ = waited_ || pending_ != HookControl::None;
-  waited_ = false;
+  // Also after one that has stood: this may have waited for it.
+  standing_ = standing_ > 0 || pending_ != HookControl::None ? kStandingTicks : 0;
   pending_ = takes ? HookControl::Take : instruction.control;
   pending_sequence_ = sequence;
-  sent_cycle_ = cycle_;
   garbled_ticks_ = 0;
   if (instruction.control != HookControl::Release) {
     out_of_bounds_ = false;

@@ -37,13 +37,14 @@ class Control {
   static constexpr uint32_t kReleaseTicks = 15;
   /// An instruction that nothing replaces is obeyed within so many control cycles of the vehicle:
   /// its words cross the vehicle's line in two (platforms/load/longest_lag.h), and the next obeys.
-  static constexpr uint32_t kObeyedCycles = 3;
+  static constexpr uint32_t kObeyedTicks = 3;
+  static constexpr uint32_t kStandingTicks = kObeyedTicks + 1;
 
   /// Control is ours already: the previous program took it, and the vehicle obeys its session.
   void resume() {
     ours_ = true;
     unconfirmed_ = kConfirmTicks;
-    waited_ = true;  // that program's newest instruction may be on its way
+    standing_ = kStandingTicks;  // that program's newest instruction may be on its way
   }
   /// Control is left to the vehicle for good.
   void release() { released_ = true; }
@@ -80,10 +81,9 @@ class Control {
   hooks::HookControl pending_ =
       hooks::HookControl::None;  ///< the instruction that has no answer yet
   uint16_t pending_sequence_ = 0;
-  uint32_t cycle_ = 0;          ///< of the newest tick
-  uint32_t sent_cycle_ = 0;     ///< in which the pending one was sent first
-  bool waited_ = false;         ///< the next one has waited for the pending one
-  bool stands_ = false;         ///< the pending one may not be replaced before it has had its time
+  /// Counts down from kStandingTicks; above 1 the pending one may not be replaced, above 0 the next
+  /// that is sent may not be.
+  uint32_t standing_ = 0;
   uint8_t garbled_ticks_ = 0;   ///< in which the pending one had not arrived whole
   bool ours_ = false;           ///< a handshake of ours was accepted
   bool out_of_bounds_ = false;  ///< the handshake's command was refused: only a different command

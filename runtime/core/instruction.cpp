@@ -5,6 +5,8 @@
 
 #include "runtime/numbers/numbers.h"
 
+#include <stddef.h>
+
 namespace glider::runtime {
 namespace {
 
@@ -72,10 +74,19 @@ hooks::Instruction instructionFor(const GliderContext& context) {
   return rounded;
 }
 
+/// Its numbers are in whole steps, so that those of the same command have the same bits.
 bool sameCommand(const hooks::Instruction& a, const hooks::Instruction& b) {
-  return a.vertical == b.vertical && a.lateral == b.lateral && a.depth_m == b.depth_m &&
-         a.pitch_rad == b.pitch_rad && a.heading_rad == b.heading_rad &&
-         a.latitude_ddmm == b.latitude_ddmm && a.longitude_ddmm == b.longitude_ddmm;
+  using Numbers = hooks::Instruction;
+  constexpr size_t kFirst = offsetof(Numbers, depth_m);
+  constexpr size_t kEnd = offsetof(Numbers, longitude_ddmm) + sizeof(double);
+  static_assert(kEnd == kFirst + 5 * sizeof(double));
+  const auto* bytes_of_a = reinterpret_cast<const uint8_t*>(&a);
+  const auto* bytes_of_b = reinterpret_cast<const uint8_t*>(&b);
+  size_t i = kFirst;
+  while (i < kEnd && bytes_of_a[i] == bytes_of_b[i]) {
+    ++i;
+  }
+  return i == kEnd && a.vertical == b.vertical && a.lateral == b.lateral;
 }
 
 }  // namespace glider::runtime

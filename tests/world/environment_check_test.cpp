@@ -76,7 +76,7 @@ struct CheckedFlight {
 };
 
 TEST(EnvironmentCheck, AnInstructionIsLeftAloneAsLongAsTheLineMayNeed) {
-  EXPECT_EQ(runtime::Control::kObeyedCycles, platforms::kLongestLagCycles + 1);
+  EXPECT_EQ(runtime::Control::kObeyedTicks, platforms::kLongestLagCycles + 1);
 }
 
 TEST(EnvironmentCheck, AFlightThatKeepsAllIsFineAndEachRuleIsLookedAt) {

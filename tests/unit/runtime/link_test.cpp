@@ -191,11 +191,6 @@ class HandMadeTicks {
     }
     return sends;
   }
-  /// As answer, of the tick in that cycle of the vehicle.
-  bool at(uint32_t cycle, double depth) {
-    tick.cycle = cycle;
-    return answer(depth);
-  }
   uint16_t sequence = 0;
   hooks::Instruction sent;
   ControlNews news;
@@ -221,62 +216,69 @@ TEST(Control, ARefusalThatOvertakesTheAnswerToTheHandshakeLeavesControlOurs) {
 TEST(Control, OneInstructionInARowIsReplacedBeforeItIsAnswered) {
   HandMadeTicks vehicle;
   vehicle.tick.hook_state = hooks::HookState::Ready;
-  ASSERT_TRUE(vehicle.at(100, 12));
-  EXPECT_TRUE(vehicle.at(101, 14));
-  EXPECT_FALSE(vehicle.at(102, 16)) << "it would never be obeyed, nor would any other";
-  EXPECT_FALSE(vehicle.at(103, 18));
-  EXPECT_TRUE(vehicle.at(104, 20)) << "that which stood has had its time";
+  ASSERT_TRUE(vehicle.answer(12));
+  EXPECT_TRUE(vehicle.answer(14));
+  EXPECT_FALSE(vehicle.answer(16)) << "it would never be obeyed, nor would any other";
+  EXPECT_FALSE(vehicle.answer(18));
+  EXPECT_TRUE(vehicle.answer(20)) << "that which stood has had its time";
   EXPECT_EQ(vehicle.sent.depth_m, 20) << "the newest; the others were replaced here";
 }
 
 TEST(Control, WhatHasWaitedIsNotReplacedEither) {
   HandMadeTicks vehicle;
   vehicle.tick.hook_state = hooks::HookState::Ready;
-  ASSERT_TRUE(vehicle.at(100, 12));
-  ASSERT_TRUE(vehicle.at(101, 14));
-  ASSERT_FALSE(vehicle.at(102, 16));
+  ASSERT_TRUE(vehicle.answer(12));
+  ASSERT_TRUE(vehicle.answer(14));
+  ASSERT_FALSE(vehicle.answer(16));
   vehicle.tick.answered_sequence = 2;
   vehicle.tick.answer = hooks::HookAnswer::Accepted;
-  EXPECT_TRUE(vehicle.at(103, 16)) << "an answer ends the wait";
-  EXPECT_FALSE(vehicle.at(104, 18)) << "or 16 m would be obeyed 28 s after it was commanded";
-  EXPECT_FALSE(vehicle.at(105, 18));
-  EXPECT_TRUE(vehicle.at(106, 18));
+  EXPECT_TRUE(vehicle.answer(16)) << "an answer ends the wait";
+  EXPECT_FALSE(vehicle.answer(18)) << "or 16 m would be obeyed 28 s after it was commanded";
+  EXPECT_FALSE(vehicle.answer(18));
+  EXPECT_TRUE(vehicle.answer(18));
 }
 
 TEST(Control, AfterAnAnswerTheNextIsSentAtOnce) {
   HandMadeTicks vehicle;
   vehicle.tick.hook_state = hooks::HookState::Ready;
-  ASSERT_TRUE(vehicle.at(100, 12));
-  ASSERT_TRUE(vehicle.at(101, 14));
+  ASSERT_TRUE(vehicle.answer(12));
+  ASSERT_TRUE(vehicle.answer(14));
   vehicle.tick.answered_sequence = 2;
   vehicle.tick.answer = hooks::HookAnswer::Accepted;
-  EXPECT_TRUE(vehicle.at(102, 16));
-  EXPECT_TRUE(vehicle.at(103, 18)) << "the first in a new row";
+  EXPECT_FALSE(vehicle.answer(14));
+  EXPECT_TRUE(vehicle.answer(16));
+}
+
+TEST(Control, AnotherRowBeginsWhenNothingWasSentForSoLong) {
+  HandMadeTicks vehicle;
+  vehicle.tick.hook_state = hooks::HookState::Ready;
+  ASSERT_TRUE(vehicle.answer(12));
+  ASSERT_TRUE(vehicle.answer(14));
+  vehicle.tick.answered_sequence = 2;
+  vehicle.tick.answer = hooks::HookAnswer::Accepted;
+  for (int tick = 0; tick < 4; ++tick) {
+    ASSERT_FALSE(vehicle.answer(14));
+  }
+  EXPECT_TRUE(vehicle.answer(16));
+  EXPECT_TRUE(vehicle.answer(18)) << "one in a row";
+  EXPECT_FALSE(vehicle.answer(20));
 }
 
 TEST(Control, TheFirstOfAProgramThatGoesOnStands) {
   HandMadeTicks vehicle;
   vehicle.control.resume();
   vehicle.tick.hook_state = hooks::HookState::Active;
-  ASSERT_TRUE(vehicle.at(100, 12)) << "one of the program before may be on its way";
-  EXPECT_FALSE(vehicle.at(101, 14));
-  EXPECT_FALSE(vehicle.at(102, 14));
-  EXPECT_TRUE(vehicle.at(103, 14));
-}
-
-TEST(Control, NothingWaitsForAnInstructionOfBeforeARestartOfTheVehiclesMission) {
-  HandMadeTicks vehicle;
-  vehicle.tick.hook_state = hooks::HookState::Ready;
-  ASSERT_TRUE(vehicle.at(1000, 12));
-  ASSERT_TRUE(vehicle.at(1001, 13));
-  EXPECT_TRUE(vehicle.at(1, 14)) << "its cycles count anew";
+  ASSERT_TRUE(vehicle.answer(12)) << "one of the program before may be on its way";
+  EXPECT_FALSE(vehicle.answer(14));
+  EXPECT_FALSE(vehicle.answer(14));
+  EXPECT_TRUE(vehicle.answer(14));
 }
 
 TEST(Control, AReleaseDoesNotWait) {
   HandMadeTicks vehicle;
   vehicle.tick.hook_state = hooks::HookState::Ready;
-  ASSERT_TRUE(vehicle.at(100, 12));
-  ASSERT_TRUE(vehicle.at(101, 13));
+  ASSERT_TRUE(vehicle.answer(12));
+  ASSERT_TRUE(vehicle.answer(13));
   hooks::Instruction release;
   EXPECT_TRUE(vehicle.control.choose({}, true, release));
   EXPECT_EQ(release.control, hooks::HookControl::Release);

@@ -4,16 +4,19 @@
 // A vehicle at a TCP connection, which it refuses, resets, forgets, and does not read: a real peer
 // on this computer, with made-up times.
 
+#include "runtime/imc/backseat.h"
+#include "runtime/imc/tcp_line.h"
 #include "tests/unit/runtime/imc_tcp_vehicle.h"
+#include "tests/unit/runtime/imc_vehicle.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace glider::runtime::imc {
 namespace {
 
 using testing::Bytes;
 using testing::TcpPeer;
-using testing::TcpVehicle;
 using testing::TwoDepths;
 
 TEST(TcpAddress, IsFourNumbersAndAPort) {
@@ -200,6 +203,41 @@ TEST(TcpLine, DoesNotBlockWhenThePeerDoesNotRead) {
   }
   EXPECT_EQ(taken, 0);
 }
+
+/// A mission's program at such a vehicle.
+struct TcpVehicle : testing::TcpVehicle {
+  explicit TcpVehicle(const GliderMission& mission)
+      : line({{127, 0, 0, 1}, peer.port()}, clock, nullptr),
+        memory(gliderRuntimeSize() / sizeof(double) + 1),
+        context_memory(mission.context_bytes / sizeof(double) + 1),
+        backseat(std::make_unique<Backseat>(
+            mission, testing::imcOf(),
+            VehicleLine{.stream = line.stream(),
+                        .renew = [](void* self) { static_cast<TcpLine*>(self)->renew(); },
+                        .self = &line},
+            nullptr)),
+        runtime(gliderRuntimeInit(memory.data(), context_memory.data(), &mission, nullptr)) {
+    work = [this] {
+      const GliderByteStream stream = backseat->stream();
+      for (GliderRuntimeStatus status = kGliderRuntimeProgressed;
+           !finished && status == kGliderRuntimeProgressed;) {
+        status = gliderRuntimePoll(runtime, &stream, &clock);
+        finished = status == kGliderRuntimeFinished;
+        EXPECT_NE(status, kGliderRuntimeLinkClosed);
+      }
+    };
+  }
+  [[nodiscard]] const GliderContext* context() const { return gliderRuntimeContext(runtime); }
+  [[nodiscard]] uint32_t damaged() const { return *backseat->damaged(); }
+
+  /// That of the SBC keeps up with the vehicle's.
+  GliderClock clock{this, [](void* self) { return static_cast<TcpVehicle*>(self)->now_s - 1.7e9; }};
+  TcpLine line;
+  std::vector<double> memory, context_memory;
+  std::unique_ptr<Backseat> backseat;
+  GliderRuntime* runtime;
+  bool finished = false;
+};
 
 /// From nothing to a mission that flies.
 void begin(TcpVehicle& vehicle) {

@@ -3,25 +3,24 @@
 
 #pragma once
 
-#include "runtime/imc/backseat.h"
-#include "runtime/imc/tcp_line.h"
 #include "tests/unit/hooks/imc_described.h"
-#include "tests/unit/runtime/imc_vehicle.h"
 #include "tests/unit/runtime/tcp_peer.h"
 
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <memory>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// A mission's program at a vehicle that is reached over TCP, and that speaks by the second codec.
+/// A vehicle that is steered by IMC and is reached over TCP. It speaks by the second codec.
 namespace glider::runtime::testing {
 
 using imc_described::Bytes;
 using imc_described::Leaves;
+
+inline constexpr uint64_t kBackSeat = 0x4001;  ///< the SBC's address
 
 inline uint64_t bitsOf(double value) {
   return std::bit_cast<uint64_t>(value);
@@ -32,23 +31,9 @@ inline uint64_t bitsOf(float value) {
 
 class TcpVehicle {
  public:
-  explicit TcpVehicle(const GliderMission& mission)
-      : line_({{127, 0, 0, 1}, peer.port()},
-              {this, [](void* self) { return static_cast<TcpVehicle*>(self)->sbc_s; }}, nullptr),
-        memory_(gliderRuntimeSize() / sizeof(double) + 1),
-        context_(mission.context_bytes / sizeof(double) + 1),
-        backseat_(std::make_unique<imc::Backseat>(
-            mission, imcOf(),
-            imc::VehicleLine{.stream = line_.stream(),
-                             .renew = [](void* self) { static_cast<imc::TcpLine*>(self)->renew(); },
-                             .self = &line_},
-            nullptr)),
-        runtime_(gliderRuntimeInit(memory_.data(), context_.data(), &mission, nullptr)) {}
-
-  /// A second passes at both ends.
+  /// A second of the vehicle's passes.
   void second() {
     now_s += 1;
-    sbc_s += 1;
     if (peer.accept()) {
       rest_.clear();
       swallows = swallows && swallows_always;
@@ -82,15 +67,13 @@ class TcpVehicle {
     using hooks::imc::ByteOrder;
     return imc_described::packetOf(id,
                                    {.time_s = now_s,
-                                    .source = kVehicleAddress,
+                                    .source = 0x1E,
                                     .source_entity = 1,
                                     .destination = 0xFFFF,
                                     .destination_entity = 255},
                                    imc_described::payloadOf(id, leaves, ByteOrder::Little),
                                    ByteOrder::Little);
   }
-  [[nodiscard]] const GliderContext* context() const { return gliderRuntimeContext(runtime_); }
-  [[nodiscard]] uint32_t damaged() const { return *backseat_->damaged(); }
   [[nodiscard]] double toldDepth() const {
     return told ? static_cast<double>(std::bit_cast<float>(
                       static_cast<uint32_t>(std::get<uint64_t>(told->at("z.value")))))
@@ -98,14 +81,15 @@ class TcpVehicle {
   }
 
   TcpPeer peer;
-  double now_s = 1.7e9, sbc_s = 0, depth_m = 0.2, temperature = 20;
+  double now_s = 1.7e9, depth_m = 0.2, temperature = 20;
   bool speaks = true;
   bool swallows = false;         ///< until the next connection: takes all bytes and obeys none
   bool swallows_always = false;  ///< on the next connections too
   std::optional<std::string> plan;
   std::optional<Leaves> told;  ///< the Reference
-  int references = 0, starts = 0;
-  bool finished = false;
+  int references = 0, starts = 0, stops = 0;
+  std::function<void()> work = [] {};  ///< the program has time for what has arrived
+  int moments_ms = 1;                  ///< real time to wait for an answer, up to 20 times
 
  private:
   void say(uint16_t id, const Leaves& leaves) {
@@ -114,7 +98,7 @@ class TcpVehicle {
     }
   }
   [[nodiscard]] Leaves follow(uint8_t state) const {
-    Leaves leaves{{"control_src", uint64_t{imc::kOwnAddress}},
+    Leaves leaves{{"control_src", kBackSeat},
                   {"control_ent", uint64_t{255}},
                   {"reference?", uint64_t{told.has_value()}},
                   {"state", uint64_t{state}},
@@ -139,7 +123,7 @@ class TcpVehicle {
       say(480, follow(2));
     }
     say(263, {{"value", bitsOf(static_cast<float>(temperature))}});
-    say(508, {{"medium", uint64_t{hooks::imc::Medium::WaterSurface}}});
+    say(508, {{"medium", uint64_t{2}}});
     Leaves state;
     for (const char* name : {"height", "x", "y", "z", "phi", "theta", "psi", "u", "v", "w", "vx",
                              "vy", "vz", "p", "q", "r"}) {
@@ -155,19 +139,12 @@ class TcpVehicle {
   void exchange() {
     constexpr int kMostRounds = 20;
     answered_ = false;
+    if (!peer.isConnected()) {
+      usleep(static_cast<useconds_t>(1000 * moments_ms));
+    }
     for (int round = 0; round < kMostRounds && !answered_; ++round) {
       work();
-      obey(peer.receive(round == 0 || !speaks ? 0 : 1));
-    }
-  }
-  void work() {
-    const GliderClock clock{this, [](void* self) { return static_cast<TcpVehicle*>(self)->sbc_s; }};
-    const GliderByteStream stream = backseat_->stream();
-    for (GliderRuntimeStatus status = kGliderRuntimeProgressed;
-         !finished && status == kGliderRuntimeProgressed;) {
-      status = gliderRuntimePoll(runtime_, &stream, &clock);
-      finished = status == kGliderRuntimeFinished;
-      EXPECT_NE(status, kGliderRuntimeLinkClosed);
+      obey(peer.receive(round == 0 || !speaks ? 0 : moments_ms));
     }
   }
   void obey(const Bytes& bytes) {
@@ -196,7 +173,7 @@ class TcpVehicle {
     heard_s_ = id == 559 || id == 479 ? now_s : heard_s_;
     if (id == 559) {
       const bool start = std::get<uint64_t>(leaves->at("op")) == 0;
-      starts += start ? 1 : 0;
+      ++(start ? starts : stops);
       plan = start ? std::optional(std::get<std::string>(leaves->at("plan_id"))) : std::nullopt;
       told.reset();
     } else if (id == 479) {
@@ -206,10 +183,6 @@ class TcpVehicle {
     answered_ = answered_ || id == 150;
   }
 
-  imc::TcpLine line_;
-  std::vector<double> memory_, context_;
-  std::unique_ptr<imc::Backseat> backseat_;
-  GliderRuntime* runtime_;
   Bytes rest_;
   double heard_s_ = 0;
   bool answered_ = false;

@@ -11,18 +11,23 @@
 #include "runtime/board/files.h"
 #include "runtime/board/kernel.h"
 #include "runtime/board/line.h"
+#include "runtime/board/own_line.h"
 #include "runtime/board/parameters.h"
 #include "runtime/core/runtime.h"
 
 namespace glider::runtime {
 namespace {
 
-int fly(GliderRuntime* runtime, const OpenPort& line, Card& card) {
+int fly(GliderRuntime* runtime, OpenPort& line, Card& card) {
   static hooks::SystemClock system_clock;
   const GliderClock clock = system_clock.clock();
   while (true) {
     switch (gliderRuntimePoll(runtime, &line.stream, &clock)) {
       case kGliderRuntimeIdle:
+        if (const int* own = ownDescriptor(); own != nullptr) {
+          line.descriptor = *own;
+          card.setLine(*own);
+        }
         card.rested(runtime->virtualTime());
         waitForLine(line.descriptor);
         break;
@@ -39,6 +44,11 @@ int fly(GliderRuntime* runtime, const OpenPort& line, Card& card) {
   }
 }
 
+OpenPort openTheLine(const Options& options) {
+  OpenPort own;
+  return openOwnLine(own) ? own : openLine(options);
+}
+
 int run(const Options& options) {
   if (!areFilesApart(options)) {
     return kWrongUse;
@@ -53,7 +63,7 @@ int run(const Options& options) {
       {openLogOf(options), openCheckpoints(options.checkpoints, gliderMission.context_bytes),
        holdCheckpoints, reopenLog},
       gliderMission.context_bytes);
-  OpenPort line = openLine(options);
+  OpenPort line = openTheLine(options);
   if (line.problem != nullptr) {
     return kNoLink;
   }
@@ -82,12 +92,13 @@ int main(int argc, char** argv) {
   holdStandardFiles();
   useDoublePrecision();
   ignoreSignal(SIGPIPE);
-  const Options options = readOptions(argc, argv);
+  const Options options = readOptions(takeOwnLine(argc, argv), argv);
   if (options.wish == Options::Wish::Fly) {
     return run(options);
   }
   const int status = tellWish(options, gliderMission.name);
   if (options.wish == Options::Wish::Help) {
+    tellOwnLine();
     tellParameters(gliderMission);
   }
   return status;

@@ -77,7 +77,10 @@ void Backseat::hear(void* self) {
 /// Reads what is there into the empty buffer; false if there is nothing.
 bool Backseat::fill() {
   const int32_t count = line_.stream.read(line_.stream.self, in_, sizeof in_);
-  line_closed_ = line_closed_ || count < 0;
+  if (count < 0) {
+    line_closed_ = line_.renew == nullptr;
+    dropConnection();
+  }
   in_next_ = 0;
   in_end_ = count > 0 ? static_cast<uint32_t>(count) : 0;
   return in_end_ != 0;
@@ -244,7 +247,7 @@ void Backseat::sendReference() {
   hooks::imc::Reference reference;
   if (course_.reference(here(), reference)) {
     send(reference);
-    plan_.noteReference(readings_.value(Reading::Clock));
+    plan_.noteReference(reference, readings_.value(Reading::Clock));
   }
 }
 
@@ -288,11 +291,18 @@ void Backseat::tell() {
 /// ends it. While the line is stuck nothing counts as sent.
 void Backseat::answer(void* self) {
   auto& seat = *static_cast<Backseat*>(self);
-  const double now_s = clock(self);
+  if (seat.isInDoubt()) {
+    seat.line_.renew(seat.line_.self);
+    seat.plan_.noteRenewal();
+    seat.dropConnection();
+    return;
+  }
   if (seat.out_next_ != seat.out_end_ || seat.vehicle_ == 0) {
+    ++seat.stuck_;
     seat.flush();
     return;
   }
+  seat.stuck_ = 0;
   seat.out_next_ = seat.out_end_ = 0;
   if (seat.releasing_ != 0) {
     seat.release();
@@ -303,10 +313,6 @@ void Backseat::answer(void* self) {
   }
   seat.tell();
   seat.send(hooks::imc::Heartbeat());
-  if (seat.plan_.isInDoubt(now_s) && seat.line_.renew != nullptr) {
-    seat.packets_.reset();
-    seat.line_.renew(seat.line_.self);
-  }
   seat.flush();
 }
 
@@ -314,11 +320,29 @@ void Backseat::flush() {
   while (out_next_ < out_end_) {
     const int32_t taken =
         line_.stream.write(line_.stream.self, out_ + out_next_, out_end_ - out_next_);
+    if (taken < 0 && line_.renew != nullptr) {
+      dropConnection();
+    }
     if (taken <= 0) {
       return;
     }
     out_next_ += static_cast<uint32_t>(taken);
   }
+}
+
+/// Nothing shows that the vehicle reads what is sent, and the line is one that can be opened again.
+bool Backseat::isInDoubt() const {
+  return line_.renew != nullptr &&
+         (stuck_ >= kMostStuck || plan_.isInDoubt(readings_.value(Reading::Clock)));
+}
+
+/// What is on its way on a connection ends with it: half a packet would be joined with the begin of
+/// another, and a request that waits until the vehicle is back would come too late.
+void Backseat::dropConnection() {
+  packets_.reset();
+  in_next_ = in_end_ = 0;
+  out_next_ = out_end_ = 0;
+  stuck_ = 0;
 }
 
 }  // namespace glider::runtime::imc

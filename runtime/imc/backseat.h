@@ -20,7 +20,8 @@ namespace glider::runtime::imc {
 /// The line to the vehicle.
 struct VehicleLine {
   GliderByteStream stream;
-  /// Closes the connection and opens it again; null: the line is not one that can be.
+  /// Ends the connection; the stream opens it again by itself, however it has ended, and reports
+  /// kGliderStreamClosed while there is none. Null: the line cannot be opened again.
   void (*renew)(void* self) = nullptr;
   void* self = nullptr;
 };
@@ -71,6 +72,8 @@ class Backseat {
   void tell();
   bool fill();
   void flush();
+  [[nodiscard]] bool isInDoubt() const;
+  void dropConnection();
 
   const GliderDictionary& dictionary_;
   GliderImcMission imc_;
@@ -101,6 +104,8 @@ class Backseat {
   static constexpr uint32_t kMostBytes = 2048;  ///< of an answer
   uint8_t out_[kMostBytes];
   uint32_t out_next_ = 0, out_end_ = 0;
+  static constexpr uint32_t kMostStuck = 5;
+  uint32_t stuck_ = 0;  ///< cycles since the line took all of an answer
   uint8_t in_[64];
   uint32_t in_next_ = 0, in_end_ = 0;
   InnerSeat inner_;

@@ -36,6 +36,7 @@ void Course::steer(const hooks::Instruction& command, const Place& here, double 
     return;  // a leg goes on straight: its place is not aimed again from where the current has
              // taken it
   }
+  arrived_ = false;
   heading_ = command.lateral == HookLateral::Heading ? command.heading_rad
              : command.lateral == HookLateral::Drift ? heading
                                                      : __builtin_nan("");
@@ -61,7 +62,18 @@ void Course::aimAhead(const Place& here) {
   }
 }
 
+/// DUNE flies around a place, instead of on through it, only if it is given a Reference within 15 m
+/// that is another one, or if the depth was never changed on the way.
+void Course::lookWhetherItArrives(const Place& here) {
+  if (isKnownPlace(here) && isKnownPlace(aim_)) {
+    const double away =
+        gliderDistance(here.latitude, here.longitude, aim_.latitude, aim_.longitude);
+    arrived_ = away < (arrived_ ? kLeft_m : kArrived_m);
+  }
+}
+
 bool Course::reference(const Place& here, Reference& reference) {
+  lookWhetherItArrives(here);
   if (has_command_ && isKnown(heading_) && isKnownPlace(here) && !isAhead(here)) {
     aimAhead(here);
   }
@@ -72,7 +84,8 @@ bool Course::reference(const Place& here, Reference& reference) {
   const bool to_depth = has_command_ && (command_.vertical == HookVertical::Descend ||
                                          command_.vertical == HookVertical::Ascend);
   reference.flags = ReferenceFlag::Location | ReferenceFlag::Speed | ReferenceFlag::Z;
-  reference.lat = place.latitude * kRadiansPerDegree;
+  constexpr double kAnother = 1e-9;  // 6 mm
+  reference.lat = place.latitude * kRadiansPerDegree + (has_command_ && arrived_ ? kAnother : 0);
   reference.lon = place.longitude * kRadiansPerDegree;
   reference.speed.present = true;
   reference.speed.value.value = to_depth ? command_.pitch_rad : mission_.usual_m_s;

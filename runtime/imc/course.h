@@ -26,9 +26,14 @@ class Course {
   /// How far ahead the place of a heading is, and how near it may come, m.
   static constexpr double kAhead_m = 2000;
   static constexpr double kNear_m = 500;
+  /// A fixed place is given again, as another one, when the vehicle is so near; as it was, when it
+  /// is so far again, m (README.md, rule M7).
+  static constexpr double kArrived_m = 14;
+  static constexpr double kLeft_m = 20;
 
  private:
   void aimAhead(const Place& here);
+  void lookWhetherItArrives(const Place& here);
   [[nodiscard]] bool isAhead(const Place& here) const;
 
   GliderImcMission mission_;
@@ -36,6 +41,7 @@ class Course {
   bool has_command_ = false;
   double heading_ = __builtin_nan("");  ///< of a place that is far ahead; NaN: the place is fixed
   Place aim_;
+  bool arrived_ = false;  ///< at a fixed place
 };
 
 }  // namespace glider::runtime::imc

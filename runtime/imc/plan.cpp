@@ -33,6 +33,19 @@ void Plan::take(const Packet& packet) {
     if (decode(packet, said)) {
       takeFollowing(said);
     }
+  } else if (packet.id == PlanControl::kId) {
+    PlanControl said;
+    if (decode(packet, said)) {
+      takeReply(said);
+    }
+  }
+}
+
+/// Any reply shows that it has read our request. It also repeats the request itself, under our
+/// address: that is not a reply.
+void Plan::takeReply(const PlanControl& said) {
+  if (said.type != PlanControlType::Request && said.request_id == request_) {
+    unreplied_s_ = __builtin_nan("");
   }
 }
 
@@ -47,6 +60,7 @@ void Plan::takeState(const PlanControlState& said) {
   }
   if (runs) {
     ours_runs_ = true;
+    unreplied_s_ = __builtin_nan("");
     return;
   }
   const bool blocked = said.state == PlanState::Blocked;
@@ -81,14 +95,52 @@ void Plan::takeFollowing(const FollowRefState& said) {
   if (said.control_src != kOwnAddress && said.control_src != kAllSystems) {
     return;
   }
-  heard_s_ = now_s_;
   if (said.state == FollowState::Timeout) {
     timed_out_ = true;
+    deaf_ = deaf_ || now_s_ - sent_[newest_].at_s < kDoubtSecs;
   } else if (ours_runs_) {
     state_ = State::Following;
     flew_ = true;
     timed_out_ = false;
   }
+  if (said.reference.present) {
+    takeEcho(said.reference.value);
+  }
+}
+
+/// The vehicle follows a Reference of ours: the next ones are waited for. One that was sent long
+/// ago answers only itself.
+void Plan::takeEcho(const Reference& said) {
+  for (uint32_t back = 0; back < kRemembered; ++back) {
+    const Sent& sent = sent_[(newest_ + kRemembered - back) % kRemembered];
+    if (sent.at_s == sent.at_s && sent.latitude == said.lat && sent.longitude == said.lon &&
+        sent.depth == said.z.value.value && sent.speed == said.speed.value.value) {
+      const double next_s = back == 0
+                                ? __builtin_nan("")
+                                : sent_[(newest_ + 1 + kRemembered - back) % kRemembered].at_s;
+      unanswered_s_ = unanswered_s_ > next_s ? unanswered_s_ : next_s;
+      doubt_s_ = back == 0 ? kDoubtSecs : doubt_s_;
+      return;
+    }
+  }
+}
+
+void Plan::noteReference(const Reference& reference, double now_s) {
+  newest_ = (newest_ + 1) % kRemembered;
+  sent_[newest_] = {.at_s = now_s,
+                    .latitude = reference.lat,
+                    .longitude = reference.lon,
+                    .speed = reference.speed.value.value,
+                    .depth = reference.z.value.value};
+  unanswered_s_ = unanswered_s_ == unanswered_s_ ? unanswered_s_ : now_s;
+}
+
+void Plan::forgetSent() {
+  for (Sent& sent : sent_) {
+    sent = {};
+  }
+  unanswered_s_ = __builtin_nan("");
+  deaf_ = false;
 }
 
 bool Plan::asksForStart(double now_s, double depth_m) {
@@ -101,13 +153,20 @@ bool Plan::asksForStart(double now_s, double depth_m) {
     return false;
   }
   asked_s_ = now_s;
-  heard_s_ = __builtin_nan("");
-  sent_s_ = __builtin_nan("");
+  unreplied_s_ = unreplied_s_ == unreplied_s_ ? unreplied_s_ : now_s;
+  forgetSent();
   return true;
 }
 
 bool Plan::isInDoubt(double now_s) const {
-  return follows() && sent_s_ == sent_s_ && heard_s_ == heard_s_ && now_s - heard_s_ > kDoubtSecs;
+  return deaf_ || (ours_runs_ && now_s - unanswered_s_ > doubt_s_) ||
+         now_s - unreplied_s_ > doubt_s_;
+}
+
+void Plan::noteRenewal() {
+  forgetSent();
+  unreplied_s_ = __builtin_nan("");
+  doubt_s_ = 2 * doubt_s_ < kMostDoubtSecs ? 2 * doubt_s_ : kMostDoubtSecs;
 }
 
 PlanControl Plan::request(uint8_t operation) {

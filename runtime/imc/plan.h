@@ -32,9 +32,12 @@ class Plan {
   /// Whether to ask for the start now; notes that it is.
   bool asksForStart(double now_s, double depth_m);
   /// A Reference leaves at `now_s`.
-  void noteReference(double now_s) { sent_s_ = now_s; }
-  /// No answer to our References for so long that the vehicle may not read what we send.
+  void noteReference(const hooks::imc::Reference& reference, double now_s);
+  /// Nothing shows that the vehicle reads what we send: it has not answered the request to start
+  /// for so long, or does not report our References back, or has timed out although they were sent.
   [[nodiscard]] bool isInDoubt(double now_s) const;
+  /// The connection is another: what was sent on the old one is not waited for.
+  void noteRenewal();
   /// The vehicle executes our plan.
   [[nodiscard]] bool runs() const { return ours_runs_; }
   /// An operator has ended everything: nothing is started again.
@@ -49,11 +52,23 @@ class Plan {
 
   /// The vehicle may need so long for a start, s: it is asked for again after that.
   static constexpr double kStartSecs = 6;
-  /// Without a FollowRefState for so long it is in doubt whether the vehicle receives ours, s.
+  /// If nothing that was sent was answered for so long, it is in doubt whether the vehicle receives
+  /// it, s. Twice as long after each new connection that did not help, up to kMostDoubtSecs.
   static constexpr double kDoubtSecs = 5;
+  static constexpr double kMostDoubtSecs = 60;
 
  private:
   enum class State : uint8_t { Away, Ready, Following, Lost, Taken };
+  /// A Reference that was sent, and when.
+  struct Sent {
+    double at_s = __builtin_nan("");
+    double latitude = 0, longitude = 0, speed = 0;
+    float depth = 0;
+  };
+  static constexpr uint32_t kRemembered = 8;
+  void takeReply(const hooks::imc::PlanControl& said);
+  void takeEcho(const hooks::imc::Reference& said);
+  void forgetSent();
   void takeState(const hooks::imc::PlanControlState& said);
   void takeFollowing(const hooks::imc::FollowRefState& said);
   void endOfPlan();
@@ -68,8 +83,13 @@ class Plan {
   uint16_t request_ = 0;
   double now_s_ = __builtin_nan("");  ///< of the newest packet; NaN before the first
   double asked_s_ = -kStartSecs;
-  double sent_s_ = __builtin_nan("");   ///< the newest Reference
-  double heard_s_ = __builtin_nan("");  ///< the newest FollowRefState
+  double unreplied_s_ = __builtin_nan("");  ///< when it was asked for a start without a reply since
+  bool deaf_ = false;                       ///< it has timed out although References were sent
+  double doubt_s_ = kDoubtSecs;
+  Sent sent_[kRemembered];                   ///< the newest References, in a ring
+  uint32_t newest_ = 0;                      ///< of sent_
+  double unanswered_s_ = __builtin_nan("");  ///< when the oldest Reference was sent that none of
+                                             ///< those reported back is or follows; NaN: none
 };
 
 }  // namespace glider::runtime::imc

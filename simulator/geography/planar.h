@@ -8,6 +8,8 @@ namespace glider::simulator {
 /// m or m/s towards east and north.
 struct Planar {
   double east = 0, north = 0;
+
+  bool operator==(const Planar&) const = default;
 };
 
 }  // namespace glider::simulator

@@ -16,21 +16,20 @@ using hooks::imc::FollowState;
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-/// As DUNE converts a speed: 900 rpm make 1.0 m/s, 1150 rpm 1.3 m/s.
-double rpmOf(double speed_mps) {
-  constexpr double kRpm = 900, kRpmPerSpeed = 833.3;
-  return speed_mps <= 0 ? 0 : std::max(0.0, kRpm + (speed_mps - 1) * kRpmPerSpeed);
-}
-
-/// A place is reached within it, m.
+/// A target that is given within it is reached, m.
 constexpr double kReached_m = 15;
-/// It is at the surface above, m.
-constexpr double kAfloat_m = 0.3;
+/// A target that it goes to is reached when it would be there so soon, s.
+constexpr double kArrives_s = 5;
+/// A depth is reached within it, m.
+constexpr double kAtDepth_m = 1;
 
 }  // namespace
 
+Autopilot::Autopilot() : doing_(FollowState::Wait) {}
+
 void Autopilot::rest(Vehicle& vehicle) {
-  depth_sum_ = 0;
+  depth_sum_ = speed_sum_ = 0;
+  doing_ = FollowState::Wait;
   vehicle.commandPropeller(0);
   vehicle.commandFin(0);
   vehicle.commandSternPlane(0);
@@ -56,28 +55,56 @@ void Autopilot::pitchFor(double depth_m, Vehicle& vehicle) {
                             kDamping * vehicle.bodyVelocity().pitch);
 }
 
+/// As DUNE: more revolutions than the speed needs, and their sum of the error takes them back
+/// within a minute. So it overshoots after a start.
+void Autopilot::runAt(double speed_mps, Vehicle& vehicle) {
+  constexpr double kRpmPerSpeed = 1000, kRpmPerMetre = 25, kMostSum = 400;
+  speed_sum_ += kRpmPerMetre * (speed_mps - vehicle.bodyVelocity().surge) * Vehicle::kStep;
+  speed_sum_ = std::clamp(speed_sum_, -kMostSum, kMostSum);
+  vehicle.commandPropeller(std::max(0.0, kRpmPerSpeed * speed_mps + speed_sum_));
+}
+
+/// As DUNE decides it with each Reference: a new one by where the vehicle is then, and one that it
+/// has by what it does.
+uint8_t Autopilot::next(const Target& target, double away_m, double depth_m) const {
+  const bool at_depth = std::fabs(depth_m - target.depth_m) < kAtDepth_m;
+  const bool at_surface = target.depth_m <= 0;
+  const uint8_t there = !at_depth    ? uint8_t{FollowState::Elevator}
+                        : at_surface ? uint8_t{FollowState::Hover}
+                                     : uint8_t{FollowState::Loiter};
+  if (doing_ == FollowState::Wait || !(target == told_)) {
+    return away_m < kReached_m ? there : uint8_t{FollowState::Goto};
+  }
+  if (doing_ == FollowState::Goto) {
+    return away_m < kArrives_s * target.speed_mps ? there : doing_;
+  }
+  if (doing_ == FollowState::Hover) {
+    return away_m < kReached_m ? doing_ : uint8_t{FollowState::Goto};
+  }
+  return doing_ == FollowState::Elevator ? there : doing_;
+}
+
 uint8_t Autopilot::steer(const Target& target, const Planar& here, Vehicle& vehicle) {
   const double east = target.place.east - here.east, north = target.place.north - here.north;
   const double away = std::hypot(east, north);
-  const double reached = kReached_m + std::fabs(target.loiter_m);
-  const bool at_surface = target.depth_m <= 0;
-  if (at_surface && away < reached && vehicle.depth() < kAfloat_m) {
+  const uint8_t doing = next(target, away, vehicle.depth());
+  if (doing == FollowState::Hover) {
     rest(vehicle);
-    return FollowState::Hover;
+  } else {
+    double heading = std::atan2(east, north);
+    if (doing != FollowState::Goto) {
+      // Around the place, which stays to starboard: along the circle, turned towards it from
+      // outside.
+      const double off = (away - kLoiter_m) / kLoiter_m;
+      heading += std::clamp(off, -1.0, 1.0) * std::numbers::pi / 4 - std::numbers::pi / 2;
+    }
+    turnTo(heading, vehicle);
+    pitchFor(std::max(target.depth_m, 0.0), vehicle);
+    runAt(target.speed_mps, vehicle);
   }
-  double heading = std::atan2(east, north);
-  if (away < reached) {
-    // Around the place, which stays to starboard: along the circle, turned towards it from outside.
-    const double off = (away - std::max(target.loiter_m, 1.0)) / std::max(target.loiter_m, 1.0);
-    heading += std::clamp(off, -1.0, 1.0) * std::numbers::pi / 4 - std::numbers::pi / 2;
-  }
-  turnTo(heading, vehicle);
-  pitchFor(std::max(target.depth_m, 0.0), vehicle);
-  vehicle.commandPropeller(rpmOf(target.speed_mps));
-  const bool at_depth = std::fabs(vehicle.depth() - target.depth_m) < 1;
-  return away >= reached ? FollowState::Goto
-         : at_depth      ? FollowState::Loiter
-                         : FollowState::Elevator;
+  told_ = target;
+  doing_ = doing;
+  return doing;
 }
 
 }  // namespace glider::simulator::lauv

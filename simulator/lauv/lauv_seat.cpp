@@ -99,7 +99,6 @@ void LauvSeat::steer(double now_s, Vehicle& vehicle) {
   target.depth_m =
       std::min(static_cast<double>(told->z.value.value), platform_.envelope.greatest_depth_m);
   target.speed_mps = told->speed.present ? told->speed.value.value : 0;
-  target.loiter_m = 10;
   doing_ = autopilot_.steer(target, reckoning_.place(), vehicle);
 }
 

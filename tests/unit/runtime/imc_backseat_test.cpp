@@ -300,6 +300,33 @@ TEST(ImcBackseat, ADeafVehicleIsConnectedAgain) {
   EXPECT_EQ(vehicle.toldDepth(), 20);
 }
 
+/// Each packet that the vehicle gets has the time of its clock.
+TEST(ImcBackseat, WhatWaitsToBeSentEndsWithItsConnection) {
+  TwoDepths mission;
+  ImcVehicle vehicle(mission.mission);
+  begin(vehicle);
+  vehicle.stuck = true;
+  vehicle.seconds(2);
+  vehicle.closed = true;
+  vehicle.seconds(3);
+  vehicle.stuck = vehicle.closed = false;
+  const int references = vehicle.references;
+  vehicle.seconds(2);
+  EXPECT_EQ(vehicle.references, references + 2);
+  EXPECT_EQ(vehicle.toldDepth(), 20);
+}
+
+TEST(ImcBackseat, ALineWithoutRoomIsConnectedAgain) {
+  TwoDepths mission;
+  ImcVehicle vehicle(mission.mission);
+  begin(vehicle);
+  vehicle.stuck = true;
+  vehicle.seconds(5);
+  EXPECT_EQ(vehicle.renewed, 0);
+  vehicle.seconds(2);
+  EXPECT_EQ(vehicle.renewed, 1);
+}
+
 TEST(ImcBackseat, ADepthBeyondTheVehiclesIsNeverSent) {
   TwoDepths mission;
   ImcVehicle vehicle(mission.mission, testing::imcOf(30));

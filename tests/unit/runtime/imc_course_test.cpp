@@ -65,6 +65,36 @@ Reference told(Course& course, const Place& here) {
   return reference;
 }
 
+/// DUNE ends the plan 5 s after it has arrived, if it was given other depths and no other place.
+TEST(ImcCourse, AFixedPlaceIsAnotherOneWhenTheVehicleArrives) {
+  for (const Place& there : {kPorto, kSouth, kNorth}) {
+    Course course(kImcLimits);
+    Instruction command = headingOf(0);
+    command.lateral = HookLateral::Waypoint;
+    command.latitude_ddmm = ddmmOf(there.latitude);
+    command.longitude_ddmm = ddmmOf(there.longitude);
+    course.steer(command, along(there, 90, 100), 1);
+    const Reference first = told(course, along(there, 90, 100));
+    for (const auto& [metres, another] : {std::pair{30.0, false},
+                                          {14.5, false},
+                                          {13.5, true},
+                                          {2.0, true},
+                                          {19.5, true},
+                                          {20.5, false},
+                                          {15.0, false},
+                                          {13.0, true}}) {
+      const Reference now = told(course, along(there, 90, metres));
+      EXPECT_EQ(now.lat != first.lat, another) << metres;
+      EXPECT_EQ(now.lon, first.lon);
+      EXPECT_LT(legTo(placeOf(now), placeOf(first)).metres, 0.01);
+    }
+    command.latitude_ddmm = ddmmOf(along(there, 0, 18).latitude);
+    course.steer(command, there, 1);
+    EXPECT_NEAR(legTo(there, placeOf(told(course, there))).metres, 18, 0.001)
+        << "exactly: it has not arrived at the next place";
+  }
+}
+
 TEST(ImcCourse, AHeadingIsAPlaceTwoKilometresAhead) {
   for (const Place& here : {kPorto, kSouth, kNorth}) {
     for (int degrees = 0; degrees < 360; degrees += 15) {
@@ -128,7 +158,7 @@ TEST(ImcCourse, AWaypointIsItsPlace) {
   instruction.latitude_ddmm = 4112.5;
   instruction.longitude_ddmm = -844.25;
   course.steer(instruction, kPorto, 1);
-  for (const Place& here : {kPorto, Place{41.2083, -8.7375}, kSouth}) {
+  for (const Place& here : {kPorto, Place{41.2081, -8.7375}, kSouth}) {
     const Place place = placeOf(told(course, here));
     EXPECT_NEAR(place.latitude, 41 + 12.5 / 60, 1e-9);
     EXPECT_NEAR(place.longitude, -(8 + 44.25 / 60), 1e-9);

@@ -200,21 +200,119 @@ TEST(ImcPlan, AnEndThatWeAskedForIsTheLast) {
   EXPECT_FALSE(bench.asksWithinAMinute(0.2));
 }
 
+/// A Reference to a depth.
+Reference referenceTo(double depth_m) {
+  Reference reference;
+  reference.speed = {.present = true, .value = {.value = 1.2}};
+  reference.z = {.present = true, .value = {.value = static_cast<float>(depth_m)}};
+  reference.lat = 0.72;
+  reference.lon = -0.15;
+  return reference;
+}
+/// The vehicle follows that Reference.
+void echo(PlanBench& bench, double depth_m, uint16_t of = kOwnAddress) {
+  FollowRefState said = followState(FollowState::Goto, of);
+  said.reference = {.present = true, .value = referenceTo(depth_m)};
+  give(said, bench.now_s, bench.plan);
+}
+
 TEST(ImcPlan, IsInDoubtAfterFiveSecondsWithoutAnAnswer) {
   PlanBench bench;
   EXPECT_FALSE(bench.plan.isInDoubt(bench.now_s));
   bench.fly();
-  const double heard_s = bench.now_s;
-  EXPECT_FALSE(bench.plan.isInDoubt(heard_s + 60)) << "nothing was sent that could be answered";
-  bench.plan.noteReference(heard_s + 1);
-  EXPECT_FALSE(bench.plan.isInDoubt(heard_s + 5));
-  EXPECT_TRUE(bench.plan.isInDoubt(heard_s + 5.1));
-  bench.now_s = heard_s + 4;
-  bench.follows(FollowState::Goto, 0x4002);
-  EXPECT_TRUE(bench.plan.isInDoubt(heard_s + 5.1)) << "what it says to another is ignored";
+  const double sent_s = bench.now_s;
+  EXPECT_FALSE(bench.plan.isInDoubt(sent_s + 60)) << "nothing was sent that could be answered";
+  bench.plan.noteReference(referenceTo(20), sent_s);
+  EXPECT_FALSE(bench.plan.isInDoubt(sent_s + 5));
+  EXPECT_TRUE(bench.plan.isInDoubt(sent_s + 5.1));
   bench.follows();
-  EXPECT_FALSE(bench.plan.isInDoubt(heard_s + 9));
-  EXPECT_TRUE(bench.plan.isInDoubt(heard_s + 9.1));
+  EXPECT_TRUE(bench.plan.isInDoubt(sent_s + 5.1)) << "it follows none";
+  echo(bench, 20, 0x4002);
+  EXPECT_TRUE(bench.plan.isInDoubt(sent_s + 5.1)) << "what it says to another is ignored";
+  echo(bench, 21);
+  EXPECT_TRUE(bench.plan.isInDoubt(sent_s + 5.1)) << "another Reference";
+  echo(bench, 20);
+  EXPECT_FALSE(bench.plan.isInDoubt(sent_s + 600));
+}
+
+TEST(ImcPlan, AReferenceOfLongAgoIsNoAnswer) {
+  PlanBench bench;
+  bench.fly();
+  bench.plan.noteReference(referenceTo(20), bench.now_s);
+  echo(bench, 20);
+  const double sent_s = bench.now_s;
+  for (int second = 1; second <= 5; ++second) {
+    bench.plan.noteReference(referenceTo(second < 5 ? 40 : 41), sent_s + second);
+    echo(bench, 20);
+  }
+  EXPECT_FALSE(bench.plan.isInDoubt(sent_s + 6)) << "of the first that it does not follow";
+  EXPECT_TRUE(bench.plan.isInDoubt(sent_s + 6.1));
+  echo(bench, 40);
+  EXPECT_FALSE(bench.plan.isInDoubt(sent_s + 10)) << "only the newest is not answered";
+  EXPECT_TRUE(bench.plan.isInDoubt(sent_s + 10.1));
+  for (int second = 6; second < 60; ++second) {
+    bench.plan.noteReference(referenceTo(41), sent_s + second);
+  }
+  echo(bench, 20);
+  EXPECT_TRUE(bench.plan.isInDoubt(sent_s + 60));
+  echo(bench, 41);
+  EXPECT_FALSE(bench.plan.isInDoubt(sent_s + 600));
+}
+
+TEST(ImcPlan, IsInDoubtWhenAStartIsNotAnswered) {
+  const auto reply = [](PlanBench& bench, uint8_t type, uint16_t request) {
+    PlanControl said;
+    said.type = type;
+    said.request_id = request;
+    said.info = textOf("OK");
+    give(said, bench.now_s, bench.plan);
+  };
+  for (const uint8_t type : {PlanControlType::Success, PlanControlType::Failure}) {
+    PlanBench bench;
+    bench.says(PlanState::Ready);
+    ASSERT_TRUE(bench.asks());
+    const uint16_t request = bench.plan.start().request_id;
+    const double asked_s = bench.now_s;
+    bench.now_s += 4;
+    EXPECT_FALSE(bench.plan.isInDoubt(asked_s + 5));
+    reply(bench, type, static_cast<uint16_t>(request + 1));
+    reply(bench, PlanControlType::Request, request);
+    EXPECT_TRUE(bench.plan.isInDoubt(asked_s + 5.1));
+    reply(bench, type, request);
+    EXPECT_FALSE(bench.plan.isInDoubt(asked_s + 600)) << int{type};
+  }
+}
+
+TEST(ImcPlan, IsInDoubtWhenTheVehicleTimesOutAlthoughReferencesLeave) {
+  for (const double since_s : {1.0, 16.0}) {
+    PlanBench bench;
+    bench.fly();
+    bench.plan.noteReference(referenceTo(20), bench.now_s);
+    echo(bench, 20);
+    bench.now_s += since_s;
+    bench.follows(FollowState::Timeout);
+    EXPECT_EQ(bench.plan.isInDoubt(bench.now_s), since_s < 5);
+    bench.plan.noteRenewal();
+    EXPECT_FALSE(bench.plan.isInDoubt(bench.now_s));
+  }
+}
+
+TEST(ImcPlan, WaitsTwiceAsLongAfterEachConnectionThatDidNotHelp) {
+  PlanBench bench;
+  bench.fly();
+  double sent_s = bench.now_s;
+  for (const double patience_s : {5.0, 10.0, 20.0, 40.0, 60.0, 60.0}) {
+    bench.plan.noteReference(referenceTo(20), sent_s);
+    EXPECT_FALSE(bench.plan.isInDoubt(sent_s + patience_s));
+    EXPECT_TRUE(bench.plan.isInDoubt(sent_s + patience_s + 0.1));
+    bench.plan.noteRenewal();
+    EXPECT_FALSE(bench.plan.isInDoubt(sent_s + 600)) << "nothing was sent on the new one";
+    sent_s += 100;
+  }
+  bench.plan.noteReference(referenceTo(20), sent_s);
+  echo(bench, 20);
+  bench.plan.noteReference(referenceTo(20), sent_s);
+  EXPECT_TRUE(bench.plan.isInDoubt(sent_s + 5.1)) << "it has answered";
 }
 
 TEST(ImcPlan, TheRequestsSayWhatTheVehicleNeeds) {

@@ -81,7 +81,9 @@ class ImcVehicle {
     say(planState(plan ? hooks::imc::PlanState::Executing : hooks::imc::PlanState::Ready,
                   plan ? plan->c_str() : ""));
     if (plan == "glidercc") {
-      say(followState(hooks::imc::FollowState::Goto));
+      hooks::imc::FollowRefState follows = followState(hooks::imc::FollowState::Goto);
+      follows.reference = {.present = references > 0, .value = told};
+      say(follows);
     }
     say(hooks::imc::Temperature{.value = static_cast<float>(temperature)});
     say(hooks::imc::VehicleMedium{.medium = medium});
@@ -132,6 +134,8 @@ class ImcVehicle {
   uint8_t medium = hooks::imc::Medium::WaterSurface;
   size_t piece = 1U << 20U;
   bool deaf = false;                ///< takes nothing of what is sent
+  bool stuck = false;               ///< the line has no room for more
+  bool closed = false;              ///< there is no connection
   std::optional<std::string> plan;  ///< that it executes
   hooks::imc::Reference told{};     ///< the newest
   double heard_s = 0;
@@ -153,6 +157,9 @@ class ImcVehicle {
   }
   static int32_t read(void* self, uint8_t* bytes, uint32_t capacity) {
     auto& vehicle = *static_cast<ImcVehicle*>(self);
+    if (vehicle.closed) {
+      return kGliderStreamClosed;
+    }
     const size_t count = std::min<size_t>(capacity, vehicle.ready_ - vehicle.taken_);
     std::copy_n(vehicle.to_sbc_.begin() + static_cast<ptrdiff_t>(vehicle.taken_), count, bytes);
     vehicle.taken_ += count;
@@ -160,6 +167,9 @@ class ImcVehicle {
   }
   static int32_t write(void* self, const uint8_t* bytes, uint32_t count) {
     auto& vehicle = *static_cast<ImcVehicle*>(self);
+    if (vehicle.closed || vehicle.stuck) {
+      return vehicle.closed ? kGliderStreamClosed : 0;
+    }
     for (uint32_t taken = 0; taken < count && !vehicle.deaf;) {
       taken += vehicle.from_sbc_.push(bytes + taken, count - taken);
       for (hooks::imc::Packet packet; vehicle.from_sbc_.next(&packet);) {

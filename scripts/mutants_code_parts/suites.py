@@ -17,6 +17,7 @@ GLIDERCC = {"runs": (("GLIDERCC", "bin/glidercc"),), "itself": False}
 
 HOOKS = Suite("tests/hooks_test")
 IMC = Suite("tests/imc_test")
+RECON = Suite("tests/recon_test")
 POSIX = Suite("tests/hooks_posix_test")
 RUNTIME = Suite("tests/runtime_test")
 NUMBERS = Suite("tests/numbers_test")
@@ -55,6 +56,7 @@ FLOWN_LOGS = Suite("tests/flights_test", "MissionLog.*", **GLIDERCC)
 SUITES = {
     "hooks": (HOOKS, RUNTIME),
     "hooks/imc": (IMC,),
+    "hooks/recon": (RECON,),
     "hooks/transport": (POSIX, HOOKS, CARD, C_MISSION),
     "runtime": (RUNTIME, CARD, C_MISSION, OPERATIONS, JUDGED),
     "runtime/c": (C_MISSION, CARD, RUNTIME),

@@ -84,6 +84,7 @@ TEST(RemusJudge, SeesGoalsThatAreTooDeepOrNotWhole) {
   alone.says(hooks::recon::DepthGoal{20});
   EXPECT_TRUE(alone.violates(JudgeId::Commands)) << "without a heading";
   JudgedFlight slow;
+  slow.goals(20);
   slow.says(hooks::recon::HeadingGoal{90});
   slow.says(hooks::recon::DepthGoal{20});
   EXPECT_TRUE(slow.violates(JudgeId::Commands)) << "without a speed";

@@ -5,6 +5,7 @@
 
 #include "codegen/codegen.h"
 #include "codegen/imc_mission.h"
+#include "codegen/recon_mission.h"
 #include "compiler/boards.h"
 #include "compiler/user_code.h"
 #include "flights/in_process_sbc.h"
@@ -13,6 +14,12 @@
 #include "simulator/ports/serial_sbc_port.h"
 
 namespace glider::flights {
+namespace {
+
+/// Of a serial line, where one takes the place of the network.
+constexpr uint32_t kSerialBaud = 115200;
+
+}  // namespace
 
 using simulator::ProcessSbcPort;
 using simulator::SbcPort;
@@ -21,20 +28,21 @@ using simulator::StartSbc;
 using support::Result;
 
 std::unique_ptr<simulator::LineTurns> PortEnd::turns() const {
-  return std::holds_alternative<GliderImcMission>(mission) ? simulator::imcTurns()
-                                                           : simulator::portTurns(clock);
+  return std::holds_alternative<GliderImcMission>(mission)     ? simulator::imcTurns()
+         : std::holds_alternative<GliderReconMission>(mission) ? simulator::reconTurns()
+                                                               : simulator::portTurns(clock);
 }
 
 Result<std::optional<PortEnd>> usualEnd(const platforms::Platform& platform) {
-  if (!codegen::speaksImc(platform)) {
-    return std::nullopt;
-  }
-  auto imc = codegen::imcMissionOf(platform);
-  if (!imc) {
-    return std::unexpected(imc.error());
-  }
-  constexpr uint32_t kBaud = 115200;  // of a serial line, where one takes the place of the network
-  return PortEnd{*imc, 0, kBaud};
+  const auto end = [](const auto& known) -> Result<std::optional<PortEnd>> {
+    if (!known) {
+      return std::unexpected(known.error());
+    }
+    return PortEnd{*known, 0, kSerialBaud};
+  };
+  return codegen::speaksImc(platform)     ? end(codegen::imcMissionOf(platform))
+         : codegen::speaksRecon(platform) ? end(codegen::reconMissionOf(platform))
+                                          : std::nullopt;
 }
 
 Result<NewWatchedFlight> flightsInProcess(const compiler::Optimised& mission,

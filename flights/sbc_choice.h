@@ -25,7 +25,7 @@ struct Platform;
 namespace glider::flights {
 
 /// The SBC is at a port of the vehicle that is not hookprog's: the Slocum's for a backseat driver,
-/// or one that speaks IMC.
+/// or one that speaks IMC or RECON.
 struct PortEnd {
   SeatSettings mission;
   uint32_t clock = 0;  ///< the index on a Slocum's port of the vehicle's clock

@@ -5,6 +5,7 @@
 
 #include "runtime/extctl/backseat.h"
 #include "runtime/imc/backseat.h"
+#include "runtime/recon/backseat.h"
 
 namespace glider::flights {
 namespace {
@@ -18,6 +19,10 @@ struct Maker {
   SeatOnBoard operator()(const GliderPortMission& port) const {
     auto seat = std::make_shared<runtime::extctl::Backseat>(
         mission, port, line, runtime::extctl::BackseatOptions{.checkpoint = checkpoint});
+    return {seat, seat->stream()};
+  }
+  SeatOnBoard operator()(const GliderReconMission& recon) const {
+    auto seat = std::make_shared<runtime::recon::Backseat>(mission, recon, line, checkpoint);
     return {seat, seat->stream()};
   }
   SeatOnBoard operator()(const GliderImcMission& imc) const {

@@ -7,6 +7,7 @@
 #include "runtime/abi/glider_abi.h"
 #include "runtime/abi/imc_mission.h"
 #include "runtime/abi/port_mission.h"
+#include "runtime/abi/recon_mission.h"
 #include "runtime/checkpoint/checkpoint.h"
 
 #include <memory>
@@ -16,7 +17,7 @@ namespace glider::flights {
 
 /// What the SBC's program knows of a vehicle that has no hookprog, by the way in which it is
 /// steered.
-using SeatSettings = std::variant<GliderPortMission, GliderImcMission>;
+using SeatSettings = std::variant<GliderPortMission, GliderImcMission, GliderReconMission>;
 
 /// The part of the program that stands between it and such a vehicle, in this process.
 struct SeatOnBoard {

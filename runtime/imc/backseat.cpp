@@ -6,8 +6,8 @@
 #include "hooks/imc/values.h"
 #include "hooks/protocol/numbers.h"
 #include "hooks/protocol/sensors.h"
-#include "runtime/imc/bounds.h"
-#include "runtime/imc/story.h"
+#include "runtime/front_seat/bounds.h"
+#include "runtime/front_seat/story.h"
 #include "runtime/imc/virtual_time.h"
 
 namespace glider::runtime::imc {
@@ -223,7 +223,8 @@ HookAnswer Backseat::decide(const hooks::Instruction& instruction) {
             : instruction.session != session_) {
     return HookAnswer::WrongSession;
   }
-  const HookAnswer within = checkBounds(instruction, imc_);
+  const HookAnswer within =
+      checkBounds(instruction, {imc_.greatest_depth_m, imc_.slowest_m_s, imc_.fastest_m_s});
   if (within != HookAnswer::Accepted) {
     return within;
   }

@@ -6,7 +6,7 @@
 #include "hooks/imc/codec.h"
 #include "hooks/protocol/instruction.h"
 #include "runtime/abi/imc_mission.h"
-#include "runtime/imc/position.h"
+#include "runtime/front_seat/position.h"
 
 namespace glider::runtime::imc {
 

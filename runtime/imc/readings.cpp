@@ -4,7 +4,7 @@
 #include "runtime/imc/readings.h"
 
 #include "hooks/imc/values.h"
-#include "runtime/imc/position.h"
+#include "runtime/front_seat/position.h"
 #include "runtime/numbers/numbers.h"
 
 namespace glider::runtime::imc {

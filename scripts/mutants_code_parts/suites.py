@@ -17,6 +17,8 @@ GLIDERCC = {"runs": (("GLIDERCC", "bin/glidercc"),), "itself": False}
 
 HOOKS = Suite("tests/hooks_test")
 IMC = Suite("tests/imc_test")
+RECON = Suite("tests/recon_test")
+RECON_SEAT = Suite("tests/recon_backseat_test")
 POSIX = Suite("tests/hooks_posix_test")
 RUNTIME = Suite("tests/runtime_test")
 NUMBERS = Suite("tests/numbers_test")
@@ -55,8 +57,10 @@ FLOWN_LOGS = Suite("tests/flights_test", "MissionLog.*", **GLIDERCC)
 SUITES = {
     "hooks": (HOOKS, RUNTIME),
     "hooks/imc": (IMC,),
+    "hooks/recon": (RECON,),
     "hooks/transport": (POSIX, HOOKS, CARD, C_MISSION),
     "runtime": (RUNTIME, CARD, C_MISSION, OPERATIONS, JUDGED),
+    "runtime/recon": (RECON_SEAT,),
     "runtime/c": (C_MISSION, CARD, RUNTIME),
     "runtime/board": (CARD, C_MISSION),
     "runtime/numbers": (NUMBERS, RUNTIME, OPERATIONS),

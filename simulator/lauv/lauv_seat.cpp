@@ -243,6 +243,16 @@ void LauvSeat::sendAll(const Vehicle& vehicle) {
   send(stateOf(vehicle));
 }
 
+/// Its entries for the vehicle's log.
+void LauvSeat::takeStory(const Packet& packet) {
+  LogBookEntry entry;
+  if (packet.id == LogBookEntry::kId && decode(packet, entry) &&
+      entry.context == textOf("glidercc")) {
+    story_.take({entry.text.bytes, entry.text.size});
+  }
+  story_.heard(now_s_);
+}
+
 void LauvSeat::hear(const GliderByteStream& sbc) {
   std::array<uint8_t, 256> bytes;
   constexpr int kMostReads = 64;
@@ -255,7 +265,7 @@ void LauvSeat::hear(const GliderByteStream& sbc) {
       taken += packets_.push(bytes.data() + taken, static_cast<uint32_t>(count) - taken);
       Packet packet;
       while (packets_.next(&packet)) {
-        story_.take(packet, now_s_);
+        takeStory(packet);
         if (packet.header.destination == kAddress || packet.header.destination == kThisDune) {
           plans_.take(packet, now_s_);
         }

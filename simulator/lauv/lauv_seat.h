@@ -6,9 +6,9 @@
 #include "hooks/imc/codec.h"
 #include "hooks/imc/packet_reader.h"
 #include "simulator/lauv/autopilot.h"
-#include "simulator/lauv/dead_reckoning.h"
 #include "simulator/lauv/plan_server.h"
-#include "simulator/lauv/sbc_story.h"
+#include "simulator/seat/dead_reckoning.h"
+#include "simulator/seat/sbc_story.h"
 #include "simulator/seat/sensor_array.h"
 #include "simulator/seat/simulated_seat.h"
 #include "simulator/sensors/sensor_list.h"
@@ -62,6 +62,7 @@ class LauvSeat final : public SimulatedSeat {
 
   [[nodiscard]] const Faults& faults() const { return scenario_.faults; }
   void hear(const GliderByteStream& sbc);
+  void takeStory(const hooks::imc::Packet& packet);
   void noteEnd(bool sbc_gone);
   void set(const char* source, double value);
   void readSensors(const Vehicle& vehicle);
@@ -84,8 +85,8 @@ class LauvSeat final : public SimulatedSeat {
   Ctd ctd_;
   lauv::PlanServer plans_;
   lauv::Autopilot autopilot_;
-  lauv::DeadReckoning reckoning_;
-  lauv::SbcStory story_;
+  DeadReckoning reckoning_;
+  SbcStory story_;
   hooks::imc::PacketReader packets_;
   std::vector<uint8_t> out_;
   double now_s_ = 0;

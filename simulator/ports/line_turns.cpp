@@ -7,6 +7,7 @@
 #include "hooks/extctl/sentence.h"
 #include "hooks/imc/codec.h"
 #include "hooks/imc/packet_reader.h"
+#include "hooks/recon/codec.h"
 
 #include <fmt/format.h>
 
@@ -106,6 +107,49 @@ class ImcTurns final : public LineTurns {
   bool owed_ = false;
 };
 
+class ReconTurns final : public LineTurns {
+ public:
+  void toSbc(const uint8_t* bytes, uint32_t count) override {
+    each(to_sbc_, bytes, count, [&](const hooks::recon::Line& line) {
+      hooks::recon::TimeSet time;
+      hooks::recon::State state;
+      dated_ = dated_ || decode(line, time);
+      if (dated_ && decode(line, state)) {
+        const double second = std::floor(state.time_s);
+        owed_ = owed_ || second != second_;
+        second_ = second;
+      }
+    });
+  }
+  void fromSbc(const uint8_t* bytes, uint32_t count) override {
+    each(from_sbc_, bytes, count, [&](const hooks::recon::Line& line) {
+      hooks::recon::SimulationText text;
+      hooks::recon::TimeQuery query;
+      const bool ends = decode(line, query) ||
+                        (decode(line, text) &&
+                         std::string_view(text.text.bytes, text.text.size).starts_with("state,"));
+      owed_ = owed_ && !ends;
+    });
+  }
+  [[nodiscard]] bool settled() const override { return !owed_; }
+
+ private:
+  template <typename Work>
+  static void each(hooks::recon::LineReader& reader, const uint8_t* bytes, uint32_t count,
+                   Work work) {
+    for (uint32_t i = 0; i < count; ++i) {
+      if (hooks::recon::Line line; reader.push(bytes[i], &line)) {
+        work(line);
+      }
+    }
+  }
+
+  hooks::recon::LineReader to_sbc_, from_sbc_;
+  double second_ = -1;  ///< of the newest cycle
+  bool dated_ = false;
+  bool owed_ = false;
+};
+
 }  // namespace
 
 std::unique_ptr<LineTurns> hookTurns() {
@@ -118,6 +162,10 @@ std::unique_ptr<LineTurns> portTurns(uint32_t clock) {
 
 std::unique_ptr<LineTurns> imcTurns() {
   return std::make_unique<ImcTurns>();
+}
+
+std::unique_ptr<LineTurns> reconTurns() {
+  return std::make_unique<ReconTurns>();
 }
 
 }  // namespace glider::simulator

@@ -34,4 +34,8 @@ std::unique_ptr<LineTurns> portTurns(uint32_t clock);
 /// Packets of IMC: the first state of a second is a cycle, and the SBC's Heartbeat ends its answer.
 std::unique_ptr<LineTurns> imcTurns();
 
+/// Lines of RECON, of a simulated vehicle: the first state of a second is a cycle once the date is
+/// known, and what the SBC reports of its mission's state, or a query of the time, ends its answer.
+std::unique_ptr<LineTurns> reconTurns();
+
 }  // namespace glider::simulator

@@ -11,6 +11,8 @@
 #include "codegen/llvm/program/parts.h"
 #include "codegen/llvm/program/port_mission.h"
 #include "codegen/llvm/program/program.h"
+#include "codegen/llvm/program/recon_mission.h"
+#include "codegen/recon_mission.h"
 #include "platforms/load/dictionary.h"
 #include "runtime/abi/glider_abi.h"
 #include "support/diagnostics/ids/target.h"
@@ -86,7 +88,31 @@ std::string parameterPart(const Recipe& recipe) {
 
 /// The part of the runtime that speaks to the vehicle.
 std::string dialectPart(const Recipe& recipe) {
-  return recipe.options.port ? "extctl" : speaksImc(recipe.input.platform) ? "imc" : "hooks";
+  return recipe.options.port                  ? "extctl"
+         : speaksImc(recipe.input.platform)   ? "imc"
+         : speaksRecon(recipe.input.platform) ? "recon"
+                                              : "hooks";
+}
+
+/// What that part must know.
+Result<void> addDialect(llvm::Module& module, const Recipe& recipe) {
+  const std::string part = dialectPart(recipe);
+  if (part == "extctl") {
+    addPortMission(module, *recipe.options.port);
+  } else if (part == "imc") {
+    const auto imc = imcMissionOf(recipe.input.platform);
+    if (!imc) {
+      return std::unexpected(imc.error());
+    }
+    addImcMission(module, *imc);
+  } else if (part == "recon") {
+    const auto recon = reconMissionOf(recipe.input.platform);
+    if (!recon) {
+      return std::unexpected(recon.error());
+    }
+    addReconMission(module, *recon);
+  }
+  return {};
 }
 
 Result<void> bringTogether(llvm::Module& module, const Recipe& recipe,
@@ -109,15 +135,10 @@ Result<std::string> compilePart(const Recipe& recipe, const MissionPart& part,
   if (!unit) {
     return std::unexpected(unit.error());
   }
-  if (part.head && recipe.options.port) {
-    addPortMission(*unit->module, *recipe.options.port);
-  }
-  if (part.head && dialectPart(recipe) == "imc") {
-    const auto imc = imcMissionOf(recipe.input.platform);
-    if (!imc) {
-      return std::unexpected(imc.error());
+  if (part.head) {
+    if (auto added = addDialect(*unit->module, recipe); !added) {
+      return std::unexpected(added.error());
     }
-    addImcMission(*unit->module, *imc);
   }
   if (auto together = bringTogether(*unit->module, recipe, visible); !together) {
     return std::unexpected(together.error());

@@ -23,7 +23,7 @@ using namespace hooks::imc;
 using simulator::JudgeId;
 using simulator::Verdict;
 
-constexpr LauvPromise kPromise{
+constexpr simulator::FloatingPromise kPromise{
     .greatest_depth_m = 50, .overshoot_m = 4.5, .lets_go_s = 18, .turn_s = 45, .rises_m_s = 0.05};
 
 const platforms::Platform& lauv() {

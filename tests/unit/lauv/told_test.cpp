@@ -5,7 +5,7 @@
 
 #include "simulator/seat/told.h"
 
-#include "runtime/imc/story.h"
+#include "runtime/front_seat/story.h"
 
 #include <gtest/gtest.h>
 
@@ -30,10 +30,10 @@ SeatEvent eventOf(SeatEvent::Kind kind, const std::string& text = "") {
   return event;
 }
 SeatEvent readBack(const SeatEvent& event) {
-  char text[runtime::imc::kMostStory];
-  const uint32_t size = runtime::imc::storyOf(event, text);
+  char text[runtime::kMostStory];
+  const uint32_t size = runtime::storyOf(event, text);
   EXPECT_GT(size, 0U);
-  EXPECT_LE(size, runtime::imc::kMostStory);
+  EXPECT_LE(size, runtime::kMostStory);
   return toldIn({text, size}, 99);
 }
 
@@ -81,8 +81,8 @@ TEST(Told, AnythingElseIsANoteOfNow) {
 }
 
 TEST(Told, EventsOfTheVehicleAreNotForItsLog) {
-  char text[runtime::imc::kMostStory];
-  EXPECT_EQ(runtime::imc::storyOf(eventOf(SeatEvent::Kind::None), text), 0U);
+  char text[runtime::kMostStory];
+  EXPECT_EQ(runtime::storyOf(eventOf(SeatEvent::Kind::None), text), 0U);
 }
 
 }  // namespace

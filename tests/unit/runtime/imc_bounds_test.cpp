@@ -4,7 +4,7 @@
 // Commands that are refused because the vehicle would fly something else: runtime/imc/README.md,
 // M8.
 
-#include "runtime/imc/bounds.h"
+#include "runtime/front_seat/bounds.h"
 #include "tests/unit/runtime/imc_packets.h"
 
 #include <cmath>
@@ -33,7 +33,9 @@ template <typename Change>
 HookAnswer with(Change change) {
   Instruction instruction = fine();
   change(instruction);
-  return checkBounds(instruction, testing::kImcLimits);
+  return checkBounds(instruction,
+                     {testing::kImcLimits.greatest_depth_m, testing::kImcLimits.slowest_m_s,
+                      testing::kImcLimits.fastest_m_s});
 }
 HookAnswer withDepth(double depth_m, HookVertical vertical) {
   return with([&](Instruction& i) {

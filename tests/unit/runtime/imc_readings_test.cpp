@@ -3,7 +3,7 @@
 
 // What a vehicle reports, in the units of runtime/imc/readings.def.
 
-#include "runtime/imc/position.h"
+#include "runtime/front_seat/position.h"
 #include "runtime/imc/readings.h"
 #include "tests/unit/runtime/imc_packets.h"
 

@@ -4,9 +4,8 @@
 #pragma once
 
 #include "runtime/imc/backseat.h"
-#include "runtime/library/library.h"
-#include "tests/unit/runtime/bench_mission.h"
 #include "tests/unit/runtime/imc_packets.h"
+#include "tests/unit/runtime/two_depths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,36 +16,6 @@
 
 /// A mission's program at a vehicle made of packets.
 namespace glider::runtime::testing {
-
-/// A mission of two states that change with the temperature, each with a depth of its own.
-struct TwoDepths : BenchMission {
-  TwoDepths() {
-    sensors = {depthSensor(), temperatureSensor()};
-    states = {benchState("warm", &to_cold, 1), benchState("cold", &to_warm, 1)};
-    guards = [this](const GliderContext& c) {
-      if (c.mission_time >= end_s) {
-        return GLIDER_NO_CASE;
-      }
-      const double temperature = c.readings[1].value;
-      return (c.state == 0 ? temperature < 12 : temperature > 14) ? 0U : GLIDER_NO_CASE;
-    };
-    always = {exit_case};
-    always_guards = [this](const GliderContext& c, uint32_t) {
-      return c.mission_time >= end_s ? 0U : GLIDER_NO_CASE;
-    };
-    fly = [this](GliderContext& c, uint32_t phase) {
-      if (phase != kGliderTick) {
-        gliderDescendAt(&c, c.state == 0 ? 20 : deeper_m, 1.25);
-        gliderSteer(&c, 1.5);
-      }
-    };
-    finish(2);
-  }
-  GliderCaseInfo to_cold{kGliderGoto, 1}, to_warm{kGliderGoto, 0};
-  GliderCaseInfo exit_case{kGliderExit, 0};
-  double end_s = 1e9;
-  double deeper_m = 40;
-};
 
 inline GliderImcMission imcOf(double greatest_depth_m = 50) {
   GliderImcMission imc = kImcLimits;

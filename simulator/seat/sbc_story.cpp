@@ -1,23 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "simulator/lauv/sbc_story.h"
+#include "simulator/seat/sbc_story.h"
 
-#include "hooks/imc/codec.h"
 #include "simulator/seat/told.h"
 
-namespace glider::simulator::lauv {
+namespace glider::simulator {
 
-void SbcStory::take(const hooks::imc::Packet& packet, double now_s) {
-  hooks::imc::LogBookEntry entry;
-  if (packet.id == hooks::imc::LogBookEntry::kId && decode(packet, entry) &&
-      entry.context == hooks::imc::textOf("glidercc")) {
-    takeText({entry.text.bytes, entry.text.size});
-  }
-  heard_s_ = now_s;
-}
-
-void SbcStory::takeText(std::string_view text) {
+void SbcStory::take(std::string_view text) {
   constexpr std::string_view kState = "state,";
   if (!text.starts_with(kState)) {
     events_.push_back(toldIn(text, view_.mission_time_s));
@@ -50,4 +40,4 @@ hooks::SeatEvent SbcStory::nextEvent() {
   return event;
 }
 
-}  // namespace glider::simulator::lauv
+}  // namespace glider::simulator

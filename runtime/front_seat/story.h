@@ -8,7 +8,7 @@
 
 #include <stdint.h>
 
-namespace glider::runtime::imc {
+namespace glider::runtime {
 
 /// What the SBC tells of its mission in the vehicle's log is at most so long.
 inline constexpr uint32_t kMostStory = 160;
@@ -20,4 +20,4 @@ uint32_t storyOf(const hooks::SeatEvent& event, char* text);
 /// An entry that says in which state the mission is, and its time.
 uint32_t stateStory(const hooks::SbcView& view, char* text);
 
-}  // namespace glider::runtime::imc
+}  // namespace glider::runtime

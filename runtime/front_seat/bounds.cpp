@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "runtime/imc/bounds.h"
+#include "runtime/front_seat/bounds.h"
 
 #include "runtime/numbers/degrees.h"
 #include "runtime/numbers/numbers.h"
 
-namespace glider::runtime::imc {
+namespace glider::runtime {
 namespace {
 
 using hooks::HookAnswer;
@@ -16,7 +16,7 @@ using hooks::HookVertical;
 /// Half a step of a number on the line (hooks/protocol/steps.h), and more.
 constexpr double kRounded = 1e-3;
 
-HookAnswer checkVertical(const hooks::Instruction& instruction, const GliderImcMission& mission) {
+HookAnswer checkVertical(const hooks::Instruction& instruction, const CommandLimits& limits) {
   if (instruction.vertical == HookVertical::Surface) {
     return HookAnswer::Accepted;
   }
@@ -27,11 +27,11 @@ HookAnswer checkVertical(const hooks::Instruction& instruction, const GliderImcM
   if (!isFinite(instruction.depth_m) || !isFinite(instruction.pitch_rad)) {
     return HookAnswer::BadCommand;
   }
-  if (instruction.depth_m > mission.greatest_depth_m + kRounded) {
+  if (instruction.depth_m > limits.greatest_depth_m + kRounded) {
     return HookAnswer::TooDeep;
   }
-  return instruction.pitch_rad >= mission.slowest_m_s - kRounded &&
-                 instruction.pitch_rad <= mission.fastest_m_s + kRounded
+  return instruction.pitch_rad >= limits.slowest_m_s - kRounded &&
+                 instruction.pitch_rad <= limits.fastest_m_s + kRounded
              ? HookAnswer::Accepted
              : HookAnswer::BadPitch;
 }
@@ -56,9 +56,9 @@ HookAnswer checkLateral(const hooks::Instruction& instruction) {
 
 }  // namespace
 
-HookAnswer checkBounds(const hooks::Instruction& instruction, const GliderImcMission& mission) {
-  const HookAnswer vertical = checkVertical(instruction, mission);
+HookAnswer checkBounds(const hooks::Instruction& instruction, const CommandLimits& limits) {
+  const HookAnswer vertical = checkVertical(instruction, limits);
   return vertical == HookAnswer::Accepted ? checkLateral(instruction) : vertical;
 }
 
-}  // namespace glider::runtime::imc
+}  // namespace glider::runtime

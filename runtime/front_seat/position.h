@@ -3,7 +3,7 @@
 
 #pragma once
 
-namespace glider::runtime::imc {
+namespace glider::runtime {
 
 inline constexpr double kDegreesPerRadian = 180.0 / 3.141592653589793;
 
@@ -21,4 +21,4 @@ Place displaced(const Place& from, double north_m, double east_m);
 /// As the vehicle of the language has positions: ddmm.mmmm with the sign of the degrees.
 double ddmmOf(double degrees);
 
-}  // namespace glider::runtime::imc
+}  // namespace glider::runtime

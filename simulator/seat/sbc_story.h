@@ -3,20 +3,21 @@
 
 #pragma once
 
-#include "hooks/imc/packet.h"
 #include "hooks/seat/events.h"
 #include "hooks/seat/seat.h"
 
 #include <deque>
 #include <string_view>
 
-namespace glider::simulator::lauv {
+namespace glider::simulator {
 
-/// What the SBC says of its mission, in entries of the vehicle's log (hooks/imc/README.md).
+/// What an SBC says of its mission to a vehicle that has no hooks: texts of runtime/front_seat.
 class SbcStory {
  public:
-  /// Takes a packet of the SBC.
-  void take(const hooks::imc::Packet& packet, double now_s);
+  /// Takes a text.
+  void take(std::string_view text);
+  /// The SBC is there.
+  void heard(double now_s) { heard_s_ = now_s; }
   /// Without a message for a while, nothing is known of its mission.
   void look(double now_s);
 
@@ -24,11 +25,9 @@ class SbcStory {
   [[nodiscard]] const hooks::SbcView& view() const { return view_; }
 
  private:
-  void takeText(std::string_view text);
-
   std::deque<hooks::SeatEvent> events_;
   hooks::SbcView view_;
   double heard_s_ = 0;
 };
 
-}  // namespace glider::simulator::lauv
+}  // namespace glider::simulator

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "runtime/imc/position.h"
+#include "runtime/front_seat/position.h"
 
 #include "runtime/abi/glider_abi.h"
 #include "runtime/numbers/numbers.h"
 
-namespace glider::runtime::imc {
+namespace glider::runtime {
 namespace {
 
 constexpr double kRadius_m = 6378137.0;            // WGS 84: half the greater axis
@@ -33,4 +33,4 @@ double ddmmOf(double degrees) {
   return degrees < 0 ? negated(ddmm) : ddmm;
 }
 
-}  // namespace glider::runtime::imc
+}  // namespace glider::runtime

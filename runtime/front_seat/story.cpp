@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "runtime/imc/story.h"
+#include "runtime/front_seat/story.h"
 
 #include "hooks/protocol/decimal.h"
 
-namespace glider::runtime::imc {
+namespace glider::runtime {
 namespace {
 
 /// Puts words and numbers, separated by commas, as far as there is room.
@@ -72,4 +72,4 @@ uint32_t stateStory(const hooks::SbcView& view, char* text) {
       .size();
 }
 
-}  // namespace glider::runtime::imc
+}  // namespace glider::runtime

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace glider::simulator::lauv {
+namespace glider::simulator {
 
 /// Where a vehicle takes itself to be: the last fix and its way through the water since. It does
 /// not know the current.
@@ -25,4 +25,4 @@ class DeadReckoning {
   Planar place_;
 };
 
-}  // namespace glider::simulator::lauv
+}  // namespace glider::simulator

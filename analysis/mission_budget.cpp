@@ -32,7 +32,12 @@ bool exceeds(const Quantity& quantity) {
   return quantity.value && quantity.limit && *quantity.value > *quantity.limit;
 }
 
-Budget linesBudget(const compiler::Optimised& mission, support::DiagnosticEngine& diagnostics) {
+/// Of the serial line to the vehicle; a mission whose program has the seat within itself has none.
+std::vector<Budget> linesBudget(const compiler::Optimised& mission,
+                                support::DiagnosticEngine& diagnostics) {
+  if (mission.platform().seatIsOnBoard()) {
+    return {};
+  }
   const ir::LinkBytes bytes = ir::linkBytes(mission.mission, mission.platform());
   const std::string unit = "bytes a cycle";
   const std::string fast = "115200 baud: ";
@@ -47,7 +52,7 @@ Budget linesBudget(const compiler::Optimised& mission, support::DiagnosticEngine
                          *quantity.limit);
     }
   }
-  return budget;
+  return {std::move(budget)};
 }
 
 Quantity figureOf(std::string name, const std::expected<uint64_t, std::string>& bound,
@@ -142,7 +147,7 @@ Result<std::vector<Budget>> missionBudgets(const compiler::Optimised& mission,
                                            const std::vector<std::string>& targets,
                                            const std::vector<std::string>& user_code,
                                            support::DiagnosticEngine& diagnostics) {
-  std::vector<Budget> budgets = {linesBudget(mission, diagnostics)};
+  std::vector<Budget> budgets = linesBudget(mission, diagnostics);
   for (const std::string& target : targets) {
     auto budget = budgetOn(target, mission, user_code, diagnostics);
     if (!budget) {

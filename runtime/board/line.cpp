@@ -55,7 +55,7 @@ int tellWish(const Options& options, const char* mission_name) {
       break;
   }
   tell("error: cannot make sense of `", options.wrong, options.wrong_value[0] != '\0' ? " " : "",
-       options.wrong_value, "`; --help says what there is");
+       options.wrong_value, "`; see --help");
   return kWrongUse;
 }
 

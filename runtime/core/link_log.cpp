@@ -63,7 +63,8 @@ void LinkLog::news(const GliderContext& context, const ControlNews& news) {
 }
 
 void LinkLog::unanswered(const GliderContext& context, const hooks::VehicleTick& tick) {
-  if (tick.unanswered_ticks == hooks::Client::kMostUnansweredTicks) {
+  // The release of a mission that is over may have to wait until the vehicle is up (by the port).
+  if (tick.unanswered_ticks == hooks::Client::kMostUnansweredTicks && context.finished == 0) {
     log_.event(context.mission_time, LogEvent::InstructionUnanswered, LogDetail::None,
                static_cast<double>(tick.instruction_sequence));
   }

@@ -553,6 +553,17 @@ TEST_F(LinkTest, AnInstructionWithoutAnswerIsLoggedOnce) {
   EXPECT_EQ(vehicle.hookbeh().state, hooks::HookState::Silent);
 }
 
+TEST_F(LinkTest, AReleaseThatHasToWaitIsNotLoggedAsUnanswered) {
+  end = 100;
+  VehicleBench vehicle({.silence_secs = 24});
+  boot(vehicle);
+  vehicle.run(96);
+  vehicle.forgets_sequence = true;
+  vehicle.run(200);
+  EXPECT_NE(gliderRuntimeContext(runtime_)->finished, 0U);
+  EXPECT_THAT(logCsv(), Not(HasSubstr(",event,instruction unanswered,")));
+}
+
 TEST_F(LinkTest, SaysWhenTheLineIsClosed) {
   VehicleBench vehicle({});
   boot(vehicle);

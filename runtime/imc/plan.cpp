@@ -52,6 +52,7 @@ void Plan::takeReply(const PlanControl& said) {
 /// READY is said three times a second also in the moment between a request and its execution, so
 /// only the end of a plan that has run is one.
 void Plan::takeState(const PlanControlState& said) {
+  known_ = true;
   const bool runs = said.state == PlanState::Executing || said.state == PlanState::Initializing;
   if (runs && !(said.plan_id == kPlan)) {
     ours_runs_ = false;
@@ -144,8 +145,9 @@ void Plan::forgetSent() {
 }
 
 bool Plan::asksForStart(double now_s, double depth_m) {
-  if (ours_runs_) {
-    return false;  // it has begun, and the vehicle does not say yet that it follows
+  if (ours_runs_ || !known_) {
+    return false;  // it has begun, and the vehicle does not say yet that it follows; or another
+                   // may have begun while nothing was received
   }
   const bool begins = state_ == State::Ready && depth_m <= mission_.start_depth_m;
   const bool again = wasLost();

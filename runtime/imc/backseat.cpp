@@ -138,9 +138,10 @@ HookState Backseat::unheld() const {
                                : HookState::Waiting;
 }
 
-/// Everything that has arrived was taken: what the vehicle said last is how it is now.
+/// Everything that has arrived was taken: what the vehicle said last is how it is now. Not even a
+/// part of a packet is held.
 bool Backseat::isUpToDate() {
-  return in_next_ == in_end_ && !fill();
+  return packets_.held() == 0 && in_next_ == in_end_ && !fill();
 }
 
 bool Backseat::startsPlan() {

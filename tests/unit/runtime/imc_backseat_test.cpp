@@ -14,15 +14,19 @@ using namespace hooks::imc;
 using testing::ImcVehicle;
 using testing::TwoDepths;
 
-/// A state alone: the vehicle sends many of them between two reports of its plan.
-void sayState(ImcVehicle& vehicle) {
+EstimatedState stateNow() {
   EstimatedState state;
   state.lat = 0.72;
   state.lon = -0.15;
   state.depth = 0.2F;
   state.alt = -1;
+  return state;
+}
+
+/// A state alone: the vehicle sends many of them between two reports of its plan.
+void sayState(ImcVehicle& vehicle) {
   vehicle.now_s += 1;
-  vehicle.say(state);
+  vehicle.say(stateNow());
   vehicle.hand();
 }
 
@@ -356,6 +360,27 @@ TEST(ImcBackseat, StartsNothingOnANewConnectionBeforeThePlanIsKnown) {
     vehicle.seconds(12);
     EXPECT_EQ(vehicle.starts, 1) << by_itself;
     EXPECT_EQ(vehicle.toldDepth(), 20) << by_itself;
+  }
+}
+
+/// The report behind the state that completes the cycle was taken from the line with it, wherever
+/// the reads have cut the bytes.
+TEST(ImcBackseat, StartsNothingBeforeAllThatHasArrivedWasTaken) {
+  for (size_t before = 0; before < 64; ++before) {
+    TwoDepths mission;
+    ImcVehicle vehicle(mission.mission);
+    vehicle.lose(PlanControlState::kId);
+    vehicle.seconds(2);
+    vehicle.lose({});
+    vehicle.now_s += 1;
+    vehicle.say(testing::planState(PlanState::Ready, ""));
+    vehicle.sayBytes(std::vector<uint8_t>(before, 0));
+    vehicle.say(stateNow());
+    vehicle.plan = "survey";
+    vehicle.heard_s = vehicle.now_s;
+    vehicle.say(testing::planState(PlanState::Executing, "s"));
+    vehicle.hand();
+    EXPECT_EQ(vehicle.starts, 0) << before;
   }
 }
 

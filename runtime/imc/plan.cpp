@@ -16,13 +16,21 @@ const Text kManeuver = textOf("follow");
 
 }  // namespace
 
-void Plan::take(const Packet& packet) {
+/// A packet may be a little older than the one before, or have no time.
+void Plan::takeTime(double time_s) {
+  if (time_s <= 0) {
+    return;
+  }
   // What it has reported of a time-out meanwhile was not received.
   constexpr double kSpread = 2;
-  timed_out_ =
-      timed_out_ || (now_s_ > 0 && packet.header.time_s - now_s_ >= mission_.timeout_s - kSpread);
-  now_s_ = packet.header.time_s;
-  asked_s_ = asked_s_ > now_s_ ? -kStartSecs : asked_s_;  // its clock was set back
+  timed_out_ = timed_out_ || time_s - now_s_ >= mission_.timeout_s - kSpread;
+  now_s_ = time_s;
+  constexpr double kSetBack = 60;
+  asked_s_ = asked_s_ - now_s_ > kSetBack ? -kStartSecs : asked_s_;
+}
+
+void Plan::take(const Packet& packet) {
+  takeTime(packet.header.time_s);
   if (packet.id == PlanControlState::kId) {
     PlanControlState said;
     if (decode(packet, said)) {

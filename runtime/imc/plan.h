@@ -71,6 +71,7 @@ class Plan {
     float depth = 0;
   };
   static constexpr uint32_t kRemembered = 8;
+  void takeTime(double time_s);
   void takeReply(const hooks::imc::PlanControl& said);
   void takeEcho(const hooks::imc::Reference& said);
   void forgetSent();

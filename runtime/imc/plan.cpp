@@ -173,9 +173,14 @@ bool Plan::isInDoubt(double now_s) const {
          now_s - unreplied_s_ > doubt_s_;
 }
 
-void Plan::noteRenewal() {
+void Plan::noteEndOfConnection() {
+  known_ = false;
   forgetSent();
   unreplied_s_ = __builtin_nan("");
+}
+
+void Plan::noteRenewal() {
+  noteEndOfConnection();
   doubt_s_ = 2 * doubt_s_ < kMostDoubtSecs ? 2 * doubt_s_ : kMostDoubtSecs;
 }
 

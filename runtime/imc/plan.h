@@ -39,8 +39,8 @@ class Plan {
   /// The connection is closed because of that doubt: the next doubt takes twice as long.
   void noteRenewal();
   /// The connection has ended, for any reason. What the vehicle flies is not known until it reports
-  /// it on the next one: nothing is started or stopped before.
-  void noteEndOfConnection() { known_ = false; }
+  /// it on the next one: nothing is started or stopped before. What was sent is not waited for.
+  void noteEndOfConnection();
   /// The vehicle has reported on this connection what it flies.
   [[nodiscard]] bool isKnown() const { return known_; }
   /// The vehicle executes our plan.

@@ -384,6 +384,27 @@ TEST(ImcBackseat, StartsNothingBeforeAllThatHasArrivedWasTaken) {
   }
 }
 
+TEST(ImcBackseat, AConnectionIsNotInDoubtForWhatWasSentOnTheLastOne) {
+  for (const bool of_start : {false, true}) {
+    TwoDepths mission;
+    ImcVehicle vehicle(mission.mission);
+    if (of_start) {
+      askInVain(vehicle);
+    } else {
+      begin(vehicle);
+      vehicle.temperature = 10;
+      vehicle.deaf = true;
+      vehicle.second();
+    }
+    drop(vehicle, 6);
+    vehicle.deaf = false;
+    const int references = vehicle.references;
+    vehicle.second();
+    EXPECT_EQ(vehicle.renewed, 0) << of_start;
+    EXPECT_EQ(of_start ? vehicle.starts : vehicle.references - references, 1) << of_start;
+  }
+}
+
 /// It may have been lifted out of the water meanwhile.
 TEST(ImcBackseat, StartsNothingOnANewConnectionBeforeTheMediumIsKnown) {
   TwoDepths mission;

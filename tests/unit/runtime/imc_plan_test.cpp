@@ -351,6 +351,17 @@ TEST(ImcPlan, WaitsTwiceAsLongAfterEachConnectionThatDidNotHelp) {
   EXPECT_TRUE(bench.plan.isInDoubt(sent_s + 5.1)) << "it has answered";
 }
 
+TEST(ImcPlan, WaitsNoLongerAfterAConnectionThatEndedByItself) {
+  PlanBench bench;
+  bench.fly();
+  for (int times = 0; times < 3; ++times, bench.now_s += 100) {
+    bench.plan.noteReference(referenceTo(20), bench.now_s);
+    EXPECT_TRUE(bench.plan.isInDoubt(bench.now_s + 5.1)) << times;
+    bench.plan.noteEndOfConnection();
+    EXPECT_FALSE(bench.plan.isInDoubt(bench.now_s + 5.1)) << times;
+  }
+}
+
 TEST(ImcPlan, TheRequestsSayWhatTheVehicleNeeds) {
   PlanBench bench;
   const PlanControl start = bench.plan.start();

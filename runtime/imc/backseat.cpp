@@ -138,9 +138,10 @@ HookState Backseat::unheld() const {
                                : HookState::Waiting;
 }
 
-/// Everything that has arrived was taken: what the vehicle said last is how it is now.
+/// Everything that has arrived was taken: what the vehicle said last is how it is now. Not even a
+/// part of a packet is held.
 bool Backseat::isUpToDate() {
-  return in_next_ == in_end_ && !fill();
+  return packets_.held() == 0 && in_next_ == in_end_ && !fill();
 }
 
 bool Backseat::startsPlan() {
@@ -252,11 +253,11 @@ void Backseat::sendReference() {
   }
 }
 
-/// Ends the plan, unless the vehicle says that it flies another: a request to stop does not name
-/// one.
+/// Ends the plan, unless the vehicle says that it flies another, or has not said yet on this
+/// connection what it flies: a request to stop does not name one.
 void Backseat::release() {
   const bool over = plan_.isOver() || plan_.isTaken();
-  if (!over) {
+  if (!over && plan_.isKnown()) {
     send(plan_.stop());
   }
   if (over || ++releasing_ > kReleaseCycles) {
@@ -338,12 +339,15 @@ bool Backseat::isInDoubt() const {
 }
 
 /// What is on its way on a connection ends with it: half a packet would be joined with the begin of
-/// another, and a request that waits until the vehicle is back would come too late.
+/// another, and a request that waits until the vehicle is back would come too late. Meanwhile an
+/// operator may have started a plan, or lifted the vehicle out of the water.
 void Backseat::dropConnection() {
   packets_.reset();
   in_next_ = in_end_ = 0;
   out_next_ = out_end_ = 0;
   stuck_ = 0;
+  plan_.noteEndOfConnection();
+  readings_.forget(Reading::Medium);
 }
 
 }  // namespace glider::runtime::imc

@@ -30,6 +30,9 @@ void Course::steer(const hooks::Instruction& command, const Place& here, double 
                     command.heading_rad == command_.heading_rad &&
                     command.latitude_ddmm == command_.latitude_ddmm &&
                     command.longitude_ddmm == command_.longitude_ddmm;
+  // With another depth the vehicle is to be given another place as it comes near again.
+  arrived_ =
+      arrived_ && command.vertical == command_.vertical && command.depth_m == command_.depth_m;
   command_ = command;
   has_command_ = true;
   if (same) {

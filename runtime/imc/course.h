@@ -27,7 +27,7 @@ class Course {
   static constexpr double kAhead_m = 2000;
   static constexpr double kNear_m = 500;
   /// A fixed place is given again, as another one, when the vehicle is so near; as it was, when it
-  /// is so far again, m (README.md, rule M7).
+  /// is so far again, or beyond kArrived_m when the depth changes, m (README.md, rule M7).
   static constexpr double kArrived_m = 14;
   static constexpr double kLeft_m = 20;
 

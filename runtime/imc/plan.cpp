@@ -16,13 +16,21 @@ const Text kManeuver = textOf("follow");
 
 }  // namespace
 
-void Plan::take(const Packet& packet) {
+/// A packet may be a little older than the one before, or have no time.
+void Plan::takeTime(double time_s) {
+  if (time_s <= 0) {
+    return;
+  }
   // What it has reported of a time-out meanwhile was not received.
   constexpr double kSpread = 2;
-  timed_out_ =
-      timed_out_ || (now_s_ > 0 && packet.header.time_s - now_s_ >= mission_.timeout_s - kSpread);
-  now_s_ = packet.header.time_s;
-  asked_s_ = asked_s_ > now_s_ ? -kStartSecs : asked_s_;  // its clock was set back
+  timed_out_ = timed_out_ || time_s - now_s_ >= mission_.timeout_s - kSpread;
+  now_s_ = time_s;
+  constexpr double kSetBack = 60;
+  asked_s_ = asked_s_ - now_s_ > kSetBack ? -kStartSecs : asked_s_;
+}
+
+void Plan::take(const Packet& packet) {
+  takeTime(packet.header.time_s);
   if (packet.id == PlanControlState::kId) {
     PlanControlState said;
     if (decode(packet, said)) {
@@ -52,6 +60,7 @@ void Plan::takeReply(const PlanControl& said) {
 /// READY is said three times a second also in the moment between a request and its execution, so
 /// only the end of a plan that has run is one.
 void Plan::takeState(const PlanControlState& said) {
+  known_ = true;
   const bool runs = said.state == PlanState::Executing || said.state == PlanState::Initializing;
   if (runs && !(said.plan_id == kPlan)) {
     ours_runs_ = false;
@@ -144,8 +153,9 @@ void Plan::forgetSent() {
 }
 
 bool Plan::asksForStart(double now_s, double depth_m) {
-  if (ours_runs_) {
-    return false;  // it has begun, and the vehicle does not say yet that it follows
+  if (ours_runs_ || !known_) {
+    return false;  // it has begun, and the vehicle does not say yet that it follows; or another
+                   // may have begun while nothing was received
   }
   const bool begins = state_ == State::Ready && depth_m <= mission_.start_depth_m;
   const bool again = wasLost();
@@ -163,9 +173,14 @@ bool Plan::isInDoubt(double now_s) const {
          now_s - unreplied_s_ > doubt_s_;
 }
 
-void Plan::noteRenewal() {
+void Plan::noteEndOfConnection() {
+  known_ = false;
   forgetSent();
   unreplied_s_ = __builtin_nan("");
+}
+
+void Plan::noteRenewal() {
+  noteEndOfConnection();
   doubt_s_ = 2 * doubt_s_ < kMostDoubtSecs ? 2 * doubt_s_ : kMostDoubtSecs;
 }
 

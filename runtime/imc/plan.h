@@ -36,8 +36,13 @@ class Plan {
   /// Nothing shows that the vehicle reads what we send: it has not answered the request to start
   /// for so long, or does not report our References back, or has timed out although they were sent.
   [[nodiscard]] bool isInDoubt(double now_s) const;
-  /// The connection is another: what was sent on the old one is not waited for.
+  /// The connection is closed because of that doubt: the next doubt takes twice as long.
   void noteRenewal();
+  /// The connection has ended, for any reason. What the vehicle flies is not known until it reports
+  /// it on the next one: nothing is started or stopped before. What was sent is not waited for.
+  void noteEndOfConnection();
+  /// The vehicle has reported on this connection what it flies.
+  [[nodiscard]] bool isKnown() const { return known_; }
   /// The vehicle executes our plan.
   [[nodiscard]] bool runs() const { return ours_runs_; }
   /// An operator has ended everything: nothing is started again.
@@ -66,6 +71,7 @@ class Plan {
     float depth = 0;
   };
   static constexpr uint32_t kRemembered = 8;
+  void takeTime(double time_s);
   void takeReply(const hooks::imc::PlanControl& said);
   void takeEcho(const hooks::imc::Reference& said);
   void forgetSent();
@@ -76,6 +82,7 @@ class Plan {
 
   GliderImcMission mission_;
   State state_ = State::Away;
+  bool known_ = false;      ///< it has reported on this connection what it executes
   bool ours_runs_ = false;  ///< the vehicle says that it executes our plan
   bool timed_out_ = false;  ///< it has said so of our References
   bool flew_ = false;       ///< this program has steered: what somebody ends stays ended

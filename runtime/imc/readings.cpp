@@ -54,6 +54,11 @@ bool Readings::takeReport(Reading reading, double* value) {
   return fresh;
 }
 
+void Readings::forget(Reading reading) {
+  values_[index(reading)] = __builtin_nan("");
+  fresh_[index(reading)] = false;
+}
+
 void Readings::takeState(const EstimatedState& state) {
   if (isOnEarth(state.lat, state.lon) && isFinite(state.x) && isFinite(state.y)) {
     const Place place = displaced({state.lat * kDegreesPerRadian, state.lon * kDegreesPerRadian},

@@ -30,6 +30,8 @@ class Readings {
   [[nodiscard]] double value(Reading reading) const { return values_[index(reading)]; }
   /// Takes the value that was reported since the last call; false if there was none.
   bool takeReport(Reading reading, double* value);
+  /// The value is not known until it is reported again.
+  void forget(Reading reading);
   /// Where the vehicle is, degrees; NaN before the first state.
   [[nodiscard]] double latitude() const { return latitude_; }
   [[nodiscard]] double longitude() const { return longitude_; }

@@ -14,6 +14,38 @@ using namespace hooks::imc;
 using testing::ImcVehicle;
 using testing::TwoDepths;
 
+EstimatedState stateNow() {
+  EstimatedState state;
+  state.lat = 0.72;
+  state.lon = -0.15;
+  state.depth = 0.2F;
+  state.alt = -1;
+  return state;
+}
+
+/// A state alone: the vehicle sends many of them between two reports of its plan.
+void sayState(ImcVehicle& vehicle) {
+  vehicle.now_s += 1;
+  vehicle.say(stateNow());
+  vehicle.hand();
+}
+
+/// The line drops; nothing is received for so long.
+void drop(ImcVehicle& vehicle, double seconds) {
+  vehicle.closed = true;
+  vehicle.hand();
+  vehicle.now_s += seconds;
+  vehicle.closed = false;
+}
+
+/// Asked for a start, which the vehicle did not read.
+void askInVain(ImcVehicle& vehicle) {
+  vehicle.seconds(1);
+  vehicle.deaf = true;
+  vehicle.seconds(2);
+  ASSERT_EQ(vehicle.starts, 0);
+}
+
 /// From nothing to a mission that flies.
 void begin(ImcVehicle& vehicle) {
   vehicle.seconds(12);
@@ -298,6 +330,139 @@ TEST(ImcBackseat, ADeafVehicleIsConnectedAgain) {
   vehicle.seconds(30);
   EXPECT_EQ(vehicle.renewed, renewed);
   EXPECT_EQ(vehicle.toldDepth(), 20);
+}
+
+/// While nothing was received an operator may have started a plan, which a start would replace.
+TEST(ImcBackseat, StartsNothingOnANewConnectionBeforeThePlanIsKnown) {
+  for (const bool by_itself : {false, true}) {
+    TwoDepths mission;
+    ImcVehicle vehicle(mission.mission);
+    askInVain(vehicle);
+    if (by_itself) {
+      drop(vehicle, 60);
+    } else {
+      for (int second = 0; second < 20 && vehicle.renewed == 0; ++second) {
+        vehicle.second();
+      }
+      ASSERT_EQ(vehicle.renewed, 1);
+    }
+    vehicle.deaf = false;
+    vehicle.plan = "survey";
+    vehicle.heard_s = vehicle.now_s + 100;
+    for (int cycle = 0; cycle < 8; ++cycle) {
+      vehicle.say(VehicleMedium{.medium = Medium::WaterSurface});
+      sayState(vehicle);
+    }
+    vehicle.seconds(8);
+    EXPECT_EQ(vehicle.starts, 0) << by_itself;
+    EXPECT_EQ(vehicle.plan, "survey") << by_itself;
+    vehicle.plan.reset();
+    vehicle.seconds(12);
+    EXPECT_EQ(vehicle.starts, 1) << by_itself;
+    EXPECT_EQ(vehicle.toldDepth(), 20) << by_itself;
+  }
+}
+
+/// The report behind the state that completes the cycle was taken from the line with it, wherever
+/// the reads have cut the bytes.
+TEST(ImcBackseat, StartsNothingBeforeAllThatHasArrivedWasTaken) {
+  for (size_t before = 0; before < 64; ++before) {
+    TwoDepths mission;
+    ImcVehicle vehicle(mission.mission);
+    vehicle.lose(PlanControlState::kId);
+    vehicle.seconds(2);
+    vehicle.lose({});
+    vehicle.now_s += 1;
+    vehicle.say(testing::planState(PlanState::Ready, ""));
+    vehicle.sayBytes(std::vector<uint8_t>(before, 0));
+    vehicle.say(stateNow());
+    vehicle.plan = "survey";
+    vehicle.heard_s = vehicle.now_s;
+    vehicle.say(testing::planState(PlanState::Executing, "s"));
+    vehicle.hand();
+    EXPECT_EQ(vehicle.starts, 0) << before;
+  }
+}
+
+TEST(ImcBackseat, AConnectionIsNotInDoubtForWhatWasSentOnTheLastOne) {
+  for (const bool of_start : {false, true}) {
+    TwoDepths mission;
+    ImcVehicle vehicle(mission.mission);
+    if (of_start) {
+      askInVain(vehicle);
+    } else {
+      begin(vehicle);
+      vehicle.temperature = 10;
+      vehicle.deaf = true;
+      vehicle.second();
+    }
+    drop(vehicle, 6);
+    vehicle.deaf = false;
+    const int references = vehicle.references;
+    vehicle.second();
+    EXPECT_EQ(vehicle.renewed, 0) << of_start;
+    EXPECT_EQ(of_start ? vehicle.starts : vehicle.references - references, 1) << of_start;
+  }
+}
+
+/// It may have been lifted out of the water meanwhile.
+TEST(ImcBackseat, StartsNothingOnANewConnectionBeforeTheMediumIsKnown) {
+  TwoDepths mission;
+  ImcVehicle vehicle(mission.mission);
+  askInVain(vehicle);
+  drop(vehicle, 60);
+  vehicle.deaf = false;
+  for (int cycle = 0; cycle < 8; ++cycle) {
+    vehicle.say(testing::planState(PlanState::Ready, ""));
+    sayState(vehicle);
+  }
+  EXPECT_EQ(vehicle.starts, 0);
+  vehicle.seconds(1);
+  EXPECT_EQ(vehicle.starts, 1);
+}
+
+/// A request to stop does not name a plan: it would end the operator's.
+TEST(ImcBackseat, StopsNothingOnANewConnectionBeforeThePlanIsKnown) {
+  int around_the_drop = 0;
+  for (const double end_s : {8, 9, 10, 11, 12, 13, 14, 15, 16}) {
+    TwoDepths mission;
+    mission.end_s = end_s;
+    ImcVehicle vehicle(mission.mission);
+    vehicle.seconds(11);
+    const int stops = vehicle.stops;
+    drop(vehicle, 60);
+    vehicle.plan = "survey";
+    for (int cycle = 0; cycle < 5; ++cycle) {
+      sayState(vehicle);
+    }
+    EXPECT_EQ(vehicle.stops, stops) << end_s;
+    around_the_drop += stops == 0 ? 1 : 0;
+    vehicle.heard_s = vehicle.now_s + 100;
+    vehicle.seconds(8);
+    EXPECT_EQ(vehicle.stops, stops) << end_s;
+    EXPECT_EQ(vehicle.plan, "survey") << end_s;
+    EXPECT_TRUE(vehicle.finished) << end_s;
+  }
+  EXPECT_GT(around_the_drop, 0);
+}
+
+/// The end comes although the line drops while it is asked for.
+TEST(ImcBackseat, TheEndIsAskedForOnTheNextConnection) {
+  TwoDepths mission;
+  mission.end_s = 20;
+  ImcVehicle vehicle(mission.mission);
+  begin(vehicle);
+  vehicle.deaf = true;
+  vehicle.seconds(9);
+  drop(vehicle, 1);
+  vehicle.deaf = false;
+  sayState(vehicle);
+  EXPECT_EQ(vehicle.stops, 0);
+  EXPECT_EQ(vehicle.plan, "glidercc");
+  vehicle.seconds(10);
+  EXPECT_TRUE(vehicle.finished);
+  EXPECT_GE(vehicle.stops, 1);
+  EXPECT_EQ(vehicle.plan, std::nullopt);
 }
 
 /// Each packet that the vehicle gets has the time of its clock.

@@ -95,6 +95,36 @@ TEST(ImcCourse, AFixedPlaceIsAnotherOneWhenTheVehicleArrives) {
   }
 }
 
+/// DUNE counts only what is within 15 m as near: another depth beyond makes it forget its path, and
+/// the place that it was given before.
+TEST(ImcCourse, AnotherDepthOnTheWayOutIsFollowedByAnotherPlaceOnTheWayBack) {
+  Course course(kImcLimits);
+  Instruction command = headingOf(0);
+  command.lateral = HookLateral::Waypoint;
+  command.latitude_ddmm = ddmmOf(kPorto.latitude);
+  command.longitude_ddmm = ddmmOf(kPorto.longitude);
+  course.steer(command, along(kPorto, 90, 100), 1);
+  const Reference first = told(course, along(kPorto, 90, 100));
+  EXPECT_NE(told(course, along(kPorto, 90, 13)).lat, first.lat);
+  const auto changesDepth = [&](double metres) {
+    const double before = told(course, along(kPorto, 90, 17)).lat;
+    EXPECT_NE(before, first.lat) << "the same command again, " << metres;
+    course.steer(command, along(kPorto, 90, 17), 1);
+    EXPECT_EQ(told(course, along(kPorto, 90, 17)).lat, first.lat) << metres;
+    EXPECT_EQ(told(course, along(kPorto, 90, 14.5)).lat, first.lat) << metres;
+    EXPECT_NE(told(course, along(kPorto, 90, 13.5)).lat, first.lat) << metres;
+  };
+  course.steer(command, along(kPorto, 90, 17), 1);
+  EXPECT_NE(told(course, along(kPorto, 90, 17)).lat, first.lat) << "nothing has changed";
+  command.depth_m = 30;
+  changesDepth(30);
+  command.vertical = HookVertical::Surface;
+  changesDepth(0);
+  command.vertical = HookVertical::Ascend;
+  command.depth_m = 10;
+  changesDepth(10);
+}
+
 TEST(ImcCourse, AHeadingIsAPlaceTwoKilometresAhead) {
   for (const Place& here : {kPorto, kSouth, kNorth}) {
     for (int degrees = 0; degrees < 360; degrees += 15) {

@@ -76,6 +76,42 @@ TEST(ImcPlan, StartsAtMostOnceInSixSeconds) {
   EXPECT_LE(asked, 10);
 }
 
+/// The parts of a vehicle give their packets times of their own, and some give none.
+TEST(ImcPlan, APacketWithAnEarlierTimeDoesNotShortenTheSixSeconds) {
+  for (const double time_s : {1.7e9 - 0.002, 1.7e9 - 59, 0.0, -1.0}) {
+    PlanBench bench;
+    bench.says(PlanState::Ready);
+    ASSERT_TRUE(bench.asks());
+    give(planState(PlanState::Ready), time_s, bench.plan);
+    bench.now_s += 5.9;
+    bench.says(PlanState::Ready);
+    EXPECT_FALSE(bench.asks()) << time_s;
+    bench.now_s += 0.2;
+    EXPECT_TRUE(bench.asks()) << time_s;
+  }
+}
+
+TEST(ImcPlan, StartsAfterTheClockWasSetBack) {
+  PlanBench bench;
+  bench.says(PlanState::Ready);
+  ASSERT_TRUE(bench.asks());
+  bench.now_s -= 3600;
+  bench.says(PlanState::Ready);
+  EXPECT_TRUE(bench.asks());
+}
+
+/// Between two packets with a time it is not a silence in which the plan could have timed out.
+TEST(ImcPlan, APacketWithoutATimeIsNoTimeOut) {
+  for (const double time_s : {0.0, -1.0}) {
+    PlanBench bench;
+    bench.fly();
+    give(planState(PlanState::Executing), time_s, bench.plan);
+    bench.now_s += 1;
+    bench.says(PlanState::Ready);
+    EXPECT_FALSE(bench.plan.wasLost()) << time_s;
+  }
+}
+
 TEST(ImcPlan, NeverStartsWhileAnotherPlanFlies) {
   for (const uint8_t runs : {PlanState::Executing, PlanState::Initializing}) {
     for (const char* other : {"survey", "glidercc2", "glider", ""}) {
@@ -313,6 +349,17 @@ TEST(ImcPlan, WaitsTwiceAsLongAfterEachConnectionThatDidNotHelp) {
   echo(bench, 20);
   bench.plan.noteReference(referenceTo(20), sent_s);
   EXPECT_TRUE(bench.plan.isInDoubt(sent_s + 5.1)) << "it has answered";
+}
+
+TEST(ImcPlan, WaitsNoLongerAfterAConnectionThatEndedByItself) {
+  PlanBench bench;
+  bench.fly();
+  for (int times = 0; times < 3; ++times, bench.now_s += 100) {
+    bench.plan.noteReference(referenceTo(20), bench.now_s);
+    EXPECT_TRUE(bench.plan.isInDoubt(bench.now_s + 5.1)) << times;
+    bench.plan.noteEndOfConnection();
+    EXPECT_FALSE(bench.plan.isInDoubt(bench.now_s + 5.1)) << times;
+  }
 }
 
 TEST(ImcPlan, TheRequestsSayWhatTheVehicleNeeds) {

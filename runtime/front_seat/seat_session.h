@@ -13,8 +13,9 @@ namespace glider::runtime {
 
 /// How a vehicle that has another way to be steered stands to the SBC.
 struct SeatHold {
-  bool follows = false;  ///< the vehicle obeys the SBC
-  bool taken = false;    ///< it is in somebody else's hands for as long as the program runs
+  bool follows = false;    ///< the vehicle obeys the SBC
+  bool taken = false;      ///< it is in somebody else's hands for as long as the program runs
+  bool may_begin = false;  ///< it is where a mission may begin: near the surface
 };
 
 /// The control that a mission's program has of such a vehicle, as the hook protocol has it: the

@@ -33,6 +33,7 @@ double beginOf(const LinkFacts* checkpoint) {
 Backseat::Backseat(const GliderMission& mission, const GliderReconMission& recon,
                    const GliderByteStream& line, const LinkFacts* checkpoint)
     : dictionary_(*mission.dictionary),
+      start_depth_cm_(mission.start_depth_cm),
       recon_(recon),
       line_(line),
       course_(recon),
@@ -165,11 +166,15 @@ void Backseat::instruct(void* self, const hooks::Instruction& instruction) {
   }
 }
 
+/// By the newest state: one that does not say how deep the vehicle is may be of any depth.
+bool Backseat::isNearSurface() const {
+  constexpr double kCmPerM = 100;
+  return start_depth_cm_ == 0 || readings_.value(Reading::Depth) * kCmPerM <= start_depth_cm_;
+}
+
 /// What goes on may begin at any depth: the vehicle flies its own mission meanwhile.
 bool Backseat::asksForControl() const {
-  const double depth_m = readings_.value(Reading::Depth);
-  return takeover_.mayBeAsked() && session_.mayAsk() &&
-         (session_.goesOn() || depth_m <= recon_.start_depth_m);
+  return takeover_.mayBeAsked() && session_.mayAsk() && (session_.goesOn() || isNearSurface());
 }
 
 template <typename Message>

@@ -48,7 +48,10 @@ class Backseat {
   void take(const hooks::recon::Line& line);
   void takeState(const hooks::recon::State& said);
   void lookAtCycle();
-  [[nodiscard]] SeatHold hold() const { return {takeover_.follows(), takeover_.isTaken()}; }
+  [[nodiscard]] SeatHold hold() const {
+    return {takeover_.follows(), takeover_.isTaken(), isNearSurface()};
+  }
+  [[nodiscard]] bool isNearSurface() const;
   [[nodiscard]] bool asksForControl() const;
   [[nodiscard]] double missionTime() const;
   template <typename Message>
@@ -59,6 +62,7 @@ class Backseat {
   void flush();
 
   const GliderDictionary& dictionary_;
+  uint32_t start_depth_cm_;  ///< no mission begins below; 0: at any depth
   GliderReconMission recon_;
   GliderByteStream line_;
   bool line_closed_ = false;

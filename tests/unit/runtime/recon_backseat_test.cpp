@@ -47,6 +47,7 @@ TEST(ReconBackseat, FliesAMissionFromItsFirstQueryToItsEnd) {
 
 TEST(ReconBackseat, SaysThatItIsThereWhileItDoesNotSteer) {
   TwoDepths mission;
+  mission.mission.start_depth_cm = 150;
   ReconVehicle vehicle(mission.mission);
   vehicle.depth_m = 10;
   vehicle.seconds(20);
@@ -74,15 +75,13 @@ TEST(ReconBackseat, TheEndIsAskedForAgainWhileTheVehicleDoesNotObey) {
 
 TEST(ReconBackseat, DoesNotAskUnderWater) {
   TwoDepths mission;
+  mission.mission.start_depth_cm = 150;
   ReconVehicle vehicle(mission.mission);
-  vehicle.depth_m = 3.5;
+  vehicle.depth_m = 1.6;
   vehicle.seconds(60);
   EXPECT_EQ(vehicle.asks, 0);
   EXPECT_EQ(vehicle.context(), nullptr);
-  vehicle.depth_m = std::nan("");  // it stays that of before
-  vehicle.seconds(5);
-  EXPECT_EQ(vehicle.asks, 0);
-  vehicle.depth_m = 2.5;
+  vehicle.depth_m = 1.5;
   vehicle.seconds(12);
   EXPECT_EQ(vehicle.asks, 1);
   EXPECT_NE(vehicle.context(), nullptr);
@@ -216,12 +215,39 @@ TEST(ReconBackseat, AMissionThatIsOverBeforeTheLaunchIsNotTaken) {
 
 TEST(ReconBackseat, AVehicleThatAsksForTheSbcGetsIt) {
   TwoDepths mission;
+  mission.mission.start_depth_cm = 150;
   ReconVehicle vehicle(mission.mission);
-  vehicle.depth_m = 12;
   vehicle.mode = Mode::Override;
   vehicle.seconds(12);
   EXPECT_EQ(vehicle.asks, 0);
   EXPECT_EQ(vehicle.told_depth, 20);
+}
+
+/// Proofs begin near the surface. That the program has seen the surface before, under the vehicle's
+/// own mission, does not count.
+TEST(ReconBackseat, AVehicleThatObeysAtDepthIsBroughtUpBeforeTheMissionBegins) {
+  TwoDepths mission;
+  mission.mission.start_depth_cm = 150;
+  ReconVehicle vehicle(mission.mission);
+  vehicle.mode = 0x02;  // it may not be asked
+  vehicle.depth_m = 0.5;
+  vehicle.seconds(20);
+  vehicle.depth_m = 50;
+  vehicle.mode = Mode::Override;
+  for (; vehicle.depth_m > 1.5; vehicle.depth_m -= 1) {
+    vehicle.second();
+    ASSERT_EQ(vehicle.context(), nullptr) << vehicle.depth_m;
+    EXPECT_EQ(vehicle.told_depth, 0);
+  }
+  vehicle.depth_m = std::nan("");
+  vehicle.seconds(5);
+  EXPECT_EQ(vehicle.context(), nullptr) << "the depth is not known";
+  vehicle.depth_m = 1.5;
+  vehicle.seconds(5);
+  EXPECT_NE(vehicle.context(), nullptr);
+  vehicle.depth_m = 10;
+  vehicle.seconds(5);
+  EXPECT_EQ(vehicle.told_depth, 20) << "once begun, at any depth";
 }
 
 TEST(ReconBackseat, ModesThatAreNotKnownChangeNothing) {

@@ -24,7 +24,6 @@ inline GliderReconMission reconOf() {
                            .slowest_m_s = 0.8,
                            .fastest_m_s = 2.5,
                            .usual_m_s = 1.5,
-                           .start_depth_m = 3,
                            .count = 2,
                            .unused = 0,
                            .sensors = {},

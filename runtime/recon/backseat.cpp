@@ -169,7 +169,7 @@ void Backseat::instruct(void* self, const hooks::Instruction& instruction) {
 /// By the newest state: one that does not say how deep the vehicle is may be of any depth.
 bool Backseat::isNearSurface() const {
   constexpr double kCmPerM = 100;
-  return start_depth_cm_ == 0 || readings_.value(Reading::Depth) * kCmPerM <= start_depth_cm_;
+  return start_depth_cm_ == 0 || readings_.depthNow() * kCmPerM <= start_depth_cm_;
 }
 
 /// What goes on may begin at any depth: the vehicle flies its own mission meanwhile.

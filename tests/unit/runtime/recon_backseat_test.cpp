@@ -87,6 +87,23 @@ TEST(ReconBackseat, DoesNotAskUnderWater) {
   EXPECT_NE(vehicle.context(), nullptr);
 }
 
+/// A reading from hours ago would let it ask at depth.
+TEST(ReconBackseat, DoesNotAskWhileTheDepthIsNotKnown) {
+  TwoDepths mission;
+  mission.mission.start_depth_cm = 150;
+  ReconVehicle vehicle(mission.mission);
+  vehicle.mode = 0x02;  // it may not be asked
+  vehicle.depth_m = 0.5;
+  vehicle.seconds(20);
+  vehicle.mode = Mode::Launched;
+  vehicle.depth_m = std::nan("");
+  vehicle.seconds(20);
+  EXPECT_EQ(vehicle.asks, 0);
+  vehicle.depth_m = 0.5;
+  vehicle.seconds(5);
+  EXPECT_EQ(vehicle.asks, 1);
+}
+
 TEST(ReconBackseat, IsToldTheSurfaceUntilItsFirstCommand) {
   TwoDepths mission;
   const LinkFacts checkpoint{.clock = 1'699'999'990};  // so the program first decides to go on

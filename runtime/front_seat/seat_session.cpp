@@ -72,11 +72,17 @@ HookAnswer SeatSession::decide(const hooks::Instruction& instruction, const Seat
   return within;
 }
 
+void SeatSession::leave() {
+  releasing_ = releasing_ == 0 && !isOver() ? 1 : releasing_;
+}
+
 void SeatSession::noteRelease(bool has) {
   if (has || ++releasing_ > kReleaseAnswers) {
     releasing_ = 0;
-    answered_ = release_;
-    answer_ = HookAnswer::Accepted;
+    if (release_ != 0) {
+      answered_ = release_;
+      answer_ = HookAnswer::Accepted;
+    }
     lost_session_ = session_;
     session_ = 0;
     state_ = HookState::Complete;

@@ -211,6 +211,25 @@ void Backseat::tell() {
   enter(stateStory(inner_.sbc(), text));
 }
 
+/// A vehicle that is left in the override would keep the last goals, however deep.
+bool Backseat::mayEnd() {
+  if (session_.isOver() || !takeover_.follows()) {
+    return true;
+  }
+  session_.leave();
+  return false;
+}
+
+/// Goals too: as long as the vehicle does not end the override it obeys them.
+void Backseat::release() {
+  course_.surface();
+  if (takeover_.follows()) {
+    sendGoals();
+    send(hooks::recon::Override{false});
+  }
+  session_.noteRelease(!takeover_.follows());
+}
+
 /// The program has answered a cycle: sends the vehicle what is in force now. While the line is
 /// stuck nothing counts as sent.
 void Backseat::answer(void* self) {
@@ -221,10 +240,7 @@ void Backseat::answer(void* self) {
   }
   seat.out_next_ = seat.out_end_ = 0;
   if (seat.session_.releases()) {
-    if (seat.takeover_.follows()) {
-      seat.send(hooks::recon::Override{false});
-    }
-    seat.session_.noteRelease(!seat.takeover_.follows());
+    seat.release();
   } else if (seat.takeover_.follows() && !seat.session_.isOver()) {
     seat.sendGoals();
   } else {

@@ -33,6 +33,10 @@ class Backseat {
 
   /// The program's end.
   [[nodiscard]] GliderByteStream stream() { return inner_.stream(); }
+  /// The program has ended its mission, or does not go on with it: whether it may end. Not while
+  /// the vehicle obeys: then the answers end the override, up to SeatSession::kReleaseAnswers of
+  /// them.
+  bool mayEnd();
   /// Counts the bytes that arrived and belong to no line.
   [[nodiscard]] const uint32_t* damaged() const { return &damaged_; }
 
@@ -57,6 +61,7 @@ class Backseat {
   template <typename Message>
   void send(const Message& message);
   void sendGoals();
+  void release();
   void tell();
   bool fill();
   void flush();

@@ -3,6 +3,7 @@
 
 // A mission's program at a vehicle that is steered by RECON: runtime/recon/README.md.
 
+#include "tests/unit/runtime/power_cut_store.h"
 #include "tests/unit/runtime/recon_vehicle.h"
 
 #include <cmath>
@@ -68,9 +69,49 @@ TEST(ReconBackseat, TheEndIsAskedForAgainWhileTheVehicleDoesNotObey) {
   ReconVehicle vehicle(mission.mission);
   begin(vehicle);
   vehicle.deaf_to_end = true;
-  vehicle.seconds(60);
+  while (vehicle.ends == 0) {
+    vehicle.second();
+  }
+  const int goals = vehicle.goals;
+  for (int answers = 1; answers < static_cast<int>(SeatSession::kReleaseAnswers); ++answers) {
+    EXPECT_EQ(vehicle.told_depth, 0) << "the last goal may stay in force";
+    EXPECT_EQ(vehicle.told_speed, 0.8);
+    EXPECT_EQ(vehicle.ends, answers);
+    EXPECT_EQ(vehicle.goals, goals + answers - 1);
+    EXPECT_FALSE(vehicle.finished) << answers;
+    vehicle.second();
+  }
+  vehicle.seconds(20);
   EXPECT_TRUE(vehicle.finished);
   EXPECT_EQ(vehicle.ends, static_cast<int>(SeatSession::kReleaseAnswers));
+}
+
+/// The program before this one has left it in the override.
+TEST(ReconBackseat, AProgramThatDoesNotGoOnEndsTheOverride) {
+  for (const bool obeys : {true, false}) {
+    TwoDepths mission;
+    mission.mission.resume_within = 120;
+    testing::RecordingStore store;
+    const GliderRuntimeOptions options{{}, nullptr, store.store(), 7};
+    ReconVehicle before(mission.mission, nullptr, &options);
+    begin(before);
+    before.seconds(30);
+    const LinkFacts checkpoint{.clock = static_cast<uint32_t>(before.now_s)};
+    ReconVehicle vehicle(mission.mission, &checkpoint, &options);
+    vehicle.now_s = before.now_s + 1000;
+    vehicle.depth_m = 20;
+    vehicle.mode = obeys ? Mode::Override : Mode::Launched;
+    vehicle.deaf_to_end = true;
+    vehicle.seconds(10);
+    EXPECT_EQ(vehicle.finished, !obeys);
+    EXPECT_EQ(vehicle.ends > 5, obeys);
+    EXPECT_EQ(vehicle.told_depth, obeys ? 0 : -1);
+    vehicle.deaf_to_end = false;
+    vehicle.seconds(3);
+    EXPECT_TRUE(vehicle.finished);
+    EXPECT_FALSE(vehicle.obeys());
+    EXPECT_EQ(vehicle.asks, 0);
+  }
 }
 
 TEST(ReconBackseat, DoesNotAskUnderWater) {

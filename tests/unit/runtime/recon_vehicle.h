@@ -44,12 +44,13 @@ std::string reconLine(const Message& message) {
 /// Says once a second what a vehicle says, and obeys lines as a REMUS is known to.
 class ReconVehicle {
  public:
-  explicit ReconVehicle(const GliderMission& mission, const LinkFacts* checkpoint = nullptr)
+  explicit ReconVehicle(const GliderMission& mission, const LinkFacts* checkpoint = nullptr,
+                        const GliderRuntimeOptions* options = nullptr)
       : memory_(gliderRuntimeSize() / sizeof(double) + 1),
         context_(mission.context_bytes / sizeof(double) + 1),
         backseat_(std::make_unique<recon::Backseat>(
             mission, reconOf(), GliderByteStream{this, read, write}, checkpoint)),
-        runtime_(gliderRuntimeInit(memory_.data(), context_.data(), &mission, nullptr)) {}
+        runtime_(gliderRuntimeInit(memory_.data(), context_.data(), &mission, options)) {}
 
   /// A second passes.
   void second() {
@@ -116,7 +117,7 @@ class ReconVehicle {
     const GliderByteStream stream = backseat_->stream();
     while (!finished) {
       const GliderRuntimeStatus status = gliderRuntimePoll(runtime_, &stream, &clock);
-      finished = status == kGliderRuntimeFinished;
+      finished = status == kGliderRuntimeFinished && backseat_->mayEnd();
       if (status != kGliderRuntimeProgressed) {
         break;
       }

@@ -189,6 +189,28 @@ TEST(SeatSession, ItsReleaseEndsAfterSomeAnswers) {
   EXPECT_TRUE(session.isOver());
 }
 
+/// A program that does not go on has no session to release.
+TEST(SeatSession, AProgramThatLeavesReleasesWithoutASession) {
+  SeatSession session(true);
+  session.follow(kFollows);
+  session.leave();
+  EXPECT_TRUE(session.releases());
+  session.noteRelease(false);
+  EXPECT_FALSE(session.isOver());
+  EXPECT_EQ(give(session, instruction(HookControl::Take, 7, 1), HookAnswer::NotReady),
+            Step::Nothing);
+  session.leave();
+  for (uint32_t i = 1; i < SeatSession::kReleaseAnswers; ++i) {
+    EXPECT_FALSE(session.isOver()) << i;
+    session.noteRelease(false);
+  }
+  EXPECT_TRUE(session.isOver());
+  EXPECT_EQ(stateOf(session).answered_sequence, 1);
+  EXPECT_EQ(stateOf(session).answer, HookAnswer::NotReady);
+  session.leave();
+  EXPECT_FALSE(session.releases());
+}
+
 TEST(SeatSession, OnlyItsOwnSessionIsReleased) {
   SeatSession session = held();
   EXPECT_EQ(give(session, instruction(HookControl::Release, 8, 2), HookAnswer::WrongSession),

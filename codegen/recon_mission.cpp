@@ -26,7 +26,6 @@ support::Result<GliderReconMission> reconMissionOf(const platforms::Platform& pl
                            .slowest_m_s = envelope.slowest_m_s,
                            .fastest_m_s = envelope.fastest_m_s,
                            .usual_m_s = envelope.usual_speed_m_s,
-                           .start_depth_m = platform.world.start_depth_m,
                            .count = 0,
                            .unused = 0,
                            .sensors = {},

@@ -43,7 +43,7 @@ class FloatsHome final : public OwnMission {
     const double lets_go_s = letsGoWithin(floats_.timeout_s, platform);
     return {lets_go_s, depth_m,
             lets_go_s + platform.world.turn_s + depth_m / platform.world.slowest_climb_m_s,
-            fmt::format("{}, {:.4g} s", floats_.timeout, floats_.timeout_s)};
+            fmt::format("{}, {:.4g} s", floats_.timeout, floats_.timeout_s), floats_.first};
   }
   [[nodiscard]] std::vector<std::string> wayHomeLines(const ir::WidestWorld& world) const override;
   [[nodiscard]] std::vector<std::string> refusedLines(

@@ -19,6 +19,8 @@ struct WayHome {
   double depth_m = 0;    ///< upper bound of its depth at that time, by the mission's commands
   double surface_s = 0;  ///< upper bound from the SBC's last frame to the surface
   std::string source;    ///< of the time until it loses control: "silence_secs 24 from skeleton.mi"
+  /// What the vehicle does when it loses control.
+  std::string lets_go = "takes control";
 };
 
 /// What a vehicle flies by itself, beside the SBC and after it, as the checks of a mission see it:

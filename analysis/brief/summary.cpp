@@ -83,7 +83,7 @@ std::string wayHome(const platforms::Platform& platform, const vehicles::OwnMiss
   const vehicles::WayHome home = own.wayHomeFrom(deepest_m, platform);
   const std::string source = home.source.substr(0, home.source.find("; see"));  // no options
   const std::string takes_over =
-      fmt::format("If the payload computer (SBC) fails, the vehicle takes control within {}",
+      fmt::format("If the payload computer (SBC) fails, the vehicle {} within {}", home.lets_go,
                   durationOf(home.lets_go_s));
   return std::isfinite(home.surface_s)
              ? fmt::format("{} and is at the surface within {}, from at most {:.4g} m ({}).",

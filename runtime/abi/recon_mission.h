@@ -15,10 +15,9 @@ typedef struct GliderReconMission {
   double greatest_depth_m;
   double slowest_m_s; /* through the water, under command */
   double fastest_m_s;
-  double usual_m_s;     /* to the surface */
-  double start_depth_m; /* control is not asked for while the vehicle is deeper */
-  uint32_t count;       /* of the readings */
-  uint32_t unused;      /* 0 */
+  double usual_m_s;                             /* to the surface */
+  uint32_t count;                               /* of the readings */
+  uint32_t unused;                              /* 0 */
   uint16_t sensors[GLIDER_MOST_RECON_READINGS]; /* their numbers in the platform file */
   uint16_t sources[GLIDER_MOST_RECON_READINGS]; /* rows of runtime/recon/readings.def */
 } GliderReconMission;

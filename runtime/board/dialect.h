@@ -23,4 +23,8 @@ struct FrameLine {
 /// program.
 FrameLine framesOver(const GliderByteStream& line, const LinkFacts* checkpoint);
 
+/// The mission is over: whether the program may end now. If false, it polls on until this is asked
+/// again.
+bool mayEnd();
+
 }  // namespace glider::runtime

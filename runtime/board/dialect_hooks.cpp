@@ -7,3 +7,7 @@ glider::runtime::FrameLine glider::runtime::framesOver(const GliderByteStream& l
                                                        const LinkFacts* /*checkpoint*/) {
   return {line, nullptr};
 }
+
+bool glider::runtime::mayEnd() {
+  return true;
+}

@@ -34,7 +34,10 @@ int fly(GliderRuntime* runtime, OpenPort& line, Card& card) {
       case kGliderRuntimeProgressed:
         break;
       case kGliderRuntimeFinished:
-        return kDone;
+        if (mayEnd()) {
+          return kDone;
+        }
+        break;
       case kGliderRuntimeLinkClosed:
         tell("error: the line to the vehicle is closed");
         return kNoLink;

@@ -19,3 +19,7 @@ glider::runtime::FrameLine glider::runtime::framesOver(const GliderByteStream& l
   static extctl::ComingUp coming_up(backseat->comesUpFor());
   return {backseat->stream(), backseat->damaged(), coming_up.afterTick()};
 }
+
+bool glider::runtime::mayEnd() {
+  return true;
+}

@@ -11,12 +11,14 @@ using hooks::HookState;
 
 /// Without a session. To a program that goes on from a checkpoint, or has steered, the vehicle has
 /// lost its SBC: the program decides by the time since then whether it goes on, and only when it
-/// asks for control the vehicle is asked. While it waits for that, nothing is asked of it.
+/// asks for control the vehicle is asked. While it waits for that, nothing is asked of it. A
+/// program that begins waits for the surface too: it may have seen it before the vehicle's own
+/// mission dived.
 HookState SeatSession::unheld(const SeatHold& hold) const {
-  return hold.taken            ? HookState::Absent
-         : hold.follows        ? goesOn() ? HookState::Silent : HookState::Ready
-         : goesOn() && !asked_ ? HookState::Silent
-                               : HookState::Waiting;
+  return hold.taken  ? HookState::Absent
+         : !goesOn() ? hold.follows && hold.may_begin ? HookState::Ready : HookState::Waiting
+         : hold.follows || !asked_ ? HookState::Silent
+                                   : HookState::Waiting;
 }
 
 bool SeatSession::follow(const SeatHold& hold) {
@@ -55,7 +57,8 @@ HookAnswer SeatSession::decide(const hooks::Instruction& instruction, const Seat
                                HookAnswer within) {
   const bool takes = instruction.control == HookControl::Take;
   asked_ = asked_ || takes;
-  if (!hold.follows || releasing_ != 0 || isOver()) {
+  const bool begins = session_ == 0 && !goesOn();
+  if (!hold.follows || releasing_ != 0 || isOver() || (begins && !hold.may_begin)) {
     return HookAnswer::NotReady;
   }
   if (takes ? lost_session_ != 0 && !hookIsNewerSession(instruction.session, lost_session_)
@@ -69,11 +72,17 @@ HookAnswer SeatSession::decide(const hooks::Instruction& instruction, const Seat
   return within;
 }
 
+void SeatSession::leave() {
+  releasing_ = releasing_ == 0 && !isOver() ? 1 : releasing_;
+}
+
 void SeatSession::noteRelease(bool has) {
   if (has || ++releasing_ > kReleaseAnswers) {
     releasing_ = 0;
-    answered_ = release_;
-    answer_ = HookAnswer::Accepted;
+    if (release_ != 0) {
+      answered_ = release_;
+      answer_ = HookAnswer::Accepted;
+    }
     lost_session_ = session_;
     session_ = 0;
     state_ = HookState::Complete;

@@ -13,8 +13,9 @@ namespace glider::runtime {
 
 /// How a vehicle that has another way to be steered stands to the SBC.
 struct SeatHold {
-  bool follows = false;  ///< the vehicle obeys the SBC
-  bool taken = false;    ///< it is in somebody else's hands for as long as the program runs
+  bool follows = false;    ///< the vehicle obeys the SBC
+  bool taken = false;      ///< it is in somebody else's hands for as long as the program runs
+  bool may_begin = false;  ///< it is where a mission may begin: near the surface
 };
 
 /// The control that a mission's program has of such a vehicle, as the hook protocol has it: the
@@ -32,6 +33,8 @@ class SeatSession {
   /// An instruction whose check value is right; `within`: Accepted, or why the vehicle may not be
   /// given it.
   Step take(const hooks::Instruction& instruction, const SeatHold& hold, hooks::HookAnswer within);
+  /// The program ends without releasing control: it is released nevertheless, if there is any.
+  void leave();
   /// Of each answer to the vehicle while it releases(): whether it `has` released control. Also
   /// ends after kReleaseAnswers of them.
   void noteRelease(bool has);
@@ -49,7 +52,7 @@ class SeatSession {
   void describe(hooks::SeatState* state) const;
 
   /// So many answers that end the control leave before the program ends.
-  static constexpr uint32_t kReleaseAnswers = 8;
+  static constexpr uint32_t kReleaseAnswers = 60;
 
  private:
   [[nodiscard]] hooks::HookAnswer decide(const hooks::Instruction& instruction,
@@ -62,7 +65,7 @@ class SeatSession {
   uint32_t session_ = 0, lost_session_ = 0;
   uint32_t releasing_ =
       0;                  ///< answers since the release was asked for, and this one; 0: it was not
-  uint16_t release_ = 0;  ///< its number
+  uint16_t release_ = 0;  ///< its number; 0: the program has not asked for it
   bool resumes_;
   bool asked_ = false;  ///< the program has asked for control since it lost it
 };

@@ -77,4 +77,8 @@ FrameLine framesOver(const GliderByteStream& line, const LinkFacts* checkpoint) 
   return {backseat->stream(), backseat->damaged()};
 }
 
+bool mayEnd() {
+  return true;
+}
+
 }  // namespace glider::runtime

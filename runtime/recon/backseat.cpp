@@ -33,6 +33,7 @@ double beginOf(const LinkFacts* checkpoint) {
 Backseat::Backseat(const GliderMission& mission, const GliderReconMission& recon,
                    const GliderByteStream& line, const LinkFacts* checkpoint)
     : dictionary_(*mission.dictionary),
+      start_depth_cm_(mission.start_depth_cm),
       recon_(recon),
       line_(line),
       course_(recon),
@@ -165,11 +166,15 @@ void Backseat::instruct(void* self, const hooks::Instruction& instruction) {
   }
 }
 
+/// By the newest state: one that does not say how deep the vehicle is may be of any depth.
+bool Backseat::isNearSurface() const {
+  constexpr double kCmPerM = 100;
+  return start_depth_cm_ == 0 || readings_.depthNow() * kCmPerM <= start_depth_cm_;
+}
+
 /// What goes on may begin at any depth: the vehicle flies its own mission meanwhile.
 bool Backseat::asksForControl() const {
-  const double depth_m = readings_.value(Reading::Depth);
-  return takeover_.mayBeAsked() && session_.mayAsk() &&
-         (session_.goesOn() || depth_m <= recon_.start_depth_m);
+  return takeover_.mayBeAsked() && session_.mayAsk() && (session_.goesOn() || isNearSurface());
 }
 
 template <typename Message>
@@ -206,6 +211,25 @@ void Backseat::tell() {
   enter(stateStory(inner_.sbc(), text));
 }
 
+/// A vehicle that is left in the override would keep the last goals, however deep.
+bool Backseat::mayEnd() {
+  if (session_.isOver() || !takeover_.follows()) {
+    return true;
+  }
+  session_.leave();
+  return false;
+}
+
+/// Goals too: as long as the vehicle does not end the override it obeys them.
+void Backseat::release() {
+  course_.surface();
+  if (takeover_.follows()) {
+    sendGoals();
+    send(hooks::recon::Override{false});
+  }
+  session_.noteRelease(!takeover_.follows());
+}
+
 /// The program has answered a cycle: sends the vehicle what is in force now. While the line is
 /// stuck nothing counts as sent.
 void Backseat::answer(void* self) {
@@ -216,10 +240,7 @@ void Backseat::answer(void* self) {
   }
   seat.out_next_ = seat.out_end_ = 0;
   if (seat.session_.releases()) {
-    if (seat.takeover_.follows()) {
-      seat.send(hooks::recon::Override{false});
-    }
-    seat.session_.noteRelease(!seat.takeover_.follows());
+    seat.release();
   } else if (seat.takeover_.follows() && !seat.session_.isOver()) {
     seat.sendGoals();
   } else {

@@ -33,6 +33,10 @@ class Backseat {
 
   /// The program's end.
   [[nodiscard]] GliderByteStream stream() { return inner_.stream(); }
+  /// The program has ended its mission, or does not go on with it: whether it may end. Not while
+  /// the vehicle obeys: then the answers end the override, up to SeatSession::kReleaseAnswers of
+  /// them.
+  bool mayEnd();
   /// Counts the bytes that arrived and belong to no line.
   [[nodiscard]] const uint32_t* damaged() const { return &damaged_; }
 
@@ -48,17 +52,22 @@ class Backseat {
   void take(const hooks::recon::Line& line);
   void takeState(const hooks::recon::State& said);
   void lookAtCycle();
-  [[nodiscard]] SeatHold hold() const { return {takeover_.follows(), takeover_.isTaken()}; }
+  [[nodiscard]] SeatHold hold() const {
+    return {takeover_.follows(), takeover_.isTaken(), isNearSurface()};
+  }
+  [[nodiscard]] bool isNearSurface() const;
   [[nodiscard]] bool asksForControl() const;
   [[nodiscard]] double missionTime() const;
   template <typename Message>
   void send(const Message& message);
   void sendGoals();
+  void release();
   void tell();
   bool fill();
   void flush();
 
   const GliderDictionary& dictionary_;
+  uint32_t start_depth_cm_;  ///< no mission begins below; 0: at any depth
   GliderReconMission recon_;
   GliderByteStream line_;
   bool line_closed_ = false;

@@ -9,10 +9,20 @@
 
 extern "C" const GliderReconMission gliderRecon;
 
+namespace {
+
+glider::runtime::recon::Backseat* backseat = nullptr;
+
+}  // namespace
+
 glider::runtime::FrameLine glider::runtime::framesOver(const GliderByteStream& line,
                                                        const LinkFacts* checkpoint) {
   // It lives as long as the program: no exit handler.
   alignas(recon::Backseat) static uint8_t memory[sizeof(recon::Backseat)];
-  auto* backseat = ::new (memory) recon::Backseat(gliderMission, gliderRecon, line, checkpoint);
+  backseat = ::new (memory) recon::Backseat(gliderMission, gliderRecon, line, checkpoint);
   return {backseat->stream(), backseat->damaged()};
+}
+
+bool glider::runtime::mayEnd() {
+  return backseat->mayEnd();
 }

@@ -43,13 +43,23 @@ bool Readings::takeReport(Reading reading, double* value) {
   return fresh;
 }
 
-void Readings::take(const hooks::recon::State& state, double clock_s) {
-  set(Reading::Clock, clock_s);
+/// A place that is not known any more must not be steered by. After a clock was set back its age is
+/// not known either.
+void Readings::takePlace(const hooks::recon::State& state, double clock_s) {
   if (isFinite(state.latitude_deg) && isFinite(state.longitude_deg)) {
     here_ = {state.latitude_deg, state.longitude_deg};
+    here_s_ = clock_s;
     set(Reading::Latitude, ddmmOf(state.latitude_deg));
     set(Reading::Longitude, ddmmOf(state.longitude_deg));
+  } else if (const double age_s = clock_s - here_s_; !(age_s >= 0 && age_s < kOldSecs)) {
+    here_ = Place();
   }
+}
+
+void Readings::take(const hooks::recon::State& state, double clock_s) {
+  set(Reading::Clock, clock_s);
+  takePlace(state, clock_s);
+  depth_now_ = state.depth_m;
   set(Reading::Depth, state.depth_m);
   set(Reading::DepthGoal, state.depth_goal_m);
   set(Reading::Altitude, state.altitude_m);

@@ -31,16 +31,24 @@ class Readings {
   [[nodiscard]] double value(Reading reading) const { return values_[index(reading)]; }
   /// Takes the value that was reported since the last call; false if there was none.
   bool takeReport(Reading reading, double* value);
-  /// Where the vehicle is, by the newest state that had a position.
+  /// The depth in the newest state, m; NaN if that has none.
+  [[nodiscard]] double depthNow() const { return depth_now_; }
+  /// Where the vehicle is, by the newest state that had a position; unknown if that is kOldSecs
+  /// older than the newest.
   [[nodiscard]] const Place& here() const { return here_; }
+
+  static constexpr double kOldSecs = 10;
 
  private:
   static constexpr uint32_t index(Reading reading) { return static_cast<uint32_t>(reading); }
   void set(Reading reading, double value);
+  void takePlace(const hooks::recon::State& state, double clock_s);
 
   double values_[kReadings];
   bool fresh_[kReadings] = {};
+  double depth_now_ = __builtin_nan("");
   Place here_;
+  double here_s_ = __builtin_nan("");  ///< by the vehicle's clock
 };
 
 }  // namespace glider::runtime::recon

@@ -37,8 +37,10 @@ class FloatingJudge : public Judge {
   /// The SBC ends its control, or (`ends` false) does not.
   void takeEnd(bool ends, double now_s);
 
- private:
+  /// The flight breaks what `judge` checks: `what`. Only the first time counts.
   void violate(JudgeId judge, double now_s, std::string what);
+
+ private:
   void checkSilence(const CycleView& view);
 
   FloatingPromise promise_;

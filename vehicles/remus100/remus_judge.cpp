@@ -5,6 +5,8 @@
 
 #include "hooks/recon/codec.h"
 
+#include <fmt/format.h>
+
 namespace glider::remus100 {
 
 using namespace hooks::recon;
@@ -22,6 +24,7 @@ void RemusJudge::hear(const Line& line, double now_s) {
   SpeedGoal speed;
   DepthGoal depth;
   Override request;
+  TimeQuery query;
   if (decode(line, heading)) {
     heading_ = true;
   } else if (decode(line, speed)) {
@@ -29,8 +32,15 @@ void RemusJudge::hear(const Line& line, double now_s) {
   } else if (decode(line, depth)) {
     takeCommand(depth.depth_m, heading_ && speed_, now_s);
     heading_ = speed_ = false;
+    if (let_go_ && depth.depth_m > 0) {
+      violate(simulator::JudgeId::Commands, now_s,
+              fmt::format("a goal of {:.1f} m after the end of the override", depth.depth_m));
+    }
   } else if (decode(line, request)) {
+    let_go_ = !request.on;
     takeEnd(!request.on, now_s);
+  } else if (decode(line, query)) {
+    let_go_ = false;  // a program that has just started
   }
 }
 

@@ -12,7 +12,8 @@
 namespace glider::remus100 {
 
 /// Checks a flight by the goals that the SBC sends, and by its requests to end the override. Goals
-/// must come in threes: heading, speed and depth.
+/// must come in threes: heading, speed and depth. After such a request a program gives no goal
+/// under water.
 class RemusJudge final : public simulator::FloatingJudge {
  public:
   explicit RemusJudge(const simulator::FloatingPromise& promise) : FloatingJudge(promise, "goal") {}
@@ -24,6 +25,7 @@ class RemusJudge final : public simulator::FloatingJudge {
 
   hooks::recon::LineReader lines_;
   bool heading_ = false, speed_ = false;  ///< came since the newest depth
+  bool let_go_ = false;                   ///< the program has asked for the end of the override
 };
 
 }  // namespace glider::remus100

@@ -9,11 +9,10 @@ namespace glider::codegen {
 
 void addReconMission(llvm::Module& module, const GliderReconMission& recon) {
   static_assert(sizeof(GliderReconMission) ==
-                5 * sizeof(double) + 2 * sizeof(uint32_t) +
+                4 * sizeof(double) + 2 * sizeof(uint32_t) +
                     2 * GLIDER_MOST_RECON_READINGS * sizeof(uint16_t));
   addSeatConstant(module, "gliderRecon",
-                  {recon.greatest_depth_m, recon.slowest_m_s, recon.fastest_m_s, recon.usual_m_s,
-                   recon.start_depth_m},
+                  {recon.greatest_depth_m, recon.slowest_m_s, recon.fastest_m_s, recon.usual_m_s},
                   {recon.count, recon.unused}, recon.sensors, recon.sources);
 }
 

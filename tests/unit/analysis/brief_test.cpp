@@ -17,8 +17,11 @@
 namespace glider::analysis {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::string kBriefed = R"(# SPDX-License-Identifier: Apache-2.0
 #########
@@ -237,6 +240,15 @@ TEST_F(BriefOf, TheSummarySaysDepthStackAndWayHome) {
           "and is at the surface within 11 min 32 s, from at most 25 m (assuming "
           "silence_secs 24).",
           HasSubstr("After a power cut of the payload computer of up to 5 min 0 s")));
+}
+
+/// What a REMUS does then is not in anything public.
+TEST_F(BriefOf, TheWayHomeOfARemusIsAssumed) {
+  const auto remus = vehicles::families::remus100.usual_own_mission();
+  EXPECT_THAT(summaryOf(*compilation_.checked, {}, remus.get(), 25),
+              Contains(AllOf(HasSubstr("the vehicle is assumed to end the override within"),
+                             HasSubstr("a time-out that RECON does not state"),
+                             Not(HasSubstr("takes control")))));
 }
 
 TEST_F(BriefOf, DigestsAreOfTheTextsAndTheBinary) {

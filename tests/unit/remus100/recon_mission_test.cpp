@@ -38,7 +38,6 @@ TEST(ReconMission, HasTheLimitsAndTheSensorsOfThePlatform) {
   EXPECT_EQ(recon->slowest_m_s, 0.8);
   EXPECT_EQ(recon->fastest_m_s, 2.5);
   EXPECT_EQ(recon->usual_m_s, 1.5);
-  EXPECT_EQ(recon->start_depth_m, 3);
   EXPECT_EQ(recon->count, runtime::recon::kReadings) << "each source has its sensor";
   std::set<uint16_t> sources;
   for (uint32_t i = 0; i < recon->count; ++i) {

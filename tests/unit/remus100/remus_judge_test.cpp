@@ -90,6 +90,26 @@ TEST(RemusJudge, SeesGoalsThatAreTooDeepOrNotWhole) {
   EXPECT_TRUE(slow.violates(JudgeId::Commands)) << "without a speed";
 }
 
+/// Goals of the surface are in force until the vehicle has ended the override.
+TEST(RemusJudge, SeesAGoalUnderWaterAfterTheEnd) {
+  JudgedFlight flight;
+  flight.goals(20);
+  flight.says(hooks::recon::Override{false});
+  flight.goals(0);
+  flight.says(hooks::recon::Override{false});
+  EXPECT_TRUE(flight.judge.verdict().violations.empty());
+  flight.goals(20);
+  EXPECT_TRUE(flight.violates(JudgeId::Commands));
+  JudgedFlight again;
+  again.says(hooks::recon::Override{false});
+  again.says(hooks::recon::Override{true});
+  again.goals(20);
+  again.says(hooks::recon::Override{false});
+  again.says(hooks::recon::TimeQuery());  // another program
+  again.goals(20);
+  EXPECT_TRUE(again.judge.verdict().violations.empty());
+}
+
 TEST(RemusJudge, SeesAVehicleThatIsTooDeepOrDoesNotComeUp) {
   JudgedFlight deep;
   deep.follow(20, 24.1, 1);

@@ -3,6 +3,7 @@
 
 // A mission's program at a vehicle that is steered by RECON: runtime/recon/README.md.
 
+#include "tests/unit/runtime/power_cut_store.h"
 #include "tests/unit/runtime/recon_vehicle.h"
 
 #include <cmath>
@@ -47,6 +48,7 @@ TEST(ReconBackseat, FliesAMissionFromItsFirstQueryToItsEnd) {
 
 TEST(ReconBackseat, SaysThatItIsThereWhileItDoesNotSteer) {
   TwoDepths mission;
+  mission.mission.start_depth_cm = 150;
   ReconVehicle vehicle(mission.mission);
   vehicle.depth_m = 10;
   vehicle.seconds(20);
@@ -67,25 +69,80 @@ TEST(ReconBackseat, TheEndIsAskedForAgainWhileTheVehicleDoesNotObey) {
   ReconVehicle vehicle(mission.mission);
   begin(vehicle);
   vehicle.deaf_to_end = true;
-  vehicle.seconds(60);
+  while (vehicle.ends == 0) {
+    vehicle.second();
+  }
+  const int goals = vehicle.goals;
+  for (int answers = 1; answers < static_cast<int>(SeatSession::kReleaseAnswers); ++answers) {
+    EXPECT_EQ(vehicle.told_depth, 0) << "the last goal may stay in force";
+    EXPECT_EQ(vehicle.told_speed, 0.8);
+    EXPECT_EQ(vehicle.ends, answers);
+    EXPECT_EQ(vehicle.goals, goals + answers - 1);
+    EXPECT_FALSE(vehicle.finished) << answers;
+    vehicle.second();
+  }
+  vehicle.seconds(20);
   EXPECT_TRUE(vehicle.finished);
   EXPECT_EQ(vehicle.ends, static_cast<int>(SeatSession::kReleaseAnswers));
 }
 
+/// The program before this one has left it in the override.
+TEST(ReconBackseat, AProgramThatDoesNotGoOnEndsTheOverride) {
+  for (const bool obeys : {true, false}) {
+    TwoDepths mission;
+    mission.mission.resume_within = 120;
+    testing::RecordingStore store;
+    const GliderRuntimeOptions options{{}, nullptr, store.store(), 7};
+    ReconVehicle before(mission.mission, nullptr, &options);
+    begin(before);
+    before.seconds(30);
+    const LinkFacts checkpoint{.clock = static_cast<uint32_t>(before.now_s)};
+    ReconVehicle vehicle(mission.mission, &checkpoint, &options);
+    vehicle.now_s = before.now_s + 1000;
+    vehicle.depth_m = 20;
+    vehicle.mode = obeys ? Mode::Override : Mode::Launched;
+    vehicle.deaf_to_end = true;
+    vehicle.seconds(10);
+    EXPECT_EQ(vehicle.finished, !obeys);
+    EXPECT_EQ(vehicle.ends > 5, obeys);
+    EXPECT_EQ(vehicle.told_depth, obeys ? 0 : -1);
+    vehicle.deaf_to_end = false;
+    vehicle.seconds(3);
+    EXPECT_TRUE(vehicle.finished);
+    EXPECT_FALSE(vehicle.obeys());
+    EXPECT_EQ(vehicle.asks, 0);
+  }
+}
+
 TEST(ReconBackseat, DoesNotAskUnderWater) {
   TwoDepths mission;
+  mission.mission.start_depth_cm = 150;
   ReconVehicle vehicle(mission.mission);
-  vehicle.depth_m = 3.5;
+  vehicle.depth_m = 1.6;
   vehicle.seconds(60);
   EXPECT_EQ(vehicle.asks, 0);
   EXPECT_EQ(vehicle.context(), nullptr);
-  vehicle.depth_m = std::nan("");  // it stays that of before
-  vehicle.seconds(5);
-  EXPECT_EQ(vehicle.asks, 0);
-  vehicle.depth_m = 2.5;
+  vehicle.depth_m = 1.5;
   vehicle.seconds(12);
   EXPECT_EQ(vehicle.asks, 1);
   EXPECT_NE(vehicle.context(), nullptr);
+}
+
+/// A reading from hours ago would let it ask at depth.
+TEST(ReconBackseat, DoesNotAskWhileTheDepthIsNotKnown) {
+  TwoDepths mission;
+  mission.mission.start_depth_cm = 150;
+  ReconVehicle vehicle(mission.mission);
+  vehicle.mode = 0x02;  // it may not be asked
+  vehicle.depth_m = 0.5;
+  vehicle.seconds(20);
+  vehicle.mode = Mode::Launched;
+  vehicle.depth_m = std::nan("");
+  vehicle.seconds(20);
+  EXPECT_EQ(vehicle.asks, 0);
+  vehicle.depth_m = 0.5;
+  vehicle.seconds(5);
+  EXPECT_EQ(vehicle.asks, 1);
 }
 
 TEST(ReconBackseat, IsToldTheSurfaceUntilItsFirstCommand) {
@@ -216,12 +273,39 @@ TEST(ReconBackseat, AMissionThatIsOverBeforeTheLaunchIsNotTaken) {
 
 TEST(ReconBackseat, AVehicleThatAsksForTheSbcGetsIt) {
   TwoDepths mission;
+  mission.mission.start_depth_cm = 150;
   ReconVehicle vehicle(mission.mission);
-  vehicle.depth_m = 12;
   vehicle.mode = Mode::Override;
   vehicle.seconds(12);
   EXPECT_EQ(vehicle.asks, 0);
   EXPECT_EQ(vehicle.told_depth, 20);
+}
+
+/// Proofs begin near the surface. That the program has seen the surface before, under the vehicle's
+/// own mission, does not count.
+TEST(ReconBackseat, AVehicleThatObeysAtDepthIsBroughtUpBeforeTheMissionBegins) {
+  TwoDepths mission;
+  mission.mission.start_depth_cm = 150;
+  ReconVehicle vehicle(mission.mission);
+  vehicle.mode = 0x02;  // it may not be asked
+  vehicle.depth_m = 0.5;
+  vehicle.seconds(20);
+  vehicle.depth_m = 50;
+  vehicle.mode = Mode::Override;
+  for (; vehicle.depth_m > 1.5; vehicle.depth_m -= 1) {
+    vehicle.second();
+    ASSERT_EQ(vehicle.context(), nullptr) << vehicle.depth_m;
+    EXPECT_EQ(vehicle.told_depth, 0);
+  }
+  vehicle.depth_m = std::nan("");
+  vehicle.seconds(5);
+  EXPECT_EQ(vehicle.context(), nullptr) << "the depth is not known";
+  vehicle.depth_m = 1.5;
+  vehicle.seconds(5);
+  EXPECT_NE(vehicle.context(), nullptr);
+  vehicle.depth_m = 10;
+  vehicle.seconds(5);
+  EXPECT_EQ(vehicle.told_depth, 20) << "once begun, at any depth";
 }
 
 TEST(ReconBackseat, ModesThatAreNotKnownChangeNothing) {

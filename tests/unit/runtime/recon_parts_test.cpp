@@ -218,6 +218,37 @@ TEST(ReconReadings, HaveTheUnitsOfMissions) {
   EXPECT_EQ(readings.here().longitude, 8.25);
 }
 
+hooks::recon::State stateOf(double latitude_deg, double depth_m) {
+  hooks::recon::State state;
+  state.latitude_deg = latitude_deg;
+  state.longitude_deg = 8.25;
+  state.depth_m = depth_m;
+  return state;
+}
+
+TEST(ReconReadings, TheDepthNowIsThatOfTheNewestState) {
+  Readings readings;
+  EXPECT_TRUE(std::isnan(readings.depthNow()));
+  readings.take(stateOf(41, 0.5), 1.7e9);
+  EXPECT_EQ(readings.depthNow(), 0.5);
+  readings.take(stateOf(41, std::nan("")), 1.7e9 + 1);
+  EXPECT_TRUE(std::isnan(readings.depthNow()));
+}
+
+TEST(ReconReadings, APlaceThatStatesLackFor10SecondsIsUnknown) {
+  Readings readings;
+  readings.take(stateOf(41, 0), 1.7e9);
+  readings.take(stateOf(std::nan(""), 0), 1.7e9 + 9.5);
+  EXPECT_EQ(readings.here().latitude, 41);
+  readings.take(stateOf(std::nan(""), 0), 1.7e9 + 10);
+  EXPECT_TRUE(std::isnan(readings.here().latitude));
+  EXPECT_TRUE(std::isnan(readings.here().longitude));
+  readings.take(stateOf(42, 0), 1.7e9 + 11);
+  EXPECT_EQ(readings.here().latitude, 42);
+  readings.take(stateOf(std::nan(""), 0), 1.7e9 - 1000);
+  EXPECT_TRUE(std::isnan(readings.here().latitude)) << "a clock that was set back";
+}
+
 TEST(ReconReadings, WhatIsUnknownIsNotReported) {
   Readings readings;
   readings.take(hooks::recon::State(), 1.7e9);

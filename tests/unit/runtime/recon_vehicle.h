@@ -24,7 +24,6 @@ inline GliderReconMission reconOf() {
                            .slowest_m_s = 0.8,
                            .fastest_m_s = 2.5,
                            .usual_m_s = 1.5,
-                           .start_depth_m = 3,
                            .count = 2,
                            .unused = 0,
                            .sensors = {},
@@ -45,12 +44,13 @@ std::string reconLine(const Message& message) {
 /// Says once a second what a vehicle says, and obeys lines as a REMUS is known to.
 class ReconVehicle {
  public:
-  explicit ReconVehicle(const GliderMission& mission, const LinkFacts* checkpoint = nullptr)
+  explicit ReconVehicle(const GliderMission& mission, const LinkFacts* checkpoint = nullptr,
+                        const GliderRuntimeOptions* options = nullptr)
       : memory_(gliderRuntimeSize() / sizeof(double) + 1),
         context_(mission.context_bytes / sizeof(double) + 1),
         backseat_(std::make_unique<recon::Backseat>(
             mission, reconOf(), GliderByteStream{this, read, write}, checkpoint)),
-        runtime_(gliderRuntimeInit(memory_.data(), context_.data(), &mission, nullptr)) {}
+        runtime_(gliderRuntimeInit(memory_.data(), context_.data(), &mission, options)) {}
 
   /// A second passes.
   void second() {
@@ -117,7 +117,7 @@ class ReconVehicle {
     const GliderByteStream stream = backseat_->stream();
     while (!finished) {
       const GliderRuntimeStatus status = gliderRuntimePoll(runtime_, &stream, &clock);
-      finished = status == kGliderRuntimeFinished;
+      finished = status == kGliderRuntimeFinished && backseat_->mayEnd();
       if (status != kGliderRuntimeProgressed) {
         break;
       }

@@ -15,9 +15,10 @@ using hooks::HookControl;
 using hooks::HookState;
 using Step = SeatSession::Step;
 
-constexpr SeatHold kAway{.follows = false, .taken = false};
-constexpr SeatHold kFollows{.follows = true, .taken = false};
-constexpr SeatHold kTaken{.follows = false, .taken = true};
+constexpr SeatHold kAway{.follows = false, .taken = false, .may_begin = true};
+constexpr SeatHold kFollows{.follows = true, .taken = false, .may_begin = true};
+constexpr SeatHold kFollowsAtDepth{.follows = true, .taken = false, .may_begin = false};
+constexpr SeatHold kTaken{.follows = false, .taken = true, .may_begin = true};
 
 hooks::SeatState stateOf(const SeatSession& session) {
   hooks::SeatState state;
@@ -64,6 +65,33 @@ TEST(SeatSession, IsReadyOnceTheVehicleFollows) {
   EXPECT_EQ(stateOf(session).hook_state, HookState::Ready);
   session.follow(kTaken);
   EXPECT_EQ(stateOf(session).hook_state, HookState::Absent);
+}
+
+TEST(SeatSession, DoesNotBeginWhereNoMissionMay) {
+  SeatSession session(false);
+  session.follow(kFollowsAtDepth);
+  EXPECT_EQ(stateOf(session).hook_state, HookState::Waiting);
+  EXPECT_EQ(
+      give(session, instruction(HookControl::Take, 7, 1), HookAnswer::NotReady, kFollowsAtDepth),
+      Step::Nothing);
+  session.follow(kFollows);
+  EXPECT_EQ(stateOf(session).hook_state, HookState::Ready);
+  EXPECT_EQ(give(session, instruction(HookControl::Take, 7, 2), HookAnswer::Accepted), Step::Steer);
+  session.follow(kFollowsAtDepth);
+  EXPECT_EQ(stateOf(session).hook_state, HookState::Active);
+  EXPECT_EQ(
+      give(session, instruction(HookControl::Take, 7, 3), HookAnswer::Accepted, kFollowsAtDepth),
+      Step::Steer)
+      << "a handshake that is repeated";
+}
+
+TEST(SeatSession, WhatGoesOnMayDoSoAnywhere) {
+  SeatSession session(true);
+  session.follow(kFollowsAtDepth);
+  EXPECT_EQ(stateOf(session).hook_state, HookState::Silent);
+  EXPECT_EQ(
+      give(session, instruction(HookControl::Take, 7, 1), HookAnswer::Accepted, kFollowsAtDepth),
+      Step::Steer);
 }
 
 TEST(SeatSession, SteersInItsSessionOnly) {
@@ -159,6 +187,28 @@ TEST(SeatSession, ItsReleaseEndsAfterSomeAnswers) {
     session.noteRelease(false);
   }
   EXPECT_TRUE(session.isOver());
+}
+
+/// A program that does not go on has no session to release.
+TEST(SeatSession, AProgramThatLeavesReleasesWithoutASession) {
+  SeatSession session(true);
+  session.follow(kFollows);
+  session.leave();
+  EXPECT_TRUE(session.releases());
+  session.noteRelease(false);
+  EXPECT_FALSE(session.isOver());
+  EXPECT_EQ(give(session, instruction(HookControl::Take, 7, 1), HookAnswer::NotReady),
+            Step::Nothing);
+  session.leave();
+  for (uint32_t i = 1; i < SeatSession::kReleaseAnswers; ++i) {
+    EXPECT_FALSE(session.isOver()) << i;
+    session.noteRelease(false);
+  }
+  EXPECT_TRUE(session.isOver());
+  EXPECT_EQ(stateOf(session).answered_sequence, 1);
+  EXPECT_EQ(stateOf(session).answer, HookAnswer::NotReady);
+  session.leave();
+  EXPECT_FALSE(session.releases());
 }
 
 TEST(SeatSession, OnlyItsOwnSessionIsReleased) {

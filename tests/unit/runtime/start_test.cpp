@@ -121,8 +121,7 @@ TEST(Options, WhatIsWrongIsNamed) {
     if (expected.back() == ' ') {
       expected.pop_back();  // an empty value is not told
     }
-    EXPECT_EQ(said([&] { status = tellWish(options, "m"); }),
-              expected + "`; see --help\n");
+    EXPECT_EQ(said([&] { status = tellWish(options, "m"); }), expected + "`; see --help\n");
     EXPECT_EQ(status, kWrongUse);
   }
   EXPECT_EQ(optionsOf({"--baud", "4000000009"}).baud, 4000000009U) << "the greatest number";

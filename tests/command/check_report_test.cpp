@@ -254,12 +254,13 @@ TEST(CheckReport, TooMuchStackForABoardIsAnError) {
 }
 
 TEST(CheckReport, TooMuchForALineIsAnError) {
-  const TemporaryFolder folder;  // a vehicle whose cycle is short
+  const TemporaryFolder folder;  // a vehicle whose cycle is short, and its lag
   const fs::path share = folder.path() / "share";
   linkAllBut(kShare, "platforms", share);
   (void)folder.write(
       "share/platforms/slocum.toml",
-      replaced(slurp(kShare / "platforms/slocum.toml"), "cycle_s = 4.0", "cycle_s = 0.05"));
+      replaced(replaced(slurp(kShare / "platforms/slocum.toml"), "cycle_s = 4.0", "cycle_s = 0.05"),
+               "line_lag_s = 8.0", "line_lag_s = 0.1"));
   const Outcome outcome =
       runShell("GLIDERCC_SHARE=" + share.string() + " $GLIDERCC check --report " + kReported);
   EXPECT_EQ(outcome.status, 1) << outcome.out;

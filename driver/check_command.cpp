@@ -6,6 +6,8 @@
 #include "driver/certificates/write.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
+#include "driver/fleet/check_fleet.h"
+#include "driver/json_document.h"
 #include "driver/output/check_on_terminal.h"
 #include "driver/output/explain_page.h"
 #include "driver/output/overwritten.h"
@@ -51,8 +53,9 @@ struct CommandOptions {
   std::string recheck;       ///< folder of certificates; empty: none
   std::string mi;            ///< the vehicle's mission file; empty: none
   AgainstOptions against;
-  bool strict = false;              ///< warnings and undecided requirements are failures
-  std::optional<double> timeout_s;  ///< of the proofs
+  bool strict = false;                ///< warnings and undecided requirements are failures
+  std::optional<double> timeout_s;    ///< of the proofs
+  std::shared_ptr<FleetCheck> fleet;  ///< whose missions these are; null: of no fleet
 };
 
 /// "1 error, 2 warnings" of the diagnostics shown; empty if there are none of either.
@@ -181,6 +184,22 @@ std::filesystem::path folderOf(const CommandOptions& options, const std::filesys
                                       : folder / std::filesystem::path(mission).stem().string();
 }
 
+/// What follows for the fleet, once its missions were checked; `status` becomes that of the
+/// command.
+std::string tellFleet(const CommandOptions& options, int& status) {
+  if (options.fleet == nullptr) {
+    return "";
+  }
+  if (const auto allowed = options.fleet->checkSettings(); !allowed) {
+    status = std::max(status, reportFailure(allowed.error()));
+  }
+  const auto pairs = options.fleet->pairs();
+  if (options.strict && !std::ranges::all_of(pairs, &PairVerdict::proved)) {
+    status = std::max<int>(status, kMissionHasErrors);
+  }
+  return options.fleet->text();
+}
+
 /// Whether two missions would have their files in one folder; then it prints an error.
 bool sharesAFolder(const CommandOptions& options) {
   if (options.traces.empty() && options.certificates.empty() && options.recheck.empty()) {
@@ -257,6 +276,9 @@ int checkForPeople(const CommandOptions& options) {
   for (const std::string& path : options.missions) {
     CheckedFile checked = checkOnTerminal(path, options.check);
     runAgainst(logs, options.against, checked);
+    if (options.fleet != nullptr) {
+      options.fleet->take(checked);
+    }
     std::string text;
     tellPeople(checked, options.check, text);
     status = std::max(
@@ -269,7 +291,13 @@ int checkForPeople(const CommandOptions& options) {
     }
     all += text;
   }
-  if (options.output != "-") {
+  const std::string fleet = tellFleet(options, status);
+  if (options.output == "-") {
+    if (const auto printed = printSuccess(fleet); !printed) {
+      return reportFailure(printed.error());
+    }
+  } else {
+    all += fleet;
     if (const auto written = put(options, all); !written) {
       return reportFailure(written.error());
     }
@@ -282,6 +310,16 @@ std::string pageOrNothing(support::DiagnosticId id) {
   return explainPage(id).value_or("");
 }
 
+/// The document with what follows for the fleet.
+std::string withFleet(const CommandOptions& options, const std::string& findings) {
+  if (options.fleet == nullptr) {
+    return findings;
+  }
+  Json document = Json::parse(findings);
+  document["fleet"] = options.fleet->json();
+  return document.dump(2) + "\n";
+}
+
 int checkForMachines(const CommandOptions& options) {
   const VehicleLogs logs = readVehicleLogs(options.against);
   int status = logs.status;
@@ -290,6 +328,9 @@ int checkForMachines(const CommandOptions& options) {
   for (const std::string& path : options.missions) {
     all.push_back(checkOnTerminal(path, options.check));
     runAgainst(logs, options.against, all.back());
+    if (options.fleet != nullptr) {
+      options.fleet->take(all.back());
+    }
     found.push_back(all.back().found);
     status = std::max(
         {status, exitCode(found.back(), options.strict), writeFiles(options, logs, all.back())});
@@ -297,9 +338,10 @@ int checkForMachines(const CommandOptions& options) {
       reportFailure(*found.back().failure);
     }
   }
+  tellFleet(options, status);
   const std::string text =
       options.format == Format::Json
-          ? report::findingsToJson(found, GLIDER_VERSION)
+          ? withFleet(options, report::findingsToJson(found, GLIDER_VERSION))
           : report::findingsToSarif(found, GLIDER_VERSION, pageOrNothing, status);
   const auto done = put(options, text);
   return done ? status : reportFailure(done.error());
@@ -328,7 +370,24 @@ support::Result<void> lookIntoFolder(CommandOptions& options) {
   return end ? support::Result<void>() : std::unexpected(end.error());
 }
 
+/// If the only MISSION is a fleet file, its missions are checked.
+support::Result<void> lookIntoFleet(CommandOptions& options) {
+  if (options.missions.size() != 1 || !flights::isFleetFile(options.missions.front())) {
+    return {};
+  }
+  auto fleet = flights::loadFleet(options.missions.front());
+  if (!fleet) {
+    return std::unexpected(fleet.error());
+  }
+  options.fleet = std::make_shared<FleetCheck>(std::move(*fleet));
+  options.missions = options.fleet->missions();
+  return {};
+}
+
 int check(CommandOptions& options) {
+  if (const auto looked = lookIntoFleet(options); !looked) {
+    return reportFailure(looked.error());
+  }
   if (const auto looked = lookIntoFolder(options); !looked) {
     return reportFailure(looked.error());
   }
@@ -430,10 +489,10 @@ void addCheckCommand(CLI::App& app, int& status) {
   auto options = std::make_shared<CommandOptions>();
   CLI::App* command = app.add_subcommand("check", "Check missions without building them");
   command
-      ->add_option(
-          "MISSION", options->missions,
-          "Mission files (or the IR's text form, FILE.ir), or a folder of `build --dialect "
-          "extctl`; `-` is standard input")
+      ->add_option("MISSION", options->missions,
+                   "Mission files (or the IR's text form, FILE.ir), a folder of `build --dialect "
+                   "extctl`, or "
+                   "a fleet (FLEET.toml); `-` is standard input")
       ->required();
   command
       ->add_option_function<std::string>(

@@ -6,9 +6,11 @@
 #include "driver/commands.h"
 #include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
+#include "driver/fleet/fly_fleet.h"
 #include "driver/json_document.h"
 #include "driver/output/flight_files.h"
 #include "driver/output/flight_folder.h"
+#include "driver/output/flown.h"
 #include "driver/output/overwritten.h"
 #include "driver/output/time_left.h"
 #include "driver/output/track_colour.h"
@@ -19,9 +21,8 @@
 #include "driver/slocum/science_program.h"
 #include "driver/terminal.h"
 #include "driver/usage/quantity.h"
+#include "flights/fleet/fleet_file.h"
 #include "flights/flight_setup.h"
-#include "flights/logged_values.h"
-#include "flights/mission_facts.h"
 #include "flights/scenario_choice.h"
 #include "report/export/export.h"
 #include "report/picture/picture.h"
@@ -39,12 +40,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 namespace glider::driver {
@@ -64,51 +67,6 @@ void showProgress(simulator::SimulationSetup& setup, ProgressLine& line) {
   setup.progress = [&line, left = TimeLeft()](const simulator::Progress& progress) mutable {
     line.show(progressText(progress, left));
   };
-}
-
-/// What flies: the mission of the language (null: none), and what watches it (null: it is not
-/// watched).
-struct Flown {
-  const compiler::Optimised* mission = nullptr;
-  const flights::RequirementWatch* watch = nullptr;
-  std::string port_folder;  ///< empty: not by the port
-};
-
-/// What went wrong in a flight: events of the vehicle, sensors that it did not carry, requirements
-/// that it violated.
-std::vector<support::Diagnostic> judge(const support::Trace& trace, const Flown& flown,
-                                       const std::vector<flights::FlownViolation>& violations,
-                                       const simulator::Scenario& scenario) {
-  support::DiagnosticEngine diagnostics;
-  if (flown.mission != nullptr) {
-    flights::reportMissingSensors(*flown.mission, scenario, diagnostics);
-  }
-  if (flown.watch != nullptr) {
-    flights::reportViolations(*flown.watch, violations, diagnostics);
-  }
-  report::reportFlight(trace, diagnostics, flown.port_folder);
-  report::reportRestless(trace,
-                         "a condition that is still true after a transition causes the next one: "
-                         "see the events for the cases, and `glidercc explain GL9378`",
-                         diagnostics);
-  reportDiagnostics(diagnostics,
-                    flown.mission != nullptr ? flown.mission->sources() : support::SourceManager());
-  return diagnostics.sorted();
-}
-
-/// Adds to the trace what the mission says about its flight, and what it logged.
-void addFacts(const Flown& flown, const flights::LaunchChoice& launch,
-              const std::vector<flights::FlownViolation>& violations, support::Trace& trace) {
-  if (flown.mission == nullptr) {
-    return;
-  }
-  const auto parameters = flights::chooseParameters(flown.mission->checked->mission(), launch);
-  trace.facts = flights::missionFacts(*flown.mission, parameters.value_or(std::vector<double>()));
-  flights::addLoggedValues(*flown.mission, trace);
-  if (flown.watch != nullptr) {
-    trace.facts.promises =
-        flights::flownPromises(*flown.watch, *flown.mission->checked, violations);
-  }
 }
 
 /// Writes the flight in the formats of other programs.
@@ -378,7 +336,8 @@ void addOptions(CLI::App& command, SimOptions& options) {
   auto* mission =
       command.add_option("MISSION", options.mission,
                          "The mission file, a mission of the vehicle's own (FILE.mi), which flies "
-                         "without an SBC, or a folder of `build --dialect extctl`");
+                         "without an SBC, a folder of `build --dialect extctl`, or a fleet "
+                         "(FLEET.toml): several vehicles in one sea");
   addWorldOptions(command, options);
   auto* board = command
                     .add_option("--board", options.board,
@@ -424,6 +383,8 @@ void addOptions(CLI::App& command, SimOptions& options) {
       ->excludes("--kill-sbc-at")
       ->excludes("--duration")
       ->needs(mission);
+  command.add_option("--only", options.only, "Of a fleet: fly this vehicle alone")
+      ->option_text("NAME");
   addExportOptions(command, options);
   program->excludes(board);
   serial->excludes(board)->excludes(program)->excludes("--replay");
@@ -434,6 +395,20 @@ void addOptions(CLI::App& command, SimOptions& options) {
 }  // namespace
 
 namespace {
+
+/// Refuses what a fleet file says for each of its vehicles, and what only one vehicle can have.
+void checkFleetOptions(const CLI::App& command) {
+  constexpr std::array<std::string_view, 8> kOfFleets = {
+      "MISSION", "--only", "--seed", "--duration", "-o", "--format", "--quiet", "--color"};
+  for (const CLI::Option* option : command.get_options()) {
+    const auto is = [&](std::string_view name) {
+      return option->check_name(std::string(name)) || option->get_name() == name;
+    };
+    if (option->count() > 0 && std::ranges::none_of(kOfFleets, is)) {
+      throw CLI::ExcludesError("a fleet file", option->get_name());
+    }
+  }
+}
 
 /// If MISSION is a folder for a vehicle's port, what is in it is flown.
 support::Result<void> lookIntoFolder(SimOptions& options) {
@@ -461,10 +436,21 @@ void addSimCommand(CLI::App& app, int& status) {
   addLinkOption(*command, options->user_code);
   addFormatOption(*command, options->json);
   command->get_option("--format")->excludes("--replay");
-  command->callback([options, &status] {
+  command->callback([options, command, &status] {
     if (options->mission.empty() && options->program.empty() && options->serial.empty() &&
         !options->without_sbc) {
       throw CLI::RequiredError("MISSION (or --sbc PROGRAM, --serial DEVICE, or --no-sbc)");
+    }
+    if (flights::isFleetFile(options->mission)) {
+      checkFleetOptions(*command);
+      const FleetOptions fleet{options->mission, options->only, options->output, options->seed,
+                               options->duration_s};
+      status =
+          inFormat(options->json, "sim", [&](Json* document) { return flyFleet(fleet, document); });
+      return;
+    }
+    if (!options->only.empty()) {
+      throw CLI::RequiredError("--only needs a fleet file as MISSION");
     }
     if (isVehiclesOwn(*options) && !options->mi.empty()) {
       throw CLI::ExcludesError("MISSION of the vehicle's own", "--mi");

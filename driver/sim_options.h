@@ -21,8 +21,9 @@ namespace glider::driver {
 
 /// The options of `glidercc sim`.
 struct SimOptions {
-  bool json = false;  ///< --format json
-  std::string mission;
+  bool json = false;    ///< --format json
+  std::string mission;  ///< or a fleet file
+  std::string only;     ///< the one vehicle of the fleet that flies; empty: all
   std::string scenario = "default";
   /// MISSION, if it is a folder for a vehicle's port: `mission` and `mi` are those in it.
   std::string port_folder;

@@ -60,6 +60,23 @@ support::Trace headOf(const SimulationSetup& setup) {
   return trace;
 }
 
+/// Makes positions relative to where the vehicle started, as those of its own sensors are: in a
+/// world of several vehicles they are relative to the origin of all.
+void relateToStart(const VehicleSettings& start, support::Trace& trace) {
+  const int east = trace.column("true_x"), north = trace.column("true_y");
+  for (size_t row = 0; row < trace.rowCount(); ++row) {
+    double* const values = &trace.rows[row * trace.columns.size()];
+    values[east] -= start.start_x_m;
+    values[north] -= start.start_y_m;
+  }
+  for (double& x : trace.bottom.x_m) {
+    x -= start.start_x_m;
+  }
+  for (double& y : trace.bottom.y_m) {
+    y -= start.start_y_m;
+  }
+}
+
 /// Adds the mission time to events while the SBC was in control, from the rows around them.
 void stampMissionTimes(support::Trace& trace) {
   const int time = trace.column("time"), mission_time = trace.column("missiontime");
@@ -215,6 +232,7 @@ support::Trace SimulatedVehicle::finish() {
   if (trace_.rowCount() > 0) {
     trace_.field = waterAlong(trace_, world_.ocean());
     trace_.bottom = bottomAround(trace_, world_.ocean());
+    relateToStart(setup_.scenario.vehicle, trace_);
   }
   trace_.events = std::move(journal_.events());
   std::ranges::stable_sort(trace_.events, {}, &support::TraceEvent::time_s);

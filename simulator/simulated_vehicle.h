@@ -4,6 +4,7 @@
 #pragma once
 
 #include "simulator/bottom_contact.h"
+#include "simulator/fleet/separations.h"
 #include "simulator/link/sbc_link.h"
 #include "simulator/link/serial_line.h"
 #include "simulator/mission_story.h"
@@ -34,6 +35,8 @@ class SimulatedVehicle {
   [[nodiscard]] bool flying() const { return !over_ && step_ <= most_steps_; }
   /// Flies until `time_s` of the world.
   void advance(double time_s);
+  /// Where it truly is.
+  [[nodiscard]] TruePlace place() const { return {vehicle_.x(), vehicle_.y(), vehicle_.depth()}; }
   /// The trace of its flight; ends it.
   support::Trace finish();
 

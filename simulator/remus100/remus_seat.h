@@ -27,7 +27,7 @@ class RemusSeat final : public SimulatedSeat {
   explicit RemusSeat(const SeatSetup& setup);
 
   [[nodiscard]] double sbcBaud() const override { return kLineBaud; }
-  void startAt(const Vehicle& vehicle) override { reckoning_.fix({vehicle.x(), vehicle.y()}); }
+  void startAt(const Vehicle& vehicle) override { reckoning_.startAt({vehicle.x(), vehicle.y()}); }
   void begin(double now_s, SerialLine& sbc) override;
   bool isDown(double now_s) override;
   void put(const std::string& sensor, double value) override;
@@ -50,7 +50,7 @@ class RemusSeat final : public SimulatedSeat {
   [[nodiscard]] std::span<const Column> secondColumns() const override;
 
   /// Where the vehicle takes itself to be, m from the world's origin.
-  [[nodiscard]] Planar reckoned() const { return reckoning_.place(); }
+  [[nodiscard]] Planar reckoned() const { return reckoning_.sinceStart(); }
   /// The newest value of the sensor with that source in the platform file; NaN before the first.
   [[nodiscard]] double newest(std::string_view source) const;
   /// What it is given now; empty: nothing.

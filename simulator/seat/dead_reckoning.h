@@ -13,6 +13,7 @@ namespace glider::simulator {
 /// not know the current.
 class DeadReckoning {
  public:
+  void startAt(const Planar& place) { start_ = place_ = place; }
   void fix(const Planar& place) { place_ = place; }
   /// `ahead_mps`: horizontally, towards `heading`, rad clockwise from true north.
   void advance(double ahead_mps, double heading, double seconds) {
@@ -20,8 +21,13 @@ class DeadReckoning {
     place_.north += ahead_mps * std::cos(heading) * seconds;
   }
   [[nodiscard]] const Planar& place() const { return place_; }
+  /// The same from where it started.
+  [[nodiscard]] Planar sinceStart() const {
+    return {place_.east - start_.east, place_.north - start_.north};
+  }
 
  private:
+  Planar start_;
   Planar place_;
 };
 

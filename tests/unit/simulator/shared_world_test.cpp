@@ -3,13 +3,13 @@
 
 // Several vehicles in one world: one clock, one origin, one water, random numbers of their own.
 
+#include "simulator/fleet/fleet.h"
 #include "simulator/simulated_vehicle.h"
 #include "simulator/simulator.h"
 #include "tests/unit/simulator/flights.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -33,33 +33,19 @@ std::unique_ptr<SimulatedVehicle> made(SimulationSetup setup, const World& world
   return vehicle ? std::move(*vehicle) : nullptr;
 }
 
-/// The traces of vehicles that fly together.
-std::vector<support::Trace> flyTogether(World& world,
-                                        std::vector<std::unique_ptr<SimulatedVehicle>> vehicles) {
-  const auto flying = [&] {
-    return std::ranges::any_of(vehicles, [](const auto& v) { return v->flying(); });
-  };
-  while (flying()) {
-    world.tick();
-    for (const auto& vehicle : vehicles) {
-      vehicle->advance(world.now());
-    }
-  }
-  std::vector<support::Trace> traces;
-  for (const auto& vehicle : vehicles) {
-    traces.push_back(vehicle->finish());
-  }
-  return traces;
+/// Three vehicles: two start at the origin, the third a kilometre north.
+FleetFlight flyFleetOfThree() {
+  std::vector<FleetMember> members;
+  members.push_back({setup(), 0});
+  members.push_back({setup(), 1});
+  members.push_back({setup(kKilometreNorth_deg), 2});
+  auto flight = simulateFleet(setup().scenario, std::move(members));
+  EXPECT_TRUE(flight.has_value());
+  return flight ? std::move(*flight) : FleetFlight{{}, {}, Separations(0)};
 }
 
-/// Three vehicles: two start at the origin, the third a kilometre north.
 std::vector<support::Trace> flyThree() {
-  World world(setup().scenario);
-  std::vector<std::unique_ptr<SimulatedVehicle>> vehicles;
-  vehicles.push_back(made(setup(), world, 0));
-  vehicles.push_back(made(setup(), world, 1));
-  vehicles.push_back(made(setup(kKilometreNorth_deg), world, 2));
-  return flyTogether(world, std::move(vehicles));
+  return flyFleetOfThree().traces;
 }
 
 TEST(SharedWorld, TheFirstVehicleFliesAsItDoesAlone) {
@@ -80,16 +66,36 @@ TEST(SharedWorld, EachVehicleHasNoiseOfItsOwn) {
   EXPECT_EQ(traces[0].seed, traces[1].seed) << "the seed is that of the world";
 }
 
-TEST(SharedWorld, PositionsHaveOneOriginAndDeadReckoningTheVehiclesOwn) {
-  const std::vector<support::Trace> traces = flyThree();
+TEST(SharedWorld, PositionsInATraceAreRelativeToTheVehiclesOwnStart) {
+  const FleetFlight flight = flyFleetOfThree();
+  const std::vector<support::Trace>& traces = flight.traces;
+  EXPECT_EQ(flight.starts[1].north_m, 0);
+  EXPECT_NEAR(flight.starts[2].north_m, 1000, 3);
   EXPECT_EQ(valueAt(traces[1], "true_y", 0), 0);
-  EXPECT_NEAR(valueAt(traces[2], "true_y", 0), 1000, 3);
+  EXPECT_EQ(valueAt(traces[2], "true_y", 0), 0);
   EXPECT_NEAR(valueAt(traces[2], "true_lat", 0) - valueAt(traces[0], "true_lat", 0),
               kKilometreNorth_deg, 1e-6);
   EXPECT_NEAR(valueAt(traces[2], "m_lat", 0), valueAt(traces[2], "true_lat", 0), 1e-4);
   EXPECT_NEAR(valueAt(traces[2], "m_y_lmc", 0), 0, 20) << "a fix of GPS is off by less";
   // The bottom is one: it slopes down to the south-east, so there is less water in the north.
   EXPECT_LT(valueAt(traces[2], "water_depth", 0), valueAt(traces[0], "water_depth", 0) - 2);
+}
+
+TEST(SharedWorld, TheDistanceOfVehiclesThatStartAKilometreApartIsMeasured) {
+  const FleetFlight flight = flyFleetOfThree();
+  const std::vector<PairDistance>& pairs = flight.separations.pairs();
+  ASSERT_EQ(pairs.size(), 3U);
+  EXPECT_LT(pairs[0].least_m, 1) << "the first two start at one place";
+  EXPECT_NEAR(pairs[1].least_m, 1000, 60);
+  EXPECT_EQ(pairs[2].pair, (VehiclePair{1, 2}));
+}
+
+TEST(SharedWorld, AVehicleFliesAsItDoesWithoutTheOthers) {
+  std::vector<FleetMember> only;
+  only.push_back({setup(kKilometreNorth_deg), 2});
+  const auto alone = simulateFleet(setup().scenario, std::move(only));
+  ASSERT_TRUE(alone.has_value());
+  EXPECT_EQ(traceToCsv(alone->traces[0]), traceToCsv(flyThree()[2]));
 }
 
 TEST(SharedWorld, AVehicleIsBroughtToTheTimeOfTheWorldAndNoFurther) {

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "driver/json_document.h"
+#include "support/result.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace glider::driver {
+
+/// The options of `sim` for a fleet.
+struct FleetOptions {
+  std::string file;
+  std::string only;                  ///< the name of the one vehicle that flies; empty: all
+  std::string output;                ///< empty: a folder named after the file
+  std::optional<uint64_t> seed;      ///< empty: the fleet's, or its scenario's
+  std::optional<double> duration_s;  ///< empty: the fleet's, or its scenario's
+};
+
+/// Flies a fleet in one ocean and writes its report, with a folder for each vehicle. Returns the
+/// exit code. `document` (null: text) gets what is printed.
+int flyFleet(const FleetOptions& options, Json* document);
+
+}  // namespace glider::driver

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/fleet/ready_vehicle.h"
+
+#include "driver/compile_for_flight.h"
+#include "driver/exit_code.h"
+#include "driver/output/flown.h"
+#include "driver/terminal.h"
+#include "flights/flight_setup.h"
+#include "flights/launch_choice.h"
+#include "flights/sbc_choice.h"
+#include "flights/scenario_choice.h"
+#include "simulator/geography/local_frame.h"
+#include "support/diagnostics/ids/flights.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <utility>
+
+namespace glider::driver {
+namespace {
+
+using support::Result;
+
+constexpr double kHalfTurn_deg = 180;
+
+flights::LaunchChoice launchOf(const flights::FleetVehicle& vehicle) {
+  return {vehicle.settings, ""};
+}
+
+/// Where the vehicle starts, in the sea of the scenario.
+void place(const flights::FleetVehicle& vehicle, simulator::Scenario& scenario) {
+  const simulator::LocalFrame frame(scenario.latitude_deg, scenario.longitude_deg);
+  const simulator::GeoPosition start =
+      vehicle.place    ? *vehicle.place
+      : vehicle.offset ? frame.position(vehicle.offset->east_m, vehicle.offset->north_m)
+                       : simulator::GeoPosition{scenario.latitude_deg, scenario.longitude_deg};
+  scenario.latitude_deg = start.latitude_deg;
+  scenario.longitude_deg = start.longitude_deg;
+  if (vehicle.heading_deg) {
+    scenario.vehicle.initial_heading_rad = *vehicle.heading_deg / kHalfTurn_deg * std::numbers::pi;
+  }
+}
+
+/// The scenario of the fleet as one of its vehicles has it, at the scenario's own start.
+Result<simulator::Scenario> scenarioOf(const flights::Fleet& fleet,
+                                       const flights::FleetVehicle& vehicle,
+                                       const platforms::Platform& platform) {
+  auto scenario = flights::chooseScenario(fleet.scenario, platform, reportDiagnostics);
+  if (!scenario) {
+    return scenario;
+  }
+  if (!vehicle.mi.empty()) {
+    if (auto own = flights::flyVehiclesOwn(vehicle.mi, platform, *scenario, reportDiagnostics);
+        !own) {
+      return std::unexpected(own.error());
+    }
+  }
+  if (fleet.duration_s) {
+    (void)flights::setDuration(*scenario, platform, *fleet.duration_s);
+  }
+  return scenario;
+}
+
+support::Failure ofVehicle(const std::string& name, support::Failure failure) {
+  failure.message = fmt::format("vehicle `{}`: {}", name, failure.message);
+  return failure;
+}
+
+/// Vehicles with the same mission share what is compiled.
+using Missions = std::map<std::filesystem::path, std::shared_ptr<const compiler::Optimised>>;
+
+Missions compileAll(const flights::Fleet& fleet, int& status) {
+  Missions missions;
+  for (const flights::FleetVehicle& vehicle : fleet.vehicles) {
+    if (!missions.contains(vehicle.mission)) {
+      int its_status = kFine;
+      missions[vehicle.mission] = compileForFlight(vehicle.mission.string(), its_status);
+      status = std::max(status, its_status);
+    }
+  }
+  return missions;
+}
+
+/// Refuses a name that no vehicle has.
+Result<void> checkOnly(const flights::Fleet& fleet, const std::string& only) {
+  std::vector<std::string> names;
+  for (const flights::FleetVehicle& vehicle : fleet.vehicles) {
+    names.push_back(vehicle.name);
+  }
+  if (only.empty() || std::ranges::find(names, only) != names.end()) {
+    return {};
+  }
+  return support::fail(support::diagnostics::noSuchVehicle, fleet.file.string(), only,
+                       fmt::to_string(fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+ReadyVehicle::ReadyVehicle(const flights::FleetVehicle& vehicle, uint32_t number,
+                           std::shared_ptr<const compiler::Optimised> mission,
+                           simulator::Scenario scenario)
+    : vehicle_(vehicle),
+      number_(number),
+      mission_(std::move(mission)),
+      scenario_(std::move(scenario)) {
+  if (flights::RequirementWatch::canWatch(*mission_)) {
+    watch_.emplace(*mission_);
+  }
+}
+
+std::string ReadyVehicle::missionFile() const {
+  return vehicle_.mission.filename().string();
+}
+
+std::string ReadyVehicle::platformName() const {
+  return mission_->platform().name;
+}
+
+Result<simulator::FleetMember> ReadyVehicle::member() {
+  const auto port = flights::usualEnd(mission_->platform());
+  if (!port) {
+    return std::unexpected(port.error());
+  }
+  auto start = flights::sbcInProcess(*mission_, launchOf(vehicle_), vehicle_.user_code,
+                                     !scenario_.faults.empty(), watch_ ? &*watch_ : nullptr, *port);
+  if (!start) {
+    return std::unexpected(ofVehicle(vehicle_.name, start.error()));
+  }
+  auto sbc = (*start)();
+  if (!sbc) {
+    return std::unexpected(sbc.error());
+  }
+  simulator::FleetMember member;
+  member.number = number_;
+  member.setup.sbc = std::move(*sbc);
+  member.setup.restart_sbc = std::move(*start);
+  member.setup.platform = mission_->platform();
+  member.setup.scenario = scenario_;
+  flights::describeMission(member.setup, *mission_);
+  return member;
+}
+
+std::vector<support::Diagnostic> ReadyVehicle::judge(support::Trace& trace) const {
+  const Flown flown{mission_.get(), watch_ ? &*watch_ : nullptr, ""};
+  const auto violations =
+      watch_ ? watch_->violations(trace) : std::vector<flights::FlownViolation>();
+  addFacts(flown, launchOf(vehicle_), violations, trace);
+  return driver::judge(trace, flown, violations, scenario_);
+}
+
+Result<ReadyFleet> readyFleet(const flights::Fleet& fleet, const std::string& only, int& status) {
+  if (auto known = checkOnly(fleet, only); !known) {
+    return std::unexpected(known.error());
+  }
+  const Missions missions = compileAll(fleet, status);
+  ReadyFleet ready;
+  for (uint32_t number = 0; status == kFine && number < fleet.vehicles.size(); ++number) {
+    const flights::FleetVehicle& vehicle = fleet.vehicles[number];
+    const auto& mission = missions.at(vehicle.mission);
+    auto scenario = scenarioOf(fleet, vehicle, mission->platform());
+    if (!scenario) {
+      return std::unexpected(scenario.error());
+    }
+    if (number == 0) {
+      ready.world = *scenario;
+      ready.seed = fleet.seed.value_or(scenario->seed);
+    }
+    scenario->seed = ready.seed;
+    place(vehicle, *scenario);
+    if (only.empty() || vehicle.name == only) {
+      ready.vehicles.push_back(
+          std::make_unique<ReadyVehicle>(vehicle, number, mission, std::move(*scenario)));
+    }
+  }
+  return ready;
+}
+
+}  // namespace glider::driver

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "flights/launch_choice.h"
+#include "simulator/geography/local_frame.h"
+#include "simulator/scenario/scenario.h"
+#include "support/result.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glider::flights {
+
+/// Where a vehicle of a fleet starts, from the start of the scenario: metres towards true east and
+/// north.
+struct StartOffset {
+  double east_m = 0;
+  double north_m = 0;
+};
+
+/// A vehicle in a fleet file.
+struct FleetVehicle {
+  std::string name;  ///< as a file name: letters, digits, `_` and `-`
+  std::filesystem::path mission;
+  std::optional<StartOffset> offset;            ///< empty: `place`, or that of the scenario
+  std::optional<simulator::GeoPosition> place;  ///< empty: `offset`, or that of the scenario
+  std::optional<double> heading_deg;   ///< clockwise from true north; empty: the scenario's
+  std::filesystem::path mi;            ///< the vehicle's own mission; empty: the scenario's
+  std::vector<std::string> settings;   ///< of its parameters, "name=value"
+  std::vector<std::string> user_code;  ///< of its `extern` names
+};
+
+/// Several vehicles that fly together, as a fleet file says it.
+struct Fleet {
+  std::filesystem::path file;
+  std::string name;      ///< the stem of the file's name
+  std::string scenario;  ///< the file of one, or the name of a bundled one
+  std::optional<uint64_t> seed;
+  std::optional<double> duration_s;
+  std::optional<double> separation_m;  ///< what any two must keep; empty: nothing is required
+  std::vector<FleetVehicle> vehicles;  ///< one at least
+};
+
+/// The most vehicles of a fleet.
+inline constexpr size_t kMostVehicles = 100;
+
+/// Whether `path` is a fleet file, by its name: it ends in `.toml`.
+bool isFleetFile(const std::filesystem::path& path);
+
+/// Reads a fleet file. Names of files in it are relative to its folder. GL9001, GL5001.
+support::Result<Fleet> loadFleet(const std::filesystem::path& path);
+
+}  // namespace glider::flights

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/fleet/separations.h"
+#include "simulator/simulator.h"
+
+#include <functional>
+#include <vector>
+
+namespace glider::simulator {
+
+/// What is known of the flight of a fleet: the trace of each vehicle, with positions relative to
+/// its own start, where that is, and the distances of the vehicles.
+struct FleetFlight {
+  std::vector<support::Trace> traces;
+  std::vector<TruePlace> starts;
+  Separations separations;
+};
+
+/// A vehicle of a fleet. Its scenario says where it starts; the water of that scenario is not used.
+struct FleetMember {
+  SimulationSetup setup;
+  uint32_t number =
+      0;  ///< of its random numbers; those of number 0 are the same as of a vehicle alone
+};
+
+/// Flies several vehicles in one ocean and one time, each until its own end. The origin of all
+/// positions in m, and the water, are those of `world`. A vehicle flies byte for byte as it does
+/// without the others. `progress` (may be empty) is called about every 100 s of virtual time, with
+/// the time and how many still fly. Fails as simulate does.
+support::Result<FleetFlight> simulateFleet(
+    const Scenario& world, std::vector<FleetMember> members,
+    const std::function<void(double now_s, size_t flying)>& progress = {});
+
+}  // namespace glider::simulator

@@ -13,6 +13,10 @@ namespace glider::ir {
 /// as `inside` of the language counts.
 bool isInside(const Geofence& area, const Position& place);
 
+/// A polygon that holds a disc, and whose corners are at most 6 % farther from its centre than its
+/// radius; empty for a disc that is too large, or too near a pole, for such corners.
+std::optional<Geofence> polygonAround(const Geofence& disc);
+
 /// The area in which control is assumed to be given; none: nothing is assumed.
 std::optional<Geofence> assumedStart(const Mission& mission);
 

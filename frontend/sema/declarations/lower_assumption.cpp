@@ -3,9 +3,11 @@
 
 #include "frontend/sema/declarations/lower_assumption.h"
 
+#include "frontend/sema/declarations/disc_of_distance.h"
 #include "frontend/sema/expressions/literals.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/promises/lower_promise.h"
+#include "ir/core/inside.h"
 #include "ir/core/monitor_writer.h"
 #include "ir/core/walk.h"
 #include "support/diagnostics/ids/meaning.h"
@@ -43,10 +45,12 @@ class AssumptionLowering {
   }
 
  private:
-  /// `start inside(area)`, `start depth <= 3 m`
+  /// `start inside(area)`, `start depth <= 3 m`, `start distance(place) <= 300 m`
   bool lower(const ast::StartPremise& premise) {
     if (const auto* limit = std::get_if<ast::Binary>(&premise.condition.node)) {
-      return startDepth(*limit, premise.condition);
+      return isDistance(*limit->left) || isDistance(*limit->right)
+                 ? startDistance(premise.condition)
+                 : startDepth(*limit, premise.condition);
     }
     const auto condition = ExprLowering(scope_).lowerCondition(premise.condition);
     if (!condition) {
@@ -59,6 +63,27 @@ class AssumptionLowering {
     }
     result_.kind = AssumptionKind::StartInside;
     result_.area = known->second.area;
+    return true;
+  }
+
+  static bool isDistance(const ast::Expr& expr) {
+    const auto* call = std::get_if<ast::Invocation>(&expr.node);
+    return call != nullptr && call->function.text == "distance";
+  }
+
+  /// Proofs are about polygons, so it becomes one that holds the disc: to assume less is safe.
+  bool startDistance(const ast::Expr& whole) {
+    const auto condition = ExprLowering(scope_).lowerCondition(whole);
+    if (!condition) {
+      return false;
+    }
+    const auto disc = discOf(*condition, true, scope_);
+    const auto polygon = disc && disc->keep_in ? ir::polygonAround(*disc) : std::nullopt;
+    if (!polygon) {
+      return refuse(whole, " of the start", "assume start distance(39.2 N 73.9 W) <= 500 m");
+    }
+    result_.kind = AssumptionKind::StartInside;
+    result_.area = *polygon;
     return true;
   }
 

@@ -4,6 +4,7 @@
 #include "ir/prove/context/never_unknown.h"
 
 #include "ir/core/ops.h"
+#include "ir/prove/context/same_expression.h"
 #include "ir/prove/context/sensors_awaited.h"
 #include "ir/verify/inherited.h"
 #include "ir/verify/whole_numbers.h"
@@ -99,23 +100,6 @@ bool beginsKnown(const Variable& variable, bool initial) {
          initial;
 }
 
-/// Whether two expressions are the same.
-// NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
-bool isSame(const Mission& m, ExprId a, ExprId b) {
-  if (a == b) {
-    return true;
-  }
-  const Expr& x = m[a];
-  const Expr& y = m[b];
-  bool same = x.op == y.op && x.number == y.number && x.sensor == y.sensor &&
-              x.variable == y.variable && x.temporal == y.temporal && x.table == y.table &&
-              x.use == y.use;
-  for (uint32_t i = 0; same && i < operandCount(x); ++i) {
-    same = isSame(m, x.operands.at(i), y.operands.at(i));
-  }
-  return same;
-}
-
 }  // namespace
 
 GreatestFixpoint neverUnknown(const Mission& mission, const std::vector<Interval>& intervals) {
@@ -133,8 +117,8 @@ std::vector<bool> knownWhere(const Mission& mission, const std::vector<Interval>
   GreatestFixpoint judged{always.variables, {}};
   for (size_t i = 0; i < mission.exprs.size(); ++i) {
     const ExprId id{static_cast<uint32_t>(i)};
-    const bool is_shown =
-        std::ranges::any_of(shown, [&](ExprId other) { return isSame(mission, id, other); });
+    const bool is_shown = std::ranges::any_of(
+        shown, [&](ExprId other) { return isSameExpression(mission, id, other); });
     judged.expressions.push_back(is_shown || known.isKnown(i, judged));
   }
   return std::move(judged.expressions);

@@ -5,6 +5,7 @@
 
 #include "ir/prove/abstract/abstract_run.h"
 #include "ir/prove/context/commands.h"
+#include "ir/prove/context/same_expression.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +30,7 @@ bool addBox(const Interval& north, const Interval& east, std::vector<Position>& 
 /// Whether a path gives the command both coordinates from one row, so that the target is one of its
 /// places.
 bool fromOneRow(const Mission& m, const Expr& north, const Expr& east) {
-  return north.operands[0] == east.operands[0] &&
+  return isSameExpression(m, north.operands[0], east.operands[0]) &&
          m[north.table].values.size() == m[east.table].values.size();
 }
 

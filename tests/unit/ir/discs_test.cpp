@@ -4,6 +4,7 @@
 // Discs to keep in and out of: the map's clearance against places that are tried one by one, and
 // what is said to be kept against vehicles that a current sets about.
 
+#include "ir/core/inside.h"
 #include "ir/eval/arithmetic.h"
 #include "ir/prove/falsification/random_flight.h"
 #include "ir/prove/geometry/area_map.h"
@@ -272,6 +273,40 @@ TEST(Discs, APlaceInAnotherConditionIsWhereAFlightMayBe) {
       "(sensor depth) 90:length))";
   EXPECT_FALSE(isBroken(missionOf(missionText({{39, -73}}, near_home, "")), 60, 1500));
   EXPECT_TRUE(isBroken(missionOf(missionText({{39.4, -73}}, near_home, "")), 60, 1500));
+}
+
+/// The place on the mission's sphere at a bearing (rad) and a distance (m) from another.
+Position reached(const Position& from, double bearing, double metres) {
+  constexpr double kRadius = 6371008.8;
+  const double way = metres / kRadius, north = from.latitude * kRadianOfDegree;
+  const double latitude = std::asin(std::sin(north) * std::cos(way) +
+                                    std::cos(north) * std::sin(way) * std::cos(bearing));
+  const double turned = std::atan2(std::sin(bearing) * std::sin(way) * std::cos(north),
+                                   std::cos(way) - std::sin(north) * std::sin(latitude));
+  return {latitude / kRadianOfDegree,
+          std::remainder(from.longitude + turned / kRadianOfDegree, 360)};
+}
+
+TEST(Discs, ThePolygonAroundADiscHoldsItAndIsHardlyWider) {
+  for (const double latitude : {-79.7, -45.0, 0.0, 39.0, 70.0, 79.7}) {
+    for (const double radius_m : {1.0, 300.0, 20000.0}) {
+      const Geofence disc{true, {{latitude, 179.95}}, radius_m};
+      const auto polygon = polygonAround(disc);
+      ASSERT_TRUE(polygon.has_value());
+      EXPECT_TRUE(polygon->keep_in);
+      EXPECT_FALSE(polygon->isDisc());
+      for (int degree = 0; degree < 360; ++degree) {
+        EXPECT_TRUE(
+            isInside(*polygon, reached(disc.corners[0], degree * kRadianOfDegree, radius_m)))
+            << latitude << " " << radius_m << " " << degree;
+        EXPECT_FALSE(
+            isInside(*polygon, reached(disc.corners[0], degree * kRadianOfDegree, 1.07 * radius_m)))
+            << latitude << " " << radius_m << " " << degree;
+      }
+    }
+  }
+  EXPECT_FALSE(polygonAround({true, {{39, -73}}, 20001}).has_value());
+  EXPECT_FALSE(polygonAround({true, {{79.9, -73}}, 20000}).has_value());
 }
 
 }  // namespace

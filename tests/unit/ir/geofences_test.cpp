@@ -457,6 +457,8 @@ TEST(Geofences, APathIsItsPlacesWhereOneRowGivesBoth) {
         .by_heading;
   };
   EXPECT_FALSE(anywhere("(element 1 %9)"));
+  EXPECT_FALSE(anywhere("(element 1 (var leg))")) << "written twice, it is the same row";
+  EXPECT_TRUE(anywhere("(element 1 (sub 1 (var leg)))"));
   EXPECT_TRUE(anywhere("(element 1 %10)")) << "any of the one with any of the other";
   EXPECT_TRUE(anywhere("(element 2 %9)")) << "tables of different lengths are not a path";
 }

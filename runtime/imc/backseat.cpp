@@ -276,7 +276,7 @@ void Backseat::tell() {
       send(hooks::imc::LogBookEntry{.type = hooks::imc::LogEntryType::Information,
                                     .htime = readings_.value(Reading::Clock),
                                     .context = hooks::imc::textOf("glidercc"),
-                                    .text = {text, static_cast<uint16_t>(size)}});
+                                    .text = {text, size}});
     }
   };
   for (uint32_t i = 0; i < kMostTold; ++i) {

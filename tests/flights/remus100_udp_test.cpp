@@ -54,6 +54,8 @@ class Remus100Udp : public testing::TestWithParam<std::string> {
 /// The vehicle's seconds are as long as the program needs for an answer.
 TEST_P(Remus100Udp, FliesToItsEndAsOverStandardInput) {
   ReconUdpVehicle vehicle;
+  vehicle.answer_ms = 500;
+  vehicle.pause_ms = 15;
   std::future<Outcome> program = start(vehicle);
   const UdpPeer stranger(0, 3);
   ASSERT_LT(vehicle.secondsUntil([&] { return vehicle.told_depth_m == 20; }, 400), 400);
@@ -64,7 +66,7 @@ TEST_P(Remus100Udp, FliesToItsEndAsOverStandardInput) {
   vehicle.seconds(6);
   vehicle.restart(8);
   ASSERT_LT(vehicle.secondsUntil([&] { return vehicle.told_depth_m == 10; }, 100), 100);
-  EXPECT_EQ(vehicle.asks, 2);
+  EXPECT_GE(vehicle.asks, 2) << "more often if the computer was busy";
   const auto ended = [&] {
     return program.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
   };

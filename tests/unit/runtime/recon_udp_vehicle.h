@@ -85,6 +85,7 @@ class ReconUdpVehicle {
   bool speaks = true;
   std::function<void()> work = [] {};  ///< the program has time for what has arrived
   int answer_ms = 20;                  ///< real time to wait for an answer
+  int pause_ms = 5;                    ///< and then for more of it
 
  private:
   void speak() {
@@ -97,7 +98,7 @@ class ReconUdpVehicle {
   /// An answer is over when nothing more comes for a while.
   void exchange() {
     work();
-    for (int wait_ms = answer_ms;; wait_ms = 5) {
+    for (int wait_ms = answer_ms;; wait_ms = pause_ms) {
       const auto datagrams = peer.receive(wait_ms);
       if (datagrams.empty()) {
         return;

@@ -63,11 +63,11 @@ class UdpPeer {
     (void)!sendto(socket_, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&to),
                   sizeof to);
   }
-  /// What has arrived; waits so long for each.
+  /// What has arrived; waits so long for the first.
   [[nodiscard]] std::vector<Datagram> receive(int wait_ms) const {
     std::vector<Datagram> all;
     pollfd wanted{socket_, POLLIN, 0};
-    while (socket_ >= 0 && poll(&wanted, 1, wait_ms) > 0) {
+    for (int waits_ms = wait_ms; socket_ >= 0 && poll(&wanted, 1, waits_ms) > 0; waits_ms = 0) {
       char bytes[4096];
       alignas(cmsghdr) char control[128];
       iovec part{bytes, sizeof bytes};

@@ -4,8 +4,7 @@
 #include "flights/sbc_choice.h"
 
 #include "codegen/codegen.h"
-#include "codegen/imc_mission.h"
-#include "codegen/recon_mission.h"
+#include "codegen/seat_mission.h"
 #include "compiler/boards.h"
 #include "compiler/user_code.h"
 #include "flights/in_process_sbc.h"

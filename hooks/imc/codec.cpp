@@ -24,7 +24,7 @@ class FieldWriter {
   void take(F32 value) { hookWriteF32(out_, value); }
   void take(F64 value) { hookWriteF64(out_, value); }
   void take(const Text& text) {
-    take(text.size);
+    take(static_cast<U16>(text.size));  // a longer one is beyond kMostPayload
     for (uint32_t i = 0; i < text.size; ++i) {
       hookWriteU8(out_, static_cast<uint8_t>(text.bytes[i]));
     }
@@ -114,7 +114,7 @@ class FieldReader {
   void read(F32& value) { value = hookFloatOf(static_cast<uint32_t>(number(sizeof value))); }
   void read(F64& value) { value = hookDoubleOf(number(sizeof value)); }
   void read(Text& text) {
-    const auto size = static_cast<uint16_t>(number(sizeof text.size));
+    const auto size = static_cast<U16>(number(sizeof(U16)));
     const uint8_t* const found = bytes(size);
     if (good()) {
       text = {reinterpret_cast<const char*>(found), size};

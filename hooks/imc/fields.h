@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "hooks/protocol/text.h"
+
 #include <stdint.h>
 
 /// What the fields of a message are: the types that messages.def names. No heap.
@@ -19,29 +21,8 @@ using F64 = double;
 /// In place of the id of a message: there is none.
 inline constexpr uint16_t kNoMessage = 65535;
 
-/// Bytes without a zero at the end. Of a decoded message they are in its packet; what is to be
-/// encoded stays where it is until then.
-struct Text {
-  const char* bytes = nullptr;
-  uint16_t size = 0;
-
-  friend constexpr bool operator==(const Text& one, const Text& other) {
-    bool same = one.size == other.size;
-    for (uint32_t i = 0; same && i < one.size; ++i) {
-      same = one.bytes[i] == other.bytes[i];
-    }
-    return same;
-  }
-};
-
-/// A text that a zero ends, without it.
-constexpr Text textOf(const char* text) {
-  Text found{text, 0};
-  while (found.size < UINT16_MAX && text[found.size] != '\0') {
-    ++found.size;
-  }
-  return found;
-}
+using hooks::Text;
+using hooks::textOf;
 
 /// A message within another, or none. One of another kind there makes the whole unreadable.
 template <typename Message>

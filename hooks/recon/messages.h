@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "hooks/protocol/text.h"
+
 #include <stdint.h>
 
 /// The messages of RECON (README.md), in its own units: angles in degrees, lengths in m. Text
@@ -12,28 +14,8 @@ namespace glider::hooks::recon {
 /// A number that the vehicle does not know.
 inline constexpr double kUnknown = __builtin_nan("");
 
-/// Characters without a zero at the end.
-struct Text {
-  const char* bytes = nullptr;
-  uint32_t size = 0;
-
-  friend constexpr bool operator==(const Text& one, const Text& other) {
-    bool same = one.size == other.size;
-    for (uint32_t i = 0; same && i < one.size; ++i) {
-      same = one.bytes[i] == other.bytes[i];
-    }
-    return same;
-  }
-};
-
-/// A text that a zero ends, without it.
-constexpr Text textOf(const char* text) {
-  Text found{text, 0};
-  while (text[found.size] != '\0') {
-    ++found.size;
-  }
-  return found;
-}
+using hooks::Text;
+using hooks::textOf;
 
 // From the SBC to the vehicle. The vehicle sends the last command back as it was.
 

@@ -10,8 +10,8 @@
 namespace glider::runtime {
 
 /// What the vehicle at the other end of the line speaks is chosen when the program is linked:
-/// dialect_hooks.cpp here, runtime/extctl/program.cpp or
-/// runtime/imc/program.cpp.
+/// dialect_hooks.cpp here, runtime/extctl/program.cpp,
+/// runtime/imc/program.cpp or runtime/recon/program.cpp.
 struct FrameLine {
   GliderByteStream stream;  ///< of the hook protocol's frames
   /// Counts what arrives damaged; null: that are frames of the stream.

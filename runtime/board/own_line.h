@@ -6,9 +6,9 @@
 #include "runtime/board/port.h"
 
 /// A line of the dialect's own (dialect.h), beside a serial port and standard input and output. It
-/// is chosen when the program is linked: runtime/imc/program.cpp has one, no_own_line.cpp has none.
-/// Only main.cpp calls these, which is compiled together with either: a program without such a line
-/// does not grow by them.
+/// is chosen when the program is linked: runtime/imc/program.cpp and runtime/recon/program.cpp have
+/// one, no_own_line.cpp has none. Only main.cpp calls these, which is compiled together with
+/// either: a program without such a line does not grow by them.
 namespace glider::runtime {
 
 /// Takes the line's option, if it has a value that makes sense, out of the arguments; returns how

@@ -261,16 +261,14 @@ void Backseat::instruct(void* self, const hooks::Instruction& instruction) {
   static_cast<Backseat*>(self)->stand_in_.instruct(instruction);
 }
 
-hooks::SeatState Backseat::state(void* self) {
+void Backseat::state(void* self, hooks::SeatState* state) {
   const auto& seat = *static_cast<Backseat*>(self);
   const double time = seat.reported(kGliderRoleMissionTime);
-  hooks::SeatState state;
-  state.vehicle_time_s = hookIsFinite(time) ? time : 0;
-  state.hook_state = seat.stand_in_.state();
-  state.answer = seat.stand_in_.answer();
-  state.answered_sequence = seat.stand_in_.answered();
-  state.session = seat.stand_in_.session();
-  return state;
+  state->vehicle_time_s = hookIsFinite(time) ? time : 0;
+  state->hook_state = seat.stand_in_.state();
+  state->answer = seat.stand_in_.answer();
+  state->answered_sequence = seat.stand_in_.answered();
+  state->session = seat.stand_in_.session();
 }
 
 }  // namespace glider::runtime::extctl

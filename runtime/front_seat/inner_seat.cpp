@@ -60,7 +60,8 @@ void InnerSeat::cycle() {
 }
 
 hooks::SeatState InnerSeat::state() const {
-  hooks::SeatState state = outer_.state(outer_.self);
+  hooks::SeatState state;
+  outer_.state(outer_.self, &state);
   constexpr double kMostSeconds = 4294967295.0;
   const double clock = outer_.clock(outer_.self);
   state.cycle = cycles_;

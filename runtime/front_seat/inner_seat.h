@@ -9,11 +9,13 @@
 #include "hooks/transport/byte_stream.h"
 #include "hooks/transport/memory.h"
 
+#include <new>
 #include <stdint.h>
 
 namespace glider::runtime {
 
-/// What an InnerSeat asks of the code that speaks to the vehicle.
+/// What an InnerSeat asks of the code that speaks to the vehicle. Only `hear` calls the seat, and
+/// only its cycle(): the bound of the stack rests on that (codegen/llvm/budget/callees.def).
 struct OuterSeat {
   void* self;
   /// Takes what has arrived from the vehicle; calls InnerSeat::cycle() when a cycle is complete.
@@ -27,7 +29,7 @@ struct OuterSeat {
   /// An instruction whose check value is right.
   void (*instruct)(void* self, const hooks::Instruction& instruction);
   /// What the vehicle, or what stands for it, is doing.
-  hooks::SeatState (*state)(void* self);
+  void (*state)(void* self, hooks::SeatState* state);
   /// By the vehicle's clock, s.
   double (*clock)(void* self);
 };
@@ -47,7 +49,7 @@ class InnerSeat {
   /// All readings of a cycle are there.
   void cycle();
   /// From now on the program does not keep its own time; only before there is a link.
-  void useVirtualTime() { seat_ = hooks::Seat(dictionary_, {.virtual_time = true}); }
+  void useVirtualTime() { ::new (&seat_) hooks::Seat(dictionary_, {.virtual_time = true}); }
 
   [[nodiscard]] uint32_t cycles() const { return cycles_; }
   [[nodiscard]] hooks::SbcView sbc() const { return seat_.sbc(); }

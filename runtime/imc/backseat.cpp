@@ -169,15 +169,13 @@ void Backseat::followPlan() {
   }
 }
 
-hooks::SeatState Backseat::state(void* self) {
+void Backseat::state(void* self, hooks::SeatState* state) {
   const auto& seat = *static_cast<Backseat*>(self);
-  hooks::SeatState state;
-  state.vehicle_time_s = seat.missionTime();
-  state.hook_state = seat.state_;
-  state.answer = seat.answer_;
-  state.answered_sequence = seat.answered_;
-  state.session = seat.session_;
-  return state;
+  state->vehicle_time_s = seat.missionTime();
+  state->hook_state = seat.state_;
+  state->answer = seat.answer_;
+  state->answered_sequence = seat.answered_;
+  state->session = seat.session_;
 }
 
 bool Backseat::reading(void* self, uint16_t id, double* value) {
@@ -278,7 +276,7 @@ void Backseat::tell() {
       send(hooks::imc::LogBookEntry{.type = hooks::imc::LogEntryType::Information,
                                     .htime = readings_.value(Reading::Clock),
                                     .context = hooks::imc::textOf("glidercc"),
-                                    .text = {text, static_cast<uint16_t>(size)}});
+                                    .text = {text, size}});
     }
   };
   for (uint32_t i = 0; i < kMostTold; ++i) {

@@ -51,7 +51,7 @@ class Backseat {
   static bool closed(void* self) { return static_cast<Backseat*>(self)->line_closed_; }
   static bool reading(void* self, uint16_t id, double* value);
   static void instruct(void* self, const hooks::Instruction& instruction);
-  static hooks::SeatState state(void* self);
+  static void state(void* self, hooks::SeatState* state);
   static double clock(void* self);
 
   void take(const hooks::imc::Packet& packet);

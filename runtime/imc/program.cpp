@@ -10,20 +10,17 @@
 #include "runtime/imc/tcp_line.h"
 
 #include <new>
-#include <string.h>
 
 extern "C" const GliderImcMission gliderImc;
 
 namespace glider::runtime {
 namespace {
 
-/// As --tcp has it; null: the vehicle is at another line.
-const char* tcp_text = nullptr;
-imc::TcpAddress tcp_address;
+NetworkOption tcp_option{.name = "--tcp"};
 imc::TcpLine* tcp = nullptr;
 
 void tellConnection(bool connected) {
-  tell(connected ? "connected to " : "no connection to ", tcp_text,
+  tell(connected ? "connected to " : "no connection to ", tcp_option.text,
        connected ? "" : "; it is tried again");
 }
 
@@ -34,16 +31,7 @@ void renewTcp(void* self) {
 }  // namespace
 
 int takeOwnLine(int argc, char** argv) {
-  int kept = 0;
-  for (int i = 0; i < argc; ++i) {
-    if (i + 1 < argc && strcmp(argv[i], "--tcp") == 0 &&
-        imc::readAddress(argv[i + 1], tcp_address)) {
-      tcp_text = argv[++i];
-    } else {
-      argv[kept++] = argv[i];
-    }
-  }
-  return kept;
+  return tcp_option.take(argc, argv);
 }
 
 void tellOwnLine() {
@@ -53,14 +41,14 @@ void tellOwnLine() {
 }
 
 bool openOwnLine(OpenPort& line) {
-  if (tcp_text == nullptr) {
+  if (tcp_option.text == nullptr) {
     return false;
   }
   // They live as long as the program: no exit handlers.
   alignas(hooks::SystemClock) static uint8_t clock[sizeof(hooks::SystemClock)];
   alignas(imc::TcpLine) static uint8_t memory[sizeof(imc::TcpLine)];
   tcp = ::new (memory)
-      imc::TcpLine(tcp_address, (::new (clock) hooks::SystemClock)->clock(), tellConnection);
+      imc::TcpLine(tcp_option.address, (::new (clock) hooks::SystemClock)->clock(), tellConnection);
   line.stream = tcp->stream();
   return true;
 }

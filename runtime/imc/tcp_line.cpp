@@ -4,66 +4,13 @@
 #include "runtime/imc/tcp_line.h"
 
 #include "hooks/transport/descriptor.h"
-#include "runtime/board/kernel.h"
 
 #include <errno.h>
-#include <netinet/in.h>
 #include <poll.h>
-#include <string.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 namespace glider::runtime::imc {
-namespace {
-
-/// Reads a number up to `most` and moves `text` past it; false if there is none.
-bool readNumber(const char*& text, uint32_t most, uint32_t& number) {
-  const char* const begin = text;
-  number = 0;
-  for (; *text >= '0' && *text <= '9' && number <= most; ++text) {
-    number = number * 10 + static_cast<uint32_t>(*text - '0');
-  }
-  return text != begin && number <= most;
-}
-
-sockaddr_in socketAddress(const TcpAddress& address) {
-  sockaddr_in made{};
-  made.sin_family = AF_INET;
-  memcpy(&made.sin_addr, address.host, sizeof address.host);
-  const uint8_t port[2] = {static_cast<uint8_t>(address.port >> 8U),
-                           static_cast<uint8_t>(address.port & 0xFFU)};
-  memcpy(&made.sin_port, port, sizeof port);
-  return made;
-}
-
-/// A socket that never blocks; -1 if there is none.
-int makeSocket() {
-  const int made = socket(AF_INET, SOCK_STREAM, 0);
-  if (made >= 0 && controlFile(made, F_SETFL, O_RDWR | O_NONBLOCK) != 0) {
-    ::close(made);
-    return -1;
-  }
-  return made;
-}
-
-}  // namespace
-
-bool readAddress(const char* text, TcpAddress& address) {
-  TcpAddress read;
-  uint32_t number = 0;
-  for (uint32_t i = 0; i < 4; ++i) {
-    if (!readNumber(text, 255, number) || *text++ != (i < 3 ? '.' : ':')) {
-      return false;
-    }
-    read.host[i] = static_cast<uint8_t>(number);
-  }
-  if (!readNumber(text, 65535, number) || number == 0 || *text != '\0') {
-    return false;
-  }
-  read.port = static_cast<uint16_t>(number);
-  address = read;
-  return true;
-}
 
 void TcpLine::tell(bool connected) {
   if (report_ != nullptr && (!has_told_ || told_ != connected)) {
@@ -90,7 +37,7 @@ void TcpLine::open(double now_s) {
     return;
   }
   began_s_ = now_s;
-  fd_ = makeSocket();
+  fd_ = makeSocket(SOCK_STREAM);
   const sockaddr_in to = socketAddress(address_);
   if (fd_ >= 0 && connect(fd_, reinterpret_cast<const sockaddr*>(&to), sizeof to) != 0 &&
       errno != EINPROGRESS) {

@@ -5,20 +5,11 @@
 
 #include "hooks/transport/byte_stream.h"
 #include "hooks/transport/clock.h"
+#include "runtime/front_seat/network.h"
 
 #include <stdint.h>
 
 namespace glider::runtime::imc {
-
-/// An IPv4 address and a TCP port.
-struct TcpAddress {
-  uint8_t host[4] = {};
-  uint16_t port = 0;
-};
-
-/// Reads an address as "127.0.0.1:6006". False, with `address` unchanged, if the text is anything
-/// else.
-bool readAddress(const char* text, TcpAddress& address);
 
 /// The connection to the vehicle's port for a back seat. It is opened again whenever it has ended:
 /// the vehicle may not be up yet, may restart, or may close it. Uses only what Linux 2.4 has; never
@@ -35,7 +26,7 @@ class TcpLine {
   using Report = void (*)(bool connected);
 
   /// `clock` is the SBC's own. `report` may be null.
-  TcpLine(const TcpAddress& address, const GliderClock& clock, Report report)
+  TcpLine(const NetworkAddress& address, const GliderClock& clock, Report report)
       : address_(address), clock_(clock), report_(report) {}
   TcpLine(const TcpLine&) = delete;
   TcpLine& operator=(const TcpLine&) = delete;
@@ -57,7 +48,7 @@ class TcpLine {
   void tell(bool connected);
   void close();
 
-  TcpAddress address_;
+  NetworkAddress address_;
   GliderClock clock_;
   Report report_;
   int fd_ = -1;

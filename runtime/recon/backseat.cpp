@@ -133,12 +133,10 @@ void Backseat::lookAtCycle() {
   inner_.cycle();
 }
 
-hooks::SeatState Backseat::state(void* self) {
+void Backseat::state(void* self, hooks::SeatState* state) {
   const auto& seat = *static_cast<Backseat*>(self);
-  hooks::SeatState state;
-  state.vehicle_time_s = seat.missionTime();
-  seat.session_.describe(&state);
-  return state;
+  state->vehicle_time_s = seat.missionTime();
+  seat.session_.describe(state);
 }
 
 bool Backseat::reading(void* self, uint16_t id, double* value) {

@@ -53,20 +53,24 @@ constexpr CalleeRow kKinds[] = {
 #define KIND(kind, name, why) {name, Kind::kind},
 #define POINTER(caller, kind, why)
 #define ATONCE(function, calls, why)
+#define GROUP(group, function, excluded, why)
 #include "codegen/llvm/budget/callees.def"
 #undef KIND
 #undef POINTER
 #undef ATONCE
+#undef GROUP
 };
 
 constexpr CalleeRow kCallers[] = {
 #define KIND(kind, name, why)
 #define POINTER(caller, kind, why) {caller, Kind::kind},
 #define ATONCE(function, calls, why)
+#define GROUP(group, function, excluded, why)
 #include "codegen/llvm/budget/callees.def"
 #undef KIND
 #undef POINTER
 #undef ATONCE
+#undef GROUP
 };
 
 struct AtOnce {
@@ -77,10 +81,42 @@ constexpr AtOnce kAtOnce[] = {
 #define KIND(kind, name, why)
 #define POINTER(caller, kind, why)
 #define ATONCE(function, calls, why) {function, calls},
+#define GROUP(group, function, excluded, why)
 #include "codegen/llvm/budget/callees.def"
 #undef KIND
 #undef POINTER
 #undef ATONCE
+#undef GROUP
+};
+
+/// The groups of functions of which some exclude others.
+enum Groups : uint32_t {
+  kRead = 1,
+  kWrite = 2,
+  kHear = 4,
+  kAnswer = 8,
+  kSeat = 16,
+  kOuter = 32,
+  kLine = 64,
+  kProgram = kRead | kWrite,
+  kAll = 127,
+};
+
+struct GroupRow {
+  std::string_view function;
+  uint32_t group;
+  uint32_t excluded;
+};
+constexpr GroupRow kGroups[] = {
+#define KIND(kind, name, why)
+#define POINTER(caller, kind, why)
+#define ATONCE(function, calls, why)
+#define GROUP(group, function, excluded, why) {function, group, excluded},
+#include "codegen/llvm/budget/callees.def"
+#undef KIND
+#undef POINTER
+#undef ATONCE
+#undef GROUP
 };
 
 bool fits(std::string_view name, std::string_view row) {
@@ -114,6 +150,13 @@ Callees::Callees(const Image& image, const ir::Mission& mission) : image_(image)
       polls_.push_back(*poll);
     }
   }
+  for (const uint64_t taken : image.takenFunctions()) {
+    const std::string name = image.fullNameAt(taken);
+    const auto* row = std::ranges::find(kGroups, name, &GroupRow::function);
+    if (row != std::end(kGroups)) {
+      groups_.emplace(taken, Group{row->group, row->excluded});
+    }
+  }
 }
 
 std::vector<uint64_t> Callees::inTick(const std::vector<Frame>& frames) const {
@@ -134,14 +177,21 @@ std::vector<uint64_t> Callees::inTick(const std::vector<Frame>& frames) const {
   return placed ? some : all;
 }
 
-std::vector<uint64_t> Callees::inProgram(uint64_t call) const {
+uint32_t Callees::excludedBy(uint64_t entry) const {
+  const auto found = groups_.find(entry);
+  return found == groups_.end() ? 0 : found->second.excluded;
+}
+
+std::vector<uint64_t> Callees::inProgram(uint64_t call, uint32_t excluded) const {
   const std::set<Kind> wanted = calledBy(image_.baseNameAt(call));
   std::vector<uint64_t> targets;
   if (wanted.contains(Kind::kMission) || wanted.contains(Kind::kSensors)) {
     targets = polls_;  // pollSensors may be inlined into a tick
   }
   for (const uint64_t target : image_.takenFunctions()) {
-    if (wanted.contains(kindOf(image_.symbolAt(target)))) {
+    const auto found = groups_.find(target);
+    const bool may = found == groups_.end() || (found->second.group & excluded) == 0;
+    if (may && wanted.contains(kindOf(image_.symbolAt(target)))) {
       targets.push_back(target);
     }
   }

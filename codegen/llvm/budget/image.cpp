@@ -38,17 +38,23 @@ struct Segment {
   const char* bytes = nullptr;
 };
 
-/// "takeUpdates" for "_ZN6glider7runtime11takeUpdatesE…"; a C name unchanged.
-std::string baseName(const std::string& mangled) {
+/// A part of a mangled name; a C name unchanged.
+std::string demangled(const std::string& mangled,
+                      char* (llvm::ItaniumPartialDemangler::*part)(char*, size_t*) const) {
   llvm::ItaniumPartialDemangler demangler;
   if (demangler.partialDemangle(mangled.c_str()) || !demangler.isFunction()) {
     return mangled;
   }
   size_t size = 0;
-  char* name = demangler.getFunctionBaseName(nullptr, &size);
-  std::string base = name != nullptr ? name : mangled;
+  char* name = (demangler.*part)(nullptr, &size);
+  std::string found = name != nullptr ? name : mangled;
   std::free(name);
-  return base;
+  return found;
+}
+
+/// "takeUpdates" for "_ZN6glider7runtime11takeUpdatesE…".
+std::string baseName(const std::string& mangled) {
+  return demangled(mangled, &llvm::ItaniumPartialDemangler::getFunctionBaseName);
 }
 
 /// The name of a template without its arguments.
@@ -380,6 +386,10 @@ std::vector<uint64_t> Image::functionsCalled(const std::string& name) const {
 
 std::string Image::baseNameAt(uint64_t address) const {
   return plain(baseName(symbolAt(address)));
+}
+
+std::string Image::fullNameAt(uint64_t address) const {
+  return demangled(symbolAt(address), &llvm::ItaniumPartialDemangler::getFunctionName);
 }
 
 uint64_t Image::startOfSymbol(uint64_t address) const {

@@ -106,6 +106,8 @@ class Image {
   [[nodiscard]] std::vector<uint64_t> functionsCalled(const std::string& name) const;
   /// The function's name without namespaces and arguments.
   [[nodiscard]] std::string baseNameAt(uint64_t address) const;
+  /// The function's name with namespaces and without arguments: "glider::runtime::InnerSeat::read".
+  [[nodiscard]] std::string fullNameAt(uint64_t address) const;
   /// Where the symbol that contains the instruction begins; 0 if there is none.
   [[nodiscard]] uint64_t startOfSymbol(uint64_t address) const;
   /// Where it ends.

@@ -45,8 +45,10 @@ std::expected<uint64_t, std::string> stackBytes(const Image& image, const ir::Mi
     return std::unexpected("the machine code of this target cannot be analysed");
   }
   const Callees callees(image, mission);
-  StackBound bound(image, stackMachine(board),
-                   {[&](uint64_t call) { return callees.inProgram(call); }, callsAtOnce});
+  StackBound bound(
+      image, stackMachine(board),
+      {[&](uint64_t call, uint32_t excluded) { return callees.inProgram(call, excluded); },
+       [&](uint64_t entry) { return callees.excludedBy(entry); }, callsAtOnce});
   const auto call = bound.bound(image.entry());
   return call ? std::expected<uint64_t, std::string>(call->bytes) : std::unexpected(call.error());
 }

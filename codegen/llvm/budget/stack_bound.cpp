@@ -16,10 +16,13 @@ namespace glider::codegen {
 /// Follows the paths through one function.
 class StackBound::Walk {
  public:
-  /// `begin`: the stack depth at the start; more than 0 for a part that a function calls of itself.
-  Walk(StackBound& all, uint64_t entry, const FlowGraph& graph, int64_t begin = 0)
+  /// `excluded`: the groups of functions that it does not call through pointers. `begin`: the stack
+  /// depth at the start; more than 0 for a part that a function calls of itself.
+  Walk(StackBound& all, uint64_t entry, uint32_t excluded, const FlowGraph& graph,
+       int64_t begin = 0)
       : all_(all),
         entry_(entry),
+        excluded_(excluded),
         graph_(graph),
         begin_(begin),
         states_(graph.instructions.size()),
@@ -123,7 +126,7 @@ class StackBound::Walk {
     if (!graph || begin_ != 0) {
       return give("it is not known what calls of its own parts do in", one);
     }
-    Walk part(all_, one.target, *graph, below);
+    Walk part(all_, one.target, excluded_, *graph, below);
     const Bound called = part.run();
     if (!called) {
       problem_ = called.error();
@@ -175,7 +178,7 @@ class StackBound::Walk {
   std::optional<Call> callee(const Instruction& one, int64_t below) {
     std::vector<uint64_t> targets = {one.target};
     if (one.flow != Flow::Call) {
-      targets = all_.knowledge_.pointers(one.address);
+      targets = all_.knowledge_.pointers(one.address, excluded_);
     }
     Call most{.bytes = 0, .way = {}, .released = UINT32_MAX, .returns = targets.empty()};
     for (const uint64_t target : targets) {
@@ -200,7 +203,7 @@ class StackBound::Walk {
       to_itself_ = std::max(to_itself_, static_cast<uint64_t>(std::max<int64_t>(below, 0)));
       return Call{.bytes = 0, .way = {}, .released = 0, .returns = true};
     }
-    return all_.bound(target);
+    return all_.bound(target, excluded_);
   }
 
   void go(uint32_t node, const StackState& state) {
@@ -235,6 +238,7 @@ class StackBound::Walk {
 
   StackBound& all_;
   uint64_t entry_;
+  uint32_t excluded_;
   const FlowGraph& graph_;
   int64_t begin_;
   bool ends_caller_ = false;  // a part has returned in its function's place
@@ -250,20 +254,28 @@ StackBound::StackBound(const Image& image, const StackMachine& machine, CallKnow
     : image_(image), machine_(machine), knowledge_(std::move(knowledge)) {}
 
 StackBound::Bound StackBound::bound(uint64_t entry) {
-  const auto known = known_.find(entry);
+  return bound(entry, 0);
+}
+
+/// `excluded`: by the functions that are active where it is called. A function may be met again
+/// within itself where more is excluded; that does not go on for ever, for there are only so many
+/// groups.
+StackBound::Bound StackBound::bound(uint64_t entry, uint32_t excluded) {
+  const std::pair place(entry, excluded | knowledge_.excluded(entry));
+  const auto known = known_.find(place);
   if (known != known_.end()) {
     return known->second;
   }
-  known_.emplace(entry,
+  known_.emplace(place,
                  std::unexpected(fmt::format("`{}` may call itself", image_.symbolAt(entry))));
-  Bound found = walk(entry);
-  known_.insert_or_assign(entry, found);
+  Bound found = walk(entry, place.second);
+  known_.insert_or_assign(place, found);
   return found;
 }
 
-StackBound::Bound StackBound::walk(uint64_t entry) {
+StackBound::Bound StackBound::walk(uint64_t entry, uint32_t excluded) {
   const auto graph = FlowGraph::asFarAsKnown(image_, entry);
-  return graph ? Walk(*this, entry, *graph).run() : std::unexpected(graph.error());
+  return graph ? Walk(*this, entry, excluded, *graph).run() : std::unexpected(graph.error());
 }
 
 }  // namespace glider::codegen

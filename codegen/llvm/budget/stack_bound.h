@@ -11,14 +11,19 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace glider::codegen {
 
 /// What the machine code alone does not say about calls.
 struct CallKnowledge {
-  /// The functions that the call through a pointer at this address may reach.
-  std::function<std::vector<uint64_t>(uint64_t)> pointers;
+  /// The functions that the call through a pointer at this address may reach, but none of the
+  /// groups that are excluded (a bit each).
+  std::function<std::vector<uint64_t>(uint64_t, uint32_t)> pointers;
+  /// The groups of which no function is called through a pointer while that at this address is
+  /// active.
+  std::function<uint32_t(uint64_t)> excluded;
   /// The upper bound of calls of the named function that are active at one time; 1 unless it calls
   /// itself.
   std::function<uint64_t(const std::string&)> at_once;
@@ -44,12 +49,13 @@ class StackBound {
 
  private:
   class Walk;
-  Bound walk(uint64_t entry);
+  Bound bound(uint64_t entry, uint32_t excluded);
+  Bound walk(uint64_t entry, uint32_t excluded);
 
   const Image& image_;
   const StackMachine& machine_;
   CallKnowledge knowledge_;
-  std::map<uint64_t, Bound> known_;  // by entry
+  std::map<std::pair<uint64_t, uint32_t>, Bound> known_;  // by entry and excluded groups
 };
 
 }  // namespace glider::codegen

@@ -3,7 +3,6 @@
 
 #include "codegen/llvm/program/compile.h"
 
-#include "codegen/imc_mission.h"
 #include "codegen/llvm/lower/context_size.h"
 #include "codegen/llvm/program/emit.h"
 #include "codegen/llvm/program/imc_mission.h"
@@ -12,7 +11,7 @@
 #include "codegen/llvm/program/port_mission.h"
 #include "codegen/llvm/program/program.h"
 #include "codegen/llvm/program/recon_mission.h"
-#include "codegen/recon_mission.h"
+#include "codegen/seat_mission.h"
 #include "platforms/load/dictionary.h"
 #include "runtime/abi/glider_abi.h"
 #include "support/diagnostics/ids/target.h"

@@ -52,7 +52,7 @@ class CalleesOfSmall : public testing::Test {
   CalleesOfSmall() : small_("ts5500", program()), callees_(small_.image(), mission()) {}
 
   Names inProgram(const std::string& caller) const {
-    return namesOf(callees_.inProgram(*small_.image().function(caller)));
+    return namesOf(callees_.inProgram(*small_.image().function(caller), 0));
   }
   Names inTick(const std::vector<Frame>& frames) const { return namesOf(callees_.inTick(frames)); }
 
@@ -161,6 +161,53 @@ TEST_F(CalleesOfSmall, OfATickMayBeAnyWhereTheLineTablesAreSilent) {
   };
   for (const Frame& frame : cases) {
     EXPECT_EQ(inTick({frame}), any) << frame.file << ' ' << frame.function << ' ' << frame.line;
+  }
+}
+
+/// The seat within a program, by the names that the compiler gives its functions.
+TEST(CalleesInASeat, AreNotThoseThatAreExcluded) {
+  const std::pair<std::string, std::string> taken[] = {
+      {"read", "_ZN6glider7runtime9InnerSeat4readEPvPhj"},
+      {"write", "_ZN6glider7runtime9InnerSeat5writeEPvPKhj"},
+      {"receive", "_ZN6glider7runtime5recon8Backseat4hearEPv"},
+      {"answer", "_ZN6glider7runtime3imc8Backseat6answerEPv"},
+      {"reading", "_ZN6glider7runtime9InnerSeat7readingEPvtPd"},
+      {"line", "_ZN6glider7runtime5recon7UdpLine4readEPvPhj"},
+      {"renew", "_ZN6glider7runtime12_GLOBAL__N_18renewTcpEPv"},
+      {"other", "_ZN6glider7runtime4Card8writeLogEPvPKhj"},
+  };
+  std::string text = codegen_tests::function("_start", "ret"), data = ".data\n";
+  for (const auto& [name, symbol] : taken) {
+    text += codegen_tests::function(symbol, "ret");
+    data += ".long " + symbol + "\n";
+  }
+  const Small small("ts5500", text + data);
+  const ir::Mission mission;
+  const Callees callees(small.image(), mission);
+  const auto within = [&](const std::string& active) {
+    uint32_t excluded = 0;
+    for (const auto& [name, symbol] : taken) {
+      excluded |= name == active ? callees.excludedBy(*small.image().function(symbol)) : 0;
+    }
+    Names names;
+    for (const uint64_t address : callees.inProgram(small.image().entry(), excluded)) {
+      for (const auto& [name, symbol] : taken) {
+        if (small.image().symbolAt(address) == symbol) {
+          names.insert(name);
+        }
+      }
+    }
+    return names;
+  };
+  const Names all = {"read", "write", "receive", "answer", "reading", "line", "renew", "other"};
+  EXPECT_EQ(within("nothing"), all);
+  EXPECT_EQ(within("other"), all) << "it has no row";
+  EXPECT_EQ(within("read"), (Names{"receive", "reading", "line", "renew", "other"}));
+  EXPECT_EQ(within("write"), (Names{"answer", "reading", "line", "renew", "other"}));
+  EXPECT_EQ(within("receive"), (Names{"reading", "line", "renew", "other"}));
+  EXPECT_EQ(within("answer"), (Names{"line", "renew", "other"}));
+  for (const char* last : {"reading", "line", "renew"}) {
+    EXPECT_EQ(within(last), Names{"other"}) << last;
   }
 }
 

@@ -10,8 +10,11 @@
 #include "tests/support/command.h"
 #include "tests/unit/codegen/compiled_mission.h"
 
+#include <algorithm>
 #include <expected>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,14 +49,33 @@ class Small {
     image_.emplace(std::move(*image));
   }
 
-  /// Bytes of a call of `_start`; `pointers` is what calls through pointers reach.
+  /// Bytes of a call of `_start`; `pointers` is what calls through pointers reach, except those
+  /// that `excluding` functions exclude while they are active.
   [[nodiscard]] std::expected<uint64_t, std::string> bytes(
-      const std::vector<std::string>& pointers = {}, uint64_t at_once = 1) const {
-    std::vector<uint64_t> targets;
-    for (const std::string& name : pointers) {
-      targets.push_back(*image_->function(name));
-    }
-    const CallKnowledge knowledge{[&](uint64_t) { return targets; },
+      const std::vector<std::string>& pointers = {}, uint64_t at_once = 1,
+      const std::map<std::string, std::set<std::string>>& excluding = {}) const {
+    const auto bitOf = [&](const std::string& name) {
+      return 1U << (std::ranges::find(pointers, name) - pointers.begin());
+    };
+    const auto targets = [&](uint64_t, uint32_t excluded) {
+      std::vector<uint64_t> all;
+      for (const std::string& name : pointers) {
+        if ((bitOf(name) & excluded) == 0) {
+          all.push_back(*image_->function(name));
+        }
+      }
+      return all;
+    };
+    const auto excludedBy = [&](uint64_t entry) {
+      uint32_t bits = 0;
+      const auto found = excluding.find(image_->symbolAt(entry));
+      for (const std::string& name :
+           found == excluding.end() ? std::set<std::string>() : found->second) {
+        bits |= bitOf(name);
+      }
+      return bits;
+    };
+    const CallKnowledge knowledge{targets, excludedBy,
                                   [at_once](const std::string&) { return at_once; }};
     const auto call = StackBound(*image_, stackMachine(board_), knowledge).bound(image_->entry());
     return call ? std::expected<uint64_t, std::string>(call->bytes) : std::unexpected(call.error());

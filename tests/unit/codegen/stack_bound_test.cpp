@@ -149,6 +149,23 @@ TEST(StackBoundOfX86, PointersReachWhatIsSaid) {
   EXPECT_THAT(itself.error(), HasSubstr("`_start` may call itself"));
 }
 
+/// As a seat within a program: both send through the same function.
+TEST(StackBoundOfArm, WhatIsExcludedIsNotCalledWithin) {
+  const std::string outer = function("outer", "push {r4-r7, lr}\n bl send\n pop {r4-r7, pc}");
+  const Small small("ts7800", function("_start", "push {r4, lr}\n bl send\n pop {r4, pc}") +
+                                  function("send", "push {r4, lr}\n blx r4\n pop {r4, pc}") +
+                                  outer + function("inner", "push {r4-r9}\n pop {r4-r9}\n bx lr"));
+  const auto itself = small.bytes({"outer", "inner"});
+  ASSERT_FALSE(itself);
+  EXPECT_THAT(itself.error(), HasSubstr("may call itself"));
+  EXPECT_EQ(small.bytes({"outer", "inner"}, 1, {{"outer", {"outer"}}}), 8 + 8 + 20 + 8 + 24);
+  EXPECT_EQ(small.bytes({"outer", "inner"}, 1, {{"outer", {"outer", "inner"}}}),
+            8 + 8 + 20 + 8 + 0);
+  EXPECT_FALSE(small.bytes({"outer", "inner"}, 1, {{"outer", {"inner"}}}));
+  EXPECT_FALSE(small.bytes({"outer", "inner"}, 1, {{"inner", {"outer"}}}))
+      << "it is not active when outer is called";
+}
+
 TEST(StackBoundOfX86, SoManyCallsAtOnceAreCounted) {
   const Small small("ts5500", function("_start",
                                        "subl $20, %esp\n call _start\n"

@@ -3,8 +3,7 @@
 
 // What the compiler writes into a program that steers by IMC, and the sensors of its seat.
 
-#include "codegen/imc_mission.h"
-
+#include "codegen/seat_mission.h"
 #include "platforms/load/load_platform.h"
 #include "platforms/load/seat_sensors.h"
 #include "runtime/imc/readings.h"

@@ -3,9 +3,7 @@
 
 // What the compiler writes into a program that steers by RECON.
 
-#include "codegen/recon_mission.h"
-
-#include "codegen/imc_mission.h"
+#include "codegen/seat_mission.h"
 #include "platforms/load/load_platform.h"
 #include "runtime/recon/readings.h"
 #include "support/diagnostics/diagnostic.h"

@@ -19,19 +19,19 @@ using testing::Bytes;
 using testing::TcpPeer;
 using testing::TwoDepths;
 
-TEST(TcpAddress, IsFourNumbersAndAPort) {
-  TcpAddress address;
-  ASSERT_TRUE(readAddress("10.0.200.255:6006", address));
+TEST(NetworkAddress, IsFourNumbersAndAPort) {
+  NetworkAddress address;
+  ASSERT_TRUE(readAddress("10.0.200.255:6006", 0, address));
   EXPECT_TRUE(std::ranges::equal(address.host, std::vector{10, 0, 200, 255}));
   EXPECT_EQ(address.port, 6006);
   for (const char* wrong : {"", "10.0.0.1", "10.0.0.1:", "10.0.0.1:0", "10.0.0.1:65536",
                             "10.0.0.1:6006x", "10.0.0:6006", "10.0.0.256:6006", "10.0.0.1.2:6006",
                             "localhost:6006", "10..0.1:6006", "-1.0.0.1:6006", " 10.0.0.1:6006",
                             "10.0.0.1:4294973302", "10.0.0.4294967297:6006", ":6006"}) {
-    EXPECT_FALSE(readAddress(wrong, address)) << wrong;
+    EXPECT_FALSE(readAddress(wrong, 0, address)) << wrong;
   }
   EXPECT_EQ(address.port, 6006) << "a wrong text changes nothing";
-  EXPECT_TRUE(readAddress("255.255.255.255:65535", address));
+  EXPECT_TRUE(readAddress("255.255.255.255:65535", 0, address));
   EXPECT_EQ(address.port, 65535);
 }
 

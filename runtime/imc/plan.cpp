@@ -44,17 +44,34 @@ void Plan::take(const Packet& packet) {
   } else if (packet.id == PlanControl::kId) {
     PlanControl said;
     if (decode(packet, said)) {
-      takeReply(said);
+      takeReply(packet.header.destination, said);
     }
   }
 }
 
 /// Any reply shows that it has read our request. It also repeats the request itself, under our
-/// address: that is not a reply.
-void Plan::takeReply(const PlanControl& said) {
-  if (said.type != PlanControlType::Request && said.request_id == request_) {
-    unreplied_s_ = __builtin_nan("");
+/// address: that is not a reply. Others number their requests too.
+void Plan::takeReply(uint16_t to, const PlanControl& said) {
+  if (said.type == PlanControlType::Request || said.request_id != request_ ||
+      (to != kOwnAddress && to != kAllSystems)) {
+    return;
   }
+  unreplied_s_ = __builtin_nan("");
+  if (said.type == PlanControlType::Failure) {
+    failed_ = true;
+    failed_operation_ = said.op;
+  }
+}
+
+Plan::Failure Plan::takeFailure() {
+  if (!failed_) {
+    return Failure::None;
+  }
+  failed_ = false;
+  if (failed_operation_ == PlanOperation::Stop) {
+    return ours_runs_ ? Failure::End : Failure::None;
+  }
+  return ran_ ? Failure::Flight : Failure::Start;
 }
 
 /// READY is said three times a second also in the moment between a request and its execution, so
@@ -68,7 +85,7 @@ void Plan::takeState(const PlanControlState& said) {
     return;
   }
   if (runs) {
-    ours_runs_ = true;
+    ours_runs_ = ran_ = true;
     unreplied_s_ = __builtin_nan("");
     return;
   }
@@ -195,6 +212,7 @@ PlanControl Plan::request(uint8_t operation) {
 
 PlanControl Plan::start() {
   PlanControl request = this->request(PlanOperation::Start);
+  ran_ = false;
   request.arg.present = true;
   PlanSpecification& plan = request.arg.value;
   plan.plan_id = kPlan;

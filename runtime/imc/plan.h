@@ -45,6 +45,11 @@ class Plan {
   [[nodiscard]] bool isKnown() const { return known_; }
   /// The vehicle executes our plan.
   [[nodiscard]] bool runs() const { return ours_runs_; }
+  /// That the vehicle has refused, or has reported as a failure.
+  enum class Failure : uint8_t { None, Start, End, Flight };
+  /// What has failed since the last call. It is no failure if a plan that is to end is over
+  /// already.
+  Failure takeFailure();
   /// An operator has ended everything: nothing is started again.
   void takeAway();
   /// The plan is to end: nothing of it is started again.
@@ -72,7 +77,7 @@ class Plan {
   };
   static constexpr uint32_t kRemembered = 8;
   void takeTime(double time_s);
-  void takeReply(const hooks::imc::PlanControl& said);
+  void takeReply(uint16_t to, const hooks::imc::PlanControl& said);
   void takeEcho(const hooks::imc::Reference& said);
   void forgetSent();
   void takeState(const hooks::imc::PlanControlState& said);
@@ -87,6 +92,9 @@ class Plan {
   bool timed_out_ = false;  ///< it has said so of our References
   bool flew_ = false;       ///< this program has steered: what somebody ends stays ended
   bool over_ = false;
+  bool ran_ = false;     ///< the vehicle has executed it since the newest request to start
+  bool failed_ = false;  ///< the vehicle reports it of the newest request, failed_operation_
+  uint8_t failed_operation_ = 0;
   uint16_t request_ = 0;
   double now_s_ = __builtin_nan("");  ///< of the newest packet; NaN before the first
   double asked_s_ = -kStartSecs;

@@ -20,7 +20,7 @@ glider::runtime::FrameLine glider::runtime::framesOver(const GliderByteStream& l
   // It lives as long as the program: no exit handler.
   alignas(recon::Backseat) static uint8_t memory[sizeof(recon::Backseat)];
   backseat = ::new (memory) recon::Backseat(gliderMission, gliderRecon, line, checkpoint);
-  return {backseat->stream(), backseat->damaged()};
+  return {backseat->stream(), backseat->damaged(), backseat->afterTick()};
 }
 
 bool glider::runtime::mayEnd() {

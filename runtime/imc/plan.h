@@ -47,8 +47,7 @@ class Plan {
   [[nodiscard]] bool runs() const { return ours_runs_; }
   /// That the vehicle has refused, or has reported as a failure.
   enum class Failure : uint8_t { None, Start, End, Flight };
-  /// What has failed since the last call. It is no failure if a plan that is to end is over
-  /// already.
+  /// What has failed since the last call. A refused end of a plan that is over does not count.
   Failure takeFailure();
   /// An operator has ended everything: nothing is started again.
   void takeAway();

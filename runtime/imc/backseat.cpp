@@ -106,6 +106,9 @@ void Backseat::take(const Packet& packet) {
   if (packet.header.source != vehicle_ || !hookIsFinite(packet.header.time_s)) {
     return;
   }
+  if (packet.header.time_s - readings_.value(Reading::Clock) >= Plan::kStaleSecs) {
+    readings_.forget(Reading::Medium);  // nothing was received meanwhile
+  }
   readings_.take(packet);
   plan_.take(packet);
   if (packet.id == EstimatedState::kId) {

@@ -25,8 +25,7 @@ void Plan::takeTime(double time_s) {
   constexpr double kSpread = 2;
   timed_out_ = timed_out_ || time_s - now_s_ >= mission_.timeout_s - kSpread;
   now_s_ = time_s;
-  constexpr double kSetBack = 60;
-  asked_s_ = asked_s_ - now_s_ > kSetBack ? -kStartSecs : asked_s_;
+  asked_s_ = asked_s_ - now_s_ > kSetBackSecs ? -kStartSecs : asked_s_;
 }
 
 void Plan::take(const Packet& packet) {
@@ -77,7 +76,7 @@ Plan::Failure Plan::takeFailure() {
 /// READY is said three times a second also in the moment between a request and its execution, so
 /// only the end of a plan that has run is one.
 void Plan::takeState(const PlanControlState& said) {
-  known_ = true;
+  reported_s_ = now_s_;
   const bool runs = said.state == PlanState::Executing || said.state == PlanState::Initializing;
   if (runs && !(said.plan_id == kPlan)) {
     ours_runs_ = false;
@@ -170,7 +169,7 @@ void Plan::forgetSent() {
 }
 
 bool Plan::asksForStart(double now_s, double depth_m) {
-  if (ours_runs_ || !known_) {
+  if (ours_runs_ || !isKnown()) {
     return false;  // it has begun, and the vehicle does not say yet that it follows; or another
                    // may have begun while nothing was received
   }
@@ -191,7 +190,7 @@ bool Plan::isInDoubt(double now_s) const {
 }
 
 void Plan::noteEndOfConnection() {
-  known_ = false;
+  reported_s_ = __builtin_nan("");
   forgetSent();
   unreplied_s_ = __builtin_nan("");
 }

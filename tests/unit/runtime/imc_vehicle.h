@@ -33,13 +33,17 @@ inline GliderImcMission imcOf(double greatest_depth_m = 50) {
 /// Says once a second what a vehicle says, and obeys packets as DUNE does.
 class ImcVehicle {
  public:
-  explicit ImcVehicle(const GliderMission& mission, const GliderImcMission& imc = imcOf())
+  /// A line `that_renews` can be opened again, as that of TCP; a serial one cannot.
+  explicit ImcVehicle(const GliderMission& mission, const GliderImcMission& imc = imcOf(),
+                      bool that_renews = true)
       : memory_(gliderRuntimeSize() / sizeof(double) + 1),
         context_(mission.context_bytes / sizeof(double) + 1),
-        backseat_(std::make_unique<imc::Backseat>(
-            mission, imc,
-            imc::VehicleLine{.stream = {this, read, write}, .renew = renew, .self = this},
-            nullptr)),
+        backseat_(
+            std::make_unique<imc::Backseat>(mission, imc,
+                                            imc::VehicleLine{.stream = {this, read, write},
+                                                             .renew = that_renews ? renew : nullptr,
+                                                             .self = this},
+                                            nullptr)),
         options_{{this, writeLog, nullptr, nullptr}, nullptr, {}, 0},
         runtime_(gliderRuntimeInit(memory_.data(), context_.data(), &mission, &options_)) {
     runtime_->afterTick(backseat_->afterTick());

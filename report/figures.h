@@ -50,7 +50,7 @@ struct FlightFigures {
   double coldest_degC = 0;
   double warmest_degC = 0;
   std::vector<StateFigures> states;  ///< those that were entered, in the mission's order
-  double layered_s = 0;              ///< time in which the layered control commanded the vehicle
+  double layered_s = 0;              ///< time in which the SBC did not command the vehicle
   double stateless_s =
       0;  ///< time in which the SBC was in control without a state: a mission written in C
   std::map<std::string, size_t> events;  ///< count by kind

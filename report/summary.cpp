@@ -24,19 +24,19 @@ constexpr size_t kWidth = 100;
 constexpr size_t kMostEvents = 60;  // of each of the two lists; the page and the CSV have them all
 constexpr size_t kMostStates = 40;
 
-std::string wayName(const std::string& way) {
+std::string wayName(const std::string& way, const std::string& own_control) {
   if (way == "in-process") {
     return "in process";
   }
   if (way == "none") {
-    return "by layered control alone";
+    return "by " + plain(own_control) + " alone";
   }
   return way.empty() ? "" : "on " + plain(way);
 }
 
 std::string heading(const Trace& trace) {
   std::string out = trace.mission.empty() ? "flight" : plain(trace.mission);
-  const std::string way = wayName(trace.way);
+  const std::string way = wayName(trace.way, trace.own_control);
   out += trace.scenario.empty() ? "" : fmt::format(", scenario {}", plain(trace.scenario));
   out += way.empty() ? "" : fmt::format(", flown {}", way);
   out += fmt::format(", seed {}", trace.seed);
@@ -114,11 +114,12 @@ std::string figureLines(const FlightFigures& figures) {
   return out;
 }
 
-std::string stateLines(const FlightFigures& figures) {
+std::string stateLines(const FlightFigures& figures, const Trace& trace) {
   if (figures.states.empty() && !(figures.stateless_s > 0)) {
     return "";
   }
-  size_t column = std::string_view("(layered control)").size();
+  const std::string own_control = "(" + plain(trace.own_control) + ")";
+  size_t column = std::max(width(own_control), std::string_view("(SBC, no state)").size());
   for (const StateFigures& state : figures.states) {
     column = std::max(column, std::min<size_t>(width(plain(state.name)), 56));
   }
@@ -139,7 +140,7 @@ std::string stateLines(const FlightFigures& figures) {
     line("(SBC, no state)", "", figures.stateless_s);
   }
   if (figures.layered_s > 0) {
-    line("(layered control)", "", figures.layered_s);
+    line(own_control, "", figures.layered_s);
   }
   return out;
 }
@@ -202,7 +203,7 @@ std::string summarize(const Trace& trace) {
     out += wrapped("  note: " + note, kWidth, 4);
   }
   out += figures.rows == 0 ? "  nothing was recorded\n" : figureLines(figures);
-  out += stateLines(figures);
+  out += stateLines(figures, trace);
   out += eventLines(trace, true);
   out += eventLines(trace, false);
   return out;

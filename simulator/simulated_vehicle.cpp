@@ -57,6 +57,9 @@ support::Trace headOf(const SimulationSetup& setup) {
   trace.way = setup.sbc ? setup.sbc->way() : "none";
   trace.seed = setup.seed.value_or(setup.scenario.seed);
   trace.state_names = setup.state_names;
+  if (const Family* family = familyOf(setup.platform)) {
+    trace.own_control = family->own_control;
+  }
   return trace;
 }
 

@@ -31,6 +31,8 @@ struct FlightToJudge {
 
 struct Vehicle {
   std::string_view name;
+  /// The computers that its sensors are read from (platforms::Computer), as people call them.
+  std::string_view flight_computer, science_computer;
   /// How the names of its own mission files end: ".mi".
   std::string_view own_mission_ending;
   /// Reads the vehicle's own mission at `path` into `sources`. A failure names the file; its errors

@@ -13,6 +13,7 @@
 #include "ir/verify/value_text.h"
 #include "support/diagnostics/ids/verification.h"
 #include "support/one_line.h"
+#include "vehicles/vehicle.h"
 
 #include <fmt/format.h>
 
@@ -130,17 +131,25 @@ class BriefMaker {
     }
   }
 
+  /// As people call it; by the platform file if the family is not known.
+  [[nodiscard]] std::string computerOf(const platforms::PlatformSensor& sensor) const {
+    const bool science = sensor.computer == platforms::Computer::Science;
+    if (const vehicles::Vehicle* vehicle = vehicles::vehicleOf(checked_.platform())) {
+      return std::string(science ? vehicle->science_computer : vehicle->flight_computer);
+    }
+    return science ? "science computer" : "flight computer";
+  }
+
   [[nodiscard]] report::BriefSensor sensorOf(const ir::Sensor& sensor) const {
     const platforms::PlatformSensor* row = checked_.platform().find(sensor.vehicle_name);
     const bool own = !sensor.symbol.empty();
-    report::BriefSensor told{sensor.name,
-                             own ? "" : sensor.vehicle_name,
-                             own || row == nullptr ? "payload computer, code in C"
-                             : row->computer == platforms::Computer::Science ? "science computer"
-                                                                             : "flight computer",
-                             row == nullptr ? "" : row->what,
-                             rangeOf(sensor),
-                             fmt::format("{:g} s", sensor.stale_after_s)};
+    report::BriefSensor told{
+        sensor.name,
+        own ? "" : sensor.vehicle_name,
+        own || row == nullptr ? "payload computer, code in C" : computerOf(*row),
+        row == nullptr ? "" : row->what,
+        rangeOf(sensor),
+        fmt::format("{:g} s", sensor.stale_after_s)};
     return told;
   }
 

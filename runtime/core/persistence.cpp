@@ -100,6 +100,11 @@ void Persistence::bringsUp(double seconds) {
   }
 }
 
+void Persistence::logs(LogEvent what, LogDetail detail, uint32_t count) {
+  const ClockAnchor anchor = parts_.clock.anchor();
+  parts_.log.event(anchor.mission + (parts_.clock.vehicle() - anchor.vehicle), what, detail, count);
+}
+
 void Persistence::begun() {
   if (begins_anew_ != LogDetail::None) {
     parts_.log.event(0.0, LogEvent::BeginsAnew, begins_anew_, unknown());

@@ -45,6 +45,8 @@ class Persistence {
   /// For `seconds` the vehicle has been brought to the surface before the mission may begin:
   /// reports it in the log, and at first in the vehicle's.
   void bringsUp(double seconds);
+  /// Logs an event that only some programs know, at the mission's time: `count` of them.
+  void logs(LogEvent what, LogDetail detail, uint32_t count);
   /// The mission has begun: logs why an existing checkpoint was not used.
   void begun();
   /// Writes the results of this tick to log and checkpoint; `context` is null before the mission

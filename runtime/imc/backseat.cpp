@@ -106,6 +106,9 @@ void Backseat::take(const Packet& packet) {
   if (packet.header.source != vehicle_ || !hookIsFinite(packet.header.time_s)) {
     return;
   }
+  if (packet.header.time_s - readings_.value(Reading::Clock) >= Plan::kStaleSecs) {
+    readings_.forget(Reading::Medium);  // nothing was received meanwhile
+  }
   readings_.take(packet);
   plan_.take(packet);
   if (packet.id == EstimatedState::kId) {
@@ -125,6 +128,7 @@ void Backseat::lookAtCycle() {
   newest_cycle_s_ = second;
   began_s_ = began_s_ == began_s_ && clock >= began_s_ ? began_s_ : clock;
   followPlan();
+  noteFailure();
   inner_.cycle();
 }
 
@@ -166,6 +170,22 @@ void Backseat::followPlan() {
   }
   if (state_ != HookState::Complete) {
     state_ = session_ != 0 ? HookState::Active : unheld();
+  }
+}
+
+void Backseat::noteFailure() {
+  switch (plan_.takeFailure()) {
+    case Plan::Failure::None:
+      break;
+    case Plan::Failure::Start:
+      refusals_.note(Refusals::Kind::PlanStart);
+      break;
+    case Plan::Failure::End:
+      refusals_.note(Refusals::Kind::PlanEnd);
+      break;
+    case Plan::Failure::Flight:
+      refusals_.note(Refusals::Kind::PlanFailed);
+      break;
   }
 }
 

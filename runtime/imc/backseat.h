@@ -9,6 +9,7 @@
 #include "runtime/abi/imc_mission.h"
 #include "runtime/checkpoint/checkpoint.h"
 #include "runtime/front_seat/inner_seat.h"
+#include "runtime/front_seat/refusals.h"
 #include "runtime/imc/course.h"
 #include "runtime/imc/plan.h"
 #include "runtime/imc/readings.h"
@@ -39,6 +40,8 @@ class Backseat {
 
   /// The program's end.
   [[nodiscard]] GliderByteStream stream() { return inner_.stream(); }
+  /// Reports in the log what the vehicle refuses.
+  [[nodiscard]] AfterTick afterTick() { return refusals_.afterTick(); }
   /// Counts the bytes that arrived and belong to no packet.
   [[nodiscard]] const uint32_t* damaged() const { return &damaged_; }
 
@@ -57,6 +60,7 @@ class Backseat {
   void take(const hooks::imc::Packet& packet);
   void lookAtCycle();
   void followPlan();
+  void noteFailure();
   /// The program has steered before: it goes on, rather than begins.
   [[nodiscard]] bool goesOn() const { return resumes_ || lost_session_ != 0; }
   [[nodiscard]] hooks::HookState unheld() const;
@@ -85,6 +89,7 @@ class Backseat {
   Readings readings_;
   Plan plan_;
   Course course_;
+  Refusals refusals_;
   uint16_t vehicle_;    ///< its address; 0: not known yet
   double began_s_;      ///< by the vehicle's clock; NaN: not yet
   bool resumes_;        ///< it goes on from a checkpoint

@@ -25,8 +25,7 @@ void Plan::takeTime(double time_s) {
   constexpr double kSpread = 2;
   timed_out_ = timed_out_ || time_s - now_s_ >= mission_.timeout_s - kSpread;
   now_s_ = time_s;
-  constexpr double kSetBack = 60;
-  asked_s_ = asked_s_ - now_s_ > kSetBack ? -kStartSecs : asked_s_;
+  asked_s_ = asked_s_ - now_s_ > kSetBackSecs ? -kStartSecs : asked_s_;
 }
 
 void Plan::take(const Packet& packet) {
@@ -44,23 +43,40 @@ void Plan::take(const Packet& packet) {
   } else if (packet.id == PlanControl::kId) {
     PlanControl said;
     if (decode(packet, said)) {
-      takeReply(said);
+      takeReply(packet.header.destination, said);
     }
   }
 }
 
 /// Any reply shows that it has read our request. It also repeats the request itself, under our
-/// address: that is not a reply.
-void Plan::takeReply(const PlanControl& said) {
-  if (said.type != PlanControlType::Request && said.request_id == request_) {
-    unreplied_s_ = __builtin_nan("");
+/// address: that is not a reply. Others number their requests too.
+void Plan::takeReply(uint16_t to, const PlanControl& said) {
+  if (said.type == PlanControlType::Request || said.request_id != request_ ||
+      (to != kOwnAddress && to != kAllSystems)) {
+    return;
   }
+  unreplied_s_ = __builtin_nan("");
+  if (said.type == PlanControlType::Failure) {
+    failed_ = true;
+    failed_operation_ = said.op;
+  }
+}
+
+Plan::Failure Plan::takeFailure() {
+  if (!failed_) {
+    return Failure::None;
+  }
+  failed_ = false;
+  if (failed_operation_ == PlanOperation::Stop) {
+    return ours_runs_ ? Failure::End : Failure::None;
+  }
+  return ran_ ? Failure::Flight : Failure::Start;
 }
 
 /// READY is said three times a second also in the moment between a request and its execution, so
 /// only the end of a plan that has run is one.
 void Plan::takeState(const PlanControlState& said) {
-  known_ = true;
+  reported_s_ = now_s_;
   const bool runs = said.state == PlanState::Executing || said.state == PlanState::Initializing;
   if (runs && !(said.plan_id == kPlan)) {
     ours_runs_ = false;
@@ -68,7 +84,7 @@ void Plan::takeState(const PlanControlState& said) {
     return;
   }
   if (runs) {
-    ours_runs_ = true;
+    ours_runs_ = ran_ = true;
     unreplied_s_ = __builtin_nan("");
     return;
   }
@@ -153,7 +169,7 @@ void Plan::forgetSent() {
 }
 
 bool Plan::asksForStart(double now_s, double depth_m) {
-  if (ours_runs_ || !known_) {
+  if (ours_runs_ || !isKnown()) {
     return false;  // it has begun, and the vehicle does not say yet that it follows; or another
                    // may have begun while nothing was received
   }
@@ -174,7 +190,7 @@ bool Plan::isInDoubt(double now_s) const {
 }
 
 void Plan::noteEndOfConnection() {
-  known_ = false;
+  reported_s_ = __builtin_nan("");
   forgetSent();
   unreplied_s_ = __builtin_nan("");
 }
@@ -195,6 +211,7 @@ PlanControl Plan::request(uint8_t operation) {
 
 PlanControl Plan::start() {
   PlanControl request = this->request(PlanOperation::Start);
+  ran_ = false;
   request.arg.present = true;
   PlanSpecification& plan = request.arg.value;
   plan.plan_id = kPlan;

@@ -41,10 +41,17 @@ class Plan {
   /// The connection has ended, for any reason. What the vehicle flies is not known until it reports
   /// it on the next one: nothing is started or stopped before. What was sent is not waited for.
   void noteEndOfConnection();
-  /// The vehicle has reported on this connection what it flies.
-  [[nodiscard]] bool isKnown() const { return known_; }
+  /// The vehicle has reported on this connection what it flies, and not too long ago.
+  [[nodiscard]] bool isKnown() const {
+    const double age_s = now_s_ - reported_s_;
+    return age_s < kStaleSecs && age_s > -kSetBackSecs;
+  }
   /// The vehicle executes our plan.
   [[nodiscard]] bool runs() const { return ours_runs_; }
+  /// That the vehicle has refused, or has reported as a failure.
+  enum class Failure : uint8_t { None, Start, End, Flight };
+  /// What has failed since the last call. A refused end of a plan that is over does not count.
+  Failure takeFailure();
   /// An operator has ended everything: nothing is started again.
   void takeAway();
   /// The plan is to end: nothing of it is started again.
@@ -61,6 +68,9 @@ class Plan {
   /// it, s. Twice as long after each new connection that did not help, up to kMostDoubtSecs.
   static constexpr double kDoubtSecs = 5;
   static constexpr double kMostDoubtSecs = 60;
+  /// What the vehicle has reported says nothing when so long has passed, s: on a line without
+  /// connections nothing else shows that it was silent. As long as TcpLine waits for a byte.
+  static constexpr double kStaleSecs = 10;
 
  private:
   enum class State : uint8_t { Away, Ready, Following, Lost, Taken };
@@ -71,8 +81,10 @@ class Plan {
     float depth = 0;
   };
   static constexpr uint32_t kRemembered = 8;
+  /// A time that is so much older than the one before means that the clock was set back, s.
+  static constexpr double kSetBackSecs = 60;
   void takeTime(double time_s);
-  void takeReply(const hooks::imc::PlanControl& said);
+  void takeReply(uint16_t to, const hooks::imc::PlanControl& said);
   void takeEcho(const hooks::imc::Reference& said);
   void forgetSent();
   void takeState(const hooks::imc::PlanControlState& said);
@@ -82,13 +94,17 @@ class Plan {
 
   GliderImcMission mission_;
   State state_ = State::Away;
-  bool known_ = false;      ///< it has reported on this connection what it executes
   bool ours_runs_ = false;  ///< the vehicle says that it executes our plan
   bool timed_out_ = false;  ///< it has said so of our References
   bool flew_ = false;       ///< this program has steered: what somebody ends stays ended
   bool over_ = false;
+  bool ran_ = false;     ///< the vehicle has executed it since the newest request to start
+  bool failed_ = false;  ///< the vehicle reports it of the newest request, failed_operation_
+  uint8_t failed_operation_ = 0;
   uint16_t request_ = 0;
   double now_s_ = __builtin_nan("");  ///< of the newest packet; NaN before the first
+  double reported_s_ =
+      __builtin_nan("");  ///< when it has reported on this connection what it executes
   double asked_s_ = -kStartSecs;
   double unreplied_s_ = __builtin_nan("");  ///< when it was asked for a start without a reply since
   bool deaf_ = false;                       ///< it has timed out although References were sent

@@ -62,7 +62,7 @@ FrameLine framesOver(const GliderByteStream& line, const LinkFacts* checkpoint) 
   auto* backseat = ::new (memory) imc::Backseat(
       gliderMission, gliderImc,
       {.stream = line, .renew = tcp != nullptr ? renewTcp : nullptr, .self = tcp}, checkpoint);
-  return {backseat->stream(), backseat->damaged()};
+  return {backseat->stream(), backseat->damaged(), backseat->afterTick()};
 }
 
 bool mayEnd() {

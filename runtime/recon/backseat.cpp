@@ -112,7 +112,9 @@ void Backseat::takeState(const State& said) {
     return;
   }
   readings_.take(said, clock_s);
+  const bool followed = takeover_.follows();
   takeover_.take(said.mode, clock_s);
+  requests_ = takeover_.follows() == followed ? requests_ : 0;
   lookAtCycle();
 }
 
@@ -218,12 +220,22 @@ bool Backseat::mayEnd() {
   return false;
 }
 
+/// That the override begins, or ends. The first kInVain are logged together, as soon as they all
+/// had no effect.
+void Backseat::request(bool on) {
+  send(hooks::recon::Override{on});
+  if (++requests_ > kInVain) {
+    refusals_.note(on ? Refusals::Kind::Override : Refusals::Kind::OverrideEnd,
+                   requests_ == kInVain + 1 ? kInVain : 1);
+  }
+}
+
 /// Goals too: as long as the vehicle does not end the override it obeys them.
 void Backseat::release() {
   course_.surface();
   if (takeover_.follows()) {
     sendGoals();
-    send(hooks::recon::Override{false});
+    request(false);
   }
   session_.noteRelease(!takeover_.follows());
 }
@@ -244,7 +256,7 @@ void Backseat::answer(void* self) {
   } else {
     seat.send(hooks::recon::KeepAlive());
     if (seat.asksForControl()) {
-      seat.send(hooks::recon::Override{true});
+      seat.request(true);
     }
   }
   if (seat.virtual_time_) {

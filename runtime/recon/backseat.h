@@ -9,6 +9,7 @@
 #include "runtime/abi/recon_mission.h"
 #include "runtime/checkpoint/checkpoint.h"
 #include "runtime/front_seat/inner_seat.h"
+#include "runtime/front_seat/refusals.h"
 #include "runtime/front_seat/seat_session.h"
 #include "runtime/recon/course.h"
 #include "runtime/recon/readings.h"
@@ -37,6 +38,8 @@ class Backseat {
   /// the vehicle obeys: then the answers end the override, up to SeatSession::kReleaseAnswers of
   /// them.
   bool mayEnd();
+  /// Reports in the log what has no effect on the vehicle.
+  [[nodiscard]] AfterTick afterTick() { return refusals_.afterTick(); }
   /// Counts the bytes that arrived and belong to no line.
   [[nodiscard]] const uint32_t* damaged() const { return &damaged_; }
 
@@ -61,6 +64,7 @@ class Backseat {
   template <typename Message>
   void send(const Message& message);
   void sendGoals();
+  void request(bool on);
   void release();
   void tell();
   bool fill();
@@ -79,6 +83,10 @@ class Backseat {
   Takeover takeover_;
   Course course_;
   SeatSession session_;
+  Refusals refusals_;
+  uint32_t requests_ = 0;  ///< of the same kind, one after another, without effect
+  /// So many are needed to know that they have none: some are lost, and the answer takes its time.
+  static constexpr uint32_t kInVain = 10;
   double began_s_;              ///< by the vehicle's clock; NaN: not yet
   double newest_cycle_s_ = -1;  ///< whole seconds of the vehicle's clock
 

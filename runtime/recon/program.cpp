@@ -80,7 +80,7 @@ const int* ownDescriptor() {
 FrameLine framesOver(const GliderByteStream& line, const LinkFacts* checkpoint) {
   alignas(recon::Backseat) static uint8_t memory[sizeof(recon::Backseat)];
   backseat = ::new (memory) recon::Backseat(gliderMission, gliderRecon, line, checkpoint);
-  return {backseat->stream(), backseat->damaged()};
+  return {backseat->stream(), backseat->damaged(), backseat->afterTick()};
 }
 
 bool mayEnd() {

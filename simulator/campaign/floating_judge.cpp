@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace glider::simulator {
@@ -21,9 +22,15 @@ constexpr double kSettled_s = 60;
 void FloatingJudge::takeCommand(double depth_m, bool whole, double now_s) {
   ++verdict_.instructions;
   told_s_ = now_s;
-  stopped_m_ = -1;
   verdict_.take_s = verdict_.take_s == 0 ? now_s : verdict_.take_s;
   deepest_told_m_ = std::max(deepest_told_m_, depth_m);
+  // What is newer and as deep takes the place of what is before it.
+  while (!told_.empty() && told_.back().depth_m <= depth_m) {
+    told_.pop_back();
+  }
+  if (std::isfinite(depth_m)) {
+    told_.push_back({now_s, depth_m});
+  }
   if (!whole || !(depth_m <= promise_.greatest_depth_m)) {
     violate(JudgeId::Commands, now_s,
             fmt::format("a {} to {:.1f} m, at most {:.1f} m", command_, depth_m,
@@ -51,24 +58,38 @@ void FloatingJudge::violate(JudgeId judge, double now_s, std::string what) {
   verdict_.violations.push_back({judge, now_s, std::move(what)});
 }
 
-/// Without commands it is no deeper than it can be by floating up since the propeller stopped.
-void FloatingJudge::checkSilence(const CycleView& view) {
-  const double silent_s = view.time_s - told_s_;
-  if (told_s_ < 0 || silent_s <= promise_.lets_go_s) {
+/// The deepest command that it may be obeying; empty: it need not obey any.
+std::optional<double> FloatingJudge::deepestInForce(double now_s) {
+  while (!told_.empty() && now_s - told_.front().at_s > promise_.lets_go_s) {
+    told_.pop_front();
+  }
+  return told_.empty() ? std::nullopt : std::optional(told_.front().depth_m);
+}
+
+/// Below what it may be at, it is no deeper than it can be by floating up since it got there. A
+/// propeller would be faster, but may have stopped at any time.
+void FloatingJudge::checkAscent(const CycleView& view) {
+  const std::optional<double> told_m = deepestInForce(view.time_s);
+  const bool silent = told_s_ >= 0 && !told_m;
+  verdict_.releases += silent && !silent_ && !ended_ ? 1 : 0;
+  silent_ = silent;
+  const double goal_m = told_m.value_or(0);
+  const double may_m = goal_m > kSurface_m ? goal_m + promise_.overshoot_m : kSurface_m;
+  if (view.true_depth_m <= may_m || due_s_ < 0) {
+    due_s_ = view.time_s;
+    due_m_ = view.true_depth_m;
     return;
   }
-  if (stopped_m_ < 0) {
-    stopped_m_ = view.true_depth_m;
-    stopped_s_ = view.time_s;
-    verdict_.releases += ended_ ? 0 : 1;
-  }
-  const double rising_s = std::max(0.0, view.time_s - stopped_s_ - promise_.turn_s);
+  const double rising_s = std::max(0.0, view.time_s - due_s_ - promise_.turn_s);
   const double most_m =
-      std::max(kSurface_m, stopped_m_ + promise_.overshoot_m - promise_.rises_m_s * rising_s);
+      std::max(may_m, due_m_ + promise_.overshoot_m - promise_.rises_m_s * rising_s);
   if (view.true_depth_m > most_m) {
     violate(JudgeId::Ascent, view.time_s,
-            fmt::format("{:.1f} m deep, {:.0f} s after the last {}, at most {:.1f} m",
-                        view.true_depth_m, silent_s, command_, most_m));
+            fmt::format(
+                "{:.1f} m deep, {:.0f} s after {}, at most {:.1f} m", view.true_depth_m,
+                view.time_s - (silent ? told_s_ : due_s_),
+                silent ? "the last " + command_ : fmt::format("it was to rise to {:.1f} m", goal_m),
+                most_m));
   }
 }
 
@@ -82,7 +103,7 @@ bool FloatingJudge::cycle(const CycleView& view) {
     violate(JudgeId::Depth, now_s,
             fmt::format("{:.1f} m deep, at most {:.1f} m", view.true_depth_m, deepest_m));
   }
-  checkSilence(view);
+  checkAscent(view);
   const bool floats = view.true_depth_m < kSurface_m;
   floats_s_ = !floats ? -1 : floats_s_ < 0 ? now_s : floats_s_;
   return !((ended_ || view.ended) && floats && now_s - floats_s_ >= kSettled_s);

@@ -5,6 +5,8 @@
 
 #include "simulator/campaign/judge.h"
 
+#include <deque>
+#include <optional>
 #include <string>
 
 namespace glider::simulator {
@@ -20,8 +22,9 @@ struct FloatingPromise {
 };
 
 /// Checks a flight of such a vehicle by its true depth and by what the SBC sends, seen at its own
-/// end of the line: its depth against the deepest command, and that it floats up when commands
-/// stop. A family of vehicles adds how its commands are read: said().
+/// end of the line: its depth against the deepest command, and that it rises when commands get
+/// shallower or stop. A command may be lost: from its last one to a depth on the vehicle may fly to
+/// it for `lets_go_s`. A family of vehicles adds how its commands are read: said().
 class FloatingJudge : public Judge {
  public:
   bool cycle(const CycleView& view) override;
@@ -41,18 +44,25 @@ class FloatingJudge : public Judge {
   void violate(JudgeId judge, double now_s, std::string what);
 
  private:
-  void checkSilence(const CycleView& view);
+  /// A command, and when it was given.
+  struct Told {
+    double at_s;
+    double depth_m;
+  };
+  std::optional<double> deepestInForce(double now_s);
+  void checkAscent(const CycleView& view);
 
   FloatingPromise promise_;
   std::string command_;
   Verdict verdict_;
   double deepest_told_m_ = 0;
-  double told_s_ = -1;  ///< the newest command; negative: none
-  double stopped_m_ =
-      -1;  ///< the depth when the propeller must have stopped; negative: it need not
-  double stopped_s_ = 0;
-  double floats_s_ = -1;  ///< since when it is at the surface; negative: it is not
-  bool ended_ = false;    ///< the SBC has ended its control
+  double told_s_ = -1;     ///< the newest command; negative: none
+  std::deque<Told> told_;  ///< those that may be in force and are deeper than all newer ones
+  bool silent_ = false;    ///< none is in force any more
+  double due_s_ = -1;      ///< when it was last no deeper than it may be; negative: no cycle yet
+  double due_m_ = 0;       ///< how deep it was then
+  double floats_s_ = -1;   ///< since when it is at the surface; negative: it is not
+  bool ended_ = false;     ///< the SBC has ended its control
 };
 
 }  // namespace glider::simulator

@@ -27,6 +27,8 @@ class SimulatedSeat;
 /// by itself beside the SBC, is of a type that only the family knows.
 struct Family {
   std::string_view name;
+  /// What flies the vehicle while the SBC is not in control, for reports.
+  std::string_view own_control;
   /// The first sensor that its simulated computers need and a platform lacks; empty: none.
   std::string_view (*missing_sensor)(const platforms::Platform& platform);
   /// Whether they set a sensor of the platform.

@@ -31,6 +31,7 @@ std::string_view missingSource(const platforms::Platform& platform) {
 
 constinit const Family families::lauv = {
     .name = "lauv",
+    .own_control = "DUNE",
     .missing_sensor = missingSource,
     .provides = [](const platforms::PlatformSensor& sensor) { return !sensor.source.empty(); },
     .load_own =

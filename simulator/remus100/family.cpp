@@ -31,6 +31,7 @@ std::string_view missingSource(const platforms::Platform& platform) {
 
 constinit const Family families::remus100 = {
     .name = "remus100",
+    .own_control = "its own mission",
     .missing_sensor = missingSource,
     .provides = [](const platforms::PlatformSensor& sensor) { return !sensor.source.empty(); },
     .load_own =

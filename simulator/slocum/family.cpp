@@ -124,6 +124,7 @@ bool providesByName(const platforms::PlatformSensor& sensor) {
 
 // A constant of the program: initialisers that run before main() find it complete.
 constinit const Family families::slocum = {.name = "slocum",
+                                           .own_control = "layered control",
                                            .missing_sensor = missingSensor,
                                            .provides = providesByName,
                                            .load_own = loadOwn,

@@ -84,6 +84,7 @@ std::string traceToJson(const Trace& trace) {
                    {"scenario", trace.scenario},
                    {"way", trace.way},
                    {"seed", trace.seed},
+                   {"ownControl", trace.own_control},
                    {"states", trace.state_names},
                    {"columns", columns},
                    {"rows", trace.rows},
@@ -128,6 +129,7 @@ Trace readDocument(const json& document) {
   document.at("scenario").get_to(trace.scenario);
   document.at("way").get_to(trace.way);
   document.at("seed").get_to(trace.seed);
+  trace.own_control = document.value("ownControl", trace.own_control);  // an older trace has none
   document.at("states").get_to(trace.state_names);
   for (const json& column : document.at("columns")) {
     trace.columns.push_back(

@@ -52,7 +52,8 @@ struct Trace {
                          ///< violates, as written
   std::string way;       ///< "in-process", "host", "ts7800", "ts5500", "none" (no SBC)
   uint64_t seed = 0;
-  std::vector<std::string> state_names;  ///< for the column "state"
+  std::string own_control = "layered control";  ///< what flies while the SBC is not in control
+  std::vector<std::string> state_names;         ///< for the column "state"
   /// The parameters of a counterexample, in the form that `--set` takes; each "name=value".
   std::vector<std::string> settings;
   std::optional<uint32_t> requirement;  ///< which one a counterexample violates, from 0

@@ -70,5 +70,26 @@ TEST_P(PropelledPlatforms, IsDescribed) {
   EXPECT_THAT(text.out, Not(HasSubstr(" 0 cc")));
 }
 
+/// What is shown of a mission has no words of the Slocum, which has other computers.
+TEST_P(PropelledPlatforms, IsNotCalledBySlocumsParts) {
+  ASSERT_EQ(check("yo(5 m, 20 m)", "descend(15 m, 1.2 m/s)").status, 0);
+  const std::string in = "cd " + folder_.path().string() + " && $GLIDERCC ";
+  const bool lauv = std::string(GetParam()) == "lauv";
+  const Outcome flown = runShell(in + "sim m.mission");
+  EXPECT_THAT(flown.out, HasSubstr(lauv ? "\n  (DUNE) " : "\n  (its own mission) ")) << flown.err;
+  const Outcome alone = runShell(in + "sim --no-sbc --duration 5min --platform " + GetParam());
+  EXPECT_THAT(alone.out, HasSubstr(lauv ? "flown by DUNE alone" : "flown by its own mission alone"))
+      << alone.err;
+  const Outcome brief = runShell(in + "brief m.mission -o -");
+  EXPECT_THAT(brief.out, HasSubstr("<td>vehicle</td>")) << brief.err;
+  const Outcome platform = runShell(in + "platform " + GetParam());
+  for (const Outcome& shown : {flown, alone, brief, platform}) {
+    for (const char* word : {"layered control", "hookbeh", "hook instruction", "flight computer",
+                             "science computer", "glider "}) {
+      EXPECT_THAT(shown.out, Not(HasSubstr(word)));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace glider::tests

@@ -12,6 +12,7 @@ struct OwnOfAToy {};
 
 constinit const Family families::toy = {
     .name = "toy",
+    .own_control = "itself",
     .missing_sensor = [](const platforms::Platform& /*platform*/) { return std::string_view(); },
     .provides = [](const platforms::PlatformSensor& sensor) { return isProvided(sensor.name); },
     .load_own =

@@ -105,6 +105,8 @@ class ToyJudge final : public simulator::Judge {
 
 constinit const Vehicle families::toy = {
     .name = "toy",
+    .flight_computer = "vehicle",
+    .science_computer = "vehicle",
     .own_mission_ending = ".toy",
     .read_own_mission = readToyMission,
     .usual_own_mission = []() -> std::unique_ptr<OwnMission> {

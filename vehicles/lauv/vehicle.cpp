@@ -33,6 +33,8 @@ std::unique_ptr<simulator::Judge> makeJudge(const FlightToJudge& flight) {
 }  // namespace
 
 constinit const Vehicle families::lauv = {.name = "lauv",
+                                          .flight_computer = "vehicle",
+                                          .science_computer = "vehicle",
                                           .own_mission_ending = ".ini",
                                           .read_own_mission = readOwnMission,
                                           .usual_own_mission = usualOwnMission,

@@ -32,12 +32,18 @@ void RemusJudge::hear(const Line& line, double now_s) {
   } else if (decode(line, depth)) {
     takeCommand(depth.depth_m, heading_ && speed_, now_s);
     heading_ = speed_ = false;
+    surface_ = depth.depth_m <= 0;
     if (let_go_ && depth.depth_m > 0) {
       violate(simulator::JudgeId::Commands, now_s,
               fmt::format("a goal of {:.1f} m after the end of the override", depth.depth_m));
     }
   } else if (decode(line, request)) {
     let_go_ = !request.on;
+    if (let_go_ && !surface_) {
+      violate(simulator::JudgeId::Commands, now_s,
+              "an end of the override without goals of the surface, should it be lost");
+    }
+    surface_ = false;
     takeEnd(!request.on, now_s);
   } else if (decode(line, query)) {
     let_go_ = false;  // a program that has just started

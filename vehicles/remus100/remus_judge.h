@@ -12,8 +12,8 @@
 namespace glider::remus100 {
 
 /// Checks a flight by the goals that the SBC sends, and by its requests to end the override. Goals
-/// must come in threes: heading, speed and depth. After such a request a program gives no goal
-/// under water.
+/// must come in threes: heading, speed and depth. With such a request come goals of the surface,
+/// and after it no goal under water.
 class RemusJudge final : public simulator::FloatingJudge {
  public:
   explicit RemusJudge(const simulator::FloatingPromise& promise) : FloatingJudge(promise, "goal") {}
@@ -25,7 +25,8 @@ class RemusJudge final : public simulator::FloatingJudge {
 
   hooks::recon::LineReader lines_;
   bool heading_ = false, speed_ = false;  ///< came since the newest depth
-  bool let_go_ = false;                   ///< the program has asked for the end of the override
+  bool surface_ = false;  ///< the newest goals are the surface, and newer than the newest request
+  bool let_go_ = false;   ///< the program has asked for the end of the override
 };
 
 }  // namespace glider::remus100

@@ -35,6 +35,8 @@ std::unique_ptr<simulator::Judge> makeJudge(const FlightToJudge& flight) {
 }  // namespace
 
 constinit const Vehicle families::remus100 = {.name = "remus100",
+                                              .flight_computer = "vehicle",
+                                              .science_computer = "vehicle",
                                               .own_mission_ending = ".rmf",
                                               .read_own_mission = readOwnMission,
                                               .usual_own_mission = usualOwnMission,

@@ -30,6 +30,8 @@ bool promises(simulator::FaultKind kind, const simulator::Scenario& scenario) {
 
 // A constant of the program: initialisers that run before main() find it complete.
 constinit const Vehicle families::slocum = {.name = "slocum",
+                                            .flight_computer = "flight computer",
+                                            .science_computer = "science computer",
                                             .own_mission_ending = ".mi",
                                             .read_own_mission = slocum::rules::readSlocumMission,
                                             .usual_own_mission = slocum::rules::usualSlocumMission,

@@ -82,6 +82,7 @@ interface TraceJson {
   mission: string;
   scenario: string;
   way: string;
+  ownControl: string;
   seed: number;
   states: string[];
   columns: Column[];
@@ -106,6 +107,8 @@ export class Flight {
   readonly mission: string;
   readonly scenario: string;
   readonly way: string;
+  /** What flies while the SBC is not in control. */
+  readonly ownControl: string;
   readonly seed: number;
   readonly stateNames: string[];
   readonly columns: Column[];
@@ -126,6 +129,7 @@ export class Flight {
     this.mission = t.mission;
     this.scenario = t.scenario;
     this.way = t.way;
+    this.ownControl = t.ownControl;
     this.seed = t.seed;
     this.stateNames = t.states;
     this.columns = t.columns;
@@ -171,20 +175,20 @@ export class Flight {
     return utcText(this.log.utc).slice(0, 10) === utcText(this.log.utc + last).slice(0, 10) ? text.slice(11) : text;
   }
 
-  /** True while hookbeh flies: the column hook_active, or a current state where there is none. */
+  /** True while the SBC flies: the column hook_active, or a current state where there is none. */
   inControl(row: number): boolean {
     const active = this.column("hook_active");
     return active ? (active[row] ?? 0) > 0 : (this.column("state")?.[row] ?? null) !== null;
   }
 
-  /** Who decides: the number of a state, `sbc` for a mission without states, or the vehicle's own layered control. */
+  /** Who decides: the number of a state, `sbc` for a mission without states, or `layered`: what the vehicle has for itself. */
   pilot(row: number): Pilot {
     const state = this.column("state")?.[row] ?? null;
     return state !== null ? state : this.inControl(row) ? "sbc" : "layered";
   }
 
   pilotName(pilot: Pilot): string {
-    if (pilot === "layered") return this.log ? "state not known" : "layered control";
+    if (pilot === "layered") return this.log ? "state not known" : this.ownControl;
     return pilot === "sbc" ? "SBC" : this.stateNames[pilot] ?? `state ${pilot}`;
   }
 

@@ -13,7 +13,6 @@ const ways = new Map(Object.entries({
   host: "flown by the host binary",
   ts7800: "flown by the TS-7800 (ARM9) binary",
   ts5500: "flown by the TS-5500 (486) binary",
-  none: "flown by layered control alone",
 }));
 
 function figuresOf(f: Figures): [string, string][] {
@@ -58,7 +57,7 @@ function warningList(warnings: Warning[]): HTMLElement {
 
 /** How the flight came about: when it was logged, or how it was simulated. */
 function origin(flight: Flight): string[] {
-  if (!flight.log) return [flight.scenario === "" ? "" : `scenario ${flight.scenario}`, ways.get(flight.way) ?? flight.way, `seed ${flight.seed}`];
+  if (!flight.log) return [flight.scenario === "" ? "" : `scenario ${flight.scenario}`, flight.way === "none" ? `flown by ${flight.ownControl} alone` : ways.get(flight.way) ?? flight.way, `seed ${flight.seed}`];
   const last = flight.times[flight.times.length - 1] ?? 0;
   const [from, to] = [utcText(flight.log.utc), utcText(flight.log.utc + last)];
   const beside = flight.log.beside === "" ? "" : `simulated flight: ${flight.log.beside}`;

@@ -204,7 +204,7 @@ function shownPlaces(chart: Chart): Place[] {
 /** The picture, with an empty layer for the part of the track that is in range, and the cursor's mark. */
 function picture(chart: Chart, frame: Frame): { root: SVGSVGElement; shown: SVGElement; here: SVGElement } {
   const [main, other] = chart.tracks;
-  const root = svg("svg", { viewBox: `0 0 ${frame.width} ${frame.height}`, width: frame.width, height: frame.height, role: "img", "aria-label": "Track of the glider seen from above" });
+  const root = svg("svg", { viewBox: `0 0 ${frame.width} ${frame.height}`, width: frame.width, height: frame.height, role: "img", "aria-label": "Track of the vehicle seen from above" });
   const shown = svg("g", { class: "track" });
   const here = svg("circle", { class: "here", r: 5.5 });
   const labels = new Labels(frame);

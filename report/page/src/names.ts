@@ -13,7 +13,7 @@ export const groups: [string, Record<string, string>][] = [
     m_pitch: "pitch", c_pitch: "commanded pitch", m_roll: "roll", m_heading: "heading", c_heading: "commanded heading",
   }],
   ["Commands of the SBC", {
-    hook_active: "hookbeh", hook_vertical: "vertical", hook_depth: "target depth", commanded_top: "range from", commanded_bottom: "range to",
+    hook_active: "SBC", hook_vertical: "vertical", hook_depth: "target depth", commanded_top: "range from", commanded_bottom: "range to",
     layer: "commanding layer",
   }],
   ["Water", {

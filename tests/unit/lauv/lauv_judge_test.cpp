@@ -158,6 +158,41 @@ TEST(LauvJudge, SeesAVehicleThatDoesNotComeUpWithoutReferences) {
   EXPECT_EQ(fine.judge.verdict().releases, 1U);
 }
 
+/// The depth `told_s` after the first Reference to `told_m`, which are given all the time.
+template <typename Depth>
+JudgedFlight risingFlight(double told_m, int seconds, Depth depth) {
+  JudgedFlight flight;
+  flight.follow(20, 20, 100);
+  for (int told_s = 1; told_s <= seconds; ++told_s) {
+    flight.follow(told_m, depth(told_s), 1);
+  }
+  return flight;
+}
+
+TEST(LauvJudge, SeesAVehicleThatDoesNotObeyAReferenceAboveIt) {
+  const auto stays = [](int) { return 20.0; };
+  EXPECT_TRUE(risingFlight(0, 150, stays).isFine()) << "by then it need not be higher";
+  EXPECT_TRUE(risingFlight(0, 160, stays).violates(JudgeId::Ascent));
+  EXPECT_TRUE(risingFlight(10, 160, stays).violates(JudgeId::Ascent));
+  EXPECT_TRUE(risingFlight(16, 1000, stays).isFine()) << "it is within the overshoot";
+  const auto slow = [](int s) { return std::fmax(0, 20 - 0.02 * s); };
+  EXPECT_TRUE(risingFlight(0, 800, slow).violates(JudgeId::Ascent));
+  const auto stops = [](int s) { return std::fmax(3, 20 - 0.2 * s); };
+  EXPECT_TRUE(risingFlight(0, 800, stops).violates(JudgeId::Ascent)) << "3 m are not the surface";
+  const auto rises = [](int s) { return s < 60 ? 20 : std::fmax(0, 20 - 0.06 * (s - 60)); };
+  EXPECT_TRUE(risingFlight(0, 800, rises).isFine());
+}
+
+TEST(LauvJudge, ADepthThatIsGivenAgainCounts) {
+  JudgedFlight flight;
+  flight.follow(20, 20, 1);
+  for (int turn = 0; turn < 20; ++turn) {
+    flight.follow(0, 20, 100);
+    flight.follow(20, 20, 1);
+  }
+  EXPECT_TRUE(flight.isFine()) << "each time it may go there again";
+}
+
 TEST(LauvJudge, AFlightThatGoesOnAfterASilenceIsJudgedFromThen) {
   JudgedFlight flight;
   flight.follow(20, 20, 100);

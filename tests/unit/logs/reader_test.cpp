@@ -194,6 +194,11 @@ TEST_F(ReadLog, TheValueOfAnEventHasItsUnitAndIsInTheSingularAfterOne) {
       {17, 27, 60,
        "surface commanded before the mission begins: an earlier program may have left targets "
        "(for 60 s)\n"},
+      {18, 28, 3, "request refused by the vehicle: start of the plan (3 times)\n"},
+      {18, 29, 1, "request refused by the vehicle: end of the plan (1 time)\n"},
+      {19, 0, 1, "error in the vehicle's plan (1 time)\n"},
+      {20, 30, 10, "request without effect on the vehicle: override (10 times)\n"},
+      {20, 31, 10, "request without effect on the vehicle: end of the override (10 times)\n"},
       {200, 0, 5, "event 200 (5)\n"},
   };
   for (const auto& row : rows) {

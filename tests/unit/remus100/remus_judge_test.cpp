@@ -42,6 +42,10 @@ struct JudgedFlight {
     says(hooks::recon::SpeedGoal{1.5, hooks::recon::SpeedUnit::MetresPerSecond});
     says(hooks::recon::DepthGoal{depth_m});
   }
+  void letGo() {
+    goals(0);
+    says(hooks::recon::Override{false});
+  }
   void second(double depth_m) {
     now_s += 1;
     goes_on = judge.cycle({.time_s = now_s, .true_depth_m = depth_m, .array = array});
@@ -94,20 +98,49 @@ TEST(RemusJudge, SeesGoalsThatAreTooDeepOrNotWhole) {
 TEST(RemusJudge, SeesAGoalUnderWaterAfterTheEnd) {
   JudgedFlight flight;
   flight.goals(20);
-  flight.says(hooks::recon::Override{false});
-  flight.goals(0);
-  flight.says(hooks::recon::Override{false});
+  flight.letGo();
+  flight.letGo();
   EXPECT_TRUE(flight.judge.verdict().violations.empty());
   flight.goals(20);
   EXPECT_TRUE(flight.violates(JudgeId::Commands));
   JudgedFlight again;
-  again.says(hooks::recon::Override{false});
+  again.letGo();
   again.says(hooks::recon::Override{true});
   again.goals(20);
-  again.says(hooks::recon::Override{false});
+  again.letGo();
   again.says(hooks::recon::TimeQuery());  // another program
   again.goals(20);
   EXPECT_TRUE(again.judge.verdict().violations.empty());
+}
+
+/// A request may be lost: then the goals are in force.
+TEST(RemusJudge, SeesAnEndWithoutGoalsOfTheSurface) {
+  JudgedFlight none;
+  none.goals(20);
+  none.says(hooks::recon::Override{false});
+  EXPECT_TRUE(none.violates(JudgeId::Commands));
+  JudgedFlight once;
+  once.goals(0);
+  once.says(hooks::recon::Override{false});
+  EXPECT_TRUE(once.judge.verdict().violations.empty());
+  once.says(hooks::recon::Override{false});
+  EXPECT_TRUE(once.violates(JudgeId::Commands)) << "each time: the goals may be what is lost";
+}
+
+TEST(RemusJudge, SeesGoalsOfTheSurfaceThatAreNotObeyed) {
+  JudgedFlight flight;
+  flight.follow(20, 20, 100);
+  flight.follow(0, 20, 110);
+  EXPECT_TRUE(flight.judge.verdict().violations.empty()) << "by then it need not be higher";
+  flight.follow(0, 20, 10);
+  EXPECT_TRUE(flight.violates(JudgeId::Ascent));
+  JudgedFlight after_the_end;
+  after_the_end.follow(20, 20, 100);
+  for (int second = 0; second < 120; ++second) {
+    after_the_end.letGo();
+    after_the_end.second(20);
+  }
+  EXPECT_TRUE(after_the_end.violates(JudgeId::Ascent));
 }
 
 TEST(RemusJudge, SeesAVehicleThatIsTooDeepOrDoesNotComeUp) {

@@ -9,10 +9,13 @@
 
 #include <gtest/gtest.h>
 
+#include <gmock/gmock.h>
+
 namespace glider::report {
 namespace {
 
 using support::unlistedEvent;
+using ::testing::HasSubstr;
 
 support::Trace figure2() {
   auto trace = smallTrace(
@@ -55,6 +58,14 @@ other events
       100 s       0 s  control     hookbeh in control  the SBC asked for it
      1600 s         -  abort       MS_ABORT_OVERDEPTH
 )");
+}
+
+TEST(Summary, NamesWhatFliesTheVehicleWithoutTheSbc) {
+  support::Trace trace = figure2();
+  trace.own_control = "DUNE";
+  EXPECT_THAT(summarize(trace), HasSubstr("\n  (DUNE)                      100 s    6 %\n"));
+  trace.way = "none";
+  EXPECT_THAT(summarize(trace), HasSubstr(", flown by DUNE alone, "));
 }
 
 TEST(Summary, ShowsHowLongTheEnergyLasts) {

@@ -35,12 +35,13 @@ inline constexpr GliderImcMission kImcLimits{.greatest_depth_m = 50,
 
 template <typename Message>
 std::vector<uint8_t> packetBytes(const Message& message, double time_s,
-                                 uint16_t source = kVehicleAddress) {
+                                 uint16_t source = kVehicleAddress,
+                                 uint16_t destination = hooks::imc::kAllSystems) {
   std::vector<uint8_t> bytes(hooks::imc::kMostPacket);
   const hooks::imc::Header header{.time_s = time_s,
                                   .source = source,
                                   .source_entity = 1,
-                                  .destination = hooks::imc::kAllSystems,
+                                  .destination = destination,
                                   .destination_entity = hooks::imc::kAnyEntity};
   bytes.resize(encode(header, message, bytes.data(), static_cast<uint32_t>(bytes.size())));
   EXPECT_FALSE(bytes.empty());

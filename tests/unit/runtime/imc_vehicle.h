@@ -3,8 +3,10 @@
 
 #pragma once
 
+#include "runtime/core/runtime.h"
 #include "runtime/imc/backseat.h"
 #include "tests/unit/runtime/imc_packets.h"
+#include "tests/unit/runtime/log_csv.h"
 #include "tests/unit/runtime/two_depths.h"
 
 #include <algorithm>
@@ -31,14 +33,21 @@ inline GliderImcMission imcOf(double greatest_depth_m = 50) {
 /// Says once a second what a vehicle says, and obeys packets as DUNE does.
 class ImcVehicle {
  public:
-  explicit ImcVehicle(const GliderMission& mission, const GliderImcMission& imc = imcOf())
+  /// A line `that_renews` can be opened again, as that of TCP; a serial one cannot.
+  explicit ImcVehicle(const GliderMission& mission, const GliderImcMission& imc = imcOf(),
+                      bool that_renews = true)
       : memory_(gliderRuntimeSize() / sizeof(double) + 1),
         context_(mission.context_bytes / sizeof(double) + 1),
-        backseat_(std::make_unique<imc::Backseat>(
-            mission, imc,
-            imc::VehicleLine{.stream = {this, read, write}, .renew = renew, .self = this},
-            nullptr)),
-        runtime_(gliderRuntimeInit(memory_.data(), context_.data(), &mission, nullptr)) {}
+        backseat_(
+            std::make_unique<imc::Backseat>(mission, imc,
+                                            imc::VehicleLine{.stream = {this, read, write},
+                                                             .renew = that_renews ? renew : nullptr,
+                                                             .self = this},
+                                            nullptr)),
+        options_{{this, writeLog, nullptr, nullptr}, nullptr, {}, 0},
+        runtime_(gliderRuntimeInit(memory_.data(), context_.data(), &mission, &options_)) {
+    runtime_->afterTick(backseat_->afterTick());
+  }
 
   /// A second passes.
   void second() {
@@ -91,6 +100,19 @@ class ImcVehicle {
   void sayBytes(const std::vector<uint8_t>& bytes) {
     to_sbc_.insert(to_sbc_.end(), bytes.begin(), bytes.end());
   }
+  /// Replies to the newest request of the program.
+  void reply(uint8_t type, uint16_t destination = imc::kOwnAddress) {
+    hooks::imc::PlanControl said;
+    said.type = type;
+    said.op = requested_op;
+    said.request_id = request_id;
+    const auto bytes = packetBytes(said, now_s, kVehicleAddress, destination);
+    to_sbc_.insert(to_sbc_.end(), bytes.begin(), bytes.end());
+  }
+  /// The events of the mission log with this name, as `glidercc log --csv` writes them.
+  [[nodiscard]] std::vector<std::string> logged(const std::string& event) const {
+    return eventsIn(csvOf(log_), event);
+  }
   [[nodiscard]] const GliderContext* context() const { return gliderRuntimeContext(runtime_); }
   [[nodiscard]] uint32_t damaged() const { return *backseat_->damaged(); }
   [[nodiscard]] double toldDepth() const { return static_cast<double>(told.z.value.value); }
@@ -102,6 +124,9 @@ class ImcVehicle {
   double now_s = 1.7e9, depth_m = 0.2, temperature = 20;
   uint8_t medium = hooks::imc::Medium::WaterSurface;
   size_t piece = 1U << 20U;
+  bool refuses = false;      ///< to start and to stop
+  uint8_t requested_op = 0;  ///< of the newest request, with its number
+  uint16_t request_id = 0;
   bool deaf = false;                ///< takes nothing of what is sent
   bool stuck = false;               ///< the line has no room for more
   bool closed = false;              ///< there is no connection
@@ -148,6 +173,10 @@ class ImcVehicle {
     EXPECT_EQ(vehicle.from_sbc_.skippedBytes(), 0U);
     return static_cast<int32_t>(count);
   }
+  static int32_t writeLog(void* self, const uint8_t* bytes, uint32_t count) {
+    static_cast<ImcVehicle*>(self)->log_.append(reinterpret_cast<const char*>(bytes), count);
+    return static_cast<int32_t>(count);
+  }
   static void renew(void* self) { ++static_cast<ImcVehicle*>(self)->renewed; }
   void obey(const hooks::imc::Packet& packet) {
     hooks::imc::PlanControl request;
@@ -159,10 +188,16 @@ class ImcVehicle {
       EXPECT_EQ(packet.header.destination, kVehicleAddress) << "else DUNE does not start it";
       starts += request.op == hooks::imc::PlanOperation::Start ? 1 : 0;
       stops += request.op == hooks::imc::PlanOperation::Stop ? 1 : 0;
+      requested_op = request.op;
+      request_id = request.request_id;
+      heard_s = now_s;
+      if (refuses) {
+        reply(hooks::imc::PlanControlType::Failure);
+        return;
+      }
       plan = request.op == hooks::imc::PlanOperation::Start
                  ? std::optional(std::string(request.plan_id.bytes, request.plan_id.size))
                  : std::nullopt;
-      heard_s = now_s;
     } else if (decode(packet, reference)) {
       told = reference;
       heard_s = now_s;
@@ -180,7 +215,9 @@ class ImcVehicle {
   std::optional<uint16_t> lost_packet_;
   hooks::imc::PacketReader from_sbc_;
   std::vector<double> memory_, context_;
+  std::string log_;
   std::unique_ptr<imc::Backseat> backseat_;
+  GliderRuntimeOptions options_;
   GliderRuntime* runtime_;
 };
 

@@ -5,7 +5,9 @@
 
 #include "logs/render.h"
 
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace glider::runtime::testing {
 
@@ -18,6 +20,18 @@ inline std::string csvOf(const std::string& log, logs::LogDamage* damage = nullp
     *damage = found;
   }
   return csv;
+}
+
+/// The lines about the event with this name.
+inline std::vector<std::string> eventsIn(const std::string& csv, const std::string& name) {
+  std::vector<std::string> found;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find(",event," + name + ",") != std::string::npos) {
+      found.push_back(line);
+    }
+  }
+  return found;
 }
 
 }  // namespace glider::runtime::testing

@@ -4,7 +4,9 @@
 #pragma once
 
 #include "hooks/recon/codec.h"
+#include "runtime/core/runtime.h"
 #include "runtime/recon/backseat.h"
+#include "tests/unit/runtime/log_csv.h"
 #include "tests/unit/runtime/two_depths.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +52,11 @@ class ReconVehicle {
         context_(mission.context_bytes / sizeof(double) + 1),
         backseat_(std::make_unique<recon::Backseat>(
             mission, reconOf(), GliderByteStream{this, read, write}, checkpoint)),
-        runtime_(gliderRuntimeInit(memory_.data(), context_.data(), &mission, options)) {}
+        options_(options != nullptr ? *options : GliderRuntimeOptions{}) {
+    options_.log = {this, writeLog, nullptr, nullptr};
+    runtime_ = gliderRuntimeInit(memory_.data(), context_.data(), &mission, &options_);
+    runtime_->afterTick(backseat_->afterTick());
+  }
 
   /// A second passes.
   void second() {
@@ -95,6 +101,10 @@ class ReconVehicle {
     to_sbc_.clear();
     ready_ = taken_ = 0;
   }
+  /// The events of the mission log with this name, as `glidercc log --csv` writes them.
+  [[nodiscard]] std::vector<std::string> logged(const std::string& event) const {
+    return eventsIn(csvOf(log_), event);
+  }
   [[nodiscard]] const GliderContext* context() const { return gliderRuntimeContext(runtime_); }
   [[nodiscard]] uint32_t damaged() const { return *backseat_->damaged(); }
   [[nodiscard]] bool obeys() const { return mode == hooks::recon::Mode::Override; }
@@ -102,8 +112,8 @@ class ReconVehicle {
   double now_s = 1.7e9, depth_m = 0.2, temperature = 20, heading_deg = 30;
   uint8_t mode = hooks::recon::Mode::Launched;
   size_t piece = 1U << 20U;
-  bool deaf = false;         ///< takes nothing of what is sent
-  bool deaf_to_end = false;  ///< does not obey `#E,0`
+  bool deaf = false;                                ///< takes nothing of what is sent
+  bool deaf_to_begin = false, deaf_to_end = false;  ///< does not obey `#E,1`, `#E,0`
   bool knows_time = true;
   bool asked_time = false;
   double told_heading = -1, told_speed = -1, told_depth = -1;
@@ -128,6 +138,10 @@ class ReconVehicle {
     const size_t count = std::min<size_t>(capacity, vehicle.ready_ - vehicle.taken_);
     std::copy_n(vehicle.to_sbc_.begin() + static_cast<ptrdiff_t>(vehicle.taken_), count, bytes);
     vehicle.taken_ += count;
+    return static_cast<int32_t>(count);
+  }
+  static int32_t writeLog(void* self, const uint8_t* bytes, uint32_t count) {
+    static_cast<ReconVehicle*>(self)->log_.append(reinterpret_cast<const char*>(bytes), count);
     return static_cast<int32_t>(count);
   }
   static int32_t write(void* self, const uint8_t* bytes, uint32_t count) {
@@ -158,7 +172,7 @@ class ReconVehicle {
       ++goals;
     } else if (decode(line, override_)) {
       (override_.on ? asks : ends) += 1;
-      if (override_.on || !deaf_to_end) {
+      if (override_.on ? !deaf_to_begin : !deaf_to_end) {
         mode = override_.on ? hooks::recon::Mode::Override : hooks::recon::Mode::Launched;
       }
     } else if (decode(line, text)) {
@@ -177,8 +191,10 @@ class ReconVehicle {
   size_t ready_ = 0, taken_ = 0;  ///< of to_sbc_: has arrived, was read
   hooks::recon::LineReader from_sbc_;
   std::vector<double> memory_, context_;
+  std::string log_;
   std::unique_ptr<recon::Backseat> backseat_;
-  GliderRuntime* runtime_;
+  GliderRuntimeOptions options_;
+  GliderRuntime* runtime_ = nullptr;
 };
 
 }  // namespace glider::runtime::testing

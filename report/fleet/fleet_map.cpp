@@ -89,11 +89,22 @@ class FleetMap {
   void finish() {
     addFrame(svg_, box_);
     std::ranges::sort(names_, {}, [](const Name& name) { return name.at.y; });
-    double free_y = -1e9;
+    std::vector<Box> taken;
     for (const Name& name : names_) {
-      const double y = std::max(name.at.y, free_y);
-      addText(svg_, {name.at.x, y}, name.to_left ? "end" : "start", "label halo", name.text);
-      free_y = y + kLabelFont + 1;
+      Box place = boxOf(name);
+      const auto covers = [&](const Box& other) {
+        return place.left < other.right && other.left < place.right && place.top < other.bottom &&
+               other.top < place.bottom;
+      };
+      // Each move is downwards, so it ends.
+      for (auto other = std::ranges::find_if(taken, covers); other != taken.end();
+           other = std::ranges::find_if(taken, covers)) {
+        place.bottom += other->bottom - place.top;
+        place.top = other->bottom;
+      }
+      taken.push_back(place);
+      addText(svg_, {name.at.x, place.bottom}, name.to_left ? "end" : "start", "label halo",
+              name.text);
     }
   }
 
@@ -103,6 +114,13 @@ class FleetMap {
     bool to_left;
     std::string text;
   };
+
+  /// What the name covers; its reference point is at the lower edge.
+  static Box boxOf(const Name& name) {
+    const double wide = textWidth(name.text, kLabelFont);
+    const double left = name.to_left ? name.at.x - wide : name.at.x;
+    return {left, name.at.y - kLabelFont, left + wide, name.at.y};
+  }
 
   SvgText& svg_;
   Box box_;

@@ -98,8 +98,9 @@ enum Groups : uint32_t {
   kSeat = 16,
   kOuter = 32,
   kLine = 64,
-  kProgram = kRead | kWrite,
-  kAll = 127,
+  kReport = 128,
+  kProgram = kRead | kWrite | kReport,  ///< what only the main program calls
+  kAll = 255,
 };
 
 struct GroupRow {

@@ -48,6 +48,11 @@ bool namesArgument(const std::string& text, const std::vector<Lexeme>& lexemes, 
   return (before == "(" || before == ",") && wordAt(text, lexemes[i + 1]) == "=";
 }
 
+/// Whether the word at `i` is the name of a vehicle, which is a file's.
+bool namesPlatform(const std::string& text, const std::vector<Lexeme>& lexemes, size_t i) {
+  return i != 0 && wordAt(text, lexemes[i - 1]) == "platform";
+}
+
 TEST(SymbolsOfMissions, EveryNameIsKnown) {
   size_t names = 0;
   for (const std::string& path : missions()) {
@@ -59,6 +64,7 @@ TEST(SymbolsOfMissions, EveryNameIsKnown) {
       // What an `extern` calls its parameters can be used nowhere.
       const bool formal = wordAt(text, lexemes[i + (name ? 1 : 0)]) == ":";
       if (name && !inType(text, lexemes, i) && !namesArgument(text, lexemes, i) &&
+          !namesPlatform(text, lexemes, i) &&
           !(formal && run.table.at(run.file, lexemes[i].begin) == nullptr)) {
         ++names;
         const Symbol* symbol = run.table.at(run.file, lexemes[i].begin);

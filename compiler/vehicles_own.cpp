@@ -30,9 +30,10 @@ support::Result<void> refuse(const std::filesystem::path& file, const char* what
 
 MissionKind kindOf(const std::filesystem::path& file) {
   const std::string ending = endingOf(file);
-  return ending == ".mi"   ? MissionKind::Vehicles
-         : ending == ".ma" ? MissionKind::Arguments
-                           : MissionKind::Language;
+  return ending == ".mi"     ? MissionKind::Vehicles
+         : ending == ".ma"   ? MissionKind::Arguments
+         : ending == ".toml" ? MissionKind::Fleet
+                             : MissionKind::Language;
 }
 
 support::Result<void> requireKind(const std::filesystem::path& file, MissionKind needed) {
@@ -48,6 +49,10 @@ support::Result<void> requireKind(const std::filesystem::path& file, MissionKind
       return refuse(file, "a mission of the vehicle's own, not one in the mission language",
                     fmt::format("`glidercc mi {0}` reads it, and `glidercc sim {0}` flies it",
                                 file.string()));
+    case MissionKind::Fleet:
+      return refuse(file, "a fleet or another file of settings, not a mission",
+                    "`glidercc check` and `glidercc sim` take a fleet alone; elsewhere, name the "
+                    "mission of one of its vehicles");
     case MissionKind::Language:
       break;
   }

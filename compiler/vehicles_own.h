@@ -14,6 +14,7 @@ enum class MissionKind : unsigned char {
   Language,   ///< in the mission language, or the IR's text form
   Vehicles,   ///< .mi: one of the vehicle's own
   Arguments,  ///< .ma: arguments of a behaviour, for the vehicle's own
+  Fleet,      ///< .toml: several vehicles, each with a mission
 };
 MissionKind kindOf(const std::filesystem::path& file);
 

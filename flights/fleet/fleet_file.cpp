@@ -3,6 +3,7 @@
 
 #include "flights/fleet/fleet_file.h"
 
+#include "compiler/vehicles_own.h"
 #include "platforms/load/toml_reader.h"
 
 #include <fmt/format.h>
@@ -145,7 +146,7 @@ support::Result<Fleet> readHead(const fs::path& file, const toml::table& root) {
 }  // namespace
 
 bool isFleetFile(const fs::path& path) {
-  return path.extension() == ".toml";
+  return compiler::kindOf(path) == compiler::MissionKind::Fleet;
 }
 
 support::Result<Fleet> loadFleet(const fs::path& path) {

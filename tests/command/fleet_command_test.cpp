@@ -166,6 +166,20 @@ TEST_F(FleetCommand, TheExampleIsProvedAndFlies) {
   EXPECT_THAT(flown.out, HasSubstr("nearest: comet and otter were 12504 m apart"));
 }
 
+/// As a mission it would have 19 errors.
+TEST_F(FleetCommand, OtherCommandsSayThatAFleetIsNoMission) {
+  mission("up", "39.26");
+  (void)folder_.write("f.toml", vehicle("a", "up"));
+  for (const char* command :
+       {"build f.toml", "campaign f.toml --flights 1", "graph f.toml", "check f.toml up.mission"}) {
+    const Outcome refused = run("$GLIDERCC " + std::string(command));
+    EXPECT_EQ(refused.status, 2) << command;
+    EXPECT_THAT(refused.err, HasSubstr("`f.toml` is a fleet or another file of settings"))
+        << command;
+    EXPECT_THAT(refused.err, Not(HasSubstr("f.toml:1"))) << command;
+  }
+}
+
 /// Of different kinds, in one sea.
 TEST_F(FleetCommand, GlidersAndVehiclesWithAPropellerFlyTogether) {
   mission("up", "39.18");

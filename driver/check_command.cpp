@@ -491,8 +491,7 @@ void addCheckCommand(CLI::App& app, int& status) {
   command
       ->add_option("MISSION", options->missions,
                    "Mission files (or the IR's text form, FILE.ir), a folder of `build --dialect "
-                   "extctl`, or "
-                   "a fleet (FLEET.toml); `-` is standard input")
+                   "extctl`, or a fleet (FLEET.toml); `-` is standard input")
       ->required();
   command
       ->add_option_function<std::string>(

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "simulator/bottom_contact.h"
-#include "simulator/fleet/separations.h"
 #include "simulator/link/sbc_link.h"
 #include "simulator/link/serial_line.h"
 #include "simulator/mission_story.h"
@@ -12,6 +11,7 @@
 #include "simulator/seat/cycle_times.h"
 #include "simulator/seat/simulated_seat.h"
 #include "simulator/simulator.h"
+#include "simulator/vehicle/true_place.h"
 #include "simulator/world/world.h"
 
 #include <cstdint>

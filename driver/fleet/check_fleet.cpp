@@ -48,9 +48,7 @@ support::Result<void> FleetCheck::checkSettings() const {
     }
     if (auto values = flights::chooseParameters(known->checked->mission(), {vehicle.settings, ""});
         !values) {
-      support::Failure failure = values.error();
-      failure.message = fmt::format("vehicle `{}`: {}", vehicle.name, failure.message);
-      return std::unexpected(failure);
+      return std::unexpected(flights::ofVehicle(vehicle, values.error()));
     }
   }
   return {};

@@ -145,8 +145,8 @@ report::FleetReport reportOf(const flights::Fleet& file, const ReadyFleet& ready
   return fleet;
 }
 
-/// The fleet without the vehicles that do not fly.
-Result<flights::Fleet> chosen(const FleetOptions& options) {
+/// The fleet with what the options say instead of its file.
+Result<flights::Fleet> fleetFor(const FleetOptions& options) {
   auto fleet = flights::loadFleet(options.file);
   if (!fleet) {
     return fleet;
@@ -159,7 +159,7 @@ Result<flights::Fleet> chosen(const FleetOptions& options) {
 }  // namespace
 
 int flyFleet(const FleetOptions& options, Json* document) {
-  const auto fleet = chosen(options);
+  const auto fleet = fleetFor(options);
   if (!fleet) {
     return reportFailure(fleet.error());
   }
@@ -171,8 +171,8 @@ int flyFleet(const FleetOptions& options, Json* document) {
   if (status != kFine) {
     return status;
   }
-  auto folder =
-      FlightFolder::open(options.output.empty() ? fleet->name + "-flight" : options.output);
+  const std::string target = options.output.empty() ? fleet->name + "-flight" : options.output;
+  auto folder = FlightFolder::open(target);
   if (!folder) {
     return reportFailure(folder.error());
   }
@@ -191,7 +191,6 @@ int flyFleet(const FleetOptions& options, Json* document) {
   if (auto written = writeFleet(report, *folder); !written) {
     return reportFailure(written.error());
   }
-  const std::string target = options.output.empty() ? fleet->name + "-flight" : options.output;
   if (document != nullptr) {
     document->update(fleetJson(report));
     (*document)["folder"] = target;

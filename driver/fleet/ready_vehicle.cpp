@@ -11,7 +11,6 @@
 #include "flights/launch_choice.h"
 #include "flights/sbc_choice.h"
 #include "flights/scenario_choice.h"
-#include "simulator/geography/local_frame.h"
 #include "support/diagnostics/ids/flights.h"
 
 #include <fmt/format.h>
@@ -35,11 +34,7 @@ flights::LaunchChoice launchOf(const flights::FleetVehicle& vehicle) {
 
 /// Where the vehicle starts, in the sea of the scenario.
 void place(const flights::FleetVehicle& vehicle, simulator::Scenario& scenario) {
-  const simulator::LocalFrame frame(scenario.latitude_deg, scenario.longitude_deg);
-  const simulator::GeoPosition start =
-      vehicle.place    ? *vehicle.place
-      : vehicle.offset ? frame.position(vehicle.offset->east_m, vehicle.offset->north_m)
-                       : simulator::GeoPosition{scenario.latitude_deg, scenario.longitude_deg};
+  const simulator::GeoPosition start = flights::startOf(vehicle, scenario);
   scenario.latitude_deg = start.latitude_deg;
   scenario.longitude_deg = start.longitude_deg;
   if (vehicle.heading_deg) {
@@ -65,11 +60,6 @@ Result<simulator::Scenario> scenarioOf(const flights::Fleet& fleet,
     (void)flights::setDuration(*scenario, platform, *fleet.duration_s);
   }
   return scenario;
-}
-
-support::Failure ofVehicle(const std::string& name, support::Failure failure) {
-  failure.message = fmt::format("vehicle `{}`: {}", name, failure.message);
-  return failure;
 }
 
 /// Vehicles with the same mission share what is compiled.
@@ -130,7 +120,7 @@ Result<simulator::FleetMember> ReadyVehicle::member() {
   auto start = flights::sbcInProcess(*mission_, launchOf(vehicle_), vehicle_.user_code,
                                      !scenario_.faults.empty(), watch_ ? &*watch_ : nullptr, *port);
   if (!start) {
-    return std::unexpected(ofVehicle(vehicle_.name, start.error()));
+    return std::unexpected(flights::ofVehicle(vehicle_, start.error()));
   }
   auto sbc = (*start)();
   if (!sbc) {

@@ -145,6 +145,22 @@ support::Result<Fleet> readHead(const fs::path& file, const toml::table& root) {
 
 }  // namespace
 
+simulator::GeoPosition startOf(const FleetVehicle& vehicle, const simulator::Scenario& scenario) {
+  if (vehicle.place) {
+    return *vehicle.place;
+  }
+  if (!vehicle.offset) {
+    return {scenario.latitude_deg, scenario.longitude_deg};
+  }
+  return simulator::LocalFrame(scenario.latitude_deg, scenario.longitude_deg)
+      .position(vehicle.offset->east_m, vehicle.offset->north_m);
+}
+
+support::Failure ofVehicle(const FleetVehicle& vehicle, support::Failure failure) {
+  failure.message = fmt::format("vehicle `{}`: {}", vehicle.name, failure.message);
+  return failure;
+}
+
 bool isFleetFile(const fs::path& path) {
   return compiler::kindOf(path) == compiler::MissionKind::Fleet;
 }

@@ -46,6 +46,12 @@ struct Fleet {
   std::vector<FleetVehicle> vehicles;  ///< one at least
 };
 
+/// Where a vehicle starts in the sea of the fleet's scenario, as that was read.
+simulator::GeoPosition startOf(const FleetVehicle& vehicle, const simulator::Scenario& scenario);
+
+/// A failure that is about one vehicle, with its name.
+support::Failure ofVehicle(const FleetVehicle& vehicle, support::Failure failure);
+
 /// The most vehicles of a fleet.
 inline constexpr size_t kMostVehicles = 100;
 

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "report/figures.h"
 #include "report/fleet/fleet_report.h"
 #include "report/picture/colours.h"
 #include "report/picture/flight_view.h"

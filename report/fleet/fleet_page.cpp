@@ -34,10 +34,6 @@ svg { max-width: 100%; height: auto }
 using html::raw;
 using html::table;
 
-std::string hours(double seconds) {
-  return clockText(seconds);
-}
-
 std::string nameWithColour(const FleetReport& fleet, size_t i) {
   const FleetVehicleReport& vehicle = fleet.vehicles[i];
   return fmt::format("<span class=\"colour\" style=\"background:{}\"></span><a href=\"{}\">{}</a>",
@@ -60,7 +56,7 @@ std::vector<std::string> cellsOf(const FleetVehicleReport& vehicle) {
   constexpr double kKilometre = 1000;
   return {vehicle.mission_file,
           vehicle.platform,
-          hours(figures.duration_s),
+          clockText(figures.duration_s),
           inUnit(figures.distance_m / kKilometre, "km", 1),
           inUnit(figures.deepest_m, "m", 0),
           inUnit(figures.energy.used_Wh, "Wh", 0),
@@ -103,7 +99,7 @@ std::string pairTable(const FleetReport& fleet) {
     }
     rows.push_back(
         {raw(fleet.vehicles[pair->one].name), raw(fleet.vehicles[pair->other].name),
-         inUnit(pair->least_m, "m", 0), hours(pair->least_at_s),
+         inUnit(pair->least_m, "m", 0), clockText(pair->least_at_s),
          fmt::format("{:.0f} and {:.0f} m", pair->least_depths_m[0], pair->least_depths_m[1])});
   }
   return rows.empty() ? "<p>No two vehicles flew at the same time.</p>\n"
@@ -134,7 +130,7 @@ void addProblems(SvgText& page, const FleetReport& fleet) {
 std::string nearestText(const FleetReport& fleet, const FleetPairReport& pair) {
   return fmt::format("{} and {} were {:.0f} m apart at {}, at depths of {:.0f} and {:.0f} m",
                      fleet.vehicles[pair.one].name, fleet.vehicles[pair.other].name, pair.least_m,
-                     hours(pair.least_at_s), pair.least_depths_m[0], pair.least_depths_m[1]);
+                     clockText(pair.least_at_s), pair.least_depths_m[0], pair.least_depths_m[1]);
 }
 
 std::string fleetPage(const FleetReport& fleet) {

@@ -67,7 +67,7 @@ std::string fleetPage(const FleetReport& fleet);
 /// The same for a terminal.
 std::string fleetSummary(const FleetReport& fleet);
 
-/// "12:40:10 north and east were 134 m apart, at depths of 12 and 40 m".
+/// "north and east were 134 m apart at 12:40:10, at depths of 12 and 40 m".
 std::string nearestText(const FleetReport& fleet, const FleetPairReport& pair);
 
 }  // namespace glider::report

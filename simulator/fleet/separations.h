@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "simulator/vehicle/true_place.h"
+
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -10,13 +12,6 @@
 #include <vector>
 
 namespace glider::simulator {
-
-/// Where a vehicle truly is: m east and north of the world's origin, and below the surface.
-struct TruePlace {
-  double east_m = 0;
-  double north_m = 0;
-  double depth_m = 0;
-};
 
 /// Two vehicles of a fleet, by their numbers; `one` is the smaller.
 struct VehiclePair {

@@ -190,8 +190,8 @@ std::string tellFleet(const CommandOptions& options, int& status) {
   if (options.fleet == nullptr) {
     return "";
   }
-  if (const auto allowed = options.fleet->checkSettings(); !allowed) {
-    status = std::max(status, reportFailure(allowed.error()));
+  if (const auto settled = options.fleet->settle(); !settled) {
+    status = std::max(status, reportFailure(settled.error()));
   }
   const auto pairs = options.fleet->pairs();
   if (options.strict && !std::ranges::all_of(pairs, &PairVerdict::proved)) {

@@ -4,13 +4,29 @@
 #include "driver/fleet/check_fleet.h"
 
 #include "flights/launch_choice.h"
+#include "flights/scenario_choice.h"
+#include "ir/core/inside.h"
 #include "ir/prove/geometry/apart.h"
+#include "ir/prove/geometry/area_map.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace glider::driver {
+namespace {
+
+/// How far from the edges of a requirement's geofences control must be given, m.
+double marginOf(const ir::prove::Findings& found, size_t requirement) {
+  const auto verdict = std::ranges::find(found.requirements, requirement,
+                                         &ir::prove::RequirementVerdict::requirement);
+  return verdict != found.requirements.end() ? verdict->start_margin_m
+                                             : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
 
 std::vector<std::string> FleetCheck::missions() const {
   std::vector<std::string> missions;
@@ -34,13 +50,14 @@ void FleetCheck::take(const analysis::CheckedFile& checked) {
       if (stays && checked.found.requirements[i].verdict == "proved") {
         known.kept.insert(known.kept.end(), required[i].geofences.begin(),
                           required[i].geofences.end());
+        known.start_margin_m = std::max(known.start_margin_m, marginOf(checked.proved, i));
       }
     }
   }
   known_[checked.found.path] = std::move(known);
 }
 
-support::Result<void> FleetCheck::checkSettings() const {
+support::Result<void> FleetCheck::settle() {
   for (const flights::FleetVehicle& vehicle : fleet_.vehicles) {
     const Known* known = knownOf(vehicle);
     if (known == nullptr || known->checked == nullptr) {
@@ -50,6 +67,12 @@ support::Result<void> FleetCheck::checkSettings() const {
         !values) {
       return std::unexpected(flights::ofVehicle(vehicle, values.error()));
     }
+    const auto scenario = flights::chooseScenario(fleet_.scenario, known->checked->platform());
+    if (!scenario) {
+      return std::unexpected(scenario.error());
+    }
+    const simulator::GeoPosition start = flights::startOf(vehicle, *scenario);
+    starts_[vehicle.name] = {start.latitude_deg, start.longitude_deg};
   }
   return {};
 }
@@ -59,23 +82,55 @@ const FleetCheck::Known* FleetCheck::knownOf(const flights::FleetVehicle& vehicl
   return found != known_.end() ? &found->second : nullptr;
 }
 
+/// The proofs of the areas rest on where control is given: near where the fleet file says.
+std::string FleetCheck::doubtAboutStart(const flights::FleetVehicle& vehicle,
+                                        const Known& known) const {
+  const std::string file = vehicle.mission.filename().string();
+  const auto found = starts_.find(vehicle.name);
+  if (found == starts_.end()) {
+    return fmt::format("it is not known where {} starts", vehicle.name);
+  }
+  const ir::Position& start = found->second;
+  const auto assumed = ir::assumedStart(known.checked->mission());
+  if (assumed && !ir::isInside(*assumed, start)) {
+    return fmt::format("{} does not start where `{}` assumes it", vehicle.name, file);
+  }
+  for (const ir::Geofence& area : known.kept) {
+    const auto inside = ir::prove::AreaMap(area, {start}).clearance(area, {start});
+    if (!inside.right_side) {
+      return fmt::format("{} starts outside the area in which `{}` stays", vehicle.name, file);
+    }
+    if (inside.distance_m < known.start_margin_m) {
+      return fmt::format("{} starts within {:.0f} m of the edge of its area; {:.0f} m are needed",
+                         vehicle.name, std::ceil(inside.distance_m),
+                         std::ceil(known.start_margin_m));
+    }
+  }
+  return "";
+}
+
+std::string FleetCheck::doubtAbout(const flights::FleetVehicle& vehicle) const {
+  const Known* known = knownOf(vehicle);
+  const std::string file = vehicle.mission.filename().string();
+  if (known == nullptr || known->checked == nullptr) {
+    return fmt::format("`{}` has errors", file);
+  }
+  if (known->kept.empty()) {
+    return known->tried ? fmt::format("it is not proved that `{}` stays in its area", file)
+                        : fmt::format(
+                              "`{}` promises no area: `require always inside(…)`, or `require "
+                              "always distance(place) < 2 km`",
+                              file);
+  }
+  return doubtAboutStart(vehicle, *known);
+}
+
 PairVerdict FleetCheck::judge(const flights::FleetVehicle& one,
                               const flights::FleetVehicle& other) const {
   PairVerdict verdict{one.name, other.name, 0, false, ""};
   for (const flights::FleetVehicle* vehicle : {&one, &other}) {
-    const Known* known = knownOf(*vehicle);
-    const std::string file = vehicle->mission.filename().string();
-    if (known == nullptr || known->checked == nullptr) {
-      verdict.reason = fmt::format("`{}` has errors", file);
-      return verdict;
-    }
-    if (known->kept.empty()) {
-      verdict.reason = known->tried
-                           ? fmt::format("it is not proved that `{}` stays in its area", file)
-                           : fmt::format(
-                                 "`{}` promises no area: `require always inside(…)`, or "
-                                 "`require always distance(place) < 2 km`",
-                                 file);
+    verdict.reason = doubtAbout(*vehicle);
+    if (!verdict.reason.empty()) {
       return verdict;
     }
   }

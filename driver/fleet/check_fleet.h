@@ -35,9 +35,9 @@ class FleetCheck {
   [[nodiscard]] std::vector<std::string> missions() const;
   /// Takes what was found about one of them.
   void take(const analysis::CheckedFile& checked);
-  /// Whether the settings of each vehicle are allowed by its mission. GL9052, which names the
-  /// vehicle.
-  [[nodiscard]] support::Result<void> checkSettings() const;
+  /// Once all were taken: whether the settings of each vehicle are allowed by its mission, and
+  /// where each starts. GL9052, which names the vehicle, and as flights::chooseScenario.
+  support::Result<void> settle();
   /// All pairs of vehicles; empty if the fleet requires no separation.
   [[nodiscard]] std::vector<PairVerdict> pairs() const;
   /// Those as text, and a line about the fleet.
@@ -50,15 +50,21 @@ class FleetCheck {
   struct Known {
     std::shared_ptr<const compiler::Checked> checked;  ///< null: it has errors
     std::vector<ir::Geofence> kept;                    ///< areas in which it is proved to stay
-    bool tried = false;                                ///< it requires to stay in an area
+    double start_margin_m = 0;  ///< how far from their edges control must be given
+    bool tried = false;         ///< it requires to stay in an area
   };
 
   [[nodiscard]] PairVerdict judge(const flights::FleetVehicle& one,
                                   const flights::FleetVehicle& other) const;
+  /// Why it is not certain that the vehicle stays in an area; empty: it is.
+  [[nodiscard]] std::string doubtAbout(const flights::FleetVehicle& vehicle) const;
+  [[nodiscard]] std::string doubtAboutStart(const flights::FleetVehicle& vehicle,
+                                            const Known& known) const;
   [[nodiscard]] const Known* knownOf(const flights::FleetVehicle& vehicle) const;
 
   flights::Fleet fleet_;
-  std::map<std::string, Known> known_;  ///< by the mission's path
+  std::map<std::string, Known> known_;          ///< by the mission's path
+  std::map<std::string, ir::Position> starts_;  ///< by the vehicle's name
 };
 
 }  // namespace glider::driver

@@ -101,6 +101,8 @@ struct RequirementVerdict {
   /// The numbers of the assumptions of the mission on which a proof rests: without any one of them
   /// none was found.
   std::vector<uint32_t> assumptions = {};
+  /// Of a proof about geofences: how far from their edges control must be given, m.
+  double start_margin_m = 0;
 };
 
 /// What a verdict rests on beyond the environment model, in one line: "assuming no outage, and

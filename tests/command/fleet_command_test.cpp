@@ -116,10 +116,30 @@ TEST_F(FleetCommand, TheCheckProvesWhatAreasAreApart) {
   EXPECT_EQ(document["fleet"]["pairs"][1]["reason"], "their areas overlap");
 }
 
+/// The proof of an area rests on where control is given, and the fleet file says where.
+TEST_F(FleetCommand, AStartAgainstThePremiseOfAProofLeavesItUndecided) {
+  mission("up", "39.26");
+  mission("down", "39.10");
+  const auto undecided = [&](const std::string& start) {
+    (void)folder_.write("f.toml", "separation_m = 500\n" + vehicle("a", "up", kNorth) +
+                                      vehicle("b", "down", start));
+    return run("$GLIDERCC check f.toml").out;
+  };
+  const std::string west = "longitude_deg = -73.83\n";
+  EXPECT_THAT(undecided("latitude_deg = 39.26\n" + west),
+              HasSubstr("undecided: 500 m between a and b: b starts outside the area in which "
+                        "`down.mission` stays\n"));
+  EXPECT_THAT(undecided("latitude_deg = 39.149\n" + west),  // 5.4 km of 6
+              HasSubstr("b starts within 524 m of the edge of its area; "));
+  EXPECT_THAT(undecided("latitude_deg = 39.149\n" + west), HasSubstr(" m are needed\n"));
+  EXPECT_THAT(undecided(kSouth), HasSubstr("proved: a and b are always"));
+}
+
 TEST_F(FleetCommand, MistakesInAMissionAreShownWithItsFile) {
   mission("up", "39.26");
   (void)folder_.write("bad.mission", "mission bad\nstate s\nbegin\nend end\n");
-  (void)folder_.write("f.toml", "separation_m = 9\n" + vehicle("a", "up") + vehicle("b", "bad"));
+  (void)folder_.write("f.toml",
+                      "separation_m = 9\n" + vehicle("a", "up", kNorth) + vehicle("b", "bad"));
   for (const char* command : {"check", "sim"}) {
     const Outcome wrong = run("$GLIDERCC " + std::string(command) + " f.toml");
     EXPECT_EQ(wrong.status, 1) << command;
@@ -163,7 +183,7 @@ TEST_F(FleetCommand, TheExampleIsProvedAndFlies) {
   EXPECT_THAT(checked.out, HasSubstr("proved: comet and otter are always 1548 m apart or more\n"));
   const Outcome flown = run("$GLIDERCC sim " + example + " -o f");
   EXPECT_EQ(flown.status, 0) << flown.err;
-  EXPECT_THAT(flown.out, HasSubstr("nearest: comet and otter were 12504 m apart"));
+  EXPECT_THAT(flown.out, HasSubstr("nearest: comet and otter were 12495 m apart"));
 }
 
 /// As a mission it would have 19 errors.

@@ -51,7 +51,9 @@ class GeofenceGeometry final : public Strategy {
                                           StrategyContext& context) const override {
     const GeofenceVerdict found = verdictOn(attempt.requirement, context);
     if (found.proved) {
-      return RequirementVerdict{attempt.number, Verdict::Proved, std::nullopt, premiseOf(found)};
+      RequirementVerdict proved{attempt.number, Verdict::Proved, std::nullopt, premiseOf(found)};
+      proved.start_margin_m = found.start_assumed ? 0 : found.margin_m;
+      return proved;
     }
     attempt.reason = found.reason + "; no random flight violated it";
     return std::nullopt;

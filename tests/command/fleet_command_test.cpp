@@ -135,6 +135,31 @@ TEST_F(FleetCommand, AStartAgainstThePremiseOfAProofLeavesItUndecided) {
   EXPECT_THAT(undecided(kSouth), HasSubstr("proved: a and b are always"));
 }
 
+TEST_F(FleetCommand, WhatIsNotProvedOfOneMissionProvesNothingOfTheFleet) {
+  mission("up", "39.26");
+  mission("down", "39.10", "1 km");  // the drift in 20 minutes is more
+  (void)folder_.write(
+      "f.toml", "separation_m = 500\n" + vehicle("a", "up", kNorth) + vehicle("b", "down", kSouth));
+  EXPECT_THAT(run("$GLIDERCC check f.toml").out,
+              HasSubstr("undecided: 500 m between a and b: it is not proved that `down.mission` "
+                        "stays in its area\n"));
+}
+
+TEST_F(FleetCommand, AStartMustBeWhereTheMissionAssumesIt) {
+  mission("up", "39.26");
+  mission("down", "39.10");
+  (void)folder_.write("down.mission", slurped("down.mission") +
+                                          "assume start distance(39.11 N 73.83 W) <= 300 m\n");
+  const auto checked = [&](const std::string& start) {
+    (void)folder_.write("f.toml", "separation_m = 500\n" + vehicle("a", "up", kNorth) +
+                                      vehicle("b", "down", start));
+    return run("$GLIDERCC check f.toml").out;
+  };
+  EXPECT_THAT(checked(kSouth), HasSubstr("b does not start where `down.mission` assumes it\n"));
+  EXPECT_THAT(checked("latitude_deg = 39.11\nlongitude_deg = -73.83\n"),
+              HasSubstr("proved: a and b are always"));
+}
+
 TEST_F(FleetCommand, MistakesInAMissionAreShownWithItsFile) {
   mission("up", "39.26");
   (void)folder_.write("bad.mission", "mission bad\nstate s\nbegin\nend end\n");

@@ -65,6 +65,7 @@ TEST(LeastApart, IsNothingForAreasThatOverlapOrLieInEachOther) {
 
 TEST(LeastApart, CountsTheBestOfSeveralAreas) {
   EXPECT_GT(leastApart({disc(39, -74, 50000), box(39, -74)}, {box(39.04, -74)}), 2000);
+  EXPECT_GT(leastApart({box(39, -74), disc(39, -74, 50000)}, {box(39.04, -74)}), 2000);
 }
 
 TEST(LeastApart, AnAreaToStayOutOfSaysNothing) {

@@ -43,6 +43,31 @@ TEST(CheckReport, TheGalleryHasABoundForEveryQuantityAndFits) {
   }
 }
 
+/// From eight cases on their guards are evaluated by a table, which calls other functions through
+/// pointers.
+TEST(CheckReport, TheStackHasABoundForAnyNumberOfCases) {
+  const TemporaryFolder folder;
+  for (const char* vehicle : {"slocum", "lauv", "remus100"}) {
+    for (const int cases : {1, 7, 8, 30}) {
+      std::string text =
+          std::string("mission m\nplatform ") + vehicle +
+          "\nvar x: number = 0\nstate s\nbegin\n  flightroute nav(39.18 N 73.83 W)\n"
+          "  flightprofile yo(5 m, 20 m)\n  sensors missiontime, depth, temp\n  events\n";
+      for (int i = 0; i < cases; ++i) {
+        text += "    case temp > " + std::to_string(i) + " degC && depth > " + std::to_string(i) +
+                " m do set x = " + std::to_string(i) + " end stay\n";
+      }
+      text += "    case missiontime >= 30 min exit\nend\n";
+      (void)folder.write("m.mission", text);
+      const Outcome outcome =
+          runShell("cd " + folder.path().string() + " && $GLIDERCC check --report m.mission");
+      EXPECT_THAT(outcome.out, testing::ContainsRegex("  stack +[0-9,]+ of")) << vehicle << cases;
+      EXPECT_THAT(outcome.out, testing::Not(testing::ContainsRegex("stack +no bound is known")))
+          << vehicle << cases;
+    }
+  }
+}
+
 TEST(CheckReport, IsATableForPeople) {
   const Outcome outcome = runShell("$GLIDERCC check --report --target ts7800 " + kReported);
   EXPECT_EQ(outcome.status, 0) << outcome.err;

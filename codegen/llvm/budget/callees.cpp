@@ -40,7 +40,9 @@ enum class Kind : uint8_t {
   kKernel,
   kFindsClock,
   kClock,
+  kByName,
   kMission,
+  kHolds,
   kSensors
 };
 

@@ -32,12 +32,29 @@ const Instruction* adderOf(const std::vector<Instruction>& code, size_t place) {
   return nullptr;
 }
 
+/// The instruction that adds what `code[place]` loads to its own place and replaces it with the
+/// sum, if it certainly comes next; null otherwise.
+const Instruction* onlyAdderOf(const std::vector<Instruction>& code, size_t place) {
+  const uint8_t number = code[place].mentions.literal_to;
+  for (size_t i = place + 1; i < code.size() && i <= place + kFar; ++i) {
+    const Instruction& one = code[i];
+    if (one.mentions.pc_plus == number) {
+      const bool always = one.stack.condition[0] == '\0';
+      return always && (one.stack.writes >> number & 1U) != 0 ? &one : nullptr;
+    }
+    if (one.flow != Flow::Next || touches(one, number)) {
+      return nullptr;
+    }
+  }
+  return nullptr;
+}
+
 bool loadsLiteral(const Instruction& one) {
   return one.mentions.literal_to < 15;
 }
 
-/// Each literal with each place of its function that adds a distance from that register: an
-/// overestimate.
+/// Each literal with the only place that can add it, or else with each place of its function that
+/// adds a distance from that register: an overestimate.
 void addDistances(const std::vector<Instruction>& code, const WordAt& word_at,
                   const StartOf& start_of, std::set<uint64_t>& addresses) {
   std::multimap<std::pair<uint64_t, uint8_t>, uint64_t> adders;  // by function and register
@@ -46,9 +63,14 @@ void addDistances(const std::vector<Instruction>& code, const WordAt& word_at,
       adders.emplace(std::pair(start_of(one.address), one.mentions.pc_plus), one.address);
     }
   }
-  for (const Instruction& one : code) {
+  for (size_t i = 0; i < code.size(); ++i) {
+    const Instruction& one = code[i];
     const auto word = loadsLiteral(one) ? word_at(one.mentions.numbers[0]) : std::nullopt;
     if (!word) {
+      continue;
+    }
+    if (const Instruction* only = onlyAdderOf(code, i)) {
+      addresses.insert(static_cast<uint32_t>(only->address + kAhead + *word));
       continue;
     }
     const auto [begin, end] = adders.equal_range({start_of(one.address), one.mentions.literal_to});

@@ -17,8 +17,9 @@ namespace {
 using codegen_tests::Small;
 using Names = std::set<std::string>;
 
-const Names kMission = {"act.a",    "advance.a", "begin",     "enter.a",
-                        "guards.a", "holds.a",   "profile.a", "route.a"};
+const Names kMission = {"act.a",    "advance.a", "begin",  "enter.a",
+                        "guards.a", "profile.a", "route.a"};
+const Names kHolds = {"holds.a"};
 
 /// All of them but `pollTemp` are in a pointer.
 const char* const kTaken[] = {"_start",
@@ -118,7 +119,8 @@ const std::vector<std::pair<std::string, Names>>& CalleesOfSmall::callers() {
       {"enter", tick},
       {"fire", tick},
       {"firstTrue", tick},
-      {"gliderFirstTrue", tick},
+      {"gliderFirstTrue", kHolds},
+      {"firstTrueRow", kHolds},
       {"fly", tick},
       {"tryAlways", tick},
       {"tryState", tick},

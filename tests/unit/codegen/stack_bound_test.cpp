@@ -202,6 +202,27 @@ TEST(TakenFunctions, OfArmMayBeDistances) {
   EXPECT_FALSE(has(small.image(), "near"));
 }
 
+/// Two distances from one register in one function. The first from the place of the second would be
+/// the function after `far`.
+bool isTakenByChance(const std::string& first_add, const std::string& after_load = "") {
+  const Small small("ts7800",
+                    function("_start", "ldr r3, 2f\n" + after_load + "\n1: " + first_add +
+                                           "\n ldr r3, 4f\n3: add r3, pc, r3\n bx r3\n"
+                                           "2: .word far - (1b + 8)\n4: .word other - (3b + 8)") +
+                        function("far", "nop\n bx lr") + function("behind", "bx lr") +
+                        function("other", "bx lr"));
+  EXPECT_TRUE(has(small.image(), "far"));
+  EXPECT_TRUE(has(small.image(), "other"));
+  return has(small.image(), "behind");
+}
+
+TEST(TakenFunctions, OfArmAreNotDistancesFromAnotherPlace) {
+  EXPECT_FALSE(isTakenByChance("add r3, pc, r3")) << "the sum replaces the distance";
+  EXPECT_TRUE(isTakenByChance("add r4, pc, r3")) << "the distance is still there";
+  EXPECT_TRUE(isTakenByChance("addne r3, pc, r3")) << "maybe";
+  EXPECT_TRUE(isTakenByChance("add r3, pc, r3", "bne 3f")) << "it may be added there";
+}
+
 /// Whether `far`, whose address is a word that `_start` loads, counts as taken: it does unless the
 /// word is a distance and nothing else.
 bool isTaken(const std::string& between, const std::string& behind = "bx lr") {

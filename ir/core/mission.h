@@ -75,7 +75,9 @@ enum class Encoding : uint8_t {
   Magnetic  ///< linear; a heading from magnetic north, which frames already contain from true north
 };
 
-/// Sensors numbered from here on are not the vehicle's.
+/// Sensors numbered from here on are not the vehicle's: what its modem hears of others.
+constexpr uint16_t kFirstHeardSensor = 0xFE00;
+/// From here on they are the SBC's own, which it polls.
 constexpr uint16_t kFirstOwnSensor = 0xFF00;
 
 /// A vehicle's sensor that this mission subscribes, or one of the SBC's own.
@@ -410,6 +412,21 @@ struct Assumption {
   }
 };
 
+/// A value that the vehicle tells the others of a fleet by its acoustic modem, as one of `values`
+/// numbers `lowest` + i `step`; an unknown one, and one outside of them, is told as unknown. All
+/// shares of one period are told in one message.
+struct Share {
+  std::string name;
+  SensorId sensor;      ///< what is told: a reading or, if this is not valid,
+  VariableId variable;  ///< a variable of the kind Mission
+  SensorId peer;        ///< what was last heard of it from another vehicle; invalid: not read
+  double lowest = 0;    ///< SI units or degrees
+  double step = 0;      ///< positive
+  uint32_t values = 0;  ///< 1 at least, below UINT32_MAX; of a truth value 2
+  double period_s = 0;  ///< at most once in this time; positive
+  support::SourceRange range;
+};
+
 /// Used if a mission does not define it: longer than any reboot, and short enough that what the
 /// vehicle does meanwhile does not matter.
 inline constexpr double kResumeWithin_s = 300;
@@ -451,6 +468,8 @@ struct Mission {
   /// during the outage.
   bool new_after_restart = false;
   std::optional<Compass> compass;  ///< empty: the mission does not use headings
+  std::vector<Share> shares;       ///< those of a period one after the other, shortest period first
+  SensorId utc;  ///< the vehicle's clock, of a mission with shares: it is in `sensors`
 
   [[nodiscard]] const Expr& operator[](ExprId id) const { return exprs.at(id.index); }
   [[nodiscard]] const State& operator[](StateId id) const { return states.at(id.index); }

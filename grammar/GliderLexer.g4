@@ -94,6 +94,8 @@ KNOWN : 'known' ;
 FIX : 'fix' ;
 AS : 'as' ;
 CHANGES : 'changes' ;
+SHARE : 'share' ;
+PRECISION : 'precision' ;
 
 // Units (support/units/units.def) and the letters of positions; `S` and `W` are both. `min` is also the function.
 MIN : 'min' ;
@@ -101,6 +103,8 @@ UNIT : 'mm' | 'cm' | 'm' | 'km' | 'nmi' | 'ft' | 's' | 'h' | 'day' | 'rad' | 'de
   | 'V' | 'A' | 'J' | 'kJ' | 'MJ' | 'Ah' | '%' ;
 COMPASS : 'N' | 'S' | 'E' | 'W' ;
 
+// What the modem hears of other vehicles: `peer.top`.
+HEARD : 'peer.' [A-Za-z_] [A-Za-z_0-9]* ;
 NAME : [A-Za-z_] [A-Za-z_0-9]* ;
 // A time of the calendar, UTC: `2026-11-25T12:00Z`. Whether there is such a day is checked later.
 INSTANT : [0-9] [0-9] [0-9] [0-9] '-' [0-9] [0-9] '-' [0-9] [0-9] 'T' [0-9] [0-9] ':' [0-9] [0-9] (':' [0-9] [0-9])? 'Z' ;

@@ -11,7 +11,7 @@ file : item* EOF ;
 item
   : missionLine | platformLine | importLine
   | constant | parameter | variable
-  | always | state | behaviour | external | place | requirement | assumption | resumption | declination
+  | always | state | behaviour | external | place | requirement | assumption | resumption | declination | share
   ;
 
 missionLine : MISSION anyName ;
@@ -40,7 +40,7 @@ member
   | ENTRY block           # entryMember
   | EVENTS eventCase*     # eventsMember
   ;
-sensorItem : anyName (EVERY expr)? ;
+sensorItem : (anyName | HEARD) (EVERY expr)? ;
 use : name arguments? ;
 target : anyName arguments? ;
 
@@ -68,6 +68,9 @@ resumption : RESUME WITHIN expr (COMMA NEVER AFTER RESTART)? ;
 declination : DECLINATION expr ;
 
 place : PLACE anyName ASSIGN expr ;
+
+// What other vehicles are told; with a type it declares the variable.
+share : SHARE anyName (COLON type (ASSIGN expr)?)? range? (PRECISION expr)? EVERY expr (STALE AFTER expr)? ;
 
 assumption : ASSUME premise ;
 premise
@@ -129,7 +132,7 @@ primary
   | LBRACKET (expr (COMMA expr)*)? RBRACKET        # list
   | name LBRACKET expr RBRACKET                    # index
   | (name | MIN) arguments                         # invocation
-  | name                                           # nameUse
+  | (name | HEARD)                                 # nameUse
   ;
 unit : unitName ((TIMES | DIVIDE) unitName)* ;
 unitName : UNIT | COMPASS | MIN ;
@@ -140,7 +143,7 @@ name
   : NAME | IN | OF | WHERE | DONE | FUNCTION | SENSOR | READS | WITHIN | STACK | REACH | NEVER | AFTER | STALE
   | SURFACES | RESUME | DECLINATION | RESTART | PLACE | CAN | VISIT | PATROL | STRICT | ORDER | FAIRLY | AT | MOST
   | LEAST | EXACTLY | TIMES_WORD | BEFORE | WHENEVER | WHEN | ONLY | NEXT | TICK | FOR | HOLD | UNTIL | OUTSIDE
-  | FROM | TO | ASSUME | START | NO | OUTAGE | CURRENT | KNOWN | FIX | AS | CHANGES
+  | FROM | TO | ASSUME | START | NO | OUTAGE | CURRENT | KNOWN | FIX | AS | CHANGES | SHARE | PRECISION
   ;
 // A unit's name may name a mission or a state; elsewhere the frontend says why not.
 anyName : name | UNIT | COMPASS | MIN ;

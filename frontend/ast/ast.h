@@ -505,6 +505,18 @@ struct Declination {
   bool operator==(const Declination&) const = default;
 };
 
+/// `share top: length in 0 m .. 200 m precision 1 m every 10 min`: what other vehicles are told.
+struct Share {
+  Name name;
+  std::optional<Var> variable;  ///< that it declares; empty: a sensor, or declared elsewhere
+  std::optional<Range> range;   ///< of one that declares nothing
+  std::optional<Expr> precision;
+  Expr every;
+  std::optional<Expr> stale_after;  ///< of what is heard of it
+  Where where;
+  bool operator==(const Share&) const = default;
+};
+
 struct MissionLine {
   Name name;
   Where where;
@@ -522,9 +534,10 @@ struct Import {
   bool operator==(const Import&) const = default;
 };
 
-using Item = std::variant<MissionLine, PlatformLine, Import, Const, Param, Var, Always, State,
-                          Behaviour, ExternFunction, ExternBehaviour, ExternSensor,
-                          PlaceDeclaration, Requirement, Assumption, Resumption, Declination>;
+using Item =
+    std::variant<MissionLine, PlatformLine, Import, Const, Param, Var, Always, State, Behaviour,
+                 ExternFunction, ExternBehaviour, ExternSensor, PlaceDeclaration, Requirement,
+                 Assumption, Resumption, Declination, Share>;
 
 /// A mission file or a library file.
 struct File {

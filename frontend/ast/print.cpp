@@ -142,6 +142,17 @@ class FilePrinter {
   }
   void write(const Declination& n) { line("declination " + print(n.angle)); }
 
+  void write(const Share& n) {
+    const std::string value =
+        n.variable ? fmt::format(": {} = {}{}", n.variable->type.text, print(n.variable->value),
+                                 printRange(n.variable->range))
+                   : printRange(n.range);
+    const std::string precision = n.precision ? " precision " + print(*n.precision) : "";
+    const std::string stale = n.stale_after ? " stale after " + print(*n.stale_after) : "";
+    line(fmt::format("share {}{}{} every {}{}", n.name.text, value, precision, print(n.every),
+                     stale));
+  }
+
   static std::string promise(const AlwaysPromise& p) { return "always " + print(p.condition); }
   static std::string promise(const ExitPromise& p) { return "exit within " + print(p.within); }
   static std::string promise(const StackPromise& p) { return "stack <= " + print(p.depth); }

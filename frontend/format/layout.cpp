@@ -55,10 +55,10 @@ class Layout {
     lines_.push_back({at_, at_, indent, indent, false});
   }
 
-  /// True at a line `declination -12 deg` or `assume no outage`: where a value or a name is
-  /// expected, the word is a name.
+  /// True at a line `declination -12 deg`, `assume no outage` or `share depth every 1 h`: where a
+  /// value or a name is expected, the word is a name.
   [[nodiscard]] bool softItem() const {
-    return tokenIsOneOf(token(), {"declination", "assume"}) &&
+    return tokenIsOneOf(token(), {"declination", "assume", "share"}) &&
            !after({"mission", "platform", "const",    "param", "var",    "function", "sensor",
                    "=",       "+",        "-",        "*",     "/",      "(",        ",",
                    "[",       "in",       "..",       "where", "<",      "<=",       ">",

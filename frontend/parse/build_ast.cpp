@@ -87,6 +87,8 @@ ast::Item AstBuilder::item(Parser::ItemContext* rule) {
     case GliderParser::RuleDeclination:
       return ast::Declination{expr(static_cast<Parser::DeclinationContext*>(child)->expr()),
                               where(child)};
+    case GliderParser::RuleShare:
+      return share(static_cast<Parser::ShareContext*>(child));
     case GliderParser::RuleExternal:
       return external(static_cast<Parser::ExternalContext*>(child));
     default:
@@ -144,6 +146,44 @@ std::optional<std::vector<ast::Formal>> AstBuilder::formals(Parser::FormalsConte
          formal->expr() != nullptr ? std::optional(expr(formal->expr())) : std::nullopt});
   }
   return list;
+}
+
+/// Its times and the rest are told apart by the words before them.
+ast::Share AstBuilder::share(Parser::ShareContext* rule) {
+  ast::Share result{name(rule->anyName()), {}, range(rule->range()), {}, {}, {}, where(rule)};
+  std::optional<ast::Expr> value;
+  for (size_t i = 1; i < rule->children.size(); ++i) {
+    const antlr4::tree::ParseTree* before = rule->children[i - 1];
+    if (!isWord(before)) {
+      continue;
+    }
+    auto next = [&] { return expr(static_cast<Parser::ExprContext*>(rule->children[i])); };
+    switch (wordOf(rule->children[i - 1])->getType()) {
+      case GliderParser::ASSIGN:
+        value = next();
+        break;
+      case GliderParser::PRECISION:
+        result.precision = next();
+        break;
+      case GliderParser::EVERY:
+        result.every = next();
+        break;
+      case GliderParser::AFTER:
+        result.stale_after = next();
+        break;
+      default:
+        break;
+    }
+  }
+  if (rule->type() != nullptr) {
+    const ast::TypeName declared = type(rule->type());
+    ast::Expr start =
+        value ? std::move(*value) : ast::Expr{ast::NameUse{"unknown"}, declared.where};
+    result.variable =
+        ast::Var{result.name, declared, std::move(start), std::move(result.range), result.where};
+    result.range.reset();
+  }
+  return result;
 }
 
 std::vector<ast::Member> AstBuilder::members(const Rule* rule) {
@@ -249,7 +289,11 @@ ast::SensorsMember AstBuilder::sensors(const Rule* rule) {
     if (item->children.size() > 1) {
       every = expr(static_cast<Parser::ExprContext*>(item->children[2]));
     }
-    list.items.push_back({name(ruleOf(item->children[0])), std::move(every)});
+    // A word alone is of a vehicle that is heard.
+    antlr4::tree::ParseTree* named = item->children[0];
+    const ast::Name sensor =
+        isWord(named) ? ast::Name{text(wordOf(named)), where(wordOf(named))} : name(ruleOf(named));
+    list.items.push_back({sensor, std::move(every)});
   }
   return list;
 }

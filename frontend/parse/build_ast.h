@@ -47,6 +47,7 @@ class AstBuilder {
   ast::State state(Parser::StateContext* rule);
   ast::Behaviour behaviour(Parser::BehaviourContext* rule);
   ast::Item external(Parser::ExternalContext* rule);
+  ast::Share share(Parser::ShareContext* rule);
   ast::Requirement requirement(Parser::RequirementContext* rule);
   ast::Assumption assumption(Parser::AssumptionContext* rule);
   ast::PlaceDeclaration place(Parser::PlaceContext* rule);

@@ -126,6 +126,9 @@ ast::Expr AstBuilder::primary(Parser::PrimaryContext* rule) {
 
 /// What begins with a name.
 ast::Expr AstBuilder::named(Parser::PrimaryContext* rule) {
+  if (rule->start->getType() == GliderParser::HEARD) {
+    return {ast::NameUse{text(rule)}, where(rule)};
+  }
   if (rule->children.size() == 1) {
     return {ast::NameUse{oneSpaced(text(rule))}, where(rule)};
   }

@@ -95,7 +95,7 @@ constinit const std::array<uint8_t, kMostTypes> kGroups = [] {
     }
   };
   mark(GliderLexer::MISSION, GliderLexer::NOT_WORD, kHardKeyword);
-  mark(GliderLexer::IN, GliderLexer::CHANGES, kSoftKeyword | kName | kAnyName);
+  mark(GliderLexer::IN, GliderLexer::PRECISION, kSoftKeyword | kName | kAnyName);
   mark(GliderLexer::NAME, GliderLexer::NAME, kName | kAnyName);
   mark(GliderLexer::MIN, GliderLexer::MIN, kAnyName);
   mark(GliderLexer::UNIT, GliderLexer::COMPASS, kAnyName);

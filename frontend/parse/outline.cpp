@@ -64,10 +64,15 @@ class OutlineReader {
 
   /// `resume within …`, `declination …`, `assume …`, `place NAME = …`
   [[nodiscard]] bool startsSoftItem() const {
-    return (type(0) == GliderLexer::RESUME && type(1) == GliderLexer::WITHIN) ||
+    return (type(0) == GliderLexer::RESUME && type(1) == GliderLexer::WITHIN) || startsShare() ||
            (oneOf(type(0), {GliderLexer::DECLINATION, GliderLexer::ASSUME}) &&
             endsValue(before())) ||
            (type(0) == GliderLexer::PLACE && isAnyName(type(1)) && type(2) == GliderLexer::ASSIGN);
+  }
+
+  /// `share NAME …`
+  [[nodiscard]] bool startsShare() const {
+    return type(0) == GliderLexer::SHARE && endsValue(before()) && isAnyName(type(1));
   }
 
   /// Reads one construct, and at least one token.
@@ -92,6 +97,11 @@ class OutlineReader {
         return declareWithBody(SymbolKind::State);
       case GliderLexer::EXTERN:
         return declareExternal();
+      case GliderLexer::SHARE:
+        if (startsShare() && type(2) == GliderLexer::COLON) {
+          return declare(SymbolKind::Variable, 1);
+        }
+        [[fallthrough]];
       default:
         block();
         return use();

@@ -173,9 +173,10 @@ class StructureRepair {
     out_.pop_back();
   }
 
-  /// `assume` may also be a name.
+  /// `assume` and `share` may also be names.
   [[nodiscard]] bool startsAssumption(const Lexeme& t) const {
-    return t.type == GliderLexer::ASSUME && blocks_.empty() && endsValue(previous());
+    return oneOf(t.type, {GliderLexer::ASSUME, GliderLexer::SHARE}) && blocks_.empty() &&
+           endsValue(previous());
   }
 
   /// `place NAME = …`

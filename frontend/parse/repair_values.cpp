@@ -112,7 +112,7 @@ void ValueRepair::keyword(const Lexeme& found) {
   }
   in_sensors_ = found.type == GliderLexer::SENSORS;
   assignable_ = oneOf(found.type, {GliderLexer::CONST, GliderLexer::PARAM, GliderLexer::VAR,
-                                   GliderLexer::SET, GliderLexer::PLACE});
+                                   GliderLexer::SET, GliderLexer::PLACE, GliderLexer::SHARE});
 }
 
 bool ValueRepair::take(Lexeme t, const Lexeme& next) {
@@ -226,8 +226,8 @@ bool ValueRepair::typesParameter() const {
          oneOf(out_[n - 3].type, {GliderLexer::LPAREN, GliderLexer::COMMA});
 }
 
-/// The first `=` after `const`, `param`, `var`, `set` and `place` assigns a value; every other was
-/// meant as a comparison.
+/// The first `=` after `const`, `param`, `var`, `share`, `set` and `place` assigns a value; every
+/// other was meant as a comparison.
 Lexeme ValueRepair::equals(Lexeme t) {
   if (t.type == GliderLexer::ASSIGN && (namesArgument() || typesParameter())) {
     return t;

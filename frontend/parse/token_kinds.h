@@ -47,13 +47,14 @@ inline bool isTransition(uint32_t type) {
 }
 
 inline bool endsValue(uint32_t type) {
-  return isAnyName(type) || oneOf(type, {GliderLexer::NUMBER, GliderLexer::INSTANT,
-                                         GliderLexer::STRING, GliderLexer::TRUE, GliderLexer::FALSE,
-                                         GliderLexer::RPAREN, GliderLexer::RBRACKET});
+  return isAnyName(type) ||
+         oneOf(type, {GliderLexer::NUMBER, GliderLexer::INSTANT, GliderLexer::STRING,
+                      GliderLexer::TRUE, GliderLexer::FALSE, GliderLexer::HEARD,
+                      GliderLexer::RPAREN, GliderLexer::RBRACKET});
 }
 
 inline bool startsValue(uint32_t type) {
-  return isName(type) || oneOf(type, {GliderLexer::NUMBER, GliderLexer::INSTANT,
+  return isName(type) || oneOf(type, {GliderLexer::NUMBER, GliderLexer::INSTANT, GliderLexer::HEARD,
                                       GliderLexer::STRING, GliderLexer::TRUE, GliderLexer::FALSE});
 }
 

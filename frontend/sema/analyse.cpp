@@ -7,6 +7,7 @@
 #include "frontend/sema/declarations/lower_declination.h"
 #include "frontend/sema/declarations/lower_requirement.h"
 #include "frontend/sema/declarations/lower_resumption.h"
+#include "frontend/sema/declarations/shares.h"
 #include "frontend/sema/declarations/variables.h"
 #include "frontend/sema/names/scope.h"
 #include "frontend/sema/states/lower_behaviour.h"
@@ -36,6 +37,7 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
   }
   declare(mission, false, scope);
   declareValues(mission, scope);
+  lowerShares(mission, scope);
   lowerDeclination(mission, scope);
   declareStates(mission, scope);
   for (auto& [name, behaviour] : scope.behaviours) {
@@ -51,6 +53,7 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
   lowerAssumptions(mission, scope);
   lowerResumption(mission, scope);
   lowerCompass(mission, scope);
+  finishShares(scope);
   if (diagnostics.hasErrors()) {
     return std::nullopt;
   }

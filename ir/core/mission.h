@@ -412,6 +412,9 @@ struct Assumption {
   }
 };
 
+/// A mission has at most as many shares.
+inline constexpr size_t kMostShares = 32;
+
 /// A value that the vehicle tells the others of a fleet by its acoustic modem, as one of `values`
 /// numbers `lowest` + i `step`; an unknown one, and one outside of them, is told as unknown. All
 /// shares of one period are told in one message.

@@ -70,6 +70,7 @@ class Declarations {
   void visit(const ast::Assumption&) {}
   void visit(const ast::Resumption&) {}
   void visit(const ast::Declination&) {}
+  void visit(const ast::Share&) {}
 
   void visit(const ast::Behaviour& node) {
     BehaviourDeclaration declaration;
@@ -227,6 +228,8 @@ void declare(const ast::File& file, bool library, Scope& scope) {
       declarations.enterParameter(*parameter);
     } else if (const auto* variable = std::get_if<ast::Var>(item)) {
       declarations.enterVariable(*variable);
+    } else if (const auto* share = std::get_if<ast::Share>(item); share && share->variable) {
+      declarations.enterVariable(*share->variable);
     } else if (const auto* function = std::get_if<ast::ExternFunction>(item)) {
       enterExternal(*function, scope);
     } else if (const auto* sensor = std::get_if<ast::ExternSensor>(item)) {
@@ -255,6 +258,11 @@ void declareValues(const ast::File& mission, Scope& scope) {
        [&](const ast::Param& node) { lowerMissionCondition(node, scope); });
   each(std::type_identity<ast::Var>(), [&](const ast::Var& node) {
     lowerVariable(node, {ir::VariableKind::Mission, {}, ""}, scope.names, scope);
+  });
+  each(std::type_identity<ast::Share>(), [&](const ast::Share& node) {
+    if (node.variable) {
+      lowerVariable(*node.variable, {ir::VariableKind::Mission, {}, ""}, scope.names, scope);
+    }
   });
 }
 

@@ -102,13 +102,13 @@ std::optional<double> staleAfter(const ast::ExternSensor& node, Scope& scope) {
   return known ? std::optional(known->first) : std::nullopt;
 }
 
+}  // namespace
+
 platforms::SensorKind kindOf(const ir::Type& type) {
   return type == latitude()    ? platforms::SensorKind::Latitude
          : type == longitude() ? platforms::SensorKind::Longitude
                                : platforms::SensorKind::Quantity;
 }
-
-}  // namespace
 
 void enterExternal(const ast::ExternFunction& node, Scope& scope) {
   if (isCommandName(node.name.text)) {

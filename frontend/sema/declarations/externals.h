@@ -8,6 +8,9 @@
 
 namespace glider::frontend {
 
+/// How missions see a sensor that is not the vehicle's.
+platforms::SensorKind kindOf(const ir::Type& type);
+
 /// Enter the names of C functions and of the SBC's own sensors, so that they may be used before
 /// they are declared.
 void enterExternal(const ast::ExternFunction& node, Scope& scope);

@@ -58,6 +58,9 @@ struct Judge {
   std::optional<Refused> operator()(const ast::Declination& item) const {
     return Refused{"`declination`", item.where};
   }
+  std::optional<Refused> operator()(const ast::Share& item) const {
+    return Refused{"share `" + item.name.text + "`", item.name.where};
+  }
 };
 
 }  // namespace

@@ -277,6 +277,9 @@ class AssumptionLowering {
       const bool of_mission =
           e.op == Op::StateTime || e.op == Op::ResumeTime || e.op == Op::Temporal ||
           e.op == Op::Call || e.op == Op::Age ||
+          // No message may ever arrive.
+          (e.op == Op::Sensor && scope_.mission[e.sensor].id >= ir::kFirstHeardSensor &&
+           scope_.mission[e.sensor].id < ir::kFirstOwnSensor) ||
           (e.op == Op::Variable && scope_.mission[e.variable].kind != ir::VariableKind::Parameter);
       wrong = of_mission && wrong == nullptr ? &e : wrong;
     });

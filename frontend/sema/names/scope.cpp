@@ -60,10 +60,22 @@ const platforms::PlatformSensor* Scope::findSensor(std::string_view name) {
   if (const auto own = own_sensors.find(name); own != own_sensors.end()) {
     return own->second.usable ? &own->second.sensor : nullptr;
   }
+  if (const auto heard = heard_sensors.find(name); heard != heard_sensors.end()) {
+    return &heard->second.sensor;
+  }
   return platform().find(name);
 }
 
 namespace {
+
+std::vector<std::string_view> namesOf(
+    const std::map<std::string, OwnSensor, std::less<>>& sensors) {
+  std::vector<std::string_view> names;
+  for (const auto& [name, sensor] : sensors) {
+    names.push_back(name);
+  }
+  return names;
+}
 
 /// The clocks, then the sensors by the names that missions use, then by the vehicle's.
 std::vector<std::string_view> readableNames(
@@ -85,6 +97,12 @@ std::vector<std::string_view> readableNames(
 }  // namespace
 
 Suggestion Scope::suggestSensor(std::string_view wrong) const {
+  constexpr std::string_view kPeer = "peer.";
+  if (wrong.starts_with(kPeer)) {
+    return didYouMean(wrong, namesOf(heard_sensors),
+                      fmt::format("no vehicle tells it: the mission has no line `share {}`",
+                                  wrong.substr(kPeer.size())));
+  }
   if (auto wished = insteadOf(wrong, platform())) {
     return std::move(*wished);
   }

@@ -161,6 +161,8 @@ class Scope {
   /// The mission's subscription of a sensor, made on first use; `written` is its name in the
   /// mission.
   ir::SensorId subscribe(const platforms::PlatformSensor& sensor, std::string_view written);
+  /// The same if the mission has subscribed it; else invalid.
+  [[nodiscard]] ir::SensorId subscribed(const platforms::PlatformSensor& sensor) const;
   /// The mission's table of these values, made on first use.
   ir::TableId table(ir::Table table);
   /// The mission's use of a behaviour, made on first use.
@@ -253,6 +255,7 @@ class Scope {
   std::map<std::string, FunctionDeclaration, std::less<>> functions;
   static constexpr size_t kMostOwnSensors = 64;
   std::map<std::string, OwnSensor, std::less<>> own_sensors;
+  std::map<std::string, OwnSensor, std::less<>> heard_sensors;  ///< of other vehicles: "peer.top"
   std::map<std::string, ir::StateId, std::less<>> states;
   std::map<std::string, const ast::PlaceDeclaration*, std::less<>> places;
   std::vector<StateDeclaration> state_declarations;  ///< by StateId

@@ -24,14 +24,15 @@ ir::Type typeOf(const platforms::PlatformSensor& sensor) {
 
 ir::Sensor irSensor(const platforms::PlatformSensor& sensor, std::string_view written) {
   const bool own = sensor.id >= ir::kFirstOwnSensor;
-  const bool minutes = !own && sensor.kind != platforms::SensorKind::Quantity;
+  const bool of_vehicle = sensor.id < ir::kFirstHeardSensor;
+  const bool minutes = of_vehicle && sensor.kind != platforms::SensorKind::Quantity;
   return {std::string(written),
           sensor.name,
           sensor.id,
           typeOf(sensor),
-          minutes                   ? ir::Encoding::DegreesMinutes
-          : !own && sensor.magnetic ? ir::Encoding::Magnetic
-                                    : ir::Encoding::Linear,
+          minutes                         ? ir::Encoding::DegreesMinutes
+          : of_vehicle && sensor.magnetic ? ir::Encoding::Magnetic
+                                          : ir::Encoding::Linear,
           sensor.to_si,
           sensor.lowest,
           sensor.highest,
@@ -85,6 +86,11 @@ ir::SensorId Scope::subscribe(const platforms::PlatformSensor& sensor, std::stri
   mission.sensors.push_back(irSensor(sensor, written));
   subscribed_.emplace(sensor.id, id);
   return id;
+}
+
+ir::SensorId Scope::subscribed(const platforms::PlatformSensor& sensor) const {
+  const auto known = subscribed_.find(sensor.id);
+  return known != subscribed_.end() ? known->second : ir::SensorId();
 }
 
 ir::TableId Scope::table(ir::Table table) {

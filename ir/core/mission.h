@@ -75,12 +75,13 @@ enum class Encoding : uint8_t {
   Magnetic  ///< linear; a heading from magnetic north, which frames already contain from true north
 };
 
-/// Sensors numbered from here on are not the vehicle's: what its modem hears of others.
+/// Sensors numbered from here on are not the vehicle's: what its modem receives of others.
 constexpr uint16_t kFirstHeardSensor = 0xFE00;
 /// From here on they are the SBC's own, which it polls.
 constexpr uint16_t kFirstOwnSensor = 0xFF00;
 
-/// A vehicle's sensor that this mission subscribes, or one of the SBC's own.
+/// A vehicle's sensor that this mission subscribes, one of the SBC's own, or what is received of
+/// others.
 struct Sensor {
   std::string name;          ///< as written in the mission: "depth"
   std::string vehicle_name;  ///< "m_depth"
@@ -92,8 +93,11 @@ struct Sensor {
   double highest = 0;
   double stale_after_s = 0;  ///< a reading older than this is unknown
   /// The C function that is called for a reading once a tick (GliderPoll of
-  /// runtime/abi/glider_abi.h); empty for a sensor of the vehicle.
+  /// runtime/abi/glider_abi.h); empty for a sensor of the vehicle, and for what is received.
   std::string symbol = {};
+
+  /// Whether it is what the vehicle's modem receives of others; such a sensor has no symbol.
+  [[nodiscard]] bool isHeard() const { return id >= kFirstHeardSensor && id < kFirstOwnSensor; }
 };
 
 enum class BehaviourKind : uint8_t { Profile, Route };
@@ -416,13 +420,13 @@ struct Assumption {
 inline constexpr size_t kMostShares = 32;
 
 /// A value that the vehicle tells the others of a fleet by its acoustic modem, as one of `values`
-/// numbers `lowest` + i `step`; an unknown one, and one outside of them, is told as unknown. All
-/// shares of one period are told in one message.
+/// numbers `lowest` + i `step`; an unknown one, and one outside of them, is sent as unknown. All
+/// shares of one period are sent in one message.
 struct Share {
   std::string name;
-  SensorId sensor;      ///< what is told: a reading or, if this is not valid,
+  SensorId sensor;      ///< what is sent: a reading or, if this is not valid,
   VariableId variable;  ///< a variable of the kind Mission
-  SensorId peer;        ///< what was last heard of it from another vehicle; invalid: not read
+  SensorId peer;        ///< what was last received of it from another vehicle; invalid: not read
   double lowest = 0;    ///< SI units or degrees
   double step = 0;      ///< positive
   uint32_t values = 0;  ///< 1 at least, below UINT32_MAX; of a truth value 2

@@ -92,6 +92,11 @@ class References {
     name(assumption.sensor);
     of(assumption.watch);
   }
+  void of(Share& share) {
+    name(share.sensor);
+    name(share.variable);
+    name(share.peer);
+  }
   /// In the mission itself and in its states; not in what has a number of its own and may not be
   /// used: expressions, blocks, temporals, variables, and uses of functions.
   void ofBody(Mission& mission) {
@@ -106,6 +111,8 @@ class References {
     if (mission.compass) {
       name(mission.compass->variation);
     }
+    ofEach(mission.shares);
+    name(mission.utc);
   }
   void of(Mission& mission) {
     ofEach(mission.exprs);

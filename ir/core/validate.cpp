@@ -6,6 +6,7 @@
 #include "ir/core/defects.h"
 #include "ir/core/ops.h"
 #include "ir/core/validate_code.h"
+#include "ir/core/validate_shares.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +42,7 @@ class Validator {
     compass();
     behaviours();
     variables();
+    validateShares(m_, defects_);
     tables();
     functions();
     if (defects_.empty() && expressions()) {
@@ -81,7 +83,7 @@ class Validator {
   }
 
   static bool isAngle(const Sensor& s) {
-    return s.symbol.empty() && s.to_si == 1 &&
+    return s.symbol.empty() && !s.isHeard() && s.to_si == 1 &&
            s.type == Type{TypeKind::Quantity, support::dimension::angle};
   }
 

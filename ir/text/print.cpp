@@ -49,6 +49,7 @@ std::string Printer::run() {
   std::ranges::for_each(m_.functions, [&](const Function& f) { function(f); });
   std::ranges::for_each(
       m_.uses, [&](const FunctionUse& use) { add("\nuse {}", nameText(m_[use.function].name)); });
+  shares();
   launch();
   if (!m_.always.empty()) {
     add("\n");
@@ -88,11 +89,27 @@ void Printer::compass() {
 
 void Printer::sensor(const Sensor& s) {
   constexpr std::string_view kEncodings[] = {"linear", "degrees_minutes", "magnetic"};
-  const std::string whose =
-      s.symbol.empty() ? "vehicle " + nameText(s.vehicle_name) : "symbol " + nameText(s.symbol);
+  const std::string whose = s.isHeard()        ? "received"
+                            : s.symbol.empty() ? "vehicle " + nameText(s.vehicle_name)
+                                               : "symbol " + nameText(s.symbol);
   add("\nsensor {}: {} {} id {} encoding {} to_si {} lowest {} highest {} stale_after {}",
       nameText(s.name), typeText(s.type), whose, s.id, kEncodings[static_cast<size_t>(s.encoding)],
       s.to_si, s.lowest, s.highest, s.stale_after_s);
+}
+
+void Printer::shares() {
+  if (m_.utc.valid()) {
+    add("\nutc {}", nameText(m_[m_.utc].name));
+  }
+  for (const Share& s : m_.shares) {
+    add("\nshare {} of ", nameText(s.name));
+    s.sensor.valid() ? add("sensor {}", nameText(m_[s.sensor].name))
+                     : add("variable {}", nameText(m_[s.variable].name));
+    if (s.peer.valid()) {
+      add(" received {}", nameText(m_[s.peer].name));
+    }
+    add(" lowest {} step {} values {} every {}", s.lowest, s.step, s.values, s.period_s);
+  }
 }
 
 void Printer::behaviour(const Behaviour& b) {

@@ -44,6 +44,7 @@ class Printer {
 
   void compass();
   void sensor(const Sensor& sensor);
+  void shares();
   void behaviour(const Behaviour& behaviour);
   void variable(const Variable& variable);
   void table(const Table& table);

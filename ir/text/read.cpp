@@ -68,6 +68,10 @@ class Reader {
       m_.uses.push_back({{functions_.find(in_.nameToken("the name of a function"))}, {}});
     } else if (in_.accept("table")) {
       table();
+    } else if (in_.peek().isWord("share")) {
+      share();
+    } else if (in_.accept("utc")) {
+      m_.utc = sensorName();
     } else if (in_.accept("always")) {
       always();
     } else if (in_.accept("state")) {
@@ -87,8 +91,8 @@ class Reader {
       compass();
     } else if (!code_.definition()) {
       in_.failExpecting(
-          "`sensor`, `behaviour`, `variable`, `table`, `function`, `use`, `let`, `always`, "
-          "`state`, `every`, `require`, `assume`, `resume` or `compass`");
+          "`sensor`, `behaviour`, `variable`, `table`, `function`, `use`, `share`, `utc`, `let`, "
+          "`always`, `state`, `every`, `require`, `assume`, `resume` or `compass`");
     }
   }
 
@@ -101,6 +105,32 @@ class Reader {
       read.declination = in_.number(false);
     }
     m_.compass = read;
+  }
+
+  void share() {
+    const SourceRange begin = in_.expect("share");
+    Share s;
+    s.name = in_.name("the name of the share");
+    in_.expect("of");
+    if (in_.accept("sensor")) {
+      s.sensor = sensorName();
+    } else {
+      in_.expect("variable");
+      s.variable = code_.variableName();
+    }
+    if (in_.accept("received")) {
+      s.peer = sensorName();
+    }
+    in_.expect("lowest");
+    s.lowest = in_.number(false);
+    in_.expect("step");
+    s.step = in_.number(false);
+    in_.expect("values");
+    s.values = static_cast<uint32_t>(in_.integer(0, UINT32_MAX));
+    in_.expect("every");
+    s.period_s = in_.number(false);
+    s.range = in_.since(begin);
+    m_.shares.push_back(std::move(s));
   }
 
   void resumption() {
@@ -285,7 +315,7 @@ class Reader {
     s.type = in_.type();
     if (in_.accept("symbol")) {
       s.symbol = in_.name("the sensor's symbol");
-    } else {
+    } else if (!in_.accept("received")) {
       in_.expect("vehicle");
       s.vehicle_name = in_.name("the vehicle's name of the sensor");
     }

@@ -17,9 +17,9 @@ typedef struct GliderShare {
   double lowest; /* SI units or degrees */
   double step;
   uint32_t values;
-  uint32_t reading;  /* place in the mission's sensors of what is told, or GLIDER_NO_PLACE: */
+  uint32_t reading;  /* place in the mission's sensors of what is sent, or GLIDER_NO_PLACE: */
   uint32_t variable; /* place in GliderContext::variables */
-  uint32_t peer;     /* place in the mission's sensors of what is heard, or GLIDER_NO_PLACE */
+  uint32_t peer;     /* place in the mission's sensors of what is received, or GLIDER_NO_PLACE */
 } GliderShare;
 
 /* The shares of one period: one message. */
@@ -31,7 +31,7 @@ typedef struct GliderMessage {
   uint32_t bytes;     /* of the packed message: 1..GLIDER_MOST_MESSAGE_BYTES */
 } GliderMessage;
 
-/* What the program on the SBC must know of what the mission tells and hears. The compiler writes
+/* What the program on the SBC must know of what the mission tells and receives. The compiler writes
    one into each program of a mission with shares, as `gliderTalk`. No padding: it is the same on
    every board. */
 typedef struct GliderTalk {

@@ -18,6 +18,8 @@ GLIDERCC = {"runs": (("GLIDERCC", "bin/glidercc"),), "itself": False}
 HOOKS = Suite("tests/hooks_test")
 IMC = Suite("tests/imc_test")
 RECON = Suite("tests/recon_test")
+MICRO_MODEM = Suite("tests/micro_modem_test")
+SHARE = Suite("tests/share_test")
 RECON_SEAT = Suite("tests/recon_backseat_test")
 POSIX = Suite("tests/hooks_posix_test")
 RUNTIME = Suite("tests/runtime_test")
@@ -58,6 +60,8 @@ SUITES = {
     "hooks": (HOOKS, RUNTIME),
     "hooks/imc": (IMC,),
     "hooks/recon": (RECON,),
+    "hooks/micro_modem": (MICRO_MODEM,),
+    "hooks/share": (SHARE,),
     "hooks/transport": (POSIX, HOOKS, CARD, C_MISSION),
     "runtime": (RUNTIME, CARD, C_MISSION, OPERATIONS, JUDGED),
     "runtime/recon": (RECON_SEAT,),

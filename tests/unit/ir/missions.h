@@ -31,6 +31,21 @@ behaviour profile to symbol gliderProfileTo (target: length, since: time) reads 
 behaviour route drift symbol gliderRouteDrift () reads ()
 )";
 
+/// The start of a text of a mission that tells three values in two messages, and receives two of
+/// them.
+inline const std::string kTalking =
+    kHeader +
+    R"(sensor present_time: time vehicle m_present_time id 3 encoding linear to_si 1 lowest 0 highest 4e9 stale_after 60
+sensor "peer.top": length received id 65024 encoding linear to_si 1 lowest 0 highest 200 stale_after 600
+sensor "peer.found": number received id 65025 encoding linear to_si 1 lowest 0 highest 1 stale_after 600
+variable found: bool mission
+initial found false
+utc present_time
+share top of sensor depth received "peer.top" lowest 0 step 0.1 values 2001 every 60
+share found of variable found received "peer.found" lowest 0 step 1 values 2 every 60
+share warm of sensor temp lowest -2 step 0.05 values 841 every 600
+)";
+
 /// A state that drifts.
 inline std::string stateText(const std::string& name, const std::string& cases) {
   return "state " + name + " route drift () profile glide () " + cases + "\n";

@@ -96,6 +96,14 @@ void expectSame(const Expr& a, const Expr& b) {
   EXPECT_EQ(bits(a.number), bits(b.number));
 }
 
+void expectSame(const Share& a, const Share& b) {
+  EXPECT_EQ(std::tie(a.name, a.sensor, a.variable, a.peer, a.values),
+            std::tie(b.name, b.sensor, b.variable, b.peer, b.values));
+  for (auto number : {&Share::lowest, &Share::step, &Share::period_s}) {
+    EXPECT_EQ(bits(a.*number), bits(b.*number));
+  }
+}
+
 template <typename T>
 void expectSame(const std::vector<T>& a, const std::vector<T>& b) {
   ASSERT_EQ(a.size(), b.size());
@@ -106,8 +114,9 @@ void expectSame(const std::vector<T>& a, const std::vector<T>& b) {
 
 /// Everything but source ranges.
 void expectSame(const Mission& a, const Mission& b) {
-  EXPECT_EQ(std::tie(a.name, a.platform, a.conditions, a.compass),
-            std::tie(b.name, b.platform, b.conditions, b.compass));
+  EXPECT_EQ(std::tie(a.name, a.platform, a.conditions, a.compass, a.utc),
+            std::tie(b.name, b.platform, b.conditions, b.compass, b.utc));
+  expectSame(a.shares, b.shares);
   expectSame(a.variables, b.variables);
   expectSame(a.temporals, b.temporals);
   expectSame(a.blocks, b.blocks);
@@ -297,6 +306,25 @@ TEST(IrText, CompassesComeBack) {
     EXPECT_NE(print(mission).find("\n" + compass + "\n"), std::string::npos) << print(mission);
     expectSame(mission, missionOf(print(mission)));
   }
+}
+
+TEST(IrText, SharesComeBack) {
+  const std::string text =
+      kTalking + stateText("a", "case (gt (sensor \"peer.top\") 5:length) exit");
+  const Mission mission = missionOf(text);
+  ASSERT_EQ(mission.shares.size(), 3U);
+  EXPECT_EQ(mission[mission.utc].vehicle_name, "m_present_time");
+  EXPECT_TRUE(mission[mission.shares[0].peer].isHeard());
+  EXPECT_TRUE(mission.shares[1].variable.valid());
+  EXPECT_FALSE(mission.shares[2].peer.valid());
+  const std::string printed = print(mission);
+  EXPECT_NE(
+      printed.find("\nutc present_time\n"
+                   "share top of sensor depth received \"peer.top\" lowest 0 step 0.1 values 2001 "
+                   "every 60\n"),
+      std::string::npos)
+      << printed;
+  expectSame(mission, missionOf(printed));
 }
 
 TEST(IrText, WholeLanguageReadsLikeTheMission) {

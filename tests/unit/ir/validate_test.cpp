@@ -3,8 +3,10 @@
 
 #include "ir/core/validate.h"
 
+#include "ir/core/share_messages.h"
 #include "tests/unit/ir/missions.h"
 
+#include <array>
 #include <functional>
 #include <limits>
 
@@ -312,6 +314,126 @@ INSTANTIATE_TEST_SUITE_P(Values, ValidateWholeDamaged, testing::ValuesIn(kWholeD
                          [](const auto& damage) { return damage.param.name; });
 INSTANTIATE_TEST_SUITE_P(Code, ValidateWholeDamaged, testing::ValuesIn(kCodeDamages),
                          [](const auto& damage) { return damage.param.name; });
+
+Mission talking() {
+  return missionOf(kTalking + stateText("a", "case (gt (sensor \"peer.top\") 5:length) exit"));
+}
+
+TEST(Validate, AcceptsShares) {
+  EXPECT_TRUE(validate(talking()).empty());
+  Mission most = talking();
+  for (uint32_t i = 3; i < 32; ++i) {
+    most.shares.push_back(
+        {"s" + std::to_string(i), {0}, {}, {}, 0, 1, 1, 600 + double{1.0 * i}, {}});
+  }
+  EXPECT_TRUE(validate(most).empty());
+}
+
+class ValidateTalkingDamaged : public testing::TestWithParam<Damage> {};
+
+TEST_P(ValidateTalkingDamaged, IsFound) {
+  Mission m = talking();
+  GetParam().make(m);
+  EXPECT_FALSE(validate(m).empty());
+}
+
+const Damage kShareDamages[] = {
+    {"noClock", [](Mission& m) { m.utc = {}; }},
+    {"clockAlone",
+     [](Mission& m) {
+       m = sound();
+       m.utc = {0};
+     }},
+    {"clockMissing", [](Mission& m) { m.utc = {9}; }},
+    {"clockHeard", [](Mission& m) { m.utc = {3}; }},
+    {"namesTwice", [](Mission& m) { m.shares[1].name = "top"; }},
+    {"periodsBackwards", [](Mission& m) { m.shares[0].period_s = 700; }},
+    {"periodNone", [](Mission& m) { m.shares[0].period_s = m.shares[1].period_s = 0; }},
+    {"periodEndless",
+     [](Mission& m) { m.shares[2].period_s = std::numeric_limits<double>::infinity(); }},
+    {"stepNone", [](Mission& m) { m.shares[0].step = 0; }},
+    {"stepNaN", [](Mission& m) { m.shares[0].step = kInvalidNumber; }},
+    {"lowestNaN", [](Mission& m) { m.shares[0].lowest = kInvalidNumber; }},
+    {"highestEndless", [](Mission& m) { m.shares[0].step = 1e306; }},
+    {"valuesNone", [](Mission& m) { m.shares[0].values = 0; }},
+    {"valuesTooMany", [](Mission& m) { m.shares[2].values = UINT32_MAX; }},
+    {"sensorMissing", [](Mission& m) { m.shares[0].sensor = {9}; }},
+    {"tellsNothing", [](Mission& m) { m.shares[0].sensor = {}; }},
+    {"tellsWhatIsHeard", [](Mission& m) { m.shares[0].sensor = {3}; }},
+    {"tellsTwo", [](Mission& m) { m.shares[0].variable = {0}; }},
+    {"variableMissing", [](Mission& m) { m.shares[1].variable = {1}; }},
+    {"truthOfThree", [](Mission& m) { m.shares[1].values = 3; }},
+    {"peerMissing", [](Mission& m) { m.shares[0].peer = {9}; }},
+    {"peerOfTheVehicle", [](Mission& m) { m.shares[2].peer = {1}; }},
+    {"peerOfTwo", [](Mission& m) { m.shares[1].peer = m.shares[0].peer; }},
+    {"heardOfNoShare", [](Mission& m) { m.shares[0].peer = {}; }},
+    {"heardInFeet", [](Mission& m) { m.sensors[3].to_si = 0.3048; }},
+    {"heardBySymbol", [](Mission& m) { m.sensors[3].symbol = "poll"; }},
+    {"variationHeard",
+     [](Mission& m) {
+       m.sensors[4].type = {TypeKind::Quantity, support::dimension::angle};
+       m.compass = {{4}, {}};
+     }},
+    {"tooLargeForAFrame",
+     [](Mission& m) {
+       for (int i = 0; i < 8; ++i) {
+         m.shares.push_back({"s" + std::to_string(i), {0}, {}, {}, 0, 1, UINT32_MAX - 1, 600, {}});
+       }
+     }},
+    {"tooMany",
+     [](Mission& m) {
+       for (int i = 0; i < 30; ++i) {
+         m.shares.push_back({"s" + std::to_string(i), {0}, {}, {}, 0, 1, 1, 601.0 + i, {}});
+       }
+     }},
+};
+
+INSTANTIATE_TEST_SUITE_P(Shares, ValidateTalkingDamaged, testing::ValuesIn(kShareDamages),
+                         [](const auto& damage) { return damage.param.name; });
+
+TEST(ShareMessages, AreThoseOfAPeriod) {
+  const Mission mission = talking();
+  const auto messages = messagesOf(mission);
+  ASSERT_EQ(messages.size(), 2U);
+  EXPECT_EQ(messages[0].first, 0U);
+  EXPECT_EQ(messages[0].count, 2U);
+  EXPECT_EQ(messages[0].bytes, 3U);  // 256 * 2002 * 3
+  EXPECT_EQ(messages[0].bits, 21U);
+  EXPECT_EQ(messages[1].first, 2U);
+  EXPECT_EQ(messages[1].count, 1U);
+  EXPECT_EQ(messages[1].bytes, 3U);
+  EXPECT_EQ(messages[1].bits, 18U);
+}
+
+/// The same, for any name in this mission and any reader; another, if a word
+/// of what is sent is another. Eight bits cannot tell all, so a few of each are tried.
+TEST(ShareMessages, TheSignatureIsThatOfWhatIsTold) {
+  const std::vector<Share> shares = talking().shares;
+  const auto signature = [](Share share) { return messageOf({{share}}).signature; };
+  const uint32_t own = signature(shares[2]);
+  EXPECT_EQ(own, 21U);  // every program that shares this has this one
+  Share same = shares[2];
+  same.sensor = {1};
+  same.peer = {4};
+  same.range.begin = 77;
+  EXPECT_EQ(signature(same), own);
+  int others = 0;
+  for (int i = 1; i <= 8; ++i) {
+    std::array<Share, 5> changed;
+    changed.fill(shares[2]);
+    changed[0].name += std::to_string(i);
+    changed[1].lowest += i;
+    changed[2].step += i;
+    changed[3].values += static_cast<uint32_t>(i);
+    changed[4].period_s += i;
+    for (const Share& share : changed) {
+      others += signature(share) != own ? 1 : 0;
+    }
+  }
+  EXPECT_GE(others, 38);
+  EXPECT_NE(messageOf({{shares[0], shares[1]}}).signature,
+            messageOf({{shares[1], shares[0]}}).signature);
+}
 
 /// `m` is read by what is `watched` or is the `initial` value of a variable of a state; then every
 /// tick sets it.

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/core/share_messages.h"
+
+#include "hooks/protocol/crc.h"
+#include "hooks/share/message.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <string>
+
+namespace glider::ir {
+namespace {
+
+constexpr uint32_t kSignatureMask = 0xFF;
+
+/// The same in every mission that shares the same, in any units.
+std::string identityOf(const Share& share) {
+  const auto bits = [](double number) { return std::bit_cast<uint64_t>(number); };
+  return fmt::format("{} {:016x} {:016x} {:016x} {:016x}\n", share.name, bits(share.lowest),
+                     bits(share.step), bits(share.values), bits(share.period_s));
+}
+
+}  // namespace
+
+ShareMessage messageOf(std::span<const Share> shares, uint32_t first) {
+  std::vector<hooks::share::Scale> scales;
+  uint32_t check = kHookCrc32cStart;
+  for (const Share& share : shares) {
+    scales.push_back({share.lowest, share.step, share.values});
+    const std::string identity = identityOf(share);
+    check = hooks::crc32c(reinterpret_cast<const uint8_t*>(identity.data()),
+                          static_cast<uint32_t>(identity.size()), check);
+  }
+  const auto count = static_cast<uint32_t>(shares.size());
+  const hooks::share::MessageSize size = hooks::share::sizeOf(scales.data(), count);
+  return {first, count, size.bytes, size.bits, check & kSignatureMask};
+}
+
+std::vector<ShareMessage> messagesOf(const Mission& mission) {
+  std::vector<ShareMessage> messages;
+  const std::span<const Share> shares = mission.shares;
+  for (uint32_t first = 0; first < shares.size();) {
+    uint32_t end = first + 1;
+    while (end < shares.size() && shares[end].period_s == shares[first].period_s) {
+      ++end;
+    }
+    messages.push_back(messageOf(shares.subspan(first, end - first), first));
+    first = end;
+  }
+  return messages;
+}
+
+}  // namespace glider::ir

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/core/mission.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace glider::ir {
+
+/// The shares of one period, which are sent in one message of the modem.
+struct ShareMessage {
+  uint32_t first = 0;  ///< in Mission::shares
+  uint32_t count = 0;
+  uint32_t bytes = 0;      ///< of the packed message; 0: more than a frame of the modem holds
+  uint32_t bits = 0;       ///< that it needs, with the signature; 0 if `bytes` is
+  uint32_t signature = 0;  ///< 0..255: of the names, scales and period of its shares
+};
+
+/// The message of these shares of one period, the first of which is number `first`.
+ShareMessage messageOf(std::span<const Share> shares, uint32_t first = 0);
+
+/// The messages of a mission, shortest period first.
+std::vector<ShareMessage> messagesOf(const Mission& mission);
+
+}  // namespace glider::ir

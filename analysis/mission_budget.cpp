@@ -3,6 +3,7 @@
 
 #include "analysis/mission_budget.h"
 
+#include "analysis/modem_budget.h"
 #include "codegen/codegen.h"
 #include "compiler/boards.h"
 #include "compiler/user_code.h"
@@ -148,6 +149,7 @@ Result<std::vector<Budget>> missionBudgets(const compiler::Optimised& mission,
                                            const std::vector<std::string>& user_code,
                                            support::DiagnosticEngine& diagnostics) {
   std::vector<Budget> budgets = linesBudget(mission, diagnostics);
+  std::ranges::move(modemBudget(mission), std::back_inserter(budgets));
   for (const std::string& target : targets) {
     auto budget = budgetOn(target, mission, user_code, diagnostics);
     if (!budget) {

@@ -105,6 +105,40 @@ int32_t InProcessSbc::writeCard(void* self, uint32_t offset, const uint8_t* byte
   return static_cast<int32_t>(count);
 }
 
+void InProcessSbc::talk(const Turn& turn) {
+  if (const GliderTalk* talk = mission_->talk()) {
+    talker_.emplace(*talk, turn.address, turn.vehicles);
+  }
+}
+
+int32_t InProcessSbc::readModem(void* self, uint8_t* bytes, uint32_t capacity) {
+  std::vector<uint8_t>& there = static_cast<InProcessSbc*>(self)->from_modem_;
+  const auto count = static_cast<ptrdiff_t>(std::min<size_t>(capacity, there.size()));
+  std::copy_n(there.begin(), count, bytes);
+  there.erase(there.begin(), there.begin() + count);
+  return static_cast<int32_t>(count);
+}
+
+int32_t InProcessSbc::writeModem(void* self, const uint8_t* bytes, uint32_t count) {
+  std::vector<uint8_t>& out = static_cast<InProcessSbc*>(self)->to_modem_;
+  out.insert(out.end(), bytes, bytes + count);
+  return static_cast<int32_t>(count);
+}
+
+void InProcessSbc::hearModem(std::span<const uint8_t> bytes) {
+  from_modem_.insert(from_modem_.end(), bytes.begin(), bytes.end());
+}
+
+/// As the program on a board does about once a second.
+std::vector<uint8_t> InProcessSbc::toModem() {
+  if (talker_ && alive() && !finished_) {
+    const bool begun = mission_->context(runtime_) != nullptr;
+    auto* context = reinterpret_cast<GliderContext*>(context_memory_.get());
+    talker_->poll({this, readModem, writeModem}, begun ? context : nullptr, vehicle_now_s_);
+  }
+  return std::exchange(to_modem_, {});
+}
+
 void InProcessSbc::damageCard(const simulator::CardFault& fault, uint64_t seed) {
   simulator::damageCard(fault, seed, *card_);
 }

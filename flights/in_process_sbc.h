@@ -4,11 +4,13 @@
 #pragma once
 
 #include "codegen/load/loaded_mission.h"
+#include "flights/launch_choice.h"
 #include "flights/seat_on_board.h"
 #include "hooks/protocol/lockstep.h"
 #include "hooks/transport/byte_stream.h"
 #include "runtime/abi/runtime.h"
 #include "runtime/checkpoint/checkpoint.h"
+#include "runtime/talk/talker.h"
 #include "simulator/ports/sbc_port.h"
 
 #include <cstdint>
@@ -40,6 +42,9 @@ class InProcessSbc final : public simulator::SbcPort {
   using Watcher = std::function<void(const GliderContext&, double now_s)>;
   void watch(Watcher watcher) { watcher_ = std::move(watcher); }
 
+  /// Its program uses its modem, in its turns. Nothing if the mission shares nothing.
+  void talk(const Turn& turn);
+
   /// Mission time of the newest checkpoint that it found on its card, s; none: there was none.
   [[nodiscard]] std::optional<double> kept() const { return kept_; }
 
@@ -51,12 +56,16 @@ class InProcessSbc final : public simulator::SbcPort {
   [[nodiscard]] bool alive() const override { return exit_reason_.empty(); }
   [[nodiscard]] bool keepsTime() const override { return keeps_time_; }
   void plug(bool in) override { plugged_ = in; }
+  void hearModem(std::span<const uint8_t> bytes) override;
+  std::vector<uint8_t> toModem() override;
   void damageCard(const simulator::CardFault& fault, uint64_t seed) override;
   [[nodiscard]] std::string exitReason() const override { return exit_reason_; }
 
  private:
   static int32_t readBytes(void* self, uint8_t* bytes, uint32_t capacity);
   static int32_t writeBytes(void* self, const uint8_t* bytes, uint32_t count);
+  static int32_t readModem(void* self, uint8_t* bytes, uint32_t capacity);
+  static int32_t writeModem(void* self, const uint8_t* bytes, uint32_t count);
   static double now(void* self);
   static int32_t readCard(void* self, uint32_t offset, uint8_t* bytes, uint32_t count);
   static int32_t writeCard(void* self, uint32_t offset, const uint8_t* bytes, uint32_t count);
@@ -77,6 +86,9 @@ class InProcessSbc final : public simulator::SbcPort {
   size_t taken_ = 0;  ///< bytes of to_sbc_ already read
   std::vector<uint8_t> from_sbc_;
   SeatOnBoard seat_;
+  std::optional<runtime::talk::Talker> talker_;
+  std::vector<uint8_t> from_modem_;
+  std::vector<uint8_t> to_modem_;
   hooks::Lockstep lockstep_;
   double now_s_ = 0;          ///< by its own clock
   double vehicle_now_s_ = 0;  ///< by that of the simulated world

@@ -7,15 +7,24 @@
 #include "compiler/compilation.h"
 #include "support/result.h"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace glider::flights {
 
-/// The pilot's settings of a mission's parameters.
+/// Which vehicle of a fleet it is: the address of its acoustic modem, and how many take turns.
+struct Turn {
+  uint32_t address = 1;  ///< 1..vehicles
+  uint32_t vehicles = 1;
+};
+
+/// What the pilot gives a program when it is launched.
 struct LaunchChoice {
   std::vector<std::string> settings;  ///< of --set, "name=value"
   std::string file;                   ///< of --parameters; empty: none
+  std::optional<Turn> turn = {};      ///< empty: it does not use its modem
 
   [[nodiscard]] bool empty() const { return settings.empty() && file.empty(); }
 };

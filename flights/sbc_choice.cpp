@@ -57,20 +57,24 @@ Result<NewWatchedFlight> flightsInProcess(const compiler::Optimised& mission,
     return std::unexpected(parameters.error());
   }
   auto shared = std::make_shared<const codegen::LoadedMission>(std::move(*loaded));
-  return [shared, values = std::move(*parameters), keeps_time, port](RequirementWatch* watch) {
-    return startInProcess(shared, values, keeps_time, watch, port);
+  return [shared, values = std::move(*parameters), keeps_time, port,
+          turn = launch.turn](RequirementWatch* watch) {
+    return startInProcess(shared, values, keeps_time, watch, port, turn);
   };
 }
 
 StartSbc startInProcess(std::shared_ptr<const codegen::LoadedMission> mission,
                         std::vector<double> parameters, bool keeps_time, RequirementWatch* watch,
-                        const std::optional<PortEnd>& port) {
+                        const std::optional<PortEnd>& port, const std::optional<Turn>& turn) {
   return [mission = std::move(mission), parameters = std::move(parameters), keeps_time, watch, port,
-          card = std::make_shared<Card>()]() -> Result<std::unique_ptr<SbcPort>> {
+          turn, card = std::make_shared<Card>()]() -> Result<std::unique_ptr<SbcPort>> {
     auto sbc = std::make_unique<InProcessSbc>(mission, parameters, card, keeps_time,
                                               port ? std::optional(port->mission) : std::nullopt);
     if (watch != nullptr) {
       sbc->watch(watch->watcher(parameters, sbc->kept()));
+    }
+    if (turn) {
+      sbc->talk(*turn);
     }
     return sbc;
   };

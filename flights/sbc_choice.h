@@ -61,11 +61,12 @@ support::Result<simulator::StartSbc> sbcInProcess(const compiler::Optimised& mis
                                                   bool keeps_time, RequirementWatch* watch,
                                                   const std::optional<PortEnd>& port = {});
 
-/// For a mission that is already loaded. `port`: as for InProcessSbc.
+/// For a mission that is already loaded. `port`: as for InProcessSbc. `turn`: as in LaunchChoice.
 simulator::StartSbc startInProcess(std::shared_ptr<const codegen::LoadedMission> mission,
                                    std::vector<double> parameters, bool keeps_time,
                                    RequirementWatch* watch = nullptr,
-                                   const std::optional<PortEnd>& port = {});
+                                   const std::optional<PortEnd>& port = {},
+                                   const std::optional<Turn>& turn = {});
 
 /// The program of sbcProgram, which should be `mission` with its default parameters and keep
 /// checkpoints. `watch` (null: none) watches the same mission in this process beside it.

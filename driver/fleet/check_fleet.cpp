@@ -74,7 +74,33 @@ support::Result<void> FleetCheck::settle() {
     const simulator::GeoPosition start = flights::startOf(vehicle, *scenario);
     starts_[vehicle.name] = {start.latitude_deg, start.longitude_deg};
   }
-  return {};
+  return checkTalk(fleet_, talking());
+}
+
+std::vector<Talking> FleetCheck::talking() const {
+  std::vector<Talking> talking;
+  for (const flights::FleetVehicle& vehicle : fleet_.vehicles) {
+    const Known* known = knownOf(vehicle);
+    if (known != nullptr && known->checked != nullptr) {
+      talking.push_back({&vehicle, &known->checked->mission(), &known->checked->platform()});
+    }
+  }
+  return talking;
+}
+
+/// How the vehicles take turns; empty if none of them shares anything.
+std::string FleetCheck::talkText() const {
+  for (const Talking& vehicle : talking()) {
+    if (!vehicle.mission->shares.empty()) {
+      const uint32_t slots = flights::slotsOf(fleet_);
+      const double slot_s = slotOf(*vehicle.platform);
+      return fmt::format(
+          "they take turns in {} slots of {:g} s, a round every {:g} s; what each "
+          "promises holds when no message arrives\n",
+          slots, slot_s, slots * slot_s);
+    }
+  }
+  return "";
 }
 
 const FleetCheck::Known* FleetCheck::knownOf(const flights::FleetVehicle& vehicle) const {
@@ -176,9 +202,10 @@ std::string FleetCheck::text() const {
       all.empty() ? ""
                   : fmt::format(", separation proved for {} of {} pair{}", all.size() - open,
                                 all.size(), all.size() == 1 ? "" : "s");
-  return text + fmt::format("{}: fleet of {} vehicle{}, {} mission{}{}\n", fleet_.file.string(),
-                            fleet_.vehicles.size(), fleet_.vehicles.size() == 1 ? "" : "s",
-                            missions().size(), missions().size() == 1 ? "" : "s", separation);
+  return text + talkText() +
+         fmt::format("{}: fleet of {} vehicle{}, {} mission{}{}\n", fleet_.file.string(),
+                     fleet_.vehicles.size(), fleet_.vehicles.size() == 1 ? "" : "s",
+                     missions().size(), missions().size() == 1 ? "" : "s", separation);
 }
 
 Json FleetCheck::json() const {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "analysis/check/check.h"
+#include "driver/fleet/fleet_talk.h"
 #include "driver/json_document.h"
 #include "flights/fleet/fleet_file.h"
 #include "ir/core/mission.h"
@@ -36,7 +37,8 @@ class FleetCheck {
   /// Takes what was found about one of them.
   void take(const analysis::CheckedFile& checked);
   /// Once all were taken: whether the settings of each vehicle are allowed by its mission, and
-  /// where each starts. GL9052, which names the vehicle, and as flights::chooseScenario.
+  /// where each starts, and whether they can talk. GL9052, which names the vehicle, GL9304, and as
+  /// flights::chooseScenario.
   support::Result<void> settle();
   /// All pairs of vehicles; empty if the fleet requires no separation.
   [[nodiscard]] std::vector<PairVerdict> pairs() const;
@@ -54,6 +56,8 @@ class FleetCheck {
     bool tried = false;         ///< it requires to stay in an area
   };
 
+  [[nodiscard]] std::vector<Talking> talking() const;
+  [[nodiscard]] std::string talkText() const;
   [[nodiscard]] PairVerdict judge(const flights::FleetVehicle& one,
                                   const flights::FleetVehicle& other) const;
   /// Why it is not certain that the vehicle stays in an area; empty: it is.

@@ -5,6 +5,7 @@
 
 #include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
+#include "driver/fleet/fleet_talk.h"
 #include "driver/output/flown.h"
 #include "driver/terminal.h"
 #include "flights/flight_setup.h"
@@ -28,8 +29,9 @@ using support::Result;
 
 constexpr double kHalfTurn_deg = 180;
 
-flights::LaunchChoice launchOf(const flights::FleetVehicle& vehicle) {
-  return {vehicle.settings, ""};
+/// `slots` of the modems of its fleet.
+flights::LaunchChoice launchOf(const flights::FleetVehicle& vehicle, uint32_t slots) {
+  return {vehicle.settings, "", flights::Turn{vehicle.address, slots}};
 }
 
 /// Where the vehicle starts, in the sea of the scenario.
@@ -77,6 +79,15 @@ Missions compileAll(const flights::Fleet& fleet, int& status) {
   return missions;
 }
 
+std::vector<Talking> talkingOf(const flights::Fleet& fleet, const Missions& missions) {
+  std::vector<Talking> talking;
+  for (const flights::FleetVehicle& vehicle : fleet.vehicles) {
+    const compiler::Optimised& mission = *missions.at(vehicle.mission);
+    talking.push_back({&vehicle, &mission.mission, &mission.platform()});
+  }
+  return talking;
+}
+
 /// Refuses a name that no vehicle has.
 Result<void> checkOnly(const flights::Fleet& fleet, const std::string& only) {
   std::vector<std::string> names;
@@ -92,11 +103,12 @@ Result<void> checkOnly(const flights::Fleet& fleet, const std::string& only) {
 
 }  // namespace
 
-ReadyVehicle::ReadyVehicle(const flights::FleetVehicle& vehicle, uint32_t number,
+ReadyVehicle::ReadyVehicle(const flights::FleetVehicle& vehicle, uint32_t number, uint32_t slots,
                            std::shared_ptr<const compiler::Optimised> mission,
                            simulator::Scenario scenario)
     : vehicle_(vehicle),
       number_(number),
+      slots_(slots),
       mission_(std::move(mission)),
       scenario_(std::move(scenario)) {
   if (flights::RequirementWatch::canWatch(*mission_)) {
@@ -117,7 +129,7 @@ Result<simulator::FleetMember> ReadyVehicle::member() {
   if (!port) {
     return std::unexpected(port.error());
   }
-  auto start = flights::sbcInProcess(*mission_, launchOf(vehicle_), vehicle_.user_code,
+  auto start = flights::sbcInProcess(*mission_, launchOf(vehicle_, slots_), vehicle_.user_code,
                                      !scenario_.faults.empty(), watch_ ? &*watch_ : nullptr, *port);
   if (!start) {
     return std::unexpected(flights::ofVehicle(vehicle_, start.error()));
@@ -132,6 +144,7 @@ Result<simulator::FleetMember> ReadyVehicle::member() {
   member.setup.restart_sbc = std::move(*start);
   member.setup.platform = mission_->platform();
   member.setup.scenario = scenario_;
+  member.setup.talks = !mission_->mission.shares.empty();
   flights::describeMission(member.setup, *mission_);
   return member;
 }
@@ -140,7 +153,7 @@ std::vector<support::Diagnostic> ReadyVehicle::judge(support::Trace& trace) cons
   const Flown flown{mission_.get(), watch_ ? &*watch_ : nullptr, ""};
   const auto violations =
       watch_ ? watch_->violations(trace) : std::vector<flights::FlownViolation>();
-  addFacts(flown, launchOf(vehicle_), violations, trace);
+  addFacts(flown, launchOf(vehicle_, slots_), violations, trace);
   return driver::judge(trace, flown, violations, scenario_);
 }
 
@@ -149,6 +162,11 @@ Result<ReadyFleet> readyFleet(const flights::Fleet& fleet, const std::string& on
     return std::unexpected(known.error());
   }
   const Missions missions = compileAll(fleet, status);
+  if (status == kFine) {
+    if (auto talk = checkTalk(fleet, talkingOf(fleet, missions)); !talk) {
+      return std::unexpected(talk.error());
+    }
+  }
   ReadyFleet ready;
   for (uint32_t number = 0; status == kFine && number < fleet.vehicles.size(); ++number) {
     const flights::FleetVehicle& vehicle = fleet.vehicles[number];
@@ -164,8 +182,8 @@ Result<ReadyFleet> readyFleet(const flights::Fleet& fleet, const std::string& on
     scenario->seed = ready.seed;
     place(vehicle, *scenario);
     if (only.empty() || vehicle.name == only) {
-      ready.vehicles.push_back(
-          std::make_unique<ReadyVehicle>(vehicle, number, mission, std::move(*scenario)));
+      ready.vehicles.push_back(std::make_unique<ReadyVehicle>(
+          vehicle, number, flights::slotsOf(fleet), mission, std::move(*scenario)));
     }
   }
   return ready;

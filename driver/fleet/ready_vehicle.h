@@ -22,8 +22,9 @@ namespace glider::driver {
 /// A vehicle of a fleet with its compiled mission and its scenario.
 class ReadyVehicle {
  public:
-  /// `scenario`: with the place where it starts.
-  ReadyVehicle(const flights::FleetVehicle& vehicle, uint32_t number,
+  /// `slots`: in which the modems of the fleet take turns. `scenario`: with the place where it
+  /// starts.
+  ReadyVehicle(const flights::FleetVehicle& vehicle, uint32_t number, uint32_t slots,
                std::shared_ptr<const compiler::Optimised> mission, simulator::Scenario scenario);
   ReadyVehicle(const ReadyVehicle&) = delete;
   ReadyVehicle& operator=(const ReadyVehicle&) = delete;
@@ -40,6 +41,7 @@ class ReadyVehicle {
  private:
   flights::FleetVehicle vehicle_;
   uint32_t number_;
+  uint32_t slots_;
   std::shared_ptr<const compiler::Optimised> mission_;
   simulator::Scenario scenario_;
   std::optional<flights::RequirementWatch> watch_;

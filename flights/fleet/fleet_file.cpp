@@ -84,7 +84,7 @@ void readStart(TomlReader& reader, const toml::table& table, FleetVehicle& vehic
 support::Result<FleetVehicle> readVehicle(const fs::path& file, const toml::table& table) {
   TomlReader reader(file.string(), table, "[[vehicle]]");
   reader.only({"name", "mission", "latitude_deg", "longitude_deg", "bearing_deg", "distance_m",
-               "heading_deg", "mi", "set", "link"});
+               "heading_deg", "mi", "set", "link", "address"});
   FleetVehicle vehicle;
   vehicle.name = reader.text("name");
   if (!isFileStem(vehicle.name)) {
@@ -96,6 +96,13 @@ support::Result<FleetVehicle> readVehicle(const fs::path& file, const toml::tabl
   vehicle.settings = reader.textsOr("set");
   for (const std::string& code : reader.textsOr("link")) {
     vehicle.user_code.push_back(besideFleet(file, code).string());
+  }
+  if (table.contains("address")) {
+    const int64_t address = reader.integer("address");
+    if (address < 1 || address > kMostAddress) {
+      reader.refuse("address", fmt::format("must be from 1 to {}", kMostAddress));
+    }
+    vehicle.address = static_cast<uint32_t>(address);
   }
   readStart(reader, table, vehicle);
   if (reader.failure()) {
@@ -143,6 +150,32 @@ support::Result<Fleet> readHead(const fs::path& file, const toml::table& root) {
   return fleet;
 }
 
+/// The addresses that the file does not give: for all vehicles or for none.
+support::Result<void> giveAddresses(const fs::path& file, const toml::array& tables,
+                                    std::vector<FleetVehicle>& vehicles) {
+  const auto given = std::ranges::count_if(
+      vehicles, [](const FleetVehicle& vehicle) { return vehicle.address != 0; });
+  for (size_t i = 0; i < vehicles.size(); ++i) {
+    FleetVehicle& vehicle = vehicles[i];
+    const auto first = std::ranges::find(vehicles, vehicle.address, &FleetVehicle::address);
+    TomlReader reader(file.string(), *tables[i].as_table(), "[[vehicle]]");
+    if (given == 0) {
+      vehicle.address = static_cast<uint32_t>(i) + 1;
+    } else if (vehicle.address == 0) {
+      reader.refuse("address", fmt::format("is missing for `{}`: give all vehicles one, or none",
+                                           vehicle.name));
+    } else if (&*first != &vehicle) {
+      reader.refuse("address", fmt::format("{} is that of `{}` too: two vehicles would send at the "
+                                           "same time",
+                                           vehicle.address, first->name));
+    }
+    if (reader.failure()) {
+      return std::unexpected(*reader.failure());
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 simulator::GeoPosition startOf(const FleetVehicle& vehicle, const simulator::Scenario& scenario) {
@@ -187,7 +220,14 @@ support::Result<Fleet> loadFleet(const fs::path& path) {
     }
     fleet->vehicles.push_back(std::move(*vehicle));
   }
+  if (auto given = giveAddresses(path, *(*root)["vehicle"].as_array(), fleet->vehicles); !given) {
+    return std::unexpected(given.error());
+  }
   return fleet;
+}
+
+uint32_t slotsOf(const Fleet& fleet) {
+  return std::ranges::max(fleet.vehicles, {}, &FleetVehicle::address).address;
 }
 
 }  // namespace glider::flights

@@ -33,6 +33,7 @@ struct FleetVehicle {
   std::filesystem::path mi;            ///< the vehicle's own mission; empty: the scenario's
   std::vector<std::string> settings;   ///< of its parameters, "name=value"
   std::vector<std::string> user_code;  ///< of its `extern` names
+  uint32_t address = 0;                ///< of its acoustic modem, from 1 on; each has another
 };
 
 /// Several vehicles that fly together, as a fleet file says it.
@@ -54,6 +55,12 @@ support::Failure ofVehicle(const FleetVehicle& vehicle, support::Failure failure
 
 /// The most vehicles of a fleet.
 inline constexpr size_t kMostVehicles = 100;
+
+/// The addresses of the modems of a fleet are 1 to this: that is how many vehicles can talk.
+inline constexpr uint32_t kMostAddress = 15;
+
+/// How many slots the vehicles of a fleet take turns in: up to the greatest address.
+uint32_t slotsOf(const Fleet& fleet);
 
 /// Whether `path` is a fleet file, by its name: it ends in `.toml`.
 bool isFleetFile(const std::filesystem::path& path);

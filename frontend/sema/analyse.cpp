@@ -53,7 +53,7 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
   lowerAssumptions(mission, scope);
   lowerResumption(mission, scope);
   lowerCompass(mission, scope);
-  finishShares(scope);
+  finishShares(mission, scope);
   if (diagnostics.hasErrors()) {
     return std::nullopt;
   }

@@ -6,6 +6,8 @@
 #include "frontend/sema/declarations/declared_value.h"
 #include "frontend/sema/declarations/externals.h"
 #include "frontend/sema/names/values.h"
+#include "ir/core/share_messages.h"
+#include "platforms/load/modem.h"
 #include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
@@ -240,16 +242,80 @@ class ShareLowering {
   Scope& scope_;
 };
 
-/// The first share of the same value; null: none.
-const ast::Share* firstOf(const ast::File& file, const ast::Share& node) {
+/// The first share that `wanted` takes; null: none.
+template <typename Wanted>
+const ast::Share* firstShare(const ast::File& file, Wanted wanted) {
   for (const ast::Item& item : file.items) {
     const auto* share = std::get_if<ast::Share>(&item);
-    if (share != nullptr && share->name.text == node.name.text) {
+    if (share != nullptr && wanted(*share)) {
       return share;
     }
   }
   return nullptr;
 }
+
+auto named(std::string_view name) {
+  return [name](const ast::Share& share) { return share.name.text == name; };
+}
+
+/// Whether the messages of a mission can be sent by the modem of its vehicle.
+class ShareFit {
+ public:
+  ShareFit(const ast::File& file, Scope& scope)
+      : file_(file), scope_(scope), modem_(scope.platform().modem) {}
+
+  void check() {
+    const ast::Share* any = firstShare(file_, [](const ast::Share&) { return true; });
+    if (any == nullptr) {
+      return;
+    }
+    const ast::Share& first = *any;
+    if (!modem_) {
+      scope_.report(support::diagnostics::noModem, first.where, scope_.platform().name);
+      return;
+    }
+    const platforms::PlatformSensor* clock = findTimestamp(scope_.platform());
+    if (clock == nullptr) {
+      scope_.report(support::diagnostics::unknownSensor, first.where, scope_.platform().name, "utc",
+                    "vehicles take turns by the time of the calendar");
+      return;
+    }
+    if (!scope_.mission.shares.empty()) {
+      scope_.mission.utc = scope_.subscribe(*clock, clock->name);
+    }
+    for (const ir::ShareMessage& message : ir::messagesOf(scope_.mission)) {
+      check(message);
+    }
+  }
+
+ private:
+  void check(const ir::ShareMessage& message) {
+    const std::span<const ir::Share> shares =
+        std::span(scope_.mission.shares).subspan(message.first, message.count);
+    const ir::Share& last =
+        *std::ranges::max_element(shares, {}, [](const ir::Share& s) { return s.range.begin; });
+    const ast::Share& node = *firstShare(file_, named(last.name));
+    const std::string every = scope_.text(node.every.where);
+    const double slot_s = platforms::slotOf(*modem_, scope_.platform().envelope.cycle_s);
+    if (last.period_s < slot_s) {
+      scope_.report(
+          support::diagnostics::sharePeriod, node.every.where, last.name, every,
+          fmt::format("a message and its way through the water take {:g} s", slot_s),
+          fmt::format("write `every {:g} s` or more, and in a fleet of n vehicles n times as much",
+                      slot_s));
+    }
+    if (message.bytes == 0 || message.bytes > modem_->frame_bytes) {
+      scope_.report(support::diagnostics::shareTooLarge, last.range, every,
+                    message.bytes == 0 ? fmt::format("more than {:g}", modem_->frame_bytes)
+                                       : fmt::format("{}", message.bytes),
+                    fmt::format("{:g}", modem_->frame_bytes));
+    }
+  }
+
+  const ast::File& file_;
+  Scope& scope_;
+  const std::optional<platforms::Modem>& modem_;
+};
 
 }  // namespace
 
@@ -262,7 +328,7 @@ void lowerShares(const ast::File& file, Scope& scope) {
     if (node == nullptr) {
       continue;
     }
-    if (const ast::Share* first = firstOf(file, *node); first != node) {
+    if (const ast::Share* first = firstShare(file, named(node->name.text)); first != node) {
       scope.report(support::diagnostics::shareTwice, node->name.where, node->name.text)
           .note(first->name.where, "the first is here");
     } else if (scope.mission.shares.size() == ir::kMostShares) {
@@ -274,19 +340,17 @@ void lowerShares(const ast::File& file, Scope& scope) {
   }
 }
 
-void finishShares(Scope& scope) {
+void finishShares(const ast::File& file, Scope& scope) {
   std::vector<ir::Share>& shares = scope.mission.shares;
-  if (shares.empty()) {
-    return;
-  }
   for (ir::Share& share : shares) {
     const auto heard = scope.heard_sensors.find(std::string(kPeer) + share.name);
     share.peer = scope.subscribed(heard->second.sensor);
   }
-  std::ranges::stable_sort(shares, {}, &ir::Share::period_s);
-  if (const platforms::PlatformSensor* clock = findTimestamp(scope.platform())) {
-    scope.mission.utc = scope.subscribe(*clock, clock->name);
-  }
+  // By name, so that the same lines in another order are the same messages.
+  std::ranges::sort(shares, {}, [](const ir::Share& share) {
+    return std::pair(share.period_s, std::string_view(share.name));
+  });
+  ShareFit(file, scope).check();
 }
 
 }  // namespace glider::frontend

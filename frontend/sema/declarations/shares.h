@@ -13,7 +13,8 @@ namespace glider::frontend {
 void lowerShares(const ast::File& file, Scope& scope);
 
 /// Ends the shares, once everything that reads what is heard is lowered: one that nothing reads is
-/// not kept on board. Subscribes the clock by which vehicles take turns.
-void finishShares(Scope& scope);
+/// not kept on board. Subscribes the clock by which vehicles take turns, and checks that the
+/// vehicle's modem can send what is shared.
+void finishShares(const ast::File& file, Scope& scope);
 
 }  // namespace glider::frontend

@@ -22,7 +22,8 @@ struct Modem {
 
 /// How long the slot of a vehicle must be, in whole seconds: the dialogue between the SBC and its
 /// modem, which begins within a control cycle of `cycle_s`, then the packet and the frame, and the
-/// time that sound needs over the range.
+/// time that sound needs over the range. Vehicles of several kinds take turns together, so the
+/// slowest cycle of all counts, that of a Slocum, 4 s.
 double slotOf(const Modem& modem, double cycle_s);
 
 }  // namespace glider::platforms

@@ -5,6 +5,7 @@
 
 #include "platforms/load/read_numbers.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace glider::platforms {
@@ -28,9 +29,9 @@ constexpr NumberKey<Modem> kModem[] = {{"frame_bytes", &Modem::frame_bytes},
 }  // namespace
 
 double slotOf(const Modem& modem, double cycle_s) {
-  constexpr double kSpeedOfSound = 1500, kDialogue_s = 2;
+  constexpr double kSpeedOfSound = 1500, kDialogue_s = 2, kSlowestCycle_s = 4;
   return std::ceil(modem.cycle_init_s + modem.frame_s + modem.range_m / kSpeedOfSound +
-                   kDialogue_s + cycle_s);
+                   kDialogue_s + std::max(cycle_s, kSlowestCycle_s));
 }
 
 support::Result<std::optional<Modem>> readModem(const std::string& file, const toml::table& root) {

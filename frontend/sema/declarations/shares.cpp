@@ -106,6 +106,7 @@ class ShareLowering {
 
   std::optional<Told> toldOf(Named& named) {
     named.read = true;
+    named.written = true;  // a vehicle that only hears others never sets it
     if (!named.valid) {
       return std::nullopt;
     }

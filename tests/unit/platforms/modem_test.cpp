@@ -75,11 +75,12 @@ TEST(PlatformModem, ASlotHoldsDialogueFrameAndTheWayOfSound) {
   modem.frame_s = 4;
   modem.range_m = 2000;
   EXPECT_EQ(slotOf(modem, 4), 13);  // 5.5 + 1.33 + 2 + 4
-  EXPECT_EQ(slotOf(modem, 1), 10);
+  EXPECT_EQ(slotOf(modem, 1), 13) << "it takes turns with slower vehicles";
+  EXPECT_EQ(slotOf(modem, 5), 14);
   modem.range_m = 2250;
-  EXPECT_EQ(slotOf(modem, 1), 10);  // exactly
+  EXPECT_EQ(slotOf(modem, 4), 13);  // exactly
   modem.range_m = 2251;
-  EXPECT_EQ(slotOf(modem, 1), 11);
+  EXPECT_EQ(slotOf(modem, 4), 14);
 }
 
 }  // namespace

@@ -113,6 +113,7 @@ std::string faultsToToml(const simulator::Faults& faults) {
   spans("power", faults.power);
   spans("port", faults.port);
   spans("stuck", faults.stuck);
+  spans("modem", faults.modem);
   spans("console", faults.console);
   for (const Span& span : faults.science) {
     out += fmt::format("[[faults.science]]\nat_s = {}\ntakes_s = {}\n", span.from_s,

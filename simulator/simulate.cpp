@@ -19,12 +19,15 @@ std::vector<NotCarried> sensorsNotCarried(const Scenario& scenario) {
 
 support::Result<support::Trace> simulate(SimulationSetup setup) {
   World world(setup.scenario);
-  const auto vehicle = SimulatedVehicle::make(std::move(setup), world, 0);
+  // With no other vehicle in it.
+  auto channel = std::make_shared<Channel>(setup.seed.value_or(setup.scenario.seed));
+  const auto vehicle = SimulatedVehicle::make(std::move(setup), world, 0, std::move(channel));
   if (!vehicle) {
     return std::unexpected(vehicle.error());
   }
   while ((*vehicle)->flying()) {
     world.tick();
+    (*vehicle)->placeModem();
     (*vehicle)->advance(world.now());
   }
   return (*vehicle)->finish();

@@ -96,7 +96,8 @@ void stampMissionTimes(support::Trace& trace) {
 
 }  // namespace
 
-SimulatedVehicle::SimulatedVehicle(SimulationSetup setup, const World& world, uint32_t number)
+SimulatedVehicle::SimulatedVehicle(SimulationSetup setup, const World& world, uint32_t number,
+                                   std::shared_ptr<Channel> channel)
     : setup_(placed(withKill(std::move(setup)), world)),
       world_(world),
       real_time_(setup_.sbc != nullptr && setup_.sbc->keepsTime()),
@@ -113,19 +114,25 @@ SimulatedVehicle::SimulatedVehicle(SimulationSetup setup, const World& world, ui
                 damageOf(LineWay::ToSbc, seat_->sbcBaud())),
       link_(std::move(setup_.sbc), std::move(setup_.restart_sbc), faults(), seed_, sbc_line_,
             journal_),
+      number_(number),
+      channel_(std::move(channel)),
       story_(setup_.platform, setup_.state_names, setup_.explain),
       recorder_(trace_, world, *seat_, setup_.platform, setup_.scenario, setup_.record) {
   seat_->startAt(vehicle_);
   link_.showTo(setup_.observer);
+  if (setup_.talks && setup_.platform.modem && channel_ != nullptr) {
+    channel_->jam(number_, faults().modem);
+    modem_ =
+        std::make_unique<SimulatedModem>(modemSettings(*setup_.platform.modem), channel_, number_);
+  }
   start_J_ = vehicle_.battery().usedJ();
   trace_.battery = {(start_J_ + vehicle_.battery().leftJ()) / kJoulesPerWattHour,
                     start_J_ / kJoulesPerWattHour};
   trace_.start_utc_s = seat_->clockAtStart();
 }
 
-support::Result<std::unique_ptr<SimulatedVehicle>> SimulatedVehicle::make(SimulationSetup setup,
-                                                                          const World& world,
-                                                                          uint32_t number) {
+support::Result<std::unique_ptr<SimulatedVehicle>> SimulatedVehicle::make(
+    SimulationSetup setup, const World& world, uint32_t number, std::shared_ptr<Channel> channel) {
   if (auto checked = checkPlatform(setup.platform); !checked) {
     return std::unexpected(checked.error());
   }
@@ -133,7 +140,16 @@ support::Result<std::unique_ptr<SimulatedVehicle>> SimulatedVehicle::make(Simula
     return std::unexpected(numbered.error());
   }
   // Too large for a stack: the queues of hooks are arrays.
-  return std::unique_ptr<SimulatedVehicle>(new SimulatedVehicle(std::move(setup), world, number));
+  return std::unique_ptr<SimulatedVehicle>(
+      new SimulatedVehicle(std::move(setup), world, number, std::move(channel)));
+}
+
+void SimulatedVehicle::placeModem() {
+  if (modem_ != nullptr && flying()) {
+    channel_->place(number_, place());
+  } else if (modem_ != nullptr) {
+    channel_->leave(number_);
+  }
 }
 
 void SimulatedVehicle::advance(double time_s) {
@@ -157,6 +173,7 @@ void SimulatedVehicle::step(double now) {
     serveSbc(now);
   }
   link_.pump(now);
+  serveModem(now);
   vehicle_.feedSbc(link_.alive());
   seat_->steer(now, vehicle_);
   vehicle_.step(world_.ocean(), now);
@@ -220,6 +237,20 @@ void SimulatedVehicle::serveSbc(double now) {
   }
 }
 
+/// The modem has power while the SBC has.
+void SimulatedVehicle::serveModem(double now) {
+  if (modem_ == nullptr) {
+    return;
+  }
+  SbcPort* const sbc = link_.powered();
+  if (sbc != nullptr) {
+    sbc->hearModem(modem_->toHost(now));
+    modem_->fromHost(sbc->toModem(), now);
+  }
+  vehicle_.use(modem_->step(now, sbc != nullptr));
+  journal_.add(now, modem_->news());
+}
+
 /// The SBC's answer to a control cycle is known only by the next one.
 void SimulatedVehicle::completeRow() {
   if (!trace_.rows.empty() && seat_->inControl() && story_.flying()) {
@@ -236,6 +267,9 @@ support::Trace SimulatedVehicle::finish() {
     trace_.field = waterAlong(trace_, world_.ocean());
     trace_.bottom = bottomAround(trace_, world_.ocean());
     relateToStart(setup_.scenario.vehicle, trace_);
+  }
+  if (modem_ != nullptr) {
+    trace_.acoustic = modem_->totals();
   }
   trace_.events = std::move(journal_.events());
   std::ranges::stable_sort(trace_.events, {}, &support::TraceEvent::time_s);

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "simulator/acoustics/channel.h"
+#include "simulator/acoustics/simulated_modem.h"
 #include "simulator/bottom_contact.h"
 #include "simulator/link/sbc_link.h"
 #include "simulator/link/serial_line.h"
@@ -24,15 +26,18 @@ class SimulatedVehicle {
  public:
   /// It starts where `setup.scenario` does, when the world begins; the water of that scenario is
   /// not used. `world` outlives it. `number` counts the vehicles of a world from 0: each has random
-  /// numbers of its own. Fails as simulate does.
-  static support::Result<std::unique_ptr<SimulatedVehicle>> make(SimulationSetup setup,
-                                                                 const World& world,
-                                                                 uint32_t number);
+  /// numbers of its own. Its modem, if it is in use, talks through `channel`; null: it has none.
+  /// Fails as simulate does.
+  static support::Result<std::unique_ptr<SimulatedVehicle>> make(
+      SimulationSetup setup, const World& world, uint32_t number,
+      std::shared_ptr<Channel> channel = nullptr);
   SimulatedVehicle(const SimulatedVehicle&) = delete;  // its parts refer to each other
   SimulatedVehicle& operator=(const SimulatedVehicle&) = delete;
 
   /// False once its mission has ended, it is at the surface after an abort, or its time is over.
   [[nodiscard]] bool flying() const { return !over_ && step_ <= most_steps_; }
+  /// Tells the channel where it is: all vehicles of a world do, before any of them advances.
+  void placeModem();
   /// Flies until `time_s` of the world.
   void advance(double time_s);
   /// Where it truly is.
@@ -41,7 +46,8 @@ class SimulatedVehicle {
   support::Trace finish();
 
  private:
-  SimulatedVehicle(SimulationSetup setup, const World& world, uint32_t number);
+  SimulatedVehicle(SimulationSetup setup, const World& world, uint32_t number,
+                   std::shared_ptr<Channel> channel);
 
   [[nodiscard]] const Faults& faults() const { return setup_.scenario.faults; }
   [[nodiscard]] LineDamage damageOf(LineWay way, double baud) const {
@@ -52,6 +58,7 @@ class SimulatedVehicle {
   [[nodiscard]] CycleView view(double now, bool over) const;
   void putSensors(double before_s, double now);
   void serveSbc(double now);
+  void serveModem(double now);
   void completeRow();
 
   SimulationSetup setup_;
@@ -72,6 +79,9 @@ class SimulatedVehicle {
   std::unique_ptr<SimulatedSeat> seat_;
   SerialLine sbc_line_;
   SbcLink link_;
+  uint32_t number_;
+  std::shared_ptr<Channel> channel_;
+  std::unique_ptr<SimulatedModem> modem_;  ///< null: none is in use
   MissionStory story_;
   Recorder recorder_;
   BottomContact bottom_;

@@ -6,6 +6,7 @@
 #include "platforms/load/load_platform.h"
 #include "platforms/load/longest_lag.h"
 #include "platforms/load/read_envelope.h"
+#include "platforms/load/read_modem.h"
 #include "platforms/load/read_motion.h"
 #include "platforms/load/read_numbers.h"
 #include "platforms/load/seat_sensors.h"
@@ -181,7 +182,7 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
   Platform platform;
   TomlReader reader(path.string(), *root, "the platform");
   reader.only({"name", "description", "family", "front_seats", "envelope", "world", "motion",
-               "power", "sensor"});
+               "power", "modem", "sensor"});
   platform.name = reader.text("name");
   if (!isName(platform.name)) {
     reader.refuse("name", "must be letters, digits and `_`, and begin with a letter");
@@ -209,6 +210,11 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
   if (auto read = readMotionAndPower(path.string(), *root, platform); !read) {
     return std::unexpected(read.error());
   }
+  auto modem = readModem(path.string(), *root);
+  if (!modem) {
+    return std::unexpected(modem.error());
+  }
+  platform.modem = *std::move(modem);
   if (auto read = readSensors(path.string(), *root, platform); !read) {
     return std::unexpected(read.error());
   }

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "platforms/load/modem.h"
 #include "platforms/load/propeller_motion.h"
 #include "support/units/units.h"
 
@@ -147,6 +148,7 @@ struct Platform {
   EnvironmentModel world;
   std::optional<Motion> motion;  ///< empty: missions for it can be checked and built, not simulated
   Power power;                   ///< means something with `motion`
+  std::optional<Modem> modem;    ///< empty: the vehicle has none
   std::vector<PlatformSensor> sensors;  ///< sensors[i].id == i
 
   /// Whether the SBC's own program answers its frames of the hook protocol: the vehicle has

@@ -17,8 +17,8 @@ void eachSpan(const Faults& faults, const Visit& visit) {
   for (const SensorFault& fault : faults.sensors) {
     visit(fault.when);
   }
-  for (const auto* list :
-       {&faults.power, &faults.port, &faults.stuck, &faults.science, &faults.console}) {
+  for (const auto* list : {&faults.power, &faults.port, &faults.stuck, &faults.modem,
+                           &faults.science, &faults.console}) {
     std::ranges::for_each(*list, visit);
   }
   for (const ClockJump& jump : faults.clock) {
@@ -73,6 +73,7 @@ void Faults::add(const Faults& more) {
   append(power, more.power);
   append(port, more.port);
   append(stuck, more.stuck);
+  append(modem, more.modem);
   append(science, more.science);
   append(console, more.console);
   append(clock, more.clock);

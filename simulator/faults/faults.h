@@ -90,6 +90,7 @@ struct Faults {
   std::vector<Span> power;    ///< the SBC has no power; afterwards its program restarts
   std::vector<Span> port;     ///< the SBC's serial port is missing
   std::vector<Span> stuck;    ///< the SBC answers, but its mission does not advance
+  std::vector<Span> modem;    ///< noise in the water hides all that arrives at its modem
   std::vector<Span> science;  ///< the science computer restarts during this time
   /// An operator has a console on the science computer: nothing crosses the flight-science link.
   std::vector<Span> console;

@@ -18,10 +18,11 @@ using Vehicles = std::vector<std::unique_ptr<SimulatedVehicle>>;
 
 constexpr double kProgress_s = 100;
 
-support::Result<Vehicles> makeVehicles(std::vector<FleetMember> members, const World& world) {
+support::Result<Vehicles> makeVehicles(std::vector<FleetMember> members, const World& world,
+                                       const std::shared_ptr<Channel>& channel) {
   Vehicles vehicles;
   for (FleetMember& member : members) {
-    auto vehicle = SimulatedVehicle::make(std::move(member.setup), world, member.number);
+    auto vehicle = SimulatedVehicle::make(std::move(member.setup), world, member.number, channel);
     if (!vehicle) {
       return std::unexpected(vehicle.error());
     }
@@ -41,7 +42,7 @@ support::Result<FleetFlight> simulateFleet(
     const Scenario& world_of, std::vector<FleetMember> members,
     const std::function<void(double now_s, size_t flying)>& progress) {
   World world(world_of);
-  auto vehicles = makeVehicles(std::move(members), world);
+  auto vehicles = makeVehicles(std::move(members), world, std::make_shared<Channel>(world_of.seed));
   if (!vehicles) {
     return std::unexpected(vehicles.error());
   }
@@ -53,6 +54,9 @@ support::Result<FleetFlight> simulateFleet(
   double told_s = 0;
   while (flyingOf(*vehicles) != 0) {
     world.tick();
+    for (const auto& vehicle : *vehicles) {
+      vehicle->placeModem();
+    }
     for (size_t i = 0; i < vehicles->size(); ++i) {
       SimulatedVehicle& vehicle = *(*vehicles)[i];
       vehicle.advance(world.now());

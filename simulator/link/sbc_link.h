@@ -36,6 +36,8 @@ class SbcLink {
   void showTo(FlightObserver* observer) { observer_ = observer; }
   /// Passes on what has arrived by `now_s` and puts the answers on the line.
   void pump(double now_s);
+  /// The SBC, for its other ports; null while it has no power.
+  [[nodiscard]] SbcPort* powered() const { return alive() ? port_.get() : nullptr; }
   [[nodiscard]] bool alive() const { return port_ != nullptr && port_->alive(); }
   /// True when it will not come back.
   [[nodiscard]] bool goneForGood(double now_s) const;

@@ -45,6 +45,12 @@ class SbcPort {
   [[nodiscard]] virtual bool keepsTime() const { return false; }
   /// Its serial port is unplugged or plugged in again. Only for a port that keeps time.
   virtual void plug(bool /*in*/) {}
+  /// Passes on what the acoustic modem has sent to the second serial port of the SBC, which may be
+  /// nothing. Called in every step of the flight, after deliver(), while the SBC has power and a
+  /// modem is in use.
+  virtual void hearModem(std::span<const uint8_t> /*bytes*/) {}
+  /// What the SBC has sent to the modem since the last call, which follows each hearModem().
+  virtual std::vector<uint8_t> toModem() { return {}; }
   /// Damages the data on its storage card; `seed` determines where. The card of an external SBC
   /// cannot be reached.
   virtual void damageCard(const CardFault& /*fault*/, uint64_t /*seed*/) {}

@@ -192,8 +192,8 @@ void readLeftover(Fields& f, Faults& faults) {
 void readFaults(ScenarioTables& tables, Scenario& scenario) {
   Faults& faults = scenario.faults;
   tables.table("faults", [](Fields& f) {
-    f.reader().only({"line", "sensor", "power", "port", "stuck", "science", "console", "clock",
-                     "abort", "card", "flight", "leftover"});
+    f.reader().only({"line", "sensor", "power", "port", "stuck", "modem", "science", "console",
+                     "clock", "abort", "card", "flight", "leftover"});
   });
   const auto spans = [&](const char* part, std::vector<Span>& list) {
     tables.each("faults", part, [&](Fields& f) {
@@ -215,6 +215,7 @@ void readFaults(ScenarioTables& tables, Scenario& scenario) {
   spans("power", faults.power);
   spans("port", faults.port);
   spans("stuck", faults.stuck);
+  spans("modem", faults.modem);
   spans("console", faults.console);
 }
 

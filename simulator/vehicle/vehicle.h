@@ -36,6 +36,9 @@ class Vehicle {
   /// Sets whether the SBC draws its power.
   void feedSbc(bool alive) { command_.sbc_alive = alive; }
 
+  /// Draws the energy of a device that the model does not have.
+  void use(double joules) { state_.battery.use(joules); }
+
   /// Flies kStep seconds from time `now_s`.
   void step(const Ocean& ocean, double now_s) { model_->step(state_, command_, ocean, now_s); }
 

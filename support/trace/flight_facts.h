@@ -55,6 +55,17 @@ struct BatteryFacts {
   double used_Wh = 0;  ///< of a full pack
 };
 
+/// What the acoustic modem of a vehicle did in its flight.
+struct AcousticTotals {
+  uint32_t sent = 0;      ///< frames
+  uint32_t received = 0;  ///< frames for this vehicle, or for all
+  uint32_t lost = 0;      ///< the same, within range, that were not received
+  double on_air_s = 0;    ///< how long it was sending
+  double sent_J = 0;
+  double received_J = 0;  ///< of all frames that it listened to
+  double listen_J = 0;
+};
+
 /// Depths of the bottom on a grid around the flight; m, east and north of the start.
 struct BottomGrid {
   std::vector<double> x_m, y_m;

@@ -63,10 +63,11 @@ struct Trace {
   TraceField field;
   std::optional<VehicleLog> log;  ///< empty for a simulated flight or a counterexample
   // Of a simulated flight.
-  MissionFacts facts;                   ///< empty if no mission of the language flies
-  std::optional<BatteryFacts> battery;  ///< empty: not known
-  BottomGrid bottom;                    ///< empty if the bottom is flat
-  double start_utc_s = 0;               ///< the vehicle's clock at time 0, s since 1970
+  MissionFacts facts;                      ///< empty if no mission of the language flies
+  std::optional<BatteryFacts> battery;     ///< empty: not known
+  std::optional<AcousticTotals> acoustic;  ///< empty: no modem was in use
+  BottomGrid bottom;                       ///< empty if the bottom is flat
+  double start_utc_s = 0;                  ///< the vehicle's clock at time 0, s since 1970
 
   [[nodiscard]] size_t rowCount() const {
     return columns.empty() ? 0 : rows.size() / columns.size();

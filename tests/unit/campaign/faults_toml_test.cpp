@@ -88,6 +88,7 @@ TEST(FaultsToToml, Computers) {
   faults.power = {{1, 2}, {3}};
   faults.port = {{4, 5}};
   faults.stuck = {{6, 7}};
+  faults.modem = {{11, 12}};
   faults.console = {{7, 8}};
   faults.science = {{8, 10.5}};
   faults.clock = {{11, -12}};
@@ -100,6 +101,7 @@ TEST(FaultsToToml, Computers) {
   EXPECT_EQ(faultsToToml(faults),
             "[[faults.power]]\nfrom_s = 1\nto_s = 2\n[[faults.power]]\nfrom_s = 3\n"
             "[[faults.port]]\nfrom_s = 4\nto_s = 5\n[[faults.stuck]]\nfrom_s = 6\nto_s = 7\n"
+            "[[faults.modem]]\nfrom_s = 11\nto_s = 12\n"
             "[[faults.console]]\nfrom_s = 7\nto_s = 8\n"
             "[[faults.science]]\nat_s = 8\ntakes_s = 2.5\n"
             "[[faults.clock]]\nat_s = 11\nby_s = -12\n"

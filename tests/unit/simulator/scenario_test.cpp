@@ -205,7 +205,8 @@ TEST_F(ScenarioFile, ReadsFaults) {
            "[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nvalue = nan\n"
            "[[faults.sensor]]\nsensor = \"m_depth\"\nfrom_s = 1\nfrozen = true\n"
            "[[faults.power]]\nfrom_s = 5\n[[faults.port]]\nfrom_s = 5\nto_s = 6\n"
-           "[[faults.stuck]]\nfrom_s = 7\n[[faults.science]]\nat_s = 8\n"
+           "[[faults.stuck]]\nfrom_s = 7\n[[faults.modem]]\nfrom_s = 2\nto_s = "
+           "90\n[[faults.science]]\nat_s = 8\n"
            "[[faults.clock]]\nat_s = 9\nby_s = -4\n[[faults.abort]]\nat_s = 30\n"),
       "");
   const Faults& faults = scenario_.faults;
@@ -223,7 +224,9 @@ TEST_F(ScenarioFile, ReadsFaults) {
   EXPECT_EQ(faults.science[0].to_s, 68) << "a minute unless told otherwise";
   EXPECT_EQ(faults.clock[0].by_s, -4);
   EXPECT_EQ(faults.first(), 1);
-  EXPECT_EQ(faults.lastEnd(), 68);
+  ASSERT_EQ(faults.modem.size(), 1U);
+  EXPECT_EQ(faults.modem[0].from_s, 2);
+  EXPECT_EQ(faults.lastEnd(), 90);
 }
 
 TEST_F(ScenarioFile, ReadsSensorsThatAreOffAndThatLieNowAndThen) {

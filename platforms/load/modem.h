@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <string>
+
+namespace glider::platforms {
+
+/// The acoustic modem of a vehicle: [modem].
+struct Modem {
+  std::string kind;           ///< "micro-modem": the sentences of hooks/micro_modem
+  double frame_bytes = 0;     ///< that a frame holds
+  double cycle_init_s = 0;    ///< the packet that announces a frame
+  double frame_s = 0;         ///< the frame itself
+  double range_m = 0;         ///< beyond this, no frame is received
+  double interference_m = 0;  ///< up to here it disturbs other frames; at least range_m
+  double send_j_byte = 0;     ///< the energy of a frame, for each byte that it has room for
+  double receive_j_byte = 0;
+  double listen_W = 0;  ///< drawn at all times while it is on
+};
+
+/// How long the slot of a vehicle must be, in whole seconds: the dialogue between the SBC and its
+/// modem, which begins within a control cycle of `cycle_s`, then the packet and the frame, and the
+/// time that sound needs over the range.
+double slotOf(const Modem& modem, double cycle_s);
+
+}  // namespace glider::platforms

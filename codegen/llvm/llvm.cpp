@@ -10,6 +10,7 @@
 #include "codegen/llvm/program/compile.h"
 #include "codegen/llvm/program/emit.h"
 #include "codegen/llvm/program/optimise.h"
+#include "codegen/talk_mission.h"
 #include "support/diagnostics/ids/target.h"
 #include "support/files.h"
 
@@ -82,13 +83,16 @@ Result<void> writeBoth(const SplitExecutable& split, const std::filesystem::path
 }
 
 /// The exports of a shared object.
-const std::vector<std::string>& sharedSymbols() {
-  static const std::vector<std::string> names{
+std::vector<std::string> sharedSymbols(const ir::Mission& mission) {
+  std::vector<std::string> names{
       "gliderMission",
 #define ENTRY_POINT(result, name, parameters) #name,
 #include "runtime/abi/entry_points.def"
 #undef ENTRY_POINT
   };
+  if (talks(mission)) {
+    names.emplace_back("gliderTalk");
+  }
   return names;
 }
 
@@ -146,12 +150,13 @@ Result<void> writeExecutable(const Input& input, const Board& board, const Codeg
 
 Result<std::string> makeShared(const Input& input, const Board& host,
                                const CodegenOptions& options) {
-  auto program = compileProgram(input, host, options, ProgramKind::SharedObject, sharedSymbols());
+  const std::vector<std::string> symbols = sharedSymbols(input.mission);
+  auto program = compileProgram(input, host, options, ProgramKind::SharedObject, symbols);
   if (!program) {
     return std::unexpected(program.error());
   }
-  return link({ProgramKind::SharedObject, program->objects, program->further_inputs,
-               sharedSymbols(), options.debug, options.last_link},
+  return link({ProgramKind::SharedObject, program->objects, program->further_inputs, symbols,
+               options.debug, options.last_link},
               host);
 }
 

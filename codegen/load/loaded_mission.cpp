@@ -41,6 +41,7 @@ support::Result<LoadedMission> LoadedMission::load(std::string_view shared_objec
 #define ENTRY_POINT(result, name, parameters) find(#name, loaded.entries_.name);
 #include "runtime/abi/entry_points.def"
 #undef ENTRY_POINT
+  loaded.talk_ = static_cast<const GliderTalk*>(::dlsym(loaded.handle_.get(), "gliderTalk"));
   if (missing != nullptr) {
     return support::fail(support::diagnostics::cannotLoadMission,
                          fmt::format("it has no `{}`", missing));

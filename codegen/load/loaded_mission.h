@@ -4,6 +4,7 @@
 #pragma once
 
 #include "runtime/abi/runtime.h"
+#include "runtime/abi/talk_mission.h"
 #include "support/result.h"
 
 #include <memory>
@@ -21,6 +22,8 @@ class LoadedMission {
   static support::Result<LoadedMission> load(std::string_view shared_object);
 
   [[nodiscard]] const GliderMission& mission() const { return *mission_; }
+  /// What it sends and receives by its modem; null if it shares nothing.
+  [[nodiscard]] const GliderTalk* talk() const { return talk_; }
 
   // The entry points of runtime/abi/runtime.h, which says what they take and return.
   [[nodiscard]] uint32_t runtimeSize() const { return entries_.gliderRuntimeSize(); }
@@ -61,6 +64,7 @@ class LoadedMission {
 
   std::unique_ptr<void, Unloader> handle_;
   const GliderMission* mission_ = nullptr;
+  const GliderTalk* talk_ = nullptr;
   EntryPoints entries_;
 };
 

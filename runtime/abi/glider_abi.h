@@ -20,6 +20,9 @@ extern "C" {
    the symbol encodes the function's types. */
 #define GLIDER_SYMBOL(name) __asm__(name)
 #define GLIDER_NO_CASE UINT32_MAX
+/* What the vehicle's modem receives of others is numbered from here on, and the SBC's own sensors
+ * from there on. */
+#define GLIDER_FIRST_HEARD_SENSOR 0xFE00u
 #define GLIDER_FIRST_OWN_SENSOR 0xFF00u
 #define GLIDER_NO_LIST UINT32_MAX
 #define GLIDER_NO_LIMIT UINT32_MAX

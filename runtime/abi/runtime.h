@@ -96,6 +96,13 @@ typedef enum GliderRuntimeStatus {
 
 /* The function of a GliderCompass (glider_abi.h). */
 GliderConvertHeadings gliderConvertHeadings;
+/* The same in a mission that receives others, one without headings and one with them. They first
+   add to a frame's updates what has been received since the last one (GliderReading's `waiting`),
+   as far as there is room (kMostSubscriptions of the protocol). */
+GliderConvertHeadings gliderHear;
+GliderConvertHeadings gliderHearAndConvertHeadings;
+/* GliderPoll of what is received: NaN. It comes with a frame. */
+double gliderNothingHeard(double mission_time);
 
 #ifdef __cplusplus
 }

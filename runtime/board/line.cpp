@@ -12,9 +12,6 @@
 namespace glider::runtime {
 namespace {
 
-/// Silence is counted in seconds: the time to sleep when no byte arrives, ms.
-constexpr int kNapMs = 1000;
-
 const char* portOf(const Options& options) {
   return options.port != nullptr ? options.port : defaultPort();
 }

@@ -17,6 +17,9 @@ inline constexpr int kNoLink = 2;
 inline constexpr int kBadParameters = 2;
 inline constexpr int kCheckFailed = 3;
 
+/// Silence is counted in seconds: the time to sleep when no byte arrives, ms.
+inline constexpr int kNapMs = 1000;
+
 /// Handles --help (except for the parameters), --version and unknown arguments; returns the exit
 /// status.
 int tellWish(const Options& options, const char* mission_name);

@@ -11,6 +11,7 @@
 #include "runtime/board/files.h"
 #include "runtime/board/kernel.h"
 #include "runtime/board/line.h"
+#include "runtime/board/modem_line.h"
 #include "runtime/board/own_line.h"
 #include "runtime/board/parameters.h"
 #include "runtime/core/runtime.h"
@@ -22,6 +23,7 @@ int fly(GliderRuntime* runtime, OpenPort& line, Card& card) {
   static hooks::SystemClock system_clock;
   const GliderClock clock = system_clock.clock();
   while (true) {
+    serveModem(*runtime, clock);
     switch (gliderRuntimePoll(runtime, &line.stream, &clock)) {
       case kGliderRuntimeIdle:
         if (const int* own = ownDescriptor(); own != nullptr) {
@@ -29,7 +31,9 @@ int fly(GliderRuntime* runtime, OpenPort& line, Card& card) {
           card.setLine(*own);
         }
         card.rested(runtime->virtualTime());
-        waitForLine(line.descriptor);
+        if (!waitForBoth(line.descriptor)) {
+          waitForLine(line.descriptor);
+        }
         break;
       case kGliderRuntimeProgressed:
         break;
@@ -71,6 +75,9 @@ int run(const Options& options) {
     return kNoLink;
   }
   card.setLine(line.descriptor);
+  if (const int status = openModemLine(); status != kDone) {
+    return status;
+  }
   alignas(GliderRuntime) static uint8_t memory[sizeof(GliderRuntime)];
   const GliderRuntimeOptions runtime_options{card.log(), launch.values(), card.checkpoints(),
                                              programNumber()};
@@ -95,13 +102,14 @@ int main(int argc, char** argv) {
   holdStandardFiles();
   useDoublePrecision();
   ignoreSignal(SIGPIPE);
-  const Options options = readOptions(takeOwnLine(argc, argv), argv);
+  const Options options = readOptions(takeModemOptions(takeOwnLine(argc, argv), argv), argv);
   if (options.wish == Options::Wish::Fly) {
     return run(options);
   }
   const int status = tellWish(options, gliderMission.name);
   if (options.wish == Options::Wish::Help) {
     tellOwnLine();
+    tellModemOptions();
     tellParameters(gliderMission);
   }
   return status;

@@ -136,7 +136,6 @@ bool GliderRuntime::isBroken() {
   return silent_;
 }
 
-/// The SBC's clock, s. In virtual time it says nothing about the flight: then the vehicle's does.
 double GliderRuntime::ownTime(const GliderClock& clock) const {
   return client_.virtualTime() ? static_cast<double>(client_.tick().clock_s)
                                : clock.now(clock.self);

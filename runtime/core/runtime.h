@@ -36,6 +36,8 @@ struct GliderRuntime {
   }
   /// True when the vehicle reported that its time is virtual: it waits for every answer.
   [[nodiscard]] bool virtualTime() const { return client_.virtualTime(); }
+  /// `clock`, s. In virtual time it says nothing about the flight: then the vehicle's clock.
+  [[nodiscard]] double ownTime(const GliderClock& clock) const;
   /// The client's frames come from within the program: `damaged` counts what arrives damaged. It
   /// outlives this.
   void countDamageBy(const uint32_t* damaged) { damaged_ = damaged; }
@@ -53,7 +55,6 @@ struct GliderRuntime {
   bool isBroken();
   [[nodiscard]] bool hasFailed() const { return memory().failed_checks != 0; }
   bool mayBegin(const glider::hooks::VehicleTick& tick);
-  [[nodiscard]] double ownTime(const GliderClock& clock) const;
   void tryToGoOn(const glider::hooks::VehicleTick& tick, double sbc_time);
   void answerTick(const GliderByteStream& stream, double sbc_time);
   void tickOfClockAlone(double sbc_time);

@@ -147,8 +147,8 @@ std::set<Kind> calledBy(std::string_view caller) {
 
 Callees::Callees(const Image& image, const ir::Mission& mission) : image_(image) {
   for (const ir::Sensor& sensor : mission.sensors) {
-    if (!sensor.symbol.empty()) {
-      const auto poll = image.function(sensor.symbol);
+    if (!sensor.symbol.empty() || sensor.isHeard()) {
+      const auto poll = image.function(sensor.isHeard() ? "gliderNothingHeard" : sensor.symbol);
       CHECK(poll.has_value(), "an executable was linked without the function of a sensor");
       polls_.push_back(*poll);
     }

@@ -136,6 +136,9 @@ llvm::Constant* Tables::array(llvm::Type* type, const std::vector<llvm::Constant
 
 /// The function that is called for a reading; null if the vehicle reports it.
 llvm::Constant* Tables::poll(const ir::Sensor& sensor) {
+  if (sensor.isHeard()) {
+    return function("gliderNothingHeard");
+  }
   if (sensor.symbol.empty()) {
     return nothing();
   }
@@ -152,17 +155,22 @@ llvm::Constant* Tables::function(const char* name) {
   return llvm::cast<llvm::Constant>(lowering_.module.getOrInsertFunction(name, type).getCallee());
 }
 
+/// A mission that shares something has one too, by whose function it takes in what is received.
 llvm::Constant* Tables::compass() {
-  const std::optional<ir::Compass>& compass = lowering_.mission.compass;
-  if (!compass) {
+  const bool talks = !lowering_.mission.shares.empty();
+  const bool headings = lowering_.mission.compass.has_value();
+  if (!talks && !headings) {
     return nothing();
   }
+  const ir::Compass compass = lowering_.mission.compass.value_or(ir::Compass{});
   llvm::Constant* value = llvm::ConstantStruct::get(
       lowering_.types.GliderCompass,
-      {number(compass->declination.value_or(std::numeric_limits<double>::quiet_NaN())),
-       word(compass->variation.valid() ? lowering_.mission[compass->variation].id
-                                       : GLIDER_NO_SENSOR),
-       word(0), function("gliderConvertHeadings")});
+      {number(compass.declination.value_or(std::numeric_limits<double>::quiet_NaN())),
+       word(compass.variation.valid() ? lowering_.mission[compass.variation].id : GLIDER_NO_SENSOR),
+       word(0),
+       function(!talks     ? "gliderConvertHeadings"
+                : headings ? "gliderHearAndConvertHeadings"
+                           : "gliderHear")});
   auto* variable = new llvm::GlobalVariable(lowering_.module, lowering_.types.GliderCompass, true,
                                             llvm::GlobalValue::PrivateLinkage, value, "compass");
   variable->setUnnamedAddr(llvm::GlobalValue::UnnamedAddr::Global);
@@ -172,12 +180,12 @@ llvm::Constant* Tables::compass() {
 llvm::Constant* Tables::sensors() {
   std::vector<llvm::Constant*> rows;
   for (const ir::Sensor& sensor : lowering_.mission.sensors) {
-    rows.push_back(
-        llvm::ConstantStruct::get(lowering_.types.GliderSensorInfo,
-                                  {text(sensor.symbol.empty() ? sensor.vehicle_name : sensor.name),
-                                   poll(sensor), number(sensor.to_si), number(sensor.lowest),
-                                   number(sensor.highest), number(sensor.stale_after_s),
-                                   word(sensor.id), word(static_cast<size_t>(sensor.encoding))}));
+    rows.push_back(llvm::ConstantStruct::get(
+        lowering_.types.GliderSensorInfo,
+        {text(sensor.symbol.empty() && !sensor.isHeard() ? sensor.vehicle_name : sensor.name),
+         poll(sensor), number(sensor.to_si), number(sensor.lowest), number(sensor.highest),
+         number(sensor.stale_after_s), word(sensor.id),
+         word(static_cast<size_t>(sensor.encoding))}));
   }
   return array(lowering_.types.GliderSensorInfo, rows, "sensors");
 }

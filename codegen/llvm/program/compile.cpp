@@ -11,7 +11,9 @@
 #include "codegen/llvm/program/port_mission.h"
 #include "codegen/llvm/program/program.h"
 #include "codegen/llvm/program/recon_mission.h"
+#include "codegen/llvm/program/talk_constant.h"
 #include "codegen/seat_mission.h"
+#include "codegen/talk_mission.h"
 #include "platforms/load/dictionary.h"
 #include "runtime/abi/glider_abi.h"
 #include "support/diagnostics/ids/target.h"
@@ -93,8 +95,16 @@ std::string dialectPart(const Recipe& recipe) {
                                               : "hooks";
 }
 
+/// The same with the main program, which serves a modem if the mission shares something.
+std::string mainPart(const Recipe& recipe) {
+  return dialectPart(recipe) + (talks(recipe.input.mission) ? "_talk" : "");
+}
+
 /// What that part must know.
 Result<void> addDialect(llvm::Module& module, const Recipe& recipe) {
+  if (talks(recipe.input.mission)) {
+    addTalkConstant(module, talkMissionOf(recipe.input.mission, recipe.input.platform));
+  }
   const std::string part = dialectPart(recipe);
   if (part == "extctl") {
     addPortMission(module, *recipe.options.port);
@@ -119,7 +129,7 @@ Result<void> bringTogether(llvm::Module& module, const Recipe& recipe,
   const std::filesystem::path& folder = recipe.board.folder;
   if (recipe.options.optimisation_level >= kWholeProgramLevel) {
     return joinRuntime(
-        module, {folder / (dialectPart(recipe) + ".bc"), folder / "system.bc", folder / "tick.bc"},
+        module, {folder / (mainPart(recipe) + ".bc"), folder / "system.bc", folder / "tick.bc"},
         visible, {folder / (parameterPart(recipe) + ".bc")});
   }
   return recipe.options.optimisation_level >= kImportLevel
@@ -179,7 +189,7 @@ Result<Program> compileProgram(const Input& input, const Board& board,
   if (!whole) {
     program.further_inputs.push_back(board.folder / "runtime.o");
     program.further_inputs.push_back(board.folder / (parameterPart(recipe) + ".o"));
-    program.further_inputs.push_back(board.folder / (dialectPart(recipe) + ".o"));
+    program.further_inputs.push_back(board.folder / (mainPart(recipe) + ".o"));
   }
   return program;
 }

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "codegen/talk_mission.h"
+
+#include "ir/core/share_messages.h"
+#include "support/check.h"
+
+namespace glider::codegen {
+namespace {
+
+/// The length of a slot, s.
+double slotOf(const platforms::Platform& /*platform*/) {
+  constexpr double kSlotSecs = 12;
+  return kSlotSecs;
+}
+
+template <typename Id>
+uint32_t placeOf(Id id) {
+  return id.valid() ? id.index : GLIDER_NO_PLACE;
+}
+
+}  // namespace
+
+bool talks(const ir::Mission& mission) {
+  return !mission.shares.empty();
+}
+
+GliderTalk talkMissionOf(const ir::Mission& mission, const platforms::Platform& platform) {
+  CHECK(talks(mission) && mission.shares.size() <= GLIDER_MOST_SHARES, "shares that do not fit");
+  GliderTalk talk{};
+  talk.slot_s = slotOf(platform);
+  talk.utc = mission.utc.index;
+  for (const ir::Share& share : mission.shares) {
+    talk.shares[talk.share_count++] = {share.lowest,
+                                       share.step,
+                                       share.values,
+                                       placeOf(share.sensor),
+                                       placeOf(share.variable),
+                                       placeOf(share.peer)};
+  }
+  for (const ir::ShareMessage& message : ir::messagesOf(mission)) {
+    talk.messages[talk.message_count++] = {mission.shares[message.first].period_s, message.first,
+                                           message.count, message.signature, message.bytes};
+  }
+  return talk;
+}
+
+}  // namespace glider::codegen

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "runtime/abi/glider_abi.h"
+#include "runtime/abi/talk_mission.h"
+
+#include <stdint.h>
+
+namespace glider::runtime::talk {
+
+/// UTC as the vehicle's frames report it, and by the SBC's clock between them.
+class SlotClock {
+ public:
+  /// Longer than this after the vehicle has reported UTC, it is unknown, s.
+  static constexpr double kMostWithoutReport = 60;
+
+  explicit SlotClock(const GliderTalk& talk) : talk_(talk) {}
+
+  /// Takes in the SBC's clock, s, and the mission's memory; null: it has none yet. A clock that
+  /// goes back counts nothing.
+  void look(const GliderContext* context, double clock_s);
+  /// The time that the SBC's clock has counted so far, s.
+  [[nodiscard]] double now() const { return now_; }
+  /// Whether UTC is known; then the slot, counted since 1970, and how much of it has passed, 0..1.
+  bool slot(uint64_t* slot, double* passed) const;
+
+ private:
+  const GliderTalk& talk_;
+  double now_ = 0;
+  double clock_ = __builtin_nan("");     ///< the SBC's
+  double reported_ = __builtin_nan("");  ///< the newest report: mission time, s
+  double utc_ = __builtin_nan("");       ///< what it said, s
+  double at_ = 0;                        ///< and when, by now()
+  bool any_ = false;                     ///< there was a report
+};
+
+}  // namespace glider::runtime::talk

@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "runtime/talk/talker.h"
+
+#include "hooks/share/message.h"
+
+namespace glider::runtime::talk {
+namespace {
+
+using namespace hooks::micro_modem;
+using hooks::share::MessageReader;
+using hooks::share::MessageWriter;
+using hooks::share::Scale;
+
+/// The setting that is the modem's own address.
+constexpr char kAddressSetting[] = "SRC";
+
+Scale scaleOf(const GliderShare& share) {
+  return {share.lowest, share.step, share.values};
+}
+
+double valueOf(const GliderShare& share, const GliderContext& context) {
+  return share.reading != GLIDER_NO_PLACE ? context.readings[share.reading].value
+                                          : context.variables[share.variable];
+}
+
+}  // namespace
+
+void Talker::poll(const GliderByteStream& modem, GliderContext* context, double clock_s) {
+  if (closed_ || !isAddress(address_, vehicles_)) {
+    return;
+  }
+  clock_.look(context, clock_s);
+  read(modem, context);
+  if (step_ != Step::Idle && clock_.now() - since_ > kPatienceSecs) {
+    giveUp();
+  }
+  if (!has_address_) {
+    askForAddress();
+  } else if (step_ == Step::Idle && context != nullptr && context->finished == 0) {
+    begin();
+  }
+  flush(modem);
+}
+
+/// Takes some of what is there. The rest waits, so that a modem that never stops cannot hold up the
+/// mission.
+void Talker::read(const GliderByteStream& modem, GliderContext* context) {
+  constexpr uint32_t kAtOnce = 64;
+  uint8_t bytes[kAtOnce];
+  for (uint32_t total = 0; total < kMostBytesPerPoll;) {
+    const int32_t count = modem.read(modem.self, bytes, kAtOnce);
+    if (count <= 0) {
+      closed_ = count < 0;
+      return;
+    }
+    for (int32_t i = 0; i < count; ++i) {
+      if (reader_.push(bytes[i])) {
+        take(reader_.text(), context);
+      }
+    }
+    total += static_cast<uint32_t>(count);
+  }
+}
+
+void Talker::flush(const GliderByteStream& modem) {
+  if (hasRoom() || closed_) {
+    return;
+  }
+  const auto* rest = reinterpret_cast<const uint8_t*>(out_) + out_taken_;
+  const int32_t taken = modem.write(modem.self, rest, out_size_ - out_taken_);
+  closed_ = taken < 0;
+  out_taken_ += taken > 0 ? static_cast<uint32_t>(taken) : 0;
+  if (out_taken_ >= out_size_) {
+    out_size_ = out_taken_ = 0;
+  }
+}
+
+/// False while the modem has not taken the one before.
+template <typename Sentence>
+bool Talker::say(const Sentence& sentence) {
+  if (!hasRoom()) {
+    return false;
+  }
+  out_size_ = encode(sentence, out_, sizeof out_);
+  return out_size_ != 0;
+}
+
+void Talker::take(const hooks::Text& sentence, GliderContext* context) {
+  if (DataRequest request; decode(sentence, request)) {
+    takeRequest(request, context);
+  } else if (Received frame; decode(sentence, frame)) {
+    takeFrame(frame, context);
+  } else if (SettingIs setting; decode(sentence, setting)) {
+    takeSetting(setting);
+  } else if (TransmitEnds ends; decode(sentence, ends)) {
+    counts_.sent += step_ == Step::Sends ? 1 : 0;
+    step_ = step_ == Step::Sends ? Step::Idle : step_;
+  } else if (Damaged damaged; decode(sentence, damaged)) {
+    ++counts_.damaged;
+  } else if (Refusal refusal; decode(sentence, refusal)) {
+    if (step_ != Step::Idle) {
+      giveUp();
+    }
+  }
+}
+
+void Talker::takeSetting(const SettingIs& setting) {
+  if (setting.name == hooks::textOf(kAddressSetting)) {
+    has_address_ = setting.value == address_;
+  }
+}
+
+/// No data is the answer to a request for which there was no cycle of ours: the modem then asks for
+/// nothing more.
+void Talker::takeRequest(const DataRequest& request, const GliderContext* context) {
+  if (request.source != address_) {
+    return;
+  }
+  Transmit answer;
+  answer.source = address_;
+  answer.destination = request.destination;
+  answer.acknowledge = request.acknowledge;
+  const bool wanted = step_ == Step::Begins && context != nullptr &&
+                      request.bytes >= talk_.messages[message_].bytes;
+  if (wanted) {
+    pack(talk_.messages[message_], *context, answer.data);
+  }
+  if (say(answer) && wanted) {
+    step_ = Step::Sends;
+    since_ = sent_[message_] = clock_.now();
+    was_sent_[message_] = true;
+  }
+}
+
+void Talker::pack(const GliderMessage& message, const GliderContext& context, Data& data) const {
+  MessageWriter writer;
+  for (uint32_t i = message.count; i != 0; --i) {
+    const GliderShare& share = talk_.shares[message.first + i - 1];
+    writer.put(scaleOf(share), valueOf(share, context));
+  }
+  data.size = message.bytes;
+  if (!writer.end(static_cast<uint8_t>(message.signature), data.bytes, data.size)) {
+    data.size = 0;  // never: the compiler has counted them
+  }
+}
+
+void Talker::takeFrame(const Received& frame, GliderContext* context) {
+  if (frame.destination != kEverybody && frame.destination != address_) {
+    return;
+  }
+  // A frame with our own address is not ours: a modem does not receive what it sends.
+  const bool others = frame.source != address_ && frame.source != 0;
+  for (uint32_t i = 0; others && i < talk_.message_count; ++i) {
+    if (isOf(talk_.messages[i], frame.data)) {
+      ++counts_.received;
+      if (context != nullptr) {
+        keep(talk_.messages[i], frame.data, *context);
+      }
+      return;
+    }
+  }
+  ++counts_.refused;
+}
+
+bool Talker::isOf(const GliderMessage& message, const Data& data) const {
+  MessageReader reader(data.bytes, data.size);
+  for (uint32_t i = 0; i < message.count; ++i) {
+    (void)reader.take(scaleOf(talk_.shares[message.first + i]));
+  }
+  return reader.end(static_cast<uint8_t>(message.signature), message.bytes);
+}
+
+/// For the vehicle's next frame. A value that the sender did not know changes nothing.
+void Talker::keep(const GliderMessage& message, const Data& data, GliderContext& context) const {
+  MessageReader reader(data.bytes, data.size);
+  for (uint32_t i = 0; i < message.count; ++i) {
+    const GliderShare& share = talk_.shares[message.first + i];
+    const double value = reader.take(scaleOf(share));
+    if (value == value && share.peer != GLIDER_NO_PLACE) {
+      context.readings[share.peer].raw = value;
+      context.readings[share.peer].waiting = 1;
+    }
+  }
+}
+
+void Talker::askForAddress() {
+  if (clock_.now() - asked_ < kAskAgainSecs) {
+    return;
+  }
+  SetSetting setting;
+  setting.name = hooks::textOf(kAddressSetting);
+  setting.value = address_;
+  if (say(setting)) {
+    asked_ = clock_.now();
+  }
+}
+
+/// Starts a cycle, if this is the beginning of a slot of this vehicle and a message is due.
+void Talker::begin() {
+  uint64_t slot = 0;
+  double passed = 0;
+  if (!clock_.slot(&slot, &passed) || slot % vehicles_ != address_ - 1 || slot == slot_ ||
+      passed > kLatestBegin) {
+    return;
+  }
+  const uint32_t message = mostOverdue();
+  if (message == talk_.message_count) {
+    return;
+  }
+  StartCycle cycle;
+  cycle.source = address_;
+  if (say(cycle)) {
+    slot_ = slot;
+    message_ = message;
+    step_ = Step::Begins;
+    since_ = clock_.now();
+  }
+}
+
+/// The number of the message that should have been sent for the longest time; one that was never
+/// sent comes first. message_count: none is due.
+uint32_t Talker::mostOverdue() const {
+  uint32_t found = talk_.message_count;
+  double most = 0;
+  for (uint32_t i = 0; i < talk_.message_count; ++i) {
+    if (!was_sent_[i]) {
+      return i;
+    }
+    const double overdue = clock_.now() - sent_[i] - talk_.messages[i].period;
+    if (overdue >= most && (overdue > most || found == talk_.message_count)) {
+      found = i;
+      most = overdue;
+    }
+  }
+  return found;
+}
+
+/// The modem may have started again, and have lost its address.
+void Talker::giveUp() {
+  ++counts_.unanswered;
+  step_ = Step::Idle;
+  has_address_ = false;
+}
+
+}  // namespace glider::runtime::talk

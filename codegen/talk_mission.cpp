@@ -4,15 +4,16 @@
 #include "codegen/talk_mission.h"
 
 #include "ir/core/share_messages.h"
+#include "platforms/load/modem.h"
 #include "support/check.h"
 
 namespace glider::codegen {
 namespace {
 
 /// The length of a slot, s.
-double slotOf(const platforms::Platform& /*platform*/) {
-  constexpr double kSlotSecs = 12;
-  return kSlotSecs;
+double slotOf(const platforms::Platform& platform) {
+  CHECK(platform.modem, "shares without a modem");
+  return platforms::slotOf(*platform.modem, platform.envelope.cycle_s);
 }
 
 template <typename Id>

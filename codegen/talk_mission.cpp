@@ -4,17 +4,14 @@
 #include "codegen/talk_mission.h"
 
 #include "ir/core/share_messages.h"
-#include "platforms/load/modem.h"
 #include "support/check.h"
 
 namespace glider::codegen {
 namespace {
 
-/// The length of a slot, s.
-double slotOf(const platforms::Platform& platform) {
-  CHECK(platform.modem, "shares without a modem");
-  return platforms::slotOf(*platform.modem, platform.envelope.cycle_s);
-}
+/// A vehicle that takes turns begins within the slowest control cycle of all kinds:
+/// platforms::slotOf leaves room for that.
+constexpr uint32_t kBeginWithinMs = 4000;
 
 template <typename Id>
 uint32_t placeOf(Id id) {
@@ -30,7 +27,9 @@ bool talks(const ir::Mission& mission) {
 GliderTalk talkMissionOf(const ir::Mission& mission, const platforms::Platform& platform) {
   CHECK(talks(mission) && mission.shares.size() <= GLIDER_MOST_SHARES, "shares that do not fit");
   GliderTalk talk{};
-  talk.slot_s = slotOf(platform);
+  CHECK(platform.modem.has_value(), "a mission with shares for a vehicle without a modem");
+  talk.slot_s = platforms::slotOf(*platform.modem, platform.envelope.cycle_s);
+  talk.begin_within_ms = kBeginWithinMs;
   talk.utc = mission.utc.index;
   for (const ir::Share& share : mission.shares) {
     talk.shares[talk.share_count++] = {share.lowest,

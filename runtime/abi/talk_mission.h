@@ -39,7 +39,8 @@ typedef struct GliderTalk {
   uint32_t utc;  /* place in the mission's sensors of the vehicle's clock */
   uint32_t share_count;
   uint32_t message_count;
-  uint32_t reserved;
+  uint32_t
+      begin_within_ms; /* of its slot: a message that was not begun by then waits for the next */
   GliderShare shares[GLIDER_MOST_SHARES];
   GliderMessage messages[GLIDER_MOST_SHARES];
 } GliderTalk;

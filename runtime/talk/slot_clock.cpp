@@ -25,15 +25,16 @@ void SlotClock::look(const GliderContext* context, double clock_s) {
   }
 }
 
-bool SlotClock::slot(uint64_t* slot, double* passed) const {
+bool SlotClock::slot(uint64_t* slot, double* passed_s) const {
   constexpr double kMostSlots = 1e15;
   const double since = now_ - at_;
-  const double slots = (utc_ + since) / talk_.slot_s;
+  const double utc = utc_ + since;
+  const double slots = utc / talk_.slot_s;
   if (!(since <= kMostWithoutReport && slots >= 0 && slots < kMostSlots)) {
     return false;
   }
   *slot = static_cast<uint64_t>(slots);
-  *passed = slots - static_cast<double>(*slot);
+  *passed_s = utc - static_cast<double>(*slot) * talk_.slot_s;
   return true;
 }
 

@@ -23,8 +23,8 @@ class SlotClock {
   void look(const GliderContext* context, double clock_s);
   /// The time that the SBC's clock has counted so far, s.
   [[nodiscard]] double now() const { return now_; }
-  /// Whether UTC is known; then the slot, counted since 1970, and how much of it has passed, 0..1.
-  bool slot(uint64_t* slot, double* passed) const;
+  /// Whether UTC is known; then the slot, counted since 1970, and how much of it has passed, s.
+  bool slot(uint64_t* slot, double* passed_s) const;
 
  private:
   const GliderTalk& talk_;

@@ -15,6 +15,7 @@ using hooks::share::Scale;
 
 /// The setting that is the modem's own address.
 constexpr char kAddressSetting[] = "SRC";
+constexpr double kMillisecond = 1e-3;  ///< s
 
 Scale scaleOf(const GliderShare& share) {
   return {share.lowest, share.step, share.values};
@@ -200,9 +201,9 @@ void Talker::askForAddress() {
 /// Starts a cycle, if this is the beginning of a slot of this vehicle and a message is due.
 void Talker::begin() {
   uint64_t slot = 0;
-  double passed = 0;
-  if (!clock_.slot(&slot, &passed) || slot % vehicles_ != address_ - 1 || slot == slot_ ||
-      passed > kLatestBegin) {
+  double passed_s = 0;
+  if (!clock_.slot(&slot, &passed_s) || slot % vehicles_ != address_ - 1 || slot == slot_ ||
+      passed_s > talk_.begin_within_ms * kMillisecond) {
     return;
   }
   const uint32_t message = mostOverdue();

@@ -32,9 +32,6 @@ class Talker {
   static constexpr double kPatienceSecs = 10;
   /// The modem is asked again to take its address after this, s.
   static constexpr double kAskAgainSecs = 5;
-  /// A message that was not begun by this part of the slot waits for the next: it would end in the
-  /// slot of another.
-  static constexpr double kLatestBegin = 0.5;
   static constexpr uint32_t kMostBytesPerPoll = 512;
 
   /// Whether a vehicle can have this address in a fleet that has so many slots.

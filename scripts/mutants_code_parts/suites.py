@@ -20,6 +20,7 @@ IMC = Suite("tests/imc_test")
 RECON = Suite("tests/recon_test")
 MICRO_MODEM = Suite("tests/micro_modem_test")
 SHARE = Suite("tests/share_test")
+TALKER = Suite("tests/talker_test")
 RECON_SEAT = Suite("tests/recon_backseat_test")
 POSIX = Suite("tests/hooks_posix_test")
 RUNTIME = Suite("tests/runtime_test")
@@ -65,6 +66,7 @@ SUITES = {
     "hooks/transport": (POSIX, HOOKS, CARD, C_MISSION),
     "runtime": (RUNTIME, CARD, C_MISSION, OPERATIONS, JUDGED),
     "runtime/recon": (RECON_SEAT,),
+    "runtime/talk": (TALKER,),
     "runtime/c": (C_MISSION, CARD, RUNTIME),
     "runtime/board": (CARD, C_MISSION),
     "runtime/numbers": (NUMBERS, RUNTIME, OPERATIONS),

@@ -20,8 +20,8 @@ class TalkConstant {
   explicit TalkConstant(llvm::LLVMContext& context) : context_(context) {}
 
   llvm::Constant* of(const GliderTalk& talk) {
-    std::vector<llvm::Constant*> fields =
-        fieldsOf({talk.slot_s}, {talk.utc, talk.share_count, talk.message_count, talk.reserved});
+    std::vector<llvm::Constant*> fields = fieldsOf(
+        {talk.slot_s}, {talk.utc, talk.share_count, talk.message_count, talk.begin_within_ms});
     fields.push_back(arrayOf(talk.shares, [this](const GliderShare& share) {
       return llvm::ConstantStruct::getAnon(
           context_, fieldsOf({share.lowest, share.step},

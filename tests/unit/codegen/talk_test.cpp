@@ -6,6 +6,7 @@
 #include "codegen/load/loaded_mission.h"
 #include "hooks/protocol/tick.h"
 #include "hooks/transport/descriptor.h"
+#include "platforms/load/load_platform.h"
 #include "runtime/talk/talker.h"
 #include "support/files.h"
 #include "tests/slocum.h"
@@ -75,7 +76,8 @@ TEST_P(TalkShared, KnowsItsShares) {
   const codegen::LoadedMission loaded = load(talking(), GetParam());
   ASSERT_NE(loaded.talk(), nullptr);
   const GliderTalk& talk = *loaded.talk();
-  EXPECT_GT(talk.slot_s, 5);
+  EXPECT_EQ(talk.slot_s, 13);
+  EXPECT_EQ(talk.begin_within_ms, 4000U);
   EXPECT_EQ(talk.utc, 2U);
   ASSERT_EQ(talk.share_count, 3U);
   EXPECT_EQ(talk.shares[0].step, 0.5);
@@ -334,6 +336,26 @@ TEST(TalkBudget, TheStackHasABound) {
       ASSERT_TRUE(budget->stack_bytes) << name << ": " << budget->stack_bytes.error();
       EXPECT_LT(*budget->stack_bytes, target.max_stack_bytes);
       ASSERT_TRUE(budget->tick_instructions) << budget->tick_instructions.error();
+    }
+  }
+}
+
+/// These have a seat within the program.
+TEST(TalkBudget, TheStackHasABoundWithoutHooks) {
+  for (const char* vehicle : {"lauv", "remus100"}) {
+    Checked checked = talking();
+    auto platform =
+        platforms::loadPlatform(GLIDER_SOURCE_DIR "/platforms/" + std::string(vehicle) + ".toml");
+    ASSERT_TRUE(platform.has_value());
+    checked.platform = std::move(*platform);
+    for (const char* name : {"ts7800", "ts5500"}) {
+      const platforms::Board target = board(name);
+      const auto budget = codegen::measureBudget(checked.input(), target, {});
+      ASSERT_TRUE(budget) << budget.error().message;
+      ASSERT_TRUE(budget->stack_bytes)
+          << vehicle << ' ' << name << ": " << budget->stack_bytes.error();
+      EXPECT_LT(*budget->stack_bytes, target.max_stack_bytes);
+      RecordProperty(std::string(vehicle) + "_" + name, static_cast<int>(*budget->stack_bytes));
     }
   }
 }

@@ -43,6 +43,7 @@ GliderTalk benchTalk() {
   GliderTalk talk{};
   talk.slot_s = kSlot;
   talk.utc = kUtc;
+  talk.begin_within_ms = 4000;
   talk.share_count = 3;
   talk.shares[0] = {0, 0.5, 401, kDepth, GLIDER_NO_PLACE, kPeerTop};
   talk.shares[1] = {0, 1, 2, GLIDER_NO_PLACE, kFound, kPeerFound};
@@ -244,6 +245,18 @@ TEST_F(TalkerTest, WithoutUtcItSendsNothing) {
   EXPECT_FALSE(modem_.heardOf("CCCYC").empty());
 }
 
+/// The mission's reading is older than its `stale_after`, 20 s, before this clock gives up.
+TEST_F(TalkerTest, WhatTheMissionDoesNotKnowItDoesNotKnow) {
+  make(1, 1);
+  talk_.messages[0].period = 1;
+  run(100);
+  reports_utc_ = false;
+  run(24);
+  const size_t before = modem_.heardOf("CCCYC").size();
+  run(60);
+  EXPECT_EQ(modem_.heardOf("CCCYC").size(), before);
+}
+
 TEST_F(TalkerTest, WhenTheVehicleFallsSilentUtcIsSoonUnknown) {
   run(100);
   flies_ = false;
@@ -313,16 +326,21 @@ TEST_F(TalkerTest, UtcOfACheckpointIsNotTrusted) {
   }
 }
 
-TEST_F(TalkerTest, ASlotThatIsHalfOverIsNotUsed) {
-  talk_.messages[0].period = talk_.messages[1].period = 1;
-  modem_.answer = [this](ScriptedModem& modem, const std::string& body) {
-    if (!body.starts_with("CCCFG") || now_ > 36 + 8) {
-      ScriptedModem::usual(modem, body);  // the address is confirmed in the middle of its slot
-    }
-  };
-  run(36 + kSlot);
+TEST_F(TalkerTest, ASlotThatHasBegunLongAgoIsNotUsed) {
+  modem_.answer = [](ScriptedModem&, const std::string&) {};
+  run(36 + 4);
+  modem_.say("CACFG,SRC,1");  // 5 s of its slot have passed when it reads this
+  run(36 - 5);
   EXPECT_THAT(modem_.heardOf("CCCYC"), IsEmpty());
-  run(40);
+  run(5);
+  EXPECT_THAT(modem_.heardOf("CCCYC"), SizeIs(1));
+}
+
+TEST_F(TalkerTest, ASlotThatHasJustBegunIsUsed) {
+  modem_.answer = [](ScriptedModem&, const std::string&) {};
+  run(36 + 3);
+  modem_.say("CACFG,SRC,1");
+  run(1);
   EXPECT_THAT(modem_.heardOf("CCCYC"), SizeIs(1));
 }
 

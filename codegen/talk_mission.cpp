@@ -4,6 +4,7 @@
 #include "codegen/talk_mission.h"
 
 #include "ir/core/share_messages.h"
+#include "platforms/load/modem.h"
 #include "support/check.h"
 
 namespace glider::codegen {

@@ -23,7 +23,7 @@ void reportUnsimulated(const compiler::Optimised& mission, support::DiagnosticEn
   for (const ir::Sensor& used : mission.mission.sensors) {
     const platforms::PlatformSensor* sensor = mission.platform().find(used.vehicle_name);
     const bool simulated = family != nullptr && sensor != nullptr && family->provides(*sensor);
-    if (used.symbol.empty() && !simulated) {
+    if (used.symbol.empty() && !used.isHeard() && !simulated) {
       diagnostics.report(support::diagnostics::sensorNotSimulated, {}, mission.platform().name,
                          used.vehicle_name);
     }

@@ -27,6 +27,9 @@ std::string problemOf(const ir::Sensor& sensor, const SensorInLogs& in_logs) {
     return fmt::format("`{}` is a sensor of the payload computer, which is not in data files",
                        sensor.name);
   }
+  if (sensor.isHeard()) {
+    return fmt::format("`{}` is what other vehicles tell, which is not in data files", sensor.name);
+  }
   if (!in_logs.present) {
     return fmt::format("the data files do not contain `{}`", sensor.vehicle_name);
   }

@@ -143,6 +143,11 @@ class BriefMaker {
   [[nodiscard]] report::BriefSensor sensorOf(const ir::Sensor& sensor) const {
     const platforms::PlatformSensor* row = checked_.platform().find(sensor.vehicle_name);
     const bool own = !sensor.symbol.empty();
+    if (sensor.isHeard()) {
+      return {sensor.name,      "",
+              "acoustic modem", "what another vehicle of the fleet tells",
+              rangeOf(sensor),  fmt::format("{:g} s", sensor.stale_after_s)};
+    }
     report::BriefSensor told{
         sensor.name,
         own ? "" : sensor.vehicle_name,

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <string>
 
@@ -21,6 +22,20 @@ std::string identityOf(const Share& share) {
   const auto bits = [](double number) { return std::bit_cast<uint64_t>(number); };
   return fmt::format("{} {:016x} {:016x} {:016x} {:016x}\n", share.name, bits(share.lowest),
                      bits(share.step), bits(share.values), bits(share.period_s));
+}
+
+/// Gives the last message a signature that none before it has: those of a mission are told apart by
+/// it.
+void distinguish(std::vector<ShareMessage>& messages) {
+  ShareMessage& last = messages.back();
+  const auto taken = [&] {
+    return std::any_of(messages.begin(), messages.end() - 1, [&](const ShareMessage& other) {
+      return other.signature == last.signature;
+    });
+  };
+  while (taken()) {  // there are fewer messages than signatures
+    last.signature = (last.signature + 1) & kSignatureMask;
+  }
 }
 
 }  // namespace
@@ -48,6 +63,7 @@ std::vector<ShareMessage> messagesOf(const Mission& mission) {
       ++end;
     }
     messages.push_back(messageOf(shares.subspan(first, end - first), first));
+    distinguish(messages);
     first = end;
   }
   return messages;

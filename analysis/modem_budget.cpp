@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -54,7 +55,9 @@ std::vector<report::Budget> modemBudget(const compiler::Optimised& mission) {
   }
   const double slot_s = platforms::slotOf(modem, platform.envelope.cycle_s);
   const double on_air_s = modem.cycle_init_s + modem.frame_s;
-  const auto vehicles = static_cast<uint64_t>(m.shares.front().period_s / slot_s);
+  constexpr double kMostAddress = 15;  // of the modem
+  const auto vehicles =
+      static_cast<uint64_t>(std::min(kMostAddress, m.shares.front().period_s / slot_s));
   const double send_J = modem.send_j_byte * modem.frame_bytes;
   const double receive_J = modem.receive_j_byte * modem.frame_bytes;
   budget.quantities.push_back(

@@ -103,7 +103,7 @@ UNIT : 'mm' | 'cm' | 'm' | 'km' | 'nmi' | 'ft' | 's' | 'h' | 'day' | 'rad' | 'de
   | 'V' | 'A' | 'J' | 'kJ' | 'MJ' | 'Ah' | '%' ;
 COMPASS : 'N' | 'S' | 'E' | 'W' ;
 
-// What the modem hears of other vehicles: `peer.top`.
+// What the modem receives from other vehicles: `peer.top`.
 HEARD : 'peer.' [A-Za-z_] [A-Za-z_0-9]* ;
 NAME : [A-Za-z_] [A-Za-z_0-9]* ;
 // A time of the calendar, UTC: `2026-11-25T12:00Z`. Whether there is such a day is checked later.

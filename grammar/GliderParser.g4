@@ -69,7 +69,7 @@ declination : DECLINATION expr ;
 
 place : PLACE anyName ASSIGN expr ;
 
-// What other vehicles are told; with a type it declares the variable.
+// What other vehicles receive; with a type it declares the variable.
 share : SHARE anyName (COLON type (ASSIGN expr)?)? range? (PRECISION expr)? EVERY expr (STALE AFTER expr)? ;
 
 assumption : ASSUME premise ;

@@ -12,12 +12,25 @@
 namespace glider::driver {
 namespace {
 
+/// Null for one that did not use its modem.
+Json modemJson(const support::Trace& trace) {
+  if (!trace.acoustic) {
+    return nullptr;
+  }
+  const support::AcousticTotals& modem = *trace.acoustic;
+  return {{"sent", modem.sent},        {"received", modem.received},
+          {"lost", modem.lost},        {"on_air_s", modem.on_air_s},
+          {"sent_J", modem.sent_J},    {"received_J", modem.received_J},
+          {"listen_J", modem.listen_J}};
+}
+
 Json vehicleJson(const report::FleetVehicleReport& vehicle) {
   return {{"name", vehicle.name},
           {"mission", vehicle.mission_file},
           {"platform", vehicle.platform},
           {"page", vehicle.page},
           {"problems", vehicle.problems},
+          {"modem", modemJson(*vehicle.trace)},
           {"figures", Json::parse(report::figuresToJson(report::flightFigures(*vehicle.trace)))}};
 }
 

@@ -505,14 +505,14 @@ struct Declination {
   bool operator==(const Declination&) const = default;
 };
 
-/// `share top: length in 0 m .. 200 m precision 1 m every 10 min`: what other vehicles are told.
+/// `share top: length in 0 m .. 200 m precision 1 m every 10 min`: what other vehicles receive.
 struct Share {
   Name name;
   std::optional<Var> variable;  ///< that it declares; empty: a sensor, or declared elsewhere
   std::optional<Range> range;   ///< of one that declares nothing
   std::optional<Expr> precision;
   Expr every;
-  std::optional<Expr> stale_after;  ///< of what is heard of it
+  std::optional<Expr> stale_after;  ///< of what is received of it
   Where where;
   bool operator==(const Share&) const = default;
 };

@@ -148,7 +148,7 @@ std::optional<std::vector<ast::Formal>> AstBuilder::formals(Parser::FormalsConte
   return list;
 }
 
-/// Its times and the rest are told apart by the words before them.
+/// Its times and the rest are distinguished by the words before them.
 ast::Share AstBuilder::share(Parser::ShareContext* rule) {
   ast::Share result{name(rule->anyName()), {}, range(rule->range()), {}, {}, {}, where(rule)};
   std::optional<ast::Expr> value;
@@ -289,7 +289,7 @@ ast::SensorsMember AstBuilder::sensors(const Rule* rule) {
     if (item->children.size() > 1) {
       every = expr(static_cast<Parser::ExprContext*>(item->children[2]));
     }
-    // A word alone is of a vehicle that is heard.
+    // A word alone is of a vehicle that is received.
     antlr4::tree::ParseTree* named = item->children[0];
     const ast::Name sensor =
         isWord(named) ? ast::Name{text(wordOf(named)), where(wordOf(named))} : name(ruleOf(named));

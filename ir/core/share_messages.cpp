@@ -24,7 +24,7 @@ std::string identityOf(const Share& share) {
                      bits(share.step), bits(share.values), bits(share.period_s));
 }
 
-/// Gives the last message a signature that none before it has: those of a mission are told apart by
+/// Gives the last message a signature that none before it has: those of a mission are distinguished by
 /// it.
 void distinguish(std::vector<ShareMessage>& messages) {
   ShareMessage& last = messages.back();

@@ -78,6 +78,52 @@ std::string vehicleTable(const FleetReport& fleet) {
   return table(kHeads, rows);
 }
 
+const std::vector<std::string> kMessageHeads = {"messages", "sent",   "received",
+                                                "lost",     "on air", "modem"};
+
+/// What the modems did: a row for each vehicle that used its own.
+std::vector<std::vector<std::string>> messageRows(const FleetReport& fleet) {
+  std::vector<std::vector<std::string>> rows;
+  for (const FleetVehicleReport& vehicle : fleet.vehicles) {
+    if (const auto& modem = vehicle.trace->acoustic) {
+      constexpr double kKilojoule = 1000;
+      rows.push_back(
+          {vehicle.name, fmt::format("{}", modem->sent), fmt::format("{}", modem->received),
+           fmt::format("{}", modem->lost), fmt::format("{:.0f} s", modem->on_air_s),
+           fmt::format("{:.1f} kJ",
+                       (modem->sent_J + modem->received_J + modem->listen_J) / kKilojoule)});
+    }
+  }
+  return rows;
+}
+
+std::string messageTable(const FleetReport& fleet) {
+  std::vector<std::vector<std::string>> rows = messageRows(fleet);
+  for (std::vector<std::string>& row : rows) {
+    row.front() = raw(row.front());
+  }
+  return rows.empty() ? "" : "<h2>Messages</h2>\n" + table(kMessageHeads, rows);
+}
+
+/// A table for the terminal; the first row is its head.
+std::string aligned(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<size_t> widths(rows.front().size(), 0);
+  for (const auto& row : rows) {
+    for (size_t i = 0; i < row.size(); ++i) {
+      widths[i] = std::max(widths[i], width(plain(row[i])));
+    }
+  }
+  std::string out;
+  for (const auto& row : rows) {
+    std::string line;
+    for (size_t i = 0; i < row.size(); ++i) {
+      line += padded(plain(row[i]), widths[i] + 2);
+    }
+    out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return out;
+}
+
 /// The pairs that flew at the same time, the nearest first.
 std::vector<const FleetPairReport*> byDistance(const FleetReport& fleet) {
   std::vector<const FleetPairReport*> pairs;
@@ -158,6 +204,7 @@ std::string fleetPage(const FleetReport& fleet) {
     page.add(drawFleetDistances(fleet));
     page.add(pairTable(fleet));
   }
+  page.add("{}", messageTable(fleet));
   page.add("</body>\n</html>\n");
   return page.take();
 }
@@ -169,19 +216,11 @@ std::string fleetSummary(const FleetReport& fleet) {
     std::ranges::move(cellsOf(vehicle), std::back_inserter(row));
     rows.push_back(std::move(row));
   }
-  std::vector<size_t> widths(kHeads.size(), 0);
-  for (const auto& row : rows) {
-    for (size_t i = 0; i < row.size(); ++i) {
-      widths[i] = std::max(widths[i], width(plain(row[i])));
-    }
-  }
-  std::string out;
-  for (const auto& row : rows) {
-    std::string line;
-    for (size_t i = 0; i < row.size(); ++i) {
-      line += padded(plain(row[i]), widths[i] + 2);
-    }
-    out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  std::string out = aligned(rows);
+  std::vector<std::vector<std::string>> messages = messageRows(fleet);
+  if (!messages.empty()) {
+    messages.insert(messages.begin(), kMessageHeads);
+    out += aligned(messages);
   }
   const auto nearest = byDistance(fleet);
   return out + (nearest.empty() ? "" : "nearest: " + nearestText(fleet, *nearest.front()) + "\n");

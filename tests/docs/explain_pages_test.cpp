@@ -39,7 +39,7 @@ const std::set<DiagnosticId> kNotShown = {
     support::diagnostics::tooManyOwnSensors,
     // Another vehicle.
     support::diagnostics::declinationUnknown, support::diagnostics::commandOfAnother,
-    support::diagnostics::noModem, support::diagnostics::speedTooSlow,
+    support::diagnostics::speedTooSlow,
     // The vehicle's mission file: vehicle_missions_test.cpp tries the page.
     support::diagnostics::mayStayBelow, support::diagnostics::vehicleRefuses,
     support::diagnostics::vehicleAborts, support::diagnostics::startUnassumed,

@@ -9,6 +9,7 @@
 #include "ir/core/share_messages.h"
 #include "platforms/load/modem.h"
 #include "support/diagnostics/ids/meaning.h"
+#include "support/diagnostics/ids/vehicle.h"
 
 #include <fmt/format.h>
 
@@ -20,10 +21,10 @@ namespace glider::frontend {
 
 namespace {
 
-/// What is heard is unknown after as many periods, unless the share says otherwise: two messages in
+/// What is received is unknown after as many periods, unless the share says otherwise: two messages in
 /// a row may be lost.
 constexpr double kPeriodsKept = 3;
-/// The names of what is heard begin with it.
+/// The names of what is received begin with it.
 constexpr std::string_view kPeer = "peer.";
 
 /// What a share tells.
@@ -106,7 +107,7 @@ class ShareLowering {
 
   std::optional<Told> toldOf(Named& named) {
     named.read = true;
-    named.written = true;  // a vehicle that only hears others never sets it
+    named.written = true;  // a vehicle that only receives never sets it
     if (!named.valid) {
       return std::nullopt;
     }
@@ -188,7 +189,7 @@ class ShareLowering {
                                    : "too fine",
                     scope_.text(bothEnds(*range())),
                     !positive      ? "the precision is the difference of two neighbouring values"
-                    : step > width ? "only its lowest value could be told"
+                    : step > width ? "only its lowest value could be sent"
                                    : "a share has at most 1,000,000,000 values");
       return std::nullopt;
     }

@@ -115,6 +115,29 @@ TEST(FleetFile, RefusesEachMistakeWithItsLine) {
   }
 }
 
+TEST(FleetFile, GivesEachModemAnAddress) {
+  const auto of = [](const std::string& one, const std::string& other) {
+    return kOne + one + "[[vehicle]]\nname = \"b\"\nmission = \"b.mission\"\n" + other;
+  };
+  const auto counted = load(of("", ""));
+  ASSERT_TRUE(counted.has_value());
+  EXPECT_EQ(counted->vehicles[0].address, 1U);
+  EXPECT_EQ(counted->vehicles[1].address, 2U);
+  EXPECT_EQ(slotsOf(*counted), 2U);
+  const auto given = load(of("address = 7\n", "address = 3\n"));
+  ASSERT_TRUE(given.has_value());
+  EXPECT_EQ(given->vehicles[0].address, 7U);
+  EXPECT_EQ(slotsOf(*given), 7U) << "a slot that no vehicle has stays empty";
+  EXPECT_THAT(refusal(of("address = 3\n", "address = 3\n")),
+              HasSubstr("3 is that of `a` too: two vehicles would send at the same time"));
+  EXPECT_THAT(refusal(of("address = 3\n", "")), HasSubstr("missing for `b`"));
+  EXPECT_THAT(refusal(of("", "address = 3\n")), HasSubstr("missing for `a`"));
+  for (const char* wrong : {"0", "16", "-1", "1.5"}) {
+    EXPECT_THAT(refusal(of(std::string("address = ") + wrong + "\n", "")), HasSubstr("address"))
+        << wrong;
+  }
+}
+
 TEST(FleetFile, HasAtMostAHundredVehicles) {
   std::string text;
   for (int i = 0; i < 101; ++i) {

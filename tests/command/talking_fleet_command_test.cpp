@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// A fleet whose vehicles tell each other values: `glidercc sim` and `check` of its file.
+
+#include "tests/support/command.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <gmock/gmock.h>
+#include <string>
+
+namespace glider::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string kShare = "share top: length in 0 m .. 100 m precision 1 m every 2 min\n";
+
+class TalkingFleet : public ::testing::Test {
+ protected:
+  /// One that tells its depth, and climbs as soon as it receives another one's.
+  void mission(const std::string& name, const std::string& shares) const {
+    (void)folder_.write(name + ".mission", "mission " + name + "\n" + shares + R"(
+require always depth < 45 m
+state out
+begin
+  flightprofile yo(5 m, 30 m)
+  sensors       missiontime, depth, peer.top
+  events
+    case missiontime >= 40 min exit
+    case known(peer.top)       goto near
+    case true                  do set top = clamp(depth, 0 m, 100 m) end stay
+end
+state near
+begin
+  flightprofile yo(5 m, 20 m)
+  sensors       missiontime, depth, peer.top
+  events
+    case missiontime >= 40 min exit
+    case true                  do set top = clamp(depth, 0 m, 100 m) end stay
+end
+)");
+  }
+  static std::string vehicle(const std::string& name, const std::string& mission,
+                             const std::string& more = "") {
+    return "[[vehicle]]\nname = \"" + name + "\"\nmission = \"" + mission + ".mission\"\n" + more;
+  }
+  void fleet(const std::string& head, const std::string& more = "") const {
+    (void)folder_.write("f.toml", head + vehicle("a", "one") +
+                                      vehicle("b", "one", "bearing_deg = 90\ndistance_m = 500\n") +
+                                      more);
+  }
+  [[nodiscard]] Outcome run(const std::string& arguments) const {
+    return runShell("cd " + folder_.path().string() + " && " + arguments);
+  }
+  [[nodiscard]] std::string slurped(const std::string& file) const {
+    return slurp(folder_.path() / file);
+  }
+  /// What the check says of the fleet whose vehicles have these shares.
+  [[nodiscard]] std::string refusal(const std::string& one, const std::string& other) const {
+    mission("one", one);
+    mission("two", other);
+    (void)folder_.write("f.toml", vehicle("a", "one") + vehicle("b", "two"));
+    const Outcome checked = run("$GLIDERCC check f.toml");
+    const Outcome flown = run("$GLIDERCC sim f.toml -o f");
+    EXPECT_NE(flown.status, 0);
+    EXPECT_THAT(checked.err, HasSubstr("[GL9304 "));
+    EXPECT_THAT(flown.err, HasSubstr("[GL9304 "));
+    return checked.err;
+  }
+
+  const TemporaryFolder folder_;
+};
+
+// accepts: GL9304
+TEST_F(TalkingFleet, HearsWhatOthersTell) {
+  mission("one", kShare);
+  fleet("");
+  const Outcome flown = run("$GLIDERCC sim f.toml -o f");
+  EXPECT_EQ(flown.status, 0) << flown.err;
+  EXPECT_THAT(flown.out, HasSubstr("messages  sent"));
+  EXPECT_THAT(slurped("f/report.html"), HasSubstr("<h2>Messages</h2>"));
+  for (const char* name : {"a", "b"}) {
+    const std::string events = slurped(std::string("f/") + name + "/events.csv");
+    EXPECT_THAT(events, HasSubstr("out → near (goto)")) << name;
+    EXPECT_THAT(events, HasSubstr(name == std::string("a") ? "received 2 bytes from 2"
+                                                           : "received 2 bytes from 1"));
+  }
+  EXPECT_EQ(run("$GLIDERCC sim f.toml -o g && diff -r f g").status, 0) << "the same again";
+}
+
+/// All that arrives is noise.
+TEST_F(TalkingFleet, FliesOnWhenNothingArrives) {
+  mission("one", kShare);
+  (void)folder_.write("noise.toml", "[[faults.modem]]\nfrom_s = 0\nto_s = 100000\n");
+  fleet("scenario = \"noise.toml\"\n");
+  const Outcome flown = run("$GLIDERCC sim f.toml -o f");
+  EXPECT_EQ(flown.status, 0) << flown.err;
+  EXPECT_THAT(slurped("f/a/events.csv"), Not(HasSubstr("goto")));
+  EXPECT_THAT(slurped("f/a/events.csv"), HasSubstr("lost a message from 2: "));
+  const auto summary = nlohmann::json::parse(slurped("f/flight.json"));
+  EXPECT_EQ(summary["vehicles"][0]["modem"]["received"], 0);
+}
+
+TEST_F(TalkingFleet, TakesTheTimeAndEnergyThatTheReportSays) {
+  mission("one", kShare);
+  fleet("");
+  EXPECT_EQ(run("$GLIDERCC sim f.toml -o f").status, 0);
+  const auto modem = nlohmann::json::parse(slurped("f/flight.json"))["vehicles"][0]["modem"];
+  // 40 min in turns of 26 s, so every 130 s at the soonest: 18 or 19 messages, and two minutes
+  // around the mission.
+  const double sent = modem["sent"];
+  EXPECT_NEAR(sent, 19, 1.01);
+  EXPECT_NEAR(modem["on_air_s"].get<double>(), 5.5 * sent, 0.05 * 5.5 * sent);
+  EXPECT_NEAR(modem["sent_J"].get<double>(), 15.7 * sent, 0.05 * 15.7 * sent);
+  const std::string report = run("$GLIDERCC check --report --target ts7800 one.mission").out;
+  EXPECT_THAT(report, HasSubstr("15.7 J for each message sent, 6912 J to listen"));
+  EXPECT_THAT(report, testing::ContainsRegex("on air +3,960 s a day +720 messages"));
+}
+
+TEST_F(TalkingFleet, TheCheckSaysHowTheyTakeTurns) {
+  mission("one", kShare);
+  fleet("");
+  const Outcome checked = run("$GLIDERCC check f.toml");
+  EXPECT_EQ(checked.status, 0) << checked.err;
+  EXPECT_THAT(checked.out, HasSubstr("they take turns in 2 slots of 13 s, a round every 26 s"));
+}
+
+// rejects: GL9304
+TEST_F(TalkingFleet, MustUnderstandEachOther) {
+  EXPECT_THAT(refusal(kShare, "share top: length in 0 m .. 100 m precision 2 m every 2 min\n"),
+              HasSubstr("`a` and `b` do not share `top` alike"));
+  EXPECT_THAT(refusal(kShare, kShare + "share depth in 0 m .. 9 m precision 1 m every 2 min\n"),
+              HasSubstr("do not share `depth` alike"));
+}
+
+TEST_F(TalkingFleet, MustHaveTheTimeForTheirTurns) {
+  mission("one", kShare);
+  std::string more;
+  for (int i = 0; i < 8; ++i) {
+    more += vehicle("v" + std::to_string(i), "one");
+  }
+  fleet("", more);
+  EXPECT_THAT(run("$GLIDERCC check f.toml").err,
+              HasSubstr("`top` is shared every 120 s, but a round of 10 slots takes 130 s"));
+  for (int i = 8; i < 14; ++i) {
+    more += vehicle("v" + std::to_string(i), "one");
+  }
+  fleet("", more);
+  EXPECT_THAT(run("$GLIDERCC check f.toml").err,
+              HasSubstr("it has 16 vehicles, but its modems have only 15 addresses"));
+}
+
+}  // namespace
+}  // namespace glider::tests

@@ -89,7 +89,11 @@ class Replay {
   ir::TickResult step(size_t row, const std::vector<double>& parameters) {
     std::vector<ir::SensorUpdate> frame;
     for (uint32_t i = 0; i < columns_.size(); ++i) {
-      frame.push_back({{i}, trace_.at(row, columns_[i])});
+      const double raw = trace_.at(row, columns_[i]);
+      // Nothing is received before the mission has begun, nor when there is nothing.
+      if (!m_.sensors[i].isHeard() || (row != 0 && !std::isnan(raw))) {
+        frame.push_back({{i}, raw});
+      }
     }
     ir::TickResult result =
         row == 0 ? interpreter_.start(frame, parameters) : interpreter_.tick(time(row), frame);
@@ -159,6 +163,13 @@ Result<void> checkTrace(const support::Trace& trace, const std::string& name,
   for (const ir::Sensor& sensor : mission.sensors) {
     if (trace.column(sensor.vehicle_name) < 0) {
       return refuse(fmt::format("it has no readings of `{}`", sensor.vehicle_name));
+    }
+    if (sensor.isHeard() && trace.rowCount() != 0 &&
+        !std::isnan(trace.at(0, trace.column(sensor.vehicle_name)))) {
+      return refuse(
+          fmt::format("it begins with a value of `{}`, but nothing is received before "
+                      "the mission has begun",
+                      sensor.name));
     }
   }
   return {};

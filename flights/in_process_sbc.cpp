@@ -129,6 +129,20 @@ void InProcessSbc::hearModem(std::span<const uint8_t> bytes) {
   from_modem_.insert(from_modem_.end(), bytes.begin(), bytes.end());
 }
 
+void InProcessSbc::hearValue(uint16_t id, double raw) {
+  const GliderMission& mission = mission_->mission();
+  if (mission_->context(runtime_) == nullptr) {
+    return;
+  }
+  auto* context = reinterpret_cast<GliderContext*>(context_memory_.get());
+  for (uint32_t i = 0; i < mission.sensor_count; ++i) {
+    if (mission.sensors[i].id == id) {
+      context->readings[i].raw = raw;
+      context->readings[i].waiting = 1;
+    }
+  }
+}
+
 /// As the program on a board does about once a second.
 std::vector<uint8_t> InProcessSbc::toModem() {
   if (talker_ && alive() && !finished_) {

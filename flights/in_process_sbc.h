@@ -57,6 +57,7 @@ class InProcessSbc final : public simulator::SbcPort {
   [[nodiscard]] bool keepsTime() const override { return keeps_time_; }
   void plug(bool in) override { plugged_ = in; }
   void hearModem(std::span<const uint8_t> bytes) override;
+  void hearValue(uint16_t id, double raw) override;
   std::vector<uint8_t> toModem() override;
   void damageCard(const simulator::CardFault& fault, uint64_t seed) override;
   [[nodiscard]] std::string exitReason() const override { return exit_reason_; }

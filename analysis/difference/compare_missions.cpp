@@ -63,6 +63,7 @@ class Comparison {
   MissionDifference run() {
     compareSettings();
     compareVariables();
+    compareShares();
     compareStates();
     part("`always`", casesOf(old_.m.always, new_.m.always));
     for (const auto& [before, after] : matched_.pairs) {
@@ -154,6 +155,35 @@ class Comparison {
       part(title, variables([kind](const ir::Variable& v) { return v.kind == kind; },
                             [kind](const ir::Variable& v) { return v.kind == kind; }));
     }
+  }
+
+  static std::map<std::string, std::string> sharesOf(const ir::Mission& m) {
+    std::map<std::string, std::string> texts;
+    for (const ir::Share& share : m.shares) {
+      texts[share.name] = fmt::format("{} values from {:.9g} in steps of {:.9g}, every {:g} s",
+                                      share.values, share.lowest, share.step, share.period_s);
+    }
+    return texts;
+  }
+
+  /// Any of them changes what other vehicles understand.
+  void compareShares() {
+    const auto before = sharesOf(old_.m), after = sharesOf(new_.m);
+    std::vector<std::string> lines;
+    for (const auto& [name, text] : before) {
+      const auto same = after.find(name);
+      if (same == after.end()) {
+        lines.push_back(fmt::format("removed: `{}`", name));
+      } else if (same->second != text) {
+        lines.push_back(fmt::format("changed: `{}`, {}; now {}", name, text, same->second));
+      }
+    }
+    for (const auto& [name, text] : after) {
+      if (!before.contains(name)) {
+        lines.push_back(fmt::format("added: `{}`, {}", name, text));
+      }
+    }
+    part("shares", std::move(lines));
   }
 
   template <typename IsOld, typename IsNew>

@@ -3,6 +3,7 @@
 
 #include "driver/fleet/fleet_talk.h"
 
+#include "ir/core/share_messages.h"
 #include "platforms/load/modem.h"
 #include "support/diagnostics/ids/flights.h"
 
@@ -16,16 +17,18 @@ namespace {
 
 using support::Result;
 
-bool isSame(const ir::Share& one, const ir::Share& other) {
-  return one.name == other.name && one.lowest == other.lowest && one.step == other.step &&
-         one.values == other.values && one.period_s == other.period_s;
+bool isSame(const ir::Mission& first, const ir::Share& one, const ir::Mission& second,
+            const ir::Share& other) {
+  return ir::typeOf(first, one) == ir::typeOf(second, other) && one.name == other.name &&
+         one.lowest == other.lowest && one.step == other.step && one.values == other.values &&
+         one.period_s == other.period_s;
 }
 
 /// The first share that two missions do not have alike; empty: they have the same.
 std::string firstDifference(const ir::Mission& one, const ir::Mission& other) {
   const size_t common = std::min(one.shares.size(), other.shares.size());
   for (size_t i = 0; i < common; ++i) {
-    if (!isSame(one.shares[i], other.shares[i])) {
+    if (!isSame(one, one.shares[i], other, other.shares[i])) {
       return one.shares[i].name;
     }
   }

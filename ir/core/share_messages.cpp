@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <span>
 #include <string>
 
 namespace glider::ir {
@@ -18,14 +19,17 @@ namespace {
 constexpr uint32_t kSignatureMask = 0xFF;
 
 /// The same in every mission that shares the same, in any units.
-std::string identityOf(const Share& share) {
+std::string identityOf(const Mission& mission, const Share& share) {
   const auto bits = [](double number) { return std::bit_cast<uint64_t>(number); };
-  return fmt::format("{} {:016x} {:016x} {:016x} {:016x}\n", share.name, bits(share.lowest),
-                     bits(share.step), bits(share.values), bits(share.period_s));
+  const Type type = typeOf(mission, share);
+  return fmt::format("{} {} {} {:016x} {:016x} {:016x} {:016x}\n", share.name,
+                     static_cast<int>(type.kind), support::unitName(type.dimension),
+                     bits(share.lowest), bits(share.step), bits(share.values),
+                     bits(share.period_s));
 }
 
-/// Gives the last message a signature that none before it has: those of a mission are distinguished by
-/// it.
+/// Gives the last message a signature that none before it has: those of a mission are distinguished
+/// by it.
 void distinguish(std::vector<ShareMessage>& messages) {
   ShareMessage& last = messages.back();
   const auto taken = [&] {
@@ -40,16 +44,19 @@ void distinguish(std::vector<ShareMessage>& messages) {
 
 }  // namespace
 
-ShareMessage messageOf(std::span<const Share> shares, uint32_t first) {
+Type typeOf(const Mission& mission, const Share& share) {
+  return share.sensor.valid() ? mission[share.sensor].type : mission[share.variable].type;
+}
+
+ShareMessage messageOf(const Mission& mission, uint32_t first, uint32_t count) {
   std::vector<hooks::share::Scale> scales;
   uint32_t check = kHookCrc32cStart;
-  for (const Share& share : shares) {
+  for (const Share& share : std::span(mission.shares).subspan(first, count)) {
     scales.push_back({share.lowest, share.step, share.values});
-    const std::string identity = identityOf(share);
+    const std::string identity = identityOf(mission, share);
     check = hooks::crc32c(reinterpret_cast<const uint8_t*>(identity.data()),
                           static_cast<uint32_t>(identity.size()), check);
   }
-  const auto count = static_cast<uint32_t>(shares.size());
   const hooks::share::MessageSize size = hooks::share::sizeOf(scales.data(), count);
   return {first, count, size.bytes, size.bits, check & kSignatureMask};
 }
@@ -62,7 +69,7 @@ std::vector<ShareMessage> messagesOf(const Mission& mission) {
     while (end < shares.size() && shares[end].period_s == shares[first].period_s) {
       ++end;
     }
-    messages.push_back(messageOf(shares.subspan(first, end - first), first));
+    messages.push_back(messageOf(mission, first, end - first));
     distinguish(messages);
     first = end;
   }

@@ -6,7 +6,6 @@
 #include "ir/core/mission.h"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace glider::ir {
@@ -20,8 +19,11 @@ struct ShareMessage {
   uint32_t signature = 0;  ///< 0..255: of the names, scales and period of its shares
 };
 
-/// The message of these shares of one period, the first of which is number `first`.
-ShareMessage messageOf(std::span<const Share> shares, uint32_t first = 0);
+/// What a share sends: the type of its sensor or variable.
+Type typeOf(const Mission& mission, const Share& share);
+
+/// The message of these shares of one period, of which number `first` is the first.
+ShareMessage messageOf(const Mission& mission, uint32_t first, uint32_t count);
 
 /// The messages of a mission, shortest period first.
 std::vector<ShareMessage> messagesOf(const Mission& mission);

@@ -59,9 +59,11 @@ class ShareValidator {
     const bool sensor = share.sensor.index < m_.sensors.size() &&
                         !m_.sensors[share.sensor.index].isHeard() && !share.variable.valid();
     const bool variable = !share.sensor.valid() && share.variable.index < m_.variables.size() &&
-                          m_.variables[share.variable.index].kind == VariableKind::Mission;
+                          (m_.variables[share.variable.index].kind == VariableKind::Mission ||
+                           m_.variables[share.variable.index].kind == VariableKind::Parameter);
     require(sensor || variable, share,
-            "share `{}` is neither a sensor of this vehicle nor a variable of the mission");
+            "share `{}` is neither a sensor of this vehicle nor a variable or parameter of the "
+            "mission");
     const bool truth = variable && m_.variables[share.variable.index].type.kind == TypeKind::Bool;
     require(!truth || (share.lowest == 0 && share.step == 1 && share.values == 2), share,
             "share `{}` is a truth value, but is sent as a number");

@@ -12,10 +12,6 @@
 namespace glider::runtime {
 namespace {
 
-const char* portOf(const Options& options) {
-  return options.port != nullptr ? options.port : defaultPort();
-}
-
 void tellHelp(const char* mission_name) {
   tell("mission ", mission_name,
        ": steers a glider over a serial line\n"
@@ -34,6 +30,10 @@ void tellHelp(const char* mission_name) {
 }
 
 }  // namespace
+
+const char* portOf(const Options& options) {
+  return options.port != nullptr ? options.port : defaultPort();
+}
 
 int tellWish(const Options& options, const char* mission_name) {
   switch (options.wish) {

@@ -30,6 +30,9 @@ bool areFilesApart(const Options& options);
 /// Reports that a check of the program's own memory failed; returns the exit status.
 int tellFailedCheck();
 
+/// The serial port to the vehicle: that of the options, or the board's.
+const char* portOf(const Options& options);
+
 /// Opens the line that the options name; on failure prints the reason on standard error.
 OpenPort openLine(const Options& options);
 

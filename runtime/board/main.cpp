@@ -75,7 +75,7 @@ int run(const Options& options) {
     return kNoLink;
   }
   card.setLine(line.descriptor);
-  if (const int status = openModemLine(); status != kDone) {
+  if (const int status = openModemLine(options); status != kDone) {
     return status;
   }
   alignas(GliderRuntime) static uint8_t memory[sizeof(GliderRuntime)];

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hooks/transport/clock.h"
+#include "runtime/board/options.h"
 #include "runtime/core/runtime.h"
 
 /// The line to an acoustic modem, of the program of a mission with shares. It is chosen when the
@@ -19,9 +20,10 @@ int takeModemOptions(int argc, char** argv);
 /// Prints its part of --help.
 void tellModemOptions();
 
-/// Opens the line if the options name one. Returns kDone, or, with the reason on standard error,
-/// the exit status.
-int openModemLine();
+/// Opens the line if its options name one. A line that cannot be opened is reported, and nothing
+/// more: the mission flies without it. Returns kDone, or, with the reason on standard error, the
+/// exit status. `program`: what its other options say.
+int openModemLine(const Options& program);
 
 /// Does what the modem needs now; never blocks. To be called between polls of the runtime.
 void serveModem(const GliderRuntime& runtime, const GliderClock& clock);

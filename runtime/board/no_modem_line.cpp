@@ -12,7 +12,7 @@ int takeModemOptions(int argc, char** /*argv*/) {
 
 void tellModemOptions() {}
 
-int openModemLine() {
+int openModemLine(const Options& /*program*/) {
   return kDone;
 }
 

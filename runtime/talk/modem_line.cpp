@@ -8,6 +8,7 @@
 #include "runtime/board/files.h"
 #include "runtime/board/kernel.h"
 #include "runtime/board/line.h"
+#include "runtime/board/own_line.h"
 #include "runtime/board/port.h"
 #include "runtime/talk/talker.h"
 
@@ -122,7 +123,7 @@ void tellModemOptions() {
       "  --vehicles N  how many take turns to send");
 }
 
-int openModemLine() {
+int openModemLine(const Options& program) {
   if (options.path == nullptr) {
     tell("without --modem, nothing is shared with other vehicles");
     return kDone;
@@ -135,14 +136,20 @@ int openModemLine() {
     tell("error: --address is greater than --vehicles");
     return kWrongUse;
   }
+  const bool serial = !program.stdio && ownDescriptor() == nullptr;
+  if (serial && strcmp(options.path, portOf(program)) == 0) {
+    tell("error: --modem and the line to the vehicle are both `", options.path, "`");
+    return kWrongUse;
+  }
   constexpr char kOpen[] = "fd:";
   constexpr uint32_t kOpenSize = sizeof kOpen - 1;
   const char* problem = strncmp(options.path, kOpen, kOpenSize) == 0
                             ? takeOpen(options.path + kOpenSize)
                             : openDevice();
-  if (problem != nullptr) {
-    tell("error: cannot open `", options.path, "`: ", problem);
-    return kNoLink;
+  if (problem != nullptr) {  // the mission must not depend on it, above all not after a restart
+    tell("warning: cannot open `", options.path, "`: ", problem,
+         "; nothing is shared with other vehicles");
+    return kDone;
   }
   alignas(Talker) static uint8_t memory[sizeof(Talker)];
   talker = ::new (memory) Talker(gliderTalk, options.address, options.vehicles);

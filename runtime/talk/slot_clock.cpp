@@ -13,22 +13,36 @@ void SlotClock::look(const GliderContext* context, double clock_s) {
     return;
   }
   const GliderReading& utc = context->readings[talk_.utc];
-  if (utc.value != utc.value) {
-    utc_ = utc.value;
+  if (utc.updated == reported_) {
+    return;
   }
-  if (utc.updated != reported_) {
-    // The first may be that of a checkpoint, of before an outage.
-    utc_ = any_ ? utc.value : __builtin_nan("");
-    any_ = true;
-    reported_ = utc.updated;
-    at_ = now_;
+  if (any_) {  // the first may be that of a checkpoint, of before an outage
+    take(utc.value);
   }
+  any_ = true;
+  reported_ = utc.updated;
+}
+
+/// A report is late by a cycle of the vehicle and the way to the SBC, now more and now less. So the
+/// offset of the one that was least late counts.
+void SlotClock::take(double utc) {
+  constexpr double kFastestDrift = 1e-4;  // of one clock against the other
+  constexpr double kSetBackSecs = 30;     // no report is that late
+  const double offset = utc - now_;
+  if (!(utc >= kEarliest)) {
+    offset_ = __builtin_nan("");
+    return;
+  }
+  const double kept = offset_ - kFastestDrift * (now_ - at_);
+  const bool goes_on = offset < kept && kept - offset <= kSetBackSecs;
+  offset_ = goes_on ? kept : offset;
+  at_ = now_;
 }
 
 bool SlotClock::slot(uint64_t* slot, double* passed_s) const {
   constexpr double kMostSlots = 1e15;
   const double since = now_ - at_;
-  const double utc = utc_ + since;
+  const double utc = now_ + offset_;
   const double slots = utc / talk_.slot_s;
   if (!(since <= kMostWithoutReport && slots >= 0 && slots < kMostSlots)) {
     return false;

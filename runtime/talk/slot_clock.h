@@ -27,12 +27,17 @@ class SlotClock {
   bool slot(uint64_t* slot, double* passed_s) const;
 
  private:
+  /// A clock that says less, s since 1970, was never set: 2001.
+  static constexpr double kEarliest = 1e9;
+
+  void take(double utc);
+
   const GliderTalk& talk_;
   double now_ = 0;
   double clock_ = __builtin_nan("");     ///< the SBC's
   double reported_ = __builtin_nan("");  ///< the newest report: mission time, s
-  double utc_ = __builtin_nan("");       ///< what it said, s
-  double at_ = 0;                        ///< and when, by now()
+  double offset_ = __builtin_nan("");    ///< UTC less now(), s; NaN: unknown
+  double at_ = 0;                        ///< of the newest report that was known, by now()
   bool any_ = false;                     ///< there was a report
 };
 

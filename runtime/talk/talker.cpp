@@ -33,6 +33,9 @@ void Talker::poll(const GliderByteStream& modem, GliderContext* context, double 
     return;
   }
   clock_.look(context, clock_s);
+  if (context != nullptr) {
+    forget(*context);
+  }
   read(modem, context);
   if (step_ != Step::Idle && clock_.now() - since_ > kPatienceSecs) {
     giveUp();
@@ -124,6 +127,7 @@ void Talker::takeRequest(const DataRequest& request, const GliderContext* contex
   answer.destination = request.destination;
   answer.acknowledge = request.acknowledge;
   const bool wanted = step_ == Step::Begins && context != nullptr &&
+                      clock_.now() - since_ <= kLongestDialogueSecs &&
                       request.bytes >= talk_.messages[message_].bytes;
   if (wanted) {
     pack(talk_.messages[message_], *context, answer.data);
@@ -174,7 +178,7 @@ bool Talker::isOf(const GliderMessage& message, const Data& data) const {
 }
 
 /// For the vehicle's next frame. A value that the sender did not know changes nothing.
-void Talker::keep(const GliderMessage& message, const Data& data, GliderContext& context) const {
+void Talker::keep(const GliderMessage& message, const Data& data, GliderContext& context) {
   MessageReader reader(data.bytes, data.size);
   for (uint32_t i = 0; i < message.count; ++i) {
     const GliderShare& share = talk_.shares[message.first + i];
@@ -182,6 +186,17 @@ void Talker::keep(const GliderMessage& message, const Data& data, GliderContext&
     if (value == value && share.peer != GLIDER_NO_PLACE) {
       context.readings[share.peer].raw = value;
       context.readings[share.peer].waiting = 1;
+      received_[message.first + i] = clock_.now();
+    }
+  }
+}
+
+/// Drops what has waited for a frame of the vehicle for so long that its age would be wrong.
+void Talker::forget(GliderContext& context) const {
+  for (uint32_t i = 0; i < talk_.share_count; ++i) {
+    const uint32_t peer = talk_.shares[i].peer;
+    if (peer != GLIDER_NO_PLACE && clock_.now() - received_[i] > kLongestWaitSecs) {
+      context.readings[peer].waiting = 0;
     }
   }
 }
@@ -241,6 +256,7 @@ uint32_t Talker::mostOverdue() const {
 /// The modem may have started again, and have lost its address.
 void Talker::giveUp() {
   ++counts_.unanswered;
+  out_size_ = out_taken_ = 0;  // what the modem has not taken would begin a cycle in another slot
   step_ = Step::Idle;
   has_address_ = false;
 }

@@ -32,6 +32,11 @@ class Talker {
   static constexpr double kPatienceSecs = 10;
   /// The modem is asked again to take its address after this, s.
   static constexpr double kAskAgainSecs = 5;
+  /// The modem asks for the data within this time after a cycle was begun, s; later, the frame
+  /// would end in the slot of another vehicle. platforms::slotOf has room for it.
+  static constexpr double kLongestDialogueSecs = 2;
+  /// What was received waits so long for a frame of the vehicle, s: its age counts from there.
+  static constexpr double kLongestWaitSecs = 20;
   static constexpr uint32_t kMostBytesPerPoll = 512;
 
   /// Whether a vehicle can have this address in a fleet that has so many slots.
@@ -72,7 +77,8 @@ class Talker {
   void takeFrame(const hooks::micro_modem::Received& frame, GliderContext* context);
   [[nodiscard]] bool isOf(const GliderMessage& message, const hooks::micro_modem::Data& data) const;
   void keep(const GliderMessage& message, const hooks::micro_modem::Data& data,
-            GliderContext& context) const;
+            GliderContext& context);
+  void forget(GliderContext& context) const;
   void pack(const GliderMessage& message, const GliderContext& context,
             hooks::micro_modem::Data& data) const;
   void askForAddress();
@@ -101,6 +107,7 @@ class Talker {
   uint64_t slot_ = UINT64_MAX;  ///< the newest in which a cycle was begun
   double sent_[GLIDER_MOST_SHARES] = {};
   bool was_sent_[GLIDER_MOST_SHARES] = {};
+  double received_[GLIDER_MOST_SHARES] = {};
 };
 
 }  // namespace glider::runtime::talk

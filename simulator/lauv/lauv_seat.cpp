@@ -6,6 +6,7 @@
 #include "hooks/imc/values.h"
 #include "simulator/geography/ddmm.h"
 #include "simulator/sensors/provided.h"
+#include "simulator/world/start_time.h"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +21,7 @@ using namespace hooks::imc;
 
 /// The address of the simulated vehicle, and when its flight begins.
 constexpr uint16_t kAddress = 0x00D1;
-constexpr double kStart = 1.75e9;  // 2025-06-15 15:06:40 UTC
+constexpr double kStart = kStartUtc_s;
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 constexpr double kAfloat_m = 0.5;
 

@@ -49,6 +49,9 @@ class SbcPort {
   /// nothing. Called in every step of the flight, after deliver(), while the SBC has power and a
   /// modem is in use.
   virtual void hearModem(std::span<const uint8_t> /*bytes*/) {}
+  /// As if the modem had received `raw` for the mission's sensor `id`, which is not the vehicle's:
+  /// for a replay.
+  virtual void hearValue(uint16_t /*id*/, double /*raw*/) {}
   /// What the SBC has sent to the modem since the last call, which follows each hearModem().
   virtual std::vector<uint8_t> toModem() { return {}; }
   /// Damages the data on its storage card; `seed` determines where. The card of an external SBC

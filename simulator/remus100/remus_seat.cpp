@@ -6,6 +6,7 @@
 #include "hooks/recon/codec.h"
 #include "simulator/geography/ddmm.h"
 #include "simulator/remus100/timeout.h"
+#include "simulator/world/start_time.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,7 @@ namespace {
 using namespace hooks::recon;
 
 /// When its flight begins.
-constexpr double kStart = 1.75e9;  // 2025-06-15 15:06:40 UTC
+constexpr double kStart = kStartUtc_s;
 constexpr double kDay_s = 86400;
 constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 

@@ -9,12 +9,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace glider::simulator {
 namespace {
 
 constexpr double kCycle = 4;  // s
+/// Sensors from the first number up to the second are what other vehicles send.
+constexpr uint16_t kFirstHeard = 0xFE00, kFirstOwn = 0xFF00;
 /// Rounds of questions and answers within one cycle.
 constexpr int kRounds = 4;
 
@@ -41,6 +44,12 @@ void AgreeingVehicle::tick(const ReplayTick& tick) {
 
 void AgreeingVehicle::show(const std::vector<ReplayReading>& readings) {
   for (const ReplayReading& reading : readings) {
+    if (reading.sensor >= kFirstHeard && reading.sensor < kFirstOwn) {
+      if (!std::isnan(reading.raw)) {
+        sbc_.hearValue(reading.sensor, reading.raw);
+      }
+      continue;
+    }
     readings_[reading.sensor] = reading.raw;
   }
 }

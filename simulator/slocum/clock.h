@@ -3,10 +3,11 @@
 
 #pragma once
 
+#include "simulator/world/start_time.h"
+
 namespace glider::simulator {
 
-/// The clocks of both computers of a simulated Slocum when a flight begins, s since 1970: in 2009.
-/// Nothing may depend on the wall clock of the machine.
-inline constexpr double kStartOfMission = 1.25e9;
+/// The clocks of both computers of a simulated Slocum when a flight begins, s since 1970.
+inline constexpr double kStartOfMission = kStartUtc_s;
 
 }  // namespace glider::simulator

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <string>
 
@@ -17,7 +18,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kShare = "share top: length in 0 m .. 100 m precision 1 m every 2 min\n";
+const std::string kTop = "share top: length in 0 m .. 100 m precision 1 m every 2 min\n";
 
 class TalkingFleet : public ::testing::Test {
  protected:
@@ -77,7 +78,7 @@ end
 
 // accepts: GL9304
 TEST_F(TalkingFleet, HearsWhatOthersTell) {
-  mission("one", kShare);
+  mission("one", kTop);
   fleet("");
   const Outcome flown = run("$GLIDERCC sim f.toml -o f");
   EXPECT_EQ(flown.status, 0) << flown.err;
@@ -94,8 +95,9 @@ TEST_F(TalkingFleet, HearsWhatOthersTell) {
 
 /// All that arrives is noise.
 TEST_F(TalkingFleet, FliesOnWhenNothingArrives) {
-  mission("one", kShare);
-  (void)folder_.write("noise.toml", "[[faults.modem]]\nfrom_s = 0\nto_s = 100000\n");
+  mission("one", kTop);
+  const std::string sea = std::filesystem::path(GLIDER_SOURCE_DIR) / "scenarios" / "default.toml";
+  (void)folder_.write("noise.toml", slurp(sea) + "\n[[faults.modem]]\nfrom_s = 0\nto_s = 100000\n");
   fleet("scenario = \"noise.toml\"\n");
   const Outcome flown = run("$GLIDERCC sim f.toml -o f");
   EXPECT_EQ(flown.status, 0) << flown.err;
@@ -106,14 +108,14 @@ TEST_F(TalkingFleet, FliesOnWhenNothingArrives) {
 }
 
 TEST_F(TalkingFleet, TakesTheTimeAndEnergyThatTheReportSays) {
-  mission("one", kShare);
+  mission("one", kTop);
   fleet("");
   EXPECT_EQ(run("$GLIDERCC sim f.toml -o f").status, 0);
   const auto modem = nlohmann::json::parse(slurped("f/flight.json"))["vehicles"][0]["modem"];
-  // 40 min in turns of 26 s, so every 130 s at the soonest: 18 or 19 messages, and two minutes
+  // 40 min in turns of 38 s, so every 152 s at the soonest: 15 or 16 messages, and two minutes
   // around the mission.
   const double sent = modem["sent"];
-  EXPECT_NEAR(sent, 19, 1.01);
+  EXPECT_NEAR(sent, 16, 1.01);
   EXPECT_NEAR(modem["on_air_s"].get<double>(), 5.5 * sent, 0.05 * 5.5 * sent);
   EXPECT_NEAR(modem["sent_J"].get<double>(), 15.7 * sent, 0.05 * 15.7 * sent);
   const std::string report = run("$GLIDERCC check --report --target ts7800 one.mission").out;
@@ -122,30 +124,53 @@ TEST_F(TalkingFleet, TakesTheTimeAndEnergyThatTheReportSays) {
 }
 
 TEST_F(TalkingFleet, TheCheckSaysHowTheyTakeTurns) {
-  mission("one", kShare);
+  mission("one", kTop);
   fleet("");
   const Outcome checked = run("$GLIDERCC check f.toml");
   EXPECT_EQ(checked.status, 0) << checked.err;
-  EXPECT_THAT(checked.out, HasSubstr("they take turns in 2 slots of 13 s, a round every 26 s"));
+  EXPECT_THAT(checked.out, HasSubstr("they take turns in 2 slots of 19 s, a round every 38 s"));
 }
 
 // rejects: GL9304
 TEST_F(TalkingFleet, MustUnderstandEachOther) {
-  EXPECT_THAT(refusal(kShare, "share top: length in 0 m .. 100 m precision 2 m every 2 min\n"),
+  EXPECT_THAT(refusal(kTop, "share top: length in 0 m .. 100 m precision 2 m every 2 min\n"),
               HasSubstr("`a` and `b` do not share `top` alike"));
-  EXPECT_THAT(refusal(kShare, kShare + "share depth in 0 m .. 9 m precision 1 m every 2 min\n"),
+  EXPECT_THAT(refusal(kTop, kTop + "share depth in 0 m .. 9 m precision 1 m every 5 min\n"),
               HasSubstr("do not share `depth` alike"));
 }
 
+TEST_F(TalkingFleet, MustMeanTheSameByTheirNumbers) {
+  EXPECT_THAT(refusal("share top: length in 0 m .. 9 m precision 1 m every 2 min\n",
+                      "share top: time in 0 s .. 9 s precision 1 s every 2 min\n"),
+              HasSubstr("do not share `top` alike"));
+}
+
+TEST_F(TalkingFleet, ADifferenceBetweenVersionsIsWhatIsShared) {
+  mission("one", kTop);
+  mission("two", "share top: length in 0 m .. 100 m precision 2 m every 2 min\n");
+  EXPECT_THAT(run("$GLIDERCC diff one.mission two.mission").out,
+              HasSubstr("changed: `top`, 101 values from 0 in steps of 1, every 120 s; now 51"));
+}
+
+/// A counterexample in which something was received.
+TEST_F(TalkingFleet, ReplaysWhatWasReceived) {
+  mission("one", kTop + "require never near\n");
+  EXPECT_EQ(run("$GLIDERCC check --traces t one.mission").status, 1);
+  const Outcome replayed = run("$GLIDERCC sim --replay t/*.csv one.mission");
+  EXPECT_THAT(replayed.out + replayed.err, Not(HasSubstr("does not follow")));
+  EXPECT_THAT(replayed.out, HasSubstr("violated"));
+}
+
+// rejects: GL9304
 TEST_F(TalkingFleet, MustHaveTheTimeForTheirTurns) {
-  mission("one", kShare);
+  mission("one", kTop);
   std::string more;
   for (int i = 0; i < 8; ++i) {
     more += vehicle("v" + std::to_string(i), "one");
   }
   fleet("", more);
   EXPECT_THAT(run("$GLIDERCC check f.toml").err,
-              HasSubstr("`top` is shared every 120 s, but a round of 10 slots takes 130 s"));
+              HasSubstr("`top` is shared every 120 s, but a round of 10 slots takes 190 s"));
   for (int i = 8; i < 14; ++i) {
     more += vehicle("v" + std::to_string(i), "one");
   }

@@ -21,8 +21,8 @@ namespace glider::frontend {
 
 namespace {
 
-/// What is received is unknown after as many periods, unless the share says otherwise: two messages in
-/// a row may be lost.
+/// What is received is unknown after as many periods, unless the share says otherwise: two messages
+/// in a row may be lost.
 constexpr double kPeriodsKept = 3;
 /// The names of what is received begin with it.
 constexpr std::string_view kPeer = "peer.";
@@ -175,25 +175,40 @@ class ShareLowering {
   }
 
   std::optional<Steps> stepsOf(const Bounds& bounds, double step) {
-    // Below UINT32_MAX with the number for unknown, and each is a different number as a double.
-    constexpr double kMost = 1e9;
-    constexpr double kRounding = 1e-9;
+    constexpr double kMost = 1e9;  // below UINT32_MAX
+    constexpr double kRounding = 1e-6;
     const double width = bounds.highest - bounds.lowest;
-    const double values = std::floor(width / step + kRounding) + 1;
-    const bool positive = step > 0;
-    if (!positive || step > width || !(values <= kMost)) {
+    const double count = std::round(width / step);
+    const auto refuse = [&](std::string_view why, const std::string& hint) -> std::optional<Steps> {
       scope_.report(support::diagnostics::shareSteps, node_.precision->where,
-                    scope_.text(node_.precision->where),
-                    !positive      ? "not above 0"
-                    : step > width ? "too coarse"
-                                   : "too fine",
-                    scope_.text(bothEnds(*range())),
-                    !positive      ? "the precision is the difference of two neighbouring values"
-                    : step > width ? "only its lowest value could be sent"
-                                   : "a share has at most 1,000,000,000 values");
+                    scope_.text(node_.precision->where), why, scope_.text(bothEnds(*range())),
+                    hint);
       return std::nullopt;
+    };
+    if (!(step > 0)) {
+      return refuse("is not above 0, for",
+                    "the precision is the difference of two neighbouring values");
     }
-    return Steps{bounds.lowest, step, static_cast<uint32_t>(values)};
+    if (step > width * (1 + kRounding)) {
+      return refuse("is too coarse for", "only its lowest value could be sent");
+    }
+    if (!(count < kMost)) {
+      return refuse("is too fine for", "a share has at most 1,000,000,000 values");
+    }
+    if (std::fabs(width / step - count) > kRounding * count) {
+      return refuse("does not divide",
+                    "end the range where a step ends: else its highest values could not be sent");
+    }
+    return Steps{bounds.lowest, stepWithin(bounds, count), static_cast<uint32_t>(count) + 1};
+  }
+
+  /// The step with which the last value is not above the range, whatever is rounded.
+  static double stepWithin(const Bounds& bounds, double count) {
+    double step = (bounds.highest - bounds.lowest) / count;
+    while (bounds.lowest + count * step > bounds.highest) {
+      step = std::nextafter(step, 0);
+    }
+    return step;
   }
 
   std::optional<double> time(const ast::Expr& expr, std::string_view after) {

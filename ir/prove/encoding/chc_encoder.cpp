@@ -107,6 +107,11 @@ void ChcEncoder::begin() {
   for (const ExprId id : m_.conditions) {
     condition = condition && moment.truth(id).is_true;
   }
+  for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
+    if (m_.sensors[i].isHeard()) {  // nothing is received before the mission begins
+      condition = condition && !moment.reading(SensorId{i}).known;
+    }
+  }
   if (start.store.vehicle) {
     condition = condition && begins(*start.store.vehicle, proof_context_.platform);
   }

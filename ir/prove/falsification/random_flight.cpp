@@ -198,6 +198,10 @@ class RandomFlight {
   std::vector<double> readings(double time) {
     std::vector<double> values;
     for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
+      if (time == 0 && m_.sensors[i].isHeard()) {  // nothing is received before the mission begins
+        values.push_back(std::numeric_limits<double>::quiet_NaN());
+        continue;
+      }
       HeldReading& now = showing_[i];
       if (time >= now.until) {
         now = {anyValue(i), calm_ || dice_.chance(0.7),

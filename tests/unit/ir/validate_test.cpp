@@ -408,12 +408,16 @@ TEST(ShareMessages, AreThoseOfAPeriod) {
 /// The same, for any name in this mission and any reader; another, if a word
 /// of what is sent is another. Eight bits cannot tell all, so a few of each are tried.
 TEST(ShareMessages, TheSignatureIsThatOfWhatIsTold) {
-  const std::vector<Share> shares = talking().shares;
-  const auto signature = [](Share share) { return messageOf({{share}}).signature; };
+  Mission mission = talking();
+  const std::vector<Share> shares = mission.shares;
+  const auto signatureOf = [&](std::vector<Share> sent) {
+    mission.shares = std::move(sent);
+    return messageOf(mission, 0, static_cast<uint32_t>(mission.shares.size())).signature;
+  };
+  const auto signature = [&](const Share& share) { return signatureOf({share}); };
   const uint32_t own = signature(shares[2]);
   EXPECT_EQ(own, 21U);  // every program that shares this has this one
   Share same = shares[2];
-  same.sensor = {1};
   same.peer = {4};
   same.range.begin = 77;
   EXPECT_EQ(signature(same), own);
@@ -431,8 +435,9 @@ TEST(ShareMessages, TheSignatureIsThatOfWhatIsTold) {
     }
   }
   EXPECT_GE(others, 38);
-  EXPECT_NE(messageOf({{shares[0], shares[1]}}).signature,
-            messageOf({{shares[1], shares[0]}}).signature);
+  EXPECT_NE(signatureOf({shares[0], shares[1]}), signatureOf({shares[1], shares[0]}));
+  mission.sensors[shares[2].sensor.index].type = {TypeKind::Quantity, support::dimension::time};
+  EXPECT_NE(signature(shares[2]), own) << "seconds are not degrees";
 }
 
 /// `m` is read by what is `watched` or is the `initial` value of a variable of a state; then every

@@ -73,14 +73,14 @@ TEST(PlatformModem, ASlotHoldsDialogueFrameAndTheWayOfSound) {
   Modem modem;
   modem.cycle_init_s = 1.5;
   modem.frame_s = 4;
-  modem.range_m = 2000;
-  EXPECT_EQ(slotOf(modem, 4), 13);  // 5.5 + 1.33 + 2 + 4
-  EXPECT_EQ(slotOf(modem, 1), 13) << "it takes turns with slower vehicles";
-  EXPECT_EQ(slotOf(modem, 5), 14);
-  modem.range_m = 2250;
-  EXPECT_EQ(slotOf(modem, 4), 13);  // exactly
-  modem.range_m = 2251;
-  EXPECT_EQ(slotOf(modem, 4), 14);
+  modem.interference_m = 3000;
+  EXPECT_EQ(slotOf(modem, 4), 19);  // 5.5 + 2 + 2 + 8 + 1
+  EXPECT_EQ(slotOf(modem, 1), 19) << "it takes turns with slower vehicles";
+  EXPECT_EQ(slotOf(modem, 5), 21);
+  modem.interference_m = 3750;
+  EXPECT_EQ(slotOf(modem, 4), 19);  // exactly
+  modem.interference_m = 3751;
+  EXPECT_EQ(slotOf(modem, 4), 20);
 }
 
 }  // namespace

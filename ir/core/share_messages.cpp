@@ -45,7 +45,9 @@ void distinguish(std::vector<ShareMessage>& messages) {
 }  // namespace
 
 Type typeOf(const Mission& mission, const Share& share) {
-  return share.sensor.valid() ? mission[share.sensor].type : mission[share.variable].type;
+  return share.sensor.index < mission.sensors.size()       ? mission[share.sensor].type
+         : share.variable.index < mission.variables.size() ? mission[share.variable].type
+                                                           : Type();  // it is damaged
 }
 
 ShareMessage messageOf(const Mission& mission, uint32_t first, uint32_t count) {

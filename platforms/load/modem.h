@@ -23,7 +23,7 @@ struct Modem {
 /// How long the slot of a vehicle must be, in whole seconds: a control cycle of `cycle_s` by which
 /// the vehicle's report of UTC is late, one within which the SBC begins, a second between two looks
 /// at the modem, the dialogue with it, then the packet and the frame, and the time that sound needs
-/// to where it disturbs nobody any more. Vehicles of several kinds take turns together, so the
+/// to where it disturbs no other frame. Vehicles of several kinds take turns together, so the
 /// slowest cycle of all counts, that of a Slocum, 4 s.
 double slotOf(const Modem& modem, double cycle_s);
 

@@ -13,6 +13,9 @@ void SlotClock::look(const GliderContext* context, double clock_s) {
     return;
   }
   const GliderReading& utc = context->readings[talk_.utc];
+  if (utc.value != utc.value) {
+    reports_ = 0;
+  }
   if (utc.updated == reported_) {
     return;
   }
@@ -24,19 +27,23 @@ void SlotClock::look(const GliderContext* context, double clock_s) {
 }
 
 /// A report is late by a cycle of the vehicle and the way to the SBC, now more and now less. So the
-/// offset of the one that was least late counts.
+/// offset of the one that was least late counts, of the last few.
 void SlotClock::take(double utc) {
-  constexpr double kFastestDrift = 1e-4;  // of one clock against the other
-  constexpr double kSetBackSecs = 30;     // no report is that late
+  constexpr double kSetBackSecs = 30;  // no report is that late
   const double offset = utc - now_;
+  if (!(utc >= kEarliest) || !(offset > offset_ - kSetBackSecs)) {
+    reports_ = 0;
+  }
+  at_ = now_;
   if (!(utc >= kEarliest)) {
-    offset_ = __builtin_nan("");
     return;
   }
-  const double kept = offset_ - kFastestDrift * (now_ - at_);
-  const bool goes_on = offset < kept && kept - offset <= kSetBackSecs;
-  offset_ = goes_on ? kept : offset;
-  at_ = now_;
+  offsets_[reports_ % kReports] = offset;
+  ++reports_;
+  offset_ = offset;
+  for (uint32_t i = 0; i < kReports && i < reports_; ++i) {
+    offset_ = offsets_[i] > offset_ ? offsets_[i] : offset_;
+  }
 }
 
 bool SlotClock::slot(uint64_t* slot, double* passed_s) const {
@@ -44,7 +51,7 @@ bool SlotClock::slot(uint64_t* slot, double* passed_s) const {
   const double since = now_ - at_;
   const double utc = now_ + offset_;
   const double slots = utc / talk_.slot_s;
-  if (!(since <= kMostWithoutReport && slots >= 0 && slots < kMostSlots)) {
+  if (!(reports_ != 0 && since <= kMostWithoutReport && slots >= 0 && slots < kMostSlots)) {
     return false;
   }
   *slot = static_cast<uint64_t>(slots);

@@ -29,6 +29,7 @@ class SlotClock {
  private:
   /// A clock that says less, s since 1970, was never set: 2001.
   static constexpr double kEarliest = 1e9;
+  static constexpr uint32_t kReports = 8;
 
   void take(double utc);
 
@@ -36,7 +37,9 @@ class SlotClock {
   double now_ = 0;
   double clock_ = __builtin_nan("");     ///< the SBC's
   double reported_ = __builtin_nan("");  ///< the newest report: mission time, s
-  double offset_ = __builtin_nan("");    ///< UTC less now(), s; NaN: unknown
+  double offsets_[kReports] = {};        ///< UTC less now(), s, of the newest reports
+  uint32_t reports_ = 0;                 ///< in a row; 0: UTC is unknown
+  double offset_ = 0;                    ///< the greatest of these
   double at_ = 0;                        ///< of the newest report that was known, by now()
   bool any_ = false;                     ///< there was a report
 };

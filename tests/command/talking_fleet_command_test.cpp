@@ -140,9 +140,9 @@ TEST_F(TalkingFleet, MustUnderstandEachOther) {
 }
 
 TEST_F(TalkingFleet, MustMeanTheSameByTheirNumbers) {
-  EXPECT_THAT(refusal("share top: length in 0 m .. 9 m precision 1 m every 2 min\n",
-                      "share top: time in 0 s .. 9 s precision 1 s every 2 min\n"),
-              HasSubstr("do not share `top` alike"));
+  EXPECT_THAT(refusal(kTop + "share more: length in 0 m .. 9 m precision 1 m every 5 min\n",
+                      kTop + "share more: time in 0 s .. 9 s precision 1 s every 5 min\n"),
+              HasSubstr("do not share `more` alike"));
 }
 
 TEST_F(TalkingFleet, ADifferenceBetweenVersionsIsWhatIsShared) {
@@ -156,9 +156,9 @@ TEST_F(TalkingFleet, ADifferenceBetweenVersionsIsWhatIsShared) {
 TEST_F(TalkingFleet, ReplaysWhatWasReceived) {
   mission("one", kTop + "require never near\n");
   EXPECT_EQ(run("$GLIDERCC check --traces t one.mission").status, 1);
-  const Outcome replayed = run("$GLIDERCC sim --replay t/*.csv one.mission");
+  const Outcome replayed = run("$GLIDERCC sim --replay t/requirement-1/trace.json one.mission");
   EXPECT_THAT(replayed.out + replayed.err, Not(HasSubstr("does not follow")));
-  EXPECT_THAT(replayed.out, HasSubstr("violated"));
+  EXPECT_THAT(replayed.out, HasSubstr("in-process followed the counterexample"));
 }
 
 // rejects: GL9304

@@ -202,7 +202,7 @@ class ShareLowering {
     return Steps{bounds.lowest, stepWithin(bounds, count), static_cast<uint32_t>(count) + 1};
   }
 
-  /// The step with which the last value is not above the range, whatever is rounded.
+  /// The step with which the last value is not above the range, in any rounding.
   static double stepWithin(const Bounds& bounds, double count) {
     double step = (bounds.highest - bounds.lowest) / count;
     while (bounds.lowest + count * step > bounds.highest) {

@@ -12,8 +12,8 @@ namespace glider::frontend {
 /// mission's variables are lowered.
 void lowerShares(const ast::File& file, Scope& scope);
 
-/// Ends the shares, once everything that reads what is received is lowered: one that nothing reads is
-/// not kept on board. Subscribes the clock by which vehicles take turns, and checks that the
+/// Ends the shares, once everything that reads what is received is lowered: one that nothing reads
+/// is not kept on board. Subscribes the clock by which vehicles take turns, and checks that the
 /// vehicle's modem can send what is shared.
 void finishShares(const ast::File& file, Scope& scope);
 

@@ -78,7 +78,7 @@ TEST(Shares, InAnotherOrderAreTheSameMessages) {
 TEST(Shares, KeepTheHighestValueWithinTheRangeOfWhatIsReceived) {
   for (const auto& [range, precision] :
        {std::pair("0 m .. 1 m", "0.1 m"), std::pair("0.1 m .. 0.7 m", "0.1 m"),
-        std::pair("-1 m .. 1.1 m", "0.3 m"), std::pair("0 m .. 200 m", "0.7 m")}) {
+        std::pair("-1 m .. 1.1 m", "0.3 m"), std::pair("0 m .. 200 m", "0.8 m")}) {
     const ir::Mission mission =
         compiled(missionWith(std::string("share depth in ") + range + " precision " + precision +
                              " every 1 h\n" + kFound));

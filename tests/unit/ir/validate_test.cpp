@@ -416,7 +416,7 @@ TEST(ShareMessages, TheSignatureIsThatOfWhatIsTold) {
   };
   const auto signature = [&](const Share& share) { return signatureOf({share}); };
   const uint32_t own = signature(shares[2]);
-  EXPECT_EQ(own, 21U);  // every program that shares this has this one
+  EXPECT_EQ(own, 75U);  // every program that shares this has this one
   Share same = shares[2];
   same.peer = {4};
   same.range.begin = 77;

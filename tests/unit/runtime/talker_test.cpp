@@ -282,7 +282,7 @@ TEST_F(TalkerTest, AfterAJumpOfUtcTheSlotsAreThoseOfTheNewTime) {
   for (const double jump : {1000.0, -5000.0, 17.0, -3.0}) {
     run(120);
     utc_is_ahead_ += jump;
-    run(kCycle + 1);  // the vehicle reports it
+    run(8 * kCycle + 1);  // of eight reports the one that is least late counts
     const size_t before = said_at_.size();
     run(200);
     const auto times = timesOf("CCCYC");
@@ -292,6 +292,18 @@ TEST_F(TalkerTest, AfterAJumpOfUtcTheSlotsAreThoseOfTheNewTime) {
         EXPECT_EQ(std::fmod(std::floor(time / kSlot), 3), 0) << jump << ' ' << time;
       }
     }
+  }
+}
+
+/// A cycle that takes 15 s: its report of UTC is late by that.
+TEST_F(TalkerTest, AReportThatIsLateMovesNoSlot) {
+  run(120);
+  utc_is_ahead_ -= 15;
+  run(kCycle);
+  utc_is_ahead_ += 15;
+  run(400);
+  for (const double time : timesOf("CCCYC")) {
+    EXPECT_EQ(std::fmod(std::floor(time / kSlot), 3), 0) << time;
   }
 }
 

@@ -82,7 +82,7 @@ foreach(folder ${kit_folders})
   install(DIRECTORY ${folder}/ DESTINATION ${folder} COMPONENT vehicle EXCLUDE_FROM_ALL
     FILES_MATCHING PATTERN *.h PATTERN *.def PATTERN README.md PATTERN model EXCLUDE
     # C++, of the SBC's side
-    REGEX "protocol/bounds[.]h$" EXCLUDE PATTERN lockstep.h EXCLUDE PATTERN decimal.h EXCLUDE PATTERN text.h EXCLUDE)
+    REGEX "protocol/bounds[.]h$" EXCLUDE PATTERN lockstep.h EXCLUDE PATTERN decimal.h EXCLUDE PATTERN text.h EXCLUDE PATTERN sentence_reader.h EXCLUDE)
 endforeach()
 install(FILES hooks/transport/byte_stream.h DESTINATION hooks/transport COMPONENT vehicle EXCLUDE_FROM_ALL)
 install(FILES ${CMAKE_BINARY_DIR}/generated/platforms/slocum_sensors.h DESTINATION platforms COMPONENT vehicle EXCLUDE_FROM_ALL)

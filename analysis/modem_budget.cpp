@@ -3,6 +3,7 @@
 
 #include "analysis/modem_budget.h"
 
+#include "flights/fleet/fleet_file.h"
 #include "ir/core/share_messages.h"
 #include "platforms/load/modem.h"
 
@@ -55,9 +56,8 @@ std::vector<report::Budget> modemBudget(const compiler::Optimised& mission) {
   }
   const double slot_s = platforms::slotOf(modem, platform.envelope.cycle_s);
   const double on_air_s = modem.cycle_init_s + modem.frame_s;
-  constexpr double kMostAddress = 15;  // of the modem
-  const auto vehicles =
-      static_cast<uint64_t>(std::min(kMostAddress, m.shares.front().period_s / slot_s));
+  const auto vehicles = static_cast<uint64_t>(
+      std::min<double>(flights::kMostAddress, m.shares.front().period_s / slot_s));
   const double send_J = modem.send_j_byte * modem.frame_bytes;
   const double receive_J = modem.receive_j_byte * modem.frame_bytes;
   budget.quantities.push_back(
@@ -65,9 +65,9 @@ std::vector<report::Budget> modemBudget(const compiler::Optimised& mission) {
        roundedUp(slot_s),
        {},
        "s",
-       fmt::format("{:g} s on air; the rest is for the way over {:g} m, the dialogue with the "
-                   "modem and a cycle",
-                   on_air_s, modem.range_m)});
+       fmt::format("{:g} s on air; the rest is for {:g} m of water, the dialogue with the modem "
+                   "and two cycles of the slowest vehicle",
+                   on_air_s, modem.interference_m)});
   budget.quantities.push_back({"vehicles",
                                vehicles,
                                {},

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "flights/launch_choice.h"
+#include "hooks/micro_modem/messages.h"
 #include "simulator/geography/local_frame.h"
 #include "simulator/scenario/scenario.h"
 #include "support/result.h"
@@ -57,7 +58,7 @@ support::Failure ofVehicle(const FleetVehicle& vehicle, support::Failure failure
 inline constexpr size_t kMostVehicles = 100;
 
 /// The addresses of the modems of a fleet are 1 to this: that is how many vehicles can talk.
-inline constexpr uint32_t kMostAddress = 15;
+inline constexpr uint32_t kMostAddress = hooks::micro_modem::kMostAddress;
 
 /// How many slots the vehicles of a fleet take turns in: up to the greatest address.
 uint32_t slotsOf(const Fleet& fleet);

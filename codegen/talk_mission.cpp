@@ -10,9 +10,7 @@
 namespace glider::codegen {
 namespace {
 
-/// A vehicle that takes turns begins within the slowest control cycle of all kinds:
-/// platforms::slotOf leaves room for that.
-constexpr uint32_t kBeginWithinMs = 4000;
+constexpr auto kBeginWithinMs = static_cast<uint32_t>(platforms::kSlowestCycle_s * 1000);
 
 template <typename Id>
 uint32_t placeOf(Id id) {

@@ -425,7 +425,7 @@ inline constexpr size_t kMostShares = 32;
 struct Share {
   std::string name;
   SensorId sensor;      ///< what is sent: a reading or, if this is not valid,
-  VariableId variable;  ///< a variable of the kind Mission
+  VariableId variable;  ///< a variable of the mission, or a parameter
   SensorId peer;        ///< what was last received of it from another vehicle; invalid: not read
   double lowest = 0;    ///< SI units or degrees
   double step = 0;      ///< positive

@@ -20,11 +20,14 @@ struct Modem {
   double listen_W = 0;  ///< drawn at all times while it is on
 };
 
+/// The control cycle of the slowest kind of vehicle, a Slocum, s: vehicles of several kinds take
+/// turns together, and each begins within it.
+inline constexpr double kSlowestCycle_s = 4;
+
 /// How long the slot of a vehicle must be, in whole seconds: a control cycle of `cycle_s` by which
 /// the vehicle's report of UTC is late, one within which the SBC begins, a second between two looks
 /// at the modem, the dialogue with it, then the packet and the frame, and the time that sound needs
-/// to where it disturbs no other frame. Vehicles of several kinds take turns together, so the
-/// slowest cycle of all counts, that of a Slocum, 4 s.
+/// to where it disturbs no other frame.
 double slotOf(const Modem& modem, double cycle_s);
 
 }  // namespace glider::platforms

@@ -29,7 +29,7 @@ constexpr NumberKey<Modem> kModem[] = {{"frame_bytes", &Modem::frame_bytes},
 }  // namespace
 
 double slotOf(const Modem& modem, double cycle_s) {
-  constexpr double kSpeedOfSound = 1500, kDialogue_s = 2, kSlowestCycle_s = 4, kNap_s = 1;
+  constexpr double kSpeedOfSound = 1500, kDialogue_s = 2, kNap_s = 1;
   const double cycle = std::max(cycle_s, kSlowestCycle_s);
   return std::ceil(modem.cycle_init_s + modem.frame_s + modem.interference_m / kSpeedOfSound +
                    kDialogue_s + 2 * cycle + kNap_s);

@@ -24,12 +24,11 @@ std::string withUnit(double value, const ir::Type& type) {
   return fmt::format("{:.10g}{}{}", value, unit.empty() ? "" : " ", unit);
 }
 
-/// The range of both ends.
+}  // namespace
+
 support::SourceRange whole(const ast::Range& range) {
   return {range.lowest.where.file, range.lowest.where.begin, range.highest.where.end};
 }
-
-}  // namespace
 
 bool isUnknown(const ast::Expr& expr, Scope& scope) {
   const auto* use = std::get_if<ast::NameUse>(&expr.node);

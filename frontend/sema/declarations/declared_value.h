@@ -19,6 +19,9 @@ struct Bounds {
   double highest = ir::Variable::kEndless;
 };
 
+/// The text of both ends and what is between them.
+support::SourceRange whole(const ast::Range& range);
+
 /// Whether an expression is the word `unknown`, which the mission uses for nothing else.
 bool isUnknown(const ast::Expr& expr, Scope& scope);
 

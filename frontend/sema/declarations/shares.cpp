@@ -5,11 +5,9 @@
 
 #include "frontend/sema/declarations/declared_value.h"
 #include "frontend/sema/declarations/externals.h"
+#include "frontend/sema/declarations/share_fit.h"
 #include "frontend/sema/names/values.h"
-#include "ir/core/share_messages.h"
-#include "platforms/load/modem.h"
 #include "support/diagnostics/ids/meaning.h"
-#include "support/diagnostics/ids/vehicle.h"
 
 #include <fmt/format.h>
 
@@ -24,8 +22,6 @@ namespace {
 /// What is received is unknown after as many periods, unless the share says otherwise: two messages
 /// in a row may be lost.
 constexpr double kPeriodsKept = 3;
-/// The names of what is received begin with it.
-constexpr std::string_view kPeer = "peer.";
 
 /// What a share tells.
 struct Told {
@@ -40,11 +36,6 @@ struct Steps {
   double step = 1;
   uint32_t values = 2;
 };
-
-/// The range of both ends.
-support::SourceRange bothEnds(const ast::Range& range) {
-  return {range.lowest.where.file, range.lowest.where.begin, range.highest.where.end};
-}
 
 class ShareLowering {
  public:
@@ -74,7 +65,7 @@ class ShareLowering {
   }
 
  private:
-  [[nodiscard]] std::string heardName() const { return std::string(kPeer) + node_.name.text; }
+  [[nodiscard]] std::string heardName() const { return std::string(kPeerPrefix) + node_.name.text; }
 
   void refuse(std::string_view what) {
     scope_.report(support::diagnostics::shareOfWhat, node_.name.where, node_.name.text, what);
@@ -127,7 +118,7 @@ class ShareLowering {
     if (type == boolean()) {
       return fmt::format("share {} every 10 min", node_.name.text);
     }
-    const std::string range = this->range() ? scope_.text(bothEnds(*this->range())) + " precision …"
+    const std::string range = this->range() ? scope_.text(whole(*this->range())) + " precision …"
                               : type == latitude()  ? "39 N .. 40 N precision 0.001 deg"
                               : type == longitude() ? "74 W .. 73 W precision 0.001 deg"
                               : type == quantity(support::dimension::length)
@@ -181,8 +172,7 @@ class ShareLowering {
     const double count = std::round(width / step);
     const auto refuse = [&](std::string_view why, const std::string& hint) -> std::optional<Steps> {
       scope_.report(support::diagnostics::shareSteps, node_.precision->where,
-                    scope_.text(node_.precision->where), why, scope_.text(bothEnds(*range())),
-                    hint);
+                    scope_.text(node_.precision->where), why, scope_.text(whole(*range())), hint);
       return std::nullopt;
     };
     if (!(step > 0)) {
@@ -259,81 +249,6 @@ class ShareLowering {
   Scope& scope_;
 };
 
-/// The first share that `wanted` takes; null: none.
-template <typename Wanted>
-const ast::Share* firstShare(const ast::File& file, Wanted wanted) {
-  for (const ast::Item& item : file.items) {
-    const auto* share = std::get_if<ast::Share>(&item);
-    if (share != nullptr && wanted(*share)) {
-      return share;
-    }
-  }
-  return nullptr;
-}
-
-auto named(std::string_view name) {
-  return [name](const ast::Share& share) { return share.name.text == name; };
-}
-
-/// Whether the messages of a mission can be sent by the modem of its vehicle.
-class ShareFit {
- public:
-  ShareFit(const ast::File& file, Scope& scope)
-      : file_(file), scope_(scope), modem_(scope.platform().modem) {}
-
-  void check() {
-    const ast::Share* any = firstShare(file_, [](const ast::Share&) { return true; });
-    if (any == nullptr) {
-      return;
-    }
-    const ast::Share& first = *any;
-    if (!modem_) {
-      scope_.report(support::diagnostics::noModem, first.where, scope_.platform().name);
-      return;
-    }
-    const platforms::PlatformSensor* clock = findTimestamp(scope_.platform());
-    if (clock == nullptr) {
-      scope_.report(support::diagnostics::unknownSensor, first.where, scope_.platform().name, "utc",
-                    "vehicles take turns by the time of the calendar");
-      return;
-    }
-    if (!scope_.mission.shares.empty()) {
-      scope_.mission.utc = scope_.subscribe(*clock, clock->name);
-    }
-    for (const ir::ShareMessage& message : ir::messagesOf(scope_.mission)) {
-      check(message);
-    }
-  }
-
- private:
-  void check(const ir::ShareMessage& message) {
-    const std::span<const ir::Share> shares =
-        std::span(scope_.mission.shares).subspan(message.first, message.count);
-    const ir::Share& last =
-        *std::ranges::max_element(shares, {}, [](const ir::Share& s) { return s.range.begin; });
-    const ast::Share& node = *firstShare(file_, named(last.name));
-    const std::string every = scope_.text(node.every.where);
-    const double slot_s = platforms::slotOf(*modem_, scope_.platform().envelope.cycle_s);
-    if (last.period_s < slot_s) {
-      scope_.report(
-          support::diagnostics::sharePeriod, node.every.where, last.name, every,
-          fmt::format("a message and its way through the water take {:g} s", slot_s),
-          fmt::format("write `every {:g} s` or more, and in a fleet of n vehicles n times as much",
-                      slot_s));
-    }
-    if (message.bytes == 0 || message.bytes > modem_->frame_bytes) {
-      scope_.report(support::diagnostics::shareTooLarge, last.range, every,
-                    message.bytes == 0 ? fmt::format("more than {:g}", modem_->frame_bytes)
-                                       : fmt::format("{}", message.bytes),
-                    fmt::format("{:g}", modem_->frame_bytes));
-    }
-  }
-
-  const ast::File& file_;
-  Scope& scope_;
-  const std::optional<platforms::Modem>& modem_;
-};
-
 }  // namespace
 
 void lowerShares(const ast::File& file, Scope& scope) {
@@ -345,7 +260,7 @@ void lowerShares(const ast::File& file, Scope& scope) {
     if (node == nullptr) {
       continue;
     }
-    if (const ast::Share* first = firstShare(file, named(node->name.text)); first != node) {
+    if (const ast::Share* first = firstShare(file, node->name.text); first != node) {
       scope.report(support::diagnostics::shareTwice, node->name.where, node->name.text)
           .note(first->name.where, "the first is here");
     } else if (scope.mission.shares.size() == ir::kMostShares) {
@@ -360,14 +275,14 @@ void lowerShares(const ast::File& file, Scope& scope) {
 void finishShares(const ast::File& file, Scope& scope) {
   std::vector<ir::Share>& shares = scope.mission.shares;
   for (ir::Share& share : shares) {
-    const auto heard = scope.heard_sensors.find(std::string(kPeer) + share.name);
+    const auto heard = scope.heard_sensors.find(std::string(kPeerPrefix) + share.name);
     share.peer = scope.subscribed(heard->second.sensor);
   }
   // By name, so that the same lines in another order are the same messages.
   std::ranges::sort(shares, {}, [](const ir::Share& share) {
     return std::pair(share.period_s, std::string_view(share.name));
   });
-  ShareFit(file, scope).check();
+  checkShareFit(file, scope);
 }
 
 }  // namespace glider::frontend

@@ -97,11 +97,10 @@ std::vector<std::string_view> readableNames(
 }  // namespace
 
 Suggestion Scope::suggestSensor(std::string_view wrong) const {
-  constexpr std::string_view kPeer = "peer.";
-  if (wrong.starts_with(kPeer)) {
+  if (wrong.starts_with(kPeerPrefix)) {
     return didYouMean(wrong, namesOf(heard_sensors),
                       fmt::format("no vehicle tells it: the mission has no line `share {}`",
-                                  wrong.substr(kPeer.size())));
+                                  wrong.substr(kPeerPrefix.size())));
   }
   if (auto wished = insteadOf(wrong, platform())) {
     return std::move(*wished);

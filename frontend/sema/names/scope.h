@@ -79,7 +79,10 @@ struct FunctionDeclaration {
   bool usable = true;  ///< false: its declaration was refused, which has been reported
 };
 
-/// A sensor of the SBC's own.
+/// The names of what is received from other vehicles begin with it.
+inline constexpr std::string_view kPeerPrefix = "peer.";
+
+/// A sensor of the SBC's own, or what is received of a share.
 struct OwnSensor {
   const ast::Name* name = nullptr;
   platforms::PlatformSensor sensor;  ///< in SI units or degrees; `unit` is left empty

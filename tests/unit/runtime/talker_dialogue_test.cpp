@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The dialogue with an acoustic modem, whatever it answers.
+// The dialogue with an acoustic modem, for any answer of it.
 
 #include "tests/unit/runtime/talker_bench.h"
 

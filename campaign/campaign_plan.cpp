@@ -3,6 +3,8 @@
 
 #include "campaign/campaign_plan.h"
 
+#include "campaign/seeds.h"
+#include "campaign/stoppable_judge.h"
 #include "flights/shadowed_sbc.h"
 #include "simulator/campaign/kinds_of_faults.h"
 #include "simulator/family/family.h"
@@ -15,35 +17,6 @@ namespace glider::campaign {
 
 using simulator::FaultKind;
 using simulator::Verdict;
-
-namespace {
-
-/// SplitMix64 (Steele et al. 2014, doi 10.1145/2660193.2660195): neighbouring numbers get unrelated
-/// seeds.
-uint64_t mixed(uint64_t seed, uint64_t number) {
-  uint64_t z = seed + (number + 1) * 0x9E3779B97F4A7C15U;
-  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-  return z ^ (z >> 31U);
-}
-
-/// Checks a flight as the vehicle's family does, until the campaign is stopped.
-class StoppableJudge final : public simulator::FlightObserver {
- public:
-  StoppableJudge(std::unique_ptr<simulator::Judge> judge, const std::function<bool()>& stop)
-      : judge_(std::move(judge)), stop_(stop) {}
-  void said(std::span<const uint8_t> bytes, double now_s) override { judge_->said(bytes, now_s); }
-  bool cycle(const simulator::CycleView& view) override {
-    return judge_->cycle(view) && !(stop_ && stop_());
-  }
-  [[nodiscard]] Verdict verdict() const { return judge_->verdict(); }
-
- private:
-  std::unique_ptr<simulator::Judge> judge_;
-  const std::function<bool()>& stop_;
-};
-
-}  // namespace
 
 CampaignFlight flightOf(const CampaignPlan& plan, uint64_t number) {
   const uint64_t turn = number / plan.missions.size();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "campaign/campaign.h"
+#include "driver/campaign/fleet_campaign.h"
 #include "driver/campaign/fly.h"
 #include "driver/campaign/on_ranks.h"
 #include "driver/campaign/plan.h"
@@ -12,6 +13,7 @@
 #include "driver/terminal.h"
 #include "driver/usage/quantity.h"
 #include "driver/usage/values.h"
+#include "flights/fleet/fleet_file.h"
 
 #include <CLI/CLI.hpp>
 
@@ -42,6 +44,12 @@ int campaign(const campaign::CampaignOptions& options, Json* document, bool& run
     return campaignOnRanks(options, options.jobs != 0 ? options.jobs : 1, launch);
   }
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  if (std::ranges::any_of(options.missions, flights::isFleetFile)) {
+    if (options.missions.size() > 1) {
+      throw CLI::ValidationError("MISSION", "a fleet file flies alone");
+    }
+    return campaignOfFleet(options, options.jobs != 0 ? options.jobs : cores, document);
+  }
   campaign::CampaignPlan plan;
   if (const int status = makePlan(options, options.jobs != 0 ? options.jobs : cores, plan);
       status != kFine) {
@@ -109,6 +117,12 @@ void addFaultOption(CLI::App& command, campaign::CampaignOptions& options) {
   for (const simulator::FaultKind kind : simulator::allFaultKinds()) {
     names.emplace_back(simulator::nameOf(kind));
   }
+  for (uint32_t i = 0; i < campaign::kFleetFaults; ++i) {
+    const char* const name = campaign::nameOf(static_cast<campaign::FleetFault>(i));
+    if (std::ranges::count(names, name) == 0) {
+      names.emplace_back(name);
+    }
+  }
   command
       .add_option("--fault", options.faults,
                   "Kind of fault to inject, as named in the table; may be repeated [all kinds]")
@@ -121,8 +135,9 @@ void addFaultOption(CLI::App& command, campaign::CampaignOptions& options) {
 void addOptions(CLI::App& command, campaign::CampaignOptions& options) {
   constexpr unsigned kMostJobs = 1024;
   command
-      .add_option("MISSION", options.missions,
-                  "Mission files, or folders of `build --dialect extctl`, flown in turn")
+      .add_option(
+          "MISSION", options.missions,
+          "Mission files, or folders of `build --dialect extctl`, flown in turn; or one fleet file")
       ->required();
   command
       .add_option("--scenario", options.scenario,

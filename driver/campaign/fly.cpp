@@ -3,6 +3,7 @@
 
 #include "driver/campaign/fly.h"
 
+#include "driver/campaign/progress_text.h"
 #include "driver/campaign/result_json.h"
 #include "driver/exit_code.h"
 #include "driver/interruption.h"
@@ -57,13 +58,6 @@ class FlightsFile {
 /// The file that gets the rows; empty: none.
 std::string fileOf(const campaign::CampaignOptions& options) {
   return options.csv.empty() && !options.resume.empty() ? options.resume.front() : options.csv;
-}
-
-/// "123 of 1000 flights, about 8 min left".
-std::string progressText(uint64_t over, uint64_t all, TimeLeft& left) {
-  const std::string estimate = left.of(over, all);
-  return fmt::format("{} of {}{}", over, support::counted(all, "flight"),
-                     estimate.empty() ? "" : ", " + estimate);
 }
 
 std::string flightsText(const campaign::CampaignPlan& plan) {

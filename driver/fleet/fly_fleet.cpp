@@ -47,10 +47,12 @@ Result<simulator::FleetFlight> fly(ReadyFleet& ready) {
   const double most_s = ready.world.duration_s;
   const size_t all = members.size();
   return simulator::simulateFleet(
-      ready.world, std::move(members), [&](double now_s, size_t flying) {
+      ready.world, std::move(members),
+      [&](double now_s, size_t flying) {
         line.show(fmt::format("{} of at most {}, {} of {} vehicles flying",
                               report::clockText(now_s), report::clockText(most_s), flying, all));
-      });
+      },
+      ready.trouble);
 }
 
 std::vector<report::FleetPairReport> pairsOf(const simulator::Separations& separations) {
@@ -145,7 +147,8 @@ report::FleetReport reportOf(const flights::Fleet& file, const ReadyFleet& ready
   return fleet;
 }
 
-/// The fleet with what the options say instead of its file.
+}  // namespace
+
 Result<flights::Fleet> fleetFor(const FleetOptions& options) {
   auto fleet = flights::loadFleet(options.file);
   if (!fleet) {
@@ -156,34 +159,20 @@ Result<flights::Fleet> fleetFor(const FleetOptions& options) {
   return fleet;
 }
 
-}  // namespace
-
-int flyFleet(const FleetOptions& options, Json* document) {
-  const auto fleet = fleetFor(options);
-  if (!fleet) {
-    return reportFailure(fleet.error());
-  }
-  int status = kFine;
-  auto ready = readyFleet(*fleet, options.only, status);
-  if (!ready) {
-    return reportFailure(ready.error());
-  }
-  if (status != kFine) {
-    return status;
-  }
-  const std::string target = options.output.empty() ? fleet->name + "-flight" : options.output;
+int flyReady(const flights::Fleet& fleet, ReadyFleet& ready, const std::string& target,
+             Json* document) {
   auto folder = FlightFolder::open(target);
   if (!folder) {
     return reportFailure(folder.error());
   }
   const auto begin = std::chrono::steady_clock::now();
-  auto flown = fly(*ready);
+  auto flown = fly(ready);
   if (!flown) {
     return reportFailure(flown.error());
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-  report::FleetReport report = reportOf(*fleet, *ready, *flown);
-  const auto problems = writeVehicles(*ready, flown->traces, folder->staging(), report);
+  report::FleetReport report = reportOf(fleet, ready, *flown);
+  const auto problems = writeVehicles(ready, flown->traces, folder->staging(), report);
   if (!problems) {
     return reportFailure(problems.error());
   }
@@ -202,6 +191,23 @@ int flyFleet(const FleetOptions& options, Json* document) {
     return reportFailure(printed.error());
   }
   return *problems + near == 0 ? kFine : kMissionHasErrors;
+}
+
+int flyFleet(const FleetOptions& options, Json* document) {
+  const auto fleet = fleetFor(options);
+  if (!fleet) {
+    return reportFailure(fleet.error());
+  }
+  int status = kFine;
+  auto ready = readyFleet(*fleet, options.only, status);
+  if (!ready) {
+    return reportFailure(ready.error());
+  }
+  if (status != kFine) {
+    return status;
+  }
+  const std::string target = options.output.empty() ? fleet->name + "-flight" : options.output;
+  return flyReady(*fleet, *ready, target, document);
 }
 
 }  // namespace glider::driver

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "driver/fleet/ready_vehicle.h"
 #include "driver/json_document.h"
 #include "support/result.h"
 
@@ -20,6 +21,14 @@ struct FleetOptions {
   std::optional<uint64_t> seed;      ///< empty: the fleet's, or its scenario's
   std::optional<double> duration_s;  ///< empty: the fleet's, or its scenario's
 };
+
+/// The fleet with what the options say instead of its file.
+support::Result<flights::Fleet> fleetFor(const FleetOptions& options);
+
+/// Flies what is ready, and writes its report into the folder `target`. Returns the exit code.
+/// `document` (null: text) gets what is printed.
+int flyReady(const flights::Fleet& fleet, ReadyFleet& ready, const std::string& target,
+             Json* document);
 
 /// Flies a fleet in one ocean and writes its report, with a folder for each vehicle. Returns the
 /// exit code. `document` (null: text) gets what is printed.

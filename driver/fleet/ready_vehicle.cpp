@@ -67,12 +67,12 @@ Result<simulator::Scenario> scenarioOf(const flights::Fleet& fleet,
 /// Vehicles with the same mission share what is compiled.
 using Missions = std::map<std::filesystem::path, std::shared_ptr<const compiler::Optimised>>;
 
-Missions compileAll(const flights::Fleet& fleet, int& status) {
+Missions compileAll(const flights::Fleet& fleet, int& status, bool strict) {
   Missions missions;
   for (const flights::FleetVehicle& vehicle : fleet.vehicles) {
     if (!missions.contains(vehicle.mission)) {
       int its_status = kFine;
-      missions[vehicle.mission] = compileForFlight(vehicle.mission.string(), its_status);
+      missions[vehicle.mission] = compileForFlight(vehicle.mission.string(), its_status, strict);
       status = std::max(status, its_status);
     }
   }
@@ -130,7 +130,8 @@ Result<simulator::FleetMember> ReadyVehicle::member() {
     return std::unexpected(port.error());
   }
   auto start = flights::sbcInProcess(*mission_, launchOf(vehicle_, slots_), vehicle_.user_code,
-                                     !scenario_.faults.empty(), watch_ ? &*watch_ : nullptr, *port);
+                                     as_in_campaign_ || !scenario_.faults.empty(),
+                                     watch_ ? &*watch_ : nullptr, *port);
   if (!start) {
     return std::unexpected(flights::ofVehicle(vehicle_, start.error()));
   }
@@ -144,9 +145,41 @@ Result<simulator::FleetMember> ReadyVehicle::member() {
   member.setup.restart_sbc = std::move(*start);
   member.setup.platform = mission_->platform();
   member.setup.scenario = scenario_;
+  if (as_in_campaign_) {
+    member.setup.duration_s = campaign::durationOf(mission_->platform(), scenario_);
+  }
   member.setup.talks = !mission_->mission.shares.empty();
   flights::describeMission(member.setup, *mission_);
   return member;
+}
+
+Result<campaign::FleetCampaignVehicle> ReadyVehicle::forCampaign() const {
+  const auto port = flights::usualEnd(mission_->platform());
+  if (!port) {
+    return std::unexpected(port.error());
+  }
+  auto start = flights::flightsInProcess(*mission_, launchOf(vehicle_, slots_), vehicle_.user_code,
+                                         true, *port);
+  if (!start) {
+    return std::unexpected(flights::ofVehicle(vehicle_, start.error()));
+  }
+  campaign::FleetCampaignVehicle flown;
+  flown.name = vehicle_.name;
+  flown.number = number_;
+  flown.scenario = scenario_;
+  flown.new_flight = std::move(*start);
+  flown.compiled = mission_;
+  if (watch_) {
+    flown.requirements = flights::watchedTexts(*mission_->checked);
+    flown.assumptions_from = mission_->checked->mission().requirements.size();
+  }
+  return flown;
+}
+
+void ReadyVehicle::disturb(const std::vector<simulator::Span>& noise) {
+  std::vector<simulator::Span>& all = scenario_.faults.modem;
+  all.insert(all.end(), noise.begin(), noise.end());
+  as_in_campaign_ = true;
 }
 
 std::vector<support::Diagnostic> ReadyVehicle::judge(support::Trace& trace) const {
@@ -157,11 +190,12 @@ std::vector<support::Diagnostic> ReadyVehicle::judge(support::Trace& trace) cons
   return driver::judge(trace, flown, violations, scenario_);
 }
 
-Result<ReadyFleet> readyFleet(const flights::Fleet& fleet, const std::string& only, int& status) {
+Result<ReadyFleet> readyFleet(const flights::Fleet& fleet, const std::string& only, int& status,
+                              bool strict) {
   if (auto known = checkOnly(fleet, only); !known) {
     return std::unexpected(known.error());
   }
-  const Missions missions = compileAll(fleet, status);
+  const Missions missions = compileAll(fleet, status, strict);
   if (status == kFine) {
     if (auto talk = checkTalk(fleet, talkingOf(fleet, missions)); !talk) {
       return std::unexpected(talk.error());

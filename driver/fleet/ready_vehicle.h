@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "campaign/campaign.h"
 #include "compiler/compilation.h"
 #include "flights/fleet/fleet_file.h"
 #include "flights/requirement_watch.h"
@@ -34,6 +35,11 @@ class ReadyVehicle {
   [[nodiscard]] std::string platformName() const;
   /// What flies: its SBC starts in this process.
   support::Result<simulator::FleetMember> member();
+  /// The same for a campaign, any number of times.
+  [[nodiscard]] support::Result<campaign::FleetCampaignVehicle> forCampaign() const;
+  /// It flies as in a campaign, with this noise in its water.
+  void disturb(const std::vector<simulator::Span>& noise);
+  [[nodiscard]] const compiler::Optimised& mission() const { return *mission_; }
   /// Adds to the trace of its flight what its mission says of it. Prints and returns what went
   /// wrong.
   std::vector<support::Diagnostic> judge(support::Trace& trace) const;
@@ -45,6 +51,7 @@ class ReadyVehicle {
   std::shared_ptr<const compiler::Optimised> mission_;
   simulator::Scenario scenario_;
   std::optional<flights::RequirementWatch> watch_;
+  bool as_in_campaign_ = false;
 };
 
 /// All of a fleet that flies.
@@ -52,12 +59,14 @@ struct ReadyFleet {
   simulator::Scenario world;
   uint64_t seed = 0;
   std::vector<std::unique_ptr<ReadyVehicle>> vehicles;
+  simulator::AcousticTrouble trouble;
 };
 
 /// Compiles the missions of a fleet and reads its scenario for each vehicle; `only` is the one that
-/// flies, empty: all. Errors in missions are shown, and `status` is then that of the command. Fails
-/// for what cannot be read, and with GL9303 for a vehicle that the fleet does not have.
+/// flies, empty: all. Errors in missions, with `strict` also warnings, are shown, and `status` is
+/// then that of the command. Fails for what cannot be read, and with GL9303 for a vehicle that the
+/// fleet does not have.
 support::Result<ReadyFleet> readyFleet(const flights::Fleet& fleet, const std::string& only,
-                                       int& status);
+                                       int& status, bool strict = false);
 
 }  // namespace glider::driver

@@ -3,7 +3,7 @@
 
 #include "simulator/acoustics/channel.h"
 
-#include <Random123/philox.h>
+#include "simulator/acoustics/uniform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +15,9 @@ namespace {
 /// An assumption. Over the disc of the range this is a loss of 28 %; in a published campaign of
 /// gliders, a quarter of the bytes needed a second try.
 constexpr double kLossNear = 0.05, kLossFar = 0.5;
+
+/// Streams of random numbers, apart from the noise of all sensors.
+constexpr uint32_t kOfDistance = 0x6D6F6465, kOfTrouble = 0x6D6F6466;
 
 double distance(const TruePlace& one, const TruePlace& other) {
   return std::hypot(one.east_m - other.east_m, one.north_m - other.north_m,
@@ -32,13 +35,9 @@ double faintLoss(double range_m, double greatest_range_m) {
   return kLossNear + (kLossFar - kLossNear) * share * share;
 }
 
-bool Channel::isFaint(uint32_t sender, uint32_t frame, uint32_t receiver,
-                      double probability) const {
-  constexpr uint32_t kStream = 0x6D6F6465;  // apart from the noise of all sensors
-  const r123::Philox4x32::key_type key{
-      {static_cast<uint32_t>(seed_), static_cast<uint32_t>(seed_ >> 32U)}};
-  const auto bits = r123::Philox4x32()({{sender, frame, receiver, kStream}}, key);
-  return (static_cast<double>(bits[0]) + 0.5) * 0x1p-32 < probability;
+bool Channel::isFaint(uint32_t sender, uint32_t frame, uint32_t receiver, double probability,
+                      uint32_t reason) const {
+  return uniform(seed_, {sender, frame, receiver, reason}) < probability;
 }
 
 void Channel::send(uint32_t vehicle, double now_s, const AcousticFrame& frame,
@@ -51,6 +50,8 @@ void Channel::send(uint32_t vehicle, double now_s, const AcousticFrame& frame,
   const double length_s = settings.cycle_init_s + settings.frame_s;
   const uint32_t number = sender.sent++;
   sender.sending.push_back({now_s, now_s + length_s});
+  const auto liar = trouble_.liars.find(vehicle);
+  const AcousticFrame sent = liar == trouble_.liars.end() ? frame : liar->second.insteadOf(frame);
   for (auto& [other, node] : nodes_) {
     const double range_m = distance(sender.place, node.place);
     if (other == vehicle || range_m > settings.interference_m) {
@@ -62,8 +63,10 @@ void Channel::send(uint32_t vehicle, double now_s, const AcousticFrame& frame,
     arrival.end_s = arrival.begin_s + length_s;
     arrival.sender = vehicle;
     arrival.in_range = range_m <= settings.range_m;
-    arrival.faint = isFaint(vehicle, number, other, faintLoss(range_m, settings.range_m));
-    arrival.frame = frame;
+    arrival.faint =
+        isFaint(vehicle, number, other, faintLoss(range_m, settings.range_m), kOfDistance) ||
+        isFaint(vehicle, number, other, trouble_.loss, kOfTrouble);
+    arrival.frame = sent;
     node.arrivals.push_back(arrival);
   }
 }

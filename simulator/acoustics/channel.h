@@ -3,8 +3,9 @@
 
 #pragma once
 
-#include "hooks/micro_modem/messages.h"
+#include "simulator/acoustics/acoustic_frame.h"
 #include "simulator/acoustics/modem_settings.h"
+#include "simulator/acoustics/trouble.h"
 #include "simulator/faults/faults.h"
 #include "simulator/vehicle/true_place.h"
 
@@ -14,13 +15,6 @@
 #include <vector>
 
 namespace glider::simulator {
-
-/// What is sent: addresses and data.
-struct AcousticFrame {
-  uint32_t source = 0;
-  uint32_t destination = 0;  ///< 0: all
-  hooks::micro_modem::Data data;
-};
 
 /// Why a packet was not received.
 enum class Loss : uint8_t {
@@ -56,7 +50,8 @@ class Channel {
  public:
   static constexpr double kSoundSpeed = 1500;  ///< m/s
 
-  explicit Channel(uint64_t seed) : seed_(seed) {}
+  explicit Channel(uint64_t seed, AcousticTrouble trouble = {})
+      : seed_(seed), trouble_(std::move(trouble)) {}
 
   /// Where a vehicle is, at the begin of each step; only then it can send and receive.
   void place(uint32_t vehicle, const TruePlace& place) { nodes_[vehicle].place = place; }
@@ -91,11 +86,12 @@ class Channel {
     std::vector<Arrival> arrivals;
   };
   [[nodiscard]] Loss lossOf(uint32_t vehicle, const Arrival& arrival, const Span& packet) const;
-  [[nodiscard]] bool isFaint(uint32_t sender, uint32_t frame, uint32_t receiver,
-                             double probability) const;
+  [[nodiscard]] bool isFaint(uint32_t sender, uint32_t frame, uint32_t receiver, double probability,
+                             uint32_t reason) const;
   static void forget(Node& node, double now_s);
 
   uint64_t seed_;
+  AcousticTrouble trouble_;
   // By the number of the vehicle.
   std::map<uint32_t, std::vector<Span>> jammed_;
   std::map<uint32_t, Node> nodes_;

@@ -40,9 +40,10 @@ size_t flyingOf(const Vehicles& vehicles) {
 
 support::Result<FleetFlight> simulateFleet(
     const Scenario& world_of, std::vector<FleetMember> members,
-    const std::function<void(double now_s, size_t flying)>& progress) {
+    const std::function<void(double now_s, size_t flying)>& progress, AcousticTrouble trouble) {
   World world(world_of);
-  auto vehicles = makeVehicles(std::move(members), world, std::make_shared<Channel>(world_of.seed));
+  auto vehicles = makeVehicles(std::move(members), world,
+                               std::make_shared<Channel>(world_of.seed, std::move(trouble)));
   if (!vehicles) {
     return std::unexpected(vehicles.error());
   }

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "simulator/acoustics/trouble.h"
 #include "simulator/fleet/separations.h"
 #include "simulator/simulator.h"
 
@@ -28,11 +29,12 @@ struct FleetMember {
 
 /// Flies several vehicles in one ocean and one time, each until its own end. The origin of all
 /// positions in m, and the water, are those of `world`; so is the seed of what is lost between
-/// their modems. A vehicle flies byte for byte as it does without the others, unless it talks with
-/// them. `progress` (may be empty) is called about every 100 s of virtual time, with the time and
-/// how many still fly. Fails as simulate does.
+/// their modems, which `trouble` disturbs. A vehicle flies byte for byte as it does without the
+/// others, unless it talks with them. `progress` (may be empty) is called about every 100 s of
+/// virtual time, with the time and how many still fly. Fails as simulate does.
 support::Result<FleetFlight> simulateFleet(
     const Scenario& world, std::vector<FleetMember> members,
-    const std::function<void(double now_s, size_t flying)>& progress = {});
+    const std::function<void(double now_s, size_t flying)>& progress = {},
+    AcousticTrouble trouble = {});
 
 }  // namespace glider::simulator

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "hooks/micro_modem/messages.h"
+
+#include <cstdint>
+
+namespace glider::simulator {
+
+/// What is sent: addresses and data.
+struct AcousticFrame {
+  uint32_t source = 0;
+  uint32_t destination = 0;  ///< 0: all
+  hooks::micro_modem::Data data;
+};
+
+}  // namespace glider::simulator

@@ -51,7 +51,7 @@ support::Result<void> requireKind(const std::filesystem::path& file, MissionKind
                                 file.string()));
     case MissionKind::Fleet:
       return refuse(file, "a fleet or another file of settings, not a mission",
-                    "`glidercc check` and `glidercc sim` take a fleet alone; elsewhere, name the "
+                    "`glidercc check`, `sim` and `campaign` take a fleet alone; elsewhere, name the "
                     "mission of one of its vehicles");
     case MissionKind::Language:
       break;

@@ -292,7 +292,12 @@ void addFlightOptions(CLI::App& command, SimOptions& options) {
 
 /// The picture, and the formats of other programs.
 void addExportOptions(CLI::App& command, SimOptions& options) {
-  addPictureOptions(command, options.picture, options.picture_style)->excludes("--replay");
+  CLI::Option* const picture = addPictureOptions(command, options.picture, options.picture_style);
+  picture->excludes("--replay");
+  command.add_option("--chart", options.chart, "What the picture of a fleet shows [depths]")
+      ->check(oneOf(fleetCharts()))
+      ->option_text("CHART")
+      ->needs(picture);
   command
       .add_option("--kml", options.kml,
                   "Write the tracks, surfacings and waypoints of the flight as KML")
@@ -398,8 +403,9 @@ namespace {
 
 /// Refuses what a fleet file says for each of its vehicles, and what only one vehicle can have.
 void checkFleetOptions(const CLI::App& command) {
-  constexpr std::array<std::string_view, 8> kOfFleets = {
-      "MISSION", "--only", "--seed", "--duration", "-o", "--format", "--quiet", "--color"};
+  constexpr std::array<std::string_view, 10> kOfFleets = {
+      "--picture",  "--chart", "MISSION",  "--only",  "--seed",
+      "--duration", "-o",      "--format", "--quiet", "--color"};
   for (const CLI::Option* option : command.get_options()) {
     const auto is = [&](std::string_view name) {
       return option->check_name(std::string(name)) || option->get_name() == name;
@@ -443,14 +449,17 @@ void addSimCommand(CLI::App& app, int& status) {
     }
     if (flights::isFleetFile(options->mission)) {
       checkFleetOptions(*command);
-      const FleetOptions fleet{options->mission, options->only, options->output, options->seed,
-                               options->duration_s};
+      const FleetOptions fleet{options->mission, options->only,
+                               options->output,  {options->picture, options->chart},
+                               options->seed,    options->duration_s};
       status =
           inFormat(options->json, "sim", [&](Json* document) { return flyFleet(fleet, document); });
       return;
     }
-    if (!options->only.empty()) {
-      throw CLI::RequiredError("--only needs a fleet file as MISSION");
+    for (const char* option : {"--only", "--chart"}) {
+      if (command->count(option) != 0) {
+        throw CLI::RequiredError(std::string(option) + " needs a fleet file as MISSION");
+      }
     }
     if (isVehiclesOwn(*options) && !options->mi.empty()) {
       throw CLI::ExcludesError("MISSION of the vehicle's own", "--mi");

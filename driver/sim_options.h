@@ -39,9 +39,10 @@ struct SimOptions {
   std::optional<double> kill_sbc_at_s;
   std::optional<double> duration_s;  ///< of the flight at most; empty: the scenario's
   std::string output;
-  std::string replay;   ///< the file of a trace; empty: none
-  std::string picture;  ///< the file of a picture; empty: none
-  std::string kml;      ///< these too
+  std::string replay;            ///< the file of a trace; empty: none
+  std::string picture;           ///< the file of a picture; empty: none
+  std::string chart = "depths";  ///< of a fleet, on the picture
+  std::string kml;               ///< these too
   std::string geojson;
   std::string netcdf;
   report::PictureStyle picture_style;

@@ -172,7 +172,7 @@ int writeReport(flights::Fleet fleet, const FleetCampaignPlan& plan,
   for (size_t i = 0; i < ready->vehicles.size(); ++i) {
     ready->vehicles[i]->disturb(campaign::noiseOf(plan, trouble, i));
   }
-  return flyReady(fleet, *ready, target, document);
+  return flyReady(fleet, *ready, target, {}, document);
 }
 
 int flyOneOf(const flights::Fleet& fleet, const FleetCampaignPlan& plan,
@@ -227,7 +227,9 @@ void checkFleetOptions(const campaign::CampaignOptions& options) {
 
 int campaignOfFleet(const campaign::CampaignOptions& options, unsigned jobs, Json* document) {
   checkFleetOptions(options);
-  const FleetOptions chosen{options.missions.front(), "", "", {}, options.duration_s};
+  FleetOptions chosen;
+  chosen.file = options.missions.front();
+  chosen.duration_s = options.duration_s;
   const auto fleet = fleetFor(chosen);
   if (!fleet) {
     return reportFailure(fleet.error());

@@ -15,6 +15,7 @@
 #include "report/text.h"
 #include "simulator/fleet/fleet.h"
 #include "support/diagnostics/ids/command.h"
+#include "support/diagnostics/ids/files.h"
 #include "support/diagnostics/ids/flights.h"
 #include "support/files.h"
 
@@ -108,6 +109,26 @@ Result<size_t> writeVehicles(ReadyFleet& ready, std::vector<support::Trace>& tra
   return problems;
 }
 
+struct FleetChart {
+  const char* name;
+  std::string (*draw)(const report::FleetReport& fleet);
+};
+constexpr FleetChart kFleetCharts[] = {{"depths", report::drawFleetDepths},
+                                       {"distances", report::drawFleetDistances},
+                                       {"tracks", report::drawFleetMap}};
+
+Result<void> writePicture(const report::FleetReport& fleet, const FleetPicture& picture,
+                          const FlightFolder& folder) {
+  if (picture.file.empty()) {
+    return {};
+  }
+  const auto chart = std::ranges::find(kFleetCharts, picture.chart, &FleetChart::name);
+  const std::string drawn = chart->draw(fleet);
+  return drawn.empty() ? support::fail(support::diagnostics::cannotWrite, picture.file,
+                                       "no two vehicles flew at the same time")
+                       : support::writeFileAtomically(folder.placeOf(picture.file), drawn);
+}
+
 Result<void> writeFleet(const report::FleetReport& fleet, FlightFolder& folder) {
   const std::pair<const char*, std::string> files[] = {
       {"report.html", report::fleetPage(fleet)},
@@ -159,8 +180,16 @@ Result<flights::Fleet> fleetFor(const FleetOptions& options) {
   return fleet;
 }
 
+std::vector<std::string> fleetCharts() {
+  std::vector<std::string> names;
+  for (const FleetChart& chart : kFleetCharts) {
+    names.emplace_back(chart.name);
+  }
+  return names;
+}
+
 int flyReady(const flights::Fleet& fleet, ReadyFleet& ready, const std::string& target,
-             Json* document) {
+             const FleetPicture& picture, Json* document) {
   auto folder = FlightFolder::open(target);
   if (!folder) {
     return reportFailure(folder.error());
@@ -177,6 +206,9 @@ int flyReady(const flights::Fleet& fleet, ReadyFleet& ready, const std::string& 
     return reportFailure(problems.error());
   }
   const size_t near = judgeSeparation(report);
+  if (auto drawn = writePicture(report, picture, *folder); !drawn) {
+    return reportFailure(drawn.error());
+  }
   if (auto written = writeFleet(report, *folder); !written) {
     return reportFailure(written.error());
   }
@@ -207,7 +239,7 @@ int flyFleet(const FleetOptions& options, Json* document) {
     return status;
   }
   const std::string target = options.output.empty() ? fleet->name + "-flight" : options.output;
-  return flyReady(*fleet, *ready, target, document);
+  return flyReady(*fleet, *ready, target, options.picture, document);
 }
 
 }  // namespace glider::driver

@@ -10,14 +10,24 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace glider::driver {
+
+/// A picture of the flight.
+struct FleetPicture {
+  std::string file;              ///< empty: none
+  std::string chart = "depths";  ///< a name of fleetCharts()
+};
+/// What can be drawn: "depths", "distances", "tracks".
+std::vector<std::string> fleetCharts();
 
 /// The options of `sim` for a fleet.
 struct FleetOptions {
   std::string file;
   std::string only;                  ///< the name of the one vehicle that flies; empty: all
   std::string output;                ///< empty: a folder named after the file
+  FleetPicture picture;              ///< its file is empty: none
   std::optional<uint64_t> seed;      ///< empty: the fleet's, or its scenario's
   std::optional<double> duration_s;  ///< empty: the fleet's, or its scenario's
 };
@@ -28,7 +38,7 @@ support::Result<flights::Fleet> fleetFor(const FleetOptions& options);
 /// Flies what is ready, and writes its report into the folder `target`. Returns the exit code.
 /// `document` (null: text) gets what is printed.
 int flyReady(const flights::Fleet& fleet, ReadyFleet& ready, const std::string& target,
-             Json* document);
+             const FleetPicture& picture, Json* document);
 
 /// Flies a fleet in one ocean and writes its report, with a folder for each vehicle. Returns the
 /// exit code. `document` (null: text) gets what is printed.

@@ -151,6 +151,17 @@ TEST_F(FleetCampaign, OneFlightIsFlownAgain) {
   EXPECT_THAT(report["vehicles"][1].dump(), HasSubstr("this flight violates the requirement"));
 }
 
+/// scripts/soak/fleets flies them 2000 times.
+TEST_F(FleetCampaign, TheExamplesKeepWhatTheyPromise) {
+  for (const char* name : {"thermocline", "relay"}) {
+    const std::string file = std::string(GLIDER_SOURCE_DIR "/missions/fleet/") + name + ".toml";
+    EXPECT_EQ(runShell("$GLIDERCC check --strict " + file).status, 0) << name;
+    const Outcome flown = runShell("$GLIDERCC campaign --flights 12 " + file);
+    EXPECT_EQ(flown.status, 0) << flown.out;
+    EXPECT_THAT(flown.out, ContainsRegex("all +12 +12 ")) << flown.out;
+  }
+}
+
 TEST_F(FleetCampaign, SeparationIsJudged) {
   fleet("separation_m = 600\n");
   const Outcome flown = run("--flights 1");

@@ -211,12 +211,31 @@ TEST_F(FleetCommand, TheExampleIsProvedAndFlies) {
   EXPECT_THAT(flown.out, HasSubstr("nearest: comet and otter were 12495 m apart"));
 }
 
+TEST_F(FleetCommand, ItsPictureShowsDepthsDistancesOrTracks) {
+  mission("up", "39.18");
+  (void)folder_.write(
+      "f.toml", vehicle("a", "up") + vehicle("b", "up", "bearing_deg = 90\ndistance_m = 500\n"));
+  for (const auto& [chart, axis] : {std::pair("", "depth (m)"),
+                                    {"--chart distances", "distance (m)"},
+                                    {"--chart tracks", "north (m)"}}) {
+    const Outcome flown = run("$GLIDERCC sim f.toml -o f --picture f/p.svg " + std::string(chart));
+    EXPECT_EQ(flown.status, 0) << flown.err;
+    EXPECT_THAT(slurped("f/p.svg"), HasSubstr(axis));
+  }
+  EXPECT_EQ(run("$GLIDERCC sim f.toml --chart tracks").status, 2);
+  EXPECT_EQ(run("$GLIDERCC sim f.toml --picture p.svg --chart speed").status, 2);
+  EXPECT_EQ(run("$GLIDERCC sim up.mission --picture p.svg --chart tracks").status, 2);
+  const Outcome alone = run("$GLIDERCC sim f.toml --only a -o f --picture p.svg --chart distances");
+  EXPECT_EQ(alone.status, 2);
+  EXPECT_THAT(alone.err, HasSubstr("no two vehicles flew at the same time"));
+}
+
 /// As a mission it would have 19 errors.
 TEST_F(FleetCommand, OtherCommandsSayThatAFleetIsNoMission) {
   mission("up", "39.26");
   (void)folder_.write("f.toml", vehicle("a", "up"));
   for (const char* command :
-       {"build f.toml", "campaign f.toml --flights 1", "graph f.toml", "check f.toml up.mission"}) {
+       {"build f.toml", "brief f.toml", "graph f.toml", "check f.toml up.mission"}) {
     const Outcome refused = run("$GLIDERCC " + std::string(command));
     EXPECT_EQ(refused.status, 2) << command;
     EXPECT_THAT(refused.err, HasSubstr("`f.toml` is a fleet or another file of settings"))

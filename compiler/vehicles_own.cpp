@@ -50,9 +50,10 @@ support::Result<void> requireKind(const std::filesystem::path& file, MissionKind
                     fmt::format("`glidercc mi {0}` reads it, and `glidercc sim {0}` flies it",
                                 file.string()));
     case MissionKind::Fleet:
-      return refuse(file, "a fleet or another file of settings, not a mission",
-                    "`glidercc check`, `sim` and `campaign` take a fleet alone; elsewhere, name the "
-                    "mission of one of its vehicles");
+      return refuse(
+          file, "a fleet or another file of settings, not a mission",
+          "`glidercc check`, `sim` and `campaign` take a fleet alone; elsewhere, name the "
+          "mission of one of its vehicles");
     case MissionKind::Language:
       break;
   }

@@ -16,6 +16,7 @@ typedef struct GliderPortMission {
   uint32_t program;  /* in u_mission_param_l while that mission file flies */
   uint32_t latitude; /* numbers of these sensors in the platform file */
   uint32_t longitude;
+  uint32_t depth_state;   /* the same; one that no sensor has: there is none */
   uint32_t mission_modes; /* 1: the release starts behaviours by bits of u_mission_mode */
 } GliderPortMission;
 

@@ -139,6 +139,7 @@ void Backseat::takeCycle() {
                                    reported(kGliderRoleDepth) * kCmPerM <= start_depth_cm_},
                     out_next_ == out_end_);
   depth_seen_.look(reported(kGliderRoleDepth));
+  depth_state_.look(reported(kGliderRoleDepth), reported(kGliderRoleClock));
   if (stand_in_.takeRestart()) {
     beginMission();
   }
@@ -254,7 +255,19 @@ void Backseat::flush() {
 bool Backseat::reading(void* self, uint16_t id, double* value) {
   auto& seat = *static_cast<Backseat*>(self);
   const uint32_t index = seat.port_.indexOf(id);
-  return index < seat.port_.count() && seat.reported_.takeReport(index, value);
+  if (index >= seat.port_.count()) {
+    return false;
+  }
+  const bool reported = seat.reported_.takeReport(index, value);
+  if (id != seat.mission_.depth_state) {
+    return reported;
+  }
+  if (reported) {
+    seat.depth_state_.report(*value);
+  } else {
+    *value = seat.depth_state_.state();
+  }
+  return *value == *value;
 }
 
 void Backseat::instruct(void* self, const hooks::Instruction& instruction) {

@@ -10,6 +10,7 @@
 #include "runtime/abi/port_mission.h"
 #include "runtime/checkpoint/checkpoint.h"
 #include "runtime/extctl/depth_seen.h"
+#include "runtime/extctl/depth_state.h"
 #include "runtime/extctl/port_writer.h"
 #include "runtime/extctl/reported.h"
 #include "runtime/extctl/stand_in.h"
@@ -77,6 +78,7 @@ class Backseat {
   Reported reported_;
   StandIn stand_in_;
   DepthSeen depth_seen_;
+  DepthState depth_state_;
   StockCommand stock_;
   PortWriter writer_;
   bool virtual_time_ = false;

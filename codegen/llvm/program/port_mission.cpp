@@ -6,6 +6,8 @@
 #include <llvm/IR/Constants.h>
 #include <llvm/IR/DerivedTypes.h>
 
+#include <cstddef>
+
 namespace glider::codegen {
 
 void addPortMission(llvm::Module& module, const GliderPortMission& port) {
@@ -14,13 +16,15 @@ void addPortMission(llvm::Module& module, const GliderPortMission& port) {
   llvm::Type* word = llvm::Type::getInt32Ty(context);
   const auto number = [&](double value) { return llvm::ConstantFP::get(real, value); };
   const auto count = [&](uint32_t value) { return llvm::ConstantInt::get(word, value); };
-  static_assert(sizeof(GliderPortMission) == 4 * sizeof(double) + 4 * sizeof(uint32_t));
+  static_assert(offsetof(GliderPortMission, mission_modes) ==
+                4 * sizeof(double) + 4 * sizeof(uint32_t));
   llvm::StructType* type =
-      llvm::StructType::get(context, {real, real, real, real, word, word, word, word});
+      llvm::StructType::get(context, {real, real, real, real, word, word, word, word, word});
   llvm::Constant* value = llvm::ConstantStruct::get(
       type, {number(port.greatest_depth_m), number(port.steepest_pitch_rad),
              number(port.shallowest_pitch_rad), number(port.hold_m), count(port.program),
-             count(port.latitude), count(port.longitude), count(port.mission_modes)});
+             count(port.latitude), count(port.longitude), count(port.depth_state),
+             count(port.mission_modes)});
   new llvm::GlobalVariable(module, type, true, llvm::GlobalValue::ExternalLinkage, value,
                            "gliderPort");
 }

@@ -28,7 +28,8 @@ using testing::BenchMission;
 
 /// The vehicle's mission is so old when a test begins, s: the program may steer.
 constexpr double kBegun = 40;
-constexpr GliderPortMission kPort{60, 0.7854, 0.19, 10, 4711, GLIDER_M_LAT, GLIDER_M_LON, 0};
+constexpr GliderPortMission kPort{
+    60, 0.7854, 0.19, 10, 4711, GLIDER_M_LAT, GLIDER_M_LON, GLIDER_M_DEPTH_STATE, 0};
 
 /// A mission of two states that change with the temperature, each with a depth of its own.
 struct TwoStates : BenchMission {
@@ -191,6 +192,30 @@ TEST(Backseat, SteersWhileItsMissionFileFlies) {
   EXPECT_EQ(bench.texts.front(), "mission,bench");
   bench.cycle(44, 19, 20);
   EXPECT_EQ(bench.written(PortSensor::ClimbDepth), 10) << "holds the depth";
+}
+
+/// The vehicle reports that it dives once, and the mission's reading of it is stale after 20 s.
+TEST(Backseat, AStateOfTheVehicleThatGoesOnStaysKnown) {
+  TwoStates mission;
+  mission.sensors.push_back(
+      {"m_depth_state", nullptr, 1, 0, 99, 20, GLIDER_M_DEPTH_STATE, kGliderLinear});
+  mission.finish(2);
+  PortBench bench(mission.mission);
+  bench.begin();
+  for (double now = 0; now <= 120; now += 4) {
+    if (now == 20) {
+      bench.say(fmt::format("SD,{}:1", bench.ofSensor(GLIDER_M_DEPTH_STATE)));
+    }
+    bench.cycle(now, now < 100 ? 1 + now / 8 : 13.4 - (now - 100) / 2, 20);
+    if (now >= 24) {
+      ASSERT_NE(bench.context(), nullptr);
+      EXPECT_EQ(std::isnan(bench.context()->readings[2].value), false) << now;
+    }
+  }
+  for (double now = 124; now <= 140; now += 4) {
+    bench.cycle(now, 3, 20);
+  }
+  EXPECT_TRUE(std::isnan(bench.context()->readings[2].value)) << "it climbs";
 }
 
 TEST(Backseat, LeavesAnotherMissionFileAlone) {

@@ -25,8 +25,8 @@ namespace {
 
 using hooks::extctl::PortSensor;
 
-constexpr GliderPortMission kCommon{60, 0.7854, 0.19, 10, 4711, 0, 0, 0};
-constexpr GliderPortMission kModes{60, 0.7854, 0.19, 10, 4711, 0, 0, 1};
+constexpr GliderPortMission kCommon{60, 0.7854, 0.19, 10, 4711, 0, 0, 0, 0};
+constexpr GliderPortMission kModes{60, 0.7854, 0.19, 10, 4711, 0, 0, 0, 1};
 
 /// What a sentence or two write: values by index, and the mode bits under -1.
 std::map<int, double> valuesIn(std::string_view bytes) {

@@ -18,7 +18,7 @@ using hooks::HookState;
 using hooks::HookVertical;
 using hooks::Instruction;
 
-constexpr GliderPortMission kPort{60, 0.7854, 0.19, 10, 4711, 0, 0, 0};
+constexpr GliderPortMission kPort{60, 0.7854, 0.19, 10, 4711, 0, 0, 0, 0};
 
 Instruction dive(uint16_t sequence, uint32_t session = 5, HookControl control = HookControl::Take) {
   return {.session = session,

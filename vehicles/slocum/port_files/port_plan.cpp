@@ -77,6 +77,7 @@ GliderPortMission programFor(std::string_view content, const platforms::Platform
           .program = numberOf(content),
           .latitude = sensorNumber(platform, "m_lat"),
           .longitude = sensorNumber(platform, "m_lon"),
+          .depth_state = sensorNumber(platform, "m_depth_state"),
           .mission_modes = choice.release == Release::MissionModes ? 1U : 0U};
 }
 

@@ -58,6 +58,39 @@ TEST_F(PortCommand, AFolderIsBuiltAndFlownFromItAlone) {
       << "a program behind a terminal flies as in process";
 }
 
+/// It reports only when it changes, and a dive takes longer than the reading's stale_after.
+TEST_F(PortCommand, WhetherItDivesStaysKnownOverALeg) {
+  write("legs.mission", R"(mission legs
+state look
+begin
+  flightroute   heading(90 deg)
+  flightprofile yo_times(top = 4 m, bottom = 30 m, times = 3)
+  sensors       missiontime, depth, temp, m_depth_state
+  events
+    case profiledone                                    exit
+    case turned && climbing                             do log "warmest of the dive", highest(temp, this dive) end stay
+    case climbing && held(temp > 18 degC, 20 s)         do log "warm on the climb" end stay
+    case missiontime > 1 h                              exit
+end
+)");
+  EXPECT_EQ(run("build legs.mission --dialect extctl --target host -o port").status, 0);
+  const auto count = [](const std::string& text, const std::string& what) {
+    size_t found = 0;
+    for (size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
+      ++found;
+    }
+    return found;
+  };
+  for (const char* what : {"legs.mission", "port"}) {
+    const Outcome flown = run(std::string("sim ") + what + " --scenario bloom -o f");
+    EXPECT_EQ(flown.status, 0) << flown.err;
+    const std::string events = read("f/events.csv");
+    EXPECT_EQ(count(events, "warmest of the dive 2"), 3U) << what << events;
+    EXPECT_GE(count(events, "warm on the climb"), 3U) << what;
+    EXPECT_THAT(events, HasSubstr("\"profiledone\"")) << what;
+  }
+}
+
 TEST_F(PortCommand, TheReleaseDecidesWhatStartsBehaviours) {
   EXPECT_EQ(run("build figure2.mission --dialect extctl --release mission-mode -o port").status, 0);
   const std::string mission = read("port/vehicle/missions/samplemi.mi");

@@ -7,6 +7,7 @@
 #include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/states/lower_case.h"
 #include "frontend/sema/states/lower_statement.h"
+#include "frontend/sema/states/moving_place.h"
 #include "support/check.h"
 #include "support/diagnostics/ids/meaning.h"
 
@@ -164,6 +165,7 @@ bool StateLowering::first(const ast::Member& member) {
 void StateLowering::visit(const ast::RouteMember& node, const ast::Member& member) {
   if (first(member)) {
     result_.route = activity(node.use, ir::BehaviourKind::Route);
+    warnOfMovingPlaces(node.use, scope_);
   }
 }
 

@@ -17,4 +17,14 @@ double polynomial(const double (&coefficients)[kCount], double x) {
   return value;
 }
 
+/// The same, bit for bit, without a loop: the most that it takes is that of its own terms.
+template <uint32_t kCount, uint32_t kFrom = 0>
+double unrolled(const double (&coefficients)[kCount], double x) {
+  if constexpr (kFrom + 1 == kCount) {
+    return coefficients[kFrom];
+  } else {
+    return unrolled<kCount, kFrom + 1>(coefficients, x) * x + coefficients[kFrom];
+  }
+}
+
 }  // namespace glider::runtime

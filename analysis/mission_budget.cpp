@@ -102,6 +102,11 @@ Budget boardBudget(const codegen::Budget& measured, const platforms::Board& boar
   return budget;
 }
 
+/// As GL4013 says it.
+std::string whatOf(const Quantity& quantity) {
+  return quantity.unit == "bytes" ? "bytes of " + quantity.name : "instructions a tick";
+}
+
 /// The budget of a mission that calls missing code: `why` no executable can be measured.
 Budget unmeasured(const platforms::Board& board, const std::string& why) {
   return {board.name,
@@ -133,10 +138,8 @@ Result<Budget> budgetOn(const std::string& target, const compiler::Optimised& mi
   Budget budget = boardBudget(*measured, *board, mission.platform().envelope.cycle_s);
   for (const Quantity& quantity : budget.quantities) {
     if (exceeds(quantity)) {
-      const std::string what =
-          quantity.unit == "bytes" ? "bytes of " + quantity.name : "instructions a tick";
-      diagnostics.report(support::diagnostics::boardOverloaded, {}, *quantity.value, what, target,
-                         *quantity.limit);
+      diagnostics.report(support::diagnostics::boardOverloaded, {}, *quantity.value,
+                         whatOf(quantity), target, *quantity.limit);
     }
   }
   return budget;
@@ -158,6 +161,19 @@ Result<std::vector<Budget>> missionBudgets(const compiler::Optimised& mission,
     budgets.push_back(std::move(*budget));
   }
   return budgets;
+}
+
+std::function<Result<void>(const codegen::Budget&)> onlyWhatFits(const platforms::Board& board,
+                                                                 double cycle_s) {
+  return [board, cycle_s](const codegen::Budget& measured) -> Result<void> {
+    for (const Quantity& quantity : boardBudget(measured, board, cycle_s).quantities) {
+      if (exceeds(quantity)) {
+        return support::fail(support::diagnostics::boardOverloaded, *quantity.value,
+                             whatOf(quantity), board.name, *quantity.limit);
+      }
+    }
+    return {};
+  };
 }
 
 std::vector<std::string> boardsInTheVehicle() {

@@ -3,9 +3,12 @@
 
 #pragma once
 
+#include "codegen/budget.h"
 #include "compiler/compilation.h"
+#include "platforms/load/board.h"
 #include "report/findings/findings.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,6 +21,11 @@ namespace glider::analysis {
 support::Result<std::vector<report::Budget>> missionBudgets(
     const compiler::Optimised& mission, const std::vector<std::string>& targets,
     const std::vector<std::string>& user_code, support::DiagnosticEngine& diagnostics);
+
+/// Refuses a program that needs more than `board` has, with GL4013: for
+/// codegen::CodegenOptions::accepts.
+std::function<support::Result<void>(const codegen::Budget&)> onlyWhatFits(
+    const platforms::Board& board, double cycle_s);
 
 /// The targets that can hold a mission in the vehicle: all except the host.
 std::vector<std::string> boardsInTheVehicle();

@@ -3,10 +3,13 @@
 
 #pragma once
 
+#include "codegen/budget.h"
 #include "runtime/abi/port_mission.h"
+#include "support/result.h"
 #include "support/source_manager.h"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -26,6 +29,9 @@ struct CodegenOptions {
   /// For a vehicle without the hooks: the program speaks the port for a backseat driver. None: it
   /// speaks to hookprog.
   std::optional<GliderPortMission> port;
+  /// Whether a program that needs so much is written; empty: each is. Its failure is that of the
+  /// build.
+  std::function<support::Result<void>(const Budget&)> accepts = {};
   /// Nothing is linked in this process after this, which makes linking a little faster.
   bool last_link = false;
 };

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "analysis/mission_budget.h"
 #include "codegen/codegen.h"
 #include "compiler/boards.h"
 #include "compiler/compilation.h"
@@ -20,6 +21,7 @@
 #include "frontend/ast/print.h"
 #include "ir/text/print.h"
 #include "support/diagnostics/ids/command.h"
+#include "support/diagnostics/ids/target.h"
 #include "support/files.h"
 
 #include <CLI/CLI.hpp>
@@ -153,6 +155,7 @@ support::Result<void> buildProduct(const codegen::Product& product, const BuildO
     return std::unexpected(code.error());
   }
   code->addTo(how);
+  how.accepts = analysis::onlyWhatFits(board, mission.platform().envelope.cycle_s);
   return writeProduct(product, options, mission.input(), board, how);
 }
 
@@ -180,13 +183,19 @@ compiler::Optimised optimise(const BuildOptions& options,
   });
 }
 
+/// Shows a failure; a mission that needs more than its board has is at fault itself.
+int failed(const support::Failure& failure) {
+  const int status = reportFailure(failure);
+  return failure.id == support::diagnostics::boardOverloaded ? kMissionHasErrors : status;
+}
+
 /// The folder for a vehicle without the hooks.
 int buildForPort(const BuildOptions& options, const platforms::Board& board,
                  const compiler::Compilation& compilation) {
   const compiler::Optimised mission = optimise(options, compilation.checked);
   const auto written = writePortFolder(options.port, options.output, options.mission, board,
                                        options.user_code, mission);
-  return !written ? reportFailure(written.error()) : *written ? kFine : kMissionHasErrors;
+  return !written ? failed(written.error()) : *written ? kFine : kMissionHasErrors;
 }
 
 support::Result<void> write(const codegen::Product& product, const BuildOptions& options,
@@ -231,9 +240,7 @@ int build(BuildOptions options) {
     return reportFailure(support::fail(support::diagnostics::outputIsInput, *input).error());
   }
   const auto written = write(product, options, *board, compilation);
-  return !written              ? reportFailure(written.error())
-         : compilation.checked ? kFine
-                               : kMissionHasErrors;
+  return !written ? failed(written.error()) : compilation.checked ? kFine : kMissionHasErrors;
 }
 
 }  // namespace

@@ -119,6 +119,14 @@ Result<std::string> emitObject(const Input& input, const Board& board,
 
 Result<std::string> makeExecutable(const Input& input, const Board& board,
                                    const CodegenOptions& options) {
+  if (options.accepts) {
+    const auto budget = measureExecutable(input, board, options);
+    const auto accepted =
+        budget ? options.accepts(*budget) : Result<void>(std::unexpected(budget.error()));
+    if (!accepted) {
+      return std::unexpected(accepted.error());
+    }
+  }
   auto linked = linkWhole(input, board, options, false);
   if (linked) {
     if (auto fits = checkSize(linked->size(), board); !fits) {
@@ -140,6 +148,14 @@ Result<void> writeExecutable(const Input& input, const Board& board, const Codeg
   const auto linked = linkWhole(input, board, options, true);
   if (!linked) {
     return std::unexpected(linked.error());
+  }
+  if (options.accepts) {
+    const auto budget = measureLinked(*linked, input, board);
+    const auto accepted =
+        budget ? options.accepts(*budget) : Result<void>(std::unexpected(budget.error()));
+    if (!accepted) {
+      return accepted;
+    }
   }
   std::filesystem::path debug_output = output;
   debug_output += kDebugSuffix;

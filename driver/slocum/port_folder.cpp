@@ -3,6 +3,7 @@
 
 #include "driver/slocum/port_folder.h"
 
+#include "analysis/mission_budget.h"
 #include "codegen/codegen.h"
 #include "codegen/digest.h"
 #include "compiler/user_code.h"
@@ -183,6 +184,7 @@ support::Result<bool> writePortFolder(const PortOptions& options,
   const Names names(stemOf(mission_file), plan->file);
   codegen::CodegenOptions how = buildOptions(mission, kUsualLevel);
   how.port = plan->port;
+  how.accepts = analysis::onlyWhatFits(board, mission.platform().envelope.cycle_s);
   code->addTo(how);
   if (auto linked = codegen::linkExecutable(mission.input(), board, how, folder / names.program);
       !linked) {

@@ -203,6 +203,17 @@ TEST(CheckReport, TooMuchForABoardIsAnError) {
   EXPECT_THAT(outcome.err, HasSubstr("instructions a tick"));
   EXPECT_THAT(outcome.out, HasSubstr("tick instructions")) << "the table is still shown";
   EXPECT_EQ(runShell("$GLIDERCC check " + mission).status, 0) << "not asked for";
+  const std::string out = (folder.path() / "out").string();
+  for (const char* way : {"", "--dialect extctl "}) {
+    const Outcome built =
+        runShell(std::string("$GLIDERCC build --target ts7800 ") + way + mission + " -o " + out);
+    EXPECT_EQ(built.status, 1) << way;
+    EXPECT_THAT(built.err, HasSubstr("[GL4013 board-overloaded]")) << way;
+    EXPECT_FALSE(fs::is_regular_file(out)) << way;
+  }
+  EXPECT_FALSE(fs::exists(out + "/sbc/heavy"));
+  EXPECT_EQ(runShell("$GLIDERCC build --target host " + mission + " -o " + out + "-host").status, 0)
+      << "it has no limit";
 }
 
 /// No window over a leg copies what it keeps of one: on some boards that would be a loop.
@@ -256,6 +267,29 @@ void linkAllBut(const fs::path& from, const std::string& name, const fs::path& t
     }
   }
   fs::create_directory(to / name);
+}
+
+/// With soft floats and what a copy of a table would cost, they had no bound, or a hundred times
+/// this.
+TEST(CheckReport, WhatIsComputedOfSeawaterFitsOnEachBoard) {
+  const TemporaryFolder folder;
+  const std::string mission = folder
+                                  .write("water.mission", R"(mission water
+state s
+begin
+  flightprofile yo(5 m, 20 m)
+  sensors       missiontime, depth, temp, cond, scipressure
+  events
+    case missiontime > 1 h exit
+    case became(depth > 10 m) do
+      log "water", salinity, density, mean(salinity, 5 min)
+    end stay
+end
+)")
+                                  .string();
+  const Outcome outcome = runShell("$GLIDERCC check --report " + mission);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, testing::Not(HasSubstr("no bound is known")));
 }
 
 TEST(CheckReport, TooMuchStackForABoardIsAnError) {

@@ -66,12 +66,17 @@ Result<Budget> measureExecutable(const Input& input, const platforms::Board& boa
   if (!linked) {
     return std::unexpected(linked.error());
   }
-  const auto image = Image::read(*linked, board);
+  return measureLinked(*linked, input, board);
+}
+
+Result<Budget> measureLinked(const std::string& linked, const Input& input,
+                             const platforms::Board& board) {
+  const auto image = Image::read(linked, board);
   if (!image) {
     return std::unexpected(image.error());
   }
   Budget budget;
-  budget.executable_bytes = splitDebug(*linked, board.name + ".debug").stripped.size();
+  budget.executable_bytes = splitDebug(linked, board.name + ".debug").stripped.size();
   budget.memory_bytes = image->loadedBytes();
   budget.data_bytes = image->writableBytes();
   budget.context_bytes = image->contextBytes();

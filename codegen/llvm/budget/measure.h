@@ -16,4 +16,8 @@ namespace glider::codegen {
 support::Result<Budget> measureExecutable(const Input& input, const platforms::Board& board,
                                           const CodegenOptions& options);
 
+/// The same of an executable that is already linked, with what it needs to be debugged.
+support::Result<Budget> measureLinked(const std::string& linked, const Input& input,
+                                      const platforms::Board& board);
+
 }  // namespace glider::codegen

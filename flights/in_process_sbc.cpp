@@ -182,6 +182,20 @@ void InProcessSbc::showToWatcher() const {
   }
 }
 
+/// The context has the notes of its newest tick until the next one.
+void InProcessSbc::keepNotes() {
+  const GliderContext* const context = mission_->context(runtime_);
+  if (context == nullptr || context->mission_time == noted_s_) {
+    return;
+  }
+  noted_s_ = context->mission_time;
+  for (uint32_t i = 0; i < context->note_count; ++i) {
+    const GliderNote& note = context->notes[i];
+    const double* const values = context->note_values + note.first;
+    notes_.push_back({noted_s_, note.text, {values, values + note.count}});
+  }
+}
+
 void InProcessSbc::run() {
   // A poll handles a frame of what was delivered, or one of the few time-outs that may be due.
   constexpr int kMostPolls = 10000;
@@ -191,6 +205,7 @@ void InProcessSbc::run() {
   for (int i = 0; i < kMostPolls && alive() && !finished_; ++i) {
     const GliderRuntimeStatus status = mission_->poll(runtime_, stream, clock);
     showToWatcher();
+    keepNotes();
     switch (status) {
       case kGliderRuntimeIdle:
         return;

@@ -15,9 +15,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace glider::flights {
@@ -58,6 +60,7 @@ class InProcessSbc final : public simulator::SbcPort {
   void plug(bool in) override { plugged_ = in; }
   void hearModem(std::span<const uint8_t> bytes) override;
   void hearValue(uint16_t id, double raw) override;
+  std::vector<support::LoggedNote> takeNotes() override { return std::exchange(notes_, {}); }
   std::vector<uint8_t> toModem() override;
   void damageCard(const simulator::CardFault& fault, uint64_t seed) override;
   [[nodiscard]] std::string exitReason() const override { return exit_reason_; }
@@ -73,12 +76,15 @@ class InProcessSbc final : public simulator::SbcPort {
   [[nodiscard]] size_t onCard(uint32_t offset) const;
   void run();
   void showToWatcher() const;
+  void keepNotes();
   [[nodiscard]] std::optional<double> findKept();
   void end(const std::string& exit_reason);
 
   std::shared_ptr<const codegen::LoadedMission> mission_;
   std::vector<double> parameters_;
   Watcher watcher_;
+  std::vector<support::LoggedNote> notes_;
+  double noted_s_ = std::numeric_limits<double>::quiet_NaN();  ///< mission time of the newest
   std::shared_ptr<Card> card_;
   std::unique_ptr<std::byte[]> runtime_memory_;
   std::unique_ptr<std::byte[]> context_memory_;

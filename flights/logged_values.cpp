@@ -99,11 +99,20 @@ std::vector<Statements> statementsOf(const compiler::Checked& mission,
       return;
     }
     Statements made{statement.text, {}};
+    // A position is two values of one text.
+    const auto halfOf = [](const ir::Expr& value) {
+      return value.type.kind == ir::TypeKind::Latitude    ? " latitude"
+             : value.type.kind == ir::TypeKind::Longitude ? " longitude"
+                                                          : "";
+    };
     for (const ir::ExprId id : statement.values) {
       const support::SourceRange range = m[id].range;
       ValueColumn column;
       column.value.text = statement.text;
       column.value.value = range.valid() ? support::onOneLine(mission.sources().text(range)) : "";
+      const bool half = std::ranges::count(statement.values, range,
+                                           [&](ir::ExprId other) { return m[other].range; }) == 2;
+      column.value.value += half ? halfOf(m[id]) : "";
       column.value.column = "log_" + asName(statement.text + " " + column.value.value);
       setUnit(m, id, trace, column);
       made.columns.push_back(std::move(column));
@@ -178,14 +187,63 @@ std::string shownNote(const Statements& statements, const std::vector<double>& v
   return statements.text + (statements.text.empty() ? "" : " ") + list + rest;
 }
 
+/// As notes have them: with 12 digits.
+double asNoted(double value) {
+  constexpr int kDigits = 12;
+  double read = value;
+  const std::string text = fmt::format("{:.{}g}", value, kDigits);
+  std::from_chars(text.data(), text.data() + text.size(), read);
+  return read;
+}
+
+/// Completes the notes that were cut off on their way to the vehicle from what the mission has
+/// logged itself.
+class WholeNotes {
+ public:
+  explicit WholeNotes(const support::Trace& trace) : notes_(trace.notes) {}
+
+  /// The whole of the next note of a statement at a time, s; null: it is not known.
+  const support::LoggedNote* next(const support::TraceEvent& event, const std::string& text) {
+    for (size_t i = from_; i < notes_.size(); ++i) {
+      if (notes_[i].mission_time_s == event.mission_time_s && notes_[i].text == text) {
+        from_ = i + 1;
+        return &notes_[i];
+      }
+    }
+    return nullptr;
+  }
+
+ private:
+  const std::vector<support::LoggedNote>& notes_;
+  size_t from_ = 0;  ///< a note is of one event
+};
+
+/// The text of a note with all its values.
+std::string wholeText(const support::LoggedNote& note) {
+  std::string text = note.text;
+  for (const double value : note.values) {
+    text += std::isnan(value) ? " unknown" : fmt::format(" {}", asNoted(value));
+  }
+  return text;
+}
+
 void readNotes(support::Trace& trace, std::vector<Statements>& all) {
+  WholeNotes whole_notes(trace);
   for (support::TraceEvent& event : trace.events) {
     if (event.id != support::EventId::Note || event.values.empty()) {
       continue;
     }
-    const auto& note = std::get<std::string>(event.values[0]);
+    auto& note = std::get<std::string>(event.values[0]);
     for (Statements& statements : all) {
       std::vector<double> values = valuesIn(note, statements.text);
+      const bool cut = note.size() >= hooks::kMostNoteBytes;
+      const support::LoggedNote* const logged =
+          cut ? whole_notes.next(event, statements.text) : nullptr;
+      if (logged != nullptr && logged->values.size() == statements.columns.size()) {
+        values = logged->values;
+        std::ranges::transform(values, values.begin(), asNoted);
+        note = wholeText(*logged);
+      }
       const bool whole = values.size() == statements.columns.size();
       if (!whole && (values.empty() || note.size() < hooks::kMostNoteBytes)) {
         continue;

@@ -68,6 +68,7 @@ class ShadowedSbc final : public SbcPort {
     }
     return answer;
   }
+  std::vector<support::LoggedNote> takeNotes() override { return shadow_->takeNotes(); }
   void kill() override {
     flown_->kill();
     shadow_->kill();

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace glider::simulator {
@@ -232,6 +233,9 @@ CycleView SimulatedVehicle::view(double now, bool over) const {
 }
 
 void SimulatedVehicle::serveSbc(double now) {
+  if (SbcPort* const sbc = link_.powered()) {
+    std::ranges::move(sbc->takeNotes(), std::back_inserter(trace_.notes));
+  }
   if (seat_->serve(now, vehicle_, sbc_line_) && story_.follow(now, cycle_s_, *seat_, journal_)) {
     seat_->noteTransition();
   }

@@ -5,6 +5,7 @@
 
 #include "simulator/faults/faults.h"
 #include "support/result.h"
+#include "support/trace/trace.h"
 
 #include <cstdint>
 #include <functional>
@@ -54,6 +55,8 @@ class SbcPort {
   virtual void hearValue(uint16_t /*id*/, double /*raw*/) {}
   /// What the SBC has sent to the modem since the last call, which follows each hearModem().
   virtual std::vector<uint8_t> toModem() { return {}; }
+  /// What its mission has logged since the last call, as far as that is known.
+  virtual std::vector<support::LoggedNote> takeNotes() { return {}; }
   /// Damages the data on its storage card; `seed` determines where. The card of an external SBC
   /// cannot be reached.
   virtual void damageCard(const CardFault& /*fault*/, uint64_t /*seed*/) {}

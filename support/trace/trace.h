@@ -45,6 +45,13 @@ struct VehicleLog {
   std::vector<TraceGap> gaps = {};  ///< by time; nothing is known of the vehicle in them
 };
 
+/// What a `log` statement of the mission wrote, whole: the vehicle receives only the begin of it.
+struct LoggedNote {
+  double mission_time_s = 0;
+  std::string text;            ///< of the statement
+  std::vector<double> values;  ///< SI units or degrees; NaN: unknown
+};
+
 /// One flight: the only trace format of verifier, simulator and report.
 struct Trace {
   std::string mission;   ///< name of the mission
@@ -66,6 +73,7 @@ struct Trace {
   MissionFacts facts;                      ///< empty if no mission of the language flies
   std::optional<BatteryFacts> battery;     ///< empty: not known
   std::optional<AcousticTotals> acoustic;  ///< empty: no modem was in use
+  std::vector<LoggedNote> notes;           ///< in order; empty: not known
   BottomGrid bottom;                       ///< empty if the bottom is flat
   double start_utc_s = 0;                  ///< the vehicle's clock at time 0, s since 1970
 

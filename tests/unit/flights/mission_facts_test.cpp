@@ -136,6 +136,23 @@ TEST(LoggedValues, AreShownRoundedWithTheirUnits) {
       << "events.csv keeps all digits";
 }
 
+/// A note for the vehicle holds 60 bytes.
+TEST(LoggedValues, WhatTheVehicleDidNotReceiveIsInTheMissionsOwnLog) {
+  const std::string note = "bloom, at 11.5 2.25000000000" + std::string(32, '0');
+  ASSERT_EQ(note.size(), 60U);
+  support::Trace trace = noted({note});
+  trace.events[0].mission_time_s = 8;
+  trace.notes = {{4, "bloom, at", {1, 2, 3}},
+                 {8, "another", {1, 2, 3}},
+                 {8, "bloom, at", {11.5, 2.25, -0.5123456789012345}}};
+  addLoggedValues(compiled(), trace);
+  EXPECT_EQ(trace.at(1, 3), 11.5);
+  EXPECT_EQ(trace.at(1, 4), 2.25);
+  EXPECT_EQ(trace.at(1, 5), -0.512345678901) << "with 12 digits, as a note";
+  EXPECT_EQ(textOf(trace.events[0]), "bloom, at 11.5 2.25 -0.512345678901");
+  EXPECT_EQ(shownTextOf(trace.events[0]), "bloom, at 11.5 m, 2.25 ug/L, -29.4 deg");
+}
+
 TEST(LoggedValues, WhatIsUnknownOrCutOffIsNoValue) {
   support::Trace trace = noted({"bloom, at unknown 2.5 0.1", "bloom, at 1 2"});
   addLoggedValues(compiled(), trace);

@@ -21,7 +21,7 @@ std::string number(double value) {
 }
 
 std::string known(double value) {
-  return std::isnan(value) ? "unknown" : fmt::format("{:.6g}", value);
+  return std::isnan(value) ? "unknown" : fmt::format("{:.9g}", value);
 }
 
 /// In quotes only where it must be.

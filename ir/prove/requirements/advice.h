@@ -25,6 +25,10 @@ void notePowerCutsCount(support::DiagnosticBuilder& warning, const Requirement& 
 /// Names variables of the mission that are counted without a limit.
 void noteUnlimitedCounts(support::DiagnosticBuilder& warning, const ProofContext& proof_context);
 
+/// Names each statement that sets a time of the mission's own to `missiontime` as a state begins:
+/// what happens within a time is proved from such a time only if a case sets it.
+void noteTimersOfEntries(support::DiagnosticBuilder& warning, const ProofContext& proof_context);
+
 /// Names, of each state that commands the surface, a case that may lead on under water before the
 /// slowest climb of the environment model is over.
 void noteEarlyLeaves(support::DiagnosticBuilder& diagnostic, const ProofContext& proof_context);

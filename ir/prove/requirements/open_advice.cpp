@@ -41,6 +41,17 @@ std::vector<VariableId> unlimitedCounts(const Mission& m) {
   return found;
 }
 
+/// Whether a case's guard reads a variable.
+bool isAsked(const Mission& m, VariableId variable) {
+  const auto asks = [&](const Case& c) {
+    return anyIn(m, c.guard,
+                 [&](const Expr& e) { return e.op == Op::Variable && e.variable == variable; });
+  };
+  return std::ranges::any_of(m.always, asks) || std::ranges::any_of(m.states, [&](const State& s) {
+           return std::ranges::any_of(s.cases, asks);
+         });
+}
+
 }  // namespace
 
 void notePowerCutsCount(support::DiagnosticBuilder& warning, const Requirement& requirement,
@@ -69,6 +80,22 @@ void noteUnlimitedCounts(support::DiagnosticBuilder& warning, const ProofContext
         fmt::format("`{}` is counted without a limit, and few proofs succeed then: give it "
                     "a range such as `in 0 .. 100`, and keep it there with `min` or `clamp`",
                     m[counts[i]].name));
+  }
+}
+
+void noteTimersOfEntries(support::DiagnosticBuilder& warning, const ProofContext& proof_context) {
+  const Mission& m = proof_context.mission;
+  for (const State& state : m.states) {
+    forEachStatement(m, state.entry, [&](const Statement& s) {
+      if (s.kind == StatementKind::Set && m[s.variable].kind == VariableKind::Mission &&
+          m[s.value].op == Op::MissionTime && isAsked(m, s.variable)) {
+        warning.note(s.range,
+                     fmt::format("`{}` is set as `{}` begins; a proof follows a time of the "
+                                 "mission's own only if cases set it: set it in the `do` of each "
+                                 "case that leads to `{}`",
+                                 m[s.variable].name, state.name, state.name));
+      }
+    });
   }
 }
 

@@ -165,6 +165,7 @@ void RequirementCheck::settle(Judged& judged) {
     notePowerCutsCount(warning, requirement, proof_context, context_.proof.ending);
   }
   noteUnlimitedCounts(warning, proof_context);
+  noteTimersOfEntries(warning, proof_context);
 }
 
 /// A flight that reaches a state does so under any assumptions (but see prove()).

@@ -132,7 +132,7 @@ TEST(LogText, OfEvents) {
   EXPECT_EQ(textLine(event(kNotKnown, "too deep")),
             "      16.0 s  instruction refused: too deep\n");
   EXPECT_EQ(textLine(event(kNotKnown)), "      16.0 s  instruction refused\n");
-  EXPECT_EQ(textLine(event(0.1234567)), "      16.0 s  instruction refused (0.123457)\n");
+  EXPECT_EQ(textLine(event(0.1234567)), "      16.0 s  instruction refused (0.1234567)\n");
 }
 
 TEST(LogText, WhatATerminalWouldObeyIsShownAsAQuestionMark) {

@@ -92,7 +92,7 @@ class TalkerTest : public ::testing::Test {
   void tick() {
     std::vector<GliderUpdate> frame{update(GLIDER_M_DEPTH, depth_)};
     if (reports_utc_) {
-      frame.push_back(update(GLIDER_M_PRESENT_TIME, utc()));
+      frame.push_back(update(GLIDER_M_PRESENT_TIME, utc() - report_is_late_));
     }
     auto count = static_cast<uint32_t>(frame.size());
     frame.resize(hooks::kMostSubscriptions);
@@ -139,7 +139,8 @@ class TalkerTest : public ::testing::Test {
   std::unique_ptr<Talker> talker_;
   ScriptedModem modem_;
   GliderContext* context_ = nullptr;
-  double now_ = 0, began_ = 0, clock_is_ahead_ = 0, utc_is_ahead_ = 0, depth_ = 7.3;
+  double now_ = 0, began_ = 0, clock_is_ahead_ = 0, utc_is_ahead_ = 0, report_is_late_ = 0,
+         depth_ = 7.3;
   double variation_ = kNan;
   bool flies_ = true, reports_utc_ = true;
   std::vector<double> said_at_;

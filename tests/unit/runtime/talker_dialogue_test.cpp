@@ -76,6 +76,41 @@ TEST_F(TalkerDialogue, ACycleWithoutAnAnswerIsGivenUp) {
   EXPECT_GE(talker_->counts().sent, 1U);
 }
 
+/// The frame would end in the slot of another vehicle.
+TEST_F(TalkerDialogue, AModemThatAsksLateGetsNoData) {
+  modem_.answer = [](ScriptedModem& modem, const std::string& body) {
+    if (!body.starts_with("CCCYC")) {
+      ScriptedModem::usual(modem, body);
+    }
+  };
+  for (const double late_s : {1.0, 3.0}) {
+    const size_t cycles = modem_.heardOf("CCCYC").size();
+    while (modem_.heardOf("CCCYC").size() == cycles) {
+      run(1);
+    }
+    run(late_s);
+    modem_.say("CADRQ,120000,1,0,0,32,1");
+    run(1);
+    const std::string data = modem_.heard.back().substr(12);
+    EXPECT_EQ(data.empty(), late_s > Talker::kLongestDialogueSecs) << late_s;
+    run(2 * Talker::kPatienceSecs);
+  }
+}
+
+/// A line that takes nothing for a while: what is written later begins no cycle of an old slot.
+TEST_F(TalkerDialogue, ACycleThatWasGivenUpIsNotBegunLater) {
+  run(20);
+  modem_.takes = 0;
+  const size_t before = modem_.heard.size();
+  while (talker_->counts().unanswered == 0) {
+    run(1);
+  }
+  modem_.takes = 1000;
+  run(1);
+  ASSERT_GT(modem_.heard.size(), before);
+  EXPECT_EQ(modem_.heard[before], "CCCFG,SRC,1") << "not a cycle";
+}
+
 TEST_F(TalkerDialogue, AFrameWithoutAnEndIsGivenUp) {
   modem_.answer = [](ScriptedModem& modem, const std::string& body) {
     if (!body.starts_with("CCTXD")) {

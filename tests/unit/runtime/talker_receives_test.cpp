@@ -38,6 +38,19 @@ TEST_F(TalkerReceives, WhatIsReceivedComesWithTheNextFrame) {
   EXPECT_TRUE(std::isnan(context_->readings[kPeerTop].value)) << "it is old";
 }
 
+/// Its age would be counted from the frame that it came with.
+TEST_F(TalkerReceives, WhatWaitsTooLongForAFrameIsDropped) {
+  for (const double wait_s : {Talker::kLongestWaitSecs - 2, Talker::kLongestWaitSecs + 2}) {
+    run(41);
+    modem_.say("CARXD,2,0,0,1," + hexOf(talk_, 0, {wait_s / 2, 1}));
+    flies_ = false;
+    run(wait_s);
+    flies_ = true;
+    run(kCycle);
+    EXPECT_EQ(context_->readings[kPeerTop].value, (Talker::kLongestWaitSecs - 2) / 2) << wait_s;
+  }
+}
+
 TEST_F(TalkerReceives, WhatTheSenderDidNotKnowChangesNothing) {
   run(41);
   modem_.say("CARXD,2,0,0,1," + hexOf(talk_, 0, {12.5, 1}));

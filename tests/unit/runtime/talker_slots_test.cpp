@@ -126,6 +126,23 @@ TEST_F(TalkerSlots, AfterAJumpOfUtcTheSlotsAreThoseOfTheNewTime) {
   }
 }
 
+/// The report that is least late counts, of the last eight: not the newest.
+TEST_F(TalkerSlots, ReportsThatAreLateNowMoreAndNowLessBeginNoSlotLate) {
+  make(1, 1);
+  talk_.messages[0].period = 1;
+  for (int i = 0; i < 150; ++i) {
+    report_is_late_ = i % 3 == 0 ? 0 : 3;
+    run(kCycle);
+  }
+  const auto times = timesOf("CCCYC");
+  EXPECT_GE(times.size(), 40U);
+  for (const double time : times) {
+    if (time > kMidnight + 8 * kCycle) {  // eight reports
+      EXPECT_LE(std::fmod(time, kSlot), 1) << time;
+    }
+  }
+}
+
 /// A cycle that takes 15 s: its report of UTC is late by that.
 TEST_F(TalkerSlots, AReportThatIsLateMovesNoSlot) {
   run(120);

@@ -66,7 +66,11 @@ void setUnit(const ir::Mission& m, ir::ExprId id, const support::Trace& trace,
   if (e.type.kind != ir::TypeKind::Quantity) {
     return;
   }
-  const int sensor = e.op == ir::Op::Sensor ? trace.column(m[e.sensor].vehicle_name) : -1;
+  // Of a window what its readings have: the language has no dimension for a concentration.
+  const ir::Expr& read = e.op == ir::Op::Temporal ? m[m[e.temporal].operand] : e;
+  const int sensor = read.op == ir::Op::Sensor && read.type == e.type
+                         ? trace.column(m[read.sensor].vehicle_name)
+                         : -1;
   if (e.type.dimension.dimensionless() && sensor >= 0) {
     column.unit = trace.columns[static_cast<size_t>(sensor)].unit;
     return;

@@ -125,6 +125,29 @@ TEST(LoggedValues, AreColumnsWithUnits) {
   EXPECT_EQ(trace.facts.logged[1].value, "chlorophyll");
 }
 
+TEST(LoggedValues, OfAWindowHaveTheUnitOfItsReadingsAndHalvesOfAPlaceTheirNames) {
+  auto compilation = compiler::compileText("w.mission", R"(mission w
+state s
+begin
+  flightprofile yo(5 m, 20 m)
+  sensors       missiontime, depth, chlorophyll, lat, lon
+  events
+    case missiontime > 1 h do
+      log "peak", highest(chlorophyll, 2 min), slope(chlorophyll, 10 m of depth), here
+    end stay
+end
+)");
+  ASSERT_TRUE(compilation && compilation->checked);
+  support::Trace trace = noted({"peak 4.5 0.25 39.17 -73.83"});
+  addLoggedValues(compiler::optimise(compilation->checked), trace);
+  ASSERT_EQ(trace.columns.size(), 7U);
+  EXPECT_EQ(trace.columns[3].unit, "ug/L");
+  EXPECT_NE(trace.columns[4].unit, "ug/L") << "a slope";
+  EXPECT_EQ(trace.columns[5].name, "log_peak_here_latitude");
+  EXPECT_EQ(trace.columns[6].name, "log_peak_here_longitude");
+  EXPECT_EQ(trace.facts.logged[3].value, "here longitude");
+}
+
 TEST(LoggedValues, AreShownRoundedWithTheirUnits) {
   support::Trace trace = noted({"bloom, at 11.7794151306 2.61221814156 -0.5",
                                 "bloom, at unknown 123456.789 0", "another 1.23456789012"});

@@ -7,6 +7,7 @@
 #include "codegen/llvm/budget/strongly_connected.h"
 
 #include <fmt/format.h>
+#include <llvm/Demangle/Demangle.h>
 
 #include <algorithm>
 #include <limits>
@@ -231,7 +232,7 @@ Bound weightOf(const Image& image, const Knowledge& knowledge, const Instruction
   if (one.repeats == Instruction::kUncounted) {
     return std::unexpected(
         fmt::format("it is not known how often `{}` repeats the instruction at {:#x}",
-                    image.symbolAt(one.address), one.address));
+                    llvm::demangle(image.symbolAt(one.address)), one.address));
   }
   if (one.repeats >= 0) {
     return add(1, static_cast<uint64_t>(one.repeats));
@@ -271,7 +272,7 @@ Bound WorstPath::bound(uint64_t entry) {
   if (knowledge_.never(name)) {
     return learn(0);
   }
-  learn(std::unexpected(fmt::format("`{}` may call itself", name)));
+  learn(std::unexpected(fmt::format("`{}` may call itself", llvm::demangle(name))));
   const auto graph = FlowGraph::follow(image_, entry);
   if (!graph) {
     return learn(std::unexpected(graph.error()));

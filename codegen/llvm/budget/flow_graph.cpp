@@ -42,7 +42,7 @@ std::optional<std::vector<uint64_t>> successors(const Image& image, const Instru
 }  // namespace
 
 std::string FlowGraph::whyLost(const Image& image, uint64_t address) {
-  return fmt::format("it is not known where `{}` continues at {:#x}", image.symbolAt(address),
+  return fmt::format("it is not known where `{}` continues at {:#x}", image.baseNameAt(address),
                      address);
 }
 

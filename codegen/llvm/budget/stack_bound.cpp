@@ -233,7 +233,7 @@ class StackBound::Walk {
 
   void give(const char* what, const Instruction& one) {
     problem_ =
-        fmt::format("{} `{}` at {:#x}", what, all_.image_.symbolAt(one.address), one.address);
+        fmt::format("{} `{}` at {:#x}", what, all_.image_.baseNameAt(one.address), one.address);
   }
 
   StackBound& all_;
@@ -267,7 +267,7 @@ StackBound::Bound StackBound::bound(uint64_t entry, uint32_t excluded) {
     return known->second;
   }
   known_.emplace(place,
-                 std::unexpected(fmt::format("`{}` may call itself", image_.symbolAt(entry))));
+                 std::unexpected(fmt::format("`{}` may call itself", image_.baseNameAt(entry))));
   Bound found = walk(entry, place.second);
   known_.insert_or_assign(place, found);
   return found;

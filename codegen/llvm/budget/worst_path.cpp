@@ -7,7 +7,6 @@
 #include "codegen/llvm/budget/strongly_connected.h"
 
 #include <fmt/format.h>
-#include <llvm/Demangle/Demangle.h>
 
 #include <algorithm>
 #include <limits>
@@ -232,7 +231,7 @@ Bound weightOf(const Image& image, const Knowledge& knowledge, const Instruction
   if (one.repeats == Instruction::kUncounted) {
     return std::unexpected(
         fmt::format("it is not known how often `{}` repeats the instruction at {:#x}",
-                    llvm::demangle(image.symbolAt(one.address)), one.address));
+                    image.baseNameAt(one.address), one.address));
   }
   if (one.repeats >= 0) {
     return add(1, static_cast<uint64_t>(one.repeats));
@@ -272,7 +271,7 @@ Bound WorstPath::bound(uint64_t entry) {
   if (knowledge_.never(name)) {
     return learn(0);
   }
-  learn(std::unexpected(fmt::format("`{}` may call itself", llvm::demangle(name))));
+  learn(std::unexpected(fmt::format("`{}` may call itself", image_.baseNameAt(entry))));
   const auto graph = FlowGraph::follow(image_, entry);
   if (!graph) {
     return learn(std::unexpected(graph.error()));

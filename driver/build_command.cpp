@@ -155,7 +155,9 @@ support::Result<void> buildProduct(const codegen::Product& product, const BuildO
     return std::unexpected(code.error());
   }
   code->addTo(how);
-  how.accepts = analysis::onlyWhatFits(board, mission.platform().envelope.cycle_s);
+  if (!options.port.ignore_limits) {
+    how.accepts = analysis::onlyWhatFits(board, mission.platform().envelope.cycle_s);
+  }
   return writeProduct(product, options, mission.input(), board, how);
 }
 
@@ -316,6 +318,8 @@ void addBuildCommand(CLI::App& app, int& status) {
                        fmt::format("{}", fmt::join(passes, ", ")) + " (not at -O0)")
       ->check(oneOf(passes))
       ->option_text("PASS ...");
+  command->add_flag("--ignore-limits", options->port.ignore_limits,
+                    "Build it even if it may need more than the board has (GL4013)");
   command->add_flag("--strict", options->strict,
                     "Exit with 1 also for warnings, and write nothing then");
   addLinkOption(*command, options->user_code);

@@ -184,7 +184,9 @@ support::Result<bool> writePortFolder(const PortOptions& options,
   const Names names(stemOf(mission_file), plan->file);
   codegen::CodegenOptions how = buildOptions(mission, kUsualLevel);
   how.port = plan->port;
-  how.accepts = analysis::onlyWhatFits(board, mission.platform().envelope.cycle_s);
+  if (!options.ignore_limits) {
+    how.accepts = analysis::onlyWhatFits(board, mission.platform().envelope.cycle_s);
+  }
   code->addTo(how);
   if (auto linked = codegen::linkExecutable(mission.input(), board, how, folder / names.program);
       !linked) {

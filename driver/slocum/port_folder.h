@@ -23,6 +23,7 @@ struct PortOptions {
   std::optional<double> greatest_depth_m;  ///< empty: the deepest that the mission commands
   std::optional<double> surface_after_s;
   uint32_t sensors = 32;
+  bool ignore_limits = false;  ///< of the board
 };
 
 /// The missions in a folder that build has written.

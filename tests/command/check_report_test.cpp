@@ -212,6 +212,10 @@ TEST(CheckReport, TooMuchForABoardIsAnError) {
     EXPECT_FALSE(fs::is_regular_file(out)) << way;
   }
   EXPECT_FALSE(fs::exists(out + "/sbc/heavy"));
+  EXPECT_EQ(runShell("$GLIDERCC build --target ts7800 --ignore-limits " + mission + " -o " + out +
+                     "-nevertheless")
+                .status,
+            0);
   EXPECT_EQ(runShell("$GLIDERCC build --target host " + mission + " -o " + out + "-host").status, 0)
       << "it has no limit";
 }

@@ -65,7 +65,8 @@ class OutlineReader {
   /// `resume within …`, `declination …`, `assume …`, `place NAME = …`
   [[nodiscard]] bool startsSoftItem() const {
     return (type(0) == GliderLexer::RESUME && type(1) == GliderLexer::WITHIN) || startsShare() ||
-           (oneOf(type(0), {GliderLexer::DECLINATION, GliderLexer::ASSUME}) &&
+           (oneOf(type(0),
+                  {GliderLexer::DECLINATION, GliderLexer::ASSUME, GliderLexer::VEHICLES}) &&
             endsValue(before())) ||
            (type(0) == GliderLexer::PLACE && isAnyName(type(1)) && type(2) == GliderLexer::ASSIGN);
   }

@@ -175,8 +175,7 @@ class StructureRepair {
 
   /// `assume`, `share` and `vehicles` may also be names.
   [[nodiscard]] bool startsAssumption(const Lexeme& t) const {
-    const bool names = t.type == GliderLexer::VEHICLES && isAnyName(peek(1).type) &&
-                       !oneOf(previous(), {GliderLexer::SHARE, GliderLexer::PLACE});
+    const bool names = t.type == GliderLexer::VEHICLES && isAnyName(peek(1).type);
     return (names || oneOf(t.type, {GliderLexer::ASSUME, GliderLexer::SHARE})) && blocks_.empty() &&
            endsValue(previous());
   }

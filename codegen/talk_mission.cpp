@@ -10,6 +10,8 @@
 namespace glider::codegen {
 namespace {
 
+static_assert(ir::kMostReadings == GLIDER_MOST_NAMED && ir::kMostShares == GLIDER_MOST_SHARES);
+
 constexpr auto kBeginWithinMs = static_cast<uint32_t>(platforms::kSlowestCycle_s * 1000);
 
 template <typename Id>
@@ -30,7 +32,13 @@ GliderTalk talkMissionOf(const ir::Mission& mission, const platforms::Platform& 
   talk.slot_s = platforms::slotOf(*platform.modem, platform.envelope.cycle_s);
   talk.begin_within_ms = kBeginWithinMs;
   talk.utc = mission.utc.index;
+  talk.vehicle_count = static_cast<uint32_t>(mission.vehicles.size());
   for (const ir::Share& share : mission.shares) {
+    for (const ir::FromVehicle& from : share.named) {
+      CHECK(talk.named_count < GLIDER_MOST_NAMED, "more values are received than a frame holds");
+      talk.named[talk.named_count++] = {from.sensor.index, static_cast<uint16_t>(talk.share_count),
+                                        static_cast<uint16_t>(from.address)};
+    }
     talk.shares[talk.share_count++] = {share.lowest,
                                        share.step,
                                        share.values,

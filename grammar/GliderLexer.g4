@@ -96,6 +96,8 @@ AS : 'as' ;
 CHANGES : 'changes' ;
 SHARE : 'share' ;
 PRECISION : 'precision' ;
+VEHICLES : 'vehicles' ;
+PEERS : 'peers' ;
 
 // Units (support/units/units.def) and the letters of positions; `S` and `W` are both. `min` is also the function.
 MIN : 'min' ;
@@ -103,8 +105,8 @@ UNIT : 'mm' | 'cm' | 'm' | 'km' | 'nmi' | 'ft' | 's' | 'h' | 'day' | 'rad' | 'de
   | 'V' | 'A' | 'J' | 'kJ' | 'MJ' | 'Ah' | '%' ;
 COMPASS : 'N' | 'S' | 'E' | 'W' ;
 
-// What the modem receives from other vehicles: `peer.top`.
-HEARD : 'peer.' [A-Za-z_] [A-Za-z_0-9]* ;
+// What the modem receives from other vehicles: `peer.top` from any, `ada.top` from `ada`.
+HEARD : [A-Za-z_] [A-Za-z_0-9]* '.' [A-Za-z_] [A-Za-z_0-9]* ;
 NAME : [A-Za-z_] [A-Za-z_0-9]* ;
 // A time of the calendar, UTC: `2026-11-25T12:00Z`. Whether there is such a day is checked later.
 INSTANT : [0-9] [0-9] [0-9] [0-9] '-' [0-9] [0-9] '-' [0-9] [0-9] 'T' [0-9] [0-9] ':' [0-9] [0-9] (':' [0-9] [0-9])? 'Z' ;

@@ -12,6 +12,7 @@ item
   : missionLine | platformLine | importLine
   | constant | parameter | variable
   | always | state | behaviour | external | place | requirement | assumption | resumption | declination | share
+  | vehicles
   ;
 
 missionLine : MISSION anyName ;
@@ -71,6 +72,9 @@ place : PLACE anyName ASSIGN expr ;
 
 // What other vehicles receive; with a type it declares the variable.
 share : SHARE anyName (COLON type (ASSIGN expr)?)? range? (PRECISION expr)? EVERY expr (STALE AFTER expr)? ;
+
+// The names of a fleet, in the order of the addresses of their modems.
+vehicles : VEHICLES anyName (COMMA anyName)* ;
 
 assumption : ASSUME premise ;
 premise
@@ -133,6 +137,7 @@ primary
   | name LBRACKET expr RBRACKET                    # index
   | (name | MIN) arguments                         # invocation
   | (name | HEARD)                                 # nameUse
+  | PEERS WITHIN primary                           # peersWithin
   ;
 unit : unitName ((TIMES | DIVIDE) unitName)* ;
 unitName : UNIT | COMPASS | MIN ;
@@ -144,6 +149,7 @@ name
   | SURFACES | RESUME | DECLINATION | RESTART | PLACE | CAN | VISIT | PATROL | STRICT | ORDER | FAIRLY | AT | MOST
   | LEAST | EXACTLY | TIMES_WORD | BEFORE | WHENEVER | WHEN | ONLY | NEXT | TICK | FOR | HOLD | UNTIL | OUTSIDE
   | FROM | TO | ASSUME | START | NO | OUTAGE | CURRENT | KNOWN | FIX | AS | CHANGES | SHARE | PRECISION
+  | VEHICLES | PEERS
   ;
 // A unit's name may name a mission or a state; elsewhere the frontend says why not.
 anyName : name | UNIT | COMPASS | MIN ;

@@ -10,6 +10,7 @@
 #include "support/one_line.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <map>
 #include <optional>
@@ -166,6 +167,10 @@ class Comparison {
     return texts;
   }
 
+  static std::string namesOf(const std::vector<std::string>& vehicles) {
+    return vehicles.empty() ? "nowhere" : fmt::format("`{}`", fmt::join(vehicles, "`, `"));
+  }
+
   /// Any of them changes what other vehicles understand.
   void compareShares() {
     const auto before = sharesOf(old_.m), after = sharesOf(new_.m);
@@ -182,6 +187,10 @@ class Comparison {
       if (!before.contains(name)) {
         lines.push_back(fmt::format("added: `{}`, {}", name, text));
       }
+    }
+    if (old_.m.vehicles != new_.m.vehicles) {
+      lines.push_back(fmt::format("the vehicles are now named {}, before {}",
+                                  namesOf(new_.m.vehicles), namesOf(old_.m.vehicles)));
     }
     part("shares", std::move(lines));
   }

@@ -61,6 +61,47 @@ Result<void> checkAlike(const flights::Fleet& fleet, const Talking& first, const
   return {};
 }
 
+/// Whether a vehicle has the address that its own mission knows it by.
+Result<void> checkAddress(const flights::Fleet& fleet, const Talking& vehicle) {
+  const std::vector<std::string>& names = vehicle.mission->vehicles;
+  const std::string& name = vehicle.vehicle->name;
+  const uint32_t address = vehicle.vehicle->address;
+  if (address <= names.size() && names[address - 1] == name) {
+    return {};
+  }
+  const auto place = std::ranges::find(names, name);
+  return refuse(fleet,
+                fmt::format("`{}` has address {}, but the line `vehicles` of its mission has {}",
+                            name, address,
+                            address <= names.size() ? fmt::format("`{}` there", names[address - 1])
+                                                    : fmt::format("only {} names", names.size())),
+                place != names.end()
+                    ? fmt::format("give it `address = {}`, the place of its name in that line",
+                                  place - names.begin() + 1)
+                    : "give the vehicles of the fleet file the names of that line");
+}
+
+/// The names that missions give the vehicles are those of the fleet file.
+Result<void> checkNames(const flights::Fleet& fleet, const std::vector<Talking>& vehicles) {
+  const Talking* first = nullptr;
+  for (const Talking& vehicle : vehicles) {
+    if (vehicle.mission->vehicles.empty()) {
+      continue;
+    }
+    if (auto right = checkAddress(fleet, vehicle); !right) {
+      return right;
+    }
+    first = first == nullptr ? &vehicle : first;
+    if (first->mission->vehicles != vehicle.mission->vehicles) {
+      return refuse(fleet,
+                    fmt::format("`{}` and `{}` do not have the same line `vehicles`",
+                                first->vehicle->name, vehicle.vehicle->name),
+                    "give all missions of a fleet the same line `vehicles`, or none");
+    }
+  }
+  return {};
+}
+
 Result<void> checkTurns(const flights::Fleet& fleet, const Talking& first) {
   const uint32_t slots = flights::slotsOf(fleet);
   if (slots > flights::kMostAddress) {
@@ -96,6 +137,9 @@ Result<void> checkTalk(const flights::Fleet& fleet, const std::vector<Talking>& 
     if (auto alike = checkAlike(fleet, *first, vehicle); !alike) {
       return alike;
     }
+  }
+  if (auto named = checkNames(fleet, vehicles); !named) {
+    return named;
   }
   return first != nullptr ? checkTurns(fleet, *first) : Result<void>{};
 }

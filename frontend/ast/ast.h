@@ -73,7 +73,10 @@ struct Argument {
   bool operator==(const Argument&) const = default;
 };
 
-/// `clamp(depth, 3 m, 24 m)`
+/// The function of `peers within 2 km`: no name is spelled so.
+inline constexpr std::string_view kPeersWithin = "peers within";
+
+/// `clamp(depth, 3 m, 24 m)`, and `peers within 2 km`, of the function kPeersWithin.
 struct Invocation {
   Name function;
   std::vector<Argument> arguments;
@@ -517,6 +520,13 @@ struct Share {
   bool operator==(const Share&) const = default;
 };
 
+/// `vehicles ada, bob`: the names of a fleet, in the order of the addresses of their modems.
+struct Vehicles {
+  std::vector<Name> names;
+  Where where;
+  bool operator==(const Vehicles&) const = default;
+};
+
 struct MissionLine {
   Name name;
   Where where;
@@ -537,7 +547,7 @@ struct Import {
 using Item =
     std::variant<MissionLine, PlatformLine, Import, Const, Param, Var, Always, State, Behaviour,
                  ExternFunction, ExternBehaviour, ExternSensor, PlaceDeclaration, Requirement,
-                 Assumption, Resumption, Declination, Share>;
+                 Assumption, Resumption, Declination, Share, Vehicles>;
 
 /// A mission file or a library file.
 struct File {

@@ -153,6 +153,14 @@ class FilePrinter {
                      stale));
   }
 
+  void write(const Vehicles& n) {
+    std::string names;
+    for (const Name& name : n.names) {
+      names += (names.empty() ? "" : ", ") + name.text;
+    }
+    line("vehicles " + names);
+  }
+
   static std::string promise(const AlwaysPromise& p) { return "always " + print(p.condition); }
   static std::string promise(const ExitPromise& p) { return "exit within " + print(p.within); }
   static std::string promise(const StackPromise& p) { return "stack <= " + print(p.depth); }

@@ -83,7 +83,12 @@ class ExprPrinter {
   void write(const Truth& node) { out_ += node.value ? "true" : "false"; }
   void write(const NameUse& node) { out_ += node.name; }
   void write(const Invocation& node) {
-    out_ += node.function.text + printArguments(node.arguments);
+    if (node.function.text == kPeersWithin) {
+      out_ += node.function.text + " ";
+      print(*node.arguments.front().value, kPrimaryBinds);
+    } else {
+      out_ += node.function.text + printArguments(node.arguments);
+    }
   }
   void write(const List& node) {
     out_ += "[";

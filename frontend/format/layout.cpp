@@ -55,10 +55,10 @@ class Layout {
     lines_.push_back({at_, at_, indent, indent, false});
   }
 
-  /// True at a line `declination -12 deg`, `assume no outage` or `share depth every 1 h`: where a
+  /// True at a line `declination -12 deg`, `assume no outage` or `vehicles ada, bob`: where a
   /// value or a name is expected, the word is a name.
   [[nodiscard]] bool softItem() const {
-    return tokenIsOneOf(token(), {"declination", "assume", "share"}) &&
+    return tokenIsOneOf(token(), {"declination", "assume", "share", "vehicles"}) &&
            !after({"mission", "platform", "const",    "param", "var",    "function", "sensor",
                    "=",       "+",        "-",        "*",     "/",      "(",        ",",
                    "[",       "in",       "..",       "where", "<",      "<=",       ">",
@@ -66,7 +66,7 @@ class Layout {
                    "or",      "not",      "of",       ":",     "always", "within",   "every",
                    "after",   "reach",    "never",    "reads", "place",  "visit",    "then",
                    "patrol",  "when",     "whenever", "hold",  "until",  "before",   "outside",
-                   "from",    "to",       "known"});
+                   "from",    "to",       "known",    "share", "assume", "precision"});
   }
 
   void topLevel() {

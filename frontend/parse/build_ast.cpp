@@ -89,6 +89,8 @@ ast::Item AstBuilder::item(Parser::ItemContext* rule) {
                               where(child)};
     case GliderParser::RuleShare:
       return share(static_cast<Parser::ShareContext*>(child));
+    case GliderParser::RuleVehicles:
+      return vehicles(static_cast<Parser::VehiclesContext*>(child));
     case GliderParser::RuleExternal:
       return external(static_cast<Parser::ExternalContext*>(child));
     default:
@@ -146,6 +148,14 @@ std::optional<std::vector<ast::Formal>> AstBuilder::formals(Parser::FormalsConte
          formal->expr() != nullptr ? std::optional(expr(formal->expr())) : std::nullopt});
   }
   return list;
+}
+
+ast::Vehicles AstBuilder::vehicles(Parser::VehiclesContext* rule) {
+  ast::Vehicles result{{}, where(rule)};
+  for (auto* one : rule->anyName()) {
+    result.names.push_back(name(one));
+  }
+  return result;
 }
 
 /// Its times and the rest are distinguished by the words before them.

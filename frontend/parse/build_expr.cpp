@@ -129,6 +129,14 @@ ast::Expr AstBuilder::named(Parser::PrimaryContext* rule) {
   if (rule->start->getType() == GliderParser::HEARD) {
     return {ast::NameUse{text(rule)}, where(rule)};
   }
+  if (typeid(*rule) == typeid(Parser::PeersWithinContext)) {
+    auto* radius = static_cast<Parser::PrimaryContext*>(rule->children.back());
+    ast::Where words = where(rule->start);
+    words.end = where(wordOf(rule->children[1])).end;
+    return {ast::Invocation{{std::string(ast::kPeersWithin), words},
+                            {{primary(radius), std::nullopt, std::nullopt}}},
+            where(rule)};
+  }
   if (rule->children.size() == 1) {
     return {ast::NameUse{oneSpaced(text(rule))}, where(rule)};
   }

@@ -26,9 +26,7 @@ size_t pastBlanks(std::string_view text, size_t at) {
   return next == std::string_view::npos ? text.size() : next;
 }
 
-}  // namespace
-
-std::vector<Lexeme> lex(std::string_view text, size_t start) {
+std::vector<Lexeme> readLexemes(std::string_view text, size_t start) {
   ByteCharStream stream(text, start);
   GliderLexer lexer(&stream);
   lexer.removeErrorListeners();
@@ -56,6 +54,36 @@ std::vector<Lexeme> lex(std::string_view text, size_t start) {
                        static_cast<uint32_t>(token->getStartIndex()), static_cast<uint32_t>(at)});
   }
   lexemes.push_back({static_cast<uint32_t>(antlr4::Token::EOF), end, end});
+  return lexemes;
+}
+
+/// `look.deep` is an error where nothing is received, which phrases and names repair: three
+/// tokens.
+void divide(std::string_view text, std::vector<Lexeme>& lexemes) {
+  constexpr std::string_view kPeer = "peer.";
+  for (size_t i = 0; i < lexemes.size(); ++i) {
+    const Lexeme whole = lexemes[i];
+    if (whole.type != GliderLexer::HEARD || text.substr(whole.begin).starts_with(kPeer)) {
+      continue;
+    }
+    const auto point = static_cast<uint32_t>(text.find('.', whole.begin));
+    const Lexeme after = readLexemes(text.substr(0, whole.end), point + 1).front();
+    lexemes[i] = readLexemes(text.substr(0, point), whole.begin).front();
+    lexemes.insert(lexemes.begin() + static_cast<ptrdiff_t>(i) + 1,
+                   {{GliderLexer::FOREIGN, point, point + 1}, after});
+  }
+}
+
+}  // namespace
+
+std::vector<Lexeme> lex(std::string_view text, size_t start) {
+  std::vector<Lexeme> lexemes = readLexemes(text, start);
+  const bool talks = std::ranges::any_of(lexemes, [](const Lexeme& lexeme) {
+    return lexeme.type == GliderLexer::SHARE || lexeme.type == GliderLexer::VEHICLES;
+  });
+  if (!talks) {
+    divide(text, lexemes);
+  }
   return lexemes;
 }
 
@@ -95,7 +123,7 @@ constinit const std::array<uint8_t, kMostTypes> kGroups = [] {
     }
   };
   mark(GliderLexer::MISSION, GliderLexer::NOT_WORD, kHardKeyword);
-  mark(GliderLexer::IN, GliderLexer::PRECISION, kSoftKeyword | kName | kAnyName);
+  mark(GliderLexer::IN, GliderLexer::PEERS, kSoftKeyword | kName | kAnyName);
   mark(GliderLexer::NAME, GliderLexer::NAME, kName | kAnyName);
   mark(GliderLexer::MIN, GliderLexer::MIN, kAnyName);
   mark(GliderLexer::UNIT, GliderLexer::COMPASS, kAnyName);

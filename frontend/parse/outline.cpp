@@ -65,6 +65,7 @@ class OutlineReader {
   /// `resume within …`, `declination …`, `assume …`, `place NAME = …`
   [[nodiscard]] bool startsSoftItem() const {
     return (type(0) == GliderLexer::RESUME && type(1) == GliderLexer::WITHIN) || startsShare() ||
+           startsVehicles() ||
            (oneOf(type(0), {GliderLexer::DECLINATION, GliderLexer::ASSUME}) &&
             endsValue(before())) ||
            (type(0) == GliderLexer::PLACE && isAnyName(type(1)) && type(2) == GliderLexer::ASSIGN);
@@ -75,6 +76,21 @@ class OutlineReader {
     return type(0) == GliderLexer::SHARE && endsValue(before()) && isAnyName(type(1));
   }
 
+  /// `vehicles ada, bob`, at the beginning of a line
+  [[nodiscard]] bool startsVehicles() const {
+    const uint32_t end = at_ == 0 ? 0 : lexemes_[at_ - 1].end;
+    return type(0) == GliderLexer::VEHICLES && isAnyName(type(1)) && endsValue(before()) &&
+           source_.text().substr(end, peek(0).begin - end).contains('\n');
+  }
+
+  /// The names of vehicles are names of nothing in the mission.
+  void skipVehicles() {
+    at_ += 2;
+    while (type(0) == GliderLexer::COMMA && isAnyName(type(1))) {
+      at_ += 2;
+    }
+  }
+
   /// Reads one construct, and at least one token.
   void step() {
     if (startsItem(type(0)) && before() != GliderLexer::REQUIRE) {
@@ -83,6 +99,9 @@ class OutlineReader {
     if (definesBehaviour()) {
       closeBody(peek(0).begin);
       return declareWithBody(behaviourKind(type(0)));
+    }
+    if (startsVehicles()) {
+      return skipVehicles();
     }
     switch (type(0)) {
       case GliderLexer::MISSION:

@@ -173,9 +173,10 @@ class StructureRepair {
     out_.pop_back();
   }
 
-  /// `assume` and `share` may also be names.
+  /// `assume`, `share` and `vehicles` may also be names.
   [[nodiscard]] bool startsAssumption(const Lexeme& t) const {
-    return oneOf(t.type, {GliderLexer::ASSUME, GliderLexer::SHARE}) && blocks_.empty() &&
+    const bool names = t.type == GliderLexer::VEHICLES && isAnyName(peek(1).type);
+    return (names || oneOf(t.type, {GliderLexer::ASSUME, GliderLexer::SHARE})) && blocks_.empty() &&
            endsValue(previous());
   }
 

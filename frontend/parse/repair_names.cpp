@@ -27,10 +27,10 @@ bool isDigit(char c) {
 /// Whether it may be part of what was written as a name.
 bool maybePart(uint32_t type) {
   return isAnyName(type) ||
-         oneOf(type,
-               {GliderLexer::NUMBER, GliderLexer::STRING, GliderLexer::MINUS, GliderLexer::PLUS,
-                GliderLexer::COLON, GliderLexer::COMMA, GliderLexer::DIVIDE, GliderLexer::ASSIGN,
-                GliderLexer::EQ, GliderLexer::NOT, GliderLexer::TIMES, GliderLexer::RPAREN});
+         oneOf(type, {GliderLexer::HEARD, GliderLexer::NUMBER, GliderLexer::STRING,
+                      GliderLexer::MINUS, GliderLexer::PLUS, GliderLexer::COLON, GliderLexer::COMMA,
+                      GliderLexer::DIVIDE, GliderLexer::ASSIGN, GliderLexer::EQ, GliderLexer::NOT,
+                      GliderLexer::TIMES, GliderLexer::RPAREN});
 }
 
 /// A keyword that the name of a state may be meant to contain: `state return home`.
@@ -46,7 +46,7 @@ bool isTarget(uint32_t type) {
 /// Whether it begins a declaration, though it may also be a name.
 bool isSoftItem(uint32_t type) {
   return oneOf(type, {GliderLexer::PLACE, GliderLexer::RESUME, GliderLexer::DECLINATION,
-                      GliderLexer::ASSUME, GliderLexer::SHARE});
+                      GliderLexer::ASSUME, GliderLexer::SHARE, GliderLexer::VEHICLES});
 }
 
 }  // namespace

@@ -311,11 +311,15 @@ bool ValueRepair::listsValues() const {
   return parentheses_.empty() || parentheses_.back().lists;
 }
 
-/// `10 m of depth`, and the second half of `39.2 N 73.9 W`.
+/// `10 m of depth`, `peers within 2 km`, and the second half of `39.2 N 73.9 W`.
 bool ValueRepair::belongTogether(const Lexeme& t, const Lexeme& next) const {
   const size_t n = out_.size();
   if (t.type == GliderLexer::OF ||
       (previous() == GliderLexer::OF && n > 1 && endsValue(out_[n - 2].type))) {
+    return true;
+  }
+  if ((t.type == GliderLexer::WITHIN && previous() == GliderLexer::PEERS) ||
+      (previous() == GliderLexer::WITHIN && n > 1 && out_[n - 2].type == GliderLexer::PEERS)) {
     return true;
   }
   if (t.type == GliderLexer::NUMBER && n > 1 && out_[n - 2].type == GliderLexer::NUMBER &&

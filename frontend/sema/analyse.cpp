@@ -9,6 +9,7 @@
 #include "frontend/sema/declarations/lower_resumption.h"
 #include "frontend/sema/declarations/shares.h"
 #include "frontend/sema/declarations/variables.h"
+#include "frontend/sema/declarations/vehicles.h"
 #include "frontend/sema/names/scope.h"
 #include "frontend/sema/states/lower_behaviour.h"
 #include "frontend/sema/states/lower_case.h"
@@ -37,6 +38,7 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
   }
   declare(mission, false, scope);
   declareValues(mission, scope);
+  lowerVehicles(mission, scope);
   lowerShares(mission, scope);
   lowerDeclination(mission, scope);
   declareStates(mission, scope);
@@ -54,6 +56,7 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
   lowerResumption(mission, scope);
   lowerCompass(mission, scope);
   finishShares(mission, scope);
+  finishVehicles(scope);
   if (diagnostics.hasErrors()) {
     return std::nullopt;
   }

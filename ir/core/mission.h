@@ -416,8 +416,18 @@ struct Assumption {
   }
 };
 
+/// A frame of the vehicle holds at most as many readings.
+inline constexpr size_t kMostReadings = 64;
 /// A mission has at most as many shares.
 inline constexpr size_t kMostShares = 32;
+/// A mission names at most as many vehicles: a modem has no more addresses.
+inline constexpr size_t kMostNamedVehicles = 15;
+
+/// What was last received of a share from one vehicle.
+struct FromVehicle {
+  uint32_t address = 0;  ///< of its modem: its place in Mission::vehicles, from 1 on
+  SensorId sensor;
+};
 
 /// A value that the vehicle tells the others of a fleet by its acoustic modem, as one of `values`
 /// numbers `lowest` + i `step`; an unknown one, and one outside of them, is sent as unknown. All
@@ -426,12 +436,13 @@ struct Share {
   std::string name;
   SensorId sensor;      ///< what is sent: a reading or, if this is not valid,
   VariableId variable;  ///< a variable of the mission, or a parameter
-  SensorId peer;        ///< what was last received of it from another vehicle; invalid: not read
+  SensorId peer;        ///< what was last received of it from any other; invalid: not read
   double lowest = 0;    ///< SI units or degrees
   double step = 0;      ///< positive
   uint32_t values = 0;  ///< 1 at least, below UINT32_MAX; of a truth value 2
   double period_s = 0;  ///< at most once in this time; positive
   support::SourceRange range;
+  std::vector<FromVehicle> named = {};  ///< by address: those that the mission reads
 };
 
 /// Used if a mission does not define it: longer than any reboot, and short enough that what the
@@ -477,6 +488,7 @@ struct Mission {
   std::optional<Compass> compass;  ///< empty: the mission does not use headings
   std::vector<Share> shares;       ///< those of a period one after the other, shortest period first
   SensorId utc;  ///< the vehicle's clock, of a mission with shares: it is in `sensors`
+  std::vector<std::string> vehicles;  ///< names of the fleet, by the address of the modem, from 1
 
   [[nodiscard]] const Expr& operator[](ExprId id) const { return exprs.at(id.index); }
   [[nodiscard]] const State& operator[](StateId id) const { return states.at(id.index); }

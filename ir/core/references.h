@@ -96,6 +96,9 @@ class References {
     name(share.sensor);
     name(share.variable);
     name(share.peer);
+    for (FromVehicle& from : share.named) {
+      name(from.sensor);
+    }
   }
   /// In the mission itself and in its states; not in what has a number of its own and may not be
   /// used: expressions, blocks, temporals, variables, and uses of functions.

@@ -32,6 +32,7 @@ class ShareValidator {
       received(share);
     }
     periods();
+    vehicles();
     clock();
     sensors();
   }
@@ -70,16 +71,36 @@ class ShareValidator {
   }
 
   void received(const Share& share) {
-    if (!share.peer.valid()) {
-      return;
+    if (share.peer.valid()) {
+      received(share, share.peer);
     }
-    const bool exists = share.peer.index < m_.sensors.size();
-    require(exists && m_.sensors[share.peer.index].isHeard(), share,
+    uint32_t before = 0;
+    for (const FromVehicle& from : share.named) {
+      require(from.address > before && from.address <= m_.vehicles.size(), share,
+              "share `{}` is received from vehicle {} after {}, of {}", from.address, before,
+              m_.vehicles.size());
+      before = from.address;
+      received(share, from.sensor);
+    }
+  }
+
+  void received(const Share& share, SensorId id) {
+    const bool exists = id.index < m_.sensors.size();
+    require(exists && m_.sensors[id.index].isHeard(), share,
             "what is received of share `{}` is not a sensor of what is received");
     if (exists) {
-      require(heard_.insert(share.peer).second, share,
+      require(heard_.insert(id).second, share,
               "what is received of share `{}` is also received of another");
     }
+  }
+
+  void vehicles() {
+    const std::set<std::string_view> names(m_.vehicles.begin(), m_.vehicles.end());
+    defects_.require(names.size() == m_.vehicles.size(), {}, "two vehicles have the same name");
+    defects_.require(m_.vehicles.size() <= kMostNamedVehicles, {}, "there are {} named vehicles",
+                     m_.vehicles.size());
+    defects_.require(heard_.size() <= GLIDER_MOST_NAMED, {}, "{} values are received",
+                     heard_.size());
   }
 
   /// Those of a period are one message, which must fit into a frame.

@@ -101,12 +101,18 @@ void Printer::shares() {
   if (m_.utc.valid()) {
     add("\nutc {}", nameText(m_[m_.utc].name));
   }
+  for (const std::string& vehicle : m_.vehicles) {
+    add("\nvehicle {}", nameText(vehicle));
+  }
   for (const Share& s : m_.shares) {
     add("\nshare {} of ", nameText(s.name));
     s.sensor.valid() ? add("sensor {}", nameText(m_[s.sensor].name))
                      : add("variable {}", nameText(m_[s.variable].name));
     if (s.peer.valid()) {
       add(" received {}", nameText(m_[s.peer].name));
+    }
+    for (const FromVehicle& from : s.named) {
+      add(" received {} from {}", nameText(m_[from.sensor].name), from.address);
     }
     add(" lowest {} step {} values {} every {}", s.lowest, s.step, s.values, s.period_s);
   }

@@ -72,6 +72,8 @@ class Reader {
       share();
     } else if (in_.accept("utc")) {
       m_.utc = sensorName();
+    } else if (in_.accept("vehicle")) {
+      m_.vehicles.push_back(in_.name("the name of a vehicle"));
     } else if (in_.accept("always")) {
       always();
     } else if (in_.accept("state")) {
@@ -91,8 +93,9 @@ class Reader {
       compass();
     } else if (!code_.definition()) {
       in_.failExpecting(
-          "`sensor`, `behaviour`, `variable`, `table`, `function`, `use`, `share`, `utc`, `let`, "
-          "`always`, `state`, `every`, `require`, `assume`, `resume` or `compass`");
+          "`sensor`, `behaviour`, `variable`, `table`, `function`, `use`, `share`, `utc`, "
+          "`vehicle`, `let`, `always`, `state`, `every`, `require`, `assume`, `resume` or "
+          "`compass`");
     }
   }
 
@@ -118,8 +121,13 @@ class Reader {
       in_.expect("variable");
       s.variable = code_.variableName();
     }
-    if (in_.accept("received")) {
-      s.peer = sensorName();
+    while (in_.accept("received")) {
+      const SensorId sensor = sensorName();
+      if (in_.accept("from")) {
+        s.named.push_back({static_cast<uint32_t>(in_.integer(0, UINT32_MAX)), sensor});
+      } else {
+        s.peer = sensor;
+      }
     }
     in_.expect("lowest");
     s.lowest = in_.number(false);

@@ -11,6 +11,8 @@
 /* Frames of the modem that the program fills: 32 bytes, at rate 0. */
 #define GLIDER_MOST_MESSAGE_BYTES 32u
 #define GLIDER_NO_PLACE UINT32_MAX
+/* Values that are received from named vehicles, at most: a frame of the vehicle holds no more. */
+#define GLIDER_MOST_NAMED 64u
 
 /* A value that the vehicle tells others: one of the numbers lowest + i step, 0 <= i < values. */
 typedef struct GliderShare {
@@ -21,6 +23,13 @@ typedef struct GliderShare {
   uint32_t variable; /* place in GliderContext::variables */
   uint32_t peer;     /* place in the mission's sensors of what is received, or GLIDER_NO_PLACE */
 } GliderShare;
+
+/* What is received of a share from one vehicle. */
+typedef struct GliderNamed {
+  uint32_t reading; /* place in the mission's sensors */
+  uint16_t share;
+  uint16_t source; /* the address of that vehicle */
+} GliderNamed;
 
 /* The shares of one period: one message. */
 typedef struct GliderMessage {
@@ -41,8 +50,11 @@ typedef struct GliderTalk {
   uint32_t message_count;
   uint32_t
       begin_within_ms; /* of its slot: a message that was not begun by then waits for the next */
+  uint32_t named_count;
+  uint32_t vehicle_count; /* whose names the mission knows, by address; 0: it knows none */
   GliderShare shares[GLIDER_MOST_SHARES];
   GliderMessage messages[GLIDER_MOST_SHARES];
+  GliderNamed named[GLIDER_MOST_NAMED];
 } GliderTalk;
 
 #endif

@@ -136,6 +136,10 @@ int openModemLine(const Options& program) {
     tell("error: --address is greater than --vehicles");
     return kWrongUse;
   }
+  if (gliderTalk.vehicle_count != 0 && options.address > gliderTalk.vehicle_count) {
+    tell("error: no vehicle of the mission has this --address");
+    return kWrongUse;
+  }
   const bool serial = !program.stdio && ownDescriptor() == nullptr;
   if (serial && strcmp(options.path, portOf(program)) == 0) {
     tell("error: --modem and the line to the vehicle are both `", options.path, "`");

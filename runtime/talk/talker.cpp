@@ -161,7 +161,7 @@ void Talker::takeFrame(const Received& frame, GliderContext* context) {
     if (isOf(talk_.messages[i], frame.data)) {
       ++counts_.received;
       if (context != nullptr) {
-        keep(talk_.messages[i], frame.data, *context);
+        keep(talk_.messages[i], frame, *context);
       }
       return;
     }
@@ -178,17 +178,29 @@ bool Talker::isOf(const GliderMessage& message, const Data& data) const {
 }
 
 /// For the vehicle's next frame. A value that the sender did not know changes nothing.
-void Talker::keep(const GliderMessage& message, const Data& data, GliderContext& context) {
-  MessageReader reader(data.bytes, data.size);
-  for (uint32_t i = 0; i < message.count; ++i) {
-    const GliderShare& share = talk_.shares[message.first + i];
-    const double value = reader.take(scaleOf(share));
-    if (value == value && share.peer != GLIDER_NO_PLACE) {
-      context.readings[share.peer].raw = value;
-      context.readings[share.peer].waiting = 1;
-      received_[message.first + i] = clock_.now();
+void Talker::keep(const GliderMessage& message, const Received& frame, GliderContext& context) {
+  MessageReader reader(frame.data.bytes, frame.data.size);
+  for (uint32_t share = message.first; share < message.first + message.count; ++share) {
+    const double value = reader.take(scaleOf(talk_.shares[share]));
+    if (value != value) {
+      continue;
+    }
+    if (talk_.shares[share].peer != GLIDER_NO_PLACE) {
+      wait(context.readings[talk_.shares[share].peer], value, received_[share]);
+    }
+    for (uint32_t i = 0; i < talk_.named_count; ++i) {
+      const GliderNamed& named = talk_.named[i];
+      if (named.share == share && named.source == frame.source) {
+        wait(context.readings[named.reading], value, named_received_[i]);
+      }
     }
   }
+}
+
+void Talker::wait(GliderReading& reading, double value, double& received) {
+  reading.raw = value;
+  reading.waiting = 1;
+  received = clock_.now();
 }
 
 /// Drops what has waited for a frame of the vehicle for so long that its age would be wrong.
@@ -197,6 +209,11 @@ void Talker::forget(GliderContext& context) const {
     const uint32_t peer = talk_.shares[i].peer;
     if (peer != GLIDER_NO_PLACE && clock_.now() - received_[i] > kLongestWaitSecs) {
       context.readings[peer].waiting = 0;
+    }
+  }
+  for (uint32_t i = 0; i < talk_.named_count; ++i) {
+    if (clock_.now() - named_received_[i] > kLongestWaitSecs) {
+      context.readings[talk_.named[i].reading].waiting = 0;
     }
   }
 }

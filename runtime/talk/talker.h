@@ -76,8 +76,9 @@ class Talker {
   void takeRequest(const hooks::micro_modem::DataRequest& request, const GliderContext* context);
   void takeFrame(const hooks::micro_modem::Received& frame, GliderContext* context);
   [[nodiscard]] bool isOf(const GliderMessage& message, const hooks::micro_modem::Data& data) const;
-  void keep(const GliderMessage& message, const hooks::micro_modem::Data& data,
+  void keep(const GliderMessage& message, const hooks::micro_modem::Received& frame,
             GliderContext& context);
+  void wait(GliderReading& reading, double value, double& received);
   void forget(GliderContext& context) const;
   void pack(const GliderMessage& message, const GliderContext& context,
             hooks::micro_modem::Data& data) const;
@@ -108,6 +109,7 @@ class Talker {
   double sent_[GLIDER_MOST_SHARES] = {};
   bool was_sent_[GLIDER_MOST_SHARES] = {};
   double received_[GLIDER_MOST_SHARES] = {};
+  double named_received_[GLIDER_MOST_NAMED] = {};
 };
 
 }  // namespace glider::runtime::talk

@@ -8,8 +8,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <gmock/gmock.h>
+#include <sstream>
 #include <string>
 
 namespace glider::tests {
@@ -18,6 +21,9 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
+const std::string kPlace =
+    "share lat in 39 N .. 40 N precision 0.0001 deg every 2 min\n"
+    "share lon in 74 W .. 73 W precision 0.0001 deg every 2 min\n";
 const std::string kTop = "share top: length in 0 m .. 100 m precision 1 m every 2 min\n";
 
 class TalkingFleet : public ::testing::Test {
@@ -39,6 +45,31 @@ state near
 begin
   flightprofile yo(5 m, 20 m)
   sensors       missiontime, depth, peer.top
+  events
+    case missiontime >= 40 min exit
+    case true                  do set top = clamp(depth, 0 m, 100 m) end stay
+end
+)");
+  }
+  /// One that knows the names of its fleet, and climbs as soon as `guard` is true.
+  void named(const std::string& name, const std::string& vehicles, const std::string& guard,
+             const std::string& more = "") const {
+    (void)folder_.write(name + ".mission",
+                        "mission " + name + "\n" + vehicles + kTop + kPlace + more + R"(
+require always depth < 45 m
+state out
+begin
+  flightprofile yo(5 m, 30 m)
+  sensors       missiontime, depth, lat, lon
+  events
+    case missiontime >= 40 min exit
+    case )" + guard + R"(       goto near
+    case true                  do set top = clamp(depth, 0 m, 100 m) end stay
+end
+state near
+begin
+  flightprofile yo(5 m, 20 m)
+  sensors       missiontime, depth
   events
     case missiontime >= 40 min exit
     case true                  do set top = clamp(depth, 0 m, 100 m) end stay
@@ -159,6 +190,106 @@ TEST_F(TalkingFleet, ReplaysWhatWasReceived) {
   const Outcome replayed = run("$GLIDERCC sim --replay t/requirement-1/trace.json one.mission");
   EXPECT_THAT(replayed.out + replayed.err, Not(HasSubstr("does not follow")));
   EXPECT_THAT(replayed.out, HasSubstr("in-process followed the counterexample"));
+}
+
+/// One mission for both: nothing is received from the vehicle itself.
+TEST_F(TalkingFleet, KnowsWhoTells) {
+  named("one", "vehicles a, b\n", "known(b.top)");
+  fleet("");
+  EXPECT_EQ(run("$GLIDERCC sim f.toml -o f").status, 0);
+  EXPECT_THAT(slurped("f/a/events.csv"), HasSubstr("out → near (goto)"));
+  EXPECT_THAT(slurped("f/b/events.csv"), HasSubstr("received"));
+  EXPECT_THAT(slurped("f/b/events.csv"), Not(HasSubstr("goto")));
+}
+
+TEST_F(TalkingFleet, KnowsHowFarTheOthersAre) {
+  for (const auto& [guard, is_true] :
+       {std::pair("nearest < 1 km", true), std::pair("nearest < 100 m", false),
+        std::pair("peers within 1 km == 1", true), std::pair("peers within 1 km > 1", false),
+        std::pair("known(nearest) && peers within 100 m == 0", true)}) {
+    named("one", "vehicles a, b, c\n", guard);
+    fleet("");
+    EXPECT_EQ(run("$GLIDERCC sim f.toml -o f").status, 0);
+    for (const char* name : {"a", "b"}) {
+      const bool fired =
+          slurped(std::string("f/") + name + "/events.csv").find("goto") != std::string::npos;
+      EXPECT_EQ(fired, is_true) << guard << ' ' << name;
+    }
+  }
+}
+
+/// What is proved holds for anything that a named vehicle tells, and the flight that shows the
+/// opposite has what it told.
+TEST_F(TalkingFleet, ReplaysWhatNamedVehiclesTell) {
+  for (const char* guard :
+       {"b.top > 50 m && a.top < 3 m", "known(nearest)", "peers within 20000 km >= 1"}) {
+    named("one", "vehicles a, b\n", guard, "require never near\n");
+    const Outcome checked = run("$GLIDERCC check --traces t one.mission");
+    EXPECT_EQ(checked.status, 1) << guard << checked.out;
+    const Outcome replayed = run("$GLIDERCC sim --replay t/requirement-1/trace.json one.mission");
+    EXPECT_THAT(replayed.out, HasSubstr("in-process followed the counterexample"))
+        << guard << replayed.err;
+  }
+}
+
+TEST_F(TalkingFleet, ADifferenceBetweenVersionsIsWhoIsNamed) {
+  named("one", "vehicles a, b\n", "known(b.top)");
+  named("two", "vehicles b, a\n", "known(b.top)");
+  EXPECT_THAT(run("$GLIDERCC diff one.mission two.mission").out,
+              HasSubstr("now named `b`, `a`, before `a`, `b`"));
+}
+
+/// The example: three gliders that begin on one half of a loop.
+TEST_F(TalkingFleet, KeepsAThirdOfALoopBetweenThem) {
+  const std::string loop = std::filesystem::path(GLIDER_SOURCE_DIR) / "missions/fleet/loop";
+  EXPECT_THAT(run("$GLIDERCC check " + loop + ".mission").out, HasSubstr("4 requirements proved"));
+  EXPECT_EQ(run("$GLIDERCC sim " + loop + ".toml -o f").status, 0);
+  std::istringstream rows(slurped("f/distances.csv"));
+  std::string row;
+  std::getline(rows, row);  // its titles
+  double least_before = 1e9, least_after = 1e9, most_after = 0;
+  while (std::getline(rows, row)) {
+    double time = 0, one = 0, two = 0, three = 0;
+    if (std::sscanf(row.c_str(), "%lf,%lf,%lf,%lf", &time, &one, &two, &three) != 4) {
+      continue;
+    }
+    const double least = std::min({one, two, three});
+    if (time < 600) {
+      least_before = std::min(least_before, least);
+    } else if (time > 5 * 3600 && time < 10.5 * 3600) {
+      least_after = std::min(least_after, least);
+      most_after = std::max({most_after, one, two, three});
+    }
+  }
+  EXPECT_LT(least_before, 950) << "a sixth of the loop";
+  EXPECT_GT(least_after, 1250) << "a third is 1560 m";
+  EXPECT_LT(most_after, 1800) << "of a loop of 1800 m";
+}
+
+// rejects: GL9304
+TEST_F(TalkingFleet, MustHaveTheNamesOfTheFleetFile) {
+  const std::string guard = "known(a.top)";
+  const auto refused = [&](const std::string& first, const std::string& second,
+                           const std::string& file) {
+    named("one", first, guard);
+    named("two", second, guard);
+    (void)folder_.write("f.toml", file);
+    EXPECT_NE(run("$GLIDERCC sim f.toml -o f").status, 0);
+    return run("$GLIDERCC check f.toml").err;
+  };
+  const std::string line = "vehicles a, b\n", ab = vehicle("a", "one") + vehicle("b", "two");
+  EXPECT_THAT(refused(line, line, vehicle("b", "one") + vehicle("a", "two")),
+              HasSubstr("`b` has address 1, but the line `vehicles` of its mission has `a` there"));
+  EXPECT_THAT(refused(line, line,
+                      vehicle("a", "one", "address = 1\n") + vehicle("c", "two", "address = 3\n")),
+              HasSubstr("`c` has address 3, but the line `vehicles` of its mission has only 2"));
+  EXPECT_THAT(refused(line, "vehicles a, b, c\n", ab),
+              HasSubstr("`a` and `b` do not have the same line `vehicles`"));
+  named("one", line, guard);
+  named("two", "", "known(peer.top)");
+  (void)folder_.write("f.toml", ab);
+  const Outcome good = run("$GLIDERCC check f.toml");
+  EXPECT_EQ(good.status, 0) << "one of them has no names: " << good.err;
 }
 
 // rejects: GL9304

@@ -20,8 +20,9 @@ class TalkConstant {
   explicit TalkConstant(llvm::LLVMContext& context) : context_(context) {}
 
   llvm::Constant* of(const GliderTalk& talk) {
-    std::vector<llvm::Constant*> fields = fieldsOf(
-        {talk.slot_s}, {talk.utc, talk.share_count, talk.message_count, talk.begin_within_ms});
+    std::vector<llvm::Constant*> fields =
+        fieldsOf({talk.slot_s}, {talk.utc, talk.share_count, talk.message_count,
+                                 talk.begin_within_ms, talk.named_count, talk.vehicle_count});
     fields.push_back(arrayOf(talk.shares, [this](const GliderShare& share) {
       return llvm::ConstantStruct::getAnon(
           context_, fieldsOf({share.lowest, share.step},
@@ -31,6 +32,13 @@ class TalkConstant {
       return llvm::ConstantStruct::getAnon(
           context_, fieldsOf({message.period},
                              {message.first, message.count, message.signature, message.bytes}));
+    }));
+    fields.push_back(arrayOf(talk.named, [this](const GliderNamed& named) {
+      std::vector<llvm::Constant*> row = fieldsOf({}, {named.reading});
+      for (const uint16_t half : {named.share, named.source}) {
+        row.push_back(llvm::ConstantInt::get(llvm::Type::getInt16Ty(context_), half));
+      }
+      return llvm::ConstantStruct::getAnon(context_, row);
     }));
     return llvm::ConstantStruct::getAnon(context_, fields);
   }
@@ -63,10 +71,12 @@ class TalkConstant {
 
 void addTalkConstant(llvm::Module& module, const GliderTalk& talk) {
   static_assert(sizeof(GliderShare) == 2 * sizeof(double) + 4 * sizeof(uint32_t));
+  static_assert(sizeof(GliderNamed) == 2 * sizeof(uint32_t));
   static_assert(sizeof(GliderMessage) == sizeof(double) + 4 * sizeof(uint32_t));
   static_assert(sizeof(GliderTalk) ==
-                sizeof(double) + 4 * sizeof(uint32_t) +
-                    GLIDER_MOST_SHARES * (sizeof(GliderShare) + sizeof(GliderMessage)));
+                sizeof(double) + 6 * sizeof(uint32_t) +
+                    GLIDER_MOST_SHARES * (sizeof(GliderShare) + sizeof(GliderMessage)) +
+                    GLIDER_MOST_NAMED * sizeof(GliderNamed));
   llvm::Constant* value = TalkConstant(module.getContext()).of(talk);
   new llvm::GlobalVariable(module, value->getType(), true, llvm::GlobalValue::ExternalLinkage,
                            value, "gliderTalk");

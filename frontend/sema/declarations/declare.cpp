@@ -71,6 +71,7 @@ class Declarations {
   void visit(const ast::Resumption&) {}
   void visit(const ast::Declination&) {}
   void visit(const ast::Share&) {}
+  void visit(const ast::Vehicles&) {}
 
   void visit(const ast::Behaviour& node) {
     BehaviourDeclaration declaration;

@@ -61,6 +61,9 @@ struct Judge {
   std::optional<Refused> operator()(const ast::Share& item) const {
     return Refused{"share `" + item.name.text + "`", item.name.where};
   }
+  std::optional<Refused> operator()(const ast::Vehicles& item) const {
+    return Refused{"`vehicles`", item.where};
+  }
 };
 
 }  // namespace

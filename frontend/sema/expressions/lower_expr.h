@@ -270,6 +270,14 @@ class ExprLowering {
   Result turned(const support::SourceRange& range);
   Result ofWater(ir::Op op, const support::SourceRange& range);
 
+  // The vehicles of the line `vehicles` (lower_earth.cpp).
+  bool hasPositions(std::string_view words, const support::SourceRange& range);
+  /// The distance to each of them; empty, and reported, if their positions are not shared.
+  std::optional<std::vector<ir::ExprId>> neighbours(std::string_view words,
+                                                    const support::SourceRange& range);
+  Result peersWithin(const ast::Invocation& node, const ast::Expr& expr);
+  Result nearest(const support::SourceRange& range);
+
   // Names (lower_name.cpp).
   Result variable(Named& named, const support::SourceRange& range);
   /// False, and reported, if its value is not known where it is read.

@@ -37,6 +37,9 @@ std::string countedArguments(size_t n) {
 ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast::Expr& expr,
                                          std::optional<ir::Type> want) {
   const std::string& name = node.function.text;
+  if (name == ast::kPeersWithin) {
+    return peersWithin(node, expr);
+  }
   if (isFunctionName(name) && !scope_.functions.contains(name) && refuseNames(node, scope_)) {
     return std::nullopt;
   }
@@ -154,7 +157,8 @@ ExprLowering::Result ExprLowering::ageOf(const ast::Invocation& node, const ast:
   const auto* use = std::get_if<ast::NameUse>(&argument.node);
   const platforms::PlatformSensor* sensor = use != nullptr ? scope_.findSensor(use->name) : nullptr;
   if (sensor == nullptr) {
-    if (use == nullptr || !scope_.refused_names.contains(use->name)) {
+    if (use == nullptr || (!scope_.refused_names.contains(use->name) &&
+                           !scope_.refuseVehicle(use->name, argument.where))) {
       scope_.report(support::diagnostics::ageOfWhat, argument.where, scope_.text(argument.where));
     }
     return std::nullopt;

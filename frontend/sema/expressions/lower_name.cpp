@@ -182,7 +182,7 @@ ExprLowering::Result ExprLowering::finished(const ast::NameUse& node,
 
 ExprLowering::Result ExprLowering::unknown(const ast::NameUse& node,
                                            const support::SourceRange& range) {
-  if (scope_.refuseUnseen(node.name, range)) {
+  if (scope_.refuseUnseen(node.name, range) || scope_.refuseVehicle(node.name, range)) {
     return std::nullopt;
   }
   const auto function = scope_.functions.find(node.name);

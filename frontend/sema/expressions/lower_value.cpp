@@ -8,7 +8,8 @@
 #include <array>
 
 // Names with a meaning unless the mission uses them itself: `here`, `utc`, `timeofday`, `salinity`,
-// `density`, `usual_pitch`, `usual_speed`, `turned`, and the states of a sensor, such as `diving`.
+// `density`, `nearest`, `usual_pitch`, `usual_speed`, `turned`, and the states of a sensor, such as
+// `diving`.
 
 namespace glider::frontend {
 namespace {
@@ -43,6 +44,9 @@ ExprLowering::Result ExprLowering::meantValue(const std::string& name,
   }
   if (name == "turned") {
     return turned(range);
+  }
+  if (name == "nearest") {
+    return nearest(range);
   }
   if (name == "usual_pitch" || name == "usual_speed") {
     return usualSlope(name == "usual_speed", range);

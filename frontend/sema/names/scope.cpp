@@ -10,6 +10,7 @@
 #include "support/one_line.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <span>
@@ -63,19 +64,37 @@ const platforms::PlatformSensor* Scope::findSensor(std::string_view name) {
   if (const auto heard = heard_sensors.find(name); heard != heard_sensors.end()) {
     return &heard->second.sensor;
   }
-  return platform().find(name);
+  return name.contains('.') ? findNamedSensor(name) : platform().find(name);
+}
+
+const platforms::PlatformSensor* Scope::findNamedSensor(std::string_view name) {
+  if (const auto known = named_sensors.find(name); known != named_sensors.end()) {
+    return &known->second.sensor;
+  }
+  const size_t dot = name.find('.');
+  const auto vehicle = std::ranges::find(vehicles, name.substr(0, dot));
+  const std::string share(name.substr(dot + 1));
+  const std::string peer = std::string(kPeerPrefix) + share;
+  if (vehicle == vehicles.end()) {
+    return nullptr;
+  }
+  const auto heard = heard_sensors.find(peer);
+  if (heard == heard_sensors.end()) {
+    if (refused_names.contains(peer) || heard_sensors.empty()) {
+      refused_names.emplace(name);
+    }
+    return nullptr;
+  }
+  NamedSensor named{heard->second.sensor, share,
+                    static_cast<uint32_t>(vehicle - vehicles.begin()) + 1,
+                    heard->second.name->where};
+  const size_t number = std::min(named_sensors.size(), kMostNamedSensors - 1);  // finishVehicles
+  named.sensor.id = static_cast<uint16_t>(ir::kFirstHeardSensor + ir::kMostShares + number);
+  named.sensor.name = name;
+  return &named_sensors.emplace(name, std::move(named)).first->second.sensor;
 }
 
 namespace {
-
-std::vector<std::string_view> namesOf(
-    const std::map<std::string, OwnSensor, std::less<>>& sensors) {
-  std::vector<std::string_view> names;
-  for (const auto& [name, sensor] : sensors) {
-    names.push_back(name);
-  }
-  return names;
-}
 
 /// The clocks, then the sensors by the names that missions use, then by the vehicle's.
 std::vector<std::string_view> readableNames(
@@ -97,10 +116,14 @@ std::vector<std::string_view> readableNames(
 }  // namespace
 
 Suggestion Scope::suggestSensor(std::string_view wrong) const {
-  if (wrong.starts_with(kPeerPrefix)) {
-    return didYouMean(wrong, namesOf(heard_sensors),
+  if (const size_t dot = wrong.find('.'); dot != std::string_view::npos) {
+    std::vector<std::string> told;
+    for (const auto& [peer, heard] : heard_sensors) {
+      told.push_back(std::string(wrong.substr(0, dot + 1)) + peer.substr(kPeerPrefix.size()));
+    }
+    return didYouMean(wrong, {told.begin(), told.end()},
                       fmt::format("no vehicle tells it: the mission has no line `share {}`",
-                                  wrong.substr(kPeerPrefix.size())));
+                                  wrong.substr(dot + 1)));
   }
   if (auto wished = insteadOf(wrong, platform())) {
     return std::move(*wished);
@@ -159,6 +182,24 @@ bool Scope::refuseUnseen(std::string_view name, const support::SourceRange& rang
     }
   }
   return false;
+}
+
+bool Scope::refuseVehicle(std::string_view name, const support::SourceRange& range) {
+  const size_t dot = name.find('.');
+  const std::string_view vehicle = name.substr(0, dot);
+  if (dot == std::string_view::npos || name.starts_with(kPeerPrefix) ||
+      std::ranges::find(vehicles, vehicle) != vehicles.end()) {
+    return false;
+  }
+  const std::string hint =
+      vehicles.empty()
+          ? fmt::format("write `peer{}`, or name the vehicles in a line `vehicles {}, …`",
+                        name.substr(dot), vehicle)
+          : didYouMean(vehicle, {vehicles.begin(), vehicles.end()},
+                       fmt::format("the line `vehicles` has {}", fmt::join(vehicles, ", ")))
+                .hint;
+  report(support::diagnostics::unknownVehicle, range, vehicle, hint);
+  return true;
 }
 
 bool Scope::refuseName(const ast::Name& name, std::string_view owner) {

@@ -89,6 +89,14 @@ struct OwnSensor {
   bool usable = true;  ///< false: its declaration was refused, which has been reported
 };
 
+/// What is received of a share from one vehicle.
+struct NamedSensor {
+  platforms::PlatformSensor sensor;  ///< "ada.top"
+  std::string share;                 ///< "top"
+  uint32_t address = 0;              ///< of the vehicle, from 1 on
+  support::SourceRange where;        ///< of the share
+};
+
 /// A state, entered before any is lowered, so that cases may name later states.
 struct StateDeclaration {
   const ast::State* node = nullptr;
@@ -179,6 +187,8 @@ class Scope {
   [[nodiscard]] std::string takenBy(std::string_view name) const;
   /// True, and reported, if `name` is a value that is not visible from `context`.
   bool refuseUnseen(std::string_view name, const support::SourceRange& range);
+  /// True, and reported, if `name` is of a vehicle that there is not: `adda.top`.
+  bool refuseVehicle(std::string_view name, const support::SourceRange& range);
   /// True, and reported, if `name` cannot be used for a value because it is a unit, sensor, clock
   /// or function.
   bool refuseName(const ast::Name& name, std::string_view owner);
@@ -259,6 +269,11 @@ class Scope {
   static constexpr size_t kMostOwnSensors = 64;
   std::map<std::string, OwnSensor, std::less<>> own_sensors;
   std::map<std::string, OwnSensor, std::less<>> heard_sensors;  ///< of other vehicles: "peer.top"
+  std::vector<std::string> vehicles;  ///< of the line `vehicles`, by address, from 1 on
+  /// As many have numbers of their own.
+  static constexpr size_t kMostNamedSensors =
+      ir::kFirstOwnSensor - ir::kFirstHeardSensor - ir::kMostShares;
+  std::map<std::string, NamedSensor, std::less<>> named_sensors;  ///< "ada.top": those used so far
   std::map<std::string, ir::StateId, std::less<>> states;
   std::map<std::string, const ast::PlaceDeclaration*, std::less<>> places;
   std::vector<StateDeclaration> state_declarations;  ///< by StateId
@@ -268,6 +283,8 @@ class Scope {
   std::map<std::string, BehaviourDeclaration, std::less<>> replaced_behaviours;
 
  private:
+  /// The sensor `ada.top`, made on first use; null if there is none.
+  const platforms::PlatformSensor* findNamedSensor(std::string_view name);
   /// Says what the indices of the loops around are.
   void notePass(support::DiagnosticBuilder& report) const;
   /// The `extern sensor` or `extern function` that already has the name `name`.

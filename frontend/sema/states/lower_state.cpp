@@ -208,7 +208,8 @@ void StateLowering::lowerItem(const ast::SensorItem& item) {
     if (named != nullptr || scope_.findConstant(item.name.text) != nullptr) {
       scope_.report(support::diagnostics::notLogged, item.name.where, item.name.text,
                     named != nullptr ? describe(named->kind) : "a constant");
-    } else if (!scope_.refused_names.contains(item.name.text)) {
+    } else if (!scope_.refused_names.contains(item.name.text) &&
+               !scope_.refuseVehicle(item.name.text, item.name.where)) {
       scope_.reportUnknown(support::diagnostics::unknownSensor, item.name.where,
                            scope_.suggestSensor(item.name.text), scope_.platform().name,
                            item.name.text);

@@ -99,6 +99,39 @@ TEST_P(TalkShared, KnowsItsShares) {
   EXPECT_TRUE(std::isnan(loaded.mission().sensors[3].poll(0)));
 }
 
+/// The same with the top of two of three vehicles, whose names come last.
+Checked talkingByName() {
+  Checked checked = talking();
+  ir::Mission& mission = checked.mission;
+  mission.vehicles = {"ada", "bob", "carl"};
+  for (const uint32_t address : {1U, 3U}) {
+    ir::Sensor heard = mission[mission.shares[0].peer];
+    heard.id = static_cast<uint16_t>(ir::kFirstHeardSensor + ir::kMostShares + address);
+    heard.name = heard.vehicle_name = mission.vehicles[address - 1] + ".top";
+    mission.shares[0].named.push_back({address, {static_cast<uint32_t>(mission.sensors.size())}});
+    mission.sensors.push_back(heard);
+  }
+  return checked;
+}
+
+TEST_P(TalkShared, KnowsWhomItReceivesBy) {
+  const codegen::LoadedMission none = load(talking(), GetParam());
+  EXPECT_EQ(none.talk()->named_count, 0U);
+  EXPECT_EQ(none.talk()->vehicle_count, 0U);
+  const codegen::LoadedMission loaded = load(talkingByName(), GetParam());
+  const GliderTalk& talk = *loaded.talk();
+  EXPECT_EQ(talk.vehicle_count, 3U);
+  ASSERT_EQ(talk.named_count, 2U);
+  for (uint32_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(talk.named[i].reading, 5 + i);
+    EXPECT_EQ(talk.named[i].share, 0U);
+    EXPECT_EQ(talk.named[i].source, i == 0 ? 1U : 3U);
+  }
+  EXPECT_EQ(talk.named[2].reading, 0U) << "no more";
+  EXPECT_STREQ(loaded.mission().sensors[6].name, "carl.top");
+  EXPECT_TRUE(std::isnan(loaded.mission().sensors[6].poll(0)));
+}
+
 TEST_P(TalkShared, SendsAndReceives) {
   const codegen::LoadedMission loaded = load(talking(), GetParam());
   const GliderMission& mission = loaded.mission();
@@ -358,6 +391,15 @@ TEST(TalkBudget, TheStackHasABoundWithoutHooks) {
       RecordProperty(std::string(vehicle) + "_" + name, static_cast<int>(*budget->stack_bytes));
     }
   }
+}
+
+TEST(TalkProgram, RefusesAnAddressThatNoVehicleOfTheMissionHas) {
+  const fs::path program = programOf(talkingByName(), "host", 2);
+  const std::string modem = "--stdio --modem fd:77 --vehicles 5 --address ";
+  EXPECT_THAT(runOn("host", program, modem + "3").second, HasSubstr("it is not open"));
+  const auto [status, said] = runOn("host", program, modem + "4");
+  EXPECT_EQ(status, 1);
+  EXPECT_THAT(said, HasSubstr("error: no vehicle of the mission has this --address"));
 }
 
 TEST(TalkProgram, OthersHaveNoOptionOfAModem) {

@@ -91,6 +91,14 @@ TEST(Format, WordsThatAreNamesElsewhere) {
       "extern sensor stale: length in 0 .. 1 m stale after -stale\n");
 }
 
+TEST(Format, VehiclesBeginALineWhereTheyAreNoName) {
+  expectFormat(
+      "mission a vehicles ada,\nbob share vehicles in 0..9 precision 1 every 1 h "
+      "assume vehicles<=9 require always peers within(2 km)<2",
+      "mission a\nvehicles ada, bob\nshare vehicles in 0 .. 9 precision 1 every 1 h\n"
+      "assume vehicles <= 9\nrequire always peers within (2 km) < 2\n");
+}
+
 TEST(Format, DeclarationsAreAligned) {
   expectFormat(
       "mission m\nvar upper:length=5m in 3m..24m\nvar low:temperature/length=.5degC/m in 9..10\n\n"

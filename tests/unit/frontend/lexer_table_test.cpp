@@ -55,11 +55,27 @@ std::string byTable(std::string_view text) {
   return out;
 }
 
-/// The second time, all that can be in the table is in it.
-void expectSame(std::string_view text) {
+/// The second time, all that can be in the table is in it. Something is shared: else `a.b` would be
+/// divided.
+void expectSame(std::string_view rest) {
+  const std::string text = "share " + std::string(rest);
   const std::string expected = byAntlr(text);
   EXPECT_EQ(byTable(text), expected) << text;
   EXPECT_EQ(byTable(text), expected) << text;
+}
+
+TEST(LexerTable, ANameWithAPointIsOneTokenWhereSomethingIsShared) {
+  const std::string heard = line(GliderLexer::HEARD, 10, 17);
+  EXPECT_EQ(byTable("vehicles  ada.top"), line(GliderLexer::VEHICLES, 0, 8) + heard);
+  EXPECT_EQ(byTable("share     ada.top"), line(GliderLexer::SHARE, 0, 5) + heard);
+  EXPECT_EQ(byTable("          peer.to"), heard);
+  EXPECT_EQ(byTable("          end.min"), line(GliderLexer::END, 10, 13) +
+                                              line(GliderLexer::FOREIGN, 13, 14) +
+                                              line(GliderLexer::MIN, 14, 17));
+  EXPECT_EQ(byTable("          ada.t_1 ada..b"),
+            line(GliderLexer::NAME, 10, 13) + line(GliderLexer::FOREIGN, 13, 14) +
+                line(GliderLexer::NAME, 14, 17) + line(GliderLexer::NAME, 18, 21) +
+                line(GliderLexer::RANGE, 21, 23) + line(GliderLexer::NAME, 23, 24));
 }
 
 TEST(LexerTable, HasTheTokensOfTheLibrary) {

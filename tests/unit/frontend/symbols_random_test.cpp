@@ -48,9 +48,14 @@ bool namesArgument(const std::string& text, const std::vector<Lexeme>& lexemes, 
   return (before == "(" || before == ",") && wordAt(text, lexemes[i + 1]) == "=";
 }
 
-/// Whether the word at `i` is the name of a vehicle, which is a file's.
+/// Whether the word at `i` is the name of a kind of vehicle, which is a file's, or of a vehicle.
 bool namesPlatform(const std::string& text, const std::vector<Lexeme>& lexemes, size_t i) {
-  return i != 0 && wordAt(text, lexemes[i - 1]) == "platform";
+  size_t before = i;
+  while (before > 1 && wordAt(text, lexemes[before - 1]) == ",") {
+    before -= 2;
+  }
+  return i != 0 && (wordAt(text, lexemes[i - 1]) == "platform" ||
+                    (before != 0 && wordAt(text, lexemes[before - 1]) == "vehicles"));
 }
 
 TEST(SymbolsOfMissions, EveryNameIsKnown) {

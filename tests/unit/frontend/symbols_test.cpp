@@ -82,6 +82,14 @@ variable leg.laps: number at 28:7, used 30:34
 )");
 }
 
+TEST(Symbols, NamesOfVehiclesAreNamesOfNothingElse) {
+  const SymbolsRun run{
+      "mission m\nvar bob: length = 3 m\nvar vehicles: length = bob\n"
+      "vehicles ada, bob\nconst c = vehicles + 1 m\n"};
+  EXPECT_THAT(run.declared(), HasSubstr("variable bob: length [m] at 2:5, used 3:24\n"));
+  EXPECT_THAT(run.declared(), HasSubstr("variable vehicles: length [m] at 3:5, used 5:11\n"));
+}
+
 TEST(Symbols, BuiltInNamesAreUsedToo) {
   const SymbolsRun run{std::string(kMission)};
   EXPECT_EQ(run.at("set down = depth"),

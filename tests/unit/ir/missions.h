@@ -46,6 +46,23 @@ share found of variable found received "peer.found" lowest 0 step 1 values 2 eve
 share warm of sensor temp lowest -2 step 0.05 values 841 every 600
 )";
 
+/// The same, with the values of two of three named vehicles.
+inline const std::string kNamedTalking = [] {
+  std::string text = kTalking;
+  text.insert(
+      text.find("variable found"),
+      R"(sensor "ada.top": length received id 65056 encoding linear to_si 1 lowest 0 highest 200 stale_after 600
+sensor "carl.top": length received id 65057 encoding linear to_si 1 lowest 0 highest 200 stale_after 600
+vehicle ada
+vehicle bob
+vehicle carl
+)");
+  const std::string peer = "received \"peer.top\"";
+  text.insert(text.find(peer) + peer.size(),
+              " received \"ada.top\" from 1 received \"carl.top\" from 3");
+  return text;
+}();
+
 /// A state that drifts.
 inline std::string stateText(const std::string& name, const std::string& cases) {
   return "state " + name + " route drift () profile glide () " + cases + "\n";

@@ -98,7 +98,8 @@ void numberBody(Mission& m, Numbers& numbers) {
   m.states = {numberedState(numbers)};
   m.compass.emplace();
   Share& share = m.shares.emplace_back();
-  numbers.giveAll(share.sensor, share.variable, share.peer, m.utc);
+  share.named.resize(1);
+  numbers.giveAll(share.sensor, share.variable, share.peer, share.named[0].sensor, m.utc);
   numbers.giveAll(m.behaviours[0].reads[0], m.conditions[0], m.assumptions[0].sensor, m.every_tick,
                   m.compass->variation);
 }

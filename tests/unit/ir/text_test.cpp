@@ -327,6 +327,23 @@ TEST(IrText, SharesComeBack) {
   expectSame(mission, missionOf(printed));
 }
 
+TEST(IrText, NamedVehiclesComeBack) {
+  const Mission mission =
+      missionOf(kNamedTalking + stateText("a", "case (gt (sensor \"ada.top\") 5:length) exit"));
+  EXPECT_EQ(mission.vehicles, (std::vector<std::string>{"ada", "bob", "carl"}));
+  ASSERT_EQ(mission.shares[0].named.size(), 2U);
+  EXPECT_EQ(mission.shares[0].named[1].address, 3U);
+  EXPECT_EQ(mission[mission.shares[0].named[1].sensor].name, "carl.top");
+  EXPECT_EQ(mission[mission.shares[0].peer].name, "peer.top");
+  const std::string printed = print(mission);
+  EXPECT_NE(printed.find("\nvehicle ada\nvehicle bob\nvehicle carl\nshare top of sensor depth "
+                         "received \"peer.top\" received \"ada.top\" from 1 received "
+                         "\"carl.top\" from 3 lowest 0 step"),
+            std::string::npos)
+      << printed;
+  expectSame(mission, missionOf(printed));
+}
+
 TEST(IrText, WholeLanguageReadsLikeTheMission) {
   const Mission mission = missionOf(kWhole);
   EXPECT_EQ(print(mission), kWhole);

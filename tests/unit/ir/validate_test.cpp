@@ -391,6 +391,42 @@ const Damage kShareDamages[] = {
 INSTANTIATE_TEST_SUITE_P(Shares, ValidateTalkingDamaged, testing::ValuesIn(kShareDamages),
                          [](const auto& damage) { return damage.param.name; });
 
+Mission namedTalking() {
+  return missionOf(kNamedTalking + stateText("a", "case (gt (sensor \"ada.top\") 5:length) exit"));
+}
+
+TEST(Validate, AcceptsNamedVehicles) {
+  EXPECT_TRUE(validate(namedTalking()).empty());
+}
+
+class ValidateNamedDamaged : public testing::TestWithParam<Damage> {};
+
+TEST_P(ValidateNamedDamaged, IsFound) {
+  Mission m = namedTalking();
+  GetParam().make(m);
+  EXPECT_FALSE(validate(m).empty());
+}
+
+const Damage kNamedDamages[] = {
+    {"nameTwice", [](Mission& m) { m.vehicles[2] = "ada"; }},
+    {"namesTooMany",
+     [](Mission& m) {
+       for (int i = 3; i < 16; ++i) {
+         m.vehicles.push_back("v" + std::to_string(i));
+       }
+     }},
+    {"addressNone", [](Mission& m) { m.shares[0].named[0].address = 0; }},
+    {"addressBeyond", [](Mission& m) { m.shares[0].named[1].address = 4; }},
+    {"addressTwice", [](Mission& m) { m.shares[0].named[1].address = 1; }},
+    {"sensorNone", [](Mission& m) { m.shares[0].named[0].sensor = {}; }},
+    {"sensorOfTheVehicle", [](Mission& m) { m.shares[0].named[0].sensor = {0}; }},
+    {"sensorOfTwo", [](Mission& m) { m.shares[0].named[1].sensor = m.shares[0].named[0].sensor; }},
+    {"sensorOfNone", [](Mission& m) { m.shares[0].named.pop_back(); }},
+};
+
+INSTANTIATE_TEST_SUITE_P(Vehicles, ValidateNamedDamaged, testing::ValuesIn(kNamedDamages),
+                         [](const auto& damage) { return damage.param.name; });
+
 TEST(ShareMessages, AreThoseOfAPeriod) {
   const Mission mission = talking();
   const auto messages = messagesOf(mission);

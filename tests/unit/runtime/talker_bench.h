@@ -24,6 +24,7 @@ using talk::Talker;
 
 inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 inline constexpr uint32_t kDepth = 0, kUtc = 1, kPeerTop = 2, kPeerFound = 3;  // places
+inline constexpr uint32_t kSecondTop = 4, kThirdTop = 5, kThirdFound = 6;
 inline constexpr uint32_t kFound = 0;
 inline constexpr double kSlot = 12, kCycle = 4;
 inline constexpr double kMidnight =
@@ -46,6 +47,11 @@ inline GliderTalk benchTalk() {
   talk.message_count = 2;
   talk.messages[0] = {60, 0, 2, 0xA5, 3};
   talk.messages[1] = {600, 2, 1, 0x5A, 3};
+  talk.vehicle_count = 3;
+  talk.named_count = 3;
+  talk.named[0] = {kSecondTop, 0, 2};
+  talk.named[1] = {kThirdTop, 0, 3};
+  talk.named[2] = {kThirdFound, 1, 3};
   return talk;
 }
 
@@ -77,7 +83,10 @@ class TalkerTest : public ::testing::Test {
         depthSensor(),
         {"m_present_time", nullptr, 1, 0, 4e9, 20, GLIDER_M_PRESENT_TIME, kGliderLinear},
         received("peer.top", 0xFE00, 200),
-        received("peer.found", 0xFE01, 1)};
+        received("peer.found", 0xFE01, 1),
+        received("second.top", 0xFE20, 200),
+        received("third.top", 0xFE21, 200),
+        received("third.found", 0xFE22, 1)};
     mission_.states = {benchState("only", nullptr, 0)};
     mission_.variable_count = 1;
     mission_.finish(1);

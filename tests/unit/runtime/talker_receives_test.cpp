@@ -61,6 +61,59 @@ TEST_F(TalkerReceives, WhatTheSenderDidNotKnowChangesNothing) {
   EXPECT_EQ(context_->readings[kPeerFound].value, 0);
 }
 
+TEST_F(TalkerReceives, WhatAVehicleTellsIsKeptByItsName) {
+  run(41);
+  const auto value = [&](uint32_t place) { return context_->readings[place].value; };
+  modem_.say("CARXD,2,0,0,1," + hexOf(talk_, 0, {12.5, 1}));
+  run(5);
+  EXPECT_EQ(value(kSecondTop), 12.5);
+  EXPECT_TRUE(std::isnan(value(kThirdTop))) << "it has said nothing";
+  EXPECT_TRUE(std::isnan(value(kThirdFound)));
+  modem_.say("CARXD,3,0,0,1," + hexOf(talk_, 0, {20, kNan}));
+  run(5);
+  EXPECT_EQ(value(kSecondTop), 12.5) << "another has spoken since";
+  EXPECT_EQ(value(kThirdTop), 20);
+  EXPECT_TRUE(std::isnan(value(kThirdFound))) << "it does not know it";
+  EXPECT_EQ(value(kPeerTop), 20) << "the newest of any";
+  EXPECT_EQ(value(kPeerFound), 1) << "of the second";
+}
+
+TEST_F(TalkerReceives, AVehicleOutsideTheLineIsOnlyAnyPeer) {
+  run(41);
+  modem_.say("CARXD,4,0,0,1," + hexOf(talk_, 0, {12.5, 1}));
+  modem_.say("CARXD,1,0,0,1," + hexOf(talk_, 0, {50, 1}));  // its own address
+  run(5);
+  EXPECT_EQ(context_->readings[kPeerTop].value, 12.5);
+  for (const uint32_t place : {kSecondTop, kThirdTop, kThirdFound}) {
+    EXPECT_EQ(context_->readings[place].seen, 0U) << place;
+  }
+}
+
+TEST_F(TalkerReceives, TheSameNumbersOfAnotherMessageAreOfAnotherShare) {
+  talk_.named[2] = {kThirdFound, 2, 3};
+  run(41);
+  modem_.say("CARXD,3,0,0,1," + hexOf(talk_, 0, {12.5, 1}));
+  run(5);
+  EXPECT_EQ(context_->readings[kThirdFound].seen, 0U);
+  modem_.say("CARXD,3,0,0,1," + hexOf(talk_, 1, {1}));
+  run(5);
+  EXPECT_EQ(context_->readings[kThirdFound].value, 1);
+}
+
+TEST_F(TalkerReceives, WhatANamedVehicleSaidTooLongAgoIsDropped) {
+  run(41);
+  modem_.say("CARXD,3,0,0,1," + hexOf(talk_, 0, {12.5, 1}));
+  poll();
+  ASSERT_EQ(context_->readings[kThirdTop].waiting, 1U);
+  flies_ = false;
+  run(Talker::kLongestWaitSecs - 2);
+  EXPECT_EQ(context_->readings[kThirdTop].waiting, 1U);
+  run(4);
+  EXPECT_EQ(context_->readings[kThirdTop].waiting, 0U);
+  EXPECT_EQ(context_->readings[kThirdFound].waiting, 0U);
+  EXPECT_EQ(context_->readings[kPeerTop].waiting, 0U);
+}
+
 TEST_F(TalkerReceives, WhatHasNoRoomInAFrameWaits) {
   run(41);
   modem_.say("CARXD,2,0,0,1," + hexOf(talk_, 0, {12.5, 1}));
@@ -83,12 +136,11 @@ TEST_F(TalkerReceives, HeadingsAreStillConverted) {
       {"m_heading", nullptr, 1, 0, 6.3, 20, GLIDER_M_HEADING, kGliderMagnetic});
   GliderMission mission = mission_.mission;
   mission.sensors = mission_.sensors.data();
-  mission.sensor_count = 4;
   const GliderCompass compass{-0.25, GLIDER_NO_SENSOR, 0, gliderHearAndConvertHeadings};
   mission.compass = &compass;
   context_->readings[kPeerTop].raw = 9;
   context_->readings[kPeerTop].waiting = 1;
-  mission.sensor_count = 5;
+  mission.sensor_count = static_cast<uint32_t>(mission_.sensors.size());
   std::vector<GliderUpdate> frame(hooks::kMostSubscriptions, update(GLIDER_M_HEADING, 1));
   context_->variation = kNan;
   ASSERT_EQ(gliderHearAndConvertHeadings(&mission, context_, &variation_, frame.data(), 1), 2U);
@@ -123,7 +175,7 @@ TEST_F(TalkerReceives, FramesThatAreNotOfTheFleetAreRefused) {
 
 /// The mission's memory except for what is received.
 std::vector<double> memoryOf(const BenchMission& mission, GliderContext* context) {
-  for (const uint32_t place : {kPeerTop, kPeerFound}) {
+  for (const uint32_t place : {kPeerTop, kPeerFound, kSecondTop, kThirdTop, kThirdFound}) {
     context->readings[place] = {};
   }
   return mission.memory;

@@ -15,6 +15,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -245,13 +247,28 @@ TEST_P(TalkOnBoard, TakesTheOptionsOfAModem) {
   }
 }
 
-/// A program that was started with a line to a vehicle that says nothing, and a modem.
+/// The two ends of a line to a modem, the program's second: a pair of sockets, or a terminal.
+std::array<int, 2> modemLine(bool terminal) {
+  std::array<int, 2> ends{-1, -1};
+  if (!terminal) {
+    EXPECT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()), 0);
+    return ends;
+  }
+  ends[0] = ::posix_openpt(O_RDWR | O_NOCTTY);
+  EXPECT_EQ(::grantpt(ends[0]), 0);
+  EXPECT_EQ(::unlockpt(ends[0]), 0);
+  ends[1] = ::open(::ptsname(ends[0]), O_RDWR | O_NOCTTY);
+  EXPECT_GE(ends[1], 0);
+  return ends;
+}
+
+/// A program that was started with a line to a vehicle that says nothing, and a modem, which is
+/// descriptor 3.
 class Started {
  public:
-  explicit Started(const std::vector<std::string>& command) {
-    for (auto* ends : {vehicle_, modem_}) {
-      EXPECT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends), 0);
-    }
+  explicit Started(const std::vector<std::string>& command, bool terminal = false) {
+    EXPECT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, vehicle_), 0);
+    std::ranges::copy(modemLine(terminal), modem_);
     EXPECT_EQ(::fcntl(modem_[0], F_SETFL, O_NONBLOCK), 0);
     child_ = ::fork();
     if (child_ == 0) {
@@ -350,6 +367,21 @@ TEST_P(TalkOnBoard, ServesTheModem) {
   ::usleep(1'200'000);
   EXPECT_TRUE(program.runs()) << "without the modem it flies on";
   EXPECT_LT(program.used() - before, 0.3) << "and does not spin";
+}
+
+/// As on board: the modem is a serial line that the program opens by its name.
+TEST_P(TalkOnBoard, ServesAModemOnASerialLine) {
+  const auto [name, level] = GetParam();
+  auto command = commandOf(name, programOf(talking(), name, level));
+  for (const char* word :
+       {"--stdio", "--modem", "/dev/fd/3", "--address", "2", "--vehicles", "3"}) {
+    command.emplace_back(word);
+  }
+  Started program(command, true);
+  EXPECT_EQ(program.next(5000), "$CCCFG,SRC,2*32");
+  program.say("CACFG,SRC,2");
+  program.say("CADRQ,120000,2,1,0,32,1");
+  EXPECT_EQ(program.next(2000), "$CCTXD,2,1,0,*7B") << "no echo, and no line end is changed";
 }
 
 INSTANTIATE_TEST_SUITE_P(Boards, TalkOnBoard,

@@ -100,9 +100,9 @@ void tellIfTooFar(Proof& proof, const State& state, double nearest, double stay)
   proof.findings.lines.push_back(
       {state.range,
        fmt::format(
-           "`{}` cannot reach its waypoint in time: the nearest other one is {:.0f} m away, "
-           "and in {} the vehicle covers at most {:.0f} m without a current",
-           state.name, nearest, durationOf(stay), way)});
+           "`{}` cannot reach its waypoint in time: the nearest other one is {} away, "
+           "and in {} the vehicle covers at most {} without a current",
+           state.name, lengthOf(std::round(nearest)), durationOf(stay), lengthOf(std::round(way)))});
 }
 
 }  // namespace

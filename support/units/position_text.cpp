@@ -33,4 +33,11 @@ std::string positionText(double latitude, double longitude) {
   return latitudeText(latitude) + " " + longitudeText(longitude);
 }
 
+std::string lengthText(double metres) {
+  constexpr double kKilometre = 1000;
+  const double whole = std::round(metres);
+  return std::fabs(whole) < kKilometre ? fmt::format("{:.0f} m", whole)
+                                       : fmt::format("{:.5g} km", whole / kKilometre);
+}
+
 }  // namespace glider::support

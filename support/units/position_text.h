@@ -16,4 +16,7 @@ std::string longitudeText(double degrees);
 /// "39 10.500 N 73 50.101 W".
 std::string positionText(double latitude, double longitude);
 
+/// "640 m", "2.849 km": a distance over ground, to a metre.
+std::string lengthText(double metres);
+
 }  // namespace glider::support

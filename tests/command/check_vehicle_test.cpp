@@ -67,11 +67,12 @@ TEST_F(CheckVehicle, WhatHookbehRefusesIsAnError) {
 
 TEST_F(CheckVehicle, AnAvoidanceOfTheLibraryIsReportedWhereItIsUsed) {
   const auto above = [&](const std::string& height) {
-    const auto file = folder_.write(
-        "above.mission", "mission m\nstate survey\nbegin\n  flightroute noheading\n"
-                         "  flightprofile yo_above(5 m, 20 m, above = " +
-                             height + ")\n  sensors missiontime, depth, altitude\n"
-                             "  events case missiontime >= 1 h exit\nend\n");
+    const auto file = folder_.write("above.mission",
+                                    "mission m\nstate survey\nbegin\n  flightroute noheading\n"
+                                    "  flightprofile yo_above(5 m, 20 m, above = " +
+                                        height +
+                                        ")\n  sensors missiontime, depth, altitude\n"
+                                        "  events case missiontime >= 1 h exit\nend\n");
     return runShell("$GLIDERCC check --mi " + vehicle("", "b_arg: min_altitude(m) 5\n") + " " +
                     file.string());
   };

@@ -19,11 +19,4 @@ inline std::string durationOf(double seconds) {
   return text + fmt::format("{} s", whole % 60);
 }
 
-/// "640 m", "2.849 km".
-inline std::string lengthOf(double metres) {
-  constexpr double kKilometre = 1000;
-  return std::fabs(metres) < kKilometre ? fmt::format("{:.4g} m", metres)
-                                        : fmt::format("{:.5g} km", metres / kKilometre);
-}
-
 }  // namespace glider::ir::prove

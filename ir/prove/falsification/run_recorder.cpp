@@ -3,7 +3,6 @@
 
 #include "ir/prove/falsification/run_recorder.h"
 
-#include "ir/prove/context/duration_text.h"
 #include "ir/verify/value_text.h"
 #include "support/units/position_text.h"
 
@@ -38,6 +37,13 @@ double asFloat(double raw, const Sensor& sensor) {
     return std::nextafter(nearest, std::numeric_limits<float>::infinity());
   }
   return nearest;
+}
+
+/// "2.9987 km": it may differ from a limit by less than a metre.
+std::string distanceText(double metres) {
+  constexpr double kKilometre = 1000;
+  return metres < kKilometre ? fmt::format("{:.5g} m", metres)
+                             : fmt::format("{:.8g} km", std::round(metres * 10) / 10 / kKilometre);
 }
 
 /// Whether a tick leaves control unchanged.
@@ -169,7 +175,8 @@ void RunRecorder::describeValues() {
     open.insert(open.end(), e.operands.rbegin(), e.operands.rend());
     if (e.op == Op::Distance) {
       const double metres = interpreter_->number(id);
-      tell_value(metres == metres ? "the distance is " + lengthOf(metres) : "the distance is unknown");
+      tell_value(metres == metres ? "the distance is " + distanceText(metres)
+                                  : "the distance is unknown");
       continue;
     }
     const bool depth = e.op == Op::Sensor && depth_sensor_ == e.sensor;
@@ -186,8 +193,8 @@ void RunRecorder::describeValues() {
     } else if (e.op == Op::Sensor && e.type.kind == TypeKind::Longitude && value == value) {
       east = value;
     } else {
-      tell_value(fmt::format("{} {}", name,
-                             value == value ? "is " + withUnit(value, e.type) : "unknown"));
+      tell_value(
+          fmt::format("{} {}", name, value == value ? "is " + withUnit(value, e.type) : "unknown"));
     }
   }
   if (north && east) {

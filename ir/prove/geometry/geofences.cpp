@@ -7,6 +7,7 @@
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/geometry/area_map.h"
 #include "ir/prove/geometry/steering.h"
+#include "support/units/position_text.h"
 
 #include <fmt/format.h>
 
@@ -39,9 +40,10 @@ std::string reasonOf(const ProofContext& proof_context, const Geofence& fence,
                        bound);
   }
   return fmt::format(
-      "its legs come within {} of the edge of the area {}; in at most {} of flight, the vehicle may "
+      "its legs come within {} of the edge of the area {}; in at most {} of flight, the vehicle "
+      "may "
       "deviate from them by {}: by surface drift of {:g} m/s, and {}",
-      lengthOf(std::round(found.distance_m)), bound, durationOf(time), lengthOf(std::round(margin)),
+      support::lengthText(found.distance_m), bound, durationOf(time), support::lengthText(margin),
       proof_context.platform.world.surface_drift_m_s,
       steering.by_heading ? "by flying without a waypoint"
                           : "while the SBC has no power (`resume within`)");

@@ -218,9 +218,10 @@ class GuardCheck {
         support::diagnostics::mayNotFollow, elsewhere ? use.activity->range : range,
         fmt::format("{} at less than {:.3g} m above the bottom{} (min_altitude in {})", what, below,
                     then, file_.name),
-        fmt::format("{} {:.4g} m or more: {:.4g} m for the vehicle's own climb and {:.4g} m in which "
-                    "it sinks on while it turns; or lower min_altitude",
-                    elsewhere ? "give it" : "compare with", least + kSinksOn_m, least, kSinksOn_m));
+        fmt::format(
+            "{} {:.4g} m or more: {:.4g} m for the vehicle's own climb and {:.4g} m in which "
+            "it sinks on while it turns; or lower min_altitude",
+            elsewhere ? "give it" : "compare with", least + kSinksOn_m, least, kSinksOn_m));
     if (elsewhere) {
       report.note(range, "it is this case of it");
     }

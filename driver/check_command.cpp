@@ -18,6 +18,7 @@
 #include "driver/terminal.h"
 #include "driver/usage/quantity.h"
 #include "driver/usage/values.h"
+#include "support/counted.h"
 #include "support/diagnostics/ids/command.h"
 #include "support/files.h"
 #include "vehicles/vehicle.h"
@@ -230,9 +231,11 @@ int writeTraces(const CommandOptions& options, const CheckedFile& checked) {
   if (!written) {
     return reportFailure(written.error());
   }
-  if (*written > 0) {
-    tell(fmt::format("{}: {} counterexample{} written to {}\n", checked.found.path, *written,
-                     *written == 1 ? "" : "s", folder.string()));
+  if (!written->empty()) {
+    tell(fmt::format("{}: {} written to {}; `glidercc sim {} --replay {}` flies {}\n",
+                     checked.found.path, support::counted(written->size(), "counterexample"),
+                     folder.string(), checked.found.path, written->front().string(),
+                     written->size() == 1 ? "it" : "the first"));
   }
   return kFine;
 }

@@ -16,6 +16,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
@@ -99,6 +100,10 @@ int replay(const support::Trace& trace, const compiler::Optimised& mission,
 }  // namespace
 
 int replayTrace(SimOptions options) {
+  // The folder that check wrote is as good as the file in it.
+  if (std::error_code ignored; std::filesystem::is_directory(options.replay, ignored)) {
+    options.replay = (std::filesystem::path(options.replay) / FlightFolder::kRun).string();
+  }
   const auto text = support::readFile(options.replay);
   if (!text) {
     return reportFailure(text.error());

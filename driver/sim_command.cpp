@@ -380,7 +380,8 @@ void addOptions(CLI::App& command, SimOptions& options) {
       ->option_text("FOLDER");
   command
       .add_option("--replay", options.replay,
-                  "Fly a counterexample written by `glidercc check --traces` instead of a scenario")
+                  "Fly a counterexample written by `glidercc check --traces`, as in "
+                  "DIR/requirement-1, instead of a scenario")
       ->option_text("TRACE")
       ->excludes("--scenario")
       ->excludes("--mi")

@@ -4,10 +4,15 @@
 #include "flights/broken_assumption.h"
 
 #include "ir/core/inside.h"
+#include "ir/eval/arithmetic.h"
+#include "support/units/position_text.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <string>
 
 namespace glider::flights {
@@ -16,6 +21,48 @@ namespace {
 using ir::AssumptionKind;
 
 constexpr double kEstimateError = 0.1;  // m/s
+
+/// The metres between two places, as the language counts them.
+double metresBetween(const ir::Position& from, const ir::Position& to) {
+  return ir::onEarth(ir::Op::Distance, from, to);
+}
+
+/// The least distance of a place from the edges of a polygon, m; flat, which is good enough for a
+/// message.
+double metresToEdge(const ir::Geofence& area, const ir::Position& place) {
+  constexpr double kDegrees = std::numbers::pi / 180;
+  const double across = std::cos(place.latitude * kDegrees);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < area.corners.size(); ++i) {
+    const ir::Position& a = area.corners[i];
+    const ir::Position& b = area.corners[(i + 1) % area.corners.size()];
+    const double ab_n = b.latitude - a.latitude, ab_e = (b.longitude - a.longitude) * across;
+    const double ap_n = place.latitude - a.latitude,
+                 ap_e = (place.longitude - a.longitude) * across;
+    const double size = ab_n * ab_n + ab_e * ab_e;
+    const double along = size > 0 ? std::clamp((ap_n * ab_n + ap_e * ab_e) / size, 0.0, 1.0) : 0.0;
+    nearest = std::min(nearest,
+                       metresBetween(place, {a.latitude + along * (b.latitude - a.latitude),
+                                             a.longitude + along * (b.longitude - a.longitude)}));
+  }
+  return nearest;
+}
+
+/// How far from an assumed start a place is, for the end of a sentence. A disc was made a regular
+/// polygon, which has the same centre.
+std::string howFar(const ir::Assumption& assumption, const ir::Position& place) {
+  const ir::Geofence& area = assumption.area;
+  if (assumption.words.find("distance(") == std::string::npos) {
+    return fmt::format(", {} outside of the area", support::lengthText(metresToEdge(area, place)));
+  }
+  ir::Position centre;
+  for (const ir::Position& corner : area.corners) {
+    centre.latitude += corner.latitude / static_cast<double>(area.corners.size());
+    centre.longitude += corner.longitude / static_cast<double>(area.corners.size());
+  }
+  return fmt::format(", {} from the place that it names",
+                     support::lengthText(metresBetween(place, centre)));
+}
 
 /// The rows of a trace from the first tick of a mission on. The trace is by vehicle time and the
 /// mission by its own: this converts between them.
@@ -81,8 +128,9 @@ std::optional<FlownViolation> breakInTrace(const ir::Assumption& assumption,
     const bool outside =
         latitude == latitude && !ir::isInside(assumption.area, {latitude, longitude});
     return outside ? std::optional(flown.broken(
-                         flown.row(),
-                         fmt::format("the mission begins at {:.4f}, {:.4f}", latitude, longitude)))
+                         flown.row(), fmt::format("the mission begins at {}{}",
+                                                  support::positionText(latitude, longitude),
+                                                  howFar(assumption, {latitude, longitude}))))
                    : std::nullopt;
   }
   return assumption.kind == AssumptionKind::Current ? fastCurrent(assumption.limit, trace, flown)

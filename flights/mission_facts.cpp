@@ -131,6 +131,35 @@ class PlaceFinder {
     }
   }
 
+  /// The points of each path that a state steers along, in their order: "track 1", "track 2", …
+  void addPaths(support::MissionFacts& facts) const {
+    std::vector<uint32_t> seen;  // tables of latitudes
+    for (const ir::State& state : m_.states) {
+      const auto note = [&](const ir::Statement& statement, const support::SourceRange& use) {
+        const bool steers =
+            statement.command == ir::Command::SteerTo && statement.values.size() > 1;
+        if (!steers || m_[statement.values[0]].op != Op::Element ||
+            m_[statement.values[1]].op != Op::Element) {
+          return;
+        }
+        const ir::TableId north = m_[statement.values[0]].table;
+        if (std::ranges::find(seen, north.index) == seen.end()) {
+          seen.push_back(north.index);
+          addPath(pathName(use, state.name), m_[north], m_[m_[statement.values[1]].table], facts);
+        }
+      };
+      for (const ir::Activity* activity : {&state.route, &state.profile}) {
+        const auto look = [&](ir::BlockId block) {
+          ir::forEachStatement(m_, block, [&](const auto& one) { note(one, activity->range); });
+        };
+        look(activity->entry);
+        for (const ir::Case& one : activity->cases) {
+          look(one.action);
+        }
+      }
+    }
+  }
+
   void addWatched(support::MissionFacts& facts) const {
     forEachList(m_, [&](const std::vector<ir::Case>& cases) {
       for (const ir::Case& one : cases) {
@@ -140,6 +169,27 @@ class PlaceFinder {
   }
 
  private:
+  /// The name of the path in `along(track, 100 m)`; `otherwise` if it has none there.
+  [[nodiscard]] std::string pathName(const support::SourceRange& use,
+                                     const std::string& otherwise) const {
+    if (!use.valid()) {
+      return otherwise;
+    }
+    const std::string text(mission_.sources().text(use));
+    const size_t open = std::min(text.find('('), text.size());
+    std::string first = text.substr(open, text.find_first_of(",)", open) - open);
+    first.erase(0, std::min(first.find('=') + 1, first.size()));
+    std::erase_if(first, [](char c) { return c == '(' || c == ' ' || c == '\n'; });
+    return isName(first) ? first : otherwise;
+  }
+
+  static void addPath(const std::string& name, const ir::Table& north, const ir::Table& east,
+                      support::MissionFacts& facts) {
+    for (size_t i = 0; i < std::min(north.values.size(), east.values.size()); ++i) {
+      facts.places.push_back({name + " " + std::to_string(i + 1), north.values[i], east.values[i]});
+    }
+  }
+
   /// The constants that transitions pass to each argument of a state.
   void notePassed() {
     forEachList(m_, [&](const std::vector<ir::Case>& cases) {
@@ -239,6 +289,7 @@ support::MissionFacts missionFacts(const compiler::Optimised& mission,
   facts.read = readSensors(mission.checked->mission());
   const PlaceFinder finder(*mission.checked, parameters);
   finder.addPlaces(facts);
+  finder.addPaths(facts);
   finder.addWatched(facts);
   return facts;
 }

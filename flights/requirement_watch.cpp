@@ -168,7 +168,8 @@ void reportViolations(const RequirementWatch& watch, const std::vector<FlownViol
         assumption ? support::diagnostics::assumptionFlown : support::diagnostics::requirementFlown,
         assumption ? m.assumptions[one.number - m.requirements.size()].range
                    : m.requirements[one.number].range,
-        fmt::format("at mission time {:.6g} s, in state `{}`{}{}{}{}", one.mission_time, one.state,
+        fmt::format("at mission time {:.6g} s{}{}{}{}{}", one.mission_time,
+                    one.state.empty() ? "" : fmt::format(", in state `{}`", one.state),
                     one.words.empty() ? "" : ", ", one.words, one.after.empty() ? "" : "; ",
                     one.after));
   }

@@ -4,6 +4,8 @@
 #include "simulator/mission_story.h"
 
 #include "hooks/protocol/notices.h"
+#include "support/units/position_text.h"
+#include "support/utc.h"
 
 #include <fmt/format.h>
 
@@ -24,20 +26,26 @@ bool is(uint32_t number, Value value) {
   return number == static_cast<uint32_t>(value);
 }
 
-/// Half of a position, ddmm.mmmm, as missions write it: "39 10.561 N".
-std::string halfText(double ddmm, const char* letters) {
-  constexpr int64_t kDegree = 60000;  // thousandths of a minute
-  const double size = std::fabs(ddmm);
-  const double whole = std::floor(size / 100);
-  const int64_t thousandths = std::llround((whole * 60 + (size - whole * 100)) * 1000);
-  return fmt::format("{} {:06.3f} {}", thousandths / kDegree,
-                     static_cast<double>(thousandths % kDegree) / 1000,
-                     letters[std::signbit(ddmm) ? 1 : 0]);
+/// Degrees of half of a position in ddmm.mmmm.
+double degreesOf(double ddmm) {
+  constexpr double kHundred = 100;
+  constexpr double kMinutes = 60;
+  const double whole = std::trunc(ddmm / kHundred);
+  return std::copysign(std::fabs(whole) + std::fabs(ddmm - whole * kHundred) / kMinutes, ddmm);
 }
 
-std::string valueText(double value, const std::string& unit) {
-  return unit == "lat"   ? halfText(value, "NS")
-         : unit == "lon" ? halfText(value, "EW")
+/// `dated`: a time is of the calendar, not of the day.
+std::string valueText(double value, const std::string& unit, bool dated) {
+  if (!std::isfinite(value)) {
+    return "unknown";
+  }
+  if (unit == "timestamp") {
+    const std::string utc = support::utcText(value);
+    const size_t time = dated || utc.find(' ') == utc.npos ? 0 : utc.find(' ') + 1;
+    return utc.substr(time) + " UTC";
+  }
+  return unit == "lat"   ? support::latitudeText(degreesOf(value))
+         : unit == "lon" ? support::longitudeText(degreesOf(value))
          : unit == "1"   ? fmt::format("{:.6g}", value)
                          : fmt::format("{:.6g} {}", value, unit);
 }
@@ -88,6 +96,7 @@ std::string MissionStory::why(const hooks::SeatEvent& event, const SimulatedSeat
     return "";
   }
   const GuardText text = explain_(event.e, event.b, event.d);
+  const bool dated = text.guard.find("utc") != std::string::npos;
   std::string values;
   for (const uint16_t id : text.sensors) {
     if (id >= platform_.sensors.size()) {
@@ -96,7 +105,7 @@ std::string MissionStory::why(const hooks::SeatEvent& event, const SimulatedSeat
     const auto& sensor = platform_.sensors[id];
     values += fmt::format("{}{} {}", values.empty() ? "" : ", ",
                           sensor.alias.empty() ? sensor.name : sensor.alias,
-                          valueText(seat.reading(id), sensor.unit));
+                          valueText(seat.reading(id), sensor.unit, dated));
   }
   return values.empty() ? text.guard : fmt::format("{} ({})", text.guard, values);
 }

@@ -32,9 +32,9 @@ support::Result<void> writeRun(const support::Trace& trace, const std::filesyste
 
 }  // namespace
 
-support::Result<size_t> writeRuns(const analysis::CheckedFile& checked,
-                                  const std::filesystem::path& folder) {
-  size_t count = 0;
+support::Result<std::vector<std::filesystem::path>> writeRuns(const analysis::CheckedFile& checked,
+                                                              const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> places;
   for (const ir::prove::RequirementVerdict& verdict : checked.proved.requirements) {
     if (verdict.verdict != ir::prove::Verdict::Refuted || !verdict.run) {
       continue;
@@ -45,9 +45,9 @@ support::Result<size_t> writeRuns(const analysis::CheckedFile& checked,
         !written) {
       return std::unexpected(written.error());
     }
-    ++count;
+    places.push_back(place);
   }
-  return count;
+  return places;
 }
 
 }  // namespace glider::driver

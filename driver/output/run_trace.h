@@ -12,8 +12,8 @@ namespace glider::driver {
 
 /// Writes, for each requirement with a counterexample, `folder`/requirement-N/ (N from 1) with
 /// trace.json, trace.csv, events.csv and report.html, in one step as for a flight (FlightFolder).
-/// Returns how many were written.
-support::Result<size_t> writeRuns(const analysis::CheckedFile& checked,
-                                  const std::filesystem::path& folder);
+/// Returns these folders.
+support::Result<std::vector<std::filesystem::path>> writeRuns(const analysis::CheckedFile& checked,
+                                                              const std::filesystem::path& folder);
 
 }  // namespace glider::driver

@@ -7,8 +7,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <string_view>
 
 namespace glider::driver {
 namespace {
@@ -64,7 +67,15 @@ CLI::Option* addOption(CLI::App& command, const std::string& name, const Kind& k
 
 }  // namespace
 
-std::optional<double> quantityIn(const std::string& text, support::Dimension dimension) {
+namespace {
+
+/// One number with its unit, and the factor of the unit to SI units.
+struct Part {
+  double value;
+  double unit;
+};
+
+std::optional<Part> partIn(std::string_view text, support::Dimension dimension) {
   double number = 0;
   const char* const last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, number);
@@ -76,11 +87,44 @@ std::optional<double> quantityIn(const std::string& text, support::Dimension dim
     ++unit;
   }
   if (unit == last) {
-    return end == last ? std::optional(number) : std::nullopt;
+    return end == last ? std::optional(Part{number, 0}) : std::nullopt;
   }
   const auto found = support::findUnit({unit, last});
-  return found && found->dimension == dimension ? std::optional(number * found->to_si)
-                                                : std::nullopt;
+  return found && found->dimension == dimension
+             ? std::optional(Part{number * found->to_si, found->to_si})
+             : std::nullopt;
+}
+
+/// `3 h` of `3 h 30 min`: up to the last letter before white space or a digit.
+std::string_view firstPartOf(std::string_view text) {
+  constexpr std::string_view kLetters = "abcdfghijklmnopqrstuvwxyz";  // `1e3 s` is one part
+  const size_t letter = text.find_first_of(kLetters);
+  const size_t end = letter == text.npos ? text.npos : text.find_first_of(" 0123456789", letter);
+  return text.substr(0, std::min(end, text.size()));
+}
+
+}  // namespace
+
+std::optional<double> quantityIn(const std::string& text, support::Dimension dimension) {
+  const auto whole = partIn(text, dimension);
+  if (whole || dimension != support::dimension::time) {
+    return whole ? std::optional(whole->value) : std::nullopt;
+  }
+  // As in missions: from the largest unit to the smallest, each part less than the unit before it.
+  double sum = 0;
+  double last = std::numeric_limits<double>::infinity();
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::string_view first = firstPartOf(rest);
+    const auto part = partIn(first, dimension);
+    if (!part || !(part->unit > 0 && part->unit < last && part->value < last)) {
+      return std::nullopt;
+    }
+    sum += part->value;
+    last = part->unit;
+    rest.remove_prefix(first.size());
+    rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+  }
+  return sum > 0 ? std::optional(sum) : std::nullopt;
 }
 
 CLI::Option* addDurationOption(CLI::App& command, const std::string& name,

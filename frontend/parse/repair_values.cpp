@@ -206,11 +206,12 @@ bool ValueRepair::countOperator(const Lexeme& t) {
   return true;
 }
 
-/// Whether a name at the beginning of an argument was read: `yo(top`.
+/// Whether a name at the beginning of an argument was read: `yo(top`. It may be the word of a unit
+/// or of a function, `yo(min`: analysis knows the names of the parameters.
 bool ValueRepair::namesArgument() const {
   const size_t n = out_.size();
-  return !parentheses_.empty() && parentheses_.back().lists && n > 1 && isName(out_.back().type) &&
-         parentheses_.back().opener.type == GliderLexer::LPAREN &&
+  return !parentheses_.empty() && parentheses_.back().lists && n > 1 &&
+         isAnyName(out_.back().type) && parentheses_.back().opener.type == GliderLexer::LPAREN &&
          oneOf(out_[n - 2].type, {GliderLexer::LPAREN, GliderLexer::COMMA});
 }
 
@@ -229,7 +230,12 @@ bool ValueRepair::typesParameter() const {
 /// The first `=` after `const`, `param`, `var`, `share`, `set` and `place` assigns a value; every
 /// other was meant as a comparison.
 Lexeme ValueRepair::equals(Lexeme t) {
-  if (t.type == GliderLexer::ASSIGN && (namesArgument() || typesParameter())) {
+  if (t.type == GliderLexer::ASSIGN && namesArgument()) {
+    Lexeme& name = out_.back();
+    name.type = isName(name.type) ? name.type : uint32_t{GliderLexer::NAME};
+    return t;
+  }
+  if (t.type == GliderLexer::ASSIGN && typesParameter()) {
     return t;
   }
   const bool gives = assignable_ && parentheses_.empty();

@@ -3,6 +3,7 @@
 
 #include "ir/verify/value_text.h"
 
+#include "support/units/position_text.h"
 #include "support/units/units.h"
 
 #include <fmt/format.h>
@@ -27,6 +28,12 @@ double shown(double value, Type type) {
 }  // namespace
 
 std::string withUnit(double value, Type type) {
+  if (type.kind == TypeKind::Latitude && std::isfinite(value)) {
+    return support::latitudeText(value);
+  }
+  if (type.kind == TypeKind::Longitude && std::isfinite(value)) {
+    return support::longitudeText(value);
+  }
   const std::string unit = unitOf(type);
   return fmt::format("{:.6g}{}{}", shown(value, type), unit.empty() ? "" : " ", unit);
 }

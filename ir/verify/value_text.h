@@ -10,7 +10,7 @@
 namespace glider::ir {
 
 /// A number (SI units; for a position degrees) in the unit in which its type is shown: "12 m",
-/// "39.2 deg".
+/// "39 10.500 N".
 std::string withUnit(double value, Type type);
 /// The same as `--set` takes it, with 15 digits: "12.25m", "39.2 S".
 std::string withUnitExactly(double value, Type type);

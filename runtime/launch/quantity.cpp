@@ -15,6 +15,16 @@ bool isDigit(char c) {
   return c >= '0' && c <= '9';
 }
 
+bool isLetter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// The last character that is not white space; 0: there is none.
+char lastOf(const Piece& text) {
+  const Piece piece = text.trimmed();
+  return piece.empty() ? '\0' : piece.end[-1];
+}
+
 uint64_t hexadecimal(const char* digits, uint32_t count) {
   uint64_t value = 0;
   for (uint32_t i = 0; i < count; ++i) {
@@ -197,13 +207,13 @@ Reading readHalf(Piece rest, const char* units, double& value) {
   return Reading::Good;
 }
 
-Reading readNumber(Piece rest, const char* units, double& value) {
-  const Decimal number = takeDecimal(rest);
+/// One number with its unit; `factor` is that of the unit.
+Reading readPart(Piece text, const char* units, double& value, double& factor) {
+  const Decimal number = takeDecimal(text);
   if (number.seen == 0) {
     return Reading::NotANumber;
   }
-  double factor = 1;
-  if (!factorOf(rest.trimmed(), units, factor)) {
+  if (!factorOf(text.trimmed(), units, factor)) {
     return Reading::NoSuchUnit;
   }
   double plain = 0;
@@ -212,6 +222,54 @@ Reading readNumber(Piece rest, const char* units, double& value) {
   }
   value = gliderSettle(plain * factor);
   return Reading::Good;
+}
+
+/// Whether the unit of a time ends with it; `1e3 s` has none before the 3.
+bool endsUnit(char c) {
+  return isLetter(c) && c != 'e' && c != 'E';
+}
+
+/// Takes `3 h` from `3 h 30 min`: up to the first digit after a unit.
+Piece takePart(Piece& text) {
+  const char* end = text.begin;
+  while (end != text.end && !(isDigit(*end) && endsUnit(lastOf({text.begin, end})))) {
+    ++end;
+  }
+  const Piece part = Piece{text.begin, end}.trimmed();
+  text = Piece{end, text.end}.trimmed();
+  return part;
+}
+
+/// `3 h 30 min`, as in the language: from the largest unit to the smallest, and each part less than
+/// the unit before it.
+Reading readDuration(Piece rest, const char* units, double& value) {
+  double sum = 0;
+  double last = 0;
+  for (bool first = true; first || !rest.empty(); first = false) {
+    const Piece part = takePart(rest);
+    double time = 0;
+    double unit = 1;
+    const Reading reading = readPart(part, units, time, unit);
+    if (reading != Reading::Good) {
+      return reading;
+    }
+    const bool bare = !isLetter(lastOf(part));
+    const bool more = !rest.empty();
+    if ((!first && (bare || !(unit < last) || !(time < last))) || (more && (bare || time < 0.0))) {
+      return Reading::NoSuchUnit;
+    }
+    sum = gliderSettle(sum + time);
+    last = unit;
+  }
+  value = sum;
+  return Reading::Good;
+}
+
+Reading readNumber(Piece rest, const char* units, double& value) {
+  double factor = 1;
+  Units known(units);
+  const bool time = known.next() && known.name().is("s");
+  return time ? readDuration(rest, units, value) : readPart(rest, units, value, factor);
 }
 
 }  // namespace

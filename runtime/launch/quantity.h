@@ -51,11 +51,11 @@ enum class Reading : uint8_t {
   SignAndLetter,  ///< a minus sign and N, S, E or W
 };
 
-/// Reads "20", "20 m", "-1.5e3cm", "39.2 N", "39 10.5 N", "3910.5 N", or of a truth value "true" or
-/// "false", into `value`, in SI units or degrees. A latitude or longitude without a letter is
-/// ddmm.mmmm, as in the language (within 1e-12 degrees of it). The nearest double, on every board:
-/// at most 15 digits and powers of ten up to 22, which one correctly rounded operation turns into a
-/// double (W. D. Clinger, How to read floating point numbers accurately, PLDI 1990).
+/// Reads "20", "20 m", "-1.5e3cm", "3 h 30 min", "39.2 N", "39 10.5 N", "3910.5 N", or of a truth
+/// value "true" or "false", into `value`, in SI units or degrees. A latitude or longitude without a
+/// letter is ddmm.mmmm, as in the language (within 1e-12 degrees of it). The nearest double, on
+/// every board: at most 15 digits and powers of ten up to 22, which one correctly rounded operation
+/// turns into a double (W. D. Clinger, How to read floating point numbers accurately, PLDI 1990).
 Reading readQuantity(const Piece& text, const char* units, double& value);
 
 }  // namespace glider::runtime

@@ -65,6 +65,24 @@ TEST_F(CheckVehicle, WhatHookbehRefusesIsAnError) {
   expectFine(with("", "b_arg: max_depth(m) 25\nb_arg: max_pitch(rad) 0.46\n"));
 }
 
+TEST_F(CheckVehicle, AnAvoidanceOfTheLibraryIsReportedWhereItIsUsed) {
+  const auto above = [&](const std::string& height) {
+    const auto file = folder_.write("above.mission",
+                                    "mission m\nstate survey\nbegin\n  flightroute noheading\n"
+                                    "  flightprofile yo_above(5 m, 20 m, above = " +
+                                        height +
+                                        ")\n  sensors missiontime, depth, altitude\n"
+                                        "  events case missiontime >= 1 h exit\nend\n");
+    return runShell("$GLIDERCC check --mi " + vehicle("", "b_arg: min_altitude(m) 5\n") + " " +
+                    file.string());
+  };
+  const Outcome late = above("7 m");
+  EXPECT_THAT(late.err, HasSubstr("above.mission:5:17: warning: the vehicle may not follow the "
+                                  "mission: `yo_above` turns here only at less than 7 m"));
+  EXPECT_THAT(late.err, HasSubstr("hint: give it 8 m or more: 5 m for"));
+  EXPECT_THAT(above("8 m").err, Not(HasSubstr("GL3131"))) << "8 m is what the hint says";
+}
+
 TEST_F(CheckVehicle, AFinBeyondThatOfHookbehIsAnError) {
   const auto with_fin = [&](const std::string& hookbeh) {
     const auto fin = folder_.write("fin.mission",

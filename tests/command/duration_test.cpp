@@ -55,6 +55,21 @@ TEST(Duration, AShortOneCutsTheFlight) {
   EXPECT_THAT(outcome.err, Not(HasSubstr("overtime")));
 }
 
+TEST(Duration, IsWrittenAsInAMission) {
+  const Long one("1 h");
+  for (const char* time : {"10 min 30 s", "10min30s", "10.5 min", "630", "6.3e2 s"}) {
+    EXPECT_THAT(one.run("sim long.mission --duration '" + std::string(time) + "'").out,
+                HasSubstr("simulated time of 630 s"))
+        << time;
+  }
+  for (const char* time :
+       {"30 s 10 min", "1 h 70 min", "1 h 30", "3 h 30 m", "h", "3 h x", "3 h 3 h"}) {
+    EXPECT_THAT(one.run("sim long.mission --duration '" + std::string(time) + "'").err,
+                HasSubstr("` is not a time: write a number with s, min, h or day"))
+        << time;
+  }
+}
+
 TEST(Duration, OfACheckToo) {
   const Long twenty("20 h");
   const std::string check = "check --scenario default long.mission";

@@ -274,6 +274,9 @@ TEST_F(PortCommand, WhatThePortCannotCommandIsAnErrorWithTheNearest) {
   EXPECT_EQ(built.status, 1);
   EXPECT_THAT(built.err, HasSubstr("GL4015"));
   EXPECT_THAT(built.err, HasSubstr("descend(to = DEPTH, pitch = ANGLE)"));
+  EXPECT_THAT(built.err, HasSubstr("hover.mission:5:17: error: "))
+      << "the pilot's line, not the library's";
+  EXPECT_THAT(built.err, HasSubstr("note: it is commanded here"));
   EXPECT_FALSE(fs::exists(path() / "port")) << "nothing is written";
 }
 
@@ -284,7 +287,8 @@ TEST_F(PortCommand, AHeldFinIsOneOfThem) {
         "  sensors missiontime\n  events\n    case missiontime > 1 h exit\nend\n");
   const Outcome built = run("build spiral.mission --dialect extctl -o port");
   EXPECT_EQ(built.status, 1);
-  EXPECT_THAT(built.err, AllOf(HasSubstr("GL4015"), HasSubstr("`fin`")));
+  EXPECT_THAT(built.err, AllOf(HasSubstr("GL4015"), HasSubstr("`fin`"),
+                               HasSubstr("spiral.mission:5:15: error: ")));
 }
 
 TEST_F(PortCommand, PumpAndBatteryAreOthers) {

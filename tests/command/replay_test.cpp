@@ -56,6 +56,14 @@ class Replay : public testing::Test {
   Outcome checked_;
 };
 
+TEST_F(Replay, TheFolderOfACounterexampleIsEnough) {
+  EXPECT_THAT(checked_.err,
+              HasSubstr("`glidercc sim " + mission_ + " --replay " + runs() + "/requirement-"));
+  const Outcome flown =
+      runShell("$GLIDERCC sim " + mission_ + " --replay " + runs() + "/requirement-3");
+  EXPECT_THAT(flown.out, HasSubstr("violates `require always depth <= 20 m`")) << flown.err;
+}
+
 TEST_F(Replay, TheSameViolationShowsInProcessAndOnTheHost) {
   EXPECT_EQ(checked_.status, 1);
   EXPECT_THAT(checked_.err, HasSubstr("[GL3110 requirement-broken]"));

@@ -102,10 +102,37 @@ end
   EXPECT_THAT(run("$GLIDERCC check m.mission").err, HasSubstr("[GL3141 call-repeats]"));
 }
 
+/// The reason of a transition gives a time as UTC, with its date for `utc`.
+TEST_F(Sim, TimesOfReasonsAreUtc) {
+  (void)folder_.write("m.mission", R"(mission m
+state a
+begin
+  flightprofile yo(5 m, 20 m, 26 deg, 26 deg)
+  sensors missiontime
+  events
+    case missiontime > 1 min && timeofday >= 0 h goto b
+end
+state b
+begin
+  flightprofile yo(5 m, 20 m, 26 deg, 26 deg)
+  sensors missiontime, statetime
+  events
+    case statetime > 1 min && utc > 2001-01-01T00:00Z exit
+end
+)");
+  const Outcome flown = run("$GLIDERCC sim m.mission -o f");
+  const std::string events = slurp(folder_.path() / "f" / "events.csv");
+  EXPECT_THAT(events,
+              testing::ContainsRegex("m_present_time [0-2][0-9]:[0-5][0-9]:[0-5][0-9] UTC"));
+  EXPECT_THAT(events, testing::ContainsRegex(
+                          "m_present_time 20[0-9-]* [0-2][0-9]:[0-5][0-9]:[0-5][0-9] UTC"));
+}
+
 /// Of each kind: a start elsewhere, a current, readings out of a range and gone too long.
 TEST_F(Sim, AFlightThatBreaksAnAssumptionWarns) {
   const std::pair<const char*, const char*> kBroken[] = {
-      {"start inside(49 N 74 W, 49 N 73 W, 50 N 73.5 W)", "the mission begins at 39.17"},
+      {"start inside(49 N 74 W, 49 N 73 W, 50 N 73.5 W)", "s, the mission begins at 39 10."},
+      {"start distance(39 10.5 N 73 49.8 W) <= 30 m", "431 m from the place that it names"},
       {"depth <= 15 m", "in state `s`"},
       {"depth in 0 m .. 15 m", "in state `s`"},
       {"gpslat in 10 N .. 20 N", "in state `s`"},

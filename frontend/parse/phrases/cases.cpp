@@ -112,7 +112,23 @@ size_t ifAsCase(Phrase& phrase, size_t tokens) {
   return tokens;
 }
 
-/// `else stay`: a case that is always true.
+/// Whether no case follows the one whose block or transition begins at token `k`.
+bool isLastCase(const Phrase& phrase, size_t k) {
+  constexpr size_t kFarthest = 300;
+  size_t deep = 0;
+  for (const size_t first = k; deep > 0 || !isTransition(phrase.type(k)); ++k) {
+    const uint32_t type = phrase.type(k);
+    if (type == kEof || k - first > kFarthest) {
+      return false;
+    }
+    deep += oneOf(type, {GliderLexer::DO, GliderLexer::IF}) ? 1U : 0U;
+    deep -= type == GliderLexer::END && deep > 0 ? 1U : 0U;
+  }
+  const uint32_t next = phrase.type(k + tokensOfTransition(phrase, k));
+  return oneOf(next, {GliderLexer::END, kEof}) || startsItem(next);
+}
+
+/// `else stay`: a case that is always true. In the middle of others it would hide those after it.
 size_t elseAsCase(Phrase& phrase) {
   constexpr std::array<std::string_view, 3> kWords = {"else", "otherwise", "default"};
   const bool other =
@@ -121,12 +137,38 @@ size_t elseAsCase(Phrase& phrase) {
     return 0;
   }
   const Lexeme word = phrase.token();
-  report(phrase, 1)
-      .hint(fmt::format("write `case true {}` as the last case", phrase.text(1)))
-      .fix(phrase.source().range(word), "case true");
+  const std::string transition =
+      isTransition(phrase.type(1)) ? std::string(phrase.wholeText(1, tokensOfTransition(phrase, 1)))
+                                   : "do …";
+  auto builder = report(phrase, 1);
+  if (isLastCase(phrase, 1)) {
+    builder.hint(fmt::format("write `case true {}` as the last case", transition))
+        .fix(phrase.source().range(word), "case true");
+  } else {
+    builder.hint(
+        fmt::format("move it after the other cases and write `case true {}`: no case after "
+                    "it would ever be taken",
+                    transition));
+  }
   phrase.put({GliderLexer::CASE, word.begin, word.end});
   phrase.put({GliderLexer::TRUE, word.begin, word.end});
   return 1;
+}
+
+/// The tokens of `3 yos` from token `k` on; 0: it is something else.
+size_t tokensOfYos(const Phrase& phrase, size_t k) {
+  constexpr std::array<std::string_view, 4> kWords = {"yo", "yos", "dive", "dives"};
+  const bool yos = phrase.type(k) == GliderLexer::NUMBER && isAnyName(phrase.type(k + 1)) &&
+                   std::ranges::any_of(kWords, [&](auto word) { return phrase.says(k + 1, word); });
+  return yos ? 2 : 0;
+}
+
+/// The condition that is meant with `every 3 yos` and `after 3 yos`.
+std::string countOfYos(const Phrase& phrase, size_t number) {
+  return phrase.type(number - 1) == GliderLexer::EVERY
+             ? fmt::format("became(yo_number > 1 && remainder(yo_number - 1, {}) == 0)",
+                           phrase.text(number))
+             : fmt::format("yo_number > {}", phrase.text(number));
 }
 
 /// `every 30 min call up`, `after 1 h exit`: a clock does what the word says.
@@ -135,13 +177,17 @@ size_t clockAsCase(Phrase& phrase) {
   if (!every && phrase.type() != GliderLexer::AFTER) {
     return 0;
   }
-  const size_t time = tokensOfNumber(phrase, 1);
+  const size_t yos = tokensOfYos(phrase, 1);
+  const size_t time = yos != 0 ? yos : tokensOfNumber(phrase, 1);
   if (time == 0 || !isTransition(phrase.type(1 + time))) {
     return 0;
   }
   const Lexeme word = phrase.token();
-  report(phrase, 1).hint(fmt::format("write `case {} > {} …`", every ? "resumetime" : "statetime",
-                                     phrase.wholeText(1, time)));
+  const std::string condition =
+      yos != 0
+          ? countOfYos(phrase, 1)
+          : fmt::format("{} > {}", every ? "resumetime" : "statetime", phrase.wholeText(1, time));
+  report(phrase, 1).hint(fmt::format("write `case {} …`", condition));
   phrase.put({GliderLexer::CASE, word.begin, word.end});
   phrase.put(phrase.whole(1, time, GliderLexer::TRUE));
   return 1 + time;
@@ -196,14 +242,16 @@ size_t conditionWord(Phrase& phrase) {
     phrase.put({GliderLexer::TRUE, word.begin, word.end});
     return 1;
   }
-  const size_t time =
-      oneOf(word.type, {GliderLexer::AFTER, GliderLexer::EVERY}) ? tokensOfNumber(phrase, 1) : 0;
+  const bool clock = oneOf(word.type, {GliderLexer::AFTER, GliderLexer::EVERY});
+  const size_t yos = clock ? tokensOfYos(phrase, 1) : 0;
+  const size_t time = yos != 0 ? yos : clock ? tokensOfNumber(phrase, 1) : 0;
   if (time == 0) {
     return 0;
   }
   const std::string_view duration = phrase.wholeText(1, time);
   unexpected().hint(
-      word.type == GliderLexer::EVERY
+      yos != 0 ? fmt::format("write `{}`", countOfYos(phrase, 1))
+      : word.type == GliderLexer::EVERY
           ? fmt::format("write `resumetime > {}`", duration)
           : fmt::format(
                 "write `missiontime > {0}`, or `statetime > {0}` for the time in this state",

@@ -164,6 +164,39 @@ bool isOfAnArray(const Phrase& phrase) {
   }
 }
 
+/// Whether every value from here to the `]` is two numbers with a space between them, and no sign:
+/// `39.175 73.83, 39.2 73.8`.
+bool isListOfHalves(const Phrase& phrase) {
+  constexpr size_t kMostPairs = 100;
+  for (size_t k = 0, pairs = 0; pairs < kMostPairs; ++pairs) {
+    const auto first = halfAt(phrase, k);
+    const auto second = first ? halfAt(phrase, first->end) : std::nullopt;
+    const auto plain = [&](const Half& half) {
+      return !half.letter && !half.negative && !isPlainlyDdmm(phrase.text(half.at));
+    };
+    if (!second || !plain(*first) || !plain(*second)) {
+      return false;
+    }
+    k = second->end;
+    if (phrase.type(k) != GliderLexer::COMMA) {
+      return phrase.type(k) == GliderLexer::RBRACKET;
+    }
+    ++k;
+  }
+  return false;
+}
+
+/// Whether a position of the list that is being read was reported: the others have the same error.
+bool reportedInList(const Phrase& phrase) {
+  for (size_t k = 0; phrase.before(k) != 0 && phrase.before(k) != GliderLexer::LBRACKET; ++k) {
+    const std::string_view text = phrase.source().text(*phrase.lexemeBefore(k));
+    if (phrase.before(k) == GliderLexer::NUMBER && text.find_first_of(" ,") != text.npos) {
+      return !phrase.open().empty() && phrase.open().back().type == GliderLexer::LBRACKET;
+    }
+  }
+  return false;
+}
+
 /// Whether a pair without parentheses can be meant: between the values of a path, or as the whole
 /// value of a constant.
 bool mayBePair(const Phrase& phrase, const Pair& pair) {
@@ -180,6 +213,10 @@ bool mayBePair(const Phrase& phrase, const Pair& pair) {
   const size_t sign = pair.second.at - 1;
   const bool sign_of_number =
       pair.second.negative && !phrase.touches(sign) && phrase.touches(sign + 1);
+  if (!pair.comma && !pair.enclosed && ends && fraction && isListOfHalves(phrase) &&
+      !isOfAnArray(phrase)) {
+    return true;
+  }
   if (!pair.comma) {
     return !pair.enclosed && ends && sign_of_number &&
            (pair.first.letter || !isPlainlyDdmm(phrase.text(pair.first.at)));
@@ -217,6 +254,10 @@ size_t pairOfNumbers(Phrase& phrase) {
   const auto better = pair->first.letter ? lettered(phrase, *pair) : bare(phrase, *pair);
   if (!better) {
     return 0;
+  }
+  if (!pair->first.letter && !better->certain && reportedInList(phrase)) {
+    putPair(phrase, *pair);
+    return pair->end;
   }
   const Lexeme whole = phrase.whole(0, pair->end);
   auto report = phrase.reporter().at(whole, support::diagnostics::positionForm,

@@ -106,6 +106,10 @@ void Phrase::insert(uint32_t type) {
 }
 
 bool Phrase::skip() {
+  while (!supplied_.empty() && supplied_.begin()->first <= at_) {
+    insert(supplied_.begin()->second);
+    supplied_.erase(supplied_.begin());
+  }
   const bool left_out = left_out_.contains(at_);
   at_ += left_out ? 1U : 0U;
   return left_out;

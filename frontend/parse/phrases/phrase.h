@@ -7,6 +7,7 @@
 #include "frontend/parse/reporter.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -77,6 +78,8 @@ class Phrase {
   void insert(uint32_t type);
   /// Token `k` of the text is left out later, without a report.
   void leaveOut(size_t k) { left_out_.insert(at_ + k); }
+  /// A token that is missing is inserted later, before token `k` of the text.
+  void supplyBefore(size_t k, uint32_t type) { supplied_.emplace(at_ + k, type); }
   /// What was put is not what the text means: its names and types are not checked.
   void notAsMeant() { as_meant_ = false; }
 
@@ -96,6 +99,7 @@ class Phrase {
   std::vector<Lexeme> out_;
   std::vector<OpenList> open_;
   std::set<size_t> left_out_;
+  std::map<size_t, uint32_t> supplied_;
   std::optional<std::set<std::string_view>> declared_;  ///< once it was needed
   uint32_t keyword_ = 0;
   bool in_range_ = false;

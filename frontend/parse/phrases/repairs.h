@@ -14,6 +14,8 @@ size_t comment(Phrase& phrase);
 size_t capitals(Phrase& phrase);
 /// `if … then call up`, `when … call up`, `else stay`, a condition without `case`.
 size_t caseWord(Phrase& phrase);
+/// `entry log "warm" end`.
+size_t entryWithoutDo(Phrase& phrase);
 /// `call state up`, `go to up`.
 size_t target(Phrase& phrase);
 /// `exit mission`, `return look`, `call up exit`.
@@ -50,10 +52,21 @@ size_t softUnit(Phrase& phrase);
 size_t rangeWordAsUnit(Phrase& phrase);
 /// `200 ml/L`, `5 hPa`: units of other systems.
 size_t foreignUnit(Phrase& phrase);
+/// `2027-01-01 00:00`.
+size_t instant(Phrase& phrase);
+/// `18:00`.
+size_t clockTime(Phrase& phrase);
+/// `yo_number % 3`.
+size_t remainderSign(Phrase& phrase);
 /// `1h30`, `3 h 30 min`.
 size_t timeInParts(Phrase& phrase);
 /// `(39.175, -73.83)`, `39.175 N, 73.83 W`.
 size_t pairOfNumbers(Phrase& phrase);
+/// `= 39.175 N 73.83 W, 39.2 N 73.8 W`, `(39.175 N 73.83 W, 39.2 N 73.8 W)`: a path without
+/// brackets.
+size_t pathWithoutBrackets(Phrase& phrase);
+/// `set p = lat lon`.
+size_t latitudeWithLongitude(Phrase& phrase);
 /// `N 39.175`.
 size_t letterBefore(Phrase& phrase);
 /// `heading(E)`.

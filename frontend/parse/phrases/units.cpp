@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -223,7 +224,50 @@ size_t degreesCelsius(Phrase& phrase) {
   return 2;
 }
 
+namespace {
+
+/// `90 deg mag`, `90 degM`, `90 deg true`.
+size_t otherNorth(Phrase& phrase) {
+  if (phrase.before() != GliderLexer::NUMBER || phrase.startsLine()) {
+    return 0;
+  }
+  constexpr std::array<std::string_view, 4> kWords = {"mag", "magn", "magnetic", "m"};
+  const std::string first = phrase.lower();
+  const std::string second = phrase.startsLine(1) ? "" : phrase.lower(1);
+  const bool degrees = phrase.type() == GliderLexer::UNIT && first == "deg";
+  const bool glued = phrase.type() == GliderLexer::NAME && first.starts_with("deg") &&
+                     std::ranges::find(kWords, first.substr(3)) != kWords.end();
+  const bool apart = degrees && phrase.text(1) != "magnetic" && phrase.text(1) != "m" &&
+                     std::ranges::find(kWords, second) != kWords.end();
+  const bool geographic = degrees && (second == "true" || phrase.text(1) == "T");
+  const size_t tokens = glued ? 1 : 2;
+  if (!(glued || apart || geographic) || phrase.type(tokens) == GliderLexer::LPAREN) {
+    return 0;
+  }
+  if (geographic) {
+    phrase.reporter()
+        .at(phrase.token(1), support::diagnostics::superfluousWord, phrase.text(1), "after `deg`")
+        .hint("delete it: without `magnetic` an angle is from true north")
+        .fix({phrase.source().file, phrase.token().end, phrase.token(1).end}, "");
+    phrase.put(phrase.token());
+    return tokens;
+  }
+  const Lexeme unit = phrase.whole(0, tokens, GliderLexer::UNIT);
+  phrase.reporter()
+      .at(unit, support::diagnostics::unknownUnit, phrase.source().text(unit),
+          "write `deg magnetic`")
+      .fix(phrase.source().range(unit),
+           phrase.lexemeBefore()->end < unit.begin ? "deg magnetic" : " deg magnetic");
+  phrase.notAsMeant();
+  return tokens;
+}
+
+}  // namespace
+
 size_t magneticHeading(Phrase& phrase) {
+  if (const size_t taken = otherNorth(phrase)) {
+    return taken;
+  }
   if (phrase.before() != GliderLexer::NUMBER || phrase.type() != GliderLexer::UNIT ||
       phrase.type(1) != GliderLexer::NAME || phrase.text(1) != "magnetic" ||
       phrase.type(2) == GliderLexer::LPAREN) {
@@ -280,6 +324,22 @@ size_t rangeWordAsUnit(Phrase& phrase) {
   return 1;
 }
 
+namespace {
+
+/// The `^3` of `kg/m^3`, the `³` of `kg/m³`, at token `k`.
+size_t tokensOfPower(const Phrase& phrase, size_t k) {
+  if (phrase.type(k) != GliderLexer::FOREIGN || !phrase.touches(k)) {
+    return 0;
+  }
+  if (phrase.text(k) != "^") {
+    return phrase.text(k) == "²" || phrase.text(k) == "³" ? 1 : 0;
+  }
+  const size_t sign = phrase.type(k + 1) == GliderLexer::MINUS ? 1 : 0;
+  return phrase.type(k + 1 + sign) == GliderLexer::NUMBER ? 2 + sign : 0;
+}
+
+}  // namespace
+
 size_t foreignUnit(Phrase& phrase) {
   if (phrase.before() != GliderLexer::NUMBER || phrase.type() != GliderLexer::NAME ||
       phrase.startsLine()) {
@@ -287,7 +347,7 @@ size_t foreignUnit(Phrase& phrase) {
   }
   const bool fraction = phrase.type(1) == GliderLexer::DIVIDE && isAnyName(phrase.type(2)) &&
                         phrase.touches(1) && phrase.touches(2);
-  const size_t tokens = fraction ? 3 : 1;
+  const size_t tokens = (fraction ? 3 : 1) + tokensOfPower(phrase, fraction ? 3 : 1);
   const OtherUnit* other = otherUnit(std::string(phrase.wholeText(0, tokens)));
   if (other == nullptr && !(fraction && unitForWord(phrase.text()).empty())) {
     return 0;

@@ -204,6 +204,13 @@ void ExprLowering::suggestUnit(const ast::Expr& value, const ir::Type& other, st
   }
   const bool angle = other.dimension == support::dimension::angle;
   const std::string unit = angle ? "deg" : std::string(support::unitName(other.dimension));
+  if (literal->unit == "%" && other.dimension == support::dimension::voltage) {
+    report.hint(
+        fmt::format("what is left of a battery is read as its voltage: write the voltage that "
+                    "`{} %` stands for, in V",
+                    literal->digits));
+    return;
+  }
   if (!unit.empty()) {
     report.hint(fmt::format("both sides of `{}` must have the same kind of value, such as `{} {}`",
                             op, literal->digits, unit));

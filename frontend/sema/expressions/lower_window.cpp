@@ -188,6 +188,7 @@ ExprLowering::Result ExprLowering::emitLeg(ir::Temporal temporal, const LegWords
   temporal.list = *scope_.context.list;
   temporal.state = scope_.context.state;
   temporal.along = sensor(*dive->sensor, dive->sensor->name, range)->id;
+  reads_.back().implied = true;  // as by `diving`
   temporal.leg = leg.leg;
   temporal.dive = leg.dives ? dive->value : climb->value;
   temporal.climb = leg.climbs ? climb->value : dive->value;

@@ -4,6 +4,7 @@
 #include "ir/prove/falsification/run_recorder.h"
 
 #include "ir/verify/value_text.h"
+#include "support/units/position_text.h"
 
 #include <fmt/format.h>
 
@@ -36,6 +37,13 @@ double asFloat(double raw, const Sensor& sensor) {
     return std::nextafter(nearest, std::numeric_limits<float>::infinity());
   }
   return nearest;
+}
+
+/// "2.9987 km": it may differ from a limit by less than a metre.
+std::string distanceText(double metres) {
+  constexpr double kKilometre = 1000;
+  return metres < kKilometre ? fmt::format("{:.5g} m", metres)
+                             : fmt::format("{:.8g} km", std::round(metres * 10) / 10 / kKilometre);
 }
 
 /// Whether a tick leaves control unchanged.
@@ -153,6 +161,10 @@ void RunRecorder::describeValues() {
   }
   std::vector<ExprId> open{requirements_[*hit_].condition};
   std::set<std::string> told;
+  std::optional<double> north, east;  // of the vehicle: told as one position
+  const auto tell_value = [&](const std::string& text) {
+    result_.values += (result_.values.empty() ? "" : ", ") + text;
+  };
   while (!open.empty()) {
     const ExprId id = open.back();
     open.pop_back();
@@ -161,6 +173,12 @@ void RunRecorder::describeValues() {
     }
     const Expr& e = m_[id];
     open.insert(open.end(), e.operands.rbegin(), e.operands.rend());
+    if (e.op == Op::Distance) {
+      const double metres = interpreter_->number(id);
+      tell_value(metres == metres ? "the distance is " + distanceText(metres)
+                                  : "the distance is unknown");
+      continue;
+    }
     const bool depth = e.op == Op::Sensor && depth_sensor_ == e.sensor;
     const std::string name = e.op == Op::Sensor     ? m_[e.sensor].name
                              : e.op == Op::Variable ? m_[e.variable].name
@@ -170,8 +188,20 @@ void RunRecorder::describeValues() {
     }
     const double now = result_.ticks.back().depth;
     const double value = depth && now == now ? now : interpreter_->number(id);
-    result_.values += fmt::format("{}{} {}", result_.values.empty() ? "" : ", ", name,
-                                  value == value ? "is " + withUnit(value, e.type) : "unknown");
+    if (e.op == Op::Sensor && e.type.kind == TypeKind::Latitude && value == value) {
+      north = value;
+    } else if (e.op == Op::Sensor && e.type.kind == TypeKind::Longitude && value == value) {
+      east = value;
+    } else {
+      tell_value(
+          fmt::format("{} {}", name, value == value ? "is " + withUnit(value, e.type) : "unknown"));
+    }
+  }
+  if (north && east) {
+    tell_value("the position is " + support::positionText(*north, *east));
+  } else if (north || east) {
+    tell_value(north ? "the latitude is " + support::latitudeText(*north)
+                     : "the longitude is " + support::longitudeText(*east));
   }
 }
 

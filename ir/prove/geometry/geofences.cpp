@@ -4,8 +4,10 @@
 #include "ir/prove/geometry/geofences.h"
 
 #include "ir/core/inside.h"
+#include "ir/prove/context/duration_text.h"
 #include "ir/prove/geometry/area_map.h"
 #include "ir/prove/geometry/steering.h"
+#include "support/units/position_text.h"
 
 #include <fmt/format.h>
 
@@ -38,10 +40,11 @@ std::string reasonOf(const ProofContext& proof_context, const Geofence& fence,
                        bound);
   }
   return fmt::format(
-      "its legs come within {:.0f} m of the edge of the area {}; in at most {:.0f} s of flight, "
-      "the "
-      "vehicle may deviate from them by {:.0f} m: by surface drift of {:g} m/s, and {}",
-      found.distance_m, bound, time, margin, proof_context.platform.world.surface_drift_m_s,
+      "its legs come within {} of the edge of the area {}; in at most {} of flight, the vehicle "
+      "may "
+      "deviate from them by {}: by surface drift of {:g} m/s, and {}",
+      support::lengthText(found.distance_m), bound, durationOf(time), support::lengthText(margin),
+      proof_context.platform.world.surface_drift_m_s,
       steering.by_heading ? "by flying without a waypoint"
                           : "while the SBC has no power (`resume within`)");
 }

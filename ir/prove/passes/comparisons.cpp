@@ -91,8 +91,8 @@ class ComparisonCheck {
     if (may.is_true != may.is_false) {
       always = may.is_true;
     }
-    const auto [at, first] =
-        found_.try_emplace({e.range.file, e.range.begin, e.range.end}, Found{e.range, always});
+    const auto [at, first] = found_.try_emplace({e.range.file, e.range.begin, e.range.end},
+                                                Found{e.range, always, isNegativeDepth(e)});
     if (!first && at->second.always != always) {
       at->second.always.reset();
     }
@@ -101,15 +101,31 @@ class ComparisonCheck {
   void report() {
     for (const auto& [place, found] : found_) {
       if (found.always && !proof_.said.cover(found.range)) {
-        proof_.diagnostics.report(support::diagnostics::comparisonDecided, found.range,
-                                  *found.always ? "true" : "false");
+        auto report = proof_.diagnostics.report(support::diagnostics::comparisonDecided,
+                                                found.range, *found.always ? "true" : "false");
+        if (found.negative_depth) {
+          report.hint("depths are positive downwards: 20 m under the surface is `20 m`");
+        }
       }
     }
+  }
+
+  /// Whether a depth is compared with a value above the surface.
+  [[nodiscard]] bool isNegativeDepth(const Expr& e) const {
+    const Expr& left = m_[e.operands[0]];
+    const bool swapped = left.op != Op::Sensor;
+    const Expr& reading = swapped ? m_[e.operands[1]] : left;
+    if (reading.op != Op::Sensor || proof_.proof_context.depth != reading.sensor) {
+      return false;
+    }
+    const Interval other = possible_->number(e.operands[swapped ? 0 : 1]);
+    return other.highest < 0;
   }
 
   struct Found {
     support::SourceRange range;
     std::optional<bool> always;  ///< its constant value for every reading, in all uses
+    bool negative_depth = false;
   };
 
   Proof& proof_;

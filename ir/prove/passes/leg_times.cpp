@@ -10,6 +10,7 @@
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/geometry/nearest.h"
 #include "ir/prove/passes.h"
+#include "support/units/position_text.h"
 
 #include <fmt/format.h>
 
@@ -99,10 +100,10 @@ void tellIfTooFar(Proof& proof, const State& state, double nearest, double stay)
   }
   proof.findings.lines.push_back(
       {state.range,
-       fmt::format(
-           "`{}` cannot reach its waypoint in time: the nearest other one is {:.0f} m away, "
-           "and in {} the vehicle covers at most {:.0f} m without a current",
-           state.name, nearest, durationOf(stay), way)});
+       fmt::format("`{}` cannot reach its waypoint in time: the nearest other one is {} away, "
+                   "and in {} the vehicle covers at most {} without a current",
+                   state.name, support::lengthText(nearest), durationOf(stay),
+                   support::lengthText(way))});
 }
 
 }  // namespace

@@ -86,6 +86,43 @@ TEST(MissionFacts, PlacesHaveTheNamesOfConstants) {
   EXPECT_EQ(places[1].name, "far");
 }
 
+TEST(MissionFacts, ThePointsOfAPathArePlacesInItsOrder) {
+  auto compilation = compiler::compileText("paths.mission", R"(mission paths
+
+const track: path = [39.175 N 73.835 W, 39.2 N 73.8 W]
+
+state look
+begin
+  flightroute   along(track, 100 m)
+  flightprofile yo(5 m, 30 m, 26 deg, 26 deg)
+  sensors       missiontime
+  events
+    case routedone              goto back
+    case missiontime >= 1 h     exit
+end
+
+state back
+begin
+  flightroute   along([39.21 N 73.81 W, 39.175 N 73.835 W], 100 m)
+  flightprofile yo(5 m, 30 m, 26 deg, 26 deg)
+  sensors       missiontime
+  events
+    case missiontime >= 1 h exit
+end
+)");
+  ASSERT_TRUE(compilation);
+  ASSERT_NE(compilation->checked, nullptr);
+  const compiler::Optimised mission = compiler::optimise(compilation->checked);
+  const auto places = missionFacts(mission, {}).places;
+  ASSERT_EQ(places.size(), 4U);
+  EXPECT_EQ(places[0].name, "track 1");
+  EXPECT_DOUBLE_EQ(places[0].latitude_deg, 39.175);
+  EXPECT_EQ(places[1].name, "track 2");
+  EXPECT_DOUBLE_EQ(places[1].longitude_deg, -73.8);
+  EXPECT_EQ(places[2].name, "back 1") << "a path without a name has that of its state";
+  EXPECT_DOUBLE_EQ(places[2].latitude_deg, 39.21);
+}
+
 TEST(MissionFacts, AWatchCircleHasTheRadiusOfTheLaunch) {
   const auto watched = factsWith({"watch=1km"}).watch_circles;
   ASSERT_EQ(watched.size(), 2U);

@@ -18,6 +18,8 @@ namespace glider::runtime::testing {
 namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
+constexpr const char* kTime =
+    "s=3ff0000000000000 min=404e000000000000 h=40ac200000000000 day=40f5180000000000";
 constexpr const char* kLength = "m=3ff0000000000000 cm=3f847ae147ae147b km=408f400000000000";
 
 class LaunchTest : public ::testing::Test {
@@ -33,7 +35,8 @@ class LaunchTest : public ::testing::Test {
         {"gain", 0.5, -kEndless, kEndless, "=3ff0000000000000 %=3f847ae147ae147b"},
         {"home.latitude", 39, -90, 90, "N=3ff0000000000000 S=bff0000000000000"},
         {"home.longitude", -73.5, -180, 180, "E=3ff0000000000000 W=bff0000000000000"},
-        {"far.latitude", 0, -90, 90, "N=3ff0000000000000 S=bff0000000000000"}};
+        {"far.latitude", 0, -90, 90, "N=3ff0000000000000 S=bff0000000000000"},
+        {"lasts", 60, 0, kEndless, kTime}};
     bench_.condition = [](const GliderContext& c) {
       return c.variables[0] >= c.variables[1] + 5 ? GLIDER_NO_CASE : 0U;
     };
@@ -79,6 +82,10 @@ TEST_F(LaunchTest, TakesValuesWithTheirUnits) {
                {"lon=-7349.8058", 4, -(73 + 49.8058 / 60)},
                {"lon=73.83 W", 4, -73.83},
                {"lon=180 E", 4, 180},
+               {"lasts=3 h 30 min", 9, 12600},
+               {"lasts=1day6h 1 min30 s", 9, 108090},
+               {"lasts=1e3 s", 9, 1000},
+               {"lasts=90", 9, 90},
                {"gain=-20%", 5, -0.2},
                {"gain=0.1", 5, 0.1},
                {"gain=-0", 5, 0},
@@ -101,12 +108,19 @@ TEST_F(LaunchTest, SaysWhatIsWrongAndChangesNothing) {
   const std::pair<const char*, const char*> table[] = {
       {"botom=20m",
        "the mission has no parameter `botom`; it has bottom, survey.top, deep, lat, lon, gain, "
-       "home, far.latitude"},
+       "home, far.latitude, lasts"},
       {"bottom", "`bottom` sets nothing; write `name=value`"},
       {"", "`` sets nothing; write `name=value`"},
       {"bottom=40m", "`bottom` cannot be `40m`: outside its range, 10 m to 30 m"},
       {"survey.top=0", "`survey.top` cannot be `0`: outside its range, at least 1 m"},
       {"bottom=20 kg", "`bottom` cannot be `20 kg`: write a value with a unit: m, cm, km"},
+      {"lasts=30 min 3 h",
+       "`lasts` cannot be `30 min 3 h`: write a value with a unit: s, min, h, day"},
+      {"lasts=1 h 70 min",
+       "`lasts` cannot be `1 h 70 min`: write a value with a unit: s, min, h, day"},
+      {"lasts=1 h 30", "`lasts` cannot be `1 h 30`: write a value with a unit: s, min, h, day"},
+      {"lasts=-1 h 30 min",
+       "`lasts` cannot be `-1 h 30 min`: write a value with a unit: s, min, h, day"},
       {"bottom=20 m m", "`bottom` cannot be `20 m m`: write a value with a unit: m, cm, km"},
       {"bottom=", "`bottom` cannot be ``: it is not a number"},
       {"bottom=m", "`bottom` cannot be `m`: it is not a number"},

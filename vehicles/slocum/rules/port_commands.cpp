@@ -7,6 +7,7 @@
 #include "support/diagnostics/ids/target.h"
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 namespace glider::slocum::rules {
@@ -35,15 +36,26 @@ constexpr Missing kMissing[] = {
      "it"},
 };
 
+/// One of the commands is enough. A command in another file, such as the library, is reported
+/// where the state uses what gives it: `uses` has the places of the profile and the route.
 void check(const std::vector<const ir::Statement*>& commands, const support::SourceRange& otherwise,
+           const std::function<support::SourceRange(const ir::Statement*)>& uses,
            support::DiagnosticEngine& diagnostics) {
   for (const Missing& missing : kMissing) {
     const auto found = std::ranges::find(commands, missing.command, &ir::Statement::command);
-    if (found != commands.end()) {  // one of a profile is enough
-      const support::SourceRange& range = (*found)->range;
-      diagnostics.report(support::diagnostics::notOnPort,
-                         range.end > range.begin ? range : otherwise, missing.word,
-                         missing.nearest);
+    if (found == commands.end()) {
+      continue;
+    }
+    const support::SourceRange& range = (*found)->range;
+    const bool written = range.end > range.begin;
+    const bool elsewhere = written && otherwise.valid() && range.file != otherwise.file;
+    auto report = diagnostics.report(support::diagnostics::notOnPort,
+                                     elsewhere ? uses(*found)
+                                     : written ? range
+                                               : otherwise,
+                                     missing.word, missing.nearest);
+    if (elsewhere) {
+      report.note(range, "it is commanded here");
     }
   }
 }
@@ -51,9 +63,14 @@ void check(const std::vector<const ir::Statement*>& commands, const support::Sou
 }  // namespace
 
 void checkPortCommands(const ir::Mission& mission, support::DiagnosticEngine& diagnostics) {
-  check(ir::prove::commandsOfAlways(mission), {}, diagnostics);
+  check(ir::prove::commandsOfAlways(mission), {}, {}, diagnostics);
   for (const ir::State& state : mission.states) {
-    check(ir::prove::commandsOf(mission, state), state.range, diagnostics);
+    const auto uses = [&](const ir::Statement* command) {
+      const auto of_route = ir::prove::commandsOf(mission, state.route);
+      const bool route = std::ranges::find(of_route, command) != of_route.end();
+      return route ? state.route.range : state.profile.range;
+    };
+    check(ir::prove::commandsOf(mission, state), state.range, uses, diagnostics);
   }
 }
 

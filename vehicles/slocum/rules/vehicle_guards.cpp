@@ -88,23 +88,31 @@ class GuardCheck {
     }
     const ir::prove::ProofContext proof_context(m_, platform_);
     const ir::prove::Valuation values = ir::prove::anyValues(m_);
-    const auto look = [&](const std::vector<ir::Case>& cases) {
+    const auto look = [&](const std::vector<ir::Case>& cases, const Use& use) {
       for (const ir::Case& c : cases) {
         const auto below = firesBelow(proof_context, values, *altitude, c.guard);
-        if (below && *below < least + kSinksOn_m) {
-          tooLate(c, *below, least);
+        if (below && *below + kFine_m < least + kSinksOn_m) {
+          tooLate(c, *below, least, use);
         }
       }
     };
-    look(m_.always);
+    look(m_.always, {});
     for (const ir::State& state : m_.states) {
-      look(state.cases);
-      look(state.profile.cases);
-      look(state.route.cases);
+      look(state.cases, {});
+      look(state.profile.cases, {&state, &state.profile});
+      look(state.route.cases, {&state, &state.route});
     }
   }
 
  private:
+  static constexpr double kFine_m = 1e-6;  ///< of the altitude at which a case fires
+
+  /// Where a state uses the profile or the route of a case; empty: the case is its own.
+  struct Use {
+    const ir::State* state = nullptr;
+    const ir::Activity* activity = nullptr;
+  };
+
   [[nodiscard]] support::SourceRange placeOf(const Dive& dive) const {
     return dive.range.valid() ? dive.range : m_.states.front().range;
   }
@@ -174,7 +182,6 @@ class GuardCheck {
       if (all.empty || !may(low) || may(high)) {
         continue;
       }
-      constexpr double kFine_m = 1e-6;
       while (high - low > kFine_m) {
         const double middle = (low + high) / 2;
         (may(middle) ? low : high) = middle;
@@ -193,7 +200,7 @@ class GuardCheck {
     });
   }
 
-  void tooLate(const ir::Case& c, double below, double least) {
+  void tooLate(const ir::Case& c, double below, double least, const Use& use) {
     const std::string then =
         below <= least
             ? fmt::format(", but hookbeh already makes the vehicle climb at {:.4g} m", least)
@@ -201,11 +208,23 @@ class GuardCheck {
                   "; until the vehicle has turned it may be at {:.4g} m, where hookbeh makes "
                   "it climb",
                   least);
-    diagnostics_.report(
-        support::diagnostics::mayNotFollow, m_[c.guard].range.valid() ? m_[c.guard].range : c.range,
-        fmt::format("this case fires at less than {:.3g} m above the bottom{} (min_altitude in {})",
-                    below, then, file_.name),
-        fmt::format("compare with {:.4g} m or more, or lower min_altitude", least + kSinksOn_m));
+    const support::SourceRange& range = m_[c.guard].range.valid() ? m_[c.guard].range : c.range;
+    // A case of the library is not the pilot's: what can be changed is where it is used.
+    const bool elsewhere = use.state != nullptr && range.file != use.state->range.file;
+    const std::string what =
+        elsewhere ? fmt::format("`{}` turns here only", m_[use.activity->behaviour].name)
+                  : "this case fires";
+    auto report = diagnostics_.report(
+        support::diagnostics::mayNotFollow, elsewhere ? use.activity->range : range,
+        fmt::format("{} at less than {:.3g} m above the bottom{} (min_altitude in {})", what, below,
+                    then, file_.name),
+        fmt::format(
+            "{} {:.4g} m or more: {:.4g} m for the vehicle's own climb and {:.4g} m in which "
+            "it sinks on while it turns; or lower min_altitude",
+            elsewhere ? "give it" : "compare with", least + kSinksOn_m, least, kSinksOn_m));
+    if (elsewhere) {
+      report.note(range, "it is this case of it");
+    }
   }
 
   const ir::Mission& m_;

@@ -10,7 +10,9 @@
 #include "simulator/faults/card_damage.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
+#include <iterator>
 
 namespace glider::flights {
 namespace {
@@ -20,6 +22,15 @@ std::string exitReasonOf(uint32_t failed_check) {
   const char* text = runtime::checkText(failed_check);
   return "exited with status 3: internal check failed: " +
          (text != nullptr ? std::string(text) : std::to_string(failed_check));
+}
+
+/// Bit for bit: an unknown value is no number.
+bool isSame(const support::LoggedNote& one, const support::LoggedNote& other) {
+  const auto sameBits = [](double a, double b) {
+    return std::bit_cast<uint64_t>(a) == std::bit_cast<uint64_t>(b);
+  };
+  return one.mission_time_s == other.mission_time_s && one.text == other.text &&
+         std::ranges::equal(one.values, other.values, sameBits);
 }
 
 }  // namespace
@@ -182,17 +193,22 @@ void InProcessSbc::showToWatcher() const {
   }
 }
 
-/// The context has the notes of its newest tick until the next one.
+/// The context has the notes of its newest tick until the next one. Two ticks may have the same
+/// mission time; if they have the same notes too, they are kept once.
 void InProcessSbc::keepNotes() {
   const GliderContext* const context = mission_->context(runtime_);
-  if (context == nullptr || context->mission_time == noted_s_) {
+  if (context == nullptr) {
     return;
   }
-  noted_s_ = context->mission_time;
+  std::vector<support::LoggedNote> found;
   for (uint32_t i = 0; i < context->note_count; ++i) {
     const GliderNote& note = context->notes[i];
     const double* const values = context->note_values + note.first;
-    notes_.push_back({noted_s_, note.text, {values, values + note.count}});
+    found.push_back({context->mission_time, note.text, {values, values + note.count}});
+  }
+  if (!std::ranges::equal(found, newest_notes_, isSame)) {
+    std::ranges::copy(found, std::back_inserter(notes_));
+    newest_notes_ = std::move(found);
   }
 }
 

@@ -15,7 +15,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -84,7 +83,7 @@ class InProcessSbc final : public simulator::SbcPort {
   std::vector<double> parameters_;
   Watcher watcher_;
   std::vector<support::LoggedNote> notes_;
-  double noted_s_ = std::numeric_limits<double>::quiet_NaN();  ///< mission time of the newest
+  std::vector<support::LoggedNote> newest_notes_;  ///< of the newest tick that had some
   std::shared_ptr<Card> card_;
   std::unique_ptr<std::byte[]> runtime_memory_;
   std::unique_ptr<std::byte[]> context_memory_;

@@ -200,28 +200,6 @@ double asNoted(double value) {
   return read;
 }
 
-/// Completes the notes that were cut off on their way to the vehicle from what the mission has
-/// logged itself.
-class WholeNotes {
- public:
-  explicit WholeNotes(const support::Trace& trace) : notes_(trace.notes) {}
-
-  /// The whole of the next note of a statement at a time, s; null: it is not known.
-  const support::LoggedNote* next(const support::TraceEvent& event, const std::string& text) {
-    for (size_t i = from_; i < notes_.size(); ++i) {
-      if (notes_[i].mission_time_s == event.mission_time_s && notes_[i].text == text) {
-        from_ = i + 1;
-        return &notes_[i];
-      }
-    }
-    return nullptr;
-  }
-
- private:
-  const std::vector<support::LoggedNote>& notes_;
-  size_t from_ = 0;  ///< a note is of one event
-};
-
 /// The text of a note with all its values.
 std::string wholeText(const support::LoggedNote& note) {
   std::string text = note.text;
@@ -231,6 +209,35 @@ std::string wholeText(const support::LoggedNote& note) {
   return text;
 }
 
+/// Finds what the mission has logged itself for the notes that the vehicle has received.
+class WholeNotes {
+ public:
+  explicit WholeNotes(const support::Trace& trace) : notes_(trace.notes) {}
+
+  /// The note whose begin the vehicle has received in `event` as `told`; null: it is not known.
+  const support::LoggedNote* of(const support::TraceEvent& event, const std::string& told) {
+    // In order; the same note of two ticks at one time is there once.
+    for (const size_t from : {next_, size_t{0}}) {
+      for (size_t i = from; i < notes_.size(); ++i) {
+        if (notes_[i].mission_time_s == event.mission_time_s && begins(notes_[i], told)) {
+          next_ = i + 1;
+          return &notes_[i];
+        }
+      }
+    }
+    return nullptr;
+  }
+
+ private:
+  static bool begins(const support::LoggedNote& note, const std::string& told) {
+    const std::string whole = wholeText(note);
+    return told.size() < hooks::kMostNoteBytes ? whole == told : whole.starts_with(told);
+  }
+
+  const std::vector<support::LoggedNote>& notes_;
+  size_t next_ = 0;
+};
+
 void readNotes(support::Trace& trace, std::vector<Statements>& all) {
   WholeNotes whole_notes(trace);
   for (support::TraceEvent& event : trace.events) {
@@ -238,18 +245,17 @@ void readNotes(support::Trace& trace, std::vector<Statements>& all) {
       continue;
     }
     auto& note = std::get<std::string>(event.values[0]);
+    const bool cut = note.size() >= hooks::kMostNoteBytes;
+    const support::LoggedNote* const logged = whole_notes.of(event, note);
+    if (cut && logged != nullptr) {
+      note = wholeText(*logged);
+    }
     for (Statements& statements : all) {
-      std::vector<double> values = valuesIn(note, statements.text);
-      const bool cut = note.size() >= hooks::kMostNoteBytes;
-      const support::LoggedNote* const logged =
-          cut ? whole_notes.next(event, statements.text) : nullptr;
-      if (logged != nullptr && logged->values.size() == statements.columns.size()) {
-        values = logged->values;
-        std::ranges::transform(values, values.begin(), asNoted);
-        note = wholeText(*logged);
-      }
+      const bool its = logged != nullptr && logged->text == statements.text;
+      std::vector<double> values = its ? logged->values : valuesIn(note, statements.text);
+      std::ranges::transform(values, values.begin(), asNoted);
       const bool whole = values.size() == statements.columns.size();
-      if (!whole && (values.empty() || note.size() < hooks::kMostNoteBytes)) {
+      if (!whole && (values.empty() || !cut || logged != nullptr)) {
         continue;
       }
       values.resize(std::min(values.size(), statements.columns.size()));

@@ -137,13 +137,29 @@ FleetTrouble troubleOf(const FleetCampaignPlan& plan, const FleetCampaignFlight&
   return drawTrouble(flight.fault, flight.seed, plan.talking.size(), plan.flight_s);
 }
 
+namespace {
+
+/// The addresses of the other vehicles that talk.
+std::vector<uint32_t> othersOf(const FleetCampaignPlan& plan, const FleetLiar& liar) {
+  std::vector<uint32_t> others;
+  for (size_t i = 0; i < plan.talking.size(); ++i) {
+    if (i != liar.vehicle) {
+      others.push_back(plan.vehicles[plan.talking[i]].address);
+    }
+  }
+  return others;
+}
+
+}  // namespace
+
 simulator::AcousticTrouble acousticTrouble(const FleetCampaignPlan& plan,
                                            const FleetTrouble& trouble, uint64_t seed) {
   simulator::AcousticTrouble acoustic;
   acoustic.loss = trouble.loss;
   if (trouble.liar) {
-    acoustic.liars.emplace(plan.vehicles[plan.talking[trouble.liar->vehicle]].number,
-                           simulator::Liar(trouble.liar->lie, plan.forms, seed));
+    acoustic.liars.emplace(
+        plan.vehicles[plan.talking[trouble.liar->vehicle]].number,
+        simulator::Liar(trouble.liar->lie, plan.forms, othersOf(plan, *trouble.liar), seed));
   }
   return acoustic;
 }

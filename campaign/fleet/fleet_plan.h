@@ -22,6 +22,7 @@ namespace glider::campaign {
 struct FleetCampaignVehicle {
   std::string name;
   uint32_t number = 0;           ///< in the fleet file: of its random numbers
+  uint32_t address = 0;          ///< of its modem
   simulator::Scenario scenario;  ///< with the place where it starts
   flights::NewWatchedFlight new_flight;
   std::shared_ptr<const compiler::Optimised> compiled;  ///< what flies

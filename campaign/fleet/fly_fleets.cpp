@@ -3,6 +3,7 @@
 
 #include "campaign/fleet/fly_fleets.h"
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -32,7 +33,9 @@ class FleetThreads {
 
   FleetCampaignResult result() {
     threads_.clear();
-    result_.interrupted = stop_();
+    const bool all = std::ranges::all_of(result_.verdicts,
+                                         [](const auto& verdict) { return verdict.has_value(); });
+    result_.interrupted = !all && stop_();
     return std::move(result_);
   }
 

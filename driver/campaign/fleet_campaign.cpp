@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <set>
 #include <utility>
 
 namespace glider::driver {
@@ -32,16 +33,18 @@ using support::Result;
 
 std::vector<FleetFault> fleetFaultsOf(const campaign::CampaignOptions& options) {
   std::vector<FleetFault> faults;
+  std::set<std::string> wrong(options.faults.begin(), options.faults.end());
   for (uint32_t i = 0; i < campaign::kFleetFaults; ++i) {
     const auto fault = static_cast<FleetFault>(i);
-    if (options.faults.empty() ||
-        std::ranges::count(options.faults, campaign::nameOf(fault)) != 0) {
+    if (options.faults.empty() || wrong.erase(campaign::nameOf(fault)) != 0) {
       faults.push_back(fault);
     }
   }
-  if (faults.empty()) {
+  if (!wrong.empty()) {
     throw CLI::ValidationError("--fault",
-                               "a fleet's are none, loss, silence, noise, liar and several");
+                               fmt::format("`{}` is of one vehicle; a fleet's are none, loss, "
+                                           "silence, noise, liar and several",
+                                           *wrong.begin()));
   }
   return faults;
 }

@@ -211,6 +211,12 @@ int makePlan(const campaign::CampaignOptions& options, unsigned jobs,
   plan.seed = options.seed;
   plan.part = options.part.number;
   plan.parts = options.part.of;
+  for (const std::string& fault : options.faults) {
+    const auto is = [&](simulator::FaultKind kind) { return simulator::nameOf(kind) == fault; };
+    if (std::ranges::none_of(plan.kinds, is)) {
+      throw CLI::ValidationError("--fault", "`" + fault + "` is of the messages of a fleet");
+    }
+  }
   if (!options.faults.empty()) {
     std::erase_if(plan.kinds, [&](simulator::FaultKind kind) {
       return std::ranges::find(options.faults, simulator::nameOf(kind)) == options.faults.end();

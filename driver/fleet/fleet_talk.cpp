@@ -61,9 +61,9 @@ Result<void> checkAlike(const flights::Fleet& fleet, const Talking& first, const
   return {};
 }
 
-/// Whether a vehicle has the address that its own mission knows it by.
-Result<void> checkAddress(const flights::Fleet& fleet, const Talking& vehicle) {
-  const std::vector<std::string>& names = vehicle.mission->vehicles;
+/// Whether a vehicle has the address by which the line `vehicles` of a mission knows it.
+Result<void> checkAddress(const flights::Fleet& fleet, const Talking& vehicle,
+                          const std::vector<std::string>& names) {
   const std::string& name = vehicle.vehicle->name;
   const uint32_t address = vehicle.vehicle->address;
   if (address <= names.size() && names[address - 1] == name) {
@@ -71,8 +71,7 @@ Result<void> checkAddress(const flights::Fleet& fleet, const Talking& vehicle) {
   }
   const auto place = std::ranges::find(names, name);
   return refuse(fleet,
-                fmt::format("`{}` has address {}, but the line `vehicles` of its mission has {}",
-                            name, address,
+                fmt::format("`{}` has address {}, but the line `vehicles` has {}", name, address,
                             address <= names.size() ? fmt::format("`{}` there", names[address - 1])
                                                     : fmt::format("only {} names", names.size())),
                 place != names.end()
@@ -88,15 +87,21 @@ Result<void> checkNames(const flights::Fleet& fleet, const std::vector<Talking>&
     if (vehicle.mission->vehicles.empty()) {
       continue;
     }
-    if (auto right = checkAddress(fleet, vehicle); !right) {
-      return right;
-    }
     first = first == nullptr ? &vehicle : first;
     if (first->mission->vehicles != vehicle.mission->vehicles) {
       return refuse(fleet,
                     fmt::format("`{}` and `{}` do not have the same line `vehicles`",
                                 first->vehicle->name, vehicle.vehicle->name),
                     "give all missions of a fleet the same line `vehicles`, or none");
+    }
+  }
+  // One that shares without that line is received by its address too.
+  for (const Talking& vehicle : vehicles) {
+    if (first == nullptr || vehicle.mission->shares.empty()) {
+      continue;
+    }
+    if (auto right = checkAddress(fleet, vehicle, first->mission->vehicles); !right) {
+      return right;
     }
   }
   return {};

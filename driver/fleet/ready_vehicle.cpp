@@ -166,6 +166,7 @@ Result<campaign::FleetCampaignVehicle> ReadyVehicle::forCampaign() const {
   campaign::FleetCampaignVehicle flown;
   flown.name = vehicle_.name;
   flown.number = number_;
+  flown.address = vehicle_.address;
   flown.scenario = scenario_;
   flown.new_flight = std::move(*start);
   flown.compiled = mission_;
@@ -212,6 +213,7 @@ Result<ReadyFleet> readyFleet(const flights::Fleet& fleet, const std::string& on
     if (number == 0) {
       ready.world = *scenario;
       ready.seed = fleet.seed.value_or(scenario->seed);
+      ready.world.seed = ready.seed;
     }
     scenario->seed = ready.seed;
     place(vehicle, *scenario);

@@ -178,6 +178,7 @@ support::Result<bool> writePortFolder(const PortOptions& options,
       return std::unexpected(*failure);
     }
   }
+  const bool there = std::filesystem::exists(folder);
   if (auto made = makeFolders(folder); !made) {
     return std::unexpected(made.error());
   }
@@ -190,6 +191,9 @@ support::Result<bool> writePortFolder(const PortOptions& options,
   code->addTo(how);
   if (auto linked = codegen::linkExecutable(mission.input(), board, how, folder / names.program);
       !linked) {
+    if (std::error_code ignored; !there) {
+      std::filesystem::remove_all(folder, ignored);
+    }
     return std::unexpected(linked.error());
   }
   const std::string comment =

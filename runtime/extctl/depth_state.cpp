@@ -14,9 +14,10 @@ void DepthState::report(double state) {
 }
 
 void DepthState::look(double depth_m, double now_s) {
+  const bool back = now_s < now_s_;
   depth_m_ = depth_m;
   now_s_ = now_s;
-  if (state_ == state_ && (!hookIsFinite(depth_m) || contradicts())) {
+  if (state_ == state_ && (back || !hookIsFinite(depth_m) || contradicts())) {
     state_ = __builtin_nan("");
   }
 }
@@ -24,9 +25,6 @@ void DepthState::look(double depth_m, double now_s) {
 bool DepthState::contradicts() {
   if (state_ == kSurface) {
     return depth_m_ >= kDeepestSurface;
-  }
-  if (state_ == kHovering) {
-    return hookMagnitude(depth_m_ - extreme_m_) >= kBack;
   }
   if (state_ != kDiving && state_ != kClimbing) {
     return true;

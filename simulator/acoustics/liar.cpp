@@ -43,7 +43,9 @@ AcousticFrame Liar::insteadOf(const AcousticFrame& frame) {
       told.data = first_;
       break;
     case Lie::Masked:
-      told.source = 1 + below(hooks::micro_modem::kMostAddress);
+      if (!others_.empty()) {
+        told.source = others_[below(static_cast<uint32_t>(others_.size()))];
+      }
       [[fallthrough]];
     case Lie::Values:
       putValues(told.data);

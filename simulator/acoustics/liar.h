@@ -32,9 +32,9 @@ const char* nameOf(Lie lie);
 /// Replaces the frames of a vehicle. The same seed gives the same frames.
 class Liar {
  public:
-  /// `forms`: one at least.
-  Liar(Lie lie, std::vector<MessageForm> forms, uint64_t seed)
-      : lie_(lie), forms_(std::move(forms)), seed_(seed) {}
+  /// `forms`: one at least. `others`: the addresses of the other vehicles; empty: none talks.
+  Liar(Lie lie, std::vector<MessageForm> forms, std::vector<uint32_t> others, uint64_t seed)
+      : lie_(lie), forms_(std::move(forms)), others_(std::move(others)), seed_(seed) {}
 
   /// What is sent instead of `frame`.
   AcousticFrame insteadOf(const AcousticFrame& frame);
@@ -45,6 +45,7 @@ class Liar {
 
   Lie lie_;
   std::vector<MessageForm> forms_;
+  std::vector<uint32_t> others_;
   uint64_t seed_;
   uint32_t drawn_ = 0;  ///< numbers, so far
   hooks::micro_modem::Data first_;

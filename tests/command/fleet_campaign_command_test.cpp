@@ -162,6 +162,20 @@ TEST_F(FleetCampaign, TheExamplesKeepWhatTheyPromise) {
   }
 }
 
+/// The seed is that of the channel too, in `sim` and in the report of a campaign's flight.
+TEST_F(FleetCampaign, WhatIsLostDependsOnTheSeed) {
+  const json all = flights("--flights 6 --fault loss");
+  for (size_t number = 0; number < all.size(); ++number) {
+    const Outcome again = run("--fault loss --only " + std::to_string(number) + " -o again");
+    const json report = json::parse(slurp(folder_.path() / "again" / "flight.json"));
+    uint64_t received = 0;
+    for (const json& vehicle : report["vehicles"]) {
+      received += vehicle["modem"]["received"].get<uint64_t>();
+    }
+    EXPECT_EQ(received, all[number]["received"].get<uint64_t>()) << number;
+  }
+}
+
 TEST_F(FleetCampaign, SeparationIsJudged) {
   fleet("separation_m = 600\n");
   const Outcome flown = run("--flights 1");
@@ -179,6 +193,11 @@ TEST_F(FleetCampaign, RefusesWhatItDoesNotHave) {
   }
   EXPECT_THAT(run("trusting.mission").err, HasSubstr("a fleet file flies alone"));
   EXPECT_THAT(run("--fault delay").err, HasSubstr("none, loss, silence, noise, liar and several"));
+  EXPECT_EQ(run("--fault delay --fault none").status, 2) << "one of them is of a vehicle";
+  EXPECT_THAT(runShell("cd " + folder_.path().string() +
+                       " && $GLIDERCC campaign teller.mission --fault silence --fault delay")
+                  .err,
+              HasSubstr("`silence` is of the messages of a fleet"));
   const Outcome brief = run("--duration 10min --flights 1");
   EXPECT_EQ(brief.status, 1);
   EXPECT_THAT(brief.err, HasSubstr("[GL9387 "));

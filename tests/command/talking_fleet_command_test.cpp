@@ -279,10 +279,10 @@ TEST_F(TalkingFleet, MustHaveTheNamesOfTheFleetFile) {
   };
   const std::string line = "vehicles a, b\n", ab = vehicle("a", "one") + vehicle("b", "two");
   EXPECT_THAT(refused(line, line, vehicle("b", "one") + vehicle("a", "two")),
-              HasSubstr("`b` has address 1, but the line `vehicles` of its mission has `a` there"));
+              HasSubstr("`b` has address 1, but the line `vehicles` has `a` there"));
   EXPECT_THAT(refused(line, line,
                       vehicle("a", "one", "address = 1\n") + vehicle("c", "two", "address = 3\n")),
-              HasSubstr("`c` has address 3, but the line `vehicles` of its mission has only 2"));
+              HasSubstr("`c` has address 3, but the line `vehicles` has only 2"));
   EXPECT_THAT(refused(line, "vehicles a, b, c\n", ab),
               HasSubstr("`a` and `b` do not have the same line `vehicles`"));
   named("one", line, guard);
@@ -290,6 +290,10 @@ TEST_F(TalkingFleet, MustHaveTheNamesOfTheFleetFile) {
   (void)folder_.write("f.toml", ab);
   const Outcome good = run("$GLIDERCC check f.toml");
   EXPECT_EQ(good.status, 0) << "one of them has no names: " << good.err;
+  (void)folder_.write("f.toml", vehicle("a", "one") + vehicle("zoe", "two"));
+  EXPECT_THAT(run("$GLIDERCC check f.toml").err,
+              HasSubstr("`zoe` has address 2, but the line `vehicles` has `b` there"))
+      << "`a` would take what zoe tells for b's";
 }
 
 // rejects: GL9304

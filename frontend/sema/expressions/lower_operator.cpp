@@ -57,6 +57,9 @@ bool counts(const std::string& vehicle_name, const Scope& scope) {
 /// Whether a reading, other than a count, or a clock is in the expression.
 bool measured(const Scope& scope, ir::ExprId id) {
   const ir::Expr& expr = scope.mission[id];
+  if (expr.type == boolean()) {
+    return false;  // what is chosen or counted by it is exact
+  }
   const bool reading =
       expr.op == ir::Op::Sensor && !counts(scope.mission[expr.sensor].vehicle_name, scope);
   const bool itself =

@@ -198,19 +198,22 @@ TEST(LoggedValues, AreShownRoundedWithTheirUnits) {
 
 /// A note for the vehicle holds 60 bytes.
 TEST(LoggedValues, WhatTheVehicleDidNotReceiveIsInTheMissionsOwnLog) {
-  const std::string note = "bloom, at 11.5 2.25000000000" + std::string(32, '0');
-  ASSERT_EQ(note.size(), 60U);
-  support::Trace trace = noted({note});
-  trace.events[0].mission_time_s = 8;
-  trace.notes = {{4, "bloom, at", {1, 2, 3}},
+  const std::string cut = "bloom, at 1.23456789012e-05 2.34567890123e-05 -3.45678901234e-0";
+  support::Trace trace = noted({"bloom, at 1 2 3", cut.substr(0, 60), cut.substr(0, 60)});
+  ASSERT_EQ(std::get<std::string>(trace.events[1].values[0]).size(), 60U);
+  trace.events[0].mission_time_s = trace.events[1].mission_time_s = 8;
+  trace.events[2].mission_time_s = 9;
+  trace.notes = {{8, "bloom, at", {1, 2, 3}},
                  {8, "another", {1, 2, 3}},
-                 {8, "bloom, at", {11.5, 2.25, -0.5123456789012345}}};
+                 {8, "bloom, at", {1.234567890123e-5, 2.345678901234e-5, -3.456789012345e-5}}};
   addLoggedValues(compiled(), trace);
-  EXPECT_EQ(trace.at(1, 3), 11.5);
-  EXPECT_EQ(trace.at(1, 4), 2.25);
-  EXPECT_EQ(trace.at(1, 5), -0.512345678901) << "with 12 digits, as a note";
-  EXPECT_EQ(textOf(trace.events[0]), "bloom, at 11.5 2.25 -0.512345678901");
-  EXPECT_EQ(shownTextOf(trace.events[0]), "bloom, at 11.5 m, 2.25 ug/L, -29.4 deg");
+  EXPECT_EQ(trace.at(1, 3), 1) << "the first row at or after 3 s";
+  EXPECT_EQ(trace.at(2, 3), 1.23456789012e-05) << "with 12 digits, as a note";
+  EXPECT_EQ(textOf(trace.events[0]), "bloom, at 1 2 3");
+  EXPECT_EQ(textOf(trace.events[1]),
+            "bloom, at 1.23456789012e-05 2.34567890123e-05 -3.45678901234e-05")
+      << "not the first note of that time";
+  EXPECT_EQ(textOf(trace.events[2]), cut.substr(0, 60)) << "it is of another time";
 }
 
 TEST(LoggedValues, WhatIsUnknownOrCutOffIsNoValue) {

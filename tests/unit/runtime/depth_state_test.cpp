@@ -38,7 +38,6 @@ TEST(DepthState, GoesOnWhileTheVehicleMovesSo) {
   EXPECT_EQ(knownUntil(kDives, [](double s) { return 20 + 0.02 * s; }), 400);
   EXPECT_EQ(knownUntil(kClimbs, [](double s) { return 90 - 0.02 * s; }), 400);
   EXPECT_EQ(knownUntil(kOnSurface, [](double s) { return 0.5 + std::sin(s); }), 400);
-  EXPECT_EQ(knownUntil(kHovers, [](double s) { return 20 + 2 * std::sin(s / 40); }), 400);
 }
 
 /// Swell of 1 m, and a dive between.
@@ -52,13 +51,27 @@ TEST(DepthState, EndsWhereTheVehicleTurns) {
   const auto yo = [](double s) { return s < 100 ? 20 + 0.2 * s : 40 - 0.2 * (s - 100); };
   EXPECT_EQ(knownUntil(kDives, yo), 112);
   EXPECT_EQ(knownUntil(kClimbs, [&](double s) { return 60 - yo(s); }), 112);
-  EXPECT_EQ(knownUntil(kHovers, [](double s) { return 20 + 0.2 * s; }), 12);
-  EXPECT_EQ(knownUntil(kOnSurface, [](double s) { return 0.1 * s; }), 28);
+  EXPECT_EQ(knownUntil(kOnSurface, [](double s) { return 0.1 * s; }), 48);
 }
 
 TEST(DepthState, EndsWhereTheVehicleStops) {
   EXPECT_EQ(knownUntil(kDives, [](double s) { return std::min(20 + 0.2 * s, 30.0); }), 108);
   EXPECT_EQ(knownUntil(kClimbs, [](double s) { return std::max(10 - 0.2 * s, 0.0); }), 108);
+}
+
+/// A Slocum reports it there.
+TEST(DepthState, TheSurfaceBeginsAtFourMetres) {
+  EXPECT_EQ(knownUntil(kOnSurface, [](double s) { return std::max(4 - 0.2 * s, 0.1); }), 400);
+}
+
+TEST(DepthState, AClockThatGoesBackEndsIt) {
+  DepthState held;
+  held.look(20, 5000);
+  held.report(kDives);
+  held.look(21, 5004);
+  EXPECT_EQ(held.state(), kDives);
+  held.look(21.5, 1000);
+  EXPECT_TRUE(std::isnan(held.state()));
 }
 
 TEST(DepthState, WithoutADepthNothingGoesOn) {
@@ -68,7 +81,9 @@ TEST(DepthState, WithoutADepthNothingGoesOn) {
   EXPECT_TRUE(std::isnan(held.state())) << "no depth was reported";
 }
 
+/// Nothing shows that a vehicle that hovered still does.
 TEST(DepthState, OtherValuesNeverGoOn) {
+  EXPECT_EQ(knownUntil(kHovers, [](double) { return 20; }), -1);
   EXPECT_EQ(knownUntil(99, [](double) { return 20; }), -1);
   EXPECT_EQ(knownUntil(-1, [](double) { return 20; }), -1);
 }

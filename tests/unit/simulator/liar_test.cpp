@@ -47,7 +47,7 @@ std::vector<uint8_t> bytesOf(const AcousticFrame& frame) {
 }
 
 TEST(Liar, SendsMessagesOfTheFleetWithAllValuesOfTheirRanges) {
-  Liar liar(Lie::Values, kForms, 1);
+  Liar liar(Lie::Values, kForms, {1, 3}, 1);
   std::set<double> depths;
   int unknown = 0, second = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -68,7 +68,7 @@ TEST(Liar, SendsMessagesOfTheFleetWithAllValuesOfTheirRanges) {
 
 TEST(Liar, TheSameSeedLiesAlike) {
   for (const Lie lie : {Lie::Values, Lie::Masked, Lie::Rubbish}) {
-    Liar one(lie, kForms, 7), same(lie, kForms, 7), other(lie, kForms, 8);
+    Liar one(lie, kForms, {1, 3}, 7), same(lie, kForms, {1, 3}, 7), other(lie, kForms, {1, 3}, 8);
     bool differs = false;
     for (int i = 0; i < 20; ++i) {
       const auto sent = bytesOf(one.insteadOf(truth(i)));
@@ -80,24 +80,25 @@ TEST(Liar, TheSameSeedLiesAlike) {
 }
 
 TEST(Liar, OneThatIsFrozenRepeatsItsFirstMessage) {
-  Liar liar(Lie::Frozen, kForms, 1);
+  Liar liar(Lie::Frozen, kForms, {1, 3}, 1);
   const auto first = bytesOf(truth(8));
   EXPECT_EQ(bytesOf(liar.insteadOf(truth(8))), first);
   EXPECT_EQ(bytesOf(liar.insteadOf(truth(90))), first);
 }
 
-TEST(Liar, OneThatIsMaskedSendsAsAnyVehicle) {
-  Liar liar(Lie::Masked, kForms, 1);
+TEST(Liar, OneThatIsMaskedSendsAsAnotherVehicle) {
+  Liar liar(Lie::Masked, kForms, {1, 3}, 1);
   std::set<uint32_t> sources;
   for (int i = 0; i < 500; ++i) {
     sources.insert(liar.insteadOf(truth(8)).source);
   }
-  EXPECT_EQ(sources.size(), hooks::micro_modem::kMostAddress);
-  EXPECT_EQ(*sources.begin(), 1U);
+  EXPECT_EQ(sources, (std::set<uint32_t>{1, 3}));
+  Liar alone(Lie::Masked, kForms, {}, 1);
+  EXPECT_EQ(alone.insteadOf(truth(8)).source, 2U);
 }
 
 TEST(Liar, RubbishHasAllSizes) {
-  Liar liar(Lie::Rubbish, kForms, 1);
+  Liar liar(Lie::Rubbish, kForms, {1, 3}, 1);
   std::set<uint32_t> sizes;
   for (int i = 0; i < 2000; ++i) {
     sizes.insert(liar.insteadOf(truth(8)).data.size);
@@ -142,14 +143,14 @@ TEST(AcousticTrouble, LosesTheShareThatItSays) {
 
 TEST(AcousticTrouble, OnlyTheLiarLies) {
   AcousticTrouble trouble;
-  trouble.liars.emplace(0, Liar(Lie::Rubbish, kForms, 1));
+  trouble.liars.emplace(0, Liar(Lie::Rubbish, kForms, {1, 3}, 1));
   int true_ones = 0;
   for (const AcousticFrame& frame : receivedWith(trouble)) {
     true_ones += bytesOf(frame) == bytesOf(truth(8)) ? 1 : 0;
   }
   EXPECT_EQ(true_ones, 0);
   trouble.liars.clear();
-  trouble.liars.emplace(1, Liar(Lie::Rubbish, kForms, 1));
+  trouble.liars.emplace(1, Liar(Lie::Rubbish, kForms, {1, 3}, 1));
   for (const AcousticFrame& frame : receivedWith(trouble)) {
     EXPECT_EQ(bytesOf(frame), bytesOf(truth(8)));
   }

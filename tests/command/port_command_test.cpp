@@ -74,7 +74,7 @@ TEST_F(PortCommand, AFlightEndsWhereTheVehicleWaitsForAnOperator) {
                   .status,
               0);
     const Outcome flown = run("sim " + name + " --duration 5h -o flight-" + release);
-    EXPECT_THAT(flown.out, HasSubstr("waits for an operator to end its mission")) << release;
+    EXPECT_THAT(flown.out, HasSubstr("the vehicle waits for an operator")) << release;
     EXPECT_THAT(flown.out, Not(HasSubstr("simulated time of"))) << release;
   }
 }

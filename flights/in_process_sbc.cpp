@@ -24,7 +24,7 @@ std::string exitReasonOf(uint32_t failed_check) {
          (text != nullptr ? std::string(text) : std::to_string(failed_check));
 }
 
-/// Bit for bit: an unknown value is no number.
+/// Bit for bit: an unknown value is not equal to itself.
 bool isSame(const support::LoggedNote& one, const support::LoggedNote& other) {
   const auto sameBits = [](double a, double b) {
     return std::bit_cast<uint64_t>(a) == std::bit_cast<uint64_t>(b);

@@ -3,6 +3,7 @@
 
 // What the interpreter does inside a `do`: statements, notes, calls of C functions.
 
+#include "ir/core/pilot_name.h"
 #include "ir/eval/arithmetic.h"
 #include "ir/eval/interpreter.h"
 #include "support/check.h"
@@ -47,7 +48,7 @@ void Interpreter::execute(const Statement& s) {
       if (isKnown(value)) {
         assign(s.variable, value);
       } else {
-        note(NoteKind::UnknownSet, mission_[s.variable].name, {});
+        note(NoteKind::UnknownSet, pilotName(mission_, s.variable), {});
       }
       return;
     }

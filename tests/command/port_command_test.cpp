@@ -19,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 class PortCommand : public testing::Test {
  protected:
@@ -88,6 +89,26 @@ end
     EXPECT_EQ(count(events, "warmest of the dive 2"), 3U) << what << events;
     EXPECT_GE(count(events, "warm on the climb"), 3U) << what;
     EXPECT_THAT(events, HasSubstr("\"profiledone\"")) << what;
+  }
+}
+
+/// The vehicle itself never ends its mission: at the surface it waits for an operator. Hours of
+/// that are not part of the flight.
+TEST_F(PortCommand, AFlightEndsWhereTheVehicleWaitsForAnOperator) {
+  write("short.mission",
+        "mission short\n\nstate s\nbegin\n  flightroute noheading\n"
+        "  flightprofile yo(4 m, 20 m, 26 deg, 26 deg)\n"
+        "  sensors missiontime\n  events\n    case missiontime > 20 min exit\nend\n");
+  for (const char* release : {"science", "mission-mode"}) {
+    const std::string name = std::string("port-") + release;
+    ASSERT_EQ(run("build short.mission --dialect extctl" +
+                  std::string(release == std::string("science") ? "" : " --release mission-mode") +
+                  " -o " + name)
+                  .status,
+              0);
+    const Outcome flown = run("sim " + name + " --duration 5h -o flight-" + release);
+    EXPECT_THAT(flown.out, HasSubstr("the vehicle waits for an operator")) << release;
+    EXPECT_THAT(flown.out, Not(HasSubstr("simulated time of"))) << release;
   }
 }
 

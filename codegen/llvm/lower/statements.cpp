@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "codegen/llvm/lower/body.h"
+#include "ir/core/pilot_name.h"
 #include "runtime/abi/glider_abi.h"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ void lowerSet(Body& body, const ir::Statement& statement) {
   llvm::BasicBlock* next = body.block("next");
   builder.CreateCondBr(body.expressions.isKnown(value), known, unknown);
   builder.SetInsertPoint(unknown);
-  lowerNote(body, kGliderNoteUnknownSet, body.lowering.mission[statement.variable].name,
+  lowerNote(body, kGliderNoteUnknownSet, ir::pilotName(body.lowering.mission, statement.variable),
             llvm::ConstantPointerNull::get(builder.getPtrTy()), 0);
   builder.CreateBr(next);
   builder.SetInsertPoint(known);

@@ -3,6 +3,7 @@
 
 #include "ir/prove/encoding/question.h"
 
+#include "ir/core/pilot_name.h"
 #include "ir/verify/value_text.h"
 
 #include <fmt/format.h>
@@ -111,12 +112,16 @@ class Description {
       number(m.sensors[index].name, m.sensors[index].type, term);
     }
     for (const auto& [index, term] : moment_.numbers()) {
-      number(m.variables[index].name, m.variables[index].type, term);
+      if (!isInner(m, {index})) {
+        number(pilotName(m, {index}), m.variables[index].type, term);
+      }
     }
     for (const auto& [index, term] : moment_.truths()) {
-      add(m.variables[index].name, holds(model_, term.is_true)    ? "= true"
+      if (!isInner(m, {index})) {
+        add(pilotName(m, {index}), holds(model_, term.is_true)    ? "= true"
                                    : holds(model_, term.is_false) ? "= false"
                                                                   : "unknown");
+      }
     }
     for (const auto& [name, clock] : moment_.clocks()) {
       add(name, fmt::format("= {:.6g} s", doubleOf(model_, clock)));

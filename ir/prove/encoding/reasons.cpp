@@ -3,6 +3,7 @@
 
 #include "ir/prove/encoding/reasons.h"
 
+#include "ir/core/pilot_name.h"
 #include "ir/eval/arithmetic.h"
 #include "ir/verify/value_text.h"
 
@@ -42,8 +43,9 @@ void noteReasons(support::DiagnosticBuilder& report, const Mission& mission,
         break;
       case Fact::From::Variable: {
         const Variable& variable = mission.variables[fact.index];
-        report.note(variable.range.valid() ? variable.range : where,
-                    fmt::format("`{}` lies in {}", variable.name, rangeText(variable)));
+        report.note(
+            variable.range.valid() ? variable.range : where,
+            fmt::format("`{}` lies in {}", pilotName(mission, {fact.index}), rangeText(variable)));
         break;
       }
       case Fact::From::Temporal:

@@ -46,13 +46,26 @@ std::string dependsOn(const ProofContext& proof_context, const std::vector<State
 }
 
 /// Why there is no bound: what was not found, not what a flight does, which is not known.
-std::string noBound(const ProofContext& proof_context, const EndBound& end) {
+/// `assumed`: how many of the mission's assumptions hold here.
+std::string noBound(const ProofContext& proof_context, const EndBound& end, size_t assumed) {
   const Mission& m = proof_context.mission;
-  const std::string none = fmt::format("no bound on the mission's duration was found{}",
-                                       m.assumptions.empty() ? "" : " without what it assumes");
+  const bool required = std::ranges::any_of(m.requirements, [](const Requirement& r) {
+    return r.kind == RequirementKind::ExitWithin ||
+           (r.kind == RequirementKind::Always && r.seconds > 0);
+  });
+  // A requirement may be proved in other ways, with everything that the mission assumes.
+  const std::string none =
+      fmt::format("{}{}",
+                  required ? "adding up the times of its states gives no bound on the mission's "
+                             "duration"
+                           : "no bound on the mission's duration was found",
+                  m.assumptions.size() <= assumed ? ""
+                  : assumed == 0                  ? " without what it assumes"
+                                                  : " without what else it assumes");
+  const std::string verdict = required ? " (for `exit within` see its verdict)" : "";
   if (end.stays.valid()) {
-    return fmt::format("{}, because none was found on the time in `{}`{}", none, m[end.stays].name,
-                       dependsOn(proof_context, {end.stays}));
+    return fmt::format("{}, because none was found on the time in `{}`{}{}", none,
+                       m[end.stays].name, dependsOn(proof_context, {end.stays}), verdict);
   }
   std::vector<std::string> loop;
   for (const StateId state : end.loop) {
@@ -62,7 +75,7 @@ std::string noBound(const ProofContext& proof_context, const EndBound& end) {
          (loop.empty() ? ""
                        : fmt::format(", because none was found on how often it goes through {}",
                                      fmt::join(loop, ", "))) +
-         dependsOn(proof_context, end.loop);
+         dependsOn(proof_context, end.loop) + verdict;
 }
 
 /// What the mission assumes of outages; null: nothing.
@@ -72,7 +85,8 @@ const Assumption* assumedOutage(const Mission& m) {
 }
 
 /// The lines about a mission in which two ticks are at most as far apart as `proof_context` says.
-std::vector<std::string> endLines(const ProofContext& proof_context, Ending& ending) {
+std::vector<std::string> endLines(const ProofContext& proof_context, Ending& ending,
+                                  size_t assumed) {
   std::vector<std::string> lines;
   const ProofContext powered = proof_context.withoutPowerCuts();
   const EndBound& undisturbed = ending.boundWithoutPowerCuts();
@@ -86,7 +100,7 @@ std::vector<std::string> endLines(const ProofContext& proof_context, Ending& end
                     "bound was found",
                     durationOf(*undisturbed.by), durationOf(proof_context.tick_gap_s)));
   } else {
-    lines.push_back(noBound(proof_context, undisturbed));
+    lines.push_back(noBound(proof_context, undisturbed, assumed));
   }
   const EndBound soon = boundOf(powered, kLongestMission, Goal::ExitOrSurface);
   const EndBound home = boundOf(proof_context, kLongestMission, Goal::ExitOrSurface);
@@ -107,7 +121,7 @@ void tellEnd(Proof& proof) {
   }
   Ending under(assumed);
   const bool differs = assumed.tick_gap_s < proof.proof_context.tick_gap_s;
-  for (std::string& line : endLines(assumed, differs ? under : proof.ending)) {
+  for (std::string& line : endLines(assumed, differs ? under : proof.ending, differs ? 1 : 0)) {
     const std::string premise = differs ? fmt::format("assuming `{}`, ", outage->words) : "";
     proof.findings.lines.push_back({{}, premise + std::move(line), true});
   }

@@ -22,6 +22,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kAbortPitch = 0.4538;    // rad, the vehicle's nominal
 constexpr double kAbortPump = 1000;       // cc: as far out as it goes
+constexpr double kPortModeSurface = 1;    // u_mission_mode (runtime/abi/port_mission.h)
 constexpr double kSettledAtSurface = 12;  // s; a mission ends only then
 constexpr double kVacuum = 8;             // inHg
 constexpr double kDryVoltage = 2.49;      // V, leak detector
@@ -458,7 +459,19 @@ void FlightController::judgeEnd(const Situation& s) {
     end_ = News{EventId::AbortedAtSurface, {std::string(abortName(abort_))}};
   } else if (s.time_s - submerged_s_ >= kSettledAtSurface && layers_->nothingLeftToFly(sbc_gone_)) {
     end_ = News{EventId::NothingLeftToFly};
+  } else if (waitsForOperator(s)) {
+    end_ = News{EventId::WaitsForOperator};
   }
+}
+
+/// Whether the vehicle is at the surface for good by its port for a backseat driver: the SBC's last
+/// command was to surface, and the vehicle obeys it until an operator ends its mission.
+bool FlightController::waitsForOperator(const Situation& s) const {
+  constexpr double kMostForFix = 300;  // s, as in the mission file for the port
+  const double up_s = s.time_s - submerged_s_;
+  const bool surface = s.science_wants_surface || s.mission_mode == kPortModeSurface;
+  return sbc_gone_ && layers_->hookbeh() == nullptr && surface && up_s >= kSettledAtSurface &&
+         (s.gps_fix || up_s >= kMostForFix);
 }
 
 void FlightController::cycle(double now_s, const Ocean& ocean, Vehicle& vehicle,

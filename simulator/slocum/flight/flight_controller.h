@@ -101,6 +101,7 @@ class FlightController {
   void noteSbcGone(bool sbc_gone) { sbc_gone_ = sbc_gone; }
 
  private:
+  [[nodiscard]] bool waitsForOperator(const Situation& situation) const;
   void readSensors(double now_s, const Ocean& ocean, const Vehicle& vehicle);
   void locate(double now_s, double declination, const Vehicle& vehicle);
   [[nodiscard]] bool isReported(const Gps::Fix& fix);

@@ -98,6 +98,10 @@ std::string fleetRequirementLines(const FleetCampaignPlan& plan,
   std::string out;
   for (size_t vehicle = 0; vehicle < plan.vehicles.size(); ++vehicle) {
     const FleetCampaignVehicle& flown = plan.vehicles[vehicle];
+    if (flown.requirements.empty() && !flown.compiled->checked->mission().requirements.empty()) {
+      out += fmt::format("{}: its requirements are not checked: its mission needs code in C\n",
+                         flown.name);
+    }
     for (size_t i = 0; i < flown.requirements.size(); ++i) {
       const FleetRequirementCount count = countOf(plan, result, vehicle, i);
       out +=

@@ -146,7 +146,7 @@ class Classifier {
       token.ends_value = token.name;
     } else {
       token.ends_value = isNumber(token.text) || token.text.starts_with('"') || token.closes() ||
-                         oneOf(token.text, {"true", "false"});
+                         isReceived(token.text) || oneOf(token.text, {"true", "false"});
     }
     token.operation =
         !token.unit_part && last.ends_value &&
@@ -155,6 +155,12 @@ class Classifier {
   static bool isNumber(std::string_view text) {
     const std::string_view digits = text.starts_with('.') ? text.substr(1) : text;
     return !digits.empty() && digits[0] >= '0' && digits[0] <= '9';
+  }
+  /// `peer.top`, which is one token.
+  static bool isReceived(std::string_view text) {
+    const char first = text.empty() ? ' ' : text.front();
+    const bool name = (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
+    return (name || first == '_') && text.find('.') != std::string_view::npos;
   }
   /// After `last`, words such as `in`, `of`, `where` and `done` are words of the language.
   static bool noNameAfter(const Token& last) {

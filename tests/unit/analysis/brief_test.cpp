@@ -198,7 +198,7 @@ TEST_F(BriefOf, SensorsSayFromWhereAndWhenTheyAreUnknown) {
   EXPECT_EQ(depth->stale, "20 s");
   const auto lat = std::ranges::find(of.sensors, "lat", &report::BriefSensor::name);
   ASSERT_NE(lat, of.sensors.end());
-  EXPECT_EQ(lat->range, "-90 deg to 90 deg");
+  EXPECT_EQ(lat->range, "90 00.000 S to 90 00.000 N");
   const auto pitch = std::ranges::find(of.sensors, "pitch", &report::BriefSensor::name);
   ASSERT_NE(pitch, of.sensors.end());
   EXPECT_EQ(pitch->range, "-90 deg to 90 deg");

@@ -205,7 +205,7 @@ TEST(LoggedValues, WhatTheVehicleDidNotReceiveIsInTheMissionsOwnLog) {
   trace.events[2].mission_time_s = 9;
   trace.notes = {{8, "bloom, at", {1, 2, 3}},
                  {8, "another", {1, 2, 3}},
-                 {8, "bloom, at", {1.234567890123e-5, 2.345678901234e-5, -3.456789012345e-5}}};
+                 {8, "bloom, at", {1.234567890123e-5, 2.345678901234e-5, -3.45678901234e-5}}};
   addLoggedValues(compiled(), trace);
   EXPECT_EQ(trace.at(1, 3), 1) << "the first row at or after 3 s";
   EXPECT_EQ(trace.at(2, 3), 1.23456789012e-05) << "with 12 digits, as a note";

@@ -99,6 +99,13 @@ TEST(Format, VehiclesBeginALineWhereTheyAreNoName) {
       "assume vehicles <= 9\nrequire always peers within (2 km) < 2\n");
 }
 
+TEST(Format, WhatIsReceivedIsAValue) {
+  expectFormat(
+      inState("case peer.top-depth>-3 m && known(peer.top)  do set a = peer.top -b end goto s\n"),
+      inState("    case peer.top - depth > -3 m && known(peer.top) do set a = peer.top - b end "
+              "goto s\n"));
+}
+
 TEST(Format, DeclarationsAreAligned) {
   expectFormat(
       "mission m\nvar upper:length=5m in 3m..24m\nvar low:temperature/length=.5degC/m in 9..10\n\n"

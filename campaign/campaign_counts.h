@@ -11,9 +11,10 @@
 
 namespace glider::campaign {
 
-/// Calls `visit` with each flight that was flown, and its verdict, by number.
-template <typename Visit>
-void eachFlown(const CampaignPlan& plan, const CampaignResult& result, const Visit& visit) {
+/// Calls `visit` with each flight that was flown, and its verdict, by number; of a plan of missions
+/// or of a fleet.
+template <typename Plan, typename Result, typename Visit>
+void eachFlown(const Plan& plan, const Result& result, const Visit& visit) {
   for (uint64_t number = 0; number < result.verdicts.size(); ++number) {
     if (const auto& verdict = result.verdicts[number]) {
       visit(flightOf(plan, number), *verdict);

@@ -6,7 +6,6 @@
 #include "campaign/seeds.h"
 #include "campaign/stoppable_judge.h"
 #include "flights/flight_setup.h"
-#include "flights/requirement_watch.h"
 #include "simulator/campaign/kinds_of_faults.h"
 #include "simulator/family/family.h"
 #include "vehicles/vehicle.h"
@@ -30,7 +29,7 @@ class Flying {
     scenario_.seed = seed;
     scenario_.faults.modem.insert(scenario_.faults.modem.end(), noise.begin(), noise.end());
     if (flights::RequirementWatch::canWatch(*vehicle.compiled)) {
-      watch_.emplace(*vehicle.compiled);
+      watch_ = std::make_unique<flights::RequirementWatch>(*vehicle.compiled);
     }
     kinds_ = simulator::kindsOf(vehicle.scenario.faults);
     judge_.emplace(vehicles::vehicleOf(platform())->make_judge({platform(), scenario_, kinds_}),
@@ -41,6 +40,8 @@ class Flying {
 
   Result<simulator::FleetMember> member();
   void judge(const support::Trace& trace, FleetVerdict& verdict) const;
+  /// After that; it is of no further use then.
+  FleetFlown::Vehicle release() { return {std::move(scenario_), std::move(watch_)}; }
 
  private:
   [[nodiscard]] const platforms::Platform& platform() const {
@@ -50,13 +51,13 @@ class Flying {
 
   const FleetCampaignVehicle& vehicle_;
   simulator::Scenario scenario_;
-  std::optional<flights::RequirementWatch> watch_;
+  std::unique_ptr<flights::RequirementWatch> watch_;
   std::vector<simulator::FaultKind> kinds_;
   std::optional<StoppableJudge> judge_;
 };
 
 Result<simulator::FleetMember> Flying::member() {
-  simulator::StartSbc start = vehicle_.new_flight(watch_ ? &*watch_ : nullptr);
+  simulator::StartSbc start = vehicle_.new_flight(watch_.get());
   auto sbc = start();
   if (!sbc) {
     return std::unexpected(sbc.error());
@@ -68,7 +69,9 @@ Result<simulator::FleetMember> Flying::member() {
   member.setup.platform = platform();
   member.setup.scenario = scenario_;
   member.setup.talks = !vehicle_.compiled->mission.shares.empty();
-  member.setup.duration_s = durationOf(platform(), scenario_);
+  // A mission that waits for a message may take longer, until the vehicle's own mission ends it.
+  member.setup.duration_s =
+      scenario_.duration_s + simulator::familyOf(platform())->overtime_of(scenario_.own);
   member.setup.observer = &*judge_;
   flights::describeMission(member.setup, *vehicle_.compiled);
   return member;
@@ -123,22 +126,6 @@ void judgeSeparation(const FleetCampaignPlan& plan, const simulator::Separations
   }
 }
 
-}  // namespace
-
-double durationOf(const platforms::Platform& platform, const simulator::Scenario& scenario) {
-  return scenario.duration_s + simulator::familyOf(platform)->overtime_of(scenario.own);
-}
-
-FleetCampaignFlight flightOf(const FleetCampaignPlan& plan, uint64_t number) {
-  return {number, plan.faults[number % plan.faults.size()], mixed(plan.seed, number)};
-}
-
-FleetTrouble troubleOf(const FleetCampaignPlan& plan, const FleetCampaignFlight& flight) {
-  return drawTrouble(flight.fault, flight.seed, plan.talking.size(), plan.flight_s);
-}
-
-namespace {
-
 /// The addresses of the other vehicles that talk.
 std::vector<uint32_t> othersOf(const FleetCampaignPlan& plan, const FleetLiar& liar) {
   std::vector<uint32_t> others;
@@ -149,8 +136,6 @@ std::vector<uint32_t> othersOf(const FleetCampaignPlan& plan, const FleetLiar& l
   }
   return others;
 }
-
-}  // namespace
 
 simulator::AcousticTrouble acousticTrouble(const FleetCampaignPlan& plan,
                                            const FleetTrouble& trouble, uint64_t seed) {
@@ -172,6 +157,16 @@ std::vector<simulator::Span> noiseOf(const FleetCampaignPlan& plan, const FleetT
              : trouble.noise[static_cast<size_t>(talker - plan.talking.begin())];
 }
 
+}  // namespace
+
+FleetCampaignFlight flightOf(const FleetCampaignPlan& plan, uint64_t number) {
+  return {number, plan.faults[number % plan.faults.size()], mixed(plan.seed, number)};
+}
+
+FleetTrouble troubleOf(const FleetCampaignPlan& plan, const FleetCampaignFlight& flight) {
+  return drawTrouble(flight.fault, flight.seed, plan.talking.size(), plan.flight_s);
+}
+
 std::vector<std::string> talkersOf(const FleetCampaignPlan& plan) {
   std::vector<std::string> names;
   for (const size_t talker : plan.talking) {
@@ -181,7 +176,7 @@ std::vector<std::string> talkersOf(const FleetCampaignPlan& plan) {
 }
 
 Result<FleetVerdict> flyFleet(const FleetCampaignPlan& plan, const FleetCampaignFlight& flight,
-                              simulator::FleetFlight* flown, const std::function<bool()>& stop) {
+                              std::optional<FleetFlown>* flown, const std::function<bool()>& stop) {
   const FleetTrouble trouble = troubleOf(plan, flight);
   std::vector<std::unique_ptr<Flying>> flying;
   std::vector<simulator::FleetMember> members;
@@ -208,7 +203,10 @@ Result<FleetVerdict> flyFleet(const FleetCampaignPlan& plan, const FleetCampaign
   judgeSeparation(plan, flight_of_all->separations, verdict);
   std::ranges::stable_sort(verdict.violations, {}, &FleetViolation::at_s);
   if (flown != nullptr) {
-    *flown = std::move(*flight_of_all);
+    flown->emplace(FleetFlown{std::move(*flight_of_all), {}});
+    for (const std::unique_ptr<Flying>& vehicle : flying) {
+      (*flown)->vehicles.push_back(vehicle->release());
+    }
   }
   return verdict;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "campaign/fleet/fleet_trouble.h"
+#include "flights/requirement_watch.h"
 #include "flights/sbc_choice.h"
 #include "simulator/fleet/fleet.h"
 #include "support/result.h"
@@ -50,19 +51,9 @@ struct FleetCampaignFlight {
   FleetFault fault = FleetFault::None;
   uint64_t seed = 0;
 };
-/// How long a vehicle may fly, s: a mission that waits for a message may take longer than its
-/// scenario, until the vehicle's own mission ends it.
-double durationOf(const platforms::Platform& platform, const simulator::Scenario& scenario);
-
 FleetCampaignFlight flightOf(const FleetCampaignPlan& plan, uint64_t number);
 /// What was drawn for it; the noise is that of the vehicles that talk.
 FleetTrouble troubleOf(const FleetCampaignPlan& plan, const FleetCampaignFlight& flight);
-/// The part of it that is not noise.
-simulator::AcousticTrouble acousticTrouble(const FleetCampaignPlan& plan,
-                                           const FleetTrouble& trouble, uint64_t seed);
-/// The noise of a vehicle of the plan.
-std::vector<simulator::Span> noiseOf(const FleetCampaignPlan& plan, const FleetTrouble& trouble,
-                                     size_t vehicle);
 /// The names of the vehicles that talk.
 std::vector<std::string> talkersOf(const FleetCampaignPlan& plan);
 
@@ -84,13 +75,23 @@ struct FleetVerdict {
   uint64_t sent = 0, received = 0, lost = 0;                   ///< messages
 };
 
+/// A flight, for its report.
+struct FleetFlown {
+  struct Vehicle {
+    simulator::Scenario scenario;                      ///< with the noise that was drawn
+    std::unique_ptr<flights::RequirementWatch> watch;  ///< null: it was not watched
+  };
+  simulator::FleetFlight flight;
+  std::vector<Vehicle> vehicles;  ///< in the order of the plan
+};
+
 /// Flies it and checks it; the flight is written to `flown` unless that is null. It ends early when
 /// `stop` returns true; its verdict is then meaningless. No message may make a vehicle break what
 /// its mission promises, so a violated requirement is a violation, unless the flight breaks an
 /// assumption of the same mission. Fails as StartSbc and simulateFleet do.
 support::Result<FleetVerdict> flyFleet(const FleetCampaignPlan& plan,
                                        const FleetCampaignFlight& flight,
-                                       simulator::FleetFlight* flown = nullptr,
+                                       std::optional<FleetFlown>* flown = nullptr,
                                        const std::function<bool()>& stop = {});
 
 /// Flies the fleet once without trouble and records how long it takes. Returns the verdict.

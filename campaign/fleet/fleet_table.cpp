@@ -3,6 +3,7 @@
 
 #include "campaign/fleet/fleet_table.h"
 
+#include "campaign/campaign_counts.h"
 #include "support/counted.h"
 
 #include <fmt/format.h>
@@ -43,16 +44,6 @@ std::string row(const std::string& name, const FleetCounts& counts) {
       std::isfinite(counts.nearest_m) ? fmt::format("{:.0f}", counts.nearest_m) : "-";
   return fmt::format(fmt::runtime(kColumns), name, counts.flights, counts.exited, received, nearest,
                      fmt::format("{:.1f}", counts.deepest_m), counts.violated);
-}
-
-template <typename Visit>
-void eachFlown(const FleetCampaignPlan& plan, const FleetCampaignResult& result,
-               const Visit& visit) {
-  for (uint64_t number = 0; number < result.verdicts.size(); ++number) {
-    if (const auto& verdict = result.verdicts[number]) {
-      visit(flightOf(plan, number), *verdict);
-    }
-  }
 }
 
 /// In how many flights a vehicle violated one of its requirements, and the first of them.

@@ -65,6 +65,11 @@ Result<std::string> linkWhole(const Input& input, const Board& board, const Code
               board);
 }
 
+/// Whether what was measured is accepted.
+Result<void> accepted(const Result<Budget>& measured, const CodegenOptions& options) {
+  return measured ? options.accepts(*measured) : std::unexpected(measured.error());
+}
+
 /// Writes both files or neither, as far as a file system allows: both are complete before the first
 /// is renamed.
 Result<void> writeBoth(const SplitExecutable& split, const std::filesystem::path& output,
@@ -120,11 +125,9 @@ Result<std::string> emitObject(const Input& input, const Board& board,
 Result<std::string> makeExecutable(const Input& input, const Board& board,
                                    const CodegenOptions& options) {
   if (options.accepts) {
-    const auto budget = measureExecutable(input, board, options);
-    const auto accepted =
-        budget ? options.accepts(*budget) : Result<void>(std::unexpected(budget.error()));
-    if (!accepted) {
-      return std::unexpected(accepted.error());
+    const auto fits = accepted(measureExecutable(input, board, options), options);
+    if (!fits) {
+      return std::unexpected(fits.error());
     }
   }
   auto linked = linkWhole(input, board, options, false);
@@ -150,11 +153,8 @@ Result<void> writeExecutable(const Input& input, const Board& board, const Codeg
     return std::unexpected(linked.error());
   }
   if (options.accepts) {
-    const auto budget = measureLinked(*linked, input, board);
-    const auto accepted =
-        budget ? options.accepts(*budget) : Result<void>(std::unexpected(budget.error()));
-    if (!accepted) {
-      return accepted;
+    if (auto fits = accepted(measureLinked(*linked, input, board), options); !fits) {
+      return fits;
     }
   }
   std::filesystem::path debug_output = output;

@@ -107,11 +107,9 @@ void putFleetResult(Json& document, const FleetCampaignPlan& plan,
   document["seed"] = plan.seed;
   document["interrupted"] = result.interrupted;
   document["flights"] = Json::array();
-  for (uint64_t number = 0; number < result.verdicts.size(); ++number) {
-    if (const auto& verdict = result.verdicts[number]) {
-      document["flights"].push_back(flightJson(campaign::flightOf(plan, number), *verdict));
-    }
-  }
+  campaign::eachFlown(plan, result, [&](const auto& flight, const FleetVerdict& verdict) {
+    document["flights"].push_back(flightJson(flight, verdict));
+  });
 }
 
 int fleetStatusOf(const FleetCampaignResult& result) {
@@ -161,51 +159,58 @@ int flyAllOf(const FleetCampaignPlan& plan, const campaign::CampaignOptions& opt
   return tellFleetResult(plan, options, result, took.count(), document);
 }
 
-/// The report of one flight of the campaign.
-int writeReport(flights::Fleet fleet, const FleetCampaignPlan& plan,
-                const FleetCampaignFlight& flight, const std::string& target, Json* document) {
-  fleet.seed = flight.seed;
-  int status = kFine;
-  auto ready = readyFleet(fleet, "", status);
-  if (!ready) {
-    return reportFailure(ready.error());
-  }
-  const campaign::FleetTrouble trouble = campaign::troubleOf(plan, flight);
-  ready->trouble = campaign::acousticTrouble(plan, trouble, flight.seed);
-  for (size_t i = 0; i < ready->vehicles.size(); ++i) {
-    ready->vehicles[i]->disturb(campaign::noiseOf(plan, trouble, i));
-  }
-  return flyReady(fleet, *ready, target, {}, document);
-}
-
-int flyOneOf(const flights::Fleet& fleet, const FleetCampaignPlan& plan,
-             const campaign::CampaignOptions& options, Json* document) {
-  const FleetCampaignFlight flight = campaign::flightOf(plan, *options.only);
-  const auto verdict = campaign::flyFleet(plan, flight);
-  if (!verdict) {
-    return reportFailure(verdict.error());
-  }
-  const int status = verdict->violations.empty() ? kFine : kMissionHasErrors;
+/// Prints how one flight went, and what was drawn for it.
+Result<void> tellFlight(const FleetCampaignPlan& plan, const FleetCampaignFlight& flight,
+                        const FleetVerdict& verdict, Json* document) {
   const std::string drawn =
       campaign::describe(campaign::troubleOf(plan, flight), campaign::talkersOf(plan));
   if (document != nullptr) {
-    (*document)["flight"] = flightJson(flight, *verdict);
+    (*document)["flight"] = flightJson(flight, verdict);
     (*document)["trouble"] = drawn;
-  } else {
-    std::string text =
-        fmt::format("flight {}: {}\n{}", flight.number, campaign::nameOf(flight.fault), drawn);
-    for (const campaign::FleetViolation& one : verdict->violations) {
-      text += fmt::format("VIOLATION at {:.0f} s: {}\n", one.at_s, one.what);
-    }
-    if (auto printed = printOut(text); !printed) {
-      return reportFailure(printed.error());
-    }
+    return {};
   }
-  if (!options.output.empty()) {
-    const int written = writeReport(fleet, plan, flight, options.output, document);
-    return std::max(status, written);
+  std::string text =
+      fmt::format("flight {}: {}\n{}", flight.number, campaign::nameOf(flight.fault), drawn);
+  for (const campaign::FleetViolation& one : verdict.violations) {
+    text += fmt::format("VIOLATION at {:.0f} s: {}\n", one.at_s, one.what);
   }
-  return status;
+  return printOut(text);
+}
+
+/// Flies one flight of the campaign, with its report in `output` if that is given.
+int flyOneOf(const flights::Fleet& fleet, ReadyFleet& ready, const FleetCampaignPlan& plan,
+             const FleetCampaignFlight& flight, std::optional<FleetOutput> output, Json* document) {
+  std::optional<campaign::FleetFlown> flown;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto verdict = campaign::flyFleet(plan, flight, &flown);
+  if (!verdict) {
+    return reportFailure(verdict.error());
+  }
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  if (auto told = tellFlight(plan, flight, *verdict, document); !told) {
+    return reportFailure(told.error());
+  }
+  const int status = verdict->violations.empty() ? kFine : kMissionHasErrors;
+  if (!output) {
+    return status;
+  }
+  ready.seed = flight.seed;
+  for (size_t i = 0; i < ready.vehicles.size(); ++i) {
+    ready.vehicles[i]->hasFlown(std::move(flown->vehicles[i]));
+  }
+  return std::max(status,
+                  reportFleet(fleet, ready, flown->flight, took.count(), *output, document));
+}
+
+/// The folder of the option `-o`; empty: it is not given.
+Result<std::optional<FleetOutput>> outputOf(const campaign::CampaignOptions& options) {
+  if (options.output.empty()) {
+    return std::nullopt;
+  }
+  auto folder = FlightFolder::open(options.output);
+  return folder ? Result<std::optional<FleetOutput>>(
+                      FleetOutput{options.output, std::move(*folder), {}})
+                : std::unexpected(folder.error());
 }
 
 /// Refuses what a campaign of a fleet does not have.
@@ -238,7 +243,7 @@ int campaignOfFleet(const campaign::CampaignOptions& options, unsigned jobs, Jso
     return reportFailure(fleet.error());
   }
   int status = kFine;
-  const auto ready = readyFleet(*fleet, "", status, options.strict);
+  auto ready = readyFleet(*fleet, "", status, options.strict);
   if (!ready) {
     return reportFailure(ready.error());
   }
@@ -266,8 +271,13 @@ int campaignOfFleet(const campaign::CampaignOptions& options, unsigned jobs, Jso
     const int failed = reportFailure(measured.error());
     return too_short ? kMissionHasErrors : failed;
   }
-  return options.only ? flyOneOf(*fleet, plan, options, document)
-                      : flyAllOf(plan, options, document);
+  if (!options.only) {
+    return flyAllOf(plan, options, document);
+  }
+  auto output = outputOf(options);
+  return output ? flyOneOf(*fleet, *ready, plan, campaign::flightOf(plan, *options.only),
+                           std::move(*output), document)
+                : reportFailure(output.error());
 }
 
 }  // namespace glider::driver

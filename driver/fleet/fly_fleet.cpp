@@ -8,7 +8,6 @@
 #include "driver/fleet/fleet_json.h"
 #include "driver/fleet/ready_vehicle.h"
 #include "driver/output/flight_files.h"
-#include "driver/output/flight_folder.h"
 #include "driver/terminal.h"
 #include "flights/fleet/fleet_file.h"
 #include "report/fleet/fleet_report.h"
@@ -48,12 +47,10 @@ Result<simulator::FleetFlight> fly(ReadyFleet& ready) {
   const double most_s = ready.world.duration_s;
   const size_t all = members.size();
   return simulator::simulateFleet(
-      ready.world, std::move(members),
-      [&](double now_s, size_t flying) {
+      ready.world, std::move(members), [&](double now_s, size_t flying) {
         line.show(fmt::format("{} of at most {}, {} of {} vehicles flying",
                               report::clockText(now_s), report::clockText(most_s), flying, all));
-      },
-      ready.trouble);
+      });
 }
 
 std::vector<report::FleetPairReport> pairsOf(const simulator::Separations& separations) {
@@ -188,37 +185,27 @@ std::vector<std::string> fleetCharts() {
   return names;
 }
 
-int flyReady(const flights::Fleet& fleet, ReadyFleet& ready, const std::string& target,
-             const FleetPicture& picture, Json* document) {
-  auto folder = FlightFolder::open(target);
-  if (!folder) {
-    return reportFailure(folder.error());
-  }
-  const auto begin = std::chrono::steady_clock::now();
-  auto flown = fly(ready);
-  if (!flown) {
-    return reportFailure(flown.error());
-  }
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-  report::FleetReport report = reportOf(fleet, ready, *flown);
-  const auto problems = writeVehicles(ready, flown->traces, folder->staging(), report);
+int reportFleet(const flights::Fleet& fleet, ReadyFleet& ready, simulator::FleetFlight& flown,
+                double took_s, FleetOutput& output, Json* document) {
+  report::FleetReport report = reportOf(fleet, ready, flown);
+  const auto problems = writeVehicles(ready, flown.traces, output.folder.staging(), report);
   if (!problems) {
     return reportFailure(problems.error());
   }
   const size_t near = judgeSeparation(report);
-  if (auto drawn = writePicture(report, picture, *folder); !drawn) {
+  if (auto drawn = writePicture(report, output.picture, output.folder); !drawn) {
     return reportFailure(drawn.error());
   }
-  if (auto written = writeFleet(report, *folder); !written) {
+  if (auto written = writeFleet(report, output.folder); !written) {
     return reportFailure(written.error());
   }
   if (document != nullptr) {
     document->update(fleetJson(report));
-    (*document)["folder"] = target;
+    (*document)["folder"] = output.target;
   } else if (const auto printed =
                  printSuccess(report::fleetSummary(report) +
-                              fmt::format("flown in {:.1f} s; report: {}\n", took.count(),
-                                          (fs::path(target) / "report.html").string()));
+                              fmt::format("flown in {:.1f} s; report: {}\n", took_s,
+                                          (fs::path(output.target) / "report.html").string()));
              !printed) {
     return reportFailure(printed.error());
   }
@@ -239,7 +226,18 @@ int flyFleet(const FleetOptions& options, Json* document) {
     return status;
   }
   const std::string target = options.output.empty() ? fleet->name + "-flight" : options.output;
-  return flyReady(*fleet, *ready, target, options.picture, document);
+  auto folder = FlightFolder::open(target);
+  if (!folder) {
+    return reportFailure(folder.error());
+  }
+  FleetOutput output{target, std::move(*folder), options.picture};
+  const auto begin = std::chrono::steady_clock::now();
+  auto flown = fly(*ready);
+  if (!flown) {
+    return reportFailure(flown.error());
+  }
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  return reportFleet(*fleet, *ready, *flown, took.count(), output, document);
 }
 
 }  // namespace glider::driver

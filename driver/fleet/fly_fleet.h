@@ -5,6 +5,7 @@
 
 #include "driver/fleet/ready_vehicle.h"
 #include "driver/json_document.h"
+#include "driver/output/flight_folder.h"
 #include "support/result.h"
 
 #include <cstdint>
@@ -35,10 +36,17 @@ struct FleetOptions {
 /// The fleet with what the options say instead of its file.
 support::Result<flights::Fleet> fleetFor(const FleetOptions& options);
 
-/// Flies what is ready, and writes its report into the folder `target`. Returns the exit code.
+/// Where the report of a fleet's flight goes.
+struct FleetOutput {
+  std::string target;  ///< the name of `folder`
+  FlightFolder folder;
+  FleetPicture picture;
+};
+
+/// Writes the report of a flight of what was ready, which took `took_s`. Returns the exit code.
 /// `document` (null: text) gets what is printed.
-int flyReady(const flights::Fleet& fleet, ReadyFleet& ready, const std::string& target,
-             const FleetPicture& picture, Json* document);
+int reportFleet(const flights::Fleet& fleet, ReadyFleet& ready, simulator::FleetFlight& flown,
+                double took_s, FleetOutput& output, Json* document);
 
 /// Flies a fleet in one ocean and writes its report, with a folder for each vehicle. Returns the
 /// exit code. `document` (null: text) gets what is printed.

@@ -112,7 +112,7 @@ ReadyVehicle::ReadyVehicle(const flights::FleetVehicle& vehicle, uint32_t number
       mission_(std::move(mission)),
       scenario_(std::move(scenario)) {
   if (flights::RequirementWatch::canWatch(*mission_)) {
-    watch_.emplace(*mission_);
+    watch_ = std::make_unique<flights::RequirementWatch>(*mission_);
   }
 }
 
@@ -130,8 +130,7 @@ Result<simulator::FleetMember> ReadyVehicle::member() {
     return std::unexpected(port.error());
   }
   auto start = flights::sbcInProcess(*mission_, launchOf(vehicle_, slots_), vehicle_.user_code,
-                                     as_in_campaign_ || !scenario_.faults.empty(),
-                                     watch_ ? &*watch_ : nullptr, *port);
+                                     !scenario_.faults.empty(), watch_.get(), *port);
   if (!start) {
     return std::unexpected(flights::ofVehicle(vehicle_, start.error()));
   }
@@ -145,9 +144,6 @@ Result<simulator::FleetMember> ReadyVehicle::member() {
   member.setup.restart_sbc = std::move(*start);
   member.setup.platform = mission_->platform();
   member.setup.scenario = scenario_;
-  if (as_in_campaign_) {
-    member.setup.duration_s = campaign::durationOf(mission_->platform(), scenario_);
-  }
   member.setup.talks = !mission_->mission.shares.empty();
   flights::describeMission(member.setup, *mission_);
   return member;
@@ -177,14 +173,13 @@ Result<campaign::FleetCampaignVehicle> ReadyVehicle::forCampaign() const {
   return flown;
 }
 
-void ReadyVehicle::disturb(const std::vector<simulator::Span>& noise) {
-  std::vector<simulator::Span>& all = scenario_.faults.modem;
-  all.insert(all.end(), noise.begin(), noise.end());
-  as_in_campaign_ = true;
+void ReadyVehicle::hasFlown(campaign::FleetFlown::Vehicle flown) {
+  scenario_ = std::move(flown.scenario);
+  watch_ = std::move(flown.watch);
 }
 
 std::vector<support::Diagnostic> ReadyVehicle::judge(support::Trace& trace) const {
-  const Flown flown{mission_.get(), watch_ ? &*watch_ : nullptr, ""};
+  const Flown flown{mission_.get(), watch_.get(), ""};
   const auto violations =
       watch_ ? watch_->violations(trace) : std::vector<flights::FlownViolation>();
   addFacts(flown, launchOf(vehicle_, slots_), violations, trace);

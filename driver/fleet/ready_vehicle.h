@@ -37,9 +37,8 @@ class ReadyVehicle {
   support::Result<simulator::FleetMember> member();
   /// The same for a campaign, any number of times.
   [[nodiscard]] support::Result<campaign::FleetCampaignVehicle> forCampaign() const;
-  /// It flies as in a campaign, with this noise in its water.
-  void disturb(const std::vector<simulator::Span>& noise);
-  [[nodiscard]] const compiler::Optimised& mission() const { return *mission_; }
+  /// It has flown in a campaign: with this its flight is checked.
+  void hasFlown(campaign::FleetFlown::Vehicle flown);
   /// Adds to the trace of its flight what its mission says of it. Prints and returns what went
   /// wrong.
   std::vector<support::Diagnostic> judge(support::Trace& trace) const;
@@ -50,8 +49,7 @@ class ReadyVehicle {
   uint32_t slots_;
   std::shared_ptr<const compiler::Optimised> mission_;
   simulator::Scenario scenario_;
-  std::optional<flights::RequirementWatch> watch_;
-  bool as_in_campaign_ = false;
+  std::unique_ptr<flights::RequirementWatch> watch_;  ///< null: it cannot be watched
 };
 
 /// All of a fleet that flies.
@@ -59,7 +57,6 @@ struct ReadyFleet {
   simulator::Scenario world;
   uint64_t seed = 0;
   std::vector<std::unique_ptr<ReadyVehicle>> vehicles;
-  simulator::AcousticTrouble trouble;
 };
 
 /// Compiles the missions of a fleet and reads its scenario for each vehicle; `only` is the one that

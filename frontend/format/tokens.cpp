@@ -4,6 +4,7 @@
 #include "frontend/format/tokens.h"
 
 #include "frontend/parse/lexeme.h"
+#include "frontend/parse/token_kinds.h"
 #include "support/units/units.h"
 
 #include <algorithm>
@@ -146,7 +147,8 @@ class Classifier {
       token.ends_value = token.name;
     } else {
       token.ends_value = isNumber(token.text) || token.text.starts_with('"') || token.closes() ||
-                         isReceived(token.text) || oneOf(token.text, {"true", "false"});
+                         lexemes_[i].type == GliderLexer::HEARD ||
+                         oneOf(token.text, {"true", "false"});
     }
     token.operation =
         !token.unit_part && last.ends_value &&
@@ -155,12 +157,6 @@ class Classifier {
   static bool isNumber(std::string_view text) {
     const std::string_view digits = text.starts_with('.') ? text.substr(1) : text;
     return !digits.empty() && digits[0] >= '0' && digits[0] <= '9';
-  }
-  /// `peer.top`, which is one token.
-  static bool isReceived(std::string_view text) {
-    const char first = text.empty() ? ' ' : text.front();
-    const bool name = (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
-    return (name || first == '_') && text.find('.') != std::string_view::npos;
   }
   /// After `last`, words such as `in`, `of`, `where` and `done` are words of the language.
   static bool noNameAfter(const Token& last) {

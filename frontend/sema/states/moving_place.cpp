@@ -14,7 +14,7 @@ namespace {
 /// Whether a place is `here`, or a place relative to it.
 bool moves(const ast::Expr& expr, Scope& scope) {
   if (const auto* use = std::get_if<ast::NameUse>(&expr.node)) {
-    return use->name == "here" && isPosition(expr, scope) && !scope.declares("here", expr.where);
+    return use->name == "here" && meansValue(use->name, expr.where, scope);
   }
   const auto* call = std::get_if<ast::Invocation>(&expr.node);
   return call != nullptr && call->function.text == "offset" && isPosition(expr, scope) &&

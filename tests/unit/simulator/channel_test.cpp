@@ -5,6 +5,8 @@
 
 #include "simulator/acoustics/channel.h"
 
+#include "tests/unit/simulator/test_modem.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,14 +17,6 @@
 namespace glider::simulator {
 namespace {
 
-constexpr ModemSettings kModem{.range_m = 2000,
-                               .interference_m = 3000,
-                               .cycle_init_s = 1.5,
-                               .frame_s = 4,
-                               .frame_bytes = 32,
-                               .send_J = 16,
-                               .receive_J = 8,
-                               .listen_W = 0.1};
 constexpr double kLength_s = 5.5;
 
 AcousticFrame frameOf(uint32_t source, uint8_t byte = 7) {
@@ -56,7 +50,7 @@ uint64_t clearSeed() {
     for (uint32_t sender = 0; sender < 3; ++sender) {
       for (uint32_t frame = 0; frame < 2; ++frame) {
         const double now_s = 100.0 * (sender * 2 + frame);
-        channel.send(sender, now_s, frameOf(sender), kModem);
+        channel.send(sender, now_s, frameOf(sender), kTestModem);
         for (uint32_t receiver = 0; receiver < 3; ++receiver) {
           for (const Reception& one : framesAt(channel, receiver, now_s + 50)) {
             clear = clear && one.loss == Loss::None;
@@ -80,7 +74,7 @@ TEST(AcousticChannel, AFrameArrivesAfterTheTimeThatSoundNeeds) {
   Channel channel(clearSeed());
   channel.place(0, {0, 0, 10});
   channel.place(1, {300, 400, 1210});  // 1300 m away
-  channel.send(0, 10, frameOf(1, 42), kModem);
+  channel.send(0, 10, frameOf(1, 42), kTestModem);
   const double arrives_s = 10 + 1300 / 1500.0;
   EXPECT_TRUE(channel.take(1, arrives_s + 1.5 - 1e-6).empty());
   const std::vector<Reception> announced = channel.take(1, arrives_s + 1.5 + 1e-6);
@@ -104,7 +98,7 @@ TEST(AcousticChannel, BeyondTheRangeNothingIsReceived) {
        {std::pair{2000.0, 1U}, {2000.1, 0U}, {3000.0, 0U}, {5000.0, 0U}}) {
     Channel channel(1);
     placeAll(channel, {0, east_m});
-    channel.send(0, 0, frameOf(1), kModem);
+    channel.send(0, 0, frameOf(1), kTestModem);
     EXPECT_EQ(framesAt(channel, 1, 60).size(), received) << east_m;
   }
 }
@@ -120,11 +114,11 @@ TEST(AcousticChannel, WhoSendsReceivesNothing) {
     Channel channel(seed);
     placeAll(channel, {0, 0});
     if (at_s < 10) {
-      channel.send(1, at_s, frameOf(2), kModem);
+      channel.send(1, at_s, frameOf(2), kTestModem);
     }
-    channel.send(0, 10, frameOf(1), kModem);
+    channel.send(0, 10, frameOf(1), kTestModem);
     if (at_s >= 10) {
-      channel.send(1, at_s, frameOf(2), kModem);
+      channel.send(1, at_s, frameOf(2), kTestModem);
     }
     EXPECT_EQ(onlyLoss(channel, 1, 30), loss) << at_s;
   }
@@ -138,8 +132,8 @@ TEST(AcousticChannel, TwoFramesThatOverlapAtAThirdDestroyEachOther) {
                                        {20.0, Loss::None}}) {
     Channel channel(seed);
     placeAll(channel, {-100, 100, 0});
-    channel.send(0, 0, frameOf(1), kModem);
-    channel.send(1, second_s, frameOf(2), kModem);
+    channel.send(0, 0, frameOf(1), kTestModem);
+    channel.send(1, second_s, frameOf(2), kTestModem);
     const std::vector<Reception> frames = framesAt(channel, 2, 60);
     ASSERT_EQ(frames.size(), 2U);
     EXPECT_EQ(frames[0].loss, loss) << second_s;
@@ -150,13 +144,13 @@ TEST(AcousticChannel, TwoFramesThatOverlapAtAThirdDestroyEachOther) {
 TEST(AcousticChannel, ACollisionIsSeenThoughTheOtherFrameHasBeenTaken) {
   Channel channel(clearSeed());
   placeAll(channel, {-100, 100, 0});
-  channel.send(0, 0, frameOf(1), kModem);
-  channel.send(1, 5, frameOf(2), kModem);
+  channel.send(0, 0, frameOf(1), kTestModem);
+  channel.send(1, 5, frameOf(2), kTestModem);
   EXPECT_EQ(onlyLoss(channel, 2, 6), Loss::Collision);
   EXPECT_EQ(onlyLoss(channel, 2, 12), Loss::Collision);
   // The same of what the receiver itself sent.
-  channel.send(2, 20, frameOf(3), kModem);
-  channel.send(0, 25, frameOf(1), kModem);
+  channel.send(2, 20, frameOf(3), kTestModem);
+  channel.send(0, 25, frameOf(1), kTestModem);
   EXPECT_TRUE(channel.take(2, 26).empty());
   EXPECT_EQ(onlyLoss(channel, 2, 40), Loss::Sending);
 }
@@ -166,8 +160,8 @@ TEST(AcousticChannel, AFrameFromBeyondTheRangeDestroysToo) {
   for (const auto& [east_m, loss] : {std::pair{-2900.0, Loss::Collision}, {-3001.0, Loss::None}}) {
     Channel channel(seed);
     placeAll(channel, {100, east_m, 0});
-    channel.send(1, 0, frameOf(2), kModem);
-    channel.send(0, 3, frameOf(1), kModem);
+    channel.send(1, 0, frameOf(2), kTestModem);
+    channel.send(0, 3, frameOf(1), kTestModem);
     EXPECT_EQ(onlyLoss(channel, 2, 60), loss) << east_m;
   }
 }
@@ -175,8 +169,8 @@ TEST(AcousticChannel, AFrameFromBeyondTheRangeDestroysToo) {
 TEST(AcousticChannel, AnAnnouncementCanBeReceivedWithoutItsFrame) {
   Channel channel(clearSeed());
   placeAll(channel, {0, 0, 0});
-  channel.send(0, 0, frameOf(1), kModem);
-  channel.send(1, 2, frameOf(2), kModem);
+  channel.send(0, 0, frameOf(1), kTestModem);
+  channel.send(1, 2, frameOf(2), kTestModem);
   const std::vector<Reception> all = channel.take(2, 60);
   ASSERT_EQ(all.size(), 4U);
   EXPECT_EQ(all[0].loss, Loss::None);
@@ -196,7 +190,7 @@ TEST(AcousticChannel, NoiseHidesWhatArrives) {
     Channel channel(seed);
     placeAll(channel, {0, 0, 0});
     channel.jam(1, {when});
-    channel.send(0, 0, frameOf(1), kModem);
+    channel.send(0, 0, frameOf(1), kTestModem);
     EXPECT_EQ(onlyLoss(channel, 1, 60), loss);
     EXPECT_EQ(onlyLoss(channel, 2, 60), Loss::None) << "only at that vehicle";
   }
@@ -206,8 +200,8 @@ TEST(AcousticChannel, WhoIsOutOfTheWaterReceivesAndSendsNothing) {
   Channel channel(clearSeed());
   placeAll(channel, {0, 0, 0});
   channel.leave(1);
-  channel.send(0, 0, frameOf(1), kModem);
-  channel.send(1, 0, frameOf(2), kModem);
+  channel.send(0, 0, frameOf(1), kTestModem);
+  channel.send(1, 0, frameOf(2), kTestModem);
   EXPECT_TRUE(channel.take(1, 60).empty());
   EXPECT_EQ(onlyLoss(channel, 2, 60), Loss::None);
 }
@@ -219,7 +213,7 @@ double lostShare(uint64_t seed, double east_m) {
   placeAll(channel, {0, east_m});
   int lost = 0;
   for (int i = 0; i < kFrames; ++i) {
-    channel.send(0, 10.0 * i, frameOf(1), kModem);
+    channel.send(0, 10.0 * i, frameOf(1), kTestModem);
     lost += onlyLoss(channel, 1, 10.0 * i + 9) == Loss::Faint ? 1 : 0;
   }
   return static_cast<double>(lost) / kFrames;
@@ -255,7 +249,7 @@ std::string storyOf(const std::vector<uint32_t>& order) {
                             std::to_string(static_cast<int>(one.loss)) + "\n";
       }
       if ((step * 7 + static_cast<int>(vehicle) * 13) % (61 + static_cast<int>(vehicle)) == 0) {
-        channel.send(vehicle, now_s, frameOf(vehicle), kModem);
+        channel.send(vehicle, now_s, frameOf(vehicle), kTestModem);
       }
     }
   }

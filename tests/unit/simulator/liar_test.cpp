@@ -6,6 +6,7 @@
 #include "simulator/acoustics/liar.h"
 
 #include "simulator/acoustics/channel.h"
+#include "tests/unit/simulator/test_modem.h"
 
 #include <gtest/gtest.h>
 
@@ -107,15 +108,6 @@ TEST(Liar, RubbishHasAllSizes) {
   EXPECT_EQ(*sizes.begin(), 1U);
 }
 
-constexpr ModemSettings kTroubledModem{.range_m = 2000,
-                                       .interference_m = 3000,
-                                       .cycle_init_s = 1.5,
-                                       .frame_s = 4,
-                                       .frame_bytes = 32,
-                                       .send_J = 16,
-                                       .receive_J = 8,
-                                       .listen_W = 0.1};
-
 /// For each of 1000 frames over 50 m, whether it was received, and what.
 std::vector<AcousticFrame> receivedWith(AcousticTrouble trouble) {
   Channel channel(3, std::move(trouble));
@@ -123,7 +115,7 @@ std::vector<AcousticFrame> receivedWith(AcousticTrouble trouble) {
   channel.place(1, {50, 0, 0});
   std::vector<AcousticFrame> received;
   for (int i = 0; i < 1000; ++i) {
-    channel.send(0, 20.0 * i, truth(8), kTroubledModem);
+    channel.send(0, 20.0 * i, truth(8), kTestModem);
     for (const Reception& one : channel.take(1, 20.0 * i + 19)) {
       if (one.is_frame && one.loss == Loss::None) {
         received.push_back(one.frame);

@@ -5,6 +5,8 @@
 
 #include "simulator/acoustics/simulated_modem.h"
 
+#include "tests/unit/simulator/test_modem.h"
+
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -16,15 +18,6 @@ namespace {
 
 namespace micro_modem = hooks::micro_modem;
 using Lines = std::vector<std::string>;
-
-constexpr ModemSettings kSettings{.range_m = 2000,
-                                  .interference_m = 3000,
-                                  .cycle_init_s = 1.5,
-                                  .frame_s = 4,
-                                  .frame_bytes = 32,
-                                  .send_J = 16,
-                                  .receive_J = 8,
-                                  .listen_W = 0.5};
 
 /// Some modems at one place, each with a host that is a test.
 class ModemBench : public ::testing::Test {
@@ -41,7 +34,7 @@ class ModemBench : public ::testing::Test {
     powered_.assign(3, true);
     for (uint32_t i = 0; i < 3; ++i) {
       channel_->place(i, {10.0 * i, 0, 0});
-      modems_.push_back(std::make_unique<SimulatedModem>(kSettings, channel_, i));
+      modems_.push_back(std::make_unique<SimulatedModem>(kTestModem, channel_, i));
     }
     run(0.25);
   }

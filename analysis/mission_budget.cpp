@@ -21,6 +21,8 @@
 namespace glider::analysis {
 namespace {
 
+constexpr const char* kExecutable = "executable";
+
 using report::Budget;
 using report::Quantity;
 using support::Result;
@@ -87,7 +89,7 @@ std::vector<Quantity> checkpointFigures(const codegen::Budget& measured, double 
 Budget boardBudget(const codegen::Budget& measured, const platforms::Board& board, double cycle_s) {
   Budget budget{board.name, {}};
   budget.quantities = {
-      {"executable", measured.executable_bytes, limitOf(board.max_executable_bytes), "bytes",
+      {kExecutable, measured.executable_bytes, limitOf(board.max_executable_bytes), "bytes",
        "the file that goes on board"},
       {"memory", measured.memory_bytes + measured.stack_bytes.value_or(0),
        limitOf(board.max_memory_bytes), "bytes",
@@ -110,7 +112,7 @@ std::string whatOf(const Quantity& quantity) {
 /// The budget of a mission that calls missing code: `why` no executable can be measured.
 Budget unmeasured(const platforms::Board& board, const std::string& why) {
   return {board.name,
-          {{"executable", std::nullopt, limitOf(board.max_executable_bytes), "bytes",
+          {{kExecutable, std::nullopt, limitOf(board.max_executable_bytes), "bytes",
             why + "; link it with --link FILE"}}};
 }
 
@@ -167,7 +169,8 @@ std::function<Result<void>(const codegen::Budget&)> onlyWhatFits(const platforms
                                                                  double cycle_s) {
   return [board, cycle_s](const codegen::Budget& measured) -> Result<void> {
     for (const Quantity& quantity : boardBudget(measured, board, cycle_s).quantities) {
-      if (exceeds(quantity)) {
+      // A file that is too large is no estimate: it is refused where it is written.
+      if (quantity.name != kExecutable && exceeds(quantity)) {
         return support::fail(support::diagnostics::boardOverloaded, *quantity.value,
                              whatOf(quantity), board.name, *quantity.limit);
       }

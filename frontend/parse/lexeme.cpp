@@ -59,32 +59,34 @@ std::vector<Lexeme> readLexemes(std::string_view text, size_t start) {
 
 /// `look.deep` is an error where nothing is received, which phrases and names repair: three
 /// tokens.
-void divide(std::string_view text, std::vector<Lexeme>& lexemes) {
+std::vector<Lexeme> divided(std::string_view text, const std::vector<Lexeme>& lexemes) {
   constexpr std::string_view kPeer = "peer.";
-  for (size_t i = 0; i < lexemes.size(); ++i) {
-    const Lexeme whole = lexemes[i];
+  const auto part = [text](uint32_t begin, uint32_t end) {
+    return Lexeme{readLexemes(text.substr(begin, end - begin), 0).front().type, begin, end};
+  };
+  std::vector<Lexeme> all;
+  all.reserve(lexemes.size());
+  for (const Lexeme& whole : lexemes) {
     if (whole.type != GliderLexer::HEARD || text.substr(whole.begin).starts_with(kPeer)) {
+      all.push_back(whole);
       continue;
     }
     const auto point = static_cast<uint32_t>(text.find('.', whole.begin));
-    const Lexeme after = readLexemes(text.substr(0, whole.end), point + 1).front();
-    lexemes[i] = readLexemes(text.substr(0, point), whole.begin).front();
-    lexemes.insert(lexemes.begin() + static_cast<ptrdiff_t>(i) + 1,
-                   {{GliderLexer::FOREIGN, point, point + 1}, after});
+    all.push_back(part(whole.begin, point));
+    all.push_back({GliderLexer::FOREIGN, point, point + 1});
+    all.push_back(part(point + 1, whole.end));
   }
+  return all;
 }
 
 }  // namespace
 
 std::vector<Lexeme> lex(std::string_view text, size_t start) {
-  std::vector<Lexeme> lexemes = readLexemes(text, start);
+  const std::vector<Lexeme> lexemes = readLexemes(text, start);
   const bool talks = std::ranges::any_of(lexemes, [](const Lexeme& lexeme) {
     return lexeme.type == GliderLexer::SHARE || lexeme.type == GliderLexer::VEHICLES;
   });
-  if (!talks) {
-    divide(text, lexemes);
-  }
-  return lexemes;
+  return talks ? lexemes : divided(text, lexemes);
 }
 
 std::vector<Lexeme> lex(const Source& source) {

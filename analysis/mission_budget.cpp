@@ -169,7 +169,7 @@ std::function<Result<void>(const codegen::Budget&)> onlyWhatFits(const platforms
                                                                  double cycle_s) {
   return [board, cycle_s](const codegen::Budget& measured) -> Result<void> {
     for (const Quantity& quantity : boardBudget(measured, board, cycle_s).quantities) {
-      // A file that is too large is no estimate: it is refused where it is written.
+      // The size of the file is not a bound: one that is too large is refused where it is written.
       if (quantity.name != kExecutable && exceeds(quantity)) {
         return support::fail(support::diagnostics::boardOverloaded, *quantity.value,
                              whatOf(quantity), board.name, *quantity.limit);

@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <gmock/gmock.h>
+#include <set>
 #include <string>
 
 namespace glider::tests {
@@ -162,8 +163,7 @@ TEST_F(FleetCampaign, TheExamplesKeepWhatTheyPromise) {
   }
 }
 
-/// The seed is that of the channel too, in `sim` and in the report of a campaign's flight.
-TEST_F(FleetCampaign, WhatIsLostDependsOnTheSeed) {
+TEST_F(FleetCampaign, TheReportIsThatOfTheFlight) {
   const json all = flights("--flights 6 --fault loss");
   for (size_t number = 0; number < all.size(); ++number) {
     const Outcome again = run("--fault loss --only " + std::to_string(number) + " -o again");
@@ -174,6 +174,26 @@ TEST_F(FleetCampaign, WhatIsLostDependsOnTheSeed) {
     }
     EXPECT_EQ(received, all[number]["received"].get<uint64_t>()) << number;
   }
+}
+
+/// Without trouble, chance alone loses some; the same in each flight would be one flight.
+TEST_F(FleetCampaign, EachFlightHasItsOwnChance) {
+  std::set<int> received;
+  for (const json& one : flights("--flights 8 --fault none")) {
+    received.insert(one["received"].get<int>());
+  }
+  EXPECT_GT(received.size(), 2U);
+}
+
+/// hookbeh refuses the dive, so the vehicle is never in control.
+TEST_F(FleetCampaign, WhatTheChecksOfAVehicleFindIsAViolation) {
+  std::string deep = kTeller;
+  deep.replace(deep.find("yo(5 m, 20 m)"), 13, "yo(5 m, 65 m)");
+  deep.replace(deep.find("depth < 40 m"), 12, "depth < 90 m");
+  (void)folder_.write("teller.mission", deep);
+  const Outcome flown = run("--flights 1 --duration 2h");
+  EXPECT_EQ(flown.status, 1);
+  EXPECT_THAT(flown.out, HasSubstr(" ada: the mission does not release control\n"));
 }
 
 TEST_F(FleetCampaign, SeparationIsJudged) {

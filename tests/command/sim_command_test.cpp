@@ -103,6 +103,41 @@ end
 }
 
 /// The reason of a transition gives a time as UTC, with its date for `utc`.
+/// A note for the vehicle holds 60 bytes. Here its values are the same in each tick, two statements
+/// have one text, and one has no values.
+TEST_F(Sim, AllValuesOfALogArrive) {
+  (void)folder_.write("m.mission", R"(mission m
+state s
+begin
+  flightprofile yo(5 m, 20 m, 26 deg, 26 deg)
+  sensors       missiontime, depth
+  events
+    case missiontime >= 5 min exit
+    case missiontime > 4 min do
+      log "short", 5
+      log "a text without values that is longer than the sixty bytes of a note"
+      log "scan", 1.23456789012, 2.34567890123, 3.45678901234, 4.56789012345, 5.67890123456
+      log "scan", 1.1, 2.2, 3.3, 4.4, 5.5
+    end stay
+end
+)");
+  EXPECT_EQ(run("$GLIDERCC sim m.mission -o f").status, 0);
+  const std::string events = slurp(folder_.path() / "f" / "events.csv");
+  const auto count = [&](const std::string& what) {
+    size_t found = 0;
+    for (size_t at = events.find(what); at != std::string::npos; at = events.find(what, at + 1)) {
+      ++found;
+    }
+    return found;
+  };
+  const size_t ticks = count("\"short 5\"");
+  EXPECT_GT(ticks, 10U);
+  EXPECT_EQ(count("\"scan 1.23456789012 2.34567890123 3.45678901234 4.56789012345 5.67890123456\""),
+            ticks);
+  EXPECT_EQ(count("\"scan 1.1 2.2 3.3 4.4 5.5\""), ticks);
+  EXPECT_EQ(count("\"a text without values that is longer than the sixty bytes of"), ticks);
+}
+
 TEST_F(Sim, TimesOfReasonsAreUtc) {
   (void)folder_.write("m.mission", R"(mission m
 state a

@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <gmock/gmock.h>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -106,6 +107,20 @@ end
 
   const TemporaryFolder folder_;
 };
+
+/// The seed is that of the water between the modems too.
+TEST_F(TalkingFleet, WhatIsLostDependsOnTheSeed) {
+  mission("one", kTop);
+  fleet("");
+  std::set<std::string> lost;
+  for (const char* seed : {"1", "2", "3", "4"}) {
+    EXPECT_EQ(run(std::string("$GLIDERCC sim f.toml -o f --seed ") + seed).status, 0);
+    const auto report = nlohmann::json::parse(slurped("f/flight.json"));
+    lost.insert(report["vehicles"][0]["modem"]["lost"].dump() + " " +
+                report["vehicles"][1]["modem"]["lost"].dump());
+  }
+  EXPECT_GT(lost.size(), 1U);
+}
 
 // accepts: GL9304
 TEST_F(TalkingFleet, HearsWhatOthersTell) {

@@ -5,6 +5,7 @@
 
 #include "flights/parameter_table.h"
 #include "runtime/launch/launch.h"
+#include "support/units/position_text.h"
 #include "support/units/units.h"
 
 #include <fmt/format.h>
@@ -58,10 +59,20 @@ std::optional<support::Unit> writtenUnit(const compiler::Optimised& mission,
 /// The values of a parameter as they are shown.
 class Shown {
  public:
-  Shown(const GliderParameterInfo& info, const std::optional<support::Unit>& unit)
-      : info_(info), unit_(unit) {}
+  Shown(const GliderParameterInfo& info, const std::optional<support::Unit>& unit,
+        ir::TypeKind kind)
+      : info_(info), unit_(unit), kind_(kind) {}
 
   [[nodiscard]] std::string value(double of) const {
+    switch (kind_) {
+      case ir::TypeKind::Latitude:
+        return support::latitudeText(of);
+      case ir::TypeKind::Longitude:
+        return support::longitudeText(of);
+      case ir::TypeKind::Bool:
+      case ir::TypeKind::Quantity:
+        break;
+    }
     return unit_ ? fmt::format("{:.10g} {}", of / unit_->to_si, unit_->spelling)
                  : written([&](runtime::Text& text) { runtime::writeQuantity(info_, of, text); });
   }
@@ -75,12 +86,13 @@ class Shown {
  private:
   const GliderParameterInfo& info_;
   const std::optional<support::Unit>& unit_;
+  ir::TypeKind kind_;
 };
 
 ParameterRow rowOf(const compiler::Optimised& mission, const ir::Variable& variable,
                    const GliderParameterInfo& info, double value) {
   const std::optional<support::Unit> unit = writtenUnit(mission, variable);
-  const Shown shown(info, unit);
+  const Shown shown(info, unit, variable.type.kind);
   return {variable.name, typeName(variable.type), shown.value(info.initial), shown.range(),
           value == info.initial ? "" : shown.value(value)};
 }

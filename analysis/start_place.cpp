@@ -5,6 +5,7 @@
 
 #include "ir/core/inside.h"
 #include "support/diagnostics/ids/verification.h"
+#include "support/units/position_text.h"
 
 #include <fmt/format.h>
 
@@ -20,7 +21,7 @@ void checkStart(const compiler::Checked& mission, const StartPlace& start,
   if (assumed != all.end() &&
       !ir::isInside(assumed->area, {start.at.latitude, start.at.longitude})) {
     diagnostics.report(support::diagnostics::startUnassumed, assumed->range, start.name,
-                       fmt::format("at {:.4f}, {:.4f}", start.at.latitude, start.at.longitude),
+                       "at " + support::positionText(start.at.latitude, start.at.longitude),
                        "`" + assumed->words + "`");
   }
 }

@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "driver/commands.h"
+#include "driver/compile_for_flight.h"
 #include "driver/exit_code.h"
 #include "driver/json_document.h"
+#include "driver/output/log_in_units.h"
 #include "driver/output/log_json.h"
 #include "driver/output/overwritten.h"
 #include "driver/shared_options.h"
 #include "driver/slocum/data_log.h"
 #include "driver/terminal.h"
 #include "logs/render.h"
+#include "report/text.h"
 #include "support/diagnostics/ids/command.h"
 #include "support/diagnostics/ids/vehicle.h"
 #include "support/files.h"
@@ -49,8 +52,25 @@ Result<void> write(const LogOptions& options, const std::string& text) {
              : support::writeFileAtomically(options.csv, text);
 }
 
+/// How values are written: with the units of `mission`, or as they are in the log.
+logs::WriteValues writerOf(const compiler::Optimised* mission) {
+  if (mission == nullptr) {
+    return logs::valuesAsLogged;
+  }
+  return [units = std::make_shared<const LogInUnits>(*mission)](const logs::LogEntry& entry) {
+    return units->values(entry);
+  };
+}
+
 /// Shows the log of a mission.
 int showMissionLog(const std::string& file, const LogOptions& options, Json* document) {
+  int status = kFine;
+  std::shared_ptr<const compiler::Optimised> mission;
+  if (!options.mission.empty() &&
+      (mission = compileForFlight(options.mission, status)) == nullptr) {
+    return status;
+  }
+  const logs::WriteValues values = writerOf(mission.get());
   const auto bytes = support::readFile(file);
   if (!bytes) {
     return reportFailure(bytes.error());
@@ -58,11 +78,16 @@ int showMissionLog(const std::string& file, const LogOptions& options, Json* doc
   std::error_code ignored;
   std::string text = options.csv.empty() ? "" : logs::kLogCsvHead;
   Json entries = Json::array();
+  std::string other;
   const logs::LogDamage damage = logs::readLog(*bytes, [&](const logs::LogEntry& entry) {
+    if (mission != nullptr && entry.kind == runtime::LogRecord::Start &&
+        entry.name != mission->mission.name) {
+      other = entry.name;
+    }
     if (document != nullptr) {
       entries.push_back(entryOf(entry));
     }
-    text += options.csv.empty() ? logs::textLine(entry) : logs::csvLines(entry);
+    text += options.csv.empty() ? logs::textLine(entry, values) : logs::csvLines(entry);
   });
   if (damage.starts == 0) {
     std::string why = bytes->empty() ? "it is empty" : "it contains no complete header of a log";
@@ -70,6 +95,11 @@ int showMissionLog(const std::string& file, const LogOptions& options, Json* doc
       why += "; earlier records are in `" + older + "`";
     }
     return reportFailure(support::fail(support::diagnostics::noLog, file, why).error());
+  }
+  if (!other.empty()) {
+    return reportFailure(support::fail(support::diagnostics::otherMissionsLog, file,
+                                       report::plain(other), mission->mission.name)
+                             .error());
   }
   if (document != nullptr) {
     (*document)["entries"] = std::move(entries);
@@ -101,6 +131,11 @@ int log(const LogOptions& options, Json* document) {
     return reportFailure(support::fail(support::diagnostics::outputIsInput, *input).error());
   }
   if (areDataFiles(options.files)) {
+    if (!options.mission.empty()) {
+      return reportFailure(support::fail(support::diagnostics::noLog, options.files[0],
+                                         "--mission can be used only with the log of a mission")
+                               .error());
+    }
     return showDataFiles(options, document);
   }
   const std::string& file = options.files[0];
@@ -114,7 +149,8 @@ int log(const LogOptions& options, Json* document) {
 }
 
 constexpr const char* kLogFooter =
-    "The log of a mission on the SBC is given alone. Any number of the vehicle's data files (.dbd "
+    "The log of a mission on the SBC is given alone; its values have units only with "
+    "--mission.\nAny number of the vehicle's data files (.dbd "
     ".mbd .sbd\n"
     ".ebd .nbd .tbd, compressed .dcd .mcd .scd .ecd .ncd .tcd) and folders of them are shown "
     "together:\n"
@@ -161,6 +197,10 @@ void addLogCommand(CLI::App& app, int& status) {
                    "Log file written by the mission's program with --log, or data files of the "
                    "vehicle, or folders of them")
       ->required();
+  command
+      ->add_option("--mission", options->mission,
+                   "The mission that wrote the log: show its values with their units")
+      ->option_text("MISSION");
   command
       ->add_option("--csv", options->csv,
                    "Write comma-separated values instead: of a mission's log one row per value, "

@@ -3,10 +3,10 @@
 
 #include "flights/logged_values.h"
 
+#include "flights/logged_form.h"
 #include "hooks/protocol/messages.h"
 #include "ir/core/walk.h"
 #include "support/one_line.h"
-#include "support/units/units.h"
 
 #include <fmt/format.h>
 
@@ -14,8 +14,8 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,8 +29,7 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 /// A column for one value of the statements that have the same text.
 struct ValueColumn {
   support::LoggedValue value;
-  std::string unit;
-  double to_shown = 1;                            ///< factor from SI
+  LoggedForm form;
   std::vector<std::pair<size_t, double>> points;  ///< row, value
 };
 
@@ -55,31 +54,6 @@ std::string asName(std::string_view text) {
   return name;
 }
 
-/// The unit in which an expression's value is shown: that of the trace for a bare reading.
-void setUnit(const ir::Mission& m, ir::ExprId id, const support::Trace& trace,
-             ValueColumn& column) {
-  const ir::Expr& e = m[id];
-  if (e.type.kind == ir::TypeKind::Latitude || e.type.kind == ir::TypeKind::Longitude) {
-    column.unit = "deg";
-    return;
-  }
-  if (e.type.kind != ir::TypeKind::Quantity) {
-    return;
-  }
-  // Of a window what its readings have: the language has no dimension for a concentration.
-  const ir::Expr& read = e.op == ir::Op::Temporal ? m[m[e.temporal].operand] : e;
-  const int sensor = read.op == ir::Op::Sensor && read.type == e.type
-                         ? trace.column(m[read.sensor].vehicle_name)
-                         : -1;
-  if (e.type.dimension.dimensionless() && sensor >= 0) {
-    column.unit = trace.columns[static_cast<size_t>(sensor)].unit;
-    return;
-  }
-  column.unit = support::unitName(e.type.dimension);
-  const auto unit = support::parseUnit(column.unit);
-  column.to_shown = unit ? 1 / unit->to_si : 1;
-}
-
 /// All `log` statements of a mission, those of its profiles and routes too.
 void forEachLog(const ir::Mission& m, const std::function<void(const ir::Statement&)>& visit) {
   for (const ir::Block& block : m.blocks) {
@@ -94,6 +68,10 @@ void forEachLog(const ir::Mission& m, const std::function<void(const ir::Stateme
 std::vector<Statements> statementsOf(const compiler::Checked& mission,
                                      const support::Trace& trace) {
   const ir::Mission& m = mission.mission();
+  const auto unit_of = [&](const std::string& sensor) -> std::string {
+    const int column = trace.column(sensor);
+    return column >= 0 ? trace.columns[static_cast<size_t>(column)].unit : "";
+  };
   std::vector<Statements> all;
   forEachLog(m, [&](const ir::Statement& statement) {
     const auto same = std::ranges::find_if(all, [&](const Statements& other) {
@@ -118,7 +96,7 @@ std::vector<Statements> statementsOf(const compiler::Checked& mission,
                                            [&](ir::ExprId other) { return m[other].range; }) == 2;
       column.value.value += half ? halfOf(m[id]) : "";
       column.value.column = "log_" + asName(statement.text + " " + column.value.value);
-      setUnit(m, id, trace, column);
+      column.form = formOf(m, id, unit_of);
       made.columns.push_back(std::move(column));
     }
     all.push_back(std::move(made));
@@ -164,29 +142,11 @@ size_t rowOf(const support::Trace& trace, double time_s) {
   return low;
 }
 
-/// "11.779 m", "-73.82861 deg", "unknown"; angles in degrees.
-std::string shownValue(double value, const std::string& unit) {
-  constexpr double kLarge = 1e5;  // from here on five digits would need an exponent
-  constexpr std::string_view kUnnamed[] = {"", "nodim", "enum", "bool"};
-  if (std::isnan(value)) {
-    return "unknown";
-  }
-  if (unit == "rad") {
-    constexpr double kDegrees = 180 / std::numbers::pi;
-    return fmt::format("{:.1f} deg", value * kDegrees);
-  }
-  const std::string number = unit == "deg"                ? fmt::format("{:.5f}", value)
-                             : std::fabs(value) >= kLarge ? fmt::format("{:.0f}", value)
-                                                          : fmt::format("{:.5g}", value);
-  return std::ranges::find(kUnnamed, unit) == std::end(kUnnamed) ? number + " " + unit : number;
-}
-
 /// The note of `statements` with these values, in the unit of the columns, for people.
 std::string shownNote(const Statements& statements, const std::vector<double>& values) {
-  std::string list;
-  for (size_t i = 0; i < values.size(); ++i) {
-    list += (i == 0 ? "" : ", ") + shownValue(values[i], statements.columns[i].unit);
-  }
+  std::vector<LoggedForm> forms;
+  std::ranges::transform(statements.columns, std::back_inserter(forms), &ValueColumn::form);
+  const std::string list = shownValues(forms, values);
   const char* rest = values.size() < statements.columns.size() ? ", …" : "";
   return statements.text + (statements.text.empty() ? "" : " ") + list + rest;
 }
@@ -261,7 +221,7 @@ void readNotes(support::Trace& trace, std::vector<Statements>& all) {
       values.resize(std::min(values.size(), statements.columns.size()));
       for (size_t i = 0; i < values.size(); ++i) {
         ValueColumn& column = statements.columns[i];
-        values[i] *= column.to_shown;
+        values[i] *= column.form.to_shown;
         column.points.emplace_back(rowOf(trace, event.time_s), values[i]);
       }
       event.shown = shownNote(statements, values);
@@ -308,7 +268,7 @@ void addLoggedValues(const compiler::Optimised& mission, support::Trace& trace) 
   for (size_t i = 0; i < columns.size(); ++i) {
     ValueColumn& column = columns[i];
     column.value.column = unusedName(trace, column.value.column);
-    trace.columns.push_back({column.value.column, column.unit});
+    trace.columns.push_back({column.value.column, column.form.unit});
     for (const auto& [row, value] : column.points) {
       trace.rows[row * width + first + i] = value;
     }

@@ -55,16 +55,6 @@ std::string noteLines(const LogEntry& entry) {
   return lines;
 }
 
-/// "depth 10.2, temp unknown".
-std::string valueList(const LogEntry& entry) {
-  std::string list;
-  for (const auto& [name, value] : entry.values) {
-    list +=
-        (list.empty() ? "" : ", ") + (name.empty() ? "" : report::plain(name) + " ") + known(value);
-  }
-  return list;
-}
-
 /// "3 times", "1 time": the words of an event's value.
 std::string valueText(const LogEntry& entry) {
   std::string text = entry.value_words;
@@ -80,20 +70,20 @@ std::string withList(std::string text, const std::string& list) {
   return list.empty() ? text : text + ": " + list;
 }
 
-std::string story(const LogEntry& entry) {
+std::string story(const LogEntry& entry, const WriteValues& values) {
   switch (entry.kind) {
     case LogRecord::Start:
       return "the program of mission " + report::plain(entry.name) + " starts";
     case LogRecord::Begin:
-      return withList("the mission begins", valueList(entry));
+      return withList("the mission begins", values(entry));
     case LogRecord::Transition:
       return withList(
           fmt::format("{} → {} ({}, case {})", report::plain(entry.detail),
                       entry.to.empty() ? "end" : report::plain(entry.to), entry.name, entry.number),
-          valueList(entry));
+          values(entry));
     case LogRecord::Note:
       return entry.unknown_set ? "unknown set: " + report::plain(entry.name)
-                               : withList("log " + report::plain(entry.name), valueList(entry));
+                               : withList("log " + report::plain(entry.name), values(entry));
     case LogRecord::Event:
       return entry.name + (entry.detail.empty() ? "" : ": " + entry.detail) +
              (std::isnan(entry.value) ? "" : fmt::format(" ({})", valueText(entry)));
@@ -101,10 +91,19 @@ std::string story(const LogEntry& entry) {
     case LogRecord::Name:
       break;
   }
-  return valueList(entry);
+  return values(entry);
 }
 
 }  // namespace
+
+std::string valuesAsLogged(const LogEntry& entry) {
+  std::string list;
+  for (const auto& [name, value] : entry.values) {
+    list +=
+        (list.empty() ? "" : ", ") + (name.empty() ? "" : report::plain(name) + " ") + known(value);
+  }
+  return list;
+}
 
 std::string csvLines(const LogEntry& entry) {
   switch (entry.kind) {
@@ -128,8 +127,8 @@ std::string csvLines(const LogEntry& entry) {
   return "";
 }
 
-std::string textLine(const LogEntry& entry) {
-  return fmt::format("{:10.1f} s  {}\n", entry.time, story(entry));
+std::string textLine(const LogEntry& entry, const WriteValues& values) {
+  return fmt::format("{:10.1f} s  {}\n", entry.time, story(entry, values));
 }
 
 }  // namespace glider::logs

@@ -5,6 +5,7 @@
 
 #include "logs/reader.h"
 
+#include <functional>
 #include <string>
 
 namespace glider::logs {
@@ -14,7 +15,11 @@ inline constexpr const char* kLogCsvHead = "time_s,record,name,value,from,to\n";
 
 /// An entry as lines of comma-separated values (docs/guide.md has the columns).
 std::string csvLines(const LogEntry& entry);
+/// How the values of an entry are written for people.
+using WriteValues = std::function<std::string(const LogEntry&)>;
+/// "depth 10.2, temp unknown": as in the log, which has no units.
+std::string valuesAsLogged(const LogEntry& entry);
 /// An entry as one line for people.
-std::string textLine(const LogEntry& entry);
+std::string textLine(const LogEntry& entry, const WriteValues& values = valuesAsLogged);
 
 }  // namespace glider::logs

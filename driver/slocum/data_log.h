@@ -21,7 +21,8 @@ struct DataLogOptions {
   std::string report;   ///< empty: none
   std::string picture;  ///< empty: none
   report::PictureStyle picture_style;
-  std::string beside;  ///< the trace.csv of a simulated flight; empty: none
+  std::string mission;  ///< that wrote the log; empty: not given
+  std::string beside;   ///< the trace.csv of a simulated flight; empty: none
 };
 
 /// True for data files of the vehicle; false for a single file of another kind.

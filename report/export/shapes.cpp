@@ -5,6 +5,7 @@
 
 #include "report/figures.h"
 #include "support/trace/submersions.h"
+#include "support/units/position_text.h"
 
 #include <fmt/format.h>
 
@@ -104,8 +105,8 @@ void addTrackMarks(const Trace& trace, PositionColumns columns, MapShapes& shape
 
 /// The ring goes round by the east: it is counterclockwise.
 MapRing ringOf(const support::WatchCircle& circle) {
-  MapRing ring{fmt::format("{:.0f} m around {:.6f}, {:.6f}", circle.radius_m, circle.latitude_deg,
-                           circle.longitude_deg),
+  MapRing ring{fmt::format("{:.0f} m around {}", circle.radius_m,
+                           support::positionText(circle.latitude_deg, circle.longitude_deg)),
                {}};
   const double degree = kHalfTurn / std::numbers::pi;
   const double radius_deg = circle.radius_m / kEarthRadius * degree;

@@ -119,6 +119,46 @@ TEST(MissionLog, IsTheSameOnEveryBoardAndTellsWhatFired) {
   }
 }
 
+TEST(MissionLog, HasTheUnitsOfTheMissionThatWroteIt) {
+  const TemporaryFolder folder;
+  const auto mission = folder.write("place.mission", R"(mission place
+
+param home : position = 39 10.5 N 73 49.8 W
+param below : length = 0.5 km in 0 m .. 1 km
+
+state dive
+begin
+  flightroute   heading(90 deg)
+  flightprofile yo(2 m, 15 m, 26 deg, 26 deg)
+  sensors       depth, m_battery
+  entry do log "from", home, depth, temp end
+  events
+    case statetime > 100 s exit
+end
+)");
+  const std::string output = (folder.path() / "flight").string(), log = output + "/mission.log";
+  const Outcome flown = runShell("$GLIDERCC sim " + mission.string() + " --board host -o " +
+                                 output + " --scenario " + project("scenarios/default.toml"));
+  ASSERT_EQ(flown.status, 0) << flown.err;
+  const Outcome told = runShell("$GLIDERCC log " + log + " --mission " + mission.string());
+  EXPECT_EQ(told.status, 0) << told.err;  // accepts: GL9395
+  for (const char* part :
+       {"the mission begins: home 39 10.500 N 73 49.800 W, below 500 m\n",
+        "log from: 39 10.500 N 73 49.800 W, ", " degC\n", " m, m_battery 1", " V\n", " degC, m_gps",
+        "dive → end (exit, case 1): statetime 104 s, resumetime 104 s, m_depth 12.586 m, m_battery 14.4 V, sci_water_temp 19.154 degC"}) {
+    EXPECT_NE(told.out.find(part), std::string::npos) << part << "\n" << told.out;
+  }
+  EXPECT_NE(
+      runShell("$GLIDERCC log " + log).out.find("home.latitude 39.175, home.longitude -73.83"),
+      std::string::npos);
+  const Outcome other =
+      runShell("$GLIDERCC log " + log + " --mission " + project("missions/figure2.mission"));
+  EXPECT_EQ(other.status, 2);  // rejects: GL9395
+  EXPECT_NE(other.err.find("is the log of mission place, not of mission "), std::string::npos)
+      << other.err;
+  EXPECT_EQ(other.out, "");
+}
+
 TEST(MissionLog, WhatIsNoneIsRefused) {  // GL9363
   const TemporaryFolder folder;          // accepts: GL9363 above
   const auto empty = folder.write("empty", "");

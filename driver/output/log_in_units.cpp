@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "driver/output/log_in_units.h"
+
+#include "report/text.h"
+
+#include <algorithm>
+
+namespace glider::driver {
+
+using flights::LoggedForm;
+using Half = LoggedForm::Half;
+
+namespace {
+
+LoggedForm ofTime() {
+  return flights::formOf({ir::TypeKind::Quantity, support::dimension::time});
+}
+
+/// "bottom" of "bottom.latitude" and "bottom.longitude".
+std::string placeName(const std::string& name) {
+  return name.substr(0, name.rfind('.'));
+}
+
+}  // namespace
+
+LogInUnits::LogInUnits(const compiler::Optimised& mission) {
+  const flights::SensorUnit unit = [&](const std::string& name) -> std::string {
+    const auto& sensors = mission.platform().sensors;
+    const auto found = std::ranges::find(sensors, name, &platforms::PlatformSensor::name);
+    return found != sensors.end() ? found->unit : "";
+  };
+  for (const char* clock : {"statetime", "resumetime", "missiontime"}) {
+    named_[clock] = ofTime();
+  }
+  const ir::Mission& written = mission.checked->mission();
+  for (const ir::Variable& variable : written.variables) {
+    if (variable.kind == ir::VariableKind::Parameter) {
+      named_[variable.name] = flights::formOf(variable.type);
+    }
+  }
+  nameSensors(written, unit);
+  nameNotes(written, unit);
+}
+
+void LogInUnits::nameSensors(const ir::Mission& mission, const flights::SensorUnit& unit) {
+  for (const ir::Sensor& sensor : mission.sensors) {
+    named_[sensor.name] = named_[sensor.vehicle_name] = flights::formOf(sensor, unit);
+  }
+  for (const ir::State& state : mission.states) {
+    for (const ir::LogItem& item : state.log) {
+      named_.try_emplace(item.name, flights::formOf(mission, item.value, unit));
+    }
+  }
+}
+
+void LogInUnits::nameNotes(const ir::Mission& mission, const flights::SensorUnit& unit) {
+  for (const ir::Block& block : mission.blocks) {
+    for (const ir::Statement& statement : block.statements) {
+      if (statement.kind != ir::StatementKind::Log) {
+        continue;
+      }
+      std::vector<LoggedForm>& forms = notes_[{statement.text, statement.values.size()}];
+      for (size_t i = 0; i < statement.values.size(); ++i) {
+        const LoggedForm form = flights::formOf(mission, statement.values[i], unit);
+        // Of two statements that are alike, what differs has no unit.
+        i == forms.size() ? forms.push_back(form)
+                          : void(forms[i] = forms[i] == form ? form : LoggedForm{});
+      }
+    }
+  }
+}
+
+std::string LogInUnits::values(const logs::LogEntry& entry) const {
+  std::vector<LoggedForm> forms;
+  std::vector<double> shown;
+  const auto note = notes_.find({entry.name, entry.values.size()});
+  for (size_t i = 0; i < entry.values.size(); ++i) {
+    const auto& [name, value] = entry.values[i];
+    const auto found = named_.find(name);
+    forms.push_back(found != named_.end()                  ? found->second
+                    : name.empty() && note != notes_.end() ? note->second[i]
+                                                           : LoggedForm{});
+    shown.push_back(value * forms.back().to_shown);
+  }
+  if (entry.kind == runtime::LogRecord::Note) {
+    return flights::shownValues(forms, shown);
+  }
+  std::string list;
+  for (size_t i = 0; i < shown.size(); ++i) {
+    const std::string& name = entry.values[i].first;
+    const bool place = i + 1 < shown.size() && forms[i].half == Half::Latitude &&
+                       forms[i + 1].half == Half::Longitude &&
+                       placeName(name) == placeName(entry.values[i + 1].first);
+    const size_t count = place ? 2 : 1;
+    list += (list.empty() ? "" : ", ") + report::plain(place ? placeName(name) : name) + " " +
+            flights::shownValues({&forms[i], count}, {&shown[i], count});
+    i += count - 1;
+  }
+  return list;
+}
+
+}  // namespace glider::driver

@@ -34,9 +34,54 @@ std::string namesOf(const ir::Mission& mission, const ir::ShareMessage& message)
 
 Quantity messageFigure(const ir::Mission& mission, const ir::ShareMessage& message,
                        const platforms::Modem& modem) {
-  return {fmt::format("every_{:g}_s", mission.shares[message.first].period_s), message.bytes,
-          roundedUp(modem.frame_bytes), "bytes of a frame",
+  const std::string name = fmt::format("every_{:g}_s", mission.shares[message.first].period_s);
+  if (message.mini_bits != 0) {
+    return {name, message.mini_bits, ir::kMiniPacketBits, "bits of a mini packet",
+            namesOf(mission, message)};
+  }
+  return {name, message.bytes, roundedUp(modem.frame_bytes), "bytes of a frame",
           fmt::format("{} bits: {}", message.bits, namesOf(mission, message))};
+}
+
+/// What the messages of a day cost.
+struct Day {
+  double messages = 0;
+  double on_air_s = 0;
+  double send_J = 0;
+};
+
+Day dayOf(const ir::Mission& mission, const platforms::Modem& modem) {
+  Day day;
+  for (const ir::ShareMessage& message : ir::messagesOf(mission)) {
+    const double count = kDay_s / mission.shares[message.first].period_s;
+    const bool mini = message.mini_bits != 0;
+    day.messages += count;
+    day.on_air_s += count * (modem.cycle_init_s + (mini ? 0 : modem.frame_s));
+    day.send_J += count * (mini ? platforms::miniJ(modem, modem.send_j_byte)
+                                : modem.send_j_byte * modem.frame_bytes);
+  }
+  return day;
+}
+
+/// "15.7 J for a frame and 3.1 J for a mini packet": of the kinds that the mission sends.
+std::string perMessage(const ir::Mission& mission, const platforms::Modem& modem, double j_byte) {
+  bool frames = false, minis = false;
+  for (const ir::ShareMessage& message : ir::messagesOf(mission)) {
+    (message.mini_bits != 0 ? minis : frames) = true;
+  }
+  const std::string frame = fmt::format("{:.1f} J for a frame", j_byte * modem.frame_bytes);
+  const std::string mini =
+      fmt::format("{:.1f} J for a mini packet", platforms::miniJ(modem, j_byte));
+  return !minis ? frame : !frames ? mini : frame + " and " + mini;
+}
+
+Quantity vehiclesFigure(const ir::Mission& mission, double slot_s) {
+  const double shortest_s = mission.shares.front().period_s;
+  return {"vehicles",
+          static_cast<uint64_t>(std::min<double>(flights::kMostAddress, shortest_s / slot_s)),
+          {},
+          "vehicles",
+          "that can take turns within the shortest time of `every`"};
 }
 
 }  // namespace
@@ -49,43 +94,33 @@ std::vector<report::Budget> modemBudget(const compiler::Optimised& mission) {
   }
   const platforms::Modem& modem = *platform.modem;
   report::Budget budget{"modem", {}};
-  double messages = 0;
   for (const ir::ShareMessage& message : ir::messagesOf(m)) {
     budget.quantities.push_back(messageFigure(m, message, modem));
-    messages += kDay_s / m.shares[message.first].period_s;
   }
   const double slot_s = platforms::slotOf(modem, platform.envelope.cycle_s);
-  const double on_air_s = modem.cycle_init_s + modem.frame_s;
-  const auto vehicles = static_cast<uint64_t>(
-      std::min<double>(flights::kMostAddress, m.shares.front().period_s / slot_s));
-  const double send_J = modem.send_j_byte * modem.frame_bytes;
-  const double receive_J = modem.receive_j_byte * modem.frame_bytes;
   budget.quantities.push_back(
       {"slot",
        roundedUp(slot_s),
        {},
        "s",
-       fmt::format("{:g} s on air; the rest is for {:g} m of water, the dialogue with the modem "
-                   "and two cycles of the slowest vehicle",
-                   on_air_s, modem.interference_m)});
-  budget.quantities.push_back({"vehicles",
-                               vehicles,
-                               {},
-                               "vehicles",
-                               "that can take turns within the shortest time of `every`"});
+       fmt::format("at most {:g} s on air; the rest is for {:g} m of water, the dialogue with the "
+                   "modem and two cycles of the slowest vehicle",
+                   modem.cycle_init_s + modem.frame_s, modem.interference_m)});
+  budget.quantities.push_back(vehiclesFigure(m, slot_s));
+  const Day day = dayOf(m, modem);
   budget.quantities.push_back({"on_air",
-                               roundedUp(messages * on_air_s),
+                               roundedUp(day.on_air_s),
                                {},
                                "s a day",
-                               fmt::format("{:.0f} messages", std::ceil(messages))});
-  budget.quantities.push_back(
-      {"energy",
-       roundedUp(messages * send_J + kDay_s * modem.listen_W),
-       {},
-       "J a day",
-       fmt::format("{:.1f} J for each message sent, {:.0f} J to listen; and {:.1f} J for each that "
-                   "is received",
-                   send_J, kDay_s * modem.listen_W, receive_J)});
+                               fmt::format("{:.0f} messages", std::ceil(day.messages))});
+  const double listen_J = kDay_s * modem.listen_W;
+  budget.quantities.push_back({"energy",
+                               roundedUp(day.send_J + listen_J),
+                               {},
+                               "J a day",
+                               fmt::format("to send {}, {:.0f} J to listen; and to receive {}",
+                                           perMessage(m, modem, modem.send_j_byte), listen_J,
+                                           perMessage(m, modem, modem.receive_j_byte))});
   return {std::move(budget)};
 }
 

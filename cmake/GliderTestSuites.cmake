@@ -9,7 +9,7 @@ cmake_minimum_required(VERSION 3.25)
 
 # The label `fast`: suites of these programs, unless they ask a solver or take seconds (tests/costs/costs.txt).
 set(glider_fast_programs card_test data_files_test data_tables_test data_traces_test driver_test frontend_test golden_test hooks_posix_test
-  hooks_test imc_test micro_modem_test recon_test ir_test logs_test mission_files_test numbers_test platforms_test report_test runtime_test share_test talker_test simulator_physics_test
+  hooks_test imc_test janus_test micro_modem_test recon_test ir_test logs_test mission_files_test numbers_test platforms_test report_test runtime_test share_test talker_test simulator_physics_test
   support_test symbols_test)
 set(glider_solver_suites golden_test.FixedGoldens golden_test.Prove/Golden)
 foreach(suite AnyMomentOf Budget Chattering EndBound Geofences Interruptions Livelocks Nearest ProverStep Requirements Rules Sampling Submersion)

@@ -47,8 +47,9 @@ GliderTalk talkMissionOf(const ir::Mission& mission, const platforms::Platform& 
                                        placeOf(share.peer)};
   }
   for (const ir::ShareMessage& message : ir::messagesOf(mission)) {
-    talk.messages[talk.message_count++] = {mission.shares[message.first].period_s, message.first,
-                                           message.count, message.signature, message.bytes};
+    talk.messages[talk.message_count++] = {
+        mission.shares[message.first].period_s, message.first, message.count, message.signature,
+        message.mini_bits != 0 ? GLIDER_MINI_PACKET : message.bytes};
   }
   return talk;
 }

@@ -19,6 +19,7 @@ void addSimCommand(CLI::App& app, int& status);
 void addBriefCommand(CLI::App& app, int& status);
 void addCampaignCommand(CLI::App& app, int& status);
 void addDockCommand(CLI::App& app, int& status);
+void addMessagesCommand(CLI::App& app, int& status);
 void addMiCommand(CLI::App& app, int& status);
 void addLogCommand(CLI::App& app, int& status);
 void addDiffCommand(CLI::App& app, int& status);

@@ -66,6 +66,7 @@ int run(int argc, char** argv) {
   addCampaignCommand(app, status);
   addDockCommand(app, status);
   addLogCommand(app, status);
+  addMessagesCommand(app, status);
   addMiCommand(app, status);
   addFmtCommand(app, status);
   addFixCommand(app, status);

@@ -20,7 +20,10 @@ using Half = LoggedForm::Half;
 
 std::string shownNumber(double value, const std::string& unit) {
   constexpr double kLarge = 1e5;  // from here on five digits would need an exponent
-  constexpr std::string_view kUnnamed[] = {"", "nodim", "enum", "bool"};
+  constexpr std::string_view kUnnamed[] = {"", "nodim", "enum"};
+  if (unit == "bool") {
+    return value != 0 ? "true" : "false";
+  }
   if (unit == "rad") {
     constexpr double kDegrees = 180 / std::numbers::pi;
     return fmt::format("{:.1f} deg", value * kDegrees);
@@ -58,7 +61,7 @@ bool isPosition(std::span<const LoggedForm> forms, std::span<const double> value
 LoggedForm formOf(const ir::Type& type) {
   switch (type.kind) {
     case ir::TypeKind::Bool:
-      return {};
+      return {"bool", 1, Half::None};
     case ir::TypeKind::Latitude:
       return {"deg", 1, Half::Latitude};
     case ir::TypeKind::Longitude:

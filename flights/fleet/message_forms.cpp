@@ -17,6 +17,7 @@ std::vector<simulator::MessageForm> messageForms(const ir::Mission& mission) {
     }
     form.signature = static_cast<uint8_t>(message.signature);
     form.bytes = message.bytes;
+    form.is_mini = message.mini_bits != 0;
     forms.push_back(std::move(form));
   }
   return forms;

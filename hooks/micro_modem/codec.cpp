@@ -60,19 +60,24 @@ bool read(const Text& body, CycleOf<side>& message) {
       .end();
 }
 
-template <Side side>
-uint32_t write(const MiniPacketOf<side>& message, char* bytes, uint32_t capacity) {
-  return SentenceWriter(nameOf(side, "CCMUC", "CAMUA"), bytes, capacity)
+const char* nameOf(Mini mini) {
+  constexpr const char* kNames[] = {"CCMUC", "CAMUC", "CAMUA"};
+  return kNames[static_cast<uint32_t>(mini)];
+}
+
+template <Mini mini>
+uint32_t write(const MiniPacketOf<mini>& message, char* bytes, uint32_t capacity) {
+  return SentenceWriter(nameOf(mini), bytes, capacity)
       .whole(0, kMostAddress, message.source)
       .whole(0, kMostAddress, message.destination)
       .bits(kMostBits, message.bits)
       .end();
 }
 
-template <Side side>
-bool read(const Text& body, MiniPacketOf<side>& message) {
+template <Mini mini>
+bool read(const Text& body, MiniPacketOf<mini>& message) {
   return Fields(body)
-      .is(nameOf(side, "CCMUC", "CAMUA"))
+      .is(nameOf(mini))
       .whole(0, kMostAddress, &message.source)
       .whole(0, kMostAddress, &message.destination)
       .bits(kMostBits, &message.bits)
@@ -111,6 +116,12 @@ uint32_t encode(const SendMiniPacket& message, char* bytes, uint32_t capacity) {
   return write(message, bytes, capacity);
 }
 bool decode(const Text& body, SendMiniPacket& message) {
+  return read(body, message);
+}
+uint32_t encode(const MiniPacketEcho& message, char* bytes, uint32_t capacity) {
+  return write(message, bytes, capacity);
+}
+bool decode(const Text& body, MiniPacketEcho& message) {
   return read(body, message);
 }
 uint32_t encode(const MiniPacketReceived& message, char* bytes, uint32_t capacity) {

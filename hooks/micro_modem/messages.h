@@ -56,15 +56,23 @@ struct CycleOf {
 using StartCycle = CycleOf<Side::Host>;
 using CycleStarts = CycleOf<Side::Modem>;
 
-/// `CCMUC`: sends a mini packet of 13 bits. `CAMUA`: one was received.
-template <Side side>
+/// What a sentence with a mini packet means.
+enum class Mini : uint8_t {
+  Send,     ///< `CCMUC`: from the host: send it
+  Echo,     ///< `CAMUC`: the modem has taken it
+  Received  ///< `CAMUA`: it was received
+};
+
+/// A mini packet, 13 bits.
+template <Mini mini>
 struct MiniPacketOf {
   uint32_t source = 0;
   uint32_t destination = kEverybody;
   uint32_t bits = 0;  ///< at most 0x1FFF
 };
-using SendMiniPacket = MiniPacketOf<Side::Host>;
-using MiniPacketReceived = MiniPacketOf<Side::Modem>;
+using SendMiniPacket = MiniPacketOf<Mini::Send>;
+using MiniPacketEcho = MiniPacketOf<Mini::Echo>;
+using MiniPacketReceived = MiniPacketOf<Mini::Received>;
 
 // From the host to the modem.
 

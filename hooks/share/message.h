@@ -29,7 +29,11 @@ double valueOf(const Scale& scale, uint32_t digit);
 struct MessageSize {
   uint32_t bytes = 0;  ///< 0: more than Number::kMostBytes
   uint32_t bits = 0;   ///< the least with which its values can be distinguished, with the signature
+  uint32_t mini_bits = 0;  ///< as a mini packet; 0: more than kMiniBits
 };
+
+/// A mini packet of a modem holds so many bits.
+inline constexpr uint32_t kMiniBits = 13;
 
 MessageSize sizeOf(const Scale* scales, uint32_t count);
 
@@ -39,6 +43,8 @@ class MessageWriter {
   MessageWriter& put(const Scale& scale, double value);
   /// Writes `size` bytes, as sizeOf counts them. False if the message needs more.
   bool end(uint8_t signature, uint8_t* bytes, uint32_t size);
+  /// The same for a mini packet: its bits.
+  bool endMini(uint8_t signature, uint32_t& bits);
 
  private:
   Number number_;
@@ -51,6 +57,8 @@ class MessageReader {
   MessageReader(const uint8_t* bytes, uint32_t size) : number_(bytes, size), size_(size) {
     signature_ = number_.take(kSignatures);
   }
+  /// The same of a mini packet.
+  explicit MessageReader(uint32_t mini_bits);
   /// NaN for one that the sender did not know.
   double take(const Scale& scale) { return valueOf(scale, number_.take(scale.values + 1)); }
   /// Whether it is a message with this signature and size, and with no more than these shares. If
@@ -58,8 +66,13 @@ class MessageReader {
   [[nodiscard]] bool end(uint8_t signature, uint32_t size) const {
     return signature_ == signature && size_ == size && number_.bits() == 0;
   }
+  /// The same for a mini packet.
+  [[nodiscard]] bool endMini(uint8_t signature) const {
+    return signature_ == signature % kMiniSignatures && size_ == 0 && number_.bits() == 0;
+  }
 
   static constexpr uint32_t kSignatures = 256;
+  static constexpr uint32_t kMiniSignatures = 8;
 
  private:
   Number number_;

@@ -17,6 +17,14 @@ namespace glider::ir {
 namespace {
 
 constexpr uint32_t kSignatureMask = 0xFF;
+static_assert(kMiniPacketBits == hooks::share::kMiniBits);
+
+bool isAlike(const ShareMessage& one, const ShareMessage& other) {
+  constexpr uint32_t kMini = hooks::share::MessageReader::kMiniSignatures;
+  const bool minis = one.mini_bits != 0 && other.mini_bits != 0;
+  return one.signature == other.signature ||
+         (minis && one.signature % kMini == other.signature % kMini);
+}
 
 /// The same in every mission that shares the same, in any units.
 std::string identityOf(const Mission& mission, const Share& share) {
@@ -32,10 +40,14 @@ std::string identityOf(const Mission& mission, const Share& share) {
 /// by it.
 void distinguish(std::vector<ShareMessage>& messages) {
   ShareMessage& last = messages.back();
+  const auto minis = std::ranges::count_if(
+      messages, [](const ShareMessage& message) { return message.mini_bits != 0; });
+  if (minis > hooks::share::MessageReader::kMiniSignatures) {
+    last.mini_bits = 0;
+  }
   const auto taken = [&] {
-    return std::any_of(messages.begin(), messages.end() - 1, [&](const ShareMessage& other) {
-      return other.signature == last.signature;
-    });
+    return std::any_of(messages.begin(), messages.end() - 1,
+                       [&](const ShareMessage& other) { return isAlike(other, last); });
   };
   while (taken()) {  // there are fewer messages than signatures
     last.signature = (last.signature + 1) & kSignatureMask;
@@ -60,7 +72,7 @@ ShareMessage messageOf(const Mission& mission, uint32_t first, uint32_t count) {
                           static_cast<uint32_t>(identity.size()), check);
   }
   const hooks::share::MessageSize size = hooks::share::sizeOf(scales.data(), count);
-  return {first, count, size.bytes, size.bits, check & kSignatureMask};
+  return {first, count, size.bytes, size.bits, size.mini_bits, check & kSignatureMask};
 }
 
 std::vector<ShareMessage> messagesOf(const Mission& mission) {

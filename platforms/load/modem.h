@@ -20,6 +20,12 @@ struct Modem {
   double listen_W = 0;  ///< drawn at all times while it is on
 };
 
+/// The energy of a mini packet, J: it is as long in the water as the packet that announces a frame,
+/// and draws as much as data in that time.
+inline double miniJ(const Modem& modem, double j_byte) {
+  return j_byte * modem.frame_bytes * modem.cycle_init_s / modem.frame_s;
+}
+
 /// The control cycle of the slowest kind of vehicle, a Slocum, s: vehicles of several kinds take
 /// turns together, and each begins within it.
 inline constexpr double kSlowestCycle_s = 4;

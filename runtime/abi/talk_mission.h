@@ -10,6 +10,7 @@
 #define GLIDER_MOST_SHARES 32u
 /* Frames of the modem that the program fills: 32 bytes, at rate 0. */
 #define GLIDER_MOST_MESSAGE_BYTES 32u
+#define GLIDER_MINI_PACKET 0u
 #define GLIDER_NO_PLACE UINT32_MAX
 /* Values that are received from named vehicles, at most: a frame of the vehicle holds no more. */
 #define GLIDER_MOST_NAMED 64u
@@ -37,7 +38,7 @@ typedef struct GliderMessage {
   uint32_t first; /* share */
   uint32_t count;
   uint32_t signature; /* 0..255: of the names, units, numbers and the period of its shares */
-  uint32_t bytes;     /* of the packed message: 1..GLIDER_MOST_MESSAGE_BYTES */
+  uint32_t bytes; /* of the packed message: 1..GLIDER_MOST_MESSAGE_BYTES, or GLIDER_MINI_PACKET */
 } GliderMessage;
 
 /* What the program on the SBC must know of what the mission tells and receives. The compiler writes

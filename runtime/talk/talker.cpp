@@ -21,6 +21,10 @@ Scale scaleOf(const GliderShare& share) {
   return {share.lowest, share.step, share.values};
 }
 
+uint8_t signatureOf(const GliderMessage& message) {
+  return static_cast<uint8_t>(message.signature);
+}
+
 double valueOf(const GliderShare& share, const GliderContext& context) {
   return share.reading != GLIDER_NO_PLACE ? context.readings[share.reading].value
                                           : context.variables[share.variable];
@@ -43,7 +47,7 @@ void Talker::poll(const GliderByteStream& modem, GliderContext* context, double 
   if (!has_address_) {
     askForAddress();
   } else if (step_ == Step::Idle && context != nullptr && context->finished == 0) {
-    begin();
+    begin(*context);
   }
   flush(modem);
 }
@@ -96,6 +100,11 @@ void Talker::take(const hooks::Text& sentence, GliderContext* context) {
     takeRequest(request, context);
   } else if (Received frame; decode(sentence, frame)) {
     takeFrame(frame, context);
+  } else if (MiniPacketReceived mini; decode(sentence, mini)) {
+    takeMini(mini, context);
+  } else if (MiniPacketEcho echo; decode(sentence, echo)) {
+    counts_.sent += step_ == Step::SendsMini ? 1 : 0;
+    step_ = step_ == Step::SendsMini ? Step::Idle : step_;
   } else if (SettingIs setting; decode(sentence, setting)) {
     takeSetting(setting);
   } else if (TransmitEnds ends; decode(sentence, ends)) {
@@ -130,68 +139,97 @@ void Talker::takeRequest(const DataRequest& request, const GliderContext* contex
                       clock_.now() - since_ <= kLongestDialogueSecs &&
                       request.bytes >= talk_.messages[message_].bytes;
   if (wanted) {
-    pack(talk_.messages[message_], *context, answer.data);
+    const GliderMessage& message = talk_.messages[message_];
+    MessageWriter writer;
+    pack(message, *context, writer);
+    answer.data.size = message.bytes;
+    if (!writer.end(signatureOf(message), answer.data.bytes, answer.data.size)) {
+      answer.data.size = 0;  // never: the compiler has counted them
+    }
   }
   if (say(answer) && wanted) {
     step_ = Step::Sends;
-    since_ = sent_[message_] = clock_.now();
-    was_sent_[message_] = true;
+    wasGiven();
   }
 }
 
-void Talker::pack(const GliderMessage& message, const GliderContext& context, Data& data) const {
-  MessageWriter writer;
+/// The modem has the message.
+void Talker::wasGiven() {
+  since_ = sent_[message_] = clock_.now();
+  was_sent_[message_] = true;
+}
+
+void Talker::pack(const GliderMessage& message, const GliderContext& context,
+                  MessageWriter& writer) const {
   for (uint32_t i = message.count; i != 0; --i) {
     const GliderShare& share = talk_.shares[message.first + i - 1];
     writer.put(scaleOf(share), valueOf(share, context));
   }
-  data.size = message.bytes;
-  if (!writer.end(static_cast<uint8_t>(message.signature), data.bytes, data.size)) {
-    data.size = 0;  // never: the compiler has counted them
-  }
+}
+
+bool Talker::isForUs(uint32_t source, uint32_t destination) const {
+  // What has our own address is not ours: a modem does not receive what it sends.
+  const bool others = source != address_ && source != 0;
+  return others && (destination == kEverybody || destination == address_);
 }
 
 void Talker::takeFrame(const Received& frame, GliderContext* context) {
   if (frame.destination != kEverybody && frame.destination != address_) {
     return;
   }
-  // A frame with our own address is not ours: a modem does not receive what it sends.
-  const bool others = frame.source != address_ && frame.source != 0;
-  for (uint32_t i = 0; others && i < talk_.message_count; ++i) {
-    if (isOf(talk_.messages[i], frame.data)) {
-      ++counts_.received;
-      if (context != nullptr) {
-        keep(talk_.messages[i], frame, *context);
-      }
+  for (uint32_t i = 0; isForUs(frame.source, frame.destination) && i < talk_.message_count; ++i) {
+    const GliderMessage& message = talk_.messages[i];
+    MessageReader reader(frame.data.bytes, frame.data.size);
+    skip(message, reader);
+    if (message.bytes != GLIDER_MINI_PACKET && reader.end(signatureOf(message), message.bytes)) {
+      keep(message, {frame.data.bytes, frame.data.size}, frame.source, context);
       return;
     }
   }
   ++counts_.refused;
 }
 
-bool Talker::isOf(const GliderMessage& message, const Data& data) const {
-  MessageReader reader(data.bytes, data.size);
+void Talker::takeMini(const MiniPacketReceived& packet, GliderContext* context) {
+  if (packet.destination != kEverybody && packet.destination != address_) {
+    return;
+  }
+  for (uint32_t i = 0; isForUs(packet.source, packet.destination) && i < talk_.message_count; ++i) {
+    const GliderMessage& message = talk_.messages[i];
+    MessageReader reader(packet.bits);
+    skip(message, reader);
+    if (message.bytes == GLIDER_MINI_PACKET && reader.endMini(signatureOf(message))) {
+      keep(message, MessageReader(packet.bits), packet.source, context);
+      return;
+    }
+  }
+  ++counts_.refused;
+}
+
+void Talker::skip(const GliderMessage& message, MessageReader& reader) const {
   for (uint32_t i = 0; i < message.count; ++i) {
     (void)reader.take(scaleOf(talk_.shares[message.first + i]));
   }
-  return reader.end(static_cast<uint8_t>(message.signature), message.bytes);
 }
 
 /// For the vehicle's next frame. A value that the sender did not know changes nothing.
-void Talker::keep(const GliderMessage& message, const Received& frame, GliderContext& context) {
-  MessageReader reader(frame.data.bytes, frame.data.size);
+void Talker::keep(const GliderMessage& message, MessageReader reader, uint32_t source,
+                  GliderContext* context) {
+  ++counts_.received;
+  if (context == nullptr) {
+    return;
+  }
   for (uint32_t share = message.first; share < message.first + message.count; ++share) {
     const double value = reader.take(scaleOf(talk_.shares[share]));
     if (value != value) {
       continue;
     }
     if (talk_.shares[share].peer != GLIDER_NO_PLACE) {
-      wait(context.readings[talk_.shares[share].peer], value, received_[share]);
+      wait(context->readings[talk_.shares[share].peer], value, received_[share]);
     }
     for (uint32_t i = 0; i < talk_.named_count; ++i) {
       const GliderNamed& named = talk_.named[i];
-      if (named.share == share && named.source == frame.source) {
-        wait(context.readings[named.reading], value, named_received_[i]);
+      if (named.share == share && named.source == source) {
+        wait(context->readings[named.reading], value, named_received_[i]);
       }
     }
   }
@@ -230,8 +268,9 @@ void Talker::askForAddress() {
   }
 }
 
-/// Starts a cycle, if this is the beginning of a slot of this vehicle and a message is due.
-void Talker::begin() {
+/// Starts a cycle, or sends a mini packet, if this is the beginning of a slot of this vehicle and a
+/// message is due.
+void Talker::begin(const GliderContext& context) {
   uint64_t slot = 0;
   double passed_s = 0;
   if (!clock_.slot(&slot, &passed_s) || slot % vehicles_ != address_ - 1 || slot == slot_ ||
@@ -244,12 +283,25 @@ void Talker::begin() {
   }
   StartCycle cycle;
   cycle.source = address_;
-  if (say(cycle)) {
-    slot_ = slot;
-    message_ = message;
-    step_ = Step::Begins;
-    since_ = clock_.now();
+  const bool mini = talk_.messages[message].bytes == GLIDER_MINI_PACKET;
+  if (!(mini ? beginMini(talk_.messages[message], context) : say(cycle))) {
+    return;
   }
+  slot_ = slot;
+  message_ = message;
+  step_ = mini ? Step::SendsMini : Step::Begins;
+  since_ = clock_.now();
+  if (mini) {
+    wasGiven();
+  }
+}
+
+bool Talker::beginMini(const GliderMessage& message, const GliderContext& context) {
+  MessageWriter writer;
+  pack(message, context, writer);
+  SendMiniPacket packet;
+  packet.source = address_;
+  return writer.endMini(signatureOf(message), packet.bits) && say(packet);
 }
 
 /// The number of the message that should have been sent for the longest time; one that was never

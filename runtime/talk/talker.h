@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hooks/micro_modem/codec.h"
+#include "hooks/share/message.h"
 #include "hooks/transport/byte_stream.h"
 #include "runtime/abi/glider_abi.h"
 #include "runtime/abi/talk_mission.h"
@@ -15,7 +16,7 @@ namespace glider::runtime::talk {
 
 /// What a Talker has done since it was made.
 struct TalkerCounts {
-  uint32_t sent = 0;        ///< messages whose end the modem has reported
+  uint32_t sent = 0;        ///< messages whose end, or mini packet, the modem has reported
   uint32_t received = 0;    ///< messages of the mission's own shares
   uint32_t refused = 0;     ///< frames of others that are not such a message
   uint32_t damaged = 0;     ///< frames that the modem could not read
@@ -64,8 +65,9 @@ class Talker {
  private:
   enum class Step : uint8_t {
     Idle,
-    Begins,  ///< a cycle was asked for
-    Sends    ///< the modem has its data
+    Begins,    ///< a cycle was asked for
+    Sends,     ///< the modem has its data
+    SendsMini  ///< a mini packet was given to the modem
   };
   static constexpr double kNever = -1e30;
 
@@ -74,16 +76,21 @@ class Talker {
   void take(const hooks::Text& sentence, GliderContext* context);
   void takeSetting(const hooks::micro_modem::SettingIs& setting);
   void takeRequest(const hooks::micro_modem::DataRequest& request, const GliderContext* context);
+  void takeMini(const hooks::micro_modem::MiniPacketReceived& packet, GliderContext* context);
   void takeFrame(const hooks::micro_modem::Received& frame, GliderContext* context);
-  [[nodiscard]] bool isOf(const GliderMessage& message, const hooks::micro_modem::Data& data) const;
-  void keep(const GliderMessage& message, const hooks::micro_modem::Received& frame,
-            GliderContext& context);
+  [[nodiscard]] bool isForUs(uint32_t source, uint32_t destination) const;
+  /// Takes the values of `message` out of `reader`, whose end the caller looks at.
+  void skip(const GliderMessage& message, hooks::share::MessageReader& reader) const;
+  void keep(const GliderMessage& message, hooks::share::MessageReader reader, uint32_t source,
+            GliderContext* context);
   void wait(GliderReading& reading, double value, double& received);
   void forget(GliderContext& context) const;
   void pack(const GliderMessage& message, const GliderContext& context,
-            hooks::micro_modem::Data& data) const;
+            hooks::share::MessageWriter& writer) const;
+  void wasGiven();
   void askForAddress();
-  void begin();
+  void begin(const GliderContext& context);
+  [[nodiscard]] bool beginMini(const GliderMessage& message, const GliderContext& context);
   void giveUp();
   [[nodiscard]] uint32_t mostOverdue() const;
   [[nodiscard]] bool hasRoom() const { return out_size_ == 0; }

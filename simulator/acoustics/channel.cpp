@@ -47,11 +47,11 @@ void Channel::send(uint32_t vehicle, double now_s, const AcousticFrame& frame,
     return;
   }
   Node& sender = found->second;
-  const double length_s = settings.cycle_init_s + settings.frame_s;
   const uint32_t number = sender.sent++;
-  sender.sending.push_back({now_s, now_s + length_s});
   const auto liar = trouble_.liars.find(vehicle);
   const AcousticFrame sent = liar == trouble_.liars.end() ? frame : liar->second.insteadOf(frame);
+  const double length_s = settings.lengthOf(sent);
+  sender.sending.push_back({now_s, now_s + length_s});
   for (auto& [other, node] : nodes_) {
     const double range_m = distance(sender.place, node.place);
     if (other == vehicle || range_m > settings.interference_m) {
@@ -61,6 +61,7 @@ void Channel::send(uint32_t vehicle, double now_s, const AcousticFrame& frame,
     arrival.begin_s = now_s + range_m / kSoundSpeed;
     arrival.announced_s = arrival.begin_s + settings.cycle_init_s;
     arrival.end_s = arrival.begin_s + length_s;
+    arrival.announcement_taken = sent.is_mini;
     arrival.sender = vehicle;
     arrival.in_range = range_m <= settings.range_m;
     arrival.faint =

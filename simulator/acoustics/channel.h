@@ -60,7 +60,7 @@ class Channel {
   /// It is out of the water.
   void leave(uint32_t vehicle) { nodes_.erase(vehicle); }
 
-  /// Sends an announcement at `now_s`, and `frame` behind it.
+  /// Sends an announcement at `now_s`, and `frame` behind it; a mini packet has none.
   void send(uint32_t vehicle, double now_s, const AcousticFrame& frame,
             const ModemSettings& settings);
   /// What has ended at a vehicle by `now_s` and was not taken yet, in the order of its ends. A

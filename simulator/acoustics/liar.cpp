@@ -23,7 +23,7 @@ uint32_t Liar::below(uint32_t count) {
   return static_cast<uint32_t>(uniform(seed_, {drawn_++, 0, 0, kStream}) * count);
 }
 
-void Liar::putValues(hooks::micro_modem::Data& data) {
+void Liar::putValues(AcousticFrame& frame) {
   const MessageForm& form = forms_[below(static_cast<uint32_t>(forms_.size()))];
   hooks::share::MessageWriter writer;
   for (size_t i = form.scales.size(); i != 0; --i) {
@@ -31,16 +31,19 @@ void Liar::putValues(hooks::micro_modem::Data& data) {
     // The first of these is that the sender does not know.
     writer.put(scale, hooks::share::valueOf(scale, below(scale.values + 1)));
   }
-  data.size = form.bytes;
-  CHECK(writer.end(form.signature, data.bytes, data.size), "the form of a message fits it");
+  frame.is_mini = form.is_mini;
+  frame.data.size = form.is_mini ? 0 : form.bytes;
+  const bool fits = form.is_mini ? writer.endMini(form.signature, frame.mini_bits)
+                                 : writer.end(form.signature, frame.data.bytes, frame.data.size);
+  CHECK(fits, "the form of a message fits it");
 }
 
 AcousticFrame Liar::insteadOf(const AcousticFrame& frame) {
   AcousticFrame told = frame;
   switch (lie_) {
     case Lie::Frozen:
-      first_ = first_.size == 0 ? frame.data : first_;
-      told.data = first_;
+      first_ = first_ ? first_ : frame;
+      told = *first_;
       break;
     case Lie::Masked:
       if (!others_.empty()) {
@@ -48,9 +51,10 @@ AcousticFrame Liar::insteadOf(const AcousticFrame& frame) {
       }
       [[fallthrough]];
     case Lie::Values:
-      putValues(told.data);
+      putValues(told);
       break;
     case Lie::Rubbish:
+      told.mini_bits = below(1U << hooks::share::kMiniBits);
       told.data.size = 1 + below(hooks::micro_modem::kMostFrameBytes);
       for (uint32_t i = 0; i < told.data.size; ++i) {
         told.data.bytes[i] = static_cast<uint8_t>(below(256));

@@ -7,6 +7,7 @@
 #include "simulator/acoustics/acoustic_frame.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace glider::simulator {
@@ -16,6 +17,7 @@ struct MessageForm {
   std::vector<hooks::share::Scale> scales;  ///< of its values, in the order of the mission
   uint8_t signature = 0;
   uint32_t bytes = 0;
+  bool is_mini = false;  ///< it is a mini packet
 };
 
 /// What a vehicle sends instead of the truth.
@@ -41,14 +43,14 @@ class Liar {
 
  private:
   uint32_t below(uint32_t count);
-  void putValues(hooks::micro_modem::Data& data);
+  void putValues(AcousticFrame& frame);
 
   Lie lie_;
   std::vector<MessageForm> forms_;
   std::vector<uint32_t> others_;
   uint64_t seed_;
   uint32_t drawn_ = 0;  ///< numbers, so far
-  hooks::micro_modem::Data first_;
+  std::optional<AcousticFrame> first_;
 };
 
 }  // namespace glider::simulator

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "platforms/load/modem.h"
+#include "simulator/acoustics/acoustic_frame.h"
 
 #include <cstdint>
 
@@ -18,7 +19,13 @@ struct ModemSettings {
   uint32_t frame_bytes = 0;  ///< that a frame holds
   double send_J = 0;         ///< for a frame
   double receive_J = 0;      ///< for a frame
+  double send_mini_J = 0;    ///< for a mini packet
+  double receive_mini_J = 0;
   double listen_W = 0;
+
+  [[nodiscard]] double lengthOf(const AcousticFrame& frame) const {
+    return frame.is_mini ? cycle_init_s : cycle_init_s + frame_s;
+  }
 };
 
 inline ModemSettings modemSettings(const platforms::Modem& modem) {
@@ -29,6 +36,8 @@ inline ModemSettings modemSettings(const platforms::Modem& modem) {
           .frame_bytes = static_cast<uint32_t>(modem.frame_bytes),
           .send_J = modem.send_j_byte * modem.frame_bytes,
           .receive_J = modem.receive_j_byte * modem.frame_bytes,
+          .send_mini_J = platforms::miniJ(modem, modem.send_j_byte),
+          .receive_mini_J = platforms::miniJ(modem, modem.receive_j_byte),
           .listen_W = modem.listen_W};
 }
 

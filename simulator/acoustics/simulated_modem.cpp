@@ -23,6 +23,13 @@ uint32_t secondOfDay(double now_s) {
   return static_cast<uint32_t>(std::fmod(now_s, kDay_s));
 }
 
+/// "5 bytes", "a mini packet".
+std::string sizeText(const AcousticFrame& frame) {
+  return frame.is_mini          ? "a mini packet"
+         : frame.data.size == 1 ? "1 byte"
+                                : std::to_string(frame.data.size) + " bytes";
+}
+
 const char* reasonOf(Loss loss) {
   switch (loss) {
     case Loss::None:
@@ -111,12 +118,15 @@ void SimulatedModem::answer(const hooks::Text& body, double now_s) {
   micro_modem::SetSetting setting;
   micro_modem::StartCycle cycle;
   micro_modem::Transmit data;
+  micro_modem::SendMiniPacket mini;
   if (decode(body, setting)) {
     configure(setting, now_s);
   } else if (decode(body, cycle)) {
     startCycle(cycle, now_s);
   } else if (decode(body, data)) {
     transmit(data, now_s);
+  } else if (decode(body, mini)) {
+    sendMini(mini, now_s);
   } else {
     refuse("NMEA", now_s);
   }
@@ -157,18 +167,32 @@ void SimulatedModem::transmit(const micro_modem::Transmit& data, double now_s) {
     doing_ = Doing::Listening;
     return;
   }
-  const double length_s = settings_.cycle_init_s + settings_.frame_s;
-  channel_->send(vehicle_, now_s, {data.source, data.destination, data.data}, settings_);
   doing_ = Doing::Sending;
+  send({data.source, data.destination, data.data}, now_s);
+}
+
+void SimulatedModem::sendMini(const micro_modem::SendMiniPacket& packet, double now_s) {
+  if (doing_ != Doing::Listening || address_ == 0 || packet.source != address_) {
+    refuse("MUC", now_s);
+    return;
+  }
+  say(micro_modem::MiniPacketEcho{packet.source, packet.destination, packet.bits});
+  doing_ = Doing::SendingMini;
+  send({packet.source, packet.destination, {}, true, packet.bits}, now_s);
+}
+
+void SimulatedModem::send(const AcousticFrame& frame, double now_s) {
+  const double length_s = settings_.lengthOf(frame);
+  channel_->send(vehicle_, now_s, frame, settings_);
   until_s_ = now_s + length_s;
-  sent_bytes_ = data.data.size;
+  sent_bytes_ = frame.data.size;
   ++totals_.sent;
   totals_.on_air_s += length_s;
-  totals_.sent_J += settings_.send_J;
+  totals_.sent_J += frame.is_mini ? settings_.send_mini_J : settings_.send_J;
   news_.push_back({EventId::MessageSent,
-                   {static_cast<double>(sent_bytes_), data.destination == micro_modem::kEverybody
-                                                          ? std::string("all")
-                                                          : std::to_string(data.destination)}});
+                   {sizeText(frame), frame.destination == micro_modem::kEverybody
+                                         ? std::string("all")
+                                         : std::to_string(frame.destination)}});
 }
 
 void SimulatedModem::followTime(double now_s) {
@@ -177,7 +201,7 @@ void SimulatedModem::followTime(double now_s) {
   }
   if (doing_ == Doing::Sending) {
     say(micro_modem::TransmitEnds{sent_bytes_});
-  } else {
+  } else if (doing_ == Doing::WaitingForData) {
     refuse("DTO", now_s);
   }
   doing_ = Doing::Listening;
@@ -206,9 +230,14 @@ void SimulatedModem::receive(const Reception& reception) {
   }
   if (reception.loss == Loss::None) {
     ++totals_.received;
-    say(micro_modem::Received{frame.source, frame.destination, false, 1, frame.data});
-    news_.push_back({EventId::MessageReceived,
-                     {static_cast<double>(frame.data.size), static_cast<double>(frame.source)}});
+    if (frame.is_mini) {
+      totals_.received_J += settings_.receive_mini_J;
+      say(micro_modem::MiniPacketReceived{frame.source, frame.destination, frame.mini_bits});
+    } else {
+      say(micro_modem::Received{frame.source, frame.destination, false, 1, frame.data});
+    }
+    news_.push_back(
+        {EventId::MessageReceived, {sizeText(frame), static_cast<double>(frame.source)}});
     return;
   }
   ++totals_.lost;

@@ -19,7 +19,8 @@ namespace glider::simulator {
 
 /// The Micro-Modem of a vehicle: it speaks with the SBC on a serial line, and with other modems
 /// through the channel. It has power while the SBC has, and keeps its address without. Only what
-/// glidercc uses is simulated: rate 0, one frame, no acknowledgement; it refuses all else.
+/// glidercc uses is simulated: rate 0, one frame, no acknowledgement, and mini packets; it refuses
+/// all else.
 class SimulatedModem {
  public:
   /// `vehicle`: its number in the channel, in which it must be placed.
@@ -41,7 +42,7 @@ class SimulatedModem {
   std::vector<News>& news() { return news_; }
 
  private:
-  enum class Doing : uint8_t { Listening, WaitingForData, Sending };
+  enum class Doing : uint8_t { Listening, WaitingForData, Sending, SendingMini };
 
   void turnOn(double now_s);
   void turnOff();
@@ -50,6 +51,8 @@ class SimulatedModem {
   void configure(const hooks::micro_modem::SetSetting& setting, double now_s);
   void startCycle(const hooks::micro_modem::StartCycle& cycle, double now_s);
   void transmit(const hooks::micro_modem::Transmit& data, double now_s);
+  void sendMini(const hooks::micro_modem::SendMiniPacket& packet, double now_s);
+  void send(const AcousticFrame& frame, double now_s);
   void followTime(double now_s);
   void receive(double now_s);
   void receive(const Reception& reception);

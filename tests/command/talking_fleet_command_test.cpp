@@ -133,8 +133,8 @@ TEST_F(TalkingFleet, HearsWhatOthersTell) {
   for (const char* name : {"a", "b"}) {
     const std::string events = slurped(std::string("f/") + name + "/events.csv");
     EXPECT_THAT(events, HasSubstr("out → near (goto)")) << name;
-    EXPECT_THAT(events, HasSubstr(name == std::string("a") ? "received 2 bytes from 2"
-                                                           : "received 2 bytes from 1"));
+    EXPECT_THAT(events, HasSubstr(name == std::string("a") ? "received a mini packet from 2"
+                                                           : "received a mini packet from 1"));
   }
   EXPECT_EQ(run("$GLIDERCC sim f.toml -o g && diff -r f g").status, 0) << "the same again";
 }
@@ -154,19 +154,28 @@ TEST_F(TalkingFleet, FliesOnWhenNothingArrives) {
 }
 
 TEST_F(TalkingFleet, TakesTheTimeAndEnergyThatTheReportSays) {
-  mission("one", kTop);
-  fleet("");
-  EXPECT_EQ(run("$GLIDERCC sim f.toml -o f").status, 0);
-  const auto modem = nlohmann::json::parse(slurped("f/flight.json"))["vehicles"][0]["modem"];
-  // 40 min in turns of 38 s, so every 152 s at the soonest: 15 or 16 messages, and two minutes
-  // around the mission.
-  const double sent = modem["sent"];
-  EXPECT_NEAR(sent, 16, 1.01);
-  EXPECT_NEAR(modem["on_air_s"].get<double>(), 5.5 * sent, 0.05 * 5.5 * sent);
-  EXPECT_NEAR(modem["sent_J"].get<double>(), 15.7 * sent, 0.05 * 15.7 * sent);
-  const std::string report = run("$GLIDERCC check --report --target ts7800 one.mission").out;
-  EXPECT_THAT(report, HasSubstr("15.7 J for each message sent, 6912 J to listen"));
-  EXPECT_THAT(report, testing::ContainsRegex("on air +3,960 s a day +720 messages"));
+  struct Kind {
+    std::string share, energy, on_air;
+    double length_s, send_J;
+  };
+  for (const Kind& kind : {Kind{kTop, "5.9 J for a mini packet", "1,080", 1.5, 5.88},
+                           Kind{"share top: length in 0 m .. 100 m precision 0.05 m every 2 min\n",
+                                "15.7 J for a frame", "3,960", 5.5, 15.7}}) {
+    mission("one", kind.share);
+    fleet("");
+    EXPECT_EQ(run("$GLIDERCC sim f.toml -o f").status, 0);
+    const auto modem = nlohmann::json::parse(slurped("f/flight.json"))["vehicles"][0]["modem"];
+    // 40 min in turns of 38 s, so every 152 s at the soonest: 15 or 16 messages, and two minutes
+    // around the mission.
+    const double sent = modem["sent"];
+    EXPECT_NEAR(sent, 16, 1.01);
+    EXPECT_NEAR(modem["on_air_s"].get<double>(), kind.length_s * sent, 0.05 * kind.length_s * sent);
+    EXPECT_NEAR(modem["sent_J"].get<double>(), kind.send_J * sent, 0.05 * kind.send_J * sent);
+    const std::string report = run("$GLIDERCC check --report --target ts7800 one.mission").out;
+    EXPECT_THAT(report, HasSubstr("to send " + kind.energy + ", 6912 J to listen"));
+    EXPECT_THAT(report,
+                testing::ContainsRegex("on air +" + kind.on_air + " s a day +720 messages"));
+  }
 }
 
 TEST_F(TalkingFleet, TheCheckSaysHowTheyTakeTurns) {

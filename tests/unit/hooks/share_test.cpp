@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <limits>
 #include <random>
+#include <set>
 
 namespace glider::hooks::share {
 namespace {
@@ -99,6 +100,50 @@ TEST(Share, AMessageFillsAFrameAndNotMore) {
   }
   uint8_t bytes[Number::kMostBytes];
   EXPECT_FALSE(writer.end(0, bytes, sizeof bytes));
+}
+
+/// 8 signatures and 1024 values, unknown counted, are 13 bits.
+TEST(Share, AMiniPacketHoldsThirteenBits) {
+  const Scale most{0, 1, 1023}, more{0, 1, 1024};
+  EXPECT_EQ(share::sizeOf(&most, 1).mini_bits, 13U);
+  EXPECT_EQ(share::sizeOf(&more, 1).mini_bits, 0U);
+  EXPECT_EQ(share::sizeOf(&more, 1).bytes, 3U);
+  const Scales two{{0, 1, 31}, {0, 1, 31}};
+  EXPECT_EQ(sizeOf(two).mini_bits, 13U);
+  const Scales three{{0, 1, 31}, {0, 1, 31}, {0, 1, 1}};
+  EXPECT_EQ(sizeOf(three).mini_bits, 0U);
+  uint32_t bits = 0;
+  EXPECT_TRUE(MessageWriter().put(most, 1022).endMini(7, bits));
+  EXPECT_EQ(bits, 0x1FFFU);
+  EXPECT_FALSE(MessageWriter().put(more, 1023).endMini(7, bits));
+}
+
+/// All pairs of values, each signature: read as written, and only with the signature's low bits.
+TEST(Share, AMiniPacketIsReadAsItWasWritten) {
+  const Scale depth{0, 2, 19}, level{-2, 0.5, 30};
+  std::set<uint32_t> all;
+  for (uint32_t i = 0; i <= depth.values; ++i) {
+    for (uint32_t j = 0; j <= level.values; ++j) {
+      for (uint8_t signature = 0xA0; signature < 0xA8; ++signature) {
+        const double one = valueOf(depth, i), other = valueOf(level, j);
+        uint32_t bits = 0;
+        ASSERT_TRUE(MessageWriter().put(level, other).put(depth, one).endMini(signature, bits));
+        EXPECT_TRUE(all.insert(bits).second);
+        MessageReader reader(bits);
+        EXPECT_TRUE(isSame(reader.take(depth), one));
+        EXPECT_TRUE(isSame(reader.take(level), other));
+        EXPECT_TRUE(reader.endMini(signature));
+        EXPECT_TRUE(reader.endMini(static_cast<uint8_t>(signature - 0x80)));
+        EXPECT_FALSE(reader.endMini(static_cast<uint8_t>(signature ^ 1U)));
+        EXPECT_FALSE(reader.end(signature, 2));
+      }
+    }
+  }
+  EXPECT_EQ(*all.rbegin(), all.size() - 1) << "no number is wasted";
+  MessageReader beyond(static_cast<uint32_t>(all.size()));
+  (void)beyond.take(depth);
+  (void)beyond.take(level);
+  EXPECT_FALSE(beyond.endMini(0));
 }
 
 TEST(Share, IsNotWrittenIntoLessRoom) {

@@ -441,6 +441,34 @@ TEST(ShareMessages, AreThoseOfAPeriod) {
   EXPECT_EQ(messages[1].bits, 18U);
 }
 
+/// What has at most 1024 values, unknown counted, is a mini packet; of these, the signatures of a
+/// mission differ in their low 3 bits, so that there are no more than 8.
+TEST(ShareMessages, SmallOnesAreMiniPackets) {
+  Mission mission = talking();
+  Share small = mission.shares[2];
+  small.lowest = 0;
+  small.step = 1;
+  mission.shares.clear();
+  for (uint32_t i = 0; i < 10; ++i) {
+    small.name = "small" + std::to_string(i);
+    small.values = 1023 - i;
+    small.period_s = 60.0 * (i + 1);
+    mission.shares.push_back(small);
+  }
+  const auto messages = messagesOf(mission);
+  ASSERT_EQ(messages.size(), 10U);
+  std::set<uint32_t> low, whole;
+  for (size_t i = 0; i < messages.size(); ++i) {
+    EXPECT_EQ(messages[i].mini_bits, i < 8 ? 13U : 0U) << i;
+    EXPECT_TRUE(whole.insert(messages[i].signature).second) << i;
+    EXPECT_TRUE(i >= 8 || low.insert(messages[i].signature % 8).second) << i;
+  }
+  mission.shares.resize(1);
+  mission.shares[0].values = 1024;
+  EXPECT_EQ(messagesOf(mission)[0].mini_bits, 0U);
+  EXPECT_EQ(messagesOf(mission)[0].bytes, 3U);
+}
+
 /// The same, for any name in this mission and any reader; another, if a word
 /// of what is sent is another. Eight bits cannot tell all, so a few of each are tried.
 TEST(ShareMessages, TheSignatureIsThatOfWhatIsTold) {

@@ -93,6 +93,36 @@ TEST(AcousticChannel, AFrameArrivesAfterTheTimeThatSoundNeeds) {
   EXPECT_TRUE(channel.take(0, 100).empty()) << "the sender does not receive itself";
 }
 
+/// As long as an announcement, and without one.
+TEST(AcousticChannel, AMiniPacketIsShort) {
+  const uint64_t seed = clearSeed();
+  AcousticFrame mini;
+  mini.source = 1;
+  mini.is_mini = true;
+  mini.mini_bits = 0x155;
+  Channel channel(seed);
+  placeAll(channel, {0, 150});
+  channel.send(0, 10, mini, kTestModem);
+  EXPECT_TRUE(channel.take(1, 11.6 - 1e-6).empty());
+  const std::vector<Reception> all = channel.take(1, 11.6 + 1e-6);
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_TRUE(all[0].is_frame);
+  EXPECT_FALSE(all[0].announced);
+  EXPECT_EQ(all[0].loss, Loss::None);
+  EXPECT_EQ(all[0].frame.mini_bits, 0x155U);
+  // Another frame meets it only while it is there.
+  for (const auto& [second_s, loss] : {std::pair{21.0, Loss::Collision}, {21.75, Loss::None}}) {
+    Channel crowded(seed);
+    placeAll(crowded, {0, 0, 0});
+    crowded.send(0, 20, mini, kTestModem);
+    crowded.send(2, second_s, frameOf(3), kTestModem);
+    const std::vector<Reception> met = framesAt(crowded, 1, 40);
+    ASSERT_EQ(met.size(), 2U);
+    EXPECT_EQ(met[0].loss, loss) << second_s;
+    EXPECT_EQ(met[1].loss, loss) << second_s;
+  }
+}
+
 TEST(AcousticChannel, BeyondTheRangeNothingIsReceived) {
   for (const auto& [east_m, received] :
        {std::pair{2000.0, 1U}, {2000.1, 0U}, {3000.0, 0U}, {5000.0, 0U}}) {

@@ -168,6 +168,40 @@ TEST_F(ModemBench, AMessageGoesFromOneToAll) {
   EXPECT_EQ(textOf(support::makeEvent(0, told[0].id, told[0].values)), "sent 2 bytes to all");
 }
 
+TEST_F(ModemBench, AMiniPacketGoesWithoutACycle) {
+  buildClear();
+  const double before_J = drawn_J_[0], heard_J = drawn_J_[1];
+  const double begin_s = now_s_;
+  tell(0, micro_modem::SendMiniPacket{1, 0, 0x123});
+  run(0.75);
+  EXPECT_EQ(said(0), Lines({"CAMUC,1,0,0123"}));
+  tell(0, micro_modem::SendMiniPacket{1, 0, 0x124});  // it is busy for 1.5 s
+  tell(0, micro_modem::StartCycle{1, 0, 0, false, 1});
+  run(0.75);
+  ASSERT_EQ(said(0).size(), 2U);
+  run(2);
+  EXPECT_EQ(said(0), Lines()) << "its end is not said";
+  for (const size_t receiver : {1U, 2U}) {
+    EXPECT_EQ(said(receiver), Lines({"CAMUA,1,0,0123"}));
+    const std::vector<News> heard = news(receiver);
+    ASSERT_EQ(heard.size(), 1U);
+    EXPECT_EQ(textOf(support::makeEvent(0, heard[0].id, heard[0].values)),
+              "received a mini packet from 1");
+  }
+  const std::vector<News> told = news(0);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(textOf(support::makeEvent(0, told[0].id, told[0].values)), "sent a mini packet to all");
+  EXPECT_EQ(modems_[0]->totals().sent, 1U);
+  EXPECT_EQ(modems_[0]->totals().on_air_s, 1.5);
+  const double listened_J = kTestModem.listen_W * (now_s_ - begin_s);
+  EXPECT_NEAR(drawn_J_[0] - before_J, kTestModem.send_mini_J + listened_J, 1e-9);
+  EXPECT_NEAR(drawn_J_[1] - heard_J, kTestModem.receive_mini_J + listened_J, 1e-9);
+  tell(0, micro_modem::SendMiniPacket{1, 3, 0x125});
+  run(3);
+  EXPECT_EQ(said(1), Lines()) << "it is for the third";
+  EXPECT_EQ(said(0), Lines({"CAMUC,1,3,0125"})) << "it is idle again";
+}
+
 TEST_F(ModemBench, AMessageToOneIsNotGivenToAnother) {
   buildClear();
   send(0, 3);
@@ -189,13 +223,15 @@ TEST_F(ModemBench, WhatItDoesNotDoIsRefused) {
     ASSERT_EQ(lines.size(), 1U);
     EXPECT_TRUE(lines[0].ends_with(",CYC")) << lines[0];
   }
-  tell(0, hello(0));  // nothing asked for it
-  tell(0, micro_modem::SendMiniPacket{1, 2, 3});
+  tell(0, hello(0));                                  // nothing asked for it
+  tell(0, micro_modem::MiniPacketReceived{1, 2, 3});  // of a modem
+  tell(0, micro_modem::SendMiniPacket{2, 0, 3});      // of another address
   run(1);
   const Lines lines = said(0);
-  ASSERT_EQ(lines.size(), 2U);
+  ASSERT_EQ(lines.size(), 3U);
   EXPECT_TRUE(lines[0].ends_with(",TXD")) << lines[0];
   EXPECT_TRUE(lines[1].ends_with(",NMEA")) << lines[1];
+  EXPECT_TRUE(lines[2].ends_with(",MUC")) << lines[2];
   start(0);
   tell(0, hello(0, 2));  // of another destination
   tell(0, hello(1));     // of another source

@@ -15,6 +15,8 @@ inline constexpr ModemSettings kTestModem{.range_m = 2000,
                                           .frame_bytes = 32,
                                           .send_J = 16,
                                           .receive_J = 8,
+                                          .send_mini_J = 6,
+                                          .receive_mini_J = 3,
                                           .listen_W = 0.5};
 
 }  // namespace glider::simulator

@@ -228,8 +228,8 @@ void InProcessSbc::run() {
       case kGliderRuntimeProgressed:
         break;
       case kGliderRuntimeFinished:
-        finished_ = true;
-        return;
+        finished_ = !seat_.may_end || seat_.may_end();
+        break;
       case kGliderRuntimeLinkClosed:
         end("exited with status 2");
         return;

@@ -19,11 +19,11 @@ struct Maker {
   SeatOnBoard operator()(const GliderPortMission& port) const {
     auto seat = std::make_shared<runtime::extctl::Backseat>(
         mission, port, line, runtime::extctl::BackseatOptions{.checkpoint = checkpoint});
-    return {seat, seat->stream()};
+    return {seat, seat->stream(), [seat = seat.get()] { return seat->mayEnd(); }};
   }
   SeatOnBoard operator()(const GliderReconMission& recon) const {
     auto seat = std::make_shared<runtime::recon::Backseat>(mission, recon, line, checkpoint);
-    return {seat, seat->stream()};
+    return {seat, seat->stream(), [seat = seat.get()] { return seat->mayEnd(); }};
   }
   SeatOnBoard operator()(const GliderImcMission& imc) const {
     auto seat = std::make_shared<runtime::imc::Backseat>(

@@ -10,6 +10,7 @@
 #include "runtime/abi/recon_mission.h"
 #include "runtime/checkpoint/checkpoint.h"
 
+#include <functional>
 #include <memory>
 #include <variant>
 
@@ -23,6 +24,8 @@ using SeatSettings = std::variant<GliderPortMission, GliderImcMission, GliderRec
 struct SeatOnBoard {
   std::shared_ptr<void> holder;  ///< null: there is none, and the line is hookprog's
   GliderByteStream stream{};     ///< the program's end
+  /// The mission is over: whether the program may end now; empty: it may.
+  std::function<bool()> may_end = nullptr;
 };
 
 /// `line` is the vehicle's end; `mission` outlives it. `checkpoint`: of the program that it goes on

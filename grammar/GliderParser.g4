@@ -31,7 +31,7 @@ always : ALWAYS eventCase+ ;
 state : STATE anyName formals? BEGIN member* END ;
 behaviour : (FLIGHTPROFILE | FLIGHTROUTE) name formals? BEGIN member* END ;
 formals : LPAREN (formal (COMMA formal)*)? RPAREN ;
-formal : anyName COLON type (ASSIGN expr)? ;
+formal : anyName COLON type (ASSIGN expr)? range? ;
 
 member
   : FLIGHTROUTE use       # routeMember

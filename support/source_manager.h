@@ -24,6 +24,8 @@ class SourceManager {
   /// Takes a file's display name and text; returns the number for SourceRange::file.
   uint32_t add(std::string name, std::string text);
 
+  /// How many files it has; their numbers are below.
+  [[nodiscard]] uint32_t count() const { return static_cast<uint32_t>(files_.size()); }
   [[nodiscard]] const std::string& name(uint32_t file) const { return files_.at(file).name; }
   [[nodiscard]] const std::string& text(uint32_t file) const { return files_.at(file).text; }
   [[nodiscard]] std::string_view text(SourceRange range) const;

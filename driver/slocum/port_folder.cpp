@@ -9,6 +9,7 @@
 #include "compiler/user_code.h"
 #include "driver/output/executable.h"
 #include "driver/slocum/port_page.h"
+#include "driver/slocum/port_sources.h"
 #include "driver/terminal.h"
 #include "platforms/load/toml_reader.h"
 #include "simulator/slocum/own_mission.h"
@@ -36,8 +37,8 @@ constexpr const char* kSensors = "vehicle/config/extctl.ini";
 
 /// The file names of a folder.
 struct Names {
-  explicit Names(const std::string& stem, const std::string& vehicle_file)
-      : mission(stem + ".mission"),
+  Names(std::string mission_file, const std::string& stem, const std::string& vehicle_file)
+      : mission(std::move(mission_file)),
         program("sbc/" + stem),
         vehicle_mission("vehicle/missions/" + vehicle_file + ".mi") {}
   std::string mission, program, vehicle_mission;
@@ -85,14 +86,19 @@ std::string descriptionOf(const Names& names, const slocum::PortChoice& choice,
 }
 
 /// Commands that the program would refuse at sea (GL3124).
-void checkDepths(const ir::Mission& mission, double greatest_depth_m,
+void checkDepths(const compiler::Optimised& flown, double greatest_depth_m,
                  support::DiagnosticEngine& diagnostics) {
+  const ir::Mission& mission = flown.checked->mission();
+  const bool of_vehicle = greatest_depth_m >= flown.platform().envelope.greatest_depth_m;
   for (const auto& dive : slocum::rules::divesOf(mission)) {
     if (dive.depth_m > greatest_depth_m) {
-      diagnostics.report(support::diagnostics::vehicleRefuses,
-                         dive.range.valid() ? dive.range : mission.states.front().range, dive.who,
-                         fmt::format("a depth of {:.4g} m", dive.depth_m), "its program",
-                         fmt::format("more than {:.4g} m", greatest_depth_m), "`--max-depth`");
+      diagnostics.report(
+          support::diagnostics::vehicleRefuses,
+          dive.range.valid() ? dive.range : mission.states.front().range, dive.who,
+          fmt::format("a depth of {:.4g} m", dive.depth_m), "its program",
+          fmt::format("more than {:.4g} m", greatest_depth_m),
+          of_vehicle ? fmt::format("the greatest depth of the platform `{}`", flown.platform().name)
+                     : "`--max-depth`");
     }
   }
 }
@@ -101,14 +107,18 @@ void checkDepths(const ir::Mission& mission, double greatest_depth_m,
 bool canBeFlown(const compiler::Optimised& mission, const slocum::PortChoice& choice) {
   support::DiagnosticEngine diagnostics;
   slocum::rules::checkPortCommands(mission.mission, diagnostics);
-  checkDepths(mission.checked->mission(), choice.greatest_depth_m, diagnostics);
+  checkDepths(mission, choice.greatest_depth_m, diagnostics);
   reportDiagnostics(diagnostics, mission.sources());
   return diagnostics.errorCount() == 0;
 }
 
-support::Result<void> makeFolders(const std::filesystem::path& folder) {
+support::Result<void> makeFolders(const std::filesystem::path& folder, const PortSources& sources) {
+  std::vector<std::filesystem::path> parts{"sbc", "vehicle/missions", "vehicle/config"};
+  for (const auto& [name, text] : sources.files) {
+    parts.push_back(std::filesystem::path(name).parent_path());
+  }
   std::error_code error;
-  for (const char* part : {"sbc", "vehicle/missions", "vehicle/config"}) {
+  for (const std::filesystem::path& part : parts) {
     std::filesystem::create_directories(folder / part, error);
     if (error) {
       return support::fail(support::diagnostics::cannotWrite, (folder / part).string(),
@@ -171,18 +181,18 @@ support::Result<bool> writePortFolder(const PortOptions& options,
   }
   const auto plan = slocum::planFor(mission, choice);
   const auto code = compiler::loadUserCode(user_code, mission.mission, board);
-  const auto source = support::readFile(mission_file);
+  const auto sources = portSources(mission, mission_file, stemOf(mission_file) + ".mission");
   for (const auto* failure : {plan ? nullptr : &plan.error(), code ? nullptr : &code.error(),
-                              source ? nullptr : &source.error()}) {
+                              sources ? nullptr : &sources.error()}) {
     if (failure != nullptr) {
       return std::unexpected(*failure);
     }
   }
   const bool there = std::filesystem::exists(folder);
-  if (auto made = makeFolders(folder); !made) {
+  if (auto made = makeFolders(folder, *sources); !made) {
     return std::unexpected(made.error());
   }
-  const Names names(stemOf(mission_file), plan->file);
+  const Names names(sources->mission, stemOf(mission_file), plan->file);
   codegen::CodegenOptions how = buildOptions(mission, kUsualLevel);
   how.port = plan->port;
   if (!options.ignore_limits) {
@@ -199,16 +209,17 @@ support::Result<bool> writePortFolder(const PortOptions& options,
   const std::string comment =
       fmt::format("The sensors on the port of the mission {}.", plan->mission);
   const slocum::rules::Whole whole = slocum::rules::portWhole(*plan, mission.platform());
-  const auto written =
-      writeTexts(folder, {{names.mission, *source},
-                          {names.vehicle_mission, slocum::printPortMission(*plan)},
-                          {names.sensors, slocum::printExtctlFile(plan->extctl, comment)},
-                          {names.proglet, slocum::printProglet(*plan)},
-                          {names.page, portPage(*plan,
-                                                {names.program, names.vehicle_mission,
-                                                 names.sensors, names.proglet, board.name},
-                                                whole.endings.front())},
-                          {kDescription, descriptionOf(names, choice, options)}});
+  std::vector<std::pair<std::string, std::string>> texts = {
+      {names.vehicle_mission, slocum::printPortMission(*plan)},
+      {names.sensors, slocum::printExtctlFile(plan->extctl, comment)},
+      {names.proglet, slocum::printProglet(*plan)},
+      {names.page,
+       portPage(*plan,
+                {names.program, names.vehicle_mission, names.sensors, names.proglet, board.name},
+                whole.endings.front())},
+      {kDescription, descriptionOf(names, choice, options)}};
+  texts.insert(texts.end(), sources->files.begin(), sources->files.end());
+  const auto written = writeTexts(folder, texts);
   return written ? support::Result<bool>(true) : std::unexpected(written.error());
 }
 

@@ -145,10 +145,18 @@ struct TypeName {
   bool operator==(const TypeName&) const = default;
 };
 
+/// `lowest .. highest`
+struct Range {
+  Expr lowest;
+  Expr highest;
+  bool operator==(const Range&) const = default;
+};
+
 struct Formal {
   Name name;
   TypeName type;
-  std::optional<Expr> usual = {};  ///< the argument if none is given
+  std::optional<Expr> usual = {};   ///< the argument if none is given
+  std::optional<Range> range = {};  ///< in which arguments lie
   bool operator==(const Formal&) const = default;
 };
 
@@ -231,13 +239,6 @@ struct Case {
   Where transition_where;     ///< the keyword
   Where where;
   bool operator==(const Case&) const = default;
-};
-
-/// `lowest .. highest`
-struct Range {
-  Expr lowest;
-  Expr highest;
-  bool operator==(const Range&) const = default;
 };
 
 struct Const {

@@ -14,11 +14,16 @@ std::string printUse(const Use& use) {
   return use.name.text + (use.parenthesised ? printArguments(use.arguments) : "");
 }
 
+std::string printRange(const std::optional<Range>& range) {
+  return range ? fmt::format(" in {} .. {}", print(range->lowest), print(range->highest)) : "";
+}
+
 std::string printFormals(const std::vector<Formal>& formals) {
   std::string out;
   for (const Formal& formal : formals) {
     out += fmt::format("{}{}: {}", out.empty() ? "" : ", ", formal.name.text, formal.type.text);
     out += formal.usual ? " = " + print(*formal.usual) : "";
+    out += printRange(formal.range);
   }
   return "(" + out + ")";
 }
@@ -34,10 +39,6 @@ std::string_view word(BehaviourKind kind) {
 std::string_view word(Transition transition) {
   constexpr std::string_view kWords[] = {"goto", "call", "return", "exit", "stay", "done"};
   return kWords[static_cast<size_t>(transition)];
-}
-
-std::string printRange(const std::optional<Range>& range) {
-  return range ? fmt::format(" in {} .. {}", print(range->lowest), print(range->highest)) : "";
 }
 
 /// The size or the index of an array.

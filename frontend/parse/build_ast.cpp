@@ -143,9 +143,9 @@ std::optional<std::vector<ast::Formal>> AstBuilder::formals(Parser::FormalsConte
   }
   std::vector<ast::Formal> list;
   for (auto* formal : rule->formal()) {
-    list.push_back(
-        {name(formal->anyName()), type(formal->type()),
-         formal->expr() != nullptr ? std::optional(expr(formal->expr())) : std::nullopt});
+    list.push_back({name(formal->anyName()), type(formal->type()),
+                    formal->expr() != nullptr ? std::optional(expr(formal->expr())) : std::nullopt,
+                    range(formal->range())});
   }
   return list;
 }

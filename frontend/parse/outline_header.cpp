@@ -86,17 +86,20 @@ class HeaderReader {
     if (take(GliderLexer::ASSIGN)) {
       formal.usual = passValue(declaration);
     }
+    if (take(GliderLexer::IN)) {
+      (void)passValue(declaration);
+    }
     declaration.formals.push_back(std::move(formal));
     const bool separated =
         take(GliderLexer::COMMA) ? type() != GliderLexer::RPAREN : type() == GliderLexer::RPAREN;
     declaration.formals_broken = declaration.formals_broken || !separated;
   }
 
-  /// Passes what ends before the next comma or parenthesis of this list.
+  /// Passes what ends before the next `in`, comma or parenthesis of this list.
   support::SourceRange passValue(OutlineDeclaration& declaration) {
     support::SourceRange value = source_.range(lexemes_[at_]);
     for (int inner = 0; type() != kEof && !isHardKeyword(type()); ++at_) {
-      if (inner == 0 && oneOf(type(), {GliderLexer::COMMA, GliderLexer::RPAREN})) {
+      if (inner == 0 && oneOf(type(), {GliderLexer::COMMA, GliderLexer::RPAREN, GliderLexer::IN})) {
         break;
       }
       if (isName(type())) {

@@ -317,12 +317,24 @@ bool ValueRepair::listsValues() const {
   return parentheses_.empty() || parentheses_.back().lists;
 }
 
-/// `10 m of depth`, `peers within 2 km`, and the second half of `39.2 N 73.9 W`.
+/// Whether the last item of the list is a declaration, `radius: length`.
+bool ValueRepair::declares() const {
+  const auto stop = std::find_if(out_.rbegin(), out_.rend(), [](const Lexeme& one) {
+    return oneOf(one.type, {GliderLexer::COLON, GliderLexer::COMMA, GliderLexer::LPAREN});
+  });
+  return stop != out_.rend() && stop->type == GliderLexer::COLON;
+}
+
+/// `10 m of depth`, `radius: length in 10 m .. 1 km`, `peers within 2 km`, and the second half of
+/// `39.2 N 73.9 W`.
 bool ValueRepair::belongTogether(const Lexeme& t, const Lexeme& next) const {
   const size_t n = out_.size();
   if (t.type == GliderLexer::OF ||
       (previous() == GliderLexer::OF && n > 1 && endsValue(out_[n - 2].type))) {
     return true;
+  }
+  if (t.type == GliderLexer::IN || previous() == GliderLexer::IN) {
+    return declares();
   }
   if ((t.type == GliderLexer::WITHIN && previous() == GliderLexer::PEERS) ||
       (previous() == GliderLexer::WITHIN && n > 1 && out_[n - 2].type == GliderLexer::PEERS)) {

@@ -51,6 +51,7 @@ class ValueRepair {
   bool unknownUnit(const Lexeme& t, const Lexeme& next);
   void missingComma(const Lexeme& t, const Lexeme& next);
   [[nodiscard]] bool listsValues() const;
+  [[nodiscard]] bool declares() const;
   [[nodiscard]] bool belongTogether(const Lexeme& t, const Lexeme& next) const;
   [[nodiscard]] uint32_t previous() const { return out_.empty() ? 0 : out_.back().type; }
   void insert(uint32_t type);

@@ -44,6 +44,8 @@ class Backseat {
   /// For how long the vehicle has been brought to the surface before the mission may begin, s; NaN:
   /// it is not.
   [[nodiscard]] const double* comesUpFor() const { return stand_in_.comesUpFor(); }
+  /// The program's mission is over: false while the vehicle is still to be brought up.
+  bool mayEnd() { return stand_in_.mayEnd(); }
 
  private:
   static constexpr uint32_t kMostBytes = 1024;  ///< of an answer

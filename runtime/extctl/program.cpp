@@ -10,6 +10,12 @@
 
 extern "C" const GliderPortMission gliderPort;
 
+namespace {
+
+glider::runtime::extctl::Backseat* the_backseat = nullptr;
+
+}  // namespace
+
 glider::runtime::FrameLine glider::runtime::framesOver(const GliderByteStream& line,
                                                        const LinkFacts* checkpoint) {
   // It lives as long as the program: no exit handler.
@@ -17,9 +23,10 @@ glider::runtime::FrameLine glider::runtime::framesOver(const GliderByteStream& l
   auto* backseat =
       ::new (memory) extctl::Backseat(gliderMission, gliderPort, line, {.checkpoint = checkpoint});
   static extctl::ComingUp coming_up(backseat->comesUpFor());
+  the_backseat = backseat;
   return {backseat->stream(), backseat->damaged(), coming_up.afterTick()};
 }
 
 bool glider::runtime::mayEnd() {
-  return true;
+  return the_backseat->mayEnd();
 }

@@ -122,6 +122,16 @@ void StandIn::finishRelease(bool answered) {
   }
 }
 
+bool StandIn::mayEnd() {
+  const bool flies =
+      state_ == HookState::Ready || state_ == HookState::Active || state_ == HookState::Silent;
+  if (flies && releasing_ == 0) {
+    release_ = answered_;
+    releasing_ = 1;
+  }
+  return !flies;
+}
+
 void StandIn::loseSession() {
   lost_session_ = session_ != 0 ? session_ : lost_session_;
   session_ = 0;

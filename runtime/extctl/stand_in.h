@@ -65,6 +65,10 @@ class StandIn {
     return releasing_ != 0 || state_ == hooks::HookState::Complete;
   }
   static constexpr uint32_t kReleaseCycles = 8;
+  /// The program's mission is over: whether nothing is left to be written. A vehicle that flies the
+  /// mission file obeys what an earlier program has written, and is first brought up, as by a
+  /// release.
+  bool mayEnd();
   /// Not before this time of the vehicle's mission: what was written into an earlier one may still
   /// be on its way, and so may the number of the mission file, s.
   static constexpr double kBeginSecs = 20;

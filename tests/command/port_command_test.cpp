@@ -273,6 +273,43 @@ TEST_F(PortCommand, ACampaignSeesWhatAMissionFileDoesWrong) {
               HasSubstr("under water for"));
 }
 
+/// What a mission imports is in its folder too, where it finds it again.
+TEST_F(PortCommand, AFolderHasWhatTheMissionImports) {
+  fs::create_directories(path() / "m/lib");
+  fs::create_directories(path() / "common");
+  write("m/lib/shallow.mission", "import \"../../common/deep\"\n\nconst shallow: length = 5 m\n");
+  write("common/deep.mission", "const deep: length = 25 m\n");
+  write("m/flies.mission",
+        "mission flies\n\nimport \"lib/shallow\"\nimport \"../common/deep\"\n\nstate s\nbegin\n"
+        "  flightroute   heading(90 deg)\n  flightprofile yo(shallow, deep)\n"
+        "  sensors missiontime\n  events\n    case missiontime > 1 h exit\nend\n");
+  ASSERT_EQ(run("build m/flies.mission --dialect extctl -o port").status, 0);
+  for (const char* name :
+       {"source/m/flies.mission", "source/m/lib/shallow.mission", "source/common/deep.mission"}) {
+    EXPECT_TRUE(fs::exists(path() / "port" / name)) << name;
+  }
+  fs::remove_all(path() / "m");
+  fs::remove_all(path() / "common");
+  fs::rename(path() / "port", path() / "elsewhere");
+  EXPECT_EQ(run("check elsewhere").status, 0);
+  const Outcome flown = run("sim elsewhere -o f");
+  EXPECT_EQ(flown.status, 0) << flown.err;
+  EXPECT_THAT(flown.out, HasSubstr("s → end (exit)"));
+}
+
+/// `--max-depth` cannot raise what the vehicle can do.
+TEST_F(PortCommand, ADepthBeyondTheVehicleNamesItsPlatform) {
+  write("deep.mission",
+        "mission deep\n\nstate s\nbegin\n  flightroute heading(90 deg)\n"
+        "  flightprofile yo(5 m, 900 m)\n  sensors missiontime\n  events\n"
+        "    case missiontime > 1 h exit\nend\n");
+  for (const char* options : {"", " --max-depth 900m"}) {
+    const Outcome built = run("build deep.mission --dialect extctl -o port" + std::string(options));
+    EXPECT_EQ(built.status, 1);
+    EXPECT_THAT(built.err, HasSubstr("or change the greatest depth of the platform `slocum`"));
+  }
+}
+
 // accepts: GL5120
 TEST_F(PortCommand, ItsMissionFileIsNotFlownWithTheHooks) {
   ASSERT_EQ(run("build figure2.mission --dialect extctl -o port").status, 0);
@@ -294,7 +331,7 @@ TEST_F(PortCommand, WhatThePortCannotCommandIsAnErrorWithTheNearest) {
   const Outcome built = run("build hover.mission --dialect extctl -o port");
   EXPECT_EQ(built.status, 1);
   EXPECT_THAT(built.err, HasSubstr("GL4015"));
-  EXPECT_THAT(built.err, HasSubstr("descend(to = DEPTH, pitch = ANGLE)"));
+  EXPECT_THAT(built.err, HasSubstr("begin entry do descend(at, usual_pitch) end end"));
   EXPECT_THAT(built.err, HasSubstr("hover.mission:5:17: error: "))
       << "the pilot's line, not the library's";
   EXPECT_THAT(built.err, HasSubstr("note: it is commanded here"));

@@ -21,6 +21,7 @@ namespace {
 constexpr double kShallow = 6, kDeep = 60;  // m, of the mission's first state and the second
 constexpr double kShallowFor = 1200;        // s
 constexpr double kOvershoot = 5;            // m
+constexpr double kUpWithin = 400;           // s: from 60 m
 
 FlyingMission mission() {
   return *loadMission("restart",
@@ -44,6 +45,9 @@ class RestartWatch final : public simulator::FlightObserver {
   void said(std::span<const uint8_t>, double) override {}
   bool cycle(const simulator::CycleView& view) override {
     depth_m_ = view.true_depth_m;
+    if (view.time_s >= late_s_) {
+      late_deepest_m_ = std::max(late_deepest_m_, depth_m_);
+    }
     if (programs_.empty()) {
       return true;
     }
@@ -57,6 +61,9 @@ class RestartWatch final : public simulator::FlightObserver {
     deepest_m_ = std::max(deepest_m_, depth_m_);
     return true;
   }
+  /// From then on lateDeepest() counts, s.
+  void lookFrom(double late_s) { late_s_ = late_s; }
+  [[nodiscard]] double lateDeepest() const { return late_deepest_m_; }
   void starts() { programs_.emplace_back(); }
   void polled(double now_s) {
     if (programs_.back().began_s < 0) {
@@ -75,11 +82,18 @@ class RestartWatch final : public simulator::FlightObserver {
  private:
   std::vector<Program> programs_;
   double depth_m_ = 0, deepest_m_ = 0;
+  double late_s_ = 1e9, late_deepest_m_ = 0;
 };
 
-/// The SBC has no power for two minutes, and its card is empty afterwards. The science computer
-/// restarts at `science_s`: then the vehicle reports the number of its mission file again.
-RestartWatch fly(double cut_s, double science_s, slocum::Release release) {
+/// What happens to the SBC and to the science computer.
+struct Outage {
+  double cut_s = 0;  ///< the SBC has no power from then on
+  double lasts_s = 120;
+  double science_s = 1e9;   ///< a restart: the vehicle reports the number of its mission file again
+  bool keeps_card = false;  ///< else it is empty afterwards
+};
+
+RestartWatch fly(const Outage& outage, slocum::Release release) {
   const FlyingMission flown = mission();
   simulator::Scenario scenario;
   for (simulator::Scenario& one : scenarios()) {
@@ -91,17 +105,19 @@ RestartWatch fly(double cut_s, double science_s, slocum::Release release) {
   const PortFlight flight = planned(flown, scenario, {.release = release, .greatest_depth_m = 60});
   RestartWatch watch;
   simulator::SimulationSetup setup = setupOf(flown, flight, 1);
+  watch.lookFrom(outage.cut_s + outage.lasts_s + kUpWithin);
+  const auto kept = std::make_shared<flights::Card>();
   setup.restart_sbc = [&]() -> support::Result<std::unique_ptr<simulator::SbcPort>> {
     watch.starts();
     auto sbc = std::make_unique<flights::InProcessSbc>(
         flown.loaded, *flights::chooseParameters(flown.flown->mission, {}),
-        std::make_shared<flights::Card>(), true, flight.plan.port);
+        outage.keeps_card ? kept : std::make_shared<flights::Card>(), true, flight.plan.port);
     sbc->watch([&watch](const GliderContext&, double now_s) { watch.polled(now_s); });
     return sbc;
   };
   setup.sbc = *setup.restart_sbc();
-  setup.scenario.faults.power.push_back({cut_s, cut_s + 120});
-  setup.scenario.faults.science.push_back({science_s, science_s + 20});
+  setup.scenario.faults.power.push_back({outage.cut_s, outage.cut_s + outage.lasts_s});
+  setup.scenario.faults.science.push_back({outage.science_s, outage.science_s + 20});
   setup.duration_s = 3 * 3600;
   setup.observer = &watch;
   EXPECT_TRUE(simulator::simulate(std::move(setup)).has_value());
@@ -111,7 +127,7 @@ RestartWatch fly(double cut_s, double science_s, slocum::Release release) {
 TEST(PortRestart, WithoutItsCheckpointAProgramBeginsAgainAtTheSurfaceWithoutTheOldTarget) {
   for (const auto release : {slocum::Release::Common, slocum::Release::MissionModes}) {
     for (const double cut_s : {1700.0, 1800.0, 1900.0, 2000.0, 2400.0}) {
-      const RestartWatch watch = fly(cut_s, cut_s + 200, release);
+      const RestartWatch watch = fly({.cut_s = cut_s, .science_s = cut_s + 200}, release);
       ASSERT_EQ(watch.programs().size(), 2U);
       const RestartWatch::Program& again = watch.programs().back();
       ASSERT_GT(again.began_s, cut_s) << cut_s;
@@ -123,8 +139,25 @@ TEST(PortRestart, WithoutItsCheckpointAProgramBeginsAgainAtTheSurfaceWithoutTheO
   }
 }
 
+/// Its mission is over, but the vehicle would dive to the targets of the first program until its
+/// own timer, for hours.
+TEST(PortRestart, AProgramThatIsBackTooLateBringsTheVehicleUp) {
+  for (const auto release : {slocum::Release::Common, slocum::Release::MissionModes}) {
+    for (const double lasts_s : {301.0, 420.0, 1800.0}) {
+      const RestartWatch watch =
+          fly({.cut_s = 2000, .lasts_s = lasts_s, .keeps_card = true}, release);
+      ASSERT_EQ(watch.programs().size(), 2U);
+      EXPECT_GT(watch.deepest(), kDeep);
+      EXPECT_LT(watch.lateDeepest(), 3) << lasts_s;
+    }
+  }
+  const RestartWatch in_time =
+      fly({.cut_s = 2000, .lasts_s = 200, .keeps_card = true}, slocum::Release::Common);
+  EXPECT_GT(in_time.lateDeepest(), kDeep) << "it goes on";
+}
+
 TEST(PortRestart, WhichMissionFileFliesIsNotKnownBeforeTheVehicleSaysIt) {
-  const RestartWatch watch = fly(2000, 3 * 3600, slocum::Release::Common);
+  const RestartWatch watch = fly({.cut_s = 2000}, slocum::Release::Common);
   EXPECT_LT(watch.programs().back().began_s, 0) << "the vehicle is left to its own timer";
 }
 

@@ -4,6 +4,7 @@
 #include "frontend/sema/arrays/declared_array.h"
 #include "frontend/sema/declarations/declarations.h"
 #include "frontend/sema/declarations/externals.h"
+#include "frontend/sema/declarations/formal_ranges.h"
 #include "frontend/sema/declarations/variables.h"
 #include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/expressions/lower_expr.h"
@@ -77,6 +78,7 @@ class Declarations {
     BehaviourDeclaration declaration;
     declaration.body = &node;
     declaration.signature = scope_.signatureOf(node.name, listOf(node.formals), "");
+    settleRanges(declaration.signature, scope_);
     enter(node.name, node.kind, std::move(declaration));
   }
 

@@ -4,6 +4,7 @@
 #include "frontend/sema/declarations/externals.h"
 
 #include "frontend/sema/declarations/declared_value.h"
+#include "frontend/sema/declarations/formal_ranges.h"
 #include "frontend/sema/names/commands.h"
 #include "support/diagnostics/ids/meaning.h"
 
@@ -48,6 +49,7 @@ void checkParameters(const Signature& signature, Scope& scope) {
 /// The parameters of a C function; their names are only for the reader.
 Signature signatureInC(const ast::Name& name, std::span<const ast::Formal> formals, Scope& scope) {
   Signature signature = scope.signatureOf(name, formals, "a parameter of a C function");
+  settleRanges(signature, scope);
   checkParameters(signature, scope);
   return signature;
 }

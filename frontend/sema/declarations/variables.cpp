@@ -235,11 +235,13 @@ Named* enterName(const ast::Name& name, NamedKind kind, Names& names, Scope& sco
 }
 
 void makeParameter(Named& named, ir::VariableKind kind, ir::StateId state, const std::string& name,
-                   Scope& scope) {
+                   Scope& scope, const Bounds& bounds) {
   ir::Variable model;
   model.name = name;
   model.kind = kind;
   model.owner = state;
+  model.lowest = bounds.lowest;
+  model.highest = bounds.highest;
   make(named, std::move(model), {}, scope);
 }
 

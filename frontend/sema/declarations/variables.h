@@ -4,6 +4,7 @@
 #pragma once
 
 #include "frontend/ast/ast.h"
+#include "frontend/sema/declarations/declared_value.h"
 #include "frontend/sema/names/scope.h"
 
 #include <string>
@@ -21,9 +22,9 @@ struct VariableOwner {
 /// cannot be used.
 Named* enterName(const ast::Name& name, NamedKind kind, Names& names, Scope& scope);
 
-/// The variable of a parameter whose value is given elsewhere.
+/// The variable of a parameter whose value, within `bounds`, is given elsewhere.
 void makeParameter(Named& named, ir::VariableKind kind, ir::StateId state, const std::string& name,
-                   Scope& scope);
+                   Scope& scope, const Bounds& bounds);
 
 /// Lowers a `var` whose name was entered into `names`, in the scope's context.
 void lowerVariable(const ast::Var& node, const VariableOwner& owner, Names& names, Scope& scope);

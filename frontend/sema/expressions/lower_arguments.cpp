@@ -6,12 +6,15 @@
 #include "frontend/sema/expressions/decimal_commas.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/expressions/named_arguments.h"
+#include "ir/verify/intervals.h"
+#include "ir/verify/value_text.h"
 #include "support/diagnostics/ids/meaning.h"
 #include "support/units/units.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace glider::frontend {
 
@@ -123,7 +126,31 @@ class ArgumentLowering {
           .fix(differenceIn(pair)->op_where, ", -");
       return false;
     }
-    return add(step.argument, formal.type, what);
+    return add(step.argument, formal.type, what) &&
+           (formal.range == nullptr || isInRange(formal, arguments_[step.argument], what));
+  }
+
+  /// Of the value that was added last. What has no bounds, as a variable without a range, is taken.
+  bool isInRange(const Signature::Formal& formal, const ast::Argument& argument,
+                 const std::string& what) {
+    constexpr double kNoBound = 1e300;
+    const ir::Interval values =
+        ir::SubtreeIntervals(scope_.mission)
+            .of(result_.values.back(),
+                [](uint32_t, const ir::Interval& interval) { return interval; });
+    const bool above = values.highest > formal.highest;
+    const double end = above ? values.highest : values.lowest;
+    if (values.within(formal.lowest, formal.highest) || std::fabs(end) > kNoBound) {
+      return true;
+    }
+    const bool constant = values.lowest == values.highest;
+    auto report = scope_.report(
+        support::diagnostics::argumentOutside, argument.value->where, what,
+        constant ? "is" : "may be",
+        constant ? scope_.text(argument.value->where) : ir::withUnit(end, formal.type.type),
+        scope_.text(formal.range->lowest.where), scope_.text(formal.range->highest.where));
+    noteDeclaration(report, "its range is part of the declaration");
+    return false;
   }
 
   bool addUsual(const Signature::Formal& formal, const std::string& what) {

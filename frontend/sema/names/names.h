@@ -75,7 +75,11 @@ struct Signature {
   struct Formal {
     const ast::Name* name = nullptr;
     DeclaredType type;
-    const ast::Expr* usual = nullptr;  ///< the argument if none is given; null: one must be
+    const ast::Expr* usual = nullptr;   ///< the argument if none is given; null: one must be
+    const ast::Range* range = nullptr;  ///< in which arguments lie; null: anywhere
+    // Its ends, SI units (declarations/formal_ranges.h).
+    double lowest = -ir::Variable::kEndless;
+    double highest = ir::Variable::kEndless;
   };
   std::vector<Formal> formals;
   std::vector<ir::Parameter> slots;  ///< as in the IR: a position is two

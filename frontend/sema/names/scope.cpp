@@ -358,7 +358,8 @@ Signature Scope::signatureOf(const ast::Name& name, std::span<const ast::Formal>
     const auto type = declaredType(formal.type, holder);
     result.valid = result.valid && type.has_value();
     const DeclaredType known = type.value_or(DeclaredType{plainNumber(), false});
-    result.formals.push_back({&formal.name, known, formal.usual ? &*formal.usual : nullptr});
+    result.formals.push_back({&formal.name, known, formal.usual ? &*formal.usual : nullptr,
+                              formal.range ? &*formal.range : nullptr});
     if (formal.usual && !holder.empty()) {
       report(support::diagnostics::usualNotHere, formal.usual->where, holder);
       result.valid = false;

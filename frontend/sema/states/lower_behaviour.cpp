@@ -190,7 +190,8 @@ void BehaviourLowering::enterParameters() {
         named->reached = true;
         continue;
       }
-      makeParameter(*named, variableKind(), {}, formal.name->text, scope_);
+      makeParameter(*named, variableKind(), {}, formal.name->text, scope_,
+                    {formal.lowest, formal.highest});
       if (formal.usual != nullptr) {
         (void)lowerUsual(formal, "`" + formal.name->text + "`", formal.usual->where, scope_);
       }

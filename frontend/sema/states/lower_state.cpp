@@ -3,6 +3,7 @@
 
 #include "frontend/sema/states/lower_state.h"
 
+#include "frontend/sema/declarations/formal_ranges.h"
 #include "frontend/sema/declarations/variables.h"
 #include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/states/lower_case.h"
@@ -41,6 +42,7 @@ void declareNames(ir::StateId id, Scope& scope) {
   StateDeclaration& state = scope.state_declarations[id.index];
   const ast::Name& name = state.node->name;
   state.signature = scope.signatureOf(name, listOf(state.node->formals), "a parameter of a state");
+  settleRanges(state.signature, scope);
   if (id.index == 0 && !state.signature.formals.empty()) {
     scope.report(support::diagnostics::firstStateParameters, name.where, name.text);
     state.signature.valid = false;
@@ -57,7 +59,7 @@ void declareNames(ir::StateId id, Scope& scope) {
     named->type = formal.type;
     named->valid = state.signature.valid;
     makeParameter(*named, ir::VariableKind::Argument, id, name.text + "." + formal.name->text,
-                  scope);
+                  scope, {formal.lowest, formal.highest});
     state.parameters.push_back(named->variable);
     if (formal.type.position) {
       state.parameters.push_back(named->longitude);

@@ -78,7 +78,7 @@ class PortBench {
     const GliderByteStream stream = backseat_->stream();
     while (!finished_) {
       const GliderRuntimeStatus status = gliderRuntimePoll(runtime_, &stream, &clock);
-      finished_ = status == kGliderRuntimeFinished;
+      finished_ = status == kGliderRuntimeFinished && backseat_->mayEnd();
       if (status != kGliderRuntimeProgressed) {
         break;
       }

@@ -272,5 +272,45 @@ TEST(StandIn, NorDoesAVehicleThatFliesAnotherMissionFile) {
   EXPECT_EQ(other.state(), HookState::Absent);
 }
 
+/// A program that is started again too late has no control to release, and the vehicle still dives
+/// to what an earlier one has written.
+TEST(StandIn, AProgramThatIsOverWithoutControlBringsTheVehicleUp) {
+  const VehicleMission last{.time_s = 300, .clock_s = 9300};
+  VehicleMission now = flying(1000);
+  now.clock_s = 10000;
+  StandIn late(kPort, &last);
+  late.observe(now);
+  EXPECT_EQ(late.state(), HookState::Ready);
+  EXPECT_FALSE(late.released());
+  for (uint32_t cycle = 0; cycle < StandIn::kReleaseCycles; ++cycle) {
+    EXPECT_FALSE(late.mayEnd()) << cycle;
+    EXPECT_TRUE(late.released()) << cycle;
+    now.time_s += 4;
+    late.observe(now, false);
+    EXPECT_FALSE(late.mayEnd()) << "what is stuck on the line does not count";
+    now.time_s += 4;
+    late.observe(now);
+  }
+  EXPECT_TRUE(late.mayEnd());
+  EXPECT_EQ(late.state(), HookState::Complete);
+  EXPECT_TRUE(late.released());
+}
+
+TEST(StandIn, AProgramThatIsOverEndsAtOnceWhereAnotherMissionFlies) {
+  StandIn stand_in = watching();
+  VehicleMission now = flying(40);
+  now.program = 12;
+  stand_in.observe(now);
+  EXPECT_TRUE(stand_in.mayEnd());
+  EXPECT_FALSE(stand_in.released());
+  // The vehicle's mission ends while it is brought up.
+  stand_in.observe(flying(44));
+  EXPECT_FALSE(stand_in.mayEnd());
+  now = flying(48);
+  now.in_glider_dos = 1;
+  stand_in.observe(now);
+  EXPECT_TRUE(stand_in.mayEnd());
+}
+
 }  // namespace
 }  // namespace glider::runtime::extctl

@@ -18,12 +18,18 @@ struct Missing {
   ir::Command command;
   const char* word;
   const char* nearest;
+  const char* instead = nullptr;  ///< of a profile that commands it; null: `nearest` too
 };
 
 constexpr Missing kMissing[] = {
     {ir::Command::Hover, "hover",
      "the port holds a depth by a yo, so `descend(to = DEPTH, pitch = ANGLE)` is the nearest: the "
-     "vehicle then stays between DEPTH and a few metres above"},
+     "vehicle then stays between DEPTH and a few metres above",
+     "the port holds a depth by a yo: use a profile of your own, `flightprofile at_depth(at: "
+     "length) "
+     "begin entry do descend(at, usual_pitch) end end`, with `ascend` if it lies above; the "
+     "vehicle "
+     "then stays between that depth and a few metres above"},
     {ir::Command::Pump, "pump",
      "the port moves the pump only by its dives and climbs, so `descend(to = DEPTH, pitch = "
      "ANGLE)` "
@@ -49,11 +55,12 @@ void check(const std::vector<const ir::Statement*>& commands, const support::Sou
     const support::SourceRange& range = (*found)->range;
     const bool written = range.end > range.begin;
     const bool elsewhere = written && otherwise.valid() && range.file != otherwise.file;
-    auto report = diagnostics.report(support::diagnostics::notOnPort,
-                                     elsewhere ? uses(*found)
-                                     : written ? range
-                                               : otherwise,
-                                     missing.word, missing.nearest);
+    auto report = diagnostics.report(
+        support::diagnostics::notOnPort,
+        elsewhere ? uses(*found)
+        : written ? range
+                  : otherwise,
+        missing.word, elsewhere && missing.instead != nullptr ? missing.instead : missing.nearest);
     if (elsewhere) {
       report.note(range, "it is commanded here");
     }

@@ -22,6 +22,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -52,14 +53,76 @@ Result<void> write(const LogOptions& options, const std::string& text) {
              : support::writeFileAtomically(options.csv, text);
 }
 
-/// How values are written: with the units of `mission`, or as they are in the log.
-logs::WriteValues writerOf(const compiler::Optimised* mission) {
-  if (mission == nullptr) {
-    return logs::valuesAsLogged;
+std::string entriesText(size_t count) {
+  return count == 1 ? "1 entry" : fmt::format("{} entries", count);
+}
+
+/// What is shown of a mission's log: as text or CSV, and for a document.
+class LogView {
+ public:
+  /// `mission`: null, then values have no units.
+  LogView(const LogOptions& options, const compiler::Optimised* mission, bool for_document)
+      : csv_(!options.csv.empty()), document_(for_document), mission_(mission) {
+    if (mission != nullptr) {
+      units_.emplace(*mission);
+      write_ = [this](const logs::LogEntry& entry) { return units_->values(entry); };
+    }
+    text = csv_ ? logs::csvHead(units_.has_value()) : "";
   }
-  return [units = std::make_shared<const LogInUnits>(*mission)](const logs::LogEntry& entry) {
-    return units->values(entry);
-  };
+  LogView(const LogView&) = delete;
+  LogView& operator=(const LogView&) = delete;
+
+  void take(const logs::LogEntry& entry) {
+    if (mission_ != nullptr && entry.kind == runtime::LogRecord::Start &&
+        entry.name != mission_->mission.name) {
+      other_mission = entry.name;
+    }
+    if (!csv_ && !document_) {
+      text += logs::textLine(entry, write_);
+      return;
+    }
+    const logs::LogEntry told = units_ ? units_->converted(entry) : entry;
+    if (document_) {
+      entries.push_back(entryOf(told));
+    }
+    if (csv_) {
+      text += logs::csvLines(told, units_.has_value());
+    }
+  }
+  /// Entries that another version of the mission must have written.
+  [[nodiscard]] size_t strangers() const { return units_ ? units_->strangers() : 0; }
+
+  std::string text;
+  Json entries = Json::array();
+  std::string other_mission;  ///< the log is of this one; empty: it is of the one given
+
+ private:
+  bool csv_, document_;
+  const compiler::Optimised* mission_;
+  std::optional<LogInUnits> units_;
+  logs::WriteValues write_ = logs::valuesAsLogged;
+};
+
+Result<void> noLog(const std::string& file, bool empty) {
+  std::error_code ignored;
+  std::string why = empty ? "it is empty" : "it contains no complete header of a log";
+  if (const std::string older = file + ".old"; std::filesystem::exists(older, ignored)) {
+    why += "; earlier records are in `" + older + "`";
+  }
+  return support::fail(support::diagnostics::noLog, file, why);
+}
+
+void tellNotes(const std::string& file, const LogOptions& options, const LogView& view,
+               const logs::LogDamage& damage) {
+  if (const size_t strangers = view.strangers(); strangers > 0) {
+    tell(
+        fmt::format("glidercc: note: {}: {} with names or texts that {} does not have: another "
+                    "version of the mission wrote it\n",
+                    file, entriesText(strangers), options.mission));
+  }
+  if (const std::string harm = damageText(damage); !harm.empty()) {
+    tell(fmt::format("glidercc: note: {}: records: {}\n", file, harm));
+  }
 }
 
 /// Shows the log of a mission.
@@ -70,50 +133,32 @@ int showMissionLog(const std::string& file, const LogOptions& options, Json* doc
       (mission = compileForFlight(options.mission, status)) == nullptr) {
     return status;
   }
-  const logs::WriteValues values = writerOf(mission.get());
   const auto bytes = support::readFile(file);
   if (!bytes) {
     return reportFailure(bytes.error());
   }
-  std::error_code ignored;
-  std::string text = options.csv.empty() ? "" : logs::kLogCsvHead;
-  Json entries = Json::array();
-  std::string other;
-  const logs::LogDamage damage = logs::readLog(*bytes, [&](const logs::LogEntry& entry) {
-    if (mission != nullptr && entry.kind == runtime::LogRecord::Start &&
-        entry.name != mission->mission.name) {
-      other = entry.name;
-    }
-    if (document != nullptr) {
-      entries.push_back(entryOf(entry));
-    }
-    text += options.csv.empty() ? logs::textLine(entry, values) : logs::csvLines(entry);
-  });
+  LogView view(options, mission.get(), document != nullptr);
+  const logs::LogDamage damage =
+      logs::readLog(*bytes, [&](const logs::LogEntry& entry) { view.take(entry); });
   if (damage.starts == 0) {
-    std::string why = bytes->empty() ? "it is empty" : "it contains no complete header of a log";
-    if (const std::string older = file + ".old"; std::filesystem::exists(older, ignored)) {
-      why += "; earlier records are in `" + older + "`";
-    }
-    return reportFailure(support::fail(support::diagnostics::noLog, file, why).error());
+    return reportFailure(noLog(file, bytes->empty()).error());
   }
-  if (!other.empty()) {
+  if (!view.other_mission.empty()) {
     return reportFailure(support::fail(support::diagnostics::otherMissionsLog, file,
-                                       report::plain(other), mission->mission.name)
+                                       report::plain(view.other_mission), mission->mission.name)
                              .error());
   }
   if (document != nullptr) {
-    (*document)["entries"] = std::move(entries);
+    (*document)["entries"] = std::move(view.entries);
     (*document)["damage"] = damageOf(damage);
   }
   const bool to_file = !options.csv.empty() && options.csv != "-";
   if (document == nullptr || to_file) {
-    if (const auto written = write(options, text); !written) {
+    if (const auto written = write(options, view.text); !written) {
       return reportFailure(written.error());
     }
   }
-  if (const std::string harm = damageText(damage); !harm.empty()) {
-    tell(fmt::format("glidercc: note: {}: records: {}\n", file, harm));
-  }
+  tellNotes(file, options, view, damage);
   return kFine;
 }
 

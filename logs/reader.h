@@ -30,6 +30,7 @@ struct LogEntry {
   /// Items of Values, parameters of Begin, values of a note (without names); for a transition
   /// statetime, resumetime and every sensor's reading; NaN: unknown.
   std::vector<std::pair<std::string, double>> values;
+  std::vector<std::string> units = {};  ///< of the values; the log has none: empty
 };
 
 /// How much of a log was damaged.

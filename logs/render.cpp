@@ -8,7 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace glider::logs {
 
@@ -29,17 +31,24 @@ std::string field(const std::string& name) {
   return name.find_first_of(",\"\n\r") == std::string::npos ? name : support::csvQuoted(name);
 }
 
+/// With `unit` after it where there are units.
 std::string line(const LogEntry& entry, const char* record, const std::string& name,
-                 const std::string& value, const std::string& from = "",
-                 const std::string& to = "") {
-  return fmt::format("{},{},{},{},{},{}\n", number(entry.time), record, field(name), value,
-                     field(from), field(to));
+                 const std::string& value, const std::string& from = "", const std::string& to = "",
+                 const std::string& unit = "") {
+  return fmt::format("{},{},{},{},{},{}{}\n", number(entry.time), record, field(name), value,
+                     field(from), field(to), unit);
+}
+
+/// ",degC" of value `i` of an entry with units.
+std::string unitOf(const LogEntry& entry, size_t i) {
+  return i < entry.units.size() ? "," + field(entry.units[i]) : "";
 }
 
 std::string valueLines(const LogEntry& entry, const char* record) {
   std::string lines;
-  for (const auto& [name, value] : entry.values) {
-    lines += line(entry, record, name, number(value));
+  for (size_t i = 0; i < entry.values.size(); ++i) {
+    const auto& [name, value] = entry.values[i];
+    lines += line(entry, record, name, number(value), "", "", unitOf(entry, i));
   }
   return lines;
 }
@@ -49,8 +58,9 @@ std::string noteLines(const LogEntry& entry) {
     return line(entry, "event", "unknown set", "", entry.name);
   }
   std::string lines = entry.values.empty() ? line(entry, "log", entry.name, "") : "";
-  for (const auto& [unnamed, value] : entry.values) {
-    lines += line(entry, "log", entry.name, number(value));
+  for (size_t i = 0; i < entry.values.size(); ++i) {
+    lines +=
+        line(entry, "log", entry.name, number(entry.values[i].second), "", "", unitOf(entry, i));
   }
   return lines;
 }
@@ -94,18 +104,7 @@ std::string story(const LogEntry& entry, const WriteValues& values) {
   return values(entry);
 }
 
-}  // namespace
-
-std::string valuesAsLogged(const LogEntry& entry) {
-  std::string list;
-  for (const auto& [name, value] : entry.values) {
-    list +=
-        (list.empty() ? "" : ", ") + (name.empty() ? "" : report::plain(name) + " ") + known(value);
-  }
-  return list;
-}
-
-std::string csvLines(const LogEntry& entry) {
+std::string plainLines(const LogEntry& entry) {
   switch (entry.kind) {
     case LogRecord::Start:
       return line(entry, "start", entry.name, "");
@@ -125,6 +124,36 @@ std::string csvLines(const LogEntry& entry) {
       break;
   }
   return "";
+}
+
+}  // namespace
+
+std::string valuesAsLogged(const LogEntry& entry) {
+  std::string list;
+  for (const auto& [name, value] : entry.values) {
+    list +=
+        (list.empty() ? "" : ", ") + (name.empty() ? "" : report::plain(name) + " ") + known(value);
+  }
+  return list;
+}
+
+std::string csvHead(bool with_units) {
+  return fmt::format("time_s,record,name,value,from,to{}\n", with_units ? ",unit" : "");
+}
+
+/// A line without a value has an empty unit.
+std::string csvLines(const LogEntry& entry, bool with_units) {
+  constexpr std::ptrdiff_t kCommas = 5;
+  std::string lines = plainLines(entry);
+  for (size_t at = 0; with_units && at < lines.size();) {
+    const size_t end = lines.find('\n', at);
+    const auto begin = lines.begin() + static_cast<std::ptrdiff_t>(at);
+    const auto stop = lines.begin() + static_cast<std::ptrdiff_t>(end);
+    const bool lacks = entry.units.empty() || std::count(begin, stop, ',') == kCommas;
+    lines.insert(end, lacks ? "," : "");
+    at = end + (lacks ? 2 : 1);
+  }
+  return lines;
 }
 
 std::string textLine(const LogEntry& entry, const WriteValues& values) {

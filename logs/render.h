@@ -11,10 +11,10 @@
 namespace glider::logs {
 
 /// The head of what csvLines makes.
-inline constexpr const char* kLogCsvHead = "time_s,record,name,value,from,to\n";
+std::string csvHead(bool with_units = false);
 
 /// An entry as lines of comma-separated values (docs/guide.md has the columns).
-std::string csvLines(const LogEntry& entry);
+std::string csvLines(const LogEntry& entry, bool with_units = false);
 /// How the values of an entry are written for people.
 using WriteValues = std::function<std::string(const LogEntry&)>;
 /// "depth 10.2, temp unknown": as in the log, which has no units.

@@ -4,6 +4,7 @@
 #include "driver/output/log_in_units.h"
 
 #include "report/text.h"
+#include "runtime/log/mission_log.h"
 
 #include <algorithm>
 
@@ -61,7 +62,8 @@ void LogInUnits::nameNotes(const ir::Mission& mission, const flights::SensorUnit
       if (statement.kind != ir::StatementKind::Log) {
         continue;
       }
-      std::vector<LoggedForm>& forms = notes_[{statement.text, statement.values.size()}];
+      std::vector<LoggedForm>& forms = notes_[{
+          statement.text.substr(0, runtime::MissionLog::kNameBytes), statement.values.size()}];
       for (size_t i = 0; i < statement.values.size(); ++i) {
         const LoggedForm form = flights::formOf(mission, statement.values[i], unit);
         // Of two statements that are alike, what differs has no unit.
@@ -72,17 +74,40 @@ void LogInUnits::nameNotes(const ir::Mission& mission, const flights::SensorUnit
   }
 }
 
-std::string LogInUnits::values(const logs::LogEntry& entry) const {
+/// Of each value of `entry`; what the mission does not name has none.
+std::vector<LoggedForm> LogInUnits::formsOf(const logs::LogEntry& entry) {
   std::vector<LoggedForm> forms;
+  bool strange = false;
+  if (entry.kind == runtime::LogRecord::Note && !entry.unknown_set) {
+    const auto note = notes_.find({entry.name, entry.values.size()});
+    strange = note == notes_.end();
+    forms = strange ? std::vector<LoggedForm>(entry.values.size()) : note->second;
+  } else {
+    for (const auto& [name, value] : entry.values) {
+      const auto found = named_.find(name);
+      strange = strange || found == named_.end();
+      forms.push_back(found != named_.end() ? found->second : LoggedForm{});
+    }
+  }
+  strangers_ += strange ? 1 : 0;
+  return forms;
+}
+
+logs::LogEntry LogInUnits::converted(const logs::LogEntry& entry) {
+  logs::LogEntry made = entry;
+  const std::vector<LoggedForm> forms = formsOf(entry);
+  for (size_t i = 0; i < forms.size(); ++i) {
+    made.values[i].second *= forms[i].to_shown;
+    made.units.push_back(forms[i].unit);
+  }
+  return made;
+}
+
+std::string LogInUnits::values(const logs::LogEntry& entry) {
+  const std::vector<LoggedForm> forms = formsOf(entry);
   std::vector<double> shown;
-  const auto note = notes_.find({entry.name, entry.values.size()});
-  for (size_t i = 0; i < entry.values.size(); ++i) {
-    const auto& [name, value] = entry.values[i];
-    const auto found = named_.find(name);
-    forms.push_back(found != named_.end()                  ? found->second
-                    : name.empty() && note != notes_.end() ? note->second[i]
-                                                           : LoggedForm{});
-    shown.push_back(value * forms.back().to_shown);
+  for (size_t i = 0; i < forms.size(); ++i) {
+    shown.push_back(entry.values[i].second * forms[i].to_shown);
   }
   if (entry.kind == runtime::LogRecord::Note) {
     return flights::shownValues(forms, shown);

@@ -45,12 +45,16 @@ Json entryOf(const logs::LogEntry& entry) {
   if (entry.kind == LogRecord::Event) {
     one["value"] = numberOrNull(entry.value);
   }
-  for (const auto& [name, value] : entry.values) {
+  for (size_t i = 0; i < entry.values.size(); ++i) {
+    const auto& [name, value] = entry.values[i];
     Json told = Json::object();
     if (!name.empty()) {
       told["name"] = name;
     }
     told["value"] = numberOrNull(value);
+    if (i < entry.units.size()) {
+      told["unit"] = entry.units[i];
+    }
     one["values"].push_back(std::move(told));
   }
   return one;

@@ -119,9 +119,7 @@ TEST(MissionLog, IsTheSameOnEveryBoardAndTellsWhatFired) {
   }
 }
 
-TEST(MissionLog, HasTheUnitsOfTheMissionThatWroteIt) {
-  const TemporaryFolder folder;
-  const auto mission = folder.write("place.mission", R"(mission place
+constexpr const char* kPlaceMission = R"(mission place
 
 param home : position = 39 10.5 N 73 49.8 W
 param below : length = 0.5 km in 0 m .. 1 km
@@ -133,13 +131,40 @@ begin
   sensors       depth, m_battery
   entry do log "from", home, depth, temp end
   events
-    case statetime > 100 s exit
+    case statetime > 100 s && depth < below exit
 end
-)");
-  const std::string output = (folder.path() / "flight").string(), log = output + "/mission.log";
+)";
+
+/// Flies kPlaceMission on a board, in `folder`; returns its log.
+std::string flyPlace(const TemporaryFolder& folder) {
+  const auto mission = folder.write("place.mission", kPlaceMission);
+  const std::string output = (folder.path() / "flight").string();
   const Outcome flown = runShell("$GLIDERCC sim " + mission.string() + " --board host -o " +
                                  output + " --scenario " + project("scenarios/default.toml"));
-  ASSERT_EQ(flown.status, 0) << flown.err;
+  EXPECT_EQ(flown.status, 0) << flown.err;
+  return output + "/mission.log";
+}
+
+TEST(MissionLog, HasTheUnitsOfTheMissionThatWroteItInItsTablesToo) {
+  const TemporaryFolder folder;
+  const std::string log = flyPlace(folder);
+  const auto mission = folder.path() / "place.mission";
+  const Outcome csv = runShell("$GLIDERCC log " + log + " --csv - --mission " + mission.string());
+  for (const char* part :
+       {"time_s,record,name,value,from,to,unit\n0,start,place,,,,\n0,begin,,,,,\n",
+        "0,parameter,home.latitude,39.175,,,deg\n", "0,parameter,below,500,,,m\n", ",,,V\n",
+        "104,transition,exit,1,dive,,\n", "104,fired,statetime,104,,,s\n", ",,,degC\n"}) {
+    EXPECT_NE(csv.out.find(part), std::string::npos) << part << "\n" << csv.out;
+  }
+  const Outcome json =
+      runShell("$GLIDERCC log " + log + " --format json --mission " + mission.string());
+  EXPECT_NE(json.out.find("\"unit\": \"degC\""), std::string::npos);
+}
+
+TEST(MissionLog, HasTheUnitsOfTheMissionThatWroteIt) {
+  const TemporaryFolder folder;
+  const std::string log = flyPlace(folder);
+  const auto mission = folder.path() / "place.mission";
   const Outcome told = runShell("$GLIDERCC log " + log + " --mission " + mission.string());
   EXPECT_EQ(told.status, 0) << told.err;  // accepts: GL9395
   for (const char* part :
@@ -152,6 +177,15 @@ end
   EXPECT_NE(
       runShell("$GLIDERCC log " + log).out.find("home.latitude 39.175, home.longitude -73.83"),
       std::string::npos);
+  // Another version of the mission.
+  std::string text = kPlaceMission;
+  text.replace(text.find("\"from\""), 6, "\"at\"");
+  const auto edited = folder.write("edited.mission", text);
+  const Outcome strange = runShell("$GLIDERCC log " + log + " --mission " + edited.string());
+  EXPECT_EQ(strange.err, "glidercc: note: " + log + ": 1 entry with names or texts that " +
+                             edited.string() +
+                             " does not have: another version of the mission wrote it\n");
+  EXPECT_NE(strange.out.find("log from: 39.175, -73.83, "), std::string::npos) << strange.out;
   const Outcome other =
       runShell("$GLIDERCC log " + log + " --mission " + project("missions/figure2.mission"));
   EXPECT_EQ(other.status, 2);  // rejects: GL9395

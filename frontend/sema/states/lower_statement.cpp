@@ -85,6 +85,14 @@ void StatementLowering::visit(const ast::If& node, const ast::Statement& stateme
   }
 }
 
+/// Of a longer text both logs keep the begin, and the vehicle's has no room for a value.
+void StatementLowering::checkLength(const std::string& text, const ast::Statement& statement) {
+  constexpr size_t kRoomForValue = 2;
+  if (text.size() + kRoomForValue > kNoteBytes) {
+    scope_.report(support::diagnostics::longLog, statement.where, text.size(), kNoteBytes);
+  }
+}
+
 void StatementLowering::visit(const ast::Log& node, const ast::Statement& statement,
                               ir::Block& block) {
   ir::Statement result = statementOf(ir::StatementKind::Log, statement.where);
@@ -94,6 +102,7 @@ void StatementLowering::visit(const ast::Log& node, const ast::Statement& statem
                   std::string_view(node.text).substr(*text.wrong, 2));
   }
   result.text = text.text;
+  checkLength(result.text, statement);
   for (const ast::Expr& expr : node.values) {
     ExprLowering lowering(scope_);
     if (const auto value = lowering.lower(expr, std::nullopt)) {

@@ -15,6 +15,10 @@ namespace glider::frontend {
 /// A statement of the text at `range`.
 ir::Statement statementOf(ir::StatementKind kind, const support::SourceRange& range);
 
+/// What the logs keep of the text of a `log`, bytes; the vehicle's has its values in there too
+/// (kMostNoteBytes of hooks/protocol/messages.h, kNameBytes of runtime/log/mission_log.h).
+inline constexpr size_t kNoteBytes = 60;
+
 /// Lowers the statements of `do` and `entry`, in the scope's context.
 class StatementLowering {
  public:
@@ -27,6 +31,7 @@ class StatementLowering {
   void visit(const ast::If& node, const ast::Statement& statement, ir::Block& block);
   /// Lowers the body once for each pass (lower_loop.cpp).
   void visit(const ast::For& node, const ast::Statement& statement, ir::Block& block);
+  void checkLength(const std::string& text, const ast::Statement& statement);
   void visit(const ast::Log& node, const ast::Statement& statement, ir::Block& block);
   void visit(const ast::Command& node, const ast::Statement& statement, ir::Block& block);
 

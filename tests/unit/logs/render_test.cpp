@@ -47,7 +47,7 @@ LogEntry event(double value, const std::string& detail = "") {
 }
 
 TEST(LogCsv, HasARowForEachValue) {
-  EXPECT_STREQ(kLogCsvHead, "time_s,record,name,value,from,to\n");
+  EXPECT_EQ(csvHead(), "time_s,record,name,value,from,to\n");
   EXPECT_EQ(csvLines(entryOf(LogRecord::Start, 0, "bench")), "0,start,bench,,,\n");
   LogEntry begin = entryOf(LogRecord::Begin);
   EXPECT_EQ(csvLines(begin), "0,begin,,,,\n");

@@ -13,7 +13,7 @@ namespace glider::runtime::testing {
 
 /// A mission log as `glidercc log --csv` writes it.
 inline std::string csvOf(const std::string& log, logs::LogDamage* damage = nullptr) {
-  std::string csv = logs::kLogCsvHead;
+  std::string csv = logs::csvHead();
   const auto found =
       logs::readLog(log, [&](const logs::LogEntry& entry) { csv += logs::csvLines(entry); });
   if (damage != nullptr) {

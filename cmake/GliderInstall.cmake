@@ -62,10 +62,18 @@ install(FILES ${made}/glidercc.pc DESTINATION ${up})
 # To read, and to begin from.
 install(FILES ${CMAKE_BINARY_DIR}/share/man/man1/glidercc.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${CMAKE_SOURCE_DIR}/runtime/c/glidercc-runtime.3 DESTINATION ${CMAKE_INSTALL_MANDIR}/man3)
-install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# The documents lie as in the source tree, with what they lead to but source code.
+install(FILES LICENSE README.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY missions/examples missions/gallery DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY missions/detector DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+install(DIRECTORY missions scenarios DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN CMakeLists.txt EXCLUDE)
+install(DIRECTORY support/diagnostics/explain DESTINATION ${CMAKE_INSTALL_DOCDIR}/support/diagnostics)
+file(GLOB_RECURSE pages RELATIVE ${CMAKE_SOURCE_DIR} CONFIGURE_DEPENDS bench/README.md codegen/README.md hooks/README.md ir/README.md kit/README.md
+  runtime/README.md simulator/README.md)
+file(GLOB vehicle_pages RELATIVE ${CMAKE_SOURCE_DIR} CONFIGURE_DEPENDS platforms/*.toml)
+foreach(page ${pages} ${vehicle_pages})
+  cmake_path(GET page PARENT_PATH folder)
+  install(FILES ${page} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder})
+endforeach()
 install(DIRECTORY editors/vscode DESTINATION ${CMAKE_INSTALL_DOCDIR}/editors)
 
 # For the vehicle's own computers: what is C, and all that it includes.

@@ -65,7 +65,10 @@ install(FILES ${CMAKE_SOURCE_DIR}/runtime/c/glidercc-runtime.3 DESTINATION ${CMA
 # The documents lie as in the source tree, with what they lead to but source code.
 install(FILES LICENSE README.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY missions scenarios DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN CMakeLists.txt EXCLUDE)
+install(DIRECTORY missions scenarios DESTINATION ${CMAKE_INSTALL_DOCDIR}
+  REGEX "(missions|scenarios|library|templates|gallery|fleet|detector)/CMakeLists[.]txt$" EXCLUDE)
+# The examples are built as one.
+install(DIRECTORY missions/detector DESTINATION ${CMAKE_INSTALL_DOCDIR}/missions/examples)
 install(DIRECTORY support/diagnostics/explain DESTINATION ${CMAKE_INSTALL_DOCDIR}/support/diagnostics)
 file(GLOB_RECURSE pages RELATIVE ${CMAKE_SOURCE_DIR} CONFIGURE_DEPENDS bench/README.md codegen/README.md hooks/README.md ir/README.md kit/README.md
   runtime/README.md simulator/README.md)

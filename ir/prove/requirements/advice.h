@@ -17,10 +17,15 @@ namespace glider::ir::prove {
 void noteLateEnd(support::DiagnosticBuilder& diagnostic, double seconds,
                  const ProofContext& proof_context);
 
-/// Why a mission that ends in time while the SBC has power may not be proved to end within
-/// `requirement.seconds`: the bound with power cuts, if it is later than that.
+/// When the mission is proved to end, if that is later than `requirement.seconds`; if only power
+/// cuts make it later, the bound with them.
 void notePowerCutsCount(support::DiagnosticBuilder& warning, const Requirement& requirement,
                         const ProofContext& proof_context, Ending& ending);
+
+/// What makes it easier to prove that the vehicle stays within, or out of, areas; nothing for other
+/// requirements.
+void noteFences(support::DiagnosticBuilder& warning, const Requirement& requirement,
+                const ProofContext& proof_context);
 
 /// Names variables of the mission that are counted without a limit.
 void noteUnlimitedCounts(support::DiagnosticBuilder& warning, const ProofContext& proof_context);

@@ -57,7 +57,15 @@ bool isAsked(const Mission& m, VariableId variable) {
 void notePowerCutsCount(support::DiagnosticBuilder& warning, const Requirement& requirement,
                         const ProofContext& proof_context, Ending& ending) {
   const EndBound& always_powered = ending.boundWithoutPowerCuts();
-  if (!always_powered.by || *always_powered.by > requirement.seconds) {
+  if (!always_powered.by) {
+    return;
+  }
+  if (*always_powered.by > requirement.seconds) {
+    const EndBound& end = ending.bound();
+    warning.note(requirement.range,
+                 fmt::format("it is proved that the mission ends after at most {}; require that, "
+                             "or end it earlier",
+                             durationOf(end.by.value_or(*always_powered.by))));
     return;
   }
   const EndBound& end = ending.bound();
@@ -67,6 +75,20 @@ void notePowerCutsCount(support::DiagnosticBuilder& warning, const Requirement& 
         fmt::format("power cuts of the SBC of up to {} count, too: by its clocks, the "
                     "mission ends after at most {}; require that, or `assume no outage`",
                     durationOf(proof_context.mission.resume_within_s), durationOf(*end.by)));
+  }
+}
+
+void noteFences(support::DiagnosticBuilder& warning, const Requirement& requirement,
+                const ProofContext& proof_context) {
+  const std::vector<Assumption>& assumed = proof_context.mission.assumptions;
+  const bool current =
+      std::ranges::find(assumed, AssumptionKind::Current, &Assumption::kind) != assumed.end();
+  if (!requirement.geofences.empty()) {
+    warning.note(requirement.range,
+                 fmt::format("how far the vehicle gets follows from the current, from how long the "
+                             "mission lasts, and from where it may steer to: {}an earlier exit, a "
+                             "`const` instead of a `param` and a wider area are easier to prove",
+                             current ? "" : "`assume current <= 0.2 m/s`, "));
   }
 }
 

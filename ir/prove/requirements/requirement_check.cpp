@@ -164,6 +164,7 @@ void RequirementCheck::settle(Judged& judged) {
   if (requirement.kind == RequirementKind::ExitWithin) {
     notePowerCutsCount(warning, requirement, proof_context, context_.proof.ending);
   }
+  noteFences(warning, requirement, proof_context);
   noteUnlimitedCounts(warning, proof_context);
   noteTimersOfEntries(warning, proof_context);
 }

@@ -17,6 +17,13 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
+/// A vehicle that dives and climbs moves ahead by as much as its slowest climb at the usual pitch
+/// does, m/s.
+double slowestSpeed(const platforms::Platform& platform) {
+  const double pitch = platform.envelope.usual_pitch_rad;
+  return pitch > 0 ? platform.world.slowest_climb_m_s / std::tan(pitch) : 0;
+}
+
 }  // namespace
 
 std::optional<Position> placeInside(const Geofence& area, Rng& dice) {
@@ -47,7 +54,8 @@ RandomPlace::RandomPlace(const Position& start, const platforms::Platform& platf
   heading_ = dice_.within(0, kTurn);
   set_ = dice_.within(0, kTurn);
   // As often an extreme value as one in between.
-  speed_ = platform_.world.through_water_m_s * (dice_.chance(0.5) ? 1 : dice_.unit());
+  speed_ = std::max(platform_.world.through_water_m_s * (dice_.chance(0.5) ? 1 : dice_.unit()),
+                    slowestSpeed(platform_));
   const double strength = dice_.chance(0.7) ? 1 : dice_.unit();
   drift_ = platform_.envelope.drift_m_s * strength;
   surface_drift_ = platform_.world.surface_drift_m_s * strength;

@@ -8,8 +8,10 @@
 
 #include "ir/prove/requirements/violation_report.h"
 
+#include "ir/eval/interpreter.h"
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/requirements/advice.h"
+#include "ir/verify/value_text.h"
 #include "support/check.h"
 #include "support/diagnostics/ids/verification.h"
 
@@ -33,6 +35,27 @@ void noteStory(support::DiagnosticBuilder& error, const Counterexample& run) {
       continue;
     }
     error.note(story[i].range, story[i].text);
+  }
+}
+
+/// The parameters with which it is violated, if one has another value than its default.
+void noteParameters(support::DiagnosticBuilder& error, const Requirement& requirement,
+                    const Counterexample& run, const Mission& mission) {
+  const std::vector<double> usual = defaultParameters(mission);
+  std::string list;
+  size_t number = 0;
+  for (const Variable& variable : mission.variables) {
+    if (variable.kind != VariableKind::Parameter || number >= run.parameters.size()) {
+      continue;
+    }
+    if (run.parameters[number] != usual[number]) {
+      list += fmt::format("{}`{}` at {}", list.empty() ? "" : ", ", variable.name,
+                          withUnit(run.parameters[number], variable.type));
+    }
+    ++number;
+  }
+  if (!list.empty()) {
+    error.note(requirement.range, "with " + list + ": its range allows that");
   }
 }
 
@@ -94,6 +117,7 @@ void reportViolation(const Requirement& requirement, const Counterexample& run,
   auto error = diagnostics.report(support::diagnostics::requirementBroken, requirement.range,
                                   howBroken(requirement, run, proof_context.mission));
   noteStory(error, run);
+  noteParameters(error, requirement, run, proof_context.mission);
   notePowerCuts(error, requirement, run, proof_context);
   if (requirement.kind == RequirementKind::SurfacesEvery) {
     noteShortSurfacings(error, run, proof_context);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace glider::ir {
@@ -33,6 +34,10 @@ std::string withUnit(double value, Type type) {
   }
   if (type.kind == TypeKind::Longitude && std::isfinite(value)) {
     return support::longitudeText(value);
+  }
+  if (type.kind == TypeKind::Quantity && type.dimension == support::dimension::angle) {
+    constexpr double kDegrees = 180 / std::numbers::pi;
+    return fmt::format("{:.6g} deg", value * kDegrees);
   }
   const std::string unit = unitOf(type);
   return fmt::format("{:.6g}{}{}", shown(value, type), unit.empty() ? "" : " ", unit);

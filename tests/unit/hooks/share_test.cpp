@@ -144,6 +144,9 @@ TEST(Share, AMiniPacketIsReadAsItWasWritten) {
   (void)beyond.take(depth);
   (void)beyond.take(level);
   EXPECT_FALSE(beyond.endMini(0));
+  const uint8_t frame[] = {5};
+  EXPECT_TRUE(MessageReader(frame, 1).end(5, 1));
+  EXPECT_FALSE(MessageReader(frame, 1).endMini(5)) << "it is a frame";
 }
 
 TEST(Share, IsNotWrittenIntoLessRoom) {

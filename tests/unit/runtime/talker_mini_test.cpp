@@ -127,8 +127,17 @@ TEST_F(TalkerMini, OfOthersIsRefused) {
   EXPECT_EQ(peer(), 100) << "the digit 101";
 }
 
+/// The second message has 1001 values, which would fit a mini packet with its signature: 2.
+TEST_F(TalkerMini, AMiniPacketIsNoFrame) {
+  run(41);
+  hear("CAMUA,2,0,002A");
+  EXPECT_EQ(talker_->counts().received, 0U);
+  EXPECT_EQ(talker_->counts().refused, 1U);
+}
+
 /// What is a frame in one mission is a mini packet in another: neither is taken for the other.
 TEST_F(TalkerMini, AFrameIsNoMiniPacket) {
+  talk_.messages[0].signature = 0;  // that of a frame without data
   run(41);
   hear("CARXD,2,0,0,1,");
   hear("CARXD,2,0,0,1,5D01");

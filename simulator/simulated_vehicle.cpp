@@ -192,6 +192,9 @@ bool SimulatedVehicle::controlCycle(double now) {
   putSensors(before_s, now);
   seat_->cycle(now, link_.goneForGood(now), vehicle_);
   recorder_.row(now, vehicle_);
+  if (setup_.spools) {
+    spool_.take(trace_);
+  }
   cycle_s_ = now;
   if (setup_.progress && cycle_count_++ % kProgressCycles == 0) {
     setup_.progress({now, duration_s_, vehicle_.depth(),
@@ -264,6 +267,7 @@ void SimulatedVehicle::completeRow() {
 
 support::Trace SimulatedVehicle::finish() {
   completeRow();
+  spool_.giveBack(trace_);
   if (!seat_->end()) {
     journal_.add(cycle_s_, EventId::TimeIsOver, {duration_s_});
   }

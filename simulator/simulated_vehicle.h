@@ -15,6 +15,7 @@
 #include "simulator/simulator.h"
 #include "simulator/vehicle/true_place.h"
 #include "simulator/world/world.h"
+#include "support/trace/row_spool.h"
 
 #include <cstdint>
 #include <memory>
@@ -74,6 +75,7 @@ class SimulatedVehicle {
   int64_t step_ = 0;
   bool over_ = false;
   support::Trace trace_;
+  support::RowSpool spool_;
   Journal journal_;
   Vehicle vehicle_;
   std::unique_ptr<SimulatedSeat> seat_;

@@ -44,6 +44,7 @@ struct SimulationSetup {
   std::optional<uint64_t> seed;          ///< replaces the scenario's
   std::optional<double> duration_s;      ///< replaces the scenario's
   std::optional<double> kill_sbc_at_s;   ///< vehicle time at which the SBC loses its power
+  bool spools = false;                   ///< rows of the trace wait on disk while it flies
   bool talks = false;                    ///< its modem is in use, if its platform has one
   FlightObserver* observer = nullptr;    ///< may be null
   std::function<void(const Progress&)>

@@ -197,12 +197,18 @@ Result<FleetVerdict> flyFleet(const FleetCampaignPlan& plan, const FleetCampaign
     return std::unexpected(flight_of_all.error());
   }
   FleetVerdict verdict;
+  const auto traces = std::make_shared<std::vector<support::Trace>>();
   for (size_t i = 0; i < flying.size(); ++i) {
-    flying[i]->judge(flight_of_all->traces[i], verdict);
+    traces->push_back(flight_of_all->take(i));
+    flying[i]->judge(traces->back(), verdict);
+    if (flown == nullptr) {
+      traces->back() = {};
+    }
   }
   judgeSeparation(plan, flight_of_all->separations, verdict);
   std::ranges::stable_sort(verdict.violations, {}, &FleetViolation::at_s);
   if (flown != nullptr) {
+    flight_of_all->take = [traces](size_t vehicle) { return std::move(traces->at(vehicle)); };
     flown->emplace(FleetFlown{std::move(*flight_of_all), {}});
     for (const std::unique_ptr<Flying>& vehicle : flying) {
       (*flown)->vehicles.push_back(vehicle->release());

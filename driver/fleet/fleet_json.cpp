@@ -13,11 +13,11 @@ namespace glider::driver {
 namespace {
 
 /// Null for one that did not use its modem.
-Json modemJson(const support::Trace& trace) {
-  if (!trace.acoustic) {
+Json modemJson(const report::FleetVehicleReport& vehicle) {
+  if (!vehicle.modem) {
     return nullptr;
   }
-  const support::AcousticTotals& modem = *trace.acoustic;
+  const support::AcousticTotals& modem = *vehicle.modem;
   return {{"sent", modem.sent},        {"received", modem.received},
           {"lost", modem.lost},        {"on_air_s", modem.on_air_s},
           {"sent_J", modem.sent_J},    {"received_J", modem.received_J},
@@ -30,8 +30,8 @@ Json vehicleJson(const report::FleetVehicleReport& vehicle) {
           {"platform", vehicle.platform},
           {"page", vehicle.page},
           {"problems", vehicle.problems},
-          {"modem", modemJson(*vehicle.trace)},
-          {"figures", Json::parse(report::figuresToJson(report::flightFigures(*vehicle.trace)))}};
+          {"modem", modemJson(vehicle)},
+          {"figures", Json::parse(report::figuresToJson(vehicle.figures))}};
 }
 
 Json pairJson(const report::FleetReport& fleet, const report::FleetPairReport& pair) {

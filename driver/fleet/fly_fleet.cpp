@@ -33,7 +33,7 @@ namespace {
 namespace fs = std::filesystem;
 using support::Result;
 
-/// Flies all that is ready; the traces are in the order of `ready`.
+/// Flies all that is ready; the vehicles are in the order of `ready`.
 Result<simulator::FleetFlight> fly(ReadyFleet& ready) {
   std::vector<simulator::FleetMember> members;
   for (const std::unique_ptr<ReadyVehicle>& vehicle : ready.vehicles) {
@@ -82,22 +82,25 @@ size_t judgeSeparation(const report::FleetReport& fleet) {
   return found;
 }
 
-/// Adds to each trace what its mission says of it, checks the flights and writes their files.
-Result<size_t> writeVehicles(ReadyFleet& ready, std::vector<support::Trace>& traces,
+/// Adds to each trace what its mission says of it, checks the flights and writes their files. One
+/// trace is in memory at a time.
+Result<size_t> writeVehicles(ReadyFleet& ready, simulator::FleetFlight& flown,
                              const fs::path& folder, report::FleetReport& fleet) {
   size_t problems = 0;
-  for (size_t i = 0; i < traces.size(); ++i) {
-    const std::vector<support::Diagnostic> reported = ready.vehicles[i]->judge(traces[i]);
+  for (size_t i = 0; i < fleet.vehicles.size(); ++i) {
+    support::Trace trace = flown.take(i);
+    const std::vector<support::Diagnostic> reported = ready.vehicles[i]->judge(trace);
     report::FleetVehicleReport& vehicle = fleet.vehicles[i];
+    report::addFlight(trace, flown.starts[i].east_m, flown.starts[i].north_m, vehicle);
     for (const support::Diagnostic& one : reported) {
       vehicle.problems.push_back(one.message);
     }
     problems += reported.size();
     const fs::path its_folder = folder / vehicle.name;
-    if (auto written = writeFlight(traces[i], its_folder, reported); !written) {
+    if (auto written = writeFlight(trace, its_folder, reported); !written) {
       return std::unexpected(written.error());
     }
-    if (auto written = writeFlightSummary(traces[i], reported,
+    if (auto written = writeFlightSummary(trace, reported,
                                           {"events.csv", "report.html", "trace.csv"}, its_folder);
         !written) {
       return std::unexpected(written.error());
@@ -159,8 +162,7 @@ report::FleetReport reportOf(const flights::Fleet& file, const ReadyFleet& ready
   for (size_t i = 0; i < ready.vehicles.size(); ++i) {
     const ReadyVehicle& vehicle = *ready.vehicles[i];
     fleet.vehicles.push_back({vehicle.name(), vehicle.missionFile(), vehicle.platformName(),
-                              vehicle.name() + "/report.html", &flown.traces[i],
-                              flown.starts[i].east_m, flown.starts[i].north_m});
+                              vehicle.name() + "/report.html"});
   }
   return fleet;
 }
@@ -188,7 +190,7 @@ std::vector<std::string> fleetCharts() {
 int reportFleet(const flights::Fleet& fleet, ReadyFleet& ready, simulator::FleetFlight& flown,
                 double took_s, FleetOutput& output, Json* document) {
   report::FleetReport report = reportOf(fleet, ready, flown);
-  const auto problems = writeVehicles(ready, flown.traces, output.folder.staging(), report);
+  const auto problems = writeVehicles(ready, flown, output.folder.staging(), report);
   if (!problems) {
     return reportFailure(problems.error());
   }

@@ -145,6 +145,7 @@ Result<simulator::FleetMember> ReadyVehicle::member() {
   member.setup.platform = mission_->platform();
   member.setup.scenario = scenario_;
   member.setup.talks = !mission_->mission.shares.empty();
+  member.setup.spools = true;  // a fleet may fly for weeks
   flights::describeMission(member.setup, *mission_);
   return member;
 }

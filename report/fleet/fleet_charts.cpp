@@ -106,9 +106,9 @@ std::vector<double> toHours(std::vector<double> seconds) {
 std::string drawFleetDepths(const FleetReport& fleet) {
   std::vector<Series> all;
   for (size_t i = 0; i < fleet.vehicles.size(); ++i) {
-    const support::Trace& trace = *fleet.vehicles[i].trace;
-    all.push_back({fleet.vehicles[i].name, vehicleColour(fleet, i),
-                   toHours(valuesOf(trace, "time")), valuesOf(trace, "true_depth")});
+    const FleetVehicleReport& vehicle = fleet.vehicles[i];
+    all.push_back(
+        {vehicle.name, vehicleColour(fleet, i), toHours(vehicle.times_s), vehicle.depths_m});
   }
   return drawChart({"the depths of the fleet " + fleet.name, "depth (m)", true}, all);
 }

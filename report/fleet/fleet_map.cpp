@@ -19,12 +19,10 @@ constexpr double kMapWide = 620, kMapLeft = 84, kMapTop = 14, kMapRight = 16, kM
 
 /// The true track of a vehicle, m from the fleet's origin.
 Line trackOf(const FleetVehicleReport& vehicle) {
-  const std::vector<double> east = valuesOf(*vehicle.trace, "true_x");
-  const std::vector<double> north = valuesOf(*vehicle.trace, "true_y");
   Line line;
-  for (size_t row = 0; row < east.size(); ++row) {
-    if (std::isfinite(east[row]) && std::isfinite(north[row])) {
-      line.push_back({vehicle.start_east_m + east[row], vehicle.start_north_m + north[row]});
+  for (size_t i = 0; i < vehicle.east_m.size(); ++i) {
+    if (std::isfinite(vehicle.east_m[i]) && std::isfinite(vehicle.north_m[i])) {
+      line.push_back({vehicle.east_m[i], vehicle.north_m[i]});
     }
   }
   return line;

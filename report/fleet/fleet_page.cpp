@@ -52,7 +52,7 @@ std::string inUnit(double value, const char* unit, int decimals) {
 /// What the page and the terminal say of a vehicle: mission, vehicle, flown, distance, deepest,
 /// energy, outcome.
 std::vector<std::string> cellsOf(const FleetVehicleReport& vehicle) {
-  const FlightFigures figures = flightFigures(*vehicle.trace);
+  const FlightFigures& figures = vehicle.figures;
   constexpr double kKilometre = 1000;
   return {vehicle.mission_file,
           vehicle.platform,
@@ -85,7 +85,7 @@ const std::vector<std::string> kMessageHeads = {"messages", "sent",   "received"
 std::vector<std::vector<std::string>> messageRows(const FleetReport& fleet) {
   std::vector<std::vector<std::string>> rows;
   for (const FleetVehicleReport& vehicle : fleet.vehicles) {
-    if (const auto& modem = vehicle.trace->acoustic) {
+    if (const auto& modem = vehicle.modem) {
       constexpr double kKilojoule = 1000;
       rows.push_back(
           {vehicle.name, fmt::format("{}", modem->sent), fmt::format("{}", modem->received),

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "report/figures.h"
 #include "support/trace/trace.h"
 
 #include <array>
@@ -20,11 +21,17 @@ struct FleetVehicleReport {
   std::string mission_file;
   std::string platform;
   std::string page;  ///< of its own report, relative to that of the fleet
-  const support::Trace* trace = nullptr;
-  double start_east_m = 0;  ///< of the origin of the fleet; positions in `trace` are relative to it
-  double start_north_m = 0;
+  FlightFigures figures = {};
+  std::optional<support::AcousticTotals> modem = {};  ///< empty: it did not use it
+  // For each of some control cycles, its true place; m of the fleet's origin.
+  std::vector<double> times_s = {}, depths_m = {}, east_m = {}, north_m = {};
   std::vector<std::string> problems = {};  ///< one line each
 };
+
+/// Takes out of a vehicle's trace what the report of its fleet shows; `east_m` and `north_m` are
+/// its start. Of a long flight the places are fewer.
+void addFlight(const support::Trace& trace, double east_m, double north_m,
+               FleetVehicleReport& vehicle);
 
 /// How far two vehicles were apart.
 struct FleetPairReport {

@@ -12,12 +12,13 @@
 
 namespace glider::simulator {
 
-/// What is known of the flight of a fleet: the trace of each vehicle, with positions relative to
-/// its own start, where that is, and the distances of the vehicles.
+/// What is known of the flight of a fleet: where each vehicle starts, and their distances.
 struct FleetFlight {
-  std::vector<support::Trace> traces;
   std::vector<TruePlace> starts;
   Separations separations;
+  /// The trace of the vehicle with that number, with positions relative to its own start. Once for
+  /// each.
+  std::function<support::Trace(size_t vehicle)> take;
 };
 
 /// A vehicle of a fleet. Its scenario says where it starts; the water of that scenario is not used.

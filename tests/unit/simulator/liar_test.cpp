@@ -67,6 +67,41 @@ TEST(Liar, SendsMessagesOfTheFleetWithAllValuesOfTheirRanges) {
   EXPECT_NEAR(second, 10000, 400);
 }
 
+/// Whatever it replaces: a mini packet by a frame, and a frame by a mini packet.
+TEST(Liar, LiesInMiniPacketsToo) {
+  const std::vector<MessageForm> forms = {kForms[0], {{{0, 1, 101}}, 0x5D, 2, true}};
+  AcousticFrame mini;
+  mini.source = 2;
+  mini.is_mini = true;
+  Liar liar(Lie::Values, forms, {}, 1);
+  std::set<double> values;
+  int frames = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const AcousticFrame sent = liar.insteadOf(i % 2 == 0 ? mini : truth(8));
+    if (!sent.is_mini) {
+      ++frames;
+      EXPECT_FALSE(valuesOf(forms[0], sent.data).empty());
+      continue;
+    }
+    MessageReader reader(sent.mini_bits);
+    const double value = reader.take(forms[1].scales[0]);
+    EXPECT_TRUE(reader.endMini(forms[1].signature));
+    EXPECT_EQ(sent.data.size, 0U);
+    if (!std::isnan(value)) {
+      values.insert(value);
+    }
+  }
+  EXPECT_EQ(values.size(), 101U);
+  EXPECT_NEAR(frames, 2000, 200);
+  Liar rubbish(Lie::Rubbish, forms, {}, 1);
+  std::set<uint32_t> bits;
+  for (int i = 0; i < 2000; ++i) {
+    bits.insert(rubbish.insteadOf(mini).mini_bits);
+  }
+  EXPECT_GT(bits.size(), 1500U);
+  EXPECT_LT(*bits.rbegin(), 1U << hooks::share::kMiniBits);
+}
+
 TEST(Liar, TheSameSeedLiesAlike) {
   for (const Lie lie : {Lie::Values, Lie::Masked, Lie::Rubbish}) {
     Liar one(lie, kForms, {1, 3}, 7), same(lie, kForms, {1, 3}, 7), other(lie, kForms, {1, 3}, 8);

@@ -6,6 +6,7 @@
 #include "simulator/fleet/fleet.h"
 #include "simulator/simulated_vehicle.h"
 #include "simulator/simulator.h"
+#include "tests/unit/simulator/fleet_traces.h"
 #include "tests/unit/simulator/flights.h"
 
 #include <gtest/gtest.h>
@@ -41,11 +42,11 @@ FleetFlight flyFleetOfThree() {
   members.push_back({setup(kKilometreNorth_deg), 2});
   auto flight = simulateFleet(setup().scenario, std::move(members));
   EXPECT_TRUE(flight.has_value());
-  return flight ? std::move(*flight) : FleetFlight{{}, {}, Separations(0)};
+  return flight ? std::move(*flight) : FleetFlight{{}, Separations(0), {}};
 }
 
 std::vector<support::Trace> flyThree() {
-  return flyFleetOfThree().traces;
+  return tracesOf(flyFleetOfThree());
 }
 
 TEST(SharedWorld, TheFirstVehicleFliesAsItDoesAlone) {
@@ -68,7 +69,7 @@ TEST(SharedWorld, EachVehicleHasNoiseOfItsOwn) {
 
 TEST(SharedWorld, PositionsInATraceAreRelativeToTheVehiclesOwnStart) {
   const FleetFlight flight = flyFleetOfThree();
-  const std::vector<support::Trace>& traces = flight.traces;
+  const std::vector<support::Trace> traces = tracesOf(flight);
   EXPECT_EQ(flight.starts[1].north_m, 0);
   EXPECT_NEAR(flight.starts[2].north_m, 1000, 3);
   EXPECT_EQ(valueAt(traces[1], "true_y", 0), 0);
@@ -95,7 +96,7 @@ TEST(SharedWorld, AVehicleFliesAsItDoesWithoutTheOthers) {
   only.push_back({setup(kKilometreNorth_deg), 2});
   const auto alone = simulateFleet(setup().scenario, std::move(only));
   ASSERT_TRUE(alone.has_value());
-  EXPECT_EQ(traceToCsv(alone->traces[0]), traceToCsv(flyThree()[2]));
+  EXPECT_EQ(traceToCsv(alone->take(0)), traceToCsv(flyThree()[2]));
 }
 
 TEST(SharedWorld, AVehicleIsBroughtToTheTimeOfTheWorldAndNoFurther) {

@@ -6,6 +6,7 @@
 #include "hooks/micro_modem/codec.h"
 #include "simulator/fleet/fleet.h"
 #include "simulator/simulator.h"
+#include "tests/unit/simulator/fleet_traces.h"
 #include "tests/unit/simulator/flights.h"
 
 #include <gtest/gtest.h>
@@ -92,7 +93,7 @@ std::vector<support::Trace> flyInOrder(const std::vector<uint32_t>& order, bool 
   }
   auto flight = simulateFleet(shippedSetup("shelf_slope").scenario, std::move(members));
   EXPECT_TRUE(flight.has_value());
-  return flight ? std::move(flight->traces) : std::vector<support::Trace>(order.size());
+  return flight ? tracesOf(*flight) : std::vector<support::Trace>(order.size());
 }
 
 size_t count(const support::Trace& trace, EventId id) {
@@ -193,12 +194,13 @@ TEST(TalkingFleet, NoiseAndAPowerCutOfTheScenarioReachTheModem) {
   members.push_back(std::move(cut));
   auto flight = simulateFleet(shippedSetup("shelf_slope").scenario, std::move(members));
   ASSERT_TRUE(flight);
-  const support::AcousticTotals& hidden = *flight->traces[0].acoustic;
+  const std::vector<support::Trace> traces = tracesOf(*flight);
+  const support::AcousticTotals& hidden = *traces[0].acoustic;
   EXPECT_GT(hidden.sent, 8U);
   EXPECT_EQ(hidden.received, 0U);
   EXPECT_GT(hidden.lost, 0U);
-  EXPECT_NE(findEvent(flight->traces[0], "lost a message from 2: noise"), nullptr);
-  const support::AcousticTotals& short_lived = *flight->traces[1].acoustic;
+  EXPECT_NE(findEvent(traces[0], "lost a message from 2: noise"), nullptr);
+  const support::AcousticTotals& short_lived = *traces[1].acoustic;
   EXPECT_EQ(short_lived.sent, 2U);
   EXPECT_NEAR(short_lived.listen_J, 0.08 * 100, 0.1);
 }

@@ -4,6 +4,7 @@
 #include "driver/compile_for_flight.h"
 
 #include "driver/exit_code.h"
+#include "driver/slocum/port_folder.h"
 #include "driver/terminal.h"
 
 #include <algorithm>
@@ -17,7 +18,13 @@ bool hasWarnings(const support::DiagnosticEngine& diagnostics) {
 
 std::shared_ptr<const compiler::Optimised> compileForFlight(const std::string& mission, int& status,
                                                             bool strict) {
-  const auto compiled = compiler::compileMission(mission);
+  const auto folder = portFolderAt(mission);
+  if (!folder) {
+    status = reportFailure(folder.error());
+    return nullptr;
+  }
+  const auto compiled =
+      compiler::compileMission(*folder ? (*folder)->mission : std::filesystem::path(mission));
   if (!compiled) {
     status = reportFailure(compiled.error());
     return nullptr;

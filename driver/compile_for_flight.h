@@ -10,8 +10,9 @@
 
 namespace glider::driver {
 
-/// Compiles `mission` as it is to be flown and shows its diagnostics; null with `status` set when
-/// it has errors or cannot be read, or with `strict` if it has warnings.
+/// Compiles `mission`, or that of a port's folder, as it is to be flown and shows its diagnostics;
+/// null with `status` set when it has errors or cannot be read, or with `strict` if it has
+/// warnings.
 std::shared_ptr<const compiler::Optimised> compileForFlight(const std::string& mission, int& status,
                                                             bool strict = false);
 

@@ -292,6 +292,7 @@ TEST_F(PortCommand, AFolderHasWhatTheMissionImports) {
   fs::remove_all(path() / "common");
   fs::rename(path() / "port", path() / "elsewhere");
   EXPECT_EQ(run("check elsewhere").status, 0);
+  EXPECT_EQ(run("params elsewhere").out, "mission flies has no parameters\n");
   const Outcome flown = run("sim elsewhere -o f");
   EXPECT_EQ(flown.status, 0) << flown.err;
   EXPECT_THAT(flown.out, HasSubstr("s → end (exit)"));

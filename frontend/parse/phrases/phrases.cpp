@@ -32,6 +32,7 @@ bool among(uint32_t type) {
 /// In this order: what is prose is not read as anything else, and a keyword is a keyword before it
 /// is anything else.
 constexpr Row kRows[] = {
+    {phrases::writtenPosition, among<GliderLexer::NUMBER, GliderLexer::COMPASS, GliderLexer::NAME>},
     {phrases::comment, among<GliderLexer::MINUS, GliderLexer::UNIT, GliderLexer::SEMICOLON,
                              GliderLexer::NOT, GliderLexer::NAME>},
     {phrases::caseWord, anyToken},
@@ -60,8 +61,7 @@ constexpr Row kRows[] = {
     {phrases::magneticHeading, among<GliderLexer::UNIT, GliderLexer::NAME>},
     {phrases::softUnit, plainName},
     {phrases::rangeWordAsUnit, among<GliderLexer::IN>},
-    {phrases::foreignUnit, plainName},
-    {phrases::letterBefore, among<GliderLexer::COMPASS>},
+    {phrases::foreignUnit, among<GliderLexer::NAME, GliderLexer::FOREIGN>},
     {phrases::pairOfNumbers,
      among<GliderLexer::LPAREN, GliderLexer::LBRACKET, GliderLexer::NUMBER, GliderLexer::MINUS>},
     {phrases::pathWithoutBrackets,

@@ -67,8 +67,8 @@ size_t pairOfNumbers(Phrase& phrase);
 size_t pathWithoutBrackets(Phrase& phrase);
 /// `set p = lat lon`.
 size_t latitudeWithLongitude(Phrase& phrase);
-/// `N 39.175`.
-size_t letterBefore(Phrase& phrase);
+/// `39°10.5'N 73°49.8'W`, `N 39 10.5`, `39.175 North`: positions of charts and other tools.
+size_t writtenPosition(Phrase& phrase);
 /// `heading(E)`.
 size_t compassPoint(Phrase& phrase);
 /// `set n += 1`, `n++`, `print "warm"`, `wait 10 min`.

@@ -3,9 +3,11 @@
 
 #include "frontend/parse/build_ast.h"
 #include "frontend/parse/phrases/written_position.h"
+#include "frontend/spelling.h"
 #include "support/check.h"
 #include "support/units/units.h"
 
+#include <algorithm>
 #include <cctype>
 #include <typeinfo>
 
@@ -17,6 +19,20 @@ namespace {
 
 constexpr std::string_view kOfWords =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+
+/// `metres/s` with the units of its words. Of `degrees` analysis knows which are meant.
+std::string ofWords(const std::string& written) {
+  std::string out;
+  for (size_t at = 0; at < written.size();) {
+    const size_t end = std::min(written.find_first_of("*/", at), written.size());
+    const std::string word = written.substr(at, end - at);
+    const std::string_view unit = support::findUnit(word) ? word : unitForWord(word);
+    out += unit.empty() || unit == "deg" ? word : std::string(unit);
+    out += end < written.size() ? written.substr(end, 1) : "";
+    at = end + 1;
+  }
+  return out;
+}
 
 /// The unit that repair has made of several words, `ug / L`, or reported and left as it was
 /// written: `20°`, `20 deg C`, `20 °C`.
@@ -38,7 +54,7 @@ std::string meantUnit(const std::string& written) {
   const bool degrees = written.find("°") != std::string::npos ||
                        written.find("º") != std::string::npos ||
                        written.find_first_of(" \t") != std::string::npos;
-  return degrees ? "degC" : written;
+  return degrees ? "degC" : ofWords(written);
 }
 
 /// The letter of a position, which repair may have found as `n`.

@@ -98,7 +98,10 @@ class HalfReader {
       }
     };
     some();
-    if (!digits.empty() && (peek() == '.' || peek() == ',') && isDigit(peek(1))) {
+    if (digits.empty() && peek() == '.' && isDigit(peek(1))) {
+      digits = text_[at_++];
+      some();
+    } else if (!digits.empty() && (peek() == '.' || peek() == ',') && isDigit(peek(1))) {
       half_.comma = half_.comma || peek() == ',';
       digits += '.';
       ++at_;
@@ -160,6 +163,16 @@ class HalfReader {
     return false;
   }
 
+  [[nodiscard]] bool beginsNumber() const {
+    return isDigit(peek()) || (peek() == '.' && isDigit(peek(1)));
+  }
+
+  /// `.39.175`: two numbers without anything between them.
+  bool touchesNext() {
+    touching_ = peek() == '.' && isDigit(peek(1));
+    return touching_;
+  }
+
   bool numbers() {
     const std::string first = number();
     if (first.empty()) {
@@ -167,7 +180,7 @@ class HalfReader {
     }
     parts_.push_back(first);
     size_t end = at_;
-    if (degreeSign() && isDigit(peek())) {
+    if ((degreeSign() || touchesNext()) && beginsNumber()) {
       parts_.push_back(number());
       end = at_;
       if (minuteSign() && isDigit(peek())) {
@@ -237,7 +250,7 @@ class HalfReader {
     const size_t n = parts_.size();
     half_.minutes = n > 1 ? valueOf(parts_[1]) : 0;
     half_.minutes_over_60 = n > 1 && half_.minutes >= kMinutesOfDegree;
-    half_.certain = (n < 2 || (whole(parts_[0]) && !half_.minutes_over_60)) &&
+    half_.certain = !touching_ && (n < 2 || (whole(parts_[0]) && !half_.minutes_over_60)) &&
                     (n < 3 || (whole(parts_[1]) && valueOf(parts_[2]) < kMinutesOfDegree));
     const bool minutes = n == 2 && whole(parts_[0]);
     half_.digits = n == 1    ? parts_[0]
@@ -253,6 +266,7 @@ class HalfReader {
   size_t at_;
   WrittenHalf half_;
   std::vector<std::string> parts_;
+  bool touching_ = false;
 };
 
 }  // namespace

@@ -56,12 +56,40 @@ std::optional<support::Unit> writtenUnit(const compiler::Optimised& mission,
   return unit && unit->dimension == variable.type.dimension ? unit : std::nullopt;
 }
 
+/// Whether the default is a time of several parts, `3 h 30 min`.
+bool isInParts(const compiler::Optimised& mission, const ir::Variable& variable) {
+  const support::SourceRange range = mission.mission[variable.initial].range;
+  if (variable.type.kind != ir::TypeKind::Quantity ||
+      variable.type.dimension != support::dimension::time || !range.valid()) {
+    return false;
+  }
+  const std::string_view text = mission.checked->sources().text(range);
+  const size_t letter = text.find_first_of("dhms");
+  return letter != text.npos && text.find_first_of("0123456789", letter) != text.npos &&
+         text.find('T') == text.npos;
+}
+
+/// "3 h 30 min".
+std::string inParts(double seconds) {
+  std::string text;
+  double rest = seconds;
+  for (const auto& [name, size] : {std::pair("day", 86400.0), std::pair("h", 3600.0),
+                                   std::pair("min", 60.0), std::pair("s", 1.0)}) {
+    const double count = size == 1 ? rest : std::floor(rest / size);
+    rest -= count * size;
+    if (count > 0) {
+      text += fmt::format("{}{:.10g} {}", text.empty() ? "" : " ", count, name);
+    }
+  }
+  return text;
+}
+
 /// The values of a parameter as they are shown.
 class Shown {
  public:
   Shown(const GliderParameterInfo& info, const std::optional<support::Unit>& unit,
-        ir::TypeKind kind)
-      : info_(info), unit_(unit), kind_(kind) {}
+        ir::TypeKind kind, bool parts)
+      : info_(info), unit_(unit), kind_(kind), parts_(parts) {}
 
   [[nodiscard]] std::string value(double of) const {
     switch (kind_) {
@@ -73,11 +101,14 @@ class Shown {
       case ir::TypeKind::Quantity:
         break;
     }
+    if (parts_ && of > 0) {
+      return inParts(of);
+    }
     return unit_ ? fmt::format("{:.10g} {}", of / unit_->to_si, unit_->spelling)
                  : written([&](runtime::Text& text) { runtime::writeQuantity(info_, of, text); });
   }
   [[nodiscard]] std::string range() const {
-    if (!unit_ || !std::isfinite(info_.lowest) || !std::isfinite(info_.highest)) {
+    if (!(unit_ || parts_) || !std::isfinite(info_.lowest) || !std::isfinite(info_.highest)) {
       return written([&](runtime::Text& text) { runtime::writeRange(info_, text); });
     }
     return value(info_.lowest) + " to " + value(info_.highest);
@@ -87,12 +118,13 @@ class Shown {
   const GliderParameterInfo& info_;
   const std::optional<support::Unit>& unit_;
   ir::TypeKind kind_;
+  bool parts_;
 };
 
 ParameterRow rowOf(const compiler::Optimised& mission, const ir::Variable& variable,
                    const GliderParameterInfo& info, double value) {
   const std::optional<support::Unit> unit = writtenUnit(mission, variable);
-  const Shown shown(info, unit, variable.type.kind);
+  const Shown shown(info, unit, variable.type.kind, isInParts(mission, variable));
   return {variable.name, typeName(variable.type), shown.value(info.initial), shown.range(),
           value == info.initial ? "" : shown.value(value)};
 }

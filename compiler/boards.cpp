@@ -4,8 +4,10 @@
 #include "compiler/boards.h"
 
 #include "compiler/share.h"
+#include "frontend/spelling.h"
 #include "support/diagnostics/ids/target.h"
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -32,7 +34,11 @@ std::filesystem::path boardDirectory(const std::string& target) {
 support::Result<platforms::Board> loadTarget(const std::string& name) {
   const std::vector<std::string> names = targetNames();
   if (std::ranges::find(names, name) == names.end()) {
-    return support::fail(support::diagnostics::unknownTarget, name, fmt::join(names, ", "));
+    auto failure = support::fail(support::diagnostics::unknownTarget, name, fmt::join(names, ", "));
+    if (const auto near = frontend::closest(name, {names.begin(), names.end()}); !near.empty()) {
+      failure.error().hint = fmt::format("did you mean `{}`?", near);
+    }
+    return failure;
   }
   return platforms::loadBoard(boardDirectory(name) / "board.toml");
 }

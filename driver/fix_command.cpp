@@ -31,17 +31,17 @@ using support::Diagnostic;
 using support::Fixing;
 using support::Result;
 
-/// A line for each change; empty if there is none.
-std::string reportOf(const std::string& name, const Fixing& fixing) {
+/// A line for each change, made or only shown; empty if there is none.
+std::string reportOf(const std::string& name, const Fixing& fixing, bool dry_run) {
   std::string out;
   for (const Fixing::Round& round : fixing.rounds) {
     support::SourceManager sources;
     const uint32_t file = sources.add(name, round.before);
     for (const Diagnostic& diagnostic : round.fixed) {
       const support::LineColumn at = sources.place(file, diagnostic.range.begin);
-      out += fmt::format("{}:{}:{}: fixed [{} {}] {}\n", name, at.line, at.column,
-                         support::code(diagnostic.id), support::catalogueRow(diagnostic.id).slug,
-                         diagnostic.message);
+      out += fmt::format("{}:{}:{}: {} [{} {}] {}\n", name, at.line, at.column,
+                         dry_run ? "would fix" : "fixed", support::code(diagnostic.id),
+                         support::catalogueRow(diagnostic.id).slug, diagnostic.message);
     }
   }
   return out;
@@ -52,7 +52,7 @@ std::string reportOf(const std::string& name, const Fixing& fixing) {
 Result<void> put(const std::string& path, const std::string& before, const Fixing& fixing,
                  bool dry_run) {
   const std::string name = compiler::shownName(path);
-  const std::string report = reportOf(name, fixing);
+  const std::string report = reportOf(name, fixing, dry_run);
   if (path == compiler::kStandardInput) {
     tell(report);
     return printOut(dry_run ? lineDiff(name, before, fixing.text) : fixing.text);
@@ -68,7 +68,8 @@ Result<void> put(const std::string& path, const std::string& before, const Fixin
 
 /// Reports the errors that remain, those of proofs too, and whether there was nothing to fix;
 /// returns the exit code.
-int reportRemaining(const std::string& path, compiler::Compilation last, bool changed) {
+int reportRemaining(const std::string& path, compiler::Compilation last, bool changed,
+                    bool dry_run) {
   const std::string name = compiler::shownName(path);
   const CheckedFile checked = checkOnTerminal(name, std::move(last), {});
   reportDiagnostics(checked.compilation->diagnostics, *checked.compilation->sources);
@@ -78,9 +79,11 @@ int reportRemaining(const std::string& path, compiler::Compilation last, bool ch
   const auto errors = std::ranges::count(checked.found.diagnostics, support::Severity::Error,
                                          &Diagnostic::severity);
   if (errors > 0) {
-    tell(fmt::format("{}: {}{} error{} remain{}\n", name,
+    const bool would = dry_run && changed;
+    tell(fmt::format("{}: {}{} error{} {}remain{}\n", name,
                      changed ? "" : "nothing that can be fixed automatically; ", errors,
-                     errors == 1 ? "" : "s", errors == 1 ? "s" : ""));
+                     errors == 1 ? "" : "s", would ? "would " : "",
+                     errors == 1 && !would ? "s" : ""));
     return kMissionHasErrors;
   }
   const std::string nothing = changed ? "" : name + ": nothing to fix\n";
@@ -122,7 +125,7 @@ int fix(const std::string& path, bool dry_run) {
   if (const auto done = put(path, *text, *fixing, dry_run); !done) {
     return reportFailure(done.error());
   }
-  return reportRemaining(path, std::move(*last), !fixing->rounds.empty());
+  return reportRemaining(path, std::move(*last), !fixing->rounds.empty(), dry_run);
 }
 
 }  // namespace

@@ -186,8 +186,9 @@ int log(const LogOptions& options, Json* document) {
   const std::string& file = options.files[0];
   if (isForDataFiles(options)) {
     return reportFailure(support::fail(support::diagnostics::notDataFile, file,
-                                       "only `--csv` can be used with the log of a mission; all "
-                                       "other options are for data files")
+                                       "only `--csv`, `--mission` and `--format` can be used with "
+                                       "the log of a mission; all other options are for data "
+                                       "files")
                              .error());
   }
   return showMissionLog(file, options, document);

@@ -9,6 +9,7 @@
 #include "flights/parameter_table.h"
 #include "frontend/bare_positions.h"
 #include "ir/eval/interpreter.h"
+#include "runtime/launch/dates.h"
 #include "runtime/launch/launch.h"
 #include "runtime/launch/quantity.h"
 #include "support/diagnostics/ids/flights.h"
@@ -87,6 +88,8 @@ std::string hintFor(const ParameterTable& table, std::string_view problem) {
       hint += info.units[0] == 'N'
                   ? "; write it as `39.175 N`, as `39 10.5 N`, or in ddmm.mmmm, such as `3910.5`"
                   : "; write it as `73.83 W`, as `73 49.8 W`, or in ddmm.mmmm, such as `-7349.8`";
+    } else if (runtime::isDate(info)) {
+      hint += fmt::format("; write it as `{}=2027-03-01T00:00Z`, in UTC", info.name);
     } else if (units.next() && units.name().is("s")) {
       hint +=
           fmt::format("; a number alone is in seconds: write the unit, as in `{}=8h`", info.name);

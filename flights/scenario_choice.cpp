@@ -4,6 +4,7 @@
 #include "flights/scenario_choice.h"
 
 #include "compiler/share.h"
+#include "frontend/spelling.h"
 #include "simulator/family/family.h"
 #include "simulator/sensors/provided.h"
 #include "simulator/simulator.h"
@@ -46,8 +47,12 @@ support::Result<std::filesystem::path> scenarioPath(const std::string& wanted) {
   }
   const auto names = scenarioNames();
   if (std::ranges::find(names, wanted) == names.end()) {
-    return support::fail(support::diagnostics::unknownScenario, wanted,
-                         fmt::to_string(fmt::join(names, ", ")));
+    auto failure = support::fail(support::diagnostics::unknownScenario, wanted,
+                                 fmt::to_string(fmt::join(names, ", ")));
+    if (const auto near = frontend::closest(wanted, {names.begin(), names.end()}); !near.empty()) {
+      failure.error().hint = fmt::format("did you mean `{}`?", near);
+    }
+    return failure;
   }
   return bundledScenarios() / (wanted + ".toml");
 }

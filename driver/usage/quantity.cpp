@@ -22,11 +22,10 @@ struct Kind {
   const char* word;   ///< of --help
   const char* noun;   ///< "time"
   const char* plain;  ///< what a number alone is in
-  const char* unit;   ///< of the bounds in messages
   const char* example;
 };
-constexpr Kind kTime = {support::dimension::time, "TIME", "time", "seconds", "s", "90min"};
-constexpr Kind kDepth = {support::dimension::length, "DEPTH", "depth", "metres", "m", "60m"};
+constexpr Kind kTime = {support::dimension::time, "TIME", "time", "seconds", "90min"};
+constexpr Kind kDepth = {support::dimension::length, "DEPTH", "depth", "metres", "60m"};
 
 /// "s, min, h or day".
 std::string unitNames(support::Dimension dimension) {
@@ -38,6 +37,24 @@ std::string unitNames(support::Dimension dimension) {
     list += units[i].spelling;
   }
   return list;
+}
+
+/// "60 days", "10 min": in the largest unit in which it is a whole number; of depths in metres.
+std::string bound(double value, support::Dimension dimension) {
+  if (dimension != support::dimension::time) {
+    return fmt::format("{:g} m", value);
+  }
+  std::string text = fmt::format("{:g} s", value);
+  double largest = 1;
+  for (const support::Unit& unit : support::unitsOf(dimension)) {
+    const double count = value / unit.to_si;
+    if (count >= 1 && count == std::floor(count) && unit.to_si >= largest &&
+        !(unit.spelling == "days" && count == 1)) {
+      largest = unit.to_si;
+      text = fmt::format("{:g} {}", count, unit.spelling);
+    }
+  }
+  return text;
 }
 
 CLI::Option* addOption(CLI::App& command, const std::string& name, const Kind& kind,
@@ -59,8 +76,8 @@ CLI::Option* addOption(CLI::App& command, const std::string& name, const Kind& k
             }
             return *number >= least && *number <= most
                        ? ""
-                       : fmt::format("`{}` is not from {:g} {} to {:g} {}", text, least, kind.unit,
-                                     most, kind.unit);
+                       : fmt::format("`{}` is not from {} to {}", text,
+                                     bound(least, kind.dimension), bound(most, kind.dimension));
           },
           "", kind.noun));
 }

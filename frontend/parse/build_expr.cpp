@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "frontend/parse/build_ast.h"
+#include "frontend/parse/phrases/written_position.h"
+#include "frontend/spelling.h"
 #include "support/check.h"
 #include "support/units/units.h"
 
+#include <algorithm>
+#include <cctype>
 #include <typeinfo>
 
 namespace glider::frontend {
@@ -15,6 +19,20 @@ namespace {
 
 constexpr std::string_view kOfWords =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+
+/// `metres/s` with the units of its words. Of `degrees` analysis knows which are meant.
+std::string ofWords(const std::string& written) {
+  std::string out;
+  for (size_t at = 0; at < written.size();) {
+    const size_t end = std::min(written.find_first_of("*/", at), written.size());
+    const std::string word = written.substr(at, end - at);
+    const std::string_view unit = support::findUnit(word) ? word : unitForWord(word);
+    out += unit.empty() || unit == "deg" ? word : std::string(unit);
+    out += end < written.size() ? written.substr(end, 1) : "";
+    at = end + 1;
+  }
+  return out;
+}
 
 /// The unit that repair has made of several words, `ug / L`, or reported and left as it was
 /// written: `20°`, `20 deg C`, `20 °C`.
@@ -36,7 +54,13 @@ std::string meantUnit(const std::string& written) {
   const bool degrees = written.find("°") != std::string::npos ||
                        written.find("º") != std::string::npos ||
                        written.find_first_of(" \t") != std::string::npos;
-  return degrees ? "degC" : written;
+  return degrees ? "degC" : ofWords(written);
+}
+
+/// The letter of a position, which repair may have found as `n`.
+std::string capital(std::string letter) {
+  letter[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(letter[0])));
+  return letter;
 }
 
 /// `this leg` with one space for anything between the two words; any other name as it is.
@@ -150,10 +174,15 @@ ast::Expr AstBuilder::named(Parser::PrimaryContext* rule) {
           where(rule)};
 }
 
-/// The digits of a number; those of `39   10.5` with one space.
+/// The digits of a number; those of `39   10.5` with one space, those of `39°10.5` as ours.
 std::string AstBuilder::digitsOf(const antlr4::Token* number) const {
   constexpr std::string_view kBlanks = " \t\r\n";
   const std::string digits = text(number);
+  if (digits.find_first_not_of("0123456789.eE+-") != std::string::npos) {
+    if (auto ours = positionDigits(digits)) {
+      return *ours;
+    }
+  }
   const size_t gap = digits.find_first_of(kBlanks);
   return gap == std::string::npos
              ? digits
@@ -167,7 +196,8 @@ ast::Expr AstBuilder::literal(const Rule* rule) {
   ast::Literal first{digitsOf(digits), "", where(digits)};
   if (parts.size() % 2 == 0) {
     const Rule* unit = ruleOf(parts[1]);
-    first.unit = meantUnit(joined(unit));
+    const bool letter = unit->start->getType() == GliderParser::COMPASS;
+    first.unit = letter ? capital(joined(unit)) : meantUnit(joined(unit));
     first.unit_where = where(unit);
   }
   if (parts.size() <= 2) {
@@ -179,7 +209,7 @@ ast::Expr AstBuilder::literal(const Rule* rule) {
   left.end = first.unit_where.end;
   ast::Where right = where(second);
   right.end = where(letter).end;
-  ast::Literal other{digitsOf(second), text(letter), where(letter)};
+  ast::Literal other{digitsOf(second), capital(text(letter)), where(letter)};
   return {ast::Position{std::move(first), std::move(other), left, right}, where(rule)};
 }
 

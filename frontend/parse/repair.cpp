@@ -5,6 +5,7 @@
 
 #include "frontend/parse/foreign_characters.h"
 #include "frontend/parse/phrases/phrases.h"
+#include "frontend/parse/phrases/unit_names.h"
 #include "frontend/parse/repair_names.h"
 #include "frontend/parse/repair_superfluous.h"
 #include "frontend/parse/repair_values.h"
@@ -640,7 +641,9 @@ class StructureRepair {
 }  // namespace
 
 Repaired repair(const std::vector<Lexeme>& lexemes, SyntaxReporter& reporter) {
-  const Rephrased phrases = repairPhrases(separateForeign(lexemes, reporter.source()), reporter);
+  const Source& source = reporter.source();
+  const Rephrased phrases =
+      repairPhrases(separateForeign(nameDeclaredUnits(lexemes, source), source), reporter);
   WordRepair words(reporter);
   NameRepair names(reporter);
   const std::vector<Lexeme> clean = names.run(words.run(phrases.lexemes));

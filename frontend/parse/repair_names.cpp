@@ -156,6 +156,8 @@ NameRepair::WrittenName NameRepair::missionAfter(size_t keyword) const {
          (end == keyword + 1 || !isSoftItem(in_[end].type))) {
     ++end;
   }
+  // `mission my mission`: a keyword that nothing else explains.
+  end = end == keyword + 2 && end + 1 == line && in_[end].type == GliderLexer::MISSION ? line : end;
   const bool good = end == keyword + 1 || !sameLine(in_[keyword], in_[keyword + 1]) ||
                     (end == keyword + 2 && isAnyName(in_[keyword + 1].type));
   const bool ends = end < in_.size() && (isHardKeyword(in_[end].type) || in_[end].type == kEof ||

@@ -282,6 +282,7 @@ bool ValueRepair::unknownUnit(const Lexeme& t, const Lexeme& next) {
                              unit.empty() ? std::string(kAll) : fmt::format("write `{}`", unit));
   if (!unit.empty() && !isStateName(source_, word)) {  // `2 h 26 c`: perhaps `goto c` was meant
     report.fix(source_.range(t), std::string(unit));
+    out_.push_back({GliderLexer::UNIT, t.begin, t.end});  // AstBuilder reads it as the unit
   }
   return true;
 }

@@ -78,16 +78,6 @@ std::vector<Lexeme> WordRepair::run(const std::vector<Lexeme>& lexemes) {
       ++i;
       continue;
     }
-    if (const auto position = foreignPosition(lexemes, i, reporter_.source())) {
-      auto report = reporter_.at(position->whole, support::diagnostics::positionForm,
-                                 reporter_.source().text(position->whole), position->better);
-      if (position->certain) {
-        report.fix(reporter_.source().range(position->whole), position->better);
-      }
-      out.insert(out.end(), {position->number, position->letter});
-      i += position->count - 1;
-      continue;
-    }
     if (const size_t taken = several(lexemes, i, out)) {
       i += taken - 1;
       continue;

@@ -3,6 +3,8 @@
 
 #include "ir/core/parameter_info.h"
 
+#include "runtime/abi/glider_abi.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -64,6 +66,8 @@ std::vector<ParameterInfo> parameterInfos(const Mission& mission) {
     const Expr& initial = mission[parameter.initial];
     const double truth = initial.op == Op::True ? 1 : 0;
     const double most = mostOnEarth(parameter.type);
+    const bool time = parameter.type.kind == TypeKind::Quantity &&
+                      parameter.type.dimension == support::dimension::time;
     infos.push_back(
         {.name = parameter.name,
          .initial = initial.op == Op::Constant ? initial.number : truth,
@@ -71,7 +75,8 @@ std::vector<ParameterInfo> parameterInfos(const Mission& mission) {
          .highest = std::min(parameter.highest, most),
          .units = parameter.unit.empty()
                       ? unitFactors(parameter.type)
-                      : row(parameter.unit, support::findUnit(parameter.unit).value().to_si)});
+                      : row(parameter.unit, support::findUnit(parameter.unit).value().to_si),
+         .date = time && initial.op == Op::Constant && initial.number >= GLIDER_FIRST_DATE});
   }
   return infos;
 }

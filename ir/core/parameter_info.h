@@ -18,6 +18,7 @@ struct ParameterInfo {
   double lowest = 0;
   double highest = 0;
   std::string units;  ///< unitFactors
+  bool date = false;  ///< a time of the calendar, seconds since 1970
 };
 
 /// Of each parameter of `mission`, in the order of its variables.

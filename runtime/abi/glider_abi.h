@@ -27,6 +27,9 @@ extern "C" {
 #define GLIDER_NO_LIST UINT32_MAX
 #define GLIDER_NO_LIMIT UINT32_MAX
 #define GLIDER_MOST_PARAMETERS 64u
+/* 2000-01-01, in seconds since 1970: a parameter of type time whose default is this or later is a
+ * time of the calendar. No duration of a mission is 30 years. */
+#define GLIDER_FIRST_DATE 946684800.0
 #define GLIDER_MOST_NOTES 16u
 #define GLIDER_GUARD_STRIDE 16u
 #define GLIDER_MOST_NOTE_VALUES 64u

@@ -4,6 +4,7 @@
 // The values of parameters, read and written. On a board linked only with a mission that has some:
 // no_parameters.cpp takes its place otherwise.
 
+#include "runtime/launch/dates.h"
 #include "runtime/launch/launch.h"
 #include "runtime/launch/quote.h"
 #include "runtime/numbers/numbers.h"
@@ -69,6 +70,9 @@ bool isLimited(const GliderParameterInfo& parameter) {
 void writeQuantity(const GliderParameterInfo& parameter, double value, Text& text) {
   if (isTruth(parameter.units)) {
     text.put(value != 0.0 ? "true" : "false");
+    return;
+  }
+  if (writeDate(parameter, value, text)) {
     return;
   }
   Units units(parameter.units);
@@ -146,7 +150,8 @@ void Launch::listNames(Text& text) const {
 bool Launch::assignOne(uint32_t parameter, const Piece& given) {
   const GliderParameterInfo& info = mission_.parameters[parameter];
   double value = 0;
-  const Reading reading = readQuantity(given, info.units, value);
+  const Reading reading =
+      readDate(info, given, value) ? Reading::Good : readQuantity(given, info.units, value);
   if (reading != Reading::Good || !(value >= info.lowest && value <= info.highest)) {
     return refuseValue(info, given, reading, value);
   }
@@ -159,6 +164,10 @@ bool Launch::refuseValue(const GliderParameterInfo& parameter, const Piece& give
   Text text(problem_, kProblemBytes);
   quote(text, whole(parameter.name)).put(" cannot be ");
   quote(text, given);
+  const bool unread = reading == Reading::NotANumber || reading == Reading::NoSuchUnit;
+  if (unread && putDateForm(parameter, text)) {
+    return refuse(text);
+  }
   switch (reading) {
     case Reading::Good:
       if (isBare(given) && isTime(parameter.units)) {  // 8 for 8 h is easily written

@@ -122,7 +122,10 @@ class Choice {
       return false;  // the first error at this place says what is wrong there
     }
     const uint32_t first = beginOf(d, structural ? constructs_.items : constructs_.parts);
-    return !errorIn(first, d.range.begin) && !errorInHeader(d) && !isHalfRead(d);
+    // What analysis found cannot be the cause of an error in the syntax.
+    const bool follows =
+        isSyntax(d) ? syntaxIn(first, d.range.begin) : errorIn(first, d.range.begin);
+    return !follows && !errorInHeader(d) && !isHalfRead(d);
   }
 
  private:
@@ -143,6 +146,11 @@ class Choice {
   [[nodiscard]] bool errorIn(uint32_t from, uint32_t to) const {
     const auto next = places_.lower_bound(from);
     return next != places_.end() && next->first < to;
+  }
+
+  [[nodiscard]] bool syntaxIn(uint32_t from, uint32_t to) const {
+    const auto next = syntax_.lower_bound(from);
+    return next != syntax_.end() && *next < to;
   }
 
   /// A wrong header makes everything in its item doubtful.

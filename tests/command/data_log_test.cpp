@@ -155,6 +155,8 @@ TEST(DataLog, OptionsOfDataFilesAreNotForMissionLogs) {
     const Outcome refused = logOf(folder, "mission.log " + option);
     EXPECT_EQ(refused.status, 2);
     EXPECT_NE(refused.err.find("[GL5200 "), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("only `--csv`, `--mission` and `--format` can be used"),
+              std::string::npos);
   }
   EXPECT_NE(logOf(folder, "mission.log").err.find("[GL9363 "), std::string::npos);
 }

@@ -159,6 +159,10 @@ TEST(Duration, IsATimeWithAUnitOrInSeconds) {
     EXPECT_THAT(outcome.err, HasSubstr("glidercc: error: --duration: `" + time + "` is not "))
         << time;
   }
+  EXPECT_THAT(one.run("sim long.mission --duration 61day").err,
+              HasSubstr("`61day` is not from 1 s to 60 days\n"));
+  EXPECT_THAT(one.run("build long.mission --dialect extctl --surface-after 1min -o port").err,
+              HasSubstr("`1min` is not from 10 min to 7 days\n"));
   EXPECT_EQ(one.run("check --timeout 5s long.mission").status, 0);
   EXPECT_THAT(one.run("check --timeout 5m long.mission").err,
               HasSubstr("`5m` is not a time: write a number with s, min, h or day"));

@@ -149,6 +149,8 @@ TEST(Fix, DryRunWritesNothing) {
   const auto path = folder.write("m.mission", kMistaken);
   const Outcome outcome = runShell("$GLIDERCC fix --dry-run " + path.string());
   EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr(": would fix [GL"));
+  EXPECT_THAT(outcome.out, testing::Not(HasSubstr(": fixed ")));
   EXPECT_THAT(outcome.out, HasSubstr("\n-  sensors depth temp\n"));
   EXPECT_THAT(outcome.out, HasSubstr("\n+  sensors depth, temp\n"));
   EXPECT_EQ(slurp(path), kMistaken);

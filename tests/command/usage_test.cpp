@@ -73,6 +73,18 @@ TEST(Usage, AMisspeltChoiceIsNamedWithTheNearest) {
   EXPECT_THAT(err("campaign m --fault silent"), HasSubstr("`silent` is not one of "));
 }
 
+TEST(Usage, AMisspeltScenarioOrTargetIsNamedWithTheNearest) {
+  const TemporaryFolder folder;
+  const std::string mission = " " + folder.path().string() + "/m.mission";
+  ASSERT_EQ(runShell("$GLIDERCC new transect" + mission).status, 0);
+  EXPECT_THAT(runShell("$GLIDERCC sim --scenario blom" + mission).err,
+              HasSubstr("hint: did you mean `bloom`?\n"));
+  EXPECT_THAT(runShell("$GLIDERCC build --target ts780" + mission).err,
+              HasSubstr("hint: did you mean `ts7800`?\n"));
+  EXPECT_THAT(runShell("$GLIDERCC build --target vax" + mission).err,
+              HasSubstr("hint: the targets are host, "));
+}
+
 TEST(Usage, ColourOfMessagesAndColourOfTheTrackAreNotConfused) {
   EXPECT_THAT(runShell("$GLIDERCC sim m --color chlorophyll").err,
               HasSubstr("the colour of the track is `--colour-by`"));

@@ -35,6 +35,33 @@ TEST(Values, ATimeIsShownInTheUnitInWhichItIsAWholeNumber) {
   EXPECT_THAT(rows, testing::ContainsRegex("deepest +length +20 m +10 m to 30 m\n"));
 }
 
+/// As it is written in the mission, on the computer and on board.
+TEST(Values, ATimeOfTheCalendarIsSetAndShownAsOne) {
+  const TemporaryFolder folder;
+  const std::string mission = folder
+                                  .write("m.mission",
+                                         "mission m\nparam begins: time = 2027-03-01T00:00Z\n"
+                                         "param lasts: time = 3 h 30 min in 1 h .. 6 h\n"
+                                         "state s\nbegin\n  flightprofile yo(5 m, 20 m)\n"
+                                         "  sensors missiontime, m_present_time\n  events\n"
+                                         "    case utc > begins exit\n"
+                                         "    case missiontime > lasts exit\nend\n")
+                                  .string();
+  const std::string set = " --set begins=2028-01-01T06:30Z";
+  const std::string rows = runShell("$GLIDERCC params " + mission + set).out;
+  EXPECT_THAT(rows, HasSubstr("2027-03-01T00:00Z"));
+  EXPECT_THAT(rows, HasSubstr("2028-01-01T06:30Z\n"));
+  EXPECT_THAT(rows, HasSubstr("3 h 30 min"));
+  const std::string file = folder.write("p", "begins = 2028-01-01T06:30Z # UTC\n").string();
+  EXPECT_EQ(runShell("$GLIDERCC params " + mission + " --parameters " + file).out, rows);
+  EXPECT_THAT(runShell("$GLIDERCC params " + mission + " --set begins=tomorrow").err,
+              HasSubstr("write it as `begins=2027-03-01T00:00Z`, in UTC"));
+  const std::string program = folder.path().string() + "/m";
+  ASSERT_EQ(runShell("$GLIDERCC build -q " + mission + " -o " + program).status, 0);
+  EXPECT_THAT(runShell(program + " --help").err, HasSubstr("  begins = 2027-03-01T00:00Z\n"));
+  EXPECT_THAT(runShell(program + " --port /nonexistent" + set).err, HasSubstr("/nonexistent"));
+}
+
 TEST(Values, ATimeWithoutAUnitIsNamedInSeconds) {
   const TemporaryFolder folder;
   const std::string params =

@@ -14,10 +14,12 @@
 #include "codegen/llvm/program/talk_constant.h"
 #include "codegen/seat_mission.h"
 #include "codegen/talk_mission.h"
+#include "ir/core/parameter_info.h"
 #include "platforms/load/dictionary.h"
 #include "runtime/abi/glider_abi.h"
 #include "support/diagnostics/ids/target.h"
 
+#include <algorithm>
 #include <future>
 #include <utility>
 
@@ -81,10 +83,12 @@ Result<Unit> lower(const Recipe& recipe, const MissionPart& part) {
   return unit;
 }
 
-/// The name of the part of the runtime that only missions with parameters need, or of what takes
-/// its place.
+/// The name of the part of the runtime that only missions with parameters need, the one for times
+/// of the calendar too, or of what takes its place.
 std::string parameterPart(const Recipe& recipe) {
-  return indexMission(recipe.input.mission).parameter_count == 0 ? "no_parameters" : "parameters";
+  const auto infos = ir::parameterInfos(recipe.input.mission);
+  const bool dated = std::ranges::any_of(infos, &ir::ParameterInfo::date);
+  return infos.empty() ? "no_parameters" : dated ? "dated_parameters" : "parameters";
 }
 
 /// The part of the runtime that speaks to the vehicle.

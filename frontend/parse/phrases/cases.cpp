@@ -89,6 +89,22 @@ support::DiagnosticBuilder report(Phrase& phrase, size_t tokens) {
                               phrase.wholeText(0, tokens));
 }
 
+/// Removes the `then` and the `end` around a condition that are not those of a case.
+void dropThenAndEnd(Phrase& phrase, const Condition& condition,
+                    support::DiagnosticBuilder& builder) {
+  if (condition.then == 0) {
+    return;
+  }
+  const Source& source = phrase.source();
+  builder.fix(source.range(phrase.token(condition.then)), "");
+  phrase.leaveOut(condition.then);
+  const size_t end = condition.transition + tokensOfTransition(phrase, condition.transition);
+  if (isEndOfIf(phrase, end)) {
+    builder.fix(source.range(phrase.token(end)), "");
+    phrase.leaveOut(end);
+  }
+}
+
 /// `if temp > 20 degC then call up end` is a case. The words around its condition go with it.
 size_t ifAsCase(Phrase& phrase, size_t tokens) {
   const Condition condition = conditionFrom(phrase, tokens);
@@ -99,15 +115,7 @@ size_t ifAsCase(Phrase& phrase, size_t tokens) {
   auto builder = report(phrase, tokens);
   builder.hint(fmt::format("write `case {} …`", phrase.wholeText(tokens, condition.tokens)))
       .fix(source.range(phrase.whole(0, tokens)), "case");
-  if (condition.then != 0) {
-    builder.fix(source.range(phrase.token(condition.then)), "");
-    phrase.leaveOut(condition.then);
-  }
-  const size_t end = condition.transition + tokensOfTransition(phrase, condition.transition);
-  if (condition.then != 0 && isEndOfIf(phrase, end)) {
-    builder.fix(source.range(phrase.token(end)), "");
-    phrase.leaveOut(end);
-  }
+  dropThenAndEnd(phrase, condition, builder);
   phrase.put(phrase.whole(0, tokens, GliderLexer::CASE));
   return tokens;
 }
@@ -226,6 +234,24 @@ size_t caseWord(Phrase& phrase) {
   }
   const size_t taken = clockAsCase(phrase);
   return taken != 0 ? taken : conditionAlone(phrase);
+}
+
+size_t ifInCase(Phrase& phrase) {
+  if (phrase.before() != GliderLexer::CASE) {
+    return 0;
+  }
+  const size_t tokens = tokensOfIf(phrase);
+  const Condition condition = tokens == 0 ? Condition{} : conditionFrom(phrase, tokens);
+  if (condition.tokens == 0 || !readsAsValue(phrase, tokens, condition.tokens)) {
+    return 0;
+  }
+  const Lexeme word = phrase.whole(0, tokens);
+  auto builder = phrase.reporter().at(word, support::diagnostics::superfluousWord,
+                                      phrase.source().text(word), "after `case`");
+  builder.hint(fmt::format("write `case {} …`", phrase.wholeText(tokens, condition.tokens)))
+      .fix({phrase.source().file, word.begin, phrase.token(tokens).begin}, "");
+  dropThenAndEnd(phrase, condition, builder);
+  return tokens;
 }
 
 size_t conditionWord(Phrase& phrase) {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 
 namespace glider::frontend::phrases {
 namespace {
@@ -50,6 +51,15 @@ constexpr ComparingWords kComparing[] = {{"greater than", ">", kGreater, ">=", k
                                          {"at least", ">=", kAtLeast, "", 0},
                                          {"at most", "<=", kAtMost, "", 0}};
 
+/// Words before `below` and `above` that say that a value is there, or that it comes there.
+constexpr std::string_view kStanding[] = {"is", "stays", "remains", "gets"};
+constexpr std::string_view kChanging[] = {"drops",  "falls", "sinks",   "goes", "rises",
+                                          "climbs", "comes", "becomes", "turns"};
+
+bool saysOneOf(const Phrase& phrase, std::span<const std::string_view> words) {
+  return std::ranges::any_of(words, [&](auto word) { return phrase.says(0, word); });
+}
+
 /// The number of tokens of `words` from token `k` on; 0: there are others.
 size_t tokensOfWords(const Phrase& phrase, size_t k, std::string_view words) {
   size_t tokens = 0;
@@ -87,7 +97,8 @@ bool leadsToComparison(uint32_t type) {
 
 /// `is 20 degC`, `equals 3`: whether readings may be compared exactly is for the pilot to say.
 size_t equalWords(Phrase& phrase) {
-  for (const std::string_view words : {"is equal to", "equal to", "equals", "is"}) {
+  for (const std::string_view words :
+       {"is equal to", "equal to", "equals", "is", "reaches", "hits"}) {
     const size_t tokens = tokensOfWords(phrase, 0, words);
     if (tokens > 0 && beginsValue(phrase.type(tokens))) {
       const Lexeme sign = phrase.whole(0, tokens, kAtLeast);
@@ -138,7 +149,8 @@ size_t comparison(Phrase& phrase) {
   if (!isAnyName(phrase.type()) || phrase.type() == GliderLexer::UNIT || !afterValue(phrase)) {
     return 0;
   }
-  const size_t is = phrase.says(0, "is") ? 1 : 0;
+  const bool changes = saysOneOf(phrase, kChanging);
+  const size_t is = changes || saysOneOf(phrase, kStanding) ? 1 : 0;
   const auto row = std::ranges::find_if(kComparing, [&](const ComparingWords& words) {
     return tokensOfWords(phrase, is, words.words) > 0;
   });
@@ -158,9 +170,14 @@ size_t comparison(Phrase& phrase) {
   const bool or_equal = equal != 0 && !row->or_equal.empty();
   const Lexeme words = phrase.whole(0, tokens, or_equal ? row->or_equal_type : row->type);
   const std::string sign(or_equal ? row->or_equal : row->sign);
-  phrase.reporter()
-      .at(words, support::diagnostics::wordOperator, phrase.source().text(words), sign)
-      .fix(phrase.source().range(words), sign);
+  auto report = phrase.reporter().at(words, support::diagnostics::wordOperator,
+                                     phrase.source().text(words), sign);
+  if (changes) {  // no fix: only the pilot knows whether it may be so from the beginning
+    report.hint(fmt::format(
+        "write `{}`; if it must have been otherwise before, put `became(…)` around it", sign));
+  } else {
+    report.fix(phrase.source().range(words), sign);
+  }
   phrase.put(words);
   return tokens;
 }

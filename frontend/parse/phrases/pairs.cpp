@@ -128,22 +128,34 @@ std::optional<Better> bare(const Phrase& phrase, const Pair& pair) {
                 signed_east && degrees && ordered};
 }
 
-/// Whether a list of bare numbers is one of pairs: an even number of them, and nothing else.
+/// Whether what is left of a list is pairs of bare numbers, and positions with their letters.
 bool isListOfPairs(const Phrase& phrase) {
   constexpr size_t kMostHalves = 200;
-  size_t halves = 0;
-  size_t k = 0;
-  for (;; ++k) {
+  size_t bare = 0;
+  for (size_t k = 0, halves = 0; halves < kMostHalves; ++halves, ++k) {
     const auto half = halfAt(phrase, k);
-    if (!half || halves > kMostHalves) {
+    const auto second = half && half->letter ? halfAt(phrase, half->end) : std::nullopt;
+    if (!half || (half->letter && (bare % 2 != 0 || !second || !second->letter))) {
       return false;
     }
-    ++halves;
-    k = half->end;
+    bare += half->letter ? 0U : 1U;
+    k = second ? second->end : half->end;
     if (phrase.type(k) != GliderLexer::COMMA) {
-      return halves % 2 == 0 && phrase.type(k) == GliderLexer::RBRACKET;
+      return bare % 2 == 0 && phrase.type(k) == GliderLexer::RBRACKET;
     }
   }
+  return false;
+}
+
+/// Whether a position with letters is among the values up to the `]`.
+bool restHasLetters(const Phrase& phrase) {
+  constexpr size_t kMostOfList = 1000;
+  for (size_t k = 0; k < kMostOfList; ++k) {
+    if (oneOf(phrase.type(k), {GliderLexer::RBRACKET, kEof, GliderLexer::COMPASS})) {
+      return phrase.type(k) == GliderLexer::COMPASS;
+    }
+  }
+  return false;
 }
 
 /// Whether the list that is being read is the value of a declaration of something else than a path.
@@ -224,7 +236,9 @@ bool mayBePair(const Phrase& phrase, const Pair& pair) {
   if (pair.enclosed || assigned) {
     return pair.first.letter || fraction;
   }
-  return ends && (pair.first.letter || (isListOfPairs(phrase) && !isOfAnArray(phrase)));
+  const bool path_by_letters = ends && !pair.first.letter && restHasLetters(phrase);
+  return ends && (pair.first.letter ||
+                  (isListOfPairs(phrase) && (path_by_letters || !isOfAnArray(phrase))));
 }
 
 void putPair(Phrase& phrase, const Pair& pair) {
@@ -268,31 +282,6 @@ size_t pairOfNumbers(Phrase& phrase) {
   }
   putPair(phrase, *pair);
   return pair->end;
-}
-
-size_t letterBefore(Phrase& phrase) {
-  const bool value = oneOf(phrase.before(), {GliderLexer::LPAREN, GliderLexer::LBRACKET,
-                                             GliderLexer::COMMA, GliderLexer::ASSIGN});
-  const bool second = phrase.before() == GliderLexer::COMPASS;
-  if (phrase.type() != GliderLexer::COMPASS || phrase.type(1) != GliderLexer::NUMBER ||
-      !(value || second) || phrase.startsLine(1)) {
-    return 0;
-  }
-  const uint32_t next = phrase.type(2);
-  if (!oneOf(next, {GliderLexer::COMMA, GliderLexer::RPAREN, GliderLexer::RBRACKET,
-                    GliderLexer::COMPASS}) ||
-      (next == GliderLexer::COMPASS && phrase.type(3) != GliderLexer::NUMBER)) {
-    return 0;
-  }
-  const Lexeme whole = phrase.whole(0, 2);
-  const std::string better = fmt::format("{} {}", phrase.text(1), phrase.text());
-  phrase.reporter()
-      .at(whole, support::diagnostics::positionForm, phrase.source().text(whole), better)
-      .hint(fmt::format("write `{}`", better))
-      .fix(phrase.source().range(whole), better);
-  phrase.put(phrase.token(1));
-  phrase.put(phrase.token());
-  return 2;
 }
 
 size_t compassPoint(Phrase& phrase) {

@@ -32,9 +32,14 @@ bool among(uint32_t type) {
 /// In this order: what is prose is not read as anything else, and a keyword is a keyword before it
 /// is anything else.
 constexpr Row kRows[] = {
+    {phrases::writtenPosition, among<GliderLexer::NUMBER, GliderLexer::COMPASS, GliderLexer::NAME>},
     {phrases::comment, among<GliderLexer::MINUS, GliderLexer::UNIT, GliderLexer::SEMICOLON,
                              GliderLexer::NOT, GliderLexer::NAME>},
     {phrases::caseWord, anyToken},
+    {phrases::ifInCase, anyToken},
+    {phrases::stateAsCondition, among<GliderLexer::STATE>},
+    {phrases::promiseWord, anyToken},
+    {phrases::promiseInside, isName},
     {phrases::entryWithoutDo, anyToken},
     {phrases::loop, among<GliderLexer::FOR, GliderLexer::SET, GliderLexer::NAME>},
     {phrases::afterTransition, anyToken},
@@ -43,12 +48,14 @@ constexpr Row kRows[] = {
     {phrases::arrow, among<GliderLexer::MINUS, GliderLexer::WRONG_COMPARISON, GliderLexer::FOREIGN,
                            GliderLexer::NOT>},
     {phrases::conditionWord, among<GliderLexer::ALWAYS, GliderLexer::AFTER, GliderLexer::EVERY>},
+    {phrases::knownWords, [](uint32_t type) { return isName(type) || type == GliderLexer::HEARD; }},
     {phrases::comparison, isAnyName},
     {phrases::between, isAnyName},
     {phrases::sameLeft, among<GliderLexer::LT, GliderLexer::GT, GliderLexer::LE, GliderLexer::GE>},
     {phrases::notWord, among<GliderLexer::NAME, GliderLexer::NOT_WORD>},
     {phrases::foreignSign,
      among<GliderLexer::COLON, GliderLexer::GT, GliderLexer::LT, GliderLexer::TO>},
+    {phrases::colonOfArgument, among<GliderLexer::COLON>},
     {phrases::degreesCelsius, among<GliderLexer::FOREIGN, GliderLexer::UNIT, GliderLexer::NAME>},
     {phrases::instant, among<GliderLexer::NUMBER>},
     {phrases::clockTime, among<GliderLexer::NUMBER>},
@@ -60,8 +67,7 @@ constexpr Row kRows[] = {
     {phrases::magneticHeading, among<GliderLexer::UNIT, GliderLexer::NAME>},
     {phrases::softUnit, plainName},
     {phrases::rangeWordAsUnit, among<GliderLexer::IN>},
-    {phrases::foreignUnit, plainName},
-    {phrases::letterBefore, among<GliderLexer::COMPASS>},
+    {phrases::foreignUnit, among<GliderLexer::NAME, GliderLexer::FOREIGN>},
     {phrases::pairOfNumbers,
      among<GliderLexer::LPAREN, GliderLexer::LBRACKET, GliderLexer::NUMBER, GliderLexer::MINUS>},
     {phrases::pathWithoutBrackets,
@@ -78,6 +84,7 @@ constexpr Row kRows[] = {
     {phrases::range, among<GliderLexer::NUMBER>},
     {phrases::withoutParentheses,
      among<GliderLexer::LBRACKET, GliderLexer::NUMBER, GliderLexer::MINUS>},
+    {phrases::secondText, among<GliderLexer::COMMA>},
     {phrases::commaAsAnd, among<GliderLexer::COMMA>},
     {phrases::plusOfTexts, among<GliderLexer::PLUS>}};
 

@@ -24,7 +24,19 @@ size_t afterTransition(Phrase& phrase);
 size_t arrow(Phrase& phrase);
 /// `case after 1 h`, `case always`.
 size_t conditionWord(Phrase& phrase);
-/// `is above`, `exceeds`, `at least`.
+/// `temp is known`.
+size_t knownWords(Phrase& phrase);
+/// `case state == up`.
+size_t stateAsCondition(Phrase& phrase);
+/// `case if temp > 20 degC then exit end`.
+size_t ifInCase(Phrase& phrase);
+/// `require exits within 5 h`.
+size_t promiseWord(Phrase& phrase);
+/// `require depth never > 40 m`.
+size_t promiseInside(Phrase& phrase);
+/// `yo(top: 5 m)`.
+size_t colonOfArgument(Phrase& phrase);
+/// `is above`, `drops below`, `exceeds`, `at least`.
 size_t comparison(Phrase& phrase);
 /// `depth between 5 m and 10 m`, `depth in 5 m .. 10 m`.
 size_t between(Phrase& phrase);
@@ -36,6 +48,8 @@ size_t notWord(Phrase& phrase);
 size_t foreignSign(Phrase& phrase);
 /// `case depth > 5 m, temp > 3 degC call up`.
 size_t commaAsAnd(Phrase& phrase);
+/// `log "a", depth, "b"`.
+size_t secondText(Phrase& phrase);
 /// `log "d " + depth`.
 size_t plusOfTexts(Phrase& phrase);
 /// `20 deg C`, `20 °C`.
@@ -67,8 +81,8 @@ size_t pairOfNumbers(Phrase& phrase);
 size_t pathWithoutBrackets(Phrase& phrase);
 /// `set p = lat lon`.
 size_t latitudeWithLongitude(Phrase& phrase);
-/// `N 39.175`.
-size_t letterBefore(Phrase& phrase);
+/// `39°10.5'N 73°49.8'W`, `N 39 10.5`, `39.175 North`: positions of charts and other tools.
+size_t writtenPosition(Phrase& phrase);
 /// `heading(E)`.
 size_t compassPoint(Phrase& phrase);
 /// `set n += 1`, `n++`, `print "warm"`, `wait 10 min`.

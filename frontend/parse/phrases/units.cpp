@@ -26,6 +26,7 @@ struct OtherUnit {
   std::string_view ours;  ///< empty: readings in it are plain numbers
   double factor;
   double offset;
+  bool same = false;  ///< another name of our unit: certain enough for a fix
 };
 constexpr OtherUnit kOtherUnits[] = {{"degf", "degC", 1 / 1.8, -32 / 1.8},
                                      {"fahrenheit", "degC", 1 / 1.8, -32 / 1.8},
@@ -47,18 +48,18 @@ constexpr OtherUnit kOtherUnits[] = {{"degf", "degC", 1 / 1.8, -32 / 1.8},
                                      {"um", "uM", 1, 0},
                                      {"umol", "", 0, 0},
                                      {"umol/kg", "", 0, 0},
-                                     {"umol/l", "uM", 1, 0},
-                                     {"mmol/m3", "uM", 1, 0},
-                                     {"ug/l", "ug/L", 1, 0},
-                                     {"mg/m3", "ug/L", 1, 0},
+                                     {"umol/l", "uM", 1, 0, true},
+                                     {"mmol/m3", "uM", 1, 0, true},
+                                     {"ug/l", "ug/L", 1, 0, true},
+                                     {"mg/m3", "ug/L", 1, 0, true},
                                      {"magnetic", "deg magnetic", 1, 0},
                                      {"mg/l", "", 0, 0},
                                      {"ml/l", "", 0, 0},
                                      {"psu", "", 0, 0},
                                      {"ppb", "", 0, 0},
-                                     {"inches", "inch", 1, 0},
-                                     {"ccm", "cc", 1, 0},
-                                     {"cm3", "cc", 1, 0},
+                                     {"inches", "inch", 1, 0, true},
+                                     {"ccm", "cc", 1, 0, true},
+                                     {"cm3", "cc", 1, 0, true},
                                      {"litre", "cc", 1000, 0},
                                      {"litres", "cc", 1000, 0},
                                      {"liter", "cc", 1000, 0},
@@ -340,16 +341,58 @@ size_t tokensOfPower(const Phrase& phrase, size_t k) {
 
 }  // namespace
 
-size_t foreignUnit(Phrase& phrase) {
-  if (phrase.before() != GliderLexer::NUMBER || phrase.type() != GliderLexer::NAME ||
-      phrase.startsLine()) {
+namespace {
+
+bool isMicroSign(std::string_view text) {
+  return text == "\xC2\xB5" || text == "\xCE\xBC";  // U+00B5, U+03BC
+}
+
+/// `2 µg/L`: a unit of the language, with a micro sign in it.
+size_t microUnit(Phrase& phrase) {
+  if (phrase.before() != GliderLexer::NUMBER || !isMicroSign(phrase.text()) || !phrase.touches(1)) {
     return 0;
   }
-  const bool fraction = phrase.type(1) == GliderLexer::DIVIDE && isAnyName(phrase.type(2)) &&
-                        phrase.touches(1) && phrase.touches(2);
-  const size_t tokens = (fraction ? 3 : 1) + tokensOfPower(phrase, fraction ? 3 : 1);
-  const OtherUnit* other = otherUnit(std::string(phrase.wholeText(0, tokens)));
-  if (other == nullptr && !(fraction && unitForWord(phrase.text()).empty())) {
+  for (const size_t tokens : {4U, 2U}) {
+    const Lexeme unit = phrase.whole(0, tokens, GliderLexer::UNIT);
+    std::string better(phrase.source().text(unit));
+    better.replace(0, phrase.text().size(), "u");
+    if (better == "ug/l") {
+      better = "ug/L";
+    }
+    if (support::findUnit(better)) {
+      const bool apart = phrase.lexemeBefore()->end < unit.begin;
+      phrase.reporter()
+          .at(unit, support::diagnostics::unknownUnit, phrase.source().text(unit),
+              fmt::format("write `{}`", better))
+          .fix(phrase.source().range(unit), (apart ? "" : " ") + better);
+      return tokens;
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+size_t foreignUnit(Phrase& phrase) {
+  if (const size_t taken = microUnit(phrase)) {
+    return taken;
+  }
+  const size_t micro = isMicroSign(phrase.text()) && phrase.touches(1) ? 1 : 0;
+  if (phrase.before() != GliderLexer::NUMBER || phrase.startsLine() ||
+      (micro == 0 ? phrase.type() != GliderLexer::NAME : !isAnyName(phrase.type(1)))) {
+    return 0;
+  }
+  const bool fraction = phrase.type(micro + 1) == GliderLexer::DIVIDE &&
+                        isAnyName(phrase.type(micro + 2)) && phrase.touches(micro + 1) &&
+                        phrase.touches(micro + 2);
+  const size_t name = micro + (fraction ? 3 : 1);
+  const size_t tokens = name + tokensOfPower(phrase, name);
+  std::string written(phrase.wholeText(0, tokens));
+  if (micro == 1) {
+    written.replace(0, phrase.text().size(), "u");
+  }
+  const OtherUnit* other = otherUnit(written);
+  if (other == nullptr && micro == 0 && !(fraction && unitForWord(phrase.text()).empty())) {
     return 0;
   }
   const Lexeme unit = phrase.whole(0, tokens, GliderLexer::UNIT);
@@ -361,7 +404,12 @@ size_t foreignUnit(Phrase& phrase) {
       other == nullptr || other->ours.empty()
           ? "write the number alone: readings of sensors without a unit here are plain numbers"
           : fmt::format("write `{:.4g} {}`", ours, other->ours);
-  phrase.reporter().at(unit, support::diagnostics::unknownUnit, phrase.source().text(unit), hint);
+  auto report = phrase.reporter().at(unit, support::diagnostics::unknownUnit,
+                                     phrase.source().text(unit), hint);
+  if (other != nullptr && other->same) {
+    const bool apart = phrase.lexemeBefore()->end < unit.begin;
+    report.fix(phrase.source().range(unit), (apart ? "" : " ") + std::string(other->ours));
+  }
   return tokens;
 }
 

@@ -118,7 +118,11 @@ class ArgumentLowering {
     }
     if (step.arguments == 2) {
       const bool first = add(step.argument, {latitude(), false}, "the latitude of " + what);
-      return add(step.argument + 1, {longitude(), false}, "the longitude of " + what) && first;
+      const bool same_error =
+          !first && ExprLowering::areBareHalves(*arguments_[step.argument].value,
+                                                *arguments_[step.argument + 1].value, true);
+      return !same_error &&
+             add(step.argument + 1, {longitude(), false}, "the longitude of " + what) && first;
     }
     if (formal.type.position && lacksComma(arguments_[step.argument])) {
       const ast::Argument& pair = arguments_[step.argument];

@@ -87,13 +87,20 @@ std::optional<std::vector<Value>> ExprLowering::places(const ast::Invocation& no
       }
       continue;
     }
-    if (i + 1 < node.arguments.size() && longitudeFirst(argument, *node.arguments[i + 1].value)) {
+    const ast::Expr* next = i + 1 < node.arguments.size() ? &*node.arguments[i + 1].value : nullptr;
+    if (next != nullptr && (longitudeFirst(argument, *next) || decimalDegrees(argument, *next))) {
       good = false;
       found.emplace_back();
       ++i;
       continue;
     }
     const Result first = lower(argument, latitude());
+    if (!first && next != nullptr && areBareHalves(argument, *next, false)) {
+      if (!areBareHalves(argument, *next, true)) {
+        lowerAs(*next, longitude(), "the longitude that follows");
+      }
+      ++i;
+    }
     if (!first || first->longitude.valid()) {
       good = good && first;
       found.push_back(first.value_or(Value()));

@@ -95,6 +95,10 @@ class ExprLowering {
   /// cannot be minutes, and then returns true.
   bool decimalDegrees(const ast::Expr& first, const ast::Expr& second);
 
+  /// Whether both are numbers without a letter or a unit: halves of one position. With `degrees`
+  /// only if both may be meant as decimal degrees, so that one error says it of both.
+  static bool areBareHalves(const ast::Expr& first, const ast::Expr& second, bool degrees);
+
   /// Refuses two plain numbers of which one is written in a unit that is not that of the other, and
   /// then returns true (scales.cpp). `op` is what they meet in.
   bool scalesDiffer(const Value& left, const support::SourceRange& left_where, const Value& right,

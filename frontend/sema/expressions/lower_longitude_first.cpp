@@ -117,6 +117,13 @@ bool ExprLowering::decimalDegrees(const ast::Expr& first, const ast::Expr& secon
   return true;
 }
 
+bool ExprLowering::areBareHalves(const ast::Expr& first, const ast::Expr& second, bool degrees) {
+  const auto one = halfOf(first);
+  const auto two = halfOf(second);
+  return one && two && one->bare() && two->bare() &&
+         (!degrees || (mayBeDegrees(*one) && mayBeDegrees(*two)));
+}
+
 bool ExprLowering::longitudeFirst(const ast::Expr& first, const ast::Expr& second,
                                   std::string_view between) {
   const auto one = halfOf(first);

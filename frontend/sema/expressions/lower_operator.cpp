@@ -293,11 +293,24 @@ ExprLowering::Result ExprLowering::scaling(ir::Op op, const ast::Binary& node,
   return emit(op, quantity(*dimension), expr.where, {left->id, right->id});
 }
 
+namespace {
+
+/// An operand as it is written, but a number with the unit that its word means: `12 C` is 12 degC.
+std::string meantText(const ast::Expr& expr, const Scope& scope) {
+  const auto* literal = std::get_if<ast::Literal>(&expr.node);
+  return literal == nullptr || literal->unit.empty() ||
+                 scope.text(literal->unit_where) == literal->unit
+             ? scope.text(expr.where)
+             : fmt::format("{} {}", literal->digits, literal->unit);
+}
+
+}  // namespace
+
 bool ExprLowering::chained(const ast::Binary& node, const ast::Expr& expr) {
   const auto* unary = std::get_if<ast::Unary>(&node.left->node);
   if (unary != nullptr && unary->op == ast::UnaryOp::Not) {
     const std::string first = scope_.text(unary->operand->where);
-    const std::string second = scope_.text(node.right->where);
+    const std::string second = meantText(*node.right, scope_);
     scope_
         .report(support::diagnostics::notBeforeComparison, expr.where, first, rowOf(node.op).text,
                 second)

@@ -38,11 +38,13 @@ bool wasRefused(const ast::Expr& expr, Scope& scope) {
   return found != nullptr && found->worked_out && !found->valid;
 }
 
-/// Whether it is half a position: `39.2 N`.
-bool hasLetter(const ast::Expr& expr) {
+/// Whether it is half a position, `39.2 N`, or was a position that the parser has refused: a number
+/// with a space or a comma in it.
+bool isOfPosition(const ast::Expr& expr) {
   const auto* literal = std::get_if<ast::Literal>(&expr.node);
-  return literal != nullptr && (literal->unit == "N" || literal->unit == "S" ||
-                                literal->unit == "E" || literal->unit == "W");
+  return literal != nullptr &&
+         (literal->unit == "N" || literal->unit == "S" || literal->unit == "E" ||
+          literal->unit == "W" || literal->digits.find_first_of(" ,") != std::string::npos);
 }
 
 }  // namespace
@@ -50,7 +52,7 @@ bool hasLetter(const ast::Expr& expr) {
 bool isPath(const ast::Expr& expr, Scope& scope) {
   if (const auto* list = std::get_if<ast::List>(&expr.node)) {
     return list->items.empty() || std::ranges::any_of(list->items, [&](const ast::Expr& item) {
-             return isPosition(item, scope) || hasLetter(item);
+             return isPosition(item, scope) || isOfPosition(item);
            });
   }
   const auto* call = std::get_if<ast::Invocation>(&expr.node);

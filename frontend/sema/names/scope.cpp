@@ -205,6 +205,7 @@ bool Scope::refuseVehicle(std::string_view name, const support::SourceRange& ran
 bool Scope::refuseName(const ast::Name& name, std::string_view owner) {
   if (isUnitName(name.text)) {
     report(support::diagnostics::unitAsName, name.where, name.text, owner);
+    refused_names.insert(name.text);
     return true;
   }
   const std::string what = takenBy(name.text);

@@ -14,7 +14,8 @@ namespace {
 struct Wish {
   std::string_view name;
   std::string_view hint;
-  std::string_view sensor;  ///< what the hint names; empty: every platform has it
+  std::string_view sensor;    ///< what the hint names; empty: every platform has it
+  std::string_view fix = "";  ///< the name that was certainly meant
 };
 
 constexpr std::string_view kTimeHint =
@@ -45,6 +46,19 @@ constexpr Wish kWishes[] = {
     {"hovering", kStateHint, "m_depth_state"},
     {"at_surface", kStateHint, "m_depth_state"},
     {"turned", kStateHint, "m_depth_state"},
+    {"is_diving", "write `diving`", "m_depth_state", "diving"},
+    {"is_climbing", "write `climbing`", "m_depth_state", "climbing"},
+    {"is_hovering", "write `hovering`", "m_depth_state", "hovering"},
+    {"is_at_surface", "write `at_surface`", "m_depth_state", "at_surface"},
+    {"dive", "did you mean `diving`?", "m_depth_state"},
+    {"climb", "did you mean `climbing`?", "m_depth_state"},
+    {"ascending", "did you mean `climbing`?", "m_depth_state"},
+    {"descending", "did you mean `diving`?", "m_depth_state"},
+    {"hover", "did you mean `hovering`?", "m_depth_state"},
+    {"surface", "did you mean `at_surface`?", "m_depth_state"},
+    {"surfaced", "did you mean `at_surface`?", "m_depth_state"},
+    {"is_surfaced", "did you mean `at_surface`?", "m_depth_state"},
+    {"on_surface", "did you mean `at_surface`?", "m_depth_state"},
     {"utc", kClockHint, "m_present_time"},
     {"timeofday", kClockHint, "m_present_time"},
     {"here", "list `lat` and `lon`", "lat"}};
@@ -72,7 +86,24 @@ std::optional<Suggestion> insteadOf(std::string_view wish, const platforms::Plat
   if (row == std::end(kWishes) || (!row->sensor.empty() && platform.find(row->sensor) == nullptr)) {
     return std::nullopt;
   }
-  return Suggestion{std::string(row->hint), ""};
+  return Suggestion{std::string(row->hint), std::string(row->fix)};
+}
+
+std::string_view behaviourInsteadOf(std::string_view wish) {
+  struct Row {
+    std::string_view name;
+    std::string_view behaviour;
+  };
+  constexpr Row kRows[] = {{"surface_every", "yo_and_surface"},
+                           {"surface_yo", "yo_and_surface"},
+                           {"yo_surface", "yo_and_surface"},
+                           {"yo_with_surface", "yo_and_surface"},
+                           {"sawtooth", "yo"},
+                           {"undulate", "yo"},
+                           {"waypoint", "nav"},
+                           {"goto_waypoint", "nav"}};
+  const auto* row = std::ranges::find(kRows, wish, &Row::name);
+  return row == std::end(kRows) ? std::string_view() : row->behaviour;
 }
 
 }  // namespace glider::frontend

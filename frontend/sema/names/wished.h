@@ -15,4 +15,8 @@ namespace glider::frontend {
 /// if nothing takes its place on this platform.
 std::optional<Suggestion> insteadOf(std::string_view wish, const platforms::Platform& platform);
 
+/// The flightprofile or flightroute of the standard library that is meant by `surface_every` and
+/// the like; empty: there is none.
+std::string_view behaviourInsteadOf(std::string_view wish);
+
 }  // namespace glider::frontend

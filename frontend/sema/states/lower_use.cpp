@@ -4,10 +4,15 @@
 #include "frontend/sema/states/lower_use.h"
 
 #include "frontend/sema/expressions/lower_arguments.h"
+#include "frontend/sema/names/wished.h"
 #include "frontend/sema/states/lower_behaviour.h"
 #include "frontend/sema/states/lower_state.h"
 #include "frontend/spelling.h"
 #include "support/diagnostics/ids/meaning.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
 
 namespace glider::frontend {
 
@@ -28,8 +33,12 @@ BehaviourDeclaration* findBehaviour(const ast::Use& use, ir::BehaviourKind kind,
     for (std::string_view name : names) {
       all += (all.empty() ? std::string(word(kind)) + "s: " : ", ") + std::string(name);
     }
-    scope.reportUnknown(support::diagnostics::unknownProfileOrRoute, use.name.where,
-                        didYouMean(use.name.text, names, all), word(kind), use.name.text);
+    const std::string_view meant = behaviourInsteadOf(use.name.text);
+    const bool there = std::ranges::find(names, meant) != names.end();
+    const Suggestion suggestion = there ? Suggestion{fmt::format("did you mean `{}`?", meant), ""}
+                                        : didYouMean(use.name.text, names, all);
+    scope.reportUnknown(support::diagnostics::unknownProfileOrRoute, use.name.where, suggestion,
+                        word(kind), use.name.text);
     return nullptr;
   }
   BehaviourDeclaration& declaration = *found;

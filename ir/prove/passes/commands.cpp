@@ -186,7 +186,7 @@ class CommandCheck {
                                   fmt::format("{}{}", part.what, text(given)),
                                   part.most > 0 ? "beyond the vehicle's limit of " + text(part.most)
                                                 : fmt::format("but {}", part.lacks));
-    if (part.most > 0 && isFixed(range(statement, argument))) {
+    if (part.most > 0 && isFixed(range(statement, argument)) && where != place) {
       report.hint(fmt::format("write at most `{}`", text(part.most)));
     }
   }
@@ -208,8 +208,10 @@ class CommandCheck {
       const Type type = m_[statement.values.at(0)].type;
       auto report = proof_.diagnostics.report(support::diagnostics::commandBeyondEnvelope, where,
                                               shown(depth.highest, type), "above the surface");
-      if (isFixed(depth)) {
+      if (isFixed(depth) && where != place) {
         report.hint(fmt::format("depths are positive: write `{}`", shown(-depth.highest, type)));
+      } else if (isFixed(depth)) {  // no argument has it: a behaviour works it out
+        report.hint("change the arguments that it is computed from: depths are positive");
       }
     }
   }

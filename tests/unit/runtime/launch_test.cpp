@@ -13,6 +13,7 @@
 #include <cstring>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace glider::runtime::testing {
 namespace {
@@ -48,6 +49,44 @@ class LaunchTest : public ::testing::Test {
   }
   BenchMission bench_;
 };
+
+/// A time whose default is of the calendar is set and shown as one.
+TEST(LaunchDates, AreReadAndWrittenAsInMissions) {
+  const GliderParameterInfo begins{"begins", 1803859200, 946684800, 4102444800, kTime};
+  GliderMission mission{};
+  mission.parameter_count = 1;
+  mission.parameters = &begins;
+  Launch launch(mission);
+  const auto set = [&](const std::string& value) {
+    const std::string setting = "begins = " + value;
+    return launch.set({setting.data(), setting.data() + setting.size()}) ? "" : launch.problem();
+  };
+  const auto written = [&](double value) {
+    char bytes[60];
+    Text text(bytes, sizeof bytes);
+    writeQuantity(begins, value, text);
+    return std::string(bytes, text.size());
+  };
+  const std::pair<const char*, double> kTable[] = {{"2027-03-01T00:00Z", 1803859200},
+                                                   {"2000-01-01T00:00Z", 946684800},
+                                                   {"2028-02-29T23:59:59Z", 1835481599},
+                                                   {"2099-12-31T12:30Z", 4102403400}};
+  for (const auto& [text, seconds] : kTable) {
+    EXPECT_STREQ(set(text), "") << text;
+    EXPECT_EQ(launch.values()[0], seconds) << text;
+    EXPECT_EQ(written(seconds), text);
+  }
+  EXPECT_STREQ(set("1803859200"), "");
+  EXPECT_EQ(launch.values()[0], 1803859200);
+  for (const char* wrong : {"2027-02-29T00:00Z", "2027-13-01T00:00Z", "2027-03-01T24:00Z",
+                            "2027-03-01 00:00Z", "2027-03-01T00:00", "27-03-01T00:00Z", "soon"}) {
+    EXPECT_EQ(set(wrong), "`begins` cannot be `" + std::string(wrong) +
+                              "`: write a time such as `2027-03-01T00:00Z`, or seconds since 1970");
+  }
+  EXPECT_STREQ(set("1999-12-31T00:00Z"),
+               "`begins` cannot be `1999-12-31T00:00Z`: outside its range, 2000-01-01T00:00Z to "
+               "2100-01-01T00:00Z");
+}
 
 TEST_F(LaunchTest, TakesValuesWithTheirUnits) {
   Launch launch(bench_.mission);

@@ -29,7 +29,7 @@ struct KnownOutcome {
 /// monitor. After an outage both continue with what they knew at the tick of the checkpoint, as the
 /// mission does, so that nothing is counted twice that the mission did twice. Ticks that the
 /// mission has forgotten are checked too: they have happened. `to_end`: it was not begun again, so
-/// that after its last tick it stood still until the end of the flight; unless the SBC failed then,
+/// that after its last tick it did nothing until the end of the flight; unless the SBC failed then,
 /// with which the mission is over.
 KnownOutcome outcomeOf(const ir::Requirement& required, const KnownFlight& flight, bool to_end);
 

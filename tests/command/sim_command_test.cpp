@@ -263,7 +263,7 @@ TEST_F(Sim, WhatAFlightWasTooShortForIsNotDecided) {
               HasSubstr(R"("verdict":"not decided","words":"the flight ended before")"));
 }
 
-/// A mission whose time stands still has not ended when its time has passed.
+/// A mission without time has not ended when its time has passed.
 TEST_F(Sim, AMissionThatHangsBreaksWhatItOwesInItsTime) {
   mission("20 m", "depth", kTimed);
   (void)folder_.write("stuck.toml",

@@ -129,9 +129,9 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options, co
   if (!trace) {
     return reportFailure(trace.error());
   }
-  const auto violations = flown.watch != nullptr ? flown.watch->violations(*trace)
-                                                 : std::vector<flights::FlownViolation>();
-  addFacts(flown, options.launch, violations, *trace);
+  const auto outcome =
+      flown.watch != nullptr ? flown.watch->outcome(*trace) : flights::FlownOutcome();
+  addFacts(flown, options.launch, outcome, *trace);
   const double end = trace->rowCount() == 0 ? 0 : trace->at(trace->rowCount() - 1, 0);
   const auto printed =
       document != nullptr
@@ -141,7 +141,7 @@ int flyAndReport(simulator::SimulationSetup setup, const SimOptions& options, co
                 fmt::format(
                     "\nflown {:.0f} s in {:.4f} s; report: {}\n", end, took.count(),
                     (std::filesystem::path(outputFolder(options)) / "report.html").string()));
-  const auto reported = judge(*trace, flown, violations, scenario);
+  const auto reported = judge(*trace, flown, outcome.violations, scenario);
   if (auto written = writeAll(*trace, options, reported, folder, document); !written) {
     return reportFailure(written.error());
   }

@@ -296,14 +296,15 @@ support::MissionFacts missionFacts(const compiler::Optimised& mission,
 
 std::vector<support::FlownPromise> flownPromises(const RequirementWatch& watch,
                                                  const compiler::Checked& mission,
-                                                 const std::vector<FlownViolation>& found) {
+                                                 const FlownOutcome& found) {
   const std::vector<std::string> texts = watchedTexts(mission);
   const std::vector<ir::Requirement>& requirements = mission.mission().requirements;
   std::vector<support::FlownPromise> promises;
   for (size_t i = 0; i < texts.size(); ++i) {
     support::FlownPromise promise{texts[i], support::Verdict::Held, std::nullopt, ""};
-    const auto violation = std::ranges::find(found, i, &FlownViolation::number);
-    if (violation != found.end()) {
+    const auto violation = std::ranges::find(found.violations, i, &FlownViolation::number);
+    const auto undecided = std::ranges::find(found.undecided, i, &UndecidedRequirement::number);
+    if (violation != found.violations.end()) {
       promise.verdict = support::Verdict::Violated;
       promise.vehicle_time_s = violation->vehicle_time;
       promise.words = violation->words +
@@ -316,6 +317,9 @@ std::vector<support::FlownPromise> flownPromises(const RequirementWatch& watch,
       promise.verdict = support::Verdict::NotChecked;
       promise.vehicle_time_s = watch.departed();
       promise.words = "the SBC did something else than the watched mission";
+    } else if (undecided != found.undecided.end()) {
+      promise.verdict = support::Verdict::Undecided;
+      promise.words = undecided->why;
     }
     promises.push_back(std::move(promise));
   }

@@ -25,6 +25,6 @@ support::MissionFacts missionFacts(const compiler::Optimised& mission,
 /// did. A requirement that speaks of all flights (`can reach`) is not checked.
 std::vector<support::FlownPromise> flownPromises(const RequirementWatch& watch,
                                                  const compiler::Checked& mission,
-                                                 const std::vector<FlownViolation>& found);
+                                                 const FlownOutcome& found);
 
 }  // namespace glider::flights

@@ -56,7 +56,7 @@ namespace {
 std::optional<FlownViolation> firstBreak(const ir::Assumption& assumption,
                                          const KnownFlight& flight) {
   if (assumption.isWatched()) {
-    return firstViolation(assumption.watch, flight);
+    return outcomeOf(assumption.watch, flight, false).violation;
   }
   return flight.heard.ticks.empty()
              ? std::nullopt
@@ -83,7 +83,8 @@ std::optional<FlownViolation> violationOf(const compiler::Optimised& mission, si
   if (required.kind == ir::RequirementKind::Reach) {
     return std::nullopt;  // it says what some flight can do
   }
-  auto found = firstViolation(required, {mission, undisturbed(ticks), parameters, trace});
+  auto found =
+      outcomeOf(required, {mission, undisturbed(ticks), parameters, trace}, false).violation;
   if (found) {
     found->number = requirement;
   }
@@ -104,45 +105,54 @@ std::optional<double> firstBrokenAssumption(const compiler::Optimised& mission,
   return first;
 }
 
-/// The first in the missions of the flight, in the order in which they began, that `look` finds.
-std::optional<FlownViolation> RequirementWatch::firstOf(
+KnownOutcome RequirementWatch::firstOf(
     const support::Trace& trace,
-    const std::function<std::optional<FlownViolation>(const KnownFlight&)>& look) const {
+    const std::function<KnownOutcome(const KnownFlight&, bool)>& look) const {
+  KnownOutcome outcome;
   for (const HeardMission& heard : heard_.missions()) {
-    if (auto found = look({flown_, heard, parameters_, trace})) {
-      found->after = outagesBefore(heard, found->vehicle_time);
+    const bool last = &heard == &heard_.missions().back();
+    outcome = look({flown_, heard, parameters_, trace}, last && !departed_);
+    if (outcome.violation) {
+      FlownViolation& found = *outcome.violation;
+      found.after += outagesBefore(heard, found.vehicle_time);
       if (&heard != &heard_.missions().front()) {
-        found->after +=
-            std::string(found->after.empty() ? "" : ", ") + "the mission had begun again";
+        found.after += std::string(found.after.empty() ? "" : ", ") + "the mission had begun again";
       }
-      return found;
+      return outcome;
     }
   }
-  return std::nullopt;
+  return outcome;
 }
 
-std::vector<FlownViolation> RequirementWatch::violations(const support::Trace& trace) const {
-  std::vector<FlownViolation> all;
+FlownOutcome RequirementWatch::outcome(const support::Trace& trace) const {
+  FlownOutcome all;
   for (size_t i = 0; i < m_.requirements.size(); ++i) {
     const ir::Requirement& required = m_.requirements[i];
     if (required.kind == ir::RequirementKind::Reach) {
       continue;  // it says what some flight can do
     }
-    if (auto found =
-            firstOf(trace, [&](const auto& flight) { return firstViolation(required, flight); })) {
-      found->number = i;
-      all.push_back(*std::move(found));
+    auto found = firstOf(trace, [&](const auto& flight, bool to_end) {
+      return outcomeOf(required, flight, to_end);
+    });
+    if (found.violation) {
+      found.violation->number = i;
+      all.violations.push_back(*std::move(found.violation));
+    } else if (heard_.missions().empty() && !departed_) {
+      all.undecided.push_back({i, "the mission did not begin"});
+    } else if (!found.undecided.empty()) {
+      all.undecided.push_back({i, std::move(found.undecided)});
     }
   }
   for (size_t i = 0; i < m_.assumptions.size(); ++i) {
-    auto found =
-        firstOf(trace, [&](const auto& flight) { return firstBreak(m_.assumptions[i], flight); });
-    if (!found) {
-      found = tooLong(m_.assumptions[i]);
+    auto found = firstOf(trace, [&](const auto& flight, bool) {
+      return KnownOutcome{firstBreak(m_.assumptions[i], flight), ""};
+    });
+    if (!found.violation) {
+      found.violation = tooLong(m_.assumptions[i]);
     }
-    if (found) {
-      found->number = m_.requirements.size() + i;
-      all.push_back(*std::move(found));
+    if (found.violation) {
+      found.violation->number = m_.requirements.size() + i;
+      all.violations.push_back(*std::move(found.violation));
     }
   }
   return all;

@@ -27,7 +27,21 @@ struct FlownViolation {
   std::string after = {};   ///< which outages of the SBC came before; empty: none
 };
 
+/// A requirement that a flight neither keeps nor violates.
+struct UndecidedRequirement {
+  size_t number = 0;
+  std::string why;  ///< "the flight ended before"
+};
+
+/// What a flight did with the requirements and assumptions of its mission; those that are in
+/// neither list are kept.
+struct FlownOutcome {
+  std::vector<FlownViolation> violations;  ///< as RequirementWatch::violations()
+  std::vector<UndecidedRequirement> undecided;
+};
+
 struct KnownFlight;
+struct KnownOutcome;
 
 /// The first violation of a requirement of `mission` in a flight: what the SBC received, the
 /// mission's parameters, and the flight's trace. The interpreter repeats the flight tick by tick,
@@ -65,14 +79,20 @@ class RequirementWatch {
 
   /// The first violation of each requirement, then the first break of each assumption, over all
   /// outages of the SBC and each mission that began; `trace` is that of the flight.
-  [[nodiscard]] std::vector<FlownViolation> violations(const support::Trace& trace) const;
+  [[nodiscard]] std::vector<FlownViolation> violations(const support::Trace& trace) const {
+    return outcome(trace).violations;
+  }
+  /// The same, with the requirements for which the flight was too short.
+  [[nodiscard]] FlownOutcome outcome(const support::Trace& trace) const;
   [[nodiscard]] const ir::Mission& mission() const { return m_; }
 
  private:
   [[nodiscard]] std::optional<FlownViolation> tooLong(const ir::Assumption& assumption) const;
-  [[nodiscard]] std::optional<FlownViolation> firstOf(
+  /// The first in the missions of the flight, in the order in which they began, that `look` finds;
+  /// `look` receives whether a mission is the last.
+  [[nodiscard]] KnownOutcome firstOf(
       const support::Trace& trace,
-      const std::function<std::optional<FlownViolation>(const KnownFlight&)>& look) const;
+      const std::function<KnownOutcome(const KnownFlight&, bool)>& look) const;
 
   const compiler::Optimised& flown_;
   const ir::Mission& m_;  ///< with its requirements

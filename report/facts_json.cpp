@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 
 const char* verdictName(support::Verdict verdict) {
-  constexpr std::array<const char*, 3> kNames = {"held", "violated", "not checked"};
+  constexpr std::array<const char*, 4> kNames = {"held", "violated", "not checked", "not decided"};
   return kNames.at(static_cast<size_t>(verdict));
 }
 
@@ -67,6 +67,10 @@ std::string factsToJson(const support::Trace& trace) {
       {"bottom",
        {{"x", trace.bottom.x_m}, {"y", trace.bottom.y_m}, {"depths", trace.bottom.depths_m}}}};
   return out.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+std::string promisesToJson(const support::MissionFacts& facts) {
+  return promisesOf(facts).dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 }  // namespace glider::report

@@ -13,4 +13,7 @@ namespace glider::report {
 /// about it, and the bottom around it. A JSON object; NaN is null.
 std::string factsToJson(const support::Trace& trace);
 
+/// The requirements and assumptions of the mission, and what the flight did, as a JSON list.
+std::string promisesToJson(const support::MissionFacts& facts);
+
 }  // namespace glider::report

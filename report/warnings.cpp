@@ -101,6 +101,19 @@ std::string neverVisited(const Trace& trace) {
                            more == 0 ? "" : fmt::format(" and {} more", more));
 }
 
+/// Which requirements the flight was too short for; empty: none.
+std::string notDecided(const Trace& trace) {
+  std::string list;
+  std::string why;
+  for (const support::FlownPromise& promise : trace.facts.promises) {
+    if (promise.verdict == support::Verdict::Undecided) {
+      list += fmt::format("{}`{}`", list.empty() ? "" : ", ", plain(promise.text));
+      why = promise.words;
+    }
+  }
+  return list.empty() ? "" : fmt::format("not decided, {}: {}", why, list);
+}
+
 /// Vehicle time at which the mission took control; none: never.
 std::optional<double> controlOf(const Trace& trace) {
   const int active = trace.column("hook_active");
@@ -277,6 +290,9 @@ std::vector<std::string> flightNotes(const Trace& trace) {
     notes.push_back(
         "the mission had not ended when the simulated time was up (`--duration` flies longer)" +
         neverVisited(trace));
+  }
+  if (const std::string undecided = notDecided(trace); !undecided.empty()) {
+    notes.push_back(undecided);
   }
   return notes;
 }

@@ -25,4 +25,14 @@ std::string utcText(double time_s) {
                      rest / 3600, rest / 60 % 60, rest % 60);
 }
 
+std::string instantText(double time_s) {
+  std::string text = utcText(time_s);
+  const size_t gap = text.find(' ');
+  if (gap != std::string::npos) {
+    text[gap] = 'T';
+    text += 'Z';
+  }
+  return text;
+}
+
 }  // namespace glider::support

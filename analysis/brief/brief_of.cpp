@@ -13,6 +13,9 @@
 #include "ir/verify/value_text.h"
 #include "support/diagnostics/ids/verification.h"
 #include "support/one_line.h"
+#include "support/units/duration_text.h"
+#include "support/units/units.h"
+#include "support/utc.h"
 #include "vehicles/vehicle.h"
 
 #include <fmt/format.h>
@@ -146,7 +149,7 @@ class BriefMaker {
     if (sensor.isHeard()) {
       return {sensor.name,      "",
               "acoustic modem", "what another vehicle of the fleet tells",
-              rangeOf(sensor),  fmt::format("{:g} s", sensor.stale_after_s)};
+              rangeOf(sensor),  support::durationText(sensor.stale_after_s)};
     }
     report::BriefSensor told{
         sensor.name,
@@ -154,18 +157,32 @@ class BriefMaker {
         own || row == nullptr ? "payload computer, code in C" : computerOf(*row),
         row == nullptr ? "" : row->what,
         rangeOf(sensor),
-        fmt::format("{:g} s", sensor.stale_after_s)};
+        support::durationText(sensor.stale_after_s)};
     return told;
   }
 
+  /// Whether it is a time since 1970.
+  [[nodiscard]] bool isClock(const ir::Sensor& sensor) const {
+    const platforms::PlatformSensor* row = checked_.platform().find(sensor.vehicle_name);
+    return row != nullptr && row->unit == "timestamp";
+  }
+
   /// In SI units.
-  [[nodiscard]] static std::string rangeOf(const ir::Sensor& sensor) {
+  [[nodiscard]] std::string rangeOf(const ir::Sensor& sensor) const {
     if (!std::isfinite(sensor.lowest) || !std::isfinite(sensor.highest)) {
       return "";
     }
     const double factor = sensor.encoding == ir::Encoding::DegreesMinutes ? 0.01 : sensor.to_si;
-    return fmt::format("{} to {}", forPeople(sensor.lowest * factor, sensor.type),
-                       forPeople(sensor.highest * factor, sensor.type));
+    const auto shown = [&](double value) {
+      const double si = value * factor;
+      if (isClock(sensor)) {
+        return support::instantText(si);
+      }
+      const bool time = sensor.type.kind == ir::TypeKind::Quantity &&
+                        sensor.type.dimension == support::dimension::time;
+      return time ? support::durationText(si) : forPeople(si, sensor.type);
+    };
+    return fmt::format("{} to {}", shown(sensor.lowest), shown(sensor.highest));
   }
 
   void findings(Brief& brief) const {

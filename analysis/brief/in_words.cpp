@@ -5,6 +5,7 @@
 
 #include "analysis/brief/written.h"
 #include "support/one_line.h"
+#include "support/units/position_text.h"
 
 #include <fmt/format.h>
 
@@ -32,10 +33,32 @@ std::string InWords::written(support::SourceRange range) const {
   return range.valid() ? inCode(support::onOneLine(sources_.text(range))) : "";
 }
 
+std::optional<std::string> InWords::position(ir::ExprId first, ir::ExprId second) const {
+  const ir::Expr& latitude = m_[first];
+  const ir::Expr& longitude = m_[second];
+  if (latitude.type.kind != ir::TypeKind::Latitude ||
+      longitude.type.kind != ir::TypeKind::Longitude) {
+    return std::nullopt;
+  }
+  if (latitude.range == longitude.range) {
+    return written(latitude.range);
+  }
+  const bool numbers = latitude.op == ir::Op::Constant && longitude.op == ir::Op::Constant;
+  return numbers ? std::optional(inCode(support::positionText(latitude.number, longitude.number)))
+                 : std::nullopt;
+}
+
 std::string InWords::values(const std::vector<ir::ExprId>& values) const {
   std::vector<std::string> all;
-  for (const ir::ExprId id : values) {
-    all.push_back(written(m_[id].range));
+  for (size_t i = 0; i < values.size(); ++i) {
+    if (i + 1 < values.size()) {
+      if (auto both = position(values[i], values[i + 1])) {
+        all.push_back(*std::move(both));
+        ++i;
+        continue;
+      }
+    }
+    all.push_back(written(m_[values[i]].range));
   }
   return listed(all);
 }
@@ -51,14 +74,27 @@ const WrittenLoop* InWords::loopOf(const ir::Statement& statement,
   return nullptr;
 }
 
-std::string InWords::statement(const ir::Statement& statement, const WrittenLoop* around) const {
+/// The `set` of a position is the one of its latitude and then the one of its longitude.
+std::optional<std::string> InWords::positionSet(std::span<const ir::Statement> statements) const {
+  const auto isSet = [](const ir::Statement& one) { return one.kind == ir::StatementKind::Set; };
+  if (statements.size() < 2 || !isSet(statements[0]) || !isSet(statements[1]) ||
+      statements[0].range != statements[1].range) {
+    return std::nullopt;
+  }
+  return position(statements[0].value, statements[1].value);
+}
+
+std::string InWords::statement(std::span<const ir::Statement> statements,
+                               const WrittenLoop* around) const {
+  const ir::Statement& statement = statements.front();
   const std::string_view text =
       statement.range.valid() ? sources_.text(statement.range) : std::string_view();
   if (isPush(text)) {
     return "does " + written(statement.range);
   }
   if (const auto set = asSet(text)) {
-    return fmt::format("sets {} to {}", inCode(set->target), inCode(set->value));
+    return fmt::format("sets {} to {}", inCode(set->target),
+                       positionSet(statements).value_or(inCode(set->value)));
   }
   return oneAsIs(statement, around);
 }
@@ -105,7 +141,7 @@ std::string InWords::list(std::span<const ir::Statement> statements,
       text += text.empty() ? "" : ", ";
       text += loop != nullptr ? fmt::format("({}: {})", written(loop->header),
                                             list(statements.first(count), loop))
-                              : statement(first, around);
+                              : statement(statements, around);
     }
     statements = statements.subspan(count);
   }
@@ -144,8 +180,9 @@ std::string InWords::transition(const ir::Case& c) const {
     // A position is two parameters, but one for the pilot.
     if (name.ends_with(kLatitude) && i + 1 < count) {
       name.resize(name.size() - kLatitude.size());
-      const std::string longitude = written(m_[c.arguments[++i]].range);
-      value += longitude == value ? "" : " " + longitude;
+      const ir::ExprId longitude = c.arguments[++i];
+      value = position(c.arguments[i - 1], longitude)
+                  .value_or(value + " " + written(m_[longitude].range));
     }
     given.push_back(fmt::format("{} = {}", inCode(name), value));
   }

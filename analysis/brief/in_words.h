@@ -7,6 +7,7 @@
 #include "compiler/compilation.h"
 #include "report/brief/brief.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -30,8 +31,11 @@ class InWords {
 
  private:
   [[nodiscard]] std::string written(support::SourceRange range) const;
-  [[nodiscard]] std::string statement(const ir::Statement& statement,
+  /// The first of some statements.
+  [[nodiscard]] std::string statement(std::span<const ir::Statement> statements,
                                       const WrittenLoop* around) const;
+  [[nodiscard]] std::optional<std::string> positionSet(
+      std::span<const ir::Statement> statements) const;
   [[nodiscard]] std::string oneAsIs(const ir::Statement& statement,
                                     const WrittenLoop* around) const;
   [[nodiscard]] std::string list(std::span<const ir::Statement> statements,
@@ -40,6 +44,9 @@ class InWords {
   /// The outermost loop in `around` that a statement was written out from; null if there is none.
   [[nodiscard]] const WrittenLoop* loopOf(const ir::Statement& statement,
                                           const WrittenLoop* around) const;
+  /// A latitude and the longitude after it as one position: by its text, or as numbers in the one
+  /// form; empty if they are two values of their own.
+  [[nodiscard]] std::optional<std::string> position(ir::ExprId first, ir::ExprId second) const;
   [[nodiscard]] std::string values(const std::vector<ir::ExprId>& values) const;
   /// "corner.latitude" of the variable "leg.corner.latitude".
   [[nodiscard]] std::string nameIn(const ir::State& state, size_t parameter) const;

@@ -3,6 +3,7 @@
 
 #include "analysis/brief/written.h"
 
+#include "compiler/written_position.h"
 #include "support/one_line.h"
 
 #include <fmt/format.h>
@@ -17,6 +18,7 @@ namespace {
 using report::BriefValue;
 using support::SourceRange;
 
+constexpr std::string_view kPosition = "position";
 /// A longer value is left to the table of names.
 constexpr size_t kLongestValue = 40;
 
@@ -75,10 +77,12 @@ void Written::read(const ast::File& file) {
     } else if (const auto* in_c = as<ast::ExternBehaviour>(item)) {
       behaviours_[in_c->name.text] = {&in_c->formals, above(in_c->where)};
     } else if (const auto* constant = as<ast::Const>(item)) {
-      constants_[constant->name.text] = constant->value.where;
+      constants_[constant->name.text] = constant;
     } else if (const auto* state = as<ast::State>(item)) {
       states_[state->name.text] = state;
+      notePositions(*state);
     }
+    notePositions(item);
   }
 }
 
@@ -113,19 +117,92 @@ std::string Written::commentOf(const std::string& state) const {
   return found == states_.end() ? "" : above(found->second->where);
 }
 
-std::string Written::argument(const ast::Argument& argument, std::string_view type) const {
-  const ast::Expr& value = *argument.value;
+void Written::notePositions(const ast::Item& item) {
+  if (const auto* constant = as<ast::Const>(item); constant != nullptr) {
+    if (isPosition(constant->value)) {
+      positions_.insert(constant->name.text);
+    }
+  } else if (const auto* param = as<ast::Param>(item); param != nullptr) {
+    if (param->type.text == kPosition) {
+      positions_.insert(param->name.text);
+    }
+  } else if (const auto* var = as<ast::Var>(item); var != nullptr && var->type.text == kPosition) {
+    positions_.insert(var->name.text);
+  }
+}
+
+void Written::notePositions(const ast::State& state) {
+  for (const ast::Formal& formal : ast::listOf(state.formals)) {
+    if (formal.type.text == kPosition) {
+      positions_.insert(formal.name.text);
+    }
+  }
+  for (const ast::Member& member : state.members) {
+    const auto* var = std::get_if<ast::Var>(&member.node);
+    if (var != nullptr && var->type.text == kPosition) {
+      positions_.insert(var->name.text);
+    }
+  }
+}
+
+bool Written::isPosition(const ast::Expr& value) const {
+  if (const auto* name = std::get_if<ast::NameUse>(&value.node)) {
+    return name->name == "here" || positions_.contains(name->name);
+  }
+  if (const auto* element = std::get_if<ast::Index>(&value.node)) {
+    return constants_.contains(element->list.text) || positions_.contains(element->list.text);
+  }
+  const auto* call = std::get_if<ast::Invocation>(&value.node);
+  return std::holds_alternative<ast::Position>(value.node) ||
+         (call != nullptr && (call->function.text == kPosition || call->function.text == "offset"));
+}
+
+/// As it is written, but a position, also as an element of a list, in the one form.
+std::string Written::value(const ast::Expr& value) const {
+  const auto* list = std::get_if<ast::List>(&value.node);
+  if (list != nullptr && std::ranges::any_of(list->items, [](const auto& item) {
+        return compiler::positionText(item).has_value();
+      })) {
+    std::string all;
+    for (const ast::Expr& item : list->items) {
+      all += (all.empty() ? "[" : ", ") + this->value(item);
+    }
+    return all + "]";
+  }
+  return compiler::positionText(value).value_or(line(value.where));
+}
+
+std::string Written::argument(const ast::Expr& value, std::string_view type) const {
   if (const auto* number = std::get_if<ast::Literal>(&value.node);
       number != nullptr && number->unit.empty()) {
     return inCode(line(value.where) + std::string(usualUnit(type)));
   }
-  std::string text = inCode(line(value.where));
+  std::string text = inCode(this->value(value));
   if (const auto* name = std::get_if<ast::NameUse>(&value.node)) {
     const auto constant = constants_.find(name->name);
-    const std::string is = constant == constants_.end() ? "" : line(constant->second);
+    const std::string is = constant == constants_.end() ? "" : this->value(constant->second->value);
     if (!is.empty() && is.size() <= kLongestValue) {
       text += fmt::format(" ({})", inCode(is));
     }
+  }
+  return text;
+}
+
+/// "top `5 m`", "lat and lon `here`"
+std::string Written::given(const Given& given) const {
+  std::string text;
+  for (const ast::Formal* formal : given.formals) {
+    text += (text.empty() ? "" : " and ") + formal->name.text;
+  }
+  if (given.values.size() == 2) {
+    const auto position = compiler::positionText(*given.values[0], *given.values[1]);
+    if (position) {
+      return text + " " + inCode(*position);
+    }
+  }
+  for (const ast::Expr* value : given.values) {
+    text += (value == given.values.front() ? " " : ", ") +
+            argument(*value, given.formals.front()->type.text);
   }
   return text;
 }
@@ -143,17 +220,10 @@ report::BriefUse Written::use(const std::string& state, ir::BehaviourKind kind,
   if (use == nullptr || use->name.text != name) {
     return told;
   }
-  const auto formals = ast::listOf(*declared->second.formals);
-  const auto& arguments = use->arguments;
-  size_t at = 0;
-  for (const ast::Formal& formal : formals) {
-    // A position may be given as two numbers.
-    const bool two = formal.type.text == "position" && arguments.size() - at > 1 &&
-                     arguments.size() > formals.size();
-    for (size_t i = 0; i < (two ? 2 : 1) && at < arguments.size(); ++i, ++at) {
-      told.with += (told.with.empty() ? "" : ", ") + (i == 0 ? formal.name.text + " " : "") +
-                   argument(arguments[at], formal.type.text);
-    }
+  const auto is_position = [this](const ast::Expr& value) { return isPosition(value); };
+  for (const Given& one :
+       givenTo(ast::listOf(*declared->second.formals), use->arguments, is_position)) {
+    told.with += (told.with.empty() ? "" : ", ") + given(one);
   }
   return told;
 }
@@ -177,8 +247,7 @@ void Written::describe(std::vector<BriefValue>& parameters) const {
         continue;
       }
       const auto* list = std::get_if<ast::List>(&param->value.node);
-      row.value =
-          line(param->size && list != nullptr ? list->items.at(element).where : param->value.where);
+      row.value = value(param->size && list != nullptr ? list->items.at(element) : param->value);
       row.range = param->range ? fmt::format("{} to {}", line(param->range->lowest.where),
                                              line(param->range->highest.where))
                                : row.range;
@@ -198,13 +267,33 @@ std::vector<std::string> Written::conditions() const {
   return all;
 }
 
-std::vector<BriefValue> Written::values() const {
+std::vector<BriefValue> Written::waypointLists() const {
   std::vector<BriefValue> all;
+  for (const ast::Item& item : items()) {
+    const auto* import = as<ast::Import>(item);
+    const auto list =
+        import != nullptr && import->as ? constants_.find(import->as->text) : constants_.end();
+    if (list != constants_.end()) {
+      const std::string about = this->about(import->where);
+      const std::string file = import->path.substr(1, import->path.size() - 2);
+      all.push_back({.name = import->as->text,
+                     .kind = "list of waypoints",
+                     .value = value(list->second->value),
+                     .range = "",
+                     .set_to = "",
+                     .meaning = about + (about.empty() ? "from " : "; from ") + inCode(file)});
+    }
+  }
+  return all;
+}
+
+std::vector<BriefValue> Written::values() const {
+  std::vector<BriefValue> all = waypointLists();
   for (const ast::Item& item : items()) {
     if (const auto* constant = as<ast::Const>(item)) {
       all.push_back({.name = constant->name.text,
                      .kind = "fixed value",
-                     .value = line(constant->value.where),
+                     .value = value(constant->value),
                      .range = "",
                      .set_to = "",
                      .meaning = about(constant->where)});
@@ -215,7 +304,7 @@ std::vector<BriefValue> Written::values() const {
       const std::string size = var->size ? "[" + line(var->size->where) + "]" : "";
       all.push_back({.name = var->name.text + size,
                      .kind = "variable",
-                     .value = line(var->value.where),
+                     .value = value(var->value),
                      .range = range,
                      .set_to = "",
                      .meaning = about(var->where)});

@@ -3,10 +3,12 @@
 
 #pragma once
 
+#include "analysis/brief/given.h"
 #include "compiler/compilation.h"
 #include "report/brief/brief.h"
 
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,7 +45,8 @@ class Written {
   void describe(std::vector<report::BriefValue>& parameters) const;
   /// What the parameters must satisfy (`where`).
   [[nodiscard]] std::vector<std::string> conditions() const;
-  /// Fixed values, variables and places of the mission's own file.
+  /// Fixed values, variables and places of the mission's own file, and the lists of waypoints that
+  /// it imports.
   [[nodiscard]] std::vector<report::BriefValue> values() const;
   /// The numbers of the files that the mission consists of, itself first.
   [[nodiscard]] std::vector<uint32_t> files() const;
@@ -60,12 +63,19 @@ class Written {
   [[nodiscard]] std::string line(support::SourceRange range) const;
   [[nodiscard]] std::string above(support::SourceRange range) const;
   [[nodiscard]] std::string about(support::SourceRange range) const;
-  [[nodiscard]] std::string argument(const ast::Argument& argument, std::string_view type) const;
+  [[nodiscard]] std::vector<report::BriefValue> waypointLists() const;
+  [[nodiscard]] std::string value(const ast::Expr& value) const;
+  [[nodiscard]] std::string given(const Given& given) const;
+  [[nodiscard]] std::string argument(const ast::Expr& value, std::string_view type) const;
+  void notePositions(const ast::Item& item);
+  void notePositions(const ast::State& state);
+  [[nodiscard]] bool isPosition(const ast::Expr& value) const;
 
   const support::SourceManager& sources_;
   const compiler::Parsed* parsed_;  ///< null: the IR's text form
   std::map<std::string, Declared> behaviours_;
-  std::map<std::string, support::SourceRange> constants_;
+  std::map<std::string, const ast::Const*> constants_;
+  std::set<std::string> positions_;  ///< the names of values that are one each
   std::map<std::string, const ast::State*> states_;
 };
 

@@ -181,10 +181,9 @@ void ReadyVehicle::hasFlown(campaign::FleetFlown::Vehicle flown) {
 
 std::vector<support::Diagnostic> ReadyVehicle::judge(support::Trace& trace) const {
   const Flown flown{mission_.get(), watch_.get(), ""};
-  const auto violations =
-      watch_ ? watch_->violations(trace) : std::vector<flights::FlownViolation>();
-  addFacts(flown, launchOf(vehicle_, slots_), violations, trace);
-  return driver::judge(trace, flown, violations, scenario_);
+  const auto outcome = watch_ ? watch_->outcome(trace) : flights::FlownOutcome();
+  addFacts(flown, launchOf(vehicle_, slots_), outcome, trace);
+  return driver::judge(trace, flown, outcome.violations, scenario_);
 }
 
 Result<ReadyFleet> readyFleet(const flights::Fleet& fleet, const std::string& only, int& status,

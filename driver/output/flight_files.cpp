@@ -4,6 +4,7 @@
 #include "driver/output/flight_files.h"
 
 #include "driver/output/flight_folder.h"
+#include "report/facts_json.h"
 #include "report/figures.h"
 #include "report/report.h"
 #include "report/warnings.h"
@@ -81,6 +82,7 @@ std::string flightToJson(const support::Trace& trace,
       {"wentWell", reported.empty()},
       {"warnings",
        ordered_json::parse(report::warningsToJson(reported, report::flightNotes(trace)))},
+      {"requirements", ordered_json::parse(report::promisesToJson(trace.facts))},
       {"figures", ordered_json::parse(report::figuresToJson(report::flightFigures(trace)))},
       {"files", files}};
   return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";

@@ -33,7 +33,7 @@ std::vector<support::Diagnostic> judge(const support::Trace& trace, const Flown&
 }
 
 void addFacts(const Flown& flown, const flights::LaunchChoice& launch,
-              const std::vector<flights::FlownViolation>& violations, support::Trace& trace) {
+              const flights::FlownOutcome& outcome, support::Trace& trace) {
   if (flown.mission == nullptr) {
     return;
   }
@@ -41,8 +41,7 @@ void addFacts(const Flown& flown, const flights::LaunchChoice& launch,
   trace.facts = flights::missionFacts(*flown.mission, parameters.value_or(std::vector<double>()));
   flights::addLoggedValues(*flown.mission, trace);
   if (flown.watch != nullptr) {
-    trace.facts.promises =
-        flights::flownPromises(*flown.watch, *flown.mission->checked, violations);
+    trace.facts.promises = flights::flownPromises(*flown.watch, *flown.mission->checked, outcome);
   }
 }
 

@@ -31,6 +31,6 @@ std::vector<support::Diagnostic> judge(const support::Trace& trace, const Flown&
 
 /// Adds to the trace what the mission says about its flight, and what it logged.
 void addFacts(const Flown& flown, const flights::LaunchChoice& launch,
-              const std::vector<flights::FlownViolation>& violations, support::Trace& trace);
+              const flights::FlownOutcome& outcome, support::Trace& trace);
 
 }  // namespace glider::driver

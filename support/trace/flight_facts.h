@@ -29,14 +29,15 @@ struct LoggedValue {
   std::string value;  ///< the expression as it is written
 };
 
-enum class Verdict : uint8_t { Held, Violated, NotChecked };
+/// Undecided: the flight was too short to show it.
+enum class Verdict : uint8_t { Held, Violated, NotChecked, Undecided };
 
 /// A requirement or an assumption of the mission, and what this flight did.
 struct FlownPromise {
   std::string text;  ///< as it is written, on one line
   Verdict verdict = Verdict::Held;
   std::optional<double> vehicle_time_s;  ///< of the violation, or after which it was not checked
-  std::string words;                     ///< how it was violated, or why it was not checked
+  std::string words;                     ///< how it was violated, or why that is not known
 };
 
 /// What the text of a mission says about its flight.

@@ -68,6 +68,26 @@ class BriefCommand : public testing::Test {
   const TemporaryFolder folder_;
 };
 
+TEST_F(BriefCommand, ShowsTheWaypointsThatAMissionImports) {
+  (void)folder_.write("goto_l10.ma",
+                      "<start:waypoints>\n713.000 5433.500\n725.800 5418.00\n<end:waypoints>\n");
+  const Outcome outcome = brief(R"(mission survey
+import "goto_l10.ma" as track
+state go
+begin
+  flightroute along(capture = 100 m, track = track)
+  flightprofile surfaced
+  sensors lat, lon, missiontime
+  events
+    case routedone || missiontime > 2 h exit
+end
+)");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(textOf(page()), AllOf(HasSubstr("along (track track, capture 100 m)"),
+                                    HasSubstr("[54 33.500 N 7 13.000 E, 54 18.000 N 7 25.800 E]"),
+                                    HasSubstr("from goto_l10.ma")));
+}
+
 TEST_F(BriefCommand, ShowsTheWholeMission) {
   const Outcome outcome = brief(kBriefMission);
   EXPECT_EQ(outcome.status, 0) << outcome.err;

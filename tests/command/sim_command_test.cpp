@@ -240,6 +240,47 @@ TEST_F(Sim, AMonitorSaysHowAFlightViolatesItsPromise) {
   EXPECT_EQ(run("$GLIDERCC sim m.mission -o f").err, "");
 }
 
+const char* const kTimed =
+    "require exit within 1 h\nrequire surfaces every 3 h\nrequire visit s at least 2 times "
+    "within 4 h\nrequire patrol s every 3 h\nrequire whenever depth > 2 m then missiontime > 2 h "
+    "within 3 h\nrequire always depth < 100 m\n";
+
+/// What a flight was too short to show is not said to be kept.
+TEST_F(Sim, WhatAFlightWasTooShortForIsNotDecided) {
+  mission("20 m", "depth", kTimed);
+  const Outcome flown = run("$GLIDERCC sim m.mission -o f --duration 2min");
+  EXPECT_EQ(flown.status, 0) << flown.err;
+  EXPECT_THAT(flown.out, HasSubstr("note: not decided, the flight ended before: `require exit "
+                                   "within 1 h`, `require surfaces every 3"));
+  std::vector<std::string> verdicts;
+  const auto judged = summary();
+  for (const auto& one : judged.at("requirements")) {
+    verdicts.push_back(one.at("verdict"));
+  }
+  EXPECT_THAT(verdicts, testing::ElementsAre("not decided", "not decided", "not decided",
+                                             "not decided", "not decided", "held"));
+  EXPECT_THAT(slurp(folder_.path() / "f" / "report.html"),
+              HasSubstr(R"("verdict":"not decided","words":"the flight ended before")"));
+}
+
+/// A mission without time has not ended when its time has passed.
+TEST_F(Sim, AMissionThatHangsBreaksWhatItOwesInItsTime) {
+  mission("20 m", "depth", kTimed);
+  (void)folder_.write("stuck.toml",
+                      "name = \"stuck\"\nskeleton = \"skeleton.mi\"\nduration_s = 7200\n"
+                      "[start]\nlatitude_deg = 39.175\nlongitude_deg = -73.835\n"
+                      "[[faults.stuck]]\nfrom_s = 60\n");
+  const Outcome flown = run("$GLIDERCC sim m.mission --scenario stuck.toml -o f");
+  EXPECT_EQ(flown.status, 1) << flown.err;
+  EXPECT_THAT(flown.err, HasSubstr("m.mission:2:1: warning: this flight violates the requirement: "
+                                   "at mission time 360"));
+  EXPECT_THAT(flown.err, HasSubstr("the mission made its last tick at mission time "));
+  const auto requirements = summary().at("requirements");
+  EXPECT_EQ(requirements.at(0).at("verdict"), "violated");
+  EXPECT_EQ(requirements.at(1).at("verdict"), "held") << "the vehicle is at the surface";
+  EXPECT_EQ(requirements.at(2).at("verdict"), "not decided");
+}
+
 TEST_F(Sim, ACampaignCountsFlightsThatViolateARequirement) {
   mission("20 m", "depth", "require never depth > 20.2 m\nrequire visit s within 1 h\n");
   const Outcome flown =

@@ -42,6 +42,9 @@ Value RequirementMonitor::valueOf(const Evaluation& expression, const Interprete
     if (e.op == Op::Variable && isOfMonitor(m_[e.variable].kind)) {
       return asValue(memory_[e.variable.index], m_[e.variable].type);
     }
+    if (e.op == Op::MissionTime && still_) {
+      return *still_;
+    }
     return run.evaluate({static_cast<uint32_t>(&e - m_.exprs.data())});
   };
   return expression(leaf);
@@ -154,6 +157,27 @@ void RequirementMonitor::tick(const Interpreter& run, double mission_time, const
   started_ = true;
   finished_ = result.finished;
   before_ = result.state;
+}
+
+void RequirementMonitor::still(const Interpreter& run, double mission_time, const TickResult& last,
+                               double true_depth) {
+  TickResult none = last;
+  none.moved.reset();
+  still_ = mission_time;
+  tick(run, mission_time, none, true_depth);
+  still_.reset();
+}
+
+bool RequirementMonitor::owes(const Interpreter& run, double mission_time, const TickResult& last,
+                              double true_depth) const {
+  constexpr double kMoreThanAnyClock_s = 1;
+  const double time = std::max(requirement_.seconds, requirement_.monitor.horizon_s);
+  if (!(time > 0) || finished_ || when_) {
+    return false;
+  }
+  RequirementMonitor later = *this;
+  later.still(run, mission_time + time + kMoreThanAnyClock_s, last, true_depth);
+  return later.when_.has_value();
 }
 
 }  // namespace glider::ir

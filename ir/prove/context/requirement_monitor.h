@@ -26,6 +26,15 @@ class RequirementMonitor {
   void tick(const Interpreter& run, double mission_time, const TickResult& result,
             double true_depth);
 
+  /// A moment after the latest tick, at which the mission makes none: nothing of it changes but the
+  /// time. `last` is what the latest tick did.
+  void still(const Interpreter& run, double mission_time, const TickResult& last,
+             double true_depth);
+  /// Whether the mission would violate the requirement if it went on as it is for long enough:
+  /// what it owes at the latest tick has a time. `last` and `true_depth` are of that tick.
+  [[nodiscard]] bool owes(const Interpreter& run, double mission_time, const TickResult& last,
+                          double true_depth) const;
+
   /// When the requirement was violated (for Reach: satisfied); empty: not yet.
   [[nodiscard]] std::optional<double> when() const { return when_; }
   /// How it was violated, as the requirement's monitor describes it; empty: it has none.
@@ -48,7 +57,8 @@ class RequirementMonitor {
   std::optional<SensorId> depth_;
   std::optional<Evaluation> condition_;
   bool started_ = false;
-  bool finished_ = false;  ///< by an earlier tick: nothing more is checked
+  bool finished_ = false;        ///< by an earlier tick: nothing more is checked
+  std::optional<double> still_;  ///< mission time, s, where no tick says it
   StateId before_;
   bool after_seen_ = false;
   double last_surface_ = 0;

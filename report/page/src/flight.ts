@@ -42,7 +42,7 @@ export interface Figures {
 }
 
 /** A requirement or an assumption of the mission, and what this flight did. */
-export interface Promised { text: string; verdict: "held" | "violated" | "not checked"; time: number | null; words: string }
+export interface Promised { text: string; verdict: "held" | "violated" | "not checked" | "not decided"; time: number | null; words: string }
 
 /** What the mission says about its flight, and the bottom around it. Columns have the vehicle's names. */
 export interface Facts {

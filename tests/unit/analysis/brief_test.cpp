@@ -85,6 +85,12 @@ class BriefOf : public ::testing::Test {
     }
     ASSERT_TRUE(compilation_.checked);
   }
+  void compile(const char* text) {
+    auto compiled = compiler::compileText("m.mission", text);
+    ASSERT_TRUE(compiled);
+    compilation_ = std::move(*compiled);
+    ASSERT_TRUE(compilation_.checked);
+  }
   [[nodiscard]] report::Brief brief(report::CheckedMission found = {}) const {
     const ir::prove::Findings proved;
     return briefOf({compilation_,
@@ -109,7 +115,7 @@ TEST_F(BriefOf, CommentsAreThoseOfTheDeclaration) {
   const report::Brief of = brief();
   ASSERT_EQ(of.values.size(), 2U);
   EXPECT_EQ(of.values[0].name, "far");
-  EXPECT_EQ(of.values[0].value, "39 N 74 W");
+  EXPECT_EQ(of.values[0].value, "39 00.000 N 74 00.000 W");
   EXPECT_EQ(of.values[0].meaning, "beyond the shelf in deep water");
   EXPECT_EQ(of.values[1].kind, "variable");
   EXPECT_EQ(of.values[1].range, "0 to 9");
@@ -126,9 +132,9 @@ TEST_F(BriefOf, ProfilesAndRoutesNameTheirArguments) {
   EXPECT_EQ(of.states[0].profile.name, "yo");
   EXPECT_EQ(of.states[0].profile.with, "top `5 m`, bottom `20 m`, dive `26 deg`, climb `26 deg`");
   EXPECT_THAT(of.states[0].profile.comment, HasSubstr("Up and down between two depths"));
-  EXPECT_EQ(of.states[0].route.with, "to `far` (`39 N 74 W`)");
+  EXPECT_EQ(of.states[0].route.with, "to `far` (`39 00.000 N 74 00.000 W`)");
   EXPECT_EQ(of.states[1].profile.with, "bottom `9 m`, dive `.454 rad`");
-  EXPECT_EQ(of.states[1].route.with, "to `3910.5`, `-7349.8`");
+  EXPECT_EQ(of.states[1].route.with, "to `39 10.500 N 73 49.800 W`");
   EXPECT_EQ(of.states[2].profile.name, "surfaced");
   EXPECT_EQ(of.states[2].profile.comment, "Stays at the surface.");
   EXPECT_EQ(of.states[1].parameters, "limit: time, k: number");
@@ -152,6 +158,89 @@ TEST_F(BriefOf, EventsAreSentencesInTheirOrder) {
   EXPECT_EQ(first.events[1].then, "goes to `second` with `limit` = `1 h` and `k` = `2`");
   EXPECT_EQ(first.events[2].then, "calls `third`");
   EXPECT_EQ(of.states[2].events.at(0).then, "returns to the state that called");
+}
+
+/// Named arguments come in any order, and some are left out.
+TEST_F(BriefOf, NamedArgumentsKeepTheirNames) {
+  compile(R"(mission m
+param w: position = 39.175 N 73.83 W
+const shelf = 39 N 74 W
+flightprofile saw(shallow: length, deep: length)
+begin
+  entry do descend(deep, 26 deg) end
+  events
+    case depth >= deep do ascend(shallow, 26 deg) end stay
+    case depth <= shallow do descend(deep, 26 deg) end stay
+end
+state one
+begin
+  flightroute circle(radius = 300 m, centre = w)
+  flightprofile yo(bottom = 30 m, top = 4 m, climb = 20 deg)
+  sensors depth, lat, lon, missiontime
+  events
+    case missiontime > 1 h goto two
+end
+state two
+begin
+  flightroute along(capture = 100 m, track = [39.175 N 73.83 W, shelf])
+  flightprofile yo_and_surface(4 m, 30 m, pause = 5 min, period = 2 h)
+  sensors depth, lat, lon, missiontime
+  events
+    case routedone || missiontime > 2 h goto three
+end
+state three
+begin
+  flightroute circle(3910.5, -7349.8, radius = 200 m)
+  flightprofile saw(deep = 33 m, shallow = 6 m)
+  sensors depth, lat, lon, missiontime
+  events
+    case missiontime > 3 h exit
+end
+)");
+  const report::Brief of = brief();
+  ASSERT_EQ(of.states.size(), 3U);
+  EXPECT_EQ(of.states[0].route.with, "centre `w`, radius `300 m`");
+  EXPECT_EQ(of.states[0].profile.with, "top `4 m`, bottom `30 m`, climb `20 deg`");
+  EXPECT_EQ(of.states[1].route.with, "track `[39 10.500 N 73 49.800 W, shelf]`, capture `100 m`");
+  EXPECT_EQ(of.states[1].profile.with, "top `4 m`, bottom `30 m`, period `2 h`, pause `5 min`");
+  EXPECT_EQ(of.states[2].route.with, "centre `39 10.500 N 73 49.800 W`, radius `200 m`");
+  EXPECT_EQ(of.states[2].profile.with, "shallow `6 m`, deep `33 m`");
+}
+
+/// In the IR it is a latitude and a longitude.
+TEST_F(BriefOf, APositionIsOneValueInOneForm) {
+  compile(R"(mission m
+const track = [39 10.5 N 73 49.8 W, 39.2 N 73.9 W]
+var back: position = 3910.5 N 7349.8 W
+state one
+begin
+  flightprofile surfaced
+  sensors lat, lon, missiontime, m_present_time
+  entry do log "at", here, utc, track[1] log "p", 39 N 74 W, lat, lon end
+  events
+    case missiontime > 1 h do set back = 39.5 N 74 W end goto two(39.175 N 73.83 W)
+end
+state two(p: position)
+begin
+  flightprofile surfaced
+  sensors lat, lon, missiontime
+  events
+    case missiontime > 2 h || distance(p) > 1 km || distance(back) > 1 km exit
+end
+)");
+  const report::Brief of = brief();
+  ASSERT_EQ(of.states.size(), 2U);
+  EXPECT_EQ(of.states[0].entry,
+            "logs “at” with `here`, `utc` and `track[1]`, logs “p” with `39 00.000 N 74 00.000 W`, "
+            "`lat` and `lon`");
+  EXPECT_EQ(of.states[0].events.at(0).then,
+            "sets `back` to `39 30.000 N 74 00.000 W`; then goes to `two` with `p` = `39 10.500 N "
+            "73 49.800 W`");
+  EXPECT_EQ(of.values.at(0).value, "[39 10.500 N 73 49.800 W, 39 12.000 N 73 54.000 W]");
+  EXPECT_EQ(of.values.at(1).value, "39 10.500 N 73 49.800 W");
+  const auto clock = std::ranges::find(of.sensors, "m_present_time", &report::BriefSensor::name);
+  ASSERT_NE(clock, of.sensors.end());
+  EXPECT_EQ(clock->range, "1970-01-01T00:00:00Z to 2100-01-01T00:00:00Z");
 }
 
 TEST_F(BriefOf, ArraysAndLoopsAreToldAsTheyAreWritten) {

@@ -235,9 +235,12 @@ TEST(FlownPromises, SayWhatTheFlightDid) {
   EXPECT_EQ(held[0].text, "require exit within 2 h");
   EXPECT_EQ(held[0].verdict, support::Verdict::Held);
   const auto violated =
-      flownPromises(watch, *mission.checked, {{0, 7204, 7210, "look", "still flying", ""}});
+      flownPromises(watch, *mission.checked, {{{0, 7204, 7210, "look", "still flying", ""}}, {}});
   EXPECT_EQ(violated[0].verdict, support::Verdict::Violated);
   EXPECT_EQ(violated[0].vehicle_time_s, 7210);
+  const auto cut = flownPromises(watch, *mission.checked, {{}, {{0, "the flight ended before"}}});
+  EXPECT_EQ(cut[0].verdict, support::Verdict::Undecided);
+  EXPECT_EQ(cut[0].words, "the flight ended before");
   RequirementWatch departed(mission);
   departed.depart(100);
   EXPECT_EQ(flownPromises(departed, *mission.checked, {})[0].verdict, support::Verdict::NotChecked);

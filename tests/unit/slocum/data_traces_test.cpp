@@ -517,7 +517,31 @@ TEST(FlightTrace, PowerAndEnergyAreFromVoltageCurrentAndCharge) {
   EXPECT_EQ(unitOf(*trace, "energy"), "Wh");
   const auto gap = traceOf({draftOf("dbd", sensors, {record(0, 0.5, 100), record(400, 0.5, 101)})});
   ASSERT_TRUE(gap);
-  EXPECT_EQ(column(*gap, "energy").back(), 12) << "the charge of a gap is known at its end";
+  EXPECT_EQ(column(*gap, "energy").back(), 0) << "the log says nothing of a gap";
+}
+
+/// On the deck of a ship, 17 m/s fast, each position is a fix.
+TEST(FlightTrace, FromFixToFixTheVehicleIsMoved) {
+  const std::vector<SensorLine> sensors = {kDepth,
+                                           {"m_lat", "lat", 8, true},
+                                           {"m_lon", "lon", 8, true},
+                                           {"m_gps_lat", "lat", 8, true},
+                                           {"m_gps_lon", "lon", 8, true}};
+  const auto record = [](double time, double lon, double fix) {
+    return Record{
+        time,
+        {{"m_depth", 0}, {"m_lat", 5139}, {"m_lon", lon}, {"m_gps_lat", 5139}, {"m_gps_lon", fix}}};
+  };
+  const auto carried =
+      traceOf({draftOf("dbd", sensors,
+                       {record(0, -12805.0, -12805.0), record(4, -12804.9, -12804.9),
+                        record(8, -12804.8, -12804.8)})});
+  ASSERT_TRUE(carried);
+  EXPECT_EQ(column(*carried, "dr_leg"), (Values{0, 0, 0}));
+  const auto surfaced = traceOf(
+      {draftOf("dbd", sensors, {record(0, -12805.0, -12805.5), record(4, -12804.9, -12804.9)})});
+  ASSERT_TRUE(surfaced);
+  EXPECT_EQ(column(*surfaced, "dr_leg"), (Values{0, 1})) << "the fix has moved the position";
 }
 
 TEST(FlightTrace, AltitudeIsNotKnownBetweenEchoes) {
@@ -660,6 +684,12 @@ TEST(FlightTrace, RealFlightsAreWhatTheyWere) {
   }
   const Values energy = column(*trace, "energy");
   EXPECT_NEAR(*std::ranges::max_element(energy), 7.7, 0.1) << "0.565 Ah at 13.7 V";
+  const LogFiles days = readLogFiles(
+      {folder / "comet-2019-218-00-034.dbd", folder / "comet-2019-222-02-154.dbd"}, lists);
+  const auto both = flightTrace(merge(days.files, flightTraceSensors()));
+  ASSERT_TRUE(both);
+  const Values of_both = column(*both, "energy");
+  EXPECT_NEAR(*std::ranges::max_element(of_both), 7.7 + 14.1, 0.1) << "days lie between the files";
 }
 
 }  // namespace

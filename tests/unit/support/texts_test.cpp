@@ -3,6 +3,7 @@
 
 #include "support/csv.h"
 #include "support/one_line.h"
+#include "support/units/duration_text.h"
 #include "support/utc.h"
 
 #include <gtest/gtest.h>
@@ -38,6 +39,21 @@ TEST(UtcText, IsOfAnyCalendarDay) {
   EXPECT_EQ(utcText(-1), "1969-12-31 23:59:59");
   EXPECT_EQ(utcText(1e300), "unknown");
   EXPECT_EQ(utcText(NAN), "unknown");
+  EXPECT_EQ(instantText(1250000180), "2009-08-11T14:16:20Z");
+  EXPECT_EQ(instantText(NAN), "unknown");
+}
+
+TEST(DurationText, IsAsPeopleSayIt) {
+  EXPECT_EQ(durationText(0), "0 s");
+  EXPECT_EQ(durationText(41.25), "41.25 s");
+  EXPECT_EQ(durationText(59.7), "1 min");
+  EXPECT_EQ(durationText(12600), "3 h 30 min");
+  EXPECT_EQ(durationText(54808.1), "15 h 13 min 28 s");
+  EXPECT_EQ(durationText(-3600), "-1 h");
+  EXPECT_EQ(durationText(86400), "1 day");
+  EXPECT_EQ(durationText(3.1536e7), "365 days");
+  EXPECT_EQ(durationText(1e300), "1e+300 s");
+  EXPECT_EQ(durationText(INFINITY), "inf s");
 }
 
 }  // namespace

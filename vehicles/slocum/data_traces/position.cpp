@@ -5,6 +5,7 @@
 
 #include "support/trace/submersions.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -69,10 +70,24 @@ class Plane {
   double lat_, lon_, per_lat_, per_lon_;
 };
 
+/// Whether a place was a GPS fix: at the surface the vehicle takes its position from them.
+bool isFix(const Places& places, size_t i, const Places& fixes, const Plane& plane) {
+  constexpr double kSoon = 8, kSame = 5;  // s: two of the vehicle's cycles; m
+  const auto after = std::ranges::upper_bound(fixes.times_s, places.times_s[i]);
+  if (after == fixes.times_s.begin()) {
+    return false;
+  }
+  const auto fix = static_cast<size_t>(after - fixes.times_s.begin()) - 1;
+  return places.times_s[i] - fixes.times_s[fix] < kSoon &&
+         std::hypot(plane.east(places.lon[i]) - plane.east(fixes.lon[fix]),
+                    plane.north(places.lat[i]) - plane.north(fixes.lat[fix])) < kSame;
+}
+
 /// For each place the number of times by then that the track was interrupted: a GPS fix has moved
 /// the dead-reckoned position (a step that is faster than the vehicle and larger than the noise of
-/// the fixes at the surface), or no position was logged for long.
-std::vector<double> legsOf(const Places& places, const Plane& plane) {
+/// the fixes at the surface), or no position was logged for long. From fix to fix the vehicle was
+/// moved itself: by the ship that carries it.
+std::vector<double> legsOf(const Places& places, const Places& fixes, const Plane& plane) {
   constexpr double kFaster = 3, kLarger = 50, kLonger = 3600;  // m/s, m, s
   std::vector<double> legs;
   for (size_t i = 0; i < places.times_s.size(); ++i) {
@@ -81,7 +96,9 @@ std::vector<double> legsOf(const Places& places, const Plane& plane) {
       const double step = std::hypot(plane.east(places.lon[i]) - plane.east(places.lon[i - 1]),
                                      plane.north(places.lat[i]) - plane.north(places.lat[i - 1]));
       const double took = places.times_s[i] - places.times_s[i - 1];
-      moved = took > kLonger || (step > kLarger && step > kFaster * took);
+      moved = took > kLonger ||
+              (step > kLarger && step > kFaster * took &&
+               !(isFix(places, i - 1, fixes, plane) && isFix(places, i, fixes, plane)));
     }
     legs.push_back(i == 0 ? 0 : legs.back() + (moved ? 1 : 0));
   }
@@ -183,7 +200,7 @@ std::vector<FlightColumn> positions(const Merged& merged, const std::vector<doub
     const Places& first = reckoned.times_s.empty() ? fixes : reckoned;
     const Plane plane(first.lat[0], first.lon[0]);
     addPlaces({"m_lat", "m_lon", "dr_x", "dr_y"}, reckoned, times_s, plane, Between::Line, columns);
-    const auto legs = legsOf(reckoned, plane);
+    const auto legs = legsOf(reckoned, fixes, plane);
     cutAtLegs(reckoned, legs, times_s, 0, columns);
     columns.push_back(
         {{"dr_leg", ""}, resampled({reckoned.times_s, legs}, times_s, Between::Hold, kForever)});

@@ -96,10 +96,17 @@ FlightColumn waterDepth(const Merged& merged, const std::vector<double>& times_s
   return {{"water_depth", "m"}, resampled(samples, times_s, Between::Line)};
 }
 
+/// Whether a gap lies between two times.
+bool hasGap(const std::vector<support::TraceGap>& gaps, double from_s, double to_s) {
+  const auto first = std::ranges::upper_bound(gaps, from_s, {}, &support::TraceGap::to_s);
+  return first != gaps.end() && first->from_s < to_s;
+}
+
 /// Power from voltage and current; energy since the first row from voltage and the charge that has
-/// flowed, because the current between two records is not known.
+/// flowed, because the current between two records is not known. What flowed in a gap is left out:
+/// it is not of the time that the log knows, and the counter may have been reset there.
 void addPower(const Merged& merged, const std::vector<double>& times_s,
-              std::vector<FlightColumn>& columns) {
+              const std::vector<support::TraceGap>& gaps, std::vector<FlightColumn>& columns) {
   const std::vector<double>* volts = find(columns, "m_battery");
   if (volts == nullptr) {
     return;
@@ -107,12 +114,17 @@ void addPower(const Merged& merged, const std::vector<double>& times_s,
   FlightColumn power{{"power", "W"}, {}}, energy{{"energy", "Wh"}, {}};
   const std::vector<double>* amps = find(columns, "m_coulomb_current");
   const auto charge = resampled(samplesOf(merged, "m_coulomb_amphr"), times_s, Between::Line);
-  double sum = 0, before = kNoQuantity;
+  double sum = 0, before = kNoQuantity, before_s = 0;
   for (size_t i = 0; i < times_s.size(); ++i) {
     power.values.push_back(amps == nullptr ? kNoQuantity : (*volts)[i] * (*amps)[i]);
+    const double now_s = times_s[i] - times_s[0];
     const double used = (charge[i] - before) * (*volts)[i];
-    sum += used > 0 ? used : 0;  // a counter that was reset has used nothing
-    before = std::isnan(charge[i]) ? before : charge[i];
+    // A counter that was reset has used nothing.
+    sum += used > 0 && !hasGap(gaps, before_s, now_s) ? used : 0;
+    if (!std::isnan(charge[i])) {
+      before = charge[i];
+      before_s = now_s;
+    }
     energy.values.push_back(std::isnan(charge[i] + (*volts)[i]) ? kNoQuantity : sum);
   }
   columns.push_back(std::move(power));
@@ -183,7 +195,7 @@ std::vector<FlightColumn> quantities(const Merged& merged, const std::vector<dou
   columns.push_back(
       commandedAngle(merged, times_s, "c_pitch", find(columns, "cc_final_pitch_mode"), 2, 3));
   columns.push_back(waterDepth(merged, times_s));
-  addPower(merged, times_s, columns);
+  addPower(merged, times_s, gaps, columns);
   return columns;
 }
 

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include <string>
+
+namespace glider::support {
+
+/// "41.5 s", "3 h 30 min", "365 days": a time as people say it, from a minute on to a second, with
+/// five digits below. What is not finite or longer than any clock counts stays in seconds.
+std::string durationText(double seconds);
+
+}  // namespace glider::support

@@ -64,9 +64,10 @@ std::optional<WrittenPair> pairFrom(const Phrase& phrase, const WrittenHalf& fir
   return pair;
 }
 
-/// Whether a half can be nothing else: `5 s` is a time, `39-10.5 N` may be a difference.
+/// Whether a half can be nothing else: `5 s` is a time. There are no differences of latitudes, so
+/// `39-10.5 N` is none.
 bool standsAlone(const WrittenHalf& half) {
-  return (half.form == Form::Other || half.minutes_over_60) && !half.comma && !half.dashed &&
+  return (half.form == Form::Other || half.minutes_over_60) && !half.comma &&
          !(half.small && half.numbers == 1) && !(half.letter_first && half.small);
 }
 
@@ -77,16 +78,13 @@ bool isPlain(const WrittenHalf& half) {
          half.digits.find('.') != half.digits.npos;
 }
 
-/// Whether two halves can be nothing else, and one of them is in another form. `100-10.5 N, …` may
-/// be a difference of ddmm.mmmm, `f(39,5 N, 73,8 W)` four values.
+/// Whether two halves can be nothing else, and one of them is in another form: `f(39,5 N, 73,8 W)`
+/// may have four values.
 bool standsTogether(const WrittenPair& pair) {
   const bool other = pair.first.form == Form::Other || pair.second.form == Form::Other;
-  constexpr double kFewestOfThreeDigits = 100;
-  const bool difference = pair.first.dashed && pair.comma &&
-                          (pair.first.whole == 0 || pair.first.whole >= kFewestOfThreeDigits);
   const bool values = pair.comma && ((pair.first.comma && pair.first.numbers == 1) ||
                                      (pair.second.comma && pair.second.numbers == 1));
-  return other && !difference && !values && isPlain(pair.first) && isPlain(pair.second) &&
+  return other && !values && isPlain(pair.first) && isPlain(pair.second) &&
          !(pair.comma && pair.swapped());
 }
 
@@ -254,7 +252,8 @@ size_t writtenPosition(Phrase& phrase) {
     return 0;
   }
   const bool letter_first = phrase.type() != GliderLexer::NUMBER;
-  if (phrase.before() == GliderLexer::NUMBER || (letter_first && !letterMayBegin(phrase))) {
+  if (phrase.before() == GliderLexer::NUMBER || wantsName(phrase.before()) ||
+      (letter_first && !letterMayBegin(phrase))) {
     return 0;
   }
   const auto half = writtenHalf(phrase.source().text(), phrase.token().begin, letter_first);

@@ -7,6 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace glider::frontend::phrases {
 namespace {
 
@@ -123,6 +126,16 @@ size_t promiseInside(Phrase& phrase) {
 
 namespace {
 
+bool isTypeWord(std::string_view word) {
+  constexpr std::string_view kTypes[] = {
+      "bool", "latitude", "longitude", "position", "path",
+#define DIMENSION(name, m, kg, s, a, k, rad, unit) #name,
+#include "support/units/dimensions.def"
+#undef DIMENSION
+  };
+  return std::ranges::find(kTypes, word) != std::end(kTypes);
+}
+
 /// Whether the parentheses that are open are those of a definition, whose names have types.
 bool areFormals(const Phrase& phrase) {
   size_t k = 0;
@@ -178,7 +191,7 @@ size_t colonOfArgument(Phrase& phrase) {
                         oneOf(phrase.before(1), {GliderLexer::LPAREN, GliderLexer::COMMA});
   const bool again = argument && readColon(phrase);
   if (!argument || phrase.type(1) == GliderLexer::ASSIGN ||
-      (!again && isAnyName(phrase.type(1)) && areFormals(phrase))) {
+      (!again && isAnyName(phrase.type(1)) && (isTypeWord(phrase.text(1)) || areFormals(phrase)))) {
     return 0;
   }
   const Lexeme colon = phrase.token();

@@ -116,7 +116,6 @@ class HalfReader {
     const bool gap = blanks();
     const bool touches = !gap && isDigit(peek(1));
     if (touches && (peek() == '-' || peek() == ':')) {
-      half_.dashed = half_.dashed || peek() == '-';
       half_.sign = true;
       ++at_;
       return true;

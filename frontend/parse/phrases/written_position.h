@@ -18,11 +18,10 @@ struct WrittenHalf {
   Form form = Form::Other;  ///< `Ours`: as the language writes it
   bool certain = true;      ///< it can only be read in one way
   bool minutes_over_60 = false;
-  bool sign = false;    ///< a degree sign, a dash or the like is between its numbers
-  bool dashed = false;  ///< a dash: with one number before it, it could be a difference
-  bool comma = false;   ///< a number in it has a decimal comma
-  bool word = false;    ///< `North`
-  bool small = false;   ///< `n`
+  bool sign = false;   ///< a degree sign, a dash or the like is between its numbers
+  bool comma = false;  ///< a number in it has a decimal comma
+  bool word = false;   ///< `North`
+  bool small = false;  ///< `n`
   bool letter_first = false;
   int numbers = 1;
   double degrees = 0;     ///< all of it, without the letter's sign

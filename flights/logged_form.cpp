@@ -3,8 +3,10 @@
 
 #include "flights/logged_form.h"
 
+#include "support/units/duration_text.h"
 #include "support/units/position_text.h"
 #include "support/units/units.h"
+#include "support/utc.h"
 
 #include <fmt/format.h>
 
@@ -18,20 +20,45 @@ namespace {
 
 using Half = LoggedForm::Half;
 
+bool isUnnamed(std::string_view unit) {
+  constexpr std::string_view kUnnamed[] = {"", "1", "nodim", "enum"};
+  return std::ranges::find(kUnnamed, unit) != std::end(kUnnamed);
+}
+
+/// `value` with so many digits after the point; what is 0 then has no sign.
+std::string fixed(double value, int digits) {
+  std::string text = fmt::format("{:.{}f}", value, digits);
+  const bool zero = text.find_first_of("123456789") == std::string::npos;
+  return zero && text.starts_with('-') ? text.substr(1) : text;
+}
+
+/// In degrees. A heading of almost a whole turn is shown as 0 deg, which it is nearer to.
+std::string shownAngle(double radians) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  const std::string degrees = fixed(radians / kTurn * 360, 1);
+  return (degrees == "360.0" && radians < kTurn ? "0.0" : degrees) + " deg";
+}
+
 std::string shownNumber(double value, const std::string& unit) {
   constexpr double kLarge = 1e5;  // from here on five digits would need an exponent
-  constexpr std::string_view kUnnamed[] = {"", "nodim", "enum"};
+  constexpr double kHuge = 1e15;  // from here on not all digits are known
   if (unit == "bool") {
     return value != 0 ? "true" : "false";
   }
   if (unit == "rad") {
-    constexpr double kDegrees = 180 / std::numbers::pi;
-    return fmt::format("{:.1f} deg", value * kDegrees);
+    return shownAngle(value);
   }
-  const std::string number = unit == "deg"                ? fmt::format("{:.5f}", value)
-                             : std::fabs(value) >= kLarge ? fmt::format("{:.0f}", value)
-                                                          : fmt::format("{:.5g}", value);
-  return std::ranges::find(kUnnamed, unit) == std::end(kUnnamed) ? number + " " + unit : number;
+  if (unit == "timestamp") {
+    return support::instantText(value);
+  }
+  if (unit == "s") {
+    return support::durationText(value);
+  }
+  const double size = std::fabs(value);
+  const std::string number = unit == "deg"                    ? fixed(value, 5)
+                             : size >= kLarge && size < kHuge ? fmt::format("{:.0f}", value)
+                                                              : fmt::format("{:.5g}", value + 0.0);
+  return isUnnamed(unit) ? number : number + " " + unit;
 }
 
 std::string shownValue(const LoggedForm& form, double value) {
@@ -75,9 +102,11 @@ LoggedForm formOf(const ir::Type& type) {
 }
 
 LoggedForm formOf(const ir::Sensor& sensor, const SensorUnit& unit) {
-  const bool plain =
-      sensor.type.kind == ir::TypeKind::Quantity && sensor.type.dimension.dimensionless();
-  const std::string its = plain ? unit(sensor.vehicle_name) : "";
+  const bool quantity = sensor.type.kind == ir::TypeKind::Quantity;
+  const bool plain = quantity && sensor.type.dimension.dimensionless();
+  const bool time = quantity && sensor.type.dimension == support::dimension::time;
+  std::string its = plain || time ? unit(sensor.vehicle_name) : "";
+  its = time && its != "timestamp" ? "" : its;
   return its.empty() ? formOf(sensor.type) : LoggedForm{its, 1, Half::None};
 }
 
@@ -100,6 +129,16 @@ std::string shownValues(std::span<const LoggedForm> forms, std::span<const doubl
     }
   }
   return list;
+}
+
+std::string exactValue(const LoggedForm& form, double value) {
+  constexpr int kDigits = 12;
+  if (std::isnan(value)) {
+    return "unknown";
+  }
+  const std::string_view unit = form.unit == "timestamp" ? std::string_view("s") : form.unit;
+  const bool bare = unit == "bool" || isUnnamed(unit);
+  return fmt::format("{:.{}g}{}{}", value, kDigits, bare ? "" : " ", bare ? "" : unit);
 }
 
 }  // namespace glider::flights

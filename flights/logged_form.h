@@ -16,7 +16,7 @@ namespace glider::flights {
 struct LoggedForm {
   enum class Half : uint8_t { None, Latitude, Longitude };
 
-  std::string unit;        ///< "m", "deg"; empty for a plain number
+  std::string unit;        ///< "m", "deg"; "timestamp": s since 1970; empty for a plain number
   double to_shown = 1;     ///< factor from SI
   Half half = Half::None;  ///< what it is of a position, in degrees
 
@@ -34,7 +34,11 @@ LoggedForm formOf(const ir::Mission& mission, ir::ExprId id, const SensorUnit& u
 LoggedForm formOf(const ir::Sensor& sensor, const SensorUnit& unit);
 
 /// "11.779 m, 39 10.500 N 73 50.101 W, unknown": `values`, in the units of `forms`, which are as
-/// many or more. A latitude before a longitude is one position; angles are in degrees.
+/// many or more. A latitude before a longitude is one position; angles are in degrees; times are
+/// "3 h 30 min", and those since 1970 "2009-08-11T14:16:20Z".
 std::string shownValues(std::span<const LoggedForm> forms, std::span<const double> values);
+
+/// "6.18456231454 rad", "unknown": a value in the unit of `form` with 12 digits.
+std::string exactValue(const LoggedForm& form, double value);
 
 }  // namespace glider::flights

@@ -83,8 +83,8 @@ std::vector<Statements> statementsOf(const compiler::Checked& mission,
     Statements made{statement.text, {}};
     // A position is two values of one text.
     const auto halfOf = [](const ir::Expr& value) {
-      return value.type.kind == ir::TypeKind::Latitude    ? " latitude"
-             : value.type.kind == ir::TypeKind::Longitude ? " longitude"
+      return value.type.kind == ir::TypeKind::Latitude    ? "latitude"
+             : value.type.kind == ir::TypeKind::Longitude ? "longitude"
                                                           : "";
     };
     for (const ir::ExprId id : statement.values) {
@@ -94,7 +94,8 @@ std::vector<Statements> statementsOf(const compiler::Checked& mission,
       column.value.value = range.valid() ? support::onOneLine(mission.sources().text(range)) : "";
       const bool half = std::ranges::count(statement.values, range,
                                            [&](ir::ExprId other) { return m[other].range; }) == 2;
-      column.value.value += half ? halfOf(m[id]) : "";
+      column.value.half = halfOf(m[id]);
+      column.value.value += half ? " " + column.value.half : "";
       column.value.column = "log_" + asName(statement.text + " " + column.value.value);
       column.form = formOf(m, id, unit_of);
       made.columns.push_back(std::move(column));
@@ -149,6 +150,16 @@ std::string shownNote(const Statements& statements, const std::vector<double>& v
   const std::string list = shownValues(forms, values);
   const char* rest = values.size() < statements.columns.size() ? ", …" : "";
   return statements.text + (statements.text.empty() ? "" : " ") + list + rest;
+}
+
+/// "deep 20.287355423 m 6.18456231454 rad unknown": the note for tables, with all its digits.
+std::string noteInUnits(const Statements& statements, const std::vector<double>& values) {
+  std::string text = statements.text;
+  for (size_t i = 0; i < values.size(); ++i) {
+    const LoggedForm& form = statements.columns[i].form;
+    text += (text.empty() ? "" : " ") + exactValue(form, values[i]);
+  }
+  return text;
 }
 
 /// As notes have them: with 12 digits.
@@ -225,6 +236,7 @@ void readNotes(support::Trace& trace, std::vector<Statements>& all) {
         column.points.emplace_back(rowOf(trace, event.time_s), values[i]);
       }
       event.shown = shownNote(statements, values);
+      note = whole ? noteInUnits(statements, values) : note;
       break;
     }
   }

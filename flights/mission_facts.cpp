@@ -105,6 +105,8 @@ bool isName(std::string_view text) {
          std::ranges::all_of(text, [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
 }
 
+constexpr std::string_view kLatitude = ".latitude";
+
 /// Finds each place and each watch circle that the expressions of a mission name. A position is two
 /// numbers, latitude and longitude; those of a constant have the range of its name.
 class PlaceFinder {
@@ -127,6 +129,20 @@ class PlaceFinder {
       const auto known = std::ranges::find(facts.places, name, &support::NamedPlace::name);
       if (isName(name) && known == facts.places.end()) {
         facts.places.push_back({name, lat.number, lon.number});
+      }
+    }
+  }
+
+  /// The positions that are parameters, as they were set.
+  void addParameters(support::MissionFacts& facts) const {
+    for (size_t i = 0; i + 1 < parameters_.size(); ++i) {
+      const ir::Variable &lat = m_.variables[i], &lon = m_.variables[i + 1];
+      const bool position = lat.type.kind == ir::TypeKind::Latitude &&
+                            lon.type.kind == ir::TypeKind::Longitude &&
+                            lat.name.ends_with(kLatitude);
+      if (position) {
+        facts.places.push_back({lat.name.substr(0, lat.name.size() - kLatitude.size()),
+                                parameters_[i], parameters_[i + 1]});
       }
     }
   }
@@ -288,6 +304,7 @@ support::MissionFacts missionFacts(const compiler::Optimised& mission,
   facts.listed = listedSensors(mission.checked->mission());
   facts.read = readSensors(mission.checked->mission());
   const PlaceFinder finder(*mission.checked, parameters);
+  finder.addParameters(facts);
   finder.addPlaces(facts);
   finder.addPaths(facts);
   finder.addWatched(facts);

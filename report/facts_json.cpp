@@ -31,7 +31,8 @@ json promisesOf(const support::MissionFacts& facts) {
 json loggedOf(const support::MissionFacts& facts) {
   json out = json::array();
   for (const support::LoggedValue& one : facts.logged) {
-    out.push_back({{"column", one.column}, {"text", one.text}, {"value", one.value}});
+    out.push_back(
+        {{"column", one.column}, {"text", one.text}, {"value", one.value}, {"half", one.half}});
   }
   return out;
 }

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -121,6 +122,35 @@ MapRing ringOf(const support::WatchCircle& circle) {
 
 }  // namespace
 
+namespace {
+
+double metresBetween(const MapPoint& a, const MapPoint& b) {
+  const double degree_m = kEarthRadius * std::numbers::pi / kHalfTurn;
+  const double east = std::remainder(a.longitude_deg - b.longitude_deg, kFullTurn) *
+                      std::cos(a.latitude_deg * std::numbers::pi / kHalfTurn);
+  return std::hypot(east, a.latitude_deg - b.latitude_deg) * degree_m;
+}
+
+/// What the vehicle was steered to and the mission has no name for.
+void addSteered(const Trace& trace, MapShapes& shapes) {
+  constexpr double kSame = 30;   // m: the same place
+  constexpr size_t kMost = 100;  // more of them are a place that moves
+  const PositionColumns columns = columnsOf(trace, "c_wpt_lat", "c_wpt_lon");
+  size_t number = 0;
+  for (size_t row = 0; columns.there() && row < trace.rowCount() && number < kMost; ++row) {
+    auto point = pointAt(trace, row, columns);
+    const bool known = point && std::ranges::any_of(shapes.marks, [&](const MapMark& mark) {
+                         return mark.kind == "waypoint" && metresBetween(mark.at, *point) < kSame;
+                       });
+    if (point && !known) {
+      point->time_s = kNoTime;
+      shapes.marks.push_back({fmt::format("waypoint {}", ++number), "waypoint", *point});
+    }
+  }
+}
+
+}  // namespace
+
 MapShapes shapesOf(const Trace& trace) {
   MapShapes shapes;
   const PositionColumns truth = columnsOf(trace, "true_lat", "true_lon");
@@ -132,6 +162,7 @@ MapShapes shapesOf(const Trace& trace) {
     shapes.marks.push_back(
         {place.name, "waypoint", {place.longitude_deg, place.latitude_deg, kNoTime}});
   }
+  addSteered(trace, shapes);
   for (const support::WatchCircle& circle : trace.facts.watch_circles) {
     shapes.rings.push_back(ringOf(circle));
   }

@@ -25,8 +25,9 @@ struct WatchCircle {
 /// A column with a value of a `log` statement.
 struct LoggedValue {
   std::string column;
-  std::string text;   ///< of the statement
-  std::string value;  ///< the expression as it is written
+  std::string text;       ///< of the statement
+  std::string value;      ///< the expression as it is written
+  std::string half = {};  ///< what it is of a position: "latitude", "longitude"; otherwise empty
 };
 
 /// Undecided: the flight was too short to show it.

@@ -371,7 +371,7 @@ TEST_F(Sim, LoggedValuesAreRoundedForPeopleOnly) {
   EXPECT_EQ(flown.status, 0) << flown.err;
   EXPECT_THAT(flown.out, testing::ContainsRegex(" battery low 1[01]\\.[0-9]{1,3} V\n"));
   EXPECT_THAT(slurp(folder_.path() / "f" / "events.csv"),
-              testing::ContainsRegex("\"battery low 1[01]\\.[0-9]{8,}\""));
+              testing::ContainsRegex("\"battery low 1[01]\\.[0-9]{8,} V\""));
 }
 
 TEST_F(Sim, ASensorThatTheVehicleDoesNotCarry) {

@@ -35,13 +35,21 @@ const text = async (page, selector) => page.eval(`document.querySelector(${JSON.
 
 test("what the mission lists and logs is drawn first, with units", () => withPage("science", async (page) => {
   const titles = await texts(page, "#others h3");
-  assert.deepEqual(titles.slice(0, 6), ["Chlorophyll (µg/L)", "Roll (°)", "True longitude (°)", "Temperature (°C)", "Conductivity (S/m)", "Log “bloom, at”: depth (m)"]);
+  assert.deepEqual(titles.slice(0, 7), ["Chlorophyll (µg/L)", "Roll (°)", "True longitude (°)", "m_depth_state", "Temperature (°C)", "Conductivity (S/m)", "Log “bloom, at”: depth (m)"]);
   assert.ok(titles.includes("Energy used (Wh)"));
   const lit = await page.eval(`(() => {
     const charts = [...document.querySelectorAll("#others canvas")];
     return charts.map((c) => new Set(new Uint32Array(c.getContext("2d").getImageData(0, 0, c.width, c.height).data.buffer)).size);
   })()`);
   assert.ok(lit.every((n) => n > 3), `a chart is blank: ${lit}`);
+}));
+
+test("a logged position is on the map, and what was logged once in a table", () => withPage("science", async (page) => {
+  const titles = await texts(page, "#others h3");
+  assert.deepEqual(titles.filter((title) => title.includes("turn")), []);
+  assert.equal(await page.eval("document.querySelectorAll('#map .logged').length"), 1);
+  assert.match(await page.eval("document.querySelector('#map .logged title').textContent"), /^logged at [0-9:]+: turn 39° 1[0-9.]+′ N 73° /);
+  assert.match((await texts(page, "#logged tbody tr")).join(), /^[0-9:]+log “turn”: utc2009-08-11 14:16:20 UTC$/);
 }));
 
 test("the depth has the colours of what the conditions read first", () => withPage("science", async (page) => {
@@ -142,7 +150,7 @@ test("each chart is saved as a picture and as a table", () => withPage("science"
   const depth = await save("#depth-head .save button", "CSV");
   assert.match(depth.text, /^time \(s\),.*m_depth \(m\)\n0,/);
   assert.equal(depth.text.trim().split("\n").length, 1 + await page.eval("JSON.parse(document.getElementById('flight').textContent).figures.rows"));
-  const logged = await save("#others .head:nth-of-type(11) .save button", "CSV");
+  const logged = await save("#others .head:nth-of-type(13) .save button", "CSV");
   assert.match(logged.text, /^time \(s\),log_bloom_at_depth \(m\)\n/);
   assert.match((await save("#map-head .save button", "CSV")).text, /^time \(s\),east \(m\),north \(m\),latitude \(deg\),longitude \(deg\)\n0,/);
   assert.match(await page.eval("saved.names.join(' ')"), /thermoclinesurvey-depth\.png .*thermoclinesurvey-track\.csv/);

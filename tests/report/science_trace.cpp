@@ -27,9 +27,12 @@ std::vector<double> addedTo(double depth, size_t row) {
 }
 
 void addFacts(Trace& trace) {
-  trace.facts.listed = {"m_depth", "sci_flbbcd_chlor_units", "m_roll", "true_lon"};
+  trace.facts.listed = {"m_depth", "sci_flbbcd_chlor_units", "m_roll", "true_lon", "m_depth_state"};
   trace.facts.read = {"m_lat", "m_depth", "sci_flbbcd_chlor_units", "sci_water_temp"};
-  trace.facts.logged = {{"log_bloom_at_depth", "bloom, at", "depth"}};
+  trace.facts.logged = {{"log_bloom_at_depth", "bloom, at", "depth"},
+                        {"log_turn_here_latitude", "turn", "here latitude", "latitude"},
+                        {"log_turn_here_longitude", "turn", "here longitude", "longitude"},
+                        {"log_turn_utc", "turn", "utc"}};
   trace.facts.promises = {
       {"require exit within 2 h", support::Verdict::Held, {}, ""},
       {"require always depth < 20 m", support::Verdict::Violated, 600.0, "depth is 21 m"},
@@ -68,6 +71,11 @@ Trace scienceTrace() {
     towards = std::fmod(towards + kToNorth, 2 * std::numbers::pi);
     const std::vector<double> added = addedTo(trace.at(row, depth), row);
     rows.insert(rows.end(), added.begin(), added.end());
+    rows.push_back(row % 3 == 0 ? 1 : 2);
+    const bool turn = row == 100;  // logged once
+    rows.push_back(turn ? trace.at(row, trace.column("true_lat")) : kUnknown);
+    rows.push_back(turn ? trace.at(row, trace.column("true_lon")) : kUnknown);
+    rows.push_back(turn ? 1250000180 : kUnknown);
   }
   trace.rows = std::move(rows);
   trace.columns.insert(trace.columns.end(), {{"sci_flbbcd_chlor_units", "ug/L"},
@@ -77,7 +85,11 @@ Trace scienceTrace() {
                                              {"energy", "Wh"},
                                              {"true_current_x", "m/s"},
                                              {"true_current_y", "m/s"},
-                                             {"log_bloom_at_depth", "m"}});
+                                             {"log_bloom_at_depth", "m"},
+                                             {"m_depth_state", ""},
+                                             {"log_turn_here_latitude", "deg"},
+                                             {"log_turn_here_longitude", "deg"},
+                                             {"log_turn_utc", "timestamp"}});
   addFacts(trace);
   trace.events.push_back(
       support::makeEvent(2400, support::EventId::Steers, {std::string("ascend"), 5.0}));

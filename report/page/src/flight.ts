@@ -44,13 +44,16 @@ export interface Figures {
 /** A requirement or an assumption of the mission, and what this flight did. */
 export interface Promised { text: string; verdict: "held" | "violated" | "not checked" | "not decided"; time: number | null; words: string }
 
+/** A value of a `log` statement; `half` is what it is of a position: "latitude", "longitude" or "". */
+export interface Logged { column: string; text: string; value: string; half: string }
+
 /** What the mission says about its flight, and the bottom around it. Columns have the vehicle's names. */
 export interface Facts {
   /** The sensors that the mission lists. */
   listed: string[];
   /** Those that its conditions read, in order. */
   read: string[];
-  logged: { column: string; text: string; value: string }[];
+  logged: Logged[];
   promises: Promised[];
   places: { name: string; lat: number; lon: number }[];
   /** Distances that the mission compares with; m. */

@@ -48,7 +48,7 @@ export function degreesMinutes(degrees: number, positive: string, negative: stri
   return `${Math.floor(thousandths / 60000)}° ${minutes}′ ${degrees < 0 ? negative : positive}`;
 }
 
-const shownUnits = new Map([["degC", "°C"], ["ug/l", "µg/L"], ["ug/L", "µg/L"], ["uM", "µmol/L"], ["ntu", "NTU"], ["nodim", ""], ["kg/m3", "kg/m³"], ["cc", "cm³"], ["deg", "°"], ["rad", "°"], ["id", ""]]);
+const shownUnits = new Map([["degC", "°C"], ["ug/l", "µg/L"], ["ug/L", "µg/L"], ["uM", "µmol/L"], ["ntu", "NTU"], ["nodim", ""], ["kg/m3", "kg/m³"], ["cc", "cm³"], ["deg", "°"], ["rad", "°"], ["id", ""], ["1", ""], ["timestamp", "UTC"]]);
 
 /** The unit in which values of `unit` are shown: angles in degrees. */
 export function shownUnit(unit: string): string {
@@ -71,6 +71,7 @@ function threeDigits(value: number): string {
 
 /** A value of a column as text with its shown unit. */
 export function quantity(value: number, unit: string): string {
+  if (unit === "timestamp") return `${utcText(value)} UTC`;
   const digits = digitsOf.get(unit);
   const number = significant.has(unit) ? threeDigits(value) : digits === undefined ? String(Number(value.toPrecision(6))).replace("-", "−")
     : fixed(value * shownFactor(unit), digits);

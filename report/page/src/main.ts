@@ -9,6 +9,7 @@ import { saveButtons, titled } from "./downloads";
 import { eventList } from "./event_list";
 import { Flight } from "./flight";
 import { header } from "./header";
+import { loggedTable } from "./logged";
 import { trackMap } from "./map";
 import { otherCharts } from "./other_charts";
 import { readout } from "./readout";
@@ -102,6 +103,7 @@ function start(): void {
   readout(byId("readout"), flight, view);
   const charts = timeCharts(flight, view);
   const { sections, plots } = water(flight, view);
+  loggedTable(byId("logged"), flight, view);
   yoTable(flight, view);
   // A long label of a later chart widens all axes, so that their times stay below each other. uPlot draws first in microtasks.
   queueMicrotask(() => [...charts, ...sections].forEach((chart) => chart.redraw()));

@@ -7,6 +7,7 @@ import { element, svg } from "./dom";
 import { Flight, Pilot } from "./flight";
 import { saveButtons, titled } from "./downloads";
 import { degreesMinutes, fixed, length } from "./format";
+import { LoggedPlace, loggedPlaces } from "./logged";
 import { contours } from "./map_bottom";
 import { edge, extentOf, Frame, frameFor, plotBox } from "./map_frame";
 import { graticule, scaleBar } from "./map_grid";
@@ -89,6 +90,21 @@ function waypoints(chart: Chart, frame: Frame, labels: Labels): SVGElement[] {
   });
 }
 
+/** Where the mission logged a position; of many of one statement only the first has its words. */
+function loggedMarks(chart: Chart, frame: Frame, labels: Labels): SVGElement[] {
+  const named = new Set<string>();
+  return chart.logged.map((place) => {
+    const [x, y] = [frame.x(place.x), frame.y(place.y)];
+    const first = !named.has(place.words);
+    named.add(place.words);
+    labels.keepOff(x, y, 5);
+    const label = first && place.words !== "" ? labels.beside(x, y, place.words, { class: "place" }) : null;
+    return svg("g", { class: "logged" }, svg("path", { d: "M0 -5L5 4H-5Z", transform: `translate(${x} ${y})` },
+      svg("title", {}, `logged at ${chart.flight.clock(chart.flight.times[place.row])}: ${place.words} ${degreesMinutes(place.lat, "N", "S")} ${degreesMinutes(place.lon, "E", "W")}`)),
+      ...(label ? [label] : []));
+  });
+}
+
 /** The distances from a place that the mission compares with. */
 function circles(chart: Chart, frame: Frame): SVGElement[] {
   return chart.circles.map((c) => svg("circle", { class: "watch", cx: frame.x(c.x), cy: frame.y(c.y), r: c.radius * frame.scale },
@@ -140,6 +156,7 @@ function legend(chart: Chart): HTMLElement[] {
   const fastestTrue = fastestOf(pointsOf(flight, "true_current_x", "true_current_y").map((p) => ({ ...p, east: p.x, north: p.y })));
   const common = [
     ...(chart.circles.length > 0 ? [entry("watch-mark", "distance that the mission watches")] : []),
+    ...(chart.logged.length > 0 ? [entry("logged-mark", "logged position")] : []),
     ...(flight.facts.bottom.depths.length > 0 ? [entry("line contour-line", "water depth")] : []),
   ];
   if (!flight.log) {
@@ -161,7 +178,7 @@ interface Circle extends Place { radius: number }
 
 /** What the map shows, apart from its size. */
 interface Chart {
-  flight: Flight; anchor: Anchor | null; tracks: Track[]; waypoints: Waypoint[]; near: Set<Waypoint>; circles: Circle[]; fixes: Place[];
+  flight: Flight; anchor: Anchor | null; tracks: Track[]; waypoints: Waypoint[]; near: Set<Waypoint>; circles: Circle[]; fixes: Place[]; logged: (LoggedPlace & Place)[];
   currents: Current[]; trueCurrents: Current[];
 }
 
@@ -192,6 +209,7 @@ function chartOf(flight: Flight): Chart | null {
   const isNear = (p: Place) => flown.some((q) => Math.hypot(p.x - q.x, p.y - q.y) < reach);
   const circlesNear = anchor ? flight.facts.watches.map((c) => ({ ...placeOf(anchor, c.lat, c.lon), radius: c.radius })).filter((c) => isNear(c) && c.radius < 2 * reach) : [];
   return { flight, anchor, tracks, waypoints: places, near: new Set(places.filter(isNear)), circles: circlesNear, fixes: fixesOf(flight),
+    logged: anchor ? loggedPlaces(flight).map((p) => ({ ...p, ...placeOf(anchor, p.lat, p.lon) })).filter(isNear) : [],
     currents: currentsOf(flight), trueCurrents: trueCurrentsOf(flight) };
 }
 
@@ -210,7 +228,7 @@ function picture(chart: Chart, frame: Frame): { root: SVGSVGElement; shown: SVGE
   const labels = new Labels(frame);
   // Words are given room in this order; the marks of the track are drawn last.
   const ends = endMarks(frame, main.points, labels);
-  const marks = waypoints(chart, frame, labels);
+  const marks = [...waypoints(chart, frame, labels), ...loggedMarks(chart, frame, labels)];
   const plot = svg("svg", { ...plotBox(frame), viewBox: Object.values(plotBox(frame)).join(" ") });
   plot.append(...contours(chart.flight.facts.bottom, frame, labels), ...circles(chart, frame));
   if (other) plot.append(svg("path", { class: chart.flight.log ? "simulated" : "reckoned", d: path(other.points, frame) }));

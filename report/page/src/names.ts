@@ -42,6 +42,9 @@ export const groups: [string, Record<string, string>][] = [
 
 const names = new Map(groups.flatMap(([, list]) => Object.entries(list)));
 
+/** Whether the page has a name of its own for a column. */
+export const hasName = (column: string) => names.has(column);
+
 /** The name of a column, its own if the page has no other. */
 export function nameOf(flight: Flight, column: string): string {
   const logged = flight.facts.logged.find((l) => l.column === column);

@@ -4,10 +4,11 @@
 /** The charts below the depth, on the same time: what the mission lists and logs, and what was commanded beside what was measured. */
 
 import { Flight, Values } from "./flight";
-import { quantity, shownFactor, shownUnit } from "./format";
+import { digitsFor, fixed, quantity, shownFactor, shownUnit, utcMark } from "./format";
 import { rightMargin } from "./depth_chart";
-import { nameOf, quantitiesOf } from "./names";
-import { Line, TimeChart } from "./time_chart";
+import { chartedLogs } from "./logged";
+import { hasName, nameOf, quantitiesOf } from "./names";
+import { ChartOptions, Line, TimeChart } from "./time_chart";
 import { View } from "./view";
 
 interface Panel {
@@ -20,6 +21,8 @@ interface Panel {
   round?: boolean;
   /** It has a value only now and then. */
   points?: boolean;
+  /** The title is the vehicle's own name, which stays as it is. */
+  own?: boolean;
 }
 
 const panels: Panel[] = [
@@ -36,9 +39,27 @@ const panels: Panel[] = [
 /** In the shown unit; a heading that passes north leaves a gap instead of a stroke across the chart. */
 function shown(values: Values, unit: string, round: boolean): Values {
   const factor = shownFactor(unit);
-  const out = values.map((v) => (v === null ? null : v * factor));
+  const out: Values = values.map((v) => (v === null ? null : v * factor));
   if (!round) return out;
   return out.map((v, i) => (v !== null && i > 0 && out[i - 1] !== null && Math.abs(v - out[i - 1]!) > 180 ? null : v));
+}
+
+/** Whole turns are added, so that a track across 180° is no stroke across the chart. */
+function unwrapped(values: Values): Values {
+  let last: number | null = null;
+  return values.map((v) => {
+    if (v === null) return v;
+    last = last === null ? v : v + 360 * Math.round((last - v) / 360);
+    return last;
+  });
+}
+
+const isLongitude = (column: string) => /(^|_)lon(gitude)?$/.test(column);
+
+/** How the marks of the axis of values are written, where they are no plain numbers. */
+function marksOf(column: string, unit: string): Pick<ChartOptions, "mark"> {
+  if (unit === "timestamp") return { mark: utcMark };
+  return isLongitude(column) ? { mark: (value, step) => fixed(value - 360 * Math.round(value / 360), digitsFor(step)) } : {};
 }
 
 function rangeOf(lines: Line[], least: number): [number, number] {
@@ -64,9 +85,9 @@ function panelsOf(flight: Flight): Panel[] {
     const column = flight.columns.find((c) => c.name === name);
     if (!column || taken.has(name) || !flight.column(name)) return [];
     taken.add(name);
-    return [{ title: nameOf(flight, name), measured: name, least: 0 }];
+    return [{ title: nameOf(flight, name), measured: name, least: 0, own: !hasName(name) }];
   });
-  const logged = flight.facts.logged.filter((l) => flight.column(l.column))
+  const logged = chartedLogs(flight)
     .map((l) => ({ title: `log ${nameOf(flight, l.column)}`, measured: l.column, least: 0, points: true }));
   // What the mission is about comes first.
   return [...listed, ...logged, ...usual];
@@ -78,7 +99,7 @@ const capital = (text: string) => text[0].toUpperCase() + text.slice(1);
 function linesOf(flight: Flight, p: Panel, unit: string): Line[] {
   const line = (label: string, column: string, more: Partial<Line>): Line => ({
     label, head: `${column}${shownUnit(unit) === "" ? "" : ` (${shownUnit(unit)})`}`,
-    values: shown(flight.column(column) as Values, unit, p.round ?? false), all: shown(flight.column(column) as Values, unit, false), colour: "ink", width: 1.6, ...more });
+    values: isLongitude(column) ? unwrapped(flight.column(column) as Values) : shown(flight.column(column) as Values, unit, p.round ?? false), all: shown(flight.column(column) as Values, unit, false), colour: "ink", width: 1.6, ...more });
   const commanded = p.commanded && flight.column(p.commanded) ? [line("commanded", p.commanded, { colour: "commanded", stepped: true })] : [];
   return [...commanded, line(p.points ? "logged" : "measured", p.measured, p.points ? { width: 0, points: true } : {})];
 }
@@ -89,10 +110,11 @@ export function otherCharts(flight: Flight, view: View, place: (title: string, l
     const unit = flight.columns.find((c) => c.name === p.measured)?.unit ?? "";
     const measured = flight.column(p.measured) as Values;
     const lines = linesOf(flight, p, unit);
-    const title = capital(shownUnit(unit) === "" ? p.title : `${p.title} (${shownUnit(unit)})`);
+    const name = p.own ? p.title : capital(p.title);
+    const title = shownUnit(unit) === "" ? name : `${name} (${shownUnit(unit)})`;
     const chart: TimeChart = new TimeChart(place(title, lines, () => chart), flight, view, {
       label: p.title, height: 132, top: 8, right: rightMargin, lines,
-      range: rangeOf(lines, p.least * shownFactor(unit)),
+      range: rangeOf(lines, p.least * shownFactor(unit)), ...marksOf(p.measured, unit),
       describe: (row) => {
         const value = measured[row] ?? null;
         return value === null ? `${p.title} not known` : `${p.title} ${quantity(value, unit)}`;

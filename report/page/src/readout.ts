@@ -25,8 +25,8 @@ function valueText(name: string, unit: string, value: number): string {
   if (name === "hook_active") return value > 0 ? "in control" : "not in control";
   if (codes[name]) return codes[name][value] ?? noCommand[value] ?? String(value);
   if (name === "hook_vertical") return verticals[value] ?? String(value);
-  if (/(^|_)lat$/.test(name)) return degreesMinutes(value, "N", "S");
-  if (/(^|_)lon$/.test(name)) return degreesMinutes(value, "E", "W");
+  if (/(^|_)lat(itude)?$/.test(name)) return degreesMinutes(value, "N", "S");
+  if (/(^|_)lon(gitude)?$/.test(name)) return degreesMinutes(value, "E", "W");
   return quantity(value, unit);
 }
 

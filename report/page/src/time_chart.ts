@@ -37,6 +37,8 @@ export interface ChartOptions {
   /** Downward axis, 0 at the top. */
   inverted?: boolean;
   range: [number, number];
+  /** A mark of the axis of values, in words; `step` is between two. */
+  mark?: (value: number, step: number) => string;
   lines: Line[];
   /** Space above and to the right of the plot, CSS pixels. */
   top: number;
@@ -98,7 +100,7 @@ function roomFor(labels: string[] | null): number {
   return room;
 }
 
-function axes(height: number, flight: Flight): uPlot.Axis[] {
+function axes({ height, mark }: ChartOptions, flight: Flight): uPlot.Axis[] {
   const common = {
     stroke: () => theme("muted"),
     grid: { stroke: () => theme("grid"), width: 1 },
@@ -108,7 +110,9 @@ function axes(height: number, flight: Flight): uPlot.Axis[] {
   return [
     { ...common, incrs: steps, space: 70, size: 30, ...timeAxis(flight) },
     { ...common, size: (_: uPlot, labels: string[] | null) => roomFor(labels), space: height > 200 ? 36 : 24, values: (_: uPlot, at: number[]) => {
-      const digits = digitsFor(at.length > 1 ? Math.abs(at[1] - at[0]) : 1);
+      const step = at.length > 1 ? Math.abs(at[1] - at[0]) : 1;
+      if (mark) return at.map((v) => mark(v, step));
+      const digits = digitsFor(step);
       return at.map((v) => fixed(v, digits));
     } },
   ];
@@ -164,7 +168,7 @@ export class TimeChart {
       cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: false, setScale: false } },
       scales: { x: { time: false, range: () => this.view.range }, y: { range: o.range, dir: o.inverted ? -1 : 1 } },
       series: [{}, ...seriesOf(o.lines, this.flight.log !== null)],
-      axes: axes(o.height, this.flight),
+      axes: axes(o, this.flight),
       hooks: {
         drawClear: [(u: uPlot) => { this.thinLines(u); u.ctx.globalAlpha = 1; o.paintUnder?.(u); }],
         draw: [(u: uPlot) => { u.ctx.globalAlpha = 1; o.paintOver?.(u); }],

@@ -56,11 +56,7 @@ export function anchorOf(flight: Flight): Anchor | null {
 
 function fromDegrees(points: Point[], anchor: Anchor | null): Point[] {
   if (!anchor) return [];
-  return points.map((p) => ({
-    row: p.row,
-    x: anchor.x + (p.x - anchor.lon) * anchor.perLon,
-    y: anchor.y + (p.y - anchor.lat) * anchor.perLat,
-  }));
+  return points.map((p) => ({ row: p.row, ...placeOf(anchor, p.y, p.x) }));
 }
 
 /** Of a log: the dead-reckoned track, or at least the GPS fixes, then the simulated one. */
@@ -105,9 +101,10 @@ export function trueCurrentsOf(flight: Flight): Current[] {
   return out;
 }
 
-/** A place on Earth in metres. */
+/** A place on Earth in metres; the shorter way round, also across 180°. */
 export function placeOf(anchor: Anchor, lat: number, lon: number): Place {
-  return { x: anchor.x + (lon - anchor.lon) * anchor.perLon, y: anchor.y + (lat - anchor.lat) * anchor.perLat };
+  const east = lon - anchor.lon;
+  return { x: anchor.x + (east - 360 * Math.round(east / 360)) * anchor.perLon, y: anchor.y + (lat - anchor.lat) * anchor.perLat };
 }
 
 /** The true track and the dead-reckoned one, those there are, the true one first. */

@@ -86,6 +86,29 @@ TEST(MissionFacts, PlacesHaveTheNamesOfConstants) {
   EXPECT_EQ(places[1].name, "far");
 }
 
+TEST(MissionFacts, APositionThatIsAParameterIsAPlace) {
+  auto compilation = compiler::compileText("target.mission", R"(mission target
+param limit: angle = 20 deg
+param target: position = 39 10.5 N 73 49.0 W
+state s
+begin
+  flightroute nav(target)
+  flightprofile yo(5 m, 30 m)
+  sensors missiontime
+  events
+    case missiontime > 30 min exit
+end
+)");
+  ASSERT_TRUE(compilation);
+  ASSERT_NE(compilation->checked, nullptr);
+  const compiler::Optimised mission = compiler::optimise(compilation->checked);
+  const auto places = missionFacts(mission, {0.3, 39.5, -73.5}).places;
+  ASSERT_EQ(places.size(), 1U);
+  EXPECT_EQ(places[0].name, "target");
+  EXPECT_EQ(places[0].latitude_deg, 39.5) << "as it was set at launch";
+  EXPECT_EQ(places[0].longitude_deg, -73.5);
+}
+
 TEST(MissionFacts, ThePointsOfAPathArePlacesInItsOrder) {
   auto compilation = compiler::compileText("paths.mission", R"(mission paths
 
@@ -192,8 +215,8 @@ TEST(LoggedValues, AreShownRoundedWithTheirUnits) {
   EXPECT_EQ(shownTextOf(trace.events[0]), "bloom, at 11.779 m, 2.6122 ug/L, -28.6 deg");
   EXPECT_EQ(shownTextOf(trace.events[1]), "bloom, at unknown, 123457 ug/L, 0.0 deg");
   EXPECT_EQ(shownTextOf(trace.events[2]), "another 1.23456789012") << "not of this mission";
-  EXPECT_EQ(textOf(trace.events[0]), "bloom, at 11.7794151306 2.61221814156 -0.5")
-      << "events.csv keeps all digits";
+  EXPECT_EQ(textOf(trace.events[0]), "bloom, at 11.7794151306 m 2.61221814156 ug/L -0.5 rad")
+      << "events.csv keeps all digits, with units";
 }
 
 /// A note for the vehicle holds 60 bytes.
@@ -209,9 +232,9 @@ TEST(LoggedValues, WhatTheVehicleDidNotReceiveIsInTheMissionsOwnLog) {
   addLoggedValues(compiled(), trace);
   EXPECT_EQ(trace.at(1, 3), 1) << "the first row at or after 3 s";
   EXPECT_EQ(trace.at(2, 3), 1.23456789012e-05) << "with 12 digits, as a note";
-  EXPECT_EQ(textOf(trace.events[0]), "bloom, at 1 2 3");
+  EXPECT_EQ(textOf(trace.events[0]), "bloom, at 1 m 2 ug/L 3 rad");
   EXPECT_EQ(textOf(trace.events[1]),
-            "bloom, at 1.23456789012e-05 2.34567890123e-05 -3.45678901234e-05")
+            "bloom, at 1.23456789012e-05 m 2.34567890123e-05 ug/L -3.45678901234e-05 rad")
       << "not the first note of that time";
   EXPECT_EQ(textOf(trace.events[2]), cut.substr(0, 60)) << "it is of another time";
 }

@@ -62,6 +62,24 @@ TEST(Geojson, ATrackIsALineOfLongitudeAndLatitudeInUtc) {
   EXPECT_EQ(tracks[0].at("properties").at("times").at(1), 1250000150);
 }
 
+TEST(Geojson, AWaypointWithoutANameIsAMark) {
+  auto trace = flown();
+  const size_t width = trace.columns.size();
+  std::vector<double> rows;
+  for (size_t row = 0; row < trace.rowCount(); ++row) {
+    rows.insert(rows.end(), &trace.rows[row * width], &trace.rows[row * width] + width);
+    rows.push_back(row < 3 ? 39.1 : 39.2);  // first to the place that has a name
+    rows.push_back(-73.8);
+  }
+  trace.rows = std::move(rows);
+  trace.columns.insert(trace.columns.end(), {{"c_wpt_lat", "deg"}, {"c_wpt_lon", "deg"}});
+  const auto marks = featuresOf(trace, "waypoint");
+  ASSERT_EQ(marks.size(), 2U);
+  EXPECT_EQ(marks[0].at("properties").at("name"), "far <end>");
+  EXPECT_EQ(marks[1].at("properties").at("name"), "waypoint 1");
+  EXPECT_EQ(marks[1].at("geometry").at("coordinates"), nlohmann::json({-73.8, 39.2}));
+}
+
 TEST(Geojson, ALineIsCutAtTheAntimeridian) {
   const auto tracks = featuresOf(flown(179.985, 0.01), "track");
   ASSERT_EQ(tracks.size(), 1U);

@@ -131,7 +131,7 @@ int read(const ir::Mission& mission, const MessagesOptions& options, Json* docum
     const size_t end = std::min(input->find('\n', at), input->size());
     const std::string_view line = std::string_view(*input).substr(at, end - at);
     at = end + 1;
-    const auto heard = flights::messageIn(mission, line);
+    const auto heard = flights::messageIn(mission, line, static_cast<uint8_t>(options.janus_class));
     if (!heard) {
       others += line.find_first_not_of(" \t\r") != std::string_view::npos ? size_t{1} : 0;
       continue;
@@ -214,10 +214,9 @@ void addMessagesCommand(CLI::App& app, int& status) {
       ->needs(send);
   command
       ->add_option("--janus-class", options->janus_class,
-                   "Class of user of the JANUS packet [16, of the reference implementation]")
+                   "Class of user of JANUS packets [16, of the reference implementation]")
       ->check(CLI::Range(0U, 255U))
-      ->option_text("NUMBER")
-      ->needs(send);
+      ->option_text("NUMBER");
   command->footer(kFooter);
   addFormatOption(*command, options->json);
   command->callback([options, &status] {

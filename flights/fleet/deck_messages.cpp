@@ -52,9 +52,13 @@ std::vector<double> valuesIn(const ir::Mission& mission, const ir::ShareMessage&
 std::optional<HeardMessage> frameOf(const ir::Mission& mission, HeardBy by, uint32_t source,
                                     const uint8_t* bytes, uint32_t size) {
   for (const ir::ShareMessage& message : ir::messagesOf(mission)) {
-    MessageReader reader(bytes, by == HeardBy::Janus ? message.bytes : size);
+    const bool janus = by == HeardBy::Janus;
+    MessageReader reader(bytes, janus ? message.bytes : size);
     std::vector<double> values = valuesIn(mission, message, reader);
-    const bool fits = by != HeardBy::Janus || message.bytes <= size;
+    const bool fits =
+        janus ? message.bytes <= size && std::all_of(bytes + message.bytes, bytes + size,
+                                                     [](uint8_t b) { return b == 0; })
+              : message.mini_bits == 0;
     if (fits && reader.end(static_cast<uint8_t>(message.signature), message.bytes)) {
       return HeardMessage{by, source, message, std::move(values)};
     }
@@ -106,7 +110,8 @@ std::optional<uint8_t> byteOf(std::string_view digits) {
 }
 
 /// The message in the 16 digits at the end of `line`.
-std::optional<HeardMessage> inJanus(const ir::Mission& mission, std::string_view line) {
+std::optional<HeardMessage> inJanus(const ir::Mission& mission, std::string_view line,
+                                    uint8_t janus_class) {
   line = line.substr(0, line.find_last_not_of(" \t\r") + 1);
   line = line.substr(line.find_last_of(" \t,:") + 1);
   std::array<uint8_t, janus::kPacketBytes> bytes{};
@@ -121,7 +126,7 @@ std::optional<HeardMessage> inJanus(const ir::Mission& mission, std::string_view
     bytes[i] = *byte;
   }
   janus::Packet packet;
-  if (!decode(bytes.data(), packet)) {
+  if (!decode(bytes.data(), packet) || packet.class_id != janus_class || packet.scheduled) {
     return std::nullopt;
   }
   std::array<uint8_t, (janus::kBlockBits + kByteBits - 1) / kByteBits> block{};
@@ -243,16 +248,17 @@ const char* nameOf(HeardBy by) {
   return kNames[static_cast<size_t>(by)];
 }
 
-std::optional<HeardMessage> messageIn(const ir::Mission& mission, std::string_view line) {
+std::optional<HeardMessage> messageIn(const ir::Mission& mission, std::string_view line,
+                                      uint8_t janus_class) {
   hooks::SentenceReader reader;
+  std::optional<HeardMessage> heard;
   for (const char c : line) {
-    if (reader.push(static_cast<uint8_t>(c))) {
-      if (auto heard = inSentence(mission, reader.text())) {
-        return heard;
-      }
+    if (!heard && reader.push(static_cast<uint8_t>(c))) {
+      heard = inSentence(mission, reader.text());
     }
   }
-  return inJanus(mission, line);
+  heard = heard ? heard : inJanus(mission, line, janus_class);
+  return heard && heard->source != 0 ? heard : std::nullopt;  // no vehicle has that address
 }
 
 support::Result<std::vector<DeckMessage>> messagesFor(const ir::Mission& mission,

@@ -32,8 +32,10 @@ struct HeardMessage {
 
 /// The message of `mission` in a line of what a modem says: `$CARXD,…`, `$CAMUA,…`, or the 16
 /// hexadecimal digits of a JANUS packet, with anything around a sentence, and before the digits.
-/// Also of what a host says (`$CCTXD,…`, `$CCMUC,…`). Empty: there is none.
-std::optional<HeardMessage> messageIn(const ir::Mission& mission, std::string_view line);
+/// Also of what a host says (`$CCTXD,…`, `$CCMUC,…`), and for any destination. A JANUS packet must
+/// be of that class of user. Empty: there is none.
+std::optional<HeardMessage> messageIn(const ir::Mission& mission, std::string_view line,
+                                      uint8_t janus_class);
 
 /// A message for the modem of a ship.
 struct DeckMessage {

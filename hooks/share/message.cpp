@@ -44,11 +44,14 @@ MessageWriter& MessageWriter::put(const Scale& scale, double value) {
 }
 
 bool MessageWriter::end(uint8_t signature, uint8_t* bytes, uint32_t size) {
+  if (size > Number::kMostBytes) {
+    return false;
+  }
   fits_ = number_.put(MessageReader::kSignatures, signature) && fits_;
-  for (uint32_t i = 0; i < size && i < Number::kMostBytes; ++i) {
+  for (uint32_t i = 0; i < size; ++i) {
     bytes[i] = number_.byte(i);
   }
-  return fits_ && number_.size() <= size && size <= Number::kMostBytes;
+  return fits_ && number_.size() <= size;
 }
 
 bool MessageWriter::endMini(uint8_t signature, uint32_t& bits) {

@@ -41,7 +41,8 @@ MessageSize sizeOf(const Scale* scales, uint32_t count);
 class MessageWriter {
  public:
   MessageWriter& put(const Scale& scale, double value);
-  /// Writes `size` bytes, as sizeOf counts them. False if the message needs more.
+  /// Writes `size` bytes, as sizeOf counts them. False if the message needs more, or if no message
+  /// has so many; then nothing is written.
   bool end(uint8_t signature, uint8_t* bytes, uint32_t size);
   /// The same for a mini packet: its bits.
   bool endMini(uint8_t signature, uint32_t& bits);

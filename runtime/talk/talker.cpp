@@ -50,6 +50,9 @@ void Talker::poll(const GliderByteStream& modem, GliderContext* context, double 
     begin(*context);
   }
   flush(modem);
+  if (step_ == Step::SendsMini && !hasRoom() && clock_.now() - since_ >= kLongestDialogueSecs) {
+    giveUp();  // later, it would be in the slot of another vehicle
+  }
 }
 
 /// Takes some of what is there. The rest waits, so that a modem that never stops cannot hold up the
@@ -103,8 +106,7 @@ void Talker::take(const hooks::Text& sentence, GliderContext* context) {
   } else if (MiniPacketReceived mini; decode(sentence, mini)) {
     takeMini(mini, context);
   } else if (MiniPacketEcho echo; decode(sentence, echo)) {
-    counts_.sent += step_ == Step::SendsMini ? 1 : 0;
-    step_ = step_ == Step::SendsMini ? Step::Idle : step_;
+    takeEcho(echo);
   } else if (SettingIs setting; decode(sentence, setting)) {
     takeSetting(setting);
   } else if (TransmitEnds ends; decode(sentence, ends)) {
@@ -150,6 +152,14 @@ void Talker::takeRequest(const DataRequest& request, const GliderContext* contex
   if (say(answer) && wanted) {
     step_ = Step::Sends;
     wasGiven();
+  }
+}
+
+void Talker::takeEcho(const MiniPacketEcho& echo) {
+  if (step_ == Step::SendsMini && echo.source == address_ && echo.bits == mini_bits_) {
+    ++counts_.sent;
+    wasGiven();
+    step_ = Step::Idle;
   }
 }
 
@@ -291,9 +301,6 @@ void Talker::begin(const GliderContext& context) {
   message_ = message;
   step_ = mini ? Step::SendsMini : Step::Begins;
   since_ = clock_.now();
-  if (mini) {
-    wasGiven();
-  }
 }
 
 bool Talker::beginMini(const GliderMessage& message, const GliderContext& context) {
@@ -301,7 +308,9 @@ bool Talker::beginMini(const GliderMessage& message, const GliderContext& contex
   pack(message, context, writer);
   SendMiniPacket packet;
   packet.source = address_;
-  return writer.endMini(signatureOf(message), packet.bits) && say(packet);
+  const bool fits = writer.endMini(signatureOf(message), packet.bits);
+  mini_bits_ = packet.bits;
+  return fits && say(packet);
 }
 
 /// The number of the message that should have been sent for the longest time; one that was never

@@ -33,8 +33,9 @@ class Talker {
   static constexpr double kPatienceSecs = 10;
   /// The modem is asked again to take its address after this, s.
   static constexpr double kAskAgainSecs = 5;
-  /// The modem asks for the data within this time after a cycle was begun, s; later, the frame
-  /// would end in the slot of another vehicle. platforms::slotOf has room for it.
+  /// The modem asks for the data, or has taken a mini packet, within this time after a cycle was
+  /// begun, s; later, it would end in the slot of another vehicle. platforms::slotOf has room for
+  /// it.
   static constexpr double kLongestDialogueSecs = 2;
   /// What was received waits so long for a frame of the vehicle, s: its age counts from there.
   static constexpr double kLongestWaitSecs = 20;
@@ -76,6 +77,7 @@ class Talker {
   void take(const hooks::Text& sentence, GliderContext* context);
   void takeSetting(const hooks::micro_modem::SettingIs& setting);
   void takeRequest(const hooks::micro_modem::DataRequest& request, const GliderContext* context);
+  void takeEcho(const hooks::micro_modem::MiniPacketEcho& echo);
   void takeMini(const hooks::micro_modem::MiniPacketReceived& packet, GliderContext* context);
   void takeFrame(const hooks::micro_modem::Received& frame, GliderContext* context);
   [[nodiscard]] bool isForUs(uint32_t source, uint32_t destination) const;
@@ -112,6 +114,7 @@ class Talker {
   double asked_ = kNever;       ///< for the address, s
   double since_ = 0;            ///< the step, s
   uint32_t message_ = 0;        ///< of the cycle
+  uint32_t mini_bits_ = 0;      ///< of the mini packet
   uint64_t slot_ = UINT64_MAX;  ///< the newest in which a cycle was begun
   double sent_[GLIDER_MOST_SHARES] = {};
   bool was_sent_[GLIDER_MOST_SHARES] = {};

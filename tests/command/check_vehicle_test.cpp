@@ -166,9 +166,10 @@ TEST_F(CheckVehicle, AScenarioSaysWhereItStarts) {
   const std::string here = "assume start inside(39 N 74 W, 39 N 73 W, 40 N 73.5 W)\n";
   const std::string there = "assume start inside(49 N 74 W, 49 N 73 W, 50 N 73.5 W)\n";
   expectFine(check("--scenario default", here));
-  expectError(check("--scenario default", there),
-              "scenario `default` starts at 39.1750, -73.8350, but the mission assumes `start "
-              "inside(49 N 74 W");
+  expectError(
+      check("--scenario default", there),
+      "scenario `default` starts at 39 10.500 N 73 50.100 W, but the mission assumes `start "
+      "inside(49 N 74 W");
   expectFine(check("", there));
 }
 

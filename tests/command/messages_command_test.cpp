@@ -86,6 +86,33 @@ TEST_F(MessagesCommand, ReadsWhatAModemSays) {
   EXPECT_EQ(read.out, "bob: level 12 degC (mini packet)\n") << read.err;
 }
 
+/// What differs from a right packet, `3a103c00002b647d` of `top=42 m`, in one thing each.
+TEST_F(MessagesCommand, WhatIsNoMessageOfTheMissionIsNotShown) {
+  const std::string finder = GLIDER_SOURCE_DIR "/missions/fleet/finder.mission";
+  for (const char* line : {
+           "3a103fffff2b6421",        // a number above the greatest
+           "3a033c00002b6498",        // another class of user
+           "3e103c00002b6408",        // it begins with a reservation
+           "3a103c00002b647e",        // another check
+           "3a103c00002b647d00",      // longer
+           "$CAMUA,0,0,015C*00",      // no vehicle's address
+           "$CARXD,0,0,0,1,642B*13",  //
+           "$CARXD,3,0,0,1,642B*10",  // a frame of what is sent as a mini packet
+           "$CAMUA,3,0,115C*02",      // above the greatest
+       }) {
+    const auto log = folder_.write("one.log", std::string(line) + "\n");
+    const Outcome read = runShell("$GLIDERCC messages " + finder + " --read " + log.string());
+    EXPECT_EQ(read.status, 2) << line << read.out;
+    EXPECT_EQ(read.out, "") << line;
+  }
+  const auto log = folder_.write("one.log", "3a103c00002b647d\n3a033c00002b6498\n");
+  EXPECT_EQ(runShell("$GLIDERCC messages " + finder + " --read " + log.string()).out,
+            "vehicle 15: top 42 m (JANUS)\n");
+  EXPECT_EQ(
+      runShell("$GLIDERCC messages " + finder + " --janus-class 3 --read " + log.string()).out,
+      "vehicle 15: top 42 m (JANUS)\n");
+}
+
 TEST_F(MessagesCommand, WhatCannotBeSentIsRefused) {  // rejects: GL9396
   for (const auto& [setting, why] :
        {std::pair{"top=200.1 m", "`top` has values from 0 m to 200 m"},

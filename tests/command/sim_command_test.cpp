@@ -476,13 +476,13 @@ TEST_F(Sim, PositionsAtLaunchAreReadAsTheLanguageDoes) {
   const Outcome listed =
       run("$GLIDERCC params m.mission --set w.latitude=3910.5 --set 'w.longitude = -7349.8'");
   EXPECT_EQ(listed.status, 0) << listed.err;
-  EXPECT_THAT(listed.out, HasSubstr("w     position  39.175 N 73.83 W"));
+  EXPECT_THAT(listed.out, HasSubstr("w     position  39 10.500 N 73 49.800 W"));
   EXPECT_EQ(listed.out.find("set to"), std::string::npos) << listed.out;
   // What is printed is read.
   (void)folder_.write("p.txt", "w.latitude = 39.25 S # south\nw.longitude = 12010.5\n");
   const Outcome filed = run("$GLIDERCC params m.mission --parameters p.txt");
   EXPECT_EQ(filed.status, 0) << filed.err;
-  EXPECT_THAT(filed.out, HasSubstr("39.25 S 120.175 E"));
+  EXPECT_THAT(filed.out, HasSubstr("39 15.000 S 120 10.500 E"));
   for (const char* wrong : {"w.latitude=39.175", "w.latitude=9100", "w.latitude=3960",
                             "w.latitude=91 N", "w.latitude=73.83 W", "w.longitude=-73.8 W",
                             "w.latitude=-12210.5", "w.latitude=39,175 N"}) {
@@ -501,15 +501,15 @@ TEST_F(Sim, APositionIsSetAsAWhole) {
   (void)folder_.write("p.txt", "w = 39 15 S 120 10.5 E # south\n");
   const Outcome filed = run("$GLIDERCC params m.mission --parameters p.txt");
   EXPECT_EQ(filed.status, 0) << filed.err;
-  EXPECT_THAT(filed.out, HasSubstr("39.25 S 120.175 E"));
+  EXPECT_THAT(filed.out, HasSubstr("39 15.000 S 120 10.500 E"));
   const Outcome half = run("$GLIDERCC params m.mission --parameters p.txt --set w.longitude=5.5E");
-  EXPECT_THAT(half.out, HasSubstr("39.25 S 5.5 E"));
+  EXPECT_THAT(half.out, HasSubstr("39 15.000 S 5 30.000 E"));
   // What the halves were before does not matter.
   (void)folder_.write("halves.txt", "w.latitude = 7349.8\nw.longitude = 3910.5\n");
   const Outcome whole =
       run("$GLIDERCC params m.mission --parameters halves.txt --set 'w=80.1 N 12.5 E'");
   EXPECT_EQ(whole.status, 0) << whole.err;
-  EXPECT_THAT(whole.out, HasSubstr("80.1 N 12.5 E"));
+  EXPECT_THAT(whole.out, HasSubstr("80 06.000 N 12 30.000 E"));
   const Outcome refused = run("$GLIDERCC params m.mission --set 'w=73.83 W 39.175 N'");
   EXPECT_EQ(refused.status, 2);
   EXPECT_THAT(refused.err, HasSubstr("`w` cannot be `73.83 W 39.175 N`: the latitude comes first"));

@@ -170,7 +170,10 @@ TEST(Usage, TheExamplesOfEachCommandWork) {
       "survey.mi && printf '\nbehavior: yo\n  b_arg: d_target_depth(m) 20\n' >> survey.mi && "
       "$GLIDERCC build transect.mission --dialect extctl -o transect-port && "
       "$GLIDERCC sim transect.mission --board host -o logged > /dev/null && "
-      "find logged -name '*.log' -exec cp {} transect.log ';' && test -s transect.log");
+      "find logged -name '*.log' -exec cp {} transect.log ';' && test -s transect.log && "
+      "cp " GLIDER_SOURCE_DIR
+      "/missions/fleet/finder.mission . && $GLIDERCC messages finder.mission "
+      "--send 'top=42 m' > modem.log");
   ASSERT_EQ(prepared.status, 0) << prepared.err;
   for (const std::string& command : commands()) {
     const auto examples = examplesOf(command);

@@ -98,8 +98,8 @@ std::set<std::string> library(const std::string& kind) {
   const std::string text = source("missions/library/standard.mission");
   const std::regex declaration("\n" + kind + " (\\w+)(\\(([^)]*)\\))?");
   for (std::sregex_iterator at(text.begin(), text.end(), declaration), end; at != end; ++at) {
-    const std::string without_types =
-        std::regex_replace((*at)[3].str(), std::regex(": *\\w+(/\\w+)?( = \\w+)?"), "");
+    const std::string without_types = std::regex_replace(
+        (*at)[3].str(), std::regex(": *\\w+(/\\w+)?( = \\w+)?(\\s+in [^,)]*)?"), "");
     const std::string names = std::regex_replace(without_types, std::regex(",\\s+"), ", ");
     calls.insert((*at)[1].str() + (names.empty() ? "" : "(" + names + ")"));
   }

@@ -6,6 +6,7 @@
 #include "frontend/sema/expressions/decimal_commas.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/expressions/named_arguments.h"
+#include "ir/core/walk.h"
 #include "ir/verify/intervals.h"
 #include "ir/verify/value_text.h"
 #include "support/diagnostics/ids/meaning.h"
@@ -107,7 +108,7 @@ class ArgumentLowering {
       return addUsual(formal, what);
     }
     if (step.formals == 2) {
-      return add(step.argument, {latitude(), true}, what);
+      return add(step.argument, {latitude(), true}, what) && positionInRange(step);
     }
     const bool whole = step.arguments == 2 || latitudeAndLongitude(step.formal);
     if (whole && (longitudeFirst(step.argument) || decimalDegrees(step.argument))) {
@@ -134,27 +135,72 @@ class ArgumentLowering {
            (formal.range == nullptr || isInRange(formal, arguments_[step.argument], what));
   }
 
-  /// Of the value that was added last. What has no bounds, as a variable without a range, is taken.
+  /// Of the value that was added last, if it follows from constants and parameters of the mission:
+  /// what changes in flight is taken. What has no bounds, as a parameter without a range, is
+  /// refused only where no value of it would do.
   bool isInRange(const Signature::Formal& formal, const ast::Argument& argument,
                  const std::string& what) {
     constexpr double kNoBound = 1e300;
-    const ir::Interval values =
-        ir::SubtreeIntervals(scope_.mission)
-            .of(result_.values.back(),
-                [](uint32_t, const ir::Interval& interval) { return interval; });
-    const bool above = values.highest > formal.highest;
-    const double end = above ? values.highest : values.lowest;
-    if (values.within(formal.lowest, formal.highest) || std::fabs(end) > kNoBound) {
+    const ir::ExprId value = result_.values.back();
+    if (!isKnownAtStart(value)) {
       return true;
     }
+    const ir::Interval values =
+        ir::SubtreeIntervals(scope_.mission).of(value, [](uint32_t, const ir::Interval& interval) {
+          return interval;
+        });
     const bool constant = values.lowest == values.highest;
+    const bool never = values.lowest > formal.highest || values.highest < formal.lowest;
+    const bool above = values.highest > formal.highest;
+    const double end =
+        never ? (above ? values.lowest : values.highest) : (above ? values.highest : values.lowest);
+    if (values.within(formal.lowest, formal.highest) ||
+        (!never && !constant && std::fabs(end) > kNoBound)) {
+      return true;
+    }
+    const bool written = constant && isNumber(*argument.value);
     auto report = scope_.report(
         support::diagnostics::argumentOutside, argument.value->where, what,
         constant ? "is" : "may be",
-        constant ? scope_.text(argument.value->where) : ir::withUnit(end, formal.type.type),
+        written ? scope_.text(argument.value->where) : ir::withUnit(end, formal.type.type),
         scope_.text(formal.range->lowest.where), scope_.text(formal.range->highest.where));
     noteDeclaration(report, "its range is part of the declaration");
     return false;
+  }
+
+  /// Of a position that was added last, for a latitude and a longitude.
+  bool positionInRange(const Step& step) {
+    const ir::ExprId longitude = result_.values.back();
+    bool inside = true;
+    result_.values.pop_back();
+    for (size_t half = 0; half < 2; ++half) {
+      const Signature::Formal& formal = formals()[step.formal + half];
+      if (half == 1) {
+        result_.values.push_back(longitude);
+      }
+      inside = inside && (formal.range == nullptr ||
+                          isInRange(formal, arguments_[step.argument],
+                                    fmt::format("`{}` of `{}`", formal.name->text, callee_.name)));
+    }
+    return inside;
+  }
+
+  [[nodiscard]] bool isKnownAtStart(ir::ExprId id) const {
+    return !ir::anyIn(scope_.mission, id, [&](const ir::Expr& e) {
+      using enum ir::Op;
+      const bool changes = e.op == Sensor || e.op == Age || e.op == MissionTime ||
+                           e.op == StateTime || e.op == ResumeTime || e.op == Call ||
+                           e.op == Temporal;
+      return changes ||
+             (e.op == Variable && scope_.mission[e.variable].kind != ir::VariableKind::Parameter);
+    });
+  }
+
+  /// `300 m`, `-300 m`.
+  static bool isNumber(const ast::Expr& expr) {
+    const auto* unary = std::get_if<ast::Unary>(&expr.node);
+    return std::holds_alternative<ast::Literal>(expr.node) ||
+           (unary != nullptr && std::holds_alternative<ast::Literal>(unary->operand->node));
   }
 
   bool addUsual(const Signature::Formal& formal, const std::string& what) {

@@ -62,10 +62,13 @@ void notePowerCutsCount(support::DiagnosticBuilder& warning, const Requirement& 
   }
   if (*always_powered.by > requirement.seconds) {
     const EndBound& end = ending.bound();
+    if (!end.by) {
+      return;
+    }
     warning.note(requirement.range,
                  fmt::format("it is proved that the mission ends after at most {}; require that, "
                              "or end it earlier",
-                             durationOf(end.by.value_or(*always_powered.by))));
+                             durationOf(*end.by)));
     return;
   }
   const EndBound& end = ending.bound();

@@ -82,6 +82,46 @@ TEST_F(TalkerMini, ARefusalEndsIt) {
   EXPECT_EQ(talker_->counts().unanswered, 1U);
 }
 
+/// It was not given to the modem: the next slot of this vehicle comes 36 s later.
+TEST_F(TalkerMini, WhatWasRefusedIsSentInTheNextSlot) {
+  talk_.messages[0].period = 3600;
+  bool refuses = true;
+  modem_.answer = [&refuses](ScriptedModem& modem, const std::string& body) {
+    body.starts_with("CCMUC,") && refuses ? modem.say("CAERR,120000,MUC") : echoes(modem, body);
+    refuses = refuses && !body.starts_with("CCMUC,");
+  };
+  run(100);
+  const auto times = timesOf("CCMUC");
+  ASSERT_THAT(times, SizeIs(2));
+  EXPECT_NEAR(times[1] - times[0], 36, 3);
+  EXPECT_EQ(talker_->counts().sent, 1U);
+}
+
+/// A line that takes nothing until later: what is late would be in the slot of another vehicle.
+TEST_F(TalkerMini, WhatTheLineDoesNotTakeIsDropped) {
+  run(30);
+  const size_t before = modem_.heardOf("CCMUC").size();
+  modem_.takes = 0;
+  run(90);
+  EXPECT_EQ(modem_.heardOf("CCMUC").size(), before);
+  EXPECT_GE(talker_->counts().unanswered, 1U);
+  modem_.takes = 1000;
+  run(60);
+  for (const double time : timesOf("CCMUC")) {
+    EXPECT_EQ(std::fmod(std::floor(time / kSlot), 3), 0) << time;
+    EXPECT_LE(std::fmod(time, kSlot), 4 + Talker::kLongestDialogueSecs + 1) << time;
+  }
+}
+
+/// An echo of another mini packet is not that of ours.
+TEST_F(TalkerMini, AnotherEchoIsNotOurs) {
+  modem_.answer = [](ScriptedModem& modem, const std::string& body) {
+    body.starts_with("CCMUC,") ? modem.say("CAMUC,1,0,0046") : ScriptedModem::usual(modem, body);
+  };
+  run(45);
+  EXPECT_EQ(talker_->counts().sent, 0U);
+}
+
 /// An echo without a mini packet of ours counts nothing.
 TEST_F(TalkerMini, AnEchoOutOfTurnCountsNothing) {
   run(40);

@@ -67,7 +67,7 @@ TEST(Liar, SendsMessagesOfTheFleetWithAllValuesOfTheirRanges) {
   EXPECT_NEAR(second, 10000, 400);
 }
 
-/// Whatever it replaces: a mini packet by a frame, and a frame by a mini packet.
+/// It replaces a mini packet by a frame, and a frame by a mini packet.
 TEST(Liar, LiesInMiniPacketsToo) {
   const std::vector<MessageForm> forms = {kForms[0], {{{0, 1, 101}}, 0x5D, 2, true}};
   AcousticFrame mini;

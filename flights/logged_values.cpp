@@ -70,7 +70,11 @@ std::vector<Statements> statementsOf(const compiler::Checked& mission,
   const ir::Mission& m = mission.mission();
   const auto unit_of = [&](const std::string& sensor) -> std::string {
     const int column = trace.column(sensor);
-    return column >= 0 ? trace.columns[static_cast<size_t>(column)].unit : "";
+    if (column >= 0) {
+      return trace.columns[static_cast<size_t>(column)].unit;
+    }
+    const platforms::PlatformSensor* const known = mission.platform().find(sensor);
+    return known != nullptr ? known->unit : "";
   };
   std::vector<Statements> all;
   forEachLog(m, [&](const ir::Statement& statement) {

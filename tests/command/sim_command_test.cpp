@@ -374,6 +374,17 @@ TEST_F(Sim, LoggedValuesAreRoundedForPeopleOnly) {
               testing::ContainsRegex("\"battery low 1[01]\\.[0-9]{8,} V\""));
 }
 
+/// Also where the state lists it nowhere else, so that the trace has no column of it.
+TEST_F(Sim, ALoggedTimeOfTheCalendarIsADate) {
+  (void)folder_.write("d.mission",
+                      "mission dated\nstate s\nbegin\n  flightprofile surfaced\n"
+                      "  sensors       missiontime\n  entry do log \"begins\", utc end\n"
+                      "  events\n    case missiontime > 2 min exit\nend\n");
+  const Outcome flown = run("$GLIDERCC sim d.mission -o f");
+  EXPECT_EQ(flown.status, 0) << flown.err;
+  EXPECT_THAT(flown.out, testing::ContainsRegex(" begins 2009-08-11T14:13:[0-9]{2}Z\n"));
+}
+
 TEST_F(Sim, ASensorThatTheVehicleDoesNotCarry) {
   mission("20 m", "sci_oxy4_oxygen");
   const Outcome without = run("$GLIDERCC sim m.mission -o f");

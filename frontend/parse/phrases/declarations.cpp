@@ -14,10 +14,21 @@
 namespace glider::frontend::phrases {
 namespace {
 
+/// The tokens of `39.2 N` or `39 10.5 N` from token `k` on; 0: they are something else.
+size_t tokensOfHalf(const Phrase& phrase, size_t k) {
+  const size_t numbers = phrase.type(k) != GliderLexer::NUMBER       ? 0
+                         : phrase.type(k + 1) == GliderLexer::NUMBER ? 2
+                                                                     : 1;
+  return numbers != 0 && phrase.type(k + numbers) == GliderLexer::COMPASS ? numbers + 1 : 0;
+}
+
 /// The dimension of a value that is written out, as a type: "length"; empty: not known.
 std::string_view typeOf(const Phrase& phrase, size_t k) {
   if (oneOf(phrase.type(k), {GliderLexer::TRUE, GliderLexer::FALSE})) {
     return "bool";
+  }
+  if (const size_t latitude = tokensOfHalf(phrase, k); latitude != 0) {
+    return tokensOfHalf(phrase, k + latitude) != 0 ? "position" : "";
   }
   const size_t tokens = tokensOfNumber(phrase, k);
   const size_t number = k + (phrase.type(k) == GliderLexer::MINUS ? 1 : 0);
@@ -25,11 +36,6 @@ std::string_view typeOf(const Phrase& phrase, size_t k) {
     return "";
   }
   const size_t next = k + tokens;
-  if (phrase.type(number + 1) == GliderLexer::COMPASS) {
-    return phrase.type(next) == GliderLexer::NUMBER && phrase.type(next + 1) == GliderLexer::COMPASS
-               ? "position"
-               : "";
-  }
   std::string unit;
   for (size_t i = number + 1; i < next; ++i) {
     unit += phrase.text(i);

@@ -117,6 +117,24 @@ LoggedForm formOf(const ir::Mission& mission, ir::ExprId id, const SensorUnit& u
   return bare ? formOf(mission[read.sensor], unit) : formOf(e.type);
 }
 
+SensorUnit unitsOf(const platforms::Platform& platform) {
+  return [&platform](const std::string& sensor) -> std::string {
+    const platforms::PlatformSensor* const known = platform.find(sensor);
+    return known != nullptr ? known->unit : "";
+  };
+}
+
+void forEachLog(const ir::Mission& mission,
+                const std::function<void(const ir::Statement&)>& visit) {
+  for (const ir::Block& block : mission.blocks) {
+    for (const ir::Statement& statement : block.statements) {
+      if (statement.kind == ir::StatementKind::Log) {
+        visit(statement);
+      }
+    }
+  }
+}
+
 std::string shownValues(std::span<const LoggedForm> forms, std::span<const double> values) {
   std::string list;
   for (size_t i = 0; i < values.size(); ++i) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ir/core/mission.h"
+#include "platforms/load/platform.h"
 
 #include <cstdint>
 #include <functional>
@@ -32,6 +33,10 @@ LoggedForm formOf(const ir::Type& type);
 /// that of its readings: the language has no dimension for a concentration.
 LoggedForm formOf(const ir::Mission& mission, ir::ExprId id, const SensorUnit& unit);
 LoggedForm formOf(const ir::Sensor& sensor, const SensorUnit& unit);
+/// Of the sensors that `platform`, which must outlive it, declares.
+SensorUnit unitsOf(const platforms::Platform& platform);
+/// All `log` statements of a mission, those of its profiles and routes too.
+void forEachLog(const ir::Mission& mission, const std::function<void(const ir::Statement&)>& visit);
 
 /// "11.779 m, 39 10.500 N 73 50.101 W, unknown": `values`, in the units of `forms`, which are as
 /// many or more. A latitude before a longitude is one position; angles are in degrees; times are

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -54,34 +53,23 @@ std::string asName(std::string_view text) {
   return name;
 }
 
-/// All `log` statements of a mission, those of its profiles and routes too.
-void forEachLog(const ir::Mission& m, const std::function<void(const ir::Statement&)>& visit) {
-  for (const ir::Block& block : m.blocks) {
-    for (const ir::Statement& statement : block.statements) {
-      if (statement.kind == ir::StatementKind::Log && !statement.values.empty()) {
-        visit(statement);
-      }
-    }
-  }
-}
-
 std::vector<Statements> statementsOf(const compiler::Checked& mission,
                                      const support::Trace& trace) {
   const ir::Mission& m = mission.mission();
+  const SensorUnit declared = unitsOf(mission.platform());
   const auto unit_of = [&](const std::string& sensor) -> std::string {
     const int column = trace.column(sensor);
     if (column >= 0) {
       return trace.columns[static_cast<size_t>(column)].unit;
     }
-    const platforms::PlatformSensor* const known = mission.platform().find(sensor);
-    return known != nullptr ? known->unit : "";
+    return declared(sensor);
   };
   std::vector<Statements> all;
   forEachLog(m, [&](const ir::Statement& statement) {
     const auto same = std::ranges::find_if(all, [&](const Statements& other) {
       return other.text == statement.text && other.columns.size() == statement.values.size();
     });
-    if (same != all.end()) {
+    if (same != all.end() || statement.values.empty()) {
       return;
     }
     Statements made{statement.text, {}};

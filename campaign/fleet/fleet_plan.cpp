@@ -199,10 +199,10 @@ Result<FleetVerdict> flyFleet(const FleetCampaignPlan& plan, const FleetCampaign
   FleetVerdict verdict;
   const auto traces = std::make_shared<std::vector<support::Trace>>();
   for (size_t i = 0; i < flying.size(); ++i) {
-    traces->push_back(flight_of_all->take(i));
-    flying[i]->judge(traces->back(), verdict);
-    if (flown == nullptr) {
-      traces->back() = {};
+    support::Trace trace = flight_of_all->take(i);
+    flying[i]->judge(trace, verdict);
+    if (flown != nullptr) {
+      traces->push_back(std::move(trace));
     }
   }
   judgeSeparation(plan, flight_of_all->separations, verdict);

@@ -6,8 +6,6 @@
 #include "report/text.h"
 #include "runtime/log/mission_log.h"
 
-#include <algorithm>
-
 namespace glider::driver {
 
 using flights::LoggedForm;
@@ -27,11 +25,7 @@ std::string placeName(const std::string& name) {
 }  // namespace
 
 LogInUnits::LogInUnits(const compiler::Optimised& mission) {
-  const flights::SensorUnit unit = [&](const std::string& name) -> std::string {
-    const auto& sensors = mission.platform().sensors;
-    const auto found = std::ranges::find(sensors, name, &platforms::PlatformSensor::name);
-    return found != sensors.end() ? found->unit : "";
-  };
+  const flights::SensorUnit unit = flights::unitsOf(mission.platform());
   for (const char* clock : {"statetime", "resumetime", "missiontime"}) {
     named_[clock] = ofTime();
   }
@@ -57,21 +51,16 @@ void LogInUnits::nameSensors(const ir::Mission& mission, const flights::SensorUn
 }
 
 void LogInUnits::nameNotes(const ir::Mission& mission, const flights::SensorUnit& unit) {
-  for (const ir::Block& block : mission.blocks) {
-    for (const ir::Statement& statement : block.statements) {
-      if (statement.kind != ir::StatementKind::Log) {
-        continue;
-      }
-      std::vector<LoggedForm>& forms = notes_[{
-          statement.text.substr(0, runtime::MissionLog::kNameBytes), statement.values.size()}];
-      for (size_t i = 0; i < statement.values.size(); ++i) {
-        const LoggedForm form = flights::formOf(mission, statement.values[i], unit);
-        // Of two statements that are alike, what differs has no unit.
-        i == forms.size() ? forms.push_back(form)
-                          : void(forms[i] = forms[i] == form ? form : LoggedForm{});
-      }
+  flights::forEachLog(mission, [&](const ir::Statement& statement) {
+    std::vector<LoggedForm>& forms = notes_[{
+        statement.text.substr(0, runtime::MissionLog::kNameBytes), statement.values.size()}];
+    for (size_t i = 0; i < statement.values.size(); ++i) {
+      const LoggedForm form = flights::formOf(mission, statement.values[i], unit);
+      // Of two statements that are alike, what differs has no unit.
+      i == forms.size() ? forms.push_back(form)
+                        : void(forms[i] = forms[i] == form ? form : LoggedForm{});
     }
-  }
+  });
 }
 
 /// Of each value of `entry`; what the mission does not name has none.

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -93,22 +94,6 @@ std::optional<HeardMessage> inSentence(const ir::Mission& mission, const hooks::
   return std::nullopt;
 }
 
-/// The number that `digits` begin with; empty: they are not hexadecimal.
-std::optional<uint8_t> byteOf(std::string_view digits) {
-  uint32_t byte = 0;
-  for (const char c : digits.substr(0, 2)) {
-    const uint32_t digit = c >= '0' && c <= '9'   ? static_cast<uint32_t>(c - '0')
-                           : c >= 'a' && c <= 'f' ? static_cast<uint32_t>(c - 'a') + 10
-                           : c >= 'A' && c <= 'F' ? static_cast<uint32_t>(c - 'A') + 10
-                                                  : 16;
-    if (digit > 15) {
-      return std::nullopt;
-    }
-    byte = byte * 16 + digit;
-  }
-  return static_cast<uint8_t>(byte);
-}
-
 /// The message in the 16 digits at the end of `line`.
 std::optional<HeardMessage> inJanus(const ir::Mission& mission, std::string_view line,
                                     uint8_t janus_class) {
@@ -119,11 +104,10 @@ std::optional<HeardMessage> inJanus(const ir::Mission& mission, std::string_view
     return std::nullopt;
   }
   for (size_t i = 0; i < bytes.size(); ++i) {
-    const auto byte = byteOf(line.substr(2 * i));
-    if (!byte) {
+    const char* const digits = line.data() + 2 * i;
+    if (std::from_chars(digits, digits + 2, bytes[i], 16).ptr != digits + 2) {
       return std::nullopt;
     }
-    bytes[i] = *byte;
   }
   janus::Packet packet;
   if (!decode(bytes.data(), packet) || packet.class_id != janus_class || packet.scheduled) {

@@ -177,38 +177,37 @@ void Talker::pack(const GliderMessage& message, const GliderContext& context,
   }
 }
 
-bool Talker::isForUs(uint32_t source, uint32_t destination) const {
-  // What has our own address is not ours: a modem does not receive what it sends.
-  const bool others = source != address_ && source != 0;
-  return others && (destination == kEverybody || destination == address_);
-}
-
 void Talker::takeFrame(const Received& frame, GliderContext* context) {
-  if (frame.destination != kEverybody && frame.destination != address_) {
-    return;
-  }
-  for (uint32_t i = 0; isForUs(frame.source, frame.destination) && i < talk_.message_count; ++i) {
-    const GliderMessage& message = talk_.messages[i];
-    MessageReader reader(frame.data.bytes, frame.data.size);
-    skip(message, reader);
-    if (message.bytes != GLIDER_MINI_PACKET && reader.end(signatureOf(message), message.bytes)) {
-      keep(message, {frame.data.bytes, frame.data.size}, frame.source, context);
-      return;
-    }
-  }
-  ++counts_.refused;
+  receive(frame, MessageReader(frame.data.bytes, frame.data.size), context,
+          [](const GliderMessage& message, const MessageReader& reader) {
+            return message.bytes != GLIDER_MINI_PACKET &&
+                   reader.end(signatureOf(message), message.bytes);
+          });
 }
 
 void Talker::takeMini(const MiniPacketReceived& packet, GliderContext* context) {
+  receive(packet, MessageReader(packet.bits), context,
+          [](const GliderMessage& message, const MessageReader& reader) {
+            return message.bytes == GLIDER_MINI_PACKET && reader.endMini(signatureOf(message));
+          });
+}
+
+/// Keeps what `packet` carries as the message that `isIt`, asked of a reader behind the message's
+/// values, says it is.
+template <typename Packet, typename IsIt>
+void Talker::receive(const Packet& packet, const MessageReader& data, GliderContext* context,
+                     IsIt isIt) {
   if (packet.destination != kEverybody && packet.destination != address_) {
     return;
   }
-  for (uint32_t i = 0; isForUs(packet.source, packet.destination) && i < talk_.message_count; ++i) {
+  // What has our own address is not ours: a modem does not receive what it sends.
+  const bool others = packet.source != address_ && packet.source != 0;
+  for (uint32_t i = 0; others && i < talk_.message_count; ++i) {
     const GliderMessage& message = talk_.messages[i];
-    MessageReader reader(packet.bits);
+    MessageReader reader = data;
     skip(message, reader);
-    if (message.bytes == GLIDER_MINI_PACKET && reader.endMini(signatureOf(message))) {
-      keep(message, MessageReader(packet.bits), packet.source, context);
+    if (isIt(message, reader)) {
+      keep(message, data, packet.source, context);
       return;
     }
   }

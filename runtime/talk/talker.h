@@ -80,7 +80,9 @@ class Talker {
   void takeEcho(const hooks::micro_modem::MiniPacketEcho& echo);
   void takeMini(const hooks::micro_modem::MiniPacketReceived& packet, GliderContext* context);
   void takeFrame(const hooks::micro_modem::Received& frame, GliderContext* context);
-  [[nodiscard]] bool isForUs(uint32_t source, uint32_t destination) const;
+  template <typename Packet, typename IsIt>
+  void receive(const Packet& packet, const hooks::share::MessageReader& data,
+               GliderContext* context, IsIt isIt);
   /// Takes the values of `message` out of `reader`, whose end the caller looks at.
   void skip(const GliderMessage& message, hooks::share::MessageReader& reader) const;
   void keep(const GliderMessage& message, hooks::share::MessageReader reader, uint32_t source,

@@ -111,13 +111,20 @@ class HalfReader {
     return digits;
   }
 
+  /// `39-10`, `39:10`: a sign between two digits.
+  bool touchingSign() {
+    if (!isDigit(peek(1)) || (peek() != '-' && peek() != ':')) {
+      return false;
+    }
+    half_.sign = true;
+    ++at_;
+    return true;
+  }
+
   /// What may be between degrees and minutes.
   bool degreeSign() {
     const bool gap = blanks();
-    const bool touches = !gap && isDigit(peek(1));
-    if (touches && (peek() == '-' || peek() == ':')) {
-      half_.sign = true;
-      ++at_;
+    if (!gap && touchingSign()) {
       return true;
     }
     const bool sign = take({"°", "º", "degrees", "deg"}) ||
@@ -129,10 +136,7 @@ class HalfReader {
   /// What may be between minutes and seconds.
   bool minuteSign() {
     const bool gap = blanks();
-    const bool touches = !gap && isDigit(peek(1));
-    if (touches && (peek() == '-' || peek() == ':')) {
-      half_.sign = true;
-      ++at_;
+    if (!gap && touchingSign()) {
       return true;
     }
     const bool sign = !take({"''"}) && take({"'", "′", "’", "´", "min", "m"});

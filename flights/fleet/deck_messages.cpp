@@ -54,11 +54,13 @@ std::optional<HeardMessage> frameOf(const ir::Mission& mission, HeardBy by, uint
                                     const uint8_t* bytes, uint32_t size) {
   for (const ir::ShareMessage& message : ir::messagesOf(mission)) {
     const bool janus = by == HeardBy::Janus;
+    if (janus && message.bytes > size) {
+      continue;
+    }
     MessageReader reader(bytes, janus ? message.bytes : size);
     std::vector<double> values = valuesIn(mission, message, reader);
     const bool fits =
-        janus ? message.bytes <= size && std::all_of(bytes + message.bytes, bytes + size,
-                                                     [](uint8_t b) { return b == 0; })
+        janus ? std::all_of(bytes + message.bytes, bytes + size, [](uint8_t b) { return b == 0; })
               : message.mini_bits == 0;
     if (fits && reader.end(static_cast<uint8_t>(message.signature), message.bytes)) {
       return HeardMessage{by, source, message, std::move(values)};

@@ -16,6 +16,7 @@ namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr const char* kSurveyMission = R"(mission survey
 vehicles ada, bob
@@ -125,6 +126,29 @@ TEST_F(MessagesCommand, WhatCannotBeSentIsRefused) {  // rejects: GL9396
     EXPECT_EQ(told.out, "");
     EXPECT_THAT(told.err, HasSubstr(std::string("cannot send `") + setting + "`: " + why));
   }
+}
+
+/// A packet of another mission, whose 34 bits are fewer than a message of this one has.
+TEST_F(MessagesCommand, AMessageLongerThanAJanusPacketIsNotInOne) {
+  const auto mission = folder_.write("long.mission", R"(mission long
+vehicles ada, bob
+share wide: length in 0 m .. 10000 m precision 0.0001 m every 2 min
+share deep: length in 0 m .. 10000 m precision 0.0001 m every 2 min
+state only
+begin
+  flightprofile yo(5 m, 20 m)
+  sensors       missiontime
+  events
+    case missiontime >= 40 min exit
+end
+)");
+  const auto log = folder_.write("one.log", "3a103c00002b647d\n");
+  const Outcome read =
+      runShell("$GLIDERCC messages " + mission.string() + " --read " + log.string());
+  EXPECT_EQ(read.status, 2) << read.out;
+  EXPECT_EQ(read.out, "");
+  EXPECT_THAT(runShell("$GLIDERCC messages " + mission.string() + " --send wide=3m").out,
+              Not(HasSubstr("JANUS")));
 }
 
 TEST_F(MessagesCommand, WithoutAMessageItFails) {  // rejects: GL9397

@@ -19,6 +19,8 @@ constexpr double kForget = 1.5;
 constexpr double kCmPerM = 100;
 /// What has left within this time counts as written when it was made, s.
 constexpr double kPrompt = 10;
+/// Up to this depth, m, a vehicle that is told to surface is there.
+constexpr double kAtSurface = 1;
 
 /// As the checkpoint has it; the clock unknown if it was.
 VehicleMission heardBefore(const LinkFacts& facts) {
@@ -150,6 +152,7 @@ void Backseat::takeCycle() {
 void Backseat::beginMission() {
   writer_ = PortWriter(mission_, stand_in_.knowsStart());
   stock_ = firstCommand(mission_);
+  wants_surface_ = false;
 }
 
 /// The variation as the mission's compass takes it: a value beyond half a turn is none, and until
@@ -191,6 +194,7 @@ void Backseat::answerCycle() {
   }
   const bool steers = stand_in_.state() == hooks::HookState::Active || stand_in_.released() ||
                       stand_in_.makesSafe();
+  wants_surface_ = steers && stock_.surface;
   if (steers) {
     writer_.tell(stock_, now_s);
   }
@@ -259,6 +263,10 @@ bool Backseat::reading(void* self, uint16_t id, double* value) {
     return false;
   }
   const bool reported = seat.reported_.takeReport(index, value);
+  if (!reported && id == hooks::sensorOf(seat.dictionary_, kGliderRoleDepth)) {
+    *value = seat.depthAtSurface();
+    return *value == *value;
+  }
   if (id != seat.mission_.depth_state) {
     return reported;
   }
@@ -268,6 +276,13 @@ bool Backseat::reading(void* self, uint16_t id, double* value) {
     *value = seat.depth_state_.state();
   }
   return *value == *value;
+}
+
+/// A vehicle at the surface may measure the same depth for hours, and reports changes only. While
+/// the program wants it there such a depth goes on. NaN: none does.
+double Backseat::depthAtSurface() const {
+  const double depth = reported(kGliderRoleDepth);
+  return wants_surface_ && depth <= kAtSurface ? depth : __builtin_nan("");
 }
 
 void Backseat::instruct(void* self, const hooks::Instruction& instruction) {

@@ -52,6 +52,7 @@ class Backseat {
   static void hear(void* self);
   static void answer(void* self);
   static bool closed(void* self) { return static_cast<Backseat*>(self)->line_closed_; }
+  [[nodiscard]] double depthAtSurface() const;
   static bool reading(void* self, uint16_t id, double* value);
   static void instruct(void* self, const hooks::Instruction& instruction);
   static void state(void* self, hooks::SeatState* state);
@@ -81,6 +82,7 @@ class Backseat {
   StandIn stand_in_;
   DepthSeen depth_seen_;
   DepthState depth_state_;
+  bool wants_surface_ = false;  ///< the program commands the surface
   StockCommand stock_;
   PortWriter writer_;
   bool virtual_time_ = false;

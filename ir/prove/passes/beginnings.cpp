@@ -61,26 +61,29 @@ class BeginningCheck {
                                               activity.range, who, what);
       if (const std::string reading = unknownReading(activity.entry, vertical); !reading.empty()) {
         report.hint(fmt::format(
-            "`{}` may be unknown, and then a command with it has no effect: give a command without "
-            "it first{}",
-            reading, vertical ? "" : ", such as `drift()`"));
+            "`{}` may be unknown, and then a command with it has no effect: keep its last known "
+            "value in a variable that has one from the start, and use that{}",
+            reading, vertical ? "" : ", or command `drift()` first"));
       }
     }
   }
 
   /// The sensor because of which a command that the block always gives may have no effect; empty:
   /// there is none.
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
   std::string unknownReading(BlockId block, bool vertical) {
     std::string reading;
     if (!block.valid()) {
       return reading;
     }
     for (const Statement& statement : m_[block].statements) {
-      if (statement.kind != StatementKind::Command || isVertical(statement.command) != vertical) {
-        continue;
+      if (statement.kind == StatementKind::If) {
+        for (const BlockId branch : {statement.then, statement.otherwise}) {
+          reading = reading.empty() ? unknownReading(branch, vertical) : reading;
+        }
       }
-      for (const ExprId value : statement.values) {
-        forEachIn(m_, value, [&](const Expr& e) {
+      if (statement.kind == StatementKind::Command && isVertical(statement.command) == vertical) {
+        forEachValue(statement, [&](ExprId value, const Expr& e) {
           if (e.op == Op::Sensor && !isKnown(value)) {
             reading = m_[e.sensor].name;
           }
@@ -88,6 +91,13 @@ class BeginningCheck {
       }
     }
     return reading;
+  }
+
+  template <typename F>
+  void forEachValue(const Statement& command, const F& f) const {
+    for (const ExprId value : command.values) {
+      forEachIn(m_, value, [&](const Expr& e) { f(value, e); });
+    }
   }
 
   /// Whether every path through the block gives a command.

@@ -27,6 +27,10 @@ void notePowerCutsCount(support::DiagnosticBuilder& warning, const Requirement& 
 void noteFences(support::DiagnosticBuilder& warning, const Requirement& requirement,
                 const ProofContext& proof_context);
 
+/// Says of a requirement that speaks only of what the sea decides that no mission can ensure it.
+void noteWhatTheSeaDecides(support::DiagnosticBuilder& error, const Requirement& requirement,
+                           const ProofContext& proof_context);
+
 /// Names variables of the mission that are counted without a limit.
 void noteUnlimitedCounts(support::DiagnosticBuilder& warning, const ProofContext& proof_context);
 

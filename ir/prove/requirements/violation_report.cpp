@@ -119,6 +119,7 @@ void reportViolation(const Requirement& requirement, const Counterexample& run,
   noteStory(error, run);
   noteParameters(error, requirement, run, proof_context.mission);
   notePowerCuts(error, requirement, run, proof_context);
+  noteWhatTheSeaDecides(error, requirement, proof_context);
   if (requirement.kind == RequirementKind::SurfacesEvery) {
     noteShortSurfacings(error, run, proof_context);
   } else if (requirement.seconds > 0) {

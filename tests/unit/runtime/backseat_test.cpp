@@ -103,6 +103,11 @@ class PortBench {
                     ofSensor(GLIDER_M_PRESENT_SECS_INTO_MISSION), now_s, ofSensor(GLIDER_M_DEPTH),
                     depth, ofSensor(GLIDER_SCI_WATER_TEMP), temperature, clock));
   }
+  /// A cycle in which nothing has changed but the clocks.
+  void cycle(double now_s) {
+    say(fmt::format("SD,{}:{:.12f},{}:{:.12f}", ofSensor(GLIDER_M_PRESENT_SECS_INTO_MISSION), now_s,
+                    port_.count() - 1, 1.7e9 + now_s));
+  }
   [[nodiscard]] double written(PortSensor sensor) const {
     const auto found = values.find(index(sensor));
     return found == values.end() ? NAN : found->second;
@@ -216,6 +221,49 @@ TEST(Backseat, AStateOfTheVehicleThatGoesOnStaysKnown) {
     bench.cycle(now, 3, 20);
   }
   EXPECT_TRUE(std::isnan(bench.context()->readings[2].value)) << "it climbs";
+}
+
+/// A mission that commands the surface, and after `dives_s` a dive.
+struct AtTheSurface : TwoStates {
+  AtTheSurface() {
+    fly = [this](GliderContext& c, uint32_t) {
+      if (c.mission_time < dives_s) {
+        gliderSurface(&c);
+      } else {
+        gliderDescend(&c, 20, -0.4);
+      }
+      gliderSteer(&c, 1.5);
+    };
+    finish(2);
+  }
+  double dives_s = 200;
+};
+
+/// At the surface it may report the same depth for hours: it is reported once, and stale after 20
+/// s.
+TEST(Backseat, TheDepthAtTheSurfaceStaysKnownUntilADiveIsCommanded) {
+  for (const double depth : {0.0, 1.0, 1.5}) {
+    AtTheSurface mission;
+    PortBench bench(mission.mission);
+    bench.begin();
+    for (double now = 0; now <= 300; now += 4) {
+      if (now == 0) {
+        bench.cycle(now, depth, 20);
+      } else {
+        bench.cycle(now);
+      }
+      if (now < 60 || bench.context() == nullptr) {
+        continue;
+      }
+      const bool known = !std::isnan(bench.context()->readings[0].value);
+      if (now < 200) {
+        EXPECT_EQ(known, depth <= 1) << now << " s at " << depth << " m";
+      } else if (now > 270) {
+        EXPECT_FALSE(known) << "it should have left the surface";
+      }
+    }
+    ASSERT_NE(bench.context(), nullptr);
+  }
 }
 
 TEST(Backseat, LeavesAnotherMissionFileAlone) {

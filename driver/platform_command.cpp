@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "compiler/boards.h"
 #include "compiler/vehicles.h"
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/json_document.h"
+#include "driver/output/power_table.h"
 #include "driver/terminal.h"
 #include "frontend/sema/names/commands.h"
 #include "platforms/generate/sensor_header.h"
@@ -20,6 +22,7 @@
 #include <algorithm>
 #include <memory>
 #include <numbers>
+#include <optional>
 
 namespace glider::driver {
 namespace {
@@ -113,7 +116,17 @@ std::string seatsText(const Platform& platform) {
              : fmt::format("{}", fmt::join(platform.front_seats, ", "));
 }
 
-std::string text(const Platform& platform) {
+/// The SBC that is usually on a vehicle; empty: none.
+support::Result<std::optional<platforms::Board>> usualBoard(const Platform& platform) {
+  if (platform.power.board.empty()) {
+    return std::nullopt;
+  }
+  auto board = compiler::loadTarget(platform.power.board);
+  return board ? support::Result<std::optional<platforms::Board>>(*std::move(board))
+               : std::unexpected(board.error());
+}
+
+std::string text(const Platform& platform, const std::optional<platforms::Board>& board) {
   std::string out = fmt::format(
       "{}: {}\n\nFrom the SBC: {}\n\nEnvelope\n{}\nEnvironment model of proofs\n{}\nCommands\n",
       platform.name, platform.description, seatsText(platform), envelopeText(platform.envelope),
@@ -121,6 +134,7 @@ std::string text(const Platform& platform) {
   for (const frontend::VehicleCommand& command : frontend::vehicleCommands(platform)) {
     out += fmt::format("  {}\n", command.signature.text);
   }
+  out += powerText(platform, board);
   out +=
       fmt::format("\nSensors\n  {:<12} {:<27} {:<8} {:>12} {:>12} {:>10} {:>9} {:>10}  {:<8} {}\n",
                   "name", "vehicle's name", "unit", "lowest", "highest", "stale, s", "every, s",
@@ -134,7 +148,7 @@ std::string text(const Platform& platform) {
   return out;
 }
 
-std::string json(const Platform& platform) {
+std::string json(const Platform& platform, const std::optional<platforms::Board>& board) {
   const Envelope& envelope = platform.envelope;
   ordered_json sensors = ordered_json::array();
   for (const PlatformSensor& sensor : platform.sensors) {
@@ -186,6 +200,7 @@ std::string json(const Platform& platform) {
                            {"steering_error_m", platform.world.steering_error_m},
                            {"surface_drift_m_s", platform.world.surface_drift_m_s},
                            {"line_lag_s", platform.world.line_lag_s}}},
+                         {"power", powerJson(platform, board)},
                          {"commands", commands},
                          {"sensors", sensors}};
   return all.dump(2) + "\n";
@@ -200,9 +215,13 @@ int show(const PlatformOptions& options) {
   if (auto roles = platforms::checkRoles(*platform); options.header && !roles) {
     return reportFailure(roles.error());
   }
+  const auto board = usualBoard(*platform);
+  if (!board) {
+    return inFormat(options.json, "platform", [&](Json*) { return reportFailure(board.error()); });
+  }
   const auto printed = printOut(options.header ? platforms::sensorHeader(*platform)
-                                : options.json ? json(*platform)
-                                               : text(*platform));
+                                : options.json ? json(*platform, *board)
+                                               : text(*platform, *board));
   return printed ? kFine : reportFailure(printed.error());
 }
 
@@ -210,7 +229,7 @@ int show(const PlatformOptions& options) {
 
 void addPlatformCommand(CLI::App& app, int& status) {
   CLI::App* command =
-      app.add_subcommand("platform", "List a vehicle's sensors, commands and limits");
+      app.add_subcommand("platform", "List a vehicle's sensors, commands, limits and power");
   auto options = std::make_shared<PlatformOptions>();
   command->add_option("NAME", options->name,
                       fmt::format("Vehicle [{}]", platforms::kDefaultPlatform));

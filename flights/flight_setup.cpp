@@ -37,6 +37,17 @@ std::string whereCarried(const platforms::Platform& platform, std::string_view s
                        : fmt::format("scenario `{}`, whose vehicle carries it", names.front());
 }
 
+/// The sensors of the vehicle that are sent to the mission.
+std::vector<std::string> missionSensors(const ir::Mission& mission) {
+  std::vector<std::string> names;
+  for (const ir::Sensor& sensor : mission.sensors) {
+    if (sensor.symbol.empty() && !sensor.isHeard()) {
+      names.push_back(sensor.vehicle_name);
+    }
+  }
+  return names;
+}
+
 }  // namespace
 
 void reportMissingSensors(const compiler::Optimised& mission, const simulator::Scenario& scenario,
@@ -65,6 +76,7 @@ void describeMission(simulator::SimulationSetup& setup, const compiler::Optimise
   setup.mission_name = mission.mission.name;
   setup.state_names = compiler::stateNames(mission.mission);
   setup.record = listedSensors(mission.mission);
+  setup.read = missionSensors(mission.mission);
   setup.explain = [&mission](uint32_t list, uint32_t state, uint32_t fired_case) {
     return explainGuard(mission, list, state, fired_case);
   };

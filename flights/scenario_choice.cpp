@@ -3,6 +3,7 @@
 
 #include "flights/scenario_choice.h"
 
+#include "compiler/boards.h"
 #include "compiler/share.h"
 #include "frontend/spelling.h"
 #include "simulator/family/family.h"
@@ -57,11 +58,30 @@ support::Result<std::filesystem::path> scenarioPath(const std::string& wanted) {
   return bundledScenarios() / (wanted + ".toml");
 }
 
+/// What the SBC draws, W: `board`, or else the platform's; empty: not known.
+support::Result<std::optional<double>> powerOfBoard(const platforms::Platform& platform,
+                                                    const std::string& board) {
+  for (const std::string& name : {board, platform.power.board}) {
+    if (name.empty()) {
+      continue;
+    }
+    const auto loaded = compiler::loadTarget(name);
+    if (!loaded) {
+      return std::unexpected(loaded.error());
+    }
+    if (loaded->power) {
+      return loaded->power->running_W;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
                                                     const platforms::Platform& platform,
-                                                    const support::ShowDiagnostics& show) {
+                                                    const support::ShowDiagnostics& show,
+                                                    const std::string& board) {
   const auto path = scenarioPath(wanted);
   if (!path) {
     return std::unexpected(path.error());
@@ -72,6 +92,13 @@ support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
       simulator::loadScenario(*path, platform, sources, diagnostics, bundledScenarios());
   if (show) {
     show(diagnostics, sources);
+  }
+  if (scenario && !scenario->vehicle.battery.sbc_W) {
+    auto power = powerOfBoard(platform, board);
+    if (!power) {
+      return std::unexpected(power.error());
+    }
+    scenario->vehicle.battery.sbc_W = *power;
   }
   return scenario;
 }

@@ -170,6 +170,8 @@ EnergyFigures energyOf(const Trace& trace, double duration_s) {
                        .to_go_Wh = kNoFigure,
                        .days_left = kNoFigure};
   if (trace.battery) {
+    energy.consumers = trace.battery->consumers;
+    std::ranges::stable_sort(energy.consumers, std::ranges::greater(), &support::Consumer::used_Wh);
     energy.capacity_Wh = trace.battery->capacity_Wh;
     energy.to_go_Wh = energy.capacity_Wh - trace.battery->used_Wh - energy.used_Wh;
     energy.days_left = energy.used_Wh > 0
@@ -316,6 +318,18 @@ FlightFigures flightFigures(const Trace& trace) {
   return figures;
 }
 
+namespace {
+
+nlohmann::json consumersToJson(const EnergyFigures& energy) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const support::Consumer& one : energy.consumers) {
+    list.push_back({{"device", one.device}, {"used", one.used_Wh}});
+  }
+  return list;
+}
+
+}  // namespace
+
 std::string figuresToJson(const FlightFigures& figures) {
   using nlohmann::json;
   json states = json::array();
@@ -340,7 +354,8 @@ std::string figuresToJson(const FlightFigures& figures) {
                       {"partlyKnown", figures.energy.partly_known},
                       {"capacity", figures.energy.capacity_Wh},
                       {"toGo", figures.energy.to_go_Wh},
-                      {"daysLeft", figures.energy.days_left}}},
+                      {"daysLeft", figures.energy.days_left},
+                      {"consumers", consumersToJson(figures.energy)}}},
                     {"coldest", figures.coldest_degC},
                     {"warmest", figures.warmest_degC},
                     {"states", states},

@@ -31,6 +31,7 @@ struct EnergyFigures {
   double capacity_Wh = 0;     ///< of a full pack; NaN, as what follows: not known
   double to_go_Wh = 0;        ///< in the pack at the end
   double days_left = 0;       ///< at the mean power of that time
+  std::vector<support::Consumer> consumers = {};  ///< the greatest first
 };
 
 /// A flight summarised in a few numbers. NaN (or an empty list) where the trace has no column for

@@ -81,6 +81,29 @@ std::string energyText(const EnergyFigures& energy) {
   return text;
 }
 
+/// "SBC 60 %, hotel 23 %, pump 15 %, others 2 %".
+std::string consumersText(const EnergyFigures& energy) {
+  constexpr double kLeastShare = 0.01;
+  std::string text;
+  double others_Wh = 0;
+  const auto add = [&](std::string_view name, double used_Wh) {
+    text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", name,
+                        100 * used_Wh / energy.used_Wh);
+  };
+  for (const support::Consumer& one : energy.consumers) {
+    if (one.used_Wh < kLeastShare * energy.used_Wh) {
+      others_Wh += one.used_Wh;
+    } else {
+      add(one.device, one.used_Wh);
+    }
+  }
+  constexpr double kShown = 0.005;
+  if (others_Wh > kShown * energy.used_Wh) {
+    add("others", others_Wh);
+  }
+  return text;
+}
+
 std::string figureLines(const FlightFigures& figures) {
   std::string out;
   const auto line = [&out](std::string_view label, const std::string& value) {
@@ -106,6 +129,9 @@ std::string figureLines(const FlightFigures& figures) {
   }
   if (std::isfinite(figures.energy.used_Wh)) {
     line("energy", energyText(figures.energy));
+  }
+  if (!figures.energy.consumers.empty()) {
+    line("  of it", consumersText(figures.energy));
   }
   if (std::isfinite(figures.warmest_degC)) {
     line("temperature",

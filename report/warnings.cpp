@@ -140,6 +140,14 @@ std::optional<double> restlessFrom(const Trace& trace, size_t count, double with
   return std::nullopt;
 }
 
+std::string largestConsumer(const Trace& trace) {
+  if (!trace.battery || trace.battery->consumers.empty()) {
+    return "";
+  }
+  return plain(
+      std::ranges::max_element(trace.battery->consumers, {}, &support::Consumer::used_Wh)->device);
+}
+
 /// The end of a simulated flight.
 struct LastRow {
   double depth_m = 0, clearance_m = 0;
@@ -153,6 +161,16 @@ std::optional<LastRow> lastRowOf(const Trace& trace) {
   }
   const size_t last = trace.rowCount() - 1;
   return LastRow{trace.at(last, depth), trace.at(last, water) - trace.at(last, depth)};
+}
+
+/// Reports a flight in which the batteries ran out.
+void reportEmpty(const Trace& trace, support::DiagnosticEngine& diagnostics) {
+  if (const EventMention told = tell(trace, EventId::PackEmpty); told.first != nullptr) {
+    const std::string most = largestConsumer(trace);
+    diagnostics.report(support::diagnostics::packEmpty, {}, told.at,
+                       fmt::format("{:.1f}", std::get<double>(told.first->values.at(0))),
+                       most.empty() ? "" : fmt::format("most went to: {}", most));
+  }
 }
 
 /// Reports a flight that ended on the bottom, or whose abort did not bring the vehicle up.
@@ -221,6 +239,7 @@ void reportFlight(const Trace& trace, support::DiagnosticEngine& diagnostics,
     diagnostics.report(support::diagnostics::flightAborted, {}, told.at,
                        plain(shownTextOf(*told.first)) + why + told.more);
   }
+  reportEmpty(trace, diagnostics);
   reportEnd(trace, diagnostics);
   if (const EventMention told = tell(trace, EventId::TouchesBottom); told.first != nullptr) {
     diagnostics.report(support::diagnostics::bottomTouched, {}, told.at,

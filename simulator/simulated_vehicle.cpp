@@ -120,6 +120,7 @@ SimulatedVehicle::SimulatedVehicle(SimulationSetup setup, const World& world, ui
       story_(setup_.platform, setup_.state_names, setup_.explain),
       recorder_(trace_, world, *seat_, setup_.platform, setup_.scenario, setup_.record) {
   seat_->startAt(vehicle_);
+  vehicle_.readSensors(setup_.read);
   link_.showTo(setup_.observer);
   if (setup_.talks && setup_.platform.modem && channel_ != nullptr) {
     channel_->jam(number_, faults().modem);
@@ -207,7 +208,11 @@ bool SimulatedVehicle::controlCycle(double now) {
     journal_.add(now, seat_->end()->id, seat_->end()->values, seat_->end()->why);
   }
   const bool seen_enough = setup_.observer != nullptr && !setup_.observer->cycle(view(now, over));
-  return over || seen_enough;
+  const bool dead = vehicle_.battery().empty();
+  if (dead && !over) {
+    journal_.add(now, EventId::PackEmpty, {vehicle_.depth()});
+  }
+  return over || seen_enough || dead;
 }
 
 /// What the operator set after `before_s`, and up to `now`.
@@ -254,7 +259,7 @@ void SimulatedVehicle::serveModem(double now) {
     sbc->hearModem(modem_->toHost(now));
     modem_->fromHost(sbc->toModem(), now);
   }
-  vehicle_.use(modem_->step(now, sbc != nullptr));
+  vehicle_.useByModem(modem_->step(now, sbc != nullptr));
   journal_.add(now, modem_->news());
 }
 
@@ -265,10 +270,22 @@ void SimulatedVehicle::completeRow() {
   }
 }
 
+std::vector<support::Consumer> SimulatedVehicle::consumers() const {
+  std::vector<support::Consumer> found;
+  const std::vector<std::string> devices =
+      platforms::devicesOf(setup_.scenario.vehicle.battery.power);
+  for (size_t i = 0; i < devices.size(); ++i) {
+    if (const double used = vehicle_.battery().usedByJ(i); used > 0) {
+      found.push_back({devices[i], used / kJoulesPerWattHour});
+    }
+  }
+  return found;
+}
+
 support::Trace SimulatedVehicle::finish() {
   completeRow();
   spool_.giveBack(trace_);
-  if (!seat_->end()) {
+  if (!seat_->end() && !vehicle_.battery().empty()) {
     journal_.add(cycle_s_, EventId::TimeIsOver, {duration_s_});
   }
   if (trace_.rowCount() > 0) {
@@ -279,6 +296,7 @@ support::Trace SimulatedVehicle::finish() {
   if (modem_ != nullptr) {
     trace_.acoustic = modem_->totals();
   }
+  trace_.battery->consumers = consumers();
   trace_.events = std::move(journal_.events());
   std::ranges::stable_sort(trace_.events, {}, &support::TraceEvent::time_s);
   stampMissionTimes(trace_);

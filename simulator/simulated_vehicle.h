@@ -61,6 +61,7 @@ class SimulatedVehicle {
   void serveSbc(double now);
   void serveModem(double now);
   void completeRow();
+  [[nodiscard]] std::vector<support::Consumer> consumers() const;
 
   SimulationSetup setup_;
   const World& world_;

@@ -41,6 +41,7 @@ struct SimulationSetup {
   std::vector<std::string> state_names;  ///< of the SBC's mission, by number
   GuardResolver explain;                 ///< texts for transitions; may be empty
   std::vector<std::string> record;       ///< sensors that the trace must have as columns
+  std::vector<std::string> read;         ///< sensors that the mission lists: their devices draw
   std::optional<uint64_t> seed;          ///< replaces the scenario's
   std::optional<double> duration_s;      ///< replaces the scenario's
   std::optional<double> kill_sbc_at_s;   ///< vehicle time at which the SBC loses its power

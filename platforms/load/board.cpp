@@ -64,6 +64,19 @@ void readMachine(TomlReader& reader, Board& board) {
   board.max_tick_instructions = readLimit(reader, "max_tick_instructions");
 }
 
+BoardPower readBoardPower(TomlReader& reader) {
+  reader.only({"running_W", "spread", "source"});
+  const BoardPower power{reader.number("running_W"), reader.number("spread"),
+                         reader.text("source")};
+  if (!(power.running_W >= 0)) {
+    reader.refuse("running_W", "must not be below 0");
+  }
+  if (!(power.spread >= 0 && power.spread <= 1)) {
+    reader.refuse("spread", "must be between 0 and 1, a share of the number");
+  }
+  return power;
+}
+
 void readKernel(TomlReader& reader, Board& board) {
   reader.only({"release", "system_calls"});
   board.kernel.release = reader.text("release");
@@ -93,7 +106,7 @@ support::Result<Board> loadBoard(const std::filesystem::path& path) {
   TomlReader top(file, *root, "the board");
   top.only({"name", "description", "triple", "cpu", "features", "float_abi", "relocation",
             "clang_flags", "max_executable_bytes", "max_memory_bytes", "max_stack_bytes",
-            "max_tick_instructions", "kernel", "emulator", "link"});
+            "max_tick_instructions", "power", "kernel", "emulator", "link"});
   board.name = top.text("name");
   board.description = top.text("description");
   readMachine(top, board);
@@ -101,12 +114,16 @@ support::Result<Board> loadBoard(const std::filesystem::path& path) {
   if (root->contains("kernel")) {
     readKernel(kernel, board);
   }
+  TomlReader power(file, subtable(top, *root, "power"), "[power]");
+  if (root->contains("power")) {
+    board.power = readBoardPower(power);
+  }
   TomlReader emulator(file, subtable(top, *root, "emulator"), "[emulator]");
   emulator.only({"command"});
   board.emulator = emulator.texts("command");
   TomlReader link(file, subtable(top, *root, "link"), "[link]");
   readLink(link, board);
-  for (const TomlReader* part : {&top, &kernel, &emulator, &link}) {
+  for (const TomlReader* part : {&top, &kernel, &power, &emulator, &link}) {
     if (part->failure()) {
       return std::unexpected(*part->failure());
     }

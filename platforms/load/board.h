@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,13 @@ struct LinkInputs {
   std::vector<std::string> after;
 };
 
+/// What a board draws.
+struct BoardPower {
+  double running_W = 0;  ///< while a mission runs on it
+  double spread = 0;     ///< the share by which that may be wrong to either side
+  std::string source;    ///< where the number is from
+};
+
 /// A single-board computer as data: platforms/boards/<name>.toml.
 struct Board {
   std::filesystem::path
@@ -44,6 +52,7 @@ struct Board {
   uint64_t max_memory_bytes = 0;         ///< of code, data and stack; 0: no limit
   uint64_t max_stack_bytes = 0;          ///< of the stack at its deepest; 0: no limit
   uint64_t max_tick_instructions = 0;  ///< from the readings of a frame to the command; 0: no limit
+  std::optional<BoardPower> power;     ///< empty: not known
   Kernel kernel;
   std::vector<std::string>
       emulator;  ///< command that runs its executables here; empty: they run by themselves

@@ -207,6 +207,10 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
       return std::unexpected(*read->failure());
     }
   }
+  // The power table names sensors.
+  if (auto read = readSensors(path.string(), *root, platform); !read) {
+    return std::unexpected(read.error());
+  }
   if (auto read = readMotionAndPower(path.string(), *root, platform); !read) {
     return std::unexpected(read.error());
   }
@@ -215,9 +219,6 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
     return std::unexpected(modem.error());
   }
   platform.modem = *std::move(modem);
-  if (auto read = readSensors(path.string(), *root, platform); !read) {
-    return std::unexpected(read.error());
-  }
   if (platform.seatIsOnBoard()) {
     addSeatSensors(platform);
   }

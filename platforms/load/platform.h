@@ -4,6 +4,7 @@
 #pragma once
 
 #include "platforms/load/modem.h"
+#include "platforms/load/power.h"
 #include "platforms/load/propeller_motion.h"
 #include "support/units/units.h"
 
@@ -96,16 +97,6 @@ struct FlightCoefficients {
   double compressibility_per_pa = 0;
 };
 
-/// The batteries and their constant loads.
-struct Power {
-  double capacity_kj = 0;
-  double full_V = 0;
-  double empty_V = 0;
-  double hotel_W = 0;
-  double sbc_W = 0;          ///< added while the SBC is alive
-  PropellerPower propeller;  ///< added; empty without one
-};
-
 /// How the vehicle moves, for the simulator. Signs: pump positive outwards, battery positive
 /// forward, pitch nose up, fin positive to turn to starboard.
 struct Motion {
@@ -126,10 +117,6 @@ struct Motion {
   double yaw_gain_rad_s_m2 = 0;
   double yaw_lag_s = 0;
   double speed_lag_s = 0;  ///< of mass and added mass against the drag
-  // The energy of the pump for each cc: outwards it works against the pressure.
-  double pump_out_j_cc = 0;
-  double pump_out_j_cc_m = 0;  ///< added for each metre of depth
-  double pump_in_j_cc = 0;
   FlightCoefficients flight;
 };
 

@@ -4,6 +4,7 @@
 #include "platforms/load/read_motion.h"
 
 #include "platforms/load/read_numbers.h"
+#include "platforms/load/read_power.h"
 #include "platforms/load/read_propeller.h"
 
 namespace glider::platforms {
@@ -20,10 +21,7 @@ constexpr NumberKey<Motion> kGlider[] = {
     {"pitch_lag_s", &Motion::pitch_lag_s},
     {"yaw_gain_rad_s_m2", &Motion::yaw_gain_rad_s_m2},
     {"yaw_lag_s", &Motion::yaw_lag_s},
-    {"speed_lag_s", &Motion::speed_lag_s},
-    {"pump_out_j_cc", &Motion::pump_out_j_cc},
-    {"pump_out_j_cc_m", &Motion::pump_out_j_cc_m},
-    {"pump_in_j_cc", &Motion::pump_in_j_cc}};
+    {"speed_lag_s", &Motion::speed_lag_s}};
 
 constexpr NumberKey<FlightCoefficients> kFlight[] = {
     {"mass_kg", &FlightCoefficients::mass_kg},
@@ -33,11 +31,6 @@ constexpr NumberKey<FlightCoefficients> kFlight[] = {
     {"wing_lift", &FlightCoefficients::wing_lift},
     {"hull_lift", &FlightCoefficients::hull_lift},
     {"compressibility_per_Pa", &FlightCoefficients::compressibility_per_pa}};
-
-constexpr NumberKey<Power> kPower[] = {{"capacity_kJ", &Power::capacity_kj},
-                                       {"full_V", &Power::full_V},
-                                       {"empty_V", &Power::empty_V},
-                                       {"hotel_W", &Power::hotel_W}};
 
 /// Any model but that of propellers.
 support::Result<Motion> readGlider(const std::string& file, const toml::table& root,
@@ -78,30 +71,6 @@ support::Result<Motion> readPropelled(const std::string& file, const toml::table
   return motion;
 }
 
-support::Result<Power> readPower(const std::string& file, const toml::table& root,
-                                 const Motion& motion) {
-  TomlReader reader = tableOf(file, root["power"], "[power]");
-  std::vector<std::string_view> others = {"sbc_W"};
-  if (motion.propelled) {
-    others.insert(others.end(), {kPowerRpm, kPowerWatt});
-  }
-  Power power = readNumbers(reader, kPower, std::move(others));
-  power.sbc_W = reader.numberOr("sbc_W", 0);
-  if (!(power.sbc_W >= 0)) {
-    reader.refuse("sbc_W", "must not be below 0");
-  }
-  if (!(power.empty_V < power.full_V)) {
-    reader.refuse("empty_V", "must be below `full_V`");
-  }
-  if (motion.propelled) {
-    power.propeller = readPropellerPower(reader, motion.propelled->propeller.greatest_rpm);
-  }
-  if (reader.failure()) {
-    return std::unexpected(*reader.failure());
-  }
-  return power;
-}
-
 }  // namespace
 
 bool isPropelled(const toml::table& root) {
@@ -123,11 +92,11 @@ support::Result<void> readMotionAndPower(const std::string& file, const toml::ta
   if (!motion) {
     return std::unexpected(motion.error());
   }
-  auto power = readPower(file, root, *motion);
+  platform.motion = *std::move(motion);
+  auto power = readPower(file, root, platform);
   if (!power) {
     return std::unexpected(power.error());
   }
-  platform.motion = *std::move(motion);
   platform.power = *std::move(power);
   return {};
 }

@@ -19,7 +19,7 @@ constexpr double kForget = 1.5;
 constexpr double kCmPerM = 100;
 /// What has left within this time counts as written when it was made, s.
 constexpr double kPrompt = 10;
-/// Up to this depth, m, a vehicle that is told to surface is there.
+/// Up to this depth, m, a vehicle that has the command to surface is there.
 constexpr double kAtSurface = 1;
 
 /// As the checkpoint has it; the clock unknown if it was.
@@ -279,7 +279,7 @@ bool Backseat::reading(void* self, uint16_t id, double* value) {
 }
 
 /// A vehicle at the surface may measure the same depth for hours, and reports changes only. While
-/// the program wants it there such a depth goes on. NaN: none does.
+/// the program commands the surface such a depth goes on. NaN: none does.
 double Backseat::depthAtSurface() const {
   const double depth = reported(kGliderRoleDepth);
   return wants_surface_ && depth <= kAtSurface ? depth : __builtin_nan("");

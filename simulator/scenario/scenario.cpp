@@ -9,6 +9,7 @@
 #include "simulator/scenario/read_ocean.h"
 #include "simulator/tables/scenario_tables.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string_view>
@@ -111,20 +112,33 @@ void readVehicle(Fields& f, const platforms::Platform& platform, Scenario& scena
   }
 }
 
+/// Replaces the power of what always draws as the hotel: the first such row.
+void replaceHotel(std::vector<platforms::Draw>& draws, double power_W) {
+  const auto hotel = std::ranges::find(draws, platforms::DrawWhen::Always, &platforms::Draw::when);
+  if (hotel != draws.end()) {
+    hotel->amount = power_W;
+  }
+}
+
 void readBattery(Fields& f, BatterySettings& battery) {
-  f.reader().only({"capacity_kJ", "full_V", "empty_V", "start_V", "hotel_W", "sbc_W"});
-  double capacity_kj = battery.capacity_j / 1000;
-  f.number("capacity_kJ", capacity_kj, 1, 1e6);
-  battery.capacity_j = capacity_kj * 1000;
-  f.number("full_V", battery.full_V, 5, 40);
-  f.number("empty_V", battery.empty_V, 1, 40);
-  if (!f.reader().failure() && battery.empty_V >= battery.full_V) {
+  f.reader().only(
+      {"capacity_kJ", "full_V", "empty_V", "resistance_ohm", "start_V", "hotel_W", "sbc_W"});
+  platforms::Power& power = battery.power;
+  f.number("capacity_kJ", power.capacity_kj, 1, 1e6);
+  f.number("full_V", power.full_V, 5, 40);
+  f.number("empty_V", power.empty_V, 1, 40);
+  if (!f.reader().failure() && power.empty_V >= power.full_V) {
     f.reader().refuse("empty_V", "must be below `full_V`");
   }
-  battery.start_V = battery.full_V;
-  f.number("start_V", battery.start_V, battery.empty_V, battery.full_V);
-  f.number("hotel_W", battery.hotel_W, 0, 1000);
-  f.number("sbc_W", battery.sbc_W, 0, 1000);
+  f.number("resistance_ohm", power.resistance_ohm, 0, 10);
+  battery.start_V = power.full_V;
+  f.number("start_V", battery.start_V, power.empty_V, power.full_V);
+  if (f.has("hotel_W")) {
+    replaceHotel(power.draws, f.required("hotel_W", 0, 1000));
+  }
+  if (f.has("sbc_W")) {
+    battery.sbc_W = f.required("sbc_W", 0, 1000);
+  }
 }
 
 void readCycle(Fields& f, CycleSettings& cycles) {

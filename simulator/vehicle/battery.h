@@ -3,64 +3,56 @@
 
 #pragma once
 
-#include "platforms/load/platform.h"
+#include "platforms/load/power.h"
 
-#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
 
 namespace glider::simulator {
 
 inline constexpr double kJoulesPerWattHour = 3600;
 
-/// The pack and its loads.
+/// The pack and what it feeds, as a scenario may change it.
 struct BatterySettings {
-  double capacity_j = 1;
-  double full_V = 1;
-  double empty_V = 0;
-  double start_V = 1;  ///< without load, when the flight begins
-  double hotel_W = 0;
-  double sbc_W = 0;  ///< added while the SBC is alive
+  platforms::Power power;
+  double start_V = 1;           ///< without load, when the flight begins
+  std::optional<double> sbc_W;  ///< while the SBC is alive; empty: not known, and not counted
 };
 
 /// Those of a vehicle with a full pack.
-inline BatterySettings batteryOf(const platforms::Power& power) {
-  constexpr double kJoulesPerKilojoule = 1000;
-  return {.capacity_j = power.capacity_kj * kJoulesPerKilojoule,
-          .full_V = power.full_V,
-          .empty_V = power.empty_V,
-          .start_V = power.full_V,
-          .hotel_W = power.hotel_W,
-          .sbc_W = power.sbc_W};
-}
+BatterySettings batteryOf(const platforms::Power& power);
 
-/// The batteries, whose voltage falls linearly with the energy used, and their loads. An empty pack
-/// stays at its last voltage.
+/// The batteries. Their voltage falls linearly with the energy used, and by what their resistance
+/// takes under load. An empty pack gives nothing more.
 class Battery {
  public:
-  explicit Battery(const BatterySettings& settings = {})
-      : settings_(settings),
-        used_j_((settings.full_V - settings.start_V) / (settings.full_V - settings.empty_V) *
-                settings.capacity_j) {}
+  Battery() = default;
+  explicit Battery(const BatterySettings& settings);
 
-  /// The electronics draw their share for `seconds`.
-  void idle(double seconds, bool sbc_alive) {
-    use((settings_.hotel_W + (sbc_alive ? settings_.sbc_W : 0)) * seconds);
-  }
-  void use(double joules) { used_j_ = std::min(used_j_ + joules, settings_.capacity_j); }
+  /// A device takes energy in this step, if the pack has it. `device`: its place in
+  /// platforms::devicesOf.
+  void use(size_t device, double joules);
+  /// Ends a step of `seconds`.
+  void settle(double seconds);
 
-  [[nodiscard]] double voltage() const {
-    return settings_.full_V -
-           (settings_.full_V - settings_.empty_V) * used_j_ / settings_.capacity_j;
-  }
+  /// Under the load of the last half minute, as vehicles report it, V.
+  [[nodiscard]] double voltage() const;
   [[nodiscard]] double usedJ() const { return used_j_; }  ///< since the pack was full
-  [[nodiscard]] double leftJ() const { return settings_.capacity_j - used_j_; }
-  /// Used since the pack was full.
-  [[nodiscard]] double ampHours() const {
-    return used_j_ / (0.5 * (settings_.full_V + voltage())) / 3600;
-  }
+  [[nodiscard]] double leftJ() const { return capacity_j_ - used_j_; }
+  [[nodiscard]] bool empty() const { return !(used_j_ < capacity_j_); }
+  [[nodiscard]] double usedByJ(size_t device) const { return by_device_j_[device]; }
+  /// The charge since the pack was full.
+  [[nodiscard]] double ampHours() const { return coulombs_ / 3600; }
 
  private:
-  BatterySettings settings_;
-  double used_j_;
+  [[nodiscard]] double withoutLoad() const;
+
+  double capacity_j_ = 1, full_V_ = 1, empty_V_ = 0, resistance_ohm_ = 0;
+  double used_j_ = 0, coulombs_ = 0;
+  double step_j_ = 0;  ///< in this step
+  double load_W_ = 0;  ///< its mean
+  std::vector<double> by_device_j_;
 };
 
 }  // namespace glider::simulator

@@ -51,7 +51,6 @@ VehicleState GliderModel::start() const {
   state.pitch_battery = {0, 0, motion_.pitch_battery_rate_in_s, -motion_.pitch_battery_limit_in,
                          motion_.pitch_battery_limit_in};
   state.fin = {0, 0, motion_.fin_rate_rad_s, -fin_rad_, fin_rad_};
-  state.battery = Battery(settings_.battery);
   return state;
 }
 
@@ -59,10 +58,7 @@ void GliderModel::moveMotors(VehicleState& s, const VehicleCommand& command) con
   s.pump.target = command.pump_cc;
   s.pitch_battery.target = command.pitch_battery_in;
   s.fin.target = command.fin_rad;
-  s.battery.idle(kStep, command.sbc_alive);
-  const double moved_cc = s.pump.step(kStep);
-  const double out_j_cc = motion_.pump_out_j_cc + motion_.pump_out_j_cc_m * s.depth_m;
-  s.battery.use((moved_cc > 0 ? out_j_cc : -motion_.pump_in_j_cc) * moved_cc);
+  s.pump.step(kStep);
   s.pitch_battery.step(kStep);
   s.fin.step(kStep);
 }

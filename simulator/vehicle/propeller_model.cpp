@@ -74,23 +74,9 @@ void limitDepth(Path& path, double water_depth_m, double seconds) {
 
 }  // namespace
 
-double powerAt(const platforms::PropellerPower& power, double rpm) {
-  const auto next = std::ranges::upper_bound(power.rpm, rpm);
-  if (next == power.rpm.begin()) {
-    return power.watt.front();
-  }
-  if (next == power.rpm.end()) {
-    return power.watt.back();
-  }
-  const auto i = static_cast<size_t>(next - power.rpm.begin());
-  const double share = (rpm - power.rpm[i - 1]) / (power.rpm[i] - power.rpm[i - 1]);
-  return std::lerp(power.watt[i - 1], power.watt[i], share);
-}
-
 PropellerModel::PropellerModel(const platforms::PropellerMotion& motion,
-                               platforms::PropellerPower power, const VehicleSettings& settings)
+                               const VehicleSettings& settings)
     : motion_(motion),
-      power_(std::move(power)),
       settings_(settings),
       volume_m3_(settings.flight.hull_volume_m3 *
                  (1 + settings.positive_buoyancy_kg / motion.hull.mass_kg)) {}
@@ -113,13 +99,7 @@ VehicleState PropellerModel::start() const {
   state.fin = {0, 0, fins.rate_rad_s, -fins.rudder_rad, fins.rudder_rad, fins.lag_s};
   state.stern_plane = {0,         0, fins.rate_rad_s, -fins.stern_plane_rad, fins.stern_plane_rad,
                        fins.lag_s};
-  state.battery = Battery(settings_.battery);
   return state;
-}
-
-void PropellerModel::drawPower(VehicleState& s, bool sbc_alive) const {
-  s.battery.idle(kStep, sbc_alive);
-  s.battery.use(powerAt(power_, s.rpm.position) * kStep);
 }
 
 void PropellerModel::moveMotors(VehicleState& s, double seconds) const {
@@ -180,11 +160,9 @@ void PropellerModel::moveHull(VehicleState& s, const Water& water, double second
 
 void PropellerModel::step(VehicleState& s, const VehicleCommand& command, const Ocean& ocean,
                           double now_s) const {
-  // An empty battery does not turn the propeller: the vehicle floats up.
-  s.rpm.target = s.battery.leftJ() > 0 ? command.rpm : 0;
+  s.rpm.target = command.rpm;
   s.fin.target = command.fin_rad;
   s.stern_plane.target = command.stern_plane_rad;
-  drawPower(s, command.sbc_alive);
   const Water water{ocean.density(s.depth_m, s.x_m, s.y_m, now_s), ocean.waterDepth(s.x_m, s.y_m),
                     ocean.current(s.depth_m, s.x_m, s.y_m),
                     ocean.verticalCurrent(s.depth_m, s.x_m, s.y_m, now_s)};

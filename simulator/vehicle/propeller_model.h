@@ -12,8 +12,7 @@ namespace glider::simulator {
 /// floats up, and at the surface it floats as deep as its weight needs.
 class PropellerModel final : public VehicleModel {
  public:
-  PropellerModel(const platforms::PropellerMotion& motion, platforms::PropellerPower power,
-                 const VehicleSettings& settings);
+  PropellerModel(const platforms::PropellerMotion& motion, const VehicleSettings& settings);
 
   [[nodiscard]] VehicleState start() const override;
   void step(VehicleState& state, const VehicleCommand& command, const Ocean& ocean,
@@ -28,19 +27,14 @@ class PropellerModel final : public VehicleModel {
     double rises_mps = 0;
   };
 
-  void drawPower(VehicleState& state, bool sbc_alive) const;
   void moveMotors(VehicleState& state, double seconds) const;
   [[nodiscard]] double netLift(double depth_m, double density) const;
   [[nodiscard]] bool aground(const VehicleState& state, const Water& water) const;
   void moveHull(VehicleState& state, const Water& water, double seconds) const;
 
   platforms::PropellerMotion motion_;
-  platforms::PropellerPower power_;
   VehicleSettings settings_;
   double volume_m3_;
 };
-
-/// The electrical power at `rpm` in a table: straight lines between its points.
-double powerAt(const platforms::PropellerPower& power, double rpm);
 
 }  // namespace glider::simulator

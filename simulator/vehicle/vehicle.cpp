@@ -6,9 +6,18 @@
 #include "support/check.h"
 
 namespace glider::simulator {
+namespace {
+
+// m: the antenna is out of the water; and a dive that deserves the name.
+constexpr double kSurface = 0.5, kDived = 3;
+
+}  // namespace
 
 Vehicle::Vehicle(const platforms::Platform& platform, const VehicleSettings& settings)
-    : model_(makeModel(platform, settings)) {
+    : model_(makeModel(platform, settings)),
+      battery_(settings.battery),
+      loads_(settings.battery),
+      devices_(platforms::devicesOf(settings.battery.power).size()) {
   CHECK(model_, "a vehicle without a model");
   limits_ = {platform.envelope.pump_cc, platform.motion->pitch_battery_limit_in,
              platform.envelope.fin_rad};
@@ -19,6 +28,42 @@ Vehicle::Vehicle(const platforms::Platform& platform, const VehicleSettings& set
   }
   state_ = model_->start();
   command_.pump_cc = state_.pump.position;  // nothing moves before it is commanded
+}
+
+void Vehicle::useByModem(double joules) {
+  battery_.use(modemOf(devices_), joules);
+}
+
+VehicleCommand Vehicle::withoutPower() const {
+  return {.pump_cc = state_.pump.position,
+          .pitch_battery_in = state_.pitch_battery.position,
+          .fin_rad = state_.fin.position,
+          .rpm = 0,
+          .stern_plane_rad = state_.stern_plane.position};
+}
+
+void Vehicle::step(const Ocean& ocean, double now_s) {
+  const double pump_cc = state_.pump.position;
+  const double pitch_battery_in = state_.pitch_battery.position;
+  const double fin_rad = state_.fin.position;
+  model_->step(state_, battery_.empty() ? withoutPower() : command_, ocean, now_s);
+  drawPower(pump_cc, pitch_battery_in, fin_rad);
+}
+
+/// What the step took in which the motors have moved from these positions.
+void Vehicle::drawPower(double pump_cc, double pitch_battery_in, double fin_rad) {
+  const bool at_surface = state_.depth_m < kSurface;
+  loads_.draw(battery_, {.seconds = kStep,
+                         .depth_m = state_.depth_m,
+                         .at_surface = at_surface,
+                         .came_up = at_surface && dived_,
+                         .pumped_cc = state_.pump.position - pump_cc,
+                         .pitch_battery_moves = state_.pitch_battery.position != pitch_battery_in,
+                         .fin_moves = state_.fin.position != fin_rad,
+                         .rpm = state_.rpm.position,
+                         .sbc_alive = sbc_alive_});
+  battery_.settle(kStep);
+  dived_ = state_.depth_m > kDived || (dived_ && !at_surface);
 }
 
 }  // namespace glider::simulator

@@ -3,9 +3,13 @@
 
 #pragma once
 
+#include "simulator/vehicle/loads.h"
 #include "simulator/vehicle/vehicle_model.h"
 
+#include <cstddef>
 #include <memory>
+#include <span>
+#include <string>
 
 namespace glider::simulator {
 
@@ -34,13 +38,16 @@ class Vehicle {
   void commandPropeller(double rpm) { command_.rpm = rpm; }
   void commandSternPlane(double rad) { command_.stern_plane_rad = rad; }
   /// Sets whether the SBC draws its power.
-  void feedSbc(bool alive) { command_.sbc_alive = alive; }
+  void feedSbc(bool alive) { sbc_alive_ = alive; }
+  /// The mission reads these sensors, by the vehicle's names: what measures them draws its power.
+  void readSensors(std::span<const std::string> sensors) { loads_.read(sensors); }
 
-  /// Draws the energy of a device that the model does not have.
-  void use(double joules) { state_.battery.use(joules); }
+  /// The acoustic modem draws energy.
+  void useByModem(double joules);
 
-  /// Flies kStep seconds from time `now_s`.
-  void step(const Ocean& ocean, double now_s) { model_->step(state_, command_, ocean, now_s); }
+  /// Flies kStep seconds from time `now_s`. With an empty pack no motor moves any more, and a
+  /// propeller does not turn.
+  void step(const Ocean& ocean, double now_s);
 
   [[nodiscard]] const MotorLimits& limits() const { return limits_; }
   [[nodiscard]] double x() const { return state_.x_m; }
@@ -61,13 +68,21 @@ class Vehicle {
   [[nodiscard]] double turnRate() const { return state_.turn_rate_rad_s; }
   /// The same along the axes of the hull, of a vehicle with a propeller.
   [[nodiscard]] const BodyVelocity& bodyVelocity() const { return state_.body; }
-  [[nodiscard]] const Battery& battery() const { return state_.battery; }
+  [[nodiscard]] const Battery& battery() const { return battery_; }
 
  private:
+  [[nodiscard]] VehicleCommand withoutPower() const;
+  void drawPower(double pump_cc, double pitch_battery_in, double fin_rad);
+
   std::unique_ptr<const VehicleModel> model_;
   MotorLimits limits_;
   VehicleState state_;
   VehicleCommand command_;
+  Battery battery_;
+  Loads loads_;
+  size_t devices_;
+  bool sbc_alive_ = false;
+  bool dived_ = false;  ///< since it was at the surface
 };
 
 }  // namespace glider::simulator

@@ -40,8 +40,7 @@ std::unique_ptr<const VehicleModel> makeModel(const platforms::Platform& platfor
     return nullptr;
   }
   if (platform.motion->propelled) {
-    return std::make_unique<PropellerModel>(*platform.motion->propelled, platform.power.propeller,
-                                            settings);
+    return std::make_unique<PropellerModel>(*platform.motion->propelled, settings);
   }
   return std::make_unique<GliderModel>(*platform.motion, platform.envelope, settings);
 }

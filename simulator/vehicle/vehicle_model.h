@@ -41,7 +41,6 @@ struct VehicleState {
   RateLimited rpm;                   ///< of the propeller
   RateLimited stern_plane;           ///< rad
   BodyVelocity body;                 ///< of a vehicle with a propeller
-  Battery battery;
 };
 
 /// The commands to its devices.
@@ -51,7 +50,6 @@ struct VehicleCommand {
   double fin_rad = 0;
   double rpm = 0;
   double stern_plane_rad = 0;
-  bool sbc_alive = false;  ///< the SBC draws its power
 };
 
 /// How a kind of vehicle moves. It has no state of its own.

@@ -51,10 +51,19 @@ struct MissionFacts {
   std::vector<FlownPromise> promises;
 };
 
-/// The batteries at the start of a flight.
+/// What a device took from the batteries in a flight.
+struct Consumer {
+  std::string device;
+  double used_Wh = 0;
+};
+
+/// The batteries at the start of a flight, and what they gave in it.
 struct BatteryFacts {
   double capacity_Wh = 0;
   double used_Wh = 0;  ///< of a full pack
+  /// What each device took in the flight, in the order of the power table; only those that took
+  /// some.
+  std::vector<Consumer> consumers = {};
 };
 
 /// What the acoustic modem of a vehicle did in its flight.

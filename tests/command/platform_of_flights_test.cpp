@@ -115,7 +115,7 @@ std::string withoutReckoning(const std::string& csv) {
 TEST_F(PlatformOfFlights, DragAndBatteriesAreThePlatformsUnlessTheScenarioSaysOtherwise) {
   mission("mine.mission", "platform mine\n");
   const std::string slow = "s/^wing_lift = .*/wing_lift = 1.5/";
-  const std::string hungry = "s/^hotel_W = .*/hotel_W = 300/";
+  const std::string hungry = "s/^W = 1.27/W = 300.0/";
   const auto flight = [&](const std::string& change, const std::string& scenario) {
     platform(change);
     const Outcome flown = glidercc("sim -o f mine.mission --scenario " + scenario);
@@ -127,7 +127,7 @@ TEST_F(PlatformOfFlights, DragAndBatteriesAreThePlatformsUnlessTheScenarioSaysOt
   EXPECT_NE(flight(hungry, "default"), usual);
   const std::string given =
       "sed -e 's/^.vehicle.$/&\\nwing_lift = 3.7342698373/' -e '$a [vehicle.battery]\\nhotel_W = "
-      "1.63' "
+      "1.27' "
       "share/scenarios/default.toml > share/scenarios/given.toml";
   platform("");
   ASSERT_EQ(run(given).status, 0);
@@ -250,7 +250,7 @@ TEST_F(PlatformOfFlights, WithoutAModelOrFamilyItIsCheckedAndBuiltAndNotFlown) {
     EXPECT_THAT(flown.err,
                 HasSubstr("platform `mine`: the simulator cannot fly this vehicle: " + why));
   };
-  refused("/^\\[motion\\]/,/^hotel_W/d", "its file has no [motion]");
+  refused("/^\\[motion\\]/,/^# The acoustic modem/d", "its file has no [motion]");
   refused("s/^model = .*/model = \"balloon\"/",
           "it has no model `balloon`, only `glider` and `propeller`");
   const std::string unknown = "its file names no `family` that it knows, only `slocum`";
@@ -294,7 +294,7 @@ TEST_F(PlatformOfFlights, ACampaignIsNotResumedWithAnotherPlatformFile) {
 
 TEST_F(PlatformOfFlights, ACheckOfAVehicleThatCannotBeFlownHasItsFindings) {
   mission("mine.mission", "platform mine\nrequire always depth < 18 m\n");
-  for (const char* change : {"/^\\[motion\\]/,/^hotel_W/d",
+  for (const char* change : {"/^\\[motion\\]/,/^# The acoustic modem/d",
                              "s/^name = \"m_pitch\"/name = \"m_tilt\"/", "/^family = /d"}) {
     platform(change);
     const Outcome checked = glidercc("check --report mine.mission");

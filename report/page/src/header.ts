@@ -28,24 +28,40 @@ function figuresOf(f: Figures): [string, string][] {
   return out;
 }
 
-/** A bar cut in proportion to the time in each state, with its legend. */
-function timeShares(flight: Flight): HTMLElement | null {
-  const f = flight.figures;
-  const parts = f.states.map((s) => ({ ...s, colour: pilotColour(s.id) }));
-  if (f.stateless) parts.push({ id: -1, name: "SBC", visits: 0, time: f.stateless, colour: pilotColour("sbc") });
-  if (parts.length === 0) return null;
-  if (f.layered) parts.push({ id: -1, name: flight.pilotName("layered"), visits: 0, time: f.layered, colour: layeredColour });
+interface Part { name: string; size: number; text: string; colour: string }
+
+/** A bar cut in proportion to the sizes of its parts, with its legend. */
+function shareBar(title: string, parts: Part[]): HTMLElement {
   const bar = element("div", { class: "shares", "aria-hidden": "true" });
-  const list = element("ul", { class: "share-list" });
+  const list = element("ul", { class: "share-list", "aria-label": title });
   for (const part of parts) {
     const piece = element("i");
-    piece.style.flexGrow = String(part.time);
+    piece.style.flexGrow = String(part.size);
     piece.style.background = part.colour;
     bar.append(piece);
-    const visits = part.visits === 0 ? "" : part.visits === 1 ? ", 1 visit" : `, ${part.visits} visits`;
-    list.append(element("li", {}, swatch(part.colour), element("b", {}, part.name), ` ${clock(part.time)}${visits}`));
+    list.append(element("li", {}, swatch(part.colour), element("b", {}, part.name), ` ${part.text}`));
   }
-  return element("div", {}, bar, list);
+  return element("div", { class: "share-bar" }, bar, list);
+}
+
+/** The time in each state. */
+function timeShares(flight: Flight): HTMLElement | null {
+  const f = flight.figures;
+  const visits = (count: number) => (count === 1 ? ", 1 visit" : `, ${count} visits`);
+  const parts = f.states.map((s) => ({ name: s.name, size: s.time, text: clock(s.time) + visits(s.visits), colour: pilotColour(s.id) }));
+  const other = (name: string, time: number, colour: string) => parts.push({ name, size: time, text: clock(time), colour });
+  if (f.stateless) other("SBC", f.stateless, pilotColour("sbc"));
+  if (parts.length === 0) return null;
+  if (f.layered) other(flight.pilotName("layered"), f.layered, layeredColour);
+  return shareBar("time in each state", parts);
+}
+
+/** What each device has taken from the batteries. */
+function energyShares({ energy }: Figures): HTMLElement | null {
+  if (energy.consumers.length === 0) return null;
+  const total = energy.consumers.reduce((sum, one) => sum + one.used, 0);
+  return shareBar("energy by device", energy.consumers.map((one, i) => ({ name: one.device, size: one.used,
+    text: `${quantity(one.used, "Wh")} (${percent(one.used / total)})`, colour: pilotColour(i) })));
 }
 
 /** What must be known before any figure: red if the flight went wrong. */
@@ -85,7 +101,7 @@ export function header(host: HTMLElement, flight: Flight): void {
   const facts = [...origin(flight), `${flight.events.length} event${flight.events.length === 1 ? "" : "s"}`];
   const tiles = element("dl", { class: "tiles" }, ...[...figuresOf(flight.figures), ...energyOf(flight.figures)].map(([name, value]) =>
     element("div", {}, element("dt", {}, name), element("dd", {}, value))));
-  const shares = timeShares(flight);
+  const shares = [timeShares(flight), energyShares(flight.figures)].filter((bar) => bar !== null);
   host.replaceChildren(element("h1", {}, title), element("p", { class: "facts" }, facts.filter((x) => x !== "").join(" · ")),
-    ...(flight.warnings.length === 0 ? [] : [warningList(flight.warnings)]), tiles, ...(shares ? [shares] : []));
+    ...(flight.warnings.length === 0 ? [] : [warningList(flight.warnings)]), tiles, ...shares);
 }

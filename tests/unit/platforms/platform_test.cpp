@@ -154,9 +154,39 @@ TEST(Platform, WhatMovesItIsGivenAsAWhole) {
   EXPECT_NE(with("\nfull_V = 14.4", "").find("full_V"), std::string::npos);
   EXPECT_NE(with("hull_lift = 3.8", "hull_lift = -3.8").find("above 0"), std::string::npos);
   EXPECT_NE(with("empty_V = 10.0", "empty_V = 14.4").find("below `full_V`"), std::string::npos);
-  EXPECT_NE(with("hotel_W = 1.63", "hotel_W = 1.63\nsbc_W = -1.0").find("below 0"),
+  EXPECT_NE(with("resistance_ohm = 0.47", "resistance_ohm = -1.0").find("below 0"),
             std::string::npos);
-  EXPECT_EQ(with("hotel_W = 1.63", "hotel_W = 1.63\nsbc_W = 3.0"), "");
+}
+
+/// The rows of the power table: each bad row is one error that names it.
+TEST(Platform, ThePowerTableIsChecked) {
+  std::string slocum = tests::slurp(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
+  slocum.replace(slocum.find("name = \"slocum\""), 15, "name = \"p\"");
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = slocum;
+    text.replace(text.find(from), from.size(), to);
+    const auto platform = loadText(text);
+    return platform ? "" : platform.error().message;
+  };
+  const std::pair<std::pair<const char*, const char*>, const char*> errors[] = {
+      {{"W = 1.27", "W = -1.27"}, "below 0"},
+      {{"W = 1.27", "J = 1.27"}, "`W`"},
+      {{"W = 1.27\nspread = 0.2", "W = 1.27\nspread = 1.2"}, "a share of the number"},
+      {{"when = \"always\"", "when = \"ever\""}, "must be one of \"always\", \"surface\""},
+      {{"device = \"hotel\"", "device = \"SBC\""}, "its power is elsewhere"},
+      {{"device = \"hotel\"", "device = \"\""}, "must not be empty"},
+      {{"when = \"surfacing\"\nJ", "when = \"surface\"\nW"}, "already has a row for \"surface\""},
+      {{"when = \"pump_in\"", "when = \"fin_moves\""}, "`W`"},
+      {{"sensors = [\"sci_oxy4_oxygen\"]", "sensors = [\"sci_oxy5_oxygen\"]"},
+       "there is no sensor `sci_oxy5_oxygen`"},
+      {{"J_per_cc_m = 0.018\n", ""}, "J_per_cc_m"}};
+  for (const auto& [change, why] : errors) {
+    EXPECT_NE(with(change.first, change.second).find(why), std::string::npos)
+        << change.second << ": " << with(change.first, change.second);
+  }
+  EXPECT_NE(with("when = \"pump_in\"\nJ_per_cc = 0.40", "when = \"always\"\nW = 0.40")
+                .find("must have a row with `when = \"pump_in\"`"),
+            std::string::npos);
 }
 
 TEST(Platform, HowOftenAndHowExactlyASensorIsReported) {

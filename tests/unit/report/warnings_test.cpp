@@ -301,6 +301,18 @@ TEST(Warnings, TheBottomIsReportedWithTheFirstContact) {
             Lines{"GL9376 the vehicle touched the bottom at 50 s: 14.0 m deep; 2 times in total"});
 }
 
+TEST(Warnings, EmptyBatteriesAreReportedWithWhatTookTheMost) {  // accepts: GL9398
+  auto trace = flight(1);
+  trace.battery = {1000, 10, {{"hotel", 300}, {"SBC", 600}, {"pump", 90}}};
+  EXPECT_EQ(reported(trace), Lines{});
+  trace.events.push_back(makeEvent(50, EventId::PackEmpty, {14.04}));
+  EXPECT_EQ(reported(trace),
+            Lines{"GL9398 the batteries were empty at 50 s, at 14.0 m: nothing worked any more"});
+  support::DiagnosticEngine diagnostics;
+  reportFlight(trace, diagnostics);
+  EXPECT_EQ(diagnostics.sorted().at(0).hint, "most went to: SBC");
+}
+
 TEST(Warnings, OfALogHaveItsNotesAndTimesOfUtc) {
   auto trace = flight(1);
   trace.way = "";

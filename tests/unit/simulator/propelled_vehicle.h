@@ -55,8 +55,7 @@ class PropelledFlight {
   PropelledFlight(const std::string& name, double buoyancy_kg, const OceanSettings& water,
                   double depth_m)
       : platform_(propelledPlatform(name)),
-        model_(*platform_.motion->propelled, platform_.power.propeller,
-               propelledSettings(platform_, buoyancy_kg)),
+        model_(*platform_.motion->propelled, propelledSettings(platform_, buoyancy_kg)),
         ocean_(water),
         state(model_.start()) {
     state.depth_m = depth_m;

@@ -31,7 +31,7 @@ TEST(PropelledScenario, BallastsTheVehicleForItsWater) {
   ASSERT_TRUE(scenario) << scenario.error().message;
   EXPECT_EQ(scenario->vehicle.flight.hull_volume_m3, 24.0 / 1020);
   EXPECT_EQ(scenario->vehicle.positive_buoyancy_kg, 0.2);
-  EXPECT_EQ(scenario->vehicle.battery.capacity_j, 1890e3);
+  EXPECT_EQ(scenario->vehicle.battery.power.capacity_kj, 1890);
   // It is as buoyant there as in denser water.
   for (const char* density : {"1000", "1030"}) {
     const auto here = load(std::string("[ocean]\ndensity_kgm3 = ") + density + "\n");

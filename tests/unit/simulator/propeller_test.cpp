@@ -189,14 +189,21 @@ TEST(PropelledMotors, FollowALag) {
 }
 
 TEST_P(Propelled, UsesTheEnergyOfItsPowerTable) {
-  const platforms::Power& power = propelledPlatform(GetParam()).power;
-  PropelledFlight one = flight(400);
-  one.command.rpm = 700;
-  one.fly(60);
-  const double before = one.state.battery.usedJ();
-  one.fly(600);
-  EXPECT_NEAR(one.state.battery.usedJ() - before,
-              600 * (power.hotel_W + powerAt(power.propeller, 700)), 0.1);
+  const platforms::Platform& platform = propelledPlatform(GetParam());
+  Vehicle vehicle(platform, settingsOf(platform));
+  const Ocean ocean(OceanSettings{});
+  const auto fly = [&](double seconds) {
+    for (double now = 0; now < seconds; now += Vehicle::kStep) {
+      vehicle.step(ocean, now);
+    }
+  };
+  vehicle.commandPropeller(700);
+  fly(60);
+  const double before = vehicle.battery().usedJ();
+  fly(600);
+  EXPECT_NEAR(vehicle.battery().usedJ() - before,
+              600 * (platform.power.draws.at(0).amount + powerAt(platform.power.propeller, 700)),
+              0.1);
 }
 
 TEST(PropelledPower, IsStraightBetweenThePointsOfItsTable) {
@@ -210,13 +217,26 @@ TEST(PropelledPower, IsStraightBetweenThePointsOfItsTable) {
 }
 
 TEST_P(Propelled, AnEmptyBatteryLetsItFloatUp) {
-  PropelledFlight one = flight();
-  one.command.rpm = 1000;
-  one.fly(30);
-  one.state.battery.use(1e9);
-  one.fly(60);
-  EXPECT_NEAR(one.state.rpm.position, 0, 0.5);
-  EXPECT_GT(one.state.up_mps, 0.05);
+  const platforms::Platform& platform = propelledPlatform(GetParam());
+  VehicleSettings settings = settingsOf(platform);
+  settings.flight.hull_volume_m3 = settings.flight.mass_kg / propelledWater(100).density;
+  Vehicle vehicle(platform, settings);
+  const Ocean ocean(propelledWater(100));
+  const auto fly = [&](double seconds) {
+    for (double now = 0; now < seconds; now += Vehicle::kStep) {
+      vehicle.step(ocean, now);
+    }
+  };
+  vehicle.commandPropeller(1000);
+  vehicle.commandSternPlane(-0.2);
+  fly(60);
+  vehicle.commandSternPlane(0);
+  vehicle.useByModem(1e9);
+  ASSERT_GT(vehicle.depth(), 3);
+  const double deep = vehicle.depth();
+  fly(120);
+  EXPECT_NEAR(vehicle.rpm(), 0, 0.5);
+  EXPECT_LT(vehicle.depth(), deep);
 }
 
 TEST_P(Propelled, StaysSaneAtExtremes) {
@@ -237,7 +257,7 @@ TEST_P(Propelled, StaysSaneAtExtremes) {
     one.fly(within(0.25, 20));
     const VehicleState& s = one.state;
     for (const double number : {s.x_m, s.y_m, s.depth_m, s.pitch_rad, s.heading_rad, s.ahead_mps,
-                                s.up_mps, s.turn_rate_rad_s, s.battery.usedJ()}) {
+                                s.up_mps, s.turn_rate_rad_s}) {
       ASSERT_TRUE(std::isfinite(number)) << i;
     }
     ASSERT_GE(s.depth_m, 0);

@@ -131,9 +131,9 @@ TEST_F(ScenarioFile, ReadsTheBatteryAndTheSensorsTables) {
            "non_monotonic_m = 0.7\nstale_climb = true\nstale_climb_count = 1\n"
            "[sensors.altimeter]\nrange_m = 40\ndropout = 0.1\n"),
       "");
-  EXPECT_EQ(scenario_.vehicle.battery.capacity_j, 4e5);
+  EXPECT_EQ(scenario_.vehicle.battery.power.capacity_kj, 400);
   EXPECT_EQ(scenario_.vehicle.battery.start_V, 11);
-  EXPECT_EQ(scenario_.vehicle.battery.full_V, 14.4);
+  EXPECT_EQ(scenario_.vehicle.battery.power.full_V, 14.4);
   EXPECT_EQ(scenario_.vehicle.battery.sbc_W, 3.42);
   const CtdSettings& ctd = scenario_.sensors.ctd;
   EXPECT_EQ(ctd.noise_degC, 0.2);

@@ -50,7 +50,8 @@ Glide balance(double pitch, double force, double density) {
 struct Second {
   double pump = 233, pump_to = 233, battery = 0, battery_to = 0, fin = 0, fin_to = 0;
   double pitch = 0, heading = 0, turning = 0, ahead = 0, up = 0, x = 0, y = 0, depth = 0;
-  double used_j = 0;
+  double used_j = 0, coulombs = 0, load_W = 0, resting_V = 14.4;
+  bool dived = false;
 
   static void move(double& at, double to, double most) {
     at = to > at ? std::min(to, at + most) : std::max(to, at - most);
@@ -58,10 +59,8 @@ struct Second {
 
   void step(const Ocean& ocean, double now) {
     const double dt = 0.25;
-    const double pump_before = pump;
+    const double pump_before = pump, battery_before = battery, fin_before = fin;
     move(pump, std::min(std::max(pump_to, -233.0), 233.0), 37.5 * dt);
-    const double out = pump - pump_before;
-    used_j += 1.63 * dt + (out > 0 ? (0.29 + 0.018 * depth) * out : 0.40 * -out);
     move(battery, std::min(std::max(battery_to, -1.425), 1.425), 0.15 * dt);
     move(fin, std::min(std::max(fin_to, -0.45), 0.45), 0.098 * dt);
     const double trim = std::atan(1235 * pump / 1e6 - 28.8 * battery * 0.0254 + 0.14);
@@ -93,6 +92,22 @@ struct Second {
       depth = bottom;
       up = std::max(up, 0.0);
     }
+    feed(pump - pump_before, battery != battery_before, fin != fin_before, dt);
+  }
+
+  /// Hotel and CTD, what is on at the surface, a surfacing, and the motors.
+  void feed(double out, bool battery_moved, bool fin_moved, double dt) {
+    double joules = 1.40 * dt + (out > 0 ? (0.29 + 0.018 * depth) * out : 0.40 * -out);
+    joules += (battery_moved ? 7.0 : 0) * dt + (fin_moved ? 0.3 : 0) * dt;
+    if (depth < 0.5) {
+      joules += 3.6 * dt + (dived ? 389 : 0);
+      dived = false;
+    }
+    dived = dived || depth > 3;
+    used_j += joules;
+    resting_V = 14.4 - (14.4 - 10.0) * used_j / 8e6;
+    coulombs += joules / resting_V;
+    load_W = joules / dt - (joules / dt - load_W) * std::exp(-dt / 30);
   }
 };
 
@@ -105,9 +120,10 @@ OceanSettings water(double depth) {
 
 void expectSame(const Vehicle& one, const Second& two, double now) {
   ASSERT_NEAR(one.pumpedCc(), two.pump, 1e-9) << now;
-  const double volts = 14.4 - (14.4 - 10.0) * two.used_j / 8e6;
+  const double volts = two.resting_V - 0.47 * two.load_W / two.resting_V;
   ASSERT_NEAR(one.battery().voltage(), volts, 1e-9) << now;
-  ASSERT_NEAR(one.battery().ampHours(), two.used_j / ((14.4 + volts) / 2) / 3600, 1e-9) << now;
+  ASSERT_NEAR(one.battery().usedJ(), two.used_j, 1e-6) << now;
+  ASSERT_NEAR(one.battery().ampHours(), two.coulombs / 3600, 1e-9) << now;
   ASSERT_NEAR(one.batteryPositionIn(), two.battery, 1e-12) << now;
   ASSERT_NEAR(one.fin(), two.fin, 1e-12) << now;
   ASSERT_NEAR(one.pitch(), two.pitch, 1e-12) << now;

@@ -80,33 +80,145 @@ TEST(Vehicle, TurnsWithItsFinAndDriftsWithTheCurrent) {
   EXPECT_GT(turning.heading(), 0.5) << "to starboard";
 }
 
+/// A row of a power table.
+platforms::Draw row(const char* device, platforms::DrawWhen when, double amount,
+                    double amount_per_m = 0, std::vector<std::string> sensors = {}) {
+  platforms::Draw draw;
+  draw.device = device;
+  draw.when = when;
+  draw.amount = amount;
+  draw.amount_per_m = amount_per_m;
+  draw.sensors = std::move(sensors);
+  return draw;
+}
+
+/// A pack of 4 kJ with a device, the SBC and a modem.
+BatterySettings smallPack() {
+  BatterySettings small;
+  small.power.capacity_kj = 4;
+  small.power.full_V = 14;
+  small.power.empty_V = 10;
+  small.power.draws = {row("hotel", platforms::DrawWhen::Always, 2)};
+  small.start_V = 12;
+  return small;
+}
+
 TEST(Battery, FallsInAStraightLineToItsEmptyVoltage) {
-  const BatterySettings small{
-      .capacity_j = 4000, .full_V = 14, .empty_V = 10, .start_V = 12, .hotel_W = 2, .sbc_W = 3};
-  Battery battery(small);
+  Battery battery(smallPack());
   EXPECT_EQ(battery.voltage(), 12);
   EXPECT_NEAR(battery.ampHours(), 2000 / 13.0 / 3600, 1e-12);
-  battery.idle(100, false);
-  EXPECT_NEAR(battery.voltage(), 12 - 4 * 200 / 4000.0, 1e-12);
-  battery.idle(100, true);
+  battery.use(0, 200);
+  battery.use(1, 500);
+  battery.settle(100);
   EXPECT_NEAR(battery.voltage(), 12 - 4 * 700 / 4000.0, 1e-12);
-  battery.use(47);
-  EXPECT_NEAR(battery.voltage(), 12 - 4 * (700 + 47) / 4000.0, 1e-12);
-  battery.idle(1e6, true);
+  EXPECT_EQ(battery.usedByJ(0), 200);
+  EXPECT_EQ(battery.usedByJ(1), 500);
+  EXPECT_EQ(battery.usedByJ(2), 0);
+  EXPECT_FALSE(battery.empty());
+  battery.use(1, 1e6);
+  EXPECT_TRUE(battery.empty());
   EXPECT_EQ(battery.voltage(), 10);
+  EXPECT_EQ(battery.usedByJ(1), 1800) << "what the pack had";
+}
+
+TEST(Battery, SagsUnderTheLoadOfTheLastHalfMinute) {
+  BatterySettings settings = smallPack();
+  settings.power.capacity_kj = 1e6;
+  settings.power.resistance_ohm = 0.5;
+  Battery battery(settings);
+  const double rest = battery.voltage();
+  for (int i = 0; i < 30 * 4; ++i) {
+    battery.use(0, 24 * 0.25);  // 24 W: 2 A
+    battery.settle(0.25);
+  }
+  EXPECT_NEAR(rest - battery.voltage(), 1.0 * (1 - std::exp(-1.0)), 0.01);
+  for (int i = 0; i < 300 * 4; ++i) {
+    battery.settle(0.25);
+  }
+  EXPECT_NEAR(battery.voltage(), rest, 0.001);
+  EXPECT_NEAR(battery.ampHours() - 5e8 / 13 / 3600, 24 * 30 / 12.0 / 3600, 1e-6);
+}
+
+TEST(Loads, EachDrawsWhenItsRowSays) {
+  using platforms::DrawWhen;
+  BatterySettings settings;
+  settings.power.capacity_kj = 100;
+  settings.power.full_V = 14;
+  settings.power.empty_V = 10;
+  settings.power.draws = {
+      row("hotel", DrawWhen::Always, 2),         row("radio", DrawWhen::Surface, 3),
+      row("air pump", DrawWhen::Surfacing, 400), row("optode", DrawWhen::Read, 5, 0, {"oxygen"}),
+      row("pump", DrawWhen::PumpOut, 0.5, 0.1),  row("pump", DrawWhen::PumpIn, 0.25),
+      row("battery", DrawWhen::PitchBattery, 7), row("fin", DrawWhen::Fin, 11)};
+  settings.start_V = 14;
+  settings.sbc_W = 13;
+  const auto taken = [&](const Doings& doings, bool reads = false) {
+    Loads loads(settings);
+    const std::vector<std::string> sensors = {"temp", "oxygen"};
+    loads.read(std::span(sensors).first(reads ? 2 : 1));
+    Battery battery(settings);
+    loads.draw(battery, doings);
+    return battery.usedJ();
+  };
+  EXPECT_EQ(taken({.seconds = 10}), 20);
+  EXPECT_EQ(taken({.seconds = 10, .at_surface = true}), 20 + 30);
+  EXPECT_EQ(taken({.seconds = 10, .came_up = true}), 20 + 400);
+  EXPECT_EQ(taken({.seconds = 10}, true), 20) << "without the SBC nothing reads";
+  EXPECT_EQ(taken({.seconds = 10, .sbc_alive = true}), 20 + 130);
+  EXPECT_EQ(taken({.seconds = 10, .sbc_alive = true}, true), 20 + 130 + 50);
+  EXPECT_EQ(taken({.seconds = 10, .depth_m = 40, .pumped_cc = 8}), 20 + 8 * (0.5 + 4));
+  EXPECT_EQ(taken({.seconds = 10, .depth_m = 40, .pumped_cc = -8}), 20 + 8 * 0.25);
+  EXPECT_EQ(taken({.seconds = 10, .pitch_battery_moves = true}), 20 + 70);
+  EXPECT_EQ(taken({.seconds = 10, .fin_moves = true}), 20 + 110);
 }
 
 TEST(Vehicle, FeedsTheSbcFromItsBattery) {
   VehicleSettings settings = slocumSettings();
-  settings.battery.capacity_j = 4400;
   settings.battery.sbc_W = 3.37;
   Vehicle vehicle = slocumVehicle(settings);
   const Ocean ocean(still());
   fly(vehicle, ocean, 100);
-  EXPECT_NEAR(vehicle.battery().voltage(), 14.4 - 0.163, 1e-9);
+  const double without = vehicle.battery().usedJ();
   vehicle.feedSbc(true);
   fly(vehicle, ocean, 100);
-  EXPECT_NEAR(vehicle.battery().voltage(), 14.4 - 0.163 - 0.5, 1e-9);
+  EXPECT_NEAR(vehicle.battery().usedJ() - without, without + 337, 1e-6);
+}
+
+TEST(Vehicle, WithAnEmptyPackNoMotorMoves) {
+  VehicleSettings settings = slocumSettings();
+  settings.battery.power.capacity_kj = 0.3;
+  Vehicle vehicle = slocumVehicle(settings);
+  const Ocean ocean(still());
+  vehicle.commandPump(-233);
+  fly(vehicle, ocean, 100);
+  EXPECT_TRUE(vehicle.battery().empty());
+  const double stuck = vehicle.pumpedCc();
+  vehicle.commandPump(233);
+  vehicle.commandFin(0.3);
+  vehicle.commandBatteryPosition(0.5);
+  fly(vehicle, ocean, 100);
+  EXPECT_EQ(vehicle.pumpedCc(), stuck);
+  EXPECT_EQ(vehicle.fin(), 0);
+  EXPECT_EQ(vehicle.batteryPositionIn(), 0);
+}
+
+TEST(Vehicle, PaysForASurfacingOnceItHasDived) {
+  VehicleSettings settings = slocumSettings();
+  settings.battery.power.draws = {row("air pump", platforms::DrawWhen::Surfacing, 400)};
+  Vehicle vehicle = slocumVehicle(settings);
+  const Ocean ocean(still());
+  fly(vehicle, ocean, 100);
+  EXPECT_EQ(vehicle.battery().usedJ(), 0);
+  vehicle.commandPump(-233);
+  vehicle.commandBatteryPosition(0.47);
+  fly(vehicle, ocean, 200);
+  ASSERT_GT(vehicle.depth(), 3);
+  EXPECT_EQ(vehicle.battery().usedJ(), 0);
+  vehicle.commandPump(233);
+  vehicle.commandBatteryPosition(-0.4);
+  fly(vehicle, ocean, 1000);
+  ASSERT_EQ(vehicle.depth(), 0);
+  EXPECT_EQ(vehicle.battery().usedJ(), 400);
 }
 
 TEST(Vehicle, DriftsWithTheCurrentOfItsDepth) {

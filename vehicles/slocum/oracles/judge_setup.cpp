@@ -98,6 +98,20 @@ Promise JudgeSetup::promiseAt(double now_s) const {
   return now;
 }
 
+/// The loads of a way up, and what the pump takes.
+void addPower(const simulator::BatterySettings& battery, JudgeSetup& setup) {
+  setup.loads_W = battery.sbc_W.value_or(0);
+  for (const platforms::Draw& draw : battery.power.draws) {
+    if (draw.when == platforms::DrawWhen::Always || draw.when == platforms::DrawWhen::Read) {
+      setup.loads_W += draw.amount;
+    }
+    if (draw.when == platforms::DrawWhen::PumpOut) {
+      setup.pump_out_j_cc = draw.amount;
+      setup.pump_out_j_cc_m = draw.amount_per_m;
+    }
+  }
+}
+
 JudgeSetup judgeSetup(const platforms::Platform& platform, const Scenario& scenario,
                       const std::vector<FaultKind>& kinds) {
   JudgeSetup setup;
@@ -117,11 +131,7 @@ JudgeSetup judgeSetup(const platforms::Platform& platform, const Scenario& scena
   setup.turn_s = platform.world.turn_s;
   setup.slowest_climb_mps = platform.world.slowest_climb_m_s;
   setup.through_water_mps = platform.world.through_water_m_s;
-  setup.loads_W = scenario.vehicle.battery.hotel_W + scenario.vehicle.battery.sbc_W;
-  if (platform.motion) {
-    setup.pump_out_j_cc = platform.motion->pump_out_j_cc;
-    setup.pump_out_j_cc_m = platform.motion->pump_out_j_cc_m;
-  }
+  addPower(scenario.vehicle.battery, setup);
   const OceanSettings& ocean = scenario.ocean;
   setup.current_mps = std::max(std::hypot(ocean.current.east, ocean.current.north),
                                std::hypot(ocean.bottom_current.east, ocean.bottom_current.north));

@@ -37,7 +37,7 @@ struct JudgeSetup {
   double slowest_climb_mps = 0.05;
   double mean_W = 0;   ///< of the same mission's flight without a fault; 0: not known
   double loads_W = 0;  ///< what all loads but the motors draw at most
-  double pump_out_j_cc = 0, pump_out_j_cc_m = 0;  ///< as in platforms::Motion
+  double pump_out_j_cc = 0, pump_out_j_cc_m = 0;  ///< as in the power table
   double current_mps = 0;                         ///< the fastest of the scenario
   double late_m = 0;             ///< how far it sinks until a pressure that is read seldom shows it
   double through_water_mps = 1;  ///< horizontally, at most

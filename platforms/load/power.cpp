@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "platforms/load/power.h"
+
+#include <algorithm>
+
+namespace glider::platforms {
+namespace {
+
+struct WhenRow {
+  std::string_view word, unit, what;
+};
+
+constexpr WhenRow kWhens[] = {
+#define DRAW(name, word, unit, what) {word, unit, what},
+#include "platforms/load/draws.def"
+};
+
+const WhenRow& rowOf(DrawWhen when) {
+  return kWhens[static_cast<size_t>(when)];
+}
+
+}  // namespace
+
+std::string_view wordOf(DrawWhen when) {
+  return rowOf(when).word;
+}
+
+std::string_view unitOf(DrawWhen when) {
+  return rowOf(when).unit;
+}
+
+std::string_view describe(DrawWhen when) {
+  return rowOf(when).what;
+}
+
+std::vector<std::string> devicesOf(const Power& power) {
+  std::vector<std::string> devices;
+  for (const Draw& draw : power.draws) {
+    if (std::ranges::find(devices, draw.device) == devices.end()) {
+      devices.push_back(draw.device);
+    }
+  }
+  if (!power.propeller.rpm.empty()) {
+    devices.emplace_back(kPropellerDevice);
+  }
+  devices.emplace_back(kSbcDevice);
+  devices.emplace_back(kModemDevice);
+  return devices;
+}
+
+}  // namespace glider::platforms

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "platforms/load/propeller_motion.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glider::platforms {
+
+/// When a row of the power table draws.
+enum class DrawWhen : uint8_t {
+#define DRAW(name, ...) name,
+#include "platforms/load/draws.def"
+};
+/// "always", as in the file.
+std::string_view wordOf(DrawWhen when);
+/// "W", "J" or "J/cc".
+std::string_view unitOf(DrawWhen when);
+/// "at the surface".
+std::string_view describe(DrawWhen when);
+
+/// A row of the power table: what a device draws in one of its modes.
+struct Draw {
+  std::string device;
+  DrawWhen when = DrawWhen::Always;
+  double amount = 0;                 ///< in unitOf(when)
+  double amount_per_m = 0;           ///< of PumpOut: added for each metre of depth
+  double spread = 0;                 ///< the share by which it may be wrong to either side
+  std::string source;                ///< where the number is from
+  std::vector<std::string> sensors;  ///< of Read: the vehicle's names of what the device measures
+};
+
+/// The batteries and all that they feed.
+struct Power {
+  double capacity_kj = 0;
+  double full_V = 0;   ///< without load
+  double empty_V = 0;  ///< the same; between them the voltage falls linearly with what was used
+  double resistance_ohm = 0;
+  std::string board;  ///< the SBC whose power is counted unless another is named; "": none
+  std::vector<Draw> draws;
+  PropellerPower propeller;  ///< drawn too; empty without one
+};
+
+// What has no row in the power table of a vehicle: its propeller, the SBC (its board's file), and
+// the acoustic modem ([modem]).
+inline constexpr std::string_view kPropellerDevice = "propeller";
+inline constexpr std::string_view kSbcDevice = "SBC";
+inline constexpr std::string_view kModemDevice = "acoustic modem";
+
+/// What draws power, each once: those of the table in its order, then those above.
+std::vector<std::string> devicesOf(const Power& power);
+
+}  // namespace glider::platforms

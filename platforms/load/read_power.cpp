@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "platforms/load/read_power.h"
+
+#include "platforms/load/read_numbers.h"
+#include "platforms/load/read_propeller.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace glider::platforms {
+namespace {
+
+constexpr NumberKey<Power> kPack[] = {
+    {"capacity_kJ", &Power::capacity_kj},
+    {"full_V", &Power::full_V},
+    {"empty_V", &Power::empty_V},
+    {"resistance_ohm", &Power::resistance_ohm, Least::Zero},
+};
+
+constexpr std::pair<std::string_view, DrawWhen> kWords[] = {
+#define DRAW(name, word, unit, what) {word, DrawWhen::name},
+#include "platforms/load/draws.def"
+};
+
+/// The key of the number of a row.
+std::string_view amountKey(DrawWhen when) {
+  return when == DrawWhen::PumpOut || when == DrawWhen::PumpIn ? "J_per_cc" : unitOf(when);
+}
+
+std::string knownWords() {
+  std::string words;
+  for (const auto& [word, when] : kWords) {
+    words += fmt::format("{}\"{}\"", words.empty() ? "" : ", ", word);
+  }
+  return words;
+}
+
+double notNegative(TomlReader& reader, std::string_view key) {
+  const double number = reader.number(key);
+  if (!(number >= 0)) {
+    reader.refuse(key, "must not be below 0");
+  }
+  return number;
+}
+
+void readSensors(TomlReader& reader, const Platform& platform, Draw& draw) {
+  draw.sensors = reader.texts("sensors");
+  for (const std::string& sensor : draw.sensors) {
+    if (platform.find(sensor) == nullptr) {
+      reader.refuse("sensors", fmt::format("there is no sensor `{}`", sensor));
+    }
+  }
+}
+
+Draw readDraw(TomlReader& reader, const Platform& platform) {
+  Draw draw;
+  draw.device = reader.text("device");
+  const std::string when = reader.text("when");
+  const auto* found =
+      std::ranges::find(kWords, when, &std::pair<std::string_view, DrawWhen>::first);
+  if (found == std::end(kWords)) {
+    reader.refuse("when", fmt::format("must be one of {}", knownWords()));
+    return draw;
+  }
+  draw.when = found->second;
+  std::vector<std::string_view> keys = {"device", "when", "spread", "source", amountKey(draw.when)};
+  draw.amount = notNegative(reader, amountKey(draw.when));
+  if (draw.when == DrawWhen::PumpOut) {
+    keys.emplace_back("J_per_cc_m");
+    draw.amount_per_m = notNegative(reader, "J_per_cc_m");
+  }
+  if (draw.when == DrawWhen::Read) {
+    keys.emplace_back("sensors");
+    readSensors(reader, platform, draw);
+  }
+  draw.spread = reader.number("spread");
+  if (!(draw.spread >= 0 && draw.spread <= 1)) {
+    reader.refuse("spread", "must be between 0 and 1, a share of the number");
+  }
+  draw.source = reader.text("source");
+  reader.only(keys);
+  return draw;
+}
+
+/// Why the table cannot have `row`; empty: it can.
+std::string whyRefused(const Power& power, const Draw& row) {
+  if (row.device.empty()) {
+    return "must not be empty";
+  }
+  for (const std::string_view own : {kPropellerDevice, kSbcDevice, kModemDevice}) {
+    if (row.device == own) {
+      return fmt::format("`{}` has no row: its power is elsewhere", own);
+    }
+  }
+  const bool twice = std::ranges::any_of(power.draws, [&](const Draw& other) {
+    return other.device == row.device && other.when == row.when;
+  });
+  return twice ? fmt::format("`{}` already has a row for \"{}\"", row.device, wordOf(row.when))
+               : "";
+}
+
+support::Result<void> readDraws(const std::string& file, const toml::table& root,
+                                const Platform& platform, Power& power) {
+  const toml::array* rows = root["power"]["draw"].as_array();
+  for (size_t i = 0; rows != nullptr && i < rows->size(); ++i) {
+    TomlReader reader =
+        tableOf(file, toml::node_view<const toml::node>(rows->get(i)), "[[power.draw]]");
+    Draw draw = readDraw(reader, platform);
+    if (const std::string why = whyRefused(power, draw); !reader.failure() && !why.empty()) {
+      reader.refuse("device", why);
+    }
+    if (reader.failure()) {
+      return std::unexpected(*reader.failure());
+    }
+    power.draws.push_back(std::move(draw));
+  }
+  return {};
+}
+
+bool has(const Power& power, DrawWhen when) {
+  return std::ranges::any_of(power.draws, [&](const Draw& draw) { return draw.when == when; });
+}
+
+}  // namespace
+
+support::Result<Power> readPower(const std::string& file, const toml::table& root,
+                                 const Platform& platform) {
+  const Motion& motion = *platform.motion;
+  TomlReader reader = tableOf(file, root["power"], "[power]");
+  std::vector<std::string_view> others = {"board", "draw"};
+  if (motion.propelled) {
+    others.insert(others.end(), {kPowerRpm, kPowerWatt});
+  }
+  Power power = readNumbers(reader, kPack, std::move(others));
+  power.board = reader.textOr("board", "");
+  if (!(power.empty_V < power.full_V)) {
+    reader.refuse("empty_V", "must be below `full_V`");
+  }
+  if (motion.propelled) {
+    power.propeller = readPropellerPower(reader, motion.propelled->propeller.greatest_rpm);
+  }
+  if (!reader.failure()) {
+    if (auto read = readDraws(file, root, platform, power); !read) {
+      return std::unexpected(read.error());
+    }
+    const auto need = [&](DrawWhen when) {
+      if (!has(power, when)) {
+        reader.refuse("draw", fmt::format("must have a row with `when = \"{}\"`", wordOf(when)));
+      }
+    };
+    need(DrawWhen::Always);
+    if (!motion.propelled) {
+      need(DrawWhen::PumpOut);
+      need(DrawWhen::PumpIn);
+    }
+  }
+  if (reader.failure()) {
+    return std::unexpected(*reader.failure());
+  }
+  return power;
+}
+
+}  // namespace glider::platforms

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "simulator/vehicle/loads.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glider::simulator {
+
+using platforms::Draw;
+using platforms::DrawWhen;
+
+Loads::Loads(const BatterySettings& settings)
+    : propeller_(settings.power.propeller), sbc_W_(settings.sbc_W.value_or(0)) {
+  const std::vector<std::string> devices = platforms::devicesOf(settings.power);
+  devices_ = devices.size();
+  for (const Draw& draw : settings.power.draws) {
+    const auto at = std::ranges::find(devices, draw.device);
+    rows_.push_back({draw, static_cast<size_t>(at - devices.begin())});
+  }
+}
+
+void Loads::read(std::span<const std::string> sensors) {
+  for (Row& row : rows_) {
+    row.is_read = std::ranges::any_of(row.draw.sensors, [&](const std::string& sensor) {
+      return std::ranges::find(sensors, sensor) != sensors.end();
+    });
+  }
+}
+
+double Loads::joules(const Row& row, const Doings& doings) {
+  const Draw& draw = row.draw;
+  const auto during = [&](bool on) { return on ? draw.amount * doings.seconds : 0; };
+  switch (draw.when) {
+    case DrawWhen::Always:
+      return during(true);
+    case DrawWhen::Surface:
+      return during(doings.at_surface);
+    case DrawWhen::Surfacing:
+      return doings.came_up ? draw.amount : 0;
+    case DrawWhen::Read:
+      return during(row.is_read && doings.sbc_alive);
+    case DrawWhen::PumpOut:
+      return std::max(doings.pumped_cc, 0.0) * (draw.amount + draw.amount_per_m * doings.depth_m);
+    case DrawWhen::PumpIn:
+      return std::max(-doings.pumped_cc, 0.0) * draw.amount;
+    case DrawWhen::PitchBattery:
+      return during(doings.pitch_battery_moves);
+    case DrawWhen::Fin:
+      return during(doings.fin_moves);
+  }
+  return 0;
+}
+
+void Loads::draw(Battery& battery, const Doings& doings) const {
+  for (const Row& row : rows_) {
+    battery.use(row.device, joules(row, doings));
+  }
+  if (!propeller_.rpm.empty()) {
+    battery.use(propellerOf(devices_), powerAt(propeller_, doings.rpm) * doings.seconds);
+  }
+  battery.use(sbcOf(devices_), doings.sbc_alive ? sbc_W_ * doings.seconds : 0);
+}
+
+double powerAt(const platforms::PropellerPower& power, double rpm) {
+  const auto next = std::ranges::upper_bound(power.rpm, rpm);
+  if (next == power.rpm.begin()) {
+    return power.watt.front();
+  }
+  if (next == power.rpm.end()) {
+    return power.watt.back();
+  }
+  const auto i = static_cast<size_t>(next - power.rpm.begin());
+  const double share = (rpm - power.rpm[i - 1]) / (power.rpm[i] - power.rpm[i - 1]);
+  return std::lerp(power.watt[i - 1], power.watt[i], share);
+}
+
+}  // namespace glider::simulator

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "simulator/vehicle/battery.h"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace glider::simulator {
+
+/// What a vehicle did in a step, as far as its power table asks.
+struct Doings {
+  double seconds = 0;
+  double depth_m = 0;
+  bool at_surface = false;
+  bool came_up = false;  ///< it has come to the surface in this step
+  double pumped_cc = 0;  ///< outwards
+  bool pitch_battery_moves = false;
+  bool fin_moves = false;
+  double rpm = 0;
+  bool sbc_alive = false;
+};
+
+/// The devices of a vehicle that draw power, by its power table.
+class Loads {
+ public:
+  explicit Loads(const BatterySettings& settings);
+
+  /// The mission reads sensors: the vehicle's names.
+  void read(std::span<const std::string> sensors);
+  /// Draws from `battery` what all devices take in a step.
+  void draw(Battery& battery, const Doings& doings) const;
+
+ private:
+  struct Row {
+    platforms::Draw draw;
+    size_t device = 0;
+    bool is_read = false;
+  };
+
+  [[nodiscard]] static double joules(const Row& row, const Doings& doings);
+
+  std::vector<Row> rows_;
+  platforms::PropellerPower propeller_;
+  double sbc_W_ = 0;
+  size_t devices_ = 0;
+};
+
+/// The places of the last devices of platforms::devicesOf.
+constexpr size_t modemOf(size_t devices) {
+  return devices - 1;
+}
+constexpr size_t sbcOf(size_t devices) {
+  return devices - 2;
+}
+constexpr size_t propellerOf(size_t devices) {
+  return devices - 3;
+}
+
+/// The power of a propeller at `rpm`, W: straight between the points of its table.
+double powerAt(const platforms::PropellerPower& power, double rpm);
+
+}  // namespace glider::simulator

@@ -38,7 +38,7 @@ double Loads::joules(const Row& row, const Doings& doings) {
     case DrawWhen::Surface:
       return during(doings.at_surface);
     case DrawWhen::Surfacing:
-      return doings.came_up ? draw.amount : 0;
+      return doings.surfaces ? draw.amount : 0;
     case DrawWhen::Read:
       return during(row.is_read && doings.sbc_alive);
     case DrawWhen::PumpOut:

@@ -17,8 +17,8 @@ struct Doings {
   double seconds = 0;
   double depth_m = 0;
   bool at_surface = false;
-  bool came_up = false;  ///< it has come to the surface in this step
-  double pumped_cc = 0;  ///< outwards
+  bool surfaces = false;  ///< in this step it counts as having surfaced
+  double pumped_cc = 0;   ///< outwards
   bool pitch_battery_moves = false;
   bool fin_moves = false;
   double rpm = 0;

@@ -10,6 +10,8 @@ namespace {
 
 // m: the antenna is out of the water; and a dive that deserves the name.
 constexpr double kSurface = 0.5, kDived = 3;
+// s: who stays so long has surfaced, and has not only turned there.
+constexpr double kStays = 60;
 
 }  // namespace
 
@@ -53,17 +55,19 @@ void Vehicle::step(const Ocean& ocean, double now_s) {
 /// What the step took in which the motors have moved from these positions.
 void Vehicle::drawPower(double pump_cc, double pitch_battery_in, double fin_rad) {
   const bool at_surface = state_.depth_m < kSurface;
+  surface_s_ = at_surface ? surface_s_ + kStep : 0;
+  const bool surfaces = dived_ && surface_s_ >= kStays;
   loads_.draw(battery_, {.seconds = kStep,
                          .depth_m = state_.depth_m,
                          .at_surface = at_surface,
-                         .came_up = at_surface && dived_,
+                         .surfaces = surfaces,
                          .pumped_cc = state_.pump.position - pump_cc,
                          .pitch_battery_moves = state_.pitch_battery.position != pitch_battery_in,
                          .fin_moves = state_.fin.position != fin_rad,
                          .rpm = state_.rpm.position,
                          .sbc_alive = sbc_alive_});
   battery_.settle(kStep);
-  dived_ = state_.depth_m > kDived || (dived_ && !at_surface);
+  dived_ = state_.depth_m > kDived || (dived_ && !surfaces);
 }
 
 }  // namespace glider::simulator

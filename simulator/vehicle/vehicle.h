@@ -82,7 +82,8 @@ class Vehicle {
   Loads loads_;
   size_t devices_;
   bool sbc_alive_ = false;
-  bool dived_ = false;  ///< since it was at the surface
+  bool dived_ = false;    ///< since it last surfaced
+  double surface_s_ = 0;  ///< at the surface without a break
 };
 
 }  // namespace glider::simulator

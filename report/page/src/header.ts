@@ -41,7 +41,7 @@ function shareBar(title: string, parts: Part[]): HTMLElement {
     bar.append(piece);
     list.append(element("li", {}, swatch(part.colour), element("b", {}, part.name), ` ${part.text}`));
   }
-  return element("div", { class: "share-bar" }, bar, list);
+  return element("div", { class: "share-bar" }, element("p", { class: "share-title" }, title), bar, list);
 }
 
 /** The time in each state. */

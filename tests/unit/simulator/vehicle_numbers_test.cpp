@@ -52,6 +52,7 @@ struct Second {
   double pitch = 0, heading = 0, turning = 0, ahead = 0, up = 0, x = 0, y = 0, depth = 0;
   double used_j = 0, coulombs = 0, load_W = 0, resting_V = 14.4;
   bool dived = false;
+  double floats_s = 0;
 
   static void move(double& at, double to, double most) {
     at = to > at ? std::min(to, at + most) : std::max(to, at - most);
@@ -100,7 +101,13 @@ struct Second {
     double joules = 1.40 * dt + (out > 0 ? (0.29 + 0.018 * depth) * out : 0.40 * -out);
     joules += (battery_moved ? 7.0 : 0) * dt + (fin_moved ? 0.3 : 0) * dt;
     if (depth < 0.5) {
-      joules += 3.6 * dt + (dived ? 389 : 0);
+      joules += 3.6 * dt;
+      floats_s += dt;
+    } else {
+      floats_s = 0;
+    }
+    if (dived && floats_s >= 60) {
+      joules += 389;
       dived = false;
     }
     dived = dived || depth > 3;

@@ -162,7 +162,7 @@ TEST(Loads, EachDrawsWhenItsRowSays) {
   };
   EXPECT_EQ(taken({.seconds = 10}), 20);
   EXPECT_EQ(taken({.seconds = 10, .at_surface = true}), 20 + 30);
-  EXPECT_EQ(taken({.seconds = 10, .came_up = true}), 20 + 400);
+  EXPECT_EQ(taken({.seconds = 10, .surfaces = true}), 20 + 400);
   EXPECT_EQ(taken({.seconds = 10}, true), 20) << "without the SBC nothing reads";
   EXPECT_EQ(taken({.seconds = 10, .sbc_alive = true}), 20 + 130);
   EXPECT_EQ(taken({.seconds = 10, .sbc_alive = true}, true), 20 + 130 + 50);

@@ -63,7 +63,15 @@ install(FILES ${made}/glidercc.pc DESTINATION ${up})
 install(FILES ${CMAKE_BINARY_DIR}/share/man/man1/glidercc.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${CMAKE_SOURCE_DIR}/runtime/c/glidercc-runtime.3 DESTINATION ${CMAKE_INSTALL_MANDIR}/man3)
 # The documents lie as in the source tree, with what they lead to but source code.
-install(FILES LICENSE README.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# The README of who has the package: the command is in the PATH, and there is nothing to build.
+set_property(DIRECTORY ${CMAKE_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS README.md)
+file(READ ${CMAKE_SOURCE_DIR}/README.md readme)
+string(REPLACE "build/bin/glidercc" "glidercc" readme "${readme}")
+string(REGEX REPLACE "    scripts/demo +# sets up.*\n\n## A mission"
+  "    glidercc new yo first.mission    # a commented mission to begin from\n    glidercc sim first.mission       # flies it and prints the path of its report\n\n## A mission" readme "${readme}")
+file(WRITE ${made}/README.md "${readme}")
+install(FILES ${made}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY missions scenarios DESTINATION ${CMAKE_INSTALL_DOCDIR}
   REGEX "(missions|scenarios|library|templates|gallery|fleet|detector)/CMakeLists[.]txt$" EXCLUDE)

@@ -170,8 +170,7 @@ std::optional<flights::RequirementWatch> watchOf(const SimOptions& options,
 /// The scenario with the duration and the mission of the vehicle's own that the options name.
 support::Result<simulator::Scenario> scenarioFor(const SimOptions& options,
                                                  const platforms::Platform& platform) {
-  auto scenario =
-      flights::chooseScenario(options.scenario, platform, reportDiagnostics, options.board);
+  auto scenario = flights::chooseScenario(options.scenario, platform, reportDiagnostics);
   if (!scenario) {
     return scenario;
   }

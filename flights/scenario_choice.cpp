@@ -58,30 +58,23 @@ support::Result<std::filesystem::path> scenarioPath(const std::string& wanted) {
   return bundledScenarios() / (wanted + ".toml");
 }
 
-/// What the SBC draws, W: `board`, or else the platform's; empty: not known.
-support::Result<std::optional<double>> powerOfBoard(const platforms::Platform& platform,
-                                                    const std::string& board) {
-  for (const std::string& name : {board, platform.power.board}) {
-    if (name.empty()) {
-      continue;
-    }
-    const auto loaded = compiler::loadTarget(name);
-    if (!loaded) {
-      return std::unexpected(loaded.error());
-    }
-    if (loaded->power) {
-      return loaded->power->running_W;
-    }
+/// What the SBC that is usually on a vehicle draws, W; empty: not known.
+support::Result<std::optional<double>> usualPower(const platforms::Platform& platform) {
+  if (platform.power.board.empty()) {
+    return std::nullopt;
   }
-  return std::nullopt;
+  const auto board = compiler::loadTarget(platform.power.board);
+  if (!board) {
+    return std::unexpected(board.error());
+  }
+  return board->power ? std::optional(board->power->running_W) : std::nullopt;
 }
 
 }  // namespace
 
 support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
                                                     const platforms::Platform& platform,
-                                                    const support::ShowDiagnostics& show,
-                                                    const std::string& board) {
+                                                    const support::ShowDiagnostics& show) {
   const auto path = scenarioPath(wanted);
   if (!path) {
     return std::unexpected(path.error());
@@ -94,7 +87,7 @@ support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
     show(diagnostics, sources);
   }
   if (scenario && !scenario->vehicle.battery.sbc_W) {
-    auto power = powerOfBoard(platform, board);
+    auto power = usualPower(platform);
     if (!power) {
       return std::unexpected(power.error());
     }

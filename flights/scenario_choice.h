@@ -21,13 +21,12 @@ std::vector<std::string> scenariosWith(const platforms::Platform& platform,
                                        std::string_view sensor);
 
 /// Loads the scenario that --scenario names, for a vehicle: a .toml file, or one that comes with
-/// glidercc. Errors in it are shown. Its SBC draws what the file says, or else what `board` does; a
-/// board without a known power counts as that of the platform. GL9302, GL4001, and as
-/// simulator::loadScenario.
+/// glidercc. Errors in it are shown. Its SBC draws what the file says, or else what the
+/// board does that the platform names, in any way of running the mission: the flight is the same
+/// with each. GL9302, GL4001, and as simulator::loadScenario.
 support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
                                                     const platforms::Platform& platform,
-                                                    const support::ShowDiagnostics& show = {},
-                                                    const std::string& board = "");
+                                                    const support::ShowDiagnostics& show = {});
 
 /// Makes the flights of `scenario` last up to `duration_s`, for --duration. If its mission file of
 /// the vehicle is one that comes with glidercc and would end the flight sooner (overtime), that

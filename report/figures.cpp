@@ -238,6 +238,22 @@ std::vector<TurningPoint> turningPoints(const Trace& trace) {
   return points;
 }
 
+namespace {
+
+/// The mean rate between the bottom of a yo and its end, m/s: up to where the vehicle first is at
+/// the surface from there, if it is. What it waits there is no part of the climb, or of the dive.
+double rateBetween(const Trace& trace, size_t bottom, size_t end) {
+  const int depth = depthColumn(trace), time = trace.column("time");
+  size_t row = bottom;
+  while (row != end && !(trace.at(row, depth) < support::kSurfaceDepth)) {
+    row = end > bottom ? row + 1 : row - 1;
+  }
+  return (trace.at(bottom, depth) - trace.at(row, depth)) /
+         std::abs(trace.at(row, time) - trace.at(bottom, time));
+}
+
+}  // namespace
+
 std::vector<Yo> yosOf(const Trace& trace) {
   const int depth = depthColumn(trace), time = trace.column("time");
   const std::vector<TurningPoint> turns = turningPoints(trace);
@@ -249,14 +265,11 @@ std::vector<Yo> yosOf(const Trace& trace) {
     const size_t bottom = turns[i].row;
     const size_t begin = i == 0 ? 0 : turns[i - 1].row;
     const size_t end = i + 1 < turns.size() ? turns[i + 1].row : lastKnown(trace, depth);
-    const double dive_s = trace.at(bottom, time) - trace.at(begin, time);
-    const double climb_s = trace.at(end, time) - trace.at(bottom, time);
-    const double deepest = trace.at(bottom, depth);
     yos.push_back({.start_s = trace.at(begin, time),
-                   .duration_s = dive_s + climb_s,
-                   .deepest_m = deepest,
-                   .down_mps = (deepest - trace.at(begin, depth)) / dive_s,
-                   .up_mps = (deepest - trace.at(end, depth)) / climb_s,
+                   .duration_s = trace.at(end, time) - trace.at(begin, time),
+                   .deepest_m = trace.at(bottom, depth),
+                   .down_mps = rateBetween(trace, bottom, begin),
+                   .up_mps = rateBetween(trace, bottom, end),
                    .surfaced = trace.at(end, depth) < support::kSurfaceDepth});
   }
   return yos;

@@ -176,7 +176,7 @@ void SimulatedVehicle::step(double now) {
   }
   link_.pump(now);
   serveModem(now);
-  vehicle_.feedSbc(link_.alive());
+  vehicle_.feedSbc(link_.hasPower());
   seat_->steer(now, vehicle_);
   vehicle_.step(world_.ocean(), now);
   bottom_.look(now + Vehicle::kStep, vehicle_.depth(),

@@ -38,11 +38,11 @@ struct Draw {
 
 /// The batteries and all that they feed.
 struct Power {
-  double capacity_kj = 0;
-  double full_V = 0;   ///< without load
+  double capacity_kj = 1;
+  double full_V = 1;   ///< without load
   double empty_V = 0;  ///< the same; between them the voltage falls linearly with what was used
   double resistance_ohm = 0;
-  std::string board;  ///< the SBC whose power is counted unless another is named; "": none
+  std::string board;  ///< the SBC whose power is counted; "": none
   std::vector<Draw> draws;
   PropellerPower propeller;  ///< drawn too; empty without one
 };

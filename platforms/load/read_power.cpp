@@ -52,7 +52,8 @@ void readSensors(TomlReader& reader, const Platform& platform, Draw& draw) {
   draw.sensors = reader.texts("sensors");
   for (const std::string& sensor : draw.sensors) {
     if (platform.find(sensor) == nullptr) {
-      reader.refuse("sensors", fmt::format("there is no sensor `{}`", sensor));
+      reader.refuse("sensors",
+                    fmt::format("must name sensors of the vehicle, and `{}` is none", sensor));
     }
   }
 }

@@ -39,6 +39,8 @@ class SbcLink {
   /// The SBC, for its other ports; null while it has no power.
   [[nodiscard]] SbcPort* powered() const { return alive() ? port_.get() : nullptr; }
   [[nodiscard]] bool alive() const { return port_ != nullptr && port_->alive(); }
+  /// Whether its board has power, which it draws with or without a program that runs.
+  [[nodiscard]] bool hasPower() const { return port_ != nullptr && !without_power_; }
   /// True when it will not come back.
   [[nodiscard]] bool goneForGood(double now_s) const;
 

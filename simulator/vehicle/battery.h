@@ -17,7 +17,7 @@ inline constexpr double kJoulesPerWattHour = 3600;
 struct BatterySettings {
   platforms::Power power;
   double start_V = 1;           ///< without load, when the flight begins
-  std::optional<double> sbc_W;  ///< while the SBC is alive; empty: not known, and not counted
+  std::optional<double> sbc_W;  ///< while the SBC has power; empty: not known, and not counted
 };
 
 /// Those of a vehicle with a full pack.

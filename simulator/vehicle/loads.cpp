@@ -40,7 +40,7 @@ double Loads::joules(const Row& row, const Doings& doings) {
     case DrawWhen::Surfacing:
       return doings.surfaces ? draw.amount : 0;
     case DrawWhen::Read:
-      return during(row.is_read && doings.sbc_alive);
+      return during(row.is_read && doings.sbc_powered);
     case DrawWhen::PumpOut:
       return std::max(doings.pumped_cc, 0.0) * (draw.amount + draw.amount_per_m * doings.depth_m);
     case DrawWhen::PumpIn:
@@ -60,7 +60,7 @@ void Loads::draw(Battery& battery, const Doings& doings) const {
   if (!propeller_.rpm.empty()) {
     battery.use(propellerOf(devices_), powerAt(propeller_, doings.rpm) * doings.seconds);
   }
-  battery.use(sbcOf(devices_), doings.sbc_alive ? sbc_W_ * doings.seconds : 0);
+  battery.use(sbcOf(devices_), doings.sbc_powered ? sbc_W_ * doings.seconds : 0);
 }
 
 double powerAt(const platforms::PropellerPower& power, double rpm) {

@@ -22,7 +22,7 @@ struct Doings {
   bool pitch_battery_moves = false;
   bool fin_moves = false;
   double rpm = 0;
-  bool sbc_alive = false;
+  bool sbc_powered = false;
 };
 
 /// The devices of a vehicle that draw power, by its power table.

@@ -38,7 +38,7 @@ class Vehicle {
   void commandPropeller(double rpm) { command_.rpm = rpm; }
   void commandSternPlane(double rad) { command_.stern_plane_rad = rad; }
   /// Sets whether the SBC draws its power.
-  void feedSbc(bool alive) { sbc_alive_ = alive; }
+  void feedSbc(bool powered) { sbc_powered_ = powered; }
   /// The mission reads these sensors, by the vehicle's names: what measures them draws its power.
   void readSensors(std::span<const std::string> sensors) { loads_.read(sensors); }
 
@@ -81,7 +81,7 @@ class Vehicle {
   Battery battery_;
   Loads loads_;
   size_t devices_;
-  bool sbc_alive_ = false;
+  bool sbc_powered_ = false;
   bool dived_ = false;    ///< since it last surfaced
   double surface_s_ = 0;  ///< at the surface without a break
 };

@@ -67,7 +67,7 @@ class Link : public testing::Test {
 
 // accepts: GL4003 GL4008 GL4009 GL4010 GL4011 GL4012
 TEST_F(Link, WhatFitsIsLinkedForEveryBoard) {
-  for (const char* board : {"host", "ts7800", "ts5500"}) {
+  for (const char* board : {"host", "ts7800", "ts5500", "pizero2"}) {
     SCOPED_TRACE(board);
     const std::string object = compile(board);
     for (const char* level : {"-O0", "-O2", "-O3"}) {

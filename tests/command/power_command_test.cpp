@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The power of a vehicle: its table as `glidercc platform` prints it, and as flights draw it, held
-// against figures that were published or measured.
+// The power of a vehicle: its table as `glidercc platform` prints it, and as flights draw it,
+// compared with figures that were published or measured.
 
 #include "tests/support/command.h"
 

@@ -5,6 +5,7 @@
 // does is the matter of thermocline_test.cpp.
 
 #include "tests/flights/flight.h"
+#include "tests/support/command.h"
 
 #include <gtest/gtest.h>
 
@@ -79,7 +80,13 @@ TEST(Figure5, TwiceIsTheSameToTheByte) {
 }
 
 TEST(Figure5, WithoutHookbehTheSbcChangesNothing) {
-  const std::string scenario = " --scenario " + project("scenarios/layered.toml");
+  // It draws no power here: the voltage would tell.
+  const TemporaryFolder folder;
+  (void)folder.write("layered.mi", slurp(project("scenarios/layered.mi")));
+  const std::string text = slurp(project("scenarios/layered.toml"));
+  const std::string scenario =
+      " --scenario " +
+      folder.write("layered.toml", text + "\n[vehicle.battery]\nsbc_W = 0\n").string();
   const Flight absent = fly("--no-sbc" + scenario);
   const Flight present = fly(project("missions/figure5.mission") + scenario);
   ASSERT_EQ(absent.outcome.status, 0) << absent.outcome.err;

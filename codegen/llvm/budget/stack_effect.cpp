@@ -55,15 +55,22 @@ std::optional<int64_t> listed(StringRef operands) {
   return closed ? std::optional(static_cast<int64_t>(list.count(',') + 1)) : std::nullopt;
 }
 
+/// How many bytes "{d8, d9}" or "{s16}" holds.
+std::optional<int64_t> listedOfVfp(StringRef operands) {
+  const auto count = listed(operands);
+  const int64_t size = operands.starts_with("{d") ? 2 * kWord : kWord;
+  return count ? std::optional(size * *count) : std::nullopt;
+}
+
 struct Operation {
   StringRef base;
   StringRef condition;  ///< two letters, or empty
 };
 
 Operation armOperation(StringRef operation) {
-  static constexpr std::array<std::string_view, 15> kBases = {"push", "pop",  "stmdb", "ldm", "sub",
-                                                              "add",  "bic",  "mov",   "str", "ldr",
-                                                              "strd", "ldrd", "bl",    "blx", "bx"};
+  static constexpr std::array<std::string_view, 17> kBases = {
+      "push", "pop", "vpush", "vpop", "stmdb", "ldm", "sub", "add", "bic",
+      "mov",  "str", "ldr",   "strd", "ldrd",  "bl",  "blx", "bx"};
   for (const std::string_view base : kBases) {
     StringRef rest = operation;
     if (rest.consume_front(refOf(base)) && (rest.empty() || isArmCondition(rest))) {
@@ -172,6 +179,10 @@ StackEffect armStack(const Written& written) {
     // With sp in the list its new value would come from memory.
     const auto count = operands.split('{').second.contains("sp") ? std::nullopt : listed(operands);
     moveSp(count ? std::optional(-kWord * *count) : std::nullopt, effect);
+  } else if (operation.base == "vpush" || operation.base == "vpop") {
+    const auto bytes = listedOfVfp(operands);
+    const int64_t sign = operation.base == "vpush" ? 1 : -1;
+    moveSp(bytes ? std::optional(sign * *bytes) : std::nullopt, effect);
   } else if (operation.base == "sub" || operation.base == "add") {
     armSum(parts, operation.base == "sub" ? 1 : -1, effect);
   } else if (operation.base == "bic") {

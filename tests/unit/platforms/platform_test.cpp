@@ -178,7 +178,7 @@ TEST(Platform, ThePowerTableIsChecked) {
       {{"when = \"surfacing\"\nJ", "when = \"surface\"\nW"}, "already has a row for \"surface\""},
       {{"when = \"pump_in\"", "when = \"fin_moves\""}, "`W`"},
       {{"sensors = [\"sci_oxy4_oxygen\"]", "sensors = [\"sci_oxy5_oxygen\"]"},
-       "there is no sensor `sci_oxy5_oxygen`"},
+       "must name sensors of the vehicle, and `sci_oxy5_oxygen` is none"},
       {{"J_per_cc_m = 0.018\n", ""}, "J_per_cc_m"}};
   for (const auto& [change, why] : errors) {
     EXPECT_NE(with(change.first, change.second).find(why), std::string::npos)

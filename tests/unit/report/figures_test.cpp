@@ -34,6 +34,26 @@ TEST(Figures, ListsEachYo) {
   EXPECT_EQ(nlohmann::json::parse(yosToJson(yos)).at(1).at("surfaced"), true);
 }
 
+/// 10 m in 50 s to both sides; it waits at the surface, where waves move it, before and after.
+TEST(Figures, TheRatesOfAYoAreWithoutItsWaitsAtTheSurface) {
+  const auto trace = smallTrace({{"time", "s"}, {"m_depth", "m"}}, {{0, 0.1},
+                                                                    {500, 0.3},
+                                                                    {1000, 0.5},
+                                                                    {1050, 10.5},
+                                                                    {1100, 0.5},
+                                                                    {1500, 0.2},
+                                                                    {2500, 0.1},
+                                                                    {2600, 0.4},
+                                                                    {2650, 10.4},
+                                                                    {2700, 0.4}});
+  const std::vector<Yo> yos = yosOf(trace);
+  ASSERT_EQ(yos.size(), 2U);
+  EXPECT_DOUBLE_EQ(yos[0].down_mps, 0.2);
+  EXPECT_DOUBLE_EQ(yos[0].up_mps, 0.2);
+  EXPECT_DOUBLE_EQ(yos[0].duration_s, 2500) << "to the next";
+  EXPECT_DOUBLE_EQ(yos[1].down_mps, 0.2);
+}
+
 TEST(Figures, EnergyIsRelatedToThePack) {
   auto trace = smallTrace({{"time", "s"}, {"energy", "Wh"}}, {{0, 0}, {43200, 10}});
   EXPECT_TRUE(std::isnan(flightFigures(trace).energy.capacity_Wh)) << "of a log it is not known";

@@ -164,8 +164,8 @@ TEST(Loads, EachDrawsWhenItsRowSays) {
   EXPECT_EQ(taken({.seconds = 10, .at_surface = true}), 20 + 30);
   EXPECT_EQ(taken({.seconds = 10, .surfaces = true}), 20 + 400);
   EXPECT_EQ(taken({.seconds = 10}, true), 20) << "without the SBC nothing reads";
-  EXPECT_EQ(taken({.seconds = 10, .sbc_alive = true}), 20 + 130);
-  EXPECT_EQ(taken({.seconds = 10, .sbc_alive = true}, true), 20 + 130 + 50);
+  EXPECT_EQ(taken({.seconds = 10, .sbc_powered = true}), 20 + 130);
+  EXPECT_EQ(taken({.seconds = 10, .sbc_powered = true}, true), 20 + 130 + 50);
   EXPECT_EQ(taken({.seconds = 10, .depth_m = 40, .pumped_cc = 8}), 20 + 8 * (0.5 + 4));
   EXPECT_EQ(taken({.seconds = 10, .depth_m = 40, .pumped_cc = -8}), 20 + 8 * 0.25);
   EXPECT_EQ(taken({.seconds = 10, .pitch_battery_moves = true}), 20 + 70);

@@ -88,6 +88,8 @@ std::vector<Lexeme> WordRepair::run(const std::vector<Lexeme>& lexemes) {
       continue;
     } else if (isOfPromise(lexeme, next)) {
       out.push_back(lexeme);
+    } else if (lexeme.type == GliderLexer::SEMICOLON) {
+      semicolon(lexeme, next, out);
     } else if (auto kept = one(lexeme)) {
       out.push_back(*kept);
     }
@@ -290,8 +292,6 @@ bool WordRepair::pointForComma(const Lexeme& lexeme, const Lexeme& next, std::ve
 
 std::optional<Lexeme> WordRepair::one(const Lexeme& lexeme) {
   switch (lexeme.type) {
-    case GliderLexer::SEMICOLON:
-      return semicolon(lexeme);
     case GliderLexer::FOREIGN:
       return foreign(lexeme);
     case GliderLexer::AND_WORD:
@@ -307,14 +307,17 @@ std::optional<Lexeme> WordRepair::one(const Lexeme& lexeme) {
   }
 }
 
-/// Between values it replaces a comma: without either, `min(a; -b)` would be a difference.
-std::optional<Lexeme> WordRepair::semicolon(const Lexeme& lexeme) {
-  const bool between = !open_.empty();
+/// Between values, and between sensors, it replaces a comma: without either, `min(a; -b)` would be
+/// a difference.
+void WordRepair::semicolon(const Lexeme& lexeme, const Lexeme& next, std::vector<Lexeme>& out) {
+  const bool sensors = last_keyword_ == GliderLexer::SENSORS && isAnyName(next.type);
+  const bool between = !open_.empty() || sensors;
   reporter_.at(lexeme, support::diagnostics::semicolon)
       .hint(between ? "write `,` between values" : "delete it; statements need no separator")
       .fix(reporter_.source().range(lexeme), between ? "," : "");
-  return between ? std::optional(Lexeme{GliderLexer::COMMA, lexeme.begin, lexeme.end})
-                 : std::nullopt;
+  if (between) {
+    out.push_back({GliderLexer::COMMA, lexeme.begin, lexeme.end});
+  }
 }
 
 Lexeme WordRepair::replaced(const Lexeme& lexeme, DiagnosticId id, uint32_t type) {

@@ -28,7 +28,7 @@ class WordRepair {
   static bool isOfPromise(const Lexeme& lexeme, const Lexeme& next);
   std::optional<Lexeme> foreign(const Lexeme& lexeme);
   [[nodiscard]] std::string_view wordAround(const Lexeme& lexeme) const;
-  std::optional<Lexeme> semicolon(const Lexeme& lexeme);
+  void semicolon(const Lexeme& lexeme, const Lexeme& next, std::vector<Lexeme>& out);
   void followOpen(const Lexeme& lexeme, const std::vector<Lexeme>& out);
   /// `3355.2 1825.4`: the number of tokens in the pair, which was reported and written as one
   /// token; otherwise 0.

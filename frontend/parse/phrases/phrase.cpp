@@ -233,4 +233,13 @@ size_t tokensOfNumber(const Phrase& phrase, size_t first) {
   return sign + (isUnit(phrase.type(first + sign + 1)) ? 2 : 1);
 }
 
+size_t tokensOfQuantity(const Phrase& phrase, size_t first) {
+  size_t tokens = tokensOfNumber(phrase, first);
+  while (tokens > 1 && phrase.type(first + tokens) == GliderLexer::DIVIDE &&
+         isUnit(phrase.type(first + tokens + 1))) {
+    tokens += 2;
+  }
+  return tokens;
+}
+
 }  // namespace glider::frontend

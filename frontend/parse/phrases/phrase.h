@@ -124,4 +124,7 @@ size_t tokensOfValue(const Phrase& phrase, size_t first, bool conditions);
 /// none.
 size_t tokensOfNumber(const Phrase& phrase, size_t first);
 
+/// The same, with a unit of several, `0.2 m/s`.
+size_t tokensOfQuantity(const Phrase& phrase, size_t first);
+
 }  // namespace glider::frontend

@@ -78,52 +78,6 @@ size_t stateAsCondition(Phrase& phrase) {
   return kTokens;
 }
 
-size_t promiseWord(Phrase& phrase) {
-  struct Slip {
-    std::string_view word;
-    std::string_view next;
-    std::string_view meant;
-    uint32_t type;
-  };
-  constexpr Slip kSlips[] = {{"exits", "within", "exit", GliderLexer::EXIT},
-                             {"ends", "within", "exit", GliderLexer::EXIT},
-                             {"end", "within", "exit", GliderLexer::EXIT},
-                             {"surface", "every", "surfaces", GliderLexer::SURFACES}};
-  if (phrase.before() != GliderLexer::REQUIRE) {
-    return 0;
-  }
-  for (const Slip& slip : kSlips) {
-    if (phrase.says(0, slip.word) && phrase.says(1, slip.next)) {
-      const Lexeme word = phrase.token();
-      phrase.reporter()
-          .at(word, support::diagnostics::misspelledKeyword, phrase.text(), slip.meant)
-          .fix(phrase.source().range(word), std::string(slip.meant));
-      phrase.put({slip.type, word.begin, word.end});
-      return 1;
-    }
-  }
-  return 0;
-}
-
-size_t promiseInside(Phrase& phrase) {
-  const bool word = oneOf(phrase.type(1), {GliderLexer::NEVER, GliderLexer::ALWAYS});
-  if (phrase.before() != GliderLexer::REQUIRE || !word || !isName(phrase.type())) {
-    return 0;
-  }
-  const Lexeme name = phrase.token();
-  const Lexeme keyword = phrase.token(1);
-  const std::string said(phrase.text(1));
-  phrase.reporter()
-      .at(keyword, support::diagnostics::unexpectedToken, "an operator",
-          describe(phrase.source(), keyword))
-      .hint(fmt::format("write `require {} {} …`", said, phrase.text()))
-      .fix({phrase.source().file, name.begin, keyword.end},
-           fmt::format("{} {}", said, phrase.text()));
-  phrase.put({keyword.type, keyword.begin, keyword.end});
-  phrase.put(name);
-  return 2;
-}
-
 namespace {
 
 bool isTypeWord(std::string_view word) {

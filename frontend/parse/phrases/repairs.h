@@ -30,10 +30,24 @@ size_t knownWords(Phrase& phrase);
 size_t stateAsCondition(Phrase& phrase);
 /// `case if temp > 20 degC then exit end`.
 size_t ifInCase(Phrase& phrase);
-/// `require exits within 5 h`.
-size_t promiseWord(Phrase& phrase);
+/// `require exits within 5 h`, `require depth <= 55 m`, `require max depth 60 m`.
+size_t promise(Phrase& phrase);
 /// `require depth never > 40 m`.
 size_t promiseInside(Phrase& phrase);
+/// `require whenever low goto homeward`, `require whenever low then homeward 1 min`.
+size_t reaction(Phrase& phrase);
+/// `require visit look and home within 5 h`.
+size_t andOfPlaces(Phrase& phrase);
+/// `assume no outages`, `assume current < 0.2 m/s`.
+size_t assumption(Phrase& phrase);
+/// `routedone = true`.
+size_t equalToTruth(Phrase& phrase);
+/// `held depth < 1 m for 10 min`.
+size_t heldWithoutParentheses(Phrase& phrase);
+/// `sensors lat and lon`.
+size_t andOfSensors(Phrase& phrase);
+/// `log "deep" depth`.
+size_t valueAfterText(Phrase& phrase);
 /// `yo(top: 5 m)`.
 size_t colonOfArgument(Phrase& phrase);
 /// `is above`, `drops below`, `exceeds`, `at least`.

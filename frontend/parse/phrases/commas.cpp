@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/parse/phrases/repairs.h"
+#include "frontend/parse/token_kinds.h"
+#include "frontend/spelling.h"
+#include "support/diagnostics/ids/syntax.h"
+
+#include <fmt/format.h>
+
+namespace glider::frontend::phrases {
+namespace {
+
+support::DiagnosticBuilder missing(Phrase& phrase, const Lexeme& at, std::string_view first,
+                                   std::string_view second) {
+  return phrase.reporter().at(at, support::diagnostics::missingComma, fmt::format("`{}`", first),
+                              fmt::format("`{}`", second));
+}
+
+}  // namespace
+
+size_t andOfSensors(Phrase& phrase) {
+  const bool both = oneOf(phrase.type(), {GliderLexer::AND_WORD, GliderLexer::AND,
+                                          GliderLexer::ONE_AMPERSAND, GliderLexer::PLUS});
+  if (!both || phrase.keyword() != GliderLexer::SENSORS || !phrase.open().empty() ||
+      !isAnyName(phrase.before()) || !isAnyName(phrase.type(1))) {
+    return 0;
+  }
+  const Lexeme sign = phrase.token();
+  const Lexeme before = *phrase.lexemeBefore();
+  const std::string_view first = phrase.source().text(before);
+  missing(phrase, sign, first, phrase.text(1))
+      .hint(fmt::format("write `{}, {}`", first, phrase.text(1)))
+      .fix({phrase.source().file, before.end, sign.end}, ",");
+  phrase.put({GliderLexer::COMMA, sign.begin, sign.end});
+  return 1;
+}
+
+size_t valueAfterText(Phrase& phrase) {
+  const bool after_text =
+      phrase.before() == GliderLexer::STRING && phrase.before(1) == GliderLexer::LOG;
+  const uint32_t next = phrase.type(1);
+  // What a statement begins with: `sample(…)`, and `n = 3` without its `set`.
+  const bool statement = oneOf(
+      next, {GliderLexer::LPAREN, GliderLexer::ASSIGN, GliderLexer::LBRACKET, GliderLexer::STRING});
+  const bool value = oneOf(phrase.type(), {GliderLexer::NUMBER, GliderLexer::HEARD}) ||
+                     (phrase.type() == GliderLexer::NAME && !statement);
+  if (!after_text || !value || phrase.startsLine() ||
+      !closest(phrase.text(), {"end", "set", "else", "log", "for", "exit"}).empty()) {
+    return 0;
+  }
+  const Lexeme found = phrase.token();
+  const Lexeme text = *phrase.lexemeBefore();
+  missing(phrase, found, phrase.source().text(text), phrase.text())
+      .fix({phrase.source().file, text.end, text.end}, ",");
+  phrase.insert(GliderLexer::COMMA);
+  phrase.put(found);
+  return 1;
+}
+
+}  // namespace glider::frontend::phrases

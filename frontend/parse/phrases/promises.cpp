@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/parse/phrases/repairs.h"
+#include "frontend/parse/token_kinds.h"
+#include "support/diagnostics/ids/syntax.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace glider::frontend::phrases {
+namespace {
+
+/// `exits within`, `exit in`: the first two words of a promise, and those that are meant.
+struct Slip {
+  std::string_view word;
+  std::string_view next;
+  std::string_view meant;
+  uint32_t type;
+  std::string_view meant_next;
+  uint32_t next_type;
+};
+constexpr uint32_t kWithin = GliderLexer::WITHIN;
+constexpr uint32_t kEvery = GliderLexer::EVERY;
+constexpr Slip kSlips[] = {
+    {"exits", "within", "exit", GliderLexer::EXIT, "within", kWithin},
+    {"ends", "within", "exit", GliderLexer::EXIT, "within", kWithin},
+    {"end", "within", "exit", GliderLexer::EXIT, "within", kWithin},
+    {"exit", "in", "exit", GliderLexer::EXIT, "within", kWithin},
+    {"exit", "by", "exit", GliderLexer::EXIT, "within", kWithin},
+    {"exit", "before", "exit", GliderLexer::EXIT, "within", kWithin},
+    {"surface", "every", "surfaces", GliderLexer::SURFACES, "every", kEvery},
+    {"surface", "within", "surfaces", GliderLexer::SURFACES, "every", kEvery},
+    {"surface", "in", "surfaces", GliderLexer::SURFACES, "every", kEvery},
+    {"surfaces", "within", "surfaces", GliderLexer::SURFACES, "every", kEvery},
+    {"surfaces", "in", "surfaces", GliderLexer::SURFACES, "every", kEvery}};
+
+support::DiagnosticBuilder expected(Phrase& phrase, const Lexeme& found, std::string_view what) {
+  return phrase.reporter().at(found, support::diagnostics::unexpectedToken, what,
+                              describe(phrase.source(), found));
+}
+
+/// The tokens of the condition from token `first` on, which ends its line; 0: there is none. After
+/// it, on a later line, a declaration may begin with a word that is also a name.
+size_t tokensOfWholeCondition(const Phrase& phrase, size_t first) {
+  const size_t line = phrase.tokensOfLine() - first;
+  const size_t value = tokensOfValue(phrase, first, false);
+  for (const size_t count : {line, value}) {
+    const bool ends = count == value || phrase.startsLine(first + count);
+    if (ends && count > 0 && count <= value && readsAsValue(phrase, first, count)) {
+      return count;
+    }
+  }
+  return 0;
+}
+
+bool isComparison(uint32_t type) {
+  return (type >= GliderLexer::EQ && type <= GliderLexer::GT) || type == GliderLexer::ASSIGN;
+}
+
+/// Whether a word of a promise other than `then` was read since `require`.
+bool hasRead(const Phrase& phrase, std::initializer_list<uint32_t> words) {
+  constexpr size_t kFarthest = 100;
+  for (size_t k = 0; k < kFarthest; ++k) {
+    const uint32_t type = phrase.before(k);
+    if (std::ranges::find(words, type) != words.end()) {
+      return true;
+    }
+    if (type == 0 || type == GliderLexer::REQUIRE || startsItem(type)) {
+      return false;
+    }
+  }
+  return false;
+}
+
+/// `require depth <= 55 m`.
+size_t alwaysLeftOut(Phrase& phrase) {
+  const bool word =
+      oneOf(phrase.type(),
+            {GliderLexer::STACK, GliderLexer::CAN, GliderLexer::REACH, GliderLexer::SURFACES,
+             GliderLexer::IN, GliderLexer::OUTSIDE, GliderLexer::BEFORE, GliderLexer::AFTER,
+             GliderLexer::FROM, GliderLexer::VISIT, GliderLexer::PATROL, GliderLexer::NEVER,
+             GliderLexer::WHENEVER, GliderLexer::WHEN, GliderLexer::HOLD});
+  const size_t count = word ? 0 : tokensOfWholeCondition(phrase, 0);
+  bool compares = false;
+  for (size_t k = 0; k < count; ++k) {
+    compares = compares || isComparison(phrase.type(k));
+  }
+  if (!compares) {
+    return 0;
+  }
+  const Lexeme first = phrase.token();
+  expected(phrase, first, "`always`")
+      .hint(fmt::format("write `require always {}`", phrase.wholeText(0, count)))
+      .fix({phrase.source().file, first.begin, first.begin}, "always ");
+  phrase.insert(GliderLexer::ALWAYS);
+  phrase.put(first);
+  return 1;
+}
+
+/// Reports `count` tokens that are to be the promise `always NAME SIGN VALUE`, and puts a condition
+/// in their place.
+void putLimit(Phrase& phrase, size_t count, const std::string& better) {
+  const Lexeme whole = phrase.whole(0, count);
+  expected(phrase, phrase.token(), "`always` and a condition")
+      .hint(fmt::format("write `require {}`", better))
+      .fix(phrase.source().range(whole), better);
+  phrase.put({GliderLexer::ALWAYS, whole.begin, whole.begin});
+  phrase.put({GliderLexer::TRUE, whole.begin, whole.end});
+  phrase.notAsMeant();
+}
+
+/// `require max depth 60 m`.
+size_t greatestOrLeast(Phrase& phrase) {
+  const bool most = phrase.says(0, "max") || phrase.says(0, "maximum");
+  const bool least = phrase.says(0, "min") || phrase.says(0, "minimum");
+  if (!(most || least) || !isName(phrase.type(1))) {
+    return 0;
+  }
+  const bool sign = isComparison(phrase.type(2)) || phrase.says(2, "is") || phrase.says(2, "of");
+  const size_t value = sign ? 3 : 2;
+  const size_t number = tokensOfQuantity(phrase, value);
+  if (number == 0) {
+    return 0;
+  }
+  putLimit(phrase, value + number,
+           fmt::format("always {} {} {}", phrase.text(1),
+                       most ? "<=" : ">=", phrase.wholeText(value, number)));
+  return value + number;
+}
+
+/// `require never deeper than 60 m`: the words say which sensor is meant.
+size_t neverComparing(Phrase& phrase) {
+  struct Comparing {
+    std::string_view word;
+    std::string_view allowed;  ///< what is then always so
+  };
+  constexpr Comparing kComparing[] = {{"deeper", "depth <="},
+                                      {"shallower", "depth >="},
+                                      {"warmer", "temp <="},
+                                      {"colder", "temp >="},
+                                      {"cooler", "temp >="}};
+  const bool verb = phrase.says(1, "be") || phrase.says(1, "go") || phrase.says(1, "dive") ||
+                    phrase.says(1, "get");
+  const size_t word = verb ? 2 : 1;
+  const auto* row = std::ranges::find_if(
+      kComparing, [&](const Comparing& one) { return phrase.says(word, one.word); });
+  const size_t number = phrase.says(word + 1, "than") ? tokensOfQuantity(phrase, word + 2) : 0;
+  if (phrase.type() != GliderLexer::NEVER || row == std::end(kComparing) || number == 0) {
+    return 0;
+  }
+  putLimit(phrase, word + 2 + number,
+           fmt::format("always {} {}", row->allowed, phrase.wholeText(word + 2, number)));
+  return word + 2 + number;
+}
+
+/// `require case low then homeward within 10 min`. No fix: `when` may be meant.
+size_t caseAsWhenever(Phrase& phrase) {
+  const bool word = oneOf(phrase.type(), {GliderLexer::CASE, GliderLexer::IF});
+  const size_t count = word ? tokensOfValue(phrase, 1, false) : 0;
+  if (count == 0 ||
+      !oneOf(phrase.type(1 + count), {GliderLexer::THEN, GliderLexer::GOTO, GliderLexer::CALL})) {
+    return 0;
+  }
+  const Lexeme keyword = phrase.token();
+  expected(phrase, keyword, "`whenever`")
+      .hint(fmt::format("write `require whenever {} then …`", phrase.wholeText(1, count)));
+  phrase.put({GliderLexer::WHENEVER, keyword.begin, keyword.end});
+  return 1;
+}
+
+/// `require exits within 5 h`, `require exit in 5 h`.
+size_t promiseWords(Phrase& phrase) {
+  const auto* slip = std::ranges::find_if(kSlips, [&](const Slip& one) {
+    return phrase.says(0, one.word) && phrase.says(1, one.next);
+  });
+  if (slip == std::end(kSlips)) {
+    return 0;
+  }
+  const Lexeme word = phrase.token();
+  const Lexeme next = phrase.token(1);
+  if (slip->next == slip->meant_next) {
+    phrase.reporter()
+        .at(word, support::diagnostics::misspelledKeyword, phrase.text(), slip->meant)
+        .fix(phrase.source().range(word), std::string(slip->meant));
+  } else if (tokensOfQuantity(phrase, 2) > 0) {
+    const std::string better = fmt::format("{} {}", slip->meant, slip->meant_next);
+    expected(phrase, next, fmt::format("`{}`", slip->meant_next))
+        .hint(fmt::format("write `require {} {}`", better,
+                          phrase.wholeText(2, tokensOfQuantity(phrase, 2))))
+        .fix({phrase.source().file, word.begin, next.end}, better);
+  } else {
+    return 0;
+  }
+  phrase.put({slip->type, word.begin, word.end});
+  phrase.put({slip->next_type, next.begin, next.end});
+  return 2;
+}
+
+}  // namespace
+
+size_t promise(Phrase& phrase) {
+  if (phrase.before() != GliderLexer::REQUIRE) {
+    return 0;
+  }
+  for (const PhraseRepair repair :
+       {promiseWords, caseAsWhenever, neverComparing, greatestOrLeast, alwaysLeftOut}) {
+    if (const size_t taken = repair(phrase)) {
+      return taken;
+    }
+  }
+  return 0;
+}
+
+size_t promiseInside(Phrase& phrase) {
+  const bool word = oneOf(phrase.type(1), {GliderLexer::NEVER, GliderLexer::ALWAYS});
+  if (phrase.before() != GliderLexer::REQUIRE || !word || !isName(phrase.type())) {
+    return 0;
+  }
+  const Lexeme name = phrase.token();
+  const Lexeme keyword = phrase.token(1);
+  const std::string said(phrase.text(1));
+  expected(phrase, keyword, "an operator")
+      .hint(fmt::format("write `require {} {} …`", said, phrase.text()))
+      .fix({phrase.source().file, name.begin, keyword.end},
+           fmt::format("{} {}", said, phrase.text()));
+  phrase.put({keyword.type, keyword.begin, keyword.end});
+  phrase.put(name);
+  return 2;
+}
+
+size_t reaction(Phrase& phrase) {
+  const bool transition = oneOf(phrase.type(), {GliderLexer::GOTO, GliderLexer::CALL});
+  const bool after_then = phrase.type() == GliderLexer::NUMBER && isAnyName(phrase.before()) &&
+                          phrase.before(1) == GliderLexer::THEN;
+  if (!(transition || after_then) || !hasRead(phrase, {GliderLexer::WHENEVER, GliderLexer::WHEN})) {
+    return 0;
+  }
+  const Lexeme found = phrase.token();
+  if (transition && isAnyName(phrase.type(1)) && endsValue(phrase.before())) {
+    expected(phrase, found, "`then`")
+        .hint(fmt::format("write `then {}`", phrase.text(1)))
+        .fix(phrase.source().range(found), "then");
+    phrase.put({GliderLexer::THEN, found.begin, found.end});
+    return 1;
+  }
+  const size_t number = after_then ? tokensOfQuantity(phrase, 0) : 0;
+  if (number == 0) {
+    return 0;
+  }
+  // No fix: how long it takes, or how long it lasts.
+  expected(phrase, found, "`within`")
+      .hint(fmt::format("write `within {0}`, or `for {0}` if it must stay so for that time",
+                        phrase.wholeText(0, number)));
+  phrase.insert(GliderLexer::WITHIN);
+  phrase.put(found);
+  return 1;
+}
+
+size_t andOfPlaces(Phrase& phrase) {
+  const bool both = oneOf(phrase.type(), {GliderLexer::AND_WORD, GliderLexer::AND});
+  const bool list =
+      oneOf(phrase.before(1), {GliderLexer::VISIT, GliderLexer::PATROL, GliderLexer::COMMA});
+  if (!both || phrase.keyword() != GliderLexer::REQUIRE || !list ||
+      !hasRead(phrase, {GliderLexer::VISIT, GliderLexer::PATROL})) {
+    return 0;
+  }
+  const Lexeme before = *phrase.lexemeBefore();
+  const std::string_view first = phrase.source().text(before);
+  if (!isStateName(phrase.source(), first) || !isStateName(phrase.source(), phrase.text(1))) {
+    return 0;
+  }
+  const Lexeme word = phrase.token();
+  phrase.reporter()
+      .at(word, support::diagnostics::missingComma, fmt::format("`{}`", first),
+          fmt::format("`{}`", phrase.text(1)))
+      .hint(fmt::format("write `{}, {}`", first, phrase.text(1)))
+      .fix({phrase.source().file, before.end, word.end}, ",");
+  phrase.put({GliderLexer::COMMA, word.begin, word.end});
+  return 1;
+}
+
+}  // namespace glider::frontend::phrases

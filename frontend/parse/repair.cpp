@@ -574,6 +574,10 @@ class StructureRepair {
         report.fix({source_.file, place, place}, "end\n\n");
       }
     }
+    if (block.kind == BlockKind::Do && startsMember(found.type) && endsValue(previous())) {
+      const uint32_t end = out_.back().end;  // of `entry`: a member is in no block
+      report.fix({source_.file, end, end}, " end");
+    }
     if (block.kind == BlockKind::Do && isTransition(found.type)) {
       report.fix({source_.file, place, place}, "end ");
       if (const size_t extra = endAfterTransition(); extra != 0) {

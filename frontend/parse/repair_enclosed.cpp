@@ -99,6 +99,9 @@ WordRepair::Braces WordRepair::bracesAfter(const std::vector<Lexeme>& out, uint3
   if (oneOf(last, {GliderLexer::DO, GliderLexer::THEN})) {
     return {"", 0, "end", GliderLexer::END};
   }
+  if (last_keyword_ == GliderLexer::IF && endsValue(last)) {
+    return {"then", GliderLexer::THEN, "end", GliderLexer::END};
+  }
   if (endsLoopHeader(out)) {
     return {"do", GliderLexer::DO, "end", GliderLexer::END};
   }

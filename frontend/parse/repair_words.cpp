@@ -152,7 +152,11 @@ size_t WordRepair::decimalComma(const std::vector<Lexeme>& lexemes, size_t at,
   // In a path, only a number with a letter: `[39,175 N 73,83 W]`.
   const bool path = !open_.empty() && !open_.back() && in_path_ &&
                     lexemes[at + kTokens].type == GliderLexer::COMPASS;
-  if (!open_.empty() && !path) {
+  // After a named argument no other is without a name.
+  const bool named = !open_.empty() && open_.back() && !out.empty() &&
+                     out.back().type == GliderLexer::ASSIGN &&
+                     lexemes[at + kTokens].type != GliderLexer::ASSIGN;
+  if (!open_.empty() && !path && !named) {
     return 0;
   }
   const Source& source = reporter_.source();

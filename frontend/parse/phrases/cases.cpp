@@ -201,18 +201,19 @@ size_t clockAsCase(Phrase& phrase) {
   return 1 + time;
 }
 
-/// A whole line that is a condition and a transition.
+/// A whole line, or what follows `always`, that is a condition and a transition.
 size_t conditionAlone(Phrase& phrase) {
-  const Condition condition = phrase.startsLine() ? conditionFrom(phrase, 0) : Condition{};
+  const bool first = phrase.startsLine() || phrase.before() == GliderLexer::ALWAYS;
+  const Condition condition = first ? conditionFrom(phrase, 0) : Condition{};
   if (condition.tokens < 3 || !readsAsValue(phrase, 0, condition.tokens)) {
     return 0;
   }
-  const Lexeme first = phrase.token();
+  const Lexeme word = phrase.token();
   report(phrase, 1)
       .hint(fmt::format("write `case {} …`", phrase.wholeText(0, condition.tokens)))
-      .fix({phrase.source().file, first.begin, first.begin}, "case ");
-  phrase.put({GliderLexer::CASE, first.begin, first.begin});
-  phrase.put(first);
+      .fix({phrase.source().file, word.begin, word.begin}, "case ");
+  phrase.put({GliderLexer::CASE, word.begin, word.begin});
+  phrase.put(word);
   return 1;
 }
 

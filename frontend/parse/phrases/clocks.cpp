@@ -234,4 +234,23 @@ size_t remainderSign(Phrase& phrase) {
   return 1;
 }
 
+size_t everyMinute(Phrase& phrase) {
+  constexpr std::pair<std::string_view, std::string_view> kTimes[] = {
+      {"second", "1 s"}, {"minute", "1 min"}, {"hour", "1 h"}};
+  const bool alone = !isOperator(phrase.type(1)) && phrase.type(1) != GliderLexer::LPAREN;
+  for (const auto& [word, time] : kTimes) {
+    if (phrase.before() == GliderLexer::EVERY && alone && phrase.says(0, word) &&
+        !phrase.isDeclared(phrase.text())) {
+      const Lexeme found = phrase.token();
+      phrase.reporter()
+          .at(found, support::diagnostics::timeInParts, phrase.text(), time)
+          .fix(phrase.source().range(found), std::string(time));
+      phrase.put({GliderLexer::NUMBER, found.begin, found.end});
+      phrase.notAsMeant();
+      return 1;
+    }
+  }
+  return 0;
+}
+
 }  // namespace glider::frontend::phrases

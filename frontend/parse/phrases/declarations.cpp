@@ -240,4 +240,99 @@ size_t withoutParentheses(Phrase& phrase) {
   return line;
 }
 
+namespace {
+
+/// Whether `place` begins a declaration: names follow it on its line.
+bool declaresPlace(const Phrase& phrase) {
+  return phrase.type() == GliderLexer::PLACE && phrase.startsLine() && phrase.open().empty() &&
+         isAnyName(phrase.type(1)) && !phrase.startsLine(1);
+}
+
+/// `place low battery = …`.
+size_t placeOfSeveralWords(Phrase& phrase) {
+  constexpr size_t kMostWords = 5;
+  std::string joined(phrase.text(1));
+  size_t end = 2;
+  while (end <= kMostWords && isAnyName(phrase.type(end)) && !phrase.startsLine(end)) {
+    joined += fmt::format("_{}", phrase.text(end++));
+  }
+  if (end < 3 || phrase.type(end) != GliderLexer::ASSIGN) {
+    return 0;
+  }
+  const Lexeme name = phrase.whole(1, end - 1, GliderLexer::NAME);
+  auto report =
+      phrase.reporter().at(name, support::diagnostics::nameNotOneWord, phrase.source().text(name),
+                           fmt::format("write `place {} = …`", joined));
+  if (!phrase.isDeclared(joined)) {
+    report.fix(phrase.source().range(name), joined);
+  }
+  phrase.put(phrase.token());
+  phrase.put(name);
+  phrase.notAsMeant();
+  return end;
+}
+
+/// `place low: battery < 11.5 V`, `place low when battery < 11.5 V`, `place low battery < 11.5 V`.
+size_t placeWithoutSign(Phrase& phrase) {
+  const bool word =
+      oneOf(phrase.type(2), {GliderLexer::COLON, GliderLexer::WHEN, GliderLexer::WHENEVER,
+                             GliderLexer::WHERE, GliderLexer::IF}) ||
+      phrase.says(2, "is") || phrase.says(2, "means");
+  const size_t first = word ? 3 : 2;
+  const bool typed = phrase.type(2) == GliderLexer::COLON && phrase.type(4) == GliderLexer::ASSIGN;
+  const bool value = startsValue(phrase.type(first)) ||
+                     oneOf(phrase.type(first), {GliderLexer::LPAREN, GliderLexer::NOT});
+  const size_t count = tokensOfValue(phrase, first, false);
+  if (typed || !value || phrase.startsLine(2) || (!word && (count < 3 || phrase.startsLine(4)))) {
+    return 0;
+  }
+  const Lexeme name = phrase.token(1);
+  const Lexeme found = phrase.token(2);
+  phrase.reporter()
+      .at(found, support::diagnostics::unexpectedToken, "`=`", describe(phrase.source(), found))
+      .hint(fmt::format("write `place {} = …`", phrase.text(1)))
+      .fix({phrase.source().file, name.end, word ? found.end : name.end}, " =");
+  phrase.put(phrase.token());
+  phrase.put(name);
+  phrase.put({GliderLexer::ASSIGN, found.begin, word ? found.end : found.begin});
+  return first;
+}
+
+}  // namespace
+
+size_t place(Phrase& phrase) {
+  if (!declaresPlace(phrase)) {
+    return 0;
+  }
+  const size_t taken = placeOfSeveralWords(phrase);
+  return taken != 0 ? taken : placeWithoutSign(phrase);
+}
+
+size_t importWithoutQuotes(Phrase& phrase) {
+  if (phrase.before() != GliderLexer::IMPORT || phrase.startsLine() ||
+      !oneOf(phrase.type(), {GliderLexer::NAME, GliderLexer::HEARD, GliderLexer::NUMBER})) {
+    return 0;
+  }
+  size_t tokens = 1;
+  while (phrase.touches(tokens) && phrase.type(tokens) != kEof) {
+    ++tokens;
+  }
+  const bool ends = phrase.type(tokens) == GliderLexer::AS || phrase.startsLine(tokens) ||
+                    phrase.type(tokens) == kEof;
+  const Lexeme name = phrase.whole(0, tokens, GliderLexer::STRING);
+  const std::string better = fmt::format("\"{}\"", phrase.source().text(name));
+  auto report = phrase.reporter().at(name, support::diagnostics::unexpectedToken,
+                                     "the name of a file in quotes",
+                                     fmt::format("`{}`", phrase.source().text(name)));
+  const bool named = phrase.type(tokens) == GliderLexer::AS && isName(phrase.type(tokens + 1));
+  report.hint(fmt::format("write `import {}{}`", better,
+                          named ? fmt::format(" as {}", phrase.text(tokens + 1)) : ""));
+  if (ends) {
+    report.fix(phrase.source().range(name), better);
+  }
+  phrase.put(name);
+  phrase.notAsMeant();
+  return tokens;
+}
+
 }  // namespace glider::frontend::phrases

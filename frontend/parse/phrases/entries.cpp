@@ -13,6 +13,21 @@
 namespace glider::frontend::phrases {
 namespace {
 
+/// `entry: log …`: the colon is read as the `do` that was meant.
+size_t colonForDo(Phrase& phrase) {
+  if (phrase.type() != GliderLexer::COLON ||
+      !oneOf(phrase.type(1), {GliderLexer::SET, GliderLexer::LOG, GliderLexer::IF})) {
+    return 0;
+  }
+  const Lexeme colon = phrase.token();
+  phrase.reporter()
+      .at(colon, support::diagnostics::unexpectedToken, "`do`", describe(phrase.source(), colon))
+      .hint(fmt::format("write `entry do {} … end`", phrase.text(1)))
+      .fix(phrase.source().range(colon), phrase.touches(0) ? " do" : "do");
+  phrase.put({GliderLexer::DO, colon.begin, colon.end});
+  return 1;
+}
+
 bool waits(const Phrase& phrase) {
   constexpr std::array<std::string_view, 4> kWords = {"wait", "sleep", "delay", "pause"};
   return std::ranges::any_of(kWords, [&](auto word) { return phrase.says(0, word); });
@@ -56,7 +71,13 @@ Actions actionsFrom(const Phrase& phrase) {
 }  // namespace
 
 size_t entryWithoutDo(Phrase& phrase) {
-  if (phrase.before() != GliderLexer::ENTRY || !beginsEntryStatement(phrase)) {
+  if (phrase.before() != GliderLexer::ENTRY) {
+    return 0;
+  }
+  if (const size_t taken = colonForDo(phrase)) {
+    return taken;
+  }
+  if (!beginsEntryStatement(phrase)) {
     return 0;
   }
   const Actions actions = actionsFrom(phrase);
@@ -84,6 +105,28 @@ size_t entryWithoutDo(Phrase& phrase) {
   }
   phrase.insert(GliderLexer::DO);
   return 0;  // the statement itself is read next, and may have errors of its own
+}
+
+size_t beginOfAlways(Phrase& phrase) {
+  constexpr size_t kFarthest = 300;
+  if (phrase.before() != GliderLexer::ALWAYS || phrase.before(1) == GliderLexer::REQUIRE) {
+    return 0;
+  }
+  const Lexeme found = phrase.token();
+  auto report = phrase.reporter().at(found, support::diagnostics::superfluousWord, phrase.text(),
+                                     "after `always`");
+  report.hint("delete it and its `end`");
+  size_t deep = 1;
+  for (size_t k = 1; k < kFarthest && !startsItem(phrase.type(k)); ++k) {
+    deep += oneOf(phrase.type(k), {GliderLexer::DO, GliderLexer::IF}) ? 1U : 0U;
+    deep -= phrase.type(k) == GliderLexer::END ? 1U : 0U;
+    if (deep == 0) {
+      report.fix(phrase.source().range(found), "").fix(phrase.source().range(phrase.token(k)), "");
+      phrase.leaveOut(k);
+      break;
+    }
+  }
+  return 1;
 }
 
 }  // namespace glider::frontend::phrases

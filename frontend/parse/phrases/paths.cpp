@@ -21,6 +21,12 @@ bool beginsPath(const Phrase& phrase) {
          phrase.source().text(*phrase.lexemeBefore(1)) == "path";
 }
 
+/// The same without its type: `const track =`.
+bool beginsConstant(const Phrase& phrase) {
+  return phrase.before() == GliderLexer::ASSIGN && phrase.open().empty() &&
+         phrase.before(2) == GliderLexer::CONST;
+}
+
 /// Positions with commas between them.
 struct Positions {
   size_t end = 0;      ///< past the last token
@@ -80,7 +86,8 @@ bool isLatitudeWithLongitude(const std::string& first, const std::string& second
 size_t pathWithoutBrackets(Phrase& phrase) {
   const bool round = phrase.type() == GliderLexer::LPAREN;
   const bool declared = beginsPath(phrase);
-  if (!declared && (!round || isAnyName(phrase.before()) || phrase.before() == 0)) {
+  const bool constant = !round && phrase.type() == GliderLexer::NUMBER && beginsConstant(phrase);
+  if (!declared && !constant && (!round || isAnyName(phrase.before()) || phrase.before() == 0)) {
     return 0;
   }
   const Positions found = positionsFrom(phrase, round ? 1 : 0, round);
@@ -89,6 +96,7 @@ size_t pathWithoutBrackets(Phrase& phrase) {
     return 0;
   }
   const size_t first = round ? 1 : 0;
+  const bool ended = !round && phrase.type(found.end) == GliderLexer::RBRACKET;
   const Lexeme last = phrase.token(round ? found.end : found.end - 1);
   const support::SourceRange whole{phrase.source().file, phrase.token().begin, last.end};
   auto report = phrase.reporter().at(phrase.whole(0, found.end + first),
@@ -99,10 +107,14 @@ size_t pathWithoutBrackets(Phrase& phrase) {
         .fix({whole.file, whole.end - 1, whole.end}, "]");
     phrase.leaveOut(found.end);
   } else {
-    report.fix({whole.file, whole.begin, whole.begin}, "[")
-        .fix({whole.file, whole.end, whole.end}, "]");
+    report.fix({whole.file, whole.begin, whole.begin}, "[");
   }
-  phrase.supplyBefore(found.end, GliderLexer::RBRACKET);
+  if (!round && !ended) {
+    report.fix({whole.file, whole.end, whole.end}, "]");
+  }
+  if (!ended) {
+    phrase.supplyBefore(found.end, GliderLexer::RBRACKET);
+  }
   if (round) {
     const Lexeme opener = phrase.token();
     phrase.put({GliderLexer::LBRACKET, opener.begin, opener.end});

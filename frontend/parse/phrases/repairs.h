@@ -16,10 +16,22 @@ size_t capitals(Phrase& phrase);
 size_t caseWord(Phrase& phrase);
 /// `entry log "warm" end`.
 size_t entryWithoutDo(Phrase& phrase);
+/// `always begin … end`.
+size_t beginOfAlways(Phrase& phrase);
 /// `call state up`, `go to up`.
 size_t target(Phrase& phrase);
 /// `exit mission`, `return look`, `call up exit`.
 size_t afterTransition(Phrase& phrase);
+/// `exit do log "over" end`.
+size_t blockAfterTransition(Phrase& phrase);
+/// `case statetime > 10 h end`.
+size_t endForTransition(Phrase& phrase);
+/// `place low battery = …`, `place low: …`.
+size_t place(Phrase& phrase);
+/// `import goto_l10.ma as list`.
+size_t importWithoutQuotes(Phrase& phrase);
+/// `every minute`.
+size_t everyMinute(Phrase& phrase);
 /// `-> call up`, `=> call up`.
 size_t arrow(Phrase& phrase);
 /// `case after 1 h`, `case always`.

@@ -148,4 +148,63 @@ size_t arrow(Phrase& phrase) {
   return tokens;
 }
 
+namespace {
+
+/// The tokens of the block `do … end` that begins at the current token; 0: it has no `end`.
+size_t tokensOfBlock(const Phrase& phrase) {
+  constexpr size_t kFarthest = 200;
+  size_t deep = 0;
+  for (size_t k = 0; k < kFarthest; ++k) {
+    const uint32_t type = phrase.type(k);
+    if (oneOf(type, {kEof, GliderLexer::CASE, GliderLexer::EVENTS}) || startsItem(type)) {
+      return 0;
+    }
+    deep += oneOf(type, {GliderLexer::DO, GliderLexer::IF}) ? 1U : 0U;
+    deep -= type == GliderLexer::END ? 1U : 0U;
+    if (deep == 0) {
+      return k + 1;
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+size_t blockAfterTransition(Phrase& phrase) {
+  const bool after =
+      phrase.mayBeginCase() && isTransition(phrase.keyword()) && !phrase.startsLine();
+  const size_t tokens = after ? tokensOfBlock(phrase) : 0;
+  // Something that is still inside the state follows, or the block closes nothing of its own.
+  if (tokens == 0 || !oneOf(phrase.type(tokens), {GliderLexer::CASE, GliderLexer::END})) {
+    return 0;
+  }
+  const std::string_view transition = transitionBefore(phrase);
+  const Lexeme block = phrase.whole(0, tokens);
+  const uint32_t end = phrase.lexemeBefore()->end;
+  const auto begin = static_cast<uint32_t>(end - transition.size());
+  const uint32_t file = phrase.source().file;
+  phrase.reporter()
+      .at(phrase.token(), support::diagnostics::unexpectedToken, "`case` or `end`",
+          describe(phrase.source(), phrase.token()))
+      .hint(fmt::format("the block comes before the transition: write `do … end {}`", transition))
+      .fix({file, begin, begin}, fmt::format("{} ", phrase.source().text(block)))
+      .fix({file, end, block.end}, "");
+  phrase.notAsMeant();
+  return tokens;
+}
+
+size_t endForTransition(Phrase& phrase) {
+  const bool ends =
+      !phrase.startsLine() && oneOf(phrase.type(1), {GliderLexer::CASE, GliderLexer::END});
+  if (!ends || !afterCondition(phrase) || phrase.before() == GliderLexer::CASE) {
+    return 0;
+  }
+  const Lexeme found = phrase.token();
+  phrase.reporter()
+      .at(found, support::diagnostics::wrongTransition, phrase.text())
+      .hint("write `exit` to end the mission, or `goto`, `call`, `return` or `stay`");
+  phrase.put({GliderLexer::EXIT, found.begin, found.end});
+  return 1;
+}
+
 }  // namespace glider::frontend::phrases

@@ -55,7 +55,7 @@ constexpr OtherUnit kOtherUnits[] = {{"degf", "degC", 1 / 1.8, -32 / 1.8},
                                      {"magnetic", "deg magnetic", 1, 0},
                                      {"mg/l", "", 0, 0},
                                      {"ml/l", "", 0, 0},
-                                     {"psu", "", 0, 0},
+                                     {"psu", "", 0, 0, true},
                                      {"ppb", "", 0, 0},
                                      {"inches", "inch", 1, 0, true},
                                      {"ccm", "cc", 1, 0, true},
@@ -406,7 +406,9 @@ size_t foreignUnit(Phrase& phrase) {
           : fmt::format("write `{:.4g} {}`", ours, other->ours);
   auto report = phrase.reporter().at(unit, support::diagnostics::unknownUnit,
                                      phrase.source().text(unit), hint);
-  if (other != nullptr && other->same) {
+  if (other != nullptr && other->ours.empty() && other->same) {
+    report.fix({phrase.source().file, phrase.lexemeBefore()->end, unit.end}, "");
+  } else if (other != nullptr && other->same) {
     const bool apart = phrase.lexemeBefore()->end < unit.begin;
     report.fix(phrase.source().range(unit), (apart ? "" : " ") + std::string(other->ours));
   }

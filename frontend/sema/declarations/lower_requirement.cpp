@@ -137,7 +137,6 @@ class RequirementLowering {
 }  // namespace
 
 void lowerRequirements(const ast::File& file, Scope& scope) {
-  declarePlaces(file, scope);
   for (const ast::Item& item : file.items) {
     if (const auto* node = std::get_if<ast::Requirement>(&item)) {
       if (auto requirement = RequirementLowering(*node, scope).run()) {

@@ -337,7 +337,7 @@ bool isLatitudeAndLongitude(const Signature& signature, size_t formal) {
 std::optional<Arguments> lowerArguments(const std::vector<ast::Argument>& arguments,
                                         const Callee& callee, const support::SourceRange& where,
                                         Scope& scope) {
-  if (refuseOtherSlope(arguments, callee, scope)) {
+  if (refuseOtherSlope(arguments, callee, scope) || refuseEquals(arguments, callee, scope)) {
     return std::nullopt;
   }
   const auto named = [](const ast::Argument& argument) { return argument.parameter.has_value(); };

@@ -185,6 +185,7 @@ class ExprLowering {
 
   // Over time (lower_temporal.cpp).
   bool timeFirst(const ast::Invocation& node);
+  bool lengthFirst(const ast::Invocation& node);
   Result overTime(ir::TemporalKind kind, const ast::Invocation& node, const ast::Expr& expr);
 
   // Windows (lower_window.cpp).

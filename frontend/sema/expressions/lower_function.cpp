@@ -19,12 +19,45 @@ namespace glider::frontend {
 
 namespace {
 
+/// `depth_of_max` as `depth_of_highest`: with the words of this language.
+std::string withOurWords(std::string_view name) {
+  constexpr std::pair<std::string_view, std::string_view> kWords[] = {
+      {"maximum", "highest"}, {"max", "highest"}, {"minimum", "lowest"}, {"min", "lowest"}};
+  for (const auto& [theirs, ours] : kWords) {
+    if (name.ends_with(fmt::format("_{}", theirs))) {
+      return std::string(name.substr(0, name.size() - theirs.size())).append(ours);
+    }
+  }
+  return std::string(name);
+}
+
+/// `track(1)` of a path or an array: true, and reported.
+bool refuseElement(const ast::Invocation& node, const ast::Expr& expr, Scope& scope) {
+  const ast::NameUse use{node.function.text};
+  const bool several =
+      isPath({use, node.function.where}, scope) || findArray(node.function.text, scope).has_value();
+  if (!several || node.arguments.size() != 1 || node.arguments.front().parameter) {
+    return false;
+  }
+  const std::string better = fmt::format("{}[{}]", node.function.text,
+                                         scope.wholeText(node.arguments.front().value->where));
+  scope
+      .report(support::diagnostics::unknownFunction, node.function.where, node.function.text,
+              fmt::format("write `{}`", better))
+      .fix(expr.where, better);
+  return true;
+}
+
 Suggestion suggestFunction(std::string_view wrong, const Scope& scope) {
   std::vector<std::string_view> names;
   for (const auto& [name, function] : scope.functions) {
     names.push_back(name);
   }
   names.insert(names.end(), functionNames().begin(), functionNames().end());
+  const std::string ours = withOurWords(wrong);
+  if (ours != wrong && std::ranges::find(names, ours) != names.end()) {
+    return {fmt::format("did you mean `{}`?", ours), ""};
+  }
   return didYouMean(wrong, names, fmt::format("functions: {}", fmt::join(names, " ")));
 }
 
@@ -112,6 +145,9 @@ ExprLowering::Result ExprLowering::inC(const ast::Invocation& node, const ast::E
     const bool value = findClock(name) || scope_.findSensor(name) != nullptr ||
                        scope_.findConstant(name) != nullptr || scope_.findNamed(name) != nullptr ||
                        meansValue(name, expr.where, scope_);
+    if (refuseElement(node, expr, scope_)) {
+      return std::nullopt;
+    }
     scope_.reportUnknown(
         support::diagnostics::unknownFunction, node.function.where,
         value ? Suggestion{"`" + name + "` is a value: write it without parentheses", ""}

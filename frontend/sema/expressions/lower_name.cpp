@@ -198,6 +198,12 @@ ExprLowering::Result ExprLowering::unknown(const ast::NameUse& node,
                            "after `goto` or `call`, a requirement in `in " +
                            node.name + ": …`",
                        ""}
+      : scope_.places.contains(node.name)
+          ? Suggestion{"`" + node.name +
+                           "` is a place, which only the patterns of requirements name: write its "
+                           "condition, `" +
+                           scope_.text(scope_.places.at(node.name)->condition.where) + "`",
+                       ""}
       : scope_.behaviours.contains(node.name)
           ? Suggestion{"`" + node.name + "` controls how the vehicle flies; it has no value", ""}
           : scope_.suggestName(node.name);

@@ -11,14 +11,50 @@
 
 namespace glider::frontend {
 
+namespace {
+
+/// Whether the first of two arguments is a number, and the second is not.
+bool numberFirst(const ast::Invocation& node) {
+  const auto written = [](const ast::Argument& argument) {
+    return std::holds_alternative<ast::Literal>(argument.value->node);
+  };
+  return written(node.arguments.front()) && !written(node.arguments.back());
+}
+
+}  // namespace
+
+/// `mean(5 min, temp)`: the value and the length of its window turned round.
+bool ExprLowering::lengthFirst(const ast::Invocation& node) {
+  const ast::Argument& length = node.arguments.front();
+  const ast::Argument& watched = node.arguments.back();
+  if (!numberFirst(node) || watched.of || legOf(*watched.value)) {
+    return false;
+  }
+  const Result value = lower(*watched.value, std::nullopt);
+  const ir::Type time = quantity(support::dimension::time);
+  if (!value || value->type == time) {
+    return !value;
+  }
+  const Result over = length.of ? lower(*length.value, std::nullopt) : std::nullopt;
+  const std::string first =
+      scope_.text(length.value->where) + (length.of ? " of " + length.of->text : "");
+  const std::string second = scope_.text(watched.value->where);
+  const support::SourceRange& from = length.value->where;
+  const std::string& function = node.function.text;
+  scope_
+      .report(support::diagnostics::wrongType, watched.value->where,
+              fmt::format("the length of `{}`", function), describe(over ? over->type : time),
+              second, describe(value->type), "")
+      .hint(fmt::format("the value comes first: write `{}({}, {})`", function, second, first))
+      .fix({from.file, from.begin, watched.value->where.end}, fmt::format("{}, {}", second, first));
+  return true;
+}
+
 /// `held(30 s, temp > 20 degC)`: refused once, not as two arguments.
 bool ExprLowering::timeFirst(const ast::Invocation& node) {
   const ast::Expr& time = *node.arguments.front().value;
   const ast::Expr& condition = *node.arguments.back().value;
-  const auto written = [](const ast::Expr& expr) {
-    return std::holds_alternative<ast::Literal>(expr.node);
-  };
-  if (!written(time) || written(condition)) {
+  if (!numberFirst(node)) {
     return false;
   }
   const Result value = lower(time, std::nullopt);

@@ -30,6 +30,9 @@ ExprLowering::Result ExprLowering::window(const ast::Invocation& node, const ast
                   form);
     return std::nullopt;
   }
+  if (lengthFirst(node)) {
+    return std::nullopt;
+  }
   if (const ast::Argument& first = node.arguments.front(); first.of) {
     scope_.report(support::diagnostics::ofOutsideWindow, first.of->where,
                   scope_.text(first.value->where));

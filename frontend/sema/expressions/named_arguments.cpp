@@ -7,6 +7,7 @@
 #include "frontend/sema/names/functions.h"
 #include "frontend/spelling.h"
 #include "support/diagnostics/ids/meaning.h"
+#include "support/diagnostics/ids/syntax.h"
 
 #include <fmt/format.h>
 
@@ -131,6 +132,41 @@ class Ordering {
 };
 
 }  // namespace
+
+namespace {
+
+/// `top == 3 m` for `top = 3 m`: the comparison, if its left side is a parameter and no value.
+const ast::Binary* equalsForName(const ast::Argument& argument, const Callee& callee,
+                                 Scope& scope) {
+  const auto* comparison = std::get_if<ast::Binary>(&argument.value->node);
+  const auto* use = comparison != nullptr && comparison->op == ast::BinaryOp::Equal
+                        ? std::get_if<ast::NameUse>(&comparison->left->node)
+                        : nullptr;
+  if (argument.parameter || use == nullptr || scope.declares(use->name, argument.value->where) ||
+      scope.findSensor(use->name) != nullptr || !scope.takenBy(use->name).empty()) {
+    return nullptr;
+  }
+  const bool parameter = std::ranges::any_of(
+      callee.signature.formals,
+      [&](const Signature::Formal& formal) { return formal.name->text == use->name; });
+  return parameter ? comparison : nullptr;
+}
+
+}  // namespace
+
+bool refuseEquals(const std::vector<ast::Argument>& arguments, const Callee& callee, Scope& scope) {
+  bool refused = false;
+  for (const ast::Argument& argument : arguments) {
+    if (const ast::Binary* comparison = equalsForName(argument, callee, scope)) {
+      scope.report(support::diagnostics::equalForAssign, comparison->op_where)
+          .hint(fmt::format("write `{} = {}`", scope.text(comparison->left->where),
+                            scope.text(comparison->right->where)))
+          .fix(comparison->op_where, "=");
+      refused = true;
+    }
+  }
+  return refused;
+}
 
 std::optional<std::vector<ast::Argument>> inOrder(const std::vector<ast::Argument>& arguments,
                                                   const Callee& callee,

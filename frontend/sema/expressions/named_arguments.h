@@ -18,6 +18,9 @@ std::optional<std::vector<ast::Argument>> inOrder(const std::vector<ast::Argumen
                                                   const Callee& callee,
                                                   const support::SourceRange& where, Scope& scope);
 
+/// True, and reported, if a parameter is named with `==` in place of `=`.
+bool refuseEquals(const std::vector<ast::Argument>& arguments, const Callee& callee, Scope& scope);
+
 /// True, and reported (GL2189), if an argument of a function of the language is named.
 bool refuseNames(const ast::Invocation& node, Scope& scope);
 

@@ -127,7 +127,11 @@ void MissionStory::note(double now_s, const hooks::SeatEvent& event, Journal& jo
   const double time =
       std::isfinite(origin_s_) ? std::min(now_s, origin_s_ + event.mission_time_s) : now_s;
   if (is(event.a, hooks::NoteKind::UnknownSet)) {
-    journal.add(time, EventId::ValueKept, {event.text}, "the new value is unknown");
+    // The program has no room for the names of what the library keeps for itself.
+    const bool inner = std::string_view(event.text).starts_with("the flight");
+    journal.add(time, inner ? EventId::InnerValueKept : EventId::ValueKept, {event.text},
+                inner ? "the new one is unknown, as a reading that it is computed from"
+                      : "the new value is unknown");
   } else if (std::string_view(event.text) == hooks::kNoteDeclinationUnknown) {
     journal.add(time, EventId::DeclinationUnknown, {event.text});
   } else {

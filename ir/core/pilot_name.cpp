@@ -34,11 +34,8 @@ std::string pilotName(const Mission& mission, VariableId id) {
   if (saysDone(state, id)) {
     return (profile ? "profiledone in " : "routedone in ") + state.name;
   }
-  // "look.profile.dived" is known to the pilot by the state only.
-  const std::string last = variable.name.substr(variable.name.rfind('.') + 1);
   return isInner(mission, id)
-             ? last + (profile ? " in the flightprofile of " : " in the flightroute of ") +
-                   state.name
+             ? (profile ? "the flightprofile of " : "the flightroute of ") + state.name
              : variable.name;
 }
 

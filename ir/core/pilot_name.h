@@ -14,7 +14,7 @@ namespace glider::ir {
 bool isInner(const Mission& mission, VariableId id);
 
 /// What a variable is called in messages: as written, "routedone in fly", or for an inner variable
-/// its own name and what it belongs to, "next in the flightroute of fly".
+/// what it belongs to, "the flightroute of fly".
 std::string pilotName(const Mission& mission, VariableId id);
 
 }  // namespace glider::ir

@@ -31,6 +31,8 @@ class StockFlight {
     setup.scenario.ocean.bottom.depth_m = water.depth_m;
     setup.scenario.ocean.current.east = setup.scenario.ocean.bottom_current.east = water.east_mps;
     setup.scenario.ocean.wave.amplitude_m = 0;
+    // A pump of 100 m at 1000 m would pull the voltage below what abend allows.
+    setup.scenario.vehicle.battery.power.resistance_ohm = 0;
     setup.duration_s = water.duration_s;
     trace = fly(std::move(setup));
   }

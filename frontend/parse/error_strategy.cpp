@@ -250,6 +250,31 @@ void ErrorStrategy::complainOfValue(antlr4::Parser* parser, const antlr4::Token*
   expected(statement ? "`set`, `if`, `for`, `log`, a command or `end`" : listOf(set), found);
 }
 
+void ErrorStrategy::complainOfPromise(size_t last, const Lexeme& found) {
+  const Source& source = reporter_.source();
+  auto report = reporter_.at(
+      found, support::diagnostics::unexpectedToken,
+      "`always`, `exit within`, `stack <=`, `can reach`, `surfaces every`, `never`, `visit`, "
+      "`patrol`, `whenever`, `when` or `hold`",
+      describe(source, found));
+  if (last == GliderParser::STACK && found.type == GliderLexer::LT) {
+    report.hint("write `require stack <= …`");
+  } else if (last == GliderParser::REQUIRE && found.type == GliderLexer::NAME) {
+    report.hint(
+        fmt::format("write what is required of it, as in `require never {}`", source.text(found)));
+  }
+}
+
+/// A word that begins nothing, before whose `(` nothing is wrong yet.
+void ErrorStrategy::complainOfWord(antlr4::Parser* parser, const Lexeme& word) {
+  const auto* outer = dynamic_cast<antlr4::ParserRuleContext*>(parser->getContext()->parent);
+  if (outer != nullptr && outer->getRuleIndex() == GliderParser::RuleStatement) {
+    reporter_.at(word, support::diagnostics::notAStatement, reporter_.source().text(word));
+    return;
+  }
+  expected("an operator, or the end of the value", word);
+}
+
 void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Lexeme& found) {
   const antlr4::Token* before = parser->getTokenStream()->LT(-1);
   const size_t last = before == nullptr ? 0 : before->getType();
@@ -264,16 +289,17 @@ void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Le
       }
       return expected(last == GliderParser::CASE ? "a condition" : "a value", found);
     case GliderParser::RuleArguments:
+      if (parser->getExpectedTokens().contains(size_t{GliderParser::LPAREN}) &&
+          last != GliderParser::LPAREN && last != GliderParser::COMMA) {
+        return complainOfWord(parser, lexemeOf(before));
+      }
       return expected(last == GliderParser::LPAREN ? "a value or `)`" : "`,` or `)`", found);
     case GliderParser::RuleFormals:
       return expected(last == GliderParser::LPAREN ? "a name or `)`" : "`,` or `)`", found);
     case GliderParser::RuleScope:
     case GliderParser::RulePromise:
     case GliderParser::RulePattern:
-      return expected(
-          "`always`, `exit within`, `stack <=`, `can reach`, `surfaces every`, `never`, `visit`, "
-          "`patrol`, `whenever`, `when` or `hold`",
-          found);
+      return complainOfPromise(last, found);
     case GliderParser::RuleDeclaration:
       if (last == GliderParser::EXTERN) {
         return expected("`function`, `flightprofile`, `flightroute` or `sensor`", found);

@@ -26,6 +26,8 @@ class ErrorStrategy final : public antlr4::DefaultErrorStrategy {
 
  private:
   void complain(antlr4::Parser* parser, const antlr4::Token* found);
+  void complainOfPromise(size_t last, const Lexeme& found);
+  void complainOfWord(antlr4::Parser* parser, const Lexeme& word);
   void complainInRule(antlr4::Parser* parser, size_t rule, const Lexeme& found);
   void complainOfTransition(const Lexeme& before, const Lexeme& found);
   /// In a declaration, a block or a statement.

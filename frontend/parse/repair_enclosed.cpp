@@ -93,10 +93,10 @@ bool endsLoopHeader(const std::vector<Lexeme>& out) {
 /// What `{` and `}` were meant as after `before` (the tokens so far).
 WordRepair::Braces WordRepair::bracesAfter(const std::vector<Lexeme>& out, uint32_t next) const {
   const uint32_t last = out.empty() ? 0 : out.back().type;
-  if (oneOf(last, {GliderLexer::EVENTS, GliderLexer::BEGIN})) {
+  if (oneOf(last, {GliderLexer::EVENTS, GliderLexer::BEGIN, GliderLexer::ALWAYS})) {
     return {"", 0, "", 0};
   }
-  if (oneOf(last, {GliderLexer::DO, GliderLexer::THEN})) {
+  if (oneOf(last, {GliderLexer::DO, GliderLexer::THEN, GliderLexer::ELSE})) {
     return {"", 0, "end", GliderLexer::END};
   }
   if (last_keyword_ == GliderLexer::IF && endsValue(last)) {
@@ -158,6 +158,10 @@ void WordRepair::brace(const std::vector<Lexeme>& lexemes, size_t at, std::vecto
     return;
   }
   const size_t close = closingBrace(lexemes, at);
+  if (close != 0 && lexemes[std::min(close + 1, lexemes.size() - 1)].type == GliderLexer::ELSE) {
+    meant.close = "";  // the `if` goes on
+    meant.close_type = 0;
+  }
   auto report = reporter_.at(lexeme, support::diagnostics::braces, source.text(lexeme),
                              insteadOfBraces(meant.open, meant.close));
   if (close != 0 || meant.close_type != GliderLexer::END || meant.open == "begin") {

@@ -11,7 +11,6 @@
 #include "frontend/sema/declarations/variables.h"
 #include "frontend/sema/declarations/vehicles.h"
 #include "frontend/sema/names/scope.h"
-#include "frontend/sema/promises/lower_promise.h"
 #include "frontend/sema/states/lower_behaviour.h"
 #include "frontend/sema/states/lower_case.h"
 #include "frontend/sema/states/lower_state.h"
@@ -43,7 +42,7 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
   lowerShares(mission, scope);
   lowerDeclination(mission, scope);
   declareStates(mission, scope);
-  declarePlaces(mission, scope);
+  declareRequired(mission, scope);
   for (auto& [name, behaviour] : scope.behaviours) {
     if (behaviour.body != nullptr) {
       BehaviourLowering(behaviour, scope).check();

@@ -30,6 +30,24 @@ size_t noOutages(Phrase& phrase) {
   return 2;
 }
 
+/// `no current`: only of outages it can be said that there are none.
+size_t noOther(Phrase& phrase) {
+  const bool name = oneOf(phrase.type(1), {GliderLexer::NAME, GliderLexer::CURRENT});
+  if (phrase.type() != GliderLexer::NO || !name || phrase.startsLine(1) ||
+      phrase.type(2) == GliderLexer::LPAREN) {
+    return 0;
+  }
+  const Lexeme word = phrase.token(1);
+  auto report = phrase.reporter().at(word, support::diagnostics::unexpectedToken, "`outage`",
+                                     describe(phrase.source(), word));
+  report.hint(word.type == GliderLexer::CURRENT
+                  ? "write `assume current <= …` with the greatest that there is"
+                  : "write `assume no outage`");
+  phrase.put(phrase.token());
+  phrase.put({GliderLexer::OUTAGE, word.begin, word.end});
+  return 2;
+}
+
 /// The tokens of what was written for `<=` from token 1 on, such as `<` and `at most`; a number
 /// alone has none.
 size_t tokensOfSign(const Phrase& phrase) {
@@ -83,8 +101,12 @@ size_t assumption(Phrase& phrase) {
   if (phrase.before() != GliderLexer::ASSUME) {
     return 0;
   }
-  const size_t taken = noOutages(phrase);
-  return taken != 0 ? taken : greatest(phrase);
+  for (const PhraseRepair repair : {noOutages, noOther, greatest}) {
+    if (const size_t taken = repair(phrase)) {
+      return taken;
+    }
+  }
+  return 0;
 }
 
 }  // namespace glider::frontend::phrases

@@ -22,8 +22,11 @@ support::DiagnosticBuilder missing(Phrase& phrase, const Lexeme& at, std::string
 size_t andOfSensors(Phrase& phrase) {
   const bool both = oneOf(phrase.type(), {GliderLexer::AND_WORD, GliderLexer::AND,
                                           GliderLexer::ONE_AMPERSAND, GliderLexer::PLUS});
-  if (!both || phrase.keyword() != GliderLexer::SENSORS || !phrase.open().empty() ||
-      !isAnyName(phrase.before()) || !isAnyName(phrase.type(1))) {
+  // Not in `every …`, which may be any value.
+  const bool sensor = isAnyName(phrase.before()) &&
+                      oneOf(phrase.before(1), {GliderLexer::SENSORS, GliderLexer::COMMA});
+  if (!both || phrase.keyword() != GliderLexer::SENSORS || !phrase.open().empty() || !sensor ||
+      !isAnyName(phrase.type(1))) {
     return 0;
   }
   const Lexeme sign = phrase.token();
@@ -39,13 +42,17 @@ size_t andOfSensors(Phrase& phrase) {
 size_t valueAfterText(Phrase& phrase) {
   const bool after_text =
       phrase.before() == GliderLexer::STRING && phrase.before(1) == GliderLexer::LOG;
+  // `log "deep", depth temp`.
+  const bool second = phrase.keyword() == GliderLexer::LOG && phrase.open().empty() &&
+                      phrase.before() == GliderLexer::NAME &&
+                      phrase.before(1) == GliderLexer::COMMA && phrase.type() == GliderLexer::NAME;
   const uint32_t next = phrase.type(1);
   // What a statement begins with: `sample(…)`, and `n = 3` without its `set`.
   const bool statement = oneOf(
       next, {GliderLexer::LPAREN, GliderLexer::ASSIGN, GliderLexer::LBRACKET, GliderLexer::STRING});
   const bool value = oneOf(phrase.type(), {GliderLexer::NUMBER, GliderLexer::HEARD}) ||
                      (phrase.type() == GliderLexer::NAME && !statement);
-  if (!after_text || !value || phrase.startsLine() ||
+  if (!(after_text || second) || !value || phrase.startsLine() ||
       !closest(phrase.text(), {"end", "set", "else", "log", "for", "exit"}).empty()) {
     return 0;
   }

@@ -14,7 +14,9 @@ size_t equalToTruth(Phrase& phrase) {
   const bool begins =
       oneOf(phrase.before(1), {GliderLexer::CASE, GliderLexer::IF, GliderLexer::AND,
                                GliderLexer::OR, GliderLexer::AND_WORD, GliderLexer::OR_WORD});
-  if (!truth || !begins || !isName(phrase.before())) {
+  const bool enclosed = phrase.before(1) == GliderLexer::LPAREN && !phrase.open().empty() &&
+                        !phrase.open().back().arguments;
+  if (!truth || !(begins || enclosed) || !isName(phrase.before())) {
     return 0;
   }
   const Lexeme name = *phrase.lexemeBefore();
@@ -36,7 +38,7 @@ size_t heldWithoutParentheses(Phrase& phrase) {
     return 0;
   }
   size_t word = 1;
-  while (word < kFarthest && phrase.type(word) != GliderLexer::FOR) {
+  while (word < kFarthest && !oneOf(phrase.type(word), {GliderLexer::FOR, GliderLexer::COMMA})) {
     ++word;
   }
   const size_t time = tokensOfNumber(phrase, word + 1);
@@ -59,6 +61,56 @@ size_t heldWithoutParentheses(Phrase& phrase) {
   }
   phrase.insert(GliderLexer::RPAREN);
   return end;
+}
+
+namespace {
+
+/// How many of the tokens that were read are `NAME > NUMBER UNIT`; 0: they are something else.
+size_t tokensOfComparisonBefore(const Phrase& phrase) {
+  const size_t unit = phrase.before() == GliderLexer::NUMBER ? 0 : 1;
+  const bool compares = phrase.before(unit) == GliderLexer::NUMBER &&
+                        oneOf(phrase.before(unit + 1), {GliderLexer::LT, GliderLexer::GT,
+                                                        GliderLexer::LE, GliderLexer::GE}) &&
+                        isName(phrase.before(unit + 2));
+  const bool begins = oneOf(phrase.before(unit + 3),
+                            {GliderLexer::CASE, GliderLexer::AND, GliderLexer::OR,
+                             GliderLexer::AND_WORD, GliderLexer::OR_WORD, GliderLexer::LPAREN});
+  return compares && begins ? unit + 3 : 0;
+}
+
+}  // namespace
+
+size_t forATime(Phrase& phrase) {
+  const size_t time = tokensOfNumber(phrase, 1);
+  if (time == 0 || phrase.keyword() != GliderLexer::CASE || !endsValue(phrase.before())) {
+    return 0;
+  }
+  const Source& source = phrase.source();
+  const Lexeme word = phrase.token();
+  const Lexeme last = *phrase.lexemeBefore();
+  const bool inside = !phrase.open().empty() && phrase.open().back().arguments;
+  if (inside) {
+    phrase.reporter()
+        .at(word, support::diagnostics::unexpectedToken, "`,`", describe(source, word))
+        .hint("write `,` for it")
+        .fix({source.file, last.end, word.end}, ",");
+    phrase.put({GliderLexer::COMMA, word.begin, word.end});
+    return 1;
+  }
+  const std::string_view duration = phrase.wholeText(1, time);
+  const size_t count = tokensOfComparisonBefore(phrase);
+  auto report = phrase.reporter().at(word, support::diagnostics::unexpectedToken, "an operator",
+                                     describe(source, word));
+  if (count == 0) {
+    report.hint(fmt::format("write `held(…, {})` around the condition", duration));
+  } else {
+    const uint32_t begin = phrase.lexemeBefore(count - 1)->begin;
+    const std::string better =
+        fmt::format("held({}, {})", source.text({0, begin, last.end}), duration);
+    report.hint(fmt::format("write `{}`", better))
+        .fix({source.file, begin, phrase.token(time).end}, better);
+  }
+  return 1 + time;
 }
 
 }  // namespace glider::frontend::phrases

@@ -253,10 +253,15 @@ size_t placeOfSeveralWords(Phrase& phrase) {
   constexpr size_t kMostWords = 5;
   std::string joined(phrase.text(1));
   size_t end = 2;
-  while (end <= kMostWords && isAnyName(phrase.type(end)) && !phrase.startsLine(end)) {
+  while (end <= kMostWords && !phrase.startsLine(end)) {
+    end += phrase.type(end) == GliderLexer::MINUS ? 1U : 0U;
+    if (!isAnyName(phrase.type(end))) {
+      break;
+    }
     joined += fmt::format("_{}", phrase.text(end++));
   }
-  if (end < 3 || phrase.type(end) != GliderLexer::ASSIGN) {
+  const bool colon = phrase.type(end) == GliderLexer::COLON;
+  if (end < 3 || !(colon || phrase.type(end) == GliderLexer::ASSIGN)) {
     return 0;
   }
   const Lexeme name = phrase.whole(1, end - 1, GliderLexer::NAME);
@@ -264,12 +269,31 @@ size_t placeOfSeveralWords(Phrase& phrase) {
       phrase.reporter().at(name, support::diagnostics::nameNotOneWord, phrase.source().text(name),
                            fmt::format("write `place {} = …`", joined));
   if (!phrase.isDeclared(joined)) {
-    report.fix(phrase.source().range(name), joined);
+    report.fix({phrase.source().file, name.begin, colon ? phrase.token(end).end : name.end},
+               colon ? joined + " =" : joined);
   }
   phrase.put(phrase.token());
   phrase.put(name);
   phrase.notAsMeant();
-  return end;
+  if (colon) {
+    phrase.insert(GliderLexer::ASSIGN);
+  }
+  return end + (colon ? 1 : 0);
+}
+
+/// `place low: bool = …`.
+size_t placeWithType(Phrase& phrase) {
+  if (phrase.type(2) != GliderLexer::COLON || phrase.type(4) != GliderLexer::ASSIGN) {
+    return 0;
+  }
+  const Lexeme type = phrase.whole(2, 2);
+  phrase.reporter()
+      .at(type, support::diagnostics::superfluousWord, phrase.source().text(type),
+          "after the name of a place")
+      .fix(phrase.source().range(type), "");
+  phrase.put(phrase.token());
+  phrase.put(phrase.token(1));
+  return 4;
 }
 
 /// `place low: battery < 11.5 V`, `place low when battery < 11.5 V`, `place low battery < 11.5 V`.
@@ -279,11 +303,10 @@ size_t placeWithoutSign(Phrase& phrase) {
                              GliderLexer::WHERE, GliderLexer::IF}) ||
       phrase.says(2, "is") || phrase.says(2, "means");
   const size_t first = word ? 3 : 2;
-  const bool typed = phrase.type(2) == GliderLexer::COLON && phrase.type(4) == GliderLexer::ASSIGN;
   const bool value = startsValue(phrase.type(first)) ||
                      oneOf(phrase.type(first), {GliderLexer::LPAREN, GliderLexer::NOT});
   const size_t count = tokensOfValue(phrase, first, false);
-  if (typed || !value || phrase.startsLine(2) || (!word && (count < 3 || phrase.startsLine(4)))) {
+  if (!value || phrase.startsLine(2) || (!word && (count < 3 || phrase.startsLine(4)))) {
     return 0;
   }
   const Lexeme name = phrase.token(1);
@@ -304,13 +327,17 @@ size_t place(Phrase& phrase) {
   if (!declaresPlace(phrase)) {
     return 0;
   }
-  const size_t taken = placeOfSeveralWords(phrase);
-  return taken != 0 ? taken : placeWithoutSign(phrase);
+  for (const PhraseRepair repair : {placeOfSeveralWords, placeWithType, placeWithoutSign}) {
+    if (const size_t taken = repair(phrase)) {
+      return taken;
+    }
+  }
+  return 0;
 }
 
 size_t importWithoutQuotes(Phrase& phrase) {
   if (phrase.before() != GliderLexer::IMPORT || phrase.startsLine() ||
-      !oneOf(phrase.type(), {GliderLexer::NAME, GliderLexer::HEARD, GliderLexer::NUMBER})) {
+      oneOf(phrase.type(), {GliderLexer::STRING, GliderLexer::OPEN_STRING, GliderLexer::FOREIGN})) {
     return 0;
   }
   size_t tokens = 1;

@@ -59,6 +59,14 @@ bool isComparison(uint32_t type) {
   return (type >= GliderLexer::EQ && type <= GliderLexer::GT) || type == GliderLexer::ASSIGN;
 }
 
+/// `depth below 55 m`, `depth is less than 55 m`: the words are errors of their own.
+bool isComparedInWords(const Phrase& phrase) {
+  constexpr std::string_view kWords[] = {"below", "above", "under", "over",  "less",
+                                         "more",  "at",    "is",    "stays", "greater"};
+  return phrase.type() == GliderLexer::NAME && !phrase.startsLine(1) &&
+         std::ranges::any_of(kWords, [&](std::string_view word) { return phrase.says(1, word); });
+}
+
 /// Whether a word of a promise other than `then` was read since `require`.
 bool hasRead(const Phrase& phrase, std::initializer_list<uint32_t> words) {
   constexpr size_t kFarthest = 100;
@@ -83,16 +91,20 @@ size_t alwaysLeftOut(Phrase& phrase) {
              GliderLexer::FROM, GliderLexer::VISIT, GliderLexer::PATROL, GliderLexer::NEVER,
              GliderLexer::WHENEVER, GliderLexer::WHEN, GliderLexer::HOLD});
   const size_t count = word ? 0 : tokensOfWholeCondition(phrase, 0);
-  bool compares = false;
+  bool compares = count == 0 && !word && isComparedInWords(phrase);
+  bool good = !compares;  // otherwise words of it are errors of their own
   for (size_t k = 0; k < count; ++k) {
-    compares = compares || isComparison(phrase.type(k));
+    const uint32_t type = phrase.type(k);
+    compares = compares || isComparison(type);
+    good = good && !oneOf(type, {GliderLexer::AND_WORD, GliderLexer::OR_WORD, GliderLexer::ASSIGN});
   }
   if (!compares) {
     return 0;
   }
   const Lexeme first = phrase.token();
   expected(phrase, first, "`always`")
-      .hint(fmt::format("write `require always {}`", phrase.wholeText(0, count)))
+      .hint(good ? fmt::format("write `require always {}`", phrase.wholeText(0, count))
+                 : fmt::format("write `always` before `{}`", phrase.text()))
       .fix({phrase.source().file, first.begin, first.begin}, "always ");
   phrase.insert(GliderLexer::ALWAYS);
   phrase.put(first);
@@ -155,6 +167,50 @@ size_t neverComparing(Phrase& phrase) {
   return word + 2 + number;
 }
 
+/// `require never below 60 m`: what is below it is not said.
+size_t neverOfNothing(Phrase& phrase) {
+  constexpr std::string_view kWords[] = {"below", "above", "under", "over", "exceed", "exceeds"};
+  const bool word =
+      std::ranges::any_of(kWords, [&](std::string_view one) { return phrase.says(1, one); });
+  const bool than = phrase.says(2, "than") && isAnyName(phrase.type(1));
+  const size_t first = word ? 2 : 3;
+  const size_t number = word || than ? tokensOfQuantity(phrase, first) : 0;
+  if (phrase.type() != GliderLexer::NEVER || number == 0) {
+    return 0;
+  }
+  const Lexeme never = phrase.token();
+  expected(phrase, phrase.token(1), "a value")
+      .hint(fmt::format("write the value that is compared, as in `require never depth > {}`",
+                        phrase.wholeText(first, number)));
+  phrase.put(never);
+  phrase.put(phrase.whole(1, first + number - 1, GliderLexer::TRUE));
+  phrase.notAsMeant();
+  return first + number;
+}
+
+/// `require exit 13 h`, `require exit <= 13 h`, `require surfaces 4 h`: a number without its word.
+size_t timeAlone(Phrase& phrase) {
+  const bool exit = phrase.type() == GliderLexer::EXIT;
+  const bool sign = oneOf(
+      phrase.type(1), {GliderLexer::LE, GliderLexer::LT, GliderLexer::COLON, GliderLexer::ASSIGN});
+  const size_t first = sign ? 2 : 1;
+  const size_t number = tokensOfQuantity(phrase, first);
+  if (!(exit || phrase.type() == GliderLexer::SURFACES) || number == 0) {
+    return 0;
+  }
+  const Lexeme word = phrase.token();
+  const Lexeme found = phrase.token(1);
+  const std::string_view meant = exit ? "within" : "every";
+  const std::string better =
+      fmt::format("{} {} {}", phrase.text(), meant, phrase.wholeText(first, number));
+  expected(phrase, found, fmt::format("`{}`", meant))
+      .hint(fmt::format("write `require {}`", better))
+      .fix(phrase.source().range(phrase.whole(0, first + number)), better);
+  phrase.put(word);
+  phrase.put({exit ? kWithin : kEvery, found.begin, sign ? found.end : found.begin});
+  return first;
+}
+
 /// `require case low then homeward within 10 min`. No fix: `when` may be meant.
 size_t caseAsWhenever(Phrase& phrase) {
   const bool word = oneOf(phrase.type(), {GliderLexer::CASE, GliderLexer::IF});
@@ -204,8 +260,8 @@ size_t promise(Phrase& phrase) {
   if (phrase.before() != GliderLexer::REQUIRE) {
     return 0;
   }
-  for (const PhraseRepair repair :
-       {promiseWords, caseAsWhenever, neverComparing, greatestOrLeast, alwaysLeftOut}) {
+  for (const PhraseRepair repair : {promiseWords, timeAlone, caseAsWhenever, neverComparing,
+                                    neverOfNothing, greatestOrLeast, alwaysLeftOut}) {
     if (const size_t taken = repair(phrase)) {
       return taken;
     }
@@ -215,7 +271,8 @@ size_t promise(Phrase& phrase) {
 
 size_t promiseInside(Phrase& phrase) {
   const bool word = oneOf(phrase.type(1), {GliderLexer::NEVER, GliderLexer::ALWAYS});
-  if (phrase.before() != GliderLexer::REQUIRE || !word || !isName(phrase.type())) {
+  if (phrase.before() != GliderLexer::REQUIRE || !word || !isName(phrase.type()) ||
+      phrase.startsLine(1)) {
     return 0;
   }
   const Lexeme name = phrase.token();
@@ -238,6 +295,13 @@ size_t reaction(Phrase& phrase) {
     return 0;
   }
   const Lexeme found = phrase.token();
+  if (transition && isAnyName(phrase.type(1)) && phrase.before() == GliderLexer::THEN) {
+    phrase.reporter()
+        .at(found, support::diagnostics::superfluousWord, phrase.text(), "after `then`")
+        .hint(fmt::format("write `then {}`", phrase.text(1)))
+        .fix({phrase.source().file, found.begin, phrase.token(1).begin}, "");
+    return 1;
+  }
   if (transition && isAnyName(phrase.type(1)) && endsValue(phrase.before())) {
     expected(phrase, found, "`then`")
         .hint(fmt::format("write `then {}`", phrase.text(1)))
@@ -259,7 +323,8 @@ size_t reaction(Phrase& phrase) {
 }
 
 size_t andOfPlaces(Phrase& phrase) {
-  const bool both = oneOf(phrase.type(), {GliderLexer::AND_WORD, GliderLexer::AND});
+  const bool both =
+      oneOf(phrase.type(), {GliderLexer::AND_WORD, GliderLexer::AND, GliderLexer::ONE_AMPERSAND});
   const bool list =
       oneOf(phrase.before(1), {GliderLexer::VISIT, GliderLexer::PATROL, GliderLexer::COMMA});
   if (!both || phrase.keyword() != GliderLexer::REQUIRE || !list ||

@@ -56,6 +56,8 @@ size_t assumption(Phrase& phrase);
 size_t equalToTruth(Phrase& phrase);
 /// `held depth < 1 m for 10 min`.
 size_t heldWithoutParentheses(Phrase& phrase);
+/// `case depth < 1 m for 10 min`, `held(depth < 1 m for 10 min)`.
+size_t forATime(Phrase& phrase);
 /// `sensors lat and lon`.
 size_t andOfSensors(Phrase& phrase);
 /// `log "deep" depth`.

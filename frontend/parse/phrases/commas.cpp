@@ -17,6 +17,23 @@ support::DiagnosticBuilder missing(Phrase& phrase, const Lexeme& at, std::string
                               fmt::format("`{}`", second));
 }
 
+/// `distance(home), depth`: a command has nothing after it, so a comma makes it a value.
+bool isCallInList(const Phrase& phrase) {
+  const size_t line = phrase.tokensOfLine();
+  if (phrase.type() != GliderLexer::NAME || phrase.type(1) != GliderLexer::LPAREN) {
+    return false;
+  }
+  size_t deep = 0;
+  for (size_t k = 1; k < line; ++k) {
+    deep += phrase.type(k) == GliderLexer::LPAREN ? 1U : 0U;
+    deep -= phrase.type(k) == GliderLexer::RPAREN ? 1U : 0U;
+    if (deep == 0) {
+      return phrase.type(k + 1) == GliderLexer::COMMA;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 size_t andOfSensors(Phrase& phrase) {
@@ -51,7 +68,8 @@ size_t valueAfterText(Phrase& phrase) {
   const bool statement = oneOf(
       next, {GliderLexer::LPAREN, GliderLexer::ASSIGN, GliderLexer::LBRACKET, GliderLexer::STRING});
   const bool value = oneOf(phrase.type(), {GliderLexer::NUMBER, GliderLexer::HEARD}) ||
-                     (phrase.type() == GliderLexer::NAME && !statement);
+                     (phrase.type() == GliderLexer::NAME && !statement) ||
+                     (after_text && isCallInList(phrase));
   if (!(after_text || second) || !value || phrase.startsLine() ||
       !closest(phrase.text(), {"end", "set", "else", "log", "for", "exit"}).empty()) {
     return 0;

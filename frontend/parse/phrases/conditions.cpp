@@ -9,6 +9,20 @@
 
 namespace glider::frontend::phrases {
 
+size_t ifInCondition(Phrase& phrase) {
+  const bool joined = oneOf(phrase.before(), {GliderLexer::AND, GliderLexer::OR,
+                                              GliderLexer::AND_WORD, GliderLexer::OR_WORD});
+  if (!joined || phrase.keyword() != GliderLexer::CASE) {
+    return 0;
+  }
+  const Lexeme word = phrase.token();
+  phrase.reporter()
+      .at(word, support::diagnostics::superfluousWord, phrase.text(),
+          fmt::format("after `{}`", phrase.source().text(*phrase.lexemeBefore())))
+      .fix({phrase.source().file, word.begin, phrase.token(1).begin}, "");
+  return 1;
+}
+
 size_t equalToTruth(Phrase& phrase) {
   const bool truth = oneOf(phrase.type(1), {GliderLexer::TRUE, GliderLexer::FALSE});
   const bool begins =

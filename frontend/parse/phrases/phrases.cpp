@@ -48,6 +48,7 @@ constexpr Row kRows[] = {
      among<GliderLexer::AND_WORD, GliderLexer::AND, GliderLexer::ONE_AMPERSAND, GliderLexer::PLUS>},
     {phrases::entryWithoutDo, anyToken},
     {phrases::beginOfAlways, among<GliderLexer::BEGIN>},
+    {phrases::ifInCondition, among<GliderLexer::IF>},
     {phrases::forATime, among<GliderLexer::FOR>},
     {phrases::loop, among<GliderLexer::FOR, GliderLexer::SET, GliderLexer::NAME>},
     {phrases::blockAfterTransition, among<GliderLexer::DO>},

@@ -52,6 +52,8 @@ size_t reaction(Phrase& phrase);
 size_t andOfPlaces(Phrase& phrase);
 /// `assume no outages`, `assume current < 0.2 m/s`.
 size_t assumption(Phrase& phrase);
+/// `case a || if b`.
+size_t ifInCondition(Phrase& phrase);
 /// `routedone = true`.
 size_t equalToTruth(Phrase& phrase);
 /// `held depth < 1 m for 10 min`.

@@ -6,6 +6,7 @@
 #include "frontend/sema/declarations/disc_of_distance.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/promises/lower_promise.h"
+#include "frontend/sema/promises/places.h"
 #include "frontend/spelling.h"
 #include "support/diagnostics/ids/meaning.h"
 
@@ -148,6 +149,7 @@ void lowerRequirements(const ast::File& file, Scope& scope) {
       }
     }
   }
+  checkUnusedPlaces(scope);
 }
 
 }  // namespace glider::frontend

@@ -242,6 +242,30 @@ class Scope {
     std::set<std::string, std::less<>> variable_names_;
   };
 
+  /// Lowers into a copy of the mission during its lifetime: for text that names what the mission
+  /// declares, but is not compiled.
+  class Trial {
+   public:
+    explicit Trial(Scope& scope)
+        : scope_(scope),
+          mission_(scope.mission),
+          subscribed_(scope.subscribed_),
+          variable_names_(scope.variable_names_) {}
+    Trial(const Trial&) = delete;
+    Trial& operator=(const Trial&) = delete;
+    ~Trial() {
+      scope_.mission = std::move(mission_);
+      scope_.subscribed_ = std::move(subscribed_);
+      scope_.variable_names_ = std::move(variable_names_);
+    }
+
+   private:
+    Scope& scope_;
+    ir::Mission mission_;
+    std::map<uint16_t, ir::SensorId> subscribed_;
+    std::set<std::string, std::less<>> variable_names_;
+  };
+
   /// Changes the context during its lifetime.
   class Within {
    public:
@@ -276,7 +300,8 @@ class Scope {
   std::map<std::string, NamedSensor, std::less<>> named_sensors;  ///< "ada.top": those used so far
   std::map<std::string, ir::StateId, std::less<>> states;
   std::map<std::string, const ast::PlaceDeclaration*, std::less<>> places;
-  std::vector<StateDeclaration> state_declarations;  ///< by StateId
+  std::set<const ast::PlaceDeclaration*> used_places;  ///< lowered, and so checked
+  std::vector<StateDeclaration> state_declarations;    ///< by StateId
   std::map<std::string, BehaviourDeclaration, std::less<>> behaviours;
   /// Those of the standard library whose names the mission uses itself: the library still means
   /// them.

@@ -34,6 +34,19 @@ bool refuseUnknown(const std::string& name, const support::SourceRange& range, S
   return true;
 }
 
+/// The condition of a place; empty, and reported, if it is none.
+std::optional<ir::ExprId> placeCondition(const ast::Expr& expr, Scope& scope) {
+  const size_t uses = scope.mission.uses.size();
+  const auto lowered = ExprLowering(scope).lowerCondition(expr);
+  if (lowered && scope.mission.uses.size() > uses) {
+    const ir::FunctionUse& use = scope.mission.uses[uses];
+    scope.report(support::diagnostics::requirementCalls, use.range,
+                 scope.mission.functions[use.function.index].name);
+    return std::nullopt;
+  }
+  return lowered;
+}
+
 }  // namespace
 
 std::optional<PromisedPlace> lowerPlace(const ast::Expr& expr, Scope& scope) {
@@ -47,23 +60,26 @@ std::optional<PromisedPlace> lowerPlace(const ast::Expr& expr, Scope& scope) {
     }
     if (const auto named = scope.places.find(use->name); named != scope.places.end()) {
       condition = &named->second->condition;
+      scope.used_places.insert(named->second);
     } else if (refuseUnknown(use->name, expr.where, scope)) {
       return std::nullopt;
     }
   }
-  const size_t uses = scope.mission.uses.size();
-  const auto lowered = ExprLowering(scope).lowerCondition(*condition);
+  const auto lowered = placeCondition(*condition, scope);
   if (!lowered) {
-    return std::nullopt;
-  }
-  if (scope.mission.uses.size() > uses) {
-    const ir::FunctionUse& use = scope.mission.uses[uses];
-    scope.report(support::diagnostics::requirementCalls, use.range,
-                 scope.mission.functions[use.function.index].name);
     return std::nullopt;
   }
   place.condition = *lowered;
   return place;
+}
+
+void checkUnusedPlaces(Scope& scope) {
+  for (const auto& [name, node] : scope.places) {
+    if (!scope.used_places.contains(node)) {
+      const Scope::Trial trial(scope);
+      placeCondition(node->condition, scope);
+    }
+  }
 }
 
 ir::ExprId Sight::begins(const PromisedPlace& place) {

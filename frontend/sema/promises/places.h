@@ -26,6 +26,9 @@ struct PromisedPlace {
 /// is none.
 std::optional<PromisedPlace> lowerPlace(const ast::Expr& expr, Scope& scope);
 
+/// Checks the conditions of the places that no promise names.
+void checkUnusedPlaces(Scope& scope);
+
 /// How a promise sees its places, in one tick. With `on` they are only seen where that is true.
 class Sight {
  public:

@@ -93,35 +93,36 @@ Extremes extremesOf(const Commands& commands, const std::vector<ir::Interval>& h
 
 void addRefused(const Refusal& of, const Extremes& all, const CommandLimits& limits,
                 std::vector<Refusal>& found) {
-  const auto add = [&](std::string command, std::string limit) {
-    found.push_back({of.range, of.who, std::move(command), std::move(limit)});
+  const auto add = [&](std::string command, std::string limit, const char* argument) {
+    found.push_back({of.range, of.who, std::move(command), std::move(limit), argument});
   };
   if (all.steepest > limits.steepest_pitch_rad) {
-    add("a pitch of " + degrees(all.steepest), "more than " + degrees(limits.steepest_pitch_rad));
+    add("a pitch of " + degrees(all.steepest), "more than " + degrees(limits.steepest_pitch_rad),
+        "max_pitch");
   }
   if (all.shallowest < limits.shallowest_pitch_rad) {
     add("a pitch of " + degrees(all.shallowest),
-        "less than " + degrees(limits.shallowest_pitch_rad));
+        "less than " + degrees(limits.shallowest_pitch_rad), "min_pitch");
   }
   if (all.farthest_fin > limits.greatest_fin_rad) {
     add("a fin angle of " + degrees(all.farthest_fin),
-        "more than " + degrees(limits.greatest_fin_rad));
+        "more than " + degrees(limits.greatest_fin_rad), "max_fin");
   }
   // As commands and limits are rounded: 0.6 inch are not more than 0.6 in.
   constexpr double kRounded = 1 + 1e-9;
   const double pump_cc = all.farthest_pump * kCcPerCubicMetre;
   if (pump_cc > limits.greatest_pump_cc * kRounded) {
     add(fmt::format("a pump volume of {:.4g} cc", pump_cc),
-        fmt::format("more than {:.4g} cc", limits.greatest_pump_cc));
+        fmt::format("more than {:.4g} cc", limits.greatest_pump_cc), "max_pump");
   }
   const double battery_in = all.farthest_battery / kMetresPerInch;
   if (battery_in > limits.greatest_battery_in * kRounded) {
     add(fmt::format("a battery position of {:.4g} inch", battery_in),
-        fmt::format("more than {:.4g} inch", limits.greatest_battery_in));
+        fmt::format("more than {:.4g} inch", limits.greatest_battery_in), "max_battery");
   }
   if (limits.greatest_depth_m && all.deepest > *limits.greatest_depth_m) {
     add(fmt::format("a depth of {:.4g} m", all.deepest),
-        fmt::format("more than {:.4g} m", *limits.greatest_depth_m));
+        fmt::format("more than {:.4g} m", *limits.greatest_depth_m), "max_depth");
   }
 }
 

@@ -33,6 +33,7 @@ struct Refusal {
   std::string who;             ///< "`survey`", "`always`"
   std::string command;         ///< "a pitch of 40 deg"
   std::string limit;           ///< "more than 35 deg"
+  std::string argument = {};   ///< of hookbeh, that sets the limit: "max_pitch"
 };
 std::vector<Refusal> refusalsOf(const ir::Mission& mission, const CommandLimits& limits);
 

@@ -70,7 +70,7 @@ support::Result<VehicleFile> vehicleFileOf(const MissionFile& file, const std::s
                                   "{:.4g}, max_battery {:.4g} and max_depth {:.4g} in {}",
                                   steepest, shallowest, farthest, pump, battery, deepest, name)},
                      "hookbeh",
-                     "the argument of hookbeh in " + name,
+                     "",
                      abortsOf(file),
                      {deepest, hookbeh->value("min_altitude"), hookbeh->value("start_secs")}};
 }

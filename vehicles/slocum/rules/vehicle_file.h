@@ -35,8 +35,9 @@ struct VehicleFile {
   std::string name;  ///< of the file, without its folder
   Silence silence;
   CommandLimits commands;
-  std::string refuser;    ///< what refuses other commands: "hookbeh"
-  std::string limits_at;  ///< where they are: "the argument of hookbeh in skeleton.mi"
+  std::string refuser;  ///< what refuses other commands: "hookbeh"
+  /// Where all of them are: "overdepth of abend in skeleton.mi"; empty: in the refuser's arguments.
+  std::string limits_at;
   AbortLimits aborts;
   GuardLimits guards;
 };

@@ -95,6 +95,13 @@ void checkTime(const ir::WrittenWorld& world, double overtime, double starts,
   }
 }
 
+/// What to change for a command to be obeyed.
+std::string whereLimitIs(const Refusal& refusal, const VehicleFile& file) {
+  return file.limits_at.empty()
+             ? fmt::format("`{}` of {} in {}", refusal.argument, file.refuser, file.name)
+             : file.limits_at;
+}
+
 }  // namespace
 
 void checkVehicleLimits(const ir::WrittenWorld& world, const VehicleFile& file,
@@ -103,7 +110,7 @@ void checkVehicleLimits(const ir::WrittenWorld& world, const VehicleFile& file,
   for (const Refusal& one : refusalsOf(mission, file.commands)) {
     diagnostics.report(support::diagnostics::vehicleRefuses,
                        one.range.valid() ? one.range : beginningOf(mission), one.who, one.command,
-                       file.refuser, one.limit, file.limits_at);
+                       file.refuser, one.limit, whereLimitIs(one, file));
   }
   if (file.aborts.overdepth_m) {
     checkDepth(mission, *file.aborts.overdepth_m, file.name, diagnostics);

@@ -7,6 +7,7 @@
 #include "codegen/codegen.h"
 #include "compiler/boards.h"
 #include "compiler/user_code.h"
+#include "ir/core/window_shape.h"
 #include "ir/verify/link_bytes.h"
 #include "runtime/checkpoint/checkpoint.h"
 #include "support/diagnostics/ids/target.h"
@@ -109,6 +110,31 @@ std::string whatOf(const Quantity& quantity) {
   return quantity.unit == "bytes" ? "bytes of " + quantity.name : "instructions a tick";
 }
 
+/// How much of a tick a window takes, roughly; one over a leg has no length to shorten.
+uint32_t binsOf(const ir::Temporal& temporal) {
+  return ir::isWindow(temporal.kind) && temporal.leg == ir::Leg::None
+             ? ir::windowShape(temporal).bins
+             : 0;
+}
+
+/// "shorter or fewer windows (the longest is `mean(temp, 15 min)`, line 20), ", or "" without any.
+std::string windowsAdvice(const compiler::Optimised& mission) {
+  const auto& temporals = mission.mission.temporals;
+  const auto longest = std::ranges::max_element(temporals, {}, binsOf);
+  if (longest == temporals.end() || binsOf(*longest) == 0) {
+    return std::ranges::any_of(temporals, [](const auto& t) { return ir::isWindow(t.kind); })
+               ? "fewer windows, "
+               : "";
+  }
+  const support::SourceRange& range = longest->range;
+  if (!range.valid()) {
+    return "shorter or fewer windows, ";
+  }
+  return fmt::format("shorter or fewer windows (the longest is `{}`, line {}), ",
+                     mission.sources().text(range),
+                     mission.sources().place(range.file, range.begin).line);
+}
+
 /// The budget of a mission that calls missing code: `why` no executable can be measured.
 Budget unmeasured(const platforms::Board& board, const std::string& why) {
   return {board.name,
@@ -141,7 +167,7 @@ Result<Budget> budgetOn(const std::string& target, const compiler::Optimised& mi
   for (const Quantity& quantity : budget.quantities) {
     if (exceeds(quantity)) {
       diagnostics.report(support::diagnostics::boardOverloaded, {}, *quantity.value,
-                         whatOf(quantity), target, *quantity.limit);
+                         whatOf(quantity), target, *quantity.limit, windowsAdvice(mission));
     }
   }
   return budget;
@@ -165,14 +191,15 @@ Result<std::vector<Budget>> missionBudgets(const compiler::Optimised& mission,
   return budgets;
 }
 
-std::function<Result<void>(const codegen::Budget&)> onlyWhatFits(const platforms::Board& board,
-                                                                 double cycle_s) {
-  return [board, cycle_s](const codegen::Budget& measured) -> Result<void> {
+std::function<Result<void>(const codegen::Budget&)> onlyWhatFits(
+    const platforms::Board& board, const compiler::Optimised& mission) {
+  return [board, cycle_s = mission.platform().envelope.cycle_s,
+          windows = windowsAdvice(mission)](const codegen::Budget& measured) -> Result<void> {
     for (const Quantity& quantity : boardBudget(measured, board, cycle_s).quantities) {
       // The size of the file is not a bound: one that is too large is refused where it is written.
       if (quantity.name != kExecutable && exceeds(quantity)) {
         return support::fail(support::diagnostics::boardOverloaded, *quantity.value,
-                             whatOf(quantity), board.name, *quantity.limit);
+                             whatOf(quantity), board.name, *quantity.limit, windows);
       }
     }
     return {};

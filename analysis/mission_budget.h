@@ -25,7 +25,7 @@ support::Result<std::vector<report::Budget>> missionBudgets(
 /// Refuses a program that needs more than `board` has, with GL4013: for
 /// codegen::CodegenOptions::accepts.
 std::function<support::Result<void>(const codegen::Budget&)> onlyWhatFits(
-    const platforms::Board& board, double cycle_s);
+    const platforms::Board& board, const compiler::Optimised& mission);
 
 /// The targets that can hold a mission in the vehicle: all except the host.
 std::vector<std::string> boardsInTheVehicle();

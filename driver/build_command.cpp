@@ -156,7 +156,7 @@ support::Result<void> buildProduct(const codegen::Product& product, const BuildO
   }
   code->addTo(how);
   if (!options.port.ignore_limits) {
-    how.accepts = analysis::onlyWhatFits(board, mission.platform().envelope.cycle_s);
+    how.accepts = analysis::onlyWhatFits(board, mission);
   }
   return writeProduct(product, options, mission.input(), board, how);
 }

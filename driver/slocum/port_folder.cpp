@@ -196,7 +196,7 @@ support::Result<bool> writePortFolder(const PortOptions& options,
   codegen::CodegenOptions how = buildOptions(mission, kUsualLevel);
   how.port = plan->port;
   if (!options.ignore_limits) {
-    how.accepts = analysis::onlyWhatFits(board, mission.platform().envelope.cycle_s);
+    how.accepts = analysis::onlyWhatFits(board, mission);
   }
   code->addTo(how);
   if (auto linked = codegen::linkExecutable(mission.input(), board, how, folder / names.program);

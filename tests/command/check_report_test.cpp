@@ -201,6 +201,8 @@ TEST(CheckReport, TooMuchForABoardIsAnError) {
   EXPECT_EQ(outcome.status, 1) << outcome.out;
   EXPECT_THAT(outcome.err, HasSubstr("[GL4013 board-overloaded]"));
   EXPECT_THAT(outcome.err, HasSubstr("instructions a tick"));
+  EXPECT_THAT(outcome.err,
+              HasSubstr("shorter or fewer windows (the longest is `mean(temp, 1021 s)`, line 28)"));
   EXPECT_THAT(outcome.out, HasSubstr("tick instructions")) << "the table is still shown";
   EXPECT_EQ(runShell("$GLIDERCC check " + mission).status, 0) << "not asked for";
   const std::string out = (folder.path() / "out").string();

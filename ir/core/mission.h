@@ -361,6 +361,9 @@ struct Observation {
 struct Violation {
   ExprId condition;
   std::string words;  ///< "`b` was not visited within 2 h"
+  /// A clock: when it became due what is then missing; invalid: not at a time of its own.
+  VariableId since = {};
+  std::string cause = {};  ///< what was so at that time: "`depth > 5 m` was true"
 };
 
 /// Watches a flight for a requirement that one condition cannot express; only those of assumptions

@@ -94,10 +94,11 @@ void MonitorWriter::when(ExprId condition, const std::function<void()>& then) {
   run(condition, blockOf(then));
 }
 
-void MonitorWriter::violation(ExprId condition, const std::string& words) {
+void MonitorWriter::violation(ExprId condition, const std::string& words, VariableId since,
+                              const std::string& cause) {
   const auto id = make("violated", VariableKind::Momentary, boolean(), {});
   when(condition, [&] { set(id, true); });
-  monitor_.violations.push_back({read(id), words});
+  monitor_.violations.push_back({read(id), words, since, cause});
 }
 
 void MonitorWriter::runAtEnd() {

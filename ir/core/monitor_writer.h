@@ -54,7 +54,13 @@ class MonitorWriter : private MissionWriter {
   /// Runs `then` where `condition` is true.
   void when(ExprId condition, const std::function<void()>& then);
   /// The requirement is violated where `condition` is true.
-  void violation(ExprId condition, const std::string& words);
+  void violation(ExprId condition, const std::string& words) {
+    violation(condition, words, {}, "");
+  }
+  /// The same for what became due at the time of the clock `since`, because of `cause`: "`depth > 5
+  /// m` was true".
+  void violation(ExprId condition, const std::string& words, VariableId since,
+                 const std::string& cause);
   /// Runs at the end of the block that is being written.
   void atEnd(std::function<void()> run) { at_end_.push_back(std::move(run)); }
   void runAtEnd();

@@ -84,6 +84,7 @@ class References {
     }
     for (Violation& violation : requirement.monitor.violations) {
       name(violation.condition);
+      name(violation.since);
     }
     name(requirement.state);
     name(requirement.after);

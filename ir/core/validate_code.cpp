@@ -208,6 +208,9 @@ class CodeValidator {
       expression(violation.condition, kNoState, kBool, r.range, "a violation");
       require(exists(violation.condition) && reads_[violation.condition.index].temporals_end == 0,
               r.range, "a violation observes something over time");
+      require(!violation.since.valid() || (violation.since.index < m_.variables.size() &&
+                                           isOfMonitor(m_[violation.since].kind)),
+              r.range, "a violation is due since something other than a clock of a monitor");
     }
   }
 

@@ -268,6 +268,9 @@ void Printer::monitor(const Monitor& monitor) {
   for (const Violation& violation : monitor.violations) {
     prepare({&violation.condition, 1});
     line("violation {} ", nameText(violation.words));
+    if (violation.since.valid()) {
+      add("since {} {} ", nameText(m_[violation.since].name), nameText(violation.cause));
+    }
     use(violation.condition);
   }
   --indent_;

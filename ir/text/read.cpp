@@ -240,8 +240,14 @@ class Reader {
       if (!in_.accept("violation")) {
         break;
       }
-      std::string words = in_.name("the words of a violation");
-      monitor_.violations.push_back({code_.expression(), std::move(words)});
+      Violation read;
+      read.words = in_.name("the words of a violation");
+      if (in_.accept("since")) {
+        read.since = code_.variableName();
+        read.cause = in_.name("what a violation is due to");
+      }
+      read.condition = code_.expression();
+      monitor_.violations.push_back(std::move(read));
     }
     if (!in_.peek().isWord("require") && !in_.peek().isWord("assume")) {
       in_.failExpecting("`violation`, `require` or `assume`");

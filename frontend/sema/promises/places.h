@@ -20,6 +20,10 @@ struct PromisedPlace {
 
   /// "visited", or of a condition "true".
   [[nodiscard]] const char* visited() const { return state.valid() ? "visited" : "true"; }
+  /// "`a` was current or waited", or of a condition "`a` was true".
+  [[nodiscard]] std::string wasSo() const {
+    return words + (state.valid() ? " was current or waited" : " was true");
+  }
 };
 
 /// The place that `expr` names: a state, a `place`, or else a condition; empty, and reported, if it

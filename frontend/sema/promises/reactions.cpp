@@ -60,7 +60,8 @@ class Reaction {
     const VariableId since = m_.clock("since");
     m_.violation(
         m_.both(m_.read(owed), m_.passed(since, time.seconds)),
-        fmt::format("{} did not follow {} within {}", response_.words, cause_.words, time.words));
+        fmt::format("{} did not follow {} within {}", response_.words, cause_.words, time.words),
+        since, cause_.wasSo());
     const ExprId asked = asks();
     m_.when(m_.both(asked, m_.negation(m_.read(owed))), [&] {
       m_.set(owed, true);
@@ -68,7 +69,8 @@ class Reaction {
     });
     m_.when(p_.sight.holds(response_), [&] { m_.set(owed, false); });
     m_.violation(m_.both(m_.read(owed), p_.over),
-                 fmt::format("{} before {} followed {}", p_.ended, response_.words, cause_.words));
+                 fmt::format("{} before {} followed {}", p_.ended, response_.words, cause_.words),
+                 since, cause_.wasSo());
   }
 
   void during(const PromiseTime& time) {
@@ -82,7 +84,8 @@ class Reaction {
     m_.when(m_.passed(since, time.seconds), [&] { m_.set(owed, false); });
     m_.violation(
         m_.both(m_.read(owed), p_.sight.fails(response_)),
-        fmt::format("{} did not hold for {} after {}", response_.words, time.words, cause_.words));
+        fmt::format("{} did not hold for {} after {}", response_.words, time.words, cause_.words),
+        since, cause_.wasSo());
   }
 
   void nextTick() {

@@ -40,6 +40,12 @@ Control Control::moved(ListKind list, uint32_t number, const Case& c) const {
   return after;
 }
 
+bool isNeverResumed(const Mission& mission, StateId state) {
+  const auto calls = [](const Case& c) { return c.transition == Transition::Call; };
+  return std::ranges::none_of(mission[state].cases, calls) &&
+         std::ranges::none_of(mission.always, calls);
+}
+
 certify::Configuration configurationOf(const Control& control) {
   certify::Configuration at{control.state, {}, control.limit, control.just_returned};
   for (const Control::Waiting& waiting : control.stack) {

@@ -35,6 +35,10 @@ struct Control {
   [[nodiscard]] Control moved(ListKind list, uint32_t number, const Case& c) const;
 };
 
+/// Whether nothing is ever called from the state, by a case of its own or of `always`: it is then
+/// never resumed, and `resumetime` is `statetime`.
+bool isNeverResumed(const Mission& mission, StateId state);
+
 /// A control as certificates have it.
 certify::Configuration configurationOf(const Control& control);
 

@@ -92,6 +92,9 @@ void RequirementMonitor::watch(const Interpreter& run, const TickResult& result,
     if (words_.empty() &&
         std::get<Truth>(valueOf(violation.condition, run, true_depth)) == Truth::True) {
       words_ = violation.words;
+      if (violation.since.valid()) {
+        due_ = {memory_[violation.since.index], violation.cause};
+      }
     }
   }
 }

@@ -39,6 +39,13 @@ class RequirementMonitor {
   [[nodiscard]] std::optional<double> when() const { return when_; }
   /// How it was violated, as the requirement's monitor describes it; empty: it has none.
   [[nodiscard]] const std::string& words() const { return words_; }
+  /// What it was due to, and since what mission time.
+  struct Due {
+    double since = 0;
+    std::string cause;
+  };
+  /// After a violation of what became due at a time of its own.
+  [[nodiscard]] const std::optional<Due>& due() const { return due_; }
 
  private:
   [[nodiscard]] bool enters(const TickResult& result, StateId state) const;
@@ -64,6 +71,7 @@ class RequirementMonitor {
   double last_surface_ = 0;
   std::vector<double> memory_;  ///< of the monitor's variables, by variable; NaN: unknown
   std::string words_;
+  std::optional<Due> due_;
   std::optional<double> when_;
 };
 

@@ -83,6 +83,7 @@ NumberTerm SymbolicState::arithmetic(const Expr& e, const Interval& interval) {
     case OpGroup::Select:
       return chosen(e);
     case OpGroup::Function:
+      return e.op == Op::Remainder ? remainder(e, interval) : anything(e, interval);
     case OpGroup::Element:
       return anything(e, interval);
     case OpGroup::Truth:
@@ -209,6 +210,18 @@ NumberTerm SymbolicState::chosen(const Expr& e) {
   return {z3::ite(condition.is_true, yes.value, no.value),
           (condition.is_true && yes.known) || (condition.is_false && no.known),
           std::max(yes.slack, no.slack), areMonotone({&yes, &no})};
+}
+
+NumberTerm SymbolicState::remainder(const Expr& e, const Interval& interval) {
+  const Expr& period = mission_[e.operands[1]];
+  const NumberTerm& x = operand(e, 0);
+  if (!relates_remainders_ || !isConstant(period) || !(period.number > 0) || x.slack > 0) {
+    return anything(e, interval);
+  }
+  const z3::expr periods = unknowns_.whole("periods");
+  const z3::expr value = x.value - real(period.number) * z3::to_real(periods);
+  unknowns_.require(value >= 0 && value < real(period.number));
+  return {value, x.known, 0};
 }
 
 NumberTerm SymbolicState::anything(const Expr& e, const Interval& interval) {

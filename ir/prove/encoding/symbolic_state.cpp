@@ -74,6 +74,9 @@ const z3::expr& SymbolicState::stateTime() {
 }
 
 const z3::expr& SymbolicState::resumeTime() {
+  if (!is_resumed_) {
+    return stateTime();
+  }
   if (!resume_time_) {
     resume_time_ = unknowns_.real("resumetime");
     unknowns_.require(*resume_time_ >= 0 && *resume_time_ <= stateTime());

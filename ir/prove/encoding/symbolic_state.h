@@ -61,6 +61,12 @@ class SymbolicState {
   void set(TemporalId id, const TruthTerm& value) {
     watched_truths_.insert_or_assign(id.index, value);
   }
+  /// From now on the remainder by a constant is not free, but what it is of the dividend: for a
+  /// question whose model is described, `timeofday` then fits the clock. It needs whole numbers,
+  /// which a search for invariants does without.
+  void relateRemainders() { relates_remainders_ = true; }
+  /// From now on `resumetime` is `statetime`: the state is never resumed.
+  void isNotResumed() { is_resumed_ = false; }
   /// Forgets the values of expressions, because a variable has changed.
   void forget();
   /// Forgets what the lists of a state watch, because it is entered and all of it starts again.
@@ -98,6 +104,7 @@ class SymbolicState {
   NumberTerm smallerOrLarger(const Expr& e);
   NumberTerm clamped(const Expr& e, const Interval& interval);
   NumberTerm chosen(const Expr& e);
+  NumberTerm remainder(const Expr& e, const Interval& interval);
   /// A value that is free in its interval, and known only where all operands are.
   NumberTerm anything(const Expr& e, const Interval& interval);
   TruthTerm logic(const Expr& e);
@@ -135,6 +142,8 @@ class SymbolicState {
   std::unordered_map<uint32_t, NumberTerm> made_;  ///< of expressions
   std::unordered_map<uint32_t, TruthTerm> made_truths_;
   std::vector<RoundedPair> rounded_pairs_;
+  bool relates_remainders_ = false;
+  bool is_resumed_ = true;
 };
 
 }  // namespace glider::ir::prove

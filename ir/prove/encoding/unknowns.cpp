@@ -13,6 +13,12 @@ z3::expr Unknowns::real(const std::string& what, std::optional<uint32_t> of) {
   return made_.back();
 }
 
+z3::expr Unknowns::whole(const std::string& what) {
+  of_.push_back(std::nullopt);
+  made_.push_back(context_.int_const(fmt::format("{}{}!{}", prefix_, what, made_.size()).c_str()));
+  return made_.back();
+}
+
 z3::expr Unknowns::truth(const std::string& what, std::optional<uint32_t> of) {
   of_.push_back(of);
   made_.push_back(context_.bool_const(fmt::format("{}{}!{}", prefix_, what, made_.size()).c_str()));

@@ -30,6 +30,7 @@ class Unknowns {
   /// `of`: the number of the expression or temporal that it stands for, if it does for one.
   z3::expr real(const std::string& what, std::optional<uint32_t> of = std::nullopt);
   z3::expr truth(const std::string& what, std::optional<uint32_t> of = std::nullopt);
+  z3::expr whole(const std::string& what);
   void require(const z3::expr& holds, Fact::From from = Fact::From::Nature, uint32_t index = 0) {
     facts_.push_back({holds, from, index});
   }

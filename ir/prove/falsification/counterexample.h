@@ -37,6 +37,9 @@ struct Counterexample {
   std::string state;         ///< the current one when the requirement is violated
   std::string values;        ///< "depth = 21 m": the values that a condition of `always` read then
   std::string words;         ///< how a requirement with a monitor is violated
+  /// What it was due to, where that was earlier: "`depth > 5 m` was true at 20 s, in state `a`".
+  std::string due;
+  bool due_at_start = false;  ///< on the tick that starts the mission
   double when = 0;         ///< mission time at which the requirement is violated (Reach: satisfied)
   size_t requirement = 0;  ///< which one of the requirements that were checked
 };

@@ -205,11 +205,24 @@ void RunRecorder::describeValues() {
   }
 }
 
+void RunRecorder::describeDue() {
+  const auto& due = monitors_[*hit_].due();
+  if (!due || due->since >= result_.when) {
+    return;
+  }
+  const auto at = std::ranges::find_if(
+      result_.ticks, [&](const ConcreteTick& tick) { return tick.mission_time >= due->since; });
+  result_.due =
+      fmt::format("{} at {:.6g} s, in state `{}`", due->cause, due->since, m_[at->state].name);
+  result_.due_at_start = at == result_.ticks.begin();
+}
+
 Counterexample RunRecorder::take() {
   result_.requirement = *hit_;
   result_.when = *monitors_[*hit_].when();
   result_.words = monitors_[*hit_].words();
   result_.state = m_[last_.state].name;
+  describeDue();
   describeValues();
   return std::move(result_);
 }

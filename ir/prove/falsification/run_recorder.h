@@ -41,6 +41,7 @@ class RunRecorder {
   std::vector<SensorUpdate> frameOf(const std::vector<double>& readings) const;
   void keep(TickResult result, double time, std::vector<SensorUpdate> frame, double depth);
   void tell(const TickResult& result, double time);
+  void describeDue();
   void describeValues();
 
   const ProofContext& proof_context_;

@@ -5,10 +5,11 @@
 // the readings do not change, or change by no more than their noise. Out: lines of the report only
 // (`check --report`), never a diagnostic, because it may be intended. Each pair is three symbolic
 // ticks and one question to Z3 for each way through them, so large missions are left out
-// (kMostChatteringStates). A line may be wrong: the first tick is at any moment, also at one that
-// no flight reaches.
+// (kMostChatteringStates). Results that Z3 takes for free must be those of the readings. A line
+// may be wrong: the first tick is at any moment, also at one that no flight reaches.
 
 #include "ir/prove/encoding/cone_of_influence.h"
+#include "ir/prove/encoding/confirmation.h"
 #include "ir/prove/encoding/kept_assumptions.h"
 #include "ir/prove/encoding/layout.h"
 #include "ir/prove/encoding/question.h"
@@ -83,14 +84,18 @@ class ChatteringCheck {
     unknowns_ = &unknowns;
     Control control;
     control.state = from;
-    const Configuration start = layout_.make(control, unknowns);
+    Configuration start = layout_.make(control, unknowns);
+    if (isNeverResumed(m_, from)) {
+      start.resumed = start.entered.back();
+    }
     const z3::expr begin = unknowns.real("begin");
     begin_ = &begin;
     const z3::expr& entered = start.entered.back();
-    for (const z3::expr* since : {&entered, &start.resumed}) {
-      unknowns.require(*since >= 0 && *since <= begin);
+    for (const z3::expr& since : {entered, start.resumed}) {
+      unknowns.require(since >= 0 && since <= begin);
     }
     SymbolicState readings(unknowns, proof_context_);
+    readings.relateRemainders();
     readings.setClocks(begin, begin - entered, begin - start.resumed);
     for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
       (void)readings.reading({i});
@@ -154,8 +159,13 @@ class ChatteringCheck {
       Question question(proof_.context, proof_.checks, proof_.options.effort);
       question.add(*unknowns_);
       question.add(there.condition && back.condition && once_more.condition);
-      if (question.ask() == Answer::Yes) {
-        witness_ = describe(question.model(), *readings_);
+      if (question.ask() != Answer::Yes) {
+        continue;
+      }
+      const z3::model model = question.model();
+      SymbolicState* const moments[] = {readings_, other_readings_};
+      if (fitReadings(model, *unknowns_, moments)) {
+        witness_ = describe(model, *readings_);
         return true;
       }
     }

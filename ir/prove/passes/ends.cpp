@@ -105,7 +105,7 @@ std::vector<std::string> endLines(const ProofContext& proof_context, Ending& end
   const EndBound soon = boundOf(powered, kLongestMission, Goal::ExitOrSurface);
   const EndBound home = boundOf(proof_context, kLongestMission, Goal::ExitOrSurface);
   if (soon.by && home.by && *soon.by > 0 && (!end.by || *home.by < *end.by)) {
-    lines.push_back(fmt::format("it ends, or commands the surface, {}",
+    lines.push_back(fmt::format("counted from the start, it ends or first commands the surface {}",
                                 latest(proof_context, *soon.by, *home.by)));
   }
   return lines;

@@ -3,9 +3,12 @@
 
 // The pass `overlaps`: two cases of a state with different targets that can be true on the same
 // tick, so that their order decides. Out: lines of the report, with readings that make both true.
-// One question to Z3 for each pair, in lists of at most kMostCases. A line may be wrong where the
-// question allows more than a flight does, as with windows and functions in C.
+// One question to Z3 for each pair, in lists of at most kMostCases; what the answer says is
+// evaluated before it is claimed. A line may be wrong where the question allows more than a flight
+// does, as with windows and functions in C.
 
+#include "ir/prove/context/control.h"
+#include "ir/prove/encoding/confirmation.h"
 #include "ir/prove/encoding/kept_assumptions.h"
 #include "ir/prove/encoding/question.h"
 #include "ir/prove/encoding/symbolic_state.h"
@@ -75,16 +78,24 @@ class OverlapCheck {
     }
     Unknowns unknowns(proof_.context);
     SymbolicState moment(unknowns, proof_.proof_context);
+    moment.relateRemainders();
+    if (isNeverResumed(m_, state)) {
+      moment.isNotResumed();
+    }
     Question question(proof_.context, proof_.checks, proof_.options.effort);
     question.add(moment.truth(a.guard).is_true && moment.truth(b.guard).is_true);
     keepAssumptions(moment);
     question.add(unknowns);
-    if (question.ask() == Answer::Yes) {
+    if (question.ask() != Answer::Yes) {
+      return;
+    }
+    const z3::model model = question.model();
+    if (isConfirmed(model, moment, a.guard) && isConfirmed(model, moment, b.guard)) {
       proof_.findings.lines.push_back(
           {b.range,
            fmt::format("in `{}`, {} and {} can be true on the same tick: {}; {} fires first",
-                       m_[state].name, wayOf(m_, a), wayOf(m_, b),
-                       describe(question.model(), moment), wayOf(m_, a))});
+                       m_[state].name, wayOf(m_, a), wayOf(m_, b), describe(model, moment),
+                       wayOf(m_, a))});
     }
   }
 

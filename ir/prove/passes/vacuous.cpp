@@ -5,15 +5,21 @@
 // (GL3122): `whenever A then B` without any A. In: the verdicts, so it comes last; out: warnings.
 // The conditions of a requirement and of its monitor are asked of any moment (AnyMoment), then the
 // truth values of the monitor follow by a fixpoint. Certain; some are missed, because a moment is
-// not a trace.
+// not a trace. Also those that no mission at all could violate: `always` of what the sensors'
+// ranges alone ensure, and a state that answers because it waits on the stack (standingAnswer).
 
 #include "ir/core/mission_writer.h"
 #include "ir/prove/abstract/bounds_by_state.h"
+#include "ir/prove/context/sensors_read.h"
 #include "ir/prove/encoding/any_moment.h"
 #include "ir/prove/passes.h"
+#include "ir/prove/requirements/standing_answer.h"
 #include "support/diagnostics/ids/verification.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -200,6 +206,62 @@ std::optional<ExprId> causeOf(const Mission& m, const Requirement& requirement) 
   return m[e.operands[0]].operands[0];
 }
 
+/// Whether the condition is about readings and constants alone: what a mission sets or how long it
+/// takes is for it to ensure.
+bool isAboutReadings(const Mission& m, const Requirement& requirement) {
+  return !requirement.monitor.step.valid() && requirement.geofences.empty() &&
+         !anyIn(m, requirement.condition, [](const Expr& e) {
+           const OpGroup group = groupOf(e.op);
+           return group == OpGroup::Variable || group == OpGroup::Clock || group == OpGroup::Age ||
+                  group == OpGroup::Known;
+         });
+}
+
+/// Reports a condition that holds for every value that its sensors can have, for any commands.
+void tellOfRanges(Proof& proof, const Requirement& requirement) {
+  const Mission& m = proof.proof_context.mission;
+  if (!isAboutReadings(m, requirement)) {
+    return;
+  }
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  const std::vector<StateBounds> unbounded{
+      {0, kGreatestNumber, kGreatestNumber, kGreatestNumber, kAny}};
+  const ProofContext plain(m, proof.proof_context.platform);
+  AnyMoment moment(plain, unbounded);
+  if (!moment.neverFalse(requirement.condition, proof.options.effort, proof.checks)) {
+    return;
+  }
+  bool depth = false;
+  forEachSensorRead(m, requirement.condition,
+                    [&](SensorId id) { depth |= plain.depth && id == *plain.depth; });
+  auto warning =
+      proof.diagnostics.report(support::diagnostics::requirementVacuous, requirement.range,
+                               "no value within the range of what it reads can violate it");
+  if (depth) {
+    warning.note(m[requirement.condition].range,
+                 "depths are counted down from the surface, which is at 0 m: none is negative");
+  }
+}
+
+/// Reports a promise that a state on the stack keeps; true if it is one.
+bool tellOfStanding(Proof& proof, const Requirement& requirement) {
+  const Mission& m = proof.proof_context.mission;
+  const auto standing = standingAnswer(m, requirement);
+  if (!standing) {
+    return false;
+  }
+  const std::string& response = m[standing->response].name;
+  const std::string& cause = m[standing->cause].name;
+  proof.diagnostics
+      .report(support::diagnostics::requirementVacuous, requirement.range,
+              fmt::format("`{}` is always on the stack when `{}` is", response, cause))
+      .note(requirement.range,
+            fmt::format("a state that waits on the stack counts, so this says nothing of when `{}` "
+                        "returns to `{}`",
+                        cause, response));
+  return true;
+}
+
 }  // namespace
 
 void passes::vacuous(Proof& proof) {
@@ -215,6 +277,10 @@ void passes::vacuous(Proof& proof) {
     if (verdict.verdict != Verdict::Proved || requirement.kind != RequirementKind::Always) {
       continue;
     }
+    if (tellOfStanding(proof, requirement)) {
+      continue;
+    }
+    tellOfRanges(proof, requirement);
     asked.emplace_back(&requirement, Vacuity(written, requirement));
     asked.back().second.prepare(possible);
     if (const auto cause = causeOf(written, requirement)) {

@@ -12,9 +12,21 @@
 #include "support/diagnostics/ids/verification.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace glider::ir::prove {
+namespace {
+
+/// A limit is worth raising only where one was reached.
+const char* whatMayHelp(std::string_view reason) {
+  return reason.contains("`--effort`") ? "simplify the requirement, or allow more with `--effort`"
+         : reason.contains("`--timeout`")
+             ? "simplify the requirement, or allow more time with `--timeout`"
+             : "simplify the requirement, or what it depends on";
+}
+
+}  // namespace
 
 RequirementCheck::RequirementCheck(StrategyContext& context) : context_(context) {
   if (context.bare != nullptr) {
@@ -152,8 +164,8 @@ void RequirementCheck::settle(Judged& judged) {
     return;
   }
   const Requirement& requirement = requirementOf(judged);
-  auto warning =
-      context_.proof.diagnostics.report(support::diagnostics::requirementOpen, requirement.range);
+  auto warning = context_.proof.diagnostics.report(
+      support::diagnostics::requirementOpen, requirement.range, whatMayHelp(judged.verdict.reason));
   warning.note(requirement.range, judged.verdict.reason);
   const ProofContext& proof_context = context_.proof.proof_context;
   if (requirement.kind == RequirementKind::SurfacesEvery) {

@@ -10,6 +10,7 @@
 #include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/abstract/surfacing.h"
 #include "ir/prove/context/duration_text.h"
+#include "ir/prove/context/sensors_read.h"
 #include "ir/prove/requirements/advice.h"
 #include "ir/verify/intervals.h"
 
@@ -32,6 +33,18 @@ std::string orAtTheSurface(const ProofContext& proof_context) {
              ? fmt::format(", or leave it only when `{} < {:.3g} m`",
                            proof_context.mission[*proof_context.depth].name, reading)
              : "";
+}
+
+/// ", as a reading of `depth` may be 4.1 m wrong": where a case reads it.
+std::string asReadingsErr(const ProofContext& proof_context, ExprId guard) {
+  bool reads = false;
+  forEachSensorRead(proof_context.mission, guard, [&](SensorId id) {
+    reads = reads || (proof_context.depth && id == *proof_context.depth);
+  });
+  return reads ? fmt::format(", as a reading of `{}` may be {:.3g} m wrong",
+                             proof_context.mission[*proof_context.depth].name,
+                             proof_context.platform.world.depth_error_m)
+               : "";
 }
 
 /// Whether cases may fire under water, for any readings.
@@ -58,9 +71,22 @@ class UnderWater {
   [[nodiscard]] bool mayFire(const Case& c, double by) const {
     const Interval ever{0, kLongestMission, false};
     const Interval stay{0, by, false};
-    return AbstractEvaluator(proof_context_, values_, {ever, stay, stay}, deep())
+    const IdleTemporals idle = heldForLonger(by);
+    return AbstractEvaluator(proof_context_, values_, {ever, stay, stay}, deep(), &idle)
         .truth(c.guard)
         .is_true;
+  }
+
+  /// Each `held` of a state that needs more than this time in it.
+  [[nodiscard]] IdleTemporals heldForLonger(double by) const {
+    const Mission& m = proof_context_.mission;
+    IdleTemporals idle;
+    for (const Temporal& temporal : m.temporals) {
+      const bool held = temporal.kind == TemporalKind::Held && temporal.list != ListKind::Always;
+      idle.push_back(held && m[temporal.duration].op == Op::Constant &&
+                     m[temporal.duration].number > by);
+    }
+    return idle;
   }
 
   [[nodiscard]] std::optional<AssumedReading> deep() const {
@@ -93,10 +119,10 @@ void noteEarlyLeaves(support::DiagnosticBuilder& diagnostic, const ProofContext&
       if (after && *after < climbs[i]) {
         diagnostic.note(
             m[c.guard].range,
-            fmt::format("this leaves `{}` after {}, but the climb from {:.4g} m may take {}: stay "
-                        "that long{}",
-                        m.states[i].name, durationOf(*after), depths[i], durationOf(climbs[i]),
-                        orAtTheSurface(proof_context)));
+            fmt::format("this may leave `{}` after {}{}, but the climb from {:.4g} m may take {}: "
+                        "stay that long{}",
+                        m.states[i].name, durationOf(*after), asReadingsErr(proof_context, c.guard),
+                        depths[i], durationOf(climbs[i]), orAtTheSurface(proof_context)));
         break;
       }
     }

@@ -75,6 +75,13 @@ auto askTwice(const Requirement& requirement, const ProofContext& proof_context,
   return use(ask(requirement, proof_context, withVehicle(requirement, proof_context), context));
 }
 
+/// What Z3 says where it gives up.
+std::string inWords(const std::string& trouble) {
+  return trouble.contains("resource limit")
+             ? "the search stopped after as many steps as `--effort` allows"
+             : trouble;
+}
+
 }  // namespace
 
 TraceSearch searchTraces(const Requirement& requirement, const ProofContext& proof_context,
@@ -107,13 +114,13 @@ std::string whyUndecided(const Requirement& requirement, const RunsAnswer& answe
             : ", and say where the mission starts with `assume start inside(…)`");
   }
   if (answer.bad != Answer::Yes) {
+    const std::string trouble = inWords(answer.trouble);
     return requirement.kind == RequirementKind::Reach
                ? fmt::format(
                      "neither a flight that enters the state nor a proof that none does was "
                      "found ({})",
-                     answer.trouble)
-               : fmt::format("no proof was found ({}), and no random flight violated it",
-                             answer.trouble);
+                     trouble)
+               : fmt::format("no proof was found ({}), and no random flight violated it", trouble);
   }
   const std::string what =
       knownRoughly(context.mission, relevanceOf(requirement, context.proof.proof_context));

@@ -25,6 +25,20 @@ namespace {
 /// Of a longer story only the transitions at both ends are reported.
 constexpr size_t kStoryEnds = 6;
 
+/// When what is missing became due. The start tries no case, so what is true there alone can be
+/// answered by none.
+void noteDue(support::DiagnosticBuilder& error, const Requirement& requirement,
+             const Counterexample& run) {
+  if (run.due.empty()) {
+    return;
+  }
+  error.note(requirement.range,
+             run.due + (run.due_at_start
+                            ? ", as the mission starts: no case is tried before the next tick; "
+                              "`require after missiontime > 0 s: …` leaves that tick out"
+                            : ""));
+}
+
 void noteStory(support::DiagnosticBuilder& error, const Counterexample& run) {
   const auto& story = run.story;
   for (size_t i = 0; i < story.size(); ++i) {
@@ -116,6 +130,7 @@ void reportViolation(const Requirement& requirement, const Counterexample& run,
                      const ProofContext& proof_context, support::DiagnosticEngine& diagnostics) {
   auto error = diagnostics.report(support::diagnostics::requirementBroken, requirement.range,
                                   howBroken(requirement, run, proof_context.mission));
+  noteDue(error, requirement, run);
   noteStory(error, run);
   noteParameters(error, requirement, run, proof_context.mission);
   notePowerCuts(error, requirement, run, proof_context);

@@ -141,7 +141,8 @@ TEST(Usage, HelpListsTheChoices) {
                              HasSubstr("one of host, pizero2, ts5500, ts7800"),
                              HasSubstr("[MISSION-flight in the current folder]")));
   EXPECT_THAT(runShell("$GLIDERCC campaign --help").out, HasSubstr("low_battery"));
-  EXPECT_THAT(runShell("$GLIDERCC build --help").out, HasSubstr("one of host, pizero2, ts5500, ts7800"));
+  EXPECT_THAT(runShell("$GLIDERCC build --help").out,
+              HasSubstr("one of host, pizero2, ts5500, ts7800"));
 }
 
 /// The examples at the end of the help of a command.

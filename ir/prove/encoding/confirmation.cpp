@@ -33,24 +33,25 @@ class ModelValues {
   // NOLINTNEXTLINE(misc-no-recursion): see valueOf
   Value leaf(const Expr& e) {
     const bool truth = e.type.kind == TypeKind::Bool;
-    switch (groupOf(e.op)) {
-      case OpGroup::Sensor:
-        return number(moment_.reading(e.sensor));
-      case OpGroup::Age:
-        return doubleOf(model_, moment_.age(e.sensor));
-      case OpGroup::Clock:
-        return doubleOf(model_, clock(e.op));
-      case OpGroup::Variable:
-        return truth ? this->truth(moment_.truthOf(e.variable))
-                     : number(moment_.numberOf(e.variable));
-      case OpGroup::Temporal:
-        return truth ? watched(e.temporal) : number(moment_.numberOf(e.temporal));
-      case OpGroup::Call:
-        return truth ? this->truth(moment_.truthOf(e.use)) : number(moment_.numberOf(e.use));
-      default:
-        break;
+    const OpGroup group = groupOf(e.op);
+    if (group == OpGroup::Sensor) {
+      return number(moment_.reading(e.sensor));
     }
-    CHECK(false, "not a leaf");
+    if (group == OpGroup::Age) {
+      return doubleOf(model_, moment_.age(e.sensor));
+    }
+    if (group == OpGroup::Clock) {
+      return doubleOf(model_, clock(e.op));
+    }
+    if (group == OpGroup::Variable) {
+      return truth ? this->truth(moment_.truthOf(e.variable))
+                   : number(moment_.numberOf(e.variable));
+    }
+    if (group == OpGroup::Temporal) {
+      return truth ? watched(e.temporal) : number(moment_.numberOf(e.temporal));
+    }
+    CHECK(group == OpGroup::Call, "not a leaf");
+    return truth ? this->truth(moment_.truthOf(e.use)) : number(moment_.numberOf(e.use));
   }
 
   const z3::expr& clock(Op op) {
@@ -86,16 +87,9 @@ class ModelValues {
 /// Whether it is computed from readings and constants alone.
 bool readsOnly(const Mission& m, ExprId id) {
   return !anyIn(m, id, [](const Expr& e) {
-    switch (groupOf(e.op)) {
-      case OpGroup::Age:
-      case OpGroup::Clock:
-      case OpGroup::Variable:
-      case OpGroup::Temporal:
-      case OpGroup::Call:
-        return true;
-      default:
-        return false;
-    }
+    const OpGroup group = groupOf(e.op);
+    return group == OpGroup::Age || group == OpGroup::Clock || group == OpGroup::Variable ||
+           group == OpGroup::Temporal || group == OpGroup::Call;
   });
 }
 

@@ -5,6 +5,7 @@
 
 #include "simulator/slocum/flight/behaviour.h"
 #include "simulator/slocum/flight/behaviours/source.h"
+#include "simulator/slocum/flight/geography.h"
 #include "tests/slocum.h"
 #include "vehicles/slocum/mission_files/read.h"
 
@@ -30,7 +31,10 @@ class BehaviourBench {
   /// One cycle on top of what the behaviours below command.
   void run(const Situation& situation, const Commands& below = {}) {
     commands = below;
-    behaviour->run(situation, commands);
+    const Geography here(GeoPosition{39.175, -73.83}, 0);
+    Situation placed = situation;
+    placed.geography = placed.geography == nullptr ? &here : placed.geography;
+    behaviour->run(placed, commands);
   }
   [[nodiscard]] Behaviour::State state() const { return behaviour->state(); }
 

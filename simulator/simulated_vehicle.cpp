@@ -16,6 +16,14 @@
 namespace glider::simulator {
 namespace {
 
+/// Those of `sensors` that the vehicle of a scenario carries.
+std::vector<std::string> carried(std::vector<std::string> sensors, const Scenario& scenario) {
+  for (const NotCarried& missing : sensorsNotCarried(scenario)) {
+    std::erase(sensors, missing.name);
+  }
+  return sensors;
+}
+
 constexpr int kStepsPerSecond = 4;
 constexpr int64_t kProgressCycles = 25;
 constexpr double kAfloat = 1;  // m
@@ -120,7 +128,7 @@ SimulatedVehicle::SimulatedVehicle(SimulationSetup setup, const World& world, ui
       story_(setup_.platform, setup_.state_names, setup_.explain),
       recorder_(trace_, world, *seat_, setup_.platform, setup_.scenario, setup_.record) {
   seat_->startAt(vehicle_);
-  vehicle_.readSensors(setup_.read);
+  vehicle_.readSensors(carried(setup_.read, setup_.scenario));
   link_.showTo(setup_.observer);
   if (setup_.talks && setup_.platform.modem && channel_ != nullptr) {
     channel_->jam(number_, faults().modem);

@@ -195,6 +195,7 @@ void Backseat::answerCycle() {
   const bool steers = stand_in_.state() == hooks::HookState::Active || stand_in_.released() ||
                       stand_in_.makesSafe();
   wants_surface_ = steers && stock_.surface;
+  depth_moves_ = depth_moves_ && !(steers && !stock_.surface);
   if (steers) {
     writer_.tell(stock_, now_s);
   }
@@ -263,9 +264,9 @@ bool Backseat::reading(void* self, uint16_t id, double* value) {
     return false;
   }
   const bool reported = seat.reported_.takeReport(index, value);
-  if (!reported && id == hooks::sensorOf(seat.dictionary_, kGliderRoleDepth)) {
-    *value = seat.depthAtSurface();
-    return *value == *value;
+  if (id == hooks::sensorOf(seat.dictionary_, kGliderRoleDepth)) {
+    seat.depth_moves_ = reported || seat.depth_moves_;
+    return reported || seat.depthGoesOn(value);
   }
   if (id != seat.mission_.depth_state) {
     return reported;
@@ -279,10 +280,11 @@ bool Backseat::reading(void* self, uint16_t id, double* value) {
 }
 
 /// A vehicle at the surface may measure the same depth for hours, and reports changes only. While
-/// the program commands the surface such a depth goes on. NaN: none does.
-double Backseat::depthAtSurface() const {
-  const double depth = reported(kGliderRoleDepth);
-  return wants_surface_ && depth <= kAtSurface ? depth : __builtin_nan("");
+/// the program commands the surface such a depth goes on, but not one that was there in the dive
+/// before: a sensor that has stopped says nothing of how deep the vehicle is.
+bool Backseat::depthGoesOn(double* depth) const {
+  *depth = reported(kGliderRoleDepth);
+  return wants_surface_ && depth_moves_ && *depth <= kAtSurface;
 }
 
 void Backseat::instruct(void* self, const hooks::Instruction& instruction) {

@@ -52,7 +52,7 @@ class Backseat {
   static void hear(void* self);
   static void answer(void* self);
   static bool closed(void* self) { return static_cast<Backseat*>(self)->line_closed_; }
-  [[nodiscard]] double depthAtSurface() const;
+  [[nodiscard]] bool depthGoesOn(double* depth) const;
   static bool reading(void* self, uint16_t id, double* value);
   static void instruct(void* self, const hooks::Instruction& instruction);
   static void state(void* self, hooks::SeatState* state);
@@ -83,6 +83,7 @@ class Backseat {
   DepthSeen depth_seen_;
   DepthState depth_state_;
   bool wants_surface_ = false;  ///< the program commands the surface
+  bool depth_moves_ = false;    ///< a depth was reported since the last command to dive
   StockCommand stock_;
   PortWriter writer_;
   bool virtual_time_ = false;

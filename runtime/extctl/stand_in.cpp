@@ -86,6 +86,9 @@ void StandIn::observe(const VehicleMission& vehicle, bool answered) {
   const bool restarted = vehicle.time_s < time_s_;
   time_s_ = hookIsFinite(vehicle.time_s) ? vehicle.time_s : time_s_;
   restarted_ = restarted_ || restarted;
+  up_since_s_ = !vehicle.at_surface      ? __builtin_nan("")
+                : up_since_s_ <= time_s_ ? up_since_s_
+                                         : time_s_;
   if (restarted || first_s_ != first_s_) {
     first_s_ = vehicle.time_s;
     safe_ = false;
@@ -112,8 +115,8 @@ bool StandIn::takeRestart() {
 }
 
 void StandIn::finishRelease(bool answered) {
-  releasing_ += answered ? 1 : 0;
-  if (releasing_ > kReleaseCycles) {
+  releasing_ += answered && releasing_ <= kReleaseCycles ? 1 : 0;
+  if (releasing_ > kReleaseCycles && time_s_ - up_since_s_ >= kStaysUpSecs) {
     releasing_ = 0;
     answered_ = release_;
     answer_ = HookAnswer::Accepted;

@@ -59,12 +59,15 @@ class StandIn {
   [[nodiscard]] const hooks::Instruction* inForce() const {
     return has_command_ ? &command_ : nullptr;
   }
-  /// The mission has ended: the vehicle is to come up. The release is answered only after
-  /// kReleaseCycles, since the program ends then and what was lost is not repeated.
+  /// The mission has ended: the vehicle is to come up. The release is answered only when it has
+  /// been up for kStaysUpSecs, and after kReleaseCycles: the program ends then, and what was lost
+  /// is not repeated.
   [[nodiscard]] bool released() const {
     return releasing_ != 0 || state_ == hooks::HookState::Complete;
   }
   static constexpr uint32_t kReleaseCycles = 8;
+  /// Longer than a yo stays near the surface when it turns there, s.
+  static constexpr double kStaysUpSecs = 60;
   /// The program's mission is over: whether nothing is left to be written. A vehicle that flies the
   /// mission file obeys what an earlier program has written, and is first brought up, as by a
   /// release.
@@ -100,6 +103,7 @@ class StandIn {
   double first_s_ = __builtin_nan("");  ///< of the vehicle's mission, when it was first seen
   bool makes_safe_ = false;
   bool safe_ = false;
+  double up_since_s_ = __builtin_nan("");      ///< since when it is at the surface; NaN: it is not
   double comes_up_s_ = __builtin_nan("");      ///< since when it is brought up; NaN: it is not
   double comes_up_for_s_ = __builtin_nan("");  ///< until now
   bool told_ = false;                          ///< an answer with that has left

@@ -178,7 +178,6 @@ TEST_F(PortCommand, AChangedLineOfTheMissionFileIsReported) {
     const char* by;
     const char* reported;
   } rows[] = {
-      {"    b_arg: c_extctl_on(s) 1\n", "", "no `sensors_in` switches the SBC's port on"},
       {"c_extctl_on(s) 1", "c_extctl_on(s) -1", "c_extctl_on is -1, not 1"},
       {"when_secs(s) 14400", "when_secs(s) 0", "no contact for 0 s (when_secs)"},
       {"when_secs(s) 14400", "when_secs(s) -1", "no contact for -1 s (when_secs)"},

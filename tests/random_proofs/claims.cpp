@@ -60,6 +60,8 @@ class Reader {
         claims_.push_back(claim);
         return;
       case support::diagnostics::requirementVacuous:
+        // Of a condition that no reading makes false, or of one that never makes it count.
+        claim.expected = d.message.contains("no value within the range");
         return ofExpression(claim, d.notes.empty() ? SourceRange() : d.notes.front().range);
       default:
         return;

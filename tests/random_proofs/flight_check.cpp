@@ -192,7 +192,7 @@ bool FlightCheck::brokenBy(size_t number, const Flight& flight, bool& met) {
       return allTrue(required_, flight);
     case support::diagnostics::requirementVacuous:
       met = true;
-      return truthOf(claim.guard, flight) == Truth::True;
+      return truthOf(claim.guard, flight) == (claim.expected ? Truth::False : Truth::True);
     default:
       return false;
   }

@@ -266,6 +266,34 @@ TEST(Backseat, TheDepthAtTheSurfaceStaysKnownUntilADiveIsCommanded) {
   }
 }
 
+/// A sensor that stops at the surface: after the next dive its depth says nothing.
+TEST(Backseat, ADepthThatDidNotMoveInTheDiveIsNotThatOfTheSurface) {
+  for (const bool stopped : {true, false}) {
+    AtTheSurface mission;
+    mission.dives_s = 100;
+    mission.fly = [&mission](GliderContext& c, uint32_t) {
+      if (c.mission_time >= mission.dives_s && c.mission_time < 300) {
+        gliderDescend(&c, 20, -0.4);
+      } else {
+        gliderSurface(&c);
+      }
+      gliderSteer(&c, 1.5);
+    };
+    PortBench bench(mission.mission);
+    bench.begin();
+    for (double now = 0; now <= 600; now += 4) {
+      const bool moves = now == 0 || (!stopped && now > 150 && now < 400);
+      if (moves) {
+        bench.cycle(now, now == 0 ? 0.4 : (396 - now) / 10, 20);
+      } else {
+        bench.cycle(now);
+      }
+    }
+    ASSERT_NE(bench.context(), nullptr);
+    EXPECT_EQ(std::isnan(bench.context()->readings[0].value), stopped);
+  }
+}
+
 TEST(Backseat, LeavesAnotherMissionFileAlone) {
   for (const bool tells : {true, false}) {
     TwoStates mission;
@@ -497,6 +525,24 @@ TEST(Backseat, EndsAtTheSurfaceAndSaysSoForHalfAMinute) {
   }
   EXPECT_TRUE(bench.finished());
   EXPECT_GE(surfaces, static_cast<int>(StandIn::kReleaseCycles)) << "in each answer";
+}
+
+/// What it said may have been lost: a yo that turns near the surface is not up.
+TEST(Backseat, EndsOnlyWhenTheVehicleHasBeenUpForAMinute) {
+  TwoStates mission;
+  mission.end_s = 60;
+  mission.mission.start_depth_cm = 300;
+  PortBench bench(mission.mission);
+  bench.begin();
+  double up_s = NAN;
+  for (double now = 0; now <= 1000 && !bench.finished(); now += 4) {
+    const double yo = std::fabs(std::fmod(now, 200) - 100) / 5;  // 0 to 20 m, 3 m or less for 60 s
+    const double depth = now < 600 ? yo + 0.5 : 0.1 + now / 1e5;
+    up_s = now < 600 ? now : up_s;
+    bench.cycle(now, depth, 20);
+  }
+  EXPECT_TRUE(bench.finished());
+  EXPECT_GE(up_s, 596);
 }
 
 TEST(Backseat, TwoSentencesInAReadGarbageAndAnyCase) {

@@ -13,11 +13,13 @@
 
 #include <cmath>
 #include <gmock/gmock.h>
+#include <regex>
 
 namespace glider::slocum::testing {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -165,6 +167,31 @@ TEST(DockVehicle, AllIsGoodForAVehicleThatFliesTheMissionFile) {
   EXPECT_EQ(vehicle.received, "") << "nothing is written unless it is asked for";
   EXPECT_THAT(checkNamed(result, "cycles").measured, HasSubstr("one each 4 s, none missing"));
   EXPECT_FALSE(result.has_begun);
+}
+
+TEST(DockVehicle, CyclesThatAreTooRareForAReadingToStayKnownAreNotGood) {
+  WithHeading bench;
+  Vehicle vehicle(bench, bench.plan.extctl);
+  vehicle.cycle_s = 9;
+  const auto result = bench.check(vehicle);
+  EXPECT_THAT(withVerdict(result, DockVerdict::NotGood), Contains("cycles"));
+  EXPECT_THAT(checkNamed(result, "cycles").measured, HasSubstr("three must fit into the 20 s"));
+}
+
+TEST(DockVehicle, ADepthThatIsNoNumberIsNotGood) {
+  WithHeading bench;
+  Vehicle vehicle(bench, bench.plan.extctl);
+  size_t depth = 0;
+  while (bench.plan.extctl.sensors().at(depth).name != "m_depth") {
+    ++depth;
+  }
+  const std::string pair = "," + std::to_string(depth) + ":";
+  vehicle.change = [pair](const std::string& body) {
+    return std::regex_replace(body, std::regex(pair + "[^,]*"), pair + "nan");
+  };
+  const auto result = bench.check(vehicle);
+  EXPECT_THAT(withVerdict(result, DockVerdict::NotGood), Contains("values"));
+  EXPECT_THAT(checkNamed(result, "values").measured, HasSubstr("no number: `m_depth`"));
 }
 
 TEST(DockVehicle, ASensorThatItsListLacksShiftsAllOthers) {

@@ -14,6 +14,8 @@ namespace {
 using vehicles::DockCheck;
 
 /// How to make a vehicle report everything again.
+/// Readings are too old after this time, s; three cycles must fit into it.
+constexpr double kSlowestCycle = 6;
 constexpr const char* kReportAgain =
     "at the vehicle type `put c_extctl_on -1`, then `put c_extctl_on 1`, while the check runs: it "
     "then reports all of them";
@@ -45,6 +47,11 @@ DockCheck cyclesFinding(const VehicleRecord& record) {
   const auto gaps =
       std::ranges::count_if(steps, [&](double step) { return step > 1.5 * usual || step <= 0; });
   const std::string text = fmt::format("{}, one each {:.3g} s", record.cycles.size(), usual);
+  if (usual > kSlowestCycle) {
+    return notGood(
+        "cycles", what, text + ", and three must fit into the 20 s for which a reading is known",
+        "the vehicle's cycles are too long (x_cycle_overrun_in_ms), or c_extctl_on is not 1");
+  }
   return gaps == 0 ? good("cycles", what, text + ", none missing")
                    : notGood("cycles", what,
                              fmt::format("{}; {} before the next", text,
@@ -96,11 +103,14 @@ DockCheck unknownFinding(const VehicleRecord& record) {
 
 DockCheck valuesFinding(const VehicleRecord& record) {
   const std::string what = "values";
-  std::string wrong;
+  std::string wrong, without;
   size_t heard = 0;
   for (size_t index = 0; index < record.sensors.size(); ++index) {
     const ReportedSensor& one = record.sensors[index];
     heard += one.reports > 0 ? 1 : 0;
+    if (one.reports > 0 && !std::isfinite(one.newest)) {
+      without += fmt::format("{}`{}`", without.empty() ? "" : ", ", one.sensor.name);
+    }
     if (one.implausible) {
       wrong += fmt::format("{}`{}` (index {}) {:.10g} {}", wrong.empty() ? "" : ", ",
                            one.sensor.name, index, *one.implausible, one.sensor.unit);
@@ -109,11 +119,16 @@ DockCheck valuesFinding(const VehicleRecord& record) {
   if (heard == 0) {
     return notChecked("values", what, "no sensor was reported");
   }
-  return wrong.empty()
-             ? good("values", what,
-                    fmt::format("{}, each in the range of its sensor", counted(heard, "sensor")))
-             : notGood("values", what, "not possible: " + wrong,
-                       std::string(kOtherList) + "; or the sensor is broken");
+  if (wrong.empty() && without.contains("`m_depth`")) {
+    return notGood("values", what, "no number: " + without,
+                   "type `report + m_depth` at the vehicle: without a depth no mission can fly");
+  }
+  const std::string numbers = without.empty() ? "" : "; no number yet: " + without;
+  return wrong.empty() ? good("values", what,
+                              fmt::format("{}, each in the range of its sensor{}",
+                                          counted(heard, "sensor"), numbers))
+                       : notGood("values", what, "not possible: " + wrong,
+                                 std::string(kOtherList) + "; or the sensor is broken");
 }
 
 DockCheck missionFinding(const DockSetup& setup, const VehicleRecord& record) {

@@ -78,7 +78,8 @@ void head(const PortPlan& plan, Text& text) {
       "# Written by glidercc together with the program for the SBC; neither flies "
       "without the other.\n",
       plan.file, plan.mission);
-  text.sensor("c_science_all_on_enabled", "bool", 0);
+  // Together: where it is 0, `sample` with sensor_type 0 may switch nothing on.
+  text.sensor("c_science_all_on_enabled", "bool", 1);
   for (size_t i = 0; i < plan.extctl.parameters.size(); ++i) {
     const ExtctlSensor& parameter = plan.extctl.parameters[i];
     text.sensor(parameter.name, parameter.unit, initialValue(static_cast<PortSensor>(i)));

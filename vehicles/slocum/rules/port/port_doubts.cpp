@@ -197,16 +197,33 @@ class DoubtSearch {
     }
   }
 
+  /// As vehicles are flown that have no c_extctl_on in `sensors_in`: `sample` of all science
+  /// sensors together, or of the port's own type, throughout.
+  [[nodiscard]] bool samplesThePort() const {
+    constexpr double kAll = 0, kPortType = 90, kThroughout = 15;
+    const bool together = settingInForce(vehicle_, "c_science_all_on_enabled").value != 0;
+    return std::ranges::any_of(vehicle_.behaviours, [&](const BehaviourBlock& block) {
+      const double type = block.name == "sample" ? block.value("sensor_type") : -1;
+      return ((type == kAll && together) || type == kPortType) &&
+             block.value("state_to_sample") == kThroughout &&
+             block.value("intersample_time") >= 0 &&
+             block.value("intersample_time") <= platform_.envelope.cycle_s;
+    });
+  }
+
   /// The proglet runs by c_extctl_on, which is how often.
   void port() {
     const SettingInForce on = settingInForce(vehicle_, "c_extctl_on");
+    const bool given = on.range.valid();
+    if (!given && samplesThePort()) {
+      return;
+    }
     if (!(on.value > 0 && on.value <= platform_.envelope.cycle_s)) {
-      const bool given = on.range.valid();
       add(given ? on.range : port_.layers[port_.driven - 1].range,
           given ? fmt::format("c_extctl_on is {:.7g}, not 1: the vehicle does not read the SBC's "
                               "port in each cycle",
                               on.value)
-                : "no `sensors_in` switches the SBC's port on (c_extctl_on)");
+                : "nothing switches the SBC's port on (c_extctl_on of `sensors_in`)");
     }
   }
 

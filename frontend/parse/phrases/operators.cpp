@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
 
 namespace glider::frontend::phrases {
 namespace {
@@ -143,6 +145,20 @@ std::optional<Bounds> boundsFrom(const Phrase& phrase, size_t first, bool range)
                                                                  : std::nullopt;
 }
 
+/// Both as they are meant: in `2 and 4 h` the first is in hours too.
+std::pair<std::string, std::string> textsOf(const Phrase& phrase, const Bounds& bounds) {
+  std::string low(phrase.wholeText(bounds.low, bounds.low_tokens));
+  std::string high(phrase.wholeText(bounds.high, bounds.high_tokens));
+  const bool bare_low = phrase.type(bounds.low + bounds.low_tokens - 1) == GliderLexer::NUMBER;
+  const bool bare_high = phrase.type(bounds.end() - 1) == GliderLexer::NUMBER;
+  if (bare_low && !bare_high) {
+    low += " " + std::string(phrase.wholeText(bounds.end() - 1, 1));
+  } else if (bare_high && !bare_low) {
+    high += " " + std::string(phrase.wholeText(bounds.low + bounds.low_tokens - 1, 1));
+  }
+  return {low, high};
+}
+
 }  // namespace
 
 size_t comparison(Phrase& phrase) {
@@ -198,20 +214,19 @@ size_t between(Phrase& phrase) {
   const Lexeme name = *phrase.lexemeBefore();
   const Source& source = phrase.source();
   const Lexeme word = phrase.whole(0, 1 + is);
-  const std::string_view low = phrase.wholeText(bounds->low, bounds->low_tokens);
-  const std::string_view high = phrase.wholeText(bounds->high, bounds->high_tokens);
-  const std::string better = fmt::format("{0} > {1} && {0} < {2}", source.text(name), low, high);
+  const auto [low, high] = textsOf(phrase, *bounds);
+  const std::string better = fmt::format("{0} >= {1} && {0} <= {2}", source.text(name), low, high);
   const Lexeme whole{0, name.begin, phrase.token(bounds->end() - 1).end};
   phrase.reporter()
       .at(word, support::diagnostics::wordOperator, source.text(word), better)
       .fix(source.range(whole), better);
   const Lexeme& first = phrase.token(bounds->low);
-  phrase.put({kGreater, word.begin, word.end});
+  phrase.put({kAtLeast, word.begin, word.end});
   for (size_t k = bounds->low; k < bounds->low + bounds->low_tokens; ++k) {
     phrase.put(phrase.token(k));
   }
   phrase.put({GliderLexer::AND, first.begin, first.end});
-  putComparison(phrase, name, kLess, bounds->high, bounds->high_tokens);
+  putComparison(phrase, name, kAtMost, bounds->high, bounds->high_tokens);
   return bounds->end();
 }
 

@@ -304,6 +304,15 @@ std::string meantText(const ast::Expr& expr, const Scope& scope) {
              : fmt::format("{} {}", literal->digits, literal->unit);
 }
 
+/// " h" for the first number of `2 < statetime < 4 h`: it is meant in the unit of the other.
+std::string missingUnit(const ast::Expr& number, const ast::Expr& other) {
+  const auto* bare = std::get_if<ast::Literal>(&number.node);
+  const auto* with = std::get_if<ast::Literal>(&other.node);
+  return bare != nullptr && with != nullptr && bare->unit.empty() && !with->unit.empty()
+             ? " " + with->unit
+             : "";
+}
+
 }  // namespace
 
 bool ExprLowering::chained(const ast::Binary& node, const ast::Expr& expr) {
@@ -321,9 +330,12 @@ bool ExprLowering::chained(const ast::Binary& node, const ast::Expr& expr) {
   if (inner == nullptr || !isComparison(inner->op)) {
     return false;
   }
-  const std::string first = scope_.text(node.left->where);
-  const std::string second = fmt::format("{} {} {}", scope_.text(inner->right->where),
-                                         rowOf(node.op).text, scope_.text(node.right->where));
+  const std::string first = fmt::format("{}{} {} {}", scope_.text(inner->left->where),
+                                        missingUnit(*inner->left, *node.right),
+                                        rowOf(inner->op).text, scope_.text(inner->right->where));
+  const std::string second =
+      fmt::format("{} {} {}{}", scope_.text(inner->right->where), rowOf(node.op).text,
+                  scope_.text(node.right->where), missingUnit(*node.right, *inner->left));
   auto report = scope_.report(support::diagnostics::chainedComparison, expr.where,
                               scope_.text(expr.where), first, second);
   if (sameWay(inner->op, node.op)) {

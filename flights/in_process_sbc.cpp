@@ -175,7 +175,7 @@ double InProcessSbc::now(void* self) {
 void InProcessSbc::deliver(std::span<const uint8_t> bytes, double now_s) {
   now_s_ = now_s;
   if (alive()) {
-    lockstep_.toSbc(bytes.data(), static_cast<uint32_t>(bytes.size()));
+    turns_->toSbc(bytes.data(), static_cast<uint32_t>(bytes.size()));
     to_sbc_.insert(to_sbc_.end(), bytes.begin(), bytes.end());
   }
 }
@@ -245,10 +245,9 @@ void InProcessSbc::run() {
 
 std::vector<uint8_t> InProcessSbc::collect() {
   run();
-  lockstep_.fromSbc(from_sbc_.data(), static_cast<uint32_t>(from_sbc_.size()));
+  turns_->fromSbc(from_sbc_.data(), static_cast<uint32_t>(from_sbc_.size()));
   // Ends as the program on a board does; the vehicle notices when it does not answer any more.
-  const bool owes = seat_.holder ? taken_ != to_sbc_.size() : !lockstep_.settled();
-  if (finished_ && owes) {
+  if (finished_ && !turns_->settled()) {
     end("exited with status 0");
   }
   to_sbc_.erase(to_sbc_.begin(), to_sbc_.begin() + static_cast<ptrdiff_t>(taken_));

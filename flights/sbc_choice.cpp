@@ -70,6 +70,9 @@ StartSbc startInProcess(std::shared_ptr<const codegen::LoadedMission> mission,
           turn, card = std::make_shared<Card>()]() -> Result<std::unique_ptr<SbcPort>> {
     auto sbc = std::make_unique<InProcessSbc>(mission, parameters, card, keeps_time,
                                               port ? std::optional(port->mission) : std::nullopt);
+    if (port) {
+      sbc->answerBy(port->turns());
+    }
     if (watch != nullptr) {
       sbc->watch(watch->watcher(parameters, sbc->kept()));
     }

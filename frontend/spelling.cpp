@@ -128,6 +128,12 @@ Suggestion didYouMean(std::string_view word, const std::vector<std::string_view>
   return suggestion;
 }
 
+bool mayBeThousands(std::string_view before, std::string_view after) {
+  constexpr size_t kGroup = 3;
+  return after.size() == kGroup && !before.empty() && before.size() <= kGroup &&
+         before.front() != '0';
+}
+
 std::string_view unitForWord(std::string_view word) {
   const std::string wanted = lower(word);
   const auto* found =

@@ -31,6 +31,9 @@ struct Suggestion {
 Suggestion didYouMean(std::string_view word, const std::vector<std::string_view>& candidates,
                       std::string otherwise);
 
+/// Whether the comma of `28,800`, with these digits before and after it, may group thousands.
+bool mayBeThousands(std::string_view before, std::string_view after);
+
 /// The unit that a word such as "metres", "hours" or "C" means; empty if none.
 std::string_view unitForWord(std::string_view word);
 

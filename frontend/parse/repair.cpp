@@ -3,6 +3,7 @@
 
 #include "frontend/parse/repair.h"
 
+#include "frontend/parse/blocks/indentation.h"
 #include "frontend/parse/foreign_characters.h"
 #include "frontend/parse/phrases/phrases.h"
 #include "frontend/parse/phrases/unit_names.h"
@@ -96,6 +97,9 @@ class StructureRepair {
     bool silent = false;  ///< already reported: a missing `end` is not reported again
     bool then = false;    ///< `then` was seen
     bool begun = true;    ///< its `begin` was read, not only supplied
+    size_t at = 0;        ///< the number of its opener in `in_`
+    std::optional<UnendedBlock> unended = std::nullopt;  ///< in it, by the indentation
+    bool doubtful = false;                               ///< an `end` in it may be its own
   };
 
   [[nodiscard]] uint32_t previous() const { return out_.empty() ? 0 : out_.back().type; }
@@ -454,6 +458,7 @@ class StructureRepair {
 
   void open(BlockKind kind, const Lexeme& opener, std::string what) {
     blocks_.push_back({kind, opener, std::move(what)});
+    blocks_.back().at = at_;
     if (blocks_.size() > kDeepestNesting) {
       reporter_.at(opener, support::diagnostics::nestedTooDeep, kDeepestNesting, "blocks");
       ok_ = false;
@@ -502,6 +507,7 @@ class StructureRepair {
     wantThen(t);
     switch (t.type) {
       case GliderLexer::END:
+        noteEnd();
         blocks_.pop_back();
         return true;
       case GliderLexer::DO:
@@ -522,6 +528,18 @@ class StructureRepair {
       default:
         return true;
     }
+  }
+
+  /// The block on top ends here: is that so by the indentation, if it is inside other actions?
+  void noteEnd() {
+    const size_t keep = membersOpen();
+    if (keep + 1 >= blocks_.size() || blocks_[keep].unended) {
+      return;
+    }
+    Block& outer = blocks_[keep];
+    EndOfBlock found = endByIndentation(source_, in_, outer.at, blocks_.back().at, at_);
+    outer.doubtful = outer.doubtful || !found.sure;
+    outer.unended = std::move(found.unended);
   }
 
   /// Whether an `end` of the open block comes before the next state, so that `t` was written inside
@@ -555,12 +573,15 @@ class StructureRepair {
     }
   }
 
-  void closeActions(const Lexeme& found) {
+  void closeActions(const Lexeme& found) { closeUntil(membersOpen(), found); }
+
+  /// The number of blocks that are open around all actions.
+  [[nodiscard]] size_t membersOpen() const {
     size_t keep = blocks_.size();
     while (keep > 0 && blocks_[keep - 1].kind != BlockKind::Members) {
       --keep;
     }
-    closeUntil(keep, found);
+    return keep;
   }
 
   /// Where the missing `end` of `block` goes, if that is certain: before the next state, which
@@ -609,17 +630,26 @@ class StructureRepair {
   void closeUntil(size_t keep, const Lexeme& found) {
     while (blocks_.size() > keep) {
       const Block& block = blocks_.back();
-      if (!cut_ && !block.silent) {
+      if (!cut_ && !block.silent && blocks_.size() == keep + 1 && block.unended) {
+        reportUnended(*block.unended);
+      } else if (!cut_ && !block.silent) {
         auto report = reporter_.at(found, support::diagnostics::missingEnd, block.what,
                                    describe(source_, found));
         report.note(source_.range(block.opener), block.what + " begins here");
-        if (blocks_.size() == keep + 1) {
+        if (blocks_.size() == keep + 1 && !block.doubtful) {
           supplyEnd(report, block, found);
         }
       }
       insert(GliderLexer::END);
       blocks_.pop_back();
     }
+  }
+
+  void reportUnended(const UnendedBlock& block) {
+    auto report = reporter_.at(block.before, support::diagnostics::missingEnd, block.what,
+                               describe(source_, block.before));
+    report.note(source_.range(block.opener), block.what + " begins here");
+    report.fix({source_.file, block.place, block.place}, block.text);
   }
 
   const std::vector<Lexeme>& in_;

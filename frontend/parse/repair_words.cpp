@@ -7,6 +7,7 @@
 #include "frontend/parse/foreign_characters.h"
 #include "frontend/parse/repair_positions.h"
 #include "frontend/parse/token_kinds.h"
+#include "frontend/spelling.h"
 #include "support/diagnostics/ids/meaning.h"
 #include "support/diagnostics/ids/syntax.h"
 #include "support/word_byte.h"
@@ -172,10 +173,14 @@ size_t WordRepair::decimalComma(const std::vector<Lexeme>& lexemes, size_t at,
     return 0;
   }
   const Lexeme whole{GliderLexer::NUMBER, first.begin, second.end};
-  reporter_
-      .at(whole, support::diagnostics::decimalComma, source.text(whole),
-          fmt::format("{}.{}", source.text(first), source.text(second)))
-      .fix(source.range(comma), ".");
+  const std::string better = fmt::format("{}.{}", source.text(first), source.text(second));
+  auto report = reporter_.at(whole, support::diagnostics::decimalComma, source.text(whole), better);
+  if (!path && mayBeThousands(source.text(first), source.text(second))) {
+    report.hint(fmt::format("write `{}{}` or `{}`, whichever is meant", source.text(first),
+                            source.text(second), better));
+  } else {
+    report.fix(source.range(comma), ".");
+  }
   out.push_back(first);
   return kTokens;
 }

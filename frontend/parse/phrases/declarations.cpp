@@ -335,6 +335,33 @@ size_t place(Phrase& phrase) {
   return 0;
 }
 
+size_t signOfItem(Phrase& phrase) {
+  const bool resume = phrase.type() == GliderLexer::RESUME;
+  const bool top = endsValue(phrase.before()) || phrase.before() == GliderLexer::END ||
+                   phrase.before() == GliderLexer::STRING || phrase.before() == 0;
+  const bool sign = oneOf(phrase.type(1), {GliderLexer::ASSIGN, GliderLexer::COLON});
+  const size_t number = tokensOfNumber(phrase, 2);
+  // Inside a block it may be a variable of this name.
+  if (!top || !sign || number == 0 || !phrase.startsLine() || !phrase.startsLine(2 + number) ||
+      oneOf(phrase.keyword(), {GliderLexer::DO, GliderLexer::THEN, GliderLexer::ELSE,
+                               GliderLexer::SET, GliderLexer::LOG})) {
+    return 0;
+  }
+  const Lexeme word = phrase.token();
+  const Lexeme found = phrase.token(1);
+  const std::string_view between = resume ? " within " : " ";
+  phrase.reporter()
+      .at(found, support::diagnostics::unexpectedToken, resume ? "`within`" : "an angle",
+          describe(phrase.source(), found))
+      .hint(fmt::format("write `{}{}{}`", phrase.text(), between, phrase.wholeText(2, number)))
+      .fix({phrase.source().file, word.end, phrase.token(2).begin}, std::string(between));
+  phrase.put(word);
+  if (resume) {
+    phrase.put({GliderLexer::WITHIN, found.begin, found.end});
+  }
+  return 2;
+}
+
 size_t importWithoutQuotes(Phrase& phrase) {
   if (phrase.before() != GliderLexer::IMPORT || phrase.startsLine() ||
       oneOf(phrase.type(), {GliderLexer::STRING, GliderLexer::OPEN_STRING, GliderLexer::FOREIGN})) {

@@ -55,6 +55,7 @@ constexpr Row kRows[] = {
     {phrases::endForTransition, among<GliderLexer::END>},
     {phrases::afterTransition, anyToken},
     {phrases::place, among<GliderLexer::PLACE>},
+    {phrases::signOfItem, among<GliderLexer::DECLINATION, GliderLexer::RESUME>},
     {phrases::importWithoutQuotes, anyToken},
     {phrases::everyMinute, plainName},
     {phrases::target, among<GliderLexer::STATE, GliderLexer::NAME>},

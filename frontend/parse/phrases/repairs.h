@@ -26,6 +26,8 @@ size_t afterTransition(Phrase& phrase);
 size_t blockAfterTransition(Phrase& phrase);
 /// `case statetime > 10 h end`.
 size_t endForTransition(Phrase& phrase);
+/// `declination = -12 deg`, `resume = 20 min`.
+size_t signOfItem(Phrase& phrase);
 /// `place low battery = …`, `place low: …`.
 size_t place(Phrase& phrase);
 /// `import goto_l10.ma as list`.

@@ -3,6 +3,7 @@
 
 #include "frontend/sema/expressions/decimal_commas.h"
 
+#include "frontend/spelling.h"
 #include "support/diagnostics/ids/syntax.h"
 
 #include <fmt/format.h>
@@ -56,12 +57,17 @@ bool refuseDecimalCommas(const std::vector<ast::Argument>& arguments, Scope& sco
     const size_t before = text.find_last_not_of(kDigits, comma.begin - 1) + 1;
     const size_t after = std::min(text.find_first_not_of(kDigits, comma.end), text.size());
     const auto part = [&](size_t begin, size_t end) { return text.substr(begin, end - begin); };
-    scope
-        .report(support::diagnostics::decimalComma,
-                {comma.file, static_cast<uint32_t>(before), static_cast<uint32_t>(after)},
-                part(before, after),
-                fmt::format("{}.{}", part(before, comma.begin), part(comma.end, after)))
-        .fix(comma, ".");
+    const std::string_view whole = part(before, comma.begin);
+    const std::string_view rest = part(comma.end, after);
+    auto report =
+        scope.report(support::diagnostics::decimalComma,
+                     {comma.file, static_cast<uint32_t>(before), static_cast<uint32_t>(after)},
+                     part(before, after), fmt::format("{}.{}", whole, rest));
+    if (mayBeThousands(whole, rest)) {
+      report.hint(fmt::format("write `{0}{1}` or `{0}.{1}`, whichever is meant", whole, rest));
+    } else {
+      report.fix(comma, ".");
+    }
   }
   return true;
 }

@@ -31,8 +31,8 @@ std::string withOurWords(std::string_view name) {
   return std::string(name);
 }
 
-/// `track(1)` of a path or an array: true, and reported.
-bool refuseElement(const ast::Invocation& node, const ast::Expr& expr, Scope& scope) {
+/// `track(1)` of a path or an array: true, and reported. No fix: other languages count from 1.
+bool refuseElement(const ast::Invocation& node, Scope& scope) {
   const ast::NameUse use{node.function.text};
   const bool several =
       isPath({use, node.function.where}, scope) || findArray(node.function.text, scope).has_value();
@@ -41,10 +41,8 @@ bool refuseElement(const ast::Invocation& node, const ast::Expr& expr, Scope& sc
   }
   const std::string better = fmt::format("{}[{}]", node.function.text,
                                          scope.wholeText(node.arguments.front().value->where));
-  scope
-      .report(support::diagnostics::unknownFunction, node.function.where, node.function.text,
-              fmt::format("write `{}`", better))
-      .fix(expr.where, better);
+  scope.report(support::diagnostics::unknownFunction, node.function.where, node.function.text,
+               fmt::format("write `{}`; elements are counted from 0", better));
   return true;
 }
 
@@ -145,7 +143,7 @@ ExprLowering::Result ExprLowering::inC(const ast::Invocation& node, const ast::E
     const bool value = findClock(name) || scope_.findSensor(name) != nullptr ||
                        scope_.findConstant(name) != nullptr || scope_.findNamed(name) != nullptr ||
                        meansValue(name, expr.where, scope_);
-    if (refuseElement(node, expr, scope_)) {
+    if (refuseElement(node, scope_)) {
       return std::nullopt;
     }
     scope_.reportUnknown(

@@ -260,8 +260,13 @@ void ErrorStrategy::complainOfPromise(size_t last, const Lexeme& found) {
   if (last == GliderParser::STACK && found.type == GliderLexer::LT) {
     report.hint("write `require stack <= …`");
   } else if (last == GliderParser::REQUIRE && found.type == GliderLexer::NAME) {
-    report.hint(
-        fmt::format("write what is required of it, as in `require never {}`", source.text(found)));
+    const std::string_view word = source.text(found);
+    report.hint(isStateName(source, word)
+                    ? fmt::format("write what is required of it, as in `require visit {0}` or "
+                                  "`require never {0}`",
+                                  word)
+                    : "write what is required, as in `require visit NAME`, `require never NAME` or "
+                      "`require always CONDITION`");
   }
 }
 

@@ -33,7 +33,11 @@ size_t capitals(Phrase& phrase) {
   }
   const Lexeme word = phrase.token();
   const std::string small = phrase.lower();
-  const uint32_t keyword = small == phrase.text() ? 0 : keywordType(small);
+  // `place` may also be a name.
+  const bool place = small == "place" && phrase.startsLine() && isAnyName(phrase.type(1)) &&
+                     phrase.type(2) == GliderLexer::ASSIGN;
+  const uint32_t meant = place ? uint32_t{GliderLexer::PLACE} : keywordType(small);
+  const uint32_t keyword = small == phrase.text() ? 0 : meant;
   if (keyword == 0 || isJoining(keyword) || wantsName(phrase.before()) ||
       !(isValue(keyword) || mayBeKeyword(phrase)) || phrase.isDeclared(phrase.text())) {
     return 0;

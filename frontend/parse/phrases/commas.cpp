@@ -56,6 +56,50 @@ size_t andOfSensors(Phrase& phrase) {
   return 1;
 }
 
+size_t textWithoutOpeningQuote(Phrase& phrase) {
+  if (phrase.before() != GliderLexer::LOG || phrase.startsLine()) {
+    return 0;
+  }
+  const size_t line = phrase.tokensOfLine();
+  size_t k = 0;
+  while (k < line && !oneOf(phrase.type(k), {GliderLexer::COMMA, GliderLexer::STRING, kEof,
+                                             GliderLexer::OPEN_STRING})) {
+    ++k;
+  }
+  if (k == 0 || k >= line || phrase.type(k) != GliderLexer::OPEN_STRING || !phrase.touches(k)) {
+    return 0;
+  }
+  // No fix: what of it is the text is for the pilot to say.
+  const Lexeme rest = phrase.token(k);
+  const Lexeme text{GliderLexer::STRING, phrase.token().begin, rest.begin + 1};
+  const std::string_view whole = phrase.source().text().substr(0, rest.end);
+  phrase.reporter()
+      .at(text, support::diagnostics::unexpectedToken, "a text in quotes",
+          describe(phrase.source(), phrase.token()))
+      .hint(fmt::format("write `\"{}`", phrase.source().text(text)));
+  phrase.put(text);
+  for (const Lexeme& one : lex(whole, rest.begin + 1)) {
+    if (one.type != kEof) {
+      phrase.put(one);
+    }
+  }
+  return k + 1;
+}
+
+size_t eachForEvery(Phrase& phrase) {
+  const bool each = phrase.says(0, "each") && phrase.keyword() == GliderLexer::SENSORS;
+  if (!each || phrase.startsLine() || !endsValue(phrase.before()) ||
+      tokensOfNumber(phrase, 1) == 0) {
+    return 0;
+  }
+  const Lexeme word = phrase.token();
+  phrase.reporter()
+      .at(word, support::diagnostics::misspelledKeyword, phrase.text(), "every")
+      .fix(phrase.source().range(word), "every");
+  phrase.put({GliderLexer::EVERY, word.begin, word.end});
+  return 1;
+}
+
 size_t valueAfterText(Phrase& phrase) {
   const bool after_text =
       phrase.before() == GliderLexer::STRING && phrase.before(1) == GliderLexer::LOG;

@@ -24,24 +24,35 @@ size_t ifInCondition(Phrase& phrase) {
 }
 
 size_t equalToTruth(Phrase& phrase) {
-  const bool truth = oneOf(phrase.type(1), {GliderLexer::TRUE, GliderLexer::FALSE});
+  const bool word = phrase.says(0, "equals") || phrase.says(0, "is");
+  const size_t negation = phrase.says(0, "is") && phrase.says(1, "not") ? 1 : 0;
+  const bool sign = phrase.type() == GliderLexer::WRONG_COMPARISON &&
+                    (phrase.text() == "<>" || phrase.text() == "===");
+  const size_t truth_at = 1 + negation;
+  const bool truth = oneOf(phrase.type(truth_at), {GliderLexer::TRUE, GliderLexer::FALSE});
   const bool begins =
       oneOf(phrase.before(1), {GliderLexer::CASE, GliderLexer::IF, GliderLexer::AND,
                                GliderLexer::OR, GliderLexer::AND_WORD, GliderLexer::OR_WORD});
   const bool enclosed = phrase.before(1) == GliderLexer::LPAREN && !phrase.open().empty() &&
                         !phrase.open().back().arguments;
-  if (!truth || !(begins || enclosed) || !isName(phrase.before())) {
+  const bool equal = phrase.type() == GliderLexer::ASSIGN || word || sign;
+  if (!equal || !truth || !(begins || enclosed) || !isName(phrase.before())) {
     return 0;
   }
   const Lexeme name = *phrase.lexemeBefore();
-  const std::string_view word = phrase.source().text(name);
-  const bool is_true = phrase.type(1) == GliderLexer::TRUE;
-  const Lexeme sign = phrase.token();
-  const std::string better = fmt::format("{}{}", is_true ? "" : "!", word);
-  auto report = phrase.reporter().at(sign, support::diagnostics::assignForEqual);
+  const std::string_view condition = phrase.source().text(name);
+  const bool negated = negation == 1 || phrase.text() == "<>";
+  const bool is_true = (phrase.type(truth_at) == GliderLexer::TRUE) != negated;
+  const Lexeme found = phrase.whole(0, truth_at);
+  const std::string better = fmt::format("{}{}", is_true ? "" : "!", condition);
+  auto report = phrase.reporter().at(found,
+                                     sign   ? support::diagnostics::wrongComparison
+                                     : word ? support::diagnostics::wordOperator
+                                            : support::diagnostics::assignForEqual,
+                                     phrase.source().text(found), better);
   report.hint(fmt::format("a condition stands alone: write `{}`", better))
-      .fix({phrase.source().file, name.begin, phrase.token(1).end}, better);
-  return 2;
+      .fix({phrase.source().file, name.begin, phrase.token(truth_at).end}, better);
+  return truth_at + 1;
 }
 
 size_t heldWithoutParentheses(Phrase& phrase) {

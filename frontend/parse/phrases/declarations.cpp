@@ -143,6 +143,57 @@ bool isTypeName(std::string_view word) {
   return std::ranges::find(kTypes, word) != kTypes.end();
 }
 
+/// Whether an action sets `name`, which is declared here.
+bool isSetLater(const Phrase& phrase, std::string_view name) {
+  constexpr size_t kFarthest = 2000;
+  for (size_t k = 0; k < kFarthest && phrase.type(k) != kEof; ++k) {
+    if (phrase.type(k) == GliderLexer::SET && phrase.text(k + 1) == name) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Reports `let warm = false`, `bool warm = false` of a variable and puts its declaration.
+size_t putVariable(Phrase& phrase, std::string_view type) {
+  const Lexeme word = phrase.token();
+  const Lexeme name = phrase.token(1);
+  const size_t value = tokensOfValue(phrase, 3, false);
+  phrase.reporter()
+      .at(word, support::diagnostics::misspelledKeyword, phrase.text(), "var")
+      .hint(fmt::format("write `var {}: {} = {}`", phrase.text(1), type,
+                        value == 0 ? std::string_view("…") : phrase.wholeText(3, value)));
+  phrase.put({GliderLexer::VAR, word.begin, word.begin});
+  phrase.put(name);
+  phrase.put({GliderLexer::COLON, name.end, name.end});
+  phrase.put(word);  // in place of the type
+  phrase.put(phrase.token(2));
+  phrase.notAsMeant();
+  return 3;
+}
+
+/// `let warm = false`.
+size_t wordOfOtherLanguage(Phrase& phrase) {
+  const bool word = phrase.says(0, "let") || phrase.says(0, "auto") || phrase.says(0, "local") ||
+                    phrase.says(0, "define");
+  const bool begins =
+      phrase.before() == 0 || phrase.before() == GliderLexer::END || endsValue(phrase.before());
+  if (!word || !begins || !phrase.startsLine() || !phrase.open().empty() ||
+      !isName(phrase.type(1)) || phrase.type(2) != GliderLexer::ASSIGN) {
+    return 0;
+  }
+  if (isSetLater(phrase, phrase.text(1))) {
+    const std::string_view type = typeOf(phrase, 3);
+    return putVariable(phrase, type.empty() ? "TYPE" : type);
+  }
+  const Lexeme found = phrase.token();
+  phrase.reporter()
+      .at(found, support::diagnostics::misspelledKeyword, phrase.text(), "const")
+      .hint(fmt::format("write `const {} = …`", phrase.text(1)));
+  phrase.put({GliderLexer::CONST, found.begin, found.end});
+  return 1;
+}
+
 /// `length d = 5 m`.
 size_t typeFirst(Phrase& phrase) {
   const bool begins =
@@ -151,6 +202,9 @@ size_t typeFirst(Phrase& phrase) {
       !isTypeName(phrase.text()) || !isName(phrase.type(1)) ||
       phrase.type(2) != GliderLexer::ASSIGN) {
     return 0;
+  }
+  if (isSetLater(phrase, phrase.text(1))) {
+    return putVariable(phrase, phrase.text());
   }
   const Lexeme type = phrase.token();
   const std::string_view name = phrase.text(1);
@@ -165,7 +219,7 @@ size_t typeFirst(Phrase& phrase) {
 }  // namespace
 
 size_t untyped(Phrase& phrase) {
-  for (const PhraseRepair repair : {withoutType, sizeAfterType, typeFirst}) {
+  for (const PhraseRepair repair : {withoutType, sizeAfterType, wordOfOtherLanguage, typeFirst}) {
     if (const size_t taken = repair(phrase)) {
       return taken;
     }

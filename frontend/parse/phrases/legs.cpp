@@ -36,9 +36,73 @@ void refuseLeg(Phrase& phrase, size_t tokens, bool known) {
   phrase.notAsMeant();
 }
 
+/// `highest(this dive, chlorophyll)`, right after the parenthesis.
+size_t legFirst(Phrase& phrase) {
+  const bool leg = isNamedOneOf(phrase, 0, {"this", "last"}) &&
+                   isNamedOneOf(phrase, 1, {"leg", "dive", "climb"}) &&
+                   phrase.type(2) == GliderLexer::COMMA;
+  const bool sensor = phrase.type(3) == GliderLexer::NAME && phrase.type(4) == GliderLexer::RPAREN;
+  if (!leg || !sensor || !isAnyName(phrase.before(1))) {
+    return 0;
+  }
+  const Lexeme window = phrase.whole(0, 2, GliderLexer::NAME);
+  const Lexeme whole = phrase.whole(0, 4);
+  const std::string better = fmt::format("{}, {}", phrase.text(3), phrase.source().text(window));
+  phrase.reporter()
+      .at(window, support::diagnostics::unexpectedToken, "a sensor",
+          fmt::format("`{}`", phrase.source().text(window)))
+      .hint(fmt::format("write `{}({})`", phrase.source().text(*phrase.lexemeBefore(1)), better))
+      .fix(phrase.source().range(whole), better);
+  phrase.put(phrase.token(3));
+  phrase.put(phrase.token(2));
+  phrase.put(window);
+  return 4;
+}
+
+/// `mean(temp, last 5 min)`.
+size_t lastOfTime(Phrase& phrase) {
+  const size_t number = tokensOfNumber(phrase, 1);
+  if (!isNamedOneOf(phrase, 0, {"last", "past", "previous"}) || number < 2 ||
+      phrase.type(1 + number) != GliderLexer::RPAREN || phrase.open().empty() ||
+      !phrase.open().back().arguments) {
+    return 0;
+  }
+  const Lexeme word = phrase.token();
+  phrase.reporter()
+      .at(word, support::diagnostics::superfluousWord, phrase.text(),
+          fmt::format("before `{}`", phrase.wholeText(1, number)))
+      .fix({phrase.source().file, word.begin, phrase.token(1).begin}, "");
+  return 1;
+}
+
+/// `max(chlorophyll, this dive)`: the function of a window has another name. The leg comes next.
+void refuseGreatest(Phrase& phrase) {
+  const bool call = phrase.before(2) == GliderLexer::LPAREN && phrase.lexemeBefore(3) != nullptr;
+  const std::string_view name =
+      call ? phrase.source().text(*phrase.lexemeBefore(3)) : std::string_view();
+  if (name != "max" && name != "min") {
+    return;
+  }
+  const Lexeme callee = *phrase.lexemeBefore(3);
+  const std::string_view better = name == "max" ? "highest" : "lowest";
+  phrase.reporter()
+      .at(callee, support::diagnostics::unexpectedToken, fmt::format("`{}`", better),
+          describe(phrase.source(), callee))
+      .hint(fmt::format("write `{}({}, {})`", better, phrase.source().text(*phrase.lexemeBefore(1)),
+                        phrase.wholeText(0, 2)))
+      .fix(phrase.source().range(callee), std::string(better));
+  phrase.notAsMeant();
+}
+
 }  // namespace
 
 size_t leg(Phrase& phrase) {
+  if (phrase.before() == GliderLexer::LPAREN) {
+    return legFirst(phrase);
+  }
+  if (phrase.before() == GliderLexer::COMMA && phrase.type(1) != GliderLexer::NAME) {
+    return lastOfTime(phrase);
+  }
   if (phrase.before() != GliderLexer::COMMA || phrase.type(1) != GliderLexer::NAME) {
     return 0;
   }
@@ -49,6 +113,9 @@ size_t leg(Phrase& phrase) {
     return 0;
   }
   const size_t tokens = of ? 4 : 2;
+  if (which && known && !of) {
+    refuseGreatest(phrase);
+  }
   if (!which || !known || of) {
     refuseLeg(phrase, tokens, known);
   }

@@ -323,6 +323,33 @@ size_t foreignSign(Phrase& phrase) {
   return tokens;
 }
 
+size_t tilde(Phrase& phrase) {
+  if (phrase.text() != "~") {
+    return 0;
+  }
+  const Source& source = phrase.source();
+  if (phrase.type(1) == GliderLexer::ASSIGN && phrase.touches(1)) {
+    const Lexeme sign = phrase.whole(0, 2, GliderLexer::NE);
+    phrase.reporter().at(sign, support::diagnostics::wrongComparison, source.text(sign), "!=");
+    phrase.put(sign);
+    phrase.notAsMeant();
+    return 2;
+  }
+  const bool value = startsValue(phrase.type(1)) || phrase.type(1) == GliderLexer::LPAREN;
+  if (endsValue(phrase.before()) || !value) {
+    return 0;
+  }
+  const Lexeme sign = phrase.whole(0, 1, GliderLexer::NOT);
+  phrase.reporter()
+      .at(sign, support::diagnostics::wordOperator, phrase.text(), "!")
+      .hint(isName(phrase.type(1)) && phrase.type(2) != GliderLexer::LPAREN
+                ? fmt::format("write `!{}`", phrase.text(1))
+                : "write `!`")
+      .fix(source.range(sign), "!");
+  phrase.put(sign);
+  return 1;
+}
+
 size_t commaAsAnd(Phrase& phrase) {
   const bool condition =
       phrase.keyword() == GliderLexer::CASE && phrase.open().empty() && endsValue(phrase.before());

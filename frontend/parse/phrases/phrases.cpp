@@ -32,6 +32,7 @@ bool among(uint32_t type) {
 /// In this order: what is prose is not read as anything else, and a keyword is a keyword before it
 /// is anything else.
 constexpr Row kRows[] = {
+    {phrases::textWithoutOpeningQuote, anyToken},
     {phrases::writtenPosition, among<GliderLexer::NUMBER, GliderLexer::COMPASS, GliderLexer::NAME>},
     {phrases::comment, among<GliderLexer::MINUS, GliderLexer::UNIT, GliderLexer::SEMICOLON,
                              GliderLexer::NOT, GliderLexer::NAME>},
@@ -64,6 +65,11 @@ constexpr Row kRows[] = {
                            GliderLexer::NOT>},
     {phrases::conditionWord, among<GliderLexer::ALWAYS, GliderLexer::AFTER, GliderLexer::EVERY>},
     {phrases::knownWords, [](uint32_t type) { return isName(type) || type == GliderLexer::HEARD; }},
+    {phrases::equalToTruth,
+     among<GliderLexer::ASSIGN, GliderLexer::WRONG_COMPARISON, GliderLexer::NAME>},
+    {phrases::eachForEvery, among<GliderLexer::NAME>},
+    {phrases::tilde, among<GliderLexer::FOREIGN>},
+    {phrases::signOfFeet, among<GliderLexer::FOREIGN>},
     {phrases::comparison, isAnyName},
     {phrases::between, isAnyName},
     {phrases::sameLeft, among<GliderLexer::LT, GliderLexer::GT, GliderLexer::LE, GliderLexer::GE>},
@@ -93,7 +99,6 @@ constexpr Row kRows[] = {
     {phrases::statement, [](uint32_t type) { return isName(type) || type == GliderLexer::SET; }},
     {phrases::valueAfterText, among<GliderLexer::NAME, GliderLexer::NUMBER, GliderLexer::HEARD>},
     {phrases::heldWithoutParentheses, plainName},
-    {phrases::equalToTruth, among<GliderLexer::ASSIGN>},
     {phrases::actionWithoutDo, among<GliderLexer::SET, GliderLexer::LOG>},
     {phrases::untyped,
      [](uint32_t type) {

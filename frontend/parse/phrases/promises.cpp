@@ -111,6 +111,49 @@ size_t alwaysLeftOut(Phrase& phrase) {
   return 1;
 }
 
+/// `require altitude > 5 m always`.
+size_t alwaysAtEnd(Phrase& phrase) {
+  const size_t line = phrase.tokensOfLine();
+  const size_t count = line - 1;
+  bool compares = false;
+  for (size_t k = 0; k < count; ++k) {
+    compares = compares || isComparison(phrase.type(k));
+  }
+  if (count == 0 || phrase.type(count) != GliderLexer::ALWAYS ||
+      phrase.type(line) == GliderLexer::CASE || !compares || !readsAsValue(phrase, 0, count)) {
+    return 0;
+  }
+  const Lexeme first = phrase.token();
+  const Lexeme always = phrase.token(count);
+  expected(phrase, first, "`always`")
+      .hint(fmt::format("write `require always {}`", phrase.wholeText(0, count)))
+      .fix({phrase.source().file, first.begin, first.begin}, "always ")
+      .fix({phrase.source().file, phrase.token(count - 1).end, always.end}, "");
+  phrase.put({GliderLexer::ALWAYS, first.begin, first.begin});
+  for (size_t k = 0; k < count; ++k) {
+    phrase.put(phrase.token(k));
+  }
+  return line;
+}
+
+/// `require surface at least every 4 h`, `surface at least once every 4 h`.
+size_t surfacingAtLeast(Phrase& phrase) {
+  const bool words = (phrase.says(0, "surface") || phrase.says(0, "surfaces")) &&
+                     phrase.says(1, "at") && phrase.says(2, "least");
+  const size_t every = phrase.says(3, "once") ? 4 : 3;
+  if (!words || phrase.type(every) != kEvery) {
+    return 0;
+  }
+  const Lexeme whole = phrase.whole(0, every + 1);
+  const Lexeme word = phrase.token(every);
+  expected(phrase, phrase.token(), "`surfaces every`")
+      .hint("write `require surfaces every …`")
+      .fix(phrase.source().range(whole), "surfaces every");
+  phrase.put({GliderLexer::SURFACES, whole.begin, phrase.token().end});
+  phrase.put(word);
+  return every + 1;
+}
+
 /// Reports `count` tokens that are to be the promise `always NAME SIGN VALUE`, and puts a condition
 /// in their place.
 void putLimit(Phrase& phrase, size_t count, const std::string& better) {
@@ -140,6 +183,24 @@ size_t greatestOrLeast(Phrase& phrase) {
            fmt::format("always {} {} {}", phrase.text(1),
                        most ? "<=" : ">=", phrase.wholeText(value, number)));
   return value + number;
+}
+
+/// `require the glider never dives below 60 m`.
+size_t neverDivesBelow(Phrase& phrase) {
+  const size_t article = phrase.says(0, "the") ? 1 : 0;
+  const size_t never = article + (phrase.says(article, "glider") ? 1 : 0);
+  const bool verb = phrase.says(never + 1, "dives") || phrase.says(never + 1, "dive") ||
+                    phrase.says(never + 1, "goes") || phrase.says(never + 1, "go");
+  const size_t than = phrase.says(never + 2, "deeper") && phrase.says(never + 3, "than") ? 1 : 0;
+  const size_t first = never + 3 + than;
+  const size_t number = tokensOfQuantity(phrase, first);
+  if (phrase.type(never) != GliderLexer::NEVER || !verb || number == 0 ||
+      !(than == 1 || phrase.says(never + 2, "below"))) {
+    return 0;
+  }
+  putLimit(phrase, first + number,
+           fmt::format("always depth <= {}", phrase.wholeText(first, number)));
+  return first + number;
 }
 
 /// `require never deeper than 60 m`: the words say which sensor is meant.
@@ -260,8 +321,9 @@ size_t promise(Phrase& phrase) {
   if (phrase.before() != GliderLexer::REQUIRE) {
     return 0;
   }
-  for (const PhraseRepair repair : {promiseWords, timeAlone, caseAsWhenever, neverComparing,
-                                    neverOfNothing, greatestOrLeast, alwaysLeftOut}) {
+  for (const PhraseRepair repair :
+       {promiseWords, surfacingAtLeast, timeAlone, caseAsWhenever, alwaysAtEnd, neverDivesBelow,
+        neverComparing, neverOfNothing, greatestOrLeast, alwaysLeftOut}) {
     if (const size_t taken = repair(phrase)) {
       return taken;
     }

@@ -64,6 +64,14 @@ size_t heldWithoutParentheses(Phrase& phrase);
 size_t forATime(Phrase& phrase);
 /// `sensors lat and lon`.
 size_t andOfSensors(Phrase& phrase);
+/// `log begin at", depth`.
+size_t textWithoutOpeningQuote(Phrase& phrase);
+/// `sensors temp each 20 s`.
+size_t eachForEvery(Phrase& phrase);
+/// `~warm`, `n ~= 3`.
+size_t tilde(Phrase& phrase);
+/// `100'`: feet.
+size_t signOfFeet(Phrase& phrase);
 /// `log "deep" depth`.
 size_t valueAfterText(Phrase& phrase);
 /// `yo(top: 5 m)`.

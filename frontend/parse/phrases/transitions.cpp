@@ -194,12 +194,22 @@ size_t blockAfterTransition(Phrase& phrase) {
 }
 
 size_t endForTransition(Phrase& phrase) {
+  const size_t tokens =
+      phrase.type(1) == GliderLexer::MISSION && !phrase.startsLine(1) ? 2 : 1;  // `end mission`
   const bool ends =
-      !phrase.startsLine() && oneOf(phrase.type(1), {GliderLexer::CASE, GliderLexer::END});
+      !phrase.startsLine() && oneOf(phrase.type(tokens), {GliderLexer::CASE, GliderLexer::END});
   if (!ends || !afterCondition(phrase) || phrase.before() == GliderLexer::CASE) {
     return 0;
   }
-  const Lexeme found = phrase.token();
+  const Lexeme found = phrase.whole(0, tokens);
+  if (tokens == 2) {
+    phrase.reporter()
+        .at(found, support::diagnostics::wrongTransition, phrase.source().text(found))
+        .hint("write `exit`")
+        .fix(phrase.source().range(found), "exit");
+    phrase.put({GliderLexer::EXIT, found.begin, found.end});
+    return tokens;
+  }
   phrase.reporter()
       .at(found, support::diagnostics::wrongTransition, phrase.text())
       .hint("write `exit` to end the mission, or `goto`, `call`, `return` or `stay`");

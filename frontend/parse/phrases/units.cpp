@@ -311,6 +311,18 @@ size_t softUnit(Phrase& phrase) {
 }
 
 /// `0.5 in)`: `in` begins a range, and a range begins with a value.
+size_t signOfFeet(Phrase& phrase) {
+  const bool number = phrase.before() == GliderLexer::NUMBER && phrase.touches(0);
+  if (phrase.text() != "'" || !number || phrase.keyword() == GliderLexer::LOG ||
+      oneOf(phrase.type(1), {GliderLexer::COMPASS, GliderLexer::NUMBER, GliderLexer::FOREIGN})) {
+    return 0;
+  }
+  phrase.reporter().at(phrase.token(), support::diagnostics::unknownUnit, phrase.text(),
+                       fmt::format("write `{} ft`", phrase.source().text(*phrase.lexemeBefore())));
+  phrase.notAsMeant();
+  return 1;
+}
+
 size_t rangeWordAsUnit(Phrase& phrase) {
   const uint32_t next = phrase.type(1);
   const bool ends = next == GliderLexer::RPAREN || next == GliderLexer::RBRACKET ||

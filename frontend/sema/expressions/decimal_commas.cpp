@@ -63,7 +63,10 @@ bool refuseDecimalCommas(const std::vector<ast::Argument>& arguments, Scope& sco
         scope.report(support::diagnostics::decimalComma,
                      {comma.file, static_cast<uint32_t>(before), static_cast<uint32_t>(after)},
                      part(before, after), fmt::format("{}.{}", whole, rest));
-    if (mayBeThousands(whole, rest)) {
+    const size_t letter = std::min(text.find_first_not_of(' ', after), text.size());
+    const bool position =
+        std::string_view("NSEW").contains(text.substr(letter, 1)) && letter < text.size();
+    if (!position && mayBeThousands(whole, rest)) {
       report.hint(fmt::format("write `{0}{1}` or `{0}.{1}`, whichever is meant", whole, rest));
     } else {
       report.fix(comma, ".");

@@ -138,12 +138,13 @@ void StatementLowering::visit(const ast::Command& node, const ast::Statement& st
     const bool behaviour = scope_.behaviours.contains(name);
     scope_.reportUnknown(
         support::diagnostics::unknownCommand, node.call.function.where,
-        function    ? Suggestion{"`" + name + "` is a function: use it in the value of a `set`", ""}
-        : behaviour ? Suggestion{"`" + name +
+        function ? Suggestion{"`" + name + "` is a function: use it in the value of a `set`", ""}
+        : name == "append" ? Suggestion{"write `push`", ""}
+        : behaviour        ? Suggestion{"`" + name +
                                      "` controls how a state flies: use it in the state's "
-                                     "`flight…` line",
+                                            "`flight…` line",
                                  ""}
-                    : didYouMean(name, known, all),
+                           : didYouMean(name, known, all),
         name);
     return;
   }

@@ -265,8 +265,8 @@ void ErrorStrategy::complainOfPromise(size_t last, const Lexeme& found) {
                     ? fmt::format("write what is required of it, as in `require visit {0}` or "
                                   "`require never {0}`",
                                   word)
-                    : "write what is required, as in `require visit NAME`, `require never NAME` or "
-                      "`require always CONDITION`");
+                    : "write what is required, as in `require visit …`, `require never …` or "
+                      "`require always …`");
   }
 }
 

@@ -97,8 +97,33 @@ bool leadsToComparison(uint32_t type) {
                 GliderLexer::AND, GliderLexer::OR, GliderLexer::AND_WORD, GliderLexer::OR_WORD});
 }
 
+/// `peaks[3] is known`.
+size_t elementIsKnown(Phrase& phrase) {
+  constexpr size_t kFarthest = 12;
+  size_t open = 0;
+  while (open < kFarthest && phrase.before(open) != GliderLexer::LBRACKET) {
+    ++open;
+  }
+  const bool words = phrase.says(0, "is") && phrase.says(1, "known");
+  if (!words || phrase.before() != GliderLexer::RBRACKET || open == kFarthest ||
+      !isName(phrase.before(open + 1)) || !leadsToComparison(phrase.before(open + 2))) {
+    return 0;
+  }
+  const Lexeme element{0, phrase.lexemeBefore(open + 1)->begin, phrase.lexemeBefore()->end};
+  const Lexeme found = phrase.whole(0, 2);
+  const std::string better = fmt::format("known({})", phrase.source().text(element));
+  phrase.reporter()
+      .at(found, support::diagnostics::wordOperator, phrase.source().text(found), better)
+      .fix({phrase.source().file, element.begin, found.end}, better);
+  phrase.notAsMeant();
+  return 2;
+}
+
 /// `is 20 degC`, `equals 3`: whether readings may be compared exactly is for the pilot to say.
 size_t equalWords(Phrase& phrase) {
+  if (const size_t taken = elementIsKnown(phrase)) {
+    return taken;
+  }
   for (const std::string_view words :
        {"is equal to", "equal to", "equals", "is", "reaches", "hits"}) {
     const size_t tokens = tokensOfWords(phrase, 0, words);

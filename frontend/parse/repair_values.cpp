@@ -305,7 +305,11 @@ void ValueRepair::missingComma(const Lexeme& t, const Lexeme& next) {
                    fmt::format("`{}`", source_.text(t)));
   const bool foreign = std::ranges::any_of(
       source_.text(t), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
-  if (listsValues() && !foreign) {  // perhaps a keyword with a letter of another alphabet
+  const bool names = !in_sensors_ && !declares() && isName(before.type) && isName(t.type);
+  if (names) {  // no fix: only the pilot knows
+    report.hint(fmt::format("write `,` between them, or `{}_{}` if it is one name",
+                            source_.text(before), source_.text(t)));
+  } else if (listsValues() && !foreign) {  // perhaps a keyword with a letter of another alphabet
     report.fix({source_.file, before.end, before.end}, ",");
   }
   endOfItem();

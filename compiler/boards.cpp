@@ -43,4 +43,13 @@ support::Result<platforms::Board> loadTarget(const std::string& name) {
   return platforms::loadBoard(boardDirectory(name) / "board.toml");
 }
 
+support::Result<std::optional<platforms::Board>> usualBoard(const platforms::Platform& platform) {
+  if (platform.power.board.empty()) {
+    return std::nullopt;
+  }
+  auto board = loadTarget(platform.power.board);
+  return board ? support::Result<std::optional<platforms::Board>>(*std::move(board))
+               : std::unexpected(board.error());
+}
+
 }  // namespace glider::compiler

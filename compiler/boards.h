@@ -4,9 +4,11 @@
 #pragma once
 
 #include "platforms/load/board.h"
+#include "platforms/load/platform.h"
 #include "support/result.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,5 +21,7 @@ std::vector<std::string> targetNames();
 std::filesystem::path boardDirectory(const std::string& target);
 /// Loads target `name`; GL4001 (with the names of the targets) if there is none of that name.
 support::Result<platforms::Board> loadTarget(const std::string& name);
+/// Loads the SBC that is usually on a vehicle; empty: none is known.
+support::Result<std::optional<platforms::Board>> usualBoard(const platforms::Platform& platform);
 
 }  // namespace glider::compiler

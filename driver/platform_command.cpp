@@ -116,16 +116,6 @@ std::string seatsText(const Platform& platform) {
              : fmt::format("{}", fmt::join(platform.front_seats, ", "));
 }
 
-/// The SBC that is usually on a vehicle; empty: none.
-support::Result<std::optional<platforms::Board>> usualBoard(const Platform& platform) {
-  if (platform.power.board.empty()) {
-    return std::nullopt;
-  }
-  auto board = compiler::loadTarget(platform.power.board);
-  return board ? support::Result<std::optional<platforms::Board>>(*std::move(board))
-               : std::unexpected(board.error());
-}
-
 std::string text(const Platform& platform, const std::optional<platforms::Board>& board) {
   std::string out = fmt::format(
       "{}: {}\n\nFrom the SBC: {}\n\nEnvelope\n{}\nEnvironment model of proofs\n{}\nCommands\n",
@@ -215,7 +205,7 @@ int show(const PlatformOptions& options) {
   if (auto roles = platforms::checkRoles(*platform); options.header && !roles) {
     return reportFailure(roles.error());
   }
-  const auto board = usualBoard(*platform);
+  const auto board = compiler::usualBoard(*platform);
   if (!board) {
     return inFormat(options.json, "platform", [&](Json*) { return reportFailure(board.error()); });
   }

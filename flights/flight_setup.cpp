@@ -23,7 +23,7 @@ void reportUnsimulated(const compiler::Optimised& mission, support::DiagnosticEn
   for (const ir::Sensor& used : mission.mission.sensors) {
     const platforms::PlatformSensor* sensor = mission.platform().find(used.vehicle_name);
     const bool simulated = family != nullptr && sensor != nullptr && family->provides(*sensor);
-    if (used.symbol.empty() && !used.isHeard() && !simulated) {
+    if (used.isOfVehicle() && !simulated) {
       diagnostics.report(support::diagnostics::sensorNotSimulated, {}, mission.platform().name,
                          used.vehicle_name);
     }
@@ -41,7 +41,7 @@ std::string whereCarried(const platforms::Platform& platform, std::string_view s
 std::vector<std::string> missionSensors(const ir::Mission& mission) {
   std::vector<std::string> names;
   for (const ir::Sensor& sensor : mission.sensors) {
-    if (sensor.symbol.empty() && !sensor.isHeard()) {
+    if (sensor.isOfVehicle()) {
       names.push_back(sensor.vehicle_name);
     }
   }

@@ -37,10 +37,11 @@ bool isSame(const support::LoggedNote& one, const support::LoggedNote& other) {
 
 InProcessSbc::InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission,
                            std::vector<double> parameters, std::shared_ptr<Card> card,
-                           bool keeps_time, const std::optional<SeatSettings>& port)
+                           bool keeps_time, const std::optional<PortEnd>& port)
     : mission_(std::move(mission)),
       parameters_(std::move(parameters)),
       card_(std::move(card)),
+      turns_(port ? port->turns() : simulator::hookTurns()),
       keeps_time_(keeps_time) {
   // operator new aligns for every fundamental type, which is what the runtime asks for.
   runtime_memory_ = std::make_unique<std::byte[]>(mission_->runtimeSize());
@@ -49,8 +50,8 @@ InProcessSbc::InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission
   kept_ = findKept();
   const GliderRuntimeOptions options{{}, parameters_.data(), store, 0};
   if (port) {
-    seat_ = makeSeat(*port, mission_->mission(), GliderByteStream{this, readBytes, writeBytes},
-                     kept_ ? &kept_link_ : nullptr);
+    seat_ = makeSeat(port->mission, mission_->mission(),
+                     GliderByteStream{this, readBytes, writeBytes}, kept_ ? &kept_link_ : nullptr);
   }
   runtime_ = mission_->init(runtime_memory_.get(), context_memory_.get(), &options);
 }

@@ -5,7 +5,7 @@
 
 #include "codegen/load/loaded_mission.h"
 #include "flights/launch_choice.h"
-#include "flights/seat_on_board.h"
+#include "flights/port_end.h"
 #include "hooks/transport/byte_stream.h"
 #include "runtime/abi/runtime.h"
 #include "runtime/checkpoint/checkpoint.h"
@@ -36,10 +36,7 @@ class InProcessSbc final : public simulator::SbcPort {
   /// hookprog's.
   InProcessSbc(std::shared_ptr<const codegen::LoadedMission> mission,
                std::vector<double> parameters, std::shared_ptr<Card> card, bool keeps_time = false,
-               const std::optional<SeatSettings>& port = {});
-
-  /// It is at a line of another kind than hookprog's: who knows when it owes an answer there.
-  void answerBy(std::unique_ptr<simulator::LineTurns> turns) { turns_ = std::move(turns); }
+               const std::optional<PortEnd>& port = {});
 
   /// Calls `watcher` each time that the runtime has been polled, once its mission has started, with
   /// the runtime's context and the vehicle's time, s.
@@ -98,7 +95,7 @@ class InProcessSbc final : public simulator::SbcPort {
   std::optional<runtime::talk::Talker> talker_;
   std::vector<uint8_t> from_modem_;
   std::vector<uint8_t> to_modem_;
-  std::unique_ptr<simulator::LineTurns> turns_ = simulator::hookTurns();
+  std::unique_ptr<simulator::LineTurns> turns_;
   double now_s_ = 0;          ///< by its own clock
   double vehicle_now_s_ = 0;  ///< by that of the simulated world
   std::optional<double> kept_;

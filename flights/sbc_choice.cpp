@@ -26,12 +26,6 @@ using simulator::SerialSbcPort;
 using simulator::StartSbc;
 using support::Result;
 
-std::unique_ptr<simulator::LineTurns> PortEnd::turns() const {
-  return std::holds_alternative<GliderImcMission>(mission)     ? simulator::imcTurns()
-         : std::holds_alternative<GliderReconMission>(mission) ? simulator::reconTurns()
-                                                               : simulator::portTurns(clock);
-}
-
 Result<std::optional<PortEnd>> usualEnd(const platforms::Platform& platform) {
   const auto end = [](const auto& known) -> Result<std::optional<PortEnd>> {
     if (!known) {
@@ -68,11 +62,7 @@ StartSbc startInProcess(std::shared_ptr<const codegen::LoadedMission> mission,
                         const std::optional<PortEnd>& port, const std::optional<Turn>& turn) {
   return [mission = std::move(mission), parameters = std::move(parameters), keeps_time, watch, port,
           turn, card = std::make_shared<Card>()]() -> Result<std::unique_ptr<SbcPort>> {
-    auto sbc = std::make_unique<InProcessSbc>(mission, parameters, card, keeps_time,
-                                              port ? std::optional(port->mission) : std::nullopt);
-    if (port) {
-      sbc->answerBy(port->turns());
-    }
+    auto sbc = std::make_unique<InProcessSbc>(mission, parameters, card, keeps_time, port);
     if (watch != nullptr) {
       sbc->watch(watch->watcher(parameters, sbc->kept()));
     }

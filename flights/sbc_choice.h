@@ -5,9 +5,8 @@
 
 #include "compiler/compilation.h"
 #include "flights/launch_choice.h"
+#include "flights/port_end.h"
 #include "flights/requirement_watch.h"
-#include "flights/seat_on_board.h"
-#include "simulator/ports/line_turns.h"
 #include "simulator/ports/sbc_port.h"
 #include "support/result.h"
 
@@ -23,16 +22,6 @@ struct Platform;
 }  // namespace glider::platforms
 
 namespace glider::flights {
-
-/// The SBC is at a port of the vehicle that is not hookprog's: the Slocum's for a backseat driver,
-/// or one that speaks IMC or RECON.
-struct PortEnd {
-  SeatSettings mission;
-  uint32_t clock = 0;  ///< the index on a Slocum's port of the vehicle's clock
-  uint32_t baud = 0;   ///< of the line, as the vehicle's list of sensors says
-
-  [[nodiscard]] std::unique_ptr<simulator::LineTurns> turns() const;
-};
 
 /// The end for a vehicle that has no hookprog; empty: hookprog's.
 support::Result<std::optional<PortEnd>> usualEnd(const platforms::Platform& platform);

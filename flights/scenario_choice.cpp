@@ -58,18 +58,6 @@ support::Result<std::filesystem::path> scenarioPath(const std::string& wanted) {
   return bundledScenarios() / (wanted + ".toml");
 }
 
-/// What the SBC that is usually on a vehicle draws, W; empty: not known.
-support::Result<std::optional<double>> usualPower(const platforms::Platform& platform) {
-  if (platform.power.board.empty()) {
-    return std::nullopt;
-  }
-  const auto board = compiler::loadTarget(platform.power.board);
-  if (!board) {
-    return std::unexpected(board.error());
-  }
-  return board->power ? std::optional(board->power->running_W) : std::nullopt;
-}
-
 }  // namespace
 
 support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
@@ -87,11 +75,13 @@ support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
     show(diagnostics, sources);
   }
   if (scenario && !scenario->vehicle.battery.sbc_W) {
-    auto power = usualPower(platform);
-    if (!power) {
-      return std::unexpected(power.error());
+    const auto board = compiler::usualBoard(platform);
+    if (!board) {
+      return std::unexpected(board.error());
     }
-    scenario->vehicle.battery.sbc_W = *power;
+    if (*board && (*board)->power) {
+      scenario->vehicle.battery.sbc_W = (*board)->power->running_W;
+    }
   }
   return scenario;
 }

@@ -179,7 +179,7 @@ class TickBuilder {
       names.emplace_back(quantity.column);
     }
     for (const ir::Sensor& sensor : mission.sensors) {
-      if (sensor.symbol.empty() && !sensor.isHeard()) {
+      if (sensor.isOfVehicle()) {
         names.push_back(sensor.vehicle_name);
       }
     }

@@ -7,7 +7,7 @@
 #include "frontend/parse/foreign_characters.h"
 #include "frontend/parse/lexeme_stream.h"
 #include "frontend/parse/prediction_table.h"
-#include "frontend/parse/repair.h"
+#include "frontend/parse/repair/repair.h"
 #include "frontend/parse/token_kinds.h"
 #include "support/diagnostics/ids/syntax.h"
 

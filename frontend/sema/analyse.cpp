@@ -11,6 +11,7 @@
 #include "frontend/sema/declarations/variables.h"
 #include "frontend/sema/declarations/vehicles.h"
 #include "frontend/sema/names/scope.h"
+#include "frontend/sema/promises/places.h"
 #include "frontend/sema/states/lower_behaviour.h"
 #include "frontend/sema/states/lower_case.h"
 #include "frontend/sema/states/lower_state.h"
@@ -42,7 +43,7 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
   lowerShares(mission, scope);
   lowerDeclination(mission, scope);
   declareStates(mission, scope);
-  declareRequired(mission, scope);
+  declarePlaces(mission, scope);
   for (auto& [name, behaviour] : scope.behaviours) {
     if (behaviour.body != nullptr) {
       BehaviourLowering(behaviour, scope).check();

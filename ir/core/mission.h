@@ -98,6 +98,8 @@ struct Sensor {
 
   /// Whether it is what the vehicle's modem receives of others; such a sensor has no symbol.
   [[nodiscard]] bool isHeard() const { return id >= kFirstHeardSensor && id < kFirstOwnSensor; }
+  /// Whether the vehicle measures it: it is neither the SBC's own nor received of others.
+  [[nodiscard]] bool isOfVehicle() const { return symbol.empty() && !isHeard(); }
 };
 
 enum class BehaviourKind : uint8_t { Profile, Route };

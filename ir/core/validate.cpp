@@ -83,7 +83,7 @@ class Validator {
   }
 
   static bool isAngle(const Sensor& s) {
-    return s.symbol.empty() && !s.isHeard() && s.to_si == 1 &&
+    return s.isOfVehicle() && s.to_si == 1 &&
            s.type == Type{TypeKind::Quantity, support::dimension::angle};
   }
 

@@ -66,15 +66,7 @@ void readMachine(TomlReader& reader, Board& board) {
 
 BoardPower readBoardPower(TomlReader& reader) {
   reader.only({"running_W", "spread", "source"});
-  const BoardPower power{reader.number("running_W"), reader.number("spread"),
-                         reader.text("source")};
-  if (!(power.running_W >= 0)) {
-    reader.refuse("running_W", "must not be below 0");
-  }
-  if (!(power.spread >= 0 && power.spread <= 1)) {
-    reader.refuse("spread", "must be between 0 and 1, a share of the number");
-  }
-  return power;
+  return {reader.notNegative("running_W"), reader.share("spread"), reader.text("source")};
 }
 
 void readKernel(TomlReader& reader, Board& board) {

@@ -3,7 +3,10 @@
 
 #include "platforms/load/power.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <iterator>
 
 namespace glider::platforms {
 namespace {
@@ -27,6 +30,20 @@ std::string_view wordOf(DrawWhen when) {
   return rowOf(when).word;
 }
 
+std::optional<DrawWhen> drawWhenOf(std::string_view word) {
+  const auto* row = std::ranges::find(kWhens, word, &WhenRow::word);
+  return row == std::end(kWhens) ? std::nullopt
+                                 : std::optional(static_cast<DrawWhen>(row - std::begin(kWhens)));
+}
+
+std::string drawWords() {
+  std::string words;
+  for (const WhenRow& row : kWhens) {
+    words += fmt::format("{}\"{}\"", words.empty() ? "" : ", ", row.word);
+  }
+  return words;
+}
+
 std::string_view unitOf(DrawWhen when) {
   return rowOf(when).unit;
 }
@@ -48,6 +65,11 @@ std::vector<std::string> devicesOf(const Power& power) {
   devices.emplace_back(kSbcDevice);
   devices.emplace_back(kModemDevice);
   return devices;
+}
+
+size_t placeOf(const Power& power, std::string_view device) {
+  const std::vector<std::string> devices = devicesOf(power);
+  return static_cast<size_t>(std::ranges::find(devices, device) - devices.begin());
 }
 
 }  // namespace glider::platforms

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,10 @@ enum class DrawWhen : uint8_t {
 };
 /// "always", as in the file.
 std::string_view wordOf(DrawWhen when);
+/// The reverse; empty: no word of the file.
+std::optional<DrawWhen> drawWhenOf(std::string_view word);
+/// `"always", "surface"`: all words.
+std::string drawWords();
 /// "W", "J" or "J/cc".
 std::string_view unitOf(DrawWhen when);
 /// "at the surface".
@@ -55,5 +60,7 @@ inline constexpr std::string_view kModemDevice = "acoustic modem";
 
 /// What draws power, each once: those of the table in its order, then those above.
 std::vector<std::string> devicesOf(const Power& power);
+/// The place of `device`, which is one of them.
+size_t placeOf(const Power& power, std::string_view device);
 
 }  // namespace glider::platforms

@@ -22,30 +22,9 @@ constexpr NumberKey<Power> kPack[] = {
     {"resistance_ohm", &Power::resistance_ohm, Least::Zero},
 };
 
-constexpr std::pair<std::string_view, DrawWhen> kWords[] = {
-#define DRAW(name, word, unit, what) {word, DrawWhen::name},
-#include "platforms/load/draws.def"
-};
-
 /// The key of the number of a row.
 std::string_view amountKey(DrawWhen when) {
   return when == DrawWhen::PumpOut || when == DrawWhen::PumpIn ? "J_per_cc" : unitOf(when);
-}
-
-std::string knownWords() {
-  std::string words;
-  for (const auto& [word, when] : kWords) {
-    words += fmt::format("{}\"{}\"", words.empty() ? "" : ", ", word);
-  }
-  return words;
-}
-
-double notNegative(TomlReader& reader, std::string_view key) {
-  const double number = reader.number(key);
-  if (!(number >= 0)) {
-    reader.refuse(key, "must not be below 0");
-  }
-  return number;
 }
 
 void readSensors(TomlReader& reader, const Platform& platform, Draw& draw) {
@@ -62,27 +41,23 @@ Draw readDraw(TomlReader& reader, const Platform& platform) {
   Draw draw;
   draw.device = reader.text("device");
   const std::string when = reader.text("when");
-  const auto* found =
-      std::ranges::find(kWords, when, &std::pair<std::string_view, DrawWhen>::first);
-  if (found == std::end(kWords)) {
-    reader.refuse("when", fmt::format("must be one of {}", knownWords()));
+  const auto known = drawWhenOf(when);
+  if (!known) {
+    reader.refuse("when", fmt::format("must be one of {}", drawWords()));
     return draw;
   }
-  draw.when = found->second;
+  draw.when = *known;
   std::vector<std::string_view> keys = {"device", "when", "spread", "source", amountKey(draw.when)};
-  draw.amount = notNegative(reader, amountKey(draw.when));
+  draw.amount = reader.notNegative(amountKey(draw.when));
   if (draw.when == DrawWhen::PumpOut) {
     keys.emplace_back("J_per_cc_m");
-    draw.amount_per_m = notNegative(reader, "J_per_cc_m");
+    draw.amount_per_m = reader.notNegative("J_per_cc_m");
   }
   if (draw.when == DrawWhen::Read) {
     keys.emplace_back("sensors");
     readSensors(reader, platform, draw);
   }
-  draw.spread = reader.number("spread");
-  if (!(draw.spread >= 0 && draw.spread <= 1)) {
-    reader.refuse("spread", "must be between 0 and 1, a share of the number");
-  }
+  draw.spread = reader.share("spread");
   draw.source = reader.text("source");
   reader.only(keys);
   return draw;

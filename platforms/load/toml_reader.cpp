@@ -61,6 +61,22 @@ double TomlReader::numberOr(std::string_view key, double fallback) {
   return table_.contains(key) ? number(key) : fallback;
 }
 
+double TomlReader::notNegative(std::string_view key) {
+  const double found = number(key);
+  if (!(found >= 0)) {
+    refuse(key, "must not be below 0");
+  }
+  return found;
+}
+
+double TomlReader::share(std::string_view key) {
+  const double found = number(key);
+  if (!(found >= 0 && found <= 1)) {
+    refuse(key, "must be between 0 and 1, a share of the number");
+  }
+  return found;
+}
+
 std::vector<double> TomlReader::numbers(std::string_view key) {
   const toml::node* found = node(key);
   const toml::array* list = found != nullptr ? found->as_array() : nullptr;

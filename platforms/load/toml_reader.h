@@ -29,6 +29,10 @@ class TomlReader {
   std::string textOr(std::string_view key, std::string fallback);
   double number(std::string_view key);
   double numberOr(std::string_view key, double fallback);
+  /// A number of at least 0.
+  double notNegative(std::string_view key);
+  /// A number from 0 to 1.
+  double share(std::string_view key);
   /// A list of finite numbers, which may be empty.
   std::vector<double> numbers(std::string_view key);
   int64_t integer(std::string_view key);

@@ -12,12 +12,12 @@ using platforms::Draw;
 using platforms::DrawWhen;
 
 Loads::Loads(const BatterySettings& settings)
-    : propeller_(settings.power.propeller), sbc_W_(settings.sbc_W.value_or(0)) {
-  const std::vector<std::string> devices = platforms::devicesOf(settings.power);
-  devices_ = devices.size();
+    : propeller_(settings.power.propeller),
+      sbc_W_(settings.sbc_W.value_or(0)),
+      propeller_device_(platforms::placeOf(settings.power, platforms::kPropellerDevice)),
+      sbc_device_(platforms::placeOf(settings.power, platforms::kSbcDevice)) {
   for (const Draw& draw : settings.power.draws) {
-    const auto at = std::ranges::find(devices, draw.device);
-    rows_.push_back({draw, static_cast<size_t>(at - devices.begin())});
+    rows_.push_back({draw, platforms::placeOf(settings.power, draw.device)});
   }
 }
 
@@ -58,9 +58,9 @@ void Loads::draw(Battery& battery, const Doings& doings) const {
     battery.use(row.device, joules(row, doings));
   }
   if (!propeller_.rpm.empty()) {
-    battery.use(propellerOf(devices_), powerAt(propeller_, doings.rpm) * doings.seconds);
+    battery.use(propeller_device_, powerAt(propeller_, doings.rpm) * doings.seconds);
   }
-  battery.use(sbcOf(devices_), doings.sbc_powered ? sbc_W_ * doings.seconds : 0);
+  battery.use(sbc_device_, doings.sbc_powered ? sbc_W_ * doings.seconds : 0);
 }
 
 double powerAt(const platforms::PropellerPower& power, double rpm) {

@@ -38,7 +38,7 @@ class Loads {
  private:
   struct Row {
     platforms::Draw draw;
-    size_t device = 0;
+    size_t device = 0;  ///< its place in platforms::devicesOf
     bool is_read = false;
   };
 
@@ -47,19 +47,9 @@ class Loads {
   std::vector<Row> rows_;
   platforms::PropellerPower propeller_;
   double sbc_W_ = 0;
-  size_t devices_ = 0;
+  size_t propeller_device_ = 0;  ///< their places, as that of a row
+  size_t sbc_device_ = 0;
 };
-
-/// The places of the last devices of platforms::devicesOf.
-constexpr size_t modemOf(size_t devices) {
-  return devices - 1;
-}
-constexpr size_t sbcOf(size_t devices) {
-  return devices - 2;
-}
-constexpr size_t propellerOf(size_t devices) {
-  return devices - 3;
-}
 
 /// The power of a propeller at `rpm`, W: straight between the points of its table.
 double powerAt(const platforms::PropellerPower& power, double rpm);

@@ -19,7 +19,7 @@ Vehicle::Vehicle(const platforms::Platform& platform, const VehicleSettings& set
     : model_(makeModel(platform, settings)),
       battery_(settings.battery),
       loads_(settings.battery),
-      devices_(platforms::devicesOf(settings.battery.power).size()) {
+      modem_device_(platforms::placeOf(settings.battery.power, platforms::kModemDevice)) {
   CHECK(model_, "a vehicle without a model");
   limits_ = {platform.envelope.pump_cc, platform.motion->pitch_battery_limit_in,
              platform.envelope.fin_rad};
@@ -33,7 +33,7 @@ Vehicle::Vehicle(const platforms::Platform& platform, const VehicleSettings& set
 }
 
 void Vehicle::useByModem(double joules) {
-  battery_.use(modemOf(devices_), joules);
+  battery_.use(modem_device_, joules);
 }
 
 VehicleCommand Vehicle::withoutPower() const {

@@ -80,7 +80,7 @@ class Vehicle {
   VehicleCommand command_;
   Battery battery_;
   Loads loads_;
-  size_t devices_;
+  size_t modem_device_;  ///< its place in platforms::devicesOf
   bool sbc_powered_ = false;
   bool dived_ = false;    ///< since it last surfaced
   double surface_s_ = 0;  ///< at the surface without a break

@@ -18,12 +18,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* kSurveyMission = R"(mission survey
-vehicles ada, bob
-share level: temperature in -2 degC .. 34 degC precision 0.1 degC every 5 min
-share top: length in 0 m .. 200 m precision 0.05 m every 2 min
-share found: bool every 2 min
-state only
+const std::string kOnlyState = R"(state only
 begin
   flightprofile yo(5 m, 20 m)
   sensors       missiontime
@@ -31,6 +26,13 @@ begin
     case missiontime >= 40 min exit
 end
 )";
+
+const std::string kSurveyMission = R"(mission survey
+vehicles ada, bob
+share level: temperature in -2 degC .. 34 degC precision 0.1 degC every 5 min
+share top: length in 0 m .. 200 m precision 0.05 m every 2 min
+share found: bool every 2 min
+)" + kOnlyState;
 
 class MessagesCommand : public testing::Test {
  protected:
@@ -134,14 +136,7 @@ TEST_F(MessagesCommand, AMessageLongerThanAJanusPacketIsNotInOne) {
 vehicles ada, bob
 share wide: length in 0 m .. 10000 m precision 0.0001 m every 2 min
 share deep: length in 0 m .. 10000 m precision 0.0001 m every 2 min
-state only
-begin
-  flightprofile yo(5 m, 20 m)
-  sensors       missiontime
-  events
-    case missiontime >= 40 min exit
-end
-)");
+)" + kOnlyState);
   const auto log = folder_.write("one.log", "3a103c00002b647d\n");
   const Outcome read =
       runShell("$GLIDERCC messages " + mission.string() + " --read " + log.string());

@@ -256,7 +256,7 @@ TEST(PortFlights, StayWithinTheWorldThatProofsByThePortAssume) {
     setup.observer = &watch;
     auto sbc = std::make_unique<flights::InProcessSbc>(
         mission.loaded, *flights::chooseParameters(mission.flown->mission, {}),
-        std::make_shared<flights::Card>(), false, flight.plan.port);
+        std::make_shared<flights::Card>(), false, portEnd(flight));
     sbc->watch([&watch](const GliderContext& context, double) { watch.polled(context); });
     setup.sbc = std::move(sbc);
     ASSERT_TRUE(simulator::simulate(std::move(setup)).has_value());

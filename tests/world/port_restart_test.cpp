@@ -111,7 +111,7 @@ RestartWatch fly(const Outage& outage, slocum::Release release) {
     watch.starts();
     auto sbc = std::make_unique<flights::InProcessSbc>(
         flown.loaded, *flights::chooseParameters(flown.flown->mission, {}),
-        outage.keeps_card ? kept : std::make_shared<flights::Card>(), true, flight.plan.port);
+        outage.keeps_card ? kept : std::make_shared<flights::Card>(), true, portEnd(flight));
     sbc->watch([&watch](const GliderContext&, double now_s) { watch.polled(now_s); });
     return sbc;
   };

@@ -180,12 +180,12 @@ llvm::Constant* Tables::compass() {
 llvm::Constant* Tables::sensors() {
   std::vector<llvm::Constant*> rows;
   for (const ir::Sensor& sensor : lowering_.mission.sensors) {
-    rows.push_back(llvm::ConstantStruct::get(
-        lowering_.types.GliderSensorInfo,
-        {text(sensor.symbol.empty() && !sensor.isHeard() ? sensor.vehicle_name : sensor.name),
-         poll(sensor), number(sensor.to_si), number(sensor.lowest), number(sensor.highest),
-         number(sensor.stale_after_s), word(sensor.id),
-         word(static_cast<size_t>(sensor.encoding))}));
+    rows.push_back(
+        llvm::ConstantStruct::get(lowering_.types.GliderSensorInfo,
+                                  {text(sensor.isOfVehicle() ? sensor.vehicle_name : sensor.name),
+                                   poll(sensor), number(sensor.to_si), number(sensor.lowest),
+                                   number(sensor.highest), number(sensor.stale_after_s),
+                                   word(sensor.id), word(static_cast<size_t>(sensor.encoding))}));
   }
   return array(lowering_.types.GliderSensorInfo, rows, "sensors");
 }

@@ -101,12 +101,7 @@ size_t assumption(Phrase& phrase) {
   if (phrase.before() != GliderLexer::ASSUME) {
     return 0;
   }
-  for (const PhraseRepair repair : {noOutages, noOther, greatest}) {
-    if (const size_t taken = repair(phrase)) {
-      return taken;
-    }
-  }
-  return 0;
+  return firstOf(phrase, {noOutages, noOther, greatest});
 }
 
 }  // namespace glider::frontend::phrases

@@ -219,12 +219,7 @@ size_t typeFirst(Phrase& phrase) {
 }  // namespace
 
 size_t untyped(Phrase& phrase) {
-  for (const PhraseRepair repair : {withoutType, sizeAfterType, wordOfOtherLanguage, typeFirst}) {
-    if (const size_t taken = repair(phrase)) {
-      return taken;
-    }
-  }
-  return 0;
+  return firstOf(phrase, {withoutType, sizeAfterType, wordOfOtherLanguage, typeFirst});
 }
 
 size_t range(Phrase& phrase) {
@@ -381,12 +376,7 @@ size_t place(Phrase& phrase) {
   if (!declaresPlace(phrase)) {
     return 0;
   }
-  for (const PhraseRepair repair : {placeOfSeveralWords, placeWithType, placeWithoutSign}) {
-    if (const size_t taken = repair(phrase)) {
-      return taken;
-    }
-  }
-  return 0;
+  return firstOf(phrase, {placeOfSeveralWords, placeWithType, placeWithoutSign});
 }
 
 size_t signOfItem(Phrase& phrase) {

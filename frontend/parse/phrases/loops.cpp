@@ -161,12 +161,7 @@ size_t loop(Phrase& phrase) {
   if (!beginsStatement(phrase)) {
     return 0;
   }
-  for (const PhraseRepair repair : {counting, withoutRange, elementInParentheses, repeating}) {
-    if (const size_t taken = repair(phrase)) {
-      return taken;
-    }
-  }
-  return 0;
+  return firstOf(phrase, {counting, withoutRange, elementInParentheses, repeating});
 }
 
 }  // namespace glider::frontend::phrases

@@ -233,6 +233,15 @@ size_t tokensOfNumber(const Phrase& phrase, size_t first) {
   return sign + (isUnit(phrase.type(first + sign + 1)) ? 2 : 1);
 }
 
+size_t firstOf(Phrase& phrase, std::initializer_list<PhraseRepair> repairs) {
+  for (const PhraseRepair repair : repairs) {
+    if (const size_t taken = repair(phrase)) {
+      return taken;
+    }
+  }
+  return 0;
+}
+
 size_t tokensOfQuantity(const Phrase& phrase, size_t first) {
   size_t tokens = tokensOfNumber(phrase, first);
   while (tokens > 1 && phrase.type(first + tokens) == GliderLexer::DIVIDE &&

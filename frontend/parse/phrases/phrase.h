@@ -111,6 +111,9 @@ class Phrase {
 /// number of tokens that it took, or 0 for none.
 using PhraseRepair = size_t (*)(Phrase&);
 
+/// What the first of `repairs` took that recognises its error, or 0.
+size_t firstOf(Phrase& phrase, std::initializer_list<PhraseRepair> repairs);
+
 /// Whether `count` tokens from `first` on can be one value, or one condition: no two values stand
 /// next to each other, and every parenthesis is closed.
 bool readsAsValue(const Phrase& phrase, size_t first, size_t count);

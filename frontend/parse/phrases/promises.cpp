@@ -321,14 +321,9 @@ size_t promise(Phrase& phrase) {
   if (phrase.before() != GliderLexer::REQUIRE) {
     return 0;
   }
-  for (const PhraseRepair repair :
-       {promiseWords, surfacingAtLeast, timeAlone, caseAsWhenever, alwaysAtEnd, neverDivesBelow,
-        neverComparing, neverOfNothing, greatestOrLeast, alwaysLeftOut}) {
-    if (const size_t taken = repair(phrase)) {
-      return taken;
-    }
-  }
-  return 0;
+  return firstOf(phrase,
+                 {promiseWords, surfacingAtLeast, timeAlone, caseAsWhenever, alwaysAtEnd,
+                  neverDivesBelow, neverComparing, neverOfNothing, greatestOrLeast, alwaysLeftOut});
 }
 
 size_t promiseInside(Phrase& phrase) {

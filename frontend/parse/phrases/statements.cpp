@@ -164,15 +164,7 @@ size_t statement(Phrase& phrase) {
   if (!isName(phrase.type()) || !mayBeginStatement(phrase)) {
     return 0;
   }
-  if (const size_t taken = changeOfVariable(phrase)) {
-    return taken;
-  }
-  for (const PhraseRepair repair : {printing, waiting, elseIf}) {
-    if (const size_t taken = repair(phrase)) {
-      return taken;
-    }
-  }
-  return 0;
+  return firstOf(phrase, {changeOfVariable, printing, waiting, elseIf});
 }
 
 size_t actionWithoutDo(Phrase& phrase) {

@@ -310,7 +310,6 @@ size_t softUnit(Phrase& phrase) {
   return 0;
 }
 
-/// `0.5 in)`: `in` begins a range, and a range begins with a value.
 size_t signOfFeet(Phrase& phrase) {
   const bool number = phrase.before() == GliderLexer::NUMBER && phrase.touches(0);
   if (phrase.text() != "'" || !number || phrase.keyword() == GliderLexer::LOG ||
@@ -323,6 +322,7 @@ size_t signOfFeet(Phrase& phrase) {
   return 1;
 }
 
+/// `0.5 in)`: `in` begins a range, and a range begins with a value.
 size_t rangeWordAsUnit(Phrase& phrase) {
   const uint32_t next = phrase.type(1);
   const bool ends = next == GliderLexer::RPAREN || next == GliderLexer::RBRACKET ||

@@ -137,10 +137,6 @@ class RequirementLowering {
 
 }  // namespace
 
-void declareRequired(const ast::File& file, Scope& scope) {
-  declarePlaces(file, scope);
-}
-
 void lowerRequirements(const ast::File& file, Scope& scope) {
   for (const ast::Item& item : file.items) {
     if (const auto* node = std::get_if<ast::Requirement>(&item)) {

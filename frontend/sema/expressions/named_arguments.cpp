@@ -131,10 +131,6 @@ class Ordering {
   bool good_ = true;
 };
 
-}  // namespace
-
-namespace {
-
 /// `top == 3 m` for `top = 3 m`: the comparison, if its left side is a parameter and no value.
 const ast::Binary* equalsForName(const ast::Argument& argument, const Callee& callee,
                                  Scope& scope) {

@@ -14,26 +14,6 @@
 
 namespace glider::frontend {
 
-void declarePlaces(const ast::File& file, Scope& scope) {
-  for (const ast::Item& item : file.items) {
-    const auto* node = std::get_if<ast::PlaceDeclaration>(&item);
-    if (node == nullptr || scope.refuseName(node->name, "a place") ||
-        scope.refuseSecond(node->name)) {
-      continue;
-    }
-    const auto [first, entered] = scope.places.emplace(node->name.text, node);
-    const auto state = scope.states.find(node->name.text);
-    const ast::Name* other = !entered ? &first->second->name
-                             : state != scope.states.end()
-                                 ? &scope.state_declarations[state->second.index].node->name
-                                 : nullptr;
-    if (other != nullptr) {
-      scope.report(support::diagnostics::duplicateName, node->name.where, node->name.text)
-          .note(other->where, "the first is here");
-    }
-  }
-}
-
 std::optional<double> promisedNumber(const ast::Expr& expr, const ir::Type& type,
                                      const std::string& what, Scope& scope) {
   const size_t before = scope.mission.exprs.size();

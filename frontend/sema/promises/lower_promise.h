@@ -12,9 +12,6 @@
 
 namespace glider::frontend {
 
-/// Enters the `place` declarations of a mission. Their conditions are checked where they are used.
-void declarePlaces(const ast::File& file, Scope& scope);
-
 /// The value of `expr`, which must be known when the mission is compiled; empty, and reported, if
 /// it is not. `what` names it: "the time of `within`".
 std::optional<double> promisedNumber(const ast::Expr& expr, const ir::Type& type,

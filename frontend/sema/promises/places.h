@@ -26,6 +26,9 @@ struct PromisedPlace {
   }
 };
 
+/// Enters the `place` declarations of a mission. Their conditions are checked where they are used.
+void declarePlaces(const ast::File& file, Scope& scope);
+
 /// The place that `expr` names: a state, a `place`, or else a condition; empty, and reported, if it
 /// is none.
 std::optional<PromisedPlace> lowerPlace(const ast::Expr& expr, Scope& scope);

@@ -6,7 +6,7 @@
 // The conditions of a requirement and of its monitor are asked of any moment (AnyMoment), then the
 // truth values of the monitor follow by a fixpoint. Certain; some are missed, because a moment is
 // not a trace. Also those that no mission at all could violate: `always` of what the sensors'
-// ranges alone ensure, and a state that answers because it waits on the stack (standingAnswer).
+// ranges alone ensure, and a state that answers because it waits on the stack (StandingAnswers).
 
 #include "ir/core/mission_writer.h"
 #include "ir/prove/abstract/bounds_by_state.h"
@@ -217,50 +217,67 @@ bool isAboutReadings(const Mission& m, const Requirement& requirement) {
          });
 }
 
-/// Reports a condition that holds for every value that its sensors can have, for any commands.
-void tellOfRanges(Proof& proof, const Requirement& requirement) {
-  const Mission& m = proof.proof_context.mission;
-  if (!isAboutReadings(m, requirement)) {
-    return;
-  }
-  constexpr double kAny = std::numeric_limits<double>::infinity();
-  const std::vector<StateBounds> unbounded{
-      {0, kGreatestNumber, kGreatestNumber, kGreatestNumber, kAny}};
-  const ProofContext plain(m, proof.proof_context.platform);
-  AnyMoment moment(plain, unbounded);
-  if (!moment.neverFalse(requirement.condition, proof.options.effort, proof.checks)) {
-    return;
-  }
-  bool depth = false;
-  forEachSensorRead(m, requirement.condition,
-                    [&](SensorId id) { depth |= plain.depth && id == *plain.depth; });
-  auto warning =
-      proof.diagnostics.report(support::diagnostics::requirementVacuous, requirement.range,
-                               "no value within the range of what it reads can violate it");
-  if (depth) {
-    warning.note(m[requirement.condition].range,
-                 "depths are counted down from the surface, which is at 0 m: none is negative");
-  }
-}
+/// Reports promises that no mission at all could break.
+class Unbreakable {
+ public:
+  explicit Unbreakable(Proof& proof)
+      : proof_(proof), m_(proof.proof_context.mission), standing_(m_) {}
 
-/// Reports a promise that a state on the stack keeps; true if it is one.
-bool tellOfStanding(Proof& proof, const Requirement& requirement) {
-  const Mission& m = proof.proof_context.mission;
-  const auto standing = standingAnswer(m, requirement);
-  if (!standing) {
-    return false;
+  /// True, and reported, if a state on the stack keeps it.
+  bool byTheStack(const Requirement& requirement) {
+    const auto standing = standing_.of(requirement);
+    if (!standing) {
+      return false;
+    }
+    const std::string& response = m_[standing->response].name;
+    const std::string& cause = m_[standing->cause].name;
+    proof_.diagnostics
+        .report(support::diagnostics::requirementVacuous, requirement.range,
+                fmt::format("`{}` is always on the stack when `{}` is", response, cause))
+        .note(requirement.range,
+              fmt::format("a state that waits on the stack counts, so this says nothing of when "
+                          "`{}` returns to `{}`",
+                          cause, response));
+    return true;
   }
-  const std::string& response = m[standing->response].name;
-  const std::string& cause = m[standing->cause].name;
-  proof.diagnostics
-      .report(support::diagnostics::requirementVacuous, requirement.range,
-              fmt::format("`{}` is always on the stack when `{}` is", response, cause))
-      .note(requirement.range,
-            fmt::format("a state that waits on the stack counts, so this says nothing of when `{}` "
-                        "returns to `{}`",
-                        cause, response));
-  return true;
-}
+
+  /// Reports a condition that holds for every value that its sensors can have, for any commands.
+  void byRanges(const Requirement& requirement) {
+    if (!isAboutReadings(m_, requirement) ||
+        !anyReadings().neverFalse(requirement.condition, proof_.options.effort, proof_.checks)) {
+      return;
+    }
+    bool depth = false;
+    forEachSensorRead(m_, requirement.condition,
+                      [&](SensorId id) { depth |= plain_->depth && id == *plain_->depth; });
+    auto warning =
+        proof_.diagnostics.report(support::diagnostics::requirementVacuous, requirement.range,
+                                  "no value within the range of what it reads can violate it");
+    if (depth) {
+      warning.note(m_[requirement.condition].range,
+                   "depths are counted down from the surface, which is at 0 m: none is negative");
+    }
+  }
+
+ private:
+  /// A moment with any readings and clocks.
+  AnyMoment& anyReadings() {
+    if (!moment_) {
+      plain_.emplace(m_, proof_.proof_context.platform);
+      moment_.emplace(*plain_, unbounded_);
+    }
+    return *moment_;
+  }
+
+  Proof& proof_;
+  const Mission& m_;
+  StandingAnswers standing_;
+  std::vector<StateBounds> unbounded_ = {{0, kGreatestNumber, kGreatestNumber, kGreatestNumber,
+                                          std::numeric_limits<double>::infinity()}};
+  std::optional<ProofContext>
+      plain_;  ///< made when it is asked for: it looks at all of the mission
+  std::optional<AnyMoment> moment_;
+};
 
 }  // namespace
 
@@ -271,16 +288,17 @@ void passes::vacuous(Proof& proof) {
   }
   Mission mission = written;
   PossibleTruths possible(mission);
+  Unbreakable unbreakable(proof);
   std::vector<std::pair<const Requirement*, Vacuity>> asked;
   for (const RequirementVerdict& verdict : proof.findings.requirements) {
     const Requirement& requirement = written.requirements[verdict.requirement];
     if (verdict.verdict != Verdict::Proved || requirement.kind != RequirementKind::Always) {
       continue;
     }
-    if (tellOfStanding(proof, requirement)) {
+    if (unbreakable.byTheStack(requirement)) {
       continue;
     }
-    tellOfRanges(proof, requirement);
+    unbreakable.byRanges(requirement);
     asked.emplace_back(&requirement, Vacuity(written, requirement));
     asked.back().second.prepare(possible);
     if (const auto cause = causeOf(written, requirement)) {

@@ -8,10 +8,9 @@
 
 #include "ir/prove/requirements/standing_answer.h"
 
-#include "ir/prove/evidence/configurations.h"
-
 #include <algorithm>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace glider::ir::prove {
@@ -31,8 +30,8 @@ using Flags = std::set<uint32_t>;
 
 class OwedFlag {
  public:
-  OwedFlag(const Mission& mission, const Requirement& requirement)
-      : m_(mission), monitor_(requirement.monitor) {
+  OwedFlag(const Mission& mission, const Requirement& requirement, StandingAnswers& answers)
+      : m_(mission), monitor_(requirement.monitor), answers_(answers) {
     gather(monitor_.step, {});
   }
 
@@ -160,7 +159,8 @@ class OwedFlag {
         Flags others = asked;
         others.erase(response);
         if (std::ranges::includes(true_then, others) && insideOf(cause).valid() &&
-            insideOf(response).valid() && isOnStackWith(insideOf(cause), insideOf(response))) {
+            insideOf(response).valid() &&
+            answers_.isOnStackWith(insideOf(cause), insideOf(response))) {
           return StandingAnswer{insideOf(cause), insideOf(response)};
         }
       }
@@ -168,23 +168,26 @@ class OwedFlag {
     return std::nullopt;
   }
 
-  [[nodiscard]] bool isOnStackWith(StateId cause, StateId response) const {
-    const auto all = configurations(m_, {}, kMostConfigurations);
-    return cause != response && all && std::ranges::all_of(*all, [&](const Reached& reached) {
-             return !reached.control.holds(cause) || reached.control.holds(response);
-           });
-  }
-
   const Mission& m_;
   const Monitor& monitor_;
+  StandingAnswers& answers_;
   std::vector<Setting> settings_;
 };
 
 }  // namespace
 
-std::optional<StandingAnswer> standingAnswer(const Mission& mission,
-                                             const Requirement& requirement) {
-  return requirement.monitor.step.valid() ? OwedFlag(mission, requirement).find() : std::nullopt;
+std::optional<StandingAnswer> StandingAnswers::of(const Requirement& requirement) {
+  return requirement.monitor.step.valid() ? OwedFlag(m_, requirement, *this).find() : std::nullopt;
+}
+
+bool StandingAnswers::isOnStackWith(StateId cause, StateId response) {
+  if (!std::exchange(searched_, true)) {
+    configurations_ = configurations(m_, {}, kMostConfigurations);
+  }
+  return cause != response && configurations_ &&
+         std::ranges::all_of(*configurations_, [&](const Reached& reached) {
+           return !reached.control.holds(cause) || reached.control.holds(response);
+         });
 }
 
 }  // namespace glider::ir::prove

@@ -4,8 +4,10 @@
 #pragma once
 
 #include "ir/core/mission.h"
+#include "ir/prove/evidence/configurations.h"
 
 #include <optional>
+#include <vector>
 
 namespace glider::ir::prove {
 
@@ -16,8 +18,21 @@ struct StandingAnswer {
   StateId response;
 };
 
-/// None if the requirement is not such a promise. Certain: from the call configurations alone.
-std::optional<StandingAnswer> standingAnswer(const Mission& mission,
-                                             const Requirement& requirement);
+/// Finds them: certain, from the call configurations alone, which are searched once.
+class StandingAnswers {
+ public:
+  /// `mission` outlives this.
+  explicit StandingAnswers(const Mission& mission) : m_(mission) {}
+  /// None if the requirement is not such a promise.
+  std::optional<StandingAnswer> of(const Requirement& requirement);
+  /// Whether `response` is on the stack whenever `cause` is. Not if there are too many
+  /// configurations to tell.
+  bool isOnStackWith(StateId cause, StateId response);
+
+ private:
+  const Mission& m_;
+  bool searched_ = false;
+  std::optional<std::vector<Reached>> configurations_;
+};
 
 }  // namespace glider::ir::prove

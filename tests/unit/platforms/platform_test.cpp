@@ -134,40 +134,35 @@ TEST(Platform, ItsNameIsThatOfItsFileAndAWordOfTheLanguage) {
   EXPECT_NE(named("2_deep", "2_deep").find("begin with a letter"), std::string::npos);
 }
 
+/// What is said of the Slocum's file with `to` in place of `from`; empty: nothing.
+std::string slocumWith(const std::string& from, const std::string& to) {
+  static const std::string slocum = tests::slurp(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
+  std::string text = slocum;
+  text.replace(text.find("name = \"slocum\""), 15, "name = \"p\"");
+  text.replace(text.find(from), from.size(), to);
+  const auto platform = loadText(text);
+  return platform ? "" : platform.error().message;
+}
+
 // accepts: GL5001
 TEST(Platform, WhatMovesItIsGivenAsAWhole) {
-  std::string slocum = tests::slurp(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
-  slocum.replace(slocum.find("name = \"slocum\""), 15, "name = \"p\"");
-  const auto with = [&](const std::string& from, const std::string& to) {
-    std::string text = slocum;
-    text.replace(text.find(from), from.size(), to);
-    const auto platform = loadText(text);
-    return platform ? "" : platform.error().message;
-  };
-  EXPECT_EQ(with("", ""), "");
-  EXPECT_NE(with("[power]", "[might]").find("might"), std::string::npos);
+  EXPECT_EQ(slocumWith("", ""), "");
+  EXPECT_NE(slocumWith("[power]", "[might]").find("might"), std::string::npos);
   EXPECT_NE(loadText(std::string(kHead) + "[power]\nfull_V = 5\n" + kSensor)
                 .error()
                 .message.find("without [motion]"),
             std::string::npos);
-  EXPECT_NE(with("\nmass_kg = 65.0", "").find("mass_kg"), std::string::npos);
-  EXPECT_NE(with("\nfull_V = 14.4", "").find("full_V"), std::string::npos);
-  EXPECT_NE(with("hull_lift = 3.8", "hull_lift = -3.8").find("above 0"), std::string::npos);
-  EXPECT_NE(with("empty_V = 10.0", "empty_V = 14.4").find("below `full_V`"), std::string::npos);
-  EXPECT_NE(with("resistance_ohm = 0.47", "resistance_ohm = -1.0").find("below 0"),
+  EXPECT_NE(slocumWith("\nmass_kg = 65.0", "").find("mass_kg"), std::string::npos);
+  EXPECT_NE(slocumWith("\nfull_V = 14.4", "").find("full_V"), std::string::npos);
+  EXPECT_NE(slocumWith("hull_lift = 3.8", "hull_lift = -3.8").find("above 0"), std::string::npos);
+  EXPECT_NE(slocumWith("empty_V = 10.0", "empty_V = 14.4").find("below `full_V`"),
+            std::string::npos);
+  EXPECT_NE(slocumWith("resistance_ohm = 0.47", "resistance_ohm = -1.0").find("below 0"),
             std::string::npos);
 }
 
 /// The rows of the power table: each bad row is one error that names it.
 TEST(Platform, ThePowerTableIsChecked) {
-  std::string slocum = tests::slurp(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
-  slocum.replace(slocum.find("name = \"slocum\""), 15, "name = \"p\"");
-  const auto with = [&](const std::string& from, const std::string& to) {
-    std::string text = slocum;
-    text.replace(text.find(from), from.size(), to);
-    const auto platform = loadText(text);
-    return platform ? "" : platform.error().message;
-  };
   const std::pair<std::pair<const char*, const char*>, const char*> errors[] = {
       {{"W = 1.27", "W = -1.27"}, "below 0"},
       {{"W = 1.27", "J = 1.27"}, "`W`"},
@@ -181,10 +176,10 @@ TEST(Platform, ThePowerTableIsChecked) {
        "must name sensors of the vehicle, and `sci_oxy5_oxygen` is none"},
       {{"J_per_cc_m = 0.018\n", ""}, "J_per_cc_m"}};
   for (const auto& [change, why] : errors) {
-    EXPECT_NE(with(change.first, change.second).find(why), std::string::npos)
-        << change.second << ": " << with(change.first, change.second);
+    EXPECT_NE(slocumWith(change.first, change.second).find(why), std::string::npos)
+        << change.second << ": " << slocumWith(change.first, change.second);
   }
-  EXPECT_NE(with("when = \"pump_in\"\nJ_per_cc = 0.40", "when = \"always\"\nW = 0.40")
+  EXPECT_NE(slocumWith("when = \"pump_in\"\nJ_per_cc = 0.40", "when = \"always\"\nW = 0.40")
                 .find("must have a row with `when = \"pump_in\"`"),
             std::string::npos);
 }

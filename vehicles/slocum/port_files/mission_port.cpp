@@ -15,7 +15,7 @@ namespace glider::slocum {
 support::Result<PortPlan> planFor(const compiler::Optimised& mission, const PortChoice& choice) {
   std::vector<uint16_t> sensors;
   for (const ir::Sensor& sensor : mission.mission.sensors) {
-    if (sensor.symbol.empty() && !sensor.isHeard()) {
+    if (sensor.isOfVehicle()) {
       sensors.push_back(sensor.id);
     }
   }

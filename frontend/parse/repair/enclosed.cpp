@@ -4,7 +4,7 @@
 // The part of WordRepair that reads what encloses: braces and quotation marks.
 
 #include "frontend/parse/foreign_characters.h"
-#include "frontend/parse/repair_words.h"
+#include "frontend/parse/repair/words.h"
 #include "frontend/parse/token_kinds.h"
 #include "support/diagnostics/ids/syntax.h"
 

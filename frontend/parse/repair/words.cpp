@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "frontend/parse/repair_words.h"
+#include "frontend/parse/repair/words.h"
 
 #include "frontend/bare_positions.h"
 #include "frontend/parse/foreign_characters.h"
-#include "frontend/parse/repair_positions.h"
+#include "frontend/parse/repair/positions.h"
 #include "frontend/parse/token_kinds.h"
 #include "frontend/spelling.h"
 #include "support/diagnostics/ids/meaning.h"

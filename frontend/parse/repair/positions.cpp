@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "frontend/parse/repair_positions.h"
+#include "frontend/parse/repair/positions.h"
 
 #include "frontend/parse/token_kinds.h"
 

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/parse/repair/repair.h"
+
+#include "frontend/parse/foreign_characters.h"
+#include "frontend/parse/phrases/phrases.h"
+#include "frontend/parse/phrases/unit_names.h"
+#include "frontend/parse/repair/names.h"
+#include "frontend/parse/repair/structure.h"
+#include "frontend/parse/repair/words.h"
+
+namespace glider::frontend {
+
+Repaired repair(const std::vector<Lexeme>& lexemes, SyntaxReporter& reporter) {
+  const Source& source = reporter.source();
+  const Rephrased phrases =
+      repairPhrases(separateForeign(nameDeclaredUnits(lexemes, source), source), reporter);
+  WordRepair words(reporter);
+  NameRepair names(reporter);
+  const std::vector<Lexeme> clean = names.run(words.run(phrases.lexemes));
+  Repaired repaired = StructureRepair(clean, words.cut(), reporter).run();
+  repaired.named = !names.guessed() && phrases.as_meant;
+  repaired.parseable = repaired.parseable && !words.cut();
+  return repaired;
+}
+
+}  // namespace glider::frontend

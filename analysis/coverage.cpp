@@ -26,7 +26,7 @@ std::vector<ir::Case>& casesOf(ir::Mission& mission, const ir::CasePlace& place)
 
 std::vector<ir::CasePlace> allCases(const ir::Mission& mission) {
   std::vector<ir::CasePlace> places;
-  for (uint32_t i = 0; i < mission.always.size(); ++i) {
+  for (uint32_t i = 0; i < mission.always.size() && !mission.always[i].implied; ++i) {
     places.push_back({{}, i});
   }
   for (uint32_t s = 0; s < mission.states.size(); ++s) {
@@ -35,6 +35,15 @@ std::vector<ir::CasePlace> allCases(const ir::Mission& mission) {
     }
   }
   return places;
+}
+
+/// Whether a requirement names the state: without the state it would say nothing.
+bool named(const ir::Mission& mission, ir::StateId state) {
+  return std::ranges::any_of(mission.requirements, [&](const ir::Requirement& r) {
+    return r.state == state || r.after == state ||
+           std::ranges::any_of(r.monitor.observations,
+                               [&](const ir::Observation& o) { return o.state == state; });
+  });
 }
 
 /// Proves the mission again without each case, one at a time, with a part of the effort: a proof
@@ -75,7 +84,7 @@ class DependenceSearch {
       std::ranges::copy_if(all, std::back_inserter(leading), [&](const ir::CasePlace& place) {
         return caseAt(place).target == ir::StateId{s};
       });
-      if (!leading.empty() && holdsWithout(leading)) {
+      if (!leading.empty() && !named(m_, {s}) && holdsWithout(leading)) {
         coverage.idle_states.push_back({s});
       }
     }
@@ -143,10 +152,11 @@ std::string coverageLine(const Coverage& coverage, const compiler::Checked& chec
     parts.push_back(
         fmt::format("state{} {}", names.size() == 1 ? "" : "s", fmt::join(names, ", ")));
   }
-  return parts.empty()
-             ? ""
-             : fmt::format("any one of these could be left out, and all would still be proved: {}",
-                           fmt::join(parts, "; "));
+  return parts.empty() ? ""
+                       : fmt::format(
+                             "any one of these could be left out, and everything proved would "
+                             "still be proved: {}",
+                             fmt::join(parts, "; "));
 }
 
 }  // namespace glider::analysis

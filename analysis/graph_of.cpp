@@ -124,7 +124,7 @@ class GraphMaker {
                                                      const ir::Moves& moves,
                                                      const char* list) const {
     std::vector<report::GraphCase> result;
-    for (size_t i = 0; i < cases.size(); ++i) {
+    for (size_t i = 0; i < cases.size() && !cases[i].implied; ++i) {
       const ir::Case& c = cases[i];
       report::GraphCase& told = result.emplace_back();
       told.guard = line(mission_[c.guard].range);

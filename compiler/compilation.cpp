@@ -5,6 +5,7 @@
 
 #include "compiler/library.h"
 #include "compiler/share.h"
+#include "compiler/steep_pitch.h"
 #include "compiler/vehicles_own.h"
 #include "frontend/frontend.h"
 #include "frontend/import/imports.h"
@@ -118,8 +119,10 @@ std::shared_ptr<const Lowered> lower(const Parsed& parsed,
   if (!mission) {
     return nullptr;
   }
+  platforms::Platform platform = parsed.platform;
+  allowForSteepPitch(*mission, platform.envelope);
   return std::make_shared<const Lowered>(Lowered{std::move(sources), std::move(*mission),
-                                                 std::move(in_c), parsed.platform,
+                                                 std::move(in_c), std::move(platform),
                                                  parsed.standard_library});
 }
 
@@ -135,6 +138,7 @@ Result<std::shared_ptr<const Lowered>> readIr(uint32_t file,
   if (!platform) {
     return std::unexpected(platform.error());
   }
+  allowForSteepPitch(*mission, platform->envelope);
   ir::CInterface in_c = ir::usedInC(*mission);
   return std::make_shared<const Lowered>(
       Lowered{std::move(sources), std::move(*mission), std::move(in_c), std::move(*platform), {}});

@@ -78,19 +78,28 @@ std::string slopeText(const Envelope& envelope) {
                    envelope.usual_pitch_rad * kDegrees);
 }
 
+std::string overshootText(const Envelope& envelope) {
+  const std::string usual = fmt::format("{:.6g} m", envelope.inflection_overshoot_m);
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  return envelope.steep_overshoot_m > 0
+             ? fmt::format("{}, {:.6g} m beyond {:.3g} deg", usual, envelope.steep_overshoot_m,
+                           envelope.overshoot_pitch_rad * kDegrees)
+             : usual;
+}
+
 std::string envelopeText(const Envelope& envelope) {
   return fmt::format(
       "  greatest depth          {:.6g} m\n"
       "  fastest vertical rate   {:.6g} m/s\n"
       "  {}\n"
-      "  inflection overshoot    {:.6g} m\n"
+      "  inflection overshoot    {}\n"
       "  strongest current       {:.6g} m/s\n"
       "  fin                     {}\n"
       "  pump                    {}\n"
       "  pitch battery           {}\n"
       "  control cycle           {:.6g} s\n",
       envelope.greatest_depth_m, envelope.vertical_rate_m_s, slopeText(envelope),
-      envelope.inflection_overshoot_m, envelope.drift_m_s, finText(envelope), pumpText(envelope),
+      overshootText(envelope), envelope.drift_m_s, finText(envelope), pumpText(envelope),
       batteryText(envelope), envelope.cycle_s);
 }
 
@@ -174,6 +183,8 @@ std::string json(const Platform& platform, const std::optional<platforms::Board>
                            {"fastest_m_s", envelope.fastest_m_s},
                            {"vertical_rate_m_s", envelope.vertical_rate_m_s},
                            {"inflection_overshoot_m", envelope.inflection_overshoot_m},
+                           {"steep_overshoot_m", envelope.steep_overshoot_m},
+                           {"overshoot_pitch_rad", envelope.overshoot_pitch_rad},
                            {"drift_m_s", envelope.drift_m_s},
                            {"fin_rad", envelope.fin_rad},
                            {"pump_cc", envelope.pump_cc},

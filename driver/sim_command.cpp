@@ -248,6 +248,9 @@ int sim(const SimOptions& options, Json* document) {
   if (!scenario) {
     return reportFailure(scenario.error());
   }
+  if (mission != nullptr) {
+    flights::carryPack(mission->mission, *scenario);
+  }
   auto folder = FlightFolder::open(outputFolder(options));
   if (!folder) {
     return reportFailure(folder.error());

@@ -86,6 +86,15 @@ support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
   return scenario;
 }
 
+void carryPack(const ir::Mission& mission, simulator::Scenario& scenario) {
+  simulator::BatterySettings& battery = scenario.vehicle.battery;
+  constexpr double kJoulesPerKilojoule = 1000;
+  if (mission.pack && !battery.own_capacity) {
+    battery.power.capacity_kj =
+        simulator::energyOfCharge(battery.power, mission.pack->capacity_C) / kJoulesPerKilojoule;
+  }
+}
+
 std::vector<std::string> scenariosWith(const platforms::Platform& platform,
                                        std::string_view sensor) {
   std::vector<std::string> names = scenarioNames();

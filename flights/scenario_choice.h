@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "ir/core/mission.h"
 #include "simulator/scenario/scenario.h"
 #include "support/diagnostics/show.h"
 #include "support/result.h"
@@ -27,6 +28,10 @@ std::vector<std::string> scenariosWith(const platforms::Platform& platform,
 support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
                                                     const platforms::Platform& platform,
                                                     const support::ShowDiagnostics& show = {});
+
+/// Gives the vehicle of `scenario` the batteries that the mission's line `pack` says, unless the
+/// scenario has some of its own.
+void carryPack(const ir::Mission& mission, simulator::Scenario& scenario);
 
 /// Makes the flights of `scenario` last up to `duration_s`, for --duration. If its mission file of
 /// the vehicle is one that comes with glidercc and would end the flight sooner (overtime), that

@@ -98,6 +98,8 @@ SHARE : 'share' ;
 PRECISION : 'precision' ;
 VEHICLES : 'vehicles' ;
 PEERS : 'peers' ;
+PACK : 'pack' ;
+RESERVE : 'reserve' ;
 
 // Units (support/units/units.def) and the letters of positions; `S` and `W` are both. `min` is also the function.
 MIN : 'min' ;

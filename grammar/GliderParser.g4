@@ -12,7 +12,7 @@ item
   : missionLine | platformLine | importLine
   | constant | parameter | variable
   | always | state | behaviour | external | place | requirement | assumption | resumption | declination | share
-  | vehicles
+  | vehicles | pack
   ;
 
 missionLine : MISSION anyName ;
@@ -75,6 +75,9 @@ share : SHARE anyName (COLON type (ASSIGN expr)?)? range? (PRECISION expr)? EVER
 
 // The names of a fleet, in the order of the addresses of their modems.
 vehicles : VEHICLES anyName (COMMA anyName)* ;
+
+// The batteries: `pack 168 Ah at 14.4 V reserve 20 %`.
+pack : PACK expr AT expr (RESERVE expr)? ;
 
 assumption : ASSUME premise ;
 premise
@@ -149,7 +152,7 @@ name
   | SURFACES | RESUME | DECLINATION | RESTART | PLACE | CAN | VISIT | PATROL | STRICT | ORDER | FAIRLY | AT | MOST
   | LEAST | EXACTLY | TIMES_WORD | BEFORE | WHENEVER | WHEN | ONLY | NEXT | TICK | FOR | HOLD | UNTIL | OUTSIDE
   | FROM | TO | ASSUME | START | NO | OUTAGE | CURRENT | KNOWN | FIX | AS | CHANGES | SHARE | PRECISION
-  | VEHICLES | PEERS
+  | VEHICLES | PEERS | PACK | RESERVE
   ;
 // A unit's name may name a mission or a state; elsewhere the frontend says why not.
 anyName : name | UNIT | COMPASS | MIN ;

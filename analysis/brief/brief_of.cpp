@@ -86,7 +86,7 @@ class BriefMaker {
   [[nodiscard]] std::vector<report::BriefEvent> events(
       const std::vector<ir::Case>& cases, const std::vector<report::GraphCase>& drawn) const {
     std::vector<report::BriefEvent> all;
-    for (size_t i = 0; i < cases.size(); ++i) {
+    for (size_t i = 0; i < drawn.size(); ++i) {
       all.push_back(words_.event(cases[i], drawn[i].never));
     }
     return all;

@@ -97,9 +97,9 @@ std::string powerCuts(const ir::Mission& mission) {
           ? " If the vehicle has restarted its own mission meanwhile, it keeps control too."
           : "";
   return fmt::format(
-      "After a power cut of the payload computer of up to {}, the mission continues "
-      "if its program keeps checkpoints; after a longer one, the vehicle keeps "
-      "control.{}",
+      "After a power cut of the payload computer, the mission continues if its program keeps "
+      "checkpoints and runs again within {} of the newest, which is at most 20 s old; later, the "
+      "vehicle keeps control.{}",
       durationOf(mission.resume_within_s), after_restart);
 }
 

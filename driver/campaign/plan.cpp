@@ -125,6 +125,7 @@ int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPla
         return reportFailure(own.error());
       }
     }
+    flights::carryPack(compiled->mission, *scenario);
     if (options.duration_s) {
       const std::string note = flights::setDuration(*scenario, platform, *options.duration_s);
       tell(note.empty() || !plan.missions.empty() ? "" : "glidercc: note: " + note + "\n");

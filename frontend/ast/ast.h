@@ -528,6 +528,15 @@ struct Vehicles {
   bool operator==(const Vehicles&) const = default;
 };
 
+/// `pack 168 Ah at 14.4 V reserve 20 %`: the batteries.
+struct Pack {
+  Expr capacity;  ///< a charge or an energy
+  Expr voltage;
+  std::optional<Expr> reserve;  ///< the share that is not meant to be used
+  Where where;
+  bool operator==(const Pack&) const = default;
+};
+
 struct MissionLine {
   Name name;
   Where where;
@@ -548,7 +557,7 @@ struct Import {
 using Item =
     std::variant<MissionLine, PlatformLine, Import, Const, Param, Var, Always, State, Behaviour,
                  ExternFunction, ExternBehaviour, ExternSensor, PlaceDeclaration, Requirement,
-                 Assumption, Resumption, Declination, Share, Vehicles>;
+                 Assumption, Resumption, Declination, Share, Vehicles, Pack>;
 
 /// A mission file or a library file.
 struct File {

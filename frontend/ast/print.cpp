@@ -154,6 +154,10 @@ class FilePrinter {
                      stale));
   }
 
+  void write(const Pack& n) {
+    const std::string reserve = n.reserve ? " reserve " + print(*n.reserve) : "";
+    line("pack " + print(n.capacity) + " at " + print(n.voltage) + reserve);
+  }
   void write(const Vehicles& n) {
     std::string names;
     for (const Name& name : n.names) {

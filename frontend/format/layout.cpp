@@ -55,10 +55,10 @@ class Layout {
     lines_.push_back({at_, at_, indent, indent, false});
   }
 
-  /// True at a line `declination -12 deg`, `assume no outage` or `vehicles ada, bob`: where a
-  /// value or a name is expected, the word is a name.
+  /// True at a line such as `declination -12 deg`, `assume no outage` or `pack 168 Ah at 14.4 V`:
+  /// where a value or a name is expected, the word is a name.
   [[nodiscard]] bool softItem() const {
-    return tokenIsOneOf(token(), {"declination", "assume", "share", "vehicles"}) &&
+    return tokenIsOneOf(token(), {"declination", "assume", "share", "vehicles", "pack"}) &&
            !after({"mission", "platform", "const",    "param", "var",    "function", "sensor",
                    "=",       "+",        "-",        "*",     "/",      "(",        ",",
                    "[",       "in",       "..",       "where", "<",      "<=",       ">",

@@ -89,6 +89,8 @@ ast::Item AstBuilder::item(Parser::ItemContext* rule) {
                               where(child)};
     case GliderParser::RuleShare:
       return share(static_cast<Parser::ShareContext*>(child));
+    case GliderParser::RulePack:
+      return pack(static_cast<Parser::PackContext*>(child));
     case GliderParser::RuleVehicles:
       return vehicles(static_cast<Parser::VehiclesContext*>(child));
     case GliderParser::RuleExternal:
@@ -148,6 +150,14 @@ std::optional<std::vector<ast::Formal>> AstBuilder::formals(Parser::FormalsConte
                     range(formal->range())});
   }
   return list;
+}
+
+ast::Pack AstBuilder::pack(Parser::PackContext* rule) {
+  std::optional<ast::Expr> reserve;
+  if (rule->RESERVE() != nullptr) {
+    reserve = expr(rule->expr(2));
+  }
+  return {expr(rule->expr(0)), expr(rule->expr(1)), std::move(reserve), where(rule)};
 }
 
 ast::Vehicles AstBuilder::vehicles(Parser::VehiclesContext* rule) {

@@ -48,6 +48,7 @@ class AstBuilder {
   ast::Behaviour behaviour(Parser::BehaviourContext* rule);
   ast::Item external(Parser::ExternalContext* rule);
   ast::Share share(Parser::ShareContext* rule);
+  ast::Pack pack(Parser::PackContext* rule);
   ast::Vehicles vehicles(Parser::VehiclesContext* rule);
   ast::Requirement requirement(Parser::RequirementContext* rule);
   ast::Assumption assumption(Parser::AssumptionContext* rule);

@@ -280,6 +280,14 @@ void ErrorStrategy::complainOfWord(antlr4::Parser* parser, const Lexeme& word) {
   expected("an operator, or the end of the value", word);
 }
 
+void ErrorStrategy::complainOfItem(const Lexeme& found) {
+  if (!misspelled(found, {"mission", "platform", "import", "const", "param", "var", "always",
+                          "state", "flightprofile", "flightroute", "extern", "require", "place",
+                          "resume", "declination", "pack"})) {
+    expected("`state` or another declaration", found);
+  }
+}
+
 void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Lexeme& found) {
   const antlr4::Token* before = parser->getTokenStream()->LT(-1);
   const size_t last = before == nullptr ? 0 : before->getType();
@@ -305,6 +313,8 @@ void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Le
     case GliderParser::RulePromise:
     case GliderParser::RulePattern:
       return complainOfPromise(last, found);
+    case GliderParser::RulePack:
+      return expected("`at` and the voltage, as in `pack 168 Ah at 14.4 V`", found);
     case GliderParser::RuleDeclaration:
       if (last == GliderParser::EXTERN) {
         return expected("`function`, `flightprofile`, `flightroute` or `sensor`", found);
@@ -312,12 +322,7 @@ void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Le
       return expected(listOf(parser->getExpectedTokens()), found);
     case GliderParser::RuleFile:
     case GliderParser::RuleItem:
-      if (!misspelled(found, {"mission", "platform", "import", "const", "param", "var", "always",
-                              "state", "flightprofile", "flightroute", "extern", "require", "place",
-                              "resume", "declination"})) {
-        expected("`state` or another declaration", found);
-      }
-      return;
+      return complainOfItem(found);
     case GliderParser::RuleState:
     case GliderParser::RuleBehaviour:
       if (!misspelled(found, {"flightroute", "flightprofile", "sensors", "entry", "events", "var",

@@ -62,11 +62,11 @@ class OutlineReader {
   [[nodiscard]] uint32_t type(size_t k) const { return peek(k).type; }
   [[nodiscard]] uint32_t before() const { return at_ == 0 ? kEof : lexemes_[at_ - 1].type; }
 
-  /// `resume within …`, `declination …`, `assume …`, `place NAME = …`
+  /// `resume within …`, `declination …`, `assume …`, `pack …`, `place NAME = …`
   [[nodiscard]] bool startsSoftItem() const {
     return (type(0) == GliderLexer::RESUME && type(1) == GliderLexer::WITHIN) || startsShare() ||
            startsVehicles() ||
-           (oneOf(type(0), {GliderLexer::DECLINATION, GliderLexer::ASSUME}) &&
+           (oneOf(type(0), {GliderLexer::DECLINATION, GliderLexer::ASSUME, GliderLexer::PACK}) &&
             endsValue(before())) ||
            (type(0) == GliderLexer::PLACE && isAnyName(type(1)) && type(2) == GliderLexer::ASSIGN);
   }

@@ -5,6 +5,7 @@
 #include "frontend/sema/declarations/declarations.h"
 #include "frontend/sema/declarations/lower_assumption.h"
 #include "frontend/sema/declarations/lower_declination.h"
+#include "frontend/sema/declarations/lower_pack.h"
 #include "frontend/sema/declarations/lower_requirement.h"
 #include "frontend/sema/declarations/lower_resumption.h"
 #include "frontend/sema/declarations/shares.h"
@@ -42,6 +43,7 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
   lowerVehicles(mission, scope);
   lowerShares(mission, scope);
   lowerDeclination(mission, scope);
+  lowerPack(mission, inputs.library, scope);
   declareStates(mission, scope);
   declarePlaces(mission, scope);
   for (auto& [name, behaviour] : scope.behaviours) {
@@ -50,6 +52,7 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
     }
   }
   lowerAlways(mission, scope);
+  keepFirstCharge(scope);
   for (uint32_t i = 0; i < scope.state_declarations.size(); ++i) {
     scope.mission.states.push_back(StateLowering({i}, scope).run());
   }
@@ -65,6 +68,7 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
   if (in_c != nullptr) {
     *in_c = scope.declaredInC();
   }
+  warnOfReserve(mission, scope);
   warnOfUnused(scope.names, scope);
   for (const StateDeclaration& state : scope.state_declarations) {
     warnOfUnused(state.names, scope);

@@ -240,6 +240,9 @@ struct Case {
   StateId target;                 ///< of Goto and Call
   std::vector<ExprId> arguments;  ///< for State::parameters of the target
   support::SourceRange range;
+  /// It is not in the mission's text: it keeps a value that a word of the language needs, and
+  /// stays. Pictures and lists of cases leave it out; such cases come last in their list.
+  bool implied = false;
 };
 
 /// A place at which a number line is cut: values past it are greater than `at` or, for an inclusive
@@ -463,6 +466,14 @@ struct Compass {
   bool operator==(const Compass&) const = default;
 };
 
+/// The batteries that the mission counts on: the line `pack`.
+struct Pack {
+  double capacity_C = 0;  ///< positive
+  double voltage_V = 0;   ///< positive: what a charge is multiplied by to give an energy
+  double reserve = 0;     ///< the share of the capacity that is not meant to be used: 0 <= r < 1
+  bool operator==(const Pack&) const = default;
+};
+
 struct Mission {
   std::string name;
   std::string platform;
@@ -491,6 +502,7 @@ struct Mission {
   /// during the outage.
   bool new_after_restart = false;
   std::optional<Compass> compass;  ///< empty: the mission does not use headings
+  std::optional<Pack> pack;        ///< empty: the mission says nothing of it
   std::vector<Share> shares;       ///< those of a period one after the other, shortest period first
   SensorId utc;  ///< the vehicle's clock, of a mission with shares: it is in `sensors`
   std::vector<std::string> vehicles;  ///< names of the fleet, by the address of the modem, from 1

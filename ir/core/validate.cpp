@@ -40,6 +40,7 @@ class Validator {
   std::vector<Defect> run() {
     sensors();
     compass();
+    pack();
     behaviours();
     variables();
     validateShares(m_, defects_);
@@ -101,6 +102,12 @@ class Validator {
             {}, "the variation of the compass is not an angle of the vehicle");
     require(std::fabs(m_.compass->declination.value_or(0)) <= std::numbers::pi, {},
             "the declination is more than half a turn");
+  }
+
+  void pack() {
+    const Pack pack = m_.pack.value_or(Pack{1, 1, 0});
+    require(pack.capacity_C > 0 && pack.voltage_V > 0 && pack.reserve >= 0 && pack.reserve < 1, {},
+            "the pack has no capacity, no voltage, or a reserve that is all of it");
   }
 
   void behaviours() {

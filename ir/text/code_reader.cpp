@@ -232,6 +232,7 @@ Transition CodeReader::transition() {
 
 void CodeReader::caseInto(std::function<std::vector<Case>&()> list, SourceRange begin) {
   Case c;
+  c.implied = in_.accept("implied");
   c.guard = expression();
   if (in_.peek().isWord("do") || in_.peek().isWord("run")) {
     c.action = block(0);

@@ -43,6 +43,9 @@ std::string Printer::run() {
   }
   std::ranges::for_each(m_.sensors, [&](const Sensor& s) { sensor(s); });
   compass();
+  if (m_.pack) {
+    add("\npack {} at {} reserve {}", m_.pack->capacity_C, m_.pack->voltage_V, m_.pack->reserve);
+  }
   std::ranges::for_each(m_.behaviours, [&](const Behaviour& b) { behaviour(b); });
   std::ranges::for_each(m_.variables, [&](const Variable& v) { variable(v); });
   std::ranges::for_each(m_.tables, [&](const Table& t) { table(t); });

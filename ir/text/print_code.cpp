@@ -52,7 +52,7 @@ void Printer::cases(const std::vector<Case>& cases) {
   for (const Case& c : cases) {
     defineBlocks(c.action);
     prepare({&c.guard, 1});
-    line("case ");
+    line("case {}", c.implied ? "implied " : "");
     use(c.guard);
     if (c.action.valid()) {
       add(" ");

@@ -91,11 +91,13 @@ class Reader {
       resumption();
     } else if (in_.accept("compass")) {
       compass();
+    } else if (in_.accept("pack")) {
+      pack();
     } else if (!code_.definition()) {
       in_.failExpecting(
           "`sensor`, `behaviour`, `variable`, `table`, `function`, `use`, `share`, `utc`, "
-          "`vehicle`, `let`, `always`, `state`, `every`, `require`, `assume`, `resume` or "
-          "`compass`");
+          "`vehicle`, `let`, `always`, `state`, `every`, `require`, `assume`, `resume`, "
+          "`compass` or `pack`");
     }
   }
 
@@ -108,6 +110,16 @@ class Reader {
       read.declination = in_.number(false);
     }
     m_.compass = read;
+  }
+
+  void pack() {
+    Pack read;
+    read.capacity_C = in_.number(false);
+    in_.expect("at");
+    read.voltage_V = in_.number(false);
+    in_.expect("reserve");
+    read.reserve = in_.number(false);
+    m_.pack = read;
   }
 
   void share() {

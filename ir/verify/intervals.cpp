@@ -184,7 +184,7 @@ class IntervalAnalysis {
     return {lowest, highest, false};
   }
 
-  /// A mean is computed from sums that may round to outside the range of the readings.
+  /// A mean over a time is computed from sums that may round to outside the range of the readings.
   [[nodiscard]] Interval window(const Temporal& t) const {
     const Interval& x = all_(t.operand.index);
     switch (t.kind) {
@@ -198,6 +198,7 @@ class IntervalAnalysis {
       case TemporalKind::Spread:
         return x.empty ? x : between(0, x.highest - x.lowest);
       case TemporalKind::Mean:
+        return t.leg == Leg::None ? kAny : x;  // that of a leg is limited to its readings (Y6)
       case TemporalKind::Slope:
       case TemporalKind::Steepest:
       case TemporalKind::AtSteepest:

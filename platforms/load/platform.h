@@ -51,7 +51,10 @@ struct Envelope {
   double shallowest_pitch_rad = 0;    ///< a dive or climb at a smaller pitch is refused
   double vertical_rate_m_s = 0;       ///< the fastest it sinks or climbs
   double inflection_overshoot_m = 0;  ///< how far it goes past a target depth while it turns
-  double drift_m_s = 0;               ///< the strongest current that missions account for
+  /// The same at more than `overshoot_pitch_rad`; 0: no more than at any other pitch.
+  double steep_overshoot_m = 0;
+  double overshoot_pitch_rad = 0;
+  double drift_m_s = 0;   ///< the strongest current that missions account for
   double pump_cc = 0;     ///< of the buoyancy pump, in either direction; 0: missions have none
   double fin_rad = 0;     ///< of the fin, to either side; 0: missions have no fin
   double battery_in = 0;  ///< of the pitch battery, to either side; 0: missions have none

@@ -25,7 +25,8 @@ constexpr NumberKey<Envelope> kGlides[] = {
     {"steepest_pitch_rad", &Envelope::steepest_pitch_rad},
     {"shallowest_pitch_rad", &Envelope::shallowest_pitch_rad},
     {"pump_cc", &Envelope::pump_cc}};
-constexpr std::string_view kGlidesToo[] = {"usual_pitch_rad", "battery_in"};
+constexpr std::string_view kGlidesToo[] = {"usual_pitch_rad", "battery_in", "steep_overshoot_m",
+                                           "overshoot_pitch_rad"};
 
 /// Of a vehicle with a propeller.
 constexpr NumberKey<Envelope> kDrives[] = {{"slowest_m_s", &Envelope::slowest_m_s},
@@ -61,6 +62,19 @@ void readPitches(TomlReader& reader, Envelope& envelope) {
   }
 }
 
+/// Both or neither.
+void readSteepOvershoot(TomlReader& reader, Envelope& envelope) {
+  envelope.steep_overshoot_m = reader.numberOr("steep_overshoot_m", 0);
+  envelope.overshoot_pitch_rad = reader.numberOr("overshoot_pitch_rad", 0);
+  const bool none = envelope.steep_overshoot_m == 0 && envelope.overshoot_pitch_rad == 0;
+  if (!none && !(envelope.steep_overshoot_m >= envelope.inflection_overshoot_m)) {
+    reader.refuse("steep_overshoot_m", "must not be below `inflection_overshoot_m`");
+  }
+  if (!none && !(envelope.overshoot_pitch_rad > 0)) {
+    reader.refuse("overshoot_pitch_rad", "must be above 0");
+  }
+}
+
 void readSpeeds(TomlReader& reader, Envelope& envelope) {
   readInto(reader, kDrives, envelope);
   if (!(envelope.usual_speed_m_s >= envelope.slowest_m_s &&
@@ -85,6 +99,7 @@ Envelope readEnvelope(TomlReader& reader) {
     readSpeeds(reader, envelope);
   } else {
     readPitches(reader, envelope);
+    readSteepOvershoot(reader, envelope);
   }
   envelope.fin_rad = reader.numberOr("fin_rad", 0);
   constexpr double kQuarterTurn = 1.5707963267948966;

@@ -124,6 +124,7 @@ void readBattery(Fields& f, BatterySettings& battery) {
   f.reader().only(
       {"capacity_kJ", "full_V", "empty_V", "resistance_ohm", "start_V", "hotel_W", "sbc_W"});
   platforms::Power& power = battery.power;
+  battery.own_capacity = f.has("capacity_kJ");
   f.number("capacity_kJ", power.capacity_kj, 1, 1e6);
   f.number("full_V", power.full_V, 5, 40);
   f.number("empty_V", power.empty_V, 1, 40);

@@ -15,8 +15,12 @@ constexpr double kVoltageLag = 30;
 
 }  // namespace
 
+double energyOfCharge(const platforms::Power& power, double charge_C) {
+  return charge_C * (power.full_V - power.empty_V) / std::log(power.full_V / power.empty_V);
+}
+
 BatterySettings batteryOf(const platforms::Power& power) {
-  return {.power = power, .start_V = power.full_V, .sbc_W = std::nullopt};
+  return {.power = power, .start_V = power.full_V, .own_capacity = false, .sbc_W = std::nullopt};
 }
 
 Battery::Battery(const BatterySettings& settings)

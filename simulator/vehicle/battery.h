@@ -17,8 +17,13 @@ inline constexpr double kJoulesPerWattHour = 3600;
 struct BatterySettings {
   platforms::Power power;
   double start_V = 1;           ///< without load, when the flight begins
+  bool own_capacity = false;    ///< the scenario says how much it holds
   std::optional<double> sbc_W;  ///< while the SBC has power; empty: not known, and not counted
 };
+
+/// The energy (J) of a full pack that gives `charge_C` until it is empty, at the voltages of
+/// `power`: they fall linearly with the energy used.
+double energyOfCharge(const platforms::Power& power, double charge_C);
 
 /// Those of a vehicle with a full pack.
 BatterySettings batteryOf(const platforms::Power& power);

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <cstdio>
 #include <gmock/gmock.h>
 #include <string>
 
@@ -119,6 +121,35 @@ TEST_F(PowerCommand, AnEmptyPackEndsTheFlight) {
   EXPECT_THAT(flown.err, HasSubstr("[GL9398 pack-empty]"));
   EXPECT_THAT(flown.err, HasSubstr("most went to: "));
   EXPECT_THAT(flown.out, HasSubstr("the batteries are empty at "));
+}
+
+/// The mission's own account, at the nominal voltage of a full pack, against the simulator's.
+TEST_F(PowerCommand, AMissionReadsWhatItsPackHasLeft) {
+  (void)fly("");  // writes the scenario
+  (void)folder_.write("m.mission",
+                      "mission m\npack 2 Ah at 14.4 V reserve 20 %\nalways\n"
+                      "  case energyleft < 70 % do log \"used\", energyused, energyleft end exit\n"
+                      "state s\nbegin\n  flightroute heading(90 deg)\n"
+                      "  flightprofile yo(5 m, 45 m)\n  sensors missiontime, depth\n  events\n"
+                      "    case missiontime >= 11 h exit\nend\n");
+  const Outcome flown = glidercc("sim m.mission --scenario w.toml -o f --format json");
+  EXPECT_EQ(flown.status, 0) << flown.err;
+  const json flight = json::parse(slurp(folder_.path() / "f" / "flight.json"));
+  const json& energy = flight.at("figures").at("energy");
+  constexpr double kFullV = 14.4, kEmptyV = 10;
+  EXPECT_NEAR(energy.at("capacity").get<double>(),
+              2 * (kFullV - kEmptyV) / std::log(kFullV / kEmptyV), 1e-6)
+      << "the vehicle carries that pack";
+  const std::string events = slurp(folder_.path() / "f" / "events.csv");
+  const size_t at = events.find("used ");
+  ASSERT_NE(at, std::string::npos) << events;
+  double used_J = 0, left = 0;
+  ASSERT_EQ(std::sscanf(events.c_str() + at, "used %lf J %lf", &used_J, &left), 2);
+  EXPECT_LT(left, 0.7);
+  EXPECT_GT(left, 0.69);
+  EXPECT_NEAR(used_J, 0.3 * 2 * kFullV * kJoulesPerWattHour, 0.01 * used_J);
+  EXPECT_NEAR(used_J, energy.at("used").get<double>() * kJoulesPerWattHour, 0.1 * used_J)
+      << "the voltage sags";
 }
 
 TEST_F(PowerCommand, PlatformPrintsEveryRowWithItsSource) {

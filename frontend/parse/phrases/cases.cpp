@@ -255,6 +255,32 @@ size_t ifInCase(Phrase& phrase) {
   return tokens;
 }
 
+namespace {
+
+/// Whether the case that begins here stays in its state: `resumetime` is then true from the first
+/// time on.
+bool caseStays(const Phrase& phrase) {
+  constexpr size_t kLongest = 200;
+  size_t k = 0;
+  while (k < kLongest && !isTransition(phrase.type(k)) &&
+         !oneOf(phrase.type(k), {GliderLexer::CASE, GliderLexer::STATE, kEof})) {
+    ++k;
+  }
+  return phrase.type(k) == GliderLexer::STAY;
+}
+
+/// What is true once in each `duration`.
+std::string insteadOfEvery(const Phrase& phrase, std::string_view duration) {
+  return caseStays(phrase)
+             ? fmt::format(
+                   "keep the time of the last one: `var last: time = 0 s`, then `missiontime >= "
+                   "last + {}`, with `set last = missiontime` in its `do`",
+                   duration)
+             : fmt::format("write `resumetime > {}`", duration);
+}
+
+}  // namespace
+
 size_t conditionWord(Phrase& phrase) {
   if (phrase.before() != GliderLexer::CASE) {
     return 0;
@@ -279,7 +305,7 @@ size_t conditionWord(Phrase& phrase) {
   unexpected().hint(
       yos != 0 ? fmt::format("write `{}`", countOfYos(phrase, 1))
       : word.type == GliderLexer::EVERY
-          ? fmt::format("write `resumetime > {}`", duration)
+          ? insteadOfEvery(phrase, duration)
           : fmt::format(
                 "write `missiontime > {0}`, or `statetime > {0}` for the time in this state",
                 duration));

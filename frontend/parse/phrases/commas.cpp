@@ -100,6 +100,31 @@ size_t eachForEvery(Phrase& phrase) {
   return 1;
 }
 
+size_t everyBeforeSensor(Phrase& phrase) {
+  const size_t number = tokensOfNumber(phrase, 1);
+  const size_t sensor = number + 1;
+  const bool item = oneOf(phrase.before(), {GliderLexer::SENSORS, GliderLexer::COMMA}) &&
+                    phrase.keyword() == GliderLexer::SENSORS && phrase.open().empty();
+  const bool last = phrase.type(sensor + 1) == GliderLexer::COMMA || phrase.startsLine(sensor + 1);
+  if (!item || number == 0 || !isAnyName(phrase.type(sensor)) || phrase.startsLine(sensor) ||
+      !last) {
+    return 0;
+  }
+  const Lexeme written = phrase.whole(0, sensor + 1);
+  const std::string better =
+      fmt::format("{} {}", phrase.text(sensor), phrase.wholeText(0, number + 1));
+  phrase.reporter()
+      .at(phrase.whole(0, number + 1), support::diagnostics::unexpectedToken, "a sensor",
+          fmt::format("`{}`", phrase.wholeText(0, number + 1)))
+      .hint(fmt::format("write `{}`", better))
+      .fix(phrase.source().range(written), better);
+  phrase.put(phrase.token(sensor));
+  for (size_t k = 0; k <= number; ++k) {
+    phrase.put(phrase.token(k));
+  }
+  return sensor + 1;
+}
+
 size_t valueAfterText(Phrase& phrase) {
   const bool after_text =
       phrase.before() == GliderLexer::STRING && phrase.before(1) == GliderLexer::LOG;

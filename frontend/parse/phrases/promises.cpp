@@ -30,6 +30,7 @@ constexpr Slip kSlips[] = {
     {"exit", "in", "exit", GliderLexer::EXIT, "within", kWithin},
     {"exit", "by", "exit", GliderLexer::EXIT, "within", kWithin},
     {"exit", "before", "exit", GliderLexer::EXIT, "within", kWithin},
+    {"surfaced", "every", "surfaces", GliderLexer::SURFACES, "every", kEvery},
     {"surface", "every", "surfaces", GliderLexer::SURFACES, "every", kEvery},
     {"surface", "within", "surfaces", GliderLexer::SURFACES, "every", kEvery},
     {"surface", "in", "surfaces", GliderLexer::SURFACES, "every", kEvery},
@@ -287,6 +288,43 @@ size_t caseAsWhenever(Phrase& phrase) {
   return 1;
 }
 
+/// `require the mission exits within 9 h`, `require the glider surfaces every 4 h`.
+size_t subject(Phrase& phrase) {
+  const size_t article = phrase.says(0, "the") ? 1 : 0;
+  const bool named = phrase.says(article, "mission") || phrase.says(article, "glider") ||
+                     phrase.says(article, "vehicle");
+  const size_t verb = article + 1;
+  const bool exits = phrase.says(verb, "exits") || phrase.says(verb, "exit") ||
+                     phrase.says(verb, "ends") || phrase.says(verb, "end");
+  const bool surfaces = phrase.says(verb, "surfaces") || phrase.says(verb, "surface");
+  const uint32_t next = phrase.type(verb + 1);
+  if (!named || !((exits && next == kWithin) || (surfaces && next == kEvery))) {
+    return 0;
+  }
+  const Lexeme whole = phrase.whole(0, verb + 2);
+  const Lexeme last = phrase.token(verb + 1);
+  const char* meant = exits ? "exit within" : "surfaces every";
+  expected(phrase, phrase.token(), fmt::format("`{}`", meant))
+      .hint(fmt::format("write `require {} …`", meant))
+      .fix(phrase.source().range(whole), meant);
+  phrase.put({exits ? GliderLexer::EXIT : GliderLexer::SURFACES, whole.begin, last.begin});
+  phrase.put(last);
+  return verb + 2;
+}
+
+/// `require visits report within 2 h`.
+size_t visits(Phrase& phrase) {
+  if (!phrase.says(0, "visits") || !isAnyName(phrase.type(1))) {
+    return 0;
+  }
+  const Lexeme word = phrase.token();
+  phrase.reporter()
+      .at(word, support::diagnostics::misspelledKeyword, phrase.text(), "visit")
+      .fix(phrase.source().range(word), "visit");
+  phrase.put({GliderLexer::VISIT, word.begin, word.end});
+  return 1;
+}
+
 /// `require exits within 5 h`, `require exit in 5 h`.
 size_t promiseWords(Phrase& phrase) {
   const auto* slip = std::ranges::find_if(kSlips, [&](const Slip& one) {
@@ -321,9 +359,9 @@ size_t promise(Phrase& phrase) {
   if (phrase.before() != GliderLexer::REQUIRE) {
     return 0;
   }
-  return firstOf(phrase,
-                 {promiseWords, surfacingAtLeast, timeAlone, caseAsWhenever, alwaysAtEnd,
-                  neverDivesBelow, neverComparing, neverOfNothing, greatestOrLeast, alwaysLeftOut});
+  return firstOf(phrase, {subject, visits, promiseWords, surfacingAtLeast, timeAlone,
+                          caseAsWhenever, alwaysAtEnd, neverDivesBelow, neverComparing,
+                          neverOfNothing, greatestOrLeast, alwaysLeftOut});
 }
 
 size_t promiseInside(Phrase& phrase) {

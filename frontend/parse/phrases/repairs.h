@@ -76,6 +76,16 @@ size_t signOfFeet(Phrase& phrase);
 size_t valueAfterText(Phrase& phrase);
 /// `yo(top: 5 m)`.
 size_t colonOfArgument(Phrase& phrase);
+/// `visit a at most twice`, `at least 3`.
+size_t timesLeftOut(Phrase& phrase);
+/// `in look: always depth < 60 m`.
+size_t alwaysAfterScope(Phrase& phrase);
+/// `surfaces every 4 h or exit`: what ends is not asked any more.
+size_t orExitOfSurfaces(Phrase& phrase);
+/// `mean(temp over 5 min)`.
+size_t wordOfWindow(Phrase& phrase);
+/// `sensors every 60 s battery`.
+size_t everyBeforeSensor(Phrase& phrase);
 /// `is above`, `drops below`, `exceeds`, `at least`.
 size_t comparison(Phrase& phrase);
 /// `depth between 5 m and 10 m`, `depth in 5 m .. 10 m`.

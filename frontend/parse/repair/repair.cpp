@@ -5,10 +5,10 @@
 
 #include "frontend/parse/foreign_characters.h"
 #include "frontend/parse/phrases/phrases.h"
-#include "frontend/parse/phrases/unit_names.h"
 #include "frontend/parse/repair/names.h"
 #include "frontend/parse/repair/structure.h"
 #include "frontend/parse/repair/words.h"
+#include "frontend/parse/unit_names.h"
 
 namespace glider::frontend {
 
@@ -19,8 +19,9 @@ Repaired repair(const std::vector<Lexeme>& lexemes, SyntaxReporter& reporter) {
   WordRepair words(reporter);
   NameRepair names(reporter);
   const std::vector<Lexeme> clean = names.run(words.run(phrases.lexemes));
-  Repaired repaired = StructureRepair(clean, words.cut(), reporter).run();
-  repaired.named = !names.guessed() && phrases.as_meant;
+  StructureRepair structure(clean, words.cut(), reporter);
+  Repaired repaired = structure.run();
+  repaired.named = !names.guessed() && phrases.as_meant && !structure.guessed();
   repaired.parseable = repaired.parseable && !words.cut();
   return repaired;
 }

@@ -19,7 +19,7 @@
 namespace glider::frontend {
 
 /// The last pass of repair: walks the tokens once, with the open blocks on a stack. Its definitions
-/// are in repair_structure.cpp (keywords, names and `begin`) and repair_blocks.cpp.
+/// are in structure.cpp (keywords, names and `begin`) and blocks.cpp.
 class StructureRepair {
  public:
   StructureRepair(const std::vector<Lexeme>& in, bool cut, SyntaxReporter& reporter)
@@ -32,6 +32,8 @@ class StructureRepair {
   }
 
   Repaired run();
+  /// Whether something was read as what it may not mean: its names and types are not checked.
+  [[nodiscard]] bool guessed() const { return values_.guessed(); }
 
  private:
   enum class BlockKind : uint8_t { Members, Do, If };

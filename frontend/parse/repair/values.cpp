@@ -111,6 +111,8 @@ void ValueRepair::keyword(const Lexeme& found) {
     parentheses_.pop_back();
   }
   in_sensors_ = found.type == GliderLexer::SENSORS;
+  names_arguments_ = oneOf(found.type, {GliderLexer::FLIGHTPROFILE, GliderLexer::FLIGHTROUTE,
+                                        GliderLexer::GOTO, GliderLexer::CALL});
   assignable_ = oneOf(found.type, {GliderLexer::CONST, GliderLexer::PARAM, GliderLexer::VAR,
                                    GliderLexer::SET, GliderLexer::PLACE, GliderLexer::SHARE});
 }
@@ -299,21 +301,73 @@ void ValueRepair::missingComma(const Lexeme& t, const Lexeme& next) {
   if (!inList || !endsValue(previous()) || !startsValue(t.type) || belongTogether(t, next)) {
     return;
   }
-  const Lexeme& before = out_.back();
+  const Lexeme before = out_.back();
+  if (parentheses_.empty() || !parentheses_.back().doubtful) {
+    reportMissingComma(before, t, next);
+  }
+  endOfItem();
+  insert(GliderLexer::COMMA);
+}
+
+/// Between `5 m` and `30 m`, or two sensors, a comma is certain. In doubt, as in `top 5 m` and
+/// `5 m to 30 m`, the pilot must say what is meant, and the rest of the list is not reported.
+void ValueRepair::reportMissingComma(const Lexeme& before, const Lexeme& t, const Lexeme& next) {
   auto report =
       reporter_.at(t, support::diagnostics::missingComma, fmt::format("`{}`", source_.text(before)),
                    fmt::format("`{}`", source_.text(t)));
   const bool foreign = std::ranges::any_of(
       source_.text(t), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
-  const bool names = !in_sensors_ && !declares() && isName(before.type) && isName(t.type);
-  if (names) {  // no fix: only the pilot knows
-    report.hint(fmt::format("write `,` between them, or `{}_{}` if it is one name",
-                            source_.text(before), source_.text(t)));
+  const std::string hint = insteadOfComma(before, t, next);
+  if (!hint.empty()) {
+    report.hint(hint);
+    parentheses_.back().doubtful = true;
+    guessed_ = true;
   } else if (listsValues() && !foreign) {  // perhaps a keyword with a letter of another alphabet
     report.fix({source_.file, before.end, before.end}, ",");
   }
-  endOfItem();
-  insert(GliderLexer::COMMA);
+}
+
+/// What may be meant where two values of an argument list stand next to each other; empty: a comma.
+std::string ValueRepair::insteadOfComma(const Lexeme& before, const Lexeme& t,
+                                        const Lexeme& next) const {
+  const bool arguments = !parentheses_.empty() && listsValues() &&
+                         parentheses_.back().opener.type == GliderLexer::LPAREN && !declares();
+  const std::string_view first = source_.text(before);
+  const std::string_view second = source_.text(t);
+  if (!arguments) {
+    return "";
+  }
+  if (isName(before.type) && isName(t.type)) {
+    return fmt::format("write `,` between them, or `{}_{}` if it is one name", first, second);
+  }
+  if (isName(before.type) && t.type == GliderLexer::NUMBER) {
+    const bool later = out_.size() > 1 && out_[out_.size() - 2].type == GliderLexer::COMMA;
+    return names_arguments_
+               ? fmt::format(
+                     "write `{0} = {1}` if `{0}` is the name of an argument, `{0}, {1}` if not",
+                     first, valueOf(t, next))
+           : later
+               ? fmt::format("write `{1} of {0}` in a window, `{0}, {1}` if they are two values",
+                             first, valueOf(t, next))
+               : "";
+  }
+  if (before.type == GliderLexer::NUMBER && t.type == GliderLexer::NUMBER) {
+    return fmt::format("write `,` between them, and the unit or the letter of each");
+  }
+  if (!isAnyName(before.type) || !isName(t.type)) {
+    return "";
+  }
+  return next.type == GliderLexer::NUMBER
+             ? fmt::format("write `,` for `{}`", second)
+             : fmt::format("write `,` between them, or `{} of {}` in a window", lastValue(),
+                           t.type == GliderLexer::IN ? source_.text(next) : second);
+}
+
+/// A number, with the unit after it.
+std::string ValueRepair::valueOf(const Lexeme& number, const Lexeme& next) const {
+  const bool unit = oneOf(next.type, {GliderLexer::UNIT, GliderLexer::MIN});
+  return std::string(
+      source_.text().substr(number.begin, (unit ? next : number).end - number.begin));
 }
 
 /// Whether a list of values is being read: `sensors`, a path, or the arguments of a name. Between

@@ -7,6 +7,8 @@
 #include "frontend/parse/reporter.h"
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace glider::frontend {
@@ -30,6 +32,8 @@ class ValueRepair {
   void keyword(const Lexeme& found);
   [[nodiscard]] bool inParentheses() const { return !parentheses_.empty(); }
   [[nodiscard]] bool inSensors() const { return in_sensors_; }
+  /// Whether something was read as what it may not mean.
+  [[nodiscard]] bool guessed() const { return guessed_; }
 
  private:
   struct Parenthesis {
@@ -37,6 +41,8 @@ class ValueRepair {
     bool lists = false;    ///< values with commas between them
     size_t operators = 0;  ///< of the item being read
     size_t most = 0;       ///< of the items before it
+    bool doubtful =
+        false;  ///< what is between two of its values was reported, and left to the pilot
   };
 
   bool open(const Lexeme& t);
@@ -50,6 +56,10 @@ class ValueRepair {
   [[nodiscard]] bool typesParameter() const;
   bool unknownUnit(const Lexeme& t, const Lexeme& next);
   void missingComma(const Lexeme& t, const Lexeme& next);
+  void reportMissingComma(const Lexeme& before, const Lexeme& t, const Lexeme& next);
+  [[nodiscard]] std::string insteadOfComma(const Lexeme& before, const Lexeme& t,
+                                           const Lexeme& next) const;
+  [[nodiscard]] std::string valueOf(const Lexeme& number, const Lexeme& next) const;
   [[nodiscard]] bool listsValues() const;
   [[nodiscard]] bool declares() const;
   [[nodiscard]] bool belongTogether(const Lexeme& t, const Lexeme& next) const;
@@ -66,6 +76,8 @@ class ValueRepair {
   size_t operators_ = 0;
   bool assignable_ = false;  ///< the `=` of `const`, `param`, `var` or `set` is still to come
   bool in_sensors_ = false;
+  bool names_arguments_ = false;  ///< a profile, route or state is used
+  bool guessed_ = false;
 };
 
 }  // namespace glider::frontend

@@ -73,6 +73,7 @@ class Declarations {
   void visit(const ast::Declination&) {}
   void visit(const ast::Share&) {}
   void visit(const ast::Vehicles&) {}
+  void visit(const ast::Pack&) {}
 
   void visit(const ast::Behaviour& node) {
     BehaviourDeclaration declaration;

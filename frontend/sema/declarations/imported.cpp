@@ -64,6 +64,9 @@ struct Judge {
   std::optional<Refused> operator()(const ast::Vehicles& item) const {
     return Refused{"`vehicles`", item.where};
   }
+  std::optional<Refused> operator()(const ast::Pack& item) const {
+    return Refused{"`pack`", item.where};
+  }
 };
 
 }  // namespace

@@ -142,7 +142,9 @@ class ArgumentLowering {
                  const std::string& what) {
     constexpr double kNoBound = 1e300;
     const ir::ExprId value = result_.values.back();
-    if (!isKnownAtStart(value)) {
+    const bool bare_angle = formal.type.type == quantity(support::dimension::angle) &&
+                            takesUnitOfContext(*argument.value);  // reported if it is a large one
+    if (bare_angle || !isKnownAtStart(value)) {
       return true;
     }
     const ir::Interval values =
@@ -290,6 +292,14 @@ class ArgumentLowering {
     return false;
   }
 
+  /// The first parameter after the arguments that are given that has no usual value.
+  [[nodiscard]] const std::string& firstMissing() const {
+    const auto after = formals().begin() + static_cast<std::ptrdiff_t>(filled_);
+    return std::find_if(after, formals().end(),
+                        [](const Signature::Formal& formal) { return formal.usual == nullptr; })
+        ->name->text;
+  }
+
   void wrongCount() {
     const size_t wanted = formals().size();
     const auto needed = static_cast<size_t>(std::ranges::count(
@@ -303,6 +313,12 @@ class ArgumentLowering {
         reportMissingComma(argument, takes);
         return;
       }
+    }
+    if (filled_ >= needed && filled_ < wanted) {  // enough, but not those that are needed
+      auto report = scope_.report(support::diagnostics::argumentMissing, where_, callee_.name,
+                                  firstMissing());
+      noteDeclaration(report, "declared here");
+      return;
     }
     auto report =
         scope_.report(support::diagnostics::wrongArgumentCount, where_, callee_.name, takes,

@@ -174,6 +174,8 @@ class ExprLowering {
   // Functions (lower_function.cpp).
   Result callOf(const ir::Type& type, ir::Op op, const ast::Invocation& node,
                 const ast::Expr& expr);
+  bool inOrder(const std::vector<ir::ExprId>& operands, const ast::Invocation& node,
+               const ast::Expr& expr);
   Result callMany(ir::Op op, const ast::Invocation& node, const ast::Expr& expr,
                   std::optional<ir::Type> want);
   Result callOne(ir::Op op, const ast::Invocation& node, const ast::Expr& expr,
@@ -281,6 +283,7 @@ class ExprLowering {
   std::optional<std::vector<ir::ExprId>> neighbours(std::string_view words,
                                                     const support::SourceRange& range);
   Result peersWithin(const ast::Invocation& node, const ast::Expr& expr);
+  Result energyValue(const std::string& name, const support::SourceRange& range);
   Result nearest(const support::SourceRange& range);
 
   // Names (lower_name.cpp).

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "frontend/sema/expressions/decimal_commas.h"
+#include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/expressions/lower_arguments.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/expressions/named_arguments.h"
@@ -14,6 +15,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 namespace glider::frontend {
 
@@ -246,6 +248,31 @@ ExprLowering::Result ExprLowering::callOne(ir::Op op, const ast::Invocation& nod
   return emit(op, quantity(*root), expr.where, {value->id});
 }
 
+/// False, and reported, if `clamp` has its limits turned round, as far as they are known. A value
+/// that never changes between limits that do is probably a limit.
+bool ExprLowering::inOrder(const std::vector<ir::ExprId>& operands, const ast::Invocation& node,
+                           const ast::Expr& expr) {
+  std::array<std::optional<double>, 3> known;
+  std::array<std::string, 3> texts;
+  for (size_t i = 0; i < known.size(); ++i) {
+    known.at(i) = evaluate(scope_.mission, operands.at(i));
+    texts.at(i) = scope_.text(node.arguments[i].value->where);
+  }
+  const auto& [value, lowest, highest] = known;
+  const size_t changing = !lowest ? 1 : 2;
+  if (value && (!lowest != !highest)) {
+    scope_.report(
+        support::diagnostics::clampValue, expr.where, scope_.text(expr.where),
+        fmt::format("clamp({}, {}, {})", texts.at(changing), texts[0], texts.at(3 - changing)));
+  }
+  if (lowest && highest && *lowest > *highest) {
+    scope_.report(support::diagnostics::clampOrder, expr.where, scope_.text(expr.where),
+                  fmt::format("clamp({}, {}, {})", texts[0], texts[2], texts[1]));
+    return false;
+  }
+  return true;
+}
+
 /// min, max, clamp, atan2 and similar functions: all arguments have one type, and bare numbers take
 /// the unit of the others.
 ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& node,
@@ -290,6 +317,9 @@ ExprLowering::Result ExprLowering::callMany(ir::Op op, const ast::Invocation& no
     }
   }
   if (!good) {
+    return std::nullopt;
+  }
+  if (op == ir::Op::Clamp && !inOrder(operands, node, expr)) {
     return std::nullopt;
   }
   Value result = emitOf(op, expr.where, operands);

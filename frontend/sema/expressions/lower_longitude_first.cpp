@@ -107,8 +107,13 @@ bool ExprLowering::decimalDegrees(const ast::Expr& first, const ast::Expr& secon
   auto report = scope_.report(support::diagnostics::minutesOver60, place.where,
                               scope_.text(place.where), parts->degrees, parts->minutes);
   if (!two->negative) {  // no fix: only the pilot knows on which side a letter or a sign was lost
-    report.hint(fmt::format("write decimal degrees with letters: `{0}, {1}` or `{0}, {2}`",
-                            latitude, two->with("E"), two->with("W")));
+    const bool turned = one->negative;  // the longitude of a place in the west may come first
+    report.hint(turned ? fmt::format("write decimal degrees with letters, the latitude first: "
+                                     "`{}, {}`, or `{}, {}` if `{}` is the longitude",
+                                     latitude, two->with("E"), two->with("N"), one->with("W"),
+                                     one->text())
+                       : fmt::format("write decimal degrees with letters: `{0}, {1}` or `{0}, {2}`",
+                                     latitude, two->with("E"), two->with("W")));
     return true;
   }
   report.hint(fmt::format("write decimal degrees with letters: `{}, {}`", latitude, two->with("W")))

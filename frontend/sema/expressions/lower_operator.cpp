@@ -136,8 +136,14 @@ bool ExprLowering::numeric(const Value& value, const ast::Expr& expr, std::strin
                            bool earth) {
   if (value.longitude.valid() ||
       (!earth && value.type.kind != ir::TypeKind::Quantity && value.type != boolean())) {
-    scope_.report(support::diagnostics::positionArithmetic, expr.where, scope_.text(expr.where),
-                  value.longitude.valid() ? "a position" : describe(value.type), op);
+    const bool whole = value.longitude.valid();
+    auto report =
+        scope_.report(support::diagnostics::positionArithmetic, expr.where, scope_.text(expr.where),
+                      whole ? "a position" : describe(value.type), op);
+    if (whole) {
+      report.hint(
+          "write how far away it is, as in `distance(home) < 200 m`, or compare `lat` or `lon`");
+    }
     return false;
   }
   if (value.type == boolean()) {
@@ -156,6 +162,21 @@ ExprLowering::Result ExprLowering::condition(ir::Op op, const ast::Binary& node,
   }
   return emit(op, boolean(), expr.where, {*left, *right});
 }
+
+namespace {
+
+/// `oxygen < 80 %`: a share where the other side, which is not a share of anything written, counts
+/// something.
+void noteShare(const ast::Expr& other, const ast::Expr& share, Value& value, const Scale& counted) {
+  const auto* literal = std::get_if<ast::Literal>(&share.node);
+  const bool counts = !counted.unit.empty() && counted.unit != "%";
+  if (literal != nullptr && literal->unit == "%" && counts &&
+      !std::holds_alternative<ast::Binary>(other.node)) {
+    value.scale = {"%", true};
+  }
+}
+
+}  // namespace
 
 std::optional<ExprLowering::Pair> ExprLowering::alike(const ast::Expr& left, const ast::Expr& right,
                                                       std::optional<ir::Type> want,
@@ -187,7 +208,9 @@ std::optional<ExprLowering::Pair> ExprLowering::alike(const ast::Expr& left, con
     suggestUnit(right, l.type, op, report);
     return std::nullopt;
   }
-  const Pair pair = rightFirst ? Pair{*two, *one} : Pair{*one, *two};
+  Pair pair = rightFirst ? Pair{*two, *one} : Pair{*one, *two};
+  noteShare(left, right, pair.right, pair.left.scale);
+  noteShare(right, left, pair.left, pair.right.scale);
   return scalesDiffer(pair.left, left.where, pair.right, right.where, op) ? std::nullopt
                                                                           : std::optional(pair);
 }

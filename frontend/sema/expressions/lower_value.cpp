@@ -8,8 +8,8 @@
 #include <array>
 
 // Names with a meaning unless the mission uses them itself: `here`, `utc`, `timeofday`, `salinity`,
-// `density`, `nearest`, `usual_pitch`, `usual_speed`, `turned`, and the states of a sensor, such as
-// `diving`.
+// `density`, `energyused`, `energyleft`, `nearest`, `usual_pitch`, `usual_speed`, `turned`, and the
+// states of a sensor, such as `diving`.
 
 namespace glider::frontend {
 namespace {
@@ -44,6 +44,9 @@ ExprLowering::Result ExprLowering::meantValue(const std::string& name,
   }
   if (name == "turned") {
     return turned(range);
+  }
+  if (name == "energyused" || name == "energyleft") {
+    return energyValue(name, range);
   }
   if (name == "nearest") {
     return nearest(range);
@@ -112,6 +115,44 @@ ExprLowering::Result ExprLowering::turned(const support::SourceRange& range) {
   const Result climbs = began("climbing");
   return dives && climbs ? Result(emit(ir::Op::Or, boolean(), range, {dives->id, climbs->id}))
                          : std::nullopt;
+}
+
+/// `energyused` and `energyleft`, by the vehicle's count of its charge and the line `pack`.
+ExprLowering::Result ExprLowering::energyValue(const std::string& name,
+                                               const support::SourceRange& range) {
+  const platforms::PlatformSensor* counter = findCharge(scope_.platform());
+  if (counter == nullptr) {
+    scope_.report(support::diagnostics::unknownSensor, range, scope_.platform().name, name,
+                  "the vehicle does not count the charge that it uses");
+    return std::nullopt;
+  }
+  if (!scope_.energy) {
+    scope_.report(support::diagnostics::packMissing, range, name);
+    return std::nullopt;
+  }
+  if (!scope_.energy->good) {
+    return std::nullopt;
+  }
+  if (!scope_.context.constant.empty() || scope_.context.at_start) {
+    return sensor(*counter, name, range);  // which says why not
+  }
+  const ir::Pack& pack = scope_.energy->pack;
+  const auto charge = quantity(support::dimension::charge);
+  const Value used = *sensor(*counter, counter->alias, range);
+  reads_.back().implied = true;
+  if (name == "energyleft") {
+    const Value share = emit(ir::Op::Divide, plainNumber(), range,
+                             {used.id, emitNumber(pack.capacity_C, charge, range).id});
+    Value left = emit(ir::Op::Subtract, plainNumber(), range,
+                      {emitNumber(1, plainNumber(), range).id, share.id});
+    left.scale = {"%", false};
+    return left;
+  }
+  const ir::ExprId first = ir::MissionWriter(scope_.mission, range).read(scope_.energy->start);
+  const Value since = emit(ir::Op::Subtract, charge, range, {used.id, first});
+  const auto voltage = emitNumber(pack.voltage_V, quantity(support::dimension::voltage), range);
+  return emit(ir::Op::Multiply, quantity(support::dimension::energy), range,
+              {since.id, voltage.id});
 }
 
 ExprLowering::Result ExprLowering::ofWater(ir::Op op, const support::SourceRange& range) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "frontend/frontend.h"
+#include "frontend/sema/names/energy.h"
 #include "frontend/sema/names/names.h"
 #include "frontend/sema/names/paths.h"
 #include "frontend/sema/names/types.h"
@@ -282,6 +283,7 @@ class Scope {
 
   ir::Mission mission;
   std::optional<double> declination;    ///< rad, east positive; empty: no line gives it
+  std::optional<Energy> energy;         ///< of the line `pack`; empty: there is none
   std::map<uint32_t, KnownArea> areas;  ///< by the expression that checks whether it is kept
   Context context;
   LoopSizes loops;

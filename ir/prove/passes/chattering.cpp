@@ -18,6 +18,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -88,6 +89,7 @@ class ChatteringCheck {
     if (isNeverResumed(m_, from)) {
       start.resumed = start.entered.back();
     }
+    keepRanges(start);
     const z3::expr begin = unknowns.real("begin");
     begin_ = &begin;
     const z3::expr& entered = start.entered.back();
@@ -113,6 +115,20 @@ class ChatteringCheck {
       if (leaves && !told(from, to) && (returns(m_[to].cases, from) || returns(m_.always, from)) &&
           checkBack(there, from)) {
         tell(from, to);
+      }
+    }
+  }
+
+  /// What a variable holds lies in its range.
+  void keepRanges(const Configuration& configuration) {
+    for (const auto& [index, term] : configuration.store.numbers) {
+      const Variable& variable = m_.variables[index];
+      const bool kept = !term.value.is_numeral();
+      if (kept && std::isfinite(variable.lowest)) {
+        unknowns_->require(term.value >= realOf(proof_.context, variable.lowest));
+      }
+      if (kept && std::isfinite(variable.highest)) {
+        unknowns_->require(term.value <= realOf(proof_.context, variable.highest));
       }
     }
   }

@@ -30,14 +30,35 @@ struct Suspect {
   const Case* leads = nullptr;
 };
 
-/// Whether the condition may be true for ever, as long as readings allow: it reads sensors and
-/// nothing that changes with time or by `set`.
+bool isClock(const Mission& m, ExprId id) {
+  return groupOf(m[id].op) == OpGroup::Clock;
+}
+
+/// Whether a comparison is true from some time on, as far as a clock decides it.
+bool staysTrue(const Mission& m, const Expr& e) {
+  const auto clocks = [&](ExprId id) {
+    return anyIn(m, id, [](const Expr& x) { return groupOf(x.op) == OpGroup::Clock; });
+  };
+  const bool above = e.op == Op::Greater || e.op == Op::GreaterEqual;
+  const bool below = e.op == Op::Less || e.op == Op::LessEqual;
+  const bool left = clocks(e.operands[0]);
+  const bool right = clocks(e.operands[1]);
+  return (!left && !right) || (above && isClock(m, e.operands[0]) && !right) ||
+         (below && isClock(m, e.operands[1]) && !left);
+}
+
+/// Whether the condition may be true for ever: as long as readings allow, or once a clock is past a
+/// time. It reads nothing that `set` changes.
 bool mayHoldForEver(const Mission& m, ExprId guard) {
   const auto is = [&](auto... groups) {
     return anyIn(m, guard, [&](const Expr& e) { return ((groupOf(e.op) == groups) || ...); });
   };
-  return is(OpGroup::Sensor) &&
-         !is(OpGroup::Clock, OpGroup::Variable, OpGroup::Temporal, OpGroup::Age, OpGroup::Call);
+  const bool comes_to_an_end = anyIn(m, guard, [&](const Expr& e) {
+    return e.op == Op::Not || (groupOf(e.op) == OpGroup::Comparison && !staysTrue(m, e));
+  });
+  const bool by_clock = is(OpGroup::Clock) && !comes_to_an_end;
+  return (by_clock || (is(OpGroup::Sensor) && !is(OpGroup::Clock))) &&
+         !is(OpGroup::Variable, OpGroup::Temporal, OpGroup::Age, OpGroup::Call);
 }
 
 void suspectsOf(const Proof& proof, StateId state, const std::vector<Case>& cases,

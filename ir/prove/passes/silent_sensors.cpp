@@ -149,9 +149,9 @@ class SilenceCheck {
                                   fmt::to_string(fmt::join(names, ", ")));
     if (!of_science.empty()) {
       warning.note(m_.states.front().range,
-                   fmt::format("{} is measured by the science bay, and not every vehicle carries "
+                   fmt::format("{} {} measured by the science bay, and not every vehicle carries "
                                "every instrument",
-                               fmt::join(of_science, ", ")));
+                               fmt::join(of_science, ", "), of_science.size() == 1 ? "is" : "are"));
     }
   }
 

@@ -80,8 +80,10 @@ class WaypointCheck {
     }
     checkExchanged();
     checkPlaces();
-    checkCoordinates(TypeKind::Latitude);
-    checkCoordinates(TypeKind::Longitude);
+    if (told_.empty()) {  // otherwise the numbers of those places would be reported again
+      checkCoordinates(TypeKind::Latitude);
+      checkCoordinates(TypeKind::Longitude);
+    }
   }
 
  private:

@@ -328,7 +328,7 @@ TEST_F(BriefOf, TheSummarySaysDepthStackAndWayHome) {
           "If the payload computer (SBC) fails, the vehicle takes control within 1 min 12 s "
           "and is at the surface within 11 min 32 s, from at most 25 m (assuming "
           "silence_secs 24).",
-          HasSubstr("After a power cut of the payload computer of up to 5 min 0 s")));
+          HasSubstr("runs again within 5 min 0 s of the newest")));
 }
 
 /// What a REMUS does then is not in anything public.

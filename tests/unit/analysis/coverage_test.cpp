@@ -12,7 +12,8 @@
 namespace glider::analysis {
 namespace {
 
-const std::string kAlone = "any one of these could be left out, and all would still be proved: ";
+const std::string kAlone =
+    "any one of these could be left out, and everything proved would still be proved: ";
 
 /// What `check --report` says of a mission.
 std::string lineOf(const std::string& text) {
@@ -61,6 +62,12 @@ TEST(Coverage, NamesWhatNoRequirementDependsOn) {
             kAlone + "5 of 6 cases (lines 4, 10, 12, 19, 26); state `cool`");
   EXPECT_EQ(lineFor("require exit within 80 min"),
             kAlone + "3 of 6 cases (lines 4, 11, 12); states `cold`, `cool`");
+}
+
+TEST(Coverage, AStateThatARequirementNamesIsNeeded) {
+  EXPECT_EQ(lineFor("require can reach cold\nrequire never cool after cold\nrequire never cool")
+                .find("cool"),
+            std::string::npos);
 }
 
 TEST(Coverage, OnlyWhatIsProvedCounts) {

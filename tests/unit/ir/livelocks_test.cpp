@@ -158,6 +158,18 @@ TEST(Chattering, NotAtTimesThatCannotBe) {
             "");
 }
 
+TEST(Chattering, WhatAVariableHoldsIsInItsRange) {
+  const auto above = [](const std::string& limit) {
+    return livelocks(kHeader +
+                     "variable t: temperature mission lowest 15 highest 20\ninitial t "
+                     "15:temperature\n" +
+                     stateText("a", kExit + "case (gt (sensor temp) (var t)) goto b") +
+                     stateText("b", "case (lt (sensor temp) " + limit + ":temperature) goto a"));
+  };
+  EXPECT_NE(above("15.5"), "");
+  EXPECT_EQ(above("14.9"), "") << "no value of t is below 15";
+}
+
 TEST(Chattering, SayHowLongTheStateWasCurrent) {
   EXPECT_THAT(
       livelocks(kHeader +

@@ -161,6 +161,17 @@ TEST(Platform, WhatMovesItIsGivenAsAWhole) {
             std::string::npos);
 }
 
+// accepts: GL5001
+TEST(Platform, TheOvershootOfSteepDivesIsGivenWithItsPitch) {
+  EXPECT_NE(slocumWith("\nsteep_overshoot_m = 6.5", "").find("steep_overshoot_m"),
+            std::string::npos);
+  EXPECT_NE(slocumWith("\novershoot_pitch_rad = 0.6284", "").find("overshoot_pitch_rad"),
+            std::string::npos);
+  EXPECT_NE(slocumWith("steep_overshoot_m = 6.5", "steep_overshoot_m = 4.9").find("not be below"),
+            std::string::npos);
+  EXPECT_EQ(slocumWith("\nsteep_overshoot_m = 6.5\novershoot_pitch_rad = 0.6284", ""), "");
+}
+
 /// The rows of the power table: each bad row is one error that names it.
 TEST(Platform, ThePowerTableIsChecked) {
   const std::pair<std::pair<const char*, const char*>, const char*> errors[] = {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "frontend/parse/phrases/unit_names.h"
+#include "frontend/parse/unit_names.h"
 
 #include "frontend/parse/token_kinds.h"
 

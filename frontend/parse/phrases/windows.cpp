@@ -13,6 +13,10 @@
 namespace glider::frontend::phrases {
 namespace {
 
+bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::ranges::find(words, word) != words.end();
+}
+
 bool isNamedOneOf(const Phrase& phrase, size_t k, std::initializer_list<std::string_view> words) {
   return phrase.type(k) == GliderLexer::NAME &&
          std::ranges::find(words, phrase.text(k)) != words.end();
@@ -135,6 +139,38 @@ size_t part(Phrase& phrase) {
                        fmt::format("write `{}`", phrase.text(2)));
   phrase.put(phrase.token(2));
   return 3;
+}
+
+/// Before it there must be a window with nothing but a name in it: `mean(temp`.
+size_t wordOfWindow(Phrase& phrase) {
+  const bool first = phrase.before(1) == GliderLexer::LPAREN && isName(phrase.before());
+  const size_t number = tokensOfNumber(phrase, 1);
+  const bool says_length = isOneOf(phrase.text(), {"over", "within", "during", "for", "in"});
+  const bool compares = isOneOf(phrase.text(), {"under", "below", "above"});
+  if (!first || number == 0 || !(says_length || compares)) {
+    return 0;
+  }
+  const std::string_view function = phrase.source().text(*phrase.lexemeBefore(2));
+  if (!isOneOf(function, {"mean", "lowest", "highest", "spread", "slope"})) {
+    return 0;
+  }
+  const std::string_view unit = phrase.text(number);
+  const bool time = isOneOf(unit, {"s", "min", "h", "day", "days"});
+  const Lexeme word = phrase.token();
+  const std::string length(phrase.wholeText(1, number));
+  const std::string better = time ? length : length + " of depth";
+  auto report = phrase.reporter().at(word, support::diagnostics::unexpectedToken, "`,`",
+                                     fmt::format("`{}`", phrase.text()));
+  report.hint(fmt::format("write `{}({}, {})`", function,
+                          phrase.source().text(*phrase.lexemeBefore()), better));
+  if (says_length && time) {
+    report.fix({phrase.source().file, phrase.lexemeBefore()->end, word.end}, ",");
+  }
+  phrase.put({GliderLexer::COMMA, word.begin, word.end});
+  if (!time) {
+    phrase.notAsMeant();
+  }
+  return 1;
 }
 
 }  // namespace glider::frontend::phrases

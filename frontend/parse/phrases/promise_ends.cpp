@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What comes after the first words of a promise.
+
+#include "frontend/parse/phrases/repairs.h"
+#include "frontend/parse/token_kinds.h"
+#include "support/diagnostics/ids/syntax.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace glider::frontend::phrases {
+namespace {
+
+/// `twice`
+std::optional<int> countInWords(const Phrase& phrase, size_t k) {
+  constexpr std::string_view kWords[] = {"never", "once", "twice", "thrice"};
+  for (int n = 1; n < 4; ++n) {
+    if (phrase.says(k, kWords[n])) {
+      return n;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string_view turnedRound(uint32_t comparison) {
+  switch (comparison) {
+    case GliderLexer::LT:
+      return ">=";
+    case GliderLexer::LE:
+      return ">";
+    case GliderLexer::GT:
+      return "<=";
+    case GliderLexer::GE:
+      return "<";
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+size_t timesLeftOut(Phrase& phrase) {
+  const bool limit = oneOf(phrase.type(), {GliderLexer::MOST, GliderLexer::LEAST}) &&
+                     phrase.before() == GliderLexer::AT;
+  if (phrase.keyword() != GliderLexer::REQUIRE || !limit || !isAnyName(phrase.before(1))) {
+    return 0;
+  }
+  const Lexeme word = phrase.token();
+  const Lexeme count = phrase.token(1);
+  const auto said = countInWords(phrase, 1);
+  const bool number = count.type == GliderLexer::NUMBER &&
+                      phrase.type(2) != GliderLexer::TIMES_WORD && !isOperator(phrase.type(2)) &&
+                      (phrase.startsLine(2) || oneOf(phrase.type(2), {GliderLexer::WITHIN, kEof}));
+  if (!said && !number) {
+    return 0;
+  }
+  const std::string better =
+      said ? fmt::format("{} times", *said) : fmt::format("{} times", phrase.text(1));
+  phrase.reporter()
+      .at(count, support::diagnostics::unexpectedToken, "how many `times`",
+          describe(phrase.source(), count))
+      .hint(fmt::format("write `at {} {}`", phrase.text(), better))
+      .fix(phrase.source().range(count), better);
+  phrase.put(word);
+  phrase.put({GliderLexer::NUMBER, count.begin, count.end});
+  phrase.put({GliderLexer::TIMES_WORD, count.end, count.end});
+  if (said) {
+    phrase.notAsMeant();
+  }
+  return 2;
+}
+
+size_t alwaysAfterScope(Phrase& phrase) {
+  const size_t count = tokensOfValue(phrase, 1, true);
+  if (phrase.before() != GliderLexer::COLON || phrase.keyword() != GliderLexer::REQUIRE ||
+      count == 0) {
+    return 0;
+  }
+  std::string better = fmt::format("never !({})", phrase.wholeText(1, count));
+  for (size_t k = 1; k < count; ++k) {
+    const std::string_view sign = turnedRound(phrase.type(1 + k));
+    if (!sign.empty()) {
+      better = fmt::format("never {} {} {}", phrase.wholeText(1, k), sign,
+                           phrase.wholeText(k + 2, count - k - 1));
+      break;
+    }
+  }
+  const Lexeme word = phrase.token();
+  phrase.reporter()
+      .at(word, support::diagnostics::unexpectedToken,
+          "what happens there, such as `never` and a condition", "`always`")
+      .hint(fmt::format("write `{}`", better));
+  phrase.put({GliderLexer::NEVER, word.begin, word.end});
+  phrase.notAsMeant();
+  return 1;
+}
+
+size_t orExitOfSurfaces(Phrase& phrase) {
+  bool surfaces = false;
+  for (size_t k = 0; k < 8; ++k) {
+    surfaces = surfaces || (phrase.before(k) == GliderLexer::EVERY &&
+                            phrase.before(k + 1) == GliderLexer::SURFACES);
+  }
+  if (phrase.keyword() != GliderLexer::REQUIRE || !surfaces ||
+      phrase.type(1) != GliderLexer::EXIT) {
+    return 0;
+  }
+  const Lexeme both = phrase.whole(0, 2);
+  phrase.reporter()
+      .at(both, support::diagnostics::superfluousWord, "or exit", "after `surfaces every`")
+      .fix({phrase.source().file, phrase.lexemeBefore()->end, both.end}, "");
+  return 2;
+}
+
+}  // namespace glider::frontend::phrases

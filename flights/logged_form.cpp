@@ -40,8 +40,9 @@ std::string shownAngle(double radians) {
 }
 
 std::string shownNumber(double value, const std::string& unit) {
-  constexpr double kLarge = 1e5;  // from here on five digits would need an exponent
-  constexpr double kHuge = 1e15;  // from here on not all digits are known
+  constexpr double kThousand = 1e3;  // densities differ in the sixth digit
+  constexpr double kLarge = 1e5;     // from here on five digits would need an exponent
+  constexpr double kHuge = 1e15;     // from here on not all digits are known
   if (unit == "bool") {
     return value != 0 ? "true" : "false";
   }
@@ -55,9 +56,10 @@ std::string shownNumber(double value, const std::string& unit) {
     return support::durationText(value);
   }
   const double size = std::fabs(value);
-  const std::string number = unit == "deg"                    ? fixed(value, 5)
-                             : size >= kLarge && size < kHuge ? fmt::format("{:.0f}", value)
-                                                              : fmt::format("{:.5g}", value + 0.0);
+  const std::string number = unit == "deg" ? fixed(value, 5)
+                             : size >= kLarge && size < kHuge
+                                 ? fmt::format("{:.0f}", value)
+                                 : fmt::format("{:.{}g}", value + 0.0, size >= kThousand ? 7 : 5);
   return isUnnamed(unit) ? number : number + " " + unit;
 }
 

@@ -108,7 +108,8 @@ size_t comment(Phrase& phrase) {
   if (certain) {
     report.fix(phrase.source().range(phrase.whole(0, sign)), "#");
   }
-  return certain ? line : sign;
+  const bool whole = only_comment && phrase.startsLine();  // `% end after 5 hours`: no code
+  return certain || whole ? line : sign;
 }
 
 }  // namespace glider::frontend::phrases

@@ -28,6 +28,7 @@ size_t equalToTruth(Phrase& phrase) {
   const size_t negation = phrase.says(0, "is") && phrase.says(1, "not") ? 1 : 0;
   const bool sign = phrase.type() == GliderLexer::WRONG_COMPARISON &&
                     (phrase.text() == "<>" || phrase.text() == "===");
+  const bool compares = oneOf(phrase.type(), {GliderLexer::EQ, GliderLexer::NE});
   const size_t truth_at = 1 + negation;
   const bool truth = oneOf(phrase.type(truth_at), {GliderLexer::TRUE, GliderLexer::FALSE});
   const bool begins =
@@ -35,21 +36,23 @@ size_t equalToTruth(Phrase& phrase) {
                                GliderLexer::OR, GliderLexer::AND_WORD, GliderLexer::OR_WORD});
   const bool enclosed = phrase.before(1) == GliderLexer::LPAREN && !phrase.open().empty() &&
                         !phrase.open().back().arguments;
-  const bool equal = phrase.type() == GliderLexer::ASSIGN || word || sign;
-  if (!equal || !truth || !(begins || enclosed) || !isName(phrase.before())) {
+  const bool equal = phrase.type() == GliderLexer::ASSIGN || word || sign || compares;
+  if (!equal || !truth || !(begins || (enclosed && !compares)) || !isName(phrase.before())) {
     return 0;
   }
   const Lexeme name = *phrase.lexemeBefore();
   const std::string_view condition = phrase.source().text(name);
-  const bool negated = negation == 1 || phrase.text() == "<>";
+  const bool negated = negation == 1 || phrase.text() == "<>" || phrase.type() == GliderLexer::NE;
   const bool is_true = (phrase.type(truth_at) == GliderLexer::TRUE) != negated;
   const Lexeme found = phrase.whole(0, truth_at);
   const std::string better = fmt::format("{}{}", is_true ? "" : "!", condition);
-  auto report = phrase.reporter().at(found,
-                                     sign   ? support::diagnostics::wrongComparison
-                                     : word ? support::diagnostics::wordOperator
-                                            : support::diagnostics::assignForEqual,
-                                     phrase.source().text(found), better);
+  const support::DiagnosticId id = sign   ? support::diagnostics::wrongComparison
+                                   : word ? support::diagnostics::wordOperator
+                                          : support::diagnostics::assignForEqual;
+  auto report =
+      compares ? phrase.reporter().at(found, support::diagnostics::superfluousWord, phrase.text(),
+                                      fmt::format("before `{}`", phrase.text(truth_at)))
+               : phrase.reporter().at(found, id, phrase.source().text(found), better);
   report.hint(fmt::format("a condition stands alone: write `{}`", better))
       .fix({phrase.source().file, name.begin, phrase.token(truth_at).end}, better);
   return truth_at + 1;

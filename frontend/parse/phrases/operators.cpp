@@ -393,6 +393,26 @@ size_t commaAsAnd(Phrase& phrase) {
   return 1;
 }
 
+size_t power(Phrase& phrase) {
+  const bool sign = phrase.text() == "^";
+  const size_t number = tokensOfNumber(phrase, 1);
+  if (!sign || !endsValue(phrase.before()) || number == 0) {
+    return 0;
+  }
+  const Lexeme whole = phrase.whole(0, 1 + number);
+  const bool square = phrase.wholeText(1, number) == "2" && isName(phrase.before());
+  const std::string_view base = phrase.source().text(*phrase.lexemeBefore());
+  auto report = phrase.reporter().at(whole, support::diagnostics::wordOperator, "^", "");
+  if (square) {
+    report.hint(fmt::format("write `{0} * {0}`", base))
+        .fix(phrase.source().range(whole), fmt::format(" * {}", base));
+  } else {
+    report.hint("multiply it by itself, as in `depth * depth`");
+  }
+  phrase.notAsMeant();
+  return 1 + number;
+}
+
 size_t plusOfTexts(Phrase& phrase) {
   const bool text = phrase.before() == GliderLexer::STRING || phrase.type(1) == GliderLexer::STRING;
   if (phrase.type() != GliderLexer::PLUS || phrase.keyword() != GliderLexer::LOG || !text ||

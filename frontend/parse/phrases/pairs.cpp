@@ -284,6 +284,26 @@ size_t pairOfNumbers(Phrase& phrase) {
   return pair->end;
 }
 
+size_t commaInPosition(Phrase& phrase) {
+  const auto letter = [&](const Lexeme& one, std::string_view a, std::string_view b) {
+    const std::string_view text = phrase.source().text(one);
+    return one.type == GliderLexer::COMPASS && (text == a || text == b);
+  };
+  const Lexeme* before = phrase.lexemeBefore();
+  const size_t numbers = phrase.type(2) == GliderLexer::NUMBER ? 2 : 1;
+  const bool value = oneOf(phrase.keyword(), {GliderLexer::CONST, GliderLexer::PARAM,
+                                              GliderLexer::VAR, GliderLexer::SET});
+  if (!value || !phrase.open().empty() || before == nullptr || !letter(*before, "N", "S") ||
+      phrase.type(1) != GliderLexer::NUMBER || !letter(phrase.token(1 + numbers), "E", "W")) {
+    return 0;
+  }
+  const Lexeme comma = phrase.token();
+  phrase.reporter()
+      .at(comma, support::diagnostics::superfluousWord, ",", "within a position")
+      .fix(phrase.source().range(comma), "");
+  return 1;
+}
+
 size_t compassPoint(Phrase& phrase) {
   const bool alone =
       phrase.before() == GliderLexer::LPAREN && phrase.type(1) == GliderLexer::RPAREN;

@@ -160,6 +160,33 @@ size_t colonOfArgument(Phrase& phrase) {
   return 1;
 }
 
+size_t textInParentheses(Phrase& phrase) {
+  if (phrase.before() != GliderLexer::LOG || phrase.type(1) != GliderLexer::STRING) {
+    return 0;
+  }
+  const size_t line = phrase.tokensOfLine();
+  size_t deep = 1;
+  size_t k = 1;
+  for (; k < line && deep > 0; ++k) {
+    deep += phrase.type(k) == GliderLexer::LPAREN ? 1U : 0U;
+    deep -= phrase.type(k) == GliderLexer::RPAREN ? 1U : 0U;
+  }
+  if (deep > 0) {
+    return 0;
+  }
+  const Lexeme open = phrase.token();
+  const Lexeme close = phrase.token(k - 1);
+  const bool blank = open.begin == phrase.lexemeBefore()->end;
+  phrase.reporter()
+      .at(open, support::diagnostics::unexpectedToken, "a text in quotes",
+          describe(phrase.source(), open))
+      .hint("write it without the parentheses")
+      .fix(phrase.source().range(open), blank ? " " : "")
+      .fix(phrase.source().range(close), "");
+  phrase.leaveOut(k - 1);
+  return 1;
+}
+
 size_t secondText(Phrase& phrase) {
   const bool text = phrase.type(1) == GliderLexer::STRING && phrase.text(1).size() > 2;
   if (phrase.keyword() != GliderLexer::LOG || !text || !phrase.open().empty() ||

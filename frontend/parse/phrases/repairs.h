@@ -82,6 +82,12 @@ size_t timesLeftOut(Phrase& phrase);
 size_t alwaysAfterScope(Phrase& phrase);
 /// `surfaces every 4 h or exit`: what ends is not asked any more.
 size_t orExitOfSurfaces(Phrase& phrase);
+/// `const home = 39 10.5 N, 73 46.8 W`.
+size_t commaInPosition(Phrase& phrase);
+/// `log("deep", depth)`.
+size_t textInParentheses(Phrase& phrase);
+/// `depth^2`.
+size_t power(Phrase& phrase);
 /// `mean(temp over 5 min)`.
 size_t wordOfWindow(Phrase& phrase);
 /// `sensors every 60 s battery`.

@@ -33,6 +33,43 @@ size_t stateBeforeTarget(Phrase& phrase) {
   return 1;
 }
 
+/// `goto exit`, `goto end`, `call return`.
+size_t transitionAsTarget(Phrase& phrase) {
+  const bool leads = oneOf(phrase.type(), {GliderLexer::GOTO, GliderLexer::CALL});
+  const bool transition =
+      oneOf(phrase.type(1), {GliderLexer::EXIT, GliderLexer::RETURN, GliderLexer::STAY});
+  const bool end = phrase.type(1) == GliderLexer::END && !phrase.startsLine(1);
+  if (!leads || !(transition || end) || phrase.startsLine(1) || !afterCondition(phrase)) {
+    return 0;
+  }
+  const Lexeme both = phrase.whole(0, 2, end ? uint32_t{GliderLexer::EXIT} : phrase.type(1));
+  const std::string better = end ? "exit" : std::string(phrase.text(1));
+  auto report =
+      phrase.reporter().at(both, support::diagnostics::wrongTransition, phrase.source().text(both));
+  report.hint(fmt::format("write `{}`{}", better, end ? " to end the mission" : ""));
+  if (!end) {
+    report.fix(phrase.source().range(both), better);
+  }
+  phrase.put(both);
+  return 2;
+}
+
+/// `exit()`.
+size_t parenthesesAfterTransition(Phrase& phrase) {
+  const bool alone =
+      oneOf(phrase.before(), {GliderLexer::EXIT, GliderLexer::RETURN, GliderLexer::STAY});
+  if (phrase.type() != GliderLexer::LPAREN || phrase.type(1) != GliderLexer::RPAREN || !alone ||
+      phrase.keyword() != phrase.before()) {
+    return 0;
+  }
+  const Lexeme both = phrase.whole(0, 2);
+  phrase.reporter()
+      .at(both, support::diagnostics::superfluousWord, phrase.source().text(both),
+          fmt::format("after `{}`", phrase.source().text(*phrase.lexemeBefore())))
+      .fix(phrase.source().range(both), "");
+  return 2;
+}
+
 /// `go to up`.
 size_t goTo(Phrase& phrase) {
   if (phrase.type() != GliderLexer::NAME || !phrase.says(0, "go") || !afterCondition(phrase) ||
@@ -87,11 +124,8 @@ std::string_view transitionBefore(const Phrase& phrase) {
 }  // namespace
 
 size_t target(Phrase& phrase) {
-  if (const size_t taken = stateBeforeTarget(phrase)) {
-    return taken;
-  }
-  const size_t taken = goTo(phrase);
-  return taken != 0 ? taken : jumpTo(phrase);
+  return firstOf(phrase,
+                 {stateBeforeTarget, transitionAsTarget, parenthesesAfterTransition, goTo, jumpTo});
 }
 
 size_t afterTransition(Phrase& phrase) {

@@ -135,9 +135,17 @@ size_t part(Phrase& phrase) {
     return 0;
   }
   const Lexeme whole = phrase.whole(0, 3);
+  const bool called = phrase.type(3) == GliderLexer::LPAREN && phrase.touches(3);
+  const bool empty = called && phrase.type(4) == GliderLexer::RPAREN;
+  const std::string better = !called ? std::string(phrase.text(2))
+                             : empty ? fmt::format("{}({})", phrase.text(2), phrase.text())
+                                     : fmt::format("{}({}, …)", phrase.text(2), phrase.text());
   phrase.reporter().at(whole, support::diagnostics::nameNotOneWord, phrase.source().text(whole),
-                       fmt::format("write `{}`", phrase.text(2)));
+                       fmt::format("write `{}`", better));
   phrase.put(phrase.token(2));
+  if (called) {
+    phrase.notAsMeant();
+  }
   return 3;
 }
 

@@ -99,6 +99,9 @@ WordRepair::Braces WordRepair::bracesAfter(const std::vector<Lexeme>& out, uint3
   if (oneOf(last, {GliderLexer::DO, GliderLexer::THEN, GliderLexer::ELSE})) {
     return {"", 0, "end", GliderLexer::END};
   }
+  if (last == GliderLexer::ASSIGN) {
+    return {"[", GliderLexer::LBRACKET, "]", GliderLexer::RBRACKET};
+  }
   if (last_keyword_ == GliderLexer::IF && endsValue(last)) {
     return {"then", GliderLexer::THEN, "end", GliderLexer::END};
   }

@@ -318,6 +318,7 @@ class ExprLowering {
     std::string_view role;
     support::DiagnosticId not_positive;
   };
+  bool refuseStretch(const ast::Argument& over, std::string_view function);
   std::optional<double> positiveConstant(const ast::Expr& expr, const ir::Type& type,
                                          const ConstantRole& role);
 

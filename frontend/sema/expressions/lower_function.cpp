@@ -33,6 +33,18 @@ std::string withOurWords(std::string_view name) {
   return std::string(name);
 }
 
+/// The function that other languages call so.
+std::string_view calledElsewhere(std::string_view name) {
+  constexpr std::pair<std::string_view, std::string_view> kNames[] = {
+      {"average", "mean"},    {"avg", "mean"},       {"len", "count"},      {"length", "count"},
+      {"size", "count"},      {"dist", "distance"},  {"gradient", "slope"}, {"derivative", "rate"},
+      {"range", "spread"},    {"mod", "remainder"},  {"fabs", "abs"},       {"isnan", "known"},
+      {"maximum", "highest"}, {"minimum", "lowest"}, {"course", "bearing"}};
+  const auto* found =
+      std::ranges::find(kNames, name, &std::pair<std::string_view, std::string_view>::first);
+  return found == std::end(kNames) ? std::string_view() : found->second;
+}
+
 /// `track(1)` of a path or an array: true, and reported. No fix: other languages count from 1.
 bool refuseElement(const ast::Invocation& node, Scope& scope) {
   const ast::NameUse use{node.function.text};
@@ -57,6 +69,9 @@ Suggestion suggestFunction(std::string_view wrong, const Scope& scope) {
   const std::string ours = withOurWords(wrong);
   if (ours != wrong && std::ranges::find(names, ours) != names.end()) {
     return {fmt::format("did you mean `{}`?", ours), ""};
+  }
+  if (const std::string_view known = calledElsewhere(wrong); !known.empty()) {
+    return {fmt::format("did you mean `{}`?", known), ""};
   }
   return didYouMean(wrong, names, fmt::format("functions: {}", fmt::join(names, " ")));
 }

@@ -232,9 +232,9 @@ void ExprLowering::suggestUnit(const ast::Expr& value, const ir::Type& other, st
   const std::string unit = angle ? "deg" : std::string(support::unitName(other.dimension));
   if (literal->unit == "%" && other.dimension == support::dimension::voltage) {
     report.hint(
-        fmt::format("what is left of a battery is read as its voltage: write the voltage that "
-                    "`{} %` stands for, in V",
-                    literal->digits));
+        fmt::format("what is left of the batteries is `energyleft {} {} %`, with a line `pack`; "
+                    "`battery` is their voltage, in V",
+                    op, literal->digits));
     return;
   }
   if (!unit.empty()) {

@@ -66,6 +66,20 @@ ExprLowering::Result ExprLowering::window(const ast::Invocation& node, const ast
   return result;
 }
 
+/// `spread(temp, 10 m)`: true, and reported, if a distance lacks what it is along.
+bool ExprLowering::refuseStretch(const ast::Argument& over, std::string_view function) {
+  const auto* literal = std::get_if<ast::Literal>(&over.value->node);
+  const auto unit = literal != nullptr ? support::parseUnit(literal->unit) : std::nullopt;
+  if (over.of || !unit || unit->dimension != support::dimension::length) {
+    return false;
+  }
+  const std::string written = scope_.text(over.value->where);
+  scope_.report(support::diagnostics::wrongType, over.value->where,
+                fmt::format("the length of `{}`", function), "a time (s)", written, "a length (m)",
+                fmt::format("write `{} of depth`, or a time", written));
+  return true;
+}
+
 std::optional<ExprLowering::WindowLength> ExprLowering::windowLength(const ast::Argument& over,
                                                                      std::string_view function) {
   WindowLength result{0, {}, support::dimension::time};
@@ -83,6 +97,9 @@ std::optional<ExprLowering::WindowLength> ExprLowering::windowLength(const ast::
     }
     result.along = value->id;
     result.dimension = value->type.dimension;
+  }
+  if (refuseStretch(over, function)) {
+    return std::nullopt;
   }
   const auto length =
       positiveConstant(*over.value, quantity(result.dimension),

@@ -46,6 +46,14 @@ bool isNeverResumed(const Mission& mission, StateId state) {
          std::ranges::none_of(mission.always, calls);
 }
 
+bool isEnteredOnlyAtStart(const Mission& mission, StateId state) {
+  const auto enters = [&](const Case& c) { return c.target == state; };
+  return state.index == 0 && std::ranges::none_of(mission.always, enters) &&
+         std::ranges::none_of(mission.states, [&](const State& from) {
+           return std::ranges::any_of(from.cases, enters);
+         });
+}
+
 certify::Configuration configurationOf(const Control& control) {
   certify::Configuration at{control.state, {}, control.limit, control.just_returned};
   for (const Control::Waiting& waiting : control.stack) {

@@ -38,6 +38,9 @@ struct Control {
 /// Whether nothing is ever called from the state, by a case of its own or of `always`: it is then
 /// never resumed, and `resumetime` is `statetime`.
 bool isNeverResumed(const Mission& mission, StateId state);
+/// Whether a state is entered as the first of the mission and never again: its `statetime` is the
+/// mission time.
+bool isEnteredOnlyAtStart(const Mission& mission, StateId state);
 
 /// A control as certificates have it.
 certify::Configuration configurationOf(const Control& control);

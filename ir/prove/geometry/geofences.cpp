@@ -33,7 +33,8 @@ double offLegs(const ProofContext& proof_context, bool by_heading, double time, 
 }
 
 std::string reasonOf(const ProofContext& proof_context, const Geofence& fence,
-                     const Steering& steering, const Clearance& found, double time, double margin) {
+                     const Steering& steering, const Clearance& found, double time, double dark,
+                     double margin) {
   const char* bound = fence.keep_in ? "to stay in" : "to stay out of";
   if (!found.right_side) {
     return fmt::format("not all of its legs are on the right side of the edge of the area {}",
@@ -42,11 +43,12 @@ std::string reasonOf(const ProofContext& proof_context, const Geofence& fence,
   return fmt::format(
       "its legs come within {} of the edge of the area {}; in at most {} of flight, the vehicle "
       "may "
-      "deviate from them by {}: by surface drift of {:g} m/s, and {}",
+      "deviate from them by {}: by surface drift of {:g} m/s{}",
       support::lengthText(found.distance_m), bound, durationOf(time), support::lengthText(margin),
       proof_context.platform.world.surface_drift_m_s,
-      steering.by_heading ? "by flying without a waypoint"
-                          : "while the SBC has no power (`resume within`)");
+      steering.by_heading ? ", and by flying without a waypoint"
+      : dark > 0          ? ", and while the SBC has no power (`resume within`)"
+                          : "");
 }
 
 }  // namespace
@@ -81,7 +83,7 @@ GeofenceVerdict judgeGeofences(const std::vector<Geofence>& geofences,
               "its area and its waypoints are too far apart, or too near a pole, for a flat map"};
     }
     if (!found.right_side || found.distance_m < margin) {
-      return {false, 0, 0, reasonOf(proof_context, fence, steering, found, *end, margin)};
+      return {false, 0, 0, reasonOf(proof_context, fence, steering, found, *end, dark_s, margin)};
     }
     // The pilot measures with `distance`, at any place where control may be given.
     const double stretch = fence.isDisc() ? map.stretch(margin + start_within) : 1;

@@ -7,6 +7,7 @@
 // evaluated before it is claimed. A line may be wrong where the question allows more than a flight
 // does, as with windows and functions in C.
 
+#include "ir/core/walk.h"
 #include "ir/prove/context/control.h"
 #include "ir/prove/encoding/confirmation.h"
 #include "ir/prove/encoding/kept_assumptions.h"
@@ -66,6 +67,11 @@ class OverlapCheck {
   }
 
  private:
+  [[nodiscard]] bool readsItsTime(ExprId guard) const {
+    return anyIn(m_, guard,
+                 [](const Expr& e) { return e.op == Op::StateTime || e.op == Op::ResumeTime; });
+  }
+
   void compare(StateId state, uint32_t first, uint32_t second) {
     const Case& a = m_[state].cases[first];
     const Case& b = m_[state].cases[second];
@@ -81,6 +87,9 @@ class OverlapCheck {
     moment.relateRemainders();
     if (isNeverResumed(m_, state)) {
       moment.isNotResumed();
+    }
+    if (isEnteredOnlyAtStart(m_, state) && (readsItsTime(a.guard) || readsItsTime(b.guard))) {
+      unknowns.require(moment.stateTime() == moment.missionTime());
     }
     Question question(proof_.context, proof_.checks, proof_.options.effort);
     question.add(moment.truth(a.guard).is_true && moment.truth(b.guard).is_true);

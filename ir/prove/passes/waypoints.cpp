@@ -80,10 +80,8 @@ class WaypointCheck {
     }
     checkExchanged();
     checkPlaces();
-    if (told_.empty()) {  // otherwise the numbers of those places would be reported again
-      checkCoordinates(TypeKind::Latitude);
-      checkCoordinates(TypeKind::Longitude);
-    }
+    checkCoordinates(TypeKind::Latitude);
+    checkCoordinates(TypeKind::Longitude);
   }
 
  private:
@@ -157,7 +155,11 @@ class WaypointCheck {
   void checkPlaces() {
     const PlaceIndex index(places());
     for (const Waypoint& one : waypoints_) {
-      tellIfFarOff(one.range, index.nearestOther(one.place));
+      if (tellIfFarOff(one.range, index.nearestOther(one.place)) && one.fixed != nullptr) {
+        for (const ExprId half : one.fixed->values) {  // not once more, by itself
+          told_.insert(m_[half].range.begin);
+        }
+      }
     }
   }
 
@@ -212,11 +214,14 @@ class WaypointCheck {
     return all.empty() ? 0 : all[all.size() / 2];
   }
 
-  void tellIfFarOff(const support::SourceRange& range, double nearest) {
-    if (std::isfinite(nearest) && nearest > kFarOff && told_.insert(range.begin).second) {
+  /// Whether it is.
+  bool tellIfFarOff(const support::SourceRange& range, double nearest) {
+    const bool far = std::isfinite(nearest) && nearest > kFarOff;
+    if (far && told_.insert(range.begin).second) {
       proof_.diagnostics.report(support::diagnostics::waypointFarOff, range,
                                 fmt::format("{:.0f}", nearest / 1000));
     }
+    return far;
   }
 
   Proof& proof_;

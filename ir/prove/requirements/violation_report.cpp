@@ -58,18 +58,22 @@ void noteParameters(support::DiagnosticBuilder& error, const Requirement& requir
   const std::vector<double> usual = defaultParameters(mission);
   std::string list;
   size_t number = 0;
+  bool several = false;
   for (const Variable& variable : mission.variables) {
     if (variable.kind != VariableKind::Parameter || number >= run.parameters.size()) {
       continue;
     }
     if (run.parameters[number] != usual[number]) {
+      several = !list.empty();
       list += fmt::format("{}`{}` at {}", list.empty() ? "" : ", ", variable.name,
                           withUnit(run.parameters[number], variable.type));
     }
     ++number;
   }
   if (!list.empty()) {
-    error.note(requirement.range, "with " + list + ": its range allows that");
+    error.note(requirement.range,
+               fmt::format("with {}: {}", list,
+                           several ? "their ranges allow that" : "its range allows that"));
   }
 }
 

@@ -22,6 +22,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -165,19 +166,26 @@ Found foundIn(const Mission& mission) {
 Told byAllPairs(const Mission& m) {
   constexpr double kFarOff = 3e6;
   Told told;
+  std::set<uint32_t> halves;  // of places that are reported as a whole
   const auto tell = [&](const support::SourceRange& range, double nearest) {
-    if (std::isfinite(nearest) && nearest > kFarOff && !told.contains(range.begin)) {
+    const bool far = std::isfinite(nearest) && nearest > kFarOff;
+    if (far && !told.contains(range.begin) && !halves.contains(range.begin)) {
       told.emplace(range.begin,
                    fmt::format("this position is {:.0f} km from the other positions of the mission",
                                nearest / 1000));
     }
+    return far;
   };
   std::vector<Position> places;
   for (const State& state : m.states) {
     places.push_back(*fixedTarget(m, *commandsOf(m, state.route).front()));
   }
   for (size_t i = 0; i < places.size(); ++i) {
-    tell(m.states[i].route.range, bruteNearest(places[i], places));
+    if (tell(m.states[i].route.range, bruteNearest(places[i], places))) {
+      for (const ExprId half : commandsOf(m, m.states[i].route).front()->values) {
+        halves.insert(m[half].range.begin);
+      }
+    }
   }
   for (const TypeKind kind : {TypeKind::Latitude, TypeKind::Longitude}) {
     std::vector<double> degrees;

@@ -121,9 +121,9 @@ std::shared_ptr<const Lowered> lower(const Parsed& parsed,
   }
   platforms::Platform platform = parsed.platform;
   allowForSteepPitch(*mission, platform.envelope);
-  return std::make_shared<const Lowered>(Lowered{std::move(sources), std::move(*mission),
-                                                 std::move(in_c), std::move(platform),
-                                                 parsed.standard_library});
+  return std::make_shared<const Lowered>(
+      Lowered{std::move(sources), std::make_shared<const ir::Mission>(std::move(*mission)),
+              std::move(in_c), std::move(platform), parsed.standard_library});
 }
 
 /// A mission in the IR's text form; empty if it has errors.
@@ -141,7 +141,11 @@ Result<std::shared_ptr<const Lowered>> readIr(uint32_t file,
   allowForSteepPitch(*mission, platform->envelope);
   ir::CInterface in_c = ir::usedInC(*mission);
   return std::make_shared<const Lowered>(
-      Lowered{std::move(sources), std::move(*mission), std::move(in_c), std::move(*platform), {}});
+      Lowered{std::move(sources),
+              std::make_shared<const ir::Mission>(std::move(*mission)),
+              std::move(in_c),
+              std::move(*platform),
+              {}});
 }
 
 /// Everything up to the IR.

@@ -38,10 +38,11 @@ struct Parsed {
 /// A mission in which every name and type is known; its structure may still have errors.
 struct Lowered {
   std::shared_ptr<const support::SourceManager> sources;  ///< of all ranges in it
-  ir::Mission mission;
-  ir::CInterface in_c;  ///< what it declares in C
+  std::shared_ptr<const ir::Mission> shared;              ///< a copy of this has the same mission
+  ir::CInterface in_c;                                    ///< what it declares in C
   platforms::Platform platform;
   std::vector<uint32_t> standard_library;  ///< numbers of its files; none for the IR's text form
+  const ir::Mission& mission = *shared;
 
   [[nodiscard]] bool inStandardLibrary(uint32_t file) const {
     return std::ranges::find(standard_library, file) != standard_library.end();

@@ -6,6 +6,7 @@
 #include "ir/verify/intervals.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace glider::compiler {
 namespace {
@@ -15,9 +16,9 @@ namespace {
 class SteepPitch {
  public:
   SteepPitch(const ir::Mission& mission, double pitch)
-      : m_(mission), pitch_(pitch), intervals_(ir::intervalsOf(mission)) {}
+      : m_(mission), pitch_(pitch), intervals_(mission) {}
 
-  [[nodiscard]] bool commanded() const {
+  [[nodiscard]] bool commanded() {
     const auto in_c = [](const ir::Behaviour& b) { return !b.symbol.empty(); };
     return std::ranges::any_of(m_.behaviours, in_c) ||
            std::ranges::any_of(m_.blocks, [&](const ir::Block& block) {
@@ -27,19 +28,28 @@ class SteepPitch {
   }
 
  private:
-  [[nodiscard]] bool isSteep(const ir::Statement& statement) const {
+  [[nodiscard]] bool isSteep(const ir::Statement& statement) {
     if (statement.kind != ir::StatementKind::Command) {
       return false;
     }
     const bool slopes =
         statement.command == ir::Command::Descend || statement.command == ir::Command::Ascend;
     return statement.command == ir::Command::Battery ||
-           (slopes && !intervals_[statement.values.at(1).index].within(-pitch_, pitch_));
+           (slopes && mayExceed(statement.values.at(1)));
+  }
+
+  /// Most pitches are constants, of which no interval is needed.
+  [[nodiscard]] bool mayExceed(ir::ExprId pitch) {
+    const ir::Expr& e = m_[pitch];
+    return e.op == ir::Op::Constant
+               ? std::fabs(e.number) > pitch_
+               : !intervals_.of(pitch, [](uint32_t, const ir::Interval& i) { return i; })
+                      .within(-pitch_, pitch_);
   }
 
   const ir::Mission& m_;
   double pitch_;
-  std::vector<ir::Interval> intervals_;
+  ir::SubtreeIntervals intervals_;
 };
 
 }  // namespace

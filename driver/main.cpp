@@ -19,6 +19,11 @@
 #include <memory>
 #include <string>
 
+/// Read by jemalloc: what is freed is kept. A check frees most of what it uses and asks for as much
+/// again, and each page that the system takes in between costs more than its contents.
+extern "C" const char* malloc_conf;  // NOLINT(readability-identifier-naming)
+const char* malloc_conf = "dirty_decay_ms:-1";
+
 namespace {
 
 constexpr const char* kFooter =

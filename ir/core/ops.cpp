@@ -224,12 +224,9 @@ const OpInfo* findOp(std::string_view text) {
   return found == kOps.end() ? nullptr : &*found;
 }
 
-uint32_t operandCount(const Expr& expr) {
-  if (expr.op != Op::Call) {
-    return opInfo(expr.op).operands;
-  }
-  const auto end = std::ranges::find_if(expr.operands, [](ExprId id) { return !id.valid(); });
-  return static_cast<uint32_t>(end - expr.operands.begin());
+uint32_t argumentCount(const Expr& call) {
+  const auto end = std::ranges::find_if(call.operands, [](ExprId id) { return !id.valid(); });
+  return static_cast<uint32_t>(end - call.operands.begin());
 }
 
 const std::vector<CommandInfo>& commands() {

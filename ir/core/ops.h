@@ -207,8 +207,12 @@ const OpInfo* findOp(std::string_view text);
 constexpr size_t opCount() {
   return kOps.size();
 }
+/// As many operands as a Call has.
+uint32_t argumentCount(const Expr& call);
 /// The number of operands of `expr`: those of its operation, or as many as a Call has.
-uint32_t operandCount(const Expr& expr);
+inline uint32_t operandCount(const Expr& expr) {
+  return expr.op == Op::Call ? argumentCount(expr) : opInfo(expr.op).operands;
+}
 
 /// Whether `op` is a comparison: Less to NotEqual.
 constexpr bool isComparison(Op op) {

@@ -5,6 +5,8 @@
 #include "frontend/parse/token_kinds.h"
 #include "support/diagnostics/ids/syntax.h"
 
+#include <algorithm>
+
 namespace glider::frontend::phrases {
 namespace {
 
@@ -29,6 +31,10 @@ bool mayBeKeyword(const Phrase& phrase) {
 
 size_t capitals(Phrase& phrase) {
   if (phrase.type() != GliderLexer::NAME || !phrase.open().empty()) {
+    return 0;
+  }
+  const auto isCapital = [](char c) { return 'A' <= c && c <= 'Z'; };
+  if (std::ranges::none_of(phrase.text(), isCapital) && phrase.text() != "place") {
     return 0;
   }
   const Lexeme word = phrase.token();

@@ -118,16 +118,25 @@ class DepthCheck {
     return deepest_[state.index];
   }
 
+  /// The cases of a state are checked one after the other.
+  const std::optional<Shallowest>& shallowestOf(StateId state) {
+    if (!shallowest_) {
+      shallowest_.emplace(proof_context_);
+    }
+    if (found_of_ != state) {
+      found_of_ = state;
+      found_ = shallowest_->of(state);
+    }
+    return found_;
+  }
+
   /// A case that leaves the state above all depths that the state commands.
   void checkShallowest(StateId state, const Case& c) {
     const Interval& all = allDepths();
     if (c.transition == Transition::Stay || !mayBeTrue(c.guard, all)) {
       return;
     }
-    if (!shallowest_) {
-      shallowest_.emplace(proof_context_);
-    }
-    const std::optional<Shallowest> found = shallowest_->of(state);
+    const std::optional<Shallowest>& found = shallowestOf(state);
     const double reading = found ? std::nextafter(found->reading_m, -kWithoutEnd) : all.lowest;
     if (reading > all.lowest && reading < all.highest &&
         !mayBeTrue(c.guard, {reading, all.highest, false})) {
@@ -142,6 +151,8 @@ class DepthCheck {
   Valuation values_;
   std::vector<double> deepest_;  ///< by state; empty: not computed yet
   std::optional<ShallowestCommands> shallowest_;
+  std::optional<StateId> found_of_;  ///< the state that `found_` is of
+  std::optional<Shallowest> found_;
 };
 
 }  // namespace

@@ -140,6 +140,14 @@ TEST_F(PowerCommand, AMissionReadsWhatItsPackHasLeft) {
   EXPECT_NEAR(energy.at("capacity").get<double>(),
               2 * (kFullV - kEmptyV) / std::log(kFullV / kEmptyV), 1e-6)
       << "the vehicle carries that pack";
+  ASSERT_EQ(runShell("cd " + folder_.path().string() +
+                     " && sed 's/^.vehicle.battery.$/&\\ncapacity_kJ = 360/' w.toml > own.toml")
+                .status,
+            0);
+  EXPECT_EQ(glidercc("sim m.mission --scenario own.toml -o g --format json").status, 0);
+  const json own = json::parse(slurp(folder_.path() / "g" / "flight.json"));
+  EXPECT_NEAR(own.at("figures").at("energy").at("capacity").get<double>(), 100, 1e-6)
+      << "a scenario's own batteries count";
   const std::string events = slurp(folder_.path() / "f" / "events.csv");
   const size_t at = events.find("used ");
   ASSERT_NE(at, std::string::npos) << events;

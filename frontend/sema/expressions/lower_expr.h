@@ -25,6 +25,8 @@ struct Value {
   Scale scale{};           ///< of a plain number
   /// Valid for `90 deg magnetic` itself: that angle, of which `id` is the true heading.
   ir::ExprId on_compass{};
+  /// Valid for `energyleft` itself: the charge that it follows from.
+  ir::ExprId charge{};
 };
 
 /// An array that a name refers to: a variable, a parameter or a constant.
@@ -162,6 +164,8 @@ class ExprLowering {
     Value left;
     Value right;
   };
+  Result comparedByCharge(ir::Op op, const Pair& pair, size_t before,
+                          const support::SourceRange& range);
   std::optional<Pair> alike(const ast::Expr& left, const ast::Expr& right,
                             std::optional<ir::Type> want, std::string_view op);
   /// Adds the unit to write, if `value` is a number with a unit of another quantity than `other`.

@@ -374,6 +374,7 @@ ExprLowering::Result ExprLowering::comparison(ir::Op op, const ast::Binary& node
     return std::nullopt;
   }
   const std::string_view text = rowOf(node.op).text;
+  const size_t before = scope_.mission.exprs.size();
   auto pair = alike(*node.left, *node.right, std::nullopt, text);
   if (!pair || !numeric(pair->left, *node.left, text, true)) {
     return std::nullopt;
@@ -384,7 +385,31 @@ ExprLowering::Result ExprLowering::comparison(ir::Op op, const ast::Binary& node
   }
   warnOfEquality(op, pair->left, pair->right, node);
   compareOnCompass(op, *pair, node);
+  if (const Result by_charge = comparedByCharge(op, *pair, before, expr.where)) {
+    return by_charge;
+  }
   return emit(op, boolean(), expr.where, {pair->left.id, pair->right.id});
+}
+
+/// `energyleft < 30 %` as a comparison of the charge with a constant, which rounds nothing: so a
+/// requirement about it agrees with the guards about it. Empty if it is not one. It takes the place
+/// of what was lowered from expression `before` on.
+ExprLowering::Result ExprLowering::comparedByCharge(ir::Op op, const Pair& pair, size_t before,
+                                                    const support::SourceRange& range) {
+  const bool left = pair.left.charge.valid();
+  if (left == pair.right.charge.valid()) {
+    return std::nullopt;
+  }
+  const auto share = evaluate(scope_.mission, (left ? pair.right : pair.left).id);
+  if (!share) {
+    return std::nullopt;
+  }
+  const ir::SensorId counter = scope_.mission[(left ? pair.left : pair.right).charge].sensor;
+  scope_.mission.exprs.resize(before);
+  const ir::ExprId charge = ir::MissionWriter(scope_.mission, range).read(counter);
+  const double used_C = (1 - *share) * scope_.energy->pack.capacity_C;
+  const ir::ExprId limit = emitNumber(used_C, quantity(support::dimension::charge), range).id;
+  return emit(left ? ir::mirrored(op) : op, boolean(), range, {charge, limit});
 }
 
 void ExprLowering::warnOfEquality(ir::Op op, const Value& left, const Value& right,

@@ -146,6 +146,7 @@ ExprLowering::Result ExprLowering::energyValue(const std::string& name,
     Value left = emit(ir::Op::Subtract, plainNumber(), range,
                       {emitNumber(1, plainNumber(), range).id, share.id});
     left.scale = {"%", false};
+    left.charge = used.id;
     return left;
   }
   const ir::ExprId first = ir::MissionWriter(scope_.mission, range).read(scope_.energy->start);

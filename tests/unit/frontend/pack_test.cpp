@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <tuple>
+
 namespace glider::frontend {
 namespace {
 
@@ -57,6 +59,24 @@ TEST(Pack, OnlyEnergyUsedKeepsTheFirstCharge) {
   EXPECT_FALSE(kept.always.front().implied);
   EXPECT_TRUE(kept.always.back().implied) << "it comes last: no case is kept from being tried";
   EXPECT_EQ(kept.always.back().transition, ir::Transition::Stay);
+}
+
+/// So that requirements and guards about it are the same comparison of a reading.
+TEST(Pack, WhatIsLeftIsComparedByTheCharge) {
+  for (const auto& [guard, op, ampere_hours] :
+       {std::tuple{"energyleft < 30 %", ir::Op::Greater, 7.0},
+        {"25 % >= energyleft", ir::Op::GreaterEqual, 7.5},
+        {"energyleft > 1", ir::Op::Less, 0.0}}) {
+    const ir::Mission mission = compiled(withPack("pack 10 Ah at 12 V", guard));
+    const ir::Expr& whole = mission[mission.states.front().cases.front().guard];
+    const ir::Expr& comparison = mission[whole.operands[0]];
+    EXPECT_EQ(comparison.op, op) << guard;
+    EXPECT_EQ(mission[comparison.operands[0]].op, ir::Op::Sensor) << guard;
+    EXPECT_NEAR(mission[comparison.operands[1]].number, ampere_hours * 3600, 1e-6) << guard;
+  }
+  const ir::Mission two = compiled(withPack("pack 10 Ah at 12 V", "energyleft < temp / 100 degC"));
+  const ir::Expr& whole = two[two.states.front().cases.front().guard];
+  EXPECT_EQ(two[whole.operands[0]].op, ir::Op::Less) << "nothing constant to compare with";
 }
 
 TEST(Pack, OfAVehicleThatCountsNoChargeHasNoEnergy) {

@@ -38,7 +38,7 @@ support::Result<HeardFlight> flyHeard(const compiler::Optimised& mission,
   if (!world) {
     return std::unexpected(world.error());
   }
-  flights::carryPack(mission.mission, *world);
+  (void)flights::carryPack(mission.mission, *world);
   flights::HeardTicks heard(mission.checked->mission());
   const bool keeps_time = !world->faults.empty();
   const auto start = [&, card = std::make_shared<flights::Card>(),

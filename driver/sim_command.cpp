@@ -249,7 +249,8 @@ int sim(const SimOptions& options, Json* document) {
     return reportFailure(scenario.error());
   }
   if (mission != nullptr) {
-    flights::carryPack(mission->mission, *scenario);
+    const std::string note = flights::carryPack(mission->mission, *scenario);
+    tell(note.empty() ? "" : "glidercc: note: " + note + "\n");
   }
   auto folder = FlightFolder::open(outputFolder(options));
   if (!folder) {

@@ -15,6 +15,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace glider::flights {
 namespace {
@@ -86,13 +87,27 @@ support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
   return scenario;
 }
 
-void carryPack(const ir::Mission& mission, simulator::Scenario& scenario) {
+std::string carryPack(const ir::Mission& mission, simulator::Scenario& scenario) {
   simulator::BatterySettings& battery = scenario.vehicle.battery;
   constexpr double kJoulesPerKilojoule = 1000;
-  if (mission.pack && !battery.own_capacity) {
-    battery.power.capacity_kj =
-        simulator::energyOfCharge(battery.power, mission.pack->capacity_C) / kJoulesPerKilojoule;
+  constexpr double kSecondsPerHour = 3600;
+  constexpr double kSame = 0.02;
+  if (!mission.pack) {
+    return "";
   }
+  const double wanted_C = mission.pack->capacity_C;
+  const double wanted_kJ = simulator::energyOfCharge(battery.power, wanted_C) / kJoulesPerKilojoule;
+  if (!battery.own_capacity) {
+    battery.power.capacity_kj = wanted_kJ;
+    return "";
+  }
+  const double part = battery.power.capacity_kj / wanted_kJ;
+  return std::abs(part - 1) <= kSame
+             ? ""
+             : fmt::format(
+                   "the batteries of scenario `{}` hold {:.4g} Ah, those of the mission's "
+                   "line `pack` {:.4g} Ah",
+                   scenario.name, part * wanted_C / kSecondsPerHour, wanted_C / kSecondsPerHour);
 }
 
 std::vector<std::string> scenariosWith(const platforms::Platform& platform,

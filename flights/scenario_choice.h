@@ -29,9 +29,9 @@ support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
                                                     const platforms::Platform& platform,
                                                     const support::ShowDiagnostics& show = {});
 
-/// Gives the vehicle of `scenario` the batteries that the mission's line `pack` says, unless the
-/// scenario has some of its own.
-void carryPack(const ir::Mission& mission, simulator::Scenario& scenario);
+/// Gives the vehicle of `scenario` the batteries that the mission's line `pack` says. If the
+/// scenario has some of its own, these stay; a note if they hold another charge, empty otherwise.
+std::string carryPack(const ir::Mission& mission, simulator::Scenario& scenario);
 
 /// Makes the flights of `scenario` last up to `duration_s`, for --duration. If its mission file of
 /// the vehicle is one that comes with glidercc and would end the flight sooner (overtime), that

@@ -103,6 +103,21 @@ std::string powerCuts(const ir::Mission& mission) {
       durationOf(mission.resume_within_s), after_restart);
 }
 
+std::string batteries(const ir::Mission& mission) {
+  if (!mission.pack) {
+    return "";
+  }
+  constexpr double kCoulombs = 3600;
+  return fmt::format(
+      "It counts on batteries of {:.6g} Ah at {:.6g} V{}: with new ones, the vehicle's count of "
+      "the "
+      "charge begins at 0.",
+      mission.pack->capacity_C / kCoulombs, mission.pack->voltage_V,
+      mission.pack->reserve > 0
+          ? fmt::format(", {:.6g} % of them as a reserve", mission.pack->reserve * 100)
+          : "");
+}
+
 }  // namespace
 
 std::vector<std::string> summaryOf(const compiler::Checked& checked,
@@ -120,6 +135,7 @@ std::vector<std::string> summaryOf(const compiler::Checked& checked,
                     ? "What the vehicle does if the payload computer (SBC) fails is not known."
                     : wayHome(checked.platform(), *own, deepest_m));
   all.push_back(powerCuts(checked.mission()));
+  all.push_back(batteries(checked.mission()));
   std::erase(all, "");
   return all;
 }

@@ -188,12 +188,13 @@ std::string Written::argument(const ast::Expr& value, std::string_view type) con
   return text;
 }
 
-/// "top `5 m`", "lat and lon `here`"
+/// "top = `5 m`", as it may be written; "lat and lon `here`"
 std::string Written::given(const Given& given) const {
   std::string text;
   for (const ast::Formal* formal : given.formals) {
     text += (text.empty() ? "" : " and ") + formal->name.text;
   }
+  text += given.formals.size() == 1 ? " =" : "";
   if (given.values.size() == 2) {
     const auto position = compiler::positionText(*given.values[0], *given.values[1]);
     if (position) {

@@ -105,6 +105,9 @@ class Comparison {
                              old_.m.new_after_restart ? "is over" : "continues",
                              new_.m.new_after_restart ? "is over" : "continues"));
     }
+    if (old_.m.pack != new_.m.pack) {
+      lines.push_back(change("pack", packText(old_.m), packText(new_.m)));
+    }
     if (declination(old_.m) != declination(new_.m)) {
       lines.emplace_back("the declination of the compass differs");
     }
@@ -115,6 +118,14 @@ class Comparison {
     }
     part("mission", std::move(lines));
     part("conditions of parameters", conditions());
+  }
+
+  static std::string packText(const ir::Mission& m) {
+    constexpr double kCoulombs = 3600;
+    return m.pack ? fmt::format("{:.6g} Ah at {:.6g} V, reserve {:.6g} %",
+                                m.pack->capacity_C / kCoulombs, m.pack->voltage_V,
+                                m.pack->reserve * 100)
+                  : "none";
   }
 
   static std::optional<double> declination(const ir::Mission& m) {

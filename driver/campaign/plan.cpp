@@ -125,7 +125,8 @@ int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPla
         return reportFailure(own.error());
       }
     }
-    flights::carryPack(compiled->mission, *scenario);
+    const std::string batteries = flights::carryPack(compiled->mission, *scenario);
+    tell(batteries.empty() || !plan.missions.empty() ? "" : "glidercc: note: " + batteries + "\n");
     if (options.duration_s) {
       const std::string note = flights::setDuration(*scenario, platform, *options.duration_s);
       tell(note.empty() || !plan.missions.empty() ? "" : "glidercc: note: " + note + "\n");

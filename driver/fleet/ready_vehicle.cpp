@@ -205,7 +205,7 @@ Result<ReadyFleet> readyFleet(const flights::Fleet& fleet, const std::string& on
     if (!scenario) {
       return std::unexpected(scenario.error());
     }
-    flights::carryPack(mission->mission, *scenario);
+    (void)flights::carryPack(mission->mission, *scenario);
     if (number == 0) {
       ready.world = *scenario;
       ready.seed = fleet.seed.value_or(scenario->seed);

@@ -96,7 +96,10 @@ void addStates(SvgText& page, const Brief& brief) {
       "is called comes back to its caller when it returns.</p>\n",
       brief.cycle_s);
   if (!brief.always.empty()) {
-    page.add("<section class=\"state\">\n<h3>In every state, before its own events</h3>\n");
+    page.add(
+        "<section class=\"state\">\n<h3>In every state, before its own events</h3>\n"
+        "<p class=\"hint\">An event is left out while the state that it leads to is current or has "
+        "called. In a state that one of these led to, only those above that one count.</p>\n");
     addEvents(page, brief.always);
     page.add("</section>\n");
   }

@@ -83,7 +83,7 @@ begin
 end
 )");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_THAT(textOf(page()), AllOf(HasSubstr("along (track track, capture 100 m)"),
+  EXPECT_THAT(textOf(page()), AllOf(HasSubstr("along (track = track, capture = 100 m)"),
                                     HasSubstr("[54 33.500 N 7 13.000 E, 54 18.000 N 7 25.800 E]"),
                                     HasSubstr("from goto_l10.ma")));
 }

@@ -144,7 +144,9 @@ TEST_F(PowerCommand, AMissionReadsWhatItsPackHasLeft) {
                      " && sed 's/^.vehicle.battery.$/&\\ncapacity_kJ = 360/' w.toml > own.toml")
                 .status,
             0);
-  EXPECT_EQ(glidercc("sim m.mission --scenario own.toml -o g --format json").status, 0);
+  const Outcome with_own = glidercc("sim m.mission --scenario own.toml -o g --format json");
+  EXPECT_EQ(with_own.status, 0);
+  EXPECT_THAT(with_own.err, HasSubstr("hold 8.287 Ah, those of the mission's line `pack` 2 Ah"));
   const json own = json::parse(slurp(folder_.path() / "g" / "flight.json"));
   EXPECT_NEAR(own.at("figures").at("energy").at("capacity").get<double>(), 100, 1e-6)
       << "a scenario's own batteries count";

@@ -274,7 +274,7 @@ bool ValueRepair::unknownUnit(const Lexeme& t, const Lexeme& next) {
   constexpr std::string_view kAll =
       "units: mm cm m km nmi ft inch, s min h day days, rad deg, degC, m/s cm/s kn kt, bar dbar, "
       "S/m, "
-      "V A W J kJ MJ Ah, cc ml, % uM ug/L";
+      "V A W J kJ MJ Wh kWh Ah mAh, cc ml, % uM ug/L";
   if (unit == "deg" && t.end - t.begin > unit.size()) {
     // Of an angle or a temperature: analysis knows which, and reports it.
     out_.push_back({GliderLexer::UNIT, t.begin, t.end});

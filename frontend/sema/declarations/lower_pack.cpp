@@ -6,7 +6,7 @@
 #include "frontend/sema/declarations/declared_value.h"
 #include "frontend/sema/declarations/only_item.h"
 #include "ir/core/mission_writer.h"
-#include "ir/core/references.h"
+#include "ir/core/walk.h"
 #include "support/diagnostics/ids/meaning.h"
 #include "support/units/units.h"
 
@@ -96,20 +96,27 @@ bool mentionUsed(std::span<const ast::File* const> files, Scope& scope) {
   });
 }
 
-/// The variable for the charge when it was first known.
+/// The variable for the charge when it was first known: in most flights as the mission begins.
 ir::VariableId firstCharge(const platforms::PlatformSensor& charge, const ast::Pack& node,
                            Scope& scope) {
-  const Bounds bounds{charge.lowest * charge.to_si, charge.highest * charge.to_si};
-  const DeclaredType type{quantity(support::dimension::charge)};
-  const ast::Name role{"charge", node.where};
   ir::Variable variable;
   variable.name = scope.freshName("charge.first");
-  variable.type = type.type;
-  variable.initial = DeclaredValue(role, type, scope).unknown(bounds, node.where).id;
-  variable.lowest = bounds.lowest;
-  variable.highest = bounds.highest;
+  variable.type = quantity(support::dimension::charge);
+  const ir::SensorId counter = scope.subscribe(charge, charge.alias);
+  variable.initial = ir::MissionWriter(scope.mission, node.where).read(counter);
+  variable.lowest = charge.lowest * charge.to_si;
+  variable.highest = charge.highest * charge.to_si;
   variable.range = node.where;
   return ir::MissionWriter(scope.mission).add(std::move(variable));
+}
+
+/// Whether a case may lead on by what it finds: it leaves its state, or sets what others read.
+bool leadsOn(const ir::Mission& mission, const ir::Case& one) {
+  bool sets = false;
+  ir::forEachStatement(mission, one.action, [&](const ir::Statement& statement) {
+    sets = sets || statement.kind == ir::StatementKind::Set;
+  });
+  return one.transition != ir::Transition::Stay || (sets && !one.implied);
 }
 
 }  // namespace
@@ -164,7 +171,7 @@ void warnOfReserve(const ast::File& file, Scope& scope) {
   const platforms::PlatformSensor* charge = findCharge(scope.platform());
   const ir::SensorId id = charge != nullptr ? scope.subscribed(*charge) : ir::SensorId();
   const auto decides = [&](const ir::Case& one) {
-    return one.transition != ir::Transition::Stay && id.valid() &&
+    return leadsOn(mission, one) && id.valid() &&
            ir::anyIn(mission, one.guard,
                      [&](const ir::Expr& e) { return e.op == ir::Op::Sensor && e.sensor == id; });
   };

@@ -15,8 +15,8 @@ namespace glider::frontend {
 /// be called when constants are known.
 void lowerPack(const ast::File& file, std::span<const ast::File* const> library, Scope& scope);
 
-/// Gives that variable its value: by a last case of `always`, which stays. To be called when the
-/// mission's `always` is lowered.
+/// Gives that variable its value if the charge is not known at the start: by a last case of
+/// `always`, which stays. To be called when the mission's `always` is lowered.
 void keepFirstCharge(Scope& scope);
 
 /// Warns of a reserve that no case of the mission keeps. To be called when all is lowered.

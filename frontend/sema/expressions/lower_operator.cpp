@@ -404,6 +404,10 @@ ExprLowering::Result ExprLowering::comparedByCharge(ir::Op op, const Pair& pair,
   if (!share) {
     return std::nullopt;
   }
+  if (*share > 1) {
+    const support::SourceRange& where = scope_.mission[(left ? pair.right : pair.left).id].range;
+    scope_.report(support::diagnostics::shareAboveOne, where, scope_.text(where));
+  }
   const ir::SensorId counter = scope_.mission[(left ? pair.left : pair.right).charge].sensor;
   scope_.mission.exprs.resize(before);
   const ir::ExprId charge = ir::MissionWriter(scope_.mission, range).read(counter);

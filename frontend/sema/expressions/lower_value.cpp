@@ -126,15 +126,20 @@ ExprLowering::Result ExprLowering::energyValue(const std::string& name,
                   "the vehicle does not count the charge that it uses");
     return std::nullopt;
   }
+  if (!scope_.context.constant.empty()) {
+    scope_.report(support::diagnostics::notConstant, range, name, scope_.context.constant);
+    return std::nullopt;
+  }
+  if (scope_.context.at_start) {
+    scope_.report(support::diagnostics::notAtStart, range, name);
+    return std::nullopt;
+  }
   if (!scope_.energy) {
     scope_.report(support::diagnostics::packMissing, range, name);
     return std::nullopt;
   }
   if (!scope_.energy->good) {
     return std::nullopt;
-  }
-  if (!scope_.context.constant.empty() || scope_.context.at_start) {
-    return sensor(*counter, name, range);  // which says why not
   }
   const ir::Pack& pack = scope_.energy->pack;
   const auto charge = quantity(support::dimension::charge);

@@ -41,6 +41,8 @@ constexpr Wish kWishes[] = {
     {"conductivity", "did you mean `cond`?", "cond"},
     {"salinity", kCtdHint, "cond"},
     {"density", kCtdHint, "cond"},
+    {"energyleft", "it follows from the vehicle's count of its charge: write `charge`", "charge"},
+    {"energyused", "it follows from the vehicle's count of its charge: write `charge`", "charge"},
     {"diving", kStateHint, "m_depth_state"},
     {"climbing", kStateHint, "m_depth_state"},
     {"hovering", kStateHint, "m_depth_state"},

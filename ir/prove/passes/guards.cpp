@@ -154,7 +154,9 @@ class GuardCheck {
           proof_.hidden.insert({state, i});
         }
       }
-      report(cases, i, verdicts[i], where);
+      if (!cases[i].implied) {
+        report(cases, i, verdicts[i], where);
+      }
     }
   }
 

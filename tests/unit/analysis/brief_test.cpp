@@ -130,11 +130,12 @@ TEST_F(BriefOf, ProfilesAndRoutesNameTheirArguments) {
   const report::Brief of = brief();
   ASSERT_EQ(of.states.size(), 3U);
   EXPECT_EQ(of.states[0].profile.name, "yo");
-  EXPECT_EQ(of.states[0].profile.with, "top `5 m`, bottom `20 m`, dive `26 deg`, climb `26 deg`");
+  EXPECT_EQ(of.states[0].profile.with,
+            "top = `5 m`, bottom = `20 m`, dive = `26 deg`, climb = `26 deg`");
   EXPECT_THAT(of.states[0].profile.comment, HasSubstr("Up and down between two depths"));
-  EXPECT_EQ(of.states[0].route.with, "to `far` (`39 00.000 N 74 00.000 W`)");
-  EXPECT_EQ(of.states[1].profile.with, "bottom `9 m`, dive `.454 rad`");
-  EXPECT_EQ(of.states[1].route.with, "to `39 10.500 N 73 49.800 W`");
+  EXPECT_EQ(of.states[0].route.with, "to = `far` (`39 00.000 N 74 00.000 W`)");
+  EXPECT_EQ(of.states[1].profile.with, "bottom = `9 m`, dive = `.454 rad`");
+  EXPECT_EQ(of.states[1].route.with, "to = `39 10.500 N 73 49.800 W`");
   EXPECT_EQ(of.states[2].profile.name, "surfaced");
   EXPECT_EQ(of.states[2].profile.comment, "Stays at the surface.");
   EXPECT_EQ(of.states[1].parameters, "limit: time, k: number");
@@ -199,12 +200,14 @@ end
 )");
   const report::Brief of = brief();
   ASSERT_EQ(of.states.size(), 3U);
-  EXPECT_EQ(of.states[0].route.with, "centre `w`, radius `300 m`");
-  EXPECT_EQ(of.states[0].profile.with, "top `4 m`, bottom `30 m`, climb `20 deg`");
-  EXPECT_EQ(of.states[1].route.with, "track `[39 10.500 N 73 49.800 W, shelf]`, capture `100 m`");
-  EXPECT_EQ(of.states[1].profile.with, "top `4 m`, bottom `30 m`, period `2 h`, pause `5 min`");
-  EXPECT_EQ(of.states[2].route.with, "centre `39 10.500 N 73 49.800 W`, radius `200 m`");
-  EXPECT_EQ(of.states[2].profile.with, "shallow `6 m`, deep `33 m`");
+  EXPECT_EQ(of.states[0].route.with, "centre = `w`, radius = `300 m`");
+  EXPECT_EQ(of.states[0].profile.with, "top = `4 m`, bottom = `30 m`, climb = `20 deg`");
+  EXPECT_EQ(of.states[1].route.with,
+            "track = `[39 10.500 N 73 49.800 W, shelf]`, capture = `100 m`");
+  EXPECT_EQ(of.states[1].profile.with,
+            "top = `4 m`, bottom = `30 m`, period = `2 h`, pause = `5 min`");
+  EXPECT_EQ(of.states[2].route.with, "centre = `39 10.500 N 73 49.800 W`, radius = `200 m`");
+  EXPECT_EQ(of.states[2].profile.with, "shallow = `6 m`, deep = `33 m`");
 }
 
 /// In the IR it is a latitude and a longitude.

@@ -59,38 +59,49 @@ class BeginningCheck {
     if (told_.emplace(activity.range.file, activity.range.begin).second) {
       auto report = proof_.diagnostics.report(support::diagnostics::nothingCommanded,
                                               activity.range, who, what);
-      if (const std::string reading = unknownReading(activity.entry, vertical); !reading.empty()) {
+      const Unknown cause = unknownIn(activity.entry, vertical);
+      if (!cause.name.empty()) {
         report.hint(fmt::format(
-            "`{}` may be unknown, and then a command with it has no effect: keep its last known "
-            "value in a variable that has one from the start, and use that{}",
-            reading, vertical ? "" : ", or command `drift()` first"));
+            "`{}` may be unknown, and then a command with it has no effect: {}{}", cause.name,
+            cause.variable ? "give it a value from the start"
+                           : "keep its last known value in a variable that has one from the "
+                             "start, and use that",
+            vertical ? "" : ", or command `drift()` first"));
       }
     }
   }
 
-  /// The sensor because of which a command that the block always gives may have no effect; empty:
-  /// there is none.
+  /// A sensor, or a variable.
+  struct Unknown {
+    std::string name;
+    bool variable = false;
+  };
+
+  /// Because of what a command that the block always gives may have no effect; without a name:
+  /// there is no such command.
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
-  std::string unknownReading(BlockId block, bool vertical) {
-    std::string reading;
+  Unknown unknownIn(BlockId block, bool vertical) {
+    Unknown cause;
     if (!block.valid()) {
-      return reading;
+      return cause;
     }
     for (const Statement& statement : m_[block].statements) {
       if (statement.kind == StatementKind::If) {
         for (const BlockId branch : {statement.then, statement.otherwise}) {
-          reading = reading.empty() ? unknownReading(branch, vertical) : reading;
+          cause = cause.name.empty() ? unknownIn(branch, vertical) : cause;
         }
       }
       if (statement.kind == StatementKind::Command && isVertical(statement.command) == vertical) {
         forEachValue(statement, [&](ExprId value, const Expr& e) {
           if (e.op == Op::Sensor && !isKnown(value)) {
-            reading = m_[e.sensor].name;
+            cause = {m_[e.sensor].name, false};
+          } else if (e.op == Op::Variable && !isKnown(value)) {
+            cause = {m_[e.variable].name.substr(0, m_[e.variable].name.find('.')), true};
           }
         });
       }
     }
-    return reading;
+    return cause;
   }
 
   template <typename F>

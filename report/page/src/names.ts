@@ -26,7 +26,7 @@ export const groups: [string, Record<string, string>][] = [
   }],
   ["Vehicle", {
     m_ballast_pumped: "pump", c_ballast_pumped: "commanded pump volume", m_battpos: "battery position", m_battery: "battery", m_speed: "speed",
-    m_de_oil_vol: "oil volume", c_de_oil_vol: "commanded oil volume", m_fin: "fin", m_coulomb_current: "current drawn", power: "power",
+    m_de_oil_vol: "oil volume", c_de_oil_vol: "commanded oil volume", m_fin: "fin", m_coulomb_current: "current drawn", m_coulomb_amphr_total: "charge used", power: "power",
     energy: "energy used", m_lithium_battery_relative_charge: "battery charge", m_vacuum: "vacuum",
   }],
   ["Modes of control", {

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <tuple>
 
 namespace glider::frontend {
@@ -56,6 +57,9 @@ TEST(Pack, OnlyEnergyUsedKeepsTheFirstCharge) {
   const ir::Mission kept = compiled(withPack("pack 10 Ah at 12 V", "energyused > 5 kJ",
                                              "always case missiontime > 30 min exit\n"));
   ASSERT_EQ(kept.always.size(), 2U);
+  const auto first = std::ranges::find(kept.variables, "charge.first", &ir::Variable::name);
+  ASSERT_NE(first, kept.variables.end());
+  EXPECT_EQ(kept[first->initial].op, ir::Op::Sensor) << "it counts from the start";
   EXPECT_FALSE(kept.always.front().implied);
   EXPECT_TRUE(kept.always.back().implied) << "it comes last: no case is kept from being tried";
   EXPECT_EQ(kept.always.back().transition, ir::Transition::Stay);

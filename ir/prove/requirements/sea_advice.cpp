@@ -37,12 +37,13 @@ void noteWhatTheSeaDecides(support::DiagnosticBuilder& error, const Requirement&
                      !requirement.monitor.step.valid() && requirement.condition.valid();
   const std::string reading = plain ? onlyOfTheSea(requirement.condition, proof_context) : "";
   if (!reading.empty()) {
-    error.note(requirement.range,
-               fmt::format("the sea and the vehicle decide what `{0}` is, so no mission can ensure "
-                           "this: require what the mission does then (`require whenever {0} … then "
-                           "… within …`), or state what is known of it (`assume {0} in LOWEST .. "
-                           "HIGHEST`)",
-                           reading));
+    error.note(
+        requirement.range,
+        fmt::format("the sea and the vehicle decide what `{0}` is, so no mission can ensure "
+                    "this: require what the mission does then (`require whenever {0} … then "
+                    "STATE within …`), or state what is known of it (`assume {0} in LOWEST .. "
+                    "HIGHEST`)",
+                    reading));
   }
 }
 

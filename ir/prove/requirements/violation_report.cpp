@@ -14,6 +14,7 @@
 #include "ir/verify/value_text.h"
 #include "support/check.h"
 #include "support/diagnostics/ids/verification.h"
+#include "support/utc.h"
 
 #include <fmt/format.h>
 
@@ -52,6 +53,14 @@ void noteStory(support::DiagnosticBuilder& error, const Counterexample& run) {
   }
 }
 
+/// As it would be set: a time of the calendar if the usual value is one.
+std::string parameterText(double value, double usual, const Type& type) {
+  constexpr double kYear_s = 365 * 86400.0;
+  const bool date = type.kind == TypeKind::Quantity && type.dimension == support::dimension::time &&
+                    usual > kYear_s;
+  return date ? support::instantText(value) : withUnit(value, type);
+}
+
 /// The parameters with which it is violated, if one has another value than its default.
 void noteParameters(support::DiagnosticBuilder& error, const Requirement& requirement,
                     const Counterexample& run, const Mission& mission) {
@@ -66,7 +75,7 @@ void noteParameters(support::DiagnosticBuilder& error, const Requirement& requir
     if (run.parameters[number] != usual[number]) {
       several = !list.empty();
       list += fmt::format("{}`{}` at {}", list.empty() ? "" : ", ", variable.name,
-                          withUnit(run.parameters[number], variable.type));
+                          parameterText(run.parameters[number], usual[number], variable.type));
     }
     ++number;
   }

@@ -110,8 +110,7 @@ std::string batteries(const ir::Mission& mission) {
   constexpr double kCoulombs = 3600;
   return fmt::format(
       "It counts on batteries of {:.6g} Ah at {:.6g} V{}: with new ones, the vehicle's count of "
-      "the "
-      "charge begins at 0.",
+      "the charge begins at 0.",
       mission.pack->capacity_C / kCoulombs, mission.pack->voltage_V,
       mission.pack->reserve > 0
           ? fmt::format(", {:.6g} % of them as a reserve", mission.pack->reserve * 100)

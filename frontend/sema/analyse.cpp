@@ -68,7 +68,7 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
   if (in_c != nullptr) {
     *in_c = scope.declaredInC();
   }
-  warnOfReserve(mission, scope);
+  warnOfReserve(scope);
   warnOfUnused(scope.names, scope);
   for (const StateDeclaration& state : scope.state_declarations) {
     warnOfUnused(state.names, scope);

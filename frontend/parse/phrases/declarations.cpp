@@ -257,8 +257,8 @@ size_t withoutParentheses(Phrase& phrase) {
     return 0;
   }
   const bool brackets = phrase.type() == GliderLexer::LBRACKET && phrase.touches(0);
-  const bool place = phrase.type() == GliderLexer::NAME && phrase.isDeclared(phrase.text());
-  if (!brackets && !place && tokensOfNumber(phrase, 0) == 0) {
+  const bool declared = phrase.type() == GliderLexer::NAME && phrase.isDeclared(phrase.text());
+  if (!brackets && !declared && tokensOfNumber(phrase, 0) == 0) {
     return 0;
   }
   const size_t line = phrase.tokensOfLine();

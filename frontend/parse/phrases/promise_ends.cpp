@@ -9,20 +9,20 @@
 
 #include <fmt/format.h>
 
-#include <optional>
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <string_view>
 
 namespace glider::frontend::phrases {
 namespace {
 
-/// `twice`
-std::optional<int> countInWords(const Phrase& phrase, size_t k) {
-  constexpr std::string_view kWords[] = {"never", "once", "twice", "thrice"};
-  for (int n = 1; n < 4; ++n) {
-    if (phrase.says(k, kWords[n])) {
-      return n;
-    }
-  }
-  return std::nullopt;
+/// What the word at `k` counts: 2 of `twice`; 0 of any other.
+size_t countInWords(const Phrase& phrase, size_t k) {
+  constexpr std::string_view kWords[] = {"once", "twice", "thrice"};
+  const auto* word =
+      std::ranges::find_if(kWords, [&](std::string_view one) { return phrase.says(k, one); });
+  return word == std::end(kWords) ? 0 : static_cast<size_t>(word - kWords) + 1;
 }
 
 std::string_view turnedRound(uint32_t comparison) {
@@ -50,15 +50,15 @@ size_t timesLeftOut(Phrase& phrase) {
   }
   const Lexeme word = phrase.token();
   const Lexeme count = phrase.token(1);
-  const auto said = countInWords(phrase, 1);
+  const size_t said = countInWords(phrase, 1);
   const bool number = count.type == GliderLexer::NUMBER &&
                       phrase.type(2) != GliderLexer::TIMES_WORD && !isOperator(phrase.type(2)) &&
                       (phrase.startsLine(2) || oneOf(phrase.type(2), {GliderLexer::WITHIN, kEof}));
-  if (!said && !number) {
+  if (said == 0 && !number) {
     return 0;
   }
   const std::string better =
-      said ? fmt::format("{} times", *said) : fmt::format("{} times", phrase.text(1));
+      (said != 0 ? std::to_string(said) : std::string(phrase.text(1))) + " times";
   phrase.reporter()
       .at(count, support::diagnostics::unexpectedToken, "how many `times`",
           describe(phrase.source(), count))
@@ -67,7 +67,7 @@ size_t timesLeftOut(Phrase& phrase) {
   phrase.put(word);
   phrase.put({GliderLexer::NUMBER, count.begin, count.end});
   phrase.put({GliderLexer::TIMES_WORD, count.end, count.end});
-  if (said) {
+  if (said != 0) {
     phrase.notAsMeant();
   }
   return 2;
@@ -99,8 +99,9 @@ size_t alwaysAfterScope(Phrase& phrase) {
 }
 
 size_t orExitOfSurfaces(Phrase& phrase) {
+  constexpr size_t kLongestTime = 8;  // tokens since `surfaces every`
   bool surfaces = false;
-  for (size_t k = 0; k < 8; ++k) {
+  for (size_t k = 0; k < kLongestTime; ++k) {
     surfaces = surfaces || (phrase.before(k) == GliderLexer::EVERY &&
                             phrase.before(k + 1) == GliderLexer::SURFACES);
   }

@@ -18,8 +18,7 @@ bool isOneOf(std::string_view word, std::initializer_list<std::string_view> word
 }
 
 bool isNamedOneOf(const Phrase& phrase, size_t k, std::initializer_list<std::string_view> words) {
-  return phrase.type(k) == GliderLexer::NAME &&
-         std::ranges::find(words, phrase.text(k)) != words.end();
+  return phrase.type(k) == GliderLexer::NAME && isOneOf(phrase.text(k), words);
 }
 
 /// Whether two names after a comma can only be meant as a leg: `highest(temp, last yo)`.

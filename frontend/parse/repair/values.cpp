@@ -352,7 +352,7 @@ std::string ValueRepair::insteadOfComma(const Lexeme& before, const Lexeme& t,
                : "";
   }
   if (before.type == GliderLexer::NUMBER && t.type == GliderLexer::NUMBER) {
-    return fmt::format("write `,` between them, and the unit or the letter of each");
+    return "write `,` between them, and the unit or the letter of each";
   }
   if (!isAnyName(before.type) || !isName(t.type)) {
     return "";

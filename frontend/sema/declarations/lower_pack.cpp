@@ -11,15 +11,10 @@
 #include "support/units/units.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 namespace glider::frontend {
 namespace {
-
-const ast::Pack* packOf(const ast::File& file) {
-  return onlyItem<ast::Pack>(file, [](const auto&, const auto&) {});
-}
 
 /// What a pilot may write for a capacity: a charge, or an energy.
 ir::Type capacityType(const ast::Expr& expr, Scope& scope) {
@@ -46,7 +41,7 @@ class PackReader {
     const auto capacity = positive(node_.capacity, of_capacity, "capacity", "168 Ah");
     const auto voltage =
         positive(node_.voltage, quantity(support::dimension::voltage), "voltage", "14.4 V");
-    const auto reserve = share();
+    const auto reserve = reserved();
     if (!capacity || !voltage || !reserve) {
       return std::nullopt;
     }
@@ -71,7 +66,7 @@ class PackReader {
     }
     return value;
   }
-  std::optional<double> share() {
+  std::optional<double> reserved() {
     if (!node_.reserve) {
       return 0;
     }
@@ -135,7 +130,11 @@ void lowerPack(const ast::File& file, std::span<const ast::File* const> library,
     return;
   }
   scope.mission.pack = pack;
-  scope.energy = Energy{true, *pack, {}};
+  scope.energy->good = true;
+  scope.energy->pack = *pack;
+  if (line->reserve) {
+    scope.energy->reserve = line->reserve->where;
+  }
   const platforms::PlatformSensor* charge = findCharge(scope.platform());
   const ast::File* const own[] = {&file};
   if (charge != nullptr && (mentionUsed(own, scope) || mentionUsed(library, scope))) {
@@ -163,7 +162,7 @@ void keepFirstCharge(Scope& scope) {
   scope.mission.always.push_back(std::move(keep));
 }
 
-void warnOfReserve(const ast::File& file, Scope& scope) {
+void warnOfReserve(Scope& scope) {
   const ir::Mission& mission = scope.mission;
   if (!mission.pack || mission.pack->reserve == 0) {
     return;
@@ -180,8 +179,8 @@ void warnOfReserve(const ast::File& file, Scope& scope) {
                       return std::ranges::any_of(state.cases, decides);
                     });
   if (!kept) {
-    const ast::Expr& reserve = *packOf(file)->reserve;
-    scope.report(support::diagnostics::reserveNotKept, reserve.where, scope.text(reserve.where));
+    const support::SourceRange& reserve = scope.energy->reserve;
+    scope.report(support::diagnostics::reserveNotKept, reserve, scope.text(reserve));
   }
 }
 

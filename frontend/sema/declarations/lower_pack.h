@@ -20,6 +20,6 @@ void lowerPack(const ast::File& file, std::span<const ast::File* const> library,
 void keepFirstCharge(Scope& scope);
 
 /// Warns of a reserve that no case of the mission keeps. To be called when all is lowered.
-void warnOfReserve(const ast::File& file, Scope& scope);
+void warnOfReserve(Scope& scope);
 
 }  // namespace glider::frontend

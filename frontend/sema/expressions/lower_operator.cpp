@@ -167,7 +167,8 @@ namespace {
 
 /// `oxygen < 80 %`: a share where the other side, which is not a share of anything written, counts
 /// something.
-void noteShare(const ast::Expr& other, const ast::Expr& share, Value& value, const Scale& counted) {
+void markPercentage(const ast::Expr& other, const ast::Expr& share, Value& value,
+                    const Scale& counted) {
   const auto* literal = std::get_if<ast::Literal>(&share.node);
   const bool counts = !counted.unit.empty() && counted.unit != "%";
   if (literal != nullptr && literal->unit == "%" && counts &&
@@ -209,8 +210,8 @@ std::optional<ExprLowering::Pair> ExprLowering::alike(const ast::Expr& left, con
     return std::nullopt;
   }
   Pair pair = rightFirst ? Pair{*two, *one} : Pair{*one, *two};
-  noteShare(left, right, pair.right, pair.left.scale);
-  noteShare(right, left, pair.left, pair.right.scale);
+  markPercentage(left, right, pair.right, pair.left.scale);
+  markPercentage(right, left, pair.left, pair.right.scale);
   return scalesDiffer(pair.left, left.where, pair.right, right.where, op) ? std::nullopt
                                                                           : std::optional(pair);
 }

@@ -5,8 +5,7 @@
 
 #include "ir/core/mission.h"
 #include "platforms/load/platform.h"
-
-#include <optional>
+#include "support/source_range.h"
 
 namespace glider::frontend {
 
@@ -14,6 +13,7 @@ namespace glider::frontend {
 struct Energy {
   bool good = false;  ///< false: the line was refused, which has been reported
   ir::Pack pack;
+  support::SourceRange reserve;  ///< of its share; not valid if it has none
   /// The charge when it was first known in the mission; invalid: the mission does not ask for
   /// `energyused`, or the vehicle does not count its charge.
   ir::VariableId start;

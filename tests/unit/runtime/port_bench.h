@@ -5,7 +5,7 @@
 
 #include "hooks/extctl/sentence.h"
 #include "runtime/extctl/backseat.h"
-#include "tests/unit/runtime/bench_mission.h"
+#include "tests/unit/runtime/two_depths.h"
 #include "tests/unit/runtime/vehicle_bench.h"
 
 #include <fmt/format.h>
@@ -28,33 +28,16 @@ inline constexpr double kBegun = 40;
 inline constexpr GliderPortMission kPort{
     60, 0.7854, 0.19, 10, 4711, GLIDER_M_LAT, GLIDER_M_LON, GLIDER_M_DEPTH_STATE, 0};
 
-/// A mission of two states that change with the temperature, each with a depth of its own.
-struct TwoStates : BenchMission {
+/// The same mission for a vehicle that glides.
+struct TwoStates : testing::TwoDepths {
   TwoStates() {
-    sensors = {testing::depthSensor(), testing::temperatureSensor()};
-    states = {testing::benchState("warm", &to_cold, 1), testing::benchState("cold", &to_warm, 1)};
-    guards = [this](const GliderContext& c) {
-      if (c.mission_time >= end_s) {
-        return GLIDER_NO_CASE;
-      }
-      const double temperature = c.readings[1].value;
-      return (c.state == 0 ? temperature < 12 : temperature > 14) ? 0U : GLIDER_NO_CASE;
-    };
-    always = {exit_case};
-    always_guards = [this](const GliderContext& c, uint32_t) {
-      return c.mission_time >= end_s ? 0U : GLIDER_NO_CASE;
-    };
     fly = [](GliderContext& c, uint32_t phase) {
       if (phase != kGliderTick) {
         gliderDescend(&c, c.state == 0 ? 20 : 40, -0.4);
         gliderSteer(&c, 1.5);
       }
     };
-    finish(2);
   }
-  GliderCaseInfo to_cold{kGliderGoto, 1}, to_warm{kGliderGoto, 0};
-  GliderCaseInfo exit_case{kGliderExit, 0};
-  double end_s = 1e9;
 };
 
 /// A vehicle's port: reports what changes, and keeps what the SBC writes.

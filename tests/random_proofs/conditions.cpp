@@ -103,15 +103,18 @@ ExprId Conditions::ofSensor() {
                  near(random_.pick(limits)));
 }
 
-ExprId Conditions::ofDepth() {
+ExprId Conditions::depthAtMost(double depth) {
   for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
     if (m_.sensors[i].vehicle_name == "m_depth") {
-      const bool proved = bounds_.deepest && random_.chance(0.5);
-      const double deepest = proved ? *bounds_.deepest : bounds_.scouted.deepest;
-      return compare(Op::LessEqual, reading({i}), near(deepest));
+      return compare(random_.chance(0.3) ? Op::Less : Op::LessEqual, reading({i}), depth);
     }
   }
   return ofClock();
+}
+
+ExprId Conditions::ofDepth() {
+  const bool proved = bounds_.deepest && random_.chance(0.5);
+  return depthAtMost(near(proved ? *bounds_.deepest : bounds_.scouted.deepest));
 }
 
 ExprId Conditions::ofVariable(bool parameter) {

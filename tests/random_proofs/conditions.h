@@ -8,6 +8,7 @@
 #include "tests/random_missions/random.h"
 #include "tests/random_proofs/scouting.h"
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct Bounds {
   std::optional<double> ends_by;     ///< the prover's bound, s
   std::optional<double> deepest;     ///< the same, m
   std::optional<double> submersion;  ///< the same, s
+  /// Of each state that only climbs: from so long after it became current on it is at the surface.
+  std::map<uint32_t, double> climbs;
+  double tick_gap_s = 0;  ///< the longest
   std::optional<Track> track;
 };
 
@@ -40,6 +44,9 @@ class Conditions {
   ir::ExprId ofReadings();
   /// Exactly `value`, or a little above or below it.
   double near(double value);
+  /// The depth is at most so much, m; of `clock` if no depth is read.
+  ir::ExprId depthAtMost(double depth);
+  [[nodiscard]] const Bounds& bounds() const { return bounds_; }
   /// Near to a time that matters, s; positive.
   double time();
   ir::ExprId reading(ir::SensorId sensor);

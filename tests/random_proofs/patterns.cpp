@@ -55,6 +55,8 @@ class Patterns {
       }
       case 4:
         return reaction(pattern);
+      case 6:
+        return climb(pattern);
       default: {
         const PromisedPlace held = place();
         return frontend::writeHold(held, place(), time(), pattern);
@@ -70,6 +72,30 @@ class Patterns {
     node.trigger = static_cast<ast::Trigger>(random_.below(both_ways ? 3 : 2));
     const PromisedPlace cause = place();
     frontend::writeReaction(node, cause, place(), time(), pattern);
+  }
+
+  /// A state that climbs is followed by a small depth in about the time that the climb takes.
+  void climb(Pattern& pattern) {
+    const auto& climbs = conditions_.bounds().climbs;
+    if (climbs.empty()) {
+      return reaction(pattern);
+    }
+    const auto chosen = std::next(climbs.begin(), random_.below(climbs.size()));
+    const PromisedPlace cause{m_.states[chosen->first].name, {chosen->first}, {}};
+    constexpr double kDepths[] = {1, 1.5, 2, 3, 5, 10};
+    const ir::ExprId up = conditions_.depthAtMost(random_.pick(kDepths));
+    const PromisedPlace response{fmt::format("condition {}", up.index), {}, up};
+    const double climb = chosen->second + conditions_.bounds().tick_gap_s;
+    const double seconds = std::max(
+        1.0, conditions_.near(random_.chance(0.3) ? climb * random_.uniform(0.3, 1.1) : climb));
+    const frontend::PromiseTime within{seconds, fmt::format("{} s", seconds)};
+    if (random_.chance(0.3)) {
+      return frontend::writeVisit({response}, ast::Manner::AnyOrder, within, pattern);
+    }
+    ast::ReactionPromise node;
+    node.timing = ast::Timing::Within;
+    node.trigger = static_cast<ast::Trigger>(random_.below(2));
+    frontend::writeReaction(node, cause, response, within, pattern);
   }
 
   /// Two at least, all of them different.
@@ -109,7 +135,8 @@ class Patterns {
 }  // namespace
 
 std::span<const char* const> patterns() {
-  static constexpr const char* kNames[] = {"visit", "patrol", "count", "never", "reaction", "hold"};
+  static constexpr const char* kNames[] = {"visit",    "patrol", "count", "never",
+                                           "reaction", "hold",   "climb"};
   return kNames;
 }
 

@@ -10,7 +10,7 @@
 
 namespace glider::random_proofs {
 
-/// The patterns: "visit", "patrol", "count", "never", "reaction", "hold".
+/// The patterns: "visit", "patrol", "count", "never", "reaction", "hold", "climb".
 std::span<const char* const> patterns();
 
 /// Makes `requirement` a random one of the pattern with this number of the language

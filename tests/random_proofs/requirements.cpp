@@ -40,6 +40,13 @@ Bounds boundsOf(const ir::Mission& mission, const platforms::Platform& platform,
   bounds.deepest = std::isfinite(deepest) ? std::optional(deepest) : std::nullopt;
   bounds.submersion =
       ir::prove::longestSubmersion(context, ending.bound(), ir::prove::kLongestMission);
+  bounds.tick_gap_s = context.tick_gap_s;
+  const std::vector<double> climbs = ir::prove::climbTimes(context);
+  for (uint32_t i = 0; i < climbs.size(); ++i) {
+    if (std::isfinite(climbs[i])) {
+      bounds.climbs.emplace(i, climbs[i]);
+    }
+  }
   bounds.track = trackOf(context, ending);
   return bounds;
 }

@@ -92,7 +92,10 @@ std::vector<StateBounds> boundsOfStates(const ProofContext& proof_context, const
 }
 
 std::vector<StateBounds> stateBounds(const ProofContext& proof_context, const EndBound& end) {
-  std::vector<StateBounds> all = boundsOfStates(proof_context, end);
+  return ofPossibleStates(boundsOfStates(proof_context, end), end);
+}
+
+std::vector<StateBounds> ofPossibleStates(std::vector<StateBounds> all, const EndBound& end) {
   std::erase_if(all, [&](const StateBounds& one) {
     return (end.by && one.latest == 0) || one.earliest > one.latest;
   });

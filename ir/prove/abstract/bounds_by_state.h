@@ -21,6 +21,8 @@ namespace glider::ir::prove {
 std::vector<StateBounds> boundsOfStates(const ProofContext& proof_context, const EndBound& end);
 /// The same for each state that may become current.
 std::vector<StateBounds> stateBounds(const ProofContext& proof_context, const EndBound& end);
+/// Those of boundsOfStates whose state may become current.
+std::vector<StateBounds> ofPossibleStates(std::vector<StateBounds> all, const EndBound& end);
 
 /// Whether a state may wait for a return. One that never does becomes current only when it is
 /// entered.

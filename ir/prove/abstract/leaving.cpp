@@ -5,6 +5,7 @@
 
 #include "ir/core/ops.h"
 #include "ir/core/walk.h"
+#include "ir/prove/abstract/sum_at_most.h"
 #include "ir/verify/intervals.h"
 
 #include <algorithm>
@@ -16,13 +17,6 @@
 
 namespace glider::ir::prove {
 namespace {
-
-/// An upper bound of the sum.
-double sumAtMost(double a, double b) {
-  const double sum = a + b;
-  const bool exact = sum - a == b && sum - b == a;
-  return exact ? sum : std::nextafter(sum, std::numeric_limits<double>::infinity());
-}
 
 class LeavingSearch {
  public:

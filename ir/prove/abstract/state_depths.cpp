@@ -5,6 +5,7 @@
 
 #include "ir/core/walk.h"
 #include "ir/prove/abstract/held_ranges.h"
+#include "ir/prove/abstract/sum_at_most.h"
 #include "ir/prove/context/commands.h"
 
 #include <algorithm>
@@ -44,8 +45,7 @@ class Depths {
   std::vector<double> run() {
     std::vector<double> own;
     for (const State& state : m_.states) {
-      own.push_back(commandedDepth(state) +
-                    proof_context_.platform.envelope.inflection_overshoot_m);
+      own.push_back(greatestDepth(state));
     }
     std::vector<uint32_t> order(own.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -62,20 +62,24 @@ class Depths {
     return std::ranges::find(cases, transition, &Case::transition) != cases.end();
   }
 
-  /// m; not less than the depth at which control may be given.
-  double commandedDepth(const State& state) const {
+  /// By the state's own commands, or from the depth at which control may be given; m.
+  double greatestDepth(const State& state) const {
     if (!m_[state.profile.behaviour].symbol.empty() || !m_[state.route.behaviour].symbol.empty()) {
       return kWhateverDepth;
     }
-    double deepest = proof_context_.platform.world.start_depth_m;
+    const platforms::Envelope& envelope = proof_context_.platform.envelope;
+    const platforms::EnvironmentModel& world = proof_context_.platform.world;
+    const double overshoot = envelope.inflection_overshoot_m;
+    double deepest = sumAtMost(world.start_depth_m, overshoot);
     const auto look = [&](const Statement& statement) {
       if (statement.kind == StatementKind::Command && movesActuators(statement.command)) {
-        deepest = std::max(deepest, proof_context_.platform.envelope.greatest_depth_m);  // V8
+        deepest = std::max(deepest, sumAtMost(envelope.greatest_depth_m, overshoot));  // V8
       } else if (leadsDown(statement)) {
         const Interval& target = held_[statement.values.at(0).index];
-        const bool climbs = isAscent(statement.command);
-        const double below = climbs ? proof_context_.platform.world.climb_hold_m : 0;
-        const double depth = target.highest < kUnbounded ? target.highest + below : kWhateverDepth;
+        const double below =
+            isAscent(statement.command) ? world.climb_hold_m + overshoot : overshoot;
+        const double depth =
+            target.highest < kUnbounded ? sumAtMost(target.highest, below) : kWhateverDepth;
         deepest = std::max(deepest, target.empty ? deepest : depth);
       }
     };

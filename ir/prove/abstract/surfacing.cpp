@@ -10,6 +10,7 @@
 #include "ir/prove/abstract/timer_guards.h"
 #include "ir/prove/abstract/timers.h"
 #include "ir/prove/context/commands.h"
+#include "ir/prove/context/vehicle_rules.h"
 #include "ir/verify/intervals.h"
 
 #include <algorithm>
@@ -273,9 +274,7 @@ class SurfacingSearch {
 
   [[nodiscard]] double climbFrom(double depth) const {
     const platforms::EnvironmentModel& world = proof_context_.platform.world;
-    constexpr double kRoundedUp = 1 + 0x1p-40;
-    const double way = std::max(0.0, depth - world.surface_depth_m);
-    return (world.command_delay_s + world.turn_s + way / world.slowest_climb_m_s) * kRoundedUp;
+    return longestClimb(world, depth, world.surface_depth_m);
   }
 
   void followState(size_t at) {

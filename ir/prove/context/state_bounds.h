@@ -17,12 +17,14 @@ struct StateBounds {
   double resume_time = 0;  ///< upper bounds of the clocks, s
   double state_time = 0;
   double depth = 0;  ///< upper bound of the true depth, m
+  /// It commands the surface whenever it becomes current, and no other depth while it is.
+  bool climbs = false;
   auto operator<=>(const StateBounds&) const = default;
 };
 
 /// Within all of them.
 inline StateBounds hullOf(const std::vector<StateBounds>& all) {
-  StateBounds hull{std::numeric_limits<double>::max(), 0, 0, 0, 0};
+  StateBounds hull{std::numeric_limits<double>::max(), 0, 0, 0, 0, false};
   for (const StateBounds& one : all) {
     hull.earliest = std::min(hull.earliest, one.earliest);
     hull.latest = std::max(hull.latest, one.latest);

@@ -6,6 +6,7 @@
 #include "ir/core/mission.h"
 #include "platforms/load/platform.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -25,6 +26,14 @@ namespace glider::ir::prove {
 
 /// A command to climb to a depth above this (m) ends at the surface: hookbeh does not hover there.
 inline constexpr double kFloats = 1;
+
+/// V2: from this time (s) after the command to climb on, a vehicle that was no deeper than `from`
+/// (m) is no deeper than `to`; rounded up.
+inline double longestClimb(const platforms::EnvironmentModel& world, double from, double to) {
+  constexpr double kRoundedUp = 1 + 0x1p-40;
+  const double way = std::max(0.0, from - to);
+  return (world.command_delay_s + world.turn_s + way / world.slowest_climb_m_s) * kRoundedUp;
+}
 
 template <typename Algebra>
 class VehicleRules {

@@ -5,11 +5,13 @@
 
 #include "ir/core/ops.h"
 #include "ir/core/walk.h"
+#include "ir/prove/context/vehicle_rules.h"
 #include "ir/prove/encoding/world.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace glider::ir::prove {
 namespace {
@@ -41,6 +43,10 @@ bool ChcEncoder::run() {
   while (!pending_.empty() && reached_.size() <= most) {
     const Control control = pending_.back();
     pending_.pop_back();
+    if (watch_.scope && !watch_.scope->holds(control)) {
+      leaveElsewhere(control);
+      continue;
+    }
     elapse(control);
     tick(control);
     badAfter(control);
@@ -54,7 +60,8 @@ void ChcEncoder::reach(const Control& control) {
   }
 }
 
-void ChcEncoder::add(Rule rule, const Unknowns& unknowns) {
+void ChcEncoder::add(Rule rule, Unknowns& unknowns) {
+  project(rule, unknowns);
   rule.condition = (rule.condition && allOf(unknowns, context_)).simplify();
   if (rule.condition.is_false()) {
     return;
@@ -88,7 +95,8 @@ void ChcEncoder::begin() {
   Unknowns unknowns(context_, fmt::format("r{}:", next_prefix_++));
   Control control;
   control.state = {0};
-  Configuration start = layout_.make(control, unknowns);
+  const Layout whole(proof_context_, relevance_, watch_.memory);  // the vehicle with all of V1
+  Configuration start = whole.make(control, unknowns);
   start.mission_time = context_.real_val(0);
   start.entered = {context_.real_val(0)};
   start.resumed = context_.real_val(0);
@@ -140,10 +148,14 @@ void ChcEncoder::elapse(const Control& control) {
   z3::expr condition = after.mission_time >= before.mission_time;
   if (before.store.vehicle) {
     after.store.vehicle->depth = unknowns.real("depth");
-    condition = condition && moves(*before.store.vehicle, before.mission_time, after.mission_time,
-                                   after.store.vehicle->depth, proof_context_.platform);
+    if (isFine()) {
+      condition = condition && moves(*before.store.vehicle, before.mission_time, after.mission_time,
+                                     after.store.vehicle->depth, proof_context_.platform);
+    } else {
+      condition = condition && after.store.vehicle->depth >= 0;
+    }
   }
-  condition = condition && noticed(before, after, unknowns);
+  condition = condition && known(before) && climbed(after) && noticed(before, after, unknowns);
   if (watch_.every_tick) {
     condition = condition && after.mission_time - before.mission_time <=
                                  realOf(context_, proof_context_.tick_gap_s);
@@ -162,6 +174,53 @@ void ChcEncoder::elapse(const Control& control) {
        after,
        {}},
       unknowns);
+}
+
+z3::expr ChcEncoder::known(const Configuration& now) const {
+  z3::expr all = context_.bool_val(true);
+  if (watch_.known.empty()) {
+    return all;
+  }
+  const StateBounds& bounds = watch_.known[now.control.state.index];
+  if (now.store.vehicle && std::isfinite(bounds.depth)) {
+    all = all && now.store.vehicle->deepest <= realOf(context_, bounds.depth);
+  }
+  if (relevance_.resume_time && bounds.resume_time < kGreatestNumber) {
+    all = all && now.mission_time - now.resumed <= realOf(context_, bounds.resume_time);
+  }
+  return all;
+}
+
+/// The time (s) after it became current from which the vehicle is at `depth` or above; none: its
+/// commands do not say.
+std::optional<double> ChcEncoder::climbIn(StateId state, double depth) const {
+  const bool counted = watch_.scope || relevance_.resume_time;
+  if (watch_.known.empty() || !watch_.known[state.index].climbs || !counted) {
+    return std::nullopt;
+  }
+  return longestClimb(proof_context_.platform.world, watch_.known[state.index].depth, depth);
+}
+
+z3::expr ChcEncoder::hasClimbed(const Configuration& with, double depth, const z3::expr& by) const {
+  if (!with.store.vehicle) {
+    return context_.bool_val(false);
+  }
+  if (const auto climb = climbIn(with.control.state, depth)) {
+    const z3::expr& since = watch_.scope ? with.store.vehicle->since : with.resumed;
+    return by - since >= realOf(context_, *climb);
+  }
+  return hasClimbedTo(*with.store.vehicle, by, realOf(context_, depth), proof_context_.platform);
+}
+
+z3::expr ChcEncoder::climbed(const Configuration& now) const {
+  z3::expr all = context_.bool_val(true);
+  for (const double depth : watch_.awaited_depths) {
+    if (now.store.vehicle && climbIn(now.control.state, depth)) {
+      all = all && z3::implies(hasClimbed(now, depth, now.mission_time),
+                               now.store.vehicle->depth <= realOf(context_, depth));
+    }
+  }
+  return all;
 }
 
 /// The conditions of the control's lists that read only clocks and variables.
@@ -234,14 +293,20 @@ z3::expr ChcEncoder::noticed(const Configuration& before, const Configuration& a
     before.store.show(moment);
     return moment;
   };
-  SymbolicState then = at(before.mission_time);
-  SymbolicState later = at(late);
   z3::expr same = context_.bool_val(true);
-  for (const ExprId id : clockConditions(before.control)) {
-    same = same && then.truth(id).is_true == later.truth(id).is_true;
+  if (isFine()) {
+    SymbolicState then = at(before.mission_time);
+    SymbolicState later = at(late);
+    for (const ExprId id : clockConditions(before.control)) {
+      same = same && then.truth(id).is_true == later.truth(id).is_true;
+    }
+    for (const ExprId guard : clockGuards(before.control)) {
+      same = same && !later.truth(guard).is_true;
+    }
   }
-  for (const ExprId guard : clockGuards(before.control)) {
-    same = same && !later.truth(guard).is_true;
+  for (const double depth : watch_.awaited_depths) {
+    same = same &&
+           (hasClimbed(before, depth, before.mission_time) || !hasClimbed(before, depth, late));
   }
   return late <= before.mission_time || same;
 }
@@ -261,8 +326,7 @@ ChcEncoder::AfterMonitor ChcEncoder::leave(const Outcome* outcome, Configuration
 /// The state that a tick leaves may be bad: it is checked with the tick's readings.
 void ChcEncoder::addBad(const std::optional<Place>& from, const std::vector<z3::expr>& row,
                         const z3::expr& condition, const std::optional<Configuration>& before,
-                        AfterMonitor& left, const SymbolicState& readings,
-                        const Unknowns& unknowns) {
+                        AfterMonitor& left, const SymbolicState& readings, Unknowns& unknowns) {
   if (!watch_.bad_at_tick) {
     return;
   }

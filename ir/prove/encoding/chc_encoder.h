@@ -53,7 +53,7 @@ class ChcEncoder {
         m_(proof_context.mission),
         relevance_(relevance),
         watch_(watch),
-        layout_(proof_context, relevance, watch_.memory) {}
+        layout_(proof_context, relevance, watch_.memory, watch_.scope ? &*watch_.scope : nullptr) {}
 
   /// False if there are too many call stacks.
   bool run();
@@ -65,6 +65,16 @@ class ChcEncoder {
   void elapse(const Control& control);
   void tick(const Control& control);
   void badAfter(const Control& control);
+  /// What a mission may do that is in a state which is not followed (elsewhere.cpp).
+  void leaveElsewhere(const Control& control);
+  enum class Way : uint8_t { Stays, Ends, Enters };
+  void stepElsewhere(const Control& from, const Control& to, Way way);
+  [[nodiscard]] Configuration anywhere(const Control& control, const Configuration& before,
+                                       Unknowns& unknowns) const;
+  /// Whether all is followed that is known of where a trace can go.
+  [[nodiscard]] bool isFine() const { return !watch_.scope || watch_.scope->fine; }
+  /// A configuration that is not followed is only known to be elsewhere.
+  void project(Rule& rule, Unknowns& unknowns) const;
   /// What a start or tick leaves, as the property sees it: the monitor has run.
   struct AfterMonitor {
     Configuration configuration;
@@ -75,13 +85,22 @@ class ChcEncoder {
                      const SymbolicState& readings) const;
   void addBad(const std::optional<Place>& from, const std::vector<z3::expr>& row,
               const z3::expr& condition, const std::optional<Configuration>& before,
-              AfterMonitor& left, const SymbolicState& readings, const Unknowns& unknowns);
-  /// Time does not pass the change of a condition of clocks by more than the gap between two ticks.
+              AfterMonitor& left, const SymbolicState& readings, Unknowns& unknowns);
+  /// What is known after any tick that leaves this state current.
+  [[nodiscard]] z3::expr known(const Configuration& now) const;
+  /// The same of the depth, as time has passed.
+  [[nodiscard]] z3::expr climbed(const Configuration& now) const;
+  [[nodiscard]] std::optional<double> climbIn(StateId state, double depth) const;
+  /// Whether the climb in force has certainly led to `depth` (m) or above at the time `by`.
+  [[nodiscard]] z3::expr hasClimbed(const Configuration& with, double depth,
+                                    const z3::expr& by) const;
+  /// Time does not pass the change of a condition of clocks, or the end of a climb to a depth that
+  /// the property waits for, by more than the gap between two ticks.
   z3::expr noticed(const Configuration& before, const Configuration& after, Unknowns& unknowns);
   std::vector<ExprId> clockConditions(const Control& control) const;
   std::vector<ExprId> clockGuards(const Control& control) const;
   bool readsNoSensor(ExprId root) const;
-  void add(Rule rule, const Unknowns& unknowns);
+  void add(Rule rule, Unknowns& unknowns);
   void reach(const Control& control);
   /// A moment with a reading of every sensor; the depth reading is that of the vehicle within its
   /// tolerance.

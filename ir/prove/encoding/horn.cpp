@@ -125,6 +125,10 @@ RunsAnswer askAboutRuns(z3::context& context, const ProofContext& proof_context,
     }
     return answer;
   }
+  if (watch.scope) {
+    answer.trouble = "what it does elsewhere may matter";
+    return answer;
+  }
   answer.run = runOfRules(context, proof_context, writer.rules(), engine.trace(), effort);
   answer.bad = answer.run ? Answer::Yes : Answer::Unknown;
   if (!answer.run) {

@@ -4,13 +4,16 @@
 #pragma once
 
 #include "ir/certify/certificate.h"
+#include "ir/prove/context/state_bounds.h"
 #include "ir/prove/encoding/layout.h"
 #include "ir/prove/encoding/question.h"
 #include "ir/prove/encoding/run.h"
+#include "ir/prove/encoding/scope.h"
 
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +33,15 @@ struct SafetyProperty {
   std::function<void(const Outcome* outcome, Configuration& left, SymbolicState& moment)> observe;
   /// Whether each tick of a trace is followed: otherwise a step may stand for several ticks.
   bool every_tick = false;
+  /// The depths (m) that the property waits for. A climb does not pass one by more than the longest
+  /// gap between two ticks without a tick.
+  std::vector<double> awaited_depths;
+  /// What is known of each state without the question; empty: nothing. It says nothing about what
+  /// is asked: the search is shorter with it.
+  std::span<const StateBounds> known;
+  /// Part of the mission, if the question does not follow all of it; then only a proof is an
+  /// answer.
+  std::optional<Scope> scope = {};
   /// A condition that no tick may leave, including the start and the last tick: checked with its
   /// readings.
   std::function<std::optional<z3::expr>(const Configuration& left, SymbolicState& moment)>
@@ -53,8 +65,9 @@ struct RunsAnswer {
 
 /// Asks Z3's Spacer about all traces of the mission, from the start on. The mission is a pushdown
 /// system over reals, with one pair of predicates for each call stack. Time passes in steps of any
-/// length, but a step may pass a change of a condition of clocks and variables by at most the
-/// longest gap between two ticks.
+/// length, but a step may pass a change of a condition of clocks and variables, or the time from
+/// which a climb has certainly led to a depth that the property waits for, by at most the longest
+/// gap between two ticks.
 RunsAnswer askAboutRuns(z3::context& context, const ProofContext& proof_context,
                         const ConeOfInfluence& relevance, const SafetyProperty& watch,
                         unsigned effort, bool keep_invariants = false);

@@ -5,6 +5,9 @@
 
 #include "ir/certify/names.h"
 #include "ir/core/ops.h"
+#include "ir/verify/intervals.h"
+
+#include <cmath>
 
 namespace glider::ir::prove {
 namespace {
@@ -14,17 +17,28 @@ std::string unquoted(const std::string& name) {
   return name.substr(1, name.size() - 2);
 }
 
+/// The declared range, which every value that is known has.
+void requireRange(const Variable& variable, const z3::expr& value, Unknowns& unknowns) {
+  z3::context& context = value.ctx();
+  if (variable.lowest > -kGreatestNumber) {
+    unknowns.require(value >= realOf(context, variable.lowest));
+  }
+  if (variable.highest < kGreatestNumber) {
+    unknowns.require(value <= realOf(context, variable.highest));
+  }
+}
+
 }  // namespace
 
 bool Layout::keeps(const Control& control, uint32_t variable) const {
   const Variable& v = m_.variables[variable];
   return relevance_.variables[variable] && v.kind != VariableKind::Momentary &&
-         (!v.owner.valid() || control.holds(v.owner));
+         !isFree(control, variable) && (!v.owner.valid() || control.holds(v.owner));
 }
 
 bool Layout::watches(const Control& control, uint32_t temporal) const {
   const Temporal& t = m_.temporals[temporal];
-  return !isWindow(t.kind) && relevance_.temporals[temporal] &&
+  return follows(control) && !isWindow(t.kind) && relevance_.temporals[temporal] &&
          (t.list == ListKind::Always || t.state == control.state);
 }
 
@@ -42,17 +56,25 @@ Configuration Layout::make(const Control& control, Unknowns& unknowns) const {
     if (!relevance_.variables[i]) {
       continue;
     }
-    const bool kept = keeps(control, i);
+    const bool kept = keeps(control, i) || isFree(control, i);
     const z3::expr never = context.bool_val(false);
     if (m_.variables[i].type.kind == TypeKind::Bool) {
       result.store.truths.emplace(i,
                                   kept ? TruthTerm{unknowns.truth("true"), unknowns.truth("false")}
                                        : TruthTerm{never, never});
+      if (isFree(control, i)) {
+        const TruthTerm& free = result.store.truths.at(i);
+        unknowns.require(!(free.is_true && free.is_false));
+      }
     } else {
       const z3::expr known = !kept                               ? never
                              : proof_context_.known.variables[i] ? context.bool_val(true)
                                                                  : unknowns.truth("known");
-      result.store.numbers.emplace(i, NumberTerm{kept ? unknowns.real("v") : nothing, known, 0});
+      const z3::expr value = kept ? unknowns.real("v") : nothing;
+      result.store.numbers.emplace(i, NumberTerm{value, known, 0});
+      if (isFree(control, i)) {
+        requireRange(m_.variables[i], value, unknowns);
+      }
     }
   }
   for (uint32_t i = 0; i < m_.temporals.size(); ++i) {
@@ -62,8 +84,10 @@ Configuration Layout::make(const Control& control, Unknowns& unknowns) const {
   }
   if (relevance_.vehicle) {
     result.store.vehicle =
-        Vehicle{unknowns.real("depth"), unknowns.real("deepest"), unknowns.truth("climbing"),
-                unknowns.real("climbing since"), unknowns.real("top")};
+        scope_ != nullptr
+            ? vehicleWithin(control, unknowns)
+            : Vehicle{unknowns.real("depth"), unknowns.real("deepest"), unknowns.truth("climbing"),
+                      unknowns.real("climbing since"), unknowns.real("top")};
   }
   for (const MemoryTerm& term : memory_) {
     result.memory.push_back(term.sort.is_bool() ? unknowns.truth("memory")
@@ -72,12 +96,28 @@ Configuration Layout::make(const Control& control, Unknowns& unknowns) const {
   return result;
 }
 
+/// One that climbs is as deep as it may have been, so that its rules hold for every other.
+Vehicle Layout::vehicleWithin(const Control& control, Unknowns& unknowns) const {
+  z3::context& context = unknowns.context();
+  const bool climbs = scope_->climbs(control);
+  const double deepest =
+      follows(control) ? scope_->bounds[control.state.index].depth : scope_->deepest;
+  const z3::expr depth = unknowns.real("depth");
+  unknowns.require(depth >= 0);
+  const z3::expr bound =
+      std::isfinite(deepest) ? realOf(context, deepest) : unknowns.real("deepest");
+  unknowns.require(depth <= bound);
+  return {depth, bound, context.bool_val(climbs),
+          climbs ? unknowns.real("climbing since") : context.real_val(0), context.real_val(0)};
+}
+
 std::vector<std::string> Layout::names(const Control& control) const {
   std::vector<std::string> all{"time"};
-  for (size_t i = 0; relevance_.state_time && i <= control.stack.size(); ++i) {
+  const bool followed = follows(control);
+  for (size_t i = 0; followed && relevance_.state_time && i <= control.stack.size(); ++i) {
     all.push_back(unquoted(certify::enteredName(i)));
   }
-  if (relevance_.resume_time) {
+  if (followed && relevance_.resume_time) {
     all.emplace_back("resumed");
   }
   for (uint32_t i = 0; i < m_.variables.size(); ++i) {
@@ -97,7 +137,12 @@ std::vector<std::string> Layout::names(const Control& control) const {
       all.push_back(unquoted(certify::temporalName("since", i)));
     }
   }
-  if (relevance_.vehicle) {
+  if (followed && relevance_.vehicle && scope_ != nullptr) {
+    all.emplace_back("depth");
+    if (scope_->climbs(control)) {
+      all.emplace_back("climbing since");
+    }
+  } else if (relevance_.vehicle && scope_ == nullptr) {
     all.insert(all.end(), {"depth", "deepest", "climbing", "climbing since", "top"});
   }
   for (const MemoryTerm& term : memory_) {
@@ -121,10 +166,11 @@ z3::expr Layout::known(const Control& control, z3::context& context) const {
 
 std::vector<z3::expr> Layout::row(const Configuration& c) const {
   std::vector<z3::expr> row{c.mission_time};
-  if (relevance_.state_time) {
+  const bool followed = follows(c.control);
+  if (followed && relevance_.state_time) {
     row.insert(row.end(), c.entered.begin(), c.entered.end());
   }
-  if (relevance_.resume_time) {
+  if (followed && relevance_.resume_time) {
     row.push_back(c.resumed);
   }
   for (uint32_t i = 0; i < m_.variables.size(); ++i) {
@@ -147,7 +193,12 @@ std::vector<z3::expr> Layout::row(const Configuration& c) const {
       row.push_back(c.watched.at(i).since);
     }
   }
-  if (relevance_.vehicle) {
+  if (followed && relevance_.vehicle && scope_ != nullptr) {
+    row.push_back(c.store.vehicle->depth);
+    if (scope_->climbs(c.control)) {
+      row.push_back(c.store.vehicle->since);
+    }
+  } else if (relevance_.vehicle && scope_ == nullptr) {
     const Vehicle& v = *c.store.vehicle;
     row.insert(row.end(), {v.depth, v.deepest, v.climbing, v.since, v.top});
   }

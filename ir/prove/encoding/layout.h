@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "ir/prove/encoding/scope.h"
 #include "ir/prove/encoding/tick.h"
 
 #include <string>
@@ -21,13 +22,14 @@ struct MemoryTerm {
 /// control. The control and the cone of influence determine which terms they are.
 class Layout {
  public:
-  /// All must outlive this.
+  /// All must outlive this. `scope`: null for the whole mission.
   Layout(const ProofContext& proof_context, const ConeOfInfluence& relevance,
-         const std::vector<MemoryTerm>& memory)
+         const std::vector<MemoryTerm>& memory, const Scope* scope = nullptr)
       : proof_context_(proof_context),
         m_(proof_context.mission),
         relevance_(relevance),
-        memory_(memory) {}
+        memory_(memory),
+        scope_(scope) {}
 
   /// A configuration of unknowns.
   Configuration make(const Control& control, Unknowns& unknowns) const;
@@ -39,6 +41,17 @@ class Layout {
   [[nodiscard]] z3::expr known(const Control& control, z3::context& context) const;
 
  private:
+  /// Whether a control is followed: of others only the time and the monitor are kept.
+  [[nodiscard]] bool follows(const Control& control) const {
+    return scope_ == nullptr || scope_->holds(control);
+  }
+  /// Of the vehicle only the depth is kept, and since when a state that only climbs does.
+  Vehicle vehicleWithin(const Control& control, Unknowns& unknowns) const;
+  /// Whether a variable may have any value with this control, as the scope does not follow it.
+  [[nodiscard]] bool isFree(const Control& control, uint32_t variable) const {
+    return scope_ != nullptr && !isOfMonitor(m_.variables[variable].kind) &&
+           !(follows(control) && scope_->fine);
+  }
   /// Whether a variable is kept with this control.
   [[nodiscard]] bool keeps(const Control& control, uint32_t variable) const;
   /// Whether a temporal is watched with this control.
@@ -48,6 +61,7 @@ class Layout {
   const Mission& m_;
   const ConeOfInfluence& relevance_;
   const std::vector<MemoryTerm>& memory_;
+  const Scope* scope_;
 };
 
 }  // namespace glider::ir::prove

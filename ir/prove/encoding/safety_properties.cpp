@@ -3,8 +3,12 @@
 
 #include "ir/prove/encoding/safety_properties.h"
 
+#include "ir/core/ops.h"
 #include "ir/core/walk.h"
 #include "ir/prove/encoding/cone_of_influence.h"
+
+#include <cmath>
+#include <set>
 
 namespace glider::ir::prove {
 namespace {
@@ -138,12 +142,60 @@ void observe(const Monitor& monitor, const Outcome* outcome, Configuration& left
   left.store.show(moment);
 }
 
+/// The depths at which a comparison with the true depth changes, as low as they may be.
+class AwaitedDepths {
+ public:
+  explicit AwaitedDepths(const ProofContext& proof_context) : proof_context_(proof_context) {}
+
+  void look(ExprId root) {
+    forEachIn(proof_context_.mission, root, [&](const Expr& e) {
+      if (isOrdering(e.op)) {
+        compare(e.operands[0], e.op, e.operands[1]);
+        compare(e.operands[1], mirrored(e.op), e.operands[0]);
+      }
+    });
+  }
+
+  [[nodiscard]] std::vector<double> found() const { return {depths_.begin(), depths_.end()}; }
+
+ private:
+  void compare(ExprId reading, Op op, ExprId limit) {
+    const Expr& e = proof_context_.mission[reading];
+    if (e.op != Op::Sensor || e.sensor != proof_context_.depth) {
+      return;
+    }
+    const double lowest = proof_context_.intervals[limit.index].lowest;
+    // The limit itself is on the other side of `<` and `>=`.
+    const bool apart = op == Op::Less || op == Op::GreaterEqual;
+    const double depth = apart ? std::nextafter(lowest, -kGreatestNumber) : lowest;
+    if (depth > 0 && depth < kGreatestNumber) {
+      depths_.insert(depth);
+    }
+  }
+
+  const ProofContext& proof_context_;
+  std::set<double> depths_;
+};
+
+}  // namespace
+
+std::vector<double> awaitedDepths(const Requirement& requirement,
+                                  const ProofContext& proof_context) {
+  AwaitedDepths depths(proof_context);
+  forEachStatement(proof_context.mission, requirement.monitor.step,
+                   [&](const Statement& s) { depths.look(s.value); });
+  return depths.found();
+}
+
+namespace {
+
 SafetyProperty always(const Requirement& requirement, const ProofContext& proof_context,
                       const ConeOfInfluence& relevance) {
   SafetyProperty watch;
   const ExprId condition = requirement.condition;
   if (requirement.monitor.step.valid()) {
     watch.every_tick = requirement.monitor.every_tick;
+    watch.awaited_depths = awaitedDepths(requirement, proof_context);
     watch.observe = [&requirement, &proof_context, &relevance](
                         const Outcome* outcome, Configuration& left, SymbolicState& moment) {
       observe(requirement.monitor, outcome, left, moment, proof_context, relevance);
@@ -203,14 +255,27 @@ ConeOfInfluence coneOf(const Requirement& requirement, const ProofContext& proof
   return relevanceFor(proof_context.mission, asked, vehicle);
 }
 
+/// A climb is counted from when its state became current.
+ConeOfInfluence withClimbs(ConeOfInfluence cone, const Requirement& requirement,
+                           const ProofContext& proof_context) {
+  cone.resume_time = cone.resume_time || !awaitedDepths(requirement, proof_context).empty();
+  return cone;
+}
+
 }  // namespace
 
 ConeOfInfluence relevanceOf(const Requirement& requirement, const ProofContext& proof_context) {
-  return coneOf(requirement, proof_context, reckonsWithDepth(requirement, proof_context));
+  return withClimbs(
+      coneOf(requirement, proof_context, reckonsWithDepth(requirement, proof_context)), requirement,
+      proof_context);
 }
 
 ConeOfInfluence withVehicle(const Requirement& requirement, const ProofContext& proof_context) {
-  return coneOf(requirement, proof_context, true);
+  return withClimbs(coneOf(requirement, proof_context, true), requirement, proof_context);
+}
+
+ConeOfInfluence relevanceWithin(const Requirement& requirement, const ProofContext& proof_context) {
+  return coneOf(requirement, proof_context, reckonsWithDepth(requirement, proof_context));
 }
 
 bool readsDepth(const ConeOfInfluence& relevance, const ProofContext& proof_context) {

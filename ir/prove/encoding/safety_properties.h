@@ -13,6 +13,11 @@ SafetyProperty safetyPropertyFor(const Requirement& requirement, z3::context& co
                                  const ProofContext& proof_context,
                                  const ConeOfInfluence& relevance);
 
+/// The depths (m) with which the monitor of a requirement compares the true depth, as low as they
+/// may be.
+std::vector<double> awaitedDepths(const Requirement& requirement,
+                                  const ProofContext& proof_context);
+
 /// Whether the answer depends on the depth of the vehicle.
 bool reckonsWithDepth(const Requirement& requirement, const ProofContext& proof_context);
 
@@ -21,6 +26,9 @@ ConeOfInfluence relevanceOf(const Requirement& requirement, const ProofContext& 
 
 /// The same with the vehicle's depth: a larger question, whose traces are of possible vehicles.
 ConeOfInfluence withVehicle(const Requirement& requirement, const ProofContext& proof_context);
+
+/// The cone of influence of the question about a requirement within a scope.
+ConeOfInfluence relevanceWithin(const Requirement& requirement, const ProofContext& proof_context);
 
 /// Whether the depth that the vehicle reports is in a cone of influence.
 bool readsDepth(const ConeOfInfluence& relevance, const ProofContext& proof_context);

@@ -74,6 +74,9 @@ class SymbolicTick {
                            const SymbolicState& readings, Pace pace);
   /// The start of the mission: its variables, `always`, the first state.
   Configuration start(Configuration before, const SymbolicState& readings);
+  /// What entering the state that is current leaves, as goto and call do: its variables, what it
+  /// watches, its entry. `moment` has the readings of the tick.
+  Configuration enter(Configuration before, SymbolicState moment);
   /// What the statements of a block leave of `store`.
   Store execute(SymbolicState& moment, BlockId block, Store store, const z3::expr& now);
 
@@ -98,7 +101,6 @@ class SymbolicTick {
                     const z3::expr& since);
   void startWatching(SymbolicState& moment, ListKind list, StateId state,
                      Configuration& configuration);
-  Configuration enter(Configuration before, SymbolicState moment);
   Configuration resume(Configuration before, SymbolicState moment);
   void runEntry(SymbolicState& moment, const Activity& activity, bool relevant,
                 Configuration& after);

@@ -41,6 +41,23 @@ class LimitTerms {
   std::optional<z3::expr> all_;
 };
 
+/// V2 as the condition that the climb in force leads to `goal` or above.
+class ClimbTerms {
+ public:
+  explicit ClimbTerms(const z3::expr& goal) : goal_(goal), reached_(goal.ctx().bool_val(false)) {}
+
+  void atLeast(const z3::expr& /*limit*/) {}
+  void atMost(const z3::expr& /*limit*/) {}
+  void atMostIf(const z3::expr& truth, const z3::expr& limit) {
+    reached_ = reached_ || (truth && limit <= goal_);
+  }
+  [[nodiscard]] const z3::expr& reached() const { return reached_; }
+
+ private:
+  z3::expr goal_;
+  z3::expr reached_;
+};
+
 }  // namespace
 
 Vehicle obey(const Vehicle& before, Command command, const std::vector<NumberTerm>& arguments,
@@ -74,6 +91,14 @@ z3::expr moves(const Vehicle& before, const z3::expr& from, const z3::expr& to,
   LimitTerms limits(depth);
   VehicleRules(algebra, platform).move(before, from, to, limits);
   return limits.all();
+}
+
+z3::expr hasClimbedTo(const Vehicle& before, const z3::expr& to, const z3::expr& limit,
+                      const platforms::Platform& platform) {
+  const TermAlgebra algebra{to.ctx()};
+  ClimbTerms climb(limit);
+  VehicleRules(algebra, platform).move(before, to, to, climb);
+  return climb.reached();
 }
 
 z3::expr begins(const Vehicle& vehicle, const platforms::Platform& platform) {

@@ -28,6 +28,11 @@ Vehicle obeyAnything(const Vehicle& before, Unknowns& unknowns);
 z3::expr moves(const Vehicle& before, const z3::expr& from, const z3::expr& to,
                const z3::expr& depth, const platforms::Platform& platform);
 
+/// V2, whether the climb in force has certainly brought the vehicle to `limit` (m) or above by `to`
+/// (mission time, s), and holds it there until another command.
+z3::expr hasClimbedTo(const Vehicle& before, const z3::expr& to, const z3::expr& limit,
+                      const platforms::Platform& platform);
+
 /// V1, the condition of the vehicle when control is given.
 z3::expr begins(const Vehicle& vehicle, const platforms::Platform& platform);
 

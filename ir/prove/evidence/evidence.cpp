@@ -3,6 +3,7 @@
 
 #include "ir/prove/evidence/evidence.h"
 
+#include "ir/prove/encoding/safety_properties.h"
 #include "ir/prove/evidence/configurations.h"
 #include "ir/prove/evidence/formula.h"
 
@@ -33,6 +34,9 @@ bool mayUse(RequirementKind from, RequirementKind to) {
 Evidence EvidenceBuilder::searched(const Requirement& requirement, Invariants found) {
   for (certify::Invariant& invariant : found) {
     invariant.formula = both(known_.in(invariant.at), invariant.formula);
+    if (reckonsWithDepth(requirement, proof_context_)) {
+      invariant.formula = both(known_.climbIn(invariant.at), invariant.formula);
+    }
   }
   Evidence evidence{Method::Invariant, found};
   addLearnt(requirement, evidence.invariants);

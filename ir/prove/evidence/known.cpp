@@ -35,7 +35,8 @@ Known::Known(const ProofContext& proof_context, const EndBound& end)
       bounds_(boundsOfStates(proof_context, end)),
       held_(heldVariables(m_)),
       commanded_(commandVariables(m_)),
-      submersions_(submersionsOf(proof_context, end)) {
+      submersions_(submersionsOf(proof_context, end)),
+      climbs_(climbTimes(proof_context)) {
   stays_ = staysOf(proof_context);
   if (stays_.size() > kMostStays) {
     stays_.clear();
@@ -118,13 +119,24 @@ std::string Known::timed(const Submersion& state) const {
   return parts.all();
 }
 
+std::string Known::climbIn(const certify::Configuration& at) const {
+  FormulaParts parts;
+  parts.add("(=> |climbing| (<= |climbing since| |time|))");
+  if (std::isfinite(climbs_[at.state.index])) {
+    parts.add("|climbing|");
+    parts.add("(<= |climbing since| |resumed|)");
+    parts.add("(<= |top| 0.0)");
+  }
+  return parts.all();
+}
+
 std::string Known::surfacedIn(const certify::Configuration& at) const {
   FormulaParts parts;
   parts.add("(<= 0.0 |surfaced| |time|)");
   if (submersions_.states.empty()) {
     return parts.all();
   }
-  parts.add("(=> |climbing| (<= |climbing since| |time|))");
+  parts.add(climbIn(at));
   const Submersion& state = submersions_.states[at.state.index];
   std::vector<std::string> ways;
   if (state.entered.longest >= 0 && !at.just_returned) {
@@ -144,9 +156,6 @@ std::string Known::surfacedIn(const certify::Configuration& at) const {
   parts.add(timesOfProfile(m_, state.profile));
   parts.add(inProfile(m_, state.profile));
   if (std::isfinite(state.climb)) {
-    parts.add("|climbing|");
-    parts.add("(<= |climbing since| |resumed|)");
-    parts.add("(<= |top| 0.0)");
     parts.add(fmt::format("(=> (>= (- |time| |resumed|) {}) (= |surfaced| |time|))",
                           realText(state.climb)));
   }

@@ -24,6 +24,8 @@ class Known {
 
   /// What holds after every tick in this configuration.
   [[nodiscard]] std::string in(const certify::Configuration& at) const;
+  /// What holds there of the climb in force, beside that.
+  [[nodiscard]] std::string climbIn(const certify::Configuration& at) const;
   /// What holds there of the last tick at the surface, beside that.
   [[nodiscard]] std::string surfacedIn(const certify::Configuration& at) const;
 
@@ -41,6 +43,7 @@ class Known {
   std::vector<Interval> held_;       ///< of every variable
   std::vector<bool> commanded_;      ///< whether a depth depends on the variable
   Submersions submersions_;
+  std::vector<double> climbs_;  ///< of every state: climbTimes
   std::vector<Stay> stays_;
   /// The stays in each configuration, by their numbers.
   std::map<certify::Configuration, std::vector<size_t>> here_;

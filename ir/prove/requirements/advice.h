@@ -38,6 +38,11 @@ void noteUnlimitedCounts(support::DiagnosticBuilder& warning, const ProofContext
 /// what happens within a time is proved from such a time only if a case sets it.
 void noteTimersOfEntries(support::DiagnosticBuilder& warning, const ProofContext& proof_context);
 
+/// For a promise of a depth some time after a state begins that commands the surface: in what time
+/// it would be proved, or which case leaves the state too early.
+void noteSlowClimb(support::DiagnosticBuilder& warning, const Requirement& requirement,
+                   const ProofContext& proof_context);
+
 /// Names, of each state that commands the surface, a case that may lead on under water before the
 /// slowest climb of the environment model is over.
 void noteEarlyLeaves(support::DiagnosticBuilder& diagnostic, const ProofContext& proof_context);

@@ -13,7 +13,9 @@
 #include "ir/prove/abstract/surfacing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace glider::ir::prove {
 namespace {
@@ -25,10 +27,21 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 Insight::Insight(const ProofContext& proof_context, const EndBound& end)
     : context_(end.by ? proof_context.endingBy(std::ranges::max(end.left_by)) : proof_context),
       end_(end),
-      bounds_(stateBounds(context_, end)),
+      by_state_(boundsOfStates(context_, end)),
+      bounds_(ofPossibleStates(by_state_, end)),
       moment_(context_, bounds_),
       ended_by_(end.by ? std::ranges::max(end.left_by) : kNoLimit),
       surfaces_every_(kNoLimit) {}
+
+const std::vector<StateBounds>& Insight::byState() {
+  if (!std::exchange(knows_climbs_, true)) {
+    const std::vector<double> climbs = climbTimes(context_);
+    for (size_t i = 0; i < by_state_.size(); ++i) {
+      by_state_[i].climbs = std::isfinite(climbs[i]);
+    }
+  }
+  return by_state_;
+}
 
 bool Insight::proves(const Requirement& requirement, unsigned effort, Budget& budget) {
   switch (requirement.kind) {

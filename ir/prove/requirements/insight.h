@@ -26,6 +26,9 @@ class Insight {
   /// The mission, with what the end bound says of its clocks.
   [[nodiscard]] const ProofContext& context() const { return context_; }
 
+  /// For each state.
+  const std::vector<StateBounds>& byState();
+
   /// Whether `requirement` is proved. `effort`: the limit of each question.
   [[nodiscard]] bool proves(const Requirement& requirement, unsigned effort, Budget& budget);
   /// `requirement` has been proved: it is known from now on.
@@ -36,7 +39,9 @@ class Insight {
 
   ProofContext context_;
   const EndBound& end_;
-  std::vector<StateBounds> bounds_;
+  std::vector<StateBounds> by_state_;
+  bool knows_climbs_ = false;        ///< StateBounds::climbs of `by_state_` are set
+  std::vector<StateBounds> bounds_;  ///< of those that may become current
   AnyMoment moment_;
   double ended_by_;  ///< mission time, s; infinite: not known
   double surfaces_every_;

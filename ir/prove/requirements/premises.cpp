@@ -73,7 +73,8 @@ bool Premises::isProvedUnder(const std::vector<uint32_t>& fewer, RequirementVerd
     return false;
   }
   const uint64_t effort =
-      std::min<uint64_t>(context_.proof.options.run_effort, 2 * proved.steps + kAtLeast);
+      std::min<uint64_t>(uint64_t{StrategyContext::kLonger} * context_.proof.options.run_effort,
+                         2 * proved.steps + kAtLeast);
   StrategyContext& context = under(fewer);
   const Budget before = std::exchange(context.proof.searches, budget_);
   const unsigned usual = std::exchange(context.search_effort, static_cast<unsigned>(effort));

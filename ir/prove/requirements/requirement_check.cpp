@@ -18,9 +18,13 @@
 namespace glider::ir::prove {
 namespace {
 
+bool isCutShort(std::string_view reason) {
+  return reason.contains("`--effort`");
+}
+
 /// A limit is worth raising only where one was reached.
 const char* whatMayHelp(std::string_view reason) {
-  return reason.contains("`--effort`") ? "simplify the requirement, or allow more with `--effort`"
+  return isCutShort(reason) ? "simplify the requirement, or allow more with `--effort`"
          : reason.contains("`--timeout`")
              ? "simplify the requirement, or allow more time with `--timeout`"
              : "simplify the requirement, or what it depends on";
@@ -44,6 +48,9 @@ void RequirementCheck::run() {
     }
     search(judged_[i]);
     learn(judged_[i]);
+  }
+  for (const uint32_t i : searchOrder(waiting(), context_.mission.requirements)) {
+    searchLonger(judged_[i]);
   }
   for (Judged& judged : judged_) {
     settle(judged);
@@ -121,6 +128,30 @@ void RequirementCheck::search(Judged& judged) {
       attempt.requirement.kind != RequirementKind::Reach && !budget.isUsedUp();
 }
 
+/// With what is left once all have been searched for: most are decided in a small part of it.
+void RequirementCheck::searchLonger(Judged& judged) {
+  if (judged.verdict.verdict != Verdict::Open || !isCutShort(judged.verdict.reason) ||
+      context_.proof.searches.isUsedUp()) {
+    return;
+  }
+  const unsigned effort =
+      std::exchange(context_.search_effort, StrategyContext::kLonger * context_.search_effort);
+  Attempt attempt{judged.verdict.requirement, requirementOf(judged)};
+  const Strategy& strategy = strategy::allTraces();
+  if (strategy.serves(attempt.requirement)) {
+    if (auto verdict = strategy.judge(attempt, context_)) {
+      judged.verdict = std::move(*verdict);
+      judged.verdict.requirement = attempt.number;
+      judged.verdict.searched = true;
+      judged.by = &strategy;
+      learn(judged);
+    }
+  }
+  context_.search_effort = effort;
+  // What was cut short hangs on what was searched for before.
+  judged.verdict.searched &= !context_.proof.searches.isUsedUp();
+}
+
 /// By what other requirements have told, if they were proved after the first look.
 bool RequirementCheck::judgeAgain(Judged& judged) {
   for (const auto& [strategy, phase] : strategies()) {
@@ -176,6 +207,7 @@ void RequirementCheck::settle(Judged& judged) {
   if (requirement.kind == RequirementKind::ExitWithin) {
     notePowerCutsCount(warning, requirement, proof_context, context_.proof.ending);
   }
+  noteSlowClimb(warning, requirement, proof_context);
   noteFences(warning, requirement, proof_context);
   noteUnlimitedCounts(warning, proof_context);
   noteTimersOfEntries(warning, proof_context);

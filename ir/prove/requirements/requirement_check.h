@@ -17,8 +17,8 @@ class RequirementCheck {
   /// `context` outlives this.
   explicit RequirementCheck(StrategyContext& context);
 
-  /// First the strategies that need no search, on all requirements, then the searches. What a
-  /// search has proved may prove others.
+  /// First the strategies that need no search, on all requirements, then the searches, then longer
+  /// ones about what is still open. What a search has proved may prove others.
   void run();
 
  private:
@@ -34,6 +34,7 @@ class RequirementCheck {
   [[nodiscard]] bool isAtOnceProvedBare(uint32_t number, Judged& judged);
   [[nodiscard]] std::vector<uint32_t> waiting() const;
   void search(Judged& judged);
+  void searchLonger(Judged& judged);
   bool judgeAgain(Judged& judged);
   bool judgeBySearch(Attempt& attempt, Judged& judged);
   void learn(const Judged& judged);

@@ -28,6 +28,9 @@ class StrategyContext {
   bool learnt = false;                ///< a requirement was proved after the phase AtOnce
   std::optional<Run> submerged = {};  ///< without power cuts; violates a `surfaces every`
 
+  /// A question that was not answered may take so much more of `search_effort`, once.
+  static constexpr unsigned kLonger = 6;
+
   /// With power cuts.
   [[nodiscard]] Insight& insight();
   [[nodiscard]] Insight& insightWithoutPowerCuts();

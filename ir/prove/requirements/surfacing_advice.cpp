@@ -11,6 +11,8 @@
 #include "ir/prove/abstract/surfacing.h"
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/context/sensors_read.h"
+#include "ir/prove/context/vehicle_rules.h"
+#include "ir/prove/encoding/safety_properties.h"
 #include "ir/prove/requirements/advice.h"
 #include "ir/verify/intervals.h"
 
@@ -25,10 +27,10 @@
 namespace glider::ir::prove {
 namespace {
 
-/// ", or leave it only when `depth < 1.1 m`": no deeper does a reading show the surface.
-std::string orAtTheSurface(const ProofContext& proof_context) {
-  const platforms::EnvironmentModel& world = proof_context.platform.world;
-  const double reading = world.surface_depth_m - world.depth_error_m;
+/// ", or leave it only when `depth < 1.1 m`": no deeper does a reading show that the vehicle is at
+/// `depth` (m) or above.
+std::string orAt(double depth, const ProofContext& proof_context) {
+  const double reading = depth - proof_context.platform.world.depth_error_m;
   return proof_context.depth && reading > 0
              ? fmt::format(", or leave it only when `{} < {:.3g} m`",
                            proof_context.mission[*proof_context.depth].name, reading)
@@ -47,11 +49,11 @@ std::string asReadingsErr(const ProofContext& proof_context, ExprId guard) {
                : "";
 }
 
-/// Whether cases may fire under water, for any readings.
+/// Whether cases may fire below a depth (m), for any readings.
 class UnderWater {
  public:
-  explicit UnderWater(const ProofContext& proof_context)
-      : proof_context_(proof_context), values_(anyValues(proof_context.mission)) {}
+  UnderWater(const ProofContext& proof_context, double below)
+      : proof_context_(proof_context), values_(anyValues(proof_context.mission)), below_(below) {}
 
   /// The least time in its state, s, to the second, after which the case may fire; none: it does
   /// not before `latest`.
@@ -95,14 +97,50 @@ class UnderWater {
     }
     const platforms::EnvironmentModel& world = proof_context_.platform.world;
     const Interval& all = proof_context_.sensors[proof_context_.depth->index];
-    const double lowest = std::max(all.lowest, world.surface_depth_m - world.depth_error_m);
+    const double lowest = std::max(all.lowest, below_ - world.depth_error_m);
     return AssumedReading{*proof_context_.depth,
                           {lowest, all.highest, all.empty || lowest > all.highest}};
   }
 
   const ProofContext& proof_context_;
   Valuation values_;
+  double below_;
 };
+
+}  // namespace
+
+namespace {
+
+/// The slowest climb of a state that commands the surface.
+struct Climb {
+  double from = 0, to = 0;  ///< m
+  double seconds = 0;
+};
+
+void noteEarlyLeave(support::DiagnosticBuilder& diagnostic, const State& state, const Climb& climb,
+                    const ProofContext& proof_context) {
+  const UnderWater under(proof_context, climb.to);
+  for (const Case& c : state.cases) {
+    const bool leads_on = c.transition != Transition::Stay && c.transition != Transition::Exit;
+    const auto after = leads_on ? under.firesAfter(c, climb.seconds) : std::nullopt;
+    if (after && *after < climb.seconds) {
+      diagnostic.note(
+          proof_context.mission[c.guard].range,
+          fmt::format("this may leave `{}` after {}{}, but the climb from {:.4g} m may take {}: "
+                      "stay that long{}",
+                      state.name, durationOf(*after), asReadingsErr(proof_context, c.guard),
+                      climb.from, durationOf(climb.seconds), orAt(climb.to, proof_context)));
+      return;
+    }
+  }
+}
+
+/// Whether the monitor of a requirement observes a state.
+bool observes(const Requirement& requirement, uint32_t state) {
+  return std::ranges::any_of(requirement.monitor.observations, [&](const Observation& one) {
+    return one.kind != ObservationKind::Ended && one.state.index == state;
+  });
+}
 
 }  // namespace
 
@@ -110,21 +148,39 @@ void noteEarlyLeaves(support::DiagnosticBuilder& diagnostic, const ProofContext&
   const Mission& m = proof_context.mission;
   const std::vector<double> climbs = climbTimes(proof_context);
   const std::vector<double> depths = deepestByState(proof_context);
-  const UnderWater under(proof_context);
   for (size_t i = 0; i < m.states.size(); ++i) {
-    for (const Case& c : m.states[i].cases) {
-      const bool leads_on = c.transition != Transition::Stay && c.transition != Transition::Exit;
-      const auto after =
-          leads_on && std::isfinite(climbs[i]) ? under.firesAfter(c, climbs[i]) : std::nullopt;
-      if (after && *after < climbs[i]) {
-        diagnostic.note(
-            m[c.guard].range,
-            fmt::format("this may leave `{}` after {}{}, but the climb from {:.4g} m may take {}: "
-                        "stay that long{}",
-                        m.states[i].name, durationOf(*after), asReadingsErr(proof_context, c.guard),
-                        depths[i], durationOf(climbs[i]), orAtTheSurface(proof_context)));
-        break;
-      }
+    if (std::isfinite(climbs[i])) {
+      noteEarlyLeave(diagnostic, m.states[i],
+                     {depths[i], proof_context.platform.world.surface_depth_m, climbs[i]},
+                     proof_context);
+    }
+  }
+}
+
+void noteSlowClimb(support::DiagnosticBuilder& warning, const Requirement& requirement,
+                   const ProofContext& proof_context) {
+  const std::vector<double> awaited = awaitedDepths(requirement, proof_context);
+  if (awaited.empty() || !(requirement.monitor.horizon_s > 0)) {
+    return;
+  }
+  const Mission& m = proof_context.mission;
+  const std::vector<double> climbs = climbTimes(proof_context);
+  const std::vector<double> depths = deepestByState(proof_context);
+  for (uint32_t i = 0; i < m.states.size(); ++i) {
+    if (!std::isfinite(climbs[i]) || !observes(requirement, i)) {
+      continue;
+    }
+    const double to = awaited.front();
+    const double climb = longestClimb(proof_context.platform.world, depths[i], to);
+    const double seen = climb + proof_context.tick_gap_s;
+    if (requirement.monitor.horizon_s < seen) {
+      warning.note(m.states[i].range,
+                   fmt::format("in `{}` the climb from {:.4g} m to {:.4g} m may take {}, and the "
+                               "tick that sees it may come {} later: give it {}",
+                               m.states[i].name, depths[i], to, durationOf(climb),
+                               durationOf(proof_context.tick_gap_s), durationOf(std::ceil(seen))));
+    } else {
+      noteEarlyLeave(warning, m.states[i], {depths[i], to, climb}, proof_context);
     }
   }
 }
@@ -147,7 +203,7 @@ void noteShortSurfacings(support::DiagnosticBuilder& error, const Counterexample
                fmt::format("`{}` is left after {}, but the climb from {:.4g} m may take {}: stay "
                            "that long{}",
                            m[state].name, durationOf(stay), depths[state.index], durationOf(climb),
-                           orAtTheSurface(proof_context)));
+                           orAt(world.surface_depth_m, proof_context)));
   };
   double since = 0;
   for (size_t i = 1; i < run.ticks.size(); ++i) {

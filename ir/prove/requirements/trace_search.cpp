@@ -31,10 +31,11 @@ void limit(z3::config& config, unsigned effort, const Budget& budget) {
 }
 
 /// In a Z3 context of its own: Z3 counts its steps for all questions of a context.
-RunsAnswer ask(const Requirement& requirement, const ProofContext& proof_context,
-               const ConeOfInfluence& relevance, StrategyContext& of) {
+RunsAnswer ask(const Requirement& requirement, Insight& insight, const ConeOfInfluence& relevance,
+               StrategyContext& of, const std::optional<Scope>& scope = std::nullopt) {
   Budget& budget = of.proof.searches;
-  const unsigned effort = budget.allow(of.search_effort);
+  constexpr unsigned kWithin = 2;  // part of a mission is a smaller question: more of it is decided
+  const unsigned effort = budget.allow(scope ? kWithin * of.search_effort : of.search_effort);
   if (effort == 0) {
     return {Answer::Unknown, std::nullopt, of.limitReached(), 0};
   }
@@ -47,7 +48,12 @@ RunsAnswer ask(const Requirement& requirement, const ProofContext& proof_context
     return {Answer::Unknown, std::nullopt, "the mission is too large for a search", 0};
   }
   try {
-    const SafetyProperty watch = safetyPropertyFor(requirement, context, proof_context, relevance);
+    const ProofContext& proof_context = insight.context();
+    SafetyProperty watch = safetyPropertyFor(requirement, context, proof_context, relevance);
+    if (scope || !watch.awaited_depths.empty()) {
+      watch.known = insight.byState();  // elsewhere Spacer is quicker without
+    }
+    watch.scope = scope;
     RunsAnswer answer =
         askAboutRuns(context, proof_context, relevance, watch, effort, of.wantsEvidence());
     budget.spend(answer.steps);
@@ -64,15 +70,16 @@ RunsAnswer ask(const Requirement& requirement, const ProofContext& proof_context
 /// Asks, and once more with the vehicle if the answer is a trace whose readings of the depth may be
 /// those of no vehicle. `use` is given each answer.
 template <typename Use>
-auto askTwice(const Requirement& requirement, const ProofContext& proof_context,
-              StrategyContext& context, const Use& use) {
+auto askTwice(const Requirement& requirement, Insight& insight, StrategyContext& context,
+              const Use& use) {
+  const ProofContext& proof_context = insight.context();
   const ConeOfInfluence relevance = relevanceOf(requirement, proof_context);
-  auto found = use(ask(requirement, proof_context, relevance, context));
+  auto found = use(ask(requirement, insight, relevance, context));
   if (found.answer.bad != Answer::Yes || relevance.vehicle ||
       !readsDepth(relevance, proof_context)) {
     return found;
   }
-  return use(ask(requirement, proof_context, withVehicle(requirement, proof_context), context));
+  return use(ask(requirement, insight, withVehicle(requirement, proof_context), context));
 }
 
 /// What Z3 says where it gives up.
@@ -84,9 +91,10 @@ std::string inWords(const std::string& trouble) {
 
 }  // namespace
 
-TraceSearch searchTraces(const Requirement& requirement, const ProofContext& proof_context,
+TraceSearch searchTraces(const Requirement& requirement, Insight& insight,
                          StrategyContext& context) {
-  return askTwice(requirement, proof_context, context, [&](RunsAnswer answer) {
+  const ProofContext& proof_context = insight.context();
+  return askTwice(requirement, insight, context, [&](RunsAnswer answer) {
     TraceSearch found{std::move(answer)};
     if (found.answer.bad == Answer::Yes && !isAboutPlace(requirement, proof_context)) {
       found.run = concretize(*found.answer.run, proof_context, context.proof.facts.stack_depth,
@@ -96,11 +104,28 @@ TraceSearch searchTraces(const Requirement& requirement, const ProofContext& pro
   });
 }
 
-RunsAnswer provenByTraces(const Requirement& requirement, const ProofContext& proof_context,
+RunsAnswer provenByTraces(const Requirement& requirement, Insight& insight,
                           StrategyContext& context) {
-  return askTwice(requirement, proof_context, context,
+  return askTwice(requirement, insight, context,
                   [](RunsAnswer answer) { return TraceSearch{std::move(answer)}; })
       .answer;
+}
+
+RunsAnswer provenWithin(const Requirement& requirement, const Scope& scope, Insight& insight,
+                        StrategyContext& context) {
+  const ConeOfInfluence relevance = relevanceWithin(requirement, insight.context());
+  RunsAnswer answer = ask(requirement, insight, relevance, context, scope);
+  // What holds elsewhere holds with every control for which it stands.
+  const auto found = std::ranges::find(answer.invariants, configurationOf(scope.elsewhere),
+                                       &certify::Invariant::at);
+  if (found != answer.invariants.end()) {
+    const std::string formula = found->formula;
+    answer.invariants.erase(found);
+    for (const Control& control : scope.others) {
+      answer.invariants.push_back({configurationOf(control), formula});
+    }
+  }
+  return answer;
 }
 
 std::string whyUndecided(const Requirement& requirement, const RunsAnswer& answer,

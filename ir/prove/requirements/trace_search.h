@@ -18,14 +18,18 @@ struct TraceSearch {
   std::optional<Counterexample> run = {};  ///< its trace, checked on the interpreter
 };
 
-/// Searches for a trace that violates `requirement` (Reach: satisfies). `proof_context`: with power
-/// cuts or without.
-TraceSearch searchTraces(const Requirement& requirement, const ProofContext& proof_context,
+/// Searches for a trace that violates `requirement` (Reach: satisfies). `insight`: with power cuts
+/// or without.
+TraceSearch searchTraces(const Requirement& requirement, Insight& insight,
                          StrategyContext& context);
 
 /// The same where only a proof counts: no trace is made concrete.
-RunsAnswer provenByTraces(const Requirement& requirement, const ProofContext& proof_context,
+RunsAnswer provenByTraces(const Requirement& requirement, Insight& insight,
                           StrategyContext& context);
+
+/// The same of part of the mission.
+RunsAnswer provenWithin(const Requirement& requirement, const Scope& scope, Insight& insight,
+                        StrategyContext& context);
 
 /// Why `answer`, without a trace that holds when it is checked, decides nothing.
 std::string whyUndecided(const Requirement& requirement, const RunsAnswer& answer,

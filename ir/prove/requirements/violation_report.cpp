@@ -10,6 +10,7 @@
 
 #include "ir/eval/interpreter.h"
 #include "ir/prove/context/duration_text.h"
+#include "ir/prove/encoding/safety_properties.h"
 #include "ir/prove/requirements/advice.h"
 #include "ir/verify/value_text.h"
 #include "support/check.h"
@@ -148,7 +149,8 @@ void reportViolation(const Requirement& requirement, const Counterexample& run,
   noteParameters(error, requirement, run, proof_context.mission);
   notePowerCuts(error, requirement, run, proof_context);
   noteWhatTheSeaDecides(error, requirement, proof_context);
-  if (requirement.kind == RequirementKind::SurfacesEvery) {
+  if (requirement.kind == RequirementKind::SurfacesEvery ||
+      !awaitedDepths(requirement, proof_context).empty()) {
     noteShortSurfacings(error, run, proof_context);
   } else if (requirement.seconds > 0) {
     noteLateEnd(error, requirement.seconds, proof_context);

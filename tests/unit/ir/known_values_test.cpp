@@ -327,6 +327,24 @@ TEST(StateDepths, AreThoseOfTheCommands) {
       << "it is never known, and refused";
 }
 
+/// The prover adds in exact numbers: a bound that is one rounding too low allows no flight at all.
+TEST(StateDepths, AreNoLessThanTheExactSum) {
+  const platforms::Platform vehicle = slocum();
+  const double hold = vehicle.world.climb_hold_m + vehicle.envelope.inflection_overshoot_m;
+  for (const auto& [command, below] :
+       {std::pair("descend", vehicle.envelope.inflection_overshoot_m), std::pair("ascend", hold)}) {
+    for (int tenths = 50; tenths < 2000; tenths += 3) {
+      const std::string depth = fmt::format("{}.{}", tenths / 10, tenths % 10);
+      const long double exact = static_cast<long double>(std::stod(depth)) + below;
+      const double found =
+          depthsOf({{fmt::format("{} ({}:length, 0.4:angle)", command, depth), "case true exit"}})
+              .at(0);
+      EXPECT_GE(static_cast<long double>(found), exact) << command << " " << depth;
+      EXPECT_LE(static_cast<long double>(found), exact + 1e-12L) << command << " " << depth;
+    }
+  }
+}
+
 TEST(StateDepths, GoOnWhereAStateLeads) {
   const std::string deep = "hover (50:length)", flat = "hover (20:length)";
   EXPECT_EQ(depthsOf({{deep, "case true goto b"}, {flat, "case true exit"}}), (Depths{55, 55}));

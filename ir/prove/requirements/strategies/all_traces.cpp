@@ -20,7 +20,7 @@ class AllTraces final : public Strategy {
 
   std::optional<RequirementVerdict> judge(Attempt& attempt,
                                           StrategyContext& context) const override {
-    TraceSearch found = searchTraces(attempt.requirement, context.insight().context(), context);
+    TraceSearch found = searchTraces(attempt.requirement, context.insight(), context);
     if (found.answer.bad == Answer::No) {
       return provedBy(std::move(found.answer), attempt.requirement, context);
     }
@@ -44,7 +44,7 @@ class AllTraces final : public Strategy {
       return {};
     }
     const Requirement& requirement = context.mission.requirements[was.requirement];
-    RunsAnswer answer = provenByTraces(requirement, context.insight().context(), context);
+    RunsAnswer answer = provenByTraces(requirement, context.insight(), context);
     if (answer.bad != Answer::No) {
       return {};
     }

@@ -22,11 +22,10 @@ class ReachingTrace final : public Strategy {
 
   std::optional<RequirementVerdict> judge(Attempt& attempt,
                                           StrategyContext& context) const override {
-    const ProofContext& proof_context = context.proof.proof_context;
-    const ProofContext powered = proof_context.withoutPowerCuts();
-    TraceSearch found = searchTraces(attempt.requirement, powered, context);
+    TraceSearch found =
+        searchTraces(attempt.requirement, context.insightWithoutPowerCuts(), context);
     if (!found.run && context.powerCutsMatter()) {
-      found = searchTraces(attempt.requirement, proof_context, context);
+      found = searchTraces(attempt.requirement, context.insight(), context);
     }
     if (found.answer.bad == Answer::No) {
       return unreached(attempt, context);

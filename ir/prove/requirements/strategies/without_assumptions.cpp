@@ -25,7 +25,7 @@ class WithoutAssumptions final : public Strategy {
       return std::nullopt;
     }
     const Requirement& requirement = bare->mission.requirements[attempt.number];
-    TraceSearch found = searchTraces(requirement, bare->insight().context(), *bare);
+    TraceSearch found = searchTraces(requirement, bare->insight(), *bare);
     if (found.answer.bad != Answer::No) {
       return std::nullopt;
     }

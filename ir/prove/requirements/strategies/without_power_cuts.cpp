@@ -27,7 +27,7 @@ class WithoutPowerCuts final : public Strategy {
     TraceSearch found;
     if (!insight.proves(attempt.requirement, context.proof.options.effort,
                         context.proof.searches)) {
-      found = searchTraces(attempt.requirement, insight.context(), context);
+      found = searchTraces(attempt.requirement, insight, context);
       keepSubmersion(attempt.requirement, found, context);
       if (found.run) {
         const ProofContext powered = context.proof.proof_context.withoutPowerCuts();

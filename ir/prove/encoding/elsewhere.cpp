@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The part of a mission that a question does not follow (scope.h): one place, in which each tick
+// may leave anything in the mission's variables and the vehicle, and may enter any state that is
+// followed. Only the monitor keeps what it has.
+
+#include "ir/prove/encoding/chc_encoder.h"
+
+#include <fmt/format.h>
+
+namespace glider::ir::prove {
+
+/// A climb that begins may be one that has been in force for longer.
+void ChcEncoder::project(Rule& rule, Unknowns& unknowns) const {
+  if (!watch_.scope || !rule.to) {
+    return;
+  }
+  const Scope& scope = *watch_.scope;
+  if (!scope.holds(rule.to->control)) {
+    rule.to->control = scope.elsewhere;
+    rule.after->control = scope.elsewhere;
+  } else if (rule.after->store.vehicle && scope.climbs(rule.to->control) &&
+             (!rule.from || !scope.climbs(rule.from->control))) {
+    z3::expr& since = rule.after->store.vehicle->since;
+    since = unknowns.real("climbing since");
+    unknowns.require(since <= rule.after->mission_time);
+    unknowns.require(climbed(*rule.after));
+  }
+  if (rule.after->store.vehicle && !scope.fine && rule.to->side == Side::Done) {
+    rule.after->store.vehicle->depth = unknowns.real("depth");  // it does not matter any more
+  }
+  rule.to_row = layout_.row(*rule.after);
+}
+
+void ChcEncoder::leaveElsewhere(const Control& control) {
+  stepElsewhere(control, control, Way::Stays);
+  stepElsewhere(control, control, Way::Ends);
+  for (const Control& entered : watch_.scope->entered) {
+    stepElsewhere(control, entered, Way::Enters);
+  }
+}
+
+/// A tick, as it begins: what the monitor keeps is that of `before`, all else is unknown.
+Configuration ChcEncoder::anywhere(const Control& control, const Configuration& before,
+                                   Unknowns& unknowns) const {
+  Configuration now = layout_.make(control, unknowns);
+  now.mission_time = unknowns.real("now");
+  if (watch_.scope->holds(control)) {  // it becomes current
+    now.entered.back() = now.mission_time;
+    now.resumed = now.mission_time;
+  } else {
+    now.entered.back() = unknowns.real("entered");
+    now.resumed = unknowns.real("resumed");
+    unknowns.require(now.entered.back() >= 0 && now.entered.back() <= now.resumed &&
+                     now.resumed <= now.mission_time);
+  }
+  for (auto& [index, number] : now.store.numbers) {
+    if (isOfMonitor(m_.variables[index].kind)) {
+      number = before.store.numbers.at(index);
+    }
+  }
+  for (auto& [index, truth] : now.store.truths) {
+    if (isOfMonitor(m_.variables[index].kind)) {
+      truth = before.store.truths.at(index);
+    }
+  }
+  if (now.store.vehicle && watch_.scope->climbs(control)) {
+    unknowns.require(now.store.vehicle->since <= now.mission_time);
+  }
+  return now;
+}
+
+void ChcEncoder::stepElsewhere(const Control& from, const Control& to, Way way) {
+  Unknowns unknowns(context_, fmt::format("r{}:", next_prefix_++));
+  const Configuration before = layout_.make(from, unknowns);
+  Configuration now = anywhere(to, before, unknowns);
+  const SymbolicState moment = readingsOf(now, unknowns);
+  z3::expr condition = now.mission_time >= before.mission_time;
+  if (watch_.every_tick) {
+    condition = condition && now.mission_time - before.mission_time <=
+                                 realOf(context_, proof_context_.tick_gap_s);
+  }
+  if (way == Way::Enters) {
+    now = SymbolicTick(proof_context_, relevance_, unknowns).enter(std::move(now), moment);
+  }
+  Outcome outcome{context_.bool_val(true), std::nullopt, std::nullopt, ListKind::State, 0};
+  if (way != Way::Ends) {
+    outcome.after = now;
+  }
+  AfterMonitor left = leave(&outcome, std::move(now), moment);
+  const Place place{from, Side::Done};
+  addBad(place, layout_.row(before), condition, before, left, moment, unknowns);
+  if (way != Way::Ends) {
+    add({place,
+         Place{to, Side::Done},
+         layout_.row(before),
+         layout_.row(left.configuration),
+         condition,
+         {},
+         true,
+         before,
+         left.configuration,
+         moment.readings()},
+        unknowns);
+  }
+}
+
+}  // namespace glider::ir::prove

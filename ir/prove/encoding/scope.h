@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "ir/prove/context/control.h"
+#include "ir/prove/context/state_bounds.h"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace glider::ir::prove {
+
+/// The states that a question follows, with what they call. Where none of them is current or waits,
+/// the mission may do anything at any time, within what is known of every state: a smaller
+/// question, which says nothing about what is possible.
+struct Scope {
+  std::vector<bool> follows;            ///< by state
+  Control elsewhere;                    ///< stands for all controls that are not followed
+  std::vector<Control> entered;         ///< those with which a state that is followed is entered
+  std::vector<Control> others;          ///< those for which `elsewhere` stands
+  bool fine = false;                    ///< variables, clocks and depths are followed too
+  std::span<const StateBounds> bounds;  ///< of every state
+  double deepest = 0;                   ///< upper bound of the true depth elsewhere, m
+
+  [[nodiscard]] bool holds(const Control& control) const {
+    return follows[control.state.index] ||
+           std::ranges::any_of(control.stack, [&](const Control::Waiting& waiting) {
+             return follows[waiting.state.index];
+           });
+  }
+  /// Whether a control is followed whose state only climbs: of others no command is kept.
+  [[nodiscard]] bool climbs(const Control& control) const {
+    return holds(control) && bounds[control.state.index].climbs;
+  }
+};
+
+}  // namespace glider::ir::prove

@@ -35,6 +35,9 @@ class RequirementLowering {
  private:
   bool lower(const ast::AlwaysPromise& promise) {
     result_.kind = ir::RequirementKind::Always;
+    if (combinesStates(promise.condition, scope_)) {
+      return PromiseLowering(node_, scope_, result_).lower(promise);
+    }
     const size_t uses = scope_.mission.uses.size();
     const auto condition = ExprLowering(scope_).lowerCondition(promise.condition);
     result_.condition = condition.value_or(ir::ExprId());

@@ -195,7 +195,8 @@ ExprLowering::Result ExprLowering::unknown(const ast::NameUse& node,
       : scope_.states.contains(node.name)
           ? Suggestion{"`" + node.name +
                            "` is a state, which no condition reads: a case names it "
-                           "after `goto` or `call`, a requirement alone, as in `then " +
+                           "after `goto` or `call`, a requirement alone or with `||`, `&&` and "
+                           "`!`, as in `then " +
                            node.name + "`, `visit " + node.name + "` or `in " + node.name + ": …`",
                        ""}
       : scope_.places.contains(node.name)

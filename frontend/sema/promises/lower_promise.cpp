@@ -118,13 +118,20 @@ bool PromiseLowering::neverTrue(ir::ExprId condition) {
   return true;
 }
 
+bool PromiseLowering::lower(const ast::AlwaysPromise& promise) {
+  const auto place = lowerPlace(promise.condition, scope_);
+  return place && finish([&](Pattern& pattern) {
+           pattern.monitor.violation(pattern.sight.fails(*place), place->words + " was false");
+         });
+}
+
 bool PromiseLowering::lower(const ast::NeverPromise& promise) {
   const auto place = lowerPlace(promise.place, scope_);
   const auto event = promise.event ? lowerPlace(*promise.event, scope_) : std::nullopt;
   if (!place || (promise.event && !event)) {
     return false;
   }
-  if (isPlain() && !event && !place->state.valid()) {
+  if (isPlain() && !event && place->condition.valid()) {
     return neverTrue(place->condition);
   }
   if (isPlain() && promise.when == ast::NeverWhen::After && place->state.valid() &&
@@ -154,8 +161,8 @@ bool PromiseLowering::lower(const ast::ReactionPromise& promise) {
   if (!cause || !response || !time) {
     return false;
   }
-  const bool states = cause->state.valid() || response->state.valid();
-  if (isPlain() && !states && promise.timing == ast::Timing::AtOnce &&
+  const bool conditions = cause->condition.valid() && response->condition.valid();
+  if (isPlain() && conditions && promise.timing == ast::Timing::AtOnce &&
       promise.trigger != ast::Trigger::When) {
     ir::MissionWriter write(scope_.mission, node_.where);
     const auto without = [&](ir::ExprId a, ir::ExprId b) {

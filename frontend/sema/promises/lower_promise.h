@@ -26,6 +26,8 @@ class PromiseLowering {
   PromiseLowering(const ast::Requirement& node, Scope& scope, ir::Requirement& result)
       : node_(node), scope_(scope), result_(result) {}
 
+  /// Of a condition that combines states.
+  bool lower(const ast::AlwaysPromise& promise);
   bool lower(const ast::VisitPromise& promise);
   bool lower(const ast::PatrolPromise& promise);
   bool lower(const ast::CountPromise& promise);

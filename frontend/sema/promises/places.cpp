@@ -9,7 +9,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace glider::frontend {
@@ -47,7 +49,42 @@ std::optional<ir::ExprId> placeCondition(const ast::Expr& expr, Scope& scope) {
   return lowered;
 }
 
+/// The operands of `||`, `&&` and `!`; empty for anything else.
+std::vector<const ast::Expr*> partsOf(const ast::Expr& expr) {
+  if (const auto* unary = std::get_if<ast::Unary>(&expr.node)) {
+    return unary->op == ast::UnaryOp::Not ? std::vector<const ast::Expr*>{&*unary->operand}
+                                          : std::vector<const ast::Expr*>();
+  }
+  const auto* binary = std::get_if<ast::Binary>(&expr.node);
+  if (binary == nullptr || (binary->op != ast::BinaryOp::And && binary->op != ast::BinaryOp::Or)) {
+    return {};
+  }
+  return {&*binary->left, &*binary->right};
+}
+
+ir::Op opOf(const ast::Expr& expr) {
+  const auto* binary = std::get_if<ast::Binary>(&expr.node);
+  return binary == nullptr                  ? ir::Op::Not
+         : binary->op == ast::BinaryOp::And ? ir::Op::And
+                                            : ir::Op::Or;
+}
+
+/// Whether a state is among what `||`, `&&` and `!` combine.
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+bool namesState(const ast::Expr& expr, const Scope& scope) {
+  if (const auto* use = std::get_if<ast::NameUse>(&expr.node)) {
+    return scope.states.contains(use->name);
+  }
+  const auto parts = partsOf(expr);
+  return std::ranges::any_of(parts,
+                             [&](const ast::Expr* part) { return namesState(*part, scope); });
+}
+
 }  // namespace
+
+bool combinesStates(const ast::Expr& expr, const Scope& scope) {
+  return !partsOf(expr).empty() && namesState(expr, scope);
+}
 
 void declarePlaces(const ast::File& file, Scope& scope) {
   for (const ast::Item& item : file.items) {
@@ -69,6 +106,7 @@ void declarePlaces(const ast::File& file, Scope& scope) {
   }
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
 std::optional<PromisedPlace> lowerPlace(const ast::Expr& expr, Scope& scope) {
   PromisedPlace place;
   place.words = fmt::format("`{}`", scope.text(expr.where));
@@ -85,6 +123,17 @@ std::optional<PromisedPlace> lowerPlace(const ast::Expr& expr, Scope& scope) {
       return std::nullopt;
     }
   }
+  if (combinesStates(*condition, scope)) {
+    place.op = opOf(*condition);
+    for (const ast::Expr* part : partsOf(*condition)) {
+      auto lowered = lowerPlace(*part, scope);
+      if (!lowered) {
+        return std::nullopt;
+      }
+      place.parts.push_back(*std::move(lowered));
+    }
+    return place;
+  }
   const auto lowered = placeCondition(*condition, scope);
   if (!lowered) {
     return std::nullopt;
@@ -100,9 +149,24 @@ void checkUnusedPlaces(Scope& scope) {
   const Scope::Trial trial(scope);
   for (const auto& [name, node] : scope.places) {
     if (!scope.used_places.contains(node)) {
-      (void)placeCondition(node->condition, scope);
+      (void)lowerPlace(node->condition, scope);
     }
   }
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+ir::ExprId Sight::now(const PromisedPlace& place, ir::ObservationKind kind) {
+  if (place.state.valid()) {
+    return monitor_.observed(kind, place.state);
+  }
+  if (place.parts.empty()) {
+    return place.condition;
+  }
+  std::vector<ir::ExprId> parts;
+  for (const PromisedPlace& part : place.parts) {
+    parts.push_back(now(part, ir::ObservationKind::Inside));
+  }
+  return monitor_.operation(place.op, parts);
 }
 
 ir::ExprId Sight::begins(const PromisedPlace& place) {

@@ -9,14 +9,19 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace glider::frontend {
 
-/// What a promise is about: a state, or a condition that may have a name.
+/// What a promise is about: a state, a condition that may have a name, or both, combined.
 struct PromisedPlace {
   std::string words;     ///< as written, in backticks
-  ir::StateId state;     ///< invalid: a condition
-  ir::ExprId condition;  ///< invalid: a state
+  ir::StateId state;     ///< invalid: a condition, or combined
+  ir::ExprId condition;  ///< invalid: a state, or combined
+  /// Combined by `op`, And, Or or Not: `drift && depth > 3 m`. A state counts while it is current
+  /// or waits.
+  std::vector<PromisedPlace> parts = {};
+  ir::Op op = ir::Op::And;
 
   /// "visited", or of a condition "true".
   [[nodiscard]] const char* visited() const { return state.valid() ? "visited" : "true"; }
@@ -29,8 +34,10 @@ struct PromisedPlace {
 /// Enters the `place` declarations of a mission. Their conditions are checked where they are used.
 void declarePlaces(const ast::File& file, Scope& scope);
 
-/// The place that `expr` names: a state, a `place`, or else a condition; empty, and reported, if it
-/// is none.
+/// Whether `expr` combines states with something, as only promises may.
+bool combinesStates(const ast::Expr& expr, const Scope& scope);
+/// The place that `expr` names: a state, a `place`, a condition, or states and conditions combined;
+/// empty, and reported, if it is none.
 std::optional<PromisedPlace> lowerPlace(const ast::Expr& expr, Scope& scope);
 
 /// Checks the conditions of the places that no promise names.
@@ -59,9 +66,7 @@ class Sight {
   }
 
  private:
-  ir::ExprId now(const PromisedPlace& place, ir::ObservationKind kind) {
-    return place.state.valid() ? monitor_.observed(kind, place.state) : place.condition;
-  }
+  ir::ExprId now(const PromisedPlace& place, ir::ObservationKind kind);
   ir::ExprId gated(ir::ExprId seen) { return on_.valid() ? monitor_.both(on_, seen) : seen; }
 
   ir::MonitorWriter& monitor_;

@@ -39,7 +39,8 @@ struct Counterexample {
   std::string words;         ///< how a requirement with a monitor is violated
   /// What it was due to, where that was earlier: "`depth > 5 m` was true at 20 s, in state `a`".
   std::string due;
-  bool due_at_start = false;  ///< on the tick that starts the mission
+  /// On the tick that starts the mission; without that tick nothing would be due.
+  bool due_at_start = false;
   double when = 0;         ///< mission time at which the requirement is violated (Reach: satisfied)
   size_t requirement = 0;  ///< which one of the requirements that were checked
 };

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
@@ -61,8 +62,10 @@ RunRecorder::RunRecorder(const ProofContext& proof_context, uint32_t stack_depth
       requirements_(requirements),
       depth_sensor_(proof_context.depth) {
   for (const Requirement& requirement : requirements_) {
-    monitors_.emplace_back(m_, requirement, proof_context.platform.world.surface_depth_m,
-                           depth_sensor_);
+    for (auto* monitors : {&monitors_, &later_}) {
+      monitors->emplace_back(m_, requirement, proof_context.platform.world.surface_depth_m,
+                             depth_sensor_);
+    }
   }
   for (const Assumption& assumption : m_.assumptions) {
     if (assumption.isWatched()) {
@@ -128,6 +131,11 @@ void RunRecorder::keep(TickResult result, double time, std::vector<SensorUpdate>
     monitors_[i].tick(*interpreter_, time, result, depth);
     if (assumptions_hold_ && !hit_ && monitors_[i].when()) {
       hit_ = i;
+    }
+  }
+  for (size_t i = 0; i < later_.size() && !result_.ticks.empty(); ++i) {
+    if (requirements_[i].monitor.step.valid()) {
+      later_[i].tick(*interpreter_, time, result, depth);
     }
   }
   last_ = std::move(result);
@@ -210,11 +218,16 @@ void RunRecorder::describeDue() {
   if (!due || due->since >= result_.when) {
     return;
   }
-  const auto at = std::ranges::find_if(
-      result_.ticks, [&](const ConcreteTick& tick) { return tick.mission_time >= due->since; });
+  // Several ticks may have one time: what the last of them left holds then.
+  const auto after = std::ranges::find_if(
+      result_.ticks, [&](const ConcreteTick& tick) { return tick.mission_time > due->since; });
+  const auto at = after == result_.ticks.begin() ? after : std::prev(after);
   result_.due =
       fmt::format("{} at {:.6g} s, in state `{}`", due->cause, due->since, m_[at->state].name);
-  result_.due_at_start = at == result_.ticks.begin();
+  const RequirementMonitor& later = later_[*hit_];
+  const ConcreteTick& last = result_.ticks.back();
+  result_.due_at_start = at == result_.ticks.begin() && !later.when() &&
+                         !later.owes(*interpreter_, last.mission_time, last_, last.depth);
 }
 
 Counterexample RunRecorder::take() {

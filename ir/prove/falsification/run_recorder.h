@@ -50,6 +50,7 @@ class RunRecorder {
   std::optional<SensorId> depth_sensor_;
   bool reads_variation_ = false;  ///< whether the mission itself reads it, apart from its compass
   std::vector<RequirementMonitor> monitors_;  ///< one for each requirement
+  std::vector<RequirementMonitor> later_;     ///< the same, without the start
   std::vector<RequirementMonitor> assumed_;   ///< one for each assumption that is watched
   bool assumptions_hold_ = true;              ///< up to now: what violates one proves nothing
   std::optional<size_t> hit_;                 ///< the first that is violated (Reach: satisfied)

@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -144,12 +145,12 @@ LateExit neededInAlways(double seconds, const ProofContext& proof_context) {
 }
 
 /// Where no bound is found because a state may last for ever: names a case of it that waits for a
-/// reading.
-void noteEndlessStay(support::DiagnosticBuilder& diagnostic, const ProofContext& proof_context) {
+/// reading, and returns whether there is one.
+bool noteEndlessStay(support::DiagnosticBuilder& diagnostic, const ProofContext& proof_context) {
   const Mission& m = proof_context.mission;
   const EndBound end = boundOf(proof_context.withoutPowerCuts(), kLongestMission, Goal::Exit);
   if (end.by || !end.stays.valid()) {
-    return;
+    return false;
   }
   for (const Case& c : m[end.stays].cases) {
     std::vector<std::string> names;
@@ -165,15 +166,38 @@ void noteEndlessStay(support::DiagnosticBuilder& diagnostic, const ProofContext&
                                   "is sure to end `{}`; add a case such as `case statetime >= 1 h "
                                   "{}`",
                                   fmt::join(names, ", "), m[end.stays].name, wordsOf(m, c)));
-      return;
+      return true;
     }
+  }
+  return false;
+}
+
+/// A time as a pilot would write it, no longer than `seconds`: "72.9 h".
+std::string roundedDown(double seconds) {
+  constexpr double kMinute_s = 60, kHour_s = 3600, kHours = 2;
+  return seconds >= kHours * kHour_s
+             ? fmt::format("{:.6g} h", std::floor(seconds / kHour_s * 10) / 10)
+             : fmt::format("{:.6g} min", std::floor(seconds / kMinute_s));
+}
+
+/// Where no clock is sure to end the mission: the exit that would.
+void noteMissingExit(support::DiagnosticBuilder& diagnostic, const Requirement& requirement,
+                     const ProofContext& proof_context) {
+  constexpr double kShortest_s = 60;
+  const double latest = requirement.seconds - proof_context.tick_gap_s;
+  if (latest >= kShortest_s && !boundOf(proof_context, kLongestMission, Goal::Exit).by) {
+    diagnostic.note(requirement.range,
+                    fmt::format("no clock is sure to end the mission by then: as the first case of "
+                                "`always`, `case missiontime > {} exit` would",
+                                roundedDown(latest)));
   }
 }
 
 }  // namespace
 
-void noteLateEnd(support::DiagnosticBuilder& diagnostic, double seconds,
+void noteLateEnd(support::DiagnosticBuilder& diagnostic, const Requirement& requirement,
                  const ProofContext& proof_context) {
+  const double seconds = requirement.seconds;
   const Mission& m = proof_context.mission;
   const std::vector<LateExit> late = neededAtTheTop(seconds, proof_context);
   for (size_t i = 0; i < std::min(late.size(), kMostLateExits); ++i) {
@@ -183,9 +207,11 @@ void noteLateEnd(support::DiagnosticBuilder& diagnostic, double seconds,
   if (!late.empty()) {
     return;
   }
-  noteEndlessStay(diagnostic, proof_context);
+  const bool noted = noteEndlessStay(diagnostic, proof_context);
   const LateExit elsewhere = neededInAlways(seconds, proof_context);
-  if (elsewhere.state.valid()) {
+  if (!elsewhere.state.valid() && !noted) {
+    noteMissingExit(diagnostic, requirement, proof_context);
+  } else if (elsewhere.state.valid()) {
     const State& state = m[elsewhere.state];
     diagnostic.note(m[state.cases[elsewhere.number].guard].range,
                     fmt::format("this `exit` is tried only while `{}` is current; make it the "

@@ -11,10 +11,11 @@
 /// Notes that say what to change where a requirement is not proved.
 namespace glider::ir::prove {
 
-/// Why the mission may not end within `seconds`: names each exit by mission time that would end it
-/// in time as the first case of its list; or else a case that waits for a reading, perhaps for
-/// ever, and an exit that would end the mission in time as the first case of `always`.
-void noteLateEnd(support::DiagnosticBuilder& diagnostic, double seconds,
+/// Why the mission may not end within the time of `exit within`: names each exit by mission time
+/// that would end it in time as the first case of its list; or else a case that waits for a
+/// reading, perhaps for ever, and an exit that would end the mission in time as the first case of
+/// `always`.
+void noteLateEnd(support::DiagnosticBuilder& diagnostic, const Requirement& requirement,
                  const ProofContext& proof_context);
 
 /// When the mission is proved to end, if that is later than `requirement.seconds`; if only power
@@ -30,6 +31,10 @@ void noteFences(support::DiagnosticBuilder& warning, const Requirement& requirem
 /// Says of a requirement that speaks only of what the sea decides that no mission can ensure it.
 void noteWhatTheSeaDecides(support::DiagnosticBuilder& error, const Requirement& requirement,
                            const ProofContext& proof_context);
+
+/// Says of a promise that waits for a reading that no mission can ensure it.
+void noteAwaitedReading(support::DiagnosticBuilder& error, const Requirement& requirement,
+                        const Counterexample& run, const ProofContext& proof_context);
 
 /// Names variables of the mission that are counted without a limit.
 void noteUnlimitedCounts(support::DiagnosticBuilder& warning, const ProofContext& proof_context);

@@ -202,7 +202,7 @@ void RequirementCheck::settle(Judged& judged) {
   if (requirement.kind == RequirementKind::SurfacesEvery) {
     noteEarlyLeaves(warning, proof_context);
   } else if (requirement.seconds > 0) {
-    noteLateEnd(warning, requirement.seconds, proof_context);
+    noteLateEnd(warning, requirement, proof_context);
   }
   if (requirement.kind == RequirementKind::ExitWithin) {
     notePowerCutsCount(warning, requirement, proof_context, context_.proof.ending);

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 namespace glider::ir::prove {
@@ -29,7 +30,46 @@ std::string onlyOfTheSea(ExprId condition, const ProofContext& proof_context) {
   return others ? "" : reading;
 }
 
+bool setsToFalse(const Mission& mission, BlockId block) {
+  return std::ranges::any_of(mission[block].statements, [&](const Statement& s) {
+    return s.kind == StatementKind::Set && mission[s.value].op == Op::False;
+  });
+}
+
+/// A reading other than the depth for which a promise waits: its monitor clears what is owed where
+/// a condition of that reading holds. Empty: none.
+std::string awaitedReading(const Requirement& requirement, const ProofContext& proof_context) {
+  const Mission& mission = proof_context.mission;
+  std::string reading;
+  forEachStatement(mission, requirement.monitor.step, [&](const Statement& s) {
+    if (s.kind != StatementKind::If || !s.then.valid() || !setsToFalse(mission, s.then)) {
+      return;
+    }
+    forEachIn(mission, s.value, [&](const Expr& e) {
+      if (e.op == Op::Sensor && proof_context.depth != e.sensor) {
+        reading = mission[e.sensor].name;
+      }
+    });
+  });
+  return reading;
+}
+
 }  // namespace
+
+void noteAwaitedReading(support::DiagnosticBuilder& error, const Requirement& requirement,
+                        const Counterexample& run, const ProofContext& proof_context) {
+  const std::string reading = run.due.empty() ? "" : awaitedReading(requirement, proof_context);
+  if (!reading.empty()) {
+    error.note(requirement.range,
+               fmt::format("`{}` is a reading, which may be missing or wrong for any time, so no "
+                           "mission can ensure that it shows this: require a state, a variable of "
+                           "the mission{}",
+                           reading,
+                           proof_context.depth ? ", or the true depth, as in `then depth <= 2 m "
+                                                 "within …`"
+                                               : ""));
+  }
+}
 
 void noteWhatTheSeaDecides(support::DiagnosticBuilder& error, const Requirement& requirement,
                            const ProofContext& proof_context) {

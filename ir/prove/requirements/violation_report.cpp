@@ -149,11 +149,12 @@ void reportViolation(const Requirement& requirement, const Counterexample& run,
   noteParameters(error, requirement, run, proof_context.mission);
   notePowerCuts(error, requirement, run, proof_context);
   noteWhatTheSeaDecides(error, requirement, proof_context);
+  noteAwaitedReading(error, requirement, run, proof_context);
   if (requirement.kind == RequirementKind::SurfacesEvery ||
       !awaitedDepths(requirement, proof_context).empty()) {
     noteShortSurfacings(error, run, proof_context);
   } else if (requirement.seconds > 0) {
-    noteLateEnd(error, requirement.seconds, proof_context);
+    noteLateEnd(error, requirement, proof_context);
   }
 }
 

@@ -81,7 +81,9 @@ class Patterns {
       return reaction(pattern);
     }
     const auto chosen = std::next(climbs.begin(), random_.below(climbs.size()));
-    const PromisedPlace cause{m_.states[chosen->first].name, {chosen->first}, {}};
+    const PromisedPlace cause =
+        random_.chance(0.3) ? place()
+                            : PromisedPlace{m_.states[chosen->first].name, {chosen->first}, {}};
     constexpr double kDepths[] = {1, 1.5, 2, 3, 5, 10};
     const ir::ExprId up = conditions_.depthAtMost(random_.pick(kDepths));
     const PromisedPlace response{fmt::format("condition {}", up.index), {}, up};

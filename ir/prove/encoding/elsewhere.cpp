@@ -71,17 +71,33 @@ Configuration ChcEncoder::anywhere(const Control& control, const Configuration& 
   return now;
 }
 
+z3::expr ChcEncoder::isNotLedAway(SymbolicState& moment) const {
+  z3::expr stays = context_.bool_val(true);
+  z3::expr none_before = context_.bool_val(true);
+  for (const uint32_t number : watch_.scope->sure) {
+    const Case& c = m_.always[number];
+    const z3::expr fires = moment.truth(c.guard).is_true;
+    if (c.target.valid() && watch_.scope->follows[c.target.index]) {
+      stays = stays && !(none_before && fires);
+    }
+    none_before = none_before && !fires;
+  }
+  return stays;
+}
+
 void ChcEncoder::stepElsewhere(const Control& from, const Control& to, Way way) {
   Unknowns unknowns(context_, fmt::format("r{}:", next_prefix_++));
   const Configuration before = layout_.make(from, unknowns);
   Configuration now = anywhere(to, before, unknowns);
-  const SymbolicState moment = readingsOf(now, unknowns);
+  SymbolicState moment = readingsOf(now, unknowns);
   z3::expr condition = now.mission_time >= before.mission_time;
   if (watch_.every_tick) {
     condition = condition && now.mission_time - before.mission_time <=
                                  realOf(context_, proof_context_.tick_gap_s);
   }
-  if (way == Way::Enters) {
+  if (way != Way::Enters) {
+    condition = condition && isNotLedAway(moment);
+  } else {
     now = SymbolicTick(proof_context_, relevance_, unknowns).enter(std::move(now), moment);
   }
   Outcome outcome{context_.bool_val(true), std::nullopt, std::nullopt, ListKind::State, 0};

@@ -23,6 +23,9 @@ struct Scope {
   bool fine = false;                    ///< variables, clocks and depths are followed too
   std::span<const StateBounds> bounds;  ///< of every state
   double deepest = 0;                   ///< upper bound of the true depth elsewhere, m
+  /// The first cases of `always`, which read only what a tick brings: elsewhere the first of them
+  /// that is true fires.
+  std::vector<uint32_t> sure = {};
 
   [[nodiscard]] bool holds(const Control& control) const {
     return follows[control.state.index] ||

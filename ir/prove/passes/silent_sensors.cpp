@@ -135,8 +135,10 @@ class SilenceCheck {
       if (!awaited[i]) {
         continue;
       }
-      names.push_back(fmt::format("`{}`", m_.sensors[i].name));
       const platforms::PlatformSensor* row = proof_.proof_context.platformSensor({i});
+      // Missions call the vehicle's clock by that word.
+      const bool clock = row != nullptr && row->unit == "timestamp";
+      names.push_back(clock ? "`utc`" : fmt::format("`{}`", m_.sensors[i].name));
       if (row != nullptr && row->computer == platforms::Computer::Science) {
         of_science.push_back(names.back());
       }

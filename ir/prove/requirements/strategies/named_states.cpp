@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "ir/core/walk.h"
+#include "ir/prove/encoding/safety_properties.h"
 #include "ir/prove/evidence/configurations.h"
 #include "ir/prove/requirements/strategy.h"
 #include "ir/prove/requirements/trace_search.h"
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace glider::ir::prove {
 namespace {
@@ -25,10 +28,33 @@ std::vector<bool> observedStates(const Mission& mission, const Requirement& requ
   return observed;
 }
 
-/// None if it would be the whole mission.
-std::optional<Scope> scopeOf(const Requirement& requirement, const Mission& mission,
-                             Insight& insight) {
-  Scope scope{observedStates(mission, requirement), {}, {}, {}, false, insight.byState(), 0};
+/// Whether a guard has one value on a tick, for all that the tick changes.
+bool readsOnlyTheTick(const Mission& mission, ExprId guard) {
+  return !anyIn(mission, guard, [&](const Expr& e) {
+    const bool kept = e.op == Op::Variable && mission[e.variable].kind != VariableKind::Parameter;
+    return kept || e.op == Op::Temporal || e.op == Op::Call || e.op == Op::StateTime ||
+           e.op == Op::ResumeTime;
+  });
+}
+
+/// The first cases of `always` that are certainly tried elsewhere, in order.
+std::vector<uint32_t> sureCases(const Mission& mission, const Scope& scope) {
+  std::vector<uint32_t> sure;
+  for (uint32_t i = 0; i < mission.always.size(); ++i) {
+    const bool tried = std::ranges::all_of(scope.others, [&](const Control& control) {
+      return !control.just_returned && control.mayInterrupt(mission, i);
+    });
+    if (!tried || !readsOnlyTheTick(mission, mission.always[i].guard)) {
+      break;
+    }
+    sure.push_back(i);
+  }
+  return sure;
+}
+
+/// None if it would be nothing, or the whole mission.
+std::optional<Scope> scopeOf(std::vector<bool> follows, const Mission& mission, Insight& insight) {
+  Scope scope{std::move(follows), {}, {}, {}, false, insight.byState(), 0};
   const auto other = std::ranges::find(scope.follows, false);
   if (other == scope.follows.end() || std::ranges::count(scope.follows, true) == 0) {
     return std::nullopt;
@@ -51,7 +77,30 @@ std::optional<Scope> scopeOf(const Requirement& requirement, const Mission& miss
       scope.entered.push_back(control);
     }
   }
+  scope.sure = sureCases(mission, scope);
   return scope;
+}
+
+/// The states that its monitor observes; for a depth also those that only climb, with them.
+std::vector<Scope> scopesFor(const Requirement& requirement, const StrategyContext& context,
+                             Insight& insight) {
+  const Mission& mission = context.mission;
+  std::vector<bool> follows = observedStates(mission, requirement);
+  std::vector<Scope> scopes;
+  if (auto scope = scopeOf(follows, mission, insight)) {
+    scopes.push_back(*std::move(scope));
+  }
+  if (!awaitedDepths(requirement, insight.context()).empty()) {
+    const std::vector<bool> observed = follows;
+    for (size_t i = 0; i < follows.size(); ++i) {
+      follows[i] = follows[i] || insight.byState()[i].climbs;
+    }
+    auto scope = follows == observed ? std::nullopt : scopeOf(follows, mission, insight);
+    if (scope) {
+      scopes.push_back(*std::move(scope));
+    }
+  }
+  return scopes;
 }
 
 /// Spacer over the states that the promise names: the rest of the mission may do anything, within
@@ -78,16 +127,15 @@ class NamedStates final : public Strategy {
   static std::optional<RequirementVerdict> search(const Requirement& requirement,
                                                   StrategyContext& context) {
     Insight& insight = context.insight();
-    auto scope = scopeOf(requirement, context.mission, insight);
-    if (!scope) {
-      return std::nullopt;
-    }
+    std::vector<Scope> scopes = scopesFor(requirement, context, insight);
     // Most promises of a climb need no variable of the mission.
     for (const bool fine : {false, true}) {
-      scope->fine = fine;
-      RunsAnswer answer = provenWithin(requirement, *scope, insight, context);
-      if (answer.bad == Answer::No) {
-        return provedBy(std::move(answer), requirement, context);
+      for (Scope& scope : scopes) {
+        scope.fine = fine;
+        RunsAnswer answer = provenWithin(requirement, scope, insight, context);
+        if (answer.bad == Answer::No) {
+          return provedBy(std::move(answer), requirement, context);
+        }
       }
     }
     return std::nullopt;

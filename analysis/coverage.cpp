@@ -154,8 +154,8 @@ std::string coverageLine(const Coverage& coverage, const compiler::Checked& chec
   }
   return parts.empty() ? ""
                        : fmt::format(
-                             "any one of these could be left out, and everything proved would "
-                             "still be proved: {}",
+                             "no proof depends on any one of these, so nothing is promised about "
+                             "them: {}",
                              fmt::join(parts, "; "));
 }
 

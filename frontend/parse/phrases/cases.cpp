@@ -3,6 +3,7 @@
 
 #include "frontend/parse/phrases/repairs.h"
 #include "frontend/parse/token_kinds.h"
+#include "frontend/spelling.h"
 #include "support/diagnostics/ids/syntax.h"
 
 #include <fmt/format.h>
@@ -297,11 +298,16 @@ size_t conditionWord(Phrase& phrase) {
   }
   const bool clock = oneOf(word.type, {GliderLexer::AFTER, GliderLexer::EVERY});
   const size_t yos = clock ? tokensOfYos(phrase, 1) : 0;
-  const size_t time = yos != 0 ? yos : clock ? tokensOfNumber(phrase, 1) : 0;
+  size_t time = yos != 0 ? yos : clock ? tokensOfNumber(phrase, 1) : 0;
   if (time == 0) {
     return 0;
   }
-  const std::string_view duration = phrase.wholeText(1, time);
+  std::string duration(phrase.wholeText(1, time));
+  const std::string_view unit = unitForWord(phrase.source().text(phrase.token(1 + time)));
+  if (yos == 0 && time == 1 && !unit.empty()) {  // `3 hours`
+    duration += fmt::format(" {}", unit);
+    ++time;
+  }
   unexpected().hint(
       yos != 0 ? fmt::format("write `{}`", countOfYos(phrase, 1))
       : word.type == GliderLexer::EVERY

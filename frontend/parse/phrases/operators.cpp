@@ -430,4 +430,44 @@ size_t plusOfTexts(Phrase& phrase) {
   return 1;
 }
 
+namespace {
+
+/// Whether the last bar that was read begins an absolute value.
+bool barIsOpen(const Phrase& phrase) {
+  constexpr size_t kLongest = 200;
+  for (size_t k = 0; k < kLongest && phrase.lexemeBefore(k) != nullptr; ++k) {
+    const Lexeme& before = *phrase.lexemeBefore(k);
+    if (oneOf(before.type, {GliderLexer::LPAREN, GliderLexer::RPAREN}) &&
+        phrase.source().text(before) == "|") {
+      return before.type == GliderLexer::LPAREN;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+size_t absoluteBars(Phrase& phrase) {
+  const Lexeme bar = phrase.token();
+  if (barIsOpen(phrase)) {
+    phrase.put({GliderLexer::RPAREN, bar.begin, bar.end});
+    return 1;
+  }
+  const size_t line = phrase.tokensOfLine();
+  size_t close = 1;
+  while (close < line && phrase.type(close) != GliderLexer::ONE_BAR) {
+    ++close;
+  }
+  if (endsValue(phrase.before()) || close < 2 || close >= line) {
+    return 0;
+  }
+  const std::string value = fmt::format("abs({})", phrase.wholeText(1, close - 1));
+  const Lexeme whole = phrase.whole(0, close + 1);
+  phrase.reporter()
+      .at(whole, support::diagnostics::singleAmpersand, "|", value)
+      .fix(phrase.source().range(whole), value);
+  phrase.put({GliderLexer::LPAREN, bar.begin, bar.end});
+  return 1;
+}
+
 }  // namespace glider::frontend::phrases

@@ -48,6 +48,7 @@ constexpr Row kRows[] = {
     {phrases::andOfPlaces,
      among<GliderLexer::AND_WORD, GliderLexer::AND, GliderLexer::ONE_AMPERSAND>},
     {phrases::assumption, isName},
+    {phrases::absoluteBars, among<GliderLexer::ONE_BAR>},
     {phrases::andOfSensors,
      among<GliderLexer::AND_WORD, GliderLexer::AND, GliderLexer::ONE_AMPERSAND, GliderLexer::PLUS>},
     {phrases::entryWithoutDo, anyToken},

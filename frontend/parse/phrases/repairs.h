@@ -64,6 +64,8 @@ size_t heldWithoutParentheses(Phrase& phrase);
 size_t forATime(Phrase& phrase);
 /// `sensors lat and lon`.
 size_t andOfSensors(Phrase& phrase);
+/// `|a - b|` for `abs(a - b)`.
+size_t absoluteBars(Phrase& phrase);
 /// `log begin at", depth`.
 size_t textWithoutOpeningQuote(Phrase& phrase);
 /// `sensors temp each 20 s`.

@@ -210,6 +210,23 @@ size_t StructureRepair::assignedName() const {
   return at;
 }
 
+/// Whether the line goes on with a condition: the name is then that of a place.
+bool StructureRepair::comparesNext() const {
+  constexpr size_t kLongest = 40;
+  const size_t from = out_.back().begin;
+  for (size_t k = 0; k < kLongest && peek(k).type != kEof; ++k) {
+    const std::string_view between = source_.text().substr(from, peek(k).begin - from);
+    if (between.find('\n') != std::string_view::npos) {
+      break;
+    }
+    if (oneOf(peek(k).type, {GliderLexer::LT, GliderLexer::LE, GliderLexer::GT, GliderLexer::GE,
+                             GliderLexer::EQ, GliderLexer::NE})) {
+      return true;
+    }
+  }
+  return false;
+}
+
 void StructureRepair::supplyKeyword() {
   const size_t at = out_.empty() ? 0 : assignedName();
   if (out_.empty() || !isName(out_[at].type) || values_.inParentheses()) {
@@ -224,10 +241,11 @@ void StructureRepair::supplyKeyword() {
     return;
   }
   const Lexeme name{out_[at].type, out_[at].begin, out_.back().end};
-  const std::string_view keyword = action ? "set" : "const";
+  const std::string_view keyword = action ? "set" : comparesNext() ? "place" : "const";
   reporter_.at(name, support::diagnostics::missingKeyword, source_.text(name), keyword)
       .fix({source_.file, name.begin, name.begin}, std::string(keyword) + " ");
-  const Lexeme supplied{keywordType(keyword), name.begin, name.begin};
+  const uint32_t type = keyword == "place" ? uint32_t{GliderLexer::PLACE} : keywordType(keyword);
+  const Lexeme supplied{type, name.begin, name.begin};
   values_.keyword(supplied);
   out_.insert(out_.begin() + static_cast<std::ptrdiff_t>(at), supplied);
 }

@@ -52,6 +52,7 @@ class StructureRepair {
 
   [[nodiscard]] uint32_t previous() const { return out_.empty() ? 0 : out_.back().type; }
   [[nodiscard]] const Lexeme& peek(size_t k) const;
+  [[nodiscard]] bool comparesNext() const;
   void insert(uint32_t type);
   void step(Lexeme t);
 

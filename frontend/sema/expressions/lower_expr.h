@@ -158,6 +158,7 @@ class ExprLowering {
   Result scaling(ir::Op op, const ast::Binary& node, const ast::Expr& expr);
   /// Refuses `5 m < depth < 10 m` and `!depth > 5 m`.
   bool chained(const ast::Binary& node, const ast::Expr& expr);
+  void warnOfBareHours(const ast::Expr& clock, const ast::Expr& time);
   void warnOfEquality(ir::Op op, const Value& left, const Value& right, const ast::Binary& node);
   /// Both sides with one type; bare numbers take the type of the other side.
   struct Pair {

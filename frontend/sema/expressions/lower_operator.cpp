@@ -385,6 +385,8 @@ ExprLowering::Result ExprLowering::comparison(ir::Op op, const ast::Binary& node
     return std::nullopt;
   }
   warnOfEquality(op, pair->left, pair->right, node);
+  warnOfBareHours(*node.left, *node.right);
+  warnOfBareHours(*node.right, *node.left);
   compareOnCompass(op, *pair, node);
   if (const Result by_charge = comparedByCharge(op, *pair, before, expr.where)) {
     return by_charge;
@@ -407,7 +409,13 @@ ExprLowering::Result ExprLowering::comparedByCharge(ir::Op op, const Pair& pair,
   }
   if (*share > 1) {
     const support::SourceRange& where = scope_.mission[(left ? pair.right : pair.left).id].range;
-    scope_.report(support::diagnostics::shareAboveOne, where, scope_.text(where));
+    auto report = scope_.report(support::diagnostics::shareAboveOne, where, scope_.text(where));
+    constexpr double kPercent = 100;
+    if (*share <= kPercent &&
+        scope_.text(where).find_first_not_of("0123456789.") == std::string::npos) {
+      report.hint(fmt::format("write `{} %`", scope_.text(where)))
+          .fix({where.file, where.end, where.end}, " %");
+    }
   }
   const ir::SensorId counter = scope_.mission[(left ? pair.left : pair.right).charge].sensor;
   scope_.mission.exprs.resize(before);
@@ -415,6 +423,33 @@ ExprLowering::Result ExprLowering::comparedByCharge(ir::Op op, const Pair& pair,
   const double used_C = (1 - *share) * scope_.energy->pack.capacity_C;
   const ir::ExprId limit = emitNumber(used_C, quantity(support::dimension::charge), range).id;
   return emit(left ? ir::mirrored(op) : op, boolean(), range, {charge, limit});
+}
+
+/// `timeofday >= 1315` is meant as 13 h 15 min, and means 1315 s.
+void ExprLowering::warnOfBareHours(const ast::Expr& clock, const ast::Expr& time) {
+  const auto* name = std::get_if<ast::NameUse>(&clock.node);
+  const auto* bare = std::get_if<ast::Literal>(&time.node);
+  if (name == nullptr || name->name != "timeofday" || scope_.declares(name->name, clock.where) ||
+      bare == nullptr || !bare->unit.empty() ||
+      bare->digits.find_first_not_of("0123456789") != std::string::npos) {
+    return;
+  }
+  constexpr int kHours = 24, kMinutes = 60, kHundred = 100, kHour_s = 3600, kMinute_s = 60;
+  const int seconds = bare->digits.size() <= 5 ? std::stoi(bare->digits) : 0;
+  if (seconds == 0) {
+    return;
+  }
+  const int hours = seconds / kHundred, minutes = seconds % kHundred;
+  const bool clocked = bare->digits.size() == 4 && hours <= kHours && minutes < kMinutes;
+  auto report = scope_.report(support::diagnostics::bareTimeOfDay, time.where, bare->digits,
+                              fmt::format("{:02}:{:02}:{:02}", seconds / kHour_s,
+                                          seconds / kMinute_s % kMinutes, seconds % kMinute_s));
+  if (seconds <= kHours || clocked) {
+    const std::string meant = seconds <= kHours ? fmt::format("{} h", seconds)
+                              : minutes == 0    ? fmt::format("{} h", hours)
+                                                : fmt::format("{} h {} min", hours, minutes);
+    report.hint(fmt::format("write `{}`, or `{} s` if that is meant", meant, seconds));
+  }
 }
 
 void ExprLowering::warnOfEquality(ir::Op op, const Value& left, const Value& right,

@@ -67,7 +67,7 @@ class ChcEncoder {
   void badAfter(const Control& control);
   /// What a mission may do that is in a state which is not followed (elsewhere.cpp).
   void leaveElsewhere(const Control& control);
-  enum class Way : uint8_t { Stays, Ends, Enters };
+  enum class Way : uint8_t { Stays, Returns, Ends, Enters };
   void stepElsewhere(const Control& from, const Control& to, Way way);
   /// Whether no case of `always` must have led from elsewhere to a state that is followed.
   z3::expr isNotLedAway(SymbolicState& moment) const;

@@ -18,8 +18,10 @@ void ChcEncoder::project(Rule& rule, Unknowns& unknowns) const {
   }
   const Scope& scope = *watch_.scope;
   if (!scope.holds(rule.to->control)) {
-    rule.to->control = scope.elsewhere;
-    rule.after->control = scope.elsewhere;
+    Control elsewhere = scope.elsewhere;
+    elsewhere.just_returned = rule.to->control.just_returned;
+    rule.to->control = elsewhere;
+    rule.after->control = elsewhere;
   } else if (rule.after->store.vehicle && scope.climbs(rule.to->control) &&
              (!rule.from || !scope.climbs(rule.from->control))) {
     z3::expr& since = rule.after->store.vehicle->since;
@@ -34,8 +36,14 @@ void ChcEncoder::project(Rule& rule, Unknowns& unknowns) const {
 }
 
 void ChcEncoder::leaveElsewhere(const Control& control) {
-  stepElsewhere(control, control, Way::Stays);
-  stepElsewhere(control, control, Way::Ends);
+  const Control& elsewhere = watch_.scope->elsewhere;
+  stepElsewhere(control, elsewhere, Way::Stays);
+  stepElsewhere(control, elsewhere, Way::Ends);
+  if (watch_.scope->returns) {
+    Control resumed = elsewhere;
+    resumed.just_returned = true;
+    stepElsewhere(control, resumed, Way::Returns);
+  }
   for (const Control& entered : watch_.scope->entered) {
     stepElsewhere(control, entered, Way::Enters);
   }
@@ -90,14 +98,13 @@ void ChcEncoder::stepElsewhere(const Control& from, const Control& to, Way way) 
   const Configuration before = layout_.make(from, unknowns);
   Configuration now = anywhere(to, before, unknowns);
   SymbolicState moment = readingsOf(now, unknowns);
-  z3::expr condition = now.mission_time >= before.mission_time;
-  if (watch_.every_tick) {
-    condition = condition && now.mission_time - before.mission_time <=
-                                 realOf(context_, proof_context_.tick_gap_s);
-  }
-  if (way != Way::Enters) {
+  z3::expr condition =
+      now.mission_time >= before.mission_time &&
+      now.mission_time - before.mission_time <= realOf(context_, proof_context_.tick_gap_s);
+  if (way != Way::Enters && !from.just_returned) {
     condition = condition && isNotLedAway(moment);
-  } else {
+  }
+  if (way == Way::Enters) {
     now = SymbolicTick(proof_context_, relevance_, unknowns).enter(std::move(now), moment);
   }
   Outcome outcome{context_.bool_val(true), std::nullopt, std::nullopt, ListKind::State, 0};

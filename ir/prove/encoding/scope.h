@@ -16,16 +16,19 @@ namespace glider::ir::prove {
 /// the mission may do anything at any time, within what is known of every state: a smaller
 /// question, which says nothing about what is possible.
 struct Scope {
-  std::vector<bool> follows;            ///< by state
-  Control elsewhere;                    ///< stands for all controls that are not followed
+  std::vector<bool> follows;  ///< by state
+  /// Stands for all controls that are not followed; with `just_returned` for those of them on whose
+  /// next tick a state's own cases come before those of `always`.
+  Control elsewhere;
   std::vector<Control> entered;         ///< those with which a state that is followed is entered
   std::vector<Control> others;          ///< those for which `elsewhere` stands
   bool fine = false;                    ///< variables, clocks and depths are followed too
   std::span<const StateBounds> bounds;  ///< of every state
   double deepest = 0;                   ///< upper bound of the true depth elsewhere, m
   /// The first cases of `always`, which read only what a tick brings: elsewhere the first of them
-  /// that is true fires.
+  /// that is true fires, but not just after a return.
   std::vector<uint32_t> sure = {};
+  bool returns = false;  ///< a state may be resumed elsewhere
 
   [[nodiscard]] bool holds(const Control& control) const {
     return follows[control.state.index] ||

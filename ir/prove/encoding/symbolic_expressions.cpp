@@ -216,12 +216,28 @@ NumberTerm SymbolicState::remainder(const Expr& e, const Interval& interval) {
   const Expr& period = mission_[e.operands[1]];
   const NumberTerm& x = operand(e, 0);
   if (!relates_remainders_ || !isConstant(period) || !(period.number > 0) || x.slack > 0) {
-    return anything(e, interval);
+    return sameRemainder(e, interval);
   }
   const z3::expr periods = unknowns_.whole("periods");
   const z3::expr value = x.value - real(period.number) * z3::to_real(periods);
   unknowns_.require(value >= 0 && value < real(period.number));
   return {value, x.known, 0};
+}
+
+/// The remainder of the same terms is the same: `timeofday` in two conditions is one time.
+NumberTerm SymbolicState::sameRemainder(const Expr& e, const Interval& interval) {
+  const NumberTerm& x = operand(e, 0);
+  const NumberTerm& by = operand(e, 1);
+  if (x.slack > 0 || by.slack > 0) {
+    return anything(e, interval);
+  }
+  for (const Remainder& made : remainders_) {
+    if (z3::eq(made.dividend.value, x.value) && z3::eq(made.dividend.known, x.known) &&
+        z3::eq(made.divisor.value, by.value) && z3::eq(made.divisor.known, by.known)) {
+      return made.value;
+    }
+  }
+  return remainders_.emplace_back(x, by, anything(e, interval)).value;
 }
 
 NumberTerm SymbolicState::anything(const Expr& e, const Interval& interval) {

@@ -153,8 +153,8 @@ void RunRecorder::tell(const TickResult& result, double time) {
                      : c.transition == Transition::Call   ? "calls"
                      : c.transition == Transition::Return ? "returns to"
                                                           : "ends the mission";
-  const std::string from =
-      fmt::format("{}`{}`", always ? "`always`, in " : "", m_[last_.state].name);
+  const std::string from = always ? fmt::format("`always`, in `{}`,", m_[last_.state].name)
+                                  : fmt::format("`{}`", m_[last_.state].name);
   const std::string text =
       c.transition == Transition::Exit
           ? fmt::format("at {:.6g} s {} {}", time, from, verb)

@@ -3,10 +3,10 @@
 
 // The pass `commands`: depths, pitches, fin angles, pump volumes and battery positions beyond the
 // vehicle's envelope, or above the surface (GL3104), pitches that the vehicle refuses (GL3108), and
-// profiles that never turn (GL3105). In: the interval of each argument, and the guards before it,
-// which are computed only if the plain interval is too wide. No report is a proof for commands with
-// known ranges. An error may name a value that no flight commands: the pilot then narrows a range
-// or adds a condition. Not checked: code in C, numbers without a range.
+// profiles that never turn (GL3105, GL3145). In: the interval of each argument, and the guards
+// before it, which are computed only if the plain interval is too wide. No report is a proof for
+// commands with known ranges. An error may name a value that no flight commands: the pilot then
+// narrows a range or adds a condition. Not checked: code in C, numbers without a range.
 
 #include "ir/prove/context/commands.h"
 
@@ -296,7 +296,43 @@ class CommandCheck {
         report.hint(fmt::format("put the shallower depth first: `{}` before `{}`", depths(down),
                                 depths(up)));
       }
+    } else if (judged && !surelyTurns() && isUpsideDown(state)) {
+      proof_.diagnostics.report(support::diagnostics::profileUpsideDown, state.profile.range);
     }
+  }
+
+  /// Whether every climb leads below where every dive leads, as long as no variable changes that
+  /// the profile does not set itself.
+  bool isUpsideDown(const State& state) {
+    std::vector<bool> own(m_.variables.size(), false);
+    const auto look = [&](const Statement& s) {
+      if (s.kind == StatementKind::Set) {
+        own[s.variable.index] = true;
+      }
+    };
+    forEachStatement(m_, state.profile.entry, look);
+    for (const Case& c : state.profile.cases) {
+      forEachStatement(m_, c.action, look);
+    }
+    Unknowns unknowns(proof_.context);
+    SymbolicState climbing(unknowns, proof_.proof_context);
+    if (!fix(own, climbing)) {
+      return false;
+    }
+    SymbolicState diving = climbing;
+    z3::expr turns = proof_.context.bool_val(false);
+    for (const Statement* up : commands_) {
+      for (const Statement* down : commands_) {
+        if (isAscent(up->command) && isDescent(down->command)) {
+          turns = turns || climbing.number(up->values.at(0)).value <=
+                               diving.number(down->values.at(0)).value;
+        }
+      }
+    }
+    Question question(proof_.context, proof_.checks, proof_.options.effort);
+    question.add(unknowns);
+    question.add(turns);
+    return question.ask() == Answer::No;
   }
 
   /// Whether some climb leads above where some dive leads, for all their values: most profiles have
@@ -320,7 +356,7 @@ class CommandCheck {
   bool canTurn(const State& state) {
     Unknowns unknowns(proof_.context);
     SymbolicState climbing(unknowns, proof_.proof_context);
-    fix(state, climbing);
+    (void)fix(setWhileCurrent(m_, state), climbing);
     SymbolicState diving = climbing;
     z3::expr turns = proof_.context.bool_val(false);
     for (const Statement* up : commands_) {
@@ -338,10 +374,10 @@ class CommandCheck {
     return question.ask() != Answer::No;
   }
 
-  /// Gives a value to each variable that the commands read and that nothing sets while the state
-  /// lasts.
-  void fix(const State& state, SymbolicState& moment) const {
-    const std::vector<bool> set = setWhileCurrent(m_, state);
+  /// Gives a value to each variable that the commands read, except for those of `set`; false if
+  /// there is none.
+  [[nodiscard]] bool fix(const std::vector<bool>& set, SymbolicState& moment) const {
+    bool fixed = false;
     for (const Statement* statement : commands_) {
       for (const ExprId value : statement->values) {
         forEachIn(m_, value, [&](const Expr& e) {
@@ -353,9 +389,11 @@ class CommandCheck {
           } else {
             (void)moment.numberOf(e.variable);
           }
+          fixed = true;
         });
       }
     }
+    return fixed;
   }
 
   static std::string depths(const Interval& range) {

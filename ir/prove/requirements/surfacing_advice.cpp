@@ -192,13 +192,26 @@ void noteShortSurfacings(support::DiagnosticBuilder& error, const Counterexample
   const std::vector<double> climbs = climbTimes(proof_context);
   const std::vector<double> depths = deepestByState(proof_context);
   std::vector<bool> noted(m.states.size(), false);
-  const auto left = [&](StateId state, double stay, double depth) {
+  const auto left = [&](StateId state, double stay, double depth, double time) {
     const double climb = climbs[state.index];
     if (noted[state.index] || !std::isfinite(climb) || stay >= climb ||
         !(depth > world.surface_depth_m)) {
       return;
     }
     noted[state.index] = true;
+    const auto by = std::ranges::find_if(m.always, [&](const Case& c) {
+      return std::ranges::any_of(run.story, [&](const Counterexample::Event& event) {
+        return event.mission_time == time && event.range == c.range;
+      });
+    });
+    if (by != m.always.end()) {
+      error.note(
+          by->range,
+          fmt::format("this leaves `{}` after {}, but the climb from {:.4g} m may "
+                      "take {}: let it wait until the vehicle is up",
+                      m[state].name, durationOf(stay), depths[state.index], durationOf(climb)));
+      return;
+    }
     error.note(m[state].range,
                fmt::format("`{}` is left after {}, but the climb from {:.4g} m may take {}: stay "
                            "that long{}",
@@ -210,7 +223,7 @@ void noteShortSurfacings(support::DiagnosticBuilder& error, const Counterexample
     const ConcreteTick& before = run.ticks[i - 1];
     const ConcreteTick& now = run.ticks[i];
     if (now.state != before.state) {
-      left(before.state, now.mission_time - since, now.depth);
+      left(before.state, now.mission_time - since, now.depth, now.mission_time);
       since = now.mission_time;
     }
   }

@@ -116,13 +116,20 @@ RunsAnswer provenWithin(const Requirement& requirement, const Scope& scope, Insi
   const ConeOfInfluence relevance = relevanceWithin(requirement, insight.context());
   RunsAnswer answer = ask(requirement, insight, relevance, context, scope);
   // What holds elsewhere holds with every control for which it stands.
-  const auto found = std::ranges::find(answer.invariants, configurationOf(scope.elsewhere),
-                                       &certify::Invariant::at);
-  if (found != answer.invariants.end()) {
+  for (const bool just_returned : {false, true}) {
+    Control elsewhere = scope.elsewhere;
+    elsewhere.just_returned = just_returned;
+    const auto found =
+        std::ranges::find(answer.invariants, configurationOf(elsewhere), &certify::Invariant::at);
+    if (found == answer.invariants.end()) {
+      continue;
+    }
     const std::string formula = found->formula;
     answer.invariants.erase(found);
     for (const Control& control : scope.others) {
-      answer.invariants.push_back({configurationOf(control), formula});
+      if (control.just_returned == just_returned) {
+        answer.invariants.push_back({configurationOf(control), formula});
+      }
     }
   }
   return answer;

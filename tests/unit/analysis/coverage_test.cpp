@@ -13,7 +13,7 @@ namespace glider::analysis {
 namespace {
 
 const std::string kAlone =
-    "any one of these could be left out, and everything proved would still be proved: ";
+    "no proof depends on any one of these, so nothing is promised about them: ";
 
 /// What `check --report` says of a mission.
 std::string lineOf(const std::string& text) {

@@ -37,12 +37,21 @@ bool readsOnlyTheTick(const Mission& mission, ExprId guard) {
   });
 }
 
-/// The first cases of `always` that are certainly tried elsewhere, in order.
+/// Whether a state that has just been resumed may return on its next tick: `always` is then put off
+/// once more.
+bool mayReturnAtOnce(const Mission& mission, const Control& control) {
+  return control.just_returned && !control.stack.empty() &&
+         std::ranges::any_of(mission[control.state].cases,
+                             [](const Case& c) { return c.transition == Transition::Return; });
+}
+
+/// The first cases of `always` that are certainly tried elsewhere, in order; not just after a
+/// return.
 std::vector<uint32_t> sureCases(const Mission& mission, const Scope& scope) {
   std::vector<uint32_t> sure;
   for (uint32_t i = 0; i < mission.always.size(); ++i) {
     const bool tried = std::ranges::all_of(scope.others, [&](const Control& control) {
-      return !control.just_returned && control.mayInterrupt(mission, i);
+      return control.mayInterrupt(mission, i) && !mayReturnAtOnce(mission, control);
     });
     if (!tried || !readsOnlyTheTick(mission, mission.always[i].guard)) {
       break;
@@ -73,6 +82,7 @@ std::optional<Scope> scopeOf(std::vector<bool> follows, const Mission& mission, 
     const Control& control = reached.control;
     if (!scope.holds(control)) {
       scope.others.push_back(control);
+      scope.returns = scope.returns || control.just_returned;
     } else if (scope.follows[control.state.index] && !control.just_returned) {
       scope.entered.push_back(control);
     }

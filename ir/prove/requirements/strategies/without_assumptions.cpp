@@ -26,11 +26,16 @@ class WithoutAssumptions final : public Strategy {
     }
     const Requirement& requirement = bare->mission.requirements[attempt.number];
     TraceSearch found = searchTraces(requirement, bare->insight(), *bare);
-    if (found.answer.bad != Answer::No) {
-      return std::nullopt;
+    std::optional<RequirementVerdict> verdict;
+    if (found.answer.bad == Answer::No) {
+      verdict = provedBy(std::move(found.answer), requirement, *bare);
+    } else if (const Strategy& named = strategy::namedStates(); named.serves(requirement)) {
+      Attempt again{attempt.number, requirement};
+      verdict = named.judge(again, *bare);
     }
-    RequirementVerdict verdict = provedBy(std::move(found.answer), requirement, *bare);
-    verdict.searched = true;
+    if (verdict) {
+      verdict->searched = true;
+    }
     return verdict;
   }
 

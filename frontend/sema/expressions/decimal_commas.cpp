@@ -15,9 +15,12 @@ bool isWhole(const ast::Literal& literal) {
   return literal.digits.find_first_not_of("0123456789") == std::string::npos;
 }
 
-/// The number that an argument is, perhaps behind a minus; null: it is none.
+/// The number that an argument is or ends with, perhaps behind a minus: `temp > 12`; null: none.
 const ast::Literal* numberIn(const ast::Argument& argument) {
   const ast::Expr* expr = &*argument.value;
+  while (const auto* binary = std::get_if<ast::Binary>(&expr->node)) {
+    expr = &*binary->right;
+  }
   if (const auto* unary = std::get_if<ast::Unary>(&expr->node);
       unary != nullptr && unary->op == ast::UnaryOp::Negate) {
     expr = &*unary->operand;

@@ -114,7 +114,7 @@ class ArgumentLowering {
     if (whole && (longitudeFirst(step.argument) || decimalDegrees(step.argument))) {
       return false;
     }
-    if (reported_ == step.argument) {
+    if (reported_ == step.argument || exchanged(step)) {
       return false;
     }
     if (step.arguments == 2) {
@@ -252,6 +252,49 @@ class ArgumentLowering {
                                                              *arguments_[argument + 1].value);
     reported_ = refused ? argument + 1 : reported_;
     return refused;
+  }
+
+  /// Whether an argument is a number with a unit of the formal's dimension, or a position for one.
+  bool fits(const ast::Argument& argument, const Signature::Formal& formal) {
+    if (argument.of || formal.type.position) {
+      return formal.type.position && isPosition(*argument.value, scope_);
+    }
+    const auto* literal = std::get_if<ast::Literal>(&argument.value->node);
+    const auto unit = literal == nullptr ? std::nullopt : support::findUnit(literal->unit);
+    return unit && formal.type.type == quantity(unit->dimension);
+  }
+
+  /// Whether only a comma is between them: neither has the name of its parameter.
+  bool isFollowedBy(const ast::Argument& first, const ast::Argument& second) {
+    support::SourceRange between = first.value->where;
+    between.begin = first.value->where.end;
+    between.end = second.value->where.begin;
+    return between.begin < between.end &&
+           scope_.text(between).find_first_not_of(", \n\t") == std::string::npos;
+  }
+
+  /// Reports `climb_to(26 deg, 10 m)`, once for both.
+  bool exchanged(const Step& step) {
+    if (step.argument + 1 >= arguments_.size() || step.formal + 1 >= formals().size()) {
+      return false;
+    }
+    const ast::Argument& first = arguments_[step.argument];
+    const ast::Argument& second = arguments_[step.argument + 1];
+    const Signature::Formal& wanted = formals()[step.formal];
+    const Signature::Formal& next = formals()[step.formal + 1];
+    if (fits(first, wanted) || !fits(first, next) || !fits(second, wanted) ||
+        !isFollowedBy(first, second)) {
+      return false;
+    }
+    const std::string_view a = scope_.text(first.value->where);
+    const std::string_view b = scope_.text(second.value->where);
+    support::SourceRange both = first.value->where;
+    both.end = second.value->where.end;
+    auto report =
+        scope_.report(support::diagnostics::argumentsExchanged, both, a, b, callee_.signature.text);
+    report.fix(both, fmt::format("{}, {}", b, a));
+    reported_ = step.argument + 1;
+    return true;
   }
 
   static const ast::Binary* differenceIn(const ast::Argument& argument) {

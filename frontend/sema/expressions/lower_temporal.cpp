@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "frontend/sema/expressions/decimal_commas.h"
 #include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "support/diagnostics/ids/meaning.h"
@@ -78,7 +79,13 @@ ExprLowering::Result ExprLowering::overTime(ir::TemporalKind kind, const ast::In
     return std::nullopt;
   }
   const size_t wanted = held ? 2 : 1;
-  if (node.arguments.size() != wanted) {
+  const auto fits = [wanted](const std::vector<ast::Argument>& read) {
+    return read.size() == wanted;
+  };
+  if (!fits(node.arguments) && refuseDecimalCommas(node.arguments, scope_, fits)) {
+    return std::nullopt;
+  }
+  if (!fits(node.arguments)) {
     scope_.report(support::diagnostics::wrongArgumentCount, expr.where, node.function.text,
                   held ? "2 arguments" : "1 argument",
                   node.arguments.empty() ? "none"

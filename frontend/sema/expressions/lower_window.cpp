@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "frontend/sema/expressions/decimal_commas.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/names/functions.h"
 #include "support/diagnostics/ids/meaning.h"
@@ -21,7 +22,11 @@ ExprLowering::Result ExprLowering::window(const ast::Invocation& node, const ast
   const std::string form = name + (name == "slope"            ? "(x, 10 m of depth)"
                                    : isReservedFunction(name) ? "(x, 60 s)"
                                                               : "(x, last leg)");
-  if (node.arguments.size() != 2) {
+  const auto fits = [](const std::vector<ast::Argument>& read) { return read.size() == 2; };
+  if (!fits(node.arguments) && refuseDecimalCommas(node.arguments, scope_, fits)) {
+    return std::nullopt;
+  }
+  if (!fits(node.arguments)) {
     const size_t count = node.arguments.size();
     scope_.report(support::diagnostics::wrongArgumentCount, expr.where, name, "2 arguments",
                   count == 0   ? "none"

@@ -63,6 +63,19 @@ constexpr Wish kWishes[] = {
     {"on_surface", "did you mean `at_surface`?", "m_depth_state"},
     {"utc", kClockHint, "m_present_time"},
     {"timeofday", kClockHint, "m_present_time"},
+    {"date", "write `utc`, with a time such as `2026-08-11T14:00Z`", "m_present_time"},
+    {"energy", "write `energyleft`, or `energyused`, with a line `pack`", "charge"},
+    {"energy_left", "write `energyleft`", "charge", "energyleft"},
+    {"energy_used", "write `energyused`", "charge", "energyused"},
+    {"altimeter", "write `altitude`", "altitude", "altitude"},
+    {"leak", "write `leakvoltage`: a low one means water", "leakvoltage"},
+    {"leakdetect", "write `leakvoltage`: a low one means water", "leakvoltage"},
+    {"leak_detect", "write `leakvoltage`: a low one means water", "leakvoltage"},
+    {"chl", "did you mean `chlorophyll`?", "chlorophyll"},
+    {"chla", "did you mean `chlorophyll`?", "chlorophyll"},
+    {"sigma_theta", "write `density`", "cond"},
+    {"sigma", "write `density`", "cond"},
+    {"profile_done", "write `profiledone`", "", "profiledone"},
     {"here", "list `lat` and `lon`", "lat"}};
 
 /// Points of the compass, as angles from true north.
@@ -102,6 +115,7 @@ std::string_view behaviourInsteadOf(std::string_view wish) {
                            {"yo_with_surface", "yo_and_surface"},
                            {"sawtooth", "yo"},
                            {"undulate", "yo"},
+                           {"drift_at_depth", "hover_at"},
                            {"waypoint", "nav"},
                            {"goto_waypoint", "nav"}};
   const auto* row = std::ranges::find(kRows, wish, &Row::name);

@@ -86,7 +86,8 @@ auto askTwice(const Requirement& requirement, Insight& insight, StrategyContext&
 std::string inWords(const std::string& trouble) {
   return trouble.contains("resource limit")
              ? "the search stopped after as many steps as `--effort` allows"
-             : trouble;
+         : trouble.contains("cancel") ? "the search was stopped by `--timeout`"
+                                      : trouble;
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ void noteDue(support::DiagnosticBuilder& error, const Requirement& requirement,
   error.note(requirement.range,
              run.due + (run.due_at_start
                             ? ", as the mission starts: no case is tried before the next tick; "
-                              "`require after missiontime > 0 s: …` leaves that tick out"
+                              "`require after missiontime > 0 s: …` leaves that tick out, as does "
+                              "`&& missiontime > 0 s` in its condition"
                             : ""));
 }
 

@@ -35,7 +35,9 @@ class RequirementLowering {
  private:
   bool lower(const ast::AlwaysPromise& promise) {
     result_.kind = ir::RequirementKind::Always;
-    if (combinesStates(promise.condition, scope_)) {
+    const auto* name = std::get_if<ast::NameUse>(&promise.condition.node);
+    const bool place = name != nullptr && scope_.places.contains(name->name);
+    if (place || combinesPlaces(promise.condition, scope_)) {
       return PromiseLowering(node_, scope_, result_).lower(promise);
     }
     const size_t uses = scope_.mission.uses.size();

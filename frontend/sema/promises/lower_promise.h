@@ -26,7 +26,7 @@ class PromiseLowering {
   PromiseLowering(const ast::Requirement& node, Scope& scope, ir::Requirement& result)
       : node_(node), scope_(scope), result_(result) {}
 
-  /// Of a condition that combines states.
+  /// Of a condition that combines states or places, or of a place.
   bool lower(const ast::AlwaysPromise& promise);
   bool lower(const ast::VisitPromise& promise);
   bool lower(const ast::PatrolPromise& promise);

@@ -69,21 +69,21 @@ ir::Op opOf(const ast::Expr& expr) {
                                             : ir::Op::Or;
 }
 
-/// Whether a state is among what `||`, `&&` and `!` combine.
+/// Whether a state or a `place` is among what `||`, `&&` and `!` combine.
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
-bool namesState(const ast::Expr& expr, const Scope& scope) {
+bool namesPlace(const ast::Expr& expr, const Scope& scope) {
   if (const auto* use = std::get_if<ast::NameUse>(&expr.node)) {
-    return scope.states.contains(use->name);
+    return scope.states.contains(use->name) || scope.places.contains(use->name);
   }
   const auto parts = partsOf(expr);
   return std::ranges::any_of(parts,
-                             [&](const ast::Expr* part) { return namesState(*part, scope); });
+                             [&](const ast::Expr* part) { return namesPlace(*part, scope); });
 }
 
 }  // namespace
 
-bool combinesStates(const ast::Expr& expr, const Scope& scope) {
-  return !partsOf(expr).empty() && namesState(expr, scope);
+bool combinesPlaces(const ast::Expr& expr, const Scope& scope) {
+  return !partsOf(expr).empty() && namesPlace(expr, scope);
 }
 
 void declarePlaces(const ast::File& file, Scope& scope) {
@@ -106,8 +106,14 @@ void declarePlaces(const ast::File& file, Scope& scope) {
   }
 }
 
+namespace {
+
+/// Places name each other at most so deep: one that names itself is refused there.
+constexpr size_t kDeepest = 4;
+
+/// Within `deep` declarations of places.
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
-std::optional<PromisedPlace> lowerPlace(const ast::Expr& expr, Scope& scope) {
+std::optional<PromisedPlace> placeWithin(const ast::Expr& expr, Scope& scope, size_t deep) {
   PromisedPlace place;
   place.words = fmt::format("`{}`", scope.text(expr.where));
   const ast::Expr* condition = &expr;
@@ -116,17 +122,29 @@ std::optional<PromisedPlace> lowerPlace(const ast::Expr& expr, Scope& scope) {
       place.state = state->second;
       return place;
     }
-    if (const auto named = scope.places.find(use->name); named != scope.places.end()) {
+    const auto named = scope.places.find(use->name);
+    if (named != scope.places.end() && deep < kDeepest) {
       condition = &named->second->condition;
       scope.used_places.insert(named->second);
-    } else if (refuseUnknown(use->name, expr.where, scope)) {
+      ++deep;
+    } else if (named == scope.places.end() && refuseUnknown(use->name, expr.where, scope)) {
       return std::nullopt;
     }
   }
-  if (combinesStates(*condition, scope)) {
+  const bool names_another = condition != &expr &&
+                             std::holds_alternative<ast::NameUse>(condition->node) &&
+                             namesPlace(*condition, scope);
+  if (names_another) {
+    auto same = placeWithin(*condition, scope, deep);
+    if (same) {
+      same->words = place.words;
+    }
+    return same;
+  }
+  if (combinesPlaces(*condition, scope)) {
     place.op = opOf(*condition);
     for (const ast::Expr* part : partsOf(*condition)) {
-      auto lowered = lowerPlace(*part, scope);
+      auto lowered = placeWithin(*part, scope, deep);
       if (!lowered) {
         return std::nullopt;
       }
@@ -140,6 +158,12 @@ std::optional<PromisedPlace> lowerPlace(const ast::Expr& expr, Scope& scope) {
   }
   place.condition = *lowered;
   return place;
+}
+
+}  // namespace
+
+std::optional<PromisedPlace> lowerPlace(const ast::Expr& expr, Scope& scope) {
+  return placeWithin(expr, scope, 0);
 }
 
 void checkUnusedPlaces(Scope& scope) {

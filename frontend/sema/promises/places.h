@@ -34,8 +34,8 @@ struct PromisedPlace {
 /// Enters the `place` declarations of a mission. Their conditions are checked where they are used.
 void declarePlaces(const ast::File& file, Scope& scope);
 
-/// Whether `expr` combines states with something, as only promises may.
-bool combinesStates(const ast::Expr& expr, const Scope& scope);
+/// Whether `expr` combines states or places with something, as only promises may.
+bool combinesPlaces(const ast::Expr& expr, const Scope& scope);
 /// The place that `expr` names: a state, a `place`, a condition, or states and conditions combined;
 /// empty, and reported, if it is none.
 std::optional<PromisedPlace> lowerPlace(const ast::Expr& expr, Scope& scope);

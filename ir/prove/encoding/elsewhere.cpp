@@ -101,6 +101,7 @@ void ChcEncoder::stepElsewhere(const Control& from, const Control& to, Way way) 
   z3::expr condition =
       now.mission_time >= before.mission_time &&
       now.mission_time - before.mission_time <= realOf(context_, proof_context_.tick_gap_s);
+  now.store.show(moment);  // a parameter is the same in a guard and in the monitor
   if (way != Way::Enters && !from.just_returned) {
     condition = condition && isNotLedAway(moment);
   }

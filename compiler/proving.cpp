@@ -6,17 +6,45 @@
 #include "compiler/share.h"
 #include "ir/prove/chc.h"
 #include "ir/text/print.h"
+#include "support/diagnostics/ids/verification.h"
 #include "support/files.h"
 #include "support/one_line.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 namespace glider::compiler {
+namespace {
+
+/// A command that the vehicle does not obey: what is said of its flights follows from that error.
+bool refusesCommand(const support::Diagnostic& diagnostic) {
+  return diagnostic.id == support::diagnostics::commandBeyondEnvelope ||
+         diagnostic.id == support::diagnostics::profileTurnedRound;
+}
+
+bool isAboutFlights(const support::Diagnostic& diagnostic) {
+  return diagnostic.id == support::diagnostics::requirementBroken ||
+         diagnostic.id == support::diagnostics::requirementOpen;
+}
+
+}  // namespace
 
 ir::prove::Findings prove(const Checked& checked, ir::prove::Options options,
                           support::DiagnosticEngine& diagnostics) {
   options.library = checked.lowered->standard_library;
-  return ir::prove::prove(checked.worlds, checked.facts, options, diagnostics);
+  support::DiagnosticEngine found;
+  ir::prove::Findings findings = ir::prove::prove(checked.worlds, checked.facts, options, found);
+  const std::vector<support::Diagnostic> all = found.sorted();
+  const bool refused = std::ranges::any_of(all, refusesCommand);
+  for (const support::Diagnostic& diagnostic : all) {
+    if (!refused || !isAboutFlights(diagnostic)) {
+      diagnostics.add(diagnostic);
+    }
+  }
+  return findings;
 }
 
 std::map<ir::CasePlace, bool> casesThatNeverFire(const Checked& checked) {

@@ -13,6 +13,7 @@
 namespace glider::compiler {
 
 /// Proves what can be proved about a mission; reports GL31xx, and returns lines for the report.
+/// Where a command is refused (GL3104, GL3105), what its flights may do is not reported.
 ir::prove::Findings prove(const Checked& checked, ir::prove::Options options,
                           support::DiagnosticEngine& diagnostics);
 

@@ -18,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::HasSubstr;
+using testing::Not;
 
 const std::string kReported = GLIDER_SOURCE_DIR "/missions/figure2.mission";
 
@@ -77,6 +78,20 @@ TEST(CheckReport, IsATableForPeople) {
   EXPECT_THAT(outcome.out, testing::ContainsRegex("tick instructions +[0-9,]+ of 12,500,000"));
   EXPECT_THAT(outcome.out, testing::Not(HasSubstr("ts5500")));
   EXPECT_THAT(outcome.out, HasSubstr("figure2.mission: fine"));
+}
+
+/// What a vehicle does that does not obey follows from that.
+TEST(CheckReport, NamesARefusedCommandAlone) {
+  const TemporaryFolder folder;
+  const auto refused = folder.write("refused.mission",
+                                    "mission refused\nrequire always depth <= 30 m\n"
+                                    "state a begin\n  flightprofile yo(5 m, 4000 m)\n"
+                                    "  sensors missiontime\n  events\n"
+                                    "    case missiontime > 1 h exit\nend\n");
+  const Outcome outcome = runShell("$GLIDERCC check " + refused.string());
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("[GL3104 "));
+  EXPECT_THAT(outcome.err, Not(HasSubstr("[GL311")));
 }
 
 // The lines of docs/verification.md.

@@ -13,7 +13,6 @@
 
 #include "ir/prove/passes.h"
 #include "ir/prove/requirements/requirement_check.h"
-#include "support/diagnostics/ids/verification.h"
 
 #include <algorithm>
 #include <utility>
@@ -36,32 +35,12 @@ void checkUnderAssumptions(Proof& proof) {
   proof.findings.requirements = std::move(assuming.findings.requirements);
 }
 
-/// Whether a command is refused: what is said of the flight then follows from that error.
-bool hasWrongCommand(const support::DiagnosticEngine& diagnostics) {
-  const auto found = diagnostics.sorted();
-  return std::ranges::any_of(found, [](const support::Diagnostic& d) {
-    return d.id == support::diagnostics::commandBeyondEnvelope ||
-           d.id == support::diagnostics::profileTurnedRound;
-  });
-}
-
-void leaveOpen(Proof& proof) {
-  for (uint32_t i = 0; i < proof.proof_context.mission.requirements.size(); ++i) {
-    RequirementVerdict open{i, Verdict::Open, std::nullopt};
-    open.reason = "the commands that are refused come first";
-    proof.findings.requirements.push_back(std::move(open));
-  }
-}
-
 }  // namespace
 
 void passes::requirements(Proof& proof) {
   const Mission& mission = proof.proof_context.mission;
   if (mission.requirements.empty()) {
     return;
-  }
-  if (hasWrongCommand(proof.diagnostics)) {
-    return leaveOpen(proof);
   }
   if (mission.assumptions.empty()) {
     return checkWithoutAssumptions(proof);

@@ -266,9 +266,8 @@ class ArgumentLowering {
 
   /// Whether only a comma is between them: neither has the name of its parameter.
   bool isFollowedBy(const ast::Argument& first, const ast::Argument& second) {
-    support::SourceRange between = first.value->where;
-    between.begin = first.value->where.end;
-    between.end = second.value->where.begin;
+    const support::SourceRange between{first.value->where.file, first.value->where.end,
+                                       second.value->where.begin};
     return between.begin < between.end &&
            scope_.text(between).find_first_not_of(", \n\t") == std::string::npos;
   }
@@ -288,11 +287,10 @@ class ArgumentLowering {
     }
     const std::string_view a = scope_.text(first.value->where);
     const std::string_view b = scope_.text(second.value->where);
-    support::SourceRange both = first.value->where;
-    both.end = second.value->where.end;
-    auto report =
-        scope_.report(support::diagnostics::argumentsExchanged, both, a, b, callee_.signature.text);
-    report.fix(both, fmt::format("{}, {}", b, a));
+    const support::SourceRange both{first.value->where.file, first.value->where.begin,
+                                    second.value->where.end};
+    scope_.report(support::diagnostics::argumentsExchanged, both, a, b, callee_.signature.text)
+        .fix(both, fmt::format("{}, {}", b, a));
     reported_ = step.argument + 1;
     return true;
   }

@@ -116,7 +116,6 @@ constexpr size_t kDeepest = 4;
 std::optional<PromisedPlace> placeWithin(const ast::Expr& expr, Scope& scope, size_t deep) {
   PromisedPlace place;
   place.words = fmt::format("`{}`", scope.text(expr.where));
-  const ast::Expr* condition = &expr;
   if (const auto* use = std::get_if<ast::NameUse>(&expr.node)) {
     if (const auto state = scope.states.find(use->name); state != scope.states.end()) {
       place.state = state->second;
@@ -124,26 +123,20 @@ std::optional<PromisedPlace> placeWithin(const ast::Expr& expr, Scope& scope, si
     }
     const auto named = scope.places.find(use->name);
     if (named != scope.places.end() && deep < kDeepest) {
-      condition = &named->second->condition;
       scope.used_places.insert(named->second);
-      ++deep;
-    } else if (named == scope.places.end() && refuseUnknown(use->name, expr.where, scope)) {
+      auto meant = placeWithin(named->second->condition, scope, deep + 1);
+      if (meant) {
+        meant->words = place.words;
+      }
+      return meant;
+    }
+    if (named == scope.places.end() && refuseUnknown(use->name, expr.where, scope)) {
       return std::nullopt;
     }
   }
-  const bool names_another = condition != &expr &&
-                             std::holds_alternative<ast::NameUse>(condition->node) &&
-                             namesPlace(*condition, scope);
-  if (names_another) {
-    auto same = placeWithin(*condition, scope, deep);
-    if (same) {
-      same->words = place.words;
-    }
-    return same;
-  }
-  if (combinesPlaces(*condition, scope)) {
-    place.op = opOf(*condition);
-    for (const ast::Expr* part : partsOf(*condition)) {
+  if (combinesPlaces(expr, scope)) {
+    place.op = opOf(expr);
+    for (const ast::Expr* part : partsOf(expr)) {
       auto lowered = placeWithin(*part, scope, deep);
       if (!lowered) {
         return std::nullopt;
@@ -152,7 +145,7 @@ std::optional<PromisedPlace> placeWithin(const ast::Expr& expr, Scope& scope, si
     }
     return place;
   }
-  const auto lowered = placeCondition(*condition, scope);
+  const auto lowered = placeCondition(expr, scope);
   if (!lowered) {
     return std::nullopt;
   }

@@ -17,7 +17,8 @@ struct StateBounds {
   double resume_time = 0;  ///< upper bounds of the clocks, s
   double state_time = 0;
   double depth = 0;  ///< upper bound of the true depth, m
-  /// It commands the surface whenever it becomes current, and no other depth while it is.
+  /// It commands the surface whenever it becomes current, and no other depth while it is. Only
+  /// Insight::byState sets it; elsewhere it is false.
   bool climbs = false;
   auto operator<=>(const StateBounds&) const = default;
 };

@@ -155,7 +155,7 @@ void ChcEncoder::elapse(const Control& control) {
       condition = condition && after.store.vehicle->depth >= 0;
     }
   }
-  condition = condition && known(before) && climbed(after) && noticed(before, after, unknowns);
+  condition = condition && known(before) && knownDepth(after) && noticed(before, after, unknowns);
   if (watch_.every_tick) {
     condition = condition && after.mission_time - before.mission_time <=
                                  realOf(context_, proof_context_.tick_gap_s);
@@ -201,18 +201,18 @@ std::optional<double> ChcEncoder::climbIn(StateId state, double depth) const {
   return longestClimb(proof_context_.platform.world, watch_.known[state.index].depth, depth);
 }
 
-z3::expr ChcEncoder::hasClimbed(const Configuration& with, double depth, const z3::expr& by) const {
-  if (!with.store.vehicle) {
+z3::expr ChcEncoder::hasClimbed(const Configuration& now, double depth, const z3::expr& by) const {
+  if (!now.store.vehicle) {
     return context_.bool_val(false);
   }
-  if (const auto climb = climbIn(with.control.state, depth)) {
-    const z3::expr& since = watch_.scope ? with.store.vehicle->since : with.resumed;
+  if (const auto climb = climbIn(now.control.state, depth)) {
+    const z3::expr& since = watch_.scope ? now.store.vehicle->since : now.resumed;
     return by - since >= realOf(context_, *climb);
   }
-  return hasClimbedTo(*with.store.vehicle, by, realOf(context_, depth), proof_context_.platform);
+  return hasClimbedTo(*now.store.vehicle, by, realOf(context_, depth), proof_context_.platform);
 }
 
-z3::expr ChcEncoder::climbed(const Configuration& now) const {
+z3::expr ChcEncoder::knownDepth(const Configuration& now) const {
   z3::expr all = context_.bool_val(true);
   for (const double depth : watch_.awaited_depths) {
     if (now.store.vehicle && climbIn(now.control.state, depth)) {

@@ -67,7 +67,7 @@ class ChcEncoder {
   void badAfter(const Control& control);
   /// What a mission may do that is in a state which is not followed (elsewhere.cpp).
   void leaveElsewhere(const Control& control);
-  enum class Way : uint8_t { Stays, Returns, Ends, Enters };
+  enum class Way : uint8_t { Stays, Ends, Enters };
   void stepElsewhere(const Control& from, const Control& to, Way way);
   /// Whether no case of `always` must have led from elsewhere to a state that is followed.
   z3::expr isNotLedAway(SymbolicState& moment) const;
@@ -91,10 +91,10 @@ class ChcEncoder {
   /// What is known after any tick that leaves this state current.
   [[nodiscard]] z3::expr known(const Configuration& now) const;
   /// The same of the depth, as time has passed.
-  [[nodiscard]] z3::expr climbed(const Configuration& now) const;
+  [[nodiscard]] z3::expr knownDepth(const Configuration& now) const;
   [[nodiscard]] std::optional<double> climbIn(StateId state, double depth) const;
   /// Whether the climb in force has certainly led to `depth` (m) or above at the time `by`.
-  [[nodiscard]] z3::expr hasClimbed(const Configuration& with, double depth,
+  [[nodiscard]] z3::expr hasClimbed(const Configuration& now, double depth,
                                     const z3::expr& by) const;
   /// Time does not pass the change of a condition of clocks, or the end of a climb to a depth that
   /// the property waits for, by more than the gap between two ticks.

@@ -27,7 +27,7 @@ void ChcEncoder::project(Rule& rule, Unknowns& unknowns) const {
     z3::expr& since = rule.after->store.vehicle->since;
     since = unknowns.real("climbing since");
     unknowns.require(since <= rule.after->mission_time);
-    unknowns.require(climbed(*rule.after));
+    unknowns.require(knownDepth(*rule.after));
   }
   if (rule.after->store.vehicle && !scope.fine && rule.to->side == Side::Done) {
     rule.after->store.vehicle->depth = unknowns.real("depth");  // it does not matter any more
@@ -42,7 +42,7 @@ void ChcEncoder::leaveElsewhere(const Control& control) {
   if (watch_.scope->returns) {
     Control resumed = elsewhere;
     resumed.just_returned = true;
-    stepElsewhere(control, resumed, Way::Returns);
+    stepElsewhere(control, resumed, Way::Stays);
   }
   for (const Control& entered : watch_.scope->entered) {
     stepElsewhere(control, entered, Way::Enters);

@@ -7,6 +7,7 @@
 #include "ir/core/walk.h"
 #include "ir/prove/encoding/cone_of_influence.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -178,6 +179,12 @@ class AwaitedDepths {
 };
 
 }  // namespace
+
+bool observes(const Monitor& monitor, StateId state) {
+  return std::ranges::any_of(monitor.observations, [&](const Observation& one) {
+    return one.kind != ObservationKind::Ended && one.state == state;
+  });
+}
 
 std::vector<double> awaitedDepths(const Requirement& requirement,
                                   const ProofContext& proof_context) {

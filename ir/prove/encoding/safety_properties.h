@@ -13,6 +13,9 @@ SafetyProperty safetyPropertyFor(const Requirement& requirement, z3::context& co
                                  const ProofContext& proof_context,
                                  const ConeOfInfluence& relevance);
 
+/// Whether a monitor observes a state.
+bool observes(const Monitor& monitor, StateId state);
+
 /// The depths (m) with which the monitor of a requirement compares the true depth, as low as they
 /// may be.
 std::vector<double> awaitedDepths(const Requirement& requirement,

@@ -69,9 +69,9 @@ class Exploration {
 
 }  // namespace
 
-std::optional<std::vector<Reached>> configurations(const Mission& mission, StateId after,
-                                                   size_t most) {
-  return Exploration(mission, after).run(most);
+std::optional<std::vector<Reached>> configurations(const Mission& mission, StateId after) {
+  constexpr size_t kMost = 5000;
+  return Exploration(mission, after).run(kMost);
 }
 
 }  // namespace glider::ir::prove

@@ -18,8 +18,8 @@ struct Reached {
 };
 
 /// Every configuration that the live cases of the mission lead to, with whether `after` (invalid:
-/// no state) has been entered; none if there are more than `most`.
-std::optional<std::vector<Reached>> configurations(const Mission& mission, StateId after,
-                                                   size_t most);
+/// no state) has been entered; none if there are more than 5,000, as a second check of one takes
+/// some milliseconds.
+std::optional<std::vector<Reached>> configurations(const Mission& mission, StateId after = {});
 
 }  // namespace glider::ir::prove

@@ -13,9 +13,6 @@
 namespace glider::ir::prove {
 namespace {
 
-/// A mission with more configurations gets no certificate: checking one takes some milliseconds.
-constexpr size_t kMostConfigurations = 5000;
-
 std::string both(const std::string& a, const std::string& b) {
   FormulaParts parts;
   parts.add(a);
@@ -65,7 +62,7 @@ void EvidenceBuilder::addLearnt(const Requirement& requirement, Invariants& inva
 
 std::optional<EvidenceBuilder::Invariants> EvidenceBuilder::everywhere(
     const Requirement& requirement) const {
-  const auto all = configurations(proof_context_.mission, {}, kMostConfigurations);
+  const auto all = configurations(proof_context_.mission);
   if (!all) {
     return std::nullopt;
   }
@@ -81,7 +78,7 @@ std::optional<EvidenceBuilder::Invariants> EvidenceBuilder::everywhere(
 
 /// Where `after` may have been entered on the way, the invariant says nothing of it.
 std::optional<Evidence> EvidenceBuilder::neverAfter(const Requirement& requirement) const {
-  const auto all = configurations(proof_context_.mission, requirement.after, kMostConfigurations);
+  const auto all = configurations(proof_context_.mission, requirement.after);
   if (!all) {
     return std::nullopt;
   }

@@ -71,13 +71,7 @@ RequirementCheck::Judged RequirementCheck::atOnce(uint32_t number) {
   }
   Attempt attempt{number, requirementOf(judged)};
   for (const auto& [strategy, phase] : strategies()) {
-    if (phase == Phase::Search || !strategy.serves(attempt.requirement)) {
-      continue;
-    }
-    if (auto verdict = strategy.judge(attempt, context_)) {
-      judged.verdict = std::move(*verdict);
-      judged.verdict.requirement = number;
-      judged.by = &strategy;
+    if (phase != Phase::Search && judgeBy(strategy, attempt, judged)) {
       return judged;
     }
   }
@@ -137,15 +131,9 @@ void RequirementCheck::searchLonger(Judged& judged) {
   const unsigned effort =
       std::exchange(context_.search_effort, StrategyContext::kLonger * context_.search_effort);
   Attempt attempt{judged.verdict.requirement, requirementOf(judged)};
-  const Strategy& strategy = strategy::allTraces();
-  if (strategy.serves(attempt.requirement)) {
-    if (auto verdict = strategy.judge(attempt, context_)) {
-      judged.verdict = std::move(*verdict);
-      judged.verdict.requirement = attempt.number;
-      judged.verdict.searched = true;
-      judged.by = &strategy;
-      learn(judged);
-    }
+  if (judgeBy(strategy::allTraces(), attempt, judged)) {
+    judged.verdict.searched = true;
+    learn(judged);
   }
   context_.search_effort = effort;
   // What was cut short hangs on what was searched for before.
@@ -167,18 +155,21 @@ bool RequirementCheck::judgeAgain(Judged& judged) {
 }
 
 bool RequirementCheck::judgeBySearch(Attempt& attempt, Judged& judged) {
-  for (const auto& [strategy, phase] : strategies()) {
-    if (phase != Phase::Search || !strategy.serves(attempt.requirement)) {
-      continue;
-    }
-    if (auto verdict = strategy.judge(attempt, context_)) {
-      judged.verdict = std::move(*verdict);
-      judged.verdict.requirement = attempt.number;
-      judged.by = &strategy;
-      return true;
-    }
+  return std::ranges::any_of(strategies(), [&](const StrategyRow& row) {
+    return row.phase == Phase::Search && judgeBy(row.strategy, attempt, judged);
+  });
+}
+
+bool RequirementCheck::judgeBy(const Strategy& strategy, Attempt& attempt, Judged& judged) {
+  auto verdict =
+      strategy.serves(attempt.requirement) ? strategy.judge(attempt, context_) : std::nullopt;
+  if (!verdict) {
+    return false;
   }
-  return false;
+  judged.verdict = *std::move(verdict);
+  judged.verdict.requirement = attempt.number;
+  judged.by = &strategy;
+  return true;
 }
 
 void RequirementCheck::learn(const Judged& judged) {

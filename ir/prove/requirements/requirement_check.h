@@ -37,6 +37,8 @@ class RequirementCheck {
   void searchLonger(Judged& judged);
   bool judgeAgain(Judged& judged);
   bool judgeBySearch(Attempt& attempt, Judged& judged);
+  /// By one strategy, if it serves the requirement.
+  bool judgeBy(const Strategy& strategy, Attempt& attempt, Judged& judged);
   void learn(const Judged& judged);
   void settle(Judged& judged);
   void addPremises(Judged& judged);

@@ -16,9 +16,6 @@
 namespace glider::ir::prove {
 namespace {
 
-/// Missions with more configurations are not looked at.
-constexpr size_t kMostConfigurations = 5000;
-
 /// A statement that sets a truth value of the monitor.
 struct Setting {
   VariableId variable;
@@ -182,7 +179,7 @@ std::optional<StandingAnswer> StandingAnswers::of(const Requirement& requirement
 
 bool StandingAnswers::isOnStackWith(StateId cause, StateId response) {
   if (!std::exchange(searched_, true)) {
-    configurations_ = configurations(m_, {}, kMostConfigurations);
+    configurations_ = configurations(m_);
   }
   return cause != response && configurations_ &&
          std::ranges::all_of(*configurations_, [&](const Reached& reached) {

@@ -135,13 +135,6 @@ void noteEarlyLeave(support::DiagnosticBuilder& diagnostic, const State& state, 
   }
 }
 
-/// Whether the monitor of a requirement observes a state.
-bool observes(const Requirement& requirement, uint32_t state) {
-  return std::ranges::any_of(requirement.monitor.observations, [&](const Observation& one) {
-    return one.kind != ObservationKind::Ended && one.state.index == state;
-  });
-}
-
 }  // namespace
 
 void noteEarlyLeaves(support::DiagnosticBuilder& diagnostic, const ProofContext& proof_context) {
@@ -167,7 +160,7 @@ void noteSlowClimb(support::DiagnosticBuilder& warning, const Requirement& requi
   const std::vector<double> climbs = climbTimes(proof_context);
   const std::vector<double> depths = deepestByState(proof_context);
   for (uint32_t i = 0; i < m.states.size(); ++i) {
-    if (!std::isfinite(climbs[i]) || !observes(requirement, i)) {
+    if (!std::isfinite(climbs[i]) || !observes(requirement.monitor, {i})) {
       continue;
     }
     const double to = awaited.front();

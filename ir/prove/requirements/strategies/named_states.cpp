@@ -14,20 +14,6 @@
 namespace glider::ir::prove {
 namespace {
 
-/// Missions with more configurations are not looked at.
-constexpr size_t kMostConfigurations = 5000;
-
-/// The states that the monitor of a requirement observes.
-std::vector<bool> observedStates(const Mission& mission, const Requirement& requirement) {
-  std::vector<bool> observed(mission.states.size(), false);
-  for (const Observation& observation : requirement.monitor.observations) {
-    if (observation.kind != ObservationKind::Ended) {
-      observed[observation.state.index] = true;
-    }
-  }
-  return observed;
-}
-
 /// Whether a guard has one value on a tick, for all that the tick changes.
 bool readsOnlyTheTick(const Mission& mission, ExprId guard) {
   return !anyIn(mission, guard, [&](const Expr& e) {
@@ -74,7 +60,7 @@ std::optional<Scope> scopeOf(std::vector<bool> follows, const Mission& mission, 
       scope.deepest = std::max(scope.deepest, scope.bounds[i].depth);
     }
   }
-  const auto all = configurations(mission, {}, kMostConfigurations);
+  const auto all = configurations(mission);
   if (!all) {
     return std::nullopt;
   }
@@ -95,7 +81,10 @@ std::optional<Scope> scopeOf(std::vector<bool> follows, const Mission& mission, 
 std::vector<Scope> scopesFor(const Requirement& requirement, const StrategyContext& context,
                              Insight& insight) {
   const Mission& mission = context.mission;
-  std::vector<bool> follows = observedStates(mission, requirement);
+  std::vector<bool> follows;
+  for (uint32_t i = 0; i < mission.states.size(); ++i) {
+    follows.push_back(observes(requirement.monitor, {i}));
+  }
   std::vector<Scope> scopes;
   if (auto scope = scopeOf(follows, mission, insight)) {
     scopes.push_back(*std::move(scope));

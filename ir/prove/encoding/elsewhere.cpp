@@ -39,7 +39,7 @@ void ChcEncoder::leaveElsewhere(const Control& control) {
   const Control& elsewhere = watch_.scope->elsewhere;
   stepElsewhere(control, elsewhere, Way::Stays);
   stepElsewhere(control, elsewhere, Way::Ends);
-  if (watch_.scope->returns) {
+  if (control.just_returned ? watch_.scope->returns_again : watch_.scope->returns) {
     Control resumed = elsewhere;
     resumed.just_returned = true;
     stepElsewhere(control, resumed, Way::Stays);

@@ -28,7 +28,8 @@ struct Scope {
   /// The first cases of `always`, which read only what a tick brings: elsewhere the first of them
   /// that is true fires, but not just after a return.
   std::vector<uint32_t> sure = {};
-  bool returns = false;  ///< a state may be resumed elsewhere
+  bool returns = false;        ///< a state may be resumed elsewhere
+  bool returns_again = false;  ///< and return on its next tick
 
   [[nodiscard]] bool holds(const Control& control) const {
     return follows[control.state.index] ||

@@ -25,10 +25,11 @@ bool readsOnlyTheTick(const Mission& mission, ExprId guard) {
 
 /// Whether a state that has just been resumed may return on its next tick: `always` is then put off
 /// once more.
-bool mayReturnAtOnce(const Mission& mission, const Control& control) {
+bool mayReturnAgain(const Mission& mission, const Control& control) {
+  const auto returns = [](const Case& c) { return c.transition == Transition::Return; };
   return control.just_returned && !control.stack.empty() &&
-         std::ranges::any_of(mission[control.state].cases,
-                             [](const Case& c) { return c.transition == Transition::Return; });
+         (std::ranges::any_of(mission[control.state].cases, returns) ||
+          std::ranges::any_of(mission.always, returns));
 }
 
 /// The first cases of `always` that are certainly tried elsewhere, in order; not just after a
@@ -36,9 +37,8 @@ bool mayReturnAtOnce(const Mission& mission, const Control& control) {
 std::vector<uint32_t> sureCases(const Mission& mission, const Scope& scope) {
   std::vector<uint32_t> sure;
   for (uint32_t i = 0; i < mission.always.size(); ++i) {
-    const bool tried = std::ranges::all_of(scope.others, [&](const Control& control) {
-      return control.mayInterrupt(mission, i) && !mayReturnAtOnce(mission, control);
-    });
+    const bool tried = std::ranges::all_of(
+        scope.others, [&](const Control& control) { return control.mayInterrupt(mission, i); });
     if (!tried || !readsOnlyTheTick(mission, mission.always[i].guard)) {
       break;
     }
@@ -69,6 +69,7 @@ std::optional<Scope> scopeOf(std::vector<bool> follows, const Mission& mission, 
     if (!scope.holds(control)) {
       scope.others.push_back(control);
       scope.returns = scope.returns || control.just_returned;
+      scope.returns_again = scope.returns_again || mayReturnAgain(mission, control);
     } else if (scope.follows[control.state.index] && !control.just_returned) {
       scope.entered.push_back(control);
     }

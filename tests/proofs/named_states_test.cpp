@@ -147,6 +147,35 @@ TEST(NamedStates, MayEndElsewhere) {
   EXPECT_FALSE(isProvedAlone("visit up within 21 h", mission));
 }
 
+/// By the clock: no sooner than it allows.
+TEST(NamedStates, EndElsewhereByTheClock) {
+  const auto ending = [](const std::string& guard) {
+    return always("  case missiontime > 20 h goto up") +
+           stateOf("fly", kGlides,
+                   "    case resumetime > 1 h call other\n    case " + guard + " exit") +
+           stateOf("other", kGlides, "    case temp < 10 degC return") + kUp;
+  };
+  EXPECT_TRUE(isProvedAlone("visit up within 21 h", ending("missiontime > 21 h")));
+  EXPECT_FALSE(isProvedAlone("visit up within 21 h", ending("missiontime > 20 h")))
+      << "on the tick after a return it ends";
+  EXPECT_FALSE(isProvedAlone("visit up within 21 h", ending("missiontime > 19 h")));
+  EXPECT_FALSE(
+      isProvedAlone("visit up within 21 h", ending("missiontime > 21 h || temp > 25 degC")));
+}
+
+/// After a return the own cases of a state put `always` off only where one may fire so soon.
+TEST(NamedStates, PutAlwaysOffOnlyByACaseThatMayFire) {
+  const auto calling = [](const std::string& guard) {
+    return always("  case missiontime > 20 h goto up") +
+           stateOf("fly", kGlides, "    case " + guard + " call other") +
+           stateOf("other", kGlides, "    case temp < 10 degC return") + kUp;
+  };
+  const std::string promise = "whenever missiontime > 20 h then up within 1 s or exit";
+  EXPECT_TRUE(isProvedAlone(promise, calling("resumetime > 10 min")));
+  EXPECT_FALSE(isProvedAlone(promise, calling("resumetime > 4 min"))) << "a power cut is longer";
+  EXPECT_FALSE(isProvedAlone(promise, calling("statetime > 10 min")));
+}
+
 /// Clocks of a state that is not followed are those of any stay.
 TEST(NamedStates, KnowNoClocksElsewhere) {
   EXPECT_FALSE(isProvedAlone("whenever statetime > 30 min then up within 1 min or exit",

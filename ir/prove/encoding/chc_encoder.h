@@ -71,6 +71,8 @@ class ChcEncoder {
   void stepElsewhere(const Control& from, const Control& to, Way way);
   /// Whether no case of `always` must have led from elsewhere to a state that is followed.
   z3::expr isNotLedAway(SymbolicState& moment) const;
+  /// Whether a case elsewhere that ends the mission may fire.
+  z3::expr mayEnd(SymbolicState& moment) const;
   [[nodiscard]] Configuration anywhere(const Control& control, const Configuration& before,
                                        Unknowns& unknowns) const;
   /// Whether all is followed that is known of where a trace can go.

@@ -93,6 +93,14 @@ z3::expr ChcEncoder::isNotLedAway(SymbolicState& moment) const {
   return stays;
 }
 
+z3::expr ChcEncoder::mayEnd(SymbolicState& moment) const {
+  z3::expr ends = context_.bool_val(!watch_.scope->exits);
+  for (const ExprId guard : watch_.scope->exits.value_or(std::vector<ExprId>())) {
+    ends = ends || moment.truth(guard).is_true;
+  }
+  return ends;
+}
+
 void ChcEncoder::stepElsewhere(const Control& from, const Control& to, Way way) {
   Unknowns unknowns(context_, fmt::format("r{}:", next_prefix_++));
   const Configuration before = layout_.make(from, unknowns);
@@ -102,8 +110,12 @@ void ChcEncoder::stepElsewhere(const Control& from, const Control& to, Way way) 
       now.mission_time >= before.mission_time &&
       now.mission_time - before.mission_time <= realOf(context_, proof_context_.tick_gap_s);
   now.store.show(moment);  // a parameter is the same in a guard and in the monitor
-  if (way != Way::Enters && !from.just_returned) {
+  const bool put_off = from.just_returned && watch_.scope->returns;
+  if (way != Way::Enters && !put_off) {
     condition = condition && isNotLedAway(moment);
+  }
+  if (way == Way::Ends) {
+    condition = condition && mayEnd(moment);
   }
   if (way == Way::Enters) {
     now = SymbolicTick(proof_context_, relevance_, unknowns).enter(std::move(now), moment);

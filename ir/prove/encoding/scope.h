@@ -7,6 +7,7 @@
 #include "ir/prove/context/state_bounds.h"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,8 +29,10 @@ struct Scope {
   /// The first cases of `always`, which read only what a tick brings: elsewhere the first of them
   /// that is true fires, but not just after a return.
   std::vector<uint32_t> sure = {};
-  bool returns = false;        ///< a state may be resumed elsewhere
-  bool returns_again = false;  ///< and return on its next tick
+  /// Guards of which one is true on a tick that ends the mission elsewhere; none: any tick may.
+  std::optional<std::vector<ExprId>> exits = {};
+  bool returns = false;        ///< a state that is resumed elsewhere may put `always` off
+  bool returns_again = false;  ///< by returning on its next tick
 
   [[nodiscard]] bool holds(const Control& control) const {
     return follows[control.state.index] ||

@@ -41,9 +41,11 @@ struct HeldReading {
 class RandomFlight {
  public:
   RandomFlight(const ProofContext& proof_context, uint32_t stack_depth,
-               std::span<const Requirement> requirements, const Requirement* place, uint64_t seed)
+               std::span<const Requirement> requirements, const Requirement* place, uint64_t seed,
+               FlightLength length)
       : proof_context_(proof_context),
         m_(proof_context.mission),
+        length_(length),
         recorder_(proof_context, stack_depth, requirements),
         dice_(seed),
         vehicle_(proof_context.platform, dice_, mannerOf(requirements, seed)),
@@ -59,13 +61,13 @@ class RandomFlight {
     }
   }
 
-  std::optional<Counterexample> fly(size_t ticks) {
+  std::optional<Counterexample> fly() {
     if (starts_nowhere_) {
       return std::nullopt;
     }
     double time = 0;
     recorder_.start(parameters(), readings(time), vehicle_.depth());
-    for (size_t i = 0; i < ticks && !recorder_.hit() && !recorder_.last().finished; ++i) {
+    for (size_t i = 0; i < length_.ticks && !recorder_.hit() && !recorder_.last().finished; ++i) {
       vehicle_.obey(recorder_.last().actions, time);
       const double step = untilNextTick();
       if (place_) {
@@ -101,7 +103,8 @@ class RandomFlight {
       dark_left_s_ -= cut;
       return cut;
     }
-    return dice_.chance(kLostTick) ? platform.world.tick_gap_s : platform.envelope.cycle_s;
+    return length_.sparse || dice_.chance(kLostTick) ? platform.world.tick_gap_s
+                                                     : platform.envelope.cycle_s;
   }
 
   /// Moves in steps in which a vehicle steers.
@@ -255,6 +258,7 @@ class RandomFlight {
 
   const ProofContext& proof_context_;
   const Mission& m_;
+  FlightLength length_;
   RunRecorder recorder_;
   Rng dice_;
   RandomVehicle vehicle_;
@@ -272,8 +276,8 @@ std::optional<Counterexample> flyAtRandom(const ProofContext& proof_context, uin
                                           std::span<const Requirement> requirements, uint64_t seed,
                                           size_t ticks) {
   return RandomFlight(proof_context, stack_depth, requirements,
-                      aboutPlaceOf(proof_context, requirements), seed)
-      .fly(ticks);
+                      aboutPlaceOf(proof_context, requirements), seed, {ticks})
+      .fly();
 }
 
 const Requirement* aboutPlaceOf(const ProofContext& proof_context,
@@ -286,9 +290,9 @@ const Requirement* aboutPlaceOf(const ProofContext& proof_context,
 
 std::optional<Counterexample> flyAtRandom(const ProofContext& proof_context, uint32_t stack_depth,
                                           const Requirement& requirement, const Requirement* place,
-                                          uint64_t seed, size_t ticks) {
-  return RandomFlight(proof_context, stack_depth, std::span(&requirement, 1), place, seed)
-      .fly(ticks);
+                                          uint64_t seed, FlightLength length) {
+  return RandomFlight(proof_context, stack_depth, std::span(&requirement, 1), place, seed, length)
+      .fly();
 }
 
 }  // namespace glider::ir::prove

@@ -13,6 +13,13 @@ namespace glider::ir::prove {
 
 struct ProofContext;
 
+/// How far a random flight is followed.
+struct FlightLength {
+  size_t ticks = 0;
+  /// Every tick comes as late as it may without a power cut: the same time in fewer ticks.
+  bool sparse = false;
+};
+
 /// A random flight in the environment model of proofs (docs/verification.md), written without
 /// terms or solver: it finds counterexamples that a search misses, and is the reference for what
 /// was proved. Parameters are anywhere in their ranges; readings are anywhere in theirs, often next
@@ -33,7 +40,7 @@ const Requirement* aboutPlaceOf(const ProofContext& proof_context,
 /// The same for one requirement; `place` is aboutPlaceOf it, computed once for many flights.
 std::optional<Counterexample> flyAtRandom(const ProofContext& proof_context, uint32_t stack_depth,
                                           const Requirement& requirement, const Requirement* place,
-                                          uint64_t seed, size_t ticks);
+                                          uint64_t seed, FlightLength length);
 
 /// The same for one requirement.
 inline std::optional<Counterexample> flyAtRandom(const ProofContext& proof_context,

@@ -17,6 +17,12 @@ std::optional<Counterexample> tryAtRandom(const Requirement& requirement,
                                           const ProofContext& proof_context,
                                           StrategyContext& context, unsigned round = 0);
 
+/// The same by flights twice as long as the longest time that the mission names, in which every
+/// tick comes as late as it may without a power cut; none is tried if the others are as long.
+std::optional<Counterexample> tryForLong(const Requirement& requirement,
+                                         const ProofContext& proof_context,
+                                         StrategyContext& context);
+
 /// `found`, a violation of `requirement` (Reach: how it is satisfied), or one with fewer
 /// transitions, or as many in less time, if random flights that are no longer find one soon.
 Counterexample simplest(Counterexample found, const Requirement& requirement,

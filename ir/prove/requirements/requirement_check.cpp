@@ -10,8 +10,14 @@
 #include "ir/prove/requirements/advice.h"
 #include "ir/prove/requirements/search_order.h"
 #include "support/diagnostics/ids/verification.h"
+#include "support/units/duration_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -20,6 +26,20 @@ namespace {
 
 bool isCutShort(std::string_view reason) {
   return reason.contains("`--effort`");
+}
+
+/// What random flights have shown of a requirement that they did not violate.
+std::string notViolatedBy(const std::vector<Flown>& flown, const Requirement& requirement) {
+  std::vector<std::string> flights;
+  for (const auto& [span_s, count] : flown) {
+    if (count > 0) {
+      flights.push_back(
+          fmt::format("{} of up to {}", count, support::durationText(std::round(span_s))));
+    }
+  }
+  return flights.empty() || requirement.kind == RequirementKind::Reach
+             ? ""
+             : fmt::format("; random flights did not violate it ({})", fmt::join(flights, ", "));
 }
 
 /// A limit is worth raising only where one was reached.
@@ -114,8 +134,9 @@ void RequirementCheck::search(Judged& judged) {
     judged.verdict.reason = "it was not searched for: " + context_.limitReached();
     return;
   }
+  context_.flown = {};
   if (!judgeBySearch(attempt, judged)) {
-    judged.verdict.reason = std::move(attempt.reason);
+    judged.verdict.reason = attempt.reason + notViolatedBy(context_.flown, attempt.requirement);
   }
   // For Reach its trace is needed; what was cut short hangs on what was searched for before.
   judged.verdict.searched |=

@@ -9,8 +9,15 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace glider::ir::prove {
+
+/// How many random flights of a length were tried.
+struct Flown {
+  double span_s = 0;
+  uint64_t count = 0;
+};
 
 /// What the strategies share: a mission, with its assumptions or without, the budget, and what is
 /// known of it so far.
@@ -26,6 +33,7 @@ class StrategyContext {
   double deepest;                     ///< of all states, m
   unsigned search_effort;             ///< the limit of a search
   bool learnt = false;                ///< a requirement was proved after the phase AtOnce
+  std::vector<Flown> flown = {};      ///< for the requirement that is searched for
   std::optional<Run> submerged = {};  ///< without power cuts; violates a `surfaces every`
 
   /// A question that was not answered may take so much more of `search_effort`, once.

@@ -117,20 +117,22 @@ RunsAnswer provenWithin(const Requirement& requirement, const Scope& scope, Insi
   const ConeOfInfluence relevance = relevanceWithin(requirement, insight.context());
   RunsAnswer answer = ask(requirement, insight, relevance, context, scope);
   // What holds elsewhere holds with every control for which it stands.
+  std::vector<certify::Invariant> elsewhere;
   for (const bool just_returned : {false, true}) {
-    Control elsewhere = scope.elsewhere;
-    elsewhere.just_returned = just_returned;
+    Control control = scope.elsewhere;
+    control.just_returned = just_returned;
     const auto found =
-        std::ranges::find(answer.invariants, configurationOf(elsewhere), &certify::Invariant::at);
-    if (found == answer.invariants.end()) {
-      continue;
+        std::ranges::find(answer.invariants, configurationOf(control), &certify::Invariant::at);
+    if (found != answer.invariants.end()) {
+      elsewhere.push_back(*found);
+      answer.invariants.erase(found);
     }
-    const std::string formula = found->formula;
-    answer.invariants.erase(found);
-    for (const Control& control : scope.others) {
-      if (control.just_returned == just_returned) {
-        answer.invariants.push_back({configurationOf(control), formula});
-      }
+  }
+  for (const Control& control : scope.others) {
+    // Where no return matters nothing of its own is found for what comes after one.
+    if (!elsewhere.empty()) {
+      const certify::Invariant& of = control.just_returned ? elsewhere.back() : elsewhere.front();
+      answer.invariants.push_back({configurationOf(control), of.formula});
     }
   }
   return answer;
@@ -153,7 +155,7 @@ std::string whyUndecided(const Requirement& requirement, const RunsAnswer& answe
                      "neither a flight that enters the state nor a proof that none does was "
                      "found ({})",
                      trouble)
-               : fmt::format("no proof was found ({}), and no random flight violated it", trouble);
+               : fmt::format("no proof was found ({})", trouble);
   }
   const std::string what =
       knownRoughly(context.mission, relevanceOf(requirement, context.proof.proof_context));

@@ -55,7 +55,7 @@ class GeofenceGeometry final : public Strategy {
       proved.start_margin_m = found.start_assumed ? 0 : found.margin_m;
       return proved;
     }
-    attempt.reason = found.reason + "; no random flight violated it";
+    attempt.reason = found.reason;
     return std::nullopt;
   }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/core/walk.h"
+#include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/encoding/safety_properties.h"
 #include "ir/prove/evidence/configurations.h"
 #include "ir/prove/requirements/strategy.h"
@@ -23,14 +24,38 @@ bool readsOnlyTheTick(const Mission& mission, ExprId guard) {
   });
 }
 
-/// Whether a state that has just been resumed may return on its next tick: `always` is then put off
-/// once more.
-bool mayReturnAgain(const Mission& mission, const Control& control) {
-  const auto returns = [](const Case& c) { return c.transition == Transition::Return; };
-  return control.just_returned && !control.stack.empty() &&
-         (std::ranges::any_of(mission[control.state].cases, returns) ||
-          std::ranges::any_of(mission.always, returns));
-}
+/// Finds where a state that has just been resumed may put `always` off: on its next tick its own
+/// cases come first.
+class PutsOff {
+ public:
+  explicit PutsOff(const ProofContext& proof_context)
+      : mission_(proof_context.mission),
+        values_(anyValues(mission_)),
+        next_tick_(proof_context, values_,
+                   {kEver, kEver, Interval{0, proof_context.tick_gap_s, false}}) {}
+
+  [[nodiscard]] bool at(const Control& control) const {
+    return control.just_returned && std::ranges::any_of(mission_[control.state].cases,
+                                                        [&](const Case& c) { return mayFire(c); });
+  }
+  /// By a return.
+  [[nodiscard]] bool again(const Control& control) const {
+    const auto returns = [&](const Case& c) {
+      return c.transition == Transition::Return && mayFire(c);
+    };
+    return control.just_returned && !control.stack.empty() &&
+           std::ranges::any_of(mission_[control.state].cases, returns);
+  }
+
+ private:
+  static constexpr Interval kEver{0, kGreatestNumber, false};
+
+  [[nodiscard]] bool mayFire(const Case& c) const { return next_tick_.truth(c.guard).is_true; }
+
+  const Mission& mission_;
+  Valuation values_;
+  AbstractEvaluator next_tick_;
+};
 
 /// The first cases of `always` that are certainly tried elsewhere, in order; not just after a
 /// return.
@@ -47,9 +72,35 @@ std::vector<uint32_t> sureCases(const Mission& mission, const Scope& scope) {
   return sure;
 }
 
+/// See Scope::exits: of the states that are current elsewhere, and of `always`.
+std::optional<std::vector<ExprId>> exitsOf(const Mission& mission, const Scope& scope) {
+  std::vector<bool> current(mission.states.size(), false);
+  for (const Control& control : scope.others) {
+    current[control.state.index] = true;
+  }
+  std::vector<ExprId> exits;
+  bool any = false;
+  const auto gather = [&](std::span<const Case> cases) {
+    for (const Case& c : cases) {
+      if (c.transition == Transition::Exit) {
+        exits.push_back(c.guard);
+        any = any || !readsOnlyTheTick(mission, c.guard);
+      }
+    }
+  };
+  gather(mission.always);
+  for (uint32_t i = 0; i < mission.states.size(); ++i) {
+    if (current[i]) {
+      gather(mission.states[i].cases);
+    }
+  }
+  return any ? std::nullopt : std::optional(std::move(exits));
+}
+
 /// None if it would be nothing, or the whole mission.
-std::optional<Scope> scopeOf(std::vector<bool> follows, const Mission& mission, Insight& insight) {
-  Scope scope{std::move(follows), {}, {}, {}, false, insight.byState(), 0};
+std::optional<Scope> scopeOf(std::vector<bool> follows, Insight& insight) {
+  const Mission& mission = insight.context().mission;
+  Scope scope{std::move(follows), {}, {}, {}, false, insight.byState()};
   const auto other = std::ranges::find(scope.follows, false);
   if (other == scope.follows.end() || std::ranges::count(scope.follows, true) == 0) {
     return std::nullopt;
@@ -64,17 +115,19 @@ std::optional<Scope> scopeOf(std::vector<bool> follows, const Mission& mission, 
   if (!all) {
     return std::nullopt;
   }
+  const PutsOff puts_off(insight.context());
   for (const Reached& reached : *all) {
     const Control& control = reached.control;
     if (!scope.holds(control)) {
       scope.others.push_back(control);
-      scope.returns = scope.returns || control.just_returned;
-      scope.returns_again = scope.returns_again || mayReturnAgain(mission, control);
+      scope.returns = scope.returns || puts_off.at(control);
+      scope.returns_again = scope.returns_again || puts_off.again(control);
     } else if (scope.follows[control.state.index] && !control.just_returned) {
       scope.entered.push_back(control);
     }
   }
   scope.sure = sureCases(mission, scope);
+  scope.exits = exitsOf(mission, scope);
   return scope;
 }
 
@@ -87,7 +140,7 @@ std::vector<Scope> scopesFor(const Requirement& requirement, const StrategyConte
     follows.push_back(observes(requirement.monitor, {i}));
   }
   std::vector<Scope> scopes;
-  if (auto scope = scopeOf(follows, mission, insight)) {
+  if (auto scope = scopeOf(follows, insight)) {
     scopes.push_back(*std::move(scope));
   }
   if (!awaitedDepths(requirement, insight.context()).empty()) {
@@ -95,7 +148,7 @@ std::vector<Scope> scopesFor(const Requirement& requirement, const StrategyConte
     for (size_t i = 0; i < follows.size(); ++i) {
       follows[i] = follows[i] || insight.byState()[i].climbs;
     }
-    auto scope = follows == observed ? std::nullopt : scopeOf(follows, mission, insight);
+    auto scope = follows == observed ? std::nullopt : scopeOf(follows, insight);
     if (scope) {
       scopes.push_back(*std::move(scope));
     }

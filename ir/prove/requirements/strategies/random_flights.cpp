@@ -38,6 +38,9 @@ class RandomFlights final : public Strategy {
                                           StrategyContext& context) const override {
     auto run = tryAtRandom(attempt.requirement, context.proof.proof_context, context);
     if (!run) {
+      run = tryForLong(attempt.requirement, context.proof.proof_context, context);
+    }
+    if (!run) {
       return std::nullopt;
     }
     return attempt.requirement.kind == RequirementKind::Reach

@@ -18,6 +18,8 @@ struct Submerged {
   /// With a timer: it is not set later than this after the last tick at the surface, as long as the
   /// state is current.
   double ahead = 0;
+  /// Of a state that only climbs: its climb began no later than this after that tick.
+  double begun = std::numeric_limits<double>::infinity();
 };
 
 /// What is known while a profile is in a mode. Times begin when its state became current or the

@@ -52,6 +52,7 @@ struct Way {
   double added = 0;               ///< otherwise this is added
   std::optional<CaseAt> by = {};  ///< the case that leads there; none: as `return` went on
   bool sets_timer = false;        ///< that case's `do` may
+  bool climbs_on = false;         ///< a climb to the surface that is in force goes on
 };
 
 /// A state that has become current, or a state that returns: see Places.
@@ -93,6 +94,9 @@ class SurfacingSearch {
       always_leads_down_ =
           always_leads_down_ || (c.transition == Transition::Stay && tells(c.action));
     }
+    for (uint32_t i = 0; i < count_; ++i) {
+      climbs_.push_back(climbs(m_.states[i]) ? climbFrom(depths_[i]) : kInfinity);
+    }
   }
 
   /// Before run(): profiles that come to the surface by themselves bound the time too.
@@ -107,7 +111,7 @@ class SurfacingSearch {
 
   /// The longest time under water, s; none: not found, or beyond the limit.
   std::optional<double> run() {
-    raise(entered(0), {0, 0});
+    raise(entered(0), {0, 0, 0});
     while (!open_.empty()) {
       const size_t at = open_.front();
       open_.pop_front();
@@ -127,13 +131,7 @@ class SurfacingSearch {
     return longest_;
   }
 
-  [[nodiscard]] std::vector<double> climbs() const {
-    std::vector<double> all;
-    for (uint32_t i = 0; i < count_; ++i) {
-      all.push_back(climbOf(i));
-    }
-    return all;
-  }
+  [[nodiscard]] std::vector<double> climbs() const { return climbs_; }
 
   /// After a bound was found.
   [[nodiscard]] Submersions submersions() const {
@@ -141,7 +139,7 @@ class SurfacingSearch {
     for (uint32_t i = 0; i < count_; ++i) {
       const double timed = timer_ && !timer_->set_under_water[i] ? timer_->longest(i) : kInfinity;
       all.states.push_back(
-          {submergedAt(entered(i)), submergedAt(resumed(i)), climbOf(i), timed, profiles_[i]});
+          {submergedAt(entered(i)), submergedAt(resumed(i)), climbs_[i], timed, profiles_[i]});
     }
     return all;
   }
@@ -164,9 +162,12 @@ class SurfacingSearch {
 
   void raise(size_t to, const Submerged& since) {
     StatePlace& place = places_[to];
-    if (since.longest > place.since.longest || since.ahead > place.since.ahead) {
+    const bool first = place.since.longest < 0;
+    if (first || since.longest > place.since.longest || since.ahead > place.since.ahead ||
+        since.begun > place.since.begun) {
       place.since = {std::max(since.longest, place.since.longest),
-                     std::max(since.ahead, place.since.ahead)};
+                     std::max(since.ahead, place.since.ahead),
+                     first ? since.begun : std::max(since.begun, place.since.begun)};
       ++place.raised;
       open_.push_back(to);
     }
@@ -179,9 +180,14 @@ class SurfacingSearch {
     const StatePlace& place = places_[at];
     double last = std::min(sumOf(place.since.longest, place.stays), place.by);
     if (isState(at)) {
-      last = std::min(last, latestByTimer(at, std::nullopt));
+      last = std::min({last, latestByTimer(at, std::nullopt), endOfClimb(at)});
     }
     return last;
+  }
+
+  /// The latest time under water while a state only climbs.
+  [[nodiscard]] double endOfClimb(size_t at) const {
+    return sumOf(places_[at].since.begun, climbs_[at % count_]);
   }
 
   /// What is known at the end of a way.
@@ -194,9 +200,11 @@ class SurfacingSearch {
       // In a loop that adds little each time, what the timer allows is soon all that counts.
       const bool slow = place.raised > kSlow && timed < kInfinity && !way.surfaced;
       longest = slow ? std::min(timed, place.by) : std::min(longest, timed);
+      longest = std::min(longest, endOfClimb(at));
     }
     const double ahead = way.surfaced ? 0 : aheadIn(at);
-    return {longest, way.sets_timer ? std::max(longest, ahead) : ahead};
+    return {longest, way.sets_timer ? std::max(longest, ahead) : ahead,
+            way.climbs_on ? std::min(longest, place.since.begun) : longest};
   }
 
   /// The timer's lead over the last tick at the surface while a place is current.
@@ -232,13 +240,15 @@ class SurfacingSearch {
 
   [[nodiscard]] Submerged submergedAt(size_t at) const {
     const Submerged& since = places_[at].since;
-    return {since.longest, since.longest < 0 ? since.ahead : aheadIn(at)};
+    return {since.longest, since.longest < 0 ? since.ahead : aheadIn(at), since.begun};
   }
 
   void follow(size_t at) {
     if (at >= returning(0)) {
       for (const uint32_t caller : callers_[at - returning(0)]) {
-        places_[at].ways.push_back({resumed(caller)});
+        Way way{resumed(caller)};
+        way.climbs_on = goesOn(way.to);
+        places_[at].ways.push_back(way);
       }
     } else {
       followState(at);
@@ -267,11 +277,6 @@ class SurfacingSearch {
     return true;
   }
 
-  /// From this time in the state on every tick is at the surface.
-  [[nodiscard]] double climbOf(uint32_t state) const {
-    return climbs(m_.states[state]) ? climbFrom(depths_[state]) : kInfinity;
-  }
-
   [[nodiscard]] double climbFrom(double depth) const {
     const platforms::EnvironmentModel& world = proof_context_.platform.world;
     return longestClimb(world, depth, world.surface_depth_m);
@@ -286,7 +291,7 @@ class SurfacingSearch {
     always.own_first = again;
     const Leaving stay = stayOf(proof_context_, state, always, values_);
     work_ += stay.work;
-    const double climb = climbOf(number);
+    const double climb = climbs_[number];
     place.by = end_.by ? end_.left_by[number] : kGreatestNumber;
     place.stays = std::min({stay.by, climb, profiles_[number].longest});
     for (size_t i = 0; i < state.cases.size(); ++i) {
@@ -327,8 +332,25 @@ class SurfacingSearch {
     const double by_profile = profiles_[state].longest;
     const bool surfaced_before =
         by_profile < under && !mayBeTrue({0, by_profile, false}, std::nullopt);
+    const bool climbs_on = std::isfinite(climb) && !tells(c.action) && goesOn(to);
     place.ways.push_back(
-        {to, surfaced, surfaced_before, std::min(under, by_profile), by, sets_timer});
+        {to, surfaced, surfaced_before, std::min(under, by_profile), by, sets_timer, climbs_on});
+  }
+
+  /// Whether a climb to the surface goes on as a place becomes current: nothing else about depth is
+  /// commanded (V4). What waits for a return commands nothing.
+  [[nodiscard]] bool goesOn(size_t to) const {
+    if (!isState(to)) {
+      return true;
+    }
+    const State& state = m_.states[to % count_];
+    bool only_surface = true;
+    for (const BlockId entry : {state.entry, state.route.entry, state.profile.entry}) {
+      forEachStatement(m_, entry, [&](const Statement& s) {
+        only_surface = only_surface && (!isVertical(s) || s.command == Command::Surface);
+      });
+    }
+    return only_surface;
   }
 
   /// Whether a case of `always` may fire while the state is current.
@@ -370,6 +392,7 @@ class SurfacingSearch {
   std::vector<ProfileSurfacing> profiles_;  ///< of each state
   std::vector<std::vector<uint32_t>> callers_;
   bool always_leads_down_ = false;
+  std::vector<double> climbs_;  ///< of each state: from then on every tick is at the surface, s
   std::deque<size_t> open_;
   double longest_ = 0;
   size_t work_ = 0;

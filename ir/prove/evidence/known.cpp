@@ -99,9 +99,12 @@ std::string Known::timerName() const {
 }
 
 /// How long after the last tick at the surface a state became current, and the timer was set.
-std::string Known::grown(const Submerged& from) const {
+std::string Known::grown(const Submerged& from, bool climbs) const {
   FormulaParts parts;
   parts.add(fmt::format("(<= (- |resumed| |surfaced|) {})", realText(from.longest)));
+  if (climbs) {
+    parts.add(fmt::format("(<= (- |climbing since| |surfaced|) {})", realText(from.begun)));
+  }
   if (submersions_.timer.valid()) {
     parts.add(fmt::format("(<= (- {} |surfaced|) {})", timerName(), realText(from.ahead)));
   }
@@ -138,13 +141,14 @@ std::string Known::surfacedIn(const certify::Configuration& at) const {
   }
   parts.add(climbIn(at));
   const Submersion& state = submersions_.states[at.state.index];
+  const bool climbs = std::isfinite(state.climb);
   std::vector<std::string> ways;
   if (state.entered.longest >= 0 && !at.just_returned) {
     ways.push_back(fmt::format("(and (= {} |resumed|) {})", certify::enteredName(at.stack.size()),
-                               grown(state.entered)));
+                               grown(state.entered, climbs)));
   }
   if (state.resumed.longest >= 0) {
-    ways.push_back(grown(state.resumed));
+    ways.push_back(grown(state.resumed, climbs));
   }
   parts.add(anyOf(ways));
   if (submersions_.timer.valid()) {
@@ -155,8 +159,8 @@ std::string Known::surfacedIn(const certify::Configuration& at) const {
   }
   parts.add(timesOfProfile(m_, state.profile));
   parts.add(inProfile(m_, state.profile));
-  if (std::isfinite(state.climb)) {
-    parts.add(fmt::format("(=> (>= (- |time| |resumed|) {}) (= |surfaced| |time|))",
+  if (climbs) {
+    parts.add(fmt::format("(=> (>= (- |time| |climbing since|) {}) (= |surfaced| |time|))",
                           realText(state.climb)));
   }
   return parts.all();

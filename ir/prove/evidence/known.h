@@ -33,7 +33,7 @@ class Known {
   [[nodiscard]] std::string ofStays(const certify::Configuration& at) const;
   [[nodiscard]] std::string ofStay(const Stay& stay, bool just_returned) const;
   [[nodiscard]] std::string timerName() const;
-  [[nodiscard]] std::string grown(const Submerged& from) const;
+  [[nodiscard]] std::string grown(const Submerged& from, bool climbs) const;
   [[nodiscard]] std::string timed(const Submersion& state) const;
   [[nodiscard]] std::string ofTimes(const Stay& stay, bool just_returned) const;
 

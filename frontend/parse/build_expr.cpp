@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "frontend/parse/build_ast.h"
-#include "frontend/parse/phrases/written_position.h"
+#include "frontend/parse/phrases/positions/written_position.h"
 #include "frontend/spelling.h"
 #include "support/check.h"
 #include "support/units/units.h"

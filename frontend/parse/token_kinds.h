@@ -58,6 +58,12 @@ inline bool startsValue(uint32_t type) {
                                       GliderLexer::STRING, GliderLexer::TRUE, GliderLexer::FALSE});
 }
 
+/// The same for one with a sign or in parentheses.
+inline bool beginsValue(uint32_t type) {
+  return startsValue(type) ||
+         oneOf(type, {GliderLexer::MINUS, GliderLexer::LPAREN, GliderLexer::MIN});
+}
+
 inline bool isOperator(uint32_t type) {
   return (type >= GliderLexer::OR && type <= GliderLexer::DIVIDE) || type == GliderLexer::NOT_WORD;
 }

@@ -27,7 +27,14 @@ constexpr double kNoBound = 1e300;
 /// A value of the interval that is outside the variable's range.
 std::string outside(const Interval& x, const Variable& v) {
   const double end = x.highest > v.highest ? x.highest : x.lowest;
-  return std::fabs(end) > kNoBound ? "any value" : withUnit(end, v.type);
+  if (std::fabs(end) > kNoBound) {
+    return "any value";
+  }
+  const std::string text = withUnit(end, v.type);
+  const bool above = x.highest > v.highest;
+  const bool rounding = text == withUnit(above ? v.highest : v.lowest, v.type);
+  return rounding ? fmt::format("a little {} than {} by rounding", above ? "more" : "less", text)
+                  : text;
 }
 
 class RangeCheck {

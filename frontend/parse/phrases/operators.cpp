@@ -85,11 +85,6 @@ bool afterValue(const Phrase& phrase) {
                                   GliderLexer::REQUIRE, GliderLexer::CONST, GliderLexer::SET});
 }
 
-bool beginsValue(uint32_t type) {
-  return startsValue(type) ||
-         oneOf(type, {GliderLexer::MINUS, GliderLexer::LPAREN, GliderLexer::MIN});
-}
-
 /// Whether a comparison begins after it.
 bool leadsToComparison(uint32_t type) {
   return oneOf(type,

@@ -53,6 +53,7 @@ constexpr Row kRows[] = {
      among<GliderLexer::AND_WORD, GliderLexer::AND, GliderLexer::ONE_AMPERSAND, GliderLexer::PLUS>},
     {phrases::entryWithoutDo, anyToken},
     {phrases::beginOfAlways, among<GliderLexer::BEGIN>},
+    {phrases::conditionalValue, among<GliderLexer::IF, GliderLexer::NAME>},
     {phrases::ifInCondition, among<GliderLexer::IF>},
     {phrases::forATime, among<GliderLexer::FOR>},
     {phrases::loop, among<GliderLexer::FOR, GliderLexer::SET, GliderLexer::NAME>},
@@ -79,6 +80,10 @@ constexpr Row kRows[] = {
     {phrases::signOfFeet, among<GliderLexer::FOREIGN>},
     {phrases::wordOfWindow, [](uint32_t type) { return isName(type) || type == GliderLexer::FOR; }},
     {phrases::everyBeforeSensor, among<GliderLexer::EVERY>},
+    {phrases::percentOf, among<GliderLexer::OF>},
+    {phrases::questionMark, among<GliderLexer::FOREIGN>},
+    {phrases::arithmeticWords, isAnyName},
+    {phrases::numberWord, plainName},
     {phrases::comparison, isAnyName},
     {phrases::between, isAnyName},
     {phrases::sameLeft, among<GliderLexer::LT, GliderLexer::GT, GliderLexer::LE, GliderLexer::GE>},
@@ -101,9 +106,8 @@ constexpr Row kRows[] = {
     {phrases::pairOfNumbers,
      among<GliderLexer::LPAREN, GliderLexer::LBRACKET, GliderLexer::NUMBER, GliderLexer::MINUS>},
     {phrases::pathWithoutBrackets,
-     [](uint32_t type) {
-       return isName(type) || oneOf(type, {GliderLexer::LPAREN, GliderLexer::NUMBER});
-     }},
+     [](uint32_t
+            type) { return isName(type) || oneOf(type, {GliderLexer::LPAREN, GliderLexer::NUMBER}); }},
     {phrases::compassPoint, among<GliderLexer::COMPASS>},
     {phrases::statement, [](uint32_t type) { return isName(type) || type == GliderLexer::SET; }},
     {phrases::valueAfterText, among<GliderLexer::NAME, GliderLexer::NUMBER, GliderLexer::HEARD>},

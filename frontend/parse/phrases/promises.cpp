@@ -325,6 +325,22 @@ size_t visits(Phrase& phrase) {
   return 1;
 }
 
+/// `require sample at most twice`.
+size_t visitLeftOut(Phrase& phrase) {
+  const bool count = phrase.type(1) == GliderLexer::AT &&
+                     oneOf(phrase.type(2), {GliderLexer::MOST, GliderLexer::LEAST});
+  if (!count || !isAnyName(phrase.type()) || !isStateName(phrase.source(), phrase.text())) {
+    return 0;
+  }
+  const Lexeme name = phrase.token();
+  expected(phrase, name, "`visit`")
+      .hint(fmt::format("write `require visit {} at {} …`", phrase.text(), phrase.text(2)))
+      .fix({phrase.source().file, name.begin, name.begin}, "visit ");
+  phrase.put({GliderLexer::VISIT, name.begin, name.begin});
+  phrase.put(name);
+  return 1;
+}
+
 /// `require exits within 5 h`, `require exit in 5 h`.
 size_t promiseWords(Phrase& phrase) {
   const auto* slip = std::ranges::find_if(kSlips, [&](const Slip& one) {
@@ -359,7 +375,7 @@ size_t promise(Phrase& phrase) {
   if (phrase.before() != GliderLexer::REQUIRE) {
     return 0;
   }
-  return firstOf(phrase, {subject, visits, promiseWords, surfacingAtLeast, timeAlone,
+  return firstOf(phrase, {subject, visits, visitLeftOut, promiseWords, surfacingAtLeast, timeAlone,
                           caseAsWhenever, alwaysAtEnd, neverDivesBelow, neverComparing,
                           neverOfNothing, greatestOrLeast, alwaysLeftOut});
 }

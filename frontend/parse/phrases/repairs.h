@@ -94,6 +94,16 @@ size_t power(Phrase& phrase);
 size_t wordOfWindow(Phrase& phrase);
 /// `sensors every 60 s battery`.
 size_t everyBeforeSensor(Phrase& phrase);
+/// `10 % of peak`.
+size_t percentOf(Phrase& phrase);
+/// `peak minus 10 m`, `temp at 20 m`.
+size_t arithmeticWords(Phrase& phrase);
+/// `IF(depth > 10 m; 3; 4)`, `temp > if … then … else …`.
+size_t conditionalValue(Phrase& phrase);
+/// `depth > 10 m ? 3 : 4`.
+size_t questionMark(Phrase& phrase);
+/// `two days`.
+size_t numberWord(Phrase& phrase);
 /// `is above`, `drops below`, `exceeds`, `at least`.
 size_t comparison(Phrase& phrase);
 /// `depth between 5 m and 10 m`, `depth in 5 m .. 10 m`.

@@ -54,6 +54,25 @@ size_t transitionAsTarget(Phrase& phrase) {
   return 2;
 }
 
+/// `goto (a)`.
+size_t parenthesesAroundTarget(Phrase& phrase) {
+  if (phrase.type() != GliderLexer::LPAREN || !leads(phrase.before()) ||
+      !isAnyName(phrase.type(1)) || phrase.type(2) != GliderLexer::RPAREN) {
+    return 0;
+  }
+  const Lexeme whole = phrase.whole(0, 3);
+  const bool apart = phrase.lexemeBefore()->end < whole.begin;
+  const std::string better =
+      fmt::format("{} {}", phrase.source().text(*phrase.lexemeBefore()), phrase.text(1));
+  phrase.reporter()
+      .at(whole, support::diagnostics::superfluousWord, "(",
+          fmt::format("after `{}`", phrase.source().text(*phrase.lexemeBefore())))
+      .hint(fmt::format("write `{}`", better))
+      .fix(phrase.source().range(whole), (apart ? "" : " ") + std::string(phrase.text(1)));
+  phrase.put(phrase.token(1));
+  return 3;
+}
+
 /// `exit()`.
 size_t parenthesesAfterTransition(Phrase& phrase) {
   const bool alone =
@@ -124,8 +143,8 @@ std::string_view transitionBefore(const Phrase& phrase) {
 }  // namespace
 
 size_t target(Phrase& phrase) {
-  return firstOf(phrase,
-                 {stateBeforeTarget, transitionAsTarget, parenthesesAfterTransition, goTo, jumpTo});
+  return firstOf(phrase, {stateBeforeTarget, transitionAsTarget, parenthesesAroundTarget,
+                          parenthesesAfterTransition, goTo, jumpTo});
 }
 
 size_t afterTransition(Phrase& phrase) {

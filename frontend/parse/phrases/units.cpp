@@ -31,6 +31,7 @@ struct OtherUnit {
 constexpr OtherUnit kOtherUnits[] = {{"degf", "degC", 1 / 1.8, -32 / 1.8},
                                      {"fahrenheit", "degC", 1 / 1.8, -32 / 1.8},
                                      {"kelvin", "degC", 1, -273.15},
+                                     {"k", "degC", 1, -273.15},
                                      {"hpa", "bar", 0.001, 0},
                                      {"mbar", "bar", 0.001, 0},
                                      {"kpa", "bar", 0.01, 0},
@@ -412,8 +413,14 @@ size_t foreignUnit(Phrase& phrase) {
   const double number = valueOf(phrase.source().text(*phrase.lexemeBefore()));
   const double ours =
       other == nullptr ? 0 : (negative ? -number : number) * other->factor + other->offset;
+  // Few seas are that cold: below, it is a difference.
+  constexpr double kColdest_K = 200;
+  const bool difference =
+      other != nullptr && other->offset < -kColdest_K && std::fabs(number) < kColdest_K;
   const std::string hint =
-      other == nullptr || other->ours.empty()
+      difference ? fmt::format("write `{:.4g} degC`: a difference has the same unit",
+                               negative ? -number : number)
+      : other == nullptr || other->ours.empty()
           ? "write the number alone: readings of sensors without a unit here are plain numbers"
           : fmt::format("write `{:.4g} {}`", ours, other->ours);
   auto report = phrase.reporter().at(unit, support::diagnostics::unknownUnit,

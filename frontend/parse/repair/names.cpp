@@ -182,7 +182,11 @@ NameRepair::WrittenName NameRepair::targetAfter(size_t keyword) const {
   }
   WrittenName slip{keyword + 1, end, wordsIn(keyword + 1, end)};
   const std::string name = joined(slip.words);
-  return defined_.contains(name) || joined_.contains(name) ? slip : WrittenName{};
+  // A number belongs to nothing else there.
+  const bool number = isAnyName(in_[keyword + 1].type) &&
+                      in_[keyword + 2].type == GliderLexer::NUMBER && end == keyword + 3;
+  const bool known = defined_.contains(name) || joined_.contains(name);
+  return known || number ? slip : WrittenName{};
 }
 
 /// The first token after `from` that is on another line than it.
@@ -245,7 +249,10 @@ NameRepair::IntendedName NameRepair::meantBy(size_t keyword, const WrittenName& 
     return {name, as_written};
   }
   if (isTarget(in_[keyword].type)) {
-    return {name, true};
+    std::string glued = name;
+    std::erase(glued, '_');
+    const bool without = !defined_.contains(name) && defined_.contains(glued);
+    return {without ? glued : name, without || defined_.contains(name) || joined_.contains(name)};
   }
   std::vector<std::string> candidates;
   const auto consider = [&](std::string_view candidate) {

@@ -220,6 +220,10 @@ void ExprLowering::suggestUnit(const ast::Expr& value, const ir::Type& other, st
                                support::DiagnosticBuilder& report) {
   const auto* literal = std::get_if<ast::Literal>(&value.node);
   const bool compares = op.find_first_of("<>=") != std::string_view::npos;
+  if (compares && other.kind == ir::TypeKind::Bool) {
+    report.hint("a condition is true or false by itself: write it alone, or with `!` before it");
+    return;
+  }
   if (literal == nullptr || !compares || !support::parseUnit(literal->unit) ||
       literal->unit.empty() || other.kind != ir::TypeKind::Quantity) {
     return;

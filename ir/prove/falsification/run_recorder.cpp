@@ -4,7 +4,9 @@
 #include "ir/prove/falsification/run_recorder.h"
 
 #include "ir/verify/value_text.h"
+#include "support/units/duration_text.h"
 #include "support/units/position_text.h"
+#include "support/utc.h"
 
 #include <fmt/format.h>
 
@@ -25,6 +27,24 @@ double rawOf(const Sensor& sensor, double value) {
     return std::copysign(100 * whole + 60 * (std::fabs(value) - whole), value);
   }
   return value / sensor.to_si;
+}
+
+/// Whether it is the reading of the vehicle's clock.
+bool isClock(const Mission& mission, const Expr& e) {
+  return e.op == Op::Sensor && mission[e.sensor].name.ends_with("m_present_time");
+}
+
+/// Whether it is `timeofday`, or as much of that clock.
+bool isTimeOfDay(const Mission& mission, const Expr& e) {
+  constexpr double kDay_s = 86400;
+  return e.op == Op::Remainder && isClock(mission, mission[e.operands[0]]) &&
+         mission[e.operands[1]].op == Op::Constant && mission[e.operands[1]].number == kDay_s;
+}
+
+/// "the time is 2026-08-11T14:00:00Z"
+std::string timeText(const char* what, double seconds, std::string (*text)(double)) {
+  return seconds == seconds ? fmt::format("{} is {}", what, text(std::round(seconds)))
+                            : fmt::format("{} unknown", what);
 }
 
 /// The nearest float to a raw value. If that is just outside of the sensor's range, the next one
@@ -180,6 +200,12 @@ void RunRecorder::describeValues() {
       continue;
     }
     const Expr& e = m_[id];
+    if (isTimeOfDay(m_, e)) {
+      if (told.insert("the time of day").second) {
+        tell_value(timeText("the time of day", interpreter_->number(id), support::durationText));
+      }
+      continue;
+    }
     open.insert(open.end(), e.operands.rbegin(), e.operands.rend());
     if (e.op == Op::Distance) {
       const double metres = interpreter_->number(id);
@@ -196,7 +222,9 @@ void RunRecorder::describeValues() {
     }
     const double now = result_.ticks.back().depth;
     const double value = depth && now == now ? now : interpreter_->number(id);
-    if (e.op == Op::Sensor && e.type.kind == TypeKind::Latitude && value == value) {
+    if (isClock(m_, e)) {
+      tell_value(timeText("the time", value, support::instantText));
+    } else if (e.op == Op::Sensor && e.type.kind == TypeKind::Latitude && value == value) {
       north = value;
     } else if (e.op == Op::Sensor && e.type.kind == TypeKind::Longitude && value == value) {
       east = value;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "frontend/parse/phrases/written_position.h"
+#include "frontend/parse/phrases/positions/written_position.h"
 
 #include "frontend/bare_positions.h"
 

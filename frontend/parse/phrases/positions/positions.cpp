@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "frontend/bare_positions.h"
+#include "frontend/parse/phrases/positions/written_position.h"
 #include "frontend/parse/phrases/repairs.h"
-#include "frontend/parse/phrases/written_position.h"
 #include "frontend/parse/token_kinds.h"
 #include "support/diagnostics/ids/meaning.h"
 #include "support/diagnostics/ids/syntax.h"

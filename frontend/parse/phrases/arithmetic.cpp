@@ -141,8 +141,12 @@ size_t conditionalWords(Phrase& phrase) {
 
 size_t percentOf(Phrase& phrase) {
   const Lexeme* unit = phrase.lexemeBefore();
-  if (phrase.type() != GliderLexer::OF || unit == nullptr || phrase.source().text(*unit) != "%" ||
-      !beginsValue(phrase.type(1))) {
+  // In a list of arguments it may be what a window goes over.
+  const bool window = !phrase.open().empty() && phrase.open().back().arguments &&
+                      isAnyName(phrase.type(1)) &&
+                      oneOf(phrase.type(2), {GliderLexer::COMMA, GliderLexer::RPAREN});
+  if (phrase.type() != GliderLexer::OF || window || unit == nullptr ||
+      phrase.source().text(*unit) != "%" || !beginsValue(phrase.type(1))) {
     return 0;
   }
   phrase.reporter()

@@ -21,7 +21,7 @@ endif()
 
 # The command and its data; named one by one, so that nothing else of the build tree slips in.
 install(TARGETS glidercc RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-foreach(folder boards c explain library platforms scenarios templates)
+foreach(folder boards c debugger explain library platforms scenarios templates)
   install(DIRECTORY ${GLIDER_SHARE_DIR}/${folder} DESTINATION ${GLIDER_DATA_DIR})
 endforeach()
 if(TARGET glider_ranks)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "compiler/compilation.h"
+#include "compiler/share.h"
 #include "compiler/vehicles.h"
 #include "driver/commands.h"
 #include "driver/compile_for_flight.h"
@@ -167,6 +168,11 @@ std::optional<flights::RequirementWatch> watchOf(const SimOptions& options,
   return can ? std::optional<flights::RequirementWatch>(*mission) : std::nullopt;
 }
 
+/// Unless there is nothing to say.
+void tellNote(const std::string& note) {
+  tell(note.empty() ? "" : "glidercc: note: " + note + "\n");
+}
+
 /// The scenario with the duration and the mission of the vehicle's own that the options name.
 support::Result<simulator::Scenario> scenarioFor(const SimOptions& options,
                                                  const platforms::Platform& platform) {
@@ -197,8 +203,7 @@ support::Result<simulator::Scenario> scenarioFor(const SimOptions& options,
     }
   }
   if (options.duration_s) {
-    const std::string note = flights::setDuration(*scenario, platform, *options.duration_s);
-    tell(note.empty() ? "" : "glidercc: note: " + note + "\n");
+    tellNote(flights::setDuration(*scenario, platform, *options.duration_s));
   }
   return scenario;
 }
@@ -222,6 +227,16 @@ support::Result<void> checkOutputs(const SimOptions& options) {
     }
   }
   return {};
+}
+
+/// What to type for the binary that chooseSbc has built into `folder`.
+std::string waitingForDebugger(const SimOptions& options, const std::filesystem::path& folder) {
+  const std::string binary = flightName(options) + "-" + options.board;
+  return fmt::format(
+      "glidercc: note: the mission waits for a debugger; in another terminal:\n"
+      "  gdb-multiarch -x {} -ex 'target remote :{}' {}\n",
+      (compiler::shareDirectory() / "debugger" / "glider.gdb").string(), *options.debugger,
+      std::filesystem::absolute(folder / (binary + ".debug")).string());
 }
 
 int sim(const SimOptions& options, Json* document) {
@@ -249,8 +264,7 @@ int sim(const SimOptions& options, Json* document) {
     return reportFailure(scenario.error());
   }
   if (mission != nullptr) {
-    const std::string note = flights::carryPack(mission->mission, *scenario);
-    tell(note.empty() ? "" : "glidercc: note: " + note + "\n");
+    tellNote(flights::carryPack(mission->mission, *scenario));
   }
   auto folder = FlightFolder::open(outputFolder(options));
   if (!folder) {
@@ -262,6 +276,7 @@ int sim(const SimOptions& options, Json* document) {
   if (!start) {
     return reportFailure(start.error());
   }
+  tell(options.debugger ? waitingForDebugger(options, folder->staging()) : "");
   simulator::SimulationSetup setup;
   if (*start) {
     auto sbc = (*start)();
@@ -341,6 +356,21 @@ CLI::Option* addScienceOption(CLI::App& command, SimOptions& options) {
       ->option_text("COMMAND");
 }
 
+CLI::Option* addBoardOptions(CLI::App& command, SimOptions& options) {
+  auto* board = command
+                    .add_option("--board", options.board,
+                                "Run the binary for this target, as listed by `glidercc targets`, "
+                                "behind a serial line [run the mission inside glidercc]")
+                    ->type_name("TARGET");
+  command
+      .add_option("--debugger", options.debugger,
+                  "With --board: let the binary wait for gdb on this TCP port, as in 2345")
+      ->option_text("PORT")
+      ->check(CLI::Range(1, 65535))
+      ->needs(board);
+  return board;
+}
+
 void addOptions(CLI::App& command, SimOptions& options) {
   auto* mission =
       command.add_option("MISSION", options.mission,
@@ -348,11 +378,7 @@ void addOptions(CLI::App& command, SimOptions& options) {
                          "without an SBC, a folder of `build --dialect extctl`, or a fleet "
                          "(FLEET.toml): several vehicles in one sea");
   addWorldOptions(command, options);
-  auto* board = command
-                    .add_option("--board", options.board,
-                                "Run the binary for this target, as listed by `glidercc targets`, "
-                                "behind a serial line [run the mission inside glidercc]")
-                    ->type_name("TARGET");
+  CLI::Option* board = addBoardOptions(command, options);
   auto* program =
       command
           .add_option("--sbc", options.program,

@@ -11,10 +11,7 @@
 #include <filesystem>
 
 namespace glider::driver {
-namespace {
 
-/// The stem of this flight's file names: that of the mission's file, the program or the serial
-/// device, or another valid name.
 std::string flightName(const SimOptions& options) {
   const std::string named = !options.mission.empty()   ? options.mission
                             : !options.program.empty() ? options.program
@@ -22,8 +19,6 @@ std::string flightName(const SimOptions& options) {
   const std::string stem = stemOf(named);
   return stem.empty() ? "layered" : stem;
 }
-
-}  // namespace
 
 bool isVehiclesOwn(const SimOptions& options) {
   return compiler::kindOf(options.mission) == compiler::MissionKind::Vehicles;
@@ -72,8 +67,9 @@ support::Result<simulator::StartSbc> chooseSbc(const SimOptions& options,
     return flights::sbcInProcess(*mission, options.launch, options.user_code, keeps_time, watch,
                                  port);
   }
-  return flights::sbcOnBoard(*mission, options.launch, options.user_code, options.board,
-                             flightName(options), folder, watch, port);
+  return flights::sbcOnBoard(*mission, options.launch, options.user_code,
+                             {options.board, options.debugger}, flightName(options), folder, watch,
+                             port);
 }
 
 }  // namespace glider::driver

@@ -30,6 +30,7 @@ struct SimOptions {
   std::string mi;  ///< the vehicle's mission file; empty: the scenario's
   std::string platform{platforms::kDefaultPlatform};  ///< used if no mission names one
   std::string board;
+  std::optional<uint16_t> debugger;  ///< with `board`: its binary waits for one on this TCP port
   std::string program;
   std::string serial;                  ///< the device to which a real SBC is connected; empty: none
   bool lockstep = false;               ///< with --serial: not in real time
@@ -49,6 +50,10 @@ struct SimOptions {
   flights::LaunchChoice launch;
   std::vector<std::string> user_code;
 };
+
+/// The stem of the flight's file names: that of the mission's file, the program or the serial
+/// device, or another valid name.
+std::string flightName(const SimOptions& options);
 
 /// The folder that the user named, or one named after the mission.
 std::string outputFolder(const SimOptions& options);

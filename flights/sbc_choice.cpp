@@ -12,6 +12,9 @@
 #include "simulator/ports/process_sbc_port.h"
 #include "simulator/ports/serial_sbc_port.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace glider::flights {
 namespace {
 
@@ -147,17 +150,40 @@ StartSbc startOnBoard(const std::string& board, std::vector<std::string> command
   return starterOf(board, std::move(command), checkpoints, hang_secs, port);
 }
 
+namespace {
+
+/// The command that runs `binary` on the board, waiting for a debugger on `port`.
+Result<std::vector<std::string>> underDebugger(const std::string& board, uint16_t port,
+                                               const std::string& binary) {
+  const auto target = compiler::loadTarget(board);
+  if (!target) {
+    return std::unexpected(target.error());
+  }
+  std::vector<std::string> command = target->debugger;
+  std::ranges::replace(command, std::string("{port}"), std::to_string(port));
+  command.push_back(binary);
+  return command;
+}
+
+}  // namespace
+
 Result<StartSbc> sbcOnBoard(const compiler::Optimised& mission, const LaunchChoice& launch,
-                            const std::vector<std::string>& user_code, const std::string& board,
+                            const std::vector<std::string>& user_code, const BoardChoice& choice,
                             const std::string& name, const std::filesystem::path& folder,
                             RequirementWatch* watch, const std::optional<PortEnd>& port) {
+  const std::string& board = choice.board;
   const std::string full_name = name + "-" + board;
   auto command = buildOnBoard(mission, launch, user_code, board, folder / full_name, port);
+  if (command && choice.debugger) {
+    command = underDebugger(board, *choice.debugger, command->back());
+  }
   if (!command) {
     return std::unexpected(command.error());
   }
-  StartSbc flown = startOnBoard(board, std::move(*command), launch, folder, full_name,
-                                ProcessSbcPort::kHangSecs, port);
+  const double hang_secs =
+      choice.debugger ? std::numeric_limits<double>::infinity() : ProcessSbcPort::kHangSecs;
+  StartSbc flown =
+      startOnBoard(board, std::move(*command), launch, folder, full_name, hang_secs, port);
   if (watch == nullptr) {
     return flown;
   }

@@ -10,6 +10,7 @@
 #include "simulator/ports/sbc_port.h"
 #include "support/result.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -81,13 +82,19 @@ simulator::StartSbc startOnBoard(const std::string& board, std::vector<std::stri
                                  const std::string& name, double hang_secs,
                                  const std::optional<PortEnd>& port = {});
 
-/// Builds the mission's binary for `board` into `folder` as `name`-`board`, to be started behind a
-/// pseudo-terminal, under the board's emulator if it has one. `watch` (null: none) watches the same
-/// mission in this process beside it.
+/// A board, and the TCP port on which its binary waits for a debugger; none: it does not.
+struct BoardChoice {
+  std::string board;
+  std::optional<uint16_t> debugger;
+};
+
+/// Builds the mission's binary for the board into `folder` as `name`-`board`, to be started behind
+/// a pseudo-terminal, under the board's emulator if it has one. With a debugger it is never taken
+/// to be hung. `watch` (null: none) watches the same mission in this process beside it.
 support::Result<simulator::StartSbc> sbcOnBoard(const compiler::Optimised& mission,
                                                 const LaunchChoice& launch,
                                                 const std::vector<std::string>& user_code,
-                                                const std::string& board, const std::string& name,
+                                                const BoardChoice& choice, const std::string& name,
                                                 const std::filesystem::path& folder,
                                                 RequirementWatch* watch = nullptr,
                                                 const std::optional<PortEnd>& port = {});

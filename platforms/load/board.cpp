@@ -111,8 +111,9 @@ support::Result<Board> loadBoard(const std::filesystem::path& path) {
     board.power = readBoardPower(power);
   }
   TomlReader emulator(file, subtable(top, *root, "emulator"), "[emulator]");
-  emulator.only({"command"});
+  emulator.only({"command", "debugger"});
   board.emulator = emulator.texts("command");
+  board.debugger = emulator.texts("debugger");
   TomlReader link(file, subtable(top, *root, "link"), "[link]");
   readLink(link, board);
   for (const TomlReader* part : {&top, &kernel, &power, &emulator, &link}) {

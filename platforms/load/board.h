@@ -56,6 +56,8 @@ struct Board {
   Kernel kernel;
   std::vector<std::string>
       emulator;  ///< command that runs its executables here; empty: they run by themselves
+  /// The same, waiting for a debugger on the TCP port in the place of "{port}".
+  std::vector<std::string> debugger;
   LinkInputs link;
 };
 

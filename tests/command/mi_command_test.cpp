@@ -92,21 +92,23 @@ TEST_F(MiCommand, ColumnsAreAsWideAsTheirLongestNameNeeds) {
 
 TEST_F(MiCommand, SaysWhatAFileOfAnotherKindIsAndWhichCommandReadsIt) {
   (void)folder_.write("fine.mission", "mission fine\n");
-  struct Row {
+  struct Expected {
     std::string line, what, hint;
   };
   const std::string vehicles = "is a mission of the vehicle's own, not one in the mission language";
   const std::string arguments = "is an argument file of the vehicle's own missions, not a mission";
-  for (const Row& row :
-       {Row{"check survey.mi", "`survey.mi` " + vehicles,
-            "`glidercc mi survey.mi` reads it, and `glidercc sim survey.mi` flies it"},
-        Row{"build survey.mi", vehicles, "glidercc mi"}, Row{"fmt survey.mi", vehicles, ""},
-        Row{"fix survey.mi", vehicles, ""}, Row{"graph survey.mi", vehicles, ""},
-        Row{"check yo07.ma", "`yo07.ma` " + arguments, "`glidercc mi MISSION.mi` shows its values"},
-        Row{"sim yo07.ma", arguments, ""}, Row{"mi yo07.ma", arguments, ""},
-        Row{"fmt yo07.ma", arguments, ""},
-        Row{"mi fine.mission", "is a mission in the mission language",
-            "`glidercc check fine.mission` checks it"}}) {
+  for (const Expected& row :
+       {Expected{"check survey.mi", "`survey.mi` " + vehicles,
+                 "`glidercc mi survey.mi` reads it, and `glidercc sim survey.mi` flies it"},
+        Expected{"build survey.mi", vehicles, "glidercc mi"},
+        Expected{"fmt survey.mi", vehicles, ""}, Expected{"fix survey.mi", vehicles, ""},
+        Expected{"graph survey.mi", vehicles, ""},
+        Expected{"check yo07.ma", "`yo07.ma` " + arguments,
+                 "`glidercc mi MISSION.mi` shows its values"},
+        Expected{"sim yo07.ma", arguments, ""}, Expected{"mi yo07.ma", arguments, ""},
+        Expected{"fmt yo07.ma", arguments, ""},
+        Expected{"mi fine.mission", "is a mission in the mission language",
+                 "`glidercc check fine.mission` checks it"}}) {
     const Outcome refused = glidercc(row.line);
     EXPECT_EQ(refused.status, 2) << row.line;
     EXPECT_THAT(refused.err, HasSubstr("[GL9368 not-this-language]")) << row.line;
@@ -146,18 +148,18 @@ TEST_F(MiCommand, AFlightIntoTheBottomDidNotGoWell) {
 }
 
 TEST_F(MiCommand, ChangesOneNumberAndNoOtherByte) {
-  struct Row {
+  struct Expected {
     std::string edit, file, from, to;
   };
-  for (const Row& row :
-       {Row{"abend.overtime=3600", "survey.mi", "7200", "3600"},
-        Row{"surface.when_secs=90.5", "survey.mi", "1200", "90.5"},
-        Row{"surface#2.end_action=2", "survey.mi", "end_action(enum) 0\r\nbehavior: set",
-            "end_action(enum) 2\r\nbehavior: set"},
-        Row{"sensor.u_mission_param_a=30", "survey.mi", "25", "30"},
-        Row{"SAMPLE.args_from_file=-1", "survey.mi", "args_from_file(enum) 3",
-            "args_from_file(enum) -1"},
-        Row{"yo.c_target_depth=4", "yo07.ma", "+3.0", "4"}}) {
+  for (const Expected& row :
+       {Expected{"abend.overtime=3600", "survey.mi", "7200", "3600"},
+        Expected{"surface.when_secs=90.5", "survey.mi", "1200", "90.5"},
+        Expected{"surface#2.end_action=2", "survey.mi", "end_action(enum) 0\r\nbehavior: set",
+                 "end_action(enum) 2\r\nbehavior: set"},
+        Expected{"sensor.u_mission_param_a=30", "survey.mi", "25", "30"},
+        Expected{"SAMPLE.args_from_file=-1", "survey.mi", "args_from_file(enum) 3",
+                 "args_from_file(enum) -1"},
+        Expected{"yo.c_target_depth=4", "yo07.ma", "+3.0", "4"}}) {
     (void)folder_.write("survey.mi", kMiMission);
     (void)folder_.write("yo07.ma", kArguments);
     const Outcome changed = glidercc("mi survey.mi --set " + row.edit);

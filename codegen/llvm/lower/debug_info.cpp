@@ -8,6 +8,11 @@
 #include <filesystem>
 
 namespace glider::codegen {
+namespace {
+
+constexpr unsigned kByteBits = 8, kWordBits = 32, kNumberBits = 64;
+
+}  // namespace
 
 DebugInfo::DebugInfo(llvm::Module& module, const support::SourceManager* sources,
                      support::SourceRange main)
@@ -20,7 +25,7 @@ DebugInfo::DebugInfo(llvm::Module& module, const support::SourceManager* sources
   // The runtime that is linked in has a flag of its own, which may be a later version.
   module.addModuleFlag(llvm::Module::Override, "Dwarf Version", kDwarfVersion);
   unit_ = builder_.createCompileUnit(llvm::dwarf::DW_LANG_C, fileOf(main.file), "glidercc", true,
-                                     "", 0, "", llvm::DICompileUnit::LineTablesOnly);
+                                     "", 0, "", llvm::DICompileUnit::FullDebug);
   type_ = builder_.createSubroutineType(builder_.getOrCreateTypeArray({}));
 }
 
@@ -56,6 +61,74 @@ void DebugInfo::locate(llvm::IRBuilder<>& builder, support::SourceRange range) {
   const support::LineColumn at = sources_->place(range.file, range.begin);
   builder.SetCurrentDebugLocation(
       llvm::DILocation::get(builder.getContext(), at.line, at.column, scope));
+}
+
+uint32_t DebugInfo::lineOf(support::SourceRange range) const {
+  return sources_ != nullptr && range.valid() ? sources_->place(range.file, range.begin).line : 0;
+}
+
+llvm::DIType* DebugInfo::number(const std::string& unit) {
+  if (!active()) {
+    return nullptr;
+  }
+  llvm::DIType*& found = numbers_[unit];
+  if (found == nullptr) {
+    found = builder_.createBasicType(unit, kNumberBits, llvm::dwarf::DW_ATE_float);
+  }
+  return found;
+}
+
+llvm::DIType* DebugInfo::word() {
+  return active() ? builder_.createBasicType("word", kWordBits, llvm::dwarf::DW_ATE_unsigned)
+                  : nullptr;
+}
+
+llvm::DIType* DebugInfo::oneOf(const std::string& name, const std::vector<std::string>& names) {
+  if (!active()) {
+    return nullptr;
+  }
+  std::vector<llvm::Metadata*> values;
+  for (uint64_t i = 0; i < names.size(); ++i) {
+    values.push_back(builder_.createEnumerator(names[i], i, /*IsUnsigned=*/true));
+  }
+  return builder_.createEnumerationType(unit_, name, unit_->getFile(), 0, kWordBits, kWordBits,
+                                        builder_.getOrCreateArray(values), word());
+}
+
+llvm::DIType* DebugInfo::record(const std::string& name, uint64_t bytes,
+                                const std::vector<DebugMember>& members) {
+  if (!active()) {
+    return nullptr;
+  }
+  std::vector<llvm::Metadata*> fields;
+  for (const DebugMember& member : members) {
+    fields.push_back(builder_.createMemberType(
+        unit_, member.name, unit_->getFile(), 0, member.type->getSizeInBits(), 0,
+        member.offset * kByteBits, llvm::DINode::FlagZero, member.type));
+  }
+  return builder_.createStructType(unit_, name, unit_->getFile(), 0, bytes * kByteBits, 0,
+                                   llvm::DINode::FlagZero, nullptr,
+                                   builder_.getOrCreateArray(fields));
+}
+
+llvm::DIType* DebugInfo::list(llvm::DIType* element, int64_t first, uint64_t count) {
+  if (!active()) {
+    return nullptr;
+  }
+  llvm::Metadata* range = builder_.getOrCreateSubrange(first, static_cast<int64_t>(count));
+  return builder_.createArrayType(count * element->getSizeInBits(), 0, element,
+                                  builder_.getOrCreateArray({range}));
+}
+
+void DebugInfo::name(llvm::GlobalVariable& memory, uint64_t offset, const std::string& name,
+                     llvm::DIType* type, support::SourceRange range) {
+  if (!active()) {
+    return;
+  }
+  llvm::DIFile* file = range.valid() ? fileOf(range.file) : unit_->getFile();
+  llvm::DIExpression* at = builder_.createExpression({llvm::dwarf::DW_OP_plus_uconst, offset});
+  memory.addDebugInfo(builder_.createGlobalVariableExpression(
+      unit_, name, "", file, lineOf(range), type, /*IsLocalToUnit=*/false, /*isDefined=*/true, at));
 }
 
 void DebugInfo::finish() {

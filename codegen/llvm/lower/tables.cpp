@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "codegen/llvm/lower/context_size.h"
+#include "codegen/llvm/lower/context_places.h"
+#include "codegen/llvm/lower/debug_names.h"
 #include "codegen/llvm/lower/guard_table.h"
 #include "codegen/llvm/lower/lowering.h"
 #include "hooks/protocol/features.h"
@@ -25,8 +26,9 @@ static_assert(static_cast<int>(ir::Encoding::DegreesMinutes) == kGliderDegreesMi
 static_assert(static_cast<int>(ir::Encoding::Magnetic) == kGliderMagnetic);
 
 uint64_t bytesOf(const Lowering& lowering) {
-  return contextBytes({lowering.mission, lowering.platform, lowering.stack_depth}, lowering.index,
-                      lowering.module.getDataLayout(), lowering.types);
+  return contextPlaces({lowering.mission, lowering.platform, lowering.stack_depth}, lowering.index,
+                       lowering.module.getDataLayout(), lowering.types)
+      .bytes;
 }
 
 /// The constant of a state, defined here or in another part.
@@ -321,6 +323,7 @@ void lowerTables(Lowering& lowering, const MissionFunctions& functions) {
       module, memory_type, false, llvm::GlobalValue::ExternalLinkage,
       llvm::ConstantAggregateZero::get(memory_type), "gliderContextMemory");
   memory->setAlignment(llvm::Align(8));
+  describeMemory(lowering, *memory);
 }
 
 }  // namespace glider::codegen

@@ -3,7 +3,7 @@
 
 #include "codegen/llvm/program/compile.h"
 
-#include "codegen/llvm/lower/context_size.h"
+#include "codegen/llvm/lower/context_places.h"
 #include "codegen/llvm/program/emit.h"
 #include "codegen/llvm/program/imc_mission.h"
 #include "codegen/llvm/program/optimise.h"
@@ -58,7 +58,7 @@ Result<void> checkLimits(const Recipe& recipe, const llvm::TargetMachine& machin
   }
   llvm::LLVMContext scratch;  // the module's own must contain each type only once
   const uint64_t bytes =
-      contextBytes(recipe.input, index, machine.createDataLayout(), makeAbiTypes(scratch));
+      contextPlaces(recipe.input, index, machine.createDataLayout(), makeAbiTypes(scratch)).bytes;
   if (bytes > kMostContextBytes) {
     return support::fail(support::diagnostics::missionTooLarge, bytes, kMostContextBytes);
   }

@@ -33,6 +33,7 @@ release = "2.4.23"
 system_calls = "calls"
 [emulator]
 command = ["qemu-i386", "-cpu", "486"]
+debugger = ["qemu-i386", "-g", "{port}"]
 [link]
 dynamic_linker = ""
 before = ["crt1.o"]
@@ -85,10 +86,11 @@ TEST(Board, ErrorsAreReportedWithTheirLine) {
       {with("release = \"2.4.23\"", "release = 2"), ":14"},
       {with("\"calls\"", "\"../calls\""), ":15"},
       {with("[\"qemu-i386\", \"-cpu\", \"486\"]", "\"qemu-i386\""), ":17"},
-      {with("[\"crt1.o\"]", "[\"/etc/crt1.o\"]"), ":20"},
-      {with("[\"libc.a\"]", "[\"--script=x\"]"), ":21"},
-      {with("[link]", "[linking]"), ":18"},
-      {kGood + "[more]\n", ":22"},
+      {with("[\"qemu-i386\", \"-g\", \"{port}\"]", "3"), ":18"},
+      {with("[\"crt1.o\"]", "[\"/etc/crt1.o\"]"), ":21"},
+      {with("[\"libc.a\"]", "[\"--script=x\"]"), ":22"},
+      {with("[link]", "[linking]"), ":19"},
+      {kGood + "[more]\n", ":23"},
       {"kernel = 3\n" + with("[kernel]", "[kernels]"), ""},
       {"not toml", ":1"},
       {"", ""},

@@ -15,7 +15,7 @@ bool isUnitWord(uint32_t type) {
   return oneOf(type, {GliderLexer::UNIT, GliderLexer::COMPASS, GliderLexer::MIN});
 }
 
-/// Whether token `at` is a name that is declared there, of anything but a mission or a state.
+/// Whether token `at` is a name that is declared there, of anything but a mission.
 bool isDeclared(const std::vector<Lexeme>& lexemes, size_t at) {
   const uint32_t before = lexemes[at - 1].type;
   const uint32_t after = lexemes[at + 1].type;
@@ -29,7 +29,7 @@ bool isDeclared(const std::vector<Lexeme>& lexemes, size_t at) {
   const bool external = oneOf(before, {GliderLexer::FUNCTION, GliderLexer::SENSOR}) &&
                         oneOf(after, {GliderLexer::COLON, GliderLexer::LPAREN}) && at > 1 &&
                         lexemes[at - 2].type == GliderLexer::EXTERN;
-  return value || formal || behaviour || external ||
+  return value || formal || behaviour || external || before == GliderLexer::STATE ||
          (before == GliderLexer::FOR && after == GliderLexer::IN);
 }
 

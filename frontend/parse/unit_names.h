@@ -9,8 +9,8 @@
 
 namespace glider::frontend {
 
-/// The tokens of a file in which something is declared with the name of a unit, `var s: number =
-/// 0`: the uses of that name are names too, so that only the declaration is refused, by analysis.
+/// The tokens of a file in which something has the name of a unit, as a state may. `var s: number =
+/// 0` is refused: the uses of that name are names too, so that only the declaration is reported.
 std::vector<Lexeme> nameDeclaredUnits(std::vector<Lexeme> lexemes, const Source& source);
 
 }  // namespace glider::frontend

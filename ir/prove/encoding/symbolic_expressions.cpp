@@ -6,6 +6,8 @@
 #include "ir/prove/encoding/symbolic_state.h"
 #include "support/check.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -216,7 +218,7 @@ NumberTerm SymbolicState::remainder(const Expr& e, const Interval& interval) {
   const Expr& period = mission_[e.operands[1]];
   const NumberTerm& x = operand(e, 0);
   if (!relates_remainders_ || !isConstant(period) || !(period.number > 0) || x.slack > 0) {
-    return sameRemainder(e, interval);
+    return anything(e, interval);
   }
   const z3::expr periods = unknowns_.whole("periods");
   const z3::expr value = x.value - real(period.number) * z3::to_real(periods);
@@ -224,32 +226,33 @@ NumberTerm SymbolicState::remainder(const Expr& e, const Interval& interval) {
   return {value, x.known, 0};
 }
 
-/// The remainder of the same terms is the same: `timeofday` in two conditions is one time.
-NumberTerm SymbolicState::sameRemainder(const Expr& e, const Interval& interval) {
-  const NumberTerm& x = operand(e, 0);
-  const NumberTerm& by = operand(e, 1);
-  if (x.slack > 0 || by.slack > 0) {
-    return anything(e, interval);
-  }
-  for (const Remainder& made : remainders_) {
-    if (z3::eq(made.dividend.value, x.value) && z3::eq(made.dividend.known, x.known) &&
-        z3::eq(made.divisor.value, by.value) && z3::eq(made.divisor.known, by.known)) {
-      return made.value;
-    }
-  }
-  return remainders_.emplace_back(x, by, anything(e, interval)).value;
-}
-
+/// Of the same operands it is the same, also in another condition on this tick: `timeofday`, the
+/// distance to a place. An element also depends on the array.
 NumberTerm SymbolicState::anything(const Expr& e, const Interval& interval) {
   const auto index = static_cast<uint32_t>(&e - mission_.exprs.data());
-  z3::expr known = unknowns_.truth("value?", index);
-  for (const ExprId operand : e.operands) {
-    if (operand.valid()) {
-      known = known && made_.at(operand.index).known;
+  z3::expr known = context().bool_val(true);
+  std::vector<z3::expr> terms;
+  bool exact = groupOf(e.op) != OpGroup::Element;
+  for (const ExprId id : e.operands) {
+    if (id.valid()) {
+      const NumberTerm& operand = made_.at(id.index);
+      known = known && operand.known;
+      exact = exact && operand.slack == 0;
+      terms.push_back(operand.value);
+      terms.push_back(operand.known);
     }
   }
-  const NumberTerm result{unknowns_.real("value", index), known, 0};
+  const std::string key =
+      fmt::format("{} {} {}", static_cast<int>(e.op), interval.lowest, interval.highest);
+  if (const NumberTerm* made = exact ? unknowns_.resultOf(key, terms) : nullptr) {
+    return *made;
+  }
+  const NumberTerm result{unknowns_.real("value", index), unknowns_.truth("value?", index) && known,
+                          0};
   bound(result, interval);
+  if (exact) {
+    unknowns_.keepResult(key, std::move(terms), result);
+  }
   return result;
 }
 

@@ -105,7 +105,6 @@ class SymbolicState {
   NumberTerm clamped(const Expr& e, const Interval& interval);
   NumberTerm chosen(const Expr& e);
   NumberTerm remainder(const Expr& e, const Interval& interval);
-  NumberTerm sameRemainder(const Expr& e, const Interval& interval);
   /// A value that is free in its interval, and known only where all operands are.
   NumberTerm anything(const Expr& e, const Interval& interval);
   TruthTerm logic(const Expr& e);
@@ -126,14 +125,9 @@ class SymbolicState {
     z3::expr differ;
   };
 
-  struct Remainder {
-    NumberTerm dividend, divisor, value;
-  };
-
   Unknowns& unknowns_;
   const ProofContext& proof_context_;
   const Mission& mission_;
-  std::vector<Remainder> remainders_;  ///< that were made, also before expressions were forgotten
   std::map<uint32_t, NumberTerm> readings_;
   std::map<uint32_t, z3::expr> ages_;
   std::optional<z3::expr> mission_time_;

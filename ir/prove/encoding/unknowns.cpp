@@ -25,4 +25,24 @@ z3::expr Unknowns::truth(const std::string& what, std::optional<uint32_t> of) {
   return made_.back();
 }
 
+std::string Unknowns::fullKey(const std::string& key, const std::vector<z3::expr>& terms) {
+  std::string full = key;
+  for (const z3::expr& term : terms) {
+    full += fmt::format(" {}", term.id());
+  }
+  return full;
+}
+
+const NumberTerm* Unknowns::resultOf(const std::string& key,
+                                     const std::vector<z3::expr>& terms) const {
+  const auto found = results_.find(fullKey(key, terms));
+  return found == results_.end() ? nullptr : &found->second.value;
+}
+
+void Unknowns::keepResult(const std::string& key, std::vector<z3::expr> terms,
+                          const NumberTerm& result) {
+  const std::string full = fullKey(key, terms);
+  results_.emplace(full, Result{std::move(terms), result});
+}
+
 }  // namespace glider::ir::prove

@@ -3,7 +3,10 @@
 
 #pragma once
 
+#include "ir/prove/encoding/terms.h"
+
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -40,13 +43,26 @@ class Unknowns {
   /// What each stands for, in the same order.
   [[nodiscard]] const std::vector<std::optional<uint32_t>>& standFor() const { return of_; }
   [[nodiscard]] z3::context& context() { return context_; }
+  /// The result of an operation that was made for the same operands: `key` names the operation, the
+  /// terms its operands. Null: none was.
+  [[nodiscard]] const NumberTerm* resultOf(const std::string& key,
+                                           const std::vector<z3::expr>& terms) const;
+  void keepResult(const std::string& key, std::vector<z3::expr> terms, const NumberTerm& result);
 
  private:
+  /// The operands are kept, so that their numbers in Z3 stay theirs.
+  struct Result {
+    std::vector<z3::expr> terms;
+    NumberTerm value;
+  };
+  static std::string fullKey(const std::string& key, const std::vector<z3::expr>& terms);
+
   z3::context& context_;
   std::string prefix_;
   std::vector<z3::expr> made_;
   std::vector<std::optional<uint32_t>> of_;
   std::vector<Fact> facts_;
+  std::map<std::string, Result> results_;
 };
 
 }  // namespace glider::ir::prove

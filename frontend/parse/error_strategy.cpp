@@ -257,7 +257,13 @@ void ErrorStrategy::complainOfPromise(size_t last, const Lexeme& found) {
       "`always`, `exit within`, `stack <=`, `can reach`, `surfaces every`, `never`, `visit`, "
       "`patrol`, `whenever`, `when` or `hold`",
       describe(source, found));
-  if (last == GliderParser::STACK && found.type == GliderLexer::LT) {
+  if (last == GliderParser::COLON &&
+      oneOf(found.type, {GliderLexer::SURFACES, GliderLexer::EXIT, GliderLexer::STACK})) {
+    report.hint(fmt::format("`{}` is about the whole mission: write it without a scope before it",
+                            found.type == GliderLexer::SURFACES ? "surfaces every"
+                            : found.type == GliderLexer::EXIT   ? "exit within"
+                                                                : "stack <="));
+  } else if (last == GliderParser::STACK && found.type == GliderLexer::LT) {
     report.hint("write `require stack <= …`");
   } else if (last == GliderParser::REQUIRE && found.type == GliderLexer::NAME) {
     const std::string_view word = source.text(found);

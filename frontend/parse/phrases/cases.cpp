@@ -192,13 +192,15 @@ size_t clockAsCase(Phrase& phrase) {
     return 0;
   }
   const Lexeme word = phrase.token();
+  // `always` belongs to no state.
+  const bool always = phrase.before() == GliderLexer::ALWAYS;
+  const char* clock = always ? "missiontime" : every ? "resumetime" : "statetime";
   const std::string condition =
-      yos != 0
-          ? countOfYos(phrase, 1)
-          : fmt::format("{} > {}", every ? "resumetime" : "statetime", phrase.wholeText(1, time));
+      yos != 0 ? countOfYos(phrase, 1) : fmt::format("{} > {}", clock, phrase.wholeText(1, time));
   report(phrase, 1).hint(fmt::format("write `case {} …`", condition));
   phrase.put({GliderLexer::CASE, word.begin, word.end});
   phrase.put(phrase.whole(1, time, GliderLexer::TRUE));
+  phrase.notAsMeant();
   return 1 + time;
 }
 

@@ -113,11 +113,16 @@ size_t everyBeforeSensor(Phrase& phrase) {
   const Lexeme written = phrase.whole(0, sensor + 1);
   const std::string better =
       fmt::format("{} {}", phrase.text(sensor), phrase.wholeText(0, number + 1));
-  phrase.reporter()
-      .at(phrase.whole(0, number + 1), support::diagnostics::unexpectedToken, "a sensor",
-          fmt::format("`{}`", phrase.wholeText(0, number + 1)))
-      .hint(fmt::format("write `{}`", better))
-      .fix(phrase.source().range(written), better);
+  auto report =
+      phrase.reporter().at(phrase.whole(0, number + 1), support::diagnostics::unexpectedToken,
+                           "a sensor", fmt::format("`{}`", phrase.wholeText(0, number + 1)));
+  if (phrase.before() == GliderLexer::SENSORS && phrase.type(sensor + 1) == GliderLexer::COMMA) {
+    // For all of them, or for the first?
+    report.hint(fmt::format("write `{}` after each sensor that it is for, as in `{}`",
+                            phrase.wholeText(0, number + 1), better));
+  } else {
+    report.hint(fmt::format("write `{}`", better)).fix(phrase.source().range(written), better);
+  }
   phrase.put(phrase.token(sensor));
   for (size_t k = 0; k <= number; ++k) {
     phrase.put(phrase.token(k));

@@ -6,6 +6,8 @@
 #include "frontend/spelling.h"
 #include "support/diagnostics/ids/syntax.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace glider::frontend::phrases {
@@ -85,6 +87,23 @@ size_t bareProse(Phrase& phrase) {
 
 }  // namespace
 
+size_t lineOfMi(Phrase& phrase) {
+  const bool word =
+      phrase.says(0, "b_arg") || phrase.says(0, "behavior") || phrase.says(0, "sensor");
+  if (!phrase.startsLine() || !word || phrase.type(1) != GliderLexer::COLON ||
+      phrase.startsLine(1)) {
+    return 0;
+  }
+  const Lexeme found = phrase.whole(0, 2);
+  phrase.reporter()
+      .at(found, support::diagnostics::unexpectedToken, "a line of the mission language",
+          fmt::format("`{}`", phrase.source().text(found)))
+      .hint(
+          "that is a line of a `.mi`: docs/from-mi.md has what it is in a mission, as "
+          "`d_target_depth` is `bottom` of `yo(top = …, bottom = …)`");
+  return phrase.tokensOfLine();
+}
+
 size_t comment(Phrase& phrase) {
   const size_t sign = tokensOfSign(phrase);
   if (sign == 0) {
@@ -94,11 +113,15 @@ size_t comment(Phrase& phrase) {
   const bool begins = phrase.startsLine() || phrase.mayBeginCase() ||
                       oneOf(phrase.before(), {GliderLexer::END, GliderLexer::BEGIN});
   const size_t line = phrase.tokensOfLine();
+  // `; counter` after a declaration.
+  const bool word = phrase.type() == GliderLexer::SEMICOLON && line == 2 && !begins &&
+                    phrase.type(1) == GliderLexer::NAME && !phrase.isDeclared(phrase.text(1)) &&
+                    keywordType(phrase.lower(1)) == 0;
   const bool prose = isProse(phrase, sign, line);
   const bool list = phrase.keyword() == GliderLexer::SENSORS && !phrase.startsLine();
   const bool placed = begins || (prose && sign == 1);
   if (!phrase.open().empty() || !isComplete(phrase) || list || !placed ||
-      (!prose && !only_comment) || (!begins && !only_comment)) {
+      (!prose && !only_comment) || (!begins && !only_comment && !word)) {
     return 0;
   }
   // A sign before a keyword may have been meant otherwise, or to disable the line.

@@ -325,6 +325,43 @@ size_t visits(Phrase& phrase) {
   return 1;
 }
 
+/// `require within 7 h exit`.
+size_t timeBeforeExit(Phrase& phrase) {
+  const size_t time = phrase.type() == GliderLexer::WITHIN ? tokensOfQuantity(phrase, 1) : 0;
+  if (time == 0 || phrase.type(1 + time) != GliderLexer::EXIT) {
+    return 0;
+  }
+  const Lexeme within = phrase.token();
+  const Lexeme whole = phrase.whole(0, time + 2);
+  const std::string better = fmt::format("exit {}", phrase.wholeText(0, time + 1));
+  expected(phrase, within, "`exit within`")
+      .hint(fmt::format("write `require {}`", better))
+      .fix(phrase.source().range(whole), better);
+  phrase.put({GliderLexer::EXIT, within.begin, within.begin});
+  for (size_t k = 0; k <= time; ++k) {
+    phrase.put(phrase.token(k));
+  }
+  return time + 2;
+}
+
+/// `require always hold within 8 h`.
+size_t alwaysForVisit(Phrase& phrase) {
+  const bool visit = phrase.type() == GliderLexer::ALWAYS && isAnyName(phrase.type(1)) &&
+                     phrase.type(2) == GliderLexer::WITHIN && tokensOfQuantity(phrase, 3) > 0 &&
+                     phrase.startsLine(3 + tokensOfQuantity(phrase, 3));
+  if (!visit || !isStateName(phrase.source(), phrase.text(1))) {
+    return 0;
+  }
+  const Lexeme word = phrase.token();
+  expected(phrase, word, "`visit`")
+      .hint(fmt::format(
+          "write `require visit {} within {}`, or with `or exit` if the mission may end "
+          "before",
+          phrase.text(1), phrase.wholeText(3, tokensOfQuantity(phrase, 3))));
+  phrase.put({GliderLexer::VISIT, word.begin, word.end});
+  return 1;
+}
+
 /// `require sample at most twice`.
 size_t visitLeftOut(Phrase& phrase) {
   const bool count = phrase.type(1) == GliderLexer::AT &&
@@ -375,9 +412,10 @@ size_t promise(Phrase& phrase) {
   if (phrase.before() != GliderLexer::REQUIRE) {
     return 0;
   }
-  return firstOf(phrase, {subject, visits, visitLeftOut, promiseWords, surfacingAtLeast, timeAlone,
-                          caseAsWhenever, alwaysAtEnd, neverDivesBelow, neverComparing,
-                          neverOfNothing, greatestOrLeast, alwaysLeftOut});
+  return firstOf(phrase,
+                 {subject, visits, visitLeftOut, timeBeforeExit, alwaysForVisit, promiseWords,
+                  surfacingAtLeast, timeAlone, caseAsWhenever, alwaysAtEnd, neverDivesBelow,
+                  neverComparing, neverOfNothing, greatestOrLeast, alwaysLeftOut});
 }
 
 size_t promiseInside(Phrase& phrase) {
@@ -402,10 +440,22 @@ size_t reaction(Phrase& phrase) {
   const bool transition = oneOf(phrase.type(), {GliderLexer::GOTO, GliderLexer::CALL});
   const bool after_then = phrase.type() == GliderLexer::NUMBER && isAnyName(phrase.before()) &&
                           phrase.before(1) == GliderLexer::THEN;
-  if (!(transition || after_then) || !hasRead(phrase, {GliderLexer::WHENEVER, GliderLexer::WHEN})) {
+  const bool in_time = phrase.type() == GliderLexer::IN && endsValue(phrase.before()) &&
+                       tokensOfQuantity(phrase, 1) > 0 &&
+                       phrase.startsLine(1 + tokensOfQuantity(phrase, 1)) &&
+                       hasRead(phrase, {GliderLexer::THEN});
+  if (!(transition || after_then || in_time) ||
+      !hasRead(phrase, {GliderLexer::WHENEVER, GliderLexer::WHEN})) {
     return 0;
   }
   const Lexeme found = phrase.token();
+  if (phrase.type() == GliderLexer::IN) {
+    expected(phrase, found, "`within`")
+        .hint(fmt::format("write `within {}`", phrase.wholeText(1, tokensOfQuantity(phrase, 1))))
+        .fix(phrase.source().range(found), "within");
+    phrase.put({GliderLexer::WITHIN, found.begin, found.end});
+    return 1;
+  }
   if (transition && isAnyName(phrase.type(1)) && phrase.before() == GliderLexer::THEN) {
     phrase.reporter()
         .at(found, support::diagnostics::superfluousWord, phrase.text(), "after `then`")

@@ -10,6 +10,8 @@ namespace glider::frontend::phrases {
 
 /// `% warm water`, `-- warm water`, and prose at the beginning of a line.
 size_t comment(Phrase& phrase);
+/// `b_arg: d_target_depth(m) 40`.
+size_t lineOfMi(Phrase& phrase);
 /// `CASE`, `Call`: a keyword with capitals.
 size_t capitals(Phrase& phrase);
 /// `if … then call up`, `when … call up`, `else stay`, a condition without `case`.

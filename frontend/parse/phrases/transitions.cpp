@@ -147,9 +147,43 @@ size_t target(Phrase& phrase) {
                           parenthesesAfterTransition, goTo, jumpTo});
 }
 
+namespace {
+
+/// `call report else goto hold`, `stay 10 min`.
+size_t moreAfterTransition(Phrase& phrase) {
+  const size_t line = phrase.tokensOfLine();
+  if (phrase.type() == GliderLexer::ELSE && line > 1) {
+    phrase.reporter()
+        .at(phrase.token(), support::diagnostics::unexpectedToken, "`case` or `end`",
+            describe(phrase.source(), phrase.token()))
+        .hint("a case has no `else`: what is to happen otherwise is another case, below this one");
+    return line;
+  }
+  const size_t time = phrase.type() == GliderLexer::NUMBER ? tokensOfNumber(phrase, 0) : 0;
+  if (time < 2 || time != line) {
+    return 0;
+  }
+  const bool stays = phrase.before() == GliderLexer::STAY;
+  phrase.reporter()
+      .at(phrase.whole(0, time), support::diagnostics::unexpectedToken, "`case` or `end`",
+          describe(phrase.source(), phrase.token()))
+      .hint(stays ? fmt::format("`stay` takes no time: how long a state lasts is the case that "
+                                "leaves it, as in `case statetime > {} …`",
+                                phrase.wholeText(0, time))
+                  : fmt::format("a transition takes no time: how long a state lasts is the case "
+                                "that leaves it, as in `case statetime > {} …`",
+                                phrase.wholeText(0, time)));
+  return line;
+}
+
+}  // namespace
+
 size_t afterTransition(Phrase& phrase) {
   if (!phrase.mayBeginCase() || phrase.startsLine() || !isTransition(phrase.keyword())) {
     return 0;
+  }
+  if (const size_t taken = moreAfterTransition(phrase)) {
+    return taken;
   }
   const size_t line = phrase.tokensOfLine();
   const bool second = isTransition(phrase.type());

@@ -30,6 +30,7 @@ struct OtherUnit {
 };
 constexpr OtherUnit kOtherUnits[] = {{"degf", "degC", 1 / 1.8, -32 / 1.8},
                                      {"fahrenheit", "degC", 1 / 1.8, -32 / 1.8},
+                                     {"f", "degC", 1 / 1.8, -32 / 1.8},
                                      {"kelvin", "degC", 1, -273.15},
                                      {"k", "degC", 1, -273.15},
                                      {"hpa", "bar", 0.001, 0},

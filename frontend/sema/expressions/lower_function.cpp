@@ -61,6 +61,16 @@ bool refuseElement(const ast::Invocation& node, Scope& scope) {
 }
 
 Suggestion suggestFunction(std::string_view wrong, const Scope& scope) {
+  constexpr std::pair<std::string_view, std::string_view> kOperators[] = {
+      {"and", "write `a && b`: both are true"},
+      {"or", "write `a || b`: one is true, or both"},
+      {"not", "write `!a`, or `!(a && b)`"},
+      {"xor", "write `(a || b) && !(a && b)`"}};
+  for (const auto& [word, hint] : kOperators) {
+    if (std::ranges::equal(word, wrong, {}, {}, [](unsigned char c) { return std::tolower(c); })) {
+      return {std::string(hint), ""};
+    }
+  }
   std::vector<std::string_view> names;
   for (const auto& [name, function] : scope.functions) {
     names.push_back(name);

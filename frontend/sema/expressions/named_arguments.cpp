@@ -12,7 +12,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace glider::frontend {
 namespace {
@@ -26,6 +29,37 @@ Suggestion namesOf(const Signature& signature, std::string_view wrong) {
     all += (all.empty() ? "parameters: " : ", ") + formal.name->text;
   }
   return didYouMean(wrong, names, names.empty() ? "it has no parameters" : all);
+}
+
+/// What an argument of a behaviour of the vehicle's, or another word, is called here: "bottom" for
+/// "d_target_depth"; empty if nothing is known.
+std::string_view parameterMeantBy(std::string_view word) {
+  constexpr std::pair<std::string_view, std::string_view> kWords[] = {
+      {"d_target_depth", "bottom"},
+      {"target_depth", "bottom"},
+      {"max_depth", "bottom"},
+      {"maximum_depth", "bottom"},
+      {"depth", "bottom"},
+      {"deepest", "bottom"},
+      {"c_target_depth", "top"},
+      {"min_depth", "top"},
+      {"minimum_depth", "top"},
+      {"shallowest", "top"},
+      {"d_target_altitude", "above"},
+      {"altitude", "above"},
+      {"min_altitude", "above"},
+      {"d_pitch_value", "dive"},
+      {"dive_pitch", "dive"},
+      {"dive_angle", "dive"},
+      {"c_pitch_value", "climb"},
+      {"climb_pitch", "climb"},
+      {"climb_angle", "climb"},
+      {"num_half_cycles_to_do", "times"},
+      {"count", "times"},
+      {"repeat", "times"}};
+  const auto* found =
+      std::ranges::find(kWords, word, &std::pair<std::string_view, std::string_view>::first);
+  return found == std::end(kWords) ? std::string_view() : found->second;
 }
 
 /// Puts arguments of which some are named in the order of the parameters.
@@ -66,6 +100,17 @@ class Ordering {
     const auto found =
         std::ranges::find(formals(), argument.parameter->text,
                           [](const Signature::Formal& formal) { return formal.name->text; });
+    const std::string_view meant = parameterMeantBy(argument.parameter->text);
+    const bool takes = std::ranges::any_of(
+        formals(), [&](const Signature::Formal& formal) { return formal.name->text == meant; });
+    if (found == formals().end() && takes) {
+      scope_
+          .report(support::diagnostics::unknownParameter, argument.parameter->where, callee_.name,
+                  argument.parameter->text, fmt::format("write `{} = …`", meant))
+          .fix(argument.parameter->where, std::string(meant));
+      good_ = false;
+      return;
+    }
     if (found == formals().end()) {
       scope_.reportUnknown(support::diagnostics::unknownParameter, argument.parameter->where,
                            namesOf(callee_.signature, argument.parameter->text), callee_.name,

@@ -4,6 +4,7 @@
 #include "ir/prove/encoding/known_roughly.h"
 
 #include "ir/core/ops.h"
+#include "ir/prove/context/vehicle_clock.h"
 
 #include <fmt/ranges.h>
 
@@ -23,7 +24,8 @@ enum class Approximation : uint8_t {
   Place,
   Watched,
   Window,
-  Code
+  Code,
+  Clock
 };
 
 const char* nameOf(Approximation rough) {
@@ -44,6 +46,8 @@ const char* nameOf(Approximation rough) {
       return "windows";
     case Approximation::Code:
       return "C functions";
+    case Approximation::Clock:
+      return "the vehicle's clock, which a search does not tie to `missiontime`";
   }
   return "";
 }
@@ -100,9 +104,10 @@ std::optional<Approximation> roughnessOf(const Mission& m, const Expr& e) {
       return isWindow(m[e.temporal].kind) ? Approximation::Window : Approximation::Watched;
     case OpGroup::Call:
       return Approximation::Code;
+    case OpGroup::Sensor:
+      return isVehicleClock(m[e.sensor]) ? std::optional(Approximation::Clock) : std::nullopt;
     case OpGroup::Constant:
     case OpGroup::Truth:
-    case OpGroup::Sensor:
     case OpGroup::Clock:
     case OpGroup::Variable:
     case OpGroup::Age:

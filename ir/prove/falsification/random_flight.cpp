@@ -6,6 +6,7 @@
 #include "ir/core/inside.h"
 #include "ir/prove/context/place_read.h"
 #include "ir/prove/context/vehicle_clock.h"
+#include "ir/prove/falsification/calendar_clocks.h"
 #include "ir/prove/falsification/random_place.h"
 #include "ir/prove/falsification/random_vehicle.h"
 #include "ir/prove/falsification/run_recorder.h"
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -28,6 +30,7 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFar = 1e9;  ///< of a range without an end
 constexpr double kLostTick = 0.01;
 constexpr double kPowerCut = 0.005;
+constexpr double kClockUnknown = 0.02;
 /// Nearer to a pole a RandomPlace does not move as a vehicle does, degrees.
 constexpr double kNearPole = 85;
 
@@ -52,6 +55,10 @@ class RandomFlight {
         showing_(m_.sensors.size()) {
     for (const Sensor& sensor : m_.sensors) {
       landmarks_.push_back(landmarksOf(sensor));
+    }
+    const CalendarClocks clocks(m_);
+    for (const SensorId clock : clocks.sensors()) {
+      clocks_.emplace(clock.index, startOfClock(clock));
     }
     if (place != nullptr) {
       const auto start = startOf(*place);
@@ -198,9 +205,31 @@ class RandomFlight {
     }
   }
 
+  /// What a clock of the vehicle shows as the mission begins: often so that a time of the calendar
+  /// or of the day that the mission names comes during the flight.
+  double startOfClock(SensorId clock) {
+    constexpr double kDay_s = 86400, kFirst_s = 1.6e9, kYears_s = 3e8, kFirstDate_s = 946684800;
+    constexpr double kChance = 0.7;
+    const Interval& range = proof_context_.sensors[clock.index];
+    const std::vector<double>& landmarks = landmarks_[clock.index];
+    const double soon = dice_.lasting();
+    double start = kFirst_s + kYears_s * dice_.unit();
+    if (!landmarks.empty() && dice_.chance(kChance)) {
+      const double landmark = landmarks[dice_.below(landmarks.size())];
+      const double of_day = std::fmod(landmark, kDay_s);
+      start = landmark >= kFirstDate_s ? landmark : std::floor(start / kDay_s) * kDay_s + of_day;
+      start -= dice_.chance(kChance) ? soon : -soon;
+    }
+    return std::clamp(start, std::max(range.lowest, 0.0), std::max(range.highest - kYears_s, 0.0));
+  }
+
   std::vector<double> readings(double time) {
     std::vector<double> values;
     for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
+      if (const auto clock = clocks_.find(i); clock != clocks_.end()) {
+        values.push_back(dice_.chance(kClockUnknown) ? kUnknown : clock->second + time);
+        continue;
+      }
       if (time == 0 && m_.sensors[i].isHeard()) {  // nothing is received before the mission begins
         values.push_back(std::numeric_limits<double>::quiet_NaN());
         continue;
@@ -268,6 +297,7 @@ class RandomFlight {
   bool calm_ = dice_.chance(0.3);  ///< every sensor shows the same all the time
   std::vector<HeldReading> showing_;
   std::vector<std::vector<double>> landmarks_;  ///< by sensor
+  std::map<uint32_t, double> clocks_;  ///< by sensor: what a clock shows as the mission begins, s
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "ir/prove/falsification/run_recorder.h"
 
+#include "ir/prove/context/vehicle_clock.h"
 #include "ir/verify/value_text.h"
 #include "support/units/duration_text.h"
 #include "support/units/position_text.h"
@@ -31,7 +32,8 @@ double rawOf(const Sensor& sensor, double value) {
 
 /// Whether it is the reading of the vehicle's clock.
 bool isClock(const Mission& mission, const Expr& e) {
-  return e.op == Op::Sensor && mission[e.sensor].name.ends_with("m_present_time");
+  return e.op == Op::Sensor && isVehicleClock(mission[e.sensor]) &&
+         mission[e.sensor].vehicle_name != "m_present_secs_into_mission";
 }
 
 /// Whether it is `timeofday`, or as much of that clock.
@@ -80,7 +82,8 @@ RunRecorder::RunRecorder(const ProofContext& proof_context, uint32_t stack_depth
     : proof_context_(proof_context),
       m_(proof_context.mission),
       requirements_(requirements),
-      depth_sensor_(proof_context.depth) {
+      depth_sensor_(proof_context.depth),
+      clocks_(proof_context.mission) {
   for (const Requirement& requirement : requirements_) {
     for (auto* monitors : {&monitors_, &later_}) {
       monitors->emplace_back(m_, requirement, proof_context.platform.world.surface_depth_m,
@@ -117,6 +120,7 @@ std::vector<SensorUpdate> RunRecorder::frameOf(const std::vector<double>& readin
 void RunRecorder::start(std::vector<double> parameters, const std::vector<double>& readings,
                         double depth) {
   auto frame = frameOf(readings);
+  assumptions_hold_ &= clocks_.goOn(readings, 0);
   result_.parameters = std::move(parameters);
   TickResult result = interpreter_->start(frame, result_.parameters);
   keep(std::move(result), 0, std::move(frame), depth);
@@ -124,6 +128,7 @@ void RunRecorder::start(std::vector<double> parameters, const std::vector<double
 
 void RunRecorder::tick(double time, const std::vector<double>& readings, double depth) {
   auto frame = frameOf(readings);
+  assumptions_hold_ &= clocks_.goOn(readings, time);
   TickResult result = interpreter_->tick(time, frame);
   keep(std::move(result), time, std::move(frame), depth);
 }
@@ -135,6 +140,7 @@ bool RunRecorder::tickIfQuiet(double time, const std::vector<double>& readings, 
   if (!quiet(last_, result)) {
     return false;
   }
+  assumptions_hold_ &= clocks_.goOn(readings, time);
   interpreter_.emplace(std::move(tried));
   keep(std::move(result), time, std::move(frame), depth);
   return true;

@@ -6,6 +6,7 @@
 #include "ir/eval/interpreter.h"
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/context/requirement_monitor.h"
+#include "ir/prove/falsification/calendar_clocks.h"
 #include "ir/prove/falsification/counterexample.h"
 
 #include <optional>
@@ -52,8 +53,9 @@ class RunRecorder {
   std::vector<RequirementMonitor> monitors_;  ///< one for each requirement
   std::vector<RequirementMonitor> later_;     ///< the same, without the start
   std::vector<RequirementMonitor> assumed_;   ///< one for each assumption that is watched
-  bool assumptions_hold_ = true;              ///< up to now: what violates one proves nothing
-  std::optional<size_t> hit_;                 ///< the first that is violated (Reach: satisfied)
+  CalendarClocks clocks_;
+  bool assumptions_hold_ = true;  ///< up to now, and the clocks go on: otherwise nothing is shown
+  std::optional<size_t> hit_;     ///< the first that is violated (Reach: satisfied)
   std::optional<Interpreter> interpreter_;
   TickResult last_;
   Counterexample result_;

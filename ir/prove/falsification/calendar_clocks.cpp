@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/falsification/calendar_clocks.h"
+
+#include "ir/prove/context/vehicle_clock.h"
+
+#include <cmath>
+
+namespace glider::ir::prove {
+
+CalendarClocks::CalendarClocks(const Mission& mission) {
+  for (uint32_t i = 0; i < mission.sensors.size(); ++i) {
+    if (isVehicleClock(mission.sensors[i])) {
+      sensors_.push_back({i});
+    }
+  }
+  started_.resize(sensors_.size());
+}
+
+bool CalendarClocks::goOn(std::span<const double> readings, double time) {
+  bool good = true;
+  for (size_t i = 0; i < sensors_.size(); ++i) {
+    const double reading = readings[sensors_[i].index];
+    if (reading != reading) {
+      continue;
+    }
+    const double start = reading - time;
+    good = good && std::fabs(start - started_[i].value_or(start)) <= kTolerance_s;
+    started_[i] = started_[i].value_or(start);
+  }
+  return good;
+}
+
+}  // namespace glider::ir::prove

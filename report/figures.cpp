@@ -119,7 +119,7 @@ void measureStates(const Trace& trace, int time, FlightFigures& figures) {
     const double held_s = std::isnan(next - now) || trace.isGap(now, next) ? 0.0 : next - now;
     if (!std::isnan(id)) {
       StateFigures& entry = by_id[id];
-      entry.visits += id == before ? 0 : 1;
+      entry.stretches += id == before ? 0 : 1;
       entry.time_s += held_s;
     } else if (active >= 0 && trace.at(row, active) > 0) {
       figures.stateless_s += held_s;
@@ -347,8 +347,10 @@ std::string figuresToJson(const FlightFigures& figures) {
   using nlohmann::json;
   json states = json::array();
   for (const StateFigures& state : figures.states) {
-    states.push_back(
-        {{"id", state.id}, {"name", state.name}, {"visits", state.visits}, {"time", state.time_s}});
+    states.push_back({{"id", state.id},
+                      {"name", state.name},
+                      {"stretches", state.stretches},
+                      {"time", state.time_s}});
   }
   const json out = {{"rows", figures.rows},
                     {"duration", figures.duration_s},

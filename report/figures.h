@@ -16,7 +16,8 @@ namespace glider::report {
 struct StateFigures {
   double id = 0;  ///< as in the column "state"
   std::string name;
-  size_t visits = 0;  ///< entries, including returns into the state
+  size_t stretches =
+      0;  ///< of time in which it was current: a return begins one, `goto` to itself does not
   double time_s = 0;
 };
 

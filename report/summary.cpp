@@ -149,15 +149,15 @@ std::string stateLines(const FlightFigures& figures, const Trace& trace) {
   for (const StateFigures& state : figures.states) {
     column = std::max(column, std::min<size_t>(width(plain(state.name)), 56));
   }
-  std::string out = fmt::format("\n{} visits       time  share\n", padded("states", column + 2));
-  const auto line = [&](const std::string& name, const std::string& visits, double time_s) {
+  std::string out = fmt::format("\n{}current       time  share\n", padded("states", column + 2));
+  const auto line = [&](const std::string& name, const std::string& stretches, double time_s) {
     const double share = figures.duration_s > 0 ? 100.0 * time_s / figures.duration_s : 0.0;
     out += fmt::format("  {}{:>7} {:>8.0f} s {:>4.0f} %\n", padded(cut(name, column), column),
-                       visits, time_s, share);
+                       stretches, time_s, share);
   };
   for (size_t i = 0; i < std::min(figures.states.size(), kMostStates); ++i) {
     const StateFigures& state = figures.states[i];
-    line(plain(state.name), fmt::format("{}", state.visits), state.time_s);
+    line(plain(state.name), fmt::format("{}", state.stretches), state.time_s);
   }
   if (figures.states.size() > kMostStates) {
     out += fmt::format("  and {} more\n", figures.states.size() - kMostStates);

@@ -36,7 +36,7 @@ export interface Figures {
   track: "none" | "true" | "dead-reckoned";
   coldest: number | null;
   warmest: number | null;
-  states: { id: number; name: string; visits: number; time: number }[];
+  states: { id: number; name: string; stretches: number; time: number }[];
   layered: number | null;
   stateless: number | null;
 }

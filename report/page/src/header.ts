@@ -48,8 +48,8 @@ function shareBar(title: string, parts: Part[]): HTMLElement {
 /** The time in each state. */
 function timeShares(flight: Flight): HTMLElement | null {
   const f = flight.figures;
-  const visits = (count: number) => (count === 1 ? ", 1 visit" : `, ${count} visits`);
-  const parts = f.states.map((s) => ({ name: s.name, size: s.time, text: clock(s.time) + visits(s.visits), colour: pilotColour(s.id) }));
+  const times = (count: number) => (count === 1 ? ", current once" : `, current ${count} times`);
+  const parts = f.states.map((s) => ({ name: s.name, size: s.time, text: clock(s.time) + times(s.stretches), colour: pilotColour(s.id) }));
   const other = (name: string, time: number, colour: string) => parts.push({ name, size: time, text: clock(time), colour });
   if (f.stateless) other("SBC", f.stateless, pilotColour("sbc"));
   if (parts.length === 0) return null;

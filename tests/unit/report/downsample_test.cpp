@@ -32,7 +32,7 @@ TEST(Downsample, ALongTraceKeepsEndsExtremesAndEveryChangeOfState) {
   EXPECT_EQ(after.yos, before.yos);
   ASSERT_EQ(after.states.size(), before.states.size());
   for (size_t i = 0; i < before.states.size(); ++i) {
-    EXPECT_EQ(after.states[i].visits, before.states[i].visits);
+    EXPECT_EQ(after.states[i].stretches, before.states[i].stretches);
     EXPECT_NEAR(after.states[i].time_s, before.states[i].time_s, 1e-6);
   }
 }

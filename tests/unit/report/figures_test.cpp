@@ -108,9 +108,9 @@ TEST(Figures, CountsVisitsAndTimeOfEachState) {
   const FlightFigures figures = flightFigures(trace);
   ASSERT_EQ(figures.states.size(), 2U);
   EXPECT_EQ(figures.states[0].name, "search");
-  EXPECT_EQ(figures.states[0].visits, 2U);
+  EXPECT_EQ(figures.states[0].stretches, 2U);
   EXPECT_DOUBLE_EQ(figures.states[0].time_s, 12);
-  EXPECT_EQ(figures.states[1].visits, 1U);
+  EXPECT_EQ(figures.states[1].stretches, 1U);
   EXPECT_DOUBLE_EQ(figures.states[1].time_s, 8);
   EXPECT_DOUBLE_EQ(figures.layered_s, 10);
   EXPECT_DOUBLE_EQ(figures.duration_s, 30);

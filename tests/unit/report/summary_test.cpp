@@ -43,7 +43,7 @@ TEST(Summary, SaysWhatTheFlightCameTo) {
   depth        0.0 to 20.0 m, 2 yos
   distance     680 m over ground, 625 m made good
 
-states              visits       time  share
+states             current       time  share
   s1                     2      500 s   31 %
   s2                     1     1000 s   62 %
   (layered control)             100 s    6 %

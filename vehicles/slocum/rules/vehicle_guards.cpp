@@ -70,12 +70,12 @@ class GuardCheck {
                                         dives, *overdepth, file_.name),
                             "give it a shallower depth, or raise overdepth");
       } else if (*layer.deepest_m + kSurelyPast_m > deepest_) {
-        diagnostics_.report(
-            support::diagnostics::mayNotFollow, layer.range,
-            fmt::format("{}, and where the SBC takes control below {:.4g} m (max_depth in {}) "
-                        "hookbeh first makes the vehicle climb",
-                        dives, deepest_, file_.name),
-            "give it a shallower depth, or raise max_depth");
+        diagnostics_.report(support::diagnostics::mayNotFollow, layer.range,
+                            fmt::format("{}, and where the SBC takes control below {:.4g} m ({}) "
+                                        "hookbeh first makes the vehicle climb",
+                                        dives, deepest_, whose()),
+                            isHulls() ? "give it a shallower depth"
+                                      : "give it a shallower depth, or raise max_depth");
       }
     }
   }
@@ -117,6 +117,16 @@ class GuardCheck {
     return dive.range.valid() ? dive.range : m_.states.front().range;
   }
 
+  /// Whether no mission file can allow more.
+  [[nodiscard]] bool isHulls() const {
+    return file_.guards.greatest_depth_m >= platform_.envelope.greatest_depth_m;
+  }
+  /// Whose limit `deepest_` is.
+  [[nodiscard]] std::string whose() const {
+    return isHulls() ? "the limit of its hull, which is built into hookbeh"
+                     : fmt::format("max_depth in {}", file_.name);
+  }
+
   void pastGreatestDepth(const Dive& dive) {
     if (dive.depth_m > deepest_ || dive.depth_m + overshoot_ <= deepest_) {
       return;  // it is refused (GL3124), or leaves room for the turn
@@ -126,11 +136,13 @@ class GuardCheck {
         surely ? support::diagnostics::hookbehOverrides : support::diagnostics::mayNotFollow,
         placeOf(dive),
         fmt::format("{} goes to {:.4g} m, a turn there {} up to {:.4g} m further, and below {:.4g} "
-                    "m hookbeh makes the vehicle climb (max_depth in {})",
+                    "m hookbeh makes the vehicle climb ({})",
                     dive.who, dive.depth_m, surely ? "goes" : "may go", overshoot_, deepest_,
-                    file_.name),
-        fmt::format("command at most {:.4g} m, or give max_depth {:.4g}",
-                    std::max(0.0, deepest_ - overshoot_), dive.depth_m + overshoot_));
+                    whose()),
+        fmt::format("command at most {:.4g} m{}", std::max(0.0, deepest_ - overshoot_),
+                    dive.depth_m + overshoot_ > platform_.envelope.greatest_depth_m
+                        ? ""
+                        : fmt::format(", or give max_depth {:.4g}", dive.depth_m + overshoot_)));
   }
 
   void pastOverdepth(const Dive& dive) {

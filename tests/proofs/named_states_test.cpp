@@ -4,11 +4,7 @@
 // The strategy namedStates without the others, which would answer first: what it proves, and what
 // it must not prove of a promise that is false by a tick, a case or a metre.
 
-#include "ir/prove/passes.h"
-#include "ir/prove/requirements/strategy.h"
-#include "ir/verify/verify.h"
-#include "tests/proofs/properties.h"
-#include "tests/unit/frontend/compile.h"
+#include "tests/proofs/proved_alone.h"
 
 #include <gtest/gtest.h>
 
@@ -17,29 +13,8 @@
 namespace glider::tests {
 namespace {
 
-/// Whether `promise` about a mission is proved by the strategy alone.
-bool isProvedAlone(const std::string& promise, const std::string& mission_text) {
-  frontend::testing_support::FrontendRun run("mission m\nrequire " + promise + "\n" + mission_text);
-  const auto mission = run.compile();
-  EXPECT_TRUE(mission.has_value()) << run.said();
-  if (!mission) {
-    return false;
-  }
-  const ir::Worlds worlds(*mission, slocum());
-  const ir::MissionFacts facts = ir::verify(*mission, run.diagnostics);
-  const ir::prove::ProofContext proof_context(worlds.widest);
-  const ir::prove::Options options;
-  z3::context context;
-  ir::prove::Proof proof{context, worlds, proof_context, facts, options, run.diagnostics};
-  ir::prove::StrategyContext strategies(proof);
-  ir::prove::Attempt attempt{0, strategies.mission.requirements.at(0)};
-  return ir::prove::strategy::namedStates().judge(attempt, strategies).has_value();
-}
-
-/// A state; each case on a line of its own.
-std::string stateOf(const std::string& name, const std::string& profile, const std::string& cases) {
-  return "state " + name + " begin\n  flightprofile " + profile +
-         "\n  sensors missiontime, depth\n  events\n" + cases + "\nend\n";
+bool isProvedAlone(const std::string& promise, const std::string& mission) {
+  return tests::isProvedAlone(ir::prove::strategy::namedStates(), promise, mission);
 }
 
 std::string always(const std::string& cases) {

@@ -10,7 +10,8 @@
 namespace glider::flights {
 namespace {
 
-/// Adds the sensors that `root` reads, in the order of their first use.
+/// Adds the sensors that `root` reads, in the order of their first use; also those that a `held`, a
+/// `became` or a window in it observes.
 void addSensors(const ir::Mission& mission, ir::ExprId root, std::vector<uint16_t>& sensors) {
   std::vector<ir::ExprId> open = {root};
   while (!open.empty()) {
@@ -21,6 +22,9 @@ void addSensors(const ir::Mission& mission, ir::ExprId root, std::vector<uint16_
       if (std::ranges::find(sensors, id) == sensors.end()) {
         sensors.push_back(id);
       }
+    }
+    if (expr.temporal.valid()) {
+      open.push_back(mission[expr.temporal].operand);
     }
     for (auto operand = expr.operands.rbegin(); operand != expr.operands.rend(); ++operand) {
       if (operand->valid()) {

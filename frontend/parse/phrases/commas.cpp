@@ -130,6 +130,22 @@ size_t everyBeforeSensor(Phrase& phrase) {
   return sensor + 1;
 }
 
+size_t unitAfterSensor(Phrase& phrase) {
+  const bool sensor = phrase.keyword() == GliderLexer::SENSORS && isAnyName(phrase.before()) &&
+                      oneOf(phrase.before(1), {GliderLexer::SENSORS, GliderLexer::COMMA});
+  if (!sensor || phrase.type() != GliderLexer::LPAREN || !isAnyName(phrase.type(1)) ||
+      phrase.type(2) != GliderLexer::RPAREN) {
+    return 0;
+  }
+  const Lexeme written = phrase.whole(0, 3);
+  phrase.reporter()
+      .at(written, support::diagnostics::superfluousWord, phrase.source().text(written),
+          "after a sensor")
+      .hint("delete it: the unit of a sensor is known")
+      .fix({phrase.source().file, phrase.lexemeBefore()->end, written.end}, "");
+  return 3;
+}
+
 size_t valueAfterText(Phrase& phrase) {
   const bool after_text =
       phrase.before() == GliderLexer::STRING && phrase.before(1) == GliderLexer::LOG;

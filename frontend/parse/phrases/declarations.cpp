@@ -230,8 +230,9 @@ size_t range(Phrase& phrase) {
     return 0;
   }
   const std::string_view sign = phrase.text(first);
-  const bool other = oneOf(phrase.type(first), {GliderLexer::TO, GliderLexer::MINUS}) ||
-                     sign == "…" || sign == "–" || sign == "TO";
+  const bool other =
+      oneOf(phrase.type(first), {GliderLexer::TO, GliderLexer::MINUS, GliderLexer::COLON}) ||
+      sign == "…" || sign == "–" || sign == "TO";
   const size_t second = other ? tokensOfNumber(phrase, first + 1) : 0;
   const uint32_t next = phrase.type(first + 1 + second);
   if (second == 0 || isOperator(next) || next == GliderLexer::RANGE) {

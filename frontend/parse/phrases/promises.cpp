@@ -344,6 +344,27 @@ size_t timeBeforeExit(Phrase& phrase) {
   return time + 2;
 }
 
+/// `require always within 5 km of home`.
+size_t alwaysWithinDistance(Phrase& phrase) {
+  const bool within = phrase.type() == GliderLexer::ALWAYS && phrase.type(1) == GliderLexer::WITHIN;
+  const size_t distance = within ? tokensOfQuantity(phrase, 2) : 0;
+  const size_t place = 2 + distance;
+  if (distance == 0 || phrase.type(place) != GliderLexer::OF ||
+      !isAnyName(phrase.type(place + 1))) {
+    return 0;
+  }
+  const Lexeme written = phrase.whole(1, place + 1, GliderLexer::TRUE);
+  const std::string better =
+      fmt::format("distance({}) <= {}", phrase.text(place + 1), phrase.wholeText(2, distance));
+  expected(phrase, phrase.token(1), "a condition")
+      .hint(fmt::format("write `require always {}`", better))
+      .fix(phrase.source().range(written), better);
+  phrase.put(phrase.token());
+  phrase.put(written);
+  phrase.notAsMeant();
+  return place + 2;
+}
+
 /// `require always hold within 8 h`.
 size_t alwaysForVisit(Phrase& phrase) {
   const bool visit = phrase.type() == GliderLexer::ALWAYS && isAnyName(phrase.type(1)) &&
@@ -412,10 +433,10 @@ size_t promise(Phrase& phrase) {
   if (phrase.before() != GliderLexer::REQUIRE) {
     return 0;
   }
-  return firstOf(phrase,
-                 {subject, visits, visitLeftOut, timeBeforeExit, alwaysForVisit, promiseWords,
-                  surfacingAtLeast, timeAlone, caseAsWhenever, alwaysAtEnd, neverDivesBelow,
-                  neverComparing, neverOfNothing, greatestOrLeast, alwaysLeftOut});
+  return firstOf(
+      phrase, {subject, visits, visitLeftOut, timeBeforeExit, alwaysWithinDistance, alwaysForVisit,
+               promiseWords, surfacingAtLeast, timeAlone, caseAsWhenever, alwaysAtEnd,
+               neverDivesBelow, neverComparing, neverOfNothing, greatestOrLeast, alwaysLeftOut});
 }
 
 size_t promiseInside(Phrase& phrase) {

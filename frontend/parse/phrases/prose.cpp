@@ -187,6 +187,23 @@ size_t textInParentheses(Phrase& phrase) {
   return 1;
 }
 
+size_t atTheSurface(Phrase& phrase) {
+  const size_t article = phrase.says(1, "the") ? 1 : 0;
+  if (!beginsCondition(phrase) || !phrase.says(1 + article, "surface") ||
+      phrase.startsLine(1 + article)) {
+    return 0;
+  }
+  const Lexeme written = phrase.whole(0, 2 + article, GliderLexer::TRUE);
+  phrase.reporter()
+      .at(written, support::diagnostics::unexpectedToken, "a condition",
+          fmt::format("`{}`", phrase.source().text(written)))
+      .hint("write `at_surface`")
+      .fix(phrase.source().range(written), "at_surface");
+  phrase.put(written);
+  phrase.notAsMeant();
+  return 2 + article;
+}
+
 size_t secondText(Phrase& phrase) {
   const bool text = phrase.type(1) == GliderLexer::STRING && phrase.text(1).size() > 2;
   if (phrase.keyword() != GliderLexer::LOG || !text || !phrase.open().empty() ||

@@ -106,6 +106,10 @@ size_t conditionalValue(Phrase& phrase);
 size_t questionMark(Phrase& phrase);
 /// `two days`.
 size_t numberWord(Phrase& phrase);
+/// `sensors depth (m)`.
+size_t unitAfterSensor(Phrase& phrase);
+/// `case at the surface`.
+size_t atTheSurface(Phrase& phrase);
 /// `is above`, `drops below`, `exceeds`, `at least`.
 size_t comparison(Phrase& phrase);
 /// `depth between 5 m and 10 m`, `depth in 5 m .. 10 m`.

@@ -56,7 +56,7 @@ constexpr OtherUnit kOtherUnits[] = {{"degf", "degC", 1 / 1.8, -32 / 1.8},
                                      {"mg/m3", "ug/L", 1, 0, true},
                                      {"magnetic", "deg magnetic", 1, 0},
                                      {"mg/l", "", 0, 0},
-                                     {"ml/l", "", 0, 0},
+                                     {"ml/l", "uM", 44.66, 0},
                                      {"psu", "", 0, 0, true},
                                      {"ppb", "", 0, 0},
                                      {"inches", "inch", 1, 0, true},
@@ -291,7 +291,31 @@ size_t magneticHeading(Phrase& phrase) {
   return 2;
 }
 
+namespace {
+
+/// `2 ml/l` of oxygen: the millilitre is a unit of the language.
+size_t millilitresPerLitre(Phrase& phrase) {
+  const bool written = phrase.before() == GliderLexer::NUMBER && phrase.says(0, "ml") &&
+                       phrase.type(1) == GliderLexer::DIVIDE && phrase.says(2, "l") &&
+                       phrase.touches(1) && phrase.touches(2);
+  if (!written) {
+    return 0;
+  }
+  const OtherUnit* other = otherUnit("ml/l");
+  const double number = valueOf(phrase.source().text(*phrase.lexemeBefore()));
+  phrase.reporter().at(
+      phrase.whole(0, 3), support::diagnostics::unknownUnit, phrase.wholeText(0, 3),
+      fmt::format("write `{:.4g} {}`, if it is oxygen", number * other->factor, other->ours));
+  phrase.notAsMeant();
+  return 3;
+}
+
+}  // namespace
+
 size_t softUnit(Phrase& phrase) {
+  if (const size_t taken = millilitresPerLitre(phrase)) {
+    return taken;
+  }
   if (phrase.before() != GliderLexer::NUMBER || phrase.type() != GliderLexer::NAME) {
     return 0;
   }

@@ -62,6 +62,24 @@ size_t legFirst(Phrase& phrase) {
   return 4;
 }
 
+/// `mean(chlorophyll, last 3 dives)`.
+size_t lastDives(Phrase& phrase) {
+  const bool several = isNamedOneOf(phrase, 0, {"last", "past", "previous"}) &&
+                       phrase.type(1) == GliderLexer::NUMBER &&
+                       isNamedOneOf(phrase, 2, {"dives", "climbs", "legs", "yos", "profiles"}) &&
+                       phrase.type(3) == GliderLexer::RPAREN;
+  if (!several) {
+    return 0;
+  }
+  const Lexeme written = phrase.whole(0, 3);
+  phrase.reporter().at(written, support::diagnostics::notALeg, phrase.source().text(written),
+                       "`this dive` or `last dive`; for more of them keep the value of each dive "
+                       "in an array");
+  phrase.notAsMeant();
+  phrase.put({GliderLexer::NAME, phrase.token().begin, phrase.token().end});
+  return 3;
+}
+
 /// `mean(temp, last 5 min)`.
 size_t lastOfTime(Phrase& phrase) {
   const size_t number = tokensOfNumber(phrase, 1);
@@ -104,7 +122,7 @@ size_t leg(Phrase& phrase) {
     return legFirst(phrase);
   }
   if (phrase.before() == GliderLexer::COMMA && phrase.type(1) != GliderLexer::NAME) {
-    return lastOfTime(phrase);
+    return firstOf(phrase, {lastDives, lastOfTime});
   }
   if (phrase.before() != GliderLexer::COMMA || phrase.type(1) != GliderLexer::NAME) {
     return 0;

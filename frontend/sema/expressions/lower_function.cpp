@@ -36,10 +36,10 @@ std::string withOurWords(std::string_view name) {
 /// The function that other languages call so.
 std::string_view calledElsewhere(std::string_view name) {
   constexpr std::pair<std::string_view, std::string_view> kNames[] = {
-      {"average", "mean"},    {"avg", "mean"},       {"len", "count"},      {"length", "count"},
-      {"size", "count"},      {"dist", "distance"},  {"gradient", "slope"}, {"derivative", "rate"},
-      {"range", "spread"},    {"mod", "remainder"},  {"fabs", "abs"},       {"isnan", "known"},
-      {"maximum", "highest"}, {"minimum", "lowest"}, {"course", "bearing"}};
+      {"average", "mean"},   {"avg", "mean"},      {"len", "count"},      {"length", "count"},
+      {"size", "count"},     {"dist", "distance"}, {"gradient", "slope"}, {"derivative", "rate"},
+      {"range", "spread"},   {"mod", "remainder"}, {"fabs", "abs"},       {"maximum", "highest"},
+      {"minimum", "lowest"}, {"course", "bearing"}};
   const auto* found =
       std::ranges::find(kNames, name, &std::pair<std::string_view, std::string_view>::first);
   return found == std::end(kNames) ? std::string_view() : found->second;
@@ -65,6 +65,7 @@ Suggestion suggestFunction(std::string_view wrong, const Scope& scope) {
       {"and", "write `a && b`: both are true"},
       {"or", "write `a || b`: one is true, or both"},
       {"not", "write `!a`, or `!(a && b)`"},
+      {"isnan", "write `!known(…)`"},
       {"xor", "write `(a || b) && !(a && b)`"}};
   for (const auto& [word, hint] : kOperators) {
     if (std::ranges::equal(word, wrong, {}, {}, [](unsigned char c) { return std::tolower(c); })) {

@@ -6,6 +6,7 @@
 #include "ir/verify/intervals.h"
 #include "ir/verify/passes.h"
 #include "ir/verify/value_text.h"
+#include "ir/verify/whole_numbers.h"
 #include "support/diagnostics/ids/verification.h"
 
 #include <fmt/format.h>
@@ -42,7 +43,10 @@ class RangeCheck {
   explicit RangeCheck(Verification& verification)
       : v_(verification),
         m_(verification.structure.mission),
-        intervals_(intervalsOf(verification.structure.mission)) {}
+        intervals_(intervalsOf(verification.structure.mission)),
+        whole_(wholeExpressions(verification.structure.mission, intervals_)) {
+    countRemainders();
+  }
 
   void run() {
     bool defaults_fit = true;
@@ -66,6 +70,16 @@ class RangeCheck {
   }
 
  private:
+  /// A remainder is below its divisor; of whole numbers it is at most one below.
+  void countRemainders() {
+    for (size_t i = 0; i < m_.exprs.size(); ++i) {
+      const Expr& e = m_.exprs[i];
+      if (e.op == Op::Remainder && whole_[i] && intervals_[i].highest >= 1) {
+        intervals_[i].highest -= 1;
+      }
+    }
+  }
+
   [[nodiscard]] bool fits(const Variable& v, ExprId value) const {
     return v.type.kind == TypeKind::Bool || intervals_[value.index].within(v.lowest, v.highest);
   }
@@ -147,6 +161,7 @@ class RangeCheck {
   Verification& v_;
   const Mission& m_;
   std::vector<Interval> intervals_;
+  std::vector<bool> whole_;
   std::set<AssignmentPlace> doubtful_;
   std::set<AssignmentPlace> kept_;  ///< those of them that their guards keep in range
   std::set<std::tuple<uint32_t, uint32_t, std::string>> told_;

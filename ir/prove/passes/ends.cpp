@@ -104,7 +104,13 @@ std::vector<std::string> endLines(const ProofContext& proof_context, Ending& end
   }
   const EndBound soon = boundOf(powered, kLongestMission, Goal::ExitOrSurface);
   const EndBound home = boundOf(proof_context, kLongestMission, Goal::ExitOrSurface);
-  if (soon.by && home.by && *soon.by > 0 && (!end.by || *home.by < *end.by)) {
+  // A promise to surface sooner has a verdict of its own.
+  const bool promised =
+      std::ranges::any_of(proof_context.mission.requirements, [&](const Requirement& requirement) {
+        return requirement.kind == RequirementKind::SurfacesEvery &&
+               requirement.seconds < soon.by.value_or(0);
+      });
+  if (soon.by && home.by && *soon.by > 0 && !promised && (!end.by || *home.by < *end.by)) {
     lines.push_back(fmt::format("counted from the start, it ends or first commands the surface {}",
                                 latest(proof_context, *soon.by, *home.by)));
   }

@@ -36,6 +36,11 @@ void noteWhatTheSeaDecides(support::DiagnosticBuilder& error, const Requirement&
 void noteAwaitedReading(support::DiagnosticBuilder& error, const Requirement& requirement,
                         const Counterexample& run, const ProofContext& proof_context);
 
+/// For a promise about readings on which a case of `always` acts: names a case of a state that is
+/// resumed which may fire first on the tick after the return, so that such a reading is missed.
+void notePutOff(support::DiagnosticBuilder& warning, const Requirement& requirement,
+                const ProofContext& proof_context);
+
 /// Names variables of the mission that are counted without a limit.
 void noteUnlimitedCounts(support::DiagnosticBuilder& warning, const ProofContext& proof_context);
 

@@ -6,13 +6,16 @@
 
 #include "ir/core/walk.h"
 #include "ir/prove/abstract/end_bound.h"
+#include "ir/prove/abstract/puts_off.h"
 #include "ir/prove/context/duration_text.h"
+#include "ir/prove/evidence/configurations.h"
 #include "ir/prove/requirements/advice.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <vector>
 
 namespace glider::ir::prove {
@@ -52,7 +55,55 @@ bool isAsked(const Mission& m, VariableId variable) {
          });
 }
 
+/// The sensors that an expression reads; of an invalid one none.
+std::set<uint32_t> sensorsOf(const Mission& m, ExprId root) {
+  std::set<uint32_t> found;
+  if (root.valid()) {
+    forEachIn(m, root, [&](const Expr& e) {
+      if (e.op == Op::Sensor) {
+        found.insert(e.sensor.index);
+      }
+    });
+  }
+  return found;
+}
+
+/// Whether a case of `always` acts on a reading that the requirement is about.
+bool alwaysActsOn(const Mission& m, const Requirement& requirement) {
+  std::set<uint32_t> asked = sensorsOf(m, requirement.condition);
+  if (requirement.monitor.step.valid()) {
+    forEachStatement(m, requirement.monitor.step,
+                     [&](const Statement& s) { asked.merge(sensorsOf(m, s.value)); });
+  }
+  return std::ranges::any_of(m.always, [&](const Case& c) {
+    return c.transition != Transition::Stay &&
+           std::ranges::any_of(sensorsOf(m, c.guard),
+                               [&](uint32_t sensor) { return asked.contains(sensor); });
+  });
+}
+
 }  // namespace
+
+void notePutOff(support::DiagnosticBuilder& warning, const Requirement& requirement,
+                const ProofContext& proof_context) {
+  const Mission& m = proof_context.mission;
+  const auto all = alwaysActsOn(m, requirement) ? configurations(m) : std::nullopt;
+  if (!all) {
+    return;
+  }
+  const PutsOff puts_off(proof_context);
+  for (const Reached& reached : *all) {
+    if (puts_off.at(reached.control)) {
+      const Case& first = *puts_off.by(reached.control.state);
+      warning.note(first.range,
+                   fmt::format("on the first tick after a return to `{}` its own cases come before "
+                               "those of `always`: if this one fires then, a reading on which "
+                               "`always` would act may be missed",
+                               m[reached.control.state].name));
+      return;
+    }
+  }
+}
 
 void notePowerCutsCount(support::DiagnosticBuilder& warning, const Requirement& requirement,
                         const ProofContext& proof_context, Ending& ending) {

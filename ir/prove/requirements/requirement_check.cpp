@@ -220,6 +220,7 @@ void RequirementCheck::settle(Judged& judged) {
     notePowerCutsCount(warning, requirement, proof_context, context_.proof.ending);
   }
   noteSlowClimb(warning, requirement, proof_context);
+  notePutOff(warning, requirement, proof_context);
   noteFences(warning, requirement, proof_context);
   noteUnlimitedCounts(warning, proof_context);
   noteTimersOfEntries(warning, proof_context);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "ir/core/walk.h"
-#include "ir/prove/abstract/bounds_by_state.h"
+#include "ir/prove/abstract/puts_off.h"
 #include "ir/prove/encoding/safety_properties.h"
 #include "ir/prove/evidence/configurations.h"
 #include "ir/prove/requirements/strategy.h"
@@ -23,39 +23,6 @@ bool readsOnlyTheTick(const Mission& mission, ExprId guard) {
            e.op == Op::ResumeTime;
   });
 }
-
-/// Finds where a state that has just been resumed may put `always` off: on its next tick its own
-/// cases come first.
-class PutsOff {
- public:
-  explicit PutsOff(const ProofContext& proof_context)
-      : mission_(proof_context.mission),
-        values_(anyValues(mission_)),
-        next_tick_(proof_context, values_,
-                   {kEver, kEver, Interval{0, proof_context.tick_gap_s, false}}) {}
-
-  [[nodiscard]] bool at(const Control& control) const {
-    return control.just_returned && std::ranges::any_of(mission_[control.state].cases,
-                                                        [&](const Case& c) { return mayFire(c); });
-  }
-  /// By a return.
-  [[nodiscard]] bool again(const Control& control) const {
-    const auto returns = [&](const Case& c) {
-      return c.transition == Transition::Return && mayFire(c);
-    };
-    return control.just_returned && !control.stack.empty() &&
-           std::ranges::any_of(mission_[control.state].cases, returns);
-  }
-
- private:
-  static constexpr Interval kEver{0, kGreatestNumber, false};
-
-  [[nodiscard]] bool mayFire(const Case& c) const { return next_tick_.truth(c.guard).is_true; }
-
-  const Mission& mission_;
-  Valuation values_;
-  AbstractEvaluator next_tick_;
-};
 
 /// The first cases of `always` that are certainly tried elsewhere, in order; not just after a
 /// return.

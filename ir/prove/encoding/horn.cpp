@@ -15,24 +15,28 @@ namespace {
 
 /// Turns off the transformations of Spacer that fold rules into each other: the rules would lose
 /// their names, and with them the trace.
-void configure(z3::context& context, z3::fixedpoint& engine) {
+void configure(z3::context& context, z3::fixedpoint& engine, Lemmas lemmas) {
   z3::params parameters(context);
   parameters.set("engine", context.str_symbol("spacer"));
   for (const char* option :
        {"xform.inline_eager", "xform.inline_linear", "xform.slice", "xform.tail_simplifier_pve"}) {
     parameters.set(option, false);
   }
+  if (lemmas == Lemmas::Elimination) {
+    constexpr unsigned kGauss = 2;
+    parameters.set("spacer.iuc.arith", kGauss);
+  }
   engine.set(parameters);
 }
 
 class Engine {
  public:
-  Engine(z3::context& context, const std::vector<Rule>& rules)
+  Engine(z3::context& context, const std::vector<Rule>& rules, Lemmas lemmas)
       : context_(context),
         clauses_(context, rules),
         engine_(context),
         bad_(context.function("bad", 0, nullptr, context.bool_sort())) {
-    configure(context, engine_);
+    configure(context, engine_, lemmas);
     engine_.register_relation(bad_);
     for (const auto& [place, relation] : clauses_.relations()) {
       z3::func_decl registered = relation;
@@ -110,7 +114,7 @@ RunsAnswer askAboutRuns(z3::context& context, const ProofContext& proof_context,
     return {Answer::Unknown, std::nullopt, "the mission has too many call stacks",
             Budget::kRule * writer.rules().size()};
   }
-  Engine engine(context, writer.rules());
+  Engine engine(context, writer.rules(), watch.lemmas);
   const z3::check_result result = engine.ask();
   RunsAnswer answer;
   answer.steps = engine.steps() + Budget::kRule * writer.rules().size();

@@ -19,6 +19,12 @@
 
 namespace glider::ir::prove {
 
+/// How a search makes lemmas of the conflicts that it finds; each is checked before it counts.
+enum class Lemmas : uint8_t {
+  Farkas,      ///< one sum of the inequalities of a conflict
+  Elimination  ///< several, by Gaussian elimination: more for sums of times
+};
+
 /// A safety property: what a question about all traces checks at each step. Every function receives
 /// the configuration with the memory that the question keeps in it.
 struct SafetyProperty {
@@ -42,6 +48,7 @@ struct SafetyProperty {
   /// Part of the mission, if the question does not follow all of it; then only a proof is an
   /// answer.
   std::optional<Scope> scope = {};
+  Lemmas lemmas = Lemmas::Farkas;
   /// A condition that no tick may leave, including the start and the last tick: checked with its
   /// readings.
   std::function<std::optional<z3::expr>(const Configuration& left, SymbolicState& moment)>

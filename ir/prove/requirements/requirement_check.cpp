@@ -9,6 +9,7 @@
 
 #include "ir/prove/requirements/advice.h"
 #include "ir/prove/requirements/search_order.h"
+#include "ir/prove/requirements/trace_search.h"
 #include "support/diagnostics/ids/verification.h"
 #include "support/units/duration_text.h"
 
@@ -23,10 +24,6 @@
 
 namespace glider::ir::prove {
 namespace {
-
-bool isCutShort(std::string_view reason) {
-  return reason.contains("`--effort`");
-}
 
 /// What random flights have shown of a requirement that they did not violate.
 std::string notViolatedBy(const std::vector<Flown>& flown, const Requirement& requirement) {
@@ -152,7 +149,9 @@ void RequirementCheck::searchLonger(Judged& judged) {
   const unsigned effort =
       std::exchange(context_.search_effort, StrategyContext::kLonger * context_.search_effort);
   Attempt attempt{judged.verdict.requirement, requirementOf(judged)};
-  if (judgeBy(strategy::allTraces(), attempt, judged)) {
+  attempt.reason = judged.verdict.reason;
+  if (judgeBy(strategy::otherLemmas(), attempt, judged) ||
+      judgeBy(strategy::allTraces(), attempt, judged)) {
     judged.verdict.searched = true;
     learn(judged);
   }

@@ -32,7 +32,8 @@ void limit(z3::config& config, unsigned effort, const Budget& budget) {
 
 /// In a Z3 context of its own: Z3 counts its steps for all questions of a context.
 RunsAnswer ask(const Requirement& requirement, Insight& insight, const ConeOfInfluence& relevance,
-               StrategyContext& of, const std::optional<Scope>& scope = std::nullopt) {
+               StrategyContext& of, const std::optional<Scope>& scope = std::nullopt,
+               Lemmas lemmas = Lemmas::Farkas) {
   Budget& budget = of.proof.searches;
   constexpr unsigned kWithin = 2;  // part of a mission is a smaller question: more of it is decided
   const unsigned effort = budget.allow(scope ? kWithin * of.search_effort : of.search_effort);
@@ -54,6 +55,7 @@ RunsAnswer ask(const Requirement& requirement, Insight& insight, const ConeOfInf
       watch.known = insight.byState();  // elsewhere Spacer is quicker without
     }
     watch.scope = scope;
+    watch.lemmas = lemmas;
     RunsAnswer answer =
         askAboutRuns(context, proof_context, relevance, watch, effort, of.wantsEvidence());
     budget.spend(answer.steps);
@@ -71,15 +73,16 @@ RunsAnswer ask(const Requirement& requirement, Insight& insight, const ConeOfInf
 /// those of no vehicle. `use` is given each answer.
 template <typename Use>
 auto askTwice(const Requirement& requirement, Insight& insight, StrategyContext& context,
-              const Use& use) {
+              const Use& use, Lemmas lemmas = Lemmas::Farkas) {
   const ProofContext& proof_context = insight.context();
   const ConeOfInfluence relevance = relevanceOf(requirement, proof_context);
-  auto found = use(ask(requirement, insight, relevance, context));
+  auto found = use(ask(requirement, insight, relevance, context, std::nullopt, lemmas));
   if (found.answer.bad != Answer::Yes || relevance.vehicle ||
       !readsDepth(relevance, proof_context)) {
     return found;
   }
-  return use(ask(requirement, insight, withVehicle(requirement, proof_context), context));
+  return use(ask(requirement, insight, withVehicle(requirement, proof_context), context,
+                 std::nullopt, lemmas));
 }
 
 /// What Z3 says where it gives up.
@@ -106,16 +109,17 @@ TraceSearch searchTraces(const Requirement& requirement, Insight& insight,
 }
 
 RunsAnswer provenByTraces(const Requirement& requirement, Insight& insight,
-                          StrategyContext& context) {
-  return askTwice(requirement, insight, context,
-                  [](RunsAnswer answer) { return TraceSearch{std::move(answer)}; })
+                          StrategyContext& context, Lemmas lemmas) {
+  return askTwice(
+             requirement, insight, context,
+             [](RunsAnswer answer) { return TraceSearch{std::move(answer)}; }, lemmas)
       .answer;
 }
 
 RunsAnswer provenWithin(const Requirement& requirement, const Scope& scope, Insight& insight,
-                        StrategyContext& context) {
+                        StrategyContext& context, Lemmas lemmas) {
   const ConeOfInfluence relevance = relevanceWithin(requirement, insight.context());
-  RunsAnswer answer = ask(requirement, insight, relevance, context, scope);
+  RunsAnswer answer = ask(requirement, insight, relevance, context, scope, lemmas);
   // What holds elsewhere holds with every control for which it stands.
   std::vector<certify::Invariant> elsewhere;
   for (const bool just_returned : {false, true}) {
@@ -162,6 +166,10 @@ std::string whyUndecided(const Requirement& requirement, const RunsAnswer& answe
   return fmt::format("a possible {} was found, but did not hold when it was checked{}",
                      requirement.kind == RequirementKind::Reach ? "flight" : "counterexample",
                      what.empty() ? "" : "; approximated here: " + what);
+}
+
+bool isCutShort(std::string_view reason) {
+  return reason.contains("`--effort`");
 }
 
 bool isPromiseOfTraces(const Requirement& requirement) {

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 /// Spacer's search over all traces, within the budget of the requirements.
 namespace glider::ir::prove {
@@ -25,15 +26,18 @@ TraceSearch searchTraces(const Requirement& requirement, Insight& insight,
 
 /// The same where only a proof counts: no trace is made concrete.
 RunsAnswer provenByTraces(const Requirement& requirement, Insight& insight,
-                          StrategyContext& context);
+                          StrategyContext& context, Lemmas lemmas = Lemmas::Farkas);
 
 /// The same of part of the mission.
 RunsAnswer provenWithin(const Requirement& requirement, const Scope& scope, Insight& insight,
-                        StrategyContext& context);
+                        StrategyContext& context, Lemmas lemmas = Lemmas::Farkas);
 
 /// Why `answer`, without a trace that holds when it is checked, decides nothing.
 std::string whyUndecided(const Requirement& requirement, const RunsAnswer& answer,
                          const StrategyContext& context);
+
+/// Whether whyUndecided says that a limit was reached, so that a longer search may help.
+bool isCutShort(std::string_view reason);
 
 /// Whether a requirement is a promise about all traces that a search may decide.
 bool isPromiseOfTraces(const Requirement& requirement);

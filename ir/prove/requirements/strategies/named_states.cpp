@@ -148,11 +148,16 @@ class NamedStates final : public Strategy {
                                                   StrategyContext& context) {
     Insight& insight = context.insight();
     std::vector<Scope> scopes = scopesFor(requirement, context, insight);
+    struct Manner {
+      bool fine;
+      Lemmas lemmas;
+    };
     // Most promises of a climb need no variable of the mission.
-    for (const bool fine : {false, true}) {
+    for (const auto& [fine, lemmas] : {Manner{false, Lemmas::Farkas}, Manner{true, Lemmas::Farkas},
+                                       Manner{true, Lemmas::Elimination}}) {
       for (Scope& scope : scopes) {
         scope.fine = fine;
-        RunsAnswer answer = provenWithin(requirement, scope, insight, context);
+        RunsAnswer answer = provenWithin(requirement, scope, insight, context, lemmas);
         if (answer.bad == Answer::No) {
           return provedBy(std::move(answer), requirement, context);
         }

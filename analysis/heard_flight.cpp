@@ -4,6 +4,7 @@
 #include "analysis/heard_flight.h"
 
 #include "flights/flight_setup.h"
+#include "flights/sbc_choice.h"
 #include "flights/scenario_choice.h"
 #include "simulator/simulator.h"
 
@@ -39,11 +40,15 @@ support::Result<HeardFlight> flyHeard(const compiler::Optimised& mission,
     return std::unexpected(world.error());
   }
   (void)flights::carryPack(mission.mission, *world);
+  const auto end = flights::usualEnd(mission.platform());
+  if (!end) {
+    return std::unexpected(end.error());
+  }
   flights::HeardTicks heard(mission.checked->mission());
   const bool keeps_time = !world->faults.empty();
   const auto start = [&, card = std::make_shared<flights::Card>(),
                       first = true]() mutable -> support::Result<std::unique_ptr<SbcPort>> {
-    auto sbc = std::make_unique<flights::InProcessSbc>(loaded, parameters, card, keeps_time);
+    auto sbc = std::make_unique<flights::InProcessSbc>(loaded, parameters, card, keeps_time, *end);
     if (std::exchange(first, false)) {
       sbc->watch([&](const GliderContext& context, double now) { heard.look(context, now); });
     }

@@ -50,6 +50,21 @@ TEST(ClosedLoop, NamesAFlightThatBreaksItAndThatFlightDoes) {
   EXPECT_NEAR(time[first], std::stod(named[3].str()), 8);
 }
 
+/// At the ports of the other vehicles, and in the bundled scenarios that are for them.
+TEST(ClosedLoop, FliesTheOtherVehiclesToo) {
+  const TemporaryFolder folder;
+  for (const std::string vehicle : {"lauv", "remus100"}) {
+    const std::string text = "mission m\nplatform " + vehicle +
+                             "\nrequire always depth < 18 m\nstate yo\nbegin\n"
+                             "  flightprofile yo(5 m, 20 m)\n  sensors depth, missiontime\n"
+                             "  events\n    case missiontime >= 20 min exit\nend\n";
+    const Outcome checked =
+        runShell("$GLIDERCC check --report " + folder.write("m.mission", text).string());
+    EXPECT_EQ(checked.status, 1) << checked.err;
+    EXPECT_THAT(checked.out, HasSubstr("a simulated flight violates it too")) << vehicle;
+  }
+}
+
 /// The water of the scenario is warmer from the start.
 TEST(ClosedLoop, CountsNoFlightThatHasBrokenAnAssumption) {
   const TemporaryFolder folder;

@@ -4,6 +4,7 @@
 #include "ir/prove/context/decided_by_mission.h"
 
 #include "ir/core/ops.h"
+#include "ir/prove/context/vehicle_clock.h"
 
 #include <algorithm>
 #include <array>
@@ -71,6 +72,9 @@ Decider deciderOf(const platforms::PlatformSensor& sensor) {
       kRows, [&](const Row& one) { return one.name == sensor.alias || one.name == sensor.name; });
   if (row != kRows.end()) {
     return row->decider;
+  }
+  if (isCalendarClock(&sensor)) {
+    return Decider::Counted;
   }
   const auto prefix = std::ranges::find_if(
       kPrefixes, [&](const Row& one) { return sensor.name.starts_with(one.name); });

@@ -3,12 +3,9 @@
 
 #pragma once
 
-#include "ir/core/mission.h"
+#include "platforms/load/platform.h"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <string_view>
 
 namespace glider::ir::prove {
 
@@ -19,12 +16,15 @@ inline double onVehicleClock(double mission_time) {
   return std::round(mission_time * kSteps) / kSteps;
 }
 
-/// Whether the sensor is a clock of the vehicle, in s: that of the calendar, or the time in its own
-/// mission.
-inline bool isVehicleClock(const Sensor& sensor) {
-  constexpr std::string_view kNames[] = {"m_present_time", "sci_m_present_time",
-                                         "m_present_secs_into_mission"};
-  return sensor.isOfVehicle() && std::ranges::find(kNames, sensor.vehicle_name) != std::end(kNames);
+/// Whether a sensor (null: none of the vehicle's) is its clock of the calendar.
+inline bool isCalendarClock(const platforms::PlatformSensor* sensor) {
+  return sensor != nullptr && sensor->unit == "timestamp";
+}
+
+/// Whether it is that, or the time in the vehicle's own mission.
+inline bool isVehicleClock(const platforms::PlatformSensor* sensor) {
+  return isCalendarClock(sensor) ||
+         (sensor != nullptr && sensor->name == "m_present_secs_into_mission");
 }
 
 }  // namespace glider::ir::prove

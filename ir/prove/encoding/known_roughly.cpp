@@ -90,7 +90,8 @@ Approximation roughnessOf(const OpInfo& function) {
 }
 
 /// The approximation that SymbolicState makes.
-std::optional<Approximation> roughnessOf(const Mission& m, const Expr& e) {
+std::optional<Approximation> roughnessOf(const ProofContext& proof_context, const Expr& e) {
+  const Mission& m = proof_context.mission;
   switch (groupOf(e.op)) {
     case OpGroup::Unary:
       return roughnessOf(opIn<UnaryOp>(e.op));
@@ -105,7 +106,9 @@ std::optional<Approximation> roughnessOf(const Mission& m, const Expr& e) {
     case OpGroup::Call:
       return Approximation::Code;
     case OpGroup::Sensor:
-      return isVehicleClock(m[e.sensor]) ? std::optional(Approximation::Clock) : std::nullopt;
+      return isVehicleClock(proof_context.platformSensor(e.sensor))
+                 ? std::optional(Approximation::Clock)
+                 : std::nullopt;
     case OpGroup::Constant:
     case OpGroup::Truth:
     case OpGroup::Clock:
@@ -135,11 +138,12 @@ bool hasCode(const Mission& m, const ConeOfInfluence& relevance) {
 
 }  // namespace
 
-std::string knownRoughly(const Mission& mission, const ConeOfInfluence& relevance) {
+std::string knownRoughly(const ProofContext& proof_context, const ConeOfInfluence& relevance) {
+  const Mission& mission = proof_context.mission;
   std::set<Approximation> found;
   for (size_t i = 0; i < mission.exprs.size(); ++i) {
     if (relevance.expressions[i]) {
-      if (const auto rough = roughnessOf(mission, mission.exprs[i])) {
+      if (const auto rough = roughnessOf(proof_context, mission.exprs[i])) {
         found.insert(*rough);
       }
     }

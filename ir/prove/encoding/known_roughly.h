@@ -11,6 +11,6 @@ namespace glider::ir::prove {
 
 /// The operations in the cone of influence of a question that the solver only approximates, in
 /// words: "products, windows"; empty if there are none.
-std::string knownRoughly(const Mission& mission, const ConeOfInfluence& relevance);
+std::string knownRoughly(const ProofContext& proof_context, const ConeOfInfluence& relevance);
 
 }  // namespace glider::ir::prove

@@ -9,9 +9,9 @@
 
 namespace glider::ir::prove {
 
-CalendarClocks::CalendarClocks(const Mission& mission) {
-  for (uint32_t i = 0; i < mission.sensors.size(); ++i) {
-    if (isVehicleClock(mission.sensors[i])) {
+CalendarClocks::CalendarClocks(const ProofContext& proof_context) {
+  for (uint32_t i = 0; i < proof_context.mission.sensors.size(); ++i) {
+    if (isVehicleClock(proof_context.platformSensor({i}))) {
       sensors_.push_back({i});
     }
   }

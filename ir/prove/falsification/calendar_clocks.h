@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "ir/core/mission.h"
+#include "ir/prove/context/proof_context.h"
 
 #include <optional>
 #include <span>
@@ -11,12 +11,12 @@
 
 namespace glider::ir::prove {
 
-/// The sensors of a mission that are clocks of the vehicle (`m_present_time`, of which `utc` and
-/// `timeofday` are made, and its seconds into its own mission). They are healthy: they go on as
+/// The sensors of a mission that are clocks of the vehicle (that of the calendar, of which `utc`
+/// and `timeofday` are made, and its seconds into its own mission). They are healthy: they go on as
 /// mission time does (docs/verification.md), which only traces and flights know, not proofs.
 class CalendarClocks {
  public:
-  explicit CalendarClocks(const Mission& mission);
+  explicit CalendarClocks(const ProofContext& proof_context);
 
   [[nodiscard]] const std::vector<SensorId>& sensors() const { return sensors_; }
   /// False if one of these readings (by sensor, SI units; NaN: unknown) at mission time `time`, s,

@@ -56,9 +56,12 @@ class RandomFlight {
     for (const Sensor& sensor : m_.sensors) {
       landmarks_.push_back(landmarksOf(sensor));
     }
-    const CalendarClocks clocks(m_);
+    const CalendarClocks clocks(proof_context);
     for (const SensorId clock : clocks.sensors()) {
-      clocks_.emplace(clock.index, startOfClock(clock));
+      // All clocks of the calendar show one time.
+      const bool calendar = isCalendarClock(proof_context.platformSensor(clock));
+      calendar_s_ = calendar && !calendar_s_ ? startOfClock(clock) : calendar_s_;
+      clocks_.emplace(clock.index, calendar ? *calendar_s_ : startOfClock(clock));
     }
     if (place != nullptr) {
       const auto start = startOf(*place);
@@ -220,7 +223,8 @@ class RandomFlight {
       start = landmark >= kFirstDate_s ? landmark : std::floor(start / kDay_s) * kDay_s + of_day;
       start -= dice_.chance(kChance) ? soon : -soon;
     }
-    return std::clamp(start, std::max(range.lowest, 0.0), std::max(range.highest - kYears_s, 0.0));
+    const double lowest = std::max(range.lowest, 0.0);
+    return std::clamp(start, lowest, std::max(range.highest - kYears_s, lowest));
   }
 
   std::vector<double> readings(double time) {
@@ -297,6 +301,7 @@ class RandomFlight {
   bool calm_ = dice_.chance(0.3);  ///< every sensor shows the same all the time
   std::vector<HeldReading> showing_;
   std::vector<std::vector<double>> landmarks_;  ///< by sensor
+  std::optional<double> calendar_s_;   ///< what clocks of the calendar show as the mission begins
   std::map<uint32_t, double> clocks_;  ///< by sensor: what a clock shows as the mission begins, s
 };
 

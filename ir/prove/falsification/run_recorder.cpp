@@ -31,15 +31,15 @@ double rawOf(const Sensor& sensor, double value) {
 }
 
 /// Whether it is the reading of the vehicle's clock.
-bool isClock(const Mission& mission, const Expr& e) {
-  return e.op == Op::Sensor && isVehicleClock(mission[e.sensor]) &&
-         mission[e.sensor].vehicle_name != "m_present_secs_into_mission";
+bool isClock(const ProofContext& proof_context, const Expr& e) {
+  return e.op == Op::Sensor && isCalendarClock(proof_context.platformSensor(e.sensor));
 }
 
 /// Whether it is `timeofday`, or as much of that clock.
-bool isTimeOfDay(const Mission& mission, const Expr& e) {
+bool isTimeOfDay(const ProofContext& proof_context, const Expr& e) {
   constexpr double kDay_s = 86400;
-  return e.op == Op::Remainder && isClock(mission, mission[e.operands[0]]) &&
+  const Mission& mission = proof_context.mission;
+  return e.op == Op::Remainder && isClock(proof_context, mission[e.operands[0]]) &&
          mission[e.operands[1]].op == Op::Constant && mission[e.operands[1]].number == kDay_s;
 }
 
@@ -83,7 +83,7 @@ RunRecorder::RunRecorder(const ProofContext& proof_context, uint32_t stack_depth
       m_(proof_context.mission),
       requirements_(requirements),
       depth_sensor_(proof_context.depth),
-      clocks_(proof_context.mission) {
+      clocks_(proof_context) {
   for (const Requirement& requirement : requirements_) {
     for (auto* monitors : {&monitors_, &later_}) {
       monitors->emplace_back(m_, requirement, proof_context.platform.world.surface_depth_m,
@@ -206,7 +206,7 @@ void RunRecorder::describeValues() {
       continue;
     }
     const Expr& e = m_[id];
-    if (isTimeOfDay(m_, e)) {
+    if (isTimeOfDay(proof_context_, e)) {
       if (told.insert("the time of day").second) {
         tell_value(timeText("the time of day", interpreter_->number(id), support::durationText));
       }
@@ -228,7 +228,7 @@ void RunRecorder::describeValues() {
     }
     const double now = result_.ticks.back().depth;
     const double value = depth && now == now ? now : interpreter_->number(id);
-    if (isClock(m_, e)) {
+    if (isClock(proof_context_, e)) {
       tell_value(timeText("the time", value, support::instantText));
     } else if (e.op == Op::Sensor && e.type.kind == TypeKind::Latitude && value == value) {
       north = value;

@@ -161,8 +161,8 @@ std::string whyUndecided(const Requirement& requirement, const RunsAnswer& answe
                      trouble)
                : fmt::format("no proof was found ({})", trouble);
   }
-  const std::string what =
-      knownRoughly(context.mission, relevanceOf(requirement, context.proof.proof_context));
+  const std::string what = knownRoughly(context.proof.proof_context,
+                                        relevanceOf(requirement, context.proof.proof_context));
   return fmt::format("a possible {} was found, but did not hold when it was checked{}",
                      requirement.kind == RequirementKind::Reach ? "flight" : "counterexample",
                      what.empty() ? "" : "; approximated here: " + what);

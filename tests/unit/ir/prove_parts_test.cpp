@@ -390,7 +390,7 @@ std::string roughOf(const std::string& condition, bool vehicle = false,
                 "temporal held always (gt (sensor depth) 5:length) for 5:time\n"
                 "state a route " +
                 route + " profile " + profile + " case " + condition + " stay\n");
-  return knownRoughly(m, relevanceFor(m, {}, vehicle));
+  return knownRoughly(ProofContext(m, slocum()), relevanceFor(m, {}, vehicle));
 }
 
 TEST(KnownRoughly, NamesWhatTheSolverDoesNotCompute) {

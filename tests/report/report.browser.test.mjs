@@ -72,7 +72,7 @@ describe("the sample flight", () => {
     for (let i = 0; i < 9; ++i) assert.ok(await colours(page, i) > 3, `chart ${i} is blank`);
     assert.match(await text(page, "#header"), /scenario shelf-summer · flown in process · seed 7 · 28 events/);
     assert.match(await text(page, "#header"), /deepest\s*28\.8 m/);
-    assert.match(await text(page, "#header"), /track 16:56, 1 visit/);
+    assert.match(await text(page, "#header"), /track 16:56, current once/);
     assert.equal(await count(page, "#events tbody tr"), 28);
     assert.match(await text(page, "#events tbody"), /search → track \(call\)/);
     assert.ok(await count(page, "#map .track path") >= 4, "the track has no states");

@@ -30,8 +30,14 @@ class CountedPromises final : public Strategy {
     return verdict ? RepeatedProof{true, std::move(verdict->evidence)} : RepeatedProof();
   }
 
+  /// What the mission assumes is left out.
+  [[nodiscard]] bool mayRestOn(const Assumption&, const Requirement&) const override {
+    return false;
+  }
+
  private:
-  static std::optional<RequirementVerdict> search(uint32_t number, StrategyContext& context) {
+  static std::optional<RequirementVerdict> search(uint32_t number, StrategyContext& assuming) {
+    StrategyContext& context = assuming.bare != nullptr ? *assuming.bare : assuming;
     const std::optional<Mission> counters = onlyCounters(context.mission);
     if (!counters) {
       return std::nullopt;

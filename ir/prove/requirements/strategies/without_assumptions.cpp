@@ -33,6 +33,12 @@ class WithoutAssumptions final : public Strategy {
       Attempt again{attempt.number, requirement};
       verdict = named.judge(again, *bare);
     }
+    if (!verdict) {
+      RunsAnswer answer = provenByTraces(requirement, bare->insight(), *bare, Lemmas::Elimination);
+      verdict = answer.bad == Answer::No
+                    ? std::optional(provedBy(std::move(answer), requirement, *bare))
+                    : std::nullopt;
+    }
     if (verdict) {
       verdict->searched = true;
     }

@@ -136,6 +136,16 @@ TEST(NamedStates, EndElsewhereByTheClock) {
   EXPECT_FALSE(isProvedAlone("visit up within 21 h", ending("missiontime > 19 h")));
   EXPECT_FALSE(
       isProvedAlone("visit up within 21 h", ending("missiontime > 21 h || temp > 25 degC")));
+  EXPECT_FALSE(isProvedAlone("visit up within 21 h",
+                             always("  case missiontime > 20 h goto up\n"
+                                    "  case temp > 25 degC exit") +
+                                 stateOf("fly", kGlides, "    case missiontime > 30 h exit") + kUp))
+      << "by a case of always";
+  EXPECT_FALSE(isProvedAlone(
+      "visit up within 21 h",
+      always("  case missiontime > 20 h goto up") +
+          stateOf("fly", kGlides, "    case statetime < 10 min && temp > 25 degC exit") + kUp))
+      << "a clock of the state is not that of the mission";
 }
 
 /// After a return the own cases of a state put `always` off only where one may fire so soon.

@@ -16,8 +16,8 @@ namespace glider::report {
 struct StateFigures {
   double id = 0;  ///< as in the column "state"
   std::string name;
-  size_t stretches =
-      0;  ///< of time in which it was current: a return begins one, `goto` to itself does not
+  /// Of time in which it was current: a return begins one, `goto` to itself does not.
+  size_t stretches = 0;
   double time_s = 0;
 };
 

@@ -58,8 +58,8 @@ inline bool startsValue(uint32_t type) {
                                       GliderLexer::STRING, GliderLexer::TRUE, GliderLexer::FALSE});
 }
 
-/// The same for one with a sign or in parentheses.
-inline bool beginsValue(uint32_t type) {
+/// The same also for one with a sign or in parentheses.
+inline bool startsAnyValue(uint32_t type) {
   return startsValue(type) ||
          oneOf(type, {GliderLexer::MINUS, GliderLexer::LPAREN, GliderLexer::MIN});
 }

@@ -20,7 +20,7 @@
 namespace glider::tests {
 namespace {
 
-/// What is between ````kind` and ``` on the page.
+/// What is between three backticks with `kind` and the next three on the page.
 std::string blockOf(const std::string& page, const std::string& kind) {
   const std::string opening = "```" + kind + "\n";
   const size_t begin = page.find(opening) + opening.size();

@@ -31,4 +31,9 @@ ContextPlaces contextPlaces(const Input& input, const MissionIndex& index,
   return places;
 }
 
+ContextPlaces contextPlaces(const Lowering& lowering) {
+  return contextPlaces({lowering.mission, lowering.platform, lowering.stack_depth}, lowering.index,
+                       lowering.module.getDataLayout(), lowering.types);
+}
+
 }  // namespace glider::codegen

@@ -4,8 +4,7 @@
 #pragma once
 
 #include "codegen/input.h"
-#include "codegen/llvm/lower/abi_types.h"
-#include "codegen/llvm/lower/mission_index.h"
+#include "codegen/llvm/lower/lowering.h"
 
 #include <llvm/IR/DataLayout.h>
 
@@ -26,5 +25,7 @@ struct ContextPlaces {
 /// On the machine that `layout` describes.
 ContextPlaces contextPlaces(const Input& input, const MissionIndex& index,
                             const llvm::DataLayout& layout, const AbiTypes& types);
+/// On the machine for which `lowering` generates code.
+ContextPlaces contextPlaces(const Lowering& lowering);
 
 }  // namespace glider::codegen

@@ -44,7 +44,7 @@ void DebugInfo::describe(llvm::Function& function, const std::string& name,
   if (!active() || !range.valid()) {
     return;
   }
-  const uint32_t line = sources_->place(range.file, range.begin).line;
+  const uint32_t line = lineOf(range);
   llvm::DIFile* file = fileOf(range.file);
   function.setSubprogram(builder_.createFunction(
       file, name, "", file, line, type_, line, llvm::DINode::FlagZero,
@@ -68,9 +68,6 @@ uint32_t DebugInfo::lineOf(support::SourceRange range) const {
 }
 
 llvm::DIType* DebugInfo::number(const std::string& unit) {
-  if (!active()) {
-    return nullptr;
-  }
   llvm::DIType*& found = numbers_[unit];
   if (found == nullptr) {
     found = builder_.createBasicType(unit, kNumberBits, llvm::dwarf::DW_ATE_float);
@@ -79,14 +76,10 @@ llvm::DIType* DebugInfo::number(const std::string& unit) {
 }
 
 llvm::DIType* DebugInfo::word() {
-  return active() ? builder_.createBasicType("word", kWordBits, llvm::dwarf::DW_ATE_unsigned)
-                  : nullptr;
+  return builder_.createBasicType("word", kWordBits, llvm::dwarf::DW_ATE_unsigned);
 }
 
 llvm::DIType* DebugInfo::oneOf(const std::string& name, const std::vector<std::string>& names) {
-  if (!active()) {
-    return nullptr;
-  }
   std::vector<llvm::Metadata*> values;
   for (uint64_t i = 0; i < names.size(); ++i) {
     values.push_back(builder_.createEnumerator(names[i], i, /*IsUnsigned=*/true));
@@ -97,9 +90,6 @@ llvm::DIType* DebugInfo::oneOf(const std::string& name, const std::vector<std::s
 
 llvm::DIType* DebugInfo::record(const std::string& name, uint64_t bytes,
                                 const std::vector<DebugMember>& members) {
-  if (!active()) {
-    return nullptr;
-  }
   std::vector<llvm::Metadata*> fields;
   for (const DebugMember& member : members) {
     fields.push_back(builder_.createMemberType(
@@ -112,9 +102,6 @@ llvm::DIType* DebugInfo::record(const std::string& name, uint64_t bytes,
 }
 
 llvm::DIType* DebugInfo::list(llvm::DIType* element, int64_t first, uint64_t count) {
-  if (!active()) {
-    return nullptr;
-  }
   llvm::Metadata* range = builder_.getOrCreateSubrange(first, static_cast<int64_t>(count));
   return builder_.createArrayType(count * element->getSizeInBits(), 0, element,
                                   builder_.getOrCreateArray({range}));
@@ -122,9 +109,6 @@ llvm::DIType* DebugInfo::list(llvm::DIType* element, int64_t first, uint64_t cou
 
 void DebugInfo::name(llvm::GlobalVariable& memory, uint64_t offset, const std::string& name,
                      llvm::DIType* type, support::SourceRange range) {
-  if (!active()) {
-    return;
-  }
   llvm::DIFile* file = range.valid() ? fileOf(range.file) : unit_->getFile();
   llvm::DIExpression* at = builder_.createExpression({llvm::dwarf::DW_OP_plus_uconst, offset});
   memory.addDebugInfo(builder_.createGlobalVariableExpression(

@@ -24,7 +24,7 @@ struct DebugMember {
 };
 
 /// Line tables: which generated code belongs to which line of the mission; and the names and types
-/// of what is in its memory. Does nothing without sources.
+/// of what is in its memory. Without sources describe(), locate() and finish() do nothing.
 class DebugInfo {
  public:
   /// `sources` may be null, otherwise it holds the files of the ranges given below; `main` is a
@@ -36,7 +36,7 @@ class DebugInfo {
   /// The code that `builder` generates from now on belongs to `range`; for an empty range the place
   /// before stays valid. The builder must be inside a function.
   void locate(llvm::IRBuilder<>& builder, support::SourceRange range);
-  /// Without sources the types are null.
+  /// Whether there are sources: what follows, up to finish(), needs them.
   [[nodiscard]] bool active() const { return unit_ != nullptr; }
   [[nodiscard]] uint32_t lineOf(support::SourceRange range) const;
   /// A number of 8 bytes, whose type is named after its unit.

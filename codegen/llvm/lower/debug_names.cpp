@@ -19,7 +19,8 @@
 namespace glider::codegen {
 namespace {
 
-std::string unitOf(const ir::Type& type) {
+/// Numbers in memory are in SI units.
+std::string siUnitOf(const ir::Type& type) {
   if (type.kind == ir::TypeKind::Bool) {
     return "condition";
   }
@@ -85,8 +86,7 @@ class MemoryNames {
         debug_(lowering.debug),
         memory_(memory),
         layout_(lowering.module.getDataLayout()),
-        places_(contextPlaces({lowering.mission, lowering.platform, lowering.stack_depth},
-                              lowering.index, layout_, lowering.types)) {}
+        places_(contextPlaces(lowering)) {}
 
   void run() {
     clocks();
@@ -151,7 +151,7 @@ class MemoryNames {
     const uint64_t value = offsetIn(reading, field::GliderReading::value);
     for (uint64_t i = 0; i < m_.sensors.size(); ++i) {
       name(places_.readings + i * bytes + value, m_.sensors[i].name,
-           debug_.number(unitOf(m_.sensors[i].type)));
+           debug_.number(siUnitOf(m_.sensors[i].type)));
     }
   }
 
@@ -188,7 +188,7 @@ class MemoryNames {
   /// Of a struct all offsets are from the first variable of the mission.
   llvm::DIType* typeOf(const std::string& title, const NamedVariables& named) {
     if (!named.variables.empty()) {
-      llvm::DIType* number = debug_.number(unitOf(m_.variables[named.variables.front()].type));
+      llvm::DIType* number = debug_.number(siUnitOf(m_.variables[named.variables.front()].type));
       return named.array ? debug_.list(number, named.first, named.variables.size()) : number;
     }
     std::vector<DebugMember> members;

@@ -25,12 +25,6 @@ static_assert(static_cast<int>(ir::Encoding::Linear) == kGliderLinear);
 static_assert(static_cast<int>(ir::Encoding::DegreesMinutes) == kGliderDegreesMinutes);
 static_assert(static_cast<int>(ir::Encoding::Magnetic) == kGliderMagnetic);
 
-uint64_t bytesOf(const Lowering& lowering) {
-  return contextPlaces({lowering.mission, lowering.platform, lowering.stack_depth}, lowering.index,
-                       lowering.module.getDataLayout(), lowering.types)
-      .bytes;
-}
-
 /// The constant of a state, defined here or in another part.
 llvm::GlobalVariable* placeOfState(Lowering& lowering, uint32_t state) {
   const std::string name = "state." + std::to_string(state);
@@ -285,7 +279,7 @@ llvm::Constant* Tables::mission(const MissionFunctions& functions) {
                                     word(index.interval_count),
                                     word(index.parameter_count),
                                     word(mission.always.size()),
-                                    word(bytesOf(lowering_)),
+                                    word(contextPlaces(lowering_).bytes),
                                     word(mission.uses.size()),
                                     number(mission.resume_within_s),
                                     word(mission.new_after_restart ? 1 : 0),
@@ -317,8 +311,8 @@ void lowerTables(Lowering& lowering, const MissionFunctions& functions) {
   new llvm::GlobalVariable(module, lowering.types.GliderMission, true,
                            llvm::GlobalValue::ExternalLinkage, Tables(lowering).mission(functions),
                            "gliderMission");
-  auto* memory_type =
-      llvm::ArrayType::get(llvm::Type::getInt8Ty(module.getContext()), bytesOf(lowering));
+  auto* memory_type = llvm::ArrayType::get(llvm::Type::getInt8Ty(module.getContext()),
+                                           contextPlaces(lowering).bytes);
   auto* memory = new llvm::GlobalVariable(
       module, memory_type, false, llvm::GlobalValue::ExternalLinkage,
       llvm::ConstantAggregateZero::get(memory_type), "gliderContextMemory");

@@ -21,11 +21,6 @@ constexpr std::string_view kNoConditionalValue =
     "no value has a condition: write two cases, or `set` a variable in `if … then … else … end` "
     "and compare with it";
 
-bool readsValues(const Phrase& phrase) {
-  return oneOf(phrase.keyword(), {GliderLexer::CASE, GliderLexer::IF, GliderLexer::ALWAYS,
-                                  GliderLexer::REQUIRE, GliderLexer::CONST, GliderLexer::SET});
-}
-
 struct Arithmetic {
   std::string_view word;
   std::string_view then;  ///< a second word
@@ -44,7 +39,7 @@ size_t wordForSign(Phrase& phrase) {
   });
   const size_t tokens = row == std::end(kArithmetic) || row->then.empty() ? 1 : 2;
   if (row == std::end(kArithmetic) || !endsValue(phrase.before()) || phrase.startsLine() ||
-      !beginsValue(phrase.type(tokens)) || phrase.isDeclared(phrase.text())) {
+      !startsAnyValue(phrase.type(tokens)) || phrase.isDeclared(phrase.text())) {
     return 0;
   }
   const Lexeme words = phrase.whole(0, tokens, row->type);
@@ -146,7 +141,7 @@ size_t percentOf(Phrase& phrase) {
                       isAnyName(phrase.type(1)) &&
                       oneOf(phrase.type(2), {GliderLexer::COMMA, GliderLexer::RPAREN});
   if (phrase.type() != GliderLexer::OF || window || unit == nullptr ||
-      phrase.source().text(*unit) != "%" || !beginsValue(phrase.type(1))) {
+      phrase.source().text(*unit) != "%" || !startsAnyValue(phrase.type(1))) {
     return 0;
   }
   phrase.reporter()
@@ -157,15 +152,15 @@ size_t percentOf(Phrase& phrase) {
 }
 
 size_t arithmeticWords(Phrase& phrase) {
-  return readsValues(phrase) ? firstOf(phrase, {wordForSign, readingAtDepth}) : 0;
+  return phrase.readsValues() ? firstOf(phrase, {wordForSign, readingAtDepth}) : 0;
 }
 
 size_t conditionalValue(Phrase& phrase) {
-  return readsValues(phrase) ? firstOf(phrase, {conditionalFunction, conditionalWords}) : 0;
+  return phrase.readsValues() ? firstOf(phrase, {conditionalFunction, conditionalWords}) : 0;
 }
 
 size_t questionMark(Phrase& phrase) {
-  if (phrase.text() != "?" || !readsValues(phrase) || !endsValue(phrase.before())) {
+  if (phrase.text() != "?" || !phrase.readsValues() || !endsValue(phrase.before())) {
     return 0;
   }
   const size_t tokens = tokensToEndOfValue(phrase, 0);

@@ -80,9 +80,7 @@ size_t tokensOfWords(const Phrase& phrase, size_t k, std::string_view words) {
 
 /// Whether conditions are read here, and a value was.
 bool afterValue(const Phrase& phrase) {
-  return endsValue(phrase.before()) &&
-         oneOf(phrase.keyword(), {GliderLexer::CASE, GliderLexer::IF, GliderLexer::ALWAYS,
-                                  GliderLexer::REQUIRE, GliderLexer::CONST, GliderLexer::SET});
+  return endsValue(phrase.before()) && phrase.readsValues();
 }
 
 /// Whether a comparison begins after it.
@@ -122,7 +120,7 @@ size_t equalWords(Phrase& phrase) {
   for (const std::string_view words :
        {"is equal to", "equal to", "equals", "is", "reaches", "hits"}) {
     const size_t tokens = tokensOfWords(phrase, 0, words);
-    if (tokens > 0 && beginsValue(phrase.type(tokens))) {
+    if (tokens > 0 && startsAnyValue(phrase.type(tokens))) {
       const Lexeme sign = phrase.whole(0, tokens, kAtLeast);
       phrase.reporter()
           .at(sign, support::diagnostics::wordOperator, phrase.source().text(sign), "")
@@ -200,7 +198,7 @@ size_t comparison(Phrase& phrase) {
   const size_t to = tokensOfWords(phrase, tokens, "or equal to");
   const size_t equal = to != 0 ? to : tokensOfWords(phrase, tokens, "or equal");
   tokens += row->or_equal.empty() ? 0 : equal;
-  if (!beginsValue(phrase.type(tokens))) {
+  if (!startsAnyValue(phrase.type(tokens))) {
     return 0;
   }
   const bool or_equal = equal != 0 && !row->or_equal.empty();

@@ -50,6 +50,11 @@ bool Phrase::says(size_t k, std::string_view word) const {
          });
 }
 
+bool Phrase::readsValues() const {
+  return oneOf(keyword_, {GliderLexer::CASE, GliderLexer::IF, GliderLexer::ALWAYS,
+                          GliderLexer::REQUIRE, GliderLexer::CONST, GliderLexer::SET});
+}
+
 bool Phrase::atEnd() const {
   return at_ >= in_.size();
 }

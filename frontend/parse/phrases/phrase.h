@@ -66,6 +66,8 @@ class Phrase {
   [[nodiscard]] const Lexeme* lexemeBefore(size_t k = 0) const;
   /// The last keyword that is neither an operator nor a value.
   [[nodiscard]] uint32_t keyword() const { return keyword_; }
+  /// Whether values stand after that keyword.
+  [[nodiscard]] bool readsValues() const;
   [[nodiscard]] const std::vector<OpenList>& open() const { return open_; }
   /// Whether `in` was read since the last keyword.
   [[nodiscard]] bool inRange() const { return in_range_; }

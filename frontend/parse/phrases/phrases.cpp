@@ -24,6 +24,11 @@ bool plainName(uint32_t type) {
   return type == GliderLexer::NAME;
 }
 
+/// `harbour`, `(39.2, 72.1)`, `39.2 N 72.1 W`.
+bool beginsPlace(uint32_t type) {
+  return isName(type) || oneOf(type, {GliderLexer::LPAREN, GliderLexer::NUMBER});
+}
+
 template <uint32_t... Types>
 bool among(uint32_t type) {
   return ((type == Types) || ...);
@@ -109,9 +114,7 @@ constexpr Row kRows[] = {
     {phrases::foreignUnit, among<GliderLexer::NAME, GliderLexer::FOREIGN, GliderLexer::UNIT>},
     {phrases::pairOfNumbers,
      among<GliderLexer::LPAREN, GliderLexer::LBRACKET, GliderLexer::NUMBER, GliderLexer::MINUS>},
-    {phrases::pathWithoutBrackets,
-     [](uint32_t
-            type) { return isName(type) || oneOf(type, {GliderLexer::LPAREN, GliderLexer::NUMBER}); }},
+    {phrases::pathWithoutBrackets, beginsPlace},
     {phrases::compassPoint, among<GliderLexer::COMPASS>},
     {phrases::statement, [](uint32_t type) { return isName(type) || type == GliderLexer::SET; }},
     {phrases::valueAfterText, among<GliderLexer::NAME, GliderLexer::NUMBER, GliderLexer::HEARD>},

@@ -457,26 +457,32 @@ size_t promiseInside(Phrase& phrase) {
   return 2;
 }
 
-size_t reaction(Phrase& phrase) {
-  const bool transition = oneOf(phrase.type(), {GliderLexer::GOTO, GliderLexer::CALL});
-  const bool after_then = phrase.type() == GliderLexer::NUMBER && isAnyName(phrase.before()) &&
-                          phrase.before(1) == GliderLexer::THEN;
-  const bool in_time = phrase.type() == GliderLexer::IN && endsValue(phrase.before()) &&
-                       tokensOfQuantity(phrase, 1) > 0 &&
-                       phrase.startsLine(1 + tokensOfQuantity(phrase, 1)) &&
-                       hasRead(phrase, {GliderLexer::THEN});
-  if (!(transition || after_then || in_time) ||
-      !hasRead(phrase, {GliderLexer::WHENEVER, GliderLexer::WHEN})) {
+namespace {
+
+/// `whenever a then b in 5 min`.
+size_t timeOfReaction(Phrase& phrase) {
+  const size_t time = phrase.type() == GliderLexer::IN ? tokensOfQuantity(phrase, 1) : 0;
+  if (time == 0 || !endsValue(phrase.before()) || !phrase.startsLine(1 + time) ||
+      !hasRead(phrase, {GliderLexer::THEN})) {
     return 0;
   }
   const Lexeme found = phrase.token();
-  if (phrase.type() == GliderLexer::IN) {
-    expected(phrase, found, "`within`")
-        .hint(fmt::format("write `within {}`", phrase.wholeText(1, tokensOfQuantity(phrase, 1))))
-        .fix(phrase.source().range(found), "within");
-    phrase.put({GliderLexer::WITHIN, found.begin, found.end});
-    return 1;
+  expected(phrase, found, "`within`")
+      .hint(fmt::format("write `within {}`", phrase.wholeText(1, time)))
+      .fix(phrase.source().range(found), "within");
+  phrase.put({GliderLexer::WITHIN, found.begin, found.end});
+  return 1;
+}
+
+/// `whenever a then goto b`, `whenever a goto b`, `whenever a then b 5 min`.
+size_t stateOfReaction(Phrase& phrase) {
+  const bool transition = oneOf(phrase.type(), {GliderLexer::GOTO, GliderLexer::CALL});
+  const bool after_then = phrase.type() == GliderLexer::NUMBER && isAnyName(phrase.before()) &&
+                          phrase.before(1) == GliderLexer::THEN;
+  if (!transition && !after_then) {
+    return 0;
   }
+  const Lexeme found = phrase.token();
   if (transition && isAnyName(phrase.type(1)) && phrase.before() == GliderLexer::THEN) {
     phrase.reporter()
         .at(found, support::diagnostics::superfluousWord, phrase.text(), "after `then`")
@@ -502,6 +508,14 @@ size_t reaction(Phrase& phrase) {
   phrase.insert(GliderLexer::WITHIN);
   phrase.put(found);
   return 1;
+}
+
+}  // namespace
+
+size_t reaction(Phrase& phrase) {
+  return hasRead(phrase, {GliderLexer::WHENEVER, GliderLexer::WHEN})
+             ? firstOf(phrase, {timeOfReaction, stateOfReaction})
+             : 0;
 }
 
 size_t andOfPlaces(Phrase& phrase) {

@@ -167,12 +167,10 @@ size_t moreAfterTransition(Phrase& phrase) {
   phrase.reporter()
       .at(phrase.whole(0, time), support::diagnostics::unexpectedToken, "`case` or `end`",
           describe(phrase.source(), phrase.token()))
-      .hint(stays ? fmt::format("`stay` takes no time: how long a state lasts is the case that "
-                                "leaves it, as in `case statetime > {} …`",
-                                phrase.wholeText(0, time))
-                  : fmt::format("a transition takes no time: how long a state lasts is the case "
-                                "that leaves it, as in `case statetime > {} …`",
-                                phrase.wholeText(0, time)));
+      .hint(
+          fmt::format("{} takes no time: how long a state lasts is the case that leaves it, as in "
+                      "`case statetime > {} …`",
+                      stays ? "`stay`" : "a transition", phrase.wholeText(0, time)));
   return line;
 }
 

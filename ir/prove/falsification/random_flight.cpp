@@ -6,10 +6,10 @@
 #include "ir/core/inside.h"
 #include "ir/prove/context/place_read.h"
 #include "ir/prove/context/vehicle_clock.h"
-#include "ir/prove/falsification/calendar_clocks.h"
 #include "ir/prove/falsification/random_place.h"
 #include "ir/prove/falsification/random_vehicle.h"
 #include "ir/prove/falsification/run_recorder.h"
+#include "ir/prove/falsification/vehicle_clocks.h"
 #include "ir/prove/geometry/area_map.h"
 #include "ir/prove/geometry/steering.h"
 
@@ -56,7 +56,7 @@ class RandomFlight {
     for (const Sensor& sensor : m_.sensors) {
       landmarks_.push_back(landmarksOf(sensor));
     }
-    const CalendarClocks clocks(proof_context);
+    const VehicleClocks clocks(proof_context);
     for (const SensorId clock : clocks.sensors()) {
       // All clocks of the calendar show one time.
       const bool calendar = isCalendarClock(proof_context.platformSensor(clock));

@@ -6,8 +6,8 @@
 #include "ir/eval/interpreter.h"
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/context/requirement_monitor.h"
-#include "ir/prove/falsification/calendar_clocks.h"
 #include "ir/prove/falsification/counterexample.h"
+#include "ir/prove/falsification/vehicle_clocks.h"
 
 #include <optional>
 #include <span>
@@ -53,7 +53,7 @@ class RunRecorder {
   std::vector<RequirementMonitor> monitors_;  ///< one for each requirement
   std::vector<RequirementMonitor> later_;     ///< the same, without the start
   std::vector<RequirementMonitor> assumed_;   ///< one for each assumption that is watched
-  CalendarClocks clocks_;
+  VehicleClocks clocks_;
   bool assumptions_hold_ = true;  ///< up to now, and the clocks go on: otherwise nothing is shown
   std::optional<size_t> hit_;     ///< the first that is violated (Reach: satisfied)
   std::optional<Interpreter> interpreter_;

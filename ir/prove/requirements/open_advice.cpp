@@ -8,6 +8,7 @@
 #include "ir/prove/abstract/end_bound.h"
 #include "ir/prove/abstract/puts_off.h"
 #include "ir/prove/context/duration_text.h"
+#include "ir/prove/context/sensors_read.h"
 #include "ir/prove/evidence/configurations.h"
 #include "ir/prove/requirements/advice.h"
 
@@ -59,11 +60,7 @@ bool isAsked(const Mission& m, VariableId variable) {
 std::set<uint32_t> sensorsOf(const Mission& m, ExprId root) {
   std::set<uint32_t> found;
   if (root.valid()) {
-    forEachIn(m, root, [&](const Expr& e) {
-      if (e.op == Op::Sensor) {
-        found.insert(e.sensor.index);
-      }
-    });
+    forEachSensorRead(m, root, [&](SensorId sensor) { found.insert(sensor.index); });
   }
   return found;
 }

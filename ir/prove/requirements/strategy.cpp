@@ -9,6 +9,7 @@
 #include "ir/worlds/under_assumptions.h"
 
 #include <array>
+#include <utility>
 
 namespace glider::ir::prove {
 
@@ -32,6 +33,10 @@ RepeatedProof Strategy::provedAgain(const Requirement& requirement,
                                     StrategyContext& context) const {
   return {true, context.wantsEvidence() ? evidence(requirement, /*learnt=*/false, context)
                                         : std::nullopt};
+}
+
+RepeatedProof Strategy::againBy(std::optional<RequirementVerdict> verdict) {
+  return verdict ? RepeatedProof{true, std::move(verdict->evidence)} : RepeatedProof();
 }
 
 std::optional<Evidence> Strategy::evidence(const Requirement& requirement, bool learnt,

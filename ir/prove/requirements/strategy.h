@@ -67,6 +67,8 @@ class Strategy {
  protected:
   /// The proof of `requirement` again, with its evidence if evidence is collected.
   RepeatedProof provedAgain(const Requirement& requirement, StrategyContext& context) const;
+  /// The same by what a search has found again; none: nothing.
+  static RepeatedProof againBy(std::optional<RequirementVerdict> verdict);
 };
 
 enum class Phase : uint8_t { AtOnce, AtOnceAndAgain, Search };

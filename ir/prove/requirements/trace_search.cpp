@@ -187,6 +187,12 @@ RequirementVerdict provedBy(RunsAnswer answer, const Requirement& requirement,
   return proved;
 }
 
+std::optional<RequirementVerdict> provedIf(RunsAnswer answer, const Requirement& requirement,
+                                           StrategyContext& context) {
+  return answer.bad == Answer::No ? std::optional(provedBy(std::move(answer), requirement, context))
+                                  : std::nullopt;
+}
+
 void keepSubmersion(const Requirement& requirement, const TraceSearch& found,
                     StrategyContext& context) {
   if (requirement.kind == RequirementKind::SurfacesEvery && found.run) {

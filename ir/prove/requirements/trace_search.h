@@ -46,6 +46,10 @@ bool isPromiseOfTraces(const Requirement& requirement);
 RequirementVerdict provedBy(RunsAnswer answer, const Requirement& requirement,
                             StrategyContext& context);
 
+/// The same if `answer` is a proof.
+std::optional<RequirementVerdict> provedIf(RunsAnswer answer, const Requirement& requirement,
+                                           StrategyContext& context);
+
 /// Keeps the trace of `found`, without power cuts, if it violates a `surfaces every`: it may
 /// violate others.
 void keepSubmersion(const Requirement& requirement, const TraceSearch& found,

@@ -26,8 +26,7 @@ class CountedPromises final : public Strategy {
 
   RepeatedProof provesAgain(const RequirementVerdict& was,
                             StrategyContext& context) const override {
-    auto verdict = search(was.requirement, context);
-    return verdict ? RepeatedProof{true, std::move(verdict->evidence)} : RepeatedProof();
+    return againBy(search(was.requirement, context));
   }
 
   /// What the mission assumes is left out.
@@ -50,10 +49,7 @@ class CountedPromises final : public Strategy {
         std::exchange(context.search_effort, StrategyContext::kLonger * context.search_effort);
     RunsAnswer answer = provenByTraces(counters->requirements[number], insight, context);
     context.search_effort = usual;
-    return answer.bad == Answer::No
-               ? std::optional(
-                     provedBy(std::move(answer), context.mission.requirements[number], context))
-               : std::nullopt;
+    return provedIf(std::move(answer), context.mission.requirements[number], context);
   }
 };
 

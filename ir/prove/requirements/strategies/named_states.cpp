@@ -139,8 +139,7 @@ class NamedStates final : public Strategy {
 
   RepeatedProof provesAgain(const RequirementVerdict& was,
                             StrategyContext& context) const override {
-    auto verdict = search(context.mission.requirements[was.requirement], context);
-    return verdict ? RepeatedProof{true, std::move(verdict->evidence)} : RepeatedProof();
+    return againBy(search(context.mission.requirements[was.requirement], context));
   }
 
  private:
@@ -157,9 +156,9 @@ class NamedStates final : public Strategy {
                                        Manner{true, Lemmas::Elimination}}) {
       for (Scope& scope : scopes) {
         scope.fine = fine;
-        RunsAnswer answer = provenWithin(requirement, scope, insight, context, lemmas);
-        if (answer.bad == Answer::No) {
-          return provedBy(std::move(answer), requirement, context);
+        if (auto verdict = provedIf(provenWithin(requirement, scope, insight, context, lemmas),
+                                    requirement, context)) {
+          return verdict;
         }
       }
     }

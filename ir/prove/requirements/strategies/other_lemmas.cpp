@@ -4,8 +4,6 @@
 #include "ir/prove/requirements/strategy.h"
 #include "ir/prove/requirements/trace_search.h"
 
-#include <utility>
-
 namespace glider::ir::prove {
 namespace {
 
@@ -24,18 +22,14 @@ class OtherLemmas final : public Strategy {
 
   RepeatedProof provesAgain(const RequirementVerdict& was,
                             StrategyContext& context) const override {
-    auto verdict = search(context.mission.requirements[was.requirement], context);
-    return verdict ? RepeatedProof{true, std::move(verdict->evidence)} : RepeatedProof();
+    return againBy(search(context.mission.requirements[was.requirement], context));
   }
 
  private:
   static std::optional<RequirementVerdict> search(const Requirement& requirement,
                                                   StrategyContext& context) {
-    RunsAnswer answer =
-        provenByTraces(requirement, context.insight(), context, Lemmas::Elimination);
-    return answer.bad == Answer::No
-               ? std::optional(provedBy(std::move(answer), requirement, context))
-               : std::nullopt;
+    return provedIf(provenByTraces(requirement, context.insight(), context, Lemmas::Elimination),
+                    requirement, context);
   }
 };
 

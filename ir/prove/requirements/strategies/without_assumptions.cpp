@@ -5,8 +5,6 @@
 #include "ir/prove/requirements/trace_search.h"
 #include "ir/worlds/under_assumptions.h"
 
-#include <utility>
-
 namespace glider::ir::prove {
 namespace {
 
@@ -25,19 +23,16 @@ class WithoutAssumptions final : public Strategy {
       return std::nullopt;
     }
     const Requirement& requirement = bare->mission.requirements[attempt.number];
-    TraceSearch found = searchTraces(requirement, bare->insight(), *bare);
-    std::optional<RequirementVerdict> verdict;
-    if (found.answer.bad == Answer::No) {
-      verdict = provedBy(std::move(found.answer), requirement, *bare);
-    } else if (const Strategy& named = strategy::namedStates(); named.serves(requirement)) {
+    auto verdict =
+        provedIf(searchTraces(requirement, bare->insight(), *bare).answer, requirement, *bare);
+    const Strategy& named = strategy::namedStates();
+    if (!verdict && named.serves(requirement)) {
       Attempt again{attempt.number, requirement};
       verdict = named.judge(again, *bare);
     }
     if (!verdict) {
-      RunsAnswer answer = provenByTraces(requirement, bare->insight(), *bare, Lemmas::Elimination);
-      verdict = answer.bad == Answer::No
-                    ? std::optional(provedBy(std::move(answer), requirement, *bare))
-                    : std::nullopt;
+      verdict = provedIf(provenByTraces(requirement, bare->insight(), *bare, Lemmas::Elimination),
+                         requirement, *bare);
     }
     if (verdict) {
       verdict->searched = true;

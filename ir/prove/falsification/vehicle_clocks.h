@@ -14,9 +14,9 @@ namespace glider::ir::prove {
 /// The sensors of a mission that are clocks of the vehicle (that of the calendar, of which `utc`
 /// and `timeofday` are made, and its seconds into its own mission). They are healthy: they go on as
 /// mission time does (docs/verification.md), which only traces and flights know, not proofs.
-class CalendarClocks {
+class VehicleClocks {
  public:
-  explicit CalendarClocks(const ProofContext& proof_context);
+  explicit VehicleClocks(const ProofContext& proof_context);
 
   [[nodiscard]] const std::vector<SensorId>& sensors() const { return sensors_; }
   /// False if one of these readings (by sensor, SI units; NaN: unknown) at mission time `time`, s,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "ir/prove/falsification/calendar_clocks.h"
+#include "ir/prove/falsification/vehicle_clocks.h"
 
 #include "ir/prove/context/vehicle_clock.h"
 
@@ -9,7 +9,7 @@
 
 namespace glider::ir::prove {
 
-CalendarClocks::CalendarClocks(const ProofContext& proof_context) {
+VehicleClocks::VehicleClocks(const ProofContext& proof_context) {
   for (uint32_t i = 0; i < proof_context.mission.sensors.size(); ++i) {
     if (isVehicleClock(proof_context.platformSensor({i}))) {
       sensors_.push_back({i});
@@ -18,7 +18,7 @@ CalendarClocks::CalendarClocks(const ProofContext& proof_context) {
   started_.resize(sensors_.size());
 }
 
-bool CalendarClocks::goOn(std::span<const double> readings, double time) {
+bool VehicleClocks::goOn(std::span<const double> readings, double time) {
   bool good = true;
   for (size_t i = 0; i < sensors_.size(); ++i) {
     const double reading = readings[sensors_[i].index];

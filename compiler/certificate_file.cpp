@@ -23,9 +23,9 @@ using nlohmann::json;
 using support::Result;
 
 constexpr int kVersion = 1;
-constexpr std::array kMethods = {ir::prove::Method::Invariant, ir::prove::Method::Bound,
+constexpr std::array kMethods = {ir::prove::Method::Invariant,      ir::prove::Method::Bound,
                                  ir::prove::Method::Configurations, ir::prove::Method::Run,
-                                 ir::prove::Method::Geometry};
+                                 ir::prove::Method::Energy,         ir::prove::Method::Geometry};
 
 /// null: every case of `always` may fire.
 json limitToJson(uint32_t limit) {

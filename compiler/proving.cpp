@@ -3,6 +3,7 @@
 
 #include "compiler/proving.h"
 
+#include "compiler/boards.h"
 #include "compiler/share.h"
 #include "ir/prove/chc.h"
 #include "ir/text/print.h"
@@ -34,6 +35,9 @@ bool isAboutFlights(const support::Diagnostic& diagnostic) {
 ir::prove::Findings prove(const Checked& checked, ir::prove::Options options,
                           support::DiagnosticEngine& diagnostics) {
   options.library = checked.lowered->standard_library;
+  if (const auto board = usualBoard(checked.worlds.widest.platform); board && *board) {
+    options.board = (*board)->power;
+  }
   support::DiagnosticEngine found;
   ir::prove::Findings findings = ir::prove::prove(checked.worlds, checked.facts, options, found);
   const std::vector<support::Diagnostic> all = found.sorted();

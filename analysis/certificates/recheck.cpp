@@ -163,6 +163,9 @@ Result<Rechecked> recheck(const compiler::Certificate& certificate,
   if (certificate.run) {
     return recheckRun(*certificate.run, mission, requirement);
   }
+  if (certificate.method == ir::prove::Method::Energy) {
+    return refused("proofs by the vehicle's power table are not checked a second time");
+  }
   if (!required.geofences.empty()) {
     return refused("proofs by geometry are not checked a second time");
   }

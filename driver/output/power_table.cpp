@@ -77,6 +77,16 @@ std::string powerText(const Platform& platform, const std::optional<platforms::B
     out += fmt::format("  {:<23} {:<45} {:<26} {:<8} {}\n", line.device, line.when, line.draws,
                        line.spread, line.source);
   }
+  if (power.bounds) {
+    const platforms::EnergyModel& model = *power.bounds;
+    out += fmt::format(
+        "  bounds assume           {:.4g} m/s along its path at most; a hover pumps {:.4g} cc/s "
+        "out "
+        "and in; the pitch battery moves {:.4g} % of a leg and {:.4g} s for a turn; a dive leaves "
+        "the surface within {:.4g} s\n",
+        model.glide_m_s, model.hover_pump_cc_s, model.pitch_battery_share * 100,
+        model.pitch_battery_turn_s, model.dive_start_s);
+  }
   return out;
 }
 
@@ -105,6 +115,13 @@ ordered_json powerJson(const Platform& platform, const std::optional<platforms::
                    {"draws", std::move(draws)}};
   if (!power.propeller.rpm.empty()) {
     out["propeller"] = {{"rpm", power.propeller.rpm}, {"W", power.propeller.watt}};
+  }
+  if (power.bounds) {
+    out["bounds"] = {{"glide_m_s", power.bounds->glide_m_s},
+                     {"hover_pump_cc_s", power.bounds->hover_pump_cc_s},
+                     {"pitch_battery_share", power.bounds->pitch_battery_share},
+                     {"pitch_battery_turn_s", power.bounds->pitch_battery_turn_s},
+                     {"dive_start_s", power.bounds->dive_start_s}};
   }
   if (board && board->power) {
     out["sbc"] = {{"board", board->name},

@@ -60,6 +60,8 @@ const char* word(Method method) {
       return "configurations";
     case Method::Run:
       return "run";
+    case Method::Energy:
+      return "energy";
     case Method::Geometry:
       return "geometry";
   }

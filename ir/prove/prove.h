@@ -8,6 +8,7 @@
 #include "ir/prove/falsification/counterexample.h"
 #include "ir/verify/structure.h"
 #include "ir/worlds/worlds.h"
+#include "platforms/load/board.h"
 #include "platforms/load/platform.h"
 #include "support/diagnostics/engine.h"
 
@@ -58,6 +59,8 @@ struct Options {
   std::function<void(uint32_t)> before_requirement = {};
   /// Name only the assumptions that a proof needs, not all on which it may rest.
   bool premises = true;
+  /// What the SBC draws; empty: it does not count.
+  std::optional<platforms::BoardPower> board = {};
   /// Also give the evidence of each proof: RequirementVerdict::evidence.
   bool evidence = false;
 };
@@ -68,10 +71,11 @@ enum class Method : uint8_t {
   Bound,           ///< times or depths were added up
   Configurations,  ///< from the call configurations alone
   Run,             ///< a trace that satisfies it
+  Energy,          ///< by the vehicle's power table
   Geometry         ///< of the mission's waypoints
 };
 
-/// "invariant", "bound", "configurations", "run", "geometry".
+/// "invariant", "bound", "configurations", "run", "energy", "geometry".
 const char* word(Method method);
 
 /// What the proof of a requirement rests on, in a form that can be checked again without the prover

@@ -41,6 +41,17 @@ struct Draw {
   std::vector<std::string> sensors;  ///< of Read: the vehicle's names of what the device measures
 };
 
+/// What bounds of the energy of a flight assume of a glider beyond the rows.
+struct EnergyModel {
+  /// Along its path, with the whole pump: a leg at a pitch p takes it no faster up or down, on
+  /// average, than this times sin p.
+  double glide_m_s = 0;
+  double hover_pump_cc_s = 0;       ///< what a hover pumps out on average, and as much in
+  double pitch_battery_share = 0;   ///< of the time of a leg, while it moves
+  double pitch_battery_turn_s = 0;  ///< it moves so long for a turn between dive and climb
+  double dive_start_s = 0;          ///< from the command to dive it stays so long at the surface
+};
+
 /// The batteries and all that they feed.
 struct Power {
   double capacity_kj = 1;
@@ -49,7 +60,8 @@ struct Power {
   double resistance_ohm = 0;
   std::string board;  ///< the SBC whose power is counted; "": none
   std::vector<Draw> draws;
-  PropellerPower propeller;  ///< drawn too; empty without one
+  PropellerPower propeller;           ///< drawn too; empty without one
+  std::optional<EnergyModel> bounds;  ///< empty: the energy of flights has no bounds
 };
 
 // What has no row in the power table of a vehicle: its propeller, the SBC (its board's file), and

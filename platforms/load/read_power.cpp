@@ -22,6 +22,14 @@ constexpr NumberKey<Power> kPack[] = {
     {"resistance_ohm", &Power::resistance_ohm, Least::Zero},
 };
 
+constexpr NumberKey<EnergyModel> kBounds[] = {
+    {"glide_m_s", &EnergyModel::glide_m_s},
+    {"hover_pump_cc_s", &EnergyModel::hover_pump_cc_s},
+    {"pitch_battery_share", &EnergyModel::pitch_battery_share},
+    {"pitch_battery_turn_s", &EnergyModel::pitch_battery_turn_s},
+    {"dive_start_s", &EnergyModel::dive_start_s},
+};
+
 /// The key of the number of a row.
 std::string_view amountKey(DrawWhen when) {
   return when == DrawWhen::PumpOut || when == DrawWhen::PumpIn ? "J_per_cc" : unitOf(when);
@@ -111,6 +119,8 @@ support::Result<Power> readPower(const std::string& file, const toml::table& roo
   std::vector<std::string_view> others = {"board", "draw"};
   if (motion.propelled) {
     others.insert(others.end(), {kPowerRpm, kPowerWatt});
+  } else {
+    others.emplace_back("bounds");
   }
   Power power = readNumbers(reader, kPack, std::move(others));
   power.board = reader.textOr("board", "");
@@ -119,6 +129,13 @@ support::Result<Power> readPower(const std::string& file, const toml::table& roo
   }
   if (motion.propelled) {
     power.propeller = readPropellerPower(reader, motion.propelled->propeller.greatest_rpm);
+  }
+  if (root["power"]["bounds"] && !motion.propelled && !reader.failure()) {
+    TomlReader bounds = tableOf(file, root["power"]["bounds"], "[power.bounds]");
+    power.bounds = readNumbers(bounds, kBounds, {});
+    if (bounds.failure()) {
+      return std::unexpected(*bounds.failure());
+    }
   }
   if (!reader.failure()) {
     if (auto read = readDraws(file, root, platform, power); !read) {

@@ -2,34 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "report/findings/findings.h"
+#include "support/grouped.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace glider::report {
-namespace {
-
-/// 1234567 as "1,234,567".
-std::string grouped(uint64_t number) {
-  constexpr size_t kGroup = 3;
-  std::string text = std::to_string(number);
-  for (size_t at = text.size(); at > kGroup;) {
-    at -= kGroup;
-    text.insert(at, ",");
-  }
-  return text;
-}
-
-}  // namespace
-
 std::string amount(const Quantity& quantity) {
   if (!quantity.value) {
     return "no bound is known";
   }
-  std::string text = grouped(*quantity.value);
+  std::string text = support::grouped(*quantity.value);
   if (quantity.limit) {
-    text += " of " + grouped(*quantity.limit);
+    text += " of " + support::grouped(*quantity.limit);
   }
   return text + " " + quantity.unit;
 }

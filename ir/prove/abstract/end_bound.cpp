@@ -55,7 +55,7 @@ class EndSearch {
     control.state = {0};
     Valuation values = run_.begin();
     run_.enter(control.state, nullptr, {}, values);
-    arrive(control, std::move(values), 0);
+    first_ = arrive(control, std::move(values), 0);
     while (!pending_.empty()) {
       if (work_ > kMostEndWork || !follow()) {
         return {std::nullopt, {}, stays_, loop_};
@@ -67,21 +67,41 @@ class EndSearch {
   /// After a bound was found.
   std::vector<Stay> stays() {
     std::vector<Stay> all;
+    std::map<const Arrival*, size_t> numbers;
     for (const auto& [arrival, latest] : times_) {
       Valuation held;
       Leaving leaving = leavingFrom(arrival, latest.time, held);
-      all.push_back({arrival.control, std::move(held), std::move(leaving.parts)});
+      numbers.emplace(&arrival, all.size());
+      all.push_back(
+          {arrival.control, std::move(held), std::move(leaving.parts), {}, &arrival == first_});
+    }
+    for (const Followed& way : ways_) {
+      all[numbers.at(way.from)].ways.push_back(
+          {way.list, way.number,
+           way.to == nullptr ? std::nullopt : std::optional(numbers.at(way.to))});
+    }
+    for (Stay& stay : all) {
+      std::ranges::sort(stay.ways);
     }
     return all;
   }
 
  private:
+  /// A way from one arrival to the next; both are keys of `times_`. To null: to the end.
+  struct Followed {
+    const Arrival* from;
+    ListKind list;
+    uint32_t number;
+    const Arrival* to;
+    auto operator<=>(const Followed&) const = default;
+  };
+
   /// A variable of a state that `control` does not hold starts again before it is read, so it may
-  /// be anything here.
-  void arrive(const Control& control, Valuation values, double time) {
+  /// be anything here. The arrival as it is kept; null if the goal is reached.
+  const Arrival* arrive(const Control& control, Valuation values, double time) {
     if (goal_ == Goal::ExitOrSurface && commandsSurface(m_, m_[control.state])) {
       end_ = std::max(end_, time);
-      return;
+      return nullptr;
     }
     for (uint32_t i = 0; i < m_.variables.size(); ++i) {
       const Variable& variable = m_.variables[i];
@@ -96,6 +116,7 @@ class EndSearch {
       known->second.from = following_;
       pending_.push_back(std::move(arrival));
     }
+    return &known->first;
   }
 
   /// A time that has been raised often is raised by a loop that only a condition of mission time
@@ -251,6 +272,7 @@ class EndSearch {
     }
     if (c.transition == Transition::Exit) {
       end_ = std::max(end_, time);
+      ways_.insert({following_, list, number, nullptr});
       return;
     }
     run_.execute(c.action, clocks, values);
@@ -262,7 +284,7 @@ class EndSearch {
     }
     work_ +=
         run_.takeWork() + m_.variables.size() + 4 * after.stack.size();  // what it takes to keep
-    arrive(after, std::move(values), time);
+    ways_.insert({following_, list, number, arrive(after, std::move(values), time)});
   }
 
   const ProofContext& proof_context_;
@@ -275,6 +297,8 @@ class EndSearch {
   const Arrival* following_ = nullptr;  ///< a key of `times_`
   std::vector<double> left_by_;         ///< of each state
   std::map<Arrival, LatestArrival> times_;
+  std::set<Followed> ways_;
+  const Arrival* first_ = nullptr;
   std::optional<std::set<double>> thresholds_;
   std::vector<Arrival> pending_;
   double end_ = 0;

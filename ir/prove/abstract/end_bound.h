@@ -46,12 +46,22 @@ struct EndBound {
 /// gives up.
 EndBound boundOf(const ProofContext& proof_context, double latest, Goal goal);
 
+/// A case that ends a stay, and the stay that follows.
+struct StayWay {
+  ListKind list = ListKind::State;  ///< of the case, or always
+  uint32_t number = 0;              ///< in its list
+  std::optional<size_t> to;         ///< the number of a stay; none: the mission ends
+  auto operator<=>(const StayWay&) const = default;
+};
+
 /// A state that has become current in a call configuration, with the values that the variables may
 /// have while it is.
 struct Stay {
   Control control;
   Valuation values;
   std::vector<LeavingPart> parts;  ///< when it becomes current, and until when it is
+  std::vector<StayWay> ways;
+  bool first = false;  ///< the mission starts with it
 };
 
 /// What the bound of the mission's exit rests on: every stay of every trace is one of these. Empty

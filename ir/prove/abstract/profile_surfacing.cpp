@@ -4,6 +4,7 @@
 #include "ir/prove/abstract/profile_surfacing.h"
 
 #include "ir/core/walk.h"
+#include "ir/prove/abstract/mode_ways.h"
 #include "ir/prove/context/commands.h"
 
 #include <algorithm>
@@ -22,69 +23,6 @@ constexpr unsigned kMostRaises = 100;
 double roundedSum(double a, double b) {
   return b == 0 ? a : std::nextafter(a + b, kNeverSurfaces);
 }
-
-/// A way from a mode to one of those that a case's `do` leads to.
-struct ModeWay {
-  Mode to;
-  size_t by = 0;  ///< the case
-};
-
-/// The modes of a profile, and the ways between them.
-class ModeWays {
- public:
-  ModeWays(const ProofContext& proof_context, const Activity& profile)
-      : known_(proof_context.known),
-        profile_(profile),
-        modes_(proof_context.mission, profile, &proof_context.known) {}
-
-  /// False if there are too many, or one of their truth values may be unknown, or is set by `done`.
-  bool explore() {
-    const bool plain = std::ranges::all_of(modes_.own(), [&](VariableId id) {
-      return known_.variables[id.index] && id != profile_.done;
-    });
-    if (!plain || modes_.own().size() > ProfileModes::kMostTruths) {
-      return false;
-    }
-    std::vector<Mode> open;
-    const auto arrive = [&](const std::set<Mode>& modes) {
-      for (const Mode& mode : modes) {
-        if (ways_.try_emplace(mode).second) {
-          open.push_back(mode);
-        }
-      }
-    };
-    arrive(modes_.begin());
-    while (!open.empty()) {
-      const Mode mode = open.back();
-      open.pop_back();
-      arrive(modes_.run(profile_.entry, {Mode{mode.truths, std::nullopt}}));  // resumed
-      for (size_t i = 0; i < profile_.cases.size(); ++i) {
-        const Truth guard = modes_.judge(profile_.cases[i].guard, mode);
-        if (guard == Truth::False) {
-          continue;
-        }
-        const std::set<Mode> after = modes_.run(profile_.cases[i].action, {mode});
-        for (const Mode& to : after) {
-          ways_[mode].push_back({to, i});
-        }
-        arrive(after);
-        if (guard == Truth::True) {
-          break;  // it hides the rest
-        }
-      }
-    }
-    return true;
-  }
-
-  [[nodiscard]] const ProfileModes& modes() const { return modes_; }
-  [[nodiscard]] const std::map<Mode, std::vector<ModeWay>>& all() const { return ways_; }
-
- private:
-  const GreatestFixpoint& known_;
-  const Activity& profile_;
-  ProfileModes modes_;
-  std::map<Mode, std::vector<ModeWay>> ways_;
-};
 
 bool climbs(const Mode& mode) {
   return mode.command == Command::Surface;
@@ -243,10 +181,10 @@ class ProfileSearch {
 
   ProfileSurfacing run() {
     ProfileSurfacing best;
-    if (state_.profile.cases.empty() || !std::isfinite(climb_s_) || othersInterfere()) {
+    if (state_.profile.cases.empty() || !std::isfinite(climb_s_) || othersInterfere(m_, id_)) {
       return best;
     }
-    const std::vector<VariableId> timers = timersOfProfile();
+    const std::vector<VariableId> timers = timersOfProfile(m_, guards_, id_);
     if (timers.empty() || !ways_.explore()) {
       return best;
     }
@@ -264,69 +202,17 @@ class ProfileSearch {
   }
 
  private:
-  [[nodiscard]] bool isOfProfile(VariableId id) const {
-    return m_[id].kind == VariableKind::Profile && m_[id].owner == id_;
-  }
-
-  /// Whether anything else commands a depth while the state is current, or sets what the profile
-  /// remembers.
-  [[nodiscard]] bool othersInterfere() const {
-    bool found =
-        !m_[state_.profile.behaviour].symbol.empty() || !m_[state_.route.behaviour].symbol.empty();
-    const auto commands = [&](const Statement& s) { found = found || isVertical(s); };
-    const auto remembers = [&](const Statement& s) {
-      found = found || (s.kind == StatementKind::Set && isOfProfile(s.variable));
-    };
-    forEachStatement(m_, state_.route.entry, commands);
-    for (const BlockId block : {m_.every_tick, state_.entry, state_.route.entry}) {
-      forEachStatement(m_, block, remembers);
-    }
-    for (const auto* cases : {&m_.always, &state_.cases, &state_.route.cases}) {
-      for (const Case& c : *cases) {
-        forEachStatement(m_, c.action, remembers);
-        if (staysIn(c.transition)) {
-          forEachStatement(m_, c.action, commands);
-        }
-      }
-    }
-    return found;
-  }
-
-  /// Variables of the profile that hold a time of the mission: never unknown, never in the future.
-  [[nodiscard]] std::vector<VariableId> timersOfProfile() const {
-    std::vector<VariableId> found;
-    for (uint32_t i = 0; i < m_.variables.size(); ++i) {
-      const Variable& variable = m_.variables[i];
-      if (isOfProfile({i}) && variable.type.kind == TypeKind::Quantity &&
-          !std::isfinite(variable.lowest) && !std::isfinite(variable.highest) &&
-          beginsAsTime(m_[variable.initial]) && guards_.holdsTimesOnly({i})) {
-        found.push_back({i});
-      }
-    }
-    return found;
-  }
-
-  static bool beginsAsTime(const Expr& initial) {
-    return initial.op == Op::MissionTime || (initial.op == Op::Constant && initial.number <= 0);
-  }
-
   /// Whether every case that begins a climb sets it.
   [[nodiscard]] bool isSetByEachClimb(VariableId id) const {
     const auto keeps = [&](const Mode& from, const ModeWay& way) {
       const BlockId action = state_.profile.cases[way.by].action;
       const bool begins = climbs(way.to) && !(climbs(from) && goesOn(m_, action));
-      return !begins || setsForSure(action, id);
+      return !begins || setsForSure(m_, action, id);
     };
     return std::ranges::all_of(ways_.all(), [&](const auto& entry) {
       return std::ranges::all_of(entry.second,
                                  [&](const ModeWay& way) { return keeps(entry.first, way); });
     });
-  }
-
-  [[nodiscard]] bool setsForSure(BlockId block, VariableId id) const {
-    return block.valid() && std::ranges::any_of(m_[block].statements, [&](const Statement& s) {
-             return s.kind == StatementKind::Set && s.variable == id;
-           });
   }
 
   const ProofContext& proof_context_;

@@ -3,7 +3,6 @@
 
 #include "ir/prove/abstract/shallowest_command.h"
 
-#include "ir/core/ops.h"
 #include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/abstract/held_ranges.h"
 #include "ir/prove/context/commands.h"
@@ -20,21 +19,10 @@ constexpr Interval kEver{0, std::numeric_limits<double>::max(), false};
 /// How far a vehicle that hovers may rise above its depth, m.
 constexpr double kHovering = 1;
 
-ProofContext withDepthKnown(const ProofContext& proof_context) {
-  ProofContext seen = proof_context;
-  for (size_t i = 0; i < seen.mission.exprs.size(); ++i) {
-    const Expr& e = seen.mission.exprs[i];
-    if (e.op == Op::Sensor && e.sensor == seen.depth) {
-      seen.known.expressions[i] = true;
-    }
-  }
-  return seen;
-}
-
 }  // namespace
 
 ShallowestCommands::ShallowestCommands(const ProofContext& proof_context)
-    : seen_(withDepthKnown(proof_context)),
+    : seen_(proof_context.withDepthKnown()),
       m_(seen_.mission),
       values_(anyValues(m_)),
       held_(heldIntervals(m_)),

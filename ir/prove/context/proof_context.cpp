@@ -64,6 +64,17 @@ ProofContext::ProofContext(const Mission& asked, const platforms::Platform& vehi
   }
 }
 
+ProofContext ProofContext::withDepthKnown() const {
+  ProofContext seen = *this;
+  for (size_t i = 0; i < mission.exprs.size(); ++i) {
+    const Expr& e = mission.exprs[i];
+    if (e.op == Op::Sensor && e.sensor == depth) {
+      seen.known.expressions[i] = true;
+    }
+  }
+  return seen;
+}
+
 ProofContext ProofContext::withoutPowerCuts() const {
   ProofContext same = *this;
   same.tick_gap_s = platform.world.tick_gap_s;

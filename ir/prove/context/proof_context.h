@@ -50,6 +50,8 @@ struct ProofContext {
   double latest_s = std::numeric_limits<double>::max();
   /// The same for an SBC whose power is never cut.
   [[nodiscard]] ProofContext withoutPowerCuts() const;
+  /// The same while the vehicle's depth is never unknown.
+  [[nodiscard]] ProofContext withDepthKnown() const;
 
   /// The platform's row of a sensor; null if the platform does not have it.
   [[nodiscard]] const platforms::PlatformSensor* platformSensor(SensorId id) const {

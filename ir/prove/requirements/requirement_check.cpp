@@ -194,7 +194,9 @@ bool RequirementCheck::judgeBy(const Strategy& strategy, Attempt& attempt, Judge
 
 void RequirementCheck::learn(const Judged& judged) {
   const Requirement& requirement = requirementOf(judged);
-  if (judged.verdict.verdict == Verdict::Proved && requirement.geofences.empty()) {
+  // What rests on a premise of its own proves nothing else.
+  if (judged.verdict.verdict == Verdict::Proved && requirement.geofences.empty() &&
+      judged.verdict.premise.empty()) {
     context_.insight().know(requirement);
     context_.learnt = true;
   }

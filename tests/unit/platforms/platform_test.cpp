@@ -195,6 +195,15 @@ TEST(Platform, ThePowerTableIsChecked) {
             std::string::npos);
 }
 
+TEST(Platform, WhatBoundsOfEnergyAssumeIsWholeOrNotThere) {
+  EXPECT_NE(slocumWith("\nglide_m_s = 0.5", "").find("glide_m_s"), std::string::npos);
+  EXPECT_NE(slocumWith("hover_pump_cc_s = 2.5", "hover_pump_cc_s = 0.0").find("above 0"),
+            std::string::npos);
+  EXPECT_NE(slocumWith("dive_start_s = 120.0", "dive_start_s = 120.0\ndives = 1").find("dives"),
+            std::string::npos);
+  EXPECT_NE(slocumWith("[power.bounds]", "[power.limits]").find("limits"), std::string::npos);
+}
+
 TEST(Platform, HowOftenAndHowExactlyASensorIsReported) {
   const auto with = [](const std::string& stale, const std::string& more) {
     std::string text = std::string(kHead) + kSensor;

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analysis/check/run.h"
+#include "compiler/boards.h"
+#include "ir/prove/context/duration_text.h"
+#include "ir/prove/energy/energy_bound.h"
+#include "simulator/vehicle/battery.h"
+#include "support/grouped.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace glider::analysis::check {
+namespace {
+
+using ir::prove::EnergyBound;
+using ir::prove::StateBound;
+
+/// What the batteries hold when they are full, J: those that the mission names, or the vehicle's.
+double packOf(const ir::Mission& mission, const platforms::Power& power) {
+  constexpr double kJoulesPerKilojoule = 1000;
+  return mission.pack ? simulator::energyOfCharge(power, mission.pack->capacity_C)
+                      : power.capacity_kj * kJoulesPerKilojoule;
+}
+
+/// "SBC 41 %, pump 30 %, others 2 %".
+std::string sharesOf(const EnergyBound& bound) {
+  double sum = 0, rest = 100;
+  for (const auto& [device, joules] : bound.devices) {
+    sum += joules;
+  }
+  constexpr size_t kNamed = 5;
+  std::string text;
+  for (size_t i = 0; i < std::min(kNamed, bound.devices.size()); ++i) {
+    const double percent = std::round(bound.devices[i].joules / sum * 100);
+    rest -= percent;
+    text += fmt::format("{}{} {:.0f} %", i == 0 ? "" : ", ", bound.devices[i].device, percent);
+  }
+  return bound.devices.size() > kNamed && rest >= 1 ? fmt::format("{}, others {:.0f} %", text, rest)
+                                                    : text;
+}
+
+/// "4.9 days", "11 h": no longer than it is.
+std::string wholeOf(double seconds) {
+  constexpr double kHour_s = 3600, kDay_s = 86400, kTenths = 10;
+  return seconds < 2 * kDay_s
+             ? fmt::format("{:.0f} h", std::floor(std::max(seconds, 0.0) / kHour_s))
+             : fmt::format("{:.1f} days", std::floor(seconds / kDay_s * kTenths) / kTenths);
+}
+
+/// "9.86", "1,250".
+std::string shortly(double number) {
+  constexpr double kWhole = 100;
+  return number < kWhole ? fmt::format("{:.3g}", number)
+                         : support::grouped(static_cast<uint64_t>(std::ceil(number)));
+}
+
+std::string boundLine(const EnergyBound& bound, double pack_j) {
+  const std::string pack = shortly(pack_j / simulator::kJoulesPerWattHour);
+  if (!bound.joules) {
+    return fmt::format(
+        "by the vehicle's power table the mission takes at most {:.3g} W on average "
+        "in a long flight, so a full pack of {} Wh lasts at least {}: {}",
+        bound.watts, pack, wholeOf((pack_j - bound.start_j) / bound.watts), sharesOf(bound));
+  }
+  const double share = *bound.joules / pack_j * 100;
+  const std::string of_pack = share < 100
+                                  ? fmt::format("{:.2g} % of the pack of {} Wh", share, pack)
+                                  : fmt::format("more than the pack of {} Wh has", pack);
+  return fmt::format(
+      "by the vehicle's power table the mission takes at most {} Wh until it ends, {}: "
+      "{}",
+      shortly(*bound.joules / simulator::kJoulesPerWattHour), of_pack, sharesOf(bound));
+}
+
+/// "at most 9.6 W in `home`, 7.9 W in `out`", the greatest first; empty: there is one state.
+std::string statesLine(std::vector<StateBound> states, const ir::Mission& mission) {
+  if (states.size() < 2) {
+    return "";
+  }
+  std::ranges::stable_sort(states, std::ranges::greater(), &StateBound::watts);
+  constexpr size_t kNamed = 6;
+  std::string text;
+  for (size_t i = 0; i < std::min(kNamed, states.size()); ++i) {
+    text += fmt::format("{}{:.3g} W in `{}`", i == 0 ? "" : ", ", states[i].watts,
+                        mission[states[i].state].name);
+  }
+  return fmt::format("on average in a long stay at most {}{}", text,
+                     states.size() > kNamed ? ", less in the others" : "");
+}
+
+/// The states whose pump is counted in full.
+std::string turnsLine(const std::vector<StateBound>& states, const ir::Mission& mission) {
+  std::vector<std::string> names;
+  for (const StateBound& one : states) {
+    if (one.restless) {
+      names.push_back(fmt::format("`{}`", mission[one.state].name));
+    }
+  }
+  return names.empty()
+             ? ""
+             : fmt::format("the vehicle may turn so often in {} that its pump hardly rests",
+                           fmt::join(names, ", "));
+}
+
+/// The states that take the most by following one another.
+std::string roundLine(const EnergyBound& bound, const ir::Mission& mission) {
+  std::vector<std::string> names;
+  for (const ir::StateId state : bound.round) {
+    names.push_back(fmt::format("`{}`", mission[state].name));
+  }
+  if (names.empty()) {
+    return "";
+  }
+  const std::string round = ir::prove::durationOf(bound.round_s);
+  return names.size() == 1
+             ? fmt::format(
+                   "most of it if {} is entered again and again, every {}: a least time in "
+                   "it makes that less",
+                   names.front(), round)
+             : fmt::format(
+                   "most of it if {} follow one another again and again, a round in {}: a "
+                   "least time in them makes that less",
+                   fmt::join(names, ", "), round);
+}
+
+}  // namespace
+
+/// The most that a flight takes from the batteries, where the vehicle's file says enough for it.
+support::Result<void> energy(Run& run) {
+  const auto board = compiler::usualBoard(run.platform());
+  if (!board) {
+    return std::unexpected(board.error());
+  }
+  const auto bound = ir::prove::energyBoundOf(run.mission(), run.platform(),
+                                              *board ? (*board)->power : std::nullopt,
+                                              ir::prove::Parameters::AsWritten);
+  if (!bound) {
+    return {};
+  }
+  run.remark(boundLine(*bound, packOf(run.mission(), run.platform().power)));
+  for (std::string line :
+       {statesLine(bound->states, run.mission()), turnsLine(bound->states, run.mission()),
+        roundLine(*bound, run.mission())}) {
+    if (!line.empty()) {
+      run.remark(std::move(line));
+    }
+  }
+  return {};
+}
+
+}  // namespace glider::analysis::check

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/energy/energy_use.h"
+
+#include <algorithm>
+
+namespace glider::ir::prove {
+
+using platforms::Draw;
+using platforms::DrawWhen;
+
+EnergyUse EnergyUse::operator+(const EnergyUse& other) const {
+  return {seconds + other.seconds,       surface_s + other.surface_s,
+          surfacings + other.surfacings, pump_out_j + other.pump_out_j,
+          pump_in_j + other.pump_in_j,   pitch_battery_s + other.pitch_battery_s};
+}
+
+EnergyUse EnergyUse::operator*(double factor) const {
+  return {seconds * factor,    surface_s * factor, surfacings * factor,
+          pump_out_j * factor, pump_in_j * factor, pitch_battery_s * factor};
+}
+
+namespace {
+
+/// Whether the mission reads what a device measures.
+bool reads(const Mission& mission, const Draw& draw) {
+  return std::ranges::any_of(mission.sensors, [&](const Sensor& sensor) {
+    return std::ranges::find(draw.sensors, sensor.vehicle_name) != draw.sensors.end();
+  });
+}
+
+}  // namespace
+
+GreatestPower::GreatestPower(const Mission& mission, const platforms::Platform& platform,
+                             const std::optional<platforms::BoardPower>& board) {
+  for (const Draw& draw : platform.power.draws) {
+    const double most = 1 + draw.spread;
+    if (draw.when != DrawWhen::Read || reads(mission, draw)) {
+      rows_.push_back({draw.device, draw.when, draw.amount * most, draw.amount_per_m * most});
+    }
+  }
+  if (board) {
+    rows_.push_back({std::string(platforms::kSbcDevice), DrawWhen::Always,
+                     board->running_W * (1 + board->spread), 0});
+  }
+}
+
+double GreatestPower::joules(const Row& row, const EnergyUse& use) {
+  switch (row.when) {
+    case DrawWhen::Always:
+    case DrawWhen::Read:
+    case DrawWhen::Fin:  // it may always move
+      return row.amount * use.seconds;
+    case DrawWhen::Surface:
+      return row.amount * use.surface_s;
+    case DrawWhen::Surfacing:
+      return row.amount * use.surfacings;
+    case DrawWhen::PumpOut:
+      return use.pump_out_j;
+    case DrawWhen::PumpIn:
+      return use.pump_in_j;
+    case DrawWhen::PitchBattery:
+      return row.amount * use.pitch_battery_s;
+  }
+  return 0;
+}
+
+double GreatestPower::joules(const EnergyUse& use) const {
+  double sum = 0;
+  for (const Row& row : rows_) {
+    sum += joules(row, use);
+  }
+  return sum;
+}
+
+std::vector<DeviceEnergy> GreatestPower::byDevice(const EnergyUse& use) const {
+  std::vector<DeviceEnergy> all;
+  for (const Row& row : rows_) {
+    auto known = std::ranges::find(all, row.device, &DeviceEnergy::device);
+    if (known == all.end()) {
+      known = all.insert(all.end(), {row.device, 0});
+    }
+    known->joules += joules(row, use);
+  }
+  std::erase_if(all, [](const DeviceEnergy& one) { return !(one.joules > 0); });
+  std::ranges::stable_sort(all, std::ranges::greater(), &DeviceEnergy::joules);
+  return all;
+}
+
+double GreatestPower::pump(DrawWhen when, double cc, double depth_m) const {
+  double sum = 0;
+  for (const Row& row : rows_) {
+    sum += row.when == when ? cc * (row.amount + row.amount_per_m * depth_m) : 0;
+  }
+  return sum;
+}
+
+double GreatestPower::pumpOut(double cc, double depth_m) const {
+  return pump(DrawWhen::PumpOut, cc, depth_m);
+}
+
+double GreatestPower::pumpIn(double cc) const {
+  return pump(DrawWhen::PumpIn, cc, 0);
+}
+
+}  // namespace glider::ir::prove

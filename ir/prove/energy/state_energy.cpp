@@ -1,0 +1,309 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "ir/prove/energy/state_energy.h"
+
+#include "ir/prove/abstract/end_bound.h"
+#include "ir/prove/energy/greatest_walk.h"
+#include "ir/prove/energy/profile_legs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace glider::ir::prove {
+namespace {
+
+/// A surfacing is a stay at the surface of so long, s.
+constexpr double kSurfacing_s = 60;
+
+/// A pump that works for such a share of the time hardly rests.
+constexpr double kRestless = 0.5;
+
+/// A leg that has begun by a turn.
+struct BegunLeg {
+  size_t leg = 0;
+  const LegTurn* turn = nullptr;  ///< null: the state becomes current with it
+  DepthSpan where;
+  EnergyUse stroke;     ///< of pump and pitch battery, with which it begins
+  bool turned = false;  ///< the pitch battery moves to its other side
+  bool from_surface = false;
+};
+
+/// Out and in again.
+EnergyUse pumped(const GreatestPower& power, double cc, double depth_m) {
+  EnergyUse use;
+  use.pump_out_j = power.pumpOut(cc, depth_m);
+  use.pump_in_j = power.pumpIn(cc);
+  return use;
+}
+
+class StateGraph {
+ public:
+  StateGraph(const ProofContext& seen, const GreatestPower& power, StateId state, double deepest_m)
+      : m_(seen.mission),
+        noise_m_(seen.depth ? seen.platformSensor(*seen.depth)->noise : 0),
+        platform_(seen.platform),
+        model_(*platform_.power.bounds),
+        power_(power),
+        // A hull's own limit, where the commands have none.
+        deepest_m_(std::min(deepest_m, platform_.envelope.greatest_depth_m +
+                                           platform_.envelope.inflection_overshoot_m)),
+        stroke_cc_(2 * platform_.envelope.pump_cc),
+        stroke_s_(stroke_cc_ / platform_.motion->pump_rate_cc_s),
+        legs_(legsOf(seen, state)),
+        fastest_m_s_(fastest()) {}
+
+  StateEnergy run() {
+    StateEnergy found;
+    found.fastest_m_s = fastest_m_s_;
+    std::vector<BegunLeg> first;
+    for (const size_t leg : legs_.first) {
+      first.push_back(begin(leg, {}, Drive::Anywhere, true));
+    }
+    phases_.push_back(phaseOf(first, nullptr));
+    for (const LegTurn& turn : legs_.turns) {
+      if (!turn.waits.empty()) {
+        phases_.push_back(phaseOf({begin(turn)}, &turn));
+      }
+    }
+    found.lines = phases_.size() == 1 ? phases_.front().lines : overPhases();
+    // In any case its pump does no more than to work all the time.
+    found.lines.push_back(restlessLine(power_, platform_, deepest_m_));
+    const EnergyUse rest = found.lines.back().rate;
+    std::ranges::stable_sort(found.lines, {},
+                             [&](const EnergyLine& line) { return power_.joules(line.rate); });
+    const EnergyUse rate = found.lines.front().rate;
+    found.restless =
+        rate.pump_out_j + rate.pump_in_j > kRestless * (rest.pump_out_j + rest.pump_in_j);
+    return found;
+  }
+
+ private:
+  /// On average over a leg.
+  [[nodiscard]] double fastest() const {
+    const double most = platform_.envelope.vertical_rate_m_s;
+    return legs_.steepest_rad > 0 ? std::min(most, model_.glide_m_s * std::sin(legs_.steepest_rad))
+                                  : most;
+  }
+
+  /// From where the state becomes current, or from a turn that waited for a time, to the next such
+  /// turn.
+  struct Phase {
+    const LegTurn* begins = nullptr;  ///< null: the state becomes current
+    EnergyLines lines;
+    std::set<size_t> legs;  ///< those that it may have
+  };
+
+  /// The walks through phases: vertex 0 is the first.
+  [[nodiscard]] EnergyLines overPhases() const {
+    std::vector<EnergyArc> arcs;
+    for (size_t i = 0; i < phases_.size(); ++i) {
+      arcs.push_back({i, i, {phases_[i].lines.front().rate}});
+      arcs.push_back({i, phases_.size(), usesWithin(phases_[i].lines, power_, 0, kLongestMission)});
+      for (size_t k = 1; k < phases_.size(); ++k) {
+        if (phases_[i].legs.contains(phases_[k].begins->from)) {
+          const double least = leastPhase(phases_[i], *phases_[k].begins);
+          arcs.push_back(
+              {i, k, usesWithin(phases_[i].lines, power_, least, least + kLongestMission)});
+        }
+      }
+    }
+    return linesOf(graphOf(phases_.size() + 1, std::move(arcs)), power_);
+  }
+
+  /// The shortest time of a phase that ends with this turn.
+  [[nodiscard]] double leastPhase(const Phase& phase, const LegTurn& end) const {
+    double least = platform_.envelope.cycle_s;
+    for (const TimerWait& wait : end.waits) {
+      if (phase.begins != nullptr &&
+          std::ranges::find(phase.begins->sets, wait.since) != phase.begins->sets.end()) {
+        least = std::max(least, wait.least_s);
+      }
+    }
+    return least;
+  }
+
+  [[nodiscard]] EnergyGraph graphOf(size_t vertices, std::vector<EnergyArc> arcs) const {
+    return {vertices, std::move(arcs), [this](const EnergyUse& use) { return power_.joules(use); }};
+  }
+
+  /// The walks through legs that begin with one of `first` and have no turn that waits for a time.
+  /// Vertices: 0 where it begins, 1 where it ends, then the legs that have begun.
+  [[nodiscard]] Phase phaseOf(const std::vector<BegunLeg>& first, const LegTurn* begins) const {
+    std::vector<BegunLeg> begun = first;
+    for (const LegTurn& turn : legs_.turns) {
+      if (turn.waits.empty()) {
+        begun.push_back(begin(turn));
+      }
+    }
+    const auto vertexOf = [](size_t i) { return i + 2; };
+    std::vector<EnergyArc> arcs;
+    for (size_t i = 0; i < begun.size(); ++i) {
+      if (i < first.size()) {
+        arcs.push_back({0, vertexOf(i), {{}}});
+      }
+      for (size_t k = first.size(); k < begun.size(); ++k) {
+        if (begun[k].turn->from == begun[i].leg) {
+          arcs.push_back(
+              {vertexOf(i), vertexOf(k), usesOf(begun[i], leastTime(begun[i], begun[k]))});
+        }
+      }
+      arcs.push_back({vertexOf(i), 1, usesOf(begun[i], 0)});
+      arcs.push_back({vertexOf(i), vertexOf(i), goesOn(begun[i])});
+    }
+    return {begins, linesOf(graphOf(begun.size() + 2, std::move(arcs)), power_), legsFrom(first)};
+  }
+
+  /// The legs that may follow without a turn that waits for a time.
+  [[nodiscard]] std::set<size_t> legsFrom(const std::vector<BegunLeg>& first) const {
+    std::vector<size_t> open;
+    for (const BegunLeg& one : first) {
+      open.push_back(one.leg);
+    }
+    std::set<size_t> found;
+    while (!open.empty()) {
+      const size_t at = open.back();
+      open.pop_back();
+      if (found.insert(at).second) {
+        for (const LegTurn& turn : legs_.turns) {
+          if (turn.from == at && turn.waits.empty()) {
+            open.push_back(turn.to);
+          }
+        }
+      }
+    }
+    return found;
+  }
+
+  /// From one turn to the next: the way between the two, and the time in which the pump turns the
+  /// vehicle. It goes on for half of that and comes back in the other half, to the depth of the
+  /// command.
+  [[nodiscard]] double leastTime(const BegunLeg& begun, const BegunLeg& next) const {
+    const double gap =
+        std::max(gapBetween(begun.where, next.where), gapByLimits(begun.turn, next.turn));
+    const double turns = begun.turned && gap > 0 ? stroke_s_ : 0;
+    return std::max(platform_.envelope.cycle_s, turns + gap / fastest_m_s_);
+  }
+
+  /// How far apart two turns are by limits whose difference is known, m.
+  [[nodiscard]] double gapByLimits(const LegTurn* a, const LegTurn* b) const {
+    double gap = 0;
+    if (a != nullptr && b != nullptr) {
+      for (const DepthCondition& one : a->limits) {
+        for (const DepthCondition& other : b->limits) {
+          const auto apart = one.deeper == other.deeper
+                                 ? std::nullopt
+                                 : constantDifference(m_, one.limit, other.limit);
+          gap = std::max(gap, apart ? (one.deeper ? *apart : -*apart) - noise_m_ : 0);
+        }
+      }
+    }
+    return gap;
+  }
+
+  [[nodiscard]] BegunLeg begin(const LegTurn& turn) const {
+    // One that only goes on may not have left the surface.
+    const ProfileLeg& before = legs_.legs[turn.from];
+    const bool shallow = turn.where.shallowest < kUnderWater_m;
+    BegunLeg begun = begin(turn.to, turn.where, before.drive,
+                           mayFloat(before) || (before.drive == Drive::Down && shallow));
+    begun.turn = &turn;
+    return begun;
+  }
+
+  [[nodiscard]] BegunLeg begin(size_t leg, const DepthSpan& where, Drive before,
+                               bool from_surface) const {
+    BegunLeg begun;
+    begun.leg = leg;
+    begun.where = where;
+    begun.from_surface = from_surface;
+    const Drive drive = legs_.legs[leg].drive;
+    begun.turned = drive != before || drive == Drive::Anywhere;
+    if (begun.turned) {
+      const double out = power_.pumpOut(stroke_cc_, deepest_m_), in = power_.pumpIn(stroke_cc_);
+      const bool outwards = drive == Drive::Up || (drive != Drive::Down && out > in);
+      begun.stroke.pump_out_j = outwards ? out : 0;
+      begun.stroke.pump_in_j = outwards ? 0 : in;
+      begun.stroke.pitch_battery_s = model_.pitch_battery_turn_s;
+    }
+    return begun;
+  }
+
+  /// Whether the vehicle may come to the surface in a leg.
+  static bool mayFloat(const ProfileLeg& leg) {
+    return leg.drive == Drive::Anywhere ||
+           (leg.drive != Drive::Down && leg.target.shallowest < kUnderWater_m);
+  }
+
+  /// A leg that lasts, from `least` seconds on: at each time from which on another device rests.
+  [[nodiscard]] std::vector<EnergyUse> usesOf(const BegunLeg& begun, double least) const {
+    std::vector<EnergyUse> uses;
+    for (const double s : {least, kSurfacing_s, model_.dive_start_s}) {
+      if (s >= least) {
+        uses.push_back(useOf(begun, s));
+      }
+    }
+    return uses;
+  }
+
+  /// What a leg takes in a second after all that happens at its beginning; a leg may last.
+  [[nodiscard]] std::vector<EnergyUse> goesOn(const BegunLeg& begun) const {
+    const double settled = std::max(kSurfacing_s, model_.dive_start_s);
+    return {useOf(begun, settled + 1) - useOf(begun, settled)};
+  }
+
+  /// A stroke that has begun is counted whole: it may go on in the next leg.
+  [[nodiscard]] EnergyUse useOf(const BegunLeg& begun, double seconds) const {
+    const ProfileLeg& leg = legs_.legs[begun.leg];
+    if (leg.drive == Drive::Anywhere) {
+      return restlessLine(power_, platform_, deepest_m_).rate * seconds + begun.stroke;
+    }
+    EnergyUse use = begun.stroke;
+    use.seconds = seconds;
+    use.pitch_battery_s += model_.pitch_battery_share * seconds;
+    if (mayFloat(leg)) {
+      use.surface_s = seconds;
+      use.surfacings = std::min(1.0, seconds / kSurfacing_s);  // it may begin in a leg before
+    } else if (begun.from_surface) {
+      use.surface_s = std::min(seconds, model_.dive_start_s);
+    }
+    return leg.drive == Drive::Hover || !leg.turns_there
+               ? use + pumped(power_, model_.hover_pump_cc_s * seconds, deepest_m_)
+               : use;
+  }
+
+  const Mission& m_;
+  double noise_m_;  ///< two readings of one depth differ by no more
+  const platforms::Platform& platform_;
+  const platforms::EnergyModel& model_;
+  const GreatestPower& power_;
+  double deepest_m_, stroke_cc_, stroke_s_;
+  ProfileLegs legs_;
+  double fastest_m_s_;
+  std::vector<Phase> phases_;
+};
+
+}  // namespace
+
+EnergyLine restlessLine(const GreatestPower& power, const platforms::Platform& platform,
+                        double deepest_m) {
+  const double stroke_cc = 2 * platform.envelope.pump_cc;
+  EnergyLine line{pumped(power, platform.motion->pump_rate_cc_s / 2, deepest_m), {}};
+  line.rate.seconds = line.rate.surface_s = line.rate.pitch_battery_s = 1;
+  // To dive and come up takes a while too.
+  line.rate.surfacings =
+      1 / (kSurfacing_s + 2 * kUnderWater_m / platform.envelope.vertical_rate_m_s);
+  line.offset.pump_out_j = power.pumpOut(stroke_cc, deepest_m);
+  line.offset.surfacings = 1;
+  return line;
+}
+
+StateEnergy energyOf(const ProofContext& seen, const GreatestPower& power, StateId state,
+                     double deepest_m) {
+  return StateGraph(seen, power, state, deepest_m).run();
+}
+
+}  // namespace glider::ir::prove

@@ -75,6 +75,8 @@ class Interpreter {
   [[nodiscard]] Truth truthOf(ExprId id) const { return std::get<Truth>(evaluate(id)); }
   /// This tick's reading of a sensor, SI units; NaN: unknown.
   [[nodiscard]] double readingOf(SensorId id) const { return sensors_.at(id.index).value; }
+  /// What a variable holds; NaN: unknown.
+  [[nodiscard]] double value(VariableId id) const { return variables_.at(id.index); }
 
  private:
   struct SensorState {

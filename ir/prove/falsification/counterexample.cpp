@@ -23,9 +23,12 @@ namespace {
 constexpr double kUnknownValue = std::numeric_limits<double>::quiet_NaN();
 constexpr size_t kMostTicks = 200000;
 
-/// Rounded to the digits that a launch accepts.
+/// Rounded to the digits that a launch accepts, and to a number that it does.
 double shorter(double value, const Variable& parameter) {
-  const double rounded = std::stod(fmt::format("{:.9g}", value));
+  constexpr double kFar = 1e9;
+  const double near =
+      std::clamp(value, std::min(-kFar, parameter.highest), std::max(kFar, parameter.lowest));
+  const double rounded = std::stod(fmt::format("{:.9g}", near));
   return rounded >= parameter.lowest && rounded <= parameter.highest ? rounded : value;
 }
 
@@ -144,20 +147,26 @@ class Concretizer {
   }
 
   /// Tries the readings of the next step, those of the step before, unknown ones, and random ones:
-  /// the first with which nothing fires.
+  /// the first with which the mission stays as it is, or at least its state does.
   bool fillOne(const Step& from, const Step& to, double time, double depth) {
     const std::vector<double> none(proof_context_.mission.sensors.size(), kUnknownValue);
-    for (const std::vector<double>& readings :
-         {seeing(to.readings, depth), withDepth(to.readings, depth),
-          withDepth(from.readings, depth), seeing(none, depth), none}) {
-      if (recorder_.tickIfQuiet(time, readings, depth)) {
+    const auto some = {seeing(to.readings, depth), withDepth(to.readings, depth),
+                       withDepth(from.readings, depth), seeing(none, depth), none};
+    const auto goesBy = [&](const std::vector<double>& readings, RunRecorder::Keeps keeps) {
+      const bool fits = recorder_.tickIfQuiet(time, readings, depth, keeps);
+      if (fits) {
         follow(depth);
-        return true;
       }
+      return fits;
+    };
+    const auto anyGoesBy = [&](RunRecorder::Keeps keeps) {
+      return std::ranges::any_of(some, [&](const auto& one) { return goesBy(one, keeps); });
+    };
+    if (anyGoesBy(RunRecorder::Keeps::Values) || anyGoesBy(RunRecorder::Keeps::Control)) {
+      return true;
     }
     for (int i = 0; i < kTries; ++i) {
-      if (recorder_.tickIfQuiet(time, withDepth(anyReadings(), depth), depth)) {
-        follow(depth);
+      if (goesBy(withDepth(anyReadings(), depth), RunRecorder::Keeps::Control)) {
         return true;
       }
     }

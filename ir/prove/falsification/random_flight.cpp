@@ -189,6 +189,9 @@ class RandomFlight {
     return defaultParameters(m_);
   }
 
+  /// How far a parameter without a limit is set from what is usual: so that a pilot might.
+  static double twice(double standard) { return std::max(2 * std::fabs(standard), 1.0); }
+
   double anyParameter(const Variable& variable, double standard) {
     if (variable.type.kind == TypeKind::Bool) {
       return dice_.below(2);
@@ -197,9 +200,9 @@ class RandomFlight {
       case 0:
         return standard;
       case 1:
-        return variable.lowest;
+        return std::isfinite(variable.lowest) ? variable.lowest : standard - twice(standard);
       case 2:
-        return variable.highest;
+        return std::isfinite(variable.highest) ? variable.highest : standard + twice(standard);
       default:
         return std::clamp(
             std::stod(fmt::format("{:.9g}", dice_.within(std::max(variable.lowest, -kFar),

@@ -133,11 +133,25 @@ void RunRecorder::tick(double time, const std::vector<double>& readings, double 
   keep(std::move(result), time, std::move(frame), depth);
 }
 
-bool RunRecorder::tickIfQuiet(double time, const std::vector<double>& readings, double depth) {
+/// Profiles and routes go on as they do.
+bool RunRecorder::keepsValues(const Interpreter& after) const {
+  for (uint32_t i = 0; i < m_.variables.size(); ++i) {
+    const VariableKind kind = m_.variables[i].kind;
+    const double was = interpreter_->value({i}), is = after.value({i});
+    if ((kind == VariableKind::Mission || kind == VariableKind::State) && was != is &&
+        (was == was || is == is)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool RunRecorder::tickIfQuiet(double time, const std::vector<double>& readings, double depth,
+                              Keeps keeps) {
   Interpreter tried = *interpreter_;
   auto frame = frameOf(readings);
   TickResult result = tried.tick(time, frame);
-  if (!quiet(last_, result)) {
+  if (!quiet(last_, result) || (keeps == Keeps::Values && !keepsValues(tried))) {
     return false;
   }
   assumptions_hold_ &= clocks_.goOn(readings, time);

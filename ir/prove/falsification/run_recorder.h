@@ -26,8 +26,13 @@ class RunRecorder {
   /// `depth` is the true depth, m; NaN if unknown.
   void start(std::vector<double> parameters, const std::vector<double>& readings, double depth);
   void tick(double time, const std::vector<double>& readings, double depth);
-  /// The same if nothing fires; otherwise does nothing and returns false.
-  bool tickIfQuiet(double time, const std::vector<double>& readings, double depth);
+  /// What a tick leaves as it is.
+  enum class Keeps : uint8_t {
+    Control,  ///< the state and the call stack
+    Values    ///< also the variables of the mission and of states
+  };
+  /// The same if it keeps that; otherwise does nothing and returns false.
+  bool tickIfQuiet(double time, const std::vector<double>& readings, double depth, Keeps keeps);
 
   [[nodiscard]] const TickResult& last() const { return last_; }
   [[nodiscard]] double now() const { return result_.ticks.back().mission_time; }
@@ -40,6 +45,7 @@ class RunRecorder {
 
  private:
   std::vector<SensorUpdate> frameOf(const std::vector<double>& readings) const;
+  [[nodiscard]] bool keepsValues(const Interpreter& after) const;
   void keep(TickResult result, double time, std::vector<SensorUpdate> frame, double depth);
   void tell(const TickResult& result, double time);
   void describeDue();

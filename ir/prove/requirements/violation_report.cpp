@@ -19,6 +19,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace glider::ir::prove {
@@ -42,7 +44,21 @@ void noteDue(support::DiagnosticBuilder& error, const Requirement& requirement,
                             : ""));
 }
 
-void noteStory(support::DiagnosticBuilder& error, const Counterexample& run) {
+/// Whether a case below the one at `range`, in its list, would do something.
+bool hasActionBelow(const Mission& mission, const support::SourceRange& range) {
+  const auto below = [&](const std::vector<Case>& cases) {
+    const auto found = std::ranges::find(cases, range, &Case::range);
+    return found != cases.end() && std::any_of(found + 1, cases.end(), [](const Case& c) {
+             return c.action.valid() && !c.implied;
+           });
+  };
+  return below(mission.always) || std::ranges::any_of(mission.states, [&](const State& state) {
+           return below(state.cases);
+         });
+}
+
+void noteStory(support::DiagnosticBuilder& error, const Counterexample& run,
+               const Mission& mission) {
   const auto& story = run.story;
   for (size_t i = 0; i < story.size(); ++i) {
     if (story.size() > 2 * kStoryEnds && i == kStoryEnds) {
@@ -52,6 +68,11 @@ void noteStory(support::DiagnosticBuilder& error, const Counterexample& run) {
       continue;
     }
     error.note(story[i].range, story[i].text);
+  }
+  if (!story.empty() && run.ticks.back().finished && story.back().mission_time == run.when &&
+      hasActionBelow(mission, story.back().range)) {
+    error.note(story.back().range,
+               "on that tick no case below it is tried: what must come first stands above it");
   }
 }
 
@@ -69,13 +90,15 @@ void noteParameters(support::DiagnosticBuilder& error, const Requirement& requir
   const std::vector<double> usual = defaultParameters(mission);
   std::string list;
   size_t number = 0;
-  bool several = false;
+  bool several = false, endless = false;
   for (const Variable& variable : mission.variables) {
     if (variable.kind != VariableKind::Parameter || number >= run.parameters.size()) {
       continue;
     }
     if (run.parameters[number] != usual[number]) {
       several = !list.empty();
+      endless = endless || std::max(std::fabs(variable.lowest), std::fabs(variable.highest)) ==
+                               Variable::kEndless;
       list += fmt::format("{}`{}` at {}", list.empty() ? "" : ", ", variable.name,
                           parameterText(run.parameters[number], usual[number], variable.type));
     }
@@ -84,7 +107,10 @@ void noteParameters(support::DiagnosticBuilder& error, const Requirement& requir
   if (!list.empty()) {
     error.note(requirement.range,
                fmt::format("with {}: {}", list,
-                           several ? "their ranges allow that" : "its range allows that"));
+                           endless   ? "give a parameter a range, as in `param bottom: length = "
+                                       "50 m in 10 m .. 80 m`"
+                           : several ? "their ranges allow that"
+                                     : "its range allows that"));
   }
 }
 
@@ -146,7 +172,7 @@ void reportViolation(const Requirement& requirement, const Counterexample& run,
   auto error = diagnostics.report(support::diagnostics::requirementBroken, requirement.range,
                                   howBroken(requirement, run, proof_context.mission));
   noteDue(error, requirement, run);
-  noteStory(error, run);
+  noteStory(error, run, proof_context.mission);
   noteParameters(error, requirement, run, proof_context.mission);
   notePowerCuts(error, requirement, run, proof_context);
   noteWhatTheSeaDecides(error, requirement, proof_context);

@@ -54,5 +54,6 @@ class Architecture {
 
 std::unique_ptr<Architecture> makeArm();
 std::unique_ptr<Architecture> makeX86();
+std::unique_ptr<Architecture> makeAArch64();
 
 }  // namespace glider::codegen

@@ -23,7 +23,7 @@ const StackMachine& stackMachine(const platforms::Board& board);
 /// Machine code of one board, instruction by instruction.
 class Disassembler {
  public:
-  /// GL4002 for a machine that it does not know: it knows x86 and ARM in 32 bits.
+  /// GL4002 for a machine that it does not know: it knows x86 and ARM in 32 bits, and ARM in 64.
   static support::Result<std::unique_ptr<Disassembler>> make(const platforms::Board& board);
   ~Disassembler();
   /// Whether make() knows the machine.

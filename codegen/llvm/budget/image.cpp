@@ -4,6 +4,7 @@
 #include "codegen/llvm/budget/image.h"
 
 #include "codegen/llvm/budget/disassembler.h"
+#include "codegen/llvm/budget/pointer_jump.h"
 #include "codegen/llvm/budget/taken.h"
 #include "support/diagnostics/ids/target.h"
 
@@ -66,7 +67,7 @@ std::string lastPart(const std::string& path) {
   return path.substr(path.find_last_of('/') + 1);
 }
 
-/// Stretches of data among code, between ARM's mapping symbols `$d` and `$a`.
+/// Stretches of data among code, between ARM's mapping symbols `$d` and `$a` (in 64 bits `$x`).
 class DataAmongCode {
  public:
   void add(uint64_t address, bool data) { marks_.emplace_back(address, data); }
@@ -102,6 +103,7 @@ struct Image::Parts {
   void readCode(Disassembler& disassembler);
   void doubtCounts();
   void doubtCounts(const std::set<uint64_t>& targets);
+  void doubtPointers(const std::set<uint64_t>& held);
   void findTaken();
   [[nodiscard]] std::set<uint64_t> words() const;
   [[nodiscard]] std::optional<uint32_t> wordAt(uint64_t address) const { return read(address, 4); }
@@ -122,7 +124,7 @@ void Image::Parts::readSymbols() {
     if (*name == "_GLOBAL_OFFSET_TABLE_") {
       offsets = *address;
     }
-    if (name->starts_with("$a") || name->starts_with("$d")) {
+    if (name->starts_with("$a") || name->starts_with("$x") || name->starts_with("$d")) {
       data.add(*address, name->starts_with("$d"));
     } else if (symbol.getELFType() == llvm::ELF::STT_FUNC) {
       symbols.push_back({*address, symbol.getSize(), name->str()});
@@ -202,7 +204,8 @@ void Image::Parts::readCode(Disassembler& disassembler) {
 /// A jump to between the instruction that sets a count, or chooses a table, and the one that uses
 /// it may bring another value.
 void Image::Parts::doubtCounts() {
-  std::set<uint64_t> targets = words();
+  const std::set<uint64_t> held = words();
+  std::set<uint64_t> targets = held;
   for (const Instruction& one : code) {
     if (one.flow == Flow::Jump || one.flow == Flow::JumpIf || one.flow == Flow::Call) {
       targets.insert(one.target);
@@ -216,6 +219,24 @@ void Image::Parts::doubtCounts() {
     }
   }
   doubtCounts(targets);
+  doubtPointers(held);
+}
+
+void Image::Parts::doubtPointers(const std::set<uint64_t>& held) {
+  const StartOf start_of = [this](uint64_t address) {
+    const Symbol* symbol = symbolOf(address);
+    return symbol == nullptr ? 0 : symbol->address;
+  };
+  std::vector<uint32_t> doubtful;
+  const PointerJumps jumps(code, start_of, held);
+  for (uint32_t i = 0; i < code.size(); ++i) {
+    if (code[i].pointer != StackEffect::kNone && !jumps.leaves(i)) {
+      doubtful.push_back(i);
+    }
+  }
+  for (const uint32_t place : doubtful) {
+    code[place].flow = Flow::Unknown;
+  }
 }
 
 void Image::Parts::doubtCounts(const std::set<uint64_t>& targets) {

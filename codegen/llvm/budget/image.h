@@ -41,6 +41,9 @@ struct Mentions {
   uint8_t count = 0;
   uint8_t literal_to = kNone;  ///< ARM: the register that gets the word at numbers[0]
   uint8_t pc_plus = kNone;     ///< ARM: the register whose distance is added to the place
+  /// ARM in 64 bits: the register that gets the page at numbers[0], and that to which a number is
+  /// added, whose sum is numbers[0] if it is known.
+  uint8_t page_to = kNone, adds_to = kNone;
   uint32_t registers = 0;  ///< that it uses, a bit each
 };
 
@@ -67,6 +70,10 @@ struct Instruction {
   /// comparison at `counted_at` or later; 0: not known.
   uint64_t choices = 0;
   TableEntries entries;  ///< for JumpByTable
+  /// ARM in 64 bits, for PointerJumps: the register of a JumpByPointer, and those that an
+  /// instruction gives a pointer, a bit each: from memory, or the place that it mentions.
+  uint8_t pointer = StackEffect::kNone;
+  uint32_t pointers = 0;
   StackEffect stack;
   Mentions mentions;
 };

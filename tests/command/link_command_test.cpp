@@ -67,7 +67,7 @@ class Link : public testing::Test {
 
 // accepts: GL4003 GL4008 GL4009 GL4010 GL4011 GL4012
 TEST_F(Link, WhatFitsIsLinkedForEveryBoard) {
-  for (const char* board : {"host", "ts7800", "ts5500", "pizero2"}) {
+  for (const char* board : {"host", "ts7800", "ts5500", "pizero2", "cm4"}) {
     SCOPED_TRACE(board);
     const std::string object = compile(board);
     for (const char* level : {"-O0", "-O2", "-O3"}) {
@@ -133,6 +133,9 @@ TEST_F(Link, AnotherMachineIsRefused) {  // GL4009
   expectRefused(build("ts7800", compile("host")), "GL4009", "64-bit x86");
   expectRefused(build("ts7800", compile("ts5500")), "GL4009", "32-bit x86");
   expectRefused(build("ts5500", compile("ts7800")), "GL4009", "32-bit ARM");
+  expectRefused(build("pizero2", compile("cm4")), "GL4009", "64-bit ARM");
+  expectRefused(build("cm4", compile("pizero2")), "GL4009", "32-bit ARM");
+  expectRefused(build("cm4", compile("host", kCode, "-emit-llvm")), "GL4009", "64-bit x86");
   expectRefused(build("host", compile("ts7800", kCode, "-emit-llvm")), "GL4009", "32-bit ARM");
   expectRefused(build("ts7800", compile("ts7800", kCode, "-mcpu=cortex-a8")), "GL4009",
                 "later ARM");

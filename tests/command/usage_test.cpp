@@ -138,11 +138,11 @@ TEST(Usage, WithoutArgumentsTheHelpIsShownAsAnError) {
 TEST(Usage, HelpListsTheChoices) {
   EXPECT_THAT(runShell("$GLIDERCC sim --help").out,
               testing::AllOf(HasSubstr("one of bloom, default, figure5"),
-                             HasSubstr("one of host, pizero2, ts5500, ts7800"),
+                             HasSubstr("one of cm4, host, pizero2, ts5500, ts7800"),
                              HasSubstr("[MISSION-flight in the current folder]")));
   EXPECT_THAT(runShell("$GLIDERCC campaign --help").out, HasSubstr("low_battery"));
   EXPECT_THAT(runShell("$GLIDERCC build --help").out,
-              HasSubstr("one of host, pizero2, ts5500, ts7800"));
+              HasSubstr("one of cm4, host, pizero2, ts5500, ts7800"));
 }
 
 /// The examples at the end of the help of a command.

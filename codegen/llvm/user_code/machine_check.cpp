@@ -61,10 +61,11 @@ std::string machineOf(const std::string& triple) {
   const llvm::Triple machine(triple);
   const std::string arch = llvm::Triple::getArchTypeName(machine.getArch()).str();
   const bool arm = (machine.isARM() || machine.isThumb()) && machine.isLittleEndian();
-  return machine.getArch() == llvm::Triple::x86_64 ? "for 64-bit x86"
-         : machine.getArch() == llvm::Triple::x86  ? "for 32-bit x86"
-         : arm                                     ? "for 32-bit ARM"
-                                                   : "for " + arch;
+  return machine.getArch() == llvm::Triple::x86_64    ? "for 64-bit x86"
+         : machine.getArch() == llvm::Triple::x86     ? "for 32-bit x86"
+         : arm                                        ? "for 32-bit ARM"
+         : machine.getArch() == llvm::Triple::aarch64 ? "for 64-bit ARM"
+                                                      : "for " + arch;
 }
 
 Result<void> checkMachine(const llvm::object::ELFObjectFileBase& object, const std::string& name,

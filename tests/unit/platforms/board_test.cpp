@@ -51,7 +51,7 @@ std::string with(const std::string& from, const std::string& to) {
 }
 
 TEST(Board, OursLoad) {
-  for (const char* name : {"host", "ts7800", "ts5500", "pizero2"}) {
+  for (const char* name : {"host", "ts7800", "ts5500", "pizero2", "cm4"}) {
     const auto board =
         loadBoard(fmt::format("{}/platforms/boards/{}.toml", GLIDER_SOURCE_DIR, name));
     ASSERT_TRUE(board) << board.error().message;

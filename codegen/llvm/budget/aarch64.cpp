@@ -191,8 +191,8 @@ Value AArch64::valueOf(const Written& written, const Parts& parts, const Instruc
          : operation == "movk"  ? changed(parts)
          : operation == "add"   ? sumOf(parts, one)
          : operation == "ldrb"  ? loaded(parts, 1, "", one)
-         : operation == "ldrh"  ? loaded(parts, 2, " #1", one)
-         : operation == "ldrsw" ? loaded(parts, 4, " #2", one)
+         : operation == "ldrh"  ? loaded(parts, 2, "#1", one)
+         : operation == "ldrsw" ? loaded(parts, 4, "#2", one)
                                 : Value{};
 }
 

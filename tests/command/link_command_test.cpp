@@ -65,7 +65,7 @@ class Link : public testing::Test {
   std::filesystem::path mission_ = folder_.write("salty.mission", kLinked);
 };
 
-// accepts: GL4003 GL4008 GL4009 GL4010 GL4011 GL4012
+// accepts: GL4003 GL4008 GL4009 GL4010 GL4011 GL4012 GL4017
 TEST_F(Link, WhatFitsIsLinkedForEveryBoard) {
   for (const char* board : {"host", "ts7800", "ts5500", "pizero2", "cm4"}) {
     SCOPED_TRACE(board);
@@ -146,6 +146,25 @@ TEST_F(Link, AnotherMachineIsRefused) {  // GL4009
 TEST_F(Link, InstructionsThatA486LacksAreRefused) {  // GL4010
   expectRefused(build("ts5500", compile("ts5500", kCode, "-march=pentium4 -msse2")), "GL4010",
                 "an instruction that board `ts5500` does not have");
+}
+
+TEST_F(Link, InstructionsThatAnArmv8LacksAreRefused) {  // GL4010
+  const std::string counts =
+      std::string("int count;\nvoid add() { __atomic_fetch_add(&count, 1, 5); }\n") + kCode;
+  expectRefused(build("cm4", compile("cm4", counts, "-march=armv8.1-a")), "GL4010",
+                "an instruction that board `cm4` does not have");
+  EXPECT_EQ(build("cm4", compile("cm4", counts)).err, "");
+}
+
+TEST_F(Link, FusedMultiplicationsAreRefused) {  // GL4017
+  std::string sums = kCode;
+  sums.replace(sums.find("t / 100"), 7, "t * salty + 0.5");
+  expectRefused(build("cm4", compile("cm4", sums, "-ffp-contract=fast")), "GL4017", "`fmadd`");
+  EXPECT_EQ(build("cm4", compile("cm4", sums)).err, "");
+  EXPECT_EQ(build("cm4", compile("cm4", sums, "-ffp-contract=on -emit-llvm")).err, "")
+      << "bitcode does not say how to round, and the compiler rounds twice";
+  const std::string number = "asm(\".text; .word 0x1f400000\");\n";
+  EXPECT_EQ(build("cm4", compile("cm4", number + kCode)).err, "") << "a word of data among code";
 }
 
 TEST_F(Link, AnotherDeclarationIsRefused) {  // GL4011

@@ -3,6 +3,7 @@
 
 #include "codegen/llvm/user_code/machine_check.h"
 
+#include "codegen/llvm/user_code/armv8.h"
 #include "codegen/llvm/user_code/i486.h"
 #include "support/diagnostics/ids/target.h"
 
@@ -80,6 +81,9 @@ Result<void> checkMachine(const llvm::object::ELFObjectFileBase& object, const s
       return support::fail(support::diagnostics::wrongMachine, name, fault, board.name,
                            "for an " + processorOf(board));
     }
+  }
+  if (triple.isAArch64()) {
+    return checkArmv8(object, name, board);
   }
   return board.cpu == "i486" ? checkI486(object, name, board) : Result<void>{};
 }

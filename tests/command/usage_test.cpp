@@ -82,7 +82,7 @@ TEST(Usage, AMisspeltScenarioOrTargetIsNamedWithTheNearest) {
   EXPECT_THAT(runShell("$GLIDERCC build --target ts780" + mission).err,
               HasSubstr("hint: did you mean `ts7800`?\n"));
   EXPECT_THAT(runShell("$GLIDERCC build --target vax" + mission).err,
-              HasSubstr("hint: the targets are host, "));
+              HasSubstr("hint: the targets are cm4, host, "));
 }
 
 TEST(Usage, ColourOfMessagesAndColourOfTheTrackAreNotConfused) {

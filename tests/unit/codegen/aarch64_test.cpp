@@ -257,6 +257,24 @@ TEST(PointerJumps, MayBeSwitchesOtherwise) {
       << "a computed goto";
 }
 
+TEST(PointerJumps, AreNotCallsWhereASwitchMayLeadToThem) {
+  const auto flows = [](const std::string& rows) {
+    const Small small("cm4", function("_start",
+                                      "cmp w8, #1\n b.hi 9f\n adrp x9, table\n"
+                                      "add x9, x9, :lo12:table\n adr x10, 7f\n ldrb w11, [x9, x8]\n"
+                                      "add x10, x10, x11, lsl #2\n br x10\n"
+                                      "7: add x3, x3, x0\n 8: br x3\n 9: ldr x3, [x0]\n b 8b") +
+                                 ".section .rodata\n table: " + rows);
+    std::set<Flow> met;
+    for (const Instruction& one : small.image().code()) {
+      met.insert(one.flow);
+    }
+    return met;
+  };
+  EXPECT_EQ(flows(".byte 0, 1"), (std::set<Flow>{Flow::Next, Flow::JumpIf, Flow::JumpByTable,
+                                                 Flow::Jump, Flow::Unknown}));
+}
+
 TEST(PointerJumps, AreNotCallsWhereOtherFunctionsJumpIn) {
   const std::string start = function("_start", "ldr x3, [x0]\n .globl inner\n inner: br x3"),
                     deep = function("deep", "ret");
@@ -322,6 +340,14 @@ TEST(DisassemblerOfAArch64, OnlyWhatIsFollowedIsATable) {
   EXPECT_EQ(targets(kTable + "adr x10, 7f\n ldrsb x11, [x9, x8]\n add x10, x10, x11, lsl #2"), 0u);
   EXPECT_EQ(targets(kTable + "adr x10, 7f\n ldrb w11, [x9, x8]\n sub x10, x10, x11, lsl #2"), 0u);
   EXPECT_EQ(targets(kTable + kBytes + "\n add x10, x10, #4"), 0u);
+}
+
+TEST(DisassemblerOfAArch64, ASwitchThatLeadsIntoItselfIsNotFollowed) {
+  const std::string end = "\n ldrb w11, [x9, x8]\n add x10, x10, x11, lsl #2\n br x10\n 9: ret",
+                    begin = "cmp w8, #1\n b.hi 9f\n" + kTable;
+  EXPECT_EQ(switchOf(begin + "adr x10, 9f" + end, ".byte 0, 0").size(), 2u);
+  EXPECT_EQ(switchOf(begin + "7: adr x10, 7b" + end, ".byte 0, 4").size(), 0u)
+      << "x9 may be another table there";
 }
 
 /// Any of these leaves the number of choices open, so the row behind the table counts too.

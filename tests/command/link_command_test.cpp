@@ -167,6 +167,22 @@ TEST_F(Link, FusedMultiplicationsAreRefused) {  // GL4017
   EXPECT_EQ(build("cm4", compile("cm4", number + kCode)).err, "") << "a word of data among code";
 }
 
+/// By the option of lld in the board's file: adrp at the end of a page, any load, one from that
+/// page.
+TEST_F(Link, WhatAnOldCortexA53ReadsWronglyIsReplaced) {
+  const std::string page = R"(asm(".section .text.page, \"ax\"\n.balign 4096\n.zero 4088\n"
+    ".globl page\n.type page, %function\npage: adrp x0, row\nldr x1, [sp]\nldr d0, [x0, :lo12:row]\n"
+    "ret\n.size page, . - page\n.section .rodata.row, \"a\"\n.balign 8\nrow: .double 2.5\n.text");
+extern "C" double page();
+)";
+  std::string code = page + kCode;
+  code.replace(code.find("t / 100"), 7, "t / page()");
+  EXPECT_EQ(build("cm4", compile("cm4", code)).err, "");
+  const Outcome symbols =
+      runShell("llvm-nm-19 " + (folder_.path() / "product.debug").string() + " | grep CortexA53");
+  EXPECT_THAT(symbols.out, HasSubstr("843419"));
+}
+
 TEST_F(Link, AnotherDeclarationIsRefused) {  // GL4011
   const std::string object = compile("ts7800");
   std::string changed = kLinked;

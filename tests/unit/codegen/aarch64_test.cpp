@@ -260,10 +260,10 @@ TEST(PointerJumps, MayBeSwitchesOtherwise) {
 TEST(PointerJumps, AreNotCallsWhereASwitchMayLeadToThem) {
   const auto flows = [](const std::string& rows) {
     const Small small("cm4", function("_start",
-                                      "cmp w8, #1\n b.hi 9f\n adrp x9, table\n"
+                                      "add x3, x3, x0\n cmp w8, #1\n b.hi 9f\n adrp x9, table\n"
                                       "add x9, x9, :lo12:table\n adr x10, 7f\n ldrb w11, [x9, x8]\n"
                                       "add x10, x10, x11, lsl #2\n br x10\n"
-                                      "7: add x3, x3, x0\n 8: br x3\n 9: ldr x3, [x0]\n b 8b") +
+                                      "7: ret\n 8: br x3\n 9: ldr x3, [x0]\n b 8b") +
                                  ".section .rodata\n table: " + rows);
     std::set<Flow> met;
     for (const Instruction& one : small.image().code()) {
@@ -272,7 +272,7 @@ TEST(PointerJumps, AreNotCallsWhereASwitchMayLeadToThem) {
     return met;
   };
   EXPECT_EQ(flows(".byte 0, 1"), (std::set<Flow>{Flow::Next, Flow::JumpIf, Flow::JumpByTable,
-                                                 Flow::Jump, Flow::Unknown}));
+                                                 Flow::Jump, Flow::Return, Flow::Unknown}));
 }
 
 TEST(PointerJumps, AreNotCallsWhereOtherFunctionsJumpIn) {

@@ -10,7 +10,7 @@
 # Nothing in these folders names a path of this machine.
 
 # Every board that glidercc builds for.
-set(GLIDER_BOARDS host ts7800 ts5500 pizero2)
+set(GLIDER_BOARDS host ts7800 ts5500 pizero2 cm4)
 set(GLIDER_BOARD_DATA ${CMAKE_CURRENT_LIST_DIR}/../platforms/boards)
 
 # glider_program(VARIABLE NAME): finds one of LLVM's tools.

@@ -68,8 +68,12 @@ std::string linkerFlags(const platforms::Board& board) {
   if (sharesLibrary(board)) {  // clang knows the rest of the host
     return files({"libglider.a", "libserialport.a"}) + " -lm\n";
   }
-  return fmt::format("--target={} -fuse-ld=lld -static -nostdlib -Wl,--gc-sections {} {} {}\n",
-                     board.triple, files(board.link.before), files({"libglider.a"}),
+  std::string options = "-Wl,--gc-sections";
+  for (const std::string& option : board.link.options) {
+    options += "," + option;
+  }
+  return fmt::format("--target={} -fuse-ld=lld -static -nostdlib {} {} {} {}\n", board.triple,
+                     options, files(board.link.before), files({"libglider.a"}),
                      files(board.link.after));
 }
 

@@ -5,6 +5,8 @@
 
 #include "platforms/load/toml_reader.h"
 
+#include <algorithm>
+
 namespace glider::platforms {
 namespace {
 
@@ -79,8 +81,14 @@ void readKernel(TomlReader& reader, Board& board) {
 }
 
 void readLink(TomlReader& reader, Board& board) {
-  reader.only({"dynamic_linker", "before", "after"});
+  reader.only({"dynamic_linker", "options", "before", "after"});
   board.link.dynamic_linker = reader.text("dynamic_linker");
+  board.link.options = reader.texts("options");
+  if (std::ranges::any_of(board.link.options, [](const std::string& option) {
+        return !option.starts_with("--") || option.find(',') != std::string::npos;
+      })) {
+    reader.refuse("options", "must hold long options of lld, without commas");
+  }
   board.link.before = fileNames(reader, "before");
   board.link.after = fileNames(reader, "after");
 }

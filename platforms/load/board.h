@@ -24,7 +24,8 @@ struct Kernel {
 
 /// The inputs of lld before and after the mission's objects: names of files in the board's folder.
 struct LinkInputs {
-  std::string dynamic_linker;  ///< absolute, of the target; empty for a static executable
+  std::string dynamic_linker;        ///< absolute, of the target; empty for a static executable
+  std::vector<std::string> options;  ///< of lld, beyond what every board needs
   std::vector<std::string> before;
   std::vector<std::string> after;
 };

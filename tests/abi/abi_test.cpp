@@ -80,7 +80,8 @@ TEST_P(Abi, StructsAreLaidOutAsInC) {
   EXPECT_EQ(fromLlvm(*board), layouts);
 }
 
-INSTANTIATE_TEST_SUITE_P(Boards, Abi, testing::Values("host", "ts7800", "ts5500", "pizero2"));
+INSTANTIATE_TEST_SUITE_P(Boards, Abi,
+                         testing::Values("host", "ts7800", "ts5500", "pizero2", "cm4"));
 
 }  // namespace
 }  // namespace glider

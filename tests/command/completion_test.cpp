@@ -77,7 +77,8 @@ TEST(Completion, OfBash) {
   EXPECT_EQ(inBash(files, "sim one.mission --scenario f", 4),
             "figure5\nfigure6\nfirst_deployment\nfront\n");
   EXPECT_EQ(inBash(files, "sim one.mission --scenario s", 4), "sea.toml\nshelf_slope\nsub\n");
-  EXPECT_EQ(inBash(files, "build one.mission --target ''", 4), "host\npizero2\nts5500\nts7800\n");
+  EXPECT_EQ(inBash(files, "build one.mission --target ''", 4),
+            "cm4\nhost\npizero2\nts5500\nts7800\n");
   EXPECT_EQ(inBash(files, "sim one.mission -o ''", 4), "sub\n") << "a folder";
   EXPECT_EQ(inBash(files, "check one.mission --mi ''", 4), "own.mi\nsub\n");
   EXPECT_EQ(inBash(files, "completion ''", 2), "bash\nfish\nzsh\n");

@@ -90,7 +90,8 @@ TEST_P(Debugger, ShowsWhatThePageSays) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Boards, Debugger, ::testing::Values("host", "ts7800", "ts5500", "pizero2"),
+INSTANTIATE_TEST_SUITE_P(Boards, Debugger,
+                         ::testing::Values("host", "ts7800", "ts5500", "pizero2", "cm4"),
                          [](const auto& board) { return std::string(board.param); });
 
 }  // namespace

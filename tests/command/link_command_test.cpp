@@ -65,9 +65,9 @@ class Link : public testing::Test {
   std::filesystem::path mission_ = folder_.write("salty.mission", kLinked);
 };
 
-// accepts: GL4003 GL4008 GL4009 GL4010 GL4011 GL4012
+// accepts: GL4003 GL4008 GL4009 GL4010 GL4011 GL4012 GL4017
 TEST_F(Link, WhatFitsIsLinkedForEveryBoard) {
-  for (const char* board : {"host", "ts7800", "ts5500", "pizero2"}) {
+  for (const char* board : {"host", "ts7800", "ts5500", "pizero2", "cm4"}) {
     SCOPED_TRACE(board);
     const std::string object = compile(board);
     for (const char* level : {"-O0", "-O2", "-O3"}) {
@@ -133,6 +133,9 @@ TEST_F(Link, AnotherMachineIsRefused) {  // GL4009
   expectRefused(build("ts7800", compile("host")), "GL4009", "64-bit x86");
   expectRefused(build("ts7800", compile("ts5500")), "GL4009", "32-bit x86");
   expectRefused(build("ts5500", compile("ts7800")), "GL4009", "32-bit ARM");
+  expectRefused(build("pizero2", compile("cm4")), "GL4009", "64-bit ARM");
+  expectRefused(build("cm4", compile("pizero2")), "GL4009", "32-bit ARM");
+  expectRefused(build("cm4", compile("host", kCode, "-emit-llvm")), "GL4009", "64-bit x86");
   expectRefused(build("host", compile("ts7800", kCode, "-emit-llvm")), "GL4009", "32-bit ARM");
   expectRefused(build("ts7800", compile("ts7800", kCode, "-mcpu=cortex-a8")), "GL4009",
                 "later ARM");
@@ -143,6 +146,41 @@ TEST_F(Link, AnotherMachineIsRefused) {  // GL4009
 TEST_F(Link, InstructionsThatA486LacksAreRefused) {  // GL4010
   expectRefused(build("ts5500", compile("ts5500", kCode, "-march=pentium4 -msse2")), "GL4010",
                 "an instruction that board `ts5500` does not have");
+}
+
+TEST_F(Link, InstructionsThatAnArmv8LacksAreRefused) {  // GL4010
+  const std::string counts =
+      std::string("int count;\nvoid add() { __atomic_fetch_add(&count, 1, 5); }\n") + kCode;
+  expectRefused(build("cm4", compile("cm4", counts, "-march=armv8.1-a")), "GL4010",
+                "an instruction that board `cm4` does not have");
+  EXPECT_EQ(build("cm4", compile("cm4", counts)).err, "");
+}
+
+TEST_F(Link, FusedMultiplicationsAreRefused) {  // GL4017
+  std::string sums = kCode;
+  sums.replace(sums.find("t / 100"), 7, "t * salty + 0.5");
+  expectRefused(build("cm4", compile("cm4", sums, "-ffp-contract=fast")), "GL4017", "`fmadd`");
+  EXPECT_EQ(build("cm4", compile("cm4", sums)).err, "");
+  EXPECT_EQ(build("cm4", compile("cm4", sums, "-ffp-contract=on -emit-llvm")).err, "")
+      << "bitcode does not say how to round, and the compiler rounds twice";
+  const std::string number = "asm(\".text; .word 0x1f400000\");\n";
+  EXPECT_EQ(build("cm4", compile("cm4", number + kCode)).err, "") << "a word of data among code";
+}
+
+/// By the option of lld in the board's file: adrp at the end of a page, any load, one from that
+/// page.
+TEST_F(Link, WhatAnOldCortexA53ReadsWronglyIsReplaced) {
+  const std::string page = R"(asm(".section .text.page, \"ax\"\n.balign 4096\n.zero 4088\n"
+    ".globl page\n.type page, %function\npage: adrp x0, row\nldr x1, [sp]\nldr d0, [x0, :lo12:row]\n"
+    "ret\n.size page, . - page\n.section .rodata.row, \"a\"\n.balign 8\nrow: .double 2.5\n.text");
+extern "C" double page();
+)";
+  std::string code = page + kCode;
+  code.replace(code.find("t / 100"), 7, "t / page()");
+  EXPECT_EQ(build("cm4", compile("cm4", code)).err, "");
+  const Outcome symbols =
+      runShell("llvm-nm-19 " + (folder_.path() / "product.debug").string() + " | grep CortexA53");
+  EXPECT_THAT(symbols.out, HasSubstr("843419"));
 }
 
 TEST_F(Link, AnotherDeclarationIsRefused) {  // GL4011

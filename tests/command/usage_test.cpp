@@ -82,7 +82,7 @@ TEST(Usage, AMisspeltScenarioOrTargetIsNamedWithTheNearest) {
   EXPECT_THAT(runShell("$GLIDERCC build --target ts780" + mission).err,
               HasSubstr("hint: did you mean `ts7800`?\n"));
   EXPECT_THAT(runShell("$GLIDERCC build --target vax" + mission).err,
-              HasSubstr("hint: the targets are host, "));
+              HasSubstr("hint: the targets are cm4, host, "));
 }
 
 TEST(Usage, ColourOfMessagesAndColourOfTheTrackAreNotConfused) {
@@ -138,11 +138,11 @@ TEST(Usage, WithoutArgumentsTheHelpIsShownAsAnError) {
 TEST(Usage, HelpListsTheChoices) {
   EXPECT_THAT(runShell("$GLIDERCC sim --help").out,
               testing::AllOf(HasSubstr("one of bloom, default, figure5"),
-                             HasSubstr("one of host, pizero2, ts5500, ts7800"),
+                             HasSubstr("one of cm4, host, pizero2, ts5500, ts7800"),
                              HasSubstr("[MISSION-flight in the current folder]")));
   EXPECT_THAT(runShell("$GLIDERCC campaign --help").out, HasSubstr("low_battery"));
   EXPECT_THAT(runShell("$GLIDERCC build --help").out,
-              HasSubstr("one of host, pizero2, ts5500, ts7800"));
+              HasSubstr("one of cm4, host, pizero2, ts5500, ts7800"));
 }
 
 /// The examples at the end of the help of a command.

@@ -57,7 +57,8 @@ TEST_P(ArraysJudged, AgreesWithEval) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Boards, ArraysJudged,
-                         testing::Combine(testing::Values("host", "ts7800", "ts5500", "pizero2"),
+                         testing::Combine(testing::Values("host", "ts7800", "ts5500", "pizero2",
+                                                          "cm4"),
                                           testing::Values(0, 3)),
                          [](const auto& param) {
                            return fmt::format("{}_O{}", std::get<0>(param.param),

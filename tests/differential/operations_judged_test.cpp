@@ -214,7 +214,8 @@ TEST_P(OperationsJudged, AgreeWithEval) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Boards, OperationsJudged,
-                         testing::Combine(testing::Values("host", "ts7800", "ts5500", "pizero2"),
+                         testing::Combine(testing::Values("host", "ts7800", "ts5500", "pizero2",
+                                                          "cm4"),
                                           testing::Values(0, 1, 2, 3)),
                          [](const auto& param) {
                            return fmt::format("{}_O{}", std::get<0>(param.param),

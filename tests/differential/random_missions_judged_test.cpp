@@ -39,7 +39,8 @@ TEST_P(RandomMissionsJudged, AgreesWithEval) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Boards, RandomMissionsJudged,
-                         testing::Combine(testing::Values("host", "ts7800", "ts5500", "pizero2"),
+                         testing::Combine(testing::Values("host", "ts7800", "ts5500", "pizero2",
+                                                          "cm4"),
                                           testing::Values(0, 2, 3)),
                          [](const auto& param) {
                            return fmt::format("{}_O{}", std::get<0>(param.param),

@@ -208,7 +208,7 @@ TEST_F(CampaignOnRanks, ARankThatWouldFlyOtherwiseIsRefused) {
   refused(campaign("--flights 9"), campaign("--flights 8"), "GL9389");
   // The second rank has no emulator of a board.
   const std::string boards = "$GLIDERCC campaign " + kMission + " --flights 9 --boards 50";
-  refused(boards, "env PATH=/nowhere " + boards, "not of `pizero2, ts5500, ts7800`");
+  refused(boards, "env PATH=/nowhere " + boards, "not of `cm4, pizero2, ts5500, ts7800`");
   // A working folder that lacks the mission.
   std::ofstream(file("here.mission")) << slurp(kMission);
   const Outcome elsewhere = runShell("cd " + file("") +

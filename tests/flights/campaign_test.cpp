@@ -230,14 +230,16 @@ TEST(Campaign, AShareOfTheFlightsRunsBoardBinariesWithTheSameOutcome) {
   };
   const auto boards = rows("100");
   ASSERT_EQ(boards.size(), 18U);
-  size_t ts7800 = 0, ts5500 = 0, pizero2 = 0;
+  size_t ts7800 = 0, ts5500 = 0, pizero2 = 0, cm4 = 0;
   for (const std::string& row : boards) {
     ts7800 += row.find(",ts7800,") != std::string::npos ? 1U : 0U;
     ts5500 += row.find(",ts5500,") != std::string::npos ? 1U : 0U;
     pizero2 += row.find(",pizero2,") != std::string::npos ? 1U : 0U;
+    cm4 += row.find(",cm4,") != std::string::npos ? 1U : 0U;
   }
-  EXPECT_EQ(ts7800 + ts5500 + pizero2, 16U);
+  EXPECT_EQ(ts7800 + ts5500 + pizero2 + cm4, 16U);
   EXPECT_GT(pizero2, 0U);
+  EXPECT_GT(cm4, 0U);
   EXPECT_GT(ts7800, 0U);
   EXPECT_GT(ts5500, 0U);
 }

@@ -88,7 +88,8 @@ TEST_P(Figure2Ways, GiveTheSameTransitionsAtTheSameTimes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, Figure2Ways, testing::Values("host", "ts7800", "ts5500", "pizero2"));
+INSTANTIATE_TEST_SUITE_P(, Figure2Ways,
+                         testing::Values("host", "ts7800", "ts5500", "pizero2", "cm4"));
 
 TEST(Figure2, TheCommandedRangeIsTheCurrentStates) {
   const Flight flight = flyFigure2("");

@@ -53,7 +53,7 @@ TEST_P(Gallery, IsFineBuildsAndFlies) {
   const Outcome checked = runShell("$GLIDERCC check " + path);
   EXPECT_EQ(checked.status, 0);
   EXPECT_EQ(checked.err, "");
-  for (const char* board : {"host", "ts7800", "ts5500", "pizero2"}) {
+  for (const char* board : {"host", "ts7800", "ts5500", "pizero2", "cm4"}) {
     const Outcome built = runShell("$GLIDERCC build " + path + " --target " + board + to);
     EXPECT_EQ(built.status, 0) << board << ": " << built.err;
   }

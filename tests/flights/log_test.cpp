@@ -100,7 +100,7 @@ TEST(MissionLog, TheSimulatorsIsOfOneFlight) {
 
 TEST(MissionLog, IsTheSameOnEveryBoardAndTellsWhatFired) {
   std::string host;
-  for (const char* board : {"host", "ts7800", "ts5500", "pizero2"}) {
+  for (const char* board : {"host", "ts7800", "ts5500", "pizero2", "cm4"}) {
     const TemporaryFolder folder;
     const std::string output = (folder.path() / "flight").string();
     ASSERT_EQ(runShell("$GLIDERCC sim " + project("missions/figure2.mission") + " --board " +

@@ -3,19 +3,17 @@
 
 #pragma once
 
-#include "codegen/llvm/budget/flow_of.h"
 #include "codegen/llvm/budget/image.h"
 
 #include <llvm/ADT/StringRef.h>
 
 #include <cstdint>
 #include <memory>
-#include <optional>
-#include <string>
 
 namespace llvm {
 class MCInst;
-}
+class MCInstrDesc;
+}  // namespace llvm
 
 namespace glider::codegen {
 
@@ -25,7 +23,7 @@ const StackMachine& stackMachine(const platforms::Board& board);
 /// Machine code of one board, instruction by instruction.
 class Disassembler {
  public:
-  /// GL4002 for a machine that it does not know: 32-bit x86 and ARM are known.
+  /// GL4002 for a machine that it does not know: it knows x86 and ARM in 32 bits, and ARM in 64.
   static support::Result<std::unique_ptr<Disassembler>> make(const platforms::Board& board);
   ~Disassembler();
   /// Whether make() knows the machine.
@@ -35,28 +33,15 @@ class Disassembler {
   /// they are not a valid instruction. Must be called in the order of the code.
   Instruction read(llvm::StringRef bytes, uint64_t address);
 
-  /// Whether `bytes` begin with ARM's undefined instruction, at which a program gives up; the C
-  /// library's assembly has it as a word of data.
+  /// Architecture::isTrap.
   [[nodiscard]] bool isTrap(llvm::StringRef bytes) const;
 
  private:
   struct Machine;
   explicit Disassembler(std::unique_ptr<Machine> machine);
-  void count(const Written& written, Instruction& one);
-  void choose(const Written& written, Instruction& one);
-  void switchByDistance(const Written& written, Instruction& one);
-  void judgeStack(const llvm::MCInst& inst, const Written& written, Instruction& one);
+  [[nodiscard]] uint32_t writtenBy(const llvm::MCInst& inst, const llvm::MCInstrDesc& about) const;
 
   std::unique_ptr<Machine> machine_;
-  std::optional<int64_t> count_;  // the value of ecx
-  uint64_t counted_at_ = 0;
-  std::string compared_;  // "r3" of ARM's "cmp r3, #10" immediately before
-  int64_t compared_with_ = 0;
-  /// From x86's "movl -8(%ebx,%ecx,4), %ecx", "addl %ebx, %ecx" immediately before: used by the
-  /// next jump.
-  std::string added_, jumps_by_;
-  int64_t table_ = 0;
-  uint64_t compared_at_ = 0;
 };
 
 }  // namespace glider::codegen

@@ -10,12 +10,13 @@
 #include <utility>
 
 namespace glider::codegen {
-namespace {
 
 bool goesOn(Flow flow) {
   return flow == Flow::Next || flow == Flow::JumpIf || flow == Flow::JumpAheadIf ||
          flow == Flow::Call || flow == Flow::CallByPointer || flow == Flow::ReturnIf;
 }
+
+namespace {
 
 /// Where an instruction may lead; empty if that is unknown.
 std::optional<std::vector<uint64_t>> successors(const Image& image, const Instruction& one) {

@@ -13,6 +13,9 @@
 
 namespace glider::codegen {
 
+/// Whether the next instruction may follow one of that kind.
+bool goesOn(Flow flow);
+
 /// The instructions that are reached from an entry without calls, and which may follow which.
 struct FlowGraph {
   std::vector<uint32_t> instructions;       ///< places in Image::code(); the entry is node 0

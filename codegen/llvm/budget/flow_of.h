@@ -17,10 +17,13 @@ struct Written {
 
 /// Whether `text` is a condition of ARM, such as "ls" in "ldrls".
 bool isArmCondition(std::string_view text);
+/// The number of "x3" or "sp" on ARM in 64 bits, by StackEffect; kNone for any other.
+uint8_t aarch64Register(std::string_view name);
 
-/// Where control goes, by the rules of ARM (A32) and of x86 (32 bits, AT&T syntax). They do not set
-/// Instruction::target.
+/// Where control goes, by the rules of ARM (A32), of x86 (32 bits, AT&T syntax) and of ARM in 64
+/// bits (A64). They do not set Instruction::target.
 Flow armFlow(const Written& written);
 Flow x86Flow(const Written& written);
+Flow aarch64Flow(const Written& written);
 
 }  // namespace glider::codegen

@@ -4,6 +4,7 @@
 #include "codegen/llvm/budget/image.h"
 
 #include "codegen/llvm/budget/disassembler.h"
+#include "codegen/llvm/budget/pointer_jump.h"
 #include "codegen/llvm/budget/taken.h"
 #include "support/diagnostics/ids/target.h"
 
@@ -66,7 +67,7 @@ std::string lastPart(const std::string& path) {
   return path.substr(path.find_last_of('/') + 1);
 }
 
-/// Stretches of data among code, between ARM's mapping symbols `$d` and `$a`.
+/// Stretches of data among code, between ARM's mapping symbols `$d` and `$a` (in 64 bits `$x`).
 class DataAmongCode {
  public:
   void add(uint64_t address, bool data) { marks_.emplace_back(address, data); }
@@ -101,10 +102,15 @@ struct Image::Parts {
   void readSegments();
   void readCode(Disassembler& disassembler);
   void doubtCounts();
+  void doubtCounts(const std::set<uint64_t>& targets);
+  void doubtPointers(const std::set<uint64_t>& held);
   void findTaken();
   [[nodiscard]] std::set<uint64_t> words() const;
-  [[nodiscard]] std::optional<uint32_t> wordAt(uint64_t address) const;
+  [[nodiscard]] std::optional<uint32_t> wordAt(uint64_t address) const { return read(address, 4); }
+  [[nodiscard]] std::optional<uint32_t> read(uint64_t address, uint32_t size) const;
   [[nodiscard]] const Symbol* symbolOf(uint64_t address) const;
+  [[nodiscard]] std::optional<uint32_t> at(uint64_t address) const;
+  [[nodiscard]] std::vector<uint64_t> tableTargets(const Instruction& jump) const;
 };
 
 void Image::Parts::readSymbols() {
@@ -118,7 +124,7 @@ void Image::Parts::readSymbols() {
     if (*name == "_GLOBAL_OFFSET_TABLE_") {
       offsets = *address;
     }
-    if (name->starts_with("$a") || name->starts_with("$d")) {
+    if (name->starts_with("$a") || name->starts_with("$x") || name->starts_with("$d")) {
       data.add(*address, name->starts_with("$d"));
     } else if (symbol.getELFType() == llvm::ELF::STT_FUNC) {
       symbols.push_back({*address, symbol.getSize(), name->str()});
@@ -198,13 +204,43 @@ void Image::Parts::readCode(Disassembler& disassembler) {
 /// A jump to between the instruction that sets a count, or chooses a table, and the one that uses
 /// it may bring another value.
 void Image::Parts::doubtCounts() {
-  std::set<uint64_t> targets = words();
+  const std::set<uint64_t> held = words();
+  std::set<uint64_t> targets = held;
   for (const Instruction& one : code) {
     if (one.flow == Flow::Jump || one.flow == Flow::JumpIf || one.flow == Flow::Call) {
       targets.insert(one.target);
     }
   }
-  auto entered = [&](const Instruction& one) {
+  doubtCounts(targets);
+  for (const Instruction& one : code) {
+    if (one.flow == Flow::JumpByTable && one.entries.distances()) {
+      const std::vector<uint64_t> chosen = tableTargets(one);
+      targets.insert(chosen.begin(), chosen.end());
+    }
+  }
+  doubtCounts(targets);
+  doubtPointers(held);
+}
+
+void Image::Parts::doubtPointers(const std::set<uint64_t>& held) {
+  const StartOf start_of = [this](uint64_t address) {
+    const Symbol* symbol = symbolOf(address);
+    return symbol == nullptr ? 0 : symbol->address;
+  };
+  std::vector<uint32_t> doubtful;
+  const PointerJumps jumps(code, start_of, held);
+  for (uint32_t i = 0; i < code.size(); ++i) {
+    if (code[i].pointer != StackEffect::kNone && !jumps.leaves(i)) {
+      doubtful.push_back(i);
+    }
+  }
+  for (const uint32_t place : doubtful) {
+    code[place].flow = Flow::Unknown;
+  }
+}
+
+void Image::Parts::doubtCounts(const std::set<uint64_t>& targets) {
+  const auto entered = [&](const Instruction& one) {
     const auto next = targets.upper_bound(one.counted_at);
     return next != targets.end() && *next <= one.address;
   };
@@ -212,7 +248,7 @@ void Image::Parts::doubtCounts() {
     if (one.repeats >= 0 && entered(one)) {
       one.repeats = Instruction::kUncounted;
     }
-    if (one.by_distance && entered(one)) {
+    if (one.flow == Flow::JumpByTable && one.entries.distances() && entered(one)) {
       one.flow = Flow::Unknown;
     }
     if (one.choices > 0 && entered(one)) {
@@ -237,12 +273,12 @@ void Image::Parts::findTaken() {
   }
 }
 
-std::optional<uint32_t> Image::Parts::wordAt(uint64_t address) const {
+/// The number of `size` bytes that is loaded at an address.
+std::optional<uint32_t> Image::Parts::read(uint64_t address, uint32_t size) const {
   for (const Segment& segment : segments) {
-    if (address >= segment.address &&
-        address + sizeof(uint32_t) <= segment.address + segment.size) {
+    if (address >= segment.address && address + size <= segment.address + segment.size) {
       uint32_t word = 0;
-      std::memcpy(&word, segment.bytes + (address - segment.address), sizeof word);
+      std::memcpy(&word, segment.bytes + (address - segment.address), size);
       return word;
     }
   }
@@ -257,6 +293,34 @@ const Symbol* Image::Parts::symbolOf(uint64_t address) const {
   const uint64_t start = std::prev(after)->address;
   const auto first = std::ranges::lower_bound(symbols, start, {}, &Symbol::address);
   return first->size == 0 || address < first->address + first->size ? &*first : nullptr;
+}
+
+std::optional<uint32_t> Image::Parts::at(uint64_t address) const {
+  const auto found = std::ranges::lower_bound(code, address, {}, &Instruction::address);
+  if (found == code.end() || found->address != address) {
+    return std::nullopt;
+  }
+  return static_cast<uint32_t>(found - code.begin());
+}
+
+std::vector<uint64_t> Image::Parts::tableTargets(const Instruction& jump) const {
+  std::vector<uint64_t> targets;
+  const Symbol* symbol = symbolOf(jump.address);
+  const uint64_t zero = jump.entries.from_offsets ? offsets : 0;
+  const auto base = static_cast<uint32_t>(jump.entries.base + zero);
+  uint64_t at_entry = static_cast<uint32_t>(jump.target + zero);
+  while (symbol != nullptr && (jump.choices == 0 || targets.size() < jump.choices)) {
+    const auto entry = read(at_entry, jump.entries.bytes);
+    const uint32_t target = (entry.value_or(0) << jump.entries.shift) + base;
+    const bool inside =
+        entry && target >= symbol->address && target < symbol->address + symbol->size;
+    if (!inside || !at(target)) {
+      return jump.choices == 0 ? targets : std::vector<uint64_t>{};
+    }
+    targets.push_back(target);
+    at_entry += jump.entries.bytes;
+  }
+  return targets;
 }
 
 Image::Image(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -291,11 +355,7 @@ const std::vector<Instruction>& Image::code() const {
 }
 
 std::optional<uint32_t> Image::at(uint64_t address) const {
-  const auto found = std::ranges::lower_bound(parts_->code, address, {}, &Instruction::address);
-  if (found == parts_->code.end() || found->address != address) {
-    return std::nullopt;
-  }
-  return static_cast<uint32_t>(found - parts_->code.begin());
+  return parts_->at(address);
 }
 
 std::optional<uint64_t> Image::function(const std::string& name) const {
@@ -341,21 +401,7 @@ std::vector<Frame> Image::framesAt(uint64_t address) const {
 }
 
 std::vector<uint64_t> Image::tableTargets(const Instruction& jump) const {
-  std::vector<uint64_t> targets;
-  const Symbol* symbol = parts_->symbolOf(jump.address);
-  const uint32_t base = jump.by_distance ? static_cast<uint32_t>(parts_->offsets) : 0;
-  for (uint64_t at_word = static_cast<uint32_t>(jump.target + base); symbol != nullptr;
-       at_word += sizeof(uint32_t)) {
-    const auto word = parts_->wordAt(at_word);
-    const uint32_t target = word.value_or(0) + base;
-    const bool inside =
-        word && target >= symbol->address && target < symbol->address + symbol->size;
-    if (!inside || !at(target)) {
-      break;
-    }
-    targets.push_back(target);
-  }
-  return targets;
+  return parts_->tableTargets(jump);
 }
 
 std::vector<uint64_t> Image::aheadTargets(const Instruction& jump) const {

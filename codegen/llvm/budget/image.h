@@ -25,7 +25,7 @@ enum class Flow : uint8_t {
   Call,           ///< of `target`, then to the next instruction
   CallByPointer,  ///< then to the next instruction
   JumpByPointer,  ///< to another function, which returns in this one's place
-  JumpByTable,    ///< a switch: to one of the words from `target` on
+  JumpByTable,    ///< a switch: to where one of the entries from `target` on says
   JumpAhead,      ///< ARM's "add pc, pc, r3, lsl #2": to one of the instructions from `target` on
   JumpAheadIf,    ///< there or to the next instruction
   Return,
@@ -36,11 +36,24 @@ enum class Flow : uint8_t {
 /// The addresses that an instruction mentions.
 struct Mentions {
   static constexpr uint8_t kNone = 255;
-  std::array<uint32_t, 3> numbers = {};  ///< x86: in its operands; ARM: the place that it names
+  /// x86: in its operands; ARM: the place that it names, also together with those before it.
+  std::array<uint32_t, 3> numbers = {};
   uint8_t count = 0;
   uint8_t literal_to = kNone;  ///< ARM: the register that gets the word at numbers[0]
   uint8_t pc_plus = kNone;     ///< ARM: the register whose distance is added to the place
-  uint16_t registers = 0;      ///< that it uses, a bit each
+  /// ARM in 64 bits: the register that gets the page at numbers[0], and that to which a number is
+  /// added, whose sum is numbers[0] if it is known.
+  uint8_t page_to = kNone, adds_to = kNone;
+  uint32_t registers = 0;  ///< that it uses, a bit each
+};
+
+/// What the table of a switch contains.
+struct TableEntries {
+  uint8_t bytes = 4;          ///< of each entry
+  uint8_t shift = 0;          ///< by which it is shifted to the left
+  uint64_t base = 0;          ///< to which that is added
+  bool from_offsets = false;  ///< to x86's _GLOBAL_OFFSET_TABLE_, and `target` too
+  [[nodiscard]] bool distances() const { return from_offsets || base != 0; }
 };
 
 struct Instruction {
@@ -53,12 +66,14 @@ struct Instruction {
   int64_t repeats = kOnce;
   static constexpr int64_t kOnce = -1, kUncounted = -2;
   uint64_t counted_at = 0;  ///< the instruction that set the count
-  /// For JumpAhead: the number of instructions it chooses from, according to a comparison at
-  /// `counted_at`; 0: not known.
+  /// For JumpAhead and JumpByTable: the number of instructions it chooses from, according to a
+  /// comparison at `counted_at` or later; 0: not known.
   uint64_t choices = 0;
-  /// For JumpByTable: the table contains distances from x86's _GLOBAL_OFFSET_TABLE_, and `target`
-  /// is also such a distance.
-  bool by_distance = false;
+  TableEntries entries;  ///< for JumpByTable
+  /// ARM in 64 bits, for PointerJumps: the register of a JumpByPointer, and those that an
+  /// instruction gives a pointer, a bit each: from memory, or the place that it mentions.
+  uint8_t pointer = StackEffect::kNone;
+  uint32_t pointers = 0;
   StackEffect stack;
   Mentions mentions;
 };
@@ -96,8 +111,9 @@ class Image {
   [[nodiscard]] std::string symbolAt(uint64_t address) const;
   /// Innermost first; at least one.
   [[nodiscard]] std::vector<Frame> framesAt(uint64_t address) const;
-  /// Where a switch may go: the words of its table, up to the first that is not the address of an
-  /// instruction of the same function. Empty if that is not known.
+  /// Where a switch may go: by the entries of its table, as many as are chosen from, or up to the
+  /// first that is not the address of an instruction of the same function. Empty if that is not
+  /// known.
   [[nodiscard]] std::vector<uint64_t> tableTargets(const Instruction& jump) const;
   /// The functions whose address may be in a pointer: a loaded word or an operand contains it, or a
   /// distance from where it is used (position-independent code).

@@ -144,11 +144,16 @@ class StackBound::Walk {
 
   /// Follows a jump to another function, which returns in this one's place.
   void leave(const Instruction& one, const StackState& met) {
-    if (*met.depth() != begin_) {
+    const int64_t depth = *met.depth();
+    const bool known = one.pointer != StackEffect::kNone;  // by PointerJumps
+    if (depth != begin_ && !known) {
       return give("it is not known where a jump leads in", one);
     }
-    if (const auto called = callee(one, begin_)) {
-      deepen(begin_ + static_cast<int64_t>(called->bytes), called->way);
+    if (const auto called = callee(one, depth)) {
+      deepen(depth + static_cast<int64_t>(called->bytes), called->way);
+      if (called->returns && depth != begin_) {
+        return give("the stack is not restored by", one);
+      }
       ends(called->returns, called->released);
     }
   }

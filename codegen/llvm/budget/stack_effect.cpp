@@ -4,6 +4,7 @@
 #include "codegen/llvm/budget/stack_effect.h"
 
 #include "codegen/llvm/budget/flow_of.h"
+#include "codegen/llvm/budget/operands.h"
 
 #include <llvm/ADT/SmallVector.h>
 #include <llvm/ADT/StringRef.h>
@@ -18,18 +19,6 @@ namespace {
 using llvm::StringRef;
 
 constexpr int64_t kWord = 4;
-
-StringRef refOf(std::string_view text) {
-  return {text.data(), text.size()};
-}
-
-/// N of "#N" or "$N".
-std::optional<int64_t> constantOf(StringRef text) {
-  int64_t number = 0;
-  const bool right =
-      (text.consume_front("#") || text.consume_front("$")) && !text.getAsInteger(0, number);
-  return right ? std::optional(number) : std::nullopt;
-}
 
 // --- ARM
 

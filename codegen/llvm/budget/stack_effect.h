@@ -11,7 +11,7 @@ struct Written;
 
 /// The effect of an instruction on the stack pointer, and on registers that hold an earlier value
 /// of it. Registers are numbered: on ARM as they are named (sp is 13), on x86 as they are encoded
-/// (esp 4).
+/// (esp 4), on ARM in 64 bits as they are named (x30 is 30, sp 31).
 struct StackEffect {
   static constexpr uint8_t kNone = 255;
 
@@ -22,7 +22,7 @@ struct StackEffect {
   uint8_t from = kNone;
   int64_t bytes = 0;
   /// The registers that it changes in another way, a bit each.
-  uint16_t writes = 0;
+  uint32_t writes = 0;
   /// ARM's condition, as two letters; empty: it is always executed.
   char condition[2] = {};
   /// What a return takes off the stack in addition to the address (x86's "ret $4").
@@ -42,7 +42,7 @@ struct StackEffect {
 struct StackMachine {
   uint8_t pointer;        ///< the stack pointer
   uint8_t count;          ///< registers that are numbered
-  uint16_t lost;          ///< registers that a call need not preserve, a bit each
+  uint32_t lost;          ///< registers that a call need not preserve, a bit each
   uint32_t call_bytes;    ///< that a call pushes
   uint32_t kernel_bytes;  ///< by a system call with `call *%gs:`, including its return address
 };
@@ -50,10 +50,13 @@ constexpr StackMachine kArmStack = {13, 15, 0x500F, 0, 0};
 /// The code that Linux provides at %gs:16 pushes ecx, edx and ebp before it enters the kernel (2.6
 /// and later).
 constexpr StackMachine kX86Stack = {4, 8, 0x0007, 4, 16};
+/// A call preserves x19 to x29.
+constexpr StackMachine kAArch64Stack = {31, 32, 0x4007FFFF, 0, 0};
 
-/// By the rules of ARM (A32) and of x86 (32 bits, AT&T syntax). They do not set `writes`, or
-/// whether the stack pointer is changed at all: Disassembler does that.
+/// By the rules of ARM (A32), of x86 (32 bits, AT&T syntax) and of ARM in 64 bits (A64). They do
+/// not set `writes`, or whether the stack pointer is changed at all: Disassembler does that.
 StackEffect armStack(const Written& written);
 StackEffect x86Stack(const Written& written);
+StackEffect aarch64Stack(const Written& written);
 
 }  // namespace glider::codegen

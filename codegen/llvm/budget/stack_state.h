@@ -37,7 +37,7 @@ class StackState {
   void settle();
 
   const StackMachine* machine_;
-  std::array<std::optional<int64_t>, 16> depths_;
+  std::array<std::optional<int64_t>, 32> depths_;
   // ARM: the stack pointer if the condition of the last instructions holds.
   std::optional<int64_t> conditional_;
   StackEffect condition_;

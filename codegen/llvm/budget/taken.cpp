@@ -10,7 +10,7 @@ namespace glider::codegen {
 namespace {
 
 constexpr uint64_t kAhead = 8;  // of ARM's pc
-constexpr size_t kFar = 64;     // instructions between a distance and where it is added
+constexpr size_t kFar = 64;     // instructions between a distance or page and where it is added
 
 bool touches(const Instruction& one, uint8_t number) {
   return ((one.mentions.registers | one.stack.writes) >> number & 1U) != 0;
@@ -51,6 +51,32 @@ const Instruction* onlyAdderOf(const std::vector<Instruction>& code, size_t plac
 
 bool loadsLiteral(const Instruction& one) {
   return one.mentions.literal_to < 15;
+}
+
+/// ARM in 64 bits: an address is the sum of a page and a number, which is known where the number is
+/// added next and replaces the page. Otherwise the page may be that of any of its places.
+void addPages(const std::vector<Instruction>& code, std::set<uint64_t>& addresses) {
+  constexpr uint64_t kPage = 4096, kStep = 4;
+  const auto summedNext = [&](size_t place) {
+    const uint8_t number = code[place].mentions.page_to;
+    for (size_t i = place + 1; i < code.size() && i <= place + kFar; ++i) {
+      const Instruction& one = code[i];
+      if (one.flow != Flow::Next || touches(one, number)) {
+        return one.flow == Flow::Next && one.mentions.adds_to == number &&
+               (one.stack.writes >> number & 1U) != 0;
+      }
+    }
+    return false;
+  };
+  for (size_t i = 0; i < code.size(); ++i) {
+    const uint64_t page = code[i].mentions.numbers[0];
+    const bool of_code = page <= code.back().address && page + kPage > code.front().address;
+    if (code[i].mentions.page_to != Mentions::kNone && of_code && !summedNext(i)) {
+      for (uint64_t at = page; at < page + kPage; at += kStep) {
+        addresses.insert(at);
+      }
+    }
+  }
 }
 
 /// Each literal with the only place that can add it, or else with each place of its function that
@@ -96,6 +122,7 @@ std::set<uint64_t> addressesIn(const std::vector<Instruction>& code, uint64_t of
     }
   }
   addDistances(code, word_at, start_of, addresses);
+  addPages(code, addresses);
   return addresses;
 }
 

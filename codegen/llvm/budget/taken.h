@@ -19,7 +19,8 @@ using WordAt = std::function<std::optional<uint32_t>(uint64_t)>;
 using StartOf = std::function<uint64_t(uint64_t)>;
 
 /// All values in `code` (by address) that may be addresses: operands, distances from where they are
-/// used, distances from `offsets` (x86's _GLOBAL_OFFSET_TABLE_; 0: none).
+/// used, distances from `offsets` (x86's _GLOBAL_OFFSET_TABLE_; 0: none), sums of a page and a
+/// number.
 std::set<uint64_t> addressesIn(const std::vector<Instruction>& code, uint64_t offsets,
                                const WordAt& word_at, const StartOf& start_of);
 

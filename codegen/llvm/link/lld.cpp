@@ -64,6 +64,7 @@ std::vector<std::string> arguments(const LinkJob& job, const Board& board,
     // is a function's address for a pointer to it.
     add({"-static", "--image-base=0x2000000"});
   }
+  all.insert(all.end(), board.link.options.begin(), board.link.options.end());
   if (!job.keep_debug) {
     add({"--strip-all"});
   }

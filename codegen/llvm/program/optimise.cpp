@@ -71,9 +71,20 @@ llvm::ModulePassManager passes(llvm::PassBuilder& builder, int level) {
   }
 }
 
+/// On ARM in 64 bits a switch that jumps by a table ends as a call of another function in this
+/// one's place does: budgets need the code to say which it is.
+void compareInSwitches(llvm::Module& module) {
+  for (llvm::Function& function : module) {
+    function.addFnAttr("no-jump-tables", "true");
+  }
+}
+
 }  // namespace
 
 void optimise(llvm::Module& module, llvm::TargetMachine& machine, int level) {
+  if (machine.getTargetTriple().isAArch64()) {
+    compareInSwitches(module);
+  }
   llvm::LoopAnalysisManager loops;
   llvm::FunctionAnalysisManager functions;
   llvm::CGSCCAnalysisManager components;

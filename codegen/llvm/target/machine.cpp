@@ -36,15 +36,26 @@ void initialiseArm() {
   LLVMInitializeARMAsmParser();
 }
 
+void initialiseAArch64() {
+  LLVMInitializeAArch64TargetInfo();
+  LLVMInitializeAArch64Target();
+  LLVMInitializeAArch64TargetMC();
+  LLVMInitializeAArch64AsmPrinter();
+  LLVMInitializeAArch64AsmParser();
+}
+
 /// Initialises only the target that is needed: each costs start-up time. Once, because LLVM's
 /// registry does not support several threads.
 void initialise(const llvm::Triple& triple) {
   static std::once_flag x86;
   static std::once_flag arm;
+  static std::once_flag aarch64;
   if (triple.isX86()) {
     std::call_once(x86, initialiseX86);
   } else if (triple.isARM()) {
     std::call_once(arm, initialiseArm);
+  } else if (triple.isAArch64()) {
+    std::call_once(aarch64, initialiseAArch64);
   }
 }
 
@@ -85,9 +96,9 @@ support::Result<std::unique_ptr<llvm::TargetMachine>> makeMachine(const Board& b
   const llvm::Triple triple(llvm::Triple::normalize(board.triple));
   initialise(triple);
   std::string ignored;
-  const llvm::Target* target = triple.isX86() || triple.isARM()
-                                   ? llvm::TargetRegistry::lookupTarget(triple.str(), ignored)
-                                   : nullptr;
+  const bool linked = triple.isX86() || triple.isARM() || triple.isAArch64();
+  const llvm::Target* target =
+      linked ? llvm::TargetRegistry::lookupTarget(triple.str(), ignored) : nullptr;
   const bool pic = kind == ProgramKind::SharedObject ||
                    board.relocation == platforms::Relocation::PositionIndependent;
   std::unique_ptr<llvm::TargetMachine> machine;
@@ -95,6 +106,8 @@ support::Result<std::unique_ptr<llvm::TargetMachine>> makeMachine(const Board& b
     machine.reset(target->createTargetMachine(
         triple.str(), board.cpu, board.features, targetOptions(board),
         pic ? llvm::Reloc::PIC_ : llvm::Reloc::Static, std::nullopt, codegenLevel(level)));
+    // Code that several functions share would not say which of them calls something.
+    machine->setMachineOutliner(false);
   }
   if (!machine) {
     return support::fail(support::diagnostics::unsupportedMachine, board.name, board.triple,

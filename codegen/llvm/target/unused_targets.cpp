@@ -3,7 +3,7 @@
 
 #include <llvm/Config/llvm-config.h>
 
-// lld registers every target that LLVM was built with. Only two of them are linked: these
+// lld registers every target that LLVM was built with. Only ours are linked: these
 // definitions replace the others, and the linker leaves their code generators out (the process
 // starts in 5 ms instead of 20).
 #define GLIDER_UNUSED(target)                  \

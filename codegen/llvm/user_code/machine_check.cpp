@@ -3,6 +3,7 @@
 
 #include "codegen/llvm/user_code/machine_check.h"
 
+#include "codegen/llvm/user_code/armv8.h"
 #include "codegen/llvm/user_code/i486.h"
 #include "support/diagnostics/ids/target.h"
 
@@ -61,10 +62,11 @@ std::string machineOf(const std::string& triple) {
   const llvm::Triple machine(triple);
   const std::string arch = llvm::Triple::getArchTypeName(machine.getArch()).str();
   const bool arm = (machine.isARM() || machine.isThumb()) && machine.isLittleEndian();
-  return machine.getArch() == llvm::Triple::x86_64 ? "for 64-bit x86"
-         : machine.getArch() == llvm::Triple::x86  ? "for 32-bit x86"
-         : arm                                     ? "for 32-bit ARM"
-                                                   : "for " + arch;
+  return machine.getArch() == llvm::Triple::x86_64    ? "for 64-bit x86"
+         : machine.getArch() == llvm::Triple::x86     ? "for 32-bit x86"
+         : arm                                        ? "for 32-bit ARM"
+         : machine.getArch() == llvm::Triple::aarch64 ? "for 64-bit ARM"
+                                                      : "for " + arch;
 }
 
 Result<void> checkMachine(const llvm::object::ELFObjectFileBase& object, const std::string& name,
@@ -79,6 +81,9 @@ Result<void> checkMachine(const llvm::object::ELFObjectFileBase& object, const s
       return support::fail(support::diagnostics::wrongMachine, name, fault, board.name,
                            "for an " + processorOf(board));
     }
+  }
+  if (triple.isAArch64()) {
+    return checkArmv8(object, name, board);
   }
   return board.cpu == "i486" ? checkI486(object, name, board) : Result<void>{};
 }

@@ -14,6 +14,7 @@ const ways = new Map(Object.entries({
   ts7800: "flown by the TS-7800 (ARM9) binary",
   ts5500: "flown by the TS-5500 (486) binary",
   pizero2: "flown by the Pi Zero 2 (ARMv7) binary",
+  cm4: "flown by the Compute Module 4 (ARMv8) binary",
 }));
 
 function figuresOf(f: Figures): [string, string][] {

@@ -49,7 +49,7 @@ Image imageOf(const Checked& checked, const platforms::Board& target) {
 
 TEST(Budget, TheExecutableIsTheOneThatIsBuilt) {
   const Checked checked = figure2();
-  for (const char* name : {"ts7800", "ts5500", "pizero2"}) {
+  for (const char* name : {"ts7800", "ts5500", "pizero2", "cm4"}) {
     const platforms::Board target = board(name);
     const auto budget = measureBudget(checked.input(), target, optionsFor(checked));
     ASSERT_TRUE(budget) << budget.error().message;
@@ -150,7 +150,7 @@ TEST_P(PathOn, NoPlaceInTheRuntimeIsUnknown) {
   EXPECT_TRUE(inlined);
 }
 
-INSTANTIATE_TEST_SUITE_P(Boards, PathOn, testing::Values("ts7800", "ts5500", "pizero2"));
+INSTANTIATE_TEST_SUITE_P(Boards, PathOn, testing::Values("ts7800", "ts5500", "pizero2", "cm4"));
 
 TEST(FlowOf, Arm) {
   const std::pair<Written, Flow> cases[] = {

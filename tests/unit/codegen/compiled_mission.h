@@ -31,7 +31,7 @@ Checked figure2();
 /// A board as built into the shared data; it must be there.
 platforms::Board board(const std::string& name);
 /// The names of all boards.
-inline constexpr const char* kBoards[] = {"host", "ts7800", "ts5500", "pizero2"};
+inline constexpr const char* kBoards[] = {"host", "ts7800", "ts5500", "pizero2", "cm4"};
 
 /// A folder for the running test's files, empty at its start.
 std::filesystem::path testFolder();

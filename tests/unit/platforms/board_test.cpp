@@ -36,6 +36,7 @@ command = ["qemu-i386", "-cpu", "486"]
 debugger = ["qemu-i386", "-g", "{port}"]
 [link]
 dynamic_linker = ""
+options = ["--gc-sections"]
 before = ["crt1.o"]
 after = ["libc.a"]
 )";
@@ -50,7 +51,7 @@ std::string with(const std::string& from, const std::string& to) {
 }
 
 TEST(Board, OursLoad) {
-  for (const char* name : {"host", "ts7800", "ts5500", "pizero2"}) {
+  for (const char* name : {"host", "ts7800", "ts5500", "pizero2", "cm4"}) {
     const auto board =
         loadBoard(fmt::format("{}/platforms/boards/{}.toml", GLIDER_SOURCE_DIR, name));
     ASSERT_TRUE(board) << board.error().message;
@@ -69,6 +70,7 @@ TEST(Board, WhatTheFileSaysIsReadOut) {
   EXPECT_EQ(board->triple, "i486-unknown-linux-musl");
   EXPECT_EQ(board->kernel.release, "2.4.23");
   EXPECT_THAT(board->emulator, testing::ElementsAre("qemu-i386", "-cpu", "486"));
+  EXPECT_THAT(board->link.options, testing::ElementsAre("--gc-sections"));
   EXPECT_THAT(board->link.before, testing::ElementsAre("crt1.o"));
   EXPECT_THAT(board->link.after, testing::ElementsAre("libc.a"));
 }
@@ -87,10 +89,13 @@ TEST(Board, ErrorsAreReportedWithTheirLine) {
       {with("\"calls\"", "\"../calls\""), ":15"},
       {with("[\"qemu-i386\", \"-cpu\", \"486\"]", "\"qemu-i386\""), ":17"},
       {with("[\"qemu-i386\", \"-g\", \"{port}\"]", "3"), ":18"},
-      {with("[\"crt1.o\"]", "[\"/etc/crt1.o\"]"), ":21"},
-      {with("[\"libc.a\"]", "[\"--script=x\"]"), ":22"},
+      {with("[\"crt1.o\"]", "[\"/etc/crt1.o\"]"), ":22"},
+      {with("[\"libc.a\"]", "[\"--script=x\"]"), ":23"},
+      {with("[\"--gc-sections\"]", "[\"-T\", \"script\"]"), ":21"},
+      {with("[\"--gc-sections\"]", "[\"--a,--b\"]"), ":21"},
+      {with("[\"--gc-sections\"]", "\"\""), ":21"},
       {with("[link]", "[linking]"), ":19"},
-      {kGood + "[more]\n", ":23"},
+      {kGood + "[more]\n", ":24"},
       {"kernel = 3\n" + with("[kernel]", "[kernels]"), ""},
       {"not toml", ":1"},
       {"", ""},

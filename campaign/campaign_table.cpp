@@ -53,6 +53,18 @@ std::string row(const std::string& name, const Counts& counts) {
                      counts.flights[3]);
 }
 
+/// Of flights in which the mission never had control, where no fault is the reason for all of them;
+/// otherwise empty.
+std::string idleLine(uint64_t idle, uint64_t idle_without_fault, uint64_t all) {
+  if (idle_without_fault == 0 && 2 * idle <= all) {
+    return "";
+  }
+  return fmt::format(
+      "\nin {} of {} the mission was never in control of the vehicle: fly it once "
+      "with `glidercc sim`, which reports why\n",
+      idle, support::counted(all, "flight"));
+}
+
 std::string head(const char* what) {
   return fmt::format("{:<24}{:>8}{:>9}{:>18}{:>13}{:>12}{:>11}\n", what, "flights", "exited",
                      "after release", "released", "deepest (m)", "VIOLATION");
@@ -71,8 +83,12 @@ std::string campaignTable(const CampaignPlan& plan, const CampaignResult& result
   std::array<Counts, simulator::kManners> manners{};
   std::vector<Counts> programs(plan.boards.size() + 1);
   Counts all;
+  uint64_t idle = 0, idle_without_fault = 0;
   eachFlown(plan, result, [&](const CampaignFlight& flight, const Verdict& verdict) {
     const size_t column = columnOf(verdict);
+    const bool never = !(verdict.take_s > 0);
+    idle += never;
+    idle_without_fault += never && flight.kind == FaultKind::None;
     kinds[static_cast<size_t>(flight.kind)].add(verdict, column);
     manners[static_cast<size_t>(flight.manner)].add(verdict, column);
     programs[flight.board ? *flight.board + 1 : 0].add(verdict, column);
@@ -93,7 +109,7 @@ std::string campaignTable(const CampaignPlan& plan, const CampaignResult& result
   for (size_t board = 0; board < plan.boards.size(); ++board) {
     out += row(plan.boards[board], programs[board + 1]);
   }
-  return out;
+  return out + idleLine(idle, idle_without_fault, all.all());
 }
 
 std::string requirementLines(const CampaignPlan& plan, const CampaignResult& result) {

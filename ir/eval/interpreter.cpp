@@ -240,6 +240,11 @@ bool Interpreter::mayFire(ListKind list, uint32_t number) const {
   return !(target.valid() && in_use);
 }
 
+bool Interpreter::isHeldBack(uint32_t always_case) const {
+  const bool tried = always_case < limit_ && mayFire(ListKind::Always, always_case);
+  return !tried && truthOf(mission_.always[always_case].guard) == Truth::True;
+}
+
 /// Step 4 for one list: true if it ended the tick.
 bool Interpreter::tryList(ListKind list) {
   const bool behaviour = list == ListKind::Profile || list == ListKind::Route;

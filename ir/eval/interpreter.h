@@ -75,6 +75,9 @@ class Interpreter {
   [[nodiscard]] Truth truthOf(ExprId id) const { return std::get<Truth>(evaluate(id)); }
   /// This tick's reading of a sensor, SI units; NaN: unknown.
   [[nodiscard]] double readingOf(SensorId id) const { return sensors_.at(id.index).value; }
+  /// Whether a case of `always` is true now and would not be tried: because of the case that led
+  /// here (L3), or because its target is in use (L1).
+  [[nodiscard]] bool isHeldBack(uint32_t always_case) const;
   /// What a variable holds; NaN: unknown.
   [[nodiscard]] double value(VariableId id) const { return variables_.at(id.index); }
 

@@ -41,6 +41,8 @@ struct Counterexample {
   std::string due;
   /// On the tick that starts the mission; without that tick nothing would be due.
   bool due_at_start = false;
+  /// Numbers of cases of `always` that were true then and, by the rules, not tried.
+  std::vector<uint32_t> held_back;
   double when = 0;         ///< mission time at which the requirement is violated (Reach: satisfied)
   size_t requirement = 0;  ///< which one of the requirements that were checked
 };

@@ -285,6 +285,11 @@ Counterexample RunRecorder::take() {
   result_.state = m_[last_.state].name;
   describeDue();
   describeValues();
+  for (uint32_t i = 0; i < m_.always.size() && !last_.finished; ++i) {
+    if (interpreter_->isHeldBack(i)) {
+      result_.held_back.push_back(i);
+    }
+  }
   return std::move(result_);
 }
 

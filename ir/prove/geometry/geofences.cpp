@@ -57,7 +57,9 @@ GeofenceVerdict judgeGeofences(const std::vector<Geofence>& geofences,
                                const ProofContext& proof_context, double dark_s, Ending& ending) {
   const auto end = ending.by(kLongest);
   if (!end) {
-    return {false, 0, 0, "the mission is not known to end within three days"};
+    return {false, 0, 0,
+            "a geofence is decided only of a mission that ends within three days, by a case with a "
+            "clock"};
   }
   const Steering steering = steeringOf(proof_context);
   const double off_legs = offLegs(proof_context, steering.by_heading, *end, dark_s);

@@ -117,6 +117,13 @@ std::vector<std::string> endLines(const ProofContext& proof_context, Ending& end
   return lines;
 }
 
+/// What makes an end certain only then.
+const char* withoutCuts(const ProofContext& proof_context) {
+  return proof_context.tick_gap_s > proof_context.withoutPowerCuts().tick_gap_s
+             ? ", unless the SBC is without power"
+             : "";
+}
+
 /// Under what the mission assumes of outages: nothing is said of others.
 void tellEnd(Proof& proof) {
   const Assumption* outage = assumedOutage(proof.proof_context.mission);
@@ -143,7 +150,8 @@ void passes::ends(Proof& proof) {
                            : boundOf(proof.proof_context.withoutPowerCuts(), kAtOnce, Goal::Exit);
   if (end.by && *end.by <= kAtOnce) {
     proof.diagnostics.report(support::diagnostics::endsAtOnce,
-                             proof.proof_context.mission.states.front().range, durationOf(*end.by));
+                             proof.proof_context.mission.states.front().range,
+                             durationOf(*end.by) + withoutCuts(proof.proof_context));
   } else if (report) {
     tellEnd(proof);
   }

@@ -76,6 +76,22 @@ void noteStory(support::DiagnosticBuilder& error, const Counterexample& run,
   }
 }
 
+/// What would have led on, had it been tried. A case whose own target is in use has led there.
+void noteHeldBack(support::DiagnosticBuilder& error, const Counterexample& run,
+                  const Mission& mission) {
+  for (const uint32_t number : run.held_back) {
+    const Case& c = mission.always[number];
+    const bool led_here = c.target.valid() && mission[c.target].name == run.state;
+    if (!led_here && !staysIn(c.transition)) {
+      error.note(c.range,
+                 fmt::format("this case is true then, but not tried in `{}`: a case above it "
+                             "in `always` led there, or its target waits",
+                             run.state));
+      return;
+    }
+  }
+}
+
 /// As it would be set: a time of the calendar if the usual value is one.
 std::string parameterText(double value, double usual, const Type& type) {
   constexpr double kYear_s = 365 * 86400.0;
@@ -173,6 +189,7 @@ void reportViolation(const Requirement& requirement, const Counterexample& run,
                                   howBroken(requirement, run, proof_context.mission));
   noteDue(error, requirement, run);
   noteStory(error, run, proof_context.mission);
+  noteHeldBack(error, run, proof_context.mission);
   noteParameters(error, requirement, run, proof_context.mission);
   notePowerCuts(error, requirement, run, proof_context);
   noteWhatTheSeaDecides(error, requirement, proof_context);

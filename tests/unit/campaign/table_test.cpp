@@ -26,6 +26,7 @@ Verdict flownVerdict(Verdict::Outcome outcome, double deepest_m, uint32_t releas
   verdict.releases = releases;
   verdict.violation = outcome == Verdict::Outcome::Violation ? "too deep" : "";
   verdict.violation_s = 99.6;
+  verdict.take_s = 8;
   return verdict;
 }
 
@@ -47,6 +48,22 @@ TEST(OutcomeName, DistinguishesExitsWithAndWithoutRelease) {
   EXPECT_STREQ(outcomeName(kAfter), "exited after release");
   EXPECT_STREQ(outcomeName(kBack), "released");
   EXPECT_STREQ(outcomeName(kBroken), "VIOLATION");
+}
+
+TEST(CampaignTable, SaysWhereTheMissionNeverFlew) {
+  Verdict idle = kBack;
+  idle.take_s = 0;
+  const auto with = [&](FaultKind first, std::vector<std::optional<Verdict>> verdicts) {
+    CampaignResult result;
+    result.verdicts = std::move(verdicts);
+    return campaignTable(tablePlan({first, FaultKind::Power}), result);
+  };
+  const char* const kLine = "the mission was never in control of the vehicle";
+  EXPECT_THAT(with(FaultKind::None, {idle, kExited, kExited}),
+              HasSubstr("in 1 of 3 flights the mission was never in control of the vehicle"));
+  EXPECT_THAT(with(FaultKind::Clock, {idle, kExited, kExited}), Not(HasSubstr(kLine)));
+  EXPECT_THAT(with(FaultKind::Clock, {idle, idle, kExited}), HasSubstr(kLine));
+  EXPECT_THAT(with(FaultKind::None, {kExited, idle, kExited}), Not(HasSubstr(kLine)));
 }
 
 TEST(CampaignTable, CountsByKindByMannerAndByWhatFlew) {

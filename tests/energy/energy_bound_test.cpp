@@ -164,6 +164,19 @@ TEST(EnergyBound, StatesThatFollowOneAnotherAtOnceAreNamed) {
   EXPECT_LT(slow.watts, bound.watts / 2);
 }
 
+TEST(EnergyBound, AChainThatLastsForYearsHasAnEnd) {
+  std::string text;
+  for (int i = 0; i < 20; ++i) {
+    text += stateText(fmt::format("s{}", i), "surfaced",
+                      fmt::format("    case statetime > 30 days goto s{}\n", i + 1));
+  }
+  const EnergyBound bound =
+      boundOf(text + stateText("s20", "surfaced", "    case statetime > 1 min exit\n"));
+  ASSERT_TRUE(bound.joules);
+  EXPECT_NEAR(*bound.joules / (20 * 30 * 24 * kHour_s),
+              always() + amountOf(platforms::DrawWhen::Surface), 0.1);
+}
+
 TEST(EnergyBound, CountersEndWhatWouldGoOn) {
   const auto with = [](const char* counts) {
     return boundOf(

@@ -47,6 +47,7 @@ class MissionGraph {
  public:
   MissionGraph(const ProofContext& proof_context, const EndBound& end, const GreatestPower& power)
       : seen_(proof_context.withDepthKnown()),
+        legs_(seen_),
         m_(seen_.mission),
         end_(end),
         power_(power),
@@ -80,6 +81,10 @@ class MissionGraph {
     EnergyBound found = forLong(graph);
     if (end_.by) {
       untilTheEnd(graph, found);
+    } else if (!(found.watts > 0)) {
+      // It comes to an end, later than any that is looked for.
+      found.joules = found.start_j;
+      found.devices = power_.byDevice(graph.greatestWalk(0));
     }
     for (uint32_t i = 0; i < m_.states.size(); ++i) {
       if (states_[i]) {
@@ -113,7 +118,7 @@ class MissionGraph {
       found.start_j = start * kRoundedUp;
       found.devices = found.joules ? found.devices : power_.byDevice(line.rate);
     }
-    if (found.joules && watts * *end_.by + start < *found.joules) {
+    if (found.joules && end_.by && watts * *end_.by + start < *found.joules) {
       found.joules = (watts * *end_.by + start) * kRoundedUp;
       found.devices = power_.byDevice(line.rate * *end_.by + line.offset);
     }
@@ -154,7 +159,7 @@ class MissionGraph {
     if (fresh) {
       const uint32_t state = places_.all[entered.place].state;
       if (!states_[state]) {
-        states_[state] = energyOf(seen_, power_, {state}, depths_[state]);
+        states_[state] = energyOf(legs_, power_, {state}, depths_[state]);
       }
       entered_.push_back(entered);
     }
@@ -279,6 +284,7 @@ class MissionGraph {
   }
 
   ProofContext seen_;
+  LegContext legs_;
   const Mission& m_;
   const EndBound& end_;
   const GreatestPower& power_;

@@ -54,15 +54,16 @@ Drive driveOf(Command command, const Commanded& of) {
 
 class LegSearch {
  public:
-  LegSearch(const ProofContext& seen, StateId id)
-      : seen_(seen),
-        m_(seen.mission),
+  LegSearch(const LegContext& context, StateId id)
+      : context_(context),
+        seen_(context.seen),
+        m_(seen_.mission),
         id_(id),
         profile_(m_[id].profile),
-        values_(anyValues(m_)),
-        guards_(seen, values_, std::numeric_limits<double>::infinity()),
+        values_(context.values),
+        guards_(context.guards),
         timers_(timersOfProfile(m_, guards_, id)),
-        ways_(seen, profile_) {}
+        ways_(seen_, profile_) {}
 
   ProfileLegs run() {
     gatherSet();
@@ -94,7 +95,7 @@ class LegSearch {
   /// Two commands of one kind lead both ways if their targets differ, and so does one whose target
   /// moves; one with an unknown argument changes nothing (S4).
   void gatherCommands() {
-    const std::vector<Interval> held = heldIntervals(m_);
+    const std::vector<Interval>& held = context_.held;
     for (const Statement* statement : commandsOf(m_, profile_)) {
       if (!isVertical(statement->command)) {
         continue;
@@ -277,12 +278,13 @@ class LegSearch {
                                [&](const Mode& to) { return to.command != mode.command; });
   }
 
+  const LegContext& context_;
   const ProofContext& seen_;
   const Mission& m_;
   StateId id_;
   const Activity& profile_;
-  Valuation values_;
-  TimerGuards guards_;
+  const Valuation& values_;
+  const TimerGuards& guards_;
   std::vector<VariableId> timers_;
   ModeWays ways_;
   std::map<Command, Commanded> commanded_;
@@ -293,8 +295,14 @@ class LegSearch {
 
 }  // namespace
 
-ProfileLegs legsOf(const ProofContext& seen, StateId state) {
-  return LegSearch(seen, state).run();
+LegContext::LegContext(const ProofContext& known)
+    : seen(known),
+      held(heldIntervals(known.mission)),
+      values(anyValues(known.mission)),
+      guards(known, values, std::numeric_limits<double>::infinity()) {}
+
+ProfileLegs legsOf(const LegContext& context, StateId state) {
+  return LegSearch(context, state).run();
 }
 
 }  // namespace glider::ir::prove

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ir/prove/abstract/profile_modes.h"
+#include "ir/prove/abstract/timer_guards.h"
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/energy/depth_condition.h"
 #include "ir/prove/energy/depth_span.h"
@@ -57,9 +58,23 @@ struct ProfileLegs {
   double steepest_rad = 0;  ///< the greatest pitch that is commanded
 };
 
-/// `seen`: a context in which the depth is known (ProofContext::withDepthKnown). A profile whose
+/// What the search in each state of a mission uses.
+struct LegContext {
+  /// `known`: a context in which the depth is known (ProofContext::withDepthKnown); it outlives
+  /// this.
+  explicit LegContext(const ProofContext& known);
+  LegContext(const LegContext&) = delete;
+  LegContext& operator=(const LegContext&) = delete;
+
+  const ProofContext& seen;
+  std::vector<Interval> held;  ///< of every expression
+  Valuation values;            ///< any
+  TimerGuards guards;
+};
+
+/// A profile whose
 /// commands cannot be followed (in C, with many truth values, or beside other commands about depth)
 /// is one leg that drives anywhere; so is a leg by a command whose target or pitch may change.
-ProfileLegs legsOf(const ProofContext& seen, StateId state);
+ProfileLegs legsOf(const LegContext& context, StateId state);
 
 }  // namespace glider::ir::prove

@@ -32,6 +32,10 @@ struct BegunLeg {
   bool from_surface = false;
 };
 
+double noiseOf(const ProofContext& seen) {
+  return seen.depth ? seen.platformSensor(*seen.depth)->noise : 0;
+}
+
 /// Out and in again.
 EnergyUse pumped(const GreatestPower& power, double cc, double depth_m) {
   EnergyUse use;
@@ -42,10 +46,10 @@ EnergyUse pumped(const GreatestPower& power, double cc, double depth_m) {
 
 class StateGraph {
  public:
-  StateGraph(const ProofContext& seen, const GreatestPower& power, StateId state, double deepest_m)
-      : m_(seen.mission),
-        noise_m_(seen.depth ? seen.platformSensor(*seen.depth)->noise : 0),
-        platform_(seen.platform),
+  StateGraph(const LegContext& context, const GreatestPower& power, StateId state, double deepest_m)
+      : m_(context.seen.mission),
+        noise_m_(noiseOf(context.seen)),
+        platform_(context.seen.platform),
         model_(*platform_.power.bounds),
         power_(power),
         // A hull's own limit, where the commands have none.
@@ -53,7 +57,7 @@ class StateGraph {
                                            platform_.envelope.inflection_overshoot_m)),
         stroke_cc_(2 * platform_.envelope.pump_cc),
         stroke_s_(stroke_cc_ / platform_.motion->pump_rate_cc_s),
-        legs_(legsOf(seen, state)),
+        legs_(legsOf(context, state)),
         fastest_m_s_(fastest()) {}
 
   StateEnergy run() {
@@ -301,9 +305,9 @@ EnergyLine restlessLine(const GreatestPower& power, const platforms::Platform& p
   return line;
 }
 
-StateEnergy energyOf(const ProofContext& seen, const GreatestPower& power, StateId state,
+StateEnergy energyOf(const LegContext& context, const GreatestPower& power, StateId state,
                      double deepest_m) {
-  return StateGraph(seen, power, state, deepest_m).run();
+  return StateGraph(context, power, state, deepest_m).run();
 }
 
 }  // namespace glider::ir::prove

@@ -5,6 +5,7 @@
 
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/energy/energy_lines.h"
+#include "ir/prove/energy/profile_legs.h"
 
 namespace glider::ir::prove {
 
@@ -20,9 +21,8 @@ struct StateEnergy {
 EnergyLine restlessLine(const GreatestPower& power, const platforms::Platform& platform,
                         double deepest_m);
 
-/// `seen`: a context in which the depth is known. `deepest_m`: of the state. The platform has
-/// Power::bounds.
-StateEnergy energyOf(const ProofContext& seen, const GreatestPower& power, StateId state,
+/// `deepest_m`: of the state. The platform has Power::bounds.
+StateEnergy energyOf(const LegContext& context, const GreatestPower& power, StateId state,
                      double deepest_m);
 
 }  // namespace glider::ir::prove

@@ -231,6 +231,8 @@ void ErrorStrategy::complainOfTransition(const Lexeme& before, const Lexeme& fou
       report.hint(fmt::format("did you mean `{}`?", meant));
     } else if (isStateName(reporter_.source(), word)) {
       report.hint(fmt::format("write `goto {0}` or `call {0}`", word));
+    } else if (word == "surface" || word == "surfaced") {
+      report.hint("write `goto` and a state with `flightprofile surfaced`");
     }
   } else {
     expected("an operator, or `goto`, `call`, `return`, `exit` or `stay`", found);

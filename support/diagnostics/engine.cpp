@@ -44,6 +44,13 @@ DiagnosticBuilder DiagnosticEngine::add(Diagnostic diagnostic) {
   return DiagnosticBuilder(diagnostics_.back());
 }
 
+bool DiagnosticEngine::hasErrorIn(const SourceRange& range) const {
+  return errors_ > 0 && std::ranges::any_of(diagnostics_, [&](const Diagnostic& one) {
+           return one.severity == Severity::Error && one.range.file == range.file &&
+                  one.range.begin >= range.begin && one.range.begin < range.end;
+         });
+}
+
 std::vector<Diagnostic> DiagnosticEngine::sorted() const {
   auto key = [](const Diagnostic& d) {
     return std::tuple(d.range.file, d.range.begin, d.range.end, d.id, std::string_view(d.message));

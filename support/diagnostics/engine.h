@@ -39,6 +39,8 @@ class DiagnosticEngine {
 
   [[nodiscard]] bool hasErrors() const { return errors_ > 0; }
   [[nodiscard]] size_t errorCount() const { return errors_; }
+  /// Whether an error begins in `range`.
+  [[nodiscard]] bool hasErrorIn(const SourceRange& range) const;
   [[nodiscard]] size_t warningCount() const { return warnings_; }
   /// All diagnostics sorted by file and position, exact duplicates dropped.
   [[nodiscard]] std::vector<Diagnostic> sorted() const;

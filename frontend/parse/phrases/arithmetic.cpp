@@ -68,6 +68,28 @@ size_t readingAtDepth(Phrase& phrase) {
   return 1 + depth;
 }
 
+/// `distance to home`.
+size_t distanceTo(Phrase& phrase) {
+  const bool function = phrase.says(0, "distance") || phrase.says(0, "bearing");
+  const bool to = oneOf(phrase.type(1), {GliderLexer::TO, GliderLexer::FROM});
+  if (!function || !to || !isName(phrase.type(2)) || phrase.startsLine(2) ||
+      endsValue(phrase.before()) || phrase.isDeclared(phrase.text())) {
+    return 0;
+  }
+  const Lexeme name = phrase.token();
+  const Lexeme place = phrase.token(2);
+  const Lexeme whole = phrase.whole(0, 3);
+  const std::string better = fmt::format("{}({})", phrase.text(), phrase.text(2));
+  phrase.reporter()
+      .at(whole, support::diagnostics::argumentsWithoutParentheses, phrase.text(), better)
+      .fix(phrase.source().range(whole), better);
+  phrase.put(name);
+  phrase.put({GliderLexer::LPAREN, name.end, name.end});
+  phrase.put(place);
+  phrase.insert(GliderLexer::RPAREN);
+  return 3;
+}
+
 /// The tokens from token `first` to the end of the value there, for any tokens in it.
 size_t tokensToEndOfValue(const Phrase& phrase, size_t first) {
   constexpr size_t kFarthest = 60;
@@ -152,7 +174,7 @@ size_t percentOf(Phrase& phrase) {
 }
 
 size_t arithmeticWords(Phrase& phrase) {
-  return phrase.readsValues() ? firstOf(phrase, {wordForSign, readingAtDepth}) : 0;
+  return phrase.readsValues() ? firstOf(phrase, {wordForSign, readingAtDepth, distanceTo}) : 0;
 }
 
 size_t conditionalValue(Phrase& phrase) {

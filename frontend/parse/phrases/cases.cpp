@@ -18,12 +18,20 @@ namespace {
 struct Condition {
   size_t tokens = 0;  ///< 0: there is no condition
   size_t then = 0;    ///< a `then` after it: its number
+  size_t arrow = 0;   ///< the tokens of an arrow after it
   size_t transition = 0;
 };
 
 bool isWord(const Phrase& phrase, size_t k, std::string_view keyword) {
   return isAnyName(phrase.type(k)) || isHardKeyword(phrase.type(k)) ? phrase.says(k, keyword)
                                                                     : false;
+}
+
+/// The tokens of an arrow at `k` that leads to a transition: elsewhere `=>` is a comparison.
+size_t tokensOfLeadingArrow(const Phrase& phrase, size_t k) {
+  const size_t tokens = tokensOfArrow(phrase, k);
+  const uint32_t next = phrase.type(k + tokens);
+  return isTransition(next) || next == GliderLexer::DO ? tokens : 0;
 }
 
 /// The condition from token `first` on, if a transition follows on its line, perhaps after `then`
@@ -33,14 +41,17 @@ Condition conditionFrom(const Phrase& phrase, size_t first) {
   const size_t line = phrase.tokensOfLine();
   size_t k = first;
   while (k < line && !isTransition(phrase.type(k)) && phrase.type(k) != GliderLexer::DO &&
-         !isWord(phrase, k, "then")) {
+         !isWord(phrase, k, "then") && tokensOfLeadingArrow(phrase, k) == 0) {
     ++k;
   }
   const size_t count = k - first;
-  const size_t value = tokensOfValue(phrase, first, false);
-  if (k >= line || count == 0 || value != count) {
+  found.arrow = tokensOfLeadingArrow(phrase, k);
+  const bool value = found.arrow > 0 ? readsAsValue(phrase, first, count)
+                                     : tokensOfValue(phrase, first, false) == count;
+  if (k >= line || count == 0 || !value) {
     return {};
   }
+  k += found.arrow;
   if (isWord(phrase, k, "then")) {
     found.then = k++;
   }
@@ -93,6 +104,11 @@ support::DiagnosticBuilder report(Phrase& phrase, size_t tokens) {
 /// Removes the `then` and the `end` around a condition that are not those of a case.
 void dropThenAndEnd(Phrase& phrase, const Condition& condition,
                     support::DiagnosticBuilder& builder) {
+  for (size_t k = condition.transition - condition.arrow;
+       condition.then == 0 && k < condition.transition; ++k) {
+    builder.fix(phrase.source().range(phrase.token(k)), "");
+    phrase.leaveOut(k);
+  }
   if (condition.then == 0) {
     return;
   }
@@ -106,11 +122,104 @@ void dropThenAndEnd(Phrase& phrase, const Condition& condition,
   }
 }
 
+/// `if depth > 30 m then call up else call down end` on one line: two cases, which only the pilot
+/// can put in order.
+size_t ifElseAsCases(Phrase& phrase, size_t tokens, const Condition& condition) {
+  const size_t other = condition.transition + tokensOfTransition(phrase, condition.transition);
+  const size_t line = phrase.tokensOfLine();
+  if (!isWord(phrase, other, "else") || other >= line || !isTransition(phrase.type(other + 1))) {
+    return 0;
+  }
+  report(phrase, tokens)
+      .hint(fmt::format("write two cases: `case {} {}`, and below it `case true {}`, after which "
+                        "no case is tried",
+                        phrase.wholeText(tokens, condition.tokens),
+                        phrase.wholeText(condition.transition, other - condition.transition),
+                        phrase.wholeText(other + 1, tokensOfTransition(phrase, other + 1))));
+  if (condition.then != 0) {
+    phrase.leaveOut(condition.then);
+  }
+  for (size_t k = other; k < line; ++k) {
+    phrase.leaveOut(k);
+  }
+  phrase.put(phrase.whole(0, tokens, GliderLexer::CASE));
+  return tokens;
+}
+
+/// `if depth > 30 m then log "deep" end` among cases: a case whose block does it.
+size_t ifWithActions(Phrase& phrase, size_t tokens) {
+  constexpr size_t kFarthest = 100;
+  const size_t line = phrase.tokensOfLine();
+  size_t then = tokens;
+  while (then < line && !isWord(phrase, then, "then")) {
+    ++then;
+  }
+  if (then >= line || !oneOf(phrase.type(then + 1), {GliderLexer::SET, GliderLexer::LOG}) ||
+      tokensOfValue(phrase, tokens, false) != then - tokens) {
+    return 0;
+  }
+  size_t end = then + 1;
+  while (end < kFarthest && phrase.type(end) != GliderLexer::END) {
+    const uint32_t type = phrase.type(end);
+    if (startsItem(type) || isTransition(type) ||
+        oneOf(type, {kEof, GliderLexer::CASE, GliderLexer::IF, GliderLexer::ELSE})) {
+      return 0;
+    }
+    ++end;
+  }
+  if (end >= kFarthest || !phrase.startsLine(end + 1) || startsItem(phrase.type(end + 1)) ||
+      startsMember(phrase.type(end + 1))) {
+    return 0;
+  }
+  report(phrase, tokens)
+      .hint(
+          fmt::format("write `case {} do … end stay`, or with `became(…)` around the condition to "
+                      "do it once",
+                      phrase.wholeText(tokens, then - tokens)));
+  phrase.put(phrase.whole(0, tokens, GliderLexer::CASE));
+  for (size_t k = tokens; k < then; ++k) {
+    phrase.put(phrase.token(k));
+  }
+  phrase.put({GliderLexer::DO, phrase.token(then).begin, phrase.token(then).end});
+  phrase.supplyBefore(end + 1, GliderLexer::STAY);
+  return then + 1;
+}
+
+/// `unless battery > 12 V goto back`, `until battery < 12 V stay`.
+size_t otherConditionWord(Phrase& phrase) {
+  const bool unless = isWord(phrase, 0, "unless");
+  const bool stays = isWord(phrase, 0, "while") || isWord(phrase, 0, "until");
+  const Condition condition = unless || stays ? conditionFrom(phrase, 1) : Condition{};
+  if (condition.tokens == 0 || !readsAsValue(phrase, 1, condition.tokens)) {
+    return 0;
+  }
+  const Lexeme word = phrase.token();
+  const Lexeme last = phrase.token(condition.tokens);
+  const std::string_view text = phrase.wholeText(1, condition.tokens);
+  auto builder = report(phrase, 1);
+  if (unless) {
+    builder.hint(fmt::format("write `case !({}) …`", text))
+        .fix({phrase.source().file, word.begin, phrase.token(1).begin}, "case !(")
+        .fix({phrase.source().file, last.end, last.end}, ")");
+  } else if (phrase.type(condition.transition) == GliderLexer::STAY) {
+    builder.hint(
+        fmt::format("a state lasts until a case leaves it: write `case {} goto …`",
+                    isWord(phrase, 0, "while") ? fmt::format("!({})", text) : std::string(text)));
+  } else {
+    builder.hint(fmt::format("write `case {} …`", text));
+  }
+  phrase.put({GliderLexer::CASE, word.begin, word.end});
+  return 1;
+}
+
 /// `if temp > 20 degC then call up end` is a case. The words around its condition go with it.
 size_t ifAsCase(Phrase& phrase, size_t tokens) {
   const Condition condition = conditionFrom(phrase, tokens);
   if (condition.tokens == 0) {
-    return 0;
+    return ifWithActions(phrase, tokens);
+  }
+  if (const size_t taken = ifElseAsCases(phrase, tokens, condition)) {
+    return taken;
   }
   const Source& source = phrase.source();
   auto builder = report(phrase, tokens);
@@ -212,9 +321,12 @@ size_t conditionAlone(Phrase& phrase) {
     return 0;
   }
   const Lexeme word = phrase.token();
-  report(phrase, 1)
-      .hint(fmt::format("write `case {} …`", phrase.wholeText(0, condition.tokens)))
+  auto builder = report(phrase, 1);
+  builder.hint(fmt::format("write `case {} …`", phrase.wholeText(0, condition.tokens)))
       .fix({phrase.source().file, word.begin, word.begin}, "case ");
+  if (condition.arrow > 0) {
+    dropThenAndEnd(phrase, condition, builder);
+  }
   phrase.put({GliderLexer::CASE, word.begin, word.begin});
   phrase.put(word);
   return 1;
@@ -233,11 +345,7 @@ size_t caseWord(Phrase& phrase) {
   if (const size_t tokens = tokensOfIf(phrase)) {
     return ifAsCase(phrase, tokens);
   }
-  if (const size_t taken = elseAsCase(phrase)) {
-    return taken;
-  }
-  const size_t taken = clockAsCase(phrase);
-  return taken != 0 ? taken : conditionAlone(phrase);
+  return firstOf(phrase, {elseAsCase, otherConditionWord, clockAsCase, conditionAlone});
 }
 
 size_t ifInCase(Phrase& phrase) {

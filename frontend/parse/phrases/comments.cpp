@@ -87,11 +87,20 @@ size_t bareProse(Phrase& phrase) {
 
 }  // namespace
 
-size_t lineOfMi(Phrase& phrase) {
+namespace {
+
+/// Whether a line of a `.mi` begins at token `k`: `b_arg: …`.
+bool beginsLineOfMi(const Phrase& phrase, size_t k) {
   const bool word =
-      phrase.says(0, "b_arg") || phrase.says(0, "behavior") || phrase.says(0, "sensor");
-  if (!phrase.startsLine() || !word || phrase.type(1) != GliderLexer::COLON ||
-      phrase.startsLine(1)) {
+      phrase.says(k, "b_arg") || phrase.says(k, "behavior") || phrase.says(k, "sensor");
+  return phrase.startsLine(k) && word && phrase.type(k + 1) == GliderLexer::COLON &&
+         !phrase.startsLine(k + 1);
+}
+
+}  // namespace
+
+size_t lineOfMi(Phrase& phrase) {
+  if (!beginsLineOfMi(phrase, 0)) {
     return 0;
   }
   const Lexeme found = phrase.whole(0, 2);
@@ -101,7 +110,14 @@ size_t lineOfMi(Phrase& phrase) {
       .hint(
           "that is a line of a `.mi`: docs/from-mi.md has what it is in a mission, as "
           "`d_target_depth` is `bottom` of `yo(top = …, bottom = …)`");
-  return phrase.tokensOfLine();
+  phrase.notAsMeant();  // nothing else is missing where the others are
+  size_t tokens = phrase.tokensOfLine();
+  while (beginsLineOfMi(phrase, tokens)) {
+    do {
+      ++tokens;
+    } while (!phrase.startsLine(tokens) && phrase.type(tokens) != kEof);
+  }
+  return tokens;
 }
 
 size_t comment(Phrase& phrase) {

@@ -109,7 +109,12 @@ size_t tokensOfComparisonBefore(const Phrase& phrase) {
 }  // namespace
 
 size_t forATime(Phrase& phrase) {
-  const size_t time = tokensOfNumber(phrase, 1);
+  constexpr std::string_view kLeast[] = {"at least", "more than", "longer than", "over"};
+  size_t words = 0;  // `for at least 1 min`
+  for (const std::string_view least : kLeast) {
+    words = words == 0 ? tokensOfWords(phrase, 1, least) : words;
+  }
+  const size_t time = tokensOfQuantity(phrase, 1 + words);
   if (time == 0 || phrase.keyword() != GliderLexer::CASE || !endsValue(phrase.before())) {
     return 0;
   }
@@ -121,11 +126,11 @@ size_t forATime(Phrase& phrase) {
     phrase.reporter()
         .at(word, support::diagnostics::unexpectedToken, "`,`", describe(source, word))
         .hint("write `,` for it")
-        .fix({source.file, last.end, word.end}, ",");
+        .fix({source.file, last.end, phrase.token(words).end}, ",");
     phrase.put({GliderLexer::COMMA, word.begin, word.end});
-    return 1;
+    return 1 + words;
   }
-  const std::string_view duration = phrase.wholeText(1, time);
+  const std::string_view duration = phrase.wholeText(1 + words, time);
   const size_t count = tokensOfComparisonBefore(phrase);
   auto report = phrase.reporter().at(word, support::diagnostics::unexpectedToken, "an operator",
                                      describe(source, word));
@@ -136,9 +141,38 @@ size_t forATime(Phrase& phrase) {
     const std::string better =
         fmt::format("held({}, {})", source.text({0, begin, last.end}), duration);
     report.hint(fmt::format("write `{}`", better))
-        .fix({source.file, begin, phrase.token(time).end}, better);
+        .fix({source.file, begin, phrase.token(words + time).end}, better);
   }
-  return 1 + time;
+  return 1 + words + time;
+}
+
+size_t valueForCondition(Phrase& phrase) {
+  const bool joins = oneOf(phrase.type(), {GliderLexer::OR, GliderLexer::OR_WORD, GliderLexer::AND,
+                                           GliderLexer::AND_WORD});
+  const size_t compared = joins && phrase.readsValues() ? tokensOfComparisonBefore(phrase) : 0;
+  const size_t value = compared == 0 ? 0 : tokensOfQuantity(phrase, 1);
+  const uint32_t next = phrase.type(1 + value);
+  const bool ends = isTransition(next) || oneOf(next, {GliderLexer::DO, GliderLexer::THEN,
+                                                       GliderLexer::RPAREN, GliderLexer::COMMA});
+  if (value < 2 || !ends) {
+    return 0;
+  }
+  const Lexeme name = *phrase.lexemeBefore(compared - 1);
+  const Lexeme sign = *phrase.lexemeBefore(compared - 2);
+  const Lexeme word = phrase.token();
+  const bool either = oneOf(word.type, {GliderLexer::OR, GliderLexer::OR_WORD});
+  const Source& source = phrase.source();
+  phrase.reporter()
+      .at(phrase.token(1), support::diagnostics::unexpectedToken, "a condition",
+          describe(source, phrase.token(1)))
+      .hint(fmt::format("write the name again: `{} {} {} {} {}`",
+                        source.text({0, name.begin, phrase.lexemeBefore()->end}),
+                        either ? "||" : "&&", source.text(name), source.text(sign),
+                        phrase.wholeText(1, value)));
+  phrase.put({either ? GliderLexer::OR : GliderLexer::AND, word.begin, word.end});
+  phrase.put(name);
+  phrase.put(sign);
+  return 1;
 }
 
 }  // namespace glider::frontend::phrases

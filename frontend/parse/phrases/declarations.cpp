@@ -194,24 +194,37 @@ size_t wordOfOtherLanguage(Phrase& phrase) {
   return 1;
 }
 
-/// `length d = 5 m`.
+/// Whether the type is one of C and other languages.
+bool isForeignType(std::string_view word) {
+  constexpr std::array<std::string_view, 8> kTypes = {"float", "double", "int",     "integer",
+                                                      "real",  "long",   "boolean", "unsigned"};
+  return std::ranges::find(kTypes, word) != kTypes.end();
+}
+
+/// `length d = 5 m`, `float talked = 0;`.
 size_t typeFirst(Phrase& phrase) {
   const bool begins =
       phrase.before() == 0 || phrase.before() == GliderLexer::END || endsValue(phrase.before());
+  const bool foreign = isForeignType(phrase.text());
   if (!isName(phrase.type()) || !begins || !phrase.startsLine() || !phrase.open().empty() ||
-      !isTypeName(phrase.text()) || !isName(phrase.type(1)) ||
+      !(foreign || isTypeName(phrase.text())) || !isName(phrase.type(1)) ||
       phrase.type(2) != GliderLexer::ASSIGN) {
     return 0;
   }
+  const size_t value = tokensOfValue(phrase, 3, false);
+  if (phrase.type(3 + value) == GliderLexer::SEMICOLON && !phrase.startsLine(3 + value)) {
+    phrase.leaveOut(3 + value);  // the pilot writes the whole line
+  }
+  const std::string_view ours = foreign ? typeOf(phrase, 3) : phrase.text();
+  const std::string_view typed = ours.empty() ? "number" : ours;
   if (isSetLater(phrase, phrase.text(1))) {
-    return putVariable(phrase, phrase.text());
+    return putVariable(phrase, typed);
   }
   const Lexeme type = phrase.token();
   const std::string_view name = phrase.text(1);
   phrase.reporter()
       .at(phrase.whole(0, 2), support::diagnostics::missingKeyword, phrase.wholeText(0, 2), "const")
-      .hint(fmt::format("write `const {1} = …`, or `var {1}: {0} = …` if it changes", phrase.text(),
-                        name));
+      .hint(fmt::format("write `const {1} = …`, or `var {1}: {0} = …` if it changes", typed, name));
   phrase.put({GliderLexer::CONST, type.begin, type.end});
   return 1;
 }
@@ -251,6 +264,53 @@ size_t range(Phrase& phrase) {
   return first + 1 + second;
 }
 
+namespace {
+
+/// `yo 5 m 50 m`: how many numbers with their units the next `count` tokens are; 0: something else
+/// is among them, or they are parts of one value.
+size_t numbersWithoutCommas(const Phrase& phrase, size_t count) {
+  size_t numbers = 0;
+  for (size_t k = 0; k < count; ++numbers) {
+    const size_t number = tokensOfNumber(phrase, k);
+    const bool unit = number >= 2 && phrase.type(k + number - 1) == GliderLexer::UNIT;
+    if (!unit || tokensOfQuantity(phrase, k) != number) {
+      return 0;
+    }
+    k += number;
+  }
+  return numbers;
+}
+
+/// Reports `yo 5 m 50 m` and puts its arguments.
+size_t takeNumbers(Phrase& phrase, size_t line) {
+  const Lexeme callee = *phrase.lexemeBefore();
+  std::string better = "(";
+  for (size_t k = 0; k < line; k += tokensOfNumber(phrase, k)) {
+    better +=
+        fmt::format("{}{}", k == 0 ? "" : ", ", phrase.wholeText(k, tokensOfNumber(phrase, k)));
+  }
+  better += ")";
+  const Lexeme list = phrase.whole(0, line);
+  phrase.reporter()
+      .at(list, support::diagnostics::argumentsWithoutParentheses, phrase.source().text(callee),
+          std::string(phrase.source().text(callee)) + better)
+      .fix({phrase.source().file, callee.end, list.end}, better);
+  phrase.insert(GliderLexer::LPAREN);
+  for (size_t k = 0; k < line;) {
+    const size_t end = k + tokensOfNumber(phrase, k);
+    for (; k < end; ++k) {
+      phrase.put(phrase.token(k));
+    }
+    if (k < line) {
+      phrase.insert(GliderLexer::COMMA);
+    }
+  }
+  phrase.insert(GliderLexer::RPAREN);
+  return line;
+}
+
+}  // namespace
+
 size_t withoutParentheses(Phrase& phrase) {
   const bool name = isAnyName(phrase.before()) &&
                     oneOf(phrase.before(1), {GliderLexer::FLIGHTPROFILE, GliderLexer::FLIGHTROUTE});
@@ -263,6 +323,9 @@ size_t withoutParentheses(Phrase& phrase) {
     return 0;
   }
   const size_t line = phrase.tokensOfLine();
+  if (!brackets && numbersWithoutCommas(phrase, line) > 1) {
+    return takeNumbers(phrase, line);
+  }
   const size_t first = brackets ? 1 : 0;
   const size_t end = brackets ? line - 1 : line;
   if (brackets && phrase.type(line - 1) != GliderLexer::RBRACKET) {
@@ -433,6 +496,23 @@ size_t importWithoutQuotes(Phrase& phrase) {
   phrase.put(name);
   phrase.notAsMeant();
   return tokens;
+}
+
+size_t packWithoutAt(Phrase& phrase) {
+  const bool pack =
+      phrase.before(2) == GliderLexer::PACK && phrase.before(1) == GliderLexer::NUMBER;
+  const bool voltage = pack && tokensOfNumber(phrase, 0) == 2 && phrase.text(1) == "V";
+  if (!voltage || phrase.startsLine()) {
+    return 0;
+  }
+  const Lexeme number = phrase.token();
+  phrase.reporter()
+      .at(number, support::diagnostics::unexpectedToken, "`at`", describe(phrase.source(), number))
+      .hint(fmt::format("write `at {}`", phrase.wholeText(0, 2)))
+      .fix({phrase.source().file, number.begin, number.begin}, "at ");
+  phrase.insert(GliderLexer::AT);
+  phrase.put(number);
+  return 1;
 }
 
 }  // namespace glider::frontend::phrases

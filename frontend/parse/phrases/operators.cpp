@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "frontend/parse/phrases/comparing.h"
 #include "frontend/parse/phrases/repairs.h"
 #include "frontend/parse/token_kinds.h"
 #include "support/diagnostics/ids/syntax.h"
@@ -11,6 +12,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace glider::frontend::phrases {
@@ -54,28 +56,26 @@ constexpr ComparingWords kComparing[] = {{"greater than", ">", kGreater, ">=", k
                                          {"at most", "<=", kAtMost, "", 0}};
 
 /// Words before `below` and `above` that say that a value is there, or that it comes there.
-constexpr std::string_view kStanding[] = {"is", "stays", "remains", "gets"};
+constexpr std::string_view kStanding[] = {"must be",     "should be", "must stay",
+                                          "should stay", "has to be", "is",
+                                          "stays",       "remains",   "gets"};
 constexpr std::string_view kChanging[] = {"drops",  "falls", "sinks",   "goes", "rises",
                                           "climbs", "comes", "becomes", "turns"};
 
-bool saysOneOf(const Phrase& phrase, std::span<const std::string_view> words) {
-  return std::ranges::any_of(words, [&](auto word) { return phrase.says(0, word); });
+/// The tokens of the first of `words` that is found at token `k`.
+size_t tokensOfOneOf(const Phrase& phrase, size_t k, std::span<const std::string_view> words) {
+  for (const std::string_view one : words) {
+    if (const size_t tokens = tokensOfWords(phrase, k, one)) {
+      return tokens;
+    }
+  }
+  return 0;
 }
 
-/// The number of tokens of `words` from token `k` on; 0: there are others.
-size_t tokensOfWords(const Phrase& phrase, size_t k, std::string_view words) {
-  size_t tokens = 0;
-  while (!words.empty()) {
-    const size_t end = std::min(words.find(' '), words.size());
-    const uint32_t type = phrase.type(k + tokens);
-    const bool word = isAnyName(type) || isHardKeyword(type);
-    if (!word || !phrase.says(k + tokens, words.substr(0, end))) {
-      return 0;
-    }
-    words.remove_prefix(std::min(end + 1, words.size()));
-    ++tokens;
-  }
-  return tokens;
+/// `no more than` is at most.
+std::pair<std::string_view, uint32_t> negated(uint32_t sign) {
+  return sign == kGreater ? std::pair<std::string_view, uint32_t>("<=", kAtMost)
+                          : std::pair<std::string_view, uint32_t>(">=", kAtLeast);
 }
 
 /// Whether conditions are read here, and a value was.
@@ -132,15 +132,6 @@ size_t equalWords(Phrase& phrase) {
   return 0;
 }
 
-void putComparison(Phrase& phrase, const Lexeme& name, uint32_t sign, size_t first, size_t count) {
-  phrase.put(name);
-  const Lexeme& from = phrase.token(first);
-  phrase.put({sign, from.begin, from.begin});
-  for (size_t k = first; k < first + count; ++k) {
-    phrase.put(phrase.token(k));
-  }
-}
-
 struct Bounds {
   size_t low = 0;
   size_t low_tokens = 0;
@@ -149,16 +140,60 @@ struct Bounds {
   [[nodiscard]] size_t end() const { return high + high_tokens; }
 };
 
+/// The tokens of `18:00` from token `k` on; 0: there is no clock.
+size_t tokensOfClock(const Phrase& phrase, size_t k) {
+  const bool clock = phrase.type(k) == GliderLexer::NUMBER &&
+                     phrase.type(k + 1) == GliderLexer::COLON && phrase.touches(k + 1) &&
+                     phrase.type(k + 2) == GliderLexer::NUMBER && phrase.touches(k + 2);
+  return clock ? 3 : 0;
+}
+
+/// "18 h 30 min" of `18:30`.
+std::string hoursAndMinutes(std::string_view clock) {
+  const size_t colon = clock.find(':');
+  const std::string hours = fmt::format("{} h", clock.substr(0, colon));
+  const std::string_view minutes = clock.substr(colon + 1);
+  return minutes.find_first_not_of('0') == std::string_view::npos
+             ? hours
+             : fmt::format("{} {} min", hours, minutes.substr(minutes.find_first_not_of('0')));
+}
+
+/// The tokens of a bound: a number with its unit, or a time of the day after its clock.
+size_t tokensOfBound(const Phrase& phrase, size_t k) {
+  const Lexeme* name = phrase.lexemeBefore();
+  const bool of_day = name != nullptr && phrase.source().text(*name) == "timeofday";
+  const size_t clock = of_day ? tokensOfClock(phrase, k) : 0;
+  return clock > 0 ? clock : tokensOfNumber(phrase, k);
+}
+
+void putBound(Phrase& phrase, size_t first, size_t count) {
+  if (tokensOfClock(phrase, first) > 0) {
+    phrase.put(phrase.whole(first, count, GliderLexer::NUMBER));
+    phrase.notAsMeant();
+    return;
+  }
+  for (size_t k = first; k < first + count; ++k) {
+    phrase.put(phrase.token(k));
+  }
+}
+
+void putComparison(Phrase& phrase, const Lexeme& name, uint32_t sign, size_t first, size_t count) {
+  phrase.put(name);
+  const Lexeme& from = phrase.token(first);
+  phrase.put({sign, from.begin, from.begin});
+  putBound(phrase, first, count);
+}
+
 /// `A and B` or `A .. B` from token `first` on.
 std::optional<Bounds> boundsFrom(const Phrase& phrase, size_t first, bool range) {
   Bounds bounds;
   bounds.low = first;
-  bounds.low_tokens = tokensOfNumber(phrase, first);
+  bounds.low_tokens = tokensOfBound(phrase, first);
   const size_t between = first + bounds.low_tokens;
   const bool good = range ? phrase.type(between) == GliderLexer::RANGE
                           : oneOf(phrase.type(between), {GliderLexer::AND_WORD, GliderLexer::AND});
   bounds.high = between + 1;
-  bounds.high_tokens = tokensOfNumber(phrase, bounds.high);
+  bounds.high_tokens = tokensOfBound(phrase, bounds.high);
   return good && bounds.low_tokens > 0 && bounds.high_tokens > 0 ? std::optional(bounds)
                                                                  : std::nullopt;
 }
@@ -167,6 +202,9 @@ std::optional<Bounds> boundsFrom(const Phrase& phrase, size_t first, bool range)
 std::pair<std::string, std::string> textsOf(const Phrase& phrase, const Bounds& bounds) {
   std::string low(phrase.wholeText(bounds.low, bounds.low_tokens));
   std::string high(phrase.wholeText(bounds.high, bounds.high_tokens));
+  if (tokensOfClock(phrase, bounds.low) > 0 && tokensOfClock(phrase, bounds.high) > 0) {
+    return {hoursAndMinutes(low), hoursAndMinutes(high)};
+  }
   const bool bare_low = phrase.type(bounds.low + bounds.low_tokens - 1) == GliderLexer::NUMBER;
   const bool bare_high = phrase.type(bounds.end() - 1) == GliderLexer::NUMBER;
   if (bare_low && !bare_high) {
@@ -179,49 +217,95 @@ std::pair<std::string, std::string> textsOf(const Phrase& phrase, const Bounds& 
 
 }  // namespace
 
-size_t comparison(Phrase& phrase) {
-  if (!isAnyName(phrase.type()) || phrase.type() == GliderLexer::UNIT || !afterValue(phrase)) {
-    return 0;
-  }
-  const bool changes = saysOneOf(phrase, kChanging);
-  const size_t is = changes || saysOneOf(phrase, kStanding) ? 1 : 0;
+ComparingPhrase comparingAt(const Phrase& phrase, size_t k) {
+  ComparingPhrase found;
+  const size_t changing = tokensOfOneOf(phrase, k, kChanging);
+  found.changes = changing > 0;
+  size_t at = k + (changing > 0 ? changing : tokensOfOneOf(phrase, k, kStanding));
+  const bool no = phrase.says(at, "no") || phrase.says(at, "not");
+  at += no ? 1 : 0;
   const auto row = std::ranges::find_if(kComparing, [&](const ComparingWords& words) {
-    return tokensOfWords(phrase, is, words.words) > 0;
+    return tokensOfWords(phrase, at, words.words) > 0;
   });
-  if (row == std::end(kComparing)) {
-    return equalWords(phrase);
+  if (row == std::end(kComparing) || (no && row->or_equal.empty())) {
+    return {};
   }
-  if (phrase.keyword() == GliderLexer::REQUIRE && phrase.type() == GliderLexer::AT) {
-    return 0;  // `visit a at most 3 times` is a promise
+  at += tokensOfWords(phrase, at, row->words);
+  const size_t to = row->or_equal.empty() ? 0 : tokensOfWords(phrase, at, "or equal to");
+  const size_t equal =
+      to != 0 || row->or_equal.empty() ? to : tokensOfWords(phrase, at, "or equal");
+  at += no ? 0 : equal;
+  found.tokens = at - k;
+  found.sign = equal != 0 ? row->or_equal : row->sign;
+  found.type = equal != 0 ? row->or_equal_type : row->type;
+  if (no) {
+    std::tie(found.sign, found.type) = negated(row->type);
   }
-  size_t tokens = is + tokensOfWords(phrase, is, row->words);
-  const size_t to = tokensOfWords(phrase, tokens, "or equal to");
-  const size_t equal = to != 0 ? to : tokensOfWords(phrase, tokens, "or equal");
-  tokens += row->or_equal.empty() ? 0 : equal;
-  if (!startsAnyValue(phrase.type(tokens))) {
-    return 0;
-  }
-  const bool or_equal = equal != 0 && !row->or_equal.empty();
-  const Lexeme words = phrase.whole(0, tokens, or_equal ? row->or_equal_type : row->type);
-  const std::string sign(or_equal ? row->or_equal : row->sign);
-  auto report = phrase.reporter().at(words, support::diagnostics::wordOperator,
-                                     phrase.source().text(words), sign);
-  if (changes) {  // no fix: only the pilot knows whether it may be so from the beginning
-    report.hint(fmt::format(
-        "write `{}`; if it must have been otherwise before, put `became(…)` around it", sign));
-  } else {
-    report.fix(phrase.source().range(words), sign);
-  }
-  phrase.put(words);
-  return tokens;
+  return found;
 }
 
+size_t comparison(Phrase& phrase) {
+  const bool word = isAnyName(phrase.type()) || phrase.type() == GliderLexer::NOT_WORD;
+  if (!word || phrase.type() == GliderLexer::UNIT || !afterValue(phrase)) {
+    return 0;
+  }
+  const ComparingPhrase found = comparingAt(phrase, 0);
+  if (found.tokens == 0) {
+    return equalWords(phrase);
+  }
+  if ((phrase.keyword() == GliderLexer::REQUIRE && phrase.type() == GliderLexer::AT) ||
+      !startsAnyValue(phrase.type(found.tokens))) {
+    return 0;  // `visit a at most 3 times` is a promise
+  }
+  const Lexeme words = phrase.whole(0, found.tokens, found.type);
+  auto report = phrase.reporter().at(words, support::diagnostics::wordOperator,
+                                     phrase.source().text(words), found.sign);
+  if (found.changes) {  // no fix: only the pilot knows whether it may be so from the beginning
+    report.hint(
+        fmt::format("write `{}`; if it must have been otherwise before, put `became(…)` around it",
+                    found.sign));
+  } else {
+    report.fix(phrase.source().range(words), std::string(found.sign));
+  }
+  phrase.put(words);
+  return found.tokens;
+}
+
+namespace {
+
+/// `not between 10 m and 30 m`, after the name.
+size_t outsideBounds(Phrase& phrase, const Lexeme& name, size_t words, const Bounds& bounds) {
+  const Source& source = phrase.source();
+  const auto [low, high] = textsOf(phrase, bounds);
+  const uint32_t next = phrase.type(bounds.end());
+  const bool alone =
+      phrase.before(1) == GliderLexer::CASE && (isTransition(next) || next == GliderLexer::DO);
+  const std::string better = fmt::format("{3}{0} < {1} || {0} > {2}{4}", source.text(name), low,
+                                         high, alone ? "" : "(", alone ? "" : ")");
+  const Lexeme written = phrase.whole(0, words);
+  const Lexeme whole{0, name.begin, phrase.token(bounds.end() - 1).end};
+  phrase.reporter()
+      .at(written, support::diagnostics::wordOperator, source.text(written), better)
+      .fix(source.range(whole), better);
+  phrase.put({kLess, written.begin, written.end});
+  putBound(phrase, bounds.low, bounds.low_tokens);
+  const Lexeme& high_at = phrase.token(bounds.high);
+  phrase.put({GliderLexer::OR, high_at.begin, high_at.begin + 1});
+  putComparison(phrase, name, kGreater, bounds.high, bounds.high_tokens);
+  return bounds.end();
+}
+
+}  // namespace
+
 size_t between(Phrase& phrase) {
-  if (!isAnyName(phrase.type()) || !afterValue(phrase)) {
+  const bool word = isAnyName(phrase.type()) || phrase.type() == GliderLexer::NOT_WORD;
+  if (!word || !afterValue(phrase)) {
     return 0;
   }
   const bool in = phrase.type() == GliderLexer::IN;
-  const size_t is = phrase.says(0, "is") ? 1 : 0;
+  const size_t only_is = phrase.says(0, "is") ? 1 : 0;
+  const size_t negation = phrase.says(only_is, "not") ? 1 : 0;
+  const size_t is = only_is + negation;
   if (!in && !phrase.says(is, "between")) {
     return 0;
   }
@@ -230,19 +314,20 @@ size_t between(Phrase& phrase) {
     return 0;
   }
   const Lexeme name = *phrase.lexemeBefore();
+  if (negation > 0) {
+    return outsideBounds(phrase, name, 1 + is, *bounds);
+  }
   const Source& source = phrase.source();
-  const Lexeme word = phrase.whole(0, 1 + is);
+  const Lexeme words = phrase.whole(0, 1 + is);
   const auto [low, high] = textsOf(phrase, *bounds);
   const std::string better = fmt::format("{0} >= {1} && {0} <= {2}", source.text(name), low, high);
   const Lexeme whole{0, name.begin, phrase.token(bounds->end() - 1).end};
   phrase.reporter()
-      .at(word, support::diagnostics::wordOperator, source.text(word), better)
+      .at(words, support::diagnostics::wordOperator, source.text(words), better)
       .fix(source.range(whole), better);
   const Lexeme& first = phrase.token(bounds->low);
-  phrase.put({kAtLeast, word.begin, word.end});
-  for (size_t k = bounds->low; k < bounds->low + bounds->low_tokens; ++k) {
-    phrase.put(phrase.token(k));
-  }
+  phrase.put({kAtLeast, words.begin, words.end});
+  putBound(phrase, bounds->low, bounds->low_tokens);
   phrase.put({GliderLexer::AND, first.begin, first.end});
   putComparison(phrase, name, kAtMost, bounds->high, bounds->high_tokens);
   return bounds->end();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "frontend/bare_positions.h"
+#include "frontend/compass.h"
 #include "frontend/parse/phrases/repairs.h"
 #include "frontend/parse/token_kinds.h"
 #include "support/diagnostics/ids/syntax.h"
@@ -113,6 +114,12 @@ std::optional<Better> bare(const Phrase& phrase, const Pair& pair) {
   constexpr double kMinutes = 60;
   const double a = valueOf(north);
   const double b = valueOf(east);
+  if (a > kMostLatitude && a <= kMostLongitude && b <= kMostLatitude) {  // the longitude first
+    const auto turned = [&](char letter) {
+      return fmt::format("`{} {} {} {}`", east, pair.second.negative ? 'S' : 'N', north, letter);
+    };
+    return Better{pair.first.negative ? turned('W') : turned('E') + " or " + turned('W'), false};
+  }
   if (a > kMostLatitude || b > kMostLongitude) {
     return std::nullopt;
   }
@@ -229,6 +236,12 @@ bool mayBePair(const Phrase& phrase, const Pair& pair) {
       !isOfAnArray(phrase)) {
     return true;
   }
+  // `= 39.175 73.83`: two numbers next to each other can be nothing else.
+  if (!pair.comma && !pair.enclosed && assigned && fraction && !pair.first.letter &&
+      !isPlainlyDdmm(phrase.text(pair.first.at)) && !pair.second.negative &&
+      phrase.startsLine(pair.end)) {
+    return true;
+  }
   if (!pair.comma) {
     return !pair.enclosed && ends && sign_of_number &&
            (pair.first.letter || !isPlainlyDdmm(phrase.text(pair.first.at)));
@@ -256,7 +269,42 @@ void putPair(Phrase& phrase, const Pair& pair) {
 
 }  // namespace
 
+namespace {
+
+/// `= 39 10.5 -73 50.0`, `= 39 10.5, 73 50.0`: degrees and minutes without letters.
+size_t degreesAndMinutesAlone(Phrase& phrase) {
+  const auto number = [&](size_t k) { return phrase.type(k) == GliderLexer::NUMBER; };
+  const size_t south = phrase.type() == GliderLexer::MINUS ? 1 : 0;
+  const size_t comma = phrase.type(south + 2) == GliderLexer::COMMA ? 1 : 0;
+  const size_t west = phrase.type(south + comma + 2) == GliderLexer::MINUS ? 1 : 0;
+  const size_t second = south + comma + west + 2;
+  const size_t end = second + 2;
+  if (phrase.before() != GliderLexer::ASSIGN || !number(south) || !number(south + 1) ||
+      !number(second) || !number(second + 1) || !phrase.startsLine(end)) {
+    return 0;
+  }
+  const auto with = [&](char letter) {
+    return fmt::format("{} {} {} {}", phrase.wholeText(south, 2), south > 0 ? 'S' : 'N',
+                       phrase.wholeText(second, 2), letter);
+  };
+  const Lexeme whole = phrase.whole(0, end);
+  auto report = phrase.reporter().at(whole, support::diagnostics::positionForm,
+                                     phrase.source().text(whole), with('W'));
+  if (west > 0) {
+    report.fix(phrase.source().range(whole), with('W'));
+  } else {
+    report.hint(fmt::format("write `{}` or `{}`", with('E'), with('W')));
+  }
+  phrase.put({GliderLexer::NUMBER, whole.begin, whole.end});
+  return end;
+}
+
+}  // namespace
+
 size_t pairOfNumbers(Phrase& phrase) {
+  if (const size_t taken = degreesAndMinutesAlone(phrase)) {
+    return taken;
+  }
   const bool begins = oneOf(phrase.type(), {GliderLexer::LPAREN, GliderLexer::LBRACKET,
                                             GliderLexer::NUMBER, GliderLexer::MINUS});
   const bool place =
@@ -304,24 +352,53 @@ size_t commaInPosition(Phrase& phrase) {
   return 1;
 }
 
+namespace {
+
+/// A word of a point, `south` or `S`.
+bool isPointWord(const Phrase& phrase, size_t k) {
+  return phrase.type(k) == GliderLexer::COMPASS ||
+         (phrase.type(k) == GliderLexer::NAME && phrase.text(k).size() > 3 &&
+          !compassAngle(phrase.text(k)).empty());
+}
+
+/// The tokens of `south-east`, `north north east` from the current one on; 1: it has one word.
+size_t tokensOfPoint(Phrase& phrase) {
+  size_t tokens = 1;
+  for (size_t words = 1; words < 3; ++words) {
+    const size_t next = tokens + (phrase.type(tokens) == GliderLexer::MINUS ? 1 : 0);
+    if (!isPointWord(phrase, next) || phrase.startsLine(next) ||
+        phrase.isDeclared(phrase.text(next))) {
+      break;
+    }
+    tokens = next + 1;
+  }
+  return compassAngle(phrase.wholeText(0, tokens)).empty() ? 1 : tokens;
+}
+
+}  // namespace
+
 size_t compassPoint(Phrase& phrase) {
-  const bool alone =
-      phrase.before() == GliderLexer::LPAREN && phrase.type(1) == GliderLexer::RPAREN;
-  if (phrase.type() != GliderLexer::COMPASS || !alone || phrase.open().empty() ||
-      !phrase.open().back().arguments) {
+  if (endsValue(phrase.before()) || !isPointWord(phrase, 0) || phrase.isDeclared(phrase.text())) {
     return 0;
   }
-  constexpr std::string_view kLetters = "NESW";
-  constexpr size_t kQuarter = 90;
-  const Lexeme point = phrase.token();
-  const std::string better = fmt::format("{} deg", kLetters.find(phrase.text()[0]) * kQuarter);
+  const size_t tokens = tokensOfPoint(phrase);
+  const bool alone = phrase.before() == GliderLexer::LPAREN &&
+                     phrase.type(1) == GliderLexer::RPAREN && !phrase.open().empty() &&
+                     phrase.open().back().arguments;
+  // One word that is a name may be a sensor of the platform: analysis knows.
+  if (tokens == 1 && !(alone && phrase.type() == GliderLexer::COMPASS)) {
+    return 0;
+  }
+  const Lexeme point = phrase.whole(0, tokens);
+  const std::string better = compassAngle(phrase.source().text(point));
   phrase.reporter()
-      .at(point, support::diagnostics::unexpectedToken, "a value", describe(phrase.source(), point))
+      .at(point, support::diagnostics::unexpectedToken, "an angle",
+          fmt::format("`{}`", phrase.source().text(point)))
       .hint(fmt::format("write `{}`", better))
       .fix(phrase.source().range(point), better);
   phrase.put({GliderLexer::NUMBER, point.begin, point.end});
   phrase.notAsMeant();
-  return 1;
+  return tokens;
 }
 
 }  // namespace glider::frontend::phrases

@@ -4,8 +4,10 @@
 #include "frontend/parse/phrases/phrase.h"
 
 #include "frontend/parse/token_kinds.h"
+#include "support/units/units.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 namespace glider::frontend {
@@ -247,13 +249,63 @@ size_t firstOf(Phrase& phrase, std::initializer_list<PhraseRepair> repairs) {
   return 0;
 }
 
+namespace {
+
+/// `2 days`: a number with a unit that is a name elsewhere.
+size_t tokensWithSoftUnit(const Phrase& phrase, size_t first) {
+  const size_t tokens = tokensOfNumber(phrase, first);
+  const bool bare = tokens > 0 && phrase.type(first + tokens - 1) == GliderLexer::NUMBER;
+  const auto unit = bare && phrase.type(first + tokens) == GliderLexer::NAME
+                        ? support::findUnit(phrase.text(first + tokens))
+                        : std::nullopt;
+  return tokens + (unit && unit->soft ? 1 : 0);
+}
+
+}  // namespace
+
 size_t tokensOfQuantity(const Phrase& phrase, size_t first) {
-  size_t tokens = tokensOfNumber(phrase, first);
+  size_t tokens = tokensWithSoftUnit(phrase, first);
   while (tokens > 1 && phrase.type(first + tokens) == GliderLexer::DIVIDE &&
          isUnit(phrase.type(first + tokens + 1))) {
     tokens += 2;
   }
+  // `4 h 30 min`: each part is of a smaller unit.
+  constexpr std::array<std::string_view, 5> kTimes = {"s", "min", "h", "day", "days"};
+  const auto rank = [&](size_t k) {
+    return std::ranges::find(kTimes, phrase.text(k)) - kTimes.begin();
+  };
+  const auto none = static_cast<std::ptrdiff_t>(kTimes.size());
+  while (tokens > 1 && tokensOfNumber(phrase, first + tokens) == 2 &&
+         rank(first + tokens - 1) != none && rank(first + tokens + 1) < rank(first + tokens - 1)) {
+    tokens += 2;
+  }
   return tokens;
+}
+
+size_t tokensOfWords(const Phrase& phrase, size_t k, std::string_view words) {
+  size_t tokens = 0;
+  while (!words.empty()) {
+    const size_t end = std::min(words.find(' '), words.size());
+    const uint32_t type = phrase.type(k + tokens);
+    const bool word = isAnyName(type) || isHardKeyword(type);
+    if (!word || !phrase.says(k + tokens, words.substr(0, end))) {
+      return 0;
+    }
+    words.remove_prefix(std::min(end + 1, words.size()));
+    ++tokens;
+  }
+  return tokens;
+}
+
+size_t tokensOfArrow(const Phrase& phrase, size_t k) {
+  if (phrase.type(k) == GliderLexer::MINUS) {
+    const size_t line = phrase.type(k + 1) == GliderLexer::MINUS && phrase.touches(k + 1) ? 2 : 1;
+    return phrase.type(k + line) == GliderLexer::GT && phrase.touches(k + line) ? line + 1 : 0;
+  }
+  const std::string_view text = phrase.text(k);
+  const bool sign = (phrase.type(k) == GliderLexer::WRONG_COMPARISON && text == "=>") ||
+                    (phrase.type(k) == GliderLexer::FOREIGN && (text == "→" || text == "⇒"));
+  return sign ? 1 : 0;
 }
 
 }  // namespace glider::frontend

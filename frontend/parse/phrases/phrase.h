@@ -129,7 +129,13 @@ size_t tokensOfValue(const Phrase& phrase, size_t first, bool conditions);
 /// none.
 size_t tokensOfNumber(const Phrase& phrase, size_t first);
 
-/// The same, with a unit of several, `0.2 m/s`.
+/// The same, with a unit of several, `0.2 m/s`, or in several parts, `4 h 30 min`.
 size_t tokensOfQuantity(const Phrase& phrase, size_t first);
+
+/// The number of tokens of `words`, in lower case, from token `k` on; 0: there are others.
+size_t tokensOfWords(const Phrase& phrase, size_t k, std::string_view words);
+
+/// The tokens of `->`, `-->`, `=>`, `→` from token `k` on; 0: there is no arrow.
+size_t tokensOfArrow(const Phrase& phrase, size_t k);
 
 }  // namespace glider::frontend

@@ -24,6 +24,11 @@ bool plainName(uint32_t type) {
   return type == GliderLexer::NAME;
 }
 
+/// `is above`, `not between`.
+bool nameOrNot(uint32_t type) {
+  return isAnyName(type) || type == GliderLexer::NOT_WORD;
+}
+
 /// `harbour`, `(39.2, 72.1)`, `39.2 N 72.1 W`.
 bool beginsPlace(uint32_t type) {
   return isName(type) || oneOf(type, {GliderLexer::LPAREN, GliderLexer::NUMBER});
@@ -39,6 +44,7 @@ bool among(uint32_t type) {
 constexpr Row kRows[] = {
     {phrases::textWithoutOpeningQuote, anyToken},
     {phrases::writtenPosition, among<GliderLexer::NUMBER, GliderLexer::COMPASS, GliderLexer::NAME>},
+    {phrases::promiseWithoutRequire, isName},
     {phrases::comment, among<GliderLexer::MINUS, GliderLexer::UNIT, GliderLexer::SEMICOLON,
                              GliderLexer::NOT, GliderLexer::NAME>},
     {phrases::lineOfMi, among<GliderLexer::NAME, GliderLexer::SENSOR>},
@@ -51,10 +57,25 @@ constexpr Row kRows[] = {
     {phrases::alwaysAfterScope, among<GliderLexer::ALWAYS>},
     {phrases::orExitOfSurfaces, among<GliderLexer::OR_WORD>},
     {phrases::reaction,
-     among<GliderLexer::GOTO, GliderLexer::CALL, GliderLexer::NUMBER, GliderLexer::IN>},
+     [](uint32_t type) {
+       return isName(type) ||
+              oneOf(type, {GliderLexer::GOTO, GliderLexer::CALL, GliderLexer::NUMBER,
+                           GliderLexer::COMMA, GliderLexer::STAY});
+     }},
+    {phrases::stateWordInPromise, among<GliderLexer::STATE>},
+    {phrases::packWithoutAt, among<GliderLexer::NUMBER>},
     {phrases::andOfPlaces,
      among<GliderLexer::AND_WORD, GliderLexer::AND, GliderLexer::ONE_AMPERSAND>},
     {phrases::assumption, isName},
+    {phrases::wordBeforeEntry, isName},
+    {phrases::blockOfLeaving, among<GliderLexer::EXIT>},
+    {phrases::routeToPlace,
+     [](uint32_t type) { return isName(type) || type == GliderLexer::GOTO; }},
+    {phrases::rateOfSensor, among<GliderLexer::AT, GliderLexer::EVERY>},
+    {phrases::wordForSensors, plainName},
+    {phrases::unitAfterName, among<GliderLexer::UNIT>},
+    {phrases::valueForCondition,
+     among<GliderLexer::OR, GliderLexer::OR_WORD, GliderLexer::AND, GliderLexer::AND_WORD>},
     {phrases::absoluteBars, among<GliderLexer::ONE_BAR>},
     {phrases::andOfSensors,
      among<GliderLexer::AND_WORD, GliderLexer::AND, GliderLexer::ONE_AMPERSAND, GliderLexer::PLUS>},
@@ -93,8 +114,8 @@ constexpr Row kRows[] = {
     {phrases::questionMark, among<GliderLexer::FOREIGN>},
     {phrases::arithmeticWords, isAnyName},
     {phrases::numberWord, plainName},
-    {phrases::comparison, isAnyName},
-    {phrases::between, isAnyName},
+    {phrases::comparison, nameOrNot},
+    {phrases::between, nameOrNot},
     {phrases::sameLeft, among<GliderLexer::LT, GliderLexer::GT, GliderLexer::LE, GliderLexer::GE>},
     {phrases::notWord, among<GliderLexer::NAME, GliderLexer::NOT_WORD>},
     {phrases::foreignSign,
@@ -109,13 +130,14 @@ constexpr Row kRows[] = {
     {phrases::leg, plainName},
     {phrases::part, isAnyName},
     {phrases::magneticHeading, among<GliderLexer::UNIT, GliderLexer::NAME>},
+    {phrases::millilitresPerLitre, plainName},
     {phrases::softUnit, plainName},
     {phrases::rangeWordAsUnit, among<GliderLexer::IN>},
     {phrases::foreignUnit, among<GliderLexer::NAME, GliderLexer::FOREIGN, GliderLexer::UNIT>},
     {phrases::pairOfNumbers,
      among<GliderLexer::LPAREN, GliderLexer::LBRACKET, GliderLexer::NUMBER, GliderLexer::MINUS>},
     {phrases::pathWithoutBrackets, beginsPlace},
-    {phrases::compassPoint, among<GliderLexer::COMPASS>},
+    {phrases::compassPoint, among<GliderLexer::COMPASS, GliderLexer::NAME>},
     {phrases::statement, [](uint32_t type) { return isName(type) || type == GliderLexer::SET; }},
     {phrases::valueAfterText, among<GliderLexer::NAME, GliderLexer::NUMBER, GliderLexer::HEARD>},
     {phrases::heldWithoutParentheses, plainName},

@@ -160,6 +160,21 @@ size_t colonOfArgument(Phrase& phrase) {
   return 1;
 }
 
+namespace {
+
+/// `log("deep", depth`, without the `)`.
+size_t takeOpenParenthesis(Phrase& phrase) {
+  const bool blank = phrase.touches(0);
+  phrase.reporter()
+      .at(phrase.token(), support::diagnostics::unexpectedToken, "a text in quotes",
+          describe(phrase.source(), phrase.token()))
+      .hint("write it without the parenthesis")
+      .fix(phrase.source().range(phrase.token()), blank ? " " : "");
+  return 1;
+}
+
+}  // namespace
+
 size_t textInParentheses(Phrase& phrase) {
   if (phrase.before() != GliderLexer::LOG || phrase.type(1) != GliderLexer::STRING) {
     return 0;
@@ -171,10 +186,10 @@ size_t textInParentheses(Phrase& phrase) {
     deep += phrase.type(k) == GliderLexer::LPAREN ? 1U : 0U;
     deep -= phrase.type(k) == GliderLexer::RPAREN ? 1U : 0U;
   }
-  if (deep > 0) {
-    return 0;
-  }
   const Lexeme open = phrase.token();
+  if (deep > 0) {
+    return deep == 1 ? takeOpenParenthesis(phrase) : 0;
+  }
   const Lexeme close = phrase.token(k - 1);
   const bool blank = open.begin == phrase.lexemeBefore()->end;
   phrase.reporter()

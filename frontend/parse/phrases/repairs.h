@@ -46,12 +46,18 @@ size_t knownWords(Phrase& phrase);
 size_t stateAsCondition(Phrase& phrase);
 /// `case if temp > 20 degC then exit end`.
 size_t ifInCase(Phrase& phrase);
+/// `ensure always depth <= 60 m`, `depth must be <= 60 m`.
+size_t promiseWithoutRequire(Phrase& phrase);
 /// `require exits within 5 h`, `require depth <= 55 m`, `require max depth 60 m`.
 size_t promise(Phrase& phrase);
 /// `require depth never > 40 m`.
 size_t promiseInside(Phrase& phrase);
 /// `require whenever low goto homeward`, `require whenever low then homeward 1 min`.
 size_t reaction(Phrase& phrase);
+/// `require visit state look within 5 h`.
+size_t stateWordInPromise(Phrase& phrase);
+/// `pack 168 Ah 14.4 V`.
+size_t packWithoutAt(Phrase& phrase);
 /// `require visit look and home within 5 h`.
 size_t andOfPlaces(Phrase& phrase);
 /// `assume no outages`, `assume current < 0.2 m/s`.
@@ -64,6 +70,20 @@ size_t equalToTruth(Phrase& phrase);
 size_t heldWithoutParentheses(Phrase& phrase);
 /// `case depth < 1 m for 10 min`, `held(depth < 1 m for 10 min)`.
 size_t forATime(Phrase& phrase);
+/// `depth > 30 m or 40 m`.
+size_t valueForCondition(Phrase& phrase);
+/// `temp at 1 Hz`, `temp every 2 Hz`.
+size_t rateOfSensor(Phrase& phrase);
+/// `sample depth, temp` for `sensors`.
+size_t wordForSensors(Phrase& phrase);
+/// `on entry do`.
+size_t wordBeforeEntry(Phrase& phrase);
+/// `exit do log "over" end` before the events of a state.
+size_t blockOfLeaving(Phrase& phrase);
+/// `flightroute goto(home)`, `flightroute to home`.
+size_t routeToPlace(Phrase& phrase);
+/// `deepest m`: a name with a unit.
+size_t unitAfterName(Phrase& phrase);
 /// `sensors lat and lon`.
 size_t andOfSensors(Phrase& phrase);
 /// `|a - b|` for `abs(a - b)`.
@@ -134,6 +154,8 @@ size_t leg(Phrase& phrase);
 size_t part(Phrase& phrase);
 /// `90 deg magnetic`.
 size_t magneticHeading(Phrase& phrase);
+/// `2 ml/l` of oxygen: the millilitre is a unit of the language.
+size_t millilitresPerLitre(Phrase& phrase);
 /// `3 days`, `2 ug/L`: units that are names elsewhere.
 size_t softUnit(Phrase& phrase);
 /// `0.5 in)`: `in` is not a unit.
@@ -142,7 +164,7 @@ size_t rangeWordAsUnit(Phrase& phrase);
 size_t foreignUnit(Phrase& phrase);
 /// `2027-01-01 00:00`.
 size_t instant(Phrase& phrase);
-/// `18:00`.
+/// `18:00`, `6 pm`, `18:00 EST`.
 size_t clockTime(Phrase& phrase);
 /// `yo_number % 3`.
 size_t remainderSign(Phrase& phrase);
@@ -157,7 +179,7 @@ size_t pathWithoutBrackets(Phrase& phrase);
 size_t latitudeWithLongitude(Phrase& phrase);
 /// `39°10.5'N 73°49.8'W`, `N 39 10.5`, `39.175 North`: positions of charts and other tools.
 size_t writtenPosition(Phrase& phrase);
-/// `heading(E)`.
+/// `heading(E)`, `heading(south-east)`.
 size_t compassPoint(Phrase& phrase);
 /// `set n += 1`, `n++`, `print "warm"`, `wait 10 min`.
 size_t statement(Phrase& phrase);

@@ -106,7 +106,8 @@ size_t goTo(Phrase& phrase) {
 
 /// `jump up`: only the pilot knows whether the state is to return.
 size_t jumpTo(Phrase& phrase) {
-  if (phrase.type() != GliderLexer::NAME || !afterCondition(phrase) ||
+  const bool after_block = phrase.before() == GliderLexer::END && !phrase.startsLine();
+  if (phrase.type() != GliderLexer::NAME || !(afterCondition(phrase) || after_block) ||
       phrase.before() == GliderLexer::NUMBER) {
     return 0;
   }
@@ -205,23 +206,30 @@ size_t afterTransition(Phrase& phrase) {
   return tokens;
 }
 
+namespace {
+
+/// `-> up`: only the pilot knows whether the state is to return.
+size_t arrowAsTransition(Phrase& phrase, size_t tokens) {
+  const Lexeme sign = phrase.whole(0, tokens, GliderLexer::GOTO);
+  phrase.reporter()
+      .at(sign, support::diagnostics::wrongTransition, phrase.source().text(sign))
+      .hint(fmt::format("write `goto {0}`, or `call {0}` to come back", phrase.text(tokens)));
+  phrase.put(sign);
+  return tokens;
+}
+
+}  // namespace
+
 size_t arrow(Phrase& phrase) {
   if (!afterCondition(phrase)) {
     return 0;
   }
-  size_t tokens = 0;
-  if (phrase.type() == GliderLexer::MINUS) {
-    tokens = phrase.type(1) == GliderLexer::MINUS && phrase.touches(1) ? 2 : 1;
-    tokens = phrase.type(tokens) == GliderLexer::GT && phrase.touches(tokens) ? tokens + 1 : 0;
-  } else if (phrase.type() == GliderLexer::WRONG_COMPARISON && phrase.text() == "=>") {
-    tokens = 1;
-  } else if (phrase.type() == GliderLexer::FOREIGN &&
-             (phrase.text() == "→" || phrase.text() == "⇒")) {
-    tokens = 1;
-  } else if (phrase.type() == GliderLexer::NOT) {
-    tokens = 1;
-  }
+  const size_t drawn = tokensOfArrow(phrase, 0);
+  const size_t tokens = drawn == 0 && phrase.type() == GliderLexer::NOT ? 1 : drawn;
   const uint32_t next = phrase.type(tokens);
+  if (drawn > 0 && isAnyName(next) && isStateName(phrase.source(), phrase.text(tokens))) {
+    return arrowAsTransition(phrase, drawn);
+  }
   if (tokens == 0 || !(isTransition(next) || next == GliderLexer::DO)) {
     return 0;
   }

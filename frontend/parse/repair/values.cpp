@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <iterator>
 
 namespace glider::frontend {
 
@@ -37,6 +38,17 @@ bool isSmallerTime(std::string_view unit, std::string_view next) {
   const auto* second = std::ranges::find(kTimes, next);
   return second != kTimes.end() && first < second;
 }
+
+/// A word that stands for one unit and is spelled like another: `5 M` may be nautical miles, and
+/// `5 m` something else.
+struct TwoReadings {
+  std::string_view word;
+  std::string_view unit;
+  std::string_view of;
+  std::string_view other;
+  std::string_view of_other;
+};
+constexpr TwoReadings kTwoReadings[] = {{"M", "nmi", "nautical miles", "m", "metres"}};
 
 bool isComparison(uint32_t type) {
   return type >= GliderLexer::EQ && type <= GliderLexer::GT;
@@ -277,6 +289,15 @@ bool ValueRepair::unknownUnit(const Lexeme& t, const Lexeme& next) {
       "V A W J kJ MJ Wh kWh Ah mAh, cc ml, % uM ug/L";
   if (unit == "deg" && t.end - t.begin > unit.size()) {
     // Of an angle or a temperature: analysis knows which, and reports it.
+    out_.push_back({GliderLexer::UNIT, t.begin, t.end});
+    return true;
+  }
+  if (const auto* row = std::ranges::find(kTwoReadings, word, &TwoReadings::word);
+      row != std::end(kTwoReadings)) {
+    reporter_.at(
+        t, support::diagnostics::unknownUnit, word,
+        fmt::format("write `{0} {1}` for {2}, `{0} {3}` for {4}", source_.text(out_.back()),
+                    row->unit, row->of, row->other, row->of_other));
     out_.push_back({GliderLexer::UNIT, t.begin, t.end});
     return true;
   }

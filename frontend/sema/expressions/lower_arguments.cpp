@@ -3,6 +3,7 @@
 
 #include "frontend/sema/expressions/lower_arguments.h"
 
+#include "frontend/bare_positions.h"
 #include "frontend/sema/expressions/decimal_commas.h"
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/expressions/named_arguments.h"
@@ -15,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace glider::frontend {
@@ -166,8 +168,36 @@ class ArgumentLowering {
         constant ? "is" : "may be",
         written ? scope_.text(argument.value->where) : ir::withUnit(end, formal.type.type),
         scope_.text(formal.range->lowest.where), scope_.text(formal.range->highest.where));
+    if (const std::string units = written ? withMissingUnit(formal, argument) : "";
+        !units.empty()) {
+      report.hint(fmt::format("a number alone is in {}: write {}",
+                              support::bareUnit(formal.type.type.dimension)->spelling, units));
+    }
     noteDeclaration(report, "its range is part of the declaration");
     return false;
+  }
+
+  /// "`3 h` or `3 day`": the number of an argument without a unit, with those units that bring it
+  /// into the range of the formal. Empty: it has a unit, or none does.
+  [[nodiscard]] std::string withMissingUnit(const Signature::Formal& formal,
+                                            const ast::Argument& argument) const {
+    const auto* literal = std::get_if<ast::Literal>(&argument.value->node);
+    const auto bare = support::bareUnit(formal.type.type.dimension);
+    if (literal == nullptr || !literal->unit.empty() || !bare || bare->spelling.empty()) {
+      return "";
+    }
+    const double number = valueOf(literal->digits);
+    constexpr std::array<std::string_view, 6> kUsual = {"s", "min", "h", "day", "m", "km"};
+    std::string found;
+    for (const support::Unit& unit : support::unitsOf(formal.type.type.dimension)) {
+      const double value = number * unit.to_si;
+      const bool usual = std::ranges::find(kUsual, unit.spelling) != kUsual.end();
+      if (usual && value >= formal.lowest && value <= formal.highest) {
+        found +=
+            fmt::format("{}`{} {}`", found.empty() ? "" : " or ", literal->digits, unit.spelling);
+      }
+    }
+    return found;
   }
 
   /// Of a position that was added last, for a latitude and a longitude.

@@ -133,6 +133,8 @@ class ExprLowering {
   /// Reports a unit that does not exist; that of `26 degrees` follows from the type that is
   /// expected.
   void refuseUnit(const ast::Literal& node, std::optional<ir::Type> want);
+  void checkBareAngle(const ast::Literal& node, const support::SourceRange& range, double si,
+                      bool negative);
   Result barePosition(const ast::Literal& node, const support::SourceRange& range, ir::Type want,
                       bool negative);
   Result letterLiteral(const ast::Literal& node, const support::SourceRange& range,

@@ -143,10 +143,15 @@ ExprLowering::Result ExprLowering::visit(const ast::Invocation& node, const ast:
     return std::nullopt;
   }
   if (!fits(node.arguments)) {
-    scope_.report(support::diagnostics::wrongArgumentCount, expr.where, name,
-                  countedArguments(wanted),
-                  node.arguments.empty() ? "none" : countedArguments(node.arguments.size()),
-                  fmt::format("{}({})", name, function->arguments));
+    auto report = scope_.report(
+        support::diagnostics::wrongArgumentCount, expr.where, name, countedArguments(wanted),
+        node.arguments.empty() ? "none" : countedArguments(node.arguments.size()),
+        fmt::format("{}({})", name, function->arguments));
+    if (node.arguments.size() == 1 && (name == "max" || name == "min")) {
+      report.hint(fmt::format("over time it is `{0}({1}, this dive)` or `{0}({1}, 10 min)`",
+                              name == "max" ? "highest" : "lowest",
+                              scope_.text(node.arguments.front().value->where)));
+    }
     return std::nullopt;
   }
   if (function->op == ir::Op::Age) {

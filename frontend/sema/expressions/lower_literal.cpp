@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace glider::frontend {
 
@@ -162,14 +163,31 @@ ExprLowering::Result ExprLowering::bareLiteral(const ast::Literal& node,
     scope_.report(support::diagnostics::numberTooLarge, range, node.digits);
     return std::nullopt;
   }
-  if (type.dimension == support::dimension::angle && si > kFullTurn) {
-    const std::string text = (negative ? "-" : "") + node.digits;
-    const std::string after = scope_.wordAfter(range);
-    if (unitForWord(after).empty() && after != "magnetic") {  // `26 degrees` has been reported
-      scope_.report(support::diagnostics::bareAngle, range, text).fix(range, text + " deg");
-    }
+  if (type.dimension == support::dimension::angle) {
+    checkBareAngle(node, range, si, negative);
   }
   return emitNumber(negative ? -si : si, type, range);
+}
+
+/// A number without a unit is in radians: few mean it so.
+void ExprLowering::checkBareAngle(const ast::Literal& node, const support::SourceRange& range,
+                                  double si, bool negative) {
+  const std::string text = (negative ? "-" : "") + node.digits;
+  const std::string after = scope_.wordAfter(range);
+  if (!unitForWord(after).empty() || after == "magnetic") {
+    return;  // `26 degrees` has been reported
+  }
+  // What has two digits after the point may have been computed: `1.57`.
+  const size_t point = std::min(node.digits.find('.'), node.digits.size());
+  constexpr size_t kOneDigit = 2;  // with the point
+  if (si > kFullTurn) {
+    scope_.report(support::diagnostics::bareAngle, range, text).fix(range, text + " deg");
+  } else if (si >= 1 && node.digits.size() - point <= kOneDigit) {
+    constexpr double kHalfTurn_deg = 180;
+    const double degrees = si / std::numbers::pi * kHalfTurn_deg;
+    scope_.report(support::diagnostics::bareRadians, range, text,
+                  fmt::format("{:.0f}", negative ? -degrees : degrees));
+  }
 }
 
 ExprLowering::Result ExprLowering::barePosition(const ast::Literal& node,

@@ -3,6 +3,8 @@
 
 #include "frontend/sema/names/wished.h"
 
+#include "frontend/compass.h"
+
 #include <algorithm>
 #include <cctype>
 #include <string>
@@ -84,14 +86,13 @@ constexpr Wish kWishes[] = {
     {"profile_done", "write `profiledone`", "", "profiledone"},
     {"here", "list `lat` and `lon`", "lat"}};
 
-/// Points of the compass, as angles from true north.
-struct Point {
-  std::string_view name;
-  std::string_view angle;
-};
-constexpr Point kPoints[] = {
-    {"north", "0 deg"},   {"northeast", "45 deg"},  {"east", "90 deg"},  {"southeast", "135 deg"},
-    {"south", "180 deg"}, {"southwest", "225 deg"}, {"west", "270 deg"}, {"northwest", "315 deg"}};
+/// Whether a point of the compass can be meant by nothing else: two letters may be a name that is
+/// spelled wrong, unless they are capitals.
+bool isPlainlyPoint(std::string_view wish) {
+  constexpr size_t kMostLetters = 3;
+  return wish.size() > kMostLetters ||
+         std::ranges::all_of(wish, [](unsigned char c) { return std::isupper(c) != 0; });
+}
 
 }  // namespace
 
@@ -99,9 +100,8 @@ std::optional<Suggestion> insteadOf(std::string_view wish, const platforms::Plat
   std::string name(wish);
   std::ranges::transform(name, name.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (const auto* point = std::ranges::find(kPoints, name, &Point::name);
-      point != std::end(kPoints)) {
-    return Suggestion{"write `" + std::string(point->angle) + "`", std::string(point->angle)};
+  if (const std::string angle = compassAngle(wish); !angle.empty()) {
+    return Suggestion{"write `" + angle + "`", isPlainlyPoint(wish) ? angle : ""};
   }
   const auto* row = std::ranges::find(kWishes, name, &Wish::name);
   if (row == std::end(kWishes) || (!row->sensor.empty() && platform.find(row->sensor) == nullptr)) {
@@ -110,10 +110,12 @@ std::optional<Suggestion> insteadOf(std::string_view wish, const platforms::Plat
   return Suggestion{std::string(row->hint), std::string(row->fix)};
 }
 
-std::string_view behaviourInsteadOf(std::string_view wish) {
+std::string_view behaviourInsteadOf(std::string_view wish, size_t arguments) {
+  constexpr size_t kAny = 100;
   struct Row {
     std::string_view name;
     std::string_view behaviour;
+    size_t most = kAny;  ///< arguments that it takes
   };
   constexpr Row kRows[] = {{"surface_every", "yo_and_surface"},
                            {"surface_yo", "yo_and_surface"},
@@ -122,9 +124,18 @@ std::string_view behaviourInsteadOf(std::string_view wish) {
                            {"sawtooth", "yo"},
                            {"undulate", "yo"},
                            {"drift_at_depth", "hover_at"},
+                           {"hover", "hover_at", 1},
+                           {"drift", "hover_at", 1},
+                           {"dive", "dive_to", 2},
+                           {"descend", "dive_to", 2},
+                           {"climb", "climb_to", 2},
+                           {"ascend", "climb_to", 2},
                            {"waypoint", "nav"},
+                           {"to", "nav"},
+                           {"towards", "nav"},
                            {"goto_waypoint", "nav"}};
-  const auto* row = std::ranges::find(kRows, wish, &Row::name);
+  const auto* row = std::ranges::find_if(
+      kRows, [&](const Row& one) { return one.name == wish && arguments <= one.most; });
   return row == std::end(kRows) ? std::string_view() : row->behaviour;
 }
 

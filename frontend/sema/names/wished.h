@@ -16,7 +16,7 @@ namespace glider::frontend {
 std::optional<Suggestion> insteadOf(std::string_view wish, const platforms::Platform& platform);
 
 /// The flightprofile or flightroute of the standard library that is meant by `surface_every` and
-/// the like; empty: there is none.
-std::string_view behaviourInsteadOf(std::string_view wish);
+/// the like with so many arguments; empty: there is none.
+std::string_view behaviourInsteadOf(std::string_view wish, size_t arguments);
 
 }  // namespace glider::frontend

@@ -12,6 +12,7 @@
 #include "support/check.h"
 #include "support/diagnostics/ids/meaning.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace glider::frontend {
@@ -255,15 +256,28 @@ void StateLowering::setPeriod(const ast::Expr& every, size_t from) {
 void StateLowering::visit(const ast::EventsMember& node, const ast::Member& member) {
   if (first(member)) {
     result_.cases = CaseLowering(scope_).lower(
-        node.cases, [&](const std::vector<SensorRead>& reads) { warnOfUnlisted(reads); });
+        node.cases, [&](const std::vector<SensorRead>& reads) { warnOfUnlisted(reads, node); });
   }
 }
 
-void StateLowering::warnOfUnlisted(const std::vector<SensorRead>& reads) {
+/// Whether an error is in the list of sensors, or in the case that reads: it may be the reason why
+/// a sensor is not found.
+bool StateLowering::isDoubtful(const SensorRead& read, const ast::EventsMember& events) const {
+  const auto list = seen_.find(indexOf<ast::SensorsMember>());
+  const support::DiagnosticEngine& diagnostics = scope_.diagnostics();
+  return (list != seen_.end() && diagnostics.hasErrorIn(list->second->where)) ||
+         std::ranges::any_of(events.cases, [&](const ast::Case& one) {
+           return one.where.begin <= read.range.begin && read.range.begin < one.where.end &&
+                  diagnostics.hasErrorIn(one.where);
+         });
+}
+
+void StateLowering::warnOfUnlisted(const std::vector<SensorRead>& reads,
+                                   const ast::EventsMember& node) {
   const auto list = seen_.find(indexOf<ast::SensorsMember>());
   for (const SensorRead& read : reads) {
     if (read.implied || listed_.contains(read.sensor->name) ||
-        !warned_.emplace(read.sensor->name, true).second) {
+        !warned_.emplace(read.sensor->name, true).second || isDoubtful(read, node)) {
       continue;
     }
     auto warning = scope_.report(support::diagnostics::unlistedSensor, read.range, state_.name.text,

@@ -46,7 +46,8 @@ class StateLowering {
 
   void lowerItem(const ast::SensorItem& item);
   void setPeriod(const ast::Expr& every, size_t from);
-  void warnOfUnlisted(const std::vector<SensorRead>& reads);
+  [[nodiscard]] bool isDoubtful(const SensorRead& read, const ast::EventsMember& events) const;
+  void warnOfUnlisted(const std::vector<SensorRead>& reads, const ast::EventsMember& node);
 
   ir::StateId id_;
   StateDeclaration& declaration_;

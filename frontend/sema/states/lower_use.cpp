@@ -33,7 +33,7 @@ BehaviourDeclaration* findBehaviour(const ast::Use& use, ir::BehaviourKind kind,
     for (std::string_view name : names) {
       all += (all.empty() ? std::string(word(kind)) + "s: " : ", ") + std::string(name);
     }
-    const std::string_view meant = behaviourInsteadOf(use.name.text);
+    const std::string_view meant = behaviourInsteadOf(use.name.text, use.arguments.size());
     const bool there = std::ranges::find(names, meant) != names.end();
     const Suggestion suggestion = there ? Suggestion{fmt::format("did you mean `{}`?", meant), ""}
                                         : didYouMean(use.name.text, names, all);

@@ -160,11 +160,14 @@ size_t takePair(Phrase& phrase, const WrittenPair& pair) {
   return tokens;
 }
 
-/// `73.83` after a half with its letter: the other half, whose letter is missing.
+/// `73.83` after a half with its letter: the other half, whose letter is missing, or `-73 50.0 W`,
+/// whose sign may be wrong, or `73 50.0 O`, whose letter is one of another language.
 struct Lost {
   size_t number = 0;  ///< its token
+  size_t last = 0;    ///< past the last number
   size_t end = 0;     ///< past its last token
   bool negative = false;
+  bool lettered = false;
 };
 
 std::optional<Lost> withoutLetter(const Phrase& phrase, size_t k) {
@@ -175,7 +178,14 @@ std::optional<Lost> withoutLetter(const Phrase& phrase, size_t k) {
       (lost.negative && isPlainlyDdmm(phrase.text(lost.number)))) {
     return std::nullopt;
   }
-  lost.end = lost.number + (phrase.type(lost.number + 1) == GliderLexer::NUMBER ? 2 : 1);
+  const bool two = phrase.type(lost.number + 1) == GliderLexer::NUMBER;
+  lost.last = lost.number + (two ? 2 : 1);
+  const bool foreign = phrase.type(lost.last) == GliderLexer::NAME &&
+                       !phrase.startsLine(lost.last) &&
+                       (phrase.text(lost.last) == "O" || phrase.text(lost.last) == "o");
+  const bool signed_letter = lost.negative && two && phrase.type(lost.last) == GliderLexer::COMPASS;
+  lost.lettered = foreign || signed_letter;
+  lost.end = lost.last + (lost.lettered ? 1 : 0);
   const bool ends = phrase.startsLine(lost.end) ||
                     oneOf(phrase.type(lost.end),
                           {GliderLexer::COMMA, GliderLexer::RPAREN, GliderLexer::RBRACKET, kEof});
@@ -190,7 +200,7 @@ size_t takeOneLetter(Phrase& phrase, const WrittenHalf& first) {
   if (!lost) {
     return 0;
   }
-  const std::string_view number = phrase.wholeText(lost->number, lost->end - lost->number);
+  const std::string_view number = phrase.wholeText(lost->number, lost->last - lost->number);
   const std::string_view letters = first.latitude() ? "EW" : "NS";
   const auto with = [&](size_t letter) {
     return fmt::format("{} {} {}", first.better(), number, letters[letter]);
@@ -198,7 +208,7 @@ size_t takeOneLetter(Phrase& phrase, const WrittenHalf& first) {
   const Lexeme whole = phrase.whole(0, lost->end);
   auto report = phrase.reporter().at(whole, support::diagnostics::positionForm,
                                      phrase.source().text(whole), with(1));
-  if (lost->negative) {
+  if (lost->negative && !lost->lettered) {
     report.fix(phrase.source().range(whole), with(1));
   } else {
     report.hint(fmt::format("write `{}` or `{}`", with(0), with(1)));

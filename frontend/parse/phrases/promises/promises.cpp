@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "frontend/parse/phrases/promises/parts.h"
 #include "frontend/parse/phrases/repairs.h"
 #include "frontend/parse/token_kinds.h"
 #include "support/diagnostics/ids/syntax.h"
@@ -10,6 +11,26 @@
 #include <algorithm>
 
 namespace glider::frontend::phrases {
+
+support::DiagnosticBuilder expected(Phrase& phrase, const Lexeme& found, std::string_view what) {
+  return phrase.reporter().at(found, support::diagnostics::unexpectedToken, what,
+                              describe(phrase.source(), found));
+}
+
+/// The tokens of the condition from token `first` on, which ends its line; 0: there is none. After
+/// it, on a later line, a declaration may begin with a word that is also a name.
+size_t tokensOfWholeCondition(const Phrase& phrase, size_t first) {
+  const size_t line = phrase.tokensOfLine() - first;
+  const size_t value = tokensOfValue(phrase, first, false);
+  for (const size_t count : {line, value}) {
+    const bool ends = count == value || phrase.startsLine(first + count);
+    if (ends && count > 0 && count <= value && readsAsValue(phrase, first, count)) {
+      return count;
+    }
+  }
+  return 0;
+}
+
 namespace {
 
 /// `exits within`, `exit in`: the first two words of a promise, and those that are meant.
@@ -37,33 +58,14 @@ constexpr Slip kSlips[] = {
     {"surfaces", "within", "surfaces", GliderLexer::SURFACES, "every", kEvery},
     {"surfaces", "in", "surfaces", GliderLexer::SURFACES, "every", kEvery}};
 
-support::DiagnosticBuilder expected(Phrase& phrase, const Lexeme& found, std::string_view what) {
-  return phrase.reporter().at(found, support::diagnostics::unexpectedToken, what,
-                              describe(phrase.source(), found));
-}
-
-/// The tokens of the condition from token `first` on, which ends its line; 0: there is none. After
-/// it, on a later line, a declaration may begin with a word that is also a name.
-size_t tokensOfWholeCondition(const Phrase& phrase, size_t first) {
-  const size_t line = phrase.tokensOfLine() - first;
-  const size_t value = tokensOfValue(phrase, first, false);
-  for (const size_t count : {line, value}) {
-    const bool ends = count == value || phrase.startsLine(first + count);
-    if (ends && count > 0 && count <= value && readsAsValue(phrase, first, count)) {
-      return count;
-    }
-  }
-  return 0;
-}
-
 bool isComparison(uint32_t type) {
   return (type >= GliderLexer::EQ && type <= GliderLexer::GT) || type == GliderLexer::ASSIGN;
 }
 
 /// `depth below 55 m`, `depth is less than 55 m`: the words are errors of their own.
 bool isComparedInWords(const Phrase& phrase) {
-  constexpr std::string_view kWords[] = {"below", "above", "under", "over",  "less",
-                                         "more",  "at",    "is",    "stays", "greater"};
+  constexpr std::string_view kWords[] = {"below", "above", "under", "over",    "less", "more",
+                                         "at",    "is",    "stays", "greater", "no",   "not"};
   return phrase.type() == GliderLexer::NAME && !phrase.startsLine(1) &&
          std::ranges::any_of(kWords, [&](std::string_view word) { return phrase.says(1, word); });
 }
@@ -155,107 +157,45 @@ size_t surfacingAtLeast(Phrase& phrase) {
   return every + 1;
 }
 
-/// Reports `count` tokens that are to be the promise `always NAME SIGN VALUE`, and puts a condition
-/// in their place.
-void putLimit(Phrase& phrase, size_t count, const std::string& better) {
-  const Lexeme whole = phrase.whole(0, count);
-  expected(phrase, phrase.token(), "`always` and a condition")
-      .hint(fmt::format("write `require {}`", better))
-      .fix(phrase.source().range(whole), better);
-  phrase.put({GliderLexer::ALWAYS, whole.begin, whole.begin});
-  phrase.put({GliderLexer::TRUE, whole.begin, whole.end});
+/// `<=`, `at most`, `no later than`: the tokens from token 1 on of what stands for `within` or
+/// `every`.
+size_t tokensOfMost(const Phrase& phrase) {
+  constexpr std::string_view kWords[] = {"at most", "no later than", "not later than", "less than",
+                                         "in at most"};
+  if (oneOf(phrase.type(1),
+            {GliderLexer::LE, GliderLexer::LT, GliderLexer::COLON, GliderLexer::ASSIGN})) {
+    return 1;
+  }
+  for (const std::string_view words : kWords) {
+    if (const size_t tokens = tokensOfWords(phrase, 1, words)) {
+      return tokens;
+    }
+  }
+  return 0;
+}
+
+/// `require surfaces 4 times`: how often is not how far apart.
+size_t surfacesTimes(Phrase& phrase) {
+  if (phrase.type() != GliderLexer::SURFACES || phrase.type(1) != GliderLexer::NUMBER ||
+      phrase.type(2) != GliderLexer::TIMES_WORD) {
+    return 0;
+  }
+  constexpr size_t kTokens = 3;
+  const Lexeme word = phrase.token();
+  expected(phrase, phrase.token(1), "`every`")
+      .hint("write the longest time between two of them, as in `require surfaces every 4 h`");
+  phrase.put(word);
+  phrase.put({kEvery, phrase.token(1).begin, phrase.token(1).begin});
+  phrase.put({GliderLexer::NUMBER, phrase.token(1).begin, phrase.token(1).end});
   phrase.notAsMeant();
-}
-
-/// `require max depth 60 m`.
-size_t greatestOrLeast(Phrase& phrase) {
-  const bool most = phrase.says(0, "max") || phrase.says(0, "maximum");
-  const bool least = phrase.says(0, "min") || phrase.says(0, "minimum");
-  if (!(most || least) || !isName(phrase.type(1))) {
-    return 0;
-  }
-  const bool sign = isComparison(phrase.type(2)) || phrase.says(2, "is") || phrase.says(2, "of");
-  const size_t value = sign ? 3 : 2;
-  const size_t number = tokensOfQuantity(phrase, value);
-  if (number == 0) {
-    return 0;
-  }
-  putLimit(phrase, value + number,
-           fmt::format("always {} {} {}", phrase.text(1),
-                       most ? "<=" : ">=", phrase.wholeText(value, number)));
-  return value + number;
-}
-
-/// `require the glider never dives below 60 m`.
-size_t neverDivesBelow(Phrase& phrase) {
-  const size_t article = phrase.says(0, "the") ? 1 : 0;
-  const size_t never = article + (phrase.says(article, "glider") ? 1 : 0);
-  const bool verb = phrase.says(never + 1, "dives") || phrase.says(never + 1, "dive") ||
-                    phrase.says(never + 1, "goes") || phrase.says(never + 1, "go");
-  const size_t than = phrase.says(never + 2, "deeper") && phrase.says(never + 3, "than") ? 1 : 0;
-  const size_t first = never + 3 + than;
-  const size_t number = tokensOfQuantity(phrase, first);
-  if (phrase.type(never) != GliderLexer::NEVER || !verb || number == 0 ||
-      !(than == 1 || phrase.says(never + 2, "below"))) {
-    return 0;
-  }
-  putLimit(phrase, first + number,
-           fmt::format("always depth <= {}", phrase.wholeText(first, number)));
-  return first + number;
-}
-
-/// `require never deeper than 60 m`: the words say which sensor is meant.
-size_t neverComparing(Phrase& phrase) {
-  struct Comparing {
-    std::string_view word;
-    std::string_view allowed;  ///< what is then always so
-  };
-  constexpr Comparing kComparing[] = {{"deeper", "depth <="},
-                                      {"shallower", "depth >="},
-                                      {"warmer", "temp <="},
-                                      {"colder", "temp >="},
-                                      {"cooler", "temp >="}};
-  const bool verb = phrase.says(1, "be") || phrase.says(1, "go") || phrase.says(1, "dive") ||
-                    phrase.says(1, "get");
-  const size_t word = verb ? 2 : 1;
-  const auto* row = std::ranges::find_if(
-      kComparing, [&](const Comparing& one) { return phrase.says(word, one.word); });
-  const size_t number = phrase.says(word + 1, "than") ? tokensOfQuantity(phrase, word + 2) : 0;
-  if (phrase.type() != GliderLexer::NEVER || row == std::end(kComparing) || number == 0) {
-    return 0;
-  }
-  putLimit(phrase, word + 2 + number,
-           fmt::format("always {} {}", row->allowed, phrase.wholeText(word + 2, number)));
-  return word + 2 + number;
-}
-
-/// `require never below 60 m`: what is below it is not said.
-size_t neverOfNothing(Phrase& phrase) {
-  constexpr std::string_view kWords[] = {"below", "above", "under", "over", "exceed", "exceeds"};
-  const bool word =
-      std::ranges::any_of(kWords, [&](std::string_view one) { return phrase.says(1, one); });
-  const bool than = phrase.says(2, "than") && isAnyName(phrase.type(1));
-  const size_t first = word ? 2 : 3;
-  const size_t number = word || than ? tokensOfQuantity(phrase, first) : 0;
-  if (phrase.type() != GliderLexer::NEVER || number == 0) {
-    return 0;
-  }
-  const Lexeme never = phrase.token();
-  expected(phrase, phrase.token(1), "a value")
-      .hint(fmt::format("write the value that is compared, as in `require never depth > {}`",
-                        phrase.wholeText(first, number)));
-  phrase.put(never);
-  phrase.put(phrase.whole(1, first + number - 1, GliderLexer::TRUE));
-  phrase.notAsMeant();
-  return first + number;
+  return kTokens;
 }
 
 /// `require exit 13 h`, `require exit <= 13 h`, `require surfaces 4 h`: a number without its word.
 size_t timeAlone(Phrase& phrase) {
   const bool exit = phrase.type() == GliderLexer::EXIT;
-  const bool sign = oneOf(
-      phrase.type(1), {GliderLexer::LE, GliderLexer::LT, GliderLexer::COLON, GliderLexer::ASSIGN});
-  const size_t first = sign ? 2 : 1;
+  const size_t sign = tokensOfMost(phrase);
+  const size_t first = 1 + sign;
   const size_t number = tokensOfQuantity(phrase, first);
   if (!(exit || phrase.type() == GliderLexer::SURFACES) || number == 0) {
     return 0;
@@ -269,7 +209,7 @@ size_t timeAlone(Phrase& phrase) {
       .hint(fmt::format("write `require {}`", better))
       .fix(phrase.source().range(phrase.whole(0, first + number)), better);
   phrase.put(word);
-  phrase.put({exit ? kWithin : kEvery, found.begin, sign ? found.end : found.begin});
+  phrase.put({exit ? kWithin : kEvery, found.begin, sign > 0 ? found.end : found.begin});
   return first;
 }
 
@@ -325,44 +265,41 @@ size_t visits(Phrase& phrase) {
   return 1;
 }
 
-/// `require within 7 h exit`.
-size_t timeBeforeExit(Phrase& phrase) {
-  const size_t time = phrase.type() == GliderLexer::WITHIN ? tokensOfQuantity(phrase, 1) : 0;
-  if (time == 0 || phrase.type(1 + time) != GliderLexer::EXIT) {
+/// `require within 7 h exit`, `require every 4 h surfaces`.
+size_t timeFirst(Phrase& phrase) {
+  const bool within = phrase.type() == kWithin;
+  const size_t time = within || phrase.type() == kEvery ? tokensOfQuantity(phrase, 1) : 0;
+  const bool surfaces = phrase.says(1 + time, "surfaces") || phrase.says(1 + time, "surface");
+  if (time == 0 || !(within ? phrase.type(1 + time) == GliderLexer::EXIT : surfaces)) {
     return 0;
   }
-  const Lexeme within = phrase.token();
+  const std::string_view word = within ? "exit" : "surfaces";
+  const Lexeme first = phrase.token();
   const Lexeme whole = phrase.whole(0, time + 2);
-  const std::string better = fmt::format("exit {}", phrase.wholeText(0, time + 1));
-  expected(phrase, within, "`exit within`")
+  const std::string better = fmt::format("{} {}", word, phrase.wholeText(0, time + 1));
+  expected(phrase, first, within ? "`exit within`" : "`surfaces every`")
       .hint(fmt::format("write `require {}`", better))
       .fix(phrase.source().range(whole), better);
-  phrase.put({GliderLexer::EXIT, within.begin, within.begin});
+  phrase.put({within ? GliderLexer::EXIT : GliderLexer::SURFACES, first.begin, first.begin});
   for (size_t k = 0; k <= time; ++k) {
     phrase.put(phrase.token(k));
   }
   return time + 2;
 }
 
-/// `require always within 5 km of home`.
-size_t alwaysWithinDistance(Phrase& phrase) {
-  const bool within = phrase.type() == GliderLexer::ALWAYS && phrase.type(1) == GliderLexer::WITHIN;
-  const size_t distance = within ? tokensOfQuantity(phrase, 2) : 0;
-  const size_t place = 2 + distance;
-  if (distance == 0 || phrase.type(place) != GliderLexer::OF ||
-      !isAnyName(phrase.type(place + 1))) {
+/// `require reach back within 13 h`: `reach` alone is about what can be, at any time.
+size_t reachWithin(Phrase& phrase) {
+  if (phrase.type() != GliderLexer::REACH || !isAnyName(phrase.type(1)) ||
+      phrase.type(2) != kWithin) {
     return 0;
   }
-  const Lexeme written = phrase.whole(1, place + 1, GliderLexer::TRUE);
-  const std::string better =
-      fmt::format("distance({}) <= {}", phrase.text(place + 1), phrase.wholeText(2, distance));
-  expected(phrase, phrase.token(1), "a condition")
-      .hint(fmt::format("write `require always {}`", better))
-      .fix(phrase.source().range(written), better);
-  phrase.put(phrase.token());
-  phrase.put(written);
-  phrase.notAsMeant();
-  return place + 2;
+  const Lexeme word = phrase.token();
+  expected(phrase, word, "`visit`")
+      .hint(fmt::format("write `require visit {} {}`", phrase.text(1),
+                        phrase.wholeText(2, 1 + tokensOfQuantity(phrase, 3))))
+      .fix(phrase.source().range(word), "visit");
+  phrase.put({GliderLexer::VISIT, word.begin, word.end});
+  return 1;
 }
 
 /// `require always hold within 8 h`.
@@ -433,10 +370,9 @@ size_t promise(Phrase& phrase) {
   if (phrase.before() != GliderLexer::REQUIRE) {
     return 0;
   }
-  return firstOf(
-      phrase, {subject, visits, visitLeftOut, timeBeforeExit, alwaysWithinDistance, alwaysForVisit,
-               promiseWords, surfacingAtLeast, timeAlone, caseAsWhenever, alwaysAtEnd,
-               neverDivesBelow, neverComparing, neverOfNothing, greatestOrLeast, alwaysLeftOut});
+  return firstOf(phrase, {subject, visits, visitLeftOut, timeFirst, reachWithin, limitInWords,
+                          alwaysForVisit, promiseWords, surfacingAtLeast, surfacesTimes, timeAlone,
+                          caseAsWhenever, alwaysAtEnd, alwaysLeftOut});
 }
 
 size_t promiseInside(Phrase& phrase) {
@@ -512,9 +448,86 @@ size_t stateOfReaction(Phrase& phrase) {
 
 }  // namespace
 
+namespace {
+
+/// `whenever a, b within 5 min`.
+size_t commaOfReaction(Phrase& phrase) {
+  if (phrase.type() != GliderLexer::COMMA || !phrase.open().empty() ||
+      hasRead(phrase, {GliderLexer::THEN}) || !isAnyName(phrase.type(1)) ||
+      !oneOf(phrase.type(2), {GliderLexer::WITHIN, GliderLexer::FOR})) {
+    return 0;
+  }
+  const Lexeme comma = phrase.token();
+  expected(phrase, comma, "`then`")
+      .hint(fmt::format("write `then {}`", phrase.text(1)))
+      .fix(phrase.source().range(comma), " then");
+  phrase.put({GliderLexer::THEN, comma.begin, comma.end});
+  return 1;
+}
+
+/// `when look then stay for 2 h`: what stays so is the state itself.
+size_t stayInReaction(Phrase& phrase) {
+  if (phrase.type() != GliderLexer::STAY || phrase.before() != GliderLexer::THEN) {
+    return 0;
+  }
+  const Lexeme word = phrase.token();
+  const bool state = isAnyName(phrase.before(1)) &&
+                     oneOf(phrase.before(2), {GliderLexer::WHEN, GliderLexer::WHENEVER});
+  const std::string_view name =
+      state ? phrase.source().text(*phrase.lexemeBefore(1)) : std::string_view("STATE");
+  expected(phrase, word, "a state or a condition")
+      .hint(fmt::format("write `then {} …`: what follows `then` is what must be so", name));
+  phrase.put({GliderLexer::TRUE, word.begin, word.end});
+  phrase.notAsMeant();
+  return 1;
+}
+
+/// `whenever a then b immediately`.
+size_t atOnce(Phrase& phrase) {
+  const bool word = phrase.says(0, "immediately") || phrase.says(0, "instantly") ||
+                    phrase.says(0, "soon") || phrase.says(0, "eventually");
+  if (!word || phrase.startsLine() || !phrase.startsLine(1) || !endsValue(phrase.before()) ||
+      !hasRead(phrase, {GliderLexer::THEN})) {
+    return 0;
+  }
+  expected(phrase, phrase.token(), "`within`")
+      .hint("write the longest time that it may take, as in `within 1 min`");
+  return 1;
+}
+
+/// `visit state back`, `then state back`: a promise names a state alone.
+size_t stateInPromise(Phrase& phrase) {
+  const bool named = phrase.type() == GliderLexer::STATE && !phrase.startsLine() &&
+                     isAnyName(phrase.type(1)) && !phrase.startsLine(1) &&
+                     isStateName(phrase.source(), phrase.text(1));
+  // After these, no state is declared.
+  const bool wanted =
+      oneOf(phrase.before(),
+            {GliderLexer::VISIT, GliderLexer::PATROL, GliderLexer::NEVER, GliderLexer::WHEN,
+             GliderLexer::WHENEVER, GliderLexer::REACH, GliderLexer::HOLD, GliderLexer::THEN,
+             GliderLexer::UNTIL, GliderLexer::IN, GliderLexer::OUTSIDE, GliderLexer::COMMA});
+  if (!named || !wanted) {
+    return 0;
+  }
+  phrase.reporter()
+      .at(phrase.token(), support::diagnostics::superfluousWord, phrase.text(),
+          fmt::format("after `{}`", phrase.source().text(*phrase.lexemeBefore())))
+      .fix({phrase.source().file, phrase.token().begin, phrase.token(1).begin}, "");
+  return 1;
+}
+
+}  // namespace
+
 size_t reaction(Phrase& phrase) {
   return hasRead(phrase, {GliderLexer::WHENEVER, GliderLexer::WHEN})
-             ? firstOf(phrase, {timeOfReaction, stateOfReaction})
+             ? firstOf(phrase,
+                       {timeOfReaction, commaOfReaction, stayInReaction, atOnce, stateOfReaction})
+             : 0;
+}
+
+size_t stateWordInPromise(Phrase& phrase) {
+  return phrase.keyword() == GliderLexer::REQUIRE || phrase.before() == GliderLexer::THEN
+             ? stateInPromise(phrase)
              : 0;
 }
 

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string>
 
@@ -63,7 +65,10 @@ struct Clock {
   unsigned hours = 0;
   unsigned minutes = 0;
   unsigned seconds = 0;
+  bool three = false;  ///< it has seconds
 };
+
+constexpr unsigned kDay_h = 24;
 
 unsigned numberOf(std::string_view digits) {
   unsigned n = 0;
@@ -92,18 +97,26 @@ std::optional<Clock> clockAt(Reader& reader) {
       return std::nullopt;
     }
     clock.seconds = numberOf(seconds);
+    clock.three = true;
   }
-  constexpr unsigned kSixty = 60, kDay = 24;
-  const bool valid = clock.hours <= kDay && clock.minutes < kSixty && clock.seconds < kSixty;
+  constexpr unsigned kSixty = 60;
+  const bool valid = clock.minutes < kSixty && clock.seconds < kSixty;
   return valid ? std::optional(clock) : std::nullopt;
 }
 
-/// `18 h 30 min`, as the language writes a time of the day.
+/// `18 h 30 min`, as the language writes a time of the day; `0 h` only where nothing else is there.
 std::string asDuration(const Clock& clock) {
-  std::string out = fmt::format("{} h", clock.hours);
-  out += clock.minutes > 0 ? fmt::format(" {} min", clock.minutes) : "";
-  out += clock.seconds > 0 ? fmt::format(" {} s", clock.seconds) : "";
+  const bool rest = clock.minutes > 0 || clock.seconds > 0;
+  std::string out = clock.hours > 0 || !rest ? fmt::format("{} h ", clock.hours) : "";
+  out += clock.minutes > 0 ? fmt::format("{} min ", clock.minutes) : "";
+  out += clock.seconds > 0 ? fmt::format("{} s ", clock.seconds) : "";
+  out.pop_back();
   return out;
+}
+
+/// `18:30` as 18 minutes and 30 seconds.
+std::string asMinutes(const Clock& clock) {
+  return asDuration({0, clock.hours, clock.minutes});
 }
 
 /// A time of the calendar as it was written, and as the language writes it.
@@ -131,7 +144,7 @@ std::optional<Written> instantAt(std::string_view text) {
     reader.skipSpaces();
   }
   const auto clock = clockAt(reader);
-  if (!clock) {
+  if (!clock || clock->hours > kDay_h) {
     return std::nullopt;  // a date alone is for analysis
   }
   Written written;
@@ -186,9 +199,110 @@ size_t instant(Phrase& phrase) {
   return tokens;
 }
 
-size_t clockTime(Phrase& phrase) {
-  if (phrase.type(1) != GliderLexer::COLON || !phrase.touches(1) || !mayBeginValue(phrase)) {
+namespace {
+
+/// Whether the name of the clock of the day, or of the calendar, is a token of the comparison that
+/// is being read: `18:00` is a time of the day there, and a duration elsewhere.
+bool besideTimeOfDay(const Phrase& phrase, size_t tokens) {
+  constexpr size_t kFarthest = 40;
+  const auto isDay = [](std::string_view word) { return word == "timeofday" || word == "utc"; };
+  const auto ends = [](uint32_t type) {
+    return oneOf(type, {GliderLexer::COMMA, GliderLexer::LPAREN, GliderLexer::RPAREN,
+                        GliderLexer::AND, GliderLexer::OR, kEof}) ||
+           (isHardKeyword(type) && !isOperator(type));
+  };
+  bool joined = false;  // `and` was passed, as in `between 18:00 and 20:00`
+  bool between = false;
+  for (size_t k = 0; k < kFarthest && phrase.before(k) != 0; ++k) {
+    const std::string_view word = phrase.source().text(*phrase.lexemeBefore(k));
+    joined = joined || phrase.before(k) == GliderLexer::AND_WORD;
+    between = between || word == "between";
+    if (isDay(word)) {
+      return !joined || between;
+    }
+    if (ends(phrase.before(k)) && phrase.before(k) != GliderLexer::AND_WORD) {
+      break;
+    }
+  }
+  for (size_t k = tokens; k < tokens + kFarthest && !ends(phrase.type(k)); ++k) {
+    if (isDay(phrase.text(k))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// How many hours the clocks of a zone are ahead of UTC.
+struct Zone {
+  std::string_view name;
+  int ahead_h;
+};
+constexpr Zone kZones[] = {{"UTC", 0},  {"GMT", 0},  {"Z", 0},    {"EST", -5}, {"EDT", -4},
+                           {"CST", -6}, {"CDT", -5}, {"MST", -7}, {"MDT", -6}, {"PST", -8},
+                           {"PDT", -7}, {"AST", -4}, {"BST", 1},  {"WET", 0},  {"WEST", 1},
+                           {"CET", 1},  {"CEST", 2}, {"EET", 2},  {"EEST", 3}, {"JST", 9}};
+
+const Zone* zoneAt(const Phrase& phrase, size_t k) {
+  const auto* zone = std::ranges::find(kZones, phrase.text(k), &Zone::name);
+  return zone == std::end(kZones) || phrase.startsLine(k) ? nullptr : zone;
+}
+
+void putTime(Phrase& phrase, const Lexeme& whole) {
+  phrase.put({GliderLexer::NUMBER, whole.begin, whole.end});
+  phrase.notAsMeant();
+}
+
+/// Reports a time of the day whose zone is token `tokens`.
+size_t takeZoned(Phrase& phrase, size_t tokens, Clock clock, const Zone& zone) {
+  const Lexeme whole = phrase.whole(0, tokens + 1);
+  const int hours = static_cast<int>(clock.hours) - zone.ahead_h;
+  clock.hours = static_cast<unsigned>(hours + static_cast<int>(kDay_h)) % kDay_h;
+  const std::string better = asDuration(clock);
+  auto report = phrase.reporter().at(whole, support::diagnostics::timeInParts,
+                                     phrase.source().text(whole), better);
+  if (zone.ahead_h == 0) {
+    report.fix(phrase.source().range(whole), better);
+  } else {
+    report.hint(fmt::format("write `{}`: the time of the day is UTC", better));
+  }
+  putTime(phrase, whole);
+  return tokens + 1;
+}
+
+/// `6 pm`, `6:30 pm`: the vehicle's clock is UTC, and theirs perhaps not.
+size_t takeTwelveHours(Phrase& phrase, size_t tokens, Clock clock) {
+  constexpr unsigned kHalf = 12;
+  const bool after_noon = phrase.says(tokens, "pm");
+  if ((!after_noon && !phrase.says(tokens, "am")) || phrase.startsLine(tokens) ||
+      clock.hours == 0 || clock.hours > kHalf) {
     return 0;
+  }
+  clock.hours = clock.hours % kHalf + (after_noon ? kHalf : 0);
+  const Lexeme whole = phrase.whole(0, tokens + 1);
+  phrase.reporter()
+      .at(whole, support::diagnostics::timeInParts, phrase.source().text(whole), "")
+      .hint(fmt::format("write `{}` if that is UTC, as the time of the day is", asDuration(clock)));
+  putTime(phrase, whole);
+  return tokens + 1;
+}
+
+/// `6 pm`.
+size_t hourOfTwelve(Phrase& phrase) {
+  const std::string_view digits = phrase.text();
+  if (digits.size() > 2 || !std::ranges::all_of(digits, isDigit)) {
+    return 0;
+  }
+  return takeTwelveHours(phrase, 1, {numberOf(digits)});
+}
+
+}  // namespace
+
+size_t clockTime(Phrase& phrase) {
+  if (!mayBeginValue(phrase)) {
+    return 0;
+  }
+  if (phrase.type(1) != GliderLexer::COLON || !phrase.touches(1)) {
+    return hourOfTwelve(phrase);
   }
   Reader reader(textFrom(phrase));
   const auto clock = clockAt(reader);
@@ -196,13 +310,27 @@ size_t clockTime(Phrase& phrase) {
   if (tokens < 3 || phrase.type(tokens) == GliderLexer::COMPASS) {
     return 0;
   }
+  if (const size_t taken = takeTwelveHours(phrase, tokens, *clock)) {
+    return taken;
+  }
+  const bool day = besideTimeOfDay(phrase, tokens);
+  if (day && clock->hours > kDay_h) {
+    return 0;
+  }
+  if (const Zone* zone = zoneAt(phrase, tokens)) {
+    return takeZoned(phrase, tokens, *clock, *zone);
+  }
   const Lexeme whole = phrase.whole(0, tokens);
   const std::string better = asDuration(*clock);
-  phrase.reporter()
-      .at(whole, support::diagnostics::timeInParts, phrase.source().text(whole), better)
-      .fix(phrase.source().range(whole), better);
-  phrase.put({GliderLexer::NUMBER, whole.begin, whole.end});
-  phrase.notAsMeant();
+  auto report = phrase.reporter().at(whole, support::diagnostics::timeInParts,
+                                     phrase.source().text(whole), better);
+  if (day || clock->three) {
+    report.fix(phrase.source().range(whole), better);
+  } else {
+    report.hint(fmt::format("write `{}` for hours and minutes, `{}` for minutes and seconds",
+                            better, asMinutes(*clock)));
+  }
+  putTime(phrase, whole);
   return tokens;
 }
 

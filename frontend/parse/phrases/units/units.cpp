@@ -19,62 +19,6 @@
 namespace glider::frontend::phrases {
 namespace {
 
-/// A unit of another system, with the unit of the language that takes its place: a value of `v`
-/// is `v * factor + offset` there.
-struct OtherUnit {
-  std::string_view unit;  ///< in lower case
-  std::string_view ours;  ///< empty: readings in it are plain numbers
-  double factor;
-  double offset;
-  bool same = false;  ///< another name of our unit: certain enough for a fix
-};
-constexpr OtherUnit kOtherUnits[] = {{"degf", "degC", 1 / 1.8, -32 / 1.8},
-                                     {"fahrenheit", "degC", 1 / 1.8, -32 / 1.8},
-                                     {"f", "degC", 1 / 1.8, -32 / 1.8},
-                                     {"kelvin", "degC", 1, -273.15},
-                                     {"k", "degC", 1, -273.15},
-                                     {"hpa", "bar", 0.001, 0},
-                                     {"mbar", "bar", 0.001, 0},
-                                     {"kpa", "bar", 0.01, 0},
-                                     {"psi", "bar", 0.0689476, 0},
-                                     {"ms", "s", 0.001, 0},
-                                     {"week", "day", 7, 0},
-                                     {"weeks", "day", 7, 0},
-                                     {"ms/cm", "S/m", 0.1, 0},
-                                     {"us/cm", "S/m", 0.0001, 0},
-                                     {"km/h", "m/s", 1 / 3.6, 0},
-                                     {"fathom", "m", 1.8288, 0},
-                                     {"fathoms", "m", 1.8288, 0},
-                                     {"mile", "km", 1.609344, 0},
-                                     {"miles", "km", 1.609344, 0},
-                                     {"um", "uM", 1, 0},
-                                     {"umol", "", 0, 0},
-                                     {"umol/kg", "", 0, 0},
-                                     {"umol/l", "uM", 1, 0, true},
-                                     {"mmol/m3", "uM", 1, 0, true},
-                                     {"ug/l", "ug/L", 1, 0, true},
-                                     {"mg/m3", "ug/L", 1, 0, true},
-                                     {"magnetic", "deg magnetic", 1, 0},
-                                     {"mg/l", "", 0, 0},
-                                     {"ml/l", "uM", 44.66, 0},
-                                     {"psu", "", 0, 0, true},
-                                     {"ppb", "", 0, 0},
-                                     {"inches", "inch", 1, 0, true},
-                                     {"ccm", "cc", 1, 0, true},
-                                     {"cm3", "cc", 1, 0, true},
-                                     {"litre", "cc", 1000, 0},
-                                     {"litres", "cc", 1000, 0},
-                                     {"liter", "cc", 1000, 0},
-                                     {"liters", "cc", 1000, 0}};
-
-const OtherUnit* otherUnit(std::string unit) {
-  std::ranges::transform(unit, unit.begin(), [](unsigned char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : static_cast<char>(c);
-  });
-  const auto* row = std::ranges::find(kOtherUnits, unit, &OtherUnit::unit);
-  return row == std::end(kOtherUnits) ? nullptr : row;
-}
-
 bool isDegreeWord(const Phrase& phrase, size_t k) {
   const uint32_t type = phrase.type(k);
   return (type == GliderLexer::FOREIGN && (phrase.text(k) == "°" || phrase.text(k) == "º")) ||
@@ -291,31 +235,7 @@ size_t magneticHeading(Phrase& phrase) {
   return 2;
 }
 
-namespace {
-
-/// `2 ml/l` of oxygen: the millilitre is a unit of the language.
-size_t millilitresPerLitre(Phrase& phrase) {
-  const bool written = phrase.before() == GliderLexer::NUMBER && phrase.says(0, "ml") &&
-                       phrase.type(1) == GliderLexer::DIVIDE && phrase.says(2, "l") &&
-                       phrase.touches(1) && phrase.touches(2);
-  if (!written) {
-    return 0;
-  }
-  const OtherUnit* other = otherUnit("ml/l");
-  const double number = valueOf(phrase.source().text(*phrase.lexemeBefore()));
-  phrase.reporter().at(
-      phrase.whole(0, 3), support::diagnostics::unknownUnit, phrase.wholeText(0, 3),
-      fmt::format("write `{:.4g} {}`, if it is oxygen", number * other->factor, other->ours));
-  phrase.notAsMeant();
-  return 3;
-}
-
-}  // namespace
-
 size_t softUnit(Phrase& phrase) {
-  if (const size_t taken = millilitresPerLitre(phrase)) {
-    return taken;
-  }
   if (phrase.before() != GliderLexer::NUMBER || phrase.type() != GliderLexer::NAME) {
     return 0;
   }
@@ -336,18 +256,6 @@ size_t softUnit(Phrase& phrase) {
   return 0;
 }
 
-size_t signOfFeet(Phrase& phrase) {
-  const bool number = phrase.before() == GliderLexer::NUMBER && phrase.touches(0);
-  if (phrase.text() != "'" || !number || phrase.keyword() == GliderLexer::LOG ||
-      oneOf(phrase.type(1), {GliderLexer::COMPASS, GliderLexer::NUMBER, GliderLexer::FOREIGN})) {
-    return 0;
-  }
-  phrase.reporter().at(phrase.token(), support::diagnostics::unknownUnit, phrase.text(),
-                       fmt::format("write `{} ft`", phrase.source().text(*phrase.lexemeBefore())));
-  phrase.notAsMeant();
-  return 1;
-}
-
 /// `0.5 in)`: `in` begins a range, and a range begins with a value.
 size_t rangeWordAsUnit(Phrase& phrase) {
   const uint32_t next = phrase.type(1);
@@ -361,102 +269,6 @@ size_t rangeWordAsUnit(Phrase& phrase) {
           "write `inch`: `in` begins a range of values")
       .fix(phrase.source().range(phrase.token()), "inch");
   return 1;
-}
-
-namespace {
-
-/// The `^3` of `kg/m^3`, the `³` of `kg/m³`, at token `k`.
-size_t tokensOfPower(const Phrase& phrase, size_t k) {
-  if (phrase.type(k) != GliderLexer::FOREIGN || !phrase.touches(k)) {
-    return 0;
-  }
-  if (phrase.text(k) != "^") {
-    return phrase.text(k) == "²" || phrase.text(k) == "³" ? 1 : 0;
-  }
-  const size_t sign = phrase.type(k + 1) == GliderLexer::MINUS ? 1 : 0;
-  return phrase.type(k + 1 + sign) == GliderLexer::NUMBER ? 2 + sign : 0;
-}
-
-}  // namespace
-
-namespace {
-
-bool isMicroSign(std::string_view text) {
-  return text == "\xC2\xB5" || text == "\xCE\xBC";  // U+00B5, U+03BC
-}
-
-/// `2 µg/L`: a unit of the language, with a micro sign in it.
-size_t microUnit(Phrase& phrase) {
-  if (phrase.before() != GliderLexer::NUMBER || !isMicroSign(phrase.text()) || !phrase.touches(1)) {
-    return 0;
-  }
-  for (const size_t tokens : {4U, 2U}) {
-    const Lexeme unit = phrase.whole(0, tokens, GliderLexer::UNIT);
-    std::string better(phrase.source().text(unit));
-    better.replace(0, phrase.text().size(), "u");
-    if (better == "ug/l") {
-      better = "ug/L";
-    }
-    if (support::findUnit(better)) {
-      const bool apart = phrase.lexemeBefore()->end < unit.begin;
-      phrase.reporter()
-          .at(unit, support::diagnostics::unknownUnit, phrase.source().text(unit),
-              fmt::format("write `{}`", better))
-          .fix(phrase.source().range(unit), (apart ? "" : " ") + better);
-      return tokens;
-    }
-  }
-  return 0;
-}
-
-}  // namespace
-
-size_t foreignUnit(Phrase& phrase) {
-  if (const size_t taken = microUnit(phrase)) {
-    return taken;
-  }
-  const size_t micro = isMicroSign(phrase.text()) && phrase.touches(1) ? 1 : 0;
-  if (phrase.before() != GliderLexer::NUMBER || phrase.startsLine() ||
-      (micro == 0 ? phrase.type() != GliderLexer::NAME : !isAnyName(phrase.type(1)))) {
-    return 0;
-  }
-  const bool fraction = phrase.type(micro + 1) == GliderLexer::DIVIDE &&
-                        isAnyName(phrase.type(micro + 2)) && phrase.touches(micro + 1) &&
-                        phrase.touches(micro + 2);
-  const size_t name = micro + (fraction ? 3 : 1);
-  const size_t tokens = name + tokensOfPower(phrase, name);
-  std::string written(phrase.wholeText(0, tokens));
-  if (micro == 1) {
-    written.replace(0, phrase.text().size(), "u");
-  }
-  const OtherUnit* other = otherUnit(written);
-  if (other == nullptr && micro == 0 && !(fraction && unitForWord(phrase.text()).empty())) {
-    return 0;
-  }
-  const Lexeme unit = phrase.whole(0, tokens, GliderLexer::UNIT);
-  const bool negative = phrase.before(1) == GliderLexer::MINUS && !endsValue(phrase.before(2));
-  const double number = valueOf(phrase.source().text(*phrase.lexemeBefore()));
-  const double ours =
-      other == nullptr ? 0 : (negative ? -number : number) * other->factor + other->offset;
-  // Few seas are that cold: below, it is a difference.
-  constexpr double kColdest_K = 200;
-  const bool difference =
-      other != nullptr && other->offset < -kColdest_K && std::fabs(number) < kColdest_K;
-  const std::string hint =
-      difference ? fmt::format("write `{:.4g} degC`: a difference has the same unit",
-                               negative ? -number : number)
-      : other == nullptr || other->ours.empty()
-          ? "write the number alone: readings of sensors without a unit here are plain numbers"
-          : fmt::format("write `{:.4g} {}`", ours, other->ours);
-  auto report = phrase.reporter().at(unit, support::diagnostics::unknownUnit,
-                                     phrase.source().text(unit), hint);
-  if (other != nullptr && other->ours.empty() && other->same) {
-    report.fix({phrase.source().file, phrase.lexemeBefore()->end, unit.end}, "");
-  } else if (other != nullptr && other->same) {
-    const bool apart = phrase.lexemeBefore()->end < unit.begin;
-    report.fix(phrase.source().range(unit), (apart ? "" : " ") + std::string(other->ours));
-  }
-  return tokens;
 }
 
 }  // namespace glider::frontend::phrases

@@ -38,6 +38,10 @@ size_t noOther(Phrase& phrase) {
     return 0;
   }
   const Lexeme word = phrase.token(1);
+  size_t words = 2;  // `no power cuts`
+  while (phrase.type(words) == GliderLexer::NAME && !phrase.startsLine(words)) {
+    ++words;
+  }
   auto report = phrase.reporter().at(word, support::diagnostics::unexpectedToken, "`outage`",
                                      describe(phrase.source(), word));
   report.hint(word.type == GliderLexer::CURRENT
@@ -45,7 +49,36 @@ size_t noOther(Phrase& phrase) {
                   : "write `assume no outage`");
   phrase.put(phrase.token());
   phrase.put({GliderLexer::OUTAGE, word.begin, word.end});
-  return 2;
+  return words;
+}
+
+/// `start at home`, `start within 300 m of home`: an area, or a distance from a place.
+size_t startAtPlace(Phrase& phrase) {
+  const bool start = phrase.type() == GliderLexer::START;
+  const bool within = phrase.type(1) == GliderLexer::WITHIN;
+  const size_t distance = start && within ? tokensOfQuantity(phrase, 2) : 0;
+  const size_t place = within ? 3 + distance : 2;
+  const bool words = phrase.type(1) == GliderLexer::AT || phrase.says(1, "near") ||
+                     (distance > 0 && phrase.type(place - 1) == GliderLexer::OF);
+  if (!start || !words || !isAnyName(phrase.type(place)) || !phrase.startsLine(place + 1)) {
+    return 0;
+  }
+  const Lexeme whole = phrase.whole(1, place, GliderLexer::TRUE);
+  const std::string better =
+      fmt::format("distance({}) <= {}", phrase.text(place),
+                  distance == 0 ? std::string_view("300 m") : phrase.wholeText(2, distance));
+  auto report = phrase.reporter().at(phrase.token(1), support::diagnostics::unexpectedToken,
+                                     "a condition", describe(phrase.source(), phrase.token(1)));
+  if (distance == 0) {
+    report.hint(fmt::format("say how near, as in `assume start {}`", better));
+  } else {
+    report.hint(fmt::format("write `assume start {}`", better))
+        .fix(phrase.source().range(whole), better);
+  }
+  phrase.put(phrase.token());
+  phrase.put(whole);
+  phrase.notAsMeant();
+  return place + 1;
 }
 
 /// The tokens of what was written for `<=` from token 1 on, such as `<` and `at most`; a number
@@ -101,7 +134,7 @@ size_t assumption(Phrase& phrase) {
   if (phrase.before() != GliderLexer::ASSUME) {
     return 0;
   }
-  return firstOf(phrase, {noOutages, noOther, greatest});
+  return firstOf(phrase, {noOutages, noOther, startAtPlace, greatest});
 }
 
 }  // namespace glider::frontend::phrases

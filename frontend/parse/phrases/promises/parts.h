@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#pragma once
+
+#include "frontend/parse/phrases/phrase.h"
+
+/// What the repairs of promises share.
+namespace glider::frontend::phrases {
+
+/// "expected `always`, found …".
+support::DiagnosticBuilder expected(Phrase& phrase, const Lexeme& found, std::string_view what);
+
+/// The tokens of the condition from token `first` on, which ends its line; 0: there is none. After
+/// it, on a later line, a declaration may begin with a word that is also a name.
+size_t tokensOfWholeCondition(const Phrase& phrase, size_t first);
+
+/// `max depth 60 m`, `never deeper than 60 m`, `always within 5 km of home`, `depth no more than
+/// 60 m`: what was read is the promise that a value stays below or above a limit.
+size_t limitInWords(Phrase& phrase);
+
+}  // namespace glider::frontend::phrases

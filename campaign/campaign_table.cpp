@@ -86,7 +86,7 @@ std::string campaignTable(const CampaignPlan& plan, const CampaignResult& result
   uint64_t idle = 0, idle_without_fault = 0;
   eachFlown(plan, result, [&](const CampaignFlight& flight, const Verdict& verdict) {
     const size_t column = columnOf(verdict);
-    const bool never = !(verdict.take_s > 0);
+    const bool never = verdict.instructions == 0;
     idle += never;
     idle_without_fault += never && flight.kind == FaultKind::None;
     kinds[static_cast<size_t>(flight.kind)].add(verdict, column);

@@ -49,8 +49,8 @@ TEST(JsonFormat, Params) {
 
 TEST(JsonFormat, Targets) {
   const json targets = framed("targets", 0).at("targets");
-  ASSERT_EQ(targets.size(), 4U);
-  EXPECT_EQ(targets[3].at("name"), "ts7800");
+  ASSERT_EQ(targets.size(), 5U);
+  EXPECT_EQ(targets[4].at("name"), "ts7800");
 }
 
 TEST(JsonFormat, Sim) {

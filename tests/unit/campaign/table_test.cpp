@@ -26,7 +26,7 @@ Verdict flownVerdict(Verdict::Outcome outcome, double deepest_m, uint32_t releas
   verdict.releases = releases;
   verdict.violation = outcome == Verdict::Outcome::Violation ? "too deep" : "";
   verdict.violation_s = 99.6;
-  verdict.take_s = 8;
+  verdict.instructions = 8;
   return verdict;
 }
 
@@ -52,7 +52,7 @@ TEST(OutcomeName, DistinguishesExitsWithAndWithoutRelease) {
 
 TEST(CampaignTable, SaysWhereTheMissionNeverFlew) {
   Verdict idle = kBack;
-  idle.take_s = 0;
+  idle.instructions = 0;
   const auto with = [&](FaultKind first, std::vector<std::optional<Verdict>> verdicts) {
     CampaignResult result;
     result.verdicts = std::move(verdicts);

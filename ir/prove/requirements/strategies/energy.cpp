@@ -81,7 +81,7 @@ class Energy final : public Strategy {
     const double most_j = mostOf(context);
     if (isKept(*condition, attempt.requirement.condition, most_j, context)) {
       return RequirementVerdict{attempt.number, Verdict::Proved, std::nullopt,
-                                "by the vehicle's power table"};
+                                "by the vehicle's power table, while the SBC is in control"};
     }
     RequirementVerdict open{attempt.number, Verdict::Open, std::nullopt};
     open.reason = whyOpen(most_j, context);

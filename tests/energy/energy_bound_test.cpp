@@ -164,6 +164,20 @@ TEST(EnergyBound, StatesThatFollowOneAnotherAtOnceAreNamed) {
   EXPECT_LT(slow.watts, bound.watts / 2);
 }
 
+TEST(EnergyBound, ALeastTimeInAStateCounts) {
+  const auto with = [](const char* least) {
+    return boundOf(
+        stateText("dive", "yo(5 m, 50 m, 26 deg, 26 deg)",
+                  fmt::format("    case {}temp > 20 degC goto up\n", least)) +
+        stateText("up", "surfaced", fmt::format("    case {}temp > 10 degC goto dive\n", least)));
+  };
+  const EnergyBound any = with(""), slow = with("statetime > 30 min && ");
+  EXPECT_FALSE(any.round.empty());
+  EXPECT_TRUE(slow.round.empty());
+  EXPECT_LT(slow.watts, 12);
+  EXPECT_GT(any.watts, 4 * slow.watts);
+}
+
 TEST(EnergyBound, AChainThatLastsForYearsHasAnEnd) {
   std::string text;
   for (int i = 0; i < 20; ++i) {

@@ -35,8 +35,9 @@ bool isAboutFlights(const support::Diagnostic& diagnostic) {
 ir::prove::Findings prove(const Checked& checked, ir::prove::Options options,
                           support::DiagnosticEngine& diagnostics) {
   options.library = checked.lowered->standard_library;
-  if (const auto board = usualBoard(checked.worlds.widest.platform); board && *board) {
-    options.board = (*board)->power;
+  if (checked.mission().pack) {  // promises about its energy count the SBC
+    const auto board = usualBoard(checked.worlds.widest.platform);
+    options.board = board && *board ? (*board)->power : std::nullopt;
   }
   support::DiagnosticEngine found;
   ir::prove::Findings findings = ir::prove::prove(checked.worlds, checked.facts, options, found);

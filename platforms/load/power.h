@@ -14,6 +14,8 @@
 
 namespace glider::platforms {
 
+inline constexpr double kJoulesPerWattHour = 3600;
+
 /// When a row of the power table draws.
 enum class DrawWhen : uint8_t {
 #define DRAW(name, ...) name,

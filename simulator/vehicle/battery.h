@@ -11,7 +11,7 @@
 
 namespace glider::simulator {
 
-inline constexpr double kJoulesPerWattHour = 3600;
+using platforms::kJoulesPerWattHour;
 
 /// The pack and what it feeds, as a scenario may change it.
 struct BatterySettings {

@@ -117,12 +117,13 @@ TEST(CheckReport, SaysHowMuchEnergyItTakesAtMost) {
   };
   EXPECT_THAT(linesOf("gallery/low_battery.mission"),
               HasSubstr("\nby the vehicle's power table the mission takes at most 59.9 Wh until it "
-                        "ends, 2.7 % of the pack of 2,223 Wh: SBC 35 %, pump 27 %"));
+                        "ends, 2.7 % of the pack of 2,222 Wh: SBC 35 %, pump 27 %"));
   EXPECT_THAT(linesOf("gallery/thermocline.mission"),
               HasSubstr("\nthe vehicle may turn so often in `track` that its pump hardly rests\n"));
   EXPECT_THAT(linesOf("gallery/front.mission"),
-              HasSubstr("\nmost of it if `across`, `back` follow one another again and again, a "
-                        "round in 8 s: a least time in them makes that less\n"));
+              HasSubstr("\nit takes so much if `across` and `back` follow one another again and "
+                        "again, one round every 8 s: a minimum time in one of them lowers the "
+                        "bound\n"));
   const TemporaryFolder folder;
   const auto endless =
       folder.write("endless.mission",

@@ -41,13 +41,8 @@ const platforms::BoardPower& board() {
 simulator::Scenario drawSea(simulator::Scenario scenario, Rng& dice) {
   scenario.vehicle.initial_heading_rad = dice.within(0, 2 * std::numbers::pi);
   scenario.vehicle.flight.drag = dice.within(0.10, 0.20);
-  auto& ocean = scenario.ocean;
-  ocean.current = {dice.within(-0.35, 0.35), dice.within(-0.35, 0.35)};
-  ocean.bottom_current = {dice.within(-0.35, 0.35), dice.within(-0.35, 0.35)};
-  ocean.wave = {dice.within(0, 5), dice.within(600, 2400),
-                dice.chance(0.5) ? 0 : dice.within(300, 2000), dice.within(0, 6)};
-  ocean.thermocline_depth_m = dice.within(8, 25);
-  ocean.bottom.depth_m = dice.within(80, 250);
+  drawWater(scenario.ocean, dice);
+  scenario.ocean.bottom.depth_m = dice.within(80, 250);
   platforms::Power& power = scenario.vehicle.battery.power;
   const bool hungry = dice.chance(0.5);
   const auto factor = [&](double spread) { return 1 + spread * (hungry ? 1 : dice.within(-1, 1)); };

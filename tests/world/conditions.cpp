@@ -30,13 +30,8 @@ void change(simulator::Scenario& scenario, Rng& dice) {
   scenario.vehicle.initial_heading_rad = dice.within(0, 2 * std::numbers::pi);
   scenario.vehicle.flight.drag = dice.within(0.10, 0.20);
   scenario.vehicle.flight.mass_kg += dice.within(-0.05, 0.05);  // badly trimmed
-  auto& ocean = scenario.ocean;
-  ocean.current = {dice.within(-0.35, 0.35), dice.within(-0.35, 0.35)};
-  ocean.bottom_current = {dice.within(-0.35, 0.35), dice.within(-0.35, 0.35)};
-  ocean.wave = {dice.within(0, 5), dice.within(600, 2400),
-                dice.chance(0.5) ? 0 : dice.within(300, 2000), dice.within(0, 6)};
-  ocean.thermocline_depth_m = dice.within(8, 25);
-  ocean.bottom.depth_m = dice.within(20, 100);
+  drawWater(scenario.ocean, dice);
+  scenario.ocean.bottom.depth_m = dice.within(20, 100);
 }
 
 std::vector<double> drawParameters(const ir::Mission& mission, Rng& dice) {
@@ -69,6 +64,14 @@ bool leavesProgram(const simulator::Faults& faults) {
 }
 
 }  // namespace
+
+void drawWater(simulator::OceanSettings& ocean, Rng& dice) {
+  ocean.current = {dice.within(-0.35, 0.35), dice.within(-0.35, 0.35)};
+  ocean.bottom_current = {dice.within(-0.35, 0.35), dice.within(-0.35, 0.35)};
+  ocean.wave = {dice.within(0, 5), dice.within(600, 2400),
+                dice.chance(0.5) ? 0 : dice.within(300, 2000), dice.within(0, 6)};
+  ocean.thermocline_depth_m = dice.within(8, 25);
+}
 
 Conditions drawConditions(const ir::Mission& mission, const simulator::Scenario& scenario,
                           uint64_t seed) {

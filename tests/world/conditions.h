@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ir/core/mission.h"
+#include "ir/prove/falsification/rng.h"
 #include "simulator/campaign/draw_faults.h"
 #include "simulator/scenario/scenario.h"
 
@@ -32,5 +33,8 @@ struct Conditions {
 /// m_depth, m_pitch and of the vehicle's clock, without which the vehicle is not healthy.
 Conditions drawConditions(const ir::Mission& mission, const simulator::Scenario& scenario,
                           uint64_t seed);
+
+/// Draws currents, a wave and a thermocline, as they may be on another day.
+void drawWater(simulator::OceanSettings& ocean, ir::prove::Rng& dice);
 
 }  // namespace glider::tests

@@ -53,15 +53,9 @@ std::string wholeOf(double seconds) {
              : fmt::format("{:.1f} days", std::floor(seconds / kDay_s * kTenths) / kTenths);
 }
 
-/// "9.86", "1,250".
-std::string shortly(double number) {
-  constexpr double kWhole = 100;
-  return number < kWhole ? fmt::format("{:.3g}", number)
-                         : support::grouped(static_cast<uint64_t>(std::ceil(number)));
-}
-
 std::string boundLine(const EnergyBound& bound, double pack_j) {
-  const std::string pack = shortly(pack_j / simulator::kJoulesPerWattHour);
+  const std::string pack =
+      support::grouped(static_cast<uint64_t>(std::lround(pack_j / simulator::kJoulesPerWattHour)));
   if (!bound.joules) {
     return fmt::format(
         "by the vehicle's power table the mission takes at most {:.3g} W on average "
@@ -75,7 +69,8 @@ std::string boundLine(const EnergyBound& bound, double pack_j) {
   return fmt::format(
       "by the vehicle's power table the mission takes at most {} Wh until it ends, {}: "
       "{}",
-      shortly(*bound.joules / simulator::kJoulesPerWattHour), of_pack, sharesOf(bound));
+      support::groupedAmount(*bound.joules / simulator::kJoulesPerWattHour), of_pack,
+      sharesOf(bound));
 }
 
 /// "at most 9.6 W in `home`, 7.9 W in `out`", the greatest first; empty: there is one state.
@@ -90,7 +85,7 @@ std::string statesLine(std::vector<StateBound> states, const ir::Mission& missio
     text += fmt::format("{}{:.3g} W in `{}`", i == 0 ? "" : ", ", states[i].watts,
                         mission[states[i].state].name);
   }
-  return fmt::format("on average in a long stay at most {}{}", text,
+  return fmt::format("during a long stay, on average at most {}{}", text,
                      states.size() > kNamed ? ", less in the others" : "");
 }
 
@@ -117,16 +112,16 @@ std::string roundLine(const EnergyBound& bound, const ir::Mission& mission) {
   if (names.empty()) {
     return "";
   }
-  const std::string round = ir::prove::durationOf(bound.round_s);
+  const std::string every = ir::prove::durationOf(bound.round_s);
   return names.size() == 1
              ? fmt::format(
-                   "most of it if {} is entered again and again, every {}: a least time in "
-                   "it makes that less",
-                   names.front(), round)
+                   "it takes so much if {} is entered again and again, every {}: a minimum "
+                   "time in it lowers the bound",
+                   names.front(), every)
              : fmt::format(
-                   "most of it if {} follow one another again and again, a round in {}: a "
-                   "least time in them makes that less",
-                   fmt::join(names, ", "), round);
+                   "it takes so much if {} follow one another again and again, one round "
+                   "every {}: a minimum time in one of them lowers the bound",
+                   fmt::join(names, names.size() == 2 ? " and " : ", "), every);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "codegen/llvm/user_code/armv8.h"
 
 #include "codegen/llvm/user_code/assembly_reader.h"
+#include "codegen/llvm/user_code/text_sections.h"
 #include "support/diagnostics/ids/target.h"
 
 #include <fmt/format.h>
@@ -75,22 +76,10 @@ Result<void> checkArmv8(const llvm::object::ELFObjectFileBase& object, const std
   LLVMInitializeAArch64TargetInfo();
   LLVMInitializeAArch64TargetMC();
   LLVMInitializeAArch64Disassembler();
-  for (const llvm::object::SectionRef& section : object.sections()) {
-    if (!section.isText()) {
-      continue;
-    }
-    auto content = section.getContents();
-    if (!content) {
-      return support::fail(support::diagnostics::notLinkable, name,
-                           llvm::toString(content.takeError()));
-    }
-    const auto checked = checkCode({content->bytes_begin(), content->bytes_end()},
-                                   dataIn(object, section), name, board);
-    if (!checked) {
-      return checked;
-    }
-  }
-  return {};
+  return checkTextSections(
+      object, name, [&](const llvm::object::SectionRef& section, llvm::ArrayRef<uint8_t> code) {
+        return checkCode(code, dataIn(object, section), name, board);
+      });
 }
 
 }  // namespace glider::codegen

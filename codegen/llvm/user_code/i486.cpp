@@ -4,6 +4,7 @@
 #include "codegen/llvm/user_code/i486.h"
 
 #include "codegen/llvm/user_code/assembly_reader.h"
+#include "codegen/llvm/user_code/text_sections.h"
 #include "support/diagnostics/ids/target.h"
 
 #include <llvm/Support/TargetSelect.h>
@@ -32,24 +33,16 @@ Result<void> checkI486(const llvm::object::ELFObjectFileBase& object, const std:
   LLVMInitializeX86TargetMC();
   LLVMInitializeX86Disassembler();
   AssemblyReader reader("i386-unknown-linux", "", "");
-  for (const llvm::object::SectionRef& section : object.sections()) {
-    if (!section.isText()) {
-      continue;
-    }
-    auto content = section.getContents();
-    if (!content) {
-      return support::fail(support::diagnostics::notLinkable, name,
-                           llvm::toString(content.takeError()));
-    }
-    llvm::ArrayRef<uint8_t> code(content->bytes_begin(), content->bytes_end());
+  const auto check = [&](const auto& /*section*/, llvm::ArrayRef<uint8_t> code) -> Result<void> {
     while (!code.empty()) {
       if (const std::string instruction = reader.next(code); isNewer(instruction)) {
         const std::string mnemonic = instruction.substr(0, instruction.find_first_of("\t "));
         return support::fail(support::diagnostics::missingInstruction, name, mnemonic, board.name);
       }
     }
-  }
-  return {};
+    return {};
+  };
+  return checkTextSections(object, name, check);
 }
 
 }  // namespace glider::codegen

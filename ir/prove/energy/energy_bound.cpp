@@ -53,14 +53,14 @@ class MissionGraph {
         power_(power),
         places_(placesOf(proof_context)),
         states_(m_.states.size()),
-        leavings_(places_.all.size()),
+        ways_(places_.all.size()),
         depths_(deepestByState(proof_context)) {}
 
   /// False: there are too many ways.
   bool build() {
     arrive({places_.first, {0, seen_.platform.world.start_depth_m}});
     for (size_t at = 0; at < entered_.size(); ++at) {
-      for (const PlaceWay& way : leavingsOf(entered_[at].place).ways) {
+      for (const PlaceWay& way : waysFrom(entered_[at].place).ways) {
         follow(at, way);
       }
       if (arcs_.size() > kMostArcs) {
@@ -70,7 +70,7 @@ class MissionGraph {
     // A mission ends, or is looked at, at any time.
     for (size_t at = 0; at < entered_.size(); ++at) {
       arcs_.push_back(
-          {vertexOf(at), kEnd, usesOf(stateOf(at), 0, leavingsOf(entered_[at].place).longest_s)});
+          {vertexOf(at), kEnd, usesOf(stateOf(at), 0, waysFrom(entered_[at].place).longest_s)});
     }
     return true;
   }
@@ -89,10 +89,7 @@ class MissionGraph {
     for (uint32_t i = 0; i < m_.states.size(); ++i) {
       if (states_[i]) {
         const EnergyLine& line = states_[i]->lines.front();
-        found.states.push_back({{i},
-                                power_.joules(line.rate) * kRoundedUp,
-                                power_.joules(line.offset) * kRoundedUp,
-                                states_[i]->restless});
+        found.states.push_back({{i}, power_.joules(line.rate) * kRoundedUp, states_[i]->restless});
       }
     }
     findRound(graph, found);
@@ -107,11 +104,7 @@ class MissionGraph {
     for (size_t i = 0; i < entered_.size(); ++i) {
       deepest = std::max(deepest, depths_[stateOf(i)]);
     }
-    const platforms::Platform& platform = seen_.platform;
-    const EnergyLine line =
-        restlessLine(power_, platform,
-                     std::min(deepest, platform.envelope.greatest_depth_m +
-                                           platform.envelope.inflection_overshoot_m));
+    const EnergyLine line = restlessLine(power_, seen_.platform, deepest);
     const double watts = power_.joules(line.rate), start = power_.joules(line.offset);
     if (watts < found.watts) {
       found.watts = watts * kRoundedUp;
@@ -167,13 +160,13 @@ class MissionGraph {
   }
 
   /// What may follow a place, and how long it may be current, s.
-  struct Leavings {
+  struct PlaceWays {
     std::vector<PlaceWay> ways;
     double longest_s = 0;
   };
 
-  const Leavings& leavingsOf(size_t number) {
-    std::optional<Leavings>& found = leavings_[number];
+  const PlaceWays& waysFrom(size_t number) {
+    std::optional<PlaceWays>& found = ways_[number];
     if (!found) {
       found.emplace();
       const StayPlace& place = places_.all[number];
@@ -252,35 +245,32 @@ class MissionGraph {
 
   /// Whether a place may stay current as long as any mission.
   [[nodiscard]] bool lasts(size_t place) const {
-    return leavings_[place]->longest_s >= kLongestMission;
+    return ways_[place]->longest_s >= kLongestMission;
   }
 
   /// The least over all prices of a second: a mission of `by` seconds takes no more than its price
-  /// and what the greatest walk takes beyond it.
+  /// and what the greatest walk takes beyond it. That is least where the walk takes as long: a
+  /// dearer second makes it shorter.
   void untilTheEnd(const EnergyGraph& graph, EnergyBound& found) const {
-    const auto at = [&](double watts) {
-      const EnergyUse walk = graph.greatestWalk(watts);
-      return std::pair(*end_.by * watts + power_.joules(walk) - watts * walk.seconds, walk);
-    };
-    const double cheapest = graph.costliestPower() * kRoundedUp;
-    double low = cheapest, high = low + kGreatestPrice;
-    constexpr int kRounds = 60;
-    for (int i = 0; i < kRounds; ++i) {  // the bound is convex in the price
-      const double third = (high - low) / 3;
-      if (at(low + third).first <= at(high - third).first) {
-        high -= third;
-      } else {
-        low += third;
-      }
+    const double by = *end_.by;
+    double low = graph.costliestPower() * kRoundedUp, high = low + kGreatestPrice;
+    EnergyUse longer = graph.greatestWalk(low), shorter = graph.greatestWalk(high);
+    if (longer.seconds <= by) {
+      high = low;  // more time is that of the costliest cycle
+      shorter = longer;
+      longer = longer + graph.costliestCycle();
     }
-    const auto [joules, walk] = at(high);
-    found.joules = joules * kRoundedUp;
-    // The time that this walk leaves, or has too much, goes by that of a longer one.
-    const EnergyUse longer = low <= cheapest * kRoundedUp ? walk + graph.costliestCycle()
-                                                          : graph.greatestWalk(low * (1 - 1e-4));
-    const double more = longer.seconds - walk.seconds;
-    const double share = more > 0 ? (*end_.by - walk.seconds) / more : 0;
-    found.devices = power_.byDevice(walk + (longer - walk) * std::max(0.0, share));
+    constexpr int kRounds = 60;
+    for (int i = 0; i < kRounds && low < high; ++i) {
+      const double price = low + (high - low) / 2;
+      const EnergyUse walk = graph.greatestWalk(price);
+      (walk.seconds > by ? low : high) = price;
+      (walk.seconds > by ? longer : shorter) = walk;
+    }
+    found.joules = (by * high + power_.joules(shorter) - high * shorter.seconds) * kRoundedUp;
+    const double more = longer.seconds - shorter.seconds;
+    const double share = more > 0 ? (by - shorter.seconds) / more : 0;
+    found.devices = power_.byDevice(shorter + (longer - shorter) * share);
   }
 
   ProofContext seen_;
@@ -290,7 +280,7 @@ class MissionGraph {
   const GreatestPower& power_;
   StayPlaces places_;
   std::vector<std::optional<StateEnergy>> states_;  ///< those that become current
-  std::vector<std::optional<Leavings>> leavings_;   ///< of each place
+  std::vector<std::optional<PlaceWays>> ways_;      ///< of each place
   std::vector<double> depths_;
   std::vector<Entered> entered_;
   std::map<std::tuple<size_t, double, double>, size_t> numbers_;  ///< of what is in `entered_`

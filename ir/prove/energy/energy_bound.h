@@ -16,7 +16,6 @@ namespace glider::ir::prove {
 struct StateBound {
   StateId state;
   double watts = 0;       ///< on average, for long
-  double entry_j = 0;     ///< and once each time that it becomes current
   bool restless = false;  ///< how often it turns is not known: its pump hardly rests
 };
 

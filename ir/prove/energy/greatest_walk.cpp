@@ -3,6 +3,7 @@
 
 #include "ir/prove/energy/greatest_walk.h"
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -68,10 +69,9 @@ EnergyGraph::Search EnergyGraph::search(double power) const {
     for (size_t i = 0; i < arcs_.size(); ++i) {
       const double sum = found.best[arcs_[i].from] + worth[i];
       double& known = found.best[arcs_[i].to];
-      if (sum > known + kRounding * (1 + (known > 0 ? known : -known)) || known == kUnreached) {
-        if (sum == kUnreached) {
-          continue;
-        }
+      const double raised =
+          known == kUnreached ? known : known + kRounding * (1 + std::fabs(known));
+      if (sum > raised) {
         known = sum;
         found.by[arcs_[i].to] = i;
         found.use[arcs_[i].to] = use[i];

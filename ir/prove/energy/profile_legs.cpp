@@ -132,7 +132,7 @@ class LegSearch {
     for (const auto& [mode, ways] : ways_.all()) {
       numbers_.emplace(mode, found_.legs.size());
       // What was commanded before goes on where the profile commands nothing.
-      ProfileLeg leg{mode, Drive::Anywhere, {}, true};
+      ProfileLeg leg;
       if (mode.command && commanded_.at(*mode.command).followed) {
         leg.target = commanded_.at(*mode.command).to;
         leg.drive = driveOf(*mode.command, commanded_.at(*mode.command));

@@ -28,7 +28,6 @@ enum class Drive : uint8_t {
 
 /// A part of a state's time in which its profile's command stays the same.
 struct ProfileLeg {
-  Mode mode;
   Drive drive = Drive::Anywhere;
   DepthSpan target;         ///< of what is commanded, m; all depths if it is not known
   bool turns_there = true;  ///< the profile commands another way at the target at the latest

@@ -36,6 +36,12 @@ double noiseOf(const ProofContext& seen) {
   return seen.depth ? seen.platformSensor(*seen.depth)->noise : 0;
 }
 
+/// The hull's own limit, where the commands have none.
+double withinHull(const platforms::Platform& platform, double depth_m) {
+  const platforms::Envelope& envelope = platform.envelope;
+  return std::min(depth_m, envelope.greatest_depth_m + envelope.inflection_overshoot_m);
+}
+
 /// Out and in again.
 EnergyUse pumped(const GreatestPower& power, double cc, double depth_m) {
   EnergyUse use;
@@ -52,9 +58,7 @@ class StateGraph {
         platform_(context.seen.platform),
         model_(*platform_.power.bounds),
         power_(power),
-        // A hull's own limit, where the commands have none.
-        deepest_m_(std::min(deepest_m, platform_.envelope.greatest_depth_m +
-                                           platform_.envelope.inflection_overshoot_m)),
+        deepest_m_(withinHull(platform_, deepest_m)),
         stroke_cc_(2 * platform_.envelope.pump_cc),
         stroke_s_(stroke_cc_ / platform_.motion->pump_rate_cc_s),
         legs_(legsOf(context, state)),
@@ -295,12 +299,13 @@ class StateGraph {
 EnergyLine restlessLine(const GreatestPower& power, const platforms::Platform& platform,
                         double deepest_m) {
   const double stroke_cc = 2 * platform.envelope.pump_cc;
-  EnergyLine line{pumped(power, platform.motion->pump_rate_cc_s / 2, deepest_m), {}};
+  const double depth_m = withinHull(platform, deepest_m);
+  EnergyLine line{pumped(power, platform.motion->pump_rate_cc_s / 2, depth_m), {}};
   line.rate.seconds = line.rate.surface_s = line.rate.pitch_battery_s = 1;
   // To dive and come up takes a while too.
   line.rate.surfacings =
       1 / (kSurfacing_s + 2 * kUnderWater_m / platform.envelope.vertical_rate_m_s);
-  line.offset.pump_out_j = power.pumpOut(stroke_cc, deepest_m);
+  line.offset.pump_out_j = power.pumpOut(stroke_cc, depth_m);
   line.offset.surfacings = 1;
   return line;
 }

@@ -35,10 +35,6 @@ size_t putLimit(Phrase& phrase, size_t count, const std::string& better, bool ce
   return count;
 }
 
-bool isSign(uint32_t type) {
-  return (type >= GliderLexer::EQ && type <= GliderLexer::GT) || type == GliderLexer::ASSIGN;
-}
-
 /// `max depth 60 m`.
 size_t greatestOrLeast(Phrase& phrase) {
   const bool most = phrase.says(0, "max") || phrase.says(0, "maximum");
@@ -46,7 +42,8 @@ size_t greatestOrLeast(Phrase& phrase) {
   if (!(most || least) || !isName(phrase.type(1))) {
     return 0;
   }
-  const bool sign = isSign(phrase.type(2)) || phrase.says(2, "is") || phrase.says(2, "of");
+  const bool sign =
+      isComparisonSign(phrase.type(2)) || phrase.says(2, "is") || phrase.says(2, "of");
   const size_t value = sign ? 3 : 2;
   const size_t number = tokensOfQuantity(phrase, value);
   if (number == 0) {

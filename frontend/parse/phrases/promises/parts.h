@@ -11,6 +11,9 @@ namespace glider::frontend::phrases {
 /// "expected `always`, found …".
 support::DiagnosticBuilder expected(Phrase& phrase, const Lexeme& found, std::string_view what);
 
+/// Whether a token compares, or is the `=` that is meant to.
+bool isComparisonSign(uint32_t type);
+
 /// The tokens of the condition from token `first` on, which ends its line; 0: there is none. After
 /// it, on a later line, a declaration may begin with a word that is also a name.
 size_t tokensOfWholeCondition(const Phrase& phrase, size_t first);

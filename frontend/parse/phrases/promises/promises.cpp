@@ -17,6 +17,10 @@ support::DiagnosticBuilder expected(Phrase& phrase, const Lexeme& found, std::st
                               describe(phrase.source(), found));
 }
 
+bool isComparisonSign(uint32_t type) {
+  return (type >= GliderLexer::EQ && type <= GliderLexer::GT) || type == GliderLexer::ASSIGN;
+}
+
 /// The tokens of the condition from token `first` on, which ends its line; 0: there is none. After
 /// it, on a later line, a declaration may begin with a word that is also a name.
 size_t tokensOfWholeCondition(const Phrase& phrase, size_t first) {
@@ -58,10 +62,6 @@ constexpr Slip kSlips[] = {
     {"surfaces", "within", "surfaces", GliderLexer::SURFACES, "every", kEvery},
     {"surfaces", "in", "surfaces", GliderLexer::SURFACES, "every", kEvery}};
 
-bool isComparison(uint32_t type) {
-  return (type >= GliderLexer::EQ && type <= GliderLexer::GT) || type == GliderLexer::ASSIGN;
-}
-
 /// `depth below 55 m`, `depth is less than 55 m`: the words are errors of their own.
 bool isComparedInWords(const Phrase& phrase) {
   constexpr std::string_view kWords[] = {"below", "above", "under", "over",    "less", "more",
@@ -98,7 +98,7 @@ size_t alwaysLeftOut(Phrase& phrase) {
   bool good = !compares;  // otherwise words of it are errors of their own
   for (size_t k = 0; k < count; ++k) {
     const uint32_t type = phrase.type(k);
-    compares = compares || isComparison(type);
+    compares = compares || isComparisonSign(type);
     good = good && !oneOf(type, {GliderLexer::AND_WORD, GliderLexer::OR_WORD, GliderLexer::ASSIGN});
   }
   if (!compares) {
@@ -120,7 +120,7 @@ size_t alwaysAtEnd(Phrase& phrase) {
   const size_t count = line - 1;
   bool compares = false;
   for (size_t k = 0; k < count; ++k) {
-    compares = compares || isComparison(phrase.type(k));
+    compares = compares || isComparisonSign(phrase.type(k));
   }
   if (count == 0 || phrase.type(count) != GliderLexer::ALWAYS ||
       phrase.type(line) == GliderLexer::CASE || !compares || !readsAsValue(phrase, 0, count)) {

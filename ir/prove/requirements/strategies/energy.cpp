@@ -6,6 +6,7 @@
 #include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/energy/energy_bound.h"
 #include "ir/prove/requirements/strategy.h"
+#include "support/grouped.h"
 
 #include <fmt/format.h>
 
@@ -16,8 +17,6 @@
 
 namespace glider::ir::prove {
 namespace {
-
-constexpr double kJoulesPerWattHour = 3600;
 
 /// A condition on `energyused`, and on nothing else that changes.
 struct EnergyCondition {
@@ -135,10 +134,11 @@ class Energy final : public Strategy {
     }
     const double counted = chargeOf(most_j, context) * context.mission.pack->voltage_V;
     return fmt::format(
-        "by the vehicle's power table it may take {:.3g} Wh, which its count of the "
-        "charge may show as {:.3g} Wh when the batteries are low; `check --report` "
+        "by the vehicle's power table it may take {} Wh, which its count of the "
+        "charge may show as {} Wh when the batteries are low; `check --report` "
         "says what takes it",
-        most_j / kJoulesPerWattHour, counted / kJoulesPerWattHour);
+        support::groupedAmount(most_j / platforms::kJoulesPerWattHour),
+        support::groupedAmount(counted / platforms::kJoulesPerWattHour));
   }
 };
 

@@ -16,7 +16,10 @@
 #include "support/diagnostics/ids/command.h"
 #include "support/files.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -106,24 +109,25 @@ Result<std::shared_ptr<const Parsed>> parse(uint32_t file, support::SourceManage
   return parsed;
 }
 
-/// Empty if its text has errors.
-std::shared_ptr<const Lowered> lower(const Parsed& parsed,
-                                     std::shared_ptr<const support::SourceManager> sources,
-                                     support::DiagnosticEngine& diagnostics) {
-  frontend::AnalysisInputs inputs{parsed.platform, {}, *sources, parsed.standard_library.size()};
+/// Makes what follows from `compilation.parsed`; nothing is lowered if its text has errors.
+void lower(Compilation& compilation) {
+  const Parsed& parsed = *compilation.parsed;
+  frontend::AnalysisInputs inputs{
+      parsed.platform, {}, *compilation.sources, parsed.standard_library.size()};
   for (const ast::File& library : parsed.libraries) {
     inputs.library.push_back(&library);
   }
-  ir::CInterface in_c;
-  auto mission = frontend::analyse(parsed.mission, inputs, diagnostics, &in_c);
+  frontend::BesideMission beside;
+  auto mission = frontend::analyse(parsed.mission, inputs, compilation.diagnostics, &beside);
+  compilation.open = std::move(beside.open);
   if (!mission) {
-    return nullptr;
+    return;
   }
   platforms::Platform platform = parsed.platform;
   allowForSteepPitch(*mission, platform.envelope);
-  return std::make_shared<const Lowered>(
-      Lowered{std::move(sources), std::make_shared<const ir::Mission>(std::move(*mission)),
-              std::move(in_c), std::move(platform), parsed.standard_library});
+  compilation.lowered = std::make_shared<const Lowered>(
+      Lowered{compilation.sources, std::make_shared<const ir::Mission>(std::move(*mission)),
+              std::move(beside.in_c), std::move(platform), parsed.standard_library});
 }
 
 /// A mission in the IR's text form; empty if it has errors.
@@ -164,9 +168,37 @@ Result<void> lowerText(const std::filesystem::path& path, uint32_t file, Compila
   }
   compilation.parsed = std::move(*parsed);
   if (compilation.parsed) {
-    compilation.lowered = lower(*compilation.parsed, compilation.sources, compilation.diagnostics);
+    lower(compilation);
   }
   return {};
+}
+
+/// Checks the structure of what was lowered, if it has no errors.
+void verify(Compilation& compilation) {
+  if (!compilation.lowered || compilation.diagnostics.hasErrors()) {
+    return;
+  }
+  ir::MissionFacts facts = ir::verify(compilation.lowered->mission, compilation.diagnostics);
+  if (!compilation.diagnostics.hasErrors()) {
+    const Lowered& lowered = *compilation.lowered;
+    compilation.checked = std::make_shared<const Checked>(
+        Checked{compilation.lowered, std::move(facts), {lowered.mission, lowered.platform}});
+  }
+}
+
+/// Writes the value of `choice`, if there is one for it.
+void write(std::span<const ChosenValue> values, ast::Choice& choice) {
+  const auto found = std::ranges::find(values, choice.constant.name.text, &ChosenValue::name);
+  if (found == values.end()) {
+    return;
+  }
+  const support::SourceRange where = choice.constant.value.where;
+  const double size = std::fabs(found->number);
+  ast::Expr value{ast::Literal{fmt::format("{:.10g}", size), found->unit, where}, where};
+  choice.constant.value = found->number < 0
+                              ? ast::Expr{ast::Unary{ast::UnaryOp::Negate, std::move(value)}, where}
+                              : std::move(value);
+  choice.chosen = true;
 }
 
 }  // namespace
@@ -201,15 +233,27 @@ Result<Compilation> compileText(const std::filesystem::path& path, std::string t
   if (auto lowered = lowerText(path, file, compilation); !lowered) {
     return std::unexpected(lowered.error());
   }
-  if (compilation.lowered && !compilation.diagnostics.hasErrors()) {
-    ir::MissionFacts facts = ir::verify(compilation.lowered->mission, compilation.diagnostics);
-    if (!compilation.diagnostics.hasErrors()) {
-      const Lowered& lowered = *compilation.lowered;
-      compilation.checked = std::make_shared<const Checked>(
-          Checked{compilation.lowered, std::move(facts), {lowered.mission, lowered.platform}});
+  verify(compilation);
+  return compilation;
+}
+
+std::string textOf(const ChosenValue& value) {
+  return fmt::format("{:.10g}{}{}", value.number, value.unit.empty() ? "" : " ", value.unit);
+}
+
+Compilation withChosen(const Compilation& compilation, std::span<const ChosenValue> values) {
+  auto parsed = std::make_shared<Parsed>(*compilation.parsed);
+  for (ast::Item& item : parsed->mission.items) {
+    if (auto* choice = std::get_if<ast::Choice>(&item)) {
+      write(values, *choice);
     }
   }
-  return compilation;
+  Compilation made;
+  made.sources = compilation.sources;
+  made.parsed = std::move(parsed);
+  lower(made);
+  verify(made);
+  return made;
 }
 
 std::shared_ptr<const Checked> onVehicle(const Checked& checked,

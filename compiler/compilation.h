@@ -5,7 +5,7 @@
 
 #include "codegen/input.h"
 #include "frontend/ast/ast.h"
-#include "ir/core/c_symbols.h"
+#include "frontend/frontend.h"
 #include "ir/core/mission.h"
 #include "ir/opt/optimise.h"
 #include "ir/worlds/worlds.h"
@@ -20,6 +20,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -79,7 +80,9 @@ struct Optimised {
 struct Compilation {
   std::shared_ptr<support::SourceManager> sources = std::make_shared<support::SourceManager>();
   support::DiagnosticEngine diagnostics;
-  std::shared_ptr<const Parsed> parsed;    ///< also null for the IR's text form
+  std::shared_ptr<const Parsed> parsed;  ///< also null for the IR's text form
+  /// What its lines `choose` and `prefer` say, also if other lines have errors.
+  frontend::LeftOpen open;
   std::shared_ptr<const Lowered> lowered;  ///< null: its text has errors
   std::shared_ptr<const Checked> checked;  ///< null: it has errors
 };
@@ -97,6 +100,19 @@ support::Result<Compilation> compileMission(const std::filesystem::path& path);
 
 /// The same for `text`, used instead of the file at `path`; it is file 0 of the sources.
 support::Result<Compilation> compileText(const std::filesystem::path& path, std::string text);
+
+/// A value for a line `choose`: `65 m`.
+struct ChosenValue {
+  std::string name;
+  double number = 0;
+  std::string unit;  ///< empty: none
+};
+/// As the mission's text has it.
+std::string textOf(const ChosenValue& value);
+
+/// The same mission as if these values were written in its lines `choose`. It must have been made
+/// from a text without errors in its structure; its ranges are those of that text.
+Compilation withChosen(const Compilation& compilation, std::span<const ChosenValue> values);
 
 /// The same mission on a vehicle that differs in what `change` makes of its platform.
 std::shared_ptr<const Checked> onVehicle(const Checked& checked,

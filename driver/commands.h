@@ -26,6 +26,7 @@ void addDiffCommand(CLI::App& app, int& status);
 void addExplainCommand(CLI::App& app, int& status);
 void addFixCommand(CLI::App& app, int& status);
 void addFmtCommand(CLI::App& app, int& status);
+void addPlanCommand(CLI::App& app, int& status);
 void addPlatformCommand(CLI::App& app, int& status);
 void addTargetsCommand(CLI::App& app, int& status);
 

@@ -65,6 +65,7 @@ int run(int argc, char** argv) {
   addDiffCommand(app, status);
   addBuildCommand(app, status);
   addParamsCommand(app, status);
+  addPlanCommand(app, status);
   addGraphCommand(app, status);
   addBriefCommand(app, status);
   addSimCommand(app, status);

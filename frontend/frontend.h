@@ -36,14 +36,49 @@ struct AnalysisInputs {
   size_t standard = 1;                    ///< how many of them are the standard library's
 };
 
+/// A value that the mission leaves to `glidercc plan`: a line `choose`.
+struct OpenChoice {
+  std::string name;
+  ir::Type type;
+  std::string unit;   ///< of its range, as written; empty: the SI unit, or none
+  double value = 0;   ///< as written, or the lowest; SI units
+  double lowest = 0;  ///< of its range
+  double highest = 0;
+  double step = 0;               ///< between the values that are tried; 0: the line names none
+  support::SourceRange line;     ///< from `choose` on
+  support::SourceRange written;  ///< of its value; empty, and after its type: none is written
+  support::SourceRange range;    ///< of `60 m .. 180 m`
+};
+
+/// A part of the line `prefer`.
+struct OpenObjective {
+  ast::Aim aim = ast::Aim::Endurance;
+  double value = 0;  ///< with the choices as they are; SI units; of all but endurance
+  ir::Type type;
+  support::SourceRange range;
+  support::SourceRange value_range;  ///< of its expression
+};
+
+/// What the mission leaves open.
+struct LeftOpen {
+  std::vector<OpenChoice> choices;
+  std::vector<OpenObjective> objectives;  ///< the most important first; none: endurance
+};
+
+/// What a text says beside the mission that is made of it.
+struct BesideMission {
+  ir::CInterface in_c;  ///< what it declares in C
+  LeftOpen open;
+};
+
 /// The platform that `mission` names: platforms::kDefaultPlatform if it names none.
 std::string platformName(const ast::File& mission);
 
 /// Resolves names, types and units (GL2xxx) and lowers the mission to IR. Empty if there was an
-/// error, now or in `parse`: then `diagnostics` has errors. `in_c`, unless null, receives what the
-/// mission declares in C.
+/// error, now or in `parse`: then `diagnostics` has errors. `beside`, unless null, receives what
+/// else the text says; what is left open also if there are errors elsewhere.
 std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInputs& inputs,
                                    support::DiagnosticEngine& diagnostics,
-                                   ir::CInterface* in_c = nullptr);
+                                   BesideMission* beside = nullptr);
 
 }  // namespace glider::frontend

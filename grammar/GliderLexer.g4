@@ -100,6 +100,12 @@ VEHICLES : 'vehicles' ;
 PEERS : 'peers' ;
 PACK : 'pack' ;
 RESERVE : 'reserve' ;
+CHOOSE : 'choose' ;
+BY : 'by' ;
+LAUNCH : 'launch' ;
+PREFER : 'prefer' ;
+GREATEST : 'greatest' ;
+ENDURANCE : 'endurance' ;
 
 // Units (support/units/units.def) and the letters of positions; `S` and `W` are both. `min` is also the function.
 MIN : 'min' ;

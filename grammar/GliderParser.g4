@@ -12,7 +12,7 @@ item
   : missionLine | platformLine | importLine
   | constant | parameter | variable
   | always | state | behaviour | external | place | requirement | assumption | resumption | declination | share
-  | vehicles | pack
+  | vehicles | pack | choice | preference
   ;
 
 missionLine : MISSION anyName ;
@@ -78,6 +78,12 @@ vehicles : VEHICLES anyName (COMMA anyName)* ;
 
 // The batteries: `pack 168 Ah at 14.4 V reserve 20 %`.
 pack : PACK expr AT expr (RESERVE expr)? ;
+
+// What `glidercc plan` chooses: `choose bottom : length in 60 m .. 180 m by 10 m`.
+choice : CHOOSE anyName COLON type (ASSIGN expr)? range (BY expr)? (WHERE expr)? (AT LAUNCH)? ;
+// What it prefers, the most important first.
+preference : PREFER objective (THEN objective)* ;
+objective : (LEAST | GREATEST) expr | ENDURANCE ;
 
 assumption : ASSUME premise ;
 premise
@@ -152,7 +158,7 @@ name
   | SURFACES | RESUME | DECLINATION | RESTART | PLACE | CAN | VISIT | PATROL | STRICT | ORDER | FAIRLY | AT | MOST
   | LEAST | EXACTLY | TIMES_WORD | BEFORE | WHENEVER | WHEN | ONLY | NEXT | TICK | FOR | HOLD | UNTIL | OUTSIDE
   | FROM | TO | ASSUME | START | NO | OUTAGE | CURRENT | KNOWN | FIX | AS | CHANGES | SHARE | PRECISION
-  | VEHICLES | PEERS | PACK | RESERVE
+  | VEHICLES | PEERS | PACK | RESERVE | CHOOSE | BY | LAUNCH | PREFER | GREATEST | ENDURANCE
   ;
 // A unit's name may name a mission or a state; elsewhere the frontend says why not.
 anyName : name | UNIT | COMPASS | MIN ;

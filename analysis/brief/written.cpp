@@ -78,6 +78,8 @@ void Written::read(const ast::File& file) {
       behaviours_[in_c->name.text] = {&in_c->formals, above(in_c->where)};
     } else if (const auto* constant = as<ast::Const>(item)) {
       constants_[constant->name.text] = constant;
+    } else if (const auto* choice = as<ast::Choice>(item)) {
+      constants_[choice->constant.name.text] = &choice->constant;
     } else if (const auto* state = as<ast::State>(item)) {
       states_[state->name.text] = state;
       notePositions(*state);
@@ -298,6 +300,14 @@ std::vector<BriefValue> Written::values() const {
                      .range = "",
                      .set_to = "",
                      .meaning = about(constant->where)});
+    } else if (const auto* choice = as<ast::Choice>(item)) {
+      all.push_back({.name = choice->constant.name.text,
+                     .kind = choice->chosen ? "chosen value" : "not chosen yet",
+                     .value = value(choice->constant.value),
+                     .range = fmt::format("{} to {}", line(choice->range.lowest.where),
+                                          line(choice->range.highest.where)),
+                     .set_to = "",
+                     .meaning = about(choice->where)});
     } else if (const auto* var = as<ast::Var>(item)) {
       const std::string range = var->range ? fmt::format("{} to {}", line(var->range->lowest.where),
                                                          line(var->range->highest.where))

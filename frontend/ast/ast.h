@@ -537,6 +537,35 @@ struct Pack {
   bool operator==(const Pack&) const = default;
 };
 
+/// `choose bottom : length = 120 m in 60 m .. 180 m by 10 m`: a constant whose value `glidercc
+/// plan` chooses and writes.
+struct Choice {
+  Const constant;       ///< its value is the lower end of the range if none is written
+  bool chosen = false;  ///< a value is written
+  Range range;
+  std::optional<Expr> step;
+  std::optional<Expr> condition;
+  Where where;
+  bool operator==(const Choice&) const = default;
+};
+
+enum class Aim : uint8_t { Least, Greatest, Endurance };
+
+/// `greatest hours`, `endurance`: a part of the line `prefer`.
+struct Objective {
+  Aim aim = Aim::Endurance;
+  std::optional<Expr> value;  ///< of all but endurance
+  Where where;
+  bool operator==(const Objective&) const = default;
+};
+
+/// `prefer greatest hours then endurance`
+struct Preference {
+  std::vector<Objective> objectives;  ///< the most important first
+  Where where;
+  bool operator==(const Preference&) const = default;
+};
+
 struct MissionLine {
   Name name;
   Where where;
@@ -557,7 +586,7 @@ struct Import {
 using Item =
     std::variant<MissionLine, PlatformLine, Import, Const, Param, Var, Always, State, Behaviour,
                  ExternFunction, ExternBehaviour, ExternSensor, PlaceDeclaration, Requirement,
-                 Assumption, Resumption, Declination, Share, Vehicles, Pack>;
+                 Assumption, Resumption, Declination, Share, Vehicles, Pack, Choice, Preference>;
 
 /// A mission file or a library file.
 struct File {

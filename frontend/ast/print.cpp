@@ -154,6 +154,31 @@ class FilePrinter {
                      stale));
   }
 
+  void write(const Choice& n) {
+    const std::string value = n.chosen ? " = " + print(n.constant.value) : "";
+    const std::string step = n.step ? " by " + print(*n.step) : "";
+    const std::string where = n.condition ? " where " + print(*n.condition) : "";
+    line(fmt::format("choose {}: {}{}{}{}{}", n.constant.name.text, n.constant.type->text, value,
+                     printRange(n.range), step, where));
+  }
+  void write(const Preference& n) {
+    std::string text;
+    for (const Objective& one : n.objectives) {
+      text += (text.empty() ? "prefer " : " then ") + printed(one);
+    }
+    line(text);
+  }
+  static std::string printed(const Objective& n) {
+    switch (n.aim) {
+      case Aim::Least:
+        return "least " + print(*n.value);
+      case Aim::Greatest:
+        return "greatest " + print(*n.value);
+      case Aim::Endurance:
+        break;
+    }
+    return "endurance";
+  }
   void write(const Pack& n) {
     const std::string reserve = n.reserve ? " reserve " + print(*n.reserve) : "";
     line("pack " + print(n.capacity) + " at " + print(n.voltage) + reserve);

@@ -58,7 +58,8 @@ class Layout {
   /// True at a line such as `declination -12 deg`, `assume no outage` or `pack 168 Ah at 14.4 V`:
   /// where a value or a name is expected, the word is a name.
   [[nodiscard]] bool softItem() const {
-    return tokenIsOneOf(token(), {"declination", "assume", "share", "vehicles", "pack"}) &&
+    return tokenIsOneOf(token(), {"declination", "assume", "share", "vehicles", "pack", "choose",
+                                  "prefer"}) &&
            !after({"mission", "platform", "const",    "param", "var",    "function", "sensor",
                    "=",       "+",        "-",        "*",     "/",      "(",        ",",
                    "[",       "in",       "..",       "where", "<",      "<=",       ">",

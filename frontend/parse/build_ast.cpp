@@ -91,6 +91,10 @@ ast::Item AstBuilder::item(Parser::ItemContext* rule) {
       return share(static_cast<Parser::ShareContext*>(child));
     case GliderParser::RulePack:
       return pack(static_cast<Parser::PackContext*>(child));
+    case GliderParser::RuleChoice:
+      return choice(static_cast<Parser::ChoiceContext*>(child));
+    case GliderParser::RulePreference:
+      return preference(static_cast<Parser::PreferenceContext*>(child));
     case GliderParser::RuleVehicles:
       return vehicles(static_cast<Parser::VehiclesContext*>(child));
     case GliderParser::RuleExternal:
@@ -150,6 +154,40 @@ std::optional<std::vector<ast::Formal>> AstBuilder::formals(Parser::FormalsConte
                     range(formal->range())});
   }
   return list;
+}
+
+ast::Choice AstBuilder::choice(Parser::ChoiceContext* rule) {
+  const auto after = [&](antlr4::tree::TerminalNode* word) { return exprAfter(rule, word); };
+  ast::Range range = *this->range(rule->range());
+  auto value = after(rule->ASSIGN());
+  const bool chosen = value.has_value();
+  ast::Const constant{name(rule->anyName()), type(rule->type()),
+                      chosen ? std::move(*value) : range.lowest, where(rule)};
+  return {std::move(constant),  chosen,     std::move(range), after(rule->BY()),
+          after(rule->WHERE()), where(rule)};
+}
+
+/// The value after a word of `rule`; empty if it does not have that word.
+std::optional<ast::Expr> AstBuilder::exprAfter(antlr4::ParserRuleContext* rule,
+                                               antlr4::tree::TerminalNode* word) {
+  const auto found = std::ranges::find(rule->children, word);
+  if (word == nullptr || found == rule->children.end() || found + 1 == rule->children.end()) {
+    return std::nullopt;
+  }
+  return expr(static_cast<Parser::ExprContext*>(*(found + 1)));
+}
+
+ast::Preference AstBuilder::preference(Parser::PreferenceContext* rule) {
+  ast::Preference made{{}, where(rule)};
+  for (Parser::ObjectiveContext* one : rule->objective()) {
+    const ast::Aim aim = one->LEAST() != nullptr      ? ast::Aim::Least
+                         : one->GREATEST() != nullptr ? ast::Aim::Greatest
+                                                      : ast::Aim::Endurance;
+    made.objectives.push_back(
+        {aim, one->expr() != nullptr ? std::optional(expr(one->expr())) : std::nullopt,
+         where(one)});
+  }
+  return made;
 }
 
 ast::Pack AstBuilder::pack(Parser::PackContext* rule) {

@@ -49,6 +49,10 @@ class AstBuilder {
   ast::Item external(Parser::ExternalContext* rule);
   ast::Share share(Parser::ShareContext* rule);
   ast::Pack pack(Parser::PackContext* rule);
+  ast::Choice choice(Parser::ChoiceContext* rule);
+  ast::Preference preference(Parser::PreferenceContext* rule);
+  std::optional<ast::Expr> exprAfter(antlr4::ParserRuleContext* rule,
+                                     antlr4::tree::TerminalNode* word);
   ast::Vehicles vehicles(Parser::VehiclesContext* rule);
   ast::Requirement requirement(Parser::RequirementContext* rule);
   ast::Assumption assumption(Parser::AssumptionContext* rule);

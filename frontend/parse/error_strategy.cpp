@@ -288,12 +288,38 @@ void ErrorStrategy::complainOfWord(antlr4::Parser* parser, const Lexeme& word) {
   expected("an operator, or the end of the value", word);
 }
 
+void ErrorStrategy::complainOfBody(const Lexeme& found) {
+  if (!misspelled(found,
+                  {"flightroute", "flightprofile", "sensors", "entry", "events", "var", "end"})) {
+    expected("`flightroute`, `flightprofile`, `sensors`, `events` or `end`", found);
+  }
+}
+
 void ErrorStrategy::complainOfItem(const Lexeme& found) {
   if (!misspelled(found, {"mission", "platform", "import", "const", "param", "var", "always",
                           "state", "flightprofile", "flightroute", "extern", "require", "place",
-                          "resume", "declination", "pack"})) {
+                          "resume", "declination", "pack", "choose", "prefer"})) {
     expected("`state` or another declaration", found);
   }
+}
+
+/// A line of energy: the batteries, what is to be chosen and what is preferred. A range is missing
+/// only where something is to be chosen.
+void ErrorStrategy::complainOfLine(antlr4::Parser* parser, size_t rule, const Lexeme& found) {
+  const auto set = parser->getExpectedTokens();
+  if (rule == GliderParser::RulePack) {
+    return expected("`at` and the voltage, as in `pack 168 Ah at 14.4 V`", found);
+  }
+  if (rule == GliderParser::RulePreference || rule == GliderParser::RuleObjective) {
+    return expected("`least` or `greatest` and a value, or `endurance`", found);
+  }
+  if (set.contains(size_t{GliderParser::COLON})) {
+    return expected("`:` and a type, as in `choose bottom : length in 60 m .. 180 m`", found);
+  }
+  expected(set.contains(size_t{GliderParser::IN})
+               ? "`in` and a range, as in `choose bottom : length in 60 m .. 180 m`"
+               : listOf(set),
+           found);
 }
 
 void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Lexeme& found) {
@@ -322,22 +348,22 @@ void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Le
     case GliderParser::RulePattern:
       return complainOfPromise(last, found);
     case GliderParser::RulePack:
-      return expected("`at` and the voltage, as in `pack 168 Ah at 14.4 V`", found);
+    case GliderParser::RuleRange:
+    case GliderParser::RuleChoice:
+    case GliderParser::RulePreference:
+    case GliderParser::RuleObjective:
+      return complainOfLine(parser, rule, found);
     case GliderParser::RuleDeclaration:
-      if (last == GliderParser::EXTERN) {
-        return expected("`function`, `flightprofile`, `flightroute` or `sensor`", found);
-      }
-      return expected(listOf(parser->getExpectedTokens()), found);
+      return expected(last == GliderParser::EXTERN
+                          ? "`function`, `flightprofile`, `flightroute` or `sensor`"
+                          : listOf(parser->getExpectedTokens()),
+                      found);
     case GliderParser::RuleFile:
     case GliderParser::RuleItem:
       return complainOfItem(found);
     case GliderParser::RuleState:
     case GliderParser::RuleBehaviour:
-      if (!misspelled(found, {"flightroute", "flightprofile", "sensors", "entry", "events", "var",
-                              "end"})) {
-        expected("`flightroute`, `flightprofile`, `sensors`, `events` or `end`", found);
-      }
-      return;
+      return complainOfBody(found);
     case GliderParser::RuleMember:
       return expected("`case` or `end`", found);
     case GliderParser::RuleConstant:

@@ -125,7 +125,8 @@ constinit const std::array<uint8_t, kMostTypes> kGroups = [] {
     }
   };
   mark(GliderLexer::MISSION, GliderLexer::NOT_WORD, kHardKeyword);
-  mark(GliderLexer::IN, GliderLexer::PEERS, kSoftKeyword | kName | kAnyName);
+  // `min` follows the last one.
+  mark(GliderLexer::IN, GliderLexer::MIN - 1, kSoftKeyword | kName | kAnyName);
   mark(GliderLexer::NAME, GliderLexer::NAME, kName | kAnyName);
   mark(GliderLexer::MIN, GliderLexer::MIN, kAnyName);
   mark(GliderLexer::UNIT, GliderLexer::COMPASS, kAnyName);

@@ -68,7 +68,19 @@ class OutlineReader {
            startsVehicles() ||
            (oneOf(type(0), {GliderLexer::DECLINATION, GliderLexer::ASSUME, GliderLexer::PACK}) &&
             endsValue(before())) ||
+           startsChoice() || startsPreference() ||
            (type(0) == GliderLexer::PLACE && isAnyName(type(1)) && type(2) == GliderLexer::ASSIGN);
+  }
+
+  /// `choose NAME : …`
+  [[nodiscard]] bool startsChoice() const {
+    return type(0) == GliderLexer::CHOOSE && isAnyName(type(1)) && type(2) == GliderLexer::COLON;
+  }
+
+  /// `prefer least …`
+  [[nodiscard]] bool startsPreference() const {
+    return type(0) == GliderLexer::PREFER && endsValue(before()) &&
+           oneOf(type(1), {GliderLexer::LEAST, GliderLexer::GREATEST, GliderLexer::ENDURANCE});
   }
 
   /// `share NAME …`
@@ -116,6 +128,12 @@ class OutlineReader {
         return declareWithBody(SymbolKind::State);
       case GliderLexer::EXTERN:
         return declareExternal();
+      case GliderLexer::CHOOSE:
+        if (startsChoice()) {
+          return declare(SymbolKind::Constant, 1);
+        }
+        block();
+        return use();
       case GliderLexer::SHARE:
         if (startsShare() && type(2) == GliderLexer::COLON) {
           return declare(SymbolKind::Variable, 1);

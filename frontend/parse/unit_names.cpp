@@ -20,7 +20,7 @@ bool isDeclared(const std::vector<Lexeme>& lexemes, size_t at) {
   const uint32_t before = lexemes[at - 1].type;
   const uint32_t after = lexemes[at + 1].type;
   const bool value = oneOf(before, {GliderLexer::CONST, GliderLexer::PARAM, GliderLexer::VAR,
-                                    GliderLexer::PLACE, GliderLexer::SHARE}) &&
+                                    GliderLexer::PLACE, GliderLexer::SHARE, GliderLexer::CHOOSE}) &&
                      oneOf(after, {GliderLexer::COLON, GliderLexer::ASSIGN, GliderLexer::LBRACKET,
                                    GliderLexer::EVERY});
   const bool formal =

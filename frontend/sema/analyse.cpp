@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "frontend/frontend.h"
+#include "frontend/sema/declarations/choices.h"
 #include "frontend/sema/declarations/declarations.h"
 #include "frontend/sema/declarations/lower_assumption.h"
 #include "frontend/sema/declarations/lower_declination.h"
@@ -30,7 +31,7 @@ std::string platformName(const ast::File& mission) {
 }
 
 std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInputs& inputs,
-                                   support::DiagnosticEngine& diagnostics, ir::CInterface* in_c) {
+                                   support::DiagnosticEngine& diagnostics, BesideMission* beside) {
   Scope scope(inputs, diagnostics);
   scope.mission.platform = inputs.platform.name;
   checkHead(mission, scope);
@@ -39,6 +40,10 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
     declare(*library, true, scope);
   }
   declare(mission, false, scope);
+  LeftOpen open = checkChoices(mission, scope);
+  if (beside != nullptr) {
+    beside->open = std::move(open);
+  }
   declareValues(mission, scope);
   lowerVehicles(mission, scope);
   lowerShares(mission, scope);
@@ -65,8 +70,8 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
   if (diagnostics.hasErrors()) {
     return std::nullopt;
   }
-  if (in_c != nullptr) {
-    *in_c = scope.declaredInC();
+  if (beside != nullptr) {
+    beside->in_c = scope.declaredInC();
   }
   warnOfReserve(scope);
   warnOfUnused(scope.names, scope);

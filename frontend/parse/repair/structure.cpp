@@ -140,13 +140,18 @@ void StructureRepair::dropComma(const Lexeme& t) {
 
 bool StructureRepair::startsAssumption(const Lexeme& t) const {
   const bool names = t.type == GliderLexer::VEHICLES && isAnyName(peek(1).type);
-  return (names || oneOf(t.type, {GliderLexer::ASSUME, GliderLexer::SHARE})) && blocks_.empty() &&
-         endsValue(previous());
+  const bool prefers =
+      t.type == GliderLexer::PREFER &&
+      oneOf(peek(1).type, {GliderLexer::LEAST, GliderLexer::GREATEST, GliderLexer::ENDURANCE});
+  return (names || prefers || oneOf(t.type, {GliderLexer::ASSUME, GliderLexer::SHARE})) &&
+         blocks_.empty() && endsValue(previous());
 }
 
 bool StructureRepair::declaresPlace(const Lexeme& t) const {
-  return t.type == GliderLexer::PLACE && blocks_.empty() && isAnyName(peek(1).type) &&
-         oneOf(peek(2).type, {GliderLexer::ASSIGN, GliderLexer::EQ});
+  const bool place =
+      t.type == GliderLexer::PLACE && oneOf(peek(2).type, {GliderLexer::ASSIGN, GliderLexer::EQ});
+  const bool choice = t.type == GliderLexer::CHOOSE && peek(2).type == GliderLexer::COLON;
+  return (place || choice) && blocks_.empty() && isAnyName(peek(1).type);
 }
 
 void StructureRepair::correct(Lexeme& t) {

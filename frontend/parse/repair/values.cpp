@@ -125,8 +125,9 @@ void ValueRepair::keyword(const Lexeme& found) {
   in_sensors_ = found.type == GliderLexer::SENSORS;
   names_arguments_ = oneOf(found.type, {GliderLexer::FLIGHTPROFILE, GliderLexer::FLIGHTROUTE,
                                         GliderLexer::GOTO, GliderLexer::CALL});
-  assignable_ = oneOf(found.type, {GliderLexer::CONST, GliderLexer::PARAM, GliderLexer::VAR,
-                                   GliderLexer::SET, GliderLexer::PLACE, GliderLexer::SHARE});
+  assignable_ =
+      oneOf(found.type, {GliderLexer::CONST, GliderLexer::PARAM, GliderLexer::VAR, GliderLexer::SET,
+                         GliderLexer::PLACE, GliderLexer::SHARE, GliderLexer::CHOOSE});
 }
 
 bool ValueRepair::take(Lexeme t, const Lexeme& next) {

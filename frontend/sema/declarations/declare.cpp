@@ -74,6 +74,8 @@ class Declarations {
   void visit(const ast::Share&) {}
   void visit(const ast::Vehicles&) {}
   void visit(const ast::Pack&) {}
+  void visit(const ast::Choice& node) { visit(node.constant); }
+  void visit(const ast::Preference&) {}
 
   void visit(const ast::Behaviour& node) {
     BehaviourDeclaration declaration;
@@ -228,6 +230,8 @@ void declare(const ast::File& file, bool library, Scope& scope) {
   for (const ast::Item* item : items) {
     if (const auto* constant = std::get_if<ast::Const>(item)) {
       declarations.enterConstant(*constant);
+    } else if (const auto* choice = std::get_if<ast::Choice>(item)) {
+      declarations.enterConstant(choice->constant);
     } else if (const auto* parameter = std::get_if<ast::Param>(item)) {
       declarations.enterParameter(*parameter);
     } else if (const auto* variable = std::get_if<ast::Var>(item)) {

@@ -64,6 +64,12 @@ struct Judge {
   std::optional<Refused> operator()(const ast::Vehicles& item) const {
     return Refused{"`vehicles`", item.where};
   }
+  std::optional<Refused> operator()(const ast::Choice& item) const {
+    return Refused{"choice `" + item.constant.name.text + "`", item.constant.name.where};
+  }
+  std::optional<Refused> operator()(const ast::Preference& item) const {
+    return Refused{"`prefer`", item.where};
+  }
   std::optional<Refused> operator()(const ast::Pack& item) const {
     return Refused{"`pack`", item.where};
   }

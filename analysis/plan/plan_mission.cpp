@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analysis/plan/plan_mission.h"
+
+#include "analysis/plan/front.h"
+#include "analysis/plan/grid.h"
+#include "analysis/plan/scores.h"
+#include "support/check.h"
+#include "support/counted.h"
+#include "support/diagnostics/ids/command.h"
+#include "support/diagnostics/ids/meaning.h"
+#include "support/grouped.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace glider::analysis {
+namespace {
+
+using support::Result;
+
+/// More of the front is not checked.
+constexpr size_t kMostOfFront = 40;
+
+/// "bottom = 60 m, hours = 44 h"
+std::string inWords(std::span<const compiler::ChosenValue> values) {
+  std::vector<std::string> parts;
+  for (const compiler::ChosenValue& one : values) {
+    parts.push_back(one.name + " = " + compiler::textOf(one));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// Receives nothing of thousands of checks.
+class Silent final : public CheckObserver {};
+
+class Planner {
+ public:
+  Planner(const std::string& name, const compiler::Compilation& compiled,
+          const CheckOptions& options, CheckObserver& observer)
+      : compiled_(compiled),
+        options_(options),
+        observer_(observer),
+        open_(compiled.open),
+        grid_(open_.choices) {
+    found_.plan.path = name;
+  }
+
+  Result<PlannedMission> run() {
+    if (auto possible = countWays(); !possible) {
+      return std::unexpected(possible.error());
+    }
+    auto scored = scoreAll();
+    if (!scored) {
+      return std::unexpected(scored.error());
+    }
+    const auto chosen = findBest();
+    if (!chosen) {
+      return std::unexpected(chosen.error());
+    }
+    if (*chosen) {
+      found_.plan.chosen = optionOf(**chosen);
+      write(grid_.at((*chosen)->number));
+      if (auto drawn = findFront(**chosen); !drawn) {
+        return std::unexpected(drawn.error());
+      }
+    }
+    std::ranges::stable_sort(found_.plan.refused, std::ranges::greater(),
+                             &report::PlanRefusal::options);
+    return std::move(found_);
+  }
+
+ private:
+  Result<void> countWays() {
+    if (open_.choices.empty()) {
+      return support::fail(support::diagnostics::nothingToPlan, found_.plan.path);
+    }
+    for (size_t i = 0; i < open_.choices.size(); ++i) {
+      const PlanGrid::Row& row = grid_.rows()[i];
+      const auto text = [&](double value) { return compiler::textOf({row.name, value, row.unit}); };
+      const bool written = open_.choices[i].written.begin != open_.choices[i].written.end;
+      found_.plan.choices.push_back(
+          {row.name, row.values.size(), text(row.values.front()), text(row.values.back()),
+           written ? std::string(compiled_.sources->text(open_.choices[i].written)) : ""});
+    }
+    if (grid_.count() > static_cast<double>(kMostPlans)) {
+      return support::fail(support::diagnostics::tooManyPlans,
+                           support::groupedAmount(grid_.count()), support::grouped(kMostPlans));
+    }
+    found_.plan.options = static_cast<size_t>(grid_.count());
+    return {};
+  }
+
+  /// The mission with what way `number` chooses.
+  [[nodiscard]] compiler::Compilation with(size_t number) const {
+    return compiler::withChosen(compiled_, grid_.at(number));
+  }
+
+  Result<void> scoreAll() {
+    for (size_t i = 0; i < found_.plan.options; ++i) {
+      observer_.at(fmt::format("trying {} of {}", i + 1,
+                               support::counted(found_.plan.options, "way") + " to choose"));
+      const compiler::Compilation one = with(i);
+      if (!one.checked) {
+        refuse(i, one.diagnostics.sorted());
+        continue;
+      }
+      if (auto begun = begin(one); !begun) {
+        return begun;
+      }
+      scores_->add(i, one);
+    }
+    if (scores_) {
+      plans_ = scores_->sorted();
+      found_.plan.objectives = scores_->objectives();
+    }
+    return {};
+  }
+
+  /// Notes what the ways have in common, of the first one without errors.
+  Result<void> begin(const compiler::Compilation& good) {
+    if (scores_) {
+      return {};
+    }
+    found_.plan.mission = good.lowered->mission.name;
+    found_.plan.promises = good.lowered->mission.requirements.size();
+    auto scores = PlanScores::make(good, grid_);
+    if (!scores) {
+      return std::unexpected(scores.error());
+    }
+    scores_ = std::move(*scores);
+    return {};
+  }
+
+  /// The best that is proved; empty: there is none.
+  Result<std::optional<ScoredPlan>> findBest() {
+    for (const ScoredPlan& plan : plans_) {
+      const auto good = isProved(plan);
+      if (!good) {
+        return std::unexpected(good.error());
+      }
+      if (*good) {
+        return plan;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Those that no other beats in all that is preferred, and that are proved.
+  Result<void> findFront(const ScoredPlan& chosen) {
+    std::vector<ScoredPlan> front;
+    bool changed = true;
+    while (changed) {
+      changed = false;
+      std::erase_if(plans_, [&](const ScoredPlan& one) { return refused_.contains(one.number); });
+      front = frontOf(plans_);
+      for (const ScoredPlan& one : front) {
+        if (proved_.size() >= kMostOfFront && !proved_.contains(one.number)) {
+          found_.plan.whole_front = false;
+          continue;
+        }
+        const auto good = isProved(one);
+        if (!good) {
+          return std::unexpected(good.error());
+        }
+        changed = changed || !*good;
+      }
+    }
+    for (const ScoredPlan& one : front) {
+      if (proved_.contains(one.number)) {
+        found_.plan.front.push_back(optionOf(one));
+      }
+    }
+    std::ranges::stable_partition(found_.plan.front, [&](const report::PlanOption& one) {
+      return one.values == optionOf(chosen).values;
+    });
+    return {};
+  }
+
+  /// Whether a check of the mission with these values has no error, and proves all that is
+  /// required.
+  Result<bool> isProved(const ScoredPlan& plan) {
+    if (proved_.contains(plan.number) || refused_.contains(plan.number)) {
+      return proved_.contains(plan.number);
+    }
+    observer_.at("proving what is required, with " + inWords(grid_.at(plan.number)));
+    Silent silent;
+    const CheckedFile file =
+        checkCompilation(found_.plan.path, with(plan.number), options_, silent);
+    ++found_.plan.checked;
+    if (file.found.failure) {
+      return std::unexpected(*file.found.failure);
+    }
+    if (!file.found.ok() && file.found.requirements.empty()) {
+      refuse(plan.number, file.found.diagnostics);
+      return false;
+    }
+    for (const report::JudgedRequirement& one : file.found.requirements) {
+      if (one.verdict != "proved") {
+        refuse(plan.number,
+               one.verdict == "refuted" ? fmt::format("may break `{}`", one.text)
+                                        : fmt::format("leave `{}` undecided", one.text),
+               one.reason);
+        return false;
+      }
+    }
+    if (!file.found.ok()) {
+      refuse(plan.number, file.found.diagnostics);
+      return false;
+    }
+    proved_.insert(plan.number);
+    return true;
+  }
+
+  void refuse(size_t number, const std::vector<support::Diagnostic>& diagnostics) {
+    const auto error =
+        std::ranges::find(diagnostics, support::Severity::Error, &support::Diagnostic::severity);
+    CHECK(error != diagnostics.end(), "a mission with an error has a diagnostic of it");
+    const support::LineColumn at = compiled_.sources->place(error->range.file, error->range.begin);
+    if (error->id == support::diagnostics::choiceOutside) {
+      return refuse(number, fmt::format("outside what line {} allows", at.line), "");
+    }
+    refuse(number, fmt::format("with an error in line {} [{}]", at.line, support::code(error->id)),
+           error->message);
+  }
+
+  /// Counts the way with those that have the same reason.
+  void refuse(size_t number, const std::string& reason, const std::string& detail) {
+    refused_.insert(number);
+    const auto known = std::ranges::find(found_.plan.refused, reason, &report::PlanRefusal::reason);
+    if (known != found_.plan.refused.end()) {
+      ++known->options;
+      return;
+    }
+    const std::string example = inWords(grid_.at(number));
+    found_.plan.refused.push_back({reason, 1, detail.empty() ? example : example + ": " + detail});
+  }
+
+  [[nodiscard]] report::PlanOption optionOf(const ScoredPlan& plan) const {
+    report::PlanOption option;
+    for (const compiler::ChosenValue& one : grid_.at(plan.number)) {
+      option.values.push_back(compiler::textOf(one));
+    }
+    option.scores = scores_->shown(plan);
+    return option;
+  }
+
+  /// Puts `values` into the text of the mission.
+  void write(const std::vector<compiler::ChosenValue>& values) {
+    std::vector<std::pair<support::SourceRange, std::string>> places;
+    for (size_t i = 0; i < values.size(); ++i) {
+      const support::SourceRange& place = open_.choices[i].written;
+      const std::string text = compiler::textOf(values[i]);
+      places.emplace_back(place, place.begin == place.end ? " = " + text : text);
+    }
+    std::ranges::sort(places, std::ranges::greater(),
+                      [](const auto& one) { return one.first.begin; });
+    found_.text = compiled_.sources->text(places.front().first.file);
+    for (const auto& [place, text] : places) {
+      found_.text.replace(place.begin, place.end - place.begin, text);
+    }
+  }
+
+  const compiler::Compilation& compiled_;
+  const CheckOptions& options_;
+  CheckObserver& observer_;
+  const frontend::LeftOpen& open_;
+  const PlanGrid grid_;
+  std::optional<PlanScores> scores_;
+  std::vector<ScoredPlan> plans_;  ///< the best first
+  std::set<size_t> proved_, refused_;
+  PlannedMission found_;
+};
+
+}  // namespace
+
+Result<PlannedMission> planMission(const std::string& name, const compiler::Compilation& compiled,
+                                   const CheckOptions& options, CheckObserver& observer) {
+  return Planner(name, compiled, options, observer).run();
+}
+
+}  // namespace glider::analysis

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "analysis/plan/plan_mission.h"
+#include "compiler/compilation.h"
+#include "compiler/vehicles_own.h"
+#include "driver/commands.h"
+#include "driver/exit_code.h"
+#include "driver/json_document.h"
+#include "driver/output/check_progress.h"
+#include "driver/output/overwritten.h"
+#include "driver/output/rewrite.h"
+#include "driver/plan/plan_json.h"
+#include "driver/terminal.h"
+#include "support/diagnostics/ids/command.h"
+#include "support/files.h"
+#include "vehicles/vehicle.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+namespace glider::driver {
+namespace {
+
+struct PlanCommandOptions {
+  bool json = false;
+  bool write = false;
+  std::string mission;
+  std::string picture;  ///< empty: none
+  analysis::CheckOptions check;
+};
+
+/// Shows what is done on the last line of the terminal.
+class Teller final : public analysis::CheckObserver {
+ public:
+  explicit Teller(const std::string& mission) : progress_(mission) {}
+  void at(const std::string& work) override { progress_.at(work); }
+  void show(const support::DiagnosticEngine& diagnostics,
+            const support::SourceManager& sources) override {
+    progress_.clear();
+    reportDiagnostics(diagnostics, sources);
+  }
+
+ private:
+  CheckProgress progress_;
+};
+
+/// What is asked for beside the text: the mission rewritten, the picture.
+support::Result<void> writeFiles(const PlanCommandOptions& options,
+                                 const analysis::PlannedMission& planned) {
+  if (!planned.plan.chosen) {
+    return {};
+  }
+  if (!options.picture.empty()) {
+    if (planned.plan.objectives.size() < 2) {
+      return support::fail(support::diagnostics::frontOfOne, options.picture);
+    }
+    if (auto drawn = support::writeFileAtomically(options.picture, planPicture(planned.plan));
+        !drawn) {
+      return drawn;
+    }
+  }
+  return options.write ? rewriteFile(options.mission, planned.text) : support::Result<void>();
+}
+
+support::Result<analysis::PlannedMission> planned(const PlanCommandOptions& options,
+                                                  const compiler::Compilation& compiled) {
+  Teller teller(options.mission);
+  return analysis::planMission(options.mission, compiled, options.check, teller);
+}
+
+int plan(PlanCommandOptions& options, Json* document) {
+  if (const auto input = overwrittenInput({options.mission}, {options.picture})) {
+    return reportFailure(support::fail(support::diagnostics::outputIsInput, *input).error());
+  }
+  if (auto kind = compiler::requireKind(options.mission, compiler::MissionKind::Language); !kind) {
+    return reportFailure(kind.error());
+  }
+  if (!options.check.own_mission.empty()) {
+    if (auto read = vehicles::tryOwnMission(options.check.own_mission, reportDiagnostics); !read) {
+      return reportFailure(read.error());
+    }
+  }
+  const auto compiled = compiler::compileMission(options.mission);
+  if (!compiled) {
+    return reportFailure(compiled.error());
+  }
+  if (!compiled->checked && compiled->open.choices.empty()) {
+    reportDiagnostics(compiled->diagnostics, *compiled->sources);
+    return kMissionHasErrors;
+  }
+  const auto found = planned(options, *compiled);
+  if (!found) {
+    return reportFailure(found.error());
+  }
+  if (found->plan.objectives.empty()) {  // no way is without an error
+    reportDiagnostics(compiled->diagnostics, *compiled->sources);
+    return kMissionHasErrors;
+  }
+  if (const auto written = writeFiles(options, *found); !written) {
+    return reportFailure(written.error());
+  }
+  if (document != nullptr) {
+    putPlan(*document, found->plan);
+  } else if (const auto printed = printOut(planText(found->plan)); !printed) {
+    return reportFailure(printed.error());
+  }
+  if (!found->plan.chosen) {
+    tell(fmt::format("{}: no way to choose keeps all that is required\n", options.mission));
+    return kMissionHasErrors;
+  }
+  tell(options.write ? fmt::format("{}: what was chosen is written into it\n", options.mission)
+                     : "");
+  return kFine;
+}
+
+}  // namespace
+
+void addPlanCommand(CLI::App& app, int& status) {
+  auto options = std::make_shared<PlanCommandOptions>();
+  CLI::App* command = app.add_subcommand(
+      "plan", "Choose what a mission leaves open: the values of its lines `choose`");
+  command->add_option("MISSION", options->mission, "The mission file")->required();
+  command->add_flag("--write", options->write,
+                    "Write what is chosen into the mission file, where other commands read it");
+  command
+      ->add_option("--picture", options->picture,
+                   "Draw the best ways to choose as an SVG: the first of what is preferred to the "
+                   "right, the second upwards")
+      ->option_text("FILE");
+  command
+      ->add_option("--mi,--skeleton", options->check.own_mission,
+                   "The vehicle's mission file (.mi) with hookbeh, as for `check`")
+      ->option_text("FILE.mi");
+  command
+      ->add_option("--scenario", options->check.scenario,
+                   "The same for the mission file of a scenario, and for its start: the name of a "
+                   "scenario that comes with glidercc, or a .toml file")
+      ->option_text("SCENARIO");
+  command
+      ->add_option("--effort", options->check.effort,
+                   "Multiply the resource limits of proofs by N, as for `check` [1]")
+      ->option_text("N")
+      ->check(CLI::Range(1U, 100U));
+  addFormatOption(*command, options->json);
+  command->callback([options, &status] {
+    status =
+        inFormat(options->json, "plan", [&](Json* document) { return plan(*options, document); });
+  });
+}
+
+}  // namespace glider::driver

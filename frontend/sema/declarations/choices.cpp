@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "frontend/sema/declarations/choices.h"
+
+#include "frontend/sema/declarations/declared_value.h"
+#include "frontend/sema/declarations/only_item.h"
+#include "frontend/sema/expressions/evaluate.h"
+#include "support/diagnostics/ids/meaning.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace glider::frontend {
+namespace {
+
+/// The constant of a choice; null: it was refused.
+const Constant* constantOf(const ast::Choice& node, Scope& scope) {
+  const auto found = scope.constants.find(node.constant.name.text);
+  const bool good = found != scope.constants.end() && found->second.name == &node.constant.name &&
+                    found->second.valid;
+  return good ? &found->second : nullptr;
+}
+
+/// The distance between the values that are tried; 0: the line names none; empty, and reported, if
+/// it is not one.
+std::optional<double> stepOf(const ast::Choice& node, const Bounds& bounds, DeclaredValue& lowering,
+                             Scope& scope) {
+  if (!node.step) {
+    return 0;
+  }
+  const auto step = lowering.constant(*node.step, "the distance of what can be chosen");
+  if (step && !(step->first > 0 && step->first <= bounds.highest - bounds.lowest)) {
+    scope
+        .report(
+            support::diagnostics::choiceStep, node.step->where, node.constant.name.text,
+            scope.text(node.step->where),
+            step->first > 0 ? "write less than what the range spans" : "write a distance above 0")
+        .note(whole(node.range), "its range is here");
+    return std::nullopt;
+  }
+  return step ? std::optional(step->first) : std::nullopt;
+}
+
+/// The unit in which the range is written, or the value; empty: none is.
+std::string unitOf(const ast::Choice& node) {
+  for (const ast::Expr* expr : {&node.range.lowest, &node.range.highest, &node.constant.value}) {
+    const auto* literal = std::get_if<ast::Literal>(&expr->node);
+    if (literal != nullptr && !literal->unit.empty()) {
+      return literal->unit;
+    }
+  }
+  return "";
+}
+
+std::optional<OpenChoice> readChoice(const ast::Choice& node, const Constant& constant,
+                                     Scope& scope) {
+  const DeclaredType type{constant.type, constant.position};
+  DeclaredValue lowering(node.constant.name, type, scope);
+  const auto bounds = lowering.bounds(node.range);
+  const auto step = bounds ? stepOf(node, *bounds, lowering, scope) : std::nullopt;
+  const bool inside =
+      bounds && lowering.inside(constant.number, *bounds, node.constant.value, node.range);
+  if (!step || !inside) {
+    return std::nullopt;
+  }
+  const support::SourceRange after = node.constant.type->where;
+  const support::SourceRange written = node.constant.value.where;
+  return OpenChoice{node.constant.name.text,
+                    constant.type,
+                    unitOf(node),
+                    constant.number,
+                    bounds->lowest,
+                    bounds->highest,
+                    *step,
+                    node.where,
+                    node.chosen ? written : support::SourceRange{after.file, after.end, after.end},
+                    whole(node.range)};
+}
+
+/// What `where` demands may name any choice, and so comes after all of them.
+void checkCondition(const ast::Choice& node, Scope& scope) {
+  if (!node.condition) {
+    return;
+  }
+  const DeclaredType truth{boolean()};
+  const auto kept = DeclaredValue(node.constant.name, truth, scope)
+                        .constant(*node.condition, "a condition of what is chosen");
+  if (kept && kept->first == 0 && node.chosen) {
+    scope.report(support::diagnostics::choiceOutside, node.constant.value.where,
+                 scope.text(node.condition->where));
+  }
+}
+
+void warnOfOpen(const ast::Choice& node, Scope& scope) {
+  const std::string lowest = scope.text(node.range.lowest.where);
+  scope.report(support::diagnostics::notChosen, node.constant.name.where, node.constant.name.text,
+               lowest,
+               fmt::format("choose {} : {} = {} in …", node.constant.name.text,
+                           node.constant.type->text, lowest));
+}
+
+/// Evaluates what is preferred; empty, and reported, if it must wait for the flight.
+std::optional<OpenObjective> readObjective(const ast::Objective& node, Scope& scope) {
+  OpenObjective made{node.aim, 0, plainNumber(), node.where, node.where};
+  if (!node.value) {
+    return made;
+  }
+  Context context;
+  context.constant = "what is preferred";
+  const Scope::Within within(scope, context);
+  const size_t before = scope.mission.exprs.size();
+  const auto value = ExprLowering(scope).lower(*node.value, std::nullopt);
+  const auto number = value ? evaluate(scope.mission, value->id) : std::nullopt;
+  scope.mission.exprs.resize(before);
+  if (!value) {
+    return std::nullopt;
+  }
+  if (!number || value->longitude.valid() || value->type == boolean()) {
+    scope.report(support::diagnostics::notConstant, node.value->where,
+                 scope.text(node.value->where), "what is preferred");
+    return std::nullopt;
+  }
+  made.value = *number;
+  made.type = value->type;
+  made.value_range = node.value->where;
+  return made;
+}
+
+std::vector<OpenObjective> readPreference(const ast::File& mission, bool open, Scope& scope) {
+  const auto* line = onlyItem<ast::Preference>(mission, [&](const auto& again, const auto& first) {
+    scope.report(support::diagnostics::preferTwice, again.where)
+        .note(first.where, "the first is here");
+  });
+  std::vector<OpenObjective> objectives;
+  if (line == nullptr) {
+    return objectives;
+  }
+  if (!open) {
+    scope.report(support::diagnostics::nothingToPrefer, line->where);
+    return objectives;
+  }
+  for (const ast::Objective& one : line->objectives) {
+    if (auto made = readObjective(one, scope)) {
+      objectives.push_back(*made);
+    }
+  }
+  return objectives;
+}
+
+}  // namespace
+
+LeftOpen checkChoices(const ast::File& mission, Scope& scope) {
+  LeftOpen open;
+  std::vector<const ast::Choice*> nodes;
+  for (const ast::Item& item : mission.items) {
+    if (const auto* node = std::get_if<ast::Choice>(&item)) {
+      nodes.push_back(node);
+    }
+  }
+  for (const ast::Choice* node : nodes) {
+    const Constant* constant = constantOf(*node, scope);
+    auto choice = constant != nullptr ? readChoice(*node, *constant, scope) : std::nullopt;
+    if (choice) {
+      open.choices.push_back(std::move(*choice));
+    }
+    if (choice && !node->chosen) {
+      warnOfOpen(*node, scope);
+    }
+  }
+  for (const ast::Choice* node : nodes) {
+    checkCondition(*node, scope);
+  }
+  open.objectives = readPreference(mission, !nodes.empty(), scope);
+  return open;
+}
+
+}  // namespace glider::frontend

@@ -46,8 +46,9 @@ struct Draw {
 /// What bounds of the energy of a flight assume of a glider beyond the rows.
 struct EnergyModel {
   /// Along its path, with the whole pump: a leg at a pitch p takes it no faster up or down, on
-  /// average, than this times sin p.
+  /// average, than this times the sine of p and `pitch_off_deg` together.
   double glide_m_s = 0;
+  double pitch_off_deg = 0;         ///< the pitch may be so far from what is commanded
   double hover_pump_cc_s = 0;       ///< what a hover pumps out on average, and as much in
   double pitch_battery_share = 0;   ///< of the time of a leg, while it moves
   double pitch_battery_turn_s = 0;  ///< it moves so long for a turn between dive and climb

@@ -62,8 +62,10 @@ double yoPower(double top_m, double bottom_m, double pitch_rad) {
   const platforms::Platform& p = slocum();
   const double cc = 2 * p.envelope.pump_cc;
   const double leg_s =
-      cc / p.motion->pump_rate_cc_s + (bottom_m - top_m - p.find("m_depth")->noise) /
-                                          (p.power.bounds->glide_m_s * std::sin(pitch_rad));
+      cc / p.motion->pump_rate_cc_s +
+      (bottom_m - top_m - p.find("m_depth")->noise) /
+          (p.power.bounds->glide_m_s *
+           std::sin(pitch_rad + p.power.bounds->pitch_off_deg * std::acos(-1.0) / 180));
   double out = 0;
   for (const platforms::Draw& draw : p.power.draws) {
     if (draw.when == platforms::DrawWhen::PumpOut) {
@@ -74,7 +76,11 @@ double yoPower(double top_m, double bottom_m, double pitch_rad) {
   const double in = cc * amountOf(platforms::DrawWhen::PumpIn);
   const double turns =
       2 * p.power.bounds->pitch_battery_turn_s * amountOf(platforms::DrawWhen::PitchBattery);
-  return always() + (out + in + turns) / (2 * leg_s);
+  // A turn may go on to the surface, and stays there as long as the pump takes there and back.
+  const bool broaches = top_m < p.envelope.inflection_overshoot_m;
+  const double above =
+      broaches ? 2 * cc / p.motion->pump_rate_cc_s * amountOf(platforms::DrawWhen::Surface) : 0;
+  return always() + (out + in + turns + above) / (2 * leg_s);
 }
 
 TEST(EnergyBound, OfAYoIsThatOfItsCycle) {
@@ -103,7 +109,8 @@ TEST(EnergyBound, UntilTheEndIsThatOfTheTime) {
     sum += one.joules;
   }
   EXPECT_NEAR(sum, *bound.joules, *bound.joules * 1e-3);
-  EXPECT_EQ(bound.devices.front().device, "SBC");
+  EXPECT_EQ(bound.devices.front().device, "pump");
+  EXPECT_EQ(bound.devices[1].device, "SBC");
 }
 
 TEST(EnergyBound, AParameterIsWhatTheMissionSays) {
@@ -125,7 +132,7 @@ TEST(EnergyBound, DepthsThatAVariableMovesTogetherAreAsFarApartAsTheyAre) {
   };
   const EnergyBound steady = with("");
   EXPECT_FALSE(steady.states.front().restless);
-  EXPECT_LT(steady.watts, 14);
+  EXPECT_LT(steady.watts, 15);
   // It may turn anywhere once the variable may move meanwhile.
   const EnergyBound moving =
       with("    case temp > 20 degC do set middle = clamp(depth, 20 m, 60 m) end stay\n");
@@ -176,6 +183,29 @@ TEST(EnergyBound, ALeastTimeInAStateCounts) {
   EXPECT_TRUE(slow.round.empty());
   EXPECT_LT(slow.watts, 12);
   EXPECT_GT(any.watts, 4 * slow.watts);
+}
+
+TEST(EnergyBound, TheTimesOfHeldAndOfWindowsCount) {
+  const auto watts = [](const std::string& guard) {
+    return boundOf("assume no outage\n" +
+                   stateText("a", "yo(20 m, 150 m)", "    case " + guard + " goto b\n") +
+                   stateText("b", "yo(20 m, 150 m)", "    case " + guard + " goto a\n"))
+        .watts;
+  };
+  const double at_once = watts("temp > 10 degC");
+  const double timed = watts("temp > 10 degC && statetime >= 10 min");
+  EXPECT_LT(timed, 0.5 * at_once);
+  EXPECT_NEAR(watts("held(temp > 10 degC, 10 min)"), timed, 0.01 * timed);
+  EXPECT_NEAR(watts("mean(temp, 10 min) > 10 degC"), timed, 0.01 * timed);
+  // A window goes on while its state waits for a return, a `held` begins again.
+  const auto called = [](const std::string& guard) {
+    return boundOf("assume no outage\n" +
+                   stateText("a", "yo(20 m, 150 m)", "    case " + guard + " call b\n") +
+                   stateText("b", "yo(20 m, 150 m)", "    case resumetime >= 10 s return\n"))
+        .watts;
+  };
+  EXPECT_GT(called("mean(temp, 10 min) > 10 degC"), 0.9 * called("temp > 10 degC"));
+  EXPECT_LT(called("held(temp > 10 degC, 10 min)"), 0.7 * called("temp > 10 degC"));
 }
 
 TEST(EnergyBound, AChainThatLastsForYearsHasAnEnd) {
@@ -275,6 +305,12 @@ INSTANTIATE_TEST_SUITE_P(
                              "    case true do set steep = clamp(56 deg - steep, 11 deg, 45 deg) "
                              "end stay\n"),
                16},
+        Hungry{"a state that is entered again near its turn",
+               "flightprofile nod()\nbegin\n  entry do descend(60 m, 30 deg) end\n  events\n"
+               "    case depth <= 58 m do surface() end stay\nend\n" +
+                   stateText("fly", "nod()",
+                             "    case missiontime > 3 h exit\n    case depth <= 57 m goto fly\n"),
+               15.4},
         Hungry{"descends to the surface", profileText("  entry do descend(0.5 m, 26 deg) end\n"),
                10.5}));
 

@@ -3,12 +3,15 @@
 
 // The walks of energy graphs against a second method: what can be used up to each whole second.
 
+#include "ir/prove/energy/energy_lines.h"
 #include "ir/prove/energy/greatest_walk.h"
 #include "ir/prove/falsification/rng.h"
+#include "tests/slocum.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <vector>
 
 namespace glider::tests {
@@ -26,7 +29,7 @@ double joules(const EnergyUse& use) {
 
 EnergyUse use(double seconds, double joules) {
   EnergyUse made;
-  made.seconds = seconds;
+  made.seconds = seconds;  // and takes no power by itself
   made.pump_out_j = joules;
   return made;
 }
@@ -106,6 +109,26 @@ TEST(EnergyGraph, TakesTheUseThatIsWorthMost) {
   EXPECT_EQ(graph.verticesOfCycle().size(), 2U);
   EXPECT_EQ(graph.greatestWalk(4).seconds, 1);
   EXPECT_EQ(graph.greatestWalk(2.8).seconds, 1);
+}
+
+/// Steeper lines take more in a second; they do not make time pass faster.
+TEST(EnergyLines, LastAsLongAsTheyAreFor) {
+  setenv("GLIDERCC_SHARE", GLIDER_BINARY_DIR "/share/glidercc", 1);
+  const ir::Mission none;
+  const ir::prove::GreatestPower power(none, slocum(), std::nullopt);
+  const auto all = [&](const EnergyUse& one) { return power.joules(one); };
+  // A costly way into a cheap circle: soon the steep lines are lower.
+  const EnergyGraph graph(3, {{0, 1, {use(20, 900)}}, {1, 2, {use(300, 30)}}, {2, 1, {use(4, 1)}}},
+                          all);
+  const ir::prove::EnergyLines lines = linesOf(graph, power);
+  EXPECT_GT(lines.size(), 2U);
+  for (const ir::prove::EnergyLine& line : lines) {
+    EXPECT_EQ(line.rate.seconds, 1);
+    EXPECT_EQ(line.offset.seconds, 0);
+  }
+  for (const double t : {1.0, 25.0, 400.0, 1e6}) {
+    EXPECT_NEAR(usesWithin(lines, power, t, t).front().seconds, t, 1e-9 * t);
+  }
 }
 
 TEST(EnergyGraph, HasNoCycleWhereNothingComesBack) {

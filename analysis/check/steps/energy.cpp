@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace glider::analysis::check {
@@ -59,13 +60,15 @@ std::string boundLine(const EnergyBound& bound, double pack_j) {
   if (!bound.joules) {
     return fmt::format(
         "by the vehicle's power table the mission takes at most {:.3g} W on average "
-        "in a long flight, so a full pack of {} Wh lasts at least {}: {}",
+        "in a long flight, so a pack that gives {} Wh lasts at least {}: {}",
         bound.watts, pack, wholeOf((pack_j - bound.start_j) / bound.watts), sharesOf(bound));
   }
   const double share = *bound.joules / pack_j * 100;
-  const std::string of_pack = share < 100
-                                  ? fmt::format("{:.2g} % of the pack of {} Wh", share, pack)
-                                  : fmt::format("more than the pack of {} Wh has", pack);
+  const std::string percent =
+      share < 10 ? fmt::format("{:.2g}", share) : fmt::format("{:.0f}", std::floor(share));
+  const std::string of_pack =
+      share < 100 ? fmt::format("{} % of the {} Wh that the pack gives", percent, pack)
+                  : fmt::format("more than the {} Wh that the pack gives", pack);
   return fmt::format(
       "by the vehicle's power table the mission takes at most {} Wh until it ends, {}: "
       "{}",
@@ -103,6 +106,13 @@ std::string turnsLine(const std::vector<StateBound>& states, const ir::Mission& 
                            fmt::join(names, ", "));
 }
 
+/// "a, b and c"
+std::string listed(std::vector<std::string> names) {
+  const std::string last = std::move(names.back());
+  names.pop_back();
+  return fmt::format("{} and {}", fmt::join(names, ", "), last);
+}
+
 /// The states that take the most by following one another.
 std::string roundLine(const EnergyBound& bound, const ir::Mission& mission) {
   std::vector<std::string> names;
@@ -121,7 +131,7 @@ std::string roundLine(const EnergyBound& bound, const ir::Mission& mission) {
              : fmt::format(
                    "it takes so much if {} follow one another again and again, one round "
                    "every {}: a minimum time in one of them lowers the bound",
-                   fmt::join(names, names.size() == 2 ? " and " : ", "), every);
+                   listed(names), every);
 }
 
 }  // namespace
@@ -132,13 +142,16 @@ support::Result<void> energy(Run& run) {
   if (!board) {
     return std::unexpected(board.error());
   }
-  const auto bound = ir::prove::energyBoundOf(run.mission(), run.platform(),
+  const ir::AssumedWorld& world = run.worlds().assumed;  // the widest if nothing is assumed
+  const auto bound = ir::prove::energyBoundOf(world.mission, world.platform,
                                               *board ? (*board)->power : std::nullopt,
                                               ir::prove::Parameters::AsWritten);
   if (!bound) {
     return {};
   }
-  run.remark(boundLine(*bound, packOf(run.mission(), run.platform().power)));
+  run.remark((run.mission().assumptions.empty() ? "" : "under the mission's assumptions, ") +
+             boundLine(*bound, packOf(run.mission(), run.platform().power)) +
+             (run.mission().shares.empty() ? "" : "; its acoustic modem is not counted"));
   for (std::string line :
        {statesLine(bound->states, run.mission()), turnsLine(bound->states, run.mission()),
         roundLine(*bound, run.mission())}) {

@@ -5,6 +5,7 @@
 
 #include "ir/prove/abstract/leaving.h"
 #include "ir/prove/abstract/state_depths.h"
+#include "ir/prove/abstract/watch_times.h"
 #include "ir/prove/energy/depth_span.h"
 #include "ir/prove/energy/greatest_walk.h"
 #include "ir/prove/energy/places.h"
@@ -191,7 +192,10 @@ class MissionGraph {
     };
     const ExprId guard = step.by->guard;
     const auto mayBeTrue = [&](double s) {
-      return AbstractEvaluator(seen_, *place.values, clocks(s)).truth(guard).is_true;
+      const IdleTemporals idle = idleBefore(seen_, s, !place.again);
+      return AbstractEvaluator(seen_, *place.values, clocks(s), std::nullopt, &idle)
+          .truth(guard)
+          .is_true;
     };
     if (most < 0 || !mayBeTrue(most)) {
       return;

@@ -21,7 +21,8 @@ EnergyLines linesOf(const EnergyGraph& graph, const GreatestPower& power) {
   const EnergyUse cycle = graph.costliestCycle();
   for (const double times : {1.0, 1.5, 3.0, 10.0}) {
     // Just above, so that rounding leaves no cycle that gains.
-    const EnergyUse rate = cycle * (times * (1 + 1e-9) / cycle.seconds);
+    EnergyUse rate = cycle * (times * (1 + 1e-9) / cycle.seconds);
+    rate.seconds = 1;  // a steeper line takes more in a second, not more seconds
     const EnergyUse walk = graph.greatestWalk(power.joules(rate));
     lines.push_back({rate, walk - rate * walk.seconds});
   }

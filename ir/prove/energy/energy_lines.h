@@ -11,7 +11,7 @@
 namespace glider::ir::prove {
 
 /// A bound of what is used in t seconds: no more joules than `offset` and t times `rate` together.
-/// (Of their single fields that is not said.)
+/// (Of their single fields that is not said, but that `rate` lasts a second and `offset` none.)
 struct EnergyLine {
   EnergyUse rate;  ///< of a second
   EnergyUse offset;

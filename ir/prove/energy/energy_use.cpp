@@ -11,13 +11,17 @@ using platforms::Draw;
 using platforms::DrawWhen;
 
 EnergyUse EnergyUse::operator+(const EnergyUse& other) const {
-  return {seconds + other.seconds,       surface_s + other.surface_s,
-          surfacings + other.surfacings, pump_out_j + other.pump_out_j,
-          pump_in_j + other.pump_in_j,   pitch_battery_s + other.pitch_battery_s};
+  return {seconds + other.seconds,
+          powered_s + other.powered_s,
+          surface_s + other.surface_s,
+          surfacings + other.surfacings,
+          pump_out_j + other.pump_out_j,
+          pump_in_j + other.pump_in_j,
+          pitch_battery_s + other.pitch_battery_s};
 }
 
 EnergyUse EnergyUse::operator*(double factor) const {
-  return {seconds * factor,    surface_s * factor, surfacings * factor,
+  return {seconds * factor,    powered_s * factor, surface_s * factor,      surfacings * factor,
           pump_out_j * factor, pump_in_j * factor, pitch_battery_s * factor};
 }
 
@@ -51,7 +55,7 @@ double GreatestPower::joules(const Row& row, const EnergyUse& use) {
     case DrawWhen::Always:
     case DrawWhen::Read:
     case DrawWhen::Fin:  // it may always move
-      return row.amount * use.seconds;
+      return row.amount * use.powered_s;
     case DrawWhen::Surface:
       return row.amount * use.surface_s;
     case DrawWhen::Surfacing:

@@ -15,8 +15,9 @@ namespace glider::ir::prove {
 
 /// What a part of a flight asks of the devices that draw power. Two parts add up.
 struct EnergyUse {
-  double seconds = 0;
-  double surface_s = 0;   ///< of them at the surface
+  double seconds = 0;     ///< how long it lasts
+  double powered_s = 0;   ///< of devices that always draw; a bound may count more than it lasts
+  double surface_s = 0;   ///< at the surface
   double surfacings = 0;  ///< those that the power table counts
   double pump_out_j = 0;
   double pump_in_j = 0;

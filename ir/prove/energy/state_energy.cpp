@@ -22,6 +22,8 @@ constexpr double kSurfacing_s = 60;
 /// A pump that works for such a share of the time hardly rests.
 constexpr double kRestless = 0.5;
 
+constexpr double kRadians = 3.14159265358979323846 / 180;  // of a degree
+
 /// A leg that has begun by a turn.
 struct BegunLeg {
   size_t leg = 0;
@@ -30,6 +32,7 @@ struct BegunLeg {
   EnergyUse stroke;     ///< of pump and pitch battery, with which it begins
   bool turned = false;  ///< the pitch battery moves to its other side
   bool from_surface = false;
+  bool broached = false;  ///< the turn may have led to the surface
 };
 
 double noiseOf(const ProofContext& seen) {
@@ -93,8 +96,8 @@ class StateGraph {
   /// On average over a leg.
   [[nodiscard]] double fastest() const {
     const double most = platform_.envelope.vertical_rate_m_s;
-    return legs_.steepest_rad > 0 ? std::min(most, model_.glide_m_s * std::sin(legs_.steepest_rad))
-                                  : most;
+    const double steepest = legs_.steepest_rad + model_.pitch_off_deg * kRadians;
+    return legs_.steepest_rad > 0 ? std::min(most, model_.glide_m_s * std::sin(steepest)) : most;
   }
 
   /// From where the state becomes current, or from a turn that waited for a time, to the next such
@@ -219,6 +222,8 @@ class StateGraph {
     BegunLeg begun = begin(turn.to, turn.where, before.drive,
                            mayFloat(before) || (before.drive == Drive::Down && shallow));
     begun.turn = &turn;
+    begun.broached = before.drive == Drive::Up &&
+                     before.target.shallowest < platform_.envelope.inflection_overshoot_m;
     return begun;
   }
 
@@ -240,10 +245,12 @@ class StateGraph {
     return begun;
   }
 
-  /// Whether the vehicle may come to the surface in a leg.
-  static bool mayFloat(const ProfileLeg& leg) {
+  /// Whether the vehicle may stay at the surface in a leg. A hover comes back to its depth with
+  /// strokes of the whole pump, and may go beyond it as far as a turn does.
+  [[nodiscard]] bool mayFloat(const ProfileLeg& leg) const {
+    const double beyond = leg.drive == Drive::Hover ? platform_.envelope.inflection_overshoot_m : 0;
     return leg.drive == Drive::Anywhere ||
-           (leg.drive != Drive::Down && leg.target.shallowest < kUnderWater_m);
+           (leg.drive != Drive::Down && leg.target.shallowest < kUnderWater_m + beyond);
   }
 
   /// A leg that lasts, from `least` seconds on: at each time from which on another device rests.
@@ -270,13 +277,16 @@ class StateGraph {
       return restlessLine(power_, platform_, deepest_m_).rate * seconds + begun.stroke;
     }
     EnergyUse use = begun.stroke;
-    use.seconds = seconds;
+    use.seconds = use.powered_s = seconds;
     use.pitch_battery_s += model_.pitch_battery_share * seconds;
     if (mayFloat(leg)) {
       use.surface_s = seconds;
       use.surfacings = std::min(1.0, seconds / kSurfacing_s);  // it may begin in a leg before
     } else if (begun.from_surface) {
       use.surface_s = std::min(seconds, model_.dive_start_s);
+      use.surfacings = std::min(1.0, seconds / kSurfacing_s);  // one that began before
+    } else if (begun.broached) {
+      use.surface_s = std::min(seconds, 2 * stroke_s_);
     }
     return leg.drive == Drive::Hover || !leg.turns_there
                ? use + pumped(power_, model_.hover_pump_cc_s * seconds, deepest_m_)
@@ -300,12 +310,18 @@ EnergyLine restlessLine(const GreatestPower& power, const platforms::Platform& p
                         double deepest_m) {
   const double stroke_cc = 2 * platform.envelope.pump_cc;
   const double depth_m = withinHull(platform, deepest_m);
-  EnergyLine line{pumped(power, platform.motion->pump_rate_cc_s / 2, depth_m), {}};
-  line.rate.seconds = line.rate.surface_s = line.rate.pitch_battery_s = 1;
-  // To dive and come up takes a while too.
-  line.rate.surfacings =
-      1 / (kSurfacing_s + 2 * kUnderWater_m / platform.envelope.vertical_rate_m_s);
-  line.offset.pump_out_j = power.pumpOut(stroke_cc, depth_m);
+  const auto pumping = [&](double at_m) {
+    EnergyUse use = pumped(power, platform.motion->pump_rate_cc_s / 2, at_m);
+    use.seconds = use.powered_s = use.pitch_battery_s = 1;
+    return use;
+  };
+  EnergyUse above = pumping(kUnderWater_m);
+  above.surface_s = 1;
+  above.surfacings = 1 / kSurfacing_s;
+  const EnergyUse below = pumping(depth_m);
+  EnergyLine line{power.joules(above) > power.joules(below) ? above : below, {}};
+  const double out = power.pumpOut(stroke_cc, depth_m), in = power.pumpIn(stroke_cc);
+  (out > in ? line.offset.pump_out_j : line.offset.pump_in_j) = std::max(out, in);
   line.offset.surfacings = 1;
   return line;
 }

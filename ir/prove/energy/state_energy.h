@@ -17,7 +17,7 @@ struct StateEnergy {
 };
 
 /// What a vehicle takes at most in any flight that goes no deeper: pump and pitch battery work all
-/// the time, at the surface if that is more. The platform has Power::bounds.
+/// the time, at the surface or below, where it takes more. The platform has Power::bounds.
 EnergyLine restlessLine(const GreatestPower& power, const platforms::Platform& platform,
                         double deepest_m);
 

@@ -10,6 +10,7 @@
 #include "ir/core/ops.h"
 #include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/abstract/leaving.h"
+#include "ir/prove/abstract/watch_times.h"
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/passes.h"
 #include "ir/verify/intervals.h"
@@ -53,13 +54,8 @@ class WatchCheck {
   }
 
  private:
-  /// At least that long, s; 0: no time is needed.
   [[nodiscard]] double neededBy(const Temporal& temporal) const {
-    if (temporal.kind == TemporalKind::Held) {
-      const Interval& duration = proof_context_.intervals[temporal.duration.index];
-      return duration.empty ? 0 : duration.lowest;
-    }
-    return isWindow(temporal.kind) && !temporal.along.valid() ? temporal.length : 0;
+    return timeNeeded(proof_context_, temporal);
   }
 
   /// Since the state became current, s. The cases that wait for what takes longer do not keep the

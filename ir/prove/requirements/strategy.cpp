@@ -36,7 +36,8 @@ RepeatedProof Strategy::provedAgain(const Requirement& requirement,
 }
 
 RepeatedProof Strategy::againBy(std::optional<RequirementVerdict> verdict) {
-  return verdict ? RepeatedProof{true, std::move(verdict->evidence)} : RepeatedProof();
+  const bool proved = verdict && verdict->verdict == Verdict::Proved;
+  return proved ? RepeatedProof{true, std::move(verdict->evidence)} : RepeatedProof();
 }
 
 std::optional<Evidence> Strategy::evidence(const Requirement& requirement, bool learnt,

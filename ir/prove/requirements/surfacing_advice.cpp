@@ -9,6 +9,7 @@
 #include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/abstract/surfacing.h"
+#include "ir/prove/abstract/watch_times.h"
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/context/sensors_read.h"
 #include "ir/prove/context/vehicle_rules.h"
@@ -73,22 +74,10 @@ class UnderWater {
   [[nodiscard]] bool mayFire(const Case& c, double by) const {
     const Interval ever{0, kLongestMission, false};
     const Interval stay{0, by, false};
-    const IdleTemporals idle = heldForLonger(by);
+    const IdleTemporals idle = idleBefore(proof_context_, by, false);
     return AbstractEvaluator(proof_context_, values_, {ever, stay, stay}, deep(), &idle)
         .truth(c.guard)
         .is_true;
-  }
-
-  /// Each `held` of a state that needs more than this time in it.
-  [[nodiscard]] IdleTemporals heldForLonger(double by) const {
-    const Mission& m = proof_context_.mission;
-    IdleTemporals idle;
-    for (const Temporal& temporal : m.temporals) {
-      const bool held = temporal.kind == TemporalKind::Held && temporal.list != ListKind::Always;
-      idle.push_back(held && m[temporal.duration].op == Op::Constant &&
-                     m[temporal.duration].number > by);
-    }
-    return idle;
   }
 
   [[nodiscard]] std::optional<AssumedReading> deep() const {

@@ -196,7 +196,7 @@ TEST(Platform, ThePowerTableIsChecked) {
 }
 
 TEST(Platform, WhatBoundsOfEnergyAssumeIsWholeOrNotThere) {
-  EXPECT_NE(slocumWith("\nglide_m_s = 0.5", "").find("glide_m_s"), std::string::npos);
+  EXPECT_NE(slocumWith("\nglide_m_s = 0.53", "").find("glide_m_s"), std::string::npos);
   EXPECT_NE(slocumWith("hover_pump_cc_s = 2.5", "hover_pump_cc_s = 0.0").find("above 0"),
             std::string::npos);
   EXPECT_NE(slocumWith("dive_start_s = 120.0", "dive_start_s = 120.0\ndives = 1").find("dives"),

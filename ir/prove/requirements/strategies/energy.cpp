@@ -77,12 +77,16 @@ class Energy final : public Strategy {
     if (!condition || !proof.options.board) {
       return std::nullopt;
     }
+    RequirementVerdict open{attempt.number, Verdict::Open, std::nullopt};
+    if (!context.mission.shares.empty()) {
+      open.reason = "what its acoustic modem takes has no bound here";
+      return open;
+    }
     const double most_j = mostOf(context);
     if (isKept(*condition, attempt.requirement.condition, most_j, context)) {
       return RequirementVerdict{attempt.number, Verdict::Proved, std::nullopt,
                                 "by the vehicle's power table, while the SBC is in control"};
     }
-    RequirementVerdict open{attempt.number, Verdict::Open, std::nullopt};
     open.reason = whyOpen(most_j, context);
     return open;
   }
@@ -130,14 +134,17 @@ class Energy final : public Strategy {
 
   static std::string whyOpen(double most_j, const StrategyContext& context) {
     if (!std::isfinite(most_j)) {
-      return "no bound is known on how long the mission lasts, and so none on its energy";
+      return "no bound is known on how long the mission lasts, or it has too many transitions, so "
+             "none is known on its energy";
     }
     const double counted = chargeOf(most_j, context) * context.mission.pack->voltage_V;
+    const auto& variables = context.mission.variables;
+    const bool set = !variables.empty() && variables.front().kind == VariableKind::Parameter;
     return fmt::format(
-        "by the vehicle's power table it may take {} Wh, which its count of the "
-        "charge may show as {} Wh when the batteries are low; `check --report` "
-        "says what takes it",
+        "by the vehicle's power table it may take {} Wh{}, which its count of the charge may show "
+        "as {} Wh when the batteries are low; `check --report` says what takes it",
         support::groupedAmount(most_j / platforms::kJoulesPerWattHour),
+        set ? " for some values of its parameters" : "",
         support::groupedAmount(counted / platforms::kJoulesPerWattHour));
   }
 };

@@ -48,7 +48,9 @@ std::optional<std::string> lettersOf(std::string_view word) {
 
 std::string compassAngle(std::string_view point) {
   constexpr size_t kLongest = 24;  // `north-north-east`
-  if (point.size() > kLongest) {
+  // Each name of a mission is looked at: almost all have another letter, soon.
+  constexpr std::string_view kLetters = "nesworthauNESWORTHAU-_ ";
+  if (point.size() > kLongest || point.find_first_not_of(kLetters) != std::string_view::npos) {
     return "";
   }
   const std::string word = inOneWord(point);

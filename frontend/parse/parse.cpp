@@ -40,8 +40,9 @@ bool checkEncoding(const Source& source, SyntaxReporter& reporter) {
     reporter.at(at(nul), support::diagnostics::nulByte, line(nul));
     return false;
   }
+  const auto isAscii = [](char c) { return static_cast<unsigned char>(c) < 0x80U; };
   for (size_t i = 0; i < text.size();) {
-    const size_t length = characterLength(text, i);
+    const size_t length = isAscii(text[i]) ? 1 : characterLength(text, i);
     if (length == 0) {
       reporter.at(at(i), support::diagnostics::notUtf8, static_cast<unsigned char>(text[i]),
                   line(i));

@@ -135,6 +135,12 @@ Value Evaluation::operator()(const Leaves& leaves) const {
   return values.back();
 }
 
+const Evaluation& Evaluations::of(ExprId id) {
+  const auto found = made_.find(id.index);
+  return found != made_.end() ? found->second
+                              : made_.try_emplace(id.index, *mission_, id).first->second;
+}
+
 Value evaluate(const Mission& mission, ExprId id, const Leaves& leaves) {
   return Evaluation(mission, id)(leaves);
 }

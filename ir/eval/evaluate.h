@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -42,6 +43,19 @@ class Evaluation {
   const Mission* mission_;
   std::vector<uint32_t> order_;     ///< the numbers of the expressions
   std::vector<uint32_t> operands_;  ///< of each in turn: where its operands are in `order_`
+};
+
+/// The evaluations of a mission's expressions, for those of which it is not known which are asked
+/// for again: an order is found when it is first needed, and kept.
+class Evaluations {
+ public:
+  /// `mission` outlives this.
+  explicit Evaluations(const Mission& mission) : mission_(&mission) {}
+  const Evaluation& of(ExprId id);
+
+ private:
+  const Mission* mission_;
+  std::unordered_map<uint32_t, Evaluation> made_;
 };
 
 /// The value of expression `id`: evaluates each operation in it once, operands first, at any depth.

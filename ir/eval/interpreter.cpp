@@ -41,6 +41,7 @@ std::optional<uint32_t> failedCondition(const Mission& mission,
 
 Interpreter::Interpreter(const Mission& mission, uint32_t stack_depth, Externals externals)
     : mission_(mission),
+      evaluations_(std::make_shared<Evaluations>(mission)),
       stack_depth_(stack_depth),
       sensors_(mission.sensors.size()),
       variables_(mission.variables.size(), kUnknown),
@@ -165,9 +166,8 @@ double Interpreter::age(SensorId id) const {
 }
 
 Value Interpreter::evaluate(ExprId id) const {
-  return ir::evaluate(mission_, id, [this](const Expr& e, std::span<const double> arguments) {
-    return leaf(e, arguments);
-  });
+  return evaluations_->of(id)(
+      [this](const Expr& e, std::span<const double> arguments) { return leaf(e, arguments); });
 }
 
 Value Interpreter::leaf(const Expr& e, std::span<const double> arguments) const {

@@ -12,6 +12,7 @@
 #include "ir/eval/window.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -133,6 +134,8 @@ class Interpreter {
   TickResult result();
 
   const Mission& mission_;
+  /// Guards are evaluated in every tick. They follow from the mission: copies of this share them.
+  std::shared_ptr<Evaluations> evaluations_;
   uint32_t stack_depth_;
   std::vector<SensorState> sensors_;
   std::vector<double> variables_;

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
@@ -43,8 +44,7 @@ class RangeCheck {
   explicit RangeCheck(Verification& verification)
       : v_(verification),
         m_(verification.structure.mission),
-        intervals_(intervalsOf(verification.structure.mission)),
-        whole_(wholeExpressions(verification.structure.mission, intervals_)) {
+        intervals_(intervalsOf(verification.structure.mission)) {
     countRemainders();
   }
 
@@ -72,9 +72,12 @@ class RangeCheck {
  private:
   /// A remainder is below its divisor; of whole numbers it is at most one below.
   void countRemainders() {
+    if (std::ranges::find(m_.exprs, Op::Remainder, &Expr::op) == m_.exprs.end()) {
+      return;  // few missions have one, and what is whole is a fixpoint over the mission
+    }
+    const std::vector<bool> whole = wholeExpressions(m_, intervals_);
     for (size_t i = 0; i < m_.exprs.size(); ++i) {
-      const Expr& e = m_.exprs[i];
-      if (e.op == Op::Remainder && whole_[i] && intervals_[i].highest >= 1) {
+      if (m_.exprs[i].op == Op::Remainder && whole[i] && intervals_[i].highest >= 1) {
         intervals_[i].highest -= 1;
       }
     }
@@ -161,7 +164,6 @@ class RangeCheck {
   Verification& v_;
   const Mission& m_;
   std::vector<Interval> intervals_;
-  std::vector<bool> whole_;
   std::set<AssignmentPlace> doubtful_;
   std::set<AssignmentPlace> kept_;  ///< those of them that their guards keep in range
   std::set<std::tuple<uint32_t, uint32_t, std::string>> told_;

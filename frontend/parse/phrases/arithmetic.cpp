@@ -203,10 +203,12 @@ size_t questionMark(Phrase& phrase) {
 size_t numberWord(Phrase& phrase) {
   constexpr std::string_view kWords[] = {"one",   "two",   "three", "four", "five",   "six",
                                          "seven", "eight", "nine",  "ten",  "eleven", "twelve"};
+  if (endsValue(phrase.before()) || !isAnyName(phrase.type(1))) {
+    return 0;
+  }
   const auto* word =
       std::ranges::find_if(kWords, [&](std::string_view one) { return phrase.says(0, one); });
-  if (word == std::end(kWords) || endsValue(phrase.before()) || !isAnyName(phrase.type(1)) ||
-      phrase.startsLine(1) || unitForWord(phrase.text(1)).empty() ||
+  if (word == std::end(kWords) || phrase.startsLine(1) || unitForWord(phrase.text(1)).empty() ||
       phrase.isDeclared(phrase.text())) {
     return 0;
   }

@@ -174,12 +174,14 @@ size_t putVariable(Phrase& phrase, std::string_view type) {
 
 /// `let warm = false`.
 size_t wordOfOtherLanguage(Phrase& phrase) {
+  if (!isName(phrase.type(1)) || phrase.type(2) != GliderLexer::ASSIGN) {
+    return 0;
+  }
   const bool word = phrase.says(0, "let") || phrase.says(0, "auto") || phrase.says(0, "local") ||
                     phrase.says(0, "define");
   const bool begins =
       phrase.before() == 0 || phrase.before() == GliderLexer::END || endsValue(phrase.before());
-  if (!word || !begins || !phrase.startsLine() || !phrase.open().empty() ||
-      !isName(phrase.type(1)) || phrase.type(2) != GliderLexer::ASSIGN) {
+  if (!word || !begins || !phrase.startsLine() || !phrase.open().empty()) {
     return 0;
   }
   if (isSetLater(phrase, phrase.text(1))) {
@@ -205,10 +207,12 @@ bool isForeignType(std::string_view word) {
 size_t typeFirst(Phrase& phrase) {
   const bool begins =
       phrase.before() == 0 || phrase.before() == GliderLexer::END || endsValue(phrase.before());
+  if (!isName(phrase.type()) || !isName(phrase.type(1)) || phrase.type(2) != GliderLexer::ASSIGN ||
+      !begins || !phrase.startsLine() || !phrase.open().empty()) {
+    return 0;
+  }
   const bool foreign = isForeignType(phrase.text());
-  if (!isName(phrase.type()) || !begins || !phrase.startsLine() || !phrase.open().empty() ||
-      !(foreign || isTypeName(phrase.text())) || !isName(phrase.type(1)) ||
-      phrase.type(2) != GliderLexer::ASSIGN) {
+  if (!foreign && !isTypeName(phrase.text())) {
     return 0;
   }
   const size_t value = tokensOfValue(phrase, 3, false);

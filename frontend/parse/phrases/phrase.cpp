@@ -45,11 +45,9 @@ std::string Phrase::lower(size_t k) const {
   return word;
 }
 
-bool Phrase::says(size_t k, std::string_view word) const {
-  const std::string_view said = text(k);
-  return said.size() == word.size() && std::ranges::equal(said, word, {}, [](unsigned char c) {
-           return static_cast<char>(std::tolower(c));
-         });
+bool Phrase::spells(const Lexeme& lexeme, std::string_view word) const {
+  return std::ranges::equal(source().text(lexeme), word, {},
+                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
 }
 
 bool Phrase::readsValues() const {
@@ -102,6 +100,13 @@ const Lexeme* Phrase::lexemeBefore(size_t k) const {
   return k < out_.size() ? &out_[out_.size() - 1 - k] : nullptr;
 }
 
+bool Phrase::hasRead(std::initializer_list<uint32_t> types) const {
+  constexpr size_t kFarthestBack = 100;
+  return std::ranges::any_of(types, [&](uint32_t type) {
+    return read_.at(type) > item_ && out_.size() - read_.at(type) < kFarthestBack;
+  });
+}
+
 void Phrase::put(const Lexeme& lexeme) {
   out_.push_back(lexeme);
   follow(lexeme);
@@ -124,6 +129,10 @@ bool Phrase::skip() {
 
 void Phrase::follow(const Lexeme& lexeme) {
   const uint32_t type = lexeme.type;
+  if (type < read_.size()) {
+    read_[type] = out_.size();
+  }
+  item_ = startsItem(type) ? out_.size() : item_;
   if (oneOf(type, {GliderLexer::LPAREN, GliderLexer::LBRACKET})) {
     open_.push_back({type, type == GliderLexer::LPAREN && isAnyName(before(1))});
   } else if (oneOf(type, {GliderLexer::RPAREN, GliderLexer::RBRACKET})) {

@@ -7,6 +7,8 @@
 #include "frontend/parse/reporter.h"
 
 #include <algorithm>
+#include <array>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <set>
@@ -40,8 +42,12 @@ class Phrase {
   [[nodiscard]] std::string_view text(size_t k = 0) const { return source().text(token(k)); }
   /// In lower case.
   [[nodiscard]] std::string lower(size_t k = 0) const;
-  /// Whether token `k` is `word`, which is in lower case, in any case.
-  [[nodiscard]] bool says(size_t k, std::string_view word) const;
+  /// Whether token `k` is `word`, which is in lower case, in any case. Of each name it is asked
+  /// dozens of times: the length, which needs no text, refuses most.
+  [[nodiscard]] bool says(size_t k, std::string_view word) const {
+    const Lexeme& lexeme = token(k);
+    return lexeme.end - lexeme.begin == word.size() && spells(lexeme, word);
+  }
   [[nodiscard]] bool atEnd() const;
   /// Whether token `k` stands immediately after the token before it.
   [[nodiscard]] bool touches(size_t k) const;
@@ -64,6 +70,9 @@ class Phrase {
     return k < out_.size() ? out_[out_.size() - 1 - k].type : 0;
   }
   [[nodiscard]] const Lexeme* lexemeBefore(size_t k = 0) const;
+  /// Whether one of these types was read in the item at hand: since the word that began it, and not
+  /// too far back.
+  [[nodiscard]] bool hasRead(std::initializer_list<uint32_t> types) const;
   /// The last keyword that is neither an operator nor a value.
   [[nodiscard]] uint32_t keyword() const { return keyword_; }
   /// Whether values stand after that keyword.
@@ -93,6 +102,7 @@ class Phrase {
 
  private:
   void follow(const Lexeme& lexeme);
+  [[nodiscard]] bool spells(const Lexeme& lexeme, std::string_view word) const;
   [[nodiscard]] bool afterTransition() const;
 
   const std::vector<Lexeme>& in_;
@@ -103,6 +113,9 @@ class Phrase {
   std::set<size_t> left_out_;
   std::map<size_t, uint32_t> supplied_;
   std::optional<std::set<std::string_view>> declared_;  ///< once it was needed
+  std::array<size_t, detail::kMostTypes>
+      read_{};       ///< how many tokens were, with the last of a type
+  size_t item_ = 0;  ///< how many tokens were read, with the word that began the item at hand
   uint32_t keyword_ = 0;
   bool in_range_ = false;
   bool case_may_begin_ = false;

@@ -169,10 +169,13 @@ size_t part(Phrase& phrase) {
 /// Before it there must be a window with nothing but a name in it: `mean(temp`.
 size_t wordOfWindow(Phrase& phrase) {
   const bool first = phrase.before(1) == GliderLexer::LPAREN && isName(phrase.before());
-  const size_t number = tokensOfNumber(phrase, 1);
+  const size_t number = first ? tokensOfNumber(phrase, 1) : 0;
+  if (number == 0) {
+    return 0;
+  }
   const bool says_length = isOneOf(phrase.text(), {"over", "within", "during", "for", "in"});
   const bool compares = isOneOf(phrase.text(), {"under", "below", "above"});
-  if (!first || number == 0 || !(says_length || compares)) {
+  if (!says_length && !compares) {
     return 0;
   }
   const std::string_view function = phrase.source().text(*phrase.lexemeBefore(2));

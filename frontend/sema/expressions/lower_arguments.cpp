@@ -102,9 +102,16 @@ class ArgumentLowering {
            given == static_cast<const support::SourceRange&>(formal.usual->where);
   }
 
+  /// "`depth` of `climb_to`". By hand: it is made of every argument, though few have an error.
+  [[nodiscard]] std::string nameOf(const Signature::Formal& formal) const {
+    std::string name = "`";
+    name.append(formal.name->text).append("` of `").append(callee_.name).append("`");
+    return name;
+  }
+
   bool lower(const Step& step) {
     const Signature::Formal& formal = formals()[step.formal];
-    const std::string what = fmt::format("`{}` of `{}`", formal.name->text, callee_.name);
+    const std::string what = nameOf(formal);
     const bool usual = step.arguments == 0 || isUsual(formal, arguments_[step.argument]);
     if (usual) {
       return addUsual(formal, what);
@@ -211,8 +218,7 @@ class ArgumentLowering {
         result_.values.push_back(longitude);
       }
       inside = inside && (formal.range == nullptr ||
-                          isInRange(formal, arguments_[step.argument],
-                                    fmt::format("`{}` of `{}`", formal.name->text, callee_.name)));
+                          isInRange(formal, arguments_[step.argument], nameOf(formal)));
     }
     return inside;
   }

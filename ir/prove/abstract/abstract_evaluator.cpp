@@ -84,7 +84,8 @@ const AbstractEvaluator::Evaluated& AbstractEvaluator::at(ExprId id) const {
     return found->second;
   }
   const Mission& m = proof_context_.mission;
-  std::vector<uint32_t> open{id.index};
+  std::vector<uint32_t>& open = open_;
+  open.assign(1, id.index);
   while (!open.empty()) {
     const uint32_t index = open.back();
     const Expr& e = m.exprs[index];

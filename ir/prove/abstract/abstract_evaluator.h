@@ -98,6 +98,7 @@ class AbstractEvaluator {
   std::optional<AssumedReading> sight_;
   const IdleTemporals* idle_;
   mutable std::unordered_map<uint32_t, Evaluated> made_;
+  mutable std::vector<uint32_t> open_;  ///< what is to be evaluated; here to keep its memory
 };
 
 }  // namespace glider::ir::prove

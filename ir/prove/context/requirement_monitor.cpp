@@ -15,11 +15,8 @@ RequirementMonitor::RequirementMonitor(const Mission& mission, const Requirement
       requirement_(requirement),
       surface_depth_m_(surface_depth_m),
       depth_(depth),
-      memory_(mission.variables.size(), std::numeric_limits<double>::quiet_NaN()) {
-  if (requirement.condition.valid()) {
-    condition_.emplace(mission, requirement.condition);
-  }
-}
+      evaluations_(std::make_shared<Evaluations>(mission)),
+      memory_(mission.variables.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
 /// By goto or call, or as the first state of the mission.
 bool RequirementMonitor::enters(const TickResult& result, StateId state) const {
@@ -33,8 +30,7 @@ bool RequirementMonitor::enters(const TickResult& result, StateId state) const {
   return cases.at(result.moved->number).transition != Transition::Return;
 }
 
-Value RequirementMonitor::valueOf(const Evaluation& expression, const Interpreter& run,
-                                  double true_depth) const {
+Value RequirementMonitor::valueOf(ExprId id, const Interpreter& run, double true_depth) const {
   const auto leaf = [&](const Expr& e, std::span<const double>) -> Value {
     if (e.op == Op::Sensor && depth_ && e.sensor == *depth_ && true_depth == true_depth) {
       return true_depth;
@@ -47,15 +43,11 @@ Value RequirementMonitor::valueOf(const Evaluation& expression, const Interprete
     }
     return run.evaluate({static_cast<uint32_t>(&e - m_.exprs.data())});
   };
-  return expression(leaf);
-}
-
-Value RequirementMonitor::valueOf(ExprId id, const Interpreter& run, double true_depth) const {
-  return valueOf(Evaluation(m_, id), run, true_depth);
+  return evaluations_->of(id)(leaf);
 }
 
 bool RequirementMonitor::conditionIsFalse(const Interpreter& run, double true_depth) const {
-  return std::get<Truth>(valueOf(*condition_, run, true_depth)) == Truth::False;
+  return std::get<Truth>(valueOf(requirement_.condition, run, true_depth)) == Truth::False;
 }
 
 bool RequirementMonitor::observed(const Observation& observation, const TickResult& result) const {

@@ -5,6 +5,7 @@
 
 #include "ir/eval/interpreter.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,8 +51,6 @@ class RequirementMonitor {
  private:
   [[nodiscard]] bool enters(const TickResult& result, StateId state) const;
   /// As the requirement reads it: variables of its monitor, and the true depth.
-  [[nodiscard]] Value valueOf(const Evaluation& expression, const Interpreter& run,
-                              double true_depth) const;
   [[nodiscard]] Value valueOf(ExprId id, const Interpreter& run, double true_depth) const;
   [[nodiscard]] bool observed(const Observation& observation, const TickResult& result) const;
   void watch(const Interpreter& run, const TickResult& result, double true_depth);
@@ -62,7 +61,7 @@ class RequirementMonitor {
   const Requirement& requirement_;
   double surface_depth_m_;
   std::optional<SensorId> depth_;
-  std::optional<Evaluation> condition_;
+  std::shared_ptr<Evaluations> evaluations_;  ///< copies of this share them
   bool started_ = false;
   bool finished_ = false;        ///< by an earlier tick: nothing more is checked
   std::optional<double> still_;  ///< mission time, s, where no tick says it

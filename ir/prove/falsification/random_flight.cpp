@@ -55,6 +55,7 @@ class RandomFlight {
         showing_(m_.sensors.size()) {
     for (const Sensor& sensor : m_.sensors) {
       landmarks_.push_back(landmarksOf(sensor));
+      place_read_.push_back(placeReadBy(sensor, proof_context.platform));
     }
     const VehicleClocks clocks(proof_context);
     for (const SensorId clock : clocks.sensors()) {
@@ -161,9 +162,8 @@ class RandomFlight {
   }
 
   /// The reading of a sensor that reports the vehicle's position; empty for other sensors.
-  std::optional<double> placeReading(const Sensor& sensor) const {
-    const PlaceRead read =
-        place_ ? placeReadBy(sensor, proof_context_.platform) : PlaceRead::Nothing;
+  std::optional<double> placeReading(uint32_t sensor) const {
+    const PlaceRead read = place_ ? place_read_[sensor] : PlaceRead::Nothing;
     if (read == PlaceRead::Nothing) {
       return std::nullopt;
     }
@@ -232,6 +232,7 @@ class RandomFlight {
 
   std::vector<double> readings(double time) {
     std::vector<double> values;
+    values.reserve(m_.sensors.size());
     for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
       if (const auto clock = clocks_.find(i); clock != clocks_.end()) {
         values.push_back(dice_.chance(kClockUnknown) ? kUnknown : clock->second + time);
@@ -251,7 +252,7 @@ class RandomFlight {
       const bool depth = recorder_.depthSensor() == SensorId{i};
       const bool heard = now.value == now.value;
       // The vehicle knows its position (docs/verification.md), so the mission does.
-      const auto place = placeReading(m_.sensors[i]);
+      const auto place = placeReading(i);
       values.push_back(depth && heard ? vehicle_.reading() : place.value_or(now.value));
     }
     return values;
@@ -304,6 +305,7 @@ class RandomFlight {
   bool calm_ = dice_.chance(0.3);  ///< every sensor shows the same all the time
   std::vector<HeldReading> showing_;
   std::vector<std::vector<double>> landmarks_;  ///< by sensor
+  std::vector<PlaceRead> place_read_;           ///< by sensor: asked for in every tick
   std::optional<double> calendar_s_;   ///< what clocks of the calendar show as the mission begins
   std::map<uint32_t, double> clocks_;  ///< by sensor: what a clock shows as the mission begins, s
 };

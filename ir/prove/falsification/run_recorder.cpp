@@ -99,20 +99,23 @@ RunRecorder::RunRecorder(const ProofContext& proof_context, uint32_t stack_depth
   reads_variation_ = m_.compass && std::ranges::any_of(m_.exprs, [&](const Expr& e) {
                        return e.sensor.valid() && e.sensor == m_.compass->variation;
                      });
+  constexpr uint32_t kWide = 8;
+  for (uint32_t i = 0; i < m_.sensors.size(); ++i) {
+    const platforms::PlatformSensor* sensor = proof_context.platformSensor({i});
+    wide_.push_back(sensor == nullptr || sensor->bytes == kWide);
+  }
   interpreter_.emplace(m_, stack_depth);
 }
 
 /// As the vehicle stores its sensors, most of which are floats of 4 bytes.
 std::vector<SensorUpdate> RunRecorder::frameOf(const std::vector<double>& readings) const {
-  constexpr uint32_t kWide = 8;
   std::vector<SensorUpdate> frame;
+  frame.reserve(readings.size());
   for (uint32_t i = 0; i < readings.size(); ++i) {
     // The headings of a trace are true: with a variation of 0 a vehicle reports the same ones.
     const bool variation = m_.compass && m_.compass->variation == SensorId{i} && !reads_variation_;
     const double raw = variation ? 0 : rawOf(m_.sensors[i], readings[i]);
-    const platforms::PlatformSensor* sensor = proof_context_.platformSensor({i});
-    const bool wide = sensor == nullptr || sensor->bytes == kWide;
-    frame.push_back({{i}, wide ? raw : asFloat(raw, m_.sensors[i])});
+    frame.push_back({{i}, wide_[i] ? raw : asFloat(raw, m_.sensors[i])});
   }
   return frame;
 }

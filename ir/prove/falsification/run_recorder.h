@@ -56,6 +56,7 @@ class RunRecorder {
   std::span<const Requirement> requirements_;
   std::optional<SensorId> depth_sensor_;
   bool reads_variation_ = false;  ///< whether the mission itself reads it, apart from its compass
+  std::vector<bool> wide_;        ///< by sensor: whether the vehicle stores it in 8 bytes
   std::vector<RequirementMonitor> monitors_;  ///< one for each requirement
   std::vector<RequirementMonitor> later_;     ///< the same, without the start
   std::vector<RequirementMonitor> assumed_;   ///< one for each assumption that is watched

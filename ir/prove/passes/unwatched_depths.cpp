@@ -27,8 +27,7 @@ constexpr std::array<std::string_view, 7> kShowDepth = {
 
 class DepthWatchCheck {
  public:
-  explicit DepthWatchCheck(Proof& proof)
-      : proof_(proof), m_(proof.proof_context.mission), held_(heldIntervals(m_)) {}
+  explicit DepthWatchCheck(Proof& proof) : proof_(proof), m_(proof.proof_context.mission) {}
 
   void run() {
     const bool always = watches(m_.always);
@@ -47,13 +46,13 @@ class DepthWatchCheck {
   }
 
   /// Whether it may command a pump that is not out, or a battery without a pump.
-  [[nodiscard]] bool maySink(const State& state) const {
+  [[nodiscard]] bool maySink(const State& state) {
     bool moves = false;
     bool lifts = false;
     for (const Statement* command : commandsOf(m_, state)) {
       moves = moves || movesActuators(command->command);
       if (command->command == Command::Pump) {
-        const Interval& volume = held_[command->values.at(0).index];
+        const Interval& volume = held(command->values.at(0));
         if (!volume.empty && volume.lowest <= 0) {
           return true;
         }
@@ -61,6 +60,14 @@ class DepthWatchCheck {
       }
     }
     return moves && !lifts;
+  }
+
+  /// The range of an expression; few missions command the pump.
+  const Interval& held(ExprId id) {
+    if (held_.empty()) {
+      held_ = heldIntervals(m_);
+    }
+    return held_[id.index];
   }
 
   [[nodiscard]] bool watched(const State& state) const {
@@ -83,7 +90,7 @@ class DepthWatchCheck {
 
   Proof& proof_;
   const Mission& m_;
-  std::vector<Interval> held_;
+  std::vector<Interval> held_;  ///< of every expression, once one is needed
 };
 
 }  // namespace

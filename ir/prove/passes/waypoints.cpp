@@ -78,8 +78,9 @@ class WaypointCheck {
         add(*command, routes ? state.route.range : command->range);
       }
     }
-    checkExchanged();
-    checkPlaces();
+    const PlaceIndex others(places());
+    checkExchanged(others);
+    checkPlaces(others);
     checkCoordinates(TypeKind::Latitude);
     checkCoordinates(TypeKind::Longitude);
   }
@@ -102,25 +103,46 @@ class WaypointCheck {
     return all;
   }
 
-  void checkExchanged() {
-    const PlaceIndex others(places());
+  /// Places that a waypoint is expected near to.
+  struct Neighbours {
+    const PlaceIndex& places;
+    double far_off;  ///< how far the nearest of them is from the waypoint, m
+    double near;
+    const char* what;
+  };
+
+  void checkExchanged(const PlaceIndex& others) {
     const PlaceIndex starts(proof_.options.known_starts);
     for (const Waypoint& one : waypoints_) {
+      if (one.fixed == nullptr) {
+        continue;
+      }
+      const double from_others = others.nearestOther(one.place);
+      const double from_starts = starts.nearestOther(one.place);
+      if (!isFarOff(from_others) && !isFarOff(from_starts)) {
+        continue;  // as most are: nothing else need be looked for
+      }
       for (const Position& meant : exchanged(one.place)) {
-        if (one.fixed == nullptr || told_.contains(one.range.begin)) {
+        if (told_.contains(one.range.begin)) {
           break;
         }
-        tellIfExchanged(one, meant, others, kNearOthers, "the other positions of the mission");
-        tellIfExchanged(one, meant, starts, kNearKnownStart, "where the scenarios start");
+        tellIfExchanged(one, meant,
+                        {others, from_others, kNearOthers, "the other positions of the mission"});
+        tellIfExchanged(one, meant,
+                        {starts, from_starts, kNearKnownStart, "where the scenarios start"});
       }
     }
   }
 
+  static bool isFarOff(double nearest) {
+    return std::isfinite(nearest) && nearest > kFarIfExchanged;
+  }
+
   /// Whether as many waypoints are at the place as are near the one that may be meant. Where the
   /// others are far away, the waypoints near the place are those at it.
-  static bool outnumbered(const Position& place, const Position& meant, const PlaceIndex& around,
-                          double near) {
-    return around.hasAround(meant, near, std::max<size_t>(1, around.timesGiven(place)));
+  static bool outnumbered(const Position& place, const Position& meant, const Neighbours& around) {
+    return around.places.hasAround(meant, around.near,
+                                   std::max<size_t>(1, around.places.timesGiven(place)));
   }
 
   [[nodiscard]] bool isKnownStart(const Position& place) const {
@@ -129,20 +151,18 @@ class WaypointCheck {
     });
   }
 
-  void tellIfExchanged(const Waypoint& one, const Position& meant, const PlaceIndex& around,
-                       double near, const char* what) {
-    const double far_off = around.nearestOther(one.place);
-    const double then = around.nearestOther(meant);
-    if (!std::isfinite(far_off) || far_off <= kFarIfExchanged || then >= near ||
-        !outnumbered(one.place, meant, around, near) || isKnownStart(one.place) ||
+  void tellIfExchanged(const Waypoint& one, const Position& meant, const Neighbours& around) {
+    const double then = isFarOff(around.far_off) ? around.places.nearestOther(meant) : around.near;
+    if (then >= around.near || !outnumbered(one.place, meant, around) || isKnownStart(one.place) ||
         !told_.insert(one.range.begin).second) {
       return;
     }
     const std::string north = latitudeText(meant.latitude);
     const std::string east = longitudeText(meant.longitude);
-    auto warning = proof_.diagnostics.report(
-        support::diagnostics::positionSwapped, one.range, fmt::format("{:.0f}", far_off / 1000),
-        what, fmt::format("{:.0f}", then / 1000), north + " " + east);
+    auto warning =
+        proof_.diagnostics.report(support::diagnostics::positionSwapped, one.range,
+                                  fmt::format("{:.0f}", around.far_off / 1000), around.what,
+                                  fmt::format("{:.0f}", then / 1000), north + " " + east);
     const support::SourceRange& first = m_[one.fixed->values.at(0)].range;
     const support::SourceRange& second = m_[one.fixed->values.at(1)].range;
     told_.insert({first.begin, second.begin});
@@ -152,10 +172,9 @@ class WaypointCheck {
     }
   }
 
-  void checkPlaces() {
-    const PlaceIndex index(places());
+  void checkPlaces(const PlaceIndex& others) {
     for (const Waypoint& one : waypoints_) {
-      if (tellIfFarOff(one.range, index.nearestOther(one.place)) && one.fixed != nullptr) {
+      if (tellIfFarOff(one.range, others.nearestOther(one.place)) && one.fixed != nullptr) {
         for (const ExprId half : one.fixed->values) {  // not once more, by itself
           told_.insert(m_[half].range.begin);
         }

@@ -70,21 +70,6 @@ bool isComparedInWords(const Phrase& phrase) {
          std::ranges::any_of(kWords, [&](std::string_view word) { return phrase.says(1, word); });
 }
 
-/// Whether a word of a promise other than `then` was read since `require`.
-bool hasRead(const Phrase& phrase, std::initializer_list<uint32_t> words) {
-  constexpr size_t kFarthest = 100;
-  for (size_t k = 0; k < kFarthest; ++k) {
-    const uint32_t type = phrase.before(k);
-    if (std::ranges::find(words, type) != words.end()) {
-      return true;
-    }
-    if (type == 0 || type == GliderLexer::REQUIRE || startsItem(type)) {
-      return false;
-    }
-  }
-  return false;
-}
-
 /// `require depth <= 55 m`.
 size_t alwaysLeftOut(Phrase& phrase) {
   const bool word =
@@ -399,7 +384,7 @@ namespace {
 size_t timeOfReaction(Phrase& phrase) {
   const size_t time = phrase.type() == GliderLexer::IN ? tokensOfQuantity(phrase, 1) : 0;
   if (time == 0 || !endsValue(phrase.before()) || !phrase.startsLine(1 + time) ||
-      !hasRead(phrase, {GliderLexer::THEN})) {
+      !phrase.hasRead({GliderLexer::THEN})) {
     return 0;
   }
   const Lexeme found = phrase.token();
@@ -453,7 +438,7 @@ namespace {
 /// `whenever a, b within 5 min`.
 size_t commaOfReaction(Phrase& phrase) {
   if (phrase.type() != GliderLexer::COMMA || !phrase.open().empty() ||
-      hasRead(phrase, {GliderLexer::THEN}) || !isAnyName(phrase.type(1)) ||
+      phrase.hasRead({GliderLexer::THEN}) || !isAnyName(phrase.type(1)) ||
       !oneOf(phrase.type(2), {GliderLexer::WITHIN, GliderLexer::FOR})) {
     return 0;
   }
@@ -487,7 +472,7 @@ size_t atOnce(Phrase& phrase) {
   const bool word = phrase.says(0, "immediately") || phrase.says(0, "instantly") ||
                     phrase.says(0, "soon") || phrase.says(0, "eventually");
   if (!word || phrase.startsLine() || !phrase.startsLine(1) || !endsValue(phrase.before()) ||
-      !hasRead(phrase, {GliderLexer::THEN})) {
+      !phrase.hasRead({GliderLexer::THEN})) {
     return 0;
   }
   expected(phrase, phrase.token(), "`within`")
@@ -519,7 +504,7 @@ size_t stateInPromise(Phrase& phrase) {
 }  // namespace
 
 size_t reaction(Phrase& phrase) {
-  return hasRead(phrase, {GliderLexer::WHENEVER, GliderLexer::WHEN})
+  return phrase.hasRead({GliderLexer::WHENEVER, GliderLexer::WHEN})
              ? firstOf(phrase,
                        {timeOfReaction, commaOfReaction, stayInReaction, atOnce, stateOfReaction})
              : 0;
@@ -537,7 +522,7 @@ size_t andOfPlaces(Phrase& phrase) {
   const bool list =
       oneOf(phrase.before(1), {GliderLexer::VISIT, GliderLexer::PATROL, GliderLexer::COMMA});
   if (!both || phrase.keyword() != GliderLexer::REQUIRE || !list ||
-      !hasRead(phrase, {GliderLexer::VISIT, GliderLexer::PATROL})) {
+      !phrase.hasRead({GliderLexer::VISIT, GliderLexer::PATROL})) {
     return 0;
   }
   const Lexeme before = *phrase.lexemeBefore();

@@ -226,8 +226,8 @@ size_t microUnit(Phrase& phrase) {
 
 /// `5 nautical miles`.
 size_t nauticalMiles(Phrase& phrase) {
-  const bool miles = phrase.says(1, "miles") || phrase.says(1, "mile");
-  if (phrase.before() != GliderLexer::NUMBER || !phrase.says(0, "nautical") || !miles) {
+  if (phrase.before() != GliderLexer::NUMBER || !phrase.says(0, "nautical") ||
+      !(phrase.says(1, "miles") || phrase.says(1, "mile"))) {
     return 0;
   }
   const Lexeme unit = phrase.whole(0, 2);
@@ -244,9 +244,11 @@ size_t foreignUnit(Phrase& phrase) {
   if (const size_t taken = firstOf(phrase, {microUnit, nauticalMiles})) {
     return taken;
   }
+  if (phrase.before() != GliderLexer::NUMBER || phrase.startsLine()) {
+    return 0;
+  }
   const size_t micro = isMicroSign(phrase.text()) && phrase.touches(1) ? 1 : 0;
-  if (phrase.before() != GliderLexer::NUMBER || phrase.startsLine() ||
-      (micro == 0 ? phrase.type() != GliderLexer::NAME : !isAnyName(phrase.type(1)))) {
+  if (micro == 0 ? phrase.type() != GliderLexer::NAME : !isAnyName(phrase.type(1))) {
     return 0;
   }
   const bool fraction = phrase.type(micro + 1) == GliderLexer::DIVIDE &&

@@ -164,7 +164,8 @@ TEST(Usage, TheExamplesOfEachCommandWork) {
   (void)folder.write("steeper", "");
   const Outcome prepared = runShell(
       here +
-      "$GLIDERCC new budget > /dev/null && $GLIDERCC new transect > /dev/null && sed 's/26 deg, 26 deg/26 deg, 20 deg/' "
+      "$GLIDERCC new budget > /dev/null && $GLIDERCC new transect > /dev/null && sed 's/26 deg, 26 "
+      "deg/26 deg, 20 deg/' "
       "transect.mission > steeper.mission && cp " +
       share +
       "scenarios/skeleton.mi "

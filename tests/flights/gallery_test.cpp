@@ -37,6 +37,7 @@ const GalleryFlight kFlights[] = {
     {"thermocline", "figure5", "the mission has ended normally"},
     {"virtual_mooring", "default", "keep → end (exit)"},
     {"water_column", "default", "stop → up (goto)"},
+    {"within_budget", "default", "back → end (exit)"},
     {"way_points", "default", "sail → end (exit)  routedone"},
 };
 

@@ -84,7 +84,8 @@ std::string powerText(const Platform& platform, const std::optional<platforms::B
         "than "
         "commanded; a hover pumps {:.4g} cc/s "
         "out "
-        "and in; the pitch battery moves {:.4g} % of a leg and {:.4g} s for a turn; a dive leaves "
+        "and in; the pitch battery moves {:.4g} % of a leg and {:.4g} s for the steepest turn; a "
+        "dive leaves "
         "the surface within {:.4g} s\n",
         model.glide_m_s, model.pitch_off_deg, model.hover_pump_cc_s,
         model.pitch_battery_share * 100, model.pitch_battery_turn_s, model.dive_start_s);

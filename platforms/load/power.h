@@ -51,7 +51,7 @@ struct EnergyModel {
   double pitch_off_deg = 0;         ///< the pitch may be so far from what is commanded
   double hover_pump_cc_s = 0;       ///< what a hover pumps out on average, and as much in
   double pitch_battery_share = 0;   ///< of the time of a leg, while it moves
-  double pitch_battery_turn_s = 0;  ///< it moves so long for a turn between dive and climb
+  double pitch_battery_turn_s = 0;  ///< the same for a turn between the steepest dive and climb
   double dive_start_s = 0;          ///< from the command to dive it stays so long at the surface
 };
 

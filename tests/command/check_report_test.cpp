@@ -116,8 +116,8 @@ TEST(CheckReport, SaysHowMuchEnergyItTakesAtMost) {
         .out;
   };
   EXPECT_THAT(linesOf("gallery/low_battery.mission"),
-              HasSubstr("\nby the vehicle's power table the mission takes at most 64.9 Wh until it "
-                        "ends, 2.9 % of the 2,222 Wh that the pack gives: SBC 32 %, pump 28 %"));
+              HasSubstr("\nby the vehicle's power table the mission takes at most 63.3 Wh until it "
+                        "ends, 2.8 % of the 2,222 Wh that the pack gives: SBC 33 %, pump 29 %"));
   EXPECT_THAT(linesOf("gallery/thermocline.mission"),
               HasSubstr("\nthe vehicle may turn so often in `track` that its pump hardly rests\n"));
   const TemporaryFolder folder;
@@ -139,7 +139,7 @@ TEST(CheckReport, SaysHowMuchEnergyItTakesAtMost) {
   EXPECT_THAT(runShell("$GLIDERCC check --report --target host " + endless.string()).out,
               testing::ContainsRegex("the mission takes at most 10\\.[0-9] W on average in a long "
                                      "flight, so a pack that gives "
-                                     "1,2[0-9][0-9] Wh lasts at least 4\\.7 days: "));
+                                     "1,2[0-9][0-9] Wh lasts at least 4\\.[7-9] days: "));
   const auto lauv = folder.write("lauv.mission",
                                  "mission lauv\nplatform lauv\nstate fly\nbegin\n"
                                  "  flightprofile surfaced\n  sensors missiontime\n"

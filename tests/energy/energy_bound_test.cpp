@@ -74,8 +74,10 @@ double yoPower(double top_m, double bottom_m, double pitch_rad) {
     }
   }
   const double in = cc * amountOf(platforms::DrawWhen::PumpIn);
-  const double turns =
-      2 * p.power.bounds->pitch_battery_turn_s * amountOf(platforms::DrawWhen::PitchBattery);
+  const double share = (pitch_rad + p.power.bounds->pitch_off_deg * std::acos(-1.0) / 180) /
+                       p.envelope.steepest_pitch_rad;
+  const double turns = 2 * share * p.power.bounds->pitch_battery_turn_s *
+                       amountOf(platforms::DrawWhen::PitchBattery);
   // A turn may go on to the surface, and stays there as long as the pump takes there and back.
   const bool broaches = top_m < p.envelope.inflection_overshoot_m;
   const double above =

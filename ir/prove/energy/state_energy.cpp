@@ -222,9 +222,20 @@ class StateGraph {
     BegunLeg begun = begin(turn.to, turn.where, before.drive,
                            mayFloat(before) || (before.drive == Drive::Down && shallow));
     begun.turn = &turn;
+    if (glides(before.drive) && glides(legs_.legs[turn.to].drive)) {
+      begun.stroke.pitch_battery_s *= shareOfTurn();
+    }
     begun.broached = before.drive == Drive::Up &&
                      before.target.shallowest < platform_.envelope.inflection_overshoot_m;
     return begun;
+  }
+
+  static bool glides(Drive drive) { return drive == Drive::Up || drive == Drive::Down; }
+
+  /// How far the pitch battery moves for a turn, of its way between the steepest climb and dive.
+  [[nodiscard]] double shareOfTurn() const {
+    const double off = model_.pitch_off_deg * kRadians;
+    return std::min(1.0, (legs_.steepest_rad + off) / platform_.envelope.steepest_pitch_rad);
   }
 
   [[nodiscard]] BegunLeg begin(size_t leg, const DepthSpan& where, Drive before,

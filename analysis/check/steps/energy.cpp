@@ -76,6 +76,18 @@ std::string boundLine(const EnergyBound& bound, double pack_j) {
       sharesOf(bound));
 }
 
+/// What it takes at least; empty: nothing is known that is worth a line.
+std::string leastLine(const EnergyBound& bound) {
+  constexpr double kWorthMinutes_s = 600;
+  if (!bound.earliest_s || *bound.earliest_s < kWorthMinutes_s) {
+    return "";
+  }
+  return fmt::format(
+      "and at least {} Wh if it comes to an `exit` without a power cut, {} after the start or later",
+      support::groupedAmount(bound.least_j / simulator::kJoulesPerWattHour),
+      ir::prove::durationOf(*bound.earliest_s));
+}
+
 /// "at most 9.6 W in `home`, 7.9 W in `out`", the greatest first; empty: there is one state.
 std::string statesLine(std::vector<StateBound> states, const ir::Mission& mission) {
   if (states.size() < 2) {
@@ -153,8 +165,8 @@ support::Result<void> energy(Run& run) {
              boundLine(*bound, packOf(run.mission(), run.platform().power)) +
              (run.mission().shares.empty() ? "" : "; its acoustic modem is not counted"));
   for (std::string line :
-       {statesLine(bound->states, run.mission()), turnsLine(bound->states, run.mission()),
-        roundLine(*bound, run.mission())}) {
+       {leastLine(*bound), statesLine(bound->states, run.mission()),
+        turnsLine(bound->states, run.mission()), roundLine(*bound, run.mission())}) {
     if (!line.empty()) {
       run.remark(std::move(line));
     }

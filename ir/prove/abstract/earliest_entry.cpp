@@ -5,8 +5,10 @@
 
 #include "ir/core/walk.h"
 #include "ir/prove/abstract/abstract_evaluator.h"
+#include "ir/prove/abstract/watch_times.h"
 #include "ir/verify/intervals.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -32,7 +34,7 @@ class EntrySearch {
     }
   }
 
-  std::vector<double> run() {
+  void run() {
     enter({0}, 0);
     while (!open_.empty()) {
       const auto [time, index] = open_.top();
@@ -42,8 +44,9 @@ class EntrySearch {
         follow(m_.states[index].cases, time);
       }
     }
-    return entries_;
   }
+  [[nodiscard]] const std::vector<double>& entries() const { return entries_; }
+  [[nodiscard]] double exit() const { return exit_; }
 
  private:
   void enter(StateId state, double time) {
@@ -59,6 +62,8 @@ class EntrySearch {
       const bool enters = c.transition == Transition::Goto || c.transition == Transition::Call;
       if (enters && since < entries_[c.target.index]) {
         enter(c.target, firstTrue(c.guard, since));
+      } else if (c.transition == Transition::Exit && since < exit_) {
+        exit_ = std::min(exit_, firstTrue(c.guard, since));
       }
     }
   }
@@ -85,6 +90,11 @@ class EntrySearch {
             times.insert(time);
           }
         }
+      } else if (e.op == Op::Temporal) {
+        const double time = since + timeNeeded(proof_context_, m_[e.temporal]);
+        if (time > since && time < kGreatestNumber) {
+          times.insert(time);
+        }
       }
     });
     return times;
@@ -94,7 +104,10 @@ class EntrySearch {
   /// been entered at any of them.
   bool mayBeTrue(ExprId guard, double since, double until) const {
     const Interval stay{0, until - since, false};
-    return AbstractEvaluator(proof_context_, values_, {{since, until, false}, stay, stay})
+    // Windows that go on over a return began with an entry, not before `since` either.
+    const IdleTemporals idle = idleBefore(proof_context_, until - since, true);
+    return AbstractEvaluator(proof_context_, values_, {{since, until, false}, stay, stay},
+                             std::nullopt, &idle)
         .truth(guard)
         .is_true;
   }
@@ -103,6 +116,7 @@ class EntrySearch {
   const Mission& m_;
   Valuation values_;
   std::vector<double> entries_;
+  double exit_ = kNever;
   using Entry = std::pair<double, uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
 };
@@ -110,7 +124,15 @@ class EntrySearch {
 }  // namespace
 
 std::vector<double> earliestEntries(const ProofContext& proof_context) {
-  return EntrySearch(proof_context).run();
+  EntrySearch search(proof_context);
+  search.run();
+  return search.entries();
+}
+
+double earliestExit(const ProofContext& proof_context) {
+  EntrySearch search(proof_context);
+  search.run();
+  return search.exit();
 }
 
 }  // namespace glider::ir::prove

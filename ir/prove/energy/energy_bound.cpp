@@ -3,6 +3,7 @@
 
 #include "ir/prove/energy/energy_bound.h"
 
+#include "ir/prove/abstract/earliest_entry.h"
 #include "ir/prove/abstract/leaving.h"
 #include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/abstract/watch_times.h"
@@ -12,6 +13,7 @@
 #include "ir/prove/energy/state_energy.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -316,7 +318,15 @@ std::optional<EnergyBound> energyBoundOf(const Mission& mission,
   const EndBound end = boundOf(proof_context, kLongestMission, Goal::Exit);
   const GreatestPower power(meant, platform, board);
   MissionGraph graph(proof_context, end, power);
-  return graph.build() ? std::optional(graph.bound()) : std::nullopt;
+  if (!graph.build()) {
+    return std::nullopt;
+  }
+  EnergyBound bound = graph.bound();
+  if (const double exit = earliestExit(proof_context); std::isfinite(exit)) {
+    bound.earliest_s = exit;
+    bound.least_j = exit * restingPower(meant, platform, board);
+  }
+  return bound;
 }
 
 }  // namespace glider::ir::prove

@@ -30,6 +30,10 @@ struct EnergyBound {
   /// more than any of them takes for long; and the time of one round, s.
   std::vector<StateId> round;
   double round_s = 0;
+  /// An exit without a power cut comes no earlier, s, and the mission has then taken no less, J;
+  /// none: it has no exit.
+  std::optional<double> earliest_s;
+  double least_j = 0;
 };
 
 /// Which values the parameters of the mission have.

@@ -108,4 +108,15 @@ double GreatestPower::pumpIn(double cc) const {
   return pump(DrawWhen::PumpIn, cc, 0);
 }
 
+double restingPower(const Mission& mission, const platforms::Platform& platform,
+                    const std::optional<platforms::BoardPower>& board) {
+  double watts = board ? board->running_W * (1 - board->spread) : 0;
+  for (const Draw& draw : platform.power.draws) {
+    if (draw.when == DrawWhen::Always || (draw.when == DrawWhen::Read && reads(mission, draw))) {
+      watts += draw.amount * (1 - draw.spread);
+    }
+  }
+  return watts;
+}
+
 }  // namespace glider::ir::prove

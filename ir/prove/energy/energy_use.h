@@ -64,4 +64,9 @@ class GreatestPower {
   std::vector<Row> rows_;
 };
 
+/// What is drawn at all times at least, W: by the rows of devices that never rest, each as far
+/// below its number as its spread says. The arguments are those of GreatestPower.
+double restingPower(const Mission& mission, const platforms::Platform& platform,
+                    const std::optional<platforms::BoardPower>& board);
+
 }  // namespace glider::ir::prove

@@ -176,6 +176,34 @@ TEST(EarliestEntries, AreWhatTheClocksAllow) {
       << "no more than a bound";
 }
 
+TEST(EarliestEntries, WaitForHeldAndForWindows) {
+  const auto with = [](const std::string& temporal, const std::string& guard) {
+    return entriesOf("temporal " + temporal + "\n" +
+                     stateText("a", "case (ge missiontime 100:time) goto b") +
+                     stateText("b", "case " + guard + " goto c") +
+                     stateText("c", "case true exit"))
+        .at(2);
+  };
+  const std::string deep = "(gt (sensor depth) 5:length)", both = "(or (temporal 0) " + deep + ")";
+  EXPECT_EQ(with("held state b " + deep + " for 60:time", "(temporal 0)"), 160);
+  EXPECT_EQ(with("held state b " + deep + " for 60:time", both), 100);
+  EXPECT_EQ(with("held always " + deep + " for 60:time", "(temporal 0)"), 100);
+  EXPECT_EQ(with("mean state b (sensor depth) over 300", "(gt (temporal 0) 5:length)"), 400);
+}
+
+TEST(EarliestEntries, HaveTheExitAmongThem) {
+  const auto exitOf = [](const std::string& text) {
+    const Mission m = missionOf(kHeader + text);
+    return earliestExit(ProofContext(m, slocum()));
+  };
+  EXPECT_EQ(exitOf(stateText("a", "case (ge missiontime 500:time) goto b case (ge missiontime "
+                                  "900:time) exit") +
+                   stateText("b", "case (ge statetime 100:time) exit")),
+            600);
+  EXPECT_EQ(exitOf(stateText("a", "case (gt (sensor depth) 5:length) exit")), 0);
+  EXPECT_EQ(exitOf(stateText("a", "case false exit")), kNever);
+}
+
 TEST(EarliestEntries, AddUpAlongTheFastestWay) {
   EXPECT_EQ(
       entriesOf(

@@ -83,7 +83,8 @@ std::string leastLine(const EnergyBound& bound) {
     return "";
   }
   return fmt::format(
-      "and at least {} Wh if it comes to an `exit` without a power cut, {} after the start or later",
+      "and at least {} Wh if it comes to an `exit` without a power cut, {} after the start or "
+      "later",
       support::groupedAmount(bound.least_j / simulator::kJoulesPerWattHour),
       ir::prove::durationOf(*bound.earliest_s));
 }

@@ -180,8 +180,7 @@ TEST(EarliestEntries, WaitForHeldAndForWindows) {
   const auto with = [](const std::string& temporal, const std::string& guard) {
     return entriesOf("temporal " + temporal + "\n" +
                      stateText("a", "case (ge missiontime 100:time) goto b") +
-                     stateText("b", "case " + guard + " goto c") +
-                     stateText("c", "case true exit"))
+                     stateText("b", "case " + guard + " goto c") + stateText("c", "case true exit"))
         .at(2);
   };
   const std::string deep = "(gt (sensor depth) 5:length)", both = "(or (temporal 0) " + deep + ")";
@@ -196,8 +195,9 @@ TEST(EarliestEntries, HaveTheExitAmongThem) {
     const Mission m = missionOf(kHeader + text);
     return earliestExit(ProofContext(m, slocum()));
   };
-  EXPECT_EQ(exitOf(stateText("a", "case (ge missiontime 500:time) goto b case (ge missiontime "
-                                  "900:time) exit") +
+  EXPECT_EQ(exitOf(stateText("a",
+                             "case (ge missiontime 500:time) goto b case (ge missiontime "
+                             "900:time) exit") +
                    stateText("b", "case (ge statetime 100:time) exit")),
             600);
   EXPECT_EQ(exitOf(stateText("a", "case (gt (sensor depth) 5:length) exit")), 0);

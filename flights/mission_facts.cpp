@@ -3,9 +3,13 @@
 
 #include "flights/mission_facts.h"
 
+#include "compiler/boards.h"
 #include "ir/core/walk.h"
 #include "ir/eval/arithmetic.h"
 #include "ir/eval/evaluate.h"
+#include "ir/eval/interpreter.h"
+#include "ir/prove/energy/energy_bound.h"
+#include "platforms/load/power.h"
 #include "support/one_line.h"
 
 #include <algorithm>
@@ -283,6 +287,26 @@ class PlaceFinder {
   std::map<uint32_t, std::vector<ExprId>> passed_;  ///< by the index of the argument
 };
 
+/// What flights with these parameters take at most until they end; nothing if they are not the
+/// defaults, for which the bound is.
+std::vector<support::Consumer> atMost(const compiler::Checked& mission,
+                                      const std::vector<double>& parameters) {
+  std::vector<support::Consumer> all;
+  const auto board = compiler::usualBoard(mission.worlds.widest.platform);
+  if (!board || parameters != ir::defaultParameters(mission.mission())) {
+    return all;
+  }
+  const auto bound = ir::prove::energyBoundOf(mission.mission(), mission.worlds.widest.platform,
+                                              *board ? (*board)->power : std::nullopt,
+                                              ir::prove::Parameters::AsWritten);
+  if (bound && bound->joules) {
+    for (const ir::prove::DeviceEnergy& one : bound->devices) {
+      all.push_back({one.device, one.joules / platforms::kJoulesPerWattHour});
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<std::string> listedSensors(const ir::Mission& mission) {
@@ -308,6 +332,7 @@ support::MissionFacts missionFacts(const compiler::Optimised& mission,
   finder.addPlaces(facts);
   finder.addPaths(facts);
   finder.addWatched(facts);
+  facts.at_most = atMost(*mission.checked, parameters);
   return facts;
 }
 

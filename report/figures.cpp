@@ -158,6 +158,18 @@ double knownFor(const Trace& trace, int column, int time) {
   return sum_s;
 }
 
+}  // namespace
+
+double EnergyFigures::atMost_Wh() const {
+  double sum_Wh = 0;
+  for (const support::Consumer& one : at_most) {
+    sum_Wh += one.used_Wh;
+  }
+  return at_most.empty() ? kNoFigure : sum_Wh;
+}
+
+namespace {
+
 EnergyFigures energyOf(const Trace& trace, double duration_s) {
   constexpr double kSecondsPerDay = 86400;
   constexpr double kWhole = 0.95;  // records begin and end a little later than others
@@ -168,7 +180,8 @@ EnergyFigures energyOf(const Trace& trace, double duration_s) {
                        .partly_known = known_s < kWhole * duration_s,
                        .capacity_Wh = kNoFigure,
                        .to_go_Wh = kNoFigure,
-                       .days_left = kNoFigure};
+                       .days_left = kNoFigure,
+                       .at_most = trace.facts.at_most};
   if (trace.battery) {
     energy.consumers = trace.battery->consumers;
     std::ranges::stable_sort(energy.consumers, std::ranges::greater(), &support::Consumer::used_Wh);
@@ -370,6 +383,7 @@ std::string figuresToJson(const FlightFigures& figures) {
                       {"capacity", figures.energy.capacity_Wh},
                       {"toGo", figures.energy.to_go_Wh},
                       {"daysLeft", figures.energy.days_left},
+                      {"atMost", figures.energy.atMost_Wh()},
                       {"consumers", consumersToJson(figures.energy)}}},
                     {"coldest", figures.coldest_degC},
                     {"warmest", figures.warmest_degC},

@@ -33,6 +33,8 @@ struct EnergyFigures {
   double to_go_Wh = 0;        ///< in the pack at the end
   double days_left = 0;       ///< at the mean power of that time
   std::vector<support::Consumer> consumers = {};  ///< the greatest first
+  std::vector<support::Consumer> at_most = {};    ///< MissionFacts::at_most
+  [[nodiscard]] double atMost_Wh() const;         ///< of all; NaN: there is no bound
 };
 
 /// A flight summarised in a few numbers. NaN (or an empty list) where the trace has no column for

@@ -133,6 +133,10 @@ std::string figureLines(const FlightFigures& figures) {
   if (!figures.energy.consumers.empty()) {
     line("  of it", consumersText(figures.energy));
   }
+  if (!figures.energy.at_most.empty()) {
+    line("  bound", fmt::format("at most {:.1f} Wh in any sea, until the mission ends",
+                                   figures.energy.atMost_Wh()));
+  }
   if (std::isfinite(figures.warmest_degC)) {
     line("temperature",
          fmt::format("{:.1f} to {:.1f} degC", figures.coldest_degC, figures.warmest_degC));

@@ -41,6 +41,12 @@ struct FlownPromise {
   std::string words;                     ///< how it was violated, or why that is not known
 };
 
+/// What a device took from the batteries in a flight.
+struct Consumer {
+  std::string device;
+  double used_Wh = 0;
+};
+
 /// What the text of a mission says about its flight.
 struct MissionFacts {
   std::vector<std::string> listed;  ///< the sensors of its `sensors` lists, by the vehicle's names
@@ -49,12 +55,9 @@ struct MissionFacts {
   std::vector<WatchCircle> watch_circles;
   std::vector<LoggedValue> logged;
   std::vector<FlownPromise> promises;
-};
-
-/// What a device took from the batteries in a flight.
-struct Consumer {
-  std::string device;
-  double used_Wh = 0;
+  /// What its flights take at most until they end, by device, the greatest first; empty: there is
+  /// no bound.
+  std::vector<Consumer> at_most;
 };
 
 /// The batteries at the start of a flight, and what they gave in it.

@@ -32,7 +32,7 @@ export interface Figures {
   /** The greatest distance of the reckoned position from the true one, m. */
   apart: number | null;
   /** Wh; what is not known is null. */
-  energy: { used: number | null; known: number; partlyKnown: boolean; capacity: number | null; toGo: number | null; daysLeft: number | null; consumers: { device: string; used: number }[] };
+  energy: { used: number | null; known: number; partlyKnown: boolean; capacity: number | null; toGo: number | null; daysLeft: number | null; atMost: number | null; consumers: { device: string; used: number }[] };
   track: "none" | "true" | "dead-reckoned";
   coldest: number | null;
   warmest: number | null;

@@ -49,8 +49,8 @@ begin
 end
 )";
 
-compiler::Optimised compiled() {
-  auto compilation = compiler::compileText("facts.mission", kMission);
+compiler::Optimised compiled(const char* text = kMission) {
+  auto compilation = compiler::compileText("facts.mission", text);
   EXPECT_TRUE(compilation);
   EXPECT_NE(compilation->checked, nullptr);
   return compiler::optimise(compilation->checked);
@@ -267,6 +267,22 @@ TEST(FlownPromises, SayWhatTheFlightDid) {
   RequirementWatch departed(mission);
   departed.depart(100);
   EXPECT_EQ(flownPromises(departed, *mission.checked, {})[0].verdict, support::Verdict::NotChecked);
+}
+
+TEST(MissionFacts, HaveTheBoundOfTheEnergyIfTheParametersAreTheDefaults) {
+  const auto mission = compiled(
+      "mission m\nparam hours: time = 2 h in 1 h .. 9 h\nstate fly\nbegin\n"
+      "  flightprofile yo(5 m, 30 m)\n  sensors missiontime, depth\n  events\n"
+      "    case missiontime > hours exit\nend\n");
+  const auto most = missionFacts(mission, {7200}).at_most;
+  ASSERT_FALSE(most.empty());
+  double sum = 0;
+  for (const support::Consumer& one : most) {
+    sum += one.used_Wh;
+  }
+  EXPECT_GT(sum, 2 * 4.5);  // W of hotel and SBC
+  EXPECT_LT(sum, 2 * 20);
+  EXPECT_TRUE(missionFacts(mission, {9000}).at_most.empty());
 }
 
 }  // namespace

@@ -82,6 +82,14 @@ TEST(Summary, ShowsHowLongTheEnergyLasts) {
   EXPECT_NE(flown(1, 500).find(", 21 days at this rate\n"), std::string::npos);
 }
 
+TEST(Summary, HasTheBoundOfTheEnergyBesideIt) {
+  auto trace = smallTrace({{"time", "s"}, {"energy", "Wh"}}, {{0, 0}, {3600, 5}});
+  EXPECT_EQ(summarize(trace).find("bound"), std::string::npos);
+  trace.facts.at_most = {{"pump", 12.25}, {"SBC", 30}};
+  EXPECT_THAT(summarize(trace),
+              HasSubstr("\n    bound      at most 42.2 Wh in any sea, until the mission ends\n"));
+}
+
 TEST(Summary, SaysInWhichTimeTheEnergyIsKnown) {
   const auto trace = smallTrace({{"time", "s"}, {"energy", "Wh"}},
                                 {{0, kUnknown}, {3600, kUnknown}, {5400, 0}, {7200, 7.7}});

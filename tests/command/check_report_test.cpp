@@ -116,8 +116,8 @@ TEST(CheckReport, SaysHowMuchEnergyItTakesAtMost) {
         .out;
   };
   EXPECT_THAT(linesOf("gallery/low_battery.mission"),
-              HasSubstr("\nby the vehicle's power table the mission takes at most 63.3 Wh until it "
-                        "ends, 2.8 % of the 2,222 Wh that the pack gives: SBC 33 %, pump 29 %"));
+              HasSubstr("\nby the vehicle's power table the mission takes at most 65.3 Wh until it "
+                        "ends, 2.9 % of the 2,222 Wh that the pack gives: SBC 32 %, pump 28 %"));
   EXPECT_THAT(linesOf("gallery/thermocline.mission"),
               HasSubstr("\nthe vehicle may turn so often in `track` that its pump hardly rests\n"));
   const TemporaryFolder folder;

@@ -79,7 +79,7 @@ double yoPower(double top_m, double bottom_m, double pitch_rad) {
   const double turns = 2 * share * p.power.bounds->pitch_battery_turn_s *
                        amountOf(platforms::DrawWhen::PitchBattery);
   // A turn may go on to the surface, and stays there as long as the pump takes there and back.
-  const bool broaches = top_m < p.envelope.inflection_overshoot_m;
+  const bool broaches = top_m < p.envelope.inflection_overshoot_m + 0.5;
   const double above =
       broaches ? 2 * cc / p.motion->pump_rate_cc_s * amountOf(platforms::DrawWhen::Surface) : 0;
   return always() + (out + in + turns + above) / (2 * leg_s);

@@ -19,6 +19,9 @@ namespace {
 /// A surfacing is a stay at the surface of so long, s.
 constexpr double kSurfacing_s = 60;
 
+/// A vehicle less deep may be at the surface, m.
+constexpr double kAtSurface_m = 0.5;
+
 /// A pump that works for such a share of the time hardly rests.
 constexpr double kRestless = 0.5;
 
@@ -225,8 +228,9 @@ class StateGraph {
     if (glides(before.drive) && glides(legs_.legs[turn.to].drive)) {
       begun.stroke.pitch_battery_s *= shareOfTurn();
     }
-    begun.broached = before.drive == Drive::Up &&
-                     before.target.shallowest < platform_.envelope.inflection_overshoot_m;
+    begun.broached =
+        before.drive == Drive::Up &&
+        before.target.shallowest < platform_.envelope.inflection_overshoot_m + kAtSurface_m;
     return begun;
   }
 

@@ -12,6 +12,7 @@
 #include "driver/output/rewrite.h"
 #include "driver/plan/plan_json.h"
 #include "driver/terminal.h"
+#include "driver/usage/quantity.h"
 #include "support/diagnostics/ids/command.h"
 #include "support/files.h"
 #include "vehicles/vehicle.h"
@@ -20,16 +21,21 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace glider::driver {
 namespace {
+
+constexpr double kShortestTimeout_s = 0.001;
+constexpr double kLongestTimeout_s = 1e6;
 
 struct PlanCommandOptions {
   bool json = false;
   bool write = false;
   std::string mission;
   std::string picture;  ///< empty: none
+  std::optional<double> timeout_s;
   analysis::CheckOptions check;
 };
 
@@ -73,6 +79,7 @@ support::Result<analysis::PlannedMission> planned(const PlanCommandOptions& opti
 }
 
 int plan(PlanCommandOptions& options, Json* document) {
+  options.check.timeout_s = options.timeout_s.value_or(0);
   if (const auto input = overwrittenInput({options.mission}, {options.picture})) {
     return reportFailure(support::fail(support::diagnostics::outputIsInput, *input).error());
   }
@@ -145,6 +152,10 @@ void addPlanCommand(CLI::App& app, int& status) {
                    "Multiply the resource limits of proofs by N, as for `check` [1]")
       ->option_text("N")
       ->check(CLI::Range(1U, 100U));
+  addDurationOption(*command, "--timeout", options->timeout_s, kShortestTimeout_s,
+                    kLongestTimeout_s,
+                    "End the proofs about each way to choose after this time; what is not proved by "
+                    "then is refused [no limit]");
   addFormatOption(*command, options->json);
   command->callback([options, &status] {
     status =

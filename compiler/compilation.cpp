@@ -106,6 +106,7 @@ Result<std::shared_ptr<const Parsed>> parse(uint32_t file, support::SourceManage
     return nullptr;
   }
   std::ranges::move(*imports, std::back_inserter(parsed->libraries));
+  parsed->faulty = diagnostics.hasErrors();
   return parsed;
 }
 
@@ -186,19 +187,20 @@ void verify(Compilation& compilation) {
   }
 }
 
-/// Writes the value of `choice`, if there is one for it.
+/// Writes the value of `choice`, or that none is written.
 void write(std::span<const ChosenValue> values, ast::Choice& choice) {
   const auto found = std::ranges::find(values, choice.constant.name.text, &ChosenValue::name);
-  if (found == values.end()) {
+  choice.chosen = found != values.end();
+  if (!choice.chosen) {
+    choice.constant.value = choice.range.lowest;
     return;
   }
   const support::SourceRange where = choice.constant.value.where;
-  const double size = std::fabs(found->number);
-  ast::Expr value{ast::Literal{fmt::format("{:.10g}", size), found->unit, where}, where};
+  ast::Expr value{ast::Literal{fmt::format("{}", std::fabs(found->number)), found->unit, where},
+                  where};
   choice.constant.value = found->number < 0
                               ? ast::Expr{ast::Unary{ast::UnaryOp::Negate, std::move(value)}, where}
                               : std::move(value);
-  choice.chosen = true;
 }
 
 }  // namespace
@@ -238,7 +240,7 @@ Result<Compilation> compileText(const std::filesystem::path& path, std::string t
 }
 
 std::string textOf(const ChosenValue& value) {
-  return fmt::format("{:.10g}{}{}", value.number, value.unit.empty() ? "" : " ", value.unit);
+  return fmt::format("{}{}{}", value.number, value.unit.empty() ? "" : " ", value.unit);
 }
 
 Compilation withChosen(const Compilation& compilation, std::span<const ChosenValue> values) {

@@ -34,6 +34,7 @@ struct Parsed {
   std::vector<uint32_t> standard_library;  ///< numbers of its files
   std::vector<ast::File> libraries;        ///< the standard ones first, then the imported ones
   platforms::Platform platform;            ///< the one that the mission names
+  bool faulty = false;  ///< the text had errors, which were corrected here so that it could be read
 };
 
 /// A mission in which every name and type is known; its structure may still have errors.
@@ -110,8 +111,9 @@ struct ChosenValue {
 /// As the mission's text has it.
 std::string textOf(const ChosenValue& value);
 
-/// The same mission as if these values were written in its lines `choose`. It must have been made
-/// from a text without errors in its structure; its ranges are those of that text.
+/// The same mission as if these values were written in its lines `choose`, and none in its others.
+/// It must have been made from a text without errors (Parsed::faulty); its ranges are those of that
+/// text.
 Compilation withChosen(const Compilation& compilation, std::span<const ChosenValue> values);
 
 /// The same mission on a vehicle that differs in what `change` makes of its platform.

@@ -6,8 +6,12 @@
 #include "report/picture/axis.h"
 #include "support/units/units.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace glider::analysis {
 namespace {
@@ -21,8 +25,24 @@ std::string unitOf(const frontend::OpenChoice& choice) {
   if (!choice.unit.empty()) {
     return choice.unit;
   }
+  constexpr double kMinute_s = 60, kHour_s = 3600;
+  if (choice.type.dimension == support::dimension::time) {
+    return choice.highest >= 2 * kHour_s ? "h" : choice.highest >= 2 * kMinute_s ? "min" : "s";
+  }
   const auto bare = support::bareUnit(choice.type.dimension);
   return bare ? std::string(bare->spelling) : "";
+}
+
+/// The nearest number of few digits that, as it is read, is within the range.
+double rounded(double value, double to_si, const frontend::OpenChoice& choice) {
+  constexpr int kFewDigits = 10, kAllDigits = 17;
+  for (int digits = kFewDigits; digits <= kAllDigits; ++digits) {
+    const double number = std::stod(fmt::format("{:.{}g}", value, digits));
+    if (number * to_si >= choice.lowest && number * to_si <= choice.highest) {
+      return number;
+    }
+  }
+  return value;
 }
 
 std::vector<double> byStep(double lowest, double highest, double step) {
@@ -57,9 +77,12 @@ PlanGrid::PlanGrid(std::span<const frontend::OpenChoice> choices) {
     const auto known = support::parseUnit(unit);
     const double to_si = known ? known->to_si : 1;
     const double lowest = choice.lowest / to_si, highest = choice.highest / to_si;
-    rows_.push_back({choice.name, unit,
-                     choice.step > 0 ? byStep(lowest, highest, choice.step / to_si)
-                                     : roundValues(lowest, highest)});
+    std::vector<double> values = choice.step > 0 ? byStep(lowest, highest, choice.step / to_si)
+                                                 : roundValues(lowest, highest);
+    for (double& value : values) {
+      value = rounded(value, to_si, choice);
+    }
+    rows_.push_back({choice.name, unit, std::move(values)});
   }
 }
 

@@ -11,6 +11,7 @@
 #include "support/diagnostics/ids/command.h"
 #include "support/diagnostics/ids/meaning.h"
 #include "support/grouped.h"
+#include "support/one_line.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -43,12 +44,13 @@ class Silent final : public CheckObserver {};
 
 class Planner {
  public:
-  Planner(const std::string& name, const compiler::Compilation& compiled,
-          const CheckOptions& options, CheckObserver& observer)
-      : compiled_(compiled),
+  /// `compiled`: with no value written in any line `choose`.
+  Planner(const std::string& name, compiler::Compilation compiled, const CheckOptions& options,
+          CheckObserver& observer)
+      : compiled_(std::move(compiled)),
         options_(options),
         observer_(observer),
-        open_(compiled.open),
+        open_(compiled_.open),
         grid_(open_.choices) {
     found_.plan.path = name;
   }
@@ -67,6 +69,7 @@ class Planner {
     }
     if (*chosen) {
       found_.plan.chosen = optionOf(**chosen);
+      found_.plan.warnings = warnings_[(*chosen)->number];
       write(grid_.at((*chosen)->number));
       if (auto drawn = findFront(**chosen); !drawn) {
         return std::unexpected(drawn.error());
@@ -88,7 +91,7 @@ class Planner {
       const bool written = open_.choices[i].written.begin != open_.choices[i].written.end;
       found_.plan.choices.push_back(
           {row.name, row.values.size(), text(row.values.front()), text(row.values.back()),
-           written ? std::string(compiled_.sources->text(open_.choices[i].written)) : ""});
+           written ? support::onOneLine(compiled_.sources->text(open_.choices[i].written)) : ""});
     }
     if (grid_.count() > static_cast<double>(kMostPlans)) {
       return support::fail(support::diagnostics::tooManyPlans,
@@ -116,7 +119,9 @@ class Planner {
         return begun;
       }
       scores_->add(i, one);
+      ++found_.plan.possible;
     }
+    scored_ = true;
     if (scores_) {
       plans_ = scores_->sorted();
       found_.plan.objectives = scores_->objectives();
@@ -190,11 +195,14 @@ class Planner {
     if (proved_.contains(plan.number) || refused_.contains(plan.number)) {
       return proved_.contains(plan.number);
     }
-    observer_.at("proving what is required, with " + inWords(grid_.at(plan.number)));
+    observer_.at(fmt::format(
+        "proving what is required, with {} ({})", inWords(grid_.at(plan.number)),
+        found_.plan.chosen ? support::counted(proved_.size(), "way") + " proved"
+                           : fmt::format("{} refused, {} left", support::grouped(refused_.size()),
+                                         support::grouped(found_.plan.options - refused_.size()))));
     Silent silent;
     const CheckedFile file =
         checkCompilation(found_.plan.path, with(plan.number), options_, silent);
-    ++found_.plan.checked;
     if (file.found.failure) {
       return std::unexpected(*file.found.failure);
     }
@@ -205,8 +213,8 @@ class Planner {
     for (const report::JudgedRequirement& one : file.found.requirements) {
       if (one.verdict != "proved") {
         refuse(plan.number,
-               one.verdict == "refuted" ? fmt::format("may break `{}`", one.text)
-                                        : fmt::format("leave `{}` undecided", one.text),
+               fmt::format("`{}` {}", one.text,
+                           one.verdict == "refuted" ? "may be broken" : "stays undecided"),
                one.reason);
         return false;
       }
@@ -216,6 +224,8 @@ class Planner {
       return false;
     }
     proved_.insert(plan.number);
+    warnings_[plan.number] = static_cast<size_t>(std::ranges::count(
+        file.found.diagnostics, support::Severity::Warning, &support::Diagnostic::severity));
     return true;
   }
 
@@ -225,9 +235,9 @@ class Planner {
     CHECK(error != diagnostics.end(), "a mission with an error has a diagnostic of it");
     const support::LineColumn at = compiled_.sources->place(error->range.file, error->range.begin);
     if (error->id == support::diagnostics::choiceOutside) {
-      return refuse(number, fmt::format("outside what line {} allows", at.line), "");
+      return refuse(number, fmt::format("not allowed by line {}", at.line), "");
     }
-    refuse(number, fmt::format("with an error in line {} [{}]", at.line, support::code(error->id)),
+    refuse(number, fmt::format("an error in line {} [{}]", at.line, support::code(error->id)),
            error->message);
   }
 
@@ -235,12 +245,16 @@ class Planner {
   void refuse(size_t number, const std::string& reason, const std::string& detail) {
     refused_.insert(number);
     const auto known = std::ranges::find(found_.plan.refused, reason, &report::PlanRefusal::reason);
-    if (known != found_.plan.refused.end()) {
-      ++known->options;
+    const std::string words = inWords(grid_.at(number));
+    const std::string example = detail.empty() ? words : words + ": " + detail;
+    if (known == found_.plan.refused.end()) {
+      found_.plan.refused.push_back({reason, 1, example});
       return;
     }
-    const std::string example = inWords(grid_.at(number));
-    found_.plan.refused.push_back({reason, 1, detail.empty() ? example : example + ": " + detail});
+    ++known->options;
+    if (scored_ && !found_.plan.chosen) {
+      known->example = example;  // nearer to what will be chosen than those before
+    }
   }
 
   [[nodiscard]] report::PlanOption optionOf(const ScoredPlan& plan) const {
@@ -268,14 +282,16 @@ class Planner {
     }
   }
 
-  const compiler::Compilation& compiled_;
+  const compiler::Compilation compiled_;
   const CheckOptions& options_;
   CheckObserver& observer_;
   const frontend::LeftOpen& open_;
   const PlanGrid grid_;
   std::optional<PlanScores> scores_;
   std::vector<ScoredPlan> plans_;  ///< the best first
+  bool scored_ = false;            ///< all were tried
   std::set<size_t> proved_, refused_;
+  std::map<size_t, size_t> warnings_;  ///< of those that are proved
   PlannedMission found_;
 };
 
@@ -283,7 +299,7 @@ class Planner {
 
 Result<PlannedMission> planMission(const std::string& name, const compiler::Compilation& compiled,
                                    const CheckOptions& options, CheckObserver& observer) {
-  return Planner(name, compiled, options, observer).run();
+  return Planner(name, compiler::withChosen(compiled, {}), options, observer).run();
 }
 
 }  // namespace glider::analysis

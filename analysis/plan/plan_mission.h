@@ -22,12 +22,12 @@ struct PlannedMission {
 /// The most ways to choose that are tried.
 inline constexpr size_t kMostPlans = 10000;
 
-/// Chooses what a mission leaves open, which has no errors but by its values: of all ways for which
-/// `check` proves every requirement, the one that its line `prefer` puts first; what is left goes
-/// by the energy. The ways are those of PlanGrid. Each that is chosen or on the front has been
-/// checked as if its values were written, with `options`. `observer` receives what is done. Fails
-/// if the mission leaves nothing open or too much, if it prefers what is not known of its vehicle,
-/// and as a check does.
+/// Chooses what a mission leaves open, whose text has no errors (Parsed::faulty); what is written
+/// in its lines `choose` does not matter: of all ways for which `check` proves every requirement,
+/// the one that its line `prefer` puts first; what is left goes by the energy. The ways are those
+/// of PlanGrid. Each that is chosen or on the front has been checked as if its values were written,
+/// with `options`. `observer` receives what is done. Fails if the mission leaves nothing open or
+/// too much, if it prefers what is not known of its vehicle, and as a check does.
 support::Result<PlannedMission> planMission(const std::string& name,
                                             const compiler::Compilation& compiled,
                                             const CheckOptions& options, CheckObserver& observer);

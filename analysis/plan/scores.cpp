@@ -6,6 +6,7 @@
 #include "compiler/boards.h"
 #include "ir/prove/energy/energy_bound.h"
 #include "platforms/load/power.h"
+#include "support/check.h"
 #include "support/diagnostics/ids/command.h"
 #include "support/one_line.h"
 #include "support/units/units.h"
@@ -13,6 +14,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <utility>
 
 namespace glider::analysis {
@@ -20,9 +23,14 @@ namespace {
 
 using support::Result;
 
-/// The unit of a choice of the same dimension, so that what is preferred is shown as it is written;
-/// else the usual one.
-std::string unitFor(const ir::Type& type, const PlanGrid& grid) {
+/// The unit of the choice that is preferred, or of one of the same dimension, so that it is shown
+/// as it is written; else the usual one. A plain number has none, though a choice may be in
+/// percent.
+std::string unitFor(const std::string& text, const ir::Type& type, const PlanGrid& grid) {
+  const auto named = std::ranges::find(grid.rows(), text, &PlanGrid::Row::name);
+  if (named != grid.rows().end() || type.dimension.dimensionless()) {
+    return named != grid.rows().end() ? named->unit : "";
+  }
   for (const PlanGrid::Row& row : grid.rows()) {
     const auto unit = support::parseUnit(row.unit);
     if (unit && unit->dimension == type.dimension) {
@@ -30,6 +38,13 @@ std::string unitFor(const ir::Type& type, const PlanGrid& grid) {
     }
   }
   return support::unitName(type.dimension);
+}
+
+/// What differs by no more than rounding is equal.
+double withoutRounding(double score) {
+  constexpr int kDigits = 12;
+  CHECK(std::isfinite(score), "a score that is no number");
+  return std::stod(fmt::format("{:.{}g}", score, kDigits));
 }
 
 std::optional<ir::prove::EnergyBound> boundOf(const compiler::Checked& checked,
@@ -49,8 +64,8 @@ Result<PlanScores> PlanScores::make(const compiler::Compilation& good, const Pla
   PlanScores made;
   made.board_ = *board ? (*board)->power : std::nullopt;
   for (const frontend::OpenObjective& one : good.open.objectives) {
-    Objective objective{one.aim, support::onOneLine(checked.sources().text(one.value_range)),
-                        unitFor(one.type, grid), 1};
+    const std::string text = support::onOneLine(checked.sources().text(one.value_range));
+    Objective objective{one.aim, text, unitFor(text, one.type, grid), 1};
     const auto unit = support::parseUnit(objective.unit);
     objective.to_si = unit ? unit->to_si : 1;
     made.objectives_.push_back(std::move(objective));
@@ -103,7 +118,7 @@ std::vector<ScoredPlan> PlanScores::sorted() const {
   for (const Entry& entry : entries_) {
     ScoredPlan plan{entry.number, {}};
     for (size_t i = 0; i < objectives_.size(); ++i) {
-      plan.scores.push_back(scoreOf(entry, i, ends));
+      plan.scores.push_back(withoutRounding(scoreOf(entry, i, ends)));
     }
     plans.push_back(std::move(plan));
   }

@@ -20,9 +20,12 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <variant>
 
 namespace glider::driver {
 namespace {
@@ -54,22 +57,31 @@ class Teller final : public analysis::CheckObserver {
   CheckProgress progress_;
 };
 
+/// Writes what was chosen into the mission, unless it is another text by now.
+support::Result<void> rewrite(const PlanCommandOptions& options, std::string_view before,
+                              const std::string& text) {
+  const auto now = support::readFile(options.mission);
+  if (!now) {
+    return std::unexpected(now.error());
+  }
+  return *now == before ? rewriteFile(options.mission, text)
+                        : support::fail(support::diagnostics::changedMeanwhile, options.mission);
+}
+
 /// What is asked for beside the text: the mission rewritten, the picture.
-support::Result<void> writeFiles(const PlanCommandOptions& options,
+support::Result<void> writeFiles(const PlanCommandOptions& options, std::string_view before,
                                  const analysis::PlannedMission& planned) {
-  if (!planned.plan.chosen) {
+  if (options.write) {
+    if (auto written = rewrite(options, before, planned.text); !written) {
+      return written;
+    }
+  }
+  if (options.picture.empty()) {
     return {};
   }
-  if (!options.picture.empty()) {
-    if (planned.plan.objectives.size() < 2) {
-      return support::fail(support::diagnostics::frontOfOne, options.picture);
-    }
-    if (auto drawn = support::writeFileAtomically(options.picture, planPicture(planned.plan));
-        !drawn) {
-      return drawn;
-    }
-  }
-  return options.write ? rewriteFile(options.mission, planned.text) : support::Result<void>();
+  return planned.plan.objectives.size() < 2
+             ? support::fail(support::diagnostics::frontOfOne, options.picture)
+             : support::writeFileAtomically(options.picture, planPicture(planned.plan));
 }
 
 support::Result<analysis::PlannedMission> planned(const PlanCommandOptions& options,
@@ -78,8 +90,25 @@ support::Result<analysis::PlannedMission> planned(const PlanCommandOptions& opti
   return analysis::planMission(options.mission, compiled, options.check, teller);
 }
 
+/// Whether the text has no error but by the values of its lines `choose`, and those lines have
+/// none.
+bool isPlannable(const compiler::Compilation& compiled) {
+  if (!compiled.parsed || compiled.parsed->faulty) {
+    return false;
+  }
+  const auto lines = std::ranges::count_if(compiled.parsed->mission.items, [](const auto& item) {
+    return std::holds_alternative<ast::Choice>(item);
+  });
+  const compiler::Compilation open = compiler::withChosen(compiled, {});
+  return static_cast<size_t>(lines) == open.open.choices.size() && (lines > 0 || open.checked);
+}
+
 int plan(PlanCommandOptions& options, Json* document) {
   options.check.timeout_s = options.timeout_s.value_or(0);
+  if (options.write && options.mission == compiler::kStandardInput) {
+    tell("glidercc: error: `--write` needs a file: standard input cannot be written\n");
+    return kWorldFailed;
+  }
   if (const auto input = overwrittenInput({options.mission}, {options.picture})) {
     return reportFailure(support::fail(support::diagnostics::outputIsInput, *input).error());
   }
@@ -95,7 +124,7 @@ int plan(PlanCommandOptions& options, Json* document) {
   if (!compiled) {
     return reportFailure(compiled.error());
   }
-  if (!compiled->checked && compiled->open.choices.empty()) {
+  if (!isPlannable(*compiled)) {
     reportDiagnostics(compiled->diagnostics, *compiled->sources);
     return kMissionHasErrors;
   }
@@ -103,12 +132,9 @@ int plan(PlanCommandOptions& options, Json* document) {
   if (!found) {
     return reportFailure(found.error());
   }
-  if (found->plan.objectives.empty()) {  // no way is without an error
-    reportDiagnostics(compiled->diagnostics, *compiled->sources);
-    return kMissionHasErrors;
-  }
-  if (const auto written = writeFiles(options, *found); !written) {
-    return reportFailure(written.error());
+  if (found->plan.possible == 0) {
+    const auto lowest = compiler::withChosen(*compiled, {});
+    reportDiagnostics(lowest.diagnostics, *lowest.sources);
   }
   if (document != nullptr) {
     putPlan(*document, found->plan);
@@ -116,8 +142,14 @@ int plan(PlanCommandOptions& options, Json* document) {
     return reportFailure(printed.error());
   }
   if (!found->plan.chosen) {
-    tell(fmt::format("{}: no way to choose keeps all that is required\n", options.mission));
+    tell(
+        fmt::format("{}: no way to choose keeps all that is required; with its values written, "
+                    "`glidercc check` says why one does not\n",
+                    options.mission));
     return kMissionHasErrors;
+  }
+  if (const auto written = writeFiles(options, compiled->sources->text(0), *found); !written) {
+    return reportFailure(written.error());
   }
   tell(options.write ? fmt::format("{}: what was chosen is written into it\n", options.mission)
                      : "");
@@ -152,10 +184,10 @@ void addPlanCommand(CLI::App& app, int& status) {
                    "Multiply the resource limits of proofs by N, as for `check` [1]")
       ->option_text("N")
       ->check(CLI::Range(1U, 100U));
-  addDurationOption(*command, "--timeout", options->timeout_s, kShortestTimeout_s,
-                    kLongestTimeout_s,
-                    "End the proofs about each way to choose after this time; what is not proved by "
-                    "then is refused [no limit]");
+  addDurationOption(
+      *command, "--timeout", options->timeout_s, kShortestTimeout_s, kLongestTimeout_s,
+      "End the proofs about each way to choose after this time; what is not proved by "
+      "then is refused [no limit]");
   addFormatOption(*command, options->json);
   command->callback([options, &status] {
     status =

@@ -29,6 +29,7 @@ void putPlan(Json& document, const report::Plan& plan) {
   document["mission"] = plan.mission;
   document["ways"] = plan.options;
   document["chosen"] = plan.chosen ? optionJson(plan, *plan.chosen) : Json();
+  document["warnings"] = plan.warnings;
   document["front"] = Json::array();
   for (const report::PlanOption& one : plan.front) {
     document["front"].push_back(optionJson(plan, one));

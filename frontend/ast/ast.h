@@ -546,6 +546,7 @@ struct Choice {
   std::optional<Expr> step;
   std::optional<Expr> condition;
   Where where;
+  Where written = {};  ///< of its value in the text; empty, and after its type: there is none
   bool operator==(const Choice&) const = default;
 };
 

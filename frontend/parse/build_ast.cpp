@@ -163,8 +163,12 @@ ast::Choice AstBuilder::choice(Parser::ChoiceContext* rule) {
   const bool chosen = value.has_value();
   ast::Const constant{name(rule->anyName()), type(rule->type()),
                       chosen ? std::move(*value) : range.lowest, where(rule)};
-  return {std::move(constant),  chosen,     std::move(range), after(rule->BY()),
-          after(rule->WHERE()), where(rule)};
+  const support::SourceRange type_where = constant.type->where;
+  const support::SourceRange value_where = constant.value.where;
+  const support::SourceRange written =
+      chosen ? value_where : support::SourceRange{type_where.file, type_where.end, type_where.end};
+  return {std::move(constant),  chosen,      std::move(range), after(rule->BY()),
+          after(rule->WHERE()), where(rule), written};
 }
 
 /// The value after a word of `rule`; empty if it does not have that word.

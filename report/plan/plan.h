@@ -35,9 +35,9 @@ struct PlanOption {
 
 /// Why some ways were not chosen.
 struct PlanRefusal {
-  std::string reason;   ///< after "12 ways": "leave `require …` undecided"
+  std::string reason;   ///< "`require …` stays undecided"
   size_t options = 0;   ///< how many
-  std::string example;  ///< "bottom = 60 m, hours = 44 h: it may take 71 Wh"
+  std::string example;  ///< "bottom = 60 m, hours = 44 h: it may take 71 Wh": the best of them
 };
 
 struct Plan {
@@ -46,7 +46,8 @@ struct Plan {
   std::vector<PlanChoice> choices;
   std::vector<PlanObjective> objectives;  ///< the most important first
   size_t options = 0;                     ///< how many ways there are
-  size_t checked = 0;                     ///< of them with all their proofs
+  size_t possible = 0;                    ///< of them without errors in the text
+  size_t warnings = 0;                    ///< of a check of the chosen one
   size_t promises = 0;                    ///< requirements of the mission
   std::optional<PlanOption> chosen;       ///< empty: none can be proved
   /// Those that no other beats in all that is preferred, the chosen one first; all are proved.

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace glider::report {
 namespace {
@@ -92,6 +93,10 @@ void tellChosen(const Plan& plan, Lines& lines) {
     lines.begin("proved");
     lines.add(support::counted(plan.promises, "requirement"));
   }
+  if (plan.warnings > 0) {
+    lines.begin("warned");
+    lines.add(support::counted(plan.warnings, "warning") + ": see `glidercc check`");
+  }
   lines.begin("preferred");
   for (size_t k = 0; k < plan.objectives.size(); ++k) {
     const PlanObjective& objective = plan.objectives[k];
@@ -120,7 +125,7 @@ void tellFront(const Plan& plan, Lines& lines) {
 void tellRefused(const Plan& plan, Lines& lines) {
   lines.begin("refused");
   for (const PlanRefusal& one : plan.refused) {
-    lines.add(fmt::format("{} {}", support::counted(one.options, "way"), one.reason));
+    lines.add(fmt::format("{}: {}", support::counted(one.options, "way"), one.reason));
     lines.add("  such as " + one.example);
   }
 }
@@ -128,7 +133,13 @@ void tellRefused(const Plan& plan, Lines& lines) {
 }  // namespace
 
 std::string scoreText(const PlanObjective& objective, double score) {
-  return fmt::format("{:.4g}{}{}", score, objective.unit.empty() ? "" : " ", objective.unit);
+  constexpr double kGrouped = 1000;
+  const std::string number =
+      std::fabs(score) < kGrouped
+          ? fmt::format("{:.4g}", score)
+          : (score < 0 ? "-" : "") +
+                support::grouped(static_cast<uint64_t>(std::llround(std::fabs(score))));
+  return number + (objective.unit.empty() ? "" : " ") + objective.unit;
 }
 
 std::string planText(const Plan& plan) {

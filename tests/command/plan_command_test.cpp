@@ -46,7 +46,7 @@ class PlanCommand : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-// accepts: GL9383 GL9384 GL9385 GL9386
+// accepts: GL9383 GL9384 GL9385 GL9386 GL9390
 TEST_F(PlanCommand, SaysWhatItChoosesAndWhatItRefuses) {
   write(kOpen);
   const Outcome plan = glidercc("plan m.mission");
@@ -54,7 +54,7 @@ TEST_F(PlanCommand, SaysWhatItChoosesAndWhatItRefuses) {
   EXPECT_THAT(plan.out, HasSubstr("hours: 12 values from 2 h to 24 h"));
   EXPECT_THAT(plan.out, HasSubstr("chosen    bottom = 60 m\n          hours = 4 h\n"));
   EXPECT_THAT(plan.out, HasSubstr("proved    1 requirement\n"));
-  EXPECT_THAT(plan.out, HasSubstr("leave `require always energyused <= 70 Wh` undecided"));
+  EXPECT_THAT(plan.out, HasSubstr("`require always energyused <= 70 Wh` stays undecided"));
 }
 
 TEST_F(PlanCommand, WritesWhatItChoosesWhereOtherCommandsReadIt) {
@@ -103,7 +103,7 @@ TEST_F(PlanCommand, SaysThatNothingKeepsAllPromises) {
       "choose hours : time in 2 h .. 4 h\nconst bottom = 30 m\n");
   const Outcome plan = glidercc("plan m.mission --write");
   EXPECT_EQ(plan.status, 1);
-  EXPECT_THAT(plan.out, HasSubstr("may break `require exit within 1 h`"));
+  EXPECT_THAT(plan.out, HasSubstr("`require exit within 1 h` may be broken"));
   EXPECT_THAT(plan.err, HasSubstr("no way to choose keeps all that is required"));
   EXPECT_THAT(slurp(folder_.path() / "m.mission"), Not(HasSubstr("time =")));
 }
@@ -115,7 +115,76 @@ TEST_F(PlanCommand, LeavesOutWhatTheMissionDoesNotAllow) {
       "prefer greatest bottom then least hours\n");
   const Outcome plan = glidercc("plan m.mission");
   EXPECT_THAT(plan.out, HasSubstr("hours = 4 h\n          bottom = 60 m")) << plan.err;
-  EXPECT_THAT(plan.out, HasSubstr("5 ways outside what line 3 allows"));
+  EXPECT_THAT(plan.out, HasSubstr("5 ways: not allowed by line 3"));
+}
+
+/// What is written now does not matter, even if the range does not have it any more.
+TEST_F(PlanCommand, StartsFromWhatIsOpen) {
+  write(
+      "mission m\nconst hours = 2 h\nchoose bottom : length = 55 m in 20 m .. 40 m by 10 m\n"
+      "prefer greatest bottom\n");
+  const Outcome plan = glidercc("plan m.mission --write");
+  EXPECT_THAT(plan.out, HasSubstr("bottom = 40 m, before 55 m")) << plan.err;
+  EXPECT_THAT(slurp(folder_.path() / "m.mission"), HasSubstr("length = 40 m in 20 m .. 40 m"));
+}
+
+/// An error that was corrected to read on is an error still.
+TEST_F(PlanCommand, PlansNoTextWithErrors) {
+  write(
+      "mission m\nconst hours = 2 h\nconst x = 5 metres\n"
+      "choose bottom : length in 20 m .. 40 m\n");
+  const Outcome plan = glidercc("plan m.mission --write");
+  EXPECT_EQ(plan.status, 1);
+  EXPECT_THAT(plan.err, HasSubstr("[GL1030"));
+  EXPECT_THAT(slurp(folder_.path() / "m.mission"), HasSubstr("length in 20 m"));
+}
+
+TEST_F(PlanCommand, KeepsAwayFromWhatHasNoValue) {
+  write(
+      "mission m\nconst hours = 2 h\nconst bottom = 30 m\n"
+      "choose a : number in -2 .. 3 by 1\nprefer greatest sqrt(a)\n");
+  const Outcome plan = glidercc("plan m.mission");
+  EXPECT_THAT(plan.out, HasSubstr("a = 3\n")) << plan.err;
+  EXPECT_THAT(plan.out, HasSubstr("2 ways: an error in line 5 [GL2043]"));
+}
+
+/// The end of a range that is no number of its unit, and scores that differ by rounding only.
+TEST_F(PlanCommand, RoundingDecidesNothing) {
+  write(
+      "mission m\nconst bottom = 30 m\n"
+      "choose hours : time in 30 min .. 4.1 h by 6 min\nprefer greatest hours\n");
+  EXPECT_THAT(glidercc("plan m.mission").out, HasSubstr("hours = 246 min\n"));
+  write(
+      "mission m\nconst hours = 2 h\nconst bottom = 30 m\nchoose a : number in 0.1 .. 0.9 by "
+      "0.1\nchoose b : number in 0.1 .. 0.9 by 0.1 where a + b >= 0.8999\n"
+      "prefer least (a + b) then greatest b\n");
+  EXPECT_THAT(glidercc("plan m.mission").out, HasSubstr("a = 0.1\n          b = 0.8\n"));
+}
+
+TEST_F(PlanCommand, NeedsNoObjective) {
+  (void)folder_.write("m.mission",
+                      "mission m\nplatform lauv\nconst bottom = 10 m\n"
+                      "choose hours : time in 2 h .. 4 h by 1 h\n" +
+                          kAtASpeed);
+  const Outcome plan = glidercc("plan m.mission");
+  EXPECT_EQ(plan.status, 0) << plan.err;
+  EXPECT_THAT(plan.out, HasSubstr("chosen    hours = 2 h\n"));
+}
+
+// expects: GL9390
+TEST_F(PlanCommand, WritesNothingIntoATextThatHasChanged) {
+  write(kOpen);
+  const Outcome plan =
+      runShell("cd " + folder_.path().string() +
+               " && cp m.mission other && (sleep 0.05; echo '# new' >> m.mission) & "
+               "cd " +
+               folder_.path().string() + " && $GLIDERCC plan m.mission --write");
+  const std::string text = slurp(folder_.path() / "m.mission");
+  EXPECT_EQ(plan.status == 2, plan.err.find("[GL9390") != std::string::npos) << plan.err;
+  if (plan.status == 2) {
+    EXPECT_THAT(text, HasSubstr("# new"));
+    EXPECT_THAT(text, Not(HasSubstr("time = ")));
+  }
 }
 
 TEST_F(PlanCommand, RefusesWhatItCannotPlan) {

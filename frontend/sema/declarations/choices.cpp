@@ -6,10 +6,13 @@
 #include "frontend/sema/declarations/declared_value.h"
 #include "frontend/sema/declarations/only_item.h"
 #include "frontend/sema/expressions/evaluate.h"
+#include "ir/eval/arithmetic.h"
 #include "support/diagnostics/ids/meaning.h"
+#include "support/units/units.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -33,51 +36,85 @@ std::optional<double> stepOf(const ast::Choice& node, const Bounds& bounds, Decl
     return 0;
   }
   const auto step = lowering.constant(*node.step, "the distance of what can be chosen");
-  if (step && !(step->first > 0 && step->first <= bounds.highest - bounds.lowest)) {
+  const double span = bounds.highest - bounds.lowest;
+  if (step && !(step->first > 0 && (step->first <= span || span == 0))) {
     scope
-        .report(
-            support::diagnostics::choiceStep, node.step->where, node.constant.name.text,
-            scope.text(node.step->where),
-            step->first > 0 ? "write less than what the range spans" : "write a distance above 0")
+        .report(support::diagnostics::choiceStep, node.step->where, node.constant.name.text,
+                scope.text(node.step->where),
+                step->first > 0 ? "write at most what the range spans" : "write a distance above 0")
         .note(whole(node.range), "its range is here");
     return std::nullopt;
   }
   return step ? std::optional(step->first) : std::nullopt;
 }
 
-/// The unit in which the range is written, or the value; empty: none is.
-std::string unitOf(const ast::Choice& node) {
-  for (const ast::Expr* expr : {&node.range.lowest, &node.range.highest, &node.constant.value}) {
-    const auto* literal = std::get_if<ast::Literal>(&expr->node);
-    if (literal != nullptr && !literal->unit.empty()) {
-      return literal->unit;
+/// The unit of a number, also with a sign, or of the first in a sum or product.
+std::string unitOf(const ast::Expr& expr) {
+  const ast::Expr* at = &expr;
+  while (std::get_if<ast::Literal>(&at->node) == nullptr) {
+    if (const auto* unary = std::get_if<ast::Unary>(&at->node)) {
+      at = &*unary->operand;
+    } else if (const auto* binary = std::get_if<ast::Binary>(&at->node)) {
+      at = &*binary->left;
+    } else {
+      return "";
+    }
+  }
+  return std::get<ast::Literal>(at->node).unit;
+}
+
+/// The unit in which the range is written, if that is of its type; empty: none is.
+std::string unitOf(const ast::Choice& node, const ir::Type& type) {
+  for (const ast::Expr* expr : {&node.range.lowest, &node.range.highest}) {
+    const std::string unit = unitOf(*expr);
+    const auto known = support::parseUnit(unit);
+    if (known && known->dimension == type.dimension) {
+      return unit;
     }
   }
   return "";
 }
 
+/// A written value may differ from an end of the range by rounding.
+constexpr double kRounding = 1e-9;
+
+/// False, and reported, if the written value is out of bounds.
+bool isInside(const ast::Choice& node, double value, const Bounds& bounds,
+              DeclaredValue& lowering) {
+  const double nearest = std::clamp(value, bounds.lowest, bounds.highest);
+  const bool rounded =
+      std::fabs(nearest - value) <= kRounding * std::max(std::fabs(nearest), std::fabs(value));
+  return lowering.inside(rounded ? nearest : value, bounds, node.constant.value, node.range);
+}
+
 std::optional<OpenChoice> readChoice(const ast::Choice& node, const Constant& constant,
                                      Scope& scope) {
   const DeclaredType type{constant.type, constant.position};
-  DeclaredValue lowering(node.constant.name, type, scope);
-  const auto bounds = lowering.bounds(node.range);
-  const auto step = bounds ? stepOf(node, *bounds, lowering, scope) : std::nullopt;
-  const bool inside =
-      bounds && lowering.inside(constant.number, *bounds, node.constant.value, node.range);
-  if (!step || !inside) {
+  if (type.type.kind != ir::TypeKind::Quantity) {
+    scope.report(support::diagnostics::rangeOfWhat, whole(node.range), node.constant.name.text,
+                 describe(type));
     return std::nullopt;
   }
-  const support::SourceRange after = node.constant.type->where;
-  const support::SourceRange written = node.constant.value.where;
+  DeclaredValue lowering(node.constant.name, type, scope);
+  const size_t open = scope.open_reads;
+  const auto bounds = lowering.bounds(node.range);
+  const auto step = bounds ? stepOf(node, *bounds, lowering, scope) : std::nullopt;
+  if (scope.open_reads != open) {
+    scope.report(support::diagnostics::openRange, whole(node.range), node.constant.name.text);
+    return std::nullopt;
+  }
+  if (!step || !isInside(node, constant.number, *bounds, lowering)) {
+    return std::nullopt;
+  }
   return OpenChoice{node.constant.name.text,
                     constant.type,
-                    unitOf(node),
+                    unitOf(node, constant.type),
                     constant.number,
                     bounds->lowest,
                     bounds->highest,
                     *step,
                     node.where,
-                    node.chosen ? written : support::SourceRange{after.file, after.end, after.end},
+                    node.written,
                     whole(node.range)};
 }
 
@@ -124,7 +161,13 @@ std::optional<OpenObjective> readObjective(const ast::Objective& node, Scope& sc
                  scope.text(node.value->where), "what is preferred");
     return std::nullopt;
   }
-  made.value = *number;
+  const double score = number.value_or(ir::kUnknown);
+  if (!ir::isKnown(score)) {
+    scope.report(support::diagnostics::constantUnknown, node.value->where,
+                 scope.text(node.value->where));
+    return std::nullopt;
+  }
+  made.value = score;
   made.type = value->type;
   made.value_range = node.value->where;
   return made;

@@ -74,7 +74,13 @@ class Declarations {
   void visit(const ast::Share&) {}
   void visit(const ast::Vehicles&) {}
   void visit(const ast::Pack&) {}
-  void visit(const ast::Choice& node) { visit(node.constant); }
+  void visit(const ast::Choice& node) {
+    visit(node.constant);
+    const auto made = scope_.constants.find(node.constant.name.text);
+    if (made != scope_.constants.end() && made->second.name == &node.constant.name) {
+      made->second.open = true;
+    }
+  }
   void visit(const ast::Preference&) {}
 
   void visit(const ast::Behaviour& node) {
@@ -99,13 +105,14 @@ class Declarations {
     Context context;
     context.constant = "a constant";
     const Scope::Within within(scope_, context);
-    const size_t before = scope_.mission.exprs.size();
+    const size_t before = scope_.mission.exprs.size(), open = scope_.open_reads;
     ExprLowering lowering(scope_);
     const auto value = type ? lowering.lowerDeclared(node.value, *type, "`" + node.name.text + "`")
                             : lowering.lower(node.value, std::nullopt);
     if (value) {
       settleConstant(node, *value, constant);
     }
+    constant.open = scope_.open_reads != open;
     scope_.mission.exprs.resize(before);
   }
 

@@ -253,7 +253,11 @@ const Constant* Scope::findConstant(std::string_view name) const {
     return &pass->index;
   }
   const auto found = context.isolated ? constants.end() : constants.find(name);
-  return found == constants.end() ? nullptr : &found->second;
+  if (found == constants.end()) {
+    return nullptr;
+  }
+  open_reads += found->second.open ? 1U : 0U;
+  return &found->second;
 }
 
 void Scope::notePass(support::DiagnosticBuilder& report) const {

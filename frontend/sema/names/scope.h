@@ -40,6 +40,7 @@ struct Constant {
   std::vector<double> elements;  ///< not empty: an array of values of `type`, and nothing else
   bool worked_out = false;       ///< its definition was reached
   bool valid = false;            ///< evaluated without errors; errors have been reported
+  bool open = false;             ///< its value is that of a choice, or follows from one
 };
 
 /// One pass of a `for`, in which its index is a constant.
@@ -287,6 +288,8 @@ class Scope {
   std::map<uint32_t, KnownArea> areas;  ///< by the expression that checks whether it is kept
   Context context;
   LoopSizes loops;
+  /// How often a constant was looked up whose value is open.
+  mutable size_t open_reads = 0;
   std::map<std::string, Constant, std::less<>> constants;
   Names names;  ///< the mission's parameters and variables
   std::set<std::string, std::less<>>

@@ -19,7 +19,7 @@
 namespace glider::frontend::phrases {
 namespace {
 
-/// A line `choose`, whose mistakes are reported one by one. What was meant is put in its place.
+/// A line `choose`, whose errors are reported one by one. What was meant is put in its place.
 class ChoiceLine {
  public:
   explicit ChoiceLine(Phrase& phrase) : phrase_(phrase) {}
@@ -537,6 +537,7 @@ void ChoiceLine::reportRest() {
   if (endsLine() || phrase_.type(end()) != GliderLexer::NAME || find(Part::Range) == nullptr) {
     return;
   }
+  as_meant_ = false;
   const Lexeme found = phrase_.token(end());
   if (editDistance(phrase_.text(end()), "where") == 1) {
     phrase_.reporter()

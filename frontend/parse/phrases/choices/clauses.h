@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-/// The parts of a line `choose`, as far as they can be told apart by their words. A name never
-/// follows a whole value in a right line, so the word that leads a part is told from a name.
+/// The parts of a line `choose`, by the words that lead them. In a right line a name never follows
+/// a whole value, so a word there leads a part, even if it is also a name.
 namespace glider::frontend::phrases {
 
 /// In the order in which they are written.

@@ -421,7 +421,7 @@ void PreferenceLine::reportRest() {
     phrase_.reporter()
         .at(found, support::diagnostics::unexpectedToken, "`then` or another line",
             describe(phrase_.source(), found))
-        .hint("a condition stands in the line of what it is about: `choose … where …`");
+        .hint("write the condition where its value is declared: `choose … where …`");
     end_ = std::max(end_, phrase_.tokensOfLine());
   }
 }

@@ -215,7 +215,7 @@ namespace {
 
 /// Past the type that begins with token `k`.
 size_t endOfType(const Phrase& phrase, size_t k) {
-  if (!isName(phrase.type(k)) || phrase.startsLine(k) || wordAt(phrase, k)) {
+  if (!isName(phrase.type(k)) || wordAt(phrase, k)) {
     return k;
   }
   ++k;
@@ -308,8 +308,9 @@ void readSign(const Phrase& phrase, Clause& clause, const std::vector<Clause>& a
 bool mayBeginItem(const Phrase& phrase) {
   const uint32_t before = phrase.before();
   const bool whole =
-      before == 0 || isTransition(before) ||
-      oneOf(before, {GliderLexer::END,        GliderLexer::NAME,     GliderLexer::NUMBER,
+      before == 0 ||
+      oneOf(before, {GliderLexer::END,        GliderLexer::RETURN,   GliderLexer::EXIT,
+                     GliderLexer::STAY,       GliderLexer::NAME,     GliderLexer::NUMBER,
                      GliderLexer::INSTANT,    GliderLexer::STRING,   GliderLexer::RPAREN,
                      GliderLexer::RBRACKET,   GliderLexer::UNIT,     GliderLexer::COMPASS,
                      GliderLexer::MIN,        GliderLexer::TRUE,     GliderLexer::FALSE,

@@ -207,8 +207,8 @@ Goal PreferenceLine::goalAt(size_t k) const {
                      oneOf(phrase_.type(goal.value + 1),
                            {GliderLexer::LPAREN, GliderLexer::NUMBER, GliderLexer::MINUS});
   const bool right = oneOf(phrase_.type(goal.value), {GliderLexer::LEAST, GliderLexer::GREATEST});
-  const bool leads = !endsLine(goal.value + 1) && value && !isFunction(goal.value) &&
-                     (right || tokensOfThen(phrase_, goal.value + 1) == 0);
+  const bool leads = right || (value && !endsLine(goal.value + 1) && !isFunction(goal.value) &&
+                               tokensOfThen(phrase_, goal.value + 1) == 0);
   if (const uint32_t aim = leads ? aimAt(phrase_, goal.value) : 0; aim != 0) {
     goal.aim = aim;
     ++goal.value;

@@ -78,6 +78,9 @@ std::string longitudeFirst(const ParameterTable& table, const double* values, co
 /// How to write the parameter that `problem` begins with; empty if it begins with none.
 std::string hintFor(const ParameterTable& table, std::string_view problem) {
   std::string hint = "`glidercc params MISSION` lists the parameters";
+  if (problem.find("has no parameter") != std::string_view::npos) {
+    hint += "; what a line `choose` leaves open is chosen by `glidercc plan`";
+  }
   for (uint32_t i = 0; i < table.mission().parameter_count; ++i) {
     const GliderParameterInfo& info = table[i];
     if (problem.find(fmt::format("`{}` cannot be", info.name)) == std::string_view::npos) {

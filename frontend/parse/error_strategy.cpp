@@ -179,7 +179,7 @@ void ErrorStrategy::expected(std::string_view what, const Lexeme& found) {
 
 /// `param d: length` and `set n 1`: the error is where the value is missing, which may be lines
 /// before what was found.
-void ErrorStrategy::expectedValue(const Lexeme& before, const Lexeme& found) {
+void ErrorStrategy::expectedValue(uint32_t keyword, const Lexeme& before, const Lexeme& found) {
   const Source& source = reporter_.source();
   const std::string_view last = source.text(before);
   if (oneOf(found.type, {GliderLexer::NUMBER, GliderLexer::NAME, GliderLexer::STRING,
@@ -189,10 +189,15 @@ void ErrorStrategy::expectedValue(const Lexeme& before, const Lexeme& found) {
         .fix({source.file, before.end, before.end}, " =");
     return;
   }
-  reporter_
-      .at(before, support::diagnostics::unexpectedToken,
-          fmt::format("`=` and a value after `{}`", last), describe(source, found))
-      .hint(fmt::format("write `{} = …`", last));
+  auto report =
+      reporter_.at(before, support::diagnostics::unexpectedToken,
+                   fmt::format("`=` and a value after `{}`", last), describe(source, found));
+  const bool fixed = oneOf(keyword, {GliderLexer::PARAM, GliderLexer::CONST});
+  report.hint(fixed && found.type == GliderLexer::IN
+                  ? fmt::format("write `{} = …`; a value that `glidercc plan` is to choose is "
+                                "declared with `choose`",
+                                last)
+                  : fmt::format("write `{} = …`", last));
 }
 
 /// `log deep`.
@@ -246,7 +251,8 @@ void ErrorStrategy::complainOfValue(antlr4::Parser* parser, const antlr4::Token*
     return expectedText(found);
   }
   if (before != nullptr && set.contains(size_t{GliderParser::ASSIGN})) {
-    return expectedValue(lexemeOf(before), found);
+    const size_t keyword = parser->getContext()->getStart()->getType();
+    return expectedValue(static_cast<uint32_t>(keyword), lexemeOf(before), found);
   }
   const bool statement = set.contains(size_t{GliderParser::SET});
   expected(statement ? "`set`, `if`, `for`, `log`, a command or `end`" : listOf(set), found);

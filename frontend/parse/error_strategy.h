@@ -36,7 +36,7 @@ class ErrorStrategy final : public antlr4::DefaultErrorStrategy {
   /// In a declaration, a block or a statement.
   void complainOfValue(antlr4::Parser* parser, const antlr4::Token* before, const Lexeme& found);
   void expected(std::string_view what, const Lexeme& found);
-  void expectedValue(const Lexeme& before, const Lexeme& found);
+  void expectedValue(uint32_t keyword, const Lexeme& before, const Lexeme& found);
   void expectedText(const Lexeme& found);
   bool misspelled(const Lexeme& found, const std::vector<std::string_view>& keywords);
 

@@ -2,62 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "frontend/parse/phrases/repairs.h"
+#include "frontend/parse/phrases/written_type.h"
 #include "frontend/parse/token_kinds.h"
 #include "support/diagnostics/ids/syntax.h"
-#include "support/units/units.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 namespace glider::frontend::phrases {
 namespace {
-
-/// The tokens of `39.2 N` or `39 10.5 N` from token `k` on; 0: they are something else.
-size_t tokensOfHalf(const Phrase& phrase, size_t k) {
-  const size_t numbers = phrase.type(k) != GliderLexer::NUMBER       ? 0
-                         : phrase.type(k + 1) == GliderLexer::NUMBER ? 2
-                                                                     : 1;
-  return numbers != 0 && phrase.type(k + numbers) == GliderLexer::COMPASS ? numbers + 1 : 0;
-}
-
-/// The dimension of a value that is written out, as a type: "length"; empty: not known.
-std::string_view typeOf(const Phrase& phrase, size_t k) {
-  if (oneOf(phrase.type(k), {GliderLexer::TRUE, GliderLexer::FALSE})) {
-    return "bool";
-  }
-  if (const size_t latitude = tokensOfHalf(phrase, k); latitude != 0) {
-    return tokensOfHalf(phrase, k + latitude) != 0 ? "position" : "";
-  }
-  const size_t tokens = tokensOfNumber(phrase, k);
-  const size_t number = k + (phrase.type(k) == GliderLexer::MINUS ? 1 : 0);
-  if (tokens == 0) {
-    return "";
-  }
-  const size_t next = k + tokens;
-  std::string unit;
-  for (size_t i = number + 1; i < next; ++i) {
-    unit += phrase.text(i);
-  }
-  if (phrase.type(next) == GliderLexer::DIVIDE && isAnyName(phrase.type(next + 1))) {
-    unit += "/" + std::string(phrase.text(next + 1));
-  } else if (isOperator(phrase.type(next))) {
-    return "";
-  }
-  const auto known = support::parseUnit(unit);
-  if (!unit.empty() && !known) {
-    return "";
-  }
-#define DIMENSION(name, m, kg, s, a, k, rad, unit_)                     \
-  if ((unit.empty() ? support::dimension::number : known->dimension) == \
-      support::dimension::name) {                                       \
-    return #name;                                                       \
-  }
-#include "support/units/dimensions.def"
-#undef DIMENSION
-  return "";
-}
 
 /// The tokens of the size `[8]` of an array, from token `first` on; 0: there is none.
 size_t tokensOfSize(const Phrase& phrase, size_t first) {
@@ -130,17 +84,6 @@ size_t sizeAfterType(Phrase& phrase) {
   phrase.put(phrase.token(2));
   phrase.put(phrase.token(3));
   return 4 + size;
-}
-
-bool isTypeName(std::string_view word) {
-  constexpr std::array kTypes = {
-      std::string_view("bool"),
-      std::string_view("position"),
-#define DIMENSION(name, m, kg, s, a, k, rad, unit) std::string_view(#name),
-#include "support/units/dimensions.def"
-#undef DIMENSION
-  };
-  return std::ranges::find(kTypes, word) != kTypes.end();
 }
 
 /// Whether an action sets `name`, which is declared here.

@@ -87,7 +87,7 @@ bool Phrase::isDeclared(std::string_view name) {
   if (!declared_) {
     declared_.emplace();
     for (size_t i = 0; i + 1 < in_.size(); ++i) {
-      if ((i > 0 && wantsName(in_[i - 1].type)) ||
+      if ((i > 0 && (wantsName(in_[i - 1].type) || in_[i - 1].type == GliderLexer::CHOOSE)) ||
           oneOf(in_[i + 1].type, {GliderLexer::COLON, GliderLexer::ASSIGN})) {
         declared_->insert(source().text(in_[i]));
       }

@@ -43,6 +43,8 @@ bool among(uint32_t type) {
 /// is anything else.
 constexpr Row kRows[] = {
     {phrases::textWithoutOpeningQuote, anyToken},
+    {phrases::choice, among<GliderLexer::CHOOSE, GliderLexer::NAME>},
+    {phrases::preference, among<GliderLexer::PREFER, GliderLexer::NAME>},
     {phrases::writtenPosition, among<GliderLexer::NUMBER, GliderLexer::COMPASS, GliderLexer::NAME>},
     {phrases::promiseWithoutRequire, isName},
     {phrases::comment, among<GliderLexer::MINUS, GliderLexer::UNIT, GliderLexer::SEMICOLON,

@@ -58,6 +58,10 @@ size_t reaction(Phrase& phrase);
 size_t stateWordInPromise(Phrase& phrase);
 /// `pack 168 Ah 14.4 V`.
 size_t packWithoutAt(Phrase& phrase);
+/// `choose bottom : length from 60 m to 180 m step 5 m`.
+size_t choice(Phrase& phrase);
+/// `prefer maximum bottom, endurance`, `maximise bottom`.
+size_t preference(Phrase& phrase);
 /// `require visit look and home within 5 h`.
 size_t andOfPlaces(Phrase& phrase);
 /// `assume no outages`, `assume current < 0.2 m/s`.

@@ -95,6 +95,12 @@ void StructureRepair::step(Lexeme t) {
   if (at_ == begin_at_ && supplyBegin(t)) {
     return;
   }
+  if (!skipping && !blocks_.empty() && startsChoice(t)) {
+    reporter_.at(t, support::diagnostics::insideState, source_.text(t), blocks_.front().what);
+    skipping_in_block_ = true;
+    undeclared_ = true;
+    return;
+  }
   if (keyword) {
     structural(t);
   } else if (!skipping && (declaresPlace(t) || startsAssumption(t))) {
@@ -136,6 +142,14 @@ void StructureRepair::dropComma(const Lexeme& t) {
     report.fix(source_.range(comma), "");
   }
   out_.pop_back();
+}
+
+bool StructureRepair::startsChoice(const Lexeme& t) const {
+  const bool choice = t.type == GliderLexer::CHOOSE && isAnyName(peek(1).type) &&
+                      peek(2).type == GliderLexer::COLON;
+  return choice ||
+         (t.type == GliderLexer::PREFER &&
+          oneOf(peek(1).type, {GliderLexer::LEAST, GliderLexer::GREATEST, GliderLexer::ENDURANCE}));
 }
 
 bool StructureRepair::startsAssumption(const Lexeme& t) const {

@@ -33,7 +33,7 @@ class StructureRepair {
 
   Repaired run();
   /// Whether something was read as what it may not mean: its names and types are not checked.
-  [[nodiscard]] bool guessed() const { return values_.guessed(); }
+  [[nodiscard]] bool guessed() const { return values_.guessed() || undeclared_; }
 
  private:
   enum class BlockKind : uint8_t { Members, Do, If };
@@ -65,6 +65,8 @@ class StructureRepair {
   void dropComma(const Lexeme& t);
   /// `assume`, `share` and `vehicles` may also be names.
   [[nodiscard]] bool startsAssumption(const Lexeme& t) const;
+  /// `choose NAME : …`, `prefer least …`: in a block these are nothing else.
+  [[nodiscard]] bool startsChoice(const Lexeme& t) const;
   /// `place NAME = …`
   [[nodiscard]] bool declaresPlace(const Lexeme& t) const;
 
@@ -148,6 +150,7 @@ class StructureRepair {
   size_t begin_at_ = SIZE_MAX;  ///< where in `in_` a `begin` is expected but missing
   bool in_always_ = false;
   bool skipping_ = false;           ///< what follows is outside every state: up to the next item
+  bool undeclared_ = false;         ///< a choice was left out: its uses would be reported
   bool skipping_in_block_ = false;  ///< or not allowed in a state: up to its next member
 };
 

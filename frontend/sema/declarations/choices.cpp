@@ -6,16 +6,21 @@
 #include "frontend/sema/declarations/declared_value.h"
 #include "frontend/sema/declarations/only_item.h"
 #include "frontend/sema/expressions/evaluate.h"
+#include "frontend/spelling.h"
 #include "ir/eval/arithmetic.h"
 #include "support/diagnostics/ids/meaning.h"
+#include "support/diagnostics/ids/syntax.h"
 #include "support/units/units.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace glider::frontend {
 namespace {
@@ -132,7 +137,11 @@ void checkCondition(const ast::Choice& node, Scope& scope) {
   }
 }
 
+/// What its line lacks is more than a value if an error is in it.
 void warnOfOpen(const ast::Choice& node, Scope& scope) {
+  if (scope.diagnostics().hasErrorIn(node.where)) {
+    return;
+  }
   const std::string lowest = scope.text(node.range.lowest.where);
   scope.report(support::diagnostics::notChosen, node.constant.name.where, node.constant.name.text,
                lowest,
@@ -140,11 +149,65 @@ void warnOfOpen(const ast::Choice& node, Scope& scope) {
                            node.constant.type->text, lowest));
 }
 
+/// "`bottom` or `hours`": what can be preferred.
+std::string choicesOf(const Scope& scope) {
+  constexpr size_t kMost = 3;
+  std::vector<std::string> names;
+  for (const auto& [name, constant] : scope.constants) {
+    if (constant.choice && names.size() < kMost) {
+      names.push_back(fmt::format("`{}`", name));
+    }
+  }
+  return fmt::format("{}", fmt::join(names, " or "));
+}
+
+/// `least energyused`, `greatest endurance`, `greatest depth`: names of what only the flight will
+/// tell. True if that was reported.
+bool refuseUnchosen(const ast::Objective& node, Scope& scope) {
+  constexpr std::array<std::string_view, 9> kEnergy = {"endurance", "energyused",  "energyleft",
+                                                       "energy",    "power",       "battery",
+                                                       "charge",    "consumption", "batteries"};
+  const auto* use = std::get_if<ast::NameUse>(&node.value->node);
+  if (use == nullptr || scope.findConstant(use->name) != nullptr ||
+      scope.refused_names.contains(use->name)) {
+    return false;
+  }
+  const support::SourceRange& where = node.value->where;
+  if (std::ranges::find(kEnergy, use->name) != kEnergy.end()) {
+    const bool used = use->name != "endurance" && use->name != "energyleft";
+    auto report = scope.report(support::diagnostics::unexpectedToken, node.where, "`endurance`",
+                               fmt::format("`{}`", scope.text(node.where)));
+    report.hint("write `endurance`: it prefers the least energy");
+    if (used == (node.aim == ast::Aim::Least)) {
+      report.fix(node.where, "endurance");
+    }
+    return true;
+  }
+  std::vector<std::string_view> names;
+  for (const auto& [name, constant] : scope.constants) {
+    names.push_back(name);
+  }
+  const Named* named = scope.findNamed(use->name);
+  if (named == nullptr && !didYouMean(use->name, names, "").hint.empty()) {
+    return false;  // a name that is spelled wrong
+  }
+  auto report =
+      scope.report(support::diagnostics::notConstant, where, use->name, "what is preferred");
+  report.hint(fmt::format("only what is chosen can be preferred: {}", choicesOf(scope)));
+  if (named != nullptr) {
+    report.note(named->name->where, fmt::format("it is {}", describe(named->kind)));
+  }
+  return true;
+}
+
 /// Evaluates what is preferred; empty, and reported, if it must wait for the flight.
 std::optional<OpenObjective> readObjective(const ast::Objective& node, Scope& scope) {
   OpenObjective made{node.aim, 0, plainNumber(), node.where, node.where};
   if (!node.value) {
     return made;
+  }
+  if (refuseUnchosen(node, scope)) {
+    return std::nullopt;
   }
   Context context;
   context.constant = "what is preferred";

@@ -25,12 +25,13 @@ class Declarations {
   explicit Declarations(Scope& scope) : scope_(scope) {}
 
   /// Enters the names of constants, so that one used too early is recognised.
-  void enterConstant(const ast::Const& node) {
+  void enterConstant(const ast::Const& node, bool choice) {
     if (scope_.refuseName(node.name, "a constant") || scope_.refuseSecond(node.name)) {
       return;
     }
     Constant constant;
     constant.name = &node.name;
+    constant.choice = choice;
     scope_.constants.emplace(node.name.text, constant);
   }
 
@@ -236,9 +237,9 @@ void declare(const ast::File& file, bool library, Scope& scope) {
   }
   for (const ast::Item* item : items) {
     if (const auto* constant = std::get_if<ast::Const>(item)) {
-      declarations.enterConstant(*constant);
+      declarations.enterConstant(*constant, false);
     } else if (const auto* choice = std::get_if<ast::Choice>(item)) {
-      declarations.enterConstant(choice->constant);
+      declarations.enterConstant(choice->constant, true);
     } else if (const auto* parameter = std::get_if<ast::Param>(item)) {
       declarations.enterParameter(*parameter);
     } else if (const auto* variable = std::get_if<ast::Var>(item)) {

@@ -38,6 +38,7 @@ struct Constant {
   Scale scale;
   Path path;                     ///< not empty: a path, and nothing else
   std::vector<double> elements;  ///< not empty: an array of values of `type`, and nothing else
+  bool choice = false;           ///< `glidercc plan` chooses it: a line `choose`
   bool worked_out = false;       ///< its definition was reached
   bool valid = false;            ///< evaluated without errors; errors have been reported
   bool open = false;             ///< its value is that of a choice, or follows from one

@@ -126,10 +126,10 @@ HungryState drawState(size_t states, Rng& dice) {
 
 /// Near the bottom of its dive it begins to rise, and is sent down again at once.
 HungryMission nod(Rng& dice) {
-  const int bottom = from(8, kDeepest_m, dice);
-  const int rise = bottom - from(1, 4, dice), again = rise - from(0, 2, dice);
+  const int bottom = from(40, 150, dice);
+  const int rise = bottom - from(1, 3, dice), again = rise - from(1, 3, dice);
   HungryState state;
-  state.entry = {Kind::Descend, bottom, drawPitch(dice)};
+  state.entry = {Kind::Descend, bottom, oneOf<4>({20, 26, 35, 45}, dice)};
   state.turns = {{{{Asked::Shallower, rise}}, {Kind::Surface, 0, 0}}};
   state.leads = {{{{Asked::Shallower, again}}, 0}};
   return {state};
@@ -152,6 +152,14 @@ HungryMission shallowYo(Rng& dice) {
   HungryState state;
   const int top = from(kShallowest_m, 6, dice);
   state.yo = {top, top + from(1, 4, dice), oneOf<3>({26, 35, 45}, dice)};
+  return {state};
+}
+
+/// Most of what it takes is the pump's, which turns it below.
+HungryMission deepYo(Rng& dice) {
+  HungryState state;
+  const int top = from(60, 150, dice);
+  state.yo = {top, top + from(5, 40, dice), drawPitch(dice)};
   return {state};
 }
 
@@ -369,7 +377,7 @@ std::string textOf(const HungryMission& mission) {
 }
 
 HungryMission dangerousMission(size_t number, Rng& dice) {
-  static constexpr std::array kKinds = {nod, flop, shallowYo, hover, chatter};
+  static constexpr std::array kKinds = {nod, flop, shallowYo, deepYo, hover, chatter};
   return kKinds.at(number % kKinds.size())(dice);
 }
 

@@ -31,7 +31,7 @@ simulator::Scenario drawSea(simulator::Scenario scenario, Rng& dice) {
   drawWater(scenario.ocean, dice);
   scenario.ocean.bottom.depth_m = dice.within(80, 250);
   const bool hungry = dice.chance(0.5);
-  setHunger(scenario.vehicle, [&] { return hungry ? 1 : dice.within(-1, 1); });
+  setHunger(scenario.vehicle, usualBoardPower(), [&] { return hungry ? 1 : dice.within(-1, 1); });
   return scenario;
 }
 
@@ -46,7 +46,7 @@ struct Judged {
 std::vector<Judged> judgedMissions(uint64_t random, uint64_t seed) {
   std::vector<Judged> all;
   for (FlyingMission& mission : missions(random, seed)) {
-    const auto bound = boundOfEnergy(mission);
+    const auto bound = boundOfEnergy(mission, slocum(), usualBoardPower());
     EXPECT_TRUE(bound) << mission.name;
     all.push_back({std::move(mission), *bound, {}});
   }

@@ -23,11 +23,6 @@ namespace {
 
 using ir::prove::EnergyBound;
 
-const platforms::BoardPower& board() {
-  static const auto usual = compiler::usualBoard(slocum());
-  return *(*usual)->power;
-}
-
 /// The energy that is taken while the SBC has control and hookbeh does what it says.
 class EnergyWatch final : public simulator::FlightObserver {
  public:
@@ -71,18 +66,26 @@ class EnergyWatch final : public simulator::FlightObserver {
 
 }  // namespace
 
-std::optional<EnergyBound> boundOfEnergy(const FlyingMission& mission) {
-  return ir::prove::energyBoundOf(mission.flown->checked->mission(), slocum(), board(),
+const platforms::BoardPower& usualBoardPower() {
+  static const auto usual = compiler::usualBoard(slocum());
+  return *(*usual)->power;
+}
+
+std::optional<EnergyBound> boundOfEnergy(const FlyingMission& mission,
+                                         const platforms::Platform& platform,
+                                         const platforms::BoardPower& board) {
+  return ir::prove::energyBoundOf(mission.flown->checked->mission(), platform, board,
                                   ir::prove::Parameters::AsWritten);
 }
 
-void setHunger(simulator::VehicleSettings& vehicle, const std::function<double()>& share) {
+void setHunger(simulator::VehicleSettings& vehicle, const platforms::BoardPower& board,
+               const std::function<double()>& share) {
   for (platforms::Draw& draw : vehicle.battery.power.draws) {
     const double by = 1 + draw.spread * share();
     draw.amount *= by;
     draw.amount_per_m *= by;
   }
-  vehicle.battery.sbc_W = board().running_W * (1 + board().spread * share());
+  vehicle.battery.sbc_W = board.running_W * (1 + board.spread * share());
 }
 
 FlownEnergy flyForEnergy(const FlyingMission& mission, const EnergyBound& bound,

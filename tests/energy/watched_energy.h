@@ -14,12 +14,18 @@
 /// Flights whose energy is compared with its bound.
 namespace glider::tests {
 
-/// As energyBoundOf, for the usual board and the parameters as written.
-std::optional<ir::prove::EnergyBound> boundOfEnergy(const FlyingMission& mission);
+/// What the usual board draws.
+const platforms::BoardPower& usualBoardPower();
+
+/// As energyBoundOf, for the parameters as written.
+std::optional<ir::prove::EnergyBound> boundOfEnergy(const FlyingMission& mission,
+                                                    const platforms::Platform& platform,
+                                                    const platforms::BoardPower& board);
 
 /// Each device of the vehicle takes what the power table says times 1 plus `share` of its spread:
-/// `share` is asked for each, the SBC last.
-void setHunger(simulator::VehicleSettings& vehicle, const std::function<double()>& share);
+/// `share` is asked for each, the SBC, which is `board`, last.
+void setHunger(simulator::VehicleSettings& vehicle, const platforms::BoardPower& board,
+               const std::function<double()>& share);
 
 /// What a flight took while the SBC had control and hookbeh did what it said.
 struct FlownEnergy {

@@ -135,7 +135,7 @@ std::string figureLines(const FlightFigures& figures) {
   }
   if (!figures.energy.at_most.empty()) {
     line("  bound", fmt::format("at most {:.1f} Wh in any sea, until the mission ends",
-                                   figures.energy.atMost_Wh()));
+                                figures.energy.atMost_Wh()));
   }
   if (std::isfinite(figures.warmest_degC)) {
     line("temperature",

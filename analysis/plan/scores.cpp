@@ -43,7 +43,7 @@ std::string unitFor(const std::string& text, const ir::Type& type, const PlanGri
 /// What differs by no more than rounding is equal.
 double withoutRounding(double score) {
   constexpr int kDigits = 12;
-  CHECK(std::isfinite(score), "a score that is no number");
+  CHECK(std::isfinite(score), "a score that is not known");
   return std::stod(fmt::format("{:.{}g}", score, kDigits));
 }
 

@@ -260,8 +260,8 @@ void StatementLowering::refuseSet(const ast::Name& name) {
         .report(support::diagnostics::cannotSet, name.where, name.text,
                 constant->choice ? "chosen by `glidercc plan`" : "a constant",
                 constant->choice ? "it keeps that value: `set` a `var` that has it as its initial "
-                                 "value"
-                               : "declare it with `var` and a type")
+                                   "value"
+                                 : "declare it with `var` and a type")
         .note(constant->name->where, "it is declared here");
     return;
   }

@@ -5,6 +5,8 @@
 // what stands before the damage stays as it was.
 
 #include "frontend/parse/lexeme.h"
+#include "frontend/parse/token_kinds.h"
+#include "support/units/units.h"
 #include "tests/unit/frontend/symbols_of.h"
 
 #include <algorithm>
@@ -58,6 +60,12 @@ bool namesPlatform(const std::string& text, const std::vector<Lexeme>& lexemes, 
                     (before != 0 && wordAt(text, lexemes[before - 1]) == "vehicles"));
 }
 
+/// Whether the word at `i` is a unit that is a name elsewhere: `85 Wh`.
+bool isSoftUnit(const std::string& text, const std::vector<Lexeme>& lexemes, size_t i) {
+  return i != 0 && lexemes[i - 1].type == GliderLexer::NUMBER &&
+         support::findUnit(wordAt(text, lexemes[i])).has_value();
+}
+
 TEST(SymbolsOfMissions, EveryNameIsKnown) {
   size_t names = 0;
   for (const std::string& path : missions()) {
@@ -69,7 +77,7 @@ TEST(SymbolsOfMissions, EveryNameIsKnown) {
       // What an `extern` calls its parameters can be used nowhere.
       const bool formal = wordAt(text, lexemes[i + (name ? 1 : 0)]) == ":";
       if (name && !inType(text, lexemes, i) && !namesArgument(text, lexemes, i) &&
-          !namesPlatform(text, lexemes, i) &&
+          !namesPlatform(text, lexemes, i) && !isSoftUnit(text, lexemes, i) &&
           !(formal && run.table.at(run.file, lexemes[i].begin) == nullptr)) {
         ++names;
         const Symbol* symbol = run.table.at(run.file, lexemes[i].begin);

@@ -5,7 +5,6 @@
 // what stands before the damage stays as it was.
 
 #include "frontend/parse/lexeme.h"
-#include "frontend/parse/token_kinds.h"
 #include "support/units/units.h"
 #include "tests/unit/frontend/symbols_of.h"
 
@@ -62,7 +61,8 @@ bool namesPlatform(const std::string& text, const std::vector<Lexeme>& lexemes, 
 
 /// Whether the word at `i` is a unit that is a name elsewhere: `85 Wh`.
 bool isSoftUnit(const std::string& text, const std::vector<Lexeme>& lexemes, size_t i) {
-  return i != 0 && lexemes[i - 1].type == GliderLexer::NUMBER &&
+  const std::string before = i == 0 ? "" : wordAt(text, lexemes[i - 1]);
+  return !before.empty() && before.front() >= '0' && before.front() <= '9' &&
          support::findUnit(wordAt(text, lexemes[i])).has_value();
 }
 

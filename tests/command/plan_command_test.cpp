@@ -148,7 +148,8 @@ TEST_F(PlanCommand, KeepsAwayFromWhatHasNoValue) {
   EXPECT_THAT(plan.out, HasSubstr("2 ways: an error in line 5 [GL2043]"));
 }
 
-/// The end of a range that is not exactly a number of its unit, and scores that differ by rounding only.
+/// The end of a range that is not exactly a number of its unit, and scores that differ by rounding
+/// only.
 TEST_F(PlanCommand, RoundingDecidesNothing) {
   write(
       "mission m\nconst bottom = 30 m\n"

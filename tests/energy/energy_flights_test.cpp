@@ -24,17 +24,6 @@ namespace {
 using ir::prove::EnergyBound;
 using ir::prove::Rng;
 
-/// A healthy vehicle in deep water: hookbeh does not have to turn it, which no bound counts.
-simulator::Scenario drawSea(simulator::Scenario scenario, Rng& dice) {
-  scenario.vehicle.initial_heading_rad = dice.within(0, 2 * std::numbers::pi);
-  scenario.vehicle.flight.drag = dice.within(0.10, 0.20);
-  drawWater(scenario.ocean, dice);
-  scenario.ocean.bottom.depth_m = dice.within(80, 250);
-  const bool hungry = dice.chance(0.5);
-  setHunger(scenario.vehicle, usualBoardPower(), [&] { return hungry ? 1 : dice.within(-1, 1); });
-  return scenario;
-}
-
 /// A mission, its bound, and the flight that took the most.
 struct Judged {
   FlyingMission mission;

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 namespace glider::tests {
@@ -105,6 +106,16 @@ FlownEnergy flyForEnergy(const FlyingMission& mission, const EnergyBound& bound,
   const auto trace = simulator::simulate(std::move(setup));
   EXPECT_TRUE(trace) << mission.name;
   return watch.flown();
+}
+
+simulator::Scenario drawSea(simulator::Scenario scenario, ir::prove::Rng& dice) {
+  scenario.vehicle.initial_heading_rad = dice.within(0, 2 * std::numbers::pi);
+  scenario.vehicle.flight.drag = dice.within(0.10, 0.20);
+  drawWater(scenario.ocean, dice);
+  scenario.ocean.bottom.depth_m = dice.within(80, 250);
+  const bool hungry = dice.chance(0.5);
+  setHunger(scenario.vehicle, usualBoardPower(), [&] { return hungry ? 1 : dice.within(-1, 1); });
+  return scenario;
 }
 
 }  // namespace glider::tests

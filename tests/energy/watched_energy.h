@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ir/prove/energy/energy_bound.h"
+#include "ir/prove/falsification/rng.h"
 #include "simulator/scenario/scenario.h"
 #include "tests/world/watched_flight.h"
 
@@ -26,6 +27,10 @@ std::optional<ir::prove::EnergyBound> boundOfEnergy(const FlyingMission& mission
 /// `share` is asked for each, the SBC, which is `board`, last.
 void setHunger(simulator::VehicleSettings& vehicle, const platforms::BoardPower& board,
                const std::function<double()>& share);
+
+/// The scenario with another sea, on a healthy vehicle in deep water: hookbeh does not have to turn
+/// it, which no bound counts. Half of the vehicles take all of their spread.
+simulator::Scenario drawSea(simulator::Scenario scenario, ir::prove::Rng& dice);
 
 /// What a flight took while the SBC had control and hookbeh did what it said.
 struct FlownEnergy {

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What `glidercc plan` chooses flies as it promises: no flight of a plan takes more energy than the
+// bound by which it was chosen. scripts/soak/plans flies a thousand.
+
+#include "analysis/plan/plan_mission.h"
+#include "simulator/scenario/scenario.h"
+#include "tests/energy/watched_energy.h"
+#include "tests/plan/problems.h"
+#include "tests/slocum.h"
+#include "tests/world/fleet.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace glider::tests {
+namespace {
+
+struct Planned {
+  FlyingMission mission;
+  ir::prove::EnergyBound bound;
+};
+
+std::string openText(const Problem& problem) {
+  const auto text = [](const OpenValue& open, double value) {
+    return fmt::format("{:.10g}{}{}", value, open.unit.empty() ? "" : " ", open.unit);
+  };
+  std::string all = "mission " + problem.name + "\n" + problem.prefer + "\n";
+  for (const OpenValue& one : problem.open) {
+    all += fmt::format("choose {}: {} in {} .. {} by {}{}\n", one.name, one.type,
+                       text(one, one.lowest), text(one, one.highest), text(one, one.step),
+                       one.where.empty() ? "" : " where " + one.where);
+  }
+  return all + problem.rest;
+}
+
+Planned planOf(const Problem& problem) {
+  const auto compiled = compiler::compileText("m.mission", openText(problem));
+  EXPECT_TRUE(compiled) << problem.name;
+  analysis::CheckObserver silent;
+  const auto planned = analysis::planMission("m.mission", *compiled, {}, silent);
+  EXPECT_TRUE(planned && planned->plan.chosen) << problem.name;
+  auto mission = loadMission(problem.name + ".mission", planned->text);
+  EXPECT_TRUE(mission) << planned->text;
+  const auto bound = boundOfEnergy(*mission, slocum(), usualBoardPower());
+  EXPECT_TRUE(bound) << planned->text;
+  return {std::move(*mission), *bound};
+}
+
+/// For a day, with a mission file that lets dives go to 200 m.
+simulator::Scenario deepSea() {
+  support::SourceManager sources;
+  support::DiagnosticEngine diagnostics;
+  const auto path = std::filesystem::path(GLIDER_SOURCE_DIR) / "tests/energy/still.toml";
+  simulator::Scenario sea = *simulator::loadScenario(path, slocum(), sources, diagnostics);
+  constexpr double kDay_s = 86400;
+  sea.duration_s = kDay_s;
+  return sea;
+}
+
+TEST(PlanFlights, TakeNoMoreThanThePlanSays) {
+  setenv("GLIDERCC_SHARE", GLIDER_BINARY_DIR "/share/glidercc", 1);
+  const uint64_t count = wanted("GLIDER_PLAN_FLIGHTS", 22);
+  const uint64_t seed = wanted("GLIDER_PLAN_SEED", 1);
+  std::vector<Planned> plans;
+  for (const Problem& problem : planProblems()) {
+    plans.push_back(planOf(problem));
+  }
+  const simulator::Scenario deep = deepSea();
+  uint64_t in_control = 0;
+  double nearest = 0;
+  for (uint64_t i = seed; i < seed + count; ++i) {
+    const Planned& one = plans[i % plans.size()];
+    ir::prove::Rng dice(i);
+    const auto sea = drawSea(deep, dice);
+    const FlownEnergy flown = flyForEnergy(one.mission, one.bound, sea, i);
+    in_control += flown.seconds > 0;
+    EXPECT_LE(flown.nearest, 1) << "flight " << i << ": " << one.mission.name << " in " << sea.name;
+    nearest = std::max(nearest, flown.nearest);
+  }
+  EXPECT_EQ(in_control, count);
+  EXPECT_GT(nearest, 0.3) << "flights that say little of the bound";
+  if (count > 22) {
+    fmt::print("{} flights of plans, {} in control; nearest to a bound: {:.3f} of it\n", count,
+               in_control, nearest);
+  }
+}
+
+}  // namespace
+}  // namespace glider::tests

@@ -52,4 +52,13 @@ support::Result<std::optional<platforms::Board>> usualBoard(const platforms::Pla
                : std::unexpected(board.error());
 }
 
+support::Result<std::optional<platforms::BoardPower>> usualBoardPower(
+    const platforms::Platform& platform) {
+  auto board = usualBoard(platform);
+  if (!board) {
+    return std::unexpected(board.error());
+  }
+  return *board ? (*board)->power : std::nullopt;
+}
+
 }  // namespace glider::compiler

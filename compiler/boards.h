@@ -23,5 +23,8 @@ std::filesystem::path boardDirectory(const std::string& target);
 support::Result<platforms::Board> loadTarget(const std::string& name);
 /// Loads the SBC that is usually on a vehicle; empty: none is known.
 support::Result<std::optional<platforms::Board>> usualBoard(const platforms::Platform& platform);
+/// What that draws; empty: its file does not say, or none is known.
+support::Result<std::optional<platforms::BoardPower>> usualBoardPower(
+    const platforms::Platform& platform);
 
 }  // namespace glider::compiler

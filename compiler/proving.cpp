@@ -36,8 +36,7 @@ ir::prove::Findings prove(const Checked& checked, ir::prove::Options options,
                           support::DiagnosticEngine& diagnostics) {
   options.library = checked.lowered->standard_library;
   if (checked.mission().pack) {  // promises about its energy count the SBC
-    const auto board = usualBoard(checked.worlds.widest.platform);
-    options.board = board && *board ? (*board)->power : std::nullopt;
+    options.board = usualBoardPower(checked.worlds.widest.platform).value_or(std::nullopt);
   }
   support::DiagnosticEngine found;
   ir::prove::Findings findings = ir::prove::prove(checked.worlds, checked.facts, options, found);

@@ -85,10 +85,6 @@ std::string stackLine(const report::CheckedMission& found) {
                      fmt::join(found.deepest_path, " calls "));
 }
 
-constexpr unsigned kMostEffort = 100;
-constexpr double kShortestTimeout_s = 0.001;
-constexpr double kLongestTimeout_s = 1e6;
-
 /// ", 3 requirements proved with skeleton.mi, in water of 35 m or more"; empty if the mission
 /// requires nothing.
 std::string provedLine(const CheckedFile& checked) {
@@ -513,17 +509,7 @@ void addCheckCommand(CLI::App& app, int& status) {
                    "With --report: the boards to report on, as listed by `glidercc targets` [all "
                    "boards of the vehicle]")
       ->option_text("TARGET ...");
-  command
-      ->add_option(
-          "--effort", options->check.effort,
-          "Multiply the resource limits of proofs by N: 1 million steps of Z3 a question, 40 "
-          "million all requirements of a mission [1]")
-      ->check(CLI::Range(1U, kMostEffort))
-      ->option_text("N");
-  addDurationOption(*command, "--timeout", options->timeout_s, kShortestTimeout_s,
-                    kLongestTimeout_s,
-                    "Begin no question of a proof later than this after the first, as in 5s or "
-                    "2min; what is left is undecided [no limit]");
+  addProofOptions(*command, options->check.effort, options->timeout_s);
   command->add_flag("--strict", options->strict,
                     "Exit with 1 also for warnings and for requirements that are not proved");
   addVehicleOptions(*command, *options);

@@ -3,6 +3,7 @@
 
 #include "driver/shared_options.h"
 
+#include "driver/usage/quantity.h"
 #include "driver/usage/values.h"
 
 #include <fmt/format.h>
@@ -33,6 +34,20 @@ void addLaunchOptions(CLI::App& command, flights::LaunchChoice& choice) {
       .add_option("--parameters", choice.file,
                   "Read parameters from a file with lines `NAME = VALUE`; --set takes precedence")
       ->option_text("FILE");
+}
+
+void addProofOptions(CLI::App& command, unsigned& effort, std::optional<double>& timeout_s) {
+  constexpr unsigned kMostEffort = 100;
+  constexpr double kShortestTimeout_s = 0.001, kLongestTimeout_s = 1e6;
+  command
+      .add_option("--effort", effort,
+                  "Multiply the resource limits of proofs by N: 1 million steps of Z3 a question, "
+                  "40 million all requirements of a mission [1]")
+      ->check(CLI::Range(1U, kMostEffort))
+      ->option_text("N");
+  addDurationOption(command, "--timeout", timeout_s, kShortestTimeout_s, kLongestTimeout_s,
+                    "Begin no question of a proof later than this after the first, as in 5s or "
+                    "2min; what is left is undecided [no limit]");
 }
 
 void addLinkOption(CLI::App& command, std::vector<std::string>& files) {

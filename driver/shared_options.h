@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ namespace glider::driver {
 
 /// Adds --set and --parameters to `command`.
 void addLaunchOptions(CLI::App& command, flights::LaunchChoice& choice);
+
+/// Adds --effort and --timeout, the limits of proofs, to `command`.
+void addProofOptions(CLI::App& command, unsigned& effort, std::optional<double>& timeout_s);
 
 /// Adds --link FILE to `command`.
 void addLinkOption(CLI::App& command, std::vector<std::string>& files);

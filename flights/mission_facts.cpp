@@ -292,13 +292,12 @@ class PlaceFinder {
 std::vector<support::Consumer> atMost(const compiler::Checked& mission,
                                       const std::vector<double>& parameters) {
   std::vector<support::Consumer> all;
-  const auto board = compiler::usualBoard(mission.worlds.widest.platform);
+  const auto board = compiler::usualBoardPower(mission.worlds.widest.platform);
   if (!board || parameters != ir::defaultParameters(mission.mission())) {
     return all;
   }
   const auto bound = ir::prove::energyBoundOf(mission.mission(), mission.worlds.widest.platform,
-                                              *board ? (*board)->power : std::nullopt,
-                                              ir::prove::Parameters::AsWritten);
+                                              *board, ir::prove::Parameters::AsWritten);
   if (bound && bound->joules) {
     for (const ir::prove::DeviceEnergy& one : bound->devices) {
       all.push_back({one.device, one.joules / platforms::kJoulesPerWattHour});

@@ -41,13 +41,10 @@ struct OpenChoice {
   std::string name;
   ir::Type type;
   std::string unit;   ///< of its range, as written; empty: the SI unit, or none
-  double value = 0;   ///< as written, or the lowest; SI units
-  double lowest = 0;  ///< of its range
+  double lowest = 0;  ///< of its range, SI units
   double highest = 0;
   double step = 0;               ///< between the values that are tried; 0: the line names none
-  support::SourceRange line;     ///< from `choose` on
   support::SourceRange written;  ///< of its value; empty, and after its type: none is written
-  support::SourceRange range;    ///< of `60 m .. 180 m`
 };
 
 /// A part of the line `prefer`.
@@ -55,8 +52,7 @@ struct OpenObjective {
   ast::Aim aim = ast::Aim::Endurance;
   double value = 0;  ///< with the choices as they are; SI units; of all but endurance
   ir::Type type;
-  support::SourceRange range;
-  support::SourceRange value_range;  ///< of its expression
+  support::SourceRange range;  ///< of its expression
 };
 
 /// What the mission leaves open.

@@ -4,6 +4,7 @@
 #include "analysis/brief/in_words.h"
 
 #include "analysis/brief/written.h"
+#include "support/listed.h"
 #include "support/one_line.h"
 #include "support/units/position_text.h"
 
@@ -20,14 +21,6 @@ namespace {
 constexpr std::string_view kLatitude = ".latitude";
 
 }  // namespace
-
-std::string listed(const std::vector<std::string>& items) {
-  std::string text;
-  for (size_t i = 0; i < items.size(); ++i) {
-    text += (i == 0 ? "" : i + 1 == items.size() ? " and " : ", ") + items[i];
-  }
-  return text;
-}
 
 std::string InWords::written(support::SourceRange range) const {
   return range.valid() ? inCode(support::onOneLine(sources_.text(range))) : "";
@@ -60,7 +53,7 @@ std::string InWords::values(const std::vector<ir::ExprId>& values) const {
     }
     all.push_back(written(m_[values[i]].range));
   }
-  return listed(all);
+  return support::listed(all);
 }
 
 const WrittenLoop* InWords::loopOf(const ir::Statement& statement,
@@ -187,7 +180,7 @@ std::string InWords::transition(const ir::Case& c) const {
     given.push_back(fmt::format("{} = {}", inCode(name), value));
   }
   return fmt::format("{} {}{}{}", c.transition == ir::Transition::Goto ? "goes to" : "calls",
-                     inCode(target.name), given.empty() ? "" : " with ", listed(given));
+                     inCode(target.name), given.empty() ? "" : " with ", support::listed(given));
 }
 
 report::BriefEvent InWords::event(const ir::Case& c, const std::string& never) const {
@@ -209,7 +202,7 @@ std::string InWords::samples(const ir::State& state) {
   }
   std::string text;
   for (const auto& [period_s, names] : by_period) {
-    text += (text.empty() ? "" : "; ") + listed(names) +
+    text += (text.empty() ? "" : "; ") + support::listed(names) +
             (period_s > 0 ? fmt::format(" every {:g} s", period_s) : " on every tick");
   }
   return text;

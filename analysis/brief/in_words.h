@@ -57,7 +57,4 @@ class InWords {
   std::vector<WrittenLoop> loops_;
 };
 
-/// "a", "a and b", "a, b and c".
-std::string listed(const std::vector<std::string>& items);
-
 }  // namespace glider::analysis

@@ -6,6 +6,7 @@
 #include "analysis/brief/in_words.h"
 #include "analysis/brief/written.h"
 #include "ir/prove/context/duration_text.h"
+#include "support/listed.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -44,7 +45,7 @@ std::string verdicts(const report::CheckedMission& found) {
     }
   }
   const size_t all = found.requirements.size();
-  return fmt::format("Of {} requirement{}: {}.", all, all == 1 ? "" : "s", listed(parts));
+  return fmt::format("Of {} requirement{}: {}.", all, all == 1 ? "" : "s", support::listed(parts));
 }
 
 std::string warnings(const report::CheckedMission& found) {

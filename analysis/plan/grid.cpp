@@ -4,9 +4,8 @@
 #include "analysis/plan/grid.h"
 
 #include "report/picture/axis.h"
+#include "support/rounded.h"
 #include "support/units/units.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,10 +33,10 @@ std::string unitOf(const frontend::OpenChoice& choice) {
 }
 
 /// The nearest number of few digits that, as it is read, is within the range.
-double rounded(double value, double to_si, const frontend::OpenChoice& choice) {
+double readable(double value, double to_si, const frontend::OpenChoice& choice) {
   constexpr int kFewDigits = 10, kAllDigits = 17;
   for (int digits = kFewDigits; digits <= kAllDigits; ++digits) {
-    const double number = std::stod(fmt::format("{:.{}g}", value, digits));
+    const double number = support::rounded(value, digits);
     if (number * to_si >= choice.lowest && number * to_si <= choice.highest) {
       return number;
     }
@@ -80,7 +79,7 @@ PlanGrid::PlanGrid(std::span<const frontend::OpenChoice> choices) {
     std::vector<double> values = choice.step > 0 ? byStep(lowest, highest, choice.step / to_si)
                                                  : roundValues(lowest, highest);
     for (double& value : values) {
-      value = rounded(value, to_si, choice);
+      value = readable(value, to_si, choice);
     }
     rows_.push_back({choice.name, unit, std::move(values)});
   }

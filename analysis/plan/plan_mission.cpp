@@ -5,11 +5,10 @@
 
 #include "analysis/plan/front.h"
 #include "analysis/plan/grid.h"
+#include "analysis/plan/refusals.h"
 #include "analysis/plan/scores.h"
-#include "support/check.h"
 #include "support/counted.h"
 #include "support/diagnostics/ids/command.h"
-#include "support/diagnostics/ids/meaning.h"
 #include "support/grouped.h"
 #include "support/one_line.h"
 
@@ -19,8 +18,8 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
+#include <variant>
 
 namespace glider::analysis {
 namespace {
@@ -29,15 +28,6 @@ using support::Result;
 
 /// More of the front is not checked.
 constexpr size_t kMostOfFront = 40;
-
-/// "bottom = 60 m, hours = 44 h"
-std::string inWords(std::span<const compiler::ChosenValue> values) {
-  std::vector<std::string> parts;
-  for (const compiler::ChosenValue& one : values) {
-    parts.push_back(one.name + " = " + compiler::textOf(one));
-  }
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
 
 /// Receives nothing of thousands of checks.
 class Silent final : public CheckObserver {};
@@ -51,7 +41,8 @@ class Planner {
         options_(options),
         observer_(observer),
         open_(compiled_.open),
-        grid_(open_.choices) {
+        grid_(open_.choices),
+        refused_(*compiled_.sources) {
     found_.plan.path = name;
   }
 
@@ -69,14 +60,14 @@ class Planner {
     }
     if (*chosen) {
       found_.plan.chosen = optionOf(**chosen);
-      found_.plan.warnings = warnings_[(*chosen)->number];
+      refused_.takeLast(false);
+      found_.plan.warnings = proved_.at((*chosen)->number);
       write(grid_.at((*chosen)->number));
-      if (auto drawn = findFront(**chosen); !drawn) {
+      if (auto drawn = findFront(); !drawn) {
         return std::unexpected(drawn.error());
       }
     }
-    std::ranges::stable_sort(found_.plan.refused, std::ranges::greater(),
-                             &report::PlanRefusal::options);
+    found_.plan.refused = refused_.sorted();
     return std::move(found_);
   }
 
@@ -97,7 +88,7 @@ class Planner {
       return support::fail(support::diagnostics::tooManyPlans,
                            support::groupedAmount(grid_.count()), support::grouped(kMostPlans));
     }
-    found_.plan.options = static_cast<size_t>(grid_.count());
+    found_.plan.ways = static_cast<size_t>(grid_.count());
     return {};
   }
 
@@ -107,21 +98,21 @@ class Planner {
   }
 
   Result<void> scoreAll() {
-    for (size_t i = 0; i < found_.plan.options; ++i) {
+    for (size_t i = 0; i < found_.plan.ways; ++i) {
       observer_.at(fmt::format("trying {} of {}", i + 1,
-                               support::counted(found_.plan.options, "way") + " to choose"));
+                               support::counted(found_.plan.ways, "way") + " to choose"));
       const compiler::Compilation one = with(i);
       if (!one.checked) {
-        refuse(i, one.diagnostics.sorted());
+        refused_.add(i, inWords(i), one.diagnostics.sorted());
         continue;
       }
-      if (auto begun = begin(one); !begun) {
-        return begun;
+      if (auto noted = noteCommon(one); !noted) {
+        return noted;
       }
       scores_->add(i, one);
       ++found_.plan.possible;
     }
-    scored_ = true;
+    refused_.takeLast(true);
     if (scores_) {
       plans_ = scores_->sorted();
       found_.plan.objectives = scores_->objectives();
@@ -130,7 +121,7 @@ class Planner {
   }
 
   /// Notes what the ways have in common, of the first one without errors.
-  Result<void> begin(const compiler::Compilation& good) {
+  Result<void> noteCommon(const compiler::Compilation& good) {
     if (scores_) {
       return {};
     }
@@ -158,8 +149,9 @@ class Planner {
     return std::nullopt;
   }
 
-  /// Those that no other beats in all that is preferred, and that are proved.
-  Result<void> findFront(const ScoredPlan& chosen) {
+  /// Those that no other beats in all that is preferred, and that are proved: the chosen one is
+  /// the first, since none that is left comes before it.
+  Result<void> findFront() {
     std::vector<ScoredPlan> front;
     bool changed = true;
     while (changed) {
@@ -183,10 +175,15 @@ class Planner {
         found_.plan.front.push_back(optionOf(one));
       }
     }
-    std::ranges::stable_partition(found_.plan.front, [&](const report::PlanOption& one) {
-      return one.values == optionOf(chosen).values;
-    });
     return {};
+  }
+
+  void tellOf(size_t number) {
+    const std::string done =
+        found_.plan.chosen ? support::counted(proved_.size(), "way") + " proved"
+                           : fmt::format("{} refused, {} left", support::grouped(refused_.count()),
+                                         support::grouped(found_.plan.ways - refused_.count()));
+    observer_.at(fmt::format("proving what is required, with {} ({})", inWords(number), done));
   }
 
   /// Whether a check of the mission with these values has no error, and proves all that is
@@ -195,66 +192,38 @@ class Planner {
     if (proved_.contains(plan.number) || refused_.contains(plan.number)) {
       return proved_.contains(plan.number);
     }
-    observer_.at(fmt::format(
-        "proving what is required, with {} ({})", inWords(grid_.at(plan.number)),
-        found_.plan.chosen ? support::counted(proved_.size(), "way") + " proved"
-                           : fmt::format("{} refused, {} left", support::grouped(refused_.size()),
-                                         support::grouped(found_.plan.options - refused_.size()))));
+    tellOf(plan.number);
     Silent silent;
     const CheckedFile file =
         checkCompilation(found_.plan.path, with(plan.number), options_, silent);
     if (file.found.failure) {
       return std::unexpected(*file.found.failure);
     }
-    if (!file.found.ok() && file.found.requirements.empty()) {
-      refuse(plan.number, file.found.diagnostics);
-      return false;
-    }
     for (const report::JudgedRequirement& one : file.found.requirements) {
       if (one.verdict != "proved") {
-        refuse(plan.number,
-               fmt::format("`{}` {}", one.text,
-                           one.verdict == "refuted" ? "may be broken" : "stays undecided"),
-               one.reason);
+        refused_.add(plan.number, inWords(plan.number),
+                     fmt::format("`{}` {}", one.text,
+                                 one.verdict == "refuted" ? "may be broken" : "stays undecided"),
+                     one.reason);
         return false;
       }
     }
     if (!file.found.ok()) {
-      refuse(plan.number, file.found.diagnostics);
+      refused_.add(plan.number, inWords(plan.number), file.found.diagnostics);
       return false;
     }
-    proved_.insert(plan.number);
-    warnings_[plan.number] = static_cast<size_t>(std::ranges::count(
+    proved_[plan.number] = static_cast<size_t>(std::ranges::count(
         file.found.diagnostics, support::Severity::Warning, &support::Diagnostic::severity));
     return true;
   }
 
-  void refuse(size_t number, const std::vector<support::Diagnostic>& diagnostics) {
-    const auto error =
-        std::ranges::find(diagnostics, support::Severity::Error, &support::Diagnostic::severity);
-    CHECK(error != diagnostics.end(), "a mission with an error has a diagnostic of it");
-    const support::LineColumn at = compiled_.sources->place(error->range.file, error->range.begin);
-    if (error->id == support::diagnostics::choiceOutside) {
-      return refuse(number, fmt::format("not allowed by line {}", at.line), "");
+  /// "bottom = 60 m, hours = 44 h"
+  [[nodiscard]] std::string inWords(size_t number) const {
+    std::vector<std::string> parts;
+    for (const compiler::ChosenValue& one : grid_.at(number)) {
+      parts.push_back(one.name + " = " + compiler::textOf(one));
     }
-    refuse(number, fmt::format("an error in line {} [{}]", at.line, support::code(error->id)),
-           error->message);
-  }
-
-  /// Counts the way with those that have the same reason.
-  void refuse(size_t number, const std::string& reason, const std::string& detail) {
-    refused_.insert(number);
-    const auto known = std::ranges::find(found_.plan.refused, reason, &report::PlanRefusal::reason);
-    const std::string words = inWords(grid_.at(number));
-    const std::string example = detail.empty() ? words : words + ": " + detail;
-    if (known == found_.plan.refused.end()) {
-      found_.plan.refused.push_back({reason, 1, example});
-      return;
-    }
-    ++known->options;
-    if (scored_ && !found_.plan.chosen) {
-      known->example = example;  // nearer to what will be chosen than those before
-    }
+    return fmt::format("{}", fmt::join(parts, ", "));
   }
 
   [[nodiscard]] report::PlanOption optionOf(const ScoredPlan& plan) const {
@@ -289,13 +258,23 @@ class Planner {
   const PlanGrid grid_;
   std::optional<PlanScores> scores_;
   std::vector<ScoredPlan> plans_;  ///< the best first
-  bool scored_ = false;            ///< all were tried
-  std::set<size_t> proved_, refused_;
-  std::map<size_t, size_t> warnings_;  ///< of those that are proved
+  PlanRefusals refused_;
+  std::map<size_t, size_t> proved_;  ///< how many warnings each has
   PlannedMission found_;
 };
 
 }  // namespace
+
+bool isPlannable(const compiler::Compilation& compiled) {
+  if (!compiled.parsed || compiled.parsed->faulty) {
+    return false;
+  }
+  const auto lines = std::ranges::count_if(compiled.parsed->mission.items, [](const auto& item) {
+    return std::holds_alternative<ast::Choice>(item);
+  });
+  const compiler::Compilation open = compiler::withChosen(compiled, {});
+  return static_cast<size_t>(lines) == open.open.choices.size() && (lines > 0 || open.checked);
+}
 
 Result<PlannedMission> planMission(const std::string& name, const compiler::Compilation& compiled,
                                    const CheckOptions& options, CheckObserver& observer) {

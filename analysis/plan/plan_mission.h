@@ -19,11 +19,15 @@ struct PlannedMission {
   std::string text;
 };
 
+/// Whether a mission can be planned: its text has no error but by the values of its lines `choose`,
+/// and none in those lines.
+bool isPlannable(const compiler::Compilation& compiled);
+
 /// The most ways to choose that are tried.
 inline constexpr size_t kMostPlans = 10000;
 
-/// Chooses what a mission leaves open, whose text has no errors (Parsed::faulty); what is written
-/// in its lines `choose` does not matter: of all ways for which `check` proves every requirement,
+/// Chooses what a plannable mission leaves open; what is written in its lines `choose` does not
+/// matter: of all ways for which `check` proves every requirement,
 /// the one that its line `prefer` puts first; what is left goes by the energy. The ways are those
 /// of PlanGrid. Each that is chosen or on the front has been checked as if its values were written,
 /// with `options`. `observer` receives what is done. Fails if the mission leaves nothing open or

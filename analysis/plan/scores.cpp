@@ -9,9 +9,8 @@
 #include "support/check.h"
 #include "support/diagnostics/ids/command.h"
 #include "support/one_line.h"
+#include "support/rounded.h"
 #include "support/units/units.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +43,7 @@ std::string unitFor(const std::string& text, const ir::Type& type, const PlanGri
 double withoutRounding(double score) {
   constexpr int kDigits = 12;
   CHECK(std::isfinite(score), "a score that is not known");
-  return std::stod(fmt::format("{:.{}g}", score, kDigits));
+  return support::rounded(score, kDigits);
 }
 
 std::optional<ir::prove::EnergyBound> boundOf(const compiler::Checked& checked,
@@ -57,14 +56,14 @@ std::optional<ir::prove::EnergyBound> boundOf(const compiler::Checked& checked,
 
 Result<PlanScores> PlanScores::make(const compiler::Compilation& good, const PlanGrid& grid) {
   const compiler::Checked& checked = *good.checked;
-  const auto board = compiler::usualBoard(checked.worlds.widest.platform);
+  const auto board = compiler::usualBoardPower(checked.worlds.widest.platform);
   if (!board) {
     return std::unexpected(board.error());
   }
   PlanScores made;
-  made.board_ = *board ? (*board)->power : std::nullopt;
+  made.board_ = *board;
   for (const frontend::OpenObjective& one : good.open.objectives) {
-    const std::string text = support::onOneLine(checked.sources().text(one.value_range));
+    const std::string text = support::onOneLine(checked.sources().text(one.range));
     Objective objective{one.aim, text, unitFor(text, one.type, grid), 1};
     const auto unit = support::parseUnit(objective.unit);
     objective.to_si = unit ? unit->to_si : 1;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "analysis/check/check.h"
+#include "driver/output/check_progress.h"
 
 #include <string>
 
@@ -11,6 +12,20 @@ namespace glider::driver {
 
 using analysis::CheckedFile;
 using analysis::CheckOptions;
+
+/// Shows what a check does on the last line of the terminal, and the errors in a scenario.
+class ShownOnTerminal final : public analysis::CheckObserver {
+ public:
+  ShownOnTerminal(const std::string& mission, const CheckOptions& options)
+      : progress_(mission, options.timeout_s) {}
+
+  void at(const std::string& work) override { progress_.at(work); }
+  void show(const support::DiagnosticEngine& diagnostics,
+            const support::SourceManager& sources) override;
+
+ private:
+  CheckProgress progress_;
+};
 
 /// analysis::checkMission with its progress on the last line of the terminal; errors in a scenario
 /// are printed.

@@ -7,12 +7,12 @@
 #include "driver/commands.h"
 #include "driver/exit_code.h"
 #include "driver/json_document.h"
-#include "driver/output/check_progress.h"
+#include "driver/output/check_on_terminal.h"
 #include "driver/output/overwritten.h"
 #include "driver/output/rewrite.h"
 #include "driver/plan/plan_json.h"
+#include "driver/shared_options.h"
 #include "driver/terminal.h"
-#include "driver/usage/quantity.h"
 #include "support/diagnostics/ids/command.h"
 #include "support/files.h"
 #include "vehicles/vehicle.h"
@@ -20,18 +20,13 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 
 namespace glider::driver {
 namespace {
-
-constexpr double kShortestTimeout_s = 0.001;
-constexpr double kLongestTimeout_s = 1e6;
 
 struct PlanCommandOptions {
   bool json = false;
@@ -40,21 +35,6 @@ struct PlanCommandOptions {
   std::string picture;  ///< empty: none
   std::optional<double> timeout_s;
   analysis::CheckOptions check;
-};
-
-/// Shows what is done on the last line of the terminal.
-class Teller final : public analysis::CheckObserver {
- public:
-  explicit Teller(const std::string& mission) : progress_(mission) {}
-  void at(const std::string& work) override { progress_.at(work); }
-  void show(const support::DiagnosticEngine& diagnostics,
-            const support::SourceManager& sources) override {
-    progress_.clear();
-    reportDiagnostics(diagnostics, sources);
-  }
-
- private:
-  CheckProgress progress_;
 };
 
 /// Writes what was chosen into the mission, unless it is another text by now.
@@ -84,25 +64,6 @@ support::Result<void> writeFiles(const PlanCommandOptions& options, std::string_
              : support::writeFileAtomically(options.picture, planPicture(planned.plan));
 }
 
-support::Result<analysis::PlannedMission> planned(const PlanCommandOptions& options,
-                                                  const compiler::Compilation& compiled) {
-  Teller teller(options.mission);
-  return analysis::planMission(options.mission, compiled, options.check, teller);
-}
-
-/// Whether the text has no error but by the values of its lines `choose`, and those lines have
-/// none.
-bool isPlannable(const compiler::Compilation& compiled) {
-  if (!compiled.parsed || compiled.parsed->faulty) {
-    return false;
-  }
-  const auto lines = std::ranges::count_if(compiled.parsed->mission.items, [](const auto& item) {
-    return std::holds_alternative<ast::Choice>(item);
-  });
-  const compiler::Compilation open = compiler::withChosen(compiled, {});
-  return static_cast<size_t>(lines) == open.open.choices.size() && (lines > 0 || open.checked);
-}
-
 int plan(PlanCommandOptions& options, Json* document) {
   options.check.timeout_s = options.timeout_s.value_or(0);
   if (options.write && options.mission == compiler::kStandardInput) {
@@ -124,11 +85,12 @@ int plan(PlanCommandOptions& options, Json* document) {
   if (!compiled) {
     return reportFailure(compiled.error());
   }
-  if (!isPlannable(*compiled)) {
+  if (!analysis::isPlannable(*compiled)) {
     reportDiagnostics(compiled->diagnostics, *compiled->sources);
     return kMissionHasErrors;
   }
-  const auto found = planned(options, *compiled);
+  ShownOnTerminal observer(options.mission, options.check);
+  const auto found = analysis::planMission(options.mission, *compiled, options.check, observer);
   if (!found) {
     return reportFailure(found.error());
   }
@@ -179,15 +141,7 @@ void addPlanCommand(CLI::App& app, int& status) {
                    "The same for the mission file of a scenario, and for its start: the name of a "
                    "scenario that comes with glidercc, or a .toml file")
       ->option_text("SCENARIO");
-  command
-      ->add_option("--effort", options->check.effort,
-                   "Multiply the resource limits of proofs by N, as for `check` [1]")
-      ->option_text("N")
-      ->check(CLI::Range(1U, 100U));
-  addDurationOption(
-      *command, "--timeout", options->timeout_s, kShortestTimeout_s, kLongestTimeout_s,
-      "End the proofs about each way to choose after this time; what is not proved by "
-      "then is refused [no limit]");
+  addProofOptions(*command, options->check.effort, options->timeout_s);
   addFormatOption(*command, options->json);
   command->callback([options, &status] {
     status =

@@ -27,7 +27,7 @@ Json optionJson(const report::Plan& plan, const report::PlanOption& option) {
 
 void putPlan(Json& document, const report::Plan& plan) {
   document["mission"] = plan.mission;
-  document["ways"] = plan.options;
+  document["ways"] = plan.ways;
   document["chosen"] = plan.chosen ? optionJson(plan, *plan.chosen) : Json();
   document["warnings"] = plan.warnings;
   document["front"] = Json::array();
@@ -38,7 +38,7 @@ void putPlan(Json& document, const report::Plan& plan) {
   document["refused"] = Json::array();
   for (const report::PlanRefusal& one : plan.refused) {
     document["refused"].push_back(
-        {{"ways", one.options}, {"reason", one.reason}, {"example", one.example}});
+        {{"ways", one.ways}, {"reason", one.reason}, {"example", one.example}});
   }
 }
 

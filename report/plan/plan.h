@@ -36,7 +36,7 @@ struct PlanOption {
 /// Why some ways were not chosen.
 struct PlanRefusal {
   std::string reason;   ///< "`require …` stays undecided"
-  size_t options = 0;   ///< how many
+  size_t ways = 0;      ///< how many
   std::string example;  ///< "bottom = 60 m, hours = 44 h: it may take 71 Wh": the best of them
 };
 
@@ -45,7 +45,7 @@ struct Plan {
   std::string mission;
   std::vector<PlanChoice> choices;
   std::vector<PlanObjective> objectives;  ///< the most important first
-  size_t options = 0;                     ///< how many ways there are
+  size_t ways = 0;                        ///< how many there are to choose
   size_t possible = 0;                    ///< of them without errors in the text
   size_t warnings = 0;                    ///< of a check of the chosen one
   size_t promises = 0;                    ///< requirements of the mission

@@ -125,7 +125,7 @@ void tellFront(const Plan& plan, Lines& lines) {
 void tellRefused(const Plan& plan, Lines& lines) {
   lines.begin("refused");
   for (const PlanRefusal& one : plan.refused) {
-    lines.add(fmt::format("{}: {}", support::counted(one.options, "way"), one.reason));
+    lines.add(fmt::format("{}: {}", support::counted(one.ways, "way"), one.reason));
     lines.add("  such as " + one.example);
   }
 }

@@ -27,19 +27,6 @@ struct Planned {
   ir::prove::EnergyBound bound;
 };
 
-std::string openText(const Problem& problem) {
-  const auto text = [](const OpenValue& open, double value) {
-    return fmt::format("{:.10g}{}{}", value, open.unit.empty() ? "" : " ", open.unit);
-  };
-  std::string all = "mission " + problem.name + "\n" + problem.prefer + "\n";
-  for (const OpenValue& one : problem.open) {
-    all += fmt::format("choose {}: {} in {} .. {} by {}{}\n", one.name, one.type,
-                       text(one, one.lowest), text(one, one.highest), text(one, one.step),
-                       one.where.empty() ? "" : " where " + one.where);
-  }
-  return all + problem.rest;
-}
-
 Planned planOf(const Problem& problem) {
   const auto compiled = compiler::compileText("m.mission", openText(problem));
   EXPECT_TRUE(compiled) << problem.name;

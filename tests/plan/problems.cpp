@@ -3,6 +3,8 @@
 
 #include "tests/plan/problems.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace glider::tests {
@@ -184,6 +186,20 @@ Problem undersea() {
 std::vector<Problem> planProblems() {
   return {afternoon(), angles(),  surfacing(), legs(),  band(),    rounds(),
           reserve(),   endless(), visits(),    slope(), undersea()};
+}
+
+std::string valueText(const OpenValue& open, double value) {
+  return fmt::format("{:.10g}{}{}", value, open.unit.empty() ? "" : " ", open.unit);
+}
+
+std::string openText(const Problem& problem) {
+  std::string text = "mission " + problem.name + "\n";
+  for (const OpenValue& one : problem.open) {
+    text += fmt::format("choose {}: {} in {} .. {} by {}{}\n", one.name, one.type,
+                        valueText(one, one.lowest), valueText(one, one.highest),
+                        valueText(one, one.step), one.where.empty() ? "" : " where " + one.where);
+  }
+  return text + problem.prefer + "\n" + problem.rest;
 }
 
 }  // namespace glider::tests

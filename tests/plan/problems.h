@@ -33,4 +33,10 @@ struct Problem {
 /// Problems of gliders, and one of UNDERSEA's kind (three sensors to switch on, and a speed).
 std::vector<Problem> planProblems();
 
+/// A value of `open` as a mission has it: "65 m".
+std::string valueText(const OpenValue& open, double value);
+
+/// The mission that leaves all of them open.
+std::string openText(const Problem& problem);
+
 }  // namespace glider::tests

@@ -7,6 +7,7 @@
 #include "ir/prove/energy/energy_bound.h"
 #include "simulator/vehicle/battery.h"
 #include "support/grouped.h"
+#include "support/listed.h"
 
 #include <fmt/format.h>
 
@@ -119,13 +120,6 @@ std::string turnsLine(const std::vector<StateBound>& states, const ir::Mission& 
                            fmt::join(names, ", "));
 }
 
-/// "a, b and c"
-std::string listed(std::vector<std::string> names) {
-  const std::string last = std::move(names.back());
-  names.pop_back();
-  return fmt::format("{} and {}", fmt::join(names, ", "), last);
-}
-
 /// The states that take the most by following one another.
 std::string roundLine(const EnergyBound& bound, const ir::Mission& mission) {
   std::vector<std::string> names;
@@ -144,20 +138,19 @@ std::string roundLine(const EnergyBound& bound, const ir::Mission& mission) {
              : fmt::format(
                    "it takes so much if {} follow one another again and again, one round "
                    "every {}: a minimum time in one of them lowers the bound",
-                   listed(names), every);
+                   support::listed(names), every);
 }
 
 }  // namespace
 
 /// The most that a flight takes from the batteries, where the vehicle's file says enough for it.
 support::Result<void> energy(Run& run) {
-  const auto board = compiler::usualBoard(run.platform());
+  const auto board = compiler::usualBoardPower(run.platform());
   if (!board) {
     return std::unexpected(board.error());
   }
   const ir::AssumedWorld& world = run.worlds().assumed;  // the widest if nothing is assumed
-  const auto bound = ir::prove::energyBoundOf(world.mission, world.platform,
-                                              *board ? (*board)->power : std::nullopt,
+  const auto bound = ir::prove::energyBoundOf(world.mission, world.platform, *board,
                                               ir::prove::Parameters::AsWritten);
   if (!bound) {
     return {};

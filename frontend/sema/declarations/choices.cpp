@@ -114,13 +114,10 @@ std::optional<OpenChoice> readChoice(const ast::Choice& node, const Constant& co
   return OpenChoice{node.constant.name.text,
                     constant.type,
                     unitOf(node, constant.type),
-                    constant.number,
                     bounds->lowest,
                     bounds->highest,
                     *step,
-                    node.where,
-                    node.written,
-                    whole(node.range)};
+                    node.written};
 }
 
 /// What `where` demands may name any choice, and so comes after all of them.
@@ -202,7 +199,7 @@ bool refuseUnchosen(const ast::Objective& node, Scope& scope) {
 
 /// Evaluates what is preferred; empty, and reported, if it must wait for the flight.
 std::optional<OpenObjective> readObjective(const ast::Objective& node, Scope& scope) {
-  OpenObjective made{node.aim, 0, plainNumber(), node.where, node.where};
+  OpenObjective made{node.aim, 0, plainNumber(), node.where};
   if (!node.value) {
     return made;
   }
@@ -232,7 +229,7 @@ std::optional<OpenObjective> readObjective(const ast::Objective& node, Scope& sc
   }
   made.value = score;
   made.type = value->type;
-  made.value_range = node.value->where;
+  made.range = node.value->where;
   return made;
 }
 

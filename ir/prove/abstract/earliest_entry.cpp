@@ -105,7 +105,7 @@ class EntrySearch {
   bool mayBeTrue(ExprId guard, double since, double until) const {
     const Interval stay{0, until - since, false};
     // Windows that go on over a return began with an entry, not before `since` either.
-    const IdleTemporals idle = idleBefore(proof_context_, until - since, true);
+    const IdleTemporals idle = idleBefore(proof_context_, guard, until - since, true);
     return AbstractEvaluator(proof_context_, values_, {{since, until, false}, stay, stay},
                              std::nullopt, &idle)
         .truth(guard)

@@ -4,6 +4,7 @@
 #include "ir/prove/abstract/watch_times.h"
 
 #include "ir/core/ops.h"
+#include "ir/core/walk.h"
 
 namespace glider::ir::prove {
 
@@ -15,13 +16,18 @@ double timeNeeded(const ProofContext& proof_context, const Temporal& temporal) {
   return isWindow(temporal.kind) && !temporal.along.valid() ? temporal.length : 0;
 }
 
-IdleTemporals idleBefore(const ProofContext& proof_context, double seconds, bool windows) {
-  IdleTemporals idle;
-  for (const Temporal& temporal : proof_context.mission.temporals) {
-    const bool counts =
-        temporal.list != ListKind::Always && (windows || temporal.kind == TemporalKind::Held);
-    idle.push_back(counts && timeNeeded(proof_context, temporal) > seconds);
-  }
+IdleTemporals idleBefore(const ProofContext& proof_context, ExprId guard, double seconds,
+                         bool windows) {
+  const Mission& m = proof_context.mission;
+  IdleTemporals idle(m.temporals.size());
+  forEachIn(m, guard, [&](const Expr& e) {
+    if (e.op == Op::Temporal) {
+      const Temporal& temporal = m[e.temporal];
+      const bool counts =
+          temporal.list != ListKind::Always && (windows || temporal.kind == TemporalKind::Held);
+      idle[e.temporal.index] = counts && timeNeeded(proof_context, temporal) > seconds;
+    }
+  });
   return idle;
 }
 

@@ -194,7 +194,7 @@ class MissionGraph {
     };
     const ExprId guard = step.by->guard;
     const auto mayBeTrue = [&](double s) {
-      const IdleTemporals idle = idleBefore(seen_, s, !place.again);
+      const IdleTemporals idle = idleBefore(seen_, guard, s, !place.again);
       return AbstractEvaluator(seen_, *place.values, clocks(s), std::nullopt, &idle)
           .truth(guard)
           .is_true;

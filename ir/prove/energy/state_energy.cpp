@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <utility>
 #include <vector>
@@ -25,7 +26,7 @@ constexpr double kAtSurface_m = 0.5;
 /// A pump that works for such a share of the time hardly rests.
 constexpr double kRestless = 0.5;
 
-constexpr double kRadians = 3.14159265358979323846 / 180;  // of a degree
+constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 
 /// A leg that has begun by a turn.
 struct BegunLeg {
@@ -99,7 +100,7 @@ class StateGraph {
   /// On average over a leg.
   [[nodiscard]] double fastest() const {
     const double most = platform_.envelope.vertical_rate_m_s;
-    const double steepest = legs_.steepest_rad + model_.pitch_off_deg * kRadians;
+    const double steepest = legs_.steepest_rad + model_.pitch_off_deg * kRadiansPerDegree;
     return legs_.steepest_rad > 0 ? std::min(most, model_.glide_m_s * std::sin(steepest)) : most;
   }
 
@@ -238,7 +239,7 @@ class StateGraph {
 
   /// How far the pitch battery moves for a turn, of its way between the steepest climb and dive.
   [[nodiscard]] double shareOfTurn() const {
-    const double off = model_.pitch_off_deg * kRadians;
+    const double off = model_.pitch_off_deg * kRadiansPerDegree;
     return std::min(1.0, (legs_.steepest_rad + off) / platform_.envelope.steepest_pitch_rad);
   }
 

@@ -6,6 +6,7 @@
 #include "ir/prove/context/vehicle_clock.h"
 #include "ir/prove/falsification/depth_limits.h"
 #include "ir/prove/falsification/run_recorder.h"
+#include "support/rounded.h"
 
 #include <fmt/format.h>
 
@@ -28,7 +29,7 @@ double shorter(double value, const Variable& parameter) {
   constexpr double kFar = 1e9;
   const double near =
       std::clamp(value, std::min(-kFar, parameter.highest), std::max(kFar, parameter.lowest));
-  const double rounded = std::stod(fmt::format("{:.9g}", near));
+  const double rounded = support::rounded(near, 9);
   return rounded >= parameter.lowest && rounded <= parameter.highest ? rounded : value;
 }
 

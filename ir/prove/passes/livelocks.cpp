@@ -18,9 +18,9 @@
 #include "ir/prove/passes.h"
 #include "support/check.h"
 #include "support/diagnostics/ids/verification.h"
+#include "support/listed.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -263,13 +263,11 @@ class LivelockCheck {
     for (const StateId state : round) {
       names.push_back(fmt::format("`{}`", m_[state].name));
     }
-    const std::string last = names.size() == 1 ? "itself" : names.back();
-    if (names.size() > 1) {
-      names.pop_back();
+    if (names.size() == 1) {
+      names.emplace_back("itself");
     }
-    const std::string between = fmt::format("{} and {}", fmt::join(names, ", "), last);
     proof_.diagnostics.report(support::diagnostics::clockLivelock, m_[round.front()].range,
-                              fmt::format("{:.6g} s", time), between);
+                              fmt::format("{:.6g} s", time), support::listed(names));
   }
 
   Proof& proof_;

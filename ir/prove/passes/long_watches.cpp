@@ -40,7 +40,7 @@ class WatchCheck {
     std::map<StateId, std::vector<uint32_t>> watched;
     for (uint32_t i = 0; i < m_.temporals.size(); ++i) {
       const Temporal& temporal = m_.temporals[i];
-      if (temporal.list != ListKind::Always && neededBy(temporal) > 0) {
+      if (temporal.list != ListKind::Always && timeNeeded(proof_context_, temporal) > 0) {
         watched[temporal.state].push_back(i);
       }
     }
@@ -54,10 +54,6 @@ class WatchCheck {
   }
 
  private:
-  [[nodiscard]] double neededBy(const Temporal& temporal) const {
-    return timeNeeded(proof_context_, temporal);
-  }
-
   /// Since the state became current, s. The cases that wait for what takes longer do not keep the
   /// state: until then they do not fire, and by then it is left. So all are first assumed idle,
   /// then those that take longer than the state lasts, until nothing changes.
@@ -71,7 +67,7 @@ class WatchCheck {
       lasts = stayOf(proof_context_, m_[state], always_, values_, &idle_).by;
       changed = false;
       for (const uint32_t i : temporals) {
-        const bool idle = idle_[i] && neededBy(m_.temporals[i]) > lasts;
+        const bool idle = idle_[i] && timeNeeded(proof_context_, m_.temporals[i]) > lasts;
         changed = changed || idle != idle_[i];
         idle_[i] = idle;
       }
@@ -81,7 +77,7 @@ class WatchCheck {
 
   /// `lasts`: how long its state may, s.
   void check(const Temporal& temporal, double lasts) {
-    const double needed = neededBy(temporal);
+    const double needed = timeNeeded(proof_context_, temporal);
     const bool held = temporal.kind == TemporalKind::Held;
     if (needed > lasts && !held && mayWait(m_, temporal.state)) {
       const EndBound& end = proof_.ending.bound();

@@ -74,7 +74,7 @@ class UnderWater {
   [[nodiscard]] bool mayFire(const Case& c, double by) const {
     const Interval ever{0, kLongestMission, false};
     const Interval stay{0, by, false};
-    const IdleTemporals idle = idleBefore(proof_context_, by, false);
+    const IdleTemporals idle = idleBefore(proof_context_, c.guard, by, false);
     return AbstractEvaluator(proof_context_, values_, {ever, stay, stay}, deep(), &idle)
         .truth(c.guard)
         .is_true;

@@ -5,11 +5,12 @@
 
 #include "simulator/slocum/flight/behaviours/refusal_text.h"
 #include "simulator/slocum/flight/behaviours/source.h"
+#include "support/listed.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <limits>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -76,7 +77,7 @@ EventId changeTo(HookState state) {
 
 /// "heading, pitch and pump" for kHookMaskedHeading….
 std::string channels(uint8_t masked) {
-  std::vector<std::string_view> names;
+  std::vector<std::string> names;
   for (const auto& [bit, name] : {std::pair(kHookMaskedHeading, "heading"),
                                   {kHookMaskedPitch, "pitch"},
                                   {kHookMaskedPump, "pump"}}) {
@@ -84,9 +85,7 @@ std::string channels(uint8_t masked) {
       names.emplace_back(name);
     }
   }
-  const std::string_view last = names.back();
-  names.pop_back();
-  return names.empty() ? std::string(last) : fmt::format("{} and {}", fmt::join(names, ", "), last);
+  return support::listed(names);
 }
 
 /// Answers that do not concern the command itself: the instruction was damaged, early, old or of

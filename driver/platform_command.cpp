@@ -125,6 +125,23 @@ std::string seatsText(const Platform& platform) {
              : fmt::format("{}", fmt::join(platform.front_seats, ", "));
 }
 
+/// What missions switch by `sample`.
+std::string instrumentsText(const Platform& platform) {
+  std::string out = platform.instruments.empty()
+                        ? ""
+                        : "\nInstruments that missions switch\n  name          measures\n";
+  for (const platforms::Instrument& one : platform.instruments) {
+    std::vector<std::string> measured;
+    for (const std::string& sensor : one.sensors) {
+      const PlatformSensor* row = platform.find(sensor);
+      measured.push_back(row->alias.empty() ? row->name : row->alias);
+    }
+    out += fmt::format("  {:<12}  {}; on for {:g} s for each reading, {:g} s apart at least\n",
+                       one.name, fmt::join(measured, ", "), one.reading_s, one.shortest_s);
+  }
+  return out;
+}
+
 std::string text(const Platform& platform, const std::optional<platforms::Board>& board) {
   std::string out = fmt::format(
       "{}: {}\n\nFrom the SBC: {}\n\nEnvelope\n{}\nEnvironment model of proofs\n{}\nCommands\n",
@@ -133,6 +150,7 @@ std::string text(const Platform& platform, const std::optional<platforms::Board>
   for (const frontend::VehicleCommand& command : frontend::vehicleCommands(platform)) {
     out += fmt::format("  {}\n", command.signature.text);
   }
+  out += instrumentsText(platform);
   out += powerText(platform, board);
   out +=
       fmt::format("\nSensors\n  {:<12} {:<27} {:<8} {:>12} {:>12} {:>10} {:>9} {:>10}  {:<8} {}\n",
@@ -145,6 +163,18 @@ std::string text(const Platform& platform, const std::optional<platforms::Board>
         sensor.stale_after_s, sensor.every_s, sensor.dead_band, computerOf(sensor), sensor.what);
   }
   return out;
+}
+
+ordered_json instrumentsJson(const Platform& platform) {
+  ordered_json instruments = ordered_json::array();
+  for (const platforms::Instrument& one : platform.instruments) {
+    instruments.push_back({{"name", one.name},
+                           {"vehicle_name", one.vehicle_name},
+                           {"sensors", one.sensors},
+                           {"shortest_s", one.shortest_s},
+                           {"reading_s", one.reading_s}});
+  }
+  return instruments;
 }
 
 std::string json(const Platform& platform, const std::optional<platforms::Board>& board) {
@@ -203,6 +233,7 @@ std::string json(const Platform& platform, const std::optional<platforms::Board>
                            {"line_lag_s", platform.world.line_lag_s}}},
                          {"power", powerJson(platform, board)},
                          {"commands", commands},
+                         {"instruments", instrumentsJson(platform)},
                          {"sensors", sensors}};
   return all.dump(2) + "\n";
 }

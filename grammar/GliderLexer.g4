@@ -6,6 +6,9 @@
 // frontend/parse can name the mistake and go on.
 lexer grammar GliderLexer;
 
+// `yo` in `one yo in 3`, elsewhere a name (frontend/parse/lexeme.cpp).
+tokens { YO }
+
 // Hard keywords: these name nothing.
 MISSION : 'mission' ;
 PLATFORM : 'platform' ;
@@ -20,6 +23,7 @@ END : 'end' ;
 FLIGHTROUTE : 'flightroute' ;
 FLIGHTPROFILE : 'flightprofile' ;
 SENSORS : 'sensors' ;
+SAMPLE : 'sample' ;  // only before a name (frontend/parse/lexeme.cpp); elsewhere it is one
 EVENTS : 'events' ;
 CASE : 'case' ;
 GOTO : 'goto' ;
@@ -106,6 +110,13 @@ LAUNCH : 'launch' ;
 PREFER : 'prefer' ;
 GREATEST : 'greatest' ;
 ENDURANCE : 'endurance' ;
+OFF : 'off' ;
+ON : 'on' ;
+CLIMBS : 'climbs' ;
+DIVES : 'dives' ;
+BELOW : 'below' ;
+ABOVE : 'above' ;
+ONE : 'one' ;
 
 // Units (support/units/units.def) and the letters of positions; `S` and `W` are both. `min` is also the function.
 MIN : 'min' ;

@@ -37,11 +37,15 @@ member
   : FLIGHTROUTE use       # routeMember
   | FLIGHTPROFILE use     # profileMember
   | SENSORS sensorItem (COMMA sensorItem)*  # sensorsMember
+  | SAMPLE sampleItem (COMMA sampleItem)*   # sampleMember
   | variable              # variableMember
   | ENTRY block           # entryMember
   | EVENTS eventCase*     # eventsMember
   ;
 sensorItem : (anyName | HEARD) (EVERY expr)? ;
+// How often an instrument reads: `ctd every 4 s`, `optode every 30 s on climbs below 10 m one yo in 3`, `fluorometer off`.
+sampleItem : anyName (OFF | EVERY expr)? samplePart* ;
+samplePart : WHEN expr | ON (CLIMBS | DIVES) | (BELOW | ABOVE) expr | ONE YO IN expr ;
 use : name arguments? ;
 target : anyName arguments? ;
 
@@ -158,7 +162,8 @@ name
   | SURFACES | RESUME | DECLINATION | RESTART | PLACE | CAN | VISIT | PATROL | STRICT | ORDER | FAIRLY | AT | MOST
   | LEAST | EXACTLY | TIMES_WORD | BEFORE | WHENEVER | WHEN | ONLY | NEXT | TICK | FOR | HOLD | UNTIL | OUTSIDE
   | FROM | TO | ASSUME | START | NO | OUTAGE | CURRENT | KNOWN | FIX | AS | CHANGES | SHARE | PRECISION
-  | VEHICLES | PEERS | PACK | RESERVE | CHOOSE | BY | LAUNCH | PREFER | GREATEST | ENDURANCE
+  | VEHICLES | PEERS | PACK | RESERVE | CHOOSE | BY | LAUNCH | PREFER | GREATEST | ENDURANCE | OFF | ON | CLIMBS | DIVES | BELOW
+  | ABOVE | ONE
   ;
 // A unit's name may name a mission or a state; elsewhere the frontend says why not.
 anyName : name | UNIT | COMPASS | MIN ;

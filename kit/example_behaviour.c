@@ -42,6 +42,8 @@ static void readInstruction(HookInstructionWords* words) {
   words->word = valueOf(hookSensorOf(&gliderDictionary, kGliderRole##role));
 #define CHECK_WORD(role, sensor, word, line) \
   words->word = valueOf(hookSensorOf(&gliderDictionary, kGliderRole##role));
+#define LATER_WORD(role, sensor, word, field, line) \
+  words->word = valueOf(hookSensorOf(&gliderDictionary, kGliderRole##role));
 #include "hooks/protocol/instruction.def"
 }
 

@@ -6,6 +6,7 @@
 #include "report/figures.h"
 #include "report/text.h"
 #include "report/warnings.h"
+#include "support/grouped.h"
 
 #include <fmt/format.h>
 
@@ -62,6 +63,14 @@ std::string daysText(double days) {
   return days < kFew    ? fmt::format("{:.1f} h", days * kHoursPerDay)
          : days < kMany ? fmt::format("{:.1f} days", days)
                         : fmt::format("{:.0f} days", days);
+}
+
+/// A flight may go on after its mission has ended, and hookbeh's guards are not in the bound.
+std::string boundText(const EnergyFigures& energy) {
+  return fmt::format("at most {} Wh until the mission ends{}", support::atMost(energy.atMost_Wh()),
+                     energy.used_Wh > energy.atMost_Wh()
+                         ? "; the flight took more, after its end or by what no bound counts"
+                         : "");
 }
 
 /// "12.3 Wh used, 0.61 % of the pack; 2208.6 Wh to go (99.4 %), 20 days at this rate".
@@ -134,8 +143,7 @@ std::string figureLines(const FlightFigures& figures) {
     line("  of it", consumersText(figures.energy));
   }
   if (!figures.energy.at_most.empty()) {
-    line("  bound", fmt::format("at most {:.1f} Wh in any sea, until the mission ends",
-                                figures.energy.atMost_Wh()));
+    line("  bound", boundText(figures.energy));
   }
   if (std::isfinite(figures.warmest_degC)) {
     line("temperature",

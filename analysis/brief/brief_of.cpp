@@ -107,6 +107,7 @@ class BriefMaker {
                   std::isfinite(climbs_[number]) ? " as its climb to the surface begins" : "")
             : "";
     told.samples = InWords::samples(of);
+    told.instruments = InWords::instruments(of);
     told.entry = words_.block(of.entry);
     told.events = events(of.cases, drawn.cases);
     told.unreached = !drawn.reached;

@@ -190,6 +190,14 @@ report::BriefEvent InWords::event(const ir::Case& c, const std::string& never) c
           never};
 }
 
+std::string InWords::instruments(const ir::State& state) {
+  std::vector<std::string> all;
+  for (const ir::Sampling& one : state.sampling) {
+    all.push_back(inCode(one.instrument + (one.words.empty() ? "" : " " + one.words)));
+  }
+  return support::listed(all);
+}
+
 std::string InWords::samples(const ir::State& state) {
   std::vector<std::pair<double, std::vector<std::string>>> by_period;
   for (const ir::LogItem& item : state.log) {

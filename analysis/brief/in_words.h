@@ -28,6 +28,7 @@ class InWords {
   [[nodiscard]] report::BriefEvent event(const ir::Case& c, const std::string& never) const;
   /// "`depth` and `temp` on every tick; `lat` every 8 s"; empty if the state logs nothing.
   [[nodiscard]] static std::string samples(const ir::State& state);
+  [[nodiscard]] static std::string instruments(const ir::State& state);
 
  private:
   [[nodiscard]] std::string written(support::SourceRange range) const;

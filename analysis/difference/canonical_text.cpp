@@ -188,6 +188,14 @@ std::string CanonicalText::logged(const ir::State& state) {
   return text;
 }
 
+std::string CanonicalText::sampled(const ir::State& state) {
+  std::string text;
+  for (const ir::Sampling& one : state.sampling) {
+    text += fmt::format("sample {} {}\n", one.place, expression(one.code));
+  }
+  return text;
+}
+
 std::string CanonicalText::parameters(const ir::State& state) const {
   std::string text;
   for (const ir::VariableId id : state.parameters) {
@@ -205,7 +213,7 @@ std::string CanonicalText::variable(const ir::Variable& v) {
 std::string CanonicalText::state(ir::StateId id) {
   const ir::State& s = m_[id];
   return parameters(s) + activity(s.profile, id, ir::VariableKind::Profile) +
-         activity(s.route, id, ir::VariableKind::Route) + logged(s) + block(s.entry) +
+         activity(s.route, id, ir::VariableKind::Route) + logged(s) + sampled(s) + block(s.entry) +
          cases(s.cases) + variables(id, ir::VariableKind::State);
 }
 

@@ -28,6 +28,7 @@ class CanonicalText {
   [[nodiscard]] std::string activity(const ir::Activity& activity, ir::StateId owner,
                                      ir::VariableKind kind);
   [[nodiscard]] std::string logged(const ir::State& state);
+  [[nodiscard]] std::string sampled(const ir::State& state);
   [[nodiscard]] std::string parameters(const ir::State& state) const;
   [[nodiscard]] std::string variable(const ir::Variable& variable);
   /// Its name, with the name of its state as both missions call it.

@@ -289,6 +289,9 @@ class Comparison {
     if (old_.text.logged(was) != new_.text.logged(is)) {
       lines.push_back(change("logged", logged(was), logged(is)));
     }
+    if (old_.text.sampled(was) != new_.text.sampled(is)) {
+      lines.push_back(change("instruments", sampled(was), sampled(is)));
+    }
     if (old_.text.block(was.entry) != new_.text.block(is.entry)) {
       lines.emplace_back("`entry` differs");
     }
@@ -313,6 +316,15 @@ class Comparison {
               (item.period_s > 0 ? fmt::format(" every {:.6g} s", item.period_s) : "");
     }
     return text.empty() ? "nothing" : text;
+  }
+
+  static std::string sampled(const ir::State& state) {
+    std::string text;
+    for (const ir::Sampling& one : state.sampling) {
+      text +=
+          (text.empty() ? "" : ", ") + one.instrument + (one.words.empty() ? "" : " ") + one.words;
+    }
+    return text.empty() ? "as the vehicle's mission says" : text;
   }
 
   MatchedStates matched_;

@@ -85,8 +85,8 @@ class Planner {
            written ? support::onOneLine(compiled_.sources->text(open_.choices[i].written)) : ""});
     }
     if (grid_.count() > static_cast<double>(kMostPlans)) {
-      return support::fail(support::diagnostics::tooManyPlans,
-                           support::groupedAmount(grid_.count()), support::grouped(kMostPlans));
+      return support::fail(support::diagnostics::tooManyPlans, support::atMost(grid_.count()),
+                           support::grouped(kMostPlans));
     }
     found_.plan.ways = static_cast<size_t>(grid_.count());
     return {};

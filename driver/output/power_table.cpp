@@ -82,12 +82,11 @@ std::string powerText(const Platform& platform, const std::optional<platforms::B
     out += fmt::format(
         "  bounds assume           {:.4g} m/s along its path at most, up to {:.4g} degrees steeper "
         "than "
-        "commanded; a hover pumps {:.4g} cc/s "
-        "out "
-        "and in; the pitch battery moves {:.4g} % of a leg and {:.4g} s for the steepest turn; a "
+        "commanded; a hover pumps {:.4g} cc/s out and in, and near the surface in a swell {:.4g} "
+        "more; the pitch battery moves {:.4g} % of a leg and {:.4g} s for the steepest turn; a "
         "dive leaves "
         "the surface within {:.4g} s\n",
-        model.glide_m_s, model.pitch_off_deg, model.hover_pump_cc_s,
+        model.glide_m_s, model.pitch_off_deg, model.hover_pump_cc_s, model.hover_swell_cc_s,
         model.pitch_battery_share * 100, model.pitch_battery_turn_s, model.dive_start_s);
   }
   return out;
@@ -123,6 +122,7 @@ ordered_json powerJson(const Platform& platform, const std::optional<platforms::
     out["bounds"] = {{"glide_m_s", power.bounds->glide_m_s},
                      {"pitch_off_deg", power.bounds->pitch_off_deg},
                      {"hover_pump_cc_s", power.bounds->hover_pump_cc_s},
+                     {"hover_swell_cc_s", power.bounds->hover_swell_cc_s},
                      {"pitch_battery_share", power.bounds->pitch_battery_share},
                      {"pitch_battery_turn_s", power.bounds->pitch_battery_turn_s},
                      {"dive_start_s", power.bounds->dive_start_s}};

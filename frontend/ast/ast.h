@@ -288,6 +288,19 @@ struct SensorsMember {
   std::vector<SensorItem> items;
   bool operator==(const SensorsMember&) const = default;
 };
+/// How often an instrument of the vehicle reads.
+struct SampleItem {
+  Name instrument;
+  bool off = false;
+  std::optional<Expr> every;  ///< none: as often as it can; not with `off`
+  std::optional<Expr> when;   ///< only then
+  Where how = {};             ///< what stands behind the instrument
+  bool operator==(const SampleItem&) const = default;
+};
+struct SampleMember {
+  std::vector<SampleItem> items;
+  bool operator==(const SampleMember&) const = default;
+};
 struct EntryMember {
   Block block;
   bool operator==(const EntryMember&) const = default;
@@ -298,7 +311,9 @@ struct EventsMember {
 };
 
 struct Member {
-  std::variant<RouteMember, ProfileMember, SensorsMember, Var, EntryMember, EventsMember> node;
+  std::variant<RouteMember, ProfileMember, SensorsMember, SampleMember, Var, EntryMember,
+               EventsMember>
+      node;
   Where where;
   Where keyword;  ///< its first word
   bool operator==(const Member&) const = default;

@@ -259,6 +259,16 @@ class FilePrinter {
     }
     line("sensors " + text);
   }
+  void writeMember(const SampleMember& n) {
+    std::string text;
+    for (const SampleItem& item : n.items) {
+      text += (text.empty() ? "" : ", ") + item.instrument.text;
+      text += item.off ? " off" : "";
+      text += item.every ? " every " + print(*item.every) : "";
+      text += item.when ? " when " + print(*item.when) : "";
+    }
+    line("sample " + text);
+  }
   void writeMember(const Var& n) { write(n); }
   void writeMember(const EntryMember& n) {
     line("entry do");

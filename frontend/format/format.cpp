@@ -114,7 +114,7 @@ class Composer {
       }
       add(line, i);
     }
-    const bool sensors = tokens_[line.first].is("sensors");
+    const bool sensors = tokens_[line.first].is("sensors") || tokens_[line.first].isSample();
     const size_t hang = line.indent + (sensors ? kMemberWidth + 1 : 2 * kIndent);
     std::vector<std::string> lines = wrap(pieces_, line.indent, hang);
     rows_.back().text = std::string(line.indent, ' ') + lines[0];
@@ -153,7 +153,8 @@ class Composer {
         .must_break = broken_,
         .role = role(i)};
     broken_ = false;
-    const bool member = line.indent > 0 && oneOf(token, {"flightroute", "sensors"});
+    const bool member =
+        line.indent > 0 && (oneOf(token, {"flightroute", "sensors"}) || token.isSample());
     if (first && member && tokens_[i + 1].rows.empty()) {
       piece.text.resize(kMemberWidth, ' ');
     }

@@ -96,7 +96,8 @@ class Layout {
 
   void body() {
     if (tokenIsOneOf(token(),
-                     {"flightroute", "flightprofile", "sensors", "var", "entry", "events"})) {
+                     {"flightroute", "flightprofile", "sensors", "var", "entry", "events"}) ||
+        token().isSample()) {
       startLine(kIndent);
     } else if (token().is("case")) {
       startLine(2 * kIndent);

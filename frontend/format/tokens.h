@@ -32,6 +32,8 @@ struct Token {
   bool operation = false;        ///< an operator between two values
 
   [[nodiscard]] bool is(std::string_view word) const { return text == word; }
+  /// Whether it is the word with which a member of a state begins, and no name.
+  [[nodiscard]] bool isSample() const { return is("sample") && !name; }
   /// Whether the source breaks the line somewhere before it.
   [[nodiscard]] bool broken() const;
   /// Whether it opens a bracket.

@@ -331,6 +331,8 @@ ast::Member AstBuilder::member(Parser::MemberContext* rule) {
       return {ast::ProfileMember{use(ruleOf(rule->children[1]))}, whole, keyword};
     case GliderParser::SENSORS:
       return {sensors(rule), whole, keyword};
+    case GliderParser::SAMPLE:
+      return {sample(rule), whole, keyword};
     case GliderParser::VAR:
       return {variable(static_cast<Parser::VariableContext*>(rule->children[0])), whole, keyword};
     case GliderParser::ENTRY:

@@ -73,6 +73,8 @@ class AstBuilder {
   ast::Member member(Parser::MemberContext* rule);
   std::vector<ast::Member> members(const Rule* rule);
   ast::SensorsMember sensors(const Rule* rule);
+  ast::SampleMember sample(const Rule* rule);
+  ast::Expr samplePart(Parser::SamplePartContext* rule);
   ast::Use use(const Rule* rule);
   std::vector<ast::Case> cases(const Rule* rule);
   ast::Case eventCase(const Rule* rule);

@@ -5,6 +5,7 @@
 
 #include "frontend/parse/byte_char_stream.h"
 #include "frontend/parse/lexer_table.h"
+#include "frontend/parse/token_kinds.h"
 #include "frontend/spelling.h"
 #include "grammar/GliderLexer.h"
 
@@ -24,6 +25,34 @@ namespace {
 size_t pastBlanks(std::string_view text, size_t at) {
   const size_t next = text.find_first_not_of(" \t\r\n\f", at);
   return next == std::string_view::npos ? text.size() : next;
+}
+
+/// Whether a line `sample` goes on with it.
+bool goesOnInSample(uint32_t type) {
+  return !isHardKeyword(type) ||
+         oneOf(type,
+               {GliderLexer::SAMPLE, GliderLexer::EVERY, GliderLexer::TRUE, GliderLexer::FALSE,
+                GliderLexer::AND_WORD, GliderLexer::OR_WORD, GliderLexer::NOT_WORD});
+}
+
+/// `sample` is a keyword before a name, and its words are keywords behind it: elsewhere they are
+/// names.
+void nameOutsideSample(std::string_view text, std::vector<Lexeme>& lexemes) {
+  bool in_sample = false;
+  for (size_t i = 0; i + 1 < lexemes.size(); ++i) {
+    Lexeme& one = lexemes[i];
+    Lexeme& next = lexemes[i + 1];
+    in_sample = in_sample && goesOnInSample(one.type);
+    if (one.type == GliderLexer::SAMPLE) {
+      in_sample = next.type == GliderLexer::NAME;
+      one.type = in_sample ? one.type : uint32_t{GliderLexer::NAME};
+    } else if (one.type >= GliderLexer::OFF && one.type <= GliderLexer::ONE && !in_sample) {
+      one.type = GliderLexer::NAME;
+    } else if (one.type == GliderLexer::ONE &&
+               text.substr(next.begin, next.end - next.begin) == "yo") {
+      next.type = GliderLexer::YO;
+    }
+  }
 }
 
 std::vector<Lexeme> readLexemes(std::string_view text, size_t start) {
@@ -54,6 +83,7 @@ std::vector<Lexeme> readLexemes(std::string_view text, size_t start) {
                        static_cast<uint32_t>(token->getStartIndex()), static_cast<uint32_t>(at)});
   }
   lexemes.push_back({static_cast<uint32_t>(antlr4::Token::EOF), end, end});
+  nameOutsideSample(text, lexemes);
   return lexemes;
 }
 
@@ -228,6 +258,8 @@ std::string describeType(uint32_t type) {
       return "a unit";
     case GliderLexer::COMPASS:
       return "`N`, `S`, `E` or `W`";
+    case GliderLexer::YO:
+      return "`yo`";
     default:
       return "`" + spelling(type) + "`";
   }

@@ -24,7 +24,7 @@ bool startsAnything(uint32_t type) {
 bool goesOnInState(uint32_t type) {
   return isTransition(type) ||
          oneOf(type, {GliderLexer::DONE, GliderLexer::CASE, GliderLexer::END, GliderLexer::EVENTS,
-                      GliderLexer::ENTRY, GliderLexer::SENSORS});
+                      GliderLexer::ENTRY, GliderLexer::SENSORS, GliderLexer::SAMPLE});
 }
 
 bool opensBlock(uint32_t type) {

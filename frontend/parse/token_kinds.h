@@ -37,8 +37,8 @@ inline bool isBehaviourWord(uint32_t type) {
 
 /// Whether it begins a member that is directly inside a state.
 inline bool startsMember(uint32_t type) {
-  return isBehaviourWord(type) ||
-         oneOf(type, {GliderLexer::SENSORS, GliderLexer::ENTRY, GliderLexer::EVENTS});
+  return isBehaviourWord(type) || oneOf(type, {GliderLexer::SENSORS, GliderLexer::SAMPLE,
+                                               GliderLexer::ENTRY, GliderLexer::EVENTS});
 }
 
 inline bool isTransition(uint32_t type) {

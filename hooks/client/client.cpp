@@ -382,6 +382,8 @@ void Client::queueInstruction() {
   words[line] = static_cast<double>(pending_.field);
 #define CHECK_WORD(role, sensor, word, line) \
   words[line] = static_cast<double>(checkValue(pending_));
+#define LATER_WORD(role, sensor, word, field, line) \
+  words[line] = static_cast<double>(pending_.field);
 #include "hooks/protocol/instruction.def"
   Frame frame;
   encodeEmptyList(frame);

@@ -188,6 +188,7 @@ static void commandCycle(Hookbeh* hookbeh, const HookSurroundings* now, bool mas
   HookLateralCommand lateral;
   hookPilotLateral(&hookbeh->pilot, now, &lateral);
   outputs->commanding = true;
+  outputs->sampling = hookbeh->pilot.in_force.sampling;
   outputs->altimeter = !(hookbeh->args.least_altitude_m < 0);
   outputs->heading_mode = lateral.mode;
   outputs->heading_rad = lateral.heading_rad;

@@ -65,6 +65,9 @@ typedef struct HookbehOutputs {
   /// The altimeter must be read in each cycle, as for a dive to an altitude, also if the mission
   /// file has switched it off.
   bool altimeter GLIDER_IS(false);
+  /// How often the instruments read (protocol/sampling.h), before what the mission file says; 0: as
+  /// that says, also while it commands nothing.
+  uint32_t sampling GLIDER_IS(0);
 } HookbehOutputs;
 
 /// One hookbeh: set by hookbehInit(), and read and written by nothing but hookbehCycle().

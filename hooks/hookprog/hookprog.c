@@ -11,14 +11,16 @@ static const GliderRole kReportsOfHookbeh[] = {kGliderRoleHookState, kGliderRole
                                                kGliderRoleHookAnswer, kGliderRoleHookInControl};
 
 /// With the commands that hookbeh obeys beyond those of every version.
-static void withHookbeh(HookSeatOptions* options) {
+static void withHookbeh(const GliderDictionary* dictionary, HookSeatOptions* options) {
+  const bool samples = hookSensorOf(dictionary, kGliderRoleHookSampling) != kHookNoSensor;
   options->obeys |= kHookFeatureFixedFin | kHookFeatureActuators;
+  options->obeys |= samples ? kHookFeatureSampling : 0;
 }
 
 void hookprogInit(Hookprog* hookprog, const GliderDictionary* dictionary,
                   const HookSeatOptions* options) {
   HookSeatOptions with_hookbeh = *options;
-  withHookbeh(&with_hookbeh);
+  withHookbeh(dictionary, &with_hookbeh);
   memset(hookprog, 0, sizeof *hookprog);
   hookprog->dictionary = dictionary;
   hookSeatInit(&hookprog->seat, dictionary, &with_hookbeh);

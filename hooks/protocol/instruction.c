@@ -11,6 +11,8 @@
   GLIDER_STATIC_ASSERT(role, kGliderRole##role - kGliderRoleHookSession == (line));
 #define CHECK_WORD(role, sensor, word, line) \
   GLIDER_STATIC_ASSERT(role, kGliderRole##role - kGliderRoleHookSession == (line));
+#define LATER_WORD(role, sensor, word, field, line) \
+  GLIDER_STATIC_ASSERT(role, kGliderRole##role - kGliderRoleHookSession == (line));
 #include "hooks/protocol/instruction.def"
 
 enum {
@@ -18,6 +20,7 @@ enum {
   kCheckedBytes = 0
 #define WORD(role, sensor, word, field, bytes, ...) +(bytes)
 #define REAL_WORD(role, ...) +4
+#define LATER_WORD(role, ...) +4
 #include "hooks/protocol/instruction.def"
 };
 
@@ -30,6 +33,12 @@ static bool readWhole(double word, uint32_t bytes, uint32_t* whole) {
                      whole);
 }
 
+/// The word of a feature: never set, it is 0.
+static bool readLater(double word, uint32_t* whole) {
+  *whole = 0;
+  return word != word || hookIsWhole(word, 0, kHookMostSampling, whole);
+}
+
 static double inSteps(double number, uint32_t bytes, uint32_t steps) {
   return (double)hookWholeSteps(number, steps, hookMostSteps(bytes)) / steps;
 }
@@ -39,6 +48,7 @@ void hookWordsOf(const HookInstruction* instruction, HookInstructionWords* words
   hookInSteps(instruction, &carried);
 #define WORD(role, sensor, word, field, ...) words->word = (double)carried.field;
 #define CHECK_WORD(role, sensor, word, line) words->word = (double)hookCheckValue(&carried);
+#define LATER_WORD(role, sensor, word, field, line) words->word = (double)carried.field;
 #include "hooks/protocol/instruction.def"
 }
 
@@ -51,6 +61,9 @@ bool hookInstructionOf(const HookInstructionWords* words, HookInstruction* instr
 #define REAL_WORD(role, sensor, word, field, bytes, steps, line) \
   good = hookIsFinite(words->word) && good;                      \
   instruction->field = inSteps(words->word, bytes, steps);
+#define LATER_WORD(role, sensor, word, field, line) \
+  good = readLater(words->word, &whole) && good;    \
+  instruction->field = whole;
 #define HOOK_TYPE_OF_1 uint8_t
 #define HOOK_TYPE_OF_2 uint16_t
 #define HOOK_TYPE_OF_4 uint32_t
@@ -80,5 +93,11 @@ uint32_t hookCheckValue(const HookInstruction* instruction) {
 #define REAL_WORD(role, sensor, word, field, width, steps, line) \
   hookWriteU32(&out, (uint32_t)hookWholeSteps(instruction->field, steps, hookMostSteps(width)));
 #include "hooks/protocol/instruction.def"
-  return hookCrc32c(bytes, kCheckedBytes, kHookCrc32cStart);
+#define WORD(...)
+#define LATER_WORD(role, sensor, word, field, line) \
+  if (instruction->field != 0) {                    \
+    hookWriteU32(&out, instruction->field);         \
+  }
+#include "hooks/protocol/instruction.def"
+  return hookCrc32c(bytes, out.size, kHookCrc32cStart);
 }

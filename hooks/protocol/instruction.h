@@ -5,6 +5,7 @@
 #define GLIDER_HOOKS_PROTOCOL_INSTRUCTION_H
 
 #include "hooks/protocol/dictionary.h"
+#include "hooks/protocol/sampling.h"
 #include "hooks/protocol/steps.h"
 #include "hooks/protocol/values.h"
 
@@ -25,12 +26,15 @@ typedef struct HookInstruction {
   double heading_rad GLIDER_IS(0);  ///< of Fin: the fin's angle, positive to turn to starboard
   double latitude_ddmm GLIDER_IS(0);
   double longitude_ddmm GLIDER_IS(0);
+  uint32_t sampling GLIDER_IS(0);  ///< how often the instruments read (sampling.h); at most
+                                   ///< kHookMostSampling
 } HookInstruction;
 
 /// The words of an instruction as the sensors hold them; NaN: never set.
 typedef struct HookInstructionWords {
 #define WORD(role, sensor, word, ...) double word GLIDER_IS(0);
 #define CHECK_WORD(role, sensor, word, line) double word GLIDER_IS(0);
+#define LATER_WORD(role, sensor, word, field, line) double word GLIDER_IS(0);
 #include "hooks/protocol/instruction.def"
 } HookInstructionWords;
 
@@ -64,6 +68,7 @@ struct InstructionWord {
 inline constexpr InstructionWord kInstructionWords[] = {
 #define WORD(role, sensor, word, ...) {kGliderRole##role, &InstructionWords::word},
 #define CHECK_WORD(role, sensor, word, line) {kGliderRole##role, &InstructionWords::word},
+#define LATER_WORD(role, sensor, word, field, line) {kGliderRole##role, &InstructionWords::word},
 #include "hooks/protocol/instruction.def"
 };
 // By reference, and by value.

@@ -39,7 +39,7 @@ bool hookIsScienceSensor(const GliderDictionary* dictionary, uint16_t id) {
 }
 
 bool hookIsInstructionSensor(const GliderDictionary* dictionary, uint16_t id) {
-  for (uint32_t role = kGliderRoleHookSession; role <= kGliderRoleHookSequence; ++role) {
+  for (uint32_t role = kGliderRoleHookSession; role <= kGliderRoleHookSampling; ++role) {
     if (id != kHookNoSensor && hookSensorOf(dictionary, (GliderRole)role) == id) {
       return true;
     }

@@ -301,12 +301,24 @@ struct LogItem {
   double period_s = 0;  ///< at most once in this time; 0: every tick
 };
 
+/// How often an instrument of the vehicle reads while a state is current.
+struct Sampling {
+  std::string instrument;  ///< "optode"
+  std::string words;       ///< as written: "every 30 s when climbing", "off"; empty: always
+  uint32_t place = 0;      ///< in the platform file, and in the word of hooks/protocol/sampling.h
+  ExprId code;             ///< a plain number: its code there
+  ExprId period;           ///< the time between readings, where the code is not a constant and may
+                           ///< be that of one; else invalid
+};
+
 struct State {
   std::string name;
   Activity profile;
   Activity route;
   std::vector<VariableId> parameters;  ///< kind Argument
   std::vector<LogItem> log;
+  /// By place. What is not there reads as the vehicle's own mission says.
+  std::vector<Sampling> sampling;
   BlockId entry;  ///< invalid: nothing
   std::vector<Case> cases;
   GuardTable table;              ///< of the cases; may be empty

@@ -71,6 +71,10 @@ class References {
     for (LogItem& item : state.log) {
       name(item.value);
     }
+    for (Sampling& sampling : state.sampling) {
+      name(sampling.code);
+      name(sampling.period);
+    }
     name(state.entry);
     ofEach(state.cases);
     of(state.table);

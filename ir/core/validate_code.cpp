@@ -3,6 +3,7 @@
 
 #include "ir/core/validate_code.h"
 
+#include "hooks/protocol/sampling.h"
 #include "ir/core/ops.h"
 #include "ir/core/scopes.h"
 #include "ir/core/validate_table.h"
@@ -505,11 +506,27 @@ class CodeValidator {
       require(item.period_s >= 0 && std::isfinite(item.period_s), s.range,
               "{} logs `{}` every {} s", where, item.name, item.period_s);
     }
+    sampling(id, where);
     action(s.entry, id, s.range);
     for (const Case& c : s.cases) {
       oneCase(c, id, ListKind::State, where);
     }
     table(s.table, s.cases.size(), where, s.range);
+  }
+
+  template <typename Text>
+  void sampling(StateId id, const Text& where) {
+    const State& s = m_[id];
+    uint32_t next = 0;
+    for (const Sampling& one : s.sampling) {
+      require(one.place >= next && one.place < kHookMostInstruments, s.range,
+              "{} has instruments out of their order", where);
+      next = one.place + 1;
+      expression(one.code, id, Type{TypeKind::Quantity, {}}, s.range, where);
+      if (one.period.valid()) {
+        expression(one.period, id, kTime, s.range, where);
+      }
+    }
   }
 
   /// A state's parameters are the arguments that it owns, each once; the first state has none.

@@ -6,6 +6,7 @@
 #include "ir/eval/interpreter.h"
 
 #include "ir/core/ops.h"
+#include "ir/core/sampling.h"
 #include "ir/core/validate.h"
 #include "ir/eval/arithmetic.h"
 #include "support/check.h"
@@ -103,6 +104,9 @@ void Interpreter::advance(double mission_time, std::span<const SensorUpdate> fra
     startTemporals(true, TemporalMoment::Advance);
     run(mission_.every_tick);
     startTemporals(false, TemporalMoment::Advance);
+    if (samplingChanges(mission_, mission_[state_])) {
+      sample();
+    }
   }
 }
 
@@ -309,6 +313,7 @@ void Interpreter::enter(StateId target) {
   entered_ = resumed_ = mission_time_;
   initialise(true);
   startTemporals(false, TemporalMoment::Start);
+  sample();
   run(mission_[state_].entry);
   startActivity(ListKind::Profile, Phase::Enter);
   startActivity(ListKind::Route, Phase::Enter);
@@ -323,8 +328,19 @@ void Interpreter::resume() {
   resumed_ = mission_time_;
   just_returned_ = true;
   startTemporals(false, TemporalMoment::Resume);
+  sample();
   startActivity(ListKind::Profile, Phase::Resume);
   startActivity(ListKind::Route, Phase::Resume);
+}
+
+/// Commands how often the instruments read. An unknown word changes nothing.
+void Interpreter::sample() {
+  constexpr double kMost = kHookMostSampling;
+  double word = 0;
+  for (const Sampling& one : mission_[state_].sampling) {
+    word += number(one.code) * samplingWeight(one.place);
+  }
+  sampling_ = word >= 0 && word <= kMost ? std::floor(word) : sampling_;
 }
 
 void Interpreter::startActivity(ListKind list, Phase phase) {
@@ -350,6 +366,7 @@ void Interpreter::initialise(bool of_state) {
 TickResult Interpreter::result() {
   TickResult result = std::exchange(told_, {});
   result.state = state_;
+  result.sampling = sampling_;
   result.finished = finished_;
   result.limit = limit_;
   result.just_returned = just_returned_;

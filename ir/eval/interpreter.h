@@ -121,6 +121,7 @@ class Interpreter {
   void move(CaseOf of, const Case& fired);
   void enter(StateId target);
   void resume();
+  void sample();
   void startActivity(ListKind list, Phase phase);
   void initialise(bool of_state);
 
@@ -147,6 +148,7 @@ class Interpreter {
   double mission_time_ = 0;
   double entered_ = 0;
   double resumed_ = 0;
+  double sampling_ = 0;
   Externals externals_;
   /// The result of each use in this tick. An expression that is evaluated later may be the first to
   /// need it.

@@ -76,6 +76,8 @@ struct TickResult {
   std::vector<Action> actions;    ///< in the order in which they happened
   std::vector<Note> notes;
   uint32_t lost_notes = 0;
+  double sampling = 0;  ///< how often instruments read, in force: a word of
+                        ///< hooks/protocol/sampling.h
 
   [[nodiscard]] std::optional<uint32_t> firedIn(ListKind list) const {
     return fired.at(static_cast<size_t>(list));

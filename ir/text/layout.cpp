@@ -57,6 +57,8 @@ std::vector<uint32_t> countUses(const Mission& mission) {
       countCases(a->cases);
     }
     std::ranges::for_each(s.log, count, &LogItem::value);
+    std::ranges::for_each(s.sampling, count, &Sampling::code);
+    std::ranges::for_each(s.sampling, count, &Sampling::period);
     countCases(s.cases);
   }
   return uses;

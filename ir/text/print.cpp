@@ -196,6 +196,16 @@ void Printer::state(const State& s) {
     line("log {} every {} ", nameText(item.name), item.period_s);
     use(item.value);
   }
+  for (const Sampling& one : s.sampling) {
+    const std::array<ExprId, 2> both{one.code, one.period};
+    prepare({both.data(), one.period.valid() ? 2U : 1U});
+    line("sample {} {} {} ", nameText(one.instrument), nameText(one.words), one.place);
+    use(one.code);
+    if (one.period.valid()) {
+      add(" period ");
+      use(one.period);
+    }
+  }
   entry(s.entry);
   cases(s.cases);
   table(s.table);

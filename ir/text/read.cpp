@@ -3,6 +3,7 @@
 
 #include "ir/text/read.h"
 
+#include "hooks/protocol/sampling.h"
 #include "ir/core/mission_writer.h"
 #include "ir/core/validate.h"
 #include "ir/text/code_reader.h"
@@ -483,6 +484,8 @@ class Reader {
         activity(s.profile, number, profiles_, "profile", begin);
       } else if (in_.accept("log")) {
         log(s);
+      } else if (in_.accept("sample")) {
+        sampling(s);
       } else if (in_.accept("entry")) {
         code_.entry(s.entry);
       } else if (in_.accept("case")) {
@@ -540,6 +543,18 @@ class Reader {
     item.period_s = in_.number(false);
     item.value = code_.expression();
     s.log.push_back(std::move(item));
+  }
+
+  void sampling(State& s) {
+    Sampling one;
+    one.instrument = in_.name("the name of an instrument");
+    one.words = in_.name("how often it reads");
+    one.place = static_cast<uint32_t>(in_.integer(0, kHookMostInstruments - 1));
+    one.code = code_.expression();
+    if (in_.accept("period")) {
+      one.period = code_.expression();
+    }
+    s.sampling.push_back(std::move(one));
   }
 
   text::Cursor in_;

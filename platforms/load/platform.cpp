@@ -6,6 +6,7 @@
 #include "platforms/load/load_platform.h"
 #include "platforms/load/longest_lag.h"
 #include "platforms/load/read_envelope.h"
+#include "platforms/load/read_instruments.h"
 #include "platforms/load/read_modem.h"
 #include "platforms/load/read_motion.h"
 #include "platforms/load/read_numbers.h"
@@ -153,12 +154,16 @@ EnvironmentModel readWorld(TomlReader& reader) {
   return world;
 }
 
-/// Whether missions and C can use `name`.
-bool isName(std::string_view name) {
-  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  return !name.empty() && letter(name.front()) && std::ranges::all_of(name, [&](char c) {
-    return letter(c) || (c >= '0' && c <= '9') || c == '_';
-  });
+/// Rows of the power table whose device is an instrument that missions switch.
+void linkPower(Platform& platform) {
+  for (Draw& draw : platform.power.draws) {
+    const auto found = std::ranges::find(platform.instruments, draw.device, &Instrument::name);
+    const bool lasts = draw.when == DrawWhen::Always || draw.when == DrawWhen::Read;
+    if (found != platform.instruments.end() && lasts) {
+      draw.instrument = static_cast<uint32_t>(found - platform.instruments.begin());
+      draw.reading_s = found->reading_s;
+    }
+  }
 }
 
 }  // namespace
@@ -182,7 +187,7 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
   Platform platform;
   TomlReader reader(path.string(), *root, "the platform");
   reader.only({"name", "description", "family", "front_seats", "envelope", "world", "motion",
-               "power", "modem", "sensor"});
+               "power", "instrument", "modem", "sensor"});
   platform.name = reader.text("name");
   if (!isName(platform.name)) {
     reader.refuse("name", "must be letters, digits and `_`, and begin with a letter");
@@ -214,6 +219,12 @@ support::Result<Platform> loadPlatform(const std::filesystem::path& path) {
   if (auto read = readMotionAndPower(path.string(), *root, platform); !read) {
     return std::unexpected(read.error());
   }
+  auto instruments = readInstruments(path.string(), *root, platform);
+  if (!instruments) {
+    return std::unexpected(instruments.error());
+  }
+  platform.instruments = *std::move(instruments);
+  linkPower(platform);
   auto modem = readModem(path.string(), *root);
   if (!modem) {
     return std::unexpected(modem.error());

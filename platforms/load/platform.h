@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "platforms/load/instrument.h"
 #include "platforms/load/modem.h"
 #include "platforms/load/power.h"
 #include "platforms/load/propeller_motion.h"
@@ -140,6 +141,7 @@ struct Platform {
   Power power;                   ///< means something with `motion`
   std::optional<Modem> modem;    ///< empty: the vehicle has none
   std::vector<PlatformSensor> sensors;  ///< sensors[i].id == i
+  std::vector<Instrument> instruments;  ///< those that missions switch
 
   /// Whether the SBC's own program answers its frames of the hook protocol: the vehicle has
   /// neither of the hooks, and another port.

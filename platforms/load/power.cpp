@@ -3,9 +3,12 @@
 
 #include "platforms/load/power.h"
 
+#include "hooks/protocol/sampling.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace glider::platforms {
@@ -70,6 +73,21 @@ std::vector<std::string> devicesOf(const Power& power) {
 size_t placeOf(const Power& power, std::string_view device) {
   const std::vector<std::string> devices = devicesOf(power);
   return static_cast<size_t>(std::ranges::find(devices, device) - devices.begin());
+}
+
+double hoverPump(const EnergyModel& model, double depth_m) {
+  // In deep water the motion of a wave of 20 s fades by e in so many metres: g / (4 pi^2 / T^2).
+  constexpr double kFades_m = 99;
+  return model.hover_pump_cc_s +
+         model.hover_swell_cc_s * std::exp(-std::max(depth_m, 0.0) / kFades_m);
+}
+
+std::optional<double> shareOn(const Draw& draw, uint32_t code) {
+  const double period_s = hookSamplingSecs(code);
+  if (std::isnan(period_s)) {
+    return std::nullopt;
+  }
+  return period_s < 0 ? 0 : draw.reading_s / std::max(draw.reading_s, period_s);
 }
 
 }  // namespace glider::platforms

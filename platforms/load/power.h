@@ -41,7 +41,15 @@ struct Draw {
   double spread = 0;                 ///< the share by which it may be wrong to either side
   std::string source;                ///< where the number is from
   std::vector<std::string> sensors;  ///< of Read: the vehicle's names of what the device measures
+  /// Of Always and Read, of a device that is an instrument which missions switch: its place among
+  /// them, and for how long it is on for a reading, s.
+  std::optional<uint32_t> instrument = {};
+  double reading_s = 0;
 };
+
+/// The share of the time for which an instrument of the table is on, for a code of
+/// hooks/protocol/sampling.h; none: the code leaves it as the row says.
+std::optional<double> shareOn(const Draw& draw, uint32_t code);
 
 /// What bounds of the energy of a flight assume of a glider beyond the rows.
 struct EnergyModel {
@@ -50,10 +58,17 @@ struct EnergyModel {
   double glide_m_s = 0;
   double pitch_off_deg = 0;         ///< the pitch may be so far from what is commanded
   double hover_pump_cc_s = 0;       ///< what a hover pumps out on average, and as much in
+  double hover_swell_cc_s = 0;      ///< how much more in a swell near the surface: hoverPump
   double pitch_battery_share = 0;   ///< of the time of a leg, while it moves
   double pitch_battery_turn_s = 0;  ///< the same for a turn between the steepest dive and climb
   double dive_start_s = 0;          ///< from the command to dive it stays so long at the surface
 };
+
+/// What a hover at `depth_m` or deeper pumps out on average, and as much in, cc/s: also in a swell
+/// of kSwell_m.
+double hoverPump(const EnergyModel& model, double depth_m);
+/// The amplitude, m.
+inline constexpr double kSwell_m = 3;
 
 /// The batteries and all that they feed.
 struct Power {

@@ -26,6 +26,7 @@ constexpr NumberKey<EnergyModel> kBounds[] = {
     {"glide_m_s", &EnergyModel::glide_m_s},
     {"pitch_off_deg", &EnergyModel::pitch_off_deg},
     {"hover_pump_cc_s", &EnergyModel::hover_pump_cc_s},
+    {"hover_swell_cc_s", &EnergyModel::hover_swell_cc_s},
     {"pitch_battery_share", &EnergyModel::pitch_battery_share},
     {"pitch_battery_turn_s", &EnergyModel::pitch_battery_turn_s},
     {"dive_start_s", &EnergyModel::dive_start_s},

@@ -145,6 +145,13 @@ TomlReader tableOf(std::string file, const toml::node_view<const toml::node>& no
   return {std::move(file), table != nullptr ? *table : kNone, std::move(title)};
 }
 
+bool isName(std::string_view name) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  return !name.empty() && letter(name.front()) && std::ranges::all_of(name, [&](char c) {
+    return letter(c) || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
 support::Result<toml::table> parseToml(const std::filesystem::path& path) {
   auto text = support::readFile(path);
   if (!text) {

@@ -63,6 +63,9 @@ class TomlReader {
 TomlReader tableOf(std::string file, const toml::node_view<const toml::node>& node,
                    std::string title);
 
+/// Whether missions and C can use `name`: letters, digits and `_`, a letter first.
+bool isName(std::string_view name);
+
 /// Parses a whole TOML file. GL9001, GL5001.
 support::Result<toml::table> parseToml(const std::filesystem::path& path);
 

@@ -38,7 +38,8 @@ struct BriefState {
   std::string samples;  ///< "`depth` and `temp` on every tick"; empty: none
   std::string entry;    ///< "sets `n` to `0`"; empty: nothing
   std::vector<BriefEvent> events;
-  bool unreached = false;  ///< nothing leads to it
+  bool unreached = false;        ///< nothing leads to it
+  std::string instruments = {};  ///< "`ctd every 4 s` and `optode off`"; empty: as the vehicle says
 };
 
 /// A value with a name; all but `meaning` as the mission or the launch writes it.

@@ -80,6 +80,8 @@ void addState(SvgText& page, const BriefState& state, bool first) {
            state.deepest.empty() ? "" : " The vehicle is " + raw(state.deepest) + ".");
   page.add("<li>Course: {}</li>\n<li>Logs: {}</li>\n", usage(state.route),
            state.samples.empty() ? "nothing" : words(state.samples));
+  page.add(state.instruments.empty() ? ""
+                                     : "<li>Instruments: " + words(state.instruments) + "</li>\n");
   page.add(state.entry.empty() ? "" : "<li>On entry: " + words(state.entry) + "</li>\n");
   page.add(state.events.empty() ? "<li>Events: none</li>\n" : "");
   page.add("</ul>\n");

@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-#define GLIDER_ABI_VERSION 10u
+#define GLIDER_ABI_VERSION 11u
 /* Gives a function declared in C the symbol that a mission looks for; ir/core/c_symbols.h says how
    the symbol encodes the function's types. */
 #define GLIDER_SYMBOL(name) __asm__(name)
@@ -171,6 +171,10 @@ static inline uint32_t gliderGuardMemory(uint32_t column_count, uint32_t words) 
 /* The answer of GliderGuards, by a table. Keeps the intervals in which the numbers were, and reads
    no row as long as they stay there. */
 uint32_t gliderFirstTrue(GliderContext* context, const GliderGuardTable* table, uint32_t from);
+
+/* Commands how often the vehicle's instruments read: a word of hooks/protocol/sampling.h. One that
+   is unknown changes nothing and is counted as a refused command. */
+void gliderSample(GliderContext* context, double word);
 
 /* Adds a note of `kind` (GliderNoteKind) with `count` values, for this tick; `text` outlives the
    mission. A note for which there is no room is counted as lost. */

@@ -65,6 +65,7 @@ hooks::Instruction instructionFor(const GliderContext& context) {
   instruction.heading_rad = context.magnetic;
   instruction.latitude_ddmm = degreesMinutesOf(context.latitude);
   instruction.longitude_ddmm = degreesMinutesOf(context.longitude);
+  instruction.sampling = context.sampling;
   hooks::Instruction rounded;
   hookInSteps(&instruction, &rounded);
   // Just under a full turn, rounded up past the sensor's range.
@@ -86,7 +87,8 @@ bool sameCommand(const hooks::Instruction& a, const hooks::Instruction& b) {
   while (i < kEnd && bytes_of_a[i] == bytes_of_b[i]) {
     ++i;
   }
-  return i == kEnd && a.vertical == b.vertical && a.lateral == b.lateral;
+  return i == kEnd && a.vertical == b.vertical && a.lateral == b.lateral &&
+         a.sampling == b.sampling;
 }
 
 }  // namespace glider::runtime

@@ -131,6 +131,7 @@ void SlocumSeat::cycle(double now_s, bool sbc_gone, Vehicle& vehicle) {
   flight_.noteSbcGone(sbc_gone);
   flight_.cycle(now_s, world_.ocean(), vehicle, line_);
   science_.sampleEvery(flight_.samplePeriods());
+  vehicle.switchInstruments(flight_.sampling());
 }
 
 bool SlocumSeat::serve(double now_s, const Vehicle& vehicle, SerialLine& sbc) {

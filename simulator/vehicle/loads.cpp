@@ -3,6 +3,8 @@
 
 #include "simulator/vehicle/loads.h"
 
+#include "hooks/protocol/sampling.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,18 +31,26 @@ void Loads::read(std::span<const std::string> sensors) {
   }
 }
 
+void Loads::order(uint32_t sampling) {
+  for (Row& row : rows_) {
+    if (row.draw.instrument) {
+      row.on = platforms::shareOn(row.draw, hookSamplingOf(sampling, *row.draw.instrument));
+    }
+  }
+}
+
 double Loads::joules(const Row& row, const Doings& doings) {
   const Draw& draw = row.draw;
   const auto during = [&](bool on) { return on ? draw.amount * doings.seconds : 0; };
   switch (draw.when) {
     case DrawWhen::Always:
-      return during(true);
+      return during(true) * row.on.value_or(1);
     case DrawWhen::Surface:
       return during(doings.at_surface);
     case DrawWhen::Surfacing:
       return doings.surfaces ? draw.amount : 0;
     case DrawWhen::Read:
-      return during(row.is_read && doings.sbc_powered);
+      return row.on ? during(true) * *row.on : during(row.is_read && doings.sbc_powered);
     case DrawWhen::PumpOut:
       return std::max(doings.pumped_cc, 0.0) * (draw.amount + draw.amount_per_m * doings.depth_m);
     case DrawWhen::PumpIn:

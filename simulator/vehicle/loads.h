@@ -6,6 +6,8 @@
 #include "simulator/vehicle/battery.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,6 +34,8 @@ class Loads {
 
   /// The mission reads sensors: the vehicle's names.
   void read(std::span<const std::string> sensors);
+  /// The SBC orders how often instruments read: a word of hooks/protocol/sampling.h.
+  void order(uint32_t sampling);
   /// Draws from `battery` what all devices take in a step.
   void draw(Battery& battery, const Doings& doings) const;
 
@@ -40,6 +44,8 @@ class Loads {
     platforms::Draw draw;
     size_t device = 0;  ///< its place in platforms::devicesOf
     bool is_read = false;
+    /// The share of the time for which it is on; none: as its row says.
+    std::optional<double> on = {};
   };
 
   [[nodiscard]] static double joules(const Row& row, const Doings& doings);

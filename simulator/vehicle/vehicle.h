@@ -41,6 +41,8 @@ class Vehicle {
   void feedSbc(bool powered) { sbc_powered_ = powered; }
   /// The mission reads these sensors, by the vehicle's names: what measures them draws its power.
   void readSensors(std::span<const std::string> sensors) { loads_.read(sensors); }
+  /// The SBC orders how often they read: a word of hooks/protocol/sampling.h.
+  void switchInstruments(uint32_t sampling) { loads_.order(sampling); }
 
   /// The acoustic modem draws energy.
   void useByModem(double joules);

@@ -129,6 +129,7 @@ void writeTick(const GliderContext* context) {
   for (uint32_t i = 0; i < context->mission->variable_count; ++i) {
     putNumber(context->variables[i]);
   }
+  putNumber(context->sampling);
   putNotes(context);
   GliderCondition* condition = context->mission->condition;
   put(condition != NULL ? condition(context) : GLIDER_NO_CASE);

@@ -101,6 +101,7 @@ Words record(const Trial& trial, const ir::Interpreter& interpreter, const ir::T
   appendActions(trial.mission, tick, words);
   appendMoves(tick, words);
   appendNumbers(tick.variables, words);
+  words.push_back(wordOf(tick.sampling));
   appendNotes(tick, words);
   words.push_back(ir::failedCondition(trial.mission, trial.parameters).value_or(UINT32_MAX));
   for (const ir::LogItem& item : trial.mission[tick.state].log) {

@@ -316,5 +316,31 @@ INSTANTIATE_TEST_SUITE_P(
         Hungry{"descends to the surface", profileText("  entry do descend(0.5 m, 26 deg) end\n"),
                10.5}));
 
+/// `surface` pumps to the end, and a climb that has arrived holds its depth: by turns they take
+/// strokes, though both are upwards.
+TEST(EnergyBounds, TwoCommandsUpwardsTakeStrokes) {
+  const auto text = [](const char* other) {
+    return fmt::format(
+        "flightprofile flick(at: length)\nbegin\n  var up: bool = false\n"
+        "  var since: time = missiontime\n  entry do ascend(at, 26 deg) end\n  events\n"
+        "    case up && missiontime - since >= 16 s do set since = missiontime set up = false "
+        "ascend(at, 26 deg) end stay\n"
+        "    case !up && missiontime - since >= 16 s do set since = missiontime set up = true "
+        "{} end stay\nend\nstate fly\nbegin\n  flightprofile flick(150 m)\n"
+        "  sensors missiontime, depth\n  events\n    case missiontime > 2 h exit\nend\n",
+        other);
+  };
+  const platforms::Platform& p = slocum();
+  double stroke_j = 0;
+  for (const platforms::Draw& draw : p.power.draws) {
+    const bool pumps =
+        draw.when == platforms::DrawWhen::PumpOut || draw.when == platforms::DrawWhen::PumpIn;
+    stroke_j +=
+        pumps ? 2 * p.envelope.pump_cc * (draw.amount + draw.amount_per_m * 150) * (1 + draw.spread)
+              : 0;
+  }
+  EXPECT_GT(*boundOf(text("surface()")).joules, 2 * kHour_s / 32 * stroke_j);
+}
+
 }  // namespace
 }  // namespace glider::tests

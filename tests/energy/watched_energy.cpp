@@ -113,6 +113,12 @@ simulator::Scenario drawSea(simulator::Scenario scenario, ir::prove::Rng& dice) 
   scenario.vehicle.flight.drag = dice.within(0.10, 0.20);
   drawWater(scenario.ocean, dice);
   scenario.ocean.bottom.depth_m = dice.within(80, 250);
+  if (dice.chance(0.5)) {
+    scenario.ocean.swell = {.amplitude_m = dice.within(0, 3),
+                            .period_s = dice.within(6, 20),
+                            .bearing_rad = dice.within(0, 2 * std::numbers::pi),
+                            .followed_share = dice.within(0.3, 1)};
+  }
   const bool hungry = dice.chance(0.5);
   setHunger(scenario.vehicle, usualBoardPower(), [&] { return hungry ? 1 : dice.within(-1, 1); });
   return scenario;

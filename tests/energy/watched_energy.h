@@ -28,8 +28,9 @@ std::optional<ir::prove::EnergyBound> boundOfEnergy(const FlyingMission& mission
 void setHunger(simulator::VehicleSettings& vehicle, const platforms::BoardPower& board,
                const std::function<double()>& share);
 
-/// The scenario with another sea, on a healthy vehicle in deep water: hookbeh does not have to turn
-/// it, which no bound counts. Half of the vehicles take all of their spread.
+/// The scenario with another sea, half of them with a swell, on a healthy vehicle in deep water:
+/// hookbeh does not have to turn it, which no bound counts. Half of the vehicles take all of their
+/// spread.
 simulator::Scenario drawSea(simulator::Scenario scenario, ir::prove::Rng& dice);
 
 /// What a flight took while the SBC had control and hookbeh did what it said.

@@ -86,6 +86,7 @@ HookInstruction anyInstruction(std::mt19937& dice, uint16_t sequence) {
   one.heading_rad = 0.1 * static_cast<double>(dice() % 4);
   one.latitude_ddmm = 3910.5;
   one.longitude_ddmm = -7349.8;
+  one.sampling = dice() % 3 == 0 ? 0 : dice() % 1024;
   return one;
 }
 
@@ -128,6 +129,7 @@ TEST(ExampleBehaviour, DoesWhatHookbehDoes) {
       ASSERT_EQ(array.command.pump_cc, out.pump_cc) << cycle;
       ASSERT_EQ(array.command.battery_in, out.battery_in) << cycle;
       ASSERT_EQ(array.command.heading_rad, out.heading_rad) << cycle;
+      ASSERT_EQ(array.command.sampling, out.sampling) << cycle;
       v[GLIDER_C_BALLAST_PUMPED] = out.pump_cc;
       ++commands;
     }

@@ -3,6 +3,7 @@
 
 #include "tests/random_missions/random_mission.h"
 
+#include "hooks/protocol/sampling.h"
 #include "ir/core/ops.h"
 #include "ir/core/types.h"
 #include "ir/eval/interpreter.h"
@@ -76,6 +77,9 @@ class MissionMaker {
     always();
     if (flown) {
       everyTick();
+    }
+    if (seed_ % 5 == 2) {
+      sampling();
     }
     if (seed_ % 4 == 3) {
       m_.compass = ir::Compass{{}, static_cast<double>(seed_ % 300) / 100 - 1.5};
@@ -246,6 +250,23 @@ class MissionMaker {
       activity.cases.push_back(c);
     }
     return activity;
+  }
+
+  /// Codes of instruments, of which some are none.
+  void sampling() {
+    for (uint32_t i = 0; i < m_.states.size(); ++i) {
+      stand(ir::ListKind::State, {i});
+      for (uint32_t place = 0; place < kHookMostInstruments; ++place) {
+        if (random_.chance(0.4)) {
+          const auto code = static_cast<double>(random_.below(kHookSamplingCodes));
+          const ir::ExprId number = random_.chance(0.5)
+                                        ? expressions_.plain(quantity(dimension::number), code)
+                                        : expressions_.number(quantity(dimension::number), 2);
+          m_.states[i].sampling.push_back(
+              {fmt::format("i{}", place), random_.chance(0.5) ? "off" : "", place, number, {}});
+        }
+      }
+    }
   }
 
   ir::BlockId action() { return random_.chance(0.5) ? blocks_.block(2) : ir::BlockId(); }

@@ -23,6 +23,10 @@ namespace {
 using ir::prove::EnergyBound;
 using ir::prove::StateBound;
 
+/// So far above the bottom hookbeh does not turn a dive: `min_altitude`, and what it keeps free
+/// below a vehicle that sinks, m.
+constexpr double kGuardMargin_m = 10;
+
 /// What the batteries hold when they are full, J: those that the mission names, or the vehicle's.
 double packOf(const ir::Mission& mission, const platforms::Power& power) {
   constexpr double kJoulesPerKilojoule = 1000;
@@ -60,9 +64,10 @@ std::string boundLine(const EnergyBound& bound, double pack_j) {
       support::grouped(static_cast<uint64_t>(std::lround(pack_j / simulator::kJoulesPerWattHour)));
   if (!bound.joules) {
     return fmt::format(
-        "by the vehicle's power table the mission takes at most {:.3g} W on average "
+        "by the vehicle's power table the mission takes at most {} W on average "
         "in a long flight, so a pack that gives {} Wh lasts at least {}: {}",
-        bound.watts, pack, wholeOf((pack_j - bound.start_j) / bound.watts), sharesOf(bound));
+        support::atMost(bound.watts), pack, wholeOf((pack_j - bound.start_j) / bound.watts),
+        sharesOf(bound));
   }
   const double share = *bound.joules / pack_j * 100;
   const std::string percent =
@@ -73,21 +78,28 @@ std::string boundLine(const EnergyBound& bound, double pack_j) {
   return fmt::format(
       "by the vehicle's power table the mission takes at most {} Wh until it ends, {}: "
       "{}",
-      support::groupedAmount(*bound.joules / simulator::kJoulesPerWattHour), of_pack,
-      sharesOf(bound));
+      support::atMost(*bound.joules / simulator::kJoulesPerWattHour), of_pack, sharesOf(bound));
 }
 
 /// What it takes at least; empty: nothing is known that is worth a line.
-std::string leastLine(const EnergyBound& bound) {
+std::string leastLine(const EnergyBound& bound, const std::string& board) {
   constexpr double kWorthMinutes_s = 600;
   if (!bound.earliest_s || *bound.earliest_s < kWorthMinutes_s) {
     return "";
   }
   return fmt::format(
-      "and at least {} Wh if it comes to an `exit` without a power cut, {} after the start or "
+      "and at least {} Wh{} if it comes to an `exit` without a power cut, {} after the start or "
       "later",
-      support::groupedAmount(bound.least_j / simulator::kJoulesPerWattHour),
-      ir::prove::durationOf(*bound.earliest_s));
+      support::atLeast(bound.least_j / simulator::kJoulesPerWattHour),
+      board.empty() ? "" : " with the board " + board, ir::prove::durationOf(*bound.earliest_s));
+}
+
+/// What the bound does not count.
+std::string seaLine(const EnergyBound& bound) {
+  return fmt::format(
+      "hookbeh's guards are not counted: the water is at least {:.0f} m deep where the vehicle "
+      "dives, and a swell has at most {:.0f} m",
+      std::ceil(bound.deepest_m + kGuardMargin_m), platforms::kSwell_m);
 }
 
 /// "at most 9.6 W in `home`, 7.9 W in `out`", the greatest first; empty: there is one state.
@@ -99,7 +111,7 @@ std::string statesLine(std::vector<StateBound> states, const ir::Mission& missio
   constexpr size_t kNamed = 6;
   std::string text;
   for (size_t i = 0; i < std::min(kNamed, states.size()); ++i) {
-    text += fmt::format("{}{:.3g} W in `{}`", i == 0 ? "" : ", ", states[i].watts,
+    text += fmt::format("{}{} W in `{}`", i == 0 ? "" : ", ", support::atMost(states[i].watts),
                         mission[states[i].state].name);
   }
   return fmt::format("during a long stay, on average at most {}{}", text,
@@ -159,8 +171,9 @@ support::Result<void> energy(Run& run) {
              boundLine(*bound, packOf(run.mission(), run.platform().power)) +
              (run.mission().shares.empty() ? "" : "; its acoustic modem is not counted"));
   for (std::string line :
-       {leastLine(*bound), statesLine(bound->states, run.mission()),
-        turnsLine(bound->states, run.mission()), roundLine(*bound, run.mission())}) {
+       {leastLine(*bound, run.platform().power.board), seaLine(*bound),
+        statesLine(bound->states, run.mission()), turnsLine(bound->states, run.mission()),
+        roundLine(*bound, run.mission())}) {
     if (!line.empty()) {
       run.remark(std::move(line));
     }

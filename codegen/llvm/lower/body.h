@@ -62,6 +62,9 @@ void lowerWindow(Body& body, ir::TemporalId id, Freshness& fresh);
 /// The same for a window over a leg.
 void lowerLeg(Body& body, ir::TemporalId id, Freshness& fresh);
 
+/// Generates the command of how often instruments read (gliderSample).
+void lowerSampling(Body& body, const ir::State& state);
+
 /// Calls an activity's C function (runtime/abi/behaviour.h) with its arguments, evaluated here.
 void callBehaviour(Body& body, const ir::Activity& activity, uint32_t memory_block,
                    llvm::Value* phase);

@@ -44,7 +44,7 @@ bool comesWithNothing(const Lowering& lowering, const ir::Activity& activity) {
 
 bool hasNothingToDo(const Lowering& lowering, uint32_t index) {
   const ir::State& state = lowering.mission.states[index];
-  return lowering.index.state_variables[index].empty() &&
+  return !lowering.index.samples && lowering.index.state_variables[index].empty() &&
          lowering.index.state_temporals[index].empty() && !state.entry.valid() &&
          comesWithNothing(lowering, state.profile) && comesWithNothing(lowering, state.route);
 }
@@ -68,6 +68,9 @@ llvm::Function* lowerEnter(Lowering& lowering, uint32_t index) {
     });
   }
   lowerTemporals(body, temporals, TemporalMoment::Start);
+  if (lowering.index.samples) {
+    lowerSampling(body, state);
+  }
   if (state.entry.valid()) {
     onEnter(body, [&] { lowerBlock(body, state.entry); });
   }

@@ -38,8 +38,7 @@ StateFunctions lowerState(Lowering& lowering, uint32_t index, bool profile) {
                                  lowering.index.table_memory[index], state.name, state.range);
   functions.act = lowerAct(lowering, state.cases, state.name, state.range);
   functions.enter = lowerEnter(lowering, index);
-  functions.advance =
-      lowerAdvance(lowering, lowering.index.state_temporals[index], {}, state.name, state.range);
+  functions.advance = lowerAdvance(lowering, index);
   functions.profile = profile ? lowerProfile(lowering, index)
                               : declareFly(lowering, index, state.profile, "profile");
   functions.route = lowerFly(lowering, index, state.route, "route", blocks.route);

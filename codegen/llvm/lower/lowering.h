@@ -76,6 +76,8 @@ llvm::Function* lowerAct(Lowering& lowering, const std::vector<ir::Case>& cases,
 /// The temporals advance, then `then` runs, which may be invalid.
 llvm::Function* lowerAdvance(Lowering& lowering, const std::vector<ir::TemporalId>& temporals,
                              ir::BlockId then, const std::string& name, support::SourceRange range);
+/// The same of a state, which may change how often instruments read.
+llvm::Function* lowerAdvance(Lowering& lowering, uint32_t state);
 llvm::Function* lowerEnter(Lowering& lowering, uint32_t state);
 /// The function of a profile or route; `kind` is "profile" or "route".
 llvm::Function* lowerFly(Lowering& lowering, uint32_t state, const ir::Activity& activity,

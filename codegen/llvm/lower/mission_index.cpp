@@ -4,6 +4,7 @@
 #include "codegen/llvm/lower/mission_index.h"
 
 #include "ir/core/ops.h"
+#include "ir/core/sampling.h"
 #include "ir/core/window_shape.h"
 #include "runtime/abi/glider_abi.h"
 #include "runtime/abi/leg.h"
@@ -95,6 +96,7 @@ MissionIndex indexMission(const ir::Mission& mission) {
   indexVariables(mission, index);
   indexTemporals(mission, index);
   indexTables(mission, index);
+  index.samples = ir::samples(mission);
   auto block = [&](const ir::Activity& activity) {
     return mission[activity.behaviour].symbol.empty() ? UINT32_MAX : index.memory_count++;
   };

@@ -34,6 +34,7 @@ struct MissionIndex {
   };
   std::vector<Blocks> memory_blocks;
   uint32_t memory_count = 0;
+  bool samples = false;  ///< each state commands how often instruments read: ir::samples
 };
 
 MissionIndex indexMission(const ir::Mission& mission);

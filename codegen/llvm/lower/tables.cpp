@@ -7,6 +7,7 @@
 #include "codegen/llvm/lower/lowering.h"
 #include "hooks/protocol/features.h"
 #include "ir/core/parameter_info.h"
+#include "ir/core/sampling.h"
 #include "ir/worlds/start_depth.h"
 #include "platforms/load/dictionary.h"
 #include "runtime/abi/glider_abi.h"
@@ -68,7 +69,7 @@ size_t neededFor(ir::Command command) {
 
 /// What the vehicle must offer. What a profile or route in C commands is not known.
 size_t neededFeatures(const ir::Mission& mission) {
-  size_t needs = 0;
+  size_t needs = ir::samples(mission) ? hooks::kFeatureSampling : 0;
   for (const ir::Block& block : mission.blocks) {
     for (const ir::Statement& statement : block.statements) {
       needs |= statement.kind == ir::StatementKind::Command ? neededFor(statement.command) : 0U;

@@ -3,6 +3,7 @@
 
 #include "codegen/llvm/lower/body.h"
 #include "ir/core/ops.h"
+#include "ir/core/sampling.h"
 
 namespace glider::codegen {
 namespace {
@@ -103,6 +104,23 @@ llvm::Function* lowerAdvance(Lowering& lowering, const std::vector<ir::TemporalI
   Body body(lowering, "advance." + name, Body::Result::None, 0, name + " watches", range);
   lowerTemporals(body, temporals, TemporalMoment::Advance);
   lowerBlock(body, then);
+  body.builder.CreateRetVoid();
+  return body.function;
+}
+
+llvm::Function* lowerAdvance(Lowering& lowering, uint32_t index) {
+  const ir::State& state = lowering.mission.states[index];
+  const auto& temporals = lowering.index.state_temporals[index];
+  const bool samples = ir::samplingChanges(lowering.mission, state);
+  if (temporals.empty() && !samples) {
+    return nullptr;
+  }
+  Body body(lowering, "advance." + state.name, Body::Result::None, 0, state.name + " watches",
+            state.range);
+  lowerTemporals(body, temporals, TemporalMoment::Advance);
+  if (samples) {
+    lowerSampling(body, state);
+  }
   body.builder.CreateRetVoid();
   return body.function;
 }

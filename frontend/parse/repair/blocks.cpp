@@ -39,6 +39,7 @@ bool StructureRepair::topLevel(const Lexeme& t) {
       return in_always_ || outside(t);
     case GliderLexer::EVENTS:
     case GliderLexer::SENSORS:
+    case GliderLexer::SAMPLE:
     case GliderLexer::ENTRY:
       return outside(t);
     case GliderLexer::DO:

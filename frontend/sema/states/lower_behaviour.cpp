@@ -115,7 +115,8 @@ void BehaviourLowering::checkMembers() {
   for (const ast::Member& member : declaration_.body->members) {
     const bool foreign = std::holds_alternative<ast::RouteMember>(member.node) ||
                          std::holds_alternative<ast::ProfileMember>(member.node) ||
-                         std::holds_alternative<ast::SensorsMember>(member.node);
+                         std::holds_alternative<ast::SensorsMember>(member.node) ||
+                         std::holds_alternative<ast::SampleMember>(member.node);
     if (foreign) {
       scope_.report(support::diagnostics::stateMemberInBehaviour, member.keyword,
                     scope_.text(member.keyword));

@@ -7,6 +7,7 @@
 #include "frontend/sema/declarations/variables.h"
 #include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/states/lower_case.h"
+#include "frontend/sema/states/lower_sample.h"
 #include "frontend/sema/states/lower_statement.h"
 #include "frontend/sema/states/moving_place.h"
 #include "support/check.h"
@@ -141,6 +142,7 @@ ir::State StateLowering::run() {
   }
   scope_.context.activities = &result_;
   visitAll(indexOf<ast::SensorsMember>());
+  visitAll(indexOf<ast::SampleMember>());
   visitAll(indexOf<ast::EntryMember>());
   visitAll(indexOf<ast::EventsMember>());
   return std::move(result_);
@@ -200,6 +202,12 @@ void StateLowering::visit(const ast::SensorsMember& node, const ast::Member& mem
       setPeriod(*item.every, group);
       group = result_.log.size();
     }
+  }
+}
+
+void StateLowering::visit(const ast::SampleMember& node, const ast::Member& member) {
+  if (first(member)) {
+    result_.sampling = lowerSample(node, member.keyword, scope_);
   }
 }
 

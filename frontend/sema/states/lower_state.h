@@ -32,6 +32,7 @@ class StateLowering {
   void visit(const ast::RouteMember& node, const ast::Member& member);
   void visit(const ast::ProfileMember& node, const ast::Member& member);
   void visit(const ast::SensorsMember& node, const ast::Member& member);
+  void visit(const ast::SampleMember& node, const ast::Member& member);
   void visit(const ast::Var& node, const ast::Member& member);
   void visit(const ast::EntryMember& node, const ast::Member& member);
   void visit(const ast::EventsMember& node, const ast::Member& member);

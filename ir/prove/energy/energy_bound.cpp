@@ -9,6 +9,7 @@
 #include "ir/prove/abstract/watch_times.h"
 #include "ir/prove/energy/depth_span.h"
 #include "ir/prove/energy/greatest_walk.h"
+#include "ir/prove/energy/instruments.h"
 #include "ir/prove/energy/places.h"
 #include "ir/prove/energy/state_energy.h"
 
@@ -51,6 +52,7 @@ class MissionGraph {
   MissionGraph(const ProofContext& proof_context, const EndBound& end, const GreatestPower& power)
       : seen_(proof_context.withDepthKnown()),
         legs_(seen_),
+        instruments_(legs_),
         m_(seen_.mission),
         end_(end),
         power_(power),
@@ -97,17 +99,15 @@ class MissionGraph {
     }
     findRound(graph, found);
     limitByRestless(found);
+    found.deepest_m = deepest();
     return found;
   }
 
  private:
   /// However its states follow one another, it takes no more than a vehicle that never rests.
   void limitByRestless(EnergyBound& found) const {
-    double deepest = 0;
-    for (size_t i = 0; i < entered_.size(); ++i) {
-      deepest = std::max(deepest, depths_[stateOf(i)]);
-    }
-    const EnergyLine line = restlessLine(power_, seen_.platform, deepest);
+    EnergyLine line = restlessLine(power_, seen_.platform, deepest());
+    instruments_.addMostTo(line);
     const double watts = power_.joules(line.rate), start = power_.joules(line.offset);
     if (watts < found.watts) {
       found.watts = watts * kRoundedUp;
@@ -118,6 +118,16 @@ class MissionGraph {
       found.joules = (watts * *end_.by + start) * kRoundedUp;
       found.devices = power_.byDevice(line.rate * *end_.by + line.offset);
     }
+  }
+
+  /// Of all states that may become current, within the limits of the hull.
+  [[nodiscard]] double deepest() const {
+    double deepest = 0;
+    for (size_t i = 0; i < entered_.size(); ++i) {
+      deepest = std::max(deepest, depths_[stateOf(i)]);
+    }
+    const platforms::Envelope& envelope = seen_.platform.envelope;
+    return std::min(deepest, envelope.greatest_depth_m + envelope.inflection_overshoot_m);
   }
 
   void findRound(const EnergyGraph& graph, EnergyBound& found) const {
@@ -156,6 +166,7 @@ class MissionGraph {
       const uint32_t state = places_.all[entered.place].state;
       if (!states_[state]) {
         states_[state] = energyOf(legs_, power_, {state}, depths_[state]);
+        instruments_.addTo(states_[state]->lines, {state});
       }
       entered_.push_back(entered);
     }
@@ -281,6 +292,7 @@ class MissionGraph {
 
   ProofContext seen_;
   LegContext legs_;
+  InstrumentShares instruments_;
   const Mission& m_;
   const EndBound& end_;
   const GreatestPower& power_;

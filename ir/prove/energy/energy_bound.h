@@ -22,8 +22,9 @@ struct StateBound {
 struct EnergyBound {
   /// Until the mission ends, J; none: it is not known when it does.
   std::optional<double> joules;
-  double watts = 0;    ///< on average, for long
-  double start_j = 0;  ///< the mission takes no more than this and `watts` times its time
+  double watts = 0;      ///< on average, for long
+  double deepest_m = 0;  ///< the vehicle goes no deeper
+  double start_j = 0;    ///< the mission takes no more than this and `watts` times its time
   std::vector<DeviceEnergy> devices;  ///< of a second for long, or of `joules`: the greatest first
   std::vector<StateBound> states;     ///< those that may become current
   /// The states that take the most by following one another soon, again and again, if that is much

@@ -11,27 +11,44 @@ using platforms::Draw;
 using platforms::DrawWhen;
 
 EnergyUse EnergyUse::operator+(const EnergyUse& other) const {
-  return {seconds + other.seconds,
-          powered_s + other.powered_s,
-          surface_s + other.surface_s,
-          surfacings + other.surfacings,
-          pump_out_j + other.pump_out_j,
-          pump_in_j + other.pump_in_j,
-          pitch_battery_s + other.pitch_battery_s};
+  EnergyUse sum{seconds + other.seconds,
+                powered_s + other.powered_s,
+                surface_s + other.surface_s,
+                surfacings + other.surfacings,
+                pump_out_j + other.pump_out_j,
+                pump_in_j + other.pump_in_j,
+                pitch_battery_s + other.pitch_battery_s,
+                instruments_s};
+  for (size_t i = 0; i < sum.instruments_s.size(); ++i) {
+    sum.instruments_s[i] += other.instruments_s[i];
+  }
+  return sum;
 }
 
 EnergyUse EnergyUse::operator*(double factor) const {
-  return {seconds * factor,    powered_s * factor, surface_s * factor,      surfacings * factor,
-          pump_out_j * factor, pump_in_j * factor, pitch_battery_s * factor};
+  EnergyUse product{seconds * factor,         powered_s * factor,  surface_s * factor,
+                    surfacings * factor,      pump_out_j * factor, pump_in_j * factor,
+                    pitch_battery_s * factor, instruments_s};
+  for (double& one : product.instruments_s) {
+    one *= factor;
+  }
+  return product;
+}
+
+bool readsWhatMeasures(const Mission& mission, const Draw& draw) {
+  return std::ranges::any_of(mission.sensors, [&](const Sensor& sensor) {
+    return std::ranges::find(draw.sensors, sensor.vehicle_name) != draw.sensors.end();
+  });
 }
 
 namespace {
 
-/// Whether the mission reads what a device measures.
-bool reads(const Mission& mission, const Draw& draw) {
-  return std::ranges::any_of(mission.sensors, [&](const Sensor& sensor) {
-    return std::ranges::find(draw.sensors, sensor.vehicle_name) != draw.sensors.end();
-  });
+/// Whether a state says how often the instrument of a row reads.
+bool switches(const Mission& mission, const Draw& draw) {
+  return draw.instrument && std::ranges::any_of(mission.states, [&](const State& state) {
+           return std::ranges::find(state.sampling, *draw.instrument, &Sampling::place) !=
+                  state.sampling.end();
+         });
 }
 
 }  // namespace
@@ -40,8 +57,10 @@ GreatestPower::GreatestPower(const Mission& mission, const platforms::Platform& 
                              const std::optional<platforms::BoardPower>& board) {
   for (const Draw& draw : platform.power.draws) {
     const double most = 1 + draw.spread;
-    if (draw.when != DrawWhen::Read || reads(mission, draw)) {
-      rows_.push_back({draw.device, draw.when, draw.amount * most, draw.amount_per_m * most});
+    if (draw.when != DrawWhen::Read || readsWhatMeasures(mission, draw) ||
+        switches(mission, draw)) {
+      rows_.push_back(
+          {draw.device, draw.when, draw.amount * most, draw.amount_per_m * most, draw.instrument});
     }
   }
   if (board) {
@@ -51,6 +70,9 @@ GreatestPower::GreatestPower(const Mission& mission, const platforms::Platform& 
 }
 
 double GreatestPower::joules(const Row& row, const EnergyUse& use) {
+  if (row.instrument) {
+    return row.amount * use.instruments_s.at(*row.instrument);
+  }
   switch (row.when) {
     case DrawWhen::Always:
     case DrawWhen::Read:
@@ -112,7 +134,8 @@ double restingPower(const Mission& mission, const platforms::Platform& platform,
                     const std::optional<platforms::BoardPower>& board) {
   double watts = board ? board->running_W * (1 - board->spread) : 0;
   for (const Draw& draw : platform.power.draws) {
-    if (draw.when == DrawWhen::Always || (draw.when == DrawWhen::Read && reads(mission, draw))) {
+    // A vehicle may lack what is drawn for while the mission reads it.
+    if (draw.when == DrawWhen::Always && !switches(mission, draw)) {
       watts += draw.amount * (1 - draw.spread);
     }
   }

@@ -3,15 +3,20 @@
 
 #pragma once
 
+#include "hooks/protocol/sampling.h"
 #include "ir/core/mission.h"
 #include "platforms/load/board.h"
 #include "platforms/load/platform.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace glider::ir::prove {
+
+/// By the place of an instrument that missions switch: for how long it is on, s.
+using InstrumentSeconds = std::array<double, kHookMostInstruments>;
 
 /// What a part of a flight asks of the devices that draw power. Two parts add up.
 struct EnergyUse {
@@ -22,6 +27,7 @@ struct EnergyUse {
   double pump_out_j = 0;
   double pump_in_j = 0;
   double pitch_battery_s = 0;  ///< how long it moves
+  InstrumentSeconds instruments_s{};
 
   EnergyUse operator+(const EnergyUse& other) const;
   EnergyUse operator-(const EnergyUse& other) const { return *this + other * -1; }
@@ -56,6 +62,7 @@ class GreatestPower {
     std::string device;
     platforms::DrawWhen when = platforms::DrawWhen::Always;
     double amount = 0, amount_per_m = 0;
+    std::optional<uint32_t> instrument = {};  ///< its place: it is on only then
   };
   [[nodiscard]] static double joules(const Row& row, const EnergyUse& use);
   /// Of pumping as the rows that are about it say.
@@ -63,6 +70,9 @@ class GreatestPower {
 
   std::vector<Row> rows_;
 };
+
+/// Whether the mission reads what a device of the power table measures.
+bool readsWhatMeasures(const Mission& mission, const platforms::Draw& draw);
 
 /// What is drawn at all times at least, W: by the rows of devices that never rest, each as far
 /// below its number as its spread says. The arguments are those of GreatestPower.

@@ -88,7 +88,7 @@ class LegSearch {
 
  private:
   ProfileLegs anywhere() {
-    found_ = {{{}}, {0}, {}, seen_.platform.envelope.steepest_pitch_rad};
+    found_ = {{ProfileLeg{}}, {0}, {}, seen_.platform.envelope.steepest_pitch_rad};
     return std::move(found_);
   }
 
@@ -136,6 +136,7 @@ class LegSearch {
       if (mode.command && commanded_.at(*mode.command).followed) {
         leg.target = commanded_.at(*mode.command).to;
         leg.drive = driveOf(*mode.command, commanded_.at(*mode.command));
+        leg.command = mode.command;
       }
       found_.legs.push_back(leg);
     }

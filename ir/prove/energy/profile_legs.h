@@ -10,6 +10,7 @@
 #include "ir/prove/energy/depth_span.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace glider::ir::prove {
@@ -29,7 +30,8 @@ enum class Drive : uint8_t {
 /// A part of a state's time in which its profile's command stays the same.
 struct ProfileLeg {
   Drive drive = Drive::Anywhere;
-  DepthSpan target;         ///< of what is commanded, m; all depths if it is not known
+  std::optional<Command> command = {};  ///< with which it drives: always the same
+  DepthSpan target;                     ///< of what is commanded, m; all depths if it is not known
   bool turns_there = true;  ///< the profile commands another way at the target at the latest
 };
 

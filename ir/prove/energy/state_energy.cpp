@@ -33,8 +33,8 @@ struct BegunLeg {
   size_t leg = 0;
   const LegTurn* turn = nullptr;  ///< null: the state becomes current with it
   DepthSpan where;
-  EnergyUse stroke;     ///< of pump and pitch battery, with which it begins
-  bool turned = false;  ///< the pitch battery moves to its other side
+  EnergyUse stroke;       ///< of pump and pitch battery, with which it begins
+  bool reversed = false;  ///< from a dive to a climb, or the reverse
   bool from_surface = false;
   bool broached = false;  ///< the turn may have led to the surface
 };
@@ -76,7 +76,7 @@ class StateGraph {
     found.fastest_m_s = fastest_m_s_;
     std::vector<BegunLeg> first;
     for (const size_t leg : legs_.first) {
-      first.push_back(begin(leg, {}, Drive::Anywhere, true));
+      first.push_back(begin(leg, {}, {}, true));
     }
     phases_.push_back(phaseOf(first, nullptr));
     for (const LegTurn& turn : legs_.turns) {
@@ -199,7 +199,7 @@ class StateGraph {
   [[nodiscard]] double leastTime(const BegunLeg& begun, const BegunLeg& next) const {
     const double gap =
         std::max(gapBetween(begun.where, next.where), gapByLimits(begun.turn, next.turn));
-    const double turns = begun.turned && gap > 0 ? stroke_s_ : 0;
+    const double turns = begun.reversed && gap > 0 ? stroke_s_ : 0;
     return std::max(platform_.envelope.cycle_s, turns + gap / fastest_m_s_);
   }
 
@@ -223,7 +223,7 @@ class StateGraph {
     // One that only goes on may not have left the surface.
     const ProfileLeg& before = legs_.legs[turn.from];
     const bool shallow = turn.where.shallowest < kUnderWater_m;
-    BegunLeg begun = begin(turn.to, turn.where, before.drive,
+    BegunLeg begun = begin(turn.to, turn.where, before,
                            mayFloat(before) || (before.drive == Drive::Down && shallow));
     begun.turn = &turn;
     if (glides(before.drive) && glides(legs_.legs[turn.to].drive)) {
@@ -243,17 +243,21 @@ class StateGraph {
     return std::min(1.0, (legs_.steepest_rad + off) / platform_.envelope.steepest_pitch_rad);
   }
 
-  [[nodiscard]] BegunLeg begin(size_t leg, const DepthSpan& where, Drive before,
+  /// Another command moves the pump, also one that drives the same way: a climb that has arrived
+  /// holds its depth, `surface` pumps to the end.
+  [[nodiscard]] BegunLeg begin(size_t leg, const DepthSpan& where, const ProfileLeg& before,
                                bool from_surface) const {
     BegunLeg begun;
     begun.leg = leg;
     begun.where = where;
     begun.from_surface = from_surface;
     const Drive drive = legs_.legs[leg].drive;
-    begun.turned = drive != before || drive == Drive::Anywhere;
-    if (begun.turned) {
+    begun.reversed = glides(drive) && glides(before.drive) && drive != before.drive;
+    if (!before.command || legs_.legs[leg].command != before.command) {
       const double out = power_.pumpOut(stroke_cc_, deepest_m_), in = power_.pumpIn(stroke_cc_);
-      const bool outwards = drive == Drive::Up || (drive != Drive::Down && out > in);
+      const bool starts_to_rise = drive == Drive::Up && before.drive == Drive::Down;
+      const bool starts_to_sink = drive == Drive::Down && before.drive == Drive::Up;
+      const bool outwards = starts_to_rise || (!starts_to_sink && out > in);
       begun.stroke.pump_out_j = outwards ? out : 0;
       begun.stroke.pump_in_j = outwards ? 0 : in;
       begun.stroke.pitch_battery_s = model_.pitch_battery_turn_s;
@@ -305,8 +309,17 @@ class StateGraph {
       use.surface_s = std::min(seconds, 2 * stroke_s_);
     }
     return leg.drive == Drive::Hover || !leg.turns_there
-               ? use + pumped(power_, model_.hover_pump_cc_s * seconds, deepest_m_)
+               ? use + pumped(power_, platforms::hoverPump(model_, heldFrom(leg)) * seconds,
+                              deepest_m_)
                : use;
+  }
+
+  /// The least depth at which it holds in a leg, m: a climb that is commanded above its target
+  /// stays where it is.
+  [[nodiscard]] double heldFrom(const ProfileLeg& leg) const {
+    return leg.drive == Drive::Up
+               ? 0
+               : leg.target.shallowest - platform_.envelope.inflection_overshoot_m;
   }
 
   const Mission& m_;

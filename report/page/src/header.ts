@@ -90,7 +90,7 @@ function energyOf({ energy }: Figures): [string, string][] {
     [energy.partlyKnown ? `energy used in ${clock(energy.known)}, not known for the rest` : "energy used",
       `${quantity(energy.used, "Wh")}${share(energy.used)}`],
     ...(energy.toGo === null ? [] : [["energy to go", `${quantity(energy.toGo, "Wh")}${energy.capacity === null ? "" : ` (${percent(energy.toGo / energy.capacity)})`}`] as [string, string]]),
-    ...(energy.atMost === null ? [] : [["bound, in any sea", `at most ${quantity(energy.atMost, "Wh")}`] as [string, string]]),
+    ...(energy.atMost === null ? [] : [["bound, until the mission ends", `at most ${quantity(energy.atMost, "Wh")}`] as [string, string]]),
     ...(energy.daysLeft === null ? [] : [["left at this rate", days(energy.daysLeft)] as [string, string]]),
   ];
 }

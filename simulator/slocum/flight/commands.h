@@ -65,6 +65,7 @@ struct Commands {
   bool altimeter = false;     ///< a leg with a target altitude needs it, also if it is switched off
 
   std::vector<SampleOrder> samples;  ///< of the behaviours sample
+  uint32_t sampling = 0;  ///< what the SBC orders instead of them (hooks/protocol/sampling.h)
 
   /// `layer` of what is commanded from now on.
   int layer = kNoLayer;

@@ -44,6 +44,7 @@ FlightController::FlightController(const platforms::Platform& platform,
     : mission_(mission),
       code_15_(code_15),
       variables_(mission),
+      instruments_(platform.instruments),
       array_(platform),
       frame_(frame),
       declination_(year),
@@ -385,6 +386,7 @@ void FlightController::leaveOver(const Leftover& leftover) {
 #define WORD(role, sensor, word, field, bytes, steps, line) \
   on_line.at(line) = {Sensor::sensor, words.word};
 #define CHECK_WORD(role, sensor, word, line) on_line.at(line) = {Sensor::sensor, words.word};
+#define LATER_WORD(role, sensor, word, field, line) on_line.at(line) = {Sensor::sensor, words.word};
 #include "hooks/protocol/instruction.def"
   array_.set(Sensor::sci_hook_heartbeat, 1);
   for (const auto& [sensor, value] : on_line) {
@@ -404,6 +406,8 @@ Commands FlightController::decide(const Situation& s) {
     contact_s_ = layers_->lastContact();
     commanded_whole_ = !decision.commands.anyIdle();
     sample_periods_ = simulator::samplePeriods(decision.commands.samples, variables_);
+    sampling_ = decision.commands.sampling;
+    orderSamples(sampling_, instruments_, sample_periods_);
     if (decision.abort == Abort::None && !layers_->quit()) {
       layer_ = decision.commands.pitch_layer;
       return decision.commands;
@@ -413,6 +417,7 @@ Commands FlightController::decide(const Situation& s) {
     }
   }
   // Aborted, or over: pump out, nose up.
+  sampling_ = 0;
   tellHookIsOver();
   commanded_whole_ = true;
   layer_ = kNoLayer;

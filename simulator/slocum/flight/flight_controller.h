@@ -64,6 +64,8 @@ class FlightController {
   }
   /// How often the instruments of the science bay are to sample.
   [[nodiscard]] const SamplePeriods& samplePeriods() const { return sample_periods_; }
+  /// What the SBC orders of them: a word of hooks/protocol/sampling.h.
+  [[nodiscard]] uint32_t sampling() const { return sampling_; }
   /// Heading, pitch and pump were all commanded in this cycle, by whichever behaviour.
   [[nodiscard]] bool commandedWhole() const { return commanded_whole_; }
   [[nodiscard]] bool aborted() const { return abort_ != Abort::None; }
@@ -131,6 +133,7 @@ class FlightController {
   bool backseat_flies_ = false;
   Code15 code_15_;
   MissionVariables variables_;
+  std::vector<platforms::Instrument> instruments_;  ///< that missions switch
   SensorArray array_;
   const LocalFrame& frame_;
   Declination declination_;
@@ -145,6 +148,7 @@ class FlightController {
       vacuum_device_{"u_vacuum_time"}, leak_device_{"c_leakdetect_time"};
   bool altimeter_needed_ = false;  ///< by the leg of the last cycle
   SamplePeriods sample_periods_;
+  uint32_t sampling_ = 0;
   hooks::Hull hull_;
   std::unique_ptr<LayeredControl> layers_;
   DynamicControl dynamics_;

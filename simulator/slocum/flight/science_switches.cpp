@@ -3,9 +3,11 @@
 
 #include "simulator/slocum/flight/science_switches.h"
 
+#include "hooks/protocol/sampling.h"
 #include "simulator/sensors/sensor_list.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -47,6 +49,18 @@ SamplePeriods samplePeriods(const std::vector<SampleOrder>& orders,
     periods.set(proglet.sensor_type, ordered ? *ordered : set.value_or(0));
   }
   return periods;
+}
+
+void orderSamples(uint32_t word, const std::vector<platforms::Instrument>& instruments,
+                  SamplePeriods& periods) {
+  for (uint32_t place = 0; place < instruments.size(); ++place) {
+    const double seconds = hookSamplingSecs(hookSamplingOf(word, place));
+    const auto proglet =
+        std::ranges::find(simulatedProglets(), instruments[place].vehicle_name, switchOf);
+    if (!std::isnan(seconds) && proglet != simulatedProglets().end()) {
+      periods.set(proglet->sensor_type, seconds);
+    }
+  }
 }
 
 }  // namespace glider::simulator

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "platforms/load/instrument.h"
 #include "simulator/slocum/flight/mission_variables.h"
 #include "simulator/slocum/science/sample_periods.h"
 
@@ -28,5 +29,10 @@ bool isScienceSwitch(std::string_view name);
 /// is on.
 SamplePeriods samplePeriods(const std::vector<SampleOrder>& orders,
                             const MissionVariables& variables);
+
+/// Replaces those that the SBC orders: `word` of hooks/protocol/sampling.h, for the instruments
+/// that the platform file lists.
+void orderSamples(uint32_t word, const std::vector<platforms::Instrument>& instruments,
+                  SamplePeriods& periods);
 
 }  // namespace glider::simulator

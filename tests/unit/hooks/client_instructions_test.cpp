@@ -30,7 +30,8 @@ TEST_F(ClientTest, AnInstructionGoesRoundedAndCheckedWithItsSequenceLast) {
   const auto frames = tick();
   ASSERT_EQ(typesOf(frames), (std::vector{Type::Write, Type::Done}));
   const auto list = written(frames[0]);
-  ASSERT_EQ(list.count, 11U);
+  ASSERT_EQ(list.count, 12U);
+  EXPECT_EQ(list.values[11].id, GLIDER_SCI_HOOK_SAMPLING);
   EXPECT_EQ(list.values[3].id, GLIDER_SCI_HOOK_DEPTH);
   EXPECT_EQ(list.values[3].value, static_cast<double>(20.1F));
   EXPECT_EQ(list.values[10].id, GLIDER_SCI_HOOK_SEQUENCE);
@@ -143,7 +144,7 @@ TEST_F(ClientTest, ANumberThatTheVehicleFoundAtItsStartIsGivenUp) {
   ASSERT_EQ(typesOf(frames), (std::vector{Type::Write, Type::Done}));
   EXPECT_EQ(client_.tick().instruction_sequence, dead + 1);
   const auto list = written(frames.at(0));
-  EXPECT_EQ(list.values[list.count - 1].value, dead + 1);
+  EXPECT_EQ(list.values[10].value, dead + 1);
   EXPECT_EQ(written(tick().at(0)).values[10].value, dead + 1) << "not another one in every tick";
   head_.answered_sequence = static_cast<uint16_t>(dead + 1);
   head_.answer = HookAnswer::Accepted;

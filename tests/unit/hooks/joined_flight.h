@@ -161,6 +161,7 @@ class FlightController {
     in.words.hook_latitude_ddmm = get(GLIDER_SCI_HOOK_LAT);
     in.words.hook_longitude_ddmm = get(GLIDER_SCI_HOOK_LON);
     in.words.check = get(GLIDER_SCI_HOOK_CHECK);
+    in.words.sampling = get(GLIDER_SCI_HOOK_SAMPLING);
     return in;
   }
 
@@ -235,6 +236,9 @@ class Mission {
   void decide() {
     const VehicleTick& tick = client_.tick();
     watch(tick);
+    if (tick.instruction_sequence != 0) {  // the client may have given it another number
+      told.emplace(tick.instruction_sequence, last_);
+    }
     for (uint32_t i = 0; i < tick.reading_count; ++i) {
       if (tick.readings[i].id == GLIDER_M_DEPTH) {
         depth_ = tick.readings[i].value;
@@ -267,11 +271,14 @@ class Mission {
     instruction.depth_m = down_ ? 20.1 : 5.1;
     turn_ = (turn_ + 1) % 20;
     instruction.pitch_rad = (down_ ? -1 : 1) * (0.2 + 0.01 * turn_);
+    instruction.sampling = static_cast<uint32_t>(turn_ % 3);
     const uint16_t sequence = client_.instruct(instruction);
-    told[sequence] = inSteps(instruction);
+    last_ = inSteps(instruction);
+    told[sequence] = last_;
   }
 
   double give_back_s_;
+  Instruction last_;
   Client client_;
   HandClock clock_;
   double depth_ = 10, newest_s_ = 0;
@@ -330,6 +337,7 @@ class Witness {
     }
     if (out.doing == Doing::DiveTo || out.doing == Doing::ClimbTo || out.doing == Doing::Hold) {
       ASSERT_TRUE(mission.told.contains(accepted_));
+      EXPECT_EQ(out.sampling, mission.told.at(accepted_).sampling);
       EXPECT_EQ(out.pitch_rad, mission.told.at(accepted_).pitch_rad)
           << "at " << flight.time << " s";
     }

@@ -87,7 +87,9 @@ TEST(Summary, HasTheBoundOfTheEnergyBesideIt) {
   EXPECT_EQ(summarize(trace).find("bound"), std::string::npos);
   trace.facts.at_most = {{"pump", 12.25}, {"SBC", 30}};
   EXPECT_THAT(summarize(trace),
-              HasSubstr("\n    bound      at most 42.2 Wh in any sea, until the mission ends\n"));
+              HasSubstr("\n    bound      at most 42.3 Wh until the mission ends\n"));
+  trace.facts.at_most = {{"pump", 4.25}};
+  EXPECT_THAT(summarize(trace), HasSubstr("mission ends; the flight took more, after its end"));
 }
 
 TEST(Summary, SaysInWhichTimeTheEnergyIsKnown) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "support/csv.h"
+#include "support/grouped.h"
 #include "support/one_line.h"
 #include "support/units/duration_text.h"
 #include "support/utc.h"
@@ -31,6 +32,20 @@ TEST(Texts, Printable) {
 TEST(Texts, CsvQuoted) {
   EXPECT_EQ(csvQuoted(""), "\"\"");
   EXPECT_EQ(csvQuoted("a \"b\", c"), "\"a \"\"b\"\", c\"");
+}
+
+TEST(Texts, ABoundIsRoundedToItsOwnSide) {
+  EXPECT_EQ(atMost(66.93), "67");
+  EXPECT_EQ(atLeast(66.99), "66.9");
+  EXPECT_EQ(atMost(0.12341), "0.124");
+  EXPECT_EQ(atLeast(0.12349), "0.123");
+  EXPECT_EQ(atMost(9.87), "9.87") << "it is that to the last digit of a double";
+  EXPECT_EQ(atLeast(9.87), "9.87");
+  EXPECT_EQ(atMost(99.91), "100");
+  EXPECT_EQ(atMost(100.07), "101");
+  EXPECT_EQ(atLeast(100.97), "100");
+  EXPECT_EQ(atMost(1249.5), "1,250");
+  EXPECT_EQ(atLeast(0), "0");
 }
 
 TEST(UtcText, IsOfAnyCalendarDay) {

@@ -72,6 +72,11 @@ void check(const std::vector<const ir::Statement*>& commands, const support::Sou
 void checkPortCommands(const ir::Mission& mission, support::DiagnosticEngine& diagnostics) {
   check(ir::prove::commandsOfAlways(mission), {}, {}, diagnostics);
   for (const ir::State& state : mission.states) {
+    if (!state.sampling.empty()) {
+      diagnostics.report(support::diagnostics::notOnPort, state.head, "sample",
+                         "a behaviour `sample` of the vehicle's mission file says there how often "
+                         "an instrument reads");
+    }
     const auto uses = [&](const ir::Statement* command) {
       const auto of_route = ir::prove::commandsOf(mission, state.route);
       const bool route = std::ranges::find(of_route, command) != of_route.end();

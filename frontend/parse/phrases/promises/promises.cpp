@@ -504,7 +504,11 @@ size_t stateInPromise(Phrase& phrase) {
 }  // namespace
 
 size_t reaction(Phrase& phrase) {
-  return phrase.hasRead({GliderLexer::WHENEVER, GliderLexer::WHEN})
+  // Of a state, `when` is a part of `sample`.
+  const bool in_state =
+      phrase.hasRead({GliderLexer::BEGIN, GliderLexer::FLIGHTPROFILE, GliderLexer::SENSORS,
+                      GliderLexer::SAMPLE, GliderLexer::EVENTS, GliderLexer::CASE});
+  return !in_state && phrase.hasRead({GliderLexer::WHENEVER, GliderLexer::WHEN})
              ? firstOf(phrase,
                        {timeOfReaction, commaOfReaction, stayInReaction, atOnce, stateOfReaction})
              : 0;

@@ -143,9 +143,9 @@ class Energy final : public Strategy {
     return fmt::format(
         "by the vehicle's power table it may take {} Wh{}, which its count of the charge may show "
         "as {} Wh when the batteries are low; `check --report` says what takes it",
-        support::groupedAmount(most_j / platforms::kJoulesPerWattHour),
+        support::atMost(most_j / platforms::kJoulesPerWattHour),
         set ? " for some values of its parameters" : "",
-        support::groupedAmount(counted / platforms::kJoulesPerWattHour));
+        support::atMost(counted / platforms::kJoulesPerWattHour));
   }
 };
 

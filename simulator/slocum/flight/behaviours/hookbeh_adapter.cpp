@@ -39,6 +39,7 @@ hooks::HookbehInputs inputs(const Situation& s) {
   in.heartbeat = a.get(Sensor::sci_hook_heartbeat);
 #define WORD(role, sensor, word, ...) in.words.word = a.get(Sensor::sensor);
 #define CHECK_WORD(role, sensor, word, line) in.words.word = a.get(Sensor::sensor);
+#define LATER_WORD(role, sensor, word, field, line) in.words.word = a.get(Sensor::sensor);
 #include "hooks/protocol/instruction.def"
   return in;
 }
@@ -181,6 +182,7 @@ Behaviour::Outcome HookbehAdapter::fly(const Situation& situation, Commands& com
                          : PitchCommand{PitchCommand::Mode::BatteryPosition, out.battery_in});
     commands.pump(out.pump_cc);
     commands.altimeter = commands.altimeter || out.altimeter;
+    commands.sampling = out.sampling;
   }
   outputs_ = out;
   note(in, out);

@@ -385,13 +385,15 @@ void Client::queueInstruction() {
 #define LATER_WORD(role, sensor, word, field, line) \
   words[line] = static_cast<double>(pending_.field);
 #include "hooks/protocol/instruction.def"
+  // The last is of missions that sample.
+  const bool samples = (options_.features.needs & kFeatureSampling) != 0;
+  const uint32_t count = kWordsOfEvery + (samples ? 1U : 0U);
   Frame frame;
   encodeEmptyList(frame);
   // On the line the words go in the order of their roles.
-  uint32_t role = kGliderRoleHookSession;
-  for (const double word : words) {
-    const uint16_t id = sensorOf(*dictionary_, static_cast<GliderRole>(role++));
-    (void)appendValue(*dictionary_, frame, {id, word});
+  for (uint32_t i = 0; i < count; ++i) {
+    const auto role = static_cast<GliderRole>(kGliderRoleHookSession + i);
+    (void)appendValue(*dictionary_, frame, {sensorOf(*dictionary_, role), words[i]});
   }
   queue(frame);
   due_ = false;

@@ -78,9 +78,28 @@ static bool reading(void* self, uint16_t id, double* value) {
   return fresh;
 }
 
+/// A program that does not sample leaves out the word: that of another before it must not stay. It
+/// is set again and again, for a value may be lost.
+static void endSampling(Hookprog* hookprog, const HookSensorList* instruction) {
+  const uint16_t id = sensor(hookprog, kGliderRoleHookSampling);
+  bool fresh = false;
+  for (uint32_t i = 0; i < instruction->count; ++i) {
+    if (instruction->values[i].id == id) {
+      hookprog->sampled = true;
+      return;
+    }
+  }
+  if (id != kHookNoSensor && !hookprog->sampled) {
+    hookprog->sampled = hookprog->memory->get(hookprog->memory->self, id, &fresh) > 0;
+  }
+  if (id != kHookNoSensor && hookprog->sampled) {
+    hookprog->memory->set(hookprog->memory->self, id, 0);
+  }
+}
+
 /// Its words may arrive in any order: hookbeh reads them when all are there.
 static void forward(void* self, const HookSensorList* instruction) {
-  const Hookprog* hookprog = self;
+  Hookprog* hookprog = self;
   if (stateOfHookbeh(hookprog) == kHookStateAbsent) {
     return;
   }
@@ -88,6 +107,7 @@ static void forward(void* self, const HookSensorList* instruction) {
     const HookSensorValue* value = &instruction->values[i];
     hookprog->memory->set(hookprog->memory->self, value->id, value->value);
   }
+  endSampling(hookprog, instruction);
 }
 
 static void passBeat(void* self, uint32_t heartbeat) {

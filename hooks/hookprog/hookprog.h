@@ -61,6 +61,7 @@ typedef struct Hookprog {
   // hookbeh's newest answer: number and answer came in the same cycle.
   uint32_t answered_sequence;
   HookAnswer answer;
+  bool sampled;  ///< the word of the instruments may not be 0
   uint32_t cycles_without_hookbeh;
   uint32_t most_without_hookbeh;
 } Hookprog;

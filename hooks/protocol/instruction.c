@@ -7,6 +7,8 @@
 #include "hooks/protocol/crc.h"
 #include "hooks/protocol/numbers.h"
 
+#include <stddef.h>
+
 #define WORD(role, sensor, word, field, bytes, steps, line) \
   GLIDER_STATIC_ASSERT(role, kGliderRole##role - kGliderRoleHookSession == (line));
 #define CHECK_WORD(role, sensor, word, line) \
@@ -43,6 +45,35 @@ static double inSteps(double number, uint32_t bytes, uint32_t steps) {
   return (double)hookWholeSteps(number, steps, hookMostSteps(bytes)) / steps;
 }
 
+/// The real numbers lie one behind the other, in the order of the table: loops over them are a
+/// third of the code without, of which a board has little room.
+enum {
+  kFirstReal = offsetof(HookInstruction, depth_m),
+  kRealCount = 0
+#define WORD(...)
+#define REAL_WORD(role, ...) +1
+#include "hooks/protocol/instruction.def"
+};
+GLIDER_STATIC_ASSERT(RealNumbersAreTogether, offsetof(HookInstruction, longitude_ddmm) ==
+                                                 kFirstReal + (kRealCount - 1) * sizeof(double));
+static const struct {
+  uint32_t steps;
+  int32_t most;
+} kReals[] = {
+#define WORD(...)
+#define REAL_WORD(role, sensor, word, field, bytes, steps, line) {steps, HOOK_MOST_STEPS(bytes)},
+#include "hooks/protocol/instruction.def"
+};
+
+static double* realOf(HookInstruction* instruction, uint32_t i) {
+  return (double*)(void*)((char*)instruction + kFirstReal) + i;
+}
+
+static int32_t wholeOf(const HookInstruction* instruction, uint32_t i) {
+  const double* reals = (const double*)(const void*)((const char*)instruction + kFirstReal);
+  return hookWholeSteps(reals[i], kReals[i].steps, kReals[i].most);
+}
+
 void hookWordsOf(const HookInstruction* instruction, HookInstructionWords* words) {
   HookInstruction carried;
   hookInSteps(instruction, &carried);
@@ -71,12 +102,14 @@ bool hookInstructionOf(const HookInstructionWords* words, HookInstruction* instr
   return good && words->check == (double)hookCheckValue(instruction);
 }
 
+#ifdef __GNUC__
+__attribute__((noinline))  // a board has little room
+#endif
 void hookInSteps(const HookInstruction* instruction, HookInstruction* carried) {
   *carried = *instruction;
-#define WORD(...)
-#define REAL_WORD(role, sensor, word, field, bytes, steps, line) \
-  carried->field = inSteps(instruction->field, bytes, steps);
-#include "hooks/protocol/instruction.def"
+  for (uint32_t i = 0; i < kRealCount; ++i) {
+    *realOf(carried, i) = (double)wholeOf(instruction, i) / kReals[i].steps;
+  }
 }
 
 uint32_t hookCheckValue(const HookInstruction* instruction) {
@@ -89,10 +122,9 @@ uint32_t hookCheckValue(const HookInstruction* instruction) {
 #define REAL_WORD(...)
 #include "hooks/protocol/instruction.def"
   // Real numbers come behind those, in steps.
-#define WORD(...)
-#define REAL_WORD(role, sensor, word, field, width, steps, line) \
-  hookWriteU32(&out, (uint32_t)hookWholeSteps(instruction->field, steps, hookMostSteps(width)));
-#include "hooks/protocol/instruction.def"
+  for (uint32_t i = 0; i < kRealCount; ++i) {
+    hookWriteU32(&out, (uint32_t)wholeOf(instruction, i));
+  }
 #define WORD(...)
 #define LATER_WORD(role, sensor, word, field, line) \
   if (instruction->field != 0) {                    \

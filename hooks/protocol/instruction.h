@@ -71,6 +71,8 @@ inline constexpr InstructionWord kInstructionWords[] = {
 #define LATER_WORD(role, sensor, word, field, line) {kGliderRole##role, &InstructionWords::word},
 #include "hooks/protocol/instruction.def"
 };
+/// Those that each instruction has; the later ones are of features.
+inline constexpr uint32_t kWordsOfEvery = kGliderRoleHookSequence - kGliderRoleHookSession + 1;
 // By reference, and by value.
 inline InstructionWords wordsOf(const Instruction& instruction) {
   InstructionWords words;

@@ -4,7 +4,7 @@
 #include "hooks/protocol/steps.h"
 
 int32_t hookMostSteps(uint32_t bytes) {
-  return bytes == 4 ? 3000000 : 2000000000;
+  return HOOK_MOST_STEPS(bytes);
 }
 
 int32_t hookWholeSteps(double value, uint32_t per_unit, int32_t most) {

@@ -20,6 +20,7 @@ enum {
 };
 
 /// The most steps that a sensor of so many bytes carries: more than any depth, angle or position.
+#define HOOK_MOST_STEPS(bytes) ((bytes) == 4 ? 3000000 : 2000000000)
 int32_t hookMostSteps(uint32_t bytes);
 
 /// `value` in whole steps, `per_unit` of which make its unit; the nearest in -most…most, -most for

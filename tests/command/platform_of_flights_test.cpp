@@ -144,6 +144,8 @@ TEST_F(PlatformOfFlights, DragAndBatteriesAreThePlatformsUnlessTheScenarioSaysOt
 std::string otherOrder(std::string text) {
   const std::string optode = "sensors = [\"sci_oxy4_oxygen\"]";
   text.replace(text.find(optode), optode.size(), "sensors = []");
+  const size_t instrument = text.find("[[instrument]]\nname = \"optode\"");
+  text.erase(instrument, text.find("\n\n", instrument) - instrument);
   std::vector<std::string> sensors;
   const std::string mark = "[[sensor]]";
   const size_t first = text.find("\n" + mark) + 1;

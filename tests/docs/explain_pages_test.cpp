@@ -36,7 +36,7 @@ const std::set<DiagnosticId> kNotShown = {
     support::diagnostics::nameForMission, support::diagnostics::waypointLine,
     support::diagnostics::noWaypoints, support::diagnostics::listBeginsElsewhere,
     support::diagnostics::argumentRange, support::diagnostics::parameterDefault,
-    support::diagnostics::tooManyOwnSensors,
+    support::diagnostics::tooManyOwnSensors, support::diagnostics::noInstruments,
     // Another vehicle.
     support::diagnostics::declinationUnknown, support::diagnostics::commandOfAnother,
     support::diagnostics::speedTooSlow,

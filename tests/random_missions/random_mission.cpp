@@ -75,11 +75,11 @@ class MissionMaker {
     initialValuesFrom(0);
     states();
     always();
-    if (flown) {
-      everyTick();
-    }
     if (seed_ % 5 == 2) {
       sampling();
+    }
+    if (flown) {  // nothing else may read what it sets
+      everyTick();
     }
     if (seed_ % 4 == 3) {
       m_.compass = ir::Compass{{}, static_cast<double>(seed_ % 300) / 100 - 1.5};

@@ -30,8 +30,7 @@ TEST_F(ClientTest, AnInstructionGoesRoundedAndCheckedWithItsSequenceLast) {
   const auto frames = tick();
   ASSERT_EQ(typesOf(frames), (std::vector{Type::Write, Type::Done}));
   const auto list = written(frames[0]);
-  ASSERT_EQ(list.count, 12U);
-  EXPECT_EQ(list.values[11].id, GLIDER_SCI_HOOK_SAMPLING);
+  ASSERT_EQ(list.count, 11U) << "no mission that samples";
   EXPECT_EQ(list.values[3].id, GLIDER_SCI_HOOK_DEPTH);
   EXPECT_EQ(list.values[3].value, static_cast<double>(20.1F));
   EXPECT_EQ(list.values[10].id, GLIDER_SCI_HOOK_SEQUENCE);

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <limits>
 #include <vector>
 
 namespace glider::hooks {
@@ -43,6 +44,15 @@ class HookprogBench : public testing::Test {
   }
 
   std::vector<SensorUpdate> atFlight() { return line_.atFlight(); }
+
+  /// The last value that has come to the flight controller since the last call; NaN: none.
+  double newestAtFlight(uint16_t id) {
+    double newest = std::numeric_limits<double>::quiet_NaN();
+    for (const SensorUpdate& update : atFlight()) {
+      newest = update.id == id ? update.value : newest;
+    }
+    return newest;
+  }
 
   std::vector<Frame> atSbc() { return framesAt(sbc_line_.right()); }
 

@@ -108,6 +108,21 @@ TEST_F(HookprogTest, AMissionThatNeedsAFixedFinAndActuatorsIsWelcome) {
   EXPECT_EQ(typesOf(atSbc()), (std::vector{Type::Welcome}));
 }
 
+TEST_F(HookprogTest, TheSamplingOfAnotherProgramEndsWithTheNextInstruction) {
+  cycle({{GLIDER_X_HOOK_STATE, 2}});
+  hello();
+  write({{GLIDER_SCI_HOOK_SESSION, 7},
+         {GLIDER_SCI_HOOK_SEQUENCE, 1},
+         {GLIDER_SCI_HOOK_SAMPLING, 33}});
+  say(answered());
+  cycle({{GLIDER_X_HOOK_STATE, 2}});
+  EXPECT_EQ(newestAtFlight(GLIDER_SCI_HOOK_SAMPLING), 33);
+  write({{GLIDER_SCI_HOOK_SESSION, 8}, {GLIDER_SCI_HOOK_SEQUENCE, 2}});
+  say(answered());
+  cycle({{GLIDER_X_HOOK_STATE, 2}});
+  EXPECT_EQ(newestAtFlight(GLIDER_SCI_HOOK_SAMPLING), 0);
+}
+
 TEST_F(HookprogTest, NothingGoesToFlightWithoutAHookbeh) {
   cycle({{GLIDER_M_DEPTH, 1}});
   hello();

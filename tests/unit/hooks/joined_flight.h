@@ -202,6 +202,7 @@ class Mission {
     sensors[0] = {GLIDER_M_DEPTH, 1, dead_band};
     sensors[1] = {GLIDER_M_LAT};
     ClientOptions options;
+    options.features.needs = kFeatureSampling;
     options.mission_name = "yo";
     options.session = session;
     options.sensors = sensors;

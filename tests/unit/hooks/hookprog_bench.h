@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
 #include <limits>
+#include <map>
 #include <vector>
 
 namespace glider::hooks {

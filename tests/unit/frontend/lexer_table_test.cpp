@@ -26,6 +26,13 @@ std::string line(uint32_t type, uint32_t begin, uint32_t end) {
   return fmt::format("{} {} {}\n", type, begin, end);
 }
 
+/// The words of `sample` are names elsewhere.
+uint32_t outsideSample(size_t type) {
+  const bool word =
+      type == GliderLexer::SAMPLE || (type >= GliderLexer::OFF && type <= GliderLexer::ONE);
+  return word ? uint32_t{GliderLexer::NAME} : static_cast<uint32_t>(type);
+}
+
 /// One line a token, by ANTLR alone.
 std::string byAntlr(std::string_view text) {
   ByteCharStream stream(text, 0);
@@ -37,9 +44,8 @@ std::string byAntlr(std::string_view text) {
     if (token->getType() == antlr4::Token::EOF) {
       return out;
     }
-    out +=
-        line(static_cast<uint32_t>(token->getType()), static_cast<uint32_t>(token->getStartIndex()),
-             static_cast<uint32_t>(token->getStopIndex() + 1));
+    out += line(outsideSample(token->getType()), static_cast<uint32_t>(token->getStartIndex()),
+                static_cast<uint32_t>(token->getStopIndex() + 1));
   }
 }
 

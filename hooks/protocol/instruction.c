@@ -41,8 +41,8 @@ static bool readLater(double word, uint32_t* whole) {
   return word != word || hookIsWhole(word, 0, kHookMostSampling, whole);
 }
 
-static double inSteps(double number, uint32_t bytes, uint32_t steps) {
-  return (double)hookWholeSteps(number, steps, hookMostSteps(bytes)) / steps;
+static double inSteps(double number, uint32_t steps, int32_t most) {
+  return (double)hookWholeSteps(number, steps, most) / steps;
 }
 
 /// The real numbers lie one behind the other, in the order of the table: loops over them are a
@@ -61,7 +61,7 @@ static const struct {
   int32_t most;
 } kReals[] = {
 #define WORD(...)
-#define REAL_WORD(role, sensor, word, field, bytes, steps, line) {steps, HOOK_MOST_STEPS(bytes)},
+#define REAL_WORD(role, sensor, word, field, bytes, steps, line) {steps, kHookMostStepsOf##bytes},
 #include "hooks/protocol/instruction.def"
 };
 
@@ -91,7 +91,7 @@ bool hookInstructionOf(const HookInstructionWords* words, HookInstruction* instr
   instruction->field = (HOOK_TYPE_OF_##bytes)whole;
 #define REAL_WORD(role, sensor, word, field, bytes, steps, line) \
   good = hookIsFinite(words->word) && good;                      \
-  instruction->field = inSteps(words->word, bytes, steps);
+  instruction->field = inSteps(words->word, steps, kHookMostStepsOf##bytes);
 #define LATER_WORD(role, sensor, word, field, line) \
   good = readLater(words->word, &whole) && good;    \
   instruction->field = whole;

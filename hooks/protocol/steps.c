@@ -3,10 +3,6 @@
 
 #include "hooks/protocol/steps.h"
 
-int32_t hookMostSteps(uint32_t bytes) {
-  return HOOK_MOST_STEPS(bytes);
-}
-
 int32_t hookWholeSteps(double value, uint32_t per_unit, int32_t most) {
   const double steps = value * per_unit;
   if (!(steps > -most)) {

@@ -19,9 +19,8 @@ enum {
   kHookMinuteSteps = 100000   ///< of an arc minute: 2 cm
 };
 
-/// The most steps that a sensor of so many bytes carries: more than any depth, angle or position.
-#define HOOK_MOST_STEPS(bytes) ((bytes) == 4 ? 3000000 : 2000000000)
-int32_t hookMostSteps(uint32_t bytes);
+/// The most steps that a sensor of 4 or of 8 bytes carries: more than any depth, angle or position.
+enum { kHookMostStepsOf4 = 3000000, kHookMostStepsOf8 = 2000000000 };
 
 /// `value` in whole steps, `per_unit` of which make its unit; the nearest in -most…most, -most for
 /// NaN, so that an unknown value is outside every limit.

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,14 @@ struct Instrument {
   double shortest_s = 0;             ///< between two readings
   double reading_s = 0;              ///< for which it is on, for one reading
 };
+
+/// That which measures a sensor, by the vehicle's name; null: none that missions switch.
+inline const Instrument* measuring(const std::vector<Instrument>& instruments,
+                                   const std::string& sensor) {
+  const auto found = std::ranges::find_if(instruments, [&](const Instrument& one) {
+    return std::ranges::find(one.sensors, sensor) != one.sensors.end();
+  });
+  return found == instruments.end() ? nullptr : &*found;
+}
 
 }  // namespace glider::platforms

@@ -23,10 +23,9 @@ std::string whyNot(const Platform& platform, const std::vector<Instrument>& othe
   if (found == nullptr || found->name != sensor || found->computer != Computer::Science) {
     return fmt::format("must name sensors of the science computer, and `{}` is none", sensor);
   }
-  const bool taken = std::ranges::any_of(others, [&](const Instrument& other) {
-    return std::ranges::find(other.sensors, sensor) != other.sensors.end();
-  });
-  return taken ? fmt::format("has `{}`, which another instrument measures", sensor) : "";
+  return measuring(others, sensor) == nullptr
+             ? ""
+             : fmt::format("has `{}`, which another instrument measures", sensor);
 }
 
 Instrument readInstrument(TomlReader& reader, const Platform& platform,

@@ -25,12 +25,12 @@ HULL = {"greatest_depth_m": 200, "steepest_pitch_rad": 0.7854, "shallowest_pitch
 CLOCKS = {"time_s": 4, "wall_time_s": 4, "cycle_number": 1, "heartbeat": 1}
 NUMBERS = ("heading_rad", "latitude_ddmm", "longitude_ddmm", "fin_rad", "pitch_rad", "battery_in", "pump_cc")
 NOTHING = dict(dict.fromkeys(NUMBERS, 0), commanding=False, altimeter=False, heading_mode="CentreFin", pitch_mode="Servo", doing="Nothing",
-               guard=0, masked=0)
+               guard=0, masked=0, sampling=0)
 
 
 # The field of each sensor of an instruction.
 WORDS = {sensor: f"words.{word}" for sensor, word in re.findall(
-    r"^(?:REAL_|CHECK_)?WORD\(\w+, (\w+), (\w+),", (sessions.PROTOCOL / "instruction.def").read_text(encoding="utf-8"), re.M)}
+    r"^(?:REAL_|CHECK_|LATER_)?WORD\(\w+, (\w+), (\w+),", (sessions.PROTOCOL / "instruction.def").read_text(encoding="utf-8"), re.M)}
 
 
 def same(one, other):
@@ -102,15 +102,17 @@ class Flight:
         return self.rests(SILENT).wants(session=0)
 
     def says(self, vertical=NONE, depth=0, pitch=0, lateral=HEADING, heading=1, latitude=0, longitude=0, *, control=STEER, answer=ACCEPTED,
-             session=None, sequence=None, check=0):
-        """The words of the SBC's next instruction, and the answer to it; `check`: by how much the check value is wrong."""
+             session=None, sequence=None, check=0, sampling=None):
+        """The words of the SBC's next instruction, and the answer to it; `check`: by how much the check value is wrong; `sampling`: of a
+        mission that samples."""
         self.sequence = (self.sequence % 65535 + 1) if sequence is None else sequence
         session = self.session if session is None else session
-        given = sessions.instruction(session, self.sequence, control, vertical, lateral, depth, pitch, heading, latitude, longitude)
+        given = sessions.instruction(session, self.sequence, control, vertical, lateral, depth, pitch, heading, latitude, longitude, sampling=sampling or 0)
         self.wants(answer=answer, sequence=self.sequence)
         if answer == ACCEPTED:
-            self.steers(lateral, heading, latitude, longitude)
-        found = {WORDS[sensor]: value for sensor, value in sessions.words_of(given)}
+            self.steers(lateral, heading, latitude, longitude).wants(sampling=sampling or 0)
+        words = sessions.words_of(given) if sampling is None else sessions.words_of_sampling(given)
+        found = {WORDS[sensor]: value for sensor, value in words}
         return dict(found, **{"words.check": found["words.check"] + check})
 
     def takes(self, *command, **fields):

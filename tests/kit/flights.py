@@ -381,8 +381,30 @@ def whole_stroke():
     return f.guards(3).wants(pitch_rad=0.3).cycle(depth_m=NAN)
 
 
+def instruments():
+    """They read as the instruction in force says, also while a guard makes the vehicle climb, and as the vehicle's mission says without one."""
+    f = Flight("instruments")
+    f.cycle(depth_m=0.5)
+    often, seldom = 1 | 6 << 5, (1 << 30) - 1
+    take = f.takes(DESCEND, 28, -USUAL_PITCH, sampling=often)
+    f.dives().cycle(depth_m=0.75, **take).through(1, 2, 0.5)
+    f.cycle(depth_m=2.5, **f.says(DESCEND, 31, -USUAL_PITCH, answer=TOO_DEEP, sampling=seldom))
+    number = f.sequence + 1
+    for depth, wrong in ((3, 0.5), (3.5, 2.0**30), (4, -1)):
+        f.cycle(depth_m=depth, **dict(f.says(DESCEND, 20, -USUAL_PITCH, answer=BAD_CHECK, sequence=number, sampling=often), **{"words.sampling": wrong}))
+    f.cycle(depth_m=4.5, **f.says(DESCEND, 20, -USUAL_PITCH, sequence=number, sampling=seldom))
+    left = f.says(DESCEND, 20, -USUAL_PITCH, answer=BAD_CHECK)  # of another mission: the word is left over
+    f.cycle(depth_m=5, **left)
+    f.cycle(depth_m=5.5, **f.says(DESCEND, 20, -USUAL_PITCH, sequence=f.sequence, sampling=0))
+    f.cycle(depth_m=6, **f.says(DESCEND, 20, -USUAL_PITCH, sampling=often))
+    f.guards(3).cycle(depth_m=NAN)
+    f.dives().cycle(depth_m=6.5)
+    f.beats = False
+    return f.through(7, 9, 0.5).loses().cycle(depth_m=9.5)
+
+
 def all_flights():
     return [a_session(), refusals(), silence(), garbled(), clocks(), false_time(), steering(), actuators(), too_deep(), no_limit(),
             near_the_bottom(), touched("a bottom that the altimeter does not show", 5, 40), touched("a bottom without an altimeter", -1, 12),
             unknown_depth(), depth_jumps(), depth_freezes(), depths_disagree(), stuck_ctd(), checks_depth(), no_headway(), unseen(),
-            swell(), no_height(), hover(), masked(), hull(), whole_stroke()]
+            swell(), no_height(), hover(), masked(), hull(), whole_stroke(), instruments()]

@@ -25,7 +25,9 @@ typedef struct Expected {
   uint8_t state, answer;
   uint16_t sequence;
   uint32_t session;
-  uint8_t guard, masked, doing, heading_mode, pitch_mode;
+  uint8_t guard, masked;
+  uint32_t sampling;
+  uint8_t doing, heading_mode, pitch_mode;
   uint64_t heading, latitude, longitude, fin, pitch, battery, pump;
 } Expected;
 typedef struct Cycle {
@@ -104,6 +106,7 @@ static void checkCommands(const HookbehOutputs* outputs, const Expected* expecte
            isClose(outputs->battery_in, expected->battery),
        name, "pitch in cycle", cycle);
   want(isClose(outputs->pump_cc, expected->pump), name, "pump in cycle", cycle);
+  want(outputs->sampling == expected->sampling, name, "instruments in cycle", cycle);
 }
 
 static void checkFlight(const Flight* flight) {

@@ -21,7 +21,8 @@ SENSORS = [
     ("sci_hook_control", 1, True), ("sci_hook_vertical", 1, True), ("sci_hook_depth", 4, True), ("sci_hook_pitch", 4, True),
     ("sci_hook_lateral", 1, True), ("sci_hook_heading", 4, True), ("sci_hook_lat", 8, True), ("sci_hook_lon", 8, True),
     ("sci_hook_check", 8, True), ("sci_hook_heartbeat", 4, True), ("x_hook_sequence", 4, False), ("x_hook_answer", 1, False),
-    ("x_hook_session", 4, False), ("m_present_time", 8, False), ("sci_water_temp", 4, True), ("m_device", 1, False)]
+    ("x_hook_session", 4, False), ("m_present_time", 8, False), ("sci_water_temp", 4, True), ("m_device", 1, False),
+    ("sci_hook_sampling", 8, True)]
 NUMBER = {name: number for number, (name, _, _) in enumerate(SENSORS)}
 WIDTH = {name: width for name, width, _ in SENSORS}
 HASH = 0x5EA1CE5
@@ -32,9 +33,9 @@ def roles():
     return re.findall(r"^ROLE\(\w+, (\w+),", (PROTOCOL / "roles.def").read_text(encoding="utf-8"), re.M)
 
 
-def instruction(*words):
+def instruction(*words, sampling=0):
     names = ("session", "sequence", "control", "vertical", "lateral", *wire.REALS)
-    return dict(zip(names, words, strict=True))
+    return dict(zip(names, words, strict=True), sampling=sampling)
 
 
 INSTRUCTIONS = [
@@ -45,6 +46,8 @@ INSTRUCTIONS = [
     instruction(9, 41, 2, 2, 1, 0.0005, -0.000005, 6.283185307179586, 8959.99999, -17959.99999),
     instruction(9, 42, 2, 1, 1, 5000, 40, -40, 30000, -30000),
     instruction(9, 43, 2, 1, 2, NAN, -INFINITY, INFINITY, NAN, NAN),
+    instruction(9, 44, 2, 4, 1, 0, 0, 1, 0, 0, sampling=1 | 6 << 5 | 2 << 10),  # off, every 4 s, as often as it can
+    instruction(9, 45, 2, 4, 1, 0, 0, 1, 0, 0, sampling=(1 << 30) - 1),
 ]
 
 MESSAGES = {
@@ -142,7 +145,7 @@ class Session:
         return self
 
     def beacon(self):
-        offers = 6 | self.virtual
+        offers = 14 | self.virtual
         return self.sends("Beacon", wire.PAYLOADS["Beacon"](6, offers, int(self.virtual), HASH, self.report["state"]))
 
     def tick(self, *reports):
@@ -174,13 +177,18 @@ class Session:
 
 
 def words_of(given):
-    """The sensors of an instruction, in the order in which the SBC's client writes them."""
+    """The sensors of an instruction, in the order in which the SBC's client writes them; of a mission that does not sample."""
     carried = wire.in_steps(given)
     return [("sci_hook_session", given["session"]), ("sci_hook_control", given["control"]), ("sci_hook_vertical", given["vertical"]),
             ("sci_hook_depth", wire.as_float32(carried["depth"])), ("sci_hook_pitch", wire.as_float32(carried["pitch"])),
             ("sci_hook_lateral", given["lateral"]), ("sci_hook_heading", wire.as_float32(carried["heading"])),
             ("sci_hook_lat", carried["latitude"]), ("sci_hook_lon", carried["longitude"]), ("sci_hook_check", wire.check_value(given)),
             ("sci_hook_sequence", given["sequence"])]
+
+
+def words_of_sampling(given):
+    """The same of a mission that samples."""
+    return words_of(given) + [("sci_hook_sampling", given["sampling"])]
 
 
 def written(words):
@@ -259,6 +267,32 @@ def unanswered():
     return s.steps
 
 
+def sampled():
+    """A mission that samples, and another behind it that does not: the instruments get the word of none that is gone."""
+    s = Session(70)
+    s.cycle(4.0, 1, x_hook_state=3, x_hook_session=7).beacon()
+    s.second().link(7, "samples", features=15)
+    given = words_of_sampling(INSTRUCTIONS[-2])
+    s.sbc("Write", written(given)).done(s.out, 7, 1, 1, 1, 1).sets(*given).beats()
+    given = words_of_sampling(INSTRUCTIONS[3])  # with a 0
+    s.second().sbc("Write", written(given)).done(0, 7, 2, 1, 1, 1).sets(*given).beats()
+    s.second().link(8, "does not", newest=9)
+    given = words_of(INSTRUCTIONS[0])
+    s.sbc("Write", written(given)).done(s.out, 7, 3, 1, 1, 1).sets(*given, ("sci_hook_sampling", 0)).beats()
+    s.second().sbc("Write", written(given)).done(0, 7, 4, 1, 1, 1).sets(*given, ("sci_hook_sampling", 0)).beats()
+    return s.steps
+
+
+def sampled_before():
+    """The word of a mission that sampled before hookprog began."""
+    s = Session(70)
+    s.cycle(4.0, 1, x_hook_state=3, x_hook_session=7).flight(sci_hook_sampling=33).beacon()
+    given = words_of(INSTRUCTIONS[0])
+    s.second().link(8, "does not").sbc("Write", written(given)).done(s.out, 7, 3, 1, 1, 1)
+    s.sets(*given, ("sci_hook_sampling", 0)).beats()
+    return s.steps
+
+
 def long():
     """Values that are sent again, Ticks without an answer, a flight controller that never pauses, many notes, a hookbeh that is gone."""
     s = Session(300)
@@ -298,4 +332,5 @@ def long():
 ALL_AT_ONCE = 2048
 # (name, in virtual time, bytes that the line takes in a second, seconds)
 SESSIONS = [("a flight", False, ALL_AT_ONCE, flown()), ("a slow line", False, 11, flown()), ("refusals", True, ALL_AT_ONCE, refused()),
-            ("no answer", False, ALL_AT_ONCE, unanswered()), ("a long link", False, ALL_AT_ONCE, long())]
+            ("no answer", False, ALL_AT_ONCE, unanswered()), ("a long link", False, ALL_AT_ONCE, long()),
+            ("instruments", False, ALL_AT_ONCE, sampled()), ("instruments of before", False, ALL_AT_ONCE, sampled_before())]

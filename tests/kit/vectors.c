@@ -83,7 +83,7 @@ typedef struct InstructionVector {
   uint8_t control, vertical, lateral;
   uint64_t depth, depth_carried, pitch, pitch_carried, heading, heading_carried;
   uint64_t latitude, latitude_carried, longitude, longitude_carried;
-  uint32_t check;
+  uint32_t sampling, check;
 } InstructionVector;
 typedef struct Update {
   uint16_t sensor;
@@ -341,6 +341,7 @@ static void fillInstruction(const InstructionVector* vector, HookInstruction* in
   instruction->heading_rad = hookDoubleOf(vector->heading);
   instruction->latitude_ddmm = hookDoubleOf(vector->latitude);
   instruction->longitude_ddmm = hookDoubleOf(vector->longitude);
+  instruction->sampling = vector->sampling;
 }
 
 static bool isCarried(const HookInstruction* instruction, const InstructionVector* vector) {
@@ -351,7 +352,8 @@ static bool isCarried(const HookInstruction* instruction, const InstructionVecto
          hasBits(instruction->pitch_rad, vector->pitch_carried) &&
          hasBits(instruction->heading_rad, vector->heading_carried) &&
          hasBits(instruction->latitude_ddmm, vector->latitude_carried) &&
-         hasBits(instruction->longitude_ddmm, vector->longitude_carried);
+         hasBits(instruction->longitude_ddmm, vector->longitude_carried) &&
+         instruction->sampling == vector->sampling;
 }
 
 static void checkInstructions(void) {

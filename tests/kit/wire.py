@@ -135,7 +135,8 @@ def in_steps(instruction):
 
 def check_value(instruction):
     words = [instruction[name] for name in ("session", "sequence", "control", "vertical", "lateral")]
-    return crc32c(struct.pack("<IHBBB5i", *words, *(steps_of(name, instruction[name]) for name in REALS)))
+    checked = struct.pack("<IHBBB5i", *words, *(steps_of(name, instruction[name]) for name in REALS))
+    return crc32c(checked + (struct.pack("<I", instruction["sampling"]) if instruction["sampling"] else b""))
 
 
 def u24(value):

@@ -23,8 +23,8 @@ namespace {
 using ir::prove::EnergyBound;
 using ir::prove::StateBound;
 
-/// So far above the bottom hookbeh does not turn a dive: `min_altitude`, and what it keeps free
-/// below a vehicle that sinks, m.
+/// hookbeh turns no dive while the bottom is farther below the vehicle than this: `min_altitude`,
+/// and what it keeps free below a vehicle that sinks, m.
 constexpr double kGuardMargin_m = 10;
 
 /// What the batteries hold when they are full, J: those that the mission names, or the vehicle's.
@@ -97,7 +97,8 @@ std::string leastLine(const EnergyBound& bound, const std::string& board) {
 /// What the bound does not count.
 std::string seaLine(const EnergyBound& bound) {
   return fmt::format(
-      "hookbeh's guards are not counted: the water is at least {:.0f} m deep where the vehicle "
+      "guards that end a dive early are not counted: the water is at least {:.0f} m deep where the "
+      "vehicle "
       "dives, and a swell has at most {:.0f} m",
       std::ceil(bound.deepest_m + kGuardMargin_m), platforms::kSwell_m);
 }

@@ -60,6 +60,16 @@ llvm::Value* Body::contextField(unsigned index) {
   return loadField(builder, lowering.types.GliderContext, context(), index);
 }
 
+void Body::call(llvm::StringRef symbol, llvm::ArrayRef<llvm::Value*> arguments) {
+  std::vector<llvm::Type*> types;
+  for (const llvm::Value* argument : arguments) {
+    types.push_back(argument->getType());
+  }
+  auto* type = llvm::FunctionType::get(builder.getVoidTy(), types, false);
+  builder.CreateCall(lowering.module.getOrInsertFunction(symbol, type), arguments)
+      ->setDoesNotThrow();
+}
+
 llvm::Value* loadField(llvm::IRBuilder<>& builder, llvm::StructType* type, llvm::Value* base,
                        unsigned index) {
   return builder.CreateLoad(type->getElementType(index),

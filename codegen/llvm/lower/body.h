@@ -27,6 +27,8 @@ struct Body {
   /// A new basic block at the end.
   llvm::BasicBlock* block(const char* name);
   llvm::Value* contextField(unsigned index);
+  /// Calls a C function that returns nothing: of the runtime, or of a profile or route.
+  void call(llvm::StringRef symbol, llvm::ArrayRef<llvm::Value*> arguments);
 
   Lowering& lowering;
   llvm::Function* function;

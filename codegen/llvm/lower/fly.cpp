@@ -43,18 +43,11 @@ void callBehaviour(Body& body, const ir::Activity& activity, uint32_t memory_blo
   auto* block_type = llvm::ArrayType::get(builder.getInt8Ty(), GLIDER_BEHAVIOUR_MEMORY_BYTES);
   std::vector<llvm::Value*> arguments{
       body.context(), builder.CreateConstInBoundsGEP1_32(block_type, memory, memory_block), phase};
-  std::vector<llvm::Type*> types{builder.getPtrTy(), builder.getPtrTy(), builder.getInt32Ty()};
   for (const ir::ExprId argument : activity.arguments) {
     arguments.push_back(body.expressions.asNumber(argument));
   }
-  types.resize(arguments.size(), builder.getDoubleTy());
   body.lowering.debug.locate(builder, activity.range);
-  builder
-      .CreateCall(body.lowering.module.getOrInsertFunction(
-                      body.lowering.mission[activity.behaviour].symbol,
-                      llvm::FunctionType::get(builder.getVoidTy(), types, false)),
-                  arguments)
-      ->setDoesNotThrow();
+  body.call(body.lowering.mission[activity.behaviour].symbol, arguments);
 }
 
 llvm::Function* lowerFly(Lowering& lowering, uint32_t state, const ir::Activity& activity,

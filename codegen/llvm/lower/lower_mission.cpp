@@ -5,6 +5,7 @@
 
 #include "codegen/llvm/lower/body.h"
 #include "codegen/llvm/lower/lowering.h"
+#include "ir/core/sampling.h"
 #include "ir/core/validate.h"
 #include "support/check.h"
 
@@ -29,6 +30,21 @@ llvm::Function* lowerProfile(Lowering& lowering, uint32_t index) {
                   lowering.index.memory_blocks[index].profile);
 }
 
+llvm::Function* lowerStateAdvance(Lowering& lowering, uint32_t index) {
+  const ir::State& state = lowering.mission.states[index];
+  const auto sample = [&](Body& body) { lowerSampling(body, state); };
+  return lowerAdvance(lowering, lowering.index.state_temporals[index],
+                      ir::samplingChanges(lowering.mission, state) ? Lowers(sample) : nullptr,
+                      state.name, state.range);
+}
+
+llvm::Function* lowerAlwaysAdvance(Lowering& lowering, support::SourceRange range) {
+  const ir::BlockId every_tick = lowering.mission.every_tick;
+  const auto run = [&](Body& body) { lowerBlock(body, every_tick); };
+  return lowerAdvance(lowering, lowering.index.always_temporals,
+                      every_tick.valid() ? Lowers(run) : nullptr, "always", range);
+}
+
 /// `profile`: whether the ticks of its profile are in this part.
 StateFunctions lowerState(Lowering& lowering, uint32_t index, bool profile) {
   const ir::State& state = lowering.mission.states[index];
@@ -38,7 +54,7 @@ StateFunctions lowerState(Lowering& lowering, uint32_t index, bool profile) {
                                  lowering.index.table_memory[index], state.name, state.range);
   functions.act = lowerAct(lowering, state.cases, state.name, state.range);
   functions.enter = lowerEnter(lowering, index);
-  functions.advance = lowerAdvance(lowering, index);
+  functions.advance = lowerStateAdvance(lowering, index);
   functions.profile = profile ? lowerProfile(lowering, index)
                               : declareFly(lowering, index, state.profile, "profile");
   functions.route = lowerFly(lowering, index, state.route, "route", blocks.route);
@@ -64,8 +80,7 @@ MissionFunctions lowerFunctions(Lowering& lowering) {
   const support::SourceRange range = mission.states.front().range;
   MissionFunctions functions;
   functions.begin = lowerBegin(lowering);
-  functions.advance =
-      lowerAdvance(lowering, lowering.index.always_temporals, mission.every_tick, "always", range);
+  functions.advance = lowerAlwaysAdvance(lowering, range);
   functions.guards = lowerGuards(lowering, mission.always, mission.always_table,
                                  lowering.index.always_table_memory, "always", range);
   functions.act = lowerAct(lowering, mission.always, "always", range);

@@ -9,6 +9,7 @@
 #include "ir/core/mission.h"
 #include "platforms/load/platform.h"
 
+#include <llvm/ADT/STLFunctionalExtras.h>
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/Module.h>
 
@@ -19,6 +20,8 @@
 /// Shared by the parts of the lowering; one file for each function family. The entry point is
 /// lower_mission.h.
 namespace glider::codegen {
+
+struct Body;
 
 struct Lowering {
   const ir::Mission& mission;
@@ -73,11 +76,10 @@ llvm::Function* lowerGuards(Lowering& lowering, const std::vector<ir::Case>& cas
                             support::SourceRange range);
 llvm::Function* lowerAct(Lowering& lowering, const std::vector<ir::Case>& cases,
                          const std::string& name, support::SourceRange range);
-/// The temporals advance, then `then` runs, which may be invalid.
+using Lowers = llvm::function_ref<void(Body&)>;
+/// The temporals advance, then what `then` lowers runs; null: nothing does.
 llvm::Function* lowerAdvance(Lowering& lowering, const std::vector<ir::TemporalId>& temporals,
-                             ir::BlockId then, const std::string& name, support::SourceRange range);
-/// The same of a state, which may change how often instruments read.
-llvm::Function* lowerAdvance(Lowering& lowering, uint32_t state);
+                             Lowers then, const std::string& name, support::SourceRange range);
 llvm::Function* lowerEnter(Lowering& lowering, uint32_t state);
 /// The function of a profile or route; `kind` is "profile" or "route".
 llvm::Function* lowerFly(Lowering& lowering, uint32_t state, const ir::Activity& activity,

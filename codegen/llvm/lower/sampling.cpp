@@ -18,13 +18,7 @@ void lowerSampling(Body& body, const ir::State& state) {
     word =
         builder.CreateFAdd(word, builder.CreateFMul(code, number(ir::samplingWeight(one.place))));
   }
-  builder
-      .CreateCall(body.lowering.module.getOrInsertFunction(
-                      "gliderSample",
-                      llvm::FunctionType::get(builder.getVoidTy(),
-                                              {builder.getPtrTy(), builder.getDoubleTy()}, false)),
-                  {body.context(), word})
-      ->setDoesNotThrow();
+  body.call("gliderSample", {body.context(), word});
 }
 
 }  // namespace glider::codegen

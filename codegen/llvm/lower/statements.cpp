@@ -20,15 +20,8 @@ constexpr const char* kCommandSymbols[] = {
 /// Generates a note (gliderNote).
 void lowerNote(Body& body, GliderNoteKind kind, const std::string& name, llvm::Value* values,
                size_t count) {
-  llvm::IRBuilder<>& builder = body.builder;
-  const std::vector<llvm::Type*> types{builder.getPtrTy(), builder.getInt32Ty(), builder.getPtrTy(),
-                                       builder.getPtrTy(), builder.getInt32Ty()};
-  builder
-      .CreateCall(body.lowering.module.getOrInsertFunction(
-                      "gliderNote", llvm::FunctionType::get(builder.getVoidTy(), types, false)),
-                  {body.context(), builder.getInt32(kind), text(body.lowering, name), values,
-                   builder.getInt32(static_cast<uint32_t>(count))})
-      ->setDoesNotThrow();
+  body.call("gliderNote", {body.context(), body.builder.getInt32(kind), text(body.lowering, name),
+                           values, body.builder.getInt32(static_cast<uint32_t>(count))});
 }
 
 void lowerSet(Body& body, const ir::Statement& statement) {
@@ -71,19 +64,11 @@ void lowerLog(Body& body, const ir::Statement& statement) {
 }
 
 void lowerCommand(Body& body, const ir::Statement& statement) {
-  llvm::IRBuilder<>& builder = body.builder;
   std::vector<llvm::Value*> arguments{body.context()};
   for (const ir::ExprId value : statement.values) {
     arguments.push_back(body.expressions.number(value));
   }
-  std::vector<llvm::Type*> types(arguments.size(), builder.getDoubleTy());
-  types[0] = builder.getPtrTy();
-  builder
-      .CreateCall(body.lowering.module.getOrInsertFunction(
-                      kCommandSymbols[static_cast<size_t>(statement.command)],
-                      llvm::FunctionType::get(builder.getVoidTy(), types, false)),
-                  arguments)
-      ->setDoesNotThrow();
+  body.call(kCommandSymbols[static_cast<size_t>(statement.command)], arguments);
 }
 
 /// Generates nested blocks without recursion: a stack of what is still to be written, the next on

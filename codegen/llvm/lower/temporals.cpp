@@ -3,7 +3,6 @@
 
 #include "codegen/llvm/lower/body.h"
 #include "ir/core/ops.h"
-#include "ir/core/sampling.h"
 
 namespace glider::codegen {
 namespace {
@@ -96,30 +95,14 @@ void lowerTemporals(Body& body, const std::vector<ir::TemporalId>& temporals,
 }
 
 llvm::Function* lowerAdvance(Lowering& lowering, const std::vector<ir::TemporalId>& temporals,
-                             ir::BlockId then, const std::string& name,
-                             support::SourceRange range) {
-  if (temporals.empty() && !then.valid()) {
+                             Lowers then, const std::string& name, support::SourceRange range) {
+  if (temporals.empty() && !then) {
     return nullptr;
   }
   Body body(lowering, "advance." + name, Body::Result::None, 0, name + " watches", range);
   lowerTemporals(body, temporals, TemporalMoment::Advance);
-  lowerBlock(body, then);
-  body.builder.CreateRetVoid();
-  return body.function;
-}
-
-llvm::Function* lowerAdvance(Lowering& lowering, uint32_t index) {
-  const ir::State& state = lowering.mission.states[index];
-  const auto& temporals = lowering.index.state_temporals[index];
-  const bool samples = ir::samplingChanges(lowering.mission, state);
-  if (temporals.empty() && !samples) {
-    return nullptr;
-  }
-  Body body(lowering, "advance." + state.name, Body::Result::None, 0, state.name + " watches",
-            state.range);
-  lowerTemporals(body, temporals, TemporalMoment::Advance);
-  if (samples) {
-    lowerSampling(body, state);
+  if (then) {
+    then(body);
   }
   body.builder.CreateRetVoid();
   return body.function;

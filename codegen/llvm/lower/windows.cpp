@@ -143,16 +143,6 @@ Value* memoryOf(Body& body, ir::TemporalId id) {
   return body.expressions.temporalSlot(body.lowering.index.temporal_slots.at(id.index));
 }
 
-void call(Body& body, const char* name, const std::vector<Value*>& arguments) {
-  std::vector<llvm::Type*> types;
-  for (const Value* argument : arguments) {
-    types.push_back(argument->getType());
-  }
-  auto* type = llvm::FunctionType::get(body.builder.getVoidTy(), types, false);
-  body.builder.CreateCall(body.lowering.module.getOrInsertFunction(name, type), arguments)
-      ->setDoesNotThrow();
-}
-
 }  // namespace
 
 void lowerWindowStarts(Body& body, const std::vector<ir::TemporalId>& temporals) {
@@ -160,12 +150,12 @@ void lowerWindowStarts(Body& body, const std::vector<ir::TemporalId>& temporals)
     const ir::Temporal& temporal = body.lowering.mission[id];
     if (temporal.leg != ir::Leg::None) {
       body.lowering.debug.locate(body.builder, temporal.range);
-      call(body, ir::isOfSteepest(temporal.kind) ? "gliderSteepestStart" : "gliderLegStart",
-           {memoryOf(body, id), body.expressions.missionTime()});
+      body.call(ir::isOfSteepest(temporal.kind) ? "gliderSteepestStart" : "gliderLegStart",
+                {memoryOf(body, id), body.expressions.missionTime()});
     } else if (ir::isWindow(temporal.kind)) {
       body.lowering.debug.locate(body.builder, temporal.range);
-      call(body, "gliderWindowStart",
-           {memoryOf(body, id), sharedShape(body, id), body.expressions.missionTime()});
+      body.call("gliderWindowStart",
+                {memoryOf(body, id), sharedShape(body, id), body.expressions.missionTime()});
     }
   }
 }
@@ -178,9 +168,9 @@ void lowerLeg(Body& body, ir::TemporalId id, Freshness& fresh) {
   Value* phase = body.expressions.number(window.along);
   Value* taken = freshnessOf(body, window.operand, window.duration, fresh);
   const bool of_operand = window.kind == ir::TemporalKind::Steepest;
-  call(body, ir::isOfSteepest(window.kind) ? "gliderSteepestAdvance" : "gliderLegAdvance",
-       {memoryOf(body, id), sharedShape(body, id), body.expressions.missionTime(), phase,
-        of_operand ? operand : other, of_operand ? other : operand, taken});
+  body.call(ir::isOfSteepest(window.kind) ? "gliderSteepestAdvance" : "gliderLegAdvance",
+            {memoryOf(body, id), sharedShape(body, id), body.expressions.missionTime(), phase,
+             of_operand ? operand : other, of_operand ? other : operand, taken});
 }
 
 void lowerWindow(Body& body, ir::TemporalId id, Freshness& fresh) {
@@ -190,8 +180,8 @@ void lowerWindow(Body& body, ir::TemporalId id, Freshness& fresh) {
   Value* now = body.expressions.missionTime();
   Value* along = window.along.valid() ? body.expressions.number(window.along) : now;
   Value* taken = freshnessOf(body, window.operand, window.along, fresh);
-  call(body, "gliderWindowAdvance",
-       {memoryOf(body, id), sharedShape(body, id), now, along, value, taken});
+  body.call("gliderWindowAdvance",
+            {memoryOf(body, id), sharedShape(body, id), now, along, value, taken});
 }
 
 }  // namespace glider::codegen

@@ -136,22 +136,18 @@ class SampleLowering {
   bool isOnlyLogged(const std::string& name) {
     const platforms::PlatformSensor* sensor = scope_.findSensor(name);
     return findClock(name).has_value() ||
-           (sensor != nullptr &&
-            std::ranges::none_of(instruments(), [&](const platforms::Instrument& one) {
-              return std::ranges::find(one.sensors, sensor->name) != one.sensors.end();
-            }));
+           (sensor != nullptr && measuring(instruments(), sensor->name) == nullptr);
   }
 
   void reportUnknown(const ast::Name& name) {
     const platforms::PlatformSensor* sensor = scope_.findSensor(name.text);
-    for (const platforms::Instrument& one : instruments()) {
-      if (sensor != nullptr && std::ranges::find(one.sensors, sensor->name) != one.sensors.end()) {
-        scope_
-            .report(support::diagnostics::unknownInstrument, name.where, name.text,
-                    fmt::format("`{}` is what the instrument `{}` measures", name.text, one.name))
-            .fix(name.where, one.name);
-        return;
-      }
+    if (const platforms::Instrument* one =
+            sensor == nullptr ? nullptr : measuring(instruments(), sensor->name)) {
+      scope_
+          .report(support::diagnostics::unknownInstrument, name.where, name.text,
+                  fmt::format("`{}` is what the instrument `{}` measures", name.text, one->name))
+          .fix(name.where, one->name);
+      return;
     }
     const std::string others = fmt::format(
         "{}missions can switch {}",

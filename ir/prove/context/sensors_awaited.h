@@ -28,11 +28,10 @@ inline bool hasDefault(const Mission& mission, const Expr& e) {
   return isSensorOrElse(mission, e) && mission[e.operands[2]].op == Op::Constant;
 }
 
-/// Calls `visit` with each sensor without whose readings an expression, or what its temporals
-/// watch, may stay unknown; a sensor may come several times. The variation in `90 deg magnetic`
-/// is not one, the state of the vehicle that tells legs apart is.
+/// Calls `visit` with each part of an expression without which it, or what its temporals watch, may
+/// stay unknown. `visit` returns whether to go on into the part.
 template <typename Visit>
-void forEachSensorAwaited(const Mission& mission, ExprId expression, Visit visit) {
+void forEachPartAwaited(const Mission& mission, ExprId expression, Visit visit) {
   std::vector<ExprId> open{expression};
   std::unordered_set<uint32_t> seen;
   while (!open.empty()) {
@@ -42,15 +41,40 @@ void forEachSensorAwaited(const Mission& mission, ExprId expression, Visit visit
       continue;
     }
     const Expr& e = mission[id];
-    if (e.op == Op::Sensor || e.op == Op::Age) {
-      visit(e.sensor);
-    } else if (e.op == Op::Temporal) {
+    if (!visit(e)) {
+      continue;
+    }
+    if (e.op == Op::Temporal) {
       const Temporal& watched = mission[e.temporal];
       open.insert(open.end(), {watched.along, watched.duration, watched.operand});
     } else if (!hasDefault(mission, e)) {
       open.insert(open.end(), e.operands.begin(), e.operands.begin() + operandCount(e));
     }
   }
+}
+
+/// Calls `visit` with each sensor without whose readings an expression, or what its temporals
+/// watch, may stay unknown; a sensor may come several times. The variation in `90 deg magnetic`
+/// is not one, the state of the vehicle that tells legs apart is.
+template <typename Visit>
+void forEachSensorAwaited(const Mission& mission, ExprId expression, Visit visit) {
+  forEachPartAwaited(mission, expression, [&](const Expr& e) {
+    if (e.op == Op::Sensor || e.op == Op::Age) {
+      visit(e.sensor);
+    }
+    return true;
+  });
+}
+
+/// The same, without those of which it only asks whether there is a reading, or how old it is.
+template <typename Visit>
+void forEachReadingAwaited(const Mission& mission, ExprId expression, Visit visit) {
+  forEachPartAwaited(mission, expression, [&](const Expr& e) {
+    if (e.op == Op::Sensor) {
+      visit(e.sensor);
+    }
+    return e.op != Op::Known && e.op != Op::Age;
+  });
 }
 
 }  // namespace glider::ir::prove

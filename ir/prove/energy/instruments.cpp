@@ -3,6 +3,9 @@
 
 #include "ir/prove/energy/instruments.h"
 
+#include "hooks/protocol/sampling.h"
+#include "ir/core/sampling.h"
+
 #include <algorithm>
 
 namespace glider::ir::prove {
@@ -37,11 +40,11 @@ InstrumentSeconds InstrumentShares::sharesIn(const State& state) const {
     }
     const bool always = draw.when == platforms::DrawWhen::Always;
     const double otherwise = always || readsWhatMeasures(m_, draw) ? 1 : 0;
-    const auto ordered = std::ranges::find(state.sampling, *draw.instrument, &Sampling::place);
+    const Sampling* ordered = samplingOf(state, *draw.instrument);
     // A word that is not known leaves in force what another state has commanded.
     double share = known ? otherwise : 1;
-    if (known && ordered != state.sampling.end()) {
-      share = greatest(draw, *ordered, ordered->code, otherwise);
+    if (known && ordered != nullptr) {
+      share = greatest(draw, *ordered, otherwise);
     }
     shares[*draw.instrument] = std::max(shares[*draw.instrument], share);
   }
@@ -56,27 +59,28 @@ bool InstrumentShares::isKnown(ExprId code) const {
   return context_.seen.known.expressions[(replaced ? e.operands[2] : code).index];
 }
 
-// NOLINTNEXTLINE(misc-no-recursion): as deep as the choices of one word
 double InstrumentShares::greatest(const platforms::Draw& draw, const Sampling& sampling,
-                                  ExprId code, double otherwise) const {
-  const Expr& e = m_[code];
-  if (e.op == Op::Constant) {
-    return platforms::shareOn(draw, static_cast<uint32_t>(e.number)).value_or(otherwise);
+                                  double otherwise) const {
+  const auto isKnown = [&](ExprId code) { return context_.seen.known.expressions[code.index]; };
+  double greatest = 0;
+  forEachCode(m_, sampling, isKnown, [&](const Expr& code) {
+    greatest = std::max(greatest, with(code, sampling.period, draw).value_or(otherwise));
+  });
+  return greatest;
+}
+
+/// None where the vehicle's own mission says how often.
+std::optional<double> InstrumentShares::with(const Expr& code, ExprId period,
+                                             const platforms::Draw& draw) const {
+  if (code.op == Op::Constant) {
+    return platforms::shareOn(draw, static_cast<uint32_t>(code.number));
   }
-  if (e.op == Op::Select) {
-    const Expr& condition = m_[e.operands[0]];
-    if (condition.op == Op::Known && context_.seen.known.expressions[condition.operands[0].index]) {
-      return greatest(draw, sampling, e.operands[1], otherwise);
-    }
-    return std::max(greatest(draw, sampling, e.operands[1], otherwise),
-                    greatest(draw, sampling, e.operands[2], otherwise));
-  }
-  if (!sampling.period.valid()) {
+  if (!period.valid()) {
     return 1;
   }
-  const Interval& period = context_.held[sampling.period.index];
-  const double shortest = period.empty ? 0 : std::max(0.0, period.lowest);
-  return platforms::shareOn(draw, hookSamplingCode(shortest)).value_or(otherwise);
+  const Interval& seconds = context_.held[period.index];
+  const double shortest = seconds.empty ? 0 : std::max(0.0, seconds.lowest);
+  return platforms::shareOn(draw, hookSamplingCode(shortest));
 }
 
 void InstrumentShares::addTo(EnergyLines& lines, StateId state) const {

@@ -6,6 +6,7 @@
 #include "ir/prove/energy/energy_lines.h"
 #include "ir/prove/energy/profile_legs.h"
 
+#include <optional>
 #include <vector>
 
 namespace glider::ir::prove {
@@ -26,8 +27,11 @@ class InstrumentShares {
  private:
   [[nodiscard]] InstrumentSeconds sharesIn(const State& state) const;
   [[nodiscard]] bool isKnown(ExprId code) const;
-  [[nodiscard]] double greatest(const platforms::Draw& draw, const Sampling& sampling, ExprId code,
+  /// `otherwise`: where the vehicle's own mission says how often.
+  [[nodiscard]] double greatest(const platforms::Draw& draw, const Sampling& sampling,
                                 double otherwise) const;
+  [[nodiscard]] std::optional<double> with(const Expr& code, ExprId period,
+                                           const platforms::Draw& draw) const;
 
   const LegContext& context_;
   const Mission& m_;

@@ -9,6 +9,7 @@
 // in some state.
 
 #include "hooks/protocol/sampling.h"
+#include "ir/core/sampling.h"
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/context/sensors_awaited.h"
 #include "ir/prove/passes.h"
@@ -26,30 +27,6 @@ namespace glider::ir::prove {
 namespace {
 
 constexpr double kNeverRead = std::numeric_limits<double>::infinity();
-
-/// Calls `visit` with each sensor whose reading an expression, or what its temporals watch, waits
-/// for. Whether there is one, and how old it is, may be asked of an instrument that is off.
-template <typename Visit>
-void forEachReading(const Mission& mission, ExprId expression, Visit visit) {
-  std::vector<ExprId> open{expression};
-  std::set<ExprId> seen;
-  while (!open.empty()) {
-    const ExprId id = open.back();
-    open.pop_back();
-    if (!id.valid() || !seen.insert(id).second) {
-      continue;
-    }
-    const Expr& e = mission[id];
-    if (e.op == Op::Sensor) {
-      visit(e.sensor);
-    } else if (e.op == Op::Temporal) {
-      const Temporal& watched = mission[e.temporal];
-      open.insert(open.end(), {watched.along, watched.duration, watched.operand});
-    } else if (e.op != Op::Known && e.op != Op::Age && !hasDefault(mission, e)) {
-      open.insert(open.end(), e.operands.begin(), e.operands.begin() + operandCount(e));
-    }
-  }
-}
 
 class UnsampledSearch {
  public:
@@ -77,7 +54,8 @@ class UnsampledSearch {
       }
     };
     for (const Case& c : state.cases) {
-      forEachReading(m_, c.guard, [&](SensorId sensor) { waits(sensor, c.range, "this case"); });
+      forEachReadingAwaited(m_, c.guard,
+                            [&](SensorId sensor) { waits(sensor, c.range, "this case"); });
     }
     for (const auto& [activity, who] :
          {std::pair(&state.profile, "the profile"), std::pair(&state.route, "the route")}) {
@@ -93,7 +71,7 @@ class UnsampledSearch {
 
   void inAlways(const Case& c) {
     std::set<uint32_t> told;
-    forEachReading(m_, c.guard, [&](SensorId sensor) {
+    forEachReadingAwaited(m_, c.guard, [&](SensorId sensor) {
       const bool late =
           std::ranges::all_of(m_.states, [&](const State& state) { return isLate(state, sensor); });
       if (late && told.insert(sensor.index).second) {
@@ -102,41 +80,32 @@ class UnsampledSearch {
     });
   }
 
-  /// The instrument that measures a sensor, by its place; none if missions do not switch it.
-  [[nodiscard]] const platforms::Instrument* instrumentOf(SensorId sensor) const {
-    const auto& all = context_.platform.instruments;
-    const auto found = std::ranges::find_if(all, [&](const platforms::Instrument& one) {
-      return std::ranges::find(one.sensors, m_[sensor].vehicle_name) != one.sensors.end();
-    });
-    return found == all.end() ? nullptr : &*found;
-  }
-
   /// The shortest time between readings that a state may command, s; 0 if it does not.
   [[nodiscard]] double shortest(const State& state, SensorId sensor) const {
-    const platforms::Instrument* instrument = instrumentOf(sensor);
-    if (instrument == nullptr) {
+    const auto& instruments = context_.platform.instruments;
+    const auto* instrument = measuring(instruments, m_[sensor].vehicle_name);
+    const Sampling* sampling =
+        instrument == nullptr
+            ? nullptr
+            : samplingOf(state, static_cast<uint32_t>(instrument - instruments.data()));
+    if (sampling == nullptr) {
       return 0;
     }
-    const auto place = static_cast<uint32_t>(instrument - context_.platform.instruments.data());
-    const auto found = std::ranges::find(state.sampling, place, &Sampling::place);
-    return found == state.sampling.end() ? 0 : shortestOf(*found, found->code);
+    double shortest = kNeverRead;
+    const auto isKnown = [&](ExprId) { return sampling->period.valid(); };
+    forEachCode(m_, *sampling, isKnown, [&](const Expr& code) {
+      shortest = std::min(shortest, secondsOf(code, sampling->period));
+    });
+    return shortest;
   }
 
-  // NOLINTNEXTLINE(misc-no-recursion): as deep as the choices of one word
-  [[nodiscard]] double shortestOf(const Sampling& sampling, ExprId code) const {
-    const Expr& e = m_[code];
-    if (e.op == Op::Select) {
-      const bool certain = m_[e.operands[0]].op == Op::Known && sampling.period.valid();
-      return certain ? shortestOf(sampling, e.operands[1])
-                     : std::min(shortestOf(sampling, e.operands[1]),
-                                shortestOf(sampling, e.operands[2]));
-    }
-    if (e.op == Op::Constant) {
-      const double seconds = hookSamplingSecs(static_cast<uint32_t>(e.number));
+  [[nodiscard]] double secondsOf(const Expr& code, ExprId period) const {
+    if (code.op == Op::Constant) {
+      const double seconds = hookSamplingSecs(static_cast<uint32_t>(code.number));
       return seconds < 0 ? kNeverRead : seconds >= 0 ? seconds : 0;
     }
-    const bool known = sampling.period.valid() && !context_.intervals[sampling.period.index].empty;
-    return known ? context_.intervals[sampling.period.index].lowest : 0;
+    const bool known = period.valid() && !context_.intervals[period.index].empty;
+    return known ? context_.intervals[period.index].lowest : 0;
   }
 
   [[nodiscard]] bool isLate(const State& state, SensorId sensor) const {
@@ -146,7 +115,8 @@ class UnsampledSearch {
   void tell(SensorId id, const State& state, const support::SourceRange& range,
             std::string_view who) {
     const Sensor& sensor = m_[id];
-    const std::string& instrument = instrumentOf(id)->name;
+    const std::string& instrument =
+        measuring(context_.platform.instruments, sensor.vehicle_name)->name;
     const double seconds = shortest(state, id);
     const std::string often =
         seconds == kNeverRead

@@ -84,14 +84,15 @@ TEST(Values, EveryStepSurvivesSixDecimalsAndTheArray) {
   };
   const auto survives = [&](double step, uint32_t per_unit, uint32_t bytes, double least,
                             double most) {
-    const int64_t first = hookWholeSteps(least, per_unit, hookMostSteps(8));
-    const int64_t last = hookWholeSteps(most, per_unit, hookMostSteps(8));
+    const int32_t most_steps = bytes == 4 ? kHookMostStepsOf4 : kHookMostStepsOf8;
+    const int64_t first = hookWholeSteps(least, per_unit, kHookMostStepsOf8);
+    const int64_t last = hookWholeSteps(most, per_unit, kHookMostStepsOf8);
     for (int64_t i = first; i <= last; i += (last - first) / 100000 + 1) {
       const double sent = static_cast<double>(i) / per_unit;
       const double kept = bytes == 4 ? hookAsFloat32(sent) : sent;
-      ASSERT_EQ(hookWholeSteps(cut(kept), per_unit, hookMostSteps(bytes)), i) << step;
+      ASSERT_EQ(hookWholeSteps(cut(kept), per_unit, most_steps), i) << step;
       ASSERT_EQ(
-          hookWholeSteps(hookAsFloat32(bytes == 4 ? cut(kept) : 0), per_unit, hookMostSteps(8)),
+          hookWholeSteps(hookAsFloat32(bytes == 4 ? cut(kept) : 0), per_unit, kHookMostStepsOf8),
           bytes == 4 ? i : 0);
     }
   };

@@ -11,6 +11,8 @@ std::unique_ptr<Architecture> Architecture::of(const llvm::Triple& triple) {
       return makeX86();
     case llvm::Triple::arm:
       return makeArm();
+    case llvm::Triple::thumb:
+      return makeThumb();
     case llvm::Triple::aarch64:
       return makeAArch64();
     default:

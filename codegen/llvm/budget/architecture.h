@@ -53,6 +53,7 @@ class Architecture {
 };
 
 std::unique_ptr<Architecture> makeArm();
+std::unique_ptr<Architecture> makeThumb();
 std::unique_ptr<Architecture> makeX86();
 std::unique_ptr<Architecture> makeAArch64();
 

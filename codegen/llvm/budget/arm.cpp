@@ -30,7 +30,9 @@ class Arm : public Architecture {
  public:
   [[nodiscard]] const StackMachine& stackMachine() const override { return kArmStack; }
   void initialiseDisassembler() const override { LLVMInitializeARMDisassembler(); }
-  [[nodiscard]] uint8_t numberOf(StringRef name) const override;
+  [[nodiscard]] uint8_t numberOf(StringRef name) const override {
+    return armRegister(name.lower());
+  }
   [[nodiscard]] Flow flow(const Written& written) const override { return armFlow(written); }
   [[nodiscard]] StackEffect stack(const Written& written) const override {
     return armStack(written);
@@ -51,14 +53,6 @@ class Arm : public Architecture {
   uint64_t compared_at_ = 0;
 };
 
-uint8_t Arm::numberOf(StringRef name) const {
-  static constexpr std::array<std::string_view, 16> kNames = {"R0",  "R1", "R2", "R3", "R4",  "R5",
-                                                              "R6",  "R7", "R8", "R9", "R10", "R11",
-                                                              "R12", "SP", "LR", "PC"};
-  const auto found = std::ranges::find(kNames, std::string_view(name.data(), name.size()));
-  return found == kNames.end() ? StackEffect::kNone : static_cast<uint8_t>(found - kNames.begin());
-}
-
 /// The parts of "ldr r3, [pc, #16]", "add r2, pc, r2", "ldr r0, [pc, r3]" and "add r1, pc, #8" that
 /// say where something is.
 void Arm::mention(const Written& written, Instruction& one) const {
@@ -76,9 +70,9 @@ void Arm::mention(const Written& written, Instruction& one) const {
   if (last.consume_front("#") && !last.getAsInteger(0, number)) {
     one.mentions.numbers[one.mentions.count++] =
         static_cast<uint32_t>(one.address + kAhead + static_cast<uint64_t>(number));
-    one.mentions.literal_to = loads ? numberOf(parts[0].upper()) : Mentions::kNone;
+    one.mentions.literal_to = loads ? armRegister(parts[0]) : Mentions::kNone;
   }
-  one.mentions.pc_plus = numberOf(last.upper());  // a number is not a register
+  one.mentions.pc_plus = armRegister(last);  // a number is not a register
 }
 
 /// How many instructions "cmp r3, #10" and "addls pc, pc, r3, lsl #2" choose from.

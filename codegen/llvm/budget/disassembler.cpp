@@ -26,21 +26,37 @@
 
 namespace glider::codegen {
 
+/// What reads one encoding.
+struct Disassembler::Reader {
+  std::unique_ptr<Architecture> architecture;
+  std::unique_ptr<llvm::MCSubtargetInfo> chip;
+  std::unique_ptr<llvm::MCDisassembler> decoder;
+  std::unique_ptr<llvm::MCInstrAnalysis> analysis;
+};
+
 struct Disassembler::Machine {
   std::unique_ptr<llvm::TargetMachine> target;
-  std::unique_ptr<Architecture> architecture;
   std::unique_ptr<llvm::MCContext> context;
-  std::unique_ptr<llvm::MCDisassembler> reader;
   std::unique_ptr<llvm::MCInstPrinter> printer;
-  std::unique_ptr<llvm::MCInstrAnalysis> analysis;
+  std::vector<Reader> readers;  ///< by Encoding; of Thumb only where there is any
   /// By LLVM's register: the registers by StackEffect's numbers of which it has a part, a bit each.
   std::vector<uint32_t> numbered;
 };
 
 namespace {
 
+llvm::Triple tripleOf(const platforms::Board& board) {
+  return llvm::Triple(llvm::Triple::normalize(board.triple));
+}
+
 std::unique_ptr<Architecture> architectureOf(const platforms::Board& board) {
-  return Architecture::of(llvm::Triple(llvm::Triple::normalize(board.triple)));
+  return Architecture::of(tripleOf(board));
+}
+
+/// "thumbv5e-…" for "armv5e-…".
+llvm::Triple inThumb(llvm::Triple triple) {
+  triple.setArchName(("thumb" + triple.getArchName().drop_front(3)).str());
+  return triple;
 }
 
 /// "ldr" and "pc, [sp]" of "\tldr\tpc, [sp]\t@ comment".
@@ -87,35 +103,49 @@ const StackMachine& stackMachine(const platforms::Board& board) {
   return architectureOf(board)->stackMachine();
 }
 
+/// `machine` has a target and a context; `triple` says the encoding.
+Disassembler::Reader Disassembler::readerOf(const platforms::Board& board,
+                                            const llvm::Triple& triple, const Machine& machine) {
+  std::string ignored;
+  const llvm::Target& known = *llvm::TargetRegistry::lookupTarget(triple.str(), ignored);
+  Reader reader;
+  reader.architecture = Architecture::of(triple);
+  reader.chip.reset(known.createMCSubtargetInfo(triple.str(), board.cpu, board.features));
+  reader.decoder.reset(known.createMCDisassembler(*reader.chip, *machine.context));
+  reader.analysis.reset(known.createMCInstrAnalysis(machine.target->getMCInstrInfo()));
+  return reader;
+}
+
 support::Result<std::unique_ptr<Disassembler>> Disassembler::make(const platforms::Board& board) {
   auto target = makeMachine(board, 0, ProgramKind::Executable);
   if (!target) {
     return std::unexpected(target.error());
   }
-  auto machine = std::make_unique<Machine>();
-  machine->architecture = architectureOf(board);
-  if (!machine->architecture) {
+  const auto architecture = architectureOf(board);
+  if (!architecture) {
     return support::fail(support::diagnostics::unsupportedMachine, board.name, board.triple,
                          board.cpu);
   }
-  machine->architecture->initialiseDisassembler();
-  const llvm::Triple& triple = (*target)->getTargetTriple();
-  const llvm::Target& known = (*target)->getTarget();
-  const llvm::MCSubtargetInfo& chip = *(*target)->getMCSubtargetInfo();
-  machine->context = std::make_unique<llvm::MCContext>(triple, (*target)->getMCAsmInfo(),
-                                                       (*target)->getMCRegisterInfo(), &chip);
-  machine->reader.reset(known.createMCDisassembler(chip, *machine->context));
-  machine->printer.reset(known.createMCInstPrinter(triple, 0, *(*target)->getMCAsmInfo(),
-                                                   *(*target)->getMCInstrInfo(),
-                                                   *(*target)->getMCRegisterInfo()));
-  machine->analysis.reset(known.createMCInstrAnalysis((*target)->getMCInstrInfo()));
-  machine->numbered = numbersOf(*(*target)->getMCRegisterInfo(), *machine->architecture);
+  architecture->initialiseDisassembler();
+  const llvm::Triple triple = tripleOf(board);
+  auto machine = std::make_unique<Machine>();
   machine->target = std::move(*target);
+  const llvm::MCAsmInfo& syntax = *machine->target->getMCAsmInfo();
+  const llvm::MCRegisterInfo& registers = *machine->target->getMCRegisterInfo();
+  machine->context = std::make_unique<llvm::MCContext>(triple, &syntax, &registers,
+                                                       machine->target->getMCSubtargetInfo());
+  machine->printer.reset(machine->target->getTarget().createMCInstPrinter(
+      triple, 0, syntax, *machine->target->getMCInstrInfo(), registers));
+  machine->numbered = numbersOf(registers, *architecture);
+  machine->readers.push_back(readerOf(board, triple, *machine));
+  if (triple.isARM()) {
+    machine->readers.push_back(readerOf(board, inThumb(triple), *machine));
+  }
   return std::unique_ptr<Disassembler>(new Disassembler(std::move(machine)));
 }
 
 bool Disassembler::isTrap(llvm::StringRef bytes) const {
-  return machine_->architecture->isTrap(bytes);
+  return machine_->readers.front().architecture->isTrap(bytes);
 }
 
 /// The registers that an instruction changes, a bit each.
@@ -133,14 +163,15 @@ uint32_t Disassembler::writtenBy(const llvm::MCInst& inst, const llvm::MCInstrDe
   return written;
 }
 
-Instruction Disassembler::read(llvm::StringRef bytes, uint64_t address) {
-  Architecture& architecture = *machine_->architecture;
+Instruction Disassembler::read(llvm::StringRef bytes, uint64_t address, Encoding encoding) {
+  const Reader& reader = machine_->readers[static_cast<size_t>(encoding)];
+  Architecture& architecture = *reader.architecture;
   Instruction one;
   one.address = address;
   llvm::MCInst inst;
   uint64_t size = 0;
   const llvm::ArrayRef<uint8_t> code(bytes.bytes_begin(), bytes.size());
-  const auto status = machine_->reader->getInstruction(inst, size, code, address, llvm::nulls());
+  const auto status = reader.decoder->getInstruction(inst, size, code, address, llvm::nulls());
   if (status == llvm::MCDisassembler::Fail) {
     architecture.undecoded(bytes, one);
     return one;
@@ -148,7 +179,7 @@ Instruction Disassembler::read(llvm::StringRef bytes, uint64_t address) {
   one.size = static_cast<uint32_t>(size);
   std::string line;
   llvm::raw_string_ostream stream(line);
-  machine_->printer->printInst(&inst, address, "", *machine_->target->getMCSubtargetInfo(), stream);
+  machine_->printer->printInst(&inst, address, "", *reader.chip, stream);
   stream.flush();
   const Written written = split(line);
   const llvm::MCInstrDesc& about = machine_->target->getMCInstrInfo()->get(inst.getOpcode());
@@ -160,7 +191,7 @@ Instruction Disassembler::read(llvm::StringRef bytes, uint64_t address) {
   for (const llvm::MCOperand& operand : inst) {
     one.mentions.registers |= operand.isReg() ? machine_->numbered[operand.getReg()] : 0;
   }
-  if (hasTarget(one.flow) && !machine_->analysis->evaluateBranch(inst, address, size, one.target)) {
+  if (hasTarget(one.flow) && !reader.analysis->evaluateBranch(inst, address, size, one.target)) {
     one.flow = Flow::Unknown;
   }
   architecture.complete({inst, about, written}, one);

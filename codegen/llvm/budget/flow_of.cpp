@@ -59,8 +59,8 @@ Flow armFlow(const Written& w) {
   if (is(w.operation, "bl")) {
     return Flow::Call;
   }
-  if (is(w.operation, "blx")) {
-    return w.operands.starts_with('#') ? Flow::Unknown : Flow::CallByPointer;
+  if (is(w.operation, "blx")) {  // of a number: a call from ARM to Thumb or back
+    return w.operands.starts_with('#') ? Flow::Call : Flow::CallByPointer;
   }
   if (is(w.operation, "bx")) {
     const bool conditional = isConditional(w.operation, "bx");
@@ -68,6 +68,9 @@ Flow armFlow(const Written& w) {
       return conditional ? Flow::ReturnIf : Flow::Return;
     }
     return conditional ? Flow::Unknown : Flow::JumpByPointer;
+  }
+  if (w.operation == "udf" || w.operation == "trap") {
+    return Flow::Return;
   }
   const bool many = w.operation.starts_with("ldm") || w.operation.starts_with("pop");
   if (many && w.operands.find("pc") != std::string_view::npos) {

@@ -67,18 +67,30 @@ std::string lastPart(const std::string& path) {
   return path.substr(path.find_last_of('/') + 1);
 }
 
-/// Stretches of data among code, between ARM's mapping symbols `$d` and `$a` (in 64 bits `$x`).
-class DataAmongCode {
+/// What stands in sections of code, by ARM's mapping symbols: `$a` (in 64 bits `$x`), `$t`, `$d`.
+class Stretches {
  public:
-  void add(uint64_t address, bool data) { marks_.emplace_back(address, data); }
+  /// Whether `symbol` is a mapping symbol.
+  bool add(llvm::StringRef symbol, uint64_t address) {
+    const bool marks =
+        symbol.size() > 1 && symbol[0] == '$' && llvm::StringRef("axtd").contains(symbol[1]);
+    if (marks) {
+      marks_.emplace_back(address, symbol[1]);
+    }
+    return marks;
+  }
   void sort() { std::ranges::sort(marks_); }
-  [[nodiscard]] bool holds(uint64_t address) const {
-    const auto after = std::ranges::upper_bound(marks_, std::pair(address, true));
-    return after != marks_.begin() && std::prev(after)->second;
+  [[nodiscard]] bool isData(uint64_t address) const { return at(address) == 'd'; }
+  [[nodiscard]] Encoding encoding(uint64_t address) const {
+    return at(address) == 't' ? Encoding::Thumb : Encoding::Usual;
   }
 
  private:
-  std::vector<std::pair<uint64_t, bool>> marks_;
+  [[nodiscard]] char at(uint64_t address) const {
+    const auto after = std::ranges::upper_bound(marks_, std::pair(address, '\x7f'));
+    return after == marks_.begin() ? 'a' : std::prev(after)->second;
+  }
+  std::vector<std::pair<uint64_t, char>> marks_;
 };
 
 }  // namespace
@@ -89,7 +101,7 @@ struct Image::Parts {
   std::unique_ptr<llvm::DWARFContext> lines;
   std::vector<Symbol> symbols;  // functions, by address
   uint64_t context_bytes = 0;
-  DataAmongCode data;
+  Stretches stretches;
   std::vector<Instruction> code;
   std::vector<Segment> segments;
   uint64_t loaded = 0;
@@ -124,15 +136,16 @@ void Image::Parts::readSymbols() {
     if (*name == "_GLOBAL_OFFSET_TABLE_") {
       offsets = *address;
     }
-    if (name->starts_with("$a") || name->starts_with("$x") || name->starts_with("$d")) {
-      data.add(*address, name->starts_with("$d"));
-    } else if (symbol.getELFType() == llvm::ELF::STT_FUNC) {
+    if (stretches.add(*name, *address)) {
+      continue;
+    }
+    if (symbol.getELFType() == llvm::ELF::STT_FUNC) {
       symbols.push_back({*address, symbol.getSize(), name->str()});
     } else if (*name == "gliderContextMemory") {
       context_bytes = symbol.getSize();
     }
   }
-  data.sort();
+  stretches.sort();
   // At the same address the largest comes first: aliases have the same size.
   std::ranges::sort(symbols, [](const Symbol& a, const Symbol& b) {
     return std::tuple(a.address, b.size, a.name) < std::tuple(b.address, a.size, b.name);
@@ -184,13 +197,15 @@ void Image::Parts::readCode(Disassembler& disassembler) {
     }
     for (uint64_t at = 0; at < content->size();) {
       const uint64_t address = section.getAddress() + at;
-      if (data.holds(address) && !disassembler.isTrap(content->substr(at))) {
+      if (stretches.isData(address) && !disassembler.isTrap(content->substr(at))) {
         at += sizeof(uint32_t);
         continue;
       }
-      Instruction one = disassembler.read(content->substr(at), address);
+      Instruction one =
+          disassembler.read(content->substr(at), address, stretches.encoding(address));
       // The table of an ARM switch comes immediately after it.
-      if (one.flow == Flow::JumpByTable && one.target == 0 && data.holds(address + one.size)) {
+      if (one.flow == Flow::JumpByTable && one.target == 0 &&
+          stretches.isData(address + one.size)) {
         one.target = address + one.size;
       }
       code.push_back(one);
@@ -267,7 +282,9 @@ void Image::Parts::findTaken() {
       });
   addresses.merge(words());
   for (const Symbol& symbol : symbols) {
-    if (addresses.contains(symbol.address) && (taken.empty() || taken.back() != symbol.address)) {
+    const bool odd = stretches.encoding(symbol.address) == Encoding::Thumb;  // its pointer
+    if (addresses.contains(symbol.address + (odd ? 1 : 0)) &&
+        (taken.empty() || taken.back() != symbol.address)) {
       taken.push_back(symbol.address);
     }
   }

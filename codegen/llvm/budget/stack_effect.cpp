@@ -22,21 +22,6 @@ constexpr int64_t kWord = 4;
 
 // --- ARM
 
-uint8_t armRegister(StringRef name) {
-  unsigned number = 0;
-  if (name == "sp") {
-    return 13;
-  }
-  if (name == "lr") {
-    return 14;
-  }
-  if (name == "pc") {
-    return 15;
-  }
-  const bool right = name.consume_front("r") && !name.getAsInteger(10, number) && number < 13;
-  return right ? static_cast<uint8_t>(number) : StackEffect::kNone;
-}
-
 /// How many registers "{r4, r5, lr}" holds; LLVM writes no ranges.
 std::optional<int64_t> listed(StringRef operands) {
   const auto [before, list] = operands.split('{');
@@ -57,9 +42,9 @@ struct Operation {
 };
 
 Operation armOperation(StringRef operation) {
-  static constexpr std::array<std::string_view, 17> kBases = {
-      "push", "pop", "vpush", "vpop", "stmdb", "ldm", "sub", "add", "bic",
-      "mov",  "str", "ldr",   "strd", "ldrd",  "bl",  "blx", "bx"};
+  static constexpr std::array<std::string_view, 19> kBases = {
+      "push", "pop", "vpush", "vpop", "stmdb", "ldm",  "sub", "subs", "add", "adds",
+      "bic",  "mov", "str",   "ldr",  "strd",  "ldrd", "bl",  "blx",  "bx"};
   for (const std::string_view base : kBases) {
     StringRef rest = operation;
     if (rest.consume_front(refOf(base)) && (rest.empty() || isArmCondition(rest))) {
@@ -69,11 +54,13 @@ Operation armOperation(StringRef operation) {
   return {};
 }
 
-/// "sp, r11, #8" as r11 less 8: `sign` is 1 if the operation subtracts.
+/// "sp, r11, #8" as r11 less 8, and Thumb's "sp, #8" as sp less 8: `sign` is 1 if the operation
+/// subtracts.
 void armSum(const llvm::SmallVectorImpl<StringRef>& parts, int64_t sign, StackEffect& effect) {
-  const auto number = parts.size() == 3 ? constantOf(parts[2]) : std::nullopt;
+  const auto number = constantOf(parts.back());
   const uint8_t to = armRegister(parts[0]);
-  const uint8_t from = parts.size() == 3 ? armRegister(parts[1]) : StackEffect::kNone;
+  const uint8_t from =
+      parts.size() <= 3 ? armRegister(parts[parts.size() - 2]) : StackEffect::kNone;
   if (number && to < 15 && from < 15) {
     effect.to = to;
     effect.from = from;
@@ -155,6 +142,21 @@ void x86Two(StringRef operation, StringRef source, uint8_t to, StackEffect& effe
 
 }  // namespace
 
+uint8_t armRegister(StringRef name) {
+  unsigned number = 0;
+  if (name == "sp") {
+    return 13;
+  }
+  if (name == "lr") {
+    return 14;
+  }
+  if (name == "pc") {
+    return 15;
+  }
+  const bool right = name.consume_front("r") && !name.getAsInteger(10, number) && number < 13;
+  return right ? static_cast<uint8_t>(number) : StackEffect::kNone;
+}
+
 StackEffect armStack(const Written& written) {
   const StringRef operands = refOf(written.operands);
   const Operation operation = armOperation(refOf(written.operation));
@@ -172,8 +174,8 @@ StackEffect armStack(const Written& written) {
     const auto bytes = listedOfVfp(operands);
     const int64_t sign = operation.base == "vpush" ? 1 : -1;
     moveSp(bytes ? std::optional(sign * *bytes) : std::nullopt, effect);
-  } else if (operation.base == "sub" || operation.base == "add") {
-    armSum(parts, operation.base == "sub" ? 1 : -1, effect);
+  } else if (operation.base.starts_with("sub") || operation.base.starts_with("add")) {
+    armSum(parts, operation.base.starts_with("sub") ? 1 : -1, effect);
   } else if (operation.base == "bic") {
     armRound(parts, effect);
   } else if (operation.base == "mov" && parts.size() == 2 && armRegister(parts[1]) < 15) {
@@ -184,7 +186,7 @@ StackEffect armStack(const Written& written) {
   }
   effect.to = effect.to < 15 ? effect.to : StackEffect::kNone;
   std::ranges::copy(operation.condition, effect.condition);
-  effect.stops = written.operation == "udf";
+  effect.stops = written.operation == "udf" || written.operation == "trap";
   return effect;
 }
 

@@ -53,8 +53,8 @@ constexpr StackMachine kX86Stack = {4, 8, 0x0007, 4, 16};
 /// A call preserves x19 to x29.
 constexpr StackMachine kAArch64Stack = {31, 32, 0x4007FFFF, 0, 0};
 
-/// By the rules of ARM (A32), of x86 (32 bits, AT&T syntax) and of ARM in 64 bits (A64). They do
-/// not set `writes`, or whether the stack pointer is changed at all: Disassembler does that.
+/// By the rules of ARM (A32, T32), of x86 (32 bits, AT&T syntax) and of ARM in 64 bits (A64). They
+/// do not set `writes`, or whether the stack pointer is changed at all: Disassembler does that.
 StackEffect armStack(const Written& written);
 StackEffect x86Stack(const Written& written);
 StackEffect aarch64Stack(const Written& written);

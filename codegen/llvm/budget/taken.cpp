@@ -9,8 +9,7 @@
 namespace glider::codegen {
 namespace {
 
-constexpr uint64_t kAhead = 8;  // of ARM's pc
-constexpr size_t kFar = 64;     // instructions between a distance or page and where it is added
+constexpr size_t kFar = 64;  // instructions between a distance or page and where it is added
 
 bool touches(const Instruction& one, uint8_t number) {
   return ((one.mentions.registers | one.stack.writes) >> number & 1U) != 0;
@@ -86,7 +85,8 @@ void addDistances(const std::vector<Instruction>& code, const WordAt& word_at,
   std::multimap<std::pair<uint64_t, uint8_t>, uint64_t> adders;  // by function and register
   for (const Instruction& one : code) {
     if (one.mentions.pc_plus != Mentions::kNone) {
-      adders.emplace(std::pair(start_of(one.address), one.mentions.pc_plus), one.address);
+      adders.emplace(std::pair(start_of(one.address), one.mentions.pc_plus),
+                     one.address + one.mentions.pc_ahead);
     }
   }
   for (size_t i = 0; i < code.size(); ++i) {
@@ -96,12 +96,12 @@ void addDistances(const std::vector<Instruction>& code, const WordAt& word_at,
       continue;
     }
     if (const Instruction* only = onlyAdderOf(code, i)) {
-      addresses.insert(static_cast<uint32_t>(only->address + kAhead + *word));
+      addresses.insert(static_cast<uint32_t>(only->address + only->mentions.pc_ahead + *word));
       continue;
     }
     const auto [begin, end] = adders.equal_range({start_of(one.address), one.mentions.literal_to});
     for (auto adder = begin; adder != end; ++adder) {
-      addresses.insert(static_cast<uint32_t>(adder->second + kAhead + *word));
+      addresses.insert(static_cast<uint32_t>(adder->second + *word));
     }
   }
 }

@@ -24,6 +24,7 @@ features = "+x87"
 float_abi = "hard"
 relocation = "static"
 clang_flags = []
+system_flags = []
 max_executable_bytes = 65536
 max_memory_bytes = 1000000
 max_stack_bytes = 16384

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 
 namespace glider::platforms {
 namespace {
@@ -75,11 +76,29 @@ size_t placeOf(const Power& power, std::string_view device) {
   return static_cast<size_t>(std::ranges::find(devices, device) - devices.begin());
 }
 
+namespace {
+
+/// The wave number of the longest swell in water so deep, rad/m: w^2 = g k tanh(k h).
+double waveNumber(double water_m) {
+  constexpr double kGravity = 9.81;
+  const double angular = 2 * std::numbers::pi / kSwell_s;
+  const double in_deep_water = angular * angular / kGravity;
+  double k = in_deep_water;
+  for (int i = 0; i < 60; ++i) {  // halves the error
+    k = std::sqrt(k * in_deep_water / std::tanh(k * water_m));
+  }
+  return k;
+}
+
+}  // namespace
+
 double hoverPump(const EnergyModel& model, double depth_m) {
-  // In deep water the motion of a wave of 20 s fades by e in so many metres: g / (4 pi^2 / T^2).
-  constexpr double kFades_m = 99;
-  return model.hover_pump_cc_s +
-         model.hover_swell_cc_s * std::exp(-std::max(depth_m, 0.0) / kFades_m);
+  // The pressure of a wave fades towards the bottom by cosh(k z), z above it. The shallowest water
+  // and the longest wave that are assumed leave the most of it.
+  const double water_m = std::max(depth_m, 0.0) + kBelowDives_m;
+  const double k = waveNumber(water_m);
+  const double left = std::cosh(k * kBelowDives_m) / std::cosh(k * water_m);
+  return model.hover_pump_cc_s + model.hover_swell_cc_s * left;
 }
 
 std::optional<double> shareOn(const Draw& draw, uint32_t code) {

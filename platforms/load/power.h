@@ -65,10 +65,15 @@ struct EnergyModel {
 };
 
 /// What a hover at `depth_m` or deeper pumps out on average, and as much in, cc/s: also in a swell
-/// of kSwell_m.
+/// of kSwell_m and kSwell_s, in water that is kBelowDives_m deeper.
 double hoverPump(const EnergyModel& model, double depth_m);
-/// The amplitude, m.
-inline constexpr double kSwell_m = 3;
+/// The greatest amplitude of a swell, m, and its longest period, s.
+inline constexpr double kSwell_m = 3, kSwell_s = 20;
+/// How far below the depths of a mission the bottom is at least, m: hookbeh turns no dive while it
+/// is farther below the vehicle than `min_altitude` and what a vehicle that sinks needs.
+inline constexpr double kBelowDives_m = 10;
+/// How fast an internal wave moves the water up and down at most, m/s.
+inline constexpr double kWaterMoves_m_s = 0.1;
 
 /// The batteries and all that they feed.
 struct Power {

@@ -23,10 +23,6 @@ namespace {
 using ir::prove::EnergyBound;
 using ir::prove::StateBound;
 
-/// hookbeh turns no dive while the bottom is farther below the vehicle than this: `min_altitude`,
-/// and what it keeps free below a vehicle that sinks, m.
-constexpr double kGuardMargin_m = 10;
-
 /// What the batteries hold when they are full, J: those that the mission names, or the vehicle's.
 double packOf(const ir::Mission& mission, const platforms::Power& power) {
   constexpr double kJoulesPerKilojoule = 1000;
@@ -94,13 +90,13 @@ std::string leastLine(const EnergyBound& bound, const std::string& board) {
       board.empty() ? "" : " with the board " + board, ir::prove::durationOf(*bound.earliest_s));
 }
 
-/// What the bound does not count.
+/// The seas that the bound is for.
 std::string seaLine(const EnergyBound& bound) {
   return fmt::format(
-      "guards that end a dive early are not counted: the water is at least {:.0f} m deep where the "
-      "vehicle "
-      "dives, and a swell has at most {:.0f} m",
-      std::ceil(bound.deepest_m + kGuardMargin_m), platforms::kSwell_m);
+      "that is in water at least {:.0f} m deep, where no guard ends a dive early, that moves up or "
+      "down by at most {} m/s, and in a swell of at most {} m and {} s",
+      std::ceil(bound.deepest_m + platforms::kBelowDives_m), platforms::kWaterMoves_m_s,
+      platforms::kSwell_m, platforms::kSwell_s);
 }
 
 /// "at most 9.6 W in `home`, 7.9 W in `out`", the greatest first; empty: there is one state.

@@ -115,7 +115,7 @@ std::string withoutReckoning(const std::string& csv) {
 TEST_F(PlatformOfFlights, DragAndBatteriesAreThePlatformsUnlessTheScenarioSaysOtherwise) {
   mission("mine.mission", "platform mine\n");
   const std::string slow = "s/^wing_lift = .*/wing_lift = 1.5/";
-  const std::string hungry = "s/^W = 1.27/W = 30.0/";
+  const std::string hungry = "s/^W = 0.8$/W = 30.0/";
   const auto flight = [&](const std::string& change, const std::string& scenario) {
     platform(change);
     const Outcome flown = glidercc("sim -o f mine.mission --scenario " + scenario);
@@ -127,7 +127,7 @@ TEST_F(PlatformOfFlights, DragAndBatteriesAreThePlatformsUnlessTheScenarioSaysOt
   EXPECT_NE(flight(hungry, "default"), usual);
   const std::string given =
       "sed -e 's/^.vehicle.$/&\\nwing_lift = 3.7342698373/' -e '$a [vehicle.battery]\\nhotel_W = "
-      "1.27' "
+      "0.8' "
       "share/scenarios/default.toml > share/scenarios/given.toml";
   platform("");
   ASSERT_EQ(run(given).status, 0);

@@ -79,9 +79,10 @@ class PowerCommand : public ::testing::Test {
 
 /// Two operators' logs have 3.8 W, and 90 days with a pack of 8424 Wh are 3.9 W; an alkaline pack
 /// of 7.8 MJ lasts 26 days at the 3.5 W of its maker's example. A CTD takes 4.2 % of that pack in
-/// 30 days at half of the time and twice the power of ours.
+/// 30 days at half of the time and twice the power of ours. They carry a fluorometer, and so does
+/// this one.
 TEST_F(PowerCommand, AFlightWithoutTheSbcDrawsWhatRealVehiclesDo) {
-  const FlownEnergy stock = fly("sbc_W = 0\n");
+  const FlownEnergy stock = fly("sbc_W = 0\n", ", chlorophyll", "chlorophyll_ugpl = 1\n");
   EXPECT_NEAR(stock.mean_W, 3.9, 0.25 * 3.9);
   EXPECT_NEAR(7.8e6 / stock.mean_W / kSecondsPerDay, 26, 0.25 * 26);
   EXPECT_NEAR(stock.share("ctd"), 0.042, 0.01);
@@ -113,7 +114,7 @@ TEST_F(PowerCommand, ADeviceDrawsWhileTheMissionReadsIt) {
 TEST_F(PowerCommand, AnEmptyPackEndsTheFlight) {
   (void)fly("");  // writes the mission and the scenario
   ASSERT_EQ(runShell("cd " + folder_.path().string() +
-                     " && sed -i 's/^.vehicle.battery.$/&\\ncapacity_kJ = 20/' w.toml")
+                     " && sed -i 's/^.vehicle.battery.$/&\\ncapacity_kJ = 18/' w.toml")
                 .status,
             0);
   const Outcome flown = glidercc("sim m.mission --scenario w.toml -o f");

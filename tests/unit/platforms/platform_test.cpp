@@ -175,9 +175,9 @@ TEST(Platform, TheOvershootOfSteepDivesIsGivenWithItsPitch) {
 /// The rows of the power table: each bad row is one error that names it.
 TEST(Platform, ThePowerTableIsChecked) {
   const std::pair<std::pair<const char*, const char*>, const char*> errors[] = {
-      {{"W = 1.27", "W = -1.27"}, "below 0"},
-      {{"W = 1.27", "J = 1.27"}, "`W`"},
-      {{"W = 1.27\nspread = 0.2", "W = 1.27\nspread = 1.2"}, "a share of the number"},
+      {{"W = 0.8", "W = -0.8"}, "below 0"},
+      {{"W = 0.8", "J = 0.8"}, "`W`"},
+      {{"W = 0.8\nspread = 0.6", "W = 0.8\nspread = 1.2"}, "a share of the number"},
       {{"when = \"always\"", "when = \"ever\""}, "must be one of \"always\", \"surface\""},
       {{"device = \"hotel\"", "device = \"SBC\""}, "its power is elsewhere"},
       {{"device = \"hotel\"", "device = \"\""}, "must not be empty"},

@@ -67,7 +67,7 @@ TEST(EnergyBounds, NoFlightTakesMore) {
   for (uint64_t i = seed; i < seed + count; ++i) {
     Judged& one = judged[i % judged.size()];
     Rng dice(i);
-    const auto sea = drawSea(seas[i / judged.size() % seas.size()], dice);
+    const auto sea = drawSea(seas[i / judged.size() % seas.size()], one.bound, dice);
     const FlownEnergy flown = flyForEnergy(one.mission, one.bound, sea, i);
     in_control += flown.seconds > 0;
     EXPECT_LE(flown.nearest, 1) << "flight " << i << ": " << one.mission.name << " in " << sea.name;

@@ -65,7 +65,7 @@ TEST(PlanFlights, TakeNoMoreThanThePlanSays) {
   for (uint64_t i = seed; i < seed + count; ++i) {
     const Planned& one = plans[i % plans.size()];
     ir::prove::Rng dice(i);
-    const auto sea = drawSea(deep, dice);
+    const auto sea = drawSea(deep, one.bound, dice);
     const FlownEnergy flown = flyForEnergy(one.mission, one.bound, sea, i);
     in_control += flown.seconds > 0;
     EXPECT_LE(flown.nearest, 1) << "flight " << i << ": " << one.mission.name << " in " << sea.name;

@@ -156,7 +156,7 @@ TEST(SampledEnergy, NoFlightTakesMore) {
     ASSERT_TRUE(mission) << text;
     const auto bound = boundOfEnergy(*mission, slocum(), usualBoardPower());
     ASSERT_TRUE(bound) << text;
-    const auto sea = drawSea(seas[i % seas.size()], dice);
+    const auto sea = drawSea(seas[i % seas.size()], *bound, dice);
     const FlownEnergy flown = flyForEnergy(*mission, *bound, sea, i);
     in_control += flown.seconds > 0;
     EXPECT_LE(flown.nearest, 1) << "flight " << i << " in " << sea.name << "\n" << text;

@@ -65,6 +65,15 @@ class EnergyWatch final : public simulator::FlightObserver {
   double start_s_ = 0, start_j_ = 0;
 };
 
+/// An internal wave somewhere in the depths of the mission, with which its yos may keep step.
+void setWave(simulator::OceanSettings& ocean, double deepest_m, ir::prove::Rng& dice) {
+  const double period_s = dice.within(240, 2400);
+  const double moves_m_s = dice.within(0, platforms::kWaterMoves_m_s);
+  ocean.wave.period_s = period_s;
+  ocean.wave.amplitude_m = moves_m_s * period_s / (2 * std::numbers::pi);
+  ocean.thermocline_depth_m = dice.within(8, std::max(25.0, deepest_m));
+}
+
 }  // namespace
 
 const platforms::BoardPower& usualBoardPower() {
@@ -108,16 +117,20 @@ FlownEnergy flyForEnergy(const FlyingMission& mission, const EnergyBound& bound,
   return watch.flown();
 }
 
-simulator::Scenario drawSea(simulator::Scenario scenario, ir::prove::Rng& dice) {
+simulator::Scenario drawSea(simulator::Scenario scenario, const EnergyBound& bound,
+                            ir::prove::Rng& dice) {
   scenario.vehicle.initial_heading_rad = dice.within(0, 2 * std::numbers::pi);
   scenario.vehicle.flight.drag = dice.within(0.10, 0.20);
   drawWater(scenario.ocean, dice);
-  scenario.ocean.bottom.depth_m = dice.within(80, 250);
+  setWave(scenario.ocean, bound.deepest_m, dice);
+  const double shallowest = bound.deepest_m + platforms::kBelowDives_m;
+  scenario.ocean.bottom.depth_m =
+      dice.chance(0.5) ? shallowest : std::max(shallowest, dice.within(80, 250));
   if (dice.chance(0.5)) {
-    scenario.ocean.swell = {.amplitude_m = dice.within(0, 3),
-                            .period_s = dice.within(6, 20),
+    scenario.ocean.swell = {.amplitude_m = dice.within(0, platforms::kSwell_m),
+                            .period_s = dice.within(6, platforms::kSwell_s),
                             .bearing_rad = dice.within(0, 2 * std::numbers::pi),
-                            .followed_share = dice.within(0.3, 1)};
+                            .followed_share = dice.within(0, 1)};
   }
   const bool hungry = dice.chance(0.5);
   setHunger(scenario.vehicle, usualBoardPower(), [&] { return hungry ? 1 : dice.within(-1, 1); });

@@ -28,10 +28,11 @@ std::optional<ir::prove::EnergyBound> boundOfEnergy(const FlyingMission& mission
 void setHunger(simulator::VehicleSettings& vehicle, const platforms::BoardPower& board,
                const std::function<double()>& share);
 
-/// The scenario with another sea, half of them with a swell, on a healthy vehicle in deep water:
-/// hookbeh does not have to turn it, which no bound counts. Half of the vehicles take all of their
-/// spread.
-simulator::Scenario drawSea(simulator::Scenario scenario, ir::prove::Rng& dice);
+/// The scenario with another of the seas that a bound is for, on a healthy vehicle. Half of the
+/// seas have a swell, half are as shallow as they may be: hookbeh does not have to turn the
+/// vehicle, which no bound counts. Half of the vehicles take all of their spread.
+simulator::Scenario drawSea(simulator::Scenario scenario, const ir::prove::EnergyBound& bound,
+                            ir::prove::Rng& dice);
 
 /// What a flight took while the SBC had control and hookbeh did what it said.
 struct FlownEnergy {

@@ -94,7 +94,7 @@ std::string leastLine(const EnergyBound& bound, const std::string& board) {
 std::string seaLine(const EnergyBound& bound) {
   return fmt::format(
       "that is in water at least {:.0f} m deep, where no guard ends a dive early, that moves up or "
-      "down by at most {} m/s, and in a swell of at most {} m and {} s",
+      "down by at most {} m/s, and in a swell of at most {} m of amplitude and {} s",
       std::ceil(bound.deepest_m + platforms::kBelowDives_m), platforms::kWaterMoves_m_s,
       platforms::kSwell_m, platforms::kSwell_s);
 }

@@ -58,6 +58,19 @@ bool isLoop(const antlr4::atn::ATNState* state) {
          type == antlr4::atn::ATNState::PLUS_LOOP_BACK;
 }
 
+/// Whether what was read last is `sample …`.
+bool isInSample(antlr4::Parser* parser) {
+  constexpr ssize_t kFarthest = 60;
+  for (ssize_t k = 1; k < kFarthest; ++k) {
+    const antlr4::Token* token = parser->getTokenStream()->LT(-k);
+    const auto type = token == nullptr ? kEof : static_cast<uint32_t>(token->getType());
+    if (type == kEof || startsMember(type)) {
+      return type == GliderLexer::SAMPLE;
+    }
+  }
+  return false;
+}
+
 /// "`,` or `)`" for a set of tokens; operators (which may follow every value) are left out if the
 /// set has anything else.
 std::string listOf(const antlr4::misc::IntervalSet& set) {
@@ -294,11 +307,23 @@ void ErrorStrategy::complainOfWord(antlr4::Parser* parser, const Lexeme& word) {
   expected("an operator, or the end of the value", word);
 }
 
-void ErrorStrategy::complainOfBody(const Lexeme& found) {
-  if (!misspelled(found,
-                  {"flightroute", "flightprofile", "sensors", "entry", "events", "var", "end"})) {
+void ErrorStrategy::complainOfBody(antlr4::Parser* parser, const Lexeme& found) {
+  if (isInSample(parser)) {
+    return complainOfSample(found);
+  }
+  if (!misspelled(found, {"flightroute", "flightprofile", "sensors", "sample", "entry", "events",
+                          "var", "end"})) {
     expected("`flightroute`, `flightprofile`, `sensors`, `events` or `end`", found);
   }
+}
+
+void ErrorStrategy::complainOfSample(const Lexeme& found) {
+  reporter_
+      .at(found, support::diagnostics::unexpectedToken, "`,` or the next line",
+          describe(reporter_.source(), found))
+      .hint(
+          "an instrument reads `off` or `every 10 s`, then `on climbs`, `on dives`, `below 20 m`, "
+          "`above 5 m`, `one yo in 3` or `when CONDITION`");
 }
 
 void ErrorStrategy::complainOfItem(const Lexeme& found) {
@@ -369,7 +394,10 @@ void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Le
       return complainOfItem(found);
     case GliderParser::RuleState:
     case GliderParser::RuleBehaviour:
-      return complainOfBody(found);
+      return complainOfBody(parser, found);
+    case GliderParser::RuleSampleItem:
+    case GliderParser::RuleSamplePart:
+      return complainOfSample(found);
     case GliderParser::RuleMember:
       return expected("`case` or `end`", found);
     case GliderParser::RuleConstant:

@@ -30,7 +30,8 @@ class ErrorStrategy final : public antlr4::DefaultErrorStrategy {
   void complainOfPromise(size_t last, const Lexeme& found);
   void complainOfWord(antlr4::Parser* parser, const Lexeme& word);
   void complainOfItem(const Lexeme& found);
-  void complainOfBody(const Lexeme& found);
+  void complainOfBody(antlr4::Parser* parser, const Lexeme& found);
+  void complainOfSample(const Lexeme& found);
   void complainInRule(antlr4::Parser* parser, size_t rule, const Lexeme& found);
   void complainOfTransition(const Lexeme& before, const Lexeme& found);
   /// In a declaration, a block or a statement.

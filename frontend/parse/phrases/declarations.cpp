@@ -445,21 +445,4 @@ size_t importWithoutQuotes(Phrase& phrase) {
   return tokens;
 }
 
-size_t packWithoutAt(Phrase& phrase) {
-  const bool pack =
-      phrase.before(2) == GliderLexer::PACK && phrase.before(1) == GliderLexer::NUMBER;
-  const bool voltage = pack && tokensOfNumber(phrase, 0) == 2 && phrase.text(1) == "V";
-  if (!voltage || phrase.startsLine()) {
-    return 0;
-  }
-  const Lexeme number = phrase.token();
-  phrase.reporter()
-      .at(number, support::diagnostics::unexpectedToken, "`at`", describe(phrase.source(), number))
-      .hint(fmt::format("write `at {}`", phrase.wholeText(0, 2)))
-      .fix({phrase.source().file, number.begin, number.begin}, "at ");
-  phrase.insert(GliderLexer::AT);
-  phrase.put(number);
-  return 1;
-}
-
 }  // namespace glider::frontend::phrases

@@ -45,6 +45,14 @@ constexpr Row kRows[] = {
     {phrases::textWithoutOpeningQuote, anyToken},
     {phrases::choice, among<GliderLexer::CHOOSE, GliderLexer::NAME>},
     {phrases::preference, among<GliderLexer::PREFER, GliderLexer::NAME>},
+    {phrases::pack, among<GliderLexer::PACK, GliderLexer::NAME>},
+    {phrases::sample,
+     [](uint32_t type) {
+       return isAnyName(type) || (type >= GliderLexer::AND && type <= GliderLexer::SEMICOLON) ||
+              oneOf(type,
+                    {GliderLexer::EVERY, GliderLexer::IF, GliderLexer::ALWAYS, GliderLexer::NUMBER,
+                     GliderLexer::AND_WORD, GliderLexer::NOT_WORD, GliderLexer::FOREIGN});
+     }},
     {phrases::writtenPosition, among<GliderLexer::NUMBER, GliderLexer::COMPASS, GliderLexer::NAME>},
     {phrases::promiseWithoutRequire, isName},
     {phrases::comment, among<GliderLexer::MINUS, GliderLexer::UNIT, GliderLexer::SEMICOLON,
@@ -65,7 +73,6 @@ constexpr Row kRows[] = {
                            GliderLexer::COMMA, GliderLexer::STAY});
      }},
     {phrases::stateWordInPromise, among<GliderLexer::STATE>},
-    {phrases::packWithoutAt, among<GliderLexer::NUMBER>},
     {phrases::andOfPlaces,
      among<GliderLexer::AND_WORD, GliderLexer::AND, GliderLexer::ONE_AMPERSAND>},
     {phrases::assumption, isName},

@@ -56,12 +56,14 @@ size_t promiseInside(Phrase& phrase);
 size_t reaction(Phrase& phrase);
 /// `require visit state look within 5 h`.
 size_t stateWordInPromise(Phrase& phrase);
-/// `pack 168 Ah 14.4 V`.
-size_t packWithoutAt(Phrase& phrase);
+/// `pack 168 Ah, 14.4 V`, `pack 14.4 V 168 Ah`, `reserve = 20 %`.
+size_t pack(Phrase& phrase);
 /// `choose bottom : length from 60 m to 180 m step 5 m`.
 size_t choice(Phrase& phrase);
 /// `prefer maximum bottom, endurance`, `maximise bottom`.
 size_t preference(Phrase& phrase);
+/// `sample ctd at 0.25 Hz and optode off`.
+size_t sample(Phrase& phrase);
 /// `require visit look and home within 5 h`.
 size_t andOfPlaces(Phrase& phrase);
 /// `assume no outages`, `assume current < 0.2 m/s`.

@@ -10,6 +10,8 @@
 #include "support/diagnostics/ids/meaning.h"
 #include "support/units/units.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -70,14 +72,30 @@ class PackReader {
     if (!node_.reserve) {
       return 0;
     }
+    const auto* literal = std::get_if<ast::Literal>(&node_.reserve->node);
+    const auto unit = literal != nullptr ? support::parseUnit(literal->unit) : std::nullopt;
+    if (unit && !unit->dimension.dimensionless()) {
+      refuseReserve();
+      return std::nullopt;
+    }
     const auto value = constant(*node_.reserve, plainNumber());
     if (value && !(*value >= 0 && *value < 1)) {
-      scope_.report(support::diagnostics::packValue, node_.reserve->where, "reserve",
-                    scope_.text(node_.reserve->where),
-                    "write the share that is not to be used, for example `20 %`");
+      constexpr double kPercent = 100;
+      const support::SourceRange& where = node_.reserve->where;
+      auto report = refuseReserve();
+      if (literal != nullptr && literal->unit.empty() && *value > 1 && *value < kPercent) {
+        report.hint(fmt::format("write `{} %`", literal->digits))
+            .fix({where.file, where.end, where.end}, " %");
+      }
       return std::nullopt;
     }
     return value;
+  }
+
+  support::DiagnosticBuilder refuseReserve() {
+    return scope_.report(support::diagnostics::packValue, node_.reserve->where, "reserve",
+                         scope_.text(node_.reserve->where),
+                         "write the share that is not to be used, for example `20 %`");
   }
 
   const ast::Pack& node_;

@@ -5,6 +5,8 @@
 
 #include "frontend/sema/expressions/evaluate.h"
 #include "frontend/sema/expressions/lower_expr.h"
+#include "frontend/sema/states/instrument_words.h"
+#include "frontend/sema/states/never_true.h"
 #include "frontend/spelling.h"
 #include "hooks/protocol/sampling.h"
 #include "ir/core/mission_writer.h"
@@ -28,7 +30,11 @@ const ir::Type kPeriodType = quantity(support::dimension::time);
 /// "`every 10 min`"
 std::string everyText(double seconds) {
   constexpr int kMinute = 60;
+  constexpr int kHour = 3600;
   const int whole = static_cast<int>(seconds);
+  if (whole % kHour == 0 && whole > 0) {
+    return fmt::format("`every {} h`", whole / kHour);
+  }
   return whole % kMinute == 0 && whole > kMinute ? fmt::format("`every {} min`", whole / kMinute)
                                                  : fmt::format("`every {} s`", whole);
 }
@@ -57,7 +63,8 @@ class SampleLowering {
       const ast::Name& first = node.items.front().instrument;
       scope_
           .report(support::diagnostics::unknownInstrument, first.where, first.text,
-                  fmt::format("`sensors` says what is logged; `sample` switches {}", named()))
+                  fmt::format("`sensors` says what is logged; `sample` switches {}",
+                              instrumentsOf(scope_.platform())))
           .fix(keyword, "sensors");
       return {};
     }
@@ -77,7 +84,7 @@ class SampleLowering {
   }
 
   std::optional<ir::Sampling> lowerItem(const ast::SampleItem& item) {
-    const platforms::Instrument* instrument = find(item.instrument);
+    const platforms::Instrument* instrument = find(item);
     const auto reads = item.off ? std::optional<ir::Sampling>(off()) : period(item, instrument);
     std::optional<ir::ExprId> when;
     if (item.when) {
@@ -91,6 +98,7 @@ class SampleLowering {
     one.words = support::onOneLine(scope_.text(item.how));
     one.place = static_cast<uint32_t>(instrument - instruments().data());
     if (when) {
+      warnOfNever(item, *when);
       ir::MissionWriter writer(scope_.mission, item.when->where);
       const uint32_t otherwise = item.off ? kHookSamplingOfVehicle : kHookSamplingOff;
       const ir::ExprId reading = item.off ? code(writer, otherwise) : one.code;
@@ -102,6 +110,22 @@ class SampleLowering {
     return one;
   }
 
+  /// `on climbs on dives`, `above 10 m below 30 m`: both are asked for at once.
+  void warnOfNever(const ast::SampleItem& item, ir::ExprId when) {
+    const auto never = neverTrue(scope_.mission, when);
+    if (!never) {
+      return;
+    }
+    const ir::Sensor& sensor = scope_.mission.sensors[never->sensor.index];
+    const bool depth = sensor.type == quantity(support::dimension::length);
+    scope_.report(support::diagnostics::neverSampled, item.how, item.instrument.text,
+                  item.off ? "is never off" : "never reads",
+                  depth
+                      ? "`below` is deeper than, `above` is shallower than: between 10 m and 30 m "
+                        "is `below 10 m above 30 m`"
+                      : "name one of them; without `on …` it is both on climbs and on dives");
+  }
+
   /// An instrument reads while it is not known whether it is meant to.
   static ir::ExprId certainly(ir::MissionWriter& writer, ir::ExprId number, ir::ExprId otherwise) {
     const ir::ExprId known = writer.operation(ir::Op::Known, {ir::TypeKind::Bool, {}}, {number});
@@ -109,10 +133,11 @@ class SampleLowering {
   }
 
   /// Null, and reported, for what is none, or has been there.
-  const platforms::Instrument* find(const ast::Name& name) {
+  const platforms::Instrument* find(const ast::SampleItem& item) {
+    const ast::Name& name = item.instrument;
     const auto found = std::ranges::find(instruments(), name.text, &platforms::Instrument::name);
     if (found == instruments().end()) {
-      reportUnknown(name);
+      reportUnknown(item);
       return nullptr;
     }
     const auto [place, fresh] = named_.emplace(name.text, &name);
@@ -123,15 +148,6 @@ class SampleLowering {
     return fresh ? &*found : nullptr;
   }
 
-  /// "`ctd`, `fluorometer` and `optode`"
-  [[nodiscard]] std::string named() const {
-    std::vector<std::string> all;
-    for (const platforms::Instrument& one : instruments()) {
-      all.push_back(fmt::format("`{}`", one.name));
-    }
-    return support::listed(all);
-  }
-
   /// A sensor or a clock, but nothing that an instrument measures.
   bool isOnlyLogged(const std::string& name) {
     const platforms::PlatformSensor* sensor = scope_.findSensor(name);
@@ -139,7 +155,8 @@ class SampleLowering {
            (sensor != nullptr && measuring(instruments(), sensor->name) == nullptr);
   }
 
-  void reportUnknown(const ast::Name& name) {
+  void reportUnknown(const ast::SampleItem& item) {
+    const ast::Name& name = item.instrument;
     const platforms::PlatformSensor* sensor = scope_.findSensor(name.text);
     if (const platforms::Instrument* one =
             sensor == nullptr ? nullptr : measuring(instruments(), sensor->name)) {
@@ -149,13 +166,16 @@ class SampleLowering {
           .fix(name.where, one->name);
       return;
     }
-    const std::string others = fmt::format(
-        "{}missions can switch {}",
-        isOnlyLogged(name.text) ? fmt::format("`sensors {}` logs it; ", name.text) : "", named());
-    std::vector<std::string_view> names;
-    std::ranges::transform(instruments(), std::back_inserter(names), &platforms::Instrument::name);
+    if (isOnlyLogged(name.text)) {
+      scope_.report(support::diagnostics::unknownInstrument, name.where, name.text,
+                    fmt::format("`sensors {}` logs it; missions can switch {}", name.text,
+                                instrumentsOf(scope_.platform())));
+      return;
+    }
     scope_.reportUnknown(support::diagnostics::unknownInstrument, name.where,
-                         didYouMean(name.text, names, others), name.text);
+                         insteadOfInstrument(name.text, support::onOneLine(scope_.text(item.how)),
+                                             scope_.platform()),
+                         name.text);
   }
 
   ir::Sampling off() {

@@ -273,6 +273,8 @@ size_t foreignUnit(Phrase& phrase) {
   } else if (other != nullptr && other->same) {
     const bool apart = phrase.lexemeBefore()->end < unit.begin;
     report.fix(phrase.source().range(unit), (apart ? "" : " ") + std::string(other->ours));
+  } else if (phrase.keyword() == GliderLexer::SAMPLE) {
+    phrase.notAsMeant();  // nothing is said of how often 500 is
   }
   return tokens;
 }

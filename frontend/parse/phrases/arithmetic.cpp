@@ -156,7 +156,33 @@ size_t conditionalWords(Phrase& phrase) {
 
 }  // namespace
 
+namespace {
+
+/// `30 % of the pack`: of what `energyleft` is a share is known.
+size_t percentOfPack(Phrase& phrase) {
+  const Lexeme* unit = phrase.lexemeBefore();
+  const size_t the = phrase.says(1, "the") ? 1 : 0;
+  const std::string word = phrase.lower(1 + the);
+  const bool pack =
+      word == "pack" || word == "battery" || word == "batteries" || word == "capacity";
+  if (phrase.type() != GliderLexer::OF || unit == nullptr || phrase.source().text(*unit) != "%" ||
+      !pack || phrase.isDeclared(phrase.text(1 + the))) {
+    return 0;
+  }
+  const Lexeme written = phrase.whole(0, 2 + the);
+  phrase.reporter()
+      .at(written, support::diagnostics::superfluousWord, phrase.source().text(written),
+          "after a share")
+      .fix({phrase.source().file, unit->end, written.end}, "");
+  return 2 + the;
+}
+
+}  // namespace
+
 size_t percentOf(Phrase& phrase) {
+  if (const size_t taken = percentOfPack(phrase)) {
+    return taken;
+  }
   const Lexeme* unit = phrase.lexemeBefore();
   // In a list of arguments it may be what a window goes over.
   const bool window = !phrase.open().empty() && phrase.open().back().arguments &&

@@ -171,13 +171,24 @@ bool Phrase::afterTransition() const {
   return false;
 }
 
+namespace {
+
+/// `Wh`, `days`: a name that is a unit after a number.
+bool isSoftUnit(const Phrase& phrase, size_t k) {
+  const auto unit =
+      phrase.type(k) == GliderLexer::NAME ? support::findUnit(phrase.text(k)) : std::nullopt;
+  return unit && unit->soft;
+}
+
+}  // namespace
+
 bool readsAsValue(const Phrase& phrase, size_t first, size_t count) {
   bool ends = false;  // whether the token before ends a value
   size_t deep = 0;
   uint32_t last = 0;
   for (size_t k = first; k < first + count; ++k) {
     const uint32_t type = phrase.type(k);
-    const bool unit = last == GliderLexer::NUMBER && isUnit(type);
+    const bool unit = last == GliderLexer::NUMBER && (isUnit(type) || isSoftUnit(phrase, k));
     const bool more_unit = last == GliderLexer::DIVIDE && isUnit(type);
     if (type == GliderLexer::LPAREN) {
       if (ends && !isAnyName(last)) {
@@ -264,10 +275,7 @@ namespace {
 size_t tokensWithSoftUnit(const Phrase& phrase, size_t first) {
   const size_t tokens = tokensOfNumber(phrase, first);
   const bool bare = tokens > 0 && phrase.type(first + tokens - 1) == GliderLexer::NUMBER;
-  const auto unit = bare && phrase.type(first + tokens) == GliderLexer::NAME
-                        ? support::findUnit(phrase.text(first + tokens))
-                        : std::nullopt;
-  return tokens + (unit && unit->soft ? 1 : 0);
+  return tokens + (bare && isSoftUnit(phrase, first + tokens) ? 1 : 0);
 }
 
 }  // namespace

@@ -135,6 +135,7 @@ class ExprLowering {
   void refuseUnit(const ast::Literal& node, std::optional<ir::Type> want);
   void checkBareAngle(const ast::Literal& node, const support::SourceRange& range, double si,
                       bool negative);
+  void checkBareEnergy(const ast::Literal& node, const support::SourceRange& range, double si);
   Result barePosition(const ast::Literal& node, const support::SourceRange& range, ir::Type want,
                       bool negative);
   Result letterLiteral(const ast::Literal& node, const support::SourceRange& range,

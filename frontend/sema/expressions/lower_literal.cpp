@@ -166,6 +166,9 @@ ExprLowering::Result ExprLowering::bareLiteral(const ast::Literal& node,
   if (type.dimension == support::dimension::angle) {
     checkBareAngle(node, range, si, negative);
   }
+  if (type.dimension == support::dimension::energy) {
+    checkBareEnergy(node, range, si);
+  }
   return emitNumber(negative ? -si : si, type, range);
 }
 
@@ -187,6 +190,16 @@ void ExprLowering::checkBareAngle(const ast::Literal& node, const support::Sourc
     const double degrees = si / std::numbers::pi * kHalfTurn_deg;
     scope_.report(support::diagnostics::bareRadians, range, text,
                   fmt::format("{:.0f}", negative ? -degrees : degrees));
+  }
+}
+
+/// A number without a unit is in joules: a small one is meant in watt hours.
+void ExprLowering::checkBareEnergy(const ast::Literal& node, const support::SourceRange& range,
+                                   double si) {
+  constexpr double kWattHour_J = 3600, kLeastMeant_J = 10 * kWattHour_J;
+  if (si > 0 && si < kLeastMeant_J && unitForWord(scope_.wordAfter(range)).empty()) {
+    scope_.report(support::diagnostics::bareEnergy, range, node.digits,
+                  fmt::format("{:.3g}", si / kWattHour_J));
   }
 }
 

@@ -207,6 +207,12 @@ std::optional<ExprLowering::Pair> ExprLowering::alike(const ast::Expr& left, con
                       support::SourceRange{left.where.file, left.where.begin, right.where.end},
                       scope_.text(left.where), say(l), scope_.text(right.where), say(r), op);
     suggestUnit(right, l.type, op, report);
+    if (l.charge.valid() || r.charge.valid()) {
+      report.hint(
+          fmt::format("`energyleft` is a share, as in `energyleft {} 30 %`; an amount is "
+                      "compared with `energyused`",
+                      op));
+    }
     return std::nullopt;
   }
   Pair pair = rightFirst ? Pair{*two, *one} : Pair{*one, *two};
@@ -215,6 +221,17 @@ std::optional<ExprLowering::Pair> ExprLowering::alike(const ast::Expr& left, con
   return scalesDiffer(pair.left, left.where, pair.right, right.where, op) ? std::nullopt
                                                                           : std::optional(pair);
 }
+
+namespace {
+
+/// The unit in which pilots write such a value.
+std::string pilotsUnit(support::Dimension dimension) {
+  return dimension == support::dimension::angle    ? "deg"
+         : dimension == support::dimension::energy ? "Wh"
+                                                   : std::string(support::unitName(dimension));
+}
+
+}  // namespace
 
 void ExprLowering::suggestUnit(const ast::Expr& value, const ir::Type& other, std::string_view op,
                                support::DiagnosticBuilder& report) {
@@ -233,15 +250,24 @@ void ExprLowering::suggestUnit(const ast::Expr& value, const ir::Type& other, st
         .fix(literal->unit_where, "min");
     return;
   }
-  const bool angle = other.dimension == support::dimension::angle;
-  const std::string unit = angle ? "deg" : std::string(support::unitName(other.dimension));
-  if (literal->unit == "%" && other.dimension == support::dimension::voltage) {
-    report.hint(
-        fmt::format("what is left of the batteries is `energyleft {} {} %`, with a line `pack`; "
-                    "`battery` is their voltage, in V",
-                    op, literal->digits));
+  const bool percent = literal->unit == "%";
+  if (percent && (other.dimension == support::dimension::voltage ||
+                  other.dimension == support::dimension::charge)) {
+    const bool voltage = other.dimension == support::dimension::voltage;
+    report.hint(fmt::format(
+        "what is left of the batteries is `energyleft {} {} %`, with a line `pack`; "
+        "{}",
+        op, literal->digits,
+        voltage ? "`battery` is their voltage, in V" : "`charge` is what was used, in Ah"));
     return;
   }
+  if (percent && other.dimension == support::dimension::energy) {
+    report.hint(
+        "a share is `energyleft`, which falls from 100 %; `energyused` is an amount, such as "
+        "`40 Wh`");
+    return;
+  }
+  const std::string unit = pilotsUnit(other.dimension);
   if (!unit.empty()) {
     report.hint(fmt::format("both sides of `{}` must have the same kind of value, such as `{} {}`",
                             op, literal->digits, unit));

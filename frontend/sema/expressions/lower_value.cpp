@@ -136,6 +136,7 @@ ExprLowering::Result ExprLowering::energyValue(const std::string& name,
   }
   if (!scope_.energy) {
     scope_.report(support::diagnostics::packMissing, range, name);
+    scope_.energy.emplace();  // once is enough
     return std::nullopt;
   }
   if (!scope_.energy->good) {

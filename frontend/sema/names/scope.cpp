@@ -4,6 +4,7 @@
 #include "frontend/sema/names/scope.h"
 
 #include "frontend/sema/names/functions.h"
+#include "frontend/sema/names/values.h"
 #include "frontend/sema/names/wished.h"
 #include "frontend/spelling.h"
 #include "support/diagnostics/ids/meaning.h"
@@ -13,6 +14,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <span>
 
 namespace glider::frontend {
@@ -133,6 +135,12 @@ Suggestion Scope::suggestSensor(std::string_view wrong) const {
 }
 
 Suggestion Scope::suggestName(std::string_view wrong) const {
+  std::string lower(wrong);
+  std::ranges::transform(lower, lower.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (lower != wrong && (isValueName(lower) || findSensorState(platform(), lower))) {
+    return {fmt::format("write `{}`", lower), lower};
+  }
   std::vector<std::string_view> known;
   for (const Names* list : visibleNames()) {
     for (const auto& [name, named] : *list) {

@@ -30,6 +30,8 @@ constexpr std::string_view kCtdHint =
     "it is computed from `cond`, `temp` and `scipressure`: list those";
 constexpr std::string_view kStateHint = "it is a value of `m_depth_state`: list that to log it";
 constexpr std::string_view kClockHint = "it is `m_present_time`: list that to log it";
+constexpr std::string_view kLeftHint =
+    "write `energyleft`, the share of the line `pack` that is left";
 constexpr Wish kWishes[] = {
     {"now", kTimeHint, ""},
     {"time", kTimeHint, ""},
@@ -75,6 +77,17 @@ constexpr Wish kWishes[] = {
     {"energy", "write `energyleft`, or `energyused`, with a line `pack`", "charge"},
     {"energy_left", "write `energyleft`", "charge", "energyleft"},
     {"energy_used", "write `energyused`", "charge", "energyused"},
+    {"energyremaining", kLeftHint, "charge", "energyleft"},
+    {"energy_remaining", kLeftHint, "charge", "energyleft"},
+    {"remaining_energy", kLeftHint, "charge", "energyleft"},
+    {"chargeleft", kLeftHint, "charge"},
+    {"charge_left", kLeftHint, "charge"},
+    {"batteryleft", kLeftHint, "charge"},
+    {"battery_left", kLeftHint, "charge"},
+    {"soc", kLeftHint, "charge"},
+    {"consumption", "write `energyused`, with a line `pack`", "charge"},
+    {"reserve", "write its share: `energyleft < 20 %`", "charge"},
+    {"pack", "what is left of it is `energyleft`, what was used `energyused`", "charge"},
     {"altimeter", "write `altitude`", "altitude", "altitude"},
     {"leak", "write `leakvoltage`: a low one means water", "leakvoltage"},
     {"leakdetect", "write `leakvoltage`: a low one means water", "leakvoltage"},

@@ -44,7 +44,8 @@ const char* whatMayHelp(std::string_view reason) {
   return isCutShort(reason) ? "simplify the requirement, or allow more with `--effort`"
          : reason.contains("`--timeout`")
              ? "simplify the requirement, or allow more time with `--timeout`"
-             : "simplify the requirement, or what it depends on";
+         : reason.contains("power table") ? "allow more energy, or let the mission take less"
+                                          : "simplify the requirement, or what it depends on";
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "frontend/parse/phrases/comparing.h"
 #include "frontend/parse/phrases/promises/parts.h"
+#include "frontend/parse/phrases/written_type.h"
 #include "frontend/parse/token_kinds.h"
 #include "support/diagnostics/ids/syntax.h"
 
@@ -220,6 +221,55 @@ size_t readingInWords(Phrase& phrase) {
                                     phrase.wholeText(first, number)));
 }
 
+/// The tokens of `energy`, `the mission uses` from token `k` on.
+size_t tokensOfUse(const Phrase& phrase, size_t k) {
+  constexpr std::string_view kWords[] = {"the mission uses",
+                                         "the mission takes",
+                                         "the glider uses",
+                                         "the vehicle uses",
+                                         "mission uses",
+                                         "uses",
+                                         "use",
+                                         "takes",
+                                         "consumes",
+                                         "spends",
+                                         "energy used",
+                                         "used energy",
+                                         "energy use",
+                                         "energy",
+                                         "energyused",
+                                         "consumption"};
+  for (const std::string_view words : kWords) {
+    if (const size_t tokens = tokensOfWords(phrase, k, words)) {
+      return tokens;
+    }
+  }
+  return 0;
+}
+
+/// `energy < 40 Wh`, `uses at most 40 Wh`, `at most 40 Wh`.
+size_t limitOfEnergy(Phrase& phrase) {
+  const size_t always = phrase.type() == GliderLexer::ALWAYS ? 1 : 0;
+  const size_t use = tokensOfUse(phrase, always);
+  const size_t at = always + use;
+  const bool sign = oneOf(phrase.type(at), {GliderLexer::LT, GliderLexer::LE});
+  const ComparingPhrase words = sign ? ComparingPhrase{} : comparingAt(phrase, at);
+  const size_t first = at + (sign ? 1 : words.tokens);
+  const std::string_view less = sign ? phrase.text(at) : std::string_view(words.sign);
+  const size_t number = first == at ? 0 : tokensOfQuantity(phrase, first);
+  const bool energy = number == 2 && typeOfUnit(phrase.text(first + 1)) == "energy";
+  // One name may be the mission's own: after `always` it is read as a condition.
+  const bool right =
+      sign && use == 1 &&
+      (always == 1 || phrase.says(0, "energyused") || phrase.isDeclared(phrase.text()));
+  if (!energy || right || (use == 0 && sign) || (less != "<" && less != "<=") ||
+      !phrase.startsLine(first + number)) {
+    return 0;
+  }
+  return putLimit(phrase, first + number,
+                  fmt::format("always energyused {} {}", less, phrase.wholeText(first, number)));
+}
+
 /// `stay inside [39 N 74 W, …]`.
 size_t insidePath(Phrase& phrase) {
   const Opening opening = openingOf(phrase);
@@ -243,8 +293,8 @@ size_t insidePath(Phrase& phrase) {
 }  // namespace
 
 size_t limitInWords(Phrase& phrase) {
-  return firstOf(phrase, {neverDivesBelow, comparingReading, distanceFromPlace, insidePath,
-                          limitOfNothing, greatestOrLeast, readingInWords});
+  return firstOf(phrase, {limitOfEnergy, neverDivesBelow, comparingReading, distanceFromPlace,
+                          insidePath, limitOfNothing, greatestOrLeast, readingInWords});
 }
 
 }  // namespace glider::frontend::phrases

@@ -40,6 +40,7 @@ class ChoiceLine {
   void reportType(const Clause& clause);
   void reportRange(const Clause& clause);
   void reportList(const Clause& clause);
+  bool reportValues(const Clause& clause);
   void reportLaunch(const Clause& clause);
   void reportWithoutType();
   void reportWithoutRange();
@@ -66,6 +67,7 @@ class ChoiceLine {
   size_t after_name_ = 2;  ///< past what stands where a name should
   std::string named_;      ///< the name that was meant
   std::vector<Clause> clauses_;
+  size_t values_end_ = 0;  ///< past a list of values without brackets; 0: there is none
   bool as_meant_ = true;
 };
 

@@ -200,8 +200,31 @@ void ChoiceLine::reportList(const Clause& clause) {
   as_meant_ = false;
 }
 
+/// `in 60 m, 80 m, 100 m`: values to choose from, of which two would be a range.
+bool ChoiceLine::reportValues(const Clause& clause) {
+  size_t end = clause.end;
+  while (phrase_.type(end) == GliderLexer::COMMA && tokensOfNumber(phrase_, end + 1) > 0) {
+    end += 1 + tokensOfNumber(phrase_, end + 1);
+  }
+  if (end == clause.end || phrase_.startsLine(clause.end)) {
+    return false;
+  }
+  const Lexeme list = phrase_.whole(clause.value, end - clause.value);
+  phrase_.reporter()
+      .at(list, support::diagnostics::notARange, phrase_.source().text(list), "")
+      .hint(
+          "values to choose from are a range, and how far they are apart: "
+          "`in LOWEST .. HIGHEST by STEP`");
+  values_end_ = end;
+  as_meant_ = false;
+  return true;
+}
+
 /// `from 60 m to 180 m`, `in 60 m - 180 m`, `= 60 m .. 180 m`, `60 m .. 180 m`.
 void ChoiceLine::reportRange(const Clause& clause) {
+  if (reportValues(clause)) {
+    return;
+  }
   const auto ends = endsOf(phrase_, clause.value, clause.end);
   const bool brackets =
       phrase_.type(clause.value) == GliderLexer::LBRACKET || phrase_.text(clause.value) == "{";

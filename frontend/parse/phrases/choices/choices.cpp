@@ -271,7 +271,7 @@ size_t ChoiceLine::repair() {
     return 0;
   }
   put();
-  size_t tokens = end();
+  size_t tokens = std::max(end(), values_end_);
   const bool rest = !endsLine() && phrase_.type(tokens) == GliderLexer::NAME;
   return rest ? std::max(tokens, phrase_.tokensOfLine()) : tokens;
 }

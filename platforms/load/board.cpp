@@ -106,8 +106,8 @@ support::Result<Board> loadBoard(const std::filesystem::path& path) {
   board.folder = path.parent_path();
   TomlReader top(file, *root, "the board");
   top.only({"name", "description", "triple", "cpu", "features", "float_abi", "relocation",
-            "clang_flags", "system_flags", "max_executable_bytes", "max_memory_bytes", "max_stack_bytes",
-            "max_tick_instructions", "power", "kernel", "emulator", "link"});
+            "clang_flags", "system_flags", "max_executable_bytes", "max_memory_bytes",
+            "max_stack_bytes", "max_tick_instructions", "power", "kernel", "emulator", "link"});
   board.name = top.text("name");
   board.description = top.text("description");
   readMachine(top, board);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Addition and subtraction of doubles for an ARM without FPU: libgcc's, but for one kind of
+// Addition and subtraction of doubles for an ARM without FPU: libgcc's, except for one kind of
 // operands. Where numbers are subtracted of which one has 2^33 times the other's unit, libgcc
 // shifts out one bit and the 32 below it, and keeps these as one that is not 0. If the result falls
 // below a power of two, their first bit is the one that decides the rounding, and a third of such

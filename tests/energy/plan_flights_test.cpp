@@ -5,17 +5,14 @@
 // bound by which it was chosen. scripts/soak/plans flies a thousand.
 
 #include "analysis/plan/plan_mission.h"
-#include "simulator/scenario/scenario.h"
 #include "tests/energy/watched_energy.h"
 #include "tests/plan/problems.h"
-#include "tests/slocum.h"
 #include "tests/world/fleet.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -38,17 +35,6 @@ Planned planOf(const Problem& problem) {
   const auto bound = boundOfEnergy(*mission, slocum(), usualBoardPower());
   EXPECT_TRUE(bound) << planned->text;
   return {std::move(*mission), *bound};
-}
-
-/// For a day, with a mission file that lets dives go to 200 m.
-simulator::Scenario deepSea() {
-  support::SourceManager sources;
-  support::DiagnosticEngine diagnostics;
-  const auto path = std::filesystem::path(GLIDER_SOURCE_DIR) / "tests/energy/still.toml";
-  simulator::Scenario sea = *simulator::loadScenario(path, slocum(), sources, diagnostics);
-  constexpr double kDay_s = 86400;
-  sea.duration_s = kDay_s;
-  return sea;
 }
 
 TEST(PlanFlights, TakeNoMoreThanThePlanSays) {

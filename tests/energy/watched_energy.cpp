@@ -8,6 +8,8 @@
 #include "hooks/hookbeh/hookbeh.h"
 #include "hooks/protocol/values.h"
 #include "ir/eval/interpreter.h"
+#include "platforms/load/power.h"
+#include "simulator/scenario/scenario.h"
 #include "simulator/simulator.h"
 #include "tests/slocum.h"
 #include "tests/world/fleet.h"
@@ -15,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -115,6 +118,16 @@ FlownEnergy flyForEnergy(const FlyingMission& mission, const EnergyBound& bound,
   const auto trace = simulator::simulate(std::move(setup));
   EXPECT_TRUE(trace) << mission.name;
   return watch.flown();
+}
+
+simulator::Scenario deepSea() {
+  support::SourceManager sources;
+  support::DiagnosticEngine diagnostics;
+  const auto path = std::filesystem::path(GLIDER_SOURCE_DIR) / "tests/energy/still.toml";
+  simulator::Scenario sea = *simulator::loadScenario(path, slocum(), sources, diagnostics);
+  constexpr double kDay_s = 86400;
+  sea.duration_s = kDay_s;
+  return sea;
 }
 
 simulator::Scenario drawSea(simulator::Scenario scenario, const EnergyBound& bound,

@@ -28,6 +28,9 @@ std::optional<ir::prove::EnergyBound> boundOfEnergy(const FlyingMission& mission
 void setHunger(simulator::VehicleSettings& vehicle, const platforms::BoardPower& board,
                const std::function<double()>& share);
 
+/// Still water for a day, with a mission file that lets dives go to 200 m.
+simulator::Scenario deepSea();
+
 /// The scenario with another of the seas that a bound is for, on a healthy vehicle. Half of the
 /// seas have a swell, half are as shallow as they may be: hookbeh does not have to turn the
 /// vehicle, which no bound counts. Half of the vehicles take all of their spread.

@@ -67,7 +67,7 @@ std::string lastPart(const std::string& path) {
   return path.substr(path.find_last_of('/') + 1);
 }
 
-/// What stands in sections of code, by ARM's mapping symbols: `$a` (in 64 bits `$x`), `$t`, `$d`.
+/// What sections of code contain, by ARM's mapping symbols: `$a` (in 64 bits `$x`), `$t`, `$d`.
 class Stretches {
  public:
   /// Whether `symbol` is a mapping symbol.

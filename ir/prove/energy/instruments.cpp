@@ -22,6 +22,12 @@ InstrumentShares::InstrumentShares(const LegContext& context)
       m_(context.seen.mission),
       lag_s_(context.seen.platform.world.line_lag_s +
              kCyclesToObey * context.seen.platform.envelope.cycle_s) {
+  for (const platforms::Draw& draw : context.seen.platform.power.draws) {
+    if (draw.instrument) {
+      double& before = before_[*draw.instrument];
+      before = std::max(before, otherwise(draw));
+    }
+  }
   for (const State& state : m_.states) {
     by_state_.push_back(sharesIn(state));
     for (size_t i = 0; i < most_.size(); ++i) {
@@ -38,17 +44,20 @@ InstrumentSeconds InstrumentShares::sharesIn(const State& state) const {
     if (!draw.instrument) {
       continue;
     }
-    const bool always = draw.when == platforms::DrawWhen::Always;
-    const double otherwise = always || readsWhatMeasures(m_, draw) ? 1 : 0;
     const Sampling* ordered = samplingOf(state, *draw.instrument);
     // A word that is not known leaves in force what another state has commanded.
-    double share = known ? otherwise : 1;
+    double share = known ? otherwise(draw) : 1;
     if (known && ordered != nullptr) {
-      share = greatest(draw, *ordered, otherwise);
+      share = greatest(draw, *ordered, otherwise(draw));
     }
     shares[*draw.instrument] = std::max(shares[*draw.instrument], share);
   }
   return shares;
+}
+
+/// Where the vehicle's own mission says how often.
+double InstrumentShares::otherwise(const platforms::Draw& draw) const {
+  return draw.when == platforms::DrawWhen::Always || readsWhatMeasures(m_, draw) ? 1 : 0;
 }
 
 /// Also a number that is replaced where it is not known.
@@ -88,8 +97,17 @@ void InstrumentShares::addTo(EnergyLines& lines, StateId state) const {
   for (EnergyLine& line : lines) {
     line.rate.instruments_s = shares;
     for (size_t i = 0; i < shares.size(); ++i) {
-      line.offset.instruments_s[i] = lag_s_ * (most_[i] - shares[i]);
+      const bool first = state.index == 0;
+      const double before = first ? std::max(most_[i], before_[i]) : most_[i];
+      line.offset.instruments_s[i] = lag_s_ * (before - shares[i]);
     }
+  }
+}
+
+void InstrumentShares::addMostTo(EnergyLine& line) const {
+  line.rate.instruments_s = most_;
+  for (size_t i = 0; i < most_.size(); ++i) {
+    line.offset.instruments_s[i] = lag_s_ * std::max(0.0, before_[i] - most_[i]);
   }
 }
 

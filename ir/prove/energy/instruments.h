@@ -19,13 +19,15 @@ class InstrumentShares {
   explicit InstrumentShares(const LegContext& context);
 
   /// What they take in a state, added to its lines: there is none of it in them. What the state
-  /// before has commanded goes on until the vehicle obeys this one.
+  /// before has commanded goes on until the vehicle obeys this one, in the first state what the
+  /// vehicle's own mission does.
   void addTo(EnergyLines& lines, StateId state) const;
   /// The same in any state, added to a line for the whole mission.
-  void addMostTo(EnergyLine& line) const { line.rate.instruments_s = most_; }
+  void addMostTo(EnergyLine& line) const;
 
  private:
   [[nodiscard]] InstrumentSeconds sharesIn(const State& state) const;
+  [[nodiscard]] double otherwise(const platforms::Draw& draw) const;
   [[nodiscard]] bool isKnown(ExprId code) const;
   /// `otherwise`: where the vehicle's own mission says how often.
   [[nodiscard]] double greatest(const platforms::Draw& draw, const Sampling& sampling,
@@ -37,7 +39,8 @@ class InstrumentShares {
   const Mission& m_;
   double lag_s_;  ///< from a command until the vehicle obeys it
   std::vector<InstrumentSeconds> by_state_;
-  InstrumentSeconds most_{};
+  InstrumentSeconds most_{};    ///< in any state
+  InstrumentSeconds before_{};  ///< before the first command
 };
 
 }  // namespace glider::ir::prove

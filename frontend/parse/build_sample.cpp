@@ -65,7 +65,7 @@ ast::Expr AstBuilder::samplePart(Parser::SamplePartContext* rule) {
   }
   const bool below = rule->BELOW() != nullptr;
   return binary(below ? ast::BinaryOp::Greater : ast::BinaryOp::Less,
-                {ast::NameUse{"depth"}, where(rule)}, expr(rule->expr()), where(rule));
+                {ast::NameUse{"depth"}, where(rule->start)}, expr(rule->expr()), where(rule));
 }
 
 }  // namespace glider::frontend

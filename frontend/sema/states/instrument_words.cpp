@@ -70,7 +70,7 @@ Suggestion insteadOfInstrument(const std::string& word, const std::string& how,
                                                     "everyone", "each",       "science"};
   const std::string lower = inLowerCase(word);
   const bool none = lower == "none" || lower == "nothing";
-  if (none || std::ranges::find(kAll, lower) != kAll.end()) {
+  if (none || std::ranges::find(kAll, lower) != kAll.end() || lower.contains(' ')) {
     return {fmt::format("name each of them: `{}`", eachOf(platform, none ? "off" : how)), ""};
   }
   if (const platforms::Instrument* one = named(platform, lower)) {

@@ -126,9 +126,26 @@ size_t sampleHead(Phrase& phrase) {
   return firstOf(phrase, {signAfterSample, nothingSampled});
 }
 
+namespace {
+
+/// `all instruments`: one name, of which is said later what to write.
+size_t allInstruments(Phrase& phrase) {
+  const size_t words = tokensOfOne(
+      phrase, 0, {"all the instruments", "all instruments", "all sensors", "every instrument"});
+  if (words > 0) {
+    phrase.put(phrase.whole(0, words, GliderLexer::NAME));
+  }
+  return words;
+}
+
+}  // namespace
+
 size_t partBeforeInstrument(Phrase& phrase) {
   if (!oneOf(phrase.before(), {GliderLexer::SAMPLE, GliderLexer::COMMA})) {
     return 0;
+  }
+  if (const size_t words = allInstruments(phrase)) {
+    return words;
   }
   const size_t part = tokensBefore(phrase, 0);
   if (part == 0) {

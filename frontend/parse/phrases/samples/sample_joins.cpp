@@ -40,7 +40,7 @@ size_t wordForOff(Phrase& phrase) {
 /// `ctd: off`, `ctd = off`.
 size_t signBeforePart(Phrase& phrase) {
   const bool sign = oneOf(phrase.type(), {GliderLexer::COLON, GliderLexer::ASSIGN});
-  return sign ? leaveOutWords(phrase, 1, "after an instrument") : 0;
+  return sign && beginsPart(phrase, 1) ? leaveOutWords(phrase, 1, "after an instrument") : 0;
 }
 
 /// `optode(off)`, `ctd (every 4 s)`.
@@ -148,6 +148,9 @@ size_t leftOut(Phrase& phrase) {
 
 /// `ctd every 4 s, on climbs`.
 size_t commaBeforePart(Phrase& phrase) {
+  if (phrase.type() == GliderLexer::COMMA && phrase.says(1, "unless")) {
+    return 1;  // the next repair reports it
+  }
   const bool number = tokensOfNumber(phrase, 2) > 0;
   const bool part = phrase.type() == GliderLexer::COMMA && !phrase.startsLine(1) &&
                     (phrase.type(1) == GliderLexer::EVERY ||

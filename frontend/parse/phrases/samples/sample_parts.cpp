@@ -119,7 +119,8 @@ size_t leaveOutWords(Phrase& phrase, size_t count, std::string_view where) {
                             : phrase.lexemeBefore()->end;
   phrase.reporter()
       .at(written, support::diagnostics::superfluousWord, phrase.source().text(written), where)
-      .fix({phrase.source().file, from, written.end}, "");
+      .fix({phrase.source().file, from, written.end},
+           phrase.touches(count) && isAnyName(phrase.type(count)) ? " " : "");
   return count;
 }
 

@@ -237,6 +237,20 @@ size_t surfaceWords(Phrase& phrase) {
   return count;
 }
 
+/// `off unless depth > 10 m`.
+size_t unless(Phrase& phrase) {
+  if (!phrase.says(0, "unless") || !startsAnyValue(phrase.type(1))) {
+    return 0;
+  }
+  const Lexeme word = phrase.token();
+  phrase.reporter()
+      .at(word, support::diagnostics::unexpectedToken, "`when`", describe(phrase.source(), word))
+      .hint("write `when !(…)` with the condition in the parentheses");
+  phrase.put({GliderLexer::WHEN, word.begin, word.end});
+  phrase.notAsMeant();
+  return 1;
+}
+
 /// `ctd depth > 10 m`.
 size_t whenLeftOut(Phrase& phrase) {
   const uint32_t sign = phrase.type(1);
@@ -260,7 +274,7 @@ size_t sampleCondition(Phrase& phrase) {
   if (!mayBeginPart(phrase)) {
     return 0;
   }
-  if (const size_t taken = firstOf(phrase, {timeOfState, surfaceWords, whenLeftOut})) {
+  if (const size_t taken = firstOf(phrase, {timeOfState, surfaceWords, unless, whenLeftOut})) {
     return taken;
   }
   const size_t words =

@@ -34,6 +34,7 @@ struct Rate {
   size_t words = 0;
   size_t count = 0;
   double hertz = 0;
+  bool certain = true;         ///< its number has a unit
   std::string_view unit = "";  ///< of `each minute`, which has no number
 };
 
@@ -43,7 +44,9 @@ Rate rateAt(const Phrase& phrase) {
                            {"once every", "once per", "once in", "once each", "at every",
                             "at a rate of", "on every", "at", "on", "each", "per", "with", "to",
                             "rate", "interval of", "interval", "period of", "period", "every"});
-  rate.words = phrase.text() == "@" ? 1 : rate.words;
+  const bool sign =
+      phrase.text() == "@" || oneOf(phrase.type(), {GliderLexer::ASSIGN, GliderLexer::COLON});
+  rate.words = sign ? 1 : rate.words;
   rate.words += rate.words > 0 && phrase.type(rate.words) == GliderLexer::ASSIGN ? 1U : 0U;
   const size_t k = rate.words;
   if (phrase.type(k) == GliderLexer::NUMBER && phrase.says(k + 1, "hz")) {
@@ -56,6 +59,9 @@ Rate rateAt(const Phrase& phrase) {
   } else if (const size_t time = tokensOfTime(phrase, k);
              time > 0 && phrase.type() != GliderLexer::EVERY) {
     rate.count = k + time;
+  } else if (sign && phrase.type(k) == GliderLexer::NUMBER) {
+    rate.count = k + 1;  // `= 4`
+    rate.certain = false;
   }
   return rate;
 }
@@ -104,11 +110,13 @@ size_t sampleRate(Phrase& phrase) {
     return rate.count;
   }
   const Lexeme written = phrase.whole(0, rate.count);
-  phrase.reporter()
-      .at(written, support::diagnostics::unexpectedToken, "`every`",
-          fmt::format("`{}`", phrase.source().text(written)))
-      .hint(fmt::format("write `{} {}`", phrase.source().text(*phrase.lexemeBefore()), every))
-      .fix(phrase.source().range(written), every);
+  auto report = phrase.reporter().at(written, support::diagnostics::unexpectedToken, "`every`",
+                                     fmt::format("`{}`", phrase.source().text(written)));
+  report.hint(fmt::format("write `{} {}{}`", phrase.source().text(*phrase.lexemeBefore()), every,
+                          rate.certain ? "" : " s"));
+  if (rate.certain) {
+    report.fix(phrase.source().range(written), every);
+  }
   phrase.put({GliderLexer::EVERY, written.begin, written.begin});
   if (rate.hertz > 0 || !rate.unit.empty()) {
     phrase.put({GliderLexer::NUMBER, written.begin, written.end});
@@ -175,7 +183,7 @@ size_t yoWord(const Phrase& phrase, size_t k) {
   if (phrase.type(k) == GliderLexer::YO) {
     return 1;
   }
-  return tokensOfOne(phrase, k, {"yo", "yos", "cycle", "cycles", "profile", "profiles"});
+  return tokensOfOne(phrase, k, {"yo", "yos"});
 }
 
 /// `every third yo`, `every yo`: the tokens, and how many yos; one for each.
@@ -216,22 +224,46 @@ Count oneYo(const Phrase& phrase) {
   return count;
 }
 
-/// `one dive in 3`: the yos and the way are two parts.
+/// `one dive in 3`, `every second dive`: how many, with the way that is meant.
+struct SomeWay {
+  Count count;
+  bool dives = false;
+};
+
+SomeWay someWay(const Phrase& phrase) {
+  const auto way = [&](size_t k, bool& dives) {
+    dives = tokensOfOne(phrase, k, {"dive", "dives", "downcast", "descent"}) > 0;
+    return dives || tokensOfOne(phrase, k, {"climb", "climbs", "upcast", "ascent"}) > 0;
+  };
+  SomeWay some;
+  const size_t every = tokensOfOne(phrase, 0, {"on every", "on each", "every", "each"});
+  const size_t one = tokensOfOne(phrase, 0, {"one"});
+  if (every > 0) {
+    some.count = countAt(phrase, every);
+    some.count.tokens += every;
+    const bool right = some.count.tokens > every && way(some.count.tokens, some.dives);
+    some.count.tokens = right ? some.count.tokens + 1 : 0;
+  } else if (one > 0 && way(1, some.dives)) {
+    const size_t of = tokensOfOne(phrase, 2, {"out of", "in", "of"});
+    some.count = of == 0 ? Count{} : countAt(phrase, 2 + of);
+    some.count.tokens += some.count.tokens == 0 ? 0 : 2 + of;
+  }
+  return some;
+}
+
 size_t oneWayIn(Phrase& phrase) {
-  const size_t dive = tokensOfOne(phrase, 0, {"one dive in", "one dive of"});
-  const size_t climb = tokensOfOne(phrase, 0, {"one climb in", "one climb of"});
-  const size_t words = dive + climb;
-  if (words == 0 || phrase.type(words) != GliderLexer::NUMBER) {
+  const SomeWay some = someWay(phrase);
+  if (some.count.tokens == 0) {
     return 0;
   }
-  const size_t count = words + 1;
-  reportMeant(phrase, count,
-              fmt::format("on {} one yo in {}", dive > 0 ? "dives" : "climbs", phrase.text(words)));
-  const Lexeme written = phrase.whole(0, count);
+  reportMeant(
+      phrase, some.count.tokens,
+      fmt::format("on {} one yo in {}", some.dives ? "dives" : "climbs", some.count.digits));
+  const Lexeme written = phrase.whole(0, some.count.tokens);
   phrase.put({GliderLexer::ON, written.begin, written.end});
-  phrase.put({dive > 0 ? uint32_t{GliderLexer::DIVES} : uint32_t{GliderLexer::CLIMBS},
+  phrase.put({some.dives ? uint32_t{GliderLexer::DIVES} : uint32_t{GliderLexer::CLIMBS},
               written.begin, written.end});
-  return count;
+  return some.count.tokens;
 }
 
 }  // namespace

@@ -269,6 +269,12 @@ void Image::Parts::doubtCounts(const std::set<uint64_t>& targets) {
     if (one.choices > 0 && entered(one)) {
       one.choices = 0;
     }
+    const auto room = one.mentions.stack_word != 0 ? wordAt(one.mentions.stack_word) : std::nullopt;
+    if (room) {
+      one.stack.known = !entered(one);
+      one.stack.to = one.stack.from = one.stack.known ? kArmStack.pointer : StackEffect::kNone;
+      one.stack.bytes = -int64_t{static_cast<int32_t>(*room)};
+    }
   }
 }
 

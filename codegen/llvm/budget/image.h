@@ -42,6 +42,9 @@ struct Mentions {
   uint8_t literal_to = kNone;  ///< ARM: the register that gets the word at numbers[0]
   uint8_t pc_plus = kNone;     ///< ARM: the register whose distance is added to the place
   uint8_t pc_ahead = 8;        ///< of that, by how much the place that it means is behind it
+  /// Thumb: where the word lies that this instruction adds to the stack pointer, from a register
+  /// that got it immediately before; 0: none.
+  uint64_t stack_word = 0;
   /// ARM in 64 bits: the register that gets the page at numbers[0], and that to which a number is
   /// added, whose sum is numbers[0] if it is known.
   uint8_t page_to = kNone, adds_to = kNone;

@@ -11,6 +11,7 @@
 #include <llvm/Support/TargetSelect.h>
 
 #include <algorithm>
+#include <string>
 
 namespace glider::codegen {
 namespace {
@@ -32,13 +33,31 @@ class Thumb : public Architecture {
   }
   void complete(const Decoded& decoded, Instruction& one) override;
   void undecoded(StringRef bytes, Instruction& one) override;
+
+ private:
+  void mention(const Written& written, Instruction& one) const;
+
+  Instruction before_;
 };
 
-/// The parts of "ldr r3, [pc, #16]", "adr r0, #8" and "add r2, pc" that say where something is.
+/// "ldr r6, [pc, #16]" and then "add sp, r6" make room that no instruction has as a number.
 void Thumb::complete(const Decoded& decoded, Instruction& one) {
-  const StringRef operation = refOf(decoded.written.operation);
+  mention(decoded.written, one);
+  const bool next = before_.address + before_.size == one.address;
+  const uint8_t number = before_.mentions.literal_to;
+  if (next && number != Mentions::kNone && decoded.written.operation == "add" &&
+      refOf(decoded.written.operands) == "sp, r" + std::to_string(number)) {
+    one.mentions.stack_word = before_.mentions.numbers[0];
+    one.counted_at = before_.address;
+  }
+  before_ = one;
+}
+
+/// The parts of "ldr r3, [pc, #16]", "adr r0, #8" and "add r2, pc" that say where something is.
+void Thumb::mention(const Written& written, Instruction& one) const {
+  const StringRef operation = refOf(written.operation);
   llvm::SmallVector<StringRef, 3> parts;
-  refOf(decoded.written.operands).split(parts, ", ");
+  refOf(written.operands).split(parts, ", ");
   const bool loads = operation == "ldr" && parts.size() == 3 && parts[1] == "[pc";
   if (loads || operation == "adr") {
     StringRef last = parts.back();
@@ -57,6 +76,7 @@ void Thumb::undecoded(StringRef bytes, Instruction& one) {
   one.size = static_cast<uint32_t>(std::min<size_t>(2, bytes.size()));
   one.flow = Flow::Unknown;
   one.stack.writes = static_cast<uint16_t>(~(1U << kArmStack.pointer));
+  before_ = one;
 }
 
 }  // namespace

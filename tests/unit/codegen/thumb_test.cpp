@@ -64,6 +64,14 @@ TEST(Thumb, TheStackPointerMovesByNumbers) {
                     "pop {r7, pc}")
                 .bytes(),
             8 + 24);
+  const std::string room =
+      "push {r4, lr}\n ldr r4, 1f\n add sp, r4\n ldr r4, 2f\n add sp, r4\n"
+      "pop {r4, pc}\n .balign 4\n 1: .word -1000\n 2: .word 1000";
+  EXPECT_EQ(inThumb(room).bytes(), 8 + 1000);
+  EXPECT_FALSE(
+      inThumb("beq 3f\n" + room.substr(0, room.find("add")) + "3: " + room.substr(room.find("add")))
+          .bytes())
+      << "it may come from elsewhere";
   const auto unknown = inThumb("push {r4, lr}\n add sp, r4\n pop {r4, pc}").bytes();
   ASSERT_FALSE(unknown);
   EXPECT_THAT(unknown.error(), HasSubstr("it is not known how deep"));
@@ -73,7 +81,7 @@ TEST(Thumb, TheStackPointerMovesByNumbers) {
 }
 
 TEST(Thumb, SaysWhereThingsLie) {
-  for (const uint64_t pad : {0, 1}) {
+  for (const uint64_t pad : {0U, 1U}) {
     const auto code = codeOf(std::string(pad == 0 ? "" : "nop\n") +
                              "ldr r3, 1f\n add r2, pc\n adr r1, 1f\n ldr r5, [r6, #4]\n bx lr\n"
                              ".balign 4\n 1: .word 77");
@@ -123,7 +131,7 @@ TEST(Thumb, ReturnsAndTraps) {
   ASSERT_EQ(code.size(), 6u);
   EXPECT_EQ(code[0].flow, Flow::Return);
   EXPECT_EQ(code[1].flow, Flow::Return);
-  for (const size_t trap : {2, 3}) {
+  for (const size_t trap : {2U, 3U}) {
     EXPECT_EQ(code[trap].flow, Flow::Return) << trap;
     EXPECT_TRUE(code[trap].stack.stops) << trap;
   }

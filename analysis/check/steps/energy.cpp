@@ -93,8 +93,9 @@ std::string leastLine(const EnergyBound& bound, const std::string& board) {
 /// The seas that the bound is for.
 std::string seaLine(const EnergyBound& bound) {
   return fmt::format(
-      "that is in water at least {:.0f} m deep, where no guard ends a dive early, that moves up or "
-      "down by at most {} m/s, and in a swell of at most {} m of amplitude and {} s",
+      "all this for water at least {:.0f} m deep, where no guard ends a dive early, "
+      "that moves up or down by at most {} m/s, "
+      "and for a swell of at most {} m of amplitude and {} s",
       std::ceil(bound.deepest_m + platforms::kBelowDives_m), platforms::kWaterMoves_m_s,
       platforms::kSwell_m, platforms::kSwell_s);
 }

@@ -116,8 +116,8 @@ TEST(CheckReport, SaysHowMuchEnergyItTakesAtMost) {
         .out;
   };
   EXPECT_THAT(linesOf("gallery/low_battery.mission"),
-              HasSubstr("\nby the vehicle's power table the mission takes at most 70.7 Wh until it "
-                        "ends, 3.2 % of the 2,222 Wh that the pack gives: pump 35 %, SBC 29 %"));
+              HasSubstr("\nby the vehicle's power table the mission takes at most 73.1 Wh until it "
+                        "ends, 3.3 % of the 2,222 Wh that the pack gives: pump 37 %, SBC 28 %"));
   EXPECT_THAT(linesOf("gallery/thermocline.mission"),
               HasSubstr("\nthe vehicle may turn so often in `track` that its pump hardly rests\n"));
   const TemporaryFolder folder;

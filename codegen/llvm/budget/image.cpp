@@ -473,7 +473,8 @@ uint64_t Image::endOfSymbol(uint64_t address) const {
 
 uint64_t Image::entry() const {
   const auto* elf = llvm::dyn_cast<ELFObjectFileBase>(parts_->file.get());
-  return llvm::cantFail(elf->getStartAddress());
+  const uint64_t start = llvm::cantFail(elf->getStartAddress());
+  return parts_->at(start) ? start : start & ~uint64_t{1};  // odd in Thumb
 }
 
 uint64_t Image::contextBytes() const {

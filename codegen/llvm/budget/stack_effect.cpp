@@ -57,10 +57,12 @@ Operation armOperation(StringRef operation) {
 /// "sp, r11, #8" as r11 less 8, and Thumb's "sp, #8" as sp less 8: `sign` is 1 if the operation
 /// subtracts.
 void armSum(const llvm::SmallVectorImpl<StringRef>& parts, int64_t sign, StackEffect& effect) {
+  if (parts.size() < 2 || parts.size() > 3) {
+    return;
+  }
   const auto number = constantOf(parts.back());
   const uint8_t to = armRegister(parts[0]);
-  const uint8_t from =
-      parts.size() <= 3 ? armRegister(parts[parts.size() - 2]) : StackEffect::kNone;
+  const uint8_t from = armRegister(parts[parts.size() - 2]);
   if (number && to < 15 && from < 15) {
     effect.to = to;
     effect.from = from;

@@ -44,6 +44,11 @@ TEST(StackEffectOfArm, MovesRegisters) {
       {{"sub", "sp, sp, #16"}, kSp, kSp, 16},
       {{"add", "sp, sp, #16"}, kSp, kSp, -16},
       {{"sub", "sp, r11, #8"}, kSp, 11, 8},
+      {{"subs", "sp, sp, #16"}, kSp, kSp, 16},
+      {{"sub", "sp, #16"}, kSp, kSp, 16},
+      {{"add", "sp, #16"}, kSp, kSp, -16},
+      {{"subs", "r4, r7, #4"}, 4, 7, 4},
+      {{"adds", "r4, #4"}, 4, 4, -4},
       {{"add", "r11, sp, #4"}, 11, kSp, -4},
       {{"add", "r12, sp, #4"}, 12, kSp, -4},
       {{"add", "lr, sp, #4"}, kLr, kSp, -4},
@@ -94,7 +99,8 @@ TEST(StackEffectOfArm, SaysNothingOfTheRest) {
       {"ldr", "r0, [r1], #4"},
       {"cmp", "r0, r1"},
       {"mvn", "r0, r1"},
-      {"subs", "sp, sp, #16"},
+      {"sub", "sp"},
+      {"add", "sp, sp, sp, #16"},
   };
   for (const Written& written : cases) {
     expectMoves(armStack(written), {written, kNone, kNone, 0});
@@ -121,7 +127,7 @@ TEST(StackEffectOfArm, ConditionsAreReadOff) {
       {{"bxcs", "lr"}, "cs"},
       {{"add", "sp, sp, #24"}, ""},
       {{"bls", "#16"}, ""},
-      {{"adds", "r0, r0, #1"}, ""},
+      {{"adds", "r0, r0, r1"}, ""},
   };
   for (const auto& [written, condition] : cases) {
     const StackEffect effect = armStack(written);

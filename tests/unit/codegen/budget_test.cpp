@@ -162,7 +162,7 @@ TEST(FlowOf, Arm) {
       {{"bleq", "#0x10"}, Flow::Call},
       {{"blt", "#0x10"}, Flow::JumpIf},
       {{"blx", "r2"}, Flow::CallByPointer},
-      {{"blx", "#0x10"}, Flow::Unknown},
+      {{"blx", "#0x10"}, Flow::Call},
       {{"bx", "lr"}, Flow::Return},
       {{"bxne", "lr"}, Flow::ReturnIf},
       {{"bx", "r3"}, Flow::JumpByPointer},

@@ -98,10 +98,10 @@ struct Second {
 
   /// Hotel and CTD, what is on at the surface, a surfacing, and the motors.
   void feed(double out, bool battery_moved, bool fin_moved, double dt) {
-    double joules = 1.40 * dt + (out > 0 ? (0.29 + 0.018 * depth) * out : 0.40 * -out);
+    double joules = 0.93 * dt + (out > 0 ? (0.29 + 0.018 * depth) * out : 0.40 * -out);
     joules += (battery_moved ? 7.0 : 0) * dt + (fin_moved ? 0.3 : 0) * dt;
     if (depth < 0.5) {
-      joules += 3.6 * dt;
+      joules += 4.1 * dt;
       floats_s += dt;
     } else {
       floats_s = 0;

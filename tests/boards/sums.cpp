@@ -61,7 +61,8 @@ int main() {
   }
   // Beside the least normal number, the greatest one, and infinity.
   constexpr uint64_t kInfinity = uint64_t{0x7FF} << kFractionBits;
-  for (const uint64_t least : {uint64_t{1}, uint64_t{0x123456789}, kFraction, kFraction + 1}) {
+  for (const uint64_t least : {uint64_t{1}, uint64_t{0x123456789}, uint64_t{0xC0000001},
+                               uint64_t{0x80000001}, kFraction, kFraction + 1}) {
     for (const uint64_t exponent : {33U, 34U, 35U}) {
       sums.add(exponent << kFractionBits | kSign, least);
       sums.add(exponent << kFractionBits | 5, least | kSign);

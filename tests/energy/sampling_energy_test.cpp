@@ -110,6 +110,29 @@ TEST(SampledEnergy, TheStateBeforeGoesOnForAMoment) {
       << "the vehicle's own mission does not read it";
 }
 
+TEST(SampledEnergy, BeforeTheFirstCommandItReadsAsTheVehicleSays) {
+  const auto secondsOn = [](const std::string& device) {
+    return (*sampledBound(alone(device)).joules - *sampledBound(alone(device + " off")).joules) /
+           fullPower(device);
+  };
+  // The mission reads what the CTD measures, and nothing of the fluorometer.
+  EXPECT_NEAR(secondsOn("fluorometer") - secondsOn("ctd"), 40, 1);
+}
+
+/// A vehicle that never rests reads as well.
+TEST(SampledEnergy, OneThatIsOnCountsWhereThePumpHardlyRests) {
+  const auto watts = [](const std::string& sample) {
+    return sampledBound(
+               "var middle: length = 40 m in 20 m .. 60 m\nstate one\nbegin\n"
+               "  flightprofile yo(middle - 15 m, middle + 15 m)\n  sensors missiontime, depth\n" +
+               sample +
+               "  events\n    case depth > 30 m do set middle = clamp(depth, 20 m, 60 m) end stay\n"
+               "    case missiontime > 2 h exit\nend\n")
+        .watts;
+  };
+  EXPECT_NEAR(watts("  sample fluorometer\n") - watts(""), fullPower("fluorometer"), 0.01);
+}
+
 /// What is always drawn counts no instrument that is off somewhere.
 TEST(SampledEnergy, TheLeastIsThatOfInstrumentsThatAreNotSwitched) {
   const EnergyBound usual = sampledBound(alone("")), off = sampledBound(alone("ctd off"));

@@ -3,12 +3,11 @@
 
 // ARM in 32 bits (A32): distances from the program counter, and switches that jump ahead.
 
-#include "codegen/llvm/budget/architecture.h"
+#include "codegen/llvm/budget/any_arm.h"
 #include "codegen/llvm/budget/operands.h"
 
 #include <llvm/ADT/SmallVector.h>
 #include <llvm/Support/Endian.h>
-#include <llvm/Support/TargetSelect.h>
 
 #include <algorithm>
 #include <array>
@@ -26,17 +25,8 @@ bool isMultiplication(StringRef bytes) {
   return bytes.size() >= 4 && (llvm::support::endian::read32le(bytes.data()) & kMask) == kMultiply;
 }
 
-class Arm : public Architecture {
+class Arm : public AnyArm {
  public:
-  [[nodiscard]] const StackMachine& stackMachine() const override { return kArmStack; }
-  void initialiseDisassembler() const override { LLVMInitializeARMDisassembler(); }
-  [[nodiscard]] uint8_t numberOf(StringRef name) const override {
-    return armRegister(name.lower());
-  }
-  [[nodiscard]] Flow flow(const Written& written) const override { return armFlow(written); }
-  [[nodiscard]] StackEffect stack(const Written& written) const override {
-    return armStack(written);
-  }
   void complete(const Decoded& decoded, Instruction& one) override {
     mention(decoded.written, one);
     choose(decoded.written, one);

@@ -15,6 +15,21 @@ bool isArmCondition(std::string_view text) {
   return std::ranges::find(kConditions, text) != kConditions.end();
 }
 
+uint8_t armRegister(llvm::StringRef name) {
+  unsigned number = 0;
+  if (name == "sp") {
+    return 13;
+  }
+  if (name == "lr") {
+    return 14;
+  }
+  if (name == "pc") {
+    return 15;
+  }
+  const bool right = name.consume_front("r") && !name.getAsInteger(10, number) && number < 13;
+  return right ? static_cast<uint8_t>(number) : StackEffect::kNone;
+}
+
 namespace {
 
 /// Whether `operation` is `base`, possibly with a condition after it.

@@ -113,6 +113,7 @@ struct Image::Parts {
   void readSymbols();
   void readSegments();
   void readCode(Disassembler& disassembler);
+  void makeRoom(Instruction& one) const;
   void doubtCounts();
   void doubtCounts(const std::set<uint64_t>& targets);
   void doubtPointers(const std::set<uint64_t>& held);
@@ -208,6 +209,7 @@ void Image::Parts::readCode(Disassembler& disassembler) {
           stretches.isData(address + one.size)) {
         one.target = address + one.size;
       }
+      makeRoom(one);
       code.push_back(one);
       at += one.size;
     }
@@ -216,8 +218,18 @@ void Image::Parts::readCode(Disassembler& disassembler) {
   doubtCounts();
 }
 
-/// A jump to between the instruction that sets a count, or chooses a table, and the one that uses
-/// it may bring another value.
+/// What an instruction adds to the stack pointer, of which it names the place alone.
+void Image::Parts::makeRoom(Instruction& one) const {
+  const auto word = one.mentions.stack_word != 0 ? wordAt(one.mentions.stack_word) : std::nullopt;
+  if (word) {
+    one.stack.known = true;
+    one.stack.to = one.stack.from = kArmStack.pointer;
+    one.stack.bytes = -int64_t{static_cast<int32_t>(*word)};
+  }
+}
+
+/// A jump to between the instruction that sets a count, chooses a table or loads a word, and the
+/// one that uses it, may bring another value.
 void Image::Parts::doubtCounts() {
   const std::set<uint64_t> held = words();
   std::set<uint64_t> targets = held;
@@ -269,11 +281,9 @@ void Image::Parts::doubtCounts(const std::set<uint64_t>& targets) {
     if (one.choices > 0 && entered(one)) {
       one.choices = 0;
     }
-    const auto room = one.mentions.stack_word != 0 ? wordAt(one.mentions.stack_word) : std::nullopt;
-    if (room) {
-      one.stack.known = !entered(one);
-      one.stack.to = one.stack.from = one.stack.known ? kArmStack.pointer : StackEffect::kNone;
-      one.stack.bytes = -int64_t{static_cast<int32_t>(*room)};
+    if (one.mentions.stack_word != 0 && entered(one)) {
+      one.stack.known = false;
+      one.stack.to = StackEffect::kNone;
     }
   }
 }

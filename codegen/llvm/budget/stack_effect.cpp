@@ -144,21 +144,6 @@ void x86Two(StringRef operation, StringRef source, uint8_t to, StackEffect& effe
 
 }  // namespace
 
-uint8_t armRegister(StringRef name) {
-  unsigned number = 0;
-  if (name == "sp") {
-    return 13;
-  }
-  if (name == "lr") {
-    return 14;
-  }
-  if (name == "pc") {
-    return 15;
-  }
-  const bool right = name.consume_front("r") && !name.getAsInteger(10, number) && number < 13;
-  return right ? static_cast<uint8_t>(number) : StackEffect::kNone;
-}
-
 StackEffect armStack(const Written& written) {
   const StringRef operands = refOf(written.operands);
   const Operation operation = armOperation(refOf(written.operation));

@@ -4,11 +4,10 @@
 // ARM in 32 bits as Thumb (T32 before Thumb-2): its program counter is 4 ahead and, where a literal
 // is loaded, a multiple of 4. What is compiled for it has no tables of switches (-fno-jump-tables).
 
-#include "codegen/llvm/budget/architecture.h"
+#include "codegen/llvm/budget/any_arm.h"
 #include "codegen/llvm/budget/operands.h"
 
 #include <llvm/ADT/SmallVector.h>
-#include <llvm/Support/TargetSelect.h>
 
 #include <algorithm>
 #include <string>
@@ -20,16 +19,13 @@ using llvm::StringRef;
 
 constexpr uint8_t kAhead = 4;  // of pc
 
-class Thumb : public Architecture {
+class Thumb : public AnyArm {
  public:
-  [[nodiscard]] const StackMachine& stackMachine() const override { return kArmStack; }
-  void initialiseDisassembler() const override { LLVMInitializeARMDisassembler(); }
-  [[nodiscard]] uint8_t numberOf(StringRef name) const override {
-    return armRegister(name.lower());
-  }
-  [[nodiscard]] Flow flow(const Written& written) const override { return armFlow(written); }
-  [[nodiscard]] StackEffect stack(const Written& written) const override {
-    return armStack(written);
+  /// "mov pc, r3" is a switch in Thumb: what calls a function in another's place is a `bx`.
+  [[nodiscard]] Flow flow(const Written& written) const override {
+    return written.operation == "mov" && refOf(written.operands).starts_with("pc,")
+               ? Flow::Unknown
+               : AnyArm::flow(written);
   }
   void complete(const Decoded& decoded, Instruction& one) override;
   void undecoded(StringRef bytes, Instruction& one) override;

@@ -154,10 +154,6 @@ size_t conditionalWords(Phrase& phrase) {
   return tokens + (phrase.type(tokens) == GliderLexer::END && !phrase.startsLine(tokens) ? 1 : 0);
 }
 
-}  // namespace
-
-namespace {
-
 /// `30 % of the pack`: of what `energyleft` is a share is known.
 size_t percentOfPack(Phrase& phrase) {
   const Lexeme* unit = phrase.lexemeBefore();
@@ -227,19 +223,17 @@ size_t questionMark(Phrase& phrase) {
 }
 
 size_t numberWord(Phrase& phrase) {
-  constexpr std::string_view kWords[] = {"one",   "two",   "three", "four", "five",   "six",
-                                         "seven", "eight", "nine",  "ten",  "eleven", "twelve"};
   if (endsValue(phrase.before()) || !isAnyName(phrase.type(1))) {
     return 0;
   }
-  const auto* word =
-      std::ranges::find_if(kWords, [&](std::string_view one) { return phrase.says(0, one); });
-  if (word == std::end(kWords) || phrase.startsLine(1) || unitForWord(phrase.text(1)).empty() ||
+  const auto* word = std::find_if(kNumberWords.begin() + 1, kNumberWords.end(),
+                                  [&](std::string_view one) { return phrase.says(0, one); });
+  if (word == kNumberWords.end() || phrase.startsLine(1) || unitForWord(phrase.text(1)).empty() ||
       phrase.isDeclared(phrase.text())) {
     return 0;
   }
   const Lexeme written = phrase.token();
-  const std::string number = std::to_string(word - kWords + 1);
+  const std::string number = std::to_string(word - kNumberWords.begin());
   phrase.reporter()
       .at(written, support::diagnostics::unexpectedToken, "a number",
           describe(phrase.source(), written))

@@ -62,16 +62,6 @@ constexpr std::string_view kStanding[] = {"must be",     "should be", "must stay
 constexpr std::string_view kChanging[] = {"drops",  "falls", "sinks",   "goes", "rises",
                                           "climbs", "comes", "becomes", "turns"};
 
-/// The tokens of the first of `words` that is found at token `k`.
-size_t tokensOfOneOf(const Phrase& phrase, size_t k, std::span<const std::string_view> words) {
-  for (const std::string_view one : words) {
-    if (const size_t tokens = tokensOfWords(phrase, k, one)) {
-      return tokens;
-    }
-  }
-  return 0;
-}
-
 /// `no more than` is at most.
 std::pair<std::string_view, uint32_t> negated(uint32_t sign) {
   return sign == kGreater ? std::pair<std::string_view, uint32_t>("<=", kAtMost)
@@ -219,9 +209,9 @@ std::pair<std::string, std::string> textsOf(const Phrase& phrase, const Bounds& 
 
 ComparingPhrase comparingAt(const Phrase& phrase, size_t k) {
   ComparingPhrase found;
-  const size_t changing = tokensOfOneOf(phrase, k, kChanging);
+  const size_t changing = tokensOfOne(phrase, k, kChanging);
   found.changes = changing > 0;
-  size_t at = k + (changing > 0 ? changing : tokensOfOneOf(phrase, k, kStanding));
+  size_t at = k + (changing > 0 ? changing : tokensOfOne(phrase, k, kStanding));
   const bool no = phrase.says(at, "no") || phrase.says(at, "not");
   at += no ? 1 : 0;
   const auto row = std::ranges::find_if(kComparing, [&](const ComparingWords& words) {

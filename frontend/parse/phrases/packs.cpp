@@ -3,7 +3,6 @@
 
 #include "frontend/parse/phrases/choices/clauses.h"
 #include "frontend/parse/phrases/repairs.h"
-#include "frontend/parse/phrases/samples/sample_parts.h"
 #include "frontend/parse/phrases/written_type.h"
 #include "frontend/parse/token_kinds.h"
 #include "frontend/spelling.h"
@@ -44,7 +43,7 @@ UnitWord unitAt(const Phrase& phrase, size_t k) {
   if (const size_t words = tokensOfOne(phrase, k, {"watt hours", "watt hour"})) {
     return {words, "Wh"};
   }
-  if (!typeOfUnit(phrase.text(k)).empty() && phrase.text(k) != "") {
+  if (!phrase.text(k).empty() && !typeOfUnit(phrase.text(k)).empty()) {
     return {1, std::string(phrase.text(k))};
   }
   const std::string_view unit = phrase.says(k, "percent") ? "%" : unitForWord(phrase.text(k));

@@ -4,6 +4,7 @@
 #include "frontend/parse/phrases/phrase.h"
 
 #include "frontend/parse/token_kinds.h"
+#include "frontend/spelling.h"
 #include "support/units/units.h"
 
 #include <algorithm>
@@ -39,10 +40,7 @@ Phrase::Phrase(const std::vector<Lexeme>& in, SyntaxReporter& reporter)
 }
 
 std::string Phrase::lower(size_t k) const {
-  std::string word(text(k));
-  std::ranges::transform(word, word.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return word;
+  return inLowerCase(text(k));
 }
 
 bool Phrase::spells(const Lexeme& lexeme, std::string_view word) const {
@@ -312,6 +310,15 @@ size_t tokensOfWords(const Phrase& phrase, size_t k, std::string_view words) {
     ++tokens;
   }
   return tokens;
+}
+
+size_t tokensOfOne(const Phrase& phrase, size_t k, std::span<const std::string_view> words) {
+  for (const std::string_view one : words) {
+    if (const size_t tokens = tokensOfWords(phrase, k, one)) {
+      return tokens;
+    }
+  }
+  return 0;
 }
 
 size_t tokensOfArrow(const Phrase& phrase, size_t k) {

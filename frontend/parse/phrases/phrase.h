@@ -12,6 +12,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -147,6 +148,13 @@ size_t tokensOfQuantity(const Phrase& phrase, size_t first);
 
 /// The number of tokens of `words`, in lower case, from token `k` on; 0: there are others.
 size_t tokensOfWords(const Phrase& phrase, size_t k, std::string_view words);
+
+/// Those of the first of `words` that begins with token `k`.
+size_t tokensOfOne(const Phrase& phrase, size_t k, std::span<const std::string_view> words);
+inline size_t tokensOfOne(const Phrase& phrase, size_t k,
+                          std::initializer_list<std::string_view> words) {
+  return tokensOfOne(phrase, k, std::span(words.begin(), words.size()));
+}
 
 /// The tokens of `->`, `-->`, `=>`, `→` from token `k` on; 0: there is no arrow.
 size_t tokensOfArrow(const Phrase& phrase, size_t k);

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <iterator>
 
 namespace glider::frontend {
@@ -25,10 +24,7 @@ std::string_view keywordNear(std::string_view word) {
 }
 
 bool isKeywordInCapitals(std::string_view word) {
-  std::string small(word);
-  std::ranges::transform(small, small.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return keywordType(small) != 0;
+  return keywordType(inLowerCase(word)) != 0;
 }
 
 /// Whether both are units of time, and the second is smaller: `3 h 30 min` is one duration.

@@ -14,7 +14,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <span>
 
 namespace glider::frontend {
@@ -135,9 +134,7 @@ Suggestion Scope::suggestSensor(std::string_view wrong) const {
 }
 
 Suggestion Scope::suggestName(std::string_view wrong) const {
-  std::string lower(wrong);
-  std::ranges::transform(lower, lower.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string lower = inLowerCase(wrong);
   if (lower != wrong && (isValueName(lower) || findSensorState(platform(), lower))) {
     return {fmt::format("write `{}`", lower), lower};
   }

@@ -110,9 +110,7 @@ bool isPlainlyPoint(std::string_view wish) {
 }  // namespace
 
 std::optional<Suggestion> insteadOf(std::string_view wish, const platforms::Platform& platform) {
-  std::string name(wish);
-  std::ranges::transform(name, name.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string name = inLowerCase(wish);
   if (const std::string angle = compassAngle(wish); !angle.empty()) {
     return Suggestion{"write `" + angle + "`", isPlainlyPoint(wish) ? angle : ""};
   }

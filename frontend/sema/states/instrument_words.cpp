@@ -9,18 +9,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <iterator>
 #include <vector>
 
 namespace glider::frontend {
 namespace {
-
-std::string inLowerCase(std::string word) {
-  std::ranges::transform(word, word.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return word;
-}
 
 /// `all off`: each instrument with what is said of it.
 std::string eachOf(const platforms::Platform& platform, const std::string& how) {

@@ -112,11 +112,11 @@ class SampleLowering {
 
   /// `on climbs on dives`, `above 10 m below 30 m`: both are asked for at once.
   void warnOfNever(const ast::SampleItem& item, ir::ExprId when) {
-    const auto never = neverTrue(scope_.mission, when);
+    const auto never = neverTrueFor(scope_.mission, when);
     if (!never) {
       return;
     }
-    const ir::Sensor& sensor = scope_.mission.sensors[never->sensor.index];
+    const ir::Sensor& sensor = scope_.mission[*never];
     const bool depth = sensor.type == quantity(support::dimension::length);
     scope_.report(support::diagnostics::neverSampled, item.how, item.instrument.text,
                   item.off ? "is never off" : "never reads",

@@ -17,9 +17,19 @@ namespace {
 struct Values {
   double lowest = -std::numeric_limits<double>::infinity();
   double highest = std::numeric_limits<double>::infinity();
-  bool open = false;  ///< one of the ends is not among them
+  bool lowest_is = true, highest_is = true;  ///< whether it is one of them
 
-  [[nodiscard]] bool none() const { return lowest > highest || (open && lowest == highest); }
+  void raise(double to, bool is) {
+    lowest_is = to > lowest ? is : lowest_is && (is || to < lowest);
+    lowest = std::max(lowest, to);
+  }
+  void lower(double to, bool is) {
+    highest_is = to < highest ? is : highest_is && (is || to > highest);
+    highest = std::min(highest, to);
+  }
+  [[nodiscard]] bool none() const {
+    return lowest > highest || (lowest == highest && !(lowest_is && highest_is));
+  }
 };
 
 /// Reads the comparisons of a condition.
@@ -41,10 +51,10 @@ class ConditionReader {
     compare(ir::mirrored(expr.op), expr.operands[1], expr.operands[0]);
   }
 
-  [[nodiscard]] std::optional<NeverTrue> never() const {
+  [[nodiscard]] std::optional<ir::SensorId> never() const {
     for (const auto& [sensor, values] : values_) {
       if (values.none()) {
-        return NeverTrue{ir::SensorId(sensor)};
+        return ir::SensorId(sensor);
       }
     }
     return std::nullopt;
@@ -57,15 +67,13 @@ class ConditionReader {
       return;
     }
     Values& values = values_[mission_[reading].sensor.index];
-    const bool above = op == ir::Op::Greater || op == ir::Op::GreaterEqual;
-    const bool below = op == ir::Op::Less || op == ir::Op::LessEqual;
-    if (above || op == ir::Op::Equal) {
-      values.lowest = std::max(values.lowest, *number);
+    const bool equal = op == ir::Op::Equal;
+    if (equal || op == ir::Op::Greater || op == ir::Op::GreaterEqual) {
+      values.raise(*number, op != ir::Op::Greater);
     }
-    if (below || op == ir::Op::Equal) {
-      values.highest = std::min(values.highest, *number);
+    if (equal || op == ir::Op::Less || op == ir::Op::LessEqual) {
+      values.lower(*number, op != ir::Op::Less);
     }
-    values.open = values.open || op == ir::Op::Greater || op == ir::Op::Less;
   }
 
   const ir::Mission& mission_;
@@ -74,7 +82,7 @@ class ConditionReader {
 
 }  // namespace
 
-std::optional<NeverTrue> neverTrue(const ir::Mission& mission, ir::ExprId condition) {
+std::optional<ir::SensorId> neverTrueFor(const ir::Mission& mission, ir::ExprId condition) {
   ConditionReader reader(mission);
   reader.read(condition);
   return reader.never();

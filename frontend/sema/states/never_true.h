@@ -9,12 +9,8 @@
 
 namespace glider::frontend {
 
-/// A condition whose parts exclude each other: `depth < 10 m && depth > 30 m`.
-struct NeverTrue {
-  ir::SensorId sensor;  ///< what its parts are about
-};
-
-/// Whether comparisons of one sensor with constants in it, joined by `&&`, cannot all be true.
-std::optional<NeverTrue> neverTrue(const ir::Mission& mission, ir::ExprId condition);
+/// The sensor that makes a condition false at any value: its comparisons with constants, joined by
+/// `&&`, exclude each other, as in `depth < 10 m && depth > 30 m`. Empty: none does.
+std::optional<ir::SensorId> neverTrueFor(const ir::Mission& mission, ir::ExprId condition);
 
 }  // namespace glider::frontend

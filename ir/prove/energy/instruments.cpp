@@ -48,7 +48,7 @@ InstrumentSeconds InstrumentShares::sharesIn(const State& state) const {
     // A word that is not known leaves in force what another state has commanded.
     double share = known ? otherwise(draw) : 1;
     if (known && ordered != nullptr) {
-      share = greatest(draw, *ordered, otherwise(draw));
+      share = greatest(draw, *ordered);
     }
     shares[*draw.instrument] = std::max(shares[*draw.instrument], share);
   }
@@ -68,12 +68,11 @@ bool InstrumentShares::isKnown(ExprId code) const {
   return context_.seen.known.expressions[(replaced ? e.operands[2] : code).index];
 }
 
-double InstrumentShares::greatest(const platforms::Draw& draw, const Sampling& sampling,
-                                  double otherwise) const {
+double InstrumentShares::greatest(const platforms::Draw& draw, const Sampling& sampling) const {
   const auto isKnown = [&](ExprId code) { return context_.seen.known.expressions[code.index]; };
   double greatest = 0;
   forEachCode(m_, sampling, isKnown, [&](const Expr& code) {
-    greatest = std::max(greatest, with(code, sampling.period, draw).value_or(otherwise));
+    greatest = std::max(greatest, with(code, sampling.period, draw).value_or(otherwise(draw)));
   });
   return greatest;
 }

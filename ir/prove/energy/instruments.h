@@ -29,9 +29,7 @@ class InstrumentShares {
   [[nodiscard]] InstrumentSeconds sharesIn(const State& state) const;
   [[nodiscard]] double otherwise(const platforms::Draw& draw) const;
   [[nodiscard]] bool isKnown(ExprId code) const;
-  /// `otherwise`: where the vehicle's own mission says how often.
-  [[nodiscard]] double greatest(const platforms::Draw& draw, const Sampling& sampling,
-                                double otherwise) const;
+  [[nodiscard]] double greatest(const platforms::Draw& draw, const Sampling& sampling) const;
   [[nodiscard]] std::optional<double> with(const Expr& code, ExprId period,
                                            const platforms::Draw& draw) const;
 

@@ -146,10 +146,8 @@ std::optional<Head> headAt(const Phrase& phrase, size_t k) {
 size_t tokensOfSeparator(const Phrase& phrase, size_t k) {
   constexpr std::array<std::string_view, 8> kWords = {"up to", "down to", "to",   "until",
                                                       "till",  "through", "thru", "and"};
-  for (const std::string_view word : kWords) {
-    if (const size_t tokens = tokensOfWords(phrase, k, word)) {
-      return tokens;
-    }
+  if (const size_t tokens = tokensOfOne(phrase, k, kWords)) {
+    return tokens;
   }
   const std::string_view text = phrase.text(k);
   if (phrase.type(k) == GliderLexer::RANGE) {

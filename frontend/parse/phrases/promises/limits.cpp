@@ -239,12 +239,7 @@ size_t tokensOfUse(const Phrase& phrase, size_t k) {
                                          "energy",
                                          "energyused",
                                          "consumption"};
-  for (const std::string_view words : kWords) {
-    if (const size_t tokens = tokensOfWords(phrase, k, words)) {
-      return tokens;
-    }
-  }
-  return 0;
+  return tokensOfOne(phrase, k, kWords);
 }
 
 /// `energy < 40 Wh`, `uses at most 40 Wh`, `at most 40 Wh`.

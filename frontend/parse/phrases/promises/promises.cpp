@@ -151,12 +151,7 @@ size_t tokensOfMost(const Phrase& phrase) {
             {GliderLexer::LE, GliderLexer::LT, GliderLexer::COLON, GliderLexer::ASSIGN})) {
     return 1;
   }
-  for (const std::string_view words : kWords) {
-    if (const size_t tokens = tokensOfWords(phrase, 1, words)) {
-      return tokens;
-    }
-  }
-  return 0;
+  return tokensOfOne(phrase, 1, kWords);
 }
 
 /// `require surfaces 4 times`: how often is not how far apart.

@@ -89,15 +89,6 @@ bool endsSample(const Phrase& phrase, size_t k) {
          type == GliderLexer::END || startsItem(type);
 }
 
-size_t tokensOfOne(const Phrase& phrase, size_t k, std::initializer_list<std::string_view> words) {
-  for (const std::string_view one : words) {
-    if (const size_t tokens = tokensOfWords(phrase, k, one)) {
-      return tokens;
-    }
-  }
-  return 0;
-}
-
 std::string_view readText(const Phrase& phrase, size_t back) {
   return phrase.source().text(
       {0, phrase.lexemeBefore(back - 1)->begin, phrase.lexemeBefore()->end});

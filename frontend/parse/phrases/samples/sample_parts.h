@@ -5,7 +5,6 @@
 
 #include "frontend/parse/phrases/phrase.h"
 
-#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -30,10 +29,6 @@ bool mayBeginPart(const Phrase& phrase);
 bool beginsPart(const Phrase& phrase, size_t k);
 /// Whether `sample` ends before token `k`.
 bool endsSample(const Phrase& phrase, size_t k);
-
-/// The number of tokens of the first of `words`, in lower case, that begins with token `k`; 0:
-/// none.
-size_t tokensOfOne(const Phrase& phrase, size_t k, std::initializer_list<std::string_view> words);
 
 /// What was read of the item, from its tokens `back` ago up to the current token, as written.
 std::string_view readText(const Phrase& phrase, size_t back);

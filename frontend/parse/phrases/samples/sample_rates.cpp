@@ -148,9 +148,6 @@ size_t partOrder(Phrase& phrase) {
 
 namespace {
 
-constexpr std::array<std::string_view, 13> kNumbers = {"zero", "one",    "two",   "three", "four",
-                                                       "five", "six",    "seven", "eight", "nine",
-                                                       "ten",  "eleven", "twelve"};
 constexpr std::array<std::string_view, 13> kOrdinals = {
     "zeroth",  "first",  "second", "third", "fourth",   "fifth",  "sixth",
     "seventh", "eighth", "ninth",  "tenth", "eleventh", "twelfth"};
@@ -169,12 +166,12 @@ Count countAt(const Phrase& phrase, size_t k) {
     return {ending ? size_t{2} : size_t{1}, std::string(phrase.text(k))};
   }
   const std::string word = phrase.lower(k);
-  const auto* number = std::ranges::find(kNumbers, word);
+  const auto* number = std::ranges::find(kNumberWords, word);
   const auto* ordinal = std::ranges::find(kOrdinals, word);
   if (word == "other") {
     return {1, "2"};
   }
-  return number != kNumbers.end()     ? Count{1, std::to_string(number - kNumbers.begin())}
+  return number != kNumberWords.end() ? Count{1, std::to_string(number - kNumberWords.begin())}
          : ordinal != kOrdinals.end() ? Count{1, std::to_string(ordinal - kOrdinals.begin())}
                                       : Count{};
 }
